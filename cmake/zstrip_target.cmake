@@ -1,0 +1,17 @@
+# What every target of zstrip shares: the language, and warnings that never reach those who embed it.
+function(zstrip_configure_target target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  target_compile_options(${target} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU,Clang>:-Wall -Wextra -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion>)
+  if(ZSTRIP_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang>:-Werror>)
+  endif()
+endfunction()
+
+# Freestanding code also keeps away from exceptions, RTTI and guarded statics.
+function(zstrip_configure_freestanding_target target)
+  zstrip_configure_target(${target})
+  target_compile_options(${target} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU,Clang>:-ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics>)
+endfunction()

@@ -1,0 +1,51 @@
+// Integer functions for work done once a frame or once a vertex: sine, square root, reciprocal.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "zstrip/base/fixed.hpp"
+
+namespace zstrip {
+
+/// Sine and cosine of an angle in turns (0.16), in 2.30. Exact at multiples of a quarter turn;
+/// elsewhere within 4 units of 2^-30.
+std::int32_t sine(Angle angle);
+std::int32_t cosine(Angle angle);
+
+/// floor(sqrt(value)), exact for every input.
+std::uint32_t square_root(std::uint64_t value);
+
+/// 2^62 / divisor for a normalised divisor (2^31 <= divisor < 2^32): a result of 31 bits, 2^30 <= result < 2^31,
+/// relative error below 2^-28. One 32-bit division and one Newton step; the same bits on every target.
+constexpr std::int32_t reciprocal(std::uint32_t divisor) {
+  const std::uint32_t first = (0xFFFFFFFFU / (divisor >> 16)) << 14;    // 2^62 / divisor to 2^-15
+  const std::uint32_t product = multiply_high(divisor, first);          // 2^30 (1 + error)
+  const std::uint32_t correction = (std::uint32_t{1} << 31) - product;  // 2^30 (1 - error)
+  return static_cast<std::int32_t>(multiply_high(first, correction << 1) << 1);
+}
+
+/// numerator * 2^shift / divisor with 31 significant bits, or fewer where the result is small; for set-up, not for
+/// pixels. The exact quotient must fit an int64_t after the shift; divisor > 0.
+struct ScaledReciprocal {
+  std::int32_t mantissa;  ///< reciprocal() of the normalised divisor
+  int normalisation;      ///< divisor * 2^normalisation lies in 2^31 .. 2^32 (negative for wide divisors)
+
+  static constexpr ScaledReciprocal of(std::uint64_t divisor) {
+    const int zeros = std::countl_zero(divisor);
+    return {reciprocal(static_cast<std::uint32_t>((divisor << zeros) >> 32)), zeros - 32};
+  }
+  /// floor(numerator / divisor * 2^fraction_bits) up to the reciprocal's relative error.
+  constexpr std::int64_t quotient(std::int64_t numerator, int fraction_bits) const {
+    // numerator * mantissa is up to 95 bits: multiply halves, keep the exact floor of the product / 2^32.
+    const std::int64_t high = (numerator >> 32) * mantissa;
+    const std::uint64_t low = (numerator & 0xFFFFFFFF) * static_cast<std::uint64_t>(mantissa);
+    const std::int64_t product =
+        high + static_cast<std::int64_t>(low >> 32);  // numerator / divisor * 2^(30-normalisation)
+    const int shift = 30 - normalisation - fraction_bits;
+    if (shift >= 64) return product >> 63;
+    return shift >= 0 ? product >> shift : static_cast<std::int64_t>(static_cast<std::uint64_t>(product) << -shift);
+  }
+};
+
+}  // namespace zstrip

@@ -1,0 +1,37 @@
+// The words for errors and purposes.
+#include "zstrip/base/status.hpp"
+
+namespace zstrip {
+
+const char* message(Error error) {
+  switch (error) {
+    case Error::none: return "no error";
+    case Error::arena_too_small: return "the arena is too small";
+    case Error::pixels_too_small: return "the pixel buffer of a strip is too small";
+    case Error::view_size: return "the picture's width and height must be 1 to 4096";
+    case Error::strip_rows: return "the strip does not exist in this picture";
+    case Error::camera: return "the camera is not usable";
+    case Error::mesh: return "a mesh is not valid";
+    case Error::instance: return "an instance is not valid";
+    case Error::material: return "a material refers to a texture that does not exist";
+    case Error::texture: return "a texture is not valid";
+    case Error::light: return "too many lights";
+    case Error::effect_missing: return "the renderer was built without an effect that the scene calls for";
+    case Error::not_begun: return "draw_strip needs a successful begin_frame";
+  }
+  return "unknown error";
+}
+
+const char* name(Purpose purpose) {
+  switch (purpose) {
+    case Purpose::none: return "nothing";
+    case Purpose::instances: return "instances";
+    case Purpose::vertices: return "vertices";
+    case Purpose::depth: return "depth";
+    case Purpose::colour: return "colour";
+    case Purpose::bins: return "bins";
+  }
+  return "unknown";
+}
+
+}  // namespace zstrip

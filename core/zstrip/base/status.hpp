@@ -1,0 +1,44 @@
+// Errors as values: what went wrong, for which purpose, how much was needed and how much was there.
+#pragma once
+
+#include <cstdint>
+
+namespace zstrip {
+
+enum class Error : std::uint8_t {
+  none,
+  arena_too_small,   ///< `needed`, `available` in bytes; `purpose` says for what
+  pixels_too_small,  ///< the caller's strip buffer; `needed`, `available` in bytes
+  view_size,         ///< width or height outside 1..4096
+  strip_rows,  ///< more strip rows than the picture has, or a strip index out of range (`needed` = given, `available` =
+               ///< limit)
+  camera,      ///< not 0 < near < far, focal length <= 0, or axes that are not set
+  mesh,        ///< index out of range, no positions, size or bits out of range (`needed` = index of the mesh)
+  instance,  ///< refers to a mesh or material that does not exist, or a transform out of range (`needed` = index of the
+             ///< instance)
+  material,  ///< refers to a texture that does not exist (`needed` = index of the material)
+  texture,   ///< no texels, or more than 2^11 on a side (`needed` = index of the texture)
+  light,     ///< too many lights (`needed` = given, `available` = limit)
+  effect_missing,  ///< the scene calls for an effect that this renderer was built without (`needed` = the missing set)
+  not_begun,       ///< draw_strip before a successful begin_frame
+};
+
+/// What memory is for. The order is that of a plan's table.
+enum class Purpose : std::uint8_t { none, instances, vertices, depth, colour, bins };
+
+/// `error == Error::none` is success; converts to true then. [[nodiscard]]: nothing fails in silence.
+struct [[nodiscard]] Status {
+  Error error = Error::none;
+  Purpose purpose = Purpose::none;
+  std::uint32_t needed = 0;
+  std::uint32_t available = 0;
+
+  constexpr explicit operator bool() const { return error == Error::none; }
+  friend constexpr bool operator==(const Status&, const Status&) = default;
+};
+
+/// A short English phrase without a full stop, in static storage.
+const char* message(Error error);
+const char* name(Purpose purpose);
+
+}  // namespace zstrip

@@ -1,0 +1,17 @@
+// The rectangle and the depth range that a frame's scene can fill, from bounding boxes alone.
+#pragma once
+
+#include "zstrip/geometry/project.hpp"
+#include "zstrip/scene/camera.hpp"
+#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene/view.hpp"
+
+namespace zstrip::detail {
+
+/// Fitted to all instances that reach into the camera's depth range; near == 0 if there is none.
+DepthFit fit_to_scene(const Scene& scene, const Camera& camera);
+
+/// Picture pixels that the instance's bounding box can cover, cut to the view.
+Rect bounds_of(const CompiledInstance& instance, const RasterOrigin& origin, const View& view, bool orthographic);
+
+}  // namespace zstrip::detail

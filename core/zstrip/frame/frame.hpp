@@ -1,0 +1,48 @@
+// The state of one frame between begin_frame and its strips.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/base/statistics.hpp"
+#include "zstrip/geometry/project.hpp"
+#include "zstrip/plan/plan.hpp"
+#include "zstrip/scene/view.hpp"
+
+namespace zstrip {
+
+/// Read-only for applications. Refers to the caller's scene and arena.
+class Frame {
+ public:
+  /// The smallest rectangle known to hold everything that is drawn, in picture pixels; the z-buffer covers no more.
+  const Rect& bounds() const { return bounds_; }
+  const View& view() const { return view_; }
+  const Plan& plan() const { return plan_; }
+  /// Zeros without effect::statistics.
+  const Statistics& statistics() const { return statistics_; }
+  /// Distances that codes 65534 and 1 stand for, in view units, 16.16; 0, 0 if nothing is visible.
+  Fixed nearest() const { return static_cast<Fixed>(fit_.near >> (kDistanceBits - kFixedBits)); }
+  Fixed farthest() const { return static_cast<Fixed>(fit_.far >> (kDistanceBits - kFixedBits)); }
+  /// The z-buffer of the strip drawn last: the part of bounds() in that strip, row by row. Empty rectangle if none.
+  const std::uint16_t* depth() const { return depth_; }
+  const Rect& depth_area() const { return depth_area_; }
+
+  struct Access;  // the pipeline's way in
+
+ private:
+  friend struct Access;
+  const Scene* scene_ = nullptr;
+  View view_{};
+  Plan plan_{};
+  Rect bounds_{};
+  Rect depth_area_{};
+  DepthFit fit_{};
+  detail::RasterOrigin origin_{};
+  detail::CompiledInstance* instances_ = nullptr;
+  detail::SnappedVertex* vertices_ = nullptr;
+  Colour* colours_ = nullptr;
+  std::uint16_t* depth_ = nullptr;
+  std::uint16_t* working_colour_ = nullptr;
+  Statistics statistics_{};
+};
+
+}  // namespace zstrip

@@ -1,0 +1,22 @@
+// One pipeline per effect set: the two entry points that the renderer needs.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "zstrip/frame/frame.hpp"
+#include "zstrip/plan/plan.hpp"
+
+namespace zstrip {
+
+struct Pipeline {
+  Status (*begin_frame)(Frame&, const Scene&, const Camera&, const View&, const Plan&, std::span<std::byte> arena);
+  Status (*draw_strip)(Frame&, std::uint16_t strip, std::span<std::byte> pixels);
+};
+
+/// The pipeline that draws exactly `effects`. Links all of them: for hosts (library zstrip::core_any).
+Pipeline pipeline_for(Effects effects);
+
+}  // namespace zstrip
+
+#include "zstrip/frame/frame_inline.hpp"

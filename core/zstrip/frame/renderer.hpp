@@ -1,0 +1,58 @@
+// The renderer that applications use: begin_frame once, draw_strip for each strip.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "zstrip/frame/frame.hpp"
+#include "zstrip/frame/pipeline.hpp"
+
+namespace zstrip {
+
+/// Draws scenes that call for no more than `effects`. Firmware instantiates exactly one:
+///     constexpr Effects kEffects = effects_of(scene, camera);
+///     Renderer<kEffects> renderer;
+/// Holds no pixels and no heap: some hundred bytes. Not safe for two threads at once; separate objects with separate
+/// arenas are independent.
+template <Effects effects>
+class Renderer {
+ public:
+  /// Checks everything that could harm and prepares the frame. `arena`: at least plan.bytes(), aligned to
+  /// kArenaAlignment, its contents do not matter. Scene and arena must stay alive and unchanged until the last
+  /// draw_strip of this frame. On an error the renderer draws nothing until the next success.
+  Status begin_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
+                     std::span<std::byte> arena) {
+    return detail::begin_frame<effects>(frame_, scene, camera, view, plan, arena);
+  }
+  /// Draws rows [strip * strip_rows, ...) of the picture into `pixels` (plan.strip_pixel_bytes(view), aligned to 2 for
+  /// RGB565; its contents do not matter). The last strip may have fewer rows. Strips may be drawn in any order, or
+  /// again.
+  Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
+    return detail::draw_strip<effects>(frame_, strip, pixels);
+  }
+  const Frame& frame() const { return frame_; }
+
+ private:
+  Frame frame_;
+};
+
+/// The same for programs that learn the effects at run time: one indirect call a frame and strip.
+class AnyRenderer {
+ public:
+  /// Takes the pipeline for exactly these effects.
+  explicit AnyRenderer(Effects effects) : pipeline_(pipeline_for(effects)) {}
+  Status begin_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
+                     std::span<std::byte> arena) {
+    return pipeline_.begin_frame(frame_, scene, camera, view, plan, arena);
+  }
+  Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
+    return pipeline_.draw_strip(frame_, strip, pixels);
+  }
+  const Frame& frame() const { return frame_; }
+
+ private:
+  Pipeline pipeline_;
+  Frame frame_;
+};
+
+}  // namespace zstrip

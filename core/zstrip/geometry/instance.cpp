@@ -1,0 +1,231 @@
+// Composes camera, transform and bounding box into the forms of a CompiledInstance. Once an instance and frame;
+// 64-bit arithmetic throughout. docs/numerics.md has the ranges.
+#include "zstrip/geometry/instance.hpp"
+
+namespace zstrip::detail {
+namespace {
+
+/// One row of position -> view space: value(p) = offset + sum part[i] * p[i] / 32768, in 26.38.
+struct ViewRow {
+  std::int64_t part[3];
+  std::int64_t offset;
+};
+
+constexpr std::int64_t magnitude(std::int64_t value) { return value < 0 ? -value : value; }
+
+/// `axis` in 2.30.
+ViewRow view_row(const Vec3& axis, const Camera& camera, const Mesh& mesh, const Transform& transform) {
+  const std::int32_t a[3] = {axis.x, axis.y, axis.z};
+  const Fixed half[3] = {mesh.half_extent.x, mesh.half_extent.y, mesh.half_extent.z};
+  const Fixed centre[3] = {mesh.centre.x, mesh.centre.y, mesh.centre.z};
+  const Fixed eye[3] = {camera.eye.x, camera.eye.y, camera.eye.z};
+  ViewRow row{};
+  for (int column = 0; column < 3; ++column) {
+    std::int64_t rotated = 0;  // 2.30 * 9.16 = 18.46, three terms: below 2^56
+    for (int k = 0; k < 3; ++k) rotated += std::int64_t{a[k]} * transform.m[k][column];
+    rotated >>= 24;                             // 42.22, below 2^32
+    row.part[column] = rotated * half[column];  // 26.38, below 2^60
+    row.offset += rotated * centre[column];     // 26.38
+  }
+  for (int k = 0; k < 3; ++k) {
+    const std::int64_t from_eye = std::int64_t{transform.m[k][3]} - eye[k];  // 17.16
+    row.offset += (a[k] * from_eye) >> 8;                                    // 19.46 -> 26.38
+  }
+  return row;
+}
+
+/// Largest absolute value over the bounding box.
+std::uint64_t bound(const ViewRow& row) {
+  return static_cast<std::uint64_t>(magnitude(row.part[0]) + magnitude(row.part[1]) + magnitude(row.part[2]) +
+                                    magnitude(row.offset));
+}
+
+std::int64_t shifted_right(std::int64_t value, int shift) {
+  if (shift >= 63) return value >> 63;
+  return shift >= 0 ? value >> shift : static_cast<std::int64_t>(static_cast<std::uint64_t>(value) << -shift);
+}
+
+/// A row brought to 30 bits: real value = form's value * 2^exponent / 2^38.
+struct Normalised {
+  LinearForm form;
+  int exponent;
+};
+
+Normalised normalise(const ViewRow& row) {
+  const int exponent = 34 - std::countl_zero(bound(row) | 1);
+  const auto coefficient = [&](int i) {
+    // LinearForm takes half of a coefficient at p = 32768: one bit more than the value.
+    return static_cast<std::int32_t>(shifted_right(row.part[i], exponent - 1));
+  };
+  return {
+      {coefficient(0), coefficient(1), coefficient(2), static_cast<std::int32_t>(shifted_right(row.offset, exponent))},
+      exponent};
+}
+
+LinearForm shifted_right(const LinearForm& form, int shift) {
+  if (shift <= 0) return form;
+  if (shift > 31) shift = 31;
+  return {form.x >> shift, form.y >> shift, form.z >> shift, form.offset >> shift};
+}
+
+/// form * mantissa / 2^31.
+LinearForm scaled(const LinearForm& form, std::int64_t mantissa) {
+  const auto times = [mantissa](std::int32_t c) { return static_cast<std::int32_t>((c * mantissa) >> 31); };
+  return {times(form.x), times(form.y), times(form.z), times(form.offset)};
+}
+
+ViewRow negated(const ViewRow& row) { return {{-row.part[0], -row.part[1], -row.part[2]}, -row.offset}; }
+
+ViewRow distance_row(const Mesh& mesh, const Transform& transform, const Camera& camera) {
+  return negated(view_row(camera.back, camera, mesh, transform));
+}
+
+constexpr std::uint8_t product(std::uint8_t a, std::uint8_t b) {
+  return static_cast<std::uint8_t>((a * b + 127) / 255);
+}
+constexpr Colour product(const Colour& a, const Colour& b) {
+  return {product(a.r, b.r), product(a.g, b.g), product(a.b, b.b), 255};
+}
+
+/// The light's direction as seen from the object: the transform's transpose, renormalised. Exact for rotations with
+/// uniform scale.
+ObjectLight object_light(const DirectionalLight& light, const Transform& transform, const Colour& material) {
+  const std::int64_t direction[3] = {light.x, light.y, light.z};
+  std::int64_t turned[3] = {};  // 9.16 * 1.15, three terms: below 2^42
+  for (int column = 0; column < 3; ++column) {
+    for (int k = 0; k < 3; ++k) turned[column] += transform.m[k][column] * direction[k];
+  }
+  const auto largest = static_cast<std::uint64_t>(magnitude(turned[0]) | magnitude(turned[1]) | magnitude(turned[2]));
+  const Colour colour = product(light.colour, material);
+  ObjectLight result{0, 0, 0, colour.r, colour.g, colour.b, 0};
+  if (largest == 0) return result;
+  const int shift = 34 - std::countl_zero(largest);  // to 30 bits
+  for (std::int64_t& c : turned) c = shifted_right(c, shift);
+  const std::uint64_t square =
+      static_cast<std::uint64_t>(turned[0] * turned[0] + turned[1] * turned[1] + turned[2] * turned[2]);
+  const std::int64_t length = square_root(square);
+  const auto component = [length](std::int64_t c) { return static_cast<std::int16_t>(c * 32767 / length); };  // 1.15
+  result.x = component(turned[0]);
+  result.y = component(turned[1]);
+  result.z = component(turned[2]);
+  return result;
+}
+
+void compile_shading(CompiledInstance& compiled, const Scene& scene, const Instance& instance) {
+  const Mesh& mesh = scene.meshes[instance.mesh];
+  const Material& material = scene.materials[instance.material];
+  const bool textured = material.texture != kNoTexture && !mesh.texcoords.empty();
+  compiled.lit = material.lit && !mesh.normals.empty();
+  compiled.coloured = !mesh.colours.empty() && !(textured && !material.lit);
+  compiled.double_sided = material.double_sided;
+  compiled.base = material.colour;
+  compiled.ambient = product(scene.ambient, material.colour);
+  compiled.light_count = compiled.lit ? static_cast<std::uint8_t>(scene.lights.size()) : std::uint8_t{0};
+  for (int i = 0; i < compiled.light_count; ++i) {
+    compiled.lights[i] = object_light(scene.lights[static_cast<std::size_t>(i)], instance.transform, material.colour);
+  }
+  const bool varies = material.smooth && (compiled.lit || compiled.coloured);
+  if (!textured) {
+    compiled.shade = varies ? Shade::gouraud : Shade::flat;
+  } else if (!material.lit) {
+    compiled.shade = Shade::textured;
+  } else {
+    compiled.shade = varies ? Shade::textured_gouraud : Shade::textured_flat;
+  }
+}
+
+/// Numerator of a picture coordinate: view row times pixels per unit. `extra_exponent` is that of w for perspective.
+Status compile_coordinate(LinearForm& form, std::int32_t& shift, const ViewRow& row, std::int64_t mantissa,
+                          int mantissa_exponent, int w_exponent) {
+  const Normalised normal = normalise(row);
+  form = scaled(normal.form, mantissa);
+  // coordinate = form * 2^(31 + mantissa_exponent + exponent - 38) / (w * 2^(w_exponent - 38)), in 1/16 pixels.
+  const int binary_exponent = 31 + mantissa_exponent + normal.exponent - w_exponent;
+  shift = 30 - binary_exponent;
+  if (shift > 31) {
+    form = shifted_right(form, shift - 31);
+    shift = 31;
+  }
+  return shift >= 0 ? Status{} : Status{.error = Error::instance};
+}
+
+void compile_perspective_depth(CompiledInstance& compiled, const DepthFit& fit) {
+  // code = k / w - offset. With n the leading zeros of w_near and r = 2^62 / (w_near 2^n): k = quotient_at_near / r.
+  const int normalisation = std::countl_zero(compiled.w_near);
+  const int zeros = std::countl_zero(static_cast<std::uint64_t>(fit.quotient_at_near));
+  const auto mantissa = static_cast<std::uint32_t>((static_cast<std::uint64_t>(fit.quotient_at_near) << zeros) >> 32);
+  std::uint32_t scale = multiply_high(mantissa, compiled.w_near << normalisation);
+  int shift = (32 - zeros) + 2;
+  if (scale < 0x80000000U) scale <<= 1, --shift;
+  compiled.depth_scale = scale;
+  compiled.depth_shift = static_cast<std::uint8_t>(shift);
+  compiled.depth_normalisation = static_cast<std::uint8_t>(normalisation);
+}
+
+void compile_orthographic_depth(CompiledInstance& compiled) {
+  const int normalisation = std::countl_zero(compiled.w_range);
+  const std::uint64_t range = std::uint64_t{compiled.w_range} << normalisation;
+  compiled.depth_scale = static_cast<std::uint32_t>((static_cast<std::uint64_t>(kDepthSpan) << 31) / range);
+  compiled.depth_shift = 1;
+  compiled.depth_normalisation = static_cast<std::uint8_t>(normalisation);
+}
+
+}  // namespace
+
+DistanceRange distance_range(const Mesh& mesh, const Transform& transform, const Camera& camera) {
+  const ViewRow row = distance_row(mesh, transform, camera);
+  const std::int64_t reach = magnitude(row.part[0]) + magnitude(row.part[1]) + magnitude(row.part[2]);
+  return {row.offset - reach, row.offset + reach};
+}
+
+Status compile_instance(CompiledInstance& compiled, const Scene& scene, const Instance& instance, const Camera& camera,
+                        const View& view, const DepthFit& fit) {
+  const Mesh& mesh = scene.meshes[instance.mesh];
+  const bool orthographic = camera.projection == Projection::orthographic;
+  compiled = {};
+  compiled.mesh = instance.mesh;
+  compiled.material = instance.material;
+  compile_shading(compiled, scene, instance);
+
+  const DistanceRange range = distance_range(mesh, instance.transform, camera);
+  compiled.visible = range.farthest >= fit.near && range.nearest <= fit.far;
+  if (!compiled.visible) return {};
+
+  Normalised w = normalise(distance_row(mesh, instance.transform, camera));
+
+  // Pixels per unit, in sixteenths: focal * height / 2 * 16, as a mantissa of 31 bits.
+  const std::uint64_t sixteenths = static_cast<std::uint64_t>(camera.focal) * view.height * 8U;  // 16 fraction bits
+  const int zeros = std::countl_zero(sixteenths);
+  const auto mantissa = static_cast<std::int64_t>((sixteenths << zeros) >> 33);  // 2^30 .. 2^31
+  const int mantissa_exponent = 33 - zeros - kFixedBits;
+
+  const ViewRow right = view_row(camera.right, camera, mesh, instance.transform);
+  const ViewRow down = negated(view_row(camera.up, camera, mesh, instance.transform));
+  // Orthographic: no division; as if w were 2^30, so that coordinate = form >> shift.
+  const int w_exponent = orthographic ? kDistanceBits - 30 : w.exponent;
+  const Status status_x =
+      compile_coordinate(compiled.x, compiled.shift_x, right, mantissa, mantissa_exponent, w_exponent);
+  const Status status_y =
+      compile_coordinate(compiled.y, compiled.shift_y, down, mantissa, mantissa_exponent, w_exponent);
+  if (!status_x || !status_y) return {.error = Error::instance};
+
+  compiled.w = w.form;
+  const auto in_w = [&](Distance distance) { return shifted_right(distance, w.exponent); };
+  constexpr std::int64_t kLargest = (std::int64_t{1} << 30) - 1;
+  const std::int64_t w_near = in_w(fit.near) < 1 ? 1 : in_w(fit.near);
+  const std::int64_t w_far = in_w(fit.far) > kLargest ? kLargest : in_w(fit.far);
+  if (w_near >= w_far) {
+    compiled.visible = false;  // the box only touches the near plane
+    return {};
+  }
+  compiled.w_near = static_cast<std::uint32_t>(w_near);
+  compiled.w_range = static_cast<std::uint32_t>(w_far - w_near);
+  if (orthographic) {
+    compile_orthographic_depth(compiled);
+  } else {
+    compile_perspective_depth(compiled, fit);
+  }
+  return {};
+}
+
+}  // namespace zstrip::detail

@@ -1,0 +1,65 @@
+// An instance prepared for one frame: object-space positions to picture coordinates in a few multiplications,
+// and its lights turned into object space.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/base/math.hpp"
+#include "zstrip/base/status.hpp"
+#include "zstrip/geometry/depth_fit.hpp"
+#include "zstrip/plan/plan.hpp"
+#include "zstrip/scene/camera.hpp"
+#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene/view.hpp"
+
+namespace zstrip::detail {
+
+/// An affine form of a position, offset + x*px + y*py + z*pz, whose value over the whole mesh stays below 2^30.
+/// Each product is floor(coefficient * p / 2^16): the upper word of a 32-bit multiplication (SMULL, SMLAWB), so that
+/// every target gets the same bits.
+struct LinearForm {
+  std::int32_t x, y, z, offset;
+
+  constexpr std::int32_t at(const Position& p) const {
+    return offset + multiply_high(x, std::int32_t{p.x} << 16) + multiply_high(y, std::int32_t{p.y} << 16) +
+           multiply_high(z, std::int32_t{p.z} << 16);
+  }
+};
+
+/// How the light and the material shade this instance. Chosen once a frame, so that no triangle asks again.
+enum class Shade : std::uint8_t { flat, gouraud, textured, textured_flat, textured_gouraud };
+
+struct ObjectLight {
+  std::int16_t x, y, z;          ///< 1.15, unit vector towards the light, in object space
+  std::uint8_t r, g, b, unused;  ///< light times material
+};
+
+struct CompiledInstance {
+  LinearForm x, y;                   ///< numerators of the picture coordinates
+  LinearForm w;                      ///< distance along the viewing direction, in the instance's own scale
+  std::int32_t shift_x, shift_y;     ///< x/w in 1/16 pixels = x * reciprocal(w normalised by n) >> (32 + shift - n)
+  std::uint32_t w_near, w_range;     ///< w - w_near <= w_range (unsigned) is inside the depth range
+  std::uint32_t depth_scale;         ///< mantissa of the depth's scale
+  std::uint8_t depth_shift;          ///< left shift after the scale
+  std::uint8_t depth_normalisation;  ///< perspective: leading zeros of w_near; orthographic: left shift of w_far - w
+  Shade shade;
+  std::uint8_t light_count;
+  ObjectLight lights[kMaxLights];
+  Colour ambient;  ///< ambient light times material
+  Colour base;     ///< the material's colour
+  std::uint16_t mesh, material;
+  bool lit, coloured, double_sided, visible;
+};
+static_assert(sizeof(CompiledInstance) <= kInstanceBytes);
+
+/// Distances that the instance's bounding box spans along the viewing direction. May lie behind the camera.
+struct DistanceRange {
+  Distance nearest, farthest;
+};
+DistanceRange distance_range(const Mesh& mesh, const Transform& transform, const Camera& camera);
+
+/// Error::instance if its picture would be more than 2^26 pixels wide.
+Status compile_instance(CompiledInstance& compiled, const Scene& scene, const Instance& instance, const Camera& camera,
+                        const View& view, const DepthFit& fit);
+
+}  // namespace zstrip::detail

@@ -1,0 +1,55 @@
+// The colour of a vertex: ambient and directional light on the material, times the vertex colour.
+#pragma once
+
+#include "zstrip/geometry/instance.hpp"
+#include "zstrip/scene/effects.hpp"
+
+namespace zstrip::detail {
+
+/// 0..255 to a factor of 0..256, so that 255 is exactly one.
+constexpr std::uint32_t factor(std::uint32_t channel) { return channel + (channel >> 7); }
+
+constexpr std::uint8_t clamped_channel(std::uint32_t sum) { return static_cast<std::uint8_t>(sum < 255 ? sum : 255); }
+
+inline Colour lit_colour(const CompiledInstance& instance, const Normal& normal) {
+  std::uint32_t r = instance.ambient.r;
+  std::uint32_t g = instance.ambient.g;
+  std::uint32_t b = instance.ambient.b;
+  for (int i = 0; i < instance.light_count; ++i) {
+    const ObjectLight& light = instance.lights[i];
+    const std::int32_t cosine = normal.x * light.x + normal.y * light.y + normal.z * light.z;  // 3.22
+    if (cosine <= 0) continue;
+    std::uint32_t intensity = static_cast<std::uint32_t>(cosine) >> 14;  // 0..253 where both are unit vectors
+    intensity += intensity >> 6;                                         // 0..256
+    if (intensity > 256) intensity = 256;                                // normals longer than one
+    r += (intensity * light.r) >> 8;
+    g += (intensity * light.g) >> 8;
+    b += (intensity * light.b) >> 8;
+  }
+  return {clamped_channel(r), clamped_channel(g), clamped_channel(b), 255};
+}
+
+constexpr Colour modulated(const Colour& colour, const Colour& by) {
+  return {static_cast<std::uint8_t>((colour.r * factor(by.r)) >> 8),
+          static_cast<std::uint8_t>((colour.g * factor(by.g)) >> 8),
+          static_cast<std::uint8_t>((colour.b * factor(by.b)) >> 8), 255};
+}
+
+/// `instance.lit` and `instance.coloured` are only looked at where the effect exists.
+template <Effects effects>
+inline Colour vertex_colour(const CompiledInstance& instance, const Mesh& mesh, std::uint32_t vertex) {
+  Colour colour = instance.base;
+  if constexpr (effects.has(effect::lighting)) {
+    if (instance.lit) colour = lit_colour(instance, mesh.normals[vertex]);
+  }
+  if constexpr (effects.has(effect::vertex_colours)) {
+    if (instance.coloured) {
+      const Colour& own = mesh.colours[vertex];
+      // White base and no light: the vertex colour as it is, without a multiplication.
+      colour = colour == Colour{255, 255, 255, 255} ? own : modulated(colour, own);
+    }
+  }
+  return colour;
+}
+
+}  // namespace zstrip::detail

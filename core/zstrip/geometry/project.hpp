@@ -1,0 +1,105 @@
+// From a position's linear forms to snapped picture coordinates and depth. One formula for the narrow vertices of the
+// fast path and the wide ones of the clipping path: a vertex that both see gets the same coordinates.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "zstrip/geometry/instance.hpp"
+
+namespace zstrip::detail {
+
+/// Raster coordinates: 1/16 pixels relative to pixel (width / 2, height / 2), plus kCentreBias, so that
+/// coordinate >> 4 is the first pixel whose centre is not to the left of it. Pixel p's centre is at 16 p +
+/// kPixelCentre.
+inline constexpr std::int32_t kCentreBias = 7;
+inline constexpr std::int32_t kPixelCentre = 8 + kCentreBias;
+
+/// Narrow coordinates: any difference fits 15 bits and a sign, a product of two 31, so that areas and edges of narrow
+/// triangles need 32 bits.
+inline constexpr std::int32_t kNarrowLimit = 1024 * 16;
+/// Wide coordinates: within 2^18 pixels, the guard band.
+inline constexpr int kGuardBits = 22;
+
+/// The frame's constants of the mapping to raster coordinates.
+struct RasterOrigin {
+  std::int32_t bias_x, bias_y;  ///< kCentreBias, plus half a pixel where the size is odd
+  std::uint32_t depth_offset;   ///< subtracted from k / w, modulo 2^32 (perspective); added (orthographic)
+};
+
+constexpr RasterOrigin raster_origin(const View& view, const DepthFit& fit, bool orthographic) {
+  return {kCentreBias + 8 * (view.width & 1), kCentreBias + 8 * (view.height & 1),
+          static_cast<std::uint32_t>(orthographic ? kDepthOfFar : fit.offset)};
+}
+
+/// A vertex in the post-transform cache. x == kNotNarrow: outside the narrow range or the depth range; its triangles
+/// take the clipping path.
+struct SnappedVertex {
+  std::int16_t x, y;    ///< 12.4 raster coordinates
+  std::uint32_t depth;  ///< 16.16 codes
+};
+static_assert(sizeof(SnappedVertex) == kVertexBytes);
+inline constexpr std::int16_t kNotNarrow = INT16_MIN;
+
+struct Reciprocal {
+  std::int32_t value;  ///< 2^(62 - normalisation) / w
+  int normalisation;
+};
+constexpr Reciprocal reciprocal_of(std::uint32_t w) {
+  const int normalisation = std::countl_zero(w);
+  return {reciprocal(w << normalisation), normalisation};
+}
+
+/// Depth of a vertex at distance w (in the instance's scale) inside the depth range, 16.16 codes, snapped.
+template <bool orthographic>
+constexpr std::uint32_t project_depth(const CompiledInstance& instance, const RasterOrigin& origin, std::int32_t w,
+                                      const Reciprocal& r) {
+  if constexpr (orthographic) {
+    const std::uint32_t from_far = instance.w_near + instance.w_range - static_cast<std::uint32_t>(w);
+    const std::uint32_t scaled = multiply_high(from_far << instance.depth_normalisation, instance.depth_scale);
+    return snap_depth((scaled << instance.depth_shift) + origin.depth_offset);
+  } else {
+    const auto relative = static_cast<std::uint32_t>(r.value) >> (instance.depth_normalisation - r.normalisation);
+    return snap_depth((multiply_high(relative, instance.depth_scale) << instance.depth_shift) - origin.depth_offset);
+  }
+}
+
+/// Projects and snaps; false if the vertex is not narrow. `x`, `y`, `w` are the instance's linear forms at the vertex.
+template <bool orthographic>
+inline bool project_narrow(const CompiledInstance& instance, const RasterOrigin& origin, std::int32_t x, std::int32_t y,
+                           std::int32_t w, SnappedVertex& vertex) {
+  if (static_cast<std::uint32_t>(w) - instance.w_near > instance.w_range) return false;
+  Reciprocal r{0, 0};
+  if constexpr (!orthographic) {
+    r = reciprocal_of(static_cast<std::uint32_t>(w));
+    x = multiply_high(x, r.value);
+    y = multiply_high(y, r.value);
+  }
+  const int shift_x = instance.shift_x - r.normalisation;
+  const int shift_y = instance.shift_y - r.normalisation;
+  if (shift_x < 1 || shift_y < 1) return false;
+  // Round to nearest, halves up: |x| < 2^30, so the sum stays in range.
+  const std::int32_t px = ((x + (1 << (shift_x - 1))) >> shift_x) + origin.bias_x;
+  const std::int32_t py = ((y + (1 << (shift_y - 1))) >> shift_y) + origin.bias_y;
+  constexpr auto kRange = static_cast<std::uint32_t>(2 * kNarrowLimit);
+  if (static_cast<std::uint32_t>(px + kNarrowLimit) >= kRange ||
+      static_cast<std::uint32_t>(py + kNarrowLimit) >= kRange) {
+    return false;
+  }
+  vertex = {static_cast<std::int16_t>(px), static_cast<std::int16_t>(py),
+            project_depth<orthographic>(instance, origin, w, r)};
+  return true;
+}
+
+/// The same coordinate in 64 bits, for any vertex inside the depth range and the guard band.
+template <bool orthographic>
+constexpr std::int32_t project_wide(std::int32_t numerator, const Reciprocal& r, std::int32_t shift,
+                                    std::int32_t bias) {
+  const int total = 32 + shift - (orthographic ? 0 : r.normalisation);
+  const std::int64_t product =
+      orthographic ? static_cast<std::int64_t>(numerator) * (std::int64_t{1} << 32) : std::int64_t{numerator} * r.value;
+  const std::int64_t half = total >= 1 ? std::int64_t{1} << (total - 1) : 0;
+  return static_cast<std::int32_t>((product + half) >> total) + bias;
+}
+
+}  // namespace zstrip::detail

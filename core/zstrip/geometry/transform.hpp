@@ -1,0 +1,36 @@
+// Transforms the vertices of a meshlet into the post-transform cache, each once.
+#pragma once
+
+#include "zstrip/geometry/light.hpp"
+#include "zstrip/geometry/project.hpp"
+
+namespace zstrip::detail {
+
+/// Writes `count` vertices from `first` on. Returns whether all of them are narrow, so that the loop over the
+/// triangles need not ask.
+template <Effects effects>
+bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, const RasterOrigin& origin,
+                        std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {
+  constexpr bool kOrthographic = effects.has(effect::orthographic);
+  const LinearForm fx = instance.x;
+  const LinearForm fy = instance.y;
+  const LinearForm fw = instance.w;
+  const Position* positions = mesh.positions.data() + first;
+  bool all_narrow = true;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Position p = positions[i];
+    if (!project_narrow<kOrthographic>(instance, origin, fx.at(p), fy.at(p), fw.at(p), vertices[i])) {
+      vertices[i] = {kNotNarrow, 0, 0};
+      all_narrow = false;
+    }
+  }
+  return all_narrow;
+}
+
+template <Effects effects>
+void shade_vertices(const CompiledInstance& instance, const Mesh& mesh, std::uint32_t first, std::uint32_t count,
+                    Colour* colours) {
+  for (std::uint32_t i = 0; i < count; ++i) colours[i] = vertex_colour<effects>(instance, mesh, first + i);
+}
+
+}  // namespace zstrip::detail

@@ -1,0 +1,250 @@
+// From three indices to a rasterised triangle: cull, bound, choose the rasteriser; or clip first.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "zstrip/geometry/clip.hpp"
+#include "zstrip/geometry/transform.hpp"
+#include "zstrip/raster/small_triangle.hpp"
+#include "zstrip/raster/span_triangle.hpp"
+#include "zstrip/scene/effects.hpp"
+
+namespace zstrip::detail {
+
+/// A meshlet with its vertices transformed, ready to be drawn into a strip.
+struct Batch {
+  const CompiledInstance* instance;
+  const Mesh* mesh;
+  const SnappedVertex* vertices;  ///< of mesh vertex first_vertex on
+  const Colour* colours;          ///< likewise; null where no vertex has its own colour
+  std::uint32_t first_vertex;
+  RasterOrigin origin;
+  Surface surface;
+};
+
+/// Counts a triangle in the first strip that it touches, so that strips add up to the frame.
+template <bool statistics>
+inline void count_drawn(const StripTarget& target, std::int32_t first_row) {
+  if constexpr (statistics) {
+    if (std::max(first_row, target.first_row) >= target.area.top) ++target.statistics->drawn;
+  }
+}
+
+/// Texels, 16.16, of a texture coordinate.
+constexpr std::int32_t texels(std::int16_t coordinate, std::uint8_t log2_size, std::uint8_t fraction_bits) {
+  const int shift = 16 + log2_size - fraction_bits;  // 1 .. 23
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(std::int32_t{coordinate}) << shift);
+}
+
+template <Effects effects>
+struct Assembler {
+  static constexpr bool kOrthographic = effects.has(effect::orthographic);
+  static constexpr bool kStatistics = effects.has(effect::statistics);
+  static constexpr bool kColours = has_vertex_colours(effects);
+
+  /// Colour and texture coordinates, as far as `shade` reads them.
+  template <Shade shade, class Vertex>
+  static void load_attributes(const Batch& batch, std::uint32_t index, Vertex& vertex) {
+    if constexpr (shade == Shade::gouraud || shade == Shade::textured_gouraud || shade == Shade::textured_flat) {
+      const Colour colour = colour_of(batch, index);
+      vertex.r = channel_start(colour.r);
+      vertex.g = channel_start(colour.g);
+      vertex.b = channel_start(colour.b);
+    }
+    if constexpr (shade >= Shade::textured) {
+      const TexCoord& t = batch.mesh->texcoords[index];
+      vertex.u = texels(t.u, batch.surface.texture.log2_width, batch.mesh->texcoord_bits);
+      vertex.v = texels(t.v, batch.surface.texture.log2_height, batch.mesh->texcoord_bits);
+    }
+  }
+
+  static Colour colour_of(const Batch& batch, std::uint32_t index) {
+    if constexpr (kColours) {
+      if (batch.colours != nullptr) return batch.colours[index - batch.first_vertex];
+    }
+    return batch.instance->base;
+  }
+
+  /// A flat triangle has the colour of its first vertex, whatever clipping and culling do to the order.
+  template <Shade shade>
+  static std::uint16_t flat_colour(const Batch& batch, const Triangle& triangle) {
+    if constexpr (shade == Shade::flat && kColours) {
+      if (batch.colours != nullptr) return rgb565(batch.colours[triangle.a - batch.first_vertex]);
+    }
+    return batch.surface.flat_colour;
+  }
+
+  /// Cannot be inlined: keeps the culling loop small enough for the registers of a Cortex-M.
+  template <Shade shade>
+  [[gnu::noinline]] static void draw_narrow(const StripTarget& target, const Batch& batch, const Triangle& provoking,
+                                            std::uint32_t ia, std::uint32_t ib, std::uint32_t ic, std::int32_t area) {
+    const SnappedVertex* vertices = batch.vertices;
+    const SnappedVertex& a = vertices[ia - batch.first_vertex];
+    const SnappedVertex& b = vertices[ib - batch.first_vertex];
+    const SnappedVertex& c = vertices[ic - batch.first_vertex];
+    const std::int32_t min_y = std::min(std::min(a.y, b.y), c.y);
+    const std::int32_t max_y = std::max(std::max(a.y, b.y), c.y);
+    const std::int32_t min_x = std::min(std::min(a.x, b.x), c.x);
+    const std::int32_t max_x = std::max(std::max(a.x, b.x), c.x);
+    const Rect box{std::max(min_x >> 4, target.area.left), std::max(min_y >> 4, target.area.top),
+                   std::min(max_x >> 4, target.area.right), std::min(max_y >> 4, target.area.bottom)};
+    if (box.empty()) return;
+    count_drawn<kStatistics>(target, min_y >> 4);
+    if constexpr (shade <= Shade::gouraud) {
+      if (is_small(max_x - min_x, max_y - min_y, a, b, c)) {
+        constexpr bool kGouraud = shade == Shade::gouraud;
+        const Colour* colours[3] = {nullptr, nullptr, nullptr};
+        if constexpr (kGouraud) {
+          colours[0] = batch.colours + (ia - batch.first_vertex);
+          colours[1] = batch.colours + (ib - batch.first_vertex);
+          colours[2] = batch.colours + (ic - batch.first_vertex);
+        }
+        draw_small_triangle<kGouraud, kStatistics>(target, a, b, c, colours, flat_colour<shade>(batch, provoking), area,
+                                                   box);
+        return;
+      }
+    }
+    RasterVertex v[3] = {};
+    const SnappedVertex* const snapped[3] = {&a, &b, &c};
+    const std::uint32_t indices[3] = {ia, ib, ic};
+    for (int i = 0; i < 3; ++i) {
+      v[i].x = snapped[i]->x;
+      v[i].y = snapped[i]->y;
+      v[i].depth = snapped[i]->depth;
+      load_attributes<shade>(batch, indices[i], v[i]);
+    }
+    Surface surface = batch.surface;
+    surface.flat_colour = flat_colour<shade>(batch, provoking);
+    draw_span_triangle<shade, kOrthographic, kStatistics>(target, v[0], v[1], v[2], surface, true);
+  }
+
+  static ClipVertex clip_vertex(const Batch& batch, std::uint32_t index) {
+    const Position& p = batch.mesh->positions[index];
+    return {batch.instance->x.at(p), batch.instance->y.at(p), batch.instance->w.at(p), 0, 0, 0, 0, 0};
+  }
+
+  static RasterVertex projected(const Batch& batch, const ClipVertex& v) {
+    const CompiledInstance& instance = *batch.instance;
+    Reciprocal r{0, 0};
+    if constexpr (!kOrthographic) r = reciprocal_of(static_cast<std::uint32_t>(v.w));
+    return {project_wide<kOrthographic>(v.x, r, instance.shift_x, batch.origin.bias_x),
+            project_wide<kOrthographic>(v.y, r, instance.shift_y, batch.origin.bias_y),
+            project_depth<kOrthographic>(instance, batch.origin, v.w, r),
+            v.r,
+            v.g,
+            v.b,
+            v.u,
+            v.v};
+  }
+
+  /// The path for triangles that leave the narrow range or the depth range: transforms its vertices again, in full
+  /// width.
+  template <Shade shade>
+  [[gnu::noinline]] static void draw_clipped(const StripTarget& target, const Batch& batch, const Triangle& triangle) {
+    ClipPolygon polygon;
+    polygon.count = 3;
+    const std::uint32_t indices[3] = {triangle.a, triangle.b, triangle.c};
+    for (int i = 0; i < 3; ++i) {
+      polygon.vertices[i] = clip_vertex(batch, indices[i]);
+      load_attributes<shade>(batch, indices[i], polygon.vertices[i]);
+    }
+    if constexpr (kOrthographic) {
+      clip_orthographic(polygon, *batch.instance);
+    } else {
+      clip_perspective(polygon, *batch.instance);
+    }
+    if (polygon.count < 3) return;
+    RasterVertex v[kMaxPolygon];
+    std::int32_t min_x = INT32_MAX, min_y = INT32_MAX, max_x = INT32_MIN, max_y = INT32_MIN;
+    for (int i = 0; i < polygon.count; ++i) {
+      v[i] = projected(batch, polygon.vertices[i]);
+      min_x = std::min(min_x, v[i].x), max_x = std::max(max_x, v[i].x);
+      min_y = std::min(min_y, v[i].y), max_y = std::max(max_y, v[i].y);
+    }
+    if ((max_x >> 4) <= target.area.left || (min_x >> 4) >= target.area.right || (max_y >> 4) <= target.area.top ||
+        (min_y >> 4) >= target.area.bottom) {
+      return;
+    }
+    Surface surface = batch.surface;
+    surface.flat_colour = flat_colour<shade>(batch, triangle);
+    bool counted = false;
+    for (int i = 1; i + 1 < polygon.count; ++i) {
+      RasterVertex fan[3] = {v[0], v[i], v[i + 1]};
+      const std::int64_t area = signed_area(fan[0], fan[1], fan[2]);
+      if (area == 0 || (area < 0 && !batch.instance->double_sided)) continue;
+      if (area < 0) std::swap(fan[1], fan[2]);
+      if constexpr (shade == Shade::textured_flat) {
+        const Colour colour = colour_of(batch, triangle.a);
+        fan[0].r = channel_start(colour.r), fan[0].g = channel_start(colour.g), fan[0].b = channel_start(colour.b);
+      }
+      if (!counted) {
+        counted = true;
+        if constexpr (kStatistics) ++target.statistics->clipped;
+        count_drawn<kStatistics>(target, min_y >> 4);
+      }
+      draw_span_triangle<shade, kOrthographic, kStatistics>(target, fan[0], fan[1], fan[2], surface, false);
+    }
+  }
+
+  /// Culls and draws `triangles`. `all_narrow`: no vertex of the batch needs the clipping path.
+  template <Shade shade, bool all_narrow>
+  static void draw_triangles(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles) {
+    const SnappedVertex* const vertices = batch.vertices;
+    const std::uint32_t first = batch.first_vertex;
+    const bool double_sided = batch.instance->double_sided;
+    for (const Triangle& triangle : triangles) {
+      const SnappedVertex& a = vertices[triangle.a - first];
+      const SnappedVertex& b = vertices[triangle.b - first];
+      const SnappedVertex& c = vertices[triangle.c - first];
+      if constexpr (!all_narrow) {
+        if (a.x == kNotNarrow || b.x == kNotNarrow || c.x == kNotNarrow) {
+          draw_clipped<shade>(target, batch, triangle);
+          continue;
+        }
+      }
+      // Differences of narrow coordinates are below 2^15: 31 bits suffice.
+      const std::int32_t area = (c.x - a.x) * (b.y - a.y) - (b.x - a.x) * (c.y - a.y);
+      if (area > 0) {
+        draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c, area);
+      } else if (area < 0 && double_sided) {
+        draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.c, triangle.b, -area);
+      }
+    }
+  }
+
+  template <Shade shade>
+  static void draw_shaded(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
+                          bool all_narrow) {
+    if (all_narrow) {
+      draw_triangles<shade, true>(target, batch, triangles);
+    } else {
+      draw_triangles<shade, false>(target, batch, triangles);
+    }
+  }
+
+  /// One decision for a whole meshlet; shades that the effects exclude are not instantiated.
+  static void draw(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
+                   bool all_narrow) {
+    constexpr bool kGouraud = effects.has(effect::gouraud);
+    constexpr bool kTextures = effects.has(effect::textures);
+    const Shade shade = batch.instance->shade;
+    if constexpr (kTextures) {
+      if (shade == Shade::textured) return draw_shaded<Shade::textured>(target, batch, triangles, all_narrow);
+      if constexpr (kColours) {
+        if (shade == Shade::textured_flat)
+          return draw_shaded<Shade::textured_flat>(target, batch, triangles, all_narrow);
+      }
+      if constexpr (kGouraud) {
+        if (shade == Shade::textured_gouraud)
+          return draw_shaded<Shade::textured_gouraud>(target, batch, triangles, all_narrow);
+      }
+    }
+    if constexpr (kGouraud) {
+      if (shade == Shade::gouraud) return draw_shaded<Shade::gouraud>(target, batch, triangles, all_narrow);
+    }
+    draw_shaded<Shade::flat>(target, batch, triangles, all_narrow);
+  }
+};
+
+}  // namespace zstrip::detail

@@ -1,0 +1,34 @@
+// RGB565: packing, and texels times light.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/scene/scene.hpp"
+
+namespace zstrip::detail {
+
+constexpr std::uint16_t rgb565(const Colour& c) {
+  return static_cast<std::uint16_t>(((c.r & 0xF8U) << 8) | ((c.g & 0xFCU) << 3) | (c.b >> 3));
+}
+
+/// Channels in 8.16, not below 0 or from 256 on.
+constexpr std::uint16_t rgb565(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
+  return static_cast<std::uint16_t>(((r >> 8) & 0xF800U) | ((g >> 13) & 0x07E0U) | (b >> 19));
+}
+
+/// A channel's start value for interpolation, 8.16: half a unit added, so that an error below 1/2 never wraps.
+constexpr std::int32_t channel_start(std::uint8_t channel) { return (channel << 16) | 0x8000; }
+
+/// Texel times light; light channels in 8.16.
+constexpr std::uint16_t modulated(std::uint16_t texel, std::uint32_t r, std::uint32_t g, std::uint32_t b) {
+  const auto factor = [](std::uint32_t channel) {  // 0..255 to 0..256
+    const std::uint32_t whole = channel >> 16;
+    return whole + (whole >> 7);
+  };
+  const std::uint32_t red = ((texel >> 11) * factor(r)) >> 8;
+  const std::uint32_t green = (((texel >> 5) & 0x3FU) * factor(g)) >> 8;
+  const std::uint32_t blue = ((texel & 0x1FU) * factor(b)) >> 8;
+  return static_cast<std::uint16_t>((red << 11) | (green << 5) | blue);
+}
+
+}  // namespace zstrip::detail

@@ -1,0 +1,65 @@
+// Exact set-up of values that are linear over a triangle of any size.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/base/math.hpp"
+#include "zstrip/geometry/project.hpp"
+
+namespace zstrip::detail {
+
+/// A vertex of the span rasteriser, narrow or wide.
+struct RasterVertex {
+  std::int32_t x, y;     ///< 28.4 raster coordinates, within the guard band
+  std::uint32_t depth;   ///< 16.16 codes
+  std::int32_t r, g, b;  ///< 8.16, see channel_start
+  std::int32_t u, v;     ///< texels, 16.16
+};
+
+/// A value at the anchor pixel and its steps a pixel. Arithmetic modulo 2^32: exact wherever the value itself is in
+/// range.
+struct Plane {
+  std::uint32_t start, step_x, step_y;
+
+  constexpr std::uint32_t at(std::int32_t columns, std::int32_t rows) const {
+    return start + step_x * static_cast<std::uint32_t>(columns) + step_y * static_cast<std::uint32_t>(rows);
+  }
+};
+
+/// What all planes of one triangle share.
+class PlaneSetup {
+ public:
+  /// `area` is twice the signed area of the triangle (> 0); the anchor is a pixel, the picture's nearest to the
+  /// triangle.
+  PlaneSetup(const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2, std::int64_t area,
+             std::int32_t anchor_x, std::int32_t anchor_y)
+      : inverse_(ScaledReciprocal::of(static_cast<std::uint64_t>(area))),
+        dx1_(v0.x - v2.x),
+        dy1_(v0.y - v2.y),
+        dx2_(v1.x - v0.x),
+        dy2_(v1.y - v0.y),
+        offset_x_(anchor_x * 16 + kPixelCentre - v0.x),
+        offset_y_(anchor_y * 16 + kPixelCentre - v0.y) {}
+
+  /// `value_0` at vertex 0 and the differences to vertices 1 and 2, each below 2^33.
+  Plane plane(std::int64_t value_0, std::int64_t from_0_to_1, std::int64_t from_0_to_2) const {
+    // Edge function 2 -> 0 is vertex 1's weight, 0 -> 1 vertex 2's. 33 + 23 bits, two terms.
+    const std::int64_t along_x = from_0_to_1 * dy1_ + from_0_to_2 * dy2_;
+    const std::int64_t along_y = -(from_0_to_1 * dx1_ + from_0_to_2 * dx2_);
+    // Steps a pixel with 8 more fraction bits than the value: 4 are the sub-pixels. Modulo 2^64 from here on.
+    const auto step_x = static_cast<std::uint64_t>(inverse_.quotient(along_x, 12));
+    const auto step_y = static_cast<std::uint64_t>(inverse_.quotient(along_y, 12));
+    const std::uint64_t to_anchor = step_x * static_cast<std::uint64_t>(std::int64_t{offset_x_}) +
+                                    step_y * static_cast<std::uint64_t>(std::int64_t{offset_y_});
+    // 12 bits: 8 extra, 4 sub-pixel; steps are rounded to nearest.
+    return {static_cast<std::uint32_t>(static_cast<std::uint64_t>(value_0) + (to_anchor >> 12)),
+            static_cast<std::uint32_t>((step_x + 128) >> 8), static_cast<std::uint32_t>((step_y + 128) >> 8)};
+  }
+
+ private:
+  ScaledReciprocal inverse_;
+  std::int32_t dx1_, dy1_, dx2_, dy2_;
+  std::int32_t offset_x_, offset_y_;
+};
+
+}  // namespace zstrip::detail

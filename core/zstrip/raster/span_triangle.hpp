@@ -1,0 +1,109 @@
+// Triangles of any size, row by row: exact edges, one span a row.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "zstrip/raster/edge_walk.hpp"
+#include "zstrip/raster/span_fill.hpp"
+
+namespace zstrip::detail {
+
+/// What the pixels of a triangle need besides its vertices.
+struct Surface {
+  std::uint16_t flat_colour;
+  TextureView texture;
+  std::int64_t depth_offset;  ///< DepthFit::offset
+};
+
+/// Twice the signed area in 1/256 square pixels; positive for counter-clockwise triangles (y up).
+constexpr std::int64_t signed_area(const RasterVertex& a, const RasterVertex& b, const RasterVertex& c) {
+  return std::int64_t{c.x - a.x} * (b.y - a.y) - std::int64_t{b.x - a.x} * (c.y - a.y);
+}
+
+template <class Integer, class FillSpan>
+void walk_spans(const StripTarget& target, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
+                const FillSpan& fill) {
+  const RasterVertex* top = &a;
+  const RasterVertex* middle = &b;
+  const RasterVertex* bottom = &c;
+  if (middle->y < top->y) std::swap(middle, top);
+  if (bottom->y < middle->y) std::swap(bottom, middle);
+  if (middle->y < top->y) std::swap(middle, top);
+
+  const std::int32_t end = std::min(bottom->y >> 4, target.area.bottom);
+  std::int32_t row = std::max(top->y >> 4, target.area.top);
+  if (row >= end) return;
+  // The middle vertex is right of the long edge if the area of top, bottom, middle is positive (y down).
+  const bool middle_is_right = signed_area(*top, *middle, *bottom) < 0;
+  EdgeWalk<Integer> long_edge(top->x, top->y, bottom->x, bottom->y, row);
+  for (int half = 0; half < 2; ++half) {
+    const RasterVertex& from = half == 0 ? *top : *middle;
+    const RasterVertex& to = half == 0 ? *middle : *bottom;
+    const std::int32_t half_end = std::min(to.y >> 4, end);
+    if (row >= half_end) continue;
+    EdgeWalk<Integer> short_edge(from.x, from.y, to.x, to.y, row);
+    for (; row < half_end; ++row) {
+      const std::int32_t left = std::max(middle_is_right ? long_edge.pixel : short_edge.pixel, target.area.left);
+      const std::int32_t right = std::min(middle_is_right ? short_edge.pixel : long_edge.pixel, target.area.right);
+      if (left < right) fill(row, left, right);
+      long_edge.next_row();
+      short_edge.next_row();
+    }
+  }
+}
+
+/// Draws a counter-clockwise triangle. `narrow`: all coordinates within kNarrowLimit; only speed depends on it.
+template <Shade shade, bool orthographic, bool statistics>
+void draw_span_triangle(const StripTarget& target, const RasterVertex& v0, const RasterVertex& v1,
+                        const RasterVertex& v2, const Surface& surface, bool narrow) {
+  const std::int64_t area = signed_area(v0, v1, v2);
+  // The anchor is a pixel of the picture near the triangle: offsets stay small and do not depend on the strip.
+  const std::int32_t anchor_x = std::max(std::min({v0.x, v1.x, v2.x}) >> 4, target.view_left);
+  const std::int32_t anchor_y = std::max(std::min({v0.y, v1.y, v2.y}) >> 4, target.view_top);
+  const PlaneSetup setup(v0, v1, v2, area, anchor_x, anchor_y);
+  const auto plane = [&](auto member) {
+    const auto value = [&](const RasterVertex& v) { return std::int64_t{v.*member}; };
+    return setup.plane(value(v0), value(v1) - value(v0), value(v2) - value(v0));
+  };
+
+  const Plane depth = plane(&RasterVertex::depth);
+  ColourPlanes colours{};
+  constexpr bool kVaries = shade == Shade::gouraud || shade == Shade::textured_gouraud;
+  if constexpr (kVaries) {
+    colours = {plane(&RasterVertex::r), plane(&RasterVertex::g), plane(&RasterVertex::b)};
+  } else if constexpr (shade == Shade::textured_flat) {
+    const auto constant = [](std::int32_t value) { return Plane{static_cast<std::uint32_t>(value), 0, 0}; };
+    colours = {constant(v0.r), constant(v0.g), constant(v0.b)};
+  }
+
+  const auto walk = [&](const auto& fill) {
+    const auto fill_row = [&](std::int32_t row, std::int32_t left, std::int32_t right) {
+      const Span span{target.depth_row(row) + (left - target.area.left),
+                      target.colour_row(row) + (left - target.area.left), right - left, left - anchor_x,
+                      row - anchor_y};
+      if constexpr (statistics) target.statistics->fragments += static_cast<std::uint32_t>(right - left);
+      fill(span);
+    };
+    if (narrow) {
+      walk_spans<std::int32_t>(target, v0, v1, v2, fill_row);
+    } else {
+      walk_spans<std::int64_t>(target, v0, v1, v2, fill_row);
+    }
+  };
+  if constexpr (shade == Shade::flat) {
+    walk([&](const Span& span) { fill_flat<statistics>(span, depth, surface.flat_colour, target.statistics); });
+  } else if constexpr (shade == Shade::gouraud) {
+    walk([&](const Span& span) { fill_gouraud<statistics>(span, depth, colours, target.statistics); });
+  } else {
+    const RasterVertex* const vertices[3] = {&v0, &v1, &v2};
+    const TextureCoordinates<orthographic> coordinates(setup, vertices, surface.depth_offset);
+    constexpr bool kLit = shade != Shade::textured;
+    walk([&](const Span& span) {
+      fill_textured<orthographic, kLit, statistics>(span, depth, surface.texture, coordinates, colours,
+                                                    target.statistics);
+    });
+  }
+}
+
+}  // namespace zstrip::detail

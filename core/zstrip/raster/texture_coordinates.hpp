@@ -1,0 +1,89 @@
+// Perspective-correct texture coordinates: u/w, v/w and 1/w are linear on the screen; one division for each 16 pixels.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "zstrip/geometry/project.hpp"
+#include "zstrip/raster/plane.hpp"
+
+namespace zstrip::detail {
+
+struct TexelPosition {
+  std::int32_t u, v;  ///< texels, 16.16, modulo 2^16 texels
+};
+
+/// 1/w needs no interpolant of its own: with perspective the depth code is k / w - offset.
+template <bool orthographic>
+class TextureCoordinates {
+ public:
+  /// `depth_offset` is DepthFit::offset.
+  TextureCoordinates(const PlaneSetup& setup, const RasterVertex* const (&v)[3], std::int64_t depth_offset) {
+    // Relative to whole texels near vertex 0: small numbers keep their precision.
+    base_u_ = v[0]->u & ~0xFFFF;
+    base_v_ = v[0]->v & ~0xFFFF;
+    const auto relative = [](std::int32_t value, std::int32_t base) { return std::int64_t{value} - base; };  // 17.16
+    std::int64_t u[3];
+    std::int64_t w[3];
+    for (int i = 0; i < 3; ++i) {
+      u[i] = relative(v[i]->u, base_u_);
+      w[i] = relative(v[i]->v, base_v_);
+    }
+    if constexpr (orthographic) {
+      u_over_w_ = setup.plane(u[0], u[1] - u[0], u[2] - u[0]);
+      v_over_w_ = setup.plane(w[0], w[1] - w[0], w[2] - w[0]);
+      return;
+    }
+    // 1/w scaled to at most 29 bits.
+    std::int64_t q[3];
+    std::int64_t bits = 0;
+    for (int i = 0; i < 3; ++i) bits |= q[i] = std::int64_t{v[i]->depth} + depth_offset;
+    const int surplus = 35 - std::countl_zero(static_cast<std::uint64_t>(bits));
+    for (std::int64_t& value : q) value = surplus >= 0 ? value >> surplus : value << -surplus;
+    one_over_w_ = setup.plane(q[0], q[1] - q[0], q[2] - q[0]);
+    // u/w to 29 bits and a sign; below 2^33 * 2^29.
+    std::uint64_t largest = 1;
+    for (int i = 0; i < 3; ++i) {
+      u[i] *= q[i];
+      w[i] *= q[i];
+      largest |=
+          static_cast<std::uint64_t>(u[i] < 0 ? -u[i] : u[i]) | static_cast<std::uint64_t>(w[i] < 0 ? -w[i] : w[i]);
+    }
+    shift_ = 35 - std::countl_zero(largest);
+    if (shift_ < 0) shift_ = 0;
+    for (int i = 0; i < 3; ++i) u[i] >>= shift_, w[i] >>= shift_;
+    u_over_w_ = setup.plane(u[0], u[1] - u[0], u[2] - u[0]);
+    v_over_w_ = setup.plane(w[0], w[1] - w[0], w[2] - w[0]);
+  }
+
+  /// Exact position at a covered pixel, relative to the anchor.
+  TexelPosition at(std::int32_t columns, std::int32_t rows) const {
+    const auto u = static_cast<std::int32_t>(u_over_w_.at(columns, rows));
+    const auto v = static_cast<std::int32_t>(v_over_w_.at(columns, rows));
+    if constexpr (orthographic) {
+      return {wrapping_sum(u, base_u_), wrapping_sum(v, base_v_)};
+    } else {
+      std::uint32_t q = one_over_w_.at(columns, rows);
+      if (q == 0) q = 1;
+      const Reciprocal r = reciprocal_of(q);
+      return {wrapping_sum(divided(u, r), base_u_), wrapping_sum(divided(v, r), base_v_)};
+    }
+  }
+
+ private:
+  std::int32_t divided(std::int32_t value, const Reciprocal& r) const {
+    const std::int32_t high = multiply_high(value, r.value);
+    const int right = 30 - r.normalisation - shift_;  // 1/q = r * 2^(normalisation - 62)
+    if (right >= 0) return high >> (right < 31 ? right : 31);
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(high) << (right > -31 ? -right : 31));
+  }
+  static std::int32_t wrapping_sum(std::int32_t a, std::int32_t b) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
+  }
+
+  Plane u_over_w_{}, v_over_w_{}, one_over_w_{};
+  std::int32_t base_u_ = 0, base_v_ = 0;
+  int shift_ = 0;
+};
+
+}  // namespace zstrip::detail

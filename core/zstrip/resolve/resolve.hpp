@@ -1,0 +1,54 @@
+// From the working strip in RGB565 to the format of the panel.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "zstrip/scene/view.hpp"
+
+namespace zstrip::detail {
+
+/// Luma of an RGB565 pixel, 0..255: channels replicated to 8 bits, weights 77, 150, 29 of 256, rounded.
+constexpr std::uint8_t luma(std::uint16_t pixel) {
+  const std::uint32_t r5 = pixel >> 11;
+  const std::uint32_t g6 = (pixel >> 5) & 0x3FU;
+  const std::uint32_t b5 = pixel & 0x1FU;
+  const std::uint32_t r = (r5 << 3) | (r5 >> 2);
+  const std::uint32_t g = (g6 << 2) | (g6 >> 4);
+  const std::uint32_t b = (b5 << 3) | (b5 >> 2);
+  return static_cast<std::uint8_t>((77 * r + 150 * g + 29 * b + 128) >> 8);
+}
+
+/// `out` has bytes_per_row(width, gray4) bytes; left pixel in the high nibble, an odd last nibble is 0.
+inline void resolve_gray4(const std::uint16_t* pixels, std::uint16_t width, std::byte* out) {
+  for (std::uint32_t x = 0; x < width; x += 2) {
+    const std::uint32_t left = luma(pixels[x]) >> 4;
+    const std::uint32_t right = x + 1U < width ? luma(pixels[x + 1]) >> 4 : 0;
+    *out++ = static_cast<std::byte>((left << 4) | right);
+  }
+}
+
+/// Left pixel in the highest bit, lit from luma 128 on; unused bits of the last byte are 0.
+inline void resolve_mono(const std::uint16_t* pixels, std::uint16_t width, std::byte* out) {
+  for (std::uint32_t x = 0; x < width; x += 8) {
+    std::uint32_t bits = 0;
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      bits = (bits << 1) | (x + i < width ? luma(pixels[x + i]) >> 7 : 0U);
+    }
+    *out++ = static_cast<std::byte>(bits);
+  }
+}
+
+/// Swaps the bytes of each pixel in place; two pixels at a time (REV16 on Arm).
+inline void swap_bytes(std::uint16_t* pixels, std::uint32_t count) {
+  for (; count >= 2; count -= 2, pixels += 2) {
+    std::uint32_t pair;
+    std::memcpy(&pair, pixels, sizeof pair);
+    pair = ((pair & 0x00FF00FFU) << 8) | ((pair >> 8) & 0x00FF00FFU);
+    std::memcpy(pixels, &pair, sizeof pair);
+  }
+  if (count != 0) *pixels = static_cast<std::uint16_t>((*pixels << 8) | (*pixels >> 8));
+}
+
+}  // namespace zstrip::detail

@@ -1,0 +1,92 @@
+// Camera placement: look-at, spherical coordinates, field of view.
+#include "zstrip/scene/camera.hpp"
+
+#include "zstrip/base/math.hpp"
+
+namespace zstrip {
+namespace {
+
+struct Wide3 {
+  std::int64_t x, y, z;
+};
+
+constexpr std::int64_t magnitude(std::int64_t value) { return value < 0 ? -value : value; }
+
+/// The unit vector along `v`, in 2.30. `v` must not be zero; any scale.
+Vec3 unit(Wide3 v) {
+  std::uint64_t largest = static_cast<std::uint64_t>(magnitude(v.x) | magnitude(v.y) | magnitude(v.z));
+  // Bring the largest component to 30 bits, so that the sum of squares fits 62.
+  int shift = 34 - std::countl_zero(largest);
+  const auto scaled = [shift](std::int64_t c) {
+    return shift >= 0 ? c >> shift : static_cast<std::int64_t>(static_cast<std::uint64_t>(c) << -shift);
+  };
+  v = {scaled(v.x), scaled(v.y), scaled(v.z)};
+  const std::int64_t length = square_root(static_cast<std::uint64_t>(v.x * v.x + v.y * v.y + v.z * v.z));
+  const auto component = [length](std::int64_t c) { return static_cast<std::int32_t>((c << 30) / length); };  // 2.30
+  return {component(v.x), component(v.y), component(v.z)};
+}
+
+/// a x b of two 2.30 vectors, in 2.60 >> 8: room for the sum.
+Wide3 cross(const Vec3& a, const Vec3& b) {
+  const auto term = [](std::int32_t p, std::int32_t q, std::int32_t r, std::int32_t s) {
+    return ((std::int64_t{p} * q) >> 8) - ((std::int64_t{r} * s) >> 8);
+  };
+  return {term(a.y, b.z, a.z, b.y), term(a.z, b.x, a.x, b.z), term(a.x, b.y, a.y, b.x)};
+}
+
+constexpr bool nearly_zero(const Wide3& v) {
+  constexpr std::int64_t kLimit = std::int64_t{1} << 36;  // 2^-16 of a unit vector, in 2.52
+  return magnitude(v.x) < kLimit && magnitude(v.y) < kLimit && magnitude(v.z) < kLimit;
+}
+
+}  // namespace
+
+Status look_at(Camera& camera, const Vec3& eye, const Vec3& target, const Vec3& up) {
+  const Wide3 backwards{std::int64_t{eye.x} - target.x, std::int64_t{eye.y} - target.y, std::int64_t{eye.z} - target.z};
+  if (backwards.x == 0 && backwards.y == 0 && backwards.z == 0) return {.error = Error::camera};
+  const Vec3 back = unit(backwards);
+  const Vec3 hint = up == Vec3{0, 0, 0} ? Vec3{0, 1 << 30, 0} : unit({up.x, up.y, up.z});
+  Wide3 sideways = cross(hint, back);
+  if (nearly_zero(sideways)) sideways = cross({0, 0, -(1 << 30)}, back);
+  if (nearly_zero(sideways)) sideways = cross({0, 1 << 30, 0}, back);
+  camera.right = unit(sideways);
+  camera.back = back;
+  camera.up = unit(cross(back, camera.right));
+  camera.eye = eye;
+  return {};
+}
+
+Status orbit(Camera& camera, const Vec3& target, Fixed radius, Angle phi, Angle theta) {
+  if (radius <= 0) return {.error = Error::camera};
+  const std::int32_t sin_phi = sine(phi);
+  const std::int32_t cos_phi = cosine(phi);
+  const std::int32_t sin_theta = sine(theta);
+  const std::int32_t cos_theta = cosine(theta);
+  const auto times = [](std::int32_t a, std::int32_t b) {
+    return static_cast<std::int32_t>((std::int64_t{a} * b) >> 30);  // 2.30
+  };
+  // The rows of the text's matrix S, axes renamed (see docs/conventions.md); `back` is minus its third row.
+  camera.right = {cos_phi, 0, -sin_phi};
+  camera.up = {-times(cos_theta, sin_phi), sin_theta, -times(cos_theta, cos_phi)};
+  camera.back = {times(sin_theta, sin_phi), cos_theta, times(sin_theta, cos_phi)};
+  const auto along = [radius](std::int32_t axis) { return (std::int64_t{axis} * radius) >> 30; };  // 16.16
+  const std::int64_t x = target.x + along(camera.back.x);
+  const std::int64_t y = target.y + along(camera.back.y);
+  const std::int64_t z = target.z + along(camera.back.z);
+  const auto fits = [](std::int64_t c) { return magnitude(c) <= 0x7FFFFFFF; };
+  if (!fits(x) || !fits(y) || !fits(z)) return {.error = Error::camera};
+  camera.eye = {static_cast<Fixed>(x), static_cast<Fixed>(y), static_cast<Fixed>(z)};
+  return {};
+}
+
+Status set_field_of_view(Camera& camera, Angle vertical_field_of_view) {
+  if (vertical_field_of_view <= 0 || vertical_field_of_view >= kFullTurn / 2) return {.error = Error::camera};
+  // Half of an odd angle lies between two table angles: use cot(a/2) = (1 + cos a) / sin a.
+  const std::int64_t numerator = (std::int64_t{1} << 30) + cosine(vertical_field_of_view);
+  const std::int64_t focal = (numerator << kFixedBits) / sine(vertical_field_of_view);
+  if (focal < 1 || focal > 0x7FFFFFFF) return {.error = Error::camera};
+  camera.focal = static_cast<Fixed>(focal);
+  return {};
+}
+
+}  // namespace zstrip

@@ -1,0 +1,103 @@
+// The scene as the renderer reads it: views of the caller's memory, which may lie in flash.
+// Nothing is copied and nothing is written; all of it must stay alive from begin_frame to the last draw_strip.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "zstrip/base/fixed.hpp"
+
+namespace zstrip {
+
+/// A vertex inside its mesh's bounding box: centre + half_extent * position / 32768. -32767..32767.
+struct Position {
+  std::int16_t x, y, z;
+};
+
+/// A unit vector, 1.7. `unused` keeps a normal on one word; any value.
+struct Normal {
+  std::int8_t x, y, z, unused;
+};
+
+/// 0..255 a channel.
+struct Colour {
+  std::uint8_t r, g, b, a;
+  friend constexpr bool operator==(const Colour&, const Colour&) = default;
+};
+
+/// Texture coordinates; Mesh::texcoord_bits says how many fraction bits, 1.0 is the whole texture. v grows downwards
+/// (as in glTF).
+struct TexCoord {
+  std::int16_t u, v;
+};
+
+/// Indices into the mesh's vertices; counter-clockwise seen from the front.
+struct Triangle {
+  std::uint16_t a, b, c;
+};
+
+/// A run of triangles that use only a run of vertices: the unit of culling and of streaming.
+/// `radius` is in units of the position grid of the mesh's *largest* half extent, rounded up.
+struct Meshlet {
+  std::uint32_t first_triangle;
+  std::uint16_t first_vertex;
+  std::uint16_t vertex_count;
+  std::uint16_t triangle_count;
+  std::uint16_t radius;
+  Position centre;
+};
+
+struct Mesh {
+  std::span<const Position> positions;  ///< 1..65535 vertices
+  std::span<const Normal> normals;      ///< one a vertex, or empty: unlit
+  std::span<const Colour> colours;      ///< one a vertex, or empty: the material's colour
+  std::span<const TexCoord> texcoords;  ///< one a vertex, or empty: untextured
+  std::span<const Triangle> triangles;
+  std::span<const Meshlet> meshlets;  ///< covers all triangles in order, or empty: the mesh is one meshlet
+  Vec3 centre{0, 0, 0};               ///< 16.16, of the bounding box; +-4095
+  Vec3 half_extent{kFixedOne, kFixedOne, kFixedOne};  ///< 16.16, 0..4095
+  std::uint8_t texcoord_bits = 12;                    ///< 4..15
+};
+
+/// Row-major RGB565 texels, the first row is v = 0. Sides are powers of two, 1..2048.
+struct Texture {
+  std::span<const std::uint16_t> texels;
+  std::uint8_t log2_width = 0;
+  std::uint8_t log2_height = 0;
+};
+
+inline constexpr std::uint16_t kNoTexture = 0xFFFF;
+
+struct Material {
+  Colour colour{255, 255, 255,
+                255};  ///< multiplied with vertex colours and light; not with texels of an unlit material
+  std::uint16_t texture = kNoTexture;  ///< index into Scene::textures
+  bool lit = true;                     ///< false: colours and texels as they are
+  bool smooth = true;                  ///< Gouraud; false: flat, the first vertex decides
+  bool double_sided = false;           ///< false: back faces are culled
+};
+
+struct Instance {
+  std::uint16_t mesh = 0;                       ///< index into Scene::meshes
+  std::uint16_t material = 0;                   ///< index into Scene::materials
+  Transform transform = Transform::identity();  ///< object to world; rotation and scale entries within +-255
+};
+
+struct DirectionalLight {
+  std::int16_t x = 0, y = 0, z = 32767;  ///< 1.15, unit vector *towards* the light, in world space
+  Colour colour{255, 255, 255, 255};
+};
+
+inline constexpr std::uint32_t kMaxLights = 4;
+
+struct Scene {
+  std::span<const Mesh> meshes;
+  std::span<const Material> materials;
+  std::span<const Texture> textures;
+  std::span<const Instance> instances;       ///< drawn in this order
+  std::span<const DirectionalLight> lights;  ///< at most kMaxLights
+  Colour ambient{48, 48, 48, 255};
+  Colour background{0, 0, 0, 255};
+};
+
+}  // namespace zstrip

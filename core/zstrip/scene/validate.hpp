@@ -1,0 +1,100 @@
+// Checks a scene once, before it is drawn any number of times. constexpr, so that a baked scene is checked by the
+// compiler:
+//     static_assert(validate(scene));
+// What passes here cannot make the renderer read or write outside the scene's and the caller's memory.
+#pragma once
+
+#include "zstrip/base/status.hpp"
+#include "zstrip/scene/scene.hpp"
+
+namespace zstrip {
+namespace detail {
+
+inline constexpr Fixed kLargestMeshLength = (Fixed{1} << 28) - 1;  // 16.16: below 4096; see docs/numerics.md
+inline constexpr Fixed kLargestScale = (Fixed{1} << 24) - 1;       // 16.16: below 256
+inline constexpr std::uint8_t kLargestTextureLog2 = 11;
+
+constexpr bool within(Fixed value, Fixed limit) { return value >= -limit && value <= limit; }
+
+constexpr bool valid_meshlets(const Mesh& mesh) {
+  std::uint32_t next_triangle = 0;
+  for (const Meshlet& meshlet : mesh.meshlets) {
+    if (meshlet.first_triangle != next_triangle || meshlet.vertex_count == 0) return false;
+    next_triangle += meshlet.triangle_count;
+    const std::uint32_t end_vertex = std::uint32_t{meshlet.first_vertex} + meshlet.vertex_count;
+    if (end_vertex > mesh.positions.size() || next_triangle > mesh.triangles.size()) return false;
+    for (const Triangle& t : mesh.triangles.subspan(meshlet.first_triangle, meshlet.triangle_count)) {
+      for (const std::uint32_t index : {t.a, t.b, t.c}) {
+        if (index < meshlet.first_vertex || index >= end_vertex) return false;
+      }
+    }
+  }
+  return mesh.meshlets.empty() || next_triangle == mesh.triangles.size();
+}
+
+constexpr bool valid_mesh(const Mesh& mesh) {
+  const std::size_t vertices = mesh.positions.size();
+  const auto one_each_or_none = [vertices](std::size_t count) { return count == 0 || count == vertices; };
+  if (vertices == 0 || vertices > 65535 || mesh.triangles.size() > 0xFFFFFF) return false;
+  if (!one_each_or_none(mesh.normals.size()) || !one_each_or_none(mesh.colours.size()) ||
+      !one_each_or_none(mesh.texcoords.size())) {
+    return false;
+  }
+  if (mesh.texcoord_bits < 4 || mesh.texcoord_bits > 15) return false;
+  for (const Fixed c : {mesh.centre.x, mesh.centre.y, mesh.centre.z}) {
+    if (!within(c, kLargestMeshLength)) return false;
+  }
+  for (const Fixed h : {mesh.half_extent.x, mesh.half_extent.y, mesh.half_extent.z}) {
+    if (h < 0 || h > kLargestMeshLength) return false;
+  }
+  for (const Triangle& t : mesh.triangles) {
+    if (t.a >= vertices || t.b >= vertices || t.c >= vertices) return false;
+  }
+  return valid_meshlets(mesh);
+}
+
+constexpr bool valid_instance(const Scene& scene, const Instance& instance) {
+  if (instance.mesh >= scene.meshes.size() || instance.material >= scene.materials.size()) return false;
+  for (const auto& row : instance.transform.m) {
+    for (int column = 0; column < 3; ++column) {
+      if (!within(row[column], kLargestScale)) return false;
+    }
+  }
+  return true;
+}
+
+constexpr bool valid_texture(const Texture& texture) {
+  return texture.log2_width <= kLargestTextureLog2 && texture.log2_height <= kLargestTextureLog2 &&
+         texture.texels.size() >= std::size_t{1} << (texture.log2_width + texture.log2_height);
+}
+
+}  // namespace detail
+
+/// Instances move between frames: begin_frame calls this for them again.
+constexpr Status validate_instances(const Scene& scene) {
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    if (!detail::valid_instance(scene, scene.instances[i])) return {.error = Error::instance, .needed = i};
+  }
+  if (scene.lights.size() > kMaxLights) {
+    return {.error = Error::light, .needed = static_cast<std::uint32_t>(scene.lights.size()), .available = kMaxLights};
+  }
+  return {};
+}
+
+/// Every index, count and range of the scene. Time: linear in its triangles. Status::needed is the index of the
+/// culprit.
+constexpr Status validate(const Scene& scene) {
+  for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
+    if (!detail::valid_mesh(scene.meshes[i])) return {.error = Error::mesh, .needed = i};
+  }
+  for (std::uint32_t i = 0; i < scene.textures.size(); ++i) {
+    if (!detail::valid_texture(scene.textures[i])) return {.error = Error::texture, .needed = i};
+  }
+  for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
+    const std::uint16_t texture = scene.materials[i].texture;
+    if (texture != kNoTexture && texture >= scene.textures.size()) return {.error = Error::material, .needed = i};
+  }
+  return validate_instances(scene);
+}
+
+}  // namespace zstrip

@@ -1,0 +1,36 @@
+// The picture: its size and how its pixels lie in memory.
+#pragma once
+
+#include <cstdint>
+
+namespace zstrip {
+
+enum class PixelFormat : std::uint8_t { rgb565, rgb565_swapped, gray4, mono };
+
+struct View {
+  std::uint16_t width = 0;   ///< 1..4096
+  std::uint16_t height = 0;  ///< 1..4096
+  PixelFormat format = PixelFormat::rgb565;
+};
+
+inline constexpr std::uint16_t kMaxViewSize = 4096;
+
+/// Bytes of one row of pixels; every row starts at a byte.
+constexpr std::uint32_t bytes_per_row(std::uint16_t width, PixelFormat format) {
+  switch (format) {
+    case PixelFormat::gray4: return (width + 1U) / 2U;
+    case PixelFormat::mono: return (width + 7U) / 8U;
+    default: return 2U * width;
+  }
+}
+
+/// Pixels x in [left, right), y in [top, bottom).
+struct Rect {
+  std::int32_t left = 0, top = 0, right = 0, bottom = 0;
+  constexpr std::int32_t width() const { return right - left; }
+  constexpr std::int32_t height() const { return bottom - top; }
+  constexpr bool empty() const { return right <= left || bottom <= top; }
+  friend constexpr bool operator==(const Rect&, const Rect&) = default;
+};
+
+}  // namespace zstrip
