@@ -25,8 +25,7 @@ constexpr std::int32_t reciprocal(std::uint32_t divisor) {
   return static_cast<std::int32_t>(multiply_high(first, correction << 1) << 1);
 }
 
-/// numerator * 2^shift / divisor with 31 significant bits, or fewer where the result is small; for set-up, not for
-/// pixels. The exact quotient must fit an int64_t after the shift; divisor > 0.
+/// Many quotients by the same 64-bit divisor (> 0), with 31 significant bits; for set-up, not for pixels.
 struct ScaledReciprocal {
   std::int32_t mantissa;  ///< reciprocal() of the normalised divisor
   int normalisation;      ///< divisor * 2^normalisation lies in 2^31 .. 2^32 (negative for wide divisors)
@@ -35,16 +34,18 @@ struct ScaledReciprocal {
     const int zeros = std::countl_zero(divisor);
     return {reciprocal(static_cast<std::uint32_t>((divisor << zeros) >> 32)), zeros - 32};
   }
-  /// floor(numerator / divisor * 2^fraction_bits) up to the reciprocal's relative error.
+  /// floor(numerator / divisor * 2^fraction_bits) up to the reciprocal's relative error, modulo 2^64.
+  /// 0 <= fraction_bits <= 30.
   constexpr std::int64_t quotient(std::int64_t numerator, int fraction_bits) const {
-    // numerator * mantissa is up to 95 bits: multiply halves, keep the exact floor of the product / 2^32.
+    // The product has up to 95 bits: high * 2^32 + low, both exact.
     const std::int64_t high = (numerator >> 32) * mantissa;
     const std::uint64_t low = (numerator & 0xFFFFFFFF) * static_cast<std::uint64_t>(mantissa);
-    const std::int64_t product =
-        high + static_cast<std::int64_t>(low >> 32);  // numerator / divisor * 2^(30-normalisation)
-    const int shift = 30 - normalisation - fraction_bits;
-    if (shift >= 64) return product >> 63;
-    return shift >= 0 ? product >> shift : static_cast<std::int64_t>(static_cast<std::uint64_t>(product) << -shift);
+    const int shift = 62 - normalisation - fraction_bits;  // 1/divisor = mantissa * 2^(normalisation - 62)
+    if (shift < 32) {
+      return static_cast<std::int64_t>((static_cast<std::uint64_t>(high) << (32 - shift)) + (low >> shift));
+    }
+    const std::int64_t product = high + static_cast<std::int64_t>(low >> 32);
+    return product >> (shift < 95 ? shift - 32 : 63);
   }
 };
 

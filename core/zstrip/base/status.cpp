@@ -8,6 +8,7 @@ const char* message(Error error) {
     case Error::none: return "no error";
     case Error::arena_too_small: return "the arena is too small";
     case Error::pixels_too_small: return "the pixel buffer of a strip is too small";
+    case Error::pixels_misaligned: return "the pixel buffer must lie at an even address";
     case Error::view_size: return "the picture's width and height must be 1 to 4096";
     case Error::strip_rows: return "the strip does not exist in this picture";
     case Error::camera: return "the camera is not usable";

@@ -7,9 +7,10 @@ namespace zstrip {
 
 enum class Error : std::uint8_t {
   none,
-  arena_too_small,   ///< `needed`, `available` in bytes; `purpose` says for what
-  pixels_too_small,  ///< the caller's strip buffer; `needed`, `available` in bytes
-  view_size,         ///< width or height outside 1..4096
+  arena_too_small,    ///< `needed`, `available` in bytes; `purpose` says for what
+  pixels_too_small,   ///< the caller's strip buffer; `needed`, `available` in bytes
+  pixels_misaligned,  ///< RGB565 pixels must lie at an even address
+  view_size,          ///< width or height outside 1..4096
   strip_rows,  ///< more strip rows than the picture has, or a strip index out of range (`needed` = given, `available` =
                ///< limit)
   camera,      ///< not 0 < near < far, focal length <= 0, or axes that are not set

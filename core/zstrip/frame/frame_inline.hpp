@@ -97,6 +97,9 @@ struct Frame::Access {
       return {
           .error = Error::pixels_too_small, .needed = needed, .available = static_cast<std::uint32_t>(pixels.size())};
     }
+    if (detail::drawn_in_place(frame.view_.format) && reinterpret_cast<std::uintptr_t>(pixels.data()) % 2 != 0) {
+      return {.error = Error::pixels_misaligned};
+    }
     auto* const drawn = detail::drawn_in_place(frame.view_.format) ? reinterpret_cast<std::uint16_t*>(pixels.data())
                                                                    : frame.working_colour_;
     const detail::StripTarget target = target_of(frame, strip, drawn);

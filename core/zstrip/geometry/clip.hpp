@@ -3,13 +3,16 @@
 
 #include <cstdint>
 
-#include "zstrip/geometry/instance.hpp"
+#include "zstrip/geometry/project.hpp"
 
 namespace zstrip::detail {
 
+/// A clipped edge ends where w is small: its coordinates carry 16 more fraction bits than the linear forms.
+inline constexpr int kClipBits = 16;
+
 /// A vertex before projection, with everything that varies over a triangle.
 struct ClipVertex {
-  std::int32_t x, y, w;  ///< the instance's linear forms
+  std::int64_t x, y, w;  ///< the instance's linear forms, times 2^kClipBits; below 2^46
   std::int32_t r, g, b;  ///< 8.16
   std::int32_t u, v;     ///< texels, 16.16
 };
@@ -26,5 +29,13 @@ struct ClipPolygon {
 /// same new vertex on it, whatever its direction.
 void clip_perspective(ClipPolygon& polygon, const CompiledInstance& instance);
 void clip_orthographic(ClipPolygon& polygon, const CompiledInstance& instance);
+
+/// x, y and depth of a vertex inside the clip volume; the same bits as project_narrow for a vertex that both accept.
+struct WidePosition {
+  std::int32_t x, y;
+  std::uint32_t depth;
+};
+template <bool orthographic>
+WidePosition project_wide(const CompiledInstance& instance, const RasterOrigin& origin, const ClipVertex& vertex);
 
 }  // namespace zstrip::detail

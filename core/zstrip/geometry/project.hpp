@@ -18,8 +18,8 @@ inline constexpr std::int32_t kPixelCentre = 8 + kCentreBias;
 /// Narrow coordinates: any difference fits 15 bits and a sign, a product of two 31, so that areas and edges of narrow
 /// triangles need 32 bits.
 inline constexpr std::int32_t kNarrowLimit = 1024 * 16;
-/// Wide coordinates: within 2^18 pixels, the guard band.
-inline constexpr int kGuardBits = 22;
+/// Wide coordinates: within 2^21 pixels, the guard band.
+inline constexpr int kGuardBits = 25;
 
 /// The frame's constants of the mapping to raster coordinates.
 struct RasterOrigin {
@@ -89,17 +89,6 @@ inline bool project_narrow(const CompiledInstance& instance, const RasterOrigin&
   vertex = {static_cast<std::int16_t>(px), static_cast<std::int16_t>(py),
             project_depth<orthographic>(instance, origin, w, r)};
   return true;
-}
-
-/// The same coordinate in 64 bits, for any vertex inside the depth range and the guard band.
-template <bool orthographic>
-constexpr std::int32_t project_wide(std::int32_t numerator, const Reciprocal& r, std::int32_t shift,
-                                    std::int32_t bias) {
-  const int total = 32 + shift - (orthographic ? 0 : r.normalisation);
-  const std::int64_t product =
-      orthographic ? static_cast<std::int64_t>(numerator) * (std::int64_t{1} << 32) : std::int64_t{numerator} * r.value;
-  const std::int64_t half = total >= 1 ? std::int64_t{1} << (total - 1) : 0;
-  return static_cast<std::int32_t>((product + half) >> total) + bias;
 }
 
 }  // namespace zstrip::detail

@@ -6,6 +6,7 @@
 
 #include "zstrip/geometry/clip.hpp"
 #include "zstrip/geometry/transform.hpp"
+#include "zstrip/raster/polygon.hpp"
 #include "zstrip/raster/small_triangle.hpp"
 #include "zstrip/raster/span_triangle.hpp"
 #include "zstrip/scene/effects.hpp"
@@ -121,69 +122,47 @@ struct Assembler {
 
   static ClipVertex clip_vertex(const Batch& batch, std::uint32_t index) {
     const Position& p = batch.mesh->positions[index];
-    return {batch.instance->x.at(p), batch.instance->y.at(p), batch.instance->w.at(p), 0, 0, 0, 0, 0};
+    const auto wide = [&p](const LinearForm& form) { return std::int64_t{form.at(p)} * (1 << kClipBits); };
+    return {wide(batch.instance->x), wide(batch.instance->y), wide(batch.instance->w), 0, 0, 0, 0, 0};
   }
 
   static RasterVertex projected(const Batch& batch, const ClipVertex& v) {
-    const CompiledInstance& instance = *batch.instance;
-    Reciprocal r{0, 0};
-    if constexpr (!kOrthographic) r = reciprocal_of(static_cast<std::uint32_t>(v.w));
-    return {project_wide<kOrthographic>(v.x, r, instance.shift_x, batch.origin.bias_x),
-            project_wide<kOrthographic>(v.y, r, instance.shift_y, batch.origin.bias_y),
-            project_depth<kOrthographic>(instance, batch.origin, v.w, r),
-            v.r,
-            v.g,
-            v.b,
-            v.u,
-            v.v};
+    const WidePosition p = project_wide<kOrthographic>(*batch.instance, batch.origin, v);
+    return {p.x, p.y, p.depth, v.r, v.g, v.b, v.u, v.v};
   }
 
   /// The path for triangles that leave the narrow range or the depth range: transforms its vertices again, in full
   /// width.
   template <Shade shade>
   [[gnu::noinline]] static void draw_clipped(const StripTarget& target, const Batch& batch, const Triangle& triangle) {
-    ClipPolygon polygon;
-    polygon.count = 3;
+    ClipPolygon clipped;
+    clipped.count = 3;
     const std::uint32_t indices[3] = {triangle.a, triangle.b, triangle.c};
     for (int i = 0; i < 3; ++i) {
-      polygon.vertices[i] = clip_vertex(batch, indices[i]);
-      load_attributes<shade>(batch, indices[i], polygon.vertices[i]);
+      clipped.vertices[i] = clip_vertex(batch, indices[i]);
+      load_attributes<shade>(batch, indices[i], clipped.vertices[i]);
     }
     if constexpr (kOrthographic) {
-      clip_orthographic(polygon, *batch.instance);
+      clip_orthographic(clipped, *batch.instance);
     } else {
-      clip_perspective(polygon, *batch.instance);
+      clip_perspective(clipped, *batch.instance);
     }
-    if (polygon.count < 3) return;
-    RasterVertex v[kMaxPolygon];
-    std::int32_t min_x = INT32_MAX, min_y = INT32_MAX, max_x = INT32_MIN, max_y = INT32_MIN;
-    for (int i = 0; i < polygon.count; ++i) {
-      v[i] = projected(batch, polygon.vertices[i]);
-      min_x = std::min(min_x, v[i].x), max_x = std::max(max_x, v[i].x);
-      min_y = std::min(min_y, v[i].y), max_y = std::max(max_y, v[i].y);
-    }
-    if ((max_x >> 4) <= target.area.left || (min_x >> 4) >= target.area.right || (max_y >> 4) <= target.area.top ||
-        (min_y >> 4) >= target.area.bottom) {
-      return;
-    }
+    RasterPolygon polygon;
+    for (int i = 0; i < clipped.count; ++i) polygon.append(projected(batch, clipped.vertices[i]));
+    if (!polygon.reaches(target.area) || !polygon.face_front(batch.instance->double_sided)) return;
+
     Surface surface = batch.surface;
     surface.flat_colour = flat_colour<shade>(batch, triangle);
-    bool counted = false;
-    for (int i = 1; i + 1 < polygon.count; ++i) {
-      RasterVertex fan[3] = {v[0], v[i], v[i + 1]};
-      const std::int64_t area = signed_area(fan[0], fan[1], fan[2]);
-      if (area == 0 || (area < 0 && !batch.instance->double_sided)) continue;
-      if (area < 0) std::swap(fan[1], fan[2]);
+    if constexpr (kStatistics) ++target.statistics->clipped;
+    count_drawn<kStatistics>(target, polygon.top());
+    RasterVertex corner[3];
+    while (polygon.cut_triangle(corner)) {
       if constexpr (shade == Shade::textured_flat) {
         const Colour colour = colour_of(batch, triangle.a);
-        fan[0].r = channel_start(colour.r), fan[0].g = channel_start(colour.g), fan[0].b = channel_start(colour.b);
+        corner[0].r = channel_start(colour.r), corner[0].g = channel_start(colour.g),
+        corner[0].b = channel_start(colour.b);
       }
-      if (!counted) {
-        counted = true;
-        if constexpr (kStatistics) ++target.statistics->clipped;
-        count_drawn<kStatistics>(target, min_y >> 4);
-      }
-      draw_span_triangle<shade, kOrthographic, kStatistics>(target, fan[0], fan[1], fan[2], surface, false);
+      draw_span_triangle<shade, kOrthographic, kStatistics>(target, corner[0], corner[1], corner[2], surface, false);
     }
   }
 

@@ -16,6 +16,11 @@ struct RasterVertex {
   std::int32_t u, v;     ///< texels, 16.16
 };
 
+/// Twice the signed area in 1/256 square pixels; positive for counter-clockwise triangles (y up).
+constexpr std::int64_t signed_area(const RasterVertex& a, const RasterVertex& b, const RasterVertex& c) {
+  return std::int64_t{c.x - a.x} * (b.y - a.y) - std::int64_t{b.x - a.x} * (c.y - a.y);
+}
+
 /// A value at the anchor pixel and its steps a pixel. Arithmetic modulo 2^32: exact wherever the value itself is in
 /// range.
 struct Plane {

@@ -16,11 +16,6 @@ struct Surface {
   std::int64_t depth_offset;  ///< DepthFit::offset
 };
 
-/// Twice the signed area in 1/256 square pixels; positive for counter-clockwise triangles (y up).
-constexpr std::int64_t signed_area(const RasterVertex& a, const RasterVertex& b, const RasterVertex& c) {
-  return std::int64_t{c.x - a.x} * (b.y - a.y) - std::int64_t{b.x - a.x} * (c.y - a.y);
-}
-
 template <class Integer, class FillSpan>
 void walk_spans(const StripTarget& target, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
                 const FillSpan& fill) {

@@ -1,0 +1,317 @@
+// Whole frames through the public interface: invariance, clipping, errors.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "zstrip/zstrip.hpp"
+
+namespace {
+
+using namespace zstrip;
+
+/// A mesh of random triangles that owns its memory.
+struct Model {
+  std::vector<Position> positions;
+  std::vector<Colour> colours;
+  std::vector<Normal> normals;
+  std::vector<TexCoord> texcoords;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint16_t> texels;
+  Mesh mesh;
+  Texture texture;
+  Material material;
+  Instance instance;
+  DirectionalLight light;
+
+  Scene scene() {
+    mesh.positions = positions;
+    mesh.colours = colours;
+    mesh.normals = normals;
+    mesh.texcoords = texcoords;
+    mesh.triangles = triangles;
+    texture = {texels, 4, 3};
+    Scene s;
+    s.meshes = {&mesh, 1};
+    s.materials = {&material, 1};
+    s.instances = {&instance, 1};
+    s.lights = {&light, 1};
+    if (!texels.empty()) s.textures = {&texture, 1};
+    s.background = {16, 32, 48, 255};
+    return s;
+  }
+};
+
+Model random_model(unsigned seed, int triangles, int extent) {
+  std::mt19937 random(seed);
+  const auto between = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
+  Model model;
+  for (int t = 0; t < triangles; ++t) {
+    const int c[3] = {between(-30000, 30000), between(-30000, 30000), between(-30000, 30000)};
+    for (int k = 0; k < 3; ++k) {
+      const auto near = [&](int axis) {
+        return static_cast<std::int16_t>(std::clamp(c[axis] + between(-extent, extent), -32767, 32767));
+      };
+      model.positions.push_back({near(0), near(1), near(2)});
+      const auto byte = [&] { return static_cast<std::uint8_t>(between(0, 255)); };
+      model.colours.push_back({byte(), byte(), byte(), 255});
+      model.normals.push_back(
+          {static_cast<std::int8_t>(between(-73, 73)), static_cast<std::int8_t>(between(-73, 73)), 73, 0});
+      model.texcoords.push_back(
+          {static_cast<std::int16_t>(between(-9000, 9000)), static_cast<std::int16_t>(between(-9000, 9000))});
+    }
+    const auto v = static_cast<std::uint16_t>(3 * t);
+    model.triangles.push_back({v, static_cast<std::uint16_t>(v + 1), static_cast<std::uint16_t>(v + 2)});
+  }
+  for (int i = 0; i < 128; ++i) model.texels.push_back(static_cast<std::uint16_t>(between(0, 65535)));
+  model.material.double_sided = true;
+  return model;
+}
+
+struct Picture {
+  Status status;
+  std::vector<std::byte> pixels;
+  Statistics statistics;
+  Rect bounds;
+};
+
+Picture render(const Scene& scene, const Camera& camera, const View& view, std::uint16_t strip_rows,
+               std::uint8_t garbage = 0xA5) {
+  const Effects effects = effects_of(scene, camera) | effect::statistics;
+  const PlanResult planned = plan(count(scene), view, effects, {.strip_rows = strip_rows});
+  if (!planned.status) return {planned.status, {}, {}, {}};
+  std::vector<std::uint64_t> words(planned.plan.bytes() / 8 + 1, 0x0101010101010101ULL * garbage);
+  const auto arena = std::as_writable_bytes(std::span(words)).first(planned.plan.bytes());
+  AnyRenderer renderer(effects);
+  Picture picture;
+  picture.status = renderer.begin_frame(scene, camera, view, planned.plan, arena);
+  if (!picture.status) return picture;
+  std::vector<std::uint16_t> strip(planned.plan.strip_pixel_bytes(view) / 2 + 1,
+                                   static_cast<std::uint16_t>(garbage * 257));
+  const std::uint32_t row = bytes_per_row(view.width, view.format);
+  for (std::uint16_t s = 0; s < planned.plan.strips; ++s) {
+    const auto bytes = std::as_writable_bytes(std::span(strip));
+    picture.status = renderer.draw_strip(s, bytes);
+    if (!picture.status) return picture;
+    const auto rows =
+        static_cast<std::uint32_t>(std::min<int>(planned.plan.strip_rows, view.height - s * planned.plan.strip_rows));
+    picture.pixels.insert(picture.pixels.end(), bytes.begin(), bytes.begin() + rows * row);
+  }
+  picture.statistics = renderer.frame().statistics();
+  picture.bounds = renderer.frame().bounds();
+  return picture;
+}
+
+class Invariance : public testing::TestWithParam<int> {};
+
+/// The kinds of scene: bits choose texture, light, smoothness, orthographic, camera inside the scene.
+TEST_P(Invariance, StripsAndGarbageNeverChangeAPixel) {
+  const int kind = GetParam();
+  Model model = random_model(static_cast<unsigned>(kind), 60, kind & 1 ? 20000 : 7000);
+  if (kind & 2)
+    model.material.texture = 0;
+  else
+    model.texels.clear();
+  model.material.lit = (kind & 4) != 0;
+  model.material.smooth = (kind & 8) != 0;
+  Camera camera;
+  if (kind & 16) camera.projection = Projection::orthographic, camera.focal = 50000;
+  if (kind & 32) camera.eye = {3000, -2000, 20000};  // among the triangles: clipping
+  const View view{61, 45, kind & 64 ? PixelFormat::gray4 : PixelFormat::rgb565};
+  const Picture whole = render(model.scene(), camera, view, 45);
+  ASSERT_TRUE(whole.status) << message(whole.status.error);
+  EXPECT_GT(whole.statistics.fragments, 50U) << "a scene that shows nothing proves nothing";
+  for (const int rows : {1, 2, 3, 7, 8, 16, 44}) {
+    for (const int garbage : {0x00, 0xFF}) {
+      const Picture strips =
+          render(model.scene(), camera, view, static_cast<std::uint16_t>(rows), static_cast<std::uint8_t>(garbage));
+      ASSERT_TRUE(strips.status);
+      ASSERT_EQ(strips.pixels, whole.pixels) << "kind " << kind << " rows " << rows << " garbage " << garbage;
+      ASSERT_EQ(strips.statistics.fragments, whole.statistics.fragments);
+      ASSERT_EQ(strips.statistics.drawn, whole.statistics.drawn);
+    }
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Kinds, Invariance, testing::Range(0, 128));
+
+/// A square in the plane z = 0 of the given half size (16.16), cut into n x n cells of two triangles.
+Model grid(int n, Fixed half) {
+  Model model;
+  for (int y = 0; y <= n; ++y) {
+    for (int x = 0; x <= n; ++x) {
+      const auto at = [n](int i) { return static_cast<std::int16_t>(-32767 + 65534 * i / n); };
+      model.positions.push_back({at(x), at(y), 0});
+    }
+  }
+  for (int y = 0; y < n; ++y) {
+    for (int x = 0; x < n; ++x) {
+      const auto v = [n](int i, int j) { return static_cast<std::uint16_t>(j * (n + 1) + i); };
+      model.triangles.push_back({v(x, y), v(x + 1, y), v(x + 1, y + 1)});
+      model.triangles.push_back({v(x, y), v(x + 1, y + 1), v(x, y + 1)});
+    }
+  }
+  model.mesh.half_extent = {half, half, half};
+  model.material.lit = false;
+  return model;
+}
+
+TEST(Frame, ATiledPlaneCoversEachPixelExactlyOnce) {
+  // Seen at a slant, with the near plane cutting through it: clipped and unclipped cells share edges. The cells stay
+  // larger than a sub-pixel: below that, snapping folds a mesh.
+  for (int n : {1, 2, 7, 25}) {
+    Model model = grid(n, 30 * kFixedOne);
+    Camera camera;
+    for (int tilt = 0; tilt < 40; ++tilt) {
+      ASSERT_TRUE(look_at(camera, {kFixedOne / 3, kFixedOne / 5, kFixedOne * 2},
+                          {tilt * 9000 - 180000, 70000, kFixedOne}, {0, kFixedOne, 0}));
+      camera.far_plane = 30000 * kFixedOne;
+      const View view{64, 48};
+      const Picture picture = render(model.scene(), camera, view, 48);
+      ASSERT_TRUE(picture.status);
+      ASSERT_EQ(picture.statistics.fragments, picture.statistics.depth_passes)
+          << "a pixel drawn twice, n " << n << " tilt " << tilt;
+      const auto* const pixels = reinterpret_cast<const std::uint16_t*>(picture.pixels.data());
+      // The plane fills the picture below its horizon: a column has no background between two plane pixels.
+      for (int x = 0; x < 64; ++x) {
+        int changes = 0;
+        for (int y = 1; y < 48; ++y) changes += (pixels[y * 64 + x] == 0xFFFF) != (pixels[(y - 1) * 64 + x] == 0xFFFF);
+        ASSERT_LE(changes, 2) << "a crack, n " << n << " tilt " << tilt << " column " << x;
+      }
+    }
+  }
+}
+
+TEST(Frame, APlaneThatFillsThePictureFillsEveryPixel) {
+  for (int n : {1, 3, 16}) {
+    Model model = grid(n, 4000 * kFixedOne);
+    Camera camera;
+    for (const View view : {View{1, 1}, View{64, 48}, View{63, 47}, View{2048, 3}}) {
+      const Picture picture = render(model.scene(), camera, view, view.height);
+      ASSERT_TRUE(picture.status);
+      EXPECT_EQ(picture.statistics.fragments, static_cast<std::uint32_t>(view.width * view.height))
+          << n << ' ' << view.width;
+      EXPECT_EQ(picture.statistics.depth_passes, static_cast<std::uint32_t>(view.width * view.height));
+    }
+  }
+}
+
+TEST(Frame, NothingInViewIsJustBackground) {
+  Model model = grid(2, kFixedOne);
+  Camera camera;
+  camera.eye = {0, 0, -3 * kFixedOne};  // the plane is behind
+  const Picture picture = render(model.scene(), camera, View{8, 8}, 3);
+  ASSERT_TRUE(picture.status);
+  EXPECT_TRUE(picture.bounds.empty());
+  EXPECT_EQ(picture.statistics.fragments, 0U);
+  for (std::size_t i = 0; i < picture.pixels.size(); i += 2) {
+    EXPECT_EQ(*reinterpret_cast<const std::uint16_t*>(&picture.pixels[i]),
+              ((16 >> 3) << 11) | ((32 >> 2) << 5) | (48 >> 3));
+  }
+}
+
+TEST(Frame, BackFacesAreCulledUnlessDoubleSided) {
+  Model model = grid(2, kFixedOne);
+  Camera camera;
+  ASSERT_TRUE(look_at(camera, {0, 0, -3 * kFixedOne}, {0, 0, 0}, {0, kFixedOne, 0}));
+  EXPECT_EQ(render(model.scene(), camera, View{32, 32}, 32).statistics.fragments, 0U);
+  model.material.double_sided = true;
+  EXPECT_GT(render(model.scene(), camera, View{32, 32}, 32).statistics.fragments, 100U);
+}
+
+TEST(Frame, SwappedFormatIsTheSamePictureWithSwappedBytes) {
+  Model model = random_model(3, 40, 9000);
+  const Camera camera;
+  Picture native = render(model.scene(), camera, View{33, 21, PixelFormat::rgb565}, 4);
+  const Picture swapped = render(model.scene(), camera, View{33, 21, PixelFormat::rgb565_swapped}, 4);
+  for (std::size_t i = 0; i < native.pixels.size(); i += 2) std::swap(native.pixels[i], native.pixels[i + 1]);
+  EXPECT_EQ(native.pixels, swapped.pixels);
+}
+
+TEST(Frame, TooSmallAnArenaOrPlanIsAnErrorForEverySize) {
+  Model model = random_model(4, 20, 9000);
+  const Scene scene = model.scene();
+  const Camera camera;
+  const View view{16, 16};
+  const Effects effects = effects_of(scene, camera);
+  const Plan good = plan(count(scene), view, effects).plan;
+  std::vector<std::uint64_t> words(good.bytes() / 8);
+  const auto arena = std::as_writable_bytes(std::span(words));
+  AnyRenderer renderer(effects);
+  for (std::size_t bytes = 0; bytes < good.bytes(); ++bytes) {
+    const Status status = renderer.begin_frame(scene, camera, view, good, arena.first(bytes));
+    ASSERT_EQ(status.error, Error::arena_too_small);
+    ASSERT_EQ(status.needed, good.bytes());
+    ASSERT_EQ(status.available, bytes);
+  }
+  for (std::uint32_t Plan::*part : {&Plan::instance_bytes, &Plan::vertex_bytes, &Plan::depth_bytes}) {
+    Plan bad = good;
+    bad.*part -= 8;
+    ASSERT_EQ(renderer.begin_frame(scene, camera, view, bad, arena).error, Error::arena_too_small);
+  }
+  ASSERT_TRUE(renderer.begin_frame(scene, camera, view, good, arena));
+}
+
+TEST(Frame, EveryMistakeHasItsError) {
+  Model model = random_model(5, 4, 9000);
+  const Scene scene = model.scene();
+  Camera camera;
+  const View view{16, 16};
+  const Effects effects = effects_of(scene, camera);
+  const Plan good = plan(count(scene), view, effects, {.strip_rows = 4}).plan;
+  std::vector<std::uint64_t> words(good.bytes() / 8);
+  const auto arena = std::as_writable_bytes(std::span(words));
+  std::vector<std::uint16_t> pixels(16 * 4 + 1);
+  const auto strip = std::as_writable_bytes(std::span(pixels));
+
+  AnyRenderer renderer(effects);
+  EXPECT_EQ(renderer.draw_strip(0, strip).error, Error::not_begun);
+  AnyRenderer plain(Effects{});
+  const Status missing = plain.begin_frame(scene, camera, view, good, arena);
+  EXPECT_EQ(missing.error, Error::effect_missing);
+  EXPECT_EQ(missing.needed, effects.bits);
+
+  Camera broken = camera;
+  broken.near_plane = 0;
+  EXPECT_EQ(renderer.begin_frame(scene, broken, view, good, arena).error, Error::camera);
+  broken = camera;
+  broken.far_plane = broken.near_plane;
+  EXPECT_EQ(renderer.begin_frame(scene, broken, view, good, arena).error, Error::camera);
+  broken = camera;
+  broken.right = {INT32_MAX, 0, 0};
+  EXPECT_EQ(renderer.begin_frame(scene, broken, view, good, arena).error, Error::camera);
+
+  ASSERT_TRUE(renderer.begin_frame(scene, camera, view, good, arena));
+  EXPECT_EQ(renderer.draw_strip(4, strip).error, Error::strip_rows);
+  EXPECT_EQ(renderer.draw_strip(0, strip.first(16 * 4 * 2 - 1)).error, Error::pixels_too_small);
+  EXPECT_EQ(renderer.draw_strip(0, std::as_writable_bytes(std::span(pixels)).subspan(1)).error,
+            Error::pixels_misaligned);
+  EXPECT_TRUE(renderer.draw_strip(3, strip));
+}
+
+TEST(Validate, FindsEveryBadIndex) {
+  Model model = random_model(6, 4, 9000);
+  ASSERT_TRUE(validate(model.scene()));
+  Model bad = model;
+  bad.triangles[2].c = 12;
+  EXPECT_EQ(validate(bad.scene()).error, Error::mesh);
+  bad = model;
+  bad.material.texture = 3;
+  EXPECT_EQ(validate(bad.scene()).error, Error::material);
+  bad = model;
+  bad.instance.mesh = 1;
+  EXPECT_EQ(validate(bad.scene()).error, Error::instance);
+  bad = model;
+  bad.instance.transform.m[1][1] = INT32_MIN;
+  EXPECT_EQ(validate(bad.scene()).error, Error::instance);
+  bad = model;
+  bad.normals.pop_back();
+  EXPECT_EQ(validate(bad.scene()).error, Error::mesh);
+  bad = model;
+  bad.texels.pop_back();
+  EXPECT_EQ(validate(bad.scene()).error, Error::texture);
+  bad = model;
+  bad.mesh.half_extent.x = INT32_MAX;
+  EXPECT_EQ(validate(bad.scene()).error, Error::mesh);
+}
+
+}  // namespace

@@ -1,0 +1,89 @@
+// Sine, square root and reciprocal: every input where the domain allows, against the standard library.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "zstrip/base/math.hpp"
+
+namespace {
+
+using namespace zstrip;
+
+TEST(Math, SineOfEveryAngle) {
+  double worst = 0;
+  for (Angle angle = 0; angle < kFullTurn; ++angle) {
+    const double exact = std::sin(angle * 2 * M_PI / kFullTurn) * 1073741824.0;
+    worst = std::max(worst, std::abs(exact - sine(angle)));
+    ASSERT_EQ(sine(angle), -sine(-angle)) << angle;
+    ASSERT_EQ(sine(angle), sine(angle + kFullTurn)) << angle;
+    ASSERT_EQ(cosine(angle), sine(angle + kFullTurn / 4)) << angle;
+  }
+  EXPECT_LE(worst, 4.0);
+  RecordProperty("worst_in_2_to_minus_30", std::to_string(worst));
+}
+
+TEST(Math, SineIsExactAtQuarterTurns) {
+  EXPECT_EQ(sine(0), 0);
+  EXPECT_EQ(sine(16384), 1 << 30);
+  EXPECT_EQ(sine(32768), 0);
+  EXPECT_EQ(sine(49152), -(1 << 30));
+}
+
+TEST(Math, SquareRootIsTheFloor) {
+  const auto check = [](std::uint64_t value) {
+    const unsigned __int128 root = square_root(value);
+    ASSERT_LE(root * root, value);
+    ASSERT_GT((root + 1) * (root + 1), value);
+  };
+  for (std::uint64_t value = 0; value < 70000; ++value) check(value);
+  for (int bit = 0; bit < 64; ++bit) {
+    const std::uint64_t value = std::uint64_t{1} << bit;
+    check(value), check(value - 1), check(value + 1);
+  }
+  check(~std::uint64_t{0});
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 100000; ++i) check(random());
+}
+
+void expect_reciprocal(std::uint32_t divisor) {
+  const std::int64_t value = reciprocal(divisor);
+  ASSERT_GE(value, std::int64_t{1} << 30) << divisor;
+  ASSERT_LT(value, std::int64_t{1} << 31) << divisor;
+  const double error = static_cast<double>(value) * divisor / std::pow(2.0, 62) - 1;
+  ASSERT_LT(std::abs(error), std::pow(2.0, -28)) << divisor;
+}
+
+TEST(Math, ReciprocalOfEverySixteenBitMantissa) {
+  for (std::uint32_t mantissa = 0x8000; mantissa <= 0xFFFF; ++mantissa) {
+    expect_reciprocal(mantissa << 16);
+    expect_reciprocal((mantissa << 16) | 1);
+    expect_reciprocal((mantissa << 16) | 0x8000);
+    expect_reciprocal((mantissa << 16) | 0xFFFF);
+  }
+}
+
+TEST(Math, ReciprocalNeverGrowsWithSixteenBitMantissas) {
+  std::int32_t previous = INT32_MAX;
+  for (std::uint32_t mantissa = 0x8000; mantissa <= 0xFFFF; ++mantissa) {
+    const std::int32_t value = reciprocal(mantissa << 16);
+    ASSERT_LE(value, previous) << mantissa;
+    previous = value;
+  }
+}
+
+TEST(Math, QuotientOfAnyWidth) {
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 200000; ++i) {
+    const std::uint64_t divisor = (random() >> (random() % 62)) | 1;
+    const auto numerator = static_cast<std::int64_t>(random()) >> (6 + random() % 56);
+    const int bits = static_cast<int>(random() % 13);
+    const long double exact = std::ldexp(static_cast<long double>(numerator) / static_cast<long double>(divisor), bits);
+    if (std::abs(exact) > 4e18L) continue;
+    const auto got = static_cast<long double>(ScaledReciprocal::of(divisor).quotient(numerator, bits));
+    ASSERT_LE(std::abs(got - exact), 1 + std::abs(exact) * std::pow(2.0L, -27))
+        << numerator << '/' << divisor << " << " << bits;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,81 @@
+// Plans: what fits, what does not, and that the numbers say why.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "zstrip/plan/plan.hpp"
+
+namespace {
+
+using namespace zstrip;
+
+constexpr SceneCounts kCounts{.instances = 2, .triangles = 900, .vertices = 500, .largest_meshlet = 64};
+constexpr View kView{.width = 240, .height = 240, .format = PixelFormat::rgb565};
+
+TEST(Plan, UnlimitedIsOneStrip) {
+  const PlanResult result = plan(kCounts, kView, effect::lighting | effect::gouraud);
+  ASSERT_TRUE(result.status);
+  EXPECT_EQ(result.plan.strips, 1);
+  EXPECT_EQ(result.plan.strip_rows, 240);
+  EXPECT_EQ(result.plan.depth_bytes, 240U * 240 * 2);
+  EXPECT_EQ(result.plan.vertex_bytes, 64U * 12);
+  EXPECT_EQ(result.plan.colour_bytes, 0U);
+}
+
+TEST(Plan, IsConstexpr) {
+  static_assert(plan(kCounts, kView, effect::gouraud, {.bytes = 8192}).status);
+  static_assert(plan(kCounts, kView, effect::gouraud, {.bytes = 8192}).plan.bytes() <= 8192);
+}
+
+TEST(Plan, AbsentEffectsCostNoMemory) {
+  EXPECT_EQ(plan(kCounts, kView, {}).plan.vertex_bytes, 64U * 8);
+  EXPECT_EQ(plan(kCounts, kView, effect::textures).plan.vertex_bytes, 64U * 8);
+  EXPECT_EQ(plan(kCounts, kView, effect::vertex_colours).plan.vertex_bytes, 64U * 12);
+}
+
+TEST(Plan, EveryBudgetIsKeptOrRefusedWithTheBytesItNeeds) {
+  const PlanResult smallest = plan(kCounts, kView, effect::lighting, {.bytes = 1});
+  ASSERT_EQ(smallest.status.error, Error::arena_too_small);
+  ASSERT_GT(smallest.status.needed, 1U);
+  EXPECT_EQ(smallest.status.available, 1U);
+  std::uint16_t previous_rows = 0;
+  for (std::uint32_t bytes = 1; bytes < 130000; bytes += 7) {
+    const PlanResult result = plan(kCounts, kView, effect::lighting, {.bytes = bytes});
+    ASSERT_EQ(static_cast<bool>(result.status), bytes >= smallest.status.needed) << bytes;
+    if (!result.status) continue;
+    ASSERT_LE(result.plan.bytes(), bytes);
+    ASSERT_EQ(result.plan.strips, (240 + result.plan.strip_rows - 1) / result.plan.strip_rows);
+    ASSERT_GE(result.plan.strip_rows, previous_rows) << "more memory, no smaller strips";
+    previous_rows = result.plan.strip_rows;
+  }
+  EXPECT_EQ(previous_rows, 240);
+}
+
+TEST(Plan, GivenRowsAreKeptOrRefused) {
+  const PlanResult fits = plan(kCounts, kView, {}, {.bytes = 8192, .strip_rows = 8});
+  ASSERT_TRUE(fits.status);
+  EXPECT_EQ(fits.plan.strip_rows, 8);
+  const PlanResult refused = plan(kCounts, kView, {}, {.bytes = 4096, .strip_rows = 16});
+  ASSERT_EQ(refused.status.error, Error::arena_too_small);
+  EXPECT_EQ(refused.status.purpose, Purpose::depth);
+  EXPECT_EQ(refused.status.needed, refused.plan.bytes());
+  EXPECT_EQ(plan(kCounts, kView, {}, {.strip_rows = 241}).status.error, Error::strip_rows);
+}
+
+TEST(Plan, ImpossibleSizesAreRefused) {
+  for (const View view : {View{0, 10}, View{10, 0}, View{4097, 10}, View{10, 4097}, View{65535, 65535}}) {
+    EXPECT_EQ(plan(kCounts, view, {}).status.error, Error::view_size);
+  }
+  EXPECT_TRUE(plan(kCounts, View{4096, 4096}, {}).status);
+  EXPECT_TRUE(plan(kCounts, View{1, 1}, {}).status);
+}
+
+TEST(Plan, PanelFormatsNeedAWorkingStrip) {
+  const PlanResult result = plan(kCounts, View{128, 64, PixelFormat::gray4}, {}, {.strip_rows = 8});
+  ASSERT_TRUE(result.status);
+  EXPECT_EQ(result.plan.colour_bytes, 128U * 8 * 2);
+  EXPECT_EQ(result.plan.strip_pixel_bytes(View{128, 64, PixelFormat::gray4}), 64U * 8);
+  EXPECT_EQ(result.plan.strip_pixel_bytes(View{127, 64, PixelFormat::mono}), 16U * 8);
+}
+
+}  // namespace

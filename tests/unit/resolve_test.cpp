@@ -1,0 +1,46 @@
+// The output formats, pixel by pixel.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "zstrip/resolve/resolve.hpp"
+
+namespace {
+
+using namespace zstrip;
+
+TEST(Resolve, LumaOfEveryPixelIsTheWeightedSum) {
+  for (std::uint32_t pixel = 0; pixel < 65536; ++pixel) {
+    const std::uint32_t r5 = pixel / 2048, g6 = pixel / 32 % 64, b5 = pixel % 32;
+    const std::uint32_t r = r5 * 8 + r5 / 4, g = g6 * 4 + g6 / 16, b = b5 * 8 + b5 / 4;
+    ASSERT_EQ(detail::luma(static_cast<std::uint16_t>(pixel)), (77 * r + 150 * g + 29 * b + 128) / 256);
+  }
+}
+
+TEST(Resolve, Gray4PacksLeftPixelHighAndEndsRowsAtBytes) {
+  const std::uint16_t row[3] = {0xFFFF, 0x0000, 0xFFFF};
+  std::byte out[2] = {std::byte{0x55}, std::byte{0x55}};
+  detail::resolve_gray4(row, 3, out);
+  EXPECT_EQ(out[0], std::byte{0xF0});
+  EXPECT_EQ(out[1], std::byte{0xF0});
+}
+
+TEST(Resolve, MonoPacksLeftPixelInTheHighestBit) {
+  std::vector<std::uint16_t> row(10, 0);
+  row[0] = row[9] = 0xFFFF;
+  std::byte out[2];
+  detail::resolve_mono(row.data(), 10, out);
+  EXPECT_EQ(out[0], std::byte{0x80});
+  EXPECT_EQ(out[1], std::byte{0x40});
+}
+
+TEST(Resolve, SwapsBytesOfOddCounts) {
+  for (std::uint32_t count = 0; count < 6; ++count) {
+    std::vector<std::uint16_t> pixels(count + 1, 0x1234);
+    detail::swap_bytes(pixels.data(), count);
+    for (std::uint32_t i = 0; i < count; ++i) EXPECT_EQ(pixels[i], 0x3412);
+    EXPECT_EQ(pixels[count], 0x1234);
+  }
+}
+
+}  // namespace
