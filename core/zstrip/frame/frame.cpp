@@ -118,8 +118,8 @@ detail::StripTarget Frame::Access::target_of(Frame& frame, std::uint16_t strip, 
 
 void Frame::Access::clear(const Frame& frame, std::uint16_t rows, std::uint16_t* pixels,
                           const detail::StripTarget& target) {
-  std::memset(frame.depth_, 0, static_cast<std::size_t>(target.area.width() * target.area.height()) * kDepthBytes);
-  std::fill_n(pixels, std::size_t{rows} * frame.view_.width, detail::rgb565(frame.scene_->background));
+  __builtin_memset(frame.depth_, 0, static_cast<std::size_t>(target.area.width() * target.area.height()) * kDepthBytes);
+  detail::fill_pixels(pixels, std::uint32_t{rows} * frame.view_.width, detail::rgb565(frame.scene_->background));
 }
 
 void Frame::Access::resolve(const Frame& frame, std::uint16_t rows, std::uint16_t* drawn, std::byte* pixels) {

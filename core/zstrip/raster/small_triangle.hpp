@@ -15,8 +15,8 @@ namespace zstrip::detail {
 /// width * height <= 90 * 90 = 8100, so an edge function >> 4 is within -512..511.
 inline constexpr std::int32_t kSmallExtent = 181;
 
-/// Depth differences of small triangles stay below 4096 codes, so that 31-bit products keep the promised precision.
-inline constexpr std::uint32_t kSmallDepthDifference = 1U << 28;  // 16.16
+/// Depth differences of small triangles stay below 8192 codes, so that 31-bit products keep the promised precision.
+inline constexpr std::uint32_t kSmallDepthDifference = 1U << 29;  // 16.16
 
 /// Three edge functions / 16 in fields of 10, 11 and 11 bits. Pixel steps are multiples of 16, so the division by 16
 /// loses nothing that a sign could show. A field that goes negative borrows from the one above; while all are >= 0
@@ -54,7 +54,7 @@ struct SmallSetup {
   const SmallEdge& toward_1;  // the edge whose function is the weight of vertex 1
   const SmallEdge& toward_2;
 
-  /// `from_0_to_1`, `from_0_to_2` in 13.16, below 2^28.
+  /// `from_0_to_1`, `from_0_to_2` in 14.16, below 2^29.
   SmallPlane plane(std::uint32_t value_0, std::int32_t from_0_to_1, std::int32_t from_0_to_2) const {
     // Value per unit of edge function, 16.16, rounded; every pixel's value is exactly value_0 + k1 e1 + k2 e2.
     const std::uint32_t k1 = per_unit(from_0_to_1);

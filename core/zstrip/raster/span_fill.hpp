@@ -68,76 +68,111 @@ inline constexpr std::int32_t kPerspectiveRun = 16;
 inline constexpr std::uint32_t kInverse[kPerspectiveRun] = {0,    65536, 32768, 21845, 16384, 13107, 10922, 9362,
                                                             8192, 7281,  6553,  5957,  5461,  5041,  4681,  4369};
 
-/// `light` is read only where `lit`.
-template <bool orthographic, bool lit, bool statistics>
-void fill_textured(const Span& span, const Plane& depth, const TextureView& texture,
-                   const TextureCoordinates<orthographic>& coordinates, const ColourPlanes& light,
-                   Statistics* counters) {
-  // Positions as fractions of the texture in 0.32: wrapping is what unsigned integers do.
-  const int to_fraction_u = 16 - texture.log2_width;
-  const int to_fraction_v = 16 - texture.log2_height;
-  const int column_shift = 32 - texture.log2_width;
-  const int row_shift = 32 - texture.log2_height;
-  std::uint32_t z = depth.at(span.columns, span.rows);
-  std::uint32_t r = 0, g = 0, b = 0;
-  if constexpr (lit) {
-    r = light.r.at(span.columns, span.rows);
-    g = light.g.at(span.columns, span.rows);
-    b = light.b.at(span.columns, span.rows);
+/// A texture coordinate as a fraction of the texture in 0.32: wrapping is what unsigned integers do. A side of one
+/// texel has no fraction: it stays 0.
+struct TextureAxis {
+  std::int32_t to_fraction;  ///< from 16.16 texels
+  std::int32_t to_index;     ///< right shift
+  bool single;
+
+  explicit TextureAxis(std::uint8_t log2_size)
+      : to_fraction(16 - log2_size), to_index(log2_size == 0 ? 31 : 32 - log2_size), single(log2_size == 0) {}
+  std::uint32_t fraction(std::int32_t texels) const {
+    return single ? 0 : static_cast<std::uint32_t>(texels) << to_fraction;
   }
-  std::uint16_t* depth_cell = span.depth;
-  std::uint16_t* pixel = span.colour;
-  TexelPosition from = coordinates.at(span.columns, span.rows);
-  for (std::int32_t done = 0; done < span.length;) {
-    const std::int32_t left = span.length - done;
-    // A full run ends at the next one's first pixel, the last run at its own last pixel: always inside the triangle.
-    const std::int32_t run = left > kPerspectiveRun ? kPerspectiveRun : left;
-    TexelPosition to = from;
-    std::int32_t step_u = 0, step_v = 0;  // 16.16
-    const auto difference = [](std::int32_t a, std::int32_t b_) {
-      return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b_));
-    };
-    if (left > kPerspectiveRun) {
-      to = coordinates.at(span.columns + done + run, span.rows);
-      step_u = difference(to.u, from.u) >> 4;
-      step_v = difference(to.v, from.v) >> 4;
-    } else if (left > 1) {
-      to = coordinates.at(span.columns + done + run - 1, span.rows);
-      const auto inverse = static_cast<std::int64_t>(kInverse[run - 1]);
-      step_u = static_cast<std::int32_t>((difference(to.u, from.u) * inverse) >> 16);
-      step_v = static_cast<std::int32_t>((difference(to.v, from.v) * inverse) >> 16);
-    }
-    std::uint32_t u = static_cast<std::uint32_t>(from.u) << to_fraction_u;
-    std::uint32_t v = static_cast<std::uint32_t>(from.v) << to_fraction_v;
-    const std::uint32_t du = static_cast<std::uint32_t>(step_u) << to_fraction_u;
-    const std::uint32_t dv = static_cast<std::uint32_t>(step_v) << to_fraction_v;
-    for (std::int32_t i = 0; i < run; ++i) {
-      const auto code = static_cast<std::uint16_t>(z >> 16);
-      if (code > depth_cell[i]) {
-        depth_cell[i] = code;
-        // 64-bit shifts are not needed: a side of one texel has shift 32, which the mask below stands for.
-        const std::uint32_t column = texture.log2_width == 0 ? 0 : u >> column_shift;
-        const std::uint32_t texel_row = texture.log2_height == 0 ? 0 : v >> row_shift;
-        const std::uint16_t texel = texture.texels[(texel_row << texture.log2_width) + column];
+};
+
+/// The pixels between two exact texture positions. Not inlined: the loop needs every register of a Cortex-M.
+template <bool lit, bool statistics>
+struct TexturedRun {
+  std::uint32_t u, v, step_u, step_v;  ///< 0.32
+  std::uint32_t z, step_z;             ///< 16.16
+  std::uint32_t r, g, b;               ///< 8.16, only where `lit`
+  const std::uint16_t* texels;
+  std::int32_t to_column, to_row;  ///< right shifts; to_row leaves the row times the width of the texture
+  std::uint32_t row_mask;          ///< clears the bits below a row
+
+  [[gnu::noinline]] void fill(std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length,
+                              const ColourPlanes& light, Statistics* counters) {
+    const std::uint16_t* const t = texels;
+    const std::uint32_t du = step_u, dv = step_v, dz = step_z, mask = row_mask;
+    const std::int32_t shift_u = to_column, shift_v = to_row;
+    std::uint32_t at_u = u, at_v = v, at_z = z;
+    std::uint16_t* const end = pixel + length;
+    do {
+      const auto code = static_cast<std::uint16_t>(at_z >> 16);
+      if (code > *depth) {
+        *depth = code;
+        const std::uint16_t texel = t[((at_v >> shift_v) & mask) + (at_u >> shift_u)];
         if constexpr (lit) {
-          pixel[i] = modulated(texel, r, g, b);
+          *pixel = modulated(texel, r, g, b);
         } else {
-          pixel[i] = texel;
+          *pixel = texel;
         }
         count_pass<statistics>(counters);
       }
-      z += depth.step_x;
-      u += du;
-      v += dv;
+      ++depth;
+      at_z += dz;
+      at_u += du;
+      at_v += dv;
       if constexpr (lit) {
         r += light.r.step_x;
         g += light.g.step_x;
         b += light.b.step_x;
       }
+    } while (++pixel != end);
+    z = at_z;
+  }
+};
+
+/// a - b, modulo 2^32.
+constexpr std::int32_t difference(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
+}
+
+/// `light` is read only where `lit`.
+template <bool orthographic, bool lit, bool statistics>
+void fill_textured(const Span& span, const Plane& depth, const TextureView& texture,
+                   const TextureCoordinates<orthographic>& coordinates, const ColourPlanes& light,
+                   Statistics* counters) {
+  const TextureAxis axis_u(texture.log2_width);
+  const TextureAxis axis_v(texture.log2_height);
+  TexturedRun<lit, statistics> run{};
+  run.z = depth.at(span.columns, span.rows);
+  run.step_z = depth.step_x;
+  run.texels = texture.texels;
+  run.to_column = axis_u.to_index;
+  const int row_bits = texture.log2_height + texture.log2_width;
+  run.to_row = row_bits == 0 ? 31 : 32 - row_bits;
+  run.row_mask = ~((std::uint32_t{1} << texture.log2_width) - 1);
+  if constexpr (lit) {
+    run.r = light.r.at(span.columns, span.rows);
+    run.g = light.g.at(span.columns, span.rows);
+    run.b = light.b.at(span.columns, span.rows);
+  }
+  TexelPosition from = coordinates.at(span.columns, span.rows);
+  for (std::int32_t done = 0; done < span.length;) {
+    const std::int32_t left = span.length - done;
+    // A full run ends at the next one's first pixel, the last run at its own last pixel: always inside the triangle.
+    const std::int32_t length = left > kPerspectiveRun ? kPerspectiveRun : left;
+    TexelPosition to = from;
+    std::int32_t step_u = 0, step_v = 0;  // 16.16
+    if (left > kPerspectiveRun) {
+      to = coordinates.at(span.columns + done + length, span.rows);
+      step_u = difference(to.u, from.u) >> 4;
+      step_v = difference(to.v, from.v) >> 4;
+    } else if (left > 1) {
+      to = coordinates.at(span.columns + done + length - 1, span.rows);
+      const auto inverse = static_cast<std::int64_t>(kInverse[length - 1]);
+      step_u = static_cast<std::int32_t>((difference(to.u, from.u) * inverse) >> 16);
+      step_v = static_cast<std::int32_t>((difference(to.v, from.v) * inverse) >> 16);
     }
-    depth_cell += run;
-    pixel += run;
-    done += run;
+    run.u = axis_u.fraction(from.u);
+    run.v = axis_v.fraction(from.v);
+    run.step_u = axis_u.fraction(step_u);
+    run.step_v = axis_v.fraction(step_v);
+    run.fill(span.depth + done, span.colour + done, length, light, counters);
+    done += length;
     from = to;
   }
 }

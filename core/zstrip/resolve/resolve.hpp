@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 #include "zstrip/scene/view.hpp"
 
@@ -40,13 +39,24 @@ inline void resolve_mono(const std::uint16_t* pixels, std::uint16_t width, std::
   }
 }
 
+/// Fills a strip with one colour, sixteen pixels a turn.
+inline void fill_pixels(std::uint16_t* pixels, std::uint32_t count, std::uint16_t colour) {
+  if (count != 0 && reinterpret_cast<std::uintptr_t>(pixels) % 4 != 0) *pixels++ = colour, --count;
+  const std::uint32_t pair = colour * 0x00010001U;
+  for (; count >= 16; count -= 16, pixels += 16) {
+    auto* const aligned = static_cast<std::uint16_t*>(__builtin_assume_aligned(pixels, 4));
+    for (int i = 0; i < 16; i += 2) __builtin_memcpy(aligned + i, &pair, sizeof pair);  // word stores
+  }
+  for (; count != 0; --count) *pixels++ = colour;
+}
+
 /// Swaps the bytes of each pixel in place; two pixels at a time (REV16 on Arm).
 inline void swap_bytes(std::uint16_t* pixels, std::uint32_t count) {
   for (; count >= 2; count -= 2, pixels += 2) {
     std::uint32_t pair;
-    std::memcpy(&pair, pixels, sizeof pair);
+    __builtin_memcpy(&pair, pixels, sizeof pair);
     pair = ((pair & 0x00FF00FFU) << 8) | ((pair >> 8) & 0x00FF00FFU);
-    std::memcpy(pixels, &pair, sizeof pair);
+    __builtin_memcpy(pixels, &pair, sizeof pair);
   }
   if (count != 0) *pixels = static_cast<std::uint16_t>((*pixels << 8) | (*pixels >> 8));
 }
