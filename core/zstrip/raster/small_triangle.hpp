@@ -64,7 +64,21 @@ struct SmallSetup {
             (k1 * e(toward_1.dy) + k2 * e(toward_2.dy)) << 4, (k1 * e(-toward_1.dx) + k2 * e(-toward_2.dx)) << 4};
   }
 
+  /// A colour channel in 8.8. Start and steps are rounded down: less than 1/8 unit over a small triangle.
+  SmallPlane channel(std::int32_t c0, std::int32_t c1, std::int32_t c2) const {
+    const std::int32_t d1 = c1 - c0;
+    const std::int32_t d2 = c2 - c0;
+    return {
+        static_cast<std::uint32_t>(c0 * 256 + 128) + quotient_8_8(d1 * toward_1.at_anchor + d2 * toward_2.at_anchor),
+        quotient_8_8((d1 * toward_1.dy + d2 * toward_2.dy) * 16),
+        quotient_8_8((d1 * toward_1.dx + d2 * toward_2.dx) * -16)};
+  }
+
  private:
+  /// |numerator| <= 2 * 255 * 8100: times 512 it fits 32 bits.
+  std::uint32_t quotient_8_8(std::int32_t numerator) const {
+    return static_cast<std::uint32_t>(multiply_high(numerator * 512, inverse_area));
+  }
   std::uint32_t per_unit(std::int32_t difference) const {
     const std::int64_t product = std::int64_t{difference * 2} * inverse_area;
     return static_cast<std::uint32_t>((product + (std::int64_t{1} << 31)) >> 32);
@@ -101,23 +115,15 @@ void draw_small_triangle(const StripTarget& target, const SnappedVertex& v0, con
   std::uint32_t red_blue = 0, red_blue_x = 0, red_blue_y = 0;
   std::uint32_t green = 0, green_x = 0, green_y = 0;
   if constexpr (gouraud) {
-    const auto channel = [&](std::uint8_t Colour::*member) {
-      const std::uint8_t c0 = colours[0]->*member;
-      return setup.plane(static_cast<std::uint32_t>(channel_start(c0)), (colours[1]->*member - c0) * 65536,
-                         (colours[2]->*member - c0) * 65536);
-    };
-    const auto to_8_8 = [](std::uint32_t value) {
-      return static_cast<std::uint32_t>(static_cast<std::int32_t>(value) >> 8);
-    };
-    const SmallPlane r = channel(&Colour::r);
-    const SmallPlane b = channel(&Colour::b);
-    red_blue = (to_8_8(r.start) << 16) + to_8_8(b.start);
-    red_blue_x = (to_8_8(r.step_x) << 16) + to_8_8(b.step_x);
-    red_blue_y = (to_8_8(r.step_y) << 16) + to_8_8(b.step_y);
-    const SmallPlane g = channel(&Colour::g);
-    green = to_8_8(g.start);
-    green_x = to_8_8(g.step_x);
-    green_y = to_8_8(g.step_y);
+    const SmallPlane r = setup.channel(colours[0]->r, colours[1]->r, colours[2]->r);
+    const SmallPlane b = setup.channel(colours[0]->b, colours[1]->b, colours[2]->b);
+    red_blue = (r.start << 16) + b.start;
+    red_blue_x = (r.step_x << 16) + b.step_x;
+    red_blue_y = (r.step_y << 16) + b.step_y;
+    const SmallPlane g = setup.channel(colours[0]->g, colours[1]->g, colours[2]->g);
+    green = g.start;
+    green_x = g.step_x;
+    green_y = g.step_y;
   }
 
   std::uint16_t* depth_row = target.depth_row(box.top) + (box.left - target.area.left);
