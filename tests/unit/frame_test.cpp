@@ -132,6 +132,21 @@ TEST_P(Invariance, StripsAndGarbageNeverChangeAPixel) {
     }
   }
 }
+/// Regression: colours of small triangles once started at the strip's first row and rounded there.
+TEST(Frame, SmallGouraudTrianglesDoNotDependOnTheStrip) {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    Model model = random_model(seed, 400, 2500);
+    model.material.lit = false;
+    const View view{200, 120};
+    const Picture whole = render(model.scene(), Camera{}, view, 120);
+    EXPECT_GT(whole.statistics.fragments, 3000U);
+    for (const int rows : {1, 3, 8}) {
+      ASSERT_EQ(render(model.scene(), Camera{}, view, static_cast<std::uint16_t>(rows)).pixels, whole.pixels)
+          << seed << ' ' << rows;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, Invariance, testing::Range(0, 128));
 
 /// A square in the plane z = 0 of the given half size (16.16), cut into n x n cells of two triangles.

@@ -76,7 +76,7 @@ bool draw_small(Canvas& canvas, const Corners& c) {
   if (box.empty()) return true;
   const Colour* const colours[3] = {&c[0].colour, &c[1].colour, &c[2].colour};
   draw_small_triangle<true, true>(canvas.target(), v[0], v[1], v[2], colours, 0, static_cast<std::int32_t>(area_of(c)),
-                                  box);
+                                  min_x >> 4, min_y >> 4, box);
   return true;
 }
 

@@ -102,7 +102,7 @@ struct Assembler {
           colours[2] = batch.colours + (ic - batch.first_vertex);
         }
         draw_small_triangle<kGouraud, kStatistics>(target, a, b, c, colours, flat_colour<shade>(batch, provoking), area,
-                                                   box);
+                                                   min_x >> 4, min_y >> 4, box);
         return;
       }
     }

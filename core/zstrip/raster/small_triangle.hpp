@@ -92,14 +92,15 @@ inline bool is_small(std::int32_t width, std::int32_t height, const SnappedVerte
          a.depth - c.depth + kSmallDepthDifference < 2 * kSmallDepthDifference;
 }
 
-/// `area` is twice the signed area, > 0; `box` the pixels to scan, not empty, inside the target's area.
-/// `colours` of the three vertices where `gouraud`, else the one at [0].
+/// `area` is twice the signed area, > 0; `anchor_x`, `anchor_y` the first pixel of the triangle's whole box: all values
+/// start there, so that no rounding depends on the strip; `box` the pixels to scan, not empty, inside the target's
+/// area. `colours` of the three vertices where `gouraud`, else the one at [0].
 template <bool gouraud, bool statistics>
 void draw_small_triangle(const StripTarget& target, const SnappedVertex& v0, const SnappedVertex& v1,
                          const SnappedVertex& v2, const Colour* const (&colours)[3], std::uint16_t flat_colour,
-                         std::int32_t area, const Rect& box) {
-  const std::int32_t x = box.left * 16 + kPixelCentre;
-  const std::int32_t y = box.top * 16 + kPixelCentre;
+                         std::int32_t area, std::int32_t anchor_x, std::int32_t anchor_y, const Rect& box) {
+  const std::int32_t x = anchor_x * 16 + kPixelCentre;
+  const std::int32_t y = anchor_y * 16 + kPixelCentre;
   const SmallEdge edge_12(v1, v2, x, y);
   const SmallEdge edge_20(v2, v0, x, y);
   const SmallEdge edge_01(v0, v1, x, y);
@@ -124,6 +125,15 @@ void draw_small_triangle(const StripTarget& target, const SnappedVertex& v0, con
     green = g.start;
     green_x = g.step_x;
     green_y = g.step_y;
+  }
+
+  const auto skipped_columns = static_cast<std::uint32_t>(box.left - anchor_x);
+  const auto skipped_rows = static_cast<std::uint32_t>(box.top - anchor_y);
+  if ((skipped_columns | skipped_rows) != 0) {  // the strip or the picture cuts the box
+    row.word += edges_x * skipped_columns + edges_y * skipped_rows;
+    depth.start += depth.step_x * skipped_columns + depth.step_y * skipped_rows;
+    red_blue += red_blue_x * skipped_columns + red_blue_y * skipped_rows;
+    green += green_x * skipped_columns + green_y * skipped_rows;
   }
 
   std::uint16_t* depth_row = target.depth_row(box.top) + (box.left - target.area.left);
