@@ -1,0 +1,28 @@
+// What a panel's driver needs of the wires: commands and data, told apart. Four-wire SPI has a D/C line for it,
+// a parallel bus an address line, I2C a control byte; drivers of panels do not see which.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <span>
+
+#include "zstrip_hal/error.hpp"
+
+namespace zstrip::hal {
+
+/// A bus with one panel on it.
+///   - write_command() returns when the bytes have arrived: the caller may reuse them, and switch to data.
+///   - write_data() may return while the bytes are still being sent (DMA); they must stay alive and unchanged until
+///     wait() returns. Bytes of successive writes follow each other without a gap in meaning.
+///   - wait() returns when nothing is under way, with the error of the last write_data(). The caller waits before the
+///     next call of either function.
+/// No function blocks for ever: a driver of a bus states its time-out and returns Error::timeout.
+/// One thread, or one interrupt level, at a time.
+template <class T>
+concept CommandDataBus = requires(T& bus, std::span<const std::byte> bytes) {
+  { bus.write_command(bytes) } -> std::same_as<Error>;
+  { bus.write_data(bytes) } -> std::same_as<Error>;
+  { bus.wait() } -> std::same_as<Error>;
+};
+
+}  // namespace zstrip::hal

@@ -1,0 +1,66 @@
+// What a display is: a size, a pixel format, and a way to send it rectangles of pixels.
+//
+// Displays are concepts, not base classes: a firmware has one or two panels, known when it is compiled, so that calls
+// inline and no table of functions takes RAM. Code for "any display" is a template (present.hpp is the only one here).
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "zstrip_hal/error.hpp"
+
+namespace zstrip::hal {
+
+/// How the pixels that a display takes lie in memory. Rows follow each other; every row starts at a byte.
+enum class PixelFormat : std::uint8_t {
+  rgb565,          ///< two bytes, the low one first; red in bits 15..11
+  rgb565_swapped,  ///< two bytes, the high one first
+  gray4,           ///< two pixels a byte, the left one in the high nibble; 15 is lightest
+  mono,            ///< eight pixels a byte, the leftmost in the highest bit; 1 is lit
+};
+
+/// Pixels x in [left, left + width), y in [top, top + height); the origin is the upper left corner.
+struct Area {
+  std::uint16_t left = 0;
+  std::uint16_t top = 0;
+  std::uint16_t width = 0;
+  std::uint16_t height = 0;
+  friend constexpr bool operator==(const Area&, const Area&) = default;
+};
+
+/// Bytes of one row of pixels.
+constexpr std::uint32_t bytes_per_row(std::uint16_t width, PixelFormat format) {
+  switch (format) {
+    case PixelFormat::gray4: return (width + 1U) / 2U;
+    case PixelFormat::mono: return (width + 7U) / 8U;
+    default: return 2U * width;
+  }
+}
+
+/// Whether an area is part of a display of this size and not empty.
+constexpr bool contains(std::uint16_t width, std::uint16_t height, const Area& area) {
+  return area.width > 0 && area.height > 0 && area.left + area.width <= width && area.top + area.height <= height;
+}
+
+/// A display that was started. Between begin_frame and end_frame, write() sends rectangles:
+///   - write() takes the first bytes_per_row(area.width) * area.height bytes of `pixels`. It may return while they are
+///     still being sent: they must stay alive and unchanged until wait() returns. At most one write is under way; the
+///     caller waits before the next.
+///   - wait() returns when nothing is under way, with the error of that write. Called when idle, it returns at once.
+///   - end_frame() makes the frame complete; nothing may be under way.
+/// After an error the display is idle again, what it shows of this frame is undefined, and a new frame may begin.
+/// One thread, or one interrupt level, at a time. The display refers to its bus, which must outlive it.
+template <class T>
+concept Display = requires(T& display, const T& view, const Area& area, std::span<const std::byte> pixels) {
+  { view.width() } -> std::same_as<std::uint16_t>;
+  { view.height() } -> std::same_as<std::uint16_t>;
+  { view.format() } -> std::same_as<PixelFormat>;
+  { display.begin_frame() } -> std::same_as<Error>;
+  { display.write(area, pixels) } -> std::same_as<Error>;
+  { display.wait() } -> std::same_as<Error>;
+  { display.end_frame() } -> std::same_as<Error>;
+};
+
+}  // namespace zstrip::hal

@@ -1,0 +1,18 @@
+// The words for each error.
+#include "zstrip_hal/error.hpp"
+
+namespace zstrip::hal {
+
+const char* message(Error error) {
+  switch (error) {
+    case Error::none: return "no error";
+    case Error::timeout: return "the bus did not get ready in time";
+    case Error::area: return "the area is empty or reaches beyond the display";
+    case Error::alignment: return "the area does not begin and end at whole bytes";
+    case Error::pixels_too_small: return "the pixel buffer is smaller than the area";
+    case Error::strip_layout: return "the strips do not cover the display exactly";
+  }
+  return "unknown error";
+}
+
+}  // namespace zstrip::hal

@@ -1,0 +1,20 @@
+// What can go wrong between the processor and a panel, as a value.
+#pragma once
+
+#include <cstdint>
+
+namespace zstrip::hal {
+
+enum class [[nodiscard]] Error : std::uint8_t{
+    none,
+    timeout,           ///< the bus or the panel did not get ready in the time that its driver states
+    area,              ///< an empty area, or one that reaches beyond the display
+    alignment,         ///< the area does not begin and end at whole bytes, which the panel needs
+    pixels_too_small,  ///< fewer bytes than the area needs
+    strip_layout,      ///< the strips do not cover the display exactly
+};
+
+/// A short English phrase without a full stop, in static storage.
+const char* message(Error error);
+
+}  // namespace zstrip::hal

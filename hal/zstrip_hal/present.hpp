@@ -1,0 +1,94 @@
+// The one loop that hands strips of pixels to a display. Firmware and host programs share it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "zstrip_hal/display.hpp"
+#include "zstrip_hal/error.hpp"
+
+namespace zstrip::hal {
+
+/// Draws strips of a frame that has begun: draw_strip(strip, pixels) returns a status, which converts to true on
+/// success; a default-constructed one is success.
+template <class T>
+concept StripRenderer = requires(T& renderer, std::uint16_t strip, std::span<std::byte> pixels) {
+  static_cast<bool>(renderer.draw_strip(strip, pixels));
+};
+
+/// `count` strips of `rows` rows, the last one possibly lower, from the top of the display to its bottom, in its full
+/// width.
+struct StripLayout {
+  std::uint16_t count = 0;
+  std::uint16_t rows = 0;
+};
+
+/// Where strips are drawn: each buffer holds rows * bytes_per_row(width) bytes, aligned as the renderer asks. While one
+/// is being sent, the other is drawn. With `second` empty one buffer does for both, and drawing waits for the transfer:
+/// right for buses without DMA.
+struct StripBuffers {
+  std::span<std::byte> first;
+  std::span<std::byte> second;
+};
+
+/// Success if both sides succeeded; else the first error, and the strip at which it was noticed. (A display may report
+/// a failed transfer one strip later.)
+template <class DrawStatus>
+struct [[nodiscard]] PresentResult {
+  DrawStatus draw{};
+  Error display = Error::none;
+  std::uint16_t strip = 0;
+  constexpr explicit operator bool() const { return static_cast<bool>(draw) && display == Error::none; }
+};
+
+/// Draws all strips of the frame that `renderer` has begun, in order, and writes them to `display`. When it returns,
+/// also with an error, the buffers are free and the display's frame has ended.
+/// Display errors of its own: strip_layout, pixels_too_small.
+template <StripRenderer Renderer, Display Panel>
+auto present(Renderer& renderer, Panel& display, const StripLayout& layout, const StripBuffers& buffers) {
+  using DrawStatus = decltype(renderer.draw_strip(std::uint16_t{}, std::span<std::byte>{}));
+  PresentResult<DrawStatus> result;
+
+  const std::uint32_t height = display.height();
+  const std::uint32_t row_bytes = bytes_per_row(display.width(), display.format());
+  const std::uint32_t covered = std::uint32_t{layout.count} * layout.rows;
+  if (covered < height || covered - layout.rows >= height) {
+    result.display = Error::strip_layout;
+    return result;
+  }
+  const bool alternate = !buffers.second.empty();
+  if (buffers.first.size() < layout.rows * row_bytes ||
+      (alternate && buffers.second.size() < layout.rows * row_bytes)) {
+    result.display = Error::pixels_too_small;
+    return result;
+  }
+  result.display = display.begin_frame();
+  if (result.display != Error::none) return result;
+
+  std::span<std::byte> drawing = buffers.first;
+  std::span<std::byte> sending = alternate ? buffers.second : buffers.first;
+  for (std::uint16_t strip = 0; result && strip < layout.count; ++strip) {
+    result.strip = strip;
+    if (!alternate) result.display = display.wait();
+    if (!result) break;
+    result.draw = renderer.draw_strip(strip, drawing);
+    if (!result) break;
+    result.display = display.wait();
+    if (!result) break;
+    const auto top = static_cast<std::uint16_t>(strip * layout.rows);
+    const auto rows = static_cast<std::uint16_t>(height - top < layout.rows ? height - top : layout.rows);
+    result.display = display.write({0, top, display.width(), rows}, drawing.first(rows * row_bytes));
+    std::swap(drawing, sending);
+  }
+
+  // The display must be idle before anybody touches the buffers, whatever happened; the first error is the one
+  // reported.
+  const Error last_transfer = display.wait();
+  const Error end = display.end_frame();
+  if (result) result.display = last_transfer != Error::none ? last_transfer : end;
+  return result;
+}
+
+}  // namespace zstrip::hal
