@@ -1,0 +1,47 @@
+// What a scene that compiles into flash consists of.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/plan/plan.hpp"
+#include "zstrip/scene/camera.hpp"
+#include "zstrip/scene/scene.hpp"
+
+namespace zstrip::scenes {
+
+/// Most instances of a built-in scene: what Staged has room for.
+inline constexpr std::uint32_t kMaxInstances = 4;
+
+/// What turns in front of what on the turntable.
+enum class Turns : std::uint8_t {
+  model,   ///< the instances turn about the world's y axis; camera and lights stand still
+  camera,  ///< the camera goes around the world's y axis: for scenes that are looked at from inside
+};
+
+/// A scene in flash. All of it is constant-initialised and lives as long as the program.
+struct BuiltIn {
+  const char* name;         ///< of the command line: lower case letters, digits and underscores
+  const char* description;  ///< one phrase, without a full stop
+  /// At rest, as at frame 0 of the turntable. constexpr, so that effects_of(scene, camera) is a constant.
+  Scene scene;
+  /// What the planner needs; equals count(scene), but is constexpr also where meshlet tables are not visible.
+  SceneCounts counts;
+  /// The turntable's camera, its focal length fitted to the height of the picture.
+  Camera camera;
+  /// 16.16, 0 < focal_across < 8. The focal length at which the model just fills a square picture from side to side.
+  Fixed focal_across;
+  Turns turns = Turns::model;
+  /// 16.16. The workload's camera stands at (0, 0, workload_distance).
+  Fixed workload_distance = 3 * kFixedOne;
+};
+
+/// The counts of a scene of one instance of `mesh`; `largest_meshlet` only if it has meshlets.
+constexpr SceneCounts counts_of_one(const Mesh& mesh, std::uint32_t largest_meshlet = 0) {
+  const auto vertices = static_cast<std::uint32_t>(mesh.positions.size());
+  return {.instances = 1,
+          .triangles = static_cast<std::uint32_t>(mesh.triangles.size()),
+          .vertices = vertices,
+          .largest_meshlet = largest_meshlet != 0 ? largest_meshlet : vertices};
+}
+
+}  // namespace zstrip::scenes

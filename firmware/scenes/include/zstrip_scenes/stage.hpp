@@ -1,0 +1,44 @@
+// Sets a built-in scene in motion. Boards, host command, tests and benchmarks all stage with these functions, in
+// integers, so that frame n is the same picture everywhere.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "zstrip/scene/view.hpp"
+#include "zstrip_scenes/built_in.hpp"
+
+namespace zstrip::scenes {
+
+/// One frame of a built-in scene, ready for begin_frame: `scene` reads the instances held here, all the rest stays in
+/// flash. Stays where it is, because `scene` points into it; may be staged again for the next frame.
+class Staged {
+ public:
+  Staged() = default;
+  Staged(const Staged&) = delete;
+  Staged& operator=(const Staged&) = delete;
+
+  Scene scene;
+  Camera camera;
+
+ private:
+  friend void stage(const BuiltIn&, Staged&, std::uint32_t, std::uint32_t, const View&);
+  friend void stage_workload(const BuiltIn&, Staged&, std::uint32_t);
+  /// Shows the scene at rest, every instance moved by `motion`.
+  void place(const BuiltIn& built_in, const Transform& motion);
+
+  std::array<Instance, kMaxInstances> instances_;
+};
+
+/// The turntable: frame `frame` of one full turn in `frames` frames (0 counts as 1), any frame number. The camera
+/// stands slightly above; its focal length is fitted to the ratio of `view`'s width to its height (1..4096 each), so
+/// that the model fills the picture and stays inside it.
+void stage(const BuiltIn& built_in, Staged& staged, std::uint32_t frame, std::uint32_t frames,
+           const View& view = {.width = 320, .height = 240});
+
+/// The motion of the benchmarks: vertical field of view 60 degrees, near 0.1, far 100, camera on +z looking at
+/// -z, the model turned by a about y, then by a/2 about x, with a = 0.1 radians a frame. Angles are kept in 0.32
+/// turns and wrap: any frame number.
+void stage_workload(const BuiltIn& built_in, Staged& staged, std::uint32_t frame);
+
+}  // namespace zstrip::scenes

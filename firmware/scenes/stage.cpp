@@ -1,0 +1,93 @@
+// Places the instances and the camera of one frame: rotations about the axes, in 16.16.
+#include "zstrip_scenes/stage.hpp"
+
+#include <algorithm>
+
+#include "zstrip/base/math.hpp"
+
+namespace zstrip::scenes {
+namespace {
+
+/// 0.1 and 0.05 radians in 0.32 turns, rounded to nearest.
+constexpr std::uint32_t kWorkloadStep = 68356528;
+constexpr std::uint32_t kWorkloadHalfStep = 34178264;
+
+struct Rotation {
+  Fixed sine, cosine;  // 16.16
+};
+
+Rotation rotation_by(Angle angle) {
+  constexpr int kDropped = 30 - kFixedBits;
+  const auto rounded = [](std::int32_t value) { return (value + (1 << (kDropped - 1))) >> kDropped; };  // nearest
+  return {rounded(sine(angle)), rounded(cosine(angle))};
+}
+
+Transform about_x(const Rotation& r) {
+  return {{{kFixedOne, 0, 0, 0}, {0, r.cosine, -r.sine, 0}, {0, r.sine, r.cosine, 0}}};
+}
+
+Transform about_y(const Rotation& r) {
+  return {{{r.cosine, 0, r.sine, 0}, {0, kFixedOne, 0, 0}, {-r.sine, 0, r.cosine, 0}}};
+}
+
+/// The transform that applies `first`, then `second`; each product rounds down.
+Transform combine(const Transform& second, const Transform& first) {
+  Transform result{};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      Fixed sum = column == 3 ? second.m[row][3] : 0;
+      for (int k = 0; k < 3; ++k) sum += fixed_multiply(second.m[row][k], first.m[k][column]);
+      result.m[row][column] = sum;
+    }
+  }
+  return result;
+}
+
+/// Also for the camera's axes: 2.30 by 16.16 is 2.30.
+Vec3 turned_about_y(const Vec3& v, const Rotation& r) {
+  return {fixed_multiply(v.x, r.cosine) + fixed_multiply(v.z, r.sine), v.y,
+          fixed_multiply(v.z, r.cosine) - fixed_multiply(v.x, r.sine)};
+}
+
+/// The longest focal length at which the model fits both the height and the width of the picture; rounds down.
+Fixed fitted_focal(const BuiltIn& built_in, const View& view) {
+  const std::uint32_t across = static_cast<std::uint32_t>(built_in.focal_across) * view.width / view.height;
+  return static_cast<Fixed>(std::min(static_cast<std::uint32_t>(built_in.camera.focal), across));
+}
+
+}  // namespace
+
+void Staged::place(const BuiltIn& built_in, const Transform& motion) {
+  const std::size_t count = std::min(built_in.scene.instances.size(), instances_.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    instances_[i] = built_in.scene.instances[i];
+    instances_[i].transform = combine(motion, instances_[i].transform);
+  }
+  scene = built_in.scene;
+  scene.instances = {instances_.data(), count};
+}
+
+void stage(const BuiltIn& built_in, Staged& staged, std::uint32_t frame, std::uint32_t frames, const View& view) {
+  frames = std::max<std::uint32_t>(frames, 1);
+  const auto angle = static_cast<Angle>(std::uint64_t{frame % frames} * kFullTurn / frames);
+  const bool model_turns = built_in.turns == Turns::model;
+  const Rotation rotation = rotation_by(angle);
+
+  staged.place(built_in, model_turns ? about_y(rotation) : Transform::identity());
+  staged.camera = built_in.camera;
+  staged.camera.focal = fitted_focal(built_in, view);
+  if (model_turns) return;
+  for (Vec3* vector : {&staged.camera.right, &staged.camera.up, &staged.camera.back, &staged.camera.eye}) {
+    *vector = turned_about_y(*vector, rotation);
+  }
+}
+
+void stage_workload(const BuiltIn& built_in, Staged& staged, std::uint32_t frame) {
+  const auto about_y_angle = static_cast<Angle>((frame * kWorkloadStep) >> 16);
+  const auto about_x_angle = static_cast<Angle>((frame * kWorkloadHalfStep) >> 16);
+  staged.place(built_in, combine(about_x(rotation_by(about_x_angle)), about_y(rotation_by(about_y_angle))));
+  staged.camera = {};  // 60 degrees, near 0.1, far 100
+  staged.camera.eye = {0, 0, built_in.workload_distance};
+}
+
+}  // namespace zstrip::scenes
