@@ -1,0 +1,29 @@
+# The host build drives one cross build for each processor; target `firmware` builds them all.
+# Their programs appear in ZSTRIP_FIRMWARE_BINARIES.
+include(ExternalProject)
+
+add_custom_target(firmware)
+set(previous "")
+foreach(cpu cortex-m0 cortex-m3 cortex-m4 cortex-m7)
+  set(name firmware_${cpu})
+  ExternalProject_Add(${name}
+    SOURCE_DIR ${PROJECT_SOURCE_DIR}
+    BINARY_DIR ${PROJECT_BINARY_DIR}/firmware/${cpu}
+    STAMP_DIR ${PROJECT_BINARY_DIR}/firmware/stamps
+    TMP_DIR ${PROJECT_BINARY_DIR}/firmware/temporary
+    CMAKE_ARGS
+      -DCMAKE_TOOLCHAIN_FILE=${PROJECT_SOURCE_DIR}/cmake/toolchains/arm-none-eabi.cmake
+      -DCMAKE_BUILD_TYPE=Release
+      -DZSTRIP_CPU=${cpu}
+      -DZSTRIP_HOST_SIM=OFF
+      -DZSTRIP_TESTS=OFF
+      -DZSTRIP_WARNINGS_AS_ERRORS=${ZSTRIP_WARNINGS_AS_ERRORS}
+      -DZSTRIP_FIRMWARE_BINARIES=${ZSTRIP_FIRMWARE_BINARIES}
+    BUILD_ALWAYS ON
+    BUILD_COMMAND ${CMAKE_COMMAND} --build <BINARY_DIR> --target boards
+    INSTALL_COMMAND ""
+    # One after the other: each already uses all processors.
+    DEPENDS ${previous})
+  add_dependencies(firmware ${name})
+  set(previous ${name})
+endforeach()

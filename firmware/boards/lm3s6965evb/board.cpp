@@ -1,0 +1,69 @@
+// EK-LM3S6965: clocks, pins and UART0. 50 MHz from the PLL and the board's 8 MHz crystal.
+#include "cortex_m/board.hpp"
+
+#include "cortex_m/registers.hpp"
+#include "lm3s6965evb/chip.hpp"
+#include "lm3s6965evb/console_input.hpp"
+
+namespace zstrip::board {
+namespace {
+
+// The order is that of the data sheet: leave the PLL, choose the crystal, power the PLL up, wait, use it.
+void start_clock() {
+  constexpr std::uint32_t kBypass = 1U << 11;
+  constexpr std::uint32_t kCrystal8MHz = 0xEU << 6;
+  constexpr std::uint32_t kDivideBy4 = 3U << 23 | 1U << 22;  // of the PLL's 200 MHz
+  // All other bits are zero: main oscillator on and chosen, PLL powered, its output enabled.
+  register_at(chip::kClockConfig) = kBypass | kCrystal8MHz | kDivideBy4;
+  constexpr int kPolls = 100'000;  // the lock takes 0.5 ms at most
+  int poll = 0;
+  while ((register_at(chip::kClockStatus) & chip::kPllLocked) == 0) {
+    if (++poll == kPolls) halt(1);  // without its clock the board cannot even speak
+  }
+  register_at(chip::kClockConfig) = kCrystal8MHz | kDivideBy4;
+}
+
+void enable_peripherals() {
+  register_at(chip::kClockGating1) = chip::kGateUart0 | chip::kGateSsi0;
+  register_at(chip::kClockGating2) = chip::kGateGpioA | chip::kGateGpioC | chip::kGateGpioD;
+  // A peripheral must not be touched until its clock has run for three cycles: a read takes that long.
+  [[maybe_unused]] const std::uint32_t settled = register_at(chip::kClockGating2);
+}
+
+// 115200 baud at 50 MHz: 50e6 / (16 * 115200) = 27 + 8/64.
+void start_uart() {
+  constexpr std::uint32_t kPins = 0x03;  // PA0 receives, PA1 sends
+  register_at(chip::kGpioA + chip::kGpioAlternate) = register_at(chip::kGpioA + chip::kGpioAlternate) | kPins;
+  register_at(chip::kGpioA + chip::kGpioDigital) = register_at(chip::kGpioA + chip::kGpioDigital) | kPins;
+  register_at(chip::kUart0 + chip::kUartBaudInteger) = 27;
+  register_at(chip::kUart0 + chip::kUartBaudFraction) = 8;
+  register_at(chip::kUart0 + chip::kUartLine) = 0x60;      // 8 bits, no parity, 1 stop bit
+  register_at(chip::kUart0 + chip::kUartControl) = 0x301;  // enabled, both directions
+}
+
+}  // namespace
+
+void start() {
+  start_clock();
+  enable_peripherals();
+  start_uart();
+}
+
+void put_character(char character) {
+  while ((register_at(chip::kUart0 + chip::kUartFlags) & chip::kUartTransmitFull) != 0) {
+  }
+  register_at(chip::kUart0) = static_cast<unsigned char>(character);
+}
+
+bool take_character(char& character) {
+  if ((register_at(chip::kUart0 + chip::kUartFlags) & chip::kUartReceiveEmpty) != 0) return false;
+  const std::uint32_t data = register_at(chip::kUart0);
+  character = static_cast<char>(data);
+  return true;
+}
+
+void halt(int) {
+  for (;;) asm volatile("wfi");
+}
+
+}  // namespace zstrip::board

@@ -1,0 +1,9 @@
+// What arrives on the board's console.
+#pragma once
+
+namespace zstrip::board {
+
+/// Takes a character that has arrived, without waiting. False if there is none.
+bool take_character(char& character);
+
+}  // namespace zstrip::board

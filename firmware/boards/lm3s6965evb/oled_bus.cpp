@@ -1,0 +1,83 @@
+// Polled SPI to the OLED over SSI0 (PL022).
+#include "lm3s6965evb/oled_bus.hpp"
+
+#include <cstdint>
+
+#include "cortex_m/registers.hpp"
+#include "lm3s6965evb/chip.hpp"
+
+namespace zstrip::board {
+namespace {
+
+using hal::Error;
+
+constexpr std::uint32_t kDataCommandPin = 1U << 7;              // of port C: high for data
+constexpr std::uint32_t kClockAndDataPins = 1U << 2 | 1U << 5;  // of port A
+constexpr std::uint32_t kPanelSelectPin = 1U << 3;              // of port A, low selects
+constexpr std::uint32_t kCardSelectPin = 1U << 0;               // of port D, low selects
+constexpr int kPolls = 20'000;                                  // at least five cycles each, at 50 MHz
+
+std::uint32_t status() { return register_at(chip::kSsi0 + chip::kSsiStatus); }
+
+/// The receiver runs along with the transmitter; nobody wants what it gets.
+void drain_receiver() {
+  while ((status() & chip::kSsiReceiveNotEmpty) != 0) {
+    [[maybe_unused]] const std::uint32_t unused = register_at(chip::kSsi0 + chip::kSsiData);
+  }
+}
+
+/// Until the masked status bits have this value.
+Error wait_for(std::uint32_t mask, std::uint32_t value) {
+  for (int poll = 0; poll < kPolls; ++poll) {
+    if ((status() & mask) == value) return Error::none;
+  }
+  return Error::timeout;
+}
+
+Error send(std::span<const std::byte> bytes) {
+  for (const std::byte byte : bytes) {
+    if (const Error error = wait_for(chip::kSsiTransmitNotFull, chip::kSsiTransmitNotFull); error != Error::none) {
+      return error;
+    }
+    register_at(chip::kSsi0 + chip::kSsiData) = std::to_integer<std::uint32_t>(byte);
+    drain_receiver();
+  }
+  // D/C may change only when the last bit is out.
+  const Error error = wait_for(chip::kSsiBusy, 0);
+  drain_receiver();
+  return error;
+}
+
+void configure_output(std::uint32_t port, std::uint32_t pins, std::uint32_t level) {
+  register_at(port + chip::kGpioDirection) = register_at(port + chip::kGpioDirection) | pins;
+  register_at(port + chip::kGpioDigital) = register_at(port + chip::kGpioDigital) | pins;
+  register_at(chip::gpio_pins(port, pins)) = level;
+}
+
+}  // namespace
+
+void OledBus::start() {
+  configure_output(chip::kGpioD, kCardSelectPin, kCardSelectPin);
+  configure_output(chip::kGpioA, kPanelSelectPin, 0);
+  configure_output(chip::kGpioC, kDataCommandPin, 0);
+  register_at(chip::kGpioA + chip::kGpioAlternate) =
+      register_at(chip::kGpioA + chip::kGpioAlternate) | kClockAndDataPins;
+  register_at(chip::kGpioA + chip::kGpioDigital) = register_at(chip::kGpioA + chip::kGpioDigital) | kClockAndDataPins;
+
+  register_at(chip::kSsi0 + chip::kSsiControl1) = 0;   // off and master while it is configured
+  register_at(chip::kSsi0 + chip::kSsiPrescale) = 14;  // 50 MHz / 14
+  register_at(chip::kSsi0 + chip::kSsiControl0) = 7;   // 8 bits, SPI mode 0
+  register_at(chip::kSsi0 + chip::kSsiControl1) = 2;   // on
+}
+
+hal::Error OledBus::write_command(std::span<const std::byte> bytes) {
+  register_at(chip::gpio_pins(chip::kGpioC, kDataCommandPin)) = 0;
+  return send(bytes);
+}
+
+hal::Error OledBus::write_data(std::span<const std::byte> bytes) {
+  register_at(chip::gpio_pins(chip::kGpioC, kDataCommandPin)) = kDataCommandPin;
+  return send(bytes);
+}
+
+}  // namespace zstrip::board

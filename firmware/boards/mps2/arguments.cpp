@@ -1,0 +1,63 @@
+// Reads the benchmark's words.
+#include "mps2/arguments.hpp"
+
+#include <cstddef>
+
+namespace zstrip::bench {
+namespace {
+
+/// Takes the part of `text` before `separator`, or all of it, off its front.
+std::string_view take(std::string_view& text, char separator) {
+  std::size_t end = 0;  // not find(), which would need a C library
+  while (end < text.size() && text[end] != separator) ++end;
+  const std::string_view part = text.substr(0, end);
+  text.remove_prefix(end == text.size() ? end : end + 1);
+  return part;
+}
+
+/// Decimal digits only; false if there are none or the value does not fit.
+template <class Number>
+bool read_number(std::string_view digits, Number& number) {
+  if (digits.empty() || digits.size() > 10) return false;
+  std::uint64_t value = 0;
+  for (const char digit : digits) {
+    if (digit < '0' || digit > '9') return false;
+    value = 10 * value + static_cast<std::uint64_t>(digit - '0');
+  }
+  number = static_cast<Number>(value);
+  return number == value;
+}
+
+bool read_word(std::string_view word, Arguments& arguments) {
+  std::string_view value = word;
+  const std::string_view key = take(value, '=');
+  if (key == "workload") {
+    arguments.workload = value;
+    return true;
+  }
+  if (key == "size") {
+    const std::string_view width = take(value, 'x');
+    return read_number(width, arguments.width) && read_number(value, arguments.height);
+  }
+  if (key == "rows") return read_number(value, arguments.rows);
+  if (key == "frames") return read_number(value, arguments.frames) && arguments.frames > 0;
+  if (key == "first") return read_number(value, arguments.first);
+  if (key == "ram") return read_number(value, arguments.ram);
+  return false;
+}
+
+}  // namespace
+
+Arguments parse_arguments(std::string_view text) {
+  Arguments arguments;
+  while (!text.empty()) {
+    const std::string_view word = take(text, ' ');
+    if (!word.empty() && !read_word(word, arguments)) {
+      arguments.wrong_word = word;
+      break;
+    }
+  }
+  return arguments;
+}
+
+}  // namespace zstrip::bench

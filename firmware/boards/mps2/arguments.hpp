@@ -1,0 +1,24 @@
+// The words that say what the benchmark runs: "workload=K5 size=320x240 rows=16 frames=2 first=0 ram=65536".
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace zstrip::bench {
+
+struct Arguments {
+  std::string_view workload = "K5";  ///< a part of the text that was parsed
+  std::uint16_t width = 320;
+  std::uint16_t height = 240;
+  std::uint16_t rows = 0;         ///< of a strip; 0: the planner decides
+  std::uint32_t frames = 1;       ///< how many are measured
+  std::uint32_t first = 0;        ///< the number of the first one
+  std::uint32_t ram = 0;          ///< bytes that the plan may take; 0: no limit but the board's
+  std::string_view wrong_word{};  ///< the first word that is not understood; empty if all are
+};
+
+/// Words are separated by spaces; what is not given keeps its default. A number must fit its field.
+Arguments parse_arguments(std::string_view text);
+
+}  // namespace zstrip::bench

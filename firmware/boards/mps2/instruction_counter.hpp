@@ -1,0 +1,33 @@
+// Counts executed instructions with CMSDK timer 0, in an emulator that lets every instruction take one nanosecond
+// (QEMU's -icount shift=0). The timer counts down at 25 MHz: one tick is 40 instructions.
+#pragma once
+
+#include <cstdint>
+
+namespace zstrip::board {
+
+inline constexpr std::uint32_t kInstructionsPerTick = 40;
+
+/// Starts the timer. False if a loop of known length does not take the ticks that it must (1 in 10,000 allowed):
+/// then this is no such emulator, or it does not count instructions.
+bool start_instruction_counter();
+
+/// Sums up the ticks of the regions between resume() and pause(). What an empty region takes is measured on
+/// construction and subtracted from each; the sum over n regions is exact to about 40 * sqrt(n) instructions.
+class InstructionCounter {
+ public:
+  InstructionCounter();
+  void resume();
+  void pause();
+  /// Of all regions so far.
+  std::uint64_t instructions() const;
+  void reset();
+
+ private:
+  std::uint32_t started_ = 0;
+  std::uint32_t regions_ = 0;
+  std::uint64_t ticks_ = 0;
+  std::uint32_t empty_region_ = 0;  // 24.8 ticks
+};
+
+}  // namespace zstrip::board

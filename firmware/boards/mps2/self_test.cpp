@@ -1,0 +1,120 @@
+// Proves what the start-up code and the memory functions promise, on the board itself. The host's word says what:
+// "memory" compares memcpy, memmove, memset and memcmp with bytewise loops and checks .data and .bss; "fault" reads
+// where nothing is and "overflow" uses up the stack: both must end in a fault report.
+// Exit status: 0 all right, 1 something differs, 2 no such word.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+#include "cortex_m/console.hpp"
+#include "cortex_m/registers.hpp"
+#include "cortex_m/semihosting.hpp"
+
+namespace {
+
+using zstrip::board::print;
+using zstrip::board::print_decimal;
+
+constexpr std::size_t kSize = 64;
+using Buffer = std::array<unsigned char, kSize>;
+
+volatile std::uint32_t initialised = 0x12345678;
+volatile std::uint32_t zeroed;
+
+/// No two bytes near each other are equal.
+Buffer pattern(unsigned seed) {
+  Buffer buffer;
+  for (std::size_t index = 0; index < kSize; ++index) buffer[index] = static_cast<unsigned char>(seed + 37 * index);
+  return buffer;
+}
+
+bool equal(const Buffer& a, const Buffer& b) {
+  for (std::size_t index = 0; index < kSize; ++index) {
+    if (a[index] != b[index]) return false;
+  }
+  return true;
+}
+
+int sign(int value) { return (value > 0) - (value < 0); }
+
+/// All four functions for these offsets and this length against the definition, byte by byte.
+bool check(std::size_t to, std::size_t from, std::size_t length) {
+  const Buffer before = pattern(1);
+  const Buffer source = pattern(2);
+
+  Buffer expected = before, copied = before;
+  for (std::size_t index = 0; index < length; ++index) expected[to + index] = source[from + index];
+  if (std::memcpy(&copied[to], &source[from], length) != &copied[to] || !equal(copied, expected)) return false;
+
+  Buffer expected_move = before, moved = before;
+  for (std::size_t index = 0; index < length; ++index) expected_move[to + index] = before[from + index];
+  if (std::memmove(&moved[to], &moved[from], length) != &moved[to] || !equal(moved, expected_move)) return false;
+
+  Buffer expected_set = before, set = before;
+  for (std::size_t index = 0; index < length; ++index) expected_set[to + index] = 0xA5;
+  if (std::memset(&set[to], 0x7A5, length) != &set[to] || !equal(set, expected_set)) return false;
+
+  Buffer left = pattern(3), right{};
+  for (std::size_t index = 0; index < length; ++index) right[from + index] = left[to + index];
+  if (std::memcmp(&left[to], &right[from], length) != 0) return false;
+  for (std::size_t wrong = 0; wrong < length; ++wrong) {
+    const unsigned char original = right[from + wrong];
+    right[from + wrong] = static_cast<unsigned char>(original ^ 0x80U);
+    const int result = std::memcmp(&left[to], &right[from], length);
+    if (sign(result) != (left[to + wrong] < right[from + wrong] ? -1 : 1)) return false;
+    right[from + wrong] = original;
+  }
+  return true;
+}
+
+int check_memory() {
+  if (initialised != 0x12345678 || zeroed != 0) {
+    print("self-test: .data or .bss is not set up\n");
+    return 1;
+  }
+  for (std::size_t to = 0; to < 8; ++to) {
+    for (std::size_t from = 0; from < 8; ++from) {
+      for (std::size_t length = 0; length <= kSize - 8; ++length) {
+        if (check(to, from, length)) continue;
+        print("self-test: wrong at offsets ");
+        print_decimal(to);
+        print(", ");
+        print_decimal(from);
+        print(", length ");
+        print_decimal(length);
+        print("\n");
+        return 1;
+      }
+    }
+  }
+  print("self-test: memory is right\n");
+  return 0;
+}
+
+int read_nowhere() {
+  const std::uint32_t value = zstrip::board::register_at(0x90000000);
+  print_decimal(value);
+  return 1;
+}
+
+/// Uses 256 bytes of stack a level; `depth` keeps the compiler from proving that it never ends.
+std::uint32_t overflow_stack(std::uint32_t depth) {
+  volatile std::uint32_t frame[64];
+  frame[depth % 64] = depth;
+  if (depth == 0xFFFFFFFF) return depth;
+  return overflow_stack(depth + 1) + frame[depth % 64];
+}
+
+}  // namespace
+
+int main() {
+  static std::array<char, 64> buffer;
+  const std::string_view word = zstrip::board::read_command_line(buffer).value_or("");
+  if (word == "memory") return check_memory();
+  if (word == "fault") return read_nowhere();
+  if (word == "overflow") return static_cast<int>(overflow_stack(zeroed)) | 1;
+  print("self-test: say memory, fault or overflow\n");
+  return 2;
+}

@@ -1,0 +1,66 @@
+// Renders expectations with AnyRenderer.
+#include "host_render.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "zstrip/frame/renderer.hpp"
+#include "zstrip_scenes/scenes.hpp"
+
+namespace zstrip::boards {
+namespace {
+
+void check(const Status& status) {
+  if (!status) throw std::runtime_error(std::string("host rendering: ") + message(status.error));
+}
+
+const scenes::BuiltIn& built_in(const std::string& name) {
+  const scenes::BuiltIn* found = scenes::find(name);
+  if (found == nullptr) throw std::runtime_error("there is no built-in scene " + name);
+  return *found;
+}
+
+/// The bytes of all strips in order, without those that a lower last strip leaves over.
+std::vector<std::byte> render(const scenes::Staged& staged, const View& view, std::uint16_t rows) {
+  const Effects effects = effects_of(staged.scene, staged.camera);
+  const auto [status, plan] = zstrip::plan(count(staged.scene), view, effects, {.strip_rows = rows});
+  check(status);
+  std::vector<std::uint64_t> arena((plan.bytes() + 7) / 8);
+  std::vector<std::uint64_t> strip((plan.strip_pixel_bytes(view) + 7) / 8);
+  const auto pixels = std::as_writable_bytes(std::span(strip)).first(plan.strip_pixel_bytes(view));
+  AnyRenderer renderer(effects);
+  check(renderer.begin_frame(staged.scene, staged.camera, view, plan, std::as_writable_bytes(std::span(arena))));
+  std::vector<std::byte> picture;
+  const std::size_t bytes = std::size_t{view.height} * bytes_per_row(view.width, view.format);
+  for (std::uint16_t index = 0; index < plan.strips; ++index) {
+    check(renderer.draw_strip(index, pixels));
+    const auto used = pixels.first(std::min(pixels.size(), bytes - picture.size()));
+    picture.insert(picture.end(), used.begin(), used.end());
+  }
+  return picture;
+}
+
+}  // namespace
+
+GreyPicture render_turntable_gray4(const std::string& scene, std::uint32_t frame, std::uint32_t frames,
+                                   std::uint16_t width, std::uint16_t height) {
+  const View view{width, height, PixelFormat::gray4};
+  scenes::Staged staged;
+  stage(built_in(scene), staged, frame, frames, view);
+  return unpack_gray4(render(staged, view, height), width, height);
+}
+
+std::uint32_t workload_crc32(const std::string& scene, std::uint32_t frame, std::uint16_t width, std::uint16_t height,
+                             std::uint16_t rows) {
+  scenes::Staged staged;
+  stage_workload(built_in(scene), staged, frame);
+  const std::vector<std::byte> picture = render(staged, {width, height, PixelFormat::rgb565}, rows);
+  return static_cast<std::uint32_t>(
+      crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(picture.data()), picture.size()));
+}
+
+}  // namespace zstrip::boards

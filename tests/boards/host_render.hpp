@@ -1,0 +1,19 @@
+// The same frames as on the boards, drawn by the host's build of the library.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "grey_picture.hpp"
+
+namespace zstrip::boards {
+
+/// A frame of a built-in scene on the turntable, in 16 greys.
+GreyPicture render_turntable_gray4(const std::string& scene, std::uint32_t frame, std::uint32_t frames,
+                                   std::uint16_t width, std::uint16_t height);
+
+/// zlib's CRC-32 of a frame of a built-in scene as a workload, in RGB565, drawn in strips of `rows` rows.
+std::uint32_t workload_crc32(const std::string& scene, std::uint32_t frame, std::uint16_t width, std::uint16_t height,
+                             std::uint16_t rows);
+
+}  // namespace zstrip::boards

@@ -1,0 +1,150 @@
+// Benchmark workloads on the MPS2 in the emulator: the pixels are those of the host, on every processor.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "host_render.hpp"
+#include "programs.hpp"
+#include "qemu.hpp"
+
+namespace zstrip::boards {
+namespace {
+
+struct Processor {
+  const char* name;
+  const char* machine;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Processor& processor) { return stream << processor.name; }
+
+/// There is no machine with a Cortex-M0 and this much memory; its code runs on a Cortex-M3 as well.
+constexpr Processor kProcessors[] = {
+    {"m0", "mps2-an385"}, {"m3", "mps2-an385"}, {"m4f", "mps2-an386"}, {"m7", "mps2-an500"}};
+
+struct Workload {
+  const char* name;
+  const char* scene;
+  std::uint32_t frames;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Workload& workload) { return stream << workload.name; }
+
+constexpr Workload kWorkloads[] = {
+    {"K5", "knot", 2}, {"CT", "cube", 2}, {"R50", "random50", 2}, {"R10k", "random10k", 1}};
+
+constexpr std::uint16_t kWidth = 320;
+constexpr std::uint16_t kHeight = 240;
+constexpr std::uint16_t kBoardRows = 16;
+constexpr std::uint32_t kFirstFrame = 7;
+
+Qemu::Finished run(const Processor& processor, const std::string& name, const std::vector<std::string>& words) {
+  Qemu board({.machine = processor.machine,
+              .program = program("zstrip_" + name + "_" + processor.name),
+              .words = words,
+              .count_instructions = true});
+  return board.finish(Qemu::Duration(300'000));
+}
+
+Qemu::Finished run_bench(const Processor& processor, const std::vector<std::string>& words) {
+  return run(processor, "bench", words);
+}
+
+std::string hex(std::uint32_t value) {
+  char digits[9];
+  std::snprintf(digits, sizeof digits, "%08x", value);
+  return digits;
+}
+
+class Mps2 : public testing::TestWithParam<std::tuple<Processor, Workload>> {};
+
+TEST_P(Mps2, PixelsAreThoseOfTheHost) {
+  const auto& [processor, workload] = GetParam();
+  const auto [output, status] = run_bench(
+      processor, {std::string("workload=") + workload.name, "size=320x240", "rows=" + std::to_string(kBoardRows),
+                  "first=" + std::to_string(kFirstFrame), "frames=" + std::to_string(workload.frames)});
+  ASSERT_EQ(status, 0) << output;
+  const auto result = nlohmann::json::parse(output);
+  EXPECT_EQ(result["target"], processor.name);
+  EXPECT_EQ(result["workload"], workload.name);
+  EXPECT_EQ(result["strip_rows"], kBoardRows);
+  ASSERT_EQ(result["frames"].size(), workload.frames);
+  for (std::uint32_t index = 0; index < workload.frames; ++index) {
+    const std::uint32_t frame = kFirstFrame + index;
+    const auto& measured = result["frames"][index];
+    EXPECT_EQ(measured["frame"], frame);
+    const auto expected = [&](std::uint16_t rows) {
+      return hex(workload_crc32(workload.scene, frame, kWidth, kHeight, rows));
+    };
+    EXPECT_EQ(measured["crc32"], expected(kBoardRows)) << "board and host differ in frame " << frame;
+    EXPECT_EQ(measured["crc32"], expected(kHeight)) << "strips and the whole picture differ in frame " << frame;
+    // A frame at least writes each of its pixels, two at a time.
+    EXPECT_GT(measured["instructions"], kWidth * kHeight / 8);
+  }
+  RecordProperty("instructions_per_frame", result["instructions_per_frame"].dump());
+}
+
+INSTANTIATE_TEST_SUITE_P(Board, Mps2, testing::Combine(testing::ValuesIn(kProcessors), testing::ValuesIn(kWorkloads)),
+                         [](const auto& test) {
+                           return std::string(std::get<0>(test.param).name) + "_" + std::get<1>(test.param).name;
+                         });
+
+TEST(Board, Mps2CountsTheSameInEveryRun) {
+  const std::vector<std::string> words{"workload=CT", "size=64x48", "rows=8"};
+  const auto first = run_bench(kProcessors[1], words);
+  EXPECT_EQ(first.status, 0) << first.output;
+  EXPECT_EQ(first.output, run_bench(kProcessors[1], words).output);
+}
+
+TEST(Board, Mps2RefusesWrongWords) {
+  for (const char* word : {"workload=K6", "size=320", "size=x", "size=70000x1", "rows=-1", "frames=0", "nonsense"}) {
+    const auto [output, status] = run_bench(kProcessors[1], {word});
+    EXPECT_EQ(status, 2) << word << ": " << output;
+    EXPECT_TRUE(output.starts_with("bench: ")) << output;
+  }
+}
+
+TEST(Board, Mps2SaysHowMuchMemoryIsMissing) {
+  const auto [output, status] = run_bench(kProcessors[1], {"workload=CT", "ram=100"});
+  EXPECT_EQ(status, 5) << output;
+  EXPECT_NE(output.find("available 100"), std::string::npos) << output;
+}
+
+TEST(Board, Mps2RefusesToMeasureWithoutCountedInstructions) {
+  Qemu board({.machine = "mps2-an385", .program = program("zstrip_bench_m3"), .words = {"workload=CT"}});
+  const auto [output, status] = board.finish();
+  EXPECT_EQ(status, 1) << output;
+  EXPECT_NE(output.find("icount"), std::string::npos) << output;
+}
+
+class Mps2SelfTest : public testing::TestWithParam<Processor> {};
+INSTANTIATE_TEST_SUITE_P(Board, Mps2SelfTest, testing::ValuesIn(kProcessors),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST_P(Mps2SelfTest, StartUpAndMemoryFunctions) {
+  const auto [output, status] = run(GetParam(), "self_test", {"memory"});
+  EXPECT_EQ(output, "self-test: memory is right\n");
+  EXPECT_EQ(status, 0);
+}
+
+TEST_P(Mps2SelfTest, FaultsAreReported) {
+  const auto [output, status] = run(GetParam(), "self_test", {"fault"});
+  EXPECT_TRUE(output.starts_with("fault: exception 3 pc 0")) << output;
+  EXPECT_EQ(status, 70);
+}
+
+/// The memory protection unit notices it; code for the Cortex-M0 does not count on one.
+TEST(Board, Mps2StackOverflowIsReported) {
+  for (const Processor& processor : kProcessors) {
+    if (processor.name == std::string("m0")) continue;
+    const auto [output, status] = run(processor, "self_test", {"overflow"});
+    EXPECT_TRUE(output.starts_with("fault: exception 3 stack overflow")) << processor << ": " << output;
+    EXPECT_EQ(status, 70) << processor;
+  }
+}
+
+}  // namespace
+}  // namespace zstrip::boards

@@ -1,0 +1,66 @@
+// One run of a board in qemu-system-arm: its console on a socket, its screen through QMP. Everything has a time-out,
+// and the emulator ends with this object, or with the test if that is killed.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grey_picture.hpp"
+
+namespace zstrip::boards {
+
+class Qemu {
+ public:
+  struct Options {
+    std::string machine;
+    std::filesystem::path program;
+    std::vector<std::string> words{};  ///< what the program reads as its command line; none: no semihosting at all
+    bool count_instructions = false;   ///< every instruction takes one nanosecond
+  };
+  using Duration = std::chrono::milliseconds;
+  static constexpr Duration kPatience{60'000};
+
+  /// Starts the emulator; the program runs at once. All functions throw std::runtime_error, with what went wrong, when
+  /// the emulator does not do its part in time.
+  explicit Qemu(const Options& options);
+  ~Qemu();
+  Qemu(const Qemu&) = delete;
+  Qemu& operator=(const Qemu&) = delete;
+
+  void write_console(std::string_view text);
+  /// The next whole line, without its end.
+  std::string read_line(Duration patience = kPatience);
+  /// Everything until the program ends, and its exit status.
+  struct Finished {
+    std::string output;
+    int status;
+  };
+  Finished finish(Duration patience = kPatience);
+
+  /// What the board's display shows now, each of its pixels `scale` x `scale` on the emulator's screen.
+  GreyPicture screen(int scale);
+
+  pid_t process() const { return process_; }
+
+ private:
+  using Deadline = std::chrono::steady_clock::time_point;
+  void connect_monitor(Deadline deadline);
+  nlohmann::json read_monitor(Deadline deadline);
+  nlohmann::json command(const nlohmann::json& request);
+  void stop();
+
+  std::filesystem::path folder_;  ///< of this run, for the monitor's socket, screenshots and the log
+  pid_t process_ = -1;
+  int console_ = -1;
+  int monitor_ = -1;
+  std::string console_text_;
+  std::string monitor_text_;
+};
+
+}  // namespace zstrip::boards
