@@ -1,0 +1,163 @@
+// Options of `zstrip bench`, and the order of its work: cases, measurements, comparison, report.
+#include "bench/bench_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/bench_report.hpp"
+#include "bench/board_bench.hpp"
+#include "bench/host_bench.hpp"
+#include "bench/workloads.hpp"
+#include "cli/parse.hpp"
+#include "cli/print.hpp"
+#include "image/write_file.hpp"
+#include "result.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+struct BenchOptions {
+  std::vector<std::string> targets{"host"};
+  std::vector<std::string> workloads{"K5", "CT", "R50", "R10k"};
+  std::string size;        ///< empty: each workload's own
+  std::string strip_rows;  ///< empty: the planner decides
+  std::string ram;         ///< empty: no limit
+  std::uint32_t frames = 60;
+  std::string firmware;  ///< empty: beside this program, as the build leaves it
+  std::string json;
+  std::uint32_t draw_each = 0;  ///< not 0: run by instruction_count.cpp
+};
+
+Result<std::vector<BenchCase>> cases_for(const BenchOptions& options, const std::string& target) {
+  Budget budget;
+  if (!options.ram.empty()) {
+    const Result<std::uint32_t> bytes = parse_bytes(options.ram);
+    if (!bytes) return bytes.failure();
+    budget.bytes = *bytes;
+  }
+  if (!options.strip_rows.empty()) {
+    const Result<std::uint16_t> rows = parse_strip_rows(options.strip_rows);
+    if (!rows) return rows.failure();
+    budget.strip_rows = *rows;
+  }
+  std::vector<BenchCase> cases;
+  for (const std::string& name : options.workloads) {
+    const Workload* workload = find_workload(name);
+    View view{workload->width, workload->height, PixelFormat::rgb565};
+    if (!options.size.empty()) {
+      const auto size = parse_size(options.size);
+      if (!size) return size.failure();
+      view.width = size->first;
+      view.height = size->second;
+    }
+    cases.push_back({.workload = name, .target = target, .view = view, .budget = budget, .frames = options.frames});
+  }
+  return cases;
+}
+
+// Every target must draw the same pixels for the same workload; rows of one workload have the same size and frames.
+Result<Done> compare_pictures(std::span<const Measurement> rows) {
+  for (const Measurement& row : rows) {
+    const auto first = std::ranges::find(rows, row.bench_case.workload,
+                                         [](const Measurement& other) { return other.bench_case.workload; });
+    const auto [here, there] = std::ranges::mismatch(row.frame_crc32, first->frame_crc32);
+    if (here != row.frame_crc32.end() || there != first->frame_crc32.end()) {
+      return Failure{ExitStatus::internal,
+                     fmt::format("{} and {} draw frame {} of {} differently", first->bench_case.target,
+                                 row.bench_case.target, here - row.frame_crc32.begin(), row.bench_case.workload)};
+    }
+  }
+  return Done{};
+}
+
+Result<Done> report(const BenchOptions& options, std::span<const Measurement> rows) {
+  const bool json_on_stdout = options.json == "-";
+  fmt::print(json_on_stdout ? stderr : stdout, "{}", bench_table(rows));
+  if (options.json.empty()) return Done{};
+  const std::string json = bench_json(rows);
+  if (!json_on_stdout) {
+    return write_file(options.json, {reinterpret_cast<const std::uint8_t*>(json.data()), json.size()}, "--json");
+  }
+  fmt::print("{}", json);
+  return Done{};
+}
+
+Result<Done> run(const BenchOptions& options) {
+  std::vector<Measurement> rows;
+  for (const std::string& target : options.targets) {
+    const Result<std::vector<BenchCase>> cases = cases_for(options, target);
+    if (!cases) return cases.failure();
+    if (options.draw_each != 0) {
+      for (const BenchCase& bench_case : *cases) {
+        if (Result<Done> drawn = draw_only(bench_case, options.draw_each); !drawn) return drawn;
+      }
+      continue;
+    }
+    const Result<std::vector<Measurement>> measured =
+        target == "host" ? bench_on_host(*cases) : bench_on_board(*cases, options.firmware);
+    if (!measured) return measured.failure();
+    rows.insert(rows.end(), measured->begin(), measured->end());
+  }
+  if (options.draw_each != 0) return Done{};
+  if (Result<Done> written = report(options, rows); !written) return written;
+  return compare_pictures(rows);
+}
+
+std::vector<std::string> workload_names() {
+  std::vector<std::string> names;
+  for (const Workload& workload : workloads()) names.emplace_back(workload.name);
+  return names;
+}
+
+std::string footer() {
+  std::string text = "Workloads:\n";
+  for (const Workload& workload : workloads()) {
+    text += fmt::format("  {:<5} {} ({}x{})\n", workload.name, workload.description, workload.width, workload.height);
+  }
+  return text +
+         "Examples:\n"
+         "  zstrip bench                                  all workloads on this machine\n"
+         "  zstrip bench --target host,m3 --workload K5   the same frames here and on an emulated Cortex-M3\n"
+         "  zstrip bench --workload CT --strip-rows 8 --json results.json\n"
+         "  zstrip bench --workload R50,R10k --size 1920x1080";
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<BenchOptions>();
+  CLI::App* command = app.add_subcommand("bench", "Measure instructions, time and memory of the benchmark workloads");
+  command->footer(footer());
+  command->add_option("--target", options->targets, "Where to draw, separated by commas; boards are emulated by QEMU")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"host", "m0", "m3", "m4f", "m7"}))
+      ->capture_default_str();
+  command->add_option("--workload", options->workloads, "What to draw, separated by commas")
+      ->delimiter(',')
+      ->check(CLI::IsMember(workload_names()))
+      ->capture_default_str();
+  command->add_option("--size", options->size, "WIDTHxHEIGHT of the picture instead of the workload's own");
+  command->add_option("--strip-rows", options->strip_rows, "Rows of a strip, or auto");
+  command->add_option("--ram", options->ram, "Most bytes for the arena (suffix K or M); without it, no limit");
+  command->add_option("--frames", options->frames, "Frames to average over")
+      ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{100000}))
+      ->capture_default_str();
+  command->add_option("--firmware", options->firmware,
+                      "Folder of the boards' programs, if not where the build puts them");
+  command->add_option("--json", options->json, "Write the results to this file as JSON; - is standard output");
+  command->add_option("--draw-each", options->draw_each)->group("");
+  command->callback([options, &exit_code] {
+    const Result<Done> done = run(*options);
+    exit_code = done ? static_cast<int>(ExitStatus::ok) : print_failure(done.failure());
+  });
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,12 @@
+// The subcommand `zstrip bench`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace zstrip::sim {
+
+/// Adds the subcommand to `app`. When parsing selects it, it runs and puts its ExitStatus into `exit_code`, which must
+/// outlive the parsing.
+void add_bench_command(CLI::App& app, int& exit_code);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,141 @@
+// Starts QEMU for each case and reads the line of JSON that firmware/boards/mps2/bench.cpp prints.
+#include "bench/board_bench.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "bench/child_process.hpp"
+#include "bench/elf_size.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::seconds kLimit{900};  // for each case; a hundred frames of the largest need a few minutes
+constexpr int kBoardBudget = 5;              // bench.cpp's exit status for too little memory
+
+// Code for Cortex-M0 runs on the machine with a Cortex-M3.
+const char* machine(std::string_view target) {
+  if (target == "m4f") return "mps2-an386";
+  if (target == "m7") return "mps2-an500";
+  return "mps2-an385";
+}
+
+Result<fs::path> program_for(const std::string& target, const std::string& firmware) {
+  fs::path folder = firmware;
+  if (folder.empty()) {
+    std::error_code error;
+    const fs::path self = fs::read_symlink("/proc/self/exe", error);
+    if (error) return Failure{ExitStatus::environment, "cannot find this program's own file: " + error.message()};
+    folder = self.parent_path().parent_path() / "firmware" / "bin";
+  }
+  const fs::path program = folder / fmt::format("zstrip_bench_{}.elf", target);
+  if (!fs::exists(program)) {
+    return Failure{ExitStatus::environment,
+                   fmt::format("{} is not there: build the boards' programs (tests/run does, or cmake --build --preset "
+                               "host --target firmware), or name their folder with --firmware",
+                               program.string())};
+  }
+  return program;
+}
+
+std::vector<std::string> emulator_command(const BenchCase& bench_case, const fs::path& program) {
+  std::string words =
+      fmt::format("enable=on,target=native,arg=workload={},arg=size={}x{},arg=frames={}", bench_case.workload,
+                  bench_case.view.width, bench_case.view.height, bench_case.frames);
+  if (bench_case.budget.bytes != 0) words += fmt::format(",arg=ram={}", bench_case.budget.bytes);
+  if (bench_case.budget.strip_rows != 0) words += fmt::format(",arg=rows={}", bench_case.budget.strip_rows);
+  return {"qemu-system-arm",
+          "-M",
+          machine(bench_case.target),
+          "-icount",
+          "shift=0",
+          "-display",
+          "none",
+          "-monitor",
+          "none",
+          "-serial",
+          "stdio",
+          "-semihosting-config",
+          words,
+          "-kernel",
+          program.string()};
+}
+
+std::optional<std::uint32_t> hexadecimal(const std::string& text) {
+  std::uint32_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, value, 16);
+  if (error != std::errc{} || stopped != end) return std::nullopt;
+  return value;
+}
+
+// Throws nlohmann::json::exception for a member that is missing or of another type.
+std::optional<Measurement> read_line(const BenchCase& bench_case, const std::string& line) {
+  const nlohmann::json object = nlohmann::json::parse(line);
+  Measurement row{
+      .bench_case = bench_case,
+      .mode = object.at("mode") == "binned" ? Mode::binned : Mode::streamed,
+      .strip_rows = object.at("strip_rows").get<std::uint16_t>(),
+      .ram_bytes = object.at("arena_bytes").get<std::uint64_t>() + object.at("strip_pixel_bytes").get<std::uint64_t>(),
+      .instructions_per_frame = object.at("instructions_per_frame").get<std::uint64_t>()};
+  for (const nlohmann::json& frame : object.at("frames")) {
+    const std::optional<std::uint32_t> sum = hexadecimal(frame.at("crc32").get<std::string>());
+    if (!sum) return std::nullopt;
+    row.frame_crc32.push_back(*sum);
+  }
+  if (row.frame_crc32.size() != bench_case.frames) return std::nullopt;
+  return row;
+}
+
+Result<Measurement> bench_one(const BenchCase& bench_case, const fs::path& program) {
+  const Result<ChildOutput> output = run_program(emulator_command(bench_case, program), kLimit);
+  if (!output) return output.failure();
+  const std::string line = output->text.substr(0, output->text.find_last_not_of("\r\n") + 1);
+  if (output->exit_status != 0) {
+    const bool budget = output->exit_status == kBoardBudget;
+    return Failure{budget ? ExitStatus::budget : ExitStatus::environment,
+                   fmt::format("{} on {} (status {}): {}", bench_case.workload, bench_case.target, output->exit_status,
+                               line.substr(line.rfind('\n') + 1))};
+  }
+  std::optional<Measurement> row;
+  std::string why = "not one result for each frame";
+  try {
+    row = read_line(bench_case, line);
+  } catch (const nlohmann::json::exception& error) {
+    why = error.what();
+  }
+  if (!row) {
+    return Failure{ExitStatus::internal, fmt::format("{} on {} printed something else than a result: {}",
+                                                     bench_case.workload, bench_case.target, why)};
+  }
+  const Result<std::uint64_t> flash = elf_load_bytes(program);
+  if (!flash) return flash.failure();
+  row->flash_bytes = *flash;
+  return std::move(*row);
+}
+
+}  // namespace
+
+Result<std::vector<Measurement>> bench_on_board(const std::vector<BenchCase>& cases, const std::string& firmware) {
+  std::vector<Measurement> rows;
+  for (const BenchCase& bench_case : cases) {
+    const Result<fs::path> program = program_for(bench_case.target, firmware);
+    if (!program) return program.failure();
+    Result<Measurement> row = bench_one(bench_case, *program);
+    if (!row) return row.failure();
+    rows.push_back(std::move(*row));
+  }
+  return rows;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,44 @@
+// Plans a workload and keeps its memory.
+#include "bench/drawing.hpp"
+
+#include <fmt/format.h>
+
+#include "bench/workloads.hpp"
+
+namespace zstrip::sim {
+
+Result<Drawing> Drawing::prepare(const BenchCase& bench_case) {
+  const scenes::BuiltIn* built_in = find_workload(bench_case.workload)->built_in();
+  const Effects effects = effects_of(built_in->scene, built_in->camera);
+  const auto [status, plan] = zstrip::plan(built_in->counts, bench_case.view, effects, bench_case.budget);
+  if (status.error == Error::arena_too_small) {
+    return Failure{ExitStatus::budget,
+                   fmt::format("{} needs {} bytes, most of them for {}, and --ram allows {}", bench_case.workload,
+                               status.needed, name(status.purpose), status.available)};
+  }
+  if (!status) {
+    return Failure{ExitStatus::usage,
+                   fmt::format("{} cannot be planned: {} ({} given, at most {})", bench_case.workload,
+                               message(status.error), status.needed, status.available)};
+  }
+  return Drawing(bench_case, *built_in, effects, plan);
+}
+
+Drawing::Drawing(const BenchCase& bench_case, const scenes::BuiltIn& built_in, Effects effects, const Plan& plan)
+    : built_in_(&built_in),
+      staged_(std::make_unique<scenes::Staged>()),
+      view_(bench_case.view),
+      plan_(plan),
+      renderer_(effects),
+      arena_((plan.bytes() + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t)),
+      pixels_(plan.strip_pixel_bytes(bench_case.view)) {}
+
+void Drawing::stage(std::uint32_t frame) { scenes::stage_workload(*built_in_, *staged_, frame); }
+
+std::size_t Drawing::strip_bytes(std::uint16_t strip) const {
+  const std::uint32_t rows =
+      std::min<std::uint32_t>(plan_.strip_rows, view_.height - std::uint32_t{strip} * plan_.strip_rows);
+  return rows * bytes_per_row(view_.width, view_.format);
+}
+
+}  // namespace zstrip::sim

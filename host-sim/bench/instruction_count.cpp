@@ -1,0 +1,81 @@
+// Runs `zstrip bench --draw-each N` under valgrind's cachegrind and reads the total of instructions.
+#include "bench/instruction_count.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include "bench/child_process.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::chrono::seconds kLimit{600};
+
+// valgrind refuses programs built with AddressSanitizer.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool kCanCount = false;
+#else
+constexpr bool kCanCount = true;
+#endif
+
+// The number in "==123== I   refs:      1,234,567".
+std::optional<std::uint64_t> instruction_total(const std::string& text) {
+  std::size_t at = text.find("refs:");
+  if (at == std::string::npos) return std::nullopt;
+  std::string digits;
+  for (at += 5; at < text.size() && text[at] != '\n'; ++at) {
+    if (text[at] >= '0' && text[at] <= '9') digits += text[at];
+  }
+  std::uint64_t total = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), total);
+  if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
+  return total;
+}
+
+Result<std::uint64_t> total_of_run(const std::string& program, const BenchCase& bench_case, unsigned draws) {
+  std::vector<std::string> command{
+      "valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null", program, "bench"};
+  const auto add = [&command](const char* option, const std::string& value) {
+    command.emplace_back(option);
+    command.push_back(value);
+  };
+  add("--workload", bench_case.workload);
+  add("--size", fmt::format("{}x{}", bench_case.view.width, bench_case.view.height));
+  add("--frames", std::to_string(bench_case.frames));
+  if (bench_case.budget.bytes != 0) add("--ram", std::to_string(bench_case.budget.bytes));
+  if (bench_case.budget.strip_rows != 0) add("--strip-rows", std::to_string(bench_case.budget.strip_rows));
+  add("--draw-each", std::to_string(draws));
+
+  const Result<ChildOutput> output = run_program(command, kLimit);
+  if (!output) return output.failure();
+  const std::optional<std::uint64_t> total = instruction_total(output->text);
+  if (output->exit_status != 0 || !total) {
+    return Failure{ExitStatus::environment,
+                   fmt::format("valgrind could not count the instructions of {} (status {}): {}", bench_case.workload,
+                               output->exit_status, output->text.substr(0, output->text.find('\n')))};
+  }
+  return *total;
+}
+
+}  // namespace
+
+Result<std::optional<std::uint64_t>> count_instructions(const BenchCase& bench_case) {
+  if (!kCanCount || !run_program({"valgrind", "--version"}, std::chrono::seconds{30}))
+    return std::optional<std::uint64_t>{};
+  std::error_code error;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) return Failure{ExitStatus::environment, "cannot find this program's own file: " + error.message()};
+
+  const Result<std::uint64_t> once = total_of_run(self.string(), bench_case, 1);
+  if (!once) return once.failure();
+  const Result<std::uint64_t> thrice = total_of_run(self.string(), bench_case, 3);
+  if (!thrice) return thrice.failure();
+  return std::optional{(*thrice - *once) / (2 * std::uint64_t{bench_case.frames})};
+}
+
+}  // namespace zstrip::sim

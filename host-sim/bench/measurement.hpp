@@ -1,0 +1,34 @@
+// What is measured, and one row of results: a workload on a target at one picture size and memory plan.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "zstrip/plan/plan.hpp"
+#include "zstrip/scene/view.hpp"
+
+namespace zstrip::sim {
+
+/// What the caller of `zstrip bench` chose for one row.
+struct BenchCase {
+  std::string workload;  ///< "K5", "CT", "R50" or "R10k"
+  std::string target;    ///< "host", "m0", "m3", "m4f" or "m7"
+  View view;
+  Budget budget;  ///< zeros: the planner decides
+  std::uint32_t frames = 0;
+};
+
+struct Measurement {
+  BenchCase bench_case;
+  Mode mode = Mode::streamed;
+  std::uint16_t strip_rows = 0;
+  std::uint64_t ram_bytes = 0;                            ///< arena and one strip of pixels
+  std::optional<std::uint64_t> flash_bytes{};             ///< of the whole program; boards only
+  std::optional<double> nanoseconds_per_frame{};          ///< host only: emulated time is not time
+  std::optional<std::uint64_t> instructions_per_frame{};  ///< absent where nothing could count them
+  std::vector<std::uint32_t> frame_crc32{};               ///< zlib's CRC-32 of each frame's pixels, strips in order
+};
+
+}  // namespace zstrip::sim

@@ -1,0 +1,35 @@
+// Where the pictures go: one file, or numbered frames in a folder.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "image/encode.hpp"
+#include "result.hpp"
+
+namespace zstrip::sim {
+
+struct OutputNames {
+  std::filesystem::path path;
+  bool folder = false;
+  ImageType type = ImageType::png;
+  std::uint32_t frames = 1;
+  PixelFormat format = PixelFormat::rgb565;
+
+  /// The file of a frame: `path` itself, or frame_0000.png and so on in it.
+  std::filesystem::path file(std::uint32_t frame) const;
+};
+
+/// `output` is what -o gave. It names a file if it ends in .png, .ppm, .pgm or .raw, or is a file or device already;
+/// else a folder. Without it: SCENE.png for one frame, a folder SCENE for more, both in the current folder.
+/// Frames, where not given: 1 into a file, 8 into a folder.
+Result<OutputNames> name_outputs(const std::string& scene, const std::optional<std::string>& output,
+                                 std::optional<std::uint32_t> frames, std::optional<ImageType> type,
+                                 PixelFormat format);
+
+/// Creates the folder where there is to be one.
+Result<Done> prepare(const OutputNames& outputs);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,105 @@
+// The values of command-line options.
+#include "cli/parse.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "report/frame_record.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+Failure bad_value(std::string_view option, std::string_view value, std::string_view expected) {
+  return {ExitStatus::usage, fmt::format("{} '{}' must be {}", option, value, expected)};
+}
+
+/// The whole text as a number.
+template <typename T>
+std::optional<T> number(std::string_view text) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+Result<std::pair<std::uint16_t, std::uint16_t>> parse_size(const std::string& text) {
+  const auto side = [](std::string_view part) {
+    const auto value = number<std::uint16_t>(part);
+    return value && *value >= 1 && *value <= kMaxViewSize ? *value : std::uint16_t{0};
+  };
+  const std::size_t cross = text.find('x');
+  if (cross != std::string::npos) {
+    const std::uint16_t width = side(std::string_view(text).substr(0, cross));
+    const std::uint16_t height = side(std::string_view(text).substr(cross + 1));
+    if (width > 0 && height > 0) return std::pair{width, height};
+  }
+  return bad_value("--size", text, "WIDTHxHEIGHT, each from 1 to 4096, for example 320x240");
+}
+
+Result<std::uint32_t> parse_bytes(const std::string& text) {
+  std::string_view digits = text;
+  std::uint64_t unit = 1;
+  if (!digits.empty() && (digits.back() == 'K' || digits.back() == 'k')) unit = 1024;
+  if (!digits.empty() && (digits.back() == 'M' || digits.back() == 'm')) unit = 1024 * 1024;
+  if (unit > 1) digits.remove_suffix(1);
+  const auto value = number<std::uint32_t>(digits);
+  if (value && *value >= 1 && *value * unit <= 0xFFFFFFFF) return static_cast<std::uint32_t>(*value * unit);
+  return bad_value("--ram", text, "a number of bytes from 1 to 4095M, for example 20000, 20K or 1M");
+}
+
+Result<std::uint16_t> parse_strip_rows(const std::string& text) {
+  if (text == "auto") return std::uint16_t{0};
+  const auto value = number<std::uint16_t>(text);
+  if (value && *value >= 1 && *value <= kMaxViewSize) return *value;
+  return bad_value("--strip-rows", text, "a number of rows from 1 to 4096, or auto");
+}
+
+Result<std::array<double, 3>> parse_vector(const std::string& option, const std::string& text) {
+  std::array<double, 3> vector{};
+  std::string_view rest = text;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t comma = i < 2 ? rest.find(',') : rest.size();
+    if (comma == std::string_view::npos)
+      return bad_value(option, text, "three numbers with commas, for example 0,1.5,-3");
+    const auto value = number<double>(rest.substr(0, comma));
+    if (!value || !std::isfinite(*value)) {
+      return bad_value(option, text, "three numbers with commas, for example 0,1.5,-3");
+    }
+    vector[i] = *value;
+    rest.remove_prefix(i < 2 ? comma + 1 : comma);
+  }
+  return vector;
+}
+
+Result<PixelFormat> parse_format(const std::string& text) {
+  for (const PixelFormat format :
+       {PixelFormat::rgb565, PixelFormat::rgb565_swapped, PixelFormat::gray4, PixelFormat::mono}) {
+    if (text == name(format)) return format;
+  }
+  return bad_value("--format", text, "rgb565, rgb565_swapped, gray4 or mono");
+}
+
+Result<UpAxis> parse_up_axis(const std::string& text) {
+  constexpr std::pair<std::string_view, UpAxis> kAxes[] = {{"x", UpAxis::plus_x}, {"-x", UpAxis::minus_x},
+                                                           {"y", UpAxis::plus_y}, {"-y", UpAxis::minus_y},
+                                                           {"z", UpAxis::plus_z}, {"-z", UpAxis::minus_z}};
+  for (const auto& [name, axis] : kAxes) {
+    if (text == name) return axis;
+  }
+  return bad_value("--up", text, "x, -x, y, -y, z or -z");
+}
+
+Result<ImageType> parse_image_type(const std::string& text) {
+  if (text == "png") return ImageType::png;
+  if (text == "ppm") return ImageType::ppm;
+  if (text == "raw") return ImageType::raw;
+  return bad_value("--image", text, "png, ppm or raw");
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,34 @@
+// The values of command-line options. Each failure is a usage error that names the option, its value and what it may
+// be.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "image/encode.hpp"
+#include "import/source_model.hpp"
+#include "result.hpp"
+#include "zstrip/scene/view.hpp"
+
+namespace zstrip::sim {
+
+/// "320x240": each side 1..4096.
+Result<std::pair<std::uint16_t, std::uint16_t>> parse_size(const std::string& text);
+
+/// "20000", "20K" or "4M" (1024 and 1024 * 1024 bytes); 1 to 4 GB - 1.
+Result<std::uint32_t> parse_bytes(const std::string& text);
+
+/// "auto" is 0; else 1..4096.
+Result<std::uint16_t> parse_strip_rows(const std::string& text);
+
+/// "x,y,z": finite numbers; `option` is for the message.
+Result<std::array<double, 3>> parse_vector(const std::string& option, const std::string& text);
+
+Result<PixelFormat> parse_format(const std::string& text);
+/// "x", "-x", "y", ...
+Result<UpAxis> parse_up_axis(const std::string& text);
+Result<ImageType> parse_image_type(const std::string& text);
+
+}  // namespace zstrip::sim

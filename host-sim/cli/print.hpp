@@ -1,0 +1,16 @@
+// What the command says on stderr, always one line starting with "zstrip: ".
+#pragma once
+
+#include <string_view>
+
+#include "result.hpp"
+
+namespace zstrip::sim {
+
+/// Control characters, which names of files may hold, are shown as '?'.
+void print_warning(std::string_view message);
+
+/// Prints the message and returns the status as a number, for main's return value.
+int print_failure(const Failure& failure);
+
+}  // namespace zstrip::sim

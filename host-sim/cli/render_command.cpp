@@ -1,0 +1,220 @@
+// `zstrip render`: options, frames, files, report.
+#include "cli/render_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "cli/output_names.hpp"
+#include "cli/parse.hpp"
+#include "cli/print.hpp"
+#include "image/write_file.hpp"
+#include "render/render_frame.hpp"
+#include "render/stage.hpp"
+#include "report/frame_record.hpp"
+#include "report/progress.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::uint32_t kMaxFrames = 10000;  // four digits in the names
+
+/// As given on the command line.
+struct Arguments {
+  std::string scene;
+  std::optional<std::string> output;
+  std::string size = "320x240";
+  std::optional<std::uint32_t> frames;
+  std::optional<std::string> ram;
+  std::string strip_rows = "auto";
+  std::string format = "rgb565";
+  std::optional<std::string> image;
+  std::string up = "y";
+  std::optional<std::string> eye;
+  std::optional<std::string> look_at;
+  std::optional<std::string> orbit;
+  std::optional<double> field_of_view;
+  bool orthographic = false;
+  std::optional<std::string> json;
+  bool quiet = false;
+};
+
+struct Job {
+  UpAxis up = UpAxis::plus_y;
+  View view;
+  Budget budget;
+  CameraOptions camera;
+  OutputNames outputs;
+};
+
+Failure usage(std::string message) { return {ExitStatus::usage, std::move(message)}; }
+
+Result<CameraOptions> parse_camera(const Arguments& arguments) {
+  CameraOptions camera;
+  const auto vector = [](const char* option, const std::optional<std::string>& text,
+                         std::optional<std::array<double, 3>>& to) -> Result<Done> {
+    if (!text) return Done{};
+    const Result<std::array<double, 3>> parsed = parse_vector(option, *text);
+    if (!parsed) return parsed.failure();
+    to = *parsed;
+    return Done{};
+  };
+  std::optional<std::array<double, 3>> orbit;
+  for (const Result<Done>& parsed :
+       {vector("--eye", arguments.eye, camera.eye), vector("--look-at", arguments.look_at, camera.look_at),
+        vector("--orbit", arguments.orbit, orbit)}) {
+    if (!parsed) return parsed.failure();
+  }
+  if (orbit) camera.orbit = Orbit{(*orbit)[0], (*orbit)[1], (*orbit)[2]};
+  if (camera.orbit && !(camera.orbit->radius > 0)) return usage("--orbit: the radius must be greater than 0");
+  if (camera.eye && camera.orbit) return usage("--eye and --orbit both place the camera; give one of them");
+  if (camera.look_at && !camera.placed()) return usage("--look-at needs --eye or --orbit");
+  camera.field_of_view = arguments.field_of_view;
+  if (camera.field_of_view && !(*camera.field_of_view >= 1 && *camera.field_of_view <= 170)) {
+    return usage("--fov must be 1 to 170 degrees");
+  }
+  camera.orthographic = arguments.orthographic;
+  return camera;
+}
+
+Result<Job> parse(const Arguments& arguments) {
+  Job job;
+  const auto size = parse_size(arguments.size);
+  if (!size) return size.failure();
+  const Result<PixelFormat> format = parse_format(arguments.format);
+  if (!format) return format.failure();
+  job.view = {size->first, size->second, *format};
+
+  const Result<std::uint16_t> rows = parse_strip_rows(arguments.strip_rows);
+  if (!rows) return rows.failure();
+  if (*rows > job.view.height) {
+    return usage(fmt::format("--strip-rows {} is more than the picture's {} rows", *rows, job.view.height));
+  }
+  job.budget.strip_rows = *rows;
+  if (arguments.ram) {
+    const Result<std::uint32_t> bytes = parse_bytes(*arguments.ram);
+    if (!bytes) return bytes.failure();
+    job.budget.bytes = *bytes;
+  }
+  if (arguments.frames && (*arguments.frames < 1 || *arguments.frames > kMaxFrames)) {
+    return usage(fmt::format("--frames must be 1 to {}", kMaxFrames));
+  }
+  std::optional<ImageType> type;
+  if (arguments.image) {
+    const Result<ImageType> parsed = parse_image_type(*arguments.image);
+    if (!parsed) return parsed.failure();
+    type = *parsed;
+  }
+  const Result<UpAxis> up = parse_up_axis(arguments.up);
+  if (!up) return up.failure();
+  job.up = *up;
+  const Result<CameraOptions> camera = parse_camera(arguments);
+  if (!camera) return camera.failure();
+  job.camera = *camera;
+  Result<OutputNames> outputs = name_outputs(arguments.scene, arguments.output, arguments.frames, type, *format);
+  if (!outputs) return outputs.failure();
+  job.outputs = std::move(*outputs);
+  return job;
+}
+
+Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool quiet) {
+  const Result<std::unique_ptr<Stage>> stage = open_stage(scene, job.up, job.camera, job.view, job.outputs.frames);
+  if (!stage) return stage.failure();
+  for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
+
+  RunRecord run{scene, job.view, (*stage)->warnings(), {}};
+  FrameRenderer renderer(job.view, job.budget);
+  Progress progress(job.outputs.frames, !quiet);
+  for (std::uint32_t frame = 0; frame < job.outputs.frames; ++frame) {
+    const Result<Staging> staging = (*stage)->place(frame, job.outputs.frames);
+    if (!staging) return staging.failure();
+    const Result<FrameReport> report = renderer.render(*staging);
+    if (!report) return report.failure();
+    const Result<std::vector<std::uint8_t>> picture = encode(job.outputs.type, job.view, renderer.pixels());
+    if (!picture) return picture.failure();
+    if (frame == 0) {
+      if (const Result<Done> prepared = prepare(job.outputs); !prepared) return prepared.failure();
+    }
+    const std::filesystem::path file = job.outputs.file(frame);
+    if (const Result<Done> written = write_file(file, *picture, "-o"); !written) return written.failure();
+    run.frames.push_back({file.string(), *report});
+    progress.show(frame + 1);
+  }
+  return run;
+}
+
+Result<Done> report(const RunRecord& run, const Arguments& arguments) {
+  const bool json_on_stdout = arguments.json == "-";
+  if (arguments.json) {
+    const std::string json = to_json(run);
+    if (json_on_stdout) {
+      fmt::print("{}", json);
+    } else if (const Result<Done> written = write_file(
+                   *arguments.json, {reinterpret_cast<const std::uint8_t*>(json.data()), json.size()}, "--json");
+               !written) {
+      return written.failure();
+    }
+  }
+  if (!arguments.quiet) fmt::print(json_on_stdout ? stderr : stdout, "{}", summary(run));
+  return Done{};
+}
+
+int run(const Arguments& arguments) {
+  const Result<Job> job = parse(arguments);
+  if (!job) return print_failure(job.failure());
+  const Result<RunRecord> record = render_frames(arguments.scene, *job, arguments.quiet);
+  if (!record) return print_failure(record.failure());
+  const Result<Done> reported = report(*record, arguments);
+  if (!reported) return print_failure(reported.failure());
+  return static_cast<int>(ExitStatus::ok);
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("render", "Render a built-in scene or a model file to pictures");
+  const auto arguments = std::make_shared<Arguments>();
+  Arguments& a = *arguments;
+  command->add_option("scene", a.scene, "A built-in scene, or a model: .obj .gltf .glb .stl .ply .3ds .dae ...")
+      ->required()
+      ->type_name("SCENE");
+  command->add_option("-o,--output", a.output, "A folder for the frames, or one file (default: SCENE.png here)")
+      ->type_name("DIR|FILE");
+  command->add_option("--size", a.size, "Size of the picture, each side 1 to 4096 (default: 320x240)")
+      ->type_name("WxH");
+  command->add_option("--frames", a.frames, "Frames of a full turn (default: 1 into a file, 8 into a folder)")
+      ->type_name("N");
+  command->add_option("--ram", a.ram, "Renderer's memory at most, K and M allowed (default: no limit)")
+      ->type_name("BYTES");
+  command->add_option("--strip-rows", a.strip_rows, "Rows of a strip (default: auto, as many as fit)")
+      ->type_name("N|auto");
+  command->add_option("--format", a.format, "Pixels: rgb565 (default), rgb565_swapped, gray4 or mono")
+      ->type_name("FORMAT");
+  command->add_option("--image", a.image, "Picture files: png (default), ppm or raw")->type_name("TYPE");
+  command->add_option("--up", a.up, "The axis of a model file that points upwards: x, -x, y (default), -y, z, -z")
+      ->type_name("AXIS");
+  command->add_option("--eye", a.eye, "Where the camera is, in the model's units")->type_name("X,Y,Z");
+  command->add_option("--look-at", a.look_at, "What it looks at (default: the model's centre)")->type_name("X,Y,Z");
+  command
+      ->add_option("--orbit", a.orbit,
+                   "Camera on a sphere around that point: radius, degrees from the front, from above")
+      ->type_name("R,PHI,THETA");
+  command->add_option("--fov", a.field_of_view, "Vertical field of view, 1 to 170 (default: 30)")->type_name("DEGREES");
+  command->add_flag("--ortho", a.orthographic, "Parallel instead of perspective projection");
+  command->add_option("--json", a.json, "Write a report of each frame; - is standard output")->type_name("FILE|-");
+  command->add_flag("--quiet", a.quiet, "No summary, no progress; warnings and errors remain");
+  command->footer(
+      "Examples:\n"
+      "  zstrip render teapot\n"
+      "  zstrip render teapot -o out/teapot --frames 64\n"
+      "  zstrip render bunny.obj -o bunny.png --size 640x480 --orbit 0.3,45,70\n"
+      "  zstrip render knot --ram 20K --json -\n"
+      "  zstrip render duck.glb -o oled --size 128x64 --format gray4 --image raw");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace zstrip::sim

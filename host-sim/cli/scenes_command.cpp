@@ -1,0 +1,27 @@
+// `zstrip scenes`: the list of what is built in.
+#include "cli/scenes_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "report/number.hpp"
+#include "result.hpp"
+#include "zstrip_scenes/scenes.hpp"
+
+namespace zstrip::sim {
+
+void add_scenes_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("scenes", "List the built-in scenes");
+  command->footer("Example:\n  zstrip scenes");
+  command->callback([&exit_code] {
+    fmt::print("{:<18} {:>9} {:>9}  {}\n", "name", "triangles", "vertices", "description");
+    for (const scenes::BuiltIn& scene : scenes::built_in()) {
+      fmt::print("{:<18} {:>9} {:>9}  {}\n", scene.name, grouped(scene.counts.triangles),
+                 grouped(scene.counts.vertices), scene.description);
+    }
+    exit_code = static_cast<int>(ExitStatus::ok);
+  });
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,70 @@
+// Reads PNG (libspng) and JPEG (libjpeg-turbo), told apart by their first bytes.
+#include "image/decode.hpp"
+
+#include <fmt/format.h>
+#include <spng.h>
+#include <turbojpeg.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::array<std::uint8_t, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+constexpr std::array<std::uint8_t, 3> kJpegSignature{0xFF, 0xD8, 0xFF};
+
+bool starts_with(std::span<const std::uint8_t> file, std::span<const std::uint8_t> signature) {
+  return file.size() >= signature.size() && std::equal(signature.begin(), signature.end(), file.begin());
+}
+
+Failure damaged(const char* kind, const char* reason) {
+  return {ExitStatus::input, fmt::format("is not a whole {} picture ({})", kind, reason)};
+}
+
+Result<RgbImage> decode_png(std::span<const std::uint8_t> file) {
+  const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> png(spng_ctx_new(0), &spng_ctx_free);
+  if (!png) return damaged("PNG", "no memory");
+  spng_set_image_limits(png.get(), kMaxImageSide, kMaxImageSide);
+  spng_ihdr header{};
+  std::size_t bytes = 0;
+  int error = spng_set_png_buffer(png.get(), file.data(), file.size());
+  if (error == 0) error = spng_get_ihdr(png.get(), &header);
+  if (error == 0) error = spng_decoded_image_size(png.get(), SPNG_FMT_RGB8, &bytes);
+  if (error != 0) return damaged("PNG", spng_strerror(error));
+  RgbImage image{header.width, header.height, std::vector<std::uint8_t>(bytes)};
+  error = spng_decode_image(png.get(), image.rgb.data(), bytes, SPNG_FMT_RGB8, 0);
+  if (error != 0) return damaged("PNG", spng_strerror(error));
+  return image;
+}
+
+Result<RgbImage> decode_jpeg(std::span<const std::uint8_t> file) {
+  const std::unique_ptr<void, decltype(&tjDestroy)> jpeg(tjInitDecompress(), &tjDestroy);
+  if (!jpeg) return damaged("JPEG", "no memory");
+  int width = 0;
+  int height = 0;
+  int subsampling = 0;
+  int colour_space = 0;
+  if (tjDecompressHeader3(jpeg.get(), file.data(), file.size(), &width, &height, &subsampling, &colour_space) != 0) {
+    return damaged("JPEG", tjGetErrorStr2(jpeg.get()));
+  }
+  const int limit = static_cast<int>(kMaxImageSide);
+  if (width < 1 || height < 1 || width > limit || height > limit) return damaged("JPEG", "size out of range");
+  RgbImage image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), {}};
+  image.rgb.resize(3 * std::size_t{image.width} * image.height);
+  if (tjDecompress2(jpeg.get(), file.data(), file.size(), image.rgb.data(), width, 0, height, TJPF_RGB, 0) != 0) {
+    return damaged("JPEG", tjGetErrorStr2(jpeg.get()));
+  }
+  return image;
+}
+
+}  // namespace
+
+Result<RgbImage> decode_image(std::span<const std::uint8_t> file) {
+  if (starts_with(file, kPngSignature)) return decode_png(file);
+  if (starts_with(file, kJpegSignature)) return decode_jpeg(file);
+  return Failure{ExitStatus::input, "is neither PNG nor JPEG"};
+}
+
+}  // namespace zstrip::sim

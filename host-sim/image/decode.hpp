@@ -1,0 +1,18 @@
+// Reads PNG (libspng) and JPEG (libjpeg-turbo), told apart by their first bytes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "image/rgb_image.hpp"
+#include "result.hpp"
+
+namespace zstrip::sim {
+
+/// Largest side that is read; a hostile file must not ask for gigabytes.
+inline constexpr std::uint32_t kMaxImageSide = 16384;
+
+/// Alpha is dropped. A damaged or truncated file is a failure whose message starts with a verb ("is not a PNG or ...").
+Result<RgbImage> decode_image(std::span<const std::uint8_t> file);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,26 @@
+// Turns the renderer's pixels into picture files.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "result.hpp"
+#include "zstrip/scene/view.hpp"
+
+namespace zstrip::sim {
+
+enum class ImageType : std::uint8_t {
+  png,  ///< 8-bit RGB; gray4 and mono as grey of 4 and 1 bits
+  ppm,  ///< binary PPM; gray4 and mono as binary PGM
+  raw,  ///< the bytes of the strips as they are
+};
+
+/// With the dot: ".png", ".ppm" or ".pgm", ".raw".
+const char* file_extension(ImageType type, PixelFormat format);
+
+/// `pixels` are all rows of the view, bytes_per_row each. Fails only when libspng does (memory).
+Result<std::vector<std::uint8_t>> encode(ImageType type, const View& view, std::span<const std::byte> pixels);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,71 @@
+// Brings a picture to the sides that a texture can have.
+#include "image/resample.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace zstrip::sim {
+namespace {
+
+/// Averages pairs along one or both axes; an odd last row or column is averaged with itself.
+RgbImage halve(const RgbImage& from, bool halve_x, bool halve_y) {
+  RgbImage to;
+  to.width = halve_x ? (from.width + 1) / 2 : from.width;
+  to.height = halve_y ? (from.height + 1) / 2 : from.height;
+  to.rgb.reserve(3 * std::size_t{to.width} * to.height);
+  for (std::uint32_t y = 0; y < to.height; ++y) {
+    const std::uint32_t top = halve_y ? 2 * y : y;
+    const std::uint32_t bottom = halve_y ? std::min(top + 1, from.height - 1) : y;
+    for (std::uint32_t x = 0; x < to.width; ++x) {
+      const std::uint32_t left = halve_x ? 2 * x : x;
+      const std::uint32_t right = halve_x ? std::min(left + 1, from.width - 1) : x;
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        const int sum = from.pixel(left, top)[channel] + from.pixel(right, top)[channel] +
+                        from.pixel(left, bottom)[channel] + from.pixel(right, bottom)[channel];
+        to.rgb.push_back(static_cast<std::uint8_t>((sum + 2) / 4));
+      }
+    }
+  }
+  return to;
+}
+
+/// Where texel `index` of `to` lies among the texels of `from`: two neighbours and the share of the second.
+struct Sample {
+  std::uint32_t first, second;
+  double share;
+};
+Sample sample(std::uint32_t index, std::uint32_t to, std::uint32_t from) {
+  const double position = (index + 0.5) * from / to - 0.5;
+  const double below = std::floor(position);
+  const auto first = static_cast<std::uint32_t>(static_cast<std::int64_t>(below) + from) % from;
+  return {first, (first + 1) % from, position - below};
+}
+
+}  // namespace
+
+RgbImage resample_to_power_of_two(RgbImage image) {
+  while (image.width > kMaxTextureSide || image.height > kMaxTextureSide) {
+    image = halve(image, image.width > kMaxTextureSide, image.height > kMaxTextureSide);
+  }
+  RgbImage scaled{std::bit_ceil(image.width), std::bit_ceil(image.height), {}};
+  if (scaled.width == image.width && scaled.height == image.height) return image;
+  scaled.rgb.reserve(3 * std::size_t{scaled.width} * scaled.height);
+  for (std::uint32_t y = 0; y < scaled.height; ++y) {
+    const Sample row = sample(y, scaled.height, image.height);
+    for (std::uint32_t x = 0; x < scaled.width; ++x) {
+      const Sample column = sample(x, scaled.width, image.width);
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        const auto along = [&](std::uint32_t source_row) {
+          return image.pixel(column.first, source_row)[channel] * (1 - column.share) +
+                 image.pixel(column.second, source_row)[channel] * column.share;
+        };
+        const double value = along(row.first) * (1 - row.share) + along(row.second) * row.share;
+        scaled.rgb.push_back(static_cast<std::uint8_t>(std::lround(value)));
+      }
+    }
+  }
+  return scaled;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,78 @@
+// Writes files so that a name never stands for half a file.
+#include "image/write_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+
+namespace zstrip::sim {
+namespace {
+
+/// 'path' cannot be written: the reason, and what to do.
+Failure cannot_write(const std::filesystem::path& path, int reason, const char* option) {
+  const char* advice = "choose another place";
+  if (reason == ENOSPC || reason == EDQUOT) advice = "free some space there, or choose another place";
+  if (reason == EACCES || reason == EPERM || reason == EROFS) advice = "choose a place that you may write to";
+  if (reason == ENOENT || reason == ENOTDIR) advice = "create its folder first, or choose another place";
+  return {ExitStatus::output, fmt::format("cannot write '{}': {}; {} with {}", path.string(),
+                                          std::generic_category().message(reason), advice, option)};
+}
+
+/// 0 or the error number. Closes `file` in any case: closing may be what reports a full disk.
+int write_and_close(int file, std::span<const std::uint8_t> content) {
+  int reason = 0;
+  while (!content.empty() && reason == 0) {
+    const ssize_t written = ::write(file, content.data(), content.size());
+    if (written >= 0) {
+      content = content.subspan(static_cast<std::size_t>(written));
+    } else if (errno != EINTR) {
+      reason = errno;
+    }
+  }
+  if (::close(file) != 0 && reason == 0) reason = errno;
+  return reason;
+}
+
+/// The permissions that open() would have given.
+mode_t default_mode() {
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return 0666 & ~mask;
+}
+
+}  // namespace
+
+Result<Done> write_file(const std::filesystem::path& path, std::span<const std::uint8_t> content, const char* option) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  if (std::filesystem::is_directory(status)) return cannot_write(path, EISDIR, option);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    const int device = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    const int reason = device < 0 ? errno : write_and_close(device, content);
+    if (reason != 0) return cannot_write(path, reason, option);
+    return Done{};
+  }
+
+  // A link keeps pointing: its target is what is replaced.
+  std::filesystem::path target = std::filesystem::canonical(path, ignored);
+  if (target.empty()) target = path;
+  std::string temporary = (target.parent_path() / fmt::format(".{}.XXXXXX", target.filename().string())).string();
+  const int file = ::mkostemp(temporary.data(), O_CLOEXEC);
+  if (file < 0) return cannot_write(path, errno, option);
+  int reason = ::fchmod(file, default_mode()) != 0 ? errno : 0;
+  const int write_reason = write_and_close(file, content);
+  if (reason == 0) reason = write_reason;
+  if (reason == 0 && std::rename(temporary.c_str(), target.c_str()) != 0) reason = errno;
+  if (reason == 0) return Done{};
+  ::unlink(temporary.c_str());
+  return cannot_write(path, reason, option);
+}
+
+}  // namespace zstrip::sim

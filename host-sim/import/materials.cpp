@@ -1,0 +1,128 @@
+// Assimp's materials and textures as source materials and decoded pictures.
+#include "import/materials.hpp"
+
+#include <assimp/commonMetaData.h>
+#include <assimp/material.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "image/decode.hpp"
+#include "import/read_file.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+/// What a file without materials is drawn with; Assimp's own default is darker.
+constexpr std::array<std::uint8_t, 3> kDefaultColour{204, 204, 204};
+
+Result<RgbImage> decode_embedded(const aiTexture& texture) {
+  if (texture.mHeight == 0) {  // a whole picture file of mWidth bytes
+    return decode_image({reinterpret_cast<const std::uint8_t*>(texture.pcData), texture.mWidth});
+  }
+  if (texture.mWidth == 0 || texture.mWidth > kMaxImageSide || texture.mHeight > kMaxImageSide) {
+    return Failure{ExitStatus::input, "has a size out of range"};
+  }
+  RgbImage image{texture.mWidth, texture.mHeight, {}};
+  for (const aiTexel& texel : std::span(texture.pcData, std::size_t{texture.mWidth} * texture.mHeight)) {
+    image.rgb.insert(image.rgb.end(), {texel.r, texel.g, texel.b});
+  }
+  return image;
+}
+
+/// The file beside the model that `name` means: as it stands, or, for paths of another machine, its last part.
+std::filesystem::path find_texture(const std::filesystem::path& folder, std::string name) {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  const std::filesystem::path as_given = folder / name;
+  std::error_code ignored;
+  if (std::filesystem::exists(as_given, ignored)) return as_given;
+  const std::filesystem::path beside = folder / std::filesystem::path(name).filename();
+  return std::filesystem::is_regular_file(beside, ignored) ? beside : as_given;
+}
+
+}  // namespace
+
+std::uint8_t to_screen_channel(double value, bool linear) {
+  if (!(value > 0)) return 0;
+  double clamped = std::min(value, 1.0);
+  if (linear) clamped = clamped <= 0.0031308 ? 12.92 * clamped : 1.055 * std::pow(clamped, 1 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::lround(255 * clamped));
+}
+
+MaterialReader::MaterialReader(const aiScene& scene, std::filesystem::path folder, SourceModel& model)
+    : scene_(scene), folder_(std::move(folder)), model_(model) {
+  aiString format;
+  if (scene.mMetaData != nullptr && scene.mMetaData->Get(AI_METADATA_SOURCE_FORMAT, format)) {
+    linear_colours_ = std::string(format.C_Str()).find("glTF2") != std::string::npos;
+  }
+}
+
+void MaterialReader::read_all() {
+  for (const aiMaterial* material : std::span(scene_.mMaterials, scene_.mNumMaterials)) {
+    unsigned texcoord_set = 0;
+    model_.materials.push_back(read(*material, texcoord_set));
+    texcoord_sets_.push_back(texcoord_set);
+  }
+}
+
+SourceMaterial MaterialReader::read(const aiMaterial& from, unsigned& texcoord_set) {
+  SourceMaterial to;
+  to.colour = kDefaultColour;
+  aiString name;
+  const bool is_default = from.Get(AI_MATKEY_NAME, name) == AI_SUCCESS && name == aiString(AI_DEFAULT_MATERIAL_NAME);
+  aiColor4D colour;
+  if (!is_default && (from.Get(AI_MATKEY_BASE_COLOR, colour) == AI_SUCCESS ||
+                      from.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS)) {
+    to.colour = {to_screen_channel(colour.r, linear_colours_), to_screen_channel(colour.g, linear_colours_),
+                 to_screen_channel(colour.b, linear_colours_)};
+  }
+  int shading = 0;
+  if (from.Get(AI_MATKEY_SHADING_MODEL, shading) == AI_SUCCESS) {
+    to.lit = shading != aiShadingMode_Unlit;
+    to.smooth = shading != aiShadingMode_Flat;
+  }
+  int two_sided = 0;
+  if (from.Get(AI_MATKEY_TWOSIDED, two_sided) == AI_SUCCESS) to.double_sided = two_sided != 0;
+
+  for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
+    aiString texture;
+    if (from.Get(AI_MATKEY_TEXTURE(type, 0), texture) != AI_SUCCESS || texture.length == 0) continue;
+    to.texture = read_texture(texture.C_Str());
+    int set = 0;
+    if (from.Get(AI_MATKEY_UVWSRC(type, 0), set) == AI_SUCCESS && set >= 0) texcoord_set = static_cast<unsigned>(set);
+    break;
+  }
+  // Exporters write black, or nothing, beside a texture that is to be seen as it is.
+  const bool textured = to.texture != kNoSourceTexture;
+  if (textured && (is_default || to.colour == std::array<std::uint8_t, 3>{0, 0, 0})) to.colour = {255, 255, 255};
+  return to;
+}
+
+std::uint32_t MaterialReader::read_texture(const std::string& name) {
+  const auto known = known_textures_.find(name);
+  if (known != known_textures_.end()) return known->second;
+  std::string title = name;
+  Result<RgbImage> image = [&]() -> Result<RgbImage> {
+    if (const aiTexture* embedded = scene_.GetEmbeddedTexture(name.c_str())) return decode_embedded(*embedded);
+    const std::filesystem::path path = find_texture(folder_, name);
+    title = path.string();
+    const Result<std::vector<std::uint8_t>> file = read_file(path);
+    if (!file) return file.failure();
+    return decode_image(*file);
+  }();
+  std::uint32_t index = kNoSourceTexture;
+  if (image) {
+    index = static_cast<std::uint32_t>(model_.textures.size());
+    model_.textures.push_back(std::move(*image));
+  } else {
+    model_.warnings.push_back(
+        fmt::format("texture '{}' {}; what uses it is drawn without", title, image.failure().message));
+  }
+  known_textures_.emplace(name, index);
+  return index;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,43 @@
+// Assimp's materials and textures as source materials and decoded pictures.
+#pragma once
+
+#include <assimp/scene.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "import/source_model.hpp"
+
+namespace zstrip::sim {
+
+/// Fills `model.materials` (one for each of the scene's, same index), `model.textures` and warnings for what cannot be
+/// read. Texture files are looked for relative to `folder`.
+class MaterialReader {
+ public:
+  MaterialReader(const aiScene& scene, std::filesystem::path folder, SourceModel& model);
+  void read_all();
+
+  /// The texture coordinate set that the material's texture uses.
+  unsigned texcoord_set(unsigned material) const { return texcoord_sets_[material]; }
+  /// Whether the file's colours are linear light (glTF) and not screen values.
+  bool linear_colours() const { return linear_colours_; }
+
+ private:
+  SourceMaterial read(const aiMaterial& from, unsigned& texcoord_set);
+  std::uint32_t read_texture(const std::string& name);
+
+  const aiScene& scene_;
+  std::filesystem::path folder_;
+  SourceModel& model_;
+  std::map<std::string, std::uint32_t> known_textures_;  ///< by name; also those that failed
+  std::vector<unsigned> texcoord_sets_;
+  bool linear_colours_ = false;
+};
+
+/// A channel 0..1 as 0..255, out-of-range and NaN clamped; `linear` channels get the sRGB curve.
+std::uint8_t to_screen_channel(double value, bool linear);
+
+}  // namespace zstrip::sim

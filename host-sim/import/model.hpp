@@ -1,0 +1,56 @@
+// An imported model: owns all that a Scene only views, in the renderer's fixed-point formats.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "import/source_model.hpp"
+#include "result.hpp"
+#include "zstrip/scene/scene.hpp"
+
+namespace zstrip::sim {
+
+/// From the file's units (after turning its up axis to +y) to the scene's: scene = (file - origin) * scale.
+struct Units {
+  std::array<double, 3> origin{0, 0, 0};
+  double scale = 1;
+};
+
+struct MeshData {
+  std::vector<Position> positions;
+  std::vector<Normal> normals;
+  std::vector<Colour> colours;
+  std::vector<TexCoord> texcoords;
+  std::vector<Triangle> triangles;
+  std::vector<Meshlet> meshlets;
+};
+
+/// All meshes lie in one common bounding box around the origin, whose longest side goes from -1 to 1, so that borders
+/// which meshes share stay identical. Moving it keeps the views valid; it cannot be copied.
+class Model {
+ public:
+  Model() = default;
+  Model(Model&&) = default;
+  Model& operator=(Model&&) = default;
+  Model(const Model&) = delete;
+  Model& operator=(const Model&) = delete;
+
+  std::deque<MeshData> mesh_data;
+  std::deque<std::vector<std::uint16_t>> texels;
+  std::vector<Mesh> meshes;
+  std::vector<Material> materials;
+  std::vector<Texture> textures;
+  std::vector<Instance> instances;       ///< one for each mesh, untransformed
+  std::vector<DirectionalLight> lights;  ///< empty: the file has none
+  Units units;
+  std::vector<std::string> warnings;  ///< what the picture will lack, one line each
+};
+
+/// Reads, repairs and quantises a model file. The failure's message is whole: it names the file.
+Result<Model> import_model(const std::filesystem::path& path, UpAxis up = UpAxis::plus_y);
+
+}  // namespace zstrip::sim

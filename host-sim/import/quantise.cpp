@@ -1,0 +1,181 @@
+// The one place where floating point becomes the renderer's fixed point.
+#include "import/quantise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "image/resample.hpp"
+#include "import/meshlets.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+/// The common bounding box of the scene, and the way into its grid.
+struct Grid {
+  Units units;
+  Vec3 half_extent{};  // 16.16
+
+  Position position(const std::array<float, 3>& from) const {
+    const auto coordinate = [&](std::size_t axis, Fixed half) {
+      if (half == 0) return std::int16_t{0};
+      const double scene = (double{from[axis]} - units.origin[axis]) * units.scale;
+      const double steps = std::round(scene * kFixedOne / half * 32768);  // 1.15 of the half extent
+      return static_cast<std::int16_t>(std::clamp(steps, -32767.0, 32767.0));
+    };
+    return {coordinate(0, half_extent.x), coordinate(1, half_extent.y), coordinate(2, half_extent.z)};
+  }
+};
+
+Grid fit_grid(const SourceModel& source) {
+  std::array<double, 3> low{};
+  std::array<double, 3> high{};
+  low.fill(std::numeric_limits<double>::infinity());
+  high.fill(-std::numeric_limits<double>::infinity());
+  for (const SourceMesh& mesh : source.meshes) {
+    for (const SourceVertex& vertex : mesh.vertices) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], double{vertex.position[axis]});
+        high[axis] = std::max(high[axis], double{vertex.position[axis]});
+      }
+    }
+  }
+  Grid grid;
+  double largest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    grid.units.origin[axis] = (low[axis] + high[axis]) / 2;
+    largest = std::max(largest, (high[axis] - low[axis]) / 2);
+  }
+  grid.units.scale = 1 / largest;
+  // Rounded up, so that the outermost vertex stays within 32767 steps of 1/32768.
+  const auto half_extent = [&](std::size_t axis) {
+    const double half = (high[axis] - low[axis]) / 2 * grid.units.scale;
+    return static_cast<Fixed>(std::ceil(half * 32768 / 32767 * kFixedOne));  // 16.16
+  };
+  grid.half_extent = {half_extent(0), half_extent(1), half_extent(2)};
+  return grid;
+}
+
+Normal to_normal(const std::array<float, 3>& from) {
+  const auto component = [](float value) {
+    return static_cast<std::int8_t>(std::lround(127 * std::clamp(value, -1.0F, 1.0F)));  // 1.7
+  };
+  return {component(from[0]), component(from[1]), component(from[2]), 0};
+}
+
+TexCoord to_texcoord(const std::array<float, 2>& from, int bits) {
+  const auto component = [bits](float value) {
+    const double scaled = std::round(std::ldexp(double{value}, bits));
+    return static_cast<std::int16_t>(std::clamp(scaled, -32767.0, 32767.0));
+  };
+  return {component(from[0]), component(from[1])};
+}
+
+MeshData to_mesh_data(const SourceMesh& source, int texcoord_bits, const Grid& grid) {
+  MeshData data;
+  for (const SourceVertex& vertex : source.vertices) {
+    data.positions.push_back(grid.position(vertex.position));
+    data.normals.push_back(to_normal(vertex.normal));
+    if (source.has_colours) data.colours.push_back({vertex.colour[0], vertex.colour[1], vertex.colour[2], 255});
+    if (source.has_texcoords) data.texcoords.push_back(to_texcoord(vertex.texcoord, texcoord_bits));
+  }
+  return data;
+}
+
+std::vector<std::uint16_t> to_rgb565(const RgbImage& image) {
+  std::vector<std::uint16_t> texels;
+  texels.reserve(image.rgb.size() / 3);
+  for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+    const auto channel = [&](std::size_t offset, unsigned levels) {
+      return (image.rgb[i + offset] * levels + 127U) / 255U;  // to nearest
+    };
+    texels.push_back(static_cast<std::uint16_t>(channel(0, 31) << 11 | channel(1, 63) << 5 | channel(2, 31)));
+  }
+  return texels;
+}
+
+DirectionalLight to_light(const SourceLight& light, double brightest) {
+  const auto component = [](double value) {
+    return static_cast<std::int16_t>(std::lround(32767 * std::clamp(value, -1.0, 1.0)));  // 1.15
+  };
+  const auto channel = [brightest](double value) {
+    return static_cast<std::uint8_t>(std::lround(255 * value / brightest));
+  };
+  return {component(light.towards[0]),
+          component(light.towards[1]),
+          component(light.towards[2]),
+          {channel(light.colour[0]), channel(light.colour[1]), channel(light.colour[2]), 255}};
+}
+
+/// The brightest few; their brightest channel becomes 255.
+std::vector<DirectionalLight> to_lights(std::vector<SourceLight> lights, std::vector<std::string>& warnings) {
+  const auto strength = [](const SourceLight& light) {
+    return *std::max_element(light.colour.begin(), light.colour.end());
+  };
+  std::stable_sort(lights.begin(), lights.end(),
+                   [&](const SourceLight& a, const SourceLight& b) { return strength(a) > strength(b); });
+  if (lights.size() > kMaxLights) {
+    warnings.push_back(std::to_string(lights.size() - kMaxLights) + " lights left out: only the brightest 4 are drawn");
+    lights.resize(kMaxLights);
+  }
+  std::vector<DirectionalLight> result;
+  for (const SourceLight& light : lights) result.push_back(to_light(light, strength(lights[0])));
+  return result;
+}
+
+}  // namespace
+
+Fixed to_fixed(double value) { return static_cast<Fixed>(std::llround(value * kFixedOne)); }
+
+Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>& traits) {
+  const Grid grid = fit_grid(source);
+  Model model;
+  model.units = grid.units;
+  model.warnings = source.warnings;
+  model.lights = to_lights(source.lights, model.warnings);
+
+  std::map<std::uint32_t, std::uint16_t> textures;  // only those in use, in order of use
+  for (std::size_t i = 0; i < source.meshes.size(); ++i) {
+    const SourceMesh& mesh = source.meshes[i];
+    const SourceMaterial& from = source.materials[mesh.material];
+    Material material{.colour = {from.colour[0], from.colour[1], from.colour[2], 255},
+                      .lit = from.lit,
+                      .smooth = from.smooth,
+                      .double_sided = traits[i].double_sided};
+    if (mesh.has_texcoords) {
+      const auto [at, is_new] = textures.try_emplace(from.texture, static_cast<std::uint16_t>(model.textures.size()));
+      if (is_new) {
+        const RgbImage& image = source.textures[from.texture];
+        model.texels.push_back(to_rgb565(image));
+        model.textures.push_back({model.texels.back(), static_cast<std::uint8_t>(log2_of(image.width)),
+                                  static_cast<std::uint8_t>(log2_of(image.height))});
+      }
+      material.texture = at->second;
+    }
+    const std::size_t material_index = model.materials.size();
+    model.materials.push_back(material);
+
+    const MeshData whole = to_mesh_data(mesh, traits[i].texcoord_bits, grid);
+    for (MeshData& part : split_into_meshlets(whole, mesh.indices, grid.half_extent)) {
+      const MeshData& data = model.mesh_data.emplace_back(std::move(part));
+      if (model.meshes.size() >= kNoTexture || material_index >= kNoTexture) {
+        return Failure{ExitStatus::input, "needs more than 65,535 meshes or materials; simplify the model"};
+      }
+      model.instances.push_back({.mesh = static_cast<std::uint16_t>(model.meshes.size()),
+                                 .material = static_cast<std::uint16_t>(material_index)});
+      model.meshes.push_back({.positions = data.positions,
+                              .normals = data.normals,
+                              .colours = data.colours,
+                              .texcoords = data.texcoords,
+                              .triangles = data.triangles,
+                              .meshlets = data.meshlets,
+                              .half_extent = grid.half_extent,
+                              .texcoord_bits = static_cast<std::uint8_t>(traits[i].texcoord_bits)});
+    }
+  }
+  return model;
+}
+
+}  // namespace zstrip::sim

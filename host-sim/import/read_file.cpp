@@ -1,0 +1,33 @@
+// Reads whole input files; only regular ones, so that a name like /dev/zero or a FIFO never blocks.
+#include "import/read_file.hpp"
+
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace zstrip::sim {
+
+Result<Done> check_readable(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found) return Failure{ExitStatus::input, "does not exist"};
+  if (error) return Failure{ExitStatus::input, "cannot be read: " + error.message()};
+  if (std::filesystem::is_directory(status)) return Failure{ExitStatus::input, "is a folder; name a file in it"};
+  if (!std::filesystem::is_regular_file(status)) return Failure{ExitStatus::input, "is not a regular file"};
+  if (!std::ifstream(path, std::ios::binary)) {
+    return Failure{ExitStatus::input, "cannot be read: " + std::generic_category().message(errno)};
+  }
+  return Done{};
+}
+
+Result<std::vector<std::uint8_t>> read_file(const std::filesystem::path& path) {
+  const Result<Done> readable = check_readable(path);
+  if (!readable) return readable.failure();
+  std::ifstream file(path, std::ios::binary);
+  std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (file.bad()) return Failure{ExitStatus::input, "cannot be read to its end"};
+  return bytes;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,20 @@
+// Reads a model file of any format that Assimp knows.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "import/source_model.hpp"
+#include "result.hpp"
+
+namespace zstrip::sim {
+
+/// More is refused: a picture has at most 16.8 million pixels.
+inline constexpr std::uint64_t kMaxTriangles = 10'000'000;
+
+/// All meshes of all nodes in the file's coordinates, turned so that `up` becomes +y, grouped by material. Every
+/// triangle is finite, has three different corners, an area, and indices that exist; what is left out is counted in the
+/// warnings. At least one triangle.
+Result<SourceModel> read_model(const std::filesystem::path& path, UpAxis up);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,59 @@
+// A model as its file describes it: floating point, the file's own units, any size. What the import steps work on.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/rgb_image.hpp"
+
+namespace zstrip::sim {
+
+/// Compared and hashed as bytes: no padding, no negative zeros.
+struct SourceVertex {
+  std::array<float, 3> position{};  ///< the file's units, node transforms applied
+  std::array<float, 3> normal{};    ///< unit, or zero: to be generated
+  std::array<float, 2> texcoord{};  ///< v grows downwards
+  std::array<std::uint8_t, 4> colour{255, 255, 255, 255};
+  friend bool operator==(const SourceVertex&, const SourceVertex&) = default;
+};
+static_assert(sizeof(SourceVertex) == 36);
+
+struct SourceMesh {
+  std::uint32_t material = 0;  ///< index into SourceModel::materials
+  bool has_colours = false;
+  bool has_texcoords = false;
+  std::vector<SourceVertex> vertices;
+  std::vector<std::uint32_t> indices;  ///< three a triangle, counter-clockwise seen from the front
+};
+
+inline constexpr std::uint32_t kNoSourceTexture = 0xFFFFFFFF;
+
+struct SourceMaterial {
+  std::array<std::uint8_t, 3> colour{255, 255, 255};
+  std::uint32_t texture = kNoSourceTexture;  ///< index into SourceModel::textures
+  bool lit = true;
+  bool smooth = true;
+  std::optional<bool> double_sided;  ///< empty: the file does not say
+};
+
+/// The axis of a model that shall point upwards. Formats disagree, and files do not always follow their format.
+enum class UpAxis : std::uint8_t { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };
+
+/// A directional light.
+struct SourceLight {
+  std::array<double, 3> towards{0, 0, 1};  ///< unit vector towards the light
+  std::array<double, 3> colour{1, 1, 1};   ///< any scale >= 0
+};
+
+struct SourceModel {
+  std::vector<SourceMesh> meshes;
+  std::vector<SourceMaterial> materials;
+  std::vector<RgbImage> textures;
+  std::vector<SourceLight> lights;
+  std::vector<std::string> warnings;  ///< what the picture will lack, one line each
+};
+
+}  // namespace zstrip::sim

@@ -1,0 +1,214 @@
+// What a model's surface is as a whole, across meshes: which corners meet, where it is closed, which normals it lacks.
+#include "import/surface.hpp"
+
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <span>
+
+namespace zstrip::sim {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+Vector difference(const std::array<float, 3>& a, const std::array<float, 3>& b) {
+  return {double{a[0]} - double{b[0]}, double{a[1]} - double{b[1]}, double{a[2]} - double{b[2]}};
+}
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
+/// Scaled by the largest component first: squares of tiny edges would vanish.
+Vector unit(const Vector& v) {
+  const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+  if (!(largest > 0)) return {};
+  const Vector scaled{v[0] / largest, v[1] / largest, v[2] / largest};
+  const double scale = length(scaled);
+  return {scaled[0] / scale, scaled[1] / scale, scaled[2] / scale};
+}
+bool is_zero(const std::array<float, 3>& v) { return v == std::array<float, 3>{}; }
+
+/// The corners of all triangles of all meshes, in order, as numbers of positions: equal positions, equal numbers.
+struct Corners {
+  std::vector<std::uint32_t> position;  ///< three a triangle
+  std::uint32_t positions = 0;          ///< how many different ones
+};
+
+Corners join_positions(const SourceModel& model) {
+  std::vector<std::array<float, 3>> points;
+  for (const SourceMesh& mesh : model.meshes) {
+    for (const std::uint32_t index : mesh.indices) points.push_back(mesh.vertices[index].position);
+  }
+  Corners corners{std::vector<std::uint32_t>(points.size()), 0};
+  corners.positions = static_cast<std::uint32_t>(
+      meshopt_generateVertexRemap(corners.position.data(), static_cast<const unsigned*>(nullptr), points.size(),
+                                  points.data(), points.size(), sizeof points[0]));
+  return corners;
+}
+
+/// For each position, the corners that lie on it.
+struct Fans {
+  std::vector<std::uint32_t> first;  ///< into `corner`; one more than there are positions
+  std::vector<std::uint32_t> corner;
+};
+
+Fans collect_fans(const Corners& corners) {
+  Fans fans{std::vector<std::uint32_t>(std::size_t{corners.positions} + 1), {}};
+  for (const std::uint32_t position : corners.position) ++fans.first[position + 1];
+  std::partial_sum(fans.first.begin(), fans.first.end(), fans.first.begin());
+  fans.corner.resize(corners.position.size());
+  std::vector<std::uint32_t> next(fans.first.begin(), fans.first.end() - 1);
+  for (std::uint32_t corner = 0; corner < corners.position.size(); ++corner) {
+    fans.corner[next[corners.position[corner]]++] = corner;
+  }
+  return fans;
+}
+
+/// Above this many faces at one point, creases there are ignored: the comparison is each with each.
+constexpr std::size_t kMaxCreasedFan = 256;
+
+Vector smooth_normal(std::uint32_t corner, std::span<const std::uint32_t> fan, const std::vector<Vector>& face_normals,
+                     const std::vector<double>& angles) {
+  static const double least_cosine = std::cos(kCreaseAngle * std::numbers::pi / 180);
+  const Vector& own = face_normals[corner / 3];
+  Vector sum{};
+  for (const std::uint32_t other : fan) {
+    const Vector& normal = face_normals[other / 3];
+    if (fan.size() <= kMaxCreasedFan && dot(own, normal) < least_cosine) continue;
+    for (std::size_t i = 0; i < 3; ++i) sum[i] += angles[other] * normal[i];
+  }
+  const Vector mean = unit(sum);
+  return length(mean) > 0 ? mean : own;
+}
+
+}  // namespace
+
+void generate_missing_normals(SourceModel& model) {
+  const auto lacks_normals = [](const SourceMesh& mesh) {
+    return std::any_of(mesh.indices.begin(), mesh.indices.end(),
+                       [&](std::uint32_t index) { return is_zero(mesh.vertices[index].normal); });
+  };
+  if (std::none_of(model.meshes.begin(), model.meshes.end(), lacks_normals)) return;
+
+  const Corners corners = join_positions(model);
+  const Fans fans = collect_fans(corners);
+  std::vector<Vector> face_normals;
+  std::vector<double> angles;  // at each corner, radians
+  for (const SourceMesh& mesh : model.meshes) {
+    for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
+      const auto corner = [&](std::size_t k) -> const auto& { return mesh.vertices[mesh.indices[t + k % 3]].position; };
+      face_normals.push_back(
+          unit(cross(unit(difference(corner(1), corner(0))), unit(difference(corner(2), corner(0))))));
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vector ahead = unit(difference(corner(k + 1), corner(k)));
+        const Vector back = unit(difference(corner(k + 2), corner(k)));
+        angles.push_back(std::acos(std::clamp(dot(ahead, back), -1.0, 1.0)));
+      }
+    }
+  }
+
+  std::uint32_t corner = 0;
+  for (SourceMesh& mesh : model.meshes) {
+    if (!lacks_normals(mesh)) {
+      corner += static_cast<std::uint32_t>(mesh.indices.size());
+      continue;
+    }
+    std::vector<SourceVertex> own;
+    own.reserve(mesh.indices.size());
+    for (const std::uint32_t index : mesh.indices) {
+      SourceVertex vertex = mesh.vertices[index];
+      if (is_zero(vertex.normal)) {
+        const std::uint32_t position = corners.position[corner];
+        const std::span fan(fans.corner.data() + fans.first[position], fans.first[position + 1] - fans.first[position]);
+        const Vector normal = smooth_normal(corner, fan, face_normals, angles);
+        for (std::size_t i = 0; i < 3; ++i) vertex.normal[i] = static_cast<float>(normal[i]) + 0.0F;
+      }
+      own.push_back(vertex);
+      ++corner;
+    }
+    mesh.vertices = std::move(own);
+    std::iota(mesh.indices.begin(), mesh.indices.end(), 0U);
+  }
+}
+
+std::vector<bool> find_closed_outsides(const SourceModel& model) {
+  const Corners corners = join_positions(model);
+  const std::size_t triangles = corners.position.size() / 3;
+
+  // Bodies: sets of positions that triangles connect (union-find with path halving).
+  std::vector<std::uint32_t> parent(corners.positions);
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto body_of = [&](std::uint32_t position) {
+    while (parent[position] != position) position = parent[position] = parent[parent[position]];
+    return position;
+  };
+  for (std::size_t t = 0; t < triangles; ++t) {
+    for (std::size_t k = 1; k < 3; ++k) {
+      parent[body_of(corners.position[3 * t + k])] = body_of(corners.position[3 * t]);
+    }
+  }
+
+  struct Edge {
+    std::uint32_t low, high;
+    int direction;  // +1 from low to high
+  };
+  std::vector<Edge> edges;
+  edges.reserve(corners.position.size());
+  std::vector<double> volume(corners.positions);  // six times the signed volume of a body
+  std::size_t t = 0;
+  const std::array<float, 3> origin = model.meshes[0].vertices[model.meshes[0].indices[0]].position;
+  for (const SourceMesh& mesh : model.meshes) {
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3, ++t) {
+      const std::uint32_t* at = &corners.position[3 * t];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t from = at[k];
+        const std::uint32_t to = at[(k + 1) % 3];
+        edges.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1});
+      }
+      const auto corner = [&](std::size_t k) {
+        return difference(mesh.vertices[mesh.indices[i + k]].position, origin);
+      };
+      volume[body_of(at[0])] += dot(corner(0), cross(corner(1), corner(2)));
+    }
+  }
+  std::sort(edges.begin(), edges.end(),
+            [](const Edge& a, const Edge& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
+  std::vector<bool> is_open(corners.positions);  // by body
+  for (std::size_t i = 0; i < edges.size();) {
+    int balance = 0;
+    const Edge& edge = edges[i];
+    for (; i < edges.size() && edges[i].low == edge.low && edges[i].high == edge.high; ++i)
+      balance += edges[i].direction;
+    if (balance != 0) is_open[body_of(edge.low)] = true;
+  }
+
+  std::vector<bool> outside;
+  t = 0;
+  for (const SourceMesh& mesh : model.meshes) {
+    bool all = true;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3, ++t) {
+      const std::uint32_t body = body_of(corners.position[3 * t]);
+      all = all && !is_open[body] && volume[body] > 0;
+    }
+    outside.push_back(all);
+  }
+  return outside;
+}
+
+void weld(SourceMesh& mesh) {
+  std::vector<unsigned> remap(mesh.vertices.size());
+  const std::size_t kept =
+      meshopt_generateVertexRemap(remap.data(), mesh.indices.data(), mesh.indices.size(), mesh.vertices.data(),
+                                  mesh.vertices.size(), sizeof(SourceVertex));
+  std::vector<SourceVertex> vertices(kept);
+  meshopt_remapVertexBuffer(vertices.data(), mesh.vertices.data(), mesh.vertices.size(), sizeof(SourceVertex),
+                            remap.data());
+  meshopt_remapIndexBuffer(mesh.indices.data(), mesh.indices.data(), mesh.indices.size(), remap.data());
+  mesh.vertices = std::move(vertices);
+}
+
+}  // namespace zstrip::sim

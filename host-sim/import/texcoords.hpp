@@ -1,0 +1,19 @@
+// Fits texture coordinates of any size into 16 bits.
+#pragma once
+
+#include <cstdint>
+
+#include "import/source_model.hpp"
+
+namespace zstrip::sim {
+
+inline constexpr int kMaxTexcoordBits = 15;
+inline constexpr int kMinTexcoordBits = 4;
+
+/// Moves the coordinates of `mesh` by whole textures towards zero and returns how many fraction bits then fit, 4..15.
+/// Where the whole mesh leaves less than a quarter of a texel (`log2_side`: of the texture's longer side), each
+/// triangle is moved on its own; such a mesh comes out with three vertices of its own a triangle.
+/// `clamped` counts the vertices of triangles so large that even 4 bits do not fit.
+int fit_texcoords(SourceMesh& mesh, int log2_side, std::uint64_t& clamped);
+
+}  // namespace zstrip::sim

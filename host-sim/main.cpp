@@ -1,0 +1,75 @@
+// The zstrip command: reads the command line and runs one of its subcommands.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+#ifdef ZSTRIP_BENCH_COMMAND
+#include "bench/bench_command.hpp"
+#endif
+#include "cli/print.hpp"
+#include "cli/render_command.hpp"
+#include "cli/scenes_command.hpp"
+#include "cli/version.hpp"
+#include "result.hpp"
+
+namespace {
+
+using zstrip::sim::ExitStatus;
+using zstrip::sim::print_failure;
+
+int run(int argc, char** argv) {
+  CLI::App app{"zstrip renders 3D scenes as devices with kilobytes of RAM would: strip by strip, in fixed point.",
+               "zstrip"};
+  app.set_version_flag("--version", std::string("zstrip ") + zstrip::sim::kVersion);
+  app.footer(
+      "Examples:\n  zstrip scenes\n  zstrip render teapot -o out --frames 8\n\n"
+      "'zstrip COMMAND --help' tells more. Exit status: 0 done, 1 internal error, 2 command line,\n"
+      "3 environment, 4 input file, 5 too little memory allowed, 6 output cannot be written.");
+  int exit_code = 0;
+  zstrip::sim::add_render_command(app, exit_code);
+  zstrip::sim::add_scenes_command(app, exit_code);
+#ifdef ZSTRIP_BENCH_COMMAND
+  zstrip::sim::add_bench_command(app, exit_code);
+#endif
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+      app.exit(error);  // --help, --version
+    } else {
+      const auto chosen = app.get_subcommands();
+      const std::string command = chosen.empty() ? "zstrip" : "zstrip " + chosen.front()->get_name();
+      return print_failure({ExitStatus::usage, fmt::format("{}; see '{} --help'", error.what(), command)});
+    }
+  }
+  if (app.get_subcommands().empty() && app.count("--version") + app.count("--help") == 0) {
+    return print_failure({ExitStatus::usage, "a command is missing; see 'zstrip --help'"});
+  }
+  // What is written late, when buffers are flushed, can fail too.
+  std::cout.flush();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) {
+    return print_failure({ExitStatus::output, "cannot write to standard output; is the disk full?"});
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A limit on file sizes is then an error of write(), and said like one.
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return print_failure(
+        {ExitStatus::environment, "this machine has too little memory for this; use a smaller model or size"});
+  } catch (const std::exception& error) {
+    return print_failure({ExitStatus::internal, fmt::format("internal error: {}", error.what())});
+  }
+}

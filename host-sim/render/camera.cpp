@@ -1,0 +1,109 @@
+// From camera options, in the model's own units, to the renderer's camera.
+#include "render/camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "import/quantise.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+/// Coordinates beyond this leave no room for the far plane in 16.16.
+constexpr double kFarthest = 10000;
+
+Failure out_of_range(const char* option) {
+  return {ExitStatus::usage, std::string(option) + " is too far away: more than 10000 times the size of the model"};
+}
+
+Angle to_angle(double degrees) {
+  return static_cast<Angle>(std::llround(std::remainder(degrees, 360) / 360 * kFullTurn));
+}
+
+std::array<double, 3> to_scene(const std::array<double, 3>& point, const Units& units) {
+  std::array<double, 3> scene{};
+  for (std::size_t axis = 0; axis < 3; ++axis) scene[axis] = (point[axis] - units.origin[axis]) * units.scale;
+  return scene;
+}
+
+bool in_range(const std::array<double, 3>& point) {
+  return std::all_of(point.begin(), point.end(), [](double c) { return std::abs(c) <= kFarthest; });
+}
+
+Vec3 to_fixed(const std::array<double, 3>& point) {
+  return {sim::to_fixed(point[0]), sim::to_fixed(point[1]), sim::to_fixed(point[2])};
+}
+
+/// Near and far planes around everything that can be in front of the eye; the renderer fits the depth range inside.
+void set_planes(Camera& camera, double radius) {
+  const double distance = distance_to_origin(camera);
+  camera.near_plane = sim::to_fixed(std::max(0.9 * (distance - radius), 0.01));
+  camera.far_plane = sim::to_fixed(1.1 * (distance + radius) + 0.1);
+}
+
+Result<Done> set_focal(Camera& camera, const CameraOptions& options) {
+  const double degrees = options.field_of_view.value_or(kDefaultFieldOfView);
+  if (!set_field_of_view(camera, to_angle(degrees)))
+    return Failure{ExitStatus::usage, "--fov must be 1 to 170 degrees"};
+  return Done{};
+}
+
+}  // namespace
+
+double distance_to_origin(const Camera& camera) {
+  return std::hypot(from_fixed(camera.eye.x), from_fixed(camera.eye.y), from_fixed(camera.eye.z));
+}
+
+Result<Done> make_orthographic(Camera& camera, double distance) {
+  camera.projection = Projection::orthographic;
+  const double focal = static_cast<double>(camera.focal) / distance;  // 16.16
+  if (focal < 1 || focal > 0x7FFFFFFF) return Failure{ExitStatus::usage, "--ortho: the camera is too near or too far"};
+  camera.focal = static_cast<Fixed>(std::llround(focal));
+  return Done{};
+}
+
+Result<Camera> place_camera(const CameraOptions& options, const Units& units, double radius) {
+  const std::array<double, 3> target = options.look_at ? to_scene(*options.look_at, units) : std::array<double, 3>{};
+  if (!in_range(target)) return out_of_range("--look-at");
+  Camera camera;
+  double distance = 0;
+  if (options.eye) {
+    const std::array<double, 3> eye = to_scene(*options.eye, units);
+    if (!in_range(eye)) return out_of_range("--eye");
+    distance = std::hypot(eye[0] - target[0], eye[1] - target[1], eye[2] - target[2]);
+    if (!look_at(camera, to_fixed(eye), to_fixed(target), {0, kFixedOne, 0})) {
+      return Failure{ExitStatus::usage,
+                     "--eye is the point that the camera looks at; move it, or give another --look-at"};
+    }
+  } else {
+    distance = options.orbit->radius * units.scale;
+    if (distance > kFarthest) return out_of_range("--orbit");
+    if (!orbit(camera, to_fixed(target), sim::to_fixed(distance), to_angle(options.orbit->phi),
+               to_angle(options.orbit->theta))) {
+      return Failure{ExitStatus::usage, "--orbit: the radius must be greater than 0, and not tiny beside the model"};
+    }
+  }
+  if (const Result<Done> focal = set_focal(camera, options); !focal) return focal.failure();
+  if (options.orthographic) {
+    if (const Result<Done> changed = make_orthographic(camera, distance); !changed) return changed.failure();
+  }
+  set_planes(camera, radius);
+  return camera;
+}
+
+Result<Camera> framed_camera(const CameraOptions& options, const Framing& framing, double radius) {
+  Camera camera;
+  if (!orbit(camera, to_fixed(framing.target), sim::to_fixed(framing.distance), 0, to_angle(90 - kTilt))) {
+    return Failure{ExitStatus::internal, "cannot place the camera"};
+  }
+  if (const Result<Done> focal = set_focal(camera, options); !focal) return focal.failure();
+  if (options.orthographic) {
+    camera.projection = Projection::orthographic;
+    camera.focal = sim::to_fixed(1 / framing.half_height);
+  }
+  set_planes(camera, radius);
+  return camera;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,46 @@
+// From camera options, in the model's own units, to the renderer's camera.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "import/model.hpp"
+#include "render/framing.hpp"
+#include "result.hpp"
+#include "zstrip/scene/camera.hpp"
+
+namespace zstrip::sim {
+
+inline constexpr double kDefaultFieldOfView = 30;  ///< degrees, vertical
+
+struct Orbit {
+  double radius = 1;  ///< the model's units, > 0
+  double phi = 0;     ///< degrees
+  double theta = 90;  ///< degrees
+};
+
+/// Lengths in the model's units. At most one of `eye` and `orbit`.
+struct CameraOptions {
+  std::optional<std::array<double, 3>> eye;
+  std::optional<Orbit> orbit;
+  std::optional<std::array<double, 3>> look_at;  ///< empty: the scene's origin, the centre of a model
+  std::optional<double> field_of_view;           ///< degrees, 1..170
+  bool orthographic = false;
+
+  bool placed() const { return eye.has_value() || orbit.has_value(); }
+};
+
+/// A camera at the place that the options name. An orthographic one shows at the target what the field of view would.
+/// `radius`: of the scene about its origin, for the near and far planes.
+Result<Camera> place_camera(const CameraOptions& options, const Units& units, double radius);
+
+/// A camera as `framing` says, tilted by kTilt.
+Result<Camera> framed_camera(const CameraOptions& options, const Framing& framing, double radius);
+
+/// In the scene's units.
+double distance_to_origin(const Camera& camera);
+
+/// Turns a perspective camera into an orthographic one that shows the same at this distance (scene units) from the eye.
+Result<Done> make_orthographic(Camera& camera, double distance);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,96 @@
+// Where a camera must stand so that a turning model fills the picture.
+#include "render/framing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "import/quantise.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr double kFilled = 0.95;  // of the picture's half width and half height
+
+/// Calls visit(x, y, z) for each vertex, in the scene's units.
+template <typename Visit>
+void for_each_vertex(const Scene& scene, Visit visit) {
+  for (const Instance& instance : scene.instances) {
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    const auto coordinate = [](Fixed centre, Fixed half, std::int16_t steps) {
+      return from_fixed(centre) + from_fixed(half) * steps / 32768;
+    };
+    for (const Position& p : mesh.positions) {
+      visit(coordinate(mesh.centre.x, mesh.half_extent.x, p.x), coordinate(mesh.centre.y, mesh.half_extent.y, p.y),
+            coordinate(mesh.centre.z, mesh.half_extent.z, p.z));
+    }
+  }
+}
+
+/// Largest values so far of a linear expression and of its mirror image.
+struct Extent {
+  double plus = -std::numeric_limits<double>::infinity();
+  double minus = -std::numeric_limits<double>::infinity();
+  void include(double with_plus, double with_minus) {
+    plus = std::max(plus, with_plus);
+    minus = std::max(minus, with_minus);
+  }
+  double half() const { return (plus + minus) / 2; }
+  double middle() const { return (plus - minus) / 2; }
+};
+
+}  // namespace
+
+Framing frame_scene(const Scene& scene, const FramingView& view) {
+  const double sine = std::sin(kTilt * std::numbers::pi / 180);
+  const double cosine = std::cos(kTilt * std::numbers::pi / 180);
+  // A vertex (x, y, depth z in view space) is inside if |y - target| <= tangent (distance - z), and so for x with the
+  // tangent of the width: distance >= z + (y - target) / tangent and distance >= z - (y - target) / tangent. Both are
+  // linear, so the extremes over all vertices, and over all angles of a turn, have closed forms. Orthographic: without
+  // z.
+  const double depth_share = view.orthographic ? 0 : 1;
+  const double slope_y = 1 / (kFilled * (view.orthographic ? 1 : view.half_tangent));
+  const double slope_x = slope_y / view.aspect;
+
+  Extent vertical;
+  Extent horizontal;
+  double nearest = -std::numeric_limits<double>::infinity();
+  for_each_vertex(scene, [&](double x, double y, double z) {
+    const double on_axis_depth = depth_share * sine * y;
+    const double on_axis_height = slope_y * cosine * y;
+    const double depth_slope = depth_share * cosine;
+    const double height_slope = slope_y * sine;
+    if (view.whole_turn) {
+      const double r = std::hypot(x, z);
+      vertical.include(on_axis_depth + on_axis_height + r * std::abs(depth_slope - height_slope),
+                       on_axis_depth - on_axis_height + r * (depth_slope + height_slope));
+      const double across = on_axis_depth + r * std::hypot(depth_slope, slope_x);
+      horizontal.include(across, across);
+      nearest = std::max(nearest, sine * y + cosine * r);
+    } else {
+      vertical.include(on_axis_depth + on_axis_height + z * (depth_slope - height_slope),
+                       on_axis_depth - on_axis_height + z * (depth_slope + height_slope));
+      horizontal.include(on_axis_depth + z * depth_slope + slope_x * x, on_axis_depth + z * depth_slope - slope_x * x);
+      nearest = std::max(nearest, sine * y + cosine * z);
+    }
+  });
+
+  const double up = vertical.middle() / slope_y;
+  const double right = horizontal.middle() / slope_x;
+  constexpr double kClearance = 0.05;  // flat models seen from the edge would otherwise touch the eye
+  const double fitted = std::max({vertical.half(), horizontal.half(), kClearance});
+  Framing framing;
+  framing.target = {right, up * cosine, -up * sine};
+  framing.distance = std::max(view.orthographic ? 0 : fitted, nearest + kClearance);
+  framing.half_height = view.orthographic ? fitted : framing.distance * view.half_tangent;
+  return framing;
+}
+
+double radius_about_origin(const Scene& scene) {
+  double radius = 0;
+  for_each_vertex(scene, [&](double x, double y, double z) { radius = std::max(radius, std::hypot(x, y, z)); });
+  return radius;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,36 @@
+// A display whose panel is memory: what the strips leave behind is the picture.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "zstrip/scene/view.hpp"
+#include "zstrip_hal/display.hpp"
+
+namespace zstrip::sim {
+
+class PictureDisplay {
+ public:
+  explicit PictureDisplay(const View& view)
+      : view_(view), pixels_(std::size_t{bytes_per_row(view.width, view.format)} * view.height) {}
+
+  std::uint16_t width() const { return view_.width; }
+  std::uint16_t height() const { return view_.height; }
+  hal::PixelFormat format() const;
+
+  hal::Error begin_frame() { return hal::Error::none; }
+  /// Takes areas of the full width only: error `area` otherwise.
+  hal::Error write(const hal::Area& area, std::span<const std::byte> pixels);
+  hal::Error wait() { return hal::Error::none; }
+  hal::Error end_frame() { return hal::Error::none; }
+
+  /// All rows, bytes_per_row each.
+  std::span<const std::byte> pixels() const { return pixels_; }
+
+ private:
+  View view_;
+  std::vector<std::byte> pixels_;
+};
+
+}  // namespace zstrip::sim

@@ -1,0 +1,77 @@
+// One frame from a scene to pixels: effects, plan, begin, strips.
+#include "render/render_frame.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <chrono>
+
+#include "report/number.hpp"
+#include "zstrip/frame/renderer.hpp"
+#include "zstrip_hal/present.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+static_assert(kArenaAlignment <= alignof(std::uint64_t));
+
+/// At least `bytes` of `words`, whose contents do not matter.
+std::span<std::byte> at_least(std::vector<std::uint64_t>& words, std::uint32_t bytes) {
+  const std::size_t needed = (std::size_t{bytes} + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t);
+  if (words.size() < needed) words.resize(needed);
+  return std::as_writable_bytes(std::span(words)).first(bytes);
+}
+
+Failure too_little_memory(const Status& status, const SceneCounts& counts, const View& view, Effects effects,
+                          const Budget& budget) {
+  const std::uint32_t smallest = plan(counts, view, effects, {.bytes = 1}).status.needed;
+  std::string advice = fmt::format("--ram {} is the smallest that works", smallest);
+  if (budget.strip_rows != 0 && smallest <= budget.bytes)
+    advice = "try --strip-rows auto";
+  else if (budget.strip_rows != 0)
+    advice += " (with --strip-rows auto)";
+  return {ExitStatus::budget,
+          fmt::format("{} bytes of RAM are too few: {} are needed, most of them for {}; {} are missing; {}",
+                      grouped(budget.bytes), grouped(status.needed), name(status.purpose),
+                      grouped(status.needed - status.available), advice)};
+}
+
+Failure refused(const char* what, const Status& status) {
+  return {ExitStatus::internal, fmt::format("{}: {} (needed {}, available {})", what, message(status.error),
+                                            status.needed, status.available)};
+}
+
+}  // namespace
+
+Result<FrameReport> FrameRenderer::render(const Staging& staging) {
+  const Effects effects = effects_of(staging.scene, staging.camera) | effect::statistics;
+  const SceneCounts counts = count(staging.scene);
+  const auto [status, plan] = zstrip::plan(counts, view_, effects, budget_);
+  if (status.error == Error::arena_too_small) return too_little_memory(status, counts, view_, effects, budget_);
+  if (!status) return refused("the picture cannot be planned", status);
+
+  FrameReport report;
+  report.plan = plan;
+  report.strip_pixel_bytes = plan.strip_pixel_bytes(view_);
+  const std::span<std::byte> arena = at_least(arena_, plan.bytes());
+  const std::span<std::byte> strip = at_least(strip_, report.strip_pixel_bytes);
+  AnyRenderer renderer(effects);
+
+  const auto start = std::chrono::steady_clock::now();
+  const Status begun = renderer.begin_frame(staging.scene, staging.camera, view_, plan, arena);
+  if (!begun) return refused("the frame cannot begin", begun);
+  const auto shown = hal::present(renderer, display_, {plan.strips, plan.strip_rows}, {strip, {}});
+  const auto end = std::chrono::steady_clock::now();
+  if (!shown.draw) return refused("a strip cannot be drawn", shown.draw);
+  if (shown.display != hal::Error::none) return Failure{ExitStatus::internal, hal::message(shown.display)};
+
+  report.nanoseconds = std::chrono::duration_cast<std::chrono::nanoseconds>(end - start).count();
+  const std::span<const std::byte> pixels = display_.pixels();
+  report.crc32 = static_cast<std::uint32_t>(
+      crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(pixels.data()), pixels.size()));
+  report.statistics = renderer.frame().statistics();
+  report.bounds = renderer.frame().bounds();
+  return report;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,45 @@
+// One frame from a scene to pixels: effects, plan, begin, strips.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/picture_display.hpp"
+#include "render/stage.hpp"
+#include "result.hpp"
+#include "zstrip/base/statistics.hpp"
+#include "zstrip/plan/plan.hpp"
+
+namespace zstrip::sim {
+
+/// What one frame took and did.
+struct FrameReport {
+  Plan plan;
+  std::uint32_t strip_pixel_bytes = 0;
+  Statistics statistics;
+  Rect bounds;                   ///< of the projected scene: the only pixels that have depth
+  std::uint32_t crc32 = 0;       ///< zlib's, of the raw pixel bytes
+  std::int64_t nanoseconds = 0;  ///< begin_frame and all strips
+};
+
+/// Draws frames of one size; keeps its memory from frame to frame.
+class FrameRenderer {
+ public:
+  FrameRenderer(const View& view, const Budget& budget) : view_(view), budget_(budget), display_(view) {}
+
+  /// Failures: ExitStatus::budget says how many bytes are missing, for what, and how many are enough.
+  Result<FrameReport> render(const Staging& staging);
+
+  /// The last frame.
+  std::span<const std::byte> pixels() const { return display_.pixels(); }
+  const View& view() const { return view_; }
+
+ private:
+  View view_;
+  Budget budget_;
+  PictureDisplay display_;
+  std::vector<std::uint64_t> arena_;  ///< 8-byte words: kArenaAlignment
+  std::vector<std::uint64_t> strip_;
+};
+
+}  // namespace zstrip::sim

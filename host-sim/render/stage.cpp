@@ -1,0 +1,150 @@
+// What is rendered: a built-in scene or a model file, placed for each frame of a turn.
+#include "render/stage.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <utility>
+
+#include "import/model.hpp"
+#include "zstrip/base/math.hpp"
+#include "zstrip/scene/validate.hpp"
+#include "zstrip_scenes/presentation.hpp"
+#include "zstrip_scenes/scenes.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+/// Beside a file's own lights, which often leave the side that we see in the dark.
+constexpr DirectionalLight kFillLight{.x = scenes::kKeyLight[0].x,
+                                      .y = scenes::kKeyLight[0].y,
+                                      .z = scenes::kKeyLight[0].z,
+                                      .colour = {112, 112, 112, 255}};
+
+/// A scene that came through the import, or with the program, always passes; if not, that is a bug to be told.
+Result<Done> check(const Scene& scene, const std::string& name) {
+  const Status status = validate(scene);
+  if (status) return Done{};
+  return Failure{ExitStatus::internal, fmt::format("'{}' became a scene that the renderer refuses: {} (number {})",
+                                                   name, message(status.error), status.needed)};
+}
+
+class BuiltInStage : public Stage {
+ public:
+  BuiltInStage(const scenes::BuiltIn& built_in, const View& view) : built_in_(built_in), view_(view) {}
+
+  Result<Done> set_camera(const CameraOptions& options) {
+    if (options.placed()) {
+      const Result<Camera> camera = place_camera(options, Units{}, radius_about_origin(built_in_.scene));
+      if (!camera) return camera.failure();
+      own_camera_ = *camera;
+    } else if (options.field_of_view || options.look_at) {
+      return Failure{ExitStatus::usage, "--fov and --look-at need --eye or --orbit with a built-in scene"};
+    }
+    orthographic_ = options.orthographic;
+    return Done{};
+  }
+
+  Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
+    scenes::stage(built_in_, staged_, frame, frames, view_);
+    if (own_camera_) return Staging{staged_.scene, *own_camera_};
+    Camera camera = staged_.camera;
+    if (orthographic_) {
+      const Result<Done> changed = make_orthographic(camera, distance_to_origin(camera));
+      if (!changed) return changed.failure();
+    }
+    return Staging{staged_.scene, camera};
+  }
+
+  const std::vector<std::string>& warnings() const override { return warnings_; }
+
+ private:
+  const scenes::BuiltIn& built_in_;
+  View view_;
+  scenes::Staged staged_;
+  std::optional<Camera> own_camera_;  ///< instead of the scene's
+  bool orthographic_ = false;
+  std::vector<std::string> warnings_;
+};
+
+class ModelStage : public Stage {
+ public:
+  explicit ModelStage(Model model) : model_(std::move(model)), instances_(model_.instances), lights_(model_.lights) {
+    if (lights_.empty()) {
+      lights_.assign(std::begin(scenes::kKeyLight), std::end(scenes::kKeyLight));
+    } else if (lights_.size() < kMaxLights) {
+      lights_.push_back(kFillLight);
+    }
+    scene_ = {.meshes = model_.meshes,
+              .materials = model_.materials,
+              .textures = model_.textures,
+              .instances = instances_,
+              .lights = lights_,
+              .ambient = scenes::kAmbient};
+  }
+  ModelStage(const ModelStage&) = delete;
+  ModelStage& operator=(const ModelStage&) = delete;
+
+  const Scene& scene() const { return scene_; }
+
+  Result<Done> set_camera(const CameraOptions& options, const View& view, std::uint32_t frames) {
+    const double degrees = options.field_of_view.value_or(kDefaultFieldOfView);
+    const double radius = radius_about_origin(scene_);
+    const FramingView framing{.aspect = static_cast<double>(view.width) / view.height,
+                              .half_tangent = std::tan(degrees * std::numbers::pi / 360),
+                              .orthographic = options.orthographic,
+                              .whole_turn = frames > 1};
+    const Result<Camera> camera = options.placed() ? place_camera(options, model_.units, radius)
+                                                   : framed_camera(options, frame_scene(scene_, framing), radius);
+    if (!camera) return camera.failure();
+    camera_ = *camera;
+    return Done{};
+  }
+
+  Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
+    const auto angle = static_cast<Angle>(std::uint64_t{frame} * kFullTurn / frames);
+    constexpr int kDropped = 30 - kFixedBits;
+    const auto rounded = [](std::int32_t value) { return (value + (1 << (kDropped - 1))) >> kDropped; };  // 16.16
+    const Fixed s = rounded(sine(angle));
+    const Fixed c = rounded(cosine(angle));
+    for (Instance& instance : instances_) instance.transform = {{{c, 0, s, 0}, {0, kFixedOne, 0, 0}, {-s, 0, c, 0}}};
+    return Staging{scene_, camera_};
+  }
+
+  const std::vector<std::string>& warnings() const override { return model_.warnings; }
+
+ private:
+  Model model_;
+  std::vector<Instance> instances_;
+  std::vector<DirectionalLight> lights_;
+  Scene scene_;
+  Camera camera_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Stage>> open_stage(const std::string& name, UpAxis up, const CameraOptions& options,
+                                          const View& view, std::uint32_t frames) {
+  if (const scenes::BuiltIn* built_in = scenes::find(name)) {
+    if (const Result<Done> checked = check(built_in->scene, name); !checked) return checked.failure();
+    auto stage = std::make_unique<BuiltInStage>(*built_in, view);
+    if (const Result<Done> camera = stage->set_camera(options); !camera) return camera.failure();
+    return std::unique_ptr<Stage>(std::move(stage));
+  }
+  std::error_code ignored;
+  if (!std::filesystem::exists(name, ignored)) {
+    return Failure{ExitStatus::input, fmt::format("there is no file '{}', and no built-in scene of that name; "
+                                                  "'zstrip scenes' lists the built-in ones",
+                                                  name)};
+  }
+  Result<Model> model = import_model(name, up);
+  if (!model) return model.failure();
+  auto stage = std::make_unique<ModelStage>(std::move(*model));
+  if (const Result<Done> checked = check(stage->scene(), name); !checked) return checked.failure();
+  if (const Result<Done> camera = stage->set_camera(options, view, frames); !camera) return camera.failure();
+  return std::unique_ptr<Stage>(std::move(stage));
+}
+
+}  // namespace zstrip::sim

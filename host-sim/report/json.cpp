@@ -1,0 +1,68 @@
+// The record of a run as JSON; the keys are documented in README.md.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "report/frame_record.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_object(std::size_t index, const FrameRecord& frame) {
+  const FrameReport& report = frame.report;
+  const Plan& plan = report.plan;
+  const Statistics& statistics = report.statistics;
+  const Rect& bounds = report.bounds;
+  return {{"frame", index},
+          {"file", frame.file},
+          {"crc32", fmt::format("{:08x}", report.crc32)},
+          {"time_ns", report.nanoseconds},
+          {"mode", name(plan.mode)},
+          {"strips", plan.strips},
+          {"strip_rows", plan.strip_rows},
+          {"ram_bytes",
+           {{"instances", plan.instance_bytes},
+            {"vertices", plan.vertex_bytes},
+            {"depth", plan.depth_bytes},
+            {"colour", plan.colour_bytes},
+            {"bins", plan.bin_bytes},
+            {"arena", plan.bytes()},
+            {"strip_pixels", report.strip_pixel_bytes}}},
+          {"bounds", {{"left", bounds.left}, {"top", bounds.top}, {"right", bounds.right}, {"bottom", bounds.bottom}}},
+          {"statistics",
+           {{"triangles", statistics.triangles},
+            {"drawn", statistics.drawn},
+            {"clipped", statistics.clipped},
+            {"set_up", statistics.set_up},
+            {"vertices", statistics.vertices},
+            {"fragments", statistics.fragments},
+            {"depth_passes", statistics.depth_passes}}}};
+}
+
+}  // namespace
+
+const char* name(PixelFormat format) {
+  switch (format) {
+    case PixelFormat::rgb565: return "rgb565";
+    case PixelFormat::rgb565_swapped: return "rgb565_swapped";
+    case PixelFormat::gray4: return "gray4";
+    case PixelFormat::mono: return "mono";
+  }
+  return "";
+}
+
+const char* name(Mode mode) { return mode == Mode::binned ? "binned" : "streamed"; }
+
+std::string to_json(const RunRecord& run) {
+  Json frames = Json::array();
+  for (std::size_t i = 0; i < run.frames.size(); ++i) frames.push_back(to_object(i, run.frames[i]));
+  const Json object = {{"scene", run.scene},        {"width", run.view.width},
+                       {"height", run.view.height}, {"format", name(run.view.format)},
+                       {"warnings", run.warnings},  {"frames", frames}};
+  // Names of files may be any bytes; what is not UTF-8 is replaced, not refused.
+  return object.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,16 @@
+// Numbers for people: digits in groups of three.
+#include "report/number.hpp"
+
+namespace zstrip::sim {
+
+std::string grouped(std::uint64_t value) {
+  const std::string digits = std::to_string(value);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,31 @@
+// A progress bar for work that takes more than a second, on a terminal only.
+#include "report/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace zstrip::sim {
+
+using namespace std::chrono_literals;
+
+Progress::Progress(std::uint32_t steps, bool enabled)
+    : steps_(steps), enabled_(enabled && ::isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+  if (drawn_) fmt::print(stderr, "\r\x1b[K");
+}
+
+void Progress::show(std::uint32_t done) {
+  const auto now = std::chrono::steady_clock::now();
+  if (!enabled_ || now - start_ < 1s || now - last_ < 100ms) return;
+  last_ = now;
+  drawn_ = true;
+  constexpr std::uint32_t kCells = 30;
+  const std::uint32_t filled = static_cast<std::uint32_t>(std::uint64_t{kCells} * done / steps_);
+  fmt::print(stderr, "\r[{:=<{}}{: <{}}] frame {} of {}", "", filled, "", kCells - filled, done, steps_);
+  std::fflush(stderr);
+}
+
+}  // namespace zstrip::sim

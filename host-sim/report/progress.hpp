@@ -1,0 +1,28 @@
+// A progress bar for work that takes more than a second, on a terminal only.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace zstrip::sim {
+
+/// Draws on stderr; erases itself when it goes. Silent if `enabled` is false or stderr is no terminal.
+class Progress {
+ public:
+  Progress(std::uint32_t steps, bool enabled);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// `done` of the steps are finished.
+  void show(std::uint32_t done);
+
+ private:
+  std::uint32_t steps_;
+  bool enabled_;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point last_ = start_;
+};
+
+}  // namespace zstrip::sim

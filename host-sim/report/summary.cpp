@@ -1,0 +1,82 @@
+// The summary of a run in words.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "report/frame_record.hpp"
+#include "report/number.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+/// "1,234", or "1,000 to 2,000" where frames differ.
+template <typename Value>
+std::string range(const RunRecord& run, Value value) {
+  const auto [low, high] = std::minmax_element(
+      run.frames.begin(), run.frames.end(),
+      [&](const FrameRecord& a, const FrameRecord& b) { return value(a.report) < value(b.report); });
+  const std::uint64_t least = value(low->report);
+  const std::uint64_t most = value(high->report);
+  return least == most ? grouped(least) : fmt::format("{} to {}", grouped(least), grouped(most));
+}
+
+std::string bounds(const RunRecord& run) {
+  Rect all;
+  for (const FrameRecord& frame : run.frames) {
+    const Rect& rect = frame.report.bounds;
+    if (rect.empty()) continue;
+    if (all.empty()) all = rect;
+    all = {std::min(all.left, rect.left), std::min(all.top, rect.top), std::max(all.right, rect.right),
+           std::max(all.bottom, rect.bottom)};
+  }
+  if (all.empty()) return "nothing of the scene is in the picture";
+  return fmt::format("x {} to {}, y {} to {} ({}x{} pixels)", all.left, all.right - 1, all.top, all.bottom - 1,
+                     all.width(), all.height());
+}
+
+std::string memory(const FrameReport& report) {
+  const Plan& plan = report.plan;
+  std::string parts;
+  for (const auto& [purpose, bytes] :
+       {std::pair{Purpose::instances, plan.instance_bytes}, std::pair{Purpose::vertices, plan.vertex_bytes},
+        std::pair{Purpose::depth, plan.depth_bytes}, std::pair{Purpose::colour, plan.colour_bytes},
+        std::pair{Purpose::bins, plan.bin_bytes}}) {
+    if (bytes > 0) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name(purpose), grouped(bytes));
+  }
+  return fmt::format("{} bytes ({}), and {} for the pixels of a strip", grouped(plan.bytes()), parts,
+                     grouped(report.strip_pixel_bytes));
+}
+
+}  // namespace
+
+std::string summary(const RunRecord& run) {
+  const FrameReport& first = run.frames.front().report;
+  const FrameReport& fullest =
+      std::max_element(run.frames.begin(), run.frames.end(), [](const FrameRecord& a, const FrameRecord& b) {
+        return a.report.plan.bytes() < b.report.plan.bytes();
+      })->report;
+  std::int64_t nanoseconds = 0;
+  for (const FrameRecord& frame : run.frames) nanoseconds += frame.report.nanoseconds;
+  const double milliseconds = 1e-6 * static_cast<double>(nanoseconds) / static_cast<double>(run.frames.size());
+
+  std::string text =
+      fmt::format("{}: {} frame{} of {}x{}, {}\n", run.scene, run.frames.size(), run.frames.size() == 1 ? "" : "s",
+                  run.view.width, run.view.height, name(run.view.format));
+  text += fmt::format("  triangles  {}, of which drawn {}\n", grouped(first.statistics.triangles),
+                      range(run, [](const FrameReport& report) { return report.statistics.drawn; }));
+  text += fmt::format("  fragments  {}, of which seen when drawn {}\n",
+                      range(run, [](const FrameReport& report) { return report.statistics.fragments; }),
+                      range(run, [](const FrameReport& report) { return report.statistics.depth_passes; }));
+  text += fmt::format("  bounds     {}\n", bounds(run));
+  text += fmt::format("  strips     {} of {} rows, {}\n", fullest.plan.strips, fullest.plan.strip_rows,
+                      name(fullest.plan.mode));
+  text += fmt::format("  RAM        {}\n", memory(fullest));
+  text += fmt::format("  time       {:.2f} ms a frame\n", milliseconds);
+  text += run.frames.size() == 1
+              ? fmt::format("  written    {}\n", run.frames.front().file)
+              : fmt::format("  written    {} to {}\n", run.frames.front().file, run.frames.back().file);
+  return text;
+}
+
+}  // namespace zstrip::sim

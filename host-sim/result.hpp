@@ -1,0 +1,47 @@
+// Failure as a value: the exit statuses of the command, and a result that holds either a value or the reason why not.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace zstrip::sim {
+
+/// What `zstrip` ends with; documented in README.md.
+enum class ExitStatus : int {
+  ok = 0,
+  internal = 1,     ///< a bug of zstrip
+  usage = 2,        ///< the command line
+  environment = 3,  ///< something this machine lacks
+  input = 4,        ///< the model file
+  budget = 5,       ///< too little memory allowed
+  output = 6,       ///< a picture or report that cannot be written
+};
+
+/// `message` is one line: the thing, what is wrong with it, what to do.
+struct Failure {
+  ExitStatus status = ExitStatus::internal;
+  std::string message;
+};
+
+/// The value of a step that has none.
+struct Done {};
+
+template <typename T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : content_(std::move(value)) {}            // NOLINT(google-explicit-constructor): `return value;`
+  Result(Failure failure) : content_(std::move(failure)) {}  // NOLINT(google-explicit-constructor)
+
+  explicit operator bool() const { return std::holds_alternative<T>(content_); }
+  T& operator*() { return std::get<T>(content_); }
+  const T& operator*() const { return std::get<T>(content_); }
+  T* operator->() { return &std::get<T>(content_); }
+  const T* operator->() const { return &std::get<T>(content_); }
+  const Failure& failure() const { return std::get<Failure>(content_); }
+
+ private:
+  std::variant<T, Failure> content_;
+};
+
+}  // namespace zstrip::sim
