@@ -1,0 +1,86 @@
+# Sourced by host-sim/run and tests/run: installs missing Debian packages, configures and builds.
+# The caller runs under `set -euo pipefail` and gets 3 when the machine lacks something, 1 when a build fails.
+
+zstrip_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
+zstrip_build=$zstrip_root/build/host
+zstrip_log=$zstrip_root/build/build.log
+
+zstrip_say() { printf 'zstrip: %s\n' "$*" >&2; }
+
+# The packages for the given purposes, one a line.
+zstrip_packages() {
+  awk -v wanted=" $* " '!/^#/ && NF == 2 && index(wanted, " " $1 " ") { print $2 }' "$zstrip_root/cmake/zstrip_packages.txt"
+}
+
+# Of the packages given on standard input, those that are not installed. A name that another package provides counts.
+zstrip_missing_packages() {
+  local installed
+  installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}, ${Provides}\n' 2>/dev/null |
+    awk '$1 == "installed" { sub(/^installed /, ""); gsub(/ *\([^)]*\)/, ""); gsub(/, */, "\n"); print }')
+  grep -vxF -f <(printf '%s\n' "$installed") || true
+}
+
+zstrip_apt() {
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then as_root=(sudo); fi
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 "$@" </dev/null >>"$zstrip_log" 2>&1
+}
+
+# Installs what is missing for the given purposes. Looks only once after each change of the list.
+zstrip_install_packages() {
+  local stamp missing
+  stamp=$zstrip_root/build/.packages-$(printf '%s-' "$@")installed
+  if [ "$stamp" -nt "$zstrip_root/cmake/zstrip_packages.txt" ]; then return; fi
+  mapfile -t missing < <(zstrip_packages "$@" | zstrip_missing_packages)
+  if [ "${#missing[@]}" -gt 0 ]; then
+    if ! command -v apt-get >/dev/null; then
+      zstrip_say "there is no apt-get here; install what these Debian packages hold, then run: cmake --preset host"
+      printf '  %s\n' "${missing[@]}" >&2
+      exit 3
+    fi
+    if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
+      zstrip_say "packages are missing and neither root nor sudo is at hand; as root, run:"
+      printf '  apt-get install --no-install-recommends %s\n' "${missing[*]}" >&2
+      exit 3
+    fi
+    zstrip_say "installing ${missing[*]}"
+    : >"$zstrip_log"
+    # An index that is empty or too old is the usual reason for a failure: fetch it then, and only then.
+    if ! apt-cache show "${missing[@]}" >/dev/null 2>&1 ||
+       ! zstrip_apt install --yes --no-install-recommends "${missing[@]}"; then
+      if ! { zstrip_apt update && zstrip_apt install --yes --no-install-recommends "${missing[@]}"; }; then
+        tail -n 20 "$zstrip_log" >&2
+        zstrip_say "could not install the packages; the whole log is $zstrip_log"
+        exit 3
+      fi
+    fi
+  fi
+  touch "$stamp"
+}
+
+# Runs a command with its output in the log, which is shown if the command fails. Silent for a second, so that a build
+# with nothing to do says nothing.
+zstrip_quietly() {
+  local what=$1 notice status=0
+  shift
+  : >"$zstrip_log"
+  { sleep 1 </dev/null >/dev/null 2>&1; zstrip_say "$what"; } 9>&- &
+  notice=$!
+  "$@" </dev/null >>"$zstrip_log" 2>&1 9>&- || status=$?
+  kill "$notice" 2>/dev/null || true
+  wait "$notice" 2>/dev/null || true
+  if [ "$status" -ne 0 ]; then
+    tail -n 60 "$zstrip_log" >&2
+    zstrip_say "failed: $what; the whole log is $zstrip_log"
+    exit 1
+  fi
+}
+
+# zstrip_with_lock FUNCTION ARGS...: one build at a time; later ones wait and then find everything built.
+zstrip_with_lock() {
+  mkdir -p "$zstrip_root/build" || { zstrip_say "cannot write to $zstrip_root/build"; exit 3; }
+  exec 9>"$zstrip_root/build/.lock"
+  if command -v flock >/dev/null; then flock 9; fi
+  "$@"
+  exec 9>&-
+}

@@ -1,0 +1,22 @@
+# Installs the libraries and headers so that find_package(zstrip) gives zstrip::core, zstrip::core_any and zstrip::hal.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/zstrip)
+
+install(TARGETS zstrip_core zstrip_core_any zstrip_hal EXPORT zstrip_targets
+  ARCHIVE COMPONENT zstrip_development)
+install(DIRECTORY core/zstrip hal/zstrip_hal DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  COMPONENT zstrip_development FILES_MATCHING PATTERN *.hpp)
+install(EXPORT zstrip_targets NAMESPACE zstrip:: DESTINATION ${package_folder} COMPONENT zstrip_development)
+
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/zstrip_config.cmake.in ${PROJECT_BINARY_DIR}/zstripConfig.cmake
+  INSTALL_DESTINATION ${package_folder})
+# Before 1.0 a minor version may change the interface.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/zstripConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/zstripConfig.cmake ${PROJECT_BINARY_DIR}/zstripConfigVersion.cmake
+  DESTINATION ${package_folder} COMPONENT zstrip_development)
+
+if(TARGET zstrip)
+  install(TARGETS zstrip RUNTIME COMPONENT zstrip_command)
+endif()

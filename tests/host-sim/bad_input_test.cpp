@@ -1,0 +1,166 @@
+// What a user can get wrong: one line that names the thing, the documented exit status, and no partial file.
+#include <sys/stat.h>
+
+#include "result.hpp"
+#include "support.hpp"
+
+namespace zstrip::sim::test {
+namespace {
+
+class BadInput : public FolderTest {
+ protected:
+  /// Runs zstrip in the folder and checks the contract of failures; `mention` must be in the message.
+  void expect_failure(ExitStatus status, const std::string& mention, const std::vector<std::string>& arguments,
+                      const Limits& limits = {}) {
+    const std::vector<std::string> before = files();
+    const Outcome outcome = run(ZSTRIP_COMMAND, arguments, path(""), limits);
+    EXPECT_EQ(outcome.status, static_cast<int>(status)) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("zstrip: ", 0), 0U) << outcome.err;
+    EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << "one line: " << outcome.err;
+    EXPECT_NE(outcome.err.find(mention), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(files(), before) << "a failure leaves no file";
+  }
+  void expect_bad_file(const std::string& name) {
+    expect_failure(ExitStatus::input, name, {"render", name, "-o", "picture.png"});
+  }
+};
+
+TEST_F(BadInput, MissingFile) { expect_bad_file("no-such-model.obj"); }
+
+TEST_F(BadInput, Folder) { expect_bad_file("/tmp"); }
+
+TEST_F(BadInput, Device) { expect_bad_file("/dev/zero"); }
+
+TEST_F(BadInput, Fifo) {
+  ASSERT_EQ(::mkfifo(path("pipe.obj").c_str(), 0600), 0);
+  expect_bad_file("pipe.obj");
+}
+
+TEST_F(BadInput, EmptyFile) {
+  for (const char* name : {"a.obj", "a.gltf", "a.glb", "a.stl", "a.ply", "a.3ds", "a.dae"}) {
+    file(name, "");
+    expect_bad_file(name);
+  }
+}
+
+TEST_F(BadInput, RandomBytes) {
+  std::string noise;
+  std::uint32_t state = 1;
+  for (int i = 0; i < 20000; ++i) {
+    state = state * 1664525 + 1013904223;
+    noise += static_cast<char>(state >> 24);
+  }
+  for (const char* name : {"a.obj", "a.gltf", "a.glb", "a.stl", "a.ply", "a.3ds", "a.dae"}) {
+    file(name, noise);
+    expect_bad_file(name);
+  }
+}
+
+TEST_F(BadInput, TruncatedModel) {
+  const std::filesystem::path models = GLMARK2_MODELS;
+  if (models.empty()) GTEST_SKIP() << "package glmark2-data is not installed";
+  const std::string whole = read(models / "horse.3ds");
+  for (const std::size_t length : {std::size_t{1}, std::size_t{100}, std::size_t{5000}, whole.size() / 2}) {
+    file("cut.3ds", whole.substr(0, length));
+    expect_bad_file("cut.3ds");
+  }
+}
+
+TEST_F(BadInput, TruncatedBinaryPly) {
+  std::string ply =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  ply += std::string(20, '\1');
+  file("cut.ply", ply);
+  expect_bad_file("cut.ply");
+}
+
+TEST_F(BadInput, LinesAndPointsOnly) {
+  file("lines.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\np 3\n");
+  expect_bad_file("lines.obj");
+}
+
+TEST_F(BadInput, NoFiniteTriangle) {
+  file("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  expect_bad_file("nan.obj");
+}
+
+TEST_F(BadInput, NameWithControlCharacters) {
+  expect_failure(ExitStatus::input, "bad??name", {"render", "bad\n\x1Bname"});
+}
+
+TEST_F(BadInput, Options) {
+  const auto usage = [&](const std::string& mention, std::vector<std::string> arguments) {
+    expect_failure(ExitStatus::usage, mention, arguments);
+  };
+  usage("--size", {"render", "teapot", "--size", "0x0"});
+  usage("--size", {"render", "teapot", "--size", "4097x100"});
+  usage("--strip-rows", {"render", "teapot", "--strip-rows", "241"});
+  usage("--ram", {"render", "teapot", "--ram", "lots"});
+  usage("--format", {"render", "teapot", "--format", "rgb888"});
+  usage("--image", {"render", "teapot", "--image", "gif"});
+  usage("--frames", {"render", "teapot", "--frames", "0"});
+  usage("--frames", {"render", "teapot", "--frames", "many"});
+  usage("--eye", {"render", "teapot", "--eye", "1,2"});
+  usage("--eye", {"render", "teapot", "--eye", "0,0,3", "--orbit", "3,0,90"});
+  usage("--eye", {"render", "teapot", "--eye", "0,0,0"});
+  usage("--orbit", {"render", "teapot", "--orbit", "-1,0,0"});
+  usage("--look-at", {"render", "teapot", "--look-at", "0,0,0"});
+  usage("--fov", {"render", "teapot", "--eye", "0,0,3", "--fov", "180"});
+  usage("--fov", {"render", "teapot", "--fov", "50"});
+  usage("picture.png", {"render", "teapot", "-o", "picture.png", "--frames", "2"});
+  usage("--bogus", {"render", "teapot", "--bogus"});
+  usage("scene", {"render"});
+  usage("command", {});
+  usage("frobnicate", {"frobnicate"});
+}
+
+TEST_F(BadInput, TooLittleMemorySaysWhatWorks) {
+  const Outcome outcome = run(ZSTRIP_COMMAND, {"render", "teapot", "--ram", "1000", "-o", "a.png"}, path(""));
+  EXPECT_EQ(outcome.status, static_cast<int>(ExitStatus::budget));
+  EXPECT_NE(outcome.err.find("missing"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(files().empty());
+  const std::size_t at = outcome.err.find("--ram ");
+  ASSERT_NE(at, std::string::npos) << outcome.err;
+  const std::uint32_t smallest = static_cast<std::uint32_t>(std::stoul(outcome.err.substr(at + 6)));
+  EXPECT_EQ(
+      run(ZSTRIP_COMMAND, {"render", "teapot", "--ram", std::to_string(smallest), "-o", "a.png"}, path("")).status, 0);
+  expect_failure(ExitStatus::budget, "RAM", {"render", "teapot", "--ram", std::to_string(smallest - 1), "-o", "b.png"});
+}
+
+TEST_F(BadInput, TooManyRowsForTheMemory) {
+  expect_failure(ExitStatus::budget, "--strip-rows auto",
+                 {"render", "teapot", "--ram", "20K", "--strip-rows", "200", "-o", "a.png"});
+}
+
+TEST_F(BadInput, PlacesThatCannotBeWritten) {
+  // Nobody, not even root, creates files there.
+  expect_failure(ExitStatus::output, "/sys/picture.png", {"render", "teapot", "-o", "/sys/picture.png"});
+  expect_failure(ExitStatus::output, "/sys/pictures", {"render", "teapot", "-o", "/sys/pictures"});
+  expect_failure(ExitStatus::output, "no/such", {"render", "teapot", "-o", "no/such/picture.png"});
+  expect_failure(ExitStatus::output, "/sys/report.json",
+                 {"render", "teapot", "-o", "/dev/null", "--json", "/sys/report.json"});
+}
+
+TEST_F(BadInput, FileInPlaceOfAFolder) {
+  file("plain.txt", "mine");
+  expect_failure(ExitStatus::output, "plain.txt/frames", {"render", "teapot", "-o", "plain.txt/frames"});
+  EXPECT_EQ(read(path("plain.txt")), "mine");
+}
+
+TEST_F(BadInput, FullDisk) {
+  expect_failure(ExitStatus::output, "/dev/full", {"render", "teapot", "-o", "/dev/full"});
+  expect_failure(ExitStatus::output, "/dev/full", {"render", "teapot", "-o", "/dev/null", "--json", "/dev/full"});
+}
+
+TEST_F(BadInput, AWriteThatStopsHalfway) {
+  // The limit lets a write begin and fail in the middle, as a full disk does.
+  expect_failure(ExitStatus::output, "picture.raw", {"render", "teapot", "-o", "picture.raw"}, {.file_bytes = 5000});
+  file("picture.raw", "the old picture");
+  expect_failure(ExitStatus::output, "picture.raw", {"render", "teapot", "-o", "picture.raw"}, {.file_bytes = 5000});
+  EXPECT_EQ(read(path("picture.raw")), "the old picture");
+}
+
+}  // namespace
+}  // namespace zstrip::sim::test

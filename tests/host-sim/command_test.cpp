@@ -1,0 +1,201 @@
+// The command as its users see it: help, list, files, reports.
+#include <nlohmann/json.hpp>
+
+#include "image/decode.hpp"
+#include "support.hpp"
+
+namespace zstrip::sim::test {
+namespace {
+
+class Command : public FolderTest {
+ protected:
+  Outcome zstrip(const std::vector<std::string>& arguments) const { return run(ZSTRIP_COMMAND, arguments, path("")); }
+  RgbImage picture(const std::string& name) const {
+    const std::string bytes = read(path(name));
+    const auto image = decode_image({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    EXPECT_TRUE(image);
+    return *image;
+  }
+};
+
+/// How many pixels are not of the colour of the upper left one.
+std::size_t painted(const RgbImage& image) {
+  std::size_t count = 0;
+  for (std::uint32_t y = 0; y < image.height; ++y) {
+    for (std::uint32_t x = 0; x < image.width; ++x) {
+      if (!std::equal(image.pixel(x, y), image.pixel(x, y) + 3, image.pixel(0, 0))) ++count;
+    }
+  }
+  return count;
+}
+
+TEST_F(Command, HelpWithExamplesOnEveryCommand) {
+  for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{{}, {"render"}, {"scenes"}}) {
+    std::vector<std::string> arguments = command;
+    arguments.push_back("--help");
+    const Outcome help = zstrip(arguments);
+    EXPECT_EQ(help.status, 0);
+    EXPECT_NE(help.out.find("Example"), std::string::npos) << help.out;
+    EXPECT_EQ(help.err, "");
+  }
+}
+
+TEST_F(Command, Version) {
+  const Outcome version = zstrip({"--version"});
+  EXPECT_EQ(version.status, 0);
+  EXPECT_EQ(version.out.rfind("zstrip ", 0), 0U);
+}
+
+TEST_F(Command, ScenesListsWhatRenders) {
+  const Outcome scenes = zstrip({"scenes"});
+  EXPECT_EQ(scenes.status, 0);
+  std::istringstream lines(scenes.out);
+  std::string line;
+  std::getline(lines, line);
+  int count = 0;
+  while (std::getline(lines, line)) {
+    const std::string name = line.substr(0, line.find(' '));
+    EXPECT_EQ(zstrip({"render", name, "-o", name + ".png"}).status, 0) << name;
+    EXPECT_GT(painted(picture(name + ".png")), 1000U) << name;
+    ++count;
+  }
+  EXPECT_GE(count, 5);
+}
+
+TEST_F(Command, OneFileWithoutOptions) {
+  const Outcome outcome = zstrip({"render", "teapot"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  for (const char* word : {"triangles", "drawn", "fragments", "bounds", "strips", "RAM", "depth", "time"}) {
+    EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
+  }
+  EXPECT_EQ(files(), std::vector<std::string>{"teapot.png"});
+  EXPECT_EQ(picture("teapot.png").width, 320U);
+  EXPECT_EQ(picture("teapot.png").height, 240U);
+}
+
+TEST_F(Command, FramesOfATurnDiffer) {
+  EXPECT_EQ(zstrip({"render", "teapot", "-o", "turn", "--frames", "3", "--quiet"}).status, 0);
+  EXPECT_EQ(files(), (std::vector<std::string>{"turn/frame_0000.png", "turn/frame_0001.png", "turn/frame_0002.png"}));
+  EXPECT_NE(read(path("turn/frame_0000.png")), read(path("turn/frame_0001.png")));
+}
+
+TEST_F(Command, QuietIsQuiet) {
+  const Outcome outcome = zstrip({"render", "teapot", "--quiet"});
+  EXPECT_EQ(outcome.out + outcome.err, "");
+}
+
+TEST_F(Command, JsonHasTheDocumentedKeys) {
+  const Outcome outcome = zstrip({"render", "teapot", "-o", "t", "--frames", "2", "--json", "-", "--strip-rows", "16"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json.at("scene"), "teapot");
+  EXPECT_EQ(json.at("width"), 320);
+  EXPECT_EQ(json.at("height"), 240);
+  EXPECT_EQ(json.at("format"), "rgb565");
+  EXPECT_TRUE(json.at("warnings").empty());
+  ASSERT_EQ(json.at("frames").size(), 2U);
+  const auto& frame = json.at("frames").at(1);
+  EXPECT_EQ(frame.at("frame"), 1);
+  EXPECT_EQ(frame.at("file"), "t/frame_0001.png");
+  EXPECT_EQ(frame.at("crc32").get<std::string>().size(), 8U);
+  EXPECT_EQ(frame.at("strip_rows"), 16);
+  EXPECT_EQ(frame.at("strips"), 15);
+  EXPECT_GT(frame.at("time_ns"), 0);
+  std::uint64_t sum = 0;
+  for (const char* purpose : {"instances", "vertices", "depth", "colour", "bins"}) {
+    sum += frame.at("ram_bytes").at(purpose).get<std::uint64_t>();
+  }
+  EXPECT_EQ(frame.at("ram_bytes").at("arena"), sum);
+  EXPECT_EQ(frame.at("ram_bytes").at("strip_pixels"), 16 * 640);
+  EXPECT_GT(frame.at("statistics").at("drawn"), 0);
+  EXPECT_LE(frame.at("statistics").at("drawn"), frame.at("statistics").at("triangles"));
+  EXPECT_GT(frame.at("bounds").at("right"), frame.at("bounds").at("left"));
+}
+
+TEST_F(Command, RawIsWhatTheCrcIsOf) {
+  const Outcome outcome = zstrip({"render", "teapot", "-o", "t.raw", "--json", "-", "--quiet"});
+  ASSERT_EQ(outcome.status, 0);
+  const std::string raw = read(path("t.raw"));
+  ASSERT_EQ(raw.size(), 320U * 240U * 2U);
+  std::uint32_t crc = 0xFFFFFFFF;  // bit by bit: an implementation of its own
+  for (const char c : raw) {
+    crc ^= static_cast<std::uint8_t>(c);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xEDB88320 : 0);
+  }
+  const std::string told = nlohmann::json::parse(outcome.out).at("frames").at(0).at("crc32");
+  EXPECT_EQ(std::stoul(told, nullptr, 16), ~crc & 0xFFFFFFFF);
+}
+
+TEST_F(Command, EveryFormatAndType) {
+  for (const char* format : {"rgb565", "rgb565_swapped", "gray4", "mono"}) {
+    for (const char* type : {"png", "ppm", "raw"}) {
+      const std::string folder = std::string(format) + "-" + type;
+      EXPECT_EQ(zstrip({"render", "teapot", "--format", format, "--image", type, "-o", folder, "--frames", "1"}).status,
+                0);
+    }
+  }
+  EXPECT_EQ(picture("rgb565-png/frame_0000.png").rgb, picture("rgb565_swapped-png/frame_0000.png").rgb);
+  EXPECT_GT(painted(picture("gray4-png/frame_0000.png")), 1000U);
+  EXPECT_GT(painted(picture("mono-png/frame_0000.png")), 1000U);
+  EXPECT_EQ(files().size(), 12U);
+}
+
+TEST_F(Command, SmallestAndLargestPicture) {
+  EXPECT_EQ(zstrip({"render", "teapot", "--size", "1x1", "-o", "small.png"}).status, 0);
+  EXPECT_EQ(picture("small.png").rgb.size(), 3U);
+  EXPECT_EQ(zstrip({"render", "teapot", "--size", "4096x4096", "-o", "large.png", "--ram", "1M"}).status, 0);
+  const RgbImage large = picture("large.png");
+  EXPECT_EQ(large.width, 4096U);
+  EXPECT_GT(painted(large), 1000000U);
+}
+
+TEST_F(Command, OneTriangleModelFillsThePicture) {
+  file("t.obj", kTriangleObj);
+  EXPECT_EQ(zstrip({"render", "t.obj"}).status, 0);
+  EXPECT_GT(painted(picture("t.png")), 320U * 240U / 6U);
+}
+
+TEST_F(Command, CamerasSeeTheModelFromTheirSide) {
+  file("t.obj", kTriangleObj);
+  const auto seen = [&](const std::vector<std::string>& camera) {
+    std::vector<std::string> arguments{"render", "t.obj", "-o", "t.png"};
+    arguments.insert(arguments.end(), camera.begin(), camera.end());
+    EXPECT_EQ(zstrip(arguments).status, 0);
+    return painted(picture("t.png"));
+  };
+  EXPECT_GT(seen({"--eye", "0.5,0.5,4"}), 1000U);
+  EXPECT_GT(seen({"--eye", "0.5,0.5,-4", "--fov", "20"}), 1000U);
+  EXPECT_EQ(seen({"--eye", "0.5,0.5,4", "--look-at", "0.5,0.5,8"}), 0U);
+  EXPECT_GT(seen({"--orbit", "4,0,90", "--ortho"}), 1000U);
+}
+
+TEST_F(Command, WarningsAreLinesOnStderrAndInTheReport) {
+  file("m.mtl", "newmtl a\nKd 1 1 1\nmap_Kd missing.png\n");
+  file("t.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+  const Outcome outcome = zstrip({"render", "t.obj", "--quiet", "--json", "-"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err.rfind("zstrip: warning: texture", 0), 0U) << outcome.err;
+  EXPECT_NE(outcome.err.find("missing.png"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(outcome.out).at("warnings").size(), 1U);
+}
+
+TEST_F(Command, TexturesOutsideAndInsideTheModel) {
+  const std::filesystem::path models = ASSIMP_MODELS;
+  if (models.empty()) GTEST_SKIP() << "package assimp-testmodels is not installed";
+  const auto render = [&](const std::string& model) {
+    const Outcome outcome = zstrip({"render", (models / model).string(), "-o", "box.png", "--quiet"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "");
+    return picture("box.png").rgb;
+  };
+  const auto outside = render("glTF2/BoxTextured-glTF/BoxTextured.gltf");
+  EXPECT_EQ(outside, render("glTF2/BoxTextured-glTF-Binary/BoxTextured.glb"));
+  EXPECT_EQ(outside, render("glTF2/BoxTextured-glTF-Embedded/BoxTextured.gltf"));
+  std::set<std::array<std::uint8_t, 3>> colours;
+  for (std::size_t i = 0; i < outside.size(); i += 3) colours.insert({outside[i], outside[i + 1], outside[i + 2]});
+  EXPECT_GT(colours.size(), 20U) << "a picture of a texture has many colours";
+}
+
+}  // namespace
+}  // namespace zstrip::sim::test

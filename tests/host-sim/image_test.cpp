@@ -1,0 +1,197 @@
+// Pictures: what is written can be read back, what is damaged is refused, and no file is ever half there.
+#include <turbojpeg.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "image/decode.hpp"
+#include "image/encode.hpp"
+#include "image/resample.hpp"
+#include "image/write_file.hpp"
+#include "support.hpp"
+
+namespace zstrip::sim::test {
+namespace {
+
+std::vector<std::byte> bytes(std::initializer_list<unsigned> values) {
+  std::vector<std::byte> result;
+  for (const unsigned value : values) result.push_back(static_cast<std::byte>(value));
+  return result;
+}
+
+RgbImage round_trip(const View& view, const std::vector<std::byte>& pixels) {
+  const auto file = encode(ImageType::png, view, pixels);
+  EXPECT_TRUE(file);
+  const auto image = decode_image(*file);
+  EXPECT_TRUE(image) << image.failure().message;
+  EXPECT_EQ(image->width, view.width);
+  EXPECT_EQ(image->height, view.height);
+  return *image;
+}
+
+TEST(Png, Rgb565RepeatsUpperBits) {
+  // Red, green, blue, white; native order.
+  const auto pixels = bytes({0x00, 0xF8, 0xE0, 0x07, 0x1F, 0x00, 0xFF, 0xFF});
+  const std::vector<std::uint8_t> expected{255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255};
+  EXPECT_EQ(round_trip({2, 2, PixelFormat::rgb565}, pixels).rgb, expected);
+}
+
+TEST(Png, SwappedIsTheSamePicture) {
+  const auto swapped = bytes({0xF8, 0x00, 0x12, 0x34});
+  const auto native = bytes({0x00, 0xF8, 0x34, 0x12});
+  EXPECT_EQ(round_trip({2, 1, PixelFormat::rgb565_swapped}, swapped).rgb,
+            round_trip({2, 1, PixelFormat::rgb565}, native).rgb);
+}
+
+TEST(Png, Gray4HasSixteenGreysAndPaddedRows) {
+  const auto pixels = bytes({0x0F, 0x80, 0x12, 0x30});  // rows of three pixels
+  const std::vector<std::uint8_t> grey{0, 255, 136, 17, 34, 51};
+  std::vector<std::uint8_t> expected;
+  for (const std::uint8_t value : grey) expected.insert(expected.end(), 3, value);
+  EXPECT_EQ(round_trip({3, 2, PixelFormat::gray4}, pixels).rgb, expected);
+}
+
+TEST(Png, MonoLeftPixelIsTheHighBit) {
+  const auto image = round_trip({9, 1, PixelFormat::mono}, bytes({0x81, 0x80}));
+  for (std::uint32_t x = 0; x < 9; ++x) EXPECT_EQ(image.pixel(x, 0)[0], x == 0 || x == 7 || x == 8 ? 255 : 0) << x;
+}
+
+TEST(Ppm, HeaderAndPixels) {
+  const auto file = encode(ImageType::ppm, {1, 2, PixelFormat::rgb565}, bytes({0x00, 0xF8, 0x1F, 0x00}));
+  ASSERT_TRUE(file);
+  EXPECT_EQ(std::string(file->begin(), file->end()), std::string("P6\n1 2\n255\n\xFF\0\0\0\0\xFF", 17));
+}
+
+TEST(Ppm, GreyIsPgm) {
+  const auto file = encode(ImageType::ppm, {3, 1, PixelFormat::gray4}, bytes({0x0F, 0x80}));
+  ASSERT_TRUE(file);
+  EXPECT_EQ(std::string(file->begin(), file->end()), std::string("P5\n3 1\n255\n\0\xFF\x88", 14));
+  EXPECT_STREQ(file_extension(ImageType::ppm, PixelFormat::gray4), ".pgm");
+}
+
+TEST(Raw, IsTheBytesOfTheStrips) {
+  const auto pixels = bytes({1, 2, 3, 4});
+  const auto file = encode(ImageType::raw, {2, 1, PixelFormat::rgb565}, pixels);
+  ASSERT_TRUE(file);
+  EXPECT_EQ(*file, (std::vector<std::uint8_t>{1, 2, 3, 4}));
+}
+
+TEST(Decode, TruncatedPngIsRefusedOrWhole) {
+  std::vector<std::byte> noise;
+  std::uint32_t state = 1;
+  for (int i = 0; i < 512; ++i) {
+    state = state * 1664525 + 1013904223;
+    noise.push_back(static_cast<std::byte>(state >> 24));
+  }
+  const auto file = encode(ImageType::png, {16, 16, PixelFormat::rgb565}, noise);
+  ASSERT_TRUE(file);
+  const auto whole = decode_image(*file);
+  ASSERT_TRUE(whole);
+  for (std::size_t length = 0; length < file->size(); ++length) {
+    // A buffer of exactly this length, so that a sanitizer sees a read beyond it.
+    const std::vector<std::uint8_t> head(file->begin(), file->begin() + static_cast<std::ptrdiff_t>(length));
+    const auto image = decode_image(head);
+    if (length < file->size() * 9 / 10) {
+      EXPECT_FALSE(image) << length;
+    }
+    // Only check sums and the end mark may be missing.
+    if (image) {
+      EXPECT_EQ(image->rgb, whole->rgb) << length;
+    }
+  }
+}
+
+TEST(Decode, JpegAndItsTruncation) {
+  const std::vector<std::uint8_t> grey(3 * 20 * 10, 200);
+  const tjhandle jpeg = tjInitCompress();
+  unsigned char* data = nullptr;
+  unsigned long size = 0;
+  ASSERT_EQ(tjCompress2(jpeg, grey.data(), 20, 0, 10, TJPF_RGB, &data, &size, TJSAMP_444, 95, 0), 0);
+  const std::vector<std::uint8_t> file(data, data + size);
+  tjFree(data);
+  tjDestroy(jpeg);
+
+  const auto image = decode_image(file);
+  ASSERT_TRUE(image) << image.failure().message;
+  EXPECT_EQ(image->width, 20U);
+  EXPECT_EQ(image->height, 10U);
+  for (const std::uint8_t value : image->rgb) EXPECT_NEAR(value, 200, 2);
+  EXPECT_FALSE(decode_image(std::span(file).first(file.size() / 2)));
+}
+
+TEST(Decode, OtherBytesAreRefused) {
+  const std::string text = "BM this is no picture that we read";
+  EXPECT_FALSE(decode_image({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
+  EXPECT_FALSE(decode_image({}));
+}
+
+TEST(Resample, PowersOfTwoAreLeftAlone) {
+  const RgbImage image{2, 1, {1, 2, 3, 4, 5, 6}};
+  EXPECT_EQ(resample_to_power_of_two(image).rgb, image.rgb);
+}
+
+TEST(Resample, OddSidesGrowAndKeepAPlainColour) {
+  RgbImage image{3, 5, {}};
+  for (int i = 0; i < 15; ++i) image.rgb.insert(image.rgb.end(), {10, 200, 77});
+  const RgbImage scaled = resample_to_power_of_two(image);
+  EXPECT_EQ(scaled.width, 4U);
+  EXPECT_EQ(scaled.height, 8U);
+  ASSERT_EQ(scaled.rgb.size(), 96U);
+  for (std::size_t i = 0; i < scaled.rgb.size(); i += 3) {
+    EXPECT_EQ(scaled.rgb[i], 10);
+    EXPECT_EQ(scaled.rgb[i + 1], 200);
+    EXPECT_EQ(scaled.rgb[i + 2], 77);
+  }
+}
+
+TEST(Resample, LargeSidesAreAveraged) {
+  RgbImage image{4096, 1, {}};
+  for (int i = 0; i < 4096; ++i) image.rgb.insert(image.rgb.end(), 3, i % 2 == 0 ? 100 : 200);
+  const RgbImage scaled = resample_to_power_of_two(image);
+  EXPECT_EQ(scaled.width, 2048U);
+  EXPECT_EQ(scaled.height, 1U);
+  for (const std::uint8_t value : scaled.rgb) ASSERT_EQ(value, 150);
+}
+
+class WriteFile : public FolderTest {
+ protected:
+  static std::span<const std::uint8_t> content() {
+    static const std::vector<std::uint8_t> kBytes{'n', 'e', 'w'};
+    return kBytes;
+  }
+};
+
+TEST_F(WriteFile, ReplacesAndLeavesNothingElse) {
+  file("a", "old");
+  ASSERT_TRUE(write_file(path("a"), content(), "-o"));
+  EXPECT_EQ(read(path("a")), "new");
+  EXPECT_EQ(files(), std::vector<std::string>{"a"});
+}
+
+TEST_F(WriteFile, WritesThroughLinks) {
+  file("a", "old");
+  std::filesystem::create_symlink("a", path("link"));
+  ASSERT_TRUE(write_file(path("link"), content(), "-o"));
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link")));
+  EXPECT_EQ(read(path("a")), "new");
+}
+
+TEST_F(WriteFile, DevicesStayDevices) {
+  ASSERT_TRUE(write_file("/dev/null", content(), "-o"));
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  const auto full = write_file("/dev/full", content(), "-o");
+  ASSERT_FALSE(full);
+  EXPECT_EQ(full.failure().status, ExitStatus::output);
+  EXPECT_NE(full.failure().message.find("/dev/full"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+TEST_F(WriteFile, MissingFolderAndFolderAsFileFail) {
+  EXPECT_FALSE(write_file(path("no/such/a"), content(), "-o"));
+  std::filesystem::create_directory(path("d"));
+  EXPECT_FALSE(write_file(path("d"), content(), "-o"));
+  EXPECT_TRUE(files().empty());
+}
+
+}  // namespace
+}  // namespace zstrip::sim::test

@@ -1,0 +1,242 @@
+// The whole import: what comes out is a scene that the renderer takes, and the same surface as in the file.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <set>
+
+#include "image/encode.hpp"
+#include "import/model.hpp"
+#include "import/quantise.hpp"
+#include "import/read_model.hpp"
+#include "support.hpp"
+#include "zstrip/scene/validate.hpp"
+
+namespace zstrip::sim::test {
+namespace {
+
+class Import : public FolderTest {
+ protected:
+  Model model(const std::string& path, UpAxis up = UpAxis::plus_y) const {
+    Result<Model> imported = import_model(path, up);
+    EXPECT_TRUE(imported) << imported.failure().message;
+    const Scene scene{.meshes = imported->meshes,
+                      .materials = imported->materials,
+                      .textures = imported->textures,
+                      .instances = imported->instances,
+                      .lights = imported->lights};
+    EXPECT_TRUE(validate(scene));
+    return std::move(*imported);
+  }
+  std::string failure(const std::string& path) const {
+    const Result<Model> imported = import_model(path);
+    EXPECT_FALSE(imported);
+    if (imported) return "";
+    EXPECT_EQ(imported.failure().status, ExitStatus::input);
+    EXPECT_NE(imported.failure().message.find(path), std::string::npos);
+    return imported.failure().message;
+  }
+  /// A PNG of one colour (RGB565).
+  void png(const std::string& name, std::uint16_t width, std::uint16_t height, std::uint16_t colour) const {
+    std::vector<std::byte> pixels;
+    for (int i = 0; i < width * height; ++i) {
+      pixels.push_back(static_cast<std::byte>(colour & 0xFF));
+      pixels.push_back(static_cast<std::byte>(colour >> 8));
+    }
+    const auto bytes = encode(ImageType::png, {width, height, PixelFormat::rgb565}, pixels);
+    ASSERT_TRUE(bytes);
+    file(name, std::string(bytes->begin(), bytes->end()));
+  }
+};
+
+using Point = std::array<int, 3>;
+
+Point point(const Position& p) { return {p.x, p.y, p.z}; }
+
+/// The corners of all triangles of a model, each triangle rotated so that its smallest corner comes first.
+std::multiset<std::array<Point, 3>> triangles(const Model& model) {
+  std::multiset<std::array<Point, 3>> result;
+  for (const Mesh& mesh : model.meshes) {
+    for (const Triangle& t : mesh.triangles) {
+      std::array<Point, 3> corners{point(mesh.positions[t.a]), point(mesh.positions[t.b]), point(mesh.positions[t.c])};
+      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+      result.insert(corners);
+    }
+  }
+  return result;
+}
+
+TEST_F(Import, OneTriangle) {
+  const Model one = model(file("t.obj", kTriangleObj));
+  ASSERT_EQ(one.meshes.size(), 1U);
+  EXPECT_EQ(one.meshes[0].triangles.size(), 1U);
+  EXPECT_EQ(one.meshes[0].positions.size(), 3U);
+  EXPECT_TRUE(one.materials[0].double_sided);
+  EXPECT_EQ(one.meshes[0].half_extent.z, 0);
+}
+
+TEST_F(Import, LongestSideBecomesTwo) {
+  const Model box =
+      model(file("box.obj", "v 10 20 30\nv 14 20 30\nv 10 22 30\nv 10 20 31\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"));
+  EXPECT_EQ(box.units.origin, (std::array<double, 3>{12, 21, 30.5}));
+  EXPECT_EQ(box.units.scale, 0.5);
+  const Mesh& mesh = box.meshes[0];
+  EXPECT_FALSE(box.materials[0].double_sided);
+  for (const Position& p : mesh.positions) {
+    // Corners lie at the box's faces, within the step of the grid.
+    EXPECT_NEAR(std::abs(from_fixed(mesh.half_extent.x) * p.x / 32768), 1, 1.0 / 32768);
+    EXPECT_NEAR(std::abs(from_fixed(mesh.half_extent.y) * p.y / 32768), 0.5, 1.0 / 32768);
+    EXPECT_NEAR(std::abs(from_fixed(mesh.half_extent.z) * p.z / 32768), 0.25, 1.0 / 32768);
+  }
+}
+
+TEST_F(Import, UpAxes) {
+  // The tip is away from the base along +z; after turning it must be on top, without mirroring.
+  const std::string path = file("t.obj", "v 0 0 3\nv 1 0 0\nv 0 1 0\nv -1 -1 0\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n");
+  for (const auto& [up, tip_y] : std::map<UpAxis, int>{{UpAxis::plus_z, 32767}, {UpAxis::minus_z, -32767}}) {
+    const Model turned = model(path, up);
+    int extreme = 0;
+    for (const Position& p : turned.meshes[0].positions) {
+      if (p.x > -20000 && p.x < 20000 && std::abs(p.z) < 20000) extreme = p.y;
+    }
+    EXPECT_NEAR(extreme, tip_y, 1);
+    EXPECT_FALSE(turned.materials[0].double_sided) << "a mirrored tetrahedron would be inside out";
+  }
+}
+
+TEST_F(Import, MoreVerticesThanSixteenBits) {
+  const std::string obj = sphere_obj(400, 250);
+  const std::string path = file("sphere.obj", obj);
+  const Model large = model(path);
+  EXPECT_GE(large.meshes.size(), 2U);
+  std::size_t count = 0;
+  for (const Mesh& mesh : large.meshes) {
+    EXPECT_LE(mesh.positions.size(), 65535U);
+    count += mesh.triangles.size();
+    for (const Meshlet& meshlet : mesh.meshlets) {
+      EXPECT_LE(meshlet.vertex_count, 64);
+      const double largest = std::max({mesh.half_extent.x, mesh.half_extent.y, mesh.half_extent.z});
+      for (const Position& p : mesh.positions.subspan(meshlet.first_vertex, meshlet.vertex_count)) {
+        const double x = (p.x - meshlet.centre.x) * (mesh.half_extent.x / largest);
+        const double y = (p.y - meshlet.centre.y) * (mesh.half_extent.y / largest);
+        const double z = (p.z - meshlet.centre.z) * (mesh.half_extent.z / largest);
+        ASSERT_LE(std::sqrt(x * x + y * y + z * z), meshlet.radius);
+      }
+    }
+  }
+  EXPECT_EQ(count, 2U * 400U * 249U);
+
+  // The same triangles as in the file: quantise the source directly and compare corner by corner.
+  const Result<SourceModel> source = read_model(path, UpAxis::plus_y);
+  ASSERT_TRUE(source);
+  std::multiset<std::array<Point, 3>> expected;
+  const Vec3& half = large.meshes[0].half_extent;
+  const auto quantised = [&](const SourceVertex& vertex) {
+    const auto coordinate = [&](std::size_t axis, Fixed extent) {
+      const double scene = (double{vertex.position[axis]} - large.units.origin[axis]) * large.units.scale;
+      return static_cast<int>(std::clamp(std::round(scene * 32768 / from_fixed(extent)), -32767.0, 32767.0));
+    };
+    return Point{coordinate(0, half.x), coordinate(1, half.y), coordinate(2, half.z)};
+  };
+  for (const SourceMesh& mesh : source->meshes) {
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+      std::array<Point, 3> corners{};
+      for (std::size_t k = 0; k < 3; ++k) corners[k] = quantised(mesh.vertices[mesh.indices[i + k]]);
+      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+      expected.insert(corners);
+    }
+  }
+  EXPECT_EQ(triangles(large), expected);
+}
+
+TEST_F(Import, SharedBordersStayIdentical) {
+  file("m.mtl", "newmtl a\nKd 1 0 0\nnewmtl b\nKd 0 1 0\n");
+  const Model two = model(file("two.obj",
+                               "mtllib m.mtl\nv 0 0.1 0\nv 0.7 0.3 0.1\nv 0.2 1 0.37\nv 1 1 1\n"
+                               "usemtl a\nf 1 2 3\nusemtl b\nf 3 2 4\n"));
+  ASSERT_EQ(two.meshes.size(), 2U);
+  EXPECT_EQ(two.meshes[0].half_extent, two.meshes[1].half_extent);
+  std::set<Point> first;
+  std::set<Point> second;
+  for (const Position& p : two.meshes[0].positions) first.insert(point(p));
+  for (const Position& p : two.meshes[1].positions) second.insert(point(p));
+  std::vector<Point> shared;
+  std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(shared));
+  EXPECT_EQ(shared.size(), 2U);
+  EXPECT_EQ(two.materials[two.instances[0].material].colour, (Colour{255, 0, 0, 255}));
+  EXPECT_EQ(two.materials[two.instances[1].material].colour, (Colour{0, 255, 0, 255}));
+}
+
+TEST_F(Import, TrianglesThatAreNotFiniteAreCounted) {
+  const Model one =
+      model(file("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 0 inf 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n"));
+  EXPECT_EQ(one.meshes[0].triangles.size(), 1U);
+  ASSERT_EQ(one.warnings.size(), 1U);
+  EXPECT_NE(one.warnings[0].find("2 triangles left out"), std::string::npos) << one.warnings[0];
+}
+
+TEST_F(Import, NothingLeftIsAnError) {
+  EXPECT_NE(failure(file("n.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")).find("finite"), std::string::npos);
+  EXPECT_NE(failure(file("d.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")).find("area"), std::string::npos);
+  EXPECT_NE(failure(file("l.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n")).find("points, lines"), std::string::npos);
+}
+
+TEST_F(Import, ExtremeCoordinates) {
+  for (const char* scale : {"1e-30", "1e30", "3e38"}) {
+    const std::string s = scale;
+    const Model one = model(file("t.obj", "v 0 0 0\nv " + s + " 0 0\nv 0 " + s + " 0\nf 1 2 3\n"));
+    EXPECT_EQ(one.meshes[0].triangles.size(), 1U) << scale;
+    EXPECT_GE(one.meshes[0].half_extent.x, kFixedOne) << scale;
+  }
+}
+
+TEST_F(Import, TexturesOfOddSizes) {
+  png("picture.png", 3, 5, 0xF800);
+  file("m.mtl", "newmtl a\nKd 1 1 1\nmap_Kd picture.png\n");
+  const Model textured = model(
+      file("t.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"));
+  ASSERT_EQ(textured.textures.size(), 1U);
+  EXPECT_EQ(textured.textures[0].log2_width, 2);
+  EXPECT_EQ(textured.textures[0].log2_height, 3);
+  for (const std::uint16_t texel : textured.textures[0].texels) EXPECT_EQ(texel, 0xF800);
+  EXPECT_EQ(textured.materials[0].texture, 0);
+  // v grows downwards: the corner with the file's (0, 0) is at the lower left of the texture.
+  const Mesh& mesh = textured.meshes[0];
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (mesh.positions[i].x < 0 && mesh.positions[i].y < 0) {
+      EXPECT_EQ(mesh.texcoords[i].u, 0);
+      EXPECT_EQ(mesh.texcoords[i].v, 1 << mesh.texcoord_bits);
+    }
+  }
+}
+
+TEST_F(Import, MissingAndDamagedTexturesAreWarnings) {
+  png("whole.png", 16, 16, 0x1234);
+  file("half.png", read(path("whole.png")).substr(0, 60));
+  for (const char* name : {"missing.png", "half.png", ".", "/dev/zero"}) {
+    file("m.mtl", std::string("newmtl a\nKd 1 0 0\nmap_Kd ") + name + "\n");
+    const Model plain = model(
+        file("t.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"));
+    EXPECT_TRUE(plain.textures.empty()) << name;
+    EXPECT_EQ(plain.materials[0].texture, kNoTexture) << name;
+    ASSERT_EQ(plain.warnings.size(), 1U) << name;
+    EXPECT_NE(plain.warnings[0].find("texture"), std::string::npos);
+  }
+}
+
+TEST_F(Import, VertexColoursReplaceTheMaterial) {
+  const Model coloured = model(file("c.ply",
+                                    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                                    "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+                                    "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                                    "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n"));
+  ASSERT_EQ(coloured.meshes[0].colours.size(), 3U);
+  EXPECT_EQ(coloured.materials[0].colour, (Colour{255, 255, 255, 255}));
+  int sum = 0;
+  for (const Colour& c : coloured.meshes[0].colours) sum += c.r + c.g + c.b;
+  EXPECT_EQ(sum, 3 * 255);
+}
+
+}  // namespace
+}  // namespace zstrip::sim::test

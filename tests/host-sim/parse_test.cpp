@@ -1,0 +1,88 @@
+// Values of options: what is taken, and that everything else is a usage error which names the option.
+#include "cli/parse.hpp"
+#include "cli/output_names.hpp"
+#include "report/number.hpp"
+#include "support.hpp"
+
+namespace zstrip::sim::test {
+namespace {
+
+template <typename T>
+void expect_usage_error(const Result<T>& result, const std::string& option) {
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.failure().status, ExitStatus::usage);
+  EXPECT_NE(result.failure().message.find(option), std::string::npos) << result.failure().message;
+}
+
+TEST(Parse, Size) {
+  const auto size = parse_size("640x480");
+  ASSERT_TRUE(size);
+  EXPECT_EQ(size->first, 640);
+  EXPECT_EQ(size->second, 480);
+  EXPECT_TRUE(parse_size("1x4096"));
+  for (const char* text : {"", "x", "0x0", "0x5", "5x0", "4097x1", "1x4097", "640", "640x", "x480", "-1x5", "6 x5",
+                           "640x480x2", "99999999999x1"}) {
+    expect_usage_error(parse_size(text), "--size");
+  }
+}
+
+TEST(Parse, Bytes) {
+  EXPECT_EQ(*parse_bytes("20000"), 20000U);
+  EXPECT_EQ(*parse_bytes("20K"), 20480U);
+  EXPECT_EQ(*parse_bytes("3M"), 3145728U);
+  EXPECT_EQ(*parse_bytes("4095M"), 4293918720U);
+  for (const char* text : {"", "K", "0", "-5", "4096M", "1G", "5000000000", "1.5K"}) {
+    expect_usage_error(parse_bytes(text), "--ram");
+  }
+}
+
+TEST(Parse, StripRows) {
+  EXPECT_EQ(*parse_strip_rows("auto"), 0);
+  EXPECT_EQ(*parse_strip_rows("7"), 7);
+  for (const char* text : {"", "0", "-1", "4097", "seven"}) expect_usage_error(parse_strip_rows(text), "--strip-rows");
+}
+
+TEST(Parse, Vector) {
+  EXPECT_EQ(*parse_vector("--eye", "1,-2.5,3e2"), (std::array<double, 3>{1, -2.5, 300}));
+  for (const char* text : {"", "1,2", "1,2,3,4", "1,,3", "a,b,c", "nan,0,0", "inf,0,0", "1 2 3"}) {
+    expect_usage_error(parse_vector("--eye", text), "--eye");
+  }
+}
+
+TEST(Parse, Words) {
+  EXPECT_EQ(*parse_format("gray4"), PixelFormat::gray4);
+  EXPECT_EQ(*parse_image_type("ppm"), ImageType::ppm);
+  EXPECT_EQ(*parse_up_axis("-z"), UpAxis::minus_z);
+  expect_usage_error(parse_format("rgb888"), "--format");
+  expect_usage_error(parse_image_type("gif"), "--image");
+  expect_usage_error(parse_up_axis("w"), "--up");
+}
+
+TEST(Grouped, ThreeDigits) {
+  EXPECT_EQ(grouped(0), "0");
+  EXPECT_EQ(grouped(999), "999");
+  EXPECT_EQ(grouped(1000), "1,000");
+  EXPECT_EQ(grouped(1234567), "1,234,567");
+}
+
+class OutputNamesTest : public FolderTest {};
+
+TEST_F(OutputNamesTest, FilesAndFolders) {
+  const auto name = [](std::optional<std::string> output, std::optional<std::uint32_t> frames = {}) {
+    return *name_outputs("models/cat.3ds", output, frames, {}, PixelFormat::rgb565);
+  };
+  EXPECT_EQ(name({}).file(0), "cat.png");
+  EXPECT_EQ(name({}, 3).file(2), "cat/frame_0002.png");
+  EXPECT_EQ(name(path("a.ppm")).type, ImageType::ppm);
+  EXPECT_EQ(name(path("a.ppm")).frames, 1U);
+  EXPECT_EQ(name(path("folder")).frames, 8U);
+  EXPECT_EQ(name(path("folder")).file(11).filename(), "frame_0011.png");
+  std::filesystem::create_directory(path("folder.png"));
+  EXPECT_TRUE(name(path("folder.png")).folder);
+  EXPECT_FALSE(name(file("plain", "")).folder);
+  expect_usage_error(name_outputs("cat", path("a.png"), 2, {}, PixelFormat::rgb565), "-o");
+  expect_usage_error(name_outputs("cat", path("a.png"), {}, ImageType::raw, PixelFormat::rgb565), "--image");
+}
+
+}  // namespace
+}  // namespace zstrip::sim::test

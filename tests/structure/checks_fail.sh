@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# checks_fail.sh ROOT: the other checks of this folder are tried on small trees that break each rule; a check that lets
+# one pass, or complains of a good tree, fails here.
+set -euo pipefail
+root=$1
+checks=$root/tests/structure
+tree=$(mktemp -d)
+trap 'rm -rf "$tree"' EXIT
+failed=0
+
+good_tree() {
+  rm -rf "${tree:?}"/*
+  cp "$root/.clang-format" "$root/.clang-tidy" "$tree"
+  mkdir -p "$tree"/{core/zstrip/{base,scene,frame},hal/zstrip_hal}
+  printf '#pragma once\n#include <cstdint>\n' >"$tree/core/zstrip/base/fixed.hpp"
+  printf '#include "zstrip/base/fixed.hpp"\nint twice(int value) { return 2 * value; }\n' >"$tree/core/zstrip/scene/twice.cpp"
+  printf '#pragma once\n' >"$tree/core/zstrip/frame/frame.hpp"
+  printf '#pragma once\n' >"$tree/hal/zstrip_hal/bus.hpp"
+}
+
+is_version_14() { "$1" --version 2>/dev/null | grep -q 'version 14\.'; }
+
+# passes CHECK ARGS...; fails_with TEXT CHECK ARGS...
+passes() {
+  local check=$1
+  shift
+  if ! output=$(bash "$checks/$check" "$tree" "$@" 2>&1); then echo "$check complains of a good tree: $output"; failed=1; fi
+}
+fails_with() {
+  local text=$1 check=$2 status=0
+  shift 2
+  output=$(bash "$checks/$check" "$tree" "$@" 2>&1) || status=$?
+  if [ "$status" -eq 0 ] || ! grep -qF -- "$text" <<<"$output"; then
+    echo "$check should fail with \"$text\"; it ended with $status and: $output"
+    failed=1
+  fi
+  good_tree
+}
+
+good_tree
+passes includes.sh
+passes layout.sh
+passes freestanding.sh g++
+if is_version_14 clang-format; then passes format.sh; fi
+
+echo '#include "zstrip_hal/bus.hpp"' >>"$tree/core/zstrip/scene/twice.cpp"
+fails_with "core includes zstrip_hal/bus.hpp" includes.sh
+echo '#include "zstrip/base/fixed.hpp"' >>"$tree/hal/zstrip_hal/bus.hpp"
+fails_with "hal includes zstrip/base/fixed.hpp" includes.sh
+echo '#include "zstrip/frame/frame.hpp"' >>"$tree/core/zstrip/scene/twice.cpp"
+fails_with "scene includes zstrip/frame/frame.hpp of the later stage frame" includes.sh
+echo '#include "zstrip/base/gone.hpp"' >>"$tree/core/zstrip/scene/twice.cpp"
+fails_with "zstrip/base/gone.hpp does not exist" includes.sh
+echo '#include "fixed.hpp"' >>"$tree/core/zstrip/base/fixed.hpp"
+fails_with "core includes fixed.hpp" includes.sh
+
+mkdir "$tree/misc"
+fails_with "unexpected at the top level: misc" layout.sh
+echo "# see /""home/somebody/notes" >"$tree/README.md"
+fails_with "paths of one machine" layout.sh
+
+echo 'int* take() { return new int; }' >>"$tree/core/zstrip/scene/twice.cpp"
+fails_with "_Znwm" freestanding.sh g++
+echo 'volatile int seed;
+int drawn = twice(seed);' >>"$tree/core/zstrip/scene/twice.cpp"
+fails_with "runs before main" freestanding.sh g++
+if command -v arm-none-eabi-g++ >/dev/null; then
+  echo 'float half(float value) { return value / 2; }' >>"$tree/core/zstrip/scene/twice.cpp"
+  fails_with "__aeabi_f" freestanding.sh arm-none-eabi-g++ -mcpu=cortex-m3 -mthumb
+fi
+
+if is_version_14 clang-format; then
+  echo 'int   spaced( );' >>"$tree/core/zstrip/scene/twice.cpp"
+  fails_with "./core/zstrip/scene/twice.cpp" format.sh
+fi
+
+if is_version_14 clang-tidy; then
+  # The tree's own description of how it is compiled.
+  database() {
+    printf '[{\n  "directory": "%s",\n  "command": "c++ -std=c++20 -Icore -c %s",\n  "file": "%s"\n}]\n' \
+      "$tree" "$tree/core/zstrip/scene/twice.cpp" "$tree/core/zstrip/scene/twice.cpp" >"$tree/compile_commands.json"
+  }
+  database
+  passes tidy.sh "$tree"
+  database
+  echo 'int BadName() { return 0; }' >>"$tree/core/zstrip/scene/twice.cpp"
+  fails_with "BadName" tidy.sh "$tree"
+  fails_with "no compile_commands.json" tidy.sh "$tree"
+fi
+
+exit "$failed"

@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# freestanding.sh ROOT COMPILER FLAGS...: compiles core and hal for a freestanding target and reads the objects: they may
+# call the four mem functions and the compiler's integer helpers, and nothing may run before main.
+set -euo pipefail
+root=$1 compiler=$2
+shift 2
+if ! command -v "$compiler" >/dev/null; then
+  echo "$compiler is not installed"
+  exit 77
+fi
+objects=$(mktemp -d)
+trap 'rm -rf "$objects"' EXIT
+
+# Headers are compiled too, each on its own; their templates are instantiated by the .cpp files.
+find "$root/core/zstrip" "$root/hal/zstrip_hal" -name '*.cpp' -o -name '*.hpp' | sort >"$objects/sources"
+compile() {
+  local source=$1
+  shift
+  "$@" -std=c++20 -O2 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wall -Wextra -Werror \
+    -I"$root/core" -I"$root/hal" -o "$objects/$(tr / _ <<<"${source#"$root"/}").o" -c -x c++ - <<<"#include \"$source\""
+}
+export root objects
+export -f compile
+xargs -P 2 -I{} bash -c 'compile "$@"' _ {} "$compiler" "$@" <"$objects/sources"
+
+prefix=
+case "$compiler" in *arm-none-eabi-*) prefix=arm-none-eabi- ;; esac
+"${prefix}nm" --format=posix --defined-only "$objects"/*.o | awk 'NF > 2 { print $1 }' | sort -u >"$objects/defined"
+"${prefix}nm" --format=posix --undefined-only "$objects"/*.o | awk 'NF == 2 && $2 == "U" { print $1 }' | sort -u >"$objects/undefined"
+[ -s "$objects/defined" ] || { echo "no object defines anything"; exit 1; }
+
+# Integer division, shifts, multiplication, counting bits, switch tables; never __aeabi_f*, __aeabi_d*, __aeabi_*2f.
+allowed='mem(cpy|move|set|cmp)|__aeabi_(mem(cpy|move|set|clr)[48]?|u?idiv|u?idivmod|u?ldivmod|lmul|llsl|llsr|lasr|u?lcmp)'
+allowed+='|__gnu_thumb1_case_(uqi|sqi|uhi|shi|si)|__(clz|ctz|popcount|ffs|bswap)[sd]i2|_GLOBAL_OFFSET_TABLE_'
+foreign=$(comm -13 "$objects/defined" "$objects/undefined" | grep -vxE "$allowed" || true)
+failed=0
+if [ -n "$foreign" ]; then
+  echo "symbols that a freestanding program does not have:"
+  for symbol in $foreign; do
+    echo "  $symbol" "$(cd "$objects" && "${prefix}nm" -A --undefined-only ./*.o | awk -v s="$symbol" '$NF == s { print $1 }' | head -n 3 | tr '\n' ' ')"
+  done
+  failed=1
+fi
+
+starters=$("${prefix}readelf" -SW "$objects"/*.o | awk '/^File:/ { file = $2 } /\.(init_array|ctors|preinit_array|tbss|tdata)/ { print file }' | sort -u)
+if [ -n "$starters" ]; then
+  printf 'code that runs before main, or thread-local data:\n%s\n' "$starters"
+  failed=1
+fi
+exit "$failed"
