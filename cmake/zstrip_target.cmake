@@ -3,15 +3,15 @@ function(zstrip_configure_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   target_compile_options(${target} PRIVATE
-    $<$<CXX_COMPILER_ID:GNU,Clang>:-Wall -Wextra -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion>)
+    $<$<CXX_COMPILER_ID:GNU,Clang>:-Wall -Wextra -Wshadow -Wconversion -Wsign-conversion>)
   if(ZSTRIP_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang>:-Werror>)
   endif()
 endfunction()
 
-# Freestanding code also keeps away from exceptions, RTTI and guarded statics.
+# Freestanding code also keeps away from exceptions, RTTI, guarded statics and floating point in double precision.
 function(zstrip_configure_freestanding_target target)
   zstrip_configure_target(${target})
   target_compile_options(${target} PRIVATE
-    $<$<CXX_COMPILER_ID:GNU,Clang>:-ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics>)
+    $<$<CXX_COMPILER_ID:GNU,Clang>:-Wdouble-promotion -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics>)
 endfunction()

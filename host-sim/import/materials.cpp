@@ -36,7 +36,7 @@ Result<RgbImage> decode_embedded(const aiTexture& texture) {
 /// The file beside the model that `name` means: as it stands, or, for paths of another machine, its last part.
 std::filesystem::path find_texture(const std::filesystem::path& folder, std::string name) {
   std::replace(name.begin(), name.end(), '\\', '/');
-  const std::filesystem::path as_given = folder / name;
+  std::filesystem::path as_given = folder / name;
   std::error_code ignored;
   if (std::filesystem::exists(as_given, ignored)) return as_given;
   const std::filesystem::path beside = folder / std::filesystem::path(name).filename();
