@@ -35,7 +35,7 @@ Json to_object(std::size_t index, const FrameRecord& frame) {
            {{"triangles", statistics.triangles},
             {"drawn", statistics.drawn},
             {"clipped", statistics.clipped},
-            {"set_up", statistics.set_up},
+            {"covering", statistics.covering},
             {"vertices", statistics.vertices},
             {"fragments", statistics.fragments},
             {"depth_passes", statistics.depth_passes}}}};

@@ -13,11 +13,10 @@ complain() {
 
 # A zstrip command line: the subcommand must exist, and its help must name every option used.
 check_zstrip() {
-  local line=$1 subcommand=$2 help option
-  shift 2
+  local line=$1 subcommand=${2-} help option
   case "$subcommand" in '' | -*) return ;; esac
   if ! help=$("$zstrip" "$subcommand" --help </dev/null 2>&1); then complain "no such command: $line"; return; fi
-  for option in "$@"; do
+  for option in "${@:3}"; do
     case "$option" in
       -*) grep -qE -- "(^|[ ,])${option%%=*}([ ,=]|$)" <<<"$help" || complain "zstrip $subcommand has no option ${option%%=*}: $line" ;;
     esac

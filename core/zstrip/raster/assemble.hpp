@@ -24,13 +24,30 @@ struct Batch {
   Surface surface;
 };
 
-/// Counts a triangle in the first strip that it touches, so that strips add up to the frame.
+/// Counts a triangle while it lives: as drawn in the first strip that it touches, so that strips add up to the frame,
+/// and as covering in every strip where it turns out to have fragments. Without statistics it is nothing.
 template <bool statistics>
-inline void count_drawn(const StripTarget& target, std::int32_t first_row) {
-  if constexpr (statistics) {
-    if (std::max(first_row, target.first_row) >= target.area.top) ++target.statistics->drawn;
+class CountedTriangle {
+ public:
+  CountedTriangle(const StripTarget& target, std::int32_t first_row) {
+    if constexpr (statistics) {
+      counts_ = target.statistics;
+      fragments_before_ = counts_->fragments;
+      if (std::max(first_row, target.first_row) >= target.area.top) ++counts_->drawn;
+    }
   }
-}
+  CountedTriangle(const CountedTriangle&) = delete;
+  CountedTriangle& operator=(const CountedTriangle&) = delete;
+  ~CountedTriangle() {
+    if constexpr (statistics) {
+      if (counts_->fragments != fragments_before_) ++counts_->covering;
+    }
+  }
+
+ private:
+  Statistics* counts_ = nullptr;
+  std::uint32_t fragments_before_ = 0;
+};
 
 /// Texels, 16.16, of a texture coordinate.
 constexpr std::int32_t texels(std::int16_t coordinate, std::uint8_t log2_size, std::uint8_t fraction_bits) {
@@ -91,7 +108,7 @@ struct Assembler {
     const Rect box{std::max(min_x >> 4, target.area.left), std::max(min_y >> 4, target.area.top),
                    std::min(max_x >> 4, target.area.right), std::min(max_y >> 4, target.area.bottom)};
     if (box.empty()) return;
-    count_drawn<kStatistics>(target, min_y >> 4);
+    const CountedTriangle<kStatistics> counted(target, min_y >> 4);
     if constexpr (shade <= Shade::gouraud) {
       if (is_small(max_x - min_x, max_y - min_y, a, b, c)) {
         constexpr bool kGouraud = shade == Shade::gouraud;
@@ -154,7 +171,7 @@ struct Assembler {
     Surface surface = batch.surface;
     surface.flat_colour = flat_colour<shade>(batch, triangle);
     if constexpr (kStatistics) ++target.statistics->clipped;
-    count_drawn<kStatistics>(target, polygon.top());
+    const CountedTriangle<kStatistics> counted(target, polygon.top());
     RasterVertex corner[3];
     while (polygon.cut_triangle(corner)) {
       if constexpr (shade == Shade::textured_flat) {
