@@ -1,106 +1,15 @@
 // Whole frames through the public interface: invariance, clipping, errors.
 #include <gtest/gtest.h>
 
-#include <random>
+#include <algorithm>
 #include <vector>
 
-#include "zstrip/zstrip.hpp"
+#include "picture.hpp"
 
 namespace {
 
 using namespace zstrip;
-
-/// A mesh of random triangles that owns its memory.
-struct Model {
-  std::vector<Position> positions;
-  std::vector<Colour> colours;
-  std::vector<Normal> normals;
-  std::vector<TexCoord> texcoords;
-  std::vector<Triangle> triangles;
-  std::vector<std::uint16_t> texels;
-  Mesh mesh;
-  Texture texture;
-  Material material;
-  Instance instance;
-  DirectionalLight light;
-
-  Scene scene() {
-    mesh.positions = positions;
-    mesh.colours = colours;
-    mesh.normals = normals;
-    mesh.texcoords = texcoords;
-    mesh.triangles = triangles;
-    texture = {texels, 4, 3};
-    Scene s;
-    s.meshes = {&mesh, 1};
-    s.materials = {&material, 1};
-    s.instances = {&instance, 1};
-    s.lights = {&light, 1};
-    if (!texels.empty()) s.textures = {&texture, 1};
-    s.background = {16, 32, 48, 255};
-    return s;
-  }
-};
-
-Model random_model(unsigned seed, int triangles, int extent) {
-  std::mt19937 random(seed);
-  const auto between = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
-  Model model;
-  for (int t = 0; t < triangles; ++t) {
-    const int c[3] = {between(-30000, 30000), between(-30000, 30000), between(-30000, 30000)};
-    for (int k = 0; k < 3; ++k) {
-      const auto near = [&](int axis) {
-        return static_cast<std::int16_t>(std::clamp(c[axis] + between(-extent, extent), -32767, 32767));
-      };
-      model.positions.push_back({near(0), near(1), near(2)});
-      const auto byte = [&] { return static_cast<std::uint8_t>(between(0, 255)); };
-      model.colours.push_back({byte(), byte(), byte(), 255});
-      model.normals.push_back(
-          {static_cast<std::int8_t>(between(-73, 73)), static_cast<std::int8_t>(between(-73, 73)), 73, 0});
-      model.texcoords.push_back(
-          {static_cast<std::int16_t>(between(-9000, 9000)), static_cast<std::int16_t>(between(-9000, 9000))});
-    }
-    const auto v = static_cast<std::uint16_t>(3 * t);
-    model.triangles.push_back({v, static_cast<std::uint16_t>(v + 1), static_cast<std::uint16_t>(v + 2)});
-  }
-  for (int i = 0; i < 128; ++i) model.texels.push_back(static_cast<std::uint16_t>(between(0, 65535)));
-  model.material.double_sided = true;
-  return model;
-}
-
-struct Picture {
-  Status status;
-  std::vector<std::byte> pixels;
-  Statistics statistics;
-  Rect bounds;
-};
-
-Picture render(const Scene& scene, const Camera& camera, const View& view, std::uint16_t strip_rows,
-               std::uint8_t garbage = 0xA5) {
-  const Effects effects = effects_of(scene, camera) | effect::statistics;
-  const PlanResult planned = plan(count(scene), view, effects, {.strip_rows = strip_rows});
-  if (!planned.status) return {planned.status, {}, {}, {}};
-  std::vector<std::uint64_t> words(planned.plan.bytes() / 8 + 1, 0x0101010101010101ULL * garbage);
-  const auto arena = std::as_writable_bytes(std::span(words)).first(planned.plan.bytes());
-  AnyRenderer renderer(effects);
-  Picture picture;
-  picture.status = renderer.begin_frame(scene, camera, view, planned.plan, arena);
-  if (!picture.status) return picture;
-  std::vector<std::uint16_t> strip(planned.plan.strip_pixel_bytes(view) / 2 + 1,
-                                   static_cast<std::uint16_t>(garbage * 257));
-  const std::uint32_t row = bytes_per_row(view.width, view.format);
-  for (std::uint16_t s = 0; s < planned.plan.strips; ++s) {
-    const auto bytes = std::as_writable_bytes(std::span(strip));
-    picture.status = renderer.draw_strip(s, bytes);
-    if (!picture.status) return picture;
-    const auto rows =
-        static_cast<std::uint32_t>(std::min<int>(planned.plan.strip_rows, view.height - s * planned.plan.strip_rows));
-    picture.pixels.insert(picture.pixels.end(), bytes.begin(), bytes.begin() + rows * row);
-  }
-  picture.statistics = renderer.frame().statistics();
-  picture.bounds = renderer.frame().bounds();
-  return picture;
-}
+using namespace picture;
 
 class Invariance : public testing::TestWithParam<int> {};
 
@@ -148,27 +57,6 @@ TEST(Frame, SmallGouraudTrianglesDoNotDependOnTheStrip) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Invariance, testing::Range(0, 128));
-
-/// A square in the plane z = 0 of the given half size (16.16), cut into n x n cells of two triangles.
-Model grid(int n, Fixed half) {
-  Model model;
-  for (int y = 0; y <= n; ++y) {
-    for (int x = 0; x <= n; ++x) {
-      const auto at = [n](int i) { return static_cast<std::int16_t>(-32767 + 65534 * i / n); };
-      model.positions.push_back({at(x), at(y), 0});
-    }
-  }
-  for (int y = 0; y < n; ++y) {
-    for (int x = 0; x < n; ++x) {
-      const auto v = [n](int i, int j) { return static_cast<std::uint16_t>(j * (n + 1) + i); };
-      model.triangles.push_back({v(x, y), v(x + 1, y), v(x + 1, y + 1)});
-      model.triangles.push_back({v(x, y), v(x + 1, y + 1), v(x, y + 1)});
-    }
-  }
-  model.mesh.half_extent = {half, half, half};
-  model.material.lit = false;
-  return model;
-}
 
 TEST(Frame, ATiledPlaneCoversEachPixelExactlyOnce) {
   // Seen at a slant, with the near plane cutting through it: clipped and unclipped cells share edges. The cells stay
