@@ -148,4 +148,15 @@ TEST(Raster, EveryTriangleOnASmallLattice) {
   }
 }
 
+// Regression: a depth difference close to the whole range wrapped and passed for a small one.
+TEST(Raster, SmallTrianglesHaveNoDepthDifferenceThatWraps) {
+  const Corners c{
+      {{102, 585, 65000U << 16 | 0x2000, {}}, {35, 473, 1U << 16 | 0x2000, {}}, {34, 474, 65000U << 16 | 0x2000, {}}}};
+  ASSERT_GT(area_of(c), 0);
+  Canvas canvas;
+  EXPECT_FALSE(draw_small(canvas, c));
+  draw_spans(canvas, c, true);
+  EXPECT_EQ(verdict(canvas, c), "");
+}
+
 }  // namespace

@@ -93,10 +93,28 @@ struct Assembler {
     return batch.surface.flat_colour;
   }
 
+  /// Planes start at vertex a and round there. Rotated so that the vertex of least order becomes a, a triangle has the
+  /// same depths and colours whichever of its vertices comes first.
+  template <class Order>
+  static void rotate_to_first(const Order& order, std::uint32_t& ia, std::uint32_t& ib, std::uint32_t& ic) {
+    const auto a = order(ia), b = order(ib), c = order(ic);
+    const std::uint32_t first = ia;
+    if (b < a && b < c) {
+      ia = ib, ib = ic, ic = first;
+    } else if (c < a) {
+      ia = ic, ic = ib, ib = first;
+    }
+  }
+
   /// Cannot be inlined: keeps the culling loop small enough for the registers of a Cortex-M.
   template <Shade shade>
   [[gnu::noinline]] static void draw_narrow(const StripTarget& target, const Batch& batch, const Triangle& provoking,
                                             std::uint32_t ia, std::uint32_t ib, std::uint32_t ic, std::int32_t area) {
+    const auto from_the_top = [&batch](std::uint32_t index) {
+      const SnappedVertex& v = batch.vertices[index - batch.first_vertex];
+      return v.y * 65536 + v.x;
+    };
+    rotate_to_first(from_the_top, ia, ib, ic);
     const SnappedVertex* vertices = batch.vertices;
     const SnappedVertex& a = vertices[ia - batch.first_vertex];
     const SnappedVertex& b = vertices[ib - batch.first_vertex];
@@ -154,7 +172,12 @@ struct Assembler {
   [[gnu::noinline]] static void draw_clipped(const StripTarget& target, const Batch& batch, const Triangle& triangle) {
     ClipPolygon clipped;
     clipped.count = 3;
-    const std::uint32_t indices[3] = {triangle.a, triangle.b, triangle.c};
+    std::uint32_t indices[3] = {triangle.a, triangle.b, triangle.c};
+    const auto by_position = [&batch](std::uint32_t index) {
+      const Position& p = batch.mesh->positions[index];
+      return std::int64_t{p.x} * (std::int64_t{1} << 32) + std::int64_t{p.y} * 65536 + p.z;
+    };
+    rotate_to_first(by_position, indices[0], indices[1], indices[2]);
     for (int i = 0; i < 3; ++i) {
       clipped.vertices[i] = clip_vertex(batch, indices[i]);
       load_attributes<shade>(batch, indices[i], clipped.vertices[i]);

@@ -88,8 +88,11 @@ struct SmallSetup {
 /// Whether this triangle may be drawn by draw_small_triangle. Depends on the triangle alone, never on the strip.
 inline bool is_small(std::int32_t width, std::int32_t height, const SnappedVertex& a, const SnappedVertex& b,
                      const SnappedVertex& c) {
-  return width + height < kSmallExtent && a.depth - b.depth + kSmallDepthDifference < 2 * kSmallDepthDifference &&
-         a.depth - c.depth + kSmallDepthDifference < 2 * kSmallDepthDifference;
+  // Of halves, because differences of whole depths need 33 bits.
+  const auto near_a = [&a](const SnappedVertex& v) {
+    return (a.depth >> 1) - (v.depth >> 1) + kSmallDepthDifference / 2 < kSmallDepthDifference;
+  };
+  return width + height < kSmallExtent && near_a(b) && near_a(c);
 }
 
 /// `area` is twice the signed area, > 0; `anchor_x`, `anchor_y` the first pixel of the triangle's whole box: all values

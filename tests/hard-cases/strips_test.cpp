@@ -1,0 +1,203 @@
+// Hard cases E: strips and the bounding rectangle never show in a picture. The renderer keeps no depth beyond a strip,
+// so that there is no compressed store for cases 55 to 58 to test.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "generators.hpp"
+#include "space.hpp"
+
+namespace hard_cases {
+namespace {
+
+/// What begin_frame and the strips leave behind: pixels, and the z-buffer row by row over the whole picture.
+struct Frame2 {
+  std::vector<std::byte> pixels;
+  std::vector<std::uint16_t> depth;
+  Rect bounds;
+};
+
+/// Draws in strips of `rows` rows, in the order given by `backwards`, with buffers full of `garbage`, and checks that
+/// nothing outside arena and pixels is written.
+Frame2 draw_in_strips(const Scene& scene, const Camera& camera, const View& view, std::uint16_t rows,
+                      std::uint8_t garbage, bool backwards) {
+  constexpr std::size_t kGuard = 64;
+  const Effects effects = effects_of(scene, camera);
+  const PlanResult planned = plan(count(scene), view, effects, {.strip_rows = rows});
+  RC_ASSERT(planned.status);
+  const Plan& p = planned.plan;
+  const auto filled = static_cast<std::byte>(garbage);
+  std::vector<std::byte> arena(p.bytes() + 2 * kGuard + kArenaAlignment, filled);
+  std::size_t start = kGuard;
+  while (reinterpret_cast<std::uintptr_t>(arena.data() + start) % kArenaAlignment != 0) ++start;
+  std::vector<std::byte> pixels(p.strip_pixel_bytes(view) + 2 * kGuard, filled);
+  AnyRenderer renderer(effects);
+  RC_ASSERT(renderer.begin_frame(scene, camera, view, p, std::span(arena).subspan(start, p.bytes())));
+  Frame2 frame;
+  const std::size_t row_bytes = bytes_per_row(view.width, view.format);
+  frame.pixels.resize(row_bytes * view.height);
+  frame.depth.resize(std::size_t{view.width} * view.height, 0);
+  frame.bounds = renderer.frame().bounds();
+  for (int i = 0; i < p.strips; ++i) {
+    const int strip = backwards ? p.strips - 1 - i : i;
+    RC_ASSERT(renderer.draw_strip(static_cast<std::uint16_t>(strip),
+                                  std::span(pixels).subspan(kGuard, p.strip_pixel_bytes(view))));
+    const int first = strip * p.strip_rows, count = std::min<int>(p.strip_rows, view.height - first);
+    std::copy_n(pixels.begin() + kGuard, static_cast<std::size_t>(count) * row_bytes,
+                frame.pixels.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(first) * row_bytes));
+    const Rect area = renderer.frame().depth_area();
+    for (int y = area.top; y < area.bottom; ++y) {
+      for (int x = area.left; x < area.right; ++x) {
+        frame.depth[static_cast<std::size_t>(y * view.width + x)] =
+            renderer.frame().depth()[(y - area.top) * area.width() + x - area.left];
+      }
+    }
+  }
+  const auto untouched = [&](const std::byte* from, std::size_t size) {
+    return std::all_of(from, from + size, [&](std::byte b) { return b == filled; });
+  };
+  RC_ASSERT(untouched(arena.data(), start));
+  RC_ASSERT(untouched(arena.data() + start + p.bytes(), arena.size() - start - p.bytes()));
+  RC_ASSERT(untouched(pixels.data(), kGuard));
+  RC_ASSERT(untouched(pixels.data() + pixels.size() - kGuard, kGuard));
+  return frame;
+}
+
+/// A random scene: any effects, the camera outside it or among its triangles.
+struct AnyScene {
+  Model model;
+  Camera camera;
+  View view;
+
+  AnyScene() {
+    model = picture::random_model(static_cast<unsigned>(between(0, 1'000'000)), between(1, 60),
+                                  between(0, 1) == 0 ? 1500 : 20000);
+    if (between(0, 1) == 0) {
+      model.material.texture = 0;
+    } else {
+      model.texels.clear();
+    }
+    model.material.lit = between(0, 1) == 0;
+    model.material.smooth = between(0, 1) == 0;
+    if (between(0, 2) == 0) camera.projection = Projection::orthographic;
+    if (between(0, 2) == 0) camera.eye = {between(-60000, 60000), between(-60000, 60000), between(-60000, 60000)};
+    view = {static_cast<std::uint16_t>(between(1, 70)), static_cast<std::uint16_t>(between(1, 50)),
+            static_cast<PixelFormat>(between(0, 3))};
+  }
+};
+
+RC_GTEST_PROP(HardCases, E51_StripHeightChangesNeitherPixelNorDepth, ()) {
+  AnyScene any;
+  const Scene scene = any.model.scene();
+  const Frame2 whole = draw_in_strips(scene, any.camera, any.view, any.view.height, 0, false);
+  for (const int rows : {1, 2, 3, 7, 8, 16}) {
+    if (rows > any.view.height) break;
+    const auto garbage = static_cast<std::uint8_t>(between(0, 255));
+    const Frame2 strips =
+        draw_in_strips(scene, any.camera, any.view, static_cast<std::uint16_t>(rows), garbage, between(0, 1) == 1);
+    RC_ASSERT(strips.pixels == whole.pixels);
+    RC_ASSERT(strips.depth == whole.depth);
+  }
+}
+
+RC_GTEST_PROP(HardCases, E52_VerticesAndEdgesExactlyOnStripBorders, ()) {
+  // Every corner on a multiple of 8 rows, or within a sub-pixel of one.
+  const auto row = [] { return between(0, 8) * 128 + between(-1, 1); };
+  const auto column = [] { return between(-100, kView.width * 16 + 100); };
+  std::vector<Corners2> triangles;
+  Lattice lattice;
+  lattice.model().material.double_sided = true;
+  for (int i = 0; i < 3; ++i) {
+    triangles.push_back({{{column(), row()}, {column(), row()}, {column(), row()}}});
+    lattice.add(triangles.back());
+  }
+  RC_ASSERT(coverage_verdict(triangles) == "");
+  const Picture whole = lattice.draw();
+  for (const std::uint16_t rows : {std::uint16_t{8}, std::uint16_t{1}, std::uint16_t{4}, std::uint16_t{16}}) {
+    const Picture strips = lattice.draw(rows);
+    RC_ASSERT(strips.pixels == whole.pixels);
+    RC_ASSERT(strips.statistics.fragments == whole.statistics.fragments);
+  }
+}
+
+RC_GTEST_PROP(HardCases, E53_NothingIsLeftOfEarlierFrames, ()) {
+  // Objects move, leave and come back; one arena for all frames.
+  Model model = picture::random_model(static_cast<unsigned>(between(0, 1'000'000)), 12, 9000);
+  model.texels.clear();
+  const View view{64, 48};
+  const Camera camera;
+  Scene scene = model.scene();
+  const Effects effects = effects_of(scene, camera);
+  const Plan p = plan(count(scene), view, effects, {.strip_rows = 16}).plan;
+  std::vector<std::uint64_t> kept(p.bytes() / 8 + 1);
+  std::vector<std::uint16_t> pixels(p.strip_pixel_bytes(view) / 2);
+  AnyRenderer renderer(effects);
+  for (int frame = 0; frame < 8; ++frame) {
+    for (int axis = 0; axis < 3; ++axis) model.instance.transform.m[axis][3] = between(-4 * kFixedOne, 4 * kFixedOne);
+    const Picture fresh = picture::render(scene, camera, view, 16);
+    RC_ASSERT(renderer.begin_frame(scene, camera, view, p, std::as_writable_bytes(std::span(kept)).first(p.bytes())));
+    std::vector<std::byte> drawn;
+    for (std::uint16_t strip = 0; strip < p.strips; ++strip) {
+      const auto bytes = std::as_writable_bytes(std::span(pixels));
+      RC_ASSERT(renderer.draw_strip(strip, bytes));
+      drawn.insert(drawn.end(), bytes.begin(), bytes.end());
+    }
+    RC_ASSERT(drawn == fresh.pixels);
+  }
+}
+
+TEST(HardCases, E53_AnEmptySceneIsBackground) {
+  Scene scene;
+  scene.background = {255, 0, 0, 255};
+  const Picture picture = picture::render(scene, Camera{}, View{17, 9}, 4);
+  ASSERT_TRUE(picture.status);
+  EXPECT_TRUE(picture.bounds.empty());
+  for (int i = 0; i < 17 * 9; ++i) ASSERT_EQ(pixel_at(picture, i % 17, i / 17, 17), 0xF800);
+}
+
+TEST(HardCases, E54_RectanglesOfNoOneAndAllPixelsAndCutByEachSide) {
+  // A square of `size` sub-pixels wanders over the picture and beyond it.
+  for (const int size : {2, 16, 40, 16 * 16, 96 * 16, 1000 * 16, 2000 * 16}) {
+    const int step = size > 1000 * 16 ? 2 : 1;  // in position steps, the largest do not fit 16 bits otherwise
+    for (int x = -size - 32; x <= kView.width * 16 + 32; x += std::max(size / 6 * 2, 98)) {
+      for (int y = -size - 32; y <= kView.height * 16 + 32; y += std::max(size / 6 * 2, 102)) {
+        const std::vector<Corners2> square{{{{x, y}, {x + size, y}, {x + size, y + size}}},
+                                           {{{x, y}, {x + size, y + size}, {x, y + size}}}};
+        ASSERT_EQ(coverage_verdict(square, step), "");
+        Lattice lattice(step);
+        lattice.model().material.double_sided = true;
+        for (const Corners2& t : square) lattice.add(t);
+        const Picture picture = lattice.draw(5);
+        const Rect b = picture.bounds;
+        ASSERT_TRUE(b.empty() || (b.left >= 0 && b.top >= 0 && b.right <= kView.width && b.bottom <= kView.height));
+        for (int i = 0; i < kPixels; ++i) {
+          if (pixel_at(picture, i % kView.width, i / kView.width) == 0) continue;
+          ASSERT_TRUE(i % kView.width >= b.left && i % kView.width < b.right && i / kView.width >= b.top &&
+                      i / kView.width < b.bottom);
+        }
+      }
+    }
+  }
+}
+
+TEST(HardCases, E54_PicturesOfEverySizeUpToTheLargest) {
+  for (const View view :
+       {View{1, 1}, View{1, 4096}, View{4096, 1}, View{1000, 1000}, View{2000, 2000}, View{4096, 4096}}) {
+    Space space(kFixedOne, 2 * kFixedOne);
+    space.view = view;
+    space.add({{{-32767, -32767, 0}, {32767, -32767, 0}, {0, 32767, 0}}});
+    const Picture picture = space.draw(view.height > 100 ? 100 : 0);
+    ASSERT_TRUE(picture.status);
+    const oracle::SpaceTriangle exact = space.exact({0, 1, 2}, 0.15L);
+    for (int y = 0; y < view.height; y += 1 + view.height / 257) {
+      for (int x = 0; x < view.width; x += 1 + view.width / 259) {
+        const oracle::Verdict verdict = exact.sees(x, y);
+        if (verdict == oracle::Verdict::abstains) continue;
+        ASSERT_EQ(pixel_at(picture, x, y, view.width) != 0, verdict == oracle::Verdict::inside)
+            << view.width << ' ' << x << ',' << y;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hard_cases
