@@ -217,4 +217,110 @@ TEST(Validate, FindsEveryBadIndex) {
   EXPECT_EQ(validate(bad.scene()).error, Error::mesh);
 }
 
+// Regression: plans whose parts add up to more than 32 bits passed for small ones.
+TEST(Frame, PlansThatWrapOrAreMisalignedAreRefused) {
+  Model model = random_model(4, 20, 9000);
+  const Scene scene = model.scene();
+  const View view{16, 16};
+  const Effects effects = effects_of(scene, Camera{});
+  const Plan good = plan(count(scene), view, effects).plan;
+  std::vector<std::uint64_t> words(good.bytes() / 8 + 16);
+  const auto arena = std::as_writable_bytes(std::span(words));
+  AnyRenderer renderer(effects);
+  Plan bad = good;
+  bad.depth_bytes = 0x80000000U;
+  bad.bin_bytes = 0x80000000U - good.instance_bytes - good.vertex_bytes;
+  EXPECT_EQ(renderer.begin_frame(scene, Camera{}, view, bad, arena).error, Error::arena_too_small);
+  bad = good;
+  bad.instance_bytes += 1;
+  EXPECT_EQ(renderer.begin_frame(scene, Camera{}, view, bad, arena).error, Error::arena_too_small);
+  const SceneCounts many{.instances = 26'843'545, .triangles = 1, .vertices = 3, .largest_meshlet = 3};
+  const PlanResult refused = plan(many, {4096, 4096}, effects);
+  EXPECT_EQ(refused.status.error, Error::arena_too_small);
+  EXPECT_EQ(refused.status.available, kLargestArena);
+}
+
+// Regression: a renderer for orthographic cameras drew perspective scenes wrongly, in silence.
+TEST(Frame, AnOrthographicRendererRefusesAPerspectiveCamera) {
+  Model model = random_model(4, 20, 9000);
+  const Scene scene = model.scene();
+  const Effects effects = effects_of(scene, Camera{}) | effect::orthographic;
+  const View view{16, 16};
+  const Plan p = plan(count(scene), view, effects).plan;
+  std::vector<std::uint64_t> words(p.bytes() / 8);
+  AnyRenderer renderer(effects);
+  EXPECT_EQ(renderer.begin_frame(scene, Camera{}, view, p, std::as_writable_bytes(std::span(words))).error,
+            Error::effect_missing);
+}
+
+// Regression: a lit material on a mesh without normals and colours lost its texture in a renderer of just its effects.
+TEST(Frame, TheTextureOfALitMaterialNeedsNoNormals) {
+  Model model = random_model(9, 20, 12000);
+  model.normals.clear();
+  model.colours.clear();
+  model.material.texture = 0;
+  const Picture lit = render(model.scene(), Camera{}, View{48, 32}, 32);
+  ASSERT_GT(lit.statistics.fragments, 50U);
+  model.material.lit = false;
+  EXPECT_EQ(lit.pixels, render(model.scene(), Camera{}, View{48, 32}, 32).pixels);
+}
+
+// Regression: where the mesh is huge beside the depth range, the far codes wrapped to the nearest ones.
+TEST(Frame, DepthOfAFloorMuchLargerThanTheDepthRange) {
+  struct Case {
+    Fixed half_extent, near, far, height;
+  };
+  for (const Case& c : {Case{4095 * kFixedOne, 655, 6553, 1966}, Case{4095 * kFixedOne, 6553, kFixedOne, 19660},
+                        Case{4095 * kFixedOne, 6553, 19660, 6553}, Case{kFixedOne, 6553, kFixedOne, 6553}}) {
+    Model model;
+    model.positions = {{-32767, 0, -32767}, {32767, 0, -32767}, {32767, 0, 32767}, {-32767, 0, 32767}};
+    model.triangles = {{0, 2, 1}, {0, 3, 2}};
+    model.mesh.half_extent = {c.half_extent, 0, c.half_extent};
+    model.material = {.lit = false, .double_sided = true};
+    const Scene scene = model.scene();
+    Camera camera;
+    camera.eye = {0, c.height, 0};
+    camera.near_plane = c.near;
+    camera.far_plane = c.far;
+    const View view{32, 200};
+    const Effects effects = effects_of(scene, camera);
+    const Plan p = plan(count(scene), view, effects).plan;
+    std::vector<std::uint64_t> words(p.bytes() / 8);
+    std::vector<std::byte> pixels(p.strip_pixel_bytes(view));
+    AnyRenderer renderer(effects);
+    ASSERT_TRUE(renderer.begin_frame(scene, camera, view, p, std::as_writable_bytes(std::span(words))));
+    ASSERT_TRUE(renderer.draw_strip(0, pixels));
+    const Frame& frame = renderer.frame();
+    const double near = c.near / 65536.0, far = c.far / 65536.0;
+    int rows = 0;
+    for (int y = 101; y < view.height; ++y) {
+      const double w = c.height / 65536.0 * (camera.focal / 65536.0) * 100 / (y + 0.5 - 100);
+      if (w < near * 1.01 || w > far * 0.99) continue;
+      const Rect& area = frame.depth_area();
+      ASSERT_TRUE(y >= area.top && y < area.bottom);
+      const int code = frame.depth()[(y - area.top) * area.width() + 16 - area.left];
+      const double exact = 1 + 65533 * (1 / w - 1 / far) / (1 / near - 1 / far);
+      // A step of w near the camera is 4095 / 2^30 units here: w itself is that uncertain, three roundings.
+      const double step = 3.0 * c.half_extent / 65536 / (1 << 30);
+      ASSERT_NEAR(code, exact, 2 + 65533 * step / (w * w) / (1 / near - 1 / far) + 65533 * 1e-4) << w;
+      ++rows;
+    }
+    EXPECT_GT(rows, 3);
+  }
+}
+
+TEST(Validate, RefusesTexturesThatRepeatTooOften) {
+  Model model = random_model(6, 4, 9000);
+  model.material.texture = 0;
+  model.mesh.texcoord_bits = 4;
+  ASSERT_TRUE(validate(model.scene()));
+  for (TexCoord& t : model.texcoords) t = {32767, 0};  // 2048 repeats of 16 texels
+  ASSERT_TRUE(validate(model.scene()));
+  Scene scene = model.scene();
+  std::vector<std::uint16_t> texels(32 * 8);
+  const Texture wider{texels, 5, 3};
+  scene.textures = {&wider, 1};
+  EXPECT_EQ(validate(scene).error, Error::instance);
+}
+
 }  // namespace

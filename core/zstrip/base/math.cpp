@@ -28,7 +28,9 @@ std::int32_t sine(Angle angle) {
   return static_cast<std::int32_t>(turn < 0x8000U ? value : -value);
 }
 
-std::int32_t cosine(Angle angle) { return sine(angle + kFullTurn / 4); }
+std::int32_t cosine(Angle angle) {
+  return sine(static_cast<Angle>(static_cast<std::uint32_t>(angle) + static_cast<std::uint32_t>(kFullTurn / 4)));
+}
 
 std::uint32_t square_root(std::uint64_t value) {
   std::uint64_t root = 0;

@@ -15,13 +15,15 @@ enum class Error : std::uint8_t {
                ///< limit)
   camera,      ///< not 0 < near < far, focal length <= 0, or axes that are not set
   mesh,        ///< index out of range, no positions, size or bits out of range (`needed` = index of the mesh)
-  instance,  ///< refers to a mesh or material that does not exist, or a transform out of range (`needed` = index of the
-             ///< instance)
-  material,  ///< refers to a texture that does not exist (`needed` = index of the material)
-  texture,   ///< no texels, or more than 2^11 on a side (`needed` = index of the texture)
-  light,     ///< too many lights (`needed` = given, `available` = limit)
-  effect_missing,  ///< the scene calls for an effect that this renderer was built without (`needed` = the missing set)
-  not_begun,       ///< draw_strip before a successful begin_frame
+  instance,    ///< refers to a mesh or material that does not exist, a transform out of range, or a mesh that
+               ///< repeats the material's texture too often (`needed` = index of the
+               ///< instance)
+  material,    ///< refers to a texture that does not exist (`needed` = index of the material)
+  texture,     ///< no texels, or more than 2^11 on a side (`needed` = index of the texture)
+  light,       ///< too many lights (`needed` = given, `available` = limit)
+  effect_missing,  ///< the scene calls for an effect that this renderer was built without (`needed` = the missing set),
+                   ///< or the renderer is for orthographic cameras only (`needed` = 0)
+  not_begun,  ///< draw_strip before a successful begin_frame
 };
 
 /// What memory is for. The order is that of a plan's table.

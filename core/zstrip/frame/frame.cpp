@@ -1,6 +1,8 @@
 // The parts of a frame that no effect changes.
 #include "zstrip/frame/frame_inline.hpp"
 
+#include <utility>
+
 namespace zstrip {
 
 Status Frame::Access::check(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
@@ -42,7 +44,13 @@ Status Frame::Access::check(const Scene& scene, const Camera& camera, const View
   if (!detail::drawn_in_place(view.format) && plan.colour_bytes < cells * kWorkingColourBytes) {
     return too_small(Purpose::colour, cells * kWorkingColourBytes, plan.colour_bytes);
   }
-  if (arena.size() < plan.bytes() || reinterpret_cast<std::uintptr_t>(arena.data()) % kArenaAlignment != 0) {
+  for (const auto& [purpose, bytes] :
+       {std::pair{Purpose::instances, plan.instance_bytes}, std::pair{Purpose::vertices, plan.vertex_bytes},
+        std::pair{Purpose::depth, plan.depth_bytes}, std::pair{Purpose::colour, plan.colour_bytes},
+        std::pair{Purpose::bins, plan.bin_bytes}}) {
+    if (bytes % kArenaAlignment != 0) return too_small(purpose, detail::rounded_up(bytes), bytes);
+  }
+  if (arena.size() < plan.wide_bytes() || reinterpret_cast<std::uintptr_t>(arena.data()) % kArenaAlignment != 0) {
     return too_small(detail::largest_purpose(plan), plan.bytes(), static_cast<std::uint32_t>(arena.size()));
   }
   return {};

@@ -20,8 +20,8 @@ class Frame {
   /// Zeros without effect::statistics.
   const Statistics& statistics() const { return statistics_; }
   /// Distances that codes 65534 and 1 stand for, in view units, 16.16; 0, 0 if nothing is visible.
-  Fixed nearest() const { return static_cast<Fixed>(fit_.near >> (kDistanceBits - kFixedBits)); }
-  Fixed farthest() const { return static_cast<Fixed>(fit_.far >> (kDistanceBits - kFixedBits)); }
+  Fixed nearest() const { return length_of(fit_.near); }
+  Fixed farthest() const { return length_of(fit_.far); }
   /// The z-buffer of the strip drawn last: the part of bounds() in that strip, row by row. Empty rectangle if none.
   const std::uint16_t* depth() const { return depth_; }
   const Rect& depth_area() const { return depth_area_; }

@@ -73,6 +73,10 @@ struct Frame::Access {
                             std::span<std::byte> arena) {
     frame.scene_ = nullptr;
     const Effects missing = without(effects_of(scene, camera), effects);
+    // A pipeline has one projection: this is the effect that must not be there without being called for.
+    if (effects.has(effect::orthographic) && camera.projection != Projection::orthographic) {
+      return {.error = Error::effect_missing};
+    }
     if (const Status status = check(scene, camera, view, plan, missing, arena); !status) return status;
     frame.view_ = view;
     frame.plan_ = plan;

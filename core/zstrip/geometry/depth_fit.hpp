@@ -14,6 +14,12 @@ inline constexpr int kDistanceBits = 38;
 
 constexpr Distance distance_of(Fixed length) { return Distance{length} << (kDistanceBits - kFixedBits); }
 
+/// Rounded down; the largest length where it does not fit.
+constexpr Fixed length_of(Distance distance) {
+  const Distance length = distance >> (kDistanceBits - kFixedBits);
+  return length > INT32_MAX ? INT32_MAX : static_cast<Fixed>(length);
+}
+
 /// Codes run from 1 (at `far`) to 65534 (at `near`); 0 is a cleared cell. A half code is added once, at the vertex,
 /// so that dropping the fraction rounds to nearest.
 inline constexpr std::int64_t kDepthSpan = std::int64_t{65533} << 16;                           // 16.16 codes

@@ -2,6 +2,9 @@
 // 64-bit arithmetic throughout. docs/numerics.md has the ranges.
 #include "zstrip/geometry/instance.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace zstrip::detail {
 namespace {
 
@@ -149,14 +152,26 @@ Status compile_coordinate(LinearForm& form, std::int32_t& shift, const ViewRow& 
   return shift >= 0 ? Status{} : Status{.error = Error::instance};
 }
 
-void compile_perspective_depth(CompiledInstance& compiled, const DepthFit& fit) {
-  // code = k / w - offset. With n the leading zeros of w_near and r = 2^62 / (w_near 2^n): k = quotient_at_near / r.
-  const int normalisation = std::countl_zero(compiled.w_near);
-  const int zeros = std::countl_zero(static_cast<std::uint64_t>(fit.quotient_at_near));
-  const auto mantissa = static_cast<std::uint32_t>((static_cast<std::uint64_t>(fit.quotient_at_near) << zeros) >> 32);
-  std::uint32_t scale = multiply_high(mantissa, compiled.w_near << normalisation);
-  int shift = (32 - zeros) + 2;
+void compile_perspective_depth(CompiledInstance& compiled, const DepthFit& fit, int w_exponent) {
+  // code = k / w - offset, with k = quotient_at_near * near. Near is taken as it is, not as the instance's w rounds it:
+  // where the box is large, few bits of w are left near the camera, and k would be wrong at every distance.
+  const auto top_word = [](std::int64_t value) {
+    const int zeros = std::countl_zero(static_cast<std::uint64_t>(value));
+    return std::pair{static_cast<std::uint32_t>((static_cast<std::uint64_t>(value) << zeros) >> 32), zeros};
+  };
+  const auto [near, near_zeros] = top_word(fit.near);
+  const auto [quotient, quotient_zeros] = top_word(fit.quotient_at_near);
+  // With n the leading zeros that near has in the instance's scale, r = 2^62 / (near 2^n): k = quotient_at_near / r.
+  int normalisation = w_exponent + near_zeros - 32;
+  std::uint32_t scale = multiply_high(quotient, near);
+  int shift = (32 - quotient_zeros) + 2;
   if (scale < 0x80000000U) scale <<= 1, --shift;
+  // Shifts of more than 31 bits are not defined; w is below 2^30, so its reciprocal is normalised by 2 or more.
+  constexpr int kLargest = 33;
+  if (normalisation > kLargest) {
+    scale = normalisation - kLargest < 32 ? scale >> (normalisation - kLargest) : 0;
+    normalisation = kLargest;
+  }
   compiled.depth_scale = scale;
   compiled.depth_shift = static_cast<std::uint8_t>(shift);
   compiled.depth_normalisation = static_cast<std::uint8_t>(normalisation);
@@ -212,18 +227,17 @@ Status compile_instance(CompiledInstance& compiled, const Scene& scene, const In
   compiled.w = w.form;
   const auto in_w = [&](Distance distance) { return shifted_right(distance, w.exponent); };
   constexpr std::int64_t kLargest = (std::int64_t{1} << 30) - 1;
-  const std::int64_t w_near = in_w(fit.near) < 1 ? 1 : in_w(fit.near);
+  // Inwards, so that no w of the range has a code outside 1..65534.
+  const std::int64_t w_near = std::max<std::int64_t>(1, -in_w(-fit.near));
   const std::int64_t w_far = in_w(fit.far) > kLargest ? kLargest : in_w(fit.far);
-  if (w_near >= w_far) {
-    compiled.visible = false;  // the box only touches the near plane
-    return {};
-  }
+  // A depth range that is thinner than a step of w cannot be told from nothing.
+  if (w_near >= w_far) return {.error = Error::instance};
   compiled.w_near = static_cast<std::uint32_t>(w_near);
   compiled.w_range = static_cast<std::uint32_t>(w_far - w_near);
   if (orthographic) {
     compile_orthographic_depth(compiled);
   } else {
-    compile_perspective_depth(compiled, fit);
+    compile_perspective_depth(compiled, fit, w.exponent);
   }
   return {};
 }

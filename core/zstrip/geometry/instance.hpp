@@ -58,7 +58,8 @@ struct DistanceRange {
 };
 DistanceRange distance_range(const Mesh& mesh, const Transform& transform, const Camera& camera);
 
-/// Error::instance if its picture would be more than 2^26 pixels wide.
+/// Error::instance if its picture would be more than 2^26 pixels wide, or if its box is so large beside the depth
+/// range of the frame that all of it would be one step of w.
 Status compile_instance(CompiledInstance& compiled, const Scene& scene, const Instance& instance, const Camera& camera,
                         const View& view, const DepthFit& fit);
 

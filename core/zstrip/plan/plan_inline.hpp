@@ -78,13 +78,14 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
   };
 
   const Plan wanted = with_rows(budget.strip_rows != 0 ? budget.strip_rows : view.height);
-  if (budget.bytes == 0 || wanted.bytes() <= budget.bytes) return {.status = {}, .plan = wanted};
+  const std::uint32_t limit = budget.bytes == 0 || budget.bytes > kLargestArena ? kLargestArena : budget.bytes;
+  if (wanted.wide_bytes() <= limit) return {.status = {}, .plan = wanted};
   if (budget.strip_rows == 0) {
     const Plan smallest = with_rows(1);
-    if (smallest.bytes() <= budget.bytes) {
-      std::uint32_t rows = 1 + (budget.bytes - smallest.bytes()) / (per_row_colour + per_row_depth);
+    if (smallest.wide_bytes() <= limit) {
+      std::uint32_t rows = 1 + (limit - smallest.bytes()) / (per_row_colour + per_row_depth);
       rows = rows < view.height ? rows : view.height;
-      while (with_rows(rows).bytes() > budget.bytes) --rows;  // at most twice: alignment
+      while (with_rows(rows).wide_bytes() > limit) --rows;  // at most twice: alignment
       // The same number of strips with evenly filled rows needs less memory for the same time.
       const std::uint32_t strips = (view.height + rows - 1U) / rows;
       return {.status = {}, .plan = with_rows((view.height + strips - 1U) / strips)};
@@ -92,13 +93,13 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
     return {.status = {.error = Error::arena_too_small,
                        .purpose = detail::largest_purpose(smallest),
                        .needed = smallest.bytes(),
-                       .available = budget.bytes},
+                       .available = limit},
             .plan = smallest};
   }
   return {.status = {.error = Error::arena_too_small,
                      .purpose = detail::largest_purpose(wanted),
                      .needed = wanted.bytes(),
-                     .available = budget.bytes},
+                     .available = limit},
           .plan = wanted};
 }
 

@@ -250,9 +250,8 @@ struct Assembler {
     const Shade shade = batch.instance->shade;
     if constexpr (kTextures) {
       if (shade == Shade::textured) return draw_shaded<Shade::textured>(target, batch, triangles, all_narrow);
+      if (shade == Shade::textured_flat) return draw_shaded<Shade::textured_flat>(target, batch, triangles, all_narrow);
       if constexpr (kColours) {
-        if (shade == Shade::textured_flat)
-          return draw_shaded<Shade::textured_flat>(target, batch, triangles, all_narrow);
       }
       if constexpr (kGouraud) {
         if (shade == Shade::textured_gouraud)

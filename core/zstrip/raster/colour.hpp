@@ -25,9 +25,10 @@ constexpr std::uint16_t modulated(std::uint16_t texel, std::uint32_t r, std::uin
     const std::uint32_t whole = channel >> 16;
     return whole + (whole >> 7);
   };
-  const std::uint32_t red = ((texel >> 11) * factor(r)) >> 8;
-  const std::uint32_t green = (((texel >> 5) & 0x3FU) * factor(g)) >> 8;
-  const std::uint32_t blue = ((texel & 0x1FU) * factor(b)) >> 8;
+  // Rounded to nearest: a texel has 5 or 6 bits, rounding down would darken it by half a step.
+  const std::uint32_t red = ((texel >> 11) * factor(r) + 128) >> 8;
+  const std::uint32_t green = (((texel >> 5) & 0x3FU) * factor(g) + 128) >> 8;
+  const std::uint32_t blue = ((texel & 0x1FU) * factor(b) + 128) >> 8;
   return static_cast<std::uint16_t>((red << 11) | (green << 5) | blue);
 }
 

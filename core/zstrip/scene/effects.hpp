@@ -24,8 +24,9 @@ inline constexpr Effects lighting{1U << 0};        ///< some material is lit and
 inline constexpr Effects gouraud{1U << 1};         ///< colour varies over a triangle
 inline constexpr Effects vertex_colours{1U << 2};  ///< some mesh has colours
 inline constexpr Effects textures{1U << 3};        ///< some material has a texture
-inline constexpr Effects orthographic{1U << 4};    ///< the camera's projection; without it, perspective
-inline constexpr Effects statistics{1U << 5};      ///< counts triangles and fragments; never called for by a scene
+inline constexpr Effects orthographic{
+    1U << 4};  ///< the camera's projection; a renderer with it takes no perspective camera
+inline constexpr Effects statistics{1U << 5};  ///< counts triangles and fragments; never called for by a scene
 inline constexpr Effects all{(1U << 6) - 1};
 }  // namespace effect
 

@@ -63,6 +63,21 @@ constexpr bool valid_instance(const Scene& scene, const Instance& instance) {
   return true;
 }
 
+/// Texture coordinates in texels have 16 bits before the point: 2048 texels may repeat 16 times on either side of 0.
+constexpr bool valid_texcoords(const Scene& scene, const Instance& instance) {
+  const std::uint16_t texture = scene.materials[instance.material].texture;
+  if (texture == kNoTexture) return true;
+  const Mesh& mesh = scene.meshes[instance.mesh];
+  const auto fits = [&mesh](std::int32_t coordinate, std::uint8_t log2_size) {
+    const std::int64_t magnitude = coordinate < 0 ? -std::int64_t{coordinate} : coordinate;
+    return magnitude << log2_size < std::int64_t{1} << (15 + mesh.texcoord_bits);
+  };
+  for (const TexCoord& t : mesh.texcoords) {
+    if (!fits(t.u, scene.textures[texture].log2_width) || !fits(t.v, scene.textures[texture].log2_height)) return false;
+  }
+  return true;
+}
+
 constexpr bool valid_texture(const Texture& texture) {
   return texture.log2_width <= kLargestTextureLog2 && texture.log2_height <= kLargestTextureLog2 &&
          texture.texels.size() >= std::size_t{1} << (texture.log2_width + texture.log2_height);
@@ -81,7 +96,8 @@ constexpr Status validate_instances(const Scene& scene) {
   return {};
 }
 
-/// Every index, count and range of the scene. Time: linear in its triangles. Status::needed is the index of the
+/// Every index, count and range of the scene. Time: linear in its triangles, and in the vertices of each textured
+/// instance. Status::needed is the index of the
 /// culprit.
 constexpr Status validate(const Scene& scene) {
   for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
@@ -94,7 +110,11 @@ constexpr Status validate(const Scene& scene) {
     const std::uint16_t texture = scene.materials[i].texture;
     if (texture != kNoTexture && texture >= scene.textures.size()) return {.error = Error::material, .needed = i};
   }
-  return validate_instances(scene);
+  if (const Status status = validate_instances(scene); !status) return status;
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    if (!detail::valid_texcoords(scene, scene.instances[i])) return {.error = Error::instance, .needed = i};
+  }
+  return {};
 }
 
 }  // namespace zstrip

@@ -1,0 +1,101 @@
+// Whole scenes with hostile numbers and indices, drawn as every strip height would: no finding of a sanitizer, the same
+// pixels each time, and an error, never a picture, for what is refused.
+#include <algorithm>
+#include <array>
+
+#include "input.hpp"
+#include "picture.hpp"
+#include "require.hpp"
+#include "scene_input.hpp"
+#include "zstrip/scene/effects.hpp"
+#include "zstrip/scene/validate.hpp"
+
+namespace {
+
+using namespace zstrip;
+
+/// A scene that validate() refuses may still be asked about, and what begin_frame checks itself is refused there too.
+void offer_refused_scene(const fuzz::SceneInput& input, const Status& refusal) {
+  const Scene& scene = input.scene();
+  const std::size_t things = refusal.error == Error::mesh       ? scene.meshes.size()
+                             : refusal.error == Error::texture  ? scene.textures.size()
+                             : refusal.error == Error::material ? scene.materials.size()
+                             : refusal.error == Error::instance ? scene.instances.size()
+                                                                : 0;
+  if (refusal.error == Error::light) {
+    fuzz::require(refusal.needed == scene.lights.size() && refusal.available == kMaxLights, "validate counts lights");
+  } else {
+    fuzz::require(refusal.needed < things, "validate names the culprit: error %d, %u of %zu",
+                  static_cast<int>(refusal.error), refusal.needed, things);
+  }
+  const Effects effects = effects_of(scene, input.camera());
+  static_cast<void>(plan(count(scene), input.view(), effects, input.budget()));
+  if (refusal.error == Error::light || refusal.error == Error::instance) {
+    fuzz::require(validate_instances(scene) == refusal, "begin_frame's own check finds what validate found");
+    // validate() looks at meshes, textures and materials before instances and lights: those of this scene are sound.
+    const fuzz::Picture picture = fuzz::draw(scene, input.camera(), input.view(), {.effects = effects, .budget = {}});
+    fuzz::require(picture.status.error != Error::none, "begin_frame refuses what validate refuses");
+  }
+}
+
+void require_same(const fuzz::Picture& expected, const fuzz::Picture& got, const char* difference) {
+  fuzz::require(expected.status == got.status, "the same status with %s: %s or %s", difference,
+                message(expected.status.error), message(got.status.error));
+  fuzz::require(expected.bounds == got.bounds, "the same bounds with %s", difference);
+  for (std::size_t i = 0; i < expected.pixels.size(); ++i) {
+    fuzz::require(expected.pixels[i] == got.pixels[i], "the same pixels with %s: byte %zu", difference, i);
+  }
+}
+
+/// Mostly none.
+std::array<std::uint32_t, 5> read_surplus(fuzz::Input& bytes) {
+  std::array<std::uint32_t, 5> surplus{};
+  if (bytes.flag()) {
+    for (std::uint32_t& part : surplus) part = static_cast<std::uint32_t>(bytes.number(0));
+  }
+  return surplus;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::Input bytes(data, size);
+  const auto garbage = bytes.any<std::uint8_t>();
+  const auto row_choice = bytes.any<std::uint8_t>();
+  const Effects more = Effects{bytes.any<std::uint8_t>()} & effect::all;
+  const std::array<std::uint32_t, 5> surplus = read_surplus(bytes);
+  const fuzz::SceneInput input(bytes);
+  const Scene& scene = input.scene();
+  const Camera& camera = input.camera();
+  const View& view = input.view();
+  if (const Status refusal = validate(scene); !refusal) {
+    offer_refused_scene(input, refusal);
+    return 0;
+  }
+  const Effects effects = effects_of(scene, camera);
+  const fuzz::Picture whole = fuzz::draw(scene, camera, view, {.effects = effects, .budget = {}});
+  fuzz::require(whole.status.error != Error::arena_too_small, "an unlimited budget is enough");
+
+  const fuzz::Picture strips = fuzz::draw(
+      scene, camera, view,
+      {.effects = effects, .budget = input.budget(), .garbage = garbage, .last_strip_first = row_choice % 2 != 0});
+  if (strips.status.error != Error::arena_too_small && strips.status.error != Error::strip_rows) {
+    require_same(whole, strips, "other strips and other garbage");
+  }
+  const auto rows = static_cast<std::uint16_t>(1 + row_choice % std::max<std::uint16_t>(view.height, 1));
+  const fuzz::Picture counted = fuzz::draw(scene, camera, view,
+                                           {.effects = effects | effect::statistics,
+                                            .budget = {.bytes = 0, .strip_rows = rows},
+                                            .garbage = static_cast<std::uint8_t>(~garbage)});
+  require_same(whole, counted, "other strips and statistics");
+  fuzz::require(counted.statistics.depth_passes <= counted.statistics.fragments, "what is drawn was covered");
+  const fuzz::Picture roomy =
+      fuzz::draw(scene, camera, view, {.effects = effects, .budget = {}, .garbage = garbage, .surplus = surplus});
+  if (roomy.status) require_same(whole, roomy, "a plan with more room");
+
+  // A pipeline with more effects than the scene calls for may refuse it, but not draw another picture.
+  const fuzz::Picture rich =
+      fuzz::draw(scene, camera, view, {.effects = effects | more, .budget = {}, .garbage = 0x55});
+  if (rich.status.error != Error::effect_missing) require_same(whole, rich, "more effects than the scene calls for");
+  return 0;
+}

@@ -1,0 +1,72 @@
+// Every kind of scene in every picture format and three strip heights; then frames that stand for more: benchmark
+// workloads, swapped bytes, a camera inside a room that turns all the way around.
+#include "cases.hpp"
+
+#include "draw_case.hpp"
+#include "zstrip_scenes/cube.hpp"
+#include "zstrip_scenes/knot.hpp"
+#include "zstrip_scenes/knot_meshlets.hpp"
+#include "zstrip_scenes/random.hpp"
+#include "zstrip_scenes/room.hpp"
+#include "zstrip_scenes/teapot.hpp"
+#include "zstrip_scenes/triangle.hpp"
+
+namespace zstrip::targets {
+namespace {
+
+template <const scenes::BuiltIn& built_in>
+constexpr Subject kSubject{&built_in, draw_case<built_in>};
+
+constexpr const Subject* kTriangle = &kSubject<scenes::triangle>;
+constexpr const Subject* kCube = &kSubject<scenes::cube>;
+constexpr const Subject* kRoom = &kSubject<scenes::room>;
+constexpr const Subject* kRandom50 = &kSubject<scenes::random50>;
+constexpr const Subject* kTeapot = &kSubject<scenes::teapot>;
+constexpr const Subject* kKnot = &kSubject<scenes::knot>;
+constexpr const Subject* kKnotFlat = &kSubject<scenes::knot_flat>;
+constexpr const Subject* kKnotTextured = &kSubject<scenes::knot_textured>;
+constexpr const Subject* kRandom10k = &kSubject<scenes::random10k>;
+constexpr const Subject* kRandom10kMeshlets = &kSubject<scenes::random10k_meshlets>;
+
+constexpr const Subject* kSubjects[] = {kTriangle, kCube,     kRoom,         kRandom50, kTeapot,
+                                        kKnot,     kKnotFlat, kKnotTextured, kRandom10k};
+/// Odd sizes: rows end inside a byte, and neither 7 nor 1 strip rows fill the picture evenly.
+constexpr View kViews[] = {{64, 48, PixelFormat::rgb565}, {37, 29, PixelFormat::gray4}, {51, 33, PixelFormat::mono}};
+constexpr std::uint16_t kStripRows[] = {1, 7, 0};
+constexpr std::uint32_t kFrame = 13;  // everything stands askew
+
+constexpr View kSmall{64, 48, PixelFormat::rgb565};
+constexpr View kTiny{1, 1, PixelFormat::rgb565};
+constexpr View kIcon{8, 8, PixelFormat::rgb565};  // all depth codes within a few rows
+constexpr View kWide{160, 24, PixelFormat::rgb565_swapped};
+constexpr View kTall{24, 100, PixelFormat::rgb565_swapped};
+constexpr Case kSingleCases[] = {
+    {kKnot, Motion::workload, {96, 72, PixelFormat::rgb565}, 16, 7, 2},
+    {kCube, Motion::workload, {96, 72, PixelFormat::rgb565}, 16, 7, 2},
+    {kRandom50, Motion::workload, {96, 72, PixelFormat::rgb565}, 16, 7, 2},
+    {kRandom10kMeshlets, Motion::workload, {96, 72, PixelFormat::rgb565}, 16, 7, 1},
+    {kRoom, Motion::turntable, kWide, 5, 77, 1},
+    {kTeapot, Motion::turntable, kTall, 33, 77, 1},
+    {kTriangle, Motion::turntable, kTiny, 1, 0, 1},
+    {kTriangle, Motion::turntable, kIcon, 3, 0, 1},
+    {kTeapot, Motion::turntable, kSmall, 13, 0, 100},
+    {kRoom, Motion::turntable, kSmall, 13, 0, 100},
+};
+
+}  // namespace
+
+bool for_each_case(bool (*run)(const Case&)) {
+  for (const Subject* subject : kSubjects) {
+    for (const View& view : kViews) {
+      for (const std::uint16_t rows : kStripRows) {
+        if (!run({subject, Motion::turntable, view, rows, kFrame, 1})) return false;
+      }
+    }
+  }
+  for (const Case& single : kSingleCases) {
+    if (!run(single)) return false;
+  }
+  return true;
+}
+
+}  // namespace zstrip::targets
