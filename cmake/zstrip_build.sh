@@ -12,12 +12,36 @@ zstrip_packages() {
   awk -v wanted=" $* " '!/^#/ && NF == 2 && index(wanted, " " $1 " ") { print $2 }' "$zstrip_root/cmake/zstrip_packages.txt"
 }
 
-# Of the packages given on standard input, those that are not installed. A name that another package provides counts.
+# Of the packages given on standard input, those that are not installed: all of them where dpkg-query does not answer.
+# A name that another package provides counts.
 zstrip_missing_packages() {
   local installed
   installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}, ${Provides}\n' 2>/dev/null |
-    awk '$1 == "installed" { sub(/^installed /, ""); gsub(/ *\([^)]*\)/, ""); gsub(/, */, "\n"); print }')
-  grep -vxF -f <(printf '%s\n' "$installed") || true
+    awk '$1 == "installed" { sub(/^installed /, ""); gsub(/ *\([^)]*\)/, ""); gsub(/, */, "\n"); print }') || installed=
+  grep -vxF -f <(printf '%s\n' "$installed") || [ $? -eq 1 ]
+}
+
+# On machines without Debian's packages: whether what the purposes need is there. Configuring finds it.
+zstrip_can_configure() {
+  local tool purpose tests=OFF firmware=OFF probe=$zstrip_root/build/probe found=yes
+  local tools=(cmake ninja)
+  for purpose in "$@"; do
+    case "$purpose" in
+      tests) tests=ON ;;
+      firmware) firmware=ON; tools+=(qemu-system-arm) ;;
+    esac
+  done
+  : >"$zstrip_log"
+  for tool in "${tools[@]}"; do
+    command -v "$tool" >/dev/null || { echo "$tool is not installed" >>"$zstrip_log"; found=; }
+  done
+  if [ -n "$found" ]; then
+    rm -rf "$probe"
+    cmake -S "$zstrip_root" --preset host -B "$probe" -DZSTRIP_TESTS=$tests -DZSTRIP_FIRMWARE=$firmware \
+      </dev/null >>"$zstrip_log" 2>&1 9>&- || found=
+    rm -rf "$probe"
+  fi
+  [ -n "$found" ]
 }
 
 zstrip_apt() {
@@ -26,18 +50,21 @@ zstrip_apt() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 "$@" </dev/null >>"$zstrip_log" 2>&1
 }
 
-# Installs what is missing for the given purposes. Looks only once after each change of the list.
+# Installs what is missing for the given purposes, or exits with 3. Looks only once after each change of the list.
 zstrip_install_packages() {
-  local stamp missing
+  local stamp names missing
   stamp=$zstrip_root/build/.packages-$(printf '%s-' "$@")installed
   if [ "$stamp" -nt "$zstrip_root/cmake/zstrip_packages.txt" ]; then return; fi
-  mapfile -t missing < <(zstrip_packages "$@" | zstrip_missing_packages)
-  if [ "${#missing[@]}" -gt 0 ]; then
-    if ! command -v apt-get >/dev/null; then
-      zstrip_say "there is no apt-get here; install what these Debian packages hold, then run: cmake --preset host"
+  names=$(zstrip_packages "$@" | zstrip_missing_packages)
+  read -r -d '' -a missing <<<"$names" || true
+  if [ -n "$names" ] && ! command -v apt-get >/dev/null; then
+    if ! zstrip_can_configure "$@"; then
+      tail -n 20 "$zstrip_log" >&2
+      zstrip_say "there is no apt-get here; install what these Debian packages hold, then try again:"
       printf '  %s\n' "${missing[@]}" >&2
       exit 3
     fi
+  elif [ -n "$names" ]; then
     if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
       zstrip_say "packages are missing and neither root nor sudo is at hand; as root, run:"
       printf '  apt-get install --no-install-recommends %s\n' "${missing[*]}" >&2

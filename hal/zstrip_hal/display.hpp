@@ -13,7 +13,8 @@
 
 namespace zstrip::hal {
 
-/// How the pixels that a display takes lie in memory. Rows follow each other; every row starts at a byte.
+/// How the pixels that a display takes lie in memory. Rows follow each other; every row starts at a byte. What draws
+/// for a display must draw in its format: with zstrip's core, the View's, which has the same names.
 enum class PixelFormat : std::uint8_t {
   rgb565,          ///< two bytes, the low one first; red in bits 15..11
   rgb565_swapped,  ///< two bytes, the high one first

@@ -23,7 +23,7 @@ enum class Error : std::uint8_t {
   light,       ///< too many lights (`needed` = given, `available` = limit)
   effect_missing,  ///< the scene calls for an effect that this renderer was built without (`needed` = the missing set),
                    ///< or the renderer is for orthographic cameras only (`needed` = 0)
-  not_begun,  ///< draw_strip before a successful begin_frame
+  not_begun,       ///< draw_strip before a successful begin_frame
 };
 
 /// What memory is for. The order is that of a plan's table.

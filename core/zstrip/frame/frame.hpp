@@ -13,7 +13,8 @@ namespace zstrip {
 /// Read-only for applications. Refers to the caller's scene and arena.
 class Frame {
  public:
-  /// The smallest rectangle known to hold everything that is drawn, in picture pixels; the z-buffer covers no more.
+  /// The smallest rectangle known to hold everything that is drawn, in picture pixels; no more of the z-buffer is
+  /// cleared and tested. The plan reserves memory for strips of the full width.
   const Rect& bounds() const { return bounds_; }
   const View& view() const { return view_; }
   const Plan& plan() const { return plan_; }

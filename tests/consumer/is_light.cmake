@@ -1,0 +1,22 @@
+# cmake -DFOLDER=build-folder -P is_light.cmake: the program in that folder has built of zstrip only the libraries that it
+# links, and installing it installs nothing of zstrip.
+file(GLOB_RECURSE core ${FOLDER}/zstrip/core/*zstrip_core.*)
+if(NOT core)
+  message(FATAL_ERROR "${FOLDER} holds no library of zstrip: was it built?")
+endif()
+file(GLOB_RECURSE scenes ${FOLDER}/zstrip/firmware/*.a ${FOLDER}/zstrip/firmware/*.o)
+if(scenes)
+  message(FATAL_ERROR "Built without being linked: ${scenes}")
+endif()
+
+set(prefix ${FOLDER}/would_install)
+file(REMOVE_RECURSE ${prefix})
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${FOLDER} --prefix ${prefix} RESULT_VARIABLE status
+  OUTPUT_QUIET ERROR_VARIABLE error)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "Installing a program that uses zstrip fails: ${error}")
+endif()
+file(GLOB_RECURSE installed ${prefix}/*)
+if(installed)
+  message(FATAL_ERROR "Installed along with a program that uses zstrip: ${installed}")
+endif()
