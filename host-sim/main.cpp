@@ -1,6 +1,9 @@
 // The zstrip command: reads the command line and runs one of its subcommands.
 #include <fmt/format.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
@@ -22,6 +25,14 @@ namespace {
 
 using zstrip::sim::ExitStatus;
 using zstrip::sim::print_failure;
+
+/// A closed standard stream gets a descriptor on which writing fails. Else the next file opened, a picture perhaps,
+/// would become the stream, and messages would be written into it.
+void keep_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);  // takes the lowest free number: this one
+  }
+}
 
 int run(int argc, char** argv) {
   CLI::App app{"zstrip renders 3D scenes as devices with kilobytes of RAM would: strip by strip, in fixed point.",
@@ -62,6 +73,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_standard_streams();
   // A limit on file sizes is then an error of write(), and said like one.
   std::signal(SIGXFSZ, SIG_IGN);
   try {

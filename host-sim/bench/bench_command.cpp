@@ -19,6 +19,7 @@
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
 #include "image/write_file.hpp"
+#include "report/text.hpp"
 #include "result.hpp"
 
 namespace zstrip::sim {
@@ -80,13 +81,16 @@ Result<Done> compare_pictures(std::span<const Measurement> rows) {
 
 Result<Done> report(const BenchOptions& options, std::span<const Measurement> rows) {
   const bool json_on_stdout = options.json == "-";
-  fmt::print(json_on_stdout ? stderr : stdout, "{}", bench_table(rows));
+  // Failures on standard output are told by main.
+  if (!write_text(json_on_stdout ? stderr : stdout, bench_table(rows)) && json_on_stdout) {
+    return Failure{ExitStatus::output, "cannot write the table to standard error; is the disk full?"};
+  }
   if (options.json.empty()) return Done{};
   const std::string json = bench_json(rows);
   if (!json_on_stdout) {
     return write_file(options.json, {reinterpret_cast<const std::uint8_t*>(json.data()), json.size()}, "--json");
   }
-  fmt::print("{}", json);
+  write_text(stdout, json);
   return Done{};
 }
 
@@ -144,16 +148,24 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       ->delimiter(',')
       ->check(CLI::IsMember(workload_names()))
       ->capture_default_str();
-  command->add_option("--size", options->size, "WIDTHxHEIGHT of the picture instead of the workload's own");
-  command->add_option("--strip-rows", options->strip_rows, "Rows of a strip, or auto");
-  command->add_option("--ram", options->ram, "Most bytes for the arena (suffix K or M); without it, no limit");
+  command->add_option("--size", options->size, "Size of the picture, each side 1 to 4096 (default: the workload's own)")
+      ->type_name("WxH");
+  command->add_option("--strip-rows", options->strip_rows, "Rows of a strip (default: auto, as many as fit)")
+      ->type_name("N|auto");
+  command->add_option("--ram", options->ram, "Renderer's memory at most, K and M allowed (default: no limit)")
+      ->type_name("BYTES");
   command->add_option("--frames", options->frames, "Frames to average over")
+      ->type_name("N")
       ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{100000}))
       ->capture_default_str();
-  command->add_option("--firmware", options->firmware,
-                      "Folder of the boards' programs, if not where the build puts them");
-  command->add_option("--json", options->json, "Write the results to this file as JSON; - is standard output");
-  command->add_option("--draw-each", options->draw_each)->group("");
+  command
+      ->add_option("--firmware", options->firmware, "Folder of the boards' programs, if not where the build puts them")
+      ->type_name("DIR");
+  command->add_option("--json", options->json, "Write the results to this file as JSON; - is standard output")
+      ->type_name("FILE|-");
+  command->add_option("--draw-each", options->draw_each)
+      ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{100}))
+      ->group("");
   command->callback([options, &exit_code] {
     const Result<Done> done = run(*options);
     exit_code = done ? static_cast<int>(ExitStatus::ok) : print_failure(done.failure());

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "bench/workloads.hpp"
+#include "report/number.hpp"
 
 namespace zstrip::sim {
 
@@ -13,8 +14,8 @@ Result<Drawing> Drawing::prepare(const BenchCase& bench_case) {
   const auto [status, plan] = zstrip::plan(built_in->counts, bench_case.view, effects, bench_case.budget);
   if (status.error == Error::arena_too_small) {
     return Failure{ExitStatus::budget,
-                   fmt::format("{} needs {} bytes, most of them for {}, and --ram allows {}", bench_case.workload,
-                               status.needed, name(status.purpose), status.available)};
+                   fmt::format("{} needs {}, most of them for {}, and --ram allows {}", bench_case.workload,
+                               counted(status.needed, "byte"), name(status.purpose), grouped(status.available))};
   }
   if (!status) {
     return Failure{ExitStatus::usage,

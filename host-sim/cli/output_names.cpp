@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <system_error>
+#include <utility>
 
 namespace zstrip::sim {
 namespace {
@@ -18,6 +19,20 @@ std::optional<ImageType> type_of_extension(const std::filesystem::path& path) {
   return std::nullopt;
 }
 
+/// One path for all names of a file, also of one that does not exist yet.
+std::filesystem::path resolved(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::path whole = std::filesystem::weakly_canonical(path, error);
+  return error ? path.lexically_normal() : std::move(whole);
+}
+
+/// Several things may go to a device, as /dev/null is.
+bool is_device(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+}
+
 }  // namespace
 
 std::filesystem::path OutputNames::file(std::uint32_t frame) const {
@@ -30,6 +45,9 @@ Result<OutputNames> name_outputs(const std::string& scene, const std::optional<s
   OutputNames names;
   names.format = format;
   std::error_code ignored;
+  if (output == "-") {
+    return Failure{ExitStatus::usage, "-o '-' is no file; name /dev/stdout for standard output"};
+  }
   if (output) {
     names.path = *output;
     const auto by_name = type_of_extension(names.path);
@@ -54,6 +72,36 @@ Result<OutputNames> name_outputs(const std::string& scene, const std::optional<s
   names.folder = names.frames > 1;
   names.path = names.folder ? stem : stem + file_extension(names.type, format);
   return names;
+}
+
+bool is_standard_output(const std::string& path) {
+  return path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
+Result<Done> check_distinct(const OutputNames& outputs, const std::optional<std::string>& json,
+                            const std::string& scene) {
+  const auto usage = [](std::string message) { return Failure{ExitStatus::usage, std::move(message)}; };
+  const bool json_on_stdout = json && (*json == "-" || is_standard_output(*json));
+  if (json_on_stdout && is_standard_output(outputs.path.string())) {
+    return usage("-o and --json both name standard output; give one of them a file");
+  }
+  const std::filesystem::path report = json && !json_on_stdout && !is_device(*json) ? resolved(*json) : "";
+  const std::filesystem::path model = resolved(scene);
+  if (!report.empty() && report == model)
+    return usage(fmt::format("--json '{}' is the model itself; name another file", *json));
+
+  // Of a folder's files only the names differ.
+  const std::filesystem::path place = outputs.folder ? resolved(outputs.path) : "";
+  for (std::uint32_t frame = 0; frame < outputs.frames; ++frame) {
+    const std::filesystem::path name = outputs.file(frame);
+    if (!outputs.folder && is_device(name)) continue;
+    const std::filesystem::path picture = outputs.folder ? place / name.filename() : resolved(name);
+    if (picture == model) return usage(fmt::format("-o '{}' is the model itself; name another file", name.string()));
+    if (!report.empty() && picture == report) {
+      return usage(fmt::format("--json '{}' is a picture of -o; give the report another name", *json));
+    }
+  }
+  return Done{};
 }
 
 Result<Done> prepare(const OutputNames& outputs) {

@@ -29,6 +29,13 @@ Result<OutputNames> name_outputs(const std::string& scene, const std::optional<s
                                  std::optional<std::uint32_t> frames, std::optional<ImageType> type,
                                  PixelFormat format);
 
+/// Whether `path` is a name of standard output: /dev/stdout and the like.
+bool is_standard_output(const std::string& path);
+
+/// Refuses to write two things to one place: the report over a picture, or either over the file of the scene.
+Result<Done> check_distinct(const OutputNames& outputs, const std::optional<std::string>& json,
+                            const std::string& scene);
+
 /// Creates the folder where there is to be one.
 Result<Done> prepare(const OutputNames& outputs);
 

@@ -3,18 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <string>
+
+#include "report/text.hpp"
 
 namespace zstrip::sim {
 namespace {
 
 void print_line(std::string_view kind, std::string_view message) {
-  std::string line(message);
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
-  fmt::print(stderr, "zstrip: {}{}\n", kind, line);
+  // Where it cannot be written, the exit status still tells.
+  write_text(stderr, fmt::format("zstrip: {}{}\n", kind, printable(message)));
 }
 
 }  // namespace

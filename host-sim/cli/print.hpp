@@ -7,7 +7,8 @@
 
 namespace zstrip::sim {
 
-/// Control characters, which names of files may hold, are shown as '?'.
+/// Control characters, which names of files may hold, are shown as '?'. Where stderr is closed or full, nothing is
+/// said.
 void print_warning(std::string_view message);
 
 /// Prints the message and returns the status as a number, for main's return value.

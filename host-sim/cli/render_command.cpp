@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +19,8 @@
 #include "render/stage.hpp"
 #include "report/frame_record.hpp"
 #include "report/progress.hpp"
+#include "report/text.hpp"
+#include "zstrip_scenes/scenes.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -33,7 +37,7 @@ struct Arguments {
   std::string strip_rows = "auto";
   std::string format = "rgb565";
   std::optional<std::string> image;
-  std::string up = "y";
+  std::optional<std::string> up;
   std::optional<std::string> eye;
   std::optional<std::string> look_at;
   std::optional<std::string> orbit;
@@ -109,16 +113,36 @@ Result<Job> parse(const Arguments& arguments) {
     if (!parsed) return parsed.failure();
     type = *parsed;
   }
-  const Result<UpAxis> up = parse_up_axis(arguments.up);
-  if (!up) return up.failure();
-  job.up = *up;
+  if (arguments.up) {
+    const Result<UpAxis> up = parse_up_axis(*arguments.up);
+    if (!up) return up.failure();
+    if (scenes::find(arguments.scene) != nullptr) {
+      return usage(fmt::format("--up is for model files; '{}' is a built-in scene", arguments.scene));
+    }
+    job.up = *up;
+  }
   const Result<CameraOptions> camera = parse_camera(arguments);
   if (!camera) return camera.failure();
   job.camera = *camera;
   Result<OutputNames> outputs = name_outputs(arguments.scene, arguments.output, arguments.frames, type, *format);
   if (!outputs) return outputs.failure();
+  const bool built_in = scenes::find(arguments.scene) != nullptr;
+  const Result<Done> distinct = check_distinct(*outputs, arguments.json, built_in ? "" : arguments.scene);
+  if (!distinct) return distinct.failure();
   job.outputs = std::move(*outputs);
   return job;
+}
+
+/// An empty picture looks like a mistake of the renderer; most often the camera is to blame.
+void warn_if_nothing_drawn(RunRecord& run) {
+  if (std::any_of(run.frames.begin(), run.frames.end(),
+                  [](const FrameRecord& frame) { return frame.report.statistics.fragments > 0; })) {
+    return;
+  }
+  std::string options = "--eye, --orbit, --look-at";
+  if (scenes::find(run.scene) == nullptr) options += ", --up";
+  run.warnings.push_back("no pixel was drawn: the camera does not see the scene; check " + options);
+  print_warning(run.warnings.back());
 }
 
 Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool quiet) {
@@ -148,26 +172,31 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
 }
 
 Result<Done> report(const RunRecord& run, const Arguments& arguments) {
-  const bool json_on_stdout = arguments.json == "-";
+  const bool json_on_stdout = arguments.json && (*arguments.json == "-" || is_standard_output(*arguments.json));
   if (arguments.json) {
     const std::string json = to_json(run);
     if (json_on_stdout) {
-      fmt::print("{}", json);
+      write_text(stdout, json);  // main looks at the stream's state
     } else if (const Result<Done> written = write_file(
                    *arguments.json, {reinterpret_cast<const std::uint8_t*>(json.data()), json.size()}, "--json");
                !written) {
       return written.failure();
     }
   }
-  if (!arguments.quiet) fmt::print(json_on_stdout ? stderr : stdout, "{}", summary(run));
+  if (arguments.quiet) return Done{};
+  const bool stdout_taken = json_on_stdout || (arguments.output && is_standard_output(*arguments.output));
+  if (!write_text(stdout_taken ? stderr : stdout, summary(run)) && stdout_taken) {
+    return Failure{ExitStatus::output, "cannot write the summary to standard error; is the disk full?"};
+  }
   return Done{};
 }
 
 int run(const Arguments& arguments) {
   const Result<Job> job = parse(arguments);
   if (!job) return print_failure(job.failure());
-  const Result<RunRecord> record = render_frames(arguments.scene, *job, arguments.quiet);
+  Result<RunRecord> record = render_frames(arguments.scene, *job, arguments.quiet);
   if (!record) return print_failure(record.failure());
+  warn_if_nothing_drawn(*record);
   const Result<Done> reported = report(*record, arguments);
   if (!reported) return print_failure(reported.failure());
   return static_cast<int>(ExitStatus::ok);
@@ -195,7 +224,8 @@ void add_render_command(CLI::App& app, int& exit_code) {
   command->add_option("--format", a.format, "Pixels: rgb565 (default), rgb565_swapped, gray4 or mono")
       ->type_name("FORMAT");
   command->add_option("--image", a.image, "Picture files: png (default), ppm or raw")->type_name("TYPE");
-  command->add_option("--up", a.up, "The axis of a model file that points upwards: x, -x, y (default), -y, z, -z")
+  command
+      ->add_option("--up", a.up, "A model's axis that points upwards: x, -x, y (default), -y, z, -z; some .3ds need -z")
       ->type_name("AXIS");
   command->add_option("--eye", a.eye, "Where the camera is, in the model's units")->type_name("X,Y,Z");
   command->add_option("--look-at", a.look_at, "What it looks at (default: the model's centre)")->type_name("X,Y,Z");
@@ -203,7 +233,10 @@ void add_render_command(CLI::App& app, int& exit_code) {
       ->add_option("--orbit", a.orbit,
                    "Camera on a sphere around that point: radius, degrees from the front, from above")
       ->type_name("R,PHI,THETA");
-  command->add_option("--fov", a.field_of_view, "Vertical field of view, 1 to 170 (default: 30)")->type_name("DEGREES");
+  command
+      ->add_option("--fov", a.field_of_view,
+                   "Vertical field of view, 1 to 170 (default: 30, or a built-in scene's own)")
+      ->type_name("DEGREES");
   command->add_flag("--ortho", a.orthographic, "Parallel instead of perspective projection");
   command->add_option("--json", a.json, "Write a report of each frame; - is standard output")->type_name("FILE|-");
   command->add_flag("--quiet", a.quiet, "No summary, no progress; warnings and errors remain");
@@ -212,7 +245,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
       "  zstrip render teapot\n"
       "  zstrip render teapot -o out/teapot --frames 64\n"
       "  zstrip render bunny.obj -o bunny.png --size 640x480 --orbit 0.3,45,70\n"
-      "  zstrip render knot --ram 20K --json -\n"
+      "  zstrip render knot_meshlets --ram 20K --json -\n"
       "  zstrip render duck.glb -o oled --size 128x64 --format gray4 --image raw");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
+#include <string>
 
 #include "report/number.hpp"
+#include "report/text.hpp"
 #include "result.hpp"
 #include "zstrip_scenes/scenes.hpp"
 
@@ -15,11 +18,12 @@ void add_scenes_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("scenes", "List the built-in scenes");
   command->footer("Example:\n  zstrip scenes");
   command->callback([&exit_code] {
-    fmt::print("{:<18} {:>9} {:>9}  {}\n", "name", "triangles", "vertices", "description");
+    std::string list = fmt::format("{:<18} {:>9} {:>9}  {}\n", "name", "triangles", "vertices", "description");
     for (const scenes::BuiltIn& scene : scenes::built_in()) {
-      fmt::print("{:<18} {:>9} {:>9}  {}\n", scene.name, grouped(scene.counts.triangles),
-                 grouped(scene.counts.vertices), scene.description);
+      list += fmt::format("{:<18} {:>9} {:>9}  {}\n", scene.name, grouped(scene.counts.triangles),
+                          grouped(scene.counts.vertices), scene.description);
     }
+    write_text(stdout, list);  // main looks at the stream's state
     exit_code = static_cast<int>(ExitStatus::ok);
   });
 }

@@ -8,7 +8,20 @@
 namespace zstrip::sim {
 namespace {
 
-/// Averages pairs along one or both axes; an odd last row or column is averaged with itself.
+/// Where texel `index` of `to` lies among the texels of `from`: two neighbours and the share of the second.
+struct Sample {
+  std::uint32_t first, second;
+  double share;
+};
+Sample sample(std::uint32_t index, std::uint32_t to, std::uint32_t from) {
+  const double position = (index + 0.5) * from / to - 0.5;
+  const double below = std::floor(position);
+  const auto first = static_cast<std::uint32_t>(static_cast<std::int64_t>(below) + from) % from;
+  return {first, (first + 1) % from, position - below};
+}
+
+}  // namespace
+
 RgbImage halve(const RgbImage& from, bool halve_x, bool halve_y) {
   RgbImage to;
   to.width = halve_x ? (from.width + 1) / 2 : from.width;
@@ -29,20 +42,6 @@ RgbImage halve(const RgbImage& from, bool halve_x, bool halve_y) {
   }
   return to;
 }
-
-/// Where texel `index` of `to` lies among the texels of `from`: two neighbours and the share of the second.
-struct Sample {
-  std::uint32_t first, second;
-  double share;
-};
-Sample sample(std::uint32_t index, std::uint32_t to, std::uint32_t from) {
-  const double position = (index + 0.5) * from / to - 0.5;
-  const double below = std::floor(position);
-  const auto first = static_cast<std::uint32_t>(static_cast<std::int64_t>(below) + from) % from;
-  return {first, (first + 1) % from, position - below};
-}
-
-}  // namespace
 
 RgbImage resample_to_power_of_two(RgbImage image) {
   while (image.width > kMaxTextureSide || image.height > kMaxTextureSide) {

@@ -16,4 +16,7 @@ constexpr int log2_of(std::uint32_t side) { return std::countr_zero(side); }
 /// Larger pictures are halved by averaging first, so that no texel is skipped. Sides >= 1.
 RgbImage resample_to_power_of_two(RgbImage image);
 
+/// Averages pairs along one or both axes; an odd last row or column is averaged with itself.
+RgbImage halve(const RgbImage& from, bool halve_x, bool halve_y);
+
 }  // namespace zstrip::sim

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -47,6 +48,24 @@ mode_t default_mode() {
   return 0666 & ~mask;
 }
 
+/// While it lives, signals that end the program wait: a temporary file must not stay behind. They take effect at its
+/// end.
+class SignalPause {
+ public:
+  SignalPause() {
+    sigset_t ending;
+    ::sigemptyset(&ending);
+    for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGALRM, SIGXCPU}) ::sigaddset(&ending, signal);
+    ::sigprocmask(SIG_BLOCK, &ending, &before_);
+  }
+  ~SignalPause() { ::sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  SignalPause(const SignalPause&) = delete;
+  SignalPause& operator=(const SignalPause&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
 }  // namespace
 
 Result<Done> write_file(const std::filesystem::path& path, std::span<const std::uint8_t> content, const char* option) {
@@ -63,6 +82,7 @@ Result<Done> write_file(const std::filesystem::path& path, std::span<const std::
   // A link keeps pointing: its target is what is replaced.
   std::filesystem::path target = std::filesystem::canonical(path, ignored);
   if (target.empty()) target = path;
+  const SignalPause pause;
   std::string temporary = (target.parent_path() / fmt::format(".{}.XXXXXX", target.filename().string())).string();
   const int file = ::mkostemp(temporary.data(), O_CLOEXEC);
   if (file < 0) return cannot_write(path, errno, option);

@@ -1,7 +1,10 @@
-// Keeps a crash inside a file parser from looking like a crash of zstrip.
+// Keeps a crash or an endless loop inside a file parser from looking like a crash of zstrip.
 #include "import/crash_guard.hpp"
 
+#include <sys/time.h>
 #include <unistd.h>
+
+#include <string_view>
 
 #include "result.hpp"
 
@@ -10,22 +13,38 @@ namespace {
 
 constexpr std::size_t kStackBytes = 64 * 1024;
 
-// What the handler may read: set before the handler is, never changed while it can run.
-const char* guard_line = nullptr;
-std::size_t guard_line_bytes = 0;
+// AddressSanitizer maps terabytes.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool kLimitsMemory = false;
+#else
+constexpr bool kLimitsMemory = true;
+#endif
 
-extern "C" void end_with_message(int /*signal*/) {
+// What the handler may read: set before the handler is, never changed while it can run.
+std::string_view crash_line;
+std::string_view time_line;
+
+extern "C" void end_with_message(int signal) {
+  const std::string_view line = signal == SIGPROF ? time_line : crash_line;
   // Only async-signal-safe calls; a failed write leaves nothing better to do than to end.
-  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, guard_line, guard_line_bytes);
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());
   ::_exit(static_cast<int>(ExitStatus::input));
+}
+
+/// SIGPROF after this much processor time of the process; 0: never.
+void set_clock(std::chrono::seconds limit) {
+  itimerval timer{};
+  timer.it_value.tv_sec = limit.count();
+  ::setitimer(ITIMER_PROF, &timer, nullptr);
 }
 
 }  // namespace
 
-CrashGuard::CrashGuard(const std::string& message)
-    : line_(message + '\n'), stack_(std::make_unique<std::byte[]>(kStackBytes)) {
-  guard_line = line_.data();
-  guard_line_bytes = line_.size();
+CrashGuard::CrashGuard(const std::string& crashed, const std::string& too_long, std::chrono::seconds limit,
+                       std::uint64_t memory)
+    : crash_line_(crashed + '\n'), time_line_(too_long + '\n'), stack_(std::make_unique<std::byte[]>(kStackBytes)) {
+  crash_line = crash_line_;
+  time_line = time_line_;
   stack_t stack{};
   stack.ss_sp = stack_.get();
   stack.ss_size = kStackBytes;
@@ -35,9 +54,21 @@ CrashGuard::CrashGuard(const std::string& message)
   action.sa_flags = SA_ONSTACK;
   ::sigemptyset(&action.sa_mask);
   for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &action, &previous_[i]);
+  set_clock(limit);
+  ::getrlimit(RLIMIT_DATA, &previous_memory_);
+  if (kLimitsMemory && memory < previous_memory_.rlim_cur) {
+    const rlimit lower{memory, previous_memory_.rlim_max};
+    ::setrlimit(RLIMIT_DATA, &lower);
+  }
+}
+
+void CrashGuard::lift_limits() {
+  set_clock({});
+  ::setrlimit(RLIMIT_DATA, &previous_memory_);
 }
 
 CrashGuard::~CrashGuard() {
+  lift_limits();
   for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &previous_[i], nullptr);
   ::sigaltstack(&previous_stack_, nullptr);
 }

@@ -1,29 +1,40 @@
-// Keeps a crash inside a file parser from looking like a crash of zstrip.
+// Keeps a crash or an endless loop inside a file parser from looking like a crash of zstrip.
 #pragma once
+
+#include <sys/resource.h>
 
 #include <csignal>
 
 #include <array>
+#include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 
 namespace zstrip::sim {
 
 /// While it lives, a fatal signal of this process (bad access, stack overflow, abort, arithmetic trap) prints
-/// `message` and a line end to stderr and ends the process with ExitStatus::input. One at a time; not for threads.
+/// `crashed` and a line end to stderr and ends the process with ExitStatus::input; so does, with `too_long`, using
+/// `limit` of processor time. More than `memory` bytes of memory are refused, as if the machine had no more. One at a
+/// time; not for threads.
 class CrashGuard {
  public:
-  explicit CrashGuard(const std::string& message);
+  CrashGuard(const std::string& crashed, const std::string& too_long, std::chrono::seconds limit, std::uint64_t memory);
   ~CrashGuard();
   CrashGuard(const CrashGuard&) = delete;
   CrashGuard& operator=(const CrashGuard&) = delete;
 
+  /// From here on time and memory do not matter any more; crashes still do.
+  void lift_limits();
+
  private:
-  static constexpr std::array kSignals{SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL};
-  std::string line_;
+  static constexpr std::array kSignals{SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGPROF};
+  std::string crash_line_;
+  std::string time_line_;
   std::unique_ptr<std::byte[]> stack_;  ///< the handler's own: the other one may have overflowed
   stack_t previous_stack_{};
+  rlimit previous_memory_{};
   std::array<struct sigaction, kSignals.size()> previous_{};
 };
 

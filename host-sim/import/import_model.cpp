@@ -11,13 +11,45 @@
 #include "import/read_model.hpp"
 #include "import/surface.hpp"
 #include "import/texcoords.hpp"
+#include "report/number.hpp"
 
 namespace zstrip::sim {
+
+namespace {
+
+/// Halves textures until their sides are at most those given, and says so.
+void lower_textures(SourceModel& source, const std::vector<TextureSides>& sides) {
+  std::size_t lowered = 0;
+  std::string largest_change;
+  std::uint32_t most = 0;
+  for (std::size_t i = 0; i < source.textures.size(); ++i) {
+    RgbImage& texture = source.textures[i];
+    const std::uint32_t width = texture.width;
+    const std::uint32_t height = texture.height;
+    const auto too_wide = [&] { return log2_of(texture.width) > sides[i].log2_width; };
+    const auto too_high = [&] { return log2_of(texture.height) > sides[i].log2_height; };
+    while (too_wide() || too_high()) texture = halve(texture, too_wide(), too_high());
+    const std::uint32_t factor = width / texture.width * (height / texture.height);
+    if (factor > 1) ++lowered;
+    if (factor <= std::max(most, 1U)) continue;
+    most = factor;
+    largest_change = fmt::format("from {}x{} to {}x{} texels", width, height, texture.width, texture.height);
+  }
+  if (lowered == 0) return;
+  source.warnings.push_back(fmt::format("{} lowered, at most {}: a triangle repeats it too often for more",
+                                        counted(lowered, "texture"), largest_change));
+}
+
+}  // namespace
 
 Result<Model> import_model(const std::filesystem::path& path, UpAxis up) {
   Result<SourceModel> read = read_model(path, up);
   if (!read) return read.failure();
   SourceModel& source = *read;
+  const auto named = [&path](const std::string& message) {
+    return Failure{ExitStatus::input, fmt::format("'{}' {}", path.string(), message)};
+  };
+  if (source.meshes.size() > kMaxMeshes) return named(kTooManyMeshes);
 
   generate_missing_normals(source);
   const std::vector<bool> closed_outside = find_closed_outsides(source);
@@ -25,6 +57,7 @@ Result<Model> import_model(const std::filesystem::path& path, UpAxis up) {
 
   std::vector<MeshTraits> traits;
   std::uint64_t clamped = 0;
+  std::vector<TextureSides> sides(source.textures.size());
   for (std::size_t i = 0; i < source.meshes.size(); ++i) {
     SourceMesh& mesh = source.meshes[i];
     const SourceMaterial& material = source.materials[mesh.material];
@@ -34,14 +67,19 @@ Result<Model> import_model(const std::filesystem::path& path, UpAxis up) {
     if (!mesh.has_texcoords) continue;
     const RgbImage& texture = source.textures[material.texture];
     trait.texcoord_bits = fit_texcoords(mesh, log2_of(std::max(texture.width, texture.height)), clamped);
+    TextureSides& side = sides[material.texture];
+    const TextureSides longest = longest_sides(mesh, trait.texcoord_bits);
+    side.log2_width = std::min(side.log2_width, longest.log2_width);
+    side.log2_height = std::min(side.log2_height, longest.log2_height);
     weld(mesh);
   }
+  lower_textures(source, sides);
   if (clamped > 0) {
-    source.warnings.push_back(
-        fmt::format("{} texture coordinates clamped: one triangle repeats its texture more than 2000 times", clamped));
+    source.warnings.push_back(fmt::format("{} clamped: one triangle repeats its texture more than 2000 times",
+                                          counted(clamped, "texture coordinate")));
   }
   Result<Model> model = quantise(source, traits);
-  if (!model) return Failure{model.failure().status, fmt::format("'{}' {}", path.string(), model.failure().message)};
+  if (!model) return named(model.failure().message);
   return model;
 }
 

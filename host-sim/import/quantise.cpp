@@ -9,6 +9,7 @@
 
 #include "image/resample.hpp"
 #include "import/meshlets.hpp"
+#include "report/number.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -117,7 +118,7 @@ std::vector<DirectionalLight> to_lights(std::vector<SourceLight> lights, std::ve
   std::stable_sort(lights.begin(), lights.end(),
                    [&](const SourceLight& a, const SourceLight& b) { return strength(a) > strength(b); });
   if (lights.size() > kMaxLights) {
-    warnings.push_back(std::to_string(lights.size() - kMaxLights) + " lights left out: only the brightest 4 are drawn");
+    warnings.push_back(counted(lights.size() - kMaxLights, "light") + " left out: only the brightest 4 are drawn");
     lights.resize(kMaxLights);
   }
   std::vector<DirectionalLight> result;
@@ -160,8 +161,8 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
     const MeshData whole = to_mesh_data(mesh, traits[i].texcoord_bits, grid);
     for (MeshData& part : split_into_meshlets(whole, mesh.indices, grid.half_extent)) {
       const MeshData& data = model.mesh_data.emplace_back(std::move(part));
-      if (model.meshes.size() >= kNoTexture || material_index >= kNoTexture) {
-        return Failure{ExitStatus::input, "needs more than 65,535 meshes or materials; simplify the model"};
+      if (model.meshes.size() >= kMaxMeshes || material_index >= kMaxMeshes) {
+        return Failure{ExitStatus::input, kTooManyMeshes};
       }
       model.instances.push_back({.mesh = static_cast<std::uint16_t>(model.meshes.size()),
                                  .material = static_cast<std::uint16_t>(material_index)});

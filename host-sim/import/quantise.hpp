@@ -1,6 +1,7 @@
 // The one place where floating point becomes the renderer's fixed point.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "import/model.hpp"
@@ -13,6 +14,10 @@ struct MeshTraits {
   int texcoord_bits = 12;
   bool double_sided = false;
 };
+
+/// Of meshes, and of materials in use: indices have 16 bits, and one value means "none".
+inline constexpr std::size_t kMaxMeshes = 65535;
+inline constexpr const char* kTooManyMeshes = "needs more than 65,535 meshes or materials; simplify the model";
 
 /// `traits` has one entry for each mesh. Expects finite positions, textures with sides that are powers of two, and
 /// texture coordinates that fit. Fails only beyond 65,535 meshes or materials; the message starts with a verb.

@@ -10,12 +10,16 @@
 #include <cmath>
 #include <map>
 #include <span>
+#include <string>
+#include <system_error>
 #include <tuple>
 #include <utility>
 
 #include "import/crash_guard.hpp"
 #include "import/materials.hpp"
 #include "import/read_file.hpp"
+#include "report/number.hpp"
+#include "report/text.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -108,10 +112,12 @@ Result<Done> Collector::collect() {
     return Failure{ExitStatus::input, "has no triangles, only points, lines or nothing; export it as a surface"};
   }
   if (not_finite_ > 0) {
-    model_.warnings.push_back(fmt::format("{} triangles left out: corners not finite (NaN or infinite)", not_finite_));
+    model_.warnings.push_back(
+        fmt::format("{} left out: corners not finite (NaN or infinite)", counted(not_finite_, "triangle")));
   }
   if (bad_index_ > 0) {
-    model_.warnings.push_back(fmt::format("{} triangles left out: they use vertices that do not exist", bad_index_));
+    model_.warnings.push_back(
+        fmt::format("{} left out: with vertices that do not exist", counted(bad_index_, "triangle")));
   }
   return Done{};
 }
@@ -211,7 +217,7 @@ void read_lights(const aiScene& scene, const aiMatrix4x4& turn, SourceModel& mod
     model.lights.push_back({{towards.x, towards.y, towards.z}, {colour.r, colour.g, colour.b}});
   }
   if (others > 0) {
-    model.warnings.push_back(fmt::format("{} lights left out: only directional lights are drawn", others));
+    model.warnings.push_back(fmt::format("{} left out: only directional lights are drawn", counted(others, "light")));
   }
 }
 
@@ -225,14 +231,23 @@ Result<SourceModel> read_model(const std::filesystem::path& path, UpAxis up) {
 
   Assimp::Importer importer;
   SourceModel model;
-  const CrashGuard guard(
-      fmt::format("zstrip: '{}' crashed the model reader: the file is damaged; export it again", path.string()));
+  std::error_code error;
+  const std::uint64_t bytes = std::filesystem::file_size(path, error);
+  if (error) return named("cannot be read: " + error.message());
+  const std::chrono::seconds limit = reading_limit(bytes);
+  const std::string shown = printable(path.string());
+  CrashGuard guard(
+      fmt::format("zstrip: '{}' crashed the model reader: the file is damaged; export it again", shown),
+      fmt::format("zstrip: '{}' is not read after {} s: the file is damaged, or too intricate; export it again", shown,
+                  limit.count()),
+      limit, reading_memory(bytes));
   const aiScene* scene = importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_TransformUVCoords);
   if (scene == nullptr) {
     std::string reason = importer.GetErrorString();
     std::replace(reason.begin(), reason.end(), '\n', ' ');
     return named(fmt::format("is no readable model ({}); export it again, for example as .glb", reason));
   }
+  guard.lift_limits();
   const aiMatrix4x4 turn = turn_up(up);
   MaterialReader materials(*scene, path.parent_path(), model);
   materials.read_all();

@@ -1,6 +1,7 @@
 // Reads a model file of any format that Assimp knows.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 
@@ -11,6 +12,13 @@ namespace zstrip::sim {
 
 /// More is refused: a picture has at most 16.8 million pixels.
 inline constexpr std::uint64_t kMaxTriangles = 10'000'000;
+
+/// Processor time that reading a file may take: some damaged files never end.
+constexpr std::chrono::seconds reading_limit(std::uint64_t file_bytes) {
+  return std::chrono::seconds{20 + 2 * static_cast<std::int64_t>(file_bytes >> 20)};
+}
+/// And memory: others ask for more and more of it.
+constexpr std::uint64_t reading_memory(std::uint64_t file_bytes) { return (std::uint64_t{4} << 30) + 64 * file_bytes; }
 
 /// All meshes of all nodes in the file's coordinates, turned so that `up` becomes +y, grouped by material. Every
 /// triangle is finite, has three different corners, an area, and indices that exist; what is left out is counted in the

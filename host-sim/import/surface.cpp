@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <span>
@@ -71,18 +72,19 @@ Fans collect_fans(const Corners& corners) {
 /// Above this many faces at one point, creases there are ignored: the comparison is each with each.
 constexpr std::size_t kMaxCreasedFan = 256;
 
+/// Zero where the faces cancel out. Without creases the same for all corners of the fan.
 Vector smooth_normal(std::uint32_t corner, std::span<const std::uint32_t> fan, const std::vector<Vector>& face_normals,
                      const std::vector<double>& angles) {
   static const double least_cosine = std::cos(kCreaseAngle * std::numbers::pi / 180);
   const Vector& own = face_normals[corner / 3];
+  const bool creased = fan.size() <= kMaxCreasedFan;
   Vector sum{};
   for (const std::uint32_t other : fan) {
     const Vector& normal = face_normals[other / 3];
-    if (fan.size() <= kMaxCreasedFan && dot(own, normal) < least_cosine) continue;
+    if (creased && dot(own, normal) < least_cosine) continue;
     for (std::size_t i = 0; i < 3; ++i) sum[i] += angles[other] * normal[i];
   }
-  const Vector mean = unit(sum);
-  return length(mean) > 0 ? mean : own;
+  return unit(sum);
 }
 
 }  // namespace
@@ -111,6 +113,7 @@ void generate_missing_normals(SourceModel& model) {
     }
   }
 
+  std::map<std::uint32_t, Vector> large_fans;  // by position
   std::uint32_t corner = 0;
   for (SourceMesh& mesh : model.meshes) {
     if (!lacks_normals(mesh)) {
@@ -124,7 +127,15 @@ void generate_missing_normals(SourceModel& model) {
       if (is_zero(vertex.normal)) {
         const std::uint32_t position = corners.position[corner];
         const std::span fan(fans.corner.data() + fans.first[position], fans.first[position + 1] - fans.first[position]);
-        const Vector normal = smooth_normal(corner, fan, face_normals, angles);
+        Vector normal{};
+        if (fan.size() <= kMaxCreasedFan) {
+          normal = smooth_normal(corner, fan, face_normals, angles);
+        } else {
+          const auto [known, is_new] = large_fans.try_emplace(position);
+          if (is_new) known->second = smooth_normal(corner, fan, face_normals, angles);
+          normal = known->second;
+        }
+        if (!(length(normal) > 0)) normal = face_normals[corner / 3];
         for (std::size_t i = 0; i < 3; ++i) vertex.normal[i] = static_cast<float>(normal[i]) + 0.0F;
       }
       own.push_back(vertex);

@@ -53,4 +53,17 @@ int fit_texcoords(SourceMesh& mesh, int log2_side, std::uint64_t& clamped) {
   return bits;
 }
 
+TextureSides longest_sides(const SourceMesh& mesh, int bits) {
+  const auto longest = [&](std::size_t axis) {
+    double largest = 0;  // as it will be rounded
+    for (const SourceVertex& vertex : mesh.vertices) {
+      largest = std::max(largest, std::round(std::ldexp(std::abs(double{vertex.texcoord[axis]}), bits)));
+    }
+    int log2_side = 15;
+    while (log2_side > 0 && std::ldexp(largest, log2_side - bits) >= 32768) --log2_side;
+    return log2_side;
+  };
+  return {longest(0), longest(1)};
+}
+
 }  // namespace zstrip::sim

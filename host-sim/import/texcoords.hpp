@@ -16,4 +16,12 @@ inline constexpr int kMinTexcoordBits = 4;
 /// `clamped` counts the vertices of triangles so large that even 4 bits do not fit.
 int fit_texcoords(SourceMesh& mesh, int log2_side, std::uint64_t& clamped);
 
+/// The longest sides, as powers of two, that a texture may have with these coordinates and fraction bits: the renderer
+/// counts texels in 16 bits and a sign, so that no coordinate may reach 32768 of them.
+struct TextureSides {
+  int log2_width = 15;
+  int log2_height = 15;
+};
+TextureSides longest_sides(const SourceMesh& mesh, int bits);
+
 }  // namespace zstrip::sim

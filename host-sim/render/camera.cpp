@@ -42,14 +42,14 @@ void set_planes(Camera& camera, double radius) {
   camera.far_plane = sim::to_fixed(1.1 * (distance + radius) + 0.1);
 }
 
+}  // namespace
+
 Result<Done> set_focal(Camera& camera, const CameraOptions& options) {
   const double degrees = options.field_of_view.value_or(kDefaultFieldOfView);
   if (!set_field_of_view(camera, to_angle(degrees)))
     return Failure{ExitStatus::usage, "--fov must be 1 to 170 degrees"};
   return Done{};
 }
-
-}  // namespace
 
 double distance_to_origin(const Camera& camera) {
   return std::hypot(from_fixed(camera.eye.x), from_fixed(camera.eye.y), from_fixed(camera.eye.z));

@@ -40,6 +40,9 @@ Result<Camera> framed_camera(const CameraOptions& options, const Framing& framin
 /// In the scene's units.
 double distance_to_origin(const Camera& camera);
 
+/// Gives a perspective camera the field of view of the options, or else the default.
+Result<Done> set_focal(Camera& camera, const CameraOptions& options);
+
 /// Turns a perspective camera into an orthographic one that shows the same at this distance (scene units) from the eye.
 Result<Done> make_orthographic(Camera& camera, double distance);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "report/number.hpp"
@@ -22,18 +23,24 @@ std::span<std::byte> at_least(std::vector<std::uint64_t>& words, std::uint32_t b
   return std::as_writable_bytes(std::span(words)).first(bytes);
 }
 
-Failure too_little_memory(const Status& status, const SceneCounts& counts, const View& view, Effects effects,
+Failure too_little_memory(const Status& status, const Scene& scene, const View& view, Effects effects,
                           const Budget& budget) {
+  const SceneCounts counts = count(scene);
   const std::uint32_t smallest = plan(counts, view, effects, {.bytes = 1}).status.needed;
   std::string advice = fmt::format("--ram {} is the smallest that works", smallest);
   if (budget.strip_rows != 0 && smallest <= budget.bytes)
     advice = "try --strip-rows auto";
   else if (budget.strip_rows != 0)
     advice += " (with --strip-rows auto)";
+  const bool whole_meshes =
+      std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& mesh) { return mesh.meshlets.empty(); });
+  if (status.purpose == Purpose::vertices && whole_meshes) {
+    advice += "; meshes cut into meshlets, as in knot_meshlets and all model files, need far less for vertices";
+  }
   return {ExitStatus::budget,
-          fmt::format("{} bytes of RAM are too few: {} are needed, most of them for {}; {} are missing; {}",
-                      grouped(budget.bytes), grouped(status.needed), name(status.purpose),
-                      grouped(status.needed - status.available), advice)};
+          fmt::format("{} of RAM will not do: {} needed, most of them for {}, {} missing; {}",
+                      counted(budget.bytes, "byte"), counted(status.needed, "byte"), name(status.purpose),
+                      counted(status.needed - status.available, "byte"), advice)};
 }
 
 Failure refused(const char* what, const Status& status) {
@@ -45,9 +52,8 @@ Failure refused(const char* what, const Status& status) {
 
 Result<FrameReport> FrameRenderer::render(const Staging& staging) {
   const Effects effects = effects_of(staging.scene, staging.camera) | effect::statistics;
-  const SceneCounts counts = count(staging.scene);
-  const auto [status, plan] = zstrip::plan(counts, view_, effects, budget_);
-  if (status.error == Error::arena_too_small) return too_little_memory(status, counts, view_, effects, budget_);
+  const auto [status, plan] = zstrip::plan(count(staging.scene), view_, effects, budget_);
+  if (status.error == Error::arena_too_small) return too_little_memory(status, staging.scene, view_, effects, budget_);
   if (!status) return refused("the picture cannot be planned", status);
 
   FrameReport report;

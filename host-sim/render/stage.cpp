@@ -40,10 +40,8 @@ class BuiltInStage : public Stage {
       const Result<Camera> camera = place_camera(options, Units{}, radius_about_origin(built_in_.scene));
       if (!camera) return camera.failure();
       own_camera_ = *camera;
-    } else if (options.field_of_view || options.look_at) {
-      return Failure{ExitStatus::usage, "--fov and --look-at need --eye or --orbit with a built-in scene"};
     }
-    orthographic_ = options.orthographic;
+    options_ = options;
     return Done{};
   }
 
@@ -51,7 +49,10 @@ class BuiltInStage : public Stage {
     scenes::stage(built_in_, staged_, frame, frames, view_);
     if (own_camera_) return Staging{staged_.scene, *own_camera_};
     Camera camera = staged_.camera;
-    if (orthographic_) {
+    if (options_.field_of_view) {
+      if (const Result<Done> changed = set_focal(camera, options_); !changed) return changed.failure();
+    }
+    if (options_.orthographic) {
       const Result<Done> changed = make_orthographic(camera, distance_to_origin(camera));
       if (!changed) return changed.failure();
     }
@@ -65,7 +66,7 @@ class BuiltInStage : public Stage {
   View view_;
   scenes::Staged staged_;
   std::optional<Camera> own_camera_;  ///< instead of the scene's
-  bool orthographic_ = false;
+  CameraOptions options_;             ///< else the scene's, with the field of view and projection of these
   std::vector<std::string> warnings_;
 };
 

@@ -13,4 +13,11 @@ std::string grouped(std::uint64_t value) {
   return text;
 }
 
+std::string counted(std::uint64_t value, std::string_view thing) {
+  std::string text = grouped(value) + ' ';
+  text += thing;
+  if (value != 1) text += 's';
+  return text;
+}
+
 }  // namespace zstrip::sim

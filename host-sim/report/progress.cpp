@@ -6,6 +6,8 @@
 
 #include <cstdio>
 
+#include "report/text.hpp"
+
 namespace zstrip::sim {
 
 using namespace std::chrono_literals;
@@ -14,7 +16,7 @@ Progress::Progress(std::uint32_t steps, bool enabled)
     : steps_(steps), enabled_(enabled && ::isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
-  if (drawn_) fmt::print(stderr, "\r\x1b[K");
+  if (drawn_) write_text(stderr, "\r\x1b[K");
 }
 
 void Progress::show(std::uint32_t done) {
@@ -24,8 +26,7 @@ void Progress::show(std::uint32_t done) {
   drawn_ = true;
   constexpr std::uint32_t kCells = 30;
   const std::uint32_t filled = static_cast<std::uint32_t>(std::uint64_t{kCells} * done / steps_);
-  fmt::print(stderr, "\r[{:=<{}}{: <{}}] frame {} of {}", "", filled, "", kCells - filled, done, steps_);
-  std::fflush(stderr);
+  write_text(stderr, fmt::format("\r[{:=<{}}{: <{}}] frame {} of {}", "", filled, "", kCells - filled, done, steps_));
 }
 
 }  // namespace zstrip::sim

@@ -44,7 +44,7 @@ std::string memory(const FrameReport& report) {
         std::pair{Purpose::bins, plan.bin_bytes}}) {
     if (bytes > 0) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name(purpose), grouped(bytes));
   }
-  return fmt::format("{} bytes ({}), and {} for the pixels of a strip", grouped(plan.bytes()), parts,
+  return fmt::format("{} ({}), and {} for the pixels of a strip", counted(plan.bytes(), "byte"), parts,
                      grouped(report.strip_pixel_bytes));
 }
 
@@ -60,16 +60,15 @@ std::string summary(const RunRecord& run) {
   for (const FrameRecord& frame : run.frames) nanoseconds += frame.report.nanoseconds;
   const double milliseconds = 1e-6 * static_cast<double>(nanoseconds) / static_cast<double>(run.frames.size());
 
-  std::string text =
-      fmt::format("{}: {} frame{} of {}x{}, {}\n", run.scene, run.frames.size(), run.frames.size() == 1 ? "" : "s",
-                  run.view.width, run.view.height, name(run.view.format));
+  std::string text = fmt::format("{}: {} of {}x{}, {}\n", run.scene, counted(run.frames.size(), "frame"),
+                                 run.view.width, run.view.height, name(run.view.format));
   text += fmt::format("  triangles  {}, of which drawn {}\n", grouped(first.statistics.triangles),
                       range(run, [](const FrameReport& report) { return report.statistics.drawn; }));
   text += fmt::format("  fragments  {}, of which seen when drawn {}\n",
                       range(run, [](const FrameReport& report) { return report.statistics.fragments; }),
                       range(run, [](const FrameReport& report) { return report.statistics.depth_passes; }));
   text += fmt::format("  bounds     {}\n", bounds(run));
-  text += fmt::format("  strips     {} of {} rows, {}\n", fullest.plan.strips, fullest.plan.strip_rows,
+  text += fmt::format("  strips     {} of {}, {}\n", fullest.plan.strips, counted(fullest.plan.strip_rows, "row"),
                       name(fullest.plan.mode));
   text += fmt::format("  RAM        {}\n", memory(fullest));
   text += fmt::format("  time       {:.2f} ms a frame\n", milliseconds);

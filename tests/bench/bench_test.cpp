@@ -146,6 +146,18 @@ TEST(BenchCommand, TooLittleMemorySaysHowMuchIsNeeded) {
   EXPECT_NE(output.text.find("bytes"), std::string::npos) << output.text;
 }
 
+TEST(BenchCommand, HelpNamesTheValues) {
+  const std::string help = bench({"--help"}).text;
+  for (const char* value : {"--size WxH", "--strip-rows N|auto", "--ram BYTES", "--json FILE|-", "--firmware DIR"}) {
+    EXPECT_NE(help.find(value), std::string::npos) << value;
+  }
+}
+
+TEST(BenchCommand, DrawsAreBounded) {
+  EXPECT_EQ(bench({"--workload", "CT", "--size", "8x8", "--frames", "1", "--draw-each", "1"}).exit_status, 0);
+  EXPECT_EQ(bench({"--workload", "CT", "--size", "8x8", "--frames", "1", "--draw-each", "4000000000"}).exit_status, 2);
+}
+
 TEST(BenchCommand, FailuresHaveTheirStatus) {
   EXPECT_EQ(bench({"--workload", "K6"}).exit_status, 2);
   EXPECT_EQ(bench({"--target", "z80"}).exit_status, 2);

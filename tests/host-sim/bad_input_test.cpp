@@ -1,5 +1,11 @@
 // What a user can get wrong: one line that names the thing, the documented exit status, and no partial file.
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
 
 #include "result.hpp"
 #include "support.hpp"
@@ -108,7 +114,7 @@ TEST_F(BadInput, Options) {
   usage("--orbit", {"render", "teapot", "--orbit", "-1,0,0"});
   usage("--look-at", {"render", "teapot", "--look-at", "0,0,0"});
   usage("--fov", {"render", "teapot", "--eye", "0,0,3", "--fov", "180"});
-  usage("--fov", {"render", "teapot", "--fov", "50"});
+  usage("--up", {"render", "teapot", "--up", "z"});
   usage("picture.png", {"render", "teapot", "-o", "picture.png", "--frames", "2"});
   usage("--bogus", {"render", "teapot", "--bogus"});
   usage("scene", {"render"});
@@ -160,6 +166,103 @@ TEST_F(BadInput, AWriteThatStopsHalfway) {
   file("picture.raw", "the old picture");
   expect_failure(ExitStatus::output, "picture.raw", {"render", "teapot", "-o", "picture.raw"}, {.file_bytes = 5000});
   EXPECT_EQ(read(path("picture.raw")), "the old picture");
+}
+
+TEST_F(BadInput, StandardErrorFullOrClosed) {
+  for (const char* place : {"/dev/full", "-"}) {
+    const auto status = [&](const std::vector<std::string>& arguments) {
+      return run(ZSTRIP_COMMAND, arguments, path(""), {.err = place}).status;
+    };
+    EXPECT_EQ(status({"render", "nothere"}), static_cast<int>(ExitStatus::input)) << place;
+    EXPECT_EQ(status({"render", "teapot", "--size", "0x0"}), static_cast<int>(ExitStatus::usage)) << place;
+    // The summary is output, and warnings are not.
+    EXPECT_EQ(status({"render", "teapot", "--json", "-"}), static_cast<int>(ExitStatus::output)) << place;
+    EXPECT_EQ(status({"render", "teapot", "--json", "-", "--quiet"}), 0) << place;
+    EXPECT_EQ(status({"render", "teapot", "--eye", "0,0,4", "--look-at", "0,0,8", "-o", "black.ppm", "--quiet"}), 0)
+        << place;
+    EXPECT_EQ(read(path("black.ppm")).size(), 15U + 320U * 240U * 3U) << "no message in the picture";
+  }
+}
+
+TEST_F(BadInput, StandardOutputFullOrClosed) {
+  for (const char* place : {"/dev/full", "-"}) {
+    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+             {"scenes"}, {"--help"}, {"render", "teapot"}, {"render", "teapot", "--quiet", "--json", "-"}}) {
+      const Outcome outcome = run(ZSTRIP_COMMAND, arguments, path(""), {.out = place});
+      EXPECT_EQ(outcome.status, static_cast<int>(ExitStatus::output)) << arguments[0] << place;
+      EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+    }
+  }
+}
+
+TEST_F(BadInput, ReportOverAPicture) {
+  file("t.obj", kTriangleObj);
+  file("a.png", "mine");
+  std::filesystem::create_symlink("a.png", path("link.json"));
+  const auto usage = [&](const std::string& mention, std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "render");
+    expect_failure(ExitStatus::usage, mention, arguments);
+  };
+  usage("a.png", {"teapot", "-o", "a.png", "--json", "a.png"});
+  usage("a.png", {"teapot", "-o", "a.png", "--json", "./x/../a.png"});
+  usage("link.json", {"teapot", "-o", "a.png", "--json", "link.json"});
+  usage("teapot.png", {"teapot", "--json", "teapot.png"});
+  usage("frame_0001.png", {"teapot", "-o", "d", "--frames", "2", "--json", "d/frame_0001.png"});
+  usage("t.obj", {"t.obj", "-o", "t.obj"});
+  usage("t.obj", {"t.obj", "--json", "t.obj"});
+  usage("/dev/stdout", {"teapot", "-o", "-"});
+  usage("standard output", {"teapot", "-o", "/dev/stdout", "--json", "-"});
+  EXPECT_EQ(read(path("a.png")), "mine");
+  EXPECT_EQ(run(ZSTRIP_COMMAND, {"render", "teapot", "-o", "/dev/null", "--json", "/dev/null"}, path("")).status, 0);
+  EXPECT_EQ(
+      run(ZSTRIP_COMMAND, {"render", "teapot", "-o", "d", "--frames", "1", "--json", "d/frame_0001.png"}, path(""))
+          .status,
+      0);
+}
+
+TEST_F(BadInput, TooLittleForWholeMeshesNamesMeshlets) {
+  expect_failure(ExitStatus::budget, "meshlets", {"render", "knot", "--ram", "20K"});
+  expect_failure(ExitStatus::budget, "1 byte of RAM", {"render", "knot", "--ram", "1"});
+}
+
+TEST_F(BadInput, PlyThatNeverEnds) {
+  // Cut off in its header: Assimp waits for the rest for ever.
+  file("endless.ply",
+       "ply\nformat ascii 1.0\ncomment VCGLIB generated\nelement vertex 3\nproperty float x\nproperty float y\n"
+       "property float z\nproperty float red\nproperty float green\nproperty float blue\npropert");
+  expect_failure(ExitStatus::input, "not read after 20 s", {"render", "endless.ply"});
+}
+
+TEST_F(BadInput, PlyThatWantsAllMemory) {
+  file("huge.ply",
+       "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\n"
+       "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n");
+  expect_bad_file("huge.ply");
+}
+
+TEST_F(BadInput, SignalsLeaveNoTemporaryFile) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      if (::chdir(path("").c_str()) != 0) ::_exit(126);
+      ::execl(ZSTRIP_COMMAND, ZSTRIP_COMMAND, "render", "cube", "-o", "x.ppm", "--size", "4096x4096", "--quiet",
+              nullptr);
+      ::_exit(127);
+    }
+    // Until the temporary file is there, or the whole picture already.
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds{60};
+    while (files().empty() && std::chrono::steady_clock::now() < deadline) {
+    }
+    ::kill(child, signal);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    const std::vector<std::string> left = files();
+    EXPECT_TRUE(left.empty() || left == std::vector<std::string>{"x.ppm"}) << left.front();
+    if (!left.empty()) {
+      EXPECT_EQ(std::filesystem::file_size(path("x.ppm")), 17U + 3U * 4096U * 4096U);
+    }
+    std::filesystem::remove(path("x.ppm"));
+  }
 }
 
 }  // namespace

@@ -197,5 +197,63 @@ TEST_F(Command, TexturesOutsideAndInsideTheModel) {
   EXPECT_GT(colours.size(), 20U) << "a picture of a texture has many colours";
 }
 
+TEST_F(Command, ExamplesOfHelpWork) {
+  int run = 0;
+  for (const std::vector<std::string>& help : std::vector<std::vector<std::string>>{{"--help"}, {"render", "--help"}}) {
+    std::istringstream lines(zstrip(help).out);
+    std::string line;
+    while (std::getline(lines, line)) {
+      std::istringstream words(line);
+      std::string word;
+      words >> word;
+      if (word != "zstrip" || line.rfind("  ", 0) != 0) continue;
+      std::vector<std::string> arguments;
+      while (words >> word) arguments.push_back(word);
+      const bool needs_file =
+          arguments.size() > 1 && std::filesystem::path(arguments[1]).extension() != std::filesystem::path();
+      if (needs_file) continue;
+      const Outcome outcome = zstrip(arguments);
+      EXPECT_EQ(outcome.status, 0) << line << '\n' << outcome.err;
+      ++run;
+    }
+  }
+  EXPECT_GE(run, 5);
+}
+
+TEST_F(Command, NothingDrawnIsAWarning) {
+  const Outcome outcome =
+      zstrip({"render", "teapot", "--eye", "0,0,4", "--look-at", "0,0,8", "--quiet", "--json", "-"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err.rfind("zstrip: warning: no pixel was drawn", 0), 0U) << outcome.err;
+  EXPECT_EQ(outcome.err.find("--up"), std::string::npos) << "built-in scenes have no --up";
+  EXPECT_EQ(nlohmann::json::parse(outcome.out).at("warnings").size(), 1U);
+  file("t.obj", kTriangleObj);
+  EXPECT_NE(zstrip({"render", "t.obj", "--eye", "0,0,4", "--look-at", "0,0,8", "--quiet"}).err.find("--up"),
+            std::string::npos);
+}
+
+TEST_F(Command, FieldOfViewAndProjectionOfABuiltInScene) {
+  const auto seen = [&](const std::vector<std::string>& camera) {
+    std::vector<std::string> arguments{"render", "teapot", "-o", "t.png", "--quiet"};
+    arguments.insert(arguments.end(), camera.begin(), camera.end());
+    EXPECT_EQ(zstrip(arguments).status, 0);
+    return painted(picture("t.png"));
+  };
+  const std::size_t narrow = seen({"--fov", "40"});
+  const std::size_t wide = seen({"--fov", "80"});
+  EXPECT_GT(narrow, 2 * wide);
+  EXPECT_GT(wide, 1000U);
+  // Parallel, it shows about what the field of view does.
+  EXPECT_NEAR(static_cast<double>(seen({"--fov", "80", "--ortho"})), static_cast<double>(wide),
+              0.3 * static_cast<double>(wide));
+}
+
+TEST_F(Command, PictureOnStandardOutputIsNothingElse) {
+  const Outcome outcome = zstrip({"render", "teapot", "-o", "/dev/stdout", "--image", "raw"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.size(), 320U * 240U * 2U);
+  EXPECT_NE(outcome.err.find("triangles"), std::string::npos) << "the summary is on standard error";
+}
+
 }  // namespace
 }  // namespace zstrip::sim::test

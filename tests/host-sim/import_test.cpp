@@ -1,12 +1,15 @@
 // The whole import: what comes out is a scene that the renderer takes, and the same surface as in the file.
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <map>
 #include <set>
 
 #include "image/encode.hpp"
+#include "import/crash_guard.hpp"
 #include "import/model.hpp"
 #include "import/quantise.hpp"
 #include "import/read_model.hpp"
@@ -236,6 +239,69 @@ TEST_F(Import, VertexColoursReplaceTheMaterial) {
   int sum = 0;
   for (const Colour& c : coloured.meshes[0].colours) sum += c.r + c.g + c.b;
   EXPECT_EQ(sum, 3 * 255);
+}
+
+TEST_F(Import, TexturesAreLoweredUntilTheirRepeatsFit) {
+  png("wide.png", 2048, 16, 0x07E0);
+  file("m.mtl", "newmtl a\nKd 1 1 1\nmap_Kd wide.png\n");
+  const std::string start = "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  for (const auto& [repeats, width] : {std::pair{20, 2048}, std::pair{40, 1024}, std::pair{100, 512}}) {
+    const std::string u = std::to_string(repeats);
+    const Model model = this->model(
+        file("quad.obj", start + "vt 0 0\nvt " + u + " 0\nvt " + u + " 1\nvt 0 1\n" + "f 1/1 2/2 3/3 4/4\n"));
+    ASSERT_EQ(model.textures.size(), 1U);
+    EXPECT_EQ(1 << model.textures[0].log2_width, width);
+    EXPECT_EQ(1 << model.textures[0].log2_height, 16);
+    EXPECT_EQ(model.warnings.size(), width == 2048 ? 0U : 1U);
+    if (width < 2048) {
+      EXPECT_NE(model.warnings.at(0).find("1 texture lowered"), std::string::npos);
+    }
+    const Mesh& mesh = model.meshes[0];
+    for (const TexCoord& t : mesh.texcoords) {
+      EXPECT_LT(std::abs(std::ldexp(t.u, model.textures[0].log2_width - mesh.texcoord_bits)), 32768);
+    }
+  }
+}
+
+TEST_F(Import, TexturesInOtherCase) {
+  png("test.png", 4, 4, 0xF800);
+  for (const char* name : {"TEST.PNG", "Test.png", "C:\\Pictures\\TEST.png"}) {
+    file("m.mtl", std::string("newmtl a\nKd 1 1 1\nmap_Kd ") + name + "\n");
+    const Model textured = model(
+        file("t.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"));
+    EXPECT_EQ(textured.textures.size(), 1U) << name;
+    EXPECT_TRUE(textured.warnings.empty()) << name;
+  }
+}
+
+TEST_F(Import, OneLeftOutIsSingular) {
+  const Model one = model(file("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\nf 1 2 4\n"));
+  ASSERT_EQ(one.warnings.size(), 1U);
+  EXPECT_EQ(one.warnings[0].rfind("1 triangle left out", 0), 0U) << one.warnings[0];
+}
+
+using CrashGuardDeathTest = Import;
+
+TEST_F(CrashGuardDeathTest, EndsALoopAfterItsTime) {
+  const auto loop = [] {
+    const CrashGuard guard("crashed", "took too long", std::chrono::seconds{1}, ~std::uint64_t{0});
+    while (std::clock() >= 0) {
+    }
+  };
+  EXPECT_EXIT(loop(), ::testing::ExitedWithCode(4), "^took too long\n$");
+}
+
+TEST_F(CrashGuardDeathTest, LiftedLimitsLetWorkGoOn) {
+  const auto work = [] {
+    CrashGuard guard("crashed", "took too long", std::chrono::seconds{1}, 1);
+    guard.lift_limits();
+    const std::clock_t begin = std::clock();
+    while (std::clock() - begin < 2 * CLOCKS_PER_SEC) {
+    }
+    const std::vector<char> memory(std::size_t{64} << 20);
+    std::_Exit(memory.back());
+  };
+  EXPECT_EXIT(work(), ::testing::ExitedWithCode(0), "");
 }
 
 }  // namespace

@@ -65,6 +65,12 @@ TEST(Grouped, ThreeDigits) {
   EXPECT_EQ(grouped(1234567), "1,234,567");
 }
 
+TEST(Counted, OneAndMore) {
+  EXPECT_EQ(counted(0, "byte"), "0 bytes");
+  EXPECT_EQ(counted(1, "byte"), "1 byte");
+  EXPECT_EQ(counted(2345, "byte"), "2,345 bytes");
+}
+
 class OutputNamesTest : public FolderTest {};
 
 TEST_F(OutputNamesTest, FilesAndFolders) {

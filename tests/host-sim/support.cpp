@@ -12,6 +12,7 @@
 #include <iterator>
 #include <numbers>
 #include <sstream>
+#include <utility>
 
 namespace zstrip::sim::test {
 
@@ -97,6 +98,10 @@ Outcome run(const std::string& program, const std::vector<std::string>& argument
     ::dup2(null, STDIN_FILENO);
     ::dup2(out, STDOUT_FILENO);
     ::dup2(err, STDERR_FILENO);
+    for (const auto& [place, stream] : {std::pair{limits.out, STDOUT_FILENO}, std::pair{limits.err, STDERR_FILENO}}) {
+      if (place == "-") ::close(stream);
+      if (!place.empty() && place != "-") ::dup2(::open(place.c_str(), O_WRONLY), stream);
+    }
     ::execv(program.c_str(), words.data());
     ::_exit(127);
   }

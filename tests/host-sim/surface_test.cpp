@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "import/read_model.hpp"
 #include "import/texcoords.hpp"
@@ -61,7 +62,9 @@ TEST_F(Surface, ManyFacesAtOnePointTakeNoSquareTime) {
   }
   for (int i = 0; i < kFaces; ++i) fan += "f 1 " + std::to_string(i + 3) + " " + std::to_string(i + 2) + "\n";
   SourceModel cone = model(fan);
+  const auto begin = std::clock();
   generate_missing_normals(cone);
+  EXPECT_LT((std::clock() - begin) / CLOCKS_PER_SEC, 1) << "seconds of processor time";
   EXPECT_GT(cone.meshes[0].vertices.size(), 1000U);
 }
 
@@ -140,6 +143,25 @@ TEST(Texcoords, WhatDoesNotFitIsClampedAndCounted) {
   EXPECT_EQ(fit_texcoords(mesh, 8, clamped), kMinTexcoordBits);
   EXPECT_GT(clamped, 0U);
   for (const SourceVertex& vertex : mesh.vertices) EXPECT_LE(std::abs(vertex.texcoord[0]), 2048);
+}
+
+TEST(Texcoords, TexelsStayBelowTheRenderersLimit) {
+  // 40 repeats are 20 on each side: 20 * 2048 texels are too many.
+  SourceMesh mesh = textured_triangle({{{0, 0}, {40, 0}, {40, 3}}});
+  std::uint64_t clamped = 0;
+  const int bits = fit_texcoords(mesh, 11, clamped);
+  EXPECT_EQ(clamped, 0U);
+  const TextureSides sides = longest_sides(mesh, bits);
+  EXPECT_EQ(sides.log2_width, 10);
+  EXPECT_GE(sides.log2_height, 11);
+}
+
+TEST(Texcoords, RoundingUpToTheLimitIsBeyondIt) {
+  SourceMesh mesh = textured_triangle({{{-15.99999F, 0}, {15.99999F, 0}, {0, 1}}});
+  EXPECT_EQ(longest_sides(mesh, 10).log2_width, 10);
+  mesh.vertices[0].texcoord[0] = -15.99F;
+  mesh.vertices[1].texcoord[0] = 15.99F;
+  EXPECT_EQ(longest_sides(mesh, 10).log2_width, 11);
 }
 
 }  // namespace
