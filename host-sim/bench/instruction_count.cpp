@@ -9,6 +9,7 @@
 #include <string>
 #include <system_error>
 
+#include "address_sanitizer.hpp"
 #include "bench/child_process.hpp"
 
 namespace zstrip::sim {
@@ -17,11 +18,7 @@ namespace {
 constexpr std::chrono::seconds kLimit{600};
 
 // valgrind refuses programs built with AddressSanitizer.
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool kCanCount = false;
-#else
-constexpr bool kCanCount = true;
-#endif
+constexpr bool kCanCount = !kAddressSanitizer;
 
 // The number in "==123== I   refs:      1,234,567".
 std::optional<std::uint64_t> instruction_total(const std::string& text) {

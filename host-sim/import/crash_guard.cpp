@@ -6,6 +6,7 @@
 
 #include <string_view>
 
+#include "address_sanitizer.hpp"
 #include "result.hpp"
 
 namespace zstrip::sim {
@@ -14,11 +15,7 @@ namespace {
 constexpr std::size_t kStackBytes = 64 * 1024;
 
 // AddressSanitizer maps terabytes.
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool kLimitsMemory = false;
-#else
-constexpr bool kLimitsMemory = true;
-#endif
+constexpr bool kLimitsMemory = !kAddressSanitizer;
 
 // What the handler may read: set before the handler is, never changed while it can run.
 std::string_view crash_line;

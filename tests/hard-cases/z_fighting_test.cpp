@@ -1,0 +1,153 @@
+// Hard case D44: the smallest separation of two surfaces that the z-buffer sorts at every pixel.
+//
+// The probe: two parallel squares fill a picture of 64 x 64 pixels, 3.6 degrees wide, the farther one drawn first;
+// every pixel must show the nearer one, so that a tie counts as wrong. It is repeated at 8 distances within 1 % of the
+// nominal one, because constant depth may by luck round apart. The separation is measured along the viewing direction.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "lattice.hpp"
+
+namespace hard_cases {
+namespace {
+
+constexpr View kProbe{64, 64};
+
+/// What else is in the scene, beside the picture: it sets the depth range.
+struct DepthRange {
+  const char* name;
+  double near, far;
+};
+constexpr DepthRange kWhole{"z16 over 0.1..100", 0.1, 100};
+constexpr DepthRange kFitted{"z16 fitted to 1..40", 1, 40};
+
+constexpr Fixed fixed(double value) { return static_cast<Fixed>(value * 65536 + 0.5); }
+
+/// Share of the pixels that do not show the nearer square.
+double wrong_pixels(const DepthRange& range, double distance, double tilt, double separation) {
+  // Steps of z fine enough for 1/1000 of the separation's size: both squares stay within the mesh.
+  const Fixed depth = std::max<Fixed>(16, fixed(separation * 2));
+  const auto half_step =
+      static_cast<std::int16_t>(std::lround(separation / 2 / (depth / 65536.0 / 32768) * std::cos(tilt)));
+  const auto behind = static_cast<std::int16_t>(-half_step);
+  Model model;
+  for (const std::int16_t z : {behind, half_step}) {
+    for (const auto& [x, y] : {std::pair{-1, -1}, std::pair{1, -1}, std::pair{1, 1}, std::pair{-1, 1}}) {
+      model.positions.push_back({static_cast<std::int16_t>(32767 * x), static_cast<std::int16_t>(32767 * y), z});
+      model.colours.push_back(z == half_step ? Colour{255, 255, 255, 255} : Colour{255, 0, 0, 255});
+    }
+  }
+  model.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
+  const Fixed size = fixed(distance / 20);
+  model.mesh.half_extent = {size, size, depth};
+  model.material = {.lit = false, .smooth = false};
+
+  std::array<Instance, 3> instances;
+  Transform& t = instances[0].transform;
+  t.m[1][1] = t.m[2][2] = fixed(std::cos(tilt));
+  t.m[2][1] = fixed(std::sin(tilt));
+  t.m[1][2] = -t.m[2][1];
+  t.m[2][3] = -fixed(distance);
+  // As small as can be, far to the right.
+  const double ends[2] = {range.near, range.far};
+  for (std::size_t i = 0; i < 2; ++i) {
+    Transform& end = instances[i + 1].transform;
+    end = {};
+    end.m[0][3] = fixed(ends[i] / 2);
+    end.m[2][3] = -fixed(ends[i]);
+  }
+  Scene scene = model.scene();
+  scene.instances = instances;
+  Camera camera;
+  camera.eye = {0, 0, 0};
+  camera.focal = 32 * kFixedOne;
+  camera.near_plane = fixed(0.05);
+  camera.far_plane = 200 * kFixedOne;
+  const Picture picture = picture::render(scene, camera, kProbe, kProbe.height);
+  EXPECT_TRUE(picture.status);
+  int wrong = 0;
+  for (int i = 0; i < 64 * 64; ++i) wrong += pixel_at(picture, i % 64, i / 64, 64) != 0xFFFF;
+  return wrong / (64.0 * 64.0);
+}
+
+bool sorts(const DepthRange& range, double distance, double tilt, double separation) {
+  for (int i = 0; i < 8; ++i) {
+    if (wrong_pixels(range, distance * (1 + i * 0.00125), tilt, separation) > 0) return false;
+  }
+  return true;
+}
+
+/// In steps of 5 %: the smallest above which all sort, up to ten times as much.
+double smallest_separation(const DepthRange& range, double distance, double tilt) {
+  double smallest = 0;
+  // The size of a code at this distance is where to look.
+  const double code = distance * distance * (1 / range.near - 1 / range.far) / 65533;
+  for (double separation = 10 * code; separation > code / 3; separation /= 1.05) {
+    if (!sorts(range, distance, tilt, separation)) break;
+    smallest = separation;
+  }
+  return smallest;
+}
+
+double smallest_of_all_tilts(const DepthRange& range, double distance) {
+  double worst = 0;
+  for (const int degrees : {10, 20, 30, 45}) {
+    worst = std::max(worst, smallest_separation(range, distance, degrees * M_PI / 180));
+  }
+  return worst;
+}
+
+TEST(HardCases, D44_SmallestSeparationThatSorts) {
+  // docs/numerics.md shows this table.
+  struct Row {
+    double distance, whole, whole_tilted, fitted, fitted_tilted;
+  };
+  for (const Row& expected :
+       {Row{1, 0.000154, 0.000239, 0.0000136, 0.0000270}, Row{3, 0.00139, 0.00177, 0.000117, 0.000181},
+        Row{10, 0.0147, 0.0178, 0.00150, 0.00245}, Row{30, 0.139, 0.153, 0.0129, 0.0156}}) {
+    const double d = expected.distance;
+    const Row got{d, smallest_separation(kWhole, d, 0), smallest_of_all_tilts(kWhole, d),
+                  smallest_separation(kFitted, d, 0), smallest_of_all_tilts(kFitted, d)};
+    EXPECT_NEAR(got.whole, expected.whole, 0.03 * expected.whole);
+    EXPECT_NEAR(got.whole_tilted, expected.whole_tilted, 0.03 * expected.whole_tilted);
+    EXPECT_NEAR(got.fitted, expected.fitted, 0.03 * expected.fitted);
+    EXPECT_NEAR(got.fitted_tilted, expected.fitted_tilted, 0.03 * expected.fitted_tilted);
+    if (d >= 10) {
+      EXPECT_GE(got.whole / got.fitted, 8);
+      // Vertices are snapped to 1/16 pixel: on a slope this moves the depth, by more codes the finer they are.
+      EXPECT_GE(got.whole_tilted / got.fitted_tilted, 7);
+    }
+  }
+}
+
+// With ZSTRIP_PICTURES=FOLDER a picture of the share of wrong pixels: distance 1 to 30 to the right, separation 0.00001
+// to 1 upwards, both logarithmic; left the whole range, right the fitted one. Black is none, white all.
+TEST(HardCases, D44_Picture) {
+  const char* const folder = std::getenv("ZSTRIP_PICTURES");
+  if (folder == nullptr) GTEST_SKIP() << "ZSTRIP_PICTURES names no folder";
+  constexpr int kSide = 100;
+  std::ofstream file(std::string(folder) + "/z_fighting.pgm", std::ios::binary);
+  file << "P5\n" << 2 * kSide + 8 << ' ' << kSide << "\n255\n";
+  for (int y = kSide - 1; y >= 0; --y) {
+    const double separation = std::pow(10.0, -5 + 5.0 * y / (kSide - 1));
+    for (int x = 0; x < 2 * kSide + 8; ++x) {
+      const double distance = std::pow(30.0, static_cast<double>(x % (kSide + 8)) / (kSide - 1));
+      // Grey: between the two, and where the nearer square would be another one's size.
+      if ((x >= kSide && x < kSide + 8) || separation > distance / 15) {
+        file.put(static_cast<char>(128));
+        continue;
+      }
+      file.put(static_cast<char>(255 * wrong_pixels(x < kSide ? kWhole : kFitted, distance, 0.5, separation)));
+    }
+  }
+  EXPECT_TRUE(file.flush());
+}
+
+}  // namespace
+}  // namespace hard_cases
