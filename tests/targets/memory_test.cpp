@@ -15,9 +15,9 @@ int board_memcmp(const void* a, const void* b, std::size_t count);
 
 namespace {
 
-constexpr std::size_t kLongest = 21;
+constexpr std::size_t kLongest = 53;
 constexpr std::size_t kOffsets = 9;
-using Buffer = std::array<std::uint8_t, 40>;
+using Buffer = std::array<std::uint8_t, 72>;
 
 /// No two bytes near each other are equal.
 Buffer pattern(unsigned seed) {
