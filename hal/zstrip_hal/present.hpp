@@ -18,16 +18,17 @@ concept StripRenderer = requires(T& renderer, std::uint16_t strip, std::span<std
   static_cast<bool>(renderer.draw_strip(strip, pixels));
 };
 
-/// `count` strips of `rows` rows, the last one possibly lower, from the top of the display to its bottom, in its full
-/// width.
+/// `count` strips of `rows` rows and `columns` pixels, from the left to the right of the display, then from its top to
+/// its bottom; the last ones of a row or column may be smaller. `columns` 0: the display's width.
 struct StripLayout {
   std::uint16_t count = 0;
   std::uint16_t rows = 0;
+  std::uint16_t columns = 0;
 };
 
-/// Where strips are drawn: each buffer holds rows * bytes_per_row(width) bytes, aligned as the renderer asks. While one
-/// is being sent, the other is drawn. With `second` empty one buffer does for both, and drawing waits for the transfer:
-/// right for buses without DMA.
+/// Where strips are drawn: each buffer holds rows * bytes_per_row(columns) bytes, aligned as the renderer asks. While
+/// one is being sent, the other is drawn. With `second` empty one buffer does for both, and drawing waits for the
+/// transfer: right for buses without DMA.
 struct StripBuffers {
   std::span<std::byte> first;
   std::span<std::byte> second;
@@ -51,16 +52,19 @@ auto present(Renderer& renderer, Panel& display, const StripLayout& layout, cons
   using DrawStatus = decltype(renderer.draw_strip(std::uint16_t{}, std::span<std::byte>{}));
   PresentResult<DrawStatus> result;
 
-  const std::uint32_t height = display.height();
-  const std::uint32_t row_bytes = bytes_per_row(display.width(), display.format());
-  const std::uint32_t covered = std::uint32_t{layout.count} * layout.rows;
-  if (covered < height || covered - layout.rows >= height) {
+  const std::uint16_t width = display.width();
+  const std::uint16_t height = display.height();
+  const std::uint16_t columns = layout.columns == 0 ? width : layout.columns;
+  const auto parts = [](std::uint32_t whole, std::uint32_t part) { return (whole + part - 1) / part; };
+  if (layout.rows == 0 || columns == 0 || columns > width ||
+      layout.count != parts(width, columns) * parts(height, layout.rows)) {
     result.display = Error::strip_layout;
     return result;
   }
+  const std::uint32_t across = parts(width, columns);
+  const std::uint32_t strip_bytes = layout.rows * bytes_per_row(columns, display.format());
   const bool alternate = !buffers.second.empty();
-  if (buffers.first.size() < layout.rows * row_bytes ||
-      (alternate && buffers.second.size() < layout.rows * row_bytes)) {
+  if (buffers.first.size() < strip_bytes || (alternate && buffers.second.size() < strip_bytes)) {
     result.display = Error::pixels_too_small;
     return result;
   }
@@ -77,9 +81,13 @@ auto present(Renderer& renderer, Panel& display, const StripLayout& layout, cons
     if (!result) break;
     result.display = display.wait();
     if (!result) break;
-    const auto top = static_cast<std::uint16_t>(strip * layout.rows);
-    const auto rows = static_cast<std::uint16_t>(height - top < layout.rows ? height - top : layout.rows);
-    result.display = display.write({0, top, display.width(), rows}, drawing.first(rows * row_bytes));
+    const auto left = static_cast<std::uint16_t>(strip % across * columns);
+    const auto top = static_cast<std::uint16_t>(strip / across * layout.rows);
+    const auto part = [](std::uint16_t whole, std::uint16_t first, std::uint16_t length) {
+      return static_cast<std::uint16_t>(whole - first < length ? whole - first : length);
+    };
+    const Area area{left, top, part(width, left, columns), part(height, top, layout.rows)};
+    result.display = display.write(area, drawing.first(area.height * bytes_per_row(area.width, display.format())));
     std::swap(drawing, sending);
   }
 

@@ -28,9 +28,11 @@ namespace {
 struct BenchOptions {
   std::vector<std::string> targets{"host"};
   std::vector<std::string> workloads{"K5", "CT", "R50", "R10k"};
-  std::string size;        ///< empty: each workload's own
-  std::string strip_rows;  ///< empty: the planner decides
-  std::string ram;         ///< empty: no limit
+  std::string size;              ///< empty: each workload's own
+  std::string strip_rows;        ///< empty: the planner decides
+  std::string strip_columns;     ///< empty: the picture's width
+  std::string mode{"streamed"};  ///< of the plan
+  std::string ram;               ///< empty: no limit
   std::uint32_t frames = 60;
   std::string firmware;  ///< empty: beside this program, as the build leaves it
   std::string json;
@@ -49,6 +51,12 @@ Result<std::vector<BenchCase>> cases_for(const BenchOptions& options, const std:
     if (!rows) return rows.failure();
     budget.strip_rows = *rows;
   }
+  if (!options.strip_columns.empty()) {
+    const Result<std::uint16_t> columns = parse_strip_columns(options.strip_columns);
+    if (!columns) return columns.failure();
+    budget.strip_columns = *columns;
+  }
+  budget.modes = options.mode == "binned" ? Modes::binned : Modes::streamed;
   std::vector<BenchCase> cases;
   for (const std::string& name : options.workloads) {
     const Workload* workload = find_workload(name);
@@ -152,6 +160,13 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       ->type_name("WxH");
   command->add_option("--strip-rows", options->strip_rows, "Rows of a strip (default: auto, as many as fit)")
       ->type_name("N|auto");
+  command
+      ->add_option("--strip-columns", options->strip_columns,
+                   "Pixels of a strip's row, a multiple of 8 (default: the picture's width)")
+      ->type_name("N|auto");
+  command->add_option("--mode", options->mode, "Transform geometry again for each strip, or once and bin it")
+      ->check(CLI::IsMember({"streamed", "binned"}))
+      ->capture_default_str();
   command->add_option("--ram", options->ram, "Renderer's memory at most, K and M allowed (default: no limit)")
       ->type_name("BYTES");
   command->add_option("--frames", options->frames, "Frames to average over")

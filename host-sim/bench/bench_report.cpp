@@ -15,6 +15,11 @@ constexpr const char* kLine = "{:<9} {:<6} {:<10} {:<17} {:>13} {:>11} {:>10} {:
 
 std::string millions(double instructions) { return fmt::format("{:.3f} M", instructions / 1e6); }
 
+std::string strips(const Measurement& row) {
+  if (row.strip_columns == row.bench_case.view.width) return fmt::format("{}, {} rows", name(row.mode), row.strip_rows);
+  return fmt::format("{}, {}x{}", name(row.mode), row.strip_columns, row.strip_rows);
+}
+
 std::string peer_column(const Measurement& row) {
   const Peer peer = best_peer(row.bench_case);
   if (peer.name.empty()) return "-";
@@ -38,7 +43,7 @@ std::string bench_table(std::span<const Measurement> rows) {
     any_board |= row.bench_case.target != "host";
     text += fmt::format(
         fmt::runtime(kLine), row.bench_case.workload, row.bench_case.target,
-        fmt::format("{}x{}", view.width, view.height), fmt::format("{}, {} rows", name(row.mode), row.strip_rows),
+        fmt::format("{}x{}", view.width, view.height), strips(row),
         row.instructions_per_frame ? millions(static_cast<double>(*row.instructions_per_frame)) : "not counted",
         row.nanoseconds_per_frame ? fmt::format("{:.3f} ms", *row.nanoseconds_per_frame / 1e6) : "-", row.ram_bytes,
         row.flash_bytes ? fmt::format("{}", *row.flash_bytes) : "-", peer_column(row));
@@ -60,6 +65,7 @@ std::string bench_json(std::span<const Measurement> rows) {
           {"height", row.bench_case.view.height},
           {"mode", name(row.mode)},
           {"strip_rows", row.strip_rows},
+          {"strip_columns", row.strip_columns},
           {"frames", row.bench_case.frames}}},
         {"instructions_per_frame", nullptr},
         {"ns_per_frame", nullptr},

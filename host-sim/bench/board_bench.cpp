@@ -54,6 +54,8 @@ std::vector<std::string> emulator_command(const BenchCase& bench_case, const fs:
                   bench_case.view.width, bench_case.view.height, bench_case.frames);
   if (bench_case.budget.bytes != 0) words += fmt::format(",arg=ram={}", bench_case.budget.bytes);
   if (bench_case.budget.strip_rows != 0) words += fmt::format(",arg=rows={}", bench_case.budget.strip_rows);
+  if (bench_case.budget.strip_columns != 0) words += fmt::format(",arg=columns={}", bench_case.budget.strip_columns);
+  if (bench_case.budget.modes == Modes::binned) words += ",arg=mode=binned";
   return {"qemu-system-arm",
           "-M",
           machine(bench_case.target),
@@ -86,6 +88,7 @@ std::optional<Measurement> read_line(const BenchCase& bench_case, const std::str
       .bench_case = bench_case,
       .mode = object.at("mode") == "binned" ? Mode::binned : Mode::streamed,
       .strip_rows = object.at("strip_rows").get<std::uint16_t>(),
+      .strip_columns = object.at("strip_columns").get<std::uint16_t>(),
       .ram_bytes = object.at("arena_bytes").get<std::uint64_t>() + object.at("strip_pixel_bytes").get<std::uint64_t>(),
       .instructions_per_frame = object.at("instructions_per_frame").get<std::uint64_t>()};
   for (const nlohmann::json& frame : object.at("frames")) {

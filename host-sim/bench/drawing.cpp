@@ -10,7 +10,7 @@ namespace zstrip::sim {
 
 Result<Drawing> Drawing::prepare(const BenchCase& bench_case) {
   const scenes::BuiltIn* built_in = find_workload(bench_case.workload)->built_in();
-  const Effects effects = effects_of(built_in->scene, built_in->camera);
+  const Effects effects = effects_of(built_in->scene, built_in->camera) | effect::bins;
   const auto [status, plan] = zstrip::plan(built_in->counts, bench_case.view, effects, bench_case.budget);
   if (status.error == Error::arena_too_small) {
     return Failure{ExitStatus::budget,
@@ -37,9 +37,9 @@ Drawing::Drawing(const BenchCase& bench_case, const scenes::BuiltIn& built_in, E
 void Drawing::stage(std::uint32_t frame) { scenes::stage_workload(*built_in_, *staged_, frame); }
 
 std::size_t Drawing::strip_bytes(std::uint16_t strip) const {
-  const std::uint32_t rows =
-      std::min<std::uint32_t>(plan_.strip_rows, view_.height - std::uint32_t{strip} * plan_.strip_rows);
-  return rows * bytes_per_row(view_.width, view_.format);
+  const Rect area = plan_.strip_area(strip, view_);
+  return static_cast<std::size_t>(area.height()) *
+         bytes_per_row(static_cast<std::uint16_t>(area.width()), view_.format);
 }
 
 }  // namespace zstrip::sim

@@ -67,6 +67,7 @@ Result<std::vector<Measurement>> bench_on_host(const std::vector<BenchCase>& cas
     rows.push_back({.bench_case = bench_case,
                     .mode = drawings.back().plan().mode,
                     .strip_rows = drawings.back().plan().strip_rows,
+                    .strip_columns = drawings.back().plan().strip_columns,
                     .ram_bytes = drawings.back().ram_bytes(),
                     .frame_crc32 = std::move(*sums)});
   }

@@ -45,6 +45,8 @@ Result<std::uint64_t> total_of_run(const std::string& program, const BenchCase& 
   add("--size", fmt::format("{}x{}", bench_case.view.width, bench_case.view.height));
   add("--frames", std::to_string(bench_case.frames));
   if (bench_case.budget.bytes != 0) add("--ram", std::to_string(bench_case.budget.bytes));
+  if (bench_case.budget.strip_columns != 0) add("--strip-columns", std::to_string(bench_case.budget.strip_columns));
+  add("--mode", bench_case.budget.modes == Modes::binned ? "binned" : "streamed");
   if (bench_case.budget.strip_rows != 0) add("--strip-rows", std::to_string(bench_case.budget.strip_rows));
   add("--draw-each", std::to_string(draws));
 

@@ -13,7 +13,7 @@ namespace zstrip::sim {
 
 /// What the caller of `zstrip bench` chose for one row.
 struct BenchCase {
-  std::string workload;  ///< "K5", "CT", "R50" or "R10k"
+  std::string workload;  ///< "K5", "K5M", "CT", "R50" or "R10k"
   std::string target;    ///< "host", "m0", "m3", "m4f" or "m7"
   View view;
   Budget budget;  ///< zeros: the planner decides
@@ -24,6 +24,7 @@ struct Measurement {
   BenchCase bench_case;
   Mode mode = Mode::streamed;
   std::uint16_t strip_rows = 0;
+  std::uint16_t strip_columns = 0;
   std::uint64_t ram_bytes = 0;                            ///< arena and one strip of pixels
   std::optional<std::uint64_t> flash_bytes{};             ///< of the whole program; boards only
   std::optional<double> nanoseconds_per_frame{};          ///< host only: emulated time is not time

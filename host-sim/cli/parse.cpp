@@ -60,6 +60,13 @@ Result<std::uint16_t> parse_strip_rows(const std::string& text) {
   return bad_value("--strip-rows", text, "a number of rows from 1 to 4096, or auto");
 }
 
+Result<std::uint16_t> parse_strip_columns(const std::string& text) {
+  if (text == "auto") return std::uint16_t{0};
+  const auto value = number<std::uint16_t>(text);
+  if (value && *value >= 1 && *value <= kMaxViewSize) return *value;
+  return bad_value("--strip-columns", text, "a multiple of 8 up to the picture's width, or auto");
+}
+
 Result<std::array<double, 3>> parse_vector(const std::string& option, const std::string& text) {
   std::array<double, 3> vector{};
   std::string_view rest = text;

@@ -23,6 +23,9 @@ Result<std::uint32_t> parse_bytes(const std::string& text);
 /// "auto" is 0; else 1..4096.
 Result<std::uint16_t> parse_strip_rows(const std::string& text);
 
+/// "auto" is 0; else 1..4096. Whether it fits the picture is the planner's question.
+Result<std::uint16_t> parse_strip_columns(const std::string& text);
+
 /// "x,y,z": finite numbers; `option` is for the message.
 Result<std::array<double, 3>> parse_vector(const std::string& option, const std::string& text);
 

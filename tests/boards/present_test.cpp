@@ -111,6 +111,15 @@ TEST_P(Present, EveryStripArrivesInOrder) {
   EXPECT_FALSE(display.in_frame);
 }
 
+TEST_P(Present, StripsMaySplitColumns) {
+  FailingStep never;
+  LateDisplay display(never);
+  NumberedStrips renderer{never};
+  Buffers buffers(GetParam());
+  EXPECT_TRUE(present(renderer, display, StripLayout{.count = 4, .rows = 5, .columns = 4}, buffers.used));
+  EXPECT_EQ(display.areas, (std::vector<Area>{{0, 0, 4, 5}, {4, 0, 2, 5}, {0, 5, 4, 5}, {4, 5, 2, 5}}));
+}
+
 TEST_P(Present, AnErrorAtAnyStepIsReportedAndEndsTheFrame) {
   FailingStep counting;
   {
@@ -134,8 +143,9 @@ TEST_P(Present, AnErrorAtAnyStepIsReportedAndEndsTheFrame) {
 }
 
 TEST_P(Present, LayoutsThatDoNotFitAreRefused) {
-  for (const StripLayout layout : {StripLayout{2, 4}, StripLayout{4, 4}, StripLayout{0, 4}, StripLayout{4, 0},
-                                   StripLayout{0, 0}, StripLayout{65535, 65535}}) {
+  for (const StripLayout layout :
+       {StripLayout{2, 4}, StripLayout{4, 4}, StripLayout{0, 4}, StripLayout{4, 0}, StripLayout{0, 0},
+        StripLayout{65535, 65535}, StripLayout{3, 4, kWidth + 1}, StripLayout{3, 4, 1}}) {
     FailingStep never;
     LateDisplay display(never);
     NumberedStrips renderer{never};

@@ -12,25 +12,37 @@ namespace {
 using namespace zstrip;
 
 std::uint64_t sum_of_parts(const Plan& plan) {
-  return std::uint64_t{plan.instance_bytes} + plan.vertex_bytes + plan.depth_bytes + plan.colour_bytes + plan.bin_bytes;
+  return std::uint64_t{plan.instance_bytes} + plan.extent_bytes + plan.vertex_bytes + plan.depth_bytes +
+         plan.colour_bytes + plan.bin_bytes;
 }
 
 /// What the parts of the arena must hold at least, from the documentation of each record.
 void require_enough(const Plan& plan, const SceneCounts& counts, const View& view, Effects effects) {
-  const std::uint64_t cells = std::uint64_t{plan.strip_rows} * view.width;
+  const std::uint64_t cells = std::uint64_t{plan.strip_rows} * plan.strip_columns;
+  const bool binned = plan.mode == Mode::binned;
+  const std::uint64_t meshlets = std::max(counts.meshlets, counts.instances);
   const bool coloured = effects.any(effect::lighting | effect::vertex_colours);
   const bool panel = view.format == PixelFormat::gray4 || view.format == PixelFormat::mono;
   fuzz::require(plan.instance_bytes >= std::uint64_t{counts.instances} * kInstanceBytes, "room for every instance");
-  fuzz::require(plan.vertex_bytes >= std::uint64_t{counts.largest_meshlet} * (coloured ? 12 : 8),
-                "room for the largest meshlet");
+  fuzz::require(
+      plan.vertex_bytes >= std::uint64_t{binned ? counts.vertices : counts.largest_meshlet} * (coloured ? 12 : 8),
+      "room for the largest meshlet, or for all vertices");
+  fuzz::require(plan.strips == 1 || plan.extent_bytes >= 4 * meshlets, "an extent for each meshlet");
+  fuzz::require(!binned || plan.bin_bytes >= 8 * meshlets + 8 * std::uint64_t{plan.strips}, "a list for each strip");
   fuzz::require(plan.depth_bytes >= 2 * cells, "a depth cell for each pixel of a strip");
   fuzz::require(plan.colour_bytes >= (panel ? 2 * cells : 0), "a working colour for each pixel of a strip");
 }
 
 void require_sound(const Plan& plan, const SceneCounts& counts, const View& view, Effects effects) {
   fuzz::require(plan.strip_rows >= 1 && plan.strip_rows <= view.height, "1 to height strip rows: %u", plan.strip_rows);
-  fuzz::require((plan.strips - 1) * plan.strip_rows < view.height && plan.strips * plan.strip_rows >= view.height,
-                "strips cover the picture, none is empty: %u of %u rows", plan.strips, plan.strip_rows);
+  fuzz::require(plan.strip_columns >= 1 && plan.strip_columns <= view.width &&
+                    (plan.strip_columns % 8 == 0 || plan.strip_columns == view.width),
+                "columns split at bytes: %u", plan.strip_columns);
+  const unsigned across = (view.width + plan.strip_columns - 1U) / plan.strip_columns;
+  fuzz::require(plan.strips % across == 0, "rows of strips are complete");
+  const unsigned down = plan.strips / across;
+  fuzz::require((down - 1) * plan.strip_rows < view.height && down * plan.strip_rows >= view.height,
+                "strips cover the picture, none is empty: %u of %u rows", down, plan.strip_rows);
   fuzz::require(plan.bytes() == sum_of_parts(plan), "the sum of a plan's parts does not wrap: %llu",
                 static_cast<unsigned long long>(sum_of_parts(plan)));
   require_enough(plan, counts, view, effects);
@@ -38,10 +50,16 @@ void require_sound(const Plan& plan, const SceneCounts& counts, const View& view
 
 void judge_plan(fuzz::Input& input) {
   const auto number = [&input](std::int32_t usual) { return static_cast<std::uint32_t>(input.number(usual)); };
-  const SceneCounts counts{number(1), number(100), number(100), number(64)};
+  SceneCounts counts{number(1), number(100), number(100), number(64)};
   const View view{input.any<std::uint16_t>(), input.any<std::uint16_t>(), static_cast<PixelFormat>(input.below(4))};
   const Effects effects{input.any<std::uint8_t>() & effect::all.bits};
-  const Budget budget{number(0), static_cast<std::uint16_t>(input.number(0))};
+  Budget budget{.bytes = number(0), .strip_rows = static_cast<std::uint16_t>(input.number(0))};
+  counts.meshlets = number(2);
+  counts.longest_meshlet = number(100);
+  budget.strip_columns = static_cast<std::uint16_t>(input.number(0));
+  budget.split_columns = input.flag();
+  budget.strip_buffers = static_cast<std::uint8_t>(input.below(3));
+  budget.modes = static_cast<Modes>(input.below(3));
 
   const PlanResult result = plan(counts, view, effects, budget);
   const bool possible = view.width >= 1 && view.width <= 4096 && view.height >= 1 && view.height <= 4096;
@@ -50,25 +68,46 @@ void judge_plan(fuzz::Input& input) {
   fuzz::require((budget.strip_rows > view.height) == (result.status.error == Error::strip_rows),
                 "as many rows as the picture has and no more");
   if (result.status.error == Error::strip_rows) return;
+  const bool columns_fit =
+      budget.strip_columns == view.width || (budget.strip_columns < view.width && budget.strip_columns % 8 == 0);
+  fuzz::require(columns_fit == (result.status.error != Error::strip_columns), "columns split at bytes");
+  if (!columns_fit) return;
+  const bool cannot_bin = budget.modes == Modes::binned && !effects.has(effect::bins);
+  fuzz::require(cannot_bin == (result.status.error == Error::effect_missing), "binning is an effect");
+  if (cannot_bin || result.status.error == Error::unplannable) return;
   if (!result.status) {
     fuzz::require(result.status.error == Error::arena_too_small, "only memory can lack");
     const std::uint32_t limit = budget.bytes == 0 ? kLargestArena : std::min(budget.bytes, kLargestArena);
     fuzz::require(result.status.available == limit, "an error says what is there: %u, not %u", limit,
                   result.status.available);
-    if (sum_of_parts(result.plan) > kLargestArena) return;  // refused with any budget
+    const std::uint64_t smallest =
+        sum_of_parts(result.plan) + std::uint64_t{budget.strip_buffers} * result.plan.strip_pixel_bytes(view);
+    if (smallest > kLargestArena) return;  // refused with any budget
     fuzz::require(result.status.needed > limit, "what is needed is more than what is there: %u, %u",
                   result.status.needed, limit);
-    const PlanResult enough = plan(counts, view, effects, {result.status.needed, budget.strip_rows});
+    const auto with_bytes = [&budget](std::uint32_t bytes) {
+      Budget changed = budget;
+      changed.bytes = bytes;
+      return changed;
+    };
+    const PlanResult enough = plan(counts, view, effects, with_bytes(result.status.needed));
     fuzz::require(static_cast<bool>(enough.status), "the bytes that an error asks for suffice: %u",
                   result.status.needed);
     require_sound(enough.plan, counts, view, effects);
-    const PlanResult less = plan(counts, view, effects, {result.status.needed - 1, budget.strip_rows});
+    const PlanResult less = plan(counts, view, effects, with_bytes(result.status.needed - 1));
     fuzz::require(result.status.needed == 1 || !less.status, "an error asks for no more than suffices");
     return;
   }
   require_sound(result.plan, counts, view, effects);
-  fuzz::require(budget.bytes == 0 || result.plan.bytes() <= budget.bytes, "a plan keeps to its budget: %u of %u",
-                result.plan.bytes(), budget.bytes);
+  const std::uint64_t all_bytes =
+      result.plan.bytes() + std::uint64_t{budget.strip_buffers} * result.plan.strip_pixel_bytes(view);
+  fuzz::require(budget.bytes == 0 || all_bytes <= budget.bytes, "a plan keeps to its budget: %u of %u",
+                static_cast<unsigned>(all_bytes), budget.bytes);
+  fuzz::require(
+      budget.modes == Modes::any || result.plan.mode == (budget.modes == Modes::binned ? Mode::binned : Mode::streamed),
+      "a given mode is kept");
+  fuzz::require(budget.strip_columns == 0 || result.plan.strip_columns == budget.strip_columns,
+                "given columns are kept");
   fuzz::require(budget.strip_rows == 0 || result.plan.strip_rows == budget.strip_rows, "given strip rows are kept");
 }
 

@@ -30,6 +30,7 @@ constexpr std::uint32_t kLargestArena = 1U << 20;
 
 Plan with_surplus(Plan plan, const std::array<std::uint32_t, 5>& surplus) {
   plan.instance_bytes += surplus[0];
+  plan.extent_bytes += surplus[0];
   plan.vertex_bytes += surplus[1];
   plan.depth_bytes += surplus[2];
   plan.colour_bytes += surplus[3];
@@ -65,19 +66,17 @@ void require_sound_bounds(const Frame& frame) {
           "bounds lie inside the view: %d,%d..%d,%d", bounds.left, bounds.top, bounds.right, bounds.bottom);
 }
 
-/// `pixels` of the strip drawn last, RGB565, whose first row is `top`.
-void require_sound_depth(const Frame& frame, const Scene& scene, std::span<const std::byte> pixels, std::int32_t top,
-                         std::int32_t rows) {
+/// `pixels` of the strip drawn last, RGB565.
+void require_sound_depth(const Frame& frame, const Scene& scene, std::span<const std::byte> pixels, const Rect& strip) {
   const Rect& area = frame.depth_area();
   const std::uint16_t background = rgb565_of(scene.background);
-  for (std::int32_t y = 0; y < rows; ++y) {
-    for (std::int32_t x = 0; x < frame.view().width; ++x) {
-      const std::int32_t row = y + top;
+  for (std::int32_t row = strip.top; row < strip.bottom; ++row) {
+    for (std::int32_t x = strip.left; x < strip.right; ++x) {
       const bool inside = x >= area.left && x < area.right && row >= area.top && row < area.bottom;
       const std::uint16_t code =
           inside ? frame.depth()[(row - area.top) * area.width() + (x - area.left)] : std::uint16_t{0};
       require(code <= 65534, "depth codes end at 65534: pixel %d,%d", x, row);
-      const auto index = static_cast<std::size_t>(y) * frame.view().width + static_cast<std::size_t>(x);
+      const auto index = static_cast<std::size_t>((row - strip.top) * strip.width() + x - strip.left);
       require(code != 0 || pixel_at(pixels, index) == background, "undrawn pixels are background: %d,%d", x, row);
     }
   }
@@ -86,19 +85,24 @@ void require_sound_depth(const Frame& frame, const Scene& scene, std::span<const
 void draw_strip(AnyRenderer& renderer, const Scene& scene, std::uint16_t strip, std::uint8_t garbage,
                 std::span<std::byte> picture) {
   const View& view = renderer.frame().view();
-  const std::int32_t top = strip * renderer.frame().plan().strip_rows;
-  const std::int32_t rows = std::min<std::int32_t>(renderer.frame().plan().strip_rows, view.height - top);
-  const std::size_t row_bytes = bytes_per_row(view.width, view.format);
-  const std::size_t bytes = static_cast<std::size_t>(rows) * row_bytes;
+  const Rect area = renderer.frame().plan().strip_area(strip, view);
+  require(!area.empty() && area.left >= 0 && area.top >= 0 && area.right <= view.width && area.bottom <= view.height,
+          "a strip is a part of the picture");
+  const std::size_t row_bytes = bytes_per_row(static_cast<std::uint16_t>(area.width()), view.format);
+  const std::size_t bytes = static_cast<std::size_t>(area.height()) * row_bytes;
   const Buffer pixels(bytes, garbage);
   require(renderer.draw_strip(strip, pixels.span().first(bytes - 1)).error == Error::pixels_too_small,
           "a strip needs all of its bytes");
   require(all_equal(pixels.span(), garbage), "a refused strip leaves the pixels alone");
   const Status status = renderer.draw_strip(strip, pixels.span());
   require(static_cast<bool>(status), "after begin_frame every strip can be drawn: %s", message(status.error));
-  if (view.format == PixelFormat::rgb565) require_sound_depth(renderer.frame(), scene, pixels.span(), top, rows);
-  std::copy_n(pixels.bytes.get(), bytes,
-              picture.begin() + static_cast<std::ptrdiff_t>(top) * static_cast<std::ptrdiff_t>(row_bytes));
+  if (view.format == PixelFormat::rgb565) require_sound_depth(renderer.frame(), scene, pixels.span(), area);
+  const std::size_t picture_row = bytes_per_row(view.width, view.format);
+  const std::size_t left = bytes_per_row(static_cast<std::uint16_t>(area.left), view.format);
+  for (std::int32_t y = area.top; y < area.bottom; ++y) {
+    std::copy_n(pixels.bytes.get() + static_cast<std::size_t>(y - area.top) * row_bytes, row_bytes,
+                picture.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * picture_row + left));
+  }
 }
 
 }  // namespace

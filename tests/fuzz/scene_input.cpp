@@ -93,13 +93,20 @@ void SceneInput::read_view(Input& input) {
     view_.width = input.any<std::uint16_t>();
     view_.height = input.any<std::uint16_t>();
     if (std::uint32_t{view_.width} * view_.height > kMostPixels && view_.width <= kMaxViewSize) view_.height = 4;
-    budget_ = {input.any<std::uint32_t>(), input.any<std::uint16_t>()};
+    budget_ = {.bytes = input.any<std::uint32_t>(), .strip_rows = input.any<std::uint16_t>()};
+    budget_.strip_columns = static_cast<std::uint16_t>(budget_.bytes >> 7);
+    budget_.split_columns = budget_.bytes % 2 != 0;
+    budget_.modes = static_cast<Modes>(budget_.bytes / 2 % 3);
     return;
   }
   view_.width = static_cast<std::uint16_t>(1 + input.below(64));
   view_.height = static_cast<std::uint16_t>(1 + input.below(64));
   budget_.bytes = input.any<std::uint16_t>();
   budget_.strip_rows = static_cast<std::uint16_t>(input.below(view_.height + 1U));
+  // From bits that are there already, so that older inputs keep their meaning.
+  budget_.strip_columns = static_cast<std::uint16_t>(std::min<std::uint32_t>(budget_.bytes / 8 % 9 * 8, view_.width));
+  budget_.split_columns = budget_.bytes % 2 != 0;
+  budget_.modes = static_cast<Modes>(budget_.bytes / 2 % 3);
 }
 
 void SceneInput::read_camera(Input& input) {

@@ -16,15 +16,27 @@ struct Frame2 {
   Rect bounds;
 };
 
-/// Draws in strips of `rows` rows, in the order given by `backwards`, with buffers full of `garbage`, and checks that
-/// nothing outside arena and pixels is written.
-Frame2 draw_in_strips(const Scene& scene, const Camera& camera, const View& view, std::uint16_t rows,
-                      std::uint8_t garbage, bool backwards) {
+/// How to draw what must always be the same picture.
+struct Way {
+  Budget budget;
+  bool small_bins = false;  ///< so that they overflow, in most scenes
+  std::uint8_t garbage = 0;
+  bool backwards = false;
+};
+
+/// Draws strip by strip with buffers full of garbage, and checks that nothing outside arena and pixels is written.
+Frame2 draw_in_strips(const Scene& scene, const Camera& camera, const View& view, const Way& way) {
   constexpr std::size_t kGuard = 64;
-  const Effects effects = effects_of(scene, camera);
-  const PlanResult planned = plan(count(scene), view, effects, {.strip_rows = rows});
+  const std::uint8_t garbage = way.garbage;
+  const Effects effects = effects_of(scene, camera) | effect::bins;
+  const PlanResult planned = plan(count(scene), view, effects, way.budget);
   RC_ASSERT(planned.status);
-  const Plan& p = planned.plan;
+  Plan p = planned.plan;
+  if (p.mode == Mode::binned && way.small_bins) {
+    const SceneCounts counts = count(scene);
+    p.bin_bytes = std::min(
+        p.bin_bytes, detail::rounded_up(counts.meshlets * kBatchBytes + p.strips * kBinBytes + 2 * kBinChunkBytes));
+  }
   const auto filled = static_cast<std::byte>(garbage);
   std::vector<std::byte> arena(p.bytes() + 2 * kGuard + kArenaAlignment, filled);
   std::size_t start = kGuard;
@@ -38,12 +50,17 @@ Frame2 draw_in_strips(const Scene& scene, const Camera& camera, const View& view
   frame.depth.resize(std::size_t{view.width} * view.height, 0);
   frame.bounds = renderer.frame().bounds();
   for (int i = 0; i < p.strips; ++i) {
-    const int strip = backwards ? p.strips - 1 - i : i;
-    RC_ASSERT(renderer.draw_strip(static_cast<std::uint16_t>(strip),
-                                  std::span(pixels).subspan(kGuard, p.strip_pixel_bytes(view))));
-    const int first = strip * p.strip_rows, count = std::min<int>(p.strip_rows, view.height - first);
-    std::copy_n(pixels.begin() + kGuard, static_cast<std::size_t>(count) * row_bytes,
-                frame.pixels.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(first) * row_bytes));
+    const auto strip = static_cast<std::uint16_t>(way.backwards ? p.strips - 1 - i : i);
+    RC_ASSERT(renderer.draw_strip(strip, std::span(pixels).subspan(kGuard, p.strip_pixel_bytes(view))));
+    const Rect cut = p.strip_area(strip, view);
+    const std::size_t cut_bytes = bytes_per_row(static_cast<std::uint16_t>(cut.width()), view.format);
+    const std::size_t left_bytes = bytes_per_row(static_cast<std::uint16_t>(cut.left), view.format);
+    for (int y = cut.top; y < cut.bottom; ++y) {
+      std::copy_n(
+          pixels.begin() + kGuard + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y - cut.top) * cut_bytes),
+          cut_bytes,
+          frame.pixels.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * row_bytes + left_bytes));
+    }
     const Rect area = renderer.frame().depth_area();
     for (int y = area.top; y < area.bottom; ++y) {
       for (int x = area.left; x < area.right; ++x) {
@@ -65,6 +82,7 @@ Frame2 draw_in_strips(const Scene& scene, const Camera& camera, const View& view
 /// A random scene: any effects, the camera outside it or among its triangles.
 struct AnyScene {
   Model model;
+  std::vector<Meshlet> meshlets;
   Camera camera;
   View view;
 
@@ -82,20 +100,63 @@ struct AnyScene {
     if (between(0, 2) == 0) camera.eye = {between(-60000, 60000), between(-60000, 60000), between(-60000, 60000)};
     view = {static_cast<std::uint16_t>(between(1, 70)), static_cast<std::uint16_t>(between(1, 50)),
             static_cast<PixelFormat>(between(0, 3))};
+    // Every triangle has three vertices of its own, so that any run of them is a meshlet.
+    const int length = between(0, 9);
+    const auto triangles = static_cast<int>(model.triangles.size());
+    for (int first = 0; length != 0 && first < triangles; first += length) {
+      const auto count = static_cast<std::uint16_t>(std::min(length, triangles - first));
+      meshlets.push_back({static_cast<std::uint32_t>(first),
+                          static_cast<std::uint16_t>(3 * first),
+                          static_cast<std::uint16_t>(3 * count),
+                          count,
+                          0,
+                          {}});
+    }
+  }
+  /// Refers to this object.
+  Scene scene() {
+    Scene scene = model.scene();
+    model.mesh.meshlets = meshlets;
+    return scene;
   }
 };
 
 RC_GTEST_PROP(HardCases, E51_StripHeightChangesNeitherPixelNorDepth, ()) {
   AnyScene any;
-  const Scene scene = any.model.scene();
-  const Frame2 whole = draw_in_strips(scene, any.camera, any.view, any.view.height, 0, false);
+  const Scene scene = any.scene();
+  const Frame2 whole = draw_in_strips(scene, any.camera, any.view, {.budget = {.modes = Modes::streamed}});
   for (const int rows : {1, 2, 3, 7, 8, 16}) {
     if (rows > any.view.height) break;
-    const auto garbage = static_cast<std::uint8_t>(between(0, 255));
-    const Frame2 strips =
-        draw_in_strips(scene, any.camera, any.view, static_cast<std::uint16_t>(rows), garbage, between(0, 1) == 1);
-    RC_ASSERT(strips.pixels == whole.pixels);
-    RC_ASSERT(strips.depth == whole.depth);
+    const Way way{.budget = {.strip_rows = static_cast<std::uint16_t>(rows), .modes = Modes::streamed},
+                  .garbage = static_cast<std::uint8_t>(between(0, 255)),
+                  .backwards = between(0, 1) == 1};
+    const Frame2 strips = draw_in_strips(scene, any.camera, any.view, way);
+    RC_ASSERT((strips.pixels == whole.pixels));
+    RC_ASSERT((strips.depth == whole.depth));
+  }
+}
+
+RC_GTEST_PROP(HardCases, E51_BinsColumnsAndOverflowChangeNeitherPixelNorDepth, ()) {
+  AnyScene any;
+  const Scene scene = any.scene();
+  const Frame2 whole = draw_in_strips(scene, any.camera, any.view, {.budget = {.modes = Modes::streamed}});
+  const int across = (any.view.width + 7) / 8;
+  for (const Modes modes : {Modes::streamed, Modes::binned}) {
+    for (const bool small_bins : {false, true}) {
+      const int columns = 8 * between(1, across);
+      const Way way{.budget = {.strip_rows = static_cast<std::uint16_t>(between(1, any.view.height)),
+                               .strip_columns = static_cast<std::uint16_t>(std::min<int>(columns, any.view.width)),
+                               .modes = modes},
+                    .small_bins = small_bins,
+                    .garbage = static_cast<std::uint8_t>(between(0, 255)),
+                    .backwards = between(0, 1) == 1};
+      RC_LOG() << "binned " << (modes == Modes::binned) << ", small bins " << small_bins << ", strips of "
+               << way.budget.strip_columns << " x " << way.budget.strip_rows << " in " << any.view.width << " x "
+               << any.view.height << ", format " << static_cast<int>(any.view.format) << '\n';
+      const Frame2 strips = draw_in_strips(scene, any.camera, any.view, way);
+      RC_ASSERT((strips.pixels == whole.pixels));
+      RC_ASSERT((strips.depth == whole.depth));
+    }
   }
 }
 
@@ -114,7 +175,7 @@ RC_GTEST_PROP(HardCases, E52_VerticesAndEdgesExactlyOnStripBorders, ()) {
   const Picture whole = lattice.draw();
   for (const std::uint16_t rows : {std::uint16_t{8}, std::uint16_t{1}, std::uint16_t{4}, std::uint16_t{16}}) {
     const Picture strips = lattice.draw(rows);
-    RC_ASSERT(strips.pixels == whole.pixels);
+    RC_ASSERT((strips.pixels == whole.pixels));
     RC_ASSERT(strips.statistics.fragments == whole.statistics.fragments);
   }
 }
@@ -141,7 +202,7 @@ RC_GTEST_PROP(HardCases, E53_NothingIsLeftOfEarlierFrames, ()) {
       RC_ASSERT(renderer.draw_strip(strip, bytes));
       drawn.insert(drawn.end(), bytes.begin(), bytes.end());
     }
-    RC_ASSERT(drawn == fresh.pixels);
+    RC_ASSERT((drawn == fresh.pixels));
   }
 }
 

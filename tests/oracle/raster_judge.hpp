@@ -30,6 +30,7 @@ struct Canvas {
     return {.area = {0, 0, kWidth, kHeight},
             .view_left = 0,
             .view_top = 0,
+            .first_column = 0,
             .first_row = 0,
             .depth = depth.data(),
             .colour = colour.data(),

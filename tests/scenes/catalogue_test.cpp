@@ -46,6 +46,8 @@ TEST(Catalogue, CountsAreThoseOfTheScene) {
     EXPECT_EQ(scene.counts.triangles, counted.triangles) << scene.name;
     EXPECT_EQ(scene.counts.vertices, counted.vertices) << scene.name;
     EXPECT_EQ(scene.counts.largest_meshlet, counted.largest_meshlet) << scene.name;
+    EXPECT_EQ(scene.counts.meshlets, counted.meshlets) << scene.name;
+    EXPECT_EQ(scene.counts.longest_meshlet, counted.longest_meshlet) << scene.name;
   }
 }
 

@@ -1,6 +1,7 @@
 // Plans: what fits, what does not, and that the numbers say why.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "zstrip/plan/plan.hpp"
@@ -46,9 +47,74 @@ TEST(Plan, EveryBudgetIsKeptOrRefusedWithTheBytesItNeeds) {
     ASSERT_LE(result.plan.bytes(), bytes);
     ASSERT_EQ(result.plan.strips, (240 + result.plan.strip_rows - 1) / result.plan.strip_rows);
     ASSERT_GE(result.plan.strip_rows, previous_rows) << "more memory, no smaller strips";
+    ASSERT_EQ(result.plan.strip_columns, 240);
     previous_rows = result.plan.strip_rows;
   }
   EXPECT_EQ(previous_rows, 240);
+}
+
+TEST(Plan, MoreMemoryNeverCostsMoreTime) {
+  constexpr SceneCounts kMany{.instances = 2,
+                              .triangles = 5000,
+                              .vertices = 3000,
+                              .largest_meshlet = 64,
+                              .meshlets = 60,
+                              .longest_meshlet = 100};
+  for (const bool split : {false, true}) {
+    std::uint64_t previous = UINT64_MAX;
+    bool binned = false, split_used = false;
+    for (std::uint32_t bytes = 2000; bytes < 200000; bytes += 97) {
+      const PlanResult result = plan(kMany, kView, effect::lighting | effect::bins,
+                                     {.bytes = bytes, .split_columns = split, .strip_buffers = 2});
+      if (!result.status) {
+        ASSERT_EQ(previous, UINT64_MAX) << "less memory was enough: " << bytes;
+        continue;
+      }
+      ASSERT_LE(result.plan.bytes() + 2 * result.plan.strip_pixel_bytes(kView), bytes);
+      const std::uint64_t cost = estimated_cost(kMany, kView, result.plan);
+      ASSERT_LE(cost, previous) << bytes;
+      previous = cost;
+      binned |= result.plan.mode == Mode::binned;
+      split_used |= result.plan.strip_columns < 240;
+    }
+    EXPECT_TRUE(binned);
+    EXPECT_EQ(split_used, split);
+  }
+}
+
+TEST(Plan, StripsTileThePicture) {
+  for (const std::uint16_t columns : std::array<std::uint16_t, 4>{8, 16, 104, 240}) {
+    for (const std::uint16_t rows : std::array<std::uint16_t, 3>{1, 7, 240}) {
+      const Plan p = plan(kCounts, kView, {}, {.strip_rows = rows, .strip_columns = columns}).plan;
+      std::array<int, 240 * 240> covered{};
+      for (std::uint16_t strip = 0; strip < p.strips; ++strip) {
+        const Rect area = p.strip_area(strip, kView);
+        ASSERT_LE(area.width(), columns);
+        ASSERT_LE(area.height(), rows);
+        for (int y = area.top; y < area.bottom; ++y) {
+          for (int x = area.left; x < area.right; ++x) ++covered[static_cast<std::size_t>(y * 240 + x)];
+        }
+      }
+      EXPECT_EQ(std::count(covered.begin(), covered.end(), 1), 240 * 240);
+    }
+  }
+}
+
+TEST(Plan, ColumnsThatSplitBytesAreRefused) {
+  EXPECT_EQ(plan(kCounts, kView, {}, {.strip_columns = 12}).status.error, Error::strip_columns);
+  EXPECT_EQ(plan(kCounts, kView, {}, {.strip_columns = 248}).status.error, Error::strip_columns);
+  EXPECT_TRUE(plan(kCounts, View{30, 10}, {}, {.strip_columns = 30}).status);
+}
+
+TEST(Plan, BinningNeedsItsEffectAndIndicesThatFit) {
+  EXPECT_EQ(plan(kCounts, kView, {}, {.modes = Modes::binned}).status.error, Error::effect_missing);
+  EXPECT_EQ(plan(kCounts, kView, effect::bins, {.modes = Modes::binned}).plan.mode, Mode::binned);
+  SceneCounts many = kCounts;
+  many.meshlets = 0x8000;
+  EXPECT_EQ(plan(many, kView, effect::bins, {.modes = Modes::binned}).status.error, Error::unplannable);
+  EXPECT_EQ(plan(many, kView, effect::bins, {.strip_rows = 8}).plan.mode, Mode::streamed);
+  EXPECT_EQ(plan(kCounts, View{4096, 4096}, {}, {.strip_rows = 1, .strip_columns = 8}).status.error,
+            Error::unplannable);
 }
 
 TEST(Plan, GivenRowsAreKeptOrRefused) {

@@ -11,6 +11,8 @@ const char* message(Error error) {
     case Error::pixels_misaligned: return "the pixel buffer must lie at an even address";
     case Error::view_size: return "the picture's width and height must be 1 to 4096";
     case Error::strip_rows: return "the strip does not exist in this picture";
+    case Error::strip_columns: return "a strip's columns must be a multiple of 8 or the picture's width";
+    case Error::unplannable: return "there would be too many strips, or there are too many meshlets for bins";
     case Error::camera: return "the camera is not usable";
     case Error::mesh: return "a mesh is not valid";
     case Error::instance: return "an instance is not valid";
@@ -27,6 +29,7 @@ const char* name(Purpose purpose) {
   switch (purpose) {
     case Purpose::none: return "nothing";
     case Purpose::instances: return "instances";
+    case Purpose::extents: return "extents";
     case Purpose::vertices: return "vertices";
     case Purpose::depth: return "depth";
     case Purpose::colour: return "colour";

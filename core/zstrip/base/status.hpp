@@ -13,21 +13,23 @@ enum class Error : std::uint8_t {
   view_size,          ///< width or height outside 1..4096
   strip_rows,  ///< more strip rows than the picture has, or a strip index out of range (`needed` = given, `available` =
                ///< limit)
-  camera,      ///< not 0 < near < far, focal length <= 0, or axes that are not set
-  mesh,        ///< index out of range, no positions, size or bits out of range (`needed` = index of the mesh)
-  instance,    ///< refers to a mesh or material that does not exist, a transform out of range, or a mesh that
-               ///< repeats the material's texture too often (`needed` = index of the
-               ///< instance)
-  material,    ///< refers to a texture that does not exist (`needed` = index of the material)
-  texture,     ///< no texels, or more than 2^11 on a side (`needed` = index of the texture)
-  light,       ///< too many lights (`needed` = given, `available` = limit)
+  strip_columns,   ///< neither a multiple of 8 nor the picture's width (`needed` = given, `available` = the width)
+  unplannable,     ///< more than 65,535 strips, or too many meshlets or triangles in one for bins (32,767)
+  camera,          ///< not 0 < near < far, focal length <= 0, or axes that are not set
+  mesh,            ///< index out of range, no positions, size or bits out of range (`needed` = index of the mesh)
+  instance,        ///< refers to a mesh or material that does not exist, a transform out of range, or a mesh that
+                   ///< repeats the material's texture too often (`needed` = index of the
+                   ///< instance)
+  material,        ///< refers to a texture that does not exist (`needed` = index of the material)
+  texture,         ///< no texels, or more than 2^11 on a side (`needed` = index of the texture)
+  light,           ///< too many lights (`needed` = given, `available` = limit)
   effect_missing,  ///< the scene calls for an effect that this renderer was built without (`needed` = the missing set),
                    ///< or the renderer is for orthographic cameras only (`needed` = 0)
   not_begun,       ///< draw_strip before a successful begin_frame
 };
 
 /// What memory is for. The order is that of a plan's table.
-enum class Purpose : std::uint8_t { none, instances, vertices, depth, colour, bins };
+enum class Purpose : std::uint8_t { none, instances, extents, vertices, depth, colour, bins };
 
 /// `error == Error::none` is success; converts to true then. [[nodiscard]]: nothing fails in silence.
 struct [[nodiscard]] Status {

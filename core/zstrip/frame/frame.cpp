@@ -10,10 +10,15 @@ Status Frame::Access::check(const Scene& scene, const Camera& camera, const View
   if (view.width < 1 || view.height < 1 || view.width > kMaxViewSize || view.height > kMaxViewSize) {
     return {.error = Error::view_size};
   }
-  if (plan.strip_rows < 1 || plan.strip_rows > view.height ||
-      plan.strips != (view.height + plan.strip_rows - 1) / plan.strip_rows) {
+  if (plan.strip_rows < 1 || plan.strip_rows > view.height) {
     return {.error = Error::strip_rows, .needed = plan.strip_rows, .available = view.height};
   }
+  if (plan.strip_columns < 1 || plan.strip_columns > view.width ||
+      (plan.strip_columns != view.width && plan.strip_columns % detail::kColumnStep != 0)) {
+    return {.error = Error::strip_columns, .needed = plan.strip_columns, .available = view.width};
+  }
+  const std::uint32_t strips = plan.columns_of_strips(view) * plan.rows_of_strips(view);
+  if (plan.strips != strips) return {.error = Error::strip_rows, .needed = strips, .available = plan.strips};
   if (camera.focal <= 0 || camera.near_plane <= 0 || camera.far_plane <= camera.near_plane)
     return {.error = Error::camera};
   const auto unit = [](const Vec3& axis) {
@@ -36,18 +41,28 @@ Status Frame::Access::check(const Scene& scene, const Camera& camera, const View
     return too_small(Purpose::instances, std::uint64_t{counts.instances} * kInstanceBytes, plan.instance_bytes);
   }
   const bool colours = detail::has_vertex_colours(effects_of(scene, camera));
-  const std::uint64_t vertices =
-      std::uint64_t{counts.largest_meshlet} * (kVertexBytes + (colours ? kVertexColourBytes : 0));
+  const bool binned = plan.mode == Mode::binned;
+  if (const std::uint64_t extents = std::uint64_t{counts.meshlets} * kExtentBytes;
+      (strips > 1 || binned) && plan.extent_bytes < extents) {
+    return too_small(Purpose::extents, extents, plan.extent_bytes);
+  }
+  if (binned) {
+    if (counts.meshlets > kMostBatches || counts.longest_meshlet > kMostBatches) return {.error = Error::unplannable};
+    const std::uint64_t lists = std::uint64_t{counts.meshlets} * kBatchBytes + std::uint64_t{strips} * kBinBytes;
+    if (plan.bin_bytes < lists) return too_small(Purpose::bins, lists, plan.bin_bytes);
+  }
+  const std::uint64_t vertices = std::uint64_t{binned ? counts.vertices : counts.largest_meshlet} *
+                                 (kVertexBytes + (colours ? kVertexColourBytes : 0));
   if (plan.vertex_bytes < vertices) return too_small(Purpose::vertices, vertices, plan.vertex_bytes);
-  const std::uint64_t cells = std::uint64_t{plan.strip_rows} * view.width;
+  const std::uint64_t cells = std::uint64_t{plan.strip_rows} * plan.strip_columns;
   if (plan.depth_bytes < cells * kDepthBytes) return too_small(Purpose::depth, cells * kDepthBytes, plan.depth_bytes);
   if (!detail::drawn_in_place(view.format) && plan.colour_bytes < cells * kWorkingColourBytes) {
     return too_small(Purpose::colour, cells * kWorkingColourBytes, plan.colour_bytes);
   }
   for (const auto& [purpose, bytes] :
-       {std::pair{Purpose::instances, plan.instance_bytes}, std::pair{Purpose::vertices, plan.vertex_bytes},
-        std::pair{Purpose::depth, plan.depth_bytes}, std::pair{Purpose::colour, plan.colour_bytes},
-        std::pair{Purpose::bins, plan.bin_bytes}}) {
+       {std::pair{Purpose::instances, plan.instance_bytes}, std::pair{Purpose::extents, plan.extent_bytes},
+        std::pair{Purpose::vertices, plan.vertex_bytes}, std::pair{Purpose::depth, plan.depth_bytes},
+        std::pair{Purpose::colour, plan.colour_bytes}, std::pair{Purpose::bins, plan.bin_bytes}}) {
     if (bytes % kArenaAlignment != 0) return too_small(purpose, detail::rounded_up(bytes), bytes);
   }
   if (arena.size() < plan.wide_bytes() || reinterpret_cast<std::uintptr_t>(arena.data()) % kArenaAlignment != 0) {
@@ -64,16 +79,20 @@ void Frame::Access::lay_out_arena(Frame& frame, std::span<std::byte> arena) {
     return part;
   };
   frame.instances_ = reinterpret_cast<detail::CompiledInstance*>(take(frame.plan_.instance_bytes));
-  std::byte* const vertices = take(frame.plan_.vertex_bytes);
-  frame.vertices_ = reinterpret_cast<detail::SnappedVertex*>(vertices);
+  std::byte* const extents = take(frame.plan_.extent_bytes);
+  const bool surveyed = frame.plan_.strips > 1 || frame.plan_.mode == Mode::binned;
+  frame.extents_ = surveyed ? reinterpret_cast<detail::Extent*>(extents) : nullptr;
+  frame.vertices_ = reinterpret_cast<detail::SnappedVertex*>(take(frame.plan_.vertex_bytes));
   frame.depth_ = reinterpret_cast<std::uint16_t*>(take(frame.plan_.depth_bytes));
   frame.working_colour_ = reinterpret_cast<std::uint16_t*>(take(frame.plan_.colour_bytes));
+  frame.batches_ = reinterpret_cast<detail::RetainedBatch*>(take(frame.plan_.bin_bytes));
 }
 
 Status Frame::Access::prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view) {
   const bool orthographic = camera.projection == Projection::orthographic;
   const SceneCounts counts = count(scene);
-  frame.colours_ = reinterpret_cast<Colour*>(frame.vertices_ + counts.largest_meshlet);
+  const bool binned = frame.plan_.mode == Mode::binned;
+  frame.colours_ = reinterpret_cast<Colour*>(frame.vertices_ + (binned ? counts.vertices : counts.largest_meshlet));
   frame.bounds_ = {};
   frame.depth_area_ = {};
   frame.fit_ = detail::fit_to_scene(scene, camera);
@@ -100,50 +119,56 @@ Status Frame::Access::prepare(Frame& frame, const Scene& scene, const Camera& ca
                                 : Rect{std::min(all.left, box.left), std::min(all.top, box.top),
                                        std::max(all.right, box.right), std::max(all.bottom, box.bottom)};
   }
+  frame.grid_ = detail::StripGrid(frame.plan_, view, frame.bounds_);
+  if (binned) {
+    const std::uint32_t batch_bytes = counts.meshlets * kBatchBytes;
+    frame.bins_ = detail::Bins(reinterpret_cast<std::byte*>(frame.batches_) + batch_bytes,
+                               frame.plan_.bin_bytes - batch_bytes, frame.plan_.strips);
+  }
   return {};
 }
 
-detail::StripTarget Frame::Access::target_of(Frame& frame, std::uint16_t strip, std::uint16_t* pixels) {
-  const std::int32_t top = strip * frame.plan_.strip_rows;
-  const std::int32_t bottom = std::min<std::int32_t>(top + frame.plan_.strip_rows, frame.view_.height);
+detail::StripTarget Frame::Access::target_of(Frame& frame, const Rect& strip, std::uint16_t* pixels) {
   const Rect& bounds = frame.bounds_;
-  Rect area{bounds.left, std::max(bounds.top, top), bounds.right, std::min(bounds.bottom, bottom)};
+  Rect area{std::max(bounds.left, strip.left), std::max(bounds.top, strip.top), std::min(bounds.right, strip.right),
+            std::min(bounds.bottom, strip.bottom)};
   if (area.empty()) area = {};
   frame.depth_area_ = area;
   const std::int32_t centre_x = frame.view_.width >> 1;
   const std::int32_t centre_y = frame.view_.height >> 1;
-  const std::int32_t first_pixel = area.empty() ? 0 : (area.top - top) * frame.view_.width + area.left;
+  const std::int32_t first_pixel = area.empty() ? 0 : (area.top - strip.top) * strip.width() + (area.left - strip.left);
   return {.area = {area.left - centre_x, area.top - centre_y, area.right - centre_x, area.bottom - centre_y},
           .view_left = -centre_x,
           .view_top = -centre_y,
+          .first_column = bounds.left - centre_x,
           .first_row = bounds.top - centre_y,
           .depth = frame.depth_,
           .colour = pixels + first_pixel,
           .depth_stride = area.width(),
-          .colour_stride = frame.view_.width,
+          .colour_stride = strip.width(),
           .statistics = &frame.statistics_};
 }
 
-void Frame::Access::clear(const Frame& frame, std::uint16_t rows, std::uint16_t* pixels,
+void Frame::Access::clear(const Frame& frame, std::uint16_t width, std::uint16_t rows, std::uint16_t* pixels,
                           const detail::StripTarget& target) {
   __builtin_memset(frame.depth_, 0, static_cast<std::size_t>(target.area.width() * target.area.height()) * kDepthBytes);
-  detail::fill_pixels(pixels, std::uint32_t{rows} * frame.view_.width, detail::rgb565(frame.scene_->background));
+  detail::fill_pixels(pixels, std::uint32_t{rows} * width, detail::rgb565(frame.scene_->background));
 }
 
-void Frame::Access::resolve(const Frame& frame, std::uint16_t rows, std::uint16_t* drawn, std::byte* pixels) {
-  const View& view = frame.view_;
-  if (view.format == PixelFormat::rgb565) return;
-  if (view.format == PixelFormat::rgb565_swapped) {
-    detail::swap_bytes(drawn, std::uint32_t{rows} * view.width);
+void Frame::Access::resolve(PixelFormat format, std::uint16_t width, std::uint16_t rows, std::uint16_t* drawn,
+                            std::byte* pixels) {
+  if (format == PixelFormat::rgb565) return;
+  if (format == PixelFormat::rgb565_swapped) {
+    detail::swap_bytes(drawn, std::uint32_t{rows} * width);
     return;
   }
   for (std::uint32_t y = 0; y < rows; ++y) {
-    const std::uint16_t* const row = drawn + y * view.width;
-    std::byte* const out = pixels + y * bytes_per_row(view.width, view.format);
-    if (view.format == PixelFormat::gray4) {
-      detail::resolve_gray4(row, view.width, out);
+    const std::uint16_t* const row = drawn + y * width;
+    std::byte* const out = pixels + y * bytes_per_row(width, format);
+    if (format == PixelFormat::gray4) {
+      detail::resolve_gray4(row, width, out);
     } else {
-      detail::resolve_mono(row, view.width, out);
+      detail::resolve_mono(row, width, out);
     }
   }
 }

@@ -4,6 +4,8 @@
 #include <cstdint>
 
 #include "zstrip/base/statistics.hpp"
+#include "zstrip/geometry/bins.hpp"
+#include "zstrip/geometry/extent.hpp"
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/plan/plan.hpp"
 #include "zstrip/scene/view.hpp"
@@ -14,10 +16,14 @@ namespace zstrip {
 class Frame {
  public:
   /// The smallest rectangle known to hold everything that is drawn, in picture pixels; no more of the z-buffer is
-  /// cleared and tested. The plan reserves memory for strips of the full width.
+  /// cleared and tested. The plan reserves memory for whole strips.
   const Rect& bounds() const { return bounds_; }
   const View& view() const { return view_; }
   const Plan& plan() const { return plan_; }
+  /// How this frame is drawn: as planned, or streamed because its bins overflowed.
+  Mode mode() const { return mode_; }
+  /// Frames since construction whose bins overflowed. Their pictures are right, but take longer.
+  std::uint32_t bin_overflows() const { return bin_overflows_; }
   /// Zeros without effect::statistics.
   const Statistics& statistics() const { return statistics_; }
   /// Distances that codes 65534 and 1 stand for, in view units, 16.16; 0, 0 if nothing is visible.
@@ -38,7 +44,13 @@ class Frame {
   Rect depth_area_{};
   DepthFit fit_{};
   detail::RasterOrigin origin_{};
+  detail::StripGrid grid_{};
+  detail::Bins bins_{};
+  Mode mode_ = Mode::streamed;
+  std::uint32_t bin_overflows_ = 0;
   detail::CompiledInstance* instances_ = nullptr;
+  detail::Extent* extents_ = nullptr;  ///< one a meshlet; null for a single streamed strip
+  detail::RetainedBatch* batches_ = nullptr;
   detail::SnappedVertex* vertices_ = nullptr;
   Colour* colours_ = nullptr;
   std::uint16_t* depth_ = nullptr;

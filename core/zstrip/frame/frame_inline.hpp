@@ -14,48 +14,155 @@
 namespace zstrip {
 
 struct Frame::Access {
+  /// Binning does not change how triangles are drawn.
+  template <Effects effects>
+  using Assembler = detail::Assembler<without(effects, effect::bins)>;
+
   /// Everything about the request that could harm; not the index arrays, which validate() has seen.
   static Status check(const Scene& scene, const Camera& camera, const View& view, const Plan& plan, Effects missing,
                       std::span<std::byte> arena);
   static void lay_out_arena(Frame& frame, std::span<std::byte> arena);
   static Status prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view);
-  static detail::StripTarget target_of(Frame& frame, std::uint16_t strip, std::uint16_t* pixels);
-  static void clear(const Frame& frame, std::uint16_t rows, std::uint16_t* pixels, const detail::StripTarget& target);
-  static void resolve(const Frame& frame, std::uint16_t rows, std::uint16_t* drawn, std::byte* pixels);
+  /// `strip`: its pixels in the picture.
+  static detail::StripTarget target_of(Frame& frame, const Rect& strip, std::uint16_t* pixels);
+  static void clear(const Frame& frame, std::uint16_t width, std::uint16_t rows, std::uint16_t* pixels,
+                    const detail::StripTarget& target);
+  static void resolve(PixelFormat format, std::uint16_t width, std::uint16_t rows, std::uint16_t* drawn,
+                      std::byte* pixels);
+
+  /// The triangles of a meshlet and the vertices that they use; of the whole mesh where it has no meshlets.
+  struct MeshletRange {
+    std::uint32_t first_vertex, vertex_count;
+    std::span<const Triangle> triangles;
+  };
+  static MeshletRange meshlet_range(const Mesh& mesh, std::uint32_t index) {
+    if (mesh.meshlets.empty()) return {0, static_cast<std::uint32_t>(mesh.positions.size()), mesh.triangles};
+    const Meshlet& meshlet = mesh.meshlets[index];
+    return {meshlet.first_vertex, meshlet.vertex_count,
+            mesh.triangles.subspan(meshlet.first_triangle, meshlet.triangle_count)};
+  }
+
+  /// Calls visit(number, instance index, meshlet index) in drawing order; numbers count the meshlets of all instances,
+  /// invisible ones too, but are called only for visible ones.
+  template <class Visit>
+  static void for_each_meshlet(const Frame& frame, const Visit& visit) {
+    std::uint32_t number = 0;
+    for (std::uint32_t i = 0; i < frame.scene_->instances.size(); ++i) {
+      const Mesh& mesh = frame.scene_->meshes[frame.scene_->instances[i].mesh];
+      const std::uint32_t meshlets = mesh.meshlets.empty() ? 1 : static_cast<std::uint32_t>(mesh.meshlets.size());
+      if (frame.instances_[i].visible) {
+        for (std::uint32_t m = 0; m < meshlets; ++m) visit(number + m, i, m);
+      }
+      number += meshlets;
+    }
+  }
+
+  /// A meshlet with its vertices at vertices_[cache] on.
+  static detail::Batch batch_of(const Frame& frame, std::uint32_t instance, std::uint32_t first_vertex,
+                                std::uint32_t cache) {
+    const detail::CompiledInstance& compiled = frame.instances_[instance];
+    const bool has_colours = compiled.lit || compiled.coloured;
+    return {&compiled,
+            &frame.scene_->meshes[compiled.mesh],
+            frame.vertices_ + cache,
+            has_colours ? frame.colours_ + cache : nullptr,
+            first_vertex,
+            frame.origin_,
+            surface_of(frame, compiled)};
+  }
+
+  /// False if some vertex needs the clipping path.
+  template <Effects effects>
+  static bool transform(Frame& frame, const detail::Batch& batch, const MeshletRange& range, std::uint32_t cache) {
+    if constexpr (effects.has(effect::statistics)) frame.statistics_.vertices += range.vertex_count;
+    return detail::transform_vertices<without(effects, effect::bins)>(
+        *batch.instance, *batch.mesh, frame.origin_, range.first_vertex, range.vertex_count, frame.vertices_ + cache);
+  }
 
   template <Effects effects>
-  static void draw_instances(Frame& frame, const detail::StripTarget& target) {
-    for (std::uint32_t i = 0; i < frame.scene_->instances.size(); ++i) {
-      const detail::CompiledInstance& instance = frame.instances_[i];
-      if (!instance.visible) continue;
-      const Mesh& mesh = frame.scene_->meshes[instance.mesh];
-      if (mesh.meshlets.empty()) {
-        draw_meshlet<effects>(frame, target, instance, mesh, 0, static_cast<std::uint32_t>(mesh.positions.size()),
-                              mesh.triangles);
-      }
-      for (const Meshlet& meshlet : mesh.meshlets) {
-        draw_meshlet<effects>(frame, target, instance, mesh, meshlet.first_vertex, meshlet.vertex_count,
-                              mesh.triangles.subspan(meshlet.first_triangle, meshlet.triangle_count));
+  static void shade(Frame& frame, const detail::Batch& batch, const MeshletRange& range, std::uint32_t cache) {
+    if constexpr (detail::has_vertex_colours(effects)) {
+      if (batch.colours != nullptr) {
+        detail::shade_vertices<without(effects, effect::bins)>(*batch.instance, *batch.mesh, range.first_vertex,
+                                                               range.vertex_count, frame.colours_ + cache);
       }
     }
   }
 
+  /// Which strips each meshlet touches; with bins also its triangles, whose vertices then stay. A frame whose bins
+  /// overflow is streamed.
   template <Effects effects>
-  static void draw_meshlet(Frame& frame, const detail::StripTarget& target, const detail::CompiledInstance& instance,
-                           const Mesh& mesh, std::uint32_t first_vertex, std::uint32_t vertex_count,
-                           std::span<const Triangle> triangles) {
-    if constexpr (effects.has(effect::statistics)) frame.statistics_.vertices += vertex_count;
-    const bool all_narrow =
-        detail::transform_vertices<effects>(instance, mesh, frame.origin_, first_vertex, vertex_count, frame.vertices_);
-    detail::Batch batch{
-        &instance, &mesh, frame.vertices_, nullptr, first_vertex, frame.origin_, surface_of(frame, instance)};
-    if constexpr (detail::has_vertex_colours(effects)) {
-      if (instance.lit || instance.coloured) {
-        detail::shade_vertices<effects>(instance, mesh, first_vertex, vertex_count, frame.colours_);
-        batch.colours = frame.colours_;
+  static void survey(Frame& frame) {
+    std::uint32_t retained = 0;
+    std::uint16_t batches = 0;
+    for_each_meshlet(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+      const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
+      const detail::Batch batch = batch_of(frame, instance, range.first_vertex, retained);
+      const bool all_narrow = transform<effects>(frame, batch, range, retained);
+      Rect box{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
+      bool listed = false;
+      Assembler<effects>::for_each_facing(
+          batch, range.triangles, all_narrow, [&](std::uint32_t triangle, const Rect& pixels) {
+            box = {std::min(box.left, pixels.left), std::min(box.top, pixels.top), std::max(box.right, pixels.right),
+                   std::max(box.bottom, pixels.bottom)};
+            if constexpr (effects.has(effect::bins)) {
+              if (frame.mode_ != Mode::binned) return;
+              listed = true;
+              if (!list(frame, pixels, batches, static_cast<std::uint16_t>(triangle))) {
+                frame.mode_ = Mode::streamed;
+                ++frame.bin_overflows_;
+              }
+            }
+          });
+      frame.extents_[number] = frame.grid_.extent_of(box);
+      if constexpr (effects.has(effect::bins)) {
+        if (frame.mode_ != Mode::binned) {
+          retained = 0;
+        } else if (listed) {
+          shade<effects>(frame, batch, range, retained);
+          frame.batches_[batches++] = {static_cast<std::uint16_t>(instance), static_cast<std::uint16_t>(meshlet),
+                                       retained};
+          retained += range.vertex_count;
+        }
+      }
+    });
+  }
+
+  /// Into the lists of all strips that hold pixels of the box.
+  static bool list(Frame& frame, const Rect& pixels, std::uint16_t batch, std::uint16_t triangle) {
+    const Rect strips = frame.grid_.strips_of(pixels);
+    for (std::int32_t row = strips.top; row < strips.bottom; ++row) {
+      for (std::int32_t column = strips.left; column < strips.right; ++column) {
+        const auto strip = static_cast<std::uint32_t>(row * frame.grid_.across() + column);
+        if (!frame.bins_.add(strip, batch, triangle)) return false;
       }
     }
-    detail::Assembler<effects>::draw(target, batch, triangles, all_narrow);
+    return true;
+  }
+
+  template <Effects effects>
+  static void draw_streamed(Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
+    const std::int32_t row = strip / frame.grid_.across();
+    const std::int32_t column = strip % frame.grid_.across();
+    for_each_meshlet(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+      if (frame.extents_ != nullptr && !frame.grid_.touches(frame.extents_[number], row, column)) return;
+      const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
+      const detail::Batch batch = batch_of(frame, instance, range.first_vertex, 0);
+      const bool all_narrow = transform<effects>(frame, batch, range, 0);
+      shade<effects>(frame, batch, range, 0);
+      Assembler<effects>::draw(target, batch, range.triangles, all_narrow);
+    });
+  }
+
+  template <Effects effects>
+  static void draw_binned(const Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
+    frame.bins_.for_each_run(strip, [&](std::uint16_t number, const std::uint16_t* triangles, std::uint32_t count) {
+      const detail::RetainedBatch& retained = frame.batches_[number];
+      const MeshletRange range =
+          meshlet_range(frame.scene_->meshes[frame.instances_[retained.instance].mesh], retained.meshlet);
+      const detail::Batch batch = batch_of(frame, retained.instance, range.first_vertex, retained.first_vertex);
+      Assembler<effects>::draw_listed(target, batch, range.triangles, {triangles, count});
+    });
   }
 
   static detail::Surface surface_of(const Frame& frame, const detail::CompiledInstance& instance) {
@@ -77,14 +184,19 @@ struct Frame::Access {
     if (effects.has(effect::orthographic) && camera.projection != Projection::orthographic) {
       return {.error = Error::effect_missing};
     }
+    if (plan.mode == Mode::binned && !effects.has(effect::bins)) {
+      return {.error = Error::effect_missing, .needed = effect::bins.bits};
+    }
     if (const Status status = check(scene, camera, view, plan, missing, arena); !status) return status;
     frame.view_ = view;
     frame.plan_ = plan;
+    frame.mode_ = plan.mode;
     frame.statistics_ = {};
     lay_out_arena(frame, arena);
     if (const Status status = prepare(frame, scene, camera, view); !status) return status;
     if constexpr (effects.has(effect::statistics)) frame.statistics_.triangles = count(scene).triangles;
     frame.scene_ = &scene;
+    if (frame.extents_ != nullptr) survey<effects>(frame);
     return {};
   }
 
@@ -93,9 +205,10 @@ struct Frame::Access {
     if (frame.scene_ == nullptr) return {.error = Error::not_begun};
     if (strip >= frame.plan_.strips)
       return {.error = Error::strip_rows, .needed = strip, .available = frame.plan_.strips};
-    const auto rows = static_cast<std::uint16_t>(
-        std::min<std::int32_t>(frame.plan_.strip_rows, frame.view_.height - strip * frame.plan_.strip_rows));
-    const std::uint32_t needed = rows * bytes_per_row(frame.view_.width, frame.view_.format);
+    const Rect area = frame.plan_.strip_area(strip, frame.view_);
+    const auto width = static_cast<std::uint16_t>(area.width());
+    const auto rows = static_cast<std::uint16_t>(area.height());
+    const std::uint32_t needed = rows * bytes_per_row(width, frame.view_.format);
     if (pixels.size() < needed) {
       return {
           .error = Error::pixels_too_small, .needed = needed, .available = static_cast<std::uint32_t>(pixels.size())};
@@ -105,10 +218,20 @@ struct Frame::Access {
     }
     auto* const drawn = detail::drawn_in_place(frame.view_.format) ? reinterpret_cast<std::uint16_t*>(pixels.data())
                                                                    : frame.working_colour_;
-    const detail::StripTarget target = target_of(frame, strip, drawn);
-    clear(frame, rows, drawn, target);
-    if (!target.area.empty()) draw_instances<effects>(frame, target);
-    resolve(frame, rows, drawn, pixels.data());
+    const detail::StripTarget target = target_of(frame, area, drawn);
+    clear(frame, width, rows, drawn, target);
+    if (!target.area.empty()) {
+      if constexpr (effects.has(effect::bins)) {
+        if (frame.mode_ == Mode::binned) {
+          draw_binned<effects>(frame, target, strip);
+        } else {
+          draw_streamed<effects>(frame, target, strip);
+        }
+      } else {
+        draw_streamed<effects>(frame, target, strip);
+      }
+    }
+    resolve(frame.view_.format, width, rows, drawn, pixels.data());
     return {};
   }
 };

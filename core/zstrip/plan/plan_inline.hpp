@@ -1,18 +1,30 @@
 // The bodies of plan.hpp.
 #pragma once
 
+#include "zstrip/plan/estimate.hpp"
 #include "zstrip/plan/plan.hpp"
 
 namespace zstrip {
 
 /// Bytes of the renderer's own records; the stages that define them assert these sizes on every target.
 inline constexpr std::uint32_t kInstanceBytes = 160;
-inline constexpr std::uint32_t kVertexBytes = 8;         // snapped x, y and depth
-inline constexpr std::uint32_t kVertexColourBytes = 4;   // only with lighting or vertex colours
+inline constexpr std::uint32_t kVertexBytes = 8;        // snapped x, y and depth
+inline constexpr std::uint32_t kVertexColourBytes = 4;  // only with lighting or vertex colours
+inline constexpr std::uint32_t kExtentBytes = 4;        // the strips that a meshlet touches
+inline constexpr std::uint32_t kBatchBytes = 8;         // a transformed meshlet, binned only
+inline constexpr std::uint32_t kBinBytes = 8;           // a strip's list
+inline constexpr std::uint32_t kBinChunkBytes = 32;     // part of a list: kBinChunkEntries and a link
+inline constexpr std::uint32_t kBinChunkEntries = 15;
+inline constexpr std::uint32_t kMostBinChunks = 0xFFFF;
+inline constexpr std::uint32_t kMostBatches = 0x7FFF;  // that bins can name; likewise triangles of a meshlet
+inline constexpr std::uint32_t kMostStrips = 0xFFFF;
 inline constexpr std::uint32_t kDepthBytes = 2;          // a cell of the z-buffer
 inline constexpr std::uint32_t kWorkingColourBytes = 2;  // RGB565
 
 namespace detail {
+/// Strips are split at whole bytes of every pixel format.
+inline constexpr std::uint32_t kColumnStep = 8;
+
 constexpr std::uint32_t rounded_up(std::uint64_t bytes) {
   const std::uint64_t aligned = (bytes + kArenaAlignment - 1) / kArenaAlignment * kArenaAlignment;
   return aligned > 0xFFFFFFFF ? 0xFFFFFFF8 : static_cast<std::uint32_t>(aligned);
@@ -31,6 +43,7 @@ constexpr Purpose largest_purpose(const Plan& plan) {
   const auto consider = [&](Purpose candidate, std::uint32_t bytes) {
     if (bytes > most) purpose = candidate, most = bytes;
   };
+  consider(Purpose::extents, plan.extent_bytes);
   consider(Purpose::vertices, plan.vertex_bytes);
   consider(Purpose::depth, plan.depth_bytes);
   consider(Purpose::colour, plan.colour_bytes);
@@ -41,19 +54,133 @@ constexpr Purpose largest_purpose(const Plan& plan) {
 
 constexpr SceneCounts count(const Scene& scene) {
   SceneCounts counts{.instances = static_cast<std::uint32_t>(scene.instances.size())};
+  const auto raise = [](std::uint32_t& largest, std::uint32_t value) { largest = largest < value ? value : largest; };
   for (const Instance& instance : scene.instances) {
     if (instance.mesh >= scene.meshes.size()) continue;
     const Mesh& mesh = scene.meshes[instance.mesh];
     const auto vertices = static_cast<std::uint32_t>(mesh.positions.size());
+    const auto triangles = static_cast<std::uint32_t>(mesh.triangles.size());
     counts.vertices += vertices;
-    counts.triangles += static_cast<std::uint32_t>(mesh.triangles.size());
-    std::uint32_t largest = mesh.meshlets.empty() ? vertices : 0;
-    for (const Meshlet& meshlet : mesh.meshlets)
-      largest = largest < meshlet.vertex_count ? meshlet.vertex_count : largest;
-    counts.largest_meshlet = counts.largest_meshlet < largest ? largest : counts.largest_meshlet;
+    counts.triangles += triangles;
+    if (mesh.meshlets.empty()) {
+      ++counts.meshlets;
+      raise(counts.largest_meshlet, vertices);
+      raise(counts.longest_meshlet, triangles);
+    }
+    counts.meshlets += static_cast<std::uint32_t>(mesh.meshlets.size());
+    for (const Meshlet& meshlet : mesh.meshlets) {
+      raise(counts.largest_meshlet, meshlet.vertex_count);
+      raise(counts.longest_meshlet, meshlet.triangle_count);
+    }
   }
   return counts;
 }
+
+namespace detail {
+
+/// All plans for one request; finds the best that fits and the smallest.
+class Planner {
+ public:
+  constexpr Planner(const SceneCounts& counts, const View& view, Effects effects, const Budget& budget)
+      : counts_(counts),
+        view_(view),
+        per_vertex_(kVertexBytes + (has_vertex_colours(effects) ? kVertexColourBytes : 0)),
+        strip_buffers_(budget.strip_buffers),
+        limit_(budget.bytes == 0 || budget.bytes > kLargestArena ? kLargestArena : budget.bytes) {}
+
+  constexpr void consider_mode(Mode mode, const Budget& budget) {
+    if (budget.strip_columns != 0) {
+      consider_columns(mode, budget.strip_columns, budget.strip_rows);
+      return;
+    }
+    consider_columns(mode, view_.width, budget.strip_rows);
+    if (!budget.split_columns) return;
+    for (std::uint32_t across = 2; across <= view_.width / kColumnStep; ++across) {
+      const std::uint32_t columns = (view_.width + across * kColumnStep - 1) / (across * kColumnStep) * kColumnStep;
+      consider_columns(mode, static_cast<std::uint16_t>(columns), budget.strip_rows);
+    }
+  }
+
+  constexpr PlanResult result() const {
+    if (best_.strips != 0) return {.status = {}, .plan = best_};
+    if (smallest_.strips == 0) return {.status = {.error = Error::unplannable}, .plan = {}};
+    const std::uint64_t needed = all_bytes(smallest_);
+    return {.status = {.error = Error::arena_too_small,
+                       .purpose = largest_purpose(smallest_),
+                       .needed = needed > kLargestArena ? kLargestArena : static_cast<std::uint32_t>(needed),
+                       .available = limit_},
+            .plan = smallest_};
+  }
+
+ private:
+  constexpr void consider_columns(Mode mode, std::uint16_t columns, std::uint16_t fixed_rows) {
+    if (fixed_rows != 0) {
+      consider(with(mode, columns, fixed_rows));
+      return;
+    }
+    consider(with(mode, columns, 1));
+    consider(with(mode, columns, view_.height));
+    // From the fewest strips whose pixels could fit on, with evenly filled rows, to the first that does: more strips
+    // of the same columns cost more time.
+    const Plan lowest = with(mode, columns, 1);
+    const std::uint64_t fixed = std::uint64_t{lowest.instance_bytes} + lowest.vertex_bytes;
+    if (fixed >= limit_) return;
+    const std::uint64_t whole_depth = std::uint64_t{kDepthBytes} * columns * view_.height;
+    const std::uint64_t at_least = whole_depth / (limit_ - fixed);
+    for (std::uint64_t down = at_least > 2 ? at_least : 2; down < view_.height; ++down) {
+      const Plan plan = with(mode, columns, static_cast<std::uint16_t>((view_.height + down - 1) / down));
+      consider(plan);
+      if (fits(plan)) return;
+    }
+  }
+
+  constexpr Plan with(Mode mode, std::uint16_t columns, std::uint16_t rows) const {
+    Plan plan{.mode = mode, .strip_rows = rows, .strip_columns = columns};
+    const std::uint32_t strips = plan.columns_of_strips(view_) * plan.rows_of_strips(view_);
+    if (strips > kMostStrips) return {};
+    plan.strips = static_cast<std::uint16_t>(strips);
+    const std::uint64_t cells = std::uint64_t{rows} * columns;
+    const std::uint64_t meshlets = counts_.meshlets > counts_.instances ? counts_.meshlets : counts_.instances;
+    const bool binned = mode == Mode::binned;
+    plan.instance_bytes = rounded_up(std::uint64_t{counts_.instances} * kInstanceBytes);
+    plan.extent_bytes = strips > 1 || binned ? rounded_up(meshlets * kExtentBytes) : 0;
+    plan.vertex_bytes = rounded_up(std::uint64_t{binned ? counts_.vertices : counts_.largest_meshlet} * per_vertex_);
+    plan.depth_bytes = rounded_up(cells * kDepthBytes);
+    plan.colour_bytes = drawn_in_place(view_.format) ? 0 : rounded_up(cells * kWorkingColourBytes);
+    if (binned) {
+      if (meshlets > kMostBatches || counts_.longest_meshlet > kMostBatches) return {};
+      const Visits visits = visits_of(counts_, view_, plan);
+      const std::uint64_t chunks = (visits.triangles + visits.meshlets) / kBinChunkEntries + strips;
+      plan.bin_bytes = rounded_up(meshlets * kBatchBytes + strips * kBinBytes +
+                                  (chunks < kMostBinChunks ? chunks : kMostBinChunks) * kBinChunkBytes);
+    }
+    return plan;
+  }
+
+  constexpr std::uint64_t all_bytes(const Plan& plan) const {
+    return plan.wide_bytes() + std::uint64_t{strip_buffers_} * plan.strip_pixel_bytes(view_);
+  }
+  constexpr bool fits(const Plan& plan) const { return plan.strips != 0 && all_bytes(plan) <= limit_; }
+
+  constexpr void consider(const Plan& plan) {
+    if (plan.strips == 0) return;
+    if (smallest_.strips == 0 || all_bytes(plan) < all_bytes(smallest_)) smallest_ = plan;
+    if (!fits(plan)) return;
+    const std::uint64_t cost = estimated_cost(counts_, view_, plan);
+    if (best_.strips == 0 || cost < best_cost_ || (cost == best_cost_ && all_bytes(plan) < all_bytes(best_))) {
+      best_ = plan;
+      best_cost_ = cost;
+    }
+  }
+
+  const SceneCounts& counts_;
+  const View& view_;
+  std::uint32_t per_vertex_, strip_buffers_, limit_;
+  Plan best_{}, smallest_{};
+  std::uint64_t best_cost_ = 0;
+};
+
+}  // namespace detail
 
 constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects effects, const Budget& budget) {
   if (view.width < 1 || view.height < 1 || view.width > kMaxViewSize || view.height > kMaxViewSize) {
@@ -62,45 +189,19 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
   if (budget.strip_rows > view.height) {
     return {.status = {.error = Error::strip_rows, .needed = budget.strip_rows, .available = view.height}, .plan = {}};
   }
-  const std::uint32_t per_vertex = kVertexBytes + (detail::has_vertex_colours(effects) ? kVertexColourBytes : 0);
-  const std::uint32_t per_row_colour = detail::drawn_in_place(view.format) ? 0 : kWorkingColourBytes * view.width;
-  const std::uint32_t per_row_depth = kDepthBytes * view.width;
-
-  const auto with_rows = [&](std::uint32_t rows) {
-    Plan plan{.mode = Mode::streamed,
-              .strip_rows = static_cast<std::uint16_t>(rows),
-              .strips = static_cast<std::uint16_t>((view.height + rows - 1) / rows)};
-    plan.instance_bytes = detail::rounded_up(std::uint64_t{counts.instances} * kInstanceBytes);
-    plan.vertex_bytes = detail::rounded_up(std::uint64_t{counts.largest_meshlet} * per_vertex);
-    plan.depth_bytes = detail::rounded_up(std::uint64_t{rows} * per_row_depth);
-    plan.colour_bytes = detail::rounded_up(std::uint64_t{rows} * per_row_colour);
-    return plan;
-  };
-
-  const Plan wanted = with_rows(budget.strip_rows != 0 ? budget.strip_rows : view.height);
-  const std::uint32_t limit = budget.bytes == 0 || budget.bytes > kLargestArena ? kLargestArena : budget.bytes;
-  if (wanted.wide_bytes() <= limit) return {.status = {}, .plan = wanted};
-  if (budget.strip_rows == 0) {
-    const Plan smallest = with_rows(1);
-    if (smallest.wide_bytes() <= limit) {
-      std::uint32_t rows = 1 + (limit - smallest.bytes()) / (per_row_colour + per_row_depth);
-      rows = rows < view.height ? rows : view.height;
-      while (with_rows(rows).wide_bytes() > limit) --rows;  // at most twice: alignment
-      // The same number of strips with evenly filled rows needs less memory for the same time.
-      const std::uint32_t strips = (view.height + rows - 1U) / rows;
-      return {.status = {}, .plan = with_rows((view.height + strips - 1U) / strips)};
-    }
-    return {.status = {.error = Error::arena_too_small,
-                       .purpose = detail::largest_purpose(smallest),
-                       .needed = smallest.bytes(),
-                       .available = limit},
-            .plan = smallest};
+  if (budget.strip_columns > view.width ||
+      (budget.strip_columns != view.width && budget.strip_columns % detail::kColumnStep != 0)) {
+    return {.status = {.error = Error::strip_columns, .needed = budget.strip_columns, .available = view.width},
+            .plan = {}};
   }
-  return {.status = {.error = Error::arena_too_small,
-                     .purpose = detail::largest_purpose(wanted),
-                     .needed = wanted.bytes(),
-                     .available = limit},
-          .plan = wanted};
+  const bool can_bin = effects.has(effect::bins);
+  if (budget.modes == Modes::binned && !can_bin) {
+    return {.status = {.error = Error::effect_missing, .needed = effect::bins.bits}, .plan = {}};
+  }
+  detail::Planner planner(counts, view, effects, budget);
+  if (budget.modes != Modes::binned) planner.consider_mode(Mode::streamed, budget);
+  if (budget.modes != Modes::streamed && can_bin) planner.consider_mode(Mode::binned, budget);
+  return planner.result();
 }
 
 }  // namespace zstrip

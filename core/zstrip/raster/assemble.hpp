@@ -29,11 +29,14 @@ struct Batch {
 template <bool statistics>
 class CountedTriangle {
  public:
-  CountedTriangle(const StripTarget& target, std::int32_t first_row) {
+  CountedTriangle(const StripTarget& target, std::int32_t first_column, std::int32_t first_row) {
     if constexpr (statistics) {
       counts_ = target.statistics;
       fragments_before_ = counts_->fragments;
-      if (std::max(first_row, target.first_row) >= target.area.top) ++counts_->drawn;
+      if (std::max(first_row, target.first_row) >= target.area.top &&
+          std::max(first_column, target.first_column) >= target.area.left) {
+        ++counts_->drawn;
+      }
     }
   }
   CountedTriangle(const CountedTriangle&) = delete;
@@ -126,7 +129,7 @@ struct Assembler {
     const Rect box{std::max(min_x >> 4, target.area.left), std::max(min_y >> 4, target.area.top),
                    std::min(max_x >> 4, target.area.right), std::min(max_y >> 4, target.area.bottom)};
     if (box.empty()) return;
-    const CountedTriangle<kStatistics> counted(target, min_y >> 4);
+    const CountedTriangle<kStatistics> counted(target, min_x >> 4, min_y >> 4);
     if constexpr (shade <= Shade::gouraud) {
       if (is_small(max_x - min_x, max_y - min_y, a, b, c)) {
         constexpr bool kGouraud = shade == Shade::gouraud;
@@ -167,9 +170,9 @@ struct Assembler {
   }
 
   /// The path for triangles that leave the narrow range or the depth range: transforms its vertices again, in full
-  /// width.
+  /// width. False if nothing of it faces the viewer.
   template <Shade shade>
-  [[gnu::noinline]] static void draw_clipped(const StripTarget& target, const Batch& batch, const Triangle& triangle) {
+  [[gnu::noinline]] static bool clip(const Batch& batch, const Triangle& triangle, RasterPolygon& polygon) {
     ClipPolygon clipped;
     clipped.count = 3;
     std::uint32_t indices[3] = {triangle.a, triangle.b, triangle.c};
@@ -187,14 +190,24 @@ struct Assembler {
     } else {
       clip_perspective(clipped, *batch.instance);
     }
-    RasterPolygon polygon;
     for (int i = 0; i < clipped.count; ++i) polygon.append(projected(batch, clipped.vertices[i]));
-    if (!polygon.reaches(target.area) || !polygon.face_front(batch.instance->double_sided)) return;
+    return polygon.face_front(batch.instance->double_sided);
+  }
 
+  template <Shade shade>
+  [[gnu::noinline]] static void draw_clipped(const StripTarget& target, const Batch& batch, const Triangle& triangle) {
+    RasterPolygon polygon;
+    if (!clip<shade>(batch, triangle, polygon)) return;
+    const Rect box = polygon.box();
+    const Rect& area = target.area;
+    if (std::max(box.left, area.left) >= std::min(box.right, area.right) ||
+        std::max(box.top, area.top) >= std::min(box.bottom, area.bottom)) {
+      return;
+    }
     Surface surface = batch.surface;
     surface.flat_colour = flat_colour<shade>(batch, triangle);
     if constexpr (kStatistics) ++target.statistics->clipped;
-    const CountedTriangle<kStatistics> counted(target, polygon.top());
+    const CountedTriangle<kStatistics> counted(target, box.left, box.top);
     RasterVertex corner[3];
     while (polygon.cut_triangle(corner)) {
       if constexpr (shade == Shade::textured_flat) {
@@ -206,13 +219,22 @@ struct Assembler {
     }
   }
 
-  /// Culls and draws `triangles`. `all_narrow`: no vertex of the batch needs the clipping path.
-  template <Shade shade, bool all_narrow>
-  static void draw_triangles(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles) {
+  /// Twice the signed area, positive for front faces; differences of narrow coordinates are below 2^15, so 31 bits
+  /// suffice.
+  static std::int32_t narrow_area(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c) {
+    return (c.x - a.x) * (b.y - a.y) - (b.x - a.x) * (c.y - a.y);
+  }
+
+  /// Culls and draws `count` triangles, triangle_at(0) on. `all_narrow`: no vertex of the batch needs the clipping
+  /// path.
+  template <Shade shade, bool all_narrow, class TriangleAt>
+  static void draw_triangles(const StripTarget& target, const Batch& batch, std::size_t count,
+                             const TriangleAt& triangle_at) {
     const SnappedVertex* const vertices = batch.vertices;
     const std::uint32_t first = batch.first_vertex;
     const bool double_sided = batch.instance->double_sided;
-    for (const Triangle& triangle : triangles) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const Triangle& triangle = triangle_at(i);
       const SnappedVertex& a = vertices[triangle.a - first];
       const SnappedVertex& b = vertices[triangle.b - first];
       const SnappedVertex& c = vertices[triangle.c - first];
@@ -222,8 +244,7 @@ struct Assembler {
           continue;
         }
       }
-      // Differences of narrow coordinates are below 2^15: 31 bits suffice.
-      const std::int32_t area = (c.x - a.x) * (b.y - a.y) - (b.x - a.x) * (c.y - a.y);
+      const std::int32_t area = narrow_area(a, b, c);
       if (area > 0) {
         draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c, area);
       } else if (area < 0 && double_sided) {
@@ -232,36 +253,72 @@ struct Assembler {
     }
   }
 
-  template <Shade shade>
-  static void draw_shaded(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
-                          bool all_narrow) {
-    if (all_narrow) {
-      draw_triangles<shade, true>(target, batch, triangles);
-    } else {
-      draw_triangles<shade, false>(target, batch, triangles);
+  /// Calls visit(index, box) for each triangle that faces the viewer; `box` holds the raster pixels that it can cover
+  /// and may be empty.
+  template <class Visit>
+  static void for_each_facing(const Batch& batch, std::span<const Triangle> triangles, bool all_narrow,
+                              const Visit& visit) {
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+      const Triangle& triangle = triangles[i];
+      const SnappedVertex& a = batch.vertices[triangle.a - batch.first_vertex];
+      const SnappedVertex& b = batch.vertices[triangle.b - batch.first_vertex];
+      const SnappedVertex& c = batch.vertices[triangle.c - batch.first_vertex];
+      if (!all_narrow && (a.x == kNotNarrow || b.x == kNotNarrow || c.x == kNotNarrow)) {
+        RasterPolygon polygon;
+        if (clip<Shade::flat>(batch, triangle, polygon)) visit(i, polygon.box());
+        continue;
+      }
+      const std::int32_t area = narrow_area(a, b, c);
+      if (area > 0 || (area < 0 && batch.instance->double_sided)) {
+        visit(i, Rect{std::min(std::min(a.x, b.x), c.x) >> 4, std::min(std::min(a.y, b.y), c.y) >> 4,
+                      std::max(std::max(a.x, b.x), c.x) >> 4, std::max(std::max(a.y, b.y), c.y) >> 4});
+      }
     }
   }
 
-  /// One decision for a whole meshlet; shades that the effects exclude are not instantiated.
-  static void draw(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
-                   bool all_narrow) {
+  template <Shade shade>
+  static void draw_shaded(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
+                          bool all_narrow) {
+    const Triangle* const first = triangles.data();
+    const auto in_order = [first](std::size_t i) -> const Triangle& { return first[i]; };
+    if (all_narrow) {
+      draw_triangles<shade, true>(target, batch, triangles.size(), in_order);
+    } else {
+      draw_triangles<shade, false>(target, batch, triangles.size(), in_order);
+    }
+  }
+
+  /// Calls draw.operator()<shade>() for the instance's shade. One decision for a whole meshlet; shades that the effects
+  /// exclude are not instantiated.
+  template <class Draw>
+  static void with_shade(Shade shade, const Draw& draw) {
     constexpr bool kGouraud = effects.has(effect::gouraud);
     constexpr bool kTextures = effects.has(effect::textures);
-    const Shade shade = batch.instance->shade;
     if constexpr (kTextures) {
-      if (shade == Shade::textured) return draw_shaded<Shade::textured>(target, batch, triangles, all_narrow);
-      if (shade == Shade::textured_flat) return draw_shaded<Shade::textured_flat>(target, batch, triangles, all_narrow);
-      if constexpr (kColours) {
-      }
+      if (shade == Shade::textured) return draw.template operator()<Shade::textured>();
+      if (shade == Shade::textured_flat) return draw.template operator()<Shade::textured_flat>();
       if constexpr (kGouraud) {
-        if (shade == Shade::textured_gouraud)
-          return draw_shaded<Shade::textured_gouraud>(target, batch, triangles, all_narrow);
+        if (shade == Shade::textured_gouraud) return draw.template operator()<Shade::textured_gouraud>();
       }
     }
     if constexpr (kGouraud) {
-      if (shade == Shade::gouraud) return draw_shaded<Shade::gouraud>(target, batch, triangles, all_narrow);
+      if (shade == Shade::gouraud) return draw.template operator()<Shade::gouraud>();
     }
-    draw_shaded<Shade::flat>(target, batch, triangles, all_narrow);
+    draw.template operator()<Shade::flat>();
+  }
+
+  static void draw(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
+                   bool all_narrow) {
+    with_shade(batch.instance->shade, [&]<Shade shade>() { draw_shaded<shade>(target, batch, triangles, all_narrow); });
+  }
+
+  /// Only the triangles with the given indices.
+  static void draw_listed(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
+                          std::span<const std::uint16_t> listed) {
+    with_shade(batch.instance->shade, [&]<Shade shade>() {
+      draw_triangles<shade, false>(target, batch, listed.size(),
+                                   [&](std::size_t i) -> const Triangle& { return triangles[listed[i]]; });
+    });
   }
 };
 

@@ -15,24 +15,16 @@ class RasterPolygon {
  public:
   void append(const RasterVertex& vertex) { vertices_[count_++] = vertex; }
 
-  bool reaches(const Rect& area) const {
-    if (count_ < 3) return false;
-    std::int32_t left = INT32_MAX, right = INT32_MIN, bottom = INT32_MIN;
+  /// The pixels that it can cover; an empty rectangle of less than three vertices.
+  Rect box() const {
+    if (count_ < 3) return {};
+    Rect box{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
     for (int i = 0; i < count_; ++i) {
-      left = std::min(left, vertices_[i].x >> 4);
-      right = std::max(right, vertices_[i].x >> 4);
-      bottom = std::max(bottom, vertices_[i].y >> 4);
+      const std::int32_t x = vertices_[i].x >> 4;
+      const std::int32_t y = vertices_[i].y >> 4;
+      box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x), std::max(box.bottom, y)};
     }
-    const std::int32_t first_row = top();
-    return right > std::max(area.left, left) && left < area.right && bottom > std::max(area.top, first_row) &&
-           first_row < area.bottom;
-  }
-
-  /// The first pixel row.
-  std::int32_t top() const {
-    std::int32_t row = INT32_MAX;
-    for (int i = 0; i < count_; ++i) row = std::min(row, vertices_[i].y >> 4);
-    return row;
+    return box;
   }
 
   /// Makes the winding counter-clockwise; false if there is nothing to draw.

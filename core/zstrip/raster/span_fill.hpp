@@ -1,6 +1,7 @@
 // The pixel loops of the span rasteriser: one for each kind of shading.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "zstrip/raster/colour.hpp"
@@ -10,12 +11,16 @@
 
 namespace zstrip::detail {
 
-/// A run of pixels in one row. `columns`, `rows` are relative to the anchor of the triangle's planes.
+/// A run of pixels in one row. `columns`, `rows` are relative to the anchor of the triangle's planes. The triangle may
+/// cover more of the row than the strip holds: what is divided into parts counts from the whole run's ends, so that no
+/// part depends on the strip.
 struct Span {
   std::uint16_t* depth;
   std::uint16_t* colour;
   std::int32_t length;  ///< > 0
   std::int32_t columns, rows;
+  std::int32_t skipped;       ///< pixels of the whole run to the left of this one
+  std::int32_t whole_length;  ///< of the run without the strip's sides
 };
 
 template <bool statistics>
@@ -150,29 +155,45 @@ void fill_textured(const Span& span, const Plane& depth, const TextureView& text
     run.g = light.g.at(span.columns, span.rows);
     run.b = light.b.at(span.columns, span.rows);
   }
-  TexelPosition from = coordinates.at(span.columns, span.rows);
-  for (std::int32_t done = 0; done < span.length;) {
-    const std::int32_t left = span.length - done;
+  // Pixels of the first run that lie to the left of the span.
+  std::int32_t before = span.skipped & (kPerspectiveRun - 1);
+  std::int32_t column = span.columns - before;
+  std::int32_t left = span.whole_length - span.skipped + before;
+  std::uint16_t* depth_cell = span.depth;
+  std::uint16_t* pixel = span.colour;
+  std::uint16_t* const end = pixel + span.length;
+  TexelPosition from = coordinates.at(column, span.rows);
+  for (;;) {
     // A full run ends at the next one's first pixel, the last run at its own last pixel: always inside the triangle.
     const std::int32_t length = left > kPerspectiveRun ? kPerspectiveRun : left;
     TexelPosition to = from;
     std::int32_t step_u = 0, step_v = 0;  // 16.16
     if (left > kPerspectiveRun) {
-      to = coordinates.at(span.columns + done + length, span.rows);
+      to = coordinates.at(column + length, span.rows);
       step_u = difference(to.u, from.u) >> 4;
       step_v = difference(to.v, from.v) >> 4;
     } else if (left > 1) {
-      to = coordinates.at(span.columns + done + length - 1, span.rows);
+      to = coordinates.at(column + length - 1, span.rows);
       const auto inverse = static_cast<std::int64_t>(kInverse[length - 1]);
       step_u = static_cast<std::int32_t>((difference(to.u, from.u) * inverse) >> 16);
       step_v = static_cast<std::int32_t>((difference(to.v, from.v) * inverse) >> 16);
     }
-    run.u = axis_u.fraction(from.u);
-    run.v = axis_v.fraction(from.v);
     run.step_u = axis_u.fraction(step_u);
     run.step_v = axis_v.fraction(step_v);
-    run.fill(span.depth + done, span.colour + done, length, light, counters);
-    done += length;
+    run.u = axis_u.fraction(from.u);
+    run.v = axis_v.fraction(from.v);
+    if (before != 0) {
+      run.u += run.step_u * static_cast<std::uint32_t>(before);
+      run.v += run.step_v * static_cast<std::uint32_t>(before);
+    }
+    const std::int32_t drawn = std::min(length - before, static_cast<std::int32_t>(end - pixel));
+    run.fill(depth_cell, pixel, drawn, light, counters);
+    pixel += drawn;
+    if (pixel == end) break;
+    depth_cell += drawn;
+    column += kPerspectiveRun;
+    left -= kPerspectiveRun;
+    before = 0;
     from = to;
   }
 }

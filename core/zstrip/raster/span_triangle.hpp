@@ -39,9 +39,11 @@ void walk_spans(const StripTarget& target, const RasterVertex& a, const RasterVe
     if (row >= half_end) continue;
     EdgeWalk<Integer> short_edge(from.x, from.y, to.x, to.y, row);
     for (; row < half_end; ++row) {
-      const std::int32_t left = std::max(middle_is_right ? long_edge.pixel : short_edge.pixel, target.area.left);
-      const std::int32_t right = std::min(middle_is_right ? short_edge.pixel : long_edge.pixel, target.area.right);
-      if (left < right) fill(row, left, right);
+      const std::int32_t whole_left = middle_is_right ? long_edge.pixel : short_edge.pixel;
+      const std::int32_t whole_right = middle_is_right ? short_edge.pixel : long_edge.pixel;
+      const std::int32_t left = std::max(whole_left, target.area.left);
+      const std::int32_t right = std::min(whole_right, target.area.right);
+      if (left < right) fill(row, left, right, whole_left, whole_right);
       long_edge.next_row();
       short_edge.next_row();
     }
@@ -73,10 +75,15 @@ void draw_span_triangle(const StripTarget& target, const RasterVertex& v0, const
   }
 
   const auto walk = [&](const auto& fill) {
-    const auto fill_row = [&](std::int32_t row, std::int32_t left, std::int32_t right) {
+    const auto fill_row = [&](std::int32_t row, std::int32_t left, std::int32_t right, std::int32_t whole_left,
+                              std::int32_t whole_right) {
       const Span span{target.depth_row(row) + (left - target.area.left),
-                      target.colour_row(row) + (left - target.area.left), right - left, left - anchor_x,
-                      row - anchor_y};
+                      target.colour_row(row) + (left - target.area.left),
+                      right - left,
+                      left - anchor_x,
+                      row - anchor_y,
+                      left - whole_left,
+                      whole_right - whole_left};
       if constexpr (statistics) target.statistics->fragments += static_cast<std::uint32_t>(right - left);
       fill(span);
     };

@@ -27,7 +27,8 @@ inline constexpr Effects textures{1U << 3};        ///< some material has a text
 inline constexpr Effects orthographic{
     1U << 4};  ///< the camera's projection; a renderer with it takes no perspective camera
 inline constexpr Effects statistics{1U << 5};  ///< counts triangles and fragments; never called for by a scene
-inline constexpr Effects all{(1U << 6) - 1};
+inline constexpr Effects bins{1U << 6};        ///< can carry out plans of Mode::binned; never called for by a scene
+inline constexpr Effects all{(1U << 7) - 1};
 }  // namespace effect
 
 /// Exactly what drawing this scene with this camera needs. constexpr for baked scenes.

@@ -17,6 +17,7 @@
 #include "zstrip/frame/renderer.hpp"
 #include "zstrip_scenes/cube.hpp"
 #include "zstrip_scenes/knot.hpp"
+#include "zstrip_scenes/knot_meshlets.hpp"
 #include "zstrip_scenes/random.hpp"
 #include "zstrip_scenes/stage.hpp"
 
@@ -66,21 +67,19 @@ FrameResult run_frame(Renderer& renderer, const zstrip::scenes::Staged& staged, 
                       const zstrip::Plan& plan, InstructionCounter& counter) {
   const std::span<std::byte> arena(memory, plan.bytes());
   const std::span<std::byte> pixels(memory + plan.bytes(), plan.strip_pixel_bytes(view));
-  const std::uint32_t row_bytes = zstrip::bytes_per_row(view.width, view.format);
   zstrip::board::Crc32 crc;
 
   counter.reset();
   counter.resume();
   zstrip::Status status = renderer.begin_frame(staged.scene, staged.camera, view, plan, arena);
   counter.pause();
-  std::uint32_t rows_left = view.height;
   for (std::uint16_t strip = 0; status && strip < plan.strips; ++strip) {
     counter.resume();
     status = renderer.draw_strip(strip, pixels);
     counter.pause();
-    const std::uint32_t rows = rows_left < plan.strip_rows ? rows_left : plan.strip_rows;
-    crc.add(pixels.first(rows * row_bytes));
-    rows_left -= rows;
+    const zstrip::Rect area = plan.strip_area(strip, view);
+    const auto width = static_cast<std::uint16_t>(area.width());
+    crc.add(pixels.first(static_cast<std::uint32_t>(area.height()) * zstrip::bytes_per_row(width, view.format)));
   }
   return {status, counter.instructions(), crc.value()};
 }
@@ -94,20 +93,24 @@ void print_configuration(const Arguments& arguments, const zstrip::Plan& plan, c
   print_member("width", view.width);
   print_member("height", view.height);
   print_member("strip_rows", plan.strip_rows);
+  print_member("strip_columns", plan.strip_columns);
   print_member("strips", plan.strips);
   print_member("arena_bytes", plan.bytes());
   print_member("strip_pixel_bytes", plan.strip_pixel_bytes(view));
 }
 
-template <const zstrip::scenes::BuiltIn& built_in>
-int run(const Arguments& arguments) {
-  constexpr zstrip::Effects kEffects = effects_of(built_in.scene, built_in.camera);
-  static zstrip::Renderer<kEffects> renderer;
+template <const zstrip::scenes::BuiltIn& built_in, zstrip::Effects effects>
+int run_with(const Arguments& arguments) {
+  static zstrip::Renderer<effects> renderer;
   static zstrip::scenes::Staged staged;
 
   const zstrip::View view{arguments.width, arguments.height, zstrip::PixelFormat::rgb565};
   const auto [status, plan] =
-      zstrip::plan(built_in.counts, view, kEffects, {.bytes = arguments.ram, .strip_rows = arguments.rows});
+      zstrip::plan(built_in.counts, view, effects,
+                   {.bytes = arguments.ram,
+                    .strip_rows = arguments.rows,
+                    .strip_columns = arguments.columns,
+                    .modes = arguments.binned ? zstrip::Modes::binned : zstrip::Modes::streamed});
   if (!status) return report(status);
   const std::uint32_t needed = plan.bytes() + plan.strip_pixel_bytes(view);
   if (needed < plan.bytes() || needed > sizeof memory) {
@@ -135,9 +138,17 @@ int run(const Arguments& arguments) {
   }
   print("]");
   print_member("instructions_per_frame", total / arguments.frames);
+  print_member("bin_overflows", renderer.frame().bin_overflows());
   print_member("stack_bytes", zstrip::board::stack_bytes_used());
   print("}\n");
   return kDone;
+}
+
+template <const zstrip::scenes::BuiltIn& built_in>
+int run(const Arguments& arguments) {
+  constexpr zstrip::Effects kEffects = effects_of(built_in.scene, built_in.camera);
+  return arguments.binned ? run_with<built_in, kEffects | zstrip::effect::bins>(arguments)
+                          : run_with<built_in, kEffects>(arguments);
 }
 
 struct Workload {
@@ -147,6 +158,7 @@ struct Workload {
 
 /// The names are those of the published comparison with other renderers.
 constexpr Workload kWorkloads[] = {{"K5", run<zstrip::scenes::knot>},
+                                   {"K5M", run<zstrip::scenes::knot_meshlets>},
                                    {"CT", run<zstrip::scenes::cube>},
                                    {"R50", run<zstrip::scenes::random50>},
                                    {"R10k", run<zstrip::scenes::random10k>}};
@@ -164,7 +176,9 @@ int main() {
   if (!arguments.wrong_word.empty()) {
     print("bench: cannot read the word '");
     print(arguments.wrong_word);
-    print("'; usage: [workload=K5|CT|R50|R10k] [size=WxH] [rows=N] [frames=N] [first=N] [ram=BYTES]\n");
+    print(
+        "'; usage: [workload=K5|K5M|CT|R50|R10k] [size=WxH] [rows=N] [columns=N] "
+        "[mode=streamed|binned] [frames=N] [first=N] [ram=BYTES]\n");
     return kUsage;
   }
   for (const Workload& workload : kWorkloads) {

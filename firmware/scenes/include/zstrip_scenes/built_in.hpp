@@ -35,13 +35,18 @@ struct BuiltIn {
   Fixed workload_distance = 3 * kFixedOne;
 };
 
-/// The counts of a scene of one instance of `mesh`; `largest_meshlet` only if it has meshlets.
-constexpr SceneCounts counts_of_one(const Mesh& mesh, std::uint32_t largest_meshlet = 0) {
+/// The counts of a scene of one instance of `mesh`. If it has meshlets: most vertices and triangles of one.
+constexpr SceneCounts counts_of_one(const Mesh& mesh, std::uint32_t largest_meshlet = 0,
+                                    std::uint32_t longest_meshlet = 0) {
   const auto vertices = static_cast<std::uint32_t>(mesh.positions.size());
+  const auto triangles = static_cast<std::uint32_t>(mesh.triangles.size());
+  const bool whole = mesh.meshlets.empty();
   return {.instances = 1,
-          .triangles = static_cast<std::uint32_t>(mesh.triangles.size()),
+          .triangles = triangles,
           .vertices = vertices,
-          .largest_meshlet = largest_meshlet != 0 ? largest_meshlet : vertices};
+          .largest_meshlet = whole ? vertices : largest_meshlet,
+          .meshlets = whole ? 1 : static_cast<std::uint32_t>(mesh.meshlets.size()),
+          .longest_meshlet = whole ? triangles : longest_meshlet};
 }
 
 }  // namespace zstrip::scenes

@@ -44,16 +44,17 @@ inline constexpr Mesh kKnotTexturedMesh[] = {{.positions = kKnotMeshletsPosition
 inline constexpr Material kKnotTexturedMaterial[] = {{.texture = 0, .lit = true, .smooth = true}};
 inline constexpr Texture kKnotTexture[] = {{kKnotTexels, kKnotTextureLog2, kKnotTextureLog2}};
 
-inline constexpr BuiltIn knot_meshlets{.name = "knot_meshlets",
-                                       .description = "the knot of workload K5 in 64 meshlets",
-                                       .scene = {.meshes = kKnotMeshletsMesh,
-                                                 .materials = kKnotMaterial,
-                                                 .textures = {},
-                                                 .instances = kKnotInstance,
-                                                 .lights = {}},
-                                       .counts = counts_of_one(kKnotMeshletsMesh[0], kKnotPatchVertices),
-                                       .camera = knot.camera,
-                                       .focal_across = knot.focal_across};
+inline constexpr BuiltIn knot_meshlets{
+    .name = "knot_meshlets",
+    .description = "the knot of workload K5 in 64 meshlets",
+    .scene = {.meshes = kKnotMeshletsMesh,
+              .materials = kKnotMaterial,
+              .textures = {},
+              .instances = kKnotInstance,
+              .lights = {}},
+    .counts = counts_of_one(kKnotMeshletsMesh[0], kKnotPatchVertices, 2 * kKnotPatchRings * kKnotPatchSides),
+    .camera = knot.camera,
+    .focal_across = knot.focal_across};
 
 inline constexpr BuiltIn knot_textured{.name = "knot_textured",
                                        .description = "the knot in 64 meshlets, textured, lit, Gouraud shaded",

@@ -75,7 +75,7 @@ inline constexpr BuiltIn random10k_meshlets{
               .textures = {},
               .instances = kRandomInstance,
               .lights = {}},
-    .counts = counts_of_one(kRandom10kMeshletsMesh[0], 3 * kRandomMeshletTriangles),
+    .counts = counts_of_one(kRandom10kMeshletsMesh[0], 3 * kRandomMeshletTriangles, kRandomMeshletTriangles),
     .camera = random10k.camera,
     .focal_across = random10k.focal_across};
 

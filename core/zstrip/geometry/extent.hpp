@@ -1,0 +1,87 @@
+// Which strips a meshlet touches, so that the others need not visit it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "zstrip/base/fixed.hpp"
+#include "zstrip/plan/plan.hpp"
+
+namespace zstrip::detail {
+
+/// Strips side by side and one below the other, in groups of 2^shift where there are more than 256 of them. Inclusive;
+/// first_row > last_row: nothing of it can be seen.
+struct Extent {
+  std::uint8_t first_row, last_row, first_column, last_column;
+
+  static constexpr Extent none() { return {1, 0, 1, 0}; }
+  constexpr bool empty() const { return first_row > last_row; }
+};
+static_assert(sizeof(Extent) == kExtentBytes);
+
+/// The picture's division into strips: from raster pixels to strips without a division.
+class StripGrid {
+ public:
+  StripGrid() = default;
+  /// `bounds`: the picture pixels that are drawn at all.
+  StripGrid(const Plan& plan, const View& view, const Rect& bounds)
+      : inverse_rows_(inverse(plan.strip_rows)),
+        inverse_columns_(inverse(plan.strip_columns)),
+        across_(static_cast<std::int32_t>(plan.columns_of_strips(view))),
+        row_shift_(shift_for(plan.rows_of_strips(view))),
+        column_shift_(shift_for(plan.columns_of_strips(view))),
+        centre_x_(view.width >> 1),
+        centre_y_(view.height >> 1),
+        bounds_(bounds) {}
+
+  /// Strips that hold raster pixels of `box`; an empty rectangle if none does.
+  Rect strips_of(const Rect& box) const {
+    if (box.empty()) return {};
+    const std::int32_t left = std::max(box.left + centre_x_, bounds_.left);
+    const std::int32_t top = std::max(box.top + centre_y_, bounds_.top);
+    const std::int32_t right = std::min(box.right + centre_x_, bounds_.right);
+    const std::int32_t bottom = std::min(box.bottom + centre_y_, bounds_.bottom);
+    if (left >= right || top >= bottom) return {};
+    const std::int32_t first_row = strip(top, inverse_rows_);
+    const std::int32_t end_row = strip(bottom - 1, inverse_rows_) + 1;
+    if (across_ == 1) return {0, first_row, 1, end_row};
+    return {strip(left, inverse_columns_), first_row, strip(right - 1, inverse_columns_) + 1, end_row};
+  }
+  std::int32_t across() const { return across_; }
+
+  Extent extent_of(const Rect& box) const {
+    const Rect strips = strips_of(box);
+    if (strips.empty()) return Extent::none();
+    const auto group = [](std::int32_t strip, std::uint32_t shift) {
+      return static_cast<std::uint8_t>(strip >> shift);
+    };
+    return {group(strips.top, row_shift_), group(strips.bottom - 1, row_shift_), group(strips.left, column_shift_),
+            group(strips.right - 1, column_shift_)};
+  }
+  bool touches(const Extent& extent, std::int32_t strip_row, std::int32_t strip_column) const {
+    const std::int32_t row = strip_row >> row_shift_;
+    const std::int32_t column = strip_column >> column_shift_;
+    return row >= extent.first_row && row <= extent.last_row && column >= extent.first_column &&
+           column <= extent.last_column;
+  }
+
+ private:
+  /// 2^31 / length, rounded up: exact quotients for pixels below 2^12.
+  static std::uint32_t inverse(std::uint16_t length) { return 0x80000000U / length + 1; }
+  static std::int32_t strip(std::int32_t pixel, std::uint32_t inverse) {
+    return static_cast<std::int32_t>(multiply_high(static_cast<std::uint32_t>(pixel) << 1, inverse));
+  }
+  static std::uint32_t shift_for(std::uint32_t strips) {
+    std::uint32_t shift = 0;
+    while ((strips - 1) >> shift > 255) ++shift;
+    return shift;
+  }
+
+  std::uint32_t inverse_rows_ = 0, inverse_columns_ = 0;
+  std::int32_t across_ = 0;
+  std::uint32_t row_shift_ = 0, column_shift_ = 0;
+  std::int32_t centre_x_ = 0, centre_y_ = 0;
+  Rect bounds_{};
+};
+
+}  // namespace zstrip::detail
