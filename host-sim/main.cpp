@@ -15,6 +15,7 @@
 #ifdef ZSTRIP_BENCH_COMMAND
 #include "bench/bench_command.hpp"
 #endif
+#include "cli/plan_command.hpp"
 #include "cli/print.hpp"
 #include "cli/render_command.hpp"
 #include "cli/scenes_command.hpp"
@@ -44,6 +45,7 @@ int run(int argc, char** argv) {
       "3 environment, 4 input file, 5 too little memory allowed, 6 output cannot be written.");
   int exit_code = 0;
   zstrip::sim::add_render_command(app, exit_code);
+  zstrip::sim::add_plan_command(app, exit_code);
   zstrip::sim::add_scenes_command(app, exit_code);
 #ifdef ZSTRIP_BENCH_COMMAND
   zstrip::sim::add_bench_command(app, exit_code);

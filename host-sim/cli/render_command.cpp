@@ -35,6 +35,7 @@ struct Arguments {
   std::optional<std::uint32_t> frames;
   std::optional<std::string> ram;
   std::string strip_rows = "auto";
+  std::string strip_columns = "auto";
   std::string format = "rgb565";
   std::optional<std::string> image;
   std::optional<std::string> up;
@@ -99,6 +100,14 @@ Result<Job> parse(const Arguments& arguments) {
     return usage(fmt::format("--strip-rows {} is more than the picture's {} rows", *rows, job.view.height));
   }
   job.budget.strip_rows = *rows;
+  const Result<std::uint16_t> columns = parse_strip_columns(arguments.strip_columns);
+  if (!columns) return columns.failure();
+  if (*columns > job.view.width || (*columns != job.view.width && *columns % 8 != 0)) {
+    return usage(
+        fmt::format("--strip-columns {} is neither a multiple of 8 up to the picture's {} columns nor all of them",
+                    *columns, job.view.width));
+  }
+  job.budget.strip_columns = *columns;
   if (arguments.ram) {
     const Result<std::uint32_t> bytes = parse_bytes(*arguments.ram);
     if (!bytes) return bytes.failure();
@@ -220,6 +229,10 @@ void add_render_command(CLI::App& app, int& exit_code) {
   command->add_option("--ram", a.ram, "Renderer's memory at most, K and M allowed (default: no limit)")
       ->type_name("BYTES");
   command->add_option("--strip-rows", a.strip_rows, "Rows of a strip (default: auto, as many as fit)")
+      ->type_name("N|auto");
+  command
+      ->add_option("--strip-columns", a.strip_columns,
+                   "Pixels of a strip's row, a multiple of 8 (default: auto, the picture's width)")
       ->type_name("N|auto");
   command->add_option("--format", a.format, "Pixels: rgb565 (default), rgb565_swapped, gray4 or mono")
       ->type_name("FORMAT");

@@ -18,11 +18,18 @@ hal::PixelFormat PictureDisplay::format() const {
 }
 
 hal::Error PictureDisplay::write(const hal::Area& area, std::span<const std::byte> pixels) {
-  if (!hal::contains(view_.width, view_.height, area) || area.width != view_.width) return hal::Error::area;
-  const std::size_t row_bytes = bytes_per_row(view_.width, view_.format);
-  const std::size_t bytes = row_bytes * area.height;
-  if (pixels.size() < bytes) return hal::Error::pixels_too_small;
-  std::copy_n(pixels.begin(), bytes, pixels_.begin() + static_cast<std::ptrdiff_t>(row_bytes * area.top));
+  constexpr std::uint16_t kPixelsOfAByte = 8;  // of the format with most
+  const bool splits_bytes = area.left % kPixelsOfAByte != 0 ||
+                            (area.width % kPixelsOfAByte != 0 && area.left + area.width != view_.width);
+  if (!hal::contains(view_.width, view_.height, area) || splits_bytes) return hal::Error::area;
+  const std::size_t row_bytes = bytes_per_row(area.width, view_.format);
+  if (pixels.size() < row_bytes * area.height) return hal::Error::pixels_too_small;
+  const std::size_t picture_row_bytes = bytes_per_row(view_.width, view_.format);
+  const std::size_t first_byte = picture_row_bytes * area.top + bytes_per_row(area.left, view_.format);
+  for (std::size_t y = 0; y < area.height; ++y) {
+    std::copy_n(pixels.begin() + static_cast<std::ptrdiff_t>(y * row_bytes), row_bytes,
+                pixels_.begin() + static_cast<std::ptrdiff_t>(first_byte + y * picture_row_bytes));
+  }
   return hal::Error::none;
 }
 

@@ -20,7 +20,7 @@ class PictureDisplay {
   hal::PixelFormat format() const;
 
   hal::Error begin_frame() { return hal::Error::none; }
-  /// Takes areas of the full width only: error `area` otherwise.
+  /// Areas start at multiples of 8 pixels and end there or at the right side: error `area` otherwise.
   hal::Error write(const hal::Area& area, std::span<const std::byte> pixels);
   hal::Error wait() { return hal::Error::none; }
   hal::Error end_frame() { return hal::Error::none; }

@@ -51,11 +51,15 @@ Failure refused(const char* what, const Status& status) {
 }  // namespace
 
 Result<FrameReport> FrameRenderer::render(const Staging& staging) {
-  const Effects effects = effects_of(staging.scene, staging.camera) | effect::statistics;
+  const Effects effects = effects_of(staging.scene, staging.camera) | effect::bins;
   const auto [status, plan] = zstrip::plan(count(staging.scene), view_, effects, budget_);
   if (status.error == Error::arena_too_small) return too_little_memory(status, staging.scene, view_, effects, budget_);
   if (!status) return refused("the picture cannot be planned", status);
+  return render(staging, plan);
+}
 
+Result<FrameReport> FrameRenderer::render(const Staging& staging, const Plan& plan) {
+  const Effects effects = effects_of(staging.scene, staging.camera) | effect::statistics;
   FrameReport report;
   report.plan = plan;
   report.strip_pixel_bytes = plan.strip_pixel_bytes(view_);
@@ -66,7 +70,7 @@ Result<FrameReport> FrameRenderer::render(const Staging& staging) {
   const auto start = std::chrono::steady_clock::now();
   const Status begun = renderer.begin_frame(staging.scene, staging.camera, view_, plan, arena);
   if (!begun) return refused("the frame cannot begin", begun);
-  const auto shown = hal::present(renderer, display_, {plan.strips, plan.strip_rows}, {strip, {}});
+  const auto shown = hal::present(renderer, display_, {plan.strips, plan.strip_rows, plan.strip_columns}, {strip, {}});
   const auto end = std::chrono::steady_clock::now();
   if (!shown.draw) return refused("a strip cannot be drawn", shown.draw);
   if (shown.display != hal::Error::none) return Failure{ExitStatus::internal, hal::message(shown.display)};
@@ -75,6 +79,7 @@ Result<FrameReport> FrameRenderer::render(const Staging& staging) {
   const std::span<const std::byte> pixels = display_.pixels();
   report.crc32 = static_cast<std::uint32_t>(
       crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(pixels.data()), pixels.size()));
+  report.mode = renderer.frame().mode();
   report.statistics = renderer.frame().statistics();
   report.bounds = renderer.frame().bounds();
   return report;

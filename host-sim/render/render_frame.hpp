@@ -15,6 +15,7 @@ namespace zstrip::sim {
 /// What one frame took and did.
 struct FrameReport {
   Plan plan;
+  Mode mode = Mode::streamed;  ///< how it was drawn: not as planned if its bins overflowed
   std::uint32_t strip_pixel_bytes = 0;
   Statistics statistics;
   Rect bounds;                   ///< of the projected scene: the only pixels that have depth
@@ -27,8 +28,10 @@ class FrameRenderer {
  public:
   FrameRenderer(const View& view, const Budget& budget) : view_(view), budget_(budget), display_(view) {}
 
-  /// Failures: ExitStatus::budget says how many bytes are missing, for what, and how many are enough.
+  /// Plans and draws. Failures: ExitStatus::budget says how many bytes are missing, for what, and how many are enough.
   Result<FrameReport> render(const Staging& staging);
+  /// Draws with a plan that fits the scene and the view.
+  Result<FrameReport> render(const Staging& staging, const Plan& plan);
 
   /// The last frame.
   std::span<const std::byte> pixels() const { return display_.pixels(); }

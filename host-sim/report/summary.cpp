@@ -39,9 +39,9 @@ std::string memory(const FrameReport& report) {
   const Plan& plan = report.plan;
   std::string parts;
   for (const auto& [purpose, bytes] :
-       {std::pair{Purpose::instances, plan.instance_bytes}, std::pair{Purpose::vertices, plan.vertex_bytes},
-        std::pair{Purpose::depth, plan.depth_bytes}, std::pair{Purpose::colour, plan.colour_bytes},
-        std::pair{Purpose::bins, plan.bin_bytes}}) {
+       {std::pair{Purpose::instances, plan.instance_bytes}, std::pair{Purpose::extents, plan.extent_bytes},
+        std::pair{Purpose::vertices, plan.vertex_bytes}, std::pair{Purpose::depth, plan.depth_bytes},
+        std::pair{Purpose::colour, plan.colour_bytes}, std::pair{Purpose::bins, plan.bin_bytes}}) {
     if (bytes > 0) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name(purpose), grouped(bytes));
   }
   return fmt::format("{} ({}), and {} for the pixels of a strip", counted(plan.bytes(), "byte"), parts,
@@ -68,7 +68,10 @@ std::string summary(const RunRecord& run) {
                       range(run, [](const FrameReport& report) { return report.statistics.fragments; }),
                       range(run, [](const FrameReport& report) { return report.statistics.depth_passes; }));
   text += fmt::format("  bounds     {}\n", bounds(run));
-  text += fmt::format("  strips     {} of {}, {}\n", fullest.plan.strips, counted(fullest.plan.strip_rows, "row"),
+  text += fmt::format("  strips     {} of {}{}, {}\n", fullest.plan.strips, counted(fullest.plan.strip_rows, "row"),
+                      fullest.plan.strip_columns < run.view.width
+                          ? fmt::format(" and {}", counted(fullest.plan.strip_columns, "column"))
+                          : "",
                       name(fullest.plan.mode));
   text += fmt::format("  RAM        {}\n", memory(fullest));
   text += fmt::format("  time       {:.2f} ms a frame\n", milliseconds);

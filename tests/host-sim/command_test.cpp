@@ -1,5 +1,8 @@
 // The command as its users see it: help, list, files, reports.
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "image/decode.hpp"
 #include "support.hpp"
@@ -103,7 +106,7 @@ TEST_F(Command, JsonHasTheDocumentedKeys) {
   EXPECT_EQ(frame.at("strips"), 15);
   EXPECT_GT(frame.at("time_ns"), 0);
   std::uint64_t sum = 0;
-  for (const char* purpose : {"instances", "vertices", "depth", "colour", "bins"}) {
+  for (const char* purpose : {"instances", "extents", "vertices", "depth", "colour", "bins"}) {
     sum += frame.at("ram_bytes").at(purpose).get<std::uint64_t>();
   }
   EXPECT_EQ(frame.at("ram_bytes").at("arena"), sum);
@@ -111,6 +114,54 @@ TEST_F(Command, JsonHasTheDocumentedKeys) {
   EXPECT_GT(frame.at("statistics").at("drawn"), 0);
   EXPECT_LE(frame.at("statistics").at("drawn"), frame.at("statistics").at("triangles"));
   EXPECT_GT(frame.at("bounds").at("right"), frame.at("bounds").at("left"));
+}
+
+TEST_F(Command, PlanSaysWhatThePictureTakesAndKeepsToTheLimit) {
+  const Outcome outcome = zstrip({"plan", "knot_meshlets", "--ram", "16K", "--split-columns", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  const auto& bytes = json.at("plan").at("bytes");
+  EXPECT_LE(bytes.at("total"), 16384);
+  EXPECT_GT(bytes.at("total"), bytes.at("arena"));
+  EXPECT_LT(json.at("plan").at("strip_columns"), 320);
+  std::uint64_t sum = 0;
+  for (const char* purpose : {"instances", "extents", "vertices", "depth", "colour", "bins"}) {
+    sum += bytes.at(purpose).get<std::uint64_t>();
+  }
+  EXPECT_EQ(bytes.at("arena"), sum);
+  const auto& curve = json.at("curve");
+  ASSERT_GT(curve.size(), 5U);
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    EXPECT_GT(curve[i].at("bytes").at("total"), curve[i - 1].at("bytes").at("total"));
+    EXPECT_LT(curve[i].at("estimated_m3_instructions"), curve[i - 1].at("estimated_m3_instructions"));
+  }
+  EXPECT_EQ(curve.back().at("strips"), 1);
+}
+
+TEST_F(Command, PlanNamesTheCheapestChangeThatWouldFit) {
+  const Outcome rows = zstrip({"plan", "knot_meshlets", "--ram", "16K", "--strip-rows", "120"});
+  EXPECT_EQ(rows.status, 5);
+  EXPECT_NE(rows.err.find("--strip-rows auto would fit"), std::string::npos) << rows.err;
+  const Outcome columns = zstrip({"plan", "knot_meshlets", "--ram", "1500"});
+  EXPECT_EQ(columns.status, 5);
+  EXPECT_NE(columns.err.find("--split-columns would fit"), std::string::npos) << columns.err;
+  const Outcome nothing = zstrip({"plan", "knot_meshlets", "--ram", "900", "--split-columns"});
+  EXPECT_EQ(nothing.status, 5);
+  EXPECT_NE(nothing.err.find("the smallest needs 1,112 bytes"), std::string::npos) << nothing.err;
+  EXPECT_EQ(zstrip({"plan", "knot_meshlets", "--strip-columns", "12"}).status, 2);
+}
+
+TEST_F(Command, StripsOfAnyShapeGiveTheSamePicture) {
+  std::set<std::string> sums;
+  for (const std::vector<std::string>& strips : std::vector<std::vector<std::string>>{
+           {}, {"--strip-rows", "7"}, {"--strip-columns", "40", "--strip-rows", "50"}, {"--ram", "20K"}}) {
+    std::vector<std::string> words{"render", "knot_textured", "-o", "k.raw", "--quiet", "--json", "-"};
+    words.insert(words.end(), strips.begin(), strips.end());
+    const Outcome outcome = zstrip(words);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    sums.insert(nlohmann::json::parse(outcome.out).at("frames").at(0).at("crc32").get<std::string>());
+  }
+  EXPECT_EQ(sums.size(), 1U);
 }
 
 TEST_F(Command, RawIsWhatTheCrcIsOf) {

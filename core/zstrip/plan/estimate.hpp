@@ -9,9 +9,10 @@ namespace detail {
 /// Instructions on a Cortex-M3, measured on workload K5; docs/performance.md.
 inline constexpr std::uint64_t kCostOfVertex = 70;
 inline constexpr std::uint64_t kCostOfCulling = 25;  // a triangle, facing either way
-inline constexpr std::uint64_t kCostOfBinning = 40;  // a triangle in a strip's list
-inline constexpr std::uint64_t kCostOfSetup = 250;   // a triangle in a strip
-inline constexpr std::uint64_t kCostOfPixel = 25;    // clear, draw, resolve
+inline constexpr std::uint64_t kCostOfBinning = 90;  // a triangle in a strip's list
+inline constexpr std::uint64_t kCostOfSetup = 400;   // a triangle in a strip
+inline constexpr std::uint64_t kCostOfFragment = 22;
+inline constexpr std::uint64_t kCostOfClearing = 3;  // a pixel
 inline constexpr std::uint64_t kCostOfMeshlet = 150;
 
 constexpr std::uint32_t rough_square_root(std::uint64_t value) {
@@ -59,7 +60,8 @@ constexpr std::uint64_t estimated_cost(const SceneCounts& counts, const View& vi
   } else if (plan.strips > 1) {
     geometry += pass / meshlets * visits.meshlets;
   }
-  return geometry + visits.triangles * kCostOfSetup + std::uint64_t{view.width} * view.height * kCostOfPixel +
+  return geometry + visits.triangles * kCostOfSetup +
+         std::uint64_t{view.width} * view.height * (kCostOfFragment + kCostOfClearing) +
          std::uint64_t{plan.strips} * kCostOfMeshlet;
 }
 

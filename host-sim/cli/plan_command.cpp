@@ -1,0 +1,112 @@
+// `zstrip plan`: how much memory a picture takes, for what, and what more or less of it would cost in time.
+#include "cli/plan_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/parse.hpp"
+#include "cli/print.hpp"
+#include "plan/alternatives.hpp"
+#include "render/stage.hpp"
+#include "report/plan_report.hpp"
+#include "report/text.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+struct Arguments {
+  std::string scene;
+  std::string size = "320x240";
+  std::string format = "rgb565";
+  std::optional<std::string> ram;
+  std::string strip_rows = "auto";
+  std::string strip_columns = "auto";
+  bool split_columns = false;
+  std::uint32_t strip_buffers = 1;
+  std::string mode = "any";
+  bool json = false;
+};
+
+Result<PlanRequest> parse(const Arguments& arguments) {
+  PlanRequest request;
+  const auto size = parse_size(arguments.size);
+  if (!size) return size.failure();
+  const Result<PixelFormat> format = parse_format(arguments.format);
+  if (!format) return format.failure();
+  request.view = {size->first, size->second, *format};
+  if (arguments.ram) {
+    const Result<std::uint32_t> bytes = parse_bytes(*arguments.ram);
+    if (!bytes) return bytes.failure();
+    request.budget.bytes = *bytes;
+  }
+  const Result<std::uint16_t> rows = parse_strip_rows(arguments.strip_rows);
+  if (!rows) return rows.failure();
+  request.budget.strip_rows = *rows;
+  const Result<std::uint16_t> columns = parse_strip_columns(arguments.strip_columns);
+  if (!columns) return columns.failure();
+  request.budget.strip_columns = *columns;
+  request.budget.split_columns = arguments.split_columns;
+  request.budget.strip_buffers = static_cast<std::uint8_t>(arguments.strip_buffers);
+  request.may_bin = arguments.mode != "streamed";
+  request.budget.modes = arguments.mode == "binned" ? Modes::binned : Modes::any;
+  return request;
+}
+
+Result<Done> run(const Arguments& arguments) {
+  const Result<PlanRequest> request = parse(arguments);
+  if (!request) return request.failure();
+  const Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, UpAxis::plus_y, {}, request->view, 1);
+  if (!stage) return stage.failure();
+  const Result<Staging> staging = (*stage)->place(0, 1);
+  if (!staging) return staging.failure();
+  const Result<PlanChoice> choice = choose_plan(*staging, *request);
+  if (!choice) return choice.failure();
+  write_text(stdout, arguments.json ? plan_json(arguments.scene, *request, *choice)
+                                    : plan_table(arguments.scene, *request, *choice));  // main looks at the stream
+  return Done{};
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& app, int& exit_code) {
+  CLI::App* command =
+      app.add_subcommand("plan", "Show how much memory a picture takes, for what, and the alternatives");
+  const auto arguments = std::make_shared<Arguments>();
+  Arguments& a = *arguments;
+  command->add_option("scene", a.scene, "A built-in scene or a model file")->required()->type_name("SCENE");
+  command->add_option("--size", a.size, "Size of the picture, each side 1 to 4096 (default: 320x240)")
+      ->type_name("WxH");
+  command->add_option("--format", a.format, "Pixels: rgb565 (default), rgb565_swapped, gray4 or mono")
+      ->type_name("FORMAT");
+  command->add_option("--ram", a.ram, "Bytes at most, of arena and strip buffers, K and M allowed (default: no limit)")
+      ->type_name("BYTES");
+  command->add_option("--strip-buffers", a.strip_buffers, "Pixel buffers of a strip: 2 where DMA sends one meanwhile")
+      ->type_name("N")
+      ->check(CLI::Range(std::uint32_t{0}, std::uint32_t{2}))
+      ->capture_default_str();
+  command->add_option("--strip-rows", a.strip_rows, "Rows of a strip (default: auto, what is fastest)")
+      ->type_name("N|auto");
+  command->add_option("--strip-columns", a.strip_columns, "Pixels of a strip's row, a multiple of 8 (default: auto)")
+      ->type_name("N|auto");
+  command->add_flag("--split-columns", a.split_columns, "The display takes rectangles narrower than the picture");
+  command->add_option("--mode", a.mode, "Transform geometry for each strip, once, or what is faster")
+      ->check(CLI::IsMember({"any", "streamed", "binned"}))
+      ->capture_default_str();
+  command->add_flag("--json", a.json, "JSON instead of a table");
+  command->footer(
+      "Examples:\n"
+      "  zstrip plan teapot --size 240x240\n"
+      "  zstrip plan model.glb --size 320x240 --ram 16K --split-columns\n"
+      "  zstrip plan knot_meshlets --ram 48K --strip-buffers 2 --json");
+  command->callback([arguments, &exit_code] {
+    const Result<Done> done = run(*arguments);
+    exit_code = done ? static_cast<int>(ExitStatus::ok) : print_failure(done.failure());
+  });
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,133 @@
+// Plans for a range of budgets, each drawn once to see what it does.
+#include "plan/alternatives.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/render_frame.hpp"
+#include "report/number.hpp"
+#include "zstrip/plan/estimate.hpp"
+#include "zstrip/scene/effects.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr int kPointsOfCurve = 24;
+
+/// As estimated_cost, but from what a frame did; `pixels` of the whole picture.
+std::uint64_t cost_of(const SceneCounts& counts, const Statistics& done, std::uint64_t pixels, const Plan& plan) {
+  using namespace zstrip::detail;
+  const std::uint64_t average = counts.vertices == 0 ? 0 : 256 * std::uint64_t{counts.triangles} / counts.vertices;
+  const std::uint64_t culled = done.vertices * average >> 8;  // triangles come with their vertices
+  return done.vertices * kCostOfVertex + culled * kCostOfCulling + done.covering * kCostOfSetup +
+         (plan.mode == Mode::binned ? done.covering * kCostOfBinning : 0) + done.fragments * kCostOfFragment +
+         pixels * kCostOfClearing + std::uint64_t{plan.strips} * kCostOfMeshlet;
+}
+
+class Planning {
+ public:
+  Planning(const Staging& staging, const PlanRequest& request)
+      : staging_(staging),
+        request_(request),
+        counts_(count(staging.scene)),
+        effects_(effects_of(staging.scene, staging.camera) | (request.may_bin ? effect::bins : Effects{})) {}
+
+  const SceneCounts& counts() const { return counts_; }
+
+  /// With `budget`, and the request's view and effects.
+  PlanResult plan(const Budget& budget) const { return zstrip::plan(counts_, request_.view, effects_, budget); }
+
+  std::uint64_t total_bytes(const Plan& plan) const {
+    return std::uint64_t{plan.bytes()} +
+           std::uint64_t{request_.budget.strip_buffers} * plan.strip_pixel_bytes(request_.view);
+  }
+
+  Result<Alternative> draw(const Plan& plan) {
+    FrameRenderer renderer(request_.view, {});
+    const Result<FrameReport> report = renderer.render(staging_, plan);
+    if (!report) return report.failure();
+    const Statistics& done = report->statistics;
+    const std::uint64_t pixels = std::uint64_t{request_.view.width} * request_.view.height;
+    return Alternative{.plan = plan,
+                       .total_bytes = total_bytes(plan),
+                       .instructions = cost_of(counts_, done, pixels, plan),
+                       .statistics = done,
+                       .overflowed = report->mode != plan.mode};
+  }
+
+ private:
+  const Staging& staging_;
+  const PlanRequest& request_;
+  SceneCounts counts_;
+  Effects effects_;
+};
+
+/// The least that has to be changed of what was asked for: named in the message of a failure.
+std::string cheapest_change(const Planning& planning, const Budget& budget, const View& view) {
+  const auto needed_with = [&](Budget changed) {
+    changed.bytes = 1;
+    return planning.plan(changed).status.needed;
+  };
+  struct Change {
+    std::string words;
+    Budget budget;
+  };
+  std::vector<Change> changes;
+  Budget changed = budget;
+  changed.strip_rows = 0;
+  if (budget.strip_rows != 0) changes.push_back({"--strip-rows auto", changed});
+  changed.strip_columns = 0;
+  changed.split_columns = true;
+  if (!budget.split_columns || budget.strip_columns != 0) changes.push_back({"--split-columns", changed});
+  if (budget.strip_buffers > 1) {
+    changed.strip_buffers = 1;
+    changes.push_back({"--split-columns and --strip-buffers 1", changed});
+  }
+  for (const Change& change : changes) {
+    if (needed_with(change.budget) <= budget.bytes) return fmt::format("{} would fit", change.words);
+  }
+  const std::uint32_t least = needed_with(changes.empty() ? budget : changes.back().budget);
+  return fmt::format("no plan for {}x{} fits; the smallest needs {}{}", view.width, view.height, counted(least, "byte"),
+                     changes.empty() ? "" : " (" + changes.back().words + ")");
+}
+
+}  // namespace
+
+Result<PlanChoice> choose_plan(const Staging& staging, const PlanRequest& request) {
+  Planning planning(staging, request);
+  const PlanResult best = planning.plan(request.budget);
+  if (best.status.error == Error::arena_too_small) {
+    return Failure{ExitStatus::budget,
+                   fmt::format("needs {}, has {}, most of them for {}; {}", counted(best.status.needed, "byte"),
+                               grouped(best.status.available), name(best.status.purpose),
+                               cheapest_change(planning, request.budget, request.view))};
+  }
+  if (!best.status) {
+    return Failure{ExitStatus::usage, fmt::format("the picture cannot be planned: {}", message(best.status.error))};
+  }
+  PlanChoice choice{.counts = planning.counts(), .chosen = {}, .curve = {}};
+  Result<Alternative> chosen = planning.draw(best.plan);
+  if (!chosen) return chosen.failure();
+  choice.chosen = *chosen;
+
+  Budget budget = request.budget;
+  budget.bytes = 1;
+  const double smallest = planning.plan(budget).status.needed;
+  budget.bytes = 0;
+  const double largest = static_cast<double>(planning.total_bytes(planning.plan(budget).plan));
+  for (int point = 0; point <= kPointsOfCurve; ++point) {
+    // Even steps of a logarithm: every one is the same share more.
+    budget.bytes = static_cast<std::uint32_t>(
+        std::ceil(smallest * std::pow(std::max(1.0, largest / smallest), static_cast<double>(point) / kPointsOfCurve)));
+    const PlanResult planned = planning.plan(budget);
+    if (!planned.status) continue;
+    Result<Alternative> drawn = planning.draw(planned.plan);
+    if (!drawn) return drawn.failure();
+    if (choice.curve.empty() || drawn->instructions < choice.curve.back().instructions) choice.curve.push_back(*drawn);
+  }
+  return choice;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,38 @@
+// What a scene takes for one picture: the best plan for the memory that is allowed, and what more or less would buy.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/stage.hpp"
+#include "result.hpp"
+#include "zstrip/base/statistics.hpp"
+#include "zstrip/plan/plan.hpp"
+
+namespace zstrip::sim {
+
+/// One plan, and what drawing the first frame with it did.
+struct Alternative {
+  Plan plan;
+  std::uint64_t total_bytes = 0;   ///< arena and strip buffers
+  std::uint64_t instructions = 0;  ///< of a Cortex-M3, estimated from `statistics`
+  Statistics statistics;
+  bool overflowed = false;  ///< its bins were too small for this frame, which was streamed
+};
+
+struct PlanRequest {
+  View view;
+  Budget budget;        ///< bytes, rows, columns and buffers as asked for
+  bool may_bin = true;  ///< else only streamed plans
+};
+
+struct PlanChoice {
+  SceneCounts counts;
+  Alternative chosen;
+  std::vector<Alternative> curve;  ///< from the smallest plan to a single strip, each faster than the one before
+};
+
+/// Failures: ExitStatus::budget with the bytes that are needed and the cheapest change that would fit.
+Result<PlanChoice> choose_plan(const Staging& staging, const PlanRequest& request);
+
+}  // namespace zstrip::sim
