@@ -89,11 +89,6 @@ struct Turntable {
     print_member("frames_per_turn", kFramesPerTurn);
     print_member("strip_rows", kPlan.strip_rows);
     print_member("strips", kPlan.strips);
-    print_member("instance_bytes", kPlan.instance_bytes);
-    print_member("vertex_bytes", kPlan.vertex_bytes);
-    print_member("depth_bytes", kPlan.depth_bytes);
-    print_member("colour_bytes", kPlan.colour_bytes);
-    print_member("bin_bytes", kPlan.bin_bytes);
     print_member("arena_bytes", kPlan.bytes());
     print_member("strip_pixel_bytes", kPlan.strip_pixel_bytes(kView));
   }
