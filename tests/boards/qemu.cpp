@@ -192,8 +192,9 @@ Json Qemu::command(const Json& request) {
 
 std::vector<std::byte> Qemu::memory(std::uint32_t address, std::uint32_t size) {
   if (monitor_ < 0) connect_monitor(Clock::now() + kPatience);
+  // As the processor sees it: some machines give their processor a bus of its own.
   const std::filesystem::path file = folder_ / "memory";
-  command({{"execute", "pmemsave"}, {"arguments", {{"val", address}, {"size", size}, {"filename", file.string()}}}});
+  command({{"execute", "memsave"}, {"arguments", {{"val", address}, {"size", size}, {"filename", file.string()}}}});
   std::ifstream stream(file, std::ios::binary);
   std::vector<std::byte> bytes(size);
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));

@@ -29,8 +29,8 @@ std::vector<ThumbFunction> parse_disassembly(std::string_view text);
 /// more than the function ever takes, never less. Throws std::runtime_error if it cannot tell.
 std::uint32_t stack_frame(const ThumbFunction& function, const ElfFile& program);
 
-/// Addresses that the function calls or jumps to. Jumps inside itself are left out, also those that Cortex-M0 makes with
-/// bl because they are far; a call of its own beginning is not.
+/// Addresses that the function calls or jumps to. Jumps inside itself are left out, also those that Cortex-M0 makes
+/// with bl because they are far; a call of its own beginning is not.
 struct Targets {
   std::vector<std::uint32_t> addresses{};
   bool through_pointer = false;
