@@ -122,7 +122,7 @@ std::string over_budget(const Usage& usage, const Budgets& budgets) {
 }
 
 std::string grown_symbols(std::span<const SymbolSize> now, std::span<const SymbolSize> before) {
-  // Names may repeat: instantiations that differ only in what demangling leaves out.
+  // Names may repeat: short names leave out parameters.
   std::map<std::string, std::uint32_t> now_bytes, before_bytes;
   std::uint32_t smallest = before.empty() ? 0 : before[0].bytes;
   for (const SymbolSize& symbol : now) now_bytes[symbol.name] += symbol.bytes;

@@ -160,7 +160,7 @@ std::vector<SymbolSize> symbol_sizes(const std::filesystem::path& program) {
   std::vector<SymbolSize> sizes;
   std::uint32_t last = 0;  // several names of one address count once
   for (const Symbol& symbol : read_elf(program).symbols) {
-    if (symbol.address != last) sizes.push_back({demangled(symbol.name), symbol.size});
+    if (symbol.address != last) sizes.push_back({short_name(symbol.name), symbol.size});
     last = symbol.address;
   }
   std::stable_sort(sizes.begin(), sizes.end(), [](const SymbolSize& a, const SymbolSize& b) {

@@ -57,7 +57,7 @@ Usage measure(const Target& target, const std::filesystem::path& binaries);
 
 /// A function or an object of a program that takes flash or RAM.
 struct SymbolSize {
-  std::string name;  ///< as the source has it
+  std::string name;  ///< short_name's
   std::uint32_t bytes;
 };
 
