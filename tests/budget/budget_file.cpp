@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 namespace zstrip::budget {
 namespace {
@@ -16,7 +17,8 @@ constexpr Quantity kQuantities[] = {
     {"code", &Usage::code, 512},       {"constants", &Usage::constants, 512}, {"initial_data", &Usage::initial_data, 8},
     {"arena", &Usage::arena, 8},       {"pixels", &Usage::pixels, 8},         {"statics", &Usage::statics, 64},
     {"stack", &Usage::stack_bound, 64}};
-constexpr const char* kSymbolsHeader = "program,bytes,symbol";
+constexpr std::string_view kFlash = "flash", kRam = "ram";
+constexpr const char* kSymbolsHeader = "program,memory,bytes,symbol";
 
 std::string budgets_header() {
   std::string header = "program,scene";
@@ -91,8 +93,9 @@ void write_budgets(const std::filesystem::path& file, std::span<const Usage> usa
 SymbolTable read_symbols(const std::filesystem::path& file) {
   SymbolTable symbols;
   for (const std::string& line : read_lines(file, kSymbolsHeader)) {
-    const std::vector<std::string> field = fields(line, 3);
-    symbols[field[0]].push_back({field[2], number(field[1], line)});
+    const std::vector<std::string> field = fields(line, 4);
+    if (field[1] != kFlash && field[1] != kRam) throw std::runtime_error("no memory of a board: " + line);
+    symbols[field[0]].push_back({field[3], number(field[2], line), field[1] == kRam});
   }
   return symbols;
 }
@@ -101,8 +104,10 @@ void write_symbols(const std::filesystem::path& file, const SymbolTable& symbols
   std::ostringstream text;
   text << kSymbolsHeader << '\n';
   for (const auto& [program, sizes] : symbols) {
-    for (std::size_t i = 0; i < std::min(sizes.size(), kSymbolsOfProgram); ++i) {
-      text << program << ',' << sizes[i].bytes << ',' << sizes[i].name << '\n';
+    std::size_t written[2] = {};
+    for (const SymbolSize& symbol : sizes) {
+      if (written[symbol.in_ram]++ >= kSymbolsOfMemory) continue;
+      text << program << ',' << (symbol.in_ram ? kRam : kFlash) << ',' << symbol.bytes << ',' << symbol.name << '\n';
     }
   }
   write_file(file, text.str());
@@ -122,24 +127,27 @@ std::string over_budget(const Usage& usage, const Budgets& budgets) {
 }
 
 std::string grown_symbols(std::span<const SymbolSize> now, std::span<const SymbolSize> before) {
-  // Names may repeat: short names leave out parameters.
-  std::map<std::string, std::uint32_t> now_bytes, before_bytes;
-  std::uint32_t smallest = before.empty() ? 0 : before[0].bytes;
-  for (const SymbolSize& symbol : now) now_bytes[symbol.name] += symbol.bytes;
+  std::map<std::pair<bool, std::string>, std::uint32_t> known;
+  // A symbol that is not in the table had no more than the smallest one there, or did not exist if there was room.
+  std::uint32_t smallest[2] = {~0U, ~0U};
+  std::size_t listed[2] = {};
   for (const SymbolSize& symbol : before) {
-    before_bytes[symbol.name] += symbol.bytes;
-    smallest = std::min(smallest, symbol.bytes);
+    known[{symbol.in_ram, symbol.name}] = symbol.bytes;
+    smallest[symbol.in_ram] = std::min(smallest[symbol.in_ram], symbol.bytes);
+    ++listed[symbol.in_ram];
+  }
+  for (const bool in_ram : {false, true}) {
+    if (listed[in_ram] < kSymbolsOfMemory) smallest[in_ram] = 0;
   }
   std::multimap<std::uint32_t, std::string, std::greater<>> grown;
-  for (const auto& [name, bytes] : now_bytes) {
-    const auto known = before_bytes.find(name);
-    if (known == before_bytes.end()) {
-      if (bytes > smallest)
-        grown.emplace(bytes - smallest, std::to_string(bytes) + " bytes, new or not among the largest before: " + name);
-    } else if (bytes > known->second) {
-      grown.emplace(bytes - known->second,
-                    std::to_string(bytes) + " bytes, grown by " + std::to_string(bytes - known->second) + ": " + name);
-    }
+  for (const SymbolSize& symbol : now) {
+    const auto found = known.find({symbol.in_ram, symbol.name});
+    const std::uint32_t had = found == known.end() ? smallest[symbol.in_ram] : found->second;
+    if (symbol.bytes <= had) continue;
+    const std::string growth =
+        found == known.end() ? "not among the largest before" : "grown by " + std::to_string(symbol.bytes - had);
+    grown.emplace(symbol.bytes - had, (symbol.in_ram ? "RAM, " : "flash, ") + std::to_string(symbol.bytes) +
+                                          " bytes, " + growth + ": " + symbol.name);
   }
   std::string text;
   for (const auto& [growth, line] : grown) text += "  " + line + '\n';

@@ -28,9 +28,9 @@ using Budgets = std::map<std::pair<std::string, std::string>, std::vector<std::u
 Budgets read_budgets(const std::filesystem::path& file);
 void write_budgets(const std::filesystem::path& file, std::span<const Usage> usages);
 
-/// The largest symbols by program.
+/// The largest symbols by program, of each memory so many.
 using SymbolTable = std::map<std::string, std::vector<SymbolSize>>;
-inline constexpr std::size_t kSymbolsOfProgram = 24;
+inline constexpr std::size_t kSymbolsOfMemory = 20;
 
 SymbolTable read_symbols(const std::filesystem::path& file);
 void write_symbols(const std::filesystem::path& file, const SymbolTable& symbols);
@@ -38,7 +38,7 @@ void write_symbols(const std::filesystem::path& file, const SymbolTable& symbols
 /// Lines that say by how much each quantity is over its budget; empty if none is.
 std::string over_budget(const Usage& usage, const Budgets& budgets);
 
-/// Lines that say which of the program's symbols are larger than in the table, or new and large enough to be in it; the
+/// Lines that say which of the program's symbols are larger than in the table, or not in it and large enough to be; the
 /// most grown first.
 std::string grown_symbols(std::span<const SymbolSize> now, std::span<const SymbolSize> before);
 

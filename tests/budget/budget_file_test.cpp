@@ -60,17 +60,27 @@ TEST(Budget, SaysByHowMuchItIsExceeded) {
 TEST(Budget, OfAnUnknownProgramIsNone) { EXPECT_EQ(over_budget(small_usage(), {}), "it has no budget\n"); }
 
 TEST(Budget, NamesTheSymbolsThatGrew) {
-  const std::vector<SymbolSize> before{{"large", 100}, {"middle<1, 2>", 50}, {"least", 20}};
-  const std::vector<SymbolSize> now{{"large", 101}, {"fresh", 70}, {"middle<1, 2>", 90}, {"least", 19}, {"tiny", 20}};
+  std::vector<SymbolSize> before{{"large", 100, false}, {"middle<1, 2>", 50, false}, {"variable", 8, true}};
+  while (before.size() < kSymbolsOfMemory + 1) before.push_back({std::string(before.size(), 'f'), 20, false});
+  std::vector<SymbolSize> now = before;
+  EXPECT_EQ(grown_symbols(now, before), "");
+  now[0].bytes = 101;
+  now[1].bytes = 90;
+  now[2].bytes = 12;
+  now[3].bytes = 19;
+  now.push_back({"fresh", 70, false});
+  now.push_back({"tiny", 20, false});
+  now.push_back({"large", 2, true});
   EXPECT_EQ(grown_symbols(now, before),
-            "  70 bytes, new or not among the largest before: fresh\n"
-            "  90 bytes, grown by 40: middle<1, 2>\n"
-            "  101 bytes, grown by 1: large\n");
-  EXPECT_EQ(grown_symbols(before, before), "");
+            "  flash, 70 bytes, not among the largest before: fresh\n"
+            "  flash, 90 bytes, grown by 40: middle<1, 2>\n"
+            "  RAM, 12 bytes, grown by 4: variable\n"
+            "  RAM, 2 bytes, not among the largest before: large\n"
+            "  flash, 101 bytes, grown by 1: large\n");
 }
 
 TEST(Budget, SymbolsAreReadAsTheyWereWritten) {
-  SymbolTable symbols{{"one", {{"f<1, 2>", 7}, {"g", 6}}}, {"two", {{"h", 5}}}};
+  SymbolTable symbols{{"one", {{"f<1, 2>", 7, false}, {"g", 6, true}}}, {"two", {{"h", 5, false}}}};
   write_symbols(scratch_file(), symbols);
   const SymbolTable read = read_symbols(scratch_file());
   std::filesystem::remove(scratch_file());
@@ -78,6 +88,8 @@ TEST(Budget, SymbolsAreReadAsTheyWereWritten) {
   ASSERT_EQ(read.at("one").size(), 2U);
   EXPECT_EQ(read.at("one")[0].name, "f<1, 2>");
   EXPECT_EQ(read.at("one")[0].bytes, 7U);
+  EXPECT_FALSE(read.at("one")[0].in_ram);
+  EXPECT_TRUE(read.at("one")[1].in_ram);
   EXPECT_EQ(read.at("two")[0].name, "h");
 }
 

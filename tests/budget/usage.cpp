@@ -6,8 +6,11 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "board_run.hpp"
 #include "call_graph.hpp"
@@ -157,14 +160,24 @@ Usage measure(const Target& target, const std::filesystem::path& binaries) {
 }
 
 std::vector<SymbolSize> symbol_sizes(const std::filesystem::path& program) {
-  std::vector<SymbolSize> sizes;
-  std::uint32_t last = 0;  // several names of one address count once
-  for (const Symbol& symbol : read_elf(program).symbols) {
-    if (symbol.address != last) sizes.push_back({short_name(symbol.name), symbol.size});
+  const ElfFile elf = read_elf(program);
+  const auto in_ram = [&](const Symbol& symbol) {
+    for (const char* name : {".data", ".bss"}) {
+      const Section& variables = section(elf, name);
+      if (symbol.address >= variables.address && symbol.address - variables.address < variables.size) return true;
+    }
+    return false;
+  };
+  std::map<std::pair<bool, std::string>, std::uint32_t> bytes;
+  std::optional<std::uint32_t> last;  // several names of one address count once
+  for (const Symbol& symbol : elf.symbols) {
+    if (symbol.address != last) bytes[{in_ram(symbol), short_name(symbol.name)}] += symbol.size;
     last = symbol.address;
   }
+  std::vector<SymbolSize> sizes;
+  for (const auto& [key, size] : bytes) sizes.push_back({key.second, size, key.first});
   std::stable_sort(sizes.begin(), sizes.end(), [](const SymbolSize& a, const SymbolSize& b) {
-    return a.bytes != b.bytes ? a.bytes > b.bytes : a.name < b.name;
+    return a.in_ram != b.in_ram ? b.in_ram : a.bytes > b.bytes;
   });
   return sizes;
 }

@@ -55,13 +55,14 @@ struct Usage {
 /// went wrong.
 Usage measure(const Target& target, const std::filesystem::path& binaries);
 
-/// A function or an object of a program that takes flash or RAM.
+/// Functions or objects of one name in flash or in RAM.
 struct SymbolSize {
   std::string name;  ///< short_name's
   std::uint32_t bytes;
+  bool in_ram;
 };
 
-/// From the largest to the smallest.
+/// Those in flash first, in each from the largest to the smallest. Initialised variables count as RAM.
 std::vector<SymbolSize> symbol_sizes(const std::filesystem::path& program);
 
 std::filesystem::path file_of(const Target& target, const std::filesystem::path& binaries);
