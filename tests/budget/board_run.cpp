@@ -59,7 +59,7 @@ BoardRun run_bench(Qemu& emulator) {
 }
 
 BoardRun run_frames(Qemu& emulator, const Section& stack) {
-  constexpr int kFrames = 16;
+  constexpr int kFrames = 64;  // a whole turn
   emulator.write_console("p");
   for (int frame = 0; frame < kFrames; ++frame) {
     emulator.read_line();

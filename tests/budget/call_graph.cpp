@@ -86,6 +86,7 @@ CallGraph::CallGraph(std::string_view disassembly, const ElfFile& program, const
     const Targets targets = targets_of(parsed[index]);
     std::set<std::size_t> callees;
     for (const std::uint32_t address : targets.addresses) callees.insert(function_at(address));
+    if (targets.next && index + 1 < parsed.size()) callees.insert(index + 1);
     if (targets.through_pointer) {
       for (std::size_t other = 0; other < functions_.size(); ++other) {
         if (stored.contains(functions_[other].address)) callees.insert(other);

@@ -71,14 +71,20 @@ TEST(Budget, StackThatIsNotUnderstoodIsAnError) {
   EXPECT_NE(reason("00000040 <root>:\n      40:\tsub\tsp, r4\n").find("no fixed size"), std::string::npos);
   EXPECT_NE(reason("00000040 <root>:\n      40:\tmov\tsp, r2\n").find("unknown way"), std::string::npos);
   EXPECT_NE(reason("00000040 <root>:\n      40:\tadd\tsp, r2\n").find("unknown amount"), std::string::npos);
+  EXPECT_NE(reason("00000040 <root>:\n      40:\tadd\tsp, ip\n").find("unknown amount"), std::string::npos);
+  EXPECT_NE(reason("00000040 <root>:\n      40:\tpush\t{r4-r7}\n").find("no list"), std::string::npos);
+  EXPECT_NE(reason("00000040 <root>:\n      40:\tmsr\tMSP, r0\n").find("unknown way"), std::string::npos);
   // In a function that is never reached it does not matter.
-  EXPECT_EQ(bound("00000040 <root>:\n      40:\tpush\t{lr}\n00000050 <other>:\n      50:\tmov\tsp, r2\n"), 4U);
+  EXPECT_EQ(
+      bound(
+          "00000040 <root>:\n      40:\tpush\t{lr}\n      42:\tpop\t{pc}\n00000050 <other>:\n      50:\tmov\tsp, r2\n"),
+      4U);
 }
 
 TEST(Budget, StackIsThatOfTheDeepestPath) {
   const std::string_view text =
       "00000040 <root>:\n      40:\tpush\t{lr}\n      42:\tbl\t60 <shallow>\n      46:\tbl\t80 <deep>\n"
-      "00000060 <shallow>:\n      60:\tsub\tsp, #16\n      62:\tbl\ta0 <leaf>\n"
+      "00000060 <shallow>:\n      60:\tsub\tsp, #16\n      62:\tbl\ta0 <leaf>\n      66:\tbx\tlr\n"
       "00000080 <deep>:\n      80:\tsub\tsp, #100\t@ 0x64\n      82:\tbhi.w\ta0 <leaf>\n      86:\tb.n\t80 <deep>\n"
       "000000a0 <leaf>:\n      a0:\tsub\tsp, #8\n";
   const CallGraph graph(text, empty_program(), {});
@@ -86,6 +92,11 @@ TEST(Budget, StackIsThatOfTheDeepestPath) {
   EXPECT_EQ(graph.bound_of("root").path, (std::vector<std::string>{"root", "deep", "leaf"}));
   EXPECT_EQ(graph.bound_of("shallow").bytes, 24U);
   EXPECT_THROW(graph.bound_of("missing"), std::runtime_error);
+  // Several entries of one piece of assembler: the first goes on to the second. Data behind a return do not.
+  EXPECT_EQ(bound("00000040 <root>:\n      40:\tpush\t{lr}\n00000042 <entry>:\n      42:\tsub\tsp, #8\n"), 12U);
+  EXPECT_EQ(bound("00000040 <root>:\n      40:\tpop\t{r4, pc}\n      42:\tnop\n      44:\t.word\t0x00000100\n"
+                  "00000048 <entry>:\n      48:\tsub\tsp, #8\n"),
+            0U);
 }
 
 TEST(Budget, StackOfRecursionHasNoBound) {
@@ -99,7 +110,7 @@ TEST(Budget, StackOfRecursionHasNoBound) {
 TEST(Budget, StackBehindPointersIsThatOfAnyFunctionWithAnAddress) {
   const std::string_view text =
       "00000040 <root>:\n      40:\tpush\t{lr}\n      42:\tblx\tr3\n"
-      "00000060 <pointed>:\n      60:\tsub\tsp, #40\t@ 0x28\n"
+      "00000060 <pointed>:\n      60:\tsub\tsp, #40\t@ 0x28\n      62:\tbx\tlr\n"
       "00000080 <never>:\n      80:\tsub\tsp, #400\t@ 0x190\n";
   std::vector<std::uint32_t> words(64);
   words[4] = 0x81;  // in the vector table
@@ -107,6 +118,11 @@ TEST(Budget, StackBehindPointersIsThatOfAnyFunctionWithAnAddress) {
   EXPECT_EQ(bound(text, program_of(words)), 44U);
   words[41] = 0x81;
   EXPECT_EQ(bound(text, program_of(words)), 404U);
+  // What linkers insert for far branches.
+  EXPECT_EQ(bound("00000040 <root>:\n      40:\tldr.w\tpc, [pc]\t@ 44 <root+0x4>\n      44:\t.word\t0x00000061\n"
+                  "00000060 <pointed>:\n      60:\tsub\tsp, #40\t@ 0x28\n",
+                  program_of(words)),
+            40U);
   // A return that takes its address from the stack is none.
   EXPECT_EQ(
       bound("00000080 <root>:\n      80:\tpop\t{r3}\n      82:\tadd\tsp, #8\n      84:\tbx\tr3\n", program_of(words)),

@@ -23,6 +23,11 @@ std::optional<Integer> number(std::string_view text, int base) {
   return value;
 }
 
+std::string last_operand(const std::string& operands) {
+  const std::size_t comma = operands.rfind(", ");
+  return comma == std::string::npos ? operands : operands.substr(comma + 2);
+}
+
 /// The number behind the last '#'.
 std::optional<std::int32_t> immediate(const std::string& operands) {
   const std::size_t mark = operands.rfind('#');
@@ -30,11 +35,19 @@ std::optional<std::int32_t> immediate(const std::string& operands) {
   return number<std::int32_t>(std::string_view(operands).substr(mark + 1), 10);
 }
 
-/// Registers in "{r4, r5, lr}"; objdump writes no ranges in it.
-std::uint32_t register_count(const std::string& operands) {
-  const std::size_t open = operands.find('{');
-  const auto begin = operands.begin() + static_cast<std::ptrdiff_t>(open == std::string::npos ? 0 : open);
-  return 1 + static_cast<std::uint32_t>(std::count(begin, operands.end(), ','));
+/// Bytes of the registers in "{r4, r5, lr}", "{d8}" or "{s16-s19}"; only those of the FPU have ranges.
+std::uint32_t register_bytes(const ThumbFunction& function, const Instruction& instruction) {
+  static const std::regex list("[^{]*\\{([a-z][a-z0-9, ]*)\\}");
+  static const std::regex fpu_list("\\{([ds])([0-9]+)(?:-[ds]([0-9]+))?\\}");
+  std::smatch match;
+  if (std::regex_match(instruction.operands, match, fpu_list)) {
+    const auto first = number<std::uint32_t>(match[2].str(), 10).value_or(0);
+    const auto last = match[3].matched ? number<std::uint32_t>(match[3].str(), 10).value_or(0) : first;
+    return (last - first + 1) * (match[1] == "d" ? 8U : 4U);
+  }
+  if (!std::regex_match(instruction.operands, match, list)) fail(function, instruction, "no list of registers");
+  const std::string names = match[1];
+  return 4 * (1 + static_cast<std::uint32_t>(std::count(names.begin(), names.end(), ',')));
 }
 
 std::uint32_t word_at(const ElfFile& program, std::uint32_t address) {
@@ -50,7 +63,7 @@ std::uint32_t word_at(const ElfFile& program, std::uint32_t address) {
 /// What an instruction `add sp, rN` adds: the register's latest value, if that is a literal or a small constant.
 std::int32_t added_register(const ThumbFunction& function, std::size_t at, const ElfFile& program) {
   const Instruction& instruction = function.instructions[at];
-  const std::string name = instruction.operands.substr(instruction.operands.rfind('r'));
+  const std::string name = last_operand(instruction.operands);
   for (std::size_t i = at; i-- > 0;) {
     const Instruction& before = function.instructions[i];
     if (!before.operands.starts_with(name + ",")) continue;
@@ -61,8 +74,8 @@ std::int32_t added_register(const ThumbFunction& function, std::size_t at, const
       return static_cast<std::int32_t>(
           word_at(program, ((before.address + 4U) & ~3U) + static_cast<std::uint32_t>(*offset)));
     }
-    if (before.mnemonic == "lsls") continue;                                // of the constant before it
-    if (before.mnemonic == "movs" && immediate(before.operands)) return 0;  // constants of movs are positive
+    if (before.mnemonic == "lsls" && before.operands.starts_with(name + ", " + name + ", #")) continue;
+    if (before.mnemonic == "movs" && immediate(before.operands)) return 0;  // such constants are positive
     break;
   }
   fail(function, instruction, "the stack pointer changes by an unknown amount");
@@ -71,11 +84,12 @@ std::int32_t added_register(const ThumbFunction& function, std::size_t at, const
 /// Bytes by which an instruction lowers the stack pointer; 0 if it does not, or raises it.
 std::uint32_t lowers_by(const ThumbFunction& function, std::size_t at, const ElfFile& program) {
   const auto& [address, mnemonic, operands] = function.instructions[at];
-  if (mnemonic == "push") return 4 * register_count(operands);
-  if (mnemonic == "stmdb" && operands.starts_with("sp!")) return 4 * register_count(operands);
-  if (mnemonic == "vpush") {
-    static const std::regex doubles("\\{d");
-    return (std::regex_search(operands, doubles) ? 8U : 4U) * 32U;  // of any range: at most all
+  if (mnemonic.starts_with("push") || mnemonic.starts_with("vpush") ||
+      (mnemonic.starts_with("stmdb") && operands.starts_with("sp!"))) {
+    return register_bytes(function, function.instructions[at]);
+  }
+  if (mnemonic.starts_with("msr")) {
+    fail(function, function.instructions[at], "the stack pointer may change in an unknown way");
   }
   static const std::regex written("^sp(,|$)"), stored_before("\\[sp, #-[0-9]+\\]!");
   if (std::regex_search(operands, stored_before)) {
@@ -83,13 +97,13 @@ std::uint32_t lowers_by(const ThumbFunction& function, std::size_t at, const Elf
     return number<std::uint32_t>(std::string_view(operands).substr(mark + 2), 10).value_or(0);
   }
   if (!std::regex_search(operands, written)) return 0;
-  if (mnemonic == "cmp" || mnemonic.starts_with("str")) return 0;
-  if (mnemonic == "sub" || mnemonic == "subw") {
+  if (mnemonic.starts_with("cmp") || mnemonic.starts_with("st") || mnemonic.starts_with("ldm")) return 0;
+  if (mnemonic.starts_with("sub")) {
     const auto bytes = immediate(operands);
     if (!bytes || *bytes < 0) fail(function, function.instructions[at], "the frame has no fixed size");
     return static_cast<std::uint32_t>(*bytes);
   }
-  if (mnemonic == "add" || mnemonic == "addw") {
+  if (mnemonic.starts_with("add")) {
     if (immediate(operands)) return 0;
     const std::int32_t added = added_register(function, at, program);
     return added < 0 ? static_cast<std::uint32_t>(-added) : 0;
@@ -114,6 +128,24 @@ bool is_return(const ThumbFunction& function, std::size_t at) {
   for (std::size_t i = at; i > 0 && at - i < 3; --i) {
     const Instruction& before = function.instructions[i - 1];
     if (before.mnemonic == "pop") return before.operands == "{" + name + "}";
+  }
+  return false;
+}
+
+/// A jump to an address that stands beside it: what linkers insert where a branch does not reach.
+bool is_veneer(const std::string& mnemonic, const std::string& operands) {
+  return mnemonic == "ldr" && operands.starts_with("pc, [pc");
+}
+
+/// Whether its last instruction goes on to what stands behind it, as in assembler with several entries. A call at the
+/// end does not return.
+bool falls_through(const ThumbFunction& function) {
+  for (std::size_t at = function.instructions.size(); at-- > 0;) {
+    const auto& [address, mnemonic, operands] = function.instructions[at];
+    if (mnemonic.empty() || mnemonic == "nop") continue;  // data, and what aligns it
+    if (mnemonic == "b" || mnemonic == "bx" || mnemonic == "udf" || is_call(mnemonic)) return false;
+    const bool loads_pc = operands.starts_with("pc, ") || operands.ends_with("pc}");
+    return !loads_pc;
   }
   return false;
 }
@@ -154,18 +186,20 @@ Targets targets_of(const ThumbFunction& function) {
   const std::uint32_t last = function.instructions.empty() ? function.address : function.instructions.back().address;
   for (std::size_t at = 0; at < function.instructions.size(); ++at) {
     const auto& [address, mnemonic, operands] = function.instructions[at];
-    if (!is_branch(mnemonic) && mnemonic != "bx") continue;
-    const std::size_t comma = operands.rfind(", ");
-    const std::string target = comma == std::string::npos ? operands : operands.substr(comma + 2);
+    const std::string target = last_operand(operands);
+    const bool to_register = mnemonic.starts_with("blx") && target.find('<') == std::string::npos;
+    if (to_register || (mnemonic.starts_with("bx") && !is_return(function, at)) || is_veneer(mnemonic, operands)) {
+      targets.through_pointer = true;
+      continue;
+    }
+    if (!is_branch(mnemonic)) continue;
     const auto to = number<std::uint32_t>(target, 16);
-    if (mnemonic == "bx" || (mnemonic == "blx" && target.find('<') == std::string::npos)) {
-      if (mnemonic == "blx" || !is_return(function, at)) targets.through_pointer = true;
-    } else if (!to) {
-      fail(function, function.instructions[at], "a branch to nowhere");
-    } else if (*to < function.address || *to > last || (*to == function.address && is_call(mnemonic))) {
+    if (!to) fail(function, function.instructions[at], "a branch to nowhere");
+    if (*to < function.address || *to > last || (*to == function.address && is_call(mnemonic))) {
       targets.addresses.push_back(*to);
     }
   }
+  targets.next = falls_through(function);
   return targets;
 }
 

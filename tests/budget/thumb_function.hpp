@@ -34,6 +34,7 @@ std::uint32_t stack_frame(const ThumbFunction& function, const ElfFile& program)
 struct Targets {
   std::vector<std::uint32_t> addresses{};
   bool through_pointer = false;
+  bool next = false;  ///< it goes on to the function behind it
 };
 Targets targets_of(const ThumbFunction& function);
 
