@@ -13,6 +13,12 @@
 namespace zstrip::budget {
 namespace {
 
+/// One column of the budgets.
+struct Quantity {
+  const char* name;
+  std::uint32_t Usage::*bytes;
+  std::uint32_t step;  // budgets are multiples of this: small changes of flash need no new budget
+};
 constexpr Quantity kQuantities[] = {
     {"code", &Usage::code, 512},       {"constants", &Usage::constants, 512}, {"initial_data", &Usage::initial_data, 8},
     {"arena", &Usage::arena, 8},       {"pixels", &Usage::pixels, 8},         {"statics", &Usage::statics, 64},
@@ -65,8 +71,6 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
 std::uint32_t rounded_up(std::uint32_t bytes, std::uint32_t step) { return (bytes + step - 1) / step * step; }
 
 }  // namespace
-
-std::span<const Quantity> quantities() { return kQuantities; }
 
 Budgets read_budgets(const std::filesystem::path& file) {
   Budgets budgets;

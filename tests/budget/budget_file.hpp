@@ -13,15 +13,7 @@
 
 namespace zstrip::budget {
 
-/// One column of the budgets.
-struct Quantity {
-  const char* name;
-  std::uint32_t Usage::*bytes;
-  std::uint32_t step;  ///< budgets are multiples of this: small changes of flash need no new budget
-};
-std::span<const Quantity> quantities();
-
-/// Bytes by program and scene, in the order of quantities().
+/// Bytes by program and scene, in the order of the columns of the file.
 using Budgets = std::map<std::pair<std::string, std::string>, std::vector<std::uint32_t>>;
 
 /// Throw std::runtime_error if the file is not what write_budgets writes.

@@ -63,7 +63,7 @@ TEST(Budget, EveryProgramHasOne) {
     ++found;
     // These draw no scene.
     if (name.starts_with("zstrip_self_test_") || name == "zstrip_lm3s6965evb_display_test.elf") continue;
-    EXPECT_TRUE(known.contains(name)) << name << " is not in tests/budget/usage.cpp";
+    EXPECT_TRUE(known.contains(name)) << name << " is not in tests/budget/targets.cpp";
   }
   EXPECT_GE(found, known.size());
 }

@@ -9,7 +9,6 @@
 #include <map>
 #include <optional>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include "board_run.hpp"
@@ -19,8 +18,6 @@
 
 namespace zstrip::budget {
 namespace {
-
-constexpr View kBenchView{320, 240, PixelFormat::rgb565};
 
 std::string disassembly_of(const std::filesystem::path& program) {
   const std::string command = "arm-none-eabi-objdump -d --no-show-raw-insn '" + program.string() + "'";
@@ -95,42 +92,6 @@ Plan plan_of(const Target& target, const BoardRun& run, std::uint32_t arena) {
 }
 
 }  // namespace
-
-const std::vector<Target>& targets() {
-  static const std::vector<Target> all = [] {
-    constexpr View kMicrobit{240, 240, PixelFormat::rgb565_swapped}, kDiscovery{128, 128, PixelFormat::rgb565_swapped};
-    std::vector<Target> list{
-        {"micro:bit", "microbit_teapot", "microbit", "teapot_meshlets", "", kMicrobit, Report::turntable, 0},
-        {"micro:bit", "microbit_knot", "microbit", "knot_textured", "", kMicrobit, Report::turntable, 0},
-        {"micro:bit", "microbit_room", "microbit", "room", "", kMicrobit, Report::turntable, 0},
-        {"STM32VLDISCOVERY", "stm32vldiscovery_teapot", "stm32vldiscovery", "teapot_meshlets", "", kDiscovery,
-         Report::turntable},
-        {"STM32VLDISCOVERY", "stm32vldiscovery_room", "stm32vldiscovery", "room", "", kDiscovery, Report::turntable},
-        {"EK-LM3S6965",
-         "lm3s6965evb_teapot",
-         "lm3s6965evb",
-         "teapot",
-         "",
-         {128, 64, PixelFormat::gray4},
-         Report::frames}};
-    for (const auto& [board, program, machine] : {std::array{"MPS2, Cortex-M0", "bench_m0", "mps2-an385"},
-                                                  std::array{"MPS2, Cortex-M3", "bench_m3", "mps2-an385"},
-                                                  std::array{"MPS2, Cortex-M4F", "bench_m4f", "mps2-an386"},
-                                                  std::array{"MPS2, Cortex-M7", "bench_m7", "mps2-an500"}}) {
-      for (const auto& [scene, workload] : {std::array{"knot", "K5"}, std::array{"cube", "CT"},
-                                            std::array{"random50", "R50"}, std::array{"random10k", "R10k"}}) {
-        list.push_back({board, program, machine, scene, workload, kBenchView, Report::bench});
-        if (list.back().program == std::string_view("bench_m0")) list.back().stack_guard = 0;
-      }
-    }
-    return list;
-  }();
-  return all;
-}
-
-std::filesystem::path file_of(const Target& target, const std::filesystem::path& binaries) {
-  return binaries / (std::string("zstrip_") + target.program + ".elf");
-}
 
 Usage measure(const Target& target, const std::filesystem::path& binaries) {
   const std::filesystem::path program = file_of(target, binaries);

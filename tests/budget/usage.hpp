@@ -7,31 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "targets.hpp"
 #include "zstrip/plan/plan.hpp"
 
 namespace zstrip::budget {
-
-/// How a program in the emulator says what it drew.
-enum class Report : std::uint8_t {
-  turntable,  ///< a line of JSON on the console, then it waits for ever
-  bench,      ///< a line of JSON on the console, then it ends; takes words
-  frames,     ///< the number of each frame on the console, one at a time if asked to
-};
-
-/// A program, and the scene that it draws or is to draw.
-struct Target {
-  const char* board;     ///< for readers
-  const char* program;   ///< the file's name without its beginning "zstrip_" and its end
-  const char* machine;   ///< QEMU's name of it
-  const char* scene;     ///< of the catalogue of built-in scenes
-  const char* workload;  ///< the benchmark's name of it
-  View view;
-  Report report;
-  std::uint32_t stack_guard = 256;  ///< bytes of the stack that the memory protection unit takes, if there is one
-};
-
-/// Every program that draws a scene, with every scene that it draws.
-const std::vector<Target>& targets();
 
 /// All in bytes.
 struct Usage {
@@ -64,7 +43,5 @@ struct SymbolSize {
 
 /// Those in flash first, in each from the largest to the smallest. Initialised variables count as RAM.
 std::vector<SymbolSize> symbol_sizes(const std::filesystem::path& program);
-
-std::filesystem::path file_of(const Target& target, const std::filesystem::path& binaries);
 
 }  // namespace zstrip::budget
