@@ -44,6 +44,11 @@ std::vector<std::byte> render(const scenes::Staged& staged, const View& view, st
   return picture;
 }
 
+std::uint32_t crc32_of(const std::vector<std::byte>& picture) {
+  return static_cast<std::uint32_t>(
+      crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(picture.data()), picture.size()));
+}
+
 }  // namespace
 
 GreyPicture render_turntable_gray4(const std::string& scene, std::uint32_t frame, std::uint32_t frames,
@@ -58,9 +63,15 @@ std::uint32_t workload_crc32(const std::string& scene, std::uint32_t frame, std:
                              std::uint16_t rows) {
   scenes::Staged staged;
   stage_workload(built_in(scene), staged, frame);
-  const std::vector<std::byte> picture = render(staged, {width, height, PixelFormat::rgb565}, rows);
-  return static_cast<std::uint32_t>(
-      crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(picture.data()), picture.size()));
+  return crc32_of(render(staged, {width, height, PixelFormat::rgb565}, rows));
+}
+
+std::uint32_t turntable_crc32(const std::string& scene, std::uint32_t frame, std::uint32_t frames, std::uint16_t width,
+                              std::uint16_t height) {
+  const View view{width, height, PixelFormat::rgb565_swapped};
+  scenes::Staged staged;
+  stage(built_in(scene), staged, frame, frames, view);
+  return crc32_of(render(staged, view, height));
 }
 
 }  // namespace zstrip::boards

@@ -16,4 +16,9 @@ GreyPicture render_turntable_gray4(const std::string& scene, std::uint32_t frame
 std::uint32_t workload_crc32(const std::string& scene, std::uint32_t frame, std::uint16_t width, std::uint16_t height,
                              std::uint16_t rows);
 
+/// zlib's CRC-32 of a frame of a built-in scene on the turntable, 16 bits a pixel with the high byte first, drawn in
+/// one strip.
+std::uint32_t turntable_crc32(const std::string& scene, std::uint32_t frame, std::uint32_t frames, std::uint16_t width,
+                              std::uint16_t height);
+
 }  // namespace zstrip::boards

@@ -190,6 +190,18 @@ Json Qemu::command(const Json& request) {
   }
 }
 
+std::vector<std::byte> Qemu::memory(std::uint32_t address, std::uint32_t size) {
+  if (monitor_ < 0) connect_monitor(Clock::now() + kPatience);
+  // As the processor sees it: some machines give their processor a bus of its own.
+  const std::filesystem::path file = folder_ / "memory";
+  command({{"execute", "memsave"}, {"arguments", {{"val", address}, {"size", size}, {"filename", file.string()}}}});
+  std::ifstream stream(file, std::ios::binary);
+  std::vector<std::byte> bytes(size);
+  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (!stream) fail("it saved less memory than asked for");
+  return bytes;
+}
+
 GreyPicture Qemu::screen(int scale) {
   if (monitor_ < 0) connect_monitor(Clock::now() + kPatience);
   const std::filesystem::path file = folder_ / "screen.ppm";

@@ -5,6 +5,8 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -43,6 +45,8 @@ class Qemu {
   };
   Finished finish(Duration patience = kPatience);
 
+  /// What the board has in its memory now.
+  std::vector<std::byte> memory(std::uint32_t address, std::uint32_t size);
   /// What the board's display shows now, each of its pixels `scale` x `scale` on the emulator's screen.
   GreyPicture screen(int scale);
 

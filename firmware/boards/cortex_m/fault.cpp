@@ -12,7 +12,7 @@ constexpr int kFaultStatus = 70;
 
 // The report runs on a stack of its own, because the program's may be full.
 extern "C" {
-[[gnu::used, gnu::aligned(8)]] char fault_stack[512];
+[[gnu::used, gnu::aligned(8)]] char fault_stack[256];
 void fault_handler();
 [[noreturn, gnu::used]] void report_fault(const std::uint32_t* stacked, std::uint32_t exception);
 }
@@ -22,7 +22,7 @@ void fault_handler();
       ".syntax unified\n\t"
       "mrs r0, msp\n\t"
       "mrs r1, ipsr\n\t"
-      "ldr r2, =fault_stack + 512\n\t"
+      "ldr r2, =fault_stack + 256\n\t"
       "mov sp, r2\n\t"
       "ldr r2, =report_fault\n\t"
       "bx r2\n\t"

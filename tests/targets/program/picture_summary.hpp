@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "mps2/crc32.hpp"
+#include "portable/crc32.hpp"
 #include "zstrip/scene/view.hpp"
 
 namespace zstrip::targets {

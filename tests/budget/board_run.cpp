@@ -1,0 +1,90 @@
+// Waits for what each program reports and looks at the painted stack.
+#include "board_run.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "qemu.hpp"
+
+namespace zstrip::budget {
+namespace {
+
+using boards::Qemu;
+
+/// Rows of a strip of the benchmarks.
+constexpr int kBenchRows = 16;
+
+nlohmann::json parse_report(const std::string& line) {
+  const auto report = nlohmann::json::parse(line, nullptr, false);
+  if (!report.is_object()) throw std::runtime_error("the program reports: " + line);
+  return report;
+}
+
+/// Bytes from the top of the stack to the deepest word that is not what the start-up code painted it with.
+std::uint32_t painted_high_water(Qemu& emulator, const Section& stack) {
+  constexpr std::uint32_t kPaint = 0xDEADBEEF;
+  const std::vector<std::byte> memory = emulator.memory(stack.address, stack.size);
+  std::uint32_t untouched = 0;
+  for (; untouched + 4 <= memory.size(); untouched += 4) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, memory.data() + untouched, sizeof word);
+    if (word != kPaint) break;
+  }
+  return stack.size - untouched;
+}
+
+BoardRun plan_of(const nlohmann::json& report) {
+  return {.stack = report.at("stack_bytes"),
+          .arena = report.at("arena_bytes"),
+          .pixels = report.at("strip_pixel_bytes"),
+          .strip_rows = report.at("strip_rows")};
+}
+
+BoardRun run_turntable(Qemu& emulator, const Section& stack) {
+  const BoardRun run = plan_of(parse_report(emulator.read_line()));
+  const std::uint32_t seen = painted_high_water(emulator, stack);
+  if (seen != run.stack) {
+    throw std::runtime_error("the program reports " + std::to_string(run.stack) + " bytes of stack, its memory says " +
+                             std::to_string(seen));
+  }
+  return run;
+}
+
+BoardRun run_bench(Qemu& emulator) {
+  const auto [output, status] = emulator.finish(Qemu::Duration(300'000));
+  if (status != 0) throw std::runtime_error("the benchmark ended with " + std::to_string(status) + ": " + output);
+  return plan_of(parse_report(output));
+}
+
+BoardRun run_frames(Qemu& emulator, const Section& stack) {
+  constexpr int kFrames = 64;  // a whole turn
+  emulator.write_console("p");
+  for (int frame = 0; frame < kFrames; ++frame) {
+    emulator.read_line();
+    emulator.write_console("n");
+  }
+  return {.stack = painted_high_water(emulator, stack)};
+}
+
+}  // namespace
+
+BoardRun run_on_board(const Target& target, const std::filesystem::path& program, const Section& stack) {
+  Qemu::Options options{.machine = target.machine, .program = program};
+  if (target.report == Report::bench) {
+    options.words = {std::string("workload=") + target.workload,
+                     "size=" + std::to_string(target.view.width) + "x" + std::to_string(target.view.height),
+                     "rows=" + std::to_string(kBenchRows)};
+    options.count_instructions = true;
+  }
+  Qemu emulator(options);
+  switch (target.report) {
+    case Report::turntable: return run_turntable(emulator, stack);
+    case Report::bench: return run_bench(emulator);
+    case Report::frames: return run_frames(emulator, stack);
+  }
+  throw std::runtime_error("a report of no kind");
+}
+
+}  // namespace zstrip::budget

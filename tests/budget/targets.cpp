@@ -1,0 +1,50 @@
+// A line for each program and scene.
+#include "targets.hpp"
+
+#include <string>
+
+namespace zstrip::budget {
+namespace {
+
+constexpr std::uint32_t kGuard = 256, kNoGuard = 0;
+constexpr View kBench{320, 240, PixelFormat::rgb565};
+constexpr View kMicrobit{240, 240, PixelFormat::rgb565_swapped};
+constexpr View kDiscovery{128, 128, PixelFormat::rgb565_swapped};
+constexpr View kOled{128, 64, PixelFormat::gray4};
+constexpr const char* kStm32 = "stm32vldiscovery";
+
+constexpr Target kTargets[] = {
+    {"micro:bit", "microbit_teapot", "microbit", "teapot_meshlets", "", kMicrobit, Report::turntable, kNoGuard},
+    {"micro:bit", "microbit_knot", "microbit", "knot_textured", "", kMicrobit, Report::turntable, kNoGuard},
+    {"micro:bit", "microbit_room", "microbit", "room", "", kMicrobit, Report::turntable, kNoGuard},
+    {"STM32VLDISCOVERY", "stm32vldiscovery_teapot", kStm32, "teapot_meshlets", "", kDiscovery, Report::turntable,
+     kGuard},
+    {"STM32VLDISCOVERY", "stm32vldiscovery_room", kStm32, "room", "", kDiscovery, Report::turntable, kGuard},
+    {"EK-LM3S6965", "lm3s6965evb_teapot", "lm3s6965evb", "teapot", "", kOled, Report::frames, kGuard},
+    {"MPS2, Cortex-M0", "bench_m0", "mps2-an385", "knot", "K5", kBench, Report::bench, kNoGuard},
+    {"MPS2, Cortex-M0", "bench_m0", "mps2-an385", "cube", "CT", kBench, Report::bench, kNoGuard},
+    {"MPS2, Cortex-M0", "bench_m0", "mps2-an385", "random50", "R50", kBench, Report::bench, kNoGuard},
+    {"MPS2, Cortex-M0", "bench_m0", "mps2-an385", "random10k", "R10k", kBench, Report::bench, kNoGuard},
+    {"MPS2, Cortex-M3", "bench_m3", "mps2-an385", "knot", "K5", kBench, Report::bench, kGuard},
+    {"MPS2, Cortex-M3", "bench_m3", "mps2-an385", "cube", "CT", kBench, Report::bench, kGuard},
+    {"MPS2, Cortex-M3", "bench_m3", "mps2-an385", "random50", "R50", kBench, Report::bench, kGuard},
+    {"MPS2, Cortex-M3", "bench_m3", "mps2-an385", "random10k", "R10k", kBench, Report::bench, kGuard},
+    {"MPS2, Cortex-M4F", "bench_m4f", "mps2-an386", "knot", "K5", kBench, Report::bench, kGuard},
+    {"MPS2, Cortex-M4F", "bench_m4f", "mps2-an386", "cube", "CT", kBench, Report::bench, kGuard},
+    {"MPS2, Cortex-M4F", "bench_m4f", "mps2-an386", "random50", "R50", kBench, Report::bench, kGuard},
+    {"MPS2, Cortex-M4F", "bench_m4f", "mps2-an386", "random10k", "R10k", kBench, Report::bench, kGuard},
+    {"MPS2, Cortex-M7", "bench_m7", "mps2-an500", "knot", "K5", kBench, Report::bench, kGuard},
+    {"MPS2, Cortex-M7", "bench_m7", "mps2-an500", "cube", "CT", kBench, Report::bench, kGuard},
+    {"MPS2, Cortex-M7", "bench_m7", "mps2-an500", "random50", "R50", kBench, Report::bench, kGuard},
+    {"MPS2, Cortex-M7", "bench_m7", "mps2-an500", "random10k", "R10k", kBench, Report::bench, kGuard},
+};
+
+}  // namespace
+
+std::span<const Target> targets() { return kTargets; }
+
+std::filesystem::path file_of(const Target& target, const std::filesystem::path& binaries) {
+  return binaries / (std::string("zstrip_") + target.program + ".elf");
+}
+
+}  // namespace zstrip::budget
