@@ -39,7 +39,8 @@ BoardRun plan_of(const nlohmann::json& report) {
   return {.stack = report.at("stack_bytes"),
           .arena = report.at("arena_bytes"),
           .pixels = report.at("strip_pixel_bytes"),
-          .strip_rows = report.at("strip_rows")};
+          .strip_rows = report.at("strip_rows"),
+          .strip_columns = report.at("strip_columns")};
 }
 
 BoardRun run_turntable(Qemu& emulator, const Section& stack) {

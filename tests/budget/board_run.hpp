@@ -14,7 +14,8 @@ struct BoardRun {
   // Bytes and rows as the program itself reports them; 0 where it does not.
   std::uint32_t arena = 0;
   std::uint32_t pixels = 0;
-  std::uint32_t strip_rows = 0;
+  std::uint32_t strip_rows = 0;  ///< 0, 0: not reported
+  std::uint32_t strip_columns = 0;
 };
 
 /// Throws std::runtime_error if the program fails, or says of its stack what its memory does not.

@@ -53,10 +53,12 @@ void write_ram(std::ostringstream& text, std::span<const Usage> usages) {
   for (const Usage& usage : usages) {
     const Plan& plan = usage.plan;
     write_row(text, usage.target->board, usage.target->scene, picture(usage.target->view),
-              std::to_string(plan.strips) + " of " + std::to_string(plan.strip_rows), grouped(plan.instance_bytes),
-              grouped(plan.vertex_bytes), grouped(plan.depth_bytes), grouped(plan.colour_bytes),
-              grouped(plan.bin_bytes), grouped(usage.pixels), grouped(usage.statics), grouped(usage.stack_reserved),
-              grouped(usage.stack_bound), grouped(usage.stack_measured), grouped(usage.ram()));
+              std::to_string(plan.strips) + " of " + std::to_string(plan.strip_columns) + "x" +
+                  std::to_string(plan.strip_rows),
+              grouped(plan.instance_bytes), grouped(plan.vertex_bytes), grouped(plan.depth_bytes),
+              grouped(plan.colour_bytes), grouped(plan.bin_bytes), grouped(usage.pixels), grouped(usage.statics),
+              grouped(usage.stack_reserved), grouped(usage.stack_bound), grouped(usage.stack_measured),
+              grouped(usage.ram()));
   }
 }
 

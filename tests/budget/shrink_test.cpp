@@ -32,15 +32,18 @@ struct Case {
       : name(std::string(scene.name) + ", format " + std::to_string(static_cast<int>(picture.format))),
         built_in(scene),
         view(picture),
-        effects(effects_of(scene.scene, scene.camera)) {
+        effects(effects_of(scene.scene, scene.camera) | effect::bins) {
     stage(scene, staged, 1, 12, view);
   }
   PlanResult plan(const zstrip::Budget& budget) const { return zstrip::plan(built_in.counts, view, effects, budget); }
   Status begin(AnyRenderer& renderer, const Plan& plan, std::span<std::byte> arena) const {
     return renderer.begin_frame(staged.scene, staged.camera, view, plan, arena);
   }
-  std::uint32_t rows_of(const Plan& plan, std::uint16_t strip) const {
-    return std::min<std::uint32_t>(plan.strip_rows, view.height - std::uint32_t{strip} * plan.strip_rows);
+  std::uint32_t bytes_of(const Rect& area) const {
+    return static_cast<std::uint32_t>(area.height()) * row_bytes(area.width());
+  }
+  std::uint32_t row_bytes(std::int32_t width) const {
+    return bytes_per_row(static_cast<std::uint16_t>(width), view.format);
   }
 };
 
@@ -64,15 +67,20 @@ Bytes draw(const Case& each, const Plan& plan) {
   AnyRenderer renderer(each.effects);
   const Status begun = each.begin(renderer, plan, arena.bytes());
   EXPECT_TRUE(begun) << message(begun.error);
-  Bytes picture;
+  Bytes picture(each.bytes_of({0, 0, each.view.width, each.view.height}));
   for (std::uint16_t strip = 0; begun && strip < plan.strips; ++strip) {
-    // The last strip may be lower, and needs no more than its rows.
-    const std::uint32_t needed = each.rows_of(plan, strip) * bytes_per_row(each.view.width, each.view.format);
-    GuardedMemory pixels(needed);
+    // The last strips may be smaller, and need no more than their pixels.
+    const Rect area = plan.strip_area(strip, each.view);
+    GuardedMemory pixels(each.bytes_of(area));
     const Status drawn = renderer.draw_strip(strip, pixels.bytes());
     EXPECT_TRUE(drawn) << message(drawn.error);
     EXPECT_TRUE(pixels.guards_untouched());
-    picture.insert(picture.end(), pixels.bytes().begin(), pixels.bytes().end());
+    for (std::int32_t y = area.top; y < area.bottom; ++y) {
+      std::copy_n(
+          pixels.bytes().data() + static_cast<std::uint32_t>(y - area.top) * each.row_bytes(area.width()),
+          each.row_bytes(area.width()),
+          picture.data() + static_cast<std::uint32_t>(y) * each.row_bytes(each.view.width) + each.row_bytes(area.left));
+    }
   }
   EXPECT_TRUE(arena.guards_untouched());
   return picture;
@@ -80,7 +88,7 @@ Bytes draw(const Case& each, const Plan& plan) {
 
 /// Drawn in one strip, in as much memory as it takes.
 Bytes reference(const Case& each) {
-  const auto [status, plan] = each.plan({});
+  const auto [status, plan] = each.plan({.modes = Modes::streamed});
   EXPECT_TRUE(status);
   EXPECT_EQ(plan.strips, 1);
   const Bytes picture = draw(each, plan);
@@ -127,7 +135,7 @@ TEST(Budget, PixelsOfEverySize) {
     AnyRenderer renderer(each.effects);
     ASSERT_TRUE(each.begin(renderer, plan, arena.bytes()));
     for (std::uint16_t strip = 0; strip < plan.strips; ++strip) {
-      const std::uint32_t needed = each.rows_of(plan, strip) * bytes_per_row(each.view.width, each.view.format);
+      const std::uint32_t needed = each.bytes_of(plan.strip_area(strip, each.view));
       for (std::uint32_t size = 0; size < needed; ++size) {
         GuardedMemory pixels(size);
         const Status status = renderer.draw_strip(strip, pixels.bytes());
@@ -166,12 +174,20 @@ TEST(Budget, PixelsAtAnOddAddress) {
 TEST(Budget, EveryPartOfAPlanOfEverySize) {
   for_each_case([](const Case& each) {
     const Bytes expected = reference(each);
-    const Plan right = each.plan({.strip_rows = 4}).plan;
+    const Plan right = each.plan({.strip_rows = 4, .strip_columns = 16, .modes = Modes::binned}).plan;
     for (const auto& [purpose, part] :
-         {std::pair{Purpose::instances, &Plan::instance_bytes}, std::pair{Purpose::vertices, &Plan::vertex_bytes},
-          std::pair{Purpose::depth, &Plan::depth_bytes}, std::pair{Purpose::colour, &Plan::colour_bytes}}) {
+         {std::pair{Purpose::instances, &Plan::instance_bytes}, std::pair{Purpose::extents, &Plan::extent_bytes},
+          std::pair{Purpose::vertices, &Plan::vertex_bytes}, std::pair{Purpose::depth, &Plan::depth_bytes},
+          std::pair{Purpose::colour, &Plan::colour_bytes}, std::pair{Purpose::bins, &Plan::bin_bytes}}) {
       for (std::uint32_t bytes = 0; bytes < right.*part; ++bytes) {
         Plan plan = right;
+        // Beyond the lists themselves, any memory for triangles will do: full lists only make the frame streamed.
+        if (purpose == Purpose::bins && bytes % kArenaAlignment == 0 &&
+            bytes >= each.built_in.counts.meshlets * kBatchBytes + right.strips * kBinBytes) {
+          plan.bin_bytes = bytes;
+          ASSERT_EQ(draw(each, plan), expected) << bytes;
+          continue;
+        }
         plan.*part = bytes;
         GuardedMemory arena(plan.bytes());
         AnyRenderer renderer(each.effects);
@@ -191,28 +207,31 @@ TEST(Budget, EveryPartOfAPlanOfEverySize) {
 TEST(Budget, PlanOfEveryBudget) {
   for_each_case([](const Case& each) {
     const Bytes expected = reference(each);
-    const std::uint32_t whole = each.plan({}).plan.bytes();
-    std::uint16_t drawn_rows = 0, drawn_plans = 0;
-    for (std::uint32_t bytes = 1; bytes <= whole + 2 * kArenaAlignment; ++bytes) {
-      const auto [status, plan] = each.plan({.bytes = bytes});
-      if (status) {
-        ASSERT_LE(plan.bytes(), bytes);
-        ASSERT_GE(plan.strip_rows, drawn_rows) << "more memory, lower strips: " << bytes;
-        if (plan.strip_rows == drawn_rows) continue;
-        drawn_rows = plan.strip_rows;
-        ++drawn_plans;
-        ASSERT_EQ(draw(each, plan), expected) << bytes;
-        continue;
+    for (const bool split : {false, true}) {
+      const std::uint32_t whole = each.plan({}).plan.bytes();
+      int drawn_plans = 0;
+      std::uint64_t least_cost = UINT64_MAX;
+      for (std::uint32_t bytes = 1; bytes <= whole + 2 * kArenaAlignment; ++bytes) {
+        const auto [status, plan] = each.plan({.bytes = bytes, .split_columns = split});
+        if (status) {
+          ASSERT_LE(plan.bytes(), bytes);
+          const std::uint64_t cost = estimated_cost(each.built_in.counts, each.view, plan);
+          ASSERT_LE(cost, least_cost) << "more memory, slower: " << bytes;
+          if (cost == least_cost) continue;
+          least_cost = cost;
+          ++drawn_plans;
+          ASSERT_EQ(draw(each, plan), expected) << bytes;
+          continue;
+        }
+        ASSERT_EQ(drawn_plans, 0) << "less memory was enough: " << bytes;
+        ASSERT_EQ(status.error, Error::arena_too_small);
+        ASSERT_EQ(status.available, bytes);
+        ASSERT_GT(status.needed, bytes);
+        ASSERT_TRUE(each.plan({.bytes = status.needed, .split_columns = split}).status);
+        ASSERT_FALSE(each.plan({.bytes = status.needed - 1, .split_columns = split}).status);
       }
-      ASSERT_EQ(drawn_plans, 0) << "less memory was enough: " << bytes;
-      ASSERT_EQ(status.error, Error::arena_too_small);
-      ASSERT_EQ(status.available, bytes);
-      ASSERT_GT(status.needed, bytes);
-      ASSERT_TRUE(each.plan({.bytes = status.needed}).status);
-      ASSERT_FALSE(each.plan({.bytes = status.needed - 1}).status);
+      EXPECT_GT(drawn_plans, 3);
     }
-    EXPECT_EQ(drawn_rows, each.view.height);
-    EXPECT_GT(drawn_plans, 3);
   });
 }
 
@@ -220,7 +239,7 @@ TEST(Budget, PlanOfEveryBudgetWithGivenRows) {
   for_each_case([](const Case& each) {
     const Bytes expected = reference(each);
     for (std::uint16_t rows = 1; rows <= each.view.height; ++rows) {
-      const std::uint32_t needed = each.plan({.strip_rows = rows}).plan.bytes();
+      const std::uint32_t needed = each.plan({.strip_rows = rows, .modes = Modes::streamed}).plan.bytes();
       for (std::uint32_t bytes = 1; bytes < needed; ++bytes) {
         const Status status = each.plan({.bytes = bytes, .strip_rows = rows}).status;
         ASSERT_EQ(status.error, Error::arena_too_small);

@@ -80,9 +80,9 @@ void measure_stack(Usage& usage, const ElfFile& elf, const std::filesystem::path
 Plan plan_of(const Target& target, const BoardRun& run, std::uint32_t arena) {
   const scenes::BuiltIn* const scene = scenes::find(target.scene);
   if (scene == nullptr) throw std::runtime_error(std::string("there is no scene ") + target.scene);
-  const Budget budget = target.report == Report::bench
-                            ? Budget{.strip_rows = static_cast<std::uint16_t>(run.strip_rows)}
-                            : Budget{.bytes = arena};
+  const Budget budget = run.strip_rows != 0 ? Budget{.strip_rows = static_cast<std::uint16_t>(run.strip_rows),
+                                                     .strip_columns = static_cast<std::uint16_t>(run.strip_columns)}
+                                            : Budget{.bytes = arena};
   const PlanResult result = plan(scene->counts, target.view, effects_of(scene->scene, scene->camera), budget);
   if (!result.status || result.plan.bytes() != arena) {
     throw std::runtime_error("the board's arena has " + std::to_string(arena) + " bytes, the host plans " +

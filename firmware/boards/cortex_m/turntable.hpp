@@ -15,15 +15,6 @@
 
 namespace zstrip::board {
 
-/// The plan with the largest strips whose arena and pixels together take no more than `bytes`.
-constexpr PlanResult plan_within(const scenes::BuiltIn& scene, const View& view, Effects effects, std::uint32_t bytes) {
-  PlanResult result = plan(scene.counts, view, effects, {.bytes = bytes});
-  while (result.status && result.plan.bytes() + result.plan.strip_pixel_bytes(view) > bytes) {
-    result = plan(scene.counts, view, effects, {.bytes = result.plan.bytes() - 1});
-  }
-  return result;
-}
-
 inline void print_member(const char* name, std::uint32_t value) {
   print(", \"");
   print(name);
@@ -48,7 +39,8 @@ struct Turntable {
   static constexpr std::uint32_t kFramesPerTurn = 12;
   static constexpr View kView{width, height, PixelFormat::rgb565_swapped};
   static constexpr Effects kEffects = effects_of(scene.scene, scene.camera);
-  static constexpr PlanResult kPlanned = plan_within(scene, kView, kEffects, bytes);
+  static constexpr PlanResult kPlanned =
+      plan(scene.counts, kView, kEffects, {.bytes = bytes, .split_columns = true, .strip_buffers = 1});
   static_assert(kPlanned.status, "the scene does not fit");
   static constexpr Plan kPlan = kPlanned.plan;
 
@@ -70,7 +62,8 @@ struct Turntable {
       if (const Status begun = renderer.begin_frame(staged.scene, staged.camera, kView, kPlan, arena); !begun) {
         return report_failure("begin of the frame", message(begun.error));
       }
-      const auto shown = hal::present(renderer, panel, {kPlan.strips, kPlan.strip_rows}, {pixels, {}});
+      const auto shown =
+          hal::present(renderer, panel, {kPlan.strips, kPlan.strip_rows, kPlan.strip_columns}, {pixels, {}});
       if (!shown.draw) return report_failure("drawing", message(shown.draw.error));
       if (shown.display != hal::Error::none) return report_failure("display", hal::message(shown.display));
       print(frame == 0 ? "\"" : ", \"");
@@ -88,6 +81,7 @@ struct Turntable {
     print_member("height", height);
     print_member("frames_per_turn", kFramesPerTurn);
     print_member("strip_rows", kPlan.strip_rows);
+    print_member("strip_columns", kPlan.strip_columns);
     print_member("strips", kPlan.strips);
     print_member("arena_bytes", kPlan.bytes());
     print_member("strip_pixel_bytes", kPlan.strip_pixel_bytes(kView));
