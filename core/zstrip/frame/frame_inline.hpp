@@ -89,52 +89,63 @@ struct Frame::Access {
     }
   }
 
-  /// Which strips each meshlet touches; with bins also its triangles, whose vertices then stay. A frame whose bins
-  /// overflow is streamed.
+  /// Which strips the front faces of each meshlet touch.
   template <Effects effects>
   static void survey(Frame& frame) {
-    std::uint32_t retained = 0;
-    std::uint16_t batches = 0;
     for_each_meshlet(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
       const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
-      const detail::Batch batch = batch_of(frame, instance, range.first_vertex, retained);
-      const bool all_narrow = transform<effects>(frame, batch, range, retained);
+      const detail::Batch batch = batch_of(frame, instance, range.first_vertex, 0);
+      const bool all_narrow = transform<effects>(frame, batch, range, 0);
       Rect box{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
-      bool listed = false;
-      Assembler<effects>::for_each_facing(
-          batch, range.triangles, all_narrow, [&](std::uint32_t triangle, const Rect& pixels) {
-            box = {std::min(box.left, pixels.left), std::min(box.top, pixels.top), std::max(box.right, pixels.right),
-                   std::max(box.bottom, pixels.bottom)};
-            if constexpr (effects.has(effect::bins)) {
-              if (frame.mode_ != Mode::binned) return;
-              listed = true;
-              if (!list(frame, pixels, batches, static_cast<std::uint16_t>(triangle))) {
-                frame.mode_ = Mode::streamed;
-                ++frame.bin_overflows_;
-              }
-            }
-          });
+      Assembler<effects>::for_each_facing(batch, range.triangles, all_narrow, [&](std::uint32_t, const Rect& pixels) {
+        box = {std::min(box.left, pixels.left), std::min(box.top, pixels.top), std::max(box.right, pixels.right),
+               std::max(box.bottom, pixels.bottom)};
+        return true;
+      });
       frame.extents_[number] = frame.grid_.extent_of(box);
-      if constexpr (effects.has(effect::bins)) {
-        if (frame.mode_ != Mode::binned) {
-          retained = 0;
-        } else if (listed) {
-          shade<effects>(frame, batch, range, retained);
-          frame.batches_[batches++] = {static_cast<std::uint16_t>(instance), static_cast<std::uint16_t>(meshlet),
-                                       retained};
-          retained += range.vertex_count;
-        }
-      }
     });
   }
 
+  /// Transforms everything once and writes each front face into the lists of its strips. False if they are too small.
+  template <Effects effects>
+  static bool fill_bins(Frame& frame) {
+    std::uint32_t retained = 0;
+    std::uint16_t batches = 0;
+    bool room = true;
+    for_each_meshlet(frame, [&](std::uint32_t, std::uint32_t instance, std::uint32_t meshlet) {
+      if (!room) return;
+      const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
+      const detail::Batch batch = batch_of(frame, instance, range.first_vertex, retained);
+      const bool all_narrow = transform<effects>(frame, batch, range, retained);
+      bool listed = false;
+      room = Assembler<effects>::for_each_facing(batch, range.triangles, all_narrow,
+                                                 [&](std::uint32_t triangle, const Rect& pixels) {
+                                                   listed = true;
+                                                   return list(frame, pixels, batches, triangle);
+                                                 });
+      if (!listed) return;
+      shade<effects>(frame, batch, range, retained);
+      frame.batches_[batches++] = {static_cast<std::uint16_t>(instance), static_cast<std::uint16_t>(meshlet), retained};
+      retained += range.vertex_count;
+    });
+    return room;
+  }
+
   /// Into the lists of all strips that hold pixels of the box.
-  static bool list(Frame& frame, const Rect& pixels, std::uint16_t batch, std::uint16_t triangle) {
+  static bool list(Frame& frame, const Rect& pixels, std::uint16_t batch, std::uint32_t triangle) {
+    const auto index = static_cast<std::uint16_t>(triangle);
+    if (frame.grid_.across() == 1) {
+      const detail::StripGrid::Range rows = frame.grid_.rows_of(pixels.top, pixels.bottom);
+      for (std::int32_t row = rows.first; row < rows.end; ++row) {
+        if (!frame.bins_.add(static_cast<std::uint32_t>(row), batch, index)) return false;
+      }
+      return true;
+    }
     const Rect strips = frame.grid_.strips_of(pixels);
     for (std::int32_t row = strips.top; row < strips.bottom; ++row) {
       for (std::int32_t column = strips.left; column < strips.right; ++column) {
         const auto strip = static_cast<std::uint32_t>(row * frame.grid_.across() + column);
-        if (!frame.bins_.add(strip, batch, triangle)) return false;
+        if (!frame.bins_.add(strip, batch, index)) return false;
       }
     }
     return true;
@@ -196,7 +207,15 @@ struct Frame::Access {
     if (const Status status = prepare(frame, scene, camera, view); !status) return status;
     if constexpr (effects.has(effect::statistics)) frame.statistics_.triangles = count(scene).triangles;
     frame.scene_ = &scene;
-    if (frame.extents_ != nullptr) survey<effects>(frame);
+    if (frame.extents_ == nullptr) return {};
+    if constexpr (effects.has(effect::bins)) {
+      if (frame.mode_ == Mode::binned) {
+        if (fill_bins<effects>(frame)) return {};
+        frame.mode_ = Mode::streamed;
+        ++frame.bin_overflows_;
+      }
+    }
+    survey<effects>(frame);
     return {};
   }
 

@@ -253,27 +253,31 @@ struct Assembler {
     }
   }
 
-  /// Calls visit(index, box) for each triangle that faces the viewer; `box` holds the raster pixels that it can cover
-  /// and may be empty.
+  /// Calls visit(index, box) for each triangle that faces the viewer, until it returns false, which is then the result;
+  /// `box` holds the raster pixels that the triangle can cover and may be empty.
   template <class Visit>
-  static void for_each_facing(const Batch& batch, std::span<const Triangle> triangles, bool all_narrow,
+  static bool for_each_facing(const Batch& batch, std::span<const Triangle> triangles, bool all_narrow,
                               const Visit& visit) {
+    const SnappedVertex* const vertices = batch.vertices;
+    const std::uint32_t first = batch.first_vertex;
+    const bool double_sided = batch.instance->double_sided;
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
       const Triangle& triangle = triangles[i];
-      const SnappedVertex& a = batch.vertices[triangle.a - batch.first_vertex];
-      const SnappedVertex& b = batch.vertices[triangle.b - batch.first_vertex];
-      const SnappedVertex& c = batch.vertices[triangle.c - batch.first_vertex];
+      const SnappedVertex& a = vertices[triangle.a - first];
+      const SnappedVertex& b = vertices[triangle.b - first];
+      const SnappedVertex& c = vertices[triangle.c - first];
       if (!all_narrow && (a.x == kNotNarrow || b.x == kNotNarrow || c.x == kNotNarrow)) {
         RasterPolygon polygon;
-        if (clip<Shade::flat>(batch, triangle, polygon)) visit(i, polygon.box());
+        if (clip<Shade::flat>(batch, triangle, polygon) && !visit(i, polygon.box())) return false;
         continue;
       }
       const std::int32_t area = narrow_area(a, b, c);
-      if (area > 0 || (area < 0 && batch.instance->double_sided)) {
-        visit(i, Rect{std::min(std::min(a.x, b.x), c.x) >> 4, std::min(std::min(a.y, b.y), c.y) >> 4,
-                      std::max(std::max(a.x, b.x), c.x) >> 4, std::max(std::max(a.y, b.y), c.y) >> 4});
-      }
+      if (area <= 0 && (area == 0 || !double_sided)) continue;
+      const Rect box{std::min(std::min(a.x, b.x), c.x) >> 4, std::min(std::min(a.y, b.y), c.y) >> 4,
+                     std::max(std::max(a.x, b.x), c.x) >> 4, std::max(std::max(a.y, b.y), c.y) >> 4};
+      if (!visit(i, box)) return false;
     }
+    return true;
   }
 
   template <Shade shade>
