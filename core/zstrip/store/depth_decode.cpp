@@ -20,7 +20,7 @@ struct Bytes {
   std::size_t size() const { return static_cast<std::size_t>(end - next); }
 };
 
-/// For each cell of a row, `step(x)`, unrolled where the row is whole.
+/// For each cell of a row, `step(x)`; unrolled where the row is whole.
 template <typename Step>
 [[gnu::always_inline]] inline void for_row(std::uint32_t width, Step step) {
   if (width == kTileSide) {
@@ -52,68 +52,61 @@ struct DecodedPlane {
   std::uint32_t start, step_x, step_y;
 };
 
-/// Bit fields, lowest bits first.
-class FieldReader {
- public:
-  explicit FieldReader(const std::uint8_t* next) : next_(next) {}
-  /// 1 <= width <= 24. Moved to the top of the word.
-  std::uint32_t field(std::uint32_t width) {
-    for (; available_ < width; available_ += 8) bits_ |= std::uint32_t{*next_++} << available_;
-    const std::uint32_t value = bits_ << (32 - width);
-    bits_ >>= width;
-    available_ -= width;
-    return value;
-  }
-
- private:
-  const std::uint8_t* next_;
-  std::uint32_t bits_ = 0;
-  std::uint32_t available_ = 0;
-};
+std::uint32_t little_endian(const std::uint8_t* bytes) {
+  return bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 | std::uint32_t{bytes[3]} << 24;
+}
 
 DecodedPlane read_plane(const std::uint8_t* bytes, const PlaneForm& form, std::uint32_t more_fraction) {
-  FieldReader fields(bytes);
-  const std::uint32_t start = fields.field(16U + form.start_fraction);  // 16.16 at once: 16 bits stand above the point
-  // A signed field at the top of the word has 32 - slope_bits fraction bits too many.
-  const std::uint32_t slope_fraction = form.start_fraction + more_fraction;  // at most 15
-  const std::uint32_t down = 32U - form.slope_bits + slope_fraction - 16U;
-  const auto slope = [&](std::uint32_t top) {
-    return static_cast<std::uint32_t>(static_cast<std::int32_t>(top) >> down);
+  const std::uint32_t low = little_endian(bytes), high = little_endian(bytes + form.bytes - 4);  // they may overlap
+  // Each slope at the top of a word; in the longest form that along x begins in the low word.
+  const std::uint32_t x = high << form.slope_bits | (form.bytes == 8 ? low >> 24 << 12 : 0);
+  const std::uint32_t down = 32U - form.slope_bits, up = 16U - form.start_fraction - more_fraction;  // up >= 1
+  const auto slope = [down, up](std::uint32_t top) {
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(top) >> down) << up;
   };
-  const std::uint32_t step_x = slope(fields.field(form.slope_bits));
-  return {start, step_x, slope(fields.field(form.slope_bits))};
+  return {low << (16 - form.start_fraction), slope(x), slope(high)};
 }
 
 void decode_plane(const DecodedPlane& plane, const Tile& tile) {
+  const std::uint32_t step = plane.step_x, width = tile.width;
+  std::uint16_t* row = tile.cells;
   std::uint32_t row_start = plane.start;
-  for (std::uint32_t y = 0; y < tile.height; ++y) {
-    std::uint16_t* const row = tile.row(y);
+  for (std::uint32_t rows = tile.height; rows != 0; --rows) {
     std::uint32_t value = row_start;
-    for_row(tile.width, [row, &value, step = plane.step_x](std::uint32_t x) {
-      row[x] = static_cast<std::uint16_t>(value >> 16);
+    std::uint32_t left = width;
+    std::uint16_t* cell = row;
+    for (; left >= 4; left -= 4, cell += 4) {
+      cell[0] = static_cast<std::uint16_t>(value >> 16);
+      cell[1] = static_cast<std::uint16_t>((value += step) >> 16);
+      cell[2] = static_cast<std::uint16_t>((value += step) >> 16);
+      cell[3] = static_cast<std::uint16_t>((value += step) >> 16);
       value += step;
-    });
+    }
+    for (; left != 0; --left, ++cell, value += step) *cell = static_cast<std::uint16_t>(value >> 16);
     row_start += plane.step_y;
+    row += tile.stride;
   }
+}
+
+/// A plane alone; it must fill the rest of the record.
+[[gnu::noinline]] bool decode_plane_record(const Bytes& bytes, std::uint32_t more_fraction, const Tile& tile) {
+  for (const PlaneForm& form : kPlaneForms) {
+    if (form.bytes != bytes.size()) continue;
+    decode_plane(read_plane(bytes.next, form, more_fraction), tile);
+    return true;
+  }
+  return false;
 }
 
 void clear_uncovered(const Cover& cover, const Tile& tile) {
   const std::uint8_t whole = whole_row(tile.width);
   for (std::uint32_t y = 0; y < tile.height; ++y) {
     if (cover[y] == whole) continue;
-    std::uint16_t* const row = tile.row(y);
-    for (std::uint32_t x = 0; x < tile.width; ++x) {
-      if ((cover[y] >> x & 1) == 0) row[x] = 0;
+    std::uint16_t* cell = tile.row(y);
+    for (std::uint32_t uncovered = cover[y] ^ whole; uncovered != 0; uncovered >>= 1, ++cell) {
+      if ((uncovered & 1) != 0) *cell = 0;
     }
   }
-}
-
-/// The form of a plane that fills the rest of the record; nullptr if none does.
-const PlaneForm* plane_form(std::size_t bytes) {
-  for (const PlaneForm& form : kPlaneForms) {
-    if (form.bytes == bytes) return &form;
-  }
-  return nullptr;
 }
 
 bool decode_offsets(const Bytes& bytes, std::uint32_t width, const Cover& cover, const Tile& tile) {
@@ -134,94 +127,200 @@ bool decode_offsets(const Bytes& bytes, std::uint32_t width, const Cover& cover,
   return codes.bytes_used() + 2 == bytes.size();
 }
 
-/// Residual tiles: start, widths of the rows, codes; literals from the end backwards.
-class ResidualDecoder {
- public:
-  ResidualDecoder(const Bytes& bytes, std::uint32_t height)
-      : widths_(bytes.next + 2),
-        codes_(bytes.next + 2 + (height + 1) / 2, bytes.end),
-        first_literal_(bytes.end),
-        size_(static_cast<std::size_t>(bytes.end - bytes.next) - 2 - (height + 1) / 2),
-        start_(static_cast<std::uint16_t>(bytes.next[0] | bytes.next[1] << 8)) {}
+/// The residuals of all cells of a tile, modulo 2^16; 0 where a cell has no code. Row y starts at 8 y.
+using ResidualCells = std::array<std::uint16_t, kTileCells>;
 
-  bool decode(Opcode predictor, const Cover& cover, const Tile& tile) {
-    for (std::uint32_t y = 0; y < tile.height; ++y) {
-      begin_row(y, cover[y]);
-      std::uint16_t* const row = tile.row(y);
-      const std::ptrdiff_t up = -static_cast<std::ptrdiff_t>(tile.stride);
-      if (y == 0) {
-        coded_ &= ~1U;  // the start needs no code
-        row[0] = start_;
-        continue_row(row, tile.width, -1, 0);
-      } else {
-        const std::int32_t above = row[up];
-        const std::int32_t rise = y == 1 ? 0 : above - row[2 * up];
-        row[0] = static_cast<std::uint16_t>(above + rise + residual(0));
-        if (predictor == kColumn && y > 1) {
-          continue_columns(row, tile.width, up);
-        } else if (predictor == kAlong) {
-          continue_row(row, tile.width, -1, tile.width > 1 ? row[up + 1] - above : 0);
-        } else {
-          continue_row(row, tile.width, up, row[0] - above);
-        }
-      }
+/// The codes of a tile, row by row, each from a byte on, and its literals, from the end backwards. What is missing is
+/// 0.
+class ResidualCodes {
+ public:
+  explicit ResidualCodes(const Bytes& bytes) : bytes_(bytes), literal_(bytes.end) {}
+
+  /// Whether codes and literals meet, so that none was missing and none is left over.
+  bool used_up() const { return at_ == static_cast<std::size_t>(literal_ - bytes_.next) && !missing_; }
+
+  /// A row in which all 8 cells have a code.
+  void read_whole_row(std::uint32_t width, std::int32_t escape, std::uint16_t* residuals) {
+    if (width <= 4) {
+      read_whole_row<8>(width, escape, residuals);
+    } else if (width <= 8) {
+      read_whole_row<4>(width, escape, residuals);
+    } else {
+      read_whole_row<2>(width, escape, residuals);
     }
-    return literals_ * 2 + codes_.bytes_used() == size_;
+    at_ += width;
+  }
+
+  /// Bit x of `coded`: cell x has a code.
+  void read_row(std::uint32_t width, std::int32_t escape, std::uint32_t coded, std::uint16_t* residuals) {
+    const std::uint32_t per_word = width <= 4 ? 8 : width <= 8 ? 4 : 2;
+    std::uint32_t bit = 0, bits = 0, left = 0;
+    for (std::uint32_t x = 0; x < kTileSide; ++x, coded >>= 1) {
+      residuals[x] = 0;
+      if ((coded & 1) == 0) continue;
+      if (left == 0) {
+        bits = word_at(at_ + bit / 8) << bit % 8;
+        left = per_word;
+      }
+      const std::int32_t code = static_cast<std::int32_t>(bits) >> (32 - width);
+      bits <<= width;
+      bit += width;
+      --left;
+      residuals[x] = code == escape ? literal() : static_cast<std::uint16_t>(code);
+    }
+    at_ += (bit + 7) / 8;
   }
 
  private:
-  void begin_row(std::uint32_t y, std::uint8_t covered) {
-    const std::uint32_t width = widths_[y / 2] >> (y % 2 * 4) & 0xFU;
-    coded_ = width == 0 ? 0 : covered;
-    width_ = width == kLiteralWidth ? 16 : width;
-    escape_ = width == 0 || width == kLiteralWidth ? INT32_MIN : escape_code(width);
-  }
-
-  [[gnu::always_inline]] std::int32_t residual(std::uint32_t x) {
-    if ((coded_ >> x & 1) == 0) return 0;
-    const std::int32_t code = codes_.signed_code(width_);
-    return code == escape_ ? literal() : code;
-  }
-
-  /// cell = cell at `base` + gradient, which the residual changes.
-  void continue_row(std::uint16_t* row, std::uint32_t width, std::ptrdiff_t base, std::int32_t gradient) {
-    for (std::uint32_t x = 1; x < width; ++x) {
-      gradient += residual(x);
-      row[x] = static_cast<std::uint16_t>(row[static_cast<std::ptrdiff_t>(x) + base] + gradient);
+  /// 32 bits from a byte on.
+  std::uint32_t word_at(std::size_t at) const {
+    if (at + 4 <= bytes_.size()) {
+      const std::uint8_t* const next = bytes_.next + at;
+      return std::uint32_t{next[0]} << 24 | std::uint32_t{next[1]} << 16 | std::uint32_t{next[2]} << 8 | next[3];
     }
+    std::uint32_t word = 0;
+    for (int shift = 24; at < bytes_.size(); shift -= 8) word |= std::uint32_t{bytes_.next[at++]} << shift;
+    return word;
   }
 
-  void continue_columns(std::uint16_t* row, std::uint32_t width, std::ptrdiff_t up) {
-    for (std::uint32_t x = 1; x < width; ++x) {
-      const std::uint16_t* const above = row + x + up;
-      row[x] = static_cast<std::uint16_t>(2 * above[0] - above[up] + residual(x));
+  /// `per_word` codes have room in 32 bits behind at most 7 others.
+  template <std::uint32_t per_word>
+  void read_whole_row(std::uint32_t width, std::int32_t escape, std::uint16_t* residuals) {
+    std::uint32_t bits = 0;
+    const std::uint32_t down = 32 - width;
+    const auto step = [&](std::uint32_t x) __attribute__((always_inline)) {
+      if (x % per_word == 0) bits = word_at(at_ + x * width / 8) << (x * width % 8);
+      const std::int32_t code = static_cast<std::int32_t>(bits) >> down;
+      bits <<= width;
+      residuals[x] = static_cast<std::uint16_t>(code);
+      if (code == escape) residuals[x] = literal();
+    };
+    step(0), step(1), step(2), step(3), step(4), step(5), step(6), step(7);
+  }
+
+  [[gnu::noinline]] std::uint16_t literal() {
+    if (literal_ - bytes_.next < 2) {
+      missing_ = true;
+      return 0;
     }
+    literal_ -= 2;
+    return static_cast<std::uint16_t>(literal_[0] | literal_[1] << 8);
   }
 
-  std::int32_t literal() {
-    ++literals_;
-    if (2 * literals_ > size_) return 0;
-    first_literal_ -= 2;
-    return first_literal_[0] | first_literal_[1] << 8;
-  }
-
-  const std::uint8_t* widths_;
-  CodeReader codes_;
-  const std::uint8_t* first_literal_;
-  std::size_t size_;  ///< of codes and literals
-  std::size_t literals_ = 0;
-  std::uint32_t coded_ = 0;  ///< bit x: cell x of the row has a code
-  std::uint32_t width_ = 0;
-  std::int32_t escape_ = 0;
-  std::uint16_t start_;
+  Bytes bytes_;
+  const std::uint8_t* literal_;
+  std::size_t at_ = 0;  ///< bytes before the next row's codes
+  bool missing_ = false;
 };
 
-bool decode_residuals(const Bytes& bytes, Opcode predictor, CoverKind kind, const Cover& cover, const Tile& tile) {
-  if (bytes.size() < 2 + (tile.height + 1) / 2) return false;
-  ResidualDecoder decoder(bytes, tile.height);
-  if (!decoder.decode(predictor, cover, tile)) return false;
-  if (kind != CoverKind::all) clear_uncovered(cover, tile);
+/// `whole`: all of 8 cells a row have codes, and `cover` does not matter. False if these are not all codes and literals
+/// of a tile.
+[[gnu::noinline]] bool read_residuals(const Bytes& bytes, std::uint32_t widths, bool whole, const Cover& cover,
+                                      const Tile& tile, ResidualCells& residuals) {
+  ResidualCodes codes(bytes);
+  std::uint16_t* row = residuals.data();
+  for (std::uint32_t y = 0; y < tile.height; ++y, row += kTileSide, widths >>= 4) {
+    std::uint32_t width = widths & 0xF;
+    if (width == 0) {
+      for_row(kTileSide, [row](std::uint32_t x) { row[x] = 0; });
+      continue;
+    }
+    std::int32_t escape = escape_code(width);
+    if (width == kLiteralWidth) {
+      width = 16;
+      escape = INT32_MIN;
+    }
+    if (whole) {
+      codes.read_whole_row(width, escape, row);
+    } else {
+      codes.read_row(width, escape, cover[y], row);
+    }
+  }
+  return codes.used_up();
+}
+
+/// Cells 1.. of a row. `gradient` is what the last cell added to the one it was predicted from.
+template <Opcode predictor>
+[[gnu::always_inline]] inline void predict_row(std::uint16_t* row, std::uint32_t width, std::ptrdiff_t up,
+                                               std::uint32_t gradient, const std::uint16_t* residuals) {
+  const std::uint16_t *const above = row + up, *const above2 = above + up;
+  std::uint32_t cell = row[0];
+  const auto step = [&](std::uint32_t x) __attribute__((always_inline)) {
+    if constexpr (predictor == kColumn) {
+      cell = 2U * above[x] - above2[x] + residuals[x];
+    } else {
+      gradient += residuals[x];
+      cell = (predictor == kAlong ? cell : above[x]) + gradient;
+    }
+    row[x] = static_cast<std::uint16_t>(cell);
+  };
+  if (width == kTileSide) {
+    step(1), step(2), step(3), step(4), step(5), step(6), step(7);
+  } else {
+    for (std::uint32_t x = 1; x < width; ++x) step(x);
+  }
+}
+
+/// Rows 1.. of a tile, of which the first is there.
+template <Opcode predictor>
+[[gnu::noinline]] void predict_rows(const std::uint16_t* residuals, const Tile& tile) {
+  const std::ptrdiff_t up = -static_cast<std::ptrdiff_t>(tile.stride);
+  const std::uint32_t width = tile.width;
+  std::uint16_t* row = tile.cells;
+  std::uint32_t rise = 0;  // of the first column
+  for (std::uint32_t y = 1; y < tile.height; ++y) {
+    row += tile.stride;
+    residuals += kTileSide;
+    rise += residuals[0];
+    row[0] = static_cast<std::uint16_t>(row[up] + rise);
+    if (predictor == kAlong) {
+      predict_row<kAlong>(row, width, up, width > 1 ? static_cast<std::uint32_t>(row[up + 1] - row[up]) : 0, residuals);
+    } else if (predictor == kDown || y == 1) {
+      predict_row<kDown>(row, width, up, rise, residuals);
+    } else {
+      predict_row<kColumn>(row, width, up, 0, residuals);
+    }
+  }
+}
+
+/// Start, widths of the rows, codes row by row, literals.
+bool decode_residuals(const Bytes& bytes, Opcode predictor, bool whole, const Cover& cover, const Tile& tile) {
+  const std::uint32_t width_bytes = (tile.height + 1) / 2;
+  if (bytes.size() < 2 + width_bytes) return false;
+  const auto start = static_cast<std::uint32_t>(bytes.next[0] | bytes.next[1] << 8);
+  std::uint32_t widths = 0;
+  for (std::uint32_t i = 0; i < width_bytes; ++i) widths |= std::uint32_t{bytes.next[2 + i]} << (8 * i);
+  ResidualCells residuals;
+  if (!read_residuals({bytes.next + 2 + width_bytes, bytes.end}, widths, whole, cover, tile, residuals)) return false;
+  tile.cells[0] = static_cast<std::uint16_t>(start + residuals[0]);
+  predict_row<kAlong>(tile.cells, tile.width, 0, 0, residuals.data());
+  switch (predictor) {
+    case kAlong: predict_rows<kAlong>(residuals.data(), tile); break;
+    case kDown: predict_rows<kDown>(residuals.data(), tile); break;
+    default: predict_rows<kColumn>(residuals.data(), tile); break;
+  }
   return true;
+}
+
+/// Behind the first byte of a record.
+[[gnu::noinline]] bool decode_with_cover(Bytes bytes, std::uint32_t opcode, CoverKind kind, const Tile& tile) {
+  const std::uint32_t cover_size = cover_bytes(kind, tile.height);
+  if (bytes.size() < cover_size) return false;
+  Cover cover{};
+  // Residuals of a whole tile do without.
+  const bool whole = kind == CoverKind::all && tile.width == kTileSide;
+  if (!whole || opcode >= kOffset) cover = read_cover(kind, bytes.next, tile.width, tile.height);
+  bytes.next += cover_size;
+  bool decoded = false;
+  if (opcode < kAlong) {
+    decoded = decode_plane_record(bytes, opcode - kPlane, tile);
+  } else if (opcode <= kColumn) {
+    decoded = decode_residuals(bytes, static_cast<Opcode>(opcode), whole, cover, tile);
+  } else if (opcode >= kOffset && opcode < kOffset + 16U) {
+    return decode_offsets(bytes, opcode - kOffset, cover, tile);
+  }
+  if (decoded && kind != CoverKind::all) clear_uncovered(cover, tile);
+  return decoded;
 }
 
 }  // namespace
@@ -234,34 +333,17 @@ bool decode_depth_tile(std::span<const std::byte> record, const TileView<std::ui
     return true;
   }
   // The same bytes as unsigned numbers.
-  Bytes bytes{reinterpret_cast<const std::uint8_t*>(record.data()), nullptr};
-  bytes.end = bytes.next + record.size();
-  if (record.size() == 2 * tile.area()) {
-    decode_raw(bytes.next, tile);
+  const auto* const first = reinterpret_cast<const std::uint8_t*>(record.data());
+  if (record.size() >= 2 * tile.area()) {
+    if (record.size() > 2 * tile.area()) return false;
+    decode_raw(first, tile);
     return true;
   }
-  const auto kind = static_cast<CoverKind>(*bytes.next & 3U);
-  const std::uint32_t opcode = *bytes.next++ >> 2;
-  const std::uint32_t cover_size = cover_bytes(kind, tile.height);
-  if (record.size() > 2 * tile.area() || bytes.size() < cover_size) return false;
-  if (opcode < kAlong && kind == CoverKind::all) {
-    const PlaneForm* const form = plane_form(bytes.size());
-    if (form == nullptr) return false;
-    decode_plane(read_plane(bytes.next, *form, opcode - kPlane), tile);
-    return true;
-  }
-  const Cover cover = read_cover(kind, bytes.next, tile.width, tile.height);
-  bytes.next += cover_size;
-  if (opcode < kAlong) {
-    const PlaneForm* const form = plane_form(bytes.size());
-    if (form == nullptr) return false;
-    decode_plane(read_plane(bytes.next, *form, opcode - kPlane), tile);
-    clear_uncovered(cover, tile);
-    return true;
-  }
-  if (opcode <= kColumn) return decode_residuals(bytes, static_cast<Opcode>(opcode), kind, cover, tile);
-  if (opcode >= kOffset && opcode < kOffset + 16U) return decode_offsets(bytes, opcode - kOffset, cover, tile);
-  return false;
+  const Bytes rest{first + 1, first + record.size()};
+  const auto kind = static_cast<CoverKind>(*first & 3U);
+  const std::uint32_t opcode = *first >> 2;
+  if (opcode < kAlong && kind == CoverKind::all) return decode_plane_record(rest, opcode - kPlane, tile);
+  return decode_with_cover(rest, opcode, kind, tile);
 }
 
 }  // namespace zstrip

@@ -145,7 +145,7 @@ Residuals measure_residuals(const CoveredCells& tile, Opcode predictor) {
   for (std::uint32_t y = 0; y < tile.height && result.start == 0; ++y) {
     for (std::uint32_t x = 0; x < tile.width && result.start == 0; ++x) result.start = cells[y * kTileSide + x];
   }
-  std::uint32_t code_bits = 0;
+  std::uint32_t bytes = 2 + (tile.height + 1) / 2;
   for (std::uint32_t y = 0; y < tile.height; ++y) {
     std::uint16_t* const row = cells.data() + y * kTileSide;
     const std::uint16_t* const above = y > 0 ? row - kTileSide : row;
@@ -164,14 +164,13 @@ Residuals measure_residuals(const CoveredCells& tile, Opcode predictor) {
       if ((tile.cover[y] >> x & 1) == 0) row[x] = static_cast<std::uint16_t>(predicted);
       result.residuals[y * kTileSide + x] = static_cast<std::int16_t>(row[x] - predicted);
     }
-    result.coded[y] = y == 0 ? tile.cover[0] & 0xFEU : tile.cover[y];
+    result.coded[y] = tile.cover[y];
     const RowChoice choice = choose_width(result.residuals.data() + y * kTileSide, result.coded[y]);
     result.widths[y] = static_cast<std::uint8_t>(choice.width);
     if (choice.width == 0) result.coded[y] = 0;
-    code_bits += choice.bits;
+    bytes += (choice.bits + 7) / 8;
   }
-  // Literals are whole bytes: what rounding adds belongs to the codes.
-  result.bytes = 2 + (tile.height + 1) / 2 + (code_bits + 7) / 8;
+  result.bytes = bytes;
   return result;
 }
 
@@ -181,9 +180,9 @@ void write_residuals(const CoveredCells& tile, const Residuals& chosen, std::uin
   for (std::uint32_t y = 0; y < tile.height; y += 2) {
     *next++ = static_cast<std::uint8_t>(chosen.widths[y] | (y + 1 < tile.height ? chosen.widths[y + 1] << 4 : 0));
   }
-  CodeWriter codes(next);
   for (std::uint32_t y = 0; y < tile.height; ++y) {
     const std::uint32_t width = chosen.widths[y];
+    CodeWriter codes(next);
     for (std::uint32_t coded = chosen.coded[y]; coded != 0; coded &= coded - 1) {
       const std::int32_t residual =
           chosen.residuals[y * kTileSide + static_cast<std::uint32_t>(std::countr_zero(coded))];
@@ -198,8 +197,8 @@ void write_residuals(const CoveredCells& tile, const Residuals& chosen, std::uin
         *--end = static_cast<std::uint8_t>(bits);
       }
     }
+    next = codes.finish();
   }
-  codes.finish();
 }
 
 /// The record's first byte and the cover; returns what follows.

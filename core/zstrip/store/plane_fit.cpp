@@ -11,6 +11,10 @@ namespace {
 constexpr std::uint32_t kFraction = 10;  // of slopes and heights while searching
 constexpr std::int32_t kOneCode = 1 << kFraction;
 
+constexpr int kMostSteps = 4;
+/// Spreads that no search brings below one code: most tiles that are no plane end here.
+constexpr std::int32_t kHopeless = kOneCode * 5 / 4;
+
 struct Slopes {
   std::int32_t x, y;
 };
@@ -23,6 +27,13 @@ struct Heights {
     least = std::min(least, low);
     greatest = std::max(greatest, high);
   }
+  std::int32_t spread() const { return greatest - least; }
+};
+
+/// The same with the cells that have them.
+struct Extremes {
+  std::int32_t least = INT32_MAX, greatest = INT32_MIN;
+  std::int32_t low_x = 0, low_y = 0, high_x = 0, high_y = 0;
   std::int32_t spread() const { return greatest - least; }
 };
 
@@ -50,7 +61,9 @@ class PlaneSearch {
   std::optional<FittedPlane> find() {
     const Interval along_x = slopes_along_x(), along_y = slopes_along_y();
     if (along_x.empty() || along_y.empty()) return std::nullopt;
-    minimise(along_x, along_y);
+    approach(along_x, along_y);
+    if (best_spread_ >= kHopeless) return std::nullopt;
+    if (best_spread_ >= kOneCode) minimise(along_x, along_y);
     if (best_spread_ >= kOneCode) return std::nullopt;
     for (const PlaneForm& form : kPlaneForms) {
       if (const auto plane = in_form(form)) return plane;
@@ -86,20 +99,37 @@ class PlaneSearch {
     return slopes.least == kAnySlope.least ? Interval{0, 0} : slopes;
   }
 
+  /// From the middle of both intervals on, each step mends what is wrong with the highest and the lowest cell: nearly
+  /// always a few steps are enough.
+  void approach(const Interval& along_x, const Interval& along_y) {
+    Slopes slopes{(along_x.least + along_x.greatest) >> 1, (along_y.least + along_y.greatest) >> 1};
+    if (is_whole()) slopes = least_squares();
+    for (int step = 0; step < kMostSteps; ++step) {
+      const Extremes found = extremes(slopes);
+      consider(slopes, found.least, found.greatest);
+      const std::int32_t dx = found.high_x - found.low_x, dy = found.high_y - found.low_y;
+      if (done_ || (dx == 0 && dy == 0)) return;
+      const std::int32_t excess = found.spread() - kOneCode * 5 / 8;
+      const std::int32_t length = dx * dx + dy * dy;
+      slopes.x += excess * dx / length;
+      slopes.y += excess * dy / length;
+    }
+  }
+
   void minimise(Interval along_x, const Interval& along_y) {
     while (along_x.greatest - along_x.least > 1) {
       const std::int32_t middle = (along_x.least + along_x.greatest) >> 1;
       const std::int32_t left = least_spread(middle, along_y);
-      if (good_enough()) return;
+      if (done_) return;
       const std::int32_t right = least_spread(middle + 1, along_y);
-      if (good_enough()) return;
+      if (done_) return;
       if (left <= right) {
         along_x.greatest = middle;
       } else {
         along_x.least = middle + 1;
       }
     }
-    for (std::int32_t x = along_x.least; x <= along_x.greatest && !good_enough(); ++x) least_spread(x, along_y);
+    for (std::int32_t x = along_x.least; x <= along_x.greatest && !done_; ++x) least_spread(x, along_y);
   }
 
   /// For one slope along x; keeps the best slopes so far.
@@ -113,10 +143,7 @@ class PlaneSearch {
         const std::int32_t down = slope_y * static_cast<std::int32_t>(y);
         all.include(rows[y].least - down, rows[y].greatest - down);
       }
-      if (all.spread() < best_spread_) {
-        best_spread_ = all.spread();
-        best_ = {slope_x, slope_y};
-      }
+      consider({slope_x, slope_y}, all.least, all.greatest);
       return all.spread();
     };
     while (along_y.greatest > along_y.least) {
@@ -128,6 +155,44 @@ class PlaneSearch {
       }
     }
     return spread(along_y.least);
+  }
+
+  bool is_whole() const {
+    if (tile_.height < kTileSide) return false;
+    return std::all_of(tile_.cover.begin(), tile_.cover.end(), [](std::uint8_t row) { return row == 0xFF; });
+  }
+
+  /// Of 8 x 8 cells: the sums of (2 x - 7) cell and (2 y - 7) cell by 672.
+  Slopes least_squares() const {
+    Slopes sums{0, 0};
+    const std::uint16_t* cell = tile_.cells.data();
+    for (std::int32_t y = 0; y < 8; ++y) {
+      std::int32_t row = 0;
+      for (std::int32_t x = 0; x < 8; ++x, ++cell) {
+        row += *cell;
+        sums.x += (2 * x - 7) * *cell;
+      }
+      sums.y += (2 * y - 7) * row;
+    }
+    static_assert(kFraction == 10);
+    return {sums.x * 32 / 21, sums.y * 32 / 21};  // sums are below 2^24
+  }
+
+  Extremes extremes(const Slopes& slopes) const {
+    Extremes found;
+    std::int32_t start = 0;
+    for (std::int32_t y = 0; y < static_cast<std::int32_t>(tile_.height); ++y, start += slopes.y) {
+      std::uint32_t row = tile_.cover[static_cast<std::uint32_t>(y)];
+      const std::uint16_t* cell = tile_.cells.data() + static_cast<std::uint32_t>(y) * kTileSide;
+      std::int32_t across = start;
+      for (std::int32_t x = 0; row != 0; ++x, row >>= 1, ++cell, across += slopes.x) {
+        if ((row & 1) == 0) continue;
+        const std::int32_t height = (*cell << kFraction) - across;
+        if (height > found.greatest) found.greatest = height, found.high_x = x, found.high_y = y;
+        if (height < found.least) found.least = height, found.low_x = x, found.low_y = y;
+      }
+    }
+    return found;
   }
 
   Heights row_heights(std::uint32_t y, std::int32_t slope_x) const {
@@ -142,20 +207,33 @@ class PlaneSearch {
     return heights;
   }
 
-  /// The second form's start always fits.
-  bool good_enough() const { return best_spread_ <= kOneCode - (kOneCode >> kPlaneForms[1].start_fraction); }
+  /// The first start on a form's grid that lies above all heights; it fits if it is less than a code above the least.
+  static std::int32_t start_above(std::int32_t greatest, const PlaneForm& form) {
+    const std::uint32_t grid = kFraction - form.start_fraction;
+    return (greatest + (1 << grid) - 1) >> grid << grid;
+  }
+  static bool fits(std::int32_t start, std::int32_t least) { return start < least + kOneCode; }
+
+  /// Keeps these slopes if they are the best so far. The search is over when the second form's start fits.
+  void consider(const Slopes& slopes, std::int32_t least, std::int32_t greatest) {
+    if (done_) return;
+    done_ = fits(start_above(greatest, kPlaneForms[1]), least);
+    if (!done_ && greatest - least >= best_spread_) return;
+    best_spread_ = greatest - least;
+    best_ = slopes;
+  }
 
   /// The slopes rounded to what the form holds, down or up each.
   std::optional<FittedPlane> in_form(const PlaneForm& form) const {
     const std::int32_t limit = std::int32_t{1} << (form.slope_bits - 1);
-    const auto fits = [limit](std::int32_t slope, std::uint32_t dropped) {
+    const auto holds = [limit](std::int32_t slope, std::uint32_t dropped) {
       const std::int32_t rounded = slope >> dropped;
       return rounded >= -limit && rounded + 1 < limit;
     };
-    const std::uint32_t finest = std::min(kFraction, form.start_fraction + 7U);
+    const std::uint32_t finest = std::min<std::uint32_t>(kFraction, form.start_fraction + 7U);
     for (std::uint32_t fraction = finest; fraction >= form.start_fraction; --fraction) {
       const std::uint32_t dropped = kFraction - fraction;
-      if (!fits(best_.x, dropped) || !fits(best_.y, dropped)) continue;
+      if (!holds(best_.x, dropped) || !holds(best_.y, dropped)) continue;
       const std::int32_t choices = dropped == 0 ? 1 : 2;
       for (std::int32_t i = 0; i < choices * choices; ++i) {
         const Slopes slopes{(best_.x >> dropped) + i % choices, (best_.y >> dropped) + i / choices};
@@ -166,13 +244,10 @@ class PlaneSearch {
           const std::int32_t down = (slopes.y << dropped) * static_cast<std::int32_t>(y);
           all.include(row.least - down, row.greatest - down);
         }
-        // start must lie in greatest .. least + 1 code - 1 unit, on the form's grid.
-        const std::uint32_t grid = kFraction - form.start_fraction;
-        const std::int32_t start = (all.greatest + (1 << grid) - 1) >> grid;
-        if ((start << grid) > all.least + kOneCode - 1) continue;
-        if (start < 0 || start >> (16 + form.start_fraction) != 0) continue;
-        return FittedPlane{&form, fraction - form.start_fraction, static_cast<std::uint32_t>(start), slopes.x,
-                           slopes.y};
+        const std::int32_t start = start_above(all.greatest, form);
+        if (!fits(start, all.least) || start < 0 || start >= kOneCode << 16) continue;
+        return FittedPlane{&form, fraction - form.start_fraction,
+                           static_cast<std::uint32_t>(start) >> (kFraction - form.start_fraction), slopes.x, slopes.y};
       }
       return std::nullopt;  // a coarser grid of slopes is a part of this one
     }
@@ -185,6 +260,7 @@ class PlaneSearch {
   const CoveredCells& tile_;
   Slopes best_{};
   std::int32_t best_spread_ = INT32_MAX;
+  bool done_ = false;
 };
 
 }  // namespace
