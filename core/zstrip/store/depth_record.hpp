@@ -11,14 +11,11 @@ namespace zstrip::detail {
 
 /// Bits 2..7 of a record's first byte; bits 0..1 are the CoverKind.
 enum Opcode : std::uint8_t {
-  kPlane = 0,     ///< 0..7: + slope fraction bits beyond those of the start
-  kAlong = 8,     ///< residuals of a row's linear continuation
-  kDown = 9,      ///< residuals of left + up - upleft
-  kColumn = 10,   ///< residuals of a column's linear continuation
-  kNearer = 12,   ///< the nearer of two planes
-  kFarther = 13,  ///< the farther of two planes
-  kEither = 14,   ///< one plane where the cover says so, the other elsewhere
-  kOffset = 16,   ///< 16..31: + bits of a cell's offset from the least one
+  kPlane = 0,    ///< 0..7: + slope fraction bits beyond those of the start
+  kAlong = 8,    ///< residuals of a row's linear continuation
+  kDown = 9,     ///< residuals of left + up - upleft
+  kColumn = 10,  ///< residuals of a column's linear continuation
+  kOffset = 16,  ///< 16..31: + bits of a cell's offset from the least one
 };
 constexpr std::uint8_t first_byte(unsigned opcode, CoverKind kind) {
   return static_cast<std::uint8_t>(opcode << 2 | static_cast<unsigned>(kind));
