@@ -52,15 +52,15 @@ TEST_P(DepthRatio, IsReached) {
 
 INSTANTIATE_TEST_SUITE_P(
     SmallFloat, DepthRatio,
-    testing::Values(Case{"room", DepthFormat::small_float, 9.0}, Case{"teapot", DepthFormat::small_float, 3.7},
-                    Case{"knot", DepthFormat::small_float, 3.4}, Case{"bunny", DepthFormat::small_float, 4.0},
-                    Case{"random10k", DepthFormat::small_float, 3.3}, Case{"cube", DepthFormat::small_float, 14.0}),
+    testing::Values(Case{"room", DepthFormat::small_float, 9.41}, Case{"teapot", DepthFormat::small_float, 4.20},
+                    Case{"knot", DepthFormat::small_float, 3.57}, Case{"bunny", DepthFormat::small_float, 4.17},
+                    Case{"random10k", DepthFormat::small_float, 3.35}, Case{"cube", DepthFormat::small_float, 14.80}),
     [](const auto& test) { return std::string(test.param.scene); });
 INSTANTIATE_TEST_SUITE_P(
     Fitted, DepthRatio,
-    testing::Values(Case{"room", DepthFormat::fitted, 10.0}, Case{"teapot", DepthFormat::fitted, 3.2},
-                    Case{"knot", DepthFormat::fitted, 2.5}, Case{"bunny", DepthFormat::fitted, 3.0},
-                    Case{"random10k", DepthFormat::fitted, 2.8}, Case{"cube", DepthFormat::fitted, 14.0}),
+    testing::Values(Case{"room", DepthFormat::fitted, 11.02}, Case{"teapot", DepthFormat::fitted, 3.22},
+                    Case{"knot", DepthFormat::fitted, 2.56}, Case{"bunny", DepthFormat::fitted, 3.07},
+                    Case{"random10k", DepthFormat::fitted, 2.89}, Case{"cube", DepthFormat::fitted, 14.74}),
     [](const auto& test) { return std::string(test.param.scene); });
 
 }  // namespace

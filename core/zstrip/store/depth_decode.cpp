@@ -191,7 +191,7 @@ class ResidualCodes {
 
   /// `per_word` codes have room in 32 bits behind at most 7 others.
   template <std::uint32_t per_word>
-  void read_whole_row(std::uint32_t width, std::int32_t escape, std::uint16_t* residuals) {
+  [[gnu::noinline]] void read_whole_row(std::uint32_t width, std::int32_t escape, std::uint16_t* residuals) {
     std::uint32_t bits = 0;
     const std::uint32_t down = 32 - width;
     const auto step = [&](std::uint32_t x) __attribute__((always_inline)) {

@@ -11,7 +11,7 @@ namespace detail {
 inline constexpr TileCodec kDepthCodec{'d', Purpose::depth, encode_depth_tile, decode_depth_tile};
 }
 
-/// Never allocates. Writing a tile takes about 1 KB of stack.
+/// Never allocates. Writing takes less than 1.5 KB of stack, reading less than 768 bytes.
 class DepthStore : public detail::TileStore {
  public:
   constexpr DepthStore() : TileStore(detail::kDepthCodec) {}

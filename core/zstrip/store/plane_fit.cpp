@@ -11,6 +11,8 @@ namespace {
 constexpr std::uint32_t kFraction = 10;  // of slopes and heights while searching
 constexpr std::int32_t kOneCode = 1 << kFraction;
 
+/// No start of the search is so far from a plane's slopes; products of less stay below 2^31.
+constexpr std::int32_t kFarOff = kOneCode * 64;
 constexpr int kMostSteps = 4;
 /// Spreads that no search brings below one code: most tiles that are no plane end here.
 constexpr std::int32_t kHopeless = kOneCode * 5 / 4;
@@ -108,7 +110,7 @@ class PlaneSearch {
       const Extremes found = extremes(slopes);
       consider(slopes, found.least, found.greatest);
       const std::int32_t dx = found.high_x - found.low_x, dy = found.high_y - found.low_y;
-      if (done_ || (dx == 0 && dy == 0)) return;
+      if (done_ || found.spread() >= kFarOff || (dx == 0 && dy == 0)) return;
       const std::int32_t excess = found.spread() - kOneCode * 5 / 8;
       const std::int32_t length = dx * dx + dy * dy;
       slopes.x += excess * dx / length;
