@@ -1,5 +1,5 @@
-// The depth store: any bytes as a record, a blob or a damaged pool are refused or read, and never make it touch memory
-// elsewhere; any cells come back as they were, in no more bytes than promised.
+// The stores of depth and colour: any bytes as a record, a blob or a damaged pool are refused or read, and never make
+// it touch memory elsewhere; any cells come back as they were, in no more bytes than promised.
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -7,6 +7,7 @@
 
 #include "input.hpp"
 #include "require.hpp"
+#include "zstrip/store/colour_store.hpp"
 #include "zstrip/store/depth_store.hpp"
 
 namespace {
@@ -22,17 +23,17 @@ struct Exact {
   std::span<std::byte> span() { return {bytes.get(), size}; }
 };
 
-void judge_record(fuzz::Input& input) {
+void judge_record(fuzz::Input& input, const detail::TileCodec& codec) {
   const std::uint32_t width = 1 + input.below(8), height = 1 + input.below(8);
   Exact record(input.below(140));
   for (std::byte& byte : record.span()) byte = static_cast<std::byte>(input.any<std::uint8_t>());
   std::vector<std::uint16_t> cells(std::size_t{width} * height);
-  if (!decode_depth_tile(record.span(), {cells.data(), width, width, height})) return;
+  if (!codec.decode(record.span(), {cells.data(), width, width, height})) return;
   std::array<std::byte, kLargestTileRecord> again;
-  const std::uint32_t size = encode_depth_tile({cells.data(), width, width, height}, again);
+  const std::uint32_t size = codec.encode({cells.data(), width, width, height}, again);
   fuzz::require(size <= 2 * width * height, "a record is no longer than its cells: %u", size);
   std::vector<std::uint16_t> decoded(cells.size());
-  fuzz::require(decode_depth_tile(std::span(again).first(size), {decoded.data(), width, width, height}),
+  fuzz::require(codec.decode(std::span(again).first(size), {decoded.data(), width, width, height}),
                 "what was encoded can be decoded");
   fuzz::require(decoded == cells, "and is the same");
 }
@@ -101,8 +102,9 @@ void judge_writing(fuzz::Input& input, bool damage) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Input input(data, size);
-  switch (input.below(4)) {
-    case 0: judge_record(input); break;
+  switch (input.below(5)) {
+    case 0: judge_record(input, detail::kDepthCodec); break;
+    case 4: judge_record(input, detail::kColourCodec); break;
     case 1: judge_blob(input); break;
     case 2: judge_writing(input, false); break;
     default: judge_writing(input, true); break;

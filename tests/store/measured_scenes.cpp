@@ -14,8 +14,16 @@ using namespace zstrip;
 constexpr View kView{320, 240};
 constexpr std::uint32_t kFrames = 6;
 
-std::vector<DepthImage> draw(const scenes::BuiltIn& built_in, DepthFormat format) {
-  std::vector<DepthImage> images;
+Image draw(const Scene& scene, const Camera& camera, Content content) {
+  switch (content) {
+    case Content::small_float: return draw_small_float(scene, camera, kView);
+    case Content::fitted: return draw_fitted(scene, camera, kView);
+    default: return draw_colour(scene, camera, kView);
+  }
+}
+
+std::vector<Image> draw(const scenes::BuiltIn& built_in, Content content) {
+  std::vector<Image> images;
   for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
     scenes::Staged staged;
     if (built_in.turns == scenes::Turns::camera) {
@@ -23,16 +31,15 @@ std::vector<DepthImage> draw(const scenes::BuiltIn& built_in, DepthFormat format
     } else {
       scenes::stage_workload(built_in, staged, 10 * frame);
     }
-    images.push_back(format == DepthFormat::small_float ? draw_small_float(staged.scene, staged.camera, kView)
-                                                        : draw_fitted(staged.scene, staged.camera, kView));
+    images.push_back(draw(staged.scene, staged.camera, content));
   }
   return images;
 }
 
 }  // namespace
 
-std::vector<DepthImage> depth_images(const std::string& scene, DepthFormat format) {
-  if (const scenes::BuiltIn* built_in = scenes::find(scene)) return draw(*built_in, format);
+std::vector<Image> images_of(const std::string& scene, Content content) {
+  if (const scenes::BuiltIn* built_in = scenes::find(scene)) return draw(*built_in, content);
   if (scene != "bunny") return {};
   const sim::Result<sim::Model> model = sim::import_model(ZSTRIP_BUNNY);
   if (!model) return {};
@@ -40,7 +47,7 @@ std::vector<DepthImage> depth_images(const std::string& scene, DepthFormat forma
   bunny.scene.meshes = model->meshes;
   bunny.scene.materials = model->materials;
   bunny.scene.instances = model->instances;
-  return draw(bunny, format);
+  return draw(bunny, content);
 }
 
 }  // namespace store_test

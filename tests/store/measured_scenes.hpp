@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "depth_images.hpp"
+#include "images.hpp"
 
 namespace store_test {
 
-enum class DepthFormat { small_float, fitted };
+enum class Content { small_float, fitted, colour };
 
 /// Frames 0, 10, ... 50 of a benchmark workload; of the room the six views of a turn. Empty if there is no such scene.
 /// `bunny` comes from the model file; it is empty if that is not installed.
-std::vector<DepthImage> depth_images(const std::string& scene, DepthFormat format);
+std::vector<Image> images_of(const std::string& scene, Content content);
 
 }  // namespace store_test

@@ -1,4 +1,4 @@
-// Depth images to measure compression with, of any scene, in the two formats.
+// Images to measure compression with: depth in two formats and colour, of any scene.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace store_test {
 
-/// Cells row by row; 0 is a cleared cell, greater is nearer.
-struct DepthImage {
+/// Cells or pixels row by row. Of depth 0 is a cleared cell, greater is nearer.
+struct Image {
   std::uint16_t width = 0, height = 0;
   std::vector<std::uint16_t> cells;
 };
@@ -27,9 +27,11 @@ constexpr std::uint16_t small_float(std::uint32_t near_over_w) {
 
 /// The scene in double precision, clipped at the camera's near plane, over the smallest rectangle that holds all that
 /// is covered; vertices are snapped as the renderer snaps them. Perspective cameras only.
-DepthImage draw_small_float(const zstrip::Scene& scene, const zstrip::Camera& camera, const zstrip::View& view);
+Image draw_small_float(const zstrip::Scene& scene, const zstrip::Camera& camera, const zstrip::View& view);
 
-/// What the renderer draws: 16 bits fitted to the scene's depth, cut to the same kind of rectangle.
-DepthImage draw_fitted(const zstrip::Scene& scene, const zstrip::Camera& camera, const zstrip::View& view);
+/// What the renderer draws, cut to the rectangle of what it covered: depth of 16 bits fitted to the scene's;
+Image draw_fitted(const zstrip::Scene& scene, const zstrip::Camera& camera, const zstrip::View& view);
+/// and its RGB565.
+Image draw_colour(const zstrip::Scene& scene, const zstrip::Camera& camera, const zstrip::View& view);
 
 }  // namespace store_test

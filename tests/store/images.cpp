@@ -1,5 +1,5 @@
-// A rasteriser in double precision for the small float, and the renderer's own z-buffer.
-#include "depth_images.hpp"
+// A rasteriser in double precision for the small float, and what the renderer draws.
+#include "images.hpp"
 
 #include <array>
 #include <cmath>
@@ -26,20 +26,20 @@ struct ScreenPoint {
   double inverse_w;
 };
 
-/// The smallest rectangle that holds all drawn cells.
-DepthImage cropped(std::span<const std::uint16_t> cells, const View& view) {
+/// The part of `content` in the smallest rectangle that holds all drawn cells.
+Image cropped(std::span<const std::uint16_t> depth, std::span<const std::uint16_t> content, const View& view) {
   int left = view.width, right = 0, top = view.height, bottom = 0;
   for (int y = 0; y < view.height; ++y) {
     for (int x = 0; x < view.width; ++x) {
-      if (cells[static_cast<std::size_t>(y * view.width + x)] == 0) continue;
+      if (depth[static_cast<std::size_t>(y * view.width + x)] == 0) continue;
       left = std::min(left, x), right = std::max(right, x + 1);
       top = std::min(top, y), bottom = std::max(bottom, y + 1);
     }
   }
   if (right <= left) return {};
-  DepthImage image{static_cast<std::uint16_t>(right - left), static_cast<std::uint16_t>(bottom - top), {}};
+  Image image{static_cast<std::uint16_t>(right - left), static_cast<std::uint16_t>(bottom - top), {}};
   for (int y = top; y < bottom; ++y) {
-    const auto row = cells.subspan(static_cast<std::size_t>(y * view.width + left), image.width);
+    const auto row = content.subspan(static_cast<std::size_t>(y * view.width + left), image.width);
     image.cells.insert(image.cells.end(), row.begin(), row.end());
   }
   return image;
@@ -131,7 +131,7 @@ class Rasteriser {
 
 }  // namespace
 
-DepthImage draw_small_float(const Scene& scene, const Camera& camera, const View& view) {
+Image draw_small_float(const Scene& scene, const Camera& camera, const View& view) {
   Rasteriser rasteriser(camera, view);
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
@@ -141,10 +141,17 @@ DepthImage draw_small_float(const Scene& scene, const Camera& camera, const View
       rasteriser.draw({points[t.a], points[t.b], points[t.c]}, scene.materials[instance.material].double_sided);
     }
   }
-  return cropped(rasteriser.cells, view);
+  return cropped(rasteriser.cells, rasteriser.cells, view);
 }
 
-DepthImage draw_fitted(const Scene& scene, const Camera& camera, const View& view) {
+namespace {
+
+/// The whole view; empty if the renderer refuses the scene.
+struct Drawn {
+  std::vector<std::uint16_t> depth, colour;
+};
+
+Drawn draw(const Scene& scene, const Camera& camera, const View& view) {
   const Effects effects = effects_of(scene, camera);
   const PlanResult planned = plan(count(scene), view, effects, {.strip_rows = view.height});
   if (!planned.status) return {};
@@ -153,13 +160,25 @@ DepthImage draw_fitted(const Scene& scene, const Camera& camera, const View& vie
   AnyRenderer renderer(effects);
   if (!renderer.begin_frame(scene, camera, view, planned.plan, std::as_writable_bytes(std::span(arena)))) return {};
   if (!renderer.draw_strip(0, std::as_writable_bytes(std::span(pixels)))) return {};
-  std::vector<std::uint16_t> cells(std::size_t{view.width} * view.height);
+  std::vector<std::uint16_t> depth(std::size_t{view.width} * view.height);
   const Rect area = renderer.frame().depth_area();
   for (std::int32_t y = area.top; y < area.bottom; ++y) {
     std::copy_n(renderer.frame().depth() + (y - area.top) * area.width(), area.width(),
-                cells.begin() + y * view.width + area.left);
+                depth.begin() + y * view.width + area.left);
   }
-  return cropped(cells, view);
+  return {depth, pixels};
+}
+
+}  // namespace
+
+Image draw_fitted(const Scene& scene, const Camera& camera, const View& view) {
+  const Drawn drawn = draw(scene, camera, view);
+  return drawn.depth.empty() ? Image{} : cropped(drawn.depth, drawn.depth, view);
+}
+
+Image draw_colour(const Scene& scene, const Camera& camera, const View& view) {
+  const Drawn drawn = draw(scene, camera, view);
+  return drawn.depth.empty() ? Image{} : cropped(drawn.depth, drawn.colour, view);
 }
 
 }  // namespace store_test
