@@ -1,7 +1,7 @@
 // Records of depth back to cells. Every offset is checked before it is used; arithmetic is modulo 2^16 as in the
 // encoder.
+#include <bit>
 #include <cstddef>
-#include <cstring>
 
 #include "zstrip/store/code_stream.hpp"
 #include "zstrip/store/depth_record.hpp"
@@ -138,112 +138,101 @@ using ResidualCells = std::array<std::uint16_t, kTileCells>;
 
 /// The codes of a tile, row by row, each from a byte on, and its literals, from the end backwards. What is missing is
 /// 0.
-class ResidualCodes {
- public:
-  explicit ResidualCodes(const Bytes& bytes) : bytes_(bytes), literal_(bytes.end) {}
-
-  /// Whether codes and literals meet, so that none was missing and none is left over.
-  bool used_up() const { return at_ == static_cast<std::size_t>(literal_ - bytes_.next) && !missing_; }
-
-  /// A row in which all 8 cells have a code.
-  void read_whole_row(std::uint32_t width, std::int32_t escape, std::uint16_t* residuals) {
-    if (width <= 4) {
-      read_whole_row<8>(width, escape, residuals);
-    } else if (width <= 8) {
-      read_whole_row<4>(width, escape, residuals);
-    } else {
-      read_whole_row<2>(width, escape, residuals);
-    }
-    at_ += width;
-  }
-
-  /// Bit x of `coded`: cell x has a code.
-  void read_row(std::uint32_t width, std::int32_t escape, std::uint32_t coded, std::uint16_t* residuals) {
-    const std::uint32_t per_word = width <= 4 ? 8 : width <= 8 ? 4 : 2;
-    std::uint32_t bit = 0, bits = 0, left = 0;
-    for (std::uint32_t x = 0; x < kTileSide; ++x, coded >>= 1) {
-      residuals[x] = 0;
-      if ((coded & 1) == 0) continue;
-      if (left == 0) {
-        bits = word_at(at_ + bit / 8) << bit % 8;
-        left = per_word;
-      }
-      const std::int32_t code = static_cast<std::int32_t>(bits) >> (32 - width);
-      bits <<= width;
-      bit += width;
-      --left;
-      residuals[x] = code == escape ? literal() : static_cast<std::uint16_t>(code);
-    }
-    at_ += (bit + 7) / 8;
-  }
-
- private:
-  /// 32 bits from a byte on.
-  std::uint32_t word_at(std::size_t at) const {
-    if (at + 4 <= bytes_.size()) {
-      const std::uint8_t* const next = bytes_.next + at;
-      return std::uint32_t{next[0]} << 24 | std::uint32_t{next[1]} << 16 | std::uint32_t{next[2]} << 8 | next[3];
-    }
-    std::uint32_t word = 0;
-    for (int shift = 24; at < bytes_.size(); shift -= 8) word |= std::uint32_t{bytes_.next[at++]} << shift;
-    return word;
-  }
-
-  /// `per_word` codes have room in 32 bits behind at most 7 others.
-  template <std::uint32_t per_word>
-  [[gnu::noinline]] void read_whole_row(std::uint32_t width, std::int32_t escape, std::uint16_t* residuals) {
-    std::uint32_t bits = 0;
-    const std::uint32_t down = 32 - width;
-    const auto step = [&](std::uint32_t x) __attribute__((always_inline)) {
-      if (x % per_word == 0) bits = word_at(at_ + x * width / 8) << (x * width % 8);
-      const std::int32_t code = static_cast<std::int32_t>(bits) >> down;
-      bits <<= width;
-      in_order(bits);
-      residuals[x] = static_cast<std::uint16_t>(code);
-      if (code == escape) residuals[x] = literal();
-    };
-    step(0), step(1), step(2), step(3), step(4), step(5), step(6), step(7);
-  }
-
-  [[gnu::noinline]] std::uint16_t literal() {
-    if (literal_ - bytes_.next < 2) {
-      missing_ = true;
-      return 0;
-    }
-    literal_ -= 2;
-    return static_cast<std::uint16_t>(literal_[0] | literal_[1] << 8);
-  }
-
-  Bytes bytes_;
-  const std::uint8_t* literal_;
-  std::size_t at_ = 0;  ///< bytes before the next row's codes
-  bool missing_ = false;
+struct ResidualCodes {
+  const std::uint8_t* next;     ///< the next row's codes
+  const std::uint8_t* end;      ///< of the record
+  const std::uint8_t* literal;  ///< the last one taken
+  bool missing;
 };
 
-/// `whole`: all of 8 cells a row have codes, and `cover` does not matter. False if these are not all codes and literals
-/// of a tile.
-[[gnu::noinline]] bool read_residuals(const Bytes& bytes, std::uint32_t widths, bool whole, const Cover& cover,
-                                      const Tile& tile, ResidualCells& residuals) {
-  ResidualCodes codes(bytes);
-  std::uint16_t* row = residuals.data();
-  for (std::uint32_t y = 0; y < tile.height; ++y, row += kTileSide, widths >>= 4) {
-    std::uint32_t width = widths & 0xF;
-    if (width == 0) {
-      for_row(kTileSide, [row](std::uint32_t x) { row[x] = 0; });
-      continue;
+/// 32 bits from a byte on.
+inline std::uint32_t word_at(const std::uint8_t* next, const std::uint8_t* end) {
+  if (end - next >= 4) {
+    return std::uint32_t{next[0]} << 24 | std::uint32_t{next[1]} << 16 | std::uint32_t{next[2]} << 8 | next[3];
+  }
+  std::uint32_t word = 0;
+  for (int shift = 24; next != end; shift -= 8) word |= std::uint32_t{*next++} << shift;
+  return word;
+}
+
+[[gnu::noinline]] std::uint16_t take_literal(ResidualCodes& codes) {
+  if (codes.literal - codes.next < 2) {
+    codes.missing = true;
+    return 0;
+  }
+  codes.literal -= 2;
+  return static_cast<std::uint16_t>(codes.literal[0] | codes.literal[1] << 8);
+}
+
+/// Codes that have room in 32 bits behind at most 7 others, for any position in a row.
+constexpr std::uint32_t codes_per_word(std::uint32_t width) { return width <= 4 ? 8 : width <= 8 ? 4 : 2; }
+
+/// A row in which all 8 cells have a code; its bytes are there.
+template <std::uint32_t per_word>
+[[gnu::noinline]] void read_whole_row(ResidualCodes& codes, std::uint32_t width, std::int32_t escape,
+                                      std::uint16_t* residuals) {
+  std::uint32_t bits = 0;
+  const std::uint32_t down = 32 - width;
+  const auto step = [&](std::uint32_t x) __attribute__((always_inline)) {
+    if (x % per_word == 0) bits = word_at(codes.next + x * width / 8, codes.end) << (x * width % 8);
+    const std::int32_t code = static_cast<std::int32_t>(bits) >> down;
+    bits <<= width;
+    in_order(bits);
+    residuals[x] = static_cast<std::uint16_t>(code);
+    if (code == escape) residuals[x] = take_literal(codes);
+  };
+  step(0), step(1), step(2), step(3), step(4), step(5), step(6), step(7);
+}
+
+/// A row in which cell x has a code if bit x of `coded` is set; their bytes are there.
+[[gnu::noinline]] void read_row(ResidualCodes& codes, std::uint32_t width, std::int32_t escape, std::uint32_t coded,
+                                std::uint16_t* residuals) {
+  const std::uint32_t per_word = codes_per_word(width), down = 32 - width;
+  std::uint32_t bit = 0, bits = 0, left = 0;
+  for (; coded != 0; coded >>= 1, ++residuals) {
+    if ((coded & 1) == 0) continue;
+    if (left == 0) {
+      bits = word_at(codes.next + bit / 8, codes.end) << bit % 8;
+      left = per_word;
     }
-    std::int32_t escape = escape_code(width);
+    const std::int32_t code = static_cast<std::int32_t>(bits) >> down;
+    bits <<= width;
+    bit += width;
+    --left;
+    *residuals = code == escape ? take_literal(codes) : static_cast<std::uint16_t>(code);
+  }
+}
+
+/// `cover`: nullptr if all of 8 cells a row have codes. False if these are not all codes and literals of a tile.
+[[gnu::noinline]] bool read_residuals(const Bytes& bytes, std::uint32_t widths, std::uint32_t height,
+                                      const std::uint8_t* cover, std::uint16_t* residuals) {
+  ResidualCodes codes{bytes.next, bytes.end, bytes.end, false};
+  for (; height != 0; --height, residuals += kTileSide, widths >>= 4) {
+    std::uint32_t width = widths & 0xF;
+    const std::uint32_t coded = cover == nullptr ? 0xFF : *cover++;
+    if (width == 0 || coded != 0xFF) for_row(kTileSide, [residuals](std::uint32_t x) { residuals[x] = 0; });
+    if (width == 0 || coded == 0) continue;
+    std::int32_t escape = INT32_MIN;
     if (width == kLiteralWidth) {
       width = 16;
-      escape = INT32_MIN;
-    }
-    if (whole) {
-      codes.read_whole_row(width, escape, row);
     } else {
-      codes.read_row(width, escape, cover[y], row);
+      escape = escape_code(width);
     }
+    std::uint32_t row_bytes = width;
+    if (coded != 0xFF) row_bytes = (static_cast<std::uint32_t>(std::popcount(coded)) * width + 7) / 8;
+    if (row_bytes > static_cast<std::size_t>(codes.end - codes.next)) return false;
+    if (coded != 0xFF) {
+      read_row(codes, width, escape, coded, residuals);
+    } else if (width <= 4) {
+      read_whole_row<8>(codes, width, escape, residuals);
+    } else if (width <= 8) {
+      read_whole_row<4>(codes, width, escape, residuals);
+    } else {
+      read_whole_row<2>(codes, width, escape, residuals);
+    }
+    codes.next += row_bytes;
   }
-  return codes.used_up();
+  return codes.next == codes.literal && !codes.missing;
 }
 
 /// Cells 1.. of a row. `gradient` is what the last cell added to the one it was predicted from.
@@ -290,15 +279,17 @@ template <Opcode predictor>
   }
 }
 
-/// Start, widths of the rows, codes row by row, literals.
-bool decode_residuals(const Bytes& bytes, Opcode predictor, bool whole, const Cover& cover, const Tile& tile) {
+/// Start, widths of the rows, codes row by row, literals. `cover`: nullptr if all of 8 cells a row have codes.
+bool decode_residuals(const Bytes& bytes, Opcode predictor, const std::uint8_t* cover, const Tile& tile) {
   const std::uint32_t width_bytes = (tile.height + 1) / 2;
   if (bytes.size() < 2 + width_bytes) return false;
   const auto start = static_cast<std::uint32_t>(bytes.next[0] | bytes.next[1] << 8);
   std::uint32_t widths = 0;
   for (std::uint32_t i = 0; i < width_bytes; ++i) widths |= std::uint32_t{bytes.next[2 + i]} << (8 * i);
   ResidualCells residuals;
-  if (!read_residuals({bytes.next + 2 + width_bytes, bytes.end}, widths, whole, cover, tile, residuals)) return false;
+  if (!read_residuals({bytes.next + 2 + width_bytes, bytes.end}, widths, tile.height, cover, residuals.data())) {
+    return false;
+  }
   tile.cells[0] = static_cast<std::uint16_t>(start + residuals[0]);
   predict_row<kAlong>(tile.cells, tile.width, 0, 0, residuals.data());
   switch (predictor) {
@@ -325,7 +316,7 @@ bool decode_residuals(const Bytes& bytes, Opcode predictor, bool whole, const Co
   if (opcode < kAlong) {
     decoded = decode_plane_record(bytes.next, bytes.size(), opcode - kPlane, tile);
   } else if (opcode <= kColumn) {
-    decoded = decode_residuals(bytes, static_cast<Opcode>(opcode), whole, cover, tile);
+    decoded = decode_residuals(bytes, static_cast<Opcode>(opcode), whole ? nullptr : cover.data(), tile);
   } else if (opcode >= kOffset && opcode < kOffset + 16U) {
     return decode_offsets(bytes, opcode - kOffset, cover, tile);
   }

@@ -122,16 +122,21 @@ struct RowChoice {
 };
 
 RowChoice choose_width(const std::int16_t* residuals, std::uint32_t coded) {
-  std::array<std::uint8_t, kLiteralBits + 2> wider{};  // residuals that need more than i bits
-  std::uint32_t count = 0;
-  for (; coded != 0; coded &= coded - 1, ++count) {
-    const std::uint32_t needed = code_width(residuals[std::countr_zero(coded)]);
-    for (std::uint32_t i = 0; i < needed; ++i) ++wider[i];
+  std::array<std::uint8_t, kLiteralBits + 2> needing{};  // residuals that need exactly i bits
+  std::uint32_t count = 0, most = 0;
+  for (; coded != 0; coded >>= 1, ++residuals) {
+    if ((coded & 1) == 0) continue;
+    const std::uint32_t needed = code_width(*residuals);
+    ++needing[needed];
+    ++count;
+    most = std::max(most, needed);
   }
-  if (wider[0] == 0) return {0, 0};
+  if (most == 0) return {0, 0};
   RowChoice best{kLiteralWidth, count * kLiteralBits};
-  for (std::uint32_t width = 1; width < kLiteralWidth; ++width) {
-    const std::uint32_t bits = count * width + wider[width] * kLiteralBits;
+  std::uint32_t literals = count - needing[0];
+  for (std::uint32_t width = 1; width < kLiteralWidth && width <= most; ++width) {
+    literals -= needing[width];
+    const std::uint32_t bits = count * width + literals * kLiteralBits;
     if (bits < best.bits) best = {width, bits};
   }
   return best;
