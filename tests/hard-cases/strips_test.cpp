@@ -1,5 +1,5 @@
-// Hard cases E: strips and the bounding rectangle never show in a picture. The renderer keeps no depth beyond a strip,
-// so that there is no compressed store for cases 55 to 58 to test.
+// Hard cases E: strips and the bounding rectangle never show in a picture.
+// Cases 55 to 58 are in store_test.cpp.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
