@@ -19,6 +19,7 @@ const char* message(Error error) {
     case Error::light: return "too many lights";
     case Error::effect_missing: return "the renderer was built without an effect that the scene calls for";
     case Error::not_begun: return "draw_strip needs a successful begin_frame";
+    case Error::depth_effects: return "these depth effects exclude each other or this camera";
   }
   return "unknown error";
 }

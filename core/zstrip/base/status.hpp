@@ -24,6 +24,8 @@ enum class Error : std::uint8_t {
   effect_missing,  ///< the scene calls for an effect that this renderer was built without (`needed` = the missing set),
                    ///< or the renderer is for orthographic cameras only (`needed` = 0)
   not_begun,       ///< draw_strip before a successful begin_frame
+  depth_effects,   ///< two depth formats at once, sub-ranges of one that has none, or one that needs a perspective
+                   ///< camera and is to draw an orthographic one
 };
 
 /// What memory is for. The order is that of a plan's table.

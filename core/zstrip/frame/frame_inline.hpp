@@ -55,7 +55,32 @@ struct Frame::Access {
         batch.colours = frame.colours_;
       }
     }
-    detail::Assembler<effects>::draw(target, batch, triangles, all_narrow);
+    if constexpr (std::is_same_v<detail::TargetFor<detail::depth_mode(effects)>, detail::StripTarget>) {
+      detail::Assembler<effects>::draw(target, batch, triangles, all_narrow);
+    } else {
+      const detail::StripTargetWithDepth with_depth{target, depth_settings<effects>(frame, instance)};
+      detail::Assembler<effects>::draw(with_depth, batch, triangles, all_narrow);
+    }
+  }
+
+  template <Effects effects>
+  static detail::DepthSettings depth_settings(const Frame& frame, const detail::CompiledInstance& instance) {
+    constexpr DepthFormat kFormat = depth_format(effects);
+    const Material& material = frame.scene_->materials[instance.material];
+    detail::DepthSettings settings;
+    settings.test = material.depth_test;
+    settings.write = material.depth_write;
+    settings.bias = material.depth_bias;
+    settings.slope_bias = material.depth_slope_bias;
+    settings.bias_clamp = material.depth_bias_clamp;
+    settings.largest = largest_depth_code(kFormat);
+    if constexpr (kFormat == DepthFormat::w16) settings.linear = detail::linear_mapping(frame.fit_);
+    if constexpr (effects.has(effect::depth_ranges)) {
+      const std::uint32_t cleared = static_cast<const FrameWithDepthRanges&>(frame).cleared_code_;
+      settings.smallest = cleared + 1;
+      settings.largest = cleared + detail::kDepthRangeCodes - 2;
+    }
+    return settings;
   }
 
   static detail::Surface surface_of(const Frame& frame, const detail::CompiledInstance& instance) {
@@ -68,6 +93,47 @@ struct Frame::Access {
     return surface;
   }
 
+  static constexpr bool has_own_mapping(Effects effects) {
+    return effects.any(effect::depth_formats | effect::depth_ranges);
+  }
+  static constexpr bool has_own_clear(Effects effects) {
+    return depth_bytes(depth_format(effects)) != kDepthBytes || effects.has(effect::depth_ranges);
+  }
+
+  /// From z16's, for which the frame has been prepared.
+  template <Effects effects>
+  static void change_mapping(Frame& frame, const Scene& scene) {
+    if (frame.fit_.near == 0) return;  // nothing is visible
+    const detail::DepthMapping mapping = effects.has(effect::depth_ranges)
+                                             ? detail::depth_mapping_of_ranges(frame.fit_)
+                                             : detail::depth_mapping(depth_format(effects), frame.fit_);
+    detail::change_depth_mapping(mapping, effects.has(effect::orthographic), frame.fit_, frame.origin_,
+                                 {frame.instances_, scene.instances.size()});
+  }
+
+  /// What clear() does not: cells of 32 bits, and sub-ranges, where the strip gets the next one and often no clear.
+  template <Effects effects>
+  static void clear_depth(Frame& frame, const detail::StripTarget& target) {
+    const auto cells = static_cast<std::uint32_t>(target.area.width() * target.area.height());
+    if constexpr (effects.has(effect::depth_ranges)) {
+      if (cells == 0) return;
+      auto& ranged = static_cast<FrameWithDepthRanges&>(frame);
+      const std::uint32_t usable = ranged.ranges_.next(cells);
+      __builtin_memset(frame.depth_ + usable, 0, std::size_t{cells - usable} * kDepthBytes);
+      const std::int64_t up =
+          (std::int64_t{ranged.ranges_.cleared_code()} - ranged.cleared_code_) * (1 << 16);  // 16.16 codes
+      ranged.cleared_code_ = ranged.ranges_.cleared_code();
+      if constexpr (effects.has(effect::orthographic)) {
+        frame.origin_.depth_offset += static_cast<std::uint32_t>(up);
+      } else {
+        frame.fit_.offset -= up;
+        frame.origin_.depth_offset = static_cast<std::uint32_t>(frame.fit_.offset);
+      }
+    } else {
+      __builtin_memset(frame.depth_, 0, std::size_t{cells} * depth_bytes(depth_format(effects)));
+    }
+  }
+
   template <Effects effects>
   static Status begin_frame(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                             std::span<std::byte> arena) {
@@ -78,11 +144,26 @@ struct Frame::Access {
       return {.error = Error::effect_missing};
     }
     if (const Status status = check(scene, camera, view, plan, missing, arena); !status) return status;
+    if constexpr (depth_bytes(depth_format(effects)) != kDepthBytes) {
+      const std::uint64_t needed = std::uint64_t{plan.strip_rows} * view.width * depth_bytes(depth_format(effects));
+      if (plan.depth_bytes < needed) {
+        return {.error = Error::arena_too_small,
+                .purpose = Purpose::depth,
+                .needed = static_cast<std::uint32_t>(needed),
+                .available = plan.depth_bytes};
+      }
+    }
     frame.view_ = view;
     frame.plan_ = plan;
     frame.statistics_ = {};
     lay_out_arena(frame, arena);
+    if constexpr (effects.has(effect::depth_ranges)) {
+      auto& ranged = static_cast<FrameWithDepthRanges&>(frame);
+      ranged.ranges_.begin_frame(frame.depth_, plan.depth_bytes / kDepthBytes);
+      ranged.cleared_code_ = 0;
+    }
     if (const Status status = prepare(frame, scene, camera, view); !status) return status;
+    if constexpr (has_own_mapping(effects)) change_mapping<effects>(frame, scene);
     if constexpr (effects.has(effect::statistics)) frame.statistics_.triangles = count(scene).triangles;
     frame.scene_ = &scene;
     return {};
@@ -106,7 +187,12 @@ struct Frame::Access {
     auto* const drawn = detail::drawn_in_place(frame.view_.format) ? reinterpret_cast<std::uint16_t*>(pixels.data())
                                                                    : frame.working_colour_;
     const detail::StripTarget target = target_of(frame, strip, drawn);
-    clear(frame, rows, drawn, target);
+    if constexpr (has_own_clear(effects)) {
+      detail::fill_pixels(drawn, std::uint32_t{rows} * frame.view_.width, detail::rgb565(frame.scene_->background));
+      clear_depth<effects>(frame, target);
+    } else {
+      clear(frame, rows, drawn, target);
+    }
     if (!target.area.empty()) draw_instances<effects>(frame, target);
     resolve(frame, rows, drawn, pixels.data());
     return {};

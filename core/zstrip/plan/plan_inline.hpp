@@ -9,7 +9,7 @@ namespace zstrip {
 inline constexpr std::uint32_t kInstanceBytes = 160;
 inline constexpr std::uint32_t kVertexBytes = 8;         // snapped x, y and depth
 inline constexpr std::uint32_t kVertexColourBytes = 4;   // only with lighting or vertex colours
-inline constexpr std::uint32_t kDepthBytes = 2;          // a cell of the z-buffer
+inline constexpr std::uint32_t kDepthBytes = 2;          // a cell of the z-buffer, unless depth_bytes says 4
 inline constexpr std::uint32_t kWorkingColourBytes = 2;  // RGB565
 
 namespace detail {
@@ -64,7 +64,7 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
   }
   const std::uint32_t per_vertex = kVertexBytes + (detail::has_vertex_colours(effects) ? kVertexColourBytes : 0);
   const std::uint32_t per_row_colour = detail::drawn_in_place(view.format) ? 0 : kWorkingColourBytes * view.width;
-  const std::uint32_t per_row_depth = kDepthBytes * view.width;
+  const std::uint32_t per_row_depth = depth_bytes(depth_format(effects)) * view.width;
 
   const auto with_rows = [&](std::uint32_t rows) {
     Plan plan{.mode = Mode::streamed,

@@ -24,6 +24,7 @@ constexpr std::int64_t signed_area(const RasterVertex& a, const RasterVertex& b,
 /// A value at the anchor pixel and its steps a pixel. Arithmetic modulo 2^32: exact wherever the value itself is in
 /// range.
 struct Plane {
+  using Value = std::uint32_t;
   std::uint32_t start, step_x, step_y;
 
   constexpr std::uint32_t at(std::int32_t columns, std::int32_t rows) const {
