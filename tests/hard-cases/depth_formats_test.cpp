@@ -157,8 +157,10 @@ TEST(HardCases, D45_EveryFormatHasTheDocumentedMapping) {
           ASSERT_TRUE(drawn.status);
           const std::uint32_t code = drawn.depth[32 * 96 + 48];
           ASSERT_NE(code, 0U) << kind.name << ' ' << distances[0];
-          const double w = (instances[0].transform.m[2][3]) / -65536.0, n = instances[1].transform.m[2][3] / -65536.0,
-                       f = instances[2].transform.m[2][3] / -65536.0;
+          // The fit is wider than the bounds by 2^-20 on either side.
+          const double w = instances[0].transform.m[2][3] / -65536.0,
+                       n = instances[1].transform.m[2][3] / -65536.0 * (1 - 0x1p-20),
+                       f = instances[2].transform.m[2][3] / -65536.0 * (1 + 0x1p-20);
           const double position = orthographic ? (f - w) / (f - n) : (1 / w - 1 / f) / (1 / n - 1 / f);  // 0 .. 1
           const auto between_codes = [&](double first, double last, double at) { return first + (last - first) * at; };
           double exact = 0;
@@ -177,7 +179,10 @@ TEST(HardCases, D45_EveryFormatHasTheDocumentedMapping) {
           worst = std::max(worst, std::abs(code - exact));
         }
       }
-      std::printf("%s %s: %.2f codes\n", kind.name, orthographic ? "orthographic" : "perspective", worst);
+      // Half a code of rounding and what the vertex's snapping to eighths adds; z32 is finer than 1/w, which has 28
+      // bits, or w, which has 30.
+      const double promised = kind.effect == effect::depth_32 ? (orthographic ? 2 : 10) : 0.63;
+      EXPECT_LE(worst, promised) << kind.name;
       RecordProperty(std::string(kind.name) + (orthographic ? "_orthographic" : "_perspective"), std::to_string(worst));
     }
   }

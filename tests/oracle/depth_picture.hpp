@@ -29,6 +29,7 @@ struct DepthPicture {
   std::vector<std::byte> pixels;
   std::vector<std::uint32_t> depth;  ///< a code for each pixel of the view; 0 is cleared
   Rect bounds;
+  Statistics statistics;
 };
 
 /// One renderer with its arena, frame after frame.
@@ -38,9 +39,15 @@ class DepthRenderer {
   DepthRenderer(Effects effects, const View& view, std::uint16_t strip_rows, std::uint8_t garbage = 0xA5)
       : effects_(effects), view_(view), strip_rows_(strip_rows), garbage_(garbage), renderer_(effects) {}
 
-  DepthPicture draw(const Scene& scene, const Camera& camera) {
+  void set_view(const View& view, std::uint16_t strip_rows) {
+    view_ = view;
+    strip_rows_ = strip_rows;
+  }
+
+  /// `times`: how often each strip is drawn.
+  DepthPicture draw(const Scene& scene, const Camera& camera, int times = 1) {
     const PlanResult planned = plan(count(scene), view_, effects_, {.strip_rows = strip_rows_});
-    DepthPicture picture{planned.status, {}, {}, {}};
+    DepthPicture picture{planned.status, {}, {}, {}, {}};
     if (!picture.status) return picture;
     const std::size_t words = planned.plan.bytes() / 8 + 1;
     if (arena_.size() < words) arena_.resize(words, 0x0101010101010101ULL * garbage_);
@@ -52,13 +59,16 @@ class DepthRenderer {
     std::vector<std::uint64_t> strip(planned.plan.strip_pixel_bytes(view_) / 8 + 1, 0x0101010101010101ULL * garbage_);
     const auto bytes = std::as_writable_bytes(std::span(strip));
     for (std::uint16_t s = 0; s < planned.plan.strips; ++s) {
-      picture.status = renderer_.draw_strip(s, bytes);
-      if (!picture.status) return picture;
+      for (int i = 0; i < times; ++i) {
+        picture.status = renderer_.draw_strip(s, bytes);
+        if (!picture.status) return picture;
+      }
       const int rows = std::min<int>(planned.plan.strip_rows, view_.height - s * planned.plan.strip_rows);
       picture.pixels.insert(picture.pixels.end(), bytes.begin(),
                             bytes.begin() + rows * static_cast<int>(bytes_per_row(view_.width, view_.format)));
       read_depth(picture.depth);
     }
+    picture.statistics = renderer_.frame().statistics();
     return picture;
   }
 
