@@ -49,6 +49,18 @@ constexpr DepthFormat depth_format(Effects effects) {
   return DepthFormat::z16;
 }
 
+/// What selects a format; nothing for z16.
+constexpr Effects depth_effect(DepthFormat format) {
+  switch (format) {
+    case DepthFormat::float16: return effect::depth_float;
+    case DepthFormat::w16: return effect::depth_w16;
+    case DepthFormat::z24: return effect::depth_24;
+    case DepthFormat::z32: return effect::depth_32;
+    case DepthFormat::z16: break;
+  }
+  return {};
+}
+
 /// At most one format, sub-ranges only of z16, and what needs 1/w only with perspective.
 constexpr bool depth_effects_agree(Effects effects) {
   const std::uint32_t format = (effects & (effect::depth_formats | effect::depth_ranges)).bits;
