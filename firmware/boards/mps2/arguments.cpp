@@ -35,6 +35,10 @@ bool read_word(std::string_view word, Arguments& arguments) {
     arguments.workload = value;
     return true;
   }
+  if (key == "depth") {
+    arguments.depth = value;
+    return true;
+  }
   if (key == "size") {
     const std::string_view width = take(value, 'x');
     return read_number(width, arguments.width) && read_number(value, arguments.height);

@@ -1,4 +1,4 @@
-// The words that say what the benchmark runs: "workload=K5 size=320x240 rows=16 frames=2 first=0 ram=65536".
+// The words that say what the benchmark runs: "workload=K5 depth=z16 size=320x240 rows=16 frames=2 first=0 ram=65536".
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@ namespace zstrip::bench {
 
 struct Arguments {
   std::string_view workload = "K5";  ///< a part of the text that was parsed
+  std::string_view depth = "z16";    ///< likewise
   std::uint16_t width = 320;
   std::uint16_t height = 240;
   std::uint16_t rows = 0;         ///< of a strip; 0: the planner decides

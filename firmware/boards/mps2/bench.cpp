@@ -99,9 +99,9 @@ void print_configuration(const Arguments& arguments, const zstrip::Plan& plan, c
   print_member("strip_pixel_bytes", plan.strip_pixel_bytes(view));
 }
 
-template <const zstrip::scenes::BuiltIn& built_in>
+template <const zstrip::scenes::BuiltIn& built_in, zstrip::Effects depth = zstrip::Effects{}>
 int run(const Arguments& arguments) {
-  constexpr zstrip::Effects kEffects = effects_of(built_in.scene, built_in.camera);
+  constexpr zstrip::Effects kEffects = effects_of(built_in.scene, built_in.camera) | depth;
   static zstrip::Renderer<kEffects> renderer;
   static zstrip::scenes::Staged staged;
 
@@ -142,14 +142,24 @@ int run(const Arguments& arguments) {
 
 struct Workload {
   std::string_view name;
+  std::string_view depth;
   int (*run)(const Arguments&);
 };
 
 /// The names are those of the published comparison with other renderers.
-constexpr Workload kWorkloads[] = {{"K5", run<zstrip::scenes::knot>},
-                                   {"CT", run<zstrip::scenes::cube>},
-                                   {"R50", run<zstrip::scenes::random50>},
-                                   {"R10k", run<zstrip::scenes::random10k>}};
+/// R50, nearly all of it flat fragments, shows what a fragment costs with each way to keep depth.
+constexpr Workload kWorkloads[] = {
+    {"K5", "z16", run<zstrip::scenes::knot>},
+    {"CT", "z16", run<zstrip::scenes::cube>},
+    {"R50", "z16", run<zstrip::scenes::random50>},
+    {"R50", "state", run<zstrip::scenes::random50, zstrip::effect::depth_state>},
+    {"R50", "ranges", run<zstrip::scenes::random50, zstrip::effect::depth_ranges>},
+    {"R50", "float", run<zstrip::scenes::random50, zstrip::effect::depth_float>},
+    {"R50", "w16", run<zstrip::scenes::random50, zstrip::effect::depth_w16>},
+    {"R50", "z24", run<zstrip::scenes::random50, zstrip::effect::depth_24>},
+    {"R50", "z32", run<zstrip::scenes::random50, zstrip::effect::depth_32>},
+    {"R10k", "z16", run<zstrip::scenes::random10k>},
+};
 
 }  // namespace
 
@@ -164,11 +174,11 @@ int main() {
   if (!arguments.wrong_word.empty()) {
     print("bench: cannot read the word '");
     print(arguments.wrong_word);
-    print("'; usage: [workload=K5|CT|R50|R10k] [size=WxH] [rows=N] [frames=N] [first=N] [ram=BYTES]\n");
+    print("'; usage: [workload=K5|CT|R50|R10k] [depth=FORMAT] [size=WxH] [rows=N] [frames=N] [first=N] [ram=BYTES]\n");
     return kUsage;
   }
   for (const Workload& workload : kWorkloads) {
-    if (workload.name != arguments.workload) continue;
+    if (workload.name != arguments.workload || workload.depth != arguments.depth) continue;
     if (!zstrip::board::start_instruction_counter()) {
       print("bench: the timer does not count instructions; run QEMU with -icount shift=0\n");
       return kFailed;
@@ -177,6 +187,8 @@ int main() {
   }
   print("bench: no workload '");
   print(arguments.workload);
-  print("'; there are K5, CT, R50 and R10k\n");
+  print(
+      "'; there are K5, CT, R50 and R10k, and depth=z16; of R50 also "
+      "state, ranges, float, w16, z24 and z32\n");
   return kUsage;
 }
