@@ -28,8 +28,10 @@ class TriangleDepth {
                 [[maybe_unused]] std::int32_t anchor_y) {
     if constexpr (format == DepthFormat::z16) {
       plane_ = setup.plane(v0.depth, std::int64_t{v1.depth} - v0.depth, std::int64_t{v2.depth} - v0.depth);
+    } else if constexpr (format == DepthFormat::z32) {
+      plane_ = exact_depth_plane(v0, v1, v2, area, anchor_x, anchor_y);
     } else {
-      plane_ = wide_depth_plane(v0, v1, v2, area, anchor_x, anchor_y);
+      plane_ = setup.wide_plane(v0.depth, std::int64_t{v1.depth} - v0.depth, std::int64_t{v2.depth} - v0.depth);
     }
   }
 
@@ -49,7 +51,7 @@ template <>
 class TriangleDepth<DepthFormat::float16> {
  public:
   TriangleDepth(const PlaneSetup& setup, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2,
-                std::int64_t area, std::int32_t anchor_x, std::int32_t anchor_y) {
+                std::int64_t, std::int32_t, std::int32_t) {
     const auto [farthest, nearest] = std::minmax({v0.depth, v1.depth, v2.depth});
     first_ = float16_octave(farthest);
     last_ = float16_octave(nearest);
@@ -58,7 +60,9 @@ class TriangleDepth<DepthFormat::float16> {
       planes_[octave] = setup.plane(at_0, float16_depth(v1.depth, octave) - at_0,  // below 2^36
                                     float16_depth(v2.depth, octave) - at_0);
     }
-    if (first_ != last_) near_over_w_ = wide_depth_plane(v0, v1, v2, area, anchor_x, anchor_y);
+    if (first_ != last_) {
+      near_over_w_ = setup.wide_plane(v0.depth, std::int64_t{v1.depth} - v0.depth, std::int64_t{v2.depth} - v0.depth);
+    }
   }
 
   template <class Cell, class Draw>
@@ -73,7 +77,8 @@ class TriangleDepth<DepthFormat::float16> {
     for (std::int32_t left = span.length; left > 0; left -= run.length) {
       const std::uint64_t start = near_over_w_.at(run.columns, run.rows) & kMask;
       const std::uint32_t octave = octave_of(start);
-      run.length = std::min(left, columns_in_octave(start, octave, step));
+      const std::uint64_t end = (start + near_over_w_.step_x * static_cast<std::uint64_t>(left - 1)) & kMask;
+      run.length = octave_of(end) == octave ? left : std::min(left, columns_in_octave(start, octave, step));
       draw(run, planes_[octave]);
       run.depth += run.length;
       run.colour += run.length;
