@@ -189,23 +189,30 @@ TEST(HardCases, D44_SmallestSeparationOfEveryFormat) {
 }
 
 // With ZSTRIP_PICTURES=FOLDER a picture of the share of wrong pixels: distance 1 to 30 to the right, separation 0.00001
-// to 1 upwards, both logarithmic; left the whole range, right the fitted one. Black is none, white all.
+// to 1 upwards, both logarithmic; a panel for each format, above over 0.1..100, below fitted to 1..40. Black is none,
+// white all.
 TEST(HardCases, D44_Picture) {
   const char* const folder = std::getenv("ZSTRIP_PICTURES");
   if (folder == nullptr) GTEST_SKIP() << "ZSTRIP_PICTURES names no folder";
-  constexpr int kSide = 100;
+  constexpr int kSide = 100, kGap = 8;
+  const DepthRange* const panels[2][5] = {{&kWhole, &kFloat, &kLinear, &kWhole24, &kWhole32},
+                                          {&kFitted, &kFittedFloat, &kFittedLinear, &kFitted24, &kFitted32}};
   std::ofstream file(std::string(folder) + "/z_fighting.pgm", std::ios::binary);
-  file << "P5\n" << 2 * kSide + 8 << ' ' << kSide << "\n255\n";
-  for (int y = kSide - 1; y >= 0; --y) {
+  const int width = 5 * (kSide + kGap) - kGap, height = 2 * kSide + kGap;
+  file << "P5\n" << width << ' ' << height << "\n255\n";
+  for (int row = 0; row < height; ++row) {
+    const int y = kSide - 1 - row % (kSide + kGap);
     const double separation = std::pow(10.0, -5 + 5.0 * y / (kSide - 1));
-    for (int x = 0; x < 2 * kSide + 8; ++x) {
-      const double distance = std::pow(30.0, static_cast<double>(x % (kSide + 8)) / (kSide - 1));
-      // Grey: between the two, and where the nearer square would be another one's size.
-      if ((x >= kSide && x < kSide + 8) || separation > distance / 15) {
+    for (int column = 0; column < width; ++column) {
+      const int x = column % (kSide + kGap);
+      const double distance = std::pow(30.0, static_cast<double>(x) / (kSide - 1));
+      // Grey: between the panels, and where the nearer square would be another one's size.
+      if (x >= kSide || y < 0 || separation > distance / 15) {
         file.put(static_cast<char>(128));
         continue;
       }
-      file.put(static_cast<char>(255 * wrong_pixels(x < kSide ? kWhole : kFitted, distance, 0.5, separation)));
+      const DepthRange& range = *panels[row / (kSide + kGap)][column / (kSide + kGap)];
+      file.put(static_cast<char>(255 * wrong_pixels(range, distance, 0.5, separation)));
     }
   }
   EXPECT_TRUE(file.flush());
