@@ -24,6 +24,7 @@ const char* message(Error error) {
     case Error::store_full: return "the pool of a store is full";
     case Error::store_range: return "the store has no such tile or row";
     case Error::store_damaged: return "the store is damaged";
+    case Error::depth_effects: return "these depth effects exclude each other or this camera";
   }
   return "unknown error";
 }
