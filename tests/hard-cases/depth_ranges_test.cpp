@@ -50,6 +50,7 @@ struct Models {
     scene.meshes = meshes;
     scene.materials = materials;
     scene.instances = instances;
+    scene.background = {255, 255, 255, 255};  // the nearest of all codes, where a picture's colours were
     return scene;
   }
 };
