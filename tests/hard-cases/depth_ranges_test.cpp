@@ -50,6 +50,7 @@ struct Models {
     scene.meshes = meshes;
     scene.materials = materials;
     scene.instances = instances;
+    scene.background = {255, 255, 255, 255};  // the nearest of all codes, where a picture's colours were
     return scene;
   }
 };
@@ -96,6 +97,20 @@ TEST(HardCases, D50_SubRangesOutliveChangesOfViewStripsPlanSceneAndFailures) {
     }
     expect_like_cleared(kept, kEffects, view, rows, scene, Camera{}, models.between(1, 3));
     if (HasFatalFailure()) FAIL() << "frame " << frame;
+  }
+}
+
+TEST(HardCases, D50_ColoursOfAnotherPlanBehindItsSmallerZBufferAreNoDepth) {
+  Models models(52);
+  for (int i = 0; i < 100; ++i) {
+    const Scene scene = models.next();
+    DepthRenderer kept(kEffects, kViews[0], kViews[0].height);
+    const View grey{64, 20, PixelFormat::gray4};
+    for (const auto& [view, rows] : {std::pair{kViews[0], 48}, std::pair{grey, 20}, std::pair{kViews[0], 48}}) {
+      kept.set_view(view, static_cast<std::uint16_t>(rows));
+      expect_like_cleared(kept, kEffects, view, rows, scene, Camera{}, 1);
+      if (HasFatalFailure()) FAIL() << "scene " << i;
+    }
   }
 }
 
