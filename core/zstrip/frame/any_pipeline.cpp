@@ -14,7 +14,8 @@ constexpr auto table_of(std::index_sequence<bits...>) {
   struct Table {
     Pipeline pipelines[sizeof...(bits)];
   };
-  return Table{{{&detail::begin_frame<Effects{bits} | kAlways>, &detail::draw_strip<Effects{bits} | kAlways>}...}};
+  return Table{{{&detail::begin_frame<Effects{bits} | kAlways>, &detail::draw_strip<Effects{bits} | kAlways>,
+                 &detail::draw_over<Effects{bits} | kAlways>}...}};
 }
 
 constexpr auto kTable = table_of(std::make_index_sequence<effect::all.bits + 1>{});
@@ -27,16 +28,21 @@ constexpr Pipeline full_pipeline(bool orthographic) {
   constexpr Effects kPerspective = kAllButProjection | depth;
   constexpr Effects kOrthographic = kPerspective | effect::orthographic;
   if constexpr (depth_effects_agree(kOrthographic)) {
-    if (orthographic) return {&detail::begin_frame<kOrthographic>, &detail::draw_strip<kOrthographic>};
+    if (orthographic)
+      return {&detail::begin_frame<kOrthographic>, &detail::draw_strip<kOrthographic>,
+              &detail::draw_over<kOrthographic>};
   }
-  return {&detail::begin_frame<kPerspective>, &detail::draw_strip<kPerspective>};
+  return {&detail::begin_frame<kPerspective>, &detail::draw_strip<kPerspective>, &detail::draw_over<kPerspective>};
 }
 
 constexpr Pipeline kRefusing{
     [](Frame&, const Scene&, const Camera&, const View&, const Plan&, std::span<std::byte>) {
       return Status{.error = Error::depth_effects};
     },
-    [](Frame&, std::uint16_t, std::span<std::byte>) { return Status{.error = Error::not_begun}; }};
+    [](Frame&, std::uint16_t, std::span<std::byte>) { return Status{.error = Error::not_begun}; },
+    [](Frame&, const Rect&, std::span<std::uint16_t>, std::span<std::uint16_t>) {
+      return Status{.error = Error::not_begun};
+    }};
 
 }  // namespace
 

@@ -33,6 +33,7 @@ DepthFit fit_to_scene(const Scene& scene, const Camera& camera) {
     farthest = std::max(farthest, range.farthest);
   }
   if (!any) return {};
+  if (camera.fixed_depth_range) return fit_depth(near, far);
   return fit_depth(std::max(nearest, near), std::min(farthest, far));
 }
 

@@ -8,7 +8,8 @@
 
 namespace zstrip::detail {
 
-/// Fitted to all instances that reach into the camera's depth range; near == 0 if there is none.
+/// Fitted to all instances that reach into the camera's depth range, or that range itself if the camera says so;
+/// near == 0 if there is no such instance.
 DepthFit fit_to_scene(const Scene& scene, const Camera& camera);
 
 /// Picture pixels that the instance's bounding box can cover, cut to the view.

@@ -134,18 +134,27 @@ detail::StripTarget Frame::Access::target_of(Frame& frame, const Rect& strip, st
             std::min(bounds.bottom, strip.bottom)};
   if (area.empty()) area = {};
   frame.depth_area_ = area;
+  const std::int32_t first_pixel = area.empty() ? 0 : (area.top - strip.top) * strip.width() + (area.left - strip.left);
+  detail::StripTarget target = target_at(frame, area);
+  target.depth = frame.depth_;
+  target.depth_stride = area.width();
+  target.colour = pixels + first_pixel;
+  target.colour_stride = strip.width();
+  return target;
+}
+
+detail::StripTarget Frame::Access::target_at(Frame& frame, const Rect& area) {
   const std::int32_t centre_x = frame.view_.width >> 1;
   const std::int32_t centre_y = frame.view_.height >> 1;
-  const std::int32_t first_pixel = area.empty() ? 0 : (area.top - strip.top) * strip.width() + (area.left - strip.left);
   return {.area = {area.left - centre_x, area.top - centre_y, area.right - centre_x, area.bottom - centre_y},
           .view_left = -centre_x,
           .view_top = -centre_y,
-          .first_column = bounds.left - centre_x,
-          .first_row = bounds.top - centre_y,
-          .depth = frame.depth_,
-          .colour = pixels + first_pixel,
-          .depth_stride = area.width(),
-          .colour_stride = strip.width(),
+          .first_column = frame.bounds_.left - centre_x,
+          .first_row = frame.bounds_.top - centre_y,
+          .depth = nullptr,
+          .colour = nullptr,
+          .depth_stride = 0,
+          .colour_stride = 0,
           .statistics = &frame.statistics_};
 }
 
@@ -153,24 +162,6 @@ void Frame::Access::clear(const Frame& frame, std::uint16_t width, std::uint16_t
                           const detail::StripTarget& target) {
   __builtin_memset(frame.depth_, 0, static_cast<std::size_t>(target.area.width() * target.area.height()) * kDepthBytes);
   detail::fill_pixels(pixels, std::uint32_t{rows} * width, detail::rgb565(frame.scene_->background));
-}
-
-void Frame::Access::resolve(PixelFormat format, std::uint16_t width, std::uint16_t rows, std::uint16_t* drawn,
-                            std::byte* pixels) {
-  if (format == PixelFormat::rgb565) return;
-  if (format == PixelFormat::rgb565_swapped) {
-    detail::swap_bytes(drawn, std::uint32_t{rows} * width);
-    return;
-  }
-  for (std::uint32_t y = 0; y < rows; ++y) {
-    const std::uint16_t* const row = drawn + y * width;
-    std::byte* const out = pixels + y * bytes_per_row(width, format);
-    if (format == PixelFormat::gray4) {
-      detail::resolve_gray4(row, width, out);
-    } else {
-      detail::resolve_mono(row, width, out);
-    }
-  }
 }
 
 }  // namespace zstrip

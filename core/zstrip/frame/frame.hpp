@@ -37,6 +37,9 @@ class Frame {
   const std::uint32_t* wide_depth() const { return reinterpret_cast<const std::uint32_t*>(depth_); }
   const Rect& depth_area() const { return depth_area_; }
 
+  /// Whether depth() holds 16-bit codes of which 0 alone is cleared: not with 32-bit formats or sub-ranges.
+  bool has_plain_depth() const { return has_plain_depth_; }
+
   struct Access;  // the pipeline's way in
 
  private:
@@ -51,6 +54,7 @@ class Frame {
   detail::StripGrid grid_{};
   detail::Bins bins_{};
   Mode mode_ = Mode::streamed;
+  bool has_plain_depth_ = true;
   std::uint32_t bin_overflows_ = 0;
   detail::CompiledInstance* instances_ = nullptr;
   detail::Extent* extents_ = nullptr;  ///< one a meshlet; null for a single streamed strip

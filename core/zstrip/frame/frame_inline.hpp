@@ -8,6 +8,7 @@
 #include "zstrip/frame/bounds.hpp"
 #include "zstrip/frame/frame.hpp"
 #include "zstrip/raster/assemble.hpp"
+#include "zstrip/resolve/convert.hpp"
 #include "zstrip/resolve/resolve.hpp"
 #include "zstrip/scene/validate.hpp"
 
@@ -27,8 +28,8 @@ struct Frame::Access {
   static detail::StripTarget target_of(Frame& frame, const Rect& strip, std::uint16_t* pixels);
   static void clear(const Frame& frame, std::uint16_t width, std::uint16_t rows, std::uint16_t* pixels,
                     const detail::StripTarget& target);
-  static void resolve(PixelFormat format, std::uint16_t width, std::uint16_t rows, std::uint16_t* drawn,
-                      std::byte* pixels);
+  /// `area`: pixels of the picture inside the frame's bounds. Where they and their depth lie is left to the caller.
+  static detail::StripTarget target_at(Frame& frame, const Rect& area);
 
   /// The triangles of a meshlet and the vertices that they use; of the whole mesh where it has no meshlets.
   struct MeshletRange {
@@ -290,6 +291,7 @@ struct Frame::Access {
     frame.view_ = view;
     frame.plan_ = plan;
     frame.mode_ = plan.mode;
+    frame.has_plain_depth_ = !has_own_clear(effects);
     frame.statistics_ = {};
     lay_out_arena(frame, arena);
     if constexpr (effects.has(effect::depth_ranges)) {
@@ -338,19 +340,55 @@ struct Frame::Access {
     } else {
       clear(frame, width, rows, drawn, target);
     }
-    if (!target.area.empty()) {
-      if constexpr (effects.has(effect::bins)) {
-        if (frame.mode_ == Mode::binned) {
-          draw_binned<effects>(frame, target, strip);
-        } else {
-          draw_streamed<effects>(frame, target, strip);
-        }
-      } else {
-        draw_streamed<effects>(frame, target, strip);
-      }
-    }
-    resolve(frame.view_.format, width, rows, drawn, pixels.data());
+    if (!target.area.empty()) draw_triangles<effects>(frame, target, strip);
+    convert_pixels(frame.view_.format, width, rows, drawn, pixels.data());
     return {};
+  }
+
+  template <Effects effects>
+  static Status draw_over(Frame& frame, const Rect& area, std::span<std::uint16_t> pixels,
+                          std::span<std::uint16_t> depth) {
+    if (frame.scene_ == nullptr) return {.error = Error::not_begun};
+    if constexpr (has_own_clear(effects)) {
+      return {.error = Error::depth_effects};
+    } else {
+      if (area.empty() || area.left < 0 || area.top < 0 || area.right > frame.view_.width ||
+          area.bottom > frame.view_.height) {
+        return {.error = Error::view_size};
+      }
+      const auto cells = static_cast<std::uint32_t>(area.width() * area.height());
+      if (pixels.size() < cells || depth.size() < cells) {
+        return {.error = Error::pixels_too_small,
+                .needed = 2 * cells,
+                .available = static_cast<std::uint32_t>(2 * std::min(pixels.size(), depth.size()))};
+      }
+      const Rect strips = frame.grid_.strips_of_picture(area);
+      for (std::int32_t row = strips.top; row < strips.bottom; ++row) {
+        for (std::int32_t column = strips.left; column < strips.right; ++column) {
+          const auto strip = static_cast<std::uint16_t>(row * frame.grid_.across() + column);
+          const Rect cut = frame.plan_.strip_area(strip, frame.view_);
+          const Rect part{std::max({cut.left, area.left, frame.bounds_.left}),
+                          std::max({cut.top, area.top, frame.bounds_.top}),
+                          std::min({cut.right, area.right, frame.bounds_.right}),
+                          std::min({cut.bottom, area.bottom, frame.bounds_.bottom})};
+          detail::StripTarget target = target_at(frame, part);
+          const std::int32_t first = (part.top - area.top) * area.width() + (part.left - area.left);
+          target.depth = depth.data() + first;
+          target.colour = pixels.data() + first;
+          target.depth_stride = target.colour_stride = area.width();
+          draw_triangles<effects>(frame, target, strip);
+        }
+      }
+      return {};
+    }
+  }
+
+  template <Effects effects>
+  static void draw_triangles(Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
+    if constexpr (effects.has(effect::bins)) {
+      if (frame.mode_ == Mode::binned) return draw_binned<effects>(frame, target, strip);
+    }
+    draw_streamed<effects>(frame, target, strip);
   }
 };
 
@@ -365,6 +403,11 @@ Status begin_frame(Frame& frame, const Scene& scene, const Camera& camera, const
 template <Effects effects>
 Status draw_strip(Frame& frame, std::uint16_t strip, std::span<std::byte> pixels) {
   return Frame::Access::draw_strip<effects>(frame, strip, pixels);
+}
+
+template <Effects effects>
+Status draw_over(Frame& frame, const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) {
+  return Frame::Access::draw_over<effects>(frame, area, pixels, depth);
 }
 
 }  // namespace detail

@@ -13,6 +13,7 @@ namespace zstrip {
 struct Pipeline {
   Status (*begin_frame)(Frame&, const Scene&, const Camera&, const View&, const Plan&, std::span<std::byte> arena);
   Status (*draw_strip)(Frame&, std::uint16_t strip, std::span<std::byte> pixels);
+  Status (*draw_over)(Frame&, const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth);
 };
 
 /// The pipeline that draws exactly `effects`; where there are depth effects among them, one with all effects but the

@@ -35,6 +35,14 @@ class Renderer {
   Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
     return detail::draw_strip<effects>(frame_, strip, pixels);
   }
+  /// Draws the part of the frame in `area` (pixels of the picture) over what is there: area.width() * area.height()
+  /// pixels in RGB565, whatever the view's format, and as many depth codes, without gaps. For layers: depths compare
+  /// only with those of frames that have the same camera and Camera::fixed_depth_range. Error::view_size if the area is
+  /// empty or leaves the picture, Error::pixels_too_small, Error::depth_effects where depth has no 16-bit cells or has
+  /// sub-ranges.
+  Status draw_over(const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) {
+    return detail::draw_over<effects>(frame_, area, pixels, depth);
+  }
   const FrameFor<effects>& frame() const { return frame_; }
 
  private:
@@ -53,6 +61,9 @@ class AnyRenderer {
   }
   Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
     return pipeline_.draw_strip(frame_, strip, pixels);
+  }
+  Status draw_over(const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) {
+    return pipeline_.draw_over(frame_, area, pixels, depth);
   }
   const FrameWithDepthRanges& frame() const { return frame_; }
 

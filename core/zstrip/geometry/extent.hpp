@@ -54,6 +54,11 @@ class StripGrid {
     if (left >= right || rows.first >= rows.end) return {};
     return {strip(left, inverse_columns_), rows.first, strip(right - 1, inverse_columns_) + 1, rows.end};
   }
+  /// The same for pixels of the picture.
+  Rect strips_of_picture(const Rect& pixels) const {
+    return strips_of(
+        {pixels.left - centre_x_, pixels.top - centre_y_, pixels.right - centre_x_, pixels.bottom - centre_y_});
+  }
   std::int32_t across() const { return across_; }
 
   Extent extent_of(const Rect& box) const {

@@ -19,6 +19,9 @@ struct Camera {
   Fixed near_plane = 6554;            ///< 16.16, > 0
   Fixed far_plane = 100 * kFixedOne;  ///< 16.16, > near_plane
   Projection projection = Projection::perspective;
+  /// Depth codes span near_plane..far_plane in every frame, so that depths of different frames can be compared. Else
+  /// they are fitted to what each frame's scene can reach, which resolves more.
+  bool fixed_depth_range = false;
 };
 
 /// Points the camera from `eye` to `target` (16.16). `up` is a hint of any length; where it is parallel to the
