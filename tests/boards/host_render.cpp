@@ -10,6 +10,7 @@
 
 #include "zstrip/frame/renderer.hpp"
 #include "zstrip_scenes/scenes.hpp"
+#include "zstrip_scenes/showroom.hpp"
 
 namespace zstrip::boards {
 namespace {
@@ -25,15 +26,15 @@ const scenes::BuiltIn& built_in(const std::string& name) {
 }
 
 /// The bytes of all strips in order, without those that a lower last strip leaves over.
-std::vector<std::byte> render(const scenes::Staged& staged, const View& view, std::uint16_t rows) {
-  const Effects effects = effects_of(staged.scene, staged.camera);
-  const auto [status, plan] = zstrip::plan(count(staged.scene), view, effects, {.strip_rows = rows});
+std::vector<std::byte> render(const Scene& scene, const Camera& camera, const View& view, std::uint16_t rows) {
+  const Effects effects = effects_of(scene, camera);
+  const auto [status, plan] = zstrip::plan(count(scene), view, effects, {.strip_rows = rows});
   check(status);
   std::vector<std::uint64_t> arena((plan.bytes() + 7) / 8);
   std::vector<std::uint64_t> strip((plan.strip_pixel_bytes(view) + 7) / 8);
   const auto pixels = std::as_writable_bytes(std::span(strip)).first(plan.strip_pixel_bytes(view));
   AnyRenderer renderer(effects);
-  check(renderer.begin_frame(staged.scene, staged.camera, view, plan, std::as_writable_bytes(std::span(arena))));
+  check(renderer.begin_frame(scene, camera, view, plan, std::as_writable_bytes(std::span(arena))));
   std::vector<std::byte> picture;
   const std::size_t bytes = std::size_t{view.height} * bytes_per_row(view.width, view.format);
   for (std::uint16_t index = 0; index < plan.strips; ++index) {
@@ -56,14 +57,22 @@ GreyPicture render_turntable_gray4(const std::string& scene, std::uint32_t frame
   const View view{width, height, PixelFormat::gray4};
   scenes::Staged staged;
   stage(built_in(scene), staged, frame, frames, view);
-  return unpack_gray4(render(staged, view, height), width, height);
+  return unpack_gray4(render(staged.scene, staged.camera, view, height), width, height);
+}
+
+GreyPicture render_showroom_gray4(std::uint32_t frame, std::uint32_t frames, std::uint16_t width,
+                                  std::uint16_t height) {
+  std::vector<Instance> instances(std::begin(scenes::kRoomInstances), std::end(scenes::kRoomInstances));
+  instances.push_back(scenes::showroom_teapot(frame, frames));
+  const View view{width, height, PixelFormat::gray4};
+  return unpack_gray4(render(scenes::showroom_scene(instances), scenes::kShowroomCamera, view, height), width, height);
 }
 
 std::uint32_t workload_crc32(const std::string& scene, std::uint32_t frame, std::uint16_t width, std::uint16_t height,
                              std::uint16_t rows) {
   scenes::Staged staged;
   stage_workload(built_in(scene), staged, frame);
-  return crc32_of(render(staged, {width, height, PixelFormat::rgb565}, rows));
+  return crc32_of(render(staged.scene, staged.camera, {width, height, PixelFormat::rgb565}, rows));
 }
 
 std::uint32_t turntable_crc32(const std::string& scene, std::uint32_t frame, std::uint32_t frames, std::uint16_t width,
@@ -71,7 +80,7 @@ std::uint32_t turntable_crc32(const std::string& scene, std::uint32_t frame, std
   const View view{width, height, PixelFormat::rgb565_swapped};
   scenes::Staged staged;
   stage(built_in(scene), staged, frame, frames, view);
-  return crc32_of(render(staged, view, height));
+  return crc32_of(render(staged.scene, staged.camera, view, height));
 }
 
 }  // namespace zstrip::boards

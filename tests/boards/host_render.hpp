@@ -12,6 +12,9 @@ namespace zstrip::boards {
 GreyPicture render_turntable_gray4(const std::string& scene, std::uint32_t frame, std::uint32_t frames,
                                    std::uint16_t width, std::uint16_t height);
 
+/// The whole showroom with the teapot where it is in that frame, in 16 greys, drawn as one scene without layers.
+GreyPicture render_showroom_gray4(std::uint32_t frame, std::uint32_t frames, std::uint16_t width, std::uint16_t height);
+
 /// zlib's CRC-32 of a frame of a built-in scene as a workload, in RGB565, drawn in strips of `rows` rows.
 std::uint32_t workload_crc32(const std::string& scene, std::uint32_t frame, std::uint16_t width, std::uint16_t height,
                              std::uint16_t rows);

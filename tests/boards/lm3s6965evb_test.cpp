@@ -57,6 +57,30 @@ TEST(Board, Lm3sTeapot) {
   EXPECT_EQ(pictures.size(), 12U) << "the teapot does not turn";
 }
 
+TEST(Board, Lm3sLayers) {
+  Qemu board({.machine = "lm3s6965evb", .program = program("zstrip_lm3s6965evb_layers")});
+  board.write_console("p");
+  std::string line = board.read_line();
+  const int first = std::stoi(line.substr(line.find(' ') + 1));
+  std::set<std::string> pictures;
+  for (int step = 0; step < 16; ++step) {
+    if (step > 0) line = board.read_line();
+    const int frame = (first + step) % kFramesPerTurn;
+    ASSERT_TRUE(line.starts_with("frame " + std::to_string(frame) + ", ")) << line;
+    const int drawn = std::stoi(line.substr(line.find(',') + 2));
+    EXPECT_GT(drawn, 0);
+    if (frame > 0) {
+      EXPECT_LT(drawn, 128 * 64 / 2) << "only what changed is drawn";
+    }
+    const GreyPicture screen = board.screen(kScreenScale);
+    EXPECT_EQ(difference(render_showroom_gray4(static_cast<std::uint32_t>(frame), kFramesPerTurn, 128, 64), screen), "")
+        << "frame " << frame;
+    pictures.emplace(screen.levels.begin(), screen.levels.end());
+    board.write_console("n");
+  }
+  EXPECT_EQ(pictures.size(), 16U) << "the teapot does not fly";
+}
+
 TEST(Board, Lm3sTeapotRunsWithoutHost) {
   Qemu board({.machine = "lm3s6965evb", .program = program("zstrip_lm3s6965evb_teapot")});
   std::set<std::string> pictures;

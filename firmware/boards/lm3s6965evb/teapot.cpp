@@ -1,11 +1,10 @@
-// The Utah teapot turning on the board's OLED. Runs by itself; a host on UART 0 (115200 baud, 8N1) can pause it: 'p'
-// pauses, 'n' shows the next frame, 'r' runs on. While paused, each frame that is shown is announced as "frame N".
+// The Utah teapot turning on the board's OLED. Runs by itself; see host_control.hpp.
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include "cortex_m/console.hpp"
-#include "lm3s6965evb/console_input.hpp"
+#include "lm3s6965evb/host_control.hpp"
 #include "lm3s6965evb/oled_bus.hpp"
 #include "zstrip/frame/renderer.hpp"
 #include "zstrip_hal/present.hpp"
@@ -17,7 +16,6 @@ namespace {
 
 using zstrip::board::OledBus;
 using zstrip::board::print;
-using zstrip::board::print_decimal;
 using zstrip::scenes::teapot;
 using Panel = zstrip::hal::Ssd0323<OledBus>;
 
@@ -55,31 +53,6 @@ bool show_frame(Panel& panel, std::uint32_t frame) {
   return static_cast<bool>(shown);
 }
 
-class HostControl {
- public:
-  /// After a frame was shown: returns when the next one may be drawn, which is at once unless the host has paused.
-  void frame_shown(std::uint32_t frame) {
-    bool next = take_command();
-    if (!paused_) return;
-    print("frame ");
-    print_decimal(frame);
-    print("\n");
-    while (paused_ && !next) next = take_command();
-  }
-
- private:
-  /// True if the host asks for the next frame.
-  bool take_command() {
-    char command = 0;
-    if (!zstrip::board::take_character(command)) return false;
-    if (command == 'p') paused_ = true;
-    if (command == 'r') paused_ = false;
-    return command == 'n';
-  }
-
-  bool paused_ = false;
-};
-
 }  // namespace
 
 int main() {
@@ -90,7 +63,7 @@ int main() {
     report("start of the display", zstrip::hal::message(error));
     return 1;
   }
-  HostControl control;
+  zstrip::board::HostControl control;
   for (std::uint32_t frame = 0;; frame = (frame + 1) % kFramesPerTurn) {
     if (!show_frame(panel, frame)) return 1;
     control.frame_shown(frame);

@@ -1,0 +1,42 @@
+// A host on UART 0 (115200 baud, 8N1) can pause the pictures: 'p' pauses, 'n' shows the next frame, 'r' runs on. While
+// paused, each frame that is shown is announced as "frame N", or "frame N, M pixels" where only M were drawn.
+#pragma once
+
+#include <cstdint>
+
+#include "cortex_m/console.hpp"
+#include "lm3s6965evb/console_input.hpp"
+
+namespace zstrip::board {
+
+class HostControl {
+ public:
+  /// After a frame was shown: returns when the next one may be drawn, which is at once unless the host has paused.
+  void frame_shown(std::uint32_t frame, std::uint32_t pixels = 0) {
+    bool next = take_command();
+    if (!paused_) return;
+    print("frame ");
+    print_decimal(frame);
+    if (pixels != 0) {
+      print(", ");
+      print_decimal(pixels);
+      print(" pixels");
+    }
+    print("\n");
+    while (paused_ && !next) next = take_command();
+  }
+
+ private:
+  /// True if the host asks for the next frame.
+  bool take_command() {
+    char command = 0;
+    if (!take_character(command)) return false;
+    if (command == 'p') paused_ = true;
+    if (command == 'r') paused_ = false;
+    return command == 'n';
+  }
+
+  bool paused_ = false;
+};
+
+}  // namespace zstrip::board
