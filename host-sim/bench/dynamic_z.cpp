@@ -25,10 +25,10 @@ constexpr View kDefaultView{1024, 768, PixelFormat::rgb565};
 constexpr View kJudgeView{kJudgeSide, kJudgeSide, PixelFormat::rgb565};
 
 // The figure just fills a square picture with this focal length and distance, at every size of the table: tests measure
-// the drawn pixels. The focal length is a multiple of the heights of both other views, so that they can have exactly the
-// same pixels for a unit: focal * side / height has no remainder.
+// the drawn pixels. The focal length is a multiple of the heights of both other views, so that they can have exactly
+// the same pixels for a unit: focal * side / height has no remainder.
 constexpr Fixed kFocal = 96 * kJudgeSide;  // 16.16
-constexpr Fixed kDistance = fixed(5.6);
+constexpr Fixed kDistance = fixed(5.5165);
 static_assert(kFocal % kDefaultView.height == 0 && kFocal % kJudgeView.height == 0);
 
 constexpr std::array kMaterial{Material{.lit = false, .smooth = true}};
@@ -75,11 +75,7 @@ std::string_view name(DepthMemory memory) {
 
 DynamicZDrawing::DynamicZDrawing(const TorusKnot& knot, const DynamicZPicture& picture, const View& view,
                                  bool whole_view)
-    : view_(view),
-      camera_(camera_for(picture, view)),
-      meshes_(knot.meshes()),
-      effects_{},
-      renderer_(Effects{}) {
+    : view_(view), camera_(camera_for(picture, view)), meshes_(knot.meshes()), effects_{}, renderer_(Effects{}) {
   if (whole_view) meshes_.push_back(kWholeView);
   for (std::size_t mesh = 0; mesh < meshes_.size(); ++mesh) {
     instances_.push_back({.mesh = static_cast<std::uint16_t>(mesh)});

@@ -1,5 +1,5 @@
-// The cases of `zstrip bench --table dynamic-z`: a figure whose bounding rectangle has five sizes, drawn with the classic
-// z-buffer of the whole view, with one of the bounding rectangle, and with little memory.
+// The cases of `zstrip bench --table dynamic-z`: a figure whose bounding rectangle has five sizes, drawn with the
+// classic z-buffer of the whole view, with one of the bounding rectangle, and with little memory.
 #pragma once
 
 #include <cstddef>

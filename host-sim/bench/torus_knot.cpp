@@ -82,7 +82,8 @@ MeshData vertices() {
   for (std::size_t ring = 0; ring < kTorusKnotRings; ++ring) {
     for (std::size_t side = 0; side < kTorusKnotRingVertices; ++side) {
       const auto [p, n] = tube_point(ring, side);
-      whole.positions.push_back({on_grid(p.x, kHalfExtent.x), on_grid(p.y, kHalfExtent.y), on_grid(p.z, kHalfExtent.z)});
+      whole.positions.push_back(
+          {on_grid(p.x, kHalfExtent.x), on_grid(p.y, kHalfExtent.y), on_grid(p.z, kHalfExtent.z)});
       whole.colours.push_back({channel(n.x), channel(n.y), channel(n.z), 255});
     }
   }
