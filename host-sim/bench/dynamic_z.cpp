@@ -58,11 +58,6 @@ Camera camera_for(const DynamicZPicture& picture, const View& view) {
 
 std::span<const DynamicZPicture> dynamic_z_pictures() { return kPictures; }
 
-const DynamicZPicture* find_dynamic_z_picture(std::uint32_t side) {
-  const auto* found = std::ranges::find(kPictures, side, &DynamicZPicture::side);
-  return found == kPictures.end() ? nullptr : found;
-}
-
 std::string_view name(DepthMemory memory) {
   switch (memory) {
     case DepthMemory::classic: return "classic";
@@ -71,6 +66,16 @@ std::string_view name(DepthMemory memory) {
     case DepthMemory::small_and_pixels: break;
   }
   return "small-and-pixels";
+}
+
+Budget budget_of(const DynamicZPicture& picture, DepthMemory memory) {
+  switch (memory) {
+    case DepthMemory::classic: return {.strip_rows = kDefaultView.height};
+    case DepthMemory::rectangle: return {.strip_rows = picture.side};
+    case DepthMemory::small: return {.bytes = picture.little_bytes, .split_columns = true};
+    case DepthMemory::small_and_pixels: break;
+  }
+  return {.bytes = picture.little_bytes, .split_columns = true, .strip_buffers = 1};
 }
 
 DynamicZDrawing::DynamicZDrawing(const TorusKnot& knot, const DynamicZPicture& picture, const View& view,
@@ -105,14 +110,7 @@ Result<DynamicZDrawing> DynamicZDrawing::prepare(const TorusKnot& knot, const Dy
                                                  DepthMemory memory) {
   const bool classic = memory == DepthMemory::classic;
   const View view = classic ? kDefaultView : View{picture.side, picture.side, PixelFormat::rgb565};
-  Budget budget;
-  if (classic || memory == DepthMemory::rectangle) {
-    budget.strip_rows = view.height;
-  } else {
-    budget = {.bytes = picture.little_bytes, .split_columns = true};
-    if (memory == DepthMemory::small_and_pixels) budget.strip_buffers = 1;
-  }
-  return planned(DynamicZDrawing(knot, picture, view, classic), budget);
+  return planned(DynamicZDrawing(knot, picture, view, classic), budget_of(picture, memory));
 }
 
 Result<DynamicZDrawing> DynamicZDrawing::prepare_judge(const TorusKnot& knot, const DynamicZPicture& picture) {

@@ -22,8 +22,8 @@ namespace zstrip::sim {
 enum class DepthMemory : std::uint8_t {
   classic,           ///< of the default view of 1024x768, all of it cleared in each frame
   rectangle,         ///< of the figure's bounding rectangle, as the paper's dynamic one
-  small,             ///< of strips or tiles: the arena has little_bytes()
-  small_and_pixels,  ///< likewise, and the arena and the strip's pixels together have little_bytes()
+  small,             ///< of strips or tiles: the arena has little_bytes
+  small_and_pixels,  ///< likewise, and the arena and the strip's pixels together have little_bytes
 };
 inline constexpr DepthMemory kDepthMemories[] = {DepthMemory::classic, DepthMemory::rectangle, DepthMemory::small,
                                                  DepthMemory::small_and_pixels};
@@ -48,8 +48,8 @@ std::span<const DynamicZPicture> dynamic_z_pictures();
 /// "classic", "rectangle", "small", "small-and-pixels".
 std::string_view name(DepthMemory memory);
 
-/// Null, or the picture with this side.
-const DynamicZPicture* find_dynamic_z_picture(std::uint32_t side);
+/// What the planner is given for a row; bytes == 0: no limit.
+Budget budget_of(const DynamicZPicture& picture, DepthMemory memory);
 
 /// One row of the table, with all memory that it takes, ready to be drawn again and again.
 class DynamicZDrawing {
@@ -67,7 +67,8 @@ class DynamicZDrawing {
   const View& view() const { return view_; }
   const Plan& plan() const { return plan_; }
   std::uint32_t pixel_bytes() const { return plan_.strip_pixel_bytes(view_); }
-  const Frame& frame() const { return renderer_.frame(); }
+  /// The part of the view whose z-buffer the last draw cleared.
+  const Rect& cleared() const { return renderer_.frame().bounds(); }
 
  private:
   DynamicZDrawing(const TorusKnot& knot, const DynamicZPicture& picture, const View& view, bool whole_view);

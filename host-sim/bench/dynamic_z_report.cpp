@@ -15,7 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kLine = "{:<10} {:<17} {:>9} {:>9} {:>9}  {:<17} {:<5} {:>12} {:>6} {:>9}   {:>9} {:<5} {:>9}\n";
+constexpr const char* kLine =
+    "{:<10} {:<16} {:>7} {:>9} {:>9} {:>9}  {:<16} {:<5} {:>12} {:>5} {:>8}   {:>7} {:<5} {:>9}\n";
 
 std::string shape(const DynamicZRow& row) {
   return fmt::format("{} of {}x{}", row.plan.strips, row.plan.strip_columns, row.plan.strip_rows);
@@ -42,7 +43,8 @@ std::string line(const DynamicZRow& row, std::span<const DynamicZRow> rows) {
   const bool figures = paper && paper->figures != nullptr;
   const DynamicZRow* const other = compared_with(row, rows);
   return fmt::format(
-      fmt::runtime(kLine), fmt::format("{0}x{0}", row.picture.side), name(row.memory), grouped(row.plan.depth_bytes),
+      fmt::runtime(kLine), row.memory == DepthMemory::classic ? fmt::format("{0}x{0}", row.picture.side) : "",
+      name(row.memory), row.allowed_bytes != 0 ? grouped(row.allowed_bytes) : "-", grouped(row.plan.depth_bytes),
       grouped(row.plan.bytes()), grouped(row.pixel_bytes), shape(row), yes_or_no(row.right),
       row.instructions ? fmt::format("{:.3f} M", static_cast<double>(*row.instructions) / 1e6) : "not counted",
       other != nullptr ? fmt::format("{:.2f}", work_ratio(row, *other)) : "-",
@@ -56,6 +58,7 @@ Json to_object(const DynamicZRow& row, std::span<const DynamicZRow> rows) {
       {"table", "dynamic-z"},
       {"picture", {{"width", row.picture.side}, {"height", row.picture.side}}},
       {"memory", name(row.memory)},
+      {"allowed_bytes", nullptr},
       {"view", {{"width", row.view.width}, {"height", row.view.height}}},
       {"plan",
        {{"mode", name(plan.mode)},
@@ -71,13 +74,14 @@ Json to_object(const DynamicZRow& row, std::span<const DynamicZRow> rows) {
         {"pixels", row.pixel_bytes}}},
       {"right", row.right},
       {"crc32", fmt::format("{:08x}", row.crc32)},
-      {"instructions", nullptr},
-      {"ns", row.nanoseconds},
+      {"instructions_per_frame", nullptr},
+      {"ns_per_frame", row.nanoseconds},
       {"compared_with", nullptr},
       {"ratio", nullptr},
       {"paper", nullptr},
   };
-  if (row.instructions) object["instructions"] = *row.instructions;
+  if (row.allowed_bytes != 0) object["allowed_bytes"] = row.allowed_bytes;
+  if (row.instructions) object["instructions_per_frame"] = *row.instructions;
   if (const DynamicZRow* const other = compared_with(row, rows)) {
     object["compared_with"] = name(other->memory);
     object["ratio"] = work_ratio(row, *other);
@@ -95,16 +99,19 @@ Json to_object(const DynamicZRow& row, std::span<const DynamicZRow> rows) {
 }  // namespace
 
 std::string dynamic_z_text(std::span<const DynamicZRow> rows) {
-  std::string text = fmt::format(fmt::runtime(kLine), "picture", "memory", "z-buffer", "arena", "pixels", "strips",
-                                 "right", "instructions", "ratio", "time", "paper's", "right", "time");
+  std::string text = fmt::format(fmt::runtime(kLine), "picture", "memory", "allowed", "z-buffer", "arena", "pixels",
+                                 "strips", "right", "instructions", "ratio", "time", "paper's", "right", "time");
   for (const DynamicZRow& row : rows) text += line(row, rows);
+  text += fmt::format("One frame of {} triangles. z-buffer, arena and the pixels of a strip are in bytes.\n",
+                      grouped(kTorusKnotTriangles));
+  text += "classic: the z-buffer has the size of the view, 1024x768, and is cleared in whole.\n";
+  text += "rectangle: it has that of the figure, the paper's dynamic one.\n";
+  text += "small: the arena keeps to the bytes allowed; small-and-pixels: arena and pixels together do.\n";
   const bool counted = std::ranges::all_of(rows, [](const DynamicZRow& row) { return row.instructions.has_value(); });
-  text += fmt::format(
-      "{} triangles. Bytes of the z-buffer, of the whole arena and of one strip's pixels; {}.\n"
-      "Ratio of {}: \"rectangle\" to \"classic\", \"small\" and \"small-and-pixels\" to \"rectangle\".\n"
-      "Right: the pixels are those of a view of {}x{}, which cuts nothing. The paper's times are of a Pentium 4.\n",
-      grouped(kTorusKnotTriangles), "what of these little memory has to hold is in the rows' names",
-      counted ? "instructions" : "time (valgrind, which counts instructions, is missing)", kJudgeSide, kJudgeSide);
+  text += fmt::format("ratio, of {}: rectangle to classic, the others to rectangle.\n",
+                      counted ? "instructions" : "time, as valgrind, which counts instructions, cannot be run");
+  text += fmt::format("right: the pixels are those of a view of {0}x{0}. The paper's times are of a Pentium 4.\n",
+                      kJudgeSide);
   return text;
 }
 

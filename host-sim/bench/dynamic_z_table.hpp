@@ -16,10 +16,11 @@ namespace zstrip::sim {
 
 /// One row: a picture with one z-buffer.
 struct DynamicZRow {
-  DynamicZPicture picture;
+  DynamicZPicture picture{};
   DepthMemory memory = DepthMemory::classic;
-  View view;
-  Plan plan;
+  View view{};
+  Plan plan{};
+  std::uint32_t allowed_bytes = 0;              ///< 0: as many as the plan took
   std::uint32_t pixel_bytes = 0;                ///< a buffer for one strip
   std::uint32_t crc32 = 0;                      ///< zlib's CRC-32 of the drawn picture, in the middle of the judge's
   bool right = false;                           ///< it is the CRC-32 of the judge's picture

@@ -34,11 +34,22 @@ std::optional<std::uint64_t> instruction_total(const std::string& text) {
   return total;
 }
 
-Result<std::uint64_t> total_of_run(const std::string& program, const std::vector<std::string>& options,
-                                   const char* draws, const std::string& what) {
-  std::vector<std::string> command{
-      "valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null", program, "bench"};
-  command.insert(command.end(), options.begin(), options.end());
+// A setting of glibc; others ignore it.
+constexpr const char* kVectorStores = "GLIBC_TUNABLES=glibc.cpu.x86_rep_stosb_threshold=4294967295";
+
+struct CountedRun {
+  std::string program;
+  const std::vector<std::string>& options;
+  BlockStores stores;
+  const std::string& what;
+};
+
+Result<std::uint64_t> total_of_run(const CountedRun& run, const char* draws) {
+  std::vector<std::string> command;
+  if (run.stores == BlockStores::vectors) command = {"env", kVectorStores};
+  command.insert(command.end(), {"valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null",
+                                 run.program, "bench"});
+  command.insert(command.end(), run.options.begin(), run.options.end());
   command.insert(command.end(), {"--draw-each", draws});
 
   const Result<ChildOutput> output = run_program(command, kLimit);
@@ -46,7 +57,7 @@ Result<std::uint64_t> total_of_run(const std::string& program, const std::vector
   const std::optional<std::uint64_t> total = instruction_total(output->text);
   if (output->exit_status != 0 || !total) {
     return Failure{ExitStatus::environment,
-                   fmt::format("valgrind could not count the instructions of {} (status {}): {}", what,
+                   fmt::format("valgrind could not count the instructions of {} (status {}): {}", run.what,
                                output->exit_status, output->text.substr(0, output->text.find('\n')))};
   }
   return *total;
@@ -70,22 +81,25 @@ std::vector<std::string> options_of(const BenchCase& bench_case) {
 
 }  // namespace
 
-Result<std::optional<std::uint64_t>> count_draw(const std::vector<std::string>& options, const std::string& what) {
+Result<std::optional<std::uint64_t>> count_draw(const std::vector<std::string>& options, BlockStores stores,
+                                                const std::string& what) {
   if (!kCanCount || !run_program({"valgrind", "--version"}, std::chrono::seconds{30}))
     return std::optional<std::uint64_t>{};
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error) return Failure{ExitStatus::environment, "cannot find this program's own file: " + error.message()};
 
-  const Result<std::uint64_t> once = total_of_run(self.string(), options, "1", what);
+  const CountedRun run{self.string(), options, stores, what};
+  const Result<std::uint64_t> once = total_of_run(run, "1");
   if (!once) return once.failure();
-  const Result<std::uint64_t> thrice = total_of_run(self.string(), options, "3", what);
+  const Result<std::uint64_t> thrice = total_of_run(run, "3");
   if (!thrice) return thrice.failure();
   return std::optional{(*thrice - *once) / 2};
 }
 
 Result<std::optional<std::uint64_t>> count_instructions(const BenchCase& bench_case) {
-  Result<std::optional<std::uint64_t>> counted = count_draw(options_of(bench_case), bench_case.workload);
+  Result<std::optional<std::uint64_t>> counted =
+      count_draw(options_of(bench_case), BlockStores::library, bench_case.workload);
   if (counted && *counted) **counted /= bench_case.frames;
   return counted;
 }
