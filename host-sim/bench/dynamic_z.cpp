@@ -118,11 +118,11 @@ Result<DynamicZDrawing> DynamicZDrawing::prepare_judge(const TorusKnot& knot, co
 }
 
 template <typename AfterStrip>
-Status DynamicZDrawing::draw_strips(AfterStrip after_strip) {
+Status DynamicZDrawing::draw_strips(AnyRenderer& renderer, AfterStrip after_strip) {
   const Scene drawn = scene();
-  if (const Status begun = renderer_.begin_frame(drawn, camera_, view_, plan_, arena()); !begun) return begun;
+  if (const Status begun = renderer.begin_frame(drawn, camera_, view_, plan_, arena()); !begun) return begun;
   for (std::uint16_t strip = 0; strip < plan_.strips; ++strip) {
-    if (const Status status = renderer_.draw_strip(strip, std::as_writable_bytes(std::span(pixels_))); !status) {
+    if (const Status status = renderer.draw_strip(strip, std::as_writable_bytes(std::span(pixels_))); !status) {
       return status;
     }
     after_strip(plan_.strip_area(strip, view_));
@@ -131,19 +131,27 @@ Status DynamicZDrawing::draw_strips(AfterStrip after_strip) {
 }
 
 Status DynamicZDrawing::draw() {
-  return draw_strips([](const Rect&) {});
+  return draw_strips(renderer_, [](const Rect&) {});
 }
 
 Status DynamicZDrawing::draw_into(std::vector<std::uint16_t>& judged) {
   judged.assign(std::size_t{kJudgeSide} * kJudgeSide, 0);  // the background is black
   const std::int32_t left = (kJudgeSide - view_.width) / 2;
   const std::int32_t top = (kJudgeSide - view_.height) / 2;
-  return draw_strips([&](const Rect& area) {
+  return draw_strips(renderer_, [&](const Rect& area) {
     for (std::int32_t y = area.top; y < area.bottom; ++y) {
       const auto from = pixels_.begin() + std::ptrdiff_t{y - area.top} * area.width();
       std::copy_n(from, area.width(), judged.begin() + std::ptrdiff_t{top + y} * kJudgeSide + left + area.left);
     }
   });
+}
+
+Result<Statistics> DynamicZDrawing::count_work() {
+  AnyRenderer counting(effects_ | effect::statistics);
+  if (const Status drawn = draw_strips(counting, [](const Rect&) {}); !drawn) {
+    return Failure{ExitStatus::internal, fmt::format("the picture could not be drawn: {}", message(drawn.error))};
+  }
+  return counting.frame().statistics();
 }
 
 }  // namespace zstrip::sim

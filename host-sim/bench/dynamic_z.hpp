@@ -63,6 +63,8 @@ class DynamicZDrawing {
   Status draw();
   /// Draws into the middle of a picture of kJudgeSide x kJudgeSide pixels.
   Status draw_into(std::vector<std::uint16_t>& judged);
+  /// Draws once more with effect::statistics, which the other two do without.
+  Result<Statistics> count_work();
 
   const View& view() const { return view_; }
   const Plan& plan() const { return plan_; }
@@ -76,7 +78,7 @@ class DynamicZDrawing {
   std::span<std::byte> arena() { return std::as_writable_bytes(std::span(arena_)).first(plan_.bytes()); }
   Scene scene() const;
   template <typename AfterStrip>
-  Status draw_strips(AfterStrip after_strip);
+  Status draw_strips(AnyRenderer& renderer, AfterStrip after_strip);
 
   View view_;
   Camera camera_;

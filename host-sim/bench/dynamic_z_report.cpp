@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kLine =
-    "{:<10} {:<16} {:>7} {:>9} {:>9} {:>9}  {:<16} {:<5} {:>12} {:>5} {:>8}   {:>7} {:<5} {:>9}\n";
+    "{:<10} {:<16} {:>7} {:>9} {:>9} {:>9}  {:<16} {:<5} {:>8} {:>12} {:>5} {:>8}   {:>7} {:<5} {:>9}\n";
 
 std::string shape(const DynamicZRow& row) {
   return fmt::format("{} of {}x{}", row.plan.strips, row.plan.strip_columns, row.plan.strip_rows);
@@ -45,7 +45,7 @@ std::string line(const DynamicZRow& row, std::span<const DynamicZRow> rows) {
   return fmt::format(
       fmt::runtime(kLine), row.memory == DepthMemory::classic ? fmt::format("{0}x{0}", row.picture.side) : "",
       name(row.memory), row.allowed_bytes != 0 ? grouped(row.allowed_bytes) : "-", grouped(row.plan.depth_bytes),
-      grouped(row.plan.bytes()), grouped(row.pixel_bytes), shape(row), yes_or_no(row.right),
+      grouped(row.plan.bytes()), grouped(row.pixel_bytes), shape(row), yes_or_no(row.right), grouped(row.vertices),
       row.instructions ? fmt::format("{:.3f} M", static_cast<double>(*row.instructions) / 1e6) : "not counted",
       other != nullptr ? fmt::format("{:.2f}", work_ratio(row, *other)) : "-",
       fmt::format("{:.2f} ms", row.nanoseconds / 1e6), figures ? fmt::format("{} KB", paper->figures->kilobytes) : "-",
@@ -74,6 +74,7 @@ Json to_object(const DynamicZRow& row, std::span<const DynamicZRow> rows) {
         {"pixels", row.pixel_bytes}}},
       {"right", row.right},
       {"crc32", fmt::format("{:08x}", row.crc32)},
+      {"vertices_transformed", row.vertices},
       {"instructions_per_frame", nullptr},
       {"ns_per_frame", row.nanoseconds},
       {"compared_with", nullptr},
@@ -99,14 +100,16 @@ Json to_object(const DynamicZRow& row, std::span<const DynamicZRow> rows) {
 }  // namespace
 
 std::string dynamic_z_text(std::span<const DynamicZRow> rows) {
-  std::string text = fmt::format(fmt::runtime(kLine), "picture", "memory", "allowed", "z-buffer", "arena", "pixels",
-                                 "strips", "right", "instructions", "ratio", "time", "paper's", "right", "time");
+  std::string text =
+      fmt::format(fmt::runtime(kLine), "picture", "memory", "allowed", "z-buffer", "arena", "pixels", "strips", "right",
+                  "vertices", "instructions", "ratio", "time", "paper's", "right", "time");
   for (const DynamicZRow& row : rows) text += line(row, rows);
   text += fmt::format("One frame of {} triangles. z-buffer, arena and the pixels of a strip are in bytes.\n",
                       grouped(kTorusKnotTriangles));
   text += "classic: the z-buffer has the size of the view, 1024x768, and is cleared in whole.\n";
   text += "rectangle: it has that of the figure, the paper's dynamic one.\n";
   text += "small: the arena keeps to the bytes allowed; small-and-pixels: arena and pixels together do.\n";
+  text += "vertices: transformed, again in each strip that their meshlet touches.\n";
   const bool counted = std::ranges::all_of(rows, [](const DynamicZRow& row) { return row.instructions.has_value(); });
   text += fmt::format("ratio, of {}: rectangle to classic, the others to rectangle.\n",
                       counted ? "instructions" : "time, as valgrind, which counts instructions, cannot be run");

@@ -23,9 +23,10 @@ struct DynamicZRow {
   std::uint32_t allowed_bytes = 0;              ///< 0: as many as the plan took
   std::uint32_t pixel_bytes = 0;                ///< a buffer for one strip
   std::uint32_t crc32 = 0;                      ///< zlib's CRC-32 of the drawn picture, in the middle of the judge's
+  std::uint32_t vertices = 0;                   ///< transformed: once in the survey, again for each strip
   bool right = false;                           ///< it is the CRC-32 of the judge's picture
   std::optional<std::uint64_t> instructions{};  ///< of one frame; absent where valgrind cannot count them
-  double nanoseconds = 0;                       ///< of one frame, median
+  double nanoseconds = 0;                       ///< of one frame, least of several
 };
 
 /// All rows of these pictures, in the order of kDepthMemories. Takes seconds for each; says on stderr how far it is.

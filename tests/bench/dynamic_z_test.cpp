@@ -187,6 +187,25 @@ TEST_F(DynamicZ, LittleMemoryIsKept) {
   }
 }
 
+// What tiles cost most: meshlets that lie in several of them. A single strip transforms every vertex once.
+TEST_F(DynamicZ, LittleMemoryTransformsVerticesAtMostFourTimes) {
+  std::size_t vertices = 0;
+  for (const Mesh& mesh : knot().meshes()) vertices += mesh.positions.size();
+  for (const DynamicZPicture& picture : dynamic_z_pictures()) {
+    const auto transformed = [&](DepthMemory memory) {
+      Result<DynamicZDrawing> drawing = DynamicZDrawing::prepare(knot(), picture, memory);
+      const Result<Statistics> work = drawing ? drawing->count_work() : Result<Statistics>(drawing.failure());
+      EXPECT_TRUE(work) << work.failure().message;
+      return work ? work->vertices : 0;
+    };
+    EXPECT_EQ(transformed(DepthMemory::rectangle), vertices);
+    for (const DepthMemory memory : {DepthMemory::small, DepthMemory::small_and_pixels}) {
+      EXPECT_GT(transformed(memory), vertices);
+      EXPECT_LE(transformed(memory), 4 * vertices) << picture.side << " " << name(memory);
+    }
+  }
+}
+
 TEST_F(DynamicZ, TooLittleMemoryIsAFailure) {
   DynamicZPicture picture = dynamic_z_pictures().front();
   picture.little_bytes = 3000;
@@ -249,6 +268,15 @@ TEST(DynamicZCommand, RowsAreRightAndKeepTheTargets) {
     // Not a target, but what it is now; with pixels in the same bytes strips are half as large.
     EXPECT_LE(rows[picture + 3].at("ratio").get<double>(), 2.05);
   }
+}
+
+TEST(DynamicZCommand, ComparesTimesWithoutValgrind) {
+  const Result<ChildOutput> output = run_program(
+      {"env", "PATH=/nonexistent", ZSTRIP_COMMAND, "bench", "--table", "dynamic-z", "--picture", "100"}, seconds{60});
+  ASSERT_TRUE(output);
+  EXPECT_EQ(output->exit_status, 0) << output->text;
+  EXPECT_NE(output->text.find("not counted"), std::string::npos) << output->text;
+  EXPECT_NE(output->text.find("ratio, of time"), std::string::npos) << output->text;
 }
 
 TEST(DynamicZCommand, RefusesOptionsOfTheWorkloads) {
