@@ -2,9 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
-#include <utility>
+#include <optional>
 
 #include "bench/dynamic_z_table.hpp"
 #include "report/frame_record.hpp"
