@@ -122,8 +122,7 @@ TEST_F(DynamicZ, KnotHasTheSameVerticesOnEveryHost) {
     }
   }
   std::ranges::sort(vertices);
-  const auto [repeated, end] = std::ranges::unique(vertices);
-  vertices.erase(repeated, end);
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   EXPECT_EQ(vertices.size(), kTorusKnotRings * kTorusKnotRingVertices);
   uLong sum = crc32(0, nullptr, 0);
   for (const auto& vertex : vertices) {
