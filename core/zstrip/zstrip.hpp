@@ -10,3 +10,4 @@
 #include "zstrip/scene/scene.hpp"
 #include "zstrip/scene/validate.hpp"
 #include "zstrip/scene/view.hpp"
+#include "zstrip/store/depth_store.hpp"

@@ -30,7 +30,7 @@ const char* machine(std::string_view target) {
   return "mps2-an385";
 }
 
-Result<fs::path> program_for(const std::string& target, const std::string& firmware) {
+Result<fs::path> program_for(const BenchCase& bench_case, const std::string& firmware) {
   fs::path folder = firmware;
   if (folder.empty()) {
     std::error_code error;
@@ -38,7 +38,9 @@ Result<fs::path> program_for(const std::string& target, const std::string& firmw
     if (error) return Failure{ExitStatus::environment, "cannot find this program's own file: " + error.message()};
     folder = self.parent_path().parent_path() / "firmware" / "bin";
   }
-  const fs::path program = folder / fmt::format("zstrip_bench_{}.elf", target);
+  const fs::path program =
+      folder /
+      fmt::format("zstrip_bench_{}{}.elf", bench_case.budget.modes == Modes::binned ? "bins_" : "", bench_case.target);
   if (!fs::exists(program)) {
     return Failure{ExitStatus::environment,
                    fmt::format("{} is not there: build the boards' programs (tests/run does, or cmake --build --preset "
@@ -55,7 +57,6 @@ std::vector<std::string> emulator_command(const BenchCase& bench_case, const fs:
   if (bench_case.budget.bytes != 0) words += fmt::format(",arg=ram={}", bench_case.budget.bytes);
   if (bench_case.budget.strip_rows != 0) words += fmt::format(",arg=rows={}", bench_case.budget.strip_rows);
   if (bench_case.budget.strip_columns != 0) words += fmt::format(",arg=columns={}", bench_case.budget.strip_columns);
-  if (bench_case.budget.modes == Modes::binned) words += ",arg=mode=binned";
   return {"qemu-system-arm",
           "-M",
           machine(bench_case.target),
@@ -132,7 +133,7 @@ Result<Measurement> bench_one(const BenchCase& bench_case, const fs::path& progr
 Result<std::vector<Measurement>> bench_on_board(const std::vector<BenchCase>& cases, const std::string& firmware) {
   std::vector<Measurement> rows;
   for (const BenchCase& bench_case : cases) {
-    const Result<fs::path> program = program_for(bench_case.target, firmware);
+    const Result<fs::path> program = program_for(bench_case, firmware);
     if (!program) return program.failure();
     Result<Measurement> row = bench_one(bench_case, *program);
     if (!row) return row.failure();

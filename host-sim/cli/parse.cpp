@@ -92,6 +92,18 @@ Result<PixelFormat> parse_format(const std::string& text) {
   return bad_value("--format", text, "rgb565, rgb565_swapped, gray4 or mono");
 }
 
+Result<DepthFormat> parse_depth_format(const std::string& text) {
+  constexpr std::pair<std::string_view, DepthFormat> kFormats[] = {{"z16", DepthFormat::z16},
+                                                                   {"float", DepthFormat::float16},
+                                                                   {"w16", DepthFormat::w16},
+                                                                   {"z24", DepthFormat::z24},
+                                                                   {"z32", DepthFormat::z32}};
+  for (const auto& [name, format] : kFormats) {
+    if (text == name) return format;
+  }
+  return bad_value("--depth-format", text, "z16, float, w16, z24 or z32");
+}
+
 Result<UpAxis> parse_up_axis(const std::string& text) {
   constexpr std::pair<std::string_view, UpAxis> kAxes[] = {{"x", UpAxis::plus_x}, {"-x", UpAxis::minus_x},
                                                            {"y", UpAxis::plus_y}, {"-y", UpAxis::minus_y},

@@ -10,6 +10,7 @@
 #include "image/encode.hpp"
 #include "import/source_model.hpp"
 #include "result.hpp"
+#include "zstrip/scene/depth_format.hpp"
 #include "zstrip/scene/view.hpp"
 
 namespace zstrip::sim {
@@ -29,6 +30,8 @@ Result<std::uint16_t> parse_strip_columns(const std::string& text);
 /// "x,y,z": finite numbers; `option` is for the message.
 Result<std::array<double, 3>> parse_vector(const std::string& option, const std::string& text);
 
+/// z16, float, w16, z24 or z32.
+Result<DepthFormat> parse_depth_format(const std::string& text);
 Result<PixelFormat> parse_format(const std::string& text);
 /// "x", "-x", "y", ...
 Result<UpAxis> parse_up_axis(const std::string& text);

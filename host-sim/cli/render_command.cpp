@@ -37,6 +37,7 @@ struct Arguments {
   std::string strip_rows = "auto";
   std::string strip_columns = "auto";
   std::string format = "rgb565";
+  std::string depth_format = "z16";
   std::optional<std::string> image;
   std::optional<std::string> up;
   std::optional<std::string> eye;
@@ -51,6 +52,7 @@ struct Arguments {
 struct Job {
   UpAxis up = UpAxis::plus_y;
   View view;
+  DepthFormat depth_format = DepthFormat::z16;
   Budget budget;
   CameraOptions camera;
   OutputNames outputs;
@@ -93,6 +95,12 @@ Result<Job> parse(const Arguments& arguments) {
   const Result<PixelFormat> format = parse_format(arguments.format);
   if (!format) return format.failure();
   job.view = {size->first, size->second, *format};
+  const Result<DepthFormat> depth_format = parse_depth_format(arguments.depth_format);
+  if (!depth_format) return depth_format.failure();
+  job.depth_format = *depth_format;
+  if (arguments.orthographic && !depth_effects_agree(depth_effect(*depth_format) | effect::orthographic)) {
+    return usage(fmt::format("--depth-format {} needs a perspective camera, not --ortho", arguments.depth_format));
+  }
 
   const Result<std::uint16_t> rows = parse_strip_rows(arguments.strip_rows);
   if (!rows) return rows.failure();
@@ -160,7 +168,7 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
 
   RunRecord run{scene, job.view, (*stage)->warnings(), {}};
-  FrameRenderer renderer(job.view, job.budget);
+  FrameRenderer renderer(job.view, job.budget, job.depth_format);
   Progress progress(job.outputs.frames, !quiet);
   for (std::uint32_t frame = 0; frame < job.outputs.frames; ++frame) {
     const Result<Staging> staging = (*stage)->place(frame, job.outputs.frames);
@@ -235,6 +243,10 @@ void add_render_command(CLI::App& app, int& exit_code) {
                    "Pixels of a strip's row, a multiple of 8 (default: auto, the picture's width)")
       ->type_name("N|auto");
   command->add_option("--format", a.format, "Pixels: rgb565 (default), rgb565_swapped, gray4 or mono")
+      ->type_name("FORMAT");
+  command
+      ->add_option("--depth-format", a.depth_format,
+                   "Depth in the z-buffer: z16 (default), float, w16, z24 or z32; the last three for comparison")
       ->type_name("FORMAT");
   command->add_option("--image", a.image, "Picture files: png (default), ppm or raw")->type_name("TYPE");
   command

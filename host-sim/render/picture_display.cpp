@@ -19,8 +19,8 @@ hal::PixelFormat PictureDisplay::format() const {
 
 hal::Error PictureDisplay::write(const hal::Area& area, std::span<const std::byte> pixels) {
   constexpr std::uint16_t kPixelsOfAByte = 8;  // of the format with most
-  const bool splits_bytes = area.left % kPixelsOfAByte != 0 ||
-                            (area.width % kPixelsOfAByte != 0 && area.left + area.width != view_.width);
+  const bool splits_bytes =
+      area.left % kPixelsOfAByte != 0 || (area.width % kPixelsOfAByte != 0 && area.left + area.width != view_.width);
   if (!hal::contains(view_.width, view_.height, area) || splits_bytes) return hal::Error::area;
   const std::size_t row_bytes = bytes_per_row(area.width, view_.format);
   if (pixels.size() < row_bytes * area.height) return hal::Error::pixels_too_small;

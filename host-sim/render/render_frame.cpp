@@ -51,7 +51,7 @@ Failure refused(const char* what, const Status& status) {
 }  // namespace
 
 Result<FrameReport> FrameRenderer::render(const Staging& staging) {
-  const Effects effects = effects_of(staging.scene, staging.camera) | effect::bins;
+  const Effects effects = effects_of(staging.scene, staging.camera) | depth_effect(depth_format_) | effect::bins;
   const auto [status, plan] = zstrip::plan(count(staging.scene), view_, effects, budget_);
   if (status.error == Error::arena_too_small) return too_little_memory(status, staging.scene, view_, effects, budget_);
   if (!status) return refused("the picture cannot be planned", status);

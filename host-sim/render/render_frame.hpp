@@ -9,6 +9,7 @@
 #include "result.hpp"
 #include "zstrip/base/statistics.hpp"
 #include "zstrip/plan/plan.hpp"
+#include "zstrip/scene/depth_format.hpp"
 
 namespace zstrip::sim {
 
@@ -26,7 +27,8 @@ struct FrameReport {
 /// Draws frames of one size; keeps its memory from frame to frame.
 class FrameRenderer {
  public:
-  FrameRenderer(const View& view, const Budget& budget) : view_(view), budget_(budget), display_(view) {}
+  FrameRenderer(const View& view, const Budget& budget, DepthFormat depth_format = DepthFormat::z16)
+      : view_(view), budget_(budget), depth_format_(depth_format), display_(view) {}
 
   /// Plans and draws. Failures: ExitStatus::budget says how many bytes are missing, for what, and how many are enough.
   Result<FrameReport> render(const Staging& staging);
@@ -40,6 +42,7 @@ class FrameRenderer {
  private:
   View view_;
   Budget budget_;
+  DepthFormat depth_format_;
   PictureDisplay display_;
   std::vector<std::uint64_t> arena_;  ///< 8-byte words: kArenaAlignment
   std::vector<std::uint64_t> strip_;

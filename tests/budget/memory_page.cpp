@@ -47,18 +47,18 @@ void write_flash(std::ostringstream& text, std::span<const Usage> usages) {
 }
 
 void write_ram(std::ostringstream& text, std::span<const Usage> usages) {
-  write_row(text, "Board", "Scene", "Picture", "Strips", "Instances", "Vertices", "Depth", "Colour", "Bins", "Pixels",
-            "Statics", "Stack: reserved", "bound", "measured", "RAM");
-  text << "|---|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+  write_row(text, "Board", "Scene", "Picture", "Strips", "Instances", "Extents", "Vertices", "Depth", "Colour", "Bins",
+            "Pixels", "Statics", "Stack: reserved", "bound", "measured", "RAM");
+  text << "|---|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const Usage& usage : usages) {
     const Plan& plan = usage.plan;
     write_row(text, usage.target->board, usage.target->scene, picture(usage.target->view),
               std::to_string(plan.strips) + " of " + std::to_string(plan.strip_columns) + "x" +
                   std::to_string(plan.strip_rows),
-              grouped(plan.instance_bytes), grouped(plan.vertex_bytes), grouped(plan.depth_bytes),
-              grouped(plan.colour_bytes), grouped(plan.bin_bytes), grouped(usage.pixels), grouped(usage.statics),
-              grouped(usage.stack_reserved), grouped(usage.stack_bound), grouped(usage.stack_measured),
-              grouped(usage.ram()));
+              grouped(plan.instance_bytes), grouped(plan.extent_bytes), grouped(plan.vertex_bytes),
+              grouped(plan.depth_bytes), grouped(plan.colour_bytes), grouped(plan.bin_bytes), grouped(usage.pixels),
+              grouped(usage.statics), grouped(usage.stack_reserved), grouped(usage.stack_bound),
+              grouped(usage.stack_measured), grouped(usage.ram()));
   }
 }
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "depth_picture.hpp"
 #include "lattice.hpp"
 
 namespace hard_cases {
@@ -23,9 +24,34 @@ constexpr View kProbe{64, 64};
 struct DepthRange {
   const char* name;
   double near, far;
+  Effects format{};
 };
 constexpr DepthRange kWhole{"z16 over 0.1..100", 0.1, 100};
 constexpr DepthRange kFitted{"z16 fitted to 1..40", 1, 40};
+constexpr DepthRange kFloat{"float over 0.1..100", 0.1, 100, effect::depth_float};
+constexpr DepthRange kFittedFloat{"float fitted to 1..40", 1, 40, effect::depth_float};
+constexpr DepthRange kLinear{"w16 over 0.1..100", 0.1, 100, effect::depth_w16};
+constexpr DepthRange kFittedLinear{"w16 fitted to 1..40", 1, 40, effect::depth_w16};
+constexpr DepthRange kWhole24{"z24 over 0.1..100", 0.1, 100, effect::depth_24};
+constexpr DepthRange kFitted24{"z24 fitted to 1..40", 1, 40, effect::depth_24};
+constexpr DepthRange kWhole32{"z32 over 0.1..100", 0.1, 100, effect::depth_32};
+constexpr DepthRange kFitted32{"z32 fitted to 1..40", 1, 40, effect::depth_32};
+
+/// Of a code, in view units.
+double code_size(const DepthRange& range, double distance) {
+  const double one_over_w = distance * distance * (1 / range.near - 1 / range.far);
+  switch (depth_format(range.format)) {
+    case DepthFormat::z16: return one_over_w / 65533;
+    case DepthFormat::z24: return one_over_w / 16777213;
+    case DepthFormat::z32: return one_over_w / 4294967264.0;
+    case DepthFormat::w16: return (range.far - range.near) / 65533;
+    case DepthFormat::float16: {
+      const double octave = std::max(0.0, 6 - std::floor(-std::log2(range.near / distance)));
+      return distance * distance / range.near * std::exp2(octave - 20);
+    }
+  }
+  return 0;
+}
 
 constexpr Fixed fixed(double value) { return static_cast<Fixed>(value * 65536 + 0.5); }
 
@@ -69,10 +95,12 @@ double wrong_pixels(const DepthRange& range, double distance, double tilt, doubl
   camera.focal = 32 * kFixedOne;
   camera.near_plane = fixed(0.05);
   camera.far_plane = 200 * kFixedOne;
-  const Picture picture = picture::render(scene, camera, kProbe, kProbe.height);
+  const picture::DepthPicture picture = picture::render_depth(scene, camera, kProbe, range.format);
   EXPECT_TRUE(picture.status);
   int wrong = 0;
-  for (int i = 0; i < 64 * 64; ++i) wrong += pixel_at(picture, i % 64, i / 64, 64) != 0xFFFF;
+  for (std::size_t i = 0; i < 64 * 64; ++i) {
+    wrong += picture.pixels[2 * i] != std::byte{0xFF} || picture.pixels[2 * i + 1] != std::byte{0xFF};
+  }
   return wrong / (64.0 * 64.0);
 }
 
@@ -86,9 +114,13 @@ bool sorts(const DepthRange& range, double distance, double tilt, double separat
 /// In steps of 5 %: the smallest above which all sort, up to ten times as much.
 double smallest_separation(const DepthRange& range, double distance, double tilt) {
   double smallest = 0;
-  // The size of a code at this distance is where to look.
-  const double code = distance * distance * (1 / range.near - 1 / range.far) / 65533;
-  for (double separation = 10 * code; separation > code / 3; separation /= 1.05) {
+  // The size of a code at this distance is where to look; a slope is moved by the snapping of its corners to 1/16
+  // pixel, 1/1024 of the distance each.
+  const double code = code_size(range, distance), snapping = distance / 1024 / 16 * std::tan(tilt);
+  constexpr double kFinest = 3e-8;  // four steps of the probe's own grid
+  const double limit = std::max(code / 3, kFinest);
+  const double start = code > snapping ? 10 * code : 10 * code + 4 * snapping + distance * 0x1p-24;
+  for (double separation = start; separation > limit; separation /= 1.05) {
     if (!sorts(range, distance, tilt, separation)) break;
     smallest = separation;
   }
@@ -126,24 +158,61 @@ TEST(HardCases, D44_SmallestSeparationThatSorts) {
   }
 }
 
+TEST(HardCases, D44_SmallestSeparationOfEveryFormat) {
+  // docs/numerics.md shows this table: facing and tilted, at 1, 3, 10 and 30.
+  struct Row {
+    const DepthRange& range;
+    double expected[4][2];
+  };
+  const Row rows[] = {
+      {kFloat, {{7.7e-05, 0.000103}, {0.000299, 0.000421}, {0.000963, 0.00111}, {0.00786, 0.01}}},
+      {kFittedFloat, {{6.16e-05, 7.49e-05}, {0.000228, 0.000337}, {0.000665, 0.00103}, {0.0033, 0.00421}}},
+      {kLinear, {{0.00147, 0.00162}, {0.00121, 0.00162}, {0.0014, 0.00196}, {0.0014, 0.00187}}},
+      {kFittedLinear, {{0.000494, 0.000631}, {0.000572, 0.000767}, {0.000601, 0.00073}, {0.00025, 0.000805}}},
+      {kWhole24, {{6.01e-07, 1.29e-06}, {4.45e-06, 1.13e-05}, {6.01e-05, 8.01e-05}, {0.000424, 0.000758}}},
+      {kFitted24, {{3.78e-08, 1.4e-07}, {3.09e-07, 1.18e-06}, {5.87e-06, 1.29e-05}, {5.28e-05, 0.000107}}},
+      {kWhole32, {{3e-08, 3.1e-08}, {3.1e-08, 5.41e-08}, {2.35e-07, 4.79e-07}, {1.92e-06, 3.64e-06}}},
+      {kFitted32, {{3e-08, 3.1e-08}, {3e-08, 3.1e-08}, {3.1e-08, 5.32e-08}, {1.87e-07, 3.49e-07}}}};
+  constexpr double kDistances[] = {1, 3, 10, 30};
+  // The probe cannot place its squares finer than 3e-8.
+  const auto tolerance = [](double expected) { return std::max(0.05 * expected, 3.1e-8); };
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double facing = smallest_separation(row.range, kDistances[i], 0);
+      const double tilted = smallest_of_all_tilts(row.range, kDistances[i]);
+      EXPECT_NEAR(facing, row.expected[i][0], tolerance(row.expected[i][0]))
+          << row.range.name << " at " << kDistances[i];
+      EXPECT_NEAR(tilted, row.expected[i][1], tolerance(row.expected[i][1]))
+          << row.range.name << " at " << kDistances[i];
+    }
+  }
+}
+
 // With ZSTRIP_PICTURES=FOLDER a picture of the share of wrong pixels: distance 1 to 30 to the right, separation 0.00001
-// to 1 upwards, both logarithmic; left the whole range, right the fitted one. Black is none, white all.
+// to 1 upwards, both logarithmic; a panel for each format, above over 0.1..100, below fitted to 1..40. Black is none,
+// white all.
 TEST(HardCases, D44_Picture) {
   const char* const folder = std::getenv("ZSTRIP_PICTURES");
   if (folder == nullptr) GTEST_SKIP() << "ZSTRIP_PICTURES names no folder";
-  constexpr int kSide = 100;
+  constexpr int kSide = 100, kGap = 8;
+  const DepthRange* const panels[2][5] = {{&kWhole, &kFloat, &kLinear, &kWhole24, &kWhole32},
+                                          {&kFitted, &kFittedFloat, &kFittedLinear, &kFitted24, &kFitted32}};
   std::ofstream file(std::string(folder) + "/z_fighting.pgm", std::ios::binary);
-  file << "P5\n" << 2 * kSide + 8 << ' ' << kSide << "\n255\n";
-  for (int y = kSide - 1; y >= 0; --y) {
+  const int width = 5 * (kSide + kGap) - kGap, height = 2 * kSide + kGap;
+  file << "P5\n" << width << ' ' << height << "\n255\n";
+  for (int row = 0; row < height; ++row) {
+    const int y = kSide - 1 - row % (kSide + kGap);
     const double separation = std::pow(10.0, -5 + 5.0 * y / (kSide - 1));
-    for (int x = 0; x < 2 * kSide + 8; ++x) {
-      const double distance = std::pow(30.0, static_cast<double>(x % (kSide + 8)) / (kSide - 1));
-      // Grey: between the two, and where the nearer square would be another one's size.
-      if ((x >= kSide && x < kSide + 8) || separation > distance / 15) {
+    for (int column = 0; column < width; ++column) {
+      const int x = column % (kSide + kGap);
+      const double distance = std::pow(30.0, static_cast<double>(x) / (kSide - 1));
+      // Grey: between the panels, and where the nearer square would be another one's size.
+      if (x >= kSide || y < 0 || separation > distance / 15) {
         file.put(static_cast<char>(128));
         continue;
       }
-      file.put(static_cast<char>(255 * wrong_pixels(x < kSide ? kWhole : kFitted, distance, 0.5, separation)));
+      const DepthRange& range = *panels[row / (kSide + kGap)][column / (kSide + kGap)];
+      file.put(static_cast<char>(255 * wrong_pixels(range, distance, 0.5, separation)));
     }
   }
   EXPECT_TRUE(file.flush());

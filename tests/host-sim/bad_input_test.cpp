@@ -103,6 +103,8 @@ TEST_F(BadInput, Options) {
   usage("--size", {"render", "teapot", "--size", "0x0"});
   usage("--size", {"render", "teapot", "--size", "4097x100"});
   usage("--strip-rows", {"render", "teapot", "--strip-rows", "241"});
+  usage("--depth-format", {"render", "teapot", "--depth-format", "z8"});
+  usage("--ortho", {"render", "teapot", "--depth-format", "float", "--ortho"});
   usage("--ram", {"render", "teapot", "--ram", "lots"});
   usage("--format", {"render", "teapot", "--format", "rgb888"});
   usage("--image", {"render", "teapot", "--image", "gif"});

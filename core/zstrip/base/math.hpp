@@ -49,4 +49,21 @@ struct ScaledReciprocal {
   }
 };
 
+/// floor(numerator / divisor * 2^fraction_bits), exact, modulo 2^64; 0 < divisor <= 2^54. For set-up, not for pixels:
+/// two divisions for each 9 bits.
+constexpr std::int64_t long_quotient(std::int64_t numerator, std::int64_t divisor, int fraction_bits) {
+  std::int64_t floor = numerator / divisor;
+  std::int64_t remainder = numerator % divisor;
+  if (remainder < 0) remainder += divisor, --floor;
+  auto quotient = static_cast<std::uint64_t>(floor);
+  while (fraction_bits > 0) {
+    const int bits = fraction_bits < 9 ? fraction_bits : 9;
+    remainder <<= bits;
+    quotient = (quotient << bits) + static_cast<std::uint64_t>(remainder / divisor);
+    remainder %= divisor;
+    fraction_bits -= bits;
+  }
+  return static_cast<std::int64_t>(quotient);
+}
+
 }  // namespace zstrip

@@ -26,6 +26,11 @@ enum class Error : std::uint8_t {
   effect_missing,  ///< the scene calls for an effect that this renderer was built without (`needed` = the missing set),
                    ///< or the renderer is for orthographic cameras only (`needed` = 0)
   not_begun,       ///< draw_strip before a successful begin_frame
+  store_full,      ///< a store's pool has no room for a tile; `needed`, `available` in bytes of the pool
+  store_range,     ///< a tile or rows that a store does not have (`needed` = the row beyond, `available` = its rows)
+  store_damaged,   ///< bytes that are no store of this kind, or no record of a tile (`needed` = index of the tile)
+  depth_effects,   ///< two depth formats at once, sub-ranges of one that has none, or one that needs a perspective
+                   ///< camera and is to draw an orthographic one
 };
 
 /// What memory is for. The order is that of a plan's table.

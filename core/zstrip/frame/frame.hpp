@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "zstrip/base/statistics.hpp"
+#include "zstrip/frame/depth_ranges.hpp"
 #include "zstrip/geometry/bins.hpp"
 #include "zstrip/geometry/extent.hpp"
 #include "zstrip/geometry/project.hpp"
@@ -31,6 +33,8 @@ class Frame {
   Fixed farthest() const { return length_of(fit_.far); }
   /// The z-buffer of the strip drawn last: the part of bounds() in that strip, row by row. Empty rectangle if none.
   const std::uint16_t* depth() const { return depth_; }
+  /// The same of formats whose cells have 32 bits.
+  const std::uint32_t* wide_depth() const { return reinterpret_cast<const std::uint32_t*>(depth_); }
   const Rect& depth_area() const { return depth_area_; }
 
   struct Access;  // the pipeline's way in
@@ -57,5 +61,21 @@ class Frame {
   std::uint16_t* working_colour_ = nullptr;
   Statistics statistics_{};
 };
+
+/// The frame of a renderer with effect::depth_ranges.
+class FrameWithDepthRanges : public Frame {
+ public:
+  /// Cells of depth() with this code or a smaller one count as cleared; greater codes are relative to it.
+  std::uint16_t cleared_code() const { return static_cast<std::uint16_t>(cleared_code_); }
+
+ private:
+  friend struct Frame::Access;
+  detail::DepthRanges ranges_;
+  std::uint32_t cleared_code_ = 0;
+};
+
+/// What a renderer with these effects holds.
+template <Effects effects>
+using FrameFor = std::conditional_t<effects.has(effect::depth_ranges), FrameWithDepthRanges, Frame>;
 
 }  // namespace zstrip

@@ -89,52 +89,63 @@ struct Frame::Access {
     }
   }
 
-  /// Which strips each meshlet touches; with bins also its triangles, whose vertices then stay. A frame whose bins
-  /// overflow is streamed.
+  /// Which strips the front faces of each meshlet touch.
   template <Effects effects>
   static void survey(Frame& frame) {
-    std::uint32_t retained = 0;
-    std::uint16_t batches = 0;
     for_each_meshlet(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
       const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
-      const detail::Batch batch = batch_of(frame, instance, range.first_vertex, retained);
-      const bool all_narrow = transform<effects>(frame, batch, range, retained);
+      const detail::Batch batch = batch_of(frame, instance, range.first_vertex, 0);
+      const bool all_narrow = transform<effects>(frame, batch, range, 0);
       Rect box{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
-      bool listed = false;
-      Assembler<effects>::for_each_facing(
-          batch, range.triangles, all_narrow, [&](std::uint32_t triangle, const Rect& pixels) {
-            box = {std::min(box.left, pixels.left), std::min(box.top, pixels.top), std::max(box.right, pixels.right),
-                   std::max(box.bottom, pixels.bottom)};
-            if constexpr (effects.has(effect::bins)) {
-              if (frame.mode_ != Mode::binned) return;
-              listed = true;
-              if (!list(frame, pixels, batches, static_cast<std::uint16_t>(triangle))) {
-                frame.mode_ = Mode::streamed;
-                ++frame.bin_overflows_;
-              }
-            }
-          });
+      Assembler<effects>::for_each_facing(batch, range.triangles, all_narrow, [&](std::uint32_t, const Rect& pixels) {
+        box = {std::min(box.left, pixels.left), std::min(box.top, pixels.top), std::max(box.right, pixels.right),
+               std::max(box.bottom, pixels.bottom)};
+        return true;
+      });
       frame.extents_[number] = frame.grid_.extent_of(box);
-      if constexpr (effects.has(effect::bins)) {
-        if (frame.mode_ != Mode::binned) {
-          retained = 0;
-        } else if (listed) {
-          shade<effects>(frame, batch, range, retained);
-          frame.batches_[batches++] = {static_cast<std::uint16_t>(instance), static_cast<std::uint16_t>(meshlet),
-                                       retained};
-          retained += range.vertex_count;
-        }
-      }
     });
   }
 
+  /// Transforms everything once and writes each front face into the lists of its strips. False if they are too small.
+  template <Effects effects>
+  static bool fill_bins(Frame& frame) {
+    std::uint32_t retained = 0;
+    std::uint16_t batches = 0;
+    bool room = true;
+    for_each_meshlet(frame, [&](std::uint32_t, std::uint32_t instance, std::uint32_t meshlet) {
+      if (!room) return;
+      const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
+      const detail::Batch batch = batch_of(frame, instance, range.first_vertex, retained);
+      const bool all_narrow = transform<effects>(frame, batch, range, retained);
+      bool listed = false;
+      room = Assembler<effects>::for_each_facing(batch, range.triangles, all_narrow,
+                                                 [&](std::uint32_t triangle, const Rect& pixels) {
+                                                   listed = true;
+                                                   return list(frame, pixels, batches, triangle);
+                                                 });
+      if (!listed) return;
+      shade<effects>(frame, batch, range, retained);
+      frame.batches_[batches++] = {static_cast<std::uint16_t>(instance), static_cast<std::uint16_t>(meshlet), retained};
+      retained += range.vertex_count;
+    });
+    return room;
+  }
+
   /// Into the lists of all strips that hold pixels of the box.
-  static bool list(Frame& frame, const Rect& pixels, std::uint16_t batch, std::uint16_t triangle) {
+  static bool list(Frame& frame, const Rect& pixels, std::uint16_t batch, std::uint32_t triangle) {
+    const auto index = static_cast<std::uint16_t>(triangle);
+    if (frame.grid_.across() == 1) {
+      const detail::StripGrid::Range rows = frame.grid_.rows_of(pixels.top, pixels.bottom);
+      for (std::int32_t row = rows.first; row < rows.end; ++row) {
+        if (!frame.bins_.add(static_cast<std::uint32_t>(row), batch, index)) return false;
+      }
+      return true;
+    }
     const Rect strips = frame.grid_.strips_of(pixels);
     for (std::int32_t row = strips.top; row < strips.bottom; ++row) {
       for (std::int32_t column = strips.left; column < strips.right; ++column) {
         const auto strip = static_cast<std::uint32_t>(row * frame.grid_.across() + column);
-        if (!frame.bins_.add(strip, batch, triangle)) return false;
+        if (!frame.bins_.add(strip, batch, index)) return false;
       }
     }
     return true;
@@ -150,7 +161,9 @@ struct Frame::Access {
       const detail::Batch batch = batch_of(frame, instance, range.first_vertex, 0);
       const bool all_narrow = transform<effects>(frame, batch, range, 0);
       shade<effects>(frame, batch, range, 0);
-      Assembler<effects>::draw(target, batch, range.triangles, all_narrow);
+      with_depth<effects>(frame, target, *batch.instance, [&](const auto& complete) {
+        Assembler<effects>::draw(complete, batch, range.triangles, all_narrow);
+      });
     });
   }
 
@@ -161,8 +174,41 @@ struct Frame::Access {
       const MeshletRange range =
           meshlet_range(frame.scene_->meshes[frame.instances_[retained.instance].mesh], retained.meshlet);
       const detail::Batch batch = batch_of(frame, retained.instance, range.first_vertex, retained.first_vertex);
-      Assembler<effects>::draw_listed(target, batch, range.triangles, {triangles, count});
+      with_depth<effects>(frame, target, *batch.instance, [&](const auto& complete) {
+        Assembler<effects>::draw_listed(complete, batch, range.triangles, {triangles, count});
+      });
     });
+  }
+
+  /// Calls draw(target), with what the depth effects of this instance's material add to it.
+  template <Effects effects, class Draw>
+  static void with_depth(const Frame& frame, const detail::StripTarget& target,
+                         const detail::CompiledInstance& instance, const Draw& draw) {
+    if constexpr (std::is_same_v<detail::TargetFor<detail::depth_mode(effects)>, detail::StripTarget>) {
+      draw(target);
+    } else {
+      draw(detail::StripTargetWithDepth{target, depth_settings<effects>(frame, instance)});
+    }
+  }
+
+  template <Effects effects>
+  static detail::DepthSettings depth_settings(const Frame& frame, const detail::CompiledInstance& instance) {
+    constexpr DepthFormat kFormat = depth_format(effects);
+    const Material& material = frame.scene_->materials[instance.material];
+    detail::DepthSettings settings;
+    settings.test = material.depth_test;
+    settings.write = material.depth_write;
+    settings.bias = material.depth_bias;
+    settings.slope_bias = material.depth_slope_bias;
+    settings.bias_clamp = material.depth_bias_clamp;
+    settings.largest = largest_depth_code(kFormat);
+    if constexpr (kFormat == DepthFormat::w16) settings.linear = detail::linear_mapping(frame.fit_);
+    if constexpr (effects.has(effect::depth_ranges)) {
+      const std::uint32_t cleared = static_cast<const FrameWithDepthRanges&>(frame).cleared_code_;
+      settings.smallest = cleared + 1;
+      settings.largest = cleared + detail::kDepthRangeCodes - 2;
+    }
+    return settings;
   }
 
   static detail::Surface surface_of(const Frame& frame, const detail::CompiledInstance& instance) {
@@ -173,6 +219,47 @@ struct Frame::Access {
       surface.texture = {texture.texels.data(), texture.log2_width, texture.log2_height};
     }
     return surface;
+  }
+
+  static constexpr bool has_own_mapping(Effects effects) {
+    return effects.any(effect::depth_formats | effect::depth_ranges);
+  }
+  static constexpr bool has_own_clear(Effects effects) {
+    return depth_bytes(depth_format(effects)) != kDepthBytes || effects.has(effect::depth_ranges);
+  }
+
+  /// From z16's, for which the frame has been prepared.
+  template <Effects effects>
+  static void change_mapping(Frame& frame, const Scene& scene) {
+    if (frame.fit_.near == 0) return;  // nothing is visible
+    const detail::DepthMapping mapping = effects.has(effect::depth_ranges)
+                                             ? detail::depth_mapping_of_ranges(frame.fit_)
+                                             : detail::depth_mapping(depth_format(effects), frame.fit_);
+    detail::change_depth_mapping(mapping, effects.has(effect::orthographic), frame.fit_, frame.origin_,
+                                 {frame.instances_, scene.instances.size()});
+  }
+
+  /// What clear() does not: cells of 32 bits, and sub-ranges, where the strip gets the next one and often no clear.
+  template <Effects effects>
+  static void clear_depth(Frame& frame, const detail::StripTarget& target) {
+    const auto cells = static_cast<std::uint32_t>(target.area.width() * target.area.height());
+    if constexpr (effects.has(effect::depth_ranges)) {
+      if (cells == 0) return;
+      auto& ranged = static_cast<FrameWithDepthRanges&>(frame);
+      const std::uint32_t usable = ranged.ranges_.next(cells);
+      __builtin_memset(frame.depth_ + usable, 0, std::size_t{cells - usable} * kDepthBytes);
+      const std::int64_t up =
+          (std::int64_t{ranged.ranges_.cleared_code()} - ranged.cleared_code_) * (1 << 16);  // 16.16 codes
+      ranged.cleared_code_ = ranged.ranges_.cleared_code();
+      if constexpr (effects.has(effect::orthographic)) {
+        frame.origin_.depth_offset += static_cast<std::uint32_t>(up);
+      } else {
+        frame.fit_.offset -= up;
+        frame.origin_.depth_offset = static_cast<std::uint32_t>(frame.fit_.offset);
+      }
+    } else {
+      __builtin_memset(frame.depth_, 0, std::size_t{cells} * depth_bytes(depth_format(effects)));
+    }
   }
 
   template <Effects effects>
@@ -187,16 +274,42 @@ struct Frame::Access {
     if (plan.mode == Mode::binned && !effects.has(effect::bins)) {
       return {.error = Error::effect_missing, .needed = effect::bins.bits};
     }
+    // Binned vertices keep the depth of the sub-range in which they were transformed.
+    if (plan.mode == Mode::binned && effects.has(effect::depth_ranges)) return {.error = Error::depth_effects};
     if (const Status status = check(scene, camera, view, plan, missing, arena); !status) return status;
+    if constexpr (depth_bytes(depth_format(effects)) != kDepthBytes) {
+      const std::uint64_t needed =
+          std::uint64_t{plan.strip_rows} * plan.strip_columns * depth_bytes(depth_format(effects));
+      if (plan.depth_bytes < needed) {
+        return {.error = Error::arena_too_small,
+                .purpose = Purpose::depth,
+                .needed = static_cast<std::uint32_t>(needed),
+                .available = plan.depth_bytes};
+      }
+    }
     frame.view_ = view;
     frame.plan_ = plan;
     frame.mode_ = plan.mode;
     frame.statistics_ = {};
     lay_out_arena(frame, arena);
+    if constexpr (effects.has(effect::depth_ranges)) {
+      auto& ranged = static_cast<FrameWithDepthRanges&>(frame);
+      ranged.ranges_.begin_frame(frame.depth_, plan.depth_bytes / kDepthBytes);
+      ranged.cleared_code_ = 0;
+    }
     if (const Status status = prepare(frame, scene, camera, view); !status) return status;
+    if constexpr (has_own_mapping(effects)) change_mapping<effects>(frame, scene);
     if constexpr (effects.has(effect::statistics)) frame.statistics_.triangles = count(scene).triangles;
     frame.scene_ = &scene;
-    if (frame.extents_ != nullptr) survey<effects>(frame);
+    if (frame.extents_ == nullptr) return {};
+    if constexpr (effects.has(effect::bins)) {
+      if (frame.mode_ == Mode::binned) {
+        if (fill_bins<effects>(frame)) return {};
+        frame.mode_ = Mode::streamed;
+        ++frame.bin_overflows_;
+      }
+    }
+    survey<effects>(frame);
     return {};
   }
 
@@ -219,7 +332,12 @@ struct Frame::Access {
     auto* const drawn = detail::drawn_in_place(frame.view_.format) ? reinterpret_cast<std::uint16_t*>(pixels.data())
                                                                    : frame.working_colour_;
     const detail::StripTarget target = target_of(frame, area, drawn);
-    clear(frame, width, rows, drawn, target);
+    if constexpr (has_own_clear(effects)) {
+      detail::fill_pixels(drawn, std::uint32_t{rows} * width, detail::rgb565(frame.scene_->background));
+      clear_depth<effects>(frame, target);
+    } else {
+      clear(frame, width, rows, drawn, target);
+    }
     if (!target.area.empty()) {
       if constexpr (effects.has(effect::bins)) {
         if (frame.mode_ == Mode::binned) {

@@ -9,12 +9,15 @@
 
 namespace zstrip {
 
+/// A pipeline with effect::depth_ranges takes a FrameWithDepthRanges only.
 struct Pipeline {
   Status (*begin_frame)(Frame&, const Scene&, const Camera&, const View&, const Plan&, std::span<std::byte> arena);
   Status (*draw_strip)(Frame&, std::uint16_t strip, std::span<std::byte> pixels);
 };
 
-/// The pipeline that draws exactly `effects`. Links all of them: for hosts (library zstrip::core_any).
+/// The pipeline that draws exactly `effects`; where there are depth effects among them, one with all effects but the
+/// other depth formats and the other projection. Effects that do not agree get one that refuses every frame with
+/// Error::depth_effects. Links all of them: for hosts (library zstrip::core_any).
 Pipeline pipeline_for(Effects effects);
 
 }  // namespace zstrip

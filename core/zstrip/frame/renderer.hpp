@@ -16,10 +16,15 @@ namespace zstrip {
 /// arenas are independent.
 template <Effects effects>
 class Renderer {
+  static_assert(depth_effects_agree(effects), "one depth format; float16 and w16 need perspective");
+
  public:
   /// Checks everything that could harm and prepares the frame. `arena`: at least plan.bytes(), aligned to
   /// kArenaAlignment, its contents do not matter. Scene and arena must stay alive and unchanged until the last
   /// draw_strip of this frame. On an error the renderer draws nothing until the next success.
+  /// With effect::depth_ranges the arena's contents do matter between frames: nothing but this object may have written
+  /// the arena since this object drew into it last, wherever begin_frame gets an arena that starts and is laid out
+  /// like the last one. Where something else wrote it (another renderer, too), assign a new object first.
   Status begin_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                      std::span<std::byte> arena) {
     return detail::begin_frame<effects>(frame_, scene, camera, view, plan, arena);
@@ -30,16 +35,17 @@ class Renderer {
   Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
     return detail::draw_strip<effects>(frame_, strip, pixels);
   }
-  const Frame& frame() const { return frame_; }
+  const FrameFor<effects>& frame() const { return frame_; }
 
  private:
-  Frame frame_;
+  FrameFor<effects> frame_;
 };
 
 /// The same for programs that learn the effects at run time: one indirect call a frame and strip.
 class AnyRenderer {
  public:
-  /// Takes the pipeline for exactly these effects.
+  /// Takes the pipeline for exactly these effects; with a depth effect one that has all others as well, which draws
+  /// the same.
   explicit AnyRenderer(Effects effects) : pipeline_(pipeline_for(effects)) {}
   Status begin_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                      std::span<std::byte> arena) {
@@ -48,11 +54,11 @@ class AnyRenderer {
   Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
     return pipeline_.draw_strip(frame_, strip, pixels);
   }
-  const Frame& frame() const { return frame_; }
+  const FrameWithDepthRanges& frame() const { return frame_; }
 
  private:
   Pipeline pipeline_;
-  Frame frame_;
+  FrameWithDepthRanges frame_;
 };
 
 }  // namespace zstrip

@@ -51,21 +51,29 @@ ClipVertex crossing(const ClipVertex& inner, const ClipVertex& outer, std::int64
           narrow(inner.g, outer.g), narrow(inner.b, outer.b), narrow(inner.u, outer.u), narrow(inner.v, outer.v)};
 }
 
+/// In place, so that the stack holds one polygon: a cut convex polygon grows by one vertex at most, and the vertex that
+/// this overwrites has been read. Where rounding made it concave it could grow by more; then a crossing is left out.
 void clip_against(ClipPolygon& polygon, const Plane& plane) {
-  ClipPolygon kept;
-  kept.count = 0;
-  for (int i = 0; i < polygon.count; ++i) {
-    const ClipVertex& a = polygon.vertices[i];
-    const ClipVertex& b = polygon.vertices[i + 1 < polygon.count ? i + 1 : 0];
-    const std::int64_t at_a = plane.at(a);
-    const std::int64_t at_b = plane.at(b);
-    // A convex polygon gains at most one vertex a plane; rounding could add more, which must not leave the array.
-    if (at_a >= 0 && kept.count < kMaxPolygon) kept.vertices[kept.count++] = a;
-    if ((at_a < 0) != (at_b < 0) && kept.count < kMaxPolygon) {
-      kept.vertices[kept.count++] = at_a >= 0 ? crossing(a, b, at_a, at_b) : crossing(b, a, at_b, at_a);
+  const int count = polygon.count;
+  if (count == 0) return;
+  const ClipVertex first = polygon.vertices[0];
+  const std::int64_t at_first = plane.at(first);
+  ClipVertex a = first;
+  std::int64_t at_a = at_first;
+  int kept = 0;
+  for (int i = 0; i < count; ++i) {
+    const bool last = i + 1 == count;
+    const ClipVertex b = last ? first : polygon.vertices[i + 1];
+    const std::int64_t at_b = last ? at_first : plane.at(b);
+    const int limit = last ? kMaxPolygon : i + 2;  // what lies beyond has not been read
+    if (at_a >= 0 && kept < limit) polygon.vertices[kept++] = a;
+    if ((at_a < 0) != (at_b < 0) && kept < limit) {
+      polygon.vertices[kept++] = at_a >= 0 ? crossing(a, b, at_a, at_b) : crossing(b, a, at_b, at_a);
     }
+    a = b;
+    at_a = at_b;
   }
-  polygon = kept;
+  polygon.count = kept;
 }
 
 /// Near and far first: behind them the guard band's planes are meaningless.

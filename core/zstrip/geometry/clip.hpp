@@ -30,6 +30,13 @@ struct ClipPolygon {
 void clip_perspective(ClipPolygon& polygon, const CompiledInstance& instance);
 void clip_orthographic(ClipPolygon& polygon, const CompiledInstance& instance);
 
+/// 1 / w, from all bits of w; the leading zeros are counted as for w without the extra fraction.
+constexpr Reciprocal reciprocal_of_wide(std::int64_t w) {
+  const auto bits = static_cast<std::uint64_t>(w);
+  const int zeros = std::countl_zero(bits);
+  return {reciprocal(static_cast<std::uint32_t>((bits << zeros) >> 32)), zeros - (32 - kClipBits)};
+}
+
 /// x, y and depth of a vertex inside the clip volume; the same bits as project_narrow for a vertex that both accept.
 struct WidePosition {
   std::int32_t x, y;
@@ -37,5 +44,13 @@ struct WidePosition {
 };
 template <bool orthographic>
 WidePosition project_wide(const CompiledInstance& instance, const RasterOrigin& origin, const ClipVertex& vertex);
+
+/// Its depth in a format other than z16.
+template <bool orthographic, DepthFormat format>
+std::uint32_t project_wide_depth(const CompiledInstance& instance, const RasterOrigin& origin,
+                                 const ClipVertex& vertex) {
+  const Reciprocal r = orthographic ? Reciprocal{0, 0} : reciprocal_of_wide(vertex.w);
+  return project_depth<orthographic, format>(instance, origin, static_cast<std::int32_t>(vertex.w >> kClipBits), r);
+}
 
 }  // namespace zstrip::detail

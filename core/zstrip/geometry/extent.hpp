@@ -34,18 +34,25 @@ class StripGrid {
         centre_y_(view.height >> 1),
         bounds_(bounds) {}
 
+  struct Range {
+    std::int32_t first, end;
+  };
+  /// Rows of strips that hold raster rows top .. bottom - 1; none if first >= end.
+  Range rows_of(std::int32_t top, std::int32_t bottom) const {
+    const std::int32_t first = std::max(top + centre_y_, bounds_.top);
+    const std::int32_t end = std::min(bottom + centre_y_, bounds_.bottom);
+    if (first >= end) return {0, 0};
+    return {strip(first, inverse_rows_), strip(end - 1, inverse_rows_) + 1};
+  }
+
   /// Strips that hold raster pixels of `box`; an empty rectangle if none does.
   Rect strips_of(const Rect& box) const {
     if (box.empty()) return {};
     const std::int32_t left = std::max(box.left + centre_x_, bounds_.left);
-    const std::int32_t top = std::max(box.top + centre_y_, bounds_.top);
     const std::int32_t right = std::min(box.right + centre_x_, bounds_.right);
-    const std::int32_t bottom = std::min(box.bottom + centre_y_, bounds_.bottom);
-    if (left >= right || top >= bottom) return {};
-    const std::int32_t first_row = strip(top, inverse_rows_);
-    const std::int32_t end_row = strip(bottom - 1, inverse_rows_) + 1;
-    if (across_ == 1) return {0, first_row, 1, end_row};
-    return {strip(left, inverse_columns_), first_row, strip(right - 1, inverse_columns_) + 1, end_row};
+    const Range rows = rows_of(box.top, box.bottom);
+    if (left >= right || rows.first >= rows.end) return {};
+    return {strip(left, inverse_columns_), rows.first, strip(right - 1, inverse_columns_) + 1, rows.end};
   }
   std::int32_t across() const { return across_; }
 

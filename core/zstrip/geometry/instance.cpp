@@ -207,6 +207,13 @@ Status compile_instance(CompiledInstance& compiled, const Scene& scene, const In
   if (!compiled.visible) return {};
 
   Normalised w = normalise(distance_row(mesh, instance.transform, camera));
+  if (orthographic) {
+    // Depth is linear in w: one scale for all instances, so that far fits as well.
+    const int exponent_of_far = 34 - std::countl_zero(static_cast<std::uint64_t>(fit.far));
+    if (exponent_of_far > w.exponent) {
+      w = {shifted_right(w.form, exponent_of_far - w.exponent), exponent_of_far};
+    }
+  }
 
   // Pixels per unit, in sixteenths: focal * height / 2 * 16, as a mantissa of 31 bits.
   const std::uint64_t sixteenths = static_cast<std::uint64_t>(camera.focal) * view.height * 8U;  // 16 fraction bits

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "zstrip/geometry/instance.hpp"
+#include "zstrip/scene/depth_format.hpp"
 
 namespace zstrip::detail {
 
@@ -50,11 +51,43 @@ constexpr Reciprocal reciprocal_of(std::uint32_t w) {
   return {reciprocal(w << normalisation), normalisation};
 }
 
-/// Depth of a vertex at distance w (in the instance's scale) inside the depth range, 16.16 codes, snapped.
-template <bool orthographic>
+/// Snaps the depth of a vertex in any format to odd eighths of a code, as snap_depth does for z16; z32 has no bits for
+/// that. Codes start at 1.
+template <DepthFormat format>
+constexpr std::uint32_t snap_depth_as(std::uint32_t depth) {
+  if constexpr (format == DepthFormat::float16) {
+    const std::uint32_t eighth = 1U << (9 + float16_octave(depth));
+    const std::uint32_t snapped = (depth & ~(2 * eighth - 1)) | eighth;
+    return snapped < (1U << 12) ? (1U << 12) | eighth : snapped;
+  } else if constexpr (format == DepthFormat::w16) {
+    return depth == 0 ? 1 : depth;
+  } else if constexpr (format == DepthFormat::z24) {
+    return (depth & ~0x3FU) | 0x20U;
+  } else if constexpr (format == DepthFormat::z32) {
+    return depth;
+  } else {
+    return snap_depth(depth);
+  }
+}
+
+/// Depth of a vertex at distance w (in the instance's scale) inside the depth range, snapped. In 1/2^32 of all codes:
+/// 16.16 codes of z16, 24.8 of z24, 32.0 of z32; near / w in 0.32 for float16 and w16.
+template <bool orthographic, DepthFormat format = DepthFormat::z16>
 constexpr std::uint32_t project_depth(const CompiledInstance& instance, const RasterOrigin& origin, std::int32_t w,
                                       const Reciprocal& r) {
-  if constexpr (orthographic) {
+  if constexpr (format != DepthFormat::z16) {
+    // All bits of the product: these formats show them.
+    if constexpr (orthographic) {
+      const std::uint32_t from_far = instance.w_near + instance.w_range - static_cast<std::uint32_t>(w);
+      const std::uint64_t product = std::uint64_t{from_far << instance.depth_normalisation} * instance.depth_scale;
+      return snap_depth_as<format>(static_cast<std::uint32_t>(product >> (32 - instance.depth_shift)) +
+                                   origin.depth_offset);
+    } else {
+      const std::uint64_t product = std::uint64_t{static_cast<std::uint32_t>(r.value)} * instance.depth_scale;
+      const int shift = 32 + instance.depth_normalisation - r.normalisation - instance.depth_shift;
+      return snap_depth_as<format>(static_cast<std::uint32_t>(product >> shift) - origin.depth_offset);
+    }
+  } else if constexpr (orthographic) {
     const std::uint32_t from_far = instance.w_near + instance.w_range - static_cast<std::uint32_t>(w);
     const std::uint32_t scaled = multiply_high(from_far << instance.depth_normalisation, instance.depth_scale);
     return snap_depth((scaled << instance.depth_shift) + origin.depth_offset);
@@ -65,7 +98,7 @@ constexpr std::uint32_t project_depth(const CompiledInstance& instance, const Ra
 }
 
 /// Projects and snaps; false if the vertex is not narrow. `x`, `y`, `w` are the instance's linear forms at the vertex.
-template <bool orthographic>
+template <bool orthographic, DepthFormat format = DepthFormat::z16>
 inline bool project_narrow(const CompiledInstance& instance, const RasterOrigin& origin, std::int32_t x, std::int32_t y,
                            std::int32_t w, SnappedVertex& vertex) {
   if (static_cast<std::uint32_t>(w) - instance.w_near > instance.w_range) return false;
@@ -87,7 +120,7 @@ inline bool project_narrow(const CompiledInstance& instance, const RasterOrigin&
     return false;
   }
   vertex = {static_cast<std::int16_t>(px), static_cast<std::int16_t>(py),
-            project_depth<orthographic>(instance, origin, w, r)};
+            project_depth<orthographic, format>(instance, origin, w, r)};
   return true;
 }
 

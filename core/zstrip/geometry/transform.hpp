@@ -12,6 +12,7 @@ template <Effects effects>
 bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, const RasterOrigin& origin,
                         std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {
   constexpr bool kOrthographic = effects.has(effect::orthographic);
+  constexpr DepthFormat kFormat = depth_format(effects);
   const LinearForm fx = instance.x;
   const LinearForm fy = instance.y;
   const LinearForm fw = instance.w;
@@ -19,7 +20,7 @@ bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, cons
   bool all_narrow = true;
   for (std::uint32_t i = 0; i < count; ++i) {
     const Position p = positions[i];
-    if (!project_narrow<kOrthographic>(instance, origin, fx.at(p), fy.at(p), fw.at(p), vertices[i])) {
+    if (!project_narrow<kOrthographic, kFormat>(instance, origin, fx.at(p), fy.at(p), fw.at(p), vertices[i])) {
       vertices[i] = {kNotNarrow, 0, 0};
       all_narrow = false;
     }

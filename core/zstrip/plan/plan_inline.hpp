@@ -18,7 +18,7 @@ inline constexpr std::uint32_t kBinChunkEntries = 15;
 inline constexpr std::uint32_t kMostBinChunks = 0xFFFF;
 inline constexpr std::uint32_t kMostBatches = 0x7FFF;  // that bins can name; likewise triangles of a meshlet
 inline constexpr std::uint32_t kMostStrips = 0xFFFF;
-inline constexpr std::uint32_t kDepthBytes = 2;          // a cell of the z-buffer
+inline constexpr std::uint32_t kDepthBytes = 2;          // a cell of the z-buffer, unless depth_bytes says 4
 inline constexpr std::uint32_t kWorkingColourBytes = 2;  // RGB565
 
 namespace detail {
@@ -85,6 +85,7 @@ class Planner {
       : counts_(counts),
         view_(view),
         per_vertex_(kVertexBytes + (has_vertex_colours(effects) ? kVertexColourBytes : 0)),
+        per_cell_(depth_bytes(depth_format(effects))),
         strip_buffers_(budget.strip_buffers),
         limit_(budget.bytes == 0 || budget.bytes > kLargestArena ? kLargestArena : budget.bytes) {}
 
@@ -125,7 +126,7 @@ class Planner {
     const Plan lowest = with(mode, columns, 1);
     const std::uint64_t fixed = std::uint64_t{lowest.instance_bytes} + lowest.vertex_bytes;
     if (fixed >= limit_) return;
-    const std::uint64_t whole_depth = std::uint64_t{kDepthBytes} * columns * view_.height;
+    const std::uint64_t whole_depth = std::uint64_t{per_cell_} * columns * view_.height;
     const std::uint64_t at_least = whole_depth / (limit_ - fixed);
     for (std::uint64_t down = at_least > 2 ? at_least : 2; down < view_.height; ++down) {
       const Plan plan = with(mode, columns, static_cast<std::uint16_t>((view_.height + down - 1) / down));
@@ -145,7 +146,7 @@ class Planner {
     plan.instance_bytes = rounded_up(std::uint64_t{counts_.instances} * kInstanceBytes);
     plan.extent_bytes = strips > 1 || binned ? rounded_up(meshlets * kExtentBytes) : 0;
     plan.vertex_bytes = rounded_up(std::uint64_t{binned ? counts_.vertices : counts_.largest_meshlet} * per_vertex_);
-    plan.depth_bytes = rounded_up(cells * kDepthBytes);
+    plan.depth_bytes = rounded_up(cells * per_cell_);
     plan.colour_bytes = drawn_in_place(view_.format) ? 0 : rounded_up(cells * kWorkingColourBytes);
     if (binned) {
       if (meshlets > kMostBatches || counts_.longest_meshlet > kMostBatches) return {};
@@ -175,7 +176,7 @@ class Planner {
 
   const SceneCounts& counts_;
   const View& view_;
-  std::uint32_t per_vertex_, strip_buffers_, limit_;
+  std::uint32_t per_vertex_, per_cell_, strip_buffers_, limit_;
   Plan best_{}, smallest_{};
   std::uint64_t best_cost_ = 0;
 };
@@ -194,10 +195,11 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
     return {.status = {.error = Error::strip_columns, .needed = budget.strip_columns, .available = view.width},
             .plan = {}};
   }
-  const bool can_bin = effects.has(effect::bins);
-  if (budget.modes == Modes::binned && !can_bin) {
+  if (budget.modes == Modes::binned && !effects.has(effect::bins)) {
     return {.status = {.error = Error::effect_missing, .needed = effect::bins.bits}, .plan = {}};
   }
+  const bool can_bin = effects.has(effect::bins) && !effects.has(effect::depth_ranges);
+  if (budget.modes == Modes::binned && !can_bin) return {.status = {.error = Error::depth_effects}, .plan = {}};
   detail::Planner planner(counts, view, effects, budget);
   if (budget.modes != Modes::binned) planner.consider_mode(Mode::streamed, budget);
   if (budget.modes != Modes::streamed && can_bin) planner.consider_mode(Mode::binned, budget);

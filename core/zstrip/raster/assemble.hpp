@@ -63,6 +63,8 @@ struct Assembler {
   static constexpr bool kOrthographic = effects.has(effect::orthographic);
   static constexpr bool kStatistics = effects.has(effect::statistics);
   static constexpr bool kColours = has_vertex_colours(effects);
+  static constexpr DepthMode kDepth = depth_mode(effects);
+  using StripTarget = TargetFor<kDepth>;  // with what this depth mode needs
 
   /// Colour and texture coordinates, as far as `shade` reads them.
   template <Shade shade, class Vertex>
@@ -109,6 +111,24 @@ struct Assembler {
     }
   }
 
+  /// The vertex with 16.16 codes: what small triangles take.
+  static decltype(auto) in_codes(const SnappedVertex& v) {
+    if constexpr (kDepth.format == DepthFormat::float16) {
+      const auto depth = static_cast<std::uint32_t>(float16_depth(v.depth, float16_octave(v.depth)));
+      return SnappedVertex{v.x, v.y, depth};
+    } else {
+      return (v);
+    }
+  }
+
+  /// Of the small float's vertices only those of one octave have their codes on a plane.
+  static bool is_small_in_octave(std::int32_t width, std::int32_t height, const SnappedVertex& a,
+                                 const SnappedVertex& b, const SnappedVertex& c) {
+    const std::uint32_t octave = float16_octave(a.depth);
+    return float16_octave(b.depth) == octave && float16_octave(c.depth) == octave &&
+           is_small(width, height, in_codes(a), in_codes(b), in_codes(c));
+  }
+
   /// Cannot be inlined: keeps the culling loop small enough for the registers of a Cortex-M.
   template <Shade shade>
   [[gnu::noinline]] static void draw_narrow(const StripTarget& target, const Batch& batch, const Triangle& provoking,
@@ -130,8 +150,10 @@ struct Assembler {
                    std::min(max_x >> 4, target.area.right), std::min(max_y >> 4, target.area.bottom)};
     if (box.empty()) return;
     const CountedTriangle<kStatistics> counted(target, min_x >> 4, min_y >> 4);
-    if constexpr (shade <= Shade::gouraud) {
-      if (is_small(max_x - min_x, max_y - min_y, a, b, c)) {
+    constexpr bool kHasSmall = kDepth.format == DepthFormat::z16 || kDepth.format == DepthFormat::float16;
+    if constexpr (shade <= Shade::gouraud && kHasSmall) {
+      if (kDepth.format == DepthFormat::float16 ? is_small_in_octave(max_x - min_x, max_y - min_y, a, b, c)
+                                                : is_small(max_x - min_x, max_y - min_y, a, b, c)) {
         constexpr bool kGouraud = shade == Shade::gouraud;
         const Colour* colours[3] = {nullptr, nullptr, nullptr};
         if constexpr (kGouraud) {
@@ -139,8 +161,9 @@ struct Assembler {
           colours[1] = batch.colours + (ib - batch.first_vertex);
           colours[2] = batch.colours + (ic - batch.first_vertex);
         }
-        draw_small_triangle<kGouraud, kStatistics>(target, a, b, c, colours, flat_colour<shade>(batch, provoking), area,
-                                                   min_x >> 4, min_y >> 4, box);
+        draw_small_triangle<kGouraud, kStatistics>(target, in_codes(a), in_codes(b), in_codes(c), colours,
+                                                   flat_colour<shade>(batch, provoking), area, min_x >> 4, min_y >> 4,
+                                                   box, DepthRule<kDepth>(target, a, b, c, area));
         return;
       }
     }
@@ -155,7 +178,7 @@ struct Assembler {
     }
     Surface surface = batch.surface;
     surface.flat_colour = flat_colour<shade>(batch, provoking);
-    draw_span_triangle<shade, kOrthographic, kStatistics>(target, v[0], v[1], v[2], surface, true);
+    draw_span_triangle<shade, kOrthographic, kStatistics, kDepth>(target, v[0], v[1], v[2], surface, true);
   }
 
   static ClipVertex clip_vertex(const Batch& batch, std::uint32_t index) {
@@ -165,7 +188,10 @@ struct Assembler {
   }
 
   static RasterVertex projected(const Batch& batch, const ClipVertex& v) {
-    const WidePosition p = project_wide<kOrthographic>(*batch.instance, batch.origin, v);
+    WidePosition p = project_wide<kOrthographic>(*batch.instance, batch.origin, v);
+    if constexpr (kDepth.format != DepthFormat::z16) {
+      p.depth = project_wide_depth<kOrthographic, kDepth.format>(*batch.instance, batch.origin, v);
+    }
     return {p.x, p.y, p.depth, v.r, v.g, v.b, v.u, v.v};
   }
 
@@ -215,7 +241,8 @@ struct Assembler {
         corner[0].r = channel_start(colour.r), corner[0].g = channel_start(colour.g),
         corner[0].b = channel_start(colour.b);
       }
-      draw_span_triangle<shade, kOrthographic, kStatistics>(target, corner[0], corner[1], corner[2], surface, false);
+      draw_span_triangle<shade, kOrthographic, kStatistics, kDepth>(target, corner[0], corner[1], corner[2], surface,
+                                                                    false);
     }
   }
 
@@ -253,27 +280,31 @@ struct Assembler {
     }
   }
 
-  /// Calls visit(index, box) for each triangle that faces the viewer; `box` holds the raster pixels that it can cover
-  /// and may be empty.
+  /// Calls visit(index, box) for each triangle that faces the viewer, until it returns false, which is then the result;
+  /// `box` holds the raster pixels that the triangle can cover and may be empty.
   template <class Visit>
-  static void for_each_facing(const Batch& batch, std::span<const Triangle> triangles, bool all_narrow,
+  static bool for_each_facing(const Batch& batch, std::span<const Triangle> triangles, bool all_narrow,
                               const Visit& visit) {
+    const SnappedVertex* const vertices = batch.vertices;
+    const std::uint32_t first = batch.first_vertex;
+    const bool double_sided = batch.instance->double_sided;
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
       const Triangle& triangle = triangles[i];
-      const SnappedVertex& a = batch.vertices[triangle.a - batch.first_vertex];
-      const SnappedVertex& b = batch.vertices[triangle.b - batch.first_vertex];
-      const SnappedVertex& c = batch.vertices[triangle.c - batch.first_vertex];
+      const SnappedVertex& a = vertices[triangle.a - first];
+      const SnappedVertex& b = vertices[triangle.b - first];
+      const SnappedVertex& c = vertices[triangle.c - first];
       if (!all_narrow && (a.x == kNotNarrow || b.x == kNotNarrow || c.x == kNotNarrow)) {
         RasterPolygon polygon;
-        if (clip<Shade::flat>(batch, triangle, polygon)) visit(i, polygon.box());
+        if (clip<Shade::flat>(batch, triangle, polygon) && !visit(i, polygon.box())) return false;
         continue;
       }
       const std::int32_t area = narrow_area(a, b, c);
-      if (area > 0 || (area < 0 && batch.instance->double_sided)) {
-        visit(i, Rect{std::min(std::min(a.x, b.x), c.x) >> 4, std::min(std::min(a.y, b.y), c.y) >> 4,
-                      std::max(std::max(a.x, b.x), c.x) >> 4, std::max(std::max(a.y, b.y), c.y) >> 4});
-      }
+      if (area <= 0 && (area == 0 || !double_sided)) continue;
+      const Rect box{std::min(std::min(a.x, b.x), c.x) >> 4, std::min(std::min(a.y, b.y), c.y) >> 4,
+                     std::max(std::max(a.x, b.x), c.x) >> 4, std::max(std::max(a.y, b.y), c.y) >> 4};
+      if (!visit(i, box)) return false;
     }
+    return true;
   }
 
   template <Shade shade>

@@ -7,6 +7,7 @@
 #include "zstrip/base/math.hpp"
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/raster/colour.hpp"
+#include "zstrip/raster/depth_rule.hpp"
 #include "zstrip/raster/target.hpp"
 
 namespace zstrip::detail {
@@ -97,11 +98,12 @@ inline bool is_small(std::int32_t width, std::int32_t height, const SnappedVerte
 
 /// `area` is twice the signed area, > 0; `anchor_x`, `anchor_y` the first pixel of the triangle's whole box: all values
 /// start there, so that no rounding depends on the strip; `box` the pixels to scan, not empty, inside the target's
-/// area. `colours` of the three vertices where `gouraud`, else the one at [0].
-template <bool gouraud, bool statistics>
+/// area. `colours` of the three vertices where `gouraud`, else the one at [0]. Depths are 16.16 codes.
+template <bool gouraud, bool statistics, class Rule = DepthRule<DepthMode{}>>
 void draw_small_triangle(const StripTarget& target, const SnappedVertex& v0, const SnappedVertex& v1,
                          const SnappedVertex& v2, const Colour* const (&colours)[3], std::uint16_t flat_colour,
-                         std::int32_t area, std::int32_t anchor_x, std::int32_t anchor_y, const Rect& box) {
+                         std::int32_t area, std::int32_t anchor_x, std::int32_t anchor_y, const Rect& box,
+                         Rule rule = {}) {
   const std::int32_t x = anchor_x * 16 + kPixelCentre;
   const std::int32_t y = anchor_y * 16 + kPixelCentre;
   const SmallEdge edge_12(v1, v2, x, y);
@@ -156,9 +158,7 @@ void draw_small_triangle(const StripTarget& target, const SnappedVertex& v0, con
       std::uint32_t g = green + green_x * skipped;
       do {
         if constexpr (statistics) ++target.statistics->fragments;
-        const auto code = static_cast<std::uint16_t>(z >> 16);
-        if (code > depth_row[i]) {
-          depth_row[i] = code;
+        if (rule.draws(z, depth_row[i])) {
           if constexpr (gouraud) {
             colour_row[i] =
                 static_cast<std::uint16_t>(((rb >> 16) & 0xF800U) | ((rb >> 11) & 0x1FU) | ((g >> 5) & 0x7E0U));

@@ -8,33 +8,21 @@
 #include "zstrip/raster/plane.hpp"
 #include "zstrip/raster/target.hpp"
 #include "zstrip/raster/texture_coordinates.hpp"
+#include "zstrip/raster/triangle_depth.hpp"
 
 namespace zstrip::detail {
-
-/// A run of pixels in one row. `columns`, `rows` are relative to the anchor of the triangle's planes. The triangle may
-/// cover more of the row than the strip holds: what is divided into parts counts from the whole run's ends, so that no
-/// part depends on the strip.
-struct Span {
-  std::uint16_t* depth;
-  std::uint16_t* colour;
-  std::int32_t length;  ///< > 0
-  std::int32_t columns, rows;
-  std::int32_t skipped;       ///< pixels of the whole run to the left of this one
-  std::int32_t whole_length;  ///< of the run without the strip's sides
-};
 
 template <bool statistics>
 inline void count_pass(Statistics* counters) {
   if constexpr (statistics) ++counters->depth_passes;
 }
 
-template <bool statistics>
-void fill_flat(const Span& span, const Plane& depth, std::uint16_t colour, Statistics* counters) {
-  std::uint32_t z = depth.at(span.columns, span.rows);
+template <bool statistics, class DepthPlane, class Rule>
+void fill_flat(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule, std::uint16_t colour,
+               Statistics* counters) {
+  auto z = depth.at(span.columns, span.rows);
   for (std::int32_t i = 0; i < span.length; ++i) {
-    const auto code = static_cast<std::uint16_t>(z >> 16);
-    if (code > span.depth[i]) {
-      span.depth[i] = code;
+    if (rule.draws(z, span.depth[i])) {
       span.colour[i] = colour;
       count_pass<statistics>(counters);
     }
@@ -46,16 +34,15 @@ struct ColourPlanes {
   Plane r, g, b;  ///< 8.16
 };
 
-template <bool statistics>
-void fill_gouraud(const Span& span, const Plane& depth, const ColourPlanes& planes, Statistics* counters) {
-  std::uint32_t z = depth.at(span.columns, span.rows);
+template <bool statistics, class DepthPlane, class Rule>
+void fill_gouraud(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
+                  const ColourPlanes& planes, Statistics* counters) {
+  auto z = depth.at(span.columns, span.rows);
   std::uint32_t r = planes.r.at(span.columns, span.rows);
   std::uint32_t g = planes.g.at(span.columns, span.rows);
   std::uint32_t b = planes.b.at(span.columns, span.rows);
   for (std::int32_t i = 0; i < span.length; ++i) {
-    const auto code = static_cast<std::uint16_t>(z >> 16);
-    if (code > span.depth[i]) {
-      span.depth[i] = code;
+    if (rule.draws(z, span.depth[i])) {
       span.colour[i] = rgb565(r, g, b);
       count_pass<statistics>(counters);
     }
@@ -88,26 +75,27 @@ struct TextureAxis {
 };
 
 /// The pixels between two exact texture positions. Not inlined: the loop needs every register of a Cortex-M.
-template <bool lit, bool statistics>
+template <bool lit, bool statistics, class Value, class Rule>
 struct TexturedRun {
   std::uint32_t u, v, step_u, step_v;  ///< 0.32
-  std::uint32_t z, step_z;             ///< 16.16
+  Value z, step_z;                     ///< a depth plane's
   std::uint32_t r, g, b;               ///< 8.16, only where `lit`
   const std::uint16_t* texels;
   std::int32_t to_column, to_row;  ///< right shifts; to_row leaves the row times the width of the texture
   std::uint32_t row_mask;          ///< clears the bits below a row
+  [[no_unique_address]] Rule rule;
 
-  [[gnu::noinline]] void fill(std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length,
+  [[gnu::noinline]] void fill(typename Rule::Cell* depth, std::uint16_t* pixel, std::int32_t length,
                               const ColourPlanes& light, Statistics* counters) {
     const std::uint16_t* const t = texels;
-    const std::uint32_t du = step_u, dv = step_v, dz = step_z, mask = row_mask;
+    const std::uint32_t du = step_u, dv = step_v, mask = row_mask;
+    const Value dz = step_z;
     const std::int32_t shift_u = to_column, shift_v = to_row;
-    std::uint32_t at_u = u, at_v = v, at_z = z;
+    std::uint32_t at_u = u, at_v = v;
+    Value at_z = z;
     std::uint16_t* const end = pixel + length;
     do {
-      const auto code = static_cast<std::uint16_t>(at_z >> 16);
-      if (code > *depth) {
-        *depth = code;
+      if (rule.draws(at_z, *depth)) {
         const std::uint16_t texel = t[((at_v >> shift_v) & mask) + (at_u >> shift_u)];
         if constexpr (lit) {
           *pixel = modulated(texel, r, g, b);
@@ -136,13 +124,14 @@ constexpr std::int32_t difference(std::int32_t a, std::int32_t b) {
 }
 
 /// `light` is read only where `lit`.
-template <bool orthographic, bool lit, bool statistics>
-void fill_textured(const Span& span, const Plane& depth, const TextureView& texture,
-                   const TextureCoordinates<orthographic>& coordinates, const ColourPlanes& light,
-                   Statistics* counters) {
+template <bool orthographic, bool lit, bool statistics, class DepthPlane, class Rule>
+void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
+                   const TextureView& texture, const TextureCoordinates<orthographic>& coordinates,
+                   const ColourPlanes& light, Statistics* counters) {
   const TextureAxis axis_u(texture.log2_width);
   const TextureAxis axis_v(texture.log2_height);
-  TexturedRun<lit, statistics> run{};
+  TexturedRun<lit, statistics, typename DepthPlane::Value, Rule> run{};
+  run.rule = rule;
   run.z = depth.at(span.columns, span.rows);
   run.step_z = depth.step_x;
   run.texels = texture.texels;
@@ -159,7 +148,7 @@ void fill_textured(const Span& span, const Plane& depth, const TextureView& text
   std::int32_t before = span.skipped & (kPerspectiveRun - 1);
   std::int32_t column = span.columns - before;
   std::int32_t left = span.whole_length - span.skipped + before;
-  std::uint16_t* depth_cell = span.depth;
+  auto* depth_cell = span.depth;
   std::uint16_t* pixel = span.colour;
   std::uint16_t* const end = pixel + span.length;
   TexelPosition from = coordinates.at(column, span.rows);

@@ -51,8 +51,8 @@ void walk_spans(const StripTarget& target, const RasterVertex& a, const RasterVe
 }
 
 /// Draws a counter-clockwise triangle. `narrow`: all coordinates within kNarrowLimit; only speed depends on it.
-template <Shade shade, bool orthographic, bool statistics>
-void draw_span_triangle(const StripTarget& target, const RasterVertex& v0, const RasterVertex& v1,
+template <Shade shade, bool orthographic, bool statistics, DepthMode mode = DepthMode{}>
+void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
                         const RasterVertex& v2, const Surface& surface, bool narrow) {
   const std::int64_t area = signed_area(v0, v1, v2);
   // The anchor is a pixel of the picture near the triangle: offsets stay small and do not depend on the strip.
@@ -64,7 +64,8 @@ void draw_span_triangle(const StripTarget& target, const RasterVertex& v0, const
     return setup.plane(value(v0), value(v1) - value(v0), value(v2) - value(v0));
   };
 
-  const Plane depth = plane(&RasterVertex::depth);
+  const TriangleDepth<mode.format> depth(setup, v0, v1, v2, area, anchor_x, anchor_y);
+  const DepthRule<mode> rule(target, v0, v1, v2, area);
   ColourPlanes colours{};
   constexpr bool kVaries = shade == Shade::gouraud || shade == Shade::textured_gouraud;
   if constexpr (kVaries) {
@@ -74,18 +75,19 @@ void draw_span_triangle(const StripTarget& target, const RasterVertex& v0, const
     colours = {constant(v0.r), constant(v0.g), constant(v0.b)};
   }
 
+  using Cell = typename DepthRule<mode>::Cell;
   const auto walk = [&](const auto& fill) {
     const auto fill_row = [&](std::int32_t row, std::int32_t left, std::int32_t right, std::int32_t whole_left,
                               std::int32_t whole_right) {
-      const Span span{target.depth_row(row) + (left - target.area.left),
-                      target.colour_row(row) + (left - target.area.left),
-                      right - left,
-                      left - anchor_x,
-                      row - anchor_y,
-                      left - whole_left,
-                      whole_right - whole_left};
+      const Span<Cell> span{target.template depth_row<Cell>(row) + (left - target.area.left),
+                            target.colour_row(row) + (left - target.area.left),
+                            right - left,
+                            left - anchor_x,
+                            row - anchor_y,
+                            left - whole_left,
+                            whole_right - whole_left};
       if constexpr (statistics) target.statistics->fragments += static_cast<std::uint32_t>(right - left);
-      fill(span);
+      depth.for_each_run(span, fill);
     };
     if (narrow) {
       walk_spans<std::int32_t>(target, v0, v1, v2, fill_row);
@@ -94,15 +96,19 @@ void draw_span_triangle(const StripTarget& target, const RasterVertex& v0, const
     }
   };
   if constexpr (shade == Shade::flat) {
-    walk([&](const Span& span) { fill_flat<statistics>(span, depth, surface.flat_colour, target.statistics); });
+    walk([&](const Span<Cell>& run, const auto& z) {
+      fill_flat<statistics>(run, z, rule, surface.flat_colour, target.statistics);
+    });
   } else if constexpr (shade == Shade::gouraud) {
-    walk([&](const Span& span) { fill_gouraud<statistics>(span, depth, colours, target.statistics); });
+    walk([&](const Span<Cell>& run, const auto& z) {
+      fill_gouraud<statistics>(run, z, rule, colours, target.statistics);
+    });
   } else {
     const RasterVertex* const vertices[3] = {&v0, &v1, &v2};
     const TextureCoordinates<orthographic> coordinates(setup, vertices, surface.depth_offset);
     constexpr bool kLit = shade != Shade::textured;
-    walk([&](const Span& span) {
-      fill_textured<orthographic, kLit, statistics>(span, depth, surface.texture, coordinates, colours,
+    walk([&](const Span<Cell>& run, const auto& z) {
+      fill_textured<orthographic, kLit, statistics>(run, z, rule, surface.texture, coordinates, colours,
                                                     target.statistics);
     });
   }

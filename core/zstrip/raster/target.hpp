@@ -14,13 +14,16 @@ struct StripTarget {
   std::int32_t view_left, view_top;  ///< the picture's upper left corner in raster pixels: planes are anchored to the
                                      ///< picture, not to the strip
   std::int32_t first_column, first_row;  ///< of the bounding rectangle, raster pixels
-  std::uint16_t* depth;                  ///< the cell of (area.left, area.top)
+  std::uint16_t* depth;                  ///< the cell of (area.left, area.top); cells of 32 bits with two formats
   std::uint16_t* colour;                 ///< the pixel of (area.left, area.top), RGB565
   std::int32_t depth_stride;             ///< cells a row: the width of the area
   std::int32_t colour_stride;            ///< pixels a row
   Statistics* statistics;                ///< only with effect::statistics
 
-  std::uint16_t* depth_row(std::int32_t y) const { return depth + (y - area.top) * depth_stride; }
+  template <class Cell = std::uint16_t>
+  Cell* depth_row(std::int32_t y) const {
+    return reinterpret_cast<Cell*>(depth) + (y - area.top) * depth_stride;
+  }
   std::uint16_t* colour_row(std::int32_t y) const { return colour + (y - area.top) * colour_stride; }
 };
 

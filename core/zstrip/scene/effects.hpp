@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "zstrip/scene/camera.hpp"
+#include "zstrip/scene/depth_format.hpp"
 #include "zstrip/scene/scene.hpp"
 
 namespace zstrip {
@@ -27,9 +28,53 @@ inline constexpr Effects textures{1U << 3};        ///< some material has a text
 inline constexpr Effects orthographic{
     1U << 4};  ///< the camera's projection; a renderer with it takes no perspective camera
 inline constexpr Effects statistics{1U << 5};  ///< counts triangles and fragments; never called for by a scene
-inline constexpr Effects bins{1U << 6};        ///< can carry out plans of Mode::binned; never called for by a scene
-inline constexpr Effects all{(1U << 7) - 1};
+inline constexpr Effects all{(1U << 6) - 1};   ///< all of the above
+
+inline constexpr Effects depth_state{1U << 6};  ///< some material has a depth test, depth write or bias of its own
+inline constexpr Effects depth_float{1U << 7};  ///< DepthFormat::float16; formats are never called for by a scene
+inline constexpr Effects depth_w16{1U << 8};    ///< DepthFormat::w16
+inline constexpr Effects depth_24{1U << 9};     ///< DepthFormat::z24
+inline constexpr Effects depth_32{1U << 10};    ///< DepthFormat::z32
+/// z16 in sub-ranges that save clears; see Renderer::begin_frame. Never called for by a scene.
+inline constexpr Effects depth_ranges{1U << 11};
+inline constexpr Effects depth_formats{depth_float.bits | depth_w16.bits | depth_24.bits | depth_32.bits};
+/// Can carry out plans of Mode::binned; never called for by a scene. Sub-ranges cannot be binned.
+inline constexpr Effects bins{1U << 12};
 }  // namespace effect
+
+/// How a renderer with these effects keeps depth: z16, unless one of effect::depth_formats is among them.
+constexpr DepthFormat depth_format(Effects effects) {
+  if (effects.has(effect::depth_float)) return DepthFormat::float16;
+  if (effects.has(effect::depth_w16)) return DepthFormat::w16;
+  if (effects.has(effect::depth_24)) return DepthFormat::z24;
+  if (effects.has(effect::depth_32)) return DepthFormat::z32;
+  return DepthFormat::z16;
+}
+
+/// What selects a format; nothing for z16.
+constexpr Effects depth_effect(DepthFormat format) {
+  switch (format) {
+    case DepthFormat::float16: return effect::depth_float;
+    case DepthFormat::w16: return effect::depth_w16;
+    case DepthFormat::z24: return effect::depth_24;
+    case DepthFormat::z32: return effect::depth_32;
+    case DepthFormat::z16: break;
+  }
+  return {};
+}
+
+/// At most one format, sub-ranges only of z16, and what needs 1/w only with perspective.
+constexpr bool depth_effects_agree(Effects effects) {
+  const std::uint32_t format = (effects & (effect::depth_formats | effect::depth_ranges)).bits;
+  const bool single = (format & (format - 1)) == 0;
+  return single && !(effects.has(effect::orthographic) && effects.any(effect::depth_float | effect::depth_w16));
+}
+
+/// Whether this material needs effect::depth_state.
+constexpr bool has_depth_state(const Material& material) {
+  return material.depth_test != DepthTest::nearer || !material.depth_write || material.depth_bias != 0 ||
+         material.depth_slope_bias != 0;
+}
 
 /// Exactly what drawing this scene with this camera needs. constexpr for baked scenes.
 constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
@@ -45,6 +90,7 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (coloured) found = found | effect::vertex_colours;
     if (textured) found = found | effect::textures;
     if (material.smooth && (lit || coloured)) found = found | effect::gouraud;
+    if (has_depth_state(material)) found = found | effect::depth_state;
   }
   if (camera.projection == Projection::orthographic) found = found | effect::orthographic;
   return found;

@@ -68,13 +68,31 @@ struct Texture {
 
 inline constexpr std::uint16_t kNoTexture = 0xFFFF;
 
+/// Which fragments are drawn, by where they lie against what the z-buffer holds there: nearer, equal and farther are
+/// one bit each. A cleared cell is farther than every fragment.
+enum class DepthTest : std::uint8_t {
+  never = 0,
+  nearer = 1,
+  equal = 2,
+  nearer_or_equal = 3,
+  farther = 4,
+  not_equal = 5,
+  farther_or_equal = 6,
+  always = 7,
+};
+
 struct Material {
   Colour colour{255, 255, 255,
                 255};  ///< multiplied with vertex colours and light; not with texels of an unlit material
-  std::uint16_t texture = kNoTexture;  ///< index into Scene::textures
-  bool lit = true;                     ///< false: colours and texels as they are
-  bool smooth = true;                  ///< Gouraud; false: flat, the first vertex decides
-  bool double_sided = false;           ///< false: back faces are culled
+  std::uint16_t texture = kNoTexture;        ///< index into Scene::textures
+  bool lit = true;                           ///< false: colours and texels as they are
+  bool smooth = true;                        ///< Gouraud; false: flat, the first vertex decides
+  bool double_sided = false;                 ///< false: back faces are culled
+  DepthTest depth_test = DepthTest::nearer;  ///< anything below but the default calls for effect::depth_state
+  bool depth_write = true;                   ///< false: fragments are tested and drawn, the z-buffer keeps its depth
+  std::int32_t depth_bias = 0;               ///< codes; positive is nearer
+  Fixed depth_slope_bias = 0;                ///< 16.16, times the triangle's larger slope in codes a pixel
+  std::int32_t depth_bias_clamp = 0;  ///< codes: the sum of both at most (positive), at least (negative), any (0)
 };
 
 struct Instance {

@@ -35,16 +35,16 @@ bool read_word(std::string_view word, Arguments& arguments) {
     arguments.workload = value;
     return true;
   }
+  if (key == "depth") {
+    arguments.depth = value;
+    return true;
+  }
   if (key == "size") {
     const std::string_view width = take(value, 'x');
     return read_number(width, arguments.width) && read_number(value, arguments.height);
   }
   if (key == "rows") return read_number(value, arguments.rows);
   if (key == "columns") return read_number(value, arguments.columns);
-  if (key == "mode") {
-    arguments.binned = value == "binned";
-    return arguments.binned || value == "streamed";
-  }
   if (key == "frames") return read_number(value, arguments.frames) && arguments.frames > 0;
   if (key == "first") return read_number(value, arguments.first);
   if (key == "ram") return read_number(value, arguments.ram);

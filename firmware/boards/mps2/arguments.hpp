@@ -1,5 +1,5 @@
-// The words that say what the benchmark runs: "workload=K5 size=320x240 rows=16 columns=64 mode=binned frames=2 first=0
-// ram=65536".
+// The words that say what the benchmark runs: "workload=K5 depth=z16 size=320x240 rows=16 columns=64
+// frames=2 first=0 ram=65536".
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@ namespace zstrip::bench {
 
 struct Arguments {
   std::string_view workload = "K5";  ///< a part of the text that was parsed
+  std::string_view depth = "z16";    ///< likewise
   std::uint16_t width = 320;
   std::uint16_t height = 240;
   std::uint16_t rows = 0;         ///< of a strip; 0: the planner decides
   std::uint16_t columns = 0;      ///< of a strip; 0: the picture's width
-  bool binned = false;            ///< geometry is transformed once
   std::uint32_t frames = 1;       ///< how many are measured
   std::uint32_t first = 0;        ///< the number of the first one
   std::uint32_t ram = 0;          ///< bytes that the plan may take; 0: no limit but the board's

@@ -23,6 +23,7 @@ struct Case;
 struct Subject {
   const scenes::BuiltIn* built_in;
   Status (*draw)(const Case&, PictureSummary&);
+  const char* depth = "";  ///< how the renderer keeps depth if not as z16: with an underscore before it
 };
 
 /// Frames of one scene; its name in the table is made of all of this.

@@ -20,9 +20,9 @@ inline constexpr std::size_t kMemoryBytes = 512 * 1024;
 alignas(kArenaAlignment) inline std::byte memory[kMemoryBytes];
 
 /// Draws strip after strip into memory that is full of garbage at the start of each frame.
-template <const scenes::BuiltIn& built_in>
+template <const scenes::BuiltIn& built_in, Effects depth = Effects{}>
 Status draw_case(const Case& frames, PictureSummary& summary) {
-  constexpr Effects kEffects = effects_of(built_in.scene, built_in.camera);
+  constexpr Effects kEffects = effects_of(built_in.scene, built_in.camera) | depth;
   static Renderer<kEffects> renderer;
   static scenes::Staged staged;
 
@@ -39,6 +39,7 @@ Status draw_case(const Case& frames, PictureSummary& summary) {
 
   for (std::uint32_t index = 0; index < frames.frames; ++index) {
     const std::uint32_t frame = frames.first_frame + index;
+    if constexpr (depth.has(effect::depth_ranges)) renderer = {};  // nothing in memory is its own any more
     std::memset(memory, static_cast<int>(0xA5U ^ (frame & 0xFFU)), needed);
     if (frames.motion == Motion::turntable) {
       stage(built_in, staged, frame, kFramesPerTurn, view);
@@ -54,7 +55,18 @@ Status draw_case(const Case& frames, PictureSummary& summary) {
       const Rect& area = renderer.frame().depth_area();
       if (area.empty()) continue;
       const auto cells = static_cast<std::size_t>(area.width()) * static_cast<std::size_t>(area.height());
-      summary.add_depth({renderer.frame().depth(), cells});
+      if constexpr (depth_bytes(depth_format(kEffects)) == 4) {
+        summary.add_depth(std::span(renderer.frame().wide_depth(), cells));
+      } else if constexpr (depth.has(effect::depth_ranges)) {
+        const std::uint16_t cleared = renderer.frame().cleared_code();
+        for (std::uint32_t i = 0; i < cells; ++i) {
+          const std::uint16_t code = renderer.frame().depth()[i];
+          const auto relative = static_cast<std::uint16_t>(code > cleared ? code - cleared : 0);
+          summary.add_depth(std::span(&relative, 1));
+        }
+      } else {
+        summary.add_depth(std::span(renderer.frame().depth(), cells));
+      }
     }
   }
   return {};

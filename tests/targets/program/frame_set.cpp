@@ -27,6 +27,7 @@ const char* name_of(PixelFormat format) {
 /// As in "knot_workload_64x48_rgb565_rows16_frames7-8".
 void print_name(const Case& frames) {
   print(frames.subject->built_in->name);
+  print(frames.subject->depth);
   print(frames.motion == Motion::workload ? "_workload_" : "_");
   print_decimal(frames.view.width);
   print("x");

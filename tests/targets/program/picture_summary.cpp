@@ -36,6 +36,13 @@ void PictureSummary::add_depth(std::span<const std::uint16_t> codes) {
   }
 }
 
+void PictureSummary::add_depth(std::span<const std::uint32_t> codes) {
+  for (const std::uint32_t code : codes) {
+    const std::uint16_t words[] = {static_cast<std::uint16_t>(code & 0xFFFFU), static_cast<std::uint16_t>(code >> 16)};
+    add_depth(std::span<const std::uint16_t>(words));
+  }
+}
+
 void PictureSummary::add_pixel(std::int32_t x, std::int32_t y, std::uint32_t pixel) {
   const bool coloured = view_.format == PixelFormat::rgb565 || view_.format == PixelFormat::rgb565_swapped;
   red_ += coloured ? pixel >> 11 : pixel;

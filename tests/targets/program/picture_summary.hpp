@@ -19,6 +19,7 @@ class PictureSummary {
   void add_pixels(std::span<const std::byte> pixels, std::uint32_t top, std::uint32_t rows);
   /// The z-buffer of the same rows.
   void add_depth(std::span<const std::uint16_t> codes);
+  void add_depth(std::span<const std::uint32_t> codes);
 
   /// zlib's CRC-32 of all bytes of all rows, from top to bottom.
   std::uint32_t crc32() const { return pixels_.value(); }

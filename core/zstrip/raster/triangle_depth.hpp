@@ -1,0 +1,117 @@
+// A triangle's depth over the picture: one plane, or with the small float one for each octave that it spans.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "zstrip/raster/depth_rule.hpp"
+#include "zstrip/raster/plane.hpp"
+#include "zstrip/raster/wide_plane.hpp"
+
+namespace zstrip::detail {
+
+/// A run of pixels in one row. `columns`, `rows` are relative to the anchor of the triangle's planes. The triangle may
+/// cover more of the row than the strip holds: what is divided into parts counts from the whole run's ends, so that no
+/// part depends on the strip.
+template <class Cell = std::uint16_t>
+struct Span {
+  Cell* depth;
+  std::uint16_t* colour;
+  std::int32_t length;  ///< > 0
+  std::int32_t columns, rows;
+  std::int32_t skipped;       ///< pixels of the whole run to the left of this one
+  std::int32_t whole_length;  ///< of the run without the strip's sides
+};
+
+/// Plane of 16.16 codes, or of wide depths, over all of the triangle.
+template <DepthFormat format>
+class TriangleDepth {
+ public:
+  TriangleDepth(const PlaneSetup& setup, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2,
+                [[maybe_unused]] std::int64_t area, [[maybe_unused]] std::int32_t anchor_x,
+                [[maybe_unused]] std::int32_t anchor_y) {
+    if constexpr (format == DepthFormat::z16) {
+      plane_ = setup.plane(v0.depth, std::int64_t{v1.depth} - v0.depth, std::int64_t{v2.depth} - v0.depth);
+    } else if constexpr (format == DepthFormat::z32) {
+      plane_ = exact_depth_plane(v0, v1, v2, area, anchor_x, anchor_y);
+    } else {
+      plane_ = setup.wide_plane(v0.depth, std::int64_t{v1.depth} - v0.depth, std::int64_t{v2.depth} - v0.depth);
+    }
+  }
+
+  /// Calls draw(run, plane) for runs that make up the span, from left to right.
+  template <class Cell, class Draw>
+  void for_each_run(const Span<Cell>& span, const Draw& draw) const {
+    draw(span, plane_);
+  }
+
+ private:
+  std::conditional_t<format == DepthFormat::z16, Plane, WidePlane> plane_;
+};
+
+/// Inside an octave the code is affine in near / w, so that a run of one octave is drawn exactly like z16. Which octave
+/// a pixel is in depends on the pixel alone: on a wide plane of near / w, built only for triangles of several octaves.
+template <>
+class TriangleDepth<DepthFormat::float16> {
+ public:
+  TriangleDepth(const PlaneSetup& setup, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2,
+                std::int64_t, std::int32_t, std::int32_t) {
+    const auto [farthest, nearest] = std::minmax({v0.depth, v1.depth, v2.depth});
+    first_ = float16_octave(farthest);
+    last_ = float16_octave(nearest);
+    for (std::uint32_t octave = first_; octave <= last_; ++octave) {
+      const std::int64_t at_0 = float16_depth(v0.depth, octave);
+      planes_[octave] = setup.plane(at_0, float16_depth(v1.depth, octave) - at_0,  // below 2^36
+                                    float16_depth(v2.depth, octave) - at_0);
+    }
+    if (first_ != last_) {
+      near_over_w_ = setup.wide_plane(v0.depth, std::int64_t{v1.depth} - v0.depth, std::int64_t{v2.depth} - v0.depth);
+    }
+  }
+
+  template <class Cell, class Draw>
+  void for_each_run(const Span<Cell>& span, const Draw& draw) const {
+    if (first_ == last_) {
+      draw(span, planes_[first_]);
+      return;
+    }
+    // 8 of the 64 bits of a step are lost; the step between two pixels that the triangle covers needs 53.
+    const std::int64_t step = static_cast<std::int64_t>(near_over_w_.step_x << 8) >> 8;
+    Span<Cell> run = span;
+    for (std::int32_t left = span.length; left > 0; left -= run.length) {
+      const std::uint64_t start = near_over_w_.at(run.columns, run.rows) & kMask;
+      const std::uint32_t octave = octave_of(start);
+      const std::uint64_t end = (start + near_over_w_.step_x * static_cast<std::uint64_t>(left - 1)) & kMask;
+      run.length = octave_of(end) == octave ? left : std::min(left, columns_in_octave(start, octave, step));
+      draw(run, planes_[octave]);
+      run.depth += run.length;
+      run.colour += run.length;
+      run.columns += run.length;
+      run.skipped += run.length;
+    }
+  }
+
+ private:
+  static constexpr std::uint64_t kMask = (std::uint64_t{1} << (32 + kWideBits)) - 1;
+
+  /// Kept to the vertices': a value that rounding puts beyond them has the nearest plane.
+  std::uint32_t octave_of(std::uint64_t near_over_w) const {
+    return std::clamp(float16_octave(static_cast<std::uint32_t>(near_over_w >> kWideBits)), first_, last_);
+  }
+  /// How many pixels from one of value `start` on are in its octave; at least 1.
+  std::int32_t columns_in_octave(std::uint64_t start, std::uint32_t octave, std::int64_t step) const {
+    const bool rises = step > 0;
+    if (step == 0 || octave == (rises ? last_ : first_)) return INT32_MAX;
+    // Octave o > 0 begins at 2^(25 + o).
+    const std::uint64_t bottom = std::uint64_t{1} << (25 + octave + kWideBits);
+    const std::uint64_t last_inside = rises ? 2 * bottom - 1 - start : start - bottom;
+    const std::uint64_t steps = last_inside / static_cast<std::uint64_t>(rises ? step : -step);
+    return steps < INT32_MAX ? static_cast<std::int32_t>(steps) + 1 : INT32_MAX;
+  }
+
+  std::uint32_t first_, last_;
+  Plane planes_[7];
+  WidePlane near_over_w_;
+};
+
+}  // namespace zstrip::detail

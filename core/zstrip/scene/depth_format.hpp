@@ -1,0 +1,44 @@
+// The formats in which a z-buffer can keep depth. In all of them greater codes are nearer and 0 is a cleared cell.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace zstrip {
+
+enum class DepthFormat : std::uint8_t {
+  z16,      ///< 16 bits, linear in 1/w over the frame's range
+  float16,  ///< 3.13: 3 bits of exponent, 13 of mantissa, of near / w; needs no far bound. Perspective only
+  w16,      ///< 16 bits, linear in w; a division a pixel, for comparison. Perspective only
+  z24,      ///< as z16 with 24 bits in a cell of 32; for comparison
+  z32,      ///< as z16 with 32 bits; for comparison
+};
+
+/// Bytes of a cell of the z-buffer.
+constexpr std::uint32_t depth_bytes(DepthFormat format) {
+  return format == DepthFormat::z24 || format == DepthFormat::z32 ? 4 : 2;
+}
+
+/// Codes of fragments are 1 to this; what a bias does not leave either.
+constexpr std::uint32_t largest_depth_code(DepthFormat format) {
+  switch (format) {
+    case DepthFormat::z24: return (1U << 24) - 2;
+    case DepthFormat::z32: return 0xFFFFFFFE;
+    default: return 65534;
+  }
+}
+
+/// The octave of near / w (0.32) in DepthFormat::float16: its codes are 2^(12 + octave) apart. The two lowest exponents
+/// share octave 0, as denormals do.
+constexpr std::uint32_t float16_octave(std::uint32_t near_over_w) {
+  const auto zeros = static_cast<std::uint32_t>(std::countl_zero(near_over_w));
+  return zeros < 6 ? 6 - zeros : 0;
+}
+
+/// near / w (0.32) to a code, rounded down.
+constexpr std::uint16_t float16_code(std::uint32_t near_over_w) {
+  const std::uint32_t octave = float16_octave(near_over_w);
+  return static_cast<std::uint16_t>((octave << 13) + (near_over_w >> (12 + octave)));
+}
+
+}  // namespace zstrip

@@ -1,0 +1,86 @@
+// Codes of any width in a record, most significant bit first.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace zstrip::detail {
+
+/// Past the end come zeros; bytes_used() tells.
+class CodeReader {
+ public:
+  CodeReader(const std::uint8_t* first, const std::uint8_t* end) : first_(first), next_(first), end_(end) {}
+
+  /// 1 <= width <= 16.
+  std::uint32_t code(std::uint32_t width) {
+    refill(width);
+    const std::uint32_t value = bits_ >> (32 - width);
+    consume(width);
+    return value;
+  }
+  /// The same in two's complement.
+  std::int32_t signed_code(std::uint32_t width) {
+    refill(width);
+    const std::int32_t value = static_cast<std::int32_t>(bits_) >> (32 - width);
+    consume(width);
+    return value;
+  }
+
+  /// Bytes of which a bit was taken; more than there are if codes were missing.
+  std::size_t bytes_used() const { return static_cast<std::size_t>(next_ - first_) + missing_ - available_ / 8; }
+
+ private:
+  void refill(std::uint32_t width) {
+    if (available_ >= width) return;
+    std::uint32_t two_bytes = 0;
+    if (end_ - next_ >= 2) {
+      two_bytes = std::uint32_t{next_[0]} << 8 | next_[1];
+      next_ += 2;
+    } else {
+      missing_ += 2;
+      if (next_ != end_) {
+        two_bytes = std::uint32_t{*next_++} << 8;
+        --missing_;
+      }
+    }
+    bits_ |= two_bytes << (16 - available_);  // available_ < width <= 16
+    available_ += 16;
+  }
+  void consume(std::uint32_t width) {
+    bits_ <<= width;
+    available_ -= width;
+  }
+
+  const std::uint8_t* first_;
+  const std::uint8_t* next_;
+  const std::uint8_t* end_;
+  std::uint32_t bits_ = 0;       ///< from the top
+  std::uint32_t available_ = 0;  ///< of them
+  std::uint32_t missing_ = 0;    ///< bytes beyond the end
+};
+
+/// The caller knows beforehand that the codes fit.
+class CodeWriter {
+ public:
+  explicit CodeWriter(std::uint8_t* next) : next_(next) {}
+
+  /// The low `width` bits, 0..16.
+  void append(std::uint32_t code, std::uint32_t width) {
+    bits_ = bits_ << width | (code & ((std::uint32_t{1} << width) - 1));
+    for (pending_ += width; pending_ >= 8; pending_ -= 8) {
+      *next_++ = static_cast<std::uint8_t>(bits_ >> (pending_ - 8));
+    }
+  }
+  /// Fills the last byte with zeros; returns where the next one belongs.
+  std::uint8_t* finish() {
+    if (pending_ > 0) append(0, 8 - pending_);
+    return next_;
+  }
+
+ private:
+  std::uint8_t* next_;
+  std::uint32_t bits_ = 0;
+  std::uint32_t pending_ = 0;  ///< of bits_, not written yet
+};
+
+}  // namespace zstrip::detail

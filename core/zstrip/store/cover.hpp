@@ -1,0 +1,43 @@
+// Which cells of a tile a record speaks of: all, the first or the last ones of each row, or any, as a bitmap.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "zstrip/store/tile.hpp"
+
+namespace zstrip::detail {
+
+/// The numbers are those of the record.
+enum class CoverKind : std::uint8_t {
+  all = 0,
+  leading = 1,   ///< four bits a row: cells x < n
+  trailing = 2,  ///< four bits a row: cells x >= n
+  bitmap = 3,    ///< a byte a row: bit x
+};
+
+/// Bit x of byte y is cell (x, y).
+using Cover = std::array<std::uint8_t, kTileSide>;
+
+constexpr std::uint32_t cover_bytes(CoverKind kind, std::uint32_t height) {
+  switch (kind) {
+    case CoverKind::leading:
+    case CoverKind::trailing: return (height + 1) / 2;
+    case CoverKind::bitmap: return height;
+    default: return 0;
+  }
+}
+
+/// The low `width` bits.
+constexpr std::uint8_t whole_row(std::uint32_t width) { return static_cast<std::uint8_t>((1U << width) - 1); }
+
+/// The cheapest kind that can say `cover`. A row counts as leading or trailing when it is empty or full, too.
+CoverKind cover_kind(const Cover& cover, std::uint32_t width, std::uint32_t height);
+
+/// Writes cover_bytes(kind, height) bytes; `kind` must be able to say `cover`.
+void write_cover(CoverKind kind, const Cover& cover, std::uint32_t width, std::uint32_t height, std::uint8_t* bytes);
+
+/// Reads cover_bytes(kind, height) bytes. Whatever they hold, no bit beyond `width` comes out set.
+Cover read_cover(CoverKind kind, const std::uint8_t* bytes, std::uint32_t width, std::uint32_t height);
+
+}  // namespace zstrip::detail

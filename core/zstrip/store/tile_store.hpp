@@ -1,0 +1,91 @@
+// A rectangle of 16-bit cells, compressed without loss tile by tile in memory that the caller lends.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "zstrip/base/status.hpp"
+#include "zstrip/scene/view.hpp"
+#include "zstrip/store/tile_index.hpp"
+
+namespace zstrip {
+
+/// Bytes of a pool in which every rectangle of this size has room, whatever its cells hold.
+constexpr std::uint32_t store_bytes_worst(std::uint32_t width, std::uint32_t height) {
+  return detail::index_bytes({width, height}) + 2 * width * height;
+}
+
+/// Rows top .. top + rows of a store's rectangle in the caller's memory: all columns, `stride` cells from row to row.
+template <typename Cell>
+struct RowsView {
+  Cell* cells;
+  std::uint32_t stride;
+  std::uint32_t top, rows;
+};
+
+namespace detail {
+
+/// What a store holds. The functions are those of depth_tile.hpp and colour_tile.hpp.
+struct TileCodec {
+  std::uint8_t kind;  ///< in the header of a pool
+  Purpose purpose;    ///< in a Status
+  std::uint32_t (*encode)(const TileView<const std::uint16_t>&, std::span<std::byte, kLargestTileRecord>);
+  bool (*decode)(std::span<const std::byte>, const TileView<std::uint16_t>&);
+};
+
+/// Reading, common to all stores. Reads nothing outside the pool, whatever the pool holds.
+class TileReader {
+ public:
+  const TileGrid& grid() const { return index_.grid(); }
+
+  /// Decodes a tile into grid().tile_width(tx) x grid().tile_height(ty) cells. Error::store_range if there is no such
+  /// tile, Error::store_damaged if its bytes are no record: its cells may then hold anything.
+  Status read_tile(std::uint32_t tx, std::uint32_t ty, std::uint16_t* cells, std::uint32_t stride) const;
+  /// The same for whole rows; cheapest where they are whole tiles. Stops at the first damaged tile.
+  Status read_rows(const RowsView<std::uint16_t>& rows) const;
+  /// Whether each tile's record lies where the index says, none overlaps another, and each can be decoded.
+  Status validate() const;
+
+ protected:
+  explicit constexpr TileReader(const TileCodec& codec) : codec_(&codec) {}
+  /// Checks the header and that the index lies in the blob, which must stay alive.
+  Status open(std::span<const std::byte> blob);
+
+  Status check_rows(std::uint32_t top, std::uint32_t rows) const;
+  Status decode(std::uint32_t tile, std::uint32_t position, const TileView<std::uint16_t>& cells) const;
+
+  const TileCodec* codec_;
+  TileIndex index_;
+};
+
+/// Writing, common to all stores. The pool must stay alive, and unchanged from outside.
+class TileStore : public TileReader {
+ public:
+  /// An empty rectangle of width x height cleared cells (1..4096 each). Error::view_size; Error::store_full if `pool`
+  /// has no room for the index (`needed`). What the pool held does not matter.
+  Status reset(std::span<std::byte> pool, std::uint32_t width, std::uint32_t height);
+
+  /// Encodes a tile of grid().tile_width(tx) x grid().tile_height(ty) cells, in the place of what it held. Tiles may be
+  /// written in any order, and again; it costs least in the order of rows. Error::store_range; Error::store_full if the
+  /// record has no room (`needed`, `available` in bytes of the whole pool): then every tile holds what it held before.
+  Status write_tile(std::uint32_t tx, std::uint32_t ty, const std::uint16_t* cells, std::uint32_t stride);
+  /// The same for whole rows; tiles that reach beyond them keep their other rows. Cheapest where the rows are whole
+  /// tiles. Stops at the first tile that has no room: those before it are written, it and those after it are not.
+  Status write_rows(const RowsView<const std::uint16_t>& rows);
+
+  /// Of the pool; the rest is free, in one piece.
+  std::uint32_t bytes_used() const;
+  /// The store as a blob for a reader: the front of the pool, valid until the next write. Empty before a reset and if
+  /// the pool is damaged.
+  std::span<const std::byte> blob();
+
+ protected:
+  explicit constexpr TileStore(const TileCodec& codec) : TileReader(codec) {}
+
+ private:
+  Status write(std::uint32_t tile, const TileView<const std::uint16_t>& cells);
+};
+
+}  // namespace detail
+}  // namespace zstrip

@@ -1,0 +1,141 @@
+// Measures the depth store on the z-buffers of built-in scenes: for each scene and kind of record one line of JSON with
+// how many tiles and cells there are of it, and how many instructions encoding and decoding take for 100 cells. Exit
+// status: 0 done, 1 anything else.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "cortex_m/board.hpp"
+#include "cortex_m/console.hpp"
+#include "mps2/instruction_counter.hpp"
+#include "zstrip/frame/renderer.hpp"
+#include "zstrip/store/depth_record.hpp"
+#include "zstrip/store/depth_tile.hpp"
+#include "zstrip_scenes/knot.hpp"
+#include "zstrip_scenes/random.hpp"
+#include "zstrip_scenes/room.hpp"
+#include "zstrip_scenes/stage.hpp"
+
+namespace {
+
+using zstrip::board::InstructionCounter;
+using zstrip::board::print;
+using zstrip::board::print_decimal;
+
+constexpr zstrip::View kView{320, 240};
+constexpr std::uint32_t kFrames = 6;
+constexpr std::uint32_t kRepeats = 8;  // of one tile in a region, because the counter's ticks are coarse
+
+/// Holds the arena, and behind it the pixels.
+alignas(zstrip::kArenaAlignment) std::byte memory[4'000'000 - 65536];
+
+enum Kind : std::uint8_t { kCleared, kRaw, kPlaneKind, kResiduals, kOffsets, kKinds };
+constexpr const char* kNames[kKinds] = {"cleared", "raw", "plane", "residuals", "offsets"};
+
+Kind kind_of(std::span<const std::byte> record, std::uint32_t area) {
+  using namespace zstrip::detail;
+  if (record.empty()) return kCleared;
+  if (record.size() == 2 * area) return kRaw;
+  const unsigned opcode = std::to_integer<unsigned>(record[0]) >> 2;
+  if (opcode >= kOffset) return kOffsets;
+  return opcode >= kAlong ? kResiduals : kPlaneKind;
+}
+
+struct Measured {
+  std::uint32_t tiles = 0, cells = 0, bytes = 0;
+  std::uint64_t encoding = 0, decoding = 0;  ///< instructions, kRepeats times
+};
+/// Of records that speak of all cells, and of those with a cover.
+using Results = std::array<std::array<Measured, 2>, kKinds>;
+
+void measure_tile(const zstrip::TileView<const std::uint16_t>& tile, InstructionCounter& counter, Results& results) {
+  static std::array<std::byte, zstrip::kLargestTileRecord> record;
+  static std::array<std::uint16_t, zstrip::kTileCells> cells;
+  std::uint32_t size = 0;
+  counter.reset();
+  counter.resume();
+  for (std::uint32_t i = 0; i < kRepeats; ++i) size = zstrip::encode_depth_tile(tile, record);
+  counter.pause();
+  const std::uint64_t encoding = counter.instructions();
+  const auto bytes = std::span<const std::byte>(record).first(size);
+  const zstrip::TileView<std::uint16_t> decoded{cells.data(), zstrip::kTileSide, tile.width, tile.height};
+  bool good = true;
+  counter.reset();
+  counter.resume();
+  for (std::uint32_t i = 0; i < kRepeats; ++i) good = zstrip::decode_depth_tile(bytes, decoded) && good;
+  counter.pause();
+  if (!good) print("a record cannot be decoded\n");
+
+  const Kind kind = kind_of(bytes, tile.area());
+  const bool covered = kind >= kPlaneKind && (std::to_integer<unsigned>(record[0]) & 3U) != 0;
+  Measured& measured = results[kind][covered ? 1 : 0];
+  ++measured.tiles;
+  measured.cells += tile.area();
+  measured.bytes += size;
+  measured.encoding += encoding;
+  measured.decoding += counter.instructions();
+}
+
+void print_member(const char* name, std::uint64_t value) {
+  print(", \"");
+  print(name);
+  print("\": ");
+  print_decimal(value);
+}
+
+template <const zstrip::scenes::BuiltIn& built_in>
+bool run() {
+  constexpr zstrip::Effects kEffects = effects_of(built_in.scene, built_in.camera);
+  static zstrip::Renderer<kEffects> renderer;
+  static zstrip::scenes::Staged staged;
+  const auto [status, plan] = zstrip::plan(built_in.counts, kView, kEffects, {.strip_rows = kView.height});
+  if (!status || plan.bytes() + plan.strip_pixel_bytes(kView) > sizeof memory) return false;
+
+  InstructionCounter counter;
+  Results results{};
+  for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
+    if constexpr (built_in.turns == zstrip::scenes::Turns::camera) {
+      stage(built_in, staged, frame, kFrames, kView);
+    } else {
+      stage_workload(built_in, staged, 10 * frame);
+    }
+    if (!renderer.begin_frame(staged.scene, staged.camera, kView, plan, std::span(memory, plan.bytes()))) return false;
+    if (!renderer.draw_strip(0, std::span(memory + plan.bytes(), plan.strip_pixel_bytes(kView)))) return false;
+    const zstrip::Rect area = renderer.frame().depth_area();
+    const zstrip::TileGrid grid{static_cast<std::uint32_t>(area.width()), static_cast<std::uint32_t>(area.height())};
+    for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
+      const std::uint32_t tx = tile % grid.columns(), ty = tile / grid.columns();
+      const std::uint16_t* const cells = renderer.frame().depth() + (ty * grid.width + tx) * zstrip::kTileSide;
+      measure_tile({cells, grid.width, grid.tile_width(tx), grid.tile_height(ty)}, counter, results);
+    }
+  }
+  for (std::uint32_t kind = 0; kind < kKinds; ++kind) {
+    for (std::uint32_t covered = 0; covered < 2; ++covered) {
+      const Measured& measured = results[kind][covered];
+      if (measured.tiles == 0) continue;
+      print("{\"target\": \"" ZSTRIP_TARGET "\", \"scene\": \"");
+      print(built_in.name);
+      print("\", \"kind\": \"");
+      print(kNames[kind]);
+      print(covered != 0 ? " with a cover\"" : "\"");
+      print_member("tiles", measured.tiles);
+      print_member("cells", measured.cells);
+      print_member("bytes", measured.bytes);
+      print_member("encode_per_100_cells", measured.encoding * 100 / kRepeats / measured.cells);
+      print_member("decode_per_100_cells", measured.decoding * 100 / kRepeats / measured.cells);
+      print("}\n");
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+int main() {
+  if (!zstrip::board::start_instruction_counter()) {
+    print("store bench: the timer does not count instructions; run QEMU with -icount shift=0\n");
+    return 1;
+  }
+  return run<zstrip::scenes::room>() && run<zstrip::scenes::knot>() && run<zstrip::scenes::random10k>() ? 0 : 1;
+}
