@@ -264,7 +264,7 @@ TEST(DynamicZCommand, RowsAreRightAndKeepTheTargets) {
   for (const std::size_t picture : {std::size_t{0}, std::size_t{4}}) {
     EXPECT_LE(rows[picture + 1].at("ratio").get<double>(), 1.0);
     EXPECT_LE(rows[picture + 2].at("ratio").get<double>(), 2.0);
-    // Not a target, but what it is now; with pixels in the same bytes strips are half as large.
+    // No target, but what it is now: with pixels in the same bytes strips are half as large.
     EXPECT_LE(rows[picture + 3].at("ratio").get<double>(), 2.05);
   }
 }
