@@ -14,6 +14,7 @@
 
 #include "bench/bench_report.hpp"
 #include "bench/board_bench.hpp"
+#include "bench/dynamic_z_table.hpp"
 #include "bench/host_bench.hpp"
 #include "bench/workloads.hpp"
 #include "cli/parse.hpp"
@@ -36,7 +37,10 @@ struct BenchOptions {
   std::uint32_t frames = 60;
   std::string firmware;  ///< empty: beside this program, as the build leaves it
   std::string json;
-  std::uint32_t draw_each = 0;  ///< not 0: run by instruction_count.cpp
+  std::string table;                    ///< empty: the workloads; else the table to reproduce instead
+  std::vector<std::uint32_t> pictures;  ///< of the table; empty: all
+  std::uint32_t draw_each = 0;          ///< not 0: run by instruction_count.cpp
+  std::string depth_memory;             ///< the row of the table to draw then
 };
 
 Result<std::vector<BenchCase>> cases_for(const BenchOptions& options, const std::string& target) {
@@ -87,14 +91,13 @@ Result<Done> compare_pictures(std::span<const Measurement> rows) {
   return Done{};
 }
 
-Result<Done> report(const BenchOptions& options, std::span<const Measurement> rows) {
+Result<Done> report(const BenchOptions& options, const std::string& table, const std::string& json) {
   const bool json_on_stdout = options.json == "-";
   // Failures on standard output are told by main.
-  if (!write_text(json_on_stdout ? stderr : stdout, bench_table(rows)) && json_on_stdout) {
+  if (!write_text(json_on_stdout ? stderr : stdout, table) && json_on_stdout) {
     return Failure{ExitStatus::output, "cannot write the table to standard error; is the disk full?"};
   }
   if (options.json.empty()) return Done{};
-  const std::string json = bench_json(rows);
   if (!json_on_stdout) {
     return write_file(options.json, {reinterpret_cast<const std::uint8_t*>(json.data()), json.size()}, "--json");
   }
@@ -102,7 +105,30 @@ Result<Done> report(const BenchOptions& options, std::span<const Measurement> ro
   return Done{};
 }
 
+Result<Done> run_dynamic_z(const BenchOptions& options) {
+  std::vector<DynamicZPicture> pictures;
+  for (const DynamicZPicture& picture : dynamic_z_pictures()) {
+    if (options.pictures.empty() || std::ranges::count(options.pictures, picture.side) != 0) {
+      pictures.push_back(picture);
+    }
+  }
+  if (options.draw_each != 0) {
+    const auto* memory = std::ranges::find(kDepthMemories, options.depth_memory, [](DepthMemory m) { return name(m); });
+    if (memory == std::end(kDepthMemories)) return Failure{ExitStatus::usage, "--draw-each needs --depth-memory"};
+    return draw_dynamic_z_only(pictures.front(), *memory, options.draw_each);
+  }
+  const Result<std::vector<DynamicZRow>> rows = measure_dynamic_z(pictures);
+  if (!rows) return rows.failure();
+  if (Result<Done> written = report(options, dynamic_z_text(*rows), dynamic_z_json(*rows)); !written) return written;
+  const auto wrong = std::ranges::find_if(
+      *rows, [](const DynamicZRow& row) { return !row.right && row.memory != DepthMemory::classic; });
+  if (wrong == rows->end()) return Done{};
+  return Failure{ExitStatus::internal, fmt::format("the picture of {0}x{0} with memory \"{1}\" has wrong pixels",
+                                                   wrong->picture.side, name(wrong->memory))};
+}
+
 Result<Done> run(const BenchOptions& options) {
+  if (!options.table.empty()) return run_dynamic_z(options);
   std::vector<Measurement> rows;
   for (const std::string& target : options.targets) {
     const Result<std::vector<BenchCase>> cases = cases_for(options, target);
@@ -119,7 +145,7 @@ Result<Done> run(const BenchOptions& options) {
     rows.insert(rows.end(), measured->begin(), measured->end());
   }
   if (options.draw_each != 0) return Done{};
-  if (Result<Done> written = report(options, rows); !written) return written;
+  if (Result<Done> written = report(options, bench_table(rows), bench_json(rows)); !written) return written;
   return compare_pictures(rows);
 }
 
@@ -127,6 +153,12 @@ std::vector<std::string> workload_names() {
   std::vector<std::string> names;
   for (const Workload& workload : workloads()) names.emplace_back(workload.name);
   return names;
+}
+
+std::vector<std::uint32_t> sides_of_pictures() {
+  std::vector<std::uint32_t> sides;
+  for (const DynamicZPicture& picture : dynamic_z_pictures()) sides.push_back(picture.side);
+  return sides;
 }
 
 std::string footer() {
@@ -139,7 +171,8 @@ std::string footer() {
          "  zstrip bench                                  all workloads on this machine\n"
          "  zstrip bench --target host,m3 --workload K5   the same frames here and on an emulated Cortex-M3\n"
          "  zstrip bench --workload CT --strip-rows 8 --json results.json\n"
-         "  zstrip bench --workload R50,R10k --size 1920x1080";
+         "  zstrip bench --workload R50,R10k --size 1920x1080\n"
+         "  zstrip bench --table dynamic-z                a published table, with our renderer beside it";
 }
 
 }  // namespace
@@ -148,6 +181,13 @@ void add_bench_command(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<BenchOptions>();
   CLI::App* command = app.add_subcommand("bench", "Measure instructions, time and memory of the benchmark workloads");
   command->footer(footer());
+  auto* const table = command->add_option("--table", options->table, "Reproduce a published table instead")
+                          ->check(CLI::IsMember({"dynamic-z"}));
+  command
+      ->add_option("--picture", options->pictures, "Sides of the table's pictures, separated by commas (default: all)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(sides_of_pictures()))
+      ->needs(table);
   command->add_option("--target", options->targets, "Where to draw, separated by commas; boards are emulated by QEMU")
       ->delimiter(',')
       ->check(CLI::IsMember({"host", "m0", "m3", "m4f", "m7"}))
@@ -178,9 +218,14 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       ->type_name("DIR");
   command->add_option("--json", options->json, "Write the results to this file as JSON; - is standard output")
       ->type_name("FILE|-");
+  command->add_option("--depth-memory", options->depth_memory)->needs(table)->group("");
   command->add_option("--draw-each", options->draw_each)
       ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{100}))
       ->group("");
+  for (const char* of_workloads : {"--target", "--workload", "--size", "--strip-rows", "--strip-columns", "--mode",
+                                   "--ram", "--frames", "--firmware"}) {
+    table->excludes(command->get_option(of_workloads));
+  }
   command->callback([options, &exit_code] {
     const Result<Done> done = run(*options);
     exit_code = done ? static_cast<int>(ExitStatus::ok) : print_failure(done.failure());

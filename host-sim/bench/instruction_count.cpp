@@ -34,12 +34,40 @@ std::optional<std::uint64_t> instruction_total(const std::string& text) {
   return total;
 }
 
-Result<std::uint64_t> total_of_run(const std::string& program, const BenchCase& bench_case, unsigned draws) {
-  std::vector<std::string> command{
-      "valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null", program, "bench"};
-  const auto add = [&command](const char* option, const std::string& value) {
-    command.emplace_back(option);
-    command.push_back(value);
+// A setting of glibc; others ignore it.
+constexpr const char* kVectorStores = "GLIBC_TUNABLES=glibc.cpu.x86_rep_stosb_threshold=4294967295";
+
+struct CountedRun {
+  std::string program;
+  const std::vector<std::string>& options;
+  BlockStores stores;
+  const std::string& what;
+};
+
+Result<std::uint64_t> total_of_run(const CountedRun& run, const char* draws) {
+  std::vector<std::string> command;
+  if (run.stores == BlockStores::vectors) command = {"env", kVectorStores};
+  command.insert(command.end(), {"valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null",
+                                 run.program, "bench"});
+  command.insert(command.end(), run.options.begin(), run.options.end());
+  command.insert(command.end(), {"--draw-each", draws});
+
+  const Result<ChildOutput> output = run_program(command, kLimit);
+  if (!output) return output.failure();
+  const std::optional<std::uint64_t> total = instruction_total(output->text);
+  if (output->exit_status != 0 || !total) {
+    return Failure{ExitStatus::environment,
+                   fmt::format("valgrind could not count the instructions of {} (status {}): {}", run.what,
+                               output->exit_status, output->text.substr(0, output->text.find('\n')))};
+  }
+  return *total;
+}
+
+std::vector<std::string> options_of(const BenchCase& bench_case) {
+  std::vector<std::string> options;
+  const auto add = [&options](const char* option, const std::string& value) {
+    options.emplace_back(option);
+    options.push_back(value);
   };
   add("--workload", bench_case.workload);
   add("--size", fmt::format("{}x{}", bench_case.view.width, bench_case.view.height));
@@ -48,33 +76,32 @@ Result<std::uint64_t> total_of_run(const std::string& program, const BenchCase& 
   if (bench_case.budget.strip_columns != 0) add("--strip-columns", std::to_string(bench_case.budget.strip_columns));
   add("--mode", bench_case.budget.modes == Modes::binned ? "binned" : "streamed");
   if (bench_case.budget.strip_rows != 0) add("--strip-rows", std::to_string(bench_case.budget.strip_rows));
-  add("--draw-each", std::to_string(draws));
-
-  const Result<ChildOutput> output = run_program(command, kLimit);
-  if (!output) return output.failure();
-  const std::optional<std::uint64_t> total = instruction_total(output->text);
-  if (output->exit_status != 0 || !total) {
-    return Failure{ExitStatus::environment,
-                   fmt::format("valgrind could not count the instructions of {} (status {}): {}", bench_case.workload,
-                               output->exit_status, output->text.substr(0, output->text.find('\n')))};
-  }
-  return *total;
+  return options;
 }
 
 }  // namespace
 
-Result<std::optional<std::uint64_t>> count_instructions(const BenchCase& bench_case) {
+Result<std::optional<std::uint64_t>> count_draw(const std::vector<std::string>& options, BlockStores stores,
+                                                const std::string& what) {
   if (!kCanCount || !run_program({"valgrind", "--version"}, std::chrono::seconds{30}))
     return std::optional<std::uint64_t>{};
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error) return Failure{ExitStatus::environment, "cannot find this program's own file: " + error.message()};
 
-  const Result<std::uint64_t> once = total_of_run(self.string(), bench_case, 1);
+  const CountedRun run{self.string(), options, stores, what};
+  const Result<std::uint64_t> once = total_of_run(run, "1");
   if (!once) return once.failure();
-  const Result<std::uint64_t> thrice = total_of_run(self.string(), bench_case, 3);
+  const Result<std::uint64_t> thrice = total_of_run(run, "3");
   if (!thrice) return thrice.failure();
-  return std::optional{(*thrice - *once) / (2 * std::uint64_t{bench_case.frames})};
+  return std::optional{(*thrice - *once) / 2};
+}
+
+Result<std::optional<std::uint64_t>> count_instructions(const BenchCase& bench_case) {
+  Result<std::optional<std::uint64_t>> counted =
+      count_draw(options_of(bench_case), BlockStores::library, bench_case.workload);
+  if (counted && *counted) **counted /= bench_case.frames;
+  return counted;
 }
 
 }  // namespace zstrip::sim

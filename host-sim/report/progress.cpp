@@ -12,8 +12,8 @@ namespace zstrip::sim {
 
 using namespace std::chrono_literals;
 
-Progress::Progress(std::uint32_t steps, bool enabled)
-    : steps_(steps), enabled_(enabled && ::isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(std::uint32_t steps, bool enabled, const char* step)
+    : steps_(steps), enabled_(enabled && ::isatty(STDERR_FILENO) == 1), step_(step) {}
 
 Progress::~Progress() {
   if (drawn_) write_text(stderr, "\r\x1b[K");
@@ -26,7 +26,8 @@ void Progress::show(std::uint32_t done) {
   drawn_ = true;
   constexpr std::uint32_t kCells = 30;
   const std::uint32_t filled = static_cast<std::uint32_t>(std::uint64_t{kCells} * done / steps_);
-  write_text(stderr, fmt::format("\r[{:=<{}}{: <{}}] frame {} of {}", "", filled, "", kCells - filled, done, steps_));
+  write_text(stderr,
+             fmt::format("\r[{:=<{}}{: <{}}] {} {} of {}", "", filled, "", kCells - filled, step_, done, steps_));
 }
 
 }  // namespace zstrip::sim

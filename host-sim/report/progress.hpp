@@ -9,7 +9,8 @@ namespace zstrip::sim {
 /// Draws on stderr; erases itself when it goes. Silent if `enabled` is false or stderr is no terminal.
 class Progress {
  public:
-  Progress(std::uint32_t steps, bool enabled);
+  /// `step` is what one of them is called.
+  Progress(std::uint32_t steps, bool enabled, const char* step = "frame");
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -20,6 +21,7 @@ class Progress {
  private:
   std::uint32_t steps_;
   bool enabled_;
+  const char* step_;
   bool drawn_ = false;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point last_ = start_;
