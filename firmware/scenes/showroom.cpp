@@ -6,7 +6,7 @@
 namespace zstrip::scenes {
 
 Instance showroom_teapot(std::uint32_t frame, std::uint32_t frames) {
-  constexpr Fixed kRadius = fixed(0.85), kHeight = fixed(-0.2), kSize = fixed(0.16);
+  constexpr Fixed kRadius = fixed(0.8), kHeight = fixed(-0.05), kSize = fixed(0.27);
   const auto angle = static_cast<Angle>(static_cast<std::uint64_t>(frame % frames) * kFullTurn / frames);
   const Fixed cosine_here = cosine(angle) >> 14, sine_here = sine(angle) >> 14;  // 2.30 -> 16.16
   const Fixed c = fixed_multiply(cosine_here, kSize), s = fixed_multiply(sine_here, kSize);

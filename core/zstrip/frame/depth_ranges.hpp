@@ -16,8 +16,8 @@ class DepthRanges {
   DepthRanges() = default;
   /// A copy would be a second writer of the same cells: it knows nothing of them.
   DepthRanges(const DepthRanges&) {}
-  DepthRanges& operator=(const DepthRanges&) {
-    cells_ = nullptr;
+  DepthRanges& operator=(const DepthRanges& other) {
+    if (this != &other) cells_ = nullptr;
     return *this;
   }
 
