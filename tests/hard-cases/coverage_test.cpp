@@ -226,9 +226,6 @@ TEST(HardCases, A10_AWindingThatFlipsIsCulledAsSnapped) {
   for (int x = -40; x < 40; ++x) {
     for (int y = -40; y < 40; ++y) {
       const FineTriangle triangle{{{{0, 0}, {x + 640, y + 331}, {1280, 663}}}};
-      const oracle::Triangle exact(triangle.snapped());
-      const bool front = !exact_cover({triangle.snapped()}, true).empty();
-      ASSERT_TRUE(front);
       const Corners2 c = triangle.snapped();
       const std::int64_t turn = (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);
       if ((triangle.turn() > 0) == (turn < 0) || turn == 0) continue;
