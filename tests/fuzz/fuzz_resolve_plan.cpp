@@ -52,7 +52,8 @@ void judge_plan(fuzz::Input& input) {
   const auto number = [&input](std::int32_t usual) { return static_cast<std::uint32_t>(input.number(usual)); };
   SceneCounts counts{number(1), number(100), number(100), number(64)};
   const View view{input.any<std::uint16_t>(), input.any<std::uint16_t>(), static_cast<PixelFormat>(input.below(4))};
-  const Effects effects{input.any<std::uint8_t>() & effect::all.bits};
+  const Effects effects =
+      (Effects{input.any<std::uint8_t>()} & effect::all) | (input.flag() ? effect::bins : Effects{});
   Budget budget{.bytes = number(0), .strip_rows = static_cast<std::uint16_t>(input.number(0))};
   counts.meshlets = number(2);
   counts.longest_meshlet = number(100);

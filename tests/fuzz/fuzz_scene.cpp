@@ -28,12 +28,13 @@ void offer_refused_scene(const fuzz::SceneInput& input, const Status& refusal) {
     fuzz::require(refusal.needed < things, "validate names the culprit: error %d, %u of %zu",
                   static_cast<int>(refusal.error), refusal.needed, things);
   }
-  const Effects effects = effects_of(scene, input.camera());
+  const Effects effects = effects_of(scene, input.camera()) | effect::bins;
   static_cast<void>(plan(count(scene), input.view(), effects, input.budget()));
   if (refusal.error == Error::light || refusal.error == Error::instance) {
     fuzz::require(validate_instances(scene) == refusal, "begin_frame's own check finds what validate found");
     // validate() looks at meshes, textures and materials before instances and lights: those of this scene are sound.
-    const fuzz::Picture picture = fuzz::draw(scene, input.camera(), input.view(), {.effects = effects, .budget = {}});
+    const fuzz::Picture picture =
+        fuzz::draw(scene, input.camera(), input.view(), {.effects = effects, .budget = {.modes = Modes::streamed}});
     fuzz::require(picture.status.error != Error::none, "begin_frame refuses what validate refuses");
   }
 }
@@ -72,14 +73,20 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     offer_refused_scene(input, refusal);
     return 0;
   }
-  const Effects effects = effects_of(scene, camera);
+  constexpr Effects kDepth[8] = {
+      {}, {}, {}, {}, effect::depth_float, effect::depth_w16, effect::depth_24, effect::depth_32};
+  const Effects effects = effects_of(scene, camera) | kDepth[garbage / 32];
   const fuzz::Picture whole = fuzz::draw(scene, camera, view, {.effects = effects, .budget = {}});
   fuzz::require(whole.status.error != Error::arena_too_small, "an unlimited budget is enough");
 
-  const fuzz::Picture strips = fuzz::draw(
-      scene, camera, view,
-      {.effects = effects, .budget = input.budget(), .garbage = garbage, .last_strip_first = row_choice % 2 != 0});
-  if (strips.status.error != Error::arena_too_small && strips.status.error != Error::strip_rows) {
+  const fuzz::Picture strips = fuzz::draw(scene, camera, view,
+                                          {.effects = effects | effect::bins,
+                                           .budget = input.budget(),
+                                           .garbage = garbage,
+                                           .last_strip_first = row_choice % 2 != 0});
+  const Error refused = strips.status.error;
+  if (refused != Error::arena_too_small && refused != Error::strip_rows && refused != Error::strip_columns &&
+      refused != Error::unplannable) {
     require_same(whole, strips, "other strips and other garbage");
   }
   const auto rows = static_cast<std::uint16_t>(1 + row_choice % std::max<std::uint16_t>(view.height, 1));

@@ -96,7 +96,8 @@ void draw_strip(AnyRenderer& renderer, const Scene& scene, std::uint16_t strip, 
   require(all_equal(pixels.span(), garbage), "a refused strip leaves the pixels alone");
   const Status status = renderer.draw_strip(strip, pixels.span());
   require(static_cast<bool>(status), "after begin_frame every strip can be drawn: %s", message(status.error));
-  if (view.format == PixelFormat::rgb565) require_sound_depth(renderer.frame(), scene, pixels.span(), area);
+  if (view.format == PixelFormat::rgb565 && renderer.frame().has_plain_depth())
+    require_sound_depth(renderer.frame(), scene, pixels.span(), area);
   const std::size_t picture_row = bytes_per_row(view.width, view.format);
   const std::size_t left = bytes_per_row(static_cast<std::uint16_t>(area.left), view.format);
   for (std::int32_t y = area.top; y < area.bottom; ++y) {

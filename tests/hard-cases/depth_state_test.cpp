@@ -21,7 +21,6 @@ constexpr std::uint16_t kRed = 0xF800, kBlue = 0x001F;
 /// same and larger than its triangles, so that no code is at an end of the range.
 class Layers {
  public:
-  static constexpr int kDepthOfBox = 32767;  // in steps of the grid, either side of 0
 
   /// Corners on the sub-pixel lattice, if the camera is orthographic.
   Layers& add(const std::vector<Corners2>& triangles, const std::vector<std::array<int, 3>>& z,
