@@ -30,8 +30,8 @@ constexpr std::uint32_t kRepeats = 8;  // of one tile in a region, because the c
 /// Holds the arena, and behind it the pixels.
 alignas(zstrip::kArenaAlignment) std::byte memory[4'000'000 - 65536];
 
-enum Kind : std::uint8_t { kCleared, kRaw, kPlaneKind, kResiduals, kOffsets, kKinds };
-constexpr const char* kNames[kKinds] = {"cleared", "raw", "plane", "residuals", "offsets"};
+enum Kind : std::uint8_t { kCleared, kRaw, kPlaneKind, kTwoPlanesKind, kResiduals, kOffsets, kKinds };
+constexpr const char* kNames[kKinds] = {"cleared", "raw", "plane", "two planes", "residuals", "offsets"};
 
 Kind kind_of(std::span<const std::byte> record, std::uint32_t area) {
   using namespace zstrip::detail;
@@ -39,6 +39,7 @@ Kind kind_of(std::span<const std::byte> record, std::uint32_t area) {
   if (record.size() == 2 * area) return kRaw;
   const unsigned opcode = std::to_integer<unsigned>(record[0]) >> 2;
   if (opcode >= kOffset) return kOffsets;
+  if (opcode == kTwoPlanes) return kTwoPlanesKind;
   return opcode >= kAlong ? kResiduals : kPlaneKind;
 }
 
