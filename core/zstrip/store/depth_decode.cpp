@@ -42,15 +42,34 @@ struct DecodedPlane {
   std::uint32_t start, step_x, step_y;
 };
 
-DecodedPlane read_plane(const std::uint8_t* bytes, const PlaneForm& form, std::uint32_t more_fraction) {
+template <std::uint32_t form_index>
+[[gnu::always_inline]] inline DecodedPlane read_plane(const std::uint8_t* bytes, std::uint32_t more_fraction) {
+  constexpr PlaneForm form = kPlaneForms[form_index];
   const std::uint32_t low = little_endian(bytes), high = little_endian(bytes + form.bytes - 4);  // they may overlap
   // Each slope at the top of a word; in the longest form that along x begins in the low word.
   const std::uint32_t x = high << form.slope_bits | (form.bytes == 8 ? low >> 24 << 12 : 0);
-  const std::uint32_t down = 32U - form.slope_bits, up = 16U - form.start_fraction - more_fraction;  // up >= 1
-  const auto slope = [down, up](std::uint32_t top) {
+  constexpr std::uint32_t down = 32U - form.slope_bits;
+  const std::uint32_t up = 16U - form.start_fraction - more_fraction;  // up >= 1
+  const auto slope = [up](std::uint32_t top) {
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(top) >> down) << up;
   };
   return {low << (16 - form.start_fraction), slope(x), slope(high)};
+}
+
+/// False if no form takes so many bytes.
+[[gnu::always_inline]] inline bool read_plane(const std::uint8_t* bytes, std::size_t size, std::uint32_t more_fraction,
+                                              DecodedPlane& plane) {
+  static_assert(kPlaneForms[0].bytes == 5 && kPlaneForms[1].bytes == 6 && kPlaneForms[2].bytes == 8);
+  if (size == 6) {
+    plane = read_plane<1>(bytes, more_fraction);
+  } else if (size == 5) {
+    plane = read_plane<0>(bytes, more_fraction);
+  } else if (size == 8) {
+    plane = read_plane<2>(bytes, more_fraction);
+  } else {
+    return false;
+  }
+  return true;
 }
 
 void decode_plane(const DecodedPlane& plane, const Tile& tile) {
@@ -78,45 +97,55 @@ void decode_plane(const DecodedPlane& plane, const Tile& tile) {
 /// A plane alone; it must fill the rest of the record.
 [[gnu::noinline]] bool decode_plane_record(const std::uint8_t* bytes, std::size_t size, std::uint32_t more_fraction,
                                            const Tile& tile) {
-  for (const PlaneForm& form : kPlaneForms) {
-    if (form.bytes != size) continue;
-    decode_plane(read_plane(bytes, form, more_fraction), tile);
-    return true;
-  }
-  return false;
+  DecodedPlane plane;
+  if (!read_plane(bytes, size, more_fraction, plane)) return false;
+  decode_plane(plane, tile);
+  return true;
 }
 
 void clear_uncovered(const Cover& cover, const Tile& tile) {
   const std::uint8_t whole = whole_row(tile.width);
   for (std::uint32_t y = 0; y < tile.height; ++y) {
-    if (cover[y] == whole) continue;
-    std::uint16_t* cell = tile.row(y);
-    for (std::uint32_t uncovered = cover[y] ^ whole; uncovered != 0; uncovered >>= 1, ++cell) {
-      if ((uncovered & 1) != 0) *cell = 0;
-    }
+    const std::uint32_t covered = cover[y];
+    if (covered == whole) continue;
+    std::uint16_t* const row = tile.row(y);
+    for_row(tile.width, [row, covered](std::uint32_t x) {
+      if ((covered >> x & 1) == 0) row[x] = 0;
+    });
   }
 }
 
 /// A plane for the covered cells over what the others hold.
 void decode_plane_over(const DecodedPlane& plane, const Cover& cover, const Tile& tile) {
+  const std::uint32_t step = plane.step_x;
   std::uint32_t row_start = plane.start;
   for (std::uint32_t y = 0; y < tile.height; ++y, row_start += plane.step_y) {
-    std::uint16_t* cell = tile.row(y);
+    const std::uint32_t covered = cover[y];
+    if (covered == 0) continue;
+    std::uint16_t* const row = tile.row(y);
     std::uint32_t value = row_start;
-    for (std::uint32_t covered = cover[y]; covered != 0; covered >>= 1, ++cell, value += plane.step_x) {
-      if ((covered & 1) != 0) *cell = static_cast<std::uint16_t>(value >> 16);
-    }
+    for_row(tile.width, [row, covered, step, &value](std::uint32_t x) {
+      if ((covered >> x & 1) != 0) row[x] = static_cast<std::uint16_t>(value >> 16);
+      value += step;
+      in_order(value);
+    });
   }
 }
 
+/// The number of the first plane's form and what both planes' slopes have more in one byte, then the planes.
 bool decode_two_planes(const Bytes& bytes, const Cover& cover, const Tile& tile) {
-  if (bytes.size() < 1 + std::size_t{kPlaneForms[0].bytes}) return false;
+  if (bytes.size() < 1) return false;
   const std::uint32_t forms = *bytes.next, form = forms >> 6;
   if (form >= kPlaneForms.size()) return false;
-  const std::size_t first_bytes = 1U + kPlaneForms[form].bytes;
-  if (bytes.size() < first_bytes) return false;
-  if (!decode_plane_record(bytes.next + first_bytes, bytes.size() - first_bytes, forms >> 3 & 7, tile)) return false;
-  decode_plane_over(read_plane(bytes.next + 1, kPlaneForms[form], forms & 7), cover, tile);
+  const std::size_t first_bytes = kPlaneForms[form].bytes, planes_bytes = bytes.size() - 1;
+  if (planes_bytes < first_bytes) return false;
+  const std::uint8_t* const first = bytes.next + 1;
+  DecodedPlane plane;
+  if (!decode_plane_record(first + first_bytes, planes_bytes - first_bytes, forms >> 3 & 7, tile) ||
+      !read_plane(first, first_bytes, forms & 7, plane)) {
+    return false;
+  }
+  decode_plane_over(plane, cover, tile);
   return true;
 }
 
@@ -142,7 +171,8 @@ bool decode_two_planes(const Bytes& bytes, const Cover& cover, const Tile& tile)
   } else if (has_codes) {
     decoded = decode_coded(cover.data());
   }
-  if (decoded && kind != CoverKind::all) clear_uncovered(cover, tile);
+  // Offsets leave the others cleared.
+  if (decoded && kind != CoverKind::all && opcode < kOffset) clear_uncovered(cover, tile);
   return decoded;
 }
 
