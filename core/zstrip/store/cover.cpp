@@ -38,7 +38,7 @@ void write_cover(CoverKind kind, const Cover& cover, std::uint32_t width, std::u
 }
 
 Cover read_cover(CoverKind kind, const std::uint8_t* bytes, std::uint32_t width, std::uint32_t height) {
-  Cover cover{};
+  Cover cover;  // rows beyond the height are never read
   const std::uint32_t whole = whole_row(width);
   if (kind == CoverKind::all) {
     for (std::uint32_t y = 0; y < height; ++y) cover[y] = static_cast<std::uint8_t>(whole);

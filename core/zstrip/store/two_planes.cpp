@@ -11,8 +11,8 @@ namespace {
 /// Of slopes here: divisible by all distances in a tile, so that no division is needed.
 constexpr std::int32_t kScale = 840;
 constexpr std::array<std::int32_t, kTileSide> kReciprocal{0, 840, 420, 280, 210, 168, 140, 120};
-/// How far from the guess a cell of the first plane may lie: the guess errs by a code at the corner, and more far away.
-constexpr std::int32_t kNear = kScale * 2;
+/// How far from the guess a cell of the first plane may lie. With more, cells of the second one spoil the fit.
+constexpr std::int32_t kNear = kScale;
 
 /// The cells from one on in equal steps, as far as they can be a plane's.
 struct Run {
