@@ -164,40 +164,45 @@ using UnpackEight = void (*)(const std::uint8_t*, std::uint32_t, const std::uint
 constexpr std::array<UnpackEight, 4> kUnpackEight{unpack_eight<8, false>, unpack_eight<4, false>, unpack_eight<8, true>,
                                                   unpack_eight<4, true>};
 
-/// Fewer than eight codes. With `has_low_bytes` they are 8 bits longer.
-void unpack_few(const std::uint8_t* end, std::uint32_t bits_each, const std::uint8_t* low, bool has_low_bytes,
-                std::uint32_t count, std::uint16_t* codes) {
+/// Less than eight codes; false if they are not all that lies there.
+bool unpack_last(const std::uint8_t* low, const std::uint8_t* end, std::uint32_t width, std::uint32_t count,
+                 std::uint16_t* codes) {
+  const bool has_low_bytes = width > 8;
+  const std::uint32_t bits_each = has_low_bytes ? width - 8 : width;
+  if (static_cast<std::size_t>(end - low) != (has_low_bytes ? count : 0) + (count * bits_each + 7) / 8) return false;
   for (std::uint32_t bit = 0; count != 0; --count, bit += bits_each) {
-    const std::uint32_t bits = little_endian(end - 4 - bit / 8) << bit % 8;
-    auto code = static_cast<std::uint32_t>(static_cast<std::int32_t>(bits) >> (32 - bits_each));
+    std::uint32_t code = 0;
+    if (width != 0) {
+      const std::uint32_t bits = little_endian(end - 4 - bit / 8) << bit % 8;
+      code = static_cast<std::uint32_t>(static_cast<std::int32_t>(bits) >> (32 - bits_each));
+    }
     if (has_low_bytes) code = code << 8 | *low++;
     *codes++ = static_cast<std::uint16_t>(code);
   }
+  return true;
 }
 
 /// `count` codes one after the other. False if they are not all that lies there.
 [[gnu::noinline]] bool unpack(const std::uint8_t* low, const std::uint8_t* end, std::uint32_t widths,
                               std::uint32_t count, std::uint16_t* codes) {
-  for (; count != 0; widths >>= 4, codes += kTileSide) {
-    const std::uint32_t width = code_bits(widths & 0xF), group = std::min(count, kTileSide);
-    count -= group;
+  for (; count >= kTileSide; count -= kTileSide, widths >>= 4, codes += kTileSide) {
+    std::uint32_t width = code_bits(widths & 0xF);
+    if (static_cast<std::size_t>(end - low) < width) return false;
     if (width == 0) {
       for_row(kTileSide, [codes](std::uint32_t x) { codes[x] = 0; });
       continue;
     }
-    const bool has_low_bytes = width > 8;
-    const std::uint32_t bits_each = has_low_bytes ? width - 8 : width;
-    const std::uint32_t low_bytes = has_low_bytes ? group : 0, bytes = (group * bits_each + 7) / 8;
-    if (static_cast<std::size_t>(end - low) < low_bytes + bytes) return false;
-    if (group == kTileSide) {
-      kUnpackEight[(width - 1) / 4](end, bits_each, low, codes);
+    const UnpackEight unpack_group = kUnpackEight[(width - 1) / 4];
+    if (width <= 8) {
+      unpack_group(end, width, nullptr, codes);
     } else {
-      unpack_few(end, bits_each, low, has_low_bytes, group, codes);
+      width -= 8;
+      unpack_group(end, width, low, codes);
+      low += kTileSide;
     }
-    end -= bytes;
-    low += low_bytes;
+    end -= width;
   }
-  return end == low;
+  return count == 0 ? end == low : unpack_last(low, end, code_bits(widths & 0xF), count, codes);
 }
 
 /// start + code in covered cells, 0 in others.
