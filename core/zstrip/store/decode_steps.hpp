@@ -1,4 +1,4 @@
-// Steps that the decoders of depth records share.
+// Steps that the decoders of records share.
 #pragma once
 
 #include <cstdint>

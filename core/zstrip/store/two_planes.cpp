@@ -1,5 +1,6 @@
-// From the corner whose row and column continue linearly for the longest, a first plane is guessed; the cells near it
-// are fitted exactly, what that plane does not give is left to the second one.
+// From the corner whose row and column continue linearly for the longest, a first plane is guessed, and a second one
+// from another corner. If hardly a cell is far from both, the cells near the first guess are fitted exactly; what that
+// plane does not give is left to the second one.
 #include "zstrip/store/two_planes.hpp"
 
 #include <algorithm>
@@ -13,6 +14,8 @@ constexpr std::int32_t kScale = 840;
 constexpr std::array<std::int32_t, kTileSide> kReciprocal{0, 840, 420, 280, 210, 168, 140, 120};
 /// How far from the guess a cell of the first plane may lie. With more, cells of the second one spoil the fit.
 constexpr std::int32_t kNear = kScale;
+/// Cells far from both guesses with which a fit may still succeed.
+constexpr std::uint32_t kMostStrays = 8;
 
 /// The cells from one on in equal steps, as far as they can be a plane's.
 struct Run {
@@ -37,6 +40,7 @@ struct Run {
 struct Guess {
   std::int32_t start = 0, slope_x = 0, slope_y = 0;  ///< at the tile's first cell; times kScale
   std::uint32_t area = 0;
+  std::uint32_t corner_x = 0, corner_y = 0;
 
   /// From the corner in the last column or the last row, or the first ones.
   Guess(const CoveredCells& tile, bool right, bool bottom) {
@@ -45,20 +49,13 @@ struct Guess {
     const auto down = static_cast<std::ptrdiff_t>(kTileSide);
     const Run row(corner, right ? -1 : 1, tile.width), column(corner, bottom ? -down : down, tile.height);
     area = row.length * column.length;
+    corner_x = x;
+    corner_y = y;
     slope_x = right ? -row.slope : row.slope;
     slope_y = bottom ? -column.slope : column.slope;
     start = *corner * kScale - slope_x * static_cast<std::int32_t>(x) - slope_y * static_cast<std::int32_t>(y);
   }
 };
-
-Guess best_guess(const CoveredCells& tile) {
-  Guess best(tile, false, false);
-  for (const auto& [right, bottom] : {std::pair{true, false}, {false, true}, {true, true}}) {
-    const Guess other(tile, right, bottom);
-    if (other.area > best.area) best = other;
-  }
-  return best;
-}
 
 /// The cells near a guess.
 Cover near(const CoveredCells& tile, const Guess& guess) {
@@ -72,6 +69,25 @@ Cover near(const CoveredCells& tile, const Guess& guess) {
     }
   }
   return cover;
+}
+
+/// The best guess of those from corners that `cover` does not have; nullptr if it has all.
+const Guess* best_outside(const std::array<Guess, 4>& guesses, const Cover& cover) {
+  const Guess* best = nullptr;
+  for (const Guess& guess : guesses) {
+    if ((cover[guess.corner_y] >> guess.corner_x & 1) != 0) continue;
+    if (best == nullptr || guess.area > best->area) best = &guess;
+  }
+  return best;
+}
+
+/// Cells that are in neither cover.
+std::uint32_t cells_outside(const CoveredCells& tile, const Cover& a, const Cover& b) {
+  std::uint32_t cells = 0;
+  for (std::uint32_t y = 0; y < tile.height; ++y) {
+    cells += static_cast<std::uint32_t>(std::popcount(static_cast<std::uint8_t>(tile.cover[y] & ~(a[y] | b[y]))));
+  }
+  return cells;
 }
 
 /// The cells that a plane gives exactly, as the decoder computes them.
@@ -97,9 +113,12 @@ bool is_empty(const Cover& cover) {
 }  // namespace
 
 std::optional<TwoPlanes> fit_two_planes(const CoveredCells& tile) {
+  const std::array<Guess, 4> guesses{Guess{tile, false, false}, Guess{tile, true, false}, Guess{tile, false, true},
+                                     Guess{tile, true, true}};
   CoveredCells part = tile;
-  part.cover = near(tile, best_guess(tile));
-  if (is_empty(part.cover)) return std::nullopt;
+  part.cover = near(tile, *best_outside(guesses, Cover{}));
+  const Guess* const second = best_outside(guesses, part.cover);
+  if (second == nullptr || cells_outside(tile, part.cover, near(tile, *second)) > kMostStrays) return std::nullopt;
   const auto first = fit_plane(part);
   if (!first) return std::nullopt;
   TwoPlanes found{given(tile, *first), *first, {}};
