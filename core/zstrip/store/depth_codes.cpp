@@ -82,45 +82,68 @@ template <Opcode predictor, typename Codes>
   }
 }
 
+/// What is left of codes in groups of eight: bits up to `end`, low bytes from `low` on.
+struct Groups {
+  const std::uint8_t* low;
+  const std::uint8_t* end;
+};
+
+/// Takes a group with codes of `width` bits, 1..16, that must be there, and calls for its kind of codes
+/// `use.operator()<per_word, has_low_bytes>(end, bits_each, low)`.
+template <typename Use>
+[[gnu::always_inline]] inline void take_group(Groups& groups, std::uint32_t width, Use use) {
+  const std::uint8_t *const end = groups.end, *const low = groups.low;
+  if (width <= 8) {
+    groups.end = end - width;
+    if (width <= 4) {
+      use.template operator()<8, false>(end, width, low);
+    } else {
+      use.template operator()<4, false>(end, width, low);
+    }
+    return;
+  }
+  width -= 8;
+  groups.end = end - width;
+  groups.low = low + kTileSide;
+  if (width <= 4) {
+    use.template operator()<8, true>(end, width, low);
+  } else {
+    use.template operator()<4, true>(end, width, low);
+  }
+}
+
 template <Opcode predictor, std::uint32_t per_word, bool has_low_bytes>
-void decode_packed(const std::uint8_t* end, std::uint32_t bits_each, const std::uint8_t* low, Row& row) {
+[[gnu::noinline]] void decode_packed(const std::uint8_t* end, std::uint32_t bits_each, const std::uint8_t* low,
+                                     Row& row) {
   if (row.width != kTileSide) __builtin_unreachable();
   PackedCodes<per_word, has_low_bytes> codes(end, bits_each, low);
   decode_row<predictor>(codes, row);
 }
+
 /// Returns the next row's codes.
 template <Opcode predictor>
-const std::uint16_t* decode_covered(const std::uint16_t* codes, std::uint32_t cover, Row& row) {
+[[gnu::noinline]] const std::uint16_t* decode_covered(const std::uint16_t* codes, std::uint32_t cover, Row& row) {
   CoveredCodes covered{codes, cover};
   decode_row<predictor>(covered, row);
   return covered.next;
 }
 
-using DecodePacked = void (*)(const std::uint8_t*, std::uint32_t, const std::uint8_t*, Row&);
-using DecodeCovered = const std::uint16_t* (*)(const std::uint16_t*, std::uint32_t, Row&);
-/// For codes of 1..4, 5..8, 9..12 and 13..16 bits.
-template <Opcode predictor>
-constexpr std::array<DecodePacked, 4> kByWidth{decode_packed<predictor, 8, false>, decode_packed<predictor, 4, false>,
-                                               decode_packed<predictor, 8, true>, decode_packed<predictor, 4, true>};
-constexpr std::array<std::array<DecodePacked, 4>, 3> kDecodePacked{kByWidth<kAlong>, kByWidth<kDown>,
-                                                                   kByWidth<kColumn>};
-constexpr std::array<DecodeCovered, 3> kDecodeCovered{decode_covered<kAlong>, decode_covered<kDown>,
-                                                      decode_covered<kColumn>};
-
-/// Row by row, `decode(predictor - kAlong, row)`; until that says false.
+/// Row by row, `decode.operator()<predictor>(row)`; until that says false.
 template <typename Decode>
-[[gnu::always_inline]] inline bool decode_rows(std::uint32_t opcode, std::uint32_t start, const Tile& tile,
-                                               Decode decode) {
+[[gnu::always_inline]] inline bool decode_rows(Opcode opcode, std::uint32_t start, const Tile& tile, Decode decode) {
   // Above the first row all cells are the start.
   const std::array<std::uint16_t, 2> start_cells{static_cast<std::uint16_t>(start), static_cast<std::uint16_t>(start)};
   Row row{tile.cells, start_cells.data(), -static_cast<std::ptrdiff_t>(tile.stride), tile.width, 0};
-  if (!decode(kAlong - kAlong, row)) return false;
+  if (!decode.template operator()<kAlong>(row)) return false;
   row.rise = 0;
-  std::uint32_t predictor = opcode == kColumn ? std::uint32_t{kDown} : opcode;  // two rows make a column's slope
+  Opcode predictor = opcode == kColumn ? kDown : opcode;  // two rows make a column's slope
   for (std::uint32_t rows = tile.height - 1; rows != 0; --rows, predictor = opcode) {
     row.above = row.cells;
     row.cells -= row.up;
-    if (!decode(predictor - kAlong, row)) return false;
+    const bool decoded = predictor == kAlong  ? decode.template operator()<kAlong>(row)
+                         : predictor == kDown ? decode.template operator()<kDown>(row)
+                                              : decode.template operator()<kColumn>(row);
+    if (!decoded) return false;
   }
   return true;
 }
@@ -128,45 +151,37 @@ template <typename Decode>
 /// What stands for the codes of a row of width 0: codes of one bit.
 constexpr std::array<std::uint8_t, 4> kZeros{};
 
-/// All cells of a tile with 8 columns have codes: the bits of each row take whole bytes.
-[[gnu::noinline]] bool decode_whole(const std::uint8_t* low, const std::uint8_t* end, std::uint32_t opcode,
-                                    std::uint32_t start, std::uint32_t widths, const Tile& tile) {
-  const bool all = decode_rows(opcode, start, tile, [&](std::uint32_t predictor, Row& row) {
-    std::uint32_t width = code_bits(widths & 0xF);
+/// All cells of a tile with 8 columns have codes: each row is a group.
+[[gnu::noinline]] bool decode_whole(Groups groups, Opcode opcode, std::uint32_t start, std::uint32_t widths,
+                                    const Tile& tile) {
+  const bool all = decode_rows(opcode, start, tile, [&]<Opcode predictor>(Row& row) {
+    const std::uint32_t width = code_bits(widths & 0xF);
     widths >>= 4;
-    if (static_cast<std::size_t>(end - low) < width) return false;
+    if (static_cast<std::size_t>(groups.end - groups.low) < width) return false;
     if (width == 0) {
-      kDecodePacked[predictor][0](kZeros.end(), 1, nullptr, row);
+      decode_packed<predictor, 8, false>(kZeros.end(), 1, nullptr, row);
       return true;
     }
-    const DecodePacked decode = kDecodePacked[predictor][(width - 1) / 4];
-    if (width <= 8) {
-      decode(end, width, nullptr, row);
-    } else {
-      width -= 8;
-      decode(end, width, low, row);
-      low += kTileSide;
-    }
-    end -= width;
+    take_group(groups, width,
+               [&row]<std::uint32_t per_word, bool has_low_bytes>(const std::uint8_t* end, std::uint32_t bits_each,
+                                                                  const std::uint8_t* low) {
+                 decode_packed<predictor, per_word, has_low_bytes>(end, bits_each, low, row);
+               });
     return true;
   });
-  return all && end == low;
+  return all && groups.end == groups.low;
 }
 
 template <std::uint32_t per_word, bool has_low_bytes>
-void unpack_eight(const std::uint8_t* end, std::uint32_t bits_each, const std::uint8_t* low, std::uint16_t* codes) {
+[[gnu::noinline]] void unpack_eight(const std::uint8_t* end, std::uint32_t bits_each, const std::uint8_t* low,
+                                    std::uint16_t* codes) {
   PackedCodes<per_word, has_low_bytes> packed(end, bits_each, low);
   for_row(kTileSide, [&](std::uint32_t x) { codes[x] = static_cast<std::uint16_t>(packed.at(x)); });
 }
 
-using UnpackEight = void (*)(const std::uint8_t*, std::uint32_t, const std::uint8_t*, std::uint16_t*);
-/// For codes of 1..4, 5..8, 9..12 and 13..16 bits.
-constexpr std::array<UnpackEight, 4> kUnpackEight{unpack_eight<8, false>, unpack_eight<4, false>, unpack_eight<8, true>,
-                                                  unpack_eight<4, true>};
-
 /// Less than eight codes; false if they are not all that lies there.
-bool unpack_last(const std::uint8_t* low, const std::uint8_t* end, std::uint32_t width, std::uint32_t count,
-                 std::uint16_t* codes) {
+bool unpack_last(const Groups& groups, std::uint32_t width, std::uint32_t count, std::uint16_t* codes) {
+  const std::uint8_t *low = groups.low, *const end = groups.end;
   const bool has_low_bytes = width > 8;
   const std::uint32_t bits_each = has_low_bytes ? width - 8 : width;
   if (static_cast<std::size_t>(end - low) != (has_low_bytes ? count : 0) + (count * bits_each + 7) / 8) return false;
@@ -183,26 +198,21 @@ bool unpack_last(const std::uint8_t* low, const std::uint8_t* end, std::uint32_t
 }
 
 /// `count` codes one after the other. False if they are not all that lies there.
-[[gnu::noinline]] bool unpack(const std::uint8_t* low, const std::uint8_t* end, std::uint32_t widths,
-                              std::uint32_t count, std::uint16_t* codes) {
+[[gnu::noinline]] bool unpack(Groups groups, std::uint32_t widths, std::uint32_t count, std::uint16_t* codes) {
   for (; count >= kTileSide; count -= kTileSide, widths >>= 4, codes += kTileSide) {
-    std::uint32_t width = code_bits(widths & 0xF);
-    if (static_cast<std::size_t>(end - low) < width) return false;
+    const std::uint32_t width = code_bits(widths & 0xF);
+    if (static_cast<std::size_t>(groups.end - groups.low) < width) return false;
     if (width == 0) {
       for_row(kTileSide, [codes](std::uint32_t x) { codes[x] = 0; });
       continue;
     }
-    const UnpackEight unpack_group = kUnpackEight[(width - 1) / 4];
-    if (width <= 8) {
-      unpack_group(end, width, nullptr, codes);
-    } else {
-      width -= 8;
-      unpack_group(end, width, low, codes);
-      low += kTileSide;
-    }
-    end -= width;
+    take_group(groups, width,
+               [codes]<std::uint32_t per_word, bool has_low_bytes>(const std::uint8_t* end, std::uint32_t bits_each,
+                                                                   const std::uint8_t* low) {
+                 unpack_eight<per_word, has_low_bytes>(end, bits_each, low, codes);
+               });
   }
-  return count == 0 ? end == low : unpack_last(low, end, code_bits(widths & 0xF), count, codes);
+  return count == 0 ? groups.end == groups.low : unpack_last(groups, code_bits(widths & 0xF), count, codes);
 }
 
 /// start + code in covered cells, 0 in others.
@@ -227,32 +237,32 @@ std::uint32_t cells_in(const std::uint8_t* cover, std::uint32_t height) {
 
 }  // namespace
 
-bool decode_codes(const std::uint8_t* bytes, std::size_t size, std::uint32_t opcode, const std::uint8_t* cover,
+bool decode_codes(const std::uint8_t* bytes, std::size_t size, Opcode opcode, const std::uint8_t* cover,
                   const TileView<std::uint16_t>& tile) {
   const bool offsets = opcode >= kOffset;
   const std::uint32_t count = cover == nullptr ? kTileSide * tile.height : cells_in(cover, tile.height);
   const std::size_t head = code_head_bytes(opcode, count);
   if (size < head) return false;
-  const std::uint8_t *const begin = bytes + head, *const end = bytes + size;
+  const Groups groups{bytes + head, bytes + size};
   const auto start = static_cast<std::uint32_t>(bytes[0] | bytes[1] << 8);
   std::uint32_t widths = 0;
   if (offsets) {
     widths = (opcode - kOffset) * 0x11111111U;
   } else {
-    for (const std::uint8_t* byte = begin; byte != bytes + 2;) widths = widths << 8 | *--byte;
+    for (const std::uint8_t* byte = groups.low; byte != bytes + 2;) widths = widths << 8 | *--byte;
   }
-  if (cover == nullptr && !offsets) return decode_whole(begin, end, opcode, start, widths, tile);
+  if (cover == nullptr && !offsets) return decode_whole(groups, opcode, start, widths, tile);
   constexpr Cover kAll{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
   if (cover == nullptr) cover = kAll.data();
   std::array<std::uint16_t, kTileCells> codes;
-  if (!unpack(begin, end, widths, count, codes.data())) return false;
+  if (!unpack(groups, widths, count, codes.data())) return false;
   const std::uint16_t* next = codes.data();
   if (offsets) {
     expand(next, cover, start, tile);
     return true;
   }
-  return decode_rows(opcode, start, tile, [&](std::uint32_t predictor, Row& row) {
-    next = kDecodeCovered[predictor](next, *cover++, row);
+  return decode_rows(opcode, start, tile, [&]<Opcode predictor>(Row& row) {
+    next = decode_covered<predictor>(next, *cover++, row);
     return true;
   });
 }

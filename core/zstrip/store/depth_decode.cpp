@@ -44,16 +44,16 @@ struct DecodedPlane {
 
 template <std::uint32_t form_index>
 [[gnu::always_inline]] inline DecodedPlane read_plane(const std::uint8_t* bytes, std::uint32_t more_fraction) {
-  constexpr PlaneForm form = kPlaneForms[form_index];
-  const std::uint32_t low = little_endian(bytes), high = little_endian(bytes + form.bytes - 4);  // they may overlap
+  constexpr PlaneForm kForm = kPlaneForms[form_index];
+  const std::uint32_t low = little_endian(bytes), high = little_endian(bytes + kForm.bytes - 4);  // they may overlap
   // Each slope at the top of a word; in the longest form that along x begins in the low word.
-  const std::uint32_t x = high << form.slope_bits | (form.bytes == 8 ? low >> 24 << 12 : 0);
-  constexpr std::uint32_t down = 32U - form.slope_bits;
-  const std::uint32_t up = 16U - form.start_fraction - more_fraction;  // up >= 1
+  const std::uint32_t x = high << kForm.slope_bits | (kForm.bytes == 8 ? low >> 24 << 12 : 0);
+  constexpr std::uint32_t kSlopeShift = 32U - kForm.slope_bits;
+  const std::uint32_t up = 16U - kForm.start_fraction - more_fraction;  // up >= 1
   const auto slope = [up](std::uint32_t top) {
-    return static_cast<std::uint32_t>(static_cast<std::int32_t>(top) >> down) << up;
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(top) >> kSlopeShift) << up;
   };
-  return {low << (16 - form.start_fraction), slope(x), slope(high)};
+  return {low << (16 - kForm.start_fraction), slope(x), slope(high)};
 }
 
 /// False if no form takes so many bytes.
@@ -152,7 +152,7 @@ bool decode_two_planes(const Bytes& bytes, const Cover& cover, const Tile& tile)
 /// Every record that has a first byte.
 [[gnu::noinline]] bool decode_with_cover(const std::uint8_t* record, std::size_t size, const Tile& tile) {
   const auto kind = static_cast<CoverKind>(*record & 3U);
-  const std::uint32_t opcode = *record >> 2;
+  const Opcode opcode = *record >> 2;
   Bytes bytes{record + 1, record + size};
   const std::uint32_t cover_size = cover_bytes(kind, tile.height);
   if (bytes.size() < cover_size) return false;

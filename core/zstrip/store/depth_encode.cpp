@@ -69,7 +69,7 @@ void write_two_planes(const TwoPlanes& planes, std::uint8_t* next) {
 
 /// The covered cells as codes, row by row, in groups of eight that have a width each.
 struct Coded {
-  unsigned opcode = 0;
+  Opcode opcode = 0;
   std::uint16_t start = 0;
   std::array<std::int16_t, kTileCells> codes{};
   std::uint32_t count = 0;
@@ -184,7 +184,7 @@ void write_codes(const Coded& coded, std::uint8_t* next) {
 }
 
 /// The record's first byte and the cover; returns what follows.
-std::uint8_t* write_head(unsigned opcode, CoverKind kind, const Cover& cover, const CoveredCells& tile,
+std::uint8_t* write_head(Opcode opcode, CoverKind kind, const Cover& cover, const CoveredCells& tile,
                          std::uint8_t* next) {
   *next++ = first_byte(opcode, kind);
   write_cover(kind, cover, tile.width, tile.height, next);

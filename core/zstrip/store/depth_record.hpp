@@ -10,15 +10,14 @@
 namespace zstrip::detail {
 
 /// Bits 2..7 of a record's first byte; bits 0..1 are the CoverKind.
-enum Opcode : std::uint8_t {
-  kPlane = 0,       ///< 0..7: + slope fraction bits beyond those of the start
-  kAlong = 8,       ///< residuals of a row's linear continuation
-  kDown = 9,        ///< residuals of left + up - upleft
-  kColumn = 10,     ///< residuals of a column's linear continuation
-  kTwoPlanes = 11,  ///< one for the cover, one for all other cells
-  kOffset = 16,     ///< 17..31: + written width of the cells' offsets from one value
-};
-constexpr std::uint8_t first_byte(unsigned opcode, CoverKind kind) {
+using Opcode = std::uint32_t;
+inline constexpr Opcode kPlane = 0;       ///< 0..7: + slope fraction bits beyond those of the start
+inline constexpr Opcode kAlong = 8;       ///< residuals of a row's linear continuation
+inline constexpr Opcode kDown = 9;        ///< residuals of left + up - upleft
+inline constexpr Opcode kColumn = 10;     ///< residuals of a column's linear continuation
+inline constexpr Opcode kTwoPlanes = 11;  ///< one for the cover, one for all other cells
+inline constexpr Opcode kOffset = 16;     ///< 17..31: + written width of the cells' offsets from one value
+constexpr std::uint8_t first_byte(Opcode opcode, CoverKind kind) {
   return static_cast<std::uint8_t>(opcode << 2 | static_cast<unsigned>(kind));
 }
 
@@ -33,7 +32,7 @@ inline constexpr std::uint32_t kWidthOf16 = 15;
 constexpr std::uint32_t code_bits(std::uint32_t written) { return written == kWidthOf16 ? 16 : written; }
 
 /// Before `codes` codes: the start and, but for offsets, which have one width, a width for each eight of them.
-constexpr std::uint32_t code_head_bytes(unsigned opcode, std::uint32_t codes) {
+constexpr std::uint32_t code_head_bytes(Opcode opcode, std::uint32_t codes) {
   return 2 + (opcode < kOffset ? (codes + 15) / 16 : 0);
 }
 
