@@ -26,7 +26,9 @@ CoveredCells load(const TileView<const std::uint16_t>& tile) {
   return loaded;
 }
 
-std::uint8_t* write_raw(const CoveredCells& tile, std::uint8_t* next) {
+std::uint32_t raw_bytes(const CoveredCells& tile) { return 2 * tile.width * tile.height; }
+
+void write_raw(const CoveredCells& tile, std::uint8_t* next) {
   for (std::uint32_t y = 0; y < tile.height; ++y) {
     for (std::uint32_t x = 0; x < tile.width; ++x) {
       const std::uint16_t cell = tile.cells[y * kTileSide + x];
@@ -34,7 +36,6 @@ std::uint8_t* write_raw(const CoveredCells& tile, std::uint8_t* next) {
       *next++ = static_cast<std::uint8_t>(cell >> 8);
     }
   }
-  return next;
 }
 
 /// Bit fields, lowest bits first.
@@ -191,6 +192,40 @@ std::uint8_t* write_head(Opcode opcode, CoverKind kind, const Cover& cover, cons
   return next + cover_bytes(kind, tile.height);
 }
 
+// Each of these writes a record that is shorter than the raw cells and returns its size, or 0 if it cannot. They stay
+// apart, so that the stack holds what one of them needs, not the sum.
+
+[[gnu::noinline]] std::uint32_t write_as_plane(const CoveredCells& tile, CoverKind kind, std::uint8_t* record) {
+  const auto plane = fit_plane(tile);
+  if (!plane) return 0;
+  const std::uint32_t bytes = 1 + cover_bytes(kind, tile.height) + plane->form->bytes;
+  if (bytes >= raw_bytes(tile)) return 0;
+  write_plane(*plane, write_head(kPlane + plane->more_fraction, kind, tile.cover, tile, record));
+  return bytes;
+}
+
+[[gnu::noinline]] std::uint32_t write_as_two_planes(const CoveredCells& tile, std::uint8_t* record) {
+  const auto planes = fit_two_planes(tile);
+  if (!planes) return 0;
+  const CoverKind split = cover_kind(planes->cover, tile.width, tile.height);
+  const std::uint32_t bytes = 1 + cover_bytes(split, tile.height) + planes->bytes();
+  if (bytes >= raw_bytes(tile)) return 0;
+  write_two_planes(*planes, write_head(kTwoPlanes, split, planes->cover, tile, record));
+  return bytes;
+}
+
+[[gnu::noinline]] std::uint32_t write_as_codes(const CoveredCells& tile, CoverKind kind, std::uint8_t* record) {
+  Coded best = code_offsets(tile);
+  for (const Opcode predictor : {kDown, kAlong, kColumn}) {
+    const Coded other = code_residuals(tile, predictor);
+    if (other.bytes < best.bytes) best = other;
+  }
+  const std::uint32_t bytes = 1 + cover_bytes(kind, tile.height) + best.bytes;
+  if (bytes >= raw_bytes(tile)) return 0;
+  write_codes(best, write_head(best.opcode, kind, tile.cover, tile, record));
+  return bytes;
+}
+
 }  // namespace
 }  // namespace detail
 
@@ -201,36 +236,15 @@ std::uint32_t encode_depth_tile(const TileView<const std::uint16_t>& view,
   bool any = false;
   for (const std::uint8_t row : tile.cover) any = any || row != 0;
   if (!any) return 0;
-  auto* const first = reinterpret_cast<std::uint8_t*>(record.data());
-  const std::uint32_t raw_bytes = 2 * view.area();
+  auto* const bytes = reinterpret_cast<std::uint8_t*>(record.data());
   const CoverKind kind = cover_kind(tile.cover, tile.width, tile.height);
-  const std::uint32_t head_bytes = 1 + cover_bytes(kind, tile.height);
-
-  if (const auto plane = fit_plane(tile); plane && head_bytes + plane->form->bytes < raw_bytes) {
-    write_plane(*plane, write_head(kPlane + plane->more_fraction, kind, tile.cover, tile, first));
-    return head_bytes + plane->form->bytes;
-  }
+  if (const std::uint32_t size = write_as_plane(tile, kind, bytes)) return size;
   if (kind == CoverKind::all) {
-    if (const auto planes = fit_two_planes(tile)) {
-      const CoverKind split = cover_kind(planes->cover, tile.width, tile.height);
-      const std::uint32_t bytes = 1 + cover_bytes(split, tile.height) + planes->bytes();
-      if (bytes < raw_bytes) {
-        write_two_planes(*planes, write_head(kTwoPlanes, split, planes->cover, tile, first));
-        return bytes;
-      }
-    }
+    if (const std::uint32_t size = write_as_two_planes(tile, bytes)) return size;
   }
-  Coded best = code_offsets(tile);
-  for (const Opcode predictor : {kDown, kAlong, kColumn}) {
-    const Coded other = code_residuals(tile, predictor);
-    if (other.bytes < best.bytes) best = other;
-  }
-  if (head_bytes + best.bytes >= raw_bytes) {
-    write_raw(tile, first);
-    return raw_bytes;
-  }
-  write_codes(best, write_head(best.opcode, kind, tile.cover, tile, first));
-  return head_bytes + best.bytes;
+  if (const std::uint32_t size = write_as_codes(tile, kind, bytes)) return size;
+  write_raw(tile, bytes);
+  return raw_bytes(tile);
 }
 
 }  // namespace zstrip
