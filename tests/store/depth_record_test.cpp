@@ -127,16 +127,88 @@ TEST(DepthRecord, Covers) {
   expect_cells(Bytes{head(0, 1), 0xF2, 0x0F} + flat, 5, 3, [&](auto x, auto y) { return where(y > 0 || x < 2); });
 }
 
+TEST(DepthRecord, TwoPlanes) {
+  // Cells x < 3 of all rows on a plane of 6 bytes (form 1, 16.4), the others on one of 5 bytes (16.2).
+  const Bytes first = plane_fields({{300 * 16, 20}, {-16, 14}, {0, 14}});
+  const Bytes others = plane_fields({{100 * 4, 18}, {4 << 3, 11}, {2 << 3, 11}});
+  const auto expected = [](std::uint32_t x, std::uint32_t y) {
+    return x < 3 ? 300 - static_cast<int>(x) : 100 + static_cast<int>(x) + static_cast<int>(y) / 2;
+  };
+  expect_cells(Bytes{head(11, 1), 0x33, 0x33, 0x33, 0x33, 0 | 3 << 3 | 1 << 6} + first + others, 8, 8, expected);
+  expect_cells(Bytes{head(11, 1), 0x33, 0x03, 0 | 3 << 3 | 1 << 6} + first + others, 5, 3, expected);
+  // All cells are the first plane's: the other one is not seen.
+  expect_cells(Bytes{head(11, 0), 0 | 3 << 3 | 1 << 6} + first + others, 8, 8,
+               [](auto x, auto) { return 300 - static_cast<int>(x); });
+}
+
 TEST(DepthRecord, Offsets) {
-  // 1 + 3 bits a cell from the top of each byte on: 0 1 2 3 4 5 6 7 ...; 8 cells a row are 3 bytes.
+  // Codes of 3 bits from -4 to 3: 100 101 110 111 000 001 010 011, the last byte first.
   Bytes record{head(16 + 3, 0), 0x34, 0x12};
-  for (int row = 0; row < 8; ++row) record = record + Bytes{0x05, 0x39, 0x77};
-  expect_cells(record, 8, 8, [](auto x, auto) { return 0x1234 + static_cast<int>(x); });
-  // No bits: all cells are alike. Only covered ones count.
-  expect_cells({head(16, 3), 0x80, 0x01, 0x02, 0x04, 0x08, 0x10, 0x20, 0x40, 0x07, 0x00}, 8, 8, [](auto x, auto y) {
-    constexpr std::uint32_t kColumn[] = {7, 0, 1, 2, 3, 4, 5, 6};
-    return x == kColumn[y] ? 7 : 0;
-  });
+  for (int row = 0; row < 8; ++row) record = record + Bytes{0x53, 0x70, 0x97};
+  expect_cells(record, 8, 8, [](auto x, auto) { return 0x1234 - 4 + static_cast<int>(x); });
+  // Only covered cells count. 10 bits: 0x12C, 0x2D4 (-300) and 5: their low bytes, then 01 10 00.
+  expect_cells({head(16 + 10, 3), 0x80, 0x01, 0, 0, 0, 0, 0, 0x02, 0xE8, 0x03, 0x2C, 0xD4, 0x05, 0x60}, 8, 8,
+               [](auto x, auto y) {
+                 return x == 7 && y == 0 ? 1300 : x == 0 && y == 1 ? 700 : x == 1 && y == 7 ? 1005 : 0;
+               });
+}
+
+/// The codes of a record as docs/formats.md has them, in groups of eight with the written widths given.
+Bytes codes_of(const std::vector<int>& codes, const std::vector<int>& widths) {
+  Bytes low;
+  std::vector<bool> bits;
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    const int width = widths[i / 8] == 15 ? 16 : widths[i / 8];
+    if (width > 8) low.push_back(static_cast<std::uint8_t>(codes[i] & 255));
+    for (int bit = width - 1; bit >= (width > 8 ? 8 : 0); --bit) bits.push_back((codes[i] >> bit & 1) != 0);
+  }
+  while (bits.size() % 8 != 0) bits.push_back(false);
+  Bytes packed;
+  for (std::size_t i = bits.size(); i > 0; i -= 8) {
+    int byte = 0;
+    for (std::size_t bit = i - 8; bit < i; ++bit) byte = 2 * byte + (bits[bit] ? 1 : 0);
+    packed.push_back(static_cast<std::uint8_t>(byte));
+  }
+  return low + packed;
+}
+
+TEST(DepthRecord, CodesOfEveryWidthAndNumber) {
+  std::minstd_rand random(3);
+  for (int width = 1; width <= 15; ++width) {
+    const int bits = width == 15 ? 16 : width;
+    for (std::size_t count = 1; count <= 64; ++count) {
+      Bytes record{head(16 + width, 3), 0, 0, 0, 0, 0, 0, 0, 0, 0x34, 0x12};
+      std::vector<int> codes;
+      while (codes.size() < count) {
+        record[1 + codes.size() / 8] = static_cast<std::uint8_t>(record[1 + codes.size() / 8] | 1 << codes.size() % 8);
+        codes.push_back(static_cast<int>(random() / 64 % (1U << bits)) - (1 << (bits - 1)));
+      }
+      record = record + codes_of(codes, std::vector<int>(8, width));
+      if (record.size() >= 128) continue;  // that would be raw cells
+      expect_cells(record, 8, 8, [&](auto x, auto y) { return y * 8 + x < count ? 0x1234 + codes[y * 8 + x] : 0; });
+    }
+  }
+}
+
+TEST(DepthRecord, ResidualsOfEveryWidth) {
+  // One code other than 0, in the third cell of row 5: what is predicted from that cell continues it.
+  for (const int opcode : {8, 9, 10}) {
+    for (int width = 1; width <= 15; ++width) {
+      std::vector<int> codes(64), widths(8);
+      const int residual = width == 15 ? -32768 : -(1 << (width - 1));
+      codes[8 * 5 + 2] = residual;
+      widths[5] = width;
+      const Bytes record =
+          Bytes{head(opcode, 0), 0x00, 0x40, 0, 0, static_cast<std::uint8_t>(width << 4), 0} + codes_of(codes, widths);
+      expect_cells(record, 8, 8, [&](std::uint32_t x, std::uint32_t y) {
+        const int along = static_cast<int>(x) - 1, down = static_cast<int>(y) - 4;
+        if (x < 2 || y < 5) return 0x4000;
+        if (opcode == 8) return y == 5 ? 0x4000 + residual * along : 0x4000;  // a row has its slope for itself
+        if (opcode == 9) return 0x4000 + residual;
+        return x == 2 ? 0x4000 + residual * down : 0x4000;
+      });
+    }
+  }
 }
 
 /// Rows with residual 1 in column 1 only: 2 bits a code (00 01 00 00 ...).
@@ -144,7 +216,7 @@ Bytes slope_of_one(int opcode, std::uint32_t rows_with_codes) {
   Bytes record{head(opcode, 0), 0xE8, 0x03, 0, 0, 0, 0};
   for (std::uint32_t y = 0; y < rows_with_codes; ++y) {
     record[3 + y / 2] = static_cast<std::uint8_t>(record[3 + y / 2] | 2 << (y % 2 * 4));
-    record = record + Bytes{0x10, 0x00};
+    record = record + Bytes{0x00, 0x10};
   }
   return record;
 }
@@ -169,37 +241,24 @@ TEST(DepthRecord, SecondRowTellsThePredictorsApart) {
 
 TEST(DepthRecord, FirstColumnContinuesItself) {
   // 8 rows of one cell: start 500, then 503, 506 ...: row 1 has a code of 3 bits (011), all else is predicted.
-  expect_cells({head(9, 0), 0xF4, 0x01, 0x30, 0, 0, 0, 0x60}, 1, 8,
+  expect_cells({head(9, 0), 0xF4, 0x01, 0x03, 0, 0, 0x0C}, 1, 8,
                [](auto, auto y) { return 500 + 3 * static_cast<int>(y); });
 }
 
-TEST(DepthRecord, EscapesAndWholeWords) {
-  // Row 0: width 3, cell 3 escapes (100) to +1000; row 1: width 15, 16 bits each: minus 1000 from cell 3 on.
-  Bytes record{head(9, 0), 0x64, 0x00, 0xF3, 0, 0, 0};
-  record = record + Bytes{0b00000000, 0b01000000, 0b00000000};
-  for (int x = 0; x < 8; ++x) {
-    const int residual = x == 3 ? -1000 : 0;
-    record =
-        record + Bytes{static_cast<std::uint8_t>((residual >> 8) & 255), static_cast<std::uint8_t>(residual & 255)};
-  }
-  record = record + Bytes{0xE8, 0x03};  // the literal, little endian, at the end
+TEST(DepthRecord, LowBytesStandApart) {
+  // Row 0: 11 bits, cell 3 is 1000 (0x3E8); row 1: 16 bits, cell 3 is -1000 (0xFC18).
+  Bytes record{head(9, 0), 0x64, 0x00, 0xFB, 0, 0, 0};
+  record = record + Bytes{0, 0, 0, 0xE8, 0, 0, 0, 0} + Bytes{0, 0, 0, 0x18, 0, 0, 0, 0};
+  record = record + Bytes{0, 0, 0, 0, 0xFC, 0, 0, 0} + Bytes{0x00, 0b00110000, 0x00};  // backwards
   // Row 0 continues linearly behind the jump: 100 100 100 1100 2100 ...
   const auto row_0 = [](std::uint32_t x) { return x < 3 ? 100 : 100 + 1000 * static_cast<int>(x - 2); };
   expect_cells(record, 8, 8, [&](auto x, auto y) { return row_0(x) - (y > 0 && x >= 3 ? 1000 : 0); });
 }
 
-TEST(DepthRecord, LiteralsStandBackwards) {
-  // Width 1: 0 or escape. Cells 2 and 5 escape: the first literal is the last of the record.
-  expect_cells({head(8, 0), 0x0A, 0x00, 0x01, 0b00100100, 0xFB, 0xFF, 0x05, 0x00}, 8, 1, [](auto x, auto) {
-    constexpr int kCells[] = {10, 10, 15, 20, 25, 25, 25, 25};  // + 5 a cell, then - 5
-    return kCells[x];
-  });
-}
-
 TEST(DepthRecord, ResidualsOfCoveredCellsOnly) {
   // Trailing cells; uncovered ones are predicted on, and then cleared. Row 0: cells 4..7 = 1000 (codes 0),
-  // row 1: cells 6 and 7, + 1 (01 00).
-  Bytes record{head(9, 2), 0x64, 0x88, 0x88, 0x88, 0xE8, 0x03, 0x22, 0, 0, 0, 0x00, 0x40};
+  // row 1: cells 6 and 7, + 1 (01 00): six codes of 2 bits.
+  const Bytes record{head(9, 2), 0x64, 0x88, 0x88, 0x88, 0xE8, 0x03, 0x02, 0x40, 0x00};
   expect_cells(record, 8, 8, [](auto x, auto y) { return y == 0 && x >= 4 ? 1000 : y == 1 && x >= 6 ? 1001 : 0; });
 }
 
@@ -211,15 +270,20 @@ TEST(DepthRecord, WrongSizesAndOpcodesAreRefused) {
     EXPECT_TRUE(refused(Bytes{head(0, 0)} + Bytes(bytes, 0))) << bytes;
   EXPECT_TRUE(refused(Bytes(129, 0)));
   EXPECT_TRUE(refused(Bytes(13, 0), 3, 2));
-  for (const int opcode : {11, 12, 15, 32, 63}) EXPECT_TRUE(refused(Bytes{head(opcode, 0), 0, 0, 0, 0, 0, 0}));
+  for (const int opcode : {12, 15, 16, 32, 63}) EXPECT_TRUE(refused(Bytes{head(opcode, 0), 0, 0, 0, 0, 0, 0}));
   EXPECT_TRUE(refused({head(0, 3), 1, 2}));
   EXPECT_TRUE(refused({head(8, 0), 0, 0, 0, 0, 0}));
   EXPECT_TRUE(refused(slope_of_one(8, 2) + Bytes{0}));  // a byte too many
   Bytes short_by_one = slope_of_one(8, 2);
   short_by_one.pop_back();
   EXPECT_TRUE(refused(short_by_one));
-  EXPECT_TRUE(refused({head(8, 0), 0, 0, 1, 0, 0, 0, 0x80}));  // an escape without its literal
+  EXPECT_TRUE(refused({head(8, 0), 0, 0, 9, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8}));  // low bytes without the bits above
   EXPECT_TRUE(refused({head(17, 0), 0, 0, 1, 2, 3}));
+  EXPECT_TRUE(refused({head(17, 3), 0, 0, 0, 0, 0, 0, 0, 3, 0, 0}));  // covered cells without codes
+  EXPECT_TRUE(refused({head(17, 3), 0, 0, 0, 0, 0, 0, 0, 3, 0, 0, 1, 2}));
+  EXPECT_TRUE(refused(Bytes{head(11, 0)}));
+  EXPECT_TRUE(refused(Bytes{head(11, 0), 3 << 6} + Bytes(12, 0)));  // a form that there is not
+  for (const unsigned bytes : {4U, 5U, 9U, 12U}) EXPECT_TRUE(refused(Bytes{head(11, 0), 0} + Bytes(bytes, 0))) << bytes;
 }
 
 std::vector<std::byte> encoded(const std::vector<std::uint16_t>& cells, std::uint32_t width, std::uint32_t height) {
@@ -246,6 +310,11 @@ TEST(DepthEncoder, ChoosesTheKind) {
   EXPECT_LE(edge.size(), 13U);
   const auto curved = fill([](auto x, auto y) { return 5000 + static_cast<int>(x * x * 3 + y * y * 5); });
   EXPECT_TRUE(opcode_of(curved) >= 8 && opcode_of(curved) <= 10);
+  const auto crease = fill([](auto x, auto y) {
+    return x + y < 9 ? whole(5000.3 + x * 3.7 - y * 0.11) : whole(5020.3 - x * 5.7 + y * 4.9);
+  });
+  EXPECT_EQ(opcode_of(crease), 11);
+  EXPECT_LE(crease.size(), 22U);
   std::minstd_rand random(5);
   const auto hundreds = fill([&](auto, auto) { return 5000 + static_cast<int>(random() / 64 % 128); });
   EXPECT_EQ(opcode_of(hundreds), 16 + 7);
@@ -268,7 +337,9 @@ std::vector<std::byte> mixed_blob(std::vector<std::uint16_t>& cells) {
     const std::uint32_t x = i % 20, y = i / 20;
     const int plane = whole(3000.5 + x * 5.25 + y * 0.7);
     const int noise = static_cast<int>(random() / 64 % (x < 8 ? 60000 : 6));
-    cells[i] = static_cast<std::uint16_t>(y < 8 ? (x < 8 ? plane : x + y < 20 ? plane : 0) : plane / 2 + noise);
+    const int crease = x + y < 24 ? plane : whole(9000.5 - x * 9.5 - y * 3.1);
+    const int below = x >= 8 && x < 16 && y < 16 ? crease : plane / 2 + noise;
+    cells[i] = static_cast<std::uint16_t>(y < 8 ? (x < 8 ? plane : x + y < 20 ? plane : 0) : below);
   }
   std::vector<std::byte> pool(store_bytes_worst(20, 19));
   DepthStore store;

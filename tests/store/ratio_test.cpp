@@ -55,15 +55,15 @@ TEST_P(StoreRatio, IsReached) {
 
 INSTANTIATE_TEST_SUITE_P(
     SmallFloat, StoreRatio,
-    testing::Values(Case{"room", Content::small_float, 9.40}, Case{"teapot", Content::small_float, 4.20},
-                    Case{"knot", Content::small_float, 3.57}, Case{"bunny", Content::small_float, 4.17},
-                    Case{"random10k", Content::small_float, 3.35}, Case{"cube", Content::small_float, 14.80}),
+    testing::Values(Case{"room", Content::small_float, 10.19}, Case{"teapot", Content::small_float, 4.09},
+                    Case{"knot", Content::small_float, 3.52}, Case{"bunny", Content::small_float, 4.13},
+                    Case{"random10k", Content::small_float, 3.35}, Case{"cube", Content::small_float, 14.95}),
     [](const auto& test) { return std::string(test.param.scene); });
 INSTANTIATE_TEST_SUITE_P(Fitted, StoreRatio,
-                         testing::Values(Case{"room", Content::fitted, 11.02}, Case{"teapot", Content::fitted, 3.22},
-                                         Case{"knot", Content::fitted, 2.56}, Case{"bunny", Content::fitted, 3.07},
-                                         Case{"random10k", Content::fitted, 2.89},
-                                         Case{"cube", Content::fitted, 14.74}),
+                         testing::Values(Case{"room", Content::fitted, 12.32}, Case{"teapot", Content::fitted, 2.83},
+                                         Case{"knot", Content::fitted, 2.49}, Case{"bunny", Content::fitted, 3.02},
+                                         Case{"random10k", Content::fitted, 2.86},
+                                         Case{"cube", Content::fitted, 14.26}),
                          [](const auto& test) { return std::string(test.param.scene); });
 INSTANTIATE_TEST_SUITE_P(Colour, StoreRatio,
                          testing::Values(Case{"room", Content::colour, 5.09}, Case{"teapot", Content::colour, 2.90},

@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "zstrip/store/code_stream.hpp"
+#include "zstrip/store/decode_steps.hpp"
 
 namespace zstrip {
 namespace {
@@ -237,15 +238,18 @@ bool decode_colour_tile(std::span<const std::byte> record, const TileView<std::u
   const std::uint32_t raw_bytes = 2 * tile.area();
   if (size == 0 || size == 2) {
     const std::uint16_t colour = size == 0 ? std::uint16_t{0} : load(bytes);
-    fill(tile, [colour](std::uint32_t, std::uint32_t) { return colour; });
+    for (std::uint32_t y = 0; y < tile.height; ++y) {
+      std::uint16_t* const row = tile.row(y);
+      detail::for_row(tile.width, [row, colour](std::uint32_t x) { row[x] = colour; });
+    }
     return true;
   }
   if (size >= raw_bytes) {
     if (size > raw_bytes) return false;
-    fill(tile, [&bytes](std::uint32_t, std::uint32_t) {
-      bytes += 2;
-      return load(bytes - 2);
-    });
+    for (std::uint32_t y = 0; y < tile.height; ++y, bytes += 2 * tile.width) {
+      std::uint16_t* const row = tile.row(y);
+      detail::for_row(tile.width, [row, bytes](std::uint32_t x) { row[x] = load(bytes + 2 * x); });
+    }
     return true;
   }
   return (*bytes & kDifferences) != 0 ? decode_differences(bytes, size, tile) : decode_palette(bytes, size, tile);

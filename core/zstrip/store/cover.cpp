@@ -7,7 +7,7 @@ namespace zstrip::detail {
 namespace {
 
 /// Cells x < split of a row.
-constexpr std::uint8_t cells_before(std::uint32_t split) { return static_cast<std::uint8_t>((1U << split) - 1); }
+constexpr std::uint32_t cells_before(std::uint32_t split) { return (1U << split) - 1; }
 
 constexpr bool is_leading(std::uint8_t row) { return (row & (row + 1U)) == 0; }
 
@@ -38,16 +38,18 @@ void write_cover(CoverKind kind, const Cover& cover, std::uint32_t width, std::u
 }
 
 Cover read_cover(CoverKind kind, const std::uint8_t* bytes, std::uint32_t width, std::uint32_t height) {
-  Cover cover{};
-  const std::uint8_t whole = whole_row(width);
-  for (std::uint32_t y = 0; y < height; ++y) {
-    const std::uint32_t split =
-        kind == CoverKind::all || kind == CoverKind::bitmap ? 0 : bytes[y / 2] >> (y % 2 * 4) & 0xFU;
-    switch (kind) {
-      case CoverKind::leading: cover[y] = whole & cells_before(split); break;
-      case CoverKind::trailing: cover[y] = static_cast<std::uint8_t>(whole & ~cells_before(split)); break;
-      case CoverKind::bitmap: cover[y] = whole & bytes[y]; break;
-      default: cover[y] = whole; break;
+  Cover cover;  // rows beyond the height are never read
+  const std::uint32_t whole = whole_row(width);
+  if (kind == CoverKind::all) {
+    for (std::uint32_t y = 0; y < height; ++y) cover[y] = static_cast<std::uint8_t>(whole);
+  } else if (kind == CoverKind::bitmap) {
+    for (std::uint32_t y = 0; y < height; ++y) cover[y] = static_cast<std::uint8_t>(bytes[y] & whole);
+  } else {
+    const std::uint32_t inverted = kind == CoverKind::trailing ? 0xFF : 0;
+    std::uint32_t splits = 0;
+    for (std::uint32_t y = 0; y < height; ++y, splits >>= 4) {
+      if (y % 2 == 0) splits = *bytes++;
+      cover[y] = static_cast<std::uint8_t>((cells_before(splits & 0xF) ^ inverted) & whole);
     }
   }
   return cover;

@@ -37,7 +37,8 @@ CoverKind cover_kind(const Cover& cover, std::uint32_t width, std::uint32_t heig
 /// Writes cover_bytes(kind, height) bytes; `kind` must be able to say `cover`.
 void write_cover(CoverKind kind, const Cover& cover, std::uint32_t width, std::uint32_t height, std::uint8_t* bytes);
 
-/// Reads cover_bytes(kind, height) bytes. Whatever they hold, no bit beyond `width` comes out set.
+/// Reads cover_bytes(kind, height) bytes. Whatever they hold, no bit beyond `width` comes out set. Rows
+/// beyond `height` are left open.
 Cover read_cover(CoverKind kind, const std::uint8_t* bytes, std::uint32_t width, std::uint32_t height);
 
 }  // namespace zstrip::detail

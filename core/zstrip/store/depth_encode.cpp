@@ -1,16 +1,16 @@
-// Cells to the shortest record: a plane where one fits, else the best of offsets and the three kinds of residuals.
+// Cells to a short record: a plane or two where they fit, else the best of offsets and the three kinds of residuals.
+#include <algorithm>
 #include <bit>
 
 #include "zstrip/store/code_stream.hpp"
 #include "zstrip/store/depth_record.hpp"
 #include "zstrip/store/depth_tile.hpp"
 #include "zstrip/store/plane_fit.hpp"
+#include "zstrip/store/two_planes.hpp"
 
 namespace zstrip {
 namespace detail {
 namespace {
-
-constexpr std::uint32_t kLiteralBits = 16;
 
 CoveredCells load(const TileView<const std::uint16_t>& tile) {
   CoveredCells loaded;
@@ -26,7 +26,9 @@ CoveredCells load(const TileView<const std::uint16_t>& tile) {
   return loaded;
 }
 
-std::uint8_t* write_raw(const CoveredCells& tile, std::uint8_t* next) {
+std::uint32_t raw_bytes(const CoveredCells& tile) { return 2 * tile.width * tile.height; }
+
+void write_raw(const CoveredCells& tile, std::uint8_t* next) {
   for (std::uint32_t y = 0; y < tile.height; ++y) {
     for (std::uint32_t x = 0; x < tile.width; ++x) {
       const std::uint16_t cell = tile.cells[y * kTileSide + x];
@@ -34,7 +36,6 @@ std::uint8_t* write_raw(const CoveredCells& tile, std::uint8_t* next) {
       *next++ = static_cast<std::uint8_t>(cell >> 8);
     }
   }
-  return next;
 }
 
 /// Bit fields, lowest bits first.
@@ -60,97 +61,78 @@ void write_plane(const FittedPlane& plane, std::uint8_t* next) {
   fields.append(static_cast<std::uint32_t>(plane.slope_y), plane.form->slope_bits);
 }
 
-/// All cells as offsets from the least one.
-struct Offsets {
-  std::uint16_t least = 0xFFFF;
-  std::uint32_t width = 0;  ///< bits
-  std::uint32_t bytes = 0;  ///< beyond the cover
-};
-
-Offsets measure_offsets(const CoveredCells& tile) {
-  Offsets offsets;
-  std::uint16_t greatest = 0;
-  std::uint32_t count = 0;
-  for (std::uint32_t y = 0; y < tile.height; ++y) {
-    for (std::uint32_t x = 0; x < tile.width; ++x) {
-      if ((tile.cover[y] >> x & 1) == 0) continue;
-      const std::uint16_t cell = tile.cells[y * kTileSide + x];
-      offsets.least = std::min(offsets.least, cell);
-      greatest = std::max(greatest, cell);
-      ++count;
-    }
-  }
-  offsets.width = static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint32_t>(greatest - offsets.least)));
-  // 16 bits have no opcode.
-  offsets.bytes = offsets.width < kLiteralBits ? 2 + (count * offsets.width + 7) / 8 : kLargestTileRecord;
-  return offsets;
+void write_two_planes(const TwoPlanes& planes, std::uint8_t* next) {
+  *next++ = static_cast<std::uint8_t>(planes.first.more_fraction | planes.others.more_fraction << 3 |
+                                      static_cast<std::uint32_t>(planes.first.form - kPlaneForms.data()) << 6);
+  write_plane(planes.first, next);
+  write_plane(planes.others, next + planes.first.form->bytes);
 }
 
-void write_offsets(const CoveredCells& tile, const Offsets& offsets, std::uint8_t* next) {
-  *next++ = static_cast<std::uint8_t>(offsets.least);
-  *next++ = static_cast<std::uint8_t>(offsets.least >> 8);
-  CodeWriter codes(next);
-  for (std::uint32_t y = 0; y < tile.height; ++y) {
-    for (std::uint32_t x = 0; x < tile.width; ++x) {
-      if ((tile.cover[y] >> x & 1) == 0) continue;
-      codes.append(static_cast<std::uint32_t>(tile.cells[y * kTileSide + x] - offsets.least), offsets.width);
-    }
-  }
-  codes.finish();
-}
-
-/// What one predictor leaves.
-struct Residuals {
-  Opcode predictor = kAlong;
-  std::array<std::int16_t, kTileCells> residuals{};
-  Cover coded{};                                 ///< rows of width 0 have no codes, the start neither
-  std::array<std::uint8_t, kTileSide> widths{};  ///< as in the record
+/// The covered cells as codes, row by row, in groups of eight that have a width each.
+struct Coded {
+  Opcode opcode = 0;
   std::uint16_t start = 0;
-  std::uint32_t bytes = 0;  ///< beyond the cover
+  std::array<std::int16_t, kTileCells> codes{};
+  std::uint32_t count = 0;
+  std::array<std::uint8_t, kTileSide> widths{};  ///< as written
+  std::uint32_t bytes = 0;                       ///< beyond the cover
+
+  std::uint32_t width_at(std::uint32_t code) const { return code_bits(widths[code / kTileSide]); }
 };
 
-/// Bits of a residual in two's complement; one more where the code would be the escape.
-std::uint32_t code_width(std::int32_t residual) {
-  if (residual == 0) return 0;
-  const std::uint32_t magnitude = static_cast<std::uint32_t>(residual < 0 ? -residual : residual);
-  return static_cast<std::uint32_t>(std::bit_width(magnitude)) + 1;
+/// As written: enough for all codes of a group in two's complement.
+std::uint8_t group_width(const std::int16_t* codes, std::uint32_t count) {
+  std::uint32_t magnitudes = 0;  // of codes below 0 inverted
+  bool any = false;
+  for (; count != 0; --count, ++codes) {
+    magnitudes |= static_cast<std::uint32_t>(*codes < 0 ? ~*codes : *codes);
+    any = any || *codes != 0;
+  }
+  if (!any) return 0;
+  return static_cast<std::uint8_t>(std::min(static_cast<std::uint32_t>(std::bit_width(magnitudes)) + 1, kWidthOf16));
 }
 
-/// The width with the fewest bits for a row, and these bits.
-struct RowChoice {
-  std::uint32_t width, bits;
-};
+void count_bytes(Coded& coded) {
+  std::uint32_t bits = 0;
+  for (std::uint32_t i = 0; i < coded.count; i += kTileSide) {
+    bits += coded.width_at(i) * std::min(coded.count - i, kTileSide);
+  }
+  coded.bytes = code_head_bytes(coded.opcode, coded.count) + (bits + 7) / 8;
+}
 
-RowChoice choose_width(const std::int16_t* residuals, std::uint32_t coded) {
-  std::array<std::uint8_t, kLiteralBits + 2> needing{};  // residuals that need exactly i bits
-  std::uint32_t count = 0, most = 0;
-  for (; coded != 0; coded >>= 1, ++residuals) {
-    if ((coded & 1) == 0) continue;
-    const std::uint32_t needed = code_width(*residuals);
-    ++needing[needed];
-    ++count;
-    most = std::max(most, needed);
+/// All cells as offsets from the middle between the least and the greatest one.
+Coded code_offsets(const CoveredCells& tile) {
+  Coded coded;
+  std::uint32_t least = 0xFFFF, greatest = 0;
+  for (std::uint32_t y = 0; y < tile.height; ++y) {
+    const std::uint16_t* cell = tile.cells.data() + y * kTileSide;
+    for (std::uint32_t row = tile.cover[y]; row != 0; row >>= 1, ++cell) {
+      if ((row & 1) == 0) continue;
+      least = std::min<std::uint32_t>(least, *cell);
+      greatest = std::max<std::uint32_t>(greatest, *cell);
+      coded.codes[coded.count++] = static_cast<std::int16_t>(*cell);
+    }
   }
-  if (most == 0) return {0, 0};
-  RowChoice best{kLiteralWidth, count * kLiteralBits};
-  std::uint32_t literals = count - needing[0];
-  for (std::uint32_t width = 1; width < kLiteralWidth && width <= most; ++width) {
-    literals -= needing[width];
-    const std::uint32_t bits = count * width + literals * kLiteralBits;
-    if (bits < best.bits) best = {width, bits};
+  const std::uint32_t written =
+      std::clamp<std::uint32_t>(static_cast<std::uint32_t>(std::bit_width(greatest - least)), 1U, kWidthOf16);
+  coded.opcode = kOffset + written;
+  coded.start = static_cast<std::uint16_t>(least + (1U << (code_bits(written) - 1)));
+  for (std::uint32_t i = 0; i < coded.count; ++i) {
+    coded.codes[i] = static_cast<std::int16_t>(coded.codes[i] - coded.start);
   }
-  return best;
+  coded.widths.fill(static_cast<std::uint8_t>(written));
+  count_bytes(coded);
+  return coded;
 }
 
 /// Cells that are not covered take what is predicted, as in the decoder.
-Residuals measure_residuals(const CoveredCells& tile, Opcode predictor) {
-  Residuals result;
-  result.predictor = predictor;
+Coded code_residuals(const CoveredCells& tile, Opcode predictor) {
+  Coded coded;
+  coded.opcode = predictor;
   std::array<std::uint16_t, kTileCells> cells = tile.cells;
-  for (std::uint32_t y = 0; y < tile.height && result.start == 0; ++y) {
-    for (std::uint32_t x = 0; x < tile.width && result.start == 0; ++x) result.start = cells[y * kTileSide + x];
+  for (std::uint32_t y = 0; y < tile.height && coded.start == 0; ++y) {
+    for (std::uint32_t x = 0; x < tile.width && coded.start == 0; ++x) coded.start = cells[y * kTileSide + x];
   }
-  std::uint32_t bytes = 2 + (tile.height + 1) / 2;
   for (std::uint32_t y = 0; y < tile.height; ++y) {
     std::uint16_t* const row = cells.data() + y * kTileSide;
     const std::uint16_t* const above = y > 0 ? row - kTileSide : row;
@@ -158,7 +140,7 @@ Residuals measure_residuals(const CoveredCells& tile, Opcode predictor) {
     for (std::uint32_t x = 0; x < tile.width; ++x) {
       std::int32_t predicted;
       if (x == 0) {
-        predicted = y == 0 ? result.start : 2 * above[0] - above2[0];
+        predicted = y == 0 ? coded.start : 2 * above[0] - above2[0];
       } else if (y == 0 || (predictor == kAlong && x > 1)) {
         predicted = x == 1 ? row[0] : 2 * row[x - 1] - row[x - 2];
       } else if (predictor == kColumn && y > 1) {
@@ -166,51 +148,82 @@ Residuals measure_residuals(const CoveredCells& tile, Opcode predictor) {
       } else {
         predicted = above[x] + row[x - 1] - above[x - 1];
       }
-      if ((tile.cover[y] >> x & 1) == 0) row[x] = static_cast<std::uint16_t>(predicted);
-      result.residuals[y * kTileSide + x] = static_cast<std::int16_t>(row[x] - predicted);
-    }
-    result.coded[y] = tile.cover[y];
-    const RowChoice choice = choose_width(result.residuals.data() + y * kTileSide, result.coded[y]);
-    result.widths[y] = static_cast<std::uint8_t>(choice.width);
-    if (choice.width == 0) result.coded[y] = 0;
-    bytes += (choice.bits + 7) / 8;
-  }
-  result.bytes = bytes;
-  return result;
-}
-
-void write_residuals(const CoveredCells& tile, const Residuals& chosen, std::uint8_t* next, std::uint8_t* end) {
-  *next++ = static_cast<std::uint8_t>(chosen.start);
-  *next++ = static_cast<std::uint8_t>(chosen.start >> 8);
-  for (std::uint32_t y = 0; y < tile.height; y += 2) {
-    *next++ = static_cast<std::uint8_t>(chosen.widths[y] | (y + 1 < tile.height ? chosen.widths[y + 1] << 4 : 0));
-  }
-  for (std::uint32_t y = 0; y < tile.height; ++y) {
-    const std::uint32_t width = chosen.widths[y];
-    CodeWriter codes(next);
-    for (std::uint32_t coded = chosen.coded[y]; coded != 0; coded &= coded - 1) {
-      const std::int32_t residual =
-          chosen.residuals[y * kTileSide + static_cast<std::uint32_t>(std::countr_zero(coded))];
-      const auto bits = static_cast<std::uint32_t>(residual);
-      if (width == kLiteralWidth) {
-        codes.append(bits, kLiteralBits);
-      } else if (code_width(residual) <= width) {
-        codes.append(bits, width);
+      if ((tile.cover[y] >> x & 1) == 0) {
+        row[x] = static_cast<std::uint16_t>(predicted);
       } else {
-        codes.append(static_cast<std::uint32_t>(escape_code(width)), width);
-        *--end = static_cast<std::uint8_t>(bits >> 8);
-        *--end = static_cast<std::uint8_t>(bits);
+        coded.codes[coded.count++] = static_cast<std::int16_t>(row[x] - predicted);
       }
     }
-    next = codes.finish();
   }
+  for (std::uint32_t i = 0; i < coded.count; i += kTileSide) {
+    coded.widths[i / kTileSide] = group_width(coded.codes.data() + i, std::min(coded.count - i, kTileSide));
+  }
+  count_bytes(coded);
+  return coded;
+}
+
+void write_codes(const Coded& coded, std::uint8_t* next) {
+  *next++ = static_cast<std::uint8_t>(coded.start);
+  *next++ = static_cast<std::uint8_t>(coded.start >> 8);
+  const std::uint32_t width_bytes = code_head_bytes(coded.opcode, coded.count) - 2;
+  for (std::uint32_t i = 0; i < width_bytes; ++i) {
+    *next++ = static_cast<std::uint8_t>(coded.widths[2 * i] | coded.widths[2 * i + 1] << 4);
+  }
+  for (std::uint32_t i = 0; i < coded.count; ++i) {
+    if (coded.width_at(i) > 8) *next++ = static_cast<std::uint8_t>(coded.codes[i]);
+  }
+  CodeWriter writer(next);
+  for (std::uint32_t i = 0; i < coded.count; ++i) {
+    const auto code = static_cast<std::uint32_t>(coded.codes[i]);
+    if (coded.width_at(i) > 8) {
+      writer.append(code >> 8, coded.width_at(i) - 8);
+    } else {
+      writer.append(code, coded.width_at(i));
+    }
+  }
+  std::reverse(next, writer.finish());
 }
 
 /// The record's first byte and the cover; returns what follows.
-std::uint8_t* write_head(unsigned opcode, CoverKind kind, const CoveredCells& tile, std::uint8_t* next) {
+std::uint8_t* write_head(Opcode opcode, CoverKind kind, const Cover& cover, const CoveredCells& tile,
+                         std::uint8_t* next) {
   *next++ = first_byte(opcode, kind);
-  write_cover(kind, tile.cover, tile.width, tile.height, next);
+  write_cover(kind, cover, tile.width, tile.height, next);
   return next + cover_bytes(kind, tile.height);
+}
+
+// Each of these writes a record that is shorter than the raw cells and returns its size, or 0 if it cannot. They stay
+// apart, so that the stack holds what one of them needs, not the sum.
+
+[[gnu::noinline]] std::uint32_t write_as_plane(const CoveredCells& tile, CoverKind kind, std::uint8_t* record) {
+  const auto plane = fit_plane(tile);
+  if (!plane) return 0;
+  const std::uint32_t bytes = 1 + cover_bytes(kind, tile.height) + plane->form->bytes;
+  if (bytes >= raw_bytes(tile)) return 0;
+  write_plane(*plane, write_head(kPlane + plane->more_fraction, kind, tile.cover, tile, record));
+  return bytes;
+}
+
+[[gnu::noinline]] std::uint32_t write_as_two_planes(const CoveredCells& tile, std::uint8_t* record) {
+  const auto planes = fit_two_planes(tile);
+  if (!planes) return 0;
+  const CoverKind split = cover_kind(planes->cover, tile.width, tile.height);
+  const std::uint32_t bytes = 1 + cover_bytes(split, tile.height) + planes->bytes();
+  if (bytes >= raw_bytes(tile)) return 0;
+  write_two_planes(*planes, write_head(kTwoPlanes, split, planes->cover, tile, record));
+  return bytes;
+}
+
+[[gnu::noinline]] std::uint32_t write_as_codes(const CoveredCells& tile, CoverKind kind, std::uint8_t* record) {
+  Coded best = code_offsets(tile);
+  for (const Opcode predictor : {kDown, kAlong, kColumn}) {
+    const Coded other = code_residuals(tile, predictor);
+    if (other.bytes < best.bytes) best = other;
+  }
+  const std::uint32_t bytes = 1 + cover_bytes(kind, tile.height) + best.bytes;
+  if (bytes >= raw_bytes(tile)) return 0;
+  write_codes(best, write_head(best.opcode, kind, tile.cover, tile, record));
+  return bytes;
 }
 
 }  // namespace
@@ -223,31 +236,15 @@ std::uint32_t encode_depth_tile(const TileView<const std::uint16_t>& view,
   bool any = false;
   for (const std::uint8_t row : tile.cover) any = any || row != 0;
   if (!any) return 0;
-  auto* const first = reinterpret_cast<std::uint8_t*>(record.data());
-  const std::uint32_t raw_bytes = 2 * view.area();
+  auto* const bytes = reinterpret_cast<std::uint8_t*>(record.data());
   const CoverKind kind = cover_kind(tile.cover, tile.width, tile.height);
-  const std::uint32_t head_bytes = 1 + cover_bytes(kind, tile.height);
-
-  if (const auto plane = fit_plane(tile); plane && head_bytes + plane->form->bytes < raw_bytes) {
-    write_plane(*plane, write_head(kPlane + plane->more_fraction, kind, tile, first));
-    return head_bytes + plane->form->bytes;
+  if (const std::uint32_t size = write_as_plane(tile, kind, bytes)) return size;
+  if (kind == CoverKind::all) {
+    if (const std::uint32_t size = write_as_two_planes(tile, bytes)) return size;
   }
-  const Offsets offsets = measure_offsets(tile);
-  Residuals best = measure_residuals(tile, kDown);
-  for (const Opcode predictor : {kAlong, kColumn}) {
-    const Residuals other = measure_residuals(tile, predictor);
-    if (other.bytes < best.bytes) best = other;
-  }
-  if (head_bytes + std::min(best.bytes, offsets.bytes) >= raw_bytes) {
-    write_raw(tile, first);
-    return raw_bytes;
-  }
-  if (offsets.bytes <= best.bytes) {
-    write_offsets(tile, offsets, write_head(kOffset + offsets.width, kind, tile, first));
-    return head_bytes + offsets.bytes;
-  }
-  write_residuals(tile, best, write_head(best.predictor, kind, tile, first), first + head_bytes + best.bytes);
-  return head_bytes + best.bytes;
+  if (const std::uint32_t size = write_as_codes(tile, kind, bytes)) return size;
+  write_raw(tile, bytes);
+  return raw_bytes(tile);
 }
 
 }  // namespace zstrip

@@ -10,14 +10,14 @@
 namespace zstrip::detail {
 
 /// Bits 2..7 of a record's first byte; bits 0..1 are the CoverKind.
-enum Opcode : std::uint8_t {
-  kPlane = 0,    ///< 0..7: + slope fraction bits beyond those of the start
-  kAlong = 8,    ///< residuals of a row's linear continuation
-  kDown = 9,     ///< residuals of left + up - upleft
-  kColumn = 10,  ///< residuals of a column's linear continuation
-  kOffset = 16,  ///< 16..31: + bits of a cell's offset from the least one
-};
-constexpr std::uint8_t first_byte(unsigned opcode, CoverKind kind) {
+using Opcode = std::uint32_t;
+inline constexpr Opcode kPlane = 0;       ///< 0..7: + slope fraction bits beyond those of the start
+inline constexpr Opcode kAlong = 8;       ///< residuals of a row's linear continuation
+inline constexpr Opcode kDown = 9;        ///< residuals of left + up - upleft
+inline constexpr Opcode kColumn = 10;     ///< residuals of a column's linear continuation
+inline constexpr Opcode kTwoPlanes = 11;  ///< one for the cover, one for all other cells
+inline constexpr Opcode kOffset = 16;     ///< 17..31: + written width of the cells' offsets from one value
+constexpr std::uint8_t first_byte(Opcode opcode, CoverKind kind) {
   return static_cast<std::uint8_t>(opcode << 2 | static_cast<unsigned>(kind));
 }
 
@@ -27,9 +27,13 @@ struct PlaneForm {
 };
 inline constexpr std::array<PlaneForm, 3> kPlaneForms{{{5, 2, 11}, {6, 4, 14}, {8, 8, 20}}};
 
-/// Widths of a row's codes: 0..14, and the last one for codes of 16 bits. In rows of 1 to 14 bits the most negative
-/// code means that the residual stands among the literals.
-inline constexpr std::uint32_t kLiteralWidth = 15;
-constexpr std::int32_t escape_code(std::uint32_t width) { return -(std::int32_t{1} << (width - 1)); }
+/// Widths of codes are written in four bits: 0..14 as they are, 16 as 15.
+inline constexpr std::uint32_t kWidthOf16 = 15;
+constexpr std::uint32_t code_bits(std::uint32_t written) { return written == kWidthOf16 ? 16 : written; }
+
+/// Before `codes` codes: the start and, but for offsets, which have one width, a width for each eight of them.
+constexpr std::uint32_t code_head_bytes(Opcode opcode, std::uint32_t codes) {
+  return 2 + (opcode < kOffset ? (codes + 15) / 16 : 0);
+}
 
 }  // namespace zstrip::detail

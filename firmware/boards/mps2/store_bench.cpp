@@ -1,6 +1,6 @@
-// Measures the depth store on the z-buffers of built-in scenes: for each scene and kind of record one line of JSON with
-// how many tiles and cells there are of it, and how many instructions encoding and decoding take for 100 cells. Exit
-// status: 0 done, 1 anything else.
+// Measures the stores on z-buffers and pictures of built-in scenes, and on noise: for each scene and kind of record one
+// line of JSON with how many tiles and cells there are of it, and how many instructions encoding and decoding take for
+// 100 cells. Exit status: 0 done, 1 anything else.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,8 +10,9 @@
 #include "cortex_m/console.hpp"
 #include "mps2/instruction_counter.hpp"
 #include "zstrip/frame/renderer.hpp"
+#include "zstrip/store/colour_store.hpp"
 #include "zstrip/store/depth_record.hpp"
-#include "zstrip/store/depth_tile.hpp"
+#include "zstrip/store/depth_store.hpp"
 #include "zstrip_scenes/knot.hpp"
 #include "zstrip_scenes/random.hpp"
 #include "zstrip_scenes/room.hpp"
@@ -30,16 +31,36 @@ constexpr std::uint32_t kRepeats = 8;  // of one tile in a region, because the c
 /// Holds the arena, and behind it the pixels.
 alignas(zstrip::kArenaAlignment) std::byte memory[4'000'000 - 65536];
 
-enum Kind : std::uint8_t { kCleared, kRaw, kPlaneKind, kResiduals, kOffsets, kKinds };
-constexpr const char* kNames[kKinds] = {"cleared", "raw", "plane", "residuals", "offsets"};
+enum Kind : std::uint8_t {
+  kCleared,
+  kRaw,
+  kPlaneKind,
+  kTwoPlanesKind,
+  kResiduals,
+  kOffsets,
+  kOneColour,
+  kRawColour,
+  kPalette,
+  kDifferences,
+  kKinds
+};
+constexpr const char* kNames[kKinds] = {"cleared", "raw",        "plane",      "two planes", "residuals",
+                                        "offsets", "one colour", "raw colour", "palette",    "differences"};
 
-Kind kind_of(std::span<const std::byte> record, std::uint32_t area) {
+Kind kind_of_depth(std::span<const std::byte> record, std::uint32_t area) {
   using namespace zstrip::detail;
   if (record.empty()) return kCleared;
   if (record.size() == 2 * area) return kRaw;
   const unsigned opcode = std::to_integer<unsigned>(record[0]) >> 2;
   if (opcode >= kOffset) return kOffsets;
+  if (opcode == kTwoPlanes) return kTwoPlanesKind;
   return opcode >= kAlong ? kResiduals : kPlaneKind;
+}
+
+Kind kind_of_colour(std::span<const std::byte> record, std::uint32_t area) {
+  if (record.size() <= 2) return kOneColour;
+  if (record.size() == 2 * area) return kRawColour;
+  return std::to_integer<unsigned>(record[0]) >= 0x80 ? kDifferences : kPalette;
 }
 
 struct Measured {
@@ -49,13 +70,14 @@ struct Measured {
 /// Of records that speak of all cells, and of those with a cover.
 using Results = std::array<std::array<Measured, 2>, kKinds>;
 
-void measure_tile(const zstrip::TileView<const std::uint16_t>& tile, InstructionCounter& counter, Results& results) {
+void measure_tile(const zstrip::detail::TileCodec& codec, const zstrip::TileView<const std::uint16_t>& tile,
+                  InstructionCounter& counter, Results& results) {
   static std::array<std::byte, zstrip::kLargestTileRecord> record;
   static std::array<std::uint16_t, zstrip::kTileCells> cells;
   std::uint32_t size = 0;
   counter.reset();
   counter.resume();
-  for (std::uint32_t i = 0; i < kRepeats; ++i) size = zstrip::encode_depth_tile(tile, record);
+  for (std::uint32_t i = 0; i < kRepeats; ++i) size = codec.encode(tile, record);
   counter.pause();
   const std::uint64_t encoding = counter.instructions();
   const auto bytes = std::span<const std::byte>(record).first(size);
@@ -63,12 +85,14 @@ void measure_tile(const zstrip::TileView<const std::uint16_t>& tile, Instruction
   bool good = true;
   counter.reset();
   counter.resume();
-  for (std::uint32_t i = 0; i < kRepeats; ++i) good = zstrip::decode_depth_tile(bytes, decoded) && good;
+  for (std::uint32_t i = 0; i < kRepeats; ++i) good = codec.decode(bytes, decoded) && good;
   counter.pause();
   if (!good) print("a record cannot be decoded\n");
 
-  const Kind kind = kind_of(bytes, tile.area());
-  const bool covered = kind >= kPlaneKind && (std::to_integer<unsigned>(record[0]) & 3U) != 0;
+  const bool depth = &codec == &zstrip::detail::kDepthCodec;
+  const Kind kind = depth ? kind_of_depth(bytes, tile.area()) : kind_of_colour(bytes, tile.area());
+  const bool covered =
+      depth && kind >= kPlaneKind && kind != kTwoPlanesKind && (std::to_integer<unsigned>(record[0]) & 3U) != 0;
   Measured& measured = results[kind][covered ? 1 : 0];
   ++measured.tiles;
   measured.cells += tile.area();
@@ -82,6 +106,53 @@ void print_member(const char* name, std::uint64_t value) {
   print(name);
   print("\": ");
   print_decimal(value);
+}
+
+void print_results(const char* name, const Results& results) {
+  for (std::uint32_t kind = 0; kind < kKinds; ++kind) {
+    for (std::uint32_t covered = 0; covered < 2; ++covered) {
+      const Measured& measured = results[kind][covered];
+      if (measured.tiles == 0) continue;
+      print("{\"target\": \"" ZSTRIP_TARGET "\", \"scene\": \"");
+      print(name);
+      print("\", \"kind\": \"");
+      print(kNames[kind]);
+      print(covered != 0 ? " with a cover\"" : "\"");
+      print_member("tiles", measured.tiles);
+      print_member("cells", measured.cells);
+      print_member("bytes", measured.bytes);
+      print_member("encode_per_100_cells", measured.encoding * 100 / kRepeats / measured.cells);
+      print_member("decode_per_100_cells", measured.decoding * 100 / kRepeats / measured.cells);
+      print("}\n");
+    }
+  }
+}
+
+/// Each tile of a picture, whose rows are `stride` apart.
+void measure_tiles(const zstrip::detail::TileCodec& codec, const std::uint16_t* cells, std::uint32_t stride,
+                   const zstrip::TileGrid& grid, InstructionCounter& counter, Results& results) {
+  for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
+    const std::uint32_t tx = tile % grid.columns(), ty = tile / grid.columns();
+    measure_tile(codec,
+                 {cells + (ty * stride + tx) * zstrip::kTileSide, stride, grid.tile_width(tx), grid.tile_height(ty)},
+                 counter, results);
+  }
+}
+
+/// Noise, which no record but the cells themselves can hold.
+void run_noise() {
+  static std::array<std::uint16_t, 64 * zstrip::kTileCells> cells;
+  std::uint32_t random = 1;
+  for (std::uint16_t& cell : cells) {
+    random = random * 1664525 + 1013904223;
+    cell = static_cast<std::uint16_t>(random >> 16 | 1);
+  }
+  InstructionCounter counter;
+  Results results{};
+  for (const auto* codec : {&zstrip::detail::kDepthCodec, &zstrip::detail::kColourCodec}) {
+    measure_tiles(*codec, cells.data(), 64, {64, 64}, counter, results);
+  }
+  print_results("noise", results);
 }
 
 template <const zstrip::scenes::BuiltIn& built_in>
@@ -104,29 +175,12 @@ bool run() {
     if (!renderer.draw_strip(0, std::span(memory + plan.bytes(), plan.strip_pixel_bytes(kView)))) return false;
     const zstrip::Rect area = renderer.frame().depth_area();
     const zstrip::TileGrid grid{static_cast<std::uint32_t>(area.width()), static_cast<std::uint32_t>(area.height())};
-    for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
-      const std::uint32_t tx = tile % grid.columns(), ty = tile / grid.columns();
-      const std::uint16_t* const cells = renderer.frame().depth() + (ty * grid.width + tx) * zstrip::kTileSide;
-      measure_tile({cells, grid.width, grid.tile_width(tx), grid.tile_height(ty)}, counter, results);
-    }
+    measure_tiles(zstrip::detail::kDepthCodec, renderer.frame().depth(), grid.width, grid, counter, results);
+    const auto* const pixels = reinterpret_cast<const std::uint16_t*>(memory + plan.bytes());
+    const auto corner = static_cast<std::uint32_t>(area.top) * kView.width + static_cast<std::uint32_t>(area.left);
+    measure_tiles(zstrip::detail::kColourCodec, pixels + corner, kView.width, grid, counter, results);
   }
-  for (std::uint32_t kind = 0; kind < kKinds; ++kind) {
-    for (std::uint32_t covered = 0; covered < 2; ++covered) {
-      const Measured& measured = results[kind][covered];
-      if (measured.tiles == 0) continue;
-      print("{\"target\": \"" ZSTRIP_TARGET "\", \"scene\": \"");
-      print(built_in.name);
-      print("\", \"kind\": \"");
-      print(kNames[kind]);
-      print(covered != 0 ? " with a cover\"" : "\"");
-      print_member("tiles", measured.tiles);
-      print_member("cells", measured.cells);
-      print_member("bytes", measured.bytes);
-      print_member("encode_per_100_cells", measured.encoding * 100 / kRepeats / measured.cells);
-      print_member("decode_per_100_cells", measured.decoding * 100 / kRepeats / measured.cells);
-      print("}\n");
-    }
-  }
+  print_results(built_in.name, results);
   return true;
 }
 
@@ -137,5 +191,6 @@ int main() {
     print("store bench: the timer does not count instructions; run QEMU with -icount shift=0\n");
     return 1;
   }
+  run_noise();
   return run<zstrip::scenes::room>() && run<zstrip::scenes::knot>() && run<zstrip::scenes::random10k>() ? 0 : 1;
 }

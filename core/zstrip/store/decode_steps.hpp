@@ -1,0 +1,28 @@
+// Steps that the decoders of records share.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/store/tile.hpp"
+
+namespace zstrip::detail {
+
+/// For each cell of a row, `step(x)`; unrolled where the row is whole.
+template <typename Step>
+[[gnu::always_inline]] inline void for_row(std::uint32_t width, Step step) {
+  if (width == kTileSide) {
+    step(0), step(1), step(2), step(3), step(4), step(5), step(6), step(7);
+  } else {
+    for (std::uint32_t x = 0; x < width; ++x) step(x);
+  }
+}
+
+/// Makes the compiler compute a chain of values one after the other. Left alone it computes them side by side, which
+/// takes more registers than Thumb-1 has and twice the time.
+[[gnu::always_inline]] inline void in_order(std::uint32_t& value) { asm("" : "+r"(value)); }
+
+[[gnu::always_inline]] inline std::uint32_t little_endian(const std::uint8_t* bytes) {
+  return bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 | std::uint32_t{bytes[3]} << 24;
+}
+
+}  // namespace zstrip::detail

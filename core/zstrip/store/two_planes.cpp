@@ -1,0 +1,133 @@
+// From the corner whose row and column continue linearly for the longest, a first plane is guessed, and a second one
+// from another corner. If hardly a cell is far from both, the cells near the first guess are fitted exactly; what that
+// plane does not give is left to the second one.
+#include "zstrip/store/two_planes.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace zstrip::detail {
+namespace {
+
+/// Of slopes here: divisible by all distances in a tile, so that no division is needed.
+constexpr std::int32_t kScale = 840;
+constexpr std::array<std::int32_t, kTileSide> kReciprocal{0, 840, 420, 280, 210, 168, 140, 120};
+/// How far from the guess a cell of the first plane may lie. With more, cells of the second one spoil the fit.
+constexpr std::int32_t kNear = kScale;
+/// Cells far from both guesses with which a fit may still succeed.
+constexpr std::uint32_t kMostStrays = 8;
+
+/// The cells from one on in equal steps, as far as they can be a plane's.
+struct Run {
+  std::uint32_t length = 1;
+  std::int32_t slope = 0;  ///< a step, times kScale
+
+  Run(const std::uint16_t* cell, std::ptrdiff_t step, std::uint32_t most) {
+    const std::int32_t first = *cell;
+    std::int32_t least = INT32_MIN, greatest = INT32_MAX;
+    for (; length < most; ++length) {
+      cell += step;
+      const std::int32_t low = std::max(least, (*cell - first - 1) * kReciprocal[length]);
+      const std::int32_t high = std::min(greatest, (*cell - first + 1) * kReciprocal[length]);
+      if (low >= high) break;  // both bounds are open
+      least = low;
+      greatest = high;
+    }
+    if (length > 1) slope = (least + greatest) / 2;
+  }
+};
+
+struct Guess {
+  std::int32_t start = 0, slope_x = 0, slope_y = 0;  ///< at the tile's first cell; times kScale
+  std::uint32_t area = 0;
+  std::uint32_t corner_x = 0, corner_y = 0;
+
+  /// From the corner in the last column or the last row, or the first ones.
+  Guess(const CoveredCells& tile, bool right, bool bottom) {
+    const std::uint32_t x = right ? tile.width - 1 : 0, y = bottom ? tile.height - 1 : 0;
+    const std::uint16_t* const corner = tile.cells.data() + y * kTileSide + x;
+    const auto down = static_cast<std::ptrdiff_t>(kTileSide);
+    const Run row(corner, right ? -1 : 1, tile.width), column(corner, bottom ? -down : down, tile.height);
+    area = row.length * column.length;
+    corner_x = x;
+    corner_y = y;
+    slope_x = right ? -row.slope : row.slope;
+    slope_y = bottom ? -column.slope : column.slope;
+    start = *corner * kScale - slope_x * static_cast<std::int32_t>(x) - slope_y * static_cast<std::int32_t>(y);
+  }
+};
+
+/// The cells near a guess.
+Cover near(const CoveredCells& tile, const Guess& guess) {
+  Cover cover{};
+  std::int32_t row_start = guess.start;
+  for (std::uint32_t y = 0; y < tile.height; ++y, row_start += guess.slope_y) {
+    std::int32_t value = row_start;
+    for (std::uint32_t x = 0; x < tile.width; ++x, value += guess.slope_x) {
+      const std::int32_t distance = tile.cells[y * kTileSide + x] * kScale - value;
+      if (distance <= kNear && distance >= -kNear) cover[y] = static_cast<std::uint8_t>(cover[y] | 1U << x);
+    }
+  }
+  return cover;
+}
+
+/// The best guess of those from corners that `cover` does not have; nullptr if it has all.
+const Guess* best_outside(const std::array<Guess, 4>& guesses, const Cover& cover) {
+  const Guess* best = nullptr;
+  for (const Guess& guess : guesses) {
+    if ((cover[guess.corner_y] >> guess.corner_x & 1) != 0) continue;
+    if (best == nullptr || guess.area > best->area) best = &guess;
+  }
+  return best;
+}
+
+/// Cells that are in neither cover.
+std::uint32_t cells_outside(const CoveredCells& tile, const Cover& a, const Cover& b) {
+  std::uint32_t cells = 0;
+  for (std::uint32_t y = 0; y < tile.height; ++y) {
+    cells += static_cast<std::uint32_t>(std::popcount(static_cast<std::uint8_t>(tile.cover[y] & ~(a[y] | b[y]))));
+  }
+  return cells;
+}
+
+/// The cells that a plane gives exactly, as the decoder computes them.
+Cover given(const CoveredCells& tile, const FittedPlane& plane) {
+  const std::uint32_t up = 16U - plane.form->start_fraction, slope_up = up - plane.more_fraction;
+  const std::uint32_t step_x = static_cast<std::uint32_t>(plane.slope_x) << slope_up;
+  const std::uint32_t step_y = static_cast<std::uint32_t>(plane.slope_y) << slope_up;
+  std::uint32_t row_start = plane.start << up;
+  Cover cover{};
+  for (std::uint32_t y = 0; y < tile.height; ++y, row_start += step_y) {
+    std::uint32_t value = row_start;
+    for (std::uint32_t x = 0; x < tile.width; ++x, value += step_x) {
+      if (value >> 16 == tile.cells[y * kTileSide + x]) cover[y] = static_cast<std::uint8_t>(cover[y] | 1U << x);
+    }
+  }
+  return cover;
+}
+
+bool is_empty(const Cover& cover) {
+  return std::all_of(cover.begin(), cover.end(), [](std::uint8_t row) { return row == 0; });
+}
+
+}  // namespace
+
+std::optional<TwoPlanes> fit_two_planes(const CoveredCells& tile) {
+  const std::array<Guess, 4> guesses{Guess{tile, false, false}, Guess{tile, true, false}, Guess{tile, false, true},
+                                     Guess{tile, true, true}};
+  CoveredCells part = tile;
+  part.cover = near(tile, *best_outside(guesses, Cover{}));
+  const Guess* const second = best_outside(guesses, part.cover);
+  if (second == nullptr || cells_outside(tile, part.cover, near(tile, *second)) > kMostStrays) return std::nullopt;
+  const auto first = fit_plane(part);
+  if (!first) return std::nullopt;
+  TwoPlanes found{given(tile, *first), *first, {}};
+  for (std::uint32_t y = 0; y < tile.height; ++y) part.cover[y] = tile.cover[y] ^ found.cover[y];
+  if (is_empty(part.cover)) return std::nullopt;
+  const auto others = fit_plane(part);
+  if (!others) return std::nullopt;
+  found.others = *others;
+  return found;
+}
+
+}  // namespace zstrip::detail
