@@ -21,7 +21,6 @@ constexpr std::uint16_t kRed = 0xF800, kBlue = 0x001F;
 /// same and larger than its triangles, so that no code is at an end of the range.
 class Layers {
  public:
-
   /// Corners on the sub-pixel lattice, if the camera is orthographic.
   Layers& add(const std::vector<Corners2>& triangles, const std::vector<std::array<int, 3>>& z,
               const Material& material, Colour colour) {

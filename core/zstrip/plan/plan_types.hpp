@@ -1,0 +1,95 @@
+// What the planner takes and gives: counts of a scene, a budget, and the plan.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/base/status.hpp"
+#include "zstrip/scene/view.hpp"
+
+namespace zstrip {
+
+/// What a plan needs to know of a scene.
+struct SceneCounts {
+  std::uint32_t instances = 0;
+  std::uint32_t triangles = 0;        ///< of all instances
+  std::uint32_t vertices = 0;         ///< of all instances
+  std::uint32_t largest_meshlet = 0;  ///< most vertices that one meshlet uses
+  std::uint32_t meshlets = 0;         ///< of all instances; a mesh without any counts as one
+  std::uint32_t longest_meshlet = 0;  ///< most triangles in one meshlet
+};
+
+enum class Mode : std::uint8_t {
+  streamed,  ///< strips transform the meshlets that touch them again: least memory
+  binned,    ///< geometry is transformed once, triangles wait in a list for each strip: least time
+};
+
+/// Which modes the planner may choose from; `any` is both where the effects have effect::bins.
+enum class Modes : std::uint8_t { any, streamed, binned };
+
+/// What the caller allows. Zero means: the planner decides.
+struct Budget {
+  std::uint32_t bytes = 0;          ///< at most, for the arena and `strip_buffers`; 0 is kLargestArena
+  std::uint16_t strip_rows = 0;     ///< rows of a strip; 0 is as many as are fastest
+  std::uint16_t strip_columns = 0;  ///< pixels of a strip's row: a multiple of 8, or the view's width; 0: the width,
+                                    ///< or what is fastest if `split_columns`
+  bool split_columns = false;       ///< the display takes rectangles that are narrower than the picture
+  std::uint8_t strip_buffers = 0;   ///< buffers of strip_pixel_bytes() that `bytes` has to hold, too: 0 .. 2
+  Modes modes = Modes::any;
+};
+
+inline constexpr std::uint32_t kArenaAlignment = 8;
+inline constexpr std::uint32_t kLargestArena = 0xFFFFFFF0;  ///< bytes; needs beyond it are refused
+
+struct Plan {
+  Mode mode = Mode::streamed;
+  std::uint16_t strip_rows = 0;
+  std::uint16_t strip_columns = 0;  ///< the view's width where strips are not split
+  std::uint16_t strips = 0;         ///< row by row, from left to right
+  std::uint32_t instance_bytes = 0;
+  std::uint32_t extent_bytes = 0;  ///< which strips a meshlet touches; none for a single strip
+  std::uint32_t vertex_bytes = 0;
+  std::uint32_t depth_bytes = 0;
+  std::uint32_t colour_bytes = 0;  ///< RGB565 working strip; only for formats that are not drawn in place
+  std::uint32_t bin_bytes = 0;
+  /// The arena. It must be aligned to kArenaAlignment. Of a plan that `plan` returned never more than kLargestArena.
+  constexpr std::uint32_t bytes() const {
+    const std::uint64_t sum = wide_bytes();
+    return sum > kLargestArena ? kLargestArena : static_cast<std::uint32_t>(sum);
+  }
+  /// The same without a limit, for plans from elsewhere.
+  constexpr std::uint64_t wide_bytes() const {
+    return std::uint64_t{instance_bytes} + extent_bytes + vertex_bytes + depth_bytes + colour_bytes + bin_bytes;
+  }
+  /// The caller's pixel buffer for one strip.
+  constexpr std::uint32_t strip_pixel_bytes(const View& view) const {
+    return strip_rows * bytes_per_row(strip_columns, view.format);
+  }
+  /// Strips side by side, and one below the other.
+  constexpr std::uint32_t columns_of_strips(const View& view) const {
+    return (std::uint32_t{view.width} + strip_columns - 1U) / strip_columns;
+  }
+  constexpr std::uint32_t rows_of_strips(const View& view) const {
+    return (std::uint32_t{view.height} + strip_rows - 1U) / strip_rows;
+  }
+  /// The pixels of a strip in the picture; the last ones of a row or column may be smaller. Its pixels lie without
+  /// gaps: a row has bytes_per_row(area.width(), format) bytes.
+  constexpr Rect strip_area(std::uint16_t strip, const View& view) const {
+    const std::uint32_t across = columns_of_strips(view);
+    const std::uint32_t left = strip % across * strip_columns;
+    const std::uint32_t top = strip / across * strip_rows;
+    const std::uint32_t right = left + strip_columns < view.width ? left + strip_columns : view.width;
+    const std::uint32_t bottom = top + strip_rows < view.height ? top + strip_rows : view.height;
+    return {static_cast<std::int32_t>(left), static_cast<std::int32_t>(top), static_cast<std::int32_t>(right),
+            static_cast<std::int32_t>(bottom)};
+  }
+};
+
+/// `status` says whether `plan` is valid: then it is the one of least estimated_cost that fits. If not, what is missing
+/// (Error::arena_too_small with the bytes that the smallest possible plan needs, the limit, and the purpose that takes
+/// the most of them), and `plan` is that smallest one.
+struct PlanResult {
+  Status status;
+  Plan plan;
+};
+
+}  // namespace zstrip
