@@ -107,6 +107,13 @@ TEST(Budget, StackOfRecursionHasNoBound) {
   EXPECT_EQ(bound("00000040 <root>:\n      40:\tpush\t{lr}\n      42:\tbl\t46 <root+0x6>\n      46:\tnop\n"), 4U);
 }
 
+// Regression: zeros that align the next function read as `movs r0, r0`, behind which a function seemed to go on.
+TEST(Budget, ZerosBehindAReturnDoNotLeadIntoTheNextFunction) {
+  EXPECT_EQ(bound("00000040 <root>:\n      40:\tpop\t{r4, pc}\n      42:\tmovs\tr0, r0\n"
+                  "00000048 <next>:\n      48:\tbl\t40 <root>\n"),
+            0U);
+}
+
 TEST(Budget, StackBehindPointersIsThatOfAnyFunctionWithAnAddress) {
   const std::string_view text =
       "00000040 <root>:\n      40:\tpush\t{lr}\n      42:\tblx\tr3\n"

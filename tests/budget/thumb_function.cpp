@@ -142,7 +142,8 @@ bool is_veneer(const std::string& mnemonic, const std::string& operands) {
 bool falls_through(const ThumbFunction& function) {
   for (std::size_t at = function.instructions.size(); at-- > 0;) {
     const auto& [address, mnemonic, operands] = function.instructions[at];
-    if (mnemonic.empty() || mnemonic == "nop") continue;  // data, and what aligns it
+    // Data, and what aligns it: also zeros, which read as an instruction.
+    if (mnemonic.empty() || mnemonic == "nop" || (mnemonic == "movs" && operands == "r0, r0")) continue;
     if (mnemonic == "b" || mnemonic == "bx" || mnemonic == "udf" || is_call(mnemonic)) return false;
     const bool loads_pc = operands.starts_with("pc, ") || operands.ends_with("pc}");
     return !loads_pc;

@@ -38,7 +38,7 @@ class Frame {
   const Rect& depth_area() const { return depth_area_; }
 
   /// Whether depth() holds 16-bit codes of which 0 alone is cleared: not with 32-bit formats or sub-ranges.
-  bool has_plain_depth() const { return has_plain_depth_; }
+  bool has_plain_depth() const { return !has_special_depth_; }
 
   struct Access;  // the pipeline's way in
 
@@ -54,7 +54,7 @@ class Frame {
   detail::StripGrid grid_{};
   detail::Bins bins_{};
   Mode mode_ = Mode::streamed;
-  bool has_plain_depth_ = true;
+  bool has_special_depth_ = false;  // all members start as zeros: a static renderer takes no flash
   std::uint32_t bin_overflows_ = 0;
   detail::CompiledInstance* instances_ = nullptr;
   detail::Extent* extents_ = nullptr;  ///< one a meshlet; null for a single streamed strip

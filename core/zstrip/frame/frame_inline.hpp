@@ -291,7 +291,7 @@ struct Frame::Access {
     frame.view_ = view;
     frame.plan_ = plan;
     frame.mode_ = plan.mode;
-    frame.has_plain_depth_ = !has_own_clear(effects);
+    frame.has_special_depth_ = has_own_clear(effects);
     frame.statistics_ = {};
     lay_out_arena(frame, arena);
     if constexpr (effects.has(effect::depth_ranges)) {

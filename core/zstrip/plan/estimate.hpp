@@ -6,7 +6,7 @@
 namespace zstrip {
 namespace detail {
 
-/// Instructions on a Cortex-M3, measured on workload K5; docs/performance.md.
+/// Instructions on a Cortex-M3, rounded from counts of the knot in different strips.
 inline constexpr std::uint64_t kCostOfVertex = 70;
 inline constexpr std::uint64_t kCostOfCulling = 25;  // a triangle, facing either way
 inline constexpr std::uint64_t kCostOfBinning = 90;  // a triangle in a strip's list
