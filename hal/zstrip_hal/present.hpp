@@ -56,7 +56,7 @@ auto present(Renderer& renderer, Panel& display, const StripLayout& layout, cons
   const std::uint16_t height = display.height();
   const std::uint16_t columns = layout.columns == 0 ? width : layout.columns;
   const auto parts = [](std::uint32_t whole, std::uint32_t part) { return (whole + part - 1) / part; };
-  if (layout.rows == 0 || columns == 0 || columns > width ||
+  if (layout.rows == 0 || layout.rows > height || columns == 0 || columns > width ||
       layout.count != parts(width, columns) * parts(height, layout.rows)) {
     result.display = Error::strip_layout;
     return result;

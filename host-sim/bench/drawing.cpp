@@ -17,6 +17,10 @@ Result<Drawing> Drawing::prepare(const BenchCase& bench_case) {
                    fmt::format("{} needs {}, most of them for {}, and --ram allows {}", bench_case.workload,
                                counted(status.needed, "byte"), name(status.purpose), grouped(status.available))};
   }
+  if (status.error == Error::unplannable) {
+    return Failure{ExitStatus::usage, fmt::format("{} cannot be planned: {}; ask for larger strips",
+                                                  bench_case.workload, message(status.error))};
+  }
   if (!status) {
     return Failure{ExitStatus::usage,
                    fmt::format("{} cannot be planned: {} ({} given, at most {})", bench_case.workload,

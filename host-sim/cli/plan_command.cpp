@@ -62,6 +62,7 @@ Result<Done> run(const Arguments& arguments) {
   if (!request) return request.failure();
   const Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, UpAxis::plus_y, {}, request->view, 1);
   if (!stage) return stage.failure();
+  for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   const Result<Staging> staging = (*stage)->place(0, 1);
   if (!staging) return staging.failure();
   const Result<PlanChoice> choice = choose_plan(*staging, *request);

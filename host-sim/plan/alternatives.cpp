@@ -64,33 +64,39 @@ class Planning {
   Effects effects_;
 };
 
-/// The least that has to be changed of what was asked for: named in the message of a failure.
-std::string cheapest_change(const Planning& planning, const Budget& budget, const View& view) {
-  const auto needed_with = [&](Budget changed) {
-    changed.bytes = 1;
-    return planning.plan(changed).status.needed;
+/// The least that has to be changed of what was asked for, one option after the other until something fits.
+std::string cheapest_change(const Planning& planning, const Budget& asked, const View& view) {
+  Budget changed = asked;
+  std::string words;
+  const auto fits_with = [&](const char* option) {
+    words += (words.empty() ? "" : " ") + std::string(option);
+    return static_cast<bool>(planning.plan(changed).status);
   };
-  struct Change {
-    std::string words;
-    Budget budget;
-  };
-  std::vector<Change> changes;
-  Budget changed = budget;
-  changed.strip_rows = 0;
-  if (budget.strip_rows != 0) changes.push_back({"--strip-rows auto", changed});
-  changed.strip_columns = 0;
-  changed.split_columns = true;
-  if (!budget.split_columns || budget.strip_columns != 0) changes.push_back({"--split-columns", changed});
-  if (budget.strip_buffers > 1) {
+  const auto would_fit = [&] { return fmt::format("{} would fit", words); };
+  if (changed.modes == Modes::binned) {
+    changed.modes = Modes::any;
+    if (fits_with("--mode any")) return would_fit();
+  }
+  if (changed.strip_rows != 0) {
+    changed.strip_rows = 0;
+    if (fits_with("--strip-rows auto")) return would_fit();
+  }
+  if (changed.strip_columns != 0) {
+    changed.strip_columns = 0;
+    if (fits_with("--strip-columns auto")) return would_fit();
+  }
+  if (!changed.split_columns) {
+    changed.split_columns = true;
+    if (fits_with("--split-columns")) return would_fit();
+  }
+  if (changed.strip_buffers > 1) {
     changed.strip_buffers = 1;
-    changes.push_back({"--split-columns and --strip-buffers 1", changed});
+    if (fits_with("--strip-buffers 1")) return would_fit();
   }
-  for (const Change& change : changes) {
-    if (needed_with(change.budget) <= budget.bytes) return fmt::format("{} would fit", change.words);
-  }
-  const std::uint32_t least = needed_with(changes.empty() ? budget : changes.back().budget);
+  changed.bytes = 1;
+  const std::uint32_t least = planning.plan(changed).status.needed;
   return fmt::format("no plan for {}x{} fits; the smallest needs {}{}", view.width, view.height, counted(least, "byte"),
-                     changes.empty() ? "" : " (" + changes.back().words + ")");
+                     words.empty() ? "" : " (" + words + ")");
 }
 
 }  // namespace
@@ -105,7 +111,9 @@ Result<PlanChoice> choose_plan(const Staging& staging, const PlanRequest& reques
                                cheapest_change(planning, request.budget, request.view))};
   }
   if (!best.status) {
-    return Failure{ExitStatus::usage, fmt::format("the picture cannot be planned: {}", message(best.status.error))};
+    return Failure{ExitStatus::usage,
+                   fmt::format("the picture cannot be planned: {}{}", message(best.status.error),
+                               best.status.error == Error::unplannable ? "; ask for larger strips" : "")};
   }
   PlanChoice choice{.counts = planning.counts(), .chosen = {}, .curve = {}};
   Result<Alternative> chosen = planning.draw(best.plan);

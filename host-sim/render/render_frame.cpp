@@ -26,7 +26,8 @@ std::span<std::byte> at_least(std::vector<std::uint64_t>& words, std::uint32_t b
 Failure too_little_memory(const Status& status, const Scene& scene, const View& view, Effects effects,
                           const Budget& budget) {
   const SceneCounts counts = count(scene);
-  const std::uint32_t smallest = plan(counts, view, effects, {.bytes = 1}).status.needed;
+  const std::uint32_t smallest =
+      plan(counts, view, effects, {.bytes = 1, .strip_columns = budget.strip_columns}).status.needed;
   std::string advice = fmt::format("--ram {} is the smallest that works", smallest);
   if (budget.strip_rows != 0 && smallest <= budget.bytes)
     advice = "try --strip-rows auto";
@@ -54,6 +55,9 @@ Result<FrameReport> FrameRenderer::render(const Staging& staging) {
   const Effects effects = effects_of(staging.scene, staging.camera) | depth_effect(depth_format_) | effect::bins;
   const auto [status, plan] = zstrip::plan(count(staging.scene), view_, effects, budget_);
   if (status.error == Error::arena_too_small) return too_little_memory(status, staging.scene, view_, effects, budget_);
+  if (status.error == Error::unplannable) {
+    return Failure{ExitStatus::usage, fmt::format("{}; ask for larger strips", message(status.error))};
+  }
   if (!status) return refused("the picture cannot be planned", status);
   return render(staging, plan);
 }

@@ -7,9 +7,11 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <utility>
+#include <vector>
 
 #include "report/frame_record.hpp"
 #include "report/number.hpp"
+#include "report/text.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -46,14 +48,31 @@ std::string millions(std::uint64_t instructions) {
 
 std::string curve(const PlanChoice& choice, const View& view) {
   constexpr std::size_t kWidth = 32;
+  const Alternative& chosen = choice.chosen;
+  std::vector<Alternative> points = choice.curve;
+  if (std::none_of(points.begin(), points.end(),
+                   [&](const Alternative& point) { return point.total_bytes == chosen.total_bytes; })) {
+    points.push_back(chosen);
+    std::stable_sort(points.begin(), points.end(),
+                     [](const Alternative& a, const Alternative& b) { return a.total_bytes < b.total_bytes; });
+  }
   std::uint64_t slowest = 1;
-  for (const Alternative& point : choice.curve) slowest = std::max(slowest, point.instructions);
+  for (const Alternative& point : points) slowest = std::max(slowest, point.instructions);
   std::string text = fmt::format("\n{:>10}  {:<34} {:>12}\n", "bytes", "plan", "instructions");
-  for (const Alternative& point : choice.curve) {
+  for (const Alternative& point : points) {
     const std::size_t length = std::max<std::size_t>(1, kWidth * point.instructions / slowest);
     text += fmt::format("{:>10}  {:<34} {:>12}  {}{}\n", grouped(point.total_bytes), shape(point.plan, view),
                         millions(point.instructions), std::string(length, '#'),
-                        point.total_bytes == choice.chosen.total_bytes ? "  <- this plan" : "");
+                        point.total_bytes == chosen.total_bytes ? "  <- this plan" : "");
+  }
+  // The planner knows counts only; what the frame did may say otherwise.
+  const Alternative* best = &chosen;
+  for (const Alternative& point : points) {
+    if (point.total_bytes < chosen.total_bytes && point.instructions < best->instructions) best = &point;
+  }
+  if (best != &chosen) {
+    text += fmt::format("This scene is drawn faster in {} bytes: allow the planner no more than that.\n",
+                        grouped(best->total_bytes));
   }
   return text;
 }
@@ -78,7 +97,7 @@ Json to_object(const Alternative& alternative) {
 std::string plan_table(const std::string& scene, const PlanRequest& request, const PlanChoice& choice) {
   const Alternative& chosen = choice.chosen;
   std::string text =
-      fmt::format("{}, {}x{} {}: {}, {}, {}\n", scene, request.view.width, request.view.height,
+      fmt::format("{}, {}x{} {}: {}, {}, {}\n", printable(scene), request.view.width, request.view.height,
                   name(request.view.format), counted(choice.counts.triangles, "triangle"),
                   counted(choice.counts.meshlets, "meshlet"), counted(choice.counts.instances, "instance"));
   text += fmt::format("plan: {}{}\n\n", shape(chosen.plan, request.view),

@@ -1,6 +1,8 @@
 // Whole frames through the public interface: invariance, clipping, errors.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include <algorithm>
 #include <vector>
 
@@ -418,6 +420,100 @@ TEST(Frame, PlansOfOtherScenesAreRefused) {
   EXPECT_EQ(refused([](Plan& p) { ++p.strips; }).error, Error::strip_rows);
   Renderer<effect::vertex_colours | effect::gouraud | effect::lighting> without_bins;
   EXPECT_EQ(without_bins.begin_frame(scene, Camera{}, view, good, arena).error, Error::effect_missing);
+}
+
+// Regression: meshlets may share vertices, which bins keep once for each; the plan counted them once, and memory beyond
+// the vertices was overwritten.
+TEST(Frame, BinsHaveRoomForVerticesThatMeshletsShare) {
+  Model model = random_model(13, 22, 20000);
+  model.texels.clear();
+  model.triangles.resize(400, {0, 1, 2});
+  model.positions[0] = {-20000, -20000, 0};
+  model.positions[1] = {20000, -20000, 0};
+  model.positions[2] = {0, 20000, 0};
+  const Scene scene = model.scene();
+  std::vector<Meshlet> meshlets;
+  for (std::uint32_t i = 0; i < 400; ++i) meshlets.push_back({i, 0, 66, 1, 0, {}});
+  model.mesh.meshlets = meshlets;
+  ASSERT_TRUE(validate(scene));
+  const View view{64, 64};
+  const Effects effects = effects_of(scene, Camera{}) | effect::bins;
+  const Plan p = plan(count(scene), view, effects, {.strip_rows = 32, .modes = Modes::binned}).plan;
+  EXPECT_GE(p.vertex_bytes, 400U * 66 * 12);
+  const Drawn binned = draw_with_plan(scene, view, p);
+  EXPECT_EQ(binned.pixels,
+            draw_with_plan(scene, view, plan(count(scene), view, effects, {.strip_rows = 32}).plan).pixels);
+}
+
+// Regression: a sum of vertices or meshlets beyond 32 bits wrapped, and a plan for the small rest was accepted.
+TEST(Plan, CountsDoNotWrap) {
+  std::vector<Position> positions(65535);
+  const Triangle triangle{0, 1, 2};
+  const std::vector<Meshlet> meshlets(65600, Meshlet{0, 0, 65535, 0, 0, {}});
+  Mesh mesh;
+  mesh.positions = positions;
+  mesh.triangles = {&triangle, 1};
+  mesh.meshlets = meshlets;
+  const Material material;
+  const Instance instances[2] = {};
+  Scene scene;
+  scene.meshes = {&mesh, 1};
+  scene.materials = {&material, 1};
+  scene.instances = instances;
+  const SceneCounts counts = count(scene);
+  EXPECT_EQ(counts.vertices, 0xFFFFFFFFU);
+  EXPECT_EQ(counts.meshlets, 131200U);
+  EXPECT_EQ(plan(counts, View{64, 64}, effect::bins, {.modes = Modes::binned}).status.error, Error::unplannable);
+}
+
+// Regression: the planes of the guard band dropped all fraction bits, and close to the camera let coordinates pass that
+// are ten times beyond it.
+TEST(Frame, TheGuardBandHoldsCloseToTheCamera) {
+  using namespace zstrip::detail;
+  Mesh mesh;
+  mesh.half_extent = {4095 * kFixedOne, 4095 * kFixedOne, 4095 * kFixedOne};
+  const Position one{};
+  mesh.positions = {&one, 1};
+  const Material material;
+  Instance instance;
+  for (int i = 0; i < 3; ++i) instance.transform.m[i][i] = 4 * kFixedOne;
+  Scene scene;
+  scene.meshes = {&mesh, 1};
+  scene.materials = {&material, 1};
+  scene.instances = {&instance, 1};
+  Camera camera;
+  camera.eye = {0, 0, 0};
+  camera.near_plane = 1;
+  camera.far_plane = 16384 * kFixedOne;
+  camera.focal = INT32_MAX;
+  const View view{64, 4096};
+  const DepthFit fit = fit_to_scene(scene, camera);
+  CompiledInstance compiled{};
+  ASSERT_TRUE(compile_instance(compiled, scene, instance, camera, view, fit));
+  const RasterOrigin origin = raster_origin(view, fit, false);
+  int corners = 0;
+  for (int x = -3; x <= 3; ++x) {
+    for (int y = -3; y <= 3; ++y) {
+      const Position triangle[3] = {
+          {-1, -1, 2}, {static_cast<std::int16_t>(x), static_cast<std::int16_t>(y), -2}, {1, 0, -2}};
+      ClipPolygon polygon;
+      polygon.count = 3;
+      for (int i = 0; i < 3; ++i) {
+        const auto wide = [&](const LinearForm& form) { return std::int64_t{form.at(triangle[i])} * (1 << kClipBits); };
+        polygon.vertices[i] = {wide(compiled.x), wide(compiled.y), wide(compiled.w), 0, 0, 0, 0, 0};
+      }
+      clip_perspective(polygon, compiled);
+      for (int i = 0; i < polygon.count; ++i) {
+        const WidePosition position = project_wide<false>(compiled, origin, polygon.vertices[i]);
+        // A sixteenth more: what the clipping itself rounds, over the smallest w.
+        constexpr std::int32_t kBand = (1 << kGuardBits) + (1 << (kGuardBits - 4));
+        EXPECT_LE(std::abs(position.x), kBand) << x << ' ' << y;
+        EXPECT_LE(std::abs(position.y), kBand) << x << ' ' << y;
+        ++corners;
+      }
+    }
+  }
+  EXPECT_GT(corners, 20);
 }
 
 }  // namespace

@@ -40,6 +40,9 @@ class Frame {
   /// Whether depth() holds 16-bit codes of which 0 alone is cleared: not with 32-bit formats or sub-ranges.
   bool has_plain_depth() const { return !has_special_depth_; }
 
+  /// Whether `strip` is the one that this frame drew last: whose depth depth() is.
+  bool drew_last(std::uint16_t strip) const { return next_to_last_strip_ == strip + 1U; }
+
   struct Access;  // the pipeline's way in
 
  private:
@@ -53,6 +56,7 @@ class Frame {
   detail::RasterOrigin origin_{};
   detail::StripGrid grid_{};
   detail::Bins bins_{};
+  std::uint32_t next_to_last_strip_ = 0;  ///< one more than the strip drawn last; 0 if none
   Mode mode_ = Mode::streamed;
   bool has_special_depth_ = false;  // all members start as zeros: a static renderer takes no flash
   std::uint32_t bin_overflows_ = 0;

@@ -267,6 +267,7 @@ struct Frame::Access {
   static Status begin_frame(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                             std::span<std::byte> arena) {
     frame.scene_ = nullptr;
+    frame.next_to_last_strip_ = 0;
     const Effects missing = without(effects_of(scene, camera), effects);
     // A pipeline has one projection: this is the effect that must not be there without being called for.
     if (effects.has(effect::orthographic) && camera.projection != Projection::orthographic) {
@@ -342,6 +343,7 @@ struct Frame::Access {
     }
     if (!target.area.empty()) draw_triangles<effects>(frame, target, strip);
     convert_pixels(frame.view_.format, width, rows, drawn, pixels.data());
+    frame.next_to_last_strip_ = strip + 1U;
     return {};
   }
 

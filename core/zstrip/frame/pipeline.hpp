@@ -1,4 +1,4 @@
-// One pipeline per effect set: the two entry points that the renderer needs.
+// One pipeline per effect set: the entry points that the renderer needs.
 #pragma once
 
 #include <cstddef>

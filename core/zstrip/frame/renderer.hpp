@@ -29,17 +29,17 @@ class Renderer {
                      std::span<std::byte> arena) {
     return detail::begin_frame<effects>(frame_, scene, camera, view, plan, arena);
   }
-  /// Draws rows [strip * strip_rows, ...) of the picture into `pixels` (plan.strip_pixel_bytes(view), aligned to 2 for
-  /// RGB565; its contents do not matter). The last strip may have fewer rows. Strips may be drawn in any order, or
-  /// again.
+  /// Draws plan.strip_area(strip, view) of the picture into `pixels` (at most plan.strip_pixel_bytes(view), aligned to
+  /// 2 for RGB565; their contents do not matter). The last strips of a row or column may be smaller. Strips may be
+  /// drawn in any order, or again.
   Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
     return detail::draw_strip<effects>(frame_, strip, pixels);
   }
   /// Draws the part of the frame in `area` (pixels of the picture) over what is there: area.width() * area.height()
   /// pixels in RGB565, whatever the view's format, and as many depth codes, without gaps. For layers: depths compare
-  /// only with those of frames that have the same camera and Camera::fixed_depth_range. Error::view_size if the area is
-  /// empty or leaves the picture, Error::pixels_too_small, Error::depth_effects where depth has no 16-bit cells or has
-  /// sub-ranges.
+  /// only with those of frames that have the same camera, Camera::fixed_depth_range and the same depth format.
+  /// Error::view_size if the area is empty or leaves the picture, Error::pixels_too_small, Error::depth_effects where
+  /// depth has no 16-bit cells or has sub-ranges.
   Status draw_over(const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) {
     return detail::draw_over<effects>(frame_, area, pixels, depth);
   }

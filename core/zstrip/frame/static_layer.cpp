@@ -8,6 +8,9 @@ namespace zstrip {
 Status StaticLayer::reset(const Memory& memory, const View& view) {
   width_ = height_ = 0;
   last_ = pending_ = {};
+  depth_ = {};
+  colour_ = {};
+  dirty_ = {};
   if (const Status status = depth_.reset(memory.depth, view.width, view.height); !status) return status;
   if (const Status status = colour_.reset(memory.colour, view.width, view.height); !status) return status;
   if (const Status status = dirty_.reset(memory.dirty, view.width, view.height); !status) return status;
@@ -29,6 +32,7 @@ bool StaticLayer::between_tiles(const Rect& area) const {
 Status StaticLayer::keep(const Frame& frame, std::uint16_t strip, std::span<const std::byte> pixels) {
   if (strip >= frame.plan().strips)
     return {.error = Error::strip_rows, .needed = strip, .available = frame.plan().strips};
+  if (!frame.drew_last(strip)) return {.error = Error::not_begun};
   if (!frame.has_plain_depth()) return {.error = Error::depth_effects};
   const Rect area = frame.plan().strip_area(strip, frame.view());
   if (frame.view().width != width_ || frame.view().height != height_ || !between_tiles(area) ||
@@ -40,6 +44,8 @@ Status StaticLayer::keep(const Frame& frame, std::uint16_t strip, std::span<cons
   if (pixels.size() < needed) {
     return {.error = Error::pixels_too_small, .needed = needed, .available = static_cast<std::uint32_t>(pixels.size())};
   }
+  if (reinterpret_cast<std::uintptr_t>(pixels.data()) % 2 != 0) return {.error = Error::pixels_misaligned};
+  dirty_.mark(area);
   const auto* const colour = reinterpret_cast<const std::uint16_t*>(pixels.data());
   const Rect& covered = frame.depth_area();
   constexpr auto kSide = static_cast<std::int32_t>(kTileSide);
@@ -63,22 +69,27 @@ Status StaticLayer::keep(const Frame& frame, std::uint16_t strip, std::span<cons
       if (const Status status = colour_.write_tile(tx, ty, from, stride); !status) return status;
     }
   }
-  dirty_.mark(area);
   return {};
 }
 
 void StaticLayer::move_to(const Rect& bounds) {
+  dirty_.mark(pending_);
+  pending_ = {};
   dirty_.mark(last_);
   dirty_.mark(bounds);
   last_ = bounds;
 }
 
-void StaticLayer::invalidate() { dirty_.mark({0, 0, width_, height_}); }
+void StaticLayer::invalidate() {
+  pending_ = {};
+  dirty_.mark({0, 0, width_, height_});
+}
 
 bool StaticLayer::next(Rect& area, std::uint32_t cells) {
   if (pending_.empty() && !dirty_.take(pending_)) return false;
   // As many columns as fit in one row of tiles, then as many rows of tiles.
   constexpr auto kSide = static_cast<std::int32_t>(kTileSide);
+  cells = std::min(cells, std::uint32_t{kMaxViewSize} * kMaxViewSize);
   const auto fitting = static_cast<std::int32_t>(cells / kTileSide) / kSide * kSide;
   area = pending_;
   if (area.width() > fitting) {

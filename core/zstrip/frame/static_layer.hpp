@@ -4,7 +4,8 @@
 //     each frame: renderer.begin_frame(moving things); layer.move_to(renderer.frame().bounds());
 //                 while (layer.next(area, cells)) { layer.restore(area, ...); renderer.draw_over(area, ...); send area
 //                 }
-// Both cameras must have the same place and Camera::fixed_depth_range, or depths could not be compared.
+// Both frames must have the same camera, with Camera::fixed_depth_range, and the same depth format, or depths could not
+// be compared.
 #pragma once
 
 #include <cstddef>
@@ -33,10 +34,12 @@ class StaticLayer {
   /// no room even for an empty one.
   Status reset(const Memory& memory, const View& view);
 
-  /// Keeps the strip that was drawn last: `pixels` as draw_strip left them, in PixelFormat::rgb565, and the frame's
-  /// depth. Error::store_range if the strip does not begin and end between tiles of 8x8 (or at the picture's border);
-  /// Error::store_full if a pool is full: draw the strip again with larger ones. Error::depth_effects for depth that
-  /// has no 16-bit cells, or sub-ranges.
+  /// Keeps the strip that was drawn last: `pixels` as draw_strip left them, and the frame's depth. Error::strip_rows if
+  /// there is no such strip; Error::not_begun if another one was drawn last; Error::depth_effects for depth that has no
+  /// 16-bit cells, or sub-ranges; Error::store_range for another view or another format than PixelFormat::rgb565, and
+  /// if the strip does not begin and end between tiles of 8x8 (or at the picture's border); Error::pixels_too_small,
+  /// Error::pixels_misaligned. Error::store_full if a pool is full: some of the strip's tiles are then new, others not;
+  /// keep the whole background again with larger pools.
   Status keep(const Frame& frame, std::uint16_t strip, std::span<const std::byte> pixels);
 
   /// What moves lies in `bounds` now; its tiles and those of the last call are to be drawn again.
@@ -45,7 +48,7 @@ class StaticLayer {
   void invalidate();
 
   /// Takes a rectangle of whole tiles that is to be drawn again and has at most `cells` cells (>= 64); false if none is
-  /// left. They do not overlap.
+  /// left. They do not overlap; what is not taken before the next move_to comes again.
   bool next(Rect& area, std::uint32_t cells);
 
   /// The background of a rectangle of whole tiles: area.width() * area.height() pixels and codes, without gaps.

@@ -1,11 +1,13 @@
 // Sutherland-Hodgman clipping; see clip.hpp.
 #include "zstrip/geometry/clip.hpp"
 
+#include <algorithm>
+
 namespace zstrip::detail {
 namespace {
 
-/// Signed distance to a plane of the clip volume, >= 0 inside. The planes of the guard band look at whole units of the
-/// forms only: a*x + b*y + c*w + d is below 2^58.
+/// Signed distance to a plane of the clip volume, >= 0 inside. The planes of the guard band leave out as many fraction
+/// bits as they must for a*x + b*y + c*w + d to be below 2^58.
 struct Plane {
   std::int64_t x, y, w, offset;
   int bits;  ///< fraction bits of the vertex that do not count
@@ -51,21 +53,26 @@ ClipVertex crossing(const ClipVertex& inner, const ClipVertex& outer, std::int64
           narrow(inner.g, outer.g), narrow(inner.b, outer.b), narrow(inner.u, outer.u), narrow(inner.v, outer.v)};
 }
 
-/// In place, so that the stack holds one polygon: a cut convex polygon grows by one vertex at most, and the vertex that
-/// this overwrites has been read. Where rounding made it concave it could grow by more; then a crossing is left out.
+/// In place, so that the stack holds one polygon: it is moved to the end of its memory and read from there, while what
+/// is kept is written from the beginning on. A cut convex polygon grows by one vertex at most; where rounding has made
+/// it concave it may grow by more, and there is room for that.
 void clip_against(ClipPolygon& polygon, const Plane& plane) {
   const int count = polygon.count;
   if (count == 0) return;
-  const ClipVertex first = polygon.vertices[0];
+  constexpr int kRoom = static_cast<int>(sizeof polygon.vertices / sizeof polygon.vertices[0]);
+  ClipVertex* const source = polygon.vertices + (kRoom - count);
+  for (int i = count; i-- > 0;) source[i] = polygon.vertices[i];
+  const ClipVertex first = source[0];
   const std::int64_t at_first = plane.at(first);
   ClipVertex a = first;
   std::int64_t at_a = at_first;
   int kept = 0;
   for (int i = 0; i < count; ++i) {
     const bool last = i + 1 == count;
-    const ClipVertex b = last ? first : polygon.vertices[i + 1];
+    const ClipVertex b = last ? first : source[i + 1];
     const std::int64_t at_b = last ? at_first : plane.at(b);
-    const int limit = last ? kMaxPolygon : i + 2;  // what lies beyond has not been read
+    // What has not been read must not be overwritten.
+    const int limit = last ? kMaxPolygon : std::min(kMaxPolygon, kRoom - count + i + 2);
     if (at_a >= 0 && kept < limit) polygon.vertices[kept++] = a;
     if ((at_a < 0) != (at_b < 0) && kept < limit) {
       polygon.vertices[kept++] = at_a >= 0 ? crossing(a, b, at_a, at_b) : crossing(b, a, at_b, at_a);
@@ -97,17 +104,19 @@ void clip_perspective(ClipPolygon& polygon, const CompiledInstance& instance) {
   // |x| / w * 2^(30 - shift) <= 2^kGuardBits  <=>  |x| * 2^(30 - shift) <= w * 2^kGuardBits; 0 <= shift <= 31.
   struct Scales {
     std::int64_t coordinate, w;
+    int bits;  ///< w * 2^exponent is below 2^(46 - bits + exponent): 2^57
   };
   const auto guard = [](std::int32_t shift) {
     const int exponent = kGuardBits - 30 + shift;
-    return exponent >= 0 ? Scales{1, std::int64_t{1} << exponent} : Scales{std::int64_t{1} << -exponent, 1};
+    return exponent >= 0 ? Scales{1, std::int64_t{1} << exponent, std::max(0, exponent - 11)}
+                         : Scales{std::int64_t{1} << -exponent, 1, 0};
   };
   const Scales x = guard(instance.shift_x);
   const Scales y = guard(instance.shift_y);
-  clip_against(polygon, {x.coordinate, 0, x.w, 0, kClipBits});
-  clip_against(polygon, {-x.coordinate, 0, x.w, 0, kClipBits});
-  clip_against(polygon, {0, y.coordinate, y.w, 0, kClipBits});
-  clip_against(polygon, {0, -y.coordinate, y.w, 0, kClipBits});
+  clip_against(polygon, {x.coordinate, 0, x.w, 0, x.bits});
+  clip_against(polygon, {-x.coordinate, 0, x.w, 0, x.bits});
+  clip_against(polygon, {0, y.coordinate, y.w, 0, y.bits});
+  clip_against(polygon, {0, -y.coordinate, y.w, 0, y.bits});
 }
 
 void clip_orthographic(ClipPolygon& polygon, const CompiledInstance& instance) {

@@ -20,9 +20,10 @@ struct ClipVertex {
 /// Three corners and one more for each of the six planes.
 inline constexpr int kMaxPolygon = 9;
 
+/// The vertices, and room in which clipping moves them aside.
 struct ClipPolygon {
-  ClipVertex vertices[kMaxPolygon];
-  int count;
+  ClipVertex vertices[kMaxPolygon + 3];
+  int count;  ///< at most kMaxPolygon
 };
 
 /// Clips `polygon` (on entry a triangle) in place; count 0 if nothing is left. Two polygons that share an edge get the

@@ -50,6 +50,7 @@ constexpr Visits visits_of(const SceneCounts& counts, const View& view, const Pl
 
 constexpr std::uint64_t estimated_cost(const SceneCounts& counts, const View& view, const Plan& plan) {
   using namespace detail;
+  if (plan.strips == 0) return UINT64_MAX;  // no plan
   const Visits visits = visits_of(counts, view, plan);
   const std::uint64_t meshlets = counts.meshlets > 1 ? counts.meshlets : 1;
   const std::uint64_t pass =

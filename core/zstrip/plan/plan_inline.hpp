@@ -55,20 +55,26 @@ constexpr Purpose largest_purpose(const Plan& plan) {
 constexpr SceneCounts count(const Scene& scene) {
   SceneCounts counts{.instances = static_cast<std::uint32_t>(scene.instances.size())};
   const auto raise = [](std::uint32_t& largest, std::uint32_t value) { largest = largest < value ? value : largest; };
+  // No sum wraps: what needs more than 32 bits is refused everywhere, not mistaken for something small.
+  const auto add = [](std::uint32_t& sum, std::uint64_t value) {
+    const std::uint64_t wide = sum + value;
+    sum = wide < 0xFFFFFFFF && value < 0xFFFFFFFF ? static_cast<std::uint32_t>(wide) : 0xFFFFFFFF;
+  };
   for (const Instance& instance : scene.instances) {
     if (instance.mesh >= scene.meshes.size()) continue;
     const Mesh& mesh = scene.meshes[instance.mesh];
     const auto vertices = static_cast<std::uint32_t>(mesh.positions.size());
     const auto triangles = static_cast<std::uint32_t>(mesh.triangles.size());
-    counts.vertices += vertices;
-    counts.triangles += triangles;
+    add(counts.triangles, triangles);
     if (mesh.meshlets.empty()) {
-      ++counts.meshlets;
+      add(counts.vertices, vertices);
+      add(counts.meshlets, 1);
       raise(counts.largest_meshlet, vertices);
       raise(counts.longest_meshlet, triangles);
     }
-    counts.meshlets += static_cast<std::uint32_t>(mesh.meshlets.size());
+    add(counts.meshlets, mesh.meshlets.size());
     for (const Meshlet& meshlet : mesh.meshlets) {
+      add(counts.vertices, meshlet.vertex_count);
       raise(counts.largest_meshlet, meshlet.vertex_count);
       raise(counts.longest_meshlet, meshlet.triangle_count);
     }

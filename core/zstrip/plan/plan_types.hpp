@@ -8,11 +8,11 @@
 
 namespace zstrip {
 
-/// What a plan needs to know of a scene.
+/// What a plan needs to know of a scene. 0xFFFFFFFF: that many or more.
 struct SceneCounts {
   std::uint32_t instances = 0;
   std::uint32_t triangles = 0;        ///< of all instances
-  std::uint32_t vertices = 0;         ///< of all instances
+  std::uint32_t vertices = 0;         ///< of all meshlets of all instances: shared ones count in each
   std::uint32_t largest_meshlet = 0;  ///< most vertices that one meshlet uses
   std::uint32_t meshlets = 0;         ///< of all instances; a mesh without any counts as one
   std::uint32_t longest_meshlet = 0;  ///< most triangles in one meshlet
@@ -46,7 +46,7 @@ struct Plan {
   std::uint16_t strip_columns = 0;  ///< the view's width where strips are not split
   std::uint16_t strips = 0;         ///< row by row, from left to right
   std::uint32_t instance_bytes = 0;
-  std::uint32_t extent_bytes = 0;  ///< which strips a meshlet touches; none for a single strip
+  std::uint32_t extent_bytes = 0;  ///< which strips a meshlet touches; none for a single streamed strip
   std::uint32_t vertex_bytes = 0;
   std::uint32_t depth_bytes = 0;
   std::uint32_t colour_bytes = 0;  ///< RGB565 working strip; only for formats that are not drawn in place
@@ -86,7 +86,8 @@ struct Plan {
 
 /// `status` says whether `plan` is valid: then it is the one of least estimated_cost that fits. If not, what is missing
 /// (Error::arena_too_small with the bytes that the smallest possible plan needs, the limit, and the purpose that takes
-/// the most of them), and `plan` is that smallest one.
+/// the most of them), and `plan` is that smallest one. (With Modes::binned alone: the smallest of those that were
+/// tried.)
 struct PlanResult {
   Status status;
   Plan plan;

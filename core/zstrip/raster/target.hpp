@@ -16,7 +16,7 @@ struct StripTarget {
   std::int32_t first_column, first_row;  ///< of the bounding rectangle, raster pixels
   std::uint16_t* depth;                  ///< the cell of (area.left, area.top); cells of 32 bits with two formats
   std::uint16_t* colour;                 ///< the pixel of (area.left, area.top), RGB565
-  std::int32_t depth_stride;             ///< cells a row: the width of the area
+  std::int32_t depth_stride;             ///< cells from row to row
   std::int32_t colour_stride;            ///< pixels a row
   Statistics* statistics;                ///< only with effect::statistics
 
