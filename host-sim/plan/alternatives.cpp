@@ -69,7 +69,8 @@ std::string cheapest_change(const Planning& planning, const Budget& asked, const
   Budget changed = asked;
   std::string words;
   const auto fits_with = [&](const char* option) {
-    words += (words.empty() ? "" : " ") + std::string(option);
+    if (!words.empty()) words += ' ';
+    words += option;
     return static_cast<bool>(planning.plan(changed).status);
   };
   const auto would_fit = [&] { return fmt::format("{} would fit", words); };
