@@ -67,6 +67,27 @@ Result<std::uint16_t> parse_strip_columns(const std::string& text) {
   return bad_value("--strip-columns", text, "a multiple of 8 up to the picture's width, or auto");
 }
 
+Result<Done> parse_strips(const std::string& rows_text, const std::string& columns_text, const View& view,
+                          Budget& budget) {
+  const Result<std::uint16_t> rows = parse_strip_rows(rows_text);
+  if (!rows) return rows.failure();
+  if (*rows > view.height) {
+    return Failure{ExitStatus::usage,
+                   fmt::format("--strip-rows {} is more than the picture's {} rows", *rows, view.height)};
+  }
+  const Result<std::uint16_t> columns = parse_strip_columns(columns_text);
+  if (!columns) return columns.failure();
+  if (*columns > view.width || (*columns != view.width && *columns % 8 != 0)) {
+    return Failure{
+        ExitStatus::usage,
+        fmt::format("--strip-columns {} is neither a multiple of 8 up to the picture's {} columns nor all of them",
+                    *columns, view.width)};
+  }
+  budget.strip_rows = *rows;
+  budget.strip_columns = *columns;
+  return Done{};
+}
+
 Result<std::array<double, 3>> parse_vector(const std::string& option, const std::string& text) {
   std::array<double, 3> vector{};
   std::string_view rest = text;

@@ -10,6 +10,7 @@
 #include "image/encode.hpp"
 #include "import/source_model.hpp"
 #include "result.hpp"
+#include "zstrip/plan/plan_types.hpp"
 #include "zstrip/scene/depth_format.hpp"
 #include "zstrip/scene/view.hpp"
 
@@ -26,6 +27,9 @@ Result<std::uint16_t> parse_strip_rows(const std::string& text);
 
 /// "auto" is 0; else 1..4096. Whether it fits the picture is the planner's question.
 Result<std::uint16_t> parse_strip_columns(const std::string& text);
+
+/// Both, into the budget of a picture of this size; a usage error also where it cannot be cut so.
+Result<Done> parse_strips(const std::string& rows, const std::string& columns, const View& view, Budget& budget);
 
 /// "x,y,z": finite numbers; `option` is for the message.
 Result<std::array<double, 3>> parse_vector(const std::string& option, const std::string& text);

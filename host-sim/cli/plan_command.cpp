@@ -44,12 +44,8 @@ Result<PlanRequest> parse(const Arguments& arguments) {
     if (!bytes) return bytes.failure();
     request.budget.bytes = *bytes;
   }
-  const Result<std::uint16_t> rows = parse_strip_rows(arguments.strip_rows);
-  if (!rows) return rows.failure();
-  request.budget.strip_rows = *rows;
-  const Result<std::uint16_t> columns = parse_strip_columns(arguments.strip_columns);
-  if (!columns) return columns.failure();
-  request.budget.strip_columns = *columns;
+  const Result<Done> strips = parse_strips(arguments.strip_rows, arguments.strip_columns, request.view, request.budget);
+  if (!strips) return strips.failure();
   request.budget.split_columns = arguments.split_columns;
   request.budget.strip_buffers = static_cast<std::uint8_t>(arguments.strip_buffers);
   request.may_bin = arguments.mode != "streamed";

@@ -102,20 +102,8 @@ Result<Job> parse(const Arguments& arguments) {
     return usage(fmt::format("--depth-format {} needs a perspective camera, not --ortho", arguments.depth_format));
   }
 
-  const Result<std::uint16_t> rows = parse_strip_rows(arguments.strip_rows);
-  if (!rows) return rows.failure();
-  if (*rows > job.view.height) {
-    return usage(fmt::format("--strip-rows {} is more than the picture's {} rows", *rows, job.view.height));
-  }
-  job.budget.strip_rows = *rows;
-  const Result<std::uint16_t> columns = parse_strip_columns(arguments.strip_columns);
-  if (!columns) return columns.failure();
-  if (*columns > job.view.width || (*columns != job.view.width && *columns % 8 != 0)) {
-    return usage(
-        fmt::format("--strip-columns {} is neither a multiple of 8 up to the picture's {} columns nor all of them",
-                    *columns, job.view.width));
-  }
-  job.budget.strip_columns = *columns;
+  const Result<Done> strips = parse_strips(arguments.strip_rows, arguments.strip_columns, job.view, job.budget);
+  if (!strips) return strips.failure();
   if (arguments.ram) {
     const Result<std::uint32_t> bytes = parse_bytes(*arguments.ram);
     if (!bytes) return bytes.failure();
