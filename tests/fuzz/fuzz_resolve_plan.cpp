@@ -52,11 +52,14 @@ void judge_plan(fuzz::Input& input) {
   const auto number = [&input](std::int32_t usual) { return static_cast<std::uint32_t>(input.number(usual)); };
   SceneCounts counts{number(1), number(100), number(100), number(64)};
   const View view{input.any<std::uint16_t>(), input.any<std::uint16_t>(), static_cast<PixelFormat>(input.below(4))};
-  const Effects effects =
-      (Effects{input.any<std::uint8_t>()} & effect::all) | (input.flag() ? effect::bins : Effects{});
+  const Effects shading = Effects{input.any<std::uint8_t>()} & effect::all;
+  const Effects effects = shading | (input.flag() ? effect::bins : Effects{});
   Budget budget{.bytes = number(0), .strip_rows = static_cast<std::uint16_t>(input.number(0))};
   counts.meshlets = number(2);
   counts.longest_meshlet = number(100);
+  // A meshlet is part of the scene.
+  counts.largest_meshlet = std::min(counts.largest_meshlet, counts.vertices);
+  counts.longest_meshlet = std::min(counts.longest_meshlet, counts.triangles);
   budget.strip_columns = static_cast<std::uint16_t>(input.number(0));
   budget.split_columns = input.flag();
   budget.strip_buffers = static_cast<std::uint8_t>(input.below(3));

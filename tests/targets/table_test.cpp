@@ -63,7 +63,8 @@ TEST(TargetsTable, PicturesDiffer) {
   std::map<std::string, std::string> picture_of;
   for (const Row& row : read_table()) {
     const std::string picture = without_rows(row.name);
-    const auto [known, is_new] = picture_of.emplace(row.values.at(0), picture);
+    // With their depth: formats of depth that decide every pixel rightly give the same colours.
+    const auto [known, is_new] = picture_of.emplace(row.values.at(0) + row.values.at(1), picture);
     EXPECT_TRUE(is_new || known->second == picture) << picture << " is the same picture as " << known->second;
   }
 }

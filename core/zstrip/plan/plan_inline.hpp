@@ -125,11 +125,12 @@ class Planner {
       consider(with(mode, columns, fixed_rows));
       return;
     }
-    consider(with(mode, columns, 1));
+    const std::uint32_t most_down = kMostStrips / Plan{.strip_columns = columns}.columns_of_strips(view_);
+    const Plan lowest = with(mode, columns, static_cast<std::uint16_t>((view_.height + most_down - 1) / most_down));
+    consider(lowest);
     consider(with(mode, columns, view_.height));
     // From the fewest strips whose pixels could fit on, with evenly filled rows, to the first that does: more strips
     // of the same columns cost more time.
-    const Plan lowest = with(mode, columns, 1);
     const std::uint64_t fixed = std::uint64_t{lowest.instance_bytes} + lowest.vertex_bytes;
     if (fixed >= limit_) return;
     const std::uint64_t whole_depth = std::uint64_t{per_cell_} * columns * view_.height;

@@ -27,35 +27,35 @@ void copy_rows(const TileView<To>& to, const TileView<From>& from) {
 }  // namespace
 
 Status TileReader::open(std::span<const std::byte> blob) {
-  index = {};
+  index_ = {};
   const auto byte = [&blob](std::size_t at) { return std::to_integer<std::uint32_t>(blob[at]); };
-  const Status damaged{.error = Error::store_damaged, .purpose = codec->purpose};
+  const Status damaged{.error = Error::store_damaged, .purpose = codec_->purpose};
   if (blob.size() < kStoreHeaderBytes || blob.size() > kLargestPool) return damaged;
-  if (byte(0) != 'z' || byte(1) != 's' || byte(2) != kStoreVersion || byte(3) != codec->kind) return damaged;
+  if (byte(0) != 'z' || byte(1) != 's' || byte(2) != kStoreVersion || byte(3) != codec_->kind) return damaged;
   const TileGrid grid{byte(4) | byte(5) << 8, byte(6) | byte(7) << 8};
   if (grid.width - 1 >= kMaxViewSize || grid.height - 1 >= kMaxViewSize) return damaged;
   if (blob.size() < index_bytes(grid)) return damaged;
   const auto end = static_cast<std::uint32_t>(blob.size());
-  index = TileIndex(blob, grid, {grid.tiles(), end, end});
+  index_ = TileIndex(blob, grid, {grid.tiles(), end, end});
   return {};
 }
 
 Status TileReader::check_rows(std::uint32_t top, std::uint32_t rows) const {
   const std::uint32_t height = grid().height;
   if (top <= height && rows <= height - top) return {};
-  return {.error = Error::store_range, .purpose = codec->purpose, .needed = top + rows, .available = height};
+  return {.error = Error::store_range, .purpose = codec_->purpose, .needed = top + rows, .available = height};
 }
 
 Status TileReader::decode(std::uint32_t tile, std::uint32_t position, const TileView<std::uint16_t>& cells) const {
   std::span<const std::byte> record;
-  if (index.record(tile, position, record) && codec->decode(record, cells)) return {};
-  return {.error = Error::store_damaged, .purpose = codec->purpose, .needed = tile};
+  if (index_.record(tile, position, record) && codec_->decode(record, cells)) return {};
+  return {.error = Error::store_damaged, .purpose = codec_->purpose, .needed = tile};
 }
 
 Status TileReader::read_tile(std::uint32_t tx, std::uint32_t ty, std::uint16_t* cells, std::uint32_t stride) const {
-  if (!grid().has(tx, ty)) return {.error = Error::store_range, .purpose = codec->purpose};
+  if (!grid().has(tx, ty)) return {.error = Error::store_range, .purpose = codec_->purpose};
   const std::uint32_t tile = ty * grid().columns() + tx;
-  return decode(tile, index.position(tile), {cells, stride, grid().tile_width(tx), grid().tile_height(ty)});
+  return decode(tile, index_.position(tile), {cells, stride, grid().tile_width(tx), grid().tile_height(ty)});
 }
 
 Status TileReader::read_rows(const RowsView<std::uint16_t>& rows) const {
@@ -66,8 +66,8 @@ Status TileReader::read_rows(const RowsView<std::uint16_t>& rows) const {
     const std::uint32_t height = grid().tile_height(ty);
     const RowsInTile part(rows.top, bottom, ty, height);
     std::uint32_t tile = ty * grid().columns();
-    std::uint32_t position = index.position(tile);
-    for (std::uint32_t tx = 0; tx < grid().columns(); ++tx, position = index.next(tile, position), ++tile) {
+    std::uint32_t position = index_.position(tile);
+    for (std::uint32_t tx = 0; tx < grid().columns(); ++tx, position = index_.next(tile, position), ++tile) {
       const std::uint32_t width = grid().tile_width(tx);
       std::uint16_t* const to = out + tx * kTileSide;
       if (part.whole) {
@@ -90,50 +90,50 @@ Status TileReader::read_rows(const RowsView<std::uint16_t>& rows) const {
 Status TileReader::validate() const {
   std::uint32_t expected = index_bytes(grid());
   for (std::uint32_t tile = 0; tile < grid().tiles(); ++tile) {
-    if (tile == index.gap().tile) expected = index.gap().end;
+    if (tile == index_.gap().tile) expected = index_.gap().end;
     const std::uint32_t tx = tile % grid().columns(), ty = tile / grid().columns();
-    const Status damaged{.error = Error::store_damaged, .purpose = codec->purpose, .needed = tile};
-    if (tile % kTilesPerGroup == 0 && index.position(tile) != expected) return damaged;
+    const Status damaged{.error = Error::store_damaged, .purpose = codec_->purpose, .needed = tile};
+    if (tile % kTilesPerGroup == 0 && index_.position(tile) != expected) return damaged;
     std::array<std::uint16_t, kTileCells> cells;
     const Status status =
         decode(tile, expected, {cells.data(), kTileSide, grid().tile_width(tx), grid().tile_height(ty)});
     if (!status) return status;
-    expected += index.size(tile);
-    if (tile + 1 == index.gap().tile && expected > index.gap().begin) return damaged;
+    expected += index_.size(tile);
+    if (tile + 1 == index_.gap().tile && expected > index_.gap().begin) return damaged;
   }
   return {};
 }
 
 Status TileStore::reset(std::span<std::byte> pool, std::uint32_t width, std::uint32_t height) {
-  index = {};
+  index_ = {};
   if (width - 1 >= kMaxViewSize || height - 1 >= kMaxViewSize) return {.error = Error::view_size};
   const TileGrid grid{width, height};
   const auto usable = pool.first(std::min<std::size_t>(pool.size(), kLargestPool));
   if (usable.size() < index_bytes(grid)) {
     return {.error = Error::store_full,
-            .purpose = codec->purpose,
+            .purpose = codec_->purpose,
             .needed = index_bytes(grid),
             .available = static_cast<std::uint32_t>(usable.size())};
   }
-  index = TileIndex(usable, grid, codec->kind);
+  index_ = TileIndex(usable, grid, codec_->kind);
   return {};
 }
 
 Status TileStore::write(std::uint32_t tile, const TileView<const std::uint16_t>& cells) {
   std::array<std::byte, kLargestTileRecord> record;
-  const std::uint32_t size = codec->encode(cells, record);
-  if (size > index.gap().size() + index.size(tile)) {
+  const std::uint32_t size = codec_->encode(cells, record);
+  if (size > index_.gap().size() + index_.size(tile)) {
     return {.error = Error::store_full,
-            .purpose = codec->purpose,
-            .needed = bytes_used() - index.size(tile) + size,
-            .available = static_cast<std::uint32_t>(index.pool().size())};
+            .purpose = codec_->purpose,
+            .needed = bytes_used() - index_.size(tile) + size,
+            .available = static_cast<std::uint32_t>(index_.pool().size())};
   }
-  if (index.replace(tile, std::span<const std::byte>(record).first(size))) return {};
-  return {.error = Error::store_damaged, .purpose = codec->purpose, .needed = tile};
+  if (index_.replace(tile, std::span<const std::byte>(record).first(size))) return {};
+  return {.error = Error::store_damaged, .purpose = codec_->purpose, .needed = tile};
 }
 
 Status TileStore::write_tile(std::uint32_t tx, std::uint32_t ty, const std::uint16_t* cells, std::uint32_t stride) {
-  if (!grid().has(tx, ty)) return {.error = Error::store_range, .purpose = codec->purpose};
+  if (!grid().has(tx, ty)) return {.error = Error::store_range, .purpose = codec_->purpose};
   return write(ty * grid().columns() + tx, {cells, stride, grid().tile_width(tx), grid().tile_height(ty)});
 }
 
@@ -161,12 +161,12 @@ Status TileStore::write_rows(const RowsView<const std::uint16_t>& rows) {
 }
 
 std::uint32_t TileStore::bytes_used() const {
-  return static_cast<std::uint32_t>(index.pool().size()) - index.gap().size();
+  return static_cast<std::uint32_t>(index_.pool().size()) - index_.gap().size();
 }
 
 std::span<const std::byte> TileStore::blob() {
-  if (grid().tiles() == 0 || !index.move_gap(grid().tiles())) return {};
-  return index.pool().first(index.gap().begin);
+  if (grid().tiles() == 0 || !index_.move_gap(grid().tiles())) return {};
+  return index_.pool().first(index_.gap().begin);
 }
 
 }  // namespace zstrip::detail

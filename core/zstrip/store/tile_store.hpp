@@ -37,7 +37,7 @@ struct TileCodec {
 /// Reading, common to all stores. Reads nothing outside the pool, whatever the pool holds.
 class TileReader {
  public:
-  const TileGrid& grid() const { return index.grid(); }
+  const TileGrid& grid() const { return index_.grid(); }
 
   /// Decodes a tile into grid().tile_width(tx) x grid().tile_height(ty) cells. Error::store_range if there is no such
   /// tile, Error::store_damaged if its bytes are no record: its cells may then hold anything.
@@ -48,15 +48,15 @@ class TileReader {
   Status validate() const;
 
  protected:
-  explicit constexpr TileReader(const TileCodec& held) : codec(&held) {}
+  explicit constexpr TileReader(const TileCodec& held) : codec_(&held) {}
   /// Checks the header and that the index lies in the blob, which must stay alive.
   Status open(std::span<const std::byte> blob);
 
   Status check_rows(std::uint32_t top, std::uint32_t rows) const;
   Status decode(std::uint32_t tile, std::uint32_t position, const TileView<std::uint16_t>& cells) const;
 
-  const TileCodec* codec;
-  TileIndex index;
+  const TileCodec* codec_;
+  TileIndex index_;
 };
 
 /// Writing, common to all stores. The pool must stay alive, and unchanged from outside.
