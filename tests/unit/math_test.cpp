@@ -46,6 +46,37 @@ TEST(Math, SquareRootIsTheFloor) {
   for (int i = 0; i < 100000; ++i) check(random());
 }
 
+TEST(Division, ByTableIsTheQuotient) {
+  for (std::uint32_t d = 0x8000; d < 0x10000; ++d) {
+    ASSERT_EQ(detail::quotient_32_by_table(d), 0xFFFFFFFFU / d) << d;
+  }
+  for (std::uint32_t d = 1; d < 0x8000; ++d) {
+    ASSERT_EQ(detail::quotient_31_by_table(d), 0x7FFFFFFFU / d) << d;
+  }
+}
+
+TEST(Multiplication, InHalvesIsThatOf64Bits) {
+  std::mt19937 random(7);
+  constexpr std::int32_t kEdges[] = {0,      1,       -1,       0x7FFF,    -0x8000,   0x8000,
+                                     0xFFFF, 0x10000, -0x10000, INT32_MAX, INT32_MIN, INT32_MIN + 1};
+  const auto number = [&](int i) {
+    const auto all_bits = static_cast<std::int32_t>(random());
+    return i % 3 == 0 ? kEdges[random() % std::size(kEdges)] : all_bits >> random() % 32;
+  };
+  for (int i = 0; i < 1000000; ++i) {
+    const std::int32_t a = number(i), b = number(i / 3);
+    const auto ua = static_cast<std::uint32_t>(a), ub = static_cast<std::uint32_t>(b);
+    const __int128 product = static_cast<__int128>(a) * b;
+    ASSERT_EQ(multiply_high_in_halves(a, b), product >> 32) << a << " " << b;
+    ASSERT_EQ(multiply_high_in_halves(ua, ub), static_cast<unsigned __int128>(ua) * ub >> 32) << ua << " " << ub;
+    const auto half = static_cast<std::int16_t>(b);
+    ASSERT_EQ(multiply_by_half_in_halves(a, half), static_cast<__int128>(a) * half >> 16) << a << " " << half;
+    if (a != INT32_MIN || b != INT32_MIN) {
+      ASSERT_EQ(multiply_high_rounded_in_halves(a, b), (product + (1LL << 31)) >> 32) << a << " " << b;
+    }
+  }
+}
+
 void expect_reciprocal(std::uint32_t divisor) {
   const std::int64_t value = reciprocal(divisor);
   ASSERT_GE(value, std::int64_t{1} << 30) << divisor;

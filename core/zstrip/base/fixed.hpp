@@ -25,12 +25,67 @@ struct Transform {
   static constexpr Transform identity() { return {{{kFixedOne, 0, 0, 0}, {0, kFixedOne, 0, 0}, {0, 0, kFixedOne, 0}}}; }
 };
 
+/// Whether the processor multiplies 32 bits by 32 to 64. Without (Cortex-M0) the compiler calls a function of 64 by 64.
+#if defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__)
+inline constexpr bool kMultipliesLong = false;
+#else
+inline constexpr bool kMultipliesLong = true;
+#endif
+
+/// Upper 32 bits of a product, from the four products of halves: floor(a * b / 2^32).
+constexpr std::uint32_t multiply_high_in_halves(std::uint32_t a, std::uint32_t b) {
+  const std::uint32_t a_low = a & 0xFFFF, a_high = a >> 16;
+  const std::uint32_t b_low = b & 0xFFFF, b_high = b >> 16;
+  // Neither sum overflows: (2^16 - 1)^2 + 2 (2^16 - 1) < 2^32.
+  const std::uint32_t middle = a_high * b_low + ((a_low * b_low) >> 16);
+  const std::uint32_t rest = a_low * b_high + (middle & 0xFFFF);
+  return a_high * b_high + (middle >> 16) + (rest >> 16);
+}
+constexpr std::int32_t multiply_high_in_halves(std::int32_t a, std::int32_t b) {
+  const std::int32_t a_low = a & 0xFFFF, a_high = a >> 16;
+  const std::int32_t b_low = b & 0xFFFF, b_high = b >> 16;
+  const auto low =
+      static_cast<std::int32_t>((static_cast<std::uint32_t>(a_low) * static_cast<std::uint32_t>(b_low)) >> 16);
+  // Each product is within +-2^31, less what is added: 2^15 * (2^16 - 1) + 2^16 - 1 < 2^31.
+  const std::int32_t middle = a_high * b_low + low;
+  const std::int32_t rest = a_low * b_high + (middle & 0xFFFF);
+  return a_high * b_high + (middle >> 16) + (rest >> 16);
+}
+constexpr std::int32_t multiply_high_rounded_in_halves(std::int32_t a, std::int32_t b) {
+  // Half of a unit is a carry out of the lower word.
+  const std::uint32_t low = static_cast<std::uint32_t>(a) * static_cast<std::uint32_t>(b);
+  return multiply_high_in_halves(a, b) + static_cast<std::int32_t>(low >> 31);
+}
+constexpr std::int32_t multiply_by_half_in_halves(std::int32_t a, std::int16_t b) {
+  // Exact in 32 bits: the low half is below 2^16, |b| <= 2^15.
+  return (a >> 16) * b + (((a & 0xFFFF) * b) >> 16);
+}
+
 /// Upper 32 bits of a product: floor(a * b / 2^32).
 constexpr std::int32_t multiply_high(std::int32_t a, std::int32_t b) {
+  if constexpr (!kMultipliesLong) return multiply_high_in_halves(a, b);
   return static_cast<std::int32_t>((std::int64_t{a} * b) >> 32);
 }
 constexpr std::uint32_t multiply_high(std::uint32_t a, std::uint32_t b) {
+  if constexpr (!kMultipliesLong) return multiply_high_in_halves(a, b);
   return static_cast<std::uint32_t>((std::uint64_t{a} * b) >> 32);
+}
+/// Rounded to nearest, halves up. |a * b| < 2^62.
+constexpr std::int32_t multiply_high_rounded(std::int32_t a, std::int32_t b) {
+  if constexpr (!kMultipliesLong) return multiply_high_rounded_in_halves(a, b);
+  return static_cast<std::int32_t>((std::int64_t{a} * b + (std::int64_t{1} << 31)) >> 32);
+}
+/// The same of a factor of 16 bits: floor(a * b / 2^16).
+constexpr std::int32_t multiply_by_half(std::int32_t a, std::int16_t b) {
+  if constexpr (!kMultipliesLong) return multiply_by_half_in_halves(a, b);
+  return multiply_high(a, std::int32_t{b} << 16);
+}
+
+/// The same value, of which the compiler no longer knows that it is not negative. GCC would multiply it as an unsigned
+/// word and correct the sign, three instructions for one on a Cortex-M3.
+inline std::int32_t of_any_sign(std::int32_t value) {
+  asm("" : "+r"(value));
+  return value;
 }
 
 /// a * b in 16.16, rounded down. The caller guarantees that the result fits.

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "zstrip/base/division.hpp"
 #include "zstrip/base/fixed.hpp"
 
 namespace zstrip {
@@ -19,7 +20,7 @@ std::uint32_t square_root(std::uint64_t value);
 /// 2^62 / divisor for a normalised divisor (2^31 <= divisor < 2^32): a result of 31 bits, 2^30 <= result < 2^31,
 /// relative error below 2^-28. One 32-bit division and one Newton step; the same bits on every target.
 constexpr std::int32_t reciprocal(std::uint32_t divisor) {
-  const std::uint32_t first = (0xFFFFFFFFU / (divisor >> 16)) << 14;    // 2^62 / divisor to 2^-15
+  const std::uint32_t first = quotient_32(divisor >> 16) << 14;         // 2^62 / divisor to 2^-15
   const std::uint32_t product = multiply_high(divisor, first);          // 2^30 (1 + error)
   const std::uint32_t correction = (std::uint32_t{1} << 31) - product;  // 2^30 (1 - error)
   return static_cast<std::int32_t>(multiply_high(first, correction << 1) << 1);

@@ -21,8 +21,7 @@ struct LinearForm {
   std::int32_t x, y, z, offset;
 
   constexpr std::int32_t at(const Position& p) const {
-    return offset + multiply_high(x, std::int32_t{p.x} << 16) + multiply_high(y, std::int32_t{p.y} << 16) +
-           multiply_high(z, std::int32_t{p.z} << 16);
+    return offset + multiply_by_half(x, p.x) + multiply_by_half(y, p.y) + multiply_by_half(z, p.z);
   }
 };
 

@@ -30,60 +30,65 @@ struct PackedEdges {
     return (static_cast<std::uint32_t>(a) << 22) + (static_cast<std::uint32_t>(b) << 11) +
            static_cast<std::uint32_t>(c);
   }
+  /// A field of an edge function that grows by `right` and `down`, with the fill rule: minus one unless the edge is a
+  /// left one or a horizontal top one.
+  static constexpr std::int32_t field(std::int32_t exact, std::int32_t right, std::int32_t down) {
+    return (exact + ((right * 65536 + down) >> 31)) >> 4;
+  }
   constexpr bool inside() const { return (word & kSigns) == 0; }
 };
 
-/// Edge function of a -> b at (x, y), positive inside. Left edges and horizontal top edges include their zero.
-struct SmallEdge {
-  std::int32_t dx, dy;
-  std::int32_t at_anchor;  ///< exact, without the fill rule
-
-  constexpr SmallEdge(const SnappedVertex& a, const SnappedVertex& b, std::int32_t x, std::int32_t y)
-      : dx(b.x - a.x), dy(b.y - a.y), at_anchor((x - a.x) * dy - (y - a.y) * dx) {}
-  /// Minus one unless top-left: dy > 0, or dy == 0 and dx < 0.
-  constexpr std::int32_t with_fill_rule() const { return at_anchor + ((dy * 65536 - dx) >> 31); }
+/// The edge functions 2 -> 0 and 0 -> 1 over the triangle: the weights of vertices 1 and 2, times the area. Exact,
+/// without the fill rule. Towards right they grow by dy, towards the bottom by -dx.
+struct SmallWeights {
+  std::int32_t at_anchor[2];
+  std::int32_t right[2], down[2];  ///< a sub-pixel
 };
 
-/// A value that is linear over the triangle: its start at the anchor pixel and its steps. Modulo 2^32: on slivers the
-/// steps overflow and cancel.
+/// A value that is linear over the triangle: its start at the anchor pixel and its steps a pixel. Modulo 2^32: on
+/// slivers the steps overflow and cancel.
 struct SmallPlane {
   std::uint32_t start, step_x, step_y;
 };
 
-struct SmallSetup {
-  std::int32_t inverse_area;  // 2^31 / area
-  const SmallEdge& toward_1;  // the edge whose function is the weight of vertex 1
-  const SmallEdge& toward_2;
+/// The depth plane. `from_0` are the differences to vertices 1 and 2, 14.16, below 2^29; `inverse_area` is 2^31 / area.
+inline SmallPlane small_depth(const SmallWeights& weights, std::int32_t inverse_area, std::uint32_t depth_0,
+                              std::int32_t from_0_to_1, std::int32_t from_0_to_2) {
+  // Value per unit of edge function, 16.16, rounded; every pixel's value is exactly depth_0 + k1 e1 + k2 e2.
+  const auto per_unit = [inverse_area](std::int32_t difference) {
+    return static_cast<std::uint32_t>(multiply_high_rounded(difference * 2, inverse_area));
+  };
+  const std::uint32_t k1 = per_unit(from_0_to_1);
+  const std::uint32_t k2 = per_unit(from_0_to_2);
+  const auto along = [k1, k2](const std::int32_t(&e)[2]) {
+    return k1 * static_cast<std::uint32_t>(e[0]) + k2 * static_cast<std::uint32_t>(e[1]);
+  };
+  return {depth_0 + along(weights.at_anchor), along(weights.right) << 4, along(weights.down) << 4};
+}
 
-  /// `from_0_to_1`, `from_0_to_2` in 14.16, below 2^29.
-  SmallPlane plane(std::uint32_t value_0, std::int32_t from_0_to_1, std::int32_t from_0_to_2) const {
-    // Value per unit of edge function, 16.16, rounded; every pixel's value is exactly value_0 + k1 e1 + k2 e2.
-    const std::uint32_t k1 = per_unit(from_0_to_1);
-    const std::uint32_t k2 = per_unit(from_0_to_2);
-    const auto e = [](std::int32_t value) { return static_cast<std::uint32_t>(value); };
-    return {value_0 + k1 * e(toward_1.at_anchor) + k2 * e(toward_2.at_anchor),
-            (k1 * e(toward_1.dy) + k2 * e(toward_2.dy)) << 4, (k1 * e(-toward_1.dx) + k2 * e(-toward_2.dx)) << 4};
+/// Planes of colour channels in 8.8. Start and steps are rounded down: less than 1/8 unit over a small triangle.
+class SmallChannels {
+ public:
+  SmallChannels(const SmallWeights& weights, std::int32_t inverse_area) : inverse_area_(inverse_area) {
+    // A channel's numerator is below 2 * 255 * 8100: times 2^9 it fits 32 bits.
+    for (int i = 0; i < 2; ++i) {
+      at_anchor_[i] = weights.at_anchor[i] * (1 << 9);
+      right_[i] = weights.right[i] * (1 << 13);
+      down_[i] = weights.down[i] * (1 << 13);
+    }
   }
-
-  /// A colour channel in 8.8. Start and steps are rounded down: less than 1/8 unit over a small triangle.
-  SmallPlane channel(std::int32_t c0, std::int32_t c1, std::int32_t c2) const {
+  SmallPlane plane(std::int32_t c0, std::int32_t c1, std::int32_t c2) const {
     const std::int32_t d1 = c1 - c0;
     const std::int32_t d2 = c2 - c0;
-    return {
-        static_cast<std::uint32_t>(c0 * 256 + 128) + quotient_8_8(d1 * toward_1.at_anchor + d2 * toward_2.at_anchor),
-        quotient_8_8((d1 * toward_1.dy + d2 * toward_2.dy) * 16),
-        quotient_8_8((d1 * toward_1.dx + d2 * toward_2.dx) * -16)};
+    const auto along = [&](const std::int32_t(&e)[2]) {
+      return static_cast<std::uint32_t>(multiply_high(d1 * e[0] + d2 * e[1], inverse_area_));
+    };
+    return {static_cast<std::uint32_t>(c0 * 256 + 128) + along(at_anchor_), along(right_), along(down_)};
   }
 
  private:
-  /// |numerator| <= 2 * 255 * 8100: times 512 it fits 32 bits.
-  std::uint32_t quotient_8_8(std::int32_t numerator) const {
-    return static_cast<std::uint32_t>(multiply_high(numerator * 512, inverse_area));
-  }
-  std::uint32_t per_unit(std::int32_t difference) const {
-    const std::int64_t product = std::int64_t{difference * 2} * inverse_area;
-    return static_cast<std::uint32_t>((product + (std::int64_t{1} << 31)) >> 32);
-  }
+  std::int32_t inverse_area_;
+  std::int32_t at_anchor_[2], right_[2], down_[2];
 };
 
 /// Whether this triangle may be drawn by draw_small_triangle. Depends on the triangle alone, never on the strip.
@@ -104,29 +109,34 @@ void draw_small_triangle(const StripTarget& target, const SnappedVertex& v0, con
                          const SnappedVertex& v2, const Colour* const (&colours)[3], std::uint16_t flat_colour,
                          std::int32_t area, std::int32_t anchor_x, std::int32_t anchor_y, const Rect& box,
                          Rule rule = {}) {
-  const std::int32_t x = anchor_x * 16 + kPixelCentre;
-  const std::int32_t y = anchor_y * 16 + kPixelCentre;
-  const SmallEdge edge_12(v1, v2, x, y);
-  const SmallEdge edge_20(v2, v0, x, y);
-  const SmallEdge edge_01(v0, v1, x, y);
+  const std::int32_t x = anchor_x * 16 + kPixelCentre - v0.x;
+  const std::int32_t y = anchor_y * 16 + kPixelCentre - v0.y;
+  SmallWeights weights{{}, {v0.y - v2.y, v1.y - v0.y}, {v2.x - v0.x, v0.x - v1.x}};
+  for (int i = 0; i < 2; ++i) weights.at_anchor[i] = x * weights.right[i] + y * weights.down[i];
+  const std::int32_t right_0 = -weights.right[0] - weights.right[1];
+  const std::int32_t down_0 = -weights.down[0] - weights.down[1];
   PackedEdges row{
-      PackedEdges::pack(edge_12.with_fill_rule() >> 4, edge_20.with_fill_rule() >> 4, edge_01.with_fill_rule() >> 4)};
-  const std::uint32_t edges_x = PackedEdges::pack(edge_12.dy, edge_20.dy, edge_01.dy);
-  const std::uint32_t edges_y = PackedEdges::pack(-edge_12.dx, -edge_20.dx, -edge_01.dx);
+      PackedEdges::pack(PackedEdges::field(area - weights.at_anchor[0] - weights.at_anchor[1], right_0, down_0),
+                        PackedEdges::field(weights.at_anchor[0], weights.right[0], weights.down[0]),
+                        PackedEdges::field(weights.at_anchor[1], weights.right[1], weights.down[1]))};
+  const std::uint32_t edges_x = PackedEdges::pack(right_0, weights.right[0], weights.right[1]);
+  const std::uint32_t edges_y = PackedEdges::pack(down_0, weights.down[0], weights.down[1]);
 
-  const SmallSetup setup{static_cast<std::int32_t>(0x7FFFFFFFU / static_cast<std::uint32_t>(area)), edge_20, edge_01};
-  SmallPlane depth = setup.plane(v0.depth, static_cast<std::int32_t>(v1.depth - v0.depth),
+  const std::int32_t inverse_area =
+      of_any_sign(static_cast<std::int32_t>(quotient_31(static_cast<std::uint32_t>(area))));
+  SmallPlane depth = small_depth(weights, inverse_area, v0.depth, static_cast<std::int32_t>(v1.depth - v0.depth),
                                  static_cast<std::int32_t>(v2.depth - v0.depth));
   // Red and blue share a word as two 8.8 values, green has its own: values never leave 0..255, see channel_start.
   std::uint32_t red_blue = 0, red_blue_x = 0, red_blue_y = 0;
   std::uint32_t green = 0, green_x = 0, green_y = 0;
   if constexpr (gouraud) {
-    const SmallPlane r = setup.channel(colours[0]->r, colours[1]->r, colours[2]->r);
-    const SmallPlane b = setup.channel(colours[0]->b, colours[1]->b, colours[2]->b);
+    const SmallChannels channels(weights, inverse_area);
+    const SmallPlane r = channels.plane(colours[0]->r, colours[1]->r, colours[2]->r);
+    const SmallPlane b = channels.plane(colours[0]->b, colours[1]->b, colours[2]->b);
     red_blue = (r.start << 16) + b.start;
     red_blue_x = (r.step_x << 16) + b.step_x;
     red_blue_y = (r.step_y << 16) + b.step_y;
-    const SmallPlane g = setup.channel(colours[0]->g, colours[1]->g, colours[2]->g);
+    const SmallPlane g = channels.plane(colours[0]->g, colours[1]->g, colours[2]->g);
     green = g.start;
     green_x = g.step_x;
     green_y = g.step_y;
