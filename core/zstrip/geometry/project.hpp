@@ -97,30 +97,59 @@ constexpr std::uint32_t project_depth(const CompiledInstance& instance, const Ra
   }
 }
 
+/// What project_narrow asks of an instance, once for all of its vertices.
+template <bool orthographic>
+struct NarrowProjection {
+  std::uint32_t w_near, w_range;  ///< where a vertex may be narrow
+  std::int32_t shift_x, shift_y;  ///< to 1/32 pixels, with perspective for a w that is normalised by 0
+  std::int32_t bias_x, bias_y;    ///< RasterOrigin's in 1/32 pixels, and half of 1/16 to round to nearest
+
+  constexpr NarrowProjection(const CompiledInstance& instance, const RasterOrigin& origin)
+      : w_near(instance.w_near),
+        w_range(instance.w_range),
+        shift_x(instance.shift_x - 1),
+        shift_y(instance.shift_y - 1),
+        bias_x(2 * origin.bias_x + 1),
+        bias_y(2 * origin.bias_y + 1) {
+    const std::int32_t smaller = shift_x < shift_y ? shift_x : shift_y;
+    // A vertex so near that it would be shifted left takes the clipping path.
+    const std::uint32_t nearest = smaller < 0    ? 0xFFFFFFFF
+                                  : orthographic ? 0
+                                  : smaller < 31 ? std::uint32_t{1} << (31 - smaller)
+                                                 : 0;
+    if (nearest > w_near) {
+      const std::uint32_t nearer = nearest - w_near;
+      w_near = nearest;
+      w_range -= nearer;
+      if (nearer > instance.w_range) w_near = 0x80000000, w_range = 0;  // no w is that: |w| < 2^31
+    }
+  }
+};
+
 /// Projects and snaps; false if the vertex is not narrow. `x`, `y`, `w` are the instance's linear forms at the vertex.
 template <bool orthographic, DepthFormat format = DepthFormat::z16>
-inline bool project_narrow(const CompiledInstance& instance, const RasterOrigin& origin, std::int32_t x, std::int32_t y,
-                           std::int32_t w, SnappedVertex& vertex) {
-  if (static_cast<std::uint32_t>(w) - instance.w_near > instance.w_range) return false;
+inline bool project_narrow(const NarrowProjection<orthographic>& narrow, const CompiledInstance& instance,
+                           const RasterOrigin& origin, std::int32_t x, std::int32_t y, std::int32_t w,
+                           SnappedVertex& vertex) {
+  if (static_cast<std::uint32_t>(w) - narrow.w_near > narrow.w_range) return false;
   Reciprocal r{0, 0};
   if constexpr (!orthographic) {
     r = reciprocal_of(static_cast<std::uint32_t>(w));
     x = multiply_high(x, r.value);
     y = multiply_high(y, r.value);
   }
-  const int shift_x = instance.shift_x - r.normalisation;
-  const int shift_y = instance.shift_y - r.normalisation;
-  if (shift_x < 1 || shift_y < 1) return false;
-  // Round to nearest, halves up: |x| < 2^30, so the sum stays in range.
-  const std::int32_t px = ((x + (1 << (shift_x - 1))) >> shift_x) + origin.bias_x;
-  const std::int32_t py = ((y + (1 << (shift_y - 1))) >> shift_y) + origin.bias_y;
-  constexpr auto kRange = static_cast<std::uint32_t>(2 * kNarrowLimit);
-  if (static_cast<std::uint32_t>(px + kNarrowLimit) >= kRange ||
-      static_cast<std::uint32_t>(py + kNarrowLimit) >= kRange) {
+  // Rounded to nearest, halves up.
+  const std::int32_t px = ((x >> (narrow.shift_x - r.normalisation)) + narrow.bias_x) >> 1;
+  const std::int32_t py = ((y >> (narrow.shift_y - r.normalisation)) + narrow.bias_y) >> 1;
+  // Both at once: a sum outside 0 .. 2 kNarrowLimit has a bit above.
+  static_assert(std::has_single_bit(static_cast<std::uint32_t>(kNarrowLimit)));
+  if ((static_cast<std::uint32_t>(px + kNarrowLimit) | static_cast<std::uint32_t>(py + kNarrowLimit)) >=
+      static_cast<std::uint32_t>(2 * kNarrowLimit)) {
     return false;
   }
-  vertex = {static_cast<std::int16_t>(px), static_cast<std::int16_t>(py),
-            project_depth<orthographic, format>(instance, origin, w, r)};
+  vertex.x = static_cast<std::int16_t>(px);
+  vertex.y = static_cast<std::int16_t>(py);
+  vertex.depth = project_depth<orthographic, format>(instance, origin, w, r);
   return true;
 }
 

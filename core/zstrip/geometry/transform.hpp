@@ -16,11 +16,12 @@ bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, cons
   const LinearForm fx = instance.x;
   const LinearForm fy = instance.y;
   const LinearForm fw = instance.w;
+  const NarrowProjection<kOrthographic> narrow(instance, origin);
   const Position* positions = mesh.positions.data() + first;
   bool all_narrow = true;
   for (std::uint32_t i = 0; i < count; ++i) {
     const Position p = positions[i];
-    if (!project_narrow<kOrthographic, kFormat>(instance, origin, fx.at(p), fy.at(p), fw.at(p), vertices[i])) {
+    if (!project_narrow<kOrthographic, kFormat>(narrow, instance, origin, fx.at(p), fy.at(p), fw.at(p), vertices[i])) {
       vertices[i] = {kNotNarrow, 0, 0};
       all_narrow = false;
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "zstrip/geometry/clip.hpp"
 #include "zstrip/geometry/transform.hpp"
@@ -129,6 +130,15 @@ struct Assembler {
            is_small(width, height, in_codes(a), in_codes(b), in_codes(c));
   }
 
+  /// Least and greatest; of whole words, or every comparison extends halfwords.
+  static std::pair<std::int32_t, std::int32_t> range(std::int32_t a, std::int32_t b) {
+    return a < b ? std::pair(a, b) : std::pair(b, a);
+  }
+  static std::pair<std::int32_t, std::int32_t> range(std::int32_t a, std::int32_t b, std::int32_t c) {
+    const auto [least, greatest] = range(a, b);
+    return {std::min(least, c), std::max(greatest, c)};
+  }
+
   /// Cannot be inlined: keeps the culling loop small enough for the registers of a Cortex-M.
   template <Shade shade>
   [[gnu::noinline]] static void draw_narrow(const StripTarget& target, const Batch& batch, const Triangle& provoking,
@@ -142,14 +152,21 @@ struct Assembler {
     const SnappedVertex& a = vertices[ia - batch.first_vertex];
     const SnappedVertex& b = vertices[ib - batch.first_vertex];
     const SnappedVertex& c = vertices[ic - batch.first_vertex];
-    const std::int32_t min_y = std::min(std::min(a.y, b.y), c.y);
-    const std::int32_t max_y = std::max(std::max(a.y, b.y), c.y);
-    const std::int32_t min_x = std::min(std::min(a.x, b.x), c.x);
-    const std::int32_t max_x = std::max(std::max(a.x, b.x), c.x);
-    const Rect box{std::max(min_x >> 4, target.area.left), std::max(min_y >> 4, target.area.top),
-                   std::min(max_x >> 4, target.area.right), std::min(max_y >> 4, target.area.bottom)};
+    const auto [min_x, max_x] = range(a.x, b.x, c.x);
+    const std::int32_t min_y = a.y;
+    const std::int32_t max_y = range(b.y, c.y).second;
+    const Rect whole{min_x >> 4, min_y >> 4, max_x >> 4, max_y >> 4};
+    const Rect& strip = target.area;
+    // The sign of all differences at once: most triangles lie inside the strip and cover a column and a row.
+    const bool is_inside = ((whole.left - strip.left) | (whole.top - strip.top) | (strip.right - whole.right) |
+                            (strip.bottom - whole.bottom)) >= 0;
+    Rect box = whole;
+    if (!is_inside) {
+      box = {std::max(box.left, strip.left), std::max(box.top, strip.top), std::min(box.right, strip.right),
+             std::min(box.bottom, strip.bottom)};
+    }
     if (box.empty()) return;
-    const CountedTriangle<kStatistics> counted(target, min_x >> 4, min_y >> 4);
+    const CountedTriangle<kStatistics> counted(target, whole.left, whole.top);
     constexpr bool kHasSmall = kDepth.format == DepthFormat::z16 || kDepth.format == DepthFormat::float16;
     if constexpr (shade <= Shade::gouraud && kHasSmall) {
       if (kDepth.format == DepthFormat::float16 ? is_small_in_octave(max_x - min_x, max_y - min_y, a, b, c)
@@ -162,7 +179,7 @@ struct Assembler {
           colours[2] = batch.colours + (ic - batch.first_vertex);
         }
         draw_small_triangle<kGouraud, kStatistics>(target, in_codes(a), in_codes(b), in_codes(c), colours,
-                                                   flat_colour<shade>(batch, provoking), area, min_x >> 4, min_y >> 4,
+                                                   flat_colour<shade>(batch, provoking), area, whole.left, whole.top,
                                                    box, DepthRule<kDepth>(target, a, b, c, area));
         return;
       }

@@ -49,6 +49,8 @@ struct SmallWeights {
 /// slivers the steps overflow and cancel.
 struct SmallPlane {
   std::uint32_t start, step_x, step_y;
+
+  std::uint32_t at(std::uint32_t columns, std::uint32_t rows) const { return start + step_x * columns + step_y * rows; }
 };
 
 /// The depth plane. `from_0` are the differences to vertices 1 and 2, 14.16, below 2^29; `inverse_area` is 2^31 / area.
@@ -91,6 +93,70 @@ class SmallChannels {
   std::int32_t at_anchor_[2], right_[2], down_[2];
 };
 
+/// All that scanning needs, in memory: set-up and scan are short only if neither holds the other's registers.
+struct SmallScan {
+  SmallPlane edges;  ///< PackedEdges
+  SmallPlane depth;  ///< 16.16 codes
+  SmallPlane red_blue,
+      green;  ///< red and blue share a word as two 8.8 values: they never leave 0..255, see channel_start
+  std::uint16_t flat_colour;
+  std::int32_t width, height;             ///< of the box, > 0
+  std::uint32_t first_column, first_row;  ///< of the box, from the anchor
+  std::uint16_t* depth_row;
+  std::uint16_t* colour_row;
+  std::int32_t depth_stride, colour_stride;
+  Statistics* statistics;
+
+  /// What a stage of the set-up has found is in memory from here on. Left alone, GCC mixes the stages and has a dozen
+  /// registers for all of their values.
+  void settle() {
+#if defined(__arm__)
+    asm volatile("" : "+m"(*this));
+#endif
+  }
+};
+
+template <bool gouraud, bool statistics, class Rule>
+[[gnu::noinline]] void scan_small_triangle(SmallScan& scan, const Rule& rule) {
+  for (std::uint32_t row = 0; row != static_cast<std::uint32_t>(scan.height); ++row) {
+    scan.settle();
+    const std::uint32_t edges_x = scan.edges.step_x;
+    const std::int32_t width = scan.width;
+    PackedEdges edges{scan.edges.start + scan.edges.step_y * row};
+    std::int32_t i = 0;
+    while (!edges.inside()) {
+      edges.word += edges_x;
+      if (++i == width) break;
+    }
+    if (i == width) continue;
+    const auto column = static_cast<std::uint32_t>(i);
+    std::uint32_t z = scan.depth.at(column, row);
+    std::uint32_t red_blue = 0, green = 0;
+    if constexpr (gouraud) {
+      red_blue = scan.red_blue.at(column, row);
+      green = scan.green.at(column, row);
+    }
+    std::uint16_t* const depth_row = scan.depth_row + static_cast<std::int32_t>(row) * scan.depth_stride;
+    std::uint16_t* const colour_row = scan.colour_row + static_cast<std::int32_t>(row) * scan.colour_stride;
+    do {
+      if constexpr (statistics) ++scan.statistics->fragments;
+      if (rule.draws(z, depth_row[i])) {
+        if constexpr (gouraud) {
+          colour_row[i] = static_cast<std::uint16_t>(((red_blue >> 16) & 0xF800U) | ((red_blue >> 11) & 0x1FU) |
+                                                     ((green >> 5) & 0x7E0U));
+        } else {
+          colour_row[i] = scan.flat_colour;
+        }
+        if constexpr (statistics) ++scan.statistics->depth_passes;
+      }
+      z += scan.depth.step_x;
+      red_blue += scan.red_blue.step_x;
+      green += scan.green.step_x;
+      edges.word += edges_x;
+    } while (++i != width && edges.inside());
+  }
+}
+
 /// Whether this triangle may be drawn by draw_small_triangle. Depends on the triangle alone, never on the strip.
 inline bool is_small(std::int32_t width, std::int32_t height, const SnappedVertex& a, const SnappedVertex& b,
                      const SnappedVertex& c) {
@@ -109,87 +175,61 @@ void draw_small_triangle(const StripTarget& target, const SnappedVertex& v0, con
                          const SnappedVertex& v2, const Colour* const (&colours)[3], std::uint16_t flat_colour,
                          std::int32_t area, std::int32_t anchor_x, std::int32_t anchor_y, const Rect& box,
                          Rule rule = {}) {
+  SmallScan scan;
+  scan.first_column = static_cast<std::uint32_t>(box.left - anchor_x);
+  scan.first_row = static_cast<std::uint32_t>(box.top - anchor_y);
+  scan.width = box.width();
+  scan.height = box.height();
+  scan.depth_row = target.depth_row(box.top) + (box.left - target.area.left);
+  scan.colour_row = target.colour_row(box.top) + (box.left - target.area.left);
+  scan.depth_stride = target.depth_stride;
+  scan.colour_stride = target.colour_stride;
+  scan.settle();
   const std::int32_t x = anchor_x * 16 + kPixelCentre - v0.x;
   const std::int32_t y = anchor_y * 16 + kPixelCentre - v0.y;
   SmallWeights weights{{}, {v0.y - v2.y, v1.y - v0.y}, {v2.x - v0.x, v0.x - v1.x}};
   for (int i = 0; i < 2; ++i) weights.at_anchor[i] = x * weights.right[i] + y * weights.down[i];
   const std::int32_t right_0 = -weights.right[0] - weights.right[1];
   const std::int32_t down_0 = -weights.down[0] - weights.down[1];
-  PackedEdges row{
+  scan.edges = {
       PackedEdges::pack(PackedEdges::field(area - weights.at_anchor[0] - weights.at_anchor[1], right_0, down_0),
                         PackedEdges::field(weights.at_anchor[0], weights.right[0], weights.down[0]),
-                        PackedEdges::field(weights.at_anchor[1], weights.right[1], weights.down[1]))};
-  const std::uint32_t edges_x = PackedEdges::pack(right_0, weights.right[0], weights.right[1]);
-  const std::uint32_t edges_y = PackedEdges::pack(down_0, weights.down[0], weights.down[1]);
+                        PackedEdges::field(weights.at_anchor[1], weights.right[1], weights.down[1])),
+      PackedEdges::pack(right_0, weights.right[0], weights.right[1]),
+      PackedEdges::pack(down_0, weights.down[0], weights.down[1])};
+  scan.settle();
 
   const std::int32_t inverse_area =
       of_any_sign(static_cast<std::int32_t>(quotient_31(static_cast<std::uint32_t>(area))));
-  SmallPlane depth = small_depth(weights, inverse_area, v0.depth, static_cast<std::int32_t>(v1.depth - v0.depth),
-                                 static_cast<std::int32_t>(v2.depth - v0.depth));
-  // Red and blue share a word as two 8.8 values, green has its own: values never leave 0..255, see channel_start.
-  std::uint32_t red_blue = 0, red_blue_x = 0, red_blue_y = 0;
-  std::uint32_t green = 0, green_x = 0, green_y = 0;
+  scan.depth = small_depth(weights, inverse_area, v0.depth, static_cast<std::int32_t>(v1.depth - v0.depth),
+                           static_cast<std::int32_t>(v2.depth - v0.depth));
+  scan.settle();
   if constexpr (gouraud) {
     const SmallChannels channels(weights, inverse_area);
+    scan.green = channels.plane(colours[0]->g, colours[1]->g, colours[2]->g);
+    scan.settle();
     const SmallPlane r = channels.plane(colours[0]->r, colours[1]->r, colours[2]->r);
+    scan.red_blue = {r.start << 16, r.step_x << 16, r.step_y << 16};
+    scan.settle();
     const SmallPlane b = channels.plane(colours[0]->b, colours[1]->b, colours[2]->b);
-    red_blue = (r.start << 16) + b.start;
-    red_blue_x = (r.step_x << 16) + b.step_x;
-    red_blue_y = (r.step_y << 16) + b.step_y;
-    const SmallPlane g = channels.plane(colours[0]->g, colours[1]->g, colours[2]->g);
-    green = g.start;
-    green_x = g.step_x;
-    green_y = g.step_y;
+    scan.red_blue.start += b.start;
+    scan.red_blue.step_x += b.step_x;
+    scan.red_blue.step_y += b.step_y;
+  } else {
+    scan.flat_colour = flat_colour;
   }
 
-  const auto skipped_columns = static_cast<std::uint32_t>(box.left - anchor_x);
-  const auto skipped_rows = static_cast<std::uint32_t>(box.top - anchor_y);
-  if ((skipped_columns | skipped_rows) != 0) {  // the strip or the picture cuts the box
-    row.word += edges_x * skipped_columns + edges_y * skipped_rows;
-    depth.start += depth.step_x * skipped_columns + depth.step_y * skipped_rows;
-    red_blue += red_blue_x * skipped_columns + red_blue_y * skipped_rows;
-    green += green_x * skipped_columns + green_y * skipped_rows;
-  }
-
-  std::uint16_t* depth_row = target.depth_row(box.top) + (box.left - target.area.left);
-  std::uint16_t* colour_row = target.colour_row(box.top) + (box.left - target.area.left);
-  const std::int32_t width = box.width();
-  for (std::int32_t rows = box.height(); rows != 0; --rows) {
-    PackedEdges edges = row;
-    std::int32_t i = 0;
-    while (!edges.inside()) {
-      edges.word += edges_x;
-      if (++i == width) break;
+  if ((scan.first_column | scan.first_row) != 0) {  // the strip or the picture cuts the box
+    const auto skip_to_box = [&scan](SmallPlane& plane) { plane.start = plane.at(scan.first_column, scan.first_row); };
+    skip_to_box(scan.edges);
+    skip_to_box(scan.depth);
+    if constexpr (gouraud) {
+      skip_to_box(scan.red_blue);
+      skip_to_box(scan.green);
     }
-    if (i != width) {
-      const auto skipped = static_cast<std::uint32_t>(i);
-      std::uint32_t z = depth.start + depth.step_x * skipped;
-      std::uint32_t rb = red_blue + red_blue_x * skipped;
-      std::uint32_t g = green + green_x * skipped;
-      do {
-        if constexpr (statistics) ++target.statistics->fragments;
-        if (rule.draws(z, depth_row[i])) {
-          if constexpr (gouraud) {
-            colour_row[i] =
-                static_cast<std::uint16_t>(((rb >> 16) & 0xF800U) | ((rb >> 11) & 0x1FU) | ((g >> 5) & 0x7E0U));
-          } else {
-            colour_row[i] = flat_colour;
-          }
-          if constexpr (statistics) ++target.statistics->depth_passes;
-        }
-        z += depth.step_x;
-        rb += red_blue_x;
-        g += green_x;
-        edges.word += edges_x;
-      } while (++i != width && edges.inside());
-    }
-    row.word += edges_y;
-    depth.start += depth.step_y;
-    red_blue += red_blue_y;
-    green += green_y;
-    depth_row += target.depth_stride;
-    colour_row += target.colour_stride;
   }
+  if constexpr (statistics) scan.statistics = target.statistics;
+  scan_small_triangle<gouraud, statistics>(scan, rule);
 }
 
 }  // namespace zstrip::detail

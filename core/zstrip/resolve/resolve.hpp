@@ -39,13 +39,39 @@ inline void resolve_mono(const std::uint16_t* pixels, std::uint16_t width, std::
   }
 }
 
-/// Fills a strip with one colour, sixteen pixels a turn.
+using PixelPairs [[gnu::may_alias]] = std::uint32_t;
+
+/// `blocks` > 0 times sixteen pixels.
+inline void fill_blocks_portably(PixelPairs* to, std::uint32_t pair, std::uint32_t blocks) {
+  for (; blocks != 0; --blocks, to += 8) {
+    for (int i = 0; i < 8; ++i) to[i] = pair;
+  }
+}
+inline void fill_blocks(PixelPairs* to, std::uint32_t pair, std::uint32_t blocks) {
+#if defined(__arm__)
+  // Compilers make eight stores of it; store multiple is one of them.
+  asm volatile(
+      ".syntax unified\n\t"
+      "movs r3, %2\n\tmovs r4, %2\n\tmovs r5, %2\n\tmovs r6, %2\n"
+      "1: stmia %0!, {r3, r4, r5, r6}\n\t"
+      "stmia %0!, {r3, r4, r5, r6}\n\t"
+      "subs %1, %1, #1\n\t"
+      "bne 1b"
+      : "+l"(to), "+l"(blocks)
+      : "l"(pair)
+      : "r3", "r4", "r5", "r6", "cc", "memory");
+#else
+  fill_blocks_portably(to, pair, blocks);
+#endif
+}
+
+/// Fills a strip with one colour.
 inline void fill_pixels(std::uint16_t* pixels, std::uint32_t count, std::uint16_t colour) {
   if (count != 0 && reinterpret_cast<std::uintptr_t>(pixels) % 4 != 0) *pixels++ = colour, --count;
-  const std::uint32_t pair = colour * 0x00010001U;
-  for (; count >= 16; count -= 16, pixels += 16) {
-    auto* const aligned = static_cast<std::uint16_t*>(__builtin_assume_aligned(pixels, 4));
-    for (int i = 0; i < 16; i += 2) __builtin_memcpy(aligned + i, &pair, sizeof pair);  // word stores
+  if (const std::uint32_t blocks = count / 16; blocks != 0) {
+    fill_blocks(reinterpret_cast<PixelPairs*>(pixels), colour * 0x00010001U, blocks);
+    pixels += blocks * 16;
+    count %= 16;
   }
   for (; count != 0; --count) *pixels++ = colour;
 }
