@@ -241,8 +241,11 @@ struct Assembler {
         corner[0].r = channel_start(colour.r), corner[0].g = channel_start(colour.g),
         corner[0].b = channel_start(colour.b);
       }
-      draw_span_triangle<shade, kOrthographic, kStatistics, kDepth>(target, corner[0], corner[1], corner[2], surface,
-                                                                    false);
+      TriangleParts parts(polygon, corner, area);
+      for (Rect part; parts.next(part);) {
+        draw_span_triangle<shade, kOrthographic, kStatistics, kDepth>(part_of<DepthCell<kDepth.format>>(target, part),
+                                                                      corner[0], corner[1], corner[2], surface, false);
+      }
     }
   }
 
