@@ -1,8 +1,9 @@
 // A clipped and snapped polygon, cut into triangles that cover it once.
 //
-// Snapping moves the vertices of a convex polygon by up to half a sub-pixel. It may become concave, or, where it is seen
-// edge-on, fold over itself. Drawn are the pixels around which it winds counter-clockwise. Winding numbers of polygons
-// that share an edge add up to that of their union, so that a fold neither covers a neighbour nor leaves a hole.
+// Snapping moves the vertices of a convex polygon by up to half a sub-pixel. It may become concave, or, where it is
+// seen edge-on, fold over itself. Drawn are the pixels around which it winds counter-clockwise. Winding numbers of
+// polygons that share an edge add up to that of their union, so that a fold neither covers a neighbour nor leaves a
+// hole.
 #pragma once
 
 #include <algorithm>
@@ -65,8 +66,8 @@ class RasterPolygon {
 };
 
 /// The parts of an area in which a triangle that was cut off a polygon is drawn: a pixel of it belongs to the polygon,
-/// and to none of the triangles to come, if what is left of the polygon does not wind around it. Of a convex polygon one
-/// part; else bands of rows where nothing is left out, and single runs.
+/// and to none of the triangles to come, if what is left of the polygon does not wind around it. Of a convex polygon
+/// one part; else bands of rows where nothing is left out, and single runs.
 class TriangleParts {
  public:
   /// `rest` is what cutting off `corner` has left; both must outlive this.

@@ -1,0 +1,147 @@
+// Hard cases C, of surfaces that are seen edge-on while planes cut them: snapping folds what is left of a triangle, so
+// that part of it lies on the wrong side of an edge that it shares. Every pixel is still drawn once.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "generators.hpp"
+#include "space.hpp"
+
+namespace hard_cases {
+namespace {
+
+/// From 1 to 2^bits - 1, all magnitudes equally likely.
+int any_magnitude(int bits) {
+  const int top = between(0, bits - 1);
+  return (1 << top) + between(0, (1 << top) - 1);
+}
+
+std::int16_t coordinate(double value) {
+  return static_cast<std::int16_t>(std::clamp(std::lround(value), -32767L, 32767L));
+}
+
+/// Pixels that a triangle covers, and those that it would cover if it were turned over: with a fold in it some of both.
+struct Sides {
+  std::vector<bool> front, back;
+
+  /// How often the outline winds around a pixel: so the numbers of neighbours add up to that of their union.
+  int winding(std::size_t pixel) const { return front[pixel] - back[pixel]; }
+};
+
+Sides sides_of(Space& space, const Triangle& t) {
+  const auto mask = [&space](const Triangle& triangle) {
+    space.model.triangles = {triangle};
+    const Picture picture = space.draw();
+    RC_ASSERT(picture.status);
+    const std::vector<bool> covered = mask_of(picture);
+    // A fragment a pixel, whatever triangles it was cut into.
+    RC_ASSERT(static_cast<std::ptrdiff_t>(picture.statistics.fragments) == std::ranges::count(covered, true));
+    return covered;
+  };
+  Sides sides{mask(t), mask({t.a, t.c, t.b})};
+  for (std::size_t i = 0; i < sides.front.size(); ++i) RC_ASSERT(!(sides.front[i] && sides.back[i]));
+  return sides;
+}
+
+/// A cube of +-4 around the eye: positions are in 1/8192 units. Single-sided, so that either side can be looked at.
+Space any_space() {
+  Space space(4 * kFixedOne, 0);
+  space.model.material.double_sided = false;
+  if (between(0, 1) == 0) space.camera.projection = Projection::orthographic;
+  space.camera.focal = kFixedOne / 4 + any_magnitude(20);
+  space.camera.near_plane = any_magnitude(18);
+  space.camera.far_plane = space.camera.near_plane + any_magnitude(18);
+  return space;
+}
+
+/// A point that is seen `x` pixels to the right of the picture's middle and `y` below it, at `distance` in 1/8192
+/// units.
+Position seen_at(const Space& space, double x, double y, double distance) {
+  const double across = space.camera.projection == Projection::orthographic ? 8192 : distance;
+  const double unit = across / (kView.height / 2.0) * kFixedOne / space.camera.focal;
+  return {coordinate(x * unit), coordinate(-y * unit), coordinate(-distance)};
+}
+
+RC_GTEST_PROP(HardCases, C29_HalvesOfAnEdgeOnQuadrilateralNeverOverlap, ()) {
+  Space space = any_space();
+  // In a plane that is a line on the screen: a place along the line, and a distance.
+  const double angle = between(0, 4095) * M_PI / 2048, x = between(-400, 400) / 16.0, y = between(-300, 300) / 16.0;
+  const int reach = between(0, 3) == 0 ? any_magnitude(14) : between(20, 200);
+  std::array<std::array<int, 2>, 4> p;
+  for (auto& corner : p) corner = {between(-reach, reach), between(16, 32767)};
+  const auto turn = [&p](std::size_t i, std::size_t j, std::size_t k) {
+    return std::int64_t{p[j][0] - p[i][0]} * (p[k][1] - p[i][1]) -
+               std::int64_t{p[j][1] - p[i][1]} * (p[k][0] - p[i][0]) >
+           0;
+  };
+  RC_PRE(turn(0, 1, 3) == turn(1, 3, 2) && turn(1, 3, 2) == turn(3, 2, 0) && turn(3, 2, 0) == turn(2, 0, 1));
+  for (const auto& [along, distance] : p) {
+    space.model.positions.push_back(seen_at(space, x + along * std::cos(angle), y + along * std::sin(angle), distance));
+    space.model.colours.push_back(kWhite);
+  }
+  // Planes that cut it: somewhere between its nearest and its farthest corner.
+  const auto [nearest, farthest] = std::minmax({p[0][1], p[1][1], p[2][1], p[3][1]});
+  space.camera.near_plane = 8 * between(nearest, farthest);
+  space.camera.far_plane = 8 * between(nearest, farthest + 4096);
+  if (space.camera.far_plane < space.camera.near_plane) std::swap(space.camera.near_plane, space.camera.far_plane);
+  ++space.camera.far_plane;
+  // Convex: a, b, d, c. The diagonal b-c is shared.
+  const Sides first = sides_of(space, {0, 1, 2}), second = sides_of(space, {2, 1, 3});
+  bool seen = false, folded = false;
+  for (std::size_t i = 0; i < first.front.size(); ++i) {
+    seen |= first.front[i] || second.front[i] || first.back[i] || second.back[i];
+    folded |= (first.front[i] && second.back[i]) || (first.back[i] && second.front[i]);
+    RC_ASSERT(!(first.front[i] && second.front[i]));
+    RC_ASSERT(!(first.back[i] && second.back[i]));
+  }
+  RC_TAG(folded ? "one half folded over the other" : seen ? "seen" : "no pixel");
+}
+
+RC_GTEST_PROP(HardCases, C29_AClippedStepSeenEdgeOnLeavesNoHole, ()) {
+  // Two treads joined by a riser that lies in the line of sight, all cut by near and far: together they look like one
+  // wide band. Where the riser winds backwards the treads overlap, by exactly those pixels.
+  Space space = any_space();
+  // The step's upper edge, and behind it, as seen from the eye, the lower one.
+  const double x0 = between(-900, 900) / 16.0, y0 = between(-600, 600) / 16.0;
+  const double x1 = between(-900, 900) / 16.0, y1 = between(-600, 600) / 16.0;
+  const int begin = between(16, 20000), end = between(16, 20000);
+  const double behind = 1 + between(1, 600) / 1000.0;
+  // To the left on the way from begin to end, and beyond the picture.
+  const double length = std::hypot(x1 - x0, y1 - y0);
+  RC_PRE(length > 0);
+  const double left_x = 150 * (y1 - y0) / length, left_y = -150 * (x1 - x0) / length;
+  space.model.positions = {seen_at(space, x0, y0, begin),
+                           seen_at(space, x1, y1, end),
+                           seen_at(space, x0, y0, begin * behind),
+                           seen_at(space, x1, y1, end * behind),
+                           seen_at(space, x0 + left_x, y0 + left_y, begin),
+                           seen_at(space, x1 + left_x, y1 + left_y, end),
+                           seen_at(space, x0 - left_x, y0 - left_y, begin * behind),
+                           seen_at(space, x1 - left_x, y1 - left_y, end * behind)};
+  space.model.colours.assign(8, kWhite);
+  std::vector<Triangle> triangles{{0, 1, 5}, {0, 5, 4}, {2, 3, 1}, {2, 1, 0}, {6, 7, 3}, {6, 3, 2}};
+  std::vector<int> winding(kPixels, 0), covered(kPixels, 0);
+  for (const Triangle& t : triangles) {
+    const Sides sides = sides_of(space, t);
+    for (std::size_t i = 0; i < winding.size(); ++i) {
+      winding[i] += sides.winding(i);
+      covered[i] += sides.front[i];
+    }
+  }
+  bool seen = false;
+  for (std::size_t y = 1; y + 1 < 64; ++y) {
+    for (std::size_t x = 1; x + 1 < 96; ++x) {
+      const std::size_t i = y * 96 + x;
+      seen |= winding[i] != 0;
+      RC_ASSERT(winding[i] <= 0 || covered[i] > 0);
+      const bool surrounded = winding[i - 1] > 0 && winding[i + 1] > 0 && winding[i - 96] > 0 && winding[i + 96] > 0;
+      RC_ASSERT(!surrounded || winding[i] == 1);
+    }
+  }
+  RC_TAG(seen ? "seen" : "no pixel");
+}
+
+}  // namespace
+}  // namespace hard_cases
