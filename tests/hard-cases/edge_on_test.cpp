@@ -67,29 +67,46 @@ Position seen_at(const Space& space, double x, double y, double distance) {
 }
 
 RC_GTEST_PROP(HardCases, C29_HalvesOfAnEdgeOnQuadrilateralNeverOverlap, ()) {
+  // Exactly flat: corners are lattice points of a plane that two whole vectors span, through the eye or parallel to the
+  // line of sight; in half of the samples beside it by a little.
   Space space = any_space();
-  // In a plane that is a line on the screen: a place along the line, and a distance.
-  const double angle = between(0, 4095) * M_PI / 2048, x = between(-400, 400) / 16.0, y = between(-300, 300) / 16.0;
-  const int reach = between(0, 3) == 0 ? any_magnitude(11) : between(20, 200);
+  const bool orthographic = space.camera.projection == Projection::orthographic;
+  const bool beside = between(0, 1) == 0;
+  const auto by_a_little = [beside] { return beside ? between(-2, 2) : 0; };
+  const std::array<int, 3> across{between(-60, 60), between(-60, 60), between(-60, 60)};
+  // Beyond the guard band: magnified around the picture's middle, which the plane then goes through.
+  const bool beyond_guard_band = between(0, 3) == 0;
+  const auto up_to = [beyond_guard_band](int limit) { return beyond_guard_band ? 0 : between(-limit, limit); };
+  const int depth = between(30, 1000), tilt = between(-3, 3);
+  const std::array<int, 3> away =
+      orthographic ? std::array{tilt * across[0] + by_a_little(), tilt * across[1] + by_a_little(), -depth}
+                   : std::array{up_to(depth / 2), up_to(depth / 2), -depth};
+  const std::array<int, 3> origin =
+      orthographic ? std::array{up_to(8000), up_to(4000), 0} : std::array{by_a_little(), by_a_little(), by_a_little()};
+  if (beyond_guard_band) space.camera.focal = any_magnitude(31);
   std::array<std::array<int, 2>, 4> p;
-  for (auto& corner : p) corner = {between(-reach, reach), between(1000, 32767)};
+  for (auto& corner : p) corner = {between(-200, 200), between(1, 32)};
   const auto turn = [&p](std::size_t i, std::size_t j, std::size_t k) {
-    return std::int64_t{p[j][0] - p[i][0]} * (p[k][1] - p[i][1]) -
-               std::int64_t{p[j][1] - p[i][1]} * (p[k][0] - p[i][0]) >
-           0;
+    return (p[j][0] - p[i][0]) * (p[k][1] - p[i][1]) - (p[j][1] - p[i][1]) * (p[k][0] - p[i][0]);
   };
-  RC_PRE(turn(0, 1, 3) == turn(1, 3, 2) && turn(1, 3, 2) == turn(3, 2, 0) && turn(3, 2, 0) == turn(2, 0, 1));
-  for (const auto& [along, distance] : p) {
-    space.model.positions.push_back(seen_at(space, x + along * std::cos(angle), y + along * std::sin(angle), distance));
+  // Around the outside: a, b, d, c. The diagonal b-c is shared.
+  const std::array<int, 4> turns{turn(0, 1, 3), turn(1, 3, 2), turn(3, 2, 0), turn(2, 0, 1)};
+  RC_PRE(*std::ranges::min_element(turns) > 0 || *std::ranges::max_element(turns) < 0);
+  int nearest = INT16_MAX, farthest = 1;
+  for (const auto& [i, j] : p) {
+    const auto at = [&, i = i, j = j](std::size_t axis) { return origin[axis] + i * across[axis] + j * away[axis]; };
+    space.model.positions.push_back({coordinate(at(0)), coordinate(at(1)), coordinate(at(2))});
     space.model.colours.push_back(kWhite);
+    nearest = std::min(nearest, -at(2));
+    farthest = std::max(farthest, -at(2));
   }
   // Planes that cut it: somewhere between its nearest and its farthest corner.
-  const auto [nearest, farthest] = std::minmax({p[0][1], p[1][1], p[2][1], p[3][1]});
+  nearest = std::max(nearest, 1);
   space.camera.near_plane = 8 * between(nearest, farthest);
   space.camera.far_plane = 8 * between(nearest, farthest + 4096);
   if (space.camera.far_plane < space.camera.near_plane) std::swap(space.camera.near_plane, space.camera.far_plane);
   ++space.camera.far_plane;
-  // Convex: a, b, d, c. The diagonal b-c is shared.
+
   const Sides first = sides_of(space, {0, 1, 2}), second = sides_of(space, {2, 1, 3});
   bool seen = false, folded = false;
   for (std::size_t i = 0; i < first.front.size(); ++i) {
