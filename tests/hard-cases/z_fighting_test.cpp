@@ -19,6 +19,8 @@ namespace hard_cases {
 namespace {
 
 constexpr View kProbe{64, 64};
+/// The same view on the pixels of a panel: corners are snapped to a quarter of the angle.
+constexpr View kPanel{256, 256};
 
 /// What else is in the scene, beside the picture: it sets the depth range.
 struct DepthRange {
@@ -56,7 +58,8 @@ double code_size(const DepthRange& range, double distance) {
 constexpr Fixed fixed(double value) { return static_cast<Fixed>(value * 65536 + 0.5); }
 
 /// Share of the pixels that do not show the nearer square.
-double wrong_pixels(const DepthRange& range, double distance, double tilt, double separation) {
+double wrong_pixels(const DepthRange& range, double distance, double tilt, double separation,
+                    const View& view = kProbe) {
   // Steps of z fine enough for 1/1000 of the separation's size: both squares stay within the mesh.
   const Fixed depth = std::max<Fixed>(16, fixed(separation * 2));
   const auto half_step =
@@ -95,24 +98,25 @@ double wrong_pixels(const DepthRange& range, double distance, double tilt, doubl
   camera.focal = 32 * kFixedOne;
   camera.near_plane = fixed(0.05);
   camera.far_plane = 200 * kFixedOne;
-  const picture::DepthPicture picture = picture::render_depth(scene, camera, kProbe, range.format);
+  const picture::DepthPicture picture = picture::render_depth(scene, camera, view, range.format);
   EXPECT_TRUE(picture.status);
   int wrong = 0;
-  for (std::size_t i = 0; i < 64 * 64; ++i) {
+  const std::size_t pixels = std::size_t{view.width} * view.height;
+  for (std::size_t i = 0; i < pixels; ++i) {
     wrong += picture.pixels[2 * i] != std::byte{0xFF} || picture.pixels[2 * i + 1] != std::byte{0xFF};
   }
-  return wrong / (64.0 * 64.0);
+  return wrong / static_cast<double>(pixels);
 }
 
-bool sorts(const DepthRange& range, double distance, double tilt, double separation) {
+bool sorts(const DepthRange& range, double distance, double tilt, double separation, const View& view) {
   for (int i = 0; i < 8; ++i) {
-    if (wrong_pixels(range, distance * (1 + i * 0.00125), tilt, separation) > 0) return false;
+    if (wrong_pixels(range, distance * (1 + i * 0.00125), tilt, separation, view) > 0) return false;
   }
   return true;
 }
 
 /// In steps of 5 %: the smallest above which all sort, up to ten times as much.
-double smallest_separation(const DepthRange& range, double distance, double tilt) {
+double smallest_separation(const DepthRange& range, double distance, double tilt, const View& view = kProbe) {
   double smallest = 0;
   // The size of a code at this distance is where to look; a slope is moved by the snapping of its corners to 1/16
   // pixel, 1/1024 of the distance each.
@@ -121,16 +125,16 @@ double smallest_separation(const DepthRange& range, double distance, double tilt
   const double limit = std::max(code / 3, kFinest);
   const double start = code > snapping ? 10 * code : 10 * code + 4 * snapping + distance * 0x1p-24;
   for (double separation = start; separation > limit; separation /= 1.05) {
-    if (!sorts(range, distance, tilt, separation)) break;
+    if (!sorts(range, distance, tilt, separation, view)) break;
     smallest = separation;
   }
   return smallest;
 }
 
-double smallest_of_all_tilts(const DepthRange& range, double distance) {
+double smallest_of_all_tilts(const DepthRange& range, double distance, const View& view = kProbe) {
   double worst = 0;
   for (const int degrees : {10, 20, 30, 45}) {
-    worst = std::max(worst, smallest_separation(range, distance, degrees * M_PI / 180));
+    worst = std::max(worst, smallest_separation(range, distance, degrees * M_PI / 180, view));
   }
   return worst;
 }
@@ -155,6 +159,15 @@ TEST(HardCases, D44_SmallestSeparationThatSorts) {
       // Vertices are snapped to 1/16 pixel: on a slope this moves the depth, by more codes the finer they are.
       EXPECT_GE(got.whole_tilted / got.fitted_tilted, 7);
     }
+  }
+}
+
+TEST(HardCases, D44_TheFitGainsEightTimesOnThePixelsOfAPanel) {
+  for (const double distance : {10.0, 30.0}) {
+    EXPECT_GE(smallest_separation(kWhole, distance, 0, kPanel) / smallest_separation(kFitted, distance, 0, kPanel), 8)
+        << "facing, at " << distance;
+    EXPECT_GE(smallest_of_all_tilts(kWhole, distance, kPanel) / smallest_of_all_tilts(kFitted, distance, kPanel), 8)
+        << "tilted, at " << distance;
   }
 }
 

@@ -17,6 +17,9 @@ struct Plane {
   }
 };
 
+// Linear forms are below 2^30; a difference of two must be below 2^47 for Fraction::of.
+static_assert(30 + kClipBits + 1 <= 47);
+
 /// A fraction 0..1 with 62 bits: the crossing of an edge that runs from far before to far behind the camera has a
 /// small w, which needs them.
 struct Fraction {

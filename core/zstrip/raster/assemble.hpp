@@ -237,16 +237,10 @@ struct Assembler {
     return polygon.face_front(batch.instance->double_sided);
   }
 
+  /// Cannot be inlined: what clipping needs of the stack, the most of all, is free again here.
   template <Shade shade>
-  [[gnu::noinline]] static void draw_clipped(const StripTarget& target, const Batch& batch, const Triangle& triangle) {
-    RasterPolygon polygon;
-    if (!clip<shade>(batch, triangle, polygon)) return;
-    const Rect box = polygon.box();
-    const Rect& area = target.area;
-    if (std::max(box.left, area.left) >= std::min(box.right, area.right) ||
-        std::max(box.top, area.top) >= std::min(box.bottom, area.bottom)) {
-      return;
-    }
+  [[gnu::noinline]] static void draw_polygon(const StripTarget& target, const Batch& batch, const Triangle& triangle,
+                                             RasterPolygon& polygon, const Rect& box) {
     Surface surface = batch.surface;
     surface.flat_colour = flat_colour<shade>(batch, triangle);
     if constexpr (kStatistics) ++target.statistics->clipped;
@@ -258,9 +252,25 @@ struct Assembler {
         corner[0].r = channel_start(colour.r), corner[0].g = channel_start(colour.g),
         corner[0].b = channel_start(colour.b);
       }
-      draw_span_triangle<shade, kOrthographic, kStatistics, kDepth>(target, corner[0], corner[1], corner[2], surface,
-                                                                    false);
+      TriangleParts parts(polygon, corner, target.area);
+      for (Rect part; parts.next(part);) {
+        draw_span_triangle<shade, kOrthographic, kStatistics, kDepth>(part_of<DepthCell<kDepth.format>>(target, part),
+                                                                      corner[0], corner[1], corner[2], surface, false);
+      }
     }
+  }
+
+  template <Shade shade>
+  [[gnu::noinline]] static void draw_clipped(const StripTarget& target, const Batch& batch, const Triangle& triangle) {
+    RasterPolygon polygon;
+    if (!clip<shade>(batch, triangle, polygon)) return;
+    const Rect box = polygon.box();
+    const Rect& area = target.area;
+    if (std::max(box.left, area.left) >= std::min(box.right, area.right) ||
+        std::max(box.top, area.top) >= std::min(box.bottom, area.bottom)) {
+      return;
+    }
+    draw_polygon<shade>(target, batch, triangle, polygon, box);
   }
 
   /// Twice the signed area, positive for front faces; differences of narrow coordinates are below 2^15, so 31 bits

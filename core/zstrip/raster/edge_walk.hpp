@@ -8,6 +8,9 @@
 
 namespace zstrip::detail {
 
+// A product of two differences of wide coordinates, twice, and the denominator to round up.
+static_assert(2 * (kGuardBits + 1) + 1 < 62);
+
 /// Integer is int32_t for narrow coordinates, int64_t for wide ones: the same pixels, proven by the ranges in
 /// docs/numerics.md. `pixel` is the first pixel whose centre is not left of the edge, so a span [left.pixel,
 /// right.pixel) obeys the top-left rule by itself.

@@ -1,4 +1,9 @@
-// A clipped and snapped polygon, cut into triangles.
+// A clipped and snapped polygon, cut into triangles that cover it once.
+//
+// Snapping moves the vertices of a convex polygon by up to half a sub-pixel. It may become concave, or, where it is
+// seen edge-on, fold over itself. Drawn are the pixels around which it winds counter-clockwise. Winding numbers of
+// polygons that share an edge add up to that of their union, so that a fold neither covers a neighbour nor leaves a
+// hole.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +14,12 @@
 
 namespace zstrip::detail {
 
-/// At most kMaxPolygon vertices. Snapping can make a convex polygon slightly concave, so a fan would overlap the
-/// neighbours: it is cut by ears instead.
+/// The winding number of a closed polygon around the centre of pixel (column, row), positive if counter-clockwise, by
+/// the fill rule: a centre on an edge is on its right, or below. `end` is moved to the next column in which it may
+/// change, if that comes before.
+int winding_number(const RasterVertex* vertices, int count, std::int32_t column, std::int32_t row, std::int32_t& end);
+
+/// At most kMaxPolygon vertices.
 class RasterPolygon {
  public:
   void append(const RasterVertex& vertex) { vertices_[count_++] = vertex; }
@@ -27,54 +36,56 @@ class RasterPolygon {
     return box;
   }
 
-  /// Makes the winding counter-clockwise; false if there is nothing to draw.
-  bool face_front(bool double_sided) {
-    std::int64_t area = 0;
-    for (int i = 1; i + 1 < count_; ++i) area += signed_area(vertices_[0], vertices_[i], vertices_[i + 1]);
-    if (area == 0 || (area < 0 && !double_sided)) return false;
-    if (area < 0) std::reverse(vertices_ + 1, vertices_ + count_);
-    return true;
-  }
+  /// Drops vertices that the outline does not need; with `double_sided` makes the winding counter-clockwise. False if
+  /// there is nothing to draw.
+  bool face_front(bool double_sided);
 
-  /// Takes one triangle of positive area off the polygon; false when none is left.
-  bool cut_triangle(RasterVertex (&corner)[3]) {
-    while (count_ >= 3) {
-      const int ear = find_ear();
-      const int before = ear == 0 ? count_ - 1 : ear - 1;
-      const int after = ear + 1 == count_ ? 0 : ear + 1;
-      corner[0] = vertices_[before];
-      corner[1] = vertices_[ear];
-      corner[2] = vertices_[after];
-      std::copy(vertices_ + ear + 1, vertices_ + count_, vertices_ + ear);
-      --count_;
-      if (signed_area(corner[0], corner[1], corner[2]) > 0) return true;
-    }
-    return false;
+  /// Whether no triangle that is cut off covers more than the polygon; since face_front().
+  bool is_convex() const { return convex_; }
+
+  /// Takes one triangle of positive area off the polygon; false when what is left winds clockwise or is nothing.
+  bool cut_triangle(RasterVertex (&corner)[3]);
+
+  /// Of what is left.
+  int winding_number(std::int32_t column, std::int32_t row, std::int32_t& end) const {
+    return detail::winding_number(vertices_, count_, column, row, end);
   }
 
  private:
-  /// A vertex whose triangle with its neighbours is not clockwise and holds no other vertex; the first vertex where
-  /// rounding left none.
-  int find_ear() const {
-    for (int i = 0; i < count_; ++i) {
-      const int before = i == 0 ? count_ - 1 : i - 1;
-      const int after = i + 1 == count_ ? 0 : i + 1;
-      if (signed_area(vertices_[before], vertices_[i], vertices_[after]) < 0) continue;
-      bool empty = true;
-      for (int k = 0; k < count_ && empty; ++k) {
-        empty = k == i || k == before || k == after || !strictly_inside(vertices_[k], before, i, after);
-      }
-      if (empty) return i;
-    }
-    return 0;
-  }
-  bool strictly_inside(const RasterVertex& v, int a, int b, int c) const {
-    return signed_area(vertices_[a], vertices_[b], v) > 0 && signed_area(vertices_[b], vertices_[c], v) > 0 &&
-           signed_area(vertices_[c], vertices_[a], v) > 0;
+  int before(int i) const { return i == 0 ? count_ - 1 : i - 1; }
+  int after(int i) const { return i + 1 == count_ ? 0 : i + 1; }
+  std::int64_t area_at(int i) const { return signed_area(vertices_[before(i)], vertices_[i], vertices_[after(i)]); }
+  void erase(int i) {
+    std::copy(vertices_ + i + 1, vertices_ + count_, vertices_ + i);
+    --count_;
   }
 
   RasterVertex vertices_[kMaxPolygon];
   int count_ = 0;
+  bool convex_ = true;
+};
+
+/// The parts of an area in which a triangle that was cut off a polygon is drawn: a pixel of it belongs to the polygon,
+/// and to none of the triangles to come, if what is left of the polygon does not wind around it. Of a convex polygon
+/// one part; else bands of rows where nothing is left out, and single runs.
+class TriangleParts {
+ public:
+  /// `rest` is what cutting off `corner` has left; both must outlive this.
+  TriangleParts(const RasterPolygon& rest, const RasterVertex (&corner)[3], const Rect& area);
+
+  /// Of raster pixels, inside the area, from top to bottom; false after the last one.
+  bool next(Rect& part);
+
+ private:
+  enum class Pixels { outside, drawn, left_out };
+  /// From `column` to before `end`, which is set.
+  Pixels run_from(std::int32_t column, std::int32_t& end) const;
+  bool row_is_whole() const;
+
+  const RasterPolygon& rest_;
+  const RasterVertex (&corner_)[3];
+  Rect area_;            ///< what is to come, from row `top` on
+  std::int32_t column_;  ///< where that begins in the first row
 };
 
 }  // namespace zstrip::detail

@@ -27,6 +27,17 @@ struct StripTarget {
   std::uint16_t* colour_row(std::int32_t y) const { return colour + (y - area.top) * colour_stride; }
 };
 
+/// The same strip with no more than `part` of its area to draw in.
+template <class Cell, class Target>
+Target part_of(const Target& target, const Rect& part) {
+  Target result = target;
+  const std::int32_t columns = part.left - target.area.left;
+  result.depth = reinterpret_cast<std::uint16_t*>(target.template depth_row<Cell>(part.top) + columns);
+  result.colour = target.colour_row(part.top) + columns;
+  result.area = part;
+  return result;
+}
+
 /// A texture as the pixel loop reads it.
 struct TextureView {
   const std::uint16_t* texels;
