@@ -9,6 +9,9 @@ namespace {
 /// Cells x < split of a row.
 constexpr std::uint32_t cells_before(std::uint32_t split) { return (1U << split) - 1; }
 
+/// Bits set in 0..15.
+constexpr std::array<std::uint8_t, 16> kBitsSet{0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
+
 constexpr bool is_leading(std::uint8_t row) { return (row & (row + 1U)) == 0; }
 
 }  // namespace
@@ -38,7 +41,7 @@ void write_cover(CoverKind kind, const Cover& cover, std::uint32_t width, std::u
 }
 
 Cover read_cover(CoverKind kind, const std::uint8_t* bytes, std::uint32_t width, std::uint32_t height) {
-  Cover cover;  // rows beyond the height are never read
+  Cover cover;
   const std::uint32_t whole = whole_row(width);
   if (kind == CoverKind::all) {
     for (std::uint32_t y = 0; y < height; ++y) cover[y] = static_cast<std::uint8_t>(whole);
@@ -46,13 +49,22 @@ Cover read_cover(CoverKind kind, const std::uint8_t* bytes, std::uint32_t width,
     for (std::uint32_t y = 0; y < height; ++y) cover[y] = static_cast<std::uint8_t>(bytes[y] & whole);
   } else {
     const std::uint32_t inverted = kind == CoverKind::trailing ? 0xFF : 0;
-    std::uint32_t splits = 0;
-    for (std::uint32_t y = 0; y < height; ++y, splits >>= 4) {
-      if (y % 2 == 0) splits = *bytes++;
-      cover[y] = static_cast<std::uint8_t>((cells_before(splits & 0xF) ^ inverted) & whole);
+    const auto row = [=](std::uint32_t split) {
+      return static_cast<std::uint8_t>((cells_before(split) ^ inverted) & whole);
+    };
+    for (std::uint32_t y = 0; y < height; y += 2) {
+      const std::uint32_t splits = *bytes++;
+      cover[y] = row(splits & 0xF);
+      cover[y + 1] = row(splits >> 4);
     }
   }
   return cover;
+}
+
+std::uint32_t cells_in(const Cover& cover, std::uint32_t height) {
+  std::uint32_t cells = 0;
+  for (std::uint32_t y = 0; y < height; ++y) cells += std::uint32_t{kBitsSet[cover[y] & 0xF]} + kBitsSet[cover[y] >> 4];
+  return cells;
 }
 
 }  // namespace zstrip::detail

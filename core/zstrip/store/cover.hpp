@@ -41,4 +41,7 @@ void write_cover(CoverKind kind, const Cover& cover, std::uint32_t width, std::u
 /// beyond `height` are left open.
 Cover read_cover(CoverKind kind, const std::uint8_t* bytes, std::uint32_t width, std::uint32_t height);
 
+/// Cells of the first `height` rows.
+std::uint32_t cells_in(const Cover& cover, std::uint32_t height);
+
 }  // namespace zstrip::detail

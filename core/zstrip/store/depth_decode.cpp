@@ -103,14 +103,15 @@ void decode_plane(const DecodedPlane& plane, const Tile& tile) {
   return true;
 }
 
-void clear_uncovered(const Cover& cover, const Tile& tile) {
-  const std::uint8_t whole = whole_row(tile.width);
-  for (std::uint32_t y = 0; y < tile.height; ++y) {
-    const std::uint32_t covered = cover[y];
+[[gnu::noinline]] void clear_uncovered(const Cover& cover, const Tile& tile) {
+  const std::uint32_t width = tile.width, whole = whole_row(width), stride = tile.stride;
+  std::uint16_t* row = tile.cells;
+  const std::uint8_t* next = cover.data();
+  for (std::uint32_t rows = tile.height; rows != 0; --rows, row += stride) {
+    const std::uint32_t covered = *next++;
     if (covered == whole) continue;
-    std::uint16_t* const row = tile.row(y);
-    for_row(tile.width, [row, covered](std::uint32_t x) {
-      if ((covered >> x & 1) == 0) row[x] = 0;
+    for_row(width, [row, covered](std::uint32_t x) __attribute__((always_inline)) {
+      if (!covers(covered, x)) row[x] = 0;
     });
   }
 }
@@ -125,7 +126,7 @@ void decode_plane_over(const DecodedPlane& plane, const Cover& cover, const Tile
     std::uint16_t* const row = tile.row(y);
     std::uint32_t value = row_start;
     for_row(tile.width, [row, covered, step, &value](std::uint32_t x) {
-      if ((covered >> x & 1) != 0) row[x] = static_cast<std::uint16_t>(value >> 16);
+      if (covers(covered, x)) row[x] = static_cast<std::uint16_t>(value >> 16);
       value += step;
       in_order(value);
     });
@@ -157,7 +158,7 @@ bool decode_two_planes(const Bytes& bytes, const Cover& cover, const Tile& tile)
   const std::uint32_t cover_size = cover_bytes(kind, tile.height);
   if (bytes.size() < cover_size) return false;
   bytes.next += cover_size;
-  const auto decode_coded = [&](const std::uint8_t* coded) {
+  const auto decode_coded = [&](const Cover* coded) {
     return decode_codes(bytes.next, bytes.size(), opcode, coded, tile);
   };
   const bool has_codes = (opcode >= kAlong && opcode <= kColumn) || (opcode > kOffset && opcode < kOffset + 16U);
@@ -169,7 +170,7 @@ bool decode_two_planes(const Bytes& bytes, const Cover& cover, const Tile& tile)
   } else if (opcode == kTwoPlanes) {
     return decode_two_planes(bytes, cover, tile);
   } else if (has_codes) {
-    decoded = decode_coded(cover.data());
+    decoded = decode_coded(&cover);
   }
   // Offsets leave the others cleared.
   if (decoded && kind != CoverKind::all && opcode < kOffset) clear_uncovered(cover, tile);
