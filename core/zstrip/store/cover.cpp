@@ -9,9 +9,6 @@ namespace {
 /// Cells x < split of a row.
 constexpr std::uint32_t cells_before(std::uint32_t split) { return (1U << split) - 1; }
 
-/// Bits set in 0..15.
-constexpr std::array<std::uint8_t, 16> kBitsSet{0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
-
 constexpr bool is_leading(std::uint8_t row) { return (row & (row + 1U)) == 0; }
 
 }  // namespace
@@ -44,7 +41,7 @@ Cover read_cover(CoverKind kind, const std::uint8_t* bytes, std::uint32_t width,
   Cover cover;
   const std::uint32_t whole = whole_row(width);
   if (kind == CoverKind::all) {
-    for (std::uint32_t y = 0; y < height; ++y) cover[y] = static_cast<std::uint8_t>(whole);
+    cover.fill(static_cast<std::uint8_t>(whole));
   } else if (kind == CoverKind::bitmap) {
     for (std::uint32_t y = 0; y < height; ++y) cover[y] = static_cast<std::uint8_t>(bytes[y] & whole);
   } else {
@@ -58,13 +55,8 @@ Cover read_cover(CoverKind kind, const std::uint8_t* bytes, std::uint32_t width,
       cover[y + 1] = row(splits >> 4);
     }
   }
+  for (std::uint32_t y = height; y < kTileSide; ++y) cover[y] = 0;
   return cover;
-}
-
-std::uint32_t cells_in(const Cover& cover, std::uint32_t height) {
-  std::uint32_t cells = 0;
-  for (std::uint32_t y = 0; y < height; ++y) cells += std::uint32_t{kBitsSet[cover[y] & 0xF]} + kBitsSet[cover[y] >> 4];
-  return cells;
 }
 
 }  // namespace zstrip::detail

@@ -26,7 +26,7 @@ template <std::uint32_t count>
   return bits;
 }
 
-/// Eight codes of `width` bits, and what is left after them. A function for each width: so every shift is a constant.
+/// Eight codes of `width` bits. A function for each width: so every shift is a constant.
 template <std::uint32_t width>
 [[gnu::noinline]] void unpack_eight(const std::uint8_t* end, const std::uint8_t* low, std::uint16_t* codes) {
   constexpr bool kHasLowBytes = width > 8;
@@ -35,12 +35,13 @@ template <std::uint32_t width>
   constexpr std::uint32_t kWordBytes = (kPerWord * kBits + 7) / 8;
   constexpr std::uint32_t kSkipped = kTileSide * kBits / 16;  // whole bytes before the second word
   std::uint32_t bits = bits_before<kWordBytes>(end);
-  for_row(kTileSide, [&](std::uint32_t x) __attribute__((always_inline)) {
-    if (x == kPerWord) bits = bits_before<kWordBytes>(end - kSkipped) << (kPerWord * kBits % 8);
-    const std::uint32_t at_the_top = bits << x % kPerWord * kBits;
-    const auto code = static_cast<std::uint32_t>(static_cast<std::int32_t>(at_the_top) >> (32 - kBits));
-    codes[x] = static_cast<std::uint16_t>(kHasLowBytes ? code << 8 | low[x] : code);
-  });
+  for_row(
+      kTileSide, [&](std::uint32_t x) __attribute__((always_inline)) {
+        if (x == kPerWord) bits = bits_before<kWordBytes>(end - kSkipped) << (kPerWord * kBits % 8);
+        const std::uint32_t at_the_top = bits << x % kPerWord * kBits;
+        const auto code = static_cast<std::uint32_t>(static_cast<std::int32_t>(at_the_top) >> (32 - kBits));
+        codes[x] = static_cast<std::uint16_t>(kHasLowBytes ? code << 8 | low[x] : code);
+      });
 }
 
 /// Takes a group with codes of a written width that must be there.
@@ -102,8 +103,8 @@ void unpack_some(const Groups& groups, std::uint32_t width, std::uint32_t count,
   const std::uint32_t low_bytes = width > 8 ? count : 0;
   const std::uint32_t bits = count * (width > 8 ? width - 8 : width);
   if (static_cast<std::size_t>(groups.end - groups.low) != low_bytes + (bits + 7) / 8) return false;
-  // As eight codes where what is read too much is inside the record as well.
-  if (all.end - groups.low >= 8 && groups.end - all.low >= 5) {
+  // As eight codes, where what is read too much is codes as well.
+  if (all.end - groups.low >= 8 && groups.end - all.low >= 8) {
     unpack_group(groups, written, codes);
   } else {
     unpack_some(groups, width, count, codes);
@@ -177,7 +178,7 @@ template <Opcode predictor>
   const auto whole = [](auto step) __attribute__((always_inline)) { for_row(kTileSide, step); };
   for (std::uint32_t count = rows.count; count != 0; --count) {
     const std::uint32_t cover = *codes.cover++;
-    const auto covered_code = [cover, &next](std::uint32_t x) __attribute__((always_inline)) {
+    const auto covered_code = [ cover, &next ](std::uint32_t x) __attribute__((always_inline)) {
       return covers(cover, x) ? *next++ : 0U;
     };
     if (cover == 0xFF) {
@@ -231,9 +232,10 @@ template <typename Predict>
   const std::uint32_t stride = tile.stride, width = tile.width;
   for (std::uint32_t rows = tile.height; rows != 0; --rows, row += stride) {
     const std::uint32_t covered = *cover++;
-    for_row(width, [row, covered, start, &codes](std::uint32_t x) __attribute__((always_inline)) {
-      row[x] = covers(covered, x) ? static_cast<std::uint16_t>(start + *codes++) : std::uint16_t{0};
-    });
+    for_row(
+        width, [ row, covered, start, &codes ](std::uint32_t x) __attribute__((always_inline)) {
+          row[x] = covers(covered, x) ? static_cast<std::uint16_t>(start + *codes++) : std::uint16_t{0};
+        });
   }
 }
 
@@ -242,7 +244,7 @@ template <typename Predict>
 bool decode_codes(const std::uint8_t* bytes, std::size_t size, Opcode opcode, const Cover* cover,
                   const TileView<std::uint16_t>& tile) {
   const bool offsets = opcode >= kOffset;
-  const std::uint32_t count = cover == nullptr ? kTileSide * tile.height : cells_in(*cover, tile.height);
+  const std::uint32_t count = cover == nullptr ? kTileSide * tile.height : cells_in(*cover);
   const std::size_t head = code_head_bytes(opcode, count);
   if (size < head) return false;
   const Groups groups{bytes + head, bytes + size};
@@ -258,7 +260,7 @@ bool decode_codes(const std::uint8_t* bytes, std::size_t size, Opcode opcode, co
     predict_tile(opcode, start, tile, []<Opcode predictor>(const Rows& rows) { predict_whole<predictor>(rows); });
     return true;
   }
-  constexpr Cover kAll{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
+  constexpr Cover kAll{{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}};
   if (cover == nullptr) cover = &kAll;
   std::array<std::uint16_t, kTileCells> codes;
   if (!unpack(groups, widths, count, codes.data(), kTileSide)) return false;
