@@ -42,7 +42,8 @@ class Planning {
 
   std::uint64_t total_bytes(const Plan& plan) const {
     return std::uint64_t{plan.bytes()} +
-           std::uint64_t{request_.budget.strip_buffers} * plan.strip_pixel_bytes(request_.view) + plan.layer.sum();
+           std::uint64_t{request_.budget.strip_buffers} * plan.strip_pixel_bytes(request_.view) +
+           request_.budget.layer.sum();
   }
 
   Result<Alternative> draw(const Plan& plan) {

@@ -109,12 +109,12 @@ std::string curve(const PlanChoice& choice, const View& view) {
   return text;
 }
 
-Json to_object(const Alternative& alternative) {
+Json to_object(const Alternative& alternative, const LayerBytes& layer) {
   const Plan& plan = alternative.plan;
   Json bytes;
   for (const Part& part : parts(plan)) bytes[part.name] = part.bytes;
   bytes["arena"] = plan.bytes();
-  bytes["layer"] = plan.layer.sum();
+  bytes["layer"] = layer.sum();
   bytes["total"] = alternative.total_bytes;
   return {{"mode", name(plan.mode)},
           {"strips", plan.strips},
@@ -145,8 +145,8 @@ std::string plan_table(const std::string& scene, const PlanRequest& request, con
                     grouped(std::uint64_t{request.budget.strip_buffers} * chosen.plan.strip_pixel_bytes(request.view)),
                     "pixels", counted(request.budget.strip_buffers, "strip buffer"));
   }
-  if (chosen.plan.layer.sum() != 0) {
-    text += fmt::format("{:>10}  {:<12} pools and dirty tiles\n", grouped(chosen.plan.layer.sum()), "layer");
+  if (request.budget.layer.sum() != 0) {
+    text += fmt::format("{:>10}  {:<12} pools and dirty tiles\n", grouped(request.budget.layer.sum()), "layer");
   }
   text += fmt::format(
       "{:>10}  {:<12} {}\n", grouped(chosen.total_bytes), "total",
@@ -160,7 +160,7 @@ std::string plan_table(const std::string& scene, const PlanRequest& request, con
 
 std::string plan_json(const std::string& scene, const PlanRequest& request, const PlanChoice& choice) {
   Json curve = Json::array();
-  for (const Alternative& point : choice.curve) curve.push_back(to_object(point));
+  for (const Alternative& point : choice.curve) curve.push_back(to_object(point, request.budget.layer));
   Json depth = nullptr;
   if (choice.depth) {
     Json formats = Json::array();
@@ -189,7 +189,7 @@ std::string plan_json(const std::string& scene, const PlanRequest& request, cons
                          {"meshlets", choice.counts.meshlets},
                          {"largest_meshlet", choice.counts.largest_meshlet},
                          {"longest_meshlet", choice.counts.longest_meshlet}}},
-                       {"plan", to_object(choice.chosen)},
+                       {"plan", to_object(choice.chosen, request.budget.layer)},
                        {"curve", curve},
                        {"depth", depth},
                        {"static_layer",

@@ -171,9 +171,9 @@ TEST_F(Command, PlanAdvisesADepthFormat) {
     return nlohmann::json::parse(outcome.out).at("depth").at("advised_format").get<std::string>();
   };
   EXPECT_EQ(advised({}), "z16");
-  EXPECT_EQ(advised({"--separation", "0.00001"}), "z24");
+  EXPECT_EQ(advised({"--separation", "0.0001"}), "z24");
   // Over the whole range of the camera z16 has few codes left where the room is.
-  EXPECT_EQ(advised({"--static-layer", "--separation", "0.001"}), "float");
+  EXPECT_EQ(advised({"--static-layer", "--separation", "0.002"}), "float");
   EXPECT_EQ(zstrip({"plan", "room", "--separation", "0"}).status, 2);
   EXPECT_EQ(zstrip({"plan", "room", "--separation", "nan"}).status, 2);
 }

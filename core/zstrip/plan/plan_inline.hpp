@@ -44,7 +44,7 @@ constexpr bool drawn_in_place(PixelFormat format) {
   return format == PixelFormat::rgb565 || format == PixelFormat::rgb565_swapped;
 }
 
-constexpr Purpose largest_purpose(const Plan& plan) {
+constexpr Purpose largest_purpose(const Plan& plan, const LayerBytes& layer = {}) {
   Purpose purpose = Purpose::instances;
   std::uint64_t most = plan.instance_bytes;
   const auto consider = [&](Purpose candidate, std::uint64_t bytes) {
@@ -55,7 +55,7 @@ constexpr Purpose largest_purpose(const Plan& plan) {
   consider(Purpose::depth, plan.depth_bytes);
   consider(Purpose::colour, plan.colour_bytes);
   consider(Purpose::bins, plan.bin_bytes);
-  consider(Purpose::layer, plan.layer.sum());
+  consider(Purpose::layer, layer.sum());
   return purpose;
 }
 }  // namespace detail
@@ -122,7 +122,7 @@ class Planner {
     if (smallest_.strips == 0) return {.status = {.error = Error::unplannable}, .plan = {}};
     const std::uint64_t needed = all_bytes(smallest_);
     return {.status = {.error = Error::arena_too_small,
-                       .purpose = largest_purpose(smallest_),
+                       .purpose = largest_purpose(smallest_, layer_),
                        .needed = needed > kLargestArena ? kLargestArena : static_cast<std::uint32_t>(needed),
                        .available = limit_},
             .plan = smallest_};
@@ -153,7 +153,7 @@ class Planner {
 
   constexpr Plan with(Mode mode, std::uint16_t columns, std::uint16_t rows) const {
     if (layer_.sum() != 0) rows = whole_tiles(rows, view_.height);
-    Plan plan{.mode = mode, .strip_rows = rows, .strip_columns = columns, .layer = layer_};
+    Plan plan{.mode = mode, .strip_rows = rows, .strip_columns = columns};
     const std::uint32_t strips = plan.columns_of_strips(view_) * plan.rows_of_strips(view_);
     if (strips > kMostStrips) return {};
     plan.strips = static_cast<std::uint16_t>(strips);
