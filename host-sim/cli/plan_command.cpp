@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -19,6 +20,8 @@
 namespace zstrip::sim {
 namespace {
 
+constexpr std::uint32_t kFramesOfTurn = 8;  // enough to see the sides of a thing that turns
+
 struct Arguments {
   std::string scene;
   std::string size = "320x240";
@@ -29,6 +32,9 @@ struct Arguments {
   bool split_columns = false;
   std::uint32_t strip_buffers = 1;
   std::string mode = "any";
+  std::string depth_format = "z16";
+  std::optional<double> separation;
+  bool static_layer = false;
   bool json = false;
 };
 
@@ -50,19 +56,39 @@ Result<PlanRequest> parse(const Arguments& arguments) {
   request.budget.strip_buffers = static_cast<std::uint8_t>(arguments.strip_buffers);
   request.may_bin = arguments.mode != "streamed";
   request.budget.modes = arguments.mode == "binned" ? Modes::binned : Modes::any;
+  const Result<DepthFormat> depth_format = parse_depth_format(arguments.depth_format);
+  if (!depth_format) return depth_format.failure();
+  request.depth_format = *depth_format;
+  const bool wide = depth_bytes(*depth_format) > sizeof(std::uint16_t);
+  if (arguments.static_layer && (wide || *format != PixelFormat::rgb565)) {
+    return Failure{ExitStatus::usage, "a static layer keeps depth of 16 bits and pixels of --format rgb565"};
+  }
+  if (arguments.separation && !(std::isfinite(*arguments.separation) && *arguments.separation > 0)) {
+    return Failure{ExitStatus::usage, "--separation is a length greater than 0"};
+  }
   return request;
 }
 
 Result<Done> run(const Arguments& arguments) {
-  const Result<PlanRequest> request = parse(arguments);
+  Result<PlanRequest> request = parse(arguments);
   if (!request) return request.failure();
   const Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, UpAxis::plus_y, {}, request->view, 1);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
+  const DepthFormat kept_format =
+      depth_bytes(request->depth_format) == sizeof(std::uint16_t) ? request->depth_format : DepthFormat::z16;
+  const Result<KeptFrames> kept =
+      keep_frames(**stage, request->view, kept_format, kFramesOfTurn, arguments.static_layer);
+  if (!kept) return kept.failure();
+  if (arguments.static_layer) request->budget.layer = kept->layer();
   const Result<Staging> staging = (*stage)->place(0, 1);
   if (!staging) return staging.failure();
-  const Result<PlanChoice> choice = choose_plan(*staging, *request);
+  Result<PlanChoice> choice = choose_plan(*staging, *request);
   if (!choice) return choice.failure();
+  choice->kept = *kept;
+  if (kept->nearest > 0) {
+    choice->depth = advise_depth(*kept, staging->camera, request->view, arguments.separation);
+  }
   write_text(stdout, arguments.json ? plan_json(arguments.scene, *request, *choice)
                                     : plan_table(arguments.scene, *request, *choice));  // main looks at the stream
   return Done{};
@@ -94,12 +120,20 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   command->add_option("--mode", a.mode, "Transform geometry for each strip, once, or what is faster")
       ->check(CLI::IsMember({"any", "streamed", "binned"}))
       ->capture_default_str();
+  command->add_option("--depth-format", a.depth_format, "How depth is kept: z16 (default), float, w16, z24 or z32")
+      ->type_name("FORMAT");
+  command
+      ->add_option("--separation", a.separation,
+                   "How far apart things are that must sort, in world units (default: a pixel)")
+      ->type_name("LENGTH");
+  command->add_flag("--static-layer", a.static_layer, "The picture is kept as a static layer; --ram holds it, too");
   command->add_flag("--json", a.json, "JSON instead of a table");
   command->footer(
       "Examples:\n"
       "  zstrip plan teapot --size 240x240\n"
       "  zstrip plan model.glb --size 320x240 --ram 16K --split-columns\n"
-      "  zstrip plan knot_meshlets --ram 48K --strip-buffers 2 --json");
+      "  zstrip plan knot_meshlets --ram 48K --strip-buffers 2 --json\n"
+      "  zstrip plan room --size 128x64 --ram 32K --static-layer --separation 0.01");
   command->callback([arguments, &exit_code] {
     const Result<Done> done = run(*arguments);
     exit_code = done ? static_cast<int>(ExitStatus::ok) : print_failure(done.failure());

@@ -32,7 +32,8 @@ class Planning {
       : staging_(staging),
         request_(request),
         counts_(count(staging.scene)),
-        effects_(effects_of(staging.scene, staging.camera) | (request.may_bin ? effect::bins : Effects{})) {}
+        effects_(effects_of(staging.scene, staging.camera) | depth_effect(request.depth_format) |
+                 (request.may_bin ? effect::bins : Effects{})) {}
 
   const SceneCounts& counts() const { return counts_; }
 
@@ -41,11 +42,12 @@ class Planning {
 
   std::uint64_t total_bytes(const Plan& plan) const {
     return std::uint64_t{plan.bytes()} +
-           std::uint64_t{request_.budget.strip_buffers} * plan.strip_pixel_bytes(request_.view);
+           std::uint64_t{request_.budget.strip_buffers} * plan.strip_pixel_bytes(request_.view) +
+           request_.budget.layer.sum();
   }
 
   Result<Alternative> draw(const Plan& plan) {
-    FrameRenderer renderer(request_.view, {});
+    FrameRenderer renderer(request_.view, {}, request_.depth_format);
     const Result<FrameReport> report = renderer.render(staging_, plan);
     if (!report) return report.failure();
     const Statistics& done = report->statistics;
@@ -116,7 +118,7 @@ Result<PlanChoice> choose_plan(const Staging& staging, const PlanRequest& reques
                    fmt::format("the picture cannot be planned: {}{}", message(best.status.error),
                                best.status.error == Error::unplannable ? "; ask for larger strips" : "")};
   }
-  PlanChoice choice{.counts = planning.counts(), .chosen = {}, .curve = {}};
+  PlanChoice choice{.counts = planning.counts(), .chosen = {}, .curve = {}, .kept = {}, .depth = {}};
   Result<Alternative> chosen = planning.draw(best.plan);
   if (!chosen) return chosen.failure();
   choice.chosen = *chosen;

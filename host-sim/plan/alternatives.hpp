@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "plan/depth_advice.hpp"
+#include "plan/kept_frames.hpp"
 #include "render/stage.hpp"
 #include "result.hpp"
 #include "zstrip/base/statistics.hpp"
@@ -14,7 +17,7 @@ namespace zstrip::sim {
 /// One plan, and what drawing the first frame with it did.
 struct Alternative {
   Plan plan;
-  std::uint64_t total_bytes = 0;   ///< arena and strip buffers
+  std::uint64_t total_bytes = 0;   ///< arena, strip buffers and static layer
   std::uint64_t instructions = 0;  ///< of a Cortex-M3, estimated from `statistics`
   Statistics statistics;
   bool overflowed = false;  ///< its bins were too small for this frame, which was streamed
@@ -22,14 +25,17 @@ struct Alternative {
 
 struct PlanRequest {
   View view;
-  Budget budget;        ///< bytes, rows, columns and buffers as asked for
+  Budget budget;        ///< bytes, rows, columns, buffers and layer as asked for
   bool may_bin = true;  ///< else only streamed plans
+  DepthFormat depth_format = DepthFormat::z16;
 };
 
 struct PlanChoice {
   SceneCounts counts;
   Alternative chosen;
-  std::vector<Alternative> curve;  ///< from the smallest plan to a single strip, each faster than the one before
+  std::vector<Alternative> curve;    ///< from the smallest plan to a single strip, each faster than the one before
+  KeptFrames kept;                   ///< the scene as a static layer
+  std::optional<DepthAdvice> depth;  ///< none if nothing is visible
 };
 
 /// Failures: ExitStatus::budget with the bytes that are needed and the cheapest change that would fit.

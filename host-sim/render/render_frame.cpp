@@ -63,7 +63,7 @@ Result<FrameReport> FrameRenderer::render(const Staging& staging) {
 }
 
 Result<FrameReport> FrameRenderer::render(const Staging& staging, const Plan& plan) {
-  const Effects effects = effects_of(staging.scene, staging.camera) | effect::statistics;
+  const Effects effects = effects_of(staging.scene, staging.camera) | depth_effect(depth_format_) | effect::statistics;
   FrameReport report;
   report.plan = plan;
   report.strip_pixel_bytes = plan.strip_pixel_bytes(view_);

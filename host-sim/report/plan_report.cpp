@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
@@ -42,6 +43,37 @@ std::array<Part, 6> parts(const Plan& plan) {
            {"bins", plan.bin_bytes, "triangles waiting for their strip"}}};
 }
 
+/// A length with three digits that count, without an exponent.
+std::string length(double value) {
+  const int before_point = static_cast<int>(std::floor(std::log10(std::max(value, 1e-12)))) + 1;
+  return fmt::format("{:.{}f}", value, std::clamp(3 - before_point, 0, 12));
+}
+
+/// Which formats sort what the scene needs.
+std::string depth_table(const DepthAdvice& depth) {
+  std::string text = fmt::format("\n{:<10}  {:>5}  sorts what is apart by\n{:<17}  {:<14} {}\n", "depth", "bytes", "",
+                                 "at " + length(depth.nearest), "at " + length(depth.farthest));
+  for (const FormatSeparation& format : depth.formats) {
+    text += fmt::format("{:<10}  {:>5}  {:<14} {:<14}{}\n", name(format.format), depth_bytes(format.format),
+                        length(format.at_nearest), length(format.at_farthest),
+                        format.format == depth.advised ? "  <- the cheapest that does" : "");
+  }
+  return text + fmt::format("Needed at {}: {}.\n", length(depth.farthest), length(depth.needed));
+}
+
+std::string layer_table(const KeptFrames& kept) {
+  std::string text = fmt::format("\nas a static layer, {} frames of a turn kept one by one\n{:>10}  {:>10}  {:>10}\n",
+                                 kept.frames, "largest", "average", "any");
+  const auto row = [&](const KeptBytes& bytes, const std::string& what) {
+    text += fmt::format("{:>10}  {:>10}  {:>10}  {}\n", grouped(bytes.largest), grouped(bytes.average),
+                        grouped(bytes.worst), what);
+  };
+  row(kept.depth, fmt::format("pool for depth in {}", name(kept.format)));
+  row(kept.colour, "pool for colour");
+  row({kept.dirty, kept.dirty, kept.dirty}, "dirty tiles");
+  return text;
+}
+
 std::string millions(std::uint64_t instructions) {
   return fmt::format("{:.2f} M", static_cast<double>(instructions) / 1e6);
 }
@@ -77,11 +109,12 @@ std::string curve(const PlanChoice& choice, const View& view) {
   return text;
 }
 
-Json to_object(const Alternative& alternative) {
+Json to_object(const Alternative& alternative, const LayerBytes& layer) {
   const Plan& plan = alternative.plan;
   Json bytes;
   for (const Part& part : parts(plan)) bytes[part.name] = part.bytes;
   bytes["arena"] = plan.bytes();
+  bytes["layer"] = layer.sum();
   bytes["total"] = alternative.total_bytes;
   return {{"mode", name(plan.mode)},
           {"strips", plan.strips},
@@ -112,17 +145,38 @@ std::string plan_table(const std::string& scene, const PlanRequest& request, con
                     grouped(std::uint64_t{request.budget.strip_buffers} * chosen.plan.strip_pixel_bytes(request.view)),
                     "pixels", counted(request.budget.strip_buffers, "strip buffer"));
   }
+  if (request.budget.layer.sum() != 0) {
+    text += fmt::format("{:>10}  {:<12} pools and dirty tiles\n", grouped(request.budget.layer.sum()), "layer");
+  }
   text += fmt::format(
       "{:>10}  {:<12} {}\n", grouped(chosen.total_bytes), "total",
       request.budget.bytes == 0 ? "no limit given" : fmt::format("of {} allowed", grouped(request.budget.bytes)));
   text += curve(choice, request.view);
+  if (choice.depth) text += depth_table(*choice.depth);
+  text += layer_table(choice.kept);
   text += "Instructions: a frame on a Cortex-M3, estimated from what the first frame does; zstrip bench measures.\n";
   return text;
 }
 
 std::string plan_json(const std::string& scene, const PlanRequest& request, const PlanChoice& choice) {
   Json curve = Json::array();
-  for (const Alternative& point : choice.curve) curve.push_back(to_object(point));
+  for (const Alternative& point : choice.curve) curve.push_back(to_object(point, request.budget.layer));
+  Json depth = nullptr;
+  if (choice.depth) {
+    Json formats = Json::array();
+    for (const FormatSeparation& format : choice.depth->formats) {
+      formats.push_back(
+          {{"format", name(format.format)}, {"at_nearest", format.at_nearest}, {"at_farthest", format.at_farthest}});
+    }
+    depth = {{"nearest", choice.depth->nearest},
+             {"farthest", choice.depth->farthest},
+             {"needed_separation", choice.depth->needed},
+             {"advised_format", name(choice.depth->advised)},
+             {"separations", formats}};
+  }
+  const auto pool = [](const KeptBytes& bytes) {
+    return Json{{"largest", bytes.largest}, {"average", bytes.average}, {"worst", bytes.worst}};
+  };
   const Json object = {{"scene", scene},
                        {"width", request.view.width},
                        {"height", request.view.height},
@@ -135,8 +189,15 @@ std::string plan_json(const std::string& scene, const PlanRequest& request, cons
                          {"meshlets", choice.counts.meshlets},
                          {"largest_meshlet", choice.counts.largest_meshlet},
                          {"longest_meshlet", choice.counts.longest_meshlet}}},
-                       {"plan", to_object(choice.chosen)},
-                       {"curve", curve}};
+                       {"plan", to_object(choice.chosen, request.budget.layer)},
+                       {"curve", curve},
+                       {"depth", depth},
+                       {"static_layer",
+                        {{"frames", choice.kept.frames},
+                         {"depth_format", name(choice.kept.format)},
+                         {"depth_bytes", pool(choice.kept.depth)},
+                         {"colour_bytes", pool(choice.kept.colour)},
+                         {"dirty_bytes", choice.kept.dirty}}}};
   return object.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -11,6 +11,7 @@ constexpr View kBench{320, 240, PixelFormat::rgb565};
 constexpr View kMicrobit{240, 240, PixelFormat::rgb565_swapped};
 constexpr View kDiscovery{128, 128, PixelFormat::rgb565_swapped};
 constexpr View kOled{128, 64, PixelFormat::gray4};
+constexpr View kPanel{128, 64, PixelFormat::rgb565};  // the same, converted when it is sent
 constexpr const char* kStm32 = "stm32vldiscovery";
 
 constexpr Target kTargets[] = {
@@ -21,6 +22,7 @@ constexpr Target kTargets[] = {
      kGuard},
     {"STM32VLDISCOVERY", "stm32vldiscovery_room", kStm32, "room", "", kDiscovery, Report::turntable, kGuard},
     {"EK-LM3S6965", "lm3s6965evb_teapot", "lm3s6965evb", "teapot", "", kOled, Report::frames, kGuard},
+    {"EK-LM3S6965", "lm3s6965evb_layers", "lm3s6965evb", "showroom", "", kPanel, Report::frames, kGuard, 16},
     {"MPS2, Cortex-M0", "bench_m0", "mps2-an385", "knot", "K5", kBench, Report::bench, kNoGuard},
     {"MPS2, Cortex-M0", "bench_m0", "mps2-an385", "cube", "CT", kBench, Report::bench, kNoGuard},
     {"MPS2, Cortex-M0", "bench_m0", "mps2-an385", "random50", "R50", kBench, Report::bench, kNoGuard},

@@ -21,11 +21,12 @@ struct Target {
   const char* board;     ///< for readers
   const char* program;   ///< the file's name without its beginning "zstrip_" and its end
   const char* machine;   ///< QEMU's name of it
-  const char* scene;     ///< of the catalogue of built-in scenes
+  const char* scene;     ///< of the catalogue of built-in scenes, or the showroom's background
   const char* workload;  ///< the benchmark's name of it
   View view;
   Report report;
-  std::uint32_t stack_guard;  ///< bytes of the stack that the memory protection unit takes, if there is one
+  std::uint32_t stack_guard;     ///< bytes of the stack that the memory protection unit takes, if there is one
+  std::uint16_t strip_rows = 0;  ///< that the program asks for; 0: as its plan or its report says
 };
 
 /// Every program that draws a scene, with every scene that it draws.

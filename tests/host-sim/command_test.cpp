@@ -138,6 +138,46 @@ TEST_F(Command, PlanSaysWhatThePictureTakesAndKeepsToTheLimit) {
   EXPECT_EQ(curve.back().at("strips"), 1);
 }
 
+TEST_F(Command, PlanMeasuresTheStaticLayerAndCountsItWhereItIsAskedFor) {
+  const Outcome without = zstrip({"plan", "room", "--size", "128x64", "--json"});
+  ASSERT_EQ(without.status, 0) << without.err;
+  const auto plain = nlohmann::json::parse(without.out);
+  EXPECT_EQ(plain.at("plan").at("bytes").at("layer"), 0);
+  for (const char* pool : {"depth_bytes", "colour_bytes"}) {
+    const auto& bytes = plain.at("static_layer").at(pool);
+    EXPECT_GT(bytes.at("average"), 0);
+    EXPECT_GE(bytes.at("largest"), bytes.at("average"));
+    EXPECT_GE(bytes.at("worst"), bytes.at("largest"));
+    EXPECT_EQ(bytes.at("worst"), 8 + 4 * 4 + 128 + 2 * 128 * 64);  // as docs/formats.md says
+  }
+  const Outcome with = zstrip({"plan", "room", "--size", "128x64", "--static-layer", "--ram", "24K", "--json"});
+  ASSERT_EQ(with.status, 0) << with.err;
+  const auto json = nlohmann::json::parse(with.out);
+  const auto& bytes = json.at("plan").at("bytes");
+  const auto& layer = json.at("static_layer");
+  EXPECT_EQ(bytes.at("layer"), layer.at("depth_bytes").at("largest").get<int>() +
+                                   layer.at("colour_bytes").at("largest").get<int>() + 4 * 8);
+  EXPECT_LE(bytes.at("total"), 24 * 1024);
+  EXPECT_EQ(json.at("plan").at("strip_rows").get<int>() % 8, 0);
+  EXPECT_EQ(zstrip({"plan", "room", "--static-layer", "--depth-format", "z24"}).status, 2);
+  EXPECT_EQ(zstrip({"plan", "room", "--static-layer", "--format", "gray4"}).status, 2);
+}
+
+TEST_F(Command, PlanAdvisesADepthFormat) {
+  const auto advised = [this](std::vector<std::string> words) {
+    words.insert(words.begin(), {"plan", "room", "--size", "128x64", "--json"});
+    const Outcome outcome = zstrip(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out).at("depth").at("advised_format").get<std::string>();
+  };
+  EXPECT_EQ(advised({}), "z16");
+  EXPECT_EQ(advised({"--separation", "0.0001"}), "z24");
+  // Over the whole range of the camera z16 has few codes left where the room is.
+  EXPECT_EQ(advised({"--static-layer", "--separation", "0.002"}), "float");
+  EXPECT_EQ(zstrip({"plan", "room", "--separation", "0"}).status, 2);
+  EXPECT_EQ(zstrip({"plan", "room", "--separation", "nan"}).status, 2);
+}
+
 TEST_F(Command, PlanNamesTheCheapestChangeThatWouldFit) {
   const Outcome rows = zstrip({"plan", "knot_meshlets", "--ram", "16K", "--strip-rows", "120"});
   EXPECT_EQ(rows.status, 5);

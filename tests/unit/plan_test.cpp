@@ -136,6 +136,42 @@ TEST(Plan, ImpossibleSizesAreRefused) {
   EXPECT_TRUE(plan(kCounts, View{1, 1}, {}).status);
 }
 
+TEST(Plan, AStaticLayerTakesItsShareOfTheBudget) {
+  constexpr View kTall{.width = 240, .height = 236, .format = PixelFormat::rgb565};
+  constexpr LayerBytes kLayer = layer_bytes(kTall, 20'000, 30'000);
+  const PlanResult smallest = plan(kCounts, kTall, {}, {.bytes = 1, .layer = kLayer});
+  ASSERT_EQ(smallest.status.error, Error::arena_too_small);
+  EXPECT_EQ(smallest.status.purpose, Purpose::layer);
+  for (std::uint32_t bytes = smallest.status.needed; bytes < 250'000; bytes += 997) {
+    const PlanResult with = plan(kCounts, kTall, {}, {.bytes = bytes, .layer = kLayer});
+    ASSERT_TRUE(with.status);
+    ASSERT_LE(with.plan.bytes() + 20'000 + 30'000 + 4 * 30, bytes);
+    ASSERT_TRUE(with.plan.strip_rows % 8 == 0 || with.plan.strip_rows == 236) << with.plan.strip_rows;
+  }
+  EXPECT_FALSE(plan(kCounts, kTall, {}, {.bytes = smallest.status.needed - 1, .layer = kLayer}).status);
+  EXPECT_EQ(plan(kCounts, kTall, {}, {.layer = kLayer}).plan.strip_rows, 236);
+}
+
+TEST(Plan, AStaticLayerThatCouldNotBeKeptIsRefused) {
+  const Budget budget{.layer = layer_bytes_worst(kView)};
+  const auto error = [&](const View& view, Effects effects, Budget b) {
+    return plan(kCounts, view, effects, b).status.error;
+  };
+  EXPECT_EQ(error(View{240, 240, PixelFormat::gray4}, {}, budget), Error::store_range);
+  for (const Effects effects : {effect::depth_24, effect::depth_32, effect::depth_ranges}) {
+    EXPECT_EQ(error(kView, effects, budget), Error::depth_effects);
+  }
+  EXPECT_EQ(error(kView, effect::depth_float, budget), Error::none);
+  Budget between = budget;
+  between.strip_rows = 12;
+  EXPECT_EQ(error(kView, {}, between), Error::strip_rows);
+  between.strip_rows = 16;
+  EXPECT_EQ(error(kView, {}, between), Error::none);
+  Budget endless;
+  endless.layer = {0xFFFFFFFF, 0xFFFFFFFF, 0xFFFFFFFF};
+  EXPECT_EQ(error(kView, {}, endless), Error::arena_too_small);
+}
+
 TEST(Plan, PanelFormatsNeedAWorkingStrip) {
   const PlanResult result = plan(kCounts, View{128, 64, PixelFormat::gray4}, {}, {.strip_rows = 8});
   ASSERT_TRUE(result.status);

@@ -22,7 +22,7 @@ const char* message(Error error) {
     case Error::effect_missing: return "the renderer was built without an effect that the scene calls for";
     case Error::not_begun: return "draw_strip needs a successful begin_frame";
     case Error::store_full: return "the pool of a store is full";
-    case Error::store_range: return "the store has no such tile or row";
+    case Error::store_range: return "the store has no such tile or row, or no such pixels";
     case Error::store_damaged: return "the store is damaged";
     case Error::depth_effects: return "these depth effects exclude each other or this camera";
   }
@@ -38,6 +38,7 @@ const char* name(Purpose purpose) {
     case Purpose::depth: return "depth";
     case Purpose::colour: return "colour";
     case Purpose::bins: return "bins";
+    case Purpose::layer: return "the static layer";
   }
   return "unknown";
 }

@@ -11,8 +11,8 @@ enum class Error : std::uint8_t {
   pixels_too_small,   ///< the caller's strip buffer; `needed`, `available` in bytes
   pixels_misaligned,  ///< RGB565 pixels must lie at an even address
   view_size,          ///< width or height outside 1..4096
-  strip_rows,  ///< more strip rows than the picture has, or a strip index out of range (`needed` = given, `available` =
-               ///< limit)
+  strip_rows,  ///< more strip rows than the picture has, a strip index out of range, or rows that end within tiles of a
+               ///< static layer (`needed` = given, `available` = limit)
   strip_columns,   ///< neither a multiple of 8 nor the picture's width (`needed` = given, `available` = the width)
   unplannable,     ///< more than 65,535 strips, or too many meshlets or triangles in one for bins (32,767)
   camera,          ///< not 0 < near < far, focal length <= 0, or axes that are not set
@@ -27,14 +27,15 @@ enum class Error : std::uint8_t {
                    ///< or the renderer is for orthographic cameras only (`needed` = 0)
   not_begun,       ///< draw_strip before a successful begin_frame
   store_full,      ///< a store's pool has no room for a tile; `needed`, `available` in bytes of the pool
-  store_range,     ///< a tile or rows that a store does not have (`needed` = the row beyond, `available` = its rows)
-  store_damaged,   ///< bytes that are no store of this kind, or no record of a tile (`needed` = index of the tile)
-  depth_effects,   ///< two depth formats at once, sub-ranges of one that has none, or one that needs a perspective
-                   ///< camera and is to draw an orthographic one
+  store_range,    ///< a tile or rows that a store does not have (`needed` = the row beyond, `available` = its rows), or
+                  ///< a format of pixels that it does not keep
+  store_damaged,  ///< bytes that are no store of this kind, or no record of a tile (`needed` = index of the tile)
+  depth_effects,  ///< two depth formats at once, sub-ranges of one that has none, or one that needs a perspective
+                  ///< camera and is to draw an orthographic one
 };
 
 /// What memory is for. The order is that of a plan's table.
-enum class Purpose : std::uint8_t { none, instances, extents, vertices, depth, colour, bins };
+enum class Purpose : std::uint8_t { none, instances, extents, vertices, depth, colour, bins, layer };
 
 /// `error == Error::none` is success; converts to true then. [[nodiscard]]: nothing fails in silence.
 struct [[nodiscard]] Status {

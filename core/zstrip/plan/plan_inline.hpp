@@ -1,6 +1,8 @@
 // The bodies of plan.hpp.
 #pragma once
 
+#include <algorithm>
+
 #include "zstrip/plan/estimate.hpp"
 #include "zstrip/plan/plan.hpp"
 
@@ -30,6 +32,11 @@ constexpr std::uint32_t rounded_up(std::uint64_t bytes) {
   return aligned > 0xFFFFFFFF ? 0xFFFFFFF8 : static_cast<std::uint32_t>(aligned);
 }
 
+/// Rows of a strip that a static layer can keep.
+constexpr std::uint16_t whole_tiles(std::uint32_t rows, std::uint16_t height) {
+  return static_cast<std::uint16_t>(std::min<std::uint32_t>((rows + kTileSide - 1) / kTileSide * kTileSide, height));
+}
+
 constexpr bool has_vertex_colours(Effects effects) { return effects.any(effect::lighting | effect::vertex_colours); }
 
 /// RGB565 is drawn straight into the caller's pixels; the other formats pass through a working strip.
@@ -37,10 +44,10 @@ constexpr bool drawn_in_place(PixelFormat format) {
   return format == PixelFormat::rgb565 || format == PixelFormat::rgb565_swapped;
 }
 
-constexpr Purpose largest_purpose(const Plan& plan) {
+constexpr Purpose largest_purpose(const Plan& plan, const LayerBytes& layer = {}) {
   Purpose purpose = Purpose::instances;
-  std::uint32_t most = plan.instance_bytes;
-  const auto consider = [&](Purpose candidate, std::uint32_t bytes) {
+  std::uint64_t most = plan.instance_bytes;
+  const auto consider = [&](Purpose candidate, std::uint64_t bytes) {
     if (bytes > most) purpose = candidate, most = bytes;
   };
   consider(Purpose::extents, plan.extent_bytes);
@@ -48,6 +55,7 @@ constexpr Purpose largest_purpose(const Plan& plan) {
   consider(Purpose::depth, plan.depth_bytes);
   consider(Purpose::colour, plan.colour_bytes);
   consider(Purpose::bins, plan.bin_bytes);
+  consider(Purpose::layer, layer.sum());
   return purpose;
 }
 }  // namespace detail
@@ -93,6 +101,7 @@ class Planner {
         per_vertex_(kVertexBytes + (has_vertex_colours(effects) ? kVertexColourBytes : 0)),
         per_cell_(depth_bytes(depth_format(effects))),
         strip_buffers_(budget.strip_buffers),
+        layer_(budget.layer),
         limit_(budget.bytes == 0 || budget.bytes > kLargestArena ? kLargestArena : budget.bytes) {}
 
   constexpr void consider_mode(Mode mode, const Budget& budget) {
@@ -113,7 +122,7 @@ class Planner {
     if (smallest_.strips == 0) return {.status = {.error = Error::unplannable}, .plan = {}};
     const std::uint64_t needed = all_bytes(smallest_);
     return {.status = {.error = Error::arena_too_small,
-                       .purpose = largest_purpose(smallest_),
+                       .purpose = largest_purpose(smallest_, layer_),
                        .needed = needed > kLargestArena ? kLargestArena : static_cast<std::uint32_t>(needed),
                        .available = limit_},
             .plan = smallest_};
@@ -131,7 +140,7 @@ class Planner {
     consider(with(mode, columns, view_.height));
     // From the fewest strips whose pixels could fit on, with evenly filled rows, to the first that does: more strips
     // of the same columns cost more time.
-    const std::uint64_t fixed = std::uint64_t{lowest.instance_bytes} + lowest.vertex_bytes;
+    const std::uint64_t fixed = std::uint64_t{lowest.instance_bytes} + lowest.vertex_bytes + layer_.sum();
     if (fixed >= limit_) return;
     const std::uint64_t whole_depth = std::uint64_t{per_cell_} * columns * view_.height;
     const std::uint64_t at_least = whole_depth / (limit_ - fixed);
@@ -143,6 +152,7 @@ class Planner {
   }
 
   constexpr Plan with(Mode mode, std::uint16_t columns, std::uint16_t rows) const {
+    if (layer_.sum() != 0) rows = whole_tiles(rows, view_.height);
     Plan plan{.mode = mode, .strip_rows = rows, .strip_columns = columns};
     const std::uint32_t strips = plan.columns_of_strips(view_) * plan.rows_of_strips(view_);
     if (strips > kMostStrips) return {};
@@ -166,7 +176,7 @@ class Planner {
   }
 
   constexpr std::uint64_t all_bytes(const Plan& plan) const {
-    return plan.wide_bytes() + std::uint64_t{strip_buffers_} * plan.strip_pixel_bytes(view_);
+    return plan.wide_bytes() + std::uint64_t{strip_buffers_} * plan.strip_pixel_bytes(view_) + layer_.sum();
   }
   constexpr bool fits(const Plan& plan) const { return plan.strips != 0 && all_bytes(plan) <= limit_; }
 
@@ -183,7 +193,9 @@ class Planner {
 
   const SceneCounts& counts_;
   const View& view_;
-  std::uint32_t per_vertex_, per_cell_, strip_buffers_, limit_;
+  std::uint32_t per_vertex_, per_cell_, strip_buffers_;
+  LayerBytes layer_;
+  std::uint32_t limit_;
   Plan best_{}, smallest_{};
   std::uint64_t best_cost_ = 0;
 };
@@ -201,6 +213,15 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
       (budget.strip_columns != view.width && budget.strip_columns % detail::kColumnStep != 0)) {
     return {.status = {.error = Error::strip_columns, .needed = budget.strip_columns, .available = view.width},
             .plan = {}};
+  }
+  if (budget.layer.sum() != 0) {
+    if (view.format != PixelFormat::rgb565) return {.status = {.error = Error::store_range}, .plan = {}};
+    if (depth_bytes(depth_format(effects)) != kDepthBytes || effects.has(effect::depth_ranges)) {
+      return {.status = {.error = Error::depth_effects}, .plan = {}};
+    }
+    if (const std::uint16_t rows = detail::whole_tiles(budget.strip_rows, view.height); rows != budget.strip_rows) {
+      return {.status = {.error = Error::strip_rows, .needed = budget.strip_rows, .available = rows}, .plan = {}};
+    }
   }
   if (budget.modes == Modes::binned && !effects.has(effect::bins)) {
     return {.status = {.error = Error::effect_missing, .needed = effect::bins.bits}, .plan = {}};

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "zstrip/base/status.hpp"
+#include "zstrip/plan/layer_bytes.hpp"
 #include "zstrip/scene/view.hpp"
 
 namespace zstrip {
@@ -28,13 +29,14 @@ enum class Modes : std::uint8_t { any, streamed, binned };
 
 /// What the caller allows. Zero means: the planner decides.
 struct Budget {
-  std::uint32_t bytes = 0;          ///< at most, for the arena and `strip_buffers`; 0 is kLargestArena
+  std::uint32_t bytes = 0;          ///< at most, for the arena, `strip_buffers` and `layer`; 0 is kLargestArena
   std::uint16_t strip_rows = 0;     ///< rows of a strip; 0 is as many as are fastest
   std::uint16_t strip_columns = 0;  ///< pixels of a strip's row: a multiple of 8, or the view's width; 0: the width,
                                     ///< or what is fastest if `split_columns`
   bool split_columns = false;       ///< the display takes rectangles that are narrower than the picture
   std::uint8_t strip_buffers = 0;   ///< buffers of strip_pixel_bytes() that `bytes` has to hold, too: 0 .. 2
   Modes modes = Modes::any;
+  LayerBytes layer{};  ///< of a static layer that keeps this picture: its strips then begin and end between tiles
 };
 
 inline constexpr std::uint32_t kArenaAlignment = 8;

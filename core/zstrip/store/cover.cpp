@@ -38,20 +38,24 @@ void write_cover(CoverKind kind, const Cover& cover, std::uint32_t width, std::u
 }
 
 Cover read_cover(CoverKind kind, const std::uint8_t* bytes, std::uint32_t width, std::uint32_t height) {
-  Cover cover;  // rows beyond the height are never read
+  Cover cover;
   const std::uint32_t whole = whole_row(width);
   if (kind == CoverKind::all) {
-    for (std::uint32_t y = 0; y < height; ++y) cover[y] = static_cast<std::uint8_t>(whole);
+    cover.fill(static_cast<std::uint8_t>(whole));
   } else if (kind == CoverKind::bitmap) {
     for (std::uint32_t y = 0; y < height; ++y) cover[y] = static_cast<std::uint8_t>(bytes[y] & whole);
   } else {
     const std::uint32_t inverted = kind == CoverKind::trailing ? 0xFF : 0;
-    std::uint32_t splits = 0;
-    for (std::uint32_t y = 0; y < height; ++y, splits >>= 4) {
-      if (y % 2 == 0) splits = *bytes++;
-      cover[y] = static_cast<std::uint8_t>((cells_before(splits & 0xF) ^ inverted) & whole);
+    const auto row = [=](std::uint32_t split) {
+      return static_cast<std::uint8_t>((cells_before(split) ^ inverted) & whole);
+    };
+    for (std::uint32_t y = 0; y < height; y += 2) {
+      const std::uint32_t splits = *bytes++;
+      cover[y] = row(splits & 0xF);
+      cover[y + 1] = row(splits >> 4);
     }
   }
+  for (std::uint32_t y = height; y < kTileSide; ++y) cover[y] = 0;
   return cover;
 }
 

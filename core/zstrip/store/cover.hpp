@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 #include "zstrip/store/tile.hpp"
@@ -16,8 +17,8 @@ enum class CoverKind : std::uint8_t {
   bitmap = 3,    ///< a byte a row: bit x
 };
 
-/// Bit x of byte y is cell (x, y).
-using Cover = std::array<std::uint8_t, kTileSide>;
+/// Bit x of byte y is cell (x, y). Rows beyond the tile's height are 0.
+struct alignas(std::uint32_t) Cover : std::array<std::uint8_t, kTileSide> {};
 
 constexpr std::uint32_t cover_bytes(CoverKind kind, std::uint32_t height) {
   switch (kind) {
@@ -37,8 +38,13 @@ CoverKind cover_kind(const Cover& cover, std::uint32_t width, std::uint32_t heig
 /// Writes cover_bytes(kind, height) bytes; `kind` must be able to say `cover`.
 void write_cover(CoverKind kind, const Cover& cover, std::uint32_t width, std::uint32_t height, std::uint8_t* bytes);
 
-/// Reads cover_bytes(kind, height) bytes. Whatever they hold, no bit beyond `width` comes out set. Rows
-/// beyond `height` are left open.
+/// Reads cover_bytes(kind, height) bytes. Whatever they hold, no bit beyond `width` or `height` comes out
+/// set.
 Cover read_cover(CoverKind kind, const std::uint8_t* bytes, std::uint32_t width, std::uint32_t height);
+
+inline std::uint32_t cells_in(const Cover& cover) {
+  const auto halves = std::bit_cast<std::array<std::uint32_t, 2>>(cover);
+  return static_cast<std::uint32_t>(std::popcount(halves[0]) + std::popcount(halves[1]));
+}
 
 }  // namespace zstrip::detail

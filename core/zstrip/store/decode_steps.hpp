@@ -21,6 +21,12 @@ template <typename Step>
 /// takes more registers than Thumb-1 has and twice the time.
 [[gnu::always_inline]] inline void in_order(std::uint32_t& value) { asm("" : "+r"(value)); }
 
+/// Whether a row's cover has cell x. A shift and a sign: one instruction less on Thumb-1 than a mask.
+[[gnu::always_inline]] inline bool covers(std::uint32_t row, std::uint32_t x) {
+  std::uint32_t at_the_top = row << (31 - x);
+  return static_cast<std::int32_t>(at_the_top) < 0;
+}
+
 [[gnu::always_inline]] inline std::uint32_t little_endian(const std::uint8_t* bytes) {
   return bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 | std::uint32_t{bytes[3]} << 24;
 }

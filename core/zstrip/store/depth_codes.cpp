@@ -12,259 +12,266 @@ namespace {
 
 using Tile = TileView<std::uint16_t>;
 
-/// One row to decode, and what it takes from those above.
-struct Row {
-  std::uint16_t* cells;
-  const std::uint16_t* above;
-  std::ptrdiff_t up;    ///< from there to the row above that
-  std::uint32_t width;  ///< cells
-  std::uint32_t rise;   ///< of the first column, from the row above to this one
-};
-
-/// Eight codes, their bits from a byte on. `per_word` codes have room in 32 bits behind at most 4 others.
-template <std::uint32_t per_word, bool has_low_bytes>
-class PackedCodes {
- public:
-  PackedCodes(const std::uint8_t* end, std::uint32_t bits_each, const std::uint8_t* low)
-      : end_(end), low_(low), bits_each_(bits_each) {}
-  [[gnu::always_inline]] std::uint32_t at(std::uint32_t x) {
-    if (x == 0) {
-      bits_ = little_endian(end_ - 4);
-    } else if (x % per_word == 0) {
-      bits_ = little_endian(end_ - 4 - x * bits_each_ / 8) << (x * bits_each_ % 8);
-    }
-    const auto code = static_cast<std::uint32_t>(static_cast<std::int32_t>(bits_) >> (32 - bits_each_));
-    bits_ <<= bits_each_;
-    in_order(bits_);
-    return has_low_bytes ? code << 8 | low_[x] : code;
-  }
-
- private:
-  const std::uint8_t* end_;
-  const std::uint8_t* low_;
-  std::uint32_t bits_each_;
-  std::uint32_t bits_ = 0;
-};
-
-/// Codes of the covered cells of a row.
-struct CoveredCodes {
-  const std::uint16_t* next;
-  std::uint32_t cover;
-  [[gnu::always_inline]] std::uint32_t at(std::uint32_t x) { return (cover >> x & 1) != 0 ? *next++ : 0U; }
-};
-
-template <Opcode predictor, typename Codes>
-[[gnu::always_inline]] inline void decode_row(Codes& codes, Row& row) {
-  std::uint16_t* const cells = row.cells;
-  const std::uint16_t* const above = row.above;
-  const std::uint16_t* const above2 = predictor == kColumn ? above + row.up : nullptr;
-  const std::uint32_t rise = row.rise + codes.at(0);
-  row.rise = rise;
-  std::uint32_t cell = above[0] + rise;
-  cells[0] = static_cast<std::uint16_t>(cell);
-  // From the cell that the next one is predicted from to that.
-  std::uint32_t gradient = rise;
-  if (predictor == kAlong) gradient = row.width > 1 ? static_cast<std::uint32_t>(above[1] - above[0]) : 0;
-  const auto step = [&](std::uint32_t x) __attribute__((always_inline)) {
-    const std::uint32_t code = codes.at(x);
-    if constexpr (predictor == kColumn) {
-      cell = 2U * above[x] - above2[x] + code;
-    } else {
-      gradient += code;
-      cell = (predictor == kAlong ? cell : above[x]) + gradient;
-    }
-    cells[x] = static_cast<std::uint16_t>(cell);
-  };
-  if (row.width == kTileSide) {
-    step(1), step(2), step(3), step(4), step(5), step(6), step(7);
-  } else {
-    for (std::uint32_t x = 1; x < row.width; ++x) step(x);
-  }
-}
-
 /// What is left of codes in groups of eight: bits up to `end`, low bytes from `low` on.
 struct Groups {
   const std::uint8_t* low;
   const std::uint8_t* end;
 };
 
-/// Takes a group with codes of `width` bits, 1..16, that must be there, and calls for its kind of codes
-/// `use.operator()<per_word, has_low_bytes>(end, bits_each, low)`.
-template <typename Use>
-[[gnu::always_inline]] inline void take_group(Groups& groups, std::uint32_t width, Use use) {
+/// The bits of the `count` bytes before `end`, 1..4, in the order of the codes from the highest bit on.
+template <std::uint32_t count>
+[[gnu::always_inline]] inline std::uint32_t bits_before(const std::uint8_t* end) {
+  std::uint32_t bits = 0;
+  for (std::uint32_t i = 1; i <= count; ++i) bits |= std::uint32_t{*(end - i)} << (32 - 8 * i);
+  return bits;
+}
+
+/// Eight codes of `width` bits. A function for each width: so every shift is a constant.
+template <std::uint32_t width>
+[[gnu::noinline]] void unpack_eight(const std::uint8_t* end, const std::uint8_t* low, std::uint16_t* codes) {
+  constexpr bool kHasLowBytes = width > 8;
+  constexpr std::uint32_t kBits = kHasLowBytes ? width - 8 : width;
+  constexpr std::uint32_t kPerWord = kBits <= 4 ? 8 : 4;
+  constexpr std::uint32_t kWordBytes = (kPerWord * kBits + 7) / 8;
+  constexpr std::uint32_t kSkipped = kTileSide * kBits / 16;  // whole bytes before the second word
+  std::uint32_t bits = bits_before<kWordBytes>(end);
+  for_row(
+      kTileSide, [&](std::uint32_t x) __attribute__((always_inline)) {
+        if (x == kPerWord) bits = bits_before<kWordBytes>(end - kSkipped) << (kPerWord * kBits % 8);
+        const std::uint32_t at_the_top = bits << x % kPerWord * kBits;
+        const auto code = static_cast<std::uint32_t>(static_cast<std::int32_t>(at_the_top) >> (32 - kBits));
+        codes[x] = static_cast<std::uint16_t>(kHasLowBytes ? code << 8 | low[x] : code);
+      });
+}
+
+/// Takes a group with codes of a written width that must be there.
+[[gnu::always_inline]] inline void unpack_group(const Groups& groups, std::uint32_t written, std::uint16_t* codes) {
   const std::uint8_t *const end = groups.end, *const low = groups.low;
-  if (width <= 8) {
-    groups.end = end - width;
-    if (width <= 4) {
-      use.template operator()<8, false>(end, width, low);
-    } else {
-      use.template operator()<4, false>(end, width, low);
-    }
-    return;
+  switch (written) {
+    case 0: return for_row(kTileSide, [codes](std::uint32_t x) { codes[x] = 0; });
+    case 1: return unpack_eight<1>(end, low, codes);
+    case 2: return unpack_eight<2>(end, low, codes);
+    case 3: return unpack_eight<3>(end, low, codes);
+    case 4: return unpack_eight<4>(end, low, codes);
+    case 5: return unpack_eight<5>(end, low, codes);
+    case 6: return unpack_eight<6>(end, low, codes);
+    case 7: return unpack_eight<7>(end, low, codes);
+    case 8: return unpack_eight<8>(end, low, codes);
+    case 9: return unpack_eight<9>(end, low, codes);
+    case 10: return unpack_eight<10>(end, low, codes);
+    case 11: return unpack_eight<11>(end, low, codes);
+    case 12: return unpack_eight<12>(end, low, codes);
+    case 13: return unpack_eight<13>(end, low, codes);
+    case 14: return unpack_eight<14>(end, low, codes);
+    default: return unpack_eight<16>(end, low, codes);
   }
-  width -= 8;
-  groups.end = end - width;
-  groups.low = low + kTileSide;
-  if (width <= 4) {
-    use.template operator()<8, true>(end, width, low);
-  } else {
-    use.template operator()<4, true>(end, width, low);
-  }
 }
 
-template <Opcode predictor, std::uint32_t per_word, bool has_low_bytes>
-[[gnu::noinline]] void decode_packed(const std::uint8_t* end, std::uint32_t bits_each, const std::uint8_t* low,
-                                     Row& row) {
-  if (row.width != kTileSide) __builtin_unreachable();
-  PackedCodes<per_word, has_low_bytes> codes(end, bits_each, low);
-  decode_row<predictor>(codes, row);
-}
-
-/// Returns the next row's codes.
-template <Opcode predictor>
-[[gnu::noinline]] const std::uint16_t* decode_covered(const std::uint16_t* codes, std::uint32_t cover, Row& row) {
-  CoveredCodes covered{codes, cover};
-  decode_row<predictor>(covered, row);
-  return covered.next;
-}
-
-/// Row by row, `decode.operator()<predictor>(row)`; until that says false.
-template <typename Decode>
-[[gnu::always_inline]] inline bool decode_rows(Opcode opcode, std::uint32_t start, const Tile& tile, Decode decode) {
-  // Above the first row all cells are the start.
-  const std::array<std::uint16_t, 2> start_cells{static_cast<std::uint16_t>(start), static_cast<std::uint16_t>(start)};
-  Row row{tile.cells, start_cells.data(), -static_cast<std::ptrdiff_t>(tile.stride), tile.width, 0};
-  if (!decode.template operator()<kAlong>(row)) return false;
-  row.rise = 0;
-  Opcode predictor = opcode == kColumn ? kDown : opcode;  // two rows make a column's slope
-  for (std::uint32_t rows = tile.height - 1; rows != 0; --rows, predictor = opcode) {
-    row.above = row.cells;
-    row.cells -= row.up;
-    const bool decoded = predictor == kAlong  ? decode.template operator()<kAlong>(row)
-                         : predictor == kDown ? decode.template operator()<kDown>(row)
-                                              : decode.template operator()<kColumn>(row);
-    if (!decoded) return false;
-  }
-  return true;
-}
-
-/// What stands for the codes of a row of width 0: codes of one bit.
-constexpr std::array<std::uint8_t, 4> kZeros{};
-
-/// All cells of a tile with 8 columns have codes: each row is a group.
-[[gnu::noinline]] bool decode_whole(Groups groups, Opcode opcode, std::uint32_t start, std::uint32_t widths,
-                                    const Tile& tile) {
-  const bool all = decode_rows(opcode, start, tile, [&]<Opcode predictor>(Row& row) {
-    const std::uint32_t width = code_bits(widths & 0xF);
-    widths >>= 4;
-    if (static_cast<std::size_t>(groups.end - groups.low) < width) return false;
-    if (width == 0) {
-      decode_packed<predictor, 8, false>(kZeros.end(), 1, nullptr, row);
-      return true;
-    }
-    take_group(groups, width,
-               [&row]<std::uint32_t per_word, bool has_low_bytes>(const std::uint8_t* end, std::uint32_t bits_each,
-                                                                  const std::uint8_t* low) {
-                 decode_packed<predictor, per_word, has_low_bytes>(end, bits_each, low, row);
-               });
-    return true;
-  });
-  return all && groups.end == groups.low;
-}
-
-template <std::uint32_t per_word, bool has_low_bytes>
-[[gnu::noinline]] void unpack_eight(const std::uint8_t* end, std::uint32_t bits_each, const std::uint8_t* low,
-                                    std::uint16_t* codes) {
-  PackedCodes<per_word, has_low_bytes> packed(end, bits_each, low);
-  for_row(kTileSide, [&](std::uint32_t x) { codes[x] = static_cast<std::uint16_t>(packed.at(x)); });
-}
-
-/// Less than eight codes; false if they are not all that lies there.
-bool unpack_last(const Groups& groups, std::uint32_t width, std::uint32_t count, std::uint16_t* codes) {
-  const std::uint8_t *low = groups.low, *const end = groups.end;
+/// Less than eight codes.
+void unpack_some(const Groups& groups, std::uint32_t width, std::uint32_t count, std::uint16_t* codes) {
   const bool has_low_bytes = width > 8;
   const std::uint32_t bits_each = has_low_bytes ? width - 8 : width;
-  if (static_cast<std::size_t>(end - low) != (has_low_bytes ? count : 0) + (count * bits_each + 7) / 8) return false;
-  for (std::uint32_t bit = 0; count != 0; --count, bit += bits_each) {
+  for (std::uint32_t i = 0; i < count; ++i) {
     std::uint32_t code = 0;
     if (width != 0) {
-      const std::uint32_t bits = little_endian(end - 4 - bit / 8) << bit % 8;
+      const std::uint32_t bit = i * bits_each;
+      const std::uint32_t bits = little_endian(groups.end - 4 - bit / 8) << bit % 8;
       code = static_cast<std::uint32_t>(static_cast<std::int32_t>(bits) >> (32 - bits_each));
     }
-    if (has_low_bytes) code = code << 8 | *low++;
-    *codes++ = static_cast<std::uint16_t>(code);
+    codes[i] = static_cast<std::uint16_t>(has_low_bytes ? code << 8 | groups.low[i] : code);
+  }
+}
+
+/// Codes one group after the other, `stride` cells apart; eight of them have room in each. Those behind the last of
+/// `count` codes may come out as anything. False if the codes are not all that lies between `groups`, which is preceded
+/// by 3 bytes and more.
+[[gnu::noinline]] bool unpack(Groups groups, std::uint32_t widths, std::uint32_t count, std::uint16_t* codes,
+                              std::uint32_t stride) {
+  const Groups all = groups;
+  for (; count >= kTileSide; count -= kTileSide, widths >>= 4, codes += stride) {
+    const std::uint32_t written = widths & 0xF, width = code_bits(written);
+    if (static_cast<std::size_t>(groups.end - groups.low) < width) return false;
+    unpack_group(groups, written, codes);
+    if (width > 8) {
+      groups.low += kTileSide;
+      groups.end += kTileSide;
+    }
+    groups.end -= width;
+  }
+  if (count == 0) return groups.end == groups.low;
+  const std::uint32_t written = widths & 0xF, width = code_bits(written);
+  const std::uint32_t low_bytes = width > 8 ? count : 0;
+  const std::uint32_t bits = count * (width > 8 ? width - 8 : width);
+  if (static_cast<std::size_t>(groups.end - groups.low) != low_bytes + (bits + 7) / 8) return false;
+  // As eight codes, where what is read too much is codes as well.
+  if (all.end - groups.low >= 8 && groups.end - all.low >= 8) {
+    unpack_group(groups, written, codes);
+  } else {
+    unpack_some(groups, width, count, codes);
   }
   return true;
 }
 
-/// `count` codes one after the other. False if they are not all that lies there.
-[[gnu::noinline]] bool unpack(Groups groups, std::uint32_t widths, std::uint32_t count, std::uint16_t* codes) {
-  for (; count >= kTileSide; count -= kTileSide, widths >>= 4, codes += kTileSide) {
-    const std::uint32_t width = code_bits(widths & 0xF);
-    if (static_cast<std::size_t>(groups.end - groups.low) < width) return false;
-    if (width == 0) {
-      for_row(kTileSide, [codes](std::uint32_t x) { codes[x] = 0; });
-      continue;
+/// Consecutive rows of a tile.
+struct Rows {
+  std::uint16_t* row;          ///< the first one
+  const std::uint16_t* above;  ///< what it is predicted from
+  std::uint32_t stride, width, count;
+  std::uint32_t rise;  ///< of the first column's prediction: what `above` is more than the row above that
+};
+
+/// cell = prediction + code for a row whose code at x is `code_at(x)`; `step(x)`s are made by `for_each`.
+template <Opcode predictor, typename CodeAt, typename ForEach>
+[[gnu::always_inline]] inline void predict_row(std::uint16_t* row, const std::uint16_t* above, std::uint32_t stride,
+                                               std::uint32_t& rise, CodeAt code_at, ForEach for_each) {
+  const std::uint16_t* const above2 = predictor == kColumn ? above - stride : nullptr;
+  // From the cell that the next one is predicted from to that.
+  std::uint32_t gradient = 0;
+  std::uint32_t cell = 0;
+  for_each([&](std::uint32_t x) __attribute__((always_inline)) {
+    const std::uint32_t code = code_at(x);
+    if (x == 0) {
+      rise += code;
+      gradient = rise;
+      cell = above[0] + rise;
+    } else if constexpr (predictor == kColumn) {
+      cell = 2U * above[x] - above2[x] + code;
+    } else {
+      if (predictor == kAlong && x == 1) gradient = static_cast<std::uint32_t>(above[1] - above[0]);
+      gradient += code;
+      in_order(gradient);
+      cell = (predictor == kAlong ? cell : above[x]) + gradient;
     }
-    take_group(groups, width,
-               [codes]<std::uint32_t per_word, bool has_low_bytes>(const std::uint8_t* end, std::uint32_t bits_each,
-                                                                   const std::uint8_t* low) {
-                 unpack_eight<per_word, has_low_bytes>(end, bits_each, low, codes);
-               });
+    row[x] = static_cast<std::uint16_t>(cell);
+  });
+}
+
+/// In place: the cells hold their codes. 8 columns.
+template <Opcode predictor>
+[[gnu::noinline]] void predict_whole(const Rows& rows) {
+  std::uint16_t* row = rows.row;
+  const std::uint16_t* above = rows.above;
+  const std::uint32_t stride = rows.stride;
+  std::uint32_t rise = rows.rise;
+  for (std::uint32_t count = rows.count; count != 0; --count) {
+    predict_row<predictor>(
+        row, above, stride, rise, [row](std::uint32_t x) __attribute__((always_inline)) { return row[x]; },
+        [](auto step) __attribute__((always_inline)) { for_row(kTileSide, step); });
+    above = row;
+    row += stride;
   }
-  return count == 0 ? groups.end == groups.low : unpack_last(groups, code_bits(widths & 0xF), count, codes);
+}
+
+/// Codes of the covered cells.
+struct CoveredCodes {
+  const std::uint16_t* next;
+  const std::uint8_t* cover;  ///< of the next row
+};
+
+template <Opcode predictor>
+[[gnu::noinline]] void predict_covered(const Rows& rows, CoveredCodes& codes) {
+  std::uint16_t* row = rows.row;
+  const std::uint16_t* above = rows.above;
+  const std::uint16_t* next = codes.next;
+  const std::uint32_t stride = rows.stride, width = rows.width;
+  std::uint32_t rise = rows.rise;
+  const auto whole = [](auto step) __attribute__((always_inline)) { for_row(kTileSide, step); };
+  for (std::uint32_t count = rows.count; count != 0; --count) {
+    const std::uint32_t cover = *codes.cover++;
+    const auto covered_code = [ cover, &next ](std::uint32_t x) __attribute__((always_inline)) {
+      return covers(cover, x) ? *next++ : 0U;
+    };
+    if (cover == 0xFF) {
+      const auto code = [next](std::uint32_t x) __attribute__((always_inline)) { return next[x]; };
+      predict_row<predictor>(row, above, stride, rise, code, whole);
+      next += kTileSide;
+    } else if (width == kTileSide) {
+      predict_row<predictor>(row, above, stride, rise, covered_code, whole);
+    } else {
+      predict_row<predictor>(row, above, stride, rise, covered_code, [width](auto step) {
+        for (std::uint32_t x = 0; x < width; ++x) step(x);
+      });
+    }
+    above = row;
+    row += stride;
+  }
+  codes.next = next;
+}
+
+/// All rows of a tile with `predict.operator()<predictor>(rows)`.
+template <typename Predict>
+[[gnu::always_inline]] inline void predict_tile(Opcode opcode, std::uint16_t start, const Tile& tile, Predict predict) {
+  // Above the first row all cells are the start.
+  const std::array<std::uint16_t, 2> start_cells{start, start};
+  Rows rows{tile.cells, start_cells.data(), tile.stride, tile.width, 1, 0};
+  predict.template operator()<kAlong>(rows);
+  const auto go_on = [&](std::uint32_t count) {
+    rows.above = rows.row;
+    rows.row += rows.stride;
+    rows.count = count;
+  };
+  std::uint32_t left = tile.height - 1;
+  if (opcode == kColumn && left != 0) {  // two rows make a column's slope
+    go_on(1);
+    --left;
+    predict.template operator()<kDown>(rows);
+    rows.rise = static_cast<std::uint32_t>(rows.row[0] - rows.above[0]);
+  }
+  go_on(left);
+  switch (opcode) {
+    case kAlong: return predict.template operator()<kAlong>(rows);
+    case kDown: return predict.template operator()<kDown>(rows);
+    default: return predict.template operator()<kColumn>(rows);
+  }
 }
 
 /// start + code in covered cells, 0 in others.
-void expand(const std::uint16_t* codes, const std::uint8_t* cover, std::uint32_t start, const Tile& tile) {
-  for (std::uint32_t y = 0; y < tile.height; ++y) {
-    std::uint16_t* const row = tile.row(y);
-    const std::uint32_t covered = cover[y];
-    for_row(tile.width, [row, covered, start, &codes](std::uint32_t x) {
-      row[x] = (covered >> x & 1) != 0 ? static_cast<std::uint16_t>(start + *codes++) : std::uint16_t{0};
-    });
+[[gnu::noinline]] void expand(const std::uint16_t* codes, const std::uint8_t* cover, std::uint32_t start,
+                              const Tile& tile) {
+  std::uint16_t* row = tile.cells;
+  const std::uint32_t stride = tile.stride, width = tile.width;
+  for (std::uint32_t rows = tile.height; rows != 0; --rows, row += stride) {
+    const std::uint32_t covered = *cover++;
+    for_row(
+        width, [ row, covered, start, &codes ](std::uint32_t x) __attribute__((always_inline)) {
+          row[x] = covers(covered, x) ? static_cast<std::uint16_t>(start + *codes++) : std::uint16_t{0};
+        });
   }
-}
-
-/// Bits set in 0..15.
-constexpr std::array<std::uint8_t, 16> kBitsSet{0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
-
-std::uint32_t cells_in(const std::uint8_t* cover, std::uint32_t height) {
-  std::uint32_t cells = 0;
-  for (; height != 0; --height, ++cover) cells += std::uint32_t{kBitsSet[*cover & 0xF]} + kBitsSet[*cover >> 4];
-  return cells;
 }
 
 }  // namespace
 
-bool decode_codes(const std::uint8_t* bytes, std::size_t size, Opcode opcode, const std::uint8_t* cover,
+bool decode_codes(const std::uint8_t* bytes, std::size_t size, Opcode opcode, const Cover* cover,
                   const TileView<std::uint16_t>& tile) {
   const bool offsets = opcode >= kOffset;
-  const std::uint32_t count = cover == nullptr ? kTileSide * tile.height : cells_in(cover, tile.height);
+  const std::uint32_t count = cover == nullptr ? kTileSide * tile.height : cells_in(*cover);
   const std::size_t head = code_head_bytes(opcode, count);
   if (size < head) return false;
   const Groups groups{bytes + head, bytes + size};
-  const auto start = static_cast<std::uint32_t>(bytes[0] | bytes[1] << 8);
+  const auto start = static_cast<std::uint16_t>(bytes[0] | bytes[1] << 8);
   std::uint32_t widths = 0;
   if (offsets) {
     widths = (opcode - kOffset) * 0x11111111U;
   } else {
     for (const std::uint8_t* byte = groups.low; byte != bytes + 2;) widths = widths << 8 | *--byte;
   }
-  if (cover == nullptr && !offsets) return decode_whole(groups, opcode, start, widths, tile);
-  constexpr Cover kAll{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
-  if (cover == nullptr) cover = kAll.data();
-  std::array<std::uint16_t, kTileCells> codes;
-  if (!unpack(groups, widths, count, codes.data())) return false;
-  const std::uint16_t* next = codes.data();
-  if (offsets) {
-    expand(next, cover, start, tile);
+  if (cover == nullptr && !offsets) {
+    if (!unpack(groups, widths, count, tile.cells, tile.stride)) return false;
+    predict_tile(opcode, start, tile, []<Opcode predictor>(const Rows& rows) { predict_whole<predictor>(rows); });
     return true;
   }
-  return decode_rows(opcode, start, tile, [&]<Opcode predictor>(Row& row) {
-    next = decode_covered<predictor>(next, *cover++, row);
+  constexpr Cover kAll{{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}};
+  if (cover == nullptr) cover = &kAll;
+  std::array<std::uint16_t, kTileCells> codes;
+  if (!unpack(groups, widths, count, codes.data(), kTileSide)) return false;
+  if (offsets) {
+    expand(codes.data(), cover->data(), start, tile);
     return true;
-  });
+  }
+  CoveredCodes covered{codes.data(), cover->data()};
+  predict_tile(opcode, start, tile,
+               [&covered]<Opcode predictor>(const Rows& rows) { predict_covered<predictor>(rows, covered); });
+  return true;
 }
 
 }  // namespace zstrip::detail

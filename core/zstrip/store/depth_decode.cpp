@@ -103,32 +103,50 @@ void decode_plane(const DecodedPlane& plane, const Tile& tile) {
   return true;
 }
 
-void clear_uncovered(const Cover& cover, const Tile& tile) {
-  const std::uint8_t whole = whole_row(tile.width);
-  for (std::uint32_t y = 0; y < tile.height; ++y) {
-    const std::uint32_t covered = cover[y];
+[[gnu::noinline]] void clear_uncovered(const Cover& cover, const Tile& tile) {
+  const std::uint32_t width = tile.width, whole = whole_row(width), stride = tile.stride;
+  std::uint16_t* row = tile.cells;
+  const std::uint8_t* next = cover.data();
+  for (std::uint32_t rows = tile.height; rows != 0; --rows, row += stride) {
+    const std::uint32_t covered = *next++;
     if (covered == whole) continue;
-    std::uint16_t* const row = tile.row(y);
-    for_row(tile.width, [row, covered](std::uint32_t x) {
-      if ((covered >> x & 1) == 0) row[x] = 0;
-    });
+    if (covered == 0) {
+      for_row(
+          width, [row](std::uint32_t x) __attribute__((always_inline)) { row[x] = 0; });
+      continue;
+    }
+    for_row(
+        width, [ row, covered ](std::uint32_t x) __attribute__((always_inline)) {
+          if (!covers(covered, x)) row[x] = 0;
+        });
   }
 }
 
 /// A plane for the covered cells over what the others hold.
-void decode_plane_over(const DecodedPlane& plane, const Cover& cover, const Tile& tile) {
-  const std::uint32_t step = plane.step_x;
+[[gnu::noinline]] void decode_plane_over(const DecodedPlane& plane, const Cover& cover, const Tile& tile) {
+  const std::uint32_t step = plane.step_x, step_y = plane.step_y, stride = tile.stride, width = tile.width;
   std::uint32_t row_start = plane.start;
-  for (std::uint32_t y = 0; y < tile.height; ++y, row_start += plane.step_y) {
-    const std::uint32_t covered = cover[y];
+  std::uint16_t* row = tile.cells;
+  const std::uint8_t* next = cover.data();
+  for (std::uint32_t rows = tile.height; rows != 0; --rows, row_start += step_y, row += stride) {
+    const std::uint32_t covered = *next++;
     if (covered == 0) continue;
-    std::uint16_t* const row = tile.row(y);
     std::uint32_t value = row_start;
-    for_row(tile.width, [row, covered, step, &value](std::uint32_t x) {
-      if ((covered >> x & 1) != 0) row[x] = static_cast<std::uint16_t>(value >> 16);
-      value += step;
-      in_order(value);
-    });
+    if (covered == 0xFF) {
+      for_row(
+          kTileSide, [ row, step, &value ](std::uint32_t x) __attribute__((always_inline)) {
+            row[x] = static_cast<std::uint16_t>(value >> 16);
+            value += step;
+            in_order(value);
+          });
+      continue;
+    }
+    for_row(
+        width, [ row, covered, step, &value ](std::uint32_t x) __attribute__((always_inline)) {
+          if (covers(covered, x)) row[x] = static_cast<std::uint16_t>(value >> 16);
+          value += step;
+          in_order(value);
+        });
   }
 }
 
@@ -149,6 +167,10 @@ bool decode_two_planes(const Bytes& bytes, const Cover& cover, const Tile& tile)
   return true;
 }
 
+constexpr bool has_codes(Opcode opcode) {
+  return (opcode >= kAlong && opcode <= kColumn) || (opcode > kOffset && opcode < kOffset + 16U);
+}
+
 /// Every record that has a first byte.
 [[gnu::noinline]] bool decode_with_cover(const std::uint8_t* record, std::size_t size, const Tile& tile) {
   const auto kind = static_cast<CoverKind>(*record & 3U);
@@ -156,20 +178,15 @@ bool decode_two_planes(const Bytes& bytes, const Cover& cover, const Tile& tile)
   Bytes bytes{record + 1, record + size};
   const std::uint32_t cover_size = cover_bytes(kind, tile.height);
   if (bytes.size() < cover_size) return false;
+  const Cover cover = read_cover(kind, bytes.next, tile.width, tile.height);
   bytes.next += cover_size;
-  const auto decode_coded = [&](const std::uint8_t* coded) {
-    return decode_codes(bytes.next, bytes.size(), opcode, coded, tile);
-  };
-  const bool has_codes = (opcode >= kAlong && opcode <= kColumn) || (opcode > kOffset && opcode < kOffset + 16U);
-  if (has_codes && kind == CoverKind::all && tile.width == kTileSide) return decode_coded(nullptr);
-  const Cover cover = read_cover(kind, bytes.next - cover_size, tile.width, tile.height);
   bool decoded = false;
   if (opcode < kAlong) {
     decoded = decode_plane_record(bytes.next, bytes.size(), opcode - kPlane, tile);
   } else if (opcode == kTwoPlanes) {
     return decode_two_planes(bytes, cover, tile);
-  } else if (has_codes) {
-    decoded = decode_coded(cover.data());
+  } else if (has_codes(opcode)) {
+    decoded = decode_codes(bytes.next, bytes.size(), opcode, &cover, tile);
   }
   // Offsets leave the others cleared.
   if (decoded && kind != CoverKind::all && opcode < kOffset) clear_uncovered(cover, tile);
@@ -192,9 +209,13 @@ bool decode_depth_tile(std::span<const std::byte> record, const TileView<std::ui
     decode_raw(first, tile);
     return true;
   }
-  // A plane without a cover, the most frequent record of rooms, has no need of more.
-  if (*first < first_byte(kAlong, CoverKind::all) && (*first & 3) == 0) {
-    return decode_plane_record(first + 1, record.size() - 1, *first >> 2, tile);
+  // Without a cover there is less to do.
+  if ((*first & 3) == 0) {
+    const Opcode opcode = *first >> 2;
+    if (opcode < kAlong) return decode_plane_record(first + 1, record.size() - 1, opcode, tile);
+    if (has_codes(opcode) && tile.width == kTileSide) {
+      return decode_codes(first + 1, record.size() - 1, opcode, nullptr, tile);
+    }
   }
   return decode_with_cover(first, record.size(), tile);
 }

@@ -27,19 +27,20 @@ constexpr Instance kAnyTeapot[] = {{.mesh = kShowroomTeapotMesh, .material = kSh
 // One pipeline for both layers.
 constexpr Effects kEffects =
     effects_of(kShowroomBackground, kShowroomCamera) | effects_of(showroom_scene(kAnyTeapot), kShowroomCamera);
-constexpr PlanResult kBackground = plan(count(kShowroomBackground), kView, kEffects, {.strip_rows = 16});
+constexpr LayerBytes kLayer = layer_bytes(kView, 6 * 1024, 8 * 1024);
+constexpr PlanResult kBackground =
+    plan(count(kShowroomBackground), kView, kEffects, {.strip_rows = 16, .layer = kLayer});
 constexpr PlanResult kMoving = plan(kShowroomTeapotCounts, kView, kEffects, {.strip_rows = 8});
 static_assert(kBackground.status && kMoving.status);
 
-constexpr std::uint32_t kDepthPool = 6 * 1024, kColourPool = 8 * 1024;
 constexpr std::uint32_t kCells = 16 * 64;  // of the largest rectangle that is drawn at once
 
 // Both layers' plans have the arena in turn.
 alignas(kArenaAlignment) std::array<std::byte, std::max(kBackground.plan.bytes(), kMoving.plan.bytes())> arena;
 alignas(4) std::array<std::byte, kBackground.plan.strip_pixel_bytes(kView)> strip_pixels;
-alignas(4) std::array<std::byte, kDepthPool> depth_pool;
-alignas(4) std::array<std::byte, kColourPool> colour_pool;
-std::array<std::uint32_t, dirty_tile_words(Panel::kWidth, Panel::kHeight)> dirty_words;
+alignas(4) std::array<std::byte, kLayer.depth> depth_pool;
+alignas(4) std::array<std::byte, kLayer.colour> colour_pool;
+std::array<std::uint32_t, kLayer.dirty / sizeof(std::uint32_t)> dirty_words;
 std::array<std::uint16_t, kCells> pixels, depth;
 std::array<std::byte, kCells / 2> sent;  // two pixels a byte
 Renderer<kEffects> renderer;

@@ -1,0 +1,51 @@
+// Which depth format a picture needs; see depth_advice.hpp.
+#include "plan/depth_advice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace zstrip::sim {
+namespace {
+
+constexpr double kUnit = 4294967296.0;  // of 32.32
+
+/// Width of a pixel at `distance`, in view units.
+double pixel_at(double distance, const Camera& camera, const View& view) {
+  const double at_one = 2.0 / (camera.focal / double{kFixedOne} * view.height);
+  return camera.projection == Projection::orthographic ? at_one : at_one * distance;
+}
+
+}  // namespace
+
+DepthAdvice advise_depth(const KeptFrames& kept, const Camera& camera, const View& view,
+                         std::optional<double> separation) {
+  const DepthRange& range = kept.codes;
+  DepthAdvice advice{
+      .nearest = kept.nearest / double{kFixedOne}, .farthest = kept.farthest / double{kFixedOne}, .formats = {}};
+  advice.needed = separation ? *separation : pixel_at(advice.farthest, camera, view);
+  for (const DepthFormat format :
+       {DepthFormat::z16, DepthFormat::float16, DepthFormat::w16, DepthFormat::z24, DepthFormat::z32}) {
+    if (!available(format, range.projection)) continue;
+    const auto at = [&](Fixed distance) {
+      return static_cast<double>(depth_separation(format, range, distance)) / kUnit;
+    };
+    advice.formats.push_back({format, at(kept.nearest), at(kept.farthest)});
+  }
+  const double largest = std::ldexp(1.0, 63) / kUnit;
+  advice.advised =
+      cheapest_depth_format(range, kept.farthest, static_cast<std::uint64_t>(std::min(advice.needed, largest) * kUnit));
+  return advice;
+}
+
+const char* name(DepthFormat format) {
+  switch (format) {
+    case DepthFormat::z16: return "z16";
+    case DepthFormat::float16: return "float";
+    case DepthFormat::w16: return "w16";
+    case DepthFormat::z24: return "z24";
+    case DepthFormat::z32: return "z32";
+  }
+  return "unknown";
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,37 @@
+// What a turn of the scene would take as a static layer: each frame drawn and kept as if it were the background.
+#pragma once
+
+#include <cstdint>
+
+#include "render/stage.hpp"
+#include "result.hpp"
+#include "zstrip/plan/depth_choice.hpp"
+#include "zstrip/plan/layer_bytes.hpp"
+
+namespace zstrip::sim {
+
+/// Bytes of a pool, its index included.
+struct KeptBytes {
+  std::uint32_t worst = 0;    ///< enough for any picture of this size
+  std::uint32_t largest = 0;  ///< of the frames
+  std::uint32_t average = 0;
+};
+
+struct KeptFrames {
+  std::uint32_t frames = 0;
+  DepthFormat format = DepthFormat::z16;  ///< of the kept depth
+  Fixed nearest = 0, farthest = 0;        ///< thing of all frames, 16.16; 0 if none is visible
+  DepthRange codes{};                     ///< between what the codes span
+  KeptBytes depth, colour;
+  std::uint32_t dirty = 0;
+
+  /// Pools for the largest frame.
+  LayerBytes layer() const { return {depth.largest, colour.largest, dirty}; }
+};
+
+/// Draws `frames` (> 0) frames of a turn in RGB565 with a format of 16-bit cells, with `fixed_range` over the camera's
+/// depth range, as layers need it, else fitted to each frame.
+Result<KeptFrames> keep_frames(Stage& stage, const View& view, DepthFormat format, std::uint32_t frames,
+                               bool fixed_range);
+
+}  // namespace zstrip::sim
