@@ -17,6 +17,7 @@
 #include "bench/board_prediction.hpp"
 #include "bench/dynamic_z_table.hpp"
 #include "bench/host_bench.hpp"
+#include "bench/peer_bench.hpp"
 #include "bench/workloads.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
@@ -39,6 +40,7 @@ struct BenchOptions {
   std::uint32_t frames = 60;
   std::string firmware;  ///< empty: beside this program, as the build leaves it
   std::string json;
+  bool peers = false;               ///< other renderers beside ours, on this machine
   std::vector<std::string> boards;  ///< whose frames a second are predicted instead; empty: none
   std::optional<double> spi_mhz;    ///< instead of the board's own
   std::optional<double> core_mhz;
@@ -164,7 +166,16 @@ Result<Done> run_predictions(const BenchOptions& options) {
   return report(options, text, prediction_json(predictions));
 }
 
+Result<Done> run_peers(const BenchOptions& options) {
+  const Result<std::vector<BenchCase>> cases = cases_for(options, "host");
+  if (!cases) return cases.failure();
+  const Result<PeerComparison> comparison = compare_with_peers(*cases);
+  if (!comparison) return comparison.failure();
+  return report(options, peer_table(*comparison), peer_json(*comparison));
+}
+
 Result<Done> run(const BenchOptions& options) {
+  if (options.peers) return run_peers(options);
   if (!options.boards.empty()) return run_predictions(options);
   if (!options.table.empty()) return run_dynamic_z(options);
   std::vector<Measurement> rows;
@@ -218,6 +229,7 @@ std::string footer() {
          "  zstrip bench --workload R50,R10k --size 1920x1080\n"
          "  zstrip bench --board bluepill,pico --workload K5M,CT --frames 6\n"
          "                                                frames a second that real boards would draw\n"
+         "  zstrip bench --peers                          Allegro 4 and OSMesa on the same workloads\n"
          "  zstrip bench --table dynamic-z                a published table, with our renderer beside it";
 }
 
@@ -226,7 +238,8 @@ void add_board_options(CLI::App& command, BenchOptions& options, CLI::Option* ta
       command.add_option("--board", options.boards, "Predict frames a second of real boards, separated by commas")
           ->delimiter(',')
           ->check(CLI::IsMember(board_names()))
-          ->excludes(target);
+          ->excludes(target)
+          ->excludes("--peers");
   command.add_option("--spi-mhz", options.spi_mhz, "Clock of the display's bus instead of the board's most")
       ->check(CLI::Range(0.01, 1000.0))
       ->needs(board);
@@ -284,6 +297,8 @@ void add_bench_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--firmware", options->firmware, "Folder of the boards' programs, if not where the build puts them")
       ->type_name("DIR");
+  command->add_flag("--peers", options->peers, "Other renderers of this machine on the same workloads, and ratios")
+      ->excludes(target);
   add_board_options(*command, *options, target);
   command->add_option("--json", options->json, "Write the results to this file as JSON; - is standard output")
       ->type_name("FILE|-");
@@ -292,7 +307,7 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{100}))
       ->group("");
   for (const char* of_workloads : {"--target", "--workload", "--size", "--strip-rows", "--strip-columns", "--mode",
-                                   "--depth", "--ram", "--frames", "--firmware", "--board"}) {
+                                   "--depth", "--ram", "--frames", "--firmware", "--board", "--peers"}) {
     table->excludes(command->get_option(of_workloads));
   }
   command->callback([options, &exit_code] {
