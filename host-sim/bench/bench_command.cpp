@@ -18,6 +18,7 @@
 #include "bench/dynamic_z_table.hpp"
 #include "bench/host_bench.hpp"
 #include "bench/peer_bench.hpp"
+#include "bench/stage_profile.hpp"
 #include "bench/workloads.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
@@ -40,6 +41,7 @@ struct BenchOptions {
   std::uint32_t frames = 60;
   std::string firmware;  ///< empty: beside this program, as the build leaves it
   std::string json;
+  bool stages = false;              ///< where the instructions of a frame go, on boards
   bool peers = false;               ///< other renderers beside ours, on this machine
   std::vector<std::string> boards;  ///< whose frames a second are predicted instead; empty: none
   std::optional<double> spi_mhz;    ///< instead of the board's own
@@ -174,7 +176,25 @@ Result<Done> run_peers(const BenchOptions& options) {
   return report(options, peer_table(*comparison), peer_json(*comparison));
 }
 
+Result<Done> run_stages(const BenchOptions& options) {
+  std::vector<StageProfile> profiles;
+  std::string text;
+  for (const std::string& target : options.targets) {
+    if (target == "host") return Failure{ExitStatus::usage, "--stages is for boards: --target m0, m3, m4f or m7"};
+    const Result<std::vector<BenchCase>> cases = cases_for(options, target);
+    if (!cases) return cases.failure();
+    for (const BenchCase& bench_case : *cases) {
+      Result<StageProfile> profile = profile_stages(bench_case, options.firmware);
+      if (!profile) return profile.failure();
+      text += stage_text(*profile);
+      profiles.push_back(std::move(*profile));
+    }
+  }
+  return report(options, text, stage_json(profiles));
+}
+
 Result<Done> run(const BenchOptions& options) {
+  if (options.stages) return run_stages(options);
   if (options.peers) return run_peers(options);
   if (!options.boards.empty()) return run_predictions(options);
   if (!options.table.empty()) return run_dynamic_z(options);
@@ -297,6 +317,8 @@ void add_bench_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--firmware", options->firmware, "Folder of the boards' programs, if not where the build puts them")
       ->type_name("DIR");
+  command->add_flag("--stages", options->stages, "Where a board's instructions go; see host-sim/bench/stages")
+      ->needs(target);
   command->add_flag("--peers", options->peers, "Other renderers of this machine on the same workloads, and ratios")
       ->excludes(target);
   add_board_options(*command, *options, target);
