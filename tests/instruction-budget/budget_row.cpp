@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kHostLine = "# compiled for the host by g++ ";
 constexpr std::string_view kBoardLine = "# compiled for boards by arm-none-eabi-g++ ";
-constexpr std::string_view kHeading = "name,workload,target,size,mode,strip_rows,depth,frames,instructions";
+constexpr std::string_view kHeading = "name,workload,target,size,mode,strip_rows,depth,frames,most";
 
 template <typename Number>
 Number number(std::string_view text) {
@@ -80,7 +80,7 @@ void write_budgets(const std::filesystem::path& file, const BudgetFile& budgets)
   out << kHeading << '\n';
   for (const BudgetRow& row : budgets.rows) {
     out << fmt::format("{},{},{},{},{},{},{},{},{}\n", row.name, row.workload, row.target, row.size, row.mode,
-                       row.strip_rows, row.depth, row.frames, row.instructions);
+                       row.strip_rows, row.depth, row.frames, row.most);
   }
   out.flush();
   if (!out) throw std::runtime_error("cannot write " + file.string());
@@ -88,12 +88,12 @@ void write_budgets(const std::filesystem::path& file, const BudgetFile& budgets)
 
 std::string complaint(const BudgetRow& row, std::uint64_t measured) {
   const double percent =
-      100 * (static_cast<double>(measured) / static_cast<double>(row.instructions) - 1);  // infinite without a budget
+      100 * (static_cast<double>(measured) / static_cast<double>(row.most) - 1);  // infinite without a budget
   if (percent <= kTolerance) return "";
   return fmt::format(
-      "{} takes {} instructions a frame, {:.2f} % over its budget of {} ({} % are allowed); if that is worth it, run "
+      "{} takes {} {}, {:.2f} % over its budget of {} ({} % are allowed); if that is worth it, run "
       "tests/instruction-budget/update and say why in the commit",
-      row.name, measured, percent, row.instructions, kTolerance);
+      row.name, measured, row.mode == kCode ? "bytes" : "instructions a frame", percent, row.most, kTolerance);
 }
 
 }  // namespace zstrip::instruction_budget

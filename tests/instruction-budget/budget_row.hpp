@@ -4,16 +4,21 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace zstrip::instruction_budget {
+
+/// A row with this mode is about the pipeline's code: the bytes of flash that the workload's pipeline takes on the
+/// target.
+inline constexpr std::string_view kCode = "code";
 
 /// The words of a case are those of `zstrip bench`.
 struct BudgetRow {
   std::string name;  ///< of the test: InstructionBudget.name
   std::string workload, target, size, mode, strip_rows, depth;
-  std::uint32_t frames = 0;        ///< from frame 0 on
-  std::uint64_t instructions = 0;  ///< a frame, the mean of `frames`
+  std::uint32_t frames = 0;  ///< from frame 0 on
+  std::uint64_t most = 0;    ///< instructions a frame, the mean of `frames`; of code bytes
 };
 
 /// What the programs were compiled with when the figures were taken; elsewhere they mean nothing.
@@ -38,7 +43,7 @@ void write_budgets(const std::filesystem::path& file, const BudgetFile& budgets)
 /// Most that a measurement may be above its budget, percent.
 inline constexpr double kTolerance = 2.0;
 
-/// Empty if `measured` instructions are within the row's budget, else by how much they are over.
+/// Empty if `measured` is within the row's budget, else by how much they are over.
 std::string complaint(const BudgetRow& row, std::uint64_t measured);
 
 }  // namespace zstrip::instruction_budget

@@ -30,7 +30,7 @@ class KeepsItsBudget : public testing::Test {
     const auto measured = measure(row_, kPrograms);
     if (!measured) GTEST_SKIP() << "valgrind is missing, or this is a sanitized build";
     EXPECT_EQ(complaint(row_, *measured), "");
-    std::cout << row_.name << ": " << *measured << " of " << row_.instructions << " instructions\n";
+    std::cout << row_.name << ": " << *measured << " of " << row_.most << "\n";
   }
 
  private:
@@ -39,8 +39,9 @@ class KeepsItsBudget : public testing::Test {
 };
 
 TEST(InstructionBudgetCheck, TwoPercentAreAllowedAndNoMore) {
-  const BudgetRow row{
-      .name = "row", .workload{}, .target{}, .size{}, .mode{}, .strip_rows{}, .depth{}, .instructions = 100'000};
+  BudgetRow row;
+  row.name = "row";
+  row.most = 100'000;
   EXPECT_EQ(complaint(row, 0), "");
   EXPECT_EQ(complaint(row, 102'000), "");
   EXPECT_NE(complaint(row, 102'001).find("2.00 % over"), std::string::npos) << complaint(row, 102'001);

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <cctype>
 #include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -11,10 +12,24 @@
 #include <vector>
 
 #include "bench/child_process.hpp"
+#include "bench/elf_size.hpp"
 
 namespace zstrip::instruction_budget {
+namespace {
+
+std::uint64_t code_bytes(const BudgetRow& row, const Programs& programs) {
+  std::string workload = row.workload;
+  for (char& letter : workload) letter = static_cast<char>(std::tolower(letter));
+  const auto bytes =
+      sim::elf_load_bytes(programs.firmware / ("zstrip_pipeline_" + workload + "_" + row.target + ".elf"));
+  if (!bytes) throw std::runtime_error(bytes.failure().message);
+  return *bytes;
+}
+
+}  // namespace
 
 std::optional<std::uint64_t> measure(const BudgetRow& row, const Programs& programs) {
+  if (row.mode == kCode) return code_bytes(row, programs);
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / ("zstrip_" + row.name + "_" + std::to_string(getpid()) + ".json");
   std::vector<std::string> command{programs.zstrip.string(),

@@ -14,8 +14,8 @@ struct Programs {
   std::filesystem::path firmware;  ///< the folder of the programs for boards
 };
 
-/// Instructions a frame; empty where this machine cannot count them (no valgrind, a sanitized build). Throws
-/// std::runtime_error with the command's own words if it fails.
+/// Instructions a frame, or bytes of code; empty where this machine cannot count them (no valgrind, a sanitized build).
+/// Throws std::runtime_error with the command's own words if it fails.
 std::optional<std::uint64_t> measure(const BudgetRow& row, const Programs& programs);
 
 }  // namespace zstrip::instruction_budget

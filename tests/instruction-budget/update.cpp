@@ -31,7 +31,7 @@ void update(const Programs& programs, const std::filesystem::path& file, const s
     if (!names.empty() && std::ranges::find(names, row.name) == names.end()) continue;
     const auto measured = measure(row, programs);
     if (!measured) throw std::runtime_error("this machine cannot count the instructions of " + row.name);
-    row.instructions = *measured;
+    row.most = *measured;
   }
   write_budgets(file, budgets);
 }
