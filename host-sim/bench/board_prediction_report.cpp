@@ -38,18 +38,31 @@ std::string assumptions(const BoardPrediction& p) {
   return text;
 }
 
+/// "3.1", or "3.1 to 4.5" where they differ.
+std::string range(double low, double high, int decimals) {
+  const std::string first = fmt::format("{:.{}f}", low, decimals), last = fmt::format("{:.{}f}", high, decimals);
+  return first == last ? first : first + " to " + last;
+}
+
 std::string mix_text(const BoardPrediction& p) {
-  std::string text = "  instructions a frame:";
+  constexpr std::size_t kMostColumns = 100;
   const auto frames = static_cast<double>(p.frames.size());
+  std::string text = "  instructions a frame by class:\n", line;
   for (std::size_t i = 0; i < p.mix.count.size(); ++i) {
     if (p.mix.count[i] == 0) continue;
-    text += fmt::format(" {} {:.0f}", kInstructionClassNames[i], static_cast<double>(p.mix.count[i]) / frames);
-    if (kInstructionClassNames[i] == "branch")
-      text += fmt::format(" (taken {:.0f})", static_cast<double>(p.mix.taken) / frames);
-    text += ',';
+    std::string part =
+        fmt::format(" {} {:.0f}", kInstructionClassNames[i], static_cast<double>(p.mix.count[i]) / frames);
+    if (kInstructionClassNames[i] == "branch") {
+      part += fmt::format(" (taken {:.0f})", static_cast<double>(p.mix.taken) / frames);
+    }
+    if (line.size() + part.size() > kMostColumns) {
+      text += "   " + line + '\n';
+      line.clear();
+    }
+    line += part + ',';
   }
-  text.pop_back();
-  return text + '\n';
+  line.pop_back();
+  return text + "   " + line + '\n';
 }
 
 /// `mark` from `begin` to `end`, at least one column where there is anything.
@@ -89,26 +102,25 @@ std::string prediction_text(const BoardPrediction& p) {
   const auto frames = static_cast<double>(p.frames.size());
   double bus = 0;
   for (const double seconds : p.frames.front().sending) bus += seconds;
-  std::string text = fmt::format("{} on {} ({}): {:.1f} to {:.1f} frames a second predicted\n", m.bench_case.workload,
-                                 p.board.name, p.board.description, 1 / slow, 1 / fast);
+  const double cycles_a_ms = 1e3 * p.board.core_mhz * frames;  // of all frames, for one of each
+  std::string text = fmt::format("{} on {} ({}): {} frames a second predicted\n", m.bench_case.workload, p.board.name,
+                                 p.board.description, range(1 / slow, 1 / fast, 1));
   text += fmt::format("  picture: {}x{} RGB565, {} strips of {} rows, {}; arena and pixels {} of {} bytes of RAM\n",
                       m.bench_case.view.width, m.bench_case.view.height, p.frames.front().strips.size(), m.strip_rows,
                       name(m.mode), ram_bytes(p), p.board.ram_bytes);
-  text +=
-      fmt::format("  frame: {:.1f} to {:.1f} ms; drawing {:.1f} to {:.1f} ms, sending {:.1f} ms, mean of {} frames\n",
-                  milliseconds(fast), milliseconds(slow),
-                  milliseconds((p.core.low + p.flash.low) / frames / (p.board.core_mhz * 1e6)),
-                  milliseconds((p.core.high + p.flash.high) / frames / (p.board.core_mhz * 1e6)), milliseconds(bus),
-                  p.frames.size());
-  text += fmt::format("  cycles a frame: {:.0f} instructions take {:.0f} to {:.0f}, the flash {:.0f} to {:.0f} more\n",
-                      static_cast<double>(p.instructions) / frames, p.core.low / frames, p.core.high / frames,
-                      p.flash.low / frames, p.flash.high / frames);
+  text += fmt::format("  frame: {} ms; drawing {} ms, sending {:.1f} ms, mean of {} frames\n",
+                      range(milliseconds(fast), milliseconds(slow), 1),
+                      range((p.core.low + p.flash.low) / cycles_a_ms, (p.core.high + p.flash.high) / cycles_a_ms, 1),
+                      milliseconds(bus), p.frames.size());
+  text += fmt::format("  cycles a frame: {:.0f} instructions take {}, the flash {} more\n",
+                      static_cast<double>(p.instructions) / frames, range(p.core.low / frames, p.core.high / frames, 0),
+                      range(p.flash.low / frames, p.flash.high / frames, 0));
   return text + mix_text(p) + assumptions(p) + timeline_text(p);
 }
 
 std::string prediction_json(std::span<const BoardPrediction> predictions) {
   using Json = nlohmann::ordered_json;
-  const auto range = [](const Cycles& cycles, double divisor) {
+  const auto bounds = [](const Cycles& cycles, double divisor) {
     return Json::array({cycles.low / divisor, cycles.high / divisor});
   };
   Json list = Json::array();
@@ -146,8 +158,8 @@ std::string prediction_json(std::span<const BoardPrediction> predictions) {
                     {"frames_per_second", {1 / frame_seconds(p, true), 1 / frame_seconds(p, false)}},
                     {"instructions_per_frame", static_cast<double>(p.instructions) / frames},
                     {"instruction_mix", mix},
-                    {"core_cycles_per_frame", range(p.core, frames)},
-                    {"flash_cycles_per_frame", range(p.flash, frames)},
+                    {"core_cycles_per_frame", bounds(p.core, frames)},
+                    {"flash_cycles_per_frame", bounds(p.flash, frames)},
                     {"first_frame_slowest", strips}});
   }
   return list.dump(2) + "\n";

@@ -87,9 +87,9 @@ void write_budgets(const std::filesystem::path& file, const BudgetFile& budgets)
 }
 
 std::string complaint(const BudgetRow& row, std::uint64_t measured) {
+  if (100 * measured <= (100 + kTolerance) * row.most) return "";
   const double percent =
       100 * (static_cast<double>(measured) / static_cast<double>(row.most) - 1);  // infinite without a budget
-  if (percent <= kTolerance) return "";
   return fmt::format(
       "{} takes {} {}, {:.2f} % over its budget of {} ({} % are allowed); if that is worth it, run "
       "tests/instruction-budget/update and say why in the commit",

@@ -41,7 +41,7 @@ BudgetFile read_budgets(const std::filesystem::path& file);
 void write_budgets(const std::filesystem::path& file, const BudgetFile& budgets);
 
 /// Most that a measurement may be above its budget, percent.
-inline constexpr double kTolerance = 2.0;
+inline constexpr std::uint64_t kTolerance = 2;
 
 /// Empty if `measured` is within the row's budget, else by how much they are over.
 std::string complaint(const BudgetRow& row, std::uint64_t measured);
