@@ -52,7 +52,11 @@ Contestant contestant(const PeerProgram& peer, const BenchCase& bench_case, cons
   c.command = {program.string(), std::string(find_workload(bench_case.workload)->scene),
                std::to_string(bench_case.view.width), std::to_string(bench_case.view.height),
                std::to_string(bench_case.frames)};
-  if (!peer.driver.empty()) c.environment = {fmt::format("GALLIUM_DRIVER={}", peer.driver), "LP_NUM_THREADS=0"};
+  // One thread, and compiled in each run: a run that finds the code of the one before counts less.
+  if (!peer.driver.empty()) {
+    c.environment = {fmt::format("GALLIUM_DRIVER={}", peer.driver), "LP_NUM_THREADS=0",
+                     "MESA_SHADER_CACHE_DISABLE=true"};
+  }
   return c;
 }
 
