@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+// The names are QEMU's.
+// NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
 
 using qemu_plugin_id_t = std::uint64_t;
@@ -42,3 +44,4 @@ char* qemu_plugin_insn_disas(const qemu_plugin_insn* insn);
 [[gnu::visibility("default")]] int qemu_plugin_install(qemu_plugin_id_t id, const qemu_info_t* info, int count,
                                                        char** arguments);
 }
+// NOLINTEND(readability-identifier-naming)
