@@ -97,7 +97,7 @@ Result<Done> FrameRenderer::draw_on_threads(const Staging& staging, const Effect
   };
   const Plan& plan = report.plan;
   std::vector<Worker> workers(memory_.size(), Worker{.renderer = AnyRenderer(effects)});
-  const Result<Done> drawn = for_each_on_threads(
+  Result<Done> drawn = for_each_on_threads(
       plan.strips, static_cast<unsigned>(workers.size()), [&](unsigned thread, std::uint32_t index) {
         Worker& worker = workers[thread];
         if (!worker.begun) {

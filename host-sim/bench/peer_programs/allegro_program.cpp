@@ -42,7 +42,9 @@ class AllegroRenderer : public Renderer {
       texture_ = make_bitmap(1 << texture->log2_width, 1 << texture->log2_height);
       for (int y = 0; y < texture_->h; ++y) {
         for (int x = 0; x < texture_->w; ++x) {
-          putpixel(texture_.get(), x, y, texture->texels[static_cast<std::size_t>(y * texture_->w + x)]);
+          putpixel(texture_.get(), x, y,
+                   texture->texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(texture_->w) +
+                                   static_cast<std::size_t>(x)]);
         }
       }
     }
@@ -69,7 +71,8 @@ class AllegroRenderer : public Renderer {
   }
 
   std::span<const std::uint16_t> pixels() const override {
-    return {reinterpret_cast<const std::uint16_t*>(picture_->dat), static_cast<std::size_t>(width_ * height_)};
+    return {reinterpret_cast<const std::uint16_t*>(picture_->dat),
+            static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)};
   }
 
  private:

@@ -22,7 +22,7 @@ const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(byt
 class MesaRenderer : public Renderer {
  public:
   MesaRenderer(const Scene& scene, int width, int height)
-      : pixels_(static_cast<std::size_t>(width * height)),
+      : pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
         context_(OSMesaCreateContextExt(OSMESA_RGB_565, 16, 0, 0, nullptr)),
         indices_(static_cast<GLsizei>(3 * scene.triangles().size())) {
     if (!context_ ||
