@@ -14,8 +14,11 @@
 
 #include "bench/bench_report.hpp"
 #include "bench/board_bench.hpp"
+#include "bench/board_prediction.hpp"
 #include "bench/dynamic_z_table.hpp"
 #include "bench/host_bench.hpp"
+#include "bench/peer_bench.hpp"
+#include "bench/stage_profile.hpp"
 #include "bench/workloads.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
@@ -33,10 +36,17 @@ struct BenchOptions {
   std::string strip_rows;        ///< empty: the planner decides
   std::string strip_columns;     ///< empty: the picture's width
   std::string mode{"streamed"};  ///< of the plan
+  std::string depth{"z16"};      ///< how depth is kept
   std::string ram;               ///< empty: no limit
   std::uint32_t frames = 60;
   std::string firmware;  ///< empty: beside this program, as the build leaves it
   std::string json;
+  bool stages = false;              ///< where the instructions of a frame go, on boards
+  bool peers = false;               ///< other renderers beside ours, on this machine
+  std::vector<std::string> boards;  ///< whose frames a second are predicted instead; empty: none
+  std::optional<double> spi_mhz;    ///< instead of the board's own
+  std::optional<double> core_mhz;
+  std::optional<std::uint32_t> wait_states;
   std::string table;                    ///< empty: the workloads; else the table to reproduce instead
   std::vector<std::uint32_t> pictures;  ///< of the table; empty: all
   std::uint32_t draw_each = 0;          ///< not 0: run by instruction_count.cpp
@@ -61,6 +71,12 @@ Result<std::vector<BenchCase>> cases_for(const BenchOptions& options, const std:
     budget.strip_columns = *columns;
   }
   budget.modes = options.mode == "binned" ? Modes::binned : Modes::streamed;
+  if (options.depth != "z16") {
+    const bool known =
+        options.workloads == std::vector<std::string>{"R50"} && target != "host" && options.mode == "streamed";
+    if (!known)
+      return Failure{ExitStatus::usage, "--depth is for R50 on boards, streamed: that is what programs are built for"};
+  }
   std::vector<BenchCase> cases;
   for (const std::string& name : options.workloads) {
     const Workload* workload = find_workload(name);
@@ -71,7 +87,12 @@ Result<std::vector<BenchCase>> cases_for(const BenchOptions& options, const std:
       view.width = size->first;
       view.height = size->second;
     }
-    cases.push_back({.workload = name, .target = target, .view = view, .budget = budget, .frames = options.frames});
+    cases.push_back({.workload = name,
+                     .target = target,
+                     .view = view,
+                     .budget = budget,
+                     .depth = options.depth,
+                     .frames = options.frames});
   }
   return cases;
 }
@@ -127,7 +148,55 @@ Result<Done> run_dynamic_z(const BenchOptions& options) {
                                                    wrong->picture.side, name(wrong->memory))};
 }
 
+Result<Done> run_predictions(const BenchOptions& options) {
+  std::vector<BoardPrediction> predictions;
+  std::string text;
+  for (const std::string& name : options.boards) {
+    BoardModel board = *find_board(name);
+    board.spi_mhz = options.spi_mhz.value_or(board.spi_mhz);
+    board.core_mhz = options.core_mhz.value_or(board.core_mhz);
+    board.flash.wait_states = options.wait_states.value_or(board.flash.wait_states);
+    const Result<std::vector<BenchCase>> cases = cases_for(options, std::string(board.target));
+    if (!cases) return cases.failure();
+    for (const BenchCase& bench_case : *cases) {
+      Result<BoardPrediction> prediction = predict(board, bench_case, options.firmware);
+      if (!prediction) return prediction.failure();
+      text += prediction_text(*prediction);
+      predictions.push_back(std::move(*prediction));
+    }
+  }
+  return report(options, text, prediction_json(predictions));
+}
+
+Result<Done> run_peers(const BenchOptions& options) {
+  const Result<std::vector<BenchCase>> cases = cases_for(options, "host");
+  if (!cases) return cases.failure();
+  const Result<PeerComparison> comparison = compare_with_peers(*cases);
+  if (!comparison) return comparison.failure();
+  return report(options, peer_table(*comparison), peer_json(*comparison));
+}
+
+Result<Done> run_stages(const BenchOptions& options) {
+  std::vector<StageProfile> profiles;
+  std::string text;
+  for (const std::string& target : options.targets) {
+    if (target == "host") return Failure{ExitStatus::usage, "--stages is for boards: --target m0, m3, m4f or m7"};
+    const Result<std::vector<BenchCase>> cases = cases_for(options, target);
+    if (!cases) return cases.failure();
+    for (const BenchCase& bench_case : *cases) {
+      Result<StageProfile> profile = profile_stages(bench_case, options.firmware);
+      if (!profile) return profile.failure();
+      text += stage_text(*profile);
+      profiles.push_back(std::move(*profile));
+    }
+  }
+  return report(options, text, stage_json(profiles));
+}
+
 Result<Done> run(const BenchOptions& options) {
+  if (options.stages) return run_stages(options);
+  if (options.peers) return run_peers(options);
+  if (!options.boards.empty()) return run_predictions(options);
   if (!options.table.empty()) return run_dynamic_z(options);
   std::vector<Measurement> rows;
   for (const std::string& target : options.targets) {
@@ -155,6 +224,12 @@ std::vector<std::string> workload_names() {
   return names;
 }
 
+std::vector<std::string> board_names() {
+  std::vector<std::string> names;
+  for (const BoardModel& board : board_models()) names.emplace_back(board.name);
+  return names;
+}
+
 std::vector<std::uint32_t> sides_of_pictures() {
   std::vector<std::uint32_t> sides;
   for (const DynamicZPicture& picture : dynamic_z_pictures()) sides.push_back(picture.side);
@@ -172,7 +247,28 @@ std::string footer() {
          "  zstrip bench --target host,m3 --workload K5   the same frames here and on an emulated Cortex-M3\n"
          "  zstrip bench --workload CT --strip-rows 8 --json results.json\n"
          "  zstrip bench --workload R50,R10k --size 1920x1080\n"
+         "  zstrip bench --board bluepill,pico --workload K5M,CT --frames 6\n"
+         "                                                frames a second that real boards would draw\n"
+         "  zstrip bench --peers                          Allegro 4 and OSMesa on the same workloads\n"
          "  zstrip bench --table dynamic-z                a published table, with our renderer beside it";
+}
+
+void add_board_options(CLI::App& command, BenchOptions& options, CLI::Option* target) {
+  auto* const board =
+      command.add_option("--board", options.boards, "Predict frames a second of real boards, separated by commas")
+          ->delimiter(',')
+          ->check(CLI::IsMember(board_names()))
+          ->excludes(target)
+          ->excludes("--peers");
+  command.add_option("--spi-mhz", options.spi_mhz, "Clock of the display's bus instead of the board's most")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->needs(board);
+  command.add_option("--core-mhz", options.core_mhz, "Clock of the core instead of the board's own")
+      ->check(CLI::Range(0.01, 10000.0))
+      ->needs(board);
+  command.add_option("--wait-states", options.wait_states, "Of the flash instead of the board's own")
+      ->check(CLI::Range(std::uint32_t{0}, std::uint32_t{1000}))
+      ->needs(board);
 }
 
 }  // namespace
@@ -188,10 +284,12 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       ->delimiter(',')
       ->check(CLI::IsMember(sides_of_pictures()))
       ->needs(table);
-  command->add_option("--target", options->targets, "Where to draw, separated by commas; boards are emulated by QEMU")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"host", "m0", "m3", "m4f", "m7"}))
-      ->capture_default_str();
+  auto* const target =
+      command
+          ->add_option("--target", options->targets, "Where to draw, separated by commas; boards are emulated by QEMU")
+          ->delimiter(',')
+          ->check(CLI::IsMember({"host", "m0", "m3", "m4f", "m7"}))
+          ->capture_default_str();
   command->add_option("--workload", options->workloads, "What to draw, separated by commas")
       ->delimiter(',')
       ->check(CLI::IsMember(workload_names()))
@@ -207,6 +305,9 @@ void add_bench_command(CLI::App& app, int& exit_code) {
   command->add_option("--mode", options->mode, "Transform geometry again for each strip, or once and bin it")
       ->check(CLI::IsMember({"streamed", "binned"}))
       ->capture_default_str();
+  command->add_option("--depth", options->depth, "How boards keep depth; all but z16 for R50 only")
+      ->check(CLI::IsMember({"z16", "state", "ranges", "float", "w16", "z24", "z32"}))
+      ->capture_default_str();
   command->add_option("--ram", options->ram, "Renderer's memory at most, K and M allowed (default: no limit)")
       ->type_name("BYTES");
   command->add_option("--frames", options->frames, "Frames to average over")
@@ -216,6 +317,11 @@ void add_bench_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--firmware", options->firmware, "Folder of the boards' programs, if not where the build puts them")
       ->type_name("DIR");
+  command->add_flag("--stages", options->stages, "Where a board's instructions go; see host-sim/bench/stages")
+      ->needs(target);
+  command->add_flag("--peers", options->peers, "Other renderers of this machine on the same workloads, and ratios")
+      ->excludes(target);
+  add_board_options(*command, *options, target);
   command->add_option("--json", options->json, "Write the results to this file as JSON; - is standard output")
       ->type_name("FILE|-");
   command->add_option("--depth-memory", options->depth_memory)->needs(table)->group("");
@@ -223,7 +329,7 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{100}))
       ->group("");
   for (const char* of_workloads : {"--target", "--workload", "--size", "--strip-rows", "--strip-columns", "--mode",
-                                   "--ram", "--frames", "--firmware"}) {
+                                   "--depth", "--ram", "--frames", "--firmware", "--board", "--peers"}) {
     table->excludes(command->get_option(of_workloads));
   }
   command->callback([options, &exit_code] {

@@ -30,31 +30,19 @@ const char* machine(std::string_view target) {
   return "mps2-an385";
 }
 
-Result<fs::path> program_for(const BenchCase& bench_case, const std::string& firmware) {
-  fs::path folder = firmware;
-  if (folder.empty()) {
-    std::error_code error;
-    const fs::path self = fs::read_symlink("/proc/self/exe", error);
-    if (error) return Failure{ExitStatus::environment, "cannot find this program's own file: " + error.message()};
-    folder = self.parent_path().parent_path() / "firmware" / "bin";
-  }
-  const fs::path program =
-      folder /
-      fmt::format("zstrip_bench_{}{}.elf", bench_case.budget.modes == Modes::binned ? "bins_" : "", bench_case.target);
-  if (!fs::exists(program)) {
-    return Failure{ExitStatus::environment,
-                   fmt::format("{} is not there: build the boards' programs (tests/run does, or cmake --build --preset "
-                               "host --target firmware), or name their folder with --firmware",
-                               program.string())};
-  }
-  return program;
+// Programs of their own, so that each has one pipeline.
+const char* program_infix(const BenchCase& bench_case) {
+  if (bench_case.depth != "z16") return "depth_";
+  return bench_case.budget.modes == Modes::binned ? "bins_" : "";
 }
 
 std::vector<std::string> emulator_command(const BenchCase& bench_case, const fs::path& program) {
   std::string words =
       fmt::format("enable=on,target=native,arg=workload={},arg=size={}x{},arg=frames={}", bench_case.workload,
                   bench_case.view.width, bench_case.view.height, bench_case.frames);
+  if (bench_case.depth != "z16") words += ",arg=depth=" + bench_case.depth;
   if (bench_case.budget.bytes != 0) words += fmt::format(",arg=ram={}", bench_case.budget.bytes);
+  if (bench_case.budget.strip_buffers != 0) words += fmt::format(",arg=buffers={}", bench_case.budget.strip_buffers);
   if (bench_case.budget.strip_rows != 0) words += fmt::format(",arg=rows={}", bench_case.budget.strip_rows);
   if (bench_case.budget.strip_columns != 0) words += fmt::format(",arg=columns={}", bench_case.budget.strip_columns);
   return {"qemu-system-arm",
@@ -101,8 +89,31 @@ std::optional<Measurement> read_line(const BenchCase& bench_case, const std::str
   return row;
 }
 
-Result<Measurement> bench_one(const BenchCase& bench_case, const fs::path& program) {
-  const Result<ChildOutput> output = run_program(emulator_command(bench_case, program), kLimit);
+}  // namespace
+
+Result<fs::path> board_program(const BenchCase& bench_case, const std::string& firmware) {
+  fs::path folder = firmware;
+  if (folder.empty()) {
+    std::error_code error;
+    const fs::path self = fs::read_symlink("/proc/self/exe", error);
+    if (error) return Failure{ExitStatus::environment, "cannot find this program's own file: " + error.message()};
+    folder = self.parent_path().parent_path() / "firmware" / "bin";
+  }
+  const fs::path program = folder / fmt::format("zstrip_bench_{}{}.elf", program_infix(bench_case), bench_case.target);
+  if (!fs::exists(program)) {
+    return Failure{ExitStatus::environment,
+                   fmt::format("{} is not there: build the boards' programs (tests/run does, or cmake --build --preset "
+                               "host --target firmware), or name their folder with --firmware",
+                               program.string())};
+  }
+  return program;
+}
+
+Result<Measurement> bench_on_board(const BenchCase& bench_case, const fs::path& program,
+                                   const std::vector<std::string>& emulator_options) {
+  std::vector<std::string> command = emulator_command(bench_case, program);
+  command.insert(command.end(), emulator_options.begin(), emulator_options.end());
+  const Result<ChildOutput> output = run_program(command, kLimit);
   if (!output) return output.failure();
   const std::string line = output->text.substr(0, output->text.find_last_not_of("\r\n") + 1);
   if (output->exit_status != 0) {
@@ -128,14 +139,12 @@ Result<Measurement> bench_one(const BenchCase& bench_case, const fs::path& progr
   return std::move(*row);
 }
 
-}  // namespace
-
 Result<std::vector<Measurement>> bench_on_board(const std::vector<BenchCase>& cases, const std::string& firmware) {
   std::vector<Measurement> rows;
   for (const BenchCase& bench_case : cases) {
-    const Result<fs::path> program = program_for(bench_case, firmware);
+    const Result<fs::path> program = board_program(bench_case, firmware);
     if (!program) return program.failure();
-    Result<Measurement> row = bench_one(bench_case, *program);
+    Result<Measurement> row = bench_on_board(bench_case, *program, {});
     if (!row) return row.failure();
     rows.push_back(std::move(*row));
   }

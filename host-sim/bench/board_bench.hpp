@@ -1,6 +1,7 @@
 // Measures workloads on emulated boards.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,5 +14,11 @@ namespace zstrip::sim {
 /// the programs; empty: where the build puts them, seen from this program. A missing program or QEMU is a failure with
 /// ExitStatus::environment, too little memory one with ExitStatus::budget.
 Result<std::vector<Measurement>> bench_on_board(const std::vector<BenchCase>& cases, const std::string& firmware);
+
+/// The program that draws a case, in the folder `firmware` as above.
+Result<std::filesystem::path> board_program(const BenchCase& bench_case, const std::string& firmware);
+/// One case, with more options for QEMU. Failures as above.
+Result<Measurement> bench_on_board(const BenchCase& bench_case, const std::filesystem::path& program,
+                                   const std::vector<std::string>& emulator_options);
 
 }  // namespace zstrip::sim

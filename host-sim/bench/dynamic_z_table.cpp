@@ -48,7 +48,6 @@ Result<Done> time_rows(std::vector<DynamicZDrawing>& drawings, std::span<Dynamic
 Result<std::optional<std::uint64_t>> instructions_of(const DynamicZRow& row) {
   return count_draw({"--table", "dynamic-z", "--picture", std::to_string(row.picture.side), "--depth-memory",
                      std::string(name(row.memory))},
-                    BlockStores::vectors,  // the rows differ most in what they clear
                     fmt::format("the picture of {0}x{0}", row.picture.side));
 }
 

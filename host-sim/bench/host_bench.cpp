@@ -34,7 +34,14 @@ Result<std::vector<std::uint32_t>> checksums(Drawing& drawing, const BenchCase& 
   return sums;
 }
 
-// Of one round; only drawing is timed, not the staging between.
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
 Result<double> nanoseconds_per_frame(Drawing& drawing, const BenchCase& bench_case) {
   std::chrono::nanoseconds spent{0};
   for (std::uint32_t frame = 0; frame < bench_case.frames; ++frame) {
@@ -46,14 +53,6 @@ Result<double> nanoseconds_per_frame(Drawing& drawing, const BenchCase& bench_ca
   }
   return static_cast<double>(spent.count()) / bench_case.frames;
 }
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-}  // namespace
 
 Result<std::vector<Measurement>> bench_on_host(const std::vector<BenchCase>& cases) {
   std::vector<Drawing> drawings;

@@ -38,18 +38,16 @@ std::optional<std::uint64_t> instruction_total(const std::string& text) {
 constexpr const char* kVectorStores = "GLIBC_TUNABLES=glibc.cpu.x86_rep_stosb_threshold=4294967295";
 
 struct CountedRun {
-  std::string program;
-  const std::vector<std::string>& options;
-  BlockStores stores;
+  const std::vector<std::string>& command;
+  const std::vector<std::string>& environment;
   const std::string& what;
 };
 
 Result<std::uint64_t> total_of_run(const CountedRun& run, const char* draws) {
-  std::vector<std::string> command;
-  if (run.stores == BlockStores::vectors) command = {"env", kVectorStores};
-  command.insert(command.end(), {"valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null",
-                                 run.program, "bench"});
-  command.insert(command.end(), run.options.begin(), run.options.end());
+  std::vector<std::string> command{"env", kVectorStores};
+  command.insert(command.end(), run.environment.begin(), run.environment.end());
+  command.insert(command.end(), {"valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null"});
+  command.insert(command.end(), run.command.begin(), run.command.end());
   command.insert(command.end(), {"--draw-each", draws});
 
   const Result<ChildOutput> output = run_program(command, kLimit);
@@ -81,25 +79,30 @@ std::vector<std::string> options_of(const BenchCase& bench_case) {
 
 }  // namespace
 
-Result<std::optional<std::uint64_t>> count_draw(const std::vector<std::string>& options, BlockStores stores,
-                                                const std::string& what) {
+Result<std::optional<std::uint64_t>> count_draws(const std::vector<std::string>& command,
+                                                 const std::vector<std::string>& environment, const std::string& what) {
   if (!kCanCount || !run_program({"valgrind", "--version"}, std::chrono::seconds{30}))
     return std::optional<std::uint64_t>{};
-  std::error_code error;
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error) return Failure{ExitStatus::environment, "cannot find this program's own file: " + error.message()};
-
-  const CountedRun run{self.string(), options, stores, what};
+  const CountedRun run{command, environment, what};
   const Result<std::uint64_t> once = total_of_run(run, "1");
   if (!once) return once.failure();
   const Result<std::uint64_t> thrice = total_of_run(run, "3");
   if (!thrice) return thrice.failure();
+  if (*thrice <= *once) return std::optional<std::uint64_t>{};  // it does not do the same each time: a JIT, perhaps
   return std::optional{(*thrice - *once) / 2};
 }
 
+Result<std::optional<std::uint64_t>> count_draw(const std::vector<std::string>& options, const std::string& what) {
+  std::error_code error;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) return Failure{ExitStatus::environment, "cannot find this program's own file: " + error.message()};
+  std::vector<std::string> command{self.string(), "bench"};
+  command.insert(command.end(), options.begin(), options.end());
+  return count_draws(command, {}, what);
+}
+
 Result<std::optional<std::uint64_t>> count_instructions(const BenchCase& bench_case) {
-  Result<std::optional<std::uint64_t>> counted =
-      count_draw(options_of(bench_case), BlockStores::library, bench_case.workload);
+  Result<std::optional<std::uint64_t>> counted = count_draw(options_of(bench_case), bench_case.workload);
   if (counted && *counted) **counted /= bench_case.frames;
   return counted;
 }

@@ -16,7 +16,8 @@ struct BenchCase {
   std::string workload;  ///< "K5", "K5M", "CT", "R50" or "R10k"
   std::string target;    ///< "host", "m0", "m3", "m4f" or "m7"
   View view;
-  Budget budget;  ///< zeros: the planner decides
+  Budget budget;              ///< zeros: the planner decides
+  std::string depth = "z16";  ///< how depth is kept; anything else on boards only, of R50: see firmware/README.md
   std::uint32_t frames = 0;
 };
 

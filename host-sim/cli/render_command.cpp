@@ -7,14 +7,17 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "cli/output_names.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
 #include "image/write_file.hpp"
+#include "render/parallel.hpp"
 #include "render/render_frame.hpp"
 #include "render/stage.hpp"
 #include "report/frame_record.hpp"
@@ -26,6 +29,7 @@ namespace zstrip::sim {
 namespace {
 
 constexpr std::uint32_t kMaxFrames = 10000;  // four digits in the names
+constexpr unsigned kMaxThreads = 256;
 
 /// As given on the command line.
 struct Arguments {
@@ -33,6 +37,7 @@ struct Arguments {
   std::optional<std::string> output;
   std::string size = "320x240";
   std::optional<std::uint32_t> frames;
+  std::optional<std::uint32_t> threads;
   std::optional<std::string> ram;
   std::string strip_rows = "auto";
   std::string strip_columns = "auto";
@@ -56,6 +61,7 @@ struct Job {
   Budget budget;
   CameraOptions camera;
   OutputNames outputs;
+  unsigned threads = 1;
 };
 
 Failure usage(std::string message) { return {ExitStatus::usage, std::move(message)}; }
@@ -112,6 +118,11 @@ Result<Job> parse(const Arguments& arguments) {
   if (arguments.frames && (*arguments.frames < 1 || *arguments.frames > kMaxFrames)) {
     return usage(fmt::format("--frames must be 1 to {}", kMaxFrames));
   }
+  if (arguments.threads && (*arguments.threads < 1 || *arguments.threads > kMaxThreads)) {
+    return usage(fmt::format("--threads must be 1 to {}", kMaxThreads));
+  }
+  job.threads =
+      arguments.threads ? *arguments.threads : std::clamp(std::thread::hardware_concurrency(), 1U, kMaxThreads);
   std::optional<ImageType> type;
   if (arguments.image) {
     const Result<ImageType> parsed = parse_image_type(*arguments.image);
@@ -150,29 +161,56 @@ void warn_if_nothing_drawn(RunRecord& run) {
   print_warning(run.warnings.back());
 }
 
+/// What a thread has for itself: a stage to place, a renderer with its memory.
+struct Worker {
+  std::unique_ptr<Stage> stage;
+  FrameRenderer renderer;
+};
+
+Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t frame) {
+  const Result<Staging> staging = worker.stage->place(frame, job.outputs.frames);
+  if (!staging) return staging.failure();
+  const Result<FrameReport> report = worker.renderer.render(*staging);
+  if (!report) return report.failure();
+  const Result<std::vector<std::uint8_t>> picture = encode(job.outputs.type, job.view, worker.renderer.pixels());
+  if (!picture) return picture.failure();
+  if (frame == 0) {
+    if (const Result<Done> prepared = prepare(job.outputs); !prepared) return prepared.failure();
+  }
+  const std::filesystem::path file = job.outputs.file(frame);
+  if (const Result<Done> written = write_file(file, *picture, "-o"); !written) return written.failure();
+  return FrameRecord{file.string(), *report};
+}
+
+/// Several frames are drawn, encoded and written on all threads, one frame on each; the strips of a single frame are.
 Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool quiet) {
-  const Result<std::unique_ptr<Stage>> stage = open_stage(scene, job.up, job.camera, job.view, job.outputs.frames);
+  Result<std::unique_ptr<Stage>> stage = open_stage(scene, job.up, job.camera, job.view, job.outputs.frames);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
+  RunRecord run{scene, job.view, (*stage)->warnings(), std::vector<FrameRecord>(job.outputs.frames)};
 
-  RunRecord run{scene, job.view, (*stage)->warnings(), {}};
-  FrameRenderer renderer(job.view, job.budget, job.depth_format);
-  Progress progress(job.outputs.frames, !quiet);
-  for (std::uint32_t frame = 0; frame < job.outputs.frames; ++frame) {
-    const Result<Staging> staging = (*stage)->place(frame, job.outputs.frames);
-    if (!staging) return staging.failure();
-    const Result<FrameReport> report = renderer.render(*staging);
-    if (!report) return report.failure();
-    const Result<std::vector<std::uint8_t>> picture = encode(job.outputs.type, job.view, renderer.pixels());
-    if (!picture) return picture.failure();
-    if (frame == 0) {
-      if (const Result<Done> prepared = prepare(job.outputs); !prepared) return prepared.failure();
-    }
-    const std::filesystem::path file = job.outputs.file(frame);
-    if (const Result<Done> written = write_file(file, *picture, "-o"); !written) return written.failure();
-    run.frames.push_back({file.string(), *report});
-    progress.show(frame + 1);
+  const unsigned threads = std::min(job.threads, job.outputs.frames);
+  const unsigned strip_threads = job.outputs.frames == 1 ? job.threads : 1;
+  std::vector<Worker> workers;
+  for (unsigned thread = 0; thread < threads; ++thread) {
+    workers.push_back({(*stage)->copy(), FrameRenderer(job.view, job.budget, job.depth_format, strip_threads)});
   }
+  Progress progress(job.outputs.frames, !quiet);
+  std::mutex mutex;  // of the progress
+  std::uint32_t done = 0;
+  const auto draw = [&](unsigned thread, std::uint32_t frame) {
+    Result<FrameRecord> record = render_frame(workers[thread], job, frame);
+    if (!record) return Result<Done>(record.failure());
+    run.frames[frame] = std::move(*record);
+    const std::scoped_lock lock(mutex);
+    progress.show(++done);
+    return Result<Done>(Done{});
+  };
+  // The first one makes the folder, once it is known that the scene can be drawn.
+  if (const Result<Done> first = draw(0, 0); !first) return first.failure();
+  const Result<Done> others = for_each_on_threads(
+      job.outputs.frames - 1, threads, [&](unsigned thread, std::uint32_t index) { return draw(thread, index + 1); });
+  if (!others) return others.failure();
   return run;
 }
 
@@ -221,6 +259,8 @@ void add_render_command(CLI::App& app, int& exit_code) {
   command->add_option("--size", a.size, "Size of the picture, each side 1 to 4096 (default: 320x240)")
       ->type_name("WxH");
   command->add_option("--frames", a.frames, "Frames of a full turn (default: 1 into a file, 8 into a folder)")
+      ->type_name("N");
+  command->add_option("--threads", a.threads, "Threads that draw, the same pixels with any (default: one a core)")
       ->type_name("N");
   command->add_option("--ram", a.ram, "Renderer's memory at most, K and M allowed (default: no limit)")
       ->type_name("BYTES");

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "render/parallel.hpp"
 #include "report/number.hpp"
 #include "zstrip/frame/renderer.hpp"
 #include "zstrip_hal/present.hpp"
@@ -49,6 +50,16 @@ Failure refused(const char* what, const Status& status) {
                                             status.needed, status.available)};
 }
 
+/// What a thread did after begin_frame is added.
+void add(Statistics& sum, const Statistics& all, const Statistics& after_begin) {
+  sum.drawn += all.drawn - after_begin.drawn;
+  sum.clipped += all.clipped - after_begin.clipped;
+  sum.covering += all.covering - after_begin.covering;
+  sum.vertices += all.vertices - after_begin.vertices;
+  sum.fragments += all.fragments - after_begin.fragments;
+  sum.depth_passes += all.depth_passes - after_begin.depth_passes;
+}
+
 }  // namespace
 
 Result<FrameReport> FrameRenderer::render(const Staging& staging) {
@@ -62,30 +73,80 @@ Result<FrameReport> FrameRenderer::render(const Staging& staging) {
   return render(staging, plan);
 }
 
+Result<Done> FrameRenderer::draw(const Staging& staging, const Effects& effects, FrameReport& report) {
+  const Plan& plan = report.plan;
+  const std::span<std::byte> arena = at_least(memory_[0].arena, plan.bytes());
+  const std::span<std::byte> strip = at_least(memory_[0].strip, report.strip_pixel_bytes);
+  AnyRenderer renderer(effects);
+  const Status begun = renderer.begin_frame(staging.scene, staging.camera, view_, plan, arena);
+  if (!begun) return refused("the frame cannot begin", begun);
+  const auto shown = hal::present(renderer, display_, {plan.strips, plan.strip_rows, plan.strip_columns}, {strip, {}});
+  if (!shown.draw) return refused("a strip cannot be drawn", shown.draw);
+  if (shown.display != hal::Error::none) return Failure{ExitStatus::internal, hal::message(shown.display)};
+  report.mode = renderer.frame().mode();
+  report.statistics = renderer.frame().statistics();
+  report.bounds = renderer.frame().bounds();
+  return Done{};
+}
+
+Result<Done> FrameRenderer::draw_on_threads(const Staging& staging, const Effects& effects, FrameReport& report) {
+  struct Worker {
+    AnyRenderer renderer;
+    Statistics after_begin{};
+    bool begun = false;
+  };
+  const Plan& plan = report.plan;
+  std::vector<Worker> workers(memory_.size(), Worker{.renderer = AnyRenderer(effects)});
+  Result<Done> drawn = for_each_on_threads(
+      plan.strips, static_cast<unsigned>(workers.size()), [&](unsigned thread, std::uint32_t index) {
+        Worker& worker = workers[thread];
+        if (!worker.begun) {
+          const std::span<std::byte> arena = at_least(memory_[thread].arena, plan.bytes());
+          const Status begun = worker.renderer.begin_frame(staging.scene, staging.camera, view_, plan, arena);
+          if (!begun) return Result<Done>(refused("the frame cannot begin", begun));
+          worker.after_begin = worker.renderer.frame().statistics();
+          worker.begun = true;
+        }
+        const auto strip = static_cast<std::uint16_t>(index);
+        const std::span<std::byte> pixels = at_least(memory_[thread].strip, report.strip_pixel_bytes);
+        const Status status = worker.renderer.draw_strip(strip, pixels);
+        if (!status) return Result<Done>(refused("a strip cannot be drawn", status));
+        const Rect area = plan.strip_area(strip, view_);
+        const hal::Error error =
+            display_.write({static_cast<std::uint16_t>(area.left), static_cast<std::uint16_t>(area.top),
+                            static_cast<std::uint16_t>(area.width()), static_cast<std::uint16_t>(area.height())},
+                           pixels);  // strips share no byte of the picture
+        if (error != hal::Error::none) return Result<Done>(Failure{ExitStatus::internal, hal::message(error)});
+        return Result<Done>(Done{});
+      });
+  if (!drawn) return drawn;
+  // What begin_frame does counts once, as without threads.
+  const auto first = std::ranges::find_if(workers, &Worker::begun);
+  report.mode = first->renderer.frame().mode();
+  report.bounds = first->renderer.frame().bounds();
+  report.statistics = first->after_begin;
+  for (const Worker& worker : workers) {
+    if (worker.begun) add(report.statistics, worker.renderer.frame().statistics(), worker.after_begin);
+  }
+  return Done{};
+}
+
 Result<FrameReport> FrameRenderer::render(const Staging& staging, const Plan& plan) {
   const Effects effects = effects_of(staging.scene, staging.camera) | depth_effect(depth_format_) | effect::statistics;
   FrameReport report;
   report.plan = plan;
   report.strip_pixel_bytes = plan.strip_pixel_bytes(view_);
-  const std::span<std::byte> arena = at_least(arena_, plan.bytes());
-  const std::span<std::byte> strip = at_least(strip_, report.strip_pixel_bytes);
-  AnyRenderer renderer(effects);
 
   const auto start = std::chrono::steady_clock::now();
-  const Status begun = renderer.begin_frame(staging.scene, staging.camera, view_, plan, arena);
-  if (!begun) return refused("the frame cannot begin", begun);
-  const auto shown = hal::present(renderer, display_, {plan.strips, plan.strip_rows, plan.strip_columns}, {strip, {}});
+  const bool alone = memory_.size() == 1 || plan.strips == 1;
+  const Result<Done> drawn = alone ? draw(staging, effects, report) : draw_on_threads(staging, effects, report);
   const auto end = std::chrono::steady_clock::now();
-  if (!shown.draw) return refused("a strip cannot be drawn", shown.draw);
-  if (shown.display != hal::Error::none) return Failure{ExitStatus::internal, hal::message(shown.display)};
+  if (!drawn) return drawn.failure();
 
   report.nanoseconds = std::chrono::duration_cast<std::chrono::nanoseconds>(end - start).count();
   const std::span<const std::byte> pixels = display_.pixels();
   report.crc32 = static_cast<std::uint32_t>(
       crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(pixels.data()), pixels.size()));
-  report.mode = renderer.frame().mode();
-  report.statistics = renderer.frame().statistics();
-  report.bounds = renderer.frame().bounds();
   return report;
 }
 

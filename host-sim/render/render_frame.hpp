@@ -24,11 +24,13 @@ struct FrameReport {
   std::int64_t nanoseconds = 0;  ///< begin_frame and all strips
 };
 
-/// Draws frames of one size; keeps its memory from frame to frame.
+/// Draws frames of one size; keeps its memory from frame to frame. With several threads they draw the strips of a frame
+/// together, each with a renderer, an arena and a strip of pixels of its own: the same pixels and statistics.
 class FrameRenderer {
  public:
-  FrameRenderer(const View& view, const Budget& budget, DepthFormat depth_format = DepthFormat::z16)
-      : view_(view), budget_(budget), depth_format_(depth_format), display_(view) {}
+  FrameRenderer(const View& view, const Budget& budget, DepthFormat depth_format = DepthFormat::z16,
+                unsigned threads = 1)
+      : view_(view), budget_(budget), depth_format_(depth_format), display_(view), memory_(threads) {}
 
   /// Plans and draws. Failures: ExitStatus::budget says how many bytes are missing, for what, and how many are enough.
   Result<FrameReport> render(const Staging& staging);
@@ -40,12 +42,18 @@ class FrameRenderer {
   const View& view() const { return view_; }
 
  private:
+  Result<Done> draw(const Staging& staging, const Effects& effects, FrameReport& report);
+  Result<Done> draw_on_threads(const Staging& staging, const Effects& effects, FrameReport& report);
+
   View view_;
   Budget budget_;
   DepthFormat depth_format_;
   PictureDisplay display_;
-  std::vector<std::uint64_t> arena_;  ///< 8-byte words: kArenaAlignment
-  std::vector<std::uint64_t> strip_;
+  struct Memory {
+    std::vector<std::uint64_t> arena;  ///< 8-byte words: kArenaAlignment
+    std::vector<std::uint64_t> strip;
+  };
+  std::vector<Memory> memory_;  ///< of each thread, at least one
 };
 
 }  // namespace zstrip::sim

@@ -59,6 +59,13 @@ class BuiltInStage : public Stage {
     return Staging{staged_.scene, camera};
   }
 
+  std::unique_ptr<Stage> copy() const override {
+    auto stage = std::make_unique<BuiltInStage>(built_in_, view_);
+    stage->own_camera_ = own_camera_;
+    stage->options_ = options_;
+    return stage;
+  }
+
   const std::vector<std::string>& warnings() const override { return warnings_; }
 
  private:
@@ -72,15 +79,16 @@ class BuiltInStage : public Stage {
 
 class ModelStage : public Stage {
  public:
-  explicit ModelStage(Model model) : model_(std::move(model)), instances_(model_.instances), lights_(model_.lights) {
+  explicit ModelStage(std::shared_ptr<const Model> model)
+      : model_(std::move(model)), instances_(model_->instances), lights_(model_->lights) {
     if (lights_.empty()) {
       lights_.assign(std::begin(scenes::kKeyLight), std::end(scenes::kKeyLight));
     } else if (lights_.size() < kMaxLights) {
       lights_.push_back(kFillLight);
     }
-    scene_ = {.meshes = model_.meshes,
-              .materials = model_.materials,
-              .textures = model_.textures,
+    scene_ = {.meshes = model_->meshes,
+              .materials = model_->materials,
+              .textures = model_->textures,
               .instances = instances_,
               .lights = lights_,
               .ambient = scenes::kAmbient};
@@ -97,7 +105,7 @@ class ModelStage : public Stage {
                               .half_tangent = std::tan(degrees * std::numbers::pi / 360),
                               .orthographic = options.orthographic,
                               .whole_turn = frames > 1};
-    const Result<Camera> camera = options.placed() ? place_camera(options, model_.units, radius)
+    const Result<Camera> camera = options.placed() ? place_camera(options, model_->units, radius)
                                                    : framed_camera(options, frame_scene(scene_, framing), radius);
     if (!camera) return camera.failure();
     camera_ = *camera;
@@ -114,10 +122,16 @@ class ModelStage : public Stage {
     return Staging{scene_, camera_};
   }
 
-  const std::vector<std::string>& warnings() const override { return model_.warnings; }
+  std::unique_ptr<Stage> copy() const override {
+    auto stage = std::make_unique<ModelStage>(model_);
+    stage->camera_ = camera_;
+    return stage;
+  }
+
+  const std::vector<std::string>& warnings() const override { return model_->warnings; }
 
  private:
-  Model model_;
+  std::shared_ptr<const Model> model_;
   std::vector<Instance> instances_;
   std::vector<DirectionalLight> lights_;
   Scene scene_;
@@ -142,7 +156,7 @@ Result<std::unique_ptr<Stage>> open_stage(const std::string& name, UpAxis up, co
   }
   Result<Model> model = import_model(name, up);
   if (!model) return model.failure();
-  auto stage = std::make_unique<ModelStage>(std::move(*model));
+  auto stage = std::make_unique<ModelStage>(std::make_shared<const Model>(std::move(*model)));
   if (const Result<Done> checked = check(stage->scene(), name); !checked) return checked.failure();
   if (const Result<Done> camera = stage->set_camera(options, view, frames); !camera) return camera.failure();
   return std::unique_ptr<Stage>(std::move(stage));

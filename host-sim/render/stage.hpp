@@ -25,6 +25,8 @@ class Stage {
   virtual ~Stage() = default;
   /// Frame `frame` of a full turn in `frames` frames.
   virtual Result<Staging> place(std::uint32_t frame, std::uint32_t frames) = 0;
+  /// Another stage of the same scene, to be placed on another thread; it shares what does not move.
+  virtual std::unique_ptr<Stage> copy() const = 0;
   /// What the picture lacks, one line each.
   virtual const std::vector<std::string>& warnings() const = 0;
 };

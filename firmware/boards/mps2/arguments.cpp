@@ -47,6 +47,7 @@ bool read_word(std::string_view word, Arguments& arguments) {
   if (key == "columns") return read_number(value, arguments.columns);
   if (key == "frames") return read_number(value, arguments.frames) && arguments.frames > 0;
   if (key == "first") return read_number(value, arguments.first);
+  if (key == "buffers") return read_number(value, arguments.buffers) && arguments.buffers <= 2;
   if (key == "ram") return read_number(value, arguments.ram);
   return false;
 }

@@ -1,5 +1,5 @@
 // The words that say what the benchmark runs: "workload=K5 depth=z16 size=320x240 rows=16 columns=64
-// frames=2 first=0 ram=65536".
+// frames=2 first=0 buffers=2 ram=65536".
 #pragma once
 
 #include <cstdint>
@@ -17,6 +17,7 @@ struct Arguments {
   std::uint16_t columns = 0;      ///< of a strip; 0: the picture's width
   std::uint32_t frames = 1;       ///< how many are measured
   std::uint32_t first = 0;        ///< the number of the first one
+  std::uint8_t buffers = 0;       ///< of a strip's pixels that `ram` has to hold, too: 0 .. 2
   std::uint32_t ram = 0;          ///< bytes that the plan may take; 0: no limit but the board's
   std::string_view wrong_word{};  ///< the first word that is not understood; empty if all are
 };

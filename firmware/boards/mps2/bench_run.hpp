@@ -110,6 +110,7 @@ int run(const Arguments& arguments) {
                    {.bytes = arguments.ram,
                     .strip_rows = arguments.rows,
                     .strip_columns = arguments.columns,
+                    .strip_buffers = arguments.buffers,
                     .modes = kEffects.has(zstrip::effect::bins) ? zstrip::Modes::binned : zstrip::Modes::streamed});
   if (!status) return report(status);
   const std::uint32_t needed = plan.bytes() + plan.strip_pixel_bytes(view);
@@ -164,7 +165,7 @@ inline int run_bench(std::span<const Workload> workloads) {
     print(arguments.wrong_word);
     print(
         "'; usage: [workload=K5|K5M|CT|R50|R10k] [depth=FORMAT] [size=WxH] [rows=N] [columns=N] "
-        "[frames=N] [first=N] [ram=BYTES]\n");
+        "[frames=N] [first=N] [buffers=N] [ram=BYTES]\n");
     return kUsage;
   }
   for (const Workload& workload : workloads) {

@@ -1,0 +1,31 @@
+// Real boards: core, clock, flash, memory and the bus to a display.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "bench/cycle_model.hpp"
+
+namespace zstrip::sim {
+
+struct BoardModel {
+  std::string_view name;         ///< on the command line
+  std::string_view description;  ///< board and chip
+  std::string_view core;         ///< of find_core()
+  std::string_view target;       ///< whose programs run on it: "m0", "m3", "m4f"
+  double core_mhz;
+  Flash flash;
+  std::uint32_t ram_bytes;
+  double spi_mhz;  ///< most that the chip drives a display with
+  bool dma;        ///< the bus sends while the core draws; else the core waits
+};
+
+/// RAM that arena and pixels cannot have: the renderer, other statics and the stack, rounded up from docs/memory.md.
+inline constexpr std::uint32_t kReservedRam = 4096;
+
+std::span<const BoardModel> board_models();
+/// Null if there is none of this name.
+const BoardModel* find_board(std::string_view name);
+
+}  // namespace zstrip::sim

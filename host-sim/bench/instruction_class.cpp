@@ -1,0 +1,75 @@
+// Classes by mnemonic. Conditions are spelled out where they would make another mnemonic: BLS is no BL.
+#include "bench/instruction_class.hpp"
+
+#include <algorithm>
+
+namespace zstrip::sim {
+namespace {
+
+using enum InstructionClass;
+
+constexpr std::array<std::string_view, 17> kConditions = {"",   "eq", "ne", "cs", "hs", "cc", "lo", "mi", "pl",
+                                                          "vs", "vc", "hi", "ls", "ge", "lt", "gt", "le"};
+
+bool is(std::string_view mnemonic, std::string_view name) {
+  return mnemonic.starts_with(name) &&
+         std::ranges::find(kConditions, mnemonic.substr(name.size())) != kConditions.end();
+}
+
+template <std::size_t count>
+bool is_any(std::string_view mnemonic, const std::array<std::string_view, count>& names) {
+  return std::ranges::any_of(names, [mnemonic](std::string_view name) { return is(mnemonic, name); });
+}
+
+constexpr std::array<std::string_view, 17> kMultiplies = {"mul",    "muls",   "smulbb", "smulbt", "smultb", "smultt",
+                                                          "smulwb", "smulwt", "smuad",  "smuadx", "smusd",  "smusdx",
+                                                          "smmul",  "smmulr", "smlad",  "smladx", "smlsd"};
+constexpr std::array<std::string_view, 12> kAccumulates = {"mla",    "mls",    "smlabb", "smlabt", "smlatb", "smlatt",
+                                                           "smlawb", "smlawt", "smmla",  "smmlar", "smmls",  "smmlsr"};
+constexpr std::array<std::string_view, 2> kLongMultiplies = {"smull", "umull"};
+constexpr std::array<std::string_view, 5> kLongAccumulates = {"smlal", "umlal", "umaal", "smlald", "smlsld"};
+constexpr std::array<std::string_view, 2> kDivides = {"sdiv", "udiv"};
+
+/// Registers in "{r4, r5, r6-r8}"; QEMU writes each one out, but a range is no surprise.
+std::uint32_t registers_in(std::string_view operands) {
+  const std::size_t open = operands.find('{');
+  if (open == std::string_view::npos) return 0;
+  return static_cast<std::uint32_t>(1 + std::ranges::count(operands.substr(open), ','));
+}
+
+ClassifiedInstruction transfer(std::string_view mnemonic, std::string_view operands) {
+  const bool list = mnemonic.starts_with("ldm") || mnemonic.starts_with("pop") || mnemonic.starts_with("stm") ||
+                    mnemonic.starts_with("push");
+  const bool loads = mnemonic.starts_with("ld") || mnemonic.starts_with("pop");
+  if (list) {
+    const bool pc = loads && operands.find("pc}") != std::string_view::npos;
+    return {loads ? load_multiple : store_multiple, registers_in(operands), pc};
+  }
+  if (mnemonic.starts_with("ldrd") || mnemonic.starts_with("strd")) return {loads ? load_multiple : store_multiple, 2};
+  return {loads ? load : store, 1, loads && operands.starts_with("pc,")};
+}
+
+}  // namespace
+
+ClassifiedInstruction classify(std::string_view text) {
+  const std::size_t space = text.find_first_of(" \t");
+  std::string_view mnemonic = text.substr(0, space);
+  std::string_view operands = space == std::string_view::npos ? "" : text.substr(space + 1);
+  operands.remove_prefix(std::min(operands.find_first_not_of(" \t"), operands.size()));
+  mnemonic = mnemonic.substr(0, mnemonic.find('.'));
+  if (mnemonic == "cbz" || mnemonic == "cbnz" || is(mnemonic, "b")) return {branch};
+  if (mnemonic == "tbb" || mnemonic == "tbh") return {load, 1, true};
+  if (is(mnemonic, "bl")) return {call};
+  if (is(mnemonic, "bx") || is(mnemonic, "blx")) return {branch_register};
+  if (is_any(mnemonic, kDivides)) return {divide};
+  if (is_any(mnemonic, kMultiplies)) return {multiply};
+  if (is_any(mnemonic, kAccumulates)) return {accumulate};
+  if (is_any(mnemonic, kLongMultiplies)) return {long_multiply};
+  if (is_any(mnemonic, kLongAccumulates)) return {long_accumulate};
+  for (const std::string_view name : {"ldr", "ldm", "pop", "str", "stm", "push"}) {
+    if (mnemonic.starts_with(name)) return transfer(mnemonic, operands);
+  }
+  return {};
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,214 @@
+// zstrip bench --board: classes of instructions, cycles, the flash's cache, the timeline, and the command.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/board_model.hpp"
+#include "bench/child_process.hpp"
+#include "bench/cycle_model.hpp"
+#include "bench/execution_profile.hpp"
+#include "bench/instruction_class.hpp"
+#include "bench/plugin/flash_cache.hpp"
+#include "bench/strip_timeline.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+using nlohmann::json;
+
+TEST(InstructionClass, MnemonicsOfThumb) {
+  using enum InstructionClass;
+  const std::pair<std::string_view, InstructionClass> kExpected[] = {{"add.w r3, r3, #1", other},
+                                                                     {"mls r1, r2, r3, r4", accumulate},
+                                                                     {"muls r0, r1, r0", multiply},
+                                                                     {"smulbb r1, r2, r3", multiply},
+                                                                     {"umull r1, r2, r3, r4", long_multiply},
+                                                                     {"umlal r1, r2, r3, r4", long_accumulate},
+                                                                     {"udiv r1, r2, r3", divide},
+                                                                     {"ldrsh.w r0, [r1]", load},
+                                                                     {"strb r0, [r1, #4]", store},
+                                                                     {"ldrd r0, r1, [sp]", load_multiple},
+                                                                     {"push {r4, r5, lr}", store_multiple},
+                                                                     {"bls #0x10", branch},
+                                                                     {"blt.w #0x10", branch},
+                                                                     {"b #0x10", branch},
+                                                                     {"cbnz r0, #0x10", branch},
+                                                                     {"bl #0x10", call},
+                                                                     {"bx lr", branch_register},
+                                                                     {"blx r3", branch_register},
+                                                                     {"bic r0, r1, #3", other},
+                                                                     {"bfi r0, r1, #3, #4", other},
+                                                                     {"it eq", other}};
+  for (const auto& [text, kind] : kExpected) EXPECT_EQ(classify(text).kind, kind) << text;
+  EXPECT_EQ(classify("push {r4, r5, lr}").words, 3U);
+  EXPECT_EQ(classify("ldrd r0, r1, [sp]").words, 2U);
+  EXPECT_TRUE(classify("pop {r4, pc}").loads_pc);
+  EXPECT_FALSE(classify("pop {r4, r5}").loads_pc);
+  EXPECT_TRUE(classify("ldr.w pc, [sp], #4").loads_pc);
+}
+
+TEST(FlashCache, KeepsTheLinesUsedLast) {
+  FlashCache cache(4, 2, 8);  // two sets of two
+  EXPECT_EQ(cache.line_of(17), 2U);
+  EXPECT_FALSE(cache.touch(0));
+  EXPECT_FALSE(cache.touch(2));
+  EXPECT_TRUE(cache.touch(0));
+  EXPECT_FALSE(cache.touch(4));  // in the place of 2, used longest ago
+  EXPECT_TRUE(cache.touch(0));
+  EXPECT_FALSE(cache.touch(2));
+  EXPECT_FALSE(cache.touch(1));  // the other set
+  EXPECT_TRUE(cache.touch(2));
+  FlashCache none(0, 1, 8);
+  EXPECT_FALSE(none.touch(1));
+  EXPECT_FALSE(none.touch(1));
+}
+
+// A loop of ldr, adds, bne that runs five times, one of them to its end.
+ExecutionProfile loop_profile() {
+  return {.instructions = {{0, 2, "ldr r0, [r1]"}, {2, 2, "adds r0, r0, #1"}, {4, 2, "bne #0x0"}},
+          .blocks = {{0, 3}},
+          .regions = {{.blocks = {{0, 5, 4}}, .jump_misses = 4, .sequential_misses = 3, .data_misses = 2}}};
+}
+
+TEST(CycleModel, SumsThePublishedTimings) {
+  const ExecutionProfile profile = loop_profile();
+  const ExecutedRegion& region = profile.regions[0];
+  EXPECT_EQ(instruction_count(profile, region), 15U);
+  const Cycles m0 = core_cycles(profile, region, *find_core("m0"));  // 5 * (2 + 1 + 1), 4 * 2 for branches taken
+  EXPECT_DOUBLE_EQ(m0.low, 28);
+  EXPECT_DOUBLE_EQ(m0.high, 28);
+  const Cycles m3 = core_cycles(profile, region, *find_core("m3"));  // 1 to 3 cycles refill the pipeline
+  EXPECT_DOUBLE_EQ(m3.low, 24);
+  EXPECT_DOUBLE_EQ(m3.high, 32);
+  const InstructionMix mix = mix_of(profile, region);
+  EXPECT_EQ(mix.count[static_cast<std::size_t>(InstructionClass::load)], 5U);
+  EXPECT_EQ(mix.count[static_cast<std::size_t>(InstructionClass::branch)], 5U);
+  EXPECT_EQ(mix.taken, 4U);
+}
+
+TEST(CycleModel, FlashWaits) {
+  const ExecutionProfile profile = loop_profile();
+  const ExecutedRegion& region = profile.regions[0];
+  Flash flash{.description{}, .wait_states = 2, .cache = {.line_bytes = 8}, .prefetch = false};
+  EXPECT_DOUBLE_EQ(flash_cycles(region, flash).low, 2 * (4 + 3 + 2));
+  EXPECT_DOUBLE_EQ(flash_cycles(region, flash).high, 2 * (4 + 3 + 2));
+  flash.prefetch = true;  // of the lines in sequence it hides two of three cycles at least
+  EXPECT_DOUBLE_EQ(flash_cycles(region, flash).low, 2 * (4 + 2));
+  EXPECT_DOUBLE_EQ(flash_cycles(region, flash).high, 2 * (4 + 2) + 3);
+}
+
+TEST(CycleModel, EveryBoardHasATimedCoreAndAProgram) {
+  for (const BoardModel& board : board_models()) {
+    EXPECT_NE(find_core(board.core), nullptr) << board.name;
+    EXPECT_TRUE(board.target == "m0" || board.target == "m3" || board.target == "m4f") << board.name;
+    EXPECT_GT(board.ram_bytes, kReservedRam) << board.name;
+  }
+}
+
+TEST(StripTimeline, OneBufferTakesTurnsTwoOverlap) {
+  const std::vector<StripWork> strips{{3, 5}, {4, 5}, {9, 5}};
+  const auto in_turns = strip_timeline(1, strips, false);
+  EXPECT_DOUBLE_EQ(in_turns.back().send_end, 1 + 3 + 5 + 4 + 5 + 9 + 5);
+  const auto overlapped = strip_timeline(1, strips, true);
+  EXPECT_DOUBLE_EQ(overlapped[0].send_begin, 4);
+  EXPECT_DOUBLE_EQ(overlapped[1].draw_begin, 4);
+  EXPECT_DOUBLE_EQ(overlapped[1].send_begin, 9);  // the bus is busy until then
+  EXPECT_DOUBLE_EQ(overlapped[2].draw_begin, 9);  // and so is the other buffer
+  EXPECT_DOUBLE_EQ(overlapped[2].send_end, 9 + 9 + 5);
+}
+
+TEST(ExecutionProfile, RefusesWhatThePluginDoesNotWrite) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "zstrip_profile_test.txt";
+  const auto read = [&file](const char* text) {
+    std::ofstream(file) << text;
+    return static_cast<bool>(read_profile(file));
+  };
+  const std::string good = "i 10 2 nop\nb 0 10 1\nx 0 7 1\nr 1 2 3 4\n";
+  EXPECT_TRUE(read(good.c_str()));
+  EXPECT_FALSE(read(""));
+  EXPECT_FALSE(read("i 10 2 nop\nb 0 10 1\nx 0 7 1\n"));  // cut short
+  EXPECT_FALSE(read("b 0 10 1\nx 0 7 1\nr 1 2 3 4\n"));   // an instruction that was not described
+  EXPECT_FALSE(read("i 10 2 nop\nb 0 10 1\nx 1 7 1\nr 1 2 3 4\n"));
+  EXPECT_FALSE(read("i 10 2\nr 1 2 3 4\n"));
+  EXPECT_FALSE(read("hello\n"));
+  std::filesystem::remove(file);
+}
+
+ChildOutput bench(std::vector<std::string> options) {
+  options.insert(options.begin(), {ZSTRIP_COMMAND, "bench"});
+  const Result<ChildOutput> output = run_program(options, std::chrono::seconds{110});
+  EXPECT_TRUE(output) << output.failure().message;
+  return output ? *output : ChildOutput{-1, ""};
+}
+
+class BoardCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(std::filesystem::path(ZSTRIP_FIRMWARE_BINARIES) / "zstrip_bench_m3.elf") ||
+        !run_program({"qemu-system-arm", "--version"}, std::chrono::seconds{30})) {
+      GTEST_SKIP() << "no programs for boards, or no QEMU";
+    }
+  }
+  json rows(std::vector<std::string> options) {
+    const std::string file =
+        testing::TempDir() + testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
+    options.insert(options.end(), {"--firmware", ZSTRIP_FIRMWARE_BINARIES, "--json", file});
+    const ChildOutput output = bench(options);
+    EXPECT_EQ(output.exit_status, 0) << output.text;
+    std::ifstream stream(file);
+    const json result = json::parse(stream, nullptr, false);
+    std::filesystem::remove(file);
+    return result;
+  }
+};
+
+TEST_F(BoardCommand, CountsWhatTheTimerCounts) {
+  const std::vector<std::string> same{"--workload", "K5M", "--frames", "2", "--size", "320x240", "--strip-rows", "7"};
+  std::vector<std::string> predicted = same, timed = same;
+  predicted.insert(predicted.end(), {"--board", "bluepill"});
+  timed.insert(timed.end(), {"--target", "m3"});
+  const auto count = [](const json& row) { return row.at(0).at("instructions_per_frame").get<double>(); };
+  const double plugin = count(rows(predicted)), timer = count(rows(timed));
+  EXPECT_NEAR(plugin / timer, 1, 0.002) << plugin << ' ' << timer;
+}
+
+TEST_F(BoardCommand, PredictsWithinItsAssumptions) {
+  const json row = rows({"--board", "bluepill", "--workload", "CT", "--frames", "1"}).at(0);
+  EXPECT_LE(row.at("ram_bytes"), 20 * 1024);
+  const json fps = row.at("frames_per_second");
+  EXPECT_GT(fps.at(0), 0);
+  EXPECT_LE(fps.at(0), fps.at(1));
+  const json strips = row.at("first_frame_slowest");
+  ASSERT_EQ(strips.size(), row.at("config").at("strips"));
+  for (std::size_t i = 1; i < strips.size(); ++i) {
+    EXPECT_GE(strips[i].at("draw_ms").at(0), strips[i - 1].at("draw_ms").at(1)) << "the core does one thing at a time";
+    EXPECT_GE(strips[i].at("send_ms").at(0), strips[i - 1].at("send_ms").at(1)) << "so does the bus";
+    EXPECT_GE(strips[i].at("send_ms").at(0), strips[i].at("draw_ms").at(1)) << "what is sent has been drawn";
+  }
+  // A bus of a tenth is what limits then: 153600 bytes at 1.8 MHz are 683 ms.
+  const json slow = rows({"--board", "bluepill", "--workload", "CT", "--frames", "1", "--spi-mhz", "1.8"}).at(0);
+  EXPECT_LT(slow.at("frames_per_second").at(1), 1.0 / 0.683);
+}
+
+TEST(BoardCommandFailures, HaveTheirStatus) {
+  EXPECT_EQ(bench({"--board", "nosuchboard"}).exit_status, 2);
+  EXPECT_EQ(bench({"--board", "pico", "--target", "m3"}).exit_status, 2);
+  EXPECT_EQ(bench({"--spi-mhz", "1"}).exit_status, 2);
+  EXPECT_EQ(bench({"--board", "pico", "--firmware", "/nonexistent"}).exit_status, 3);
+  EXPECT_EQ(bench({"--stages", "--target", "host"}).exit_status, 2);
+}
+
+TEST_F(BoardCommand, TooLittleRamIsSaid) {
+  const ChildOutput output = bench({"--board", "microbit", "--workload", "K5", "--frames", "1", "--firmware",
+                                    ZSTRIP_FIRMWARE_BINARIES});  // 2560 vertices in one piece
+  EXPECT_EQ(output.exit_status, 5) << output.text;
+}
+
+}  // namespace
+}  // namespace zstrip::sim

@@ -1,0 +1,65 @@
+// The command line of a row, and the JSON that it gives.
+#include "measure.hpp"
+
+#include <unistd.h>
+
+#include <cctype>
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bench/child_process.hpp"
+#include "bench/elf_size.hpp"
+
+namespace zstrip::instruction_budget {
+namespace {
+
+std::uint64_t code_bytes(const BudgetRow& row, const Programs& programs) {
+  std::string workload = row.workload;
+  for (char& letter : workload) letter = static_cast<char>(std::tolower(letter));
+  const auto bytes =
+      sim::elf_load_bytes(programs.firmware / ("zstrip_pipeline_" + workload + "_" + row.target + ".elf"));
+  if (!bytes) throw std::runtime_error(bytes.failure().message);
+  return *bytes;
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> measure(const BudgetRow& row, const Programs& programs) {
+  if (row.mode == kCode) return code_bytes(row, programs);
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("zstrip_" + row.name + "_" + std::to_string(getpid()) + ".json");
+  std::vector<std::string> command{programs.zstrip.string(),
+                                   "bench",
+                                   "--workload",
+                                   row.workload,
+                                   "--target",
+                                   row.target,
+                                   "--size",
+                                   row.size,
+                                   "--mode",
+                                   row.mode,
+                                   "--strip-rows",
+                                   row.strip_rows,
+                                   "--depth",
+                                   row.depth,
+                                   "--frames",
+                                   std::to_string(row.frames),
+                                   "--json",
+                                   file.string()};
+  if (row.target != "host") command.insert(command.end(), {"--firmware", programs.firmware.string()});
+  const auto output = sim::run_program(command, std::chrono::seconds{900});
+  if (!output) throw std::runtime_error(output.failure().message);
+  if (output->exit_status != 0) throw std::runtime_error(output->text);
+  std::ifstream stream(file);
+  const auto rows = nlohmann::json::parse(stream);
+  std::filesystem::remove(file);
+  const auto& instructions = rows.at(0).at("instructions_per_frame");
+  if (instructions.is_null()) return std::nullopt;
+  return instructions.get<std::uint64_t>();
+}
+
+}  // namespace zstrip::instruction_budget

@@ -1,0 +1,21 @@
+// Runs `zstrip bench` for one row.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "budget_row.hpp"
+
+namespace zstrip::instruction_budget {
+
+struct Programs {
+  std::filesystem::path zstrip;    ///< the command
+  std::filesystem::path firmware;  ///< the folder of the programs for boards
+};
+
+/// Instructions a frame, or bytes of code; empty where this machine cannot count them (no valgrind, a sanitized build).
+/// Throws std::runtime_error with the command's own words if it fails.
+std::optional<std::uint64_t> measure(const BudgetRow& row, const Programs& programs);
+
+}  // namespace zstrip::instruction_budget
