@@ -22,6 +22,11 @@ Rotation rotation_by(Angle angle) {
   return {rounded(sine(angle)), rounded(cosine(angle))};
 }
 
+Angle turn(std::uint32_t frame, std::uint32_t frames) {
+  frames = std::max<std::uint32_t>(frames, 1);
+  return static_cast<Angle>(std::uint64_t{frame % frames} * kFullTurn / frames);
+}
+
 Transform about_x(const Rotation& r) {
   return {{{kFixedOne, 0, 0, 0}, {0, r.cosine, -r.sine, 0}, {0, r.sine, r.cosine, 0}}};
 }
@@ -30,14 +35,14 @@ Transform about_y(const Rotation& r) {
   return {{{r.cosine, 0, r.sine, 0}, {0, kFixedOne, 0, 0}, {-r.sine, 0, r.cosine, 0}}};
 }
 
-/// The transform that applies `first`, then `second`; each product rounds down.
+/// The transform that applies `first`, then `second`; each product rounds down. Translations beyond 16.16 are clamped.
 Transform combine(const Transform& second, const Transform& first) {
   Transform result{};
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 4; ++column) {
-      Fixed sum = column == 3 ? second.m[row][3] : 0;
+      std::int64_t sum = column == 3 ? second.m[row][3] : 0;
       for (int k = 0; k < 3; ++k) sum += fixed_multiply(second.m[row][k], first.m[k][column]);
-      result.m[row][column] = sum;
+      result.m[row][column] = static_cast<Fixed>(std::clamp<std::int64_t>(sum, INT32_MIN, INT32_MAX));
     }
   }
   return result;
@@ -67,11 +72,13 @@ void Staged::place(const BuiltIn& built_in, const Transform& motion) {
   scene.instances = {instances_.data(), count};
 }
 
+Transform turned(const Transform& at_rest, std::uint32_t frame, std::uint32_t frames) {
+  return combine(about_y(rotation_by(turn(frame, frames))), at_rest);
+}
+
 void stage(const BuiltIn& built_in, Staged& staged, std::uint32_t frame, std::uint32_t frames, const View& view) {
-  frames = std::max<std::uint32_t>(frames, 1);
-  const auto angle = static_cast<Angle>(std::uint64_t{frame % frames} * kFullTurn / frames);
   const bool model_turns = built_in.turns == Turns::model;
-  const Rotation rotation = rotation_by(angle);
+  const Rotation rotation = rotation_by(turn(frame, frames));
 
   staged.place(built_in, model_turns ? about_y(rotation) : Transform::identity());
   staged.camera = built_in.camera;

@@ -32,6 +32,7 @@ struct SourceMesh {
 inline constexpr std::uint32_t kNoSourceTexture = 0xFFFFFFFF;
 
 struct SourceMaterial {
+  std::string name;  ///< the file's, for messages; may be empty
   std::array<std::uint8_t, 3> colour{255, 255, 255};
   std::uint32_t texture = kNoSourceTexture;  ///< index into SourceModel::textures
   bool lit = true;

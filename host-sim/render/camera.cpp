@@ -13,6 +13,9 @@ namespace {
 /// Coordinates beyond this leave no room for the far plane in 16.16.
 constexpr double kFarthest = 10000;
 
+/// 16.16 holds no more.
+constexpr double kLargestLength = 32767;
+
 Failure out_of_range(const char* option) {
   return {ExitStatus::usage, std::string(option) + " is too far away: more than 10000 times the size of the model"};
 }
@@ -39,7 +42,7 @@ Vec3 to_fixed(const std::array<double, 3>& point) {
 void set_planes(Camera& camera, double radius) {
   const double distance = distance_to_origin(camera);
   camera.near_plane = sim::to_fixed(std::max(0.9 * (distance - radius), 0.01));
-  camera.far_plane = sim::to_fixed(1.1 * (distance + radius) + 0.1);
+  camera.far_plane = sim::to_fixed(std::min(1.1 * (distance + radius) + 0.1, kLargestLength));
 }
 
 }  // namespace
@@ -61,6 +64,21 @@ Result<Done> make_orthographic(Camera& camera, double distance) {
   if (focal < 1 || focal > 0x7FFFFFFF) return Failure{ExitStatus::usage, "--ortho: the camera is too near or too far"};
   camera.focal = static_cast<Fixed>(std::llround(focal));
   return Done{};
+}
+
+Result<Camera> change_projection(Camera camera, const CameraOptions& options) {
+  if (options.field_of_view) {
+    if (camera.projection == Projection::orthographic) {
+      return Failure{ExitStatus::usage,
+                     "--fov: the scene's own camera is a parallel one; place another with --eye or --orbit"};
+    }
+    if (const Result<Done> changed = set_focal(camera, options); !changed) return changed.failure();
+  }
+  if (options.orthographic && camera.projection != Projection::orthographic) {
+    const Result<Done> changed = make_orthographic(camera, distance_to_origin(camera));
+    if (!changed) return changed.failure();
+  }
+  return camera;
 }
 
 Result<Camera> place_camera(const CameraOptions& options, const Units& units, double radius) {

@@ -43,6 +43,9 @@ double distance_to_origin(const Camera& camera);
 /// Gives a perspective camera the field of view of the options, or else the default.
 Result<Done> set_focal(Camera& camera, const CameraOptions& options);
 
+/// A scene's own camera with the field of view and projection of the options; it stays where it is.
+Result<Camera> change_projection(Camera camera, const CameraOptions& options);
+
 /// Turns a perspective camera into an orthographic one that shows the same at this distance (scene units) from the eye.
 Result<Done> make_orthographic(Camera& camera, double distance);
 
