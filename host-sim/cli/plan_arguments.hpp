@@ -18,7 +18,7 @@ namespace zstrip::sim {
 struct PlanArguments {
   std::string size = "320x240";
   std::string format = "rgb565";
-  std::optional<std::string> ram;
+  std::optional<std::string> ram{};
   std::string strip_rows = "auto";
   std::string strip_columns = "auto";
   bool split_columns = false;

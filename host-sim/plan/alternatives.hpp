@@ -32,7 +32,11 @@ struct PlanChoice {
   std::vector<Alternative> curve;  ///< from the smallest plan to a single strip, each faster than the one before
 };
 
-/// Failures: ExitStatus::budget with the bytes that are needed and the cheapest change that would fit.
+/// The plan of least estimated cost. Failures as of choose_plan.
+Result<Plan> best_plan(const Staging& staging, const PlanRequest& request);
+
+/// The same, drawn, with alternatives. Failures: ExitStatus::budget with the bytes that are needed and the cheapest
+/// change that would fit.
 Result<PlanChoice> choose_plan(const Staging& staging, const PlanRequest& request);
 
 }  // namespace zstrip::sim
