@@ -95,13 +95,14 @@ TEST_F(BakedHeader, DrawsWhatTheModelDraws) {
 
 TEST_F(BakedHeader, TurnsAsTheModelTurns) {
   const std::vector<std::string> expected = rendered();
-  if (!turntable_) GTEST_SKIP() << "not baked for a turntable";
-  ASSERT_EQ(expected.size(), 4U);
-  EXPECT_NE(expected[0], expected[1]);
+  ASSERT_EQ(expected.size(), turntable_ ? 4U : 1U);
+  if (turntable_) {
+    EXPECT_NE(expected[0], expected[1]);
+  }
   Renderer<baked::kEffects> renderer;
   std::vector<std::uint64_t> arena(baked::kPlan.bytes() / 8 + 1);
   alignas(4) std::array<std::byte, baked::kPlan.strip_pixel_bytes(baked::kView)> pixels{};
-  for (std::uint32_t frame = 0; frame < 4; ++frame) {
+  for (std::uint32_t frame = 0; frame < expected.size(); ++frame) {
     std::vector<Instance> instances(std::begin(baked::kInstances), std::end(baked::kInstances));
     for (Instance& instance : instances) instance.transform = scenes::turned(instance.transform, frame, 4);
     Scene scene = baked::kScene;
