@@ -35,14 +35,14 @@ Transform about_y(const Rotation& r) {
   return {{{r.cosine, 0, r.sine, 0}, {0, kFixedOne, 0, 0}, {-r.sine, 0, r.cosine, 0}}};
 }
 
-/// The transform that applies `first`, then `second`; each product rounds down. Translations beyond 16.16 are clamped.
+/// The transform that applies `first`, then `second`; each product rounds down.
 Transform combine(const Transform& second, const Transform& first) {
   Transform result{};
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 4; ++column) {
-      std::int64_t sum = column == 3 ? second.m[row][3] : 0;
+      Fixed sum = column == 3 ? second.m[row][3] : 0;
       for (int k = 0; k < 3; ++k) sum += fixed_multiply(second.m[row][k], first.m[k][column]);
-      result.m[row][column] = static_cast<Fixed>(std::clamp<std::int64_t>(sum, INT32_MIN, INT32_MAX));
+      result.m[row][column] = sum;
     }
   }
   return result;

@@ -134,7 +134,7 @@ Result<Done> run(const Arguments& arguments) {
   if (!request) return request.failure();
   const Result<UpAxis> up = parse_up(arguments.camera, arguments.scene);
   if (!up) return up.failure();
-  const Result<CameraOptions> camera = parse_camera(arguments.camera);
+  const Result<CameraOptions> camera = parse_camera(arguments.camera, arguments.scene);
   if (!camera) return camera.failure();
   const bool built_in = kind_of_scene(arguments.scene) == SceneKind::built_in;
   OutputNames outputs;

@@ -21,6 +21,7 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments) {
   command
       .add_option("--up", a.up, "A model's axis that points upwards: x, -x, y (default), -y, z, -z; some .3ds need -z")
       ->type_name("AXIS");
+  command.add_option("--camera", a.camera, "A camera of a glTF 2.0 file, by its name")->type_name("NAME");
   command.add_option("--eye", a.eye, "Where the camera is, in the model's units")->type_name("X,Y,Z");
   command.add_option("--look-at", a.look_at, "What it looks at (default: the model's centre)")->type_name("X,Y,Z");
   command
@@ -34,7 +35,7 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments) {
   command.add_flag("--ortho", a.orthographic, "Parallel instead of perspective projection");
 }
 
-Result<CameraOptions> parse_camera(const CameraArguments& arguments) {
+Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::string& scene) {
   CameraOptions camera;
   const auto vector = [](const char* option, const std::optional<std::string>& text,
                          std::optional<std::array<double, 3>>& to) -> Result<Done> {
@@ -59,6 +60,13 @@ Result<CameraOptions> parse_camera(const CameraArguments& arguments) {
     return usage("--fov must be 1 to 170 degrees");
   }
   camera.orthographic = arguments.orthographic;
+  camera.name = arguments.camera;
+  if (camera.name && (camera.placed() || camera.field_of_view || camera.orthographic)) {
+    return usage("--camera says all about the camera; leave --eye, --orbit, --fov and --ortho out");
+  }
+  if (camera.name && kind_of_scene(scene) != SceneKind::model) {
+    return usage(fmt::format("--camera is for model files; '{}' is none", scene));
+  }
   return camera;
 }
 

@@ -17,6 +17,7 @@ namespace zstrip::sim {
 /// As given on the command line.
 struct CameraArguments {
   std::optional<std::string> up;
+  std::optional<std::string> camera;
   std::optional<std::string> eye;
   std::optional<std::string> look_at;
   std::optional<std::string> orbit;
@@ -27,7 +28,8 @@ struct CameraArguments {
 /// Adds the options; `arguments` must live as long as the command.
 void add_camera_options(CLI::App& command, CameraArguments& arguments);
 
-Result<CameraOptions> parse_camera(const CameraArguments& arguments);
+/// `scene`: --camera is a usage error for those that are no model files.
+Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::string& scene);
 
 /// The axis of --up, +y without it. A usage error for scenes that are no model files: they are upright already.
 Result<UpAxis> parse_up(const CameraArguments& arguments, const std::string& scene);

@@ -88,7 +88,7 @@ Result<Job> parse(const Arguments& arguments) {
   const Result<UpAxis> up = parse_up(arguments.camera, arguments.scene);
   if (!up) return up.failure();
   job.up = *up;
-  const Result<CameraOptions> camera = parse_camera(arguments.camera);
+  const Result<CameraOptions> camera = parse_camera(arguments.camera, arguments.scene);
   if (!camera) return camera.failure();
   job.camera = *camera;
   Result<OutputNames> outputs = name_outputs(arguments.scene, arguments.output, arguments.frames, type, *format);

@@ -56,6 +56,7 @@ class Model {
   std::vector<Instance> instances;          ///< one for each mesh, untransformed
   std::vector<DirectionalLight> lights;     ///< empty: the file has none
   std::vector<std::string> material_names;  ///< one for each material, from the file; may be empty
+  std::vector<SourceCamera> cameras;        ///< of the file, in its units
   Units units;
   Accuracy accuracy;
   std::vector<std::string> warnings;  ///< what the picture will lack, one line each

@@ -137,6 +137,7 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
   model.accuracy.size = 2 / grid.units.scale;
   model.units = grid.units;
   model.warnings = source.warnings;
+  model.cameras = source.cameras;
   model.lights = to_lights(source.lights, model.warnings);
 
   std::map<std::uint32_t, std::uint16_t> textures;  // only those in use, in order of use

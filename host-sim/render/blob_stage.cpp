@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "import/read_file.hpp"
@@ -36,6 +37,12 @@ Camera fit_width(Camera camera, const View& own, const View& view) {
   return camera;
 }
 
+bool can_turn(const Transform& transform) {
+  return std::all_of(std::begin(transform.m), std::end(transform.m), [](const Fixed(&row)[4]) {
+    return row[3] >= -scenes::kFarthestTurned && row[3] <= scenes::kFarthestTurned;
+  });
+}
+
 class BlobStage : public Stage {
  public:
   explicit BlobStage(std::vector<std::uint8_t> bytes) : bytes_(std::move(bytes)) {}
@@ -59,7 +66,14 @@ class BlobStage : public Stage {
 
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
     instances_.assign(blob_.scene.instances.begin(), blob_.scene.instances.end());
-    for (Instance& instance : instances_) instance.transform = scenes::turned(instance.transform, frame, frames);
+    if (frame % frames != 0) {
+      for (Instance& instance : instances_) {
+        if (!can_turn(instance.transform)) {
+          return Failure{ExitStatus::input, "an instance of the baked scene is too far away to turn; render one frame"};
+        }
+        instance.transform = scenes::turned(instance.transform, frame, frames);
+      }
+    }
     Scene scene = blob_.scene;
     scene.instances = instances_;
     return Staging{scene, camera_};

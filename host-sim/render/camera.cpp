@@ -1,6 +1,8 @@
 // From camera options, in the model's own units, to the renderer's camera.
 #include "render/camera.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -105,6 +107,31 @@ Result<Camera> place_camera(const CameraOptions& options, const Units& units, do
   if (const Result<Done> focal = set_focal(camera, options); !focal) return focal.failure();
   if (options.orthographic) {
     if (const Result<Done> changed = make_orthographic(camera, distance); !changed) return changed.failure();
+  }
+  set_planes(camera, radius);
+  return camera;
+}
+
+Result<Camera> file_camera(const SourceCamera& source, const Units& units, double radius) {
+  const auto unusable = [&source](const char* what) {
+    return Failure{ExitStatus::input, fmt::format("the camera '{}' {}", source.name, what)};
+  };
+  const std::array<double, 3> eye = to_scene(source.eye, units);
+  if (!in_range(eye)) return unusable("is too far away: more than 10000 times the size of the model");
+  constexpr double kAhead = 64;  // far enough for the direction's bits, near enough for 16.16
+  std::array<double, 3> target = eye;
+  for (std::size_t axis = 0; axis < 3; ++axis) target[axis] += kAhead * source.towards[axis];
+  Camera camera;
+  if (!look_at(camera, to_fixed(eye), to_fixed(target), to_fixed(source.up))) return unusable("has no direction");
+  if (source.orthographic) {
+    camera.projection = Projection::orthographic;
+    const double focal = 1 / (source.half_height * units.scale);
+    if (!(focal > 1.0 / kFixedOne && focal < kLargestLength)) return unusable("shows too much or too little");
+    camera.focal = sim::to_fixed(focal);
+  } else if (!(source.field_of_view >= 1 && source.field_of_view <= 170)) {
+    return unusable("has a field of view outside 1 to 170 degrees");
+  } else if (const Result<Done> focal = set_focal(camera, {.field_of_view = source.field_of_view}); !focal) {
+    return focal.failure();
   }
   set_planes(camera, radius);
   return camera;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 #include "import/model.hpp"
 #include "render/framing.hpp"
@@ -19,12 +20,13 @@ struct Orbit {
   double theta = 90;  ///< degrees
 };
 
-/// Lengths in the model's units. At most one of `eye` and `orbit`.
+/// Lengths in the model's units. At most one of `name`, `eye` and `orbit`; `name` alone.
 struct CameraOptions {
-  std::optional<std::array<double, 3>> eye;
-  std::optional<Orbit> orbit;
-  std::optional<std::array<double, 3>> look_at;  ///< empty: the scene's origin, the centre of a model
-  std::optional<double> field_of_view;           ///< degrees, 1..170
+  std::optional<std::string> name{};  ///< of a camera of the model's file
+  std::optional<std::array<double, 3>> eye{};
+  std::optional<Orbit> orbit{};
+  std::optional<std::array<double, 3>> look_at{};  ///< empty: the scene's origin, the centre of a model
+  std::optional<double> field_of_view{};           ///< degrees, 1..170
   bool orthographic = false;
 
   bool placed() const { return eye.has_value() || orbit.has_value(); }
@@ -33,6 +35,9 @@ struct CameraOptions {
 /// A camera at the place that the options name. An orthographic one shows at the target what the field of view would.
 /// `radius`: of the scene about its origin, for the near and far planes.
 Result<Camera> place_camera(const CameraOptions& options, const Units& units, double radius);
+
+/// A camera of the file. In pictures of any shape it shows as much from top to bottom.
+Result<Camera> file_camera(const SourceCamera& source, const Units& units, double radius);
 
 /// A camera as `framing` says, tilted by kTilt.
 Result<Camera> framed_camera(const CameraOptions& options, const Framing& framing, double radius);

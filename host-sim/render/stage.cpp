@@ -90,6 +90,7 @@ class ModelStage : public Stage {
                               .half_tangent = std::tan(degrees * std::numbers::pi / 360),
                               .orthographic = options.orthographic,
                               .whole_turn = frames > 1};
+    if (options.name) return use_file_camera(*options.name, radius);
     const Result<Camera> camera = options.placed() ? place_camera(options, model_.units, radius)
                                                    : framed_camera(options, frame_scene(scene_, framing), radius);
     if (!camera) return camera.failure();
@@ -108,6 +109,23 @@ class ModelStage : public Stage {
   const Model* model() const override { return &model_; }
 
  private:
+  Result<Done> use_file_camera(const std::string& name, double radius) {
+    std::string names;
+    for (const SourceCamera& source : model_.cameras) {
+      if (source.name != name) {
+        names += fmt::format("{}'{}'", names.empty() ? "" : ", ", source.name);
+        continue;
+      }
+      const Result<Camera> camera = file_camera(source, model_.units, radius);
+      if (!camera) return camera.failure();
+      camera_ = *camera;
+      return Done{};
+    }
+    return Failure{ExitStatus::input,
+                   fmt::format("there is no camera '{}' in the file; {}", name,
+                               names.empty() ? "it has none, or is no glTF 2.0" : "it has " + names)};
+  }
+
   Model model_;
   std::vector<Instance> instances_;
   std::vector<DirectionalLight> lights_;

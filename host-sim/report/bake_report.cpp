@@ -21,6 +21,11 @@ std::string fraction(double part, double whole) {
   return fmt::format("1/{}", grouped(static_cast<std::uint64_t>(std::llround(whole / part))));
 }
 
+/// "at most 0.38 degrees off", or "exact".
+std::string off_words(double worst, const char* unit) {
+  return worst == 0 ? "exact" : fmt::format("at most {:.2g} {} off", worst, unit);
+}
+
 std::string position_words(const Accuracy& accuracy) {
   if (accuracy.position == 0) return "exact";
   return fmt::format("at most {:.3g} units off, {} of the model's size of {:.4g}", accuracy.position,
@@ -36,13 +41,12 @@ std::string flash_lines(const BakeRecord& record) {
   const bool known = record.accuracy.has_value();
   const Accuracy accuracy = record.accuracy.value_or(Accuracy{});
   add(flash.positions, "positions", known ? position_words(accuracy) : "");
-  add(flash.normals, "normals", known ? fmt::format("at most {:.2g} degrees off", accuracy.normal) : "");
+  add(flash.normals, "normals", known ? off_words(accuracy.normal, "degrees") : "");
   add(flash.colours, "vertex colours", "");
-  add(flash.texcoords, "texture coordinates", known ? fmt::format("at most {:.2g} texels off", accuracy.texcoord) : "");
+  add(flash.texcoords, "texture coordinates", known ? off_words(accuracy.texcoord, "texels") : "");
   add(flash.triangles, "triangles", "");
   add(flash.meshlets, "meshlets", "");
-  add(flash.texels, "textures, RGB565",
-      known ? fmt::format("a channel at most {:.2g} % off", 100 * accuracy.texel) : "");
+  add(flash.texels, "textures, RGB565", known ? "a channel " + off_words(100 * accuracy.texel, "%") : "");
   add(flash.tables, "tables of meshes, materials, textures, instances and lights, camera", "");
   return text;
 }
