@@ -3,6 +3,7 @@
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <assimp/version.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -228,12 +229,20 @@ void read_lights(const aiScene& scene, const aiMatrix4x4& turn, SourceModel& mod
   }
 }
 
+/// glTF's vertical field of view, in radians, from the horizontal one that Assimp makes of it: times the aspect before
+/// 5.3 (assimp/assimp#4886), by the tangent since.
+double vertical_field_of_view(const aiCamera& camera, double aspect) {
+  if (aiGetVersionMajor() == 5 && aiGetVersionMinor() < 3) return camera.mHorizontalFOV / aspect;
+  return 2 * std::atan(std::tan(camera.mHorizontalFOV / 2) / aspect);
+}
+
 /// Cameras of glTF 2.0; other formats do not agree what their angles mean.
 void read_cameras(const aiScene& scene, const aiMatrix4x4& turn, SourceModel& model) {
   for (const aiCamera* camera : std::span(scene.mCameras, scene.mNumCameras)) {
     const aiMatrix4x4 transform = turn * to_world(scene, camera->mName);
     const aiMatrix3x3 linear(transform);
-    const aiVector3D eye = transform * camera->mPosition;
+    // At its node's origin: Assimp 5.2 gives the node's translation a second time as the camera's position.
+    const aiVector3D eye = transform * aiVector3D();
     const aiVector3D towards = direction(linear * camera->mLookAt);
     const aiVector3D up = direction(linear * camera->mUp);
     if (!finite(eye) || towards.SquareLength() == 0) continue;
@@ -246,8 +255,7 @@ void read_cameras(const aiScene& scene, const aiMatrix4x4& turn, SourceModel& mo
     if (read.orthographic) {
       read.half_height = camera->mOrthographicWidth / aspect;  // glTF's xmag is half of the width
     } else {
-      const double half_tangent = std::tan(camera->mHorizontalFOV / 2) / aspect;
-      read.field_of_view = 2 * std::atan(half_tangent) * 180 / std::numbers::pi;
+      read.field_of_view = vertical_field_of_view(*camera, aspect) * 180 / std::numbers::pi;
     }
     model.cameras.push_back(read);
   }
