@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "linked_effects.hpp"
 #include "scene.hpp"
 #include "support.hpp"
 #include "zstrip/frame/renderer.hpp"
@@ -133,6 +134,11 @@ TEST_F(BakedHeader, PlanIsTheOneThatWasReported) {
   if (baked::kBudget.bytes != 0) {
     EXPECT_LE(baked::kPlan.bytes() + baked::kPlan.strip_pixel_bytes(baked::kView), baked::kBudget.bytes);
   }
+}
+
+/// This very program: of the core it links what the scene calls for.
+TEST_F(BakedHeader, LinksOnlyTheScenesEffects) {
+  expect_only(std::filesystem::read_symlink("/proc/self/exe").string(), baked::kEffects);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "grey_picture.hpp"
+#include "linked_effects.hpp"
 #include "qemu.hpp"
 #include "support.hpp"
 
@@ -37,6 +38,9 @@ TEST_F(BakeBoard, OledShowsTheModelTurning) {
   }
   EXPECT_EQ(pictures.size(), 8U) << "it does not turn";
 }
+
+/// The house is lit and smooth, nothing more: of all other effects the program holds nothing.
+TEST_F(BakeBoard, ProgramLinksOnlyTheScenesEffects) { expect_only(BAKED_PROGRAM, effect::lighting | effect::gouraud); }
 
 }  // namespace
 }  // namespace zstrip::sim::test
