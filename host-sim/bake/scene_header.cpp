@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bake/effects_found.hpp"
 #include "report/frame_record.hpp"
 #include "report/number.hpp"
 #include "report/text.hpp"
@@ -54,17 +55,10 @@ std::string literal(const DirectionalLight& light) {
   return fmt::format("{{.x = {}, .y = {}, .z = {}, .colour = {}}}", light.x, light.y, light.z, literal(light.colour));
 }
 
-/// Names of the effects that a baked scene can have, as the core's headers spell them.
-constexpr std::pair<Effects, const char*> kEffectNames[] = {
-    {effect::lighting, "lighting"}, {effect::gouraud, "gouraud"},           {effect::vertex_colours, "vertex_colours"},
-    {effect::textures, "textures"}, {effect::orthographic, "orthographic"}, {effect::depth_state, "depth_state"},
-    {effect::bins, "bins"},
-};
-
 std::string literal(Effects effects) {
   std::string text;
-  for (const auto& [effect, name] : kEffectNames) {
-    if (effects.has(effect)) text += fmt::format("{}zstrip::effect::{}", text.empty() ? "" : " | ", name);
+  for (const KnownEffect& known : known_effects()) {
+    if (effects.has(known.effect)) text += fmt::format("{}zstrip::effect::{}", text.empty() ? "" : " | ", known.name);
   }
   return text.empty() ? "zstrip::Effects{}" : text;
 }

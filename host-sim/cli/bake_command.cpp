@@ -83,16 +83,13 @@ BakeRecord describe(const Arguments& arguments, const Stage& stage, const BakedS
                     .counts = count(baked.scene),
                     .flash = flash_bytes(baked.scene),
                     .accuracy = {},
-                    .effects = find_effects(baked.scene, baked.camera,
+                    .effects = find_effects(baked.scene, baked.camera, baked.effects,
                                             model != nullptr ? model->material_names : std::vector<std::string>{}),
                     .plan = baked.plan,
                     .strip_buffers = baked.budget.strip_buffers,
                     .lent_bytes = {},
                     .warnings = stage.warnings()};
   if (model != nullptr) record.accuracy = model->accuracy;
-  if (baked.effects.has(effect::bins)) {
-    record.effects.push_back({effect::bins, "bins", "the plan transforms geometry only once (--mode)", {}});
-  }
   return record;
 }
 

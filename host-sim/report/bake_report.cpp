@@ -54,10 +54,10 @@ std::string flash_lines(const BakeRecord& record) {
 std::string effect_lines(const BakeRecord& record) {
   std::string text;
   for (const FoundEffect& found : record.effects) {
-    std::string why = found.reason;
+    std::string why = found.effect.reason;
     if (!found.materials.empty()) why += fmt::format(": material '{}'", printable(found.materials.front()));
     if (found.materials.size() > 1) why += fmt::format(" and {} more", grouped(found.materials.size() - 1));
-    text += fmt::format("  {:<10} {}: {}\n", text.empty() ? "effects" : "", found.name, why);
+    text += fmt::format("  {:<10} {}: {}\n", text.empty() ? "effects" : "", found.effect.name, why);
   }
   return text.empty() ? "  effects    none\n" : text;
 }
@@ -119,7 +119,8 @@ std::string bake_json(const BakeRecord& record) {
   }
   object["effects"] = Json::array();
   for (const FoundEffect& found : record.effects) {
-    object["effects"].push_back({{"name", found.name}, {"reason", found.reason}, {"materials", found.materials}});
+    object["effects"].push_back(
+        {{"name", found.effect.name}, {"reason", found.effect.reason}, {"materials", found.materials}});
   }
   Json bytes;
   for (const auto& [purpose, size] : by_purpose(plan)) bytes[name(purpose)] = size;

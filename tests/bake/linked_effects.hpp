@@ -7,6 +7,7 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <type_traits>
 
 #include "support.hpp"
 #include "zstrip/scene/effects.hpp"
@@ -25,7 +26,8 @@ inline LinkedEffects linked_effects(const std::string& program) {
   const auto numbers = [&outcome](const char* pattern, auto& into) {
     const std::regex regex(pattern);
     for (std::sregex_iterator found(outcome.out.begin(), outcome.out.end(), regex), end; found != end; ++found) {
-      into.insert(std::stoi((*found)[1]));
+      using Number = typename std::remove_reference_t<decltype(into)>::value_type;
+      into.insert(static_cast<Number>(std::stoul((*found)[1])));
     }
   };
   LinkedEffects linked;
