@@ -5,9 +5,14 @@ namespace zstrip::sim {
 namespace {
 
 // With addresses of 32 bits; core/zstrip/scene/scene_blob.cpp asserts them on such targets.
-constexpr std::uint64_t kMeshBytes = 76, kTextureBytes = 12, kSceneBytes = 48, kCameraBytes = 64;
+constexpr std::uint64_t kSceneBytes = 48, kCameraBytes = 64;
 
 }  // namespace
+
+std::uint64_t table_bytes(const Scene& scene) {
+  constexpr std::uint64_t kMeshBytes = 76, kTextureBytes = 12;
+  return scene.meshes.size() * kMeshBytes + scene.textures.size() * kTextureBytes;
+}
 
 FlashBytes flash_bytes(const Scene& scene) {
   FlashBytes bytes;
@@ -20,9 +25,8 @@ FlashBytes flash_bytes(const Scene& scene) {
     bytes.meshlets += mesh.meshlets.size_bytes();
   }
   for (const Texture& texture : scene.textures) bytes.texels += texture.texels.size_bytes();
-  bytes.tables = scene.meshes.size() * kMeshBytes + scene.textures.size() * kTextureBytes +
-                 scene.materials.size_bytes() + scene.instances.size_bytes() + scene.lights.size_bytes() + kSceneBytes +
-                 kCameraBytes;
+  bytes.tables = table_bytes(scene) + scene.materials.size_bytes() + scene.instances.size_bytes() +
+                 scene.lights.size_bytes() + kSceneBytes + kCameraBytes;
   return bytes;
 }
 

@@ -98,9 +98,7 @@ Result<Done> write_blob(const BakedScene& baked, const std::string& output, Bake
       to_scene_blob({.scene = baked.scene, .camera = baked.camera, .view = baked.view});
   if (!blob) return Failure{blob.failure().status, fmt::format("'{}' {}", record.scene, blob.failure().message)};
   record.flash.tables = blob->size() - record.flash.arrays();
-  constexpr std::uint32_t kMeshBytes = 76, kTextureBytes = 12;  // with addresses of 32 bits
-  record.lent_bytes =
-      static_cast<std::uint32_t>(baked.scene.meshes.size() * kMeshBytes + baked.scene.textures.size() * kTextureBytes);
+  record.lent_bytes = table_bytes(baked.scene);
   return write_file(output, *blob, "-o");
 }
 

@@ -25,7 +25,7 @@ struct BakeRecord {
   std::vector<FoundEffect> effects;
   Plan plan;
   std::uint8_t strip_buffers = 1;
-  std::optional<std::uint32_t> lent_bytes;  ///< of a blob: memory that a program with 32-bit addresses lends for it
+  std::optional<std::uint64_t> lent_bytes;  ///< of a blob: memory that a program with 32-bit addresses lends for it
   std::vector<std::string> warnings;
 };
 
