@@ -15,6 +15,7 @@
 #ifdef ZSTRIP_BENCH_COMMAND
 #include "bench/bench_command.hpp"
 #endif
+#include "cli/bake_command.hpp"
 #include "cli/plan_command.hpp"
 #include "cli/print.hpp"
 #include "cli/render_command.hpp"
@@ -46,6 +47,7 @@ int run(int argc, char** argv) {
   int exit_code = 0;
   zstrip::sim::add_render_command(app, exit_code);
   zstrip::sim::add_plan_command(app, exit_code);
+  zstrip::sim::add_bake_command(app, exit_code);
   zstrip::sim::add_scenes_command(app, exit_code);
 #ifdef ZSTRIP_BENCH_COMMAND
   zstrip::sim::add_bench_command(app, exit_code);

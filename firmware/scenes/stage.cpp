@@ -22,6 +22,11 @@ Rotation rotation_by(Angle angle) {
   return {rounded(sine(angle)), rounded(cosine(angle))};
 }
 
+Angle turn(std::uint32_t frame, std::uint32_t frames) {
+  frames = std::max<std::uint32_t>(frames, 1);
+  return static_cast<Angle>(std::uint64_t{frame % frames} * kFullTurn / frames);
+}
+
 Transform about_x(const Rotation& r) {
   return {{{kFixedOne, 0, 0, 0}, {0, r.cosine, -r.sine, 0}, {0, r.sine, r.cosine, 0}}};
 }
@@ -67,11 +72,13 @@ void Staged::place(const BuiltIn& built_in, const Transform& motion) {
   scene.instances = {instances_.data(), count};
 }
 
+Transform turned(const Transform& at_rest, std::uint32_t frame, std::uint32_t frames) {
+  return combine(about_y(rotation_by(turn(frame, frames))), at_rest);
+}
+
 void stage(const BuiltIn& built_in, Staged& staged, std::uint32_t frame, std::uint32_t frames, const View& view) {
-  frames = std::max<std::uint32_t>(frames, 1);
-  const auto angle = static_cast<Angle>(std::uint64_t{frame % frames} * kFullTurn / frames);
   const bool model_turns = built_in.turns == Turns::model;
-  const Rotation rotation = rotation_by(angle);
+  const Rotation rotation = rotation_by(turn(frame, frames));
 
   staged.place(built_in, model_turns ? about_y(rotation) : Transform::identity());
   staged.camera = built_in.camera;

@@ -98,7 +98,7 @@ Result<Done> check_distinct(const OutputNames& outputs, const std::optional<std:
     const std::filesystem::path picture = outputs.folder ? place / name.filename() : resolved(name);
     if (picture == model) return usage(fmt::format("-o '{}' is the model itself; name another file", name.string()));
     if (!report.empty() && picture == report) {
-      return usage(fmt::format("--json '{}' is a picture of -o; give the report another name", *json));
+      return usage(fmt::format("--json '{}' is a file of -o; give the report another name", *json));
     }
   }
   return Done{};

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "cli/parse.hpp"
+#include "cli/plan_arguments.hpp"
 #include "cli/print.hpp"
 #include "plan/alternatives.hpp"
 #include "render/stage.hpp"
@@ -24,14 +25,7 @@ constexpr std::uint32_t kFramesOfTurn = 8;  // enough to see the sides of a thin
 
 struct Arguments {
   std::string scene;
-  std::string size = "320x240";
-  std::string format = "rgb565";
-  std::optional<std::string> ram;
-  std::string strip_rows = "auto";
-  std::string strip_columns = "auto";
-  bool split_columns = false;
-  std::uint32_t strip_buffers = 1;
-  std::string mode = "any";
+  PlanArguments plan;
   std::string depth_format = "z16";
   std::optional<double> separation;
   bool static_layer = false;
@@ -39,28 +33,13 @@ struct Arguments {
 };
 
 Result<PlanRequest> parse(const Arguments& arguments) {
-  PlanRequest request;
-  const auto size = parse_size(arguments.size);
-  if (!size) return size.failure();
-  const Result<PixelFormat> format = parse_format(arguments.format);
-  if (!format) return format.failure();
-  request.view = {size->first, size->second, *format};
-  if (arguments.ram) {
-    const Result<std::uint32_t> bytes = parse_bytes(*arguments.ram);
-    if (!bytes) return bytes.failure();
-    request.budget.bytes = *bytes;
-  }
-  const Result<Done> strips = parse_strips(arguments.strip_rows, arguments.strip_columns, request.view, request.budget);
-  if (!strips) return strips.failure();
-  request.budget.split_columns = arguments.split_columns;
-  request.budget.strip_buffers = static_cast<std::uint8_t>(arguments.strip_buffers);
-  request.may_bin = arguments.mode != "streamed";
-  request.budget.modes = arguments.mode == "binned" ? Modes::binned : Modes::any;
+  Result<PlanRequest> request = parse_plan(arguments.plan);
+  if (!request) return request.failure();
   const Result<DepthFormat> depth_format = parse_depth_format(arguments.depth_format);
   if (!depth_format) return depth_format.failure();
-  request.depth_format = *depth_format;
+  request->depth_format = *depth_format;
   const bool wide = depth_bytes(*depth_format) > sizeof(std::uint16_t);
-  if (arguments.static_layer && (wide || *format != PixelFormat::rgb565)) {
+  if (arguments.static_layer && (wide || request->view.format != PixelFormat::rgb565)) {
     return Failure{ExitStatus::usage, "a static layer keeps depth of 16 bits and pixels of --format rgb565"};
   }
   if (arguments.separation && !(std::isfinite(*arguments.separation) && *arguments.separation > 0)) {
@@ -101,25 +80,10 @@ void add_plan_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("plan", "Show how much memory a picture takes, for what, and the alternatives");
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
-  command->add_option("scene", a.scene, "A built-in scene or a model file")->required()->type_name("SCENE");
-  command->add_option("--size", a.size, "Size of the picture, each side 1 to 4096 (default: 320x240)")
-      ->type_name("WxH");
-  command->add_option("--format", a.format, "Pixels: rgb565 (default), rgb565_swapped, gray4 or mono")
-      ->type_name("FORMAT");
-  command->add_option("--ram", a.ram, "Bytes at most, of arena and strip buffers, K and M allowed (default: no limit)")
-      ->type_name("BYTES");
-  command->add_option("--strip-buffers", a.strip_buffers, "Pixel buffers of a strip: 2 where DMA sends one meanwhile")
-      ->type_name("N")
-      ->check(CLI::Range(std::uint32_t{0}, std::uint32_t{2}))
-      ->capture_default_str();
-  command->add_option("--strip-rows", a.strip_rows, "Rows of a strip (default: auto, what is fastest)")
-      ->type_name("N|auto");
-  command->add_option("--strip-columns", a.strip_columns, "Pixels of a strip's row, a multiple of 8 (default: auto)")
-      ->type_name("N|auto");
-  command->add_flag("--split-columns", a.split_columns, "The display takes rectangles narrower than the picture");
-  command->add_option("--mode", a.mode, "Transform geometry for each strip, once, or what is faster")
-      ->check(CLI::IsMember({"any", "streamed", "binned"}))
-      ->capture_default_str();
+  command->add_option("scene", a.scene, "A built-in scene, a model file or a baked scene (.zsc)")
+      ->required()
+      ->type_name("SCENE");
+  add_plan_options(*command, a.plan);
   command->add_option("--depth-format", a.depth_format, "How depth is kept: z16 (default), float, w16, z24 or z32")
       ->type_name("FORMAT");
   command

@@ -13,6 +13,7 @@
 #include <thread>
 #include <utility>
 
+#include "cli/camera_arguments.hpp"
 #include "cli/output_names.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
@@ -23,7 +24,6 @@
 #include "report/frame_record.hpp"
 #include "report/progress.hpp"
 #include "report/text.hpp"
-#include "zstrip_scenes/scenes.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -44,12 +44,7 @@ struct Arguments {
   std::string format = "rgb565";
   std::string depth_format = "z16";
   std::optional<std::string> image;
-  std::optional<std::string> up;
-  std::optional<std::string> eye;
-  std::optional<std::string> look_at;
-  std::optional<std::string> orbit;
-  std::optional<double> field_of_view;
-  bool orthographic = false;
+  CameraArguments camera;
   std::optional<std::string> json;
   bool quiet = false;
 };
@@ -66,34 +61,6 @@ struct Job {
 
 Failure usage(std::string message) { return {ExitStatus::usage, std::move(message)}; }
 
-Result<CameraOptions> parse_camera(const Arguments& arguments) {
-  CameraOptions camera;
-  const auto vector = [](const char* option, const std::optional<std::string>& text,
-                         std::optional<std::array<double, 3>>& to) -> Result<Done> {
-    if (!text) return Done{};
-    const Result<std::array<double, 3>> parsed = parse_vector(option, *text);
-    if (!parsed) return parsed.failure();
-    to = *parsed;
-    return Done{};
-  };
-  std::optional<std::array<double, 3>> orbit;
-  for (const Result<Done>& parsed :
-       {vector("--eye", arguments.eye, camera.eye), vector("--look-at", arguments.look_at, camera.look_at),
-        vector("--orbit", arguments.orbit, orbit)}) {
-    if (!parsed) return parsed.failure();
-  }
-  if (orbit) camera.orbit = Orbit{(*orbit)[0], (*orbit)[1], (*orbit)[2]};
-  if (camera.orbit && !(camera.orbit->radius > 0)) return usage("--orbit: the radius must be greater than 0");
-  if (camera.eye && camera.orbit) return usage("--eye and --orbit both place the camera; give one of them");
-  if (camera.look_at && !camera.placed()) return usage("--look-at needs --eye or --orbit");
-  camera.field_of_view = arguments.field_of_view;
-  if (camera.field_of_view && !(*camera.field_of_view >= 1 && *camera.field_of_view <= 170)) {
-    return usage("--fov must be 1 to 170 degrees");
-  }
-  camera.orthographic = arguments.orthographic;
-  return camera;
-}
-
 Result<Job> parse(const Arguments& arguments) {
   Job job;
   const auto size = parse_size(arguments.size);
@@ -104,7 +71,7 @@ Result<Job> parse(const Arguments& arguments) {
   const Result<DepthFormat> depth_format = parse_depth_format(arguments.depth_format);
   if (!depth_format) return depth_format.failure();
   job.depth_format = *depth_format;
-  if (arguments.orthographic && !depth_effects_agree(depth_effect(*depth_format) | effect::orthographic)) {
+  if (arguments.camera.orthographic && !depth_effects_agree(depth_effect(*depth_format) | effect::orthographic)) {
     return usage(fmt::format("--depth-format {} needs a perspective camera, not --ortho", arguments.depth_format));
   }
 
@@ -129,20 +96,15 @@ Result<Job> parse(const Arguments& arguments) {
     if (!parsed) return parsed.failure();
     type = *parsed;
   }
-  if (arguments.up) {
-    const Result<UpAxis> up = parse_up_axis(*arguments.up);
-    if (!up) return up.failure();
-    if (scenes::find(arguments.scene) != nullptr) {
-      return usage(fmt::format("--up is for model files; '{}' is a built-in scene", arguments.scene));
-    }
-    job.up = *up;
-  }
-  const Result<CameraOptions> camera = parse_camera(arguments);
+  const Result<UpAxis> up = parse_up(arguments.camera, arguments.scene);
+  if (!up) return up.failure();
+  job.up = *up;
+  const Result<CameraOptions> camera = parse_camera(arguments.camera, arguments.scene);
   if (!camera) return camera.failure();
   job.camera = *camera;
   Result<OutputNames> outputs = name_outputs(arguments.scene, arguments.output, arguments.frames, type, *format);
   if (!outputs) return outputs.failure();
-  const bool built_in = scenes::find(arguments.scene) != nullptr;
+  const bool built_in = kind_of_scene(arguments.scene) == SceneKind::built_in;
   const Result<Done> distinct = check_distinct(*outputs, arguments.json, built_in ? "" : arguments.scene);
   if (!distinct) return distinct.failure();
   job.outputs = std::move(*outputs);
@@ -156,7 +118,7 @@ void warn_if_nothing_drawn(RunRecord& run) {
     return;
   }
   std::string options = "--eye, --orbit, --look-at";
-  if (scenes::find(run.scene) == nullptr) options += ", --up";
+  if (kind_of_scene(run.scene) == SceneKind::model) options += ", --up";
   run.warnings.push_back("no pixel was drawn: the camera does not see the scene; check " + options);
   print_warning(run.warnings.back());
 }
@@ -248,10 +210,12 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_render_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("render", "Render a built-in scene or a model file to pictures");
+  CLI::App* command = app.add_subcommand("render", "Render a built-in scene, a model or a baked scene to pictures");
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
-  command->add_option("scene", a.scene, "A built-in scene, or a model: .obj .gltf .glb .stl .ply .3ds .dae ...")
+  command
+      ->add_option("scene", a.scene,
+                   "A built-in scene, a model (.obj .gltf .glb .stl .ply .3ds .dae ...) or a baked scene (.zsc)")
       ->required()
       ->type_name("SCENE");
   command->add_option("-o,--output", a.output, "A folder for the frames, or one file (default: SCENE.png here)")
@@ -277,20 +241,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
                    "Depth in the z-buffer: z16 (default), float, w16, z24 or z32; the last three for comparison")
       ->type_name("FORMAT");
   command->add_option("--image", a.image, "Picture files: png (default), ppm or raw")->type_name("TYPE");
-  command
-      ->add_option("--up", a.up, "A model's axis that points upwards: x, -x, y (default), -y, z, -z; some .3ds need -z")
-      ->type_name("AXIS");
-  command->add_option("--eye", a.eye, "Where the camera is, in the model's units")->type_name("X,Y,Z");
-  command->add_option("--look-at", a.look_at, "What it looks at (default: the model's centre)")->type_name("X,Y,Z");
-  command
-      ->add_option("--orbit", a.orbit,
-                   "Camera on a sphere around that point: radius, degrees from the front, from above")
-      ->type_name("R,PHI,THETA");
-  command
-      ->add_option("--fov", a.field_of_view,
-                   "Vertical field of view, 1 to 170 (default: 30, or a built-in scene's own)")
-      ->type_name("DEGREES");
-  command->add_flag("--ortho", a.orthographic, "Parallel instead of perspective projection");
+  add_camera_options(*command, a.camera);
   command->add_option("--json", a.json, "Write a report of each frame; - is standard output")->type_name("FILE|-");
   command->add_flag("--quiet", a.quiet, "No summary, no progress; warnings and errors remain");
   command->footer(

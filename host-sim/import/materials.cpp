@@ -95,6 +95,7 @@ SourceMaterial MaterialReader::read(const aiMaterial& from, unsigned& texcoord_s
   to.colour = kDefaultColour;
   aiString name;
   const bool is_default = from.Get(AI_MATKEY_NAME, name) == AI_SUCCESS && name == aiString(AI_DEFAULT_MATERIAL_NAME);
+  if (!is_default) to.name = name.C_Str();
   aiColor4D colour;
   if (!is_default && (from.Get(AI_MATKEY_BASE_COLOR, colour) == AI_SUCCESS ||
                       from.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS)) {

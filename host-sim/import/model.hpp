@@ -20,6 +20,15 @@ struct Units {
   double scale = 1;
 };
 
+/// The most that becoming fixed point has moved anything away from what the file says.
+struct Accuracy {
+  double size = 0;      ///< longest side of the bounding box, the file's units
+  double position = 0;  ///< of a vertex, the file's units
+  double normal = 0;    ///< degrees
+  double texcoord = 0;  ///< texels
+  double texel = 0;     ///< of a channel, 1 is its whole range
+};
+
 struct MeshData {
   std::vector<Position> positions;
   std::vector<Normal> normals;
@@ -44,9 +53,12 @@ class Model {
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
   std::vector<Texture> textures;
-  std::vector<Instance> instances;       ///< one for each mesh, untransformed
-  std::vector<DirectionalLight> lights;  ///< empty: the file has none
+  std::vector<Instance> instances;          ///< one for each mesh, untransformed
+  std::vector<DirectionalLight> lights;     ///< empty: the file has none
+  std::vector<std::string> material_names;  ///< one for each material, from the file; may be empty
+  std::vector<SourceCamera> cameras;        ///< of the file, in its units
   Units units;
+  Accuracy accuracy;
   std::vector<std::string> warnings;  ///< what the picture will lack, one line each
 };
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "image/resample.hpp"
+#include "import/accuracy.hpp"
 #include "import/meshlets.hpp"
 #include "report/number.hpp"
 
@@ -133,8 +134,10 @@ Fixed to_fixed(double value) { return static_cast<Fixed>(std::llround(value * kF
 Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>& traits) {
   const Grid grid = fit_grid(source);
   Model model;
+  model.accuracy.size = 2 / grid.units.scale;
   model.units = grid.units;
   model.warnings = source.warnings;
+  model.cameras = source.cameras;
   model.lights = to_lights(source.lights, model.warnings);
 
   std::map<std::uint32_t, std::uint16_t> textures;  // only those in use, in order of use
@@ -150,6 +153,7 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
       if (is_new) {
         const RgbImage& image = source.textures[from.texture];
         model.texels.push_back(to_rgb565(image));
+        note_texels(model.accuracy, image, model.texels.back());
         model.textures.push_back({model.texels.back(), static_cast<std::uint8_t>(log2_of(image.width)),
                                   static_cast<std::uint8_t>(log2_of(image.height))});
       }
@@ -158,7 +162,13 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
     const std::size_t material_index = model.materials.size();
     model.materials.push_back(material);
 
+    model.material_names.push_back(from.name);
+
     const MeshData whole = to_mesh_data(mesh, traits[i].texcoord_bits, grid);
+    note_vertices(model.accuracy, mesh, whole, grid.units, grid.half_extent);
+    if (mesh.has_texcoords) {
+      note_texcoords(model.accuracy, mesh, whole, traits[i].texcoord_bits, source.textures[from.texture]);
+    }
     for (MeshData& part : split_into_meshlets(whole, mesh.indices, grid.half_extent)) {
       const MeshData& data = model.mesh_data.emplace_back(std::move(part));
       if (model.meshes.size() >= kMaxMeshes || material_index >= kMaxMeshes) {

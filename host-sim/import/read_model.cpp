@@ -3,12 +3,14 @@
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <assimp/version.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <span>
 #include <string>
 #include <system_error>
@@ -197,6 +199,15 @@ void Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform) {
   }
 }
 
+/// Of the node of this name, which is that of a light or camera.
+aiMatrix4x4 to_world(const aiScene& scene, const aiString& name) {
+  aiMatrix4x4 transform;
+  for (const aiNode* node = scene.mRootNode->FindNode(name); node != nullptr; node = node->mParent) {
+    transform = node->mTransformation * transform;
+  }
+  return transform;
+}
+
 /// Directional lights; others are reported, the renderer has none.
 void read_lights(const aiScene& scene, const aiMatrix4x4& turn, SourceModel& model) {
   std::size_t others = 0;
@@ -205,10 +216,7 @@ void read_lights(const aiScene& scene, const aiMatrix4x4& turn, SourceModel& mod
       ++others;
       continue;
     }
-    aiMatrix4x4 transform;
-    for (const aiNode* node = scene.mRootNode->FindNode(light->mName); node != nullptr; node = node->mParent) {
-      transform = node->mTransformation * transform;
-    }
+    const aiMatrix4x4 transform = to_world(scene, light->mName);
     const aiVector3D towards = direction(-(aiMatrix3x3(turn * transform) * light->mDirection));
     const aiColor3D& colour = light->mColorDiffuse;
     const auto usable = [](float channel) { return std::isfinite(channel) && channel >= 0; };
@@ -218,6 +226,38 @@ void read_lights(const aiScene& scene, const aiMatrix4x4& turn, SourceModel& mod
   }
   if (others > 0) {
     model.warnings.push_back(fmt::format("{} left out: only directional lights are drawn", counted(others, "light")));
+  }
+}
+
+/// glTF's vertical field of view, in radians, from the horizontal one that Assimp makes of it: times the aspect before
+/// 5.3 (assimp/assimp#4886), by the tangent since.
+double vertical_field_of_view(const aiCamera& camera, double aspect) {
+  if (aiGetVersionMajor() == 5 && aiGetVersionMinor() < 3) return camera.mHorizontalFOV / aspect;
+  return 2 * std::atan(std::tan(camera.mHorizontalFOV / 2) / aspect);
+}
+
+/// Cameras of glTF 2.0; other formats do not agree what their angles mean.
+void read_cameras(const aiScene& scene, const aiMatrix4x4& turn, SourceModel& model) {
+  for (const aiCamera* camera : std::span(scene.mCameras, scene.mNumCameras)) {
+    const aiMatrix4x4 transform = turn * to_world(scene, camera->mName);
+    const aiMatrix3x3 linear(transform);
+    // At its node's origin: Assimp 5.2 gives the node's translation a second time as the camera's position.
+    const aiVector3D eye = transform * aiVector3D();
+    const aiVector3D towards = direction(linear * camera->mLookAt);
+    const aiVector3D up = direction(linear * camera->mUp);
+    if (!finite(eye) || towards.SquareLength() == 0) continue;
+    SourceCamera read{.name = camera->mName.C_Str(),
+                      .eye = {eye.x, eye.y, eye.z},
+                      .towards = {towards.x, towards.y, towards.z},
+                      .up = {up.x, up.y, up.z}};
+    read.orthographic = camera->mOrthographicWidth > 0;
+    const double aspect = camera->mAspect > 0 ? camera->mAspect : 1;
+    if (read.orthographic) {
+      read.half_height = camera->mOrthographicWidth / aspect;  // glTF's xmag is half of the width
+    } else {
+      read.field_of_view = vertical_field_of_view(*camera, aspect) * 180 / std::numbers::pi;
+    }
+    model.cameras.push_back(read);
   }
 }
 
@@ -266,6 +306,7 @@ Result<SourceModel> read_model(const std::filesystem::path& path, UpAxis up) {
   }
   std::erase_if(model.meshes, [](const SourceMesh& mesh) { return mesh.indices.empty(); });
   read_lights(*scene, turn, model);
+  if (materials.linear_colours()) read_cameras(*scene, turn, model);
   return model;
 }
 

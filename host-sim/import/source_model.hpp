@@ -32,6 +32,7 @@ struct SourceMesh {
 inline constexpr std::uint32_t kNoSourceTexture = 0xFFFFFFFF;
 
 struct SourceMaterial {
+  std::string name;  ///< the file's, for messages; may be empty
   std::array<std::uint8_t, 3> colour{255, 255, 255};
   std::uint32_t texture = kNoSourceTexture;  ///< index into SourceModel::textures
   bool lit = true;
@@ -48,11 +49,23 @@ struct SourceLight {
   std::array<double, 3> colour{1, 1, 1};   ///< any scale >= 0
 };
 
+/// A camera of the file, for pictures of any shape.
+struct SourceCamera {
+  std::string name;
+  std::array<double, 3> eye{};              ///< the file's units
+  std::array<double, 3> towards{0, 0, -1};  ///< unit vector, where it looks
+  std::array<double, 3> up{0, 1, 0};        ///< a hint, any length
+  bool orthographic = false;
+  double field_of_view = 45;  ///< perspective: vertical, degrees
+  double half_height = 1;     ///< orthographic: of what is seen, the file's units
+};
+
 struct SourceModel {
   std::vector<SourceMesh> meshes;
   std::vector<SourceMaterial> materials;
   std::vector<RgbImage> textures;
   std::vector<SourceLight> lights;
+  std::vector<SourceCamera> cameras;
   std::vector<std::string> warnings;  ///< what the picture will lack, one line each
 };
 

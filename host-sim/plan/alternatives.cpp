@@ -102,10 +102,7 @@ std::string cheapest_change(const Planning& planning, const Budget& asked, const
                      words.empty() ? "" : " (" + words + ")");
 }
 
-}  // namespace
-
-Result<PlanChoice> choose_plan(const Staging& staging, const PlanRequest& request) {
-  Planning planning(staging, request);
+Result<Plan> best_plan(const Planning& planning, const PlanRequest& request) {
   const PlanResult best = planning.plan(request.budget);
   if (best.status.error == Error::arena_too_small) {
     return Failure{ExitStatus::budget,
@@ -118,8 +115,21 @@ Result<PlanChoice> choose_plan(const Staging& staging, const PlanRequest& reques
                    fmt::format("the picture cannot be planned: {}{}", message(best.status.error),
                                best.status.error == Error::unplannable ? "; ask for larger strips" : "")};
   }
+  return best.plan;
+}
+
+}  // namespace
+
+Result<Plan> best_plan(const Staging& staging, const PlanRequest& request) {
+  return best_plan(Planning(staging, request), request);
+}
+
+Result<PlanChoice> choose_plan(const Staging& staging, const PlanRequest& request) {
+  Planning planning(staging, request);
+  const Result<Plan> best = best_plan(planning, request);
+  if (!best) return best.failure();
   PlanChoice choice{.counts = planning.counts(), .chosen = {}, .curve = {}, .kept = {}, .depth = {}};
-  Result<Alternative> chosen = planning.draw(best.plan);
+  Result<Alternative> chosen = planning.draw(*best);
   if (!chosen) return chosen.failure();
   choice.chosen = *chosen;
 

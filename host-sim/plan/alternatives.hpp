@@ -38,7 +38,11 @@ struct PlanChoice {
   std::optional<DepthAdvice> depth;  ///< none if nothing is visible
 };
 
-/// Failures: ExitStatus::budget with the bytes that are needed and the cheapest change that would fit.
+/// The plan of least estimated cost. Failures as of choose_plan.
+Result<Plan> best_plan(const Staging& staging, const PlanRequest& request);
+
+/// The same, drawn, with alternatives. Failures: ExitStatus::budget with the bytes that are needed and the cheapest
+/// change that would fit.
 Result<PlanChoice> choose_plan(const Staging& staging, const PlanRequest& request);
 
 }  // namespace zstrip::sim

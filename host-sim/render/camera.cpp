@@ -1,6 +1,8 @@
 // From camera options, in the model's own units, to the renderer's camera.
 #include "render/camera.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,6 +14,9 @@ namespace {
 
 /// Coordinates beyond this leave no room for the far plane in 16.16.
 constexpr double kFarthest = 10000;
+
+/// 16.16 holds no more.
+constexpr double kLargestLength = 32767;
 
 Failure out_of_range(const char* option) {
   return {ExitStatus::usage, std::string(option) + " is too far away: more than 10000 times the size of the model"};
@@ -39,7 +44,7 @@ Vec3 to_fixed(const std::array<double, 3>& point) {
 void set_planes(Camera& camera, double radius) {
   const double distance = distance_to_origin(camera);
   camera.near_plane = sim::to_fixed(std::max(0.9 * (distance - radius), 0.01));
-  camera.far_plane = sim::to_fixed(1.1 * (distance + radius) + 0.1);
+  camera.far_plane = sim::to_fixed(std::min(1.1 * (distance + radius) + 0.1, kLargestLength));
 }
 
 }  // namespace
@@ -61,6 +66,21 @@ Result<Done> make_orthographic(Camera& camera, double distance) {
   if (focal < 1 || focal > 0x7FFFFFFF) return Failure{ExitStatus::usage, "--ortho: the camera is too near or too far"};
   camera.focal = static_cast<Fixed>(std::llround(focal));
   return Done{};
+}
+
+Result<Camera> change_projection(Camera camera, const CameraOptions& options) {
+  if (options.field_of_view) {
+    if (camera.projection == Projection::orthographic) {
+      return Failure{ExitStatus::usage,
+                     "--fov: the scene's own camera is a parallel one; place another with --eye or --orbit"};
+    }
+    if (const Result<Done> changed = set_focal(camera, options); !changed) return changed.failure();
+  }
+  if (options.orthographic && camera.projection != Projection::orthographic) {
+    const Result<Done> changed = make_orthographic(camera, distance_to_origin(camera));
+    if (!changed) return changed.failure();
+  }
+  return camera;
 }
 
 Result<Camera> place_camera(const CameraOptions& options, const Units& units, double radius) {
@@ -87,6 +107,31 @@ Result<Camera> place_camera(const CameraOptions& options, const Units& units, do
   if (const Result<Done> focal = set_focal(camera, options); !focal) return focal.failure();
   if (options.orthographic) {
     if (const Result<Done> changed = make_orthographic(camera, distance); !changed) return changed.failure();
+  }
+  set_planes(camera, radius);
+  return camera;
+}
+
+Result<Camera> file_camera(const SourceCamera& source, const Units& units, double radius) {
+  const auto unusable = [&source](const char* what) {
+    return Failure{ExitStatus::input, fmt::format("the camera '{}' {}", source.name, what)};
+  };
+  const std::array<double, 3> eye = to_scene(source.eye, units);
+  if (!in_range(eye)) return unusable("is too far away: more than 10000 times the size of the model");
+  constexpr double kAhead = 64;  // far enough for the direction's bits, near enough for 16.16
+  std::array<double, 3> target = eye;
+  for (std::size_t axis = 0; axis < 3; ++axis) target[axis] += kAhead * source.towards[axis];
+  Camera camera;
+  if (!look_at(camera, to_fixed(eye), to_fixed(target), to_fixed(source.up))) return unusable("has no direction");
+  if (source.orthographic) {
+    camera.projection = Projection::orthographic;
+    const double focal = 1 / (source.half_height * units.scale);
+    if (!(focal > 1.0 / kFixedOne && focal < kLargestLength)) return unusable("shows too much or too little");
+    camera.focal = sim::to_fixed(focal);
+  } else if (!(source.field_of_view >= 1 && source.field_of_view <= 170)) {
+    return unusable("has a field of view outside 1 to 170 degrees");
+  } else if (const Result<Done> focal = set_focal(camera, {.field_of_view = source.field_of_view}); !focal) {
+    return focal.failure();
   }
   set_planes(camera, radius);
   return camera;

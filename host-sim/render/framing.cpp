@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFilled = 0.95;  // of the picture's half width and half height
 
-/// Calls visit(x, y, z) for each vertex, in the scene's units.
+/// Calls visit(x, y, z) for each vertex of each instance where its transform puts it, in the scene's units.
 template <typename Visit>
 void for_each_vertex(const Scene& scene, Visit visit) {
   for (const Instance& instance : scene.instances) {
@@ -22,8 +22,13 @@ void for_each_vertex(const Scene& scene, Visit visit) {
       return from_fixed(centre) + from_fixed(half) * steps / 32768;
     };
     for (const Position& p : mesh.positions) {
-      visit(coordinate(mesh.centre.x, mesh.half_extent.x, p.x), coordinate(mesh.centre.y, mesh.half_extent.y, p.y),
-            coordinate(mesh.centre.z, mesh.half_extent.z, p.z));
+      const double x = coordinate(mesh.centre.x, mesh.half_extent.x, p.x);
+      const double y = coordinate(mesh.centre.y, mesh.half_extent.y, p.y);
+      const double z = coordinate(mesh.centre.z, mesh.half_extent.z, p.z);
+      const auto moved = [&](const Fixed(&row)[4]) {
+        return from_fixed(row[0]) * x + from_fixed(row[1]) * y + from_fixed(row[2]) * z + from_fixed(row[3]);
+      };
+      visit(moved(instance.transform.m[0]), moved(instance.transform.m[1]), moved(instance.transform.m[2]));
     }
   }
 }

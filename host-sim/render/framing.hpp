@@ -24,7 +24,7 @@ struct Framing {
   double half_height = 1;  ///< of what is seen; for orthographic cameras
 };
 
-/// The closest camera that shows all vertices of the instances' meshes (untransformed) with a margin of 5 % a side.
+/// The closest camera that shows all vertices of the instances, as they stand, with a margin of 5 % a side.
 Framing frame_scene(const Scene& scene, const FramingView& view);
 
 /// The largest distance of a vertex from the scene's origin.

@@ -45,9 +45,12 @@ Failure too_little_memory(const Status& status, const Scene& scene, const View& 
                       counted(status.needed - status.available, "byte"), advice)};
 }
 
+/// Only a baked scene's own camera or transforms can be to blame, or else a bug.
 Failure refused(const char* what, const Status& status) {
-  return {ExitStatus::internal, fmt::format("{}: {} (needed {}, available {})", what, message(status.error),
-                                            status.needed, status.available)};
+  const bool scene = status.error == Error::camera || status.error == Error::instance;
+  return {
+      scene ? ExitStatus::input : ExitStatus::internal,
+      fmt::format("{}: {} (needed {}, available {})", what, message(status.error), status.needed, status.available)};
 }
 
 /// What a thread did after begin_frame is added.

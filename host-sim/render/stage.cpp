@@ -1,4 +1,4 @@
-// What is rendered: a built-in scene or a model file, placed for each frame of a turn.
+// What is rendered: a built-in scene, a model file or a baked scene, placed for each frame of a turn.
 #include "render/stage.hpp"
 
 #include <fmt/format.h>
@@ -8,8 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "import/model.hpp"
-#include "zstrip/base/math.hpp"
+#include "render/blob_stage.hpp"
 #include "zstrip/scene/validate.hpp"
 #include "zstrip_scenes/presentation.hpp"
 #include "zstrip_scenes/scenes.hpp"
@@ -48,15 +47,9 @@ class BuiltInStage : public Stage {
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
     scenes::stage(built_in_, staged_, frame, frames, view_);
     if (own_camera_) return Staging{staged_.scene, *own_camera_};
-    Camera camera = staged_.camera;
-    if (options_.field_of_view) {
-      if (const Result<Done> changed = set_focal(camera, options_); !changed) return changed.failure();
-    }
-    if (options_.orthographic) {
-      const Result<Done> changed = make_orthographic(camera, distance_to_origin(camera));
-      if (!changed) return changed.failure();
-    }
-    return Staging{staged_.scene, camera};
+    const Result<Camera> camera = change_projection(staged_.camera, options_);
+    if (!camera) return camera.failure();
+    return Staging{staged_.scene, *camera};
   }
 
   std::unique_ptr<Stage> copy() const override {
@@ -105,6 +98,7 @@ class ModelStage : public Stage {
                               .half_tangent = std::tan(degrees * std::numbers::pi / 360),
                               .orthographic = options.orthographic,
                               .whole_turn = frames > 1};
+    if (options.name) return use_file_camera(*options.name, radius);
     const Result<Camera> camera = options.placed() ? place_camera(options, model_->units, radius)
                                                    : framed_camera(options, frame_scene(scene_, framing), radius);
     if (!camera) return camera.failure();
@@ -113,12 +107,9 @@ class ModelStage : public Stage {
   }
 
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
-    const auto angle = static_cast<Angle>(std::uint64_t{frame} * kFullTurn / frames);
-    constexpr int kDropped = 30 - kFixedBits;
-    const auto rounded = [](std::int32_t value) { return (value + (1 << (kDropped - 1))) >> kDropped; };  // 16.16
-    const Fixed s = rounded(sine(angle));
-    const Fixed c = rounded(cosine(angle));
-    for (Instance& instance : instances_) instance.transform = {{{c, 0, s, 0}, {0, kFixedOne, 0, 0}, {-s, 0, c, 0}}};
+    for (Instance& instance : instances_) {
+      instance.transform = scenes::turned(Transform::identity(), frame, frames);
+    }
     return Staging{scene_, camera_};
   }
 
@@ -129,8 +120,26 @@ class ModelStage : public Stage {
   }
 
   const std::vector<std::string>& warnings() const override { return model_->warnings; }
+  const Model* model() const override { return model_.get(); }
 
  private:
+  Result<Done> use_file_camera(const std::string& name, double radius) {
+    std::string names;
+    for (const SourceCamera& source : model_->cameras) {
+      if (source.name != name) {
+        names += fmt::format("{}'{}'", names.empty() ? "" : ", ", source.name);
+        continue;
+      }
+      const Result<Camera> camera = file_camera(source, model_->units, radius);
+      if (!camera) return camera.failure();
+      camera_ = *camera;
+      return Done{};
+    }
+    return Failure{ExitStatus::input,
+                   fmt::format("there is no camera '{}' in the file; {}", name,
+                               names.empty() ? "it has none, or is no glTF 2.0" : "it has " + names)};
+  }
+
   std::shared_ptr<const Model> model_;
   std::vector<Instance> instances_;
   std::vector<DirectionalLight> lights_;
@@ -139,6 +148,11 @@ class ModelStage : public Stage {
 };
 
 }  // namespace
+
+SceneKind kind_of_scene(const std::string& name) {
+  if (scenes::find(name) != nullptr) return SceneKind::built_in;
+  return std::filesystem::path(name).extension() == ".zsc" ? SceneKind::baked : SceneKind::model;
+}
 
 Result<std::unique_ptr<Stage>> open_stage(const std::string& name, UpAxis up, const CameraOptions& options,
                                           const View& view, std::uint32_t frames) {
@@ -154,6 +168,7 @@ Result<std::unique_ptr<Stage>> open_stage(const std::string& name, UpAxis up, co
                                                   "'zstrip scenes' lists the built-in ones",
                                                   name)};
   }
+  if (kind_of_scene(name) == SceneKind::baked) return open_blob_stage(name, options, view);
   Result<Model> model = import_model(name, up);
   if (!model) return model.failure();
   auto stage = std::make_unique<ModelStage>(std::make_shared<const Model>(std::move(*model)));

@@ -12,20 +12,13 @@
 
 #include "report/frame_record.hpp"
 #include "report/number.hpp"
+#include "report/plan_words.hpp"
 #include "report/text.hpp"
 
 namespace zstrip::sim {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string shape(const Plan& plan, const View& view) {
-  const std::string strips =
-      plan.strip_columns == view.width
-          ? fmt::format("{} of {}", counted(plan.strips, "strip"), counted(plan.strip_rows, "row"))
-          : fmt::format("{} of {}x{}", counted(plan.strips, "strip"), plan.strip_columns, plan.strip_rows);
-  return fmt::format("{}, {}", name(plan.mode), strips);
-}
 
 struct Part {
   const char* name;

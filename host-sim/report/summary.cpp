@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "report/frame_record.hpp"
 #include "report/number.hpp"
+#include "report/plan_words.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -35,19 +35,6 @@ std::string bounds(const RunRecord& run) {
                      all.width(), all.height());
 }
 
-std::string memory(const FrameReport& report) {
-  const Plan& plan = report.plan;
-  std::string parts;
-  for (const auto& [purpose, bytes] :
-       {std::pair{Purpose::instances, plan.instance_bytes}, std::pair{Purpose::extents, plan.extent_bytes},
-        std::pair{Purpose::vertices, plan.vertex_bytes}, std::pair{Purpose::depth, plan.depth_bytes},
-        std::pair{Purpose::colour, plan.colour_bytes}, std::pair{Purpose::bins, plan.bin_bytes}}) {
-    if (bytes > 0) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name(purpose), grouped(bytes));
-  }
-  return fmt::format("{} ({}), and {} for the pixels of a strip", counted(plan.bytes(), "byte"), parts,
-                     grouped(report.strip_pixel_bytes));
-}
-
 }  // namespace
 
 std::string summary(const RunRecord& run) {
@@ -73,7 +60,7 @@ std::string summary(const RunRecord& run) {
                           ? fmt::format(" and {}", counted(fullest.plan.strip_columns, "column"))
                           : "",
                       name(fullest.plan.mode));
-  text += fmt::format("  RAM        {}\n", memory(fullest));
+  text += fmt::format("  RAM        {}\n", memory(fullest.plan, fullest.strip_pixel_bytes));
   text += fmt::format("  time       {:.2f} ms a frame\n", milliseconds);
   text += run.frames.size() == 1
               ? fmt::format("  written    {}\n", run.frames.front().file)

@@ -24,6 +24,10 @@ const char* message(Error error) {
     case Error::store_full: return "the pool of a store is full";
     case Error::store_range: return "the store has no such tile or row, or no such pixels";
     case Error::store_damaged: return "the store is damaged";
+    case Error::blob_alignment: return "a scene blob or the memory lent for it is not aligned";
+    case Error::blob_damaged: return "the scene blob is damaged";
+    case Error::blob_version: return "the scene blob has a version that is not read here";
+    case Error::blob_memory: return "the memory lent for the scene blob is too small";
     case Error::depth_effects: return "these depth effects exclude each other or this camera";
   }
   return "unknown error";

@@ -27,11 +27,15 @@ enum class Error : std::uint8_t {
                    ///< or the renderer is for orthographic cameras only (`needed` = 0)
   not_begun,       ///< draw_strip before a successful begin_frame
   store_full,      ///< a store's pool has no room for a tile; `needed`, `available` in bytes of the pool
-  store_range,    ///< a tile or rows that a store does not have (`needed` = the row beyond, `available` = its rows), or
-                  ///< a format of pixels that it does not keep
-  store_damaged,  ///< bytes that are no store of this kind, or no record of a tile (`needed` = index of the tile)
-  depth_effects,  ///< two depth formats at once, sub-ranges of one that has none, or one that needs a perspective
-                  ///< camera and is to draw an orthographic one
+  store_range,     ///< a tile or rows that a store does not have (`needed` = the row beyond, `available` = its rows),
+                   ///< or a format of pixels that it does not keep
+  store_damaged,   ///< bytes that are no store of this kind, or no record of a tile (`needed` = index of the tile)
+  blob_alignment,  ///< a scene blob, or the memory lent for it, at an address that is not aligned
+  blob_damaged,    ///< bytes that are no whole scene blob (`needed` = the byte that is wrong)
+  blob_version,    ///< a scene blob of another version (`needed` = its version, `available` = the one that is read)
+  blob_memory,     ///< the memory lent for a scene blob; `needed`, `available` in bytes
+  depth_effects,   ///< two depth formats at once, sub-ranges of one that has none, or one that needs a perspective
+                   ///< camera and is to draw an orthographic one
 };
 
 /// What memory is for. The order is that of a plan's table.

@@ -41,6 +41,16 @@ constexpr bool nearly_zero(const Wide3& v) {
 
 }  // namespace
 
+bool usable(const Camera& camera) {
+  const auto at_most_unit = [](const Vec3& axis) {
+    constexpr std::int32_t kLargest = (std::int32_t{1} << 30) + 64;  // 2.30: rounding of a unit vector
+    const auto fits = [](std::int32_t c) { return c >= -kLargest && c <= kLargest; };
+    return fits(axis.x) && fits(axis.y) && fits(axis.z);
+  };
+  return camera.focal > 0 && camera.near_plane > 0 && camera.far_plane > camera.near_plane &&
+         at_most_unit(camera.right) && at_most_unit(camera.up) && at_most_unit(camera.back);
+}
+
 Status look_at(Camera& camera, const Vec3& eye, const Vec3& target, const Vec3& up) {
   const Wide3 backwards{std::int64_t{eye.x} - target.x, std::int64_t{eye.y} - target.y, std::int64_t{eye.z} - target.z};
   if (backwards.x == 0 && backwards.y == 0 && backwards.z == 0) return {.error = Error::camera};

@@ -24,6 +24,10 @@ struct Camera {
   bool fixed_depth_range = false;
 };
 
+/// Whether a frame can begin with this camera: 0 < near_plane < far_plane, 0 < focal, and no axis longer than a unit
+/// vector is when rounded. Renderer::begin_frame refuses all others with Error::camera.
+bool usable(const Camera& camera);
+
 /// Points the camera from `eye` to `target` (16.16). `up` is a hint of any length; where it is parallel to the
 /// viewing direction another axis is taken. Error::camera if eye and target are the same point.
 Status look_at(Camera& camera, const Vec3& eye, const Vec3& target, const Vec3& up);

@@ -36,6 +36,12 @@ class Staged {
 void stage(const BuiltIn& built_in, Staged& staged, std::uint32_t frame, std::uint32_t frames,
            const View& view = {.width = 320, .height = 240});
 
+inline constexpr Fixed kFarthestTurned = 1 << 30;  // 16.16
+
+/// `at_rest` turned about the world's y axis: frame `frame` of one full turn in `frames` frames (0 counts as 1), any
+/// frame number. The turntable's motion, for scenes of one's own. Translations within kFarthestTurned of the origin.
+Transform turned(const Transform& at_rest, std::uint32_t frame, std::uint32_t frames);
+
 /// The motion of the benchmarks: vertical field of view 60 degrees, near 0.1, far 100, camera on +z looking at
 /// -z, the model turned by a about y, then by a/2 about x, with a = 0.1 radians a frame. Angles are kept in 0.32
 /// turns and wrap: any frame number.

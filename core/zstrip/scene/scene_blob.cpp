@@ -1,0 +1,222 @@
+// Opens a blob: every count, offset and value is checked before anything looks through it.
+#include "zstrip/scene/scene_blob.hpp"
+
+#include <bit>
+#include <cstring>
+#include <new>
+
+#include "zstrip/base/crc32.hpp"
+#include "zstrip/scene/validate.hpp"
+
+namespace zstrip {
+namespace {
+
+// Records of the blob that are the program's own structures, byte for byte.
+static_assert(std::endian::native == std::endian::little, "blobs are little endian and used in place");
+static_assert(sizeof(Position) == 6 && sizeof(Normal) == 4 && sizeof(Colour) == 4 && sizeof(TexCoord) == 4);
+static_assert(sizeof(Triangle) == 6);
+static_assert(sizeof(Meshlet) == 20 && offsetof(Meshlet, first_vertex) == 4 && offsetof(Meshlet, vertex_count) == 6 &&
+              offsetof(Meshlet, triangle_count) == 8 && offsetof(Meshlet, radius) == 10 &&
+              offsetof(Meshlet, centre) == 12);
+static_assert(sizeof(Material) == 24 && offsetof(Material, texture) == 4 && offsetof(Material, lit) == 6 &&
+              offsetof(Material, smooth) == 7 && offsetof(Material, double_sided) == 8 &&
+              offsetof(Material, depth_test) == 9 && offsetof(Material, depth_write) == 10 &&
+              offsetof(Material, depth_bias) == 12 && offsetof(Material, depth_slope_bias) == 16 &&
+              offsetof(Material, depth_bias_clamp) == 20);
+static_assert(sizeof(bool) == 1 && sizeof(Camera) == 64);
+static_assert(sizeof(Instance) == 52 && offsetof(Instance, material) == 2 && offsetof(Instance, transform) == 4);
+static_assert(sizeof(void*) != 4 || (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(Scene) == 48));
+static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colour) == 6);
+
+// Where the header has what; docs/formats.md.
+constexpr std::uint32_t kSize = 4, kChecksum = 8, kChecked = 12;
+constexpr std::uint32_t kMeshes = 12, kMaterials = 20, kTextures = 28, kInstances = 36, kLights = 44;
+constexpr std::uint32_t kAmbient = 52, kBackground = 56, kCamera = 60, kView = 124, kHeaderBytes = 132;
+
+/// Records that become structures with pointers.
+struct MeshRecord {
+  static constexpr std::uint32_t kPositions = 0, kNormals = 8, kColours = 16, kTexcoords = 24, kTriangles = 32,
+                                 kMeshlets = 40, kCentre = 48, kHalfExtent = 60, kTexcoordBits = 72;
+  std::uint32_t words[19];
+};
+struct TextureRecord {
+  static constexpr std::uint32_t kTexels = 0, kLog2Width = 8, kLog2Height = 9;
+  std::uint32_t words[3];
+};
+
+/// Reads values and arrays; remembers the first that is wrong.
+class Reader {
+ public:
+  explicit Reader(std::span<const std::byte> blob) : blob_(blob) {}
+
+  std::uint8_t byte(std::uint32_t at) const { return std::to_integer<std::uint8_t>(blob_[at]); }
+  std::uint16_t half_word(std::uint32_t at) const { return static_cast<std::uint16_t>(byte(at) | byte(at + 1) << 8); }
+  std::uint32_t word(std::uint32_t at) const {
+    return half_word(at) | static_cast<std::uint32_t>(half_word(at + 2)) << 16;
+  }
+  Vec3 vector(std::uint32_t at) const {
+    const auto component = [&](std::uint32_t offset) { return static_cast<std::int32_t>(word(at + offset)); };
+    return {component(0), component(4), component(8)};
+  }
+  Colour colour(std::uint32_t at) const { return {byte(at), byte(at + 1), byte(at + 2), byte(at + 3)}; }
+
+  void require(bool holds, std::uint32_t at) {
+    if (!holds && !wrong_) wrong_ = true, wrong_at_ = at;
+  }
+  /// 0 or 1.
+  bool flag(std::uint32_t at) {
+    require(byte(at) <= 1, at);
+    return byte(at) == 1;
+  }
+  /// The array whose offset and count stand at `at`; empty if they are wrong.
+  template <class Record>
+  std::span<const Record> array(std::uint32_t at) {
+    const std::uint32_t offset = word(at), count = word(at + 4);
+    const auto size = static_cast<std::uint32_t>(blob_.size());
+    if (count == 0) {
+      require(offset == 0, at);
+      return {};
+    }
+    const bool inside = offset % kSceneBlobAlignment == 0 && offset >= kHeaderBytes && offset <= size &&
+                        count <= (size - offset) / sizeof(Record);
+    require(inside, at);
+    if (!inside) return {};
+    return {reinterpret_cast<const Record*>(blob_.data() + offset), count};
+  }
+  template <class Record>
+  std::uint32_t offset_of(const Record& record) const {
+    return static_cast<std::uint32_t>(reinterpret_cast<const std::byte*>(&record) - blob_.data());
+  }
+
+  Status status() const { return wrong_ ? Status{.error = Error::blob_damaged, .needed = wrong_at_} : Status{}; }
+
+ private:
+  std::span<const std::byte> blob_;
+  bool wrong_ = false;
+  std::uint32_t wrong_at_ = 0;
+};
+
+/// Everything that tells whether these bytes are a whole blob of this version.
+Status check_envelope(std::span<const std::byte> blob) {
+  if (reinterpret_cast<std::uintptr_t>(blob.data()) % kSceneBlobAlignment != 0) return {.error = Error::blob_alignment};
+  const auto damaged = [](std::size_t at) {
+    return Status{.error = Error::blob_damaged, .needed = static_cast<std::uint32_t>(at)};
+  };
+  constexpr char kMagic[] = {'z', 's'};
+  for (std::size_t i = 0; i < sizeof kMagic; ++i) {
+    if (i >= blob.size() || std::to_integer<char>(blob[i]) != kMagic[i]) return damaged(i);
+  }
+  if (blob.size() < kHeaderBytes) return damaged(blob.size());
+  const Reader reader(blob);
+  if (reader.byte(2) != kSceneBlobVersion) {
+    return {.error = Error::blob_version, .needed = reader.byte(2), .available = kSceneBlobVersion};
+  }
+  if (reader.byte(3) != 's') return damaged(3);
+  if (reader.word(kSize) > blob.size()) return damaged(blob.size());
+  if (reader.word(kSize) < blob.size()) return damaged(kSize);
+  if (reader.word(kChecksum) != crc32(blob.subspan(kChecked))) return damaged(kChecksum);
+  return {};
+}
+
+void read_camera(Reader& reader, Camera& camera) {
+  camera.right = reader.vector(kCamera);
+  camera.up = reader.vector(kCamera + 12);
+  camera.back = reader.vector(kCamera + 24);
+  camera.eye = reader.vector(kCamera + 36);
+  camera.focal = static_cast<Fixed>(reader.word(kCamera + 48));
+  camera.near_plane = static_cast<Fixed>(reader.word(kCamera + 52));
+  camera.far_plane = static_cast<Fixed>(reader.word(kCamera + 56));
+  camera.projection = reader.flag(kCamera + 60) ? Projection::orthographic : Projection::perspective;
+  camera.fixed_depth_range = reader.flag(kCamera + 61);
+}
+
+void read_view(Reader& reader, View& view) {
+  const auto side = [&reader](std::uint32_t at) {
+    const std::uint16_t value = reader.half_word(at);
+    reader.require(value >= 1 && value <= kMaxViewSize, at);
+    return value;
+  };
+  view.width = side(kView);
+  view.height = side(kView + 2);
+  reader.require(reader.byte(kView + 4) <= static_cast<std::uint8_t>(PixelFormat::mono), kView + 4);
+  view.format = static_cast<PixelFormat>(reader.byte(kView + 4));
+}
+
+/// A bool or a test of any other value must not even be read as one.
+void check_materials(Reader& reader, std::span<const Material> materials) {
+  for (const Material& material : materials) {
+    const std::uint32_t at = reader.offset_of(material);
+    for (const std::size_t member : {offsetof(Material, lit), offsetof(Material, smooth),
+                                     offsetof(Material, double_sided), offsetof(Material, depth_write)}) {
+      (void)reader.flag(at + static_cast<std::uint32_t>(member));
+    }
+    const std::uint32_t test = at + static_cast<std::uint32_t>(offsetof(Material, depth_test));
+    reader.require(reader.byte(test) <= static_cast<std::uint8_t>(DepthTest::always), test);
+  }
+}
+
+Mesh read_mesh(Reader& reader, std::uint32_t at) {
+  return {.positions = reader.array<Position>(at + MeshRecord::kPositions),
+          .normals = reader.array<Normal>(at + MeshRecord::kNormals),
+          .colours = reader.array<Colour>(at + MeshRecord::kColours),
+          .texcoords = reader.array<TexCoord>(at + MeshRecord::kTexcoords),
+          .triangles = reader.array<Triangle>(at + MeshRecord::kTriangles),
+          .meshlets = reader.array<Meshlet>(at + MeshRecord::kMeshlets),
+          .centre = reader.vector(at + MeshRecord::kCentre),
+          .half_extent = reader.vector(at + MeshRecord::kHalfExtent),
+          .texcoord_bits = reader.byte(at + MeshRecord::kTexcoordBits)};
+}
+
+Texture read_texture(Reader& reader, std::uint32_t at) {
+  return {.texels = reader.array<std::uint16_t>(at + TextureRecord::kTexels),
+          .log2_width = reader.byte(at + TextureRecord::kLog2Width),
+          .log2_height = reader.byte(at + TextureRecord::kLog2Height)};
+}
+
+}  // namespace
+
+Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> memory, SceneBlob& opened) {
+  if (const Status status = check_envelope(blob); !status) return status;
+  Reader reader(blob);
+  SceneBlob found;
+  const std::span meshes = reader.array<MeshRecord>(kMeshes);
+  const std::span textures = reader.array<TextureRecord>(kTextures);
+  found.scene.materials = reader.array<Material>(kMaterials);
+  found.scene.instances = reader.array<Instance>(kInstances);
+  found.scene.lights = reader.array<DirectionalLight>(kLights);
+  found.scene.ambient = reader.colour(kAmbient);
+  found.scene.background = reader.colour(kBackground);
+  read_camera(reader, found.camera);
+  read_view(reader, found.view);
+  check_materials(reader, found.scene.materials);
+  if (const Status status = reader.status(); !status) return status;
+
+  const std::size_t needed =
+      scene_blob_memory(static_cast<std::uint32_t>(meshes.size()), static_cast<std::uint32_t>(textures.size()));
+  if (memory.size() < needed) {
+    const auto saturated = [](std::size_t bytes) {
+      return bytes < 0xFFFFFFFF ? static_cast<std::uint32_t>(bytes) : 0xFFFFFFFFU;
+    };
+    return {.error = Error::blob_memory, .needed = saturated(needed), .available = saturated(memory.size())};
+  }
+  if (reinterpret_cast<std::uintptr_t>(memory.data()) % kSceneBlobMemoryAlignment != 0) {
+    return {.error = Error::blob_alignment};
+  }
+  auto* const mesh_table = reinterpret_cast<Mesh*>(memory.data());
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    ::new (mesh_table + i) Mesh(read_mesh(reader, reader.offset_of(meshes[i])));
+  }
+  auto* const texture_table = reinterpret_cast<Texture*>(memory.data() + meshes.size() * sizeof(Mesh));
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    ::new (texture_table + i) Texture(read_texture(reader, reader.offset_of(textures[i])));
+  }
+  found.scene.meshes = {mesh_table, meshes.size()};
+  found.scene.textures = {texture_table, textures.size()};
+  if (const Status status = reader.status(); !status) return status;
+  if (const Status status = validate(found.scene); !status) return status;
+  if (!usable(found.camera)) return {.error = Error::camera};
+  opened = found;
+  return {};
+}
+
+}  // namespace zstrip

@@ -1,0 +1,41 @@
+// A baked scene as one piece of bytes (`zstrip bake MODEL -o scene.zsc`), used where it lies: in flash, in a file in
+// memory. docs/formats.md says what each byte means.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "zstrip/base/status.hpp"
+#include "zstrip/scene/camera.hpp"
+#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene/view.hpp"
+
+namespace zstrip {
+
+inline constexpr std::uint8_t kSceneBlobVersion = 1;
+inline constexpr std::uint32_t kSceneBlobAlignment = 4;  ///< of the blob's first byte
+
+/// What a blob holds. `scene` reads the blob and the memory lent to open_scene_blob: both must outlive it, unchanged.
+struct SceneBlob {
+  Scene scene;
+  Camera camera;
+  View view;  ///< the picture for which the camera was placed
+};
+
+/// Bytes to lend for the tables of this many meshes and textures, whose pointers only the running program knows.
+/// Vertices, triangles, texels, materials, instances and lights are not copied.
+constexpr std::size_t scene_blob_memory(std::uint32_t meshes, std::uint32_t textures) {
+  static_assert(alignof(Mesh) == alignof(Texture));
+  return std::size_t{meshes} * sizeof(Mesh) + std::size_t{textures} * sizeof(Texture);
+}
+inline constexpr std::size_t kSceneBlobMemoryAlignment = alignof(Mesh);
+
+/// Checks all of `blob`, checksum, offsets and scene (validate) included, and then makes `opened` a view of it. On an
+/// error `opened` stays as it was. Time: linear in the blob's size. Any bytes are safe.
+/// Errors: blob_alignment; blob_damaged (`needed`: the byte that is wrong; that after the last one if some are
+/// missing); blob_version (`needed`: its version, `available`: the one that is read here); blob_memory (`needed`,
+/// `available`: bytes of `memory`); camera; and those of validate.
+Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> memory, SceneBlob& opened);
+
+}  // namespace zstrip

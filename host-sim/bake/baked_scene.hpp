@@ -1,0 +1,25 @@
+// What is baked: a scene as it stands, the picture that it was placed for, and the plan of that picture.
+#pragma once
+
+#include <string>
+
+#include "zstrip/plan/plan.hpp"
+#include "zstrip/scene/camera.hpp"
+#include "zstrip/scene/effects.hpp"
+#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene/view.hpp"
+
+namespace zstrip::sim {
+
+/// Passes validate(); its views must outlive it.
+struct BakedScene {
+  std::string source;  ///< what it was made of, without folders, for comments
+  Scene scene;
+  Camera camera;
+  View view;
+  Effects effects;  ///< those that the scene calls for, and effect::bins if the plan needs it
+  Budget budget;    ///< with the strips of `plan`: the same plan comes out of it again
+  Plan plan;
+};
+
+}  // namespace zstrip::sim

@@ -1,0 +1,58 @@
+// Which effects a scene calls for, and what in it calls for each.
+#include "bake/effects_found.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace zstrip::sim {
+namespace {
+
+constexpr KnownEffect kKnown[] = {
+    {effect::lighting, "lighting", "lit, with normals"},
+    {effect::gouraud, "gouraud", "smooth shading"},
+    {effect::vertex_colours, "vertex_colours", "vertex colours"},
+    {effect::textures, "textures", "a texture and texture coordinates"},
+    {effect::orthographic, "orthographic", "the camera's parallel projection"},
+    {effect::depth_state, "depth_state", "a depth test, depth write or bias of its own"},
+    {effect::bins, "bins", "the plan transforms geometry only once (--mode)"},
+};
+
+/// An effect that a scene can call for and that is not known here would be missing in headers and reports.
+constexpr bool all_known() {
+  Effects known{};
+  for (const KnownEffect& each : kKnown) known = known | each.effect;
+  return known == (without(effect::all, effect::statistics) | effect::depth_state | effect::bins);
+}
+static_assert(all_known());
+
+std::string name_of(std::uint16_t material, std::span<const std::string> names) {
+  return material < names.size() && !names[material].empty() ? names[material] : fmt::format("number {}", material);
+}
+
+}  // namespace
+
+std::span<const KnownEffect> known_effects() { return kKnown; }
+
+std::vector<FoundEffect> find_effects(const Scene& scene, const Camera& camera, Effects effects,
+                                      std::span<const std::string> material_names) {
+  Camera perspective = camera;
+  perspective.projection = Projection::perspective;  // so that what is found is the material's doing
+  std::vector<FoundEffect> found;
+  for (const KnownEffect& known : kKnown) {
+    if (!effects.has(known.effect)) continue;
+    FoundEffect effect{known, {}};
+    std::set<std::string> seen;
+    for (const Instance& instance : scene.instances) {
+      Scene alone = scene;
+      alone.instances = {&instance, 1};
+      if (!effects_of(alone, perspective).has(known.effect)) continue;
+      const std::string name = name_of(instance.material, material_names);
+      if (seen.insert(name).second) effect.materials.push_back(name);
+    }
+    found.push_back(effect);
+  }
+  return found;
+}
+
+}  // namespace zstrip::sim

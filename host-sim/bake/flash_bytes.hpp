@@ -1,0 +1,30 @@
+// What a scene takes of the flash, by kind.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/scene/scene.hpp"
+
+namespace zstrip::sim {
+
+struct FlashBytes {
+  std::uint64_t positions = 0;
+  std::uint64_t normals = 0;
+  std::uint64_t colours = 0;
+  std::uint64_t texcoords = 0;
+  std::uint64_t triangles = 0;
+  std::uint64_t meshlets = 0;
+  std::uint64_t texels = 0;
+  std::uint64_t tables = 0;  ///< meshes, materials, textures, instances, lights, camera
+
+  std::uint64_t arrays() const { return positions + normals + colours + texcoords + triangles + meshlets + texels; }
+  std::uint64_t total() const { return arrays() + tables; }
+};
+
+/// The tables of meshes and textures, which hold pointers, with addresses of 32 bits: what a program lends for a blob.
+std::uint64_t table_bytes(const Scene& scene);
+
+/// As constants of a program for a processor with addresses of 32 bits, without what alignment adds.
+FlashBytes flash_bytes(const Scene& scene);
+
+}  // namespace zstrip::sim

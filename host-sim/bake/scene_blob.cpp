@@ -1,0 +1,179 @@
+// Writes a scene as a blob, value by value: no padding of a structure ever gets into a file.
+#include "bake/scene_blob.hpp"
+
+#include <zlib.h>
+
+#include <span>
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::size_t kMeshBytes = 76;
+constexpr std::size_t kTextureBytes = 12;
+
+class Writer {
+ public:
+  void byte(std::uint32_t value) { bytes_.push_back(static_cast<std::uint8_t>(value)); }
+  void half_word(std::uint32_t value) {
+    byte(value & 0xFF);
+    byte(value >> 8 & 0xFF);
+  }
+  void half_word(std::int16_t value) { half_word(std::uint32_t{static_cast<std::uint16_t>(value)}); }
+  void word(std::uint32_t value) {
+    half_word(value & 0xFFFF);
+    half_word(value >> 16);
+  }
+  void word(std::int32_t value) { word(static_cast<std::uint32_t>(value)); }
+  void zeros(std::size_t count) { bytes_.insert(bytes_.end(), count, 0); }
+
+  void put(const Vec3& v) {
+    word(v.x);
+    word(v.y);
+    word(v.z);
+  }
+  void put(const Colour& c) {
+    for (const std::uint8_t channel : {c.r, c.g, c.b, c.a}) byte(channel);
+  }
+  void put(const Position& p) {
+    for (const std::int16_t coordinate : {p.x, p.y, p.z}) half_word(coordinate);
+  }
+  void put(const Normal& n) {
+    for (const std::int8_t component : {n.x, n.y, n.z, n.unused}) byte(static_cast<std::uint8_t>(component));
+  }
+  void put(const TexCoord& t) {
+    half_word(t.u);
+    half_word(t.v);
+  }
+  void put(const Triangle& t) {
+    for (const std::uint32_t index : {t.a, t.b, t.c}) half_word(index);
+  }
+  void put(std::uint16_t texel) { half_word(std::uint32_t{texel}); }
+  void put(const Meshlet& m) {
+    word(m.first_triangle);
+    for (const std::uint32_t value : {m.first_vertex, m.vertex_count, m.triangle_count, m.radius}) half_word(value);
+    put(m.centre);
+    zeros(2);
+  }
+  void put(const Material& m) {
+    put(m.colour);
+    half_word(std::uint32_t{m.texture});
+    for (const bool flag : {m.lit, m.smooth, m.double_sided}) byte(flag ? 1 : 0);
+    byte(static_cast<std::uint8_t>(m.depth_test));
+    byte(m.depth_write ? 1 : 0);
+    zeros(1);
+    for (const std::int32_t bias : {m.depth_bias, m.depth_slope_bias, m.depth_bias_clamp}) word(bias);
+  }
+  void put(const Instance& instance) {
+    half_word(std::uint32_t{instance.mesh});
+    half_word(std::uint32_t{instance.material});
+    for (const auto& row : instance.transform.m) {
+      for (const Fixed value : row) word(value);
+    }
+  }
+  void put(const DirectionalLight& light) {
+    for (const std::int16_t component : {light.x, light.y, light.z}) half_word(component);
+    put(light.colour);
+  }
+  void put(const Camera& camera) {
+    for (const Vec3& vector : {camera.right, camera.up, camera.back, camera.eye}) put(vector);
+    for (const Fixed value : {camera.focal, camera.near_plane, camera.far_plane}) word(value);
+    byte(camera.projection == Projection::orthographic ? 1 : 0);
+    byte(camera.fixed_depth_range ? 1 : 0);
+    zeros(2);
+  }
+  void put(const View& view) {
+    half_word(std::uint32_t{view.width});
+    half_word(std::uint32_t{view.height});
+    byte(static_cast<std::uint8_t>(view.format));
+    zeros(3);
+  }
+
+  /// Writes the array here, and its offset and count at `entry`.
+  template <class Record>
+  void array(std::size_t entry, std::span<const Record> records) {
+    if (records.empty()) return;
+    place(entry, records.size());
+    for (const Record& record : records) put(record);
+    align();
+  }
+  /// Room for `count` records of `size` bytes, named at `entry`; where they begin.
+  std::size_t reserve(std::size_t entry, std::size_t count, std::size_t size) {
+    const std::size_t at = bytes_.size();
+    if (count > 0) place(entry, count);
+    zeros(count * size);
+    return at;
+  }
+  void word_at(std::size_t at, std::uint32_t value) {
+    for (std::size_t i = 0; i < 4; ++i) bytes_[at + i] = static_cast<std::uint8_t>(value >> 8 * i);
+  }
+  void byte_at(std::size_t at, std::uint8_t value) { bytes_[at] = value; }
+
+  std::vector<std::uint8_t>& bytes() { return bytes_; }
+
+ private:
+  void place(std::size_t entry, std::size_t count) {
+    word_at(entry, static_cast<std::uint32_t>(bytes_.size()));
+    word_at(entry + 4, static_cast<std::uint32_t>(count));
+  }
+  void align() { zeros((kSceneBlobAlignment - bytes_.size() % kSceneBlobAlignment) % kSceneBlobAlignment); }
+
+  std::vector<std::uint8_t> bytes_;
+};
+
+void write_mesh(Writer& writer, std::size_t at, const Mesh& mesh) {
+  writer.array(at, mesh.positions);
+  writer.array(at + 8, mesh.normals);
+  writer.array(at + 16, mesh.colours);
+  writer.array(at + 24, mesh.texcoords);
+  writer.array(at + 32, mesh.triangles);
+  writer.array(at + 40, mesh.meshlets);
+  std::size_t member = at + 48;
+  for (const Vec3& vector : {mesh.centre, mesh.half_extent}) {
+    for (const std::int32_t component : {vector.x, vector.y, vector.z}) {
+      writer.word_at(member, static_cast<std::uint32_t>(component));
+      member += 4;
+    }
+  }
+  writer.byte_at(at + 72, mesh.texcoord_bits);
+}
+
+void write_texture(Writer& writer, std::size_t at, const Texture& texture) {
+  writer.array(at, texture.texels);
+  writer.byte_at(at + 8, texture.log2_width);
+  writer.byte_at(at + 9, texture.log2_height);
+}
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
+  const Scene& scene = content.scene;
+  Writer writer;
+  for (const char letter : {'z', 's'}) writer.byte(static_cast<std::uint8_t>(letter));
+  writer.byte(kSceneBlobVersion);
+  writer.byte('s');
+  writer.zeros(48);  // size, checksum and arrays: set below
+  writer.put(scene.ambient);
+  writer.put(scene.background);
+  writer.put(content.camera);
+  writer.put(content.view);
+
+  const std::size_t meshes = writer.reserve(12, scene.meshes.size(), kMeshBytes);
+  writer.array(20, scene.materials);
+  const std::size_t textures = writer.reserve(28, scene.textures.size(), kTextureBytes);
+  writer.array(36, scene.instances);
+  writer.array(44, scene.lights);
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) write_mesh(writer, meshes + i * kMeshBytes, scene.meshes[i]);
+  for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+    write_texture(writer, textures + i * kTextureBytes, scene.textures[i]);
+  }
+
+  std::vector<std::uint8_t>& bytes = writer.bytes();
+  if (bytes.size() > 0xFFFFFFFF) return Failure{ExitStatus::input, "takes more than 4 GB; simplify the model"};
+  writer.word_at(4, static_cast<std::uint32_t>(bytes.size()));
+  constexpr std::size_t kChecked = 12;
+  writer.word_at(
+      8, static_cast<std::uint32_t>(crc32_z(crc32_z(0, nullptr, 0), bytes.data() + kChecked, bytes.size() - kChecked)));
+  return std::move(bytes);
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,15 @@
+// Writes a scene as a blob that open_scene_blob uses in place; docs/formats.md says what each byte means.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "result.hpp"
+#include "zstrip/scene/scene_blob.hpp"
+
+namespace zstrip::sim {
+
+/// The same scene, camera and view always give the same bytes. Fails only beyond 4 GB.
+Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,243 @@
+// Writes a scene as a C++ header of constants.
+#include "bake/scene_header.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "bake/effects_found.hpp"
+#include "report/frame_record.hpp"
+#include "report/number.hpp"
+#include "report/text.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+std::string literal(const Vec3& v) { return fmt::format("{{{}, {}, {}}}", v.x, v.y, v.z); }
+std::string literal(const Colour& c) { return fmt::format("{{{}, {}, {}, {}}}", c.r, c.g, c.b, c.a); }
+std::string literal(const Position& p) { return fmt::format("{{{}, {}, {}}}", p.x, p.y, p.z); }
+std::string literal(const Normal& n) { return fmt::format("{{{}, {}, {}, {}}}", n.x, n.y, n.z, n.unused); }
+std::string literal(const TexCoord& t) { return fmt::format("{{{}, {}}}", t.u, t.v); }
+std::string literal(const Triangle& t) { return fmt::format("{{{}, {}, {}}}", t.a, t.b, t.c); }
+std::string literal(std::uint16_t texel) { return fmt::format("0x{:04X}", texel); }
+std::string literal(const Meshlet& m) {
+  return fmt::format("{{{}, {}, {}, {}, {}, {}}}", m.first_triangle, m.first_vertex, m.vertex_count, m.triangle_count,
+                     m.radius, literal(m.centre));
+}
+std::string literal(const Material& m) {
+  std::string text = fmt::format("{{.colour = {}", literal(m.colour));
+  if (m.texture != kNoTexture) text += fmt::format(", .texture = {}", m.texture);
+  text += fmt::format(", .lit = {}, .smooth = {}, .double_sided = {}", m.lit, m.smooth, m.double_sided);
+  if (has_depth_state(m)) {
+    text += fmt::format(
+        ", .depth_test = zstrip::DepthTest{{{}}}, .depth_write = {}, .depth_bias = {}, .depth_slope_bias = {}, "
+        ".depth_bias_clamp = {}",
+        static_cast<int>(m.depth_test), m.depth_write, m.depth_bias, m.depth_slope_bias, m.depth_bias_clamp);
+  }
+  return text + '}';
+}
+std::string literal(const Transform& transform) {
+  std::string rows;
+  for (const auto& row : transform.m) {
+    rows += fmt::format("{}{{{}, {}, {}, {}}}", rows.empty() ? "" : ", ", row[0], row[1], row[2], row[3]);
+  }
+  return fmt::format("{{{{{}}}}}", rows);
+}
+std::string literal(const Instance& instance) {
+  return fmt::format("{{.mesh = {}, .material = {}, .transform = {}}}", instance.mesh, instance.material,
+                     literal(instance.transform));
+}
+std::string literal(const DirectionalLight& light) {
+  return fmt::format("{{.x = {}, .y = {}, .z = {}, .colour = {}}}", light.x, light.y, light.z, literal(light.colour));
+}
+
+std::string literal(Effects effects) {
+  std::string text;
+  for (const KnownEffect& known : known_effects()) {
+    if (effects.has(known.effect)) text += fmt::format("{}zstrip::effect::{}", text.empty() ? "" : " | ", known.name);
+  }
+  return text.empty() ? "zstrip::Effects{}" : text;
+}
+
+/// Builds the text; knows the names that it has given.
+class Header {
+ public:
+  explicit Header(const BakedScene& baked) : baked_(baked), scene_(baked.scene) {}
+
+  std::string text(const std::string& name_space) {
+    comment(name_space);
+    line("#pragma once\n");
+    for (const char* header : {"base/status.hpp", "plan/plan.hpp", "scene/camera.hpp", "scene/effects.hpp",
+                               "scene/scene.hpp", "scene/view.hpp"}) {
+      line(fmt::format("#include \"zstrip/{}\"", header));
+    }
+    line(fmt::format("\nnamespace {} {{\n", name_space));
+    data();
+    scene();
+    camera();
+    plan();
+    line(fmt::format("\n}}  // namespace {}", name_space));
+    return std::move(text_);
+  }
+
+ private:
+  void line(std::string_view text) {
+    text_ += text;
+    text_ += '\n';
+  }
+
+  void comment(const std::string& name_space) {
+    const SceneCounts counts = count(scene_);
+    line(fmt::format("// A scene for zstrip, baked from {}: {} in {}, {}.", printable(baked_.source),
+                     counted(counts.triangles, "triangle"), counted(counts.meshlets, "meshlet"),
+                     counted(counts.instances, "instance")));
+    line(fmt::format("// Written by `zstrip bake`: bake again rather than edit. Placed for {}x{} pixels, {}.",
+                     baked_.view.width, baked_.view.height, name(baked_.view.format)));
+    line("//");
+    for (const char* usage :
+         {"#include \"zstrip/zstrip.hpp\"",
+          "alignas(zstrip::kArenaAlignment) std::array<std::byte, @kPlan.bytes()> arena;",
+          "alignas(4) std::array<std::byte, @kPlan.strip_pixel_bytes(@kView)> pixels;",
+          "zstrip::Renderer<@kEffects> renderer;", "",
+          "renderer.begin_frame(@kScene, @kCamera, @kView, @kPlan, arena);",
+          "for (std::uint16_t strip = 0; strip < @kPlan.strips; ++strip) {", "  renderer.draw_strip(strip, pixels);",
+          "  // @kPlan.strip_area(strip, @kView) of the picture is in `pixels`: send it to the display.", "}"}) {
+      std::string text = usage;
+      for (std::size_t at = 0; (at = text.find('@')) != std::string::npos;) text.replace(at, 1, name_space + "::");
+      line(text.empty() ? "//" : "//     " + text);
+    }
+    line("//");
+    line(
+        "// begin_frame and draw_strip return a Status: look at it. To move the scene, copy kInstances into RAM, "
+        "change");
+    line("// the transforms there, and begin the frame with a copy of kScene whose `instances` are yours.");
+  }
+
+  /// An array of these records, or nothing; gives the expression that names it.
+  template <class Record>
+  std::string array(const std::string& type, const std::string& name, std::span<const Record> records) {
+    if (records.empty()) return "{}";
+    constexpr std::size_t kWidth = 118;
+    text_ += fmt::format("inline constexpr {} {}[{}] = {{\n   ", type, name, records.size());
+    std::size_t column = 3;
+    for (const Record& record : records) {
+      const std::string text = literal(record);
+      if (column + text.size() + 2 > kWidth && column > 3) {
+        text_ += "\n   ";
+        column = 3;
+      }
+      text_ += ' ' + text + ',';
+      column += text.size() + 2;
+    }
+    text_.back() = '}';
+    line(";");
+    return name;
+  }
+
+  void data() {
+    for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
+      const Mesh& mesh = scene_.meshes[i];
+      const auto name = [i](const char* what) { return fmt::format("k{}{}", what, i); };
+      meshes_ += "    {.positions = " + array("zstrip::Position", name("Positions"), mesh.positions);
+      meshes_ += ",\n     .normals = " + array("zstrip::Normal", name("Normals"), mesh.normals);
+      meshes_ += ",\n     .colours = " + array("zstrip::Colour", name("Colours"), mesh.colours);
+      meshes_ += ",\n     .texcoords = " + array("zstrip::TexCoord", name("Texcoords"), mesh.texcoords);
+      meshes_ += ",\n     .triangles = " + array("zstrip::Triangle", name("Triangles"), mesh.triangles);
+      meshes_ += ",\n     .meshlets = " + array("zstrip::Meshlet", name("Meshlets"), mesh.meshlets);
+      meshes_ += fmt::format(",\n     .centre = {},\n     .half_extent = {},\n     .texcoord_bits = {}}},\n",
+                             literal(mesh.centre), literal(mesh.half_extent), mesh.texcoord_bits);
+    }
+    for (std::size_t i = 0; i < scene_.textures.size(); ++i) {
+      const Texture& texture = scene_.textures[i];
+      const std::string texels = array("std::uint16_t", fmt::format("kTexels{}", i), texture.texels);
+      textures_ += fmt::format("    {{.texels = {}, .log2_width = {}, .log2_height = {}}},\n", texels,
+                               texture.log2_width, texture.log2_height);
+    }
+  }
+
+  void scene() {
+    std::string meshes = "{}", textures = "{}";
+    if (!meshes_.empty()) {
+      meshes = "kMeshes";
+      line(fmt::format("\ninline constexpr zstrip::Mesh kMeshes[{}] = {{\n{}}};", scene_.meshes.size(), meshes_));
+    }
+    if (!textures_.empty()) {
+      textures = "kTextures";
+      line(
+          fmt::format("inline constexpr zstrip::Texture kTextures[{}] = {{\n{}}};", scene_.textures.size(), textures_));
+    }
+    const std::string materials = array("zstrip::Material", "kMaterials", scene_.materials);
+    const std::string instances = array("zstrip::Instance", "kInstances", scene_.instances);
+    const std::string lights = array("zstrip::DirectionalLight", "kLights", scene_.lights);
+    line(fmt::format(
+        "\ninline constexpr zstrip::Scene kScene{{.meshes = {},\n{pad}.materials = {},\n{pad}.textures = {},\n"
+        "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}}};",
+        meshes, materials, textures, instances, lights, literal(scene_.ambient), literal(scene_.background),
+        fmt::arg("pad", "                                      ")));
+  }
+
+  void camera() {
+    const Camera& c = baked_.camera;
+    line(fmt::format(
+        "\ninline constexpr zstrip::Camera kCamera{{.right = {},  // 2.30\n{pad}.up = {},\n{pad}.back = {},\n"
+        "{pad}.eye = {},  // 16.16, as all below\n{pad}.focal = {},\n{pad}.near_plane = {},\n{pad}.far_plane = {},\n"
+        "{pad}.projection = zstrip::Projection::{},\n{pad}.fixed_depth_range = {}}};",
+        literal(c.right), literal(c.up), literal(c.back), literal(c.eye), c.focal, c.near_plane, c.far_plane,
+        c.projection == Projection::orthographic ? "orthographic" : "perspective", c.fixed_depth_range,
+        fmt::arg("pad", "                                        ")));
+  }
+
+  void plan() {
+    const Budget& budget = baked_.budget;
+    line(
+        fmt::format("\n/// The picture that camera and plan are for.\n"
+                    "inline constexpr zstrip::View kView{{{}, {}, zstrip::PixelFormat::{}}};",
+                    baked_.view.width, baked_.view.height, name(baked_.view.format)));
+    line(
+        fmt::format("/// All that the scene calls for{}: the one pipeline to instantiate.\n"
+                    "inline constexpr zstrip::Effects kEffects = {};",
+                    baked_.effects.has(effect::bins) ? ", and bins for the plan" : "", literal(baked_.effects)));
+    line(fmt::format("static_assert(kEffects == ({}));",
+                     baked_.effects.has(effect::bins) ? "zstrip::effects_of(kScene, kCamera) | zstrip::effect::bins"
+                                                      : "zstrip::effects_of(kScene, kCamera)"));
+    line("inline constexpr zstrip::SceneCounts kCounts = zstrip::count(kScene);");
+    line(fmt::format(
+        "/// What --ram and the other options allowed, and the strips that were chosen for it: {} of arena and {} for\n"
+        "/// each of {}.\n"
+        "inline constexpr zstrip::Budget kBudget{{.bytes = {},\n{pad}.strip_rows = {},\n{pad}.strip_columns = {},\n"
+        "{pad}.split_columns = {},\n{pad}.strip_buffers = {},\n{pad}.modes = zstrip::Modes::{}}};",
+        counted(baked_.plan.bytes(), "byte"), grouped(baked_.plan.strip_pixel_bytes(baked_.view)),
+        counted(budget.strip_buffers, "strip buffer"), budget.bytes, budget.strip_rows, budget.strip_columns,
+        budget.split_columns, budget.strip_buffers, budget.modes == Modes::binned ? "binned" : "streamed",
+        fmt::arg("pad", "                                        ")));
+    line(
+        "inline constexpr zstrip::PlanResult kPlanned = zstrip::plan(kCounts, kView, kEffects, kBudget);\n"
+        "static_assert(kPlanned.status, \"the picture does not fit the bytes of kBudget\");\n"
+        "inline constexpr zstrip::Plan kPlan = kPlanned.plan;");
+  }
+
+  const BakedScene& baked_;
+  const Scene& scene_;
+  std::string text_, meshes_, textures_;
+};
+
+}  // namespace
+
+bool is_namespace(const std::string& name) {
+  const auto lower = [](char c) { return c >= 'a' && c <= 'z'; };
+  if (name.empty() || !lower(name[0]) || name.back() == '_' || name.find("__") != std::string::npos) return false;
+  const auto allowed = [&](char c) { return lower(c) || (c >= '0' && c <= '9') || c == '_'; };
+  constexpr std::array<std::string_view, 2> kTaken{"std", "zstrip"};
+  return std::all_of(name.begin(), name.end(), allowed) &&
+         std::find(kTaken.begin(), kTaken.end(), name) == kTaken.end();
+}
+
+std::string to_scene_header(const BakedScene& baked, const std::string& name_space) {
+  return Header(baked).text(name_space);
+}
+
+}  // namespace zstrip::sim

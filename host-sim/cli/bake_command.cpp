@@ -1,0 +1,189 @@
+// `zstrip bake`: a scene as constants for firmware, or as a blob that is used where it lies.
+#include "cli/bake_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bake/baked_scene.hpp"
+#include "bake/effects_found.hpp"
+#include "bake/flash_bytes.hpp"
+#include "bake/scene_blob.hpp"
+#include "bake/scene_header.hpp"
+#include "cli/camera_arguments.hpp"
+#include "cli/output_names.hpp"
+#include "cli/plan_arguments.hpp"
+#include "cli/print.hpp"
+#include "image/write_file.hpp"
+#include "render/stage.hpp"
+#include "report/bake_report.hpp"
+#include "report/text.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+/// As given on the command line.
+struct Arguments {
+  std::string scene;
+  std::string output;
+  PlanArguments plan{.mode = "streamed"};
+  CameraArguments camera;
+  bool turntable = false;
+  std::string name_space = kDefaultNamespace;
+  std::optional<std::string> json;
+  bool quiet = false;
+};
+
+enum class Kind { header, blob };
+
+Result<Kind> kind_of(const std::string& output) {
+  const std::string extension = std::filesystem::path(output).extension().string();
+  if (extension == ".hpp" || extension == ".h") return Kind::header;
+  if (extension == ".zsc") return Kind::blob;
+  return Failure{ExitStatus::usage,
+                 fmt::format("-o '{}' must end in .hpp (C++ constants) or .zsc (a blob used in place)", output)};
+}
+
+std::span<const std::uint8_t> bytes_of(const std::string& text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+/// The scene at rest, planned.
+Result<BakedScene> bake(const std::string& scene, const Staging& staging, const PlanRequest& request) {
+  const Result<Plan> plan = best_plan(staging, request);
+  if (!plan) return plan.failure();
+  BakedScene baked{.source = std::filesystem::path(scene).filename().string(),
+                   .scene = staging.scene,
+                   .camera = staging.camera,
+                   .view = request.view,
+                   .effects = effects_of(staging.scene, staging.camera),
+                   .budget = request.budget,
+                   .plan = *plan};
+  const bool binned = plan->mode == Mode::binned;
+  if (binned) baked.effects = baked.effects | effect::bins;
+  baked.budget.modes = binned ? Modes::binned : Modes::streamed;
+  baked.budget.strip_rows = plan->strip_rows;
+  baked.budget.strip_columns = plan->strip_columns;
+  return baked;
+}
+
+BakeRecord describe(const Arguments& arguments, const Stage& stage, const BakedScene& baked) {
+  const Model* model = stage.model();
+  BakeRecord record{.scene = arguments.scene,
+                    .output = arguments.output,
+                    .view = baked.view,
+                    .materials = baked.scene.materials.size(),
+                    .counts = count(baked.scene),
+                    .flash = flash_bytes(baked.scene),
+                    .accuracy = {},
+                    .effects = find_effects(baked.scene, baked.camera, baked.effects,
+                                            model != nullptr ? model->material_names : std::vector<std::string>{}),
+                    .plan = baked.plan,
+                    .strip_buffers = baked.budget.strip_buffers,
+                    .lent_bytes = {},
+                    .warnings = stage.warnings()};
+  if (model != nullptr) record.accuracy = model->accuracy;
+  return record;
+}
+
+Result<Done> write_blob(const BakedScene& baked, const std::string& output, BakeRecord& record) {
+  const Result<std::vector<std::uint8_t>> blob =
+      to_scene_blob({.scene = baked.scene, .camera = baked.camera, .view = baked.view});
+  if (!blob) return Failure{blob.failure().status, fmt::format("'{}' {}", record.scene, blob.failure().message)};
+  record.flash.tables = blob->size() - record.flash.arrays();
+  record.lent_bytes = table_bytes(baked.scene);
+  return write_file(output, *blob, "-o");
+}
+
+Result<Done> report(const BakeRecord& record, const Arguments& arguments) {
+  const bool json_on_stdout = arguments.json && (*arguments.json == "-" || is_standard_output(*arguments.json));
+  if (json_on_stdout) write_text(stdout, bake_json(record));  // main looks at the stream's state
+  if (arguments.json && !json_on_stdout) {
+    const Result<Done> written = write_file(*arguments.json, bytes_of(bake_json(record)), "--json");
+    if (!written) return written.failure();
+  }
+  if (arguments.quiet) return Done{};
+  if (!write_text(json_on_stdout ? stderr : stdout, bake_summary(record)) && json_on_stdout) {
+    return Failure{ExitStatus::output, "cannot write the summary to standard error; is the disk full?"};
+  }
+  return Done{};
+}
+
+Result<Done> run(const Arguments& arguments) {
+  const Result<Kind> kind = kind_of(arguments.output);
+  if (!kind) return kind.failure();
+  if (!is_namespace(arguments.name_space)) {
+    return Failure{ExitStatus::usage,
+                   fmt::format("--namespace '{}' must be lower case letters, digits and single underscores between "
+                               "them, and neither std nor zstrip",
+                               arguments.name_space)};
+  }
+  const Result<PlanRequest> request = parse_plan(arguments.plan);
+  if (!request) return request.failure();
+  const Result<UpAxis> up = parse_up(arguments.camera, arguments.scene);
+  if (!up) return up.failure();
+  const Result<CameraOptions> camera = parse_camera(arguments.camera, arguments.scene);
+  if (!camera) return camera.failure();
+  const bool built_in = kind_of_scene(arguments.scene) == SceneKind::built_in;
+  OutputNames outputs;
+  outputs.path = arguments.output;
+  const Result<Done> distinct = check_distinct(outputs, arguments.json, built_in ? "" : arguments.scene);
+  if (!distinct) return distinct.failure();
+
+  const std::uint32_t angles = arguments.turntable ? 2 : 1;  // more than one: every angle must fit
+  const Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, *up, *camera, request->view, angles);
+  if (!stage) return stage.failure();
+  for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
+  const Result<Staging> staging = (*stage)->place(0, angles);
+  if (!staging) return staging.failure();
+  const Result<BakedScene> baked = bake(arguments.scene, *staging, *request);
+  if (!baked) return baked.failure();
+  BakeRecord record = describe(arguments, **stage, *baked);
+  const Result<Done> written =
+      *kind == Kind::blob ? write_blob(*baked, arguments.output, record)
+                          : write_file(arguments.output, bytes_of(to_scene_header(*baked, arguments.name_space)), "-o");
+  if (!written) return written.failure();
+  return report(record, arguments);
+}
+
+}  // namespace
+
+void add_bake_command(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("bake", "Write a model for firmware: as C++ constants, or a blob for flash");
+  const auto arguments = std::make_shared<Arguments>();
+  Arguments& a = *arguments;
+  command->add_option("scene", a.scene, "A model (.obj .gltf .glb .stl .ply .3ds .dae ...), a built-in or baked scene")
+      ->required()
+      ->type_name("SCENE");
+  command->add_option("-o,--output", a.output, "The file to write: .hpp for C++ constants, .zsc for a blob")
+      ->required()
+      ->type_name("FILE");
+  add_plan_options(*command, a.plan);
+  add_camera_options(*command, a.camera);
+  command->add_flag("--turntable", a.turntable, "Place the camera so that the model may turn, as for several frames");
+  command->add_option("--namespace", a.name_space, "Where a header's constants are, for several in one program")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command->add_option("--json", a.json, "Write the report as JSON; - is standard output")->type_name("FILE|-");
+  command->add_flag("--quiet", a.quiet, "No report in words; warnings and errors remain");
+  command->footer(
+      "Examples:\n"
+      "  zstrip bake model.glb -o scene.hpp --size 128x64 --format gray4 --ram 40K\n"
+      "  zstrip bake model.glb -o scene.hpp --size 240x240 --format rgb565_swapped --ram 14K --split-columns "
+      "--turntable\n"
+      "  zstrip bake model.obj -o scene.zsc --size 320x240\n"
+      "  zstrip render scene.zsc --size 320x240");
+  command->callback([arguments, &exit_code] {
+    const Result<Done> done = run(*arguments);
+    exit_code = done ? static_cast<int>(ExitStatus::ok) : print_failure(done.failure());
+  });
+}
+
+}  // namespace zstrip::sim

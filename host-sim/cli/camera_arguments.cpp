@@ -1,0 +1,85 @@
+// The options that place the camera and turn the model upright.
+#include "cli/camera_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+
+#include "cli/parse.hpp"
+#include "render/stage.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+Failure usage(std::string message) { return {ExitStatus::usage, std::move(message)}; }
+
+}  // namespace
+
+void add_camera_options(CLI::App& command, CameraArguments& arguments) {
+  CameraArguments& a = arguments;
+  command
+      .add_option("--up", a.up, "A model's axis that points upwards: x, -x, y (default), -y, z, -z; some .3ds need -z")
+      ->type_name("AXIS");
+  command.add_option("--camera", a.camera, "A camera of a glTF 2.0 file, by its name")->type_name("NAME");
+  command.add_option("--eye", a.eye, "Where the camera is, in the model's units")->type_name("X,Y,Z");
+  command.add_option("--look-at", a.look_at, "What it looks at (default: the model's centre)")->type_name("X,Y,Z");
+  command
+      .add_option("--orbit", a.orbit,
+                  "Camera on a sphere around that point: radius, degrees from the front, from above")
+      ->type_name("R,PHI,THETA");
+  command
+      .add_option("--fov", a.field_of_view,
+                  "Vertical field of view, 1 to 170 (default: 30, or a built-in or baked scene's own)")
+      ->type_name("DEGREES");
+  command.add_flag("--ortho", a.orthographic, "Parallel instead of perspective projection");
+}
+
+Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::string& scene) {
+  CameraOptions camera;
+  const auto vector = [](const char* option, const std::optional<std::string>& text,
+                         std::optional<std::array<double, 3>>& to) -> Result<Done> {
+    if (!text) return Done{};
+    const Result<std::array<double, 3>> parsed = parse_vector(option, *text);
+    if (!parsed) return parsed.failure();
+    to = *parsed;
+    return Done{};
+  };
+  std::optional<std::array<double, 3>> orbit;
+  for (const Result<Done>& parsed :
+       {vector("--eye", arguments.eye, camera.eye), vector("--look-at", arguments.look_at, camera.look_at),
+        vector("--orbit", arguments.orbit, orbit)}) {
+    if (!parsed) return parsed.failure();
+  }
+  if (orbit) camera.orbit = Orbit{(*orbit)[0], (*orbit)[1], (*orbit)[2]};
+  if (camera.orbit && !(camera.orbit->radius > 0)) return usage("--orbit: the radius must be greater than 0");
+  if (camera.eye && camera.orbit) return usage("--eye and --orbit both place the camera; give one of them");
+  if (camera.look_at && !camera.placed()) return usage("--look-at needs --eye or --orbit");
+  camera.field_of_view = arguments.field_of_view;
+  if (camera.field_of_view && !(*camera.field_of_view >= 1 && *camera.field_of_view <= 170)) {
+    return usage("--fov must be 1 to 170 degrees");
+  }
+  camera.orthographic = arguments.orthographic;
+  camera.name = arguments.camera;
+  if (camera.name && (camera.placed() || camera.field_of_view || camera.orthographic)) {
+    return usage("--camera says all about the camera; leave --eye, --orbit, --fov and --ortho out");
+  }
+  if (camera.name && kind_of_scene(scene) != SceneKind::model) {
+    return usage(fmt::format("--camera is for model files; '{}' is none", scene));
+  }
+  return camera;
+}
+
+Result<UpAxis> parse_up(const CameraArguments& arguments, const std::string& scene) {
+  if (!arguments.up) return UpAxis::plus_y;
+  const Result<UpAxis> up = parse_up_axis(*arguments.up);
+  if (!up) return up.failure();
+  switch (kind_of_scene(scene)) {
+    case SceneKind::built_in: return usage(fmt::format("--up is for model files; '{}' is a built-in scene", scene));
+    case SceneKind::baked: return usage(fmt::format("--up is for model files; '{}' is a baked scene", scene));
+    case SceneKind::model: break;
+  }
+  return *up;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,119 @@
+// A baked scene (.zsc) as something to render.
+#include "render/blob_stage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "import/read_file.hpp"
+#include "zstrip/scene/scene_blob.hpp"
+#include "zstrip_scenes/stage.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+std::string reason(const Status& status) {
+  switch (status.error) {
+    case Error::blob_damaged: return fmt::format("is no whole baked scene (byte {}); bake it again", status.needed);
+    case Error::blob_version:
+      return fmt::format("is a baked scene of version {}, and this zstrip reads version {}; bake it again",
+                         status.needed, status.available);
+    default:
+      return fmt::format("is a baked scene that cannot be drawn: {} (number {}); bake it again", message(status.error),
+                         status.needed);
+  }
+}
+
+/// As much from side to side as the blob's own picture shows, where `view` is narrower.
+Camera fit_width(Camera camera, const View& own, const View& view) {
+  const std::uint64_t ratio = std::uint64_t{view.width} * own.height;
+  const std::uint64_t own_ratio = std::uint64_t{own.width} * view.height;
+  if (ratio < own_ratio) {
+    const std::uint64_t focal = static_cast<std::uint64_t>(camera.focal) * ratio / own_ratio;
+    camera.focal = static_cast<Fixed>(std::max<std::uint64_t>(focal, 1));
+  }
+  return camera;
+}
+
+bool can_turn(const Transform& transform) {
+  return std::all_of(std::begin(transform.m), std::end(transform.m), [](const Fixed(&row)[4]) {
+    return row[3] >= -scenes::kFarthestTurned && row[3] <= scenes::kFarthestTurned;
+  });
+}
+
+class BlobStage : public Stage {
+ public:
+  explicit BlobStage(std::vector<std::uint8_t> bytes) : bytes_(std::move(bytes)) {}
+  BlobStage(const BlobStage&) = delete;
+  BlobStage& operator=(const BlobStage&) = delete;
+
+  Status open() {
+    Status status = open_with(0);
+    if (status.error == Error::blob_memory) status = open_with(status.needed);
+    return status;
+  }
+
+  Result<Done> set_camera(const CameraOptions& options, const View& view) {
+    const Result<Camera> camera = options.placed()
+                                      ? place_camera(options, Units{}, radius_about_origin(blob_.scene))
+                                      : change_projection(fit_width(blob_.camera, blob_.view, view), options);
+    if (!camera) return camera.failure();
+    camera_ = *camera;
+    return Done{};
+  }
+
+  Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
+    instances_.assign(blob_.scene.instances.begin(), blob_.scene.instances.end());
+    if (frame % frames != 0) {
+      for (Instance& instance : instances_) {
+        if (!can_turn(instance.transform)) {
+          return Failure{ExitStatus::input, "an instance of the baked scene is too far away to turn; render one frame"};
+        }
+        instance.transform = scenes::turned(instance.transform, frame, frames);
+      }
+    }
+    Scene scene = blob_.scene;
+    scene.instances = instances_;
+    return Staging{scene, camera_};
+  }
+
+  std::unique_ptr<Stage> copy() const override {
+    auto stage = std::make_unique<BlobStage>(bytes_);
+    stage->open();  // as it did before
+    stage->camera_ = camera_;
+    return stage;
+  }
+
+  const std::vector<std::string>& warnings() const override { return warnings_; }
+
+ private:
+  Status open_with(std::size_t memory) {
+    memory_.resize((memory + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t));
+    return open_scene_blob(std::as_bytes(std::span(bytes_)), std::as_writable_bytes(std::span(memory_)), blob_);
+  }
+
+  std::vector<std::uint8_t> bytes_;
+  std::vector<std::uint64_t> memory_;
+  SceneBlob blob_;
+  Camera camera_;
+  std::vector<Instance> instances_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Stage>> open_blob_stage(const std::string& path, const CameraOptions& options,
+                                               const View& view) {
+  Result<std::vector<std::uint8_t>> bytes = read_file(path);
+  if (!bytes) return Failure{ExitStatus::input, fmt::format("'{}' {}", path, bytes.failure().message)};
+  auto stage = std::make_unique<BlobStage>(std::move(*bytes));
+  if (const Status status = stage->open(); !status) {
+    return Failure{ExitStatus::input, fmt::format("'{}' {}", path, reason(status))};
+  }
+  if (const Result<Done> camera = stage->set_camera(options, view); !camera) return camera.failure();
+  return std::unique_ptr<Stage>(std::move(stage));
+}
+
+}  // namespace zstrip::sim

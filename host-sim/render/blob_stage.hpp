@@ -1,0 +1,15 @@
+// A baked scene (.zsc) as something to render: opened in place, turned about the y axis.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "render/stage.hpp"
+
+namespace zstrip::sim {
+
+/// The camera is the blob's own, unless the options place another (in the scene's units) or change its projection. In a
+/// picture narrower than the one that the blob was baked for it shows as much from side to side.
+Result<std::unique_ptr<Stage>> open_blob_stage(const std::string& path, const CameraOptions& options, const View& view);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,139 @@
+// The report of `zstrip bake`: bytes by kind and what they cost in accuracy, effects and why, the plan.
+#include "report/bake_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "report/frame_record.hpp"
+#include "report/number.hpp"
+#include "report/plan_words.hpp"
+#include "report/text.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// "1/43,690", of something above 0.
+std::string fraction(double part, double whole) {
+  return fmt::format("1/{}", grouped(static_cast<std::uint64_t>(std::llround(whole / part))));
+}
+
+/// "at most 0.38 degrees off", or "exact".
+std::string off_words(double worst, const char* unit) {
+  return worst == 0 ? "exact" : fmt::format("at most {:.2g} {} off", worst, unit);
+}
+
+std::string position_words(const Accuracy& accuracy) {
+  if (accuracy.position == 0) return "exact";
+  return fmt::format("at most {:.3g} units off, {} of the model's size of {:.4g}", accuracy.position,
+                     fraction(accuracy.position, accuracy.size), accuracy.size);
+}
+
+std::string flash_lines(const BakeRecord& record) {
+  const FlashBytes& flash = record.flash;
+  std::string text;
+  const auto add = [&text](std::uint64_t bytes, const char* kind, const std::string& words) {
+    if (bytes > 0) text += fmt::format("{:>21}  {}{}{}\n", grouped(bytes), kind, words.empty() ? "" : ": ", words);
+  };
+  const bool known = record.accuracy.has_value();
+  const Accuracy accuracy = record.accuracy.value_or(Accuracy{});
+  add(flash.positions, "positions", known ? position_words(accuracy) : "");
+  add(flash.normals, "normals", known ? off_words(accuracy.normal, "degrees") : "");
+  add(flash.colours, "vertex colours", "");
+  add(flash.texcoords, "texture coordinates", known ? off_words(accuracy.texcoord, "texels") : "");
+  add(flash.triangles, "triangles", "");
+  add(flash.meshlets, "meshlets", "");
+  add(flash.texels, "textures, RGB565", known ? "a channel " + off_words(100 * accuracy.texel, "%") : "");
+  add(flash.tables, "tables of meshes, materials, textures, instances and lights, camera", "");
+  return text;
+}
+
+std::string effect_lines(const BakeRecord& record) {
+  std::string text;
+  for (const FoundEffect& found : record.effects) {
+    std::string why = found.effect.reason;
+    if (!found.materials.empty()) why += fmt::format(": material '{}'", printable(found.materials.front()));
+    if (found.materials.size() > 1) why += fmt::format(" and {} more", grouped(found.materials.size() - 1));
+    text += fmt::format("  {:<10} {}: {}\n", text.empty() ? "effects" : "", found.effect.name, why);
+  }
+  return text.empty() ? "  effects    none\n" : text;
+}
+
+}  // namespace
+
+std::string bake_summary(const BakeRecord& record) {
+  const SceneCounts& counts = record.counts;
+  std::string text = fmt::format("{}: {} in {}, {}, {}\n", printable(record.scene),
+                                 counted(counts.triangles, "triangle"), counted(counts.meshlets, "meshlet"),
+                                 counted(counts.instances, "instance"), counted(record.materials, "material"));
+  text += fmt::format("  flash      {}\n", counted(record.flash.total(), "byte")) + flash_lines(record);
+  text += effect_lines(record);
+  text += fmt::format("  picture    {}x{}, {}; {}\n", record.view.width, record.view.height, name(record.view.format),
+                      shape(record.plan, record.view));
+  text += fmt::format("  RAM        {}{}\n", memory(record.plan, record.plan.strip_pixel_bytes(record.view)),
+                      record.strip_buffers == 2 ? ", twice" : "");
+  if (record.lent_bytes) {
+    text += fmt::format("             and {} to lend for the tables (with addresses of 32 bits)\n",
+                        counted(*record.lent_bytes, "byte"));
+  }
+  text += fmt::format("  written    {}\n", printable(record.output));
+  return text;
+}
+
+std::string bake_json(const BakeRecord& record) {
+  const FlashBytes& flash = record.flash;
+  const SceneCounts& counts = record.counts;
+  const Plan& plan = record.plan;
+  Json object = {{"scene", record.scene},
+                 {"output", record.output},
+                 {"width", record.view.width},
+                 {"height", record.view.height},
+                 {"format", name(record.view.format)},
+                 {"warnings", record.warnings},
+                 {"counts",
+                  {{"instances", counts.instances},
+                   {"materials", record.materials},
+                   {"triangles", counts.triangles},
+                   {"vertices", counts.vertices},
+                   {"meshlets", counts.meshlets}}},
+                 {"flash_bytes",
+                  {{"positions", flash.positions},
+                   {"normals", flash.normals},
+                   {"colours", flash.colours},
+                   {"texcoords", flash.texcoords},
+                   {"triangles", flash.triangles},
+                   {"meshlets", flash.meshlets},
+                   {"textures", flash.texels},
+                   {"tables", flash.tables},
+                   {"total", flash.total()}}}};
+  object["accuracy"] = nullptr;
+  if (const auto& accuracy = record.accuracy) {
+    object["accuracy"] = {{"size", accuracy->size},
+                          {"position", accuracy->position},
+                          {"normal_degrees", accuracy->normal},
+                          {"texcoord_texels", accuracy->texcoord},
+                          {"texel_channel", accuracy->texel}};
+  }
+  object["effects"] = Json::array();
+  for (const FoundEffect& found : record.effects) {
+    object["effects"].push_back(
+        {{"name", found.effect.name}, {"reason", found.effect.reason}, {"materials", found.materials}});
+  }
+  Json bytes;
+  for (const auto& [purpose, size] : by_purpose(plan)) bytes[name(purpose)] = size;
+  bytes["arena"] = plan.bytes();
+  bytes["strip_pixels"] = plan.strip_pixel_bytes(record.view);
+  object["plan"] = {{"mode", name(plan.mode)},
+                    {"strips", plan.strips},
+                    {"strip_rows", plan.strip_rows},
+                    {"strip_columns", plan.strip_columns},
+                    {"strip_buffers", record.strip_buffers},
+                    {"ram_bytes", bytes}};
+  if (record.lent_bytes) object["plan"]["ram_bytes"]["lent_tables"] = *record.lent_bytes;
+  return object.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace zstrip::sim

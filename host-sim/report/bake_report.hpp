@@ -1,0 +1,38 @@
+// What is told about a baked scene, in words and as JSON.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bake/effects_found.hpp"
+#include "bake/flash_bytes.hpp"
+#include "import/model.hpp"
+#include "zstrip/plan/plan_types.hpp"
+#include "zstrip/scene/view.hpp"
+
+namespace zstrip::sim {
+
+struct BakeRecord {
+  std::string scene;
+  std::string output;
+  View view;
+  std::size_t materials = 0;
+  SceneCounts counts;
+  FlashBytes flash;
+  std::optional<Accuracy> accuracy;  ///< of an imported file
+  std::vector<FoundEffect> effects;
+  Plan plan;
+  std::uint8_t strip_buffers = 1;
+  std::optional<std::uint64_t> lent_bytes;  ///< of a blob: memory that a program with 32-bit addresses lends for it
+  std::vector<std::string> warnings;
+};
+
+/// For a person.
+std::string bake_summary(const BakeRecord& record);
+
+/// One JSON object with a line end; keys are documented in README.md.
+std::string bake_json(const BakeRecord& record);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,37 @@
+// A plan in words.
+#include "report/plan_words.hpp"
+
+#include <fmt/format.h>
+
+#include "report/frame_record.hpp"
+#include "report/number.hpp"
+
+namespace zstrip::sim {
+
+std::string shape(const Plan& plan, const View& view) {
+  const std::string strips =
+      plan.strip_columns == view.width
+          ? fmt::format("{} of {}", counted(plan.strips, "strip"), counted(plan.strip_rows, "row"))
+          : fmt::format("{} of {}x{}", counted(plan.strips, "strip"), plan.strip_columns, plan.strip_rows);
+  return fmt::format("{}, {}", name(plan.mode), strips);
+}
+
+std::array<std::pair<Purpose, std::uint32_t>, 6> by_purpose(const Plan& plan) {
+  return {{{Purpose::instances, plan.instance_bytes},
+           {Purpose::extents, plan.extent_bytes},
+           {Purpose::vertices, plan.vertex_bytes},
+           {Purpose::depth, plan.depth_bytes},
+           {Purpose::colour, plan.colour_bytes},
+           {Purpose::bins, plan.bin_bytes}}};
+}
+
+std::string memory(const Plan& plan, std::uint32_t strip_pixel_bytes) {
+  std::string parts;
+  for (const auto& [purpose, bytes] : by_purpose(plan)) {
+    if (bytes > 0) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name(purpose), grouped(bytes));
+  }
+  return fmt::format("{} ({}), and {} for the pixels of a strip", counted(plan.bytes(), "byte"), parts,
+                     grouped(strip_pixel_bytes));
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,22 @@
+// A plan in words.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "zstrip/plan/plan_types.hpp"
+
+namespace zstrip::sim {
+
+/// "streamed, 4 strips of 16 rows", or "streamed, 24 strips of 56x60".
+std::string shape(const Plan& plan, const View& view);
+
+/// In the order of a plan's table.
+std::array<std::pair<Purpose, std::uint32_t>, 6> by_purpose(const Plan& plan);
+
+/// "1,234 bytes (instances 160, depth 1,074), and 512 for the pixels of a strip".
+std::string memory(const Plan& plan, std::uint32_t strip_pixel_bytes);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,280 @@
+// `zstrip bake` as its users see it: files, reports, refusals; and blobs as scenes of `zstrip render` and `zstrip
+// plan`.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <sstream>
+
+#include "support.hpp"
+#include "zstrip/scene/scene_blob.hpp"
+
+namespace zstrip::sim::test {
+namespace {
+
+using Json = nlohmann::json;
+
+class Bake : public FolderTest {
+ protected:
+  Outcome zstrip(const std::vector<std::string>& arguments) { return run(ZSTRIP_COMMAND, arguments, path("")); }
+  Json report(std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--quiet", "--json", "-"});
+    const Outcome outcome = zstrip(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.status == 0 ? Json::parse(outcome.out) : Json{};
+  }
+  std::vector<std::string> crcs(const std::string& scene, std::vector<std::string> options, int frames) {
+    std::vector<std::string> arguments{"render", scene, "-o", "frames", "--frames", std::to_string(frames)};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    std::vector<std::string> result;
+    const Json rendered = report(arguments);
+    for (const Json& frame : rendered.at("frames")) {
+      EXPECT_GT(frame.at("statistics").at("fragments"), 100) << scene;
+      result.push_back(frame.at("crc32"));
+    }
+    return result;
+  }
+  /// The model and the blob that it is baked into draw the same.
+  void expect_same_pictures(const std::string& model, const std::vector<std::string>& camera = {}) {
+    for (const int frames : {1, 3}) {
+      std::vector<std::string> bake{"bake", model, "-o", "scene.zsc", "--size", "160x120"};
+      bake.insert(bake.end(), camera.begin(), camera.end());
+      if (frames > 1) bake.push_back("--turntable");
+      report(bake);
+      std::vector<std::string> options = camera;
+      options.insert(options.end(), {"--size", "160x120"});
+      const std::vector<std::string> expected = crcs(model, options, frames);
+      ASSERT_EQ(expected.size(), static_cast<std::size_t>(frames)) << model;
+      EXPECT_EQ(crcs("scene.zsc", {"--size", "160x120"}, frames), expected) << model;
+    }
+  }
+};
+
+const std::string kHouse = std::string(BAKE_MODELS) + "/house.obj";
+const std::string kColours = std::string(BAKE_MODELS) + "/colours.ply";
+
+TEST_F(Bake, BlobsDrawWhatModelsDraw) {
+  expect_same_pictures(kHouse);
+  expect_same_pictures(kColours, {"--ortho"});
+  expect_same_pictures(kHouse, {"--up", "z", "--orbit", "6,30,50", "--fov", "50"});
+  expect_same_pictures(file("sphere.obj", sphere_obj(60, 40)));
+}
+
+TEST_F(Bake, BlobsDrawWhatDebiansModelsDraw) {
+  const std::string glmark2 = GLMARK2_MODELS, assimp = ASSIMP_MODELS;
+  if (glmark2.empty() || assimp.empty())
+    GTEST_SKIP() << "packages glmark2-data and assimp-testmodels are not installed";
+  for (const char* name : {"bunny.obj", "cat.3ds", "horse.3ds", "asteroid-low.3ds"}) {
+    expect_same_pictures(glmark2 + '/' + name);
+  }
+  for (const char* name : {"BoxTextured-glTF/BoxTextured.gltf", "2CylinderEngine-glTF-Binary/2CylinderEngine.glb",
+                           "BoxTexcoords-glTF/boxTexcoords.gltf"}) {
+    expect_same_pictures(assimp + "/glTF2/" + name);
+  }
+}
+
+TEST_F(Bake, BuiltInScenesCanBeBaked) {
+  report({"bake", "room", "-o", "room.zsc"});
+  EXPECT_EQ(crcs("room.zsc", {}, 1), crcs("room", {}, 1));
+}
+
+/// A narrower picture shows as much from side to side, a wider one as much from top to bottom.
+TEST_F(Bake, BlobInPicturesOfOtherShapes) {
+  report({"bake", kHouse, "-o", "house.zsc", "--size", "200x100"});
+  const Json narrow = report({"render", "house.zsc", "--size", "90x100"});
+  const Json& bounds = narrow.at("frames").at(0).at("bounds");
+  EXPECT_GT(bounds.at("left"), 0);
+  EXPECT_LT(bounds.at("right"), 90);
+
+  constexpr std::size_t kOwnRow = 2 * 200, kWideRow = 2 * 300, kLeft = 2 * 50;
+  report({"render", "house.zsc", "--size", "200x100", "-o", "own.raw"});
+  report({"render", "house.zsc", "--size", "300x100", "-o", "wide.raw"});
+  const std::string own = read(path("own.raw")), wide = read(path("wide.raw"));
+  ASSERT_EQ(wide.size(), 100 * kWideRow);
+  for (std::size_t row = 0; row < 100; ++row) {
+    ASSERT_EQ(wide.substr(row * kWideRow + kLeft, kOwnRow), own.substr(row * kOwnRow, kOwnRow)) << row;
+  }
+}
+
+TEST_F(Bake, CameraOptionsReplaceTheBlobsCamera) {
+  report({"bake", kHouse, "-o", "house.zsc"});
+  const std::vector<std::string> own = crcs("house.zsc", {}, 1);
+  EXPECT_NE(crcs("house.zsc", {"--orbit", "4,90,60"}, 1), own);
+  EXPECT_NE(crcs("house.zsc", {"--fov", "60"}, 1), own);
+  EXPECT_NE(crcs("house.zsc", {"--ortho"}, 1), own);
+  report({"bake", kHouse, "-o", "flat.zsc", "--ortho"});
+  EXPECT_EQ(crcs("flat.zsc", {"--ortho"}, 1), crcs("flat.zsc", {}, 1));
+  EXPECT_EQ(zstrip({"render", "flat.zsc", "--fov", "40"}).status, 2);
+  EXPECT_EQ(zstrip({"render", "house.zsc", "--up", "z"}).status, 2);
+}
+
+TEST_F(Bake, BlobsCanBePlannedAndBakedAgain) {
+  report({"bake", kHouse, "-o", "house.zsc", "--size", "128x64"});
+  const Outcome of_blob = zstrip({"plan", "house.zsc", "--size", "128x64", "--ram", "14K"});
+  const Outcome of_model = zstrip({"plan", kHouse, "--size", "128x64", "--ram", "14K"});
+  ASSERT_EQ(of_blob.status, 0) << of_blob.err;
+  const auto after_title = [](const std::string& text) { return text.substr(text.find('\n')); };
+  EXPECT_EQ(after_title(of_blob.out), after_title(of_model.out));
+
+  report({"bake", "house.zsc", "-o", "again.zsc", "--size", "128x64"});
+  EXPECT_EQ(read(path("again.zsc")), read(path("house.zsc")));
+  report({"bake", "house.zsc", "-o", "blob.hpp", "--size", "128x64"});
+  report({"bake", kHouse, "-o", "model.hpp", "--size", "128x64"});
+  EXPECT_EQ(after_title(read(path("blob.hpp"))), after_title(read(path("model.hpp"))));
+}
+
+TEST_F(Bake, BytesByKindAreThoseOfTheFile) {
+  const Json baked = report({"bake", kHouse, "-o", "house.zsc"});
+  const Json& flash = baked.at("flash_bytes");
+  std::uint64_t sum = 0;
+  for (const auto& [kind, bytes] : flash.items()) {
+    if (kind != "total") sum += bytes.get<std::uint64_t>();
+  }
+  EXPECT_EQ(flash.at("total"), sum);
+  EXPECT_EQ(flash.at("total"), std::filesystem::file_size(path("house.zsc")));
+  EXPECT_EQ(flash.at("triangles"), 6 * baked.at("counts").at("triangles").get<int>());
+  EXPECT_EQ(flash.at("positions"), 6 * baked.at("counts").at("vertices").get<int>());
+  EXPECT_EQ(flash.at("textures"), 0);
+  // With 32-bit addresses a Mesh has 76 bytes, one for each of the three materials.
+  EXPECT_EQ(baked.at("plan").at("ram_bytes").at("lent_tables"), 3 * 76);
+}
+
+/// The reported error, found once more from the file's text and the blob.
+TEST_F(Bake, AccuracyIsWhatTheBlobShows) {
+  const std::string obj = sphere_obj(24, 13);
+  const Json accuracy = report({"bake", file("sphere.obj", obj), "-o", "sphere.zsc"}).at("accuracy");
+
+  struct Point {
+    double x, y, z;
+  };
+  std::vector<Point> vertices;
+  std::istringstream lines(obj);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string kind;
+    Point p{};
+    if (words >> kind >> p.x >> p.y >> p.z && kind == "v") vertices.push_back(p);
+  }
+  const auto extremes = [&](double Point::*axis) {
+    const auto [low, high] = std::minmax_element(vertices.begin(), vertices.end(),
+                                                 [axis](const Point& a, const Point& b) { return a.*axis < b.*axis; });
+    return std::pair{(*low).*axis, (*high).*axis};
+  };
+  double size = 0;
+  Point centre{};
+  for (double Point::*axis : {&Point::x, &Point::y, &Point::z}) {
+    const auto [low, high] = extremes(axis);
+    size = std::max(size, high - low);
+    centre.*axis = (low + high) / 2;
+  }
+  EXPECT_NEAR(accuracy.at("size").get<double>(), size, 1e-5);
+
+  const std::string bytes = read(path("sphere.zsc"));
+  std::vector<std::uint64_t> blob(bytes.size() / 8 + 1), memory(scene_blob_memory(4, 4) / 8 + 1);
+  std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(blob.data()));
+  SceneBlob opened;
+  ASSERT_TRUE(open_scene_blob(std::as_bytes(std::span(blob)).first(bytes.size()),
+                              std::as_writable_bytes(std::span(memory)), opened));
+  double worst = 0;
+  for (const Mesh& mesh : opened.scene.meshes) {
+    for (const Position& p : mesh.positions) {
+      const auto real = [size](double middle, std::int16_t steps, Fixed half) {
+        return middle + steps / 32768.0 * half / 65536.0 * size / 2;
+      };
+      const Point at{real(centre.x, p.x, mesh.half_extent.x), real(centre.y, p.y, mesh.half_extent.y),
+                     real(centre.z, p.z, mesh.half_extent.z)};
+      double nearest = size;
+      for (const Point& v : vertices) nearest = std::min(nearest, std::hypot(at.x - v.x, at.y - v.y, at.z - v.z));
+      worst = std::max(worst, nearest);
+    }
+  }
+  EXPECT_GT(worst, 0);
+  EXPECT_LT(worst, size / 32768);
+  EXPECT_NEAR(accuracy.at("position").get<double>(), worst, worst * 0.02);
+  // Half a step of 1/127 in each of three axes, seen from the origin.
+  EXPECT_GT(accuracy.at("normal_degrees"), 0.1);
+  EXPECT_LT(accuracy.at("normal_degrees"), 0.4);
+}
+
+TEST_F(Bake, EffectsAndWhy) {
+  const auto effects = [this](const std::string& scene, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"bake", scene, "-o", "scene.hpp"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    std::string text;
+    const Json baked = report(arguments);
+    for (const Json& found : baked.at("effects")) {
+      text += found.at("name").get<std::string>() + found.at("materials").dump() + '\n';
+    }
+    return text;
+  };
+  EXPECT_EQ(effects(kHouse, {}), "lighting[\"walls\",\"roof\",\"wood\"]\ngouraud[\"walls\",\"roof\",\"wood\"]\n");
+  EXPECT_EQ(effects("triangle", {"--mode", "binned"}), "gouraud[\"number 0\"]\nvertex_colours[\"number 0\"]\nbins[]\n");
+  EXPECT_NE(effects(kColours, {"--ortho"}).find("vertex_colours"), std::string::npos);
+  EXPECT_NE(effects(kColours, {"--ortho"}).find("orthographic[]"), std::string::npos);
+  EXPECT_NE(effects("room", {}).find("textures[\"number 0\",\"number 1\"]"), std::string::npos);
+}
+
+TEST_F(Bake, SummaryInWords) {
+  const Outcome outcome = zstrip({"bake", kHouse, "-o", "house.hpp", "--size", "128x64", "--ram", "14K"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* part : {"flash", "positions: at most", "of the model's size", "normals: at most", "degrees off",
+                           "lighting: lit, with normals: material 'walls' and 2 more", "RAM", "written    house.hpp"}) {
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << part << '\n' << outcome.out;
+  }
+}
+
+TEST_F(Bake, SameSceneSameBytes) {
+  for (const char* name : {"a.zsc", "b.zsc", "a.hpp", "b.hpp"}) report({"bake", kHouse, "-o", name});
+  EXPECT_EQ(read(path("a.zsc")), read(path("b.zsc")));
+  EXPECT_EQ(read(path("a.hpp")), read(path("b.hpp")));
+}
+
+TEST_F(Bake, Refusals) {
+  const auto expect = [this](const std::vector<std::string>& arguments, int status, const char* words) {
+    const Outcome outcome = zstrip(arguments);
+    EXPECT_EQ(outcome.status, status) << words << outcome.err;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  };
+  expect({"bake", kHouse}, 2, "--output");
+  expect({"bake", kHouse, "-o", "house.txt"}, 2, ".hpp");
+  expect({"bake", kHouse, "-o", "house.hpp", "--namespace", "My-House"}, 2, "--namespace");
+  expect({"bake", kHouse, "-o", "house.hpp", "--namespace", "zstrip"}, 2, "--namespace");
+  expect({"bake", kHouse, "-o", "house.hpp", "--namespace", "a__b"}, 2, "--namespace");
+  expect({"bake", "teapot", "-o", "house.hpp", "--up", "z"}, 2, "--up");
+  expect({"bake", kHouse, "-o", "house.hpp", "--size", "0x0"}, 2, "--size");
+  expect({"bake", "none.obj", "-o", "house.hpp"}, 4, "none.obj");
+  expect({"bake", kHouse, "-o", "house.hpp", "--ram", "100"}, 5, "bytes");
+  expect({"bake", kHouse, "-o", "nowhere/house.hpp"}, 6, "nowhere");
+  file("model.zsc", "no blob");
+  expect({"bake", "model.zsc", "-o", "model.zsc"}, 2, "the model itself");
+  expect({"bake", kHouse, "-o", "house.hpp", "--json", "house.hpp"}, 2, "--json");
+  EXPECT_EQ(files(), std::vector<std::string>{"model.zsc"}) << "nothing is left behind";
+}
+
+TEST_F(Bake, DamagedBlobsAreInputErrors) {
+  report({"bake", kHouse, "-o", "house.zsc"});
+  const std::string whole = read(path("house.zsc"));
+  const auto expect = [this](const std::string& content, const char* words) {
+    const std::string blob = file("damaged.zsc", content);
+    for (const char* command : {"render", "plan"}) {
+      const Outcome outcome = zstrip({command, blob});
+      EXPECT_EQ(outcome.status, 4) << outcome.err;
+      EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    }
+  };
+  expect("", "byte 0");
+  expect(whole.substr(0, whole.size() / 2), "is no whole baked scene");
+  expect(whole + "more", "is no whole baked scene (byte 4)");
+  std::string flipped = whole;
+  flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 1);
+  expect(flipped, "is no whole baked scene (byte 8)");
+  std::string newer = whole;
+  newer[2] = 2;
+  expect(newer, "version 2, and this zstrip reads version 1");
+  EXPECT_EQ(zstrip({"render", "none.zsc"}).status, 4);
+}
+
+}  // namespace
+}  // namespace zstrip::sim::test

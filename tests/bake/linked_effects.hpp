@@ -1,0 +1,60 @@
+// Which effects' code a linked program holds, read from the names of its symbols.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <regex>
+#include <set>
+#include <string>
+#include <type_traits>
+
+#include "support.hpp"
+#include "zstrip/scene/effects.hpp"
+
+namespace zstrip::sim::test {
+
+struct LinkedEffects {
+  std::set<std::uint32_t> pipelines;  ///< bits of the Effects that templates were made for
+  std::set<int> shades;               ///< values of detail::Shade that rasterisers were made for
+  bool bins = false;
+};
+
+inline LinkedEffects linked_effects(const std::string& program) {
+  const Outcome outcome = run(ZSTRIP_NM, {"--demangle", program}, "/");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const auto numbers = [&outcome](const char* pattern, auto& into) {
+    const std::regex regex(pattern);
+    for (std::sregex_iterator found(outcome.out.begin(), outcome.out.end(), regex), end; found != end; ++found) {
+      using Number = typename std::remove_reference_t<decltype(into)>::value_type;
+      into.insert(static_cast<Number>(std::stoul((*found)[1])));
+    }
+  };
+  LinkedEffects linked;
+  numbers(R"(zstrip::Effects\{([0-9]+)u?l?\})", linked.pipelines);
+  numbers(R"(\(zstrip::detail::Shade\)([0-9]))", linked.shades);
+  linked.bins = outcome.out.find("zstrip::detail::Bins::append") != std::string::npos;
+  return linked;
+}
+
+/// One pipeline, rasterisers and bins exactly as `effects` call for.
+inline void expect_only(const std::string& program, Effects effects) {
+  const LinkedEffects linked = linked_effects(program);
+  ASSERT_FALSE(linked.pipelines.empty()) << program << " has no symbols";
+  for (const std::uint32_t bits : linked.pipelines) {
+    // What does not depend on bins is made without them.
+    EXPECT_EQ(Effects{bits} | (effects & effect::bins), effects) << program;
+  }
+  constexpr int kFlat = 0, kGouraud = 1, kTextured = 2, kTexturedFlat = 3, kTexturedGouraud = 4;
+  const bool gouraud = effects.has(effect::gouraud), textures = effects.has(effect::textures);
+  EXPECT_TRUE(linked.shades.contains(kFlat)) << program;
+  EXPECT_EQ(linked.shades.contains(kGouraud), gouraud) << program;
+  EXPECT_EQ(linked.shades.contains(kTextured), textures) << program;
+  EXPECT_EQ(linked.shades.contains(kTexturedGouraud), textures && gouraud) << program;
+  if (!textures) {
+    EXPECT_FALSE(linked.shades.contains(kTexturedFlat)) << program;
+  }
+  EXPECT_EQ(linked.bins, effects.has(effect::bins)) << program;
+}
+
+}  // namespace zstrip::sim::test

@@ -1,0 +1,33 @@
+# The README's section "Your own model", done: baked, built into a board's program, run in the emulator, the picture on
+# its display compared with `zstrip render`.
+find_program(ZSTRIP_QEMU_ARM qemu-system-arm)
+if(NOT ZSTRIP_FIRMWARE OR NOT ZSTRIP_QEMU_ARM)
+  message(STATUS "No test of one's own model on a board: it needs ZSTRIP_FIRMWARE (arm-none-eabi-g++) and qemu-system-arm")
+  return()
+endif()
+
+set(model ${CMAKE_CURRENT_SOURCE_DIR}/models/house.obj)
+set(folder ${CMAKE_CURRENT_BINARY_DIR}/your_own_model)
+set(view --size 128x64 --format gray4)
+
+add_test(NAME BakeBoard.Bake COMMAND zstrip bake ${model} -o ${folder}/scene.hpp ${view} --ram 40K --turntable)
+file(MAKE_DIRECTORY ${folder})
+set_tests_properties(BakeBoard.Bake PROPERTIES FIXTURES_SETUP baked_scene LABELS board)
+
+add_test(NAME BakeBoard.Build COMMAND ${CMAKE_CTEST_COMMAND}
+  --build-and-test ${PROJECT_SOURCE_DIR} ${folder}/build
+  --build-generator ${CMAKE_GENERATOR} --build-noclean --build-target zstrip_lm3s6965evb_scene
+  --build-options -DCMAKE_TOOLCHAIN_FILE=${PROJECT_SOURCE_DIR}/cmake/toolchains/arm-none-eabi.cmake
+    -DZSTRIP_CPU=cortex-m3 -DCMAKE_BUILD_TYPE=Release -DZSTRIP_HOST_SIM=OFF -DZSTRIP_TESTS=OFF
+    -DZSTRIP_FIRMWARE_BINARIES=${folder} -DZSTRIP_SCENE=${folder}/scene.hpp)
+set_tests_properties(BakeBoard.Build PROPERTIES
+  FIXTURES_REQUIRED baked_scene FIXTURES_SETUP baked_program TIMEOUT 900 LABELS board)
+
+add_executable(bake_board_test board_test.cpp ../boards/grey_picture.cpp ../boards/qemu.cpp ${support})
+target_include_directories(bake_board_test PRIVATE ../boards ../host-sim)
+target_link_libraries(bake_board_test PRIVATE zstrip::core nlohmann_json::nlohmann_json GTest::gtest_main)
+target_compile_definitions(bake_board_test PRIVATE
+  ZSTRIP_COMMAND="$<TARGET_FILE:zstrip>" ZSTRIP_NM="${CMAKE_NM}" BAKED_MODEL="${model}" BAKED_PROGRAM="${folder}/zstrip_lm3s6965evb_scene.elf")
+zstrip_configure_target(bake_board_test)
+add_dependencies(bake_board_test zstrip)
+gtest_discover_tests(bake_board_test PROPERTIES FIXTURES_REQUIRED baked_program TIMEOUT 120 LABELS board)

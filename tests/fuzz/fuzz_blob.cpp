@@ -1,0 +1,135 @@
+// Scene blobs: what the bake command writes of any scene opens exactly if the scene is valid, and draws the same; any
+// other bytes, even under a right checksum, are refused or are a scene that can be drawn.
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "bake/scene_blob.hpp"
+#include "input.hpp"
+#include "picture.hpp"
+#include "require.hpp"
+#include "scene_input.hpp"
+#include "zstrip/scene/effects.hpp"
+#include "zstrip/scene/scene_blob.hpp"
+#include "zstrip/scene/validate.hpp"
+
+namespace {
+
+using namespace zstrip;
+using Bytes = std::vector<std::uint8_t>;
+
+/// On the heap and of exactly this size: AddressSanitizer guards both ends.
+struct Exact {
+  std::unique_ptr<std::byte[]> bytes;
+  std::size_t size;
+
+  explicit Exact(std::size_t s) : bytes(new std::byte[s]()), size(s) {}
+  std::span<std::byte> span() { return {bytes.get(), size}; }
+};
+
+/// A blob in memory of its own, with as much memory lent as it asks for.
+struct Opened {
+  Exact blob, memory{0};
+  SceneBlob content;
+  Status status;
+
+  explicit Opened(const Bytes& bytes) : blob(bytes.size()) {
+    if (!bytes.empty()) std::memcpy(blob.bytes.get(), bytes.data(), bytes.size());
+    status = open_scene_blob(blob.span(), memory.span(), content);
+    if (status.error != Error::blob_memory) return;
+    memory = Exact(status.needed - 1);
+    fuzz::require(open_scene_blob(blob.span(), memory.span(), content).error == Error::blob_memory,
+                  "a byte less than what is needed is too little");
+    memory = Exact(status.needed);
+    status = open_scene_blob(blob.span(), memory.span(), content);
+    fuzz::require(status.error != Error::blob_memory, "what is asked for is enough");
+  }
+};
+
+/// Makes size and checksum right.
+void mend(Bytes& bytes) {
+  if (bytes.size() < 12) return;
+  const auto put = [&bytes](std::size_t at, std::uint32_t value) {
+    for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::uint8_t>(value >> 8 * i);
+  };
+  put(4, static_cast<std::uint32_t>(bytes.size()));
+  put(8, static_cast<std::uint32_t>(crc32_z(crc32_z(0, nullptr, 0), bytes.data() + 12, bytes.size() - 12)));
+}
+
+bool valid_values(const fuzz::SceneInput& input) {
+  const View& view = input.view();
+  const auto known_test = [](const Material& material) { return material.depth_test <= DepthTest::always; };
+  return std::ranges::all_of(input.scene().materials, known_test) && view.width >= 1 && view.width <= kMaxViewSize &&
+         view.height >= 1 && view.height <= kMaxViewSize && view.format <= PixelFormat::mono &&
+         input.camera().projection <= Projection::orthographic;
+}
+
+void judge_written(const fuzz::SceneInput& input, const Opened& opened) {
+  const bool valid = valid_values(input) && validate(input.scene()) && usable(input.camera());
+  fuzz::require(static_cast<bool>(opened.status) == valid, "a blob opens if its scene is valid: %s",
+                message(opened.status.error));
+  if (!valid) return;
+  const Effects effects = effects_of(input.scene(), input.camera());
+  fuzz::require(effects == effects_of(opened.content.scene, opened.content.camera), "the same effects");
+  const fuzz::Picture expected =
+      fuzz::draw(input.scene(), input.camera(), input.view(), {.effects = effects, .budget = {}});
+  const fuzz::Picture got =
+      fuzz::draw(opened.content.scene, opened.content.camera, opened.content.view, {.effects = effects, .budget = {}});
+  fuzz::require(expected.status == got.status, "the same status");
+  fuzz::require(expected.pixels == got.pixels, "the same pixels");
+}
+
+void judge_any(const Bytes& bytes) {
+  const Opened opened(bytes);
+  if (!opened.status) {
+    fuzz::require(opened.content.scene.meshes.empty(), "a failure changes nothing");
+    return;
+  }
+  fuzz::require(static_cast<bool>(validate(opened.content.scene)), "what opens is valid");
+  constexpr View kView{40, 30, PixelFormat::rgb565};
+  (void)fuzz::draw(opened.content.scene, opened.content.camera, kView,
+                   {.effects = effects_of(opened.content.scene, opened.content.camera), .budget = {}});
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::Input input(data, size);
+  const std::uint32_t kind = input.below(4);
+  if (kind == 3) {
+    Bytes bytes(data + 1, data + size);
+    if (bytes.size() > 4) std::memcpy(bytes.data(), "zs\1s", 4);
+    mend(bytes);
+    judge_any(bytes);
+    return 0;
+  }
+  struct Patch {
+    std::uint32_t at, value;
+  };
+  std::vector<Patch> patches;
+  if (kind != 0) {
+    for (std::uint32_t count = 1 + input.below(4); count > 0; --count) {
+      patches.push_back({input.any<std::uint16_t>(), static_cast<std::uint32_t>(input.number(0))});
+    }
+  }
+  const fuzz::SceneInput scene(input);
+  const auto written = sim::to_scene_blob({.scene = scene.scene(), .camera = scene.camera(), .view = scene.view()});
+  fuzz::require(static_cast<bool>(written), "any scene can be written");
+  if (kind == 0) {
+    judge_written(scene, Opened(*written));
+    return 0;
+  }
+  Bytes bytes = *written;
+  for (const Patch& patch : patches) {
+    const std::size_t bytes_of_value = kind;  // 1 or 2
+    for (std::size_t i = 0; i < bytes_of_value; ++i) {
+      bytes[(patch.at + i) % bytes.size()] = static_cast<std::uint8_t>(patch.value >> 8 * i);
+    }
+  }
+  mend(bytes);
+  judge_any(bytes);
+  return 0;
+}
