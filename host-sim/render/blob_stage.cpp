@@ -81,7 +81,7 @@ class BlobStage : public Stage {
 
   std::unique_ptr<Stage> copy() const override {
     auto stage = std::make_unique<BlobStage>(bytes_);
-    stage->open();  // as it did before
+    static_cast<void>(stage->open());  // these bytes have been opened before
     stage->camera_ = camera_;
     return stage;
   }

@@ -1,7 +1,8 @@
 // The parts of a frame that no effect changes.
-#include "zstrip/frame/frame_inline.hpp"
-
 #include <utility>
+
+#include "zstrip/frame/frame_inline.hpp"
+#include "zstrip/scene/camera.hpp"
 
 namespace zstrip {
 
@@ -19,14 +20,7 @@ Status Frame::Access::check(const Scene& scene, const Camera& camera, const View
   }
   const std::uint32_t strips = plan.columns_of_strips(view) * plan.rows_of_strips(view);
   if (plan.strips != strips) return {.error = Error::strip_rows, .needed = strips, .available = plan.strips};
-  if (camera.focal <= 0 || camera.near_plane <= 0 || camera.far_plane <= camera.near_plane)
-    return {.error = Error::camera};
-  const auto unit = [](const Vec3& axis) {
-    constexpr std::int32_t kLargest = (std::int32_t{1} << 30) + 64;  // 2.30: rounding of a unit vector
-    const auto fits = [](std::int32_t c) { return c >= -kLargest && c <= kLargest; };
-    return fits(axis.x) && fits(axis.y) && fits(axis.z);
-  };
-  if (!unit(camera.right) || !unit(camera.up) || !unit(camera.back)) return {.error = Error::camera};
+  if (!usable(camera)) return {.error = Error::camera};
   if (const Status status = validate_instances(scene); !status) return status;
   if (missing.bits != 0) return {.error = Error::effect_missing, .needed = missing.bits};
   // The plan must be one for this scene: a smaller one would overrun its parts of the arena.
