@@ -33,7 +33,9 @@ class Keeper {
   /// Widens the distances of things by this frame's.
   Status keep(const Staging& staging, Fixed& nearest, Fixed& farthest) {
     const Effects effects = effects_of(staging.scene, staging.camera) | depth_effect(format_);
-    const auto [status, plan] = zstrip::plan(count(staging.scene), view_, effects, {.strip_rows = view_.height});
+    const PlanResult planned = zstrip::plan(count(staging.scene), view_, effects, {.strip_rows = view_.height});
+    const Status& status = planned.status;
+    const Plan& plan = planned.plan;
     if (!status) return status;
     arena_.resize((plan.bytes() + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t));
     pixels_.resize(plan.strip_pixel_bytes(view_) / sizeof(std::uint16_t));
