@@ -48,9 +48,7 @@ void run(const Options& options) {
               static_cast<double>(spent.count()) / static_cast<double>(options.frames), covered);
 }
 
-}  // namespace
-
-int main(int count, char** words) {
+int parse_and_run(int count, char** words) {
   CLI::App app{"Draws a workload with another renderer"};
   Options options;
   app.add_option("scene", options.scene)->required();
@@ -63,11 +61,19 @@ int main(int count, char** words) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
+  run(options);
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
   try {
-    run(options);
+    return parse_and_run(count, words);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
-    return 1;
+  } catch (...) {
+    std::fputs("failed\n", stderr);
   }
-  return 0;
+  return 1;
 }
