@@ -11,6 +11,7 @@ const char* message(Error error) {
     case Error::alignment: return "the area does not begin and end at whole bytes";
     case Error::pixels_too_small: return "the pixel buffer is smaller than the area";
     case Error::strip_layout: return "the strips do not cover the display exactly";
+    case Error::framebuffer: return "the picture does not fit its memory";
   }
   return "unknown error";
 }

@@ -12,6 +12,7 @@ enum class [[nodiscard]] Error : std::uint8_t{
     alignment,         ///< the area does not begin and end at whole bytes, which the panel needs
     pixels_too_small,  ///< fewer bytes than the area needs
     strip_layout,      ///< the strips do not cover the display exactly
+    framebuffer,       ///< the picture does not fit its memory, or its rows overlap
 };
 
 /// A short English phrase without a full stop, in static storage.
