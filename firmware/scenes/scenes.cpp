@@ -2,6 +2,7 @@
 #include "zstrip_scenes/scenes.hpp"
 
 #include "zstrip_scenes/cube.hpp"
+#include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"
 #include "zstrip_scenes/knot_meshlets.hpp"
 #include "zstrip_scenes/random.hpp"
@@ -38,8 +39,10 @@ bool equal(std::string_view name, const char* other) {
 std::span<const BuiltIn> built_in() { return kBuiltIn; }
 
 const BuiltIn* find(std::string_view name) {
-  for (const BuiltIn& scene : kBuiltIn) {
-    if (equal(name, scene.name)) return &scene;
+  for (const std::span<const BuiltIn> scenes : {built_in(), effect_scenes()}) {
+    for (const BuiltIn& scene : scenes) {
+      if (equal(name, scene.name)) return &scene;
+    }
   }
   return nullptr;
 }

@@ -15,6 +15,7 @@ constexpr KnownEffect kKnown[] = {
     {effect::textures, "textures", "a texture and texture coordinates"},
     {effect::orthographic, "orthographic", "the camera's parallel projection"},
     {effect::depth_state, "depth_state", "a depth test, depth write or bias of its own"},
+    {effect::fog, "fog", "the scene's fog"},
     {effect::bins, "bins", "the plan transforms geometry only once (--mode)"},
 };
 
@@ -22,7 +23,7 @@ constexpr KnownEffect kKnown[] = {
 constexpr bool all_known() {
   Effects known{};
   for (const KnownEffect& each : kKnown) known = known | each.effect;
-  return known == (without(effect::all, effect::statistics) | effect::depth_state | effect::bins);
+  return known == (effect::of_scenes | effect::bins);
 }
 static_assert(all_known());
 

@@ -1,7 +1,7 @@
 // The table of all pipelines, for programs that learn the effects at run time.
 #include <utility>
 
-#include "zstrip/frame/pipeline.hpp"
+#include "zstrip/frame/pipelines_with_effects.hpp"
 
 namespace zstrip {
 namespace {
@@ -48,6 +48,10 @@ constexpr Pipeline kRefusing{
 
 Pipeline pipeline_for(Effects effects) {
   if (!depth_effects_agree(effects)) return kRefusing;
+  if (effects.any(detail::kBeyondTable)) {
+    const Pipeline* const found = detail::pipeline_with_effects(effects);
+    return found != nullptr ? *found : kRefusing;
+  }
   const bool orthographic = effects.has(effect::orthographic);
   if (effects.has(effect::depth_ranges)) return full_pipeline<effect::depth_ranges>(orthographic);
   switch (depth_format(effects)) {

@@ -7,7 +7,7 @@
 namespace zstrip {
 
 Status Frame::Access::check(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
-                            Effects missing, std::span<std::byte> arena) {
+                            Effects called_for, Effects missing, std::span<std::byte> arena) {
   if (view.width < 1 || view.height < 1 || view.width > kMaxViewSize || view.height > kMaxViewSize) {
     return {.error = Error::view_size};
   }
@@ -22,7 +22,7 @@ Status Frame::Access::check(const Scene& scene, const Camera& camera, const View
   if (plan.strips != strips) return {.error = Error::strip_rows, .needed = strips, .available = plan.strips};
   if (!usable(camera)) return {.error = Error::camera};
   if (const Status status = validate_instances(scene); !status) return status;
-  if (missing.bits != 0) return {.error = Error::effect_missing, .needed = missing.bits};
+  if (missing.bits != 0) return {.error = Error::effect_missing, .needed = low_bits(missing)};
   // The plan must be one for this scene: a smaller one would overrun its parts of the arena.
   const SceneCounts counts = count(scene);
   const auto too_small = [](Purpose purpose, std::uint64_t needed, std::uint32_t available) {
@@ -34,7 +34,7 @@ Status Frame::Access::check(const Scene& scene, const Camera& camera, const View
   if (plan.instance_bytes < std::uint64_t{counts.instances} * kInstanceBytes) {
     return too_small(Purpose::instances, std::uint64_t{counts.instances} * kInstanceBytes, plan.instance_bytes);
   }
-  const bool colours = detail::has_vertex_colours(effects_of(scene, camera));
+  const bool colours = detail::has_vertex_colours(called_for);
   const bool binned = plan.mode == Mode::binned;
   if (const std::uint64_t extents = std::uint64_t{counts.meshlets} * kExtentBytes;
       (strips > 1 || binned) && plan.extent_bytes < extents) {
@@ -56,7 +56,8 @@ Status Frame::Access::check(const Scene& scene, const Camera& camera, const View
   for (const auto& [purpose, bytes] :
        {std::pair{Purpose::instances, plan.instance_bytes}, std::pair{Purpose::extents, plan.extent_bytes},
         std::pair{Purpose::vertices, plan.vertex_bytes}, std::pair{Purpose::depth, plan.depth_bytes},
-        std::pair{Purpose::colour, plan.colour_bytes}, std::pair{Purpose::bins, plan.bin_bytes}}) {
+        std::pair{Purpose::colour, plan.colour_bytes}, std::pair{Purpose::bins, plan.bin_bytes},
+        std::pair{Purpose::effects, plan.effect_bytes}}) {
     if (bytes % kArenaAlignment != 0) return too_small(purpose, detail::rounded_up(bytes), bytes);
   }
   if (arena.size() < plan.wide_bytes() || reinterpret_cast<std::uintptr_t>(arena.data()) % kArenaAlignment != 0) {

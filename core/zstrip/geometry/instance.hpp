@@ -26,7 +26,15 @@ struct LinearForm {
 };
 
 /// How the light and the material shade this instance. Chosen once a frame, so that no triangle asks again.
-enum class Shade : std::uint8_t { flat, gouraud, textured, textured_flat, textured_gouraud };
+/// `fragments` is added to one of the others where fragments have effects: see fill_fragments.
+enum class Shade : std::uint8_t { flat, gouraud, textured, textured_flat, textured_gouraud, fragments = 8 };
+
+constexpr Shade with_fragments(Shade shade) {
+  return static_cast<Shade>(static_cast<std::uint8_t>(shade) | static_cast<std::uint8_t>(Shade::fragments));
+}
+constexpr Shade without_fragments(Shade shade) {
+  return static_cast<Shade>(static_cast<std::uint8_t>(shade) & ~static_cast<std::uint8_t>(Shade::fragments));
+}
 
 struct ObjectLight {
   std::int16_t x, y, z;          ///< 1.15, unit vector towards the light, in object space

@@ -106,6 +106,21 @@ struct DirectionalLight {
   Colour colour{255, 255, 255, 255};
 };
 
+/// How what is seen fades into a colour with its distance w from the camera's plane (along the viewing direction).
+enum class FogMode : std::uint8_t {
+  linear,               ///< visible: (end - w) / (end - start), within 0..1
+  exponential,          ///< visible: e^-(density w)
+  exponential_squared,  ///< visible: e^-(density w)^2
+};
+
+struct Fog {
+  Colour colour{128, 128, 128, 255};  ///< the background is not fogged: give Scene::background the same colour
+  FogMode mode = FogMode::linear;
+  Fixed start = 0;                ///< 16.16, 0 <= start < end; linear
+  Fixed end = 100 * kFixedOne;    ///< 16.16
+  Fixed density = kFixedOne / 8;  ///< 16.16 a unit of length, >= 0; the exponential modes
+};
+
 inline constexpr std::uint32_t kMaxLights = 4;
 
 struct Scene {
@@ -116,6 +131,7 @@ struct Scene {
   std::span<const DirectionalLight> lights;  ///< at most kMaxLights
   Colour ambient{48, 48, 48, 255};
   Colour background{0, 0, 0, 255};
+  const Fog* fog = nullptr;  ///< none if null
 };
 
 }  // namespace zstrip

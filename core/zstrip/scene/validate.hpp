@@ -78,6 +78,10 @@ constexpr bool valid_texcoords(const Scene& scene, const Instance& instance) {
   return true;
 }
 
+constexpr bool valid_fog(const Fog& fog) {
+  return fog.mode <= FogMode::exponential_squared && fog.start >= 0 && fog.start < fog.end && fog.density >= 0;
+}
+
 constexpr bool valid_texture(const Texture& texture) {
   return texture.log2_width <= kLargestTextureLog2 && texture.log2_height <= kLargestTextureLog2 &&
          texture.texels.size() >= std::size_t{1} << (texture.log2_width + texture.log2_height);
@@ -110,6 +114,7 @@ constexpr Status validate(const Scene& scene) {
     const std::uint16_t texture = scene.materials[i].texture;
     if (texture != kNoTexture && texture >= scene.textures.size()) return {.error = Error::material, .needed = i};
   }
+  if (scene.fog != nullptr && !detail::valid_fog(*scene.fog)) return {.error = Error::fog};
   if (const Status status = validate_instances(scene); !status) return status;
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     if (!detail::valid_texcoords(scene, scene.instances[i])) return {.error = Error::instance, .needed = i};
