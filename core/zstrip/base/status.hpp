@@ -36,6 +36,8 @@ enum class Error : std::uint8_t {
   blob_memory,     ///< the memory lent for a scene blob; `needed`, `available` in bytes
   depth_effects,   ///< two depth formats at once, sub-ranges of one that has none, or one that needs a perspective
                    ///< camera and is to draw an orthographic one
+  quadric,         ///< refers to a material that does not exist or that has a slope bias, or a transform that is out of
+                   ///< range or has no inverse (`needed` = index of the quadric)
 };
 
 /// What memory is for. The order is that of a plan's table.

@@ -21,7 +21,8 @@ constexpr auto table_of(std::index_sequence<bits...>) {
 constexpr auto kTable = table_of(std::make_index_sequence<effect::all.bits + 1>{});
 
 // 64 sets for each way to keep depth would be too many: these have one pipeline for each projection.
-constexpr Effects kAllButProjection = without(effect::all, effect::orthographic) | effect::depth_state | kAlways;
+constexpr Effects kAllButProjection =
+    without(effect::all, effect::orthographic) | effect::depth_state | effect::surfaces | kAlways;
 
 template <Effects depth>
 constexpr Pipeline full_pipeline(bool orthographic) {
@@ -57,7 +58,7 @@ Pipeline pipeline_for(Effects effects) {
     case DepthFormat::z32: return full_pipeline<effect::depth_32>(orthographic);
     case DepthFormat::z16: break;
   }
-  if (effects.has(effect::depth_state)) return full_pipeline<Effects{}>(orthographic);
+  if (effects.any(effect::depth_state | effect::surfaces)) return full_pipeline<Effects{}>(orthographic);
   return kTable.pipelines[effects.bits & effect::all.bits];
 }
 

@@ -40,6 +40,10 @@ inline constexpr Effects depth_ranges{1U << 11};
 inline constexpr Effects depth_formats{depth_float.bits | depth_w16.bits | depth_24.bits | depth_32.bits};
 /// Can carry out plans of Mode::binned; never called for by a scene. Sub-ranges cannot be binned.
 inline constexpr Effects bins{1U << 12};
+
+// Surfaces and passes beyond the triangles of instances; bits 22 to 31.
+inline constexpr Effects quadrics{1U << 22};       ///< spheres and ellipsoids
+inline constexpr Effects surfaces{quadrics.bits};  ///< all of these
 }  // namespace effect
 
 /// How a renderer with these effects keeps depth: z16, unless one of effect::depth_formats is among them.
@@ -90,6 +94,14 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (coloured) found = found | effect::vertex_colours;
     if (textured) found = found | effect::textures;
     if (material.smooth && (lit || coloured)) found = found | effect::gouraud;
+    if (has_depth_state(material)) found = found | effect::depth_state;
+  }
+  for (const Quadric& quadric : scene.quadrics) {
+    found = found | effect::quadrics;
+    if (quadric.material >= scene.materials.size()) continue;
+    const Material& material = scene.materials[quadric.material];
+    if (material.lit) found = found | effect::lighting;
+    if (material.texture != kNoTexture) found = found | effect::textures;
     if (has_depth_state(material)) found = found | effect::depth_state;
   }
   if (camera.projection == Projection::orthographic) found = found | effect::orthographic;
