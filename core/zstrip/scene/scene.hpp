@@ -126,7 +126,7 @@ struct Scene {
   std::span<const DirectionalLight> lights;  ///< at most kMaxLights
   Colour ambient{48, 48, 48, 255};
   Colour background{0, 0, 0, 255};
-  std::span<const Quadric> quadrics;  ///< drawn in this order, after the instances
+  std::span<const Quadric> quadrics = {};  ///< drawn in this order, after the instances
 };
 
 }  // namespace zstrip
