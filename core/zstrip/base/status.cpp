@@ -30,6 +30,7 @@ const char* message(Error error) {
     case Error::blob_memory: return "the memory lent for the scene blob is too small";
     case Error::depth_effects: return "these depth effects exclude each other or this camera";
     case Error::fog: return "the fog needs 0 <= start < end and a density that is not negative";
+    case Error::quadric: return "a quadric is not valid";
   }
   return "unknown error";
 }

@@ -37,6 +37,8 @@ enum class Error : std::uint8_t {
   depth_effects,   ///< two depth formats at once, sub-ranges of one that has none, or one that needs a perspective
                    ///< camera and is to draw an orthographic one
   fog,             ///< not 0 <= start < end, a negative density, or no mode
+  quadric,         ///< refers to a material that does not exist or that has a slope bias, or a transform that is out of
+                   ///< range or has no inverse (`needed` = index of the quadric)
 };
 
 /// What memory is for. The order is that of a plan's table.

@@ -101,6 +101,16 @@ struct Instance {
   Transform transform = Transform::identity();  ///< object to world; rotation and scale entries within +-255
 };
 
+/// A sphere or ellipsoid: the unit sphere around the origin, transformed. Drawn pixel by pixel along the viewing ray,
+/// after the instances, into the same z-buffer; docs/effects.md has the mapping of its texture. Material::smooth means
+/// nothing to it, and its depth has no slope: Material::depth_slope_bias must be 0.
+struct Quadric {
+  std::uint16_t material = 0;  ///< index into Scene::materials
+  /// Sphere to world; entries within +-255, with an inverse. Its columns are the ellipsoid's half axes where they are
+  /// at right angles.
+  Transform transform = Transform::identity();
+};
+
 struct DirectionalLight {
   std::int16_t x = 0, y = 0, z = 32767;  ///< 1.15, unit vector *towards* the light, in world space
   Colour colour{255, 255, 255, 255};
@@ -131,7 +141,8 @@ struct Scene {
   std::span<const DirectionalLight> lights;  ///< at most kMaxLights
   Colour ambient{48, 48, 48, 255};
   Colour background{0, 0, 0, 255};
-  const Fog* fog = nullptr;  ///< none if null
+  const Fog* fog = nullptr;                ///< none if null
+  std::span<const Quadric> quadrics = {};  ///< drawn in this order, after the instances
 };
 
 }  // namespace zstrip
