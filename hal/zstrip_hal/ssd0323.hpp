@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "zstrip_hal/blacken.hpp"
 #include "zstrip_hal/bus.hpp"
 #include "zstrip_hal/display.hpp"
 #include "zstrip_hal/error.hpp"
@@ -110,13 +111,8 @@ class Ssd0323 {
 
   /// The memory holds noise after power-on.
   Error blacken() {
-    static constexpr std::array<std::byte, kWidth / 2> kBlackRow{};
     if (const Error error = set_window({0, 0, kWidth, kHeight}); error != Error::none) return error;
-    for (int row = 0; row < kHeight; ++row) {
-      if (const Error error = bus_.write_data(kBlackRow); error != Error::none) return error;
-      if (const Error error = bus_.wait(); error != Error::none) return error;
-    }
-    return Error::none;
+    return send_zeros(bus_, kWidth / 2 * kHeight);
   }
 
   Bus& bus_;

@@ -138,7 +138,7 @@ void read_view(Reader& reader, View& view) {
   };
   view.width = side(kView);
   view.height = side(kView + 2);
-  reader.require(reader.byte(kView + 4) <= static_cast<std::uint8_t>(PixelFormat::mono), kView + 4);
+  reader.require(reader.byte(kView + 4) <= static_cast<std::uint8_t>(kLastPixelFormat), kView + 4);
   view.format = static_cast<PixelFormat>(reader.byte(kView + 4));
 }
 
