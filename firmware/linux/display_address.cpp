@@ -62,8 +62,7 @@ hal::Outcome<std::optional<hal::ScreenSize>> DisplayAddress::take_size(const std
   const auto height = cross == std::string::npos ? std::nullopt : number(std::string_view(*value).substr(cross + 1));
   if (!width || !height || *width < 1 || *height < 1 || *width > hal::kLargestScreen || *height > hal::kLargestScreen)
     return fault(key, "must be WIDTHxHEIGHT, each 1 to 4096, not '" + *value + "'");
-  return std::optional(
-      hal::ScreenSize{static_cast<std::uint16_t>(*width), static_cast<std::uint16_t>(*height)});
+  return std::optional(hal::ScreenSize{static_cast<std::uint16_t>(*width), static_cast<std::uint16_t>(*height)});
 }
 
 hal::Outcome<std::optional<std::uint32_t>> DisplayAddress::take_number(const std::string& key, std::uint32_t least,

@@ -87,7 +87,8 @@ int main(int argc, char** argv) {
       return static_cast<int>(ExitStatus::ok);
     }
     if (arguments.scene.empty() || arguments.display.empty())
-      return fail({ExitStatus::usage, "name a scene and a --display; --list shows what there is, --help how to name it"});
+      return fail(
+          {ExitStatus::usage, "name a scene and a --display; --list shows what there is, --help how to name it"});
     return run(arguments);
   } catch (const std::exception& error) {
     return fail({ExitStatus::internal, error.what()});

@@ -1,140 +1,142 @@
-// Opens the panels with a controller of their own: lines, bus, reset, start sequence, backlight.
+// Opens the panels with a controller of their own: wiring, reset, start sequence, backlight.
 #include "open_panel.hpp"
 
-#include <array>
-#include <initializer_list>
+#include <memory>
 #include <optional>
-#include <string_view>
 #include <utility>
 
-#include "zstrip_hal/bit_banged_spi.hpp"
+#include "panel_wiring.hpp"
+#include "zstrip_hal/output_pin.hpp"
 #include "zstrip_hal/ssd0323.hpp"
 #include "zstrip_hal/st7789.hpp"
-#include "zstrip_hal_linux/gpio.hpp"
 #include "zstrip_hal_linux/sleeping_clock.hpp"
-#include "zstrip_hal_linux/spidev.hpp"
 
 namespace zstrip::panel {
 namespace {
 
-using hal::GpioPin;
 using hal::Outcome;
 using Opened = std::variant<DisplayPointer, Failure>;
 
-Failure usage(const hal::Fault& fault) { return {ExitStatus::usage, fault.message}; }
-Failure device(const hal::Fault& fault) { return {ExitStatus::device, fault.message}; }
-
-/// The line that a key names, as an output; a pin without a line if the address does not have the key.
-std::variant<GpioPin, Failure> take_pin(DisplayAddress& address, const std::string& key, bool level) {
-  const std::optional<std::string> name = address.take(key);
-  if (!name) return GpioPin();
-  const auto in_words = [&key](const hal::Fault& fault) { return device({key + ": " + fault.message}); };
-  const Outcome<hal::GpioLine> line = hal::find_gpio_line(*name);
-  if (!line) return in_words(line.fault());
-  Outcome<GpioPin> pin = GpioPin::request(*line, level);
-  if (!pin) return in_words(pin.fault());
-  return std::move(*pin);
-}
-
-/// Lines that every panel has beside its bus.
-struct Lines {
-  GpioPin reset;
-  GpioPin backlight;
-};
-
-/// A panel that was started. What it stands on is older, and ends later.
-template <class Bus, template <class> class Driver>
-class Panel final : public DisplayAdapter<Panel<Bus, Driver>> {
- public:
-  template <class Config>
-  Panel(Bus bus, Lines lines, const Config& config)
-      : bus_(std::move(bus)), lines_(std::move(lines)), driver_(bus_, clock_, config) {}
-  ~Panel() override {
-    static_cast<void>(lines_.backlight.set(false));
-    if (started_) static_cast<void>(driver_.stop());
-  }
-
-  hal::Error start() {
-    hal::Error error = hal::reset_panel(lines_.reset, clock_);
-    if (error == hal::Error::none) error = driver_.panel.start();
-    started_ = error == hal::Error::none;
-    return started_ ? lines_.backlight.set(true) : error;
-  }
-  auto& display() { return driver_.panel; }
-
- private:
-  hal::SleepingClock clock_;
-  Bus bus_;
-  Lines lines_;
-  Driver<Bus> driver_;
-  bool started_ = false;
-};
-
-// What a panel is made of and how it is put to rest, for each kind of driver.
+// A driver, and how its panel is put to rest.
 
 template <class Bus>
 struct St7789 {
-  St7789(Bus& bus, hal::SleepingClock& clock, const hal::DcsConfig& config) : panel(bus, clock, config) {}
-  hal::Error stop() { return panel.sleep(); }
-  hal::St7789<Bus, hal::SleepingClock> panel;
+  St7789(Bus& bus, hal::SleepingClock& clock, const hal::DcsConfig& config) : driver(bus, clock, config) {}
+  hal::Error rest() { return driver.sleep(); }
+  hal::St7789<Bus, hal::SleepingClock> driver;
 };
 
 template <class Bus>
 struct Ssd0323 {
-  Ssd0323(Bus& bus, hal::SleepingClock&, const hal::Ssd0323Config& config) : panel(bus, config) {}
-  /// Black, which for an OLED is off.
-  hal::Error stop() { return panel.start(); }
-  hal::Ssd0323<Bus> panel;
+  Ssd0323(Bus& bus, hal::SleepingClock& /*clock*/, const hal::Ssd0323Config& config) : driver(bus, config) {}
+  hal::Error rest() { return driver.start(); }  // black: an OLED's pixels are off then
+  hal::Ssd0323<Bus> driver;
 };
 
-template <template <class> class Driver, class Bus, class Config>
-Opened start(Bus bus, Lines lines, const Config& config) {
-  auto panel = std::make_unique<Panel<Bus, Driver>>(std::move(bus), std::move(lines), config);
-  if (const hal::Error error = panel->start(); error != hal::Error::none)
-    return Failure{ExitStatus::output, std::string("the panel cannot be started: ") + hal::message(error)};
-  return DisplayPointer(std::move(panel));
+/// A panel with everything that it stands on.
+template <template <class> class Kind, class Bus>
+class Panel final : public DisplayAdapter<Panel<Kind, Bus>> {
+ public:
+  template <class Config>
+  Panel(Bus bus, hal::GpioPin reset, hal::GpioPin backlight, const Config& config)
+      : bus_(std::move(bus)), reset_(std::move(reset)), backlight_(std::move(backlight)), kind_(bus_, clock_, config) {}
+  ~Panel() override {
+    // Dark first. What fails now has nobody to be told.
+    static_cast<void>(backlight_.set(false));
+    static_cast<void>(kind_.rest());
+  }
+
+  hal::Error start() {
+    hal::Error error = hal::reset_panel(reset_, clock_);
+    if (error == hal::Error::none) error = kind_.driver.start();
+    return error == hal::Error::none ? backlight_.set(true) : error;
+  }
+  auto& display() { return kind_.driver; }
+
+ private:
+  hal::SleepingClock clock_;
+  Bus bus_;
+  hal::GpioPin reset_;
+  hal::GpioPin backlight_;
+  Kind<Bus> kind_;
+};
+
+template <template <class> class Kind, class Config>
+Opened start(const PanelWiring& wiring, std::uint32_t usual_hertz, const Config& config) {
+  Outcome<OpenWiring> open = OpenWiring::open(wiring, usual_hertz);
+  if (!open) return Failure{ExitStatus::device, open.fault().message};
+  return std::visit(
+      [&](auto& bus) -> Opened {
+        using Bus = std::remove_reference_t<decltype(bus)>;
+        auto panel = std::make_unique<Panel<Kind, Bus>>(std::move(bus), std::move(open->reset),
+                                                        std::move(open->backlight), config);
+        if (const hal::Error error = panel->start(); error != hal::Error::none) {
+          const ExitStatus status = error == hal::Error::configuration ? ExitStatus::usage : ExitStatus::output;
+          return Failure{status, std::string("the panel cannot be started: ") + hal::message(error)};
+        }
+        return DisplayPointer(std::move(panel));
+      },
+      open->bus);
 }
 
-/// Opens bus and lines, and starts the panel.
-template <template <class> class Driver, class Config>
-Opened open_on_bus(DisplayAddress& address, const Config& config, std::uint32_t usual_hertz) {
-  const std::optional<std::string> spidev = address.take("spidev");
-  const auto hertz = address.take_number("speed", 1'000, 1'000'000'000);
-  if (!hertz) return usage(hertz.fault());
-
-  // clock, data, select, dc, reset, backlight: reset and select rest high.
-  const std::array<std::pair<const char*, bool>, 6> keys{
-      {{"clock", false}, {"data", false}, {"select", true}, {"dc", false}, {"reset", true}, {"backlight", false}}};
-  DisplayAddress given = address;
-  const auto has = [&given](const char* key) { return given.take(key).has_value(); };
-  const bool has_clock = has("clock"), has_data = has("data"), has_select = has("select");
-  if (!has("dc")) return usage(address.fault("dc", "is missing: the line that tells commands from data"));
-  if (spidev && (has_clock || has_data || has_select))
-    return usage(address.fault("spidev", "does without clock, data and select: they are the controller's"));
-  if (!spidev && (!has_clock || !has_data))
-    return usage(address.fault("spidev", "is missing, or clock and data for a bus that is driven bit by bit"));
-  if (!spidev && *hertz) return usage(address.fault("speed", "is only for spidev"));
-  if (has("reset"), has("backlight"); const auto untaken = given.untaken()) return usage(*untaken);
-
-  std::array<GpioPin, 6> pins;
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    auto pin = take_pin(address, keys[i].first, keys[i].second);
-    if (const Failure* failure = std::get_if<Failure>(&pin)) return *failure;
-    pins[i] = std::move(std::get<GpioPin>(pin));
+/// The keys of panels with MIPI's commands; `usual` is what they are without.
+Outcome<hal::DcsConfig> take_config(DisplayAddress& address, const hal::DcsConfig& usual) {
+  hal::DcsConfig config = usual;
+  const auto size = address.take_size("size");
+  if (!size) return size.fault();
+  if (*size) {
+    config.width = (*size)->width;
+    config.height = (*size)->height;
   }
-  auto& [clock, data, select, data_command, reset, backlight] = pins;
-  Lines lines{std::move(reset), std::move(backlight)};
-
-  if (spidev) {
-    Outcome<hal::SpidevBus> bus =
-        hal::SpidevBus::open(*spidev, hertz->value_or(usual_hertz), std::move(data_command));
-    if (!bus) return device(bus.fault());
-    return start<Driver>(std::move(*bus), std::move(lines), config);
+  const auto column = address.take_number("column", 0, UINT16_MAX);
+  if (!column) return column.fault();
+  config.column_offset = static_cast<std::uint16_t>(column->value_or(config.column_offset));
+  const auto row = address.take_number("row", 0, UINT16_MAX);
+  if (!row) return row.fault();
+  config.row_offset = static_cast<std::uint16_t>(row->value_or(config.row_offset));
+  const auto degrees = address.take_number("rotate", 0, 270);
+  if (!degrees) return degrees.fault();
+  if (degrees->value_or(0) % 90 != 0) return address.fault("rotate", "is 0, 90, 180 or 270");
+  config.orientation.rotation = static_cast<hal::Rotation>(degrees->value_or(0) / 90);
+  for (const auto& [key, member] :
+       {std::pair("mirror", &config.orientation.mirrored), {"bgr", &config.bgr}, {"inverted", &config.inverted}}) {
+    const auto flag = address.take_flag(key, *member);
+    if (!flag) return flag.fault();
+    *member = *flag;
   }
-  using Bus = hal::BitBangedSpi<GpioPin, GpioPin, GpioPin, GpioPin>;
-  return start<Driver>(Bus(std::move(clock), std::move(data), std::move(data_command), std::move(select)),
-                       std::move(lines), config);
+  if (const auto format = address.take("format")) {
+    if (*format == "rgb565") {
+      config.format = hal::PixelFormat::rgb565_swapped;
+    } else if (*format == "rgb666") {
+      config.format = hal::PixelFormat::rgb666;
+    } else if (*format == "rgb444") {
+      config.format = hal::PixelFormat::rgb444;
+    } else {
+      return address.fault("format", "is rgb565, rgb666 or rgb444, not '" + *format + "'");
+    }
+  }
+  return config;
 }
 
 }  // namespace
+
+std::string panel_kinds() { return "st7789 ssd0323"; }
+
+Opened open_panel(DisplayAddress& address) {
+  const auto usage = [](const hal::Fault& fault) { return Failure{ExitStatus::usage, fault.message}; };
+  const bool is_dcs = address.kind() == "st7789";
+  if (!is_dcs && address.kind() != "ssd0323")
+    return usage({"there is no display '" + address.kind() + "'; there are fbdev drm " + panel_kinds()});
+  const Outcome<PanelWiring> wiring = PanelWiring::take(address);
+  if (!wiring) return usage(wiring.fault());
+  Outcome<hal::DcsConfig> config = hal::kSt7789Module240x240;
+  if (is_dcs) config = take_config(address, *config);
+  if (!config) return usage(config.fault());
+  if (const auto untaken = address.untaken()) return usage(*untaken);
+
+  // Clocks that the data sheets allow.
+  if (is_dcs) return start<St7789>(*wiring, 15'000'000, *config);
+  return start<Ssd0323>(*wiring, 4'000'000, hal::Ssd0323Config{});
+}
+
 }  // namespace zstrip::panel

@@ -20,6 +20,9 @@ PixelFormat view_format(hal::PixelFormat format) {
     case hal::PixelFormat::rgb565_swapped: return PixelFormat::rgb565_swapped;
     case hal::PixelFormat::gray4: return PixelFormat::gray4;
     case hal::PixelFormat::mono: return PixelFormat::mono;
+    case hal::PixelFormat::rgb666: return PixelFormat::rgb666;
+    case hal::PixelFormat::rgb444: return PixelFormat::rgb444;
+    case hal::PixelFormat::xrgb8888: return PixelFormat::xrgb8888;
   }
   return PixelFormat::rgb565;
 }
@@ -67,8 +70,7 @@ std::optional<Failure> play(SceneFile& scene, AnyDisplay& display, const PlayOpt
     const Scene frame = scene.turned(played.frames, options.frames_per_turn);
     if (const Status begun = renderer.begin_frame(frame, camera, view, plan, arena); !begun)
       return refused("the frame cannot begin", begun);
-    const auto shown =
-        hal::present(renderer, display, {plan.strips, plan.strip_rows, plan.strip_columns}, buffers);
+    const auto shown = hal::present(renderer, display, {plan.strips, plan.strip_rows, plan.strip_columns}, buffers);
     if (!shown.draw) return refused("a strip cannot be drawn", shown.draw);
     if (shown.display != hal::Error::none) {
       const std::string what = std::string("the display failed: ") + hal::message(shown.display);

@@ -23,9 +23,9 @@ Outcome<std::vector<std::string>> drm_connectors(const std::string& path);
 enum class DrmFormat : std::uint8_t { rgb565, xrgb8888 };
 
 struct DrmOptions {
-  std::string connector;           ///< as in "HDMI-A-1"; empty: the first one with a screen
-  std::optional<ScreenSize> size;  ///< one of the screen's modes; none: the one that it prefers
-  std::optional<DrmFormat> format; ///< none: what the driver prefers, or else the other
+  std::string connector;            ///< as in "HDMI-A-1"; empty: the first one with a screen
+  std::optional<ScreenSize> size;   ///< one of the screen's modes; none: the one that it prefers
+  std::optional<DrmFormat> format;  ///< none: what the driver prefers, or else the other
 };
 
 struct DrmScreen;  // the card, the CRTC and what was on it before

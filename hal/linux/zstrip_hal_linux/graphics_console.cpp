@@ -13,7 +13,7 @@
 namespace zstrip::hal {
 namespace {
 
-constexpr std::array kFatalSignals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+constexpr std::array kFatalSignals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT};
 
 // For the handler, which may read nothing else. -1: no console is in graphics mode.
 volatile std::sig_atomic_t console_file = -1;
@@ -30,7 +30,7 @@ void restore_and_end(int signal) {
 void on_fatal_signals(void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;
-  action.sa_flags = SA_RESETHAND;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
   for (const int signal : kFatalSignals) sigaction(signal, &action, nullptr);
 }
 
