@@ -125,10 +125,17 @@ TEST_P(PanelBoards, StreamIsThePictureOfTheHost) {
 const PanelBoard kBoards[] = {
     {"stm32vldiscovery", "stm32vldiscovery_show", 0, "memory_region_ops_write",
      StmSpiPins{0x4001300C, {0x40010C10, 0}, {0x40010810, 4}, {0x40010C10, 1}}, sim::kSt7735Part,
-     sim::Glass{.width = 128, .height = 128}, false, "teapot_meshlets", 128, 128},
+     sim::Glass{.width = 128,
+                .height = 128,
+                .column_offset = 2,
+                .row_offset = 3,
+                .columns_reversed = true,
+                .rows_reversed = true,
+                .bgr = true},
+     false, "teapot_meshlets", 128, 128},
     {"netduinoplus2", "netduinoplus2_show", 5, "memory_region_ops_write",
      StmSpiPins{0x4000380C, {0x40020018, 6}, {0x40020418, 10}, {0x40020018, 0}}, sim::kIli9341Part,
-     sim::Glass{.width = 240, .height = 320}, true, "teapot", 320, 240},
+     sim::Glass{.width = 240, .height = 320, .columns_reversed = true, .bgr = true}, true, "teapot", 320, 240},
 };
 
 INSTANTIATE_TEST_SUITE_P(Board, PanelBoards, testing::ValuesIn(kBoards),

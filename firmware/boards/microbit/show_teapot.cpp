@@ -2,6 +2,7 @@
 #include "microbit/pins.hpp"
 #include "microbit/timer.hpp"
 #include "portable/panel_program.hpp"
+#include "portable/turntable_motion.hpp"
 #include "zstrip_hal/bit_banged_spi.hpp"
 #include "zstrip_hal/st7789.hpp"
 #include "zstrip_scenes/teapot_meshlets.hpp"

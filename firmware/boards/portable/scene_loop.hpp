@@ -11,10 +11,9 @@
 namespace zstrip::board {
 
 /// Frame after frame of `Player`'s motion on a display that was started, one a tick or as fast as they can be drawn;
-/// between them the board sleeps. Starts the watchdog. Returns only what failed.
+/// between them the board sleeps. start_pacing() comes before. Returns only what failed.
 template <class Player, hal::Display Panel>
 Failure show_scene(Panel& panel) {
-  start_pacing();
   HostControl control;
   for (std::uint32_t frame = 0;; frame = (frame + 1) % Player::kFrames) {
     if (const Failure failure = Player::show(panel, frame)) return failure;
