@@ -8,4 +8,7 @@ static_assert(baked::kView.width == Oled::kWidth && baked::kView.height == Oled:
               "bake for this display: --size 128x64 --format gray4");
 static_assert(baked::kPlan.strip_columns % 2 == 0, "the OLED has two pixels a byte: bake with even --strip-columns");
 
-int main() { return zstrip::board::show_on_oled<zstrip::board::BakedMotion>(); }
+int main() {
+  zstrip::board::OledBus bus;
+  return zstrip::board::show_on_oled<zstrip::board::BakedMotion>(bus);
+}
