@@ -51,7 +51,7 @@ Result<PlanRequest> parse(const Arguments& arguments) {
 Result<Done> run(const Arguments& arguments) {
   Result<PlanRequest> request = parse(arguments);
   if (!request) return request.failure();
-  const Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, UpAxis::plus_y, {}, request->view, 1);
+  const Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, {}, {}, request->view, 1);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   const DepthFormat kept_format =

@@ -50,7 +50,7 @@ struct Arguments {
 };
 
 struct Job {
-  UpAxis up = UpAxis::plus_y;
+  ModelOptions model;
   View view;
   DepthFormat depth_format = DepthFormat::z16;
   Budget budget;
@@ -96,9 +96,9 @@ Result<Job> parse(const Arguments& arguments) {
     if (!parsed) return parsed.failure();
     type = *parsed;
   }
-  const Result<UpAxis> up = parse_up(arguments.camera, arguments.scene);
-  if (!up) return up.failure();
-  job.up = *up;
+  const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene);
+  if (!model) return model.failure();
+  job.model = *model;
   const Result<CameraOptions> camera = parse_camera(arguments.camera, arguments.scene);
   if (!camera) return camera.failure();
   job.camera = *camera;
@@ -146,7 +146,7 @@ Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t f
 
 /// Several frames are drawn, encoded and written on all threads, one frame on each; the strips of a single frame are.
 Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool quiet) {
-  Result<std::unique_ptr<Stage>> stage = open_stage(scene, job.up, job.camera, job.view, job.outputs.frames);
+  Result<std::unique_ptr<Stage>> stage = open_stage(scene, job.model, job.camera, job.view, job.outputs.frames);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   RunRecord run{scene, job.view, (*stage)->warnings(), std::vector<FrameRecord>(job.outputs.frames)};
@@ -222,7 +222,9 @@ void add_render_command(CLI::App& app, int& exit_code) {
       ->type_name("DIR|FILE");
   command->add_option("--size", a.size, "Size of the picture, each side 1 to 4096 (default: 320x240)")
       ->type_name("WxH");
-  command->add_option("--frames", a.frames, "Frames of a full turn (default: 1 into a file, 8 into a folder)")
+  command
+      ->add_option("--frames", a.frames,
+                   "Frames of the animation, or of a full turn (default: 1 into a file, 8 into a folder)")
       ->type_name("N");
   command->add_option("--threads", a.threads, "Threads that draw, the same pixels with any (default: one a core)")
       ->type_name("N");

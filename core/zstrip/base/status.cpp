@@ -29,6 +29,7 @@ const char* message(Error error) {
     case Error::blob_version: return "the scene blob has a version that is not read here";
     case Error::blob_memory: return "the memory lent for the scene blob is too small";
     case Error::depth_effects: return "these depth effects exclude each other or this camera";
+    case Error::animation: return "a track of the animation is not valid";
   }
   return "unknown error";
 }

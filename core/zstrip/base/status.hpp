@@ -36,6 +36,7 @@ enum class Error : std::uint8_t {
   blob_memory,     ///< the memory lent for a scene blob; `needed`, `available` in bytes
   depth_effects,   ///< two depth formats at once, sub-ranges of one that has none, or one that needs a perspective
                    ///< camera and is to draw an orthographic one
+  animation,       ///< a track that names no instance or keyframes, or keyframes out of range (`needed` = its index)
 };
 
 /// What memory is for. The order is that of a plan's table.
