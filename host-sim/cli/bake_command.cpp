@@ -127,7 +127,7 @@ Result<Done> run(const Arguments& arguments) {
                                "them, and neither std nor zstrip",
                                arguments.name_space)};
   }
-  const Result<PlanRequest> request = parse_plan(arguments.plan);
+  const Result<PlanRequest> request = parse_plan(arguments.plan, arguments.scene);
   if (!request) return request.failure();
   const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene);
   if (!model) return model.failure();

@@ -26,19 +26,21 @@ constexpr std::uint32_t kFramesOfTurn = 8;  // enough to see the sides of a thin
 struct Arguments {
   std::string scene;
   PlanArguments plan;
-  std::string depth_format = "z16";
+  std::optional<std::string> depth_format;
   std::optional<double> separation;
   bool static_layer = false;
   bool json = false;
 };
 
 Result<PlanRequest> parse(const Arguments& arguments) {
-  Result<PlanRequest> request = parse_plan(arguments.plan);
+  Result<PlanRequest> request = parse_plan(arguments.plan, arguments.scene);
   if (!request) return request.failure();
-  const Result<DepthFormat> depth_format = parse_depth_format(arguments.depth_format);
-  if (!depth_format) return depth_format.failure();
-  request->depth_format = *depth_format;
-  const bool wide = depth_bytes(*depth_format) > sizeof(std::uint16_t);
+  if (arguments.depth_format) {
+    const Result<DepthFormat> depth_format = parse_depth_format(*arguments.depth_format);
+    if (!depth_format) return depth_format.failure();
+    request->depth_format = *depth_format;
+  }
+  const bool wide = depth_bytes(request->depth_format) > sizeof(std::uint16_t);
   if (arguments.static_layer && (wide || request->view.format != PixelFormat::rgb565)) {
     return Failure{ExitStatus::usage, "a static layer keeps depth of 16 bits and pixels of --format rgb565"};
   }

@@ -91,8 +91,7 @@ std::optional<double> TomlTable::number(const char* key, const toml::node& node,
   if (const auto* const floating = node.as_floating_point()) value = floating->get();
   if (const auto* const whole = node.as_integer()) value = static_cast<double>(whole->get());
   if (value && *value >= limits.low && *value <= limits.high) return value;
-  wrong(key, fmt::format("'{}' must be {} from {} to {}", key, node.is_array() ? "numbers" : "a number",
-                         shown(limits.low), shown(limits.high)));
+  wrong(key, fmt::format("'{}' must be a number from {} to {}", key, shown(limits.low), shown(limits.high)));
   return std::nullopt;
 }
 

@@ -135,7 +135,7 @@ TEST(SceneFile, OutOfRangeOrMissing) {
       {"scale = 0\n", 6, "'scale' must be a number"},
       {"scale = nan\n", 6, "'scale' must be a number"},
       {"translation = [1, 2]\n", 6, "3 numbers"},
-      {"translation = [1, 2, inf]\n", 6, "numbers from"},
+      {"translation = [1, 2, inf]\n", 6, "must be a number from"},
       {"quaternion = [0, 0, 0, 0]\n", 6, "must have a length"},
       {"rotation = [0, 0, 0]\nquaternion = [0, 0, 0, 1]\n", 7, "either 'rotation' or 'quaternion'"},
       {"layer = 'static'\nturntable = {}\n", 6, "static layer"},

@@ -1,5 +1,5 @@
-// A scene of one's own, baked by `zstrip bake`, turning on the board's OLED: ZSTRIP_SCENE names its header. Runs by
-// itself; see host_control.hpp.
+// A scene of one's own, baked by `zstrip bake`, animated or turning on the board's OLED: ZSTRIP_SCENE names its header.
+// Runs by itself; see host_control.hpp.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -42,12 +42,22 @@ void report(const char* doing, const char* error) {
   print("\n");
 }
 
+/// The scene's animation in as many frames as a turn has; what has none turns.
+void move(std::uint32_t frame) {
+  if constexpr (!baked::kAnimation.tracks.empty()) {
+    if (frame == 0) std::copy(std::begin(baked::kInstances), std::end(baked::kInstances), instances.begin());
+    pose(baked::kAnimation, zstrip::time_of_frame(baked::kAnimation, frame, kFramesPerTurn), instances);
+  } else {
+    std::transform(std::begin(baked::kInstances), std::end(baked::kInstances), instances.begin(),
+                   [frame](zstrip::Instance instance) {
+                     instance.transform = zstrip::scenes::turned(instance.transform, frame, kFramesPerTurn);
+                     return instance;
+                   });
+  }
+}
+
 bool show_frame(Panel& panel, std::uint32_t frame) {
-  std::transform(std::begin(baked::kInstances), std::end(baked::kInstances), instances.begin(),
-                 [frame](zstrip::Instance instance) {
-                   instance.transform = zstrip::scenes::turned(instance.transform, frame, kFramesPerTurn);
-                   return instance;
-                 });
+  move(frame);
   zstrip::Scene scene = baked::kScene;
   scene.instances = instances;
   const zstrip::Status begun = renderer.begin_frame(scene, baked::kCamera, baked::kView, baked::kPlan, arena);
