@@ -7,7 +7,7 @@
 namespace zstrip::detail {
 
 /// Effects that the table of any_pipeline.cpp does not know.
-inline constexpr Effects kBeyondTable = effect::fragments;
+inline constexpr Effects kBeyondTable = effect::fragments | effect::vertex_light;
 
 /// A pipeline that has all of `effects` (which agree) and draws the same as one that has them exactly; null if there
 /// are unknown ones among them. Static storage.
