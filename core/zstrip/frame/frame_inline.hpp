@@ -51,7 +51,9 @@ struct Frame::Access {
     std::uint32_t number = 0;
     for (std::uint32_t place = 0; place < frame.scene_->instances.size(); ++place) {
       std::uint32_t i = place;
-      if constexpr (effects.has(effect::blending)) i = effect_block<effects>(frame).order()[place].instance;
+      if constexpr (effects.has(effect::blending)) {
+        if (const auto block = effect_block(frame); block.has(effect::blending)) i = block.order()[place].instance;
+      }
       const Mesh& mesh = frame.scene_->meshes[frame.scene_->instances[i].mesh];
       const std::uint32_t meshlets = mesh.meshlets.empty() ? 1 : static_cast<std::uint32_t>(mesh.meshlets.size());
       if (frame.instances_[i].visible) {
@@ -104,12 +106,17 @@ struct Frame::Access {
     const Material& material = scene.materials[instance.material];
     if (!effects_of_finish(scene, material, instance.lit, false).any(effect::vertex_light)) return false;
     const Finish finish = finish_of(scene, material);
-    const auto block = effect_block<effects>(frame);
-    const auto index = static_cast<std::size_t>(batch.instance - frame.instances_);
+    const detail::EffectBlock block = effect_block(frame);
+    const detail::FrameLights* lights = nullptr;
+    const detail::InstanceShading* shading = nullptr;
+    if (block.has(effect::local_light)) {
+      lights = &block.lights();
+      shading = &block.shading(static_cast<std::size_t>(batch.instance - frame.instances_));
+    }
     for (std::uint32_t i = 0; i < range.vertex_count; ++i) {
       const std::uint32_t vertex = range.first_vertex + i;
-      const Colour lit = detail::locally_lit_colour<effects>(instance, *batch.mesh, vertex, scene, block.lights(),
-                                                             block.shading(index), finish);
+      const Colour lit =
+          detail::locally_lit_colour<effects>(instance, *batch.mesh, vertex, scene, lights, shading, finish);
       frame.colours_[cache + i] = detail::with_vertex_colour<effects>(lit, instance, *batch.mesh, vertex);
     }
     return true;
@@ -227,16 +234,15 @@ struct Frame::Access {
     }
   }
 
-  template <Effects effects>
-  static detail::EffectBlock<effects> effect_block(const Frame& frame) {
-    return {reinterpret_cast<std::byte*>(frame.batches_) + frame.plan_.bin_bytes, frame.scene_->instances.size()};
+  static detail::EffectBlock effect_block(const Frame& frame) {
+    return {reinterpret_cast<std::byte*>(frame.batches_) + frame.plan_.bin_bytes, frame.plan_.effect_bytes,
+            frame.scene_->instances.size()};
   }
 
   /// Opaque instances in the scene's order, then those that blend, from far to near.
-  template <Effects effects>
   static void prepare_order(const Frame& frame, const Camera& camera) {
     const Scene& scene = *frame.scene_;
-    const std::span<detail::DrawOrder> order = effect_block<effects>(frame).order();
+    const std::span<detail::DrawOrder> order = effect_block(frame).order();
     const auto blends = [&scene](const Instance& instance) {
       return finish_of(scene, scene.materials[instance.material]).alpha_mode == AlphaMode::blend;
     };
@@ -259,18 +265,26 @@ struct Frame::Access {
 
   /// What effects need through the frame.
   template <Effects effects>
-  static void prepare_effects(Frame& frame, const Camera& camera) {
-    if constexpr (effects.has(effect::blending)) prepare_order<effects>(frame, camera);
+  static void prepare_effects(Frame& frame, const Camera& camera, [[maybe_unused]] Effects called_for) {
+    [[maybe_unused]] const detail::EffectBlock block = effect_block(frame);
+    if constexpr (detail::effect_bytes(effects, 1) != 0) block.lay_out(called_for);
+    if constexpr (effects.has(effect::blending)) {
+      if (block.has(effect::blending)) prepare_order(frame, camera);
+    }
     if constexpr (effects.any(effect::local_light)) {
-      const Scene& scene = *frame.scene_;
-      const auto block = effect_block<effects>(frame);
-      block.lights() = detail::frame_lights(scene, camera);
-      for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-        const Instance& instance = scene.instances[i];
-        block.shading(i) = detail::instance_shading(scene.meshes[instance.mesh], instance.transform, camera);
-      }
+      if (block.has(effect::local_light)) prepare_local_light(frame, camera);
     }
     if constexpr (effects.any(effect::fragments)) prepare_fragments<effects>(frame);
+  }
+
+  static void prepare_local_light(const Frame& frame, const Camera& camera) {
+    const Scene& scene = *frame.scene_;
+    const detail::EffectBlock block = effect_block(frame);
+    block.lights() = detail::frame_lights(scene, camera);
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+      const Instance& instance = scene.instances[i];
+      block.shading(i) = detail::instance_shading(scene.meshes[instance.mesh], instance.transform, camera);
+    }
   }
 
   /// Which instances are drawn by fill_fragments.
@@ -280,7 +294,7 @@ struct Frame::Access {
     constexpr bool kOrthographic = effects.has(effect::orthographic);
     if constexpr (effects.has(effect::fog)) {
       if (scene.fog != nullptr && frame.fit_.near != 0) {
-        effect_block<effects>(frame).fog() = detail::fog_curve(
+        effect_block(frame).fog() = detail::fog_curve(
             *scene.fog, detail::distance_scale(frame.fit_, kOrthographic, detail::depth_span(effects)));
       }
     }
@@ -307,7 +321,7 @@ struct Frame::Access {
     settings.has_texture_alpha = settings.textured && finish.alpha_mode != AlphaMode::opaque &&
                                  frame.scene_->textures[material.texture].format == TextureFormat::rgb565_alpha;
     if constexpr (effects.has(effect::fog)) {
-      if (frame.scene_->fog != nullptr) settings.fog = &effect_block<effects>(frame).fog();
+      if (frame.scene_->fog != nullptr) settings.fog = &effect_block(frame).fog();
       settings.depth_offset =
           effects.has(effect::orthographic) ? std::int64_t{frame.origin_.depth_offset} : frame.fit_.offset;
     }
@@ -404,8 +418,8 @@ struct Frame::Access {
         !status) {
       return status;
     }
-    if constexpr (detail::EffectBlock<effects>::kExists) {
-      const std::uint64_t needed = detail::effect_bytes(effects, static_cast<std::uint32_t>(scene.instances.size()));
+    if constexpr (detail::effect_bytes(effects, 1) != 0) {
+      const std::uint64_t needed = detail::effect_bytes(called_for, static_cast<std::uint32_t>(scene.instances.size()));
       if (plan.effect_bytes < needed) {
         return {.error = Error::arena_too_small,
                 .purpose = Purpose::effects,
@@ -438,7 +452,7 @@ struct Frame::Access {
     if constexpr (has_own_mapping(effects)) change_mapping<effects>(frame, scene);
     if constexpr (effects.has(effect::statistics)) frame.statistics_.triangles = count(scene).triangles;
     frame.scene_ = &scene;
-    prepare_effects<effects>(frame, camera);
+    prepare_effects<effects>(frame, camera, called_for);
     if (frame.extents_ == nullptr) return {};
     if constexpr (effects.has(effect::bins)) {
       if (frame.mode_ == Mode::binned) {

@@ -75,9 +75,9 @@ constexpr std::uint32_t power(std::uint32_t base, std::uint32_t exponent) {
   return result;
 }
 
-/// Light that reaches a surface: 256 is all of a light's colour; saturates.
+/// Light that reaches a surface, 8.12: 1.0 is all of a light's colour; saturates.
 using Gain = std::uint32_t;
-inline constexpr Gain kMostGain = 1U << 16;
+inline constexpr Gain kAllOfIt = 1U << 12, kMostGain = 1U << 20;
 
 /// A punctual light of the frame.
 struct WorldLight {
@@ -97,10 +97,10 @@ constexpr Gain attenuation(const WorldLight& light, const Direction& from) {
   const std::uint32_t half = from.inverse >> 1;
   const std::uint32_t inverse_square = half * half;  // 2^58 / root^2
   const std::uint32_t product =
-      multiply_high(light.intensity, inverse_square);  // 256 intensity / d^2 = product 2^-shift
-  const std::int32_t shift = 4 + 2 * from.shift;
+      multiply_high(light.intensity, inverse_square);  // 4096 intensity / d^2 = product 2^-shift
+  const std::int32_t shift = 2 * from.shift;
   std::uint32_t gain = shift >= 0 ? (shift < 32 ? product >> shift : 0)
-                                  : (shift > -16 && product < (kMostGain >> -shift) ? product << -shift : kMostGain);
+                                  : (shift > -20 && product < (kMostGain >> -shift) ? product << -shift : kMostGain);
   gain = product == 0 ? 0 : std::min(gain, kMostGain);
   if (light.range != 0) {
     const std::uint64_t distance =
@@ -145,27 +145,28 @@ InstanceShading instance_shading(const Mesh& mesh, const Transform& transform, c
 struct LightSum {
   std::uint32_t r, g, b;
   constexpr void add(const Colour& colour, Gain gain) {
-    r += (gain * colour.r) >> 8;
-    g += (gain * colour.g) >> 8;
-    b += (gain * colour.b) >> 8;
+    r += (gain * colour.r + 2048) >> 12;
+    g += (gain * colour.g + 2048) >> 12;
+    b += (gain * colour.b + 2048) >> 12;
   }
 };
 
-/// The colour of a lit vertex with everything that the effects add; before the vertex colour.
+/// The colour of a lit vertex with everything that the effects add; before the vertex colour. `frame` and `shading` are
+/// null where the scene has no local light.
 template <Effects effects>
 Colour locally_lit_colour(const CompiledInstance& instance, const Mesh& mesh, std::uint32_t vertex, const Scene& scene,
-                          const FrameLights& frame, const InstanceShading& shading, const Finish& finish) {
+                          const FrameLights* frame, const InstanceShading* shading, const Finish& finish) {
   const Normal& n = mesh.normals[vertex];
   const Colour plain = lit_colour(instance, n);
   LightSum total{plain.r, plain.g, plain.b};
-  if constexpr (effects.any(effect::local_light)) {
+  if (effects.any(effect::local_light) && shading != nullptr) {
     const Position& p = mesh.positions[vertex];
-    const WorldPoint at{shading.x.at(p), shading.y.at(p), shading.z.at(p)};
+    const WorldPoint at{shading->x.at(p), shading->y.at(p), shading->z.at(p)};
     const auto turned = [&](int row) {  // 1.7 times 1.14
-      return (n.x * shading.normal[row][0] + n.y * shading.normal[row][1] + n.z * shading.normal[row][2]) >> 7;
+      return (n.x * shading->normal[row][0] + n.y * shading->normal[row][1] + n.z * shading->normal[row][2]) >> 7;
     };
     const UnitVector normal = direction_of(turned(0), turned(1), turned(2)).unit;
-    UnitVector to_eye = frame.back;
+    UnitVector to_eye = frame->back;
     bool shines = false;
     if constexpr (effects.has(effect::specular)) {
       shines = finish.specular.r != 0 || finish.specular.g != 0 || finish.specular.b != 0;
@@ -185,13 +186,13 @@ Colour locally_lit_colour(const CompiledInstance& instance, const Mesh& mesh, st
     };
     if constexpr (effects.has(effect::specular)) {
       for (const DirectionalLight& light : scene.lights) {
-        highlight({light.x >> 1, light.y >> 1, light.z >> 1}, light.colour, 256);
+        highlight({light.x >> 1, light.y >> 1, light.z >> 1}, light.colour, kAllOfIt);
       }
     }
     if constexpr (effects.has(effect::punctual_lights)) {
       LightSum diffuse{0, 0, 0};
-      for (std::uint32_t i = 0; i < frame.count; ++i) {
-        const WorldLight& light = frame.lights[i];
+      for (std::uint32_t i = 0; i < frame->count; ++i) {
+        const WorldLight& light = frame->lights[i];
         const Direction from = direction_of(light.position.x - at.x, light.position.y - at.y, light.position.z - at.z);
         const std::int32_t cosine = dot(normal, from.unit) >> 14;  // 1.14
         if (cosine <= 0) continue;

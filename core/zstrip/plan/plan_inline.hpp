@@ -50,7 +50,7 @@ constexpr std::uint64_t effect_bytes(Effects effects, std::uint32_t instances) {
   if (effects.has(effect::fog)) bytes += kFogBytes;
   if (effects.has(effect::blending)) bytes += std::uint64_t{instances} * kDrawOrderBytes;
   if (effects.any(effect::local_light)) bytes += kFrameLightsBytes + std::uint64_t{instances} * kInstanceShadingBytes;
-  return bytes;
+  return bytes == 0 ? 0 : bytes + sizeof(Effects);
 }
 
 /// RGB565 is drawn straight into the caller's pixels; the other formats pass through a working strip.

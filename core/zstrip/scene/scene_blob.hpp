@@ -13,7 +13,7 @@
 
 namespace zstrip {
 
-inline constexpr std::uint8_t kSceneBlobVersion = 1;
+inline constexpr std::uint8_t kSceneBlobVersion = 2;
 inline constexpr std::uint32_t kSceneBlobAlignment = 4;  ///< of the blob's first byte
 
 /// What a blob holds. `scene` reads the blob and the memory lent to open_scene_blob: both must outlive it, unchanged.
