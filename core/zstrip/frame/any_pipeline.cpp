@@ -35,6 +35,12 @@ constexpr Pipeline full_pipeline(bool orthographic) {
   return {&detail::begin_frame<kPerspective>, &detail::draw_strip<kPerspective>, &detail::draw_over<kPerspective>};
 }
 
+template <Effects perspective>
+constexpr Pipeline textured_pipeline() {
+  constexpr Effects kEffects = without(effect::all, effect::orthographic) | kAlways | perspective;
+  return {&detail::begin_frame<kEffects>, &detail::draw_strip<kEffects>, &detail::draw_over<kEffects>};
+}
+
 constexpr Pipeline kRefusing{
     [](Frame&, const Scene&, const Camera&, const View&, const Plan&, std::span<std::byte>) {
       return Status{.error = Error::depth_effects};
@@ -47,8 +53,16 @@ constexpr Pipeline kRefusing{
 }  // namespace
 
 Pipeline pipeline_for(Effects effects) {
-  if (!depth_effects_agree(effects)) return kRefusing;
+  if (!depth_effects_agree(effects) || !perspective_effects_agree(effects)) return kRefusing;
   const bool orthographic = effects.has(effect::orthographic);
+  if (effects.any(effect::perspective_runs) && effects.has(effect::textures) && !orthographic) {
+    if (effects.any(effect::depth_formats | effect::depth_ranges | effect::depth_state)) return kRefusing;
+    switch (perspective_run(effects)) {
+      case 0: return textured_pipeline<effect::perspective_affine>();
+      case 8: return textured_pipeline<effect::perspective_8>();
+      default: return textured_pipeline<effect::perspective_1>();
+    }
+  }
   if (effects.has(effect::depth_ranges)) return full_pipeline<effect::depth_ranges>(orthographic);
   switch (depth_format(effects)) {
     case DepthFormat::float16: return full_pipeline<effect::depth_float>(orthographic);

@@ -17,8 +17,10 @@ struct Pipeline {
 };
 
 /// The pipeline that draws exactly `effects`; where there are depth effects among them, one with all effects but the
-/// other depth formats and the other projection. Effects that do not agree get one that refuses every frame with
-/// Error::depth_effects. Links all of them: for hosts (library zstrip::core_any).
+/// other depth formats and the other projection. One of effect::perspective_runs is left out where nothing is textured
+/// or the projection is orthographic, and refused with Error::depth_effects beside a depth effect. Effects that do not
+/// agree get one that refuses every frame with Error::depth_effects. Links all of them: for hosts (library
+/// zstrip::core_any).
 Pipeline pipeline_for(Effects effects);
 
 }  // namespace zstrip

@@ -65,6 +65,7 @@ struct Assembler {
   static constexpr bool kStatistics = effects.has(effect::statistics);
   static constexpr bool kColours = has_vertex_colours(effects);
   static constexpr DepthMode kDepth = depth_mode(effects);
+  static constexpr std::int32_t kPerspective = perspective_run(effects);
   using StripTarget = TargetFor<kDepth>;  // with what this depth mode needs
 
   /// Colour and texture coordinates, as far as `shade` reads them.
@@ -195,7 +196,8 @@ struct Assembler {
     }
     Surface surface = batch.surface;
     surface.flat_colour = flat_colour<shade>(batch, provoking);
-    draw_span_triangle<shade, kOrthographic, kStatistics, kDepth>(target, v[0], v[1], v[2], surface, true);
+    draw_span_triangle<shade, kOrthographic, kStatistics, kDepth, kPerspective>(target, v[0], v[1], v[2], surface,
+                                                                                true);
   }
 
   static ClipVertex clip_vertex(const Batch& batch, std::uint32_t index) {
@@ -254,8 +256,8 @@ struct Assembler {
       }
       TriangleParts parts(polygon, corner, target.area);
       for (Rect part; parts.next(part);) {
-        draw_span_triangle<shade, kOrthographic, kStatistics, kDepth>(part_of<DepthCell<kDepth.format>>(target, part),
-                                                                      corner[0], corner[1], corner[2], surface, false);
+        draw_span_triangle<shade, kOrthographic, kStatistics, kDepth, kPerspective>(
+            part_of<DepthCell<kDepth.format>>(target, part), corner[0], corner[1], corner[2], surface, false);
       }
     }
   }
