@@ -96,31 +96,18 @@ std::string summary(const Campaign& campaign, double seconds) {
 Result<Done> list_programs(const Job& job) {
   std::set<std::string> names;
   for (const AccuracyRequest& request : job.requests) {
-    AccuracyRequest small = request;
+    AccuracyRequest small = request;  // effects do not depend on the picture
     small.view = {16, 12, PixelFormat::rgb565};
     small.frames = 1;
     const auto scene = AccuracyScene::open(small);
     if (!scene) return scene.failure();
-    const auto add = [&](const Settings& settings) {
-      names.insert(board_program_name(request.target, (*scene)->effects_with(settings)));
-    };
-    for (const Settings& settings : job.options.only) add(settings);
-    if (!job.options.only.empty()) continue;
-    std::vector<Settings> grown{Settings{}};
-    for (const Knob knob : job.options.knobs) {
-      const std::vector<Knob> useful = (*scene)->knobs();
-      if (std::ranges::find(useful, knob) == useful.end()) continue;
-      const std::vector<Settings> before = grown;
-      for (const Settings& settings : before) {
-        for (std::uint8_t value = 1; value < info(knob).values.size(); ++value) {
-          Settings more = settings;
-          more[knob] = value;
-          const bool single = settings == Settings{};
-          if ((*scene)->possible(more) && (single || job.options.product)) grown.push_back(more);
-        }
-      }
-    }
-    for (const Settings& settings : grown) add(settings);
+    const std::vector<Settings> settings = !job.options.only.empty() ? job.options.only
+                                           : job.options.product     ? all_settings(**scene, job.options.knobs)
+                                                                     : one_at_a_time(**scene, job.options.knobs);
+    names.merge([&] {
+      const std::vector<std::string> found = programs_for(**scene, settings);
+      return std::set<std::string>(found.begin(), found.end());
+    }());
   }
   std::string text;
   for (const std::string& name : names) text += name + "\n";

@@ -104,6 +104,29 @@ Respects respects_of(const AccuracyPoint& point) {
           static_cast<double>(point.cost.ram_bytes)};
 }
 
+std::vector<Settings> all_settings(const AccuracyScene& scene, const std::vector<Knob>& turned, const Settings& from) {
+  std::vector<Settings> grown{from};
+  const std::vector<Knob> useful = scene.knobs();
+  for (const Knob knob : turned) {
+    if (std::ranges::find(useful, knob) == useful.end()) continue;
+    const std::vector<Settings> before = grown;
+    for (const Settings& settings : before) {
+      for (std::uint8_t value = 1; value < info(knob).values.size(); ++value) {
+        Settings more = settings;
+        more[knob] = value;
+        if (scene.possible(more)) grown.push_back(more);
+      }
+    }
+  }
+  return grown;
+}
+
+std::vector<std::string> programs_for(const AccuracyScene& scene, const std::vector<Settings>& settings) {
+  std::set<std::string> names;
+  for (const Settings& s : settings) names.insert(board_program_name(scene.request().target, scene.effects_with(s)));
+  return {names.begin(), names.end()};
+}
+
 std::vector<Settings> one_at_a_time(const AccuracyScene& scene, const std::vector<Knob>& turned) {
   std::vector<Settings> wanted{Settings{}};
   const std::vector<Knob> useful = scene.knobs();

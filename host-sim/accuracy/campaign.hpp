@@ -29,6 +29,13 @@ struct Campaign {
 Result<Campaign> run_campaign(const AccuracyScene& scene, const CampaignOptions& options, Journal& journal,
                               const std::function<void(std::size_t done, std::size_t all)>& progress);
 
+/// Everything that can be drawn by turning these knobs, `from` among them.
+std::vector<Settings> all_settings(const AccuracyScene& scene, const std::vector<Knob>& turned,
+                                   const Settings& from = {});
+
+/// The boards' programs that these settings need, without folder and suffix, each once.
+std::vector<std::string> programs_for(const AccuracyScene& scene, const std::vector<Settings>& settings);
+
 /// One knob at a time from the default, which comes first.
 std::vector<Settings> one_at_a_time(const AccuracyScene& scene, const std::vector<Knob>& turned);
 

@@ -14,8 +14,10 @@ constexpr std::array<FigureInfo, kFigures> kInfo{{
     {"wrong_pixels", "%", "pixels with a wrong surface or silhouette, of those that the truth covers"},
     {"wrong_surface", "pixels", "covered in both, but by a surface that the truth does not show there"},
     {"silhouette", "pixels", "covered in one of them only"},
-    {"depth_codes", "codes", "depth, 99.9 % of pixels below"},
-    {"depth_view", "units", "depth in the scene's lengths, 99.9 % of pixels below"},
+    {"depth_codes", "codes",
+     "depth against the planes through snapped corners: interpolation and format alone; 99.9 % of pixels below"},
+    {"depth_view", "units",
+     "depth against the truth, snapping included, in the scene's lengths; 99.9 % of pixels below"},
     {"texture", "texels", "place in the texture, 99.9 % of pixels below"},
     {"colour_mean", "of 255", "mean of the channels"},
     {"colour_p999", "of 255", "99.9 % of the channels below"},
@@ -147,6 +149,7 @@ ErrorSum::ErrorSum(const View& view, const Camera& camera, const DepthScale& dep
 
 void ErrorSum::add(const Observation& drawn, const Truth& truth) {
   add_surfaces(drawn, truth);
+  add_depth(drawn, truth);
   add_colour(drawn, truth);
 }
 
@@ -181,7 +184,7 @@ void ErrorSum::add_surfaces(const Observation& drawn, const Truth& truth) {
         for (const std::uint32_t other : truth.triangles[i])
           found = found || (other != kNoTriangle && label_of(other) == drawn.label[i]);
       }
-      float nearest = sample.w, farthest = sample.w;
+      double nearest = sample.w, farthest = sample.w;
       for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
           const std::int64_t at_x = std::int64_t{x} + dx, at_y = std::int64_t{y} + dy;
@@ -197,7 +200,7 @@ void ErrorSum::add_surfaces(const Observation& drawn, const Truth& truth) {
       if (!found && simplified_ && line) {
         const double at = (linear_of(depth_.format, drawn.code[i]).value - line->offset) / line->slope;
         const double w = linear_in_w ? at : 1 / at;
-        const double size = pixel_at_one_ * (depth_.orthographic ? 1 : static_cast<double>(sample.w));
+        const double size = pixel_at_one_ * (depth_.orthographic ? 1 : sample.w);
         found = w >= nearest - size && w <= farthest + size;
       }
       if (!found) ++wrong_surface_;
@@ -205,15 +208,32 @@ void ErrorSum::add_surfaces(const Observation& drawn, const Truth& truth) {
         texels_.push_back(texture_error(drawn.texel[i], sample));
     }
   }
-  if (line) {
-    for (std::size_t i = 0; i < right.size(); ++i) {
-      if (!right[i]) continue;
-      const double w = truth.centres.samples[i].w;
-      const Linear linear = linear_of(depth_.format, drawn.code[i]);
-      const double wrong = std::abs(linear.value - line->offset - line->slope * abscissa(w));
-      codes_.push_back(static_cast<float>(wrong / linear.step));
-      distances_.push_back(static_cast<float>(wrong / std::abs(line->slope) * (linear_in_w ? 1 : w * w)));
-    }
+  if (!line) return;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    if (!right[i]) continue;
+    const double w = truth.centres.samples[i].w;
+    const double wrong = linear_of(depth_.format, drawn.code[i]).value - line->offset - line->slope * abscissa(w);
+    distances_.push_back(static_cast<float>(std::abs(wrong / line->slope) * (linear_in_w ? 1 : w * w)));
+  }
+}
+
+void ErrorSum::add_depth(const Observation& drawn, const Truth& truth) {
+  if (simplified_) return;
+  const bool linear_in_w = depth_.orthographic || depth_.format == DepthFormat::w16;
+  std::vector<std::array<double, 2>> points;
+  std::vector<double> steps;
+  for (std::size_t i = 0; i < drawn.label.size(); ++i) {
+    const TruthSample& sample = truth.snapped.samples[i];
+    if (sample.triangle == kNoTriangle || drawn.label[i] != label_of(sample.triangle)) continue;
+    const Linear linear = linear_of(depth_.format, drawn.code[i]);
+    points.push_back({linear_in_w ? sample.w : 1 / sample.w, linear.value});
+    steps.push_back(linear.step);
+  }
+  const std::optional<Line> line = line_through(points);
+  if (!line) return;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double wrong = points[i][1] - line->offset - line->slope * points[i][0];
+    codes_.push_back(static_cast<float>(std::abs(wrong) / steps[i]));
   }
 }
 

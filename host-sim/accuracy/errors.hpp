@@ -68,7 +68,7 @@ class ErrorSum {
 
  private:
   void add_surfaces(const Observation& drawn, const Truth& truth);
-  void add_depth(const Observation& drawn, const Truth& truth, const std::vector<bool>& right);
+  void add_depth(const Observation& drawn, const Truth& truth);
   void add_colour(const Observation& drawn, const Truth& truth);
 
   View view_;

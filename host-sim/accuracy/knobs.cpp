@@ -206,11 +206,10 @@ bool possible(const Settings& settings, Effects effects) {
 std::span<const NamedSettings> named_settings() {
   static const std::array<NamedSettings, 3> kNamed = [] {
     Settings tiny, exact;
-    tiny[Knob::shading] = 1;  // flat
-    tiny[Knob::strips] = 1;   // 4 rows
-    tiny[Knob::detail] = 1;   // half
-    tiny[Knob::perspective] = 0;
-    exact[Knob::depth] = 3;  // z24
+    tiny[Knob::shading] = 1;       // flat
+    tiny[Knob::strips] = 1;        // 4 rows
+    tiny[Knob::detail] = 1;        // half
+    exact[Knob::perspective] = 3;  // every pixel
     return std::array<NamedSettings, 3>{{{"tiny", tiny}, {"balanced", Settings{}}, {"exact", exact}}};
   }();
   return kNamed;

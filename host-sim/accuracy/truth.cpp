@@ -78,8 +78,8 @@ Vector texel_at(const Texture& texture, double u, double v) {
 
 class Rasteriser {
  public:
-  Rasteriser(const Camera& camera, const View& view, std::uint32_t scale, const Colour& background)
-      : orthographic_(camera.projection == Projection::orthographic) {
+  Rasteriser(const Camera& camera, const View& view, std::uint32_t scale, const Colour& background, bool snap)
+      : orthographic_(camera.projection == Projection::orthographic), snap_(snap) {
     picture_.width = view.width * scale;
     picture_.height = view.height * scale;
     TruthSample empty;
@@ -104,7 +104,10 @@ class Rasteriser {
 
   Point project(const Corner& c) const {
     const double q = orthographic_ ? 1 : 1 / c.w;
-    return {picture_.width / 2.0 + c.x * q * focal_, picture_.height / 2.0 - c.y * q * focal_, q, c.w, c.share};
+    // To nearest, halves up (docs/conventions.md).
+    const auto snapped = [&](double at) { return snap_ ? std::floor(at * 16 + 0.5) / 16 : at; };
+    return {snapped(picture_.width / 2.0 + c.x * q * focal_), snapped(picture_.height / 2.0 - c.y * q * focal_), q, c.w,
+            c.share};
   }
 
   static double edge(const Point& a, const Point& b, double x, double y) {
@@ -146,7 +149,7 @@ class Rasteriser {
       w += e[i] / area * p[i].w;
       for (std::size_t j = 0; j < 3; ++j) share[j] += weight * p[i].share[j];
     }
-    const auto distance = static_cast<float>(orthographic_ ? w : 1 / q);
+    const double distance = orthographic_ ? w : 1 / q;
     if (sample.triangle != kNoTriangle && sample.w <= distance) return;
     Vector rgb{};
     double u = 0, v = 0;
@@ -164,7 +167,7 @@ class Rasteriser {
     for (std::size_t c = 0; c < 3; ++c) sample.rgb[c] = static_cast<float>(std::clamp(rgb[c], 0.0, 255.0));
   }
 
-  bool orthographic_;
+  bool orthographic_, snap_;
   double focal_;
   TruthPicture picture_;
 };
@@ -199,13 +202,14 @@ bool has_own_depth(const Material& m) {
 
 }  // namespace
 
-Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const View& view, std::uint32_t scale) {
+Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const View& view, std::uint32_t scale,
+                                bool snap) {
   if (std::ranges::any_of(scene.materials, has_own_depth)) {
     return Failure{ExitStatus::input,
                    "the scene has materials with a depth test, write or bias of their own: what is right there depends "
                    "on the z-buffer's codes, so that no truth can be drawn"};
   }
-  Rasteriser rasteriser(camera, view, scale, scene.background);
+  Rasteriser rasteriser(camera, view, scale, scene.background, snap);
   const Vector right = vector_of(camera.right, kOne30), up = vector_of(camera.up, kOne30),
                back = vector_of(camera.back, kOne30), eye = vector_of(camera.eye, kOne16);
   std::uint32_t number = 0;
@@ -249,7 +253,11 @@ Result<Truth> find_truth(const Scene& scene, const Camera& camera, const View& v
   if (!centres) return centres.failure();
   const Result<TruthPicture> fine = draw_truth(scene, camera, view, kScale);
   if (!fine) return fine.failure();
-  Truth truth{std::move(*centres), {}, {}};
+  Result<TruthPicture> snapped = draw_truth(scene, camera, view, 1, true);
+  if (!snapped) return snapped.failure();
+  Truth truth;
+  truth.centres = std::move(*centres);
+  truth.snapped = std::move(*snapped);
   for (std::uint32_t y = 0; y < view.height; ++y) {
     for (std::uint32_t x = 0; x < view.width; ++x) {
       std::array<float, 3> sum{};

@@ -36,21 +36,11 @@ Checks checked(const Candidate& c, const Limits& limits) {
           !limits.flash || c.flash <= *limits.flash};
 }
 
-std::vector<Settings> all_settings(const AccuracyScene& scene, std::uint8_t format) {
-  std::vector<Settings> grown{Settings{}};
-  grown[0][Knob::format] = format;
-  for (const Knob knob : scene.knobs()) {
-    if (knob == Knob::format) continue;
-    const std::vector<Settings> before = grown;
-    for (const Settings& settings : before) {
-      for (std::uint8_t value = 1; value < info(knob).values.size(); ++value) {
-        Settings more = settings;
-        more[knob] = value;
-        if (scene.possible(more)) grown.push_back(more);
-      }
-    }
-  }
-  return grown;
+/// All that is a matter of choice: the display's format is not.
+std::vector<Knob> choices(const AccuracyScene& scene) {
+  std::vector<Knob> knobs = scene.knobs();
+  std::erase(knobs, Knob::format);
+  return knobs;
 }
 
 /// The same errors for all strips: they change no pixel.
@@ -76,9 +66,11 @@ std::vector<std::string> explain(const std::vector<Candidate>& candidates, const
     const std::optional<double> best = best_of(candidates, value, holds);
     if (!best) return;
     if (*best > limit) {
-      lines.push_back(
-          fmt::format("{}: {:.4g} {} asked for, {:.4g} is the least within the other limits, {:.4g} too much", name,
-                      limit, unit, *best, *best - limit));
+      const auto number = [&](double value) {
+        return unit == "bytes" ? grouped(static_cast<std::uint64_t>(value)) : fmt::format("{:.3g}", value);
+      };
+      lines.push_back(fmt::format("{}: {} {} asked for, {} is the least within the other limits, {} too much", name,
+                                  number(limit), unit, number(*best), number(*best - limit)));
     }
   };
   say(
@@ -135,6 +127,10 @@ std::string effect_names(const Settings& settings) {
 
 }  // namespace
 
+std::vector<std::string> programs_to_tune(const AccuracyScene& scene) {
+  return programs_for(scene, all_settings(scene, choices(scene)));
+}
+
 std::optional<double> frames_per_second(const AccuracyPoint& point) {
   if (!point.cost.instructions) return 1e9 / point.cost.nanoseconds;
   return point.cost.least_fps;
@@ -144,7 +140,7 @@ Result<Tuned> tune(const AccuracyScene& scene, const Limits& limits, std::string
                    const std::function<void(std::size_t, std::size_t)>& progress) {
   const Result<Settings> of_format = parse_settings(fmt::format("format={}", format));
   if (!of_format) return of_format.failure();
-  const std::vector<Settings> settings = all_settings(scene, (*of_format)[Knob::format]);
+  const std::vector<Settings> settings = all_settings(scene, choices(scene), *of_format);
   std::vector<Settings> pictures;
   for (const Settings& s : settings) {
     if (without_strips(s) == s) pictures.push_back(s);
@@ -190,16 +186,15 @@ Result<Tuned> tune(const AccuracyScene& scene, const Limits& limits, std::string
                          .errors = errors.at(without_strips(s)),
                          .cost = costs.at(s)};
   };
-  Settings standard;
-  standard[Knob::format] = (*of_format)[Knob::format];
+  const Settings& standard = *of_format;
   const double standard_time = time_of(point_of(standard));
   std::vector<Candidate> candidates;
   for (const Settings& s : settings) {
     const Result<MemoryCost> memory = scene.memory(s);
     if (!memory) return memory.failure();
     Candidate candidate{s, errors.at(without_strips(s)), memory->ram_bytes, memory->scene_bytes, standard_time};
-    for (const Knob knob : scene.knobs()) {
-      if (knob == Knob::format || s[knob] == 0) continue;
+    for (const Knob knob : choices(scene)) {
+      if (s[knob] == 0) continue;
       Settings single = standard;
       single[knob] = s[knob];
       candidate.expected_time *= time_of(point_of(single)) / standard_time;

@@ -30,6 +30,9 @@ struct Tuned {
   std::size_t timed = 0;              ///< of these measured on the target
 };
 
+/// The boards' programs that tuning may run.
+std::vector<std::string> programs_to_tune(const AccuracyScene& scene);
+
 /// `format`: of the display, which is no matter of choice here.
 Result<Tuned> tune(const AccuracyScene& scene, const Limits& limits, std::string_view format, unsigned jobs,
                    const std::function<void(std::size_t done, std::size_t all)>& progress);

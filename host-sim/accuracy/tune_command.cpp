@@ -34,6 +34,7 @@ struct Arguments {
   std::optional<double> perceived, fps;
   std::uint32_t frames = 1;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
+  bool programs = false;
   bool quiet = false;
   std::string firmware;
   std::optional<std::string> output;
@@ -98,6 +99,12 @@ Result<Done> run(const Arguments& arguments) {
                                 .firmware = arguments.firmware};
   const auto scene = AccuracyScene::open(request);
   if (!scene) return scene.failure();
+  if (arguments.programs) {
+    std::string names;
+    for (const std::string& name : programs_to_tune(**scene)) names += name + "\n";
+    write_text(stdout, names);
+    return Done{};
+  }
   Result<Tuned> tuned = [&] {
     Progress progress(1, !arguments.quiet, "point");
     return tune(**scene, *limits, arguments.format, arguments.jobs, [&](std::size_t done, std::size_t all) {
@@ -169,6 +176,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
       ->add_option("-o,--output", a.output,
                    "Folder for quality.toml, quality.json and quality.hpp (default: the first, on standard output)")
       ->type_name("DIR");
+  command->add_flag("--list-programs", a.programs, "Print the names of the boards' programs that may be run, and end");
   command->add_flag("--quiet", a.quiet, "No report and no progress");
   command->footer(
       "Exit status 5 where no settings keep all limits; the message says which and by how much.\nExamples:\n"
