@@ -7,6 +7,7 @@
 #include "zstrip_scenes/knot_meshlets.hpp"
 #include "zstrip_scenes/random.hpp"
 #include "zstrip_scenes/room.hpp"
+#include "zstrip_scenes/spheres.hpp"
 #include "zstrip_scenes/teapot.hpp"
 #include "zstrip_scenes/teapot_meshlets.hpp"
 #include "zstrip_scenes/triangle.hpp"
@@ -14,8 +15,9 @@
 namespace zstrip::scenes {
 namespace {
 
-constexpr BuiltIn kBuiltIn[] = {triangle,  cube,     room,          random50,      teapot,    teapot_meshlets,   knot,
-                                knot_flat, knot_lit, knot_meshlets, knot_textured, random10k, random10k_meshlets};
+constexpr BuiltIn kBuiltIn[] = {
+    triangle, cube,      room,     spheres,       random50,      teapot,    teapot_meshlets,
+    knot,     knot_flat, knot_lit, knot_meshlets, knot_textured, random10k, random10k_meshlets};
 
 constexpr bool all_fit_staged() {
   for (const BuiltIn& scene : kBuiltIn) {

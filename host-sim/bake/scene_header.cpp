@@ -70,6 +70,9 @@ std::string literal(const Instance& instance) {
   return fmt::format("{{.mesh = {}, .material = {}, .transform = {}}}", instance.mesh, instance.material,
                      literal(instance.transform));
 }
+std::string literal(const Quadric& quadric) {
+  return fmt::format("{{.material = {}, .transform = {}}}", quadric.material, literal(quadric.transform));
+}
 std::string literal(const DirectionalLight& light) {
   return fmt::format("{{.x = {}, .y = {}, .z = {}, .colour = {}}}", light.x, light.y, light.z, literal(light.colour));
 }
@@ -207,6 +210,7 @@ class Header {
     if (!scene_.punctual_lights.empty()) {
       add("punctual_lights", array("zstrip::PunctualLight", "kPunctualLights", scene_.punctual_lights));
     }
+    if (!scene_.quadrics.empty()) add("quadrics", array("zstrip::Quadric", "kQuadrics", scene_.quadrics));
     line(fmt::format(
         "\ninline constexpr zstrip::Scene kScene{{.meshes = {},\n{pad}.materials = {},\n{pad}.textures = {},\n"
         "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}{}}};",

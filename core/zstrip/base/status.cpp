@@ -32,6 +32,7 @@ const char* message(Error error) {
     case Error::finish: return "a material's finish is not valid";
     case Error::punctual_light: return "a point or spot light is not valid";
     case Error::fog: return "the fog needs 0 <= start < end and a density that is not negative";
+    case Error::quadric: return "a quadric is not valid";
   }
   return "unknown error";
 }

@@ -31,8 +31,8 @@ Status Frame::Access::check(const Scene& scene, const Camera& camera, const View
                   .needed = static_cast<std::uint32_t>(needed),
                   .available = available};
   };
-  if (plan.instance_bytes < std::uint64_t{counts.instances} * kInstanceBytes) {
-    return too_small(Purpose::instances, std::uint64_t{counts.instances} * kInstanceBytes, plan.instance_bytes);
+  if (plan.instance_bytes < detail::instance_bytes(counts)) {
+    return too_small(Purpose::instances, detail::instance_bytes(counts), plan.instance_bytes);
   }
   const bool colours = detail::has_vertex_colours(called_for);
   const bool binned = plan.mode == Mode::binned;
@@ -83,14 +83,15 @@ void Frame::Access::lay_out_arena(Frame& frame, std::span<std::byte> arena) {
   frame.batches_ = reinterpret_cast<detail::RetainedBatch*>(take(frame.plan_.bin_bytes));
 }
 
-Status Frame::Access::prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view) {
+Status Frame::Access::prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view,
+                              const DepthFit& fit) {
   const bool orthographic = camera.projection == Projection::orthographic;
   const SceneCounts counts = count(scene);
   const bool binned = frame.plan_.mode == Mode::binned;
   frame.colours_ = reinterpret_cast<Colour*>(frame.vertices_ + (binned ? counts.vertices : counts.largest_meshlet));
   frame.bounds_ = {};
   frame.depth_area_ = {};
-  frame.fit_ = detail::fit_to_scene(scene, camera);
+  frame.fit_ = fit;
   frame.origin_ = detail::raster_origin(view, frame.fit_, orthographic);
   const bool nothing = frame.fit_.near == 0;
   for (std::uint32_t i = 0; i < counts.instances; ++i) {
@@ -109,18 +110,26 @@ Status Frame::Access::prepare(Frame& frame, const Scene& scene, const Camera& ca
       instance.visible = false;
       continue;
     }
-    const Rect& all = frame.bounds_;
-    frame.bounds_ = all.empty() ? box
-                                : Rect{std::min(all.left, box.left), std::min(all.top, box.top),
-                                       std::max(all.right, box.right), std::max(all.bottom, box.bottom)};
+    extend_bounds(frame, box);
   }
+  return {};
+}
+
+void Frame::Access::extend_bounds(Frame& frame, const Rect& box) {
+  const Rect& all = frame.bounds_;
+  frame.bounds_ = all.empty() ? box
+                              : Rect{std::min(all.left, box.left), std::min(all.top, box.top),
+                                     std::max(all.right, box.right), std::max(all.bottom, box.bottom)};
+}
+
+void Frame::Access::divide(Frame& frame, const Scene& scene, const View& view) {
   frame.grid_ = detail::StripGrid(frame.plan_, view, frame.bounds_);
-  if (binned) {
+  if (frame.plan_.mode == Mode::binned) {
+    const SceneCounts counts = count(scene);
     const std::uint32_t batch_bytes = counts.meshlets * kBatchBytes;
     frame.bins_ = detail::Bins(reinterpret_cast<std::byte*>(frame.batches_) + batch_bytes,
                                frame.plan_.bin_bytes - batch_bytes, frame.plan_.strips);
   }
-  return {};
 }
 
 detail::StripTarget Frame::Access::target_of(Frame& frame, const Rect& strip, std::uint16_t* pixels) {

@@ -9,6 +9,8 @@
 #include "zstrip/frame/effect_block.hpp"
 #include "zstrip/frame/frame.hpp"
 #include "zstrip/raster/assemble.hpp"
+#include "zstrip/raster/quadric.hpp"
+#include "zstrip/raster/quadric_shade.hpp"
 #include "zstrip/resolve/convert.hpp"
 #include "zstrip/resolve/resolve.hpp"
 #include "zstrip/scene/validate.hpp"
@@ -24,7 +26,18 @@ struct Frame::Access {
   static Status check(const Scene& scene, const Camera& camera, const View& view, const Plan& plan, Effects called_for,
                       Effects missing, std::span<std::byte> arena);
   static void lay_out_arena(Frame& frame, std::span<std::byte> arena);
-  static Status prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view);
+  /// Compiles the instances, finds the frame's bounds.
+  static Status prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const DepthFit& fit);
+  static void extend_bounds(Frame& frame, const Rect& box);
+  /// Compiles the quadrics, for the depth mapping that the frame has now.
+  static Status prepare_quadrics(Frame& frame, const Scene& scene, const Camera& camera);
+  /// They lie behind the instances.
+  static detail::CompiledQuadric* quadrics_of(const Frame& frame, const Scene& scene) {
+    auto* const first = reinterpret_cast<std::byte*>(frame.instances_);
+    return reinterpret_cast<detail::CompiledQuadric*>(first + scene.instances.size() * kInstanceBytes);
+  }
+  /// Into strips, of the bounds that are now known.
+  static void divide(Frame& frame, const Scene& scene, const View& view);
   /// `strip`: its pixels in the picture.
   static detail::StripTarget target_of(Frame& frame, const Rect& strip, std::uint16_t* pixels);
   static void clear(const Frame& frame, std::uint16_t width, std::uint16_t rows, std::uint16_t* pixels,
@@ -213,6 +226,33 @@ struct Frame::Access {
     });
   }
 
+  template <Effects effects>
+  static void draw_quadrics(const Frame& frame, const detail::StripTarget& target) {
+    constexpr bool kOrthographic = effects.has(effect::orthographic);
+    const std::int64_t offset = kOrthographic ? std::int64_t{frame.origin_.depth_offset} : -frame.fit_.offset;
+    const detail::CompiledQuadric* const quadrics = quadrics_of(frame, *frame.scene_);
+    for (std::size_t i = 0; i < frame.scene_->quadrics.size(); ++i) {
+      const detail::CompiledQuadric& quadric = quadrics[i];
+      if (!quadric.visible) continue;
+      const detail::QuadricShade<effects.has(effect::lighting), effects.has(effect::textures)> shade{
+          quadric, texture_of(frame, quadric.material)};
+      with_depth<effects>(frame, target, quadric.material, [&](const auto& complete) {
+        detail::QuadricFill<effects>::draw(complete, quadric, offset, shade);
+      });
+    }
+  }
+
+  /// Calls draw(target), with what the depth effects of this material add to it.
+  template <Effects effects, class Draw>
+  static void with_depth(const Frame& frame, const detail::StripTarget& target, std::uint16_t material,
+                         const Draw& draw) {
+    if constexpr (std::is_same_v<detail::TargetFor<detail::depth_mode(effects)>, detail::StripTarget>) {
+      draw(target);
+    } else {
+      draw(detail::StripTargetWithDepth{target, depth_settings<effects>(frame, material)});
+    }
+  }
+
   /// Calls draw(target), with what the depth effects of this instance's material and its fragments add to it.
   template <Effects effects, class Draw>
   static void with_settings(const Frame& frame, const detail::StripTarget& target,
@@ -220,7 +260,8 @@ struct Frame::Access {
     if constexpr (std::is_same_v<typename detail::TargetOfEffects<effects>::WithDepth, detail::StripTarget>) {
       with_fragments<effects>(frame, target, instance, draw);
     } else {
-      with_fragments<effects>(frame, detail::StripTargetWithDepth{target, depth_settings<effects>(frame, instance)},
+      with_fragments<effects>(frame,
+                              detail::StripTargetWithDepth{target, depth_settings<effects>(frame, instance.material)},
                               instance, draw);
     }
   }
@@ -329,9 +370,9 @@ struct Frame::Access {
   }
 
   template <Effects effects>
-  static detail::DepthSettings depth_settings(const Frame& frame, const detail::CompiledInstance& instance) {
+  static detail::DepthSettings depth_settings(const Frame& frame, std::uint16_t index) {
     constexpr DepthFormat kFormat = depth_format(effects);
-    const Material& material = frame.scene_->materials[instance.material];
+    const Material& material = frame.scene_->materials[index];
     detail::DepthSettings settings;
     settings.test = material.depth_test;
     settings.write = material.depth_write;
@@ -349,13 +390,14 @@ struct Frame::Access {
   }
 
   static detail::Surface surface_of(const Frame& frame, const detail::CompiledInstance& instance) {
-    detail::Surface surface{detail::rgb565(instance.base), {nullptr, 0, 0}, frame.fit_.offset};
-    const std::uint16_t index = frame.scene_->materials[instance.material].texture;
-    if (index != kNoTexture) {
-      const Texture& texture = frame.scene_->textures[index];
-      surface.texture = {texture.texels.data(), texture.log2_width, texture.log2_height};
-    }
-    return surface;
+    return {detail::rgb565(instance.base), texture_of(frame, instance.material), frame.fit_.offset};
+  }
+
+  static detail::TextureView texture_of(const Frame& frame, std::uint16_t material) {
+    const std::uint16_t index = frame.scene_->materials[material].texture;
+    if (index == kNoTexture) return {nullptr, 0, 0};
+    const Texture& texture = frame.scene_->textures[index];
+    return {texture.texels.data(), texture.log2_width, texture.log2_height};
   }
 
   static constexpr bool has_own_mapping(Effects effects) {
@@ -448,8 +490,16 @@ struct Frame::Access {
       ranged.ranges_.begin_frame(frame.depth_, plan.depth_bytes / kDepthBytes);
       ranged.cleared_code_ = 0;
     }
-    if (const Status status = prepare(frame, scene, camera, view); !status) return status;
+    detail::DistanceRange reach = detail::reach_of(scene, camera);
+    if constexpr (effects.has(effect::quadrics)) detail::extend(reach, scene.quadrics, camera);
+    if (const Status status = prepare(frame, scene, camera, view, detail::fit_to(reach, camera)); !status) {
+      return status;
+    }
     if constexpr (has_own_mapping(effects)) change_mapping<effects>(frame, scene);
+    if constexpr (effects.has(effect::quadrics)) {
+      if (const Status status = prepare_quadrics(frame, scene, camera); !status) return status;
+    }
+    divide(frame, scene, view);
     if constexpr (effects.has(effect::statistics)) frame.statistics_.triangles = count(scene).triangles;
     frame.scene_ = &scene;
     prepare_effects<effects>(frame, camera, called_for);
@@ -490,7 +540,7 @@ struct Frame::Access {
     } else {
       clear(frame, width, rows, drawn, target);
     }
-    if (!target.area.empty()) draw_triangles<effects>(frame, target, strip);
+    if (!target.area.empty()) draw_surfaces<effects>(frame, target, strip);
     convert_pixels(frame.view_.format, width, rows, drawn, pixels.data());
     frame.next_to_last_strip_ = strip + 1U;
     return {};
@@ -527,11 +577,25 @@ struct Frame::Access {
           target.depth = depth.data() + first;
           target.colour = pixels.data() + first;
           target.depth_stride = target.colour_stride = area.width();
-          draw_triangles<effects>(frame, target, strip);
+          draw_surfaces<effects>(frame, target, strip);
         }
       }
       return {};
     }
+  }
+
+  template <Effects effects>
+  static void draw_surfaces(Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
+    if constexpr (effects.has(effect::quadrics | effect::blending)) {
+      // What is opaque comes before what blends with it.
+      if (effect_block(frame).has(effect::blending)) {
+        draw_quadrics<effects>(frame, target);
+        draw_triangles<effects>(frame, target, strip);
+        return;
+      }
+    }
+    draw_triangles<effects>(frame, target, strip);
+    if constexpr (effects.has(effect::quadrics)) draw_quadrics<effects>(frame, target);
   }
 
   template <Effects effects>

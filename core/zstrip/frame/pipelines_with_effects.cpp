@@ -4,13 +4,7 @@
 namespace zstrip::detail {
 namespace {
 
-constexpr Effects kShading = without(effect::all, effect::orthographic) | effect::bins;
-constexpr Effects kEverything = kShading | kBeyondTable | effect::depth_state;
-
-template <Effects effects>
-constexpr Pipeline pipeline() {
-  return {&begin_frame<effects>, &draw_strip<effects>, &draw_over<effects>};
-}
+constexpr Effects kEverything = without(effect::of_scenes, effect::orthographic) | effect::statistics | effect::bins;
 
 struct Superset {
   Effects effects;

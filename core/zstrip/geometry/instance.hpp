@@ -65,6 +65,15 @@ struct DistanceRange {
 };
 DistanceRange distance_range(const Mesh& mesh, const Transform& transform, const Camera& camera);
 
+inline constexpr DistanceRange kNoReach{INT64_MAX, INT64_MIN};
+
+/// Extends a reach by something that spans `range`, if that lies in the camera's depth range.
+constexpr void extend(DistanceRange& reach, const DistanceRange& range, const Camera& camera) {
+  if (range.farthest < distance_of(camera.near_plane) || range.nearest > distance_of(camera.far_plane)) return;
+  if (range.nearest < reach.nearest) reach.nearest = range.nearest;
+  if (range.farthest > reach.farthest) reach.farthest = range.farthest;
+}
+
 /// Error::instance if its picture would be more than 2^26 pixels wide, or if its box is so large beside the depth
 /// range of the frame that all of it would be one step of w.
 Status compile_instance(CompiledInstance& compiled, const Scene& scene, const Instance& instance, const Camera& camera,

@@ -39,7 +39,7 @@ constexpr std::uint32_t root_of_word(std::uint32_t value) {
 }
 
 /// A vector as a direction and a length: |vector| = root * 2^shift.
-struct Direction {
+struct DirectionAndLength {
   UnitVector unit;
   std::uint32_t root;     ///< 2^14 .. 2^16
   std::uint32_t inverse;  ///< 2^30 / root
@@ -47,7 +47,7 @@ struct Direction {
 };
 
 /// Components within +-2^31. The direction of no vector at all is no direction: 0.
-constexpr Direction direction_of(std::int32_t x, std::int32_t y, std::int32_t z) {
+constexpr DirectionAndLength direction_of(std::int32_t x, std::int32_t y, std::int32_t z) {
   const auto magnitude = [](std::int32_t v) {
     return v < 0 ? 0U - static_cast<std::uint32_t>(v) : static_cast<std::uint32_t>(v);
   };
@@ -92,7 +92,7 @@ struct WorldLight {
 static_assert(sizeof(WorldLight) == kWorldLightBytes);
 
 /// How much of a light arrives from `from`, the direction to it; KHR_lights_punctual.
-constexpr Gain attenuation(const WorldLight& light, const Direction& from) {
+constexpr Gain attenuation(const WorldLight& light, const DirectionAndLength& from) {
   // intensity / d^2, d = root 2^shift / 2^15.
   const std::uint32_t half = from.inverse >> 1;
   const std::uint32_t inverse_square = half * half;  // 2^58 / root^2
@@ -193,7 +193,8 @@ Colour locally_lit_colour(const CompiledInstance& instance, const Mesh& mesh, st
       LightSum diffuse{0, 0, 0};
       for (std::uint32_t i = 0; i < frame->count; ++i) {
         const WorldLight& light = frame->lights[i];
-        const Direction from = direction_of(light.position.x - at.x, light.position.y - at.y, light.position.z - at.z);
+        const DirectionAndLength from =
+            direction_of(light.position.x - at.x, light.position.y - at.y, light.position.z - at.z);
         const std::int32_t cosine = dot(normal, from.unit) >> 14;  // 1.14
         if (cosine <= 0) continue;
         const Gain gain = attenuation(light, from);

@@ -10,6 +10,7 @@ namespace zstrip {
 
 /// Bytes of the renderer's own records; the stages that define them assert these sizes on every target.
 inline constexpr std::uint32_t kInstanceBytes = 160;
+inline constexpr std::uint32_t kQuadricBytes = 384;
 inline constexpr std::uint32_t kVertexBytes = 8;        // snapped x, y and depth
 inline constexpr std::uint32_t kVertexColourBytes = 4;  // only with lighting or vertex colours
 inline constexpr std::uint32_t kExtentBytes = 4;        // the strips that a meshlet touches
@@ -58,6 +59,11 @@ constexpr bool drawn_in_place(PixelFormat format) {
   return format == PixelFormat::rgb565 || format == PixelFormat::rgb565_swapped;
 }
 
+/// What begin_frame compiles.
+constexpr std::uint64_t instance_bytes(const SceneCounts& counts) {
+  return std::uint64_t{counts.instances} * kInstanceBytes + std::uint64_t{counts.quadrics} * kQuadricBytes;
+}
+
 constexpr Purpose largest_purpose(const Plan& plan, const LayerBytes& layer = {}) {
   Purpose purpose = Purpose::instances;
   std::uint64_t most = plan.instance_bytes;
@@ -76,7 +82,8 @@ constexpr Purpose largest_purpose(const Plan& plan, const LayerBytes& layer = {}
 }  // namespace detail
 
 constexpr SceneCounts count(const Scene& scene) {
-  SceneCounts counts{.instances = static_cast<std::uint32_t>(scene.instances.size())};
+  SceneCounts counts{.instances = static_cast<std::uint32_t>(scene.instances.size()),
+                     .quadrics = static_cast<std::uint32_t>(scene.quadrics.size())};
   const auto raise = [](std::uint32_t& largest, std::uint32_t value) { largest = largest < value ? value : largest; };
   // No sum wraps: what needs more than 32 bits is refused everywhere, not mistaken for something small.
   const auto add = [](std::uint32_t& sum, std::uint64_t value) {
@@ -177,7 +184,7 @@ class Planner {
     const std::uint64_t cells = std::uint64_t{rows} * columns;
     const std::uint64_t meshlets = counts_.meshlets > counts_.instances ? counts_.meshlets : counts_.instances;
     const bool binned = mode == Mode::binned;
-    plan.instance_bytes = rounded_up(std::uint64_t{counts_.instances} * kInstanceBytes);
+    plan.instance_bytes = rounded_up(detail::instance_bytes(counts_));
     plan.extent_bytes = strips > 1 || binned ? rounded_up(meshlets * kExtentBytes) : 0;
     plan.vertex_bytes = rounded_up(std::uint64_t{binned ? counts_.vertices : counts_.largest_meshlet} * per_vertex_);
     plan.depth_bytes = rounded_up(cells * per_cell_);

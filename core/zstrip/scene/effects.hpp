@@ -57,8 +57,11 @@ inline constexpr Effects fragments = fog | alpha_test | blending | texture_alpha
 inline constexpr Effects local_light = specular | punctual_lights;
 /// All that a vertex' light has beyond ambient and directional light.
 inline constexpr Effects vertex_light = local_light | emissive;
+// Surfaces and passes beyond the triangles of instances; bits 22 to 31.
+inline constexpr Effects quadrics{1U << 22};       ///< spheres and ellipsoids
+inline constexpr Effects surfaces{quadrics.bits};  ///< all of these
 /// All that a scene can call for.
-inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | vertex_light;
+inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | vertex_light | surfaces;
 }  // namespace effect
 
 /// Effects as Status::needed has them: the lower 32 bits, or all ones where the lower have none.
@@ -147,6 +150,14 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (has_tables) found = found | effects_of_finish(scene, material, lit, textured);
   }
   if (scene.fog != nullptr && !scene.instances.empty()) found = found | effect::fog;
+  for (const Quadric& quadric : scene.quadrics) {
+    found = found | effect::quadrics;
+    if (quadric.material >= scene.materials.size()) continue;
+    const Material& material = scene.materials[quadric.material];
+    if (material.lit) found = found | effect::lighting;
+    if (material.texture != kNoTexture) found = found | effect::textures;
+    if (has_depth_state(material)) found = found | effect::depth_state;
+  }
   if (camera.projection == Projection::orthographic) found = found | effect::orthographic;
   return found;
 }

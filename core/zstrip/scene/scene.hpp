@@ -134,6 +134,16 @@ struct Instance {
   Transform transform = Transform::identity();  ///< object to world; rotation and scale entries within +-255
 };
 
+/// A sphere or ellipsoid: the unit sphere around the origin, transformed. Drawn pixel by pixel along the viewing ray,
+/// after the instances, into the same z-buffer; docs/effects.md has the mapping of its texture. Material::smooth means
+/// nothing to it, and its depth has no slope: Material::depth_slope_bias must be 0.
+struct Quadric {
+  std::uint16_t material = 0;  ///< index into Scene::materials
+  /// Sphere to world; entries within +-255, with an inverse. Its columns are the ellipsoid's half axes where they are
+  /// at right angles.
+  Transform transform = Transform::identity();
+};
+
 struct DirectionalLight {
   std::int16_t x = 0, y = 0, z = 32767;  ///< 1.15, unit vector *towards* the light, in world space
   Colour colour{255, 255, 255, 255};
@@ -186,6 +196,7 @@ struct Scene {
   const Fog* fog = nullptr;                          ///< none if null
   std::span<const Finish> finishes{};                ///< at most 255
   std::span<const PunctualLight> punctual_lights{};  ///< at most kMaxPunctualLights
+  std::span<const Quadric> quadrics = {};            ///< drawn in this order, after the instances
 };
 
 }  // namespace zstrip

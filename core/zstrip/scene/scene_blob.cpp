@@ -25,7 +25,7 @@ static_assert(sizeof(Material) == 24 && offsetof(Material, texture) == 4 && offs
               offsetof(Material, depth_bias_clamp) == 20);
 static_assert(sizeof(bool) == 1 && sizeof(Camera) == 64);
 static_assert(sizeof(Instance) == 52 && offsetof(Instance, material) == 2 && offsetof(Instance, transform) == 4);
-static_assert(sizeof(void*) != 4 || (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(Scene) == 68));
+static_assert(sizeof(void*) != 4 || (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(Scene) == 76));
 static_assert(offsetof(Material, finish) == 11);
 static_assert(sizeof(Finish) == 12 && offsetof(Finish, specular) == 4 && offsetof(Finish, shininess) == 8 &&
               offsetof(Finish, alpha_mode) == 9 && offsetof(Finish, alpha_cutoff) == 10 &&
@@ -149,7 +149,7 @@ void read_view(Reader& reader, View& view) {
   };
   view.width = side(kView);
   view.height = side(kView + 2);
-  reader.require(reader.byte(kView + 4) <= static_cast<std::uint8_t>(PixelFormat::mono), kView + 4);
+  reader.require(reader.byte(kView + 4) <= static_cast<std::uint8_t>(kLastPixelFormat), kView + 4);
   view.format = static_cast<PixelFormat>(reader.byte(kView + 4));
 }
 

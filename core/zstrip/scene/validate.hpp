@@ -53,14 +53,25 @@ constexpr bool valid_mesh(const Mesh& mesh) {
   return valid_meshlets(mesh);
 }
 
-constexpr bool valid_instance(const Scene& scene, const Instance& instance) {
-  if (instance.mesh >= scene.meshes.size() || instance.material >= scene.materials.size()) return false;
-  for (const auto& row : instance.transform.m) {
+constexpr bool valid_transform(const Transform& transform) {
+  for (const auto& row : transform.m) {
     for (int column = 0; column < 3; ++column) {
       if (!within(row[column], kLargestScale)) return false;
     }
   }
   return true;
+}
+
+constexpr bool valid_instance(const Scene& scene, const Instance& instance) {
+  return instance.mesh < scene.meshes.size() && instance.material < scene.materials.size() &&
+         valid_transform(instance.transform);
+}
+
+/// Quadrics know neither fog, nor point and spot lights, nor finishes.
+constexpr bool valid_quadric(const Scene& scene, const Quadric& quadric) {
+  if (scene.fog != nullptr || !scene.punctual_lights.empty()) return false;
+  return quadric.material < scene.materials.size() && scene.materials[quadric.material].depth_slope_bias == 0 &&
+         scene.materials[quadric.material].finish == kNoFinish && valid_transform(quadric.transform);
 }
 
 /// Texture coordinates in texels have 16 bits before the point: 2048 texels may repeat 16 times on either side of 0.
@@ -104,10 +115,13 @@ constexpr bool valid_texture(const Texture& texture) {
 
 }  // namespace detail
 
-/// Instances move between frames: begin_frame calls this for them again.
+/// Instances and quadrics move between frames: begin_frame calls this for them again.
 constexpr Status validate_instances(const Scene& scene) {
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     if (!detail::valid_instance(scene, scene.instances[i])) return {.error = Error::instance, .needed = i};
+  }
+  for (std::uint32_t i = 0; i < scene.quadrics.size(); ++i) {
+    if (!detail::valid_quadric(scene, scene.quadrics[i])) return {.error = Error::quadric, .needed = i};
   }
   if (scene.lights.size() > kMaxLights) {
     return {.error = Error::light, .needed = static_cast<std::uint32_t>(scene.lights.size()), .available = kMaxLights};
