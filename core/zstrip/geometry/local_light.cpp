@@ -34,7 +34,7 @@ FrameLights frame_lights(const Scene& scene, const Camera& camera) {
     if (light.type == PunctualLightType::spot) {
       world.cosine_outer = light.cosine_outer >> 1;
       const std::int32_t between = (light.cosine_inner >> 1) - world.cosine_outer;
-      world.cone = (1U << 28) / static_cast<std::uint32_t>(std::max(between, 1));
+      world.cone = (1U << 28) / static_cast<std::uint32_t>(std::max<std::int32_t>(between, 1));
     }
   }
   return frame;

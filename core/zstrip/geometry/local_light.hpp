@@ -57,9 +57,9 @@ constexpr DirectionAndLength direction_of(std::int32_t x, std::int32_t y, std::i
   const auto scaled = [shift](std::int32_t v) { return shift >= 0 ? v >> shift : v * (std::int32_t{1} << -shift); };
   const std::int32_t sx = scaled(x), sy = scaled(y), sz = scaled(z);
   const std::uint32_t root =
-      std::max(root_of_word(static_cast<std::uint32_t>(sx * sx) + static_cast<std::uint32_t>(sy * sy) +
-                            static_cast<std::uint32_t>(sz * sz)),
-               1U << 14);
+      std::max<std::uint32_t>(root_of_word(static_cast<std::uint32_t>(sx * sx) + static_cast<std::uint32_t>(sy * sy) +
+                                           static_cast<std::uint32_t>(sz * sz)),
+                              1U << 14);
   const std::uint32_t inverse = (1U << 30) / root;
   const auto unit = [inverse](std::int32_t v) { return (v * static_cast<std::int32_t>(inverse)) >> 16; };  // 1.14
   return {{unit(sx), unit(sy), unit(sz)}, root, inverse, shift};
@@ -104,7 +104,7 @@ constexpr Gain attenuation(const WorldLight& light, const DirectionAndLength& fr
   gain = product == 0 ? 0 : std::min(gain, kMostGain);
   if (light.range != 0) {
     const std::uint64_t distance =
-        from.shift >= 0 ? std::uint64_t{from.root} << from.shift : from.root >> std::min(-from.shift, 31);
+        from.shift >= 0 ? std::uint64_t{from.root} << from.shift : from.root >> std::min<std::int32_t>(-from.shift, 31);
     if (distance >= static_cast<std::uint32_t>(light.range)) return 0;
     const int surplus = std::max(0, 16 - std::countl_zero(static_cast<std::uint32_t>(light.range)));
     const std::uint32_t quotient = ((static_cast<std::uint32_t>(distance) >> surplus) << 15) /
@@ -179,7 +179,7 @@ Colour locally_lit_colour(const CompiledInstance& instance, const Mesh& mesh, st
       if constexpr (effects.has(effect::specular)) {
         if (!shines || dot(normal, towards) <= 0) return;
         const UnitVector half = direction_of(towards.x + to_eye.x, towards.y + to_eye.y, towards.z + to_eye.z).unit;
-        const std::int32_t cosine = std::clamp(dot(normal, half) >> 14, 0, 1 << 14);  // 0.14
+        const std::int32_t cosine = std::clamp<std::int32_t>(dot(normal, half) >> 14, 0, 1 << 14);  // 0.14
         const std::uint32_t share = power(static_cast<std::uint32_t>(cosine), finish.shininess);
         highlights.add(colour, static_cast<Gain>((std::uint64_t{gain} * share) >> 14));
       }
