@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdio>
 #include <memory>
-#include <regex>
 #include <string>
 
 #include "zstrip_scenes/effect_scenes.hpp"
@@ -32,18 +31,25 @@ struct Marker {
   const char* symbol;
 };
 constexpr Marker kMarkers[] = {
-    {effect::fog, R"(zstrip::detail::(fog_curve|visibility|power_of_half|FogPlane<))"},
-    {effect::vertex_light, R"(zstrip::detail::locally_lit_colour<)"},
-    {effect::local_light, R"(zstrip::detail::(frame_lights|instance_shading|direction_of))"},
-    {effect::punctual_lights, R"(zstrip::detail::attenuation)"},
-    {effect::specular, R"(zstrip::detail::power\()"},
-    {effect::fragments, R"(zstrip::detail::(fill_fragments|shade_fragment|draw_fragment_triangle)<)"},
-    {effect::blending, R"(zstrip::Frame::Access::prepare_order)"},
-    {effect::bilinear, R"(zstrip::detail::TextureSampler::bilinear)"},
-    {effect::textures, R"(zstrip::detail::TextureCoordinates<)"},
-    {effect::lighting, R"(zstrip::detail::lit_colour)"},
-    {effect::quadrics, R"(zstrip::detail::QuadricFill)"},
-    {effect::bins, R"(zstrip::detail::Bins::append)"},
+    {effect::fog, "zstrip::detail::fog_curve("},
+    {effect::fog, "zstrip::detail::visibility("},
+    {effect::fog, "zstrip::detail::power_of_half("},
+    {effect::fog, "zstrip::detail::FogPlane<"},
+    {effect::vertex_light, "zstrip::detail::locally_lit_colour<"},
+    {effect::local_light, "zstrip::detail::frame_lights("},
+    {effect::local_light, "zstrip::detail::instance_shading("},
+    {effect::local_light, "zstrip::detail::direction_of("},
+    {effect::punctual_lights, "zstrip::detail::attenuation("},
+    {effect::specular, "zstrip::detail::power("},
+    {effect::fragments, "zstrip::detail::fill_fragments<"},
+    {effect::fragments, "zstrip::detail::shade_fragment<"},
+    {effect::fragments, "zstrip::detail::draw_fragment_triangle<"},
+    {effect::blending, "zstrip::Frame::Access::prepare_order("},
+    {effect::bilinear, "zstrip::detail::TextureSampler::bilinear<"},
+    {effect::textures, "zstrip::detail::TextureCoordinates<"},
+    {effect::lighting, "zstrip::detail::lit_colour("},
+    {effect::quadrics, "zstrip::detail::QuadricFill<"},
+    {effect::bins, "zstrip::detail::Bins::append("},
 };
 
 void expect_only(const std::string& program, const scenes::BuiltIn& built_in) {
@@ -52,7 +58,7 @@ void expect_only(const std::string& program, const scenes::BuiltIn& built_in) {
   const std::string linked = symbols(program);
   ASSERT_NE(linked.find("zstrip::Frame::Access::draw_strip"), std::string::npos) << "no symbols";
   for (const Marker& marker : kMarkers) {
-    EXPECT_EQ(std::regex_search(linked, std::regex(marker.symbol)), effects.any(marker.effects)) << marker.symbol;
+    EXPECT_EQ(linked.find(marker.symbol) != std::string::npos, effects.any(marker.effects)) << marker.symbol;
   }
 }
 
