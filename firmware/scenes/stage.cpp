@@ -78,9 +78,8 @@ Transform turned(const Transform& at_rest, std::uint32_t frame, std::uint32_t fr
 }
 
 bool can_turn(const Transform& transform) {
-  return std::all_of(std::begin(transform.m), std::end(transform.m), [](const Fixed(&row)[4]) {
-    return row[3] >= -kFarthestTurned && row[3] <= kFarthestTurned;
-  });
+  return std::all_of(std::begin(transform.m), std::end(transform.m),
+                     [](const Fixed(&row)[4]) { return row[3] >= -kFarthestTurned && row[3] <= kFarthestTurned; });
 }
 
 Camera fit_width(const Camera& camera, const View& own, const View& view) {

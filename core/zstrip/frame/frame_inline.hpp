@@ -586,6 +586,14 @@ struct Frame::Access {
 
   template <Effects effects>
   static void draw_surfaces(Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
+    if constexpr (effects.has(effect::quadrics | effect::blending)) {
+      // What is opaque comes before what blends with it.
+      if (effect_block(frame).has(effect::blending)) {
+        draw_quadrics<effects>(frame, target);
+        draw_triangles<effects>(frame, target, strip);
+        return;
+      }
+    }
     draw_triangles<effects>(frame, target, strip);
     if constexpr (effects.has(effect::quadrics)) draw_quadrics<effects>(frame, target);
   }

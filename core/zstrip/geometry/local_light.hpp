@@ -39,7 +39,7 @@ constexpr std::uint32_t root_of_word(std::uint32_t value) {
 }
 
 /// A vector as a direction and a length: |vector| = root * 2^shift.
-struct Direction {
+struct DirectionAndLength {
   UnitVector unit;
   std::uint32_t root;     ///< 2^14 .. 2^16
   std::uint32_t inverse;  ///< 2^30 / root
@@ -47,7 +47,7 @@ struct Direction {
 };
 
 /// Components within +-2^31. The direction of no vector at all is no direction: 0.
-constexpr Direction direction_of(std::int32_t x, std::int32_t y, std::int32_t z) {
+constexpr DirectionAndLength direction_of(std::int32_t x, std::int32_t y, std::int32_t z) {
   const auto magnitude = [](std::int32_t v) {
     return v < 0 ? 0U - static_cast<std::uint32_t>(v) : static_cast<std::uint32_t>(v);
   };
@@ -92,7 +92,7 @@ struct WorldLight {
 static_assert(sizeof(WorldLight) == kWorldLightBytes);
 
 /// How much of a light arrives from `from`, the direction to it; KHR_lights_punctual.
-constexpr Gain attenuation(const WorldLight& light, const Direction& from) {
+constexpr Gain attenuation(const WorldLight& light, const DirectionAndLength& from) {
   // intensity / d^2, d = root 2^shift / 2^15.
   const std::uint32_t half = from.inverse >> 1;
   const std::uint32_t inverse_square = half * half;  // 2^58 / root^2
@@ -151,65 +151,77 @@ struct LightSum {
   }
 };
 
+/// Adds highlights, and point and spot lights.
+template <Effects effects>
+void add_local_light(LightSum& total, const CompiledInstance& instance, const Mesh& mesh, std::uint32_t vertex,
+                     const Scene& scene, [[maybe_unused]] const FrameLights* frame, const InstanceShading* shading,
+                     [[maybe_unused]] const Finish& finish) {
+  const Normal& n = mesh.normals[vertex];
+  const Position& p = mesh.positions[vertex];
+  const WorldPoint at{shading->x.at(p), shading->y.at(p), shading->z.at(p)};
+  const auto turned = [&](int row) {  // 1.7 times 1.14
+    return (n.x * shading->normal[row][0] + n.y * shading->normal[row][1] + n.z * shading->normal[row][2]) >> 7;
+  };
+  const UnitVector normal = direction_of(turned(0), turned(1), turned(2)).unit;
+  UnitVector to_eye = frame->back;
+  bool shines = false;
+  if constexpr (effects.has(effect::specular)) {
+    shines = finish.specular.r != 0 || finish.specular.g != 0 || finish.specular.b != 0;
+    if constexpr (!effects.has(effect::orthographic)) {
+      if (shines) to_eye = direction_of(-at.x, -at.y, -at.z).unit;
+    }
+  }
+  LightSum highlights{0, 0, 0};
+  const auto highlight = [&](const UnitVector& towards, const Colour& colour, Gain gain) {
+    if constexpr (effects.has(effect::specular)) {
+      if (!shines || dot(normal, towards) <= 0) return;
+      const UnitVector half = direction_of(towards.x + to_eye.x, towards.y + to_eye.y, towards.z + to_eye.z).unit;
+      const std::int32_t cosine = std::clamp<std::int32_t>(dot(normal, half) >> 14, 0, 1 << 14);  // 0.14
+      const std::uint32_t share = power(static_cast<std::uint32_t>(cosine), finish.shininess);
+      highlights.add(colour, static_cast<Gain>((std::uint64_t{gain} * share) >> 14));
+    }
+  };
+  if constexpr (effects.has(effect::specular)) {
+    for (const DirectionalLight& light : scene.lights) {
+      highlight({light.x >> 1, light.y >> 1, light.z >> 1}, light.colour, kAllOfIt);
+    }
+  }
+  if constexpr (effects.has(effect::punctual_lights)) {
+    LightSum diffuse{0, 0, 0};
+    for (std::uint32_t i = 0; i < frame->count; ++i) {
+      const WorldLight& light = frame->lights[i];
+      const DirectionAndLength from =
+          direction_of(light.position.x - at.x, light.position.y - at.y, light.position.z - at.z);
+      const std::int32_t cosine = dot(normal, from.unit) >> 14;  // 1.14
+      if (cosine <= 0) continue;
+      const Gain gain = attenuation(light, from);
+      if (gain == 0) continue;
+      diffuse.add(light.colour, static_cast<Gain>((std::uint64_t{gain} * static_cast<std::uint32_t>(cosine)) >> 14));
+      highlight(from.unit, light.colour, gain);
+    }
+    // Light times the material's colour.
+    total.r += (diffuse.r * factor(instance.base.r)) >> 8;
+    total.g += (diffuse.g * factor(instance.base.g)) >> 8;
+    total.b += (diffuse.b * factor(instance.base.b)) >> 8;
+  }
+  if constexpr (effects.has(effect::specular)) {
+    total.r += (highlights.r * factor(finish.specular.r)) >> 8;
+    total.g += (highlights.g * factor(finish.specular.g)) >> 8;
+    total.b += (highlights.b * factor(finish.specular.b)) >> 8;
+  }
+}
+
 /// The colour of a lit vertex with everything that the effects add; before the vertex colour. `frame` and `shading` are
 /// null where the scene has no local light.
 template <Effects effects>
 Colour locally_lit_colour(const CompiledInstance& instance, const Mesh& mesh, std::uint32_t vertex, const Scene& scene,
-                          const FrameLights* frame, const InstanceShading* shading, const Finish& finish) {
-  const Normal& n = mesh.normals[vertex];
-  const Colour plain = lit_colour(instance, n);
+                          [[maybe_unused]] const FrameLights* frame, [[maybe_unused]] const InstanceShading* shading,
+                          const Finish& finish) {
+  const Colour plain = lit_colour(instance, mesh.normals[vertex]);
   LightSum total{plain.r, plain.g, plain.b};
-  if (effects.any(effect::local_light) && shading != nullptr) {
-    const Position& p = mesh.positions[vertex];
-    const WorldPoint at{shading->x.at(p), shading->y.at(p), shading->z.at(p)};
-    const auto turned = [&](int row) {  // 1.7 times 1.14
-      return (n.x * shading->normal[row][0] + n.y * shading->normal[row][1] + n.z * shading->normal[row][2]) >> 7;
-    };
-    const UnitVector normal = direction_of(turned(0), turned(1), turned(2)).unit;
-    UnitVector to_eye = frame->back;
-    bool shines = false;
-    if constexpr (effects.has(effect::specular)) {
-      shines = finish.specular.r != 0 || finish.specular.g != 0 || finish.specular.b != 0;
-      if constexpr (!effects.has(effect::orthographic)) {
-        if (shines) to_eye = direction_of(-at.x, -at.y, -at.z).unit;
-      }
-    }
-    LightSum highlights{0, 0, 0};
-    const auto highlight = [&](const UnitVector& towards, const Colour& colour, Gain gain) {
-      if constexpr (effects.has(effect::specular)) {
-        if (!shines || dot(normal, towards) <= 0) return;
-        const UnitVector half = direction_of(towards.x + to_eye.x, towards.y + to_eye.y, towards.z + to_eye.z).unit;
-        const std::int32_t cosine = std::clamp<std::int32_t>(dot(normal, half) >> 14, 0, 1 << 14);  // 0.14
-        const std::uint32_t share = power(static_cast<std::uint32_t>(cosine), finish.shininess);
-        highlights.add(colour, static_cast<Gain>((std::uint64_t{gain} * share) >> 14));
-      }
-    };
-    if constexpr (effects.has(effect::specular)) {
-      for (const DirectionalLight& light : scene.lights) {
-        highlight({light.x >> 1, light.y >> 1, light.z >> 1}, light.colour, kAllOfIt);
-      }
-    }
-    if constexpr (effects.has(effect::punctual_lights)) {
-      LightSum diffuse{0, 0, 0};
-      for (std::uint32_t i = 0; i < frame->count; ++i) {
-        const WorldLight& light = frame->lights[i];
-        const Direction from = direction_of(light.position.x - at.x, light.position.y - at.y, light.position.z - at.z);
-        const std::int32_t cosine = dot(normal, from.unit) >> 14;  // 1.14
-        if (cosine <= 0) continue;
-        const Gain gain = attenuation(light, from);
-        if (gain == 0) continue;
-        diffuse.add(light.colour, static_cast<Gain>((std::uint64_t{gain} * static_cast<std::uint32_t>(cosine)) >> 14));
-        highlight(from.unit, light.colour, gain);
-      }
-      // Light times the material's colour.
-      total.r += (diffuse.r * factor(instance.base.r)) >> 8;
-      total.g += (diffuse.g * factor(instance.base.g)) >> 8;
-      total.b += (diffuse.b * factor(instance.base.b)) >> 8;
-    }
-    if constexpr (effects.has(effect::specular)) {
-      total.r += (highlights.r * factor(finish.specular.r)) >> 8;
-      total.g += (highlights.g * factor(finish.specular.g)) >> 8;
-      total.b += (highlights.b * factor(finish.specular.b)) >> 8;
+  if constexpr (effects.any(effect::local_light)) {
+    if (shading != nullptr) {
+      add_local_light<effects>(total, instance, mesh, vertex, scene, frame, shading, finish);
     }
   }
   if constexpr (effects.has(effect::emissive)) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 
 #include "zstrip/geometry/light.hpp"
 #include "zstrip/raster/fragment_settings.hpp"
@@ -100,6 +101,9 @@ class TextureSampler {
   std::uint32_t row_mask_ = 0;
 };
 
+/// In place of a member whose effect is missing.
+struct Absent {};
+
 /// Everything that varies over a triangle but its depth, as far as the effects go.
 template <Effects effects>
 struct FragmentPlanes {
@@ -128,8 +132,10 @@ struct FragmentPlanes {
   ColourPlanes light;  ///< constant over a flat triangle, 255 where texels are not lit
   bool textured = false, fogged = false;
   TextureView texture{};
-  TextureCoordinates<kOrthographic> coordinates;
-  FogPlane<kOrthographic> fog;
+  template <Effects needed, class Member>
+  using If = std::conditional_t<effects.has(needed), Member, Absent>;
+  [[no_unique_address]] If<effect::textures, TextureCoordinates<kOrthographic>> coordinates;
+  [[no_unique_address]] If<effect::fog, FogPlane<kOrthographic>> fog;
 };
 
 /// What is exact at the ends of a run only, and linear between.
@@ -169,11 +175,12 @@ bool shade_fragment(const FragmentPlanes<effects>& planes, const FragmentSetting
   if constexpr (effects.has(effect::textures)) {
     if (planes.textured) {
       FragmentColour texel;
-      if (effects.has(effect::bilinear) && settings.bilinear) {
-        texel = sampler.template bilinear<kTextureAlpha>(u, v, settings.has_texture_alpha);
-      } else {
-        texel = sampler.template nearest<kTextureAlpha>(u, v, settings.has_texture_alpha);
+      bool fetched = false;
+      if constexpr (effects.has(effect::bilinear)) {
+        fetched = settings.bilinear;
+        if (fetched) texel = sampler.template bilinear<kTextureAlpha>(u, v, settings.has_texture_alpha);
       }
+      if (!fetched) texel = sampler.template nearest<kTextureAlpha>(u, v, settings.has_texture_alpha);
       colour = modulated(texel, r, g, b);
     }
   }

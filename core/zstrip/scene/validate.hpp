@@ -67,9 +67,11 @@ constexpr bool valid_instance(const Scene& scene, const Instance& instance) {
          valid_transform(instance.transform);
 }
 
+/// Quadrics know neither fog, nor point and spot lights, nor finishes.
 constexpr bool valid_quadric(const Scene& scene, const Quadric& quadric) {
+  if (scene.fog != nullptr || !scene.punctual_lights.empty()) return false;
   return quadric.material < scene.materials.size() && scene.materials[quadric.material].depth_slope_bias == 0 &&
-         valid_transform(quadric.transform);
+         scene.materials[quadric.material].finish == kNoFinish && valid_transform(quadric.transform);
 }
 
 /// Texture coordinates in texels have 16 bits before the point: 2048 texels may repeat 16 times on either side of 0.

@@ -45,8 +45,8 @@ Transform turned(const Transform& at_rest, std::uint32_t frame, std::uint32_t fr
 /// Whether every translation of `transform` is within kFarthestTurned.
 bool can_turn(const Transform& transform);
 
-/// The camera of a scene that was baked for the picture `own`, for another picture: where `view` is narrower it shows as
-/// much from side to side. Rounds the focal length down.
+/// The camera of a scene that was baked for the picture `own`, for another picture: where `view` is narrower it shows
+/// as much from side to side. Rounds the focal length down.
 Camera fit_width(const Camera& camera, const View& own, const View& view);
 
 /// The motion of the benchmarks: vertical field of view 60 degrees, near 0.1, far 100, camera on +z looking at

@@ -1,0 +1,74 @@
+// No symbol of an effect is linked into a program whose scene lacks it. The programs are compiled without inlining, so
+// that every function that is used has a symbol.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "zstrip_scenes/effect_scenes.hpp"
+
+namespace effects_test {
+namespace {
+
+using namespace zstrip;
+
+/// What `nm --demangle` prints.
+std::string symbols(const std::string& program) {
+  const std::string command = std::string(ZSTRIP_NM) + " --demangle '" + program + "'";
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string text;
+  if (!pipe) return text;
+  std::array<char, 4096> part{};
+  for (std::size_t read; (read = std::fread(part.data(), 1, part.size(), pipe.get())) != 0;)
+    text.append(part.data(), read);
+  return text;
+}
+
+struct Marker {
+  Effects effects;  ///< with any of them the symbol must be there, without all of them it must not
+  const char* symbol;
+};
+constexpr Marker kMarkers[] = {
+    {effect::fog, "zstrip::detail::fog_curve("},
+    {effect::fog, "zstrip::detail::visibility("},
+    {effect::fog, "zstrip::detail::power_of_half("},
+    {effect::fog, "zstrip::detail::FogPlane<"},
+    {effect::vertex_light, "zstrip::detail::locally_lit_colour<"},
+    {effect::local_light, "zstrip::detail::frame_lights("},
+    {effect::local_light, "zstrip::detail::instance_shading("},
+    {effect::local_light, "zstrip::detail::direction_of("},
+    {effect::punctual_lights, "zstrip::detail::attenuation("},
+    {effect::specular, "zstrip::detail::power("},
+    {effect::fragments, "zstrip::detail::fill_fragments<"},
+    {effect::fragments, "zstrip::detail::shade_fragment<"},
+    {effect::fragments, "zstrip::detail::draw_fragment_triangle<"},
+    {effect::blending, "zstrip::Frame::Access::prepare_order("},
+    {effect::bilinear, "zstrip::detail::TextureSampler::bilinear<"},
+    {effect::textures, "zstrip::detail::TextureCoordinates<"},
+    {effect::lighting, "zstrip::detail::lit_colour("},
+    {effect::quadrics, "zstrip::detail::QuadricFill<"},
+    {effect::bins, "zstrip::detail::Bins::append("},
+};
+
+void expect_only(const std::string& program, const scenes::BuiltIn& built_in) {
+  SCOPED_TRACE(program);
+  const Effects effects = effects_of(built_in.scene, built_in.camera);
+  const std::string linked = symbols(program);
+  ASSERT_NE(linked.find("zstrip::Frame::Access::draw_strip"), std::string::npos) << "no symbols";
+  for (const Marker& marker : kMarkers) {
+    EXPECT_EQ(linked.find(marker.symbol) != std::string::npos, effects.any(marker.effects)) << marker.symbol;
+  }
+}
+
+TEST(EffectsAbsence, ProgramsHoldTheCodeOfTheirScenesEffectsAndNoOther) {
+  const std::string folder = std::string(ZSTRIP_PIPELINES) + "/zstrip_pipeline_of_";
+  const auto check = [&](const scenes::BuiltIn& built_in) { expect_only(folder + built_in.name, built_in); };
+  check(scenes::knot);
+  check(scenes::room);
+  for (const scenes::BuiltIn& built_in : scenes::effect_scenes()) check(built_in);
+}
+
+}  // namespace
+}  // namespace effects_test

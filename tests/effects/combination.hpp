@@ -1,0 +1,117 @@
+// Sets of effects, and a scene that calls for exactly such a set: two boxes, one behind the other.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "drawn.hpp"
+#include "zstrip_scenes/effect_scenes.hpp"
+
+namespace effects_test {
+
+/// Everything that a set may have or not.
+inline constexpr Effects kFactors[] = {effect::lighting,     effect::gouraud,         effect::textures,
+                                       effect::orthographic, effect::depth_state,     effect::fog,
+                                       effect::emissive,     effect::specular,        effect::texture_alpha,
+                                       effect::bilinear,     effect::punctual_lights, effect::alpha_test,
+                                       effect::blending};
+
+/// With what its effects need to show.
+constexpr Effects completed(Effects set) {
+  if (set.has(effect::texture_alpha) && !set.any(effect::alpha_test | effect::blending)) set = set | effect::alpha_test;
+  if (set.any(effect::texture_alpha | effect::bilinear)) set = set | effect::textures;
+  if (set.any(effect::vertex_light | effect::gouraud)) set = set | effect::lighting;
+  return set;
+}
+
+inline constexpr std::size_t kRows = 7;
+
+/// A row of a covering array: of every two factors it has both, either and neither somewhere. Kleitman and Spencer:
+/// columns are different words of 7 bits that have 4 ones, none of them in the first row.
+constexpr Effects row(std::size_t index) {
+  Effects set{};
+  unsigned word = 0;
+  for (const Effects factor : kFactors) {
+    do ++word;
+    while (__builtin_popcount(word) != 4);
+    if (index != 0 && (word >> (index - 1) & 1U) != 0) set = set | factor;
+  }
+  return set;
+}
+
+constexpr bool covers_all_pairs() {
+  for (const Effects a : kFactors) {
+    for (const Effects b : kFactors) {
+      if (a == b) continue;
+      bool seen[4] = {};
+      for (std::size_t i = 0; i < kRows; ++i) seen[(row(i).has(a) ? 2 : 0) + (row(i).has(b) ? 1 : 0)] = true;
+      if (!seen[0] || !seen[1] || !seen[2] || !seen[3]) return false;
+    }
+  }
+  return true;
+}
+static_assert(covers_all_pairs());
+
+/// Calls for exactly completed(set).
+struct Combination {
+  Finish finishes[2];
+  Material materials[2];
+  Texture textures[1] = {{scenes::kLatticeTexels, 4, 4}};
+  Instance instances[2] = {scenes::block(0, 0.5, 0.5, 0.5, -0.2, 0, -0.6),
+                           scenes::block(1, 0.5, 0.5, 0.5, 0.2, 0.1, 0.5)};
+  Camera camera = scenes::turntable_camera(4.0, 20, 2.2);
+  Scene scene;
+
+  explicit Combination(Effects set) {
+    for (int i = 0; i < 2; ++i) {
+      Finish& finish = finishes[i];
+      if (set.has(effect::emissive)) finish.emissive = {40, 20, 0, 255};
+      if (set.has(effect::specular)) finish.specular = {200, 200, 200, 255};
+      if (set.has(effect::bilinear)) finish.filter = TextureFilter::bilinear;
+      Material& material = materials[i];
+      material = {.colour = {200, 180, 160, 150}, .lit = set.has(effect::lighting), .smooth = set.has(effect::gouraud)};
+      material.finish = static_cast<std::uint8_t>(i);
+      if (set.has(effect::textures)) material.texture = 0;
+      if (set.has(effect::depth_state)) material.depth_test = DepthTest::nearer_or_equal;
+    }
+    if (set.has(effect::alpha_test)) finishes[0].alpha_mode = AlphaMode::mask;
+    if (set.has(effect::blending)) finishes[1].alpha_mode = AlphaMode::blend;
+    if (set.has(effect::texture_alpha)) textures[0].format = TextureFormat::rgb565_alpha;
+    if (set.has(effect::orthographic)) {
+      camera.projection = Projection::orthographic;
+      camera.focal = fixed(0.7);
+    }
+    scene.meshes = scenes::kRoomMeshes;
+    scene.materials = materials;
+    scene.textures = textures;
+    scene.instances = instances;
+    scene.finishes = finishes;
+    scene.background = {30, 60, 90, 255};
+    if (set.has(effect::lighting)) scene.lights = scenes::kKeyLight;
+    if (set.has(effect::punctual_lights)) scene.punctual_lights = scenes::kPunctualLights;
+    if (set.has(effect::fog)) scene.fog = &scenes::kFog;
+  }
+};
+
+/// Draws completed(set) by its own pipeline, whole and in strips, and by the host's.
+template <Effects set>
+void expect_drawn_alike() {
+  constexpr Effects kSet = completed(set);
+  constexpr View kView{40, 32, PixelFormat::rgb565};
+  SCOPED_TRACE(testing::Message() << std::hex << kSet.bits);
+  Combination combination(kSet);
+  const Scene& scene = combination.scene;
+  const Camera& camera = combination.camera;
+  ASSERT_EQ(effects_of(scene, camera), kSet);
+  const Drawn whole = draw<kSet>(scene, camera, kView);
+  const auto background = static_cast<std::uint16_t>(30 >> 3 << 11 | 60 >> 2 << 5 | 90 >> 3);
+  EXPECT_GT(std::ranges::count_if(whole.pixels, [&](std::uint16_t pixel) { return pixel != background; }), 100);
+  EXPECT_EQ(draw<kSet>(scene, camera, kView, {.strip_rows = 5, .strip_columns = 16}), whole);
+  EXPECT_EQ(draw_any(kSet, scene, camera, kView, {.strip_rows = 9}), whole);
+  EXPECT_EQ(draw_any(kSet | effect::bins, scene, camera, kView, {.strip_rows = 9, .modes = Modes::binned}), whole);
+  // Memory is planned for what is there, and not for more.
+  const Plan plan = zstrip::plan(count(scene), kView, kSet).plan;
+  EXPECT_EQ(plan.effect_bytes != 0, kSet.any(effect::fog | effect::blending | effect::local_light));
+}
+
+}  // namespace effects_test
