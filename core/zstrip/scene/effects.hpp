@@ -46,9 +46,11 @@ inline constexpr Effects fog{std::uint64_t{1} << 13};  ///< Scene::fog
 
 /// Those that need a fragment of its own: instances with one of them are drawn by fill_fragments.
 inline constexpr Effects fragments = fog;
+
 // Surfaces and passes beyond the triangles of instances; bits 22 to 31.
 inline constexpr Effects quadrics{1U << 22};       ///< spheres and ellipsoids
 inline constexpr Effects surfaces{quadrics.bits};  ///< all of these
+
 /// All that a scene can call for.
 inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | surfaces;
 }  // namespace effect
@@ -112,7 +114,7 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (material.smooth && (lit || coloured)) found = found | effect::gouraud;
     if (has_depth_state(material)) found = found | effect::depth_state;
   }
-  if (scene.fog != nullptr && !scene.instances.empty()) found = found | effect::fog;
+  if (scene.fog != nullptr && !(scene.instances.empty() && scene.quadrics.empty())) found = found | effect::fog;
   for (const Quadric& quadric : scene.quadrics) {
     found = found | effect::quadrics;
     if (quadric.material >= scene.materials.size()) continue;
