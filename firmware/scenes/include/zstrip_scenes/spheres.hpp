@@ -54,9 +54,8 @@ inline constexpr BuiltIn spheres{.name = "spheres",
                                  .description = "spheres and an ellipsoid, pixel by pixel, cut by a cube on a floor",
                                  .scene = kSpheresScene,
                                  .counts = count(kSpheresScene),
-                                 .camera = turntable_camera(5.5, 22, 2.4),
+                                 .camera = turntable_camera(5.5, 15, 2.4),
                                  .focal_across = fixed(1.9),
-                                 .turns = Turns::camera,
-                                 .workload_distance = fixed(4.5)};
+                                 .turns = Turns::camera};
 
 }  // namespace zstrip::scenes
