@@ -234,8 +234,11 @@ struct Frame::Access {
     for (std::size_t i = 0; i < frame.scene_->quadrics.size(); ++i) {
       const detail::CompiledQuadric& quadric = quadrics[i];
       if (!quadric.visible) continue;
-      const detail::QuadricShade<effects.has(effect::lighting), effects.has(effect::textures)> shade{
-          quadric, texture_of(frame, quadric.material)};
+      detail::QuadricShade<effects> shade{quadric, texture_of(frame, quadric.material)};
+      if constexpr (effects.has(effect::fog)) {
+        if (frame.scene_->fog != nullptr) shade.fog = &effect_block(frame).fog();
+        shade.depth_offset = kOrthographic ? offset : -offset;
+      }
       with_depth<effects>(frame, target, quadric.material, [&](const auto& complete) {
         detail::QuadricFill<effects>::draw(complete, quadric, offset, shade);
       });
@@ -257,13 +260,8 @@ struct Frame::Access {
   template <Effects effects, class Draw>
   static void with_settings(const Frame& frame, const detail::StripTarget& target,
                             const detail::CompiledInstance& instance, const Draw& draw) {
-    if constexpr (std::is_same_v<typename detail::TargetOfEffects<effects>::WithDepth, detail::StripTarget>) {
-      with_fragments<effects>(frame, target, instance, draw);
-    } else {
-      with_fragments<effects>(frame,
-                              detail::StripTargetWithDepth{target, depth_settings<effects>(frame, instance.material)},
-                              instance, draw);
-    }
+    with_depth<effects>(frame, target, instance.material,
+                        [&](const auto& complete) { with_fragments<effects>(frame, complete, instance, draw); });
   }
   template <Effects effects, class Target, class Draw>
   static void with_fragments(const Frame& frame, const Target& target, const detail::CompiledInstance& instance,
@@ -586,16 +584,9 @@ struct Frame::Access {
 
   template <Effects effects>
   static void draw_surfaces(Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
-    if constexpr (effects.has(effect::quadrics | effect::blending)) {
-      // What is opaque comes before what blends with it.
-      if (effect_block(frame).has(effect::blending)) {
-        draw_quadrics<effects>(frame, target);
-        draw_triangles<effects>(frame, target, strip);
-        return;
-      }
-    }
-    draw_triangles<effects>(frame, target, strip);
+    // They are opaque: what blends comes after them.
     if constexpr (effects.has(effect::quadrics)) draw_quadrics<effects>(frame, target);
+    draw_triangles<effects>(frame, target, strip);
   }
 
   template <Effects effects>

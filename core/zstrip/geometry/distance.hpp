@@ -43,4 +43,25 @@ constexpr DistanceScale distance_scale(const DepthFit& fit, bool orthographic, s
   return {mantissa, 44 - near_zeros - quotient_zeros, 0};
 }
 
+/// The distance that a single depth stands for, 16.16. `depth_offset`: as the frame's mapping has it, DepthFit::offset
+/// with perspective, else the depth of `far`.
+template <bool orthographic>
+constexpr Fixed distance_at(const DistanceScale& scale, std::uint32_t depth, std::int64_t depth_offset) {
+  if constexpr (orthographic) {
+    const std::uint32_t nearer = depth - static_cast<std::uint32_t>(depth_offset);
+    const Fixed distance = scale.far - static_cast<Fixed>((nearer * scale.scale) >> 32);
+    return distance < 0 ? 0 : distance;
+  } else {
+    const std::int64_t q = std::int64_t{depth} + depth_offset;
+    if (q <= 0) return INT32_MAX;
+    const int zeros = std::countl_zero(static_cast<std::uint64_t>(q));
+    const auto inverse = static_cast<std::uint32_t>(
+        reciprocal(static_cast<std::uint32_t>((static_cast<std::uint64_t>(q) << zeros) >> 32)));
+    const std::uint32_t high = multiply_high(static_cast<std::uint32_t>(scale.scale), inverse);
+    const int left = scale.exponent + zeros - 32;
+    if (left <= 0) return static_cast<Fixed>(left > -32 ? high >> -left : 0);
+    return left < 31 && high >> (31 - left) == 0 ? static_cast<Fixed>(high << left) : INT32_MAX;
+  }
+}
+
 }  // namespace zstrip::detail

@@ -83,8 +83,8 @@ class QuadricFill {
       for (std::int32_t columns = left; columns < left + box.width(); ++columns, ++cell, ++pixel) {
         if (static_cast<std::int64_t>(radicand) > 0) {
           const Root<cut> root = root_of<cut>(radicand, q.root_shift);
-          draw_pixel<cut>(q, linear, root, offset, rule, *cell, [&](std::int32_t sign) {
-            *pixel = shade(columns, rows, sign * static_cast<std::int32_t>(root >> q.direction_shift));
+          draw_pixel<cut>(q, linear, root, offset, rule, *cell, [&](std::int32_t sign, std::uint32_t depth) {
+            *pixel = shade(columns, rows, sign * static_cast<std::int32_t>(root >> q.direction_shift), depth);
             count_pass<kStatistics>(target.statistics);
           });
           if constexpr (kStatistics) ++target.statistics->fragments;
@@ -98,25 +98,25 @@ class QuadricFill {
     }
   }
 
-  /// Calls paint(1) or, for the far side, paint(-1) if the pixel is to be drawn.
+  /// Calls paint(1, depth) or, for the far side, paint(-1, depth) if the pixel is to be drawn.
   template <bool cut, class Paint>
   static void draw_pixel(const CompiledQuadric& q, Root<cut> linear, Root<cut> root, std::int64_t offset,
                          const Rule& rule, typename Rule::Cell& cell, const Paint& paint) {
-    const auto draws = [&](Root<cut> relative) {
-      return rule.draws(
-          stepped_depth<kMode.format>(static_cast<std::uint32_t>(relative) + static_cast<std::uint32_t>(offset)), cell);
+    const auto test = [&](Root<cut> relative, std::int32_t sign) {
+      const std::uint32_t depth = static_cast<std::uint32_t>(relative) + static_cast<std::uint32_t>(offset);
+      if (rule.draws(stepped_depth<kMode.format>(depth), cell)) paint(sign, depth);
     };
     if constexpr (!cut) {
-      if (draws(linear + root)) paint(1);
+      test(linear + root, 1);
     } else {
       const auto in_range = [&q](std::uint64_t relative) {
         const auto depth = static_cast<std::int64_t>(relative);
         return depth >= q.farthest && depth <= q.nearest;
       };
       if (in_range(linear + root)) {
-        if (draws(linear + root)) paint(1);
+        test(linear + root, 1);
       } else if (q.shows_inside && in_range(linear - root)) {
-        if (draws(linear - root)) paint(-1);
+        test(linear - root, -1);
       }
     }
   }

@@ -9,6 +9,7 @@
 #include "zstrip/geometry/light.hpp"
 #include "zstrip/geometry/quadric.hpp"
 #include "zstrip/raster/colour.hpp"
+#include "zstrip/raster/fragment.hpp"
 #include "zstrip/raster/target.hpp"
 
 namespace zstrip::detail {
@@ -71,17 +72,29 @@ inline std::uint16_t texel_at(const TextureView& texture, const QuadricNormal& d
 }
 
 /// Colours of one quadric's pixels; the effects say which of its members are looked at.
-template <bool lit, bool textured>
+template <Effects effects>
 struct QuadricShade {
   const CompiledQuadric& quadric;
   TextureView texture;
+  const FogCurve* fog = nullptr;  ///< only with effect::fog
+  std::int64_t depth_offset = 0;  ///< of distance_at
 
-  std::uint16_t operator()(std::int32_t columns, std::int32_t rows, std::int32_t root) const {
+  /// `root` may be negative: the far side. `depth` in 1/2^32 of all codes.
+  std::uint16_t operator()(std::int32_t columns, std::int32_t rows, std::int32_t root, std::uint32_t depth) const {
+    const std::uint16_t colour = surface_colour(columns, rows, root);
+    if constexpr (effects.has(effect::fog)) {
+      if (fog != nullptr) return fogged(colour, depth);
+    }
+    return colour;
+  }
+
+ private:
+  std::uint16_t surface_colour(std::int32_t columns, std::int32_t rows, std::int32_t root) const {
     Colour colour = quadric.base;
-    if constexpr (lit) {
+    if constexpr (effects.has(effect::lighting)) {
       if (quadric.lit) colour = lit_colour(quadric, unit(direction_at(quadric.normal, columns, rows, root)));
     }
-    if constexpr (textured) {
+    if constexpr (effects.has(effect::textures)) {
       if (quadric.textured) {
         const std::uint16_t texel = texel_at(texture, direction_at(quadric.surface, columns, rows, root));
         if (!quadric.lit) return texel;
@@ -90,6 +103,15 @@ struct QuadricShade {
       }
     }
     return rgb565(colour);
+  }
+
+  std::uint16_t fogged(std::uint16_t pixel, std::uint32_t depth) const {
+    const Fixed distance = distance_at<effects.has(effect::orthographic)>(fog->distance, depth, depth_offset);
+    const auto share = static_cast<std::uint32_t>(visibility(*fog, distance) + 128) >> 8;
+    const FragmentColour colour = expanded(pixel);
+    const Colour& other = fog->colour;
+    return rgb565(mixed(colour.r, other.r, share) << 16, mixed(colour.g, other.g, share) << 16,
+                  mixed(colour.b, other.b, share) << 16);
   }
 };
 

@@ -63,9 +63,11 @@ inline constexpr Effects fragments = fog | alpha_test | blending | texture_alpha
 inline constexpr Effects local_light = specular | punctual_lights;
 /// All that a vertex' light has beyond ambient and directional light.
 inline constexpr Effects vertex_light = local_light | emissive;
+
 // Surfaces and passes beyond the triangles of instances; bits 22 to 31.
 inline constexpr Effects quadrics{1U << 22};       ///< spheres and ellipsoids
 inline constexpr Effects surfaces{quadrics.bits};  ///< all of these
+
 /// All that a scene can call for.
 inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | vertex_light | surfaces;
 }  // namespace effect
@@ -168,7 +170,7 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (has_depth_state(material)) found = found | effect::depth_state;
     if (has_tables) found = found | effects_of_finish(scene, material, lit, textured);
   }
-  if (scene.fog != nullptr && !scene.instances.empty()) found = found | effect::fog;
+  if (scene.fog != nullptr && !(scene.instances.empty() && scene.quadrics.empty())) found = found | effect::fog;
   for (const Quadric& quadric : scene.quadrics) {
     found = found | effect::quadrics;
     if (quadric.material >= scene.materials.size()) continue;

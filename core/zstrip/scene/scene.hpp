@@ -135,8 +135,9 @@ struct Instance {
 };
 
 /// A sphere or ellipsoid: the unit sphere around the origin, transformed. Drawn pixel by pixel along the viewing ray,
-/// after the instances, into the same z-buffer; docs/effects.md has the mapping of its texture. Material::smooth means
-/// nothing to it, and its depth has no slope: Material::depth_slope_bias must be 0.
+/// before the instances, into the same z-buffer; docs/effects.md has the mapping of its texture. Material::smooth means
+/// nothing to it. Its depth has no slope: Material::depth_slope_bias must be 0. It is opaque: the material has no
+/// finish and its texture no alpha; punctual lights do not light it, and a lit one in a scene that has them is refused.
 struct Quadric {
   std::uint16_t material = 0;  ///< index into Scene::materials
   /// Sphere to world; entries within +-255, with an inverse. Its columns are the ellipsoid's half axes where they are
@@ -196,7 +197,7 @@ struct Scene {
   const Fog* fog = nullptr;                          ///< none if null
   std::span<const Finish> finishes{};                ///< at most 255
   std::span<const PunctualLight> punctual_lights{};  ///< at most kMaxPunctualLights
-  std::span<const Quadric> quadrics{};               ///< drawn in this order, after the instances
+  std::span<const Quadric> quadrics{};               ///< drawn in this order, before the instances
 };
 
 }  // namespace zstrip

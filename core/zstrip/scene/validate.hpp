@@ -67,11 +67,14 @@ constexpr bool valid_instance(const Scene& scene, const Instance& instance) {
          valid_transform(instance.transform);
 }
 
-/// Quadrics know neither fog, nor point and spot lights, nor finishes.
+/// Quadrics have no finish, and only directional lights reach them: what asks for more is refused, not drawn without.
 constexpr bool valid_quadric(const Scene& scene, const Quadric& quadric) {
-  if (scene.fog != nullptr || !scene.punctual_lights.empty()) return false;
-  return quadric.material < scene.materials.size() && scene.materials[quadric.material].depth_slope_bias == 0 &&
-         scene.materials[quadric.material].finish == kNoFinish && valid_transform(quadric.transform);
+  if (quadric.material >= scene.materials.size() || !valid_transform(quadric.transform)) return false;
+  const Material& material = scene.materials[quadric.material];
+  const bool plain_texture =
+      material.texture >= scene.textures.size() || scene.textures[material.texture].format == TextureFormat::rgb565;
+  return material.depth_slope_bias == 0 && material.finish >= scene.finishes.size() && plain_texture &&
+         (!material.lit || scene.punctual_lights.empty());
 }
 
 /// Texture coordinates in texels have 16 bits before the point: 2048 texels may repeat 16 times on either side of 0.

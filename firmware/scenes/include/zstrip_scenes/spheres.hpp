@@ -20,7 +20,7 @@ inline constexpr Mesh kSpheresMeshes[] = {{.positions = kCubePositions,
                                            .meshlets = {},
                                            .half_extent = kCubeHalfExtent}};
 inline constexpr Texture kSpheresTextures[] = {{kGlobeTexels, kGlobeTextureLog2[0], kGlobeTextureLog2[1]}};
-inline constexpr Material kSpheresMaterials[] = {{.colour = {150, 160, 170, 255}, .smooth = false},
+inline constexpr Material kSpheresMaterials[] = {{.colour = {96, 104, 112, 255}, .lit = false, .smooth = false},
                                                  {.colour = {240, 200, 90, 255}, .smooth = false},
                                                  {.colour = {225, 85, 60, 255}},
                                                  {.texture = 0},
@@ -54,9 +54,8 @@ inline constexpr BuiltIn spheres{.name = "spheres",
                                  .description = "spheres and an ellipsoid, pixel by pixel, cut by a cube on a floor",
                                  .scene = kSpheresScene,
                                  .counts = count(kSpheresScene),
-                                 .camera = turntable_camera(5.5, 22, 1.9),
+                                 .camera = turntable_camera(5.5, 15, 2.4),
                                  .focal_across = fixed(1.9),
-                                 .turns = Turns::camera,
-                                 .workload_distance = fixed(4.5)};
+                                 .turns = Turns::camera};
 
 }  // namespace zstrip::scenes
