@@ -3,7 +3,9 @@
 
 #include <zlib.h>
 
+#include <map>
 #include <span>
+#include <utility>
 
 namespace zstrip::sim {
 namespace {
@@ -63,16 +65,30 @@ class Writer {
     zeros(1);
     for (const std::int32_t bias : {m.depth_bias, m.depth_slope_bias, m.depth_bias_clamp}) word(bias);
   }
+  void put(const Transform& transform) {
+    for (const auto& row : transform.m) {
+      for (const Fixed value : row) word(value);
+    }
+  }
   void put(const Instance& instance) {
     half_word(std::uint32_t{instance.mesh});
     half_word(std::uint32_t{instance.material});
-    for (const auto& row : instance.transform.m) {
-      for (const Fixed value : row) word(value);
-    }
+    put(instance.transform);
   }
   void put(const DirectionalLight& light) {
     for (const std::int16_t component : {light.x, light.y, light.z}) half_word(component);
     put(light.colour);
+  }
+  void put(const Fog& fog) {
+    put(fog.colour);
+    byte(static_cast<std::uint8_t>(fog.mode));
+    zeros(3);
+    for (const Fixed value : {fog.start, fog.end, fog.density}) word(value);
+  }
+  void put(const Quadric& quadric) {
+    half_word(std::uint32_t{quadric.material});
+    zeros(2);
+    put(quadric.transform);
   }
   void put(const Track& track) {
     for (const std::uint32_t value : {track.instance, track.count}) half_word(value);
@@ -102,14 +118,20 @@ class Writer {
   template <class Record>
   void array(std::size_t entry, std::span<const Record> records) {
     if (records.empty()) return;
-    place(entry, records.size());
+    const auto [known, is_new] = arrays_.try_emplace({records.data(), records.size()}, bytes_.size());
+    word_at(entry, static_cast<std::uint32_t>(known->second));
+    word_at(entry + 4, static_cast<std::uint32_t>(records.size()));
+    if (!is_new) return;  // meshes of other sizes share their vertices
     for (const Record& record : records) put(record);
     align();
   }
   /// Room for `count` records of `size` bytes, named at `entry`; where they begin.
   std::size_t reserve(std::size_t entry, std::size_t count, std::size_t size) {
     const std::size_t at = bytes_.size();
-    if (count > 0) place(entry, count);
+    if (count > 0) {
+      word_at(entry, static_cast<std::uint32_t>(at));
+      word_at(entry + 4, static_cast<std::uint32_t>(count));
+    }
     zeros(count * size);
     return at;
   }
@@ -121,13 +143,10 @@ class Writer {
   std::vector<std::uint8_t>& bytes() { return bytes_; }
 
  private:
-  void place(std::size_t entry, std::size_t count) {
-    word_at(entry, static_cast<std::uint32_t>(bytes_.size()));
-    word_at(entry + 4, static_cast<std::uint32_t>(count));
-  }
   void align() { zeros((kSceneBlobAlignment - bytes_.size() % kSceneBlobAlignment) % kSceneBlobAlignment); }
 
   std::vector<std::uint8_t> bytes_;
+  std::map<std::pair<const void*, std::size_t>, std::size_t> arrays_;  ///< where those begin that are written
 };
 
 void write_mesh(Writer& writer, std::size_t at, const Mesh& mesh) {
@@ -166,7 +185,7 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   writer.put(scene.background);
   writer.put(content.camera);
   writer.put(content.view);
-  writer.zeros(16);  // arrays of tracks and keyframes: set below
+  writer.zeros(32);  // arrays of tracks, keyframes, fog and quadrics: set below
   writer.word(content.animation.duration);
 
   const std::size_t meshes = writer.reserve(12, scene.meshes.size(), kMeshBytes);
@@ -176,6 +195,8 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   writer.array(44, scene.lights);
   writer.array(132, content.animation.tracks);
   writer.array(140, content.animation.keyframes);
+  writer.array(148, std::span(scene.fog, scene.fog != nullptr ? 1 : 0));
+  writer.array(156, scene.quadrics);
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) write_mesh(writer, meshes + i * kMeshBytes, scene.meshes[i]);
   for (std::size_t i = 0; i < scene.textures.size(); ++i) {
     write_texture(writer, textures + i * kTextureBytes, scene.textures[i]);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -50,6 +51,13 @@ std::string literal(const Transform& transform) {
 std::string literal(const Instance& instance) {
   return fmt::format("{{.mesh = {}, .material = {}, .transform = {}}}", instance.mesh, instance.material,
                      literal(instance.transform));
+}
+std::string literal(const Fog& fog) {
+  return fmt::format("{{.colour = {}, .mode = zstrip::FogMode{{{}}}, .start = {}, .end = {}, .density = {}}}",
+                     literal(fog.colour), static_cast<int>(fog.mode), fog.start, fog.end, fog.density);
+}
+std::string literal(const Quadric& quadric) {
+  return fmt::format("{{.material = {}, .transform = {}}}", quadric.material, literal(quadric.transform));
 }
 std::string literal(const DirectionalLight& light) {
   return fmt::format("{{.x = {}, .y = {}, .z = {}, .colour = {}}}", light.x, light.y, light.z, literal(light.colour));
@@ -132,6 +140,8 @@ class Header {
   template <class Record>
   std::string array(const std::string& type, const std::string& name, std::span<const Record> records) {
     if (records.empty()) return "{}";
+    const auto [known, is_new] = arrays_.try_emplace({records.data(), records.size()}, name);
+    if (!is_new) return known->second;  // meshes of other sizes share their vertices
     constexpr std::size_t kWidth = 118;
     text_ += fmt::format("inline constexpr {} {}[{}] = {{\n   ", type, name, records.size());
     std::size_t column = 3;
@@ -184,10 +194,14 @@ class Header {
     const std::string materials = array("zstrip::Material", "kMaterials", scene_.materials);
     const std::string instances = array("zstrip::Instance", "kInstances", scene_.instances);
     const std::string lights = array("zstrip::DirectionalLight", "kLights", scene_.lights);
+    if (scene_.fog != nullptr) line(fmt::format("inline constexpr zstrip::Fog kFog{};", literal(*scene_.fog)));
+    const std::string quadrics = array("zstrip::Quadric", "kQuadrics", scene_.quadrics);
     line(fmt::format(
         "\ninline constexpr zstrip::Scene kScene{{.meshes = {},\n{pad}.materials = {},\n{pad}.textures = {},\n"
-        "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}}};",
+        "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}{}{}}};",
         meshes, materials, textures, instances, lights, literal(scene_.ambient), literal(scene_.background),
+        scene_.fog == nullptr ? "" : fmt::format(",\n{:38}.fog = &kFog", ""),
+        scene_.quadrics.empty() ? "" : fmt::format(",\n{:38}.quadrics = {}", "", quadrics),
         fmt::arg("pad", "                                      ")));
   }
 
@@ -242,6 +256,7 @@ class Header {
   const BakedScene& baked_;
   const Scene& scene_;
   std::string text_, meshes_, textures_;
+  std::map<std::pair<const void*, std::size_t>, std::string> arrays_;  ///< names of those that stand there
 };
 
 }  // namespace

@@ -36,6 +36,9 @@ constexpr std::pair<std::string_view, bool> kProjections[] = {{"perspective", fa
 constexpr std::pair<std::string_view, bool> kLayers[] = {{"static", true}, {"moving", false}};
 constexpr std::pair<std::string_view, Interpolation> kInterpolations[] = {{"linear", Interpolation::linear},
                                                                           {"step", Interpolation::step}};
+constexpr std::pair<std::string_view, FogMode> kFogModes[] = {{"linear", FogMode::linear},
+                                                              {"exponential", FogMode::exponential},
+                                                              {"exponential_squared", FogMode::exponential_squared}};
 constexpr std::pair<std::string_view, DepthTest> kDepthTests[] = {{"never", DepthTest::never},
                                                                   {"nearer", DepthTest::nearer},
                                                                   {"equal", DepthTest::equal},
@@ -230,6 +233,37 @@ FileLight read_light(TomlTable& table) {
   return light;
 }
 
+FileFog read_fog(TomlTable& table) {
+  FileFog fog;
+  fog.line = table.line();
+  fog.colour = table.colour("colour").value_or(fog.colour);
+  fog.mode = table.choice("mode", kFogModes).value_or(FogMode::linear);
+  fog.start = table.number("start", {0, kLength.high}).value_or(0);
+  fog.end = table.number("end", kPositive).value_or(0);
+  fog.density = table.number("density", {0, kLength.high}).value_or(0);
+  const bool linear = fog.mode == FogMode::linear;
+  if (linear && fog.end <= fog.start) table.wrong("end", "'end' must be greater than 'start': all is fog there");
+  if (!linear && !table.has("density")) table.wrong("density", "'density' is missing");
+  for (const char* key : {"start", "end"}) {
+    if (!linear && table.has(key)) table.wrong(key, fmt::format("'{}' goes with mode = \"linear\"", key));
+  }
+  if (linear && table.has("density")) table.wrong("density", "'density' goes with the exponential modes");
+  table.finish();
+  return fog;
+}
+
+FileEllipsoid read_ellipsoid(TomlTable& table) {
+  FileEllipsoid ellipsoid;
+  ellipsoid.line = table.line();
+  ellipsoid.material = table.text("material").value_or("");
+  if (!table.has("material")) table.wrong("material", "'material' is missing");
+  ellipsoid.placement.translation = table.vector("translation", kLength).value_or(Vector{0, 0, 0});
+  ellipsoid.placement.rotation = read_rotation(table).value_or(Quaternion{0, 0, 0, 1});
+  ellipsoid.placement.scale = table.number_or_vector("radius", kPositive).value_or(Vector{1, 1, 1});
+  table.finish();
+  return ellipsoid;
+}
+
 /// Names of models or materials; each may be there once.
 template <typename Entry>
 std::vector<std::string> names_of(const std::vector<Entry>& entries, const char* what, TomlErrors& errors) {
@@ -258,6 +292,9 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
   for (TomlTable& table : root.tables("material", "[[material]]")) scene.materials.push_back(read_material(table));
   std::vector<TomlTable> instances = root.tables("instance", "[[instance]]");
   for (TomlTable& table : instances) scene.instances.push_back(read_instance(table));
+  std::vector<TomlTable> ellipsoids = root.tables("ellipsoid", "[[ellipsoid]]");
+  for (TomlTable& table : ellipsoids) scene.ellipsoids.push_back(read_ellipsoid(table));
+  if (auto fog = root.table("fog", "[fog]")) scene.fog = read_fog(*fog);
   std::vector<TomlTable> lights = root.tables("light", "[[light]]");
   for (TomlTable& table : lights) scene.lights.push_back(read_light(table));
   root.finish();
@@ -271,7 +308,12 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
       check_name(other, materials, instances[i], "materials", "material");
     }
   }
-  if (instances.empty()) errors.add(1, "the scene has no [[instance]]: there is nothing to draw");
+  for (std::size_t i = 0; i < ellipsoids.size(); ++i) {
+    check_name(scene.ellipsoids[i].material, materials, ellipsoids[i], "material", "material");
+  }
+  if (instances.empty() && ellipsoids.empty()) {
+    errors.add(1, "the scene has neither [[instance]] nor [[ellipsoid]]: there is nothing to draw");
+  }
   if (lights.size() > kMaxLights) {
     errors.add(lights[kMaxLights].line(), fmt::format("more than {} lights", kMaxLights));
   }

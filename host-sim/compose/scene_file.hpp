@@ -98,6 +98,21 @@ struct FileLight {
   Colour colour{255, 255, 255, 255};
 };
 
+/// [fog]; lengths and densities of the file.
+struct FileFog {
+  int line = 0;
+  Colour colour{128, 128, 128, 255};
+  FogMode mode = FogMode::linear;
+  double start = 0, end = 0, density = 0;
+};
+
+/// [[ellipsoid]]
+struct FileEllipsoid {
+  int line = 0;
+  std::string material;
+  Placement placement;  ///< of the unit sphere
+};
+
 struct SceneFile {
   std::filesystem::path path;
   PictureSettings picture;
@@ -106,7 +121,9 @@ struct SceneFile {
   std::optional<FileCamera> camera;
   std::vector<FileModel> models;
   std::vector<FileMaterial> materials;
-  std::vector<FileInstance> instances;  ///< at least one
+  std::vector<FileInstance> instances;
+  std::vector<FileEllipsoid> ellipsoids;  ///< at least one of these or of the instances
+  std::optional<FileFog> fog;
   std::vector<FileLight> lights;
 };
 

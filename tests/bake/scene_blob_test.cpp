@@ -117,29 +117,31 @@ TEST(SceneBlob, ChecksumIsZlibs) {
 TEST(SceneBlob, GoldenBytes) {
   // clang-format off
   Bytes expected{
-      'z', 's', 1, 's',  0, 0, 0, 0,  0, 0, 0, 0,
-      132, 0, 0, 0, 1, 0, 0, 0,   208, 0, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   // meshes, materials, textures
-      232, 0, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,                               // instances, lights
+      'z', 's', 2, 's',  0, 0, 0, 0,  0, 0, 0, 0,
+      168, 0, 0, 0, 1, 0, 0, 0,   244, 0, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   // meshes, materials, textures
+      12, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,                                // instances, lights
       48, 48, 48, 255,  1, 2, 3, 4,                                                     // ambient, background
       0, 0, 0, 64, 0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 64, 0, 0, 0, 0,       // right, up
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 64,   0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0,        // back, eye
       0x68, 0xBB, 1, 0,  0x9A, 0x19, 0, 0,  0, 0, 100, 0,  1, 0, 0, 0,                  // focal, near, far; orthographic
       64, 1, 240, 0, 1, 0, 0, 0,                                                        // 320x240, rgb565_swapped
-      // 132: the mesh
-      28, 1, 0, 0, 3, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
-      48, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
+      0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,                                 // tracks, keyframes
+      0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0,                   // fog, quadrics, duration
+      // 168: the mesh
+      64, 1, 0, 0, 3, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
+      84, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0,   12, 0, 0, 0,
-      // 208: the material
+      // 244: the material
       255, 0, 0, 255,  255, 255,  0, 1, 0, 1, 1, 0,  0, 0, 0, 0,  0, 0, 0, 0,  0, 0, 0, 0,
-      // 232: the instance
+      // 268: the instance
       0, 0, 0, 0,  0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0,
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0,
-      // 284: positions, and two bytes up to the next multiple of 4; 304: the triangle, likewise
+      // 320: positions, and two bytes up to the next multiple of 4; 340: the triangle, likewise
       0, 128, 0, 0, 1, 0,  255, 127, 0, 0, 0, 0,  0, 0, 255, 127, 0, 0,  0, 0,
       0, 0, 1, 0, 2, 0,  0, 0};
   // clang-format on
   mend(expected);
-  ASSERT_EQ(expected.size(), 312U);
+  ASSERT_EQ(expected.size(), 348U);
 
   constexpr Position kCorners[] = {{-32768, 0, 1}, {32767, 0, 0}, {0, 32767, 0}};
   constexpr Triangle kTriangle[] = {{0, 1, 2}};

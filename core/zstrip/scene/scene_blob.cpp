@@ -25,17 +25,21 @@ static_assert(sizeof(Material) == 24 && offsetof(Material, texture) == 4 && offs
               offsetof(Material, depth_bias_clamp) == 20);
 static_assert(sizeof(bool) == 1 && sizeof(Camera) == 64);
 static_assert(sizeof(Instance) == 52 && offsetof(Instance, material) == 2 && offsetof(Instance, transform) == 4);
-static_assert(sizeof(void*) != 4 || (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(Scene) == 48));
 static_assert(sizeof(Track) == 8 && offsetof(Track, count) == 2 && offsetof(Track, first) == 4);
 static_assert(sizeof(Keyframe) == 36 && offsetof(Keyframe, rotation) == 4 && offsetof(Keyframe, translation) == 12 &&
               offsetof(Keyframe, scale) == 24);
+static_assert(sizeof(void*) != 4 || (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(Scene) == 56));
+static_assert(sizeof(Fog) == 20 && offsetof(Fog, mode) == 4 && offsetof(Fog, start) == 8 && offsetof(Fog, end) == 12 &&
+              offsetof(Fog, density) == 16);
+static_assert(sizeof(Quadric) == 52 && offsetof(Quadric, transform) == 4);
 static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colour) == 6);
 
 // Where the header has what; docs/formats.md.
 constexpr std::uint32_t kSize = 4, kChecksum = 8, kChecked = 12;
 constexpr std::uint32_t kMeshes = 12, kMaterials = 20, kTextures = 28, kInstances = 36, kLights = 44;
 constexpr std::uint32_t kAmbient = 52, kBackground = 56, kCamera = 60, kView = 124;
-constexpr std::uint32_t kTracks = 132, kKeyframes = 140, kDuration = 148, kHeaderBytes = 152;
+constexpr std::uint32_t kTracks = 132, kKeyframes = 140, kFog = 148, kQuadrics = 156, kDuration = 164;
+constexpr std::uint32_t kHeaderBytes = 168;
 
 /// Records that become structures with pointers.
 struct MeshRecord {
@@ -142,7 +146,7 @@ void read_view(Reader& reader, View& view) {
   };
   view.width = side(kView);
   view.height = side(kView + 2);
-  reader.require(reader.byte(kView + 4) <= static_cast<std::uint8_t>(PixelFormat::mono), kView + 4);
+  reader.require(reader.byte(kView + 4) <= static_cast<std::uint8_t>(kLastPixelFormat), kView + 4);
   view.format = static_cast<PixelFormat>(reader.byte(kView + 4));
 }
 
@@ -157,6 +161,16 @@ void check_materials(Reader& reader, std::span<const Material> materials) {
     const std::uint32_t test = at + static_cast<std::uint32_t>(offsetof(Material, depth_test));
     reader.require(reader.byte(test) <= static_cast<std::uint8_t>(DepthTest::always), test);
   }
+}
+
+/// One or none; the mode of any other value must not even be read as one.
+const Fog* read_fog(Reader& reader) {
+  const std::span<const Fog> fog = reader.array<Fog>(kFog);
+  if (fog.empty()) return nullptr;
+  const auto mode = reader.offset_of(fog[0]) + static_cast<std::uint32_t>(offsetof(Fog, mode));
+  reader.require(fog.size() == 1, kFog + 4);
+  reader.require(reader.byte(mode) <= static_cast<std::uint8_t>(FogMode::exponential_squared), mode);
+  return fog.data();
 }
 
 Mesh read_mesh(Reader& reader, std::uint32_t at) {
@@ -192,6 +206,8 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   found.scene.background = reader.colour(kBackground);
   read_camera(reader, found.camera);
   read_view(reader, found.view);
+  found.scene.quadrics = reader.array<Quadric>(kQuadrics);
+  found.scene.fog = read_fog(reader);
   found.animation = {.tracks = reader.array<Track>(kTracks),
                      .keyframes = reader.array<Keyframe>(kKeyframes),
                      .duration = reader.word(kDuration)};
