@@ -8,7 +8,7 @@ namespace zstrip::sim {
 namespace {
 
 // With addresses of 32 bits; core/zstrip/scene/scene_blob.cpp asserts them on such targets.
-constexpr std::uint64_t kSceneBytes = 56, kCameraBytes = 64;
+constexpr std::uint64_t kSceneBytes = 68, kCameraBytes = 64;
 
 }  // namespace
 
@@ -34,8 +34,9 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation) {
   for (const Texture& texture : scene.textures) add(bytes.texels, texture.texels);
   bytes.keyframes = animation.keyframes.size_bytes() + animation.tracks.size_bytes();
   bytes.tables = table_bytes(scene) + scene.materials.size_bytes() + scene.instances.size_bytes() +
-                 scene.quadrics.size_bytes() + scene.lights.size_bytes() + (scene.fog != nullptr ? sizeof(Fog) : 0) +
-                 kSceneBytes + kCameraBytes;
+                 scene.quadrics.size_bytes() + scene.lights.size_bytes() + scene.finishes.size_bytes() +
+                 scene.punctual_lights.size_bytes() + (scene.fog != nullptr ? sizeof(Fog) : 0) + kSceneBytes +
+                 kCameraBytes;
   return bytes;
 }
 

@@ -101,7 +101,7 @@ class Composer {
     for (const FileEllipsoid& ellipsoid : file_.ellipsoids) {
       if (const Result<Done> done = add(ellipsoid); !done) return done.failure();
     }
-    add_lights();
+    if (const Result<Done> done = add_lights(); !done) return done.failure();
     if (const Result<Done> done = add_fog(); !done) return done.failure();
     if (const Result<Done> done = animate(); !done) return done.failure();
     if (const Result<Done> done = check(); !done) return done.failure();
@@ -287,6 +287,7 @@ class Composer {
 
   static Material replaced(Material material, const FileMaterial& by) {
     material.colour = by.colour.value_or(material.colour);
+    material.colour.a = by.alpha.value_or(material.colour.a);
     material.lit = by.lit.value_or(material.lit);
     material.smooth = by.smooth.value_or(material.smooth);
     material.double_sided = by.double_sided.value_or(material.double_sided);
@@ -294,6 +295,27 @@ class Composer {
     material.depth_write = by.depth_write.value_or(material.depth_write);
     material.depth_bias = by.depth_bias.value_or(material.depth_bias);
     return material;
+  }
+
+  Failure too_many_finishes(const FileMaterial& material) const {
+    return at_line(file_.path, material.line, "the scene has more than 255 finishes of materials");
+  }
+
+  /// Gives the material what few have, if it has any of it: its model's own, with what `by` replaces. False if the
+  /// table is full.
+  bool set_finish(Material& material, const Finish& own, const FileMaterial& by) {
+    const bool has_own = material.finish != kNoFinish;
+    const bool given = by.emissive || by.specular || by.shininess || by.alpha_mode || by.alpha_cutoff || by.filter;
+    if (!has_own && !given) return true;
+    if (composed_->finishes.size() >= kNoFinish) return false;
+    material.finish = static_cast<std::uint8_t>(composed_->finishes.size());
+    composed_->finishes.push_back({.emissive = by.emissive.value_or(own.emissive),
+                                   .specular = by.specular.value_or(own.specular),
+                                   .shininess = by.shininess.value_or(own.shininess),
+                                   .alpha_mode = by.alpha_mode.value_or(own.alpha_mode),
+                                   .alpha_cutoff = by.alpha_cutoff.value_or(own.alpha_cutoff),
+                                   .filter = by.filter.value_or(own.filter)});
+    return true;
   }
 
   std::string line_of(int line) const { return fmt::format("{} line {}", file_.path.filename().string(), line); }
@@ -305,6 +327,7 @@ class Composer {
     const auto [at, is_new] = materials_.try_emplace(key, static_cast<std::uint16_t>(composed_->materials.size()));
     if (!is_new) return at->second;
     Material material = replaced({}, own);
+    if (!set_finish(material, Finish{}, own)) return too_many_finishes(own);
     if (own.texture) {
       const Result<std::uint16_t> texture = own_texture(own);
       if (!texture) return texture.failure();
@@ -358,6 +381,11 @@ class Composer {
     Material material = placed.model->materials[placed.part->material];
     std::string name = placed.model->material_names[placed.part->material];
     std::string origin = fmt::format("model '{}'", placed.file->model);
+    const Finish finish =
+        material.finish < placed.model->finishes.size() ? placed.model->finishes[material.finish] : Finish{};
+    if (material.finish != kNoFinish && other == nullptr && !set_finish(material, finish, FileMaterial{})) {
+      return at_line(file_.path, placed.file->line, "the scene has more than 255 finishes of materials");
+    }
     if (other != nullptr && other->texture) {
       const Result<std::uint16_t> texture = own_texture(*other);
       if (!texture) return texture.failure();
@@ -367,6 +395,7 @@ class Composer {
     }
     if (other != nullptr) {
       material = replaced(material, *other);
+      if (!set_finish(material, finish, *other)) return too_many_finishes(*other);
       name = other->name;
       origin = line_of(other->line);
     }
@@ -404,17 +433,40 @@ class Composer {
     return Done{};
   }
 
-  void add_lights() {
+  Result<Done> add_lights() {
     for (const FileLight& light : file_.lights) {
       const double length = std::hypot(light.direction[0], light.direction[1], light.direction[2]);
-      const auto component = [&](std::size_t axis) {
-        return static_cast<std::int16_t>(std::lround(-32767 * light.direction[axis] / length));  // 1.15, towards it
+      const auto component = [&](std::size_t axis, double unit) {
+        return static_cast<std::int16_t>(std::lround(unit * light.direction[axis] / length));  // 1.15
       };
-      composed_->lights.push_back({component(0), component(1), component(2), light.colour});
+      if (!light.punctual) {  // towards it
+        composed_->lights.push_back({component(0, -32767), component(1, -32767), component(2, -32767), light.colour});
+        continue;
+      }
+      const double units = composed_->units.scale;
+      PunctualLight to{.type = *light.punctual, .colour = light.colour};
+      const auto set = [](double value, Fixed& fixed) {
+        const bool fits = std::abs(value) <= 32767;
+        if (fits) fixed = to_fixed(value);
+        return fits;
+      };
+      if (!set(light.position[0] * units, to.position.x) || !set(light.position[1] * units, to.position.y) ||
+          !set(light.position[2] * units, to.position.z) || !set(light.intensity * units * units, to.intensity) ||
+          !set(light.range * units, to.range)) {
+        return at_line(file_.path, light.line, "[[light]] is too far away or too strong for this scene");
+      }
+      const auto cosine = [](double degrees) {
+        return static_cast<std::int16_t>(std::lround(32767 * std::cos(degrees * std::numbers::pi / 180)));  // 1.15
+      };
+      to.x = component(0, 32767), to.y = component(1, 32767), to.z = component(2, 32767);
+      to.cosine_inner = cosine(light.inner), to.cosine_outer = cosine(light.outer);
+      if (to.cosine_inner <= to.cosine_outer) to.cosine_inner = static_cast<std::int16_t>(to.cosine_outer + 1);
+      composed_->punctual_lights.push_back(to);
     }
     if (file_.lights.empty()) composed_->lights.assign(std::begin(scenes::kKeyLight), std::end(scenes::kKeyLight));
     composed_->ambient = file_.ambient.value_or(scenes::kAmbient);
     composed_->background = file_.background.value_or(Colour{0, 0, 0, 255});
+    return Done{};
   }
 
   std::set<double> all_key_times() const {

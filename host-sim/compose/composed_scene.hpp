@@ -32,6 +32,8 @@ struct ComposedScene {
   std::vector<Instance> instances;  ///< those of the static layer first
   std::vector<Quadric> quadrics;
   std::vector<DirectionalLight> lights;
+  std::vector<PunctualLight> punctual_lights;
+  std::vector<Finish> finishes;
   std::optional<Fog> fog;
   Colour ambient, background;
   std::size_t static_instances = 0;
@@ -55,6 +57,8 @@ struct ComposedScene {
             .ambient = ambient,
             .background = background,
             .fog = fog ? &*fog : nullptr,
+            .finishes = finishes,
+            .punctual_lights = punctual_lights,
             .quadrics = quadrics};
   }
 };

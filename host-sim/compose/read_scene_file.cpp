@@ -36,6 +36,13 @@ constexpr std::pair<std::string_view, bool> kProjections[] = {{"perspective", fa
 constexpr std::pair<std::string_view, bool> kLayers[] = {{"static", true}, {"moving", false}};
 constexpr std::pair<std::string_view, Interpolation> kInterpolations[] = {{"linear", Interpolation::linear},
                                                                           {"step", Interpolation::step}};
+constexpr std::pair<std::string_view, AlphaMode> kAlphaModes[] = {
+    {"opaque", AlphaMode::opaque}, {"mask", AlphaMode::mask}, {"blend", AlphaMode::blend}};
+constexpr std::pair<std::string_view, TextureFilter> kFilters[] = {{"nearest", TextureFilter::nearest},
+                                                                   {"bilinear", TextureFilter::bilinear}};
+enum class LightType : std::uint8_t { directional, point, spot };
+constexpr std::pair<std::string_view, LightType> kLightTypes[] = {
+    {"directional", LightType::directional}, {"point", LightType::point}, {"spot", LightType::spot}};
 constexpr std::pair<std::string_view, FogMode> kFogModes[] = {{"linear", FogMode::linear},
                                                               {"exponential", FogMode::exponential},
                                                               {"exponential_squared", FogMode::exponential_squared}};
@@ -139,6 +146,19 @@ FileMaterial read_material(TomlTable& table) {
   material.lit = table.flag("lit");
   material.smooth = table.flag("smooth");
   material.double_sided = table.flag("double_sided");
+  material.emissive = table.colour("emissive");
+  material.specular = table.colour("specular");
+  if (const auto shininess = table.integer("shininess", 0, 255)) {
+    material.shininess = static_cast<std::uint8_t>(*shininess);
+  }
+  const auto share = [&table](const char* key) -> std::optional<std::uint8_t> {
+    const auto value = table.number(key, {0, 1});
+    return value ? std::optional(static_cast<std::uint8_t>(std::lround(255 * *value))) : std::nullopt;
+  };
+  material.alpha = share("alpha");
+  material.alpha_mode = table.choice("alpha_mode", kAlphaModes);
+  material.alpha_cutoff = share("alpha_cutoff");
+  material.filter = table.choice("filter", kFilters);
   material.depth_test = table.choice("depth_test", kDepthTests);
   material.depth_write = table.flag("depth_write");
   if (const auto bias = table.integer("depth_bias", -65535, 65535)) {
@@ -221,13 +241,33 @@ FileInstance read_instance(TomlTable& table) {
 FileLight read_light(TomlTable& table) {
   FileLight light;
   light.line = table.line();
-  if (!table.has("direction")) table.wrong("direction", "'direction' is missing: in which the light shines");
+  const LightType type = table.choice("type", kLightTypes).value_or(LightType::directional);
+  const bool shines_ahead = type != LightType::point;
+  if (shines_ahead != table.has("direction")) {
+    table.wrong("direction", shines_ahead ? "'direction' is missing: in which the light shines"
+                                          : "a point light shines in every direction");
+  }
   light.direction = table.vector("direction", kLength).value_or(light.direction);
   check_direction(table, "direction", light.direction);
   light.colour = table.colour("colour").value_or(light.colour);
-  const double intensity = table.number("intensity", {0, 1}).value_or(1);
-  for (std::uint8_t* channel : {&light.colour.r, &light.colour.g, &light.colour.b}) {
-    *channel = static_cast<std::uint8_t>(std::lround(*channel * intensity));
+  if (type == LightType::directional) {
+    const double intensity = table.number("intensity", {0, 1}).value_or(1);
+    for (std::uint8_t* channel : {&light.colour.r, &light.colour.g, &light.colour.b}) {
+      *channel = static_cast<std::uint8_t>(std::lround(*channel * intensity));
+    }
+    table.finish();
+    return light;
+  }
+  light.punctual = type == LightType::spot ? PunctualLightType::spot : PunctualLightType::point;
+  if (!table.has("position")) table.wrong("position", "'position' is missing: where the light is");
+  light.position = table.vector("position", kLength).value_or(light.position);
+  light.intensity = table.number("intensity", {0, kLength.high}).value_or(1);
+  light.range = table.number("range", kPositive).value_or(0);
+  if (type == LightType::spot) {
+    light.inner = table.number("inner", {0, 89}).value_or(light.inner);
+    light.outer = table.number("outer", {1, 90}).value_or(light.outer);
+    if (light.outer - light.inner < 0.5)
+      table.wrong("outer", "'outer' must be at least half a degree more than 'inner'");
   }
   table.finish();
   return light;
@@ -314,8 +354,11 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
   if (instances.empty() && ellipsoids.empty()) {
     errors.add(1, "the scene has neither [[instance]] nor [[ellipsoid]]: there is nothing to draw");
   }
-  if (lights.size() > kMaxLights) {
-    errors.add(lights[kMaxLights].line(), fmt::format("more than {} lights", kMaxLights));
+  std::size_t directional = 0, punctual = 0;
+  for (const FileLight& light : scene.lights) {
+    if (++(light.punctual ? punctual : directional) > (light.punctual ? kMaxPunctualLights : kMaxLights)) {
+      errors.add(light.line, "more than four directional lights, or more than four point and spot lights");
+    }
   }
   return scene;
 }
