@@ -44,21 +44,24 @@ std::string name_of(std::uint16_t material, std::span<const std::string> names) 
 std::span<const KnownEffect> known_effects() { return kKnown; }
 
 std::vector<FoundEffect> find_effects(const Scene& scene, const Camera& camera, Effects effects,
-                                      std::span<const std::string> material_names) {
-  Camera perspective = camera;
-  perspective.projection = Projection::perspective;  // so that what is found is the material's doing
+                                      const Origins& origins) {
   std::vector<FoundEffect> found;
   for (const KnownEffect& known : kKnown) {
     if (!effects.has(known.effect)) continue;
-    FoundEffect effect{known, {}};
+    if (known.effect == effect::fog || known.effect == effect::orthographic) {
+      found.push_back({known, {}, known.effect == effect::fog ? origins.fog : origins.camera});
+      continue;
+    }
+    FoundEffect effect{known, {}, {}};
     std::set<std::string> seen;
     const auto consider = [&](std::span<const Instance> instances, std::span<const Quadric> quadrics,
                               std::uint16_t material) {
       Scene alone = scene;
       alone.instances = instances;
       alone.quadrics = quadrics;
-      if (!effects_of(alone, perspective).has(known.effect)) return;
-      const std::string name = name_of(material, material_names);
+      if (!effects_of(alone, camera).has(known.effect)) return;
+      const std::string name = name_of(material, origins.material_names);
+      if (seen.empty() && material < origins.materials.size()) effect.origin = origins.materials[material];
       if (seen.insert(name).second) effect.materials.push_back(name);
     };
     for (const Instance& instance : scene.instances) consider({&instance, 1}, {}, instance.material);

@@ -18,15 +18,24 @@ struct KnownEffect {
 };
 std::span<const KnownEffect> known_effects();
 
+/// Where what calls for effects stands: "room.toml line 12". Empty, or shorter than the scene: not known.
+struct Origins {
+  std::vector<std::string> material_names;
+  std::vector<std::string> materials;
+  std::string camera;
+  std::string fog;
+};
+
 struct FoundEffect {
   KnownEffect effect;
   std::vector<std::string> materials;  ///< those that call for it, in the scene's order; empty: not a material's doing
+  std::string origin;                  ///< of the first of them, or of what else calls for it; may be empty
 };
 
 /// Those of `effects`, which are effects_of(scene, camera) and perhaps effect::bins. Materials are those of the
 /// instances for which effects_of, asked for each alone, finds the effect, so that no rule stands here twice.
-/// `material_names` may be shorter than the scene's materials, or hold empty names: those are called by their number.
+/// Materials without a name are called by their number.
 std::vector<FoundEffect> find_effects(const Scene& scene, const Camera& camera, Effects effects,
-                                      std::span<const std::string> material_names);
+                                      const Origins& origins);
 
 }  // namespace zstrip::sim

@@ -1,6 +1,9 @@
 // What a scene takes of the flash, by kind.
 #include "bake/flash_bytes.hpp"
 
+#include <set>
+#include <utility>
+
 namespace zstrip::sim {
 namespace {
 
@@ -14,20 +17,26 @@ std::uint64_t table_bytes(const Scene& scene) {
   return scene.meshes.size() * kMeshBytes + scene.textures.size() * kTextureBytes;
 }
 
-FlashBytes flash_bytes(const Scene& scene) {
+FlashBytes flash_bytes(const Scene& scene, const Animation& animation) {
   FlashBytes bytes;
+  std::set<std::pair<const void*, std::size_t>> seen;  // meshes may share arrays
+  const auto add = [&seen](std::uint64_t& sum, const auto& records) {
+    if (seen.insert({records.data(), records.size()}).second) sum += records.size_bytes();
+  };
   for (const Mesh& mesh : scene.meshes) {
-    bytes.positions += mesh.positions.size_bytes();
-    bytes.normals += mesh.normals.size_bytes();
-    bytes.colours += mesh.colours.size_bytes();
-    bytes.texcoords += mesh.texcoords.size_bytes();
-    bytes.triangles += mesh.triangles.size_bytes();
-    bytes.meshlets += mesh.meshlets.size_bytes();
+    add(bytes.positions, mesh.positions);
+    add(bytes.normals, mesh.normals);
+    add(bytes.colours, mesh.colours);
+    add(bytes.texcoords, mesh.texcoords);
+    add(bytes.triangles, mesh.triangles);
+    add(bytes.meshlets, mesh.meshlets);
   }
-  for (const Texture& texture : scene.textures) bytes.texels += texture.texels.size_bytes();
+  for (const Texture& texture : scene.textures) add(bytes.texels, texture.texels);
+  bytes.keyframes = animation.keyframes.size_bytes() + animation.tracks.size_bytes();
   bytes.tables = table_bytes(scene) + scene.materials.size_bytes() + scene.instances.size_bytes() +
-                 scene.lights.size_bytes() + scene.finishes.size_bytes() + scene.punctual_lights.size_bytes() +
-                 (scene.fog != nullptr ? sizeof(Fog) : 0) + kSceneBytes + kCameraBytes;
+                 scene.quadrics.size_bytes() + scene.lights.size_bytes() + scene.finishes.size_bytes() +
+                 scene.punctual_lights.size_bytes() + (scene.fog != nullptr ? sizeof(Fog) : 0) + kSceneBytes +
+                 kCameraBytes;
   return bytes;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "zstrip/scene/animation.hpp"
 #include "zstrip/scene/scene.hpp"
 
 namespace zstrip::sim {
@@ -15,9 +16,12 @@ struct FlashBytes {
   std::uint64_t triangles = 0;
   std::uint64_t meshlets = 0;
   std::uint64_t texels = 0;
-  std::uint64_t tables = 0;  ///< meshes, materials, textures, instances, lights, camera
+  std::uint64_t keyframes = 0;  ///< and tracks
+  std::uint64_t tables = 0;     ///< meshes, materials, textures, instances, lights, camera
 
-  std::uint64_t arrays() const { return positions + normals + colours + texcoords + triangles + meshlets + texels; }
+  std::uint64_t arrays() const {
+    return positions + normals + colours + texcoords + triangles + meshlets + texels + keyframes;
+  }
   std::uint64_t total() const { return arrays() + tables; }
 };
 
@@ -25,6 +29,6 @@ struct FlashBytes {
 std::uint64_t table_bytes(const Scene& scene);
 
 /// As constants of a program for a processor with addresses of 32 bits, without what alignment adds.
-FlashBytes flash_bytes(const Scene& scene);
+FlashBytes flash_bytes(const Scene& scene, const Animation& animation);
 
 }  // namespace zstrip::sim

@@ -3,7 +3,9 @@
 
 #include <zlib.h>
 
+#include <map>
 #include <span>
+#include <utility>
 
 namespace zstrip::sim {
 namespace {
@@ -63,16 +65,24 @@ class Writer {
     byte(m.finish);
     for (const std::int32_t bias : {m.depth_bias, m.depth_slope_bias, m.depth_bias_clamp}) word(bias);
   }
+  void put(const Transform& transform) {
+    for (const auto& row : transform.m) {
+      for (const Fixed value : row) word(value);
+    }
+  }
   void put(const Instance& instance) {
     half_word(std::uint32_t{instance.mesh});
     half_word(std::uint32_t{instance.material});
-    for (const auto& row : instance.transform.m) {
-      for (const Fixed value : row) word(value);
-    }
+    put(instance.transform);
   }
   void put(const DirectionalLight& light) {
     for (const std::int16_t component : {light.x, light.y, light.z}) half_word(component);
     put(light.colour);
+  }
+  void put(const Quadric& quadric) {
+    half_word(std::uint32_t{quadric.material});
+    zeros(2);
+    put(quadric.transform);
   }
   void put(const Track& track) {
     for (const std::uint32_t value : {track.instance, track.count}) half_word(value);
@@ -127,14 +137,20 @@ class Writer {
   template <class Record>
   void array(std::size_t entry, std::span<const Record> records) {
     if (records.empty()) return;
-    place(entry, records.size());
+    const auto [known, is_new] = arrays_.try_emplace({records.data(), records.size()}, bytes_.size());
+    word_at(entry, static_cast<std::uint32_t>(known->second));
+    word_at(entry + 4, static_cast<std::uint32_t>(records.size()));
+    if (!is_new) return;  // meshes of other sizes share their vertices
     for (const Record& record : records) put(record);
     align();
   }
   /// Room for `count` records of `size` bytes, named at `entry`; where they begin.
   std::size_t reserve(std::size_t entry, std::size_t count, std::size_t size) {
     const std::size_t at = bytes_.size();
-    if (count > 0) place(entry, count);
+    if (count > 0) {
+      word_at(entry, static_cast<std::uint32_t>(at));
+      word_at(entry + 4, static_cast<std::uint32_t>(count));
+    }
     zeros(count * size);
     return at;
   }
@@ -146,13 +162,10 @@ class Writer {
   std::vector<std::uint8_t>& bytes() { return bytes_; }
 
  private:
-  void place(std::size_t entry, std::size_t count) {
-    word_at(entry, static_cast<std::uint32_t>(bytes_.size()));
-    word_at(entry + 4, static_cast<std::uint32_t>(count));
-  }
   void align() { zeros((kSceneBlobAlignment - bytes_.size() % kSceneBlobAlignment) % kSceneBlobAlignment); }
 
   std::vector<std::uint8_t> bytes_;
+  std::map<std::pair<const void*, std::size_t>, std::size_t> arrays_;  ///< where those begin that are written
 };
 
 void write_mesh(Writer& writer, std::size_t at, const Mesh& mesh) {
@@ -183,9 +196,6 @@ void write_texture(Writer& writer, std::size_t at, const Texture& texture) {
 
 Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   const Scene& scene = content.scene;
-  if (!scene.quadrics.empty()) {
-    return Failure{ExitStatus::input, "has spheres or ellipsoids, which blobs do not keep; bake a header"};
-  }
   Writer writer;
   for (const char letter : {'z', 's'}) writer.byte(static_cast<std::uint8_t>(letter));
   writer.byte(kSceneBlobVersion);
@@ -197,7 +207,7 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   writer.put(content.view);
   writer.zeros(16);  // arrays of tracks and keyframes: set below
   writer.word(content.animation.duration);
-  writer.zeros(24);  // more arrays: set below
+  writer.zeros(32);  // more arrays: set below
 
   const std::size_t meshes = writer.reserve(12, scene.meshes.size(), kMeshBytes);
   writer.array(20, scene.materials);
@@ -209,6 +219,7 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   writer.array(152, scene.finishes);
   writer.array(160, scene.punctual_lights);
   if (scene.fog != nullptr) writer.array(168, std::span(scene.fog, 1));
+  writer.array(176, scene.quadrics);
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) write_mesh(writer, meshes + i * kMeshBytes, scene.meshes[i]);
   for (std::size_t i = 0; i < scene.textures.size(); ++i) {
     write_texture(writer, textures + i * kTextureBytes, scene.textures[i]);

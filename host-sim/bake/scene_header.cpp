@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -55,10 +56,6 @@ std::string literal(const PunctualLight& light) {
       static_cast<int>(light.type), literal(light.colour), literal(light.position), light.intensity, light.range,
       light.x, light.y, light.z, light.cosine_inner, light.cosine_outer);
 }
-std::string literal(const Fog& fog) {
-  return fmt::format("{{.colour = {}, .mode = zstrip::FogMode{{{}}}, .start = {}, .end = {}, .density = {}}}",
-                     literal(fog.colour), static_cast<int>(fog.mode), fog.start, fog.end, fog.density);
-}
 std::string literal(const Transform& transform) {
   std::string rows;
   for (const auto& row : transform.m) {
@@ -69,6 +66,10 @@ std::string literal(const Transform& transform) {
 std::string literal(const Instance& instance) {
   return fmt::format("{{.mesh = {}, .material = {}, .transform = {}}}", instance.mesh, instance.material,
                      literal(instance.transform));
+}
+std::string literal(const Fog& fog) {
+  return fmt::format("{{.colour = {}, .mode = zstrip::FogMode{{{}}}, .start = {}, .end = {}, .density = {}}}",
+                     literal(fog.colour), static_cast<int>(fog.mode), fog.start, fog.end, fog.density);
 }
 std::string literal(const Quadric& quadric) {
   return fmt::format("{{.material = {}, .transform = {}}}", quadric.material, literal(quadric.transform));
@@ -154,6 +155,8 @@ class Header {
   template <class Record>
   std::string array(const std::string& type, const std::string& name, std::span<const Record> records) {
     if (records.empty()) return "{}";
+    const auto [known, is_new] = arrays_.try_emplace({records.data(), records.size()}, name);
+    if (!is_new) return known->second;  // meshes of other sizes share their vertices
     constexpr std::size_t kWidth = 118;
     text_ += fmt::format("inline constexpr {} {}[{}] = {{\n   ", type, name, records.size());
     std::size_t column = 3;
@@ -280,6 +283,7 @@ class Header {
   const BakedScene& baked_;
   const Scene& scene_;
   std::string text_, meshes_, textures_;
+  std::map<std::pair<const void*, std::size_t>, std::string> arrays_;  ///< names of those that stand there
 };
 
 }  // namespace

@@ -50,6 +50,18 @@ Affine placement_at(const FileInstance& instance, double seconds, double duratio
 
 bool even(const Vector& scale) { return scale[0] == scale[1] && scale[1] == scale[2]; }
 
+/// Rounded to nearest; false if it leaves the renderer's range.
+bool to_transform(const Affine& from, Transform& to) {
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 4; ++column) {
+      const double limit = column == 3 ? 32767 : 255;
+      if (!(std::abs(from.m[row][column]) <= limit)) return false;
+      to.m[row][column] = to_fixed(from.m[row][column]);
+    }
+  }
+  return true;
+}
+
 bool is_diagonal(const Affine& a) {
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) {
@@ -86,7 +98,11 @@ class Composer {
     for (const Placed& placed : placed_) {
       if (const Result<Done> done = add(placed); !done) return done.failure();
     }
-    add_lights();
+    for (const FileEllipsoid& ellipsoid : file_.ellipsoids) {
+      if (const Result<Done> done = add(ellipsoid); !done) return done.failure();
+    }
+    if (const Result<Done> done = add_lights(); !done) return done.failure();
+    if (const Result<Done> done = add_fog(); !done) return done.failure();
     if (const Result<Done> done = animate(); !done) return done.failure();
     if (const Result<Done> done = check(); !done) return done.failure();
     return std::unique_ptr<const ComposedScene>(std::move(composed_));
@@ -180,6 +196,11 @@ class Composer {
         }
       }
     }
+    for (const FileEllipsoid& ellipsoid : file_.ellipsoids) {
+      const Vector& at = ellipsoid.placement.translation;
+      const Vector& radii = ellipsoid.placement.scale;
+      radius = std::max(radius, std::hypot(at[0], at[1], at[2]) + std::max({radii[0], radii[1], radii[2]}));
+    }
     if (!(radius > 0) || !std::isfinite(radius)) return at_line(file_.path, 1, "the scene is a single point");
     composed_->units.scale = kComposedRadius / radius;
     return Done{};
@@ -264,6 +285,94 @@ class Composer {
     return at->second;
   }
 
+  static Material replaced(Material material, const FileMaterial& by) {
+    material.colour = by.colour.value_or(material.colour);
+    material.colour.a = by.alpha.value_or(material.colour.a);
+    material.lit = by.lit.value_or(material.lit);
+    material.smooth = by.smooth.value_or(material.smooth);
+    material.double_sided = by.double_sided.value_or(material.double_sided);
+    material.depth_test = by.depth_test.value_or(material.depth_test);
+    material.depth_write = by.depth_write.value_or(material.depth_write);
+    material.depth_bias = by.depth_bias.value_or(material.depth_bias);
+    return material;
+  }
+
+  Failure too_many_finishes(const FileMaterial& material) const {
+    return at_line(file_.path, material.line, "the scene has more than 255 finishes of materials");
+  }
+
+  /// Gives the material what few have, if it has any of it: its model's own, with what `by` replaces. False if the
+  /// table is full.
+  bool set_finish(Material& material, const Finish& own, const FileMaterial& by) {
+    const bool has_own = material.finish != kNoFinish;
+    const bool given = by.emissive || by.specular || by.shininess || by.alpha_mode || by.alpha_cutoff || by.filter;
+    if (!has_own && !given) return true;
+    if (composed_->finishes.size() >= kNoFinish) return false;
+    material.finish = static_cast<std::uint8_t>(composed_->finishes.size());
+    composed_->finishes.push_back({.emissive = by.emissive.value_or(own.emissive),
+                                   .specular = by.specular.value_or(own.specular),
+                                   .shininess = by.shininess.value_or(own.shininess),
+                                   .alpha_mode = by.alpha_mode.value_or(own.alpha_mode),
+                                   .alpha_cutoff = by.alpha_cutoff.value_or(own.alpha_cutoff),
+                                   .filter = by.filter.value_or(own.filter)});
+    return true;
+  }
+
+  std::string line_of(int line) const { return fmt::format("{} line {}", file_.path.filename().string(), line); }
+
+  /// Of an ellipsoid, which has no model's material to begin with.
+  Result<std::uint16_t> material_for(const FileMaterial& own) {
+    constexpr auto kNoModel = static_cast<std::size_t>(-1);
+    const auto key = std::tuple(kNoModel, std::uint16_t{0}, &own);
+    const auto [at, is_new] = materials_.try_emplace(key, static_cast<std::uint16_t>(composed_->materials.size()));
+    if (!is_new) return at->second;
+    Material material = replaced({}, own);
+    if (!set_finish(material, Finish{}, own)) return too_many_finishes(own);
+    if (own.texture) {
+      const Result<std::uint16_t> texture = own_texture(own);
+      if (!texture) return texture.failure();
+      material.texture = *texture;
+    }
+    composed_->materials.push_back(material);
+    composed_->material_names.push_back(own.name);
+    composed_->material_origins.push_back(line_of(own.line));
+    return at->second;
+  }
+
+  Result<Done> add(const FileEllipsoid& ellipsoid) {
+    const auto own = std::ranges::find(file_.materials, ellipsoid.material, &FileMaterial::name);
+    const Result<std::uint16_t> material = material_for(*own);
+    if (!material) return material.failure();
+    const double units = composed_->units.scale;
+    Quadric quadric{.material = *material};
+    if (!to_transform(scaling({units, units, units}) * to_affine(ellipsoid.placement), quadric.transform)) {
+      return at_line(file_.path, ellipsoid.line, "is too far away, or too large or small beside the others");
+    }
+    composed_->quadrics.push_back(quadric);
+    return Done{};
+  }
+
+  Result<Done> add_fog() {
+    if (!file_.fog) return Done{};
+    const FileFog& from = *file_.fog;
+    Fog fog{.colour = from.colour, .mode = from.mode};
+    constexpr double kMost = 32767;
+    const double start = from.start * composed_->units.scale, end = from.end * composed_->units.scale;
+    const double density = from.density / composed_->units.scale;
+    if (!(end <= kMost && density <= kMost)) {
+      return at_line(file_.path, from.line, "[fog]: the lengths are too great for this scene");
+    }
+    if (from.mode == FogMode::linear) {
+      fog.start = to_fixed(start);
+      fog.end = std::max(to_fixed(end), fog.start + 1);
+    } else {
+      fog.density = to_fixed(density);
+    }
+    composed_->fog = fog;
+    composed_->fog_origin = line_of(from.line);
+    return Done{};
+  }
+
   Result<std::uint16_t> material_for(const Placed& placed) {
     const FileMaterial* const other = override_of(placed);
     const auto key = std::tuple(placed.model_index, placed.part->material, other);
@@ -272,6 +381,11 @@ class Composer {
     Material material = placed.model->materials[placed.part->material];
     std::string name = placed.model->material_names[placed.part->material];
     std::string origin = fmt::format("model '{}'", placed.file->model);
+    const Finish finish =
+        material.finish < placed.model->finishes.size() ? placed.model->finishes[material.finish] : Finish{};
+    if (material.finish != kNoFinish && other == nullptr && !set_finish(material, finish, FileMaterial{})) {
+      return at_line(file_.path, placed.file->line, "the scene has more than 255 finishes of materials");
+    }
     if (other != nullptr && other->texture) {
       const Result<std::uint16_t> texture = own_texture(*other);
       if (!texture) return texture.failure();
@@ -280,15 +394,10 @@ class Composer {
       material.texture = model_texture(placed, material.texture);
     }
     if (other != nullptr) {
-      material.colour = other->colour.value_or(material.colour);
-      material.lit = other->lit.value_or(material.lit);
-      material.smooth = other->smooth.value_or(material.smooth);
-      material.double_sided = other->double_sided.value_or(material.double_sided);
-      material.depth_test = other->depth_test.value_or(material.depth_test);
-      material.depth_write = other->depth_write.value_or(material.depth_write);
-      material.depth_bias = other->depth_bias.value_or(material.depth_bias);
+      material = replaced(material, *other);
+      if (!set_finish(material, finish, *other)) return too_many_finishes(*other);
       name = other->name;
-      origin = fmt::format("{} line {}", file_.path.filename().string(), other->line);
+      origin = line_of(other->line);
     }
     composed_->materials.push_back(material);
     composed_->material_names.push_back(name);
@@ -312,15 +421,8 @@ class Composer {
     const auto at = [this, placed, unscaled, units](double seconds) {
       return scaling({units, units, units}) * placed_at(placed, seconds) * unscaled;
     };
-    const Affine at_start = at(0);
-    for (std::size_t row = 0; row < 3; ++row) {
-      for (std::size_t column = 0; column < 4; ++column) {
-        const double limit = column == 3 ? 32767 : 255;
-        if (!(std::abs(at_start.m[row][column]) <= limit)) {
-          return at_line(file_.path, placed.file->line, "is too far away, or too large or small beside the others");
-        }
-        instance.transform.m[row][column] = to_fixed(at_start.m[row][column]);
-      }
+    if (!to_transform(at(0), instance.transform)) {
+      return at_line(file_.path, placed.file->line, "is too far away, or too large or small beside the others");
     }
     if (placed.moves()) {
       motions_.push_back({.instance = static_cast<std::uint16_t>(composed_->instances.size()),
@@ -331,17 +433,40 @@ class Composer {
     return Done{};
   }
 
-  void add_lights() {
+  Result<Done> add_lights() {
     for (const FileLight& light : file_.lights) {
       const double length = std::hypot(light.direction[0], light.direction[1], light.direction[2]);
-      const auto component = [&](std::size_t axis) {
-        return static_cast<std::int16_t>(std::lround(-32767 * light.direction[axis] / length));  // 1.15, towards it
+      const auto component = [&](std::size_t axis, double unit) {
+        return static_cast<std::int16_t>(std::lround(unit * light.direction[axis] / length));  // 1.15
       };
-      composed_->lights.push_back({component(0), component(1), component(2), light.colour});
+      if (!light.punctual) {  // towards it
+        composed_->lights.push_back({component(0, -32767), component(1, -32767), component(2, -32767), light.colour});
+        continue;
+      }
+      const double units = composed_->units.scale;
+      PunctualLight to{.type = *light.punctual, .colour = light.colour};
+      const auto set = [](double value, Fixed& fixed) {
+        const bool fits = std::abs(value) <= 32767;
+        if (fits) fixed = to_fixed(value);
+        return fits;
+      };
+      if (!set(light.position[0] * units, to.position.x) || !set(light.position[1] * units, to.position.y) ||
+          !set(light.position[2] * units, to.position.z) || !set(light.intensity * units * units, to.intensity) ||
+          !set(light.range * units, to.range)) {
+        return at_line(file_.path, light.line, "[[light]] is too far away or too strong for this scene");
+      }
+      const auto cosine = [](double degrees) {
+        return static_cast<std::int16_t>(std::lround(32767 * std::cos(degrees * std::numbers::pi / 180)));  // 1.15
+      };
+      to.x = component(0, 32767), to.y = component(1, 32767), to.z = component(2, 32767);
+      to.cosine_inner = cosine(light.inner), to.cosine_outer = cosine(light.outer);
+      if (to.cosine_inner <= to.cosine_outer) to.cosine_inner = static_cast<std::int16_t>(to.cosine_outer + 1);
+      composed_->punctual_lights.push_back(to);
     }
     if (file_.lights.empty()) composed_->lights.assign(std::begin(scenes::kKeyLight), std::end(scenes::kKeyLight));
     composed_->ambient = file_.ambient.value_or(scenes::kAmbient);
     composed_->background = file_.background.value_or(Colour{0, 0, 0, 255});
+    return Done{};
   }
 
   std::set<double> all_key_times() const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,13 +30,18 @@ struct ComposedScene {
   std::vector<Material> materials;
   std::vector<Texture> textures;
   std::vector<Instance> instances;  ///< those of the static layer first
+  std::vector<Quadric> quadrics;
   std::vector<DirectionalLight> lights;
+  std::vector<PunctualLight> punctual_lights;
+  std::vector<Finish> finishes;
+  std::optional<Fog> fog;
   Colour ambient, background;
   std::size_t static_instances = 0;
   FittedAnimation animation;
   Units units;  ///< of the file's lengths
   std::vector<std::string> material_names;
   std::vector<std::string> material_origins;  ///< "room.toml line 12", or the model that it comes from
+  std::string fog_origin;
   std::vector<std::string> warnings;
 
   std::deque<Model> models;
@@ -49,7 +55,11 @@ struct ComposedScene {
             .instances = instances,
             .lights = lights,
             .ambient = ambient,
-            .background = background};
+            .background = background,
+            .fog = fog ? &*fog : nullptr,
+            .finishes = finishes,
+            .punctual_lights = punctual_lights,
+            .quadrics = quadrics};
   }
 };
 

@@ -34,6 +34,7 @@ Result<PlacedModel> place_model(const FileModel& entry, const Model& model, cons
   PlacedModel placed{.parts = {},
                      .materials = model.materials,
                      .textures = model.textures,
+                     .finishes = {},
                      .material_names = model.material_names,
                      .model = &model,
                      .animation = *animation};
@@ -63,6 +64,7 @@ Result<PlacedModel> place_built_in(const FileModel& entry, const std::filesystem
   PlacedModel placed{.parts = {},
                      .materials = found->scene.materials,
                      .textures = found->scene.textures,
+                     .finishes = found->scene.finishes,
                      .material_names = std::vector<std::string>(found->scene.materials.size())};
   for (const Instance& instance : found->scene.instances) {
     placed.parts.push_back(

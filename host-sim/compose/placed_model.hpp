@@ -25,6 +25,7 @@ struct PlacedModel {
   std::vector<ModelPart> parts;
   std::span<const Material> materials;
   std::span<const Texture> textures;
+  std::span<const Finish> finishes;
   std::vector<std::string> material_names;
   const Model* model = nullptr;              ///< null: built in
   const NodeAnimation* animation = nullptr;  ///< null: stands still

@@ -36,6 +36,16 @@ constexpr std::pair<std::string_view, bool> kProjections[] = {{"perspective", fa
 constexpr std::pair<std::string_view, bool> kLayers[] = {{"static", true}, {"moving", false}};
 constexpr std::pair<std::string_view, Interpolation> kInterpolations[] = {{"linear", Interpolation::linear},
                                                                           {"step", Interpolation::step}};
+constexpr std::pair<std::string_view, AlphaMode> kAlphaModes[] = {
+    {"opaque", AlphaMode::opaque}, {"mask", AlphaMode::mask}, {"blend", AlphaMode::blend}};
+constexpr std::pair<std::string_view, TextureFilter> kFilters[] = {{"nearest", TextureFilter::nearest},
+                                                                   {"bilinear", TextureFilter::bilinear}};
+enum class LightType : std::uint8_t { directional, point, spot };
+constexpr std::pair<std::string_view, LightType> kLightTypes[] = {
+    {"directional", LightType::directional}, {"point", LightType::point}, {"spot", LightType::spot}};
+constexpr std::pair<std::string_view, FogMode> kFogModes[] = {{"linear", FogMode::linear},
+                                                              {"exponential", FogMode::exponential},
+                                                              {"exponential_squared", FogMode::exponential_squared}};
 constexpr std::pair<std::string_view, DepthTest> kDepthTests[] = {{"never", DepthTest::never},
                                                                   {"nearer", DepthTest::nearer},
                                                                   {"equal", DepthTest::equal},
@@ -136,6 +146,19 @@ FileMaterial read_material(TomlTable& table) {
   material.lit = table.flag("lit");
   material.smooth = table.flag("smooth");
   material.double_sided = table.flag("double_sided");
+  material.emissive = table.colour("emissive");
+  material.specular = table.colour("specular");
+  if (const auto shininess = table.integer("shininess", 0, 255)) {
+    material.shininess = static_cast<std::uint8_t>(*shininess);
+  }
+  const auto share = [&table](const char* key) -> std::optional<std::uint8_t> {
+    const auto value = table.number(key, {0, 1});
+    return value ? std::optional(static_cast<std::uint8_t>(std::lround(255 * *value))) : std::nullopt;
+  };
+  material.alpha = share("alpha");
+  material.alpha_mode = table.choice("alpha_mode", kAlphaModes);
+  material.alpha_cutoff = share("alpha_cutoff");
+  material.filter = table.choice("filter", kFilters);
   material.depth_test = table.choice("depth_test", kDepthTests);
   material.depth_write = table.flag("depth_write");
   if (const auto bias = table.integer("depth_bias", -65535, 65535)) {
@@ -218,16 +241,67 @@ FileInstance read_instance(TomlTable& table) {
 FileLight read_light(TomlTable& table) {
   FileLight light;
   light.line = table.line();
-  if (!table.has("direction")) table.wrong("direction", "'direction' is missing: in which the light shines");
+  const LightType type = table.choice("type", kLightTypes).value_or(LightType::directional);
+  const bool shines_ahead = type != LightType::point;
+  if (shines_ahead != table.has("direction")) {
+    table.wrong("direction", shines_ahead ? "'direction' is missing: in which the light shines"
+                                          : "a point light shines in every direction");
+  }
   light.direction = table.vector("direction", kLength).value_or(light.direction);
   check_direction(table, "direction", light.direction);
   light.colour = table.colour("colour").value_or(light.colour);
-  const double intensity = table.number("intensity", {0, 1}).value_or(1);
-  for (std::uint8_t* channel : {&light.colour.r, &light.colour.g, &light.colour.b}) {
-    *channel = static_cast<std::uint8_t>(std::lround(*channel * intensity));
+  if (type == LightType::directional) {
+    const double intensity = table.number("intensity", {0, 1}).value_or(1);
+    for (std::uint8_t* channel : {&light.colour.r, &light.colour.g, &light.colour.b}) {
+      *channel = static_cast<std::uint8_t>(std::lround(*channel * intensity));
+    }
+    table.finish();
+    return light;
+  }
+  light.punctual = type == LightType::spot ? PunctualLightType::spot : PunctualLightType::point;
+  if (!table.has("position")) table.wrong("position", "'position' is missing: where the light is");
+  light.position = table.vector("position", kLength).value_or(light.position);
+  light.intensity = table.number("intensity", {0, kLength.high}).value_or(1);
+  light.range = table.number("range", kPositive).value_or(0);
+  if (type == LightType::spot) {
+    light.inner = table.number("inner", {0, 89}).value_or(light.inner);
+    light.outer = table.number("outer", {1, 90}).value_or(light.outer);
+    if (light.outer - light.inner < 0.5)
+      table.wrong("outer", "'outer' must be at least half a degree more than 'inner'");
   }
   table.finish();
   return light;
+}
+
+FileFog read_fog(TomlTable& table) {
+  FileFog fog;
+  fog.line = table.line();
+  fog.colour = table.colour("colour").value_or(fog.colour);
+  fog.mode = table.choice("mode", kFogModes).value_or(FogMode::linear);
+  fog.start = table.number("start", {0, kLength.high}).value_or(0);
+  fog.end = table.number("end", kPositive).value_or(0);
+  fog.density = table.number("density", {0, kLength.high}).value_or(0);
+  const bool linear = fog.mode == FogMode::linear;
+  if (linear && fog.end <= fog.start) table.wrong("end", "'end' must be greater than 'start': all is fog there");
+  if (!linear && !table.has("density")) table.wrong("density", "'density' is missing");
+  for (const char* key : {"start", "end"}) {
+    if (!linear && table.has(key)) table.wrong(key, fmt::format("'{}' goes with mode = \"linear\"", key));
+  }
+  if (linear && table.has("density")) table.wrong("density", "'density' goes with the exponential modes");
+  table.finish();
+  return fog;
+}
+
+FileEllipsoid read_ellipsoid(TomlTable& table) {
+  FileEllipsoid ellipsoid;
+  ellipsoid.line = table.line();
+  ellipsoid.material = table.text("material").value_or("");
+  if (!table.has("material")) table.wrong("material", "'material' is missing");
+  ellipsoid.placement.translation = table.vector("translation", kLength).value_or(Vector{0, 0, 0});
+  ellipsoid.placement.rotation = read_rotation(table).value_or(Quaternion{0, 0, 0, 1});
+  ellipsoid.placement.scale = table.number_or_vector("radius", kPositive).value_or(Vector{1, 1, 1});
+  table.finish();
+  return ellipsoid;
 }
 
 /// Names of models or materials; each may be there once.
@@ -258,6 +332,9 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
   for (TomlTable& table : root.tables("material", "[[material]]")) scene.materials.push_back(read_material(table));
   std::vector<TomlTable> instances = root.tables("instance", "[[instance]]");
   for (TomlTable& table : instances) scene.instances.push_back(read_instance(table));
+  std::vector<TomlTable> ellipsoids = root.tables("ellipsoid", "[[ellipsoid]]");
+  for (TomlTable& table : ellipsoids) scene.ellipsoids.push_back(read_ellipsoid(table));
+  if (auto fog = root.table("fog", "[fog]")) scene.fog = read_fog(*fog);
   std::vector<TomlTable> lights = root.tables("light", "[[light]]");
   for (TomlTable& table : lights) scene.lights.push_back(read_light(table));
   root.finish();
@@ -271,9 +348,17 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
       check_name(other, materials, instances[i], "materials", "material");
     }
   }
-  if (instances.empty()) errors.add(1, "the scene has no [[instance]]: there is nothing to draw");
-  if (lights.size() > kMaxLights) {
-    errors.add(lights[kMaxLights].line(), fmt::format("more than {} lights", kMaxLights));
+  for (std::size_t i = 0; i < ellipsoids.size(); ++i) {
+    check_name(scene.ellipsoids[i].material, materials, ellipsoids[i], "material", "material");
+  }
+  if (instances.empty() && ellipsoids.empty()) {
+    errors.add(1, "the scene has neither [[instance]] nor [[ellipsoid]]: there is nothing to draw");
+  }
+  std::size_t directional = 0, punctual = 0;
+  for (const FileLight& light : scene.lights) {
+    if (++(light.punctual ? punctual : directional) > (light.punctual ? kMaxPunctualLights : kMaxLights)) {
+      errors.add(light.line, "more than four directional lights, or more than four point and spot lights");
+    }
   }
   return scene;
 }

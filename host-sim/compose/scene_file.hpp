@@ -62,6 +62,10 @@ struct FileMaterial {
   std::optional<std::filesystem::path> texture;
   int texture_line = 0;
   std::optional<bool> lit, smooth, double_sided, depth_write;
+  std::optional<Colour> emissive, specular;
+  std::optional<std::uint8_t> shininess, alpha, alpha_cutoff;  ///< alpha: of the colour
+  std::optional<AlphaMode> alpha_mode;
+  std::optional<TextureFilter> filter;
   std::optional<DepthTest> depth_test;
   std::optional<std::int32_t> depth_bias;
   int depth_line = 0;  ///< of the first key about depth
@@ -94,8 +98,28 @@ struct FileInstance {
 /// [[light]]
 struct FileLight {
   int line = 0;
-  Vector direction{0, -1, 0};  ///< in which it shines; any length but zero
+  std::optional<PunctualLightType> punctual;  ///< empty: directional
+  Vector direction{0, -1, 0};                 ///< in which it shines, not of a point light; any length but zero
+  Vector position{0, 0, 0};                   ///< of point and spot lights
   Colour colour{255, 255, 255, 255};
+  double intensity = 1;          ///< of point and spot lights, at distance 1; else it is in the colour
+  double range = 0;              ///< 0: no end
+  double inner = 0, outer = 45;  ///< degrees off a spot's direction that are fully lit, and lit at all
+};
+
+/// [fog]; lengths and densities of the file.
+struct FileFog {
+  int line = 0;
+  Colour colour{128, 128, 128, 255};
+  FogMode mode = FogMode::linear;
+  double start = 0, end = 0, density = 0;
+};
+
+/// [[ellipsoid]]
+struct FileEllipsoid {
+  int line = 0;
+  std::string material;
+  Placement placement;  ///< of the unit sphere
 };
 
 struct SceneFile {
@@ -106,7 +130,9 @@ struct SceneFile {
   std::optional<FileCamera> camera;
   std::vector<FileModel> models;
   std::vector<FileMaterial> materials;
-  std::vector<FileInstance> instances;  ///< at least one
+  std::vector<FileInstance> instances;
+  std::vector<FileEllipsoid> ellipsoids;  ///< at least one of these or of the instances
+  std::optional<FileFog> fog;
   std::vector<FileLight> lights;
 };
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "import/gltf_interpolation.hpp"
 #include "motion/fitted_animation.hpp"
 #include "report/number.hpp"
 
@@ -45,7 +46,7 @@ bool usable(const Quaternion& q) {
 
 /// Keys that are no numbers, or not later than the one before, are left out.
 template <typename Value, typename Key>
-Curve<Value> to_curve(std::span<const Key> keys, double ticks_per_second) {
+Curve<Value> to_curve(std::span<Key> keys, double ticks_per_second) {
   Curve<Value> curve;
   for (const Key& key : keys) {
     const double time = key.mTime / ticks_per_second;
@@ -57,12 +58,29 @@ Curve<Value> to_curve(std::span<const Key> keys, double ticks_per_second) {
   return curve;
 }
 
+/// Makes steps of curves that are; returns how many are splines, whose slopes Assimp drops.
+std::size_t interpolate(const std::vector<NodeInterpolation>& known, const std::string& node, NodeCurves& curves) {
+  std::size_t splines = 0;
+  const auto set = [&splines](Interpolation from, Interpolation& to) {
+    if (from == Interpolation::cubic_spline) ++splines;
+    if (from == Interpolation::step) to = Interpolation::step;
+  };
+  for (const NodeInterpolation& each : known) {
+    if (each.node != node) continue;
+    set(each.translation, curves.translation.interpolation);
+    set(each.rotation, curves.rotation.interpolation);
+    set(each.scale, curves.scale.interpolation);
+  }
+  return splines;
+}
+
 }  // namespace
 
-MovedNodes::MovedNodes(const aiScene& scene, const aiMatrix4x4& turn, bool animated, SourceModel& model) {
-  if (!animated || scene.mNumAnimations == 0 || scene.mRootNode == nullptr) return;
+MovedNodes::MovedNodes(const aiScene& scene, const aiMatrix4x4& turn, const std::filesystem::path& file,
+                       SourceModel& model) {
+  if (file.empty() || scene.mNumAnimations == 0 || scene.mRootNode == nullptr) return;
   find_moved(scene, turn, model);
-  if (!model.nodes.nodes.empty()) read_animations(scene, model);
+  if (!model.nodes.nodes.empty()) read_animations(scene, file, model);
 }
 
 std::int32_t MovedNodes::mover_of(const aiNode& node) const {
@@ -110,22 +128,25 @@ void MovedNodes::find_moved(const aiScene& scene, const aiMatrix4x4& turn, Sourc
   }
 }
 
-void MovedNodes::read_animations(const aiScene& scene, SourceModel& model) const {
-  for (const aiAnimation* from : animations_of(scene)) {
+void MovedNodes::read_animations(const aiScene& scene, const std::filesystem::path& file, SourceModel& model) const {
+  const std::vector<std::vector<NodeInterpolation>> interpolations = read_interpolations(file);
+  std::size_t splines = 0;
+  for (std::size_t i = 0; i < scene.mNumAnimations; ++i) {
+    const aiAnimation& from = *scene.mAnimations[i];
     NodeAnimation to;
-    to.name = from->mName.C_Str();
-    const double ticks_per_second = from->mTicksPerSecond > 0 ? from->mTicksPerSecond : 25;
-    for (const aiNodeAnim* channel : channels_of(*from)) {
+    to.name = from.mName.C_Str();
+    const double ticks_per_second = from.mTicksPerSecond > 0 ? from.mTicksPerSecond : 25;
+    for (const aiNodeAnim* channel : channels_of(from)) {
       const aiNode* node = scene.mRootNode->FindNode(channel->mNodeName);
       if (node == nullptr) continue;
-      to.moved.push_back(
-          {.node = mover_of(*node),
-           .translation = to_curve<Vector>(
-               std::span<const aiVectorKey>(channel->mPositionKeys, channel->mNumPositionKeys), ticks_per_second),
-           .rotation = to_curve<Quaternion>(
-               std::span<const aiQuatKey>(channel->mRotationKeys, channel->mNumRotationKeys), ticks_per_second),
-           .scale = to_curve<Vector>(std::span<const aiVectorKey>(channel->mScalingKeys, channel->mNumScalingKeys),
-                                     ticks_per_second)});
+      NodeCurves& curves = to.moved.emplace_back();
+      curves.node = mover_of(*node);
+      curves.translation =
+          to_curve<Vector>(std::span(channel->mPositionKeys, channel->mNumPositionKeys), ticks_per_second);
+      curves.rotation =
+          to_curve<Quaternion>(std::span(channel->mRotationKeys, channel->mNumRotationKeys), ticks_per_second);
+      curves.scale = to_curve<Vector>(std::span(channel->mScalingKeys, channel->mNumScalingKeys), ticks_per_second);
+      if (i < interpolations.size()) splines += interpolate(interpolations[i], channel->mNodeName.C_Str(), curves);
     }
     const std::set<double> times = key_times(to);
     if (times.empty() || !(*times.rbegin() > 0)) continue;
@@ -135,6 +156,10 @@ void MovedNodes::read_animations(const aiScene& scene, SourceModel& model) const
       continue;
     }
     model.nodes.animations.push_back(std::move(to));
+  }
+  if (splines > 0) {
+    model.warnings.push_back(
+        fmt::format("{} drawn as straight lines between their keys", counted(splines, "cubic spline")));
   }
 }
 

@@ -295,7 +295,7 @@ Result<SourceModel> read_model(const std::filesystem::path& path, UpAxis up) {
   const aiMatrix4x4 turn = turn_up(up);
   MaterialReader materials(*scene, path.parent_path(), model);
   materials.read_all();
-  const MovedNodes moved(*scene, turn, materials.linear_colours(), model);
+  const MovedNodes moved(*scene, turn, materials.linear_colours() ? path : std::filesystem::path(), model);
   if (const Result<Done> collected = Collector(*scene, turn, materials, moved, model).collect(); !collected) {
     return named(collected.failure().message);
   }

@@ -80,6 +80,9 @@ class ComposedStage : public Stage {
     Result<Camera> camera = choose_camera(file, options, view, frames);
     if (!camera) return camera.failure();
     camera_ = *camera;
+    if (file.camera && !options.placed() && !options.orthographic) {
+      camera_origin_ = fmt::format("{} line {}", file.path.filename().string(), file.camera->projection_line);
+    }
     // Depths of the two layers are compared.
     camera_.fixed_depth_range = composed_->static_instances > 0;
     return Done{};
@@ -104,6 +107,9 @@ class ComposedStage : public Stage {
 
   const std::vector<std::string>& warnings() const override { return composed_->warnings; }
   Animation animation() const override { return composed_->animation.view(); }
+  Origins origins() const override {
+    return {composed_->material_names, composed_->material_origins, camera_origin_, composed_->fog_origin};
+  }
 
  private:
   Result<Camera> choose_camera(const SceneFile& file, const CameraOptions& options, const View& view,
@@ -131,6 +137,7 @@ class ComposedStage : public Stage {
   std::vector<Instance> instances_;
   Scene scene_;
   Camera camera_;
+  std::string camera_origin_;  ///< of its projection, if the file says it
 };
 
 }  // namespace

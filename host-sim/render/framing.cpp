@@ -13,22 +13,32 @@ namespace {
 
 constexpr double kFilled = 0.95;  // of the picture's half width and half height
 
-/// Calls visit(x, y, z) for each vertex of each instance where its transform puts it, in the scene's units.
+/// Calls visit(x, y, z) for each vertex of each instance, and for each corner of the box around each quadric, where its
+/// transform puts it, in the scene's units.
 template <typename Visit>
 void for_each_vertex(const Scene& scene, Visit visit) {
+  const auto visit_moved = [&](const Transform& transform, double x, double y, double z) {
+    const auto moved = [&](const Fixed(&row)[4]) {
+      return from_fixed(row[0]) * x + from_fixed(row[1]) * y + from_fixed(row[2]) * z + from_fixed(row[3]);
+    };
+    visit(moved(transform.m[0]), moved(transform.m[1]), moved(transform.m[2]));
+  };
+  for (const Quadric& quadric : scene.quadrics) {
+    for (const double x : {-1, 1}) {
+      for (const double y : {-1, 1}) {
+        for (const double z : {-1, 1}) visit_moved(quadric.transform, x, y, z);
+      }
+    }
+  }
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     const auto coordinate = [](Fixed centre, Fixed half, std::int16_t steps) {
       return from_fixed(centre) + from_fixed(half) * steps / 32768;
     };
     for (const Position& p : mesh.positions) {
-      const double x = coordinate(mesh.centre.x, mesh.half_extent.x, p.x);
-      const double y = coordinate(mesh.centre.y, mesh.half_extent.y, p.y);
-      const double z = coordinate(mesh.centre.z, mesh.half_extent.z, p.z);
-      const auto moved = [&](const Fixed(&row)[4]) {
-        return from_fixed(row[0]) * x + from_fixed(row[1]) * y + from_fixed(row[2]) * z + from_fixed(row[3]);
-      };
-      visit(moved(instance.transform.m[0]), moved(instance.transform.m[1]), moved(instance.transform.m[2]));
+      visit_moved(instance.transform, coordinate(mesh.centre.x, mesh.half_extent.x, p.x),
+                  coordinate(mesh.centre.y, mesh.half_extent.y, p.y),
+                  coordinate(mesh.centre.z, mesh.half_extent.z, p.z));
     }
   }
 }

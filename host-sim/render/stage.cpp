@@ -145,6 +145,7 @@ class ModelStage : public Stage {
 
   const std::vector<std::string>& warnings() const override { return model_->warnings; }
   Animation animation() const override { return animation_->view(); }
+  Origins origins() const override { return {model_->material_names, {}, {}, {}}; }
   const Model* model() const override { return model_.get(); }
 
  private:

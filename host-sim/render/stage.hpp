@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bake/effects_found.hpp"
 #include "import/model.hpp"
 #include "render/camera.hpp"
 #include "result.hpp"
@@ -33,6 +34,8 @@ class Stage {
   virtual const std::vector<std::string>& warnings() const = 0;
   /// What moves the instances; without tracks where nothing does. Valid as long as the stage.
   virtual Animation animation() const { return {}; }
+  /// Where what calls for effects stands, and the names of materials.
+  virtual Origins origins() const { return {}; }
   /// The imported file; null for other scenes.
   virtual const Model* model() const { return nullptr; }
 };

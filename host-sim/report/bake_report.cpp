@@ -47,6 +47,7 @@ std::string flash_lines(const BakeRecord& record) {
   add(flash.triangles, "triangles", "");
   add(flash.meshlets, "meshlets", "");
   add(flash.texels, "textures, RGB565", known ? "a channel " + off_words(100 * accuracy.texel, "%") : "");
+  add(flash.keyframes, "keyframes of the animation", "");
   add(flash.tables, "tables of meshes, materials, textures, instances and lights, camera", "");
   return text;
 }
@@ -57,6 +58,7 @@ std::string effect_lines(const BakeRecord& record) {
     std::string why = found.effect.reason;
     if (!found.materials.empty()) why += fmt::format(": material '{}'", printable(found.materials.front()));
     if (found.materials.size() > 1) why += fmt::format(" and {} more", grouped(found.materials.size() - 1));
+    if (!found.origin.empty()) why += fmt::format(", {}", printable(found.origin));
     text += fmt::format("  {:<10} {}: {}\n", text.empty() ? "effects" : "", found.effect.name, why);
   }
   return text.empty() ? "  effects    none\n" : text;
@@ -107,6 +109,7 @@ std::string bake_json(const BakeRecord& record) {
                    {"triangles", flash.triangles},
                    {"meshlets", flash.meshlets},
                    {"textures", flash.texels},
+                   {"keyframes", flash.keyframes},
                    {"tables", flash.tables},
                    {"total", flash.total()}}}};
   object["accuracy"] = nullptr;
@@ -119,8 +122,10 @@ std::string bake_json(const BakeRecord& record) {
   }
   object["effects"] = Json::array();
   for (const FoundEffect& found : record.effects) {
-    object["effects"].push_back(
-        {{"name", found.effect.name}, {"reason", found.effect.reason}, {"materials", found.materials}});
+    object["effects"].push_back({{"name", found.effect.name},
+                                 {"reason", found.effect.reason},
+                                 {"materials", found.materials},
+                                 {"origin", found.origin}});
   }
   Json bytes;
   for (const auto& [purpose, size] : by_purpose(plan)) bytes[name(purpose)] = size;

@@ -39,6 +39,7 @@ static_assert(sizeof(PunctualLight) == 40 && offsetof(PunctualLight, colour) == 
               offsetof(PunctualLight, cosine_inner) == 34 && offsetof(PunctualLight, cosine_outer) == 36);
 static_assert(sizeof(Fog) == 20 && offsetof(Fog, mode) == 4 && offsetof(Fog, start) == 8 &&
               offsetof(Fog, density) == 16);
+static_assert(sizeof(Quadric) == 52 && offsetof(Quadric, transform) == 4);
 static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colour) == 6);
 
 // Where the header has what; docs/formats.md.
@@ -46,7 +47,8 @@ constexpr std::uint32_t kSize = 4, kChecksum = 8, kChecked = 12;
 constexpr std::uint32_t kMeshes = 12, kMaterials = 20, kTextures = 28, kInstances = 36, kLights = 44;
 constexpr std::uint32_t kAmbient = 52, kBackground = 56, kCamera = 60, kView = 124;
 constexpr std::uint32_t kTracks = 132, kKeyframes = 140, kDuration = 148;
-constexpr std::uint32_t kFinishes = 152, kPunctualLights = 160, kFog = 168, kHeaderBytes = 176;
+constexpr std::uint32_t kFinishes = 152, kPunctualLights = 160, kFog = 168, kQuadrics = 176;
+constexpr std::uint32_t kHeaderBytes = 184;
 
 /// Records that become structures with pointers.
 struct MeshRecord {
@@ -209,6 +211,7 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   found.scene.background = reader.colour(kBackground);
   read_camera(reader, found.camera);
   read_view(reader, found.view);
+  found.scene.quadrics = reader.array<Quadric>(kQuadrics);
   found.animation = {.tracks = reader.array<Track>(kTracks),
                      .keyframes = reader.array<Keyframe>(kKeyframes),
                      .duration = reader.word(kDuration)};
