@@ -51,8 +51,19 @@ std::string literal(const Instance& instance) {
   return fmt::format("{{.mesh = {}, .material = {}, .transform = {}}}", instance.mesh, instance.material,
                      literal(instance.transform));
 }
+std::string literal(const Quadric& quadric) {
+  return fmt::format("{{.material = {}, .transform = {}}}", quadric.material, literal(quadric.transform));
+}
 std::string literal(const DirectionalLight& light) {
   return fmt::format("{{.x = {}, .y = {}, .z = {}, .colour = {}}}", light.x, light.y, light.z, literal(light.colour));
+}
+
+std::string literal(const Track& track) {
+  return fmt::format("{{.instance = {}, .count = {}, .first = {}}}", track.instance, track.count, track.first);
+}
+std::string literal(const Keyframe& k) {
+  return fmt::format("{{{}, {{{}, {}, {}, {}}}, {}, {}}}", k.time, k.rotation[0], k.rotation[1], k.rotation[2],
+                     k.rotation[3], literal(k.translation), literal(k.scale));
 }
 
 std::string literal(Effects effects) {
@@ -71,13 +82,14 @@ class Header {
   std::string text(const std::string& name_space) {
     comment(name_space);
     line("#pragma once\n");
-    for (const char* header : {"base/status.hpp", "plan/plan.hpp", "scene/camera.hpp", "scene/effects.hpp",
-                               "scene/scene.hpp", "scene/view.hpp"}) {
+    for (const char* header : {"base/status.hpp", "plan/plan.hpp", "scene/animation.hpp", "scene/camera.hpp",
+                               "scene/effects.hpp", "scene/scene.hpp", "scene/view.hpp"}) {
       line(fmt::format("#include \"zstrip/{}\"", header));
     }
     line(fmt::format("\nnamespace {} {{\n", name_space));
     data();
     scene();
+    animation();
     camera();
     plan();
     line(fmt::format("\n}}  // namespace {}", name_space));
@@ -115,6 +127,8 @@ class Header {
         "// begin_frame and draw_strip return a Status: look at it. To move the scene, copy kInstances into RAM, "
         "change");
     line("// the transforms there, and begin the frame with a copy of kScene whose `instances` are yours.");
+    if (baked_.animation.tracks.empty()) return;
+    line("// Here they are animated: zstrip::pose(kAnimation, milliseconds, instances) changes them, each frame.");
   }
 
   /// An array of these records, or nothing; gives the expression that names it.
@@ -173,11 +187,21 @@ class Header {
     const std::string materials = array("zstrip::Material", "kMaterials", scene_.materials);
     const std::string instances = array("zstrip::Instance", "kInstances", scene_.instances);
     const std::string lights = array("zstrip::DirectionalLight", "kLights", scene_.lights);
+    const std::string quadrics = array("zstrip::Quadric", "kQuadrics", scene_.quadrics);
     line(fmt::format(
         "\ninline constexpr zstrip::Scene kScene{{.meshes = {},\n{pad}.materials = {},\n{pad}.textures = {},\n"
-        "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}}};",
+        "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}{}}};",
         meshes, materials, textures, instances, lights, literal(scene_.ambient), literal(scene_.background),
+        scene_.quadrics.empty() ? "" : fmt::format(",\n{:38}.quadrics = {}", "", quadrics),
         fmt::arg("pad", "                                      ")));
+  }
+
+  void animation() {
+    line("\n/// What moves the instances; without tracks nothing does. Times in milliseconds.");
+    const std::string tracks = array("zstrip::Track", "kTracks", baked_.animation.tracks);
+    const std::string keyframes = array("zstrip::Keyframe", "kKeyframes", baked_.animation.keyframes);
+    line(fmt::format("inline constexpr zstrip::Animation kAnimation{{.tracks = {}, .keyframes = {}, .duration = {}}};",
+                     tracks, keyframes, baked_.animation.duration));
   }
 
   void camera() {
