@@ -65,8 +65,8 @@ struct Job {
 
 Failure usage(std::string message) { return {ExitStatus::usage, std::move(message)}; }
 
-/// The picture's sides change places where it lies sideways.
-View view_on_panel(const PanelRequest& panel) {
+/// The picture fills the panel.
+View panel_view(const PanelRequest& panel) {
   const bool sideways = is_sideways(panel.orientation);
   const PanelModule& module = panel.module;
   return {sideways ? module.height : module.width, sideways ? module.width : module.height, core_format(panel.format)};
@@ -91,13 +91,13 @@ Result<Done> fit_strips_to_panel(Job& job) {
 
 Result<Job> parse(const Arguments& arguments) {
   Job job;
+  const Result<PictureSettings> settings = settings_of(arguments.scene);
+  if (!settings) return settings.failure();
   const auto panel = parse_panel(arguments.panel, arguments.size, arguments.format);
   if (!panel) return panel.failure();
   job.panel = *panel;
-  const Result<PictureSettings> settings = settings_of(arguments.scene);
-  if (!settings) return settings.failure();
   const Result<View> view =
-      job.panel ? Result<View>(view_on_panel(*job.panel)) : parse_view(arguments.size, arguments.format, *settings);
+      job.panel ? panel_view(*job.panel) : parse_view(arguments.size, arguments.format, *settings);
   if (!view) return view.failure();
   job.view = *view;
   const Result<DepthFormat> depth_format = parse_depth_format(arguments.depth_format, *settings);
