@@ -26,14 +26,16 @@ std::span<std::byte> at_least(std::vector<std::uint64_t>& words, std::uint32_t b
 }
 
 Failure too_little_memory(const Status& status, const Scene& scene, const View& view, Effects effects,
-                          const Budget& budget) {
+                          const Budget& budget, bool other_rows_would_do) {
   const SceneCounts counts = count(scene);
+  const std::uint16_t rows = other_rows_would_do ? std::uint16_t{0} : budget.strip_rows;
   const std::uint32_t smallest =
-      plan(counts, view, effects, {.bytes = 1, .strip_columns = budget.strip_columns}).status.needed;
+      plan(counts, view, effects, {.bytes = 1, .strip_rows = rows, .strip_columns = budget.strip_columns})
+          .status.needed;
   std::string advice = fmt::format("--ram {} is the smallest that works", smallest);
-  if (budget.strip_rows != 0 && smallest <= budget.bytes)
+  if (budget.strip_rows != rows && smallest <= budget.bytes)
     advice = "try --strip-rows auto";
-  else if (budget.strip_rows != 0)
+  else if (budget.strip_rows != rows)
     advice += " (with --strip-rows auto)";
   const bool whole_meshes =
       std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& mesh) { return mesh.meshlets.empty(); });
@@ -69,7 +71,10 @@ void add(Statistics& sum, const Statistics& all, const Statistics& after_begin) 
 Result<FrameReport> FrameRenderer::render(const Staging& staging) {
   const Effects effects = effects_of(staging.scene, staging.camera) | depth_effect(depth_format_) | effect::bins;
   const auto [status, plan] = zstrip::plan(count(staging.scene), view_, effects, budget_);
-  if (status.error == Error::arena_too_small) return too_little_memory(status, staging.scene, view_, effects, budget_);
+  if (status.error == Error::arena_too_small) {
+    // A panel may want a number of rows.
+    return too_little_memory(status, staging.scene, view_, effects, budget_, panel_ == nullptr);
+  }
   if (status.error == Error::unplannable) {
     return Failure{ExitStatus::usage, fmt::format("{}; ask for larger strips", message(status.error))};
   }
