@@ -46,8 +46,12 @@ DisplayPointer on_screen(Shown shown) {
 std::variant<DisplayPointer, Failure> open_framebuffer(DisplayAddress& address) {
   const auto size = address.take_size("size");
   if (!size) return usage(size.fault());
+  const auto depth = address.take_number("depth", 16, 32);
+  if (!depth) return usage(depth.fault());
+  if (depth->value_or(16) % 8 != 0) return usage(address.fault("depth", "is 16, 24 or 32"));
   if (const auto untaken = address.untaken()) return usage(*untaken);
-  auto display = hal::FramebufferDisplay::open(address.device().empty() ? "/dev/fb0" : address.device(), *size);
+  auto display =
+      hal::FramebufferDisplay::open(address.device().empty() ? "/dev/fb0" : address.device(), {*size, *depth});
   if (!display) return device(display.fault());
   return on_screen(std::move(*display));
 }

@@ -98,7 +98,7 @@ pack() { # ARCHITECTURE PROGRAM MODULE...: FOLDER/ARCHITECTURE/{kernel,initrd}
   local arch=$1 program=$2 tree=$1/tree module
   shift 2
   rm -rf "$tree"
-  mkdir -p "$tree"/{bin,dev,proc,sys,modules}
+  mkdir -p "$tree"/{bin,dev,etc,proc,sys,tmp,modules}
   cp "$arch/packages/bin/busybox" "$tree/bin"
   cp "$program" "$tree/bin/zstrip-panel"
   for library in $(ldd "$program" 2>/dev/null | grep -o '/[^ )]*'); do install -D "$library" "$tree$library"; done

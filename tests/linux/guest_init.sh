@@ -17,9 +17,10 @@ done
 
 # shows COMMAND...: starts zstrip-panel in the background and returns when it shows its last frame.
 shows() {
+  rm -f /tmp/shown
   zstrip-panel "$@" --hold >/tmp/shown 2>&1 &
   shown=$!
-  until grep -q ' frames of ' /tmp/shown; do
+  until grep -qs ' frames of ' /tmp/shown; do
     kill -0 $shown 2>/dev/null || break
     usleep 20000
   done
