@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # guest.sh ROOT FOLDER PANEL: real Debian kernels with zstrip-panel as machines for QEMU, in FOLDER/amd64 and FOLDER/armhf:
-# `kernel`, `initrd`, for armhf `tree.dtb` (the emulator's device tree, and panels on its GPIO chip), and FOLDER/armhf2 with
-# what libgpiod 2 of Debian 13 needs to be compiled with. PANEL is the host's program; that for armhf is built here.
+# `kernel`, `initrd`, for armhf `tree.dtb` (the emulator's device tree, and panels on its GPIO chip). PANEL is the host's
+# program; those for armhf are built here, zstrip-panel and, with libgpiod 2 of Debian 13, zstrip-panel-gpiod2.
 # Downloads are kept in FOLDER/downloads. Where the packages cannot be had FOLDER/missing says why, and the status is 77.
 set -euo pipefail
 root=$1 folder=$2 panel=$3
@@ -107,6 +107,7 @@ pack() { # ARCHITECTURE PROGRAM MODULE...: FOLDER/ARCHITECTURE/{kernel,initrd}
     while read -r file; do cp -n "$file" "$tree/modules"; done <"$tree/modules/$module"
     sed -i 's|.*/||' "$tree/modules/$module"
   done
+  if [ "$arch" = armhf ]; then cp armhf2/zstrip-panel "$tree/bin/zstrip-panel-gpiod2"; fi
   cp "$folder/scene.zsc" "$tree"
   install -m 755 "$scripts/guest_init.sh" "$tree/init"
   (cd "$tree" && find . | LC_ALL=C sort | cpio --quiet -o -H newc) | gzip -1 >"$arch/initrd"
@@ -123,6 +124,16 @@ build=(cmake -S "$root" -B armhf/build -G Ninja "-DCMAKE_TOOLCHAIN_FILE=$root/cm
   -DZSTRIP_LINUX=ON)
 { "${build[@]}" && nice cmake --build armhf/build --target zstrip-panel; } >armhf/build.log 2>&1 ||
   { tail -n 40 armhf/build.log; exit 1; }
+
+# All but one file is the same with libgpiod 2, so that it is only linked again.
+objects=armhf/build/firmware/linux/CMakeFiles/zstrip-panel.dir libraries=lib/arm-linux-gnueabihf
+arm-linux-gnueabihf-g++ -std=c++20 -O1 -Wall -Wextra -Wshadow -Wconversion -Wsign-conversion -Werror -I"$root/hal" \
+  -I"$root/hal/linux" -isystem armhf2/development/usr/include \
+  -c "$root/hal/linux/zstrip_hal_linux/gpio_libgpiod2.cpp" -o armhf2/gpio.o
+mapfile -t objects < <(find "$objects" -name '*.o')
+arm-linux-gnueabihf-g++ -static -o armhf2/zstrip-panel "${objects[@]}" armhf2/gpio.o \
+  armhf/build/{hal/linux/libzstrip_hal_linux,core/libzstrip_core_any,core/libzstrip_core,hal/libzstrip_hal}.a \
+  armhf/development/usr/$libraries/libdrm.a armhf2/development/usr/$libraries/libgpiod.a
 pack armhf armhf/build/firmware/linux/zstrip-panel virtio_pci virtio_gpu
 
 # Panels on the only GPIO chip of the machine: SPI by spi-gpio, lines with names. The chip's power button goes.

@@ -22,8 +22,9 @@ struct FramebufferOptions {
 };
 
 /// Takes RGB565 and converts it to whatever true colour the driver has, 16, 24 or 32 bits a pixel. Pixels show as they
-/// are written: there is one buffer, so that a frame may tear. The text console is not its business: see
-/// GraphicsConsole. When the object ends, the screen is black and has the mode that it had before.
+/// are written: there is one buffer, so that a frame may tear. The text console is not its business: enter
+/// GraphicsConsole first, which else takes the new mode for its own. When the object ends, the screen is black and has
+/// the mode that it had before.
 class FramebufferDisplay {
  public:
   /// The driver's present mode, or another. What counts is what the driver says afterwards that it has: many
