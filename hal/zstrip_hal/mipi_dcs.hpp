@@ -5,7 +5,7 @@
 // not, so that whatever went wrong, the next window starts clean.
 #pragma once
 
-#include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,6 +16,7 @@
 #include "zstrip_hal/display.hpp"
 #include "zstrip_hal/error.hpp"
 #include "zstrip_hal/orientation.hpp"
+#include "zstrip_hal/parameters.hpp"
 
 namespace zstrip::hal {
 
@@ -41,12 +42,14 @@ struct DcsConfig {
 ///   - kColumns, kRows: of its memory, with the glass upright
 ///   - pixel_format(format): COLMOD's parameter, 0 for a format that it has not
 ///   - kSettings: commands for every module, as DcsConfig::module_commands
+///   - kHasBrightness: it has a PWM output for a backlight
 template <class T>
 concept DcsController = requires(PixelFormat format) {
   { T::kColumns } -> std::convertible_to<std::uint16_t>;
   { T::kRows } -> std::convertible_to<std::uint16_t>;
   { T::pixel_format(format) } -> std::same_as<std::uint8_t>;
-  {std::span<const std::byte>(T::kSettings)};
+  std::span<const std::byte>(T::kSettings);
+  { T::kHasBrightness } -> std::convertible_to<bool>;
 };
 
 /// A display that shows what is written at once. `bus` and `clock` must outlive it. Any rectangle may be written; with
@@ -64,8 +67,8 @@ class DcsPanel {
     if (!valid()) return Error::configuration;
     Error error = command(kSoftReset);
     clock_.wait(kAwakeToReady);
-    if (error == Error::none) error = commands(Controller::kSettings);
-    if (error == Error::none) error = commands(config_.module_commands);
+    if (error == Error::none) error = send_commands(bus_, Controller::kSettings);
+    if (error == Error::none) error = send_commands(bus_, config_.module_commands);
     if (error == Error::none) error = command(kSleepOut);
     clock_.wait(kAwakeToReady);
     if (error == Error::none) error = command(kPixelFormat, Controller::pixel_format(config_.format));
@@ -144,18 +147,9 @@ class DcsPanel {
     return fits(config_.column_offset, config_.width, Controller::kColumns) &&
            fits(config_.row_offset, config_.height, Controller::kRows) &&
            Controller::pixel_format(config_.format) != 0 &&
-           (config_.format != PixelFormat::rgb444 || width() % 2 == 0) && whole(config_.module_commands);
+           (config_.format != PixelFormat::rgb444 || width() % 2 == 0) && is_command_list(config_.module_commands);
   }
-  /// Whether every command has all of its parameters.
-  static constexpr bool whole(std::span<const std::byte> list) {
-    while (list.size() >= 2) {
-      const std::size_t bytes = 2 + std::to_integer<std::size_t>(list[1]);
-      if (list.size() < bytes) return false;
-      list = list.subspan(bytes);
-    }
-    return list.empty();
-  }
-  static_assert(whole(Controller::kSettings));
+  static_assert(is_command_list(Controller::kSettings));
 
   constexpr std::uint8_t memory_access() const {
     const Scan scan = scan_of(config_.orientation);
@@ -164,26 +158,9 @@ class DcsPanel {
                                      (scan.exchanged ? kExchange : 0U) | (config_.bgr ? kBgr : 0U));
   }
 
-  Error data(std::span<const std::byte> bytes) {
-    if (const Error error = bus_.write_data(bytes); error != Error::none) return error;
-    return bus_.wait();  // the bytes are the caller's
-  }
-  Error command(std::byte code) { return bus_.write_command(std::span(&code, 1)); }
-  Error command(std::byte code, std::uint8_t parameter) {
-    if (const Error error = command(code); error != Error::none) return error;
-    const std::byte byte{parameter};
-    return data(std::span(&byte, 1));
-  }
-  Error commands(std::span<const std::byte> list) {
-    while (!list.empty()) {
-      const std::size_t parameters = std::to_integer<std::size_t>(list[1]);
-      if (const Error error = command(list[0]); error != Error::none) return error;
-      if (parameters != 0) {
-        if (const Error error = data(list.subspan(2, parameters)); error != Error::none) return error;
-      }
-      list = list.subspan(2 + parameters);
-    }
-    return Error::none;
+  template <class... Parameters>
+  Error command(std::byte code, Parameters... parameters) {
+    return send_command(bus_, code, parameters...);
   }
 
   /// The next data goes to the area's upper left corner and fills it row by row.
@@ -203,10 +180,8 @@ class DcsPanel {
   }
   /// First and last, inclusive, high byte first.
   Error range(std::byte code, unsigned first, unsigned count) {
-    if (const Error error = command(code); error != Error::none) return error;
     const unsigned last = first + count - 1;
-    const auto byte = [](unsigned value) { return static_cast<std::byte>(value); };
-    return data(std::array{byte(first >> 8), byte(first), byte(last >> 8), byte(last)});
+    return command(code, first >> 8, first & 0xFFU, last >> 8, last & 0xFFU);
   }
 
   Bus& bus_;

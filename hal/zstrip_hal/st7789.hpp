@@ -2,8 +2,6 @@
 // to 15 MHz by the data sheet (66 ns a write cycle); modules are commonly run at 40 MHz and more, at your own risk.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 
 #include "zstrip_hal/mipi_dcs.hpp"
@@ -14,7 +12,7 @@ struct St7789Controller {
   static constexpr std::uint16_t kColumns = 240;
   static constexpr std::uint16_t kRows = 320;
   static constexpr bool kHasBrightness = true;
-  static constexpr std::array<std::byte, 0> kSettings{};  // what it has after a reset suits its panels
+  static constexpr auto kSettings = bytes();  // what it has after a reset suits its panels
 
   /// COLMOD: the upper digit is that of the RGB interface, the lower one that of the bus.
   static constexpr std::uint8_t pixel_format(PixelFormat format) {

@@ -81,6 +81,8 @@ constexpr DcsCommand kSt7735Commands[] = {
 const DcsPart kSt7789Part{"ST7789", 240, 320, 66ns, 10us, 5ms, 120ms, 5ms, 120ms, 0x66, true, kSt7789Commands};
 const DcsPart kIli9341Part{"ILI9341", 240, 320, 100ns, 10us, 5ms, 120ms, 5ms, 120ms, 0x66, false, kIli9341Commands};
 const DcsPart kSt7735Part{"ST7735", 132, 162, 66ns, 10us, 120ms, 120ms, 5ms, 120ms, 0x06, true, kSt7735Commands};
+const DcsPart kSt7735Gm11Part{"ST7735_GM11", 128, 160,   66ns, 10us, 120ms,
+                              120ms,         5ms, 120ms, 0x06, true, kSt7735Commands};
 
 const DcsCommand* find_command(const DcsPart& part, std::uint8_t code) {
   for (const std::span<const DcsCommand> table : {std::span<const DcsCommand>(kUserCommands), part.own_commands}) {

@@ -32,6 +32,7 @@ struct DcsPart {
 extern const DcsPart kSt7789Part;
 extern const DcsPart kIli9341Part;
 extern const DcsPart kSt7735Part;
+extern const DcsPart kSt7735Gm11Part;  ///< pins GM1 and GM0 high: a smaller memory
 
 /// The command of this code, or nullptr.
 const DcsCommand* find_command(const DcsPart& part, std::uint8_t code);

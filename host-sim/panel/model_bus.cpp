@@ -9,7 +9,7 @@ ModelBus::ModelBus(PanelModel& panel, const BusTiming& timing) : panel_(panel), 
 
 hal::Error ModelBus::send(Wire wire, std::span<const std::byte> bytes) {
   const bool fails = transfers_++ == fail_at_;
-  if (fails) bytes = bytes.first(bytes.size() / 2);
+  if (fails) bytes = bytes.first(bytes.size() * quarters_ / 4);
   const Nanoseconds time = timing_.transfer + bytes.size() * timing_.byte;
   panel_.elapse(time);
   panel_.receive(wire, bytes);

@@ -33,8 +33,11 @@ class ModelBus {
   /// That the bus was busy.
   Nanoseconds busy() const { return busy_; }
 
-  /// The transfer of this number fails, counted from the next one: half of its bytes arrive.
-  void fail_at(int transfer) { fail_at_ = transfer; }
+  /// The transfer of this number, counted from 0, fails; of its bytes so many quarters arrive.
+  void fail_at(int transfer, unsigned quarters) {
+    fail_at_ = transfer;
+    quarters_ = quarters;
+  }
   int transfers() const { return transfers_; }
 
  private:
@@ -47,6 +50,7 @@ class ModelBus {
   std::uint64_t bytes_ = 0;
   Nanoseconds busy_{};
   int fail_at_ = -1;
+  unsigned quarters_ = 0;
   int transfers_ = 0;
 };
 

@@ -6,8 +6,11 @@
 #include <span>
 
 #include "zstrip/frame/bounds.hpp"
+#include "zstrip/frame/effect_block.hpp"
 #include "zstrip/frame/frame.hpp"
 #include "zstrip/raster/assemble.hpp"
+#include "zstrip/raster/quadric.hpp"
+#include "zstrip/raster/quadric_shade.hpp"
 #include "zstrip/resolve/convert.hpp"
 #include "zstrip/resolve/resolve.hpp"
 #include "zstrip/scene/validate.hpp"
@@ -20,10 +23,21 @@ struct Frame::Access {
   using Assembler = detail::Assembler<without(effects, effect::bins)>;
 
   /// Everything about the request that could harm; not the index arrays, which validate() has seen.
-  static Status check(const Scene& scene, const Camera& camera, const View& view, const Plan& plan, Effects missing,
-                      std::span<std::byte> arena);
+  static Status check(const Scene& scene, const Camera& camera, const View& view, const Plan& plan, Effects called_for,
+                      Effects missing, std::span<std::byte> arena);
   static void lay_out_arena(Frame& frame, std::span<std::byte> arena);
-  static Status prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view);
+  /// Compiles the instances, finds the frame's bounds.
+  static Status prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const DepthFit& fit);
+  static void extend_bounds(Frame& frame, const Rect& box);
+  /// Compiles the quadrics, for the depth mapping that the frame has now.
+  static Status prepare_quadrics(Frame& frame, const Scene& scene, const Camera& camera);
+  /// They lie behind the instances.
+  static detail::CompiledQuadric* quadrics_of(const Frame& frame, const Scene& scene) {
+    auto* const first = reinterpret_cast<std::byte*>(frame.instances_);
+    return reinterpret_cast<detail::CompiledQuadric*>(first + scene.instances.size() * kInstanceBytes);
+  }
+  /// Into strips, of the bounds that are now known.
+  static void divide(Frame& frame, const Scene& scene, const View& view);
   /// `strip`: its pixels in the picture.
   static detail::StripTarget target_of(Frame& frame, const Rect& strip, std::uint16_t* pixels);
   static void clear(const Frame& frame, std::uint16_t width, std::uint16_t rows, std::uint16_t* pixels,
@@ -45,10 +59,14 @@ struct Frame::Access {
 
   /// Calls visit(number, instance index, meshlet index) in drawing order; numbers count the meshlets of all instances,
   /// invisible ones too, but are called only for visible ones.
-  template <class Visit>
+  template <Effects effects, class Visit>
   static void for_each_meshlet(const Frame& frame, const Visit& visit) {
     std::uint32_t number = 0;
-    for (std::uint32_t i = 0; i < frame.scene_->instances.size(); ++i) {
+    for (std::uint32_t place = 0; place < frame.scene_->instances.size(); ++place) {
+      std::uint32_t i = place;
+      if constexpr (effects.has(effect::blending)) {
+        if (const auto block = effect_block(frame); block.has(effect::blending)) i = block.order()[place].instance;
+      }
       const Mesh& mesh = frame.scene_->meshes[frame.scene_->instances[i].mesh];
       const std::uint32_t meshlets = mesh.meshlets.empty() ? 1 : static_cast<std::uint32_t>(mesh.meshlets.size());
       if (frame.instances_[i].visible) {
@@ -84,16 +102,43 @@ struct Frame::Access {
   static void shade(Frame& frame, const detail::Batch& batch, const MeshletRange& range, std::uint32_t cache) {
     if constexpr (detail::has_vertex_colours(effects)) {
       if (batch.colours != nullptr) {
+        if constexpr (effects.any(effect::vertex_light)) {
+          if (shade_locally<effects>(frame, batch, range, cache)) return;
+        }
         detail::shade_vertices<without(effects, effect::bins)>(*batch.instance, *batch.mesh, range.first_vertex,
                                                                range.vertex_count, frame.colours_ + cache);
       }
     }
   }
 
+  /// False if the instance has no light beyond what all have.
+  template <Effects effects>
+  static bool shade_locally(Frame& frame, const detail::Batch& batch, const MeshletRange& range, std::uint32_t cache) {
+    const Scene& scene = *frame.scene_;
+    const detail::CompiledInstance& instance = *batch.instance;
+    const Material& material = scene.materials[instance.material];
+    if (!effects_of_finish(scene, material, instance.lit, false).any(effect::vertex_light)) return false;
+    const Finish finish = finish_of(scene, material);
+    const detail::EffectBlock block = effect_block(frame);
+    const detail::FrameLights* lights = nullptr;
+    const detail::InstanceShading* shading = nullptr;
+    if (block.has(effect::local_light)) {
+      lights = &block.lights();
+      shading = &block.shading(static_cast<std::size_t>(batch.instance - frame.instances_));
+    }
+    for (std::uint32_t i = 0; i < range.vertex_count; ++i) {
+      const std::uint32_t vertex = range.first_vertex + i;
+      const Colour lit =
+          detail::locally_lit_colour<effects>(instance, *batch.mesh, vertex, scene, lights, shading, finish);
+      frame.colours_[cache + i] = detail::with_vertex_colour<effects>(lit, instance, *batch.mesh, vertex);
+    }
+    return true;
+  }
+
   /// Which strips the front faces of each meshlet touch.
   template <Effects effects>
   static void survey(Frame& frame) {
-    for_each_meshlet(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+    for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
       const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
       const detail::Batch batch = batch_of(frame, instance, range.first_vertex, 0);
       const bool all_narrow = transform<effects>(frame, batch, range, 0);
@@ -113,7 +158,7 @@ struct Frame::Access {
     std::uint32_t retained = 0;
     std::uint16_t batches = 0;
     bool room = true;
-    for_each_meshlet(frame, [&](std::uint32_t, std::uint32_t instance, std::uint32_t meshlet) {
+    for_each_meshlet<effects>(frame, [&](std::uint32_t, std::uint32_t instance, std::uint32_t meshlet) {
       if (!room) return;
       const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
       const detail::Batch batch = batch_of(frame, instance, range.first_vertex, retained);
@@ -156,13 +201,13 @@ struct Frame::Access {
   static void draw_streamed(Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
     const std::int32_t row = strip / frame.grid_.across();
     const std::int32_t column = strip % frame.grid_.across();
-    for_each_meshlet(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+    for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
       if (frame.extents_ != nullptr && !frame.grid_.touches(frame.extents_[number], row, column)) return;
       const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
       const detail::Batch batch = batch_of(frame, instance, range.first_vertex, 0);
       const bool all_narrow = transform<effects>(frame, batch, range, 0);
       shade<effects>(frame, batch, range, 0);
-      with_depth<effects>(frame, target, *batch.instance, [&](const auto& complete) {
+      with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
         Assembler<effects>::draw(complete, batch, range.triangles, all_narrow);
       });
     });
@@ -175,27 +220,159 @@ struct Frame::Access {
       const MeshletRange range =
           meshlet_range(frame.scene_->meshes[frame.instances_[retained.instance].mesh], retained.meshlet);
       const detail::Batch batch = batch_of(frame, retained.instance, range.first_vertex, retained.first_vertex);
-      with_depth<effects>(frame, target, *batch.instance, [&](const auto& complete) {
+      with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
         Assembler<effects>::draw_listed(complete, batch, range.triangles, {triangles, count});
       });
     });
   }
 
-  /// Calls draw(target), with what the depth effects of this instance's material add to it.
+  template <Effects effects>
+  static void draw_quadrics(const Frame& frame, const detail::StripTarget& target) {
+    constexpr bool kOrthographic = effects.has(effect::orthographic);
+    const std::int64_t offset = kOrthographic ? std::int64_t{frame.origin_.depth_offset} : -frame.fit_.offset;
+    const detail::CompiledQuadric* const quadrics = quadrics_of(frame, *frame.scene_);
+    for (std::size_t i = 0; i < frame.scene_->quadrics.size(); ++i) {
+      const detail::CompiledQuadric& quadric = quadrics[i];
+      if (!quadric.visible) continue;
+      const detail::QuadricShade<effects.has(effect::lighting), effects.has(effect::textures)> shade{
+          quadric, texture_of(frame, quadric.material)};
+      with_depth<effects>(frame, target, quadric.material, [&](const auto& complete) {
+        detail::QuadricFill<effects>::draw(complete, quadric, offset, shade);
+      });
+    }
+  }
+
+  /// Calls draw(target), with what the depth effects of this material add to it.
   template <Effects effects, class Draw>
-  static void with_depth(const Frame& frame, const detail::StripTarget& target,
-                         const detail::CompiledInstance& instance, const Draw& draw) {
+  static void with_depth(const Frame& frame, const detail::StripTarget& target, std::uint16_t material,
+                         const Draw& draw) {
     if constexpr (std::is_same_v<detail::TargetFor<detail::depth_mode(effects)>, detail::StripTarget>) {
       draw(target);
     } else {
-      draw(detail::StripTargetWithDepth{target, depth_settings<effects>(frame, instance)});
+      draw(detail::StripTargetWithDepth{target, depth_settings<effects>(frame, material)});
+    }
+  }
+
+  /// Calls draw(target), with what the depth effects of this instance's material and its fragments add to it.
+  template <Effects effects, class Draw>
+  static void with_settings(const Frame& frame, const detail::StripTarget& target,
+                            const detail::CompiledInstance& instance, const Draw& draw) {
+    if constexpr (std::is_same_v<typename detail::TargetOfEffects<effects>::WithDepth, detail::StripTarget>) {
+      with_fragments<effects>(frame, target, instance, draw);
+    } else {
+      with_fragments<effects>(frame,
+                              detail::StripTargetWithDepth{target, depth_settings<effects>(frame, instance.material)},
+                              instance, draw);
+    }
+  }
+  template <Effects effects, class Target, class Draw>
+  static void with_fragments(const Frame& frame, const Target& target, const detail::CompiledInstance& instance,
+                             const Draw& draw) {
+    if constexpr (effects.any(effect::fragments)) {
+      draw(detail::TargetOf<effects>{target, fragment_settings<effects>(frame, instance)});
+    } else {
+      draw(target);
+    }
+  }
+
+  static detail::EffectBlock effect_block(const Frame& frame) {
+    return {reinterpret_cast<std::byte*>(frame.batches_) + frame.plan_.bin_bytes, frame.plan_.effect_bytes,
+            frame.scene_->instances.size()};
+  }
+
+  /// Opaque instances in the scene's order, then those that blend, from far to near.
+  static void prepare_order(const Frame& frame, const Camera& camera) {
+    const Scene& scene = *frame.scene_;
+    const std::span<detail::DrawOrder> order = effect_block(frame).order();
+    const auto blends = [&scene](const Instance& instance) {
+      return finish_of(scene, scene.materials[instance.material]).alpha_mode == AlphaMode::blend;
+    };
+    std::size_t count = 0;
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+      if (!blends(scene.instances[i])) order[count++] = {0, i, 0};
+    }
+    const std::size_t first = count;
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+      const Instance& instance = scene.instances[i];
+      if (!blends(instance)) continue;
+      const detail::DistanceRange range =
+          detail::distance_range(scene.meshes[instance.mesh], instance.transform, camera);
+      const Distance middle = range.nearest / 2 + range.farthest / 2;
+      std::size_t place = count++;
+      for (; place > first && order[place - 1].distance < middle; --place) order[place] = order[place - 1];
+      order[place] = {middle, i, 0};
+    }
+  }
+
+  /// What effects need through the frame.
+  template <Effects effects>
+  static void prepare_effects(Frame& frame, const Camera& camera, [[maybe_unused]] Effects called_for) {
+    [[maybe_unused]] const detail::EffectBlock block = effect_block(frame);
+    if constexpr (detail::effect_bytes(effects, 1) != 0) block.lay_out(called_for);
+    if constexpr (effects.has(effect::blending)) {
+      if (block.has(effect::blending)) prepare_order(frame, camera);
+    }
+    if constexpr (effects.any(effect::local_light)) {
+      if (block.has(effect::local_light)) prepare_local_light(frame, camera);
+    }
+    if constexpr (effects.any(effect::fragments)) prepare_fragments<effects>(frame);
+  }
+
+  static void prepare_local_light(const Frame& frame, const Camera& camera) {
+    const Scene& scene = *frame.scene_;
+    const detail::EffectBlock block = effect_block(frame);
+    block.lights() = detail::frame_lights(scene, camera);
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+      const Instance& instance = scene.instances[i];
+      block.shading(i) = detail::instance_shading(scene.meshes[instance.mesh], instance.transform, camera);
+    }
+  }
+
+  /// Which instances are drawn by fill_fragments.
+  template <Effects effects>
+  static void prepare_fragments(Frame& frame) {
+    const Scene& scene = *frame.scene_;
+    constexpr bool kOrthographic = effects.has(effect::orthographic);
+    if constexpr (effects.has(effect::fog)) {
+      if (scene.fog != nullptr && frame.fit_.near != 0) {
+        effect_block(frame).fog() = detail::fog_curve(
+            *scene.fog, detail::distance_scale(frame.fit_, kOrthographic, detail::depth_span(effects)));
+      }
+    }
+    for (detail::CompiledInstance& instance : std::span(frame.instances_, scene.instances.size())) {
+      if (!instance.visible) continue;
+      const Effects finish = effects_of_finish(scene, scene.materials[instance.material], instance.lit,
+                                               instance.shade >= detail::Shade::textured);
+      if (scene.fog != nullptr || finish.any(effect::fragments)) {
+        instance.shade = detail::with_fragments(instance.shade);
+      }
     }
   }
 
   template <Effects effects>
-  static detail::DepthSettings depth_settings(const Frame& frame, const detail::CompiledInstance& instance) {
-    constexpr DepthFormat kFormat = depth_format(effects);
+  static detail::FragmentSettings fragment_settings(const Frame& frame, const detail::CompiledInstance& instance) {
+    detail::FragmentSettings settings;
+    settings.textured = detail::without_fragments(instance.shade) >= detail::Shade::textured;
     const Material& material = frame.scene_->materials[instance.material];
+    const Finish finish = finish_of(*frame.scene_, material);
+    settings.alpha = material.colour.a;
+    if (finish.alpha_mode == AlphaMode::mask) settings.cutoff = finish.alpha_cutoff;
+    settings.blends = finish.alpha_mode == AlphaMode::blend;
+    settings.bilinear = finish.filter == TextureFilter::bilinear;
+    settings.has_texture_alpha = settings.textured && finish.alpha_mode != AlphaMode::opaque &&
+                                 frame.scene_->textures[material.texture].format == TextureFormat::rgb565_alpha;
+    if constexpr (effects.has(effect::fog)) {
+      if (frame.scene_->fog != nullptr) settings.fog = &effect_block(frame).fog();
+      settings.depth_offset =
+          effects.has(effect::orthographic) ? std::int64_t{frame.origin_.depth_offset} : frame.fit_.offset;
+    }
+    return settings;
+  }
+
+  template <Effects effects>
+  static detail::DepthSettings depth_settings(const Frame& frame, std::uint16_t index) {
+    constexpr DepthFormat kFormat = depth_format(effects);
+    const Material& material = frame.scene_->materials[index];
     detail::DepthSettings settings;
     settings.test = material.depth_test;
     settings.write = material.depth_write;
@@ -213,13 +390,14 @@ struct Frame::Access {
   }
 
   static detail::Surface surface_of(const Frame& frame, const detail::CompiledInstance& instance) {
-    detail::Surface surface{detail::rgb565(instance.base), {nullptr, 0, 0}, frame.fit_.offset};
-    const std::uint16_t index = frame.scene_->materials[instance.material].texture;
-    if (index != kNoTexture) {
-      const Texture& texture = frame.scene_->textures[index];
-      surface.texture = {texture.texels.data(), texture.log2_width, texture.log2_height};
-    }
-    return surface;
+    return {detail::rgb565(instance.base), texture_of(frame, instance.material), frame.fit_.offset};
+  }
+
+  static detail::TextureView texture_of(const Frame& frame, std::uint16_t material) {
+    const std::uint16_t index = frame.scene_->materials[material].texture;
+    if (index == kNoTexture) return {nullptr, 0, 0};
+    const Texture& texture = frame.scene_->textures[index];
+    return {texture.texels.data(), texture.log2_width, texture.log2_height};
   }
 
   static constexpr bool has_own_mapping(Effects effects) {
@@ -268,17 +446,29 @@ struct Frame::Access {
                             std::span<std::byte> arena) {
     frame.scene_ = nullptr;
     frame.next_to_last_strip_ = 0;
-    const Effects missing = without(effects_of(scene, camera), effects);
+    const Effects called_for = effects_of(scene, camera);
     // A pipeline has one projection: this is the effect that must not be there without being called for.
     if (effects.has(effect::orthographic) && camera.projection != Projection::orthographic) {
       return {.error = Error::effect_missing};
     }
     if (plan.mode == Mode::binned && !effects.has(effect::bins)) {
-      return {.error = Error::effect_missing, .needed = effect::bins.bits};
+      return {.error = Error::effect_missing, .needed = low_bits(effect::bins)};
     }
     // Binned vertices keep the depth of the sub-range in which they were transformed.
     if (plan.mode == Mode::binned && effects.has(effect::depth_ranges)) return {.error = Error::depth_effects};
-    if (const Status status = check(scene, camera, view, plan, missing, arena); !status) return status;
+    if (const Status status = check(scene, camera, view, plan, called_for, without(called_for, effects), arena);
+        !status) {
+      return status;
+    }
+    if constexpr (detail::effect_bytes(effects, 1) != 0) {
+      const std::uint64_t needed = detail::effect_bytes(called_for, static_cast<std::uint32_t>(scene.instances.size()));
+      if (plan.effect_bytes < needed) {
+        return {.error = Error::arena_too_small,
+                .purpose = Purpose::effects,
+                .needed = static_cast<std::uint32_t>(needed),
+                .available = plan.effect_bytes};
+      }
+    }
     if constexpr (depth_bytes(depth_format(effects)) != kDepthBytes) {
       const std::uint64_t needed =
           std::uint64_t{plan.strip_rows} * plan.strip_columns * depth_bytes(depth_format(effects));
@@ -300,10 +490,19 @@ struct Frame::Access {
       ranged.ranges_.begin_frame(frame.depth_, plan.depth_bytes / kDepthBytes);
       ranged.cleared_code_ = 0;
     }
-    if (const Status status = prepare(frame, scene, camera, view); !status) return status;
+    detail::DistanceRange reach = detail::reach_of(scene, camera);
+    if constexpr (effects.has(effect::quadrics)) detail::extend(reach, scene.quadrics, camera);
+    if (const Status status = prepare(frame, scene, camera, view, detail::fit_to(reach, camera)); !status) {
+      return status;
+    }
     if constexpr (has_own_mapping(effects)) change_mapping<effects>(frame, scene);
+    if constexpr (effects.has(effect::quadrics)) {
+      if (const Status status = prepare_quadrics(frame, scene, camera); !status) return status;
+    }
+    divide(frame, scene, view);
     if constexpr (effects.has(effect::statistics)) frame.statistics_.triangles = count(scene).triangles;
     frame.scene_ = &scene;
+    prepare_effects<effects>(frame, camera, called_for);
     if (frame.extents_ == nullptr) return {};
     if constexpr (effects.has(effect::bins)) {
       if (frame.mode_ == Mode::binned) {
@@ -341,7 +540,7 @@ struct Frame::Access {
     } else {
       clear(frame, width, rows, drawn, target);
     }
-    if (!target.area.empty()) draw_triangles<effects>(frame, target, strip);
+    if (!target.area.empty()) draw_surfaces<effects>(frame, target, strip);
     convert_pixels(frame.view_.format, width, rows, drawn, pixels.data());
     frame.next_to_last_strip_ = strip + 1U;
     return {};
@@ -378,11 +577,17 @@ struct Frame::Access {
           target.depth = depth.data() + first;
           target.colour = pixels.data() + first;
           target.depth_stride = target.colour_stride = area.width();
-          draw_triangles<effects>(frame, target, strip);
+          draw_surfaces<effects>(frame, target, strip);
         }
       }
       return {};
     }
+  }
+
+  template <Effects effects>
+  static void draw_surfaces(Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
+    draw_triangles<effects>(frame, target, strip);
+    if constexpr (effects.has(effect::quadrics)) draw_quadrics<effects>(frame, target);
   }
 
   template <Effects effects>

@@ -11,7 +11,7 @@ namespace zstrip {
 
 /// A set of effects; a structural type, so that it can be a template argument.
 struct Effects {
-  std::uint32_t bits = 0;
+  std::uint64_t bits = 0;
   constexpr bool has(Effects other) const { return (bits & other.bits) == other.bits; }
   constexpr bool any(Effects other) const { return (bits & other.bits) != 0; }
   friend constexpr Effects operator|(Effects a, Effects b) { return {a.bits | b.bits}; }
@@ -40,7 +40,35 @@ inline constexpr Effects depth_ranges{1U << 11};
 inline constexpr Effects depth_formats{depth_float.bits | depth_w16.bits | depth_24.bits | depth_32.bits};
 /// Can carry out plans of Mode::binned; never called for by a scene. Sub-ranges cannot be binned.
 inline constexpr Effects bins{1U << 12};
+
+// Of light and of fragments. Each needs nothing of the others.
+inline constexpr Effects fog{std::uint64_t{1} << 13};              ///< Scene::fog
+inline constexpr Effects emissive{std::uint64_t{1} << 14};         ///< Finish::emissive
+inline constexpr Effects specular{std::uint64_t{1} << 15};         ///< Finish::specular
+inline constexpr Effects punctual_lights{std::uint64_t{1} << 16};  ///< Scene::punctual_lights
+inline constexpr Effects alpha_test{std::uint64_t{1} << 17};       ///< AlphaMode::mask
+inline constexpr Effects blending{std::uint64_t{1} << 18};         ///< AlphaMode::blend
+inline constexpr Effects texture_alpha{std::uint64_t{1} << 19};    ///< a texture's alpha that is masked or blended with
+inline constexpr Effects bilinear{std::uint64_t{1} << 20};         ///< TextureFilter::bilinear
+
+/// Those that need a fragment of its own: instances with one of them are drawn by fill_fragments.
+inline constexpr Effects fragments = fog | alpha_test | blending | texture_alpha | bilinear;
+/// Those that light vertices by where they are.
+inline constexpr Effects local_light = specular | punctual_lights;
+/// All that a vertex' light has beyond ambient and directional light.
+inline constexpr Effects vertex_light = local_light | emissive;
+// Surfaces and passes beyond the triangles of instances; bits 22 to 31.
+inline constexpr Effects quadrics{1U << 22};       ///< spheres and ellipsoids
+inline constexpr Effects surfaces{quadrics.bits};  ///< all of these
+/// All that a scene can call for.
+inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | vertex_light | surfaces;
 }  // namespace effect
+
+/// Effects as Status::needed has them: the lower 32 bits, or all ones where the lower have none.
+constexpr std::uint32_t low_bits(Effects effects) {
+  const auto low = static_cast<std::uint32_t>(effects.bits);
+  return low != 0 || effects.bits == 0 ? low : 0xFFFFFFFF;
+}
 
 /// How a renderer with these effects keeps depth: z16, unless one of effect::depth_formats is among them.
 constexpr DepthFormat depth_format(Effects effects) {
@@ -65,7 +93,7 @@ constexpr Effects depth_effect(DepthFormat format) {
 
 /// At most one format, sub-ranges only of z16, and what needs 1/w only with perspective.
 constexpr bool depth_effects_agree(Effects effects) {
-  const std::uint32_t format = (effects & (effect::depth_formats | effect::depth_ranges)).bits;
+  const std::uint64_t format = (effects & (effect::depth_formats | effect::depth_ranges)).bits;
   const bool single = (format & (format - 1)) == 0;
   return single && !(effects.has(effect::orthographic) && effects.any(effect::depth_float | effect::depth_w16));
 }
@@ -76,9 +104,37 @@ constexpr bool has_depth_state(const Material& material) {
          material.depth_slope_bias != 0;
 }
 
+/// The material's finish, or one without anything.
+constexpr Finish finish_of(const Scene& scene, const Material& material) {
+  return material.finish < scene.finishes.size() ? scene.finishes[material.finish] : Finish{};
+}
+
+constexpr bool is_black(const Colour& colour) { return colour.r == 0 && colour.g == 0 && colour.b == 0; }
+
+/// What an instance's light and fragments call for, beyond the effects of materials without finish.
+constexpr Effects effects_of_finish(const Scene& scene, const Material& material, bool lit, bool textured) {
+  Effects found{};
+  if (lit && !scene.punctual_lights.empty()) found = found | effect::punctual_lights;
+  if (material.finish >= scene.finishes.size()) return found;
+  const Finish& finish = scene.finishes[material.finish];
+  const bool has_light = !scene.lights.empty() || !scene.punctual_lights.empty();
+  if (lit && !is_black(finish.emissive)) found = found | effect::emissive;
+  if (lit && has_light && !is_black(finish.specular)) found = found | effect::specular;
+  if (finish.alpha_mode == AlphaMode::mask) found = found | effect::alpha_test;
+  if (finish.alpha_mode == AlphaMode::blend) found = found | effect::blending;
+  if (textured) {
+    const bool has_alpha = material.texture < scene.textures.size() &&
+                           scene.textures[material.texture].format == TextureFormat::rgb565_alpha;
+    if (has_alpha && finish.alpha_mode != AlphaMode::opaque) found = found | effect::texture_alpha;
+    if (finish.filter == TextureFilter::bilinear) found = found | effect::bilinear;
+  }
+  return found;
+}
+
 /// Exactly what drawing this scene with this camera needs. constexpr for baked scenes.
 constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
   Effects found{};
+  const bool has_tables = !scene.finishes.empty() || !scene.punctual_lights.empty();
   for (const Instance& instance : scene.instances) {
     if (instance.material >= scene.materials.size() || instance.mesh >= scene.meshes.size()) continue;
     const Material& material = scene.materials[instance.material];
@@ -90,6 +146,16 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (coloured) found = found | effect::vertex_colours;
     if (textured) found = found | effect::textures;
     if (material.smooth && (lit || coloured)) found = found | effect::gouraud;
+    if (has_depth_state(material)) found = found | effect::depth_state;
+    if (has_tables) found = found | effects_of_finish(scene, material, lit, textured);
+  }
+  if (scene.fog != nullptr && !scene.instances.empty()) found = found | effect::fog;
+  for (const Quadric& quadric : scene.quadrics) {
+    found = found | effect::quadrics;
+    if (quadric.material >= scene.materials.size()) continue;
+    const Material& material = scene.materials[quadric.material];
+    if (material.lit) found = found | effect::lighting;
+    if (material.texture != kNoTexture) found = found | effect::textures;
     if (has_depth_state(material)) found = found | effect::depth_state;
   }
   if (camera.projection == Projection::orthographic) found = found | effect::orthographic;
