@@ -112,7 +112,8 @@ TEST_F(LinuxScreens, Bochs) {
   expect_shown_and_undone(guest, "drm,size=640x480", 3, 640, 480);
 }
 
-// cirrusfb: a driver of framebuffers as they were before DRM, which sets modes of 16, 24 and 32 bits.
+// cirrusfb: a driver of framebuffers as they were before DRM, which sets modes of 16 and 24
+// bits; 32 are beyond the clock of this card. LinuxScreens.Bochs has those.
 TEST_F(LinuxScreens, EveryDepthOfAFramebuffer) {
   Guest guest({.modules = "cirrusfb", .devices = {"-device", "cirrus-vga"}});
   const std::string list = guest.run("zstrip-panel --list").text;
@@ -120,7 +121,7 @@ TEST_F(LinuxScreens, EveryDepthOfAFramebuffer) {
   expect_refused(guest, "fbdev", 3, "/dev/fb0 has 8 bits a pixel that are no true colour; ask for 16, 24 or 32");
   expect_shown_and_undone(guest, "fbdev,depth=16", 1, 640, 480);
   expect_shown_and_undone(guest, "fbdev,depth=24", 1, 640, 480);
-  expect_shown_and_undone(guest, "fbdev,depth=32", 1, 640, 480);
+  expect_refused(guest, "fbdev,depth=32", 3, "does not take 640x480 with 32 bits a pixel; it has 640x480 with 8 bits");
   expect_shown_and_undone(guest, "fbdev:/dev/fb0,size=800x600,depth=16", 2, 800, 600);
 }
 
