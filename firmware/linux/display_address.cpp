@@ -24,9 +24,11 @@ std::optional<std::uint64_t> number(std::string_view text) {
 
 hal::Outcome<DisplayAddress> DisplayAddress::parse(const std::string& text) {
   DisplayAddress address;
-  const std::size_t colon = text.find(':');
-  address.kind_ = text.substr(0, colon);
-  std::string_view rest = colon == std::string::npos ? std::string_view() : std::string_view(text).substr(colon + 1);
+  // Without a device a comma does for the colon: drm,size=640x480.
+  const std::size_t kind_end = text.find_first_of(":,");
+  address.kind_ = text.substr(0, kind_end);
+  std::string_view rest;
+  if (kind_end != std::string::npos) rest = std::string_view(text).substr(kind_end + 1);
   for (bool first = true; !rest.empty(); first = false) {
     const std::size_t comma = rest.find(',');
     const std::string part(rest.substr(0, comma));

@@ -22,9 +22,9 @@ struct Arguments {
 };
 
 constexpr const char* kFooter = R"(Displays, KIND:[DEVICE,]KEY=VALUE,...:
-  fbdev:/dev/fb0          size=WxH
+  fbdev:/dev/fb0          size=WxH, depth=16|24|32
   drm:/dev/dri/card0      size=WxH, connector=NAME (as --list shows), format=rgb565|xrgb8888
-  ssd0323: and other controllers of panels; firmware/README.md has their keys
+  st7789: ili9341: st7735: ssd1351: ssd1306: ssd0323:  panels on SPI; docs/linux.md has all keys
     spidev=/dev/spidev0.0,speed=HZ  or bit by bit  clock=LINE,data=LINE[,select=LINE]
     dc=LINE[,reset=LINE][,backlight=LINE]
 A LINE is CHIP:OFFSET (gpiochip0:25) or the line's name.

@@ -38,18 +38,24 @@ hal::GraphicsConsole take_console() {
   return hal::GraphicsConsole();
 }
 
-template <class Shown>
-DisplayPointer on_screen(Shown shown) {
-  return std::make_unique<Screen<Shown>>(take_console(), std::move(shown));
+/// The console goes first: it remembers the mode that it finds, and sets it when it comes back.
+template <class Shown, class Options>
+std::variant<DisplayPointer, Failure> open_screen(const std::string& path, const Options& options) {
+  hal::GraphicsConsole console = take_console();
+  Outcome<Shown> shown = Shown::open(path, options);
+  if (!shown) return device(shown.fault());
+  return std::make_unique<Screen<Shown>>(std::move(console), std::move(*shown));
 }
 
 std::variant<DisplayPointer, Failure> open_framebuffer(DisplayAddress& address) {
   const auto size = address.take_size("size");
   if (!size) return usage(size.fault());
+  const auto depth = address.take_number("depth", 16, 32);
+  if (!depth) return usage(depth.fault());
+  if (depth->value_or(16) % 8 != 0) return usage(address.fault("depth", "is 16, 24 or 32"));
   if (const auto untaken = address.untaken()) return usage(*untaken);
-  auto display = hal::FramebufferDisplay::open(address.device().empty() ? "/dev/fb0" : address.device(), *size);
-  if (!display) return device(display.fault());
-  return on_screen(std::move(*display));
+  return open_screen<hal::FramebufferDisplay>(address.device().empty() ? "/dev/fb0" : address.device(),
+                                              hal::FramebufferOptions{*size, *depth});
 }
 
 std::variant<DisplayPointer, Failure> open_card(DisplayAddress& address) {
@@ -64,9 +70,7 @@ std::variant<DisplayPointer, Failure> open_card(DisplayAddress& address) {
     options.format = *format == "rgb565" ? hal::DrmFormat::rgb565 : hal::DrmFormat::xrgb8888;
   }
   if (const auto untaken = address.untaken()) return usage(*untaken);
-  auto display = hal::DrmDisplay::open(address.device().empty() ? "/dev/dri/card0" : address.device(), options);
-  if (!display) return device(display.fault());
-  return on_screen(std::move(*display));
+  return open_screen<hal::DrmDisplay>(address.device().empty() ? "/dev/dri/card0" : address.device(), options);
 }
 
 }  // namespace

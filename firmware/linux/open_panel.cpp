@@ -3,11 +3,16 @@
 
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "panel_wiring.hpp"
+#include "zstrip_hal/ili9341.hpp"
 #include "zstrip_hal/output_pin.hpp"
 #include "zstrip_hal/ssd0323.hpp"
+#include "zstrip_hal/ssd1306.hpp"
+#include "zstrip_hal/ssd1351.hpp"
+#include "zstrip_hal/st7735.hpp"
 #include "zstrip_hal/st7789.hpp"
 #include "zstrip_hal_linux/sleeping_clock.hpp"
 
@@ -17,59 +22,70 @@ namespace {
 using hal::Outcome;
 using Opened = std::variant<DisplayPointer, Failure>;
 
-// A driver, and how its panel is put to rest.
-
-template <class Bus>
-struct St7789 {
-  St7789(Bus& bus, hal::SleepingClock& clock, const hal::DcsConfig& config) : driver(bus, clock, config) {}
-  hal::Error rest() { return driver.sleep(); }
-  hal::St7789<Bus, hal::SleepingClock> driver;
-};
-
-template <class Bus>
-struct Ssd0323 {
-  Ssd0323(Bus& bus, hal::SleepingClock& /*clock*/, const hal::Ssd0323Config& config) : driver(bus, config) {}
-  hal::Error rest() { return driver.start(); }  // black: an OLED's pixels are off then
-  hal::Ssd0323<Bus> driver;
-};
-
 /// A panel with everything that it stands on.
-template <template <class> class Kind, class Bus>
-class Panel final : public DisplayAdapter<Panel<Kind, Bus>> {
+template <class Driver, class Bus>
+class Panel final : public DisplayAdapter<Panel<Driver, Bus>> {
  public:
   template <class Config>
   Panel(Bus bus, hal::GpioPin reset, hal::GpioPin backlight, const Config& config)
-      : bus_(std::move(bus)), reset_(std::move(reset)), backlight_(std::move(backlight)), kind_(bus_, clock_, config) {}
+      : bus_(std::move(bus)),
+        reset_(std::move(reset)),
+        backlight_(std::move(backlight)),
+        driver_(make(bus_, clock_, config)) {}
   ~Panel() override {
     // Dark first. What fails now has nobody to be told.
     static_cast<void>(backlight_.set(false));
-    static_cast<void>(kind_.rest());
+    static_cast<void>(driver_.sleep());
   }
 
   hal::Error start() {
     hal::Error error = hal::reset_panel(reset_, clock_);
-    if (error == hal::Error::none) error = kind_.driver.start();
+    if (error == hal::Error::none) error = driver_.start();
     return error == hal::Error::none ? backlight_.set(true) : error;
   }
-  auto& display() { return kind_.driver; }
+  Driver& display() { return driver_; }
 
  private:
+  template <class Config>
+  static Driver make(Bus& bus, hal::SleepingClock& clock, const Config& config) {
+    if constexpr (std::is_constructible_v<Driver, Bus&, hal::SleepingClock&, const Config&>) {
+      return Driver(bus, clock, config);
+    } else {
+      return Driver(bus, config);
+    }
+  }
+
   hal::SleepingClock clock_;
   Bus bus_;
   hal::GpioPin reset_;
   hal::GpioPin backlight_;
-  Kind<Bus> kind_;
+  Driver driver_;
 };
 
-template <template <class> class Kind, class Config>
+// The drivers of panels, by bus.
+template <class Bus>
+using St7789 = hal::St7789<Bus, hal::SleepingClock>;
+template <class Bus>
+using Ili9341 = hal::Ili9341<Bus, hal::SleepingClock>;
+template <class Bus>
+using St7735 = hal::St7735<Bus, hal::SleepingClock>;
+template <class Bus>
+using Ssd1351 = hal::Ssd1351<Bus>;
+template <class Bus>
+using Ssd1306 = hal::Ssd1306<Bus>;
+template <class Bus>
+using Ssd0323 = hal::Ssd0323<Bus>;
+
+/// `usual_hertz` is the highest clock that the data sheet allows.
+template <template <class> class Driver, class Config>
 Opened start(const PanelWiring& wiring, std::uint32_t usual_hertz, const Config& config) {
   Outcome<OpenWiring> open = OpenWiring::open(wiring, usual_hertz);
   if (!open) return Failure{ExitStatus::device, open.fault().message};
   return std::visit(
       [&](auto& bus) -> Opened {
         using Bus = std::remove_reference_t<decltype(bus)>;
-        auto panel = std::make_unique<Panel<Kind, Bus>>(std::move(bus), std::move(open->reset),
-                                                        std::move(open->backlight), config);
+        auto panel = std::make_unique<Panel<Driver<Bus>, Bus>>(std::move(bus), std::move(open->reset),
+                                                               std::move(open->backlight), config);
         if (const hal::Error error = panel->start(); error != hal::Error::none) {
           const ExitStatus status = error == hal::Error::configuration ? ExitStatus::usage : ExitStatus::output;
           return Failure{status, std::string("the panel cannot be started: ") + hal::message(error)};
@@ -77,6 +93,16 @@ Opened start(const PanelWiring& wiring, std::uint32_t usual_hertz, const Config&
         return DisplayPointer(std::move(panel));
       },
       open->bus);
+}
+
+/// The key `rotate`, in degrees clockwise, and `mirror`.
+Outcome<hal::Orientation> take_orientation(DisplayAddress& address) {
+  const auto degrees = address.take_number("rotate", 0, 270);
+  if (!degrees) return degrees.fault();
+  if (degrees->value_or(0) % 90 != 0) return address.fault("rotate", "is 0, 90, 180 or 270");
+  const auto mirrored = address.take_flag("mirror");
+  if (!mirrored) return mirrored.fault();
+  return hal::Orientation{static_cast<hal::Rotation>(degrees->value_or(0) / 90), *mirrored};
 }
 
 /// The keys of panels with MIPI's commands; `usual` is what they are without.
@@ -94,12 +120,10 @@ Outcome<hal::DcsConfig> take_config(DisplayAddress& address, const hal::DcsConfi
   const auto row = address.take_number("row", 0, UINT16_MAX);
   if (!row) return row.fault();
   config.row_offset = static_cast<std::uint16_t>(row->value_or(config.row_offset));
-  const auto degrees = address.take_number("rotate", 0, 270);
-  if (!degrees) return degrees.fault();
-  if (degrees->value_or(0) % 90 != 0) return address.fault("rotate", "is 0, 90, 180 or 270");
-  config.orientation.rotation = static_cast<hal::Rotation>(degrees->value_or(0) / 90);
-  for (const auto& [key, member] :
-       {std::pair("mirror", &config.orientation.mirrored), {"bgr", &config.bgr}, {"inverted", &config.inverted}}) {
+  const auto orientation = take_orientation(address);
+  if (!orientation) return orientation.fault();
+  config.orientation = *orientation;
+  for (const auto& [key, member] : {std::pair("bgr", &config.bgr), {"inverted", &config.inverted}}) {
     const auto flag = address.take_flag(key, *member);
     if (!flag) return flag.fault();
     *member = *flag;
@@ -120,23 +144,34 @@ Outcome<hal::DcsConfig> take_config(DisplayAddress& address, const hal::DcsConfi
 
 }  // namespace
 
-std::string panel_kinds() { return "st7789 ssd0323"; }
+std::string panel_kinds() { return "st7789 ili9341 st7735 ssd1351 ssd1306 ssd0323"; }
 
 Opened open_panel(DisplayAddress& address) {
   const auto usage = [](const hal::Fault& fault) { return Failure{ExitStatus::usage, fault.message}; };
-  const bool is_dcs = address.kind() == "st7789";
-  if (!is_dcs && address.kind() != "ssd0323")
-    return usage({"there is no display '" + address.kind() + "'; there are fbdev drm " + panel_kinds()});
+  const std::string& kind = address.kind();
+  const bool is_dcs = kind == "st7789" || kind == "ili9341" || kind == "st7735";
+  if (!is_dcs && kind != "ssd1351" && kind != "ssd1306" && kind != "ssd0323")
+    return usage({"there is no display '" + kind + "'; there are fbdev drm " + panel_kinds()});
   const Outcome<PanelWiring> wiring = PanelWiring::take(address);
   if (!wiring) return usage(wiring.fault());
-  Outcome<hal::DcsConfig> config = hal::kSt7789Module240x240;
-  if (is_dcs) config = take_config(address, *config);
-  if (!config) return usage(config.fault());
-  if (const auto untaken = address.untaken()) return usage(*untaken);
 
-  // Clocks that the data sheets allow.
-  if (is_dcs) return start<St7789>(*wiring, 15'000'000, *config);
-  return start<Ssd0323>(*wiring, 4'000'000, hal::Ssd0323Config{});
+  if (is_dcs) {
+    const hal::DcsConfig& module = kind == "st7789"    ? hal::kSt7789Module240x240
+                                   : kind == "ili9341" ? hal::kIli9341Module240x320
+                                                       : hal::kSt7735Module128x160;
+    const Outcome<hal::DcsConfig> config = take_config(address, module);
+    if (!config) return usage(config.fault());
+    if (const auto untaken = address.untaken()) return usage(*untaken);
+    if (kind == "st7789") return start<St7789>(*wiring, 15'000'000, *config);
+    if (kind == "ili9341") return start<Ili9341>(*wiring, 10'000'000, *config);
+    return start<St7735>(*wiring, 15'000'000, *config);
+  }
+  const Outcome<hal::Orientation> orientation = take_orientation(address);
+  if (!orientation) return usage(orientation.fault());
+  if (const auto untaken = address.untaken()) return usage(*untaken);
+  if (kind == "ssd1351") return start<Ssd1351>(*wiring, 20'000'000, hal::Ssd1351Config{.orientation = *orientation});
+  if (kind == "ssd1306") return start<Ssd1306>(*wiring, 10'000'000, hal::Ssd1306Config{.orientation = *orientation});
+  return start<Ssd0323>(*wiring, 4'000'000, hal::Ssd0323Config{.orientation = *orientation});
 }
 
 }  // namespace zstrip::panel

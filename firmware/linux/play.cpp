@@ -47,7 +47,10 @@ std::optional<Failure> play(SceneFile& scene, AnyDisplay& display, const PlayOpt
   if (options.frames_per_turn > 1 && !scene.can_turn())
     return Failure{ExitStatus::input, "an instance of the baked scene is too far away to turn; play it with --turn 1"};
   const Effects effects = effects_of(scene.scene(), camera) | effect::bins;
-  const auto [planned, plan] = zstrip::plan(count(scene.scene()), view, effects, {});
+  // Controllers with several pixels a byte want areas of whole bytes, some of them in y: they get the picture in one.
+  const bool whole = view.format == PixelFormat::gray4 || view.format == PixelFormat::mono;
+  const Budget budget{.strip_rows = whole ? view.height : std::uint16_t{0}};
+  const auto [planned, plan] = zstrip::plan(count(scene.scene()), view, effects, budget);
   if (!planned) return refused("the picture cannot be planned", planned);
 
   std::vector<std::uint64_t> arena_words;

@@ -35,9 +35,10 @@ std::string reason(const Status& status) {
 hal::Outcome<SceneFile> SceneFile::open(const std::string& path) {
   const auto fault = [&path](const std::string& text) { return hal::Fault{"'" + path + "' " + text}; };
   std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  const std::uintmax_t file_size = std::filesystem::file_size(path, error);
   if (error) return fault("cannot be read: " + error.message());
-  if (size > kLargestFile) return fault("is larger than 256 MB: no baked scene");
+  if (file_size > kLargestFile) return fault("is larger than 256 MB: no baked scene");
+  const auto size = static_cast<std::size_t>(file_size);
   SceneFile file;
   file.bytes_ = words_for(size);
   const std::span<std::byte> bytes = std::as_writable_bytes(std::span(file.bytes_)).first(size);

@@ -15,11 +15,13 @@ for module in $(sed -n 's/.*zstrip.modules=\([^ ]*\).*/\1/p' /proc/cmdline | tr 
   done <"/modules/$module"
 done
 
-# shows COMMAND...: starts zstrip-panel in the background and returns when it shows its last frame.
+panel=zstrip-panel
+# shows ARGUMENTS...: starts $panel in the background and returns when it shows its last frame.
 shows() {
-  zstrip-panel "$@" --hold >/tmp/shown 2>&1 &
+  rm -f /tmp/shown
+  $panel "$@" --hold >/tmp/shown 2>&1 &
   shown=$!
-  until grep -q ' frames of ' /tmp/shown; do
+  until grep -qs ' frames of ' /tmp/shown; do
     kill -0 $shown 2>/dev/null || break
     usleep 20000
   done

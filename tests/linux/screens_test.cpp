@@ -26,15 +26,15 @@ void expect_text_console(Guest& guest, bool is_text) {
   EXPECT_TRUE(contains(list, is_text ? "Text console: shown" : "Text console: off")) << list;
 }
 
-/// Shown, and after the signal `name` all as before: console, and the mode of fb0.
+/// Shown, and after the signal `name` all as before: the console, and the modes.
 void expect_shown_and_undone(Guest& guest, const std::string& display, int frames, int width, int height,
                              const std::string& name = "INT", int status = 0) {
-  const std::string before = guest.run("fbset").text;
+  const std::string before = guest.run("zstrip-panel --list").text;
   expect_shown(guest, display, frames, width, height);
   expect_text_console(guest, false);
   EXPECT_EQ(guest.run("ends " + name).status, status) << display;
   expect_text_console(guest, true);
-  EXPECT_EQ(guest.run("fbset").text, before) << display;
+  EXPECT_EQ(guest.run("zstrip-panel --list").text, before) << display;
 }
 
 void expect_refused(Guest& guest, const std::string& arguments, int status, const std::string& words) {
@@ -77,8 +77,8 @@ TEST_F(LinuxScreens, Cirrus) {
   expect_refused(guest, "drm,connector=DP-1", 3, "/dev/dri/card0 has no connector DP-1, only VGA-1");
   expect_refused(guest, "drm:/dev/dri/card1", 3, "/dev/dri/card1 cannot be opened: there is no such device");
   expect_refused(guest, "drm:/dev/null", 3, "/dev/null sets no modes");
-  // The driver says that it took the size, and keeps its own.
-  expect_refused(guest, "fbdev:/dev/fb0,size=640x400", 3, "does not take the size 640x400");
+  expect_refused(guest, "fbdev,size=1600x1200", 3,
+                 "/dev/fb0 does not take 1600x1200 with 16 bits a pixel; it has 1024x768 with 16 bits a pixel");
   expect_refused(guest, "fbdev:/dev/null", 3, "/dev/null is not a framebuffer");
   guest.run("head -c 100 /scene.zsc >/short.zsc");
   EXPECT_EQ(guest.run("zstrip-panel /short.zsc --display fbdev").status, 4);
@@ -87,7 +87,7 @@ TEST_F(LinuxScreens, Cirrus) {
 // Without permission: what to do about it.
 TEST_F(LinuxScreens, NoPermission) {
   Guest guest({.modules = "bochs", .devices = {"-device", "bochs-display"}});
-  guest.run("chmod 755 /; echo user:x:1000:1000::/:/bin/sh >>/tmp/passwd; mkdir -p /etc; cp /tmp/passwd /etc/passwd");
+  guest.run("chmod 755 /; echo user:x:1000:1000::/:/bin/sh >/etc/passwd");
   const auto as_user = [&guest](const std::string& display) {
     return guest.run("su user -c 'zstrip-panel /scene.zsc --frames 1 --display " + display + "'");
   };
@@ -112,19 +112,17 @@ TEST_F(LinuxScreens, Bochs) {
   expect_shown_and_undone(guest, "drm,size=640x480", 3, 640, 480);
 }
 
-// cirrusfb: a driver of framebuffers as they were before DRM, which sets modes of 16, 24 and 32 bits.
+// cirrusfb: a driver of framebuffers as they were before DRM, which sets modes of 16 and 24
+// bits; 32 are beyond the clock of this card. LinuxScreens.Bochs has those.
 TEST_F(LinuxScreens, EveryDepthOfAFramebuffer) {
   Guest guest({.modules = "cirrusfb", .devices = {"-device", "cirrus-vga"}});
   const std::string list = guest.run("zstrip-panel --list").text;
   ASSERT_TRUE(contains(list, "driver CL ")) << list;
-  expect_refused(guest, "fbdev", 3, "8 bits a pixel that are no true colour");
-  for (const char* depth : {"16", "24", "32"}) {
-    const Guest::Answer set = guest.run(std::string("fbset -g 640 480 640 480 ") + depth);
-    EXPECT_EQ(set.status, 0) << set.text;
-    expect_shown_and_undone(guest, "fbdev", 1, 640, 480);
-  }
-  guest.run("fbset -g 640 480 640 480 16");
-  expect_shown_and_undone(guest, "fbdev:/dev/fb0,size=800x600", 2, 800, 600);
+  expect_refused(guest, "fbdev", 3, "/dev/fb0 has 8 bits a pixel that are no true colour; ask for 16, 24 or 32");
+  expect_shown_and_undone(guest, "fbdev,depth=16", 1, 640, 480);
+  expect_shown_and_undone(guest, "fbdev,depth=24", 1, 640, 480);
+  expect_refused(guest, "fbdev,depth=32", 3, "does not take 640x480 with 32 bits a pixel; it has 640x480 with 8 bits");
+  expect_shown_and_undone(guest, "fbdev:/dev/fb0,size=800x600,depth=16", 2, 800, 600);
 }
 
 TEST_F(LinuxScreensArmhf, VirtioGpu) {

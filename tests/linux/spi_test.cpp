@@ -40,9 +40,11 @@ class LinuxSpi : public testing::Test {
   }
 
   /// Frame 2 of 64 on the panel, its backlight on; dark and asleep after the end.
-  void expect_shown_and_put_to_rest(const std::string& display, const PanelLines& lines) {
+  void expect_shown_and_put_to_rest(const std::string& display, const PanelLines& lines,
+                                    const std::string& program = "zstrip-panel") {
     constexpr int kBacklight = 5;
     Guest guest(traced());
+    guest.run("panel=" + program);
     const Guest::Answer shown = guest.run("shows /scene.zsc --frames 3 --display " + display);
     EXPECT_TRUE(contains(shown.text, "3 frames of 64x48")) << shown.text;
     {
@@ -89,14 +91,21 @@ TEST_F(LinuxSpi, Spidev) {
                                {.clock = 0, .data = 1, .data_command = 3, .select = 2, .reset = 4});
 }
 
+TEST_F(LinuxSpi, SpidevWithLibgpiod2) {
+  expect_shown_and_put_to_rest(std::string("st7789:spidev=/dev/spidev0.0,speed=1M") + kPanel,
+                               {.clock = 0, .data = 1, .data_command = 3, .select = 2, .reset = 4},
+                               "zstrip-panel-gpiod2");
+}
+
 TEST_F(LinuxSpi, BitByBit) {
   expect_shown_and_put_to_rest(std::string("st7789:clock=0:6,data=/dev/gpiochip0:7") + kPanel,
                                {.clock = 6, .data = 7, .data_command = 3, .select = -1, .reset = 4});
 }
 
-TEST_F(LinuxSpi, WhatIsRefused) {
-  Guest guest(traced());
-  const std::string list = guest.run("zstrip-panel --list").text;
+/// The same words with both releases of libgpiod.
+void expect_refusals(Guest& guest, const std::string& program) {
+  SCOPED_TRACE(program);
+  const std::string list = guest.run(program + " --list").text;
   for (const char* part : {"spidev=/dev/spidev0.0", "/dev/gpiochip0  8 lines", "gpiochip0:3  DC\n",
                            "gpiochip0:0  SCLK  in use by 'sck'"}) {
     EXPECT_TRUE(contains(list, part)) << list;
@@ -119,18 +128,23 @@ TEST_F(LinuxSpi, WhatIsRefused) {
            {"spidev=/dev/null,dc=DC", 3, "/dev/null cannot tell its mode"},
            {"spidev=/dev/spidev0.0,dc=DC,size=300x300", 2, "the display's controller cannot do what its configuration"},
        }) {
-    const Guest::Answer answer =
-        guest.run(std::string("zstrip-panel /scene.zsc --frames 1 --display st7789:") + refusal.display);
+    const Guest::Answer answer = guest.run(program + " /scene.zsc --frames 1 --display st7789:" + refusal.display);
     EXPECT_EQ(answer.status, refusal.status) << refusal.display << "\n" << answer.text;
     EXPECT_TRUE(contains(answer.text, refusal.words)) << refusal.display << "\n" << answer.text;
   }
   // For a user without groups.
-  guest.run("chmod 755 /; mkdir -p /etc; echo user:x:1000:1000::/:/bin/sh >/etc/passwd");
   const Guest::Answer answer =
-      guest.run("su user -c 'zstrip-panel /scene.zsc --display st7789:spidev=/dev/spidev0.0,dc=DC'");
+      guest.run("su user -c '" + program + " /scene.zsc --display st7789:spidev=/dev/spidev0.0,dc=DC'");
   EXPECT_EQ(answer.status, 3);
   EXPECT_TRUE(contains(answer.text, "dc: /dev/gpiochip0 cannot be opened: no permission; join the group 'gpio'"))
       << answer.text;
+}
+
+TEST_F(LinuxSpi, WhatIsRefused) {
+  Guest guest(traced());
+  guest.run("chmod 755 /; echo user:x:1000:1000::/:/bin/sh >/etc/passwd");
+  expect_refusals(guest, "zstrip-panel");
+  expect_refusals(guest, "zstrip-panel-gpiod2");
 }
 
 }  // namespace

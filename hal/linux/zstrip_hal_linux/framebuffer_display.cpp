@@ -22,23 +22,51 @@ std::optional<PixelLayout> layout_of(const fb_var_screeninfo& mode) {
   return PixelLayout{static_cast<std::uint8_t>(mode.bits_per_pixel / 8), *red, *green, *blue};
 }
 
-/// The visible part of the mapped memory; none if it does not lie in it.
+/// The visible part of the device's memory; none if it does not lie in it.
 std::optional<VideoMemory> visible_memory(const fb_fix_screeninfo& device, const fb_var_screeninfo& mode,
-                                          std::span<std::byte> mapped, std::size_t start) {
+                                          std::span<std::byte> memory) {
   const std::uint64_t pixel_bytes = mode.bits_per_pixel / 8;
   if (mode.xres == 0 || mode.yres == 0 || mode.xres > kLargestScreen || mode.yres > kLargestScreen) return std::nullopt;
   const std::uint64_t row_end = (std::uint64_t{mode.xoffset} + mode.xres) * pixel_bytes;
   const std::uint64_t rows = std::uint64_t{mode.yoffset} + mode.yres;
   if (row_end > device.line_length || rows > device.smem_len / device.line_length) return std::nullopt;
-  const std::uint64_t first = start + std::uint64_t{mode.yoffset} * device.line_length + mode.xoffset * pixel_bytes;
-  if (first > mapped.size()) return std::nullopt;
-  return VideoMemory{mapped.subspan(static_cast<std::size_t>(first)), static_cast<std::uint16_t>(mode.xres),
+  const std::uint64_t first = std::uint64_t{mode.yoffset} * device.line_length + mode.xoffset * pixel_bytes;
+  return VideoMemory{memory.subspan(static_cast<std::size_t>(first)), static_cast<std::uint16_t>(mode.xres),
                      static_cast<std::uint16_t>(mode.yres), device.line_length};
+}
+
+std::string in_words(const fb_var_screeninfo& mode) {
+  return std::to_string(mode.xres) + "x" + std::to_string(mode.yres) + " with " + std::to_string(mode.bits_per_pixel) +
+         " bits a pixel";
+}
+
+/// Sets what `options` ask for and reads back what the driver then really has.
+std::optional<Fault> change_mode(int file, const std::string& path, const FramebufferOptions& options,
+                                 fb_var_screeninfo& mode) {
+  fb_var_screeninfo wanted = mode;
+  if (options.size) {
+    wanted.xres = wanted.xres_virtual = options.size->width;
+    wanted.yres = wanted.yres_virtual = options.size->height;
+    wanted.xoffset = wanted.yoffset = 0;
+  }
+  if (options.depth) wanted.bits_per_pixel = *options.depth;
+  const auto is_wanted = [&] {
+    return mode.xres == wanted.xres && mode.yres == wanted.yres && mode.bits_per_pixel == wanted.bits_per_pixel;
+  };
+  if (is_wanted()) return std::nullopt;
+  wanted.activate = FB_ACTIVATE_NOW;
+  fb_var_screeninfo answer = wanted;
+  const int error = device_control(file, FBIOPUT_VSCREENINFO, &answer);
+  if (const int unread = device_control(file, FBIOGET_VSCREENINFO, &mode); unread != 0)
+    return device_fault(DeviceKind::framebuffer, path, "tell its mode", unread);
+  if (is_wanted()) return std::nullopt;
+  return Fault{path + " does not take " + in_words(wanted) + (error == 0 ? ", although it says so" : "") + "; it has " +
+               in_words(mode)};
 }
 
 }  // namespace
 
-Outcome<FramebufferDisplay> FramebufferDisplay::open(const std::string& path, std::optional<ScreenSize> size) {
+Outcome<FramebufferDisplay> FramebufferDisplay::open(const std::string& path, const FramebufferOptions& options) {
   constexpr DeviceKind kKind = DeviceKind::framebuffer;
   Outcome<FileDescriptor> file = open_device(kKind, path);
   if (!file) return file.fault();
@@ -46,22 +74,8 @@ Outcome<FramebufferDisplay> FramebufferDisplay::open(const std::string& path, st
   fb_var_screeninfo mode{};
   if (device_control(number, FBIOGET_VSCREENINFO, &mode) != 0) return Fault{path + " is not a framebuffer"};
 
-  std::optional<fb_var_screeninfo> former_mode;
-  if (size && (mode.xres != size->width || mode.yres != size->height)) {
-    former_mode = mode;
-    mode.xres = mode.xres_virtual = size->width;
-    mode.yres = mode.yres_virtual = size->height;
-    mode.xoffset = mode.yoffset = 0;
-    mode.activate = FB_ACTIVATE_NOW;
-    const int error = device_control(number, FBIOPUT_VSCREENINFO, &mode);
-    if (const int unread = device_control(number, FBIOGET_VSCREENINFO, &mode); unread != 0)
-      return device_fault(kKind, path, "tell its mode", unread);
-    if (mode.xres != size->width || mode.yres != size->height) {
-      const std::string has = std::to_string(mode.xres) + "x" + std::to_string(mode.yres);
-      return Fault{path + " does not take the size " + to_string(*size) + (error == 0 ? " although it says so" : "") +
-                   ": it has " + has + "; leave the size out"};
-    }
-  }
+  const fb_var_screeninfo former_mode = mode;
+  if (const auto fault = change_mode(number, path, options, mode)) return *fault;
 
   // Only after the mode was set: rows may have another length then.
   fb_fix_screeninfo device{};
@@ -71,7 +85,7 @@ Outcome<FramebufferDisplay> FramebufferDisplay::open(const std::string& path, st
   const std::optional<PixelWriter> writer = layout ? PixelWriter::create(*layout) : std::nullopt;
   if (!writer || device.type != FB_TYPE_PACKED_PIXELS || device.visual != FB_VISUAL_TRUECOLOR) {
     return Fault{path + " has " + std::to_string(mode.bits_per_pixel) +
-                 " bits a pixel that are no true colour; give it a mode of 16, 24 or 32 bits (fbset -depth 16)"};
+                 " bits a pixel that are no true colour; ask for 16, 24 or 32: depth=16"};
   }
 
   // The memory begins somewhere in its first page.
@@ -80,18 +94,21 @@ Outcome<FramebufferDisplay> FramebufferDisplay::open(const std::string& path, st
   if (device.smem_len == 0 || device.line_length == 0) return Fault{path + " says that it has no memory"};
   Mapping mapping(number, (start + device.smem_len + page - 1) / page * page, 0);
   if (mapping.bytes().empty()) return device_fault(kKind, path, "be mapped", errno);
-  const std::optional<VideoMemory> memory = visible_memory(device, mode, mapping.bytes(), start);
+  const std::span<std::byte> device_memory = mapping.bytes().subspan(start, device.smem_len);
+  const std::optional<VideoMemory> memory = visible_memory(device, mode, device_memory);
   if (!memory) return Fault{path + " says that its picture lies beyond its memory, or is larger than 4096x4096"};
 
   device_control(number, FBIOBLANK, reinterpret_cast<void*>(FB_BLANK_UNBLANK));  // not every driver can blank
-  return FramebufferDisplay(std::move(*file), std::move(mapping), *memory, *layout, *writer, former_mode);
+  return FramebufferDisplay(std::move(*file), std::move(mapping), device_memory, *memory, *layout, *writer,
+                            former_mode);
 }
 
-FramebufferDisplay::FramebufferDisplay(FileDescriptor file, Mapping mapping, const VideoMemory& memory,
-                                       const PixelLayout& layout, const PixelWriter& writer,
-                                       const std::optional<fb_var_screeninfo>& former_mode)
+FramebufferDisplay::FramebufferDisplay(FileDescriptor file, Mapping mapping, std::span<std::byte> device_memory,
+                                       const VideoMemory& memory, const PixelLayout& layout, const PixelWriter& writer,
+                                       const fb_var_screeninfo& former_mode)
     : file_(std::move(file)),
       mapping_(std::move(mapping)),
+      device_memory_(device_memory),
       memory_(memory),
       layout_(layout),
       writer_(writer),
@@ -102,17 +119,12 @@ FramebufferDisplay::FramebufferDisplay(FileDescriptor file, Mapping mapping, con
 FramebufferDisplay::~FramebufferDisplay() {
   if (!file_) return;  // moved from
   blacken();
-  if (former_mode_) {
-    former_mode_->activate = FB_ACTIVATE_NOW;
-    device_control(file_.get(), FBIOPUT_VSCREENINFO, &*former_mode_);
-  }
+  former_mode_.activate = FB_ACTIVATE_NOW;
+  device_control(file_.get(), FBIOPUT_VSCREENINFO, &former_mode_);
 }
 
 void FramebufferDisplay::blacken() {
-  const std::size_t row_bytes = std::size_t{memory_.width} * layout_.bytes;
-  for (std::size_t y = 0; y < memory_.height; ++y) {
-    std::ranges::fill(memory_.bytes.subspan(y * memory_.stride, row_bytes), std::byte{0});
-  }
+  std::ranges::fill(device_memory_, std::byte{0});
   static_cast<void>(end_frame());
 }
 

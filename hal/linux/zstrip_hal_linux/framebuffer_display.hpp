@@ -16,15 +16,22 @@
 
 namespace zstrip::hal {
 
+struct FramebufferOptions {
+  std::optional<ScreenSize> size;      ///< none: as it is
+  std::optional<std::uint32_t> depth;  ///< bits a pixel, 16, 24 or 32; none: as it is
+};
+
 /// Takes RGB565 and converts it to whatever true colour the driver has, 16, 24 or 32 bits a pixel. Pixels show as they
-/// are written: there is one buffer, so that a frame may tear. The text console is not its business: see
-/// GraphicsConsole. When the object ends, the screen is black and has the mode that it had before.
+/// are written: there is one buffer, so that a frame may tear. The text console is not its business: enter
+/// GraphicsConsole first, which else takes the new mode for its own. When the object ends, the screen is black and has
+/// the mode that it had before.
 class FramebufferDisplay {
  public:
-  /// The driver's present mode, or one of `size`. What counts is what the driver says afterwards that it has: many
-  /// report success and change nothing. Errors: the device is missing, no permission, it is no framebuffer, its pixels
-  /// are a palette or planes, the driver does not take the size, its description of its memory makes no sense.
-  static Outcome<FramebufferDisplay> open(const std::string& path, std::optional<ScreenSize> size = std::nullopt);
+  /// The driver's present mode, or another. What counts is what the driver says afterwards that it has: many
+  /// report success and change nothing. (Framebuffers on top of DRM take any smaller size: the picture is in the upper
+  /// left corner then, on black.) Errors: the device is missing, no permission, it is no framebuffer, its pixels
+  /// are a palette or planes, the driver does not take the mode, its description of its memory makes no sense.
+  static Outcome<FramebufferDisplay> open(const std::string& path, const FramebufferOptions& options = {});
 
   FramebufferDisplay(FramebufferDisplay&&) = default;
   FramebufferDisplay& operator=(FramebufferDisplay&&) = delete;
@@ -42,16 +49,18 @@ class FramebufferDisplay {
   Error end_frame();
 
  private:
-  FramebufferDisplay(FileDescriptor file, Mapping mapping, const VideoMemory& memory, const PixelLayout& layout,
-                     const PixelWriter& writer, const std::optional<fb_var_screeninfo>& former_mode);
+  FramebufferDisplay(FileDescriptor file, Mapping mapping, std::span<std::byte> device_memory,
+                     const VideoMemory& memory, const PixelLayout& layout, const PixelWriter& writer,
+                     const fb_var_screeninfo& former_mode);
   void blacken();
 
   FileDescriptor file_;
   Mapping mapping_;
-  VideoMemory memory_;
+  std::span<std::byte> device_memory_;
+  VideoMemory memory_;  ///< the part of it that shows
   PixelLayout layout_;
   PixelWriter writer_;
-  std::optional<fb_var_screeninfo> former_mode_;  ///< if it was changed
+  fb_var_screeninfo former_mode_;
 };
 
 static_assert(Display<FramebufferDisplay>);

@@ -32,7 +32,8 @@ Outcome<std::vector<gpio::LineInfo>> lines_of(const std::string& chip) {
   std::vector<gpio::LineInfo> lines;
   const int error = gpio::read_lines(chip, lines);
   // libgpiod's words for a file that is no chip.
-  if (error == ENOTTY || error == EINVAL) return Fault{chip + " is not a GPIO chip; --list shows those that there are"};
+  if (error == ENOTTY || error == EINVAL || error == ENODEV)
+    return Fault{chip + " is not a GPIO chip; --list shows those that there are"};
   if (error != 0) return device_fault(DeviceKind::gpio, chip, "be opened", error);
   return lines;
 }
