@@ -74,6 +74,16 @@ class Writer {
     for (const std::int16_t component : {light.x, light.y, light.z}) half_word(component);
     put(light.colour);
   }
+  void put(const Track& track) {
+    for (const std::uint32_t value : {track.instance, track.count}) half_word(value);
+    word(track.first);
+  }
+  void put(const Keyframe& keyframe) {
+    word(keyframe.time);
+    for (const std::int16_t component : keyframe.rotation) half_word(component);
+    put(keyframe.translation);
+    put(keyframe.scale);
+  }
   void put(const Camera& camera) {
     for (const Vec3& vector : {camera.right, camera.up, camera.back, camera.eye}) put(vector);
     for (const Fixed value : {camera.focal, camera.near_plane, camera.far_plane}) word(value);
@@ -159,12 +169,16 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   writer.put(scene.background);
   writer.put(content.camera);
   writer.put(content.view);
+  writer.zeros(16);  // arrays of tracks and keyframes: set below
+  writer.word(content.animation.duration);
 
   const std::size_t meshes = writer.reserve(12, scene.meshes.size(), kMeshBytes);
   writer.array(20, scene.materials);
   const std::size_t textures = writer.reserve(28, scene.textures.size(), kTextureBytes);
   writer.array(36, scene.instances);
   writer.array(44, scene.lights);
+  writer.array(132, content.animation.tracks);
+  writer.array(140, content.animation.keyframes);
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) write_mesh(writer, meshes + i * kMeshBytes, scene.meshes[i]);
   for (std::size_t i = 0; i < scene.textures.size(); ++i) {
     write_texture(writer, textures + i * kTextureBytes, scene.textures[i]);

@@ -31,6 +31,7 @@ const char* message(Error error) {
     case Error::depth_effects: return "these depth effects exclude each other or this camera";
     case Error::fog: return "the fog needs 0 <= start < end and a density that is not negative";
     case Error::quadric: return "a quadric is not valid";
+    case Error::animation: return "a track of the animation is not valid";
   }
   return "unknown error";
 }

@@ -39,6 +39,7 @@ enum class Error : std::uint8_t {
   fog,             ///< not 0 <= start < end, a negative density, or no mode
   quadric,         ///< refers to a material that does not exist or that has a slope bias, or a transform that is out of
                    ///< range or has no inverse (`needed` = index of the quadric)
+  animation,       ///< a track that names no instance or keyframes, or keyframes out of range (`needed` = its index)
 };
 
 /// What memory is for. The order is that of a plan's table.
