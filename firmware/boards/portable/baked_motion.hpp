@@ -1,5 +1,5 @@
-// A scene of one's own, baked by `zstrip bake`, animated or turning: one of the motions that scene_player.hpp shows. ZSTRIP_SCENE
-// names its header.
+// A scene of one's own, baked by `zstrip bake`, animated or turning: one of the motions that scene_player.hpp shows.
+// ZSTRIP_SCENE names its header.
 #pragma once
 
 #include <algorithm>
