@@ -188,7 +188,11 @@ TEST_P(BitBangedPanelBoards, StreamIsThePictureOfTheHost) {
   for (std::size_t strip = first; strip < first + kStrips; ++strip) {
     const PanelWires::Window& window = traced.wires().windows()[strip];
     EXPECT_EQ(window.bytes, 2 * (window.right + 1 - window.left) * (window.bottom + 1 - window.top));
-    EXPECT_EQ(traced.wrong_pixels(expected, window.left, window.right + 1, window.top, window.bottom + 1), 0);
+    // The window is one of the controller's memory, in which the glass begins at its offsets.
+    const std::uint32_t left = window.left - board.glass.column_offset, top = window.top - board.glass.row_offset;
+    EXPECT_EQ(traced.wrong_pixels(expected, left, left + (window.right + 1 - window.left), top,
+                                  top + (window.bottom + 1 - window.top)),
+              0);
   }
 }
 
