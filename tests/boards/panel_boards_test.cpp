@@ -24,7 +24,7 @@ struct PanelBoard {
   const char* program;
   int serial_port;
   const char* trace;
-  std::variant<BitBangedPins, StmSpiPins> pins;
+  std::variant<BitBangedPins, StmSpiPins, StmBitBangedPins> pins;
   const sim::DcsPart& part;
   sim::Glass glass;
   bool sideways;  ///< the picture lies on its side, turned clockwise
@@ -141,20 +141,26 @@ const PanelBoard kBoards[] = {
 INSTANTIATE_TEST_SUITE_P(Board, PanelBoards, testing::ValuesIn(kBoards),
                          [](const auto& test) { return std::string(test.param.program); });
 
-// Three writes for each of 921,600 bits would take too long: the start sequence, and two strips of the second frame.
-TEST(Board, MicrobitPanelStreamIsThePictureOfTheHost) {
-  constexpr std::uint16_t kSide = 240;
-  const PanelBoard board{"microbit",
-                         "microbit_show",
-                         0,
-                         "nrf51_gpio_write",
-                         BitBangedPins{1U << 23, 1U << 21, 1U << 16, 1U << 18, 1U << 20},
-                         sim::kSt7789Part,
-                         sim::Glass{.width = kSide, .height = kSide, .inverted = true},
-                         false,
-                         "teapot_meshlets",
-                         kSide,
-                         kSide};
+// Bit-banged: three writes for each bit of a whole frame would take too long to trace. The start sequence, and two
+// strips of a frame.
+class BitBangedPanelBoards : public testing::TestWithParam<PanelBoard> {};
+
+constexpr std::uint64_t kPortB = 0x40010C10;
+const PanelBoard kBitBangedBoards[] = {
+    {"microbit", "microbit_show", 0, "nrf51_gpio_write",
+     BitBangedPins{1U << 23, 1U << 21, 1U << 16, 1U << 18, 1U << 20}, sim::kSt7789Part,
+     sim::Glass{.width = 240, .height = 240, .inverted = true}, false, "teapot_meshlets", 240, 240},
+    {"stm32vldiscovery", "my_board_show", 0, "memory_region_ops_write",
+     StmBitBangedPins{{kPortB, 0}, {kPortB, 1}, {kPortB, 2}, {kPortB, 3}, {kPortB, 4}}, sim::kSt7735Part,
+     sim::Glass{.width = 128, .height = 128, .column_offset = 2, .row_offset = 3, .bgr = true}, false,
+     "teapot_meshlets", 128, 128},
+};
+
+INSTANTIATE_TEST_SUITE_P(Board, BitBangedPanelBoards, testing::ValuesIn(kBitBangedBoards),
+                         [](const auto& test) { return std::string(test.param.program); });
+
+TEST_P(BitBangedPanelBoards, StreamIsThePictureOfTheHost) {
+  const PanelBoard& board = GetParam();
   Qemu emulator(options_of(board));
   TracedPanel traced(emulator, board);
   // Up to the first zeros for the panel's memory. Neither they nor the command behind them are traced.
@@ -178,11 +184,15 @@ TEST(Board, MicrobitPanelStreamIsThePictureOfTheHost) {
   traced.read_until([&](const PanelWires& wires) { return wires.windows().size() > first + kStrips; });
   emulator.set_trace(false);
   EXPECT_EQ(traced.panel().complaints(), std::vector<std::string>{});
-  const auto expected = render_turntable_rgb565(board.scene, frame + 1, kFramesPerTurn, kSide, kSide);
+  const auto expected = render_turntable_rgb565(board.scene, frame + 1, kFramesPerTurn, board.width, board.height);
   for (std::size_t strip = first; strip < first + kStrips; ++strip) {
     const PanelWires::Window& window = traced.wires().windows()[strip];
     EXPECT_EQ(window.bytes, 2 * (window.right + 1 - window.left) * (window.bottom + 1 - window.top));
-    EXPECT_EQ(traced.wrong_pixels(expected, window.left, window.right + 1, window.top, window.bottom + 1), 0);
+    // The window is one of the controller's memory, in which the glass begins at its offsets.
+    const std::uint32_t left = window.left - board.glass.column_offset, top = window.top - board.glass.row_offset;
+    EXPECT_EQ(traced.wrong_pixels(expected, left, left + (window.right + 1 - window.left), top,
+                                  top + (window.bottom + 1 - window.top)),
+              0);
   }
 }
 

@@ -19,6 +19,17 @@ std::optional<std::uint64_t> number_after(const std::string& line, std::string_v
   }
 }
 
+/// Where both are asked for, set wins (RM0090, 8.4.7).
+template <class Set>
+void follow(const StmPin& pin, const RegisterWrite& write, Set&& set) {
+  if (write.address != pin.set_reset) return;
+  if ((write.value >> pin.bit & 1U) != 0) {
+    set(true);
+  } else if ((write.value >> (pin.bit + 16) & 1U) != 0) {
+    set(false);
+  }
+}
+
 constexpr std::uint8_t kColumns = 0x2A, kRows = 0x2B, kMemoryWrite = 0x2C;
 
 }  // namespace
@@ -91,18 +102,17 @@ void feed(PanelWires& wires, const BitBangedPins& pins, const RegisterWrite& wri
 
 void feed(PanelWires& wires, const StmSpiPins& pins, const RegisterWrite& write) {
   if (write.address == pins.spi_data) return wires.shift_byte(static_cast<std::uint8_t>(write.value));
-  const auto follow = [&](const StmPin& pin, auto&& set) {
-    if (write.address != pin.set_reset) return;
-    // Where both are asked for, set wins (RM0090, 8.4.7).
-    if ((write.value >> pin.bit & 1U) != 0) {
-      set(true);
-    } else if ((write.value >> (pin.bit + 16) & 1U) != 0) {
-      set(false);
-    }
-  };
-  follow(pins.reset, [&](bool high) { wires.set_reset(high); });
-  follow(pins.data_command, [&](bool high) { wires.set_data_command(high); });
-  follow(pins.select, [&](bool high) { wires.set_select(high); });
+  follow(pins.reset, write, [&](bool high) { wires.set_reset(high); });
+  follow(pins.data_command, write, [&](bool high) { wires.set_data_command(high); });
+  follow(pins.select, write, [&](bool high) { wires.set_select(high); });
+}
+
+void feed(PanelWires& wires, const StmBitBangedPins& pins, const RegisterWrite& write) {
+  follow(pins.reset, write, [&](bool high) { wires.set_reset(high); });
+  follow(pins.data_command, write, [&](bool high) { wires.set_data_command(high); });
+  follow(pins.select, write, [&](bool high) { wires.set_select(high); });
+  follow(pins.data, write, [&](bool high) { wires.set_data(high); });
+  follow(pins.clock, write, [&](bool high) { wires.set_clock(high); });
 }
 
 }  // namespace zstrip::boards

@@ -72,4 +72,10 @@ struct StmSpiPins {
 };
 void feed(PanelWires& wires, const StmSpiPins& pins, const RegisterWrite& write);
 
+/// The same without a controller.
+struct StmBitBangedPins {
+  StmPin clock, data, data_command, select, reset;
+};
+void feed(PanelWires& wires, const StmBitBangedPins& pins, const RegisterWrite& write);
+
 }  // namespace zstrip::boards

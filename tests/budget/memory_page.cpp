@@ -58,7 +58,7 @@ void write_ram(std::ostringstream& text, std::span<const Usage> usages) {
               grouped(plan.instance_bytes), grouped(plan.extent_bytes), grouped(plan.vertex_bytes),
               grouped(plan.depth_bytes), grouped(plan.colour_bytes), grouped(plan.bin_bytes), grouped(usage.pixels),
               grouped(usage.statics), grouped(usage.stack_reserved), grouped(usage.stack_bound),
-              grouped(usage.stack_measured), grouped(usage.ram()));
+              usage.target->report == Report::none ? "not run" : grouped(usage.stack_measured), grouped(usage.ram()));
   }
 }
 
