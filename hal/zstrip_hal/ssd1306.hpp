@@ -1,5 +1,5 @@
 // Solomon Systech SSD1306: controller of one-bit OLED panels up to 128x64, on a command/data bus: SPI (up to 10 MHz) or
-// I2C (up to 400 kHz, i2c_bus.hpp). Commands, their parameters and their order follow the data sheet (command table,
+// I2C (up to 400 kHz, i2c.hpp). Commands, their parameters and their order follow the data sheet (command table,
 // software configuration); a parameter is sent like a command.
 //
 // Its memory has bytes of eight rows ("pages"), lowest bit on top, so that pixels are converted on their way

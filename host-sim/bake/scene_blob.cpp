@@ -74,6 +74,16 @@ class Writer {
     for (const std::int16_t component : {light.x, light.y, light.z}) half_word(component);
     put(light.colour);
   }
+  void put(const Track& track) {
+    for (const std::uint32_t value : {track.instance, track.count}) half_word(value);
+    word(track.first);
+  }
+  void put(const Keyframe& keyframe) {
+    word(keyframe.time);
+    for (const std::int16_t component : keyframe.rotation) half_word(component);
+    put(keyframe.translation);
+    put(keyframe.scale);
+  }
   void put(const Finish& finish) {
     put(finish.emissive);
     put(finish.specular);
@@ -185,6 +195,8 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   writer.put(scene.background);
   writer.put(content.camera);
   writer.put(content.view);
+  writer.zeros(16);  // arrays of tracks and keyframes: set below
+  writer.word(content.animation.duration);
   writer.zeros(24);  // more arrays: set below
 
   const std::size_t meshes = writer.reserve(12, scene.meshes.size(), kMeshBytes);
@@ -192,9 +204,11 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   const std::size_t textures = writer.reserve(28, scene.textures.size(), kTextureBytes);
   writer.array(36, scene.instances);
   writer.array(44, scene.lights);
-  writer.array(132, scene.finishes);
-  writer.array(140, scene.punctual_lights);
-  if (scene.fog != nullptr) writer.array(148, std::span(scene.fog, 1));
+  writer.array(132, content.animation.tracks);
+  writer.array(140, content.animation.keyframes);
+  writer.array(152, scene.finishes);
+  writer.array(160, scene.punctual_lights);
+  if (scene.fog != nullptr) writer.array(168, std::span(scene.fog, 1));
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) write_mesh(writer, meshes + i * kMeshBytes, scene.meshes[i]);
   for (std::size_t i = 0; i < scene.textures.size(); ++i) {
     write_texture(writer, textures + i * kTextureBytes, scene.textures[i]);

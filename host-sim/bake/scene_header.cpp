@@ -77,6 +77,14 @@ std::string literal(const DirectionalLight& light) {
   return fmt::format("{{.x = {}, .y = {}, .z = {}, .colour = {}}}", light.x, light.y, light.z, literal(light.colour));
 }
 
+std::string literal(const Track& track) {
+  return fmt::format("{{.instance = {}, .count = {}, .first = {}}}", track.instance, track.count, track.first);
+}
+std::string literal(const Keyframe& k) {
+  return fmt::format("{{{}, {{{}, {}, {}, {}}}, {}, {}}}", k.time, k.rotation[0], k.rotation[1], k.rotation[2],
+                     k.rotation[3], literal(k.translation), literal(k.scale));
+}
+
 std::string literal(Effects effects) {
   std::string text;
   for (const KnownEffect& known : known_effects()) {
@@ -93,13 +101,14 @@ class Header {
   std::string text(const std::string& name_space) {
     comment(name_space);
     line("#pragma once\n");
-    for (const char* header : {"base/status.hpp", "plan/plan.hpp", "scene/camera.hpp", "scene/effects.hpp",
-                               "scene/scene.hpp", "scene/view.hpp"}) {
+    for (const char* header : {"base/status.hpp", "plan/plan.hpp", "scene/animation.hpp", "scene/camera.hpp",
+                               "scene/effects.hpp", "scene/scene.hpp", "scene/view.hpp"}) {
       line(fmt::format("#include \"zstrip/{}\"", header));
     }
     line(fmt::format("\nnamespace {} {{\n", name_space));
     data();
     scene();
+    animation();
     camera();
     plan();
     line(fmt::format("\n}}  // namespace {}", name_space));
@@ -137,6 +146,8 @@ class Header {
         "// begin_frame and draw_strip return a Status: look at it. To move the scene, copy kInstances into RAM, "
         "change");
     line("// the transforms there, and begin the frame with a copy of kScene whose `instances` are yours.");
+    if (baked_.animation.tracks.empty()) return;
+    line("// Here they are animated: zstrip::pose(kAnimation, milliseconds, instances) changes them, each frame.");
   }
 
   /// An array of these records, or nothing; gives the expression that names it.
@@ -216,6 +227,14 @@ class Header {
         "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}{}}};",
         meshes, materials, textures, instances, lights, literal(scene_.ambient), literal(scene_.background), more,
         fmt::arg("pad", "                                      ")));
+  }
+
+  void animation() {
+    line("\n/// What moves the instances; without tracks nothing does. Times in milliseconds.");
+    const std::string tracks = array("zstrip::Track", "kTracks", baked_.animation.tracks);
+    const std::string keyframes = array("zstrip::Keyframe", "kKeyframes", baked_.animation.keyframes);
+    line(fmt::format("inline constexpr zstrip::Animation kAnimation{{.tracks = {}, .keyframes = {}, .duration = {}}};",
+                     tracks, keyframes, baked_.animation.duration));
   }
 
   void camera() {

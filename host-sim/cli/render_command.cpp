@@ -15,7 +15,9 @@
 
 #include "cli/camera_arguments.hpp"
 #include "cli/output_names.hpp"
+#include "cli/panel_arguments.hpp"
 #include "cli/parse.hpp"
+#include "cli/picture_arguments.hpp"
 #include "cli/print.hpp"
 #include "image/write_file.hpp"
 #include "render/parallel.hpp"
@@ -35,14 +37,15 @@ constexpr unsigned kMaxThreads = 256;
 struct Arguments {
   std::string scene;
   std::optional<std::string> output;
-  std::string size = "320x240";
+  std::optional<std::string> size;
   std::optional<std::uint32_t> frames;
   std::optional<std::uint32_t> threads;
   std::optional<std::string> ram;
-  std::string strip_rows = "auto";
-  std::string strip_columns = "auto";
-  std::string format = "rgb565";
-  std::string depth_format = "z16";
+  std::optional<std::string> strip_rows;
+  std::optional<std::string> strip_columns;
+  std::optional<std::string> format;
+  std::optional<std::string> depth_format;
+  PanelArguments panel;
   std::optional<std::string> image;
   CameraArguments camera;
   std::optional<std::string> json;
@@ -50,7 +53,8 @@ struct Arguments {
 };
 
 struct Job {
-  UpAxis up = UpAxis::plus_y;
+  ModelOptions model;
+  std::optional<PanelRequest> panel;
   View view;
   DepthFormat depth_format = DepthFormat::z16;
   Budget budget;
@@ -61,26 +65,53 @@ struct Job {
 
 Failure usage(std::string message) { return {ExitStatus::usage, std::move(message)}; }
 
+/// The picture fills the panel.
+View panel_view(const PanelRequest& panel) {
+  const bool sideways = is_sideways(panel.orientation);
+  const PanelModule& module = panel.module;
+  return {sideways ? module.height : module.width, sideways ? module.width : module.height, core_format(panel.format)};
+}
+
+/// Of the picture that is written: the panel's glass, or the strips.
+PixelFormat shown_format(const Job& job) { return job.panel ? PixelFormat::xrgb8888 : job.view.format; }
+
+/// Some panels take whole groups of rows only.
+Result<Done> fit_strips_to_panel(Job& job) {
+  const std::uint16_t step = row_step(*job.panel);
+  if (step == 1) return Done{};
+  if (job.budget.strip_rows == 0) {
+    const bool all = job.budget.bytes == 0;
+    job.budget.strip_rows = all ? job.view.height : step;
+  } else if (job.budget.strip_rows % step != 0) {
+    return usage(fmt::format("--strip-rows {}: a {} takes multiples of {} rows", job.budget.strip_rows,
+                             job.panel->kind->name, step));
+  }
+  return Done{};
+}
+
 Result<Job> parse(const Arguments& arguments) {
   Job job;
-  const auto size = parse_size(arguments.size);
-  if (!size) return size.failure();
-  const Result<PixelFormat> format = parse_format(arguments.format);
-  if (!format) return format.failure();
-  job.view = {size->first, size->second, *format};
-  const Result<DepthFormat> depth_format = parse_depth_format(arguments.depth_format);
+  const Result<PictureSettings> settings = settings_of(arguments.scene);
+  if (!settings) return settings.failure();
+  const auto panel = parse_panel(arguments.panel, arguments.size, arguments.format);
+  if (!panel) return panel.failure();
+  job.panel = *panel;
+  const Result<View> view =
+      job.panel ? panel_view(*job.panel) : parse_view(arguments.size, arguments.format, *settings);
+  if (!view) return view.failure();
+  job.view = *view;
+  const Result<DepthFormat> depth_format = parse_depth_format(arguments.depth_format, *settings);
   if (!depth_format) return depth_format.failure();
   job.depth_format = *depth_format;
   if (arguments.camera.orthographic && !depth_effects_agree(depth_effect(*depth_format) | effect::orthographic)) {
-    return usage(fmt::format("--depth-format {} needs a perspective camera, not --ortho", arguments.depth_format));
+    return usage("--depth-format float and w16 need a perspective camera, not --ortho");
   }
-
-  const Result<Done> strips = parse_strips(arguments.strip_rows, arguments.strip_columns, job.view, job.budget);
-  if (!strips) return strips.failure();
-  if (arguments.ram) {
-    const Result<std::uint32_t> bytes = parse_bytes(*arguments.ram);
-    if (!bytes) return bytes.failure();
-    job.budget.bytes = *bytes;
+  const Result<Done> memory =
+      parse_memory({.ram = arguments.ram, .strip_rows = arguments.strip_rows, .strip_columns = arguments.strip_columns},
+                   *settings, job.view, job.budget);
+  if (!memory) return memory.failure();
+  if (job.panel) {
+    if (const Result<Done> fitted = fit_strips_to_panel(job); !fitted) return fitted.failure();
   }
   if (arguments.frames && (*arguments.frames < 1 || *arguments.frames > kMaxFrames)) {
     return usage(fmt::format("--frames must be 1 to {}", kMaxFrames));
@@ -96,13 +127,14 @@ Result<Job> parse(const Arguments& arguments) {
     if (!parsed) return parsed.failure();
     type = *parsed;
   }
-  const Result<UpAxis> up = parse_up(arguments.camera, arguments.scene);
-  if (!up) return up.failure();
-  job.up = *up;
+  const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene);
+  if (!model) return model.failure();
+  job.model = *model;
   const Result<CameraOptions> camera = parse_camera(arguments.camera, arguments.scene);
   if (!camera) return camera.failure();
   job.camera = *camera;
-  Result<OutputNames> outputs = name_outputs(arguments.scene, arguments.output, arguments.frames, type, *format);
+  Result<OutputNames> outputs = name_outputs(arguments.scene, arguments.output, arguments.frames, type,
+                                             shown_format(job), settings->frames.value_or(kFolderFrames));
   if (!outputs) return outputs.failure();
   const bool built_in = kind_of_scene(arguments.scene) == SceneKind::built_in;
   const Result<Done> distinct = check_distinct(*outputs, arguments.json, built_in ? "" : arguments.scene);
@@ -123,39 +155,82 @@ void warn_if_nothing_drawn(RunRecord& run) {
   print_warning(run.warnings.back());
 }
 
+/// What the real panel might not take, the bus's clock above all.
+void warn_of_complaints(const PanelModel& panel, RunRecord& run) {
+  for (const std::string& complaint : panel.complaints()) {
+    run.warnings.push_back("the panel may not do this: " + complaint);
+    print_warning(run.warnings.back());
+  }
+}
+
+std::optional<PanelRecord> panel_record(const Job& job) {
+  if (!job.panel) return std::nullopt;
+  return PanelRecord{job.panel->kind->name, bus_words(*job.panel),
+                     90 * static_cast<int>(job.panel->orientation.rotation), job.panel->orientation.mirrored};
+}
+
 /// What a thread has for itself: a stage to place, a renderer with its memory.
 struct Worker {
   std::unique_ptr<Stage> stage;
   FrameRenderer renderer;
+  std::unique_ptr<SimulatedPanel> panel;  // or none
 };
+
+Result<std::unique_ptr<SimulatedPanel>> start_panel(const PanelRequest& request) {
+  std::unique_ptr<SimulatedPanel> panel = open_panel(request);
+  if (const hal::Error error = panel->start(); error != hal::Error::none) {
+    return Failure{ExitStatus::internal, fmt::format("the panel does not start: {}", hal::message(error))};
+  }
+  return panel;
+}
+
+/// The file's bytes: what the strips are, or what is seen on the panel.
+Result<std::vector<std::uint8_t>> encode_picture(const Worker& worker, const Job& job) {
+  if (!worker.panel) return encode(job.outputs.type, job.view, worker.renderer.pixels());
+  if (const std::string dark = worker.panel->model().darkness(); !dark.empty()) {
+    return Failure{ExitStatus::internal, "the panel shows nothing: " + dark};
+  }
+  return encode(job.outputs.type, worker.panel->model().seen());
+}
 
 Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t frame) {
   const Result<Staging> staging = worker.stage->place(frame, job.outputs.frames);
   if (!staging) return staging.failure();
+  const auto bus_use = [&worker] {
+    return worker.panel ? BusUse{worker.panel->bus().bytes(), worker.panel->bus().busy().count()} : BusUse{};
+  };
+  const BusUse before = bus_use();
   const Result<FrameReport> report = worker.renderer.render(*staging);
   if (!report) return report.failure();
-  const Result<std::vector<std::uint8_t>> picture = encode(job.outputs.type, job.view, worker.renderer.pixels());
+  const BusUse after = bus_use();
+  const Result<std::vector<std::uint8_t>> picture = encode_picture(worker, job);
   if (!picture) return picture.failure();
   if (frame == 0) {
     if (const Result<Done> prepared = prepare(job.outputs); !prepared) return prepared.failure();
   }
   const std::filesystem::path file = job.outputs.file(frame);
   if (const Result<Done> written = write_file(file, *picture, "-o"); !written) return written.failure();
-  return FrameRecord{file.string(), *report};
+  return FrameRecord{file.string(), *report, {after.bytes - before.bytes, after.nanoseconds - before.nanoseconds}};
 }
 
 /// Several frames are drawn, encoded and written on all threads, one frame on each; the strips of a single frame are.
 Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool quiet) {
-  Result<std::unique_ptr<Stage>> stage = open_stage(scene, job.up, job.camera, job.view, job.outputs.frames);
+  Result<std::unique_ptr<Stage>> stage = open_stage(scene, job.model, job.camera, job.view, job.outputs.frames);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
-  RunRecord run{scene, job.view, (*stage)->warnings(), std::vector<FrameRecord>(job.outputs.frames)};
+  RunRecord run{scene, job.view, (*stage)->warnings(), std::vector<FrameRecord>(job.outputs.frames), panel_record(job)};
 
   const unsigned threads = std::min(job.threads, job.outputs.frames);
   const unsigned strip_threads = job.outputs.frames == 1 ? job.threads : 1;
   std::vector<Worker> workers;
   for (unsigned thread = 0; thread < threads; ++thread) {
-    workers.push_back({(*stage)->copy(), FrameRenderer(job.view, job.budget, job.depth_format, strip_threads)});
+    workers.push_back(
+        {(*stage)->copy(), FrameRenderer(job.view, job.budget, job.depth_format, strip_threads), nullptr});
+    if (!job.panel) continue;
+    Result<std::unique_ptr<SimulatedPanel>> panel = start_panel(*job.panel);
+    if (!panel) return panel.failure();
+    workers.back().panel = std::move(*panel);
+    workers.back().renderer.show_on(*workers.back().panel);
   }
   Progress progress(job.outputs.frames, !quiet);
   std::mutex mutex;  // of the progress
@@ -173,6 +248,8 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
   const Result<Done> others = for_each_on_threads(
       job.outputs.frames - 1, threads, [&](unsigned thread, std::uint32_t index) { return draw(thread, index + 1); });
   if (!others) return others.failure();
+  // All workers' panels are alike.
+  if (workers.front().panel) warn_of_complaints(workers.front().panel->model(), run);
   return run;
 }
 
@@ -220,9 +297,11 @@ void add_render_command(CLI::App& app, int& exit_code) {
       ->type_name("SCENE");
   command->add_option("-o,--output", a.output, "A folder for the frames, or one file (default: SCENE.png here)")
       ->type_name("DIR|FILE");
-  command->add_option("--size", a.size, "Size of the picture, each side 1 to 4096 (default: 320x240)")
+  command->add_option("--size", a.size, "Size of the picture, each side 1 to 4096 (default: 320x240, or the panel's)")
       ->type_name("WxH");
-  command->add_option("--frames", a.frames, "Frames of a full turn (default: 1 into a file, 8 into a folder)")
+  command
+      ->add_option("--frames", a.frames,
+                   "Frames of the animation, or of a full turn (default: 1 into a file, 8 into a folder)")
       ->type_name("N");
   command->add_option("--threads", a.threads, "Threads that draw, the same pixels with any (default: one a core)")
       ->type_name("N");
@@ -243,6 +322,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
                    "Depth in the z-buffer: z16 (default), float, w16, z24 or z32; the last three for comparison")
       ->type_name("FORMAT");
   command->add_option("--image", a.image, "Picture files: png (default), ppm or raw")->type_name("TYPE");
+  add_panel_options(*command, a.panel);
   add_camera_options(*command, a.camera);
   command->add_option("--json", a.json, "Write a report of each frame; - is standard output")->type_name("FILE|-");
   command->add_flag("--quiet", a.quiet, "No summary, no progress; warnings and errors remain");
@@ -252,7 +332,9 @@ void add_render_command(CLI::App& app, int& exit_code) {
       "  zstrip render teapot -o out/teapot --frames 64\n"
       "  zstrip render bunny.obj -o bunny.png --size 640x480 --orbit 0.3,45,70\n"
       "  zstrip render knot_meshlets --ram 20K --json -\n"
-      "  zstrip render duck.glb -o oled --size 128x64 --format gray4 --image raw");
+      "  zstrip render duck.glb -o oled --size 128x64 --format gray4 --image raw\n"
+      "  zstrip render teapot -o panel.png --panel st7789 --bus spi@40MHz --rotation 90\n"
+      "  zstrip render teapot -o oled.png --panel ssd1306 --bus i2c@400kHz");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

@@ -126,4 +126,16 @@ Result<std::vector<std::uint8_t>> encode(ImageType type, const View& view, std::
   return Failure{ExitStatus::internal, "unknown picture type"};
 }
 
+Result<std::vector<std::uint8_t>> encode(ImageType type, const RgbImage& image) {
+  std::vector<std::byte> pixels;
+  pixels.reserve(image.rgb.size() / 3 * 4);
+  for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+    for (const std::size_t channel : {2U, 1U, 0U}) pixels.push_back(std::byte{image.rgb[i + channel]});
+    pixels.push_back(std::byte{0});
+  }
+  const View view{static_cast<std::uint16_t>(image.width), static_cast<std::uint16_t>(image.height),
+                  PixelFormat::xrgb8888};
+  return encode(type, view, pixels);
+}
+
 }  // namespace zstrip::sim

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "image/rgb_image.hpp"
 #include "result.hpp"
 #include "zstrip/scene/view.hpp"
 
@@ -22,5 +23,8 @@ const char* file_extension(ImageType type, PixelFormat format);
 
 /// `pixels` are all rows of the view, bytes_per_row each. Fails only when libspng does (memory).
 Result<std::vector<std::uint8_t>> encode(ImageType type, const View& view, std::span<const std::byte> pixels);
+
+/// A picture of 8 bits a channel; raw is xrgb8888.
+Result<std::vector<std::uint8_t>> encode(ImageType type, const RgbImage& image);
 
 }  // namespace zstrip::sim

@@ -10,6 +10,10 @@
 
 namespace zstrip::sim {
 
+/// The same format, as the HAL and as the core name it.
+hal::PixelFormat hal_format(PixelFormat format);
+PixelFormat core_format(hal::PixelFormat format);
+
 class PictureDisplay {
  public:
   explicit PictureDisplay(const View& view)
@@ -17,7 +21,7 @@ class PictureDisplay {
 
   std::uint16_t width() const { return view_.width; }
   std::uint16_t height() const { return view_.height; }
-  hal::PixelFormat format() const;
+  hal::PixelFormat format() const { return hal_format(view_.format); }
 
   hal::Error begin_frame() { return hal::Error::none; }
   /// Areas start at multiples of 8 pixels and end there or at the right side: error `area` otherwise.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "render/display_pair.hpp"
 #include "render/parallel.hpp"
 #include "report/number.hpp"
 #include "zstrip/frame/renderer.hpp"
@@ -83,7 +84,12 @@ Result<Done> FrameRenderer::draw(const Staging& staging, const Effects& effects,
   AnyRenderer renderer(effects);
   const Status begun = renderer.begin_frame(staging.scene, staging.camera, view_, plan, arena);
   if (!begun) return refused("the frame cannot begin", begun);
-  const auto shown = hal::present(renderer, display_, {plan.strips, plan.strip_rows, plan.strip_columns}, {strip, {}});
+  const hal::StripLayout layout{plan.strips, plan.strip_rows, plan.strip_columns};
+  const auto shown = [&] {
+    if (panel_ == nullptr) return hal::present(renderer, display_, layout, {strip, {}});
+    DisplayPair both(display_, *panel_);
+    return hal::present(renderer, both, layout, {strip, at_least(memory_[0].second_strip, report.strip_pixel_bytes)});
+  }();
   if (!shown.draw) return refused("a strip cannot be drawn", shown.draw);
   if (shown.display != hal::Error::none) return Failure{ExitStatus::internal, hal::message(shown.display)};
   report.mode = renderer.frame().mode();
@@ -141,7 +147,7 @@ Result<FrameReport> FrameRenderer::render(const Staging& staging, const Plan& pl
   report.strip_pixel_bytes = plan.strip_pixel_bytes(view_);
 
   const auto start = std::chrono::steady_clock::now();
-  const bool alone = memory_.size() == 1 || plan.strips == 1;
+  const bool alone = memory_.size() == 1 || plan.strips == 1 || panel_ != nullptr;
   const Result<Done> drawn = alone ? draw(staging, effects, report) : draw_on_threads(staging, effects, report);
   const auto end = std::chrono::steady_clock::now();
   if (!drawn) return drawn.failure();

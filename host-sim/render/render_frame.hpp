@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "panel/simulated_panel.hpp"
 #include "render/picture_display.hpp"
 #include "render/stage.hpp"
 #include "result.hpp"
@@ -37,6 +38,10 @@ class FrameRenderer {
   /// Draws with a plan that fits the scene and the view.
   Result<FrameReport> render(const Staging& staging, const Plan& plan);
 
+  /// From now on frames are shown on `panel`, too, which has the view's size and format: strip by strip from two
+  /// buffers in turn, on one thread. It must outlive the renderer.
+  void show_on(SimulatedPanel& panel) { panel_ = &panel; }
+
   /// The last frame.
   std::span<const std::byte> pixels() const { return display_.pixels(); }
   const View& view() const { return view_; }
@@ -49,9 +54,11 @@ class FrameRenderer {
   Budget budget_;
   DepthFormat depth_format_;
   PictureDisplay display_;
+  SimulatedPanel* panel_ = nullptr;
   struct Memory {
     std::vector<std::uint64_t> arena;  ///< 8-byte words: kArenaAlignment
     std::vector<std::uint64_t> strip;
+    std::vector<std::uint64_t> second_strip;
   };
   std::vector<Memory> memory_;  ///< of each thread, at least one
 };

@@ -1,6 +1,8 @@
 // What is told about a run, in words and as JSON.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,9 +11,24 @@
 
 namespace zstrip::sim {
 
+/// What a simulated panel's bus had to do for a frame.
+struct BusUse {
+  std::uint64_t bytes = 0;
+  std::int64_t nanoseconds = 0;
+};
+
 struct FrameRecord {
   std::string file;
   FrameReport report;
+  BusUse bus{};  ///< where there is a panel
+};
+
+/// The panel of a run, in words.
+struct PanelRecord {
+  std::string name;
+  std::string bus;   ///< "SPI at 40 MHz"
+  int rotation = 0;  ///< degrees, clockwise
+  bool mirrored = false;
 };
 
 struct RunRecord {
@@ -19,6 +36,7 @@ struct RunRecord {
   View view;
   std::vector<std::string> warnings;
   std::vector<FrameRecord> frames;
+  std::optional<PanelRecord> panel{};
 };
 
 /// As the enumerators: "rgb565", "gray4" ...

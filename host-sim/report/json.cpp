@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "report/frame_record.hpp"
 
@@ -10,37 +11,40 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_object(std::size_t index, const FrameRecord& frame) {
+Json to_object(std::size_t index, const FrameRecord& frame, bool has_panel) {
   const FrameReport& report = frame.report;
   const Plan& plan = report.plan;
   const Statistics& statistics = report.statistics;
   const Rect& bounds = report.bounds;
-  return {{"frame", index},
-          {"file", frame.file},
-          {"crc32", fmt::format("{:08x}", report.crc32)},
-          {"time_ns", report.nanoseconds},
-          {"mode", name(report.mode)},
-          {"strips", plan.strips},
-          {"strip_rows", plan.strip_rows},
-          {"strip_columns", plan.strip_columns},
-          {"ram_bytes",
-           {{"instances", plan.instance_bytes},
-            {"extents", plan.extent_bytes},
-            {"vertices", plan.vertex_bytes},
-            {"depth", plan.depth_bytes},
-            {"colour", plan.colour_bytes},
-            {"bins", plan.bin_bytes},
-            {"arena", plan.bytes()},
-            {"strip_pixels", report.strip_pixel_bytes}}},
-          {"bounds", {{"left", bounds.left}, {"top", bounds.top}, {"right", bounds.right}, {"bottom", bounds.bottom}}},
-          {"statistics",
-           {{"triangles", statistics.triangles},
-            {"drawn", statistics.drawn},
-            {"clipped", statistics.clipped},
-            {"covering", statistics.covering},
-            {"vertices", statistics.vertices},
-            {"fragments", statistics.fragments},
-            {"depth_passes", statistics.depth_passes}}}};
+  Json object{
+      {"frame", index},
+      {"file", frame.file},
+      {"crc32", fmt::format("{:08x}", report.crc32)},
+      {"time_ns", report.nanoseconds},
+      {"mode", name(report.mode)},
+      {"strips", plan.strips},
+      {"strip_rows", plan.strip_rows},
+      {"strip_columns", plan.strip_columns},
+      {"ram_bytes",
+       {{"instances", plan.instance_bytes},
+        {"extents", plan.extent_bytes},
+        {"vertices", plan.vertex_bytes},
+        {"depth", plan.depth_bytes},
+        {"colour", plan.colour_bytes},
+        {"bins", plan.bin_bytes},
+        {"arena", plan.bytes()},
+        {"strip_pixels", report.strip_pixel_bytes}}},
+      {"bounds", {{"left", bounds.left}, {"top", bounds.top}, {"right", bounds.right}, {"bottom", bounds.bottom}}},
+      {"statistics",
+       {{"triangles", statistics.triangles},
+        {"drawn", statistics.drawn},
+        {"clipped", statistics.clipped},
+        {"covering", statistics.covering},
+        {"vertices", statistics.vertices},
+        {"fragments", statistics.fragments},
+        {"depth_passes", statistics.depth_passes}}}};
+  if (has_panel) object["bus"] = {{"bytes", frame.bus.bytes}, {"time_ns", frame.bus.nanoseconds}};
+  return object;
 }
 
 }  // namespace
@@ -62,10 +66,20 @@ const char* name(Mode mode) { return mode == Mode::binned ? "binned" : "streamed
 
 std::string to_json(const RunRecord& run) {
   Json frames = Json::array();
-  for (std::size_t i = 0; i < run.frames.size(); ++i) frames.push_back(to_object(i, run.frames[i]));
-  const Json object = {{"scene", run.scene},        {"width", run.view.width},
-                       {"height", run.view.height}, {"format", name(run.view.format)},
-                       {"warnings", run.warnings},  {"frames", frames}};
+  for (std::size_t i = 0; i < run.frames.size(); ++i)
+    frames.push_back(to_object(i, run.frames[i], run.panel.has_value()));
+  Json object = {{"scene", run.scene},
+                 {"width", run.view.width},
+                 {"height", run.view.height},
+                 {"format", name(run.view.format)},
+                 {"warnings", run.warnings}};
+  if (run.panel) {
+    object["panel"] = {{"name", run.panel->name},
+                       {"bus", run.panel->bus},
+                       {"rotation", run.panel->rotation},
+                       {"mirrored", run.panel->mirrored}};
+  }
+  object["frames"] = std::move(frames);
   // Names of files may be any bytes; what is not UTF-8 is replaced, not refused.
   return object.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -21,6 +21,17 @@ std::string range(const RunRecord& run, Value value) {
   return least == most ? grouped(least) : fmt::format("{} to {}", grouped(least), grouped(most));
 }
 
+/// What the bus takes for a frame, and so how many frames a second it can show at most.
+std::string panel(const RunRecord& run) {
+  const BusUse& most =
+      std::ranges::max_element(run.frames, {}, [](const FrameRecord& frame) { return frame.bus.nanoseconds; })->bus;
+  const double milliseconds = 1e-6 * static_cast<double>(most.nanoseconds);
+  return fmt::format("{}{}{}, {}: {} in {:.2f} ms a frame, at most {:.1f} frames/s", run.panel->name,
+                     run.panel->rotation != 0 ? fmt::format(" turned by {}", run.panel->rotation) : "",
+                     run.panel->mirrored ? " mirrored" : "", run.panel->bus, counted(most.bytes, "byte"), milliseconds,
+                     1e3 / milliseconds);
+}
+
 std::string bounds(const RunRecord& run) {
   Rect all;
   for (const FrameRecord& frame : run.frames) {
@@ -62,6 +73,7 @@ std::string summary(const RunRecord& run) {
                       name(fullest.plan.mode));
   text += fmt::format("  RAM        {}\n", memory(fullest.plan, fullest.strip_pixel_bytes));
   text += fmt::format("  time       {:.2f} ms a frame\n", milliseconds);
+  if (run.panel) text += fmt::format("  panel      {}\n", panel(run));
   text += run.frames.size() == 1
               ? fmt::format("  written    {}\n", run.frames.front().file)
               : fmt::format("  written    {} to {}\n", run.frames.front().file, run.frames.back().file);

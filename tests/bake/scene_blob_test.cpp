@@ -142,29 +142,30 @@ TEST(SceneBlob, GoldenBytes) {
   // clang-format off
   Bytes expected{
       'z', 's', 2, 's',  0, 0, 0, 0,  0, 0, 0, 0,
-      156, 0, 0, 0, 1, 0, 0, 0,   232, 0, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   // meshes, materials, textures
-      0, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,                                 // instances, lights
+      176, 0, 0, 0, 1, 0, 0, 0,   252, 0, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   // meshes, materials, textures
+      20, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,                                // instances, lights
       48, 48, 48, 255,  1, 2, 3, 4,                                                     // ambient, background
       0, 0, 0, 64, 0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 64, 0, 0, 0, 0,       // right, up
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 64,   0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0,        // back, eye
       0x68, 0xBB, 1, 0,  0x9A, 0x19, 0, 0,  0, 0, 100, 0,  1, 0, 0, 0,                  // focal, near, far; orthographic
       64, 1, 240, 0, 1, 0, 0, 0,                                                        // 320x240, rgb565_swapped
+      0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0,                      // tracks, keyframes, duration
       0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 0, 0,          // finishes, punctual lights, fog
-      // 156: the mesh
-      52, 1, 0, 0, 3, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
-      72, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
+      // 176: the mesh
+      72, 1, 0, 0, 3, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
+      92, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0,   12, 0, 0, 0,
-      // 232: the material
+      // 252: the material
       255, 0, 0, 255,  255, 255,  0, 1, 0, 1, 1, 255,  0, 0, 0, 0,  0, 0, 0, 0,  0, 0, 0, 0,
-      // 256: the instance
+      // 276: the instance
       0, 0, 0, 0,  0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0,
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0,
-      // 308: positions, and two bytes up to the next multiple of 4; 328: the triangle, likewise
+      // 328: positions, and two bytes up to the next multiple of 4; 348: the triangle, likewise
       0, 128, 0, 0, 1, 0,  255, 127, 0, 0, 0, 0,  0, 0, 255, 127, 0, 0,  0, 0,
       0, 0, 1, 0, 2, 0,  0, 0};
   // clang-format on
   mend(expected);
-  ASSERT_EQ(expected.size(), 336U);
+  ASSERT_EQ(expected.size(), 356U);
 
   constexpr Position kCorners[] = {{-32768, 0, 1}, {32767, 0, 0}, {0, 32767, 0}};
   constexpr Triangle kTriangle[] = {{0, 1, 2}};

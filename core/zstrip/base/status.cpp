@@ -33,6 +33,7 @@ const char* message(Error error) {
     case Error::punctual_light: return "a point or spot light is not valid";
     case Error::fog: return "the fog needs 0 <= start < end and a density that is not negative";
     case Error::quadric: return "a quadric is not valid";
+    case Error::animation: return "a track of the animation is not valid";
   }
   return "unknown error";
 }

@@ -37,10 +37,11 @@ enum class Error : std::uint8_t {
   depth_effects,   ///< two depth formats at once, sub-ranges of one that has none, or one that needs a perspective
                    ///< camera and is to draw an orthographic one
   fog,             ///< not 0 <= start < end, a negative density, or no mode
-  finish,          ///< a mode or filter that does not exist, or more than 255 (`needed` = index of the finish)
-  punctual_light,  ///< a negative intensity or range, or cones that are none (`needed` = its index)
   quadric,  ///< refers to a material that does not exist or that has a slope bias or a finish, a transform that is out
             ///< of range or has no inverse, fog, or point and spot lights (`needed` = index of the quadric)
+  animation,       ///< a track that names no instance or keyframes, or keyframes out of range (`needed` = its index)
+  finish,          ///< a mode or filter that does not exist, or more than 255 (`needed` = index of the finish)
+  punctual_light,  ///< a negative intensity or range, or cones that are none (`needed` = its index)
 };
 
 /// What memory is for. The order is that of a plan's table.

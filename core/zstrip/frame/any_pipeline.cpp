@@ -61,7 +61,10 @@ constexpr Pipeline kRefusing{
 }  // namespace
 
 Pipeline pipeline_for(Effects effects) {
-  if (!depth_effects_agree(effects)) return kRefusing;
+  if (!depth_effects_agree(effects) || !perspective_effects_agree(effects)) return kRefusing;
+  if (!effects.has(effect::textures) || effects.has(effect::orthographic)) {
+    effects = without(effects, effect::perspective_runs);
+  }
   if (effects.any(detail::kBeyondTable)) {
     const Pipeline* const found = detail::pipeline_with_effects(effects);
     return found != nullptr ? *found : kRefusing;

@@ -40,6 +40,12 @@ inline constexpr Effects depth_ranges{1U << 11};
 inline constexpr Effects depth_formats{depth_float.bits | depth_w16.bits | depth_24.bits | depth_32.bits};
 /// Can carry out plans of Mode::binned; never called for by a scene. Sub-ranges cannot be binned.
 inline constexpr Effects bins{1U << 12};
+/// How often the pixels of a textured row get their exact place in the texture, with perspective; linear between. None
+/// of them is every 16th pixel. At most one; never called for by a scene.
+inline constexpr Effects perspective_affine{std::uint64_t{1} << 40};  ///< only at the triangle's corners
+inline constexpr Effects perspective_8{std::uint64_t{1} << 41};       ///< at every 8th pixel
+inline constexpr Effects perspective_1{std::uint64_t{1} << 42};       ///< at every pixel
+inline constexpr Effects perspective_runs{perspective_affine.bits | perspective_8.bits | perspective_1.bits};
 
 // Of light and of fragments. Each needs nothing of the others.
 inline constexpr Effects fog{std::uint64_t{1} << 13};              ///< Scene::fog
@@ -89,6 +95,19 @@ constexpr Effects depth_effect(DepthFormat format) {
     case DepthFormat::z16: break;
   }
   return {};
+}
+
+/// Pixels from one exact place in the texture to the next, a power of two; 0: only the corners are exact.
+constexpr std::int32_t perspective_run(Effects effects) {
+  if (effects.has(effect::perspective_affine)) return 0;
+  if (effects.has(effect::perspective_8)) return 8;
+  return effects.has(effect::perspective_1) ? 1 : 16;
+}
+
+/// At most one of them.
+constexpr bool perspective_effects_agree(Effects effects) {
+  const std::uint64_t run = (effects & effect::perspective_runs).bits;
+  return (run & (run - 1)) == 0;
 }
 
 /// At most one format, sub-ranges only of z16, and what needs 1/w only with perspective.

@@ -196,7 +196,7 @@ struct Scene {
   const Fog* fog = nullptr;                          ///< none if null
   std::span<const Finish> finishes{};                ///< at most 255
   std::span<const PunctualLight> punctual_lights{};  ///< at most kMaxPunctualLights
-  std::span<const Quadric> quadrics = {};            ///< drawn in this order, after the instances
+  std::span<const Quadric> quadrics{};               ///< drawn in this order, after the instances
 };
 
 }  // namespace zstrip

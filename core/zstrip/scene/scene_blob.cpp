@@ -26,6 +26,9 @@ static_assert(sizeof(Material) == 24 && offsetof(Material, texture) == 4 && offs
 static_assert(sizeof(bool) == 1 && sizeof(Camera) == 64);
 static_assert(sizeof(Instance) == 52 && offsetof(Instance, material) == 2 && offsetof(Instance, transform) == 4);
 static_assert(sizeof(void*) != 4 || (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(Scene) == 76));
+static_assert(sizeof(Track) == 8 && offsetof(Track, count) == 2 && offsetof(Track, first) == 4);
+static_assert(sizeof(Keyframe) == 36 && offsetof(Keyframe, rotation) == 4 && offsetof(Keyframe, translation) == 12 &&
+              offsetof(Keyframe, scale) == 24);
 static_assert(offsetof(Material, finish) == 11);
 static_assert(sizeof(Finish) == 12 && offsetof(Finish, specular) == 4 && offsetof(Finish, shininess) == 8 &&
               offsetof(Finish, alpha_mode) == 9 && offsetof(Finish, alpha_cutoff) == 10 &&
@@ -42,7 +45,8 @@ static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colou
 constexpr std::uint32_t kSize = 4, kChecksum = 8, kChecked = 12;
 constexpr std::uint32_t kMeshes = 12, kMaterials = 20, kTextures = 28, kInstances = 36, kLights = 44;
 constexpr std::uint32_t kAmbient = 52, kBackground = 56, kCamera = 60, kView = 124;
-constexpr std::uint32_t kFinishes = 132, kPunctualLights = 140, kFog = 148, kHeaderBytes = 156;
+constexpr std::uint32_t kTracks = 132, kKeyframes = 140, kDuration = 148;
+constexpr std::uint32_t kFinishes = 152, kPunctualLights = 160, kFog = 168, kHeaderBytes = 176;
 
 /// Records that become structures with pointers.
 struct MeshRecord {
@@ -205,6 +209,9 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   found.scene.background = reader.colour(kBackground);
   read_camera(reader, found.camera);
   read_view(reader, found.view);
+  found.animation = {.tracks = reader.array<Track>(kTracks),
+                     .keyframes = reader.array<Keyframe>(kKeyframes),
+                     .duration = reader.word(kDuration)};
   check_materials(reader, found.scene.materials);
   if (const Status status = reader.status(); !status) return status;
 
@@ -231,6 +238,8 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   found.scene.textures = {texture_table, textures.size()};
   if (const Status status = reader.status(); !status) return status;
   if (const Status status = validate(found.scene); !status) return status;
+  const auto instances = static_cast<std::uint32_t>(found.scene.instances.size());
+  if (const Status status = validate(found.animation, instances); !status) return status;
   if (!usable(found.camera)) return {.error = Error::camera};
   opened = found;
   return {};

@@ -1,0 +1,160 @@
+// The options of a simulated panel, and what goes together.
+#include "cli/panel_arguments.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "cli/nearest_name.hpp"
+#include "cli/parse.hpp"
+#include "render/picture_display.hpp"
+#include "report/frame_record.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+Failure usage(std::string message) { return {ExitStatus::usage, std::move(message)}; }
+
+Result<const PanelKind*> parse_kind(const std::string& text) {
+  std::vector<std::string_view> names;
+  for (const PanelKind& kind : panel_kinds()) {
+    if (text == kind.name) return &kind;
+    names.emplace_back(kind.name);
+  }
+  return usage(unknown_name("--panel", text, names));
+}
+
+struct Bus {
+  BusKind kind = BusKind::spi;
+  Nanoseconds cycle{};
+};
+
+/// "spi@40MHz", "i2c@400kHz", or without a speed: the fastest that the data sheet allows.
+Result<Bus> parse_bus(const std::string& text, const PanelKind& kind) {
+  constexpr std::string_view kNames[] = {"spi", "i2c"};
+  const std::size_t at = text.find('@');
+  const std::string name = text.substr(0, at);
+  const auto found = std::ranges::find(kNames, name);
+  if (found == std::end(kNames)) return usage(unknown_name("--bus", name, kNames) + "; for example spi@40MHz");
+  Bus bus{.kind = name == "spi" ? BusKind::spi : BusKind::i2c};
+  if (bus.kind == BusKind::i2c && kind.fastest_i2c == 0ns) {
+    return usage(fmt::format("--bus i2c: the {} has no I2C, only SPI", kind.name));
+  }
+  bus.cycle = bus.kind == BusKind::spi ? kind.fastest_spi : kind.fastest_i2c;
+  if (at == std::string::npos) return bus;
+
+  const std::string_view speed = std::string_view(text).substr(at + 1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(speed.data(), speed.data() + speed.size(), value);
+  const std::string_view unit = speed.substr(static_cast<std::size_t>(end - speed.data()));
+  const double factor = unit == "MHz" ? 1e6 : unit == "kHz" ? 1e3 : unit == "Hz" ? 1 : 0;
+  const double hertz = error == std::errc{} ? value * factor : 0;
+  if (!(hertz >= 1e3 && hertz <= 1e9)) {
+    return usage(fmt::format("--bus '{}' must have a speed of 1kHz to 1000MHz, for example spi@40MHz", text));
+  }
+  bus.cycle = Nanoseconds(std::llround(1e9 / hertz));
+  return bus;
+}
+
+Result<hal::Rotation> parse_rotation(const std::string& text) {
+  if (text == "0") return hal::Rotation::none;
+  if (text == "90") return hal::Rotation::by_90;
+  if (text == "180") return hal::Rotation::by_180;
+  if (text == "270") return hal::Rotation::by_270;
+  return usage(fmt::format("--rotation '{}' must be 0, 90, 180 or 270 degrees, clockwise", text));
+}
+
+/// `size` is the picture's, which changes sides with the glass where it lies sideways.
+Result<PanelModule> parse_module(const std::string& size, const PanelKind& kind, bool sideways) {
+  const auto wanted = parse_size(size);
+  if (!wanted) return wanted.failure();
+  std::vector<std::string> sizes;
+  for (const PanelModule& module : kind.modules) {
+    const std::uint16_t width = sideways ? module.height : module.width;
+    const std::uint16_t height = sideways ? module.width : module.height;
+    if (wanted->first == width && wanted->second == height) return module;
+    sizes.push_back(fmt::format("{}x{}", width, height));
+  }
+  return usage(fmt::format("--size {}: {} on a {} are {}{}", size, sideways ? "pictures turned sideways" : "pictures",
+                           kind.name, fmt::join(sizes, ", "),
+                           sideways ? "" : "; --rotation 90 or 270 turns them sideways"));
+}
+
+Result<hal::PixelFormat> parse_panel_format(const std::string& text, const PanelKind& kind) {
+  const Result<PixelFormat> format = parse_format(text);
+  if (!format) return format.failure();
+  std::vector<std::string_view> names;
+  for (const hal::PixelFormat each : kind.formats) {
+    if (each == hal_format(*format)) return each;
+    names.emplace_back(name(core_format(each)));
+  }
+  return usage(fmt::format("--format {}: a {} takes {}", text, kind.name, fmt::join(names, " or ")));
+}
+
+}  // namespace
+
+void add_panel_options(CLI::App& command, PanelArguments& arguments) {
+  PanelArguments& a = arguments;
+  std::vector<std::string_view> names;
+  for (const PanelKind& kind : panel_kinds()) names.emplace_back(kind.name);
+  command
+      .add_option("--panel", a.panel,
+                  fmt::format("Shows what a panel would, driven by zstrip's driver: {}", fmt::join(names, ", ")))
+      ->type_name("NAME");
+  command
+      .add_option("--bus", a.bus,
+                  "The panel's bus and its clock: spi@40MHz, i2c@400kHz (default: the fastest it allows)")
+      ->type_name("BUS");
+  command.add_option("--rotation", a.rotation, "Turns the picture on the panel, clockwise: 0, 90, 180 or 270")
+      ->type_name("DEGREES");
+  command.add_flag("--mirror", a.mirror, "Mirrors the picture on the panel, left and right");
+}
+
+Result<std::optional<PanelRequest>> parse_panel(const PanelArguments& arguments, const std::optional<std::string>& size,
+                                                const std::optional<std::string>& format) {
+  if (!arguments.panel) {
+    const char* const alone = arguments.bus        ? "--bus"
+                              : arguments.rotation ? "--rotation"
+                              : arguments.mirror   ? "--mirror"
+                                                   : nullptr;
+    if (alone != nullptr) return usage(fmt::format("{} is an option of a panel: --panel says which", alone));
+    return std::optional<PanelRequest>{};
+  }
+  const Result<const PanelKind*> kind = parse_kind(*arguments.panel);
+  if (!kind) return kind.failure();
+  const Result<Bus> bus = parse_bus(arguments.bus.value_or("spi"), **kind);
+  if (!bus) return bus.failure();
+  const Result<hal::Rotation> rotation = parse_rotation(arguments.rotation.value_or("0"));
+  if (!rotation) return rotation.failure();
+  PanelRequest request{.kind = *kind,
+                       .module = (*kind)->modules.front(),
+                       .orientation = {*rotation, arguments.mirror},
+                       .format = (*kind)->formats.front(),
+                       .bus = bus->kind,
+                       .cycle = bus->cycle};
+  if (size) {
+    const Result<PanelModule> module = parse_module(*size, **kind, is_sideways(request.orientation));
+    if (!module) return module.failure();
+    request.module = *module;
+  }
+  if (format) {
+    const Result<hal::PixelFormat> parsed = parse_panel_format(*format, **kind);
+    if (!parsed) return parsed.failure();
+    request.format = *parsed;
+  }
+  return std::optional<PanelRequest>{request};
+}
+
+std::string bus_words(const PanelRequest& request) {
+  const double megahertz = 1e3 / static_cast<double>(request.cycle.count());
+  const char* const name = request.bus == BusKind::spi ? "SPI" : "I2C";
+  return megahertz < 1 ? fmt::format("{} at {:.4g} kHz", name, megahertz * 1e3)
+                       : fmt::format("{} at {:.4g} MHz", name, megahertz);
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,34 @@
+// The options that ask for the picture on a simulated panel.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "panel/simulated_panel.hpp"
+#include "result.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace zstrip::sim {
+
+/// As given on the command line.
+struct PanelArguments {
+  std::optional<std::string> panel;
+  std::optional<std::string> bus;
+  std::optional<std::string> rotation;
+  bool mirror = false;
+};
+
+/// Adds the options; `arguments` must live as long as the command.
+void add_panel_options(CLI::App& command, PanelArguments& arguments);
+
+/// Nothing if no panel is asked for. `size` and `format` are those of --size and --format, if given.
+Result<std::optional<PanelRequest>> parse_panel(const PanelArguments& arguments, const std::optional<std::string>& size,
+                                                const std::optional<std::string>& format);
+
+/// "SPI at 40 MHz".
+std::string bus_words(const PanelRequest& request);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,162 @@
+// Drivers and models put together, with the wiring of the usual modules.
+#include "panel/simulated_panel.hpp"
+
+#include <string_view>
+#include <utility>
+
+#include "panel/dcs_model.hpp"
+#include "panel/ssd0323_model.hpp"
+#include "panel/ssd1306_model.hpp"
+#include "panel/ssd1351_model.hpp"
+#include "zstrip_hal/ili9341.hpp"
+#include "zstrip_hal/ssd0323.hpp"
+#include "zstrip_hal/ssd1306.hpp"
+#include "zstrip_hal/ssd1351.hpp"
+#include "zstrip_hal/st7735.hpp"
+#include "zstrip_hal/st7789.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+using hal::PixelFormat;
+
+constexpr PanelModule kSt7789Modules[] = {{240, 240, 0, 0},  {240, 320, 0, 0},  {240, 280, 0, 20},
+                                          {172, 320, 34, 0}, {170, 320, 35, 0}, {135, 240, 52, 40}};
+constexpr PanelModule kIli9341Modules[] = {{240, 320, 0, 0}};
+constexpr PanelModule kSt7735Modules[] = {{128, 160, 2, 1}, {128, 128, 2, 3}, {80, 160, 26, 1}};
+constexpr PanelModule kSsd1351Modules[] = {{128, 128, 0, 0}, {128, 96, 0, 0}};
+constexpr PanelModule kSsd1306Modules[] = {{128, 64, 0, 0}, {128, 32, 0, 0}, {64, 48, 32, 0}};
+constexpr PanelModule kSsd0323Modules[] = {{128, 64, 0, 0}};
+
+constexpr PixelFormat kColours[] = {PixelFormat::rgb565_swapped, PixelFormat::rgb666, PixelFormat::rgb444};
+constexpr PixelFormat kGreys[] = {PixelFormat::gray4};
+constexpr PixelFormat kMono[] = {PixelFormat::mono};
+
+constexpr std::span<const PixelFormat> kAll(kColours);
+
+constexpr PanelKind kKinds[] = {
+    {"st7789", kSt7789Modules, kAll, 66ns, 0ns},        {"ili9341", kIli9341Modules, kAll.first(2), 100ns, 0ns},
+    {"st7735", kSt7735Modules, kAll, 66ns, 0ns},        {"ssd1351", kSsd1351Modules, kAll.first(1), 50ns, 0ns},
+    {"ssd1306", kSsd1306Modules, kMono, 100ns, 2500ns}, {"ssd0323", kSsd0323Modules, kGreys, 250ns, 0ns},
+};
+
+/// Owns what the driver refers to.
+template <class Driver>
+class PanelOf final : public SimulatedPanel {
+ public:
+  template <class MakeDriver>
+  PanelOf(std::unique_ptr<PanelModel> model, const BusTiming& timing, MakeDriver make_driver)
+      : model_(std::move(model)), bus_(*model_, timing), driver_(make_driver(bus_)) {
+    bus_.wait(120'000);
+  }
+
+  hal::Error start() override { return driver_.start(); }
+  std::uint16_t width() const override { return driver_.width(); }
+  std::uint16_t height() const override { return driver_.height(); }
+  PixelFormat format() const override { return driver_.format(); }
+  hal::Error begin_frame() override { return driver_.begin_frame(); }
+  hal::Error write(const hal::Area& area, std::span<const std::byte> pixels) override {
+    return driver_.write(area, pixels);
+  }
+  hal::Error wait() override { return driver_.wait(); }
+  hal::Error end_frame() override { return driver_.end_frame(); }
+
+  const PanelModel& model() const override { return *model_; }
+  const ModelBus& bus() const override { return bus_; }
+
+ private:
+  std::unique_ptr<PanelModel> model_;
+  ModelBus bus_;
+  Driver driver_;
+};
+
+template <class Driver>
+std::unique_ptr<SimulatedPanel> dcs_panel(const PanelRequest& request, const DcsPart& part, hal::DcsConfig config) {
+  config.width = request.module.width;
+  config.height = request.module.height;
+  config.column_offset = request.module.column_offset;
+  config.row_offset = request.module.row_offset;
+  config.orientation = request.orientation;
+  config.format = request.format;
+  const Glass glass{.width = config.width,
+                    .height = config.height,
+                    .column_offset = config.column_offset,
+                    .row_offset = config.row_offset,
+                    .columns_reversed = config.columns_reversed,
+                    .rows_reversed = config.rows_reversed,
+                    .bgr = config.bgr,
+                    .inverted = config.inverted};
+  return std::make_unique<PanelOf<Driver>>(std::make_unique<DcsModel>(part, glass),
+                                           timing_of(request.bus, request.cycle),
+                                           [&config](ModelBus& bus) { return Driver(bus, bus, config); });
+}
+
+std::unique_ptr<SimulatedPanel> ssd1351_panel(const PanelRequest& request) {
+  using Driver = hal::Ssd1351<ModelBus>;
+  const hal::Ssd1351Config config{.height = request.module.height, .orientation = request.orientation};
+  return std::make_unique<PanelOf<Driver>>(std::make_unique<Ssd1351Model>(Ssd1351Glass{.height = config.height}),
+                                           timing_of(request.bus, request.cycle),
+                                           [&config](ModelBus& bus) { return Driver(bus, config); });
+}
+
+std::unique_ptr<SimulatedPanel> ssd1306_panel(const PanelRequest& request) {
+  using Driver = hal::Ssd1306<ModelBus>;
+  const bool alternating = request.module.height > 32;
+  const hal::Ssd1306Config config{.width = static_cast<std::uint8_t>(request.module.width),
+                                  .height = static_cast<std::uint8_t>(request.module.height),
+                                  .column_offset = static_cast<std::uint8_t>(request.module.column_offset),
+                                  .orientation = request.orientation,
+                                  .com_alternating = alternating};
+  const Ssd1306Glass glass{.width = request.module.width,
+                           .height = request.module.height,
+                           .column_offset = request.module.column_offset,
+                           .com_alternating = alternating};
+  const Nanoseconds fastest = request.bus == BusKind::i2c ? request.kind->fastest_i2c : request.kind->fastest_spi;
+  return std::make_unique<PanelOf<Driver>>(std::make_unique<Ssd1306Model>(glass, fastest),
+                                           timing_of(request.bus, request.cycle),
+                                           [&config](ModelBus& bus) { return Driver(bus, config); });
+}
+
+std::unique_ptr<SimulatedPanel> ssd0323_panel(const PanelRequest& request) {
+  using Driver = hal::Ssd0323<ModelBus>;
+  const hal::Ssd0323Config config{.orientation = request.orientation};
+  return std::make_unique<PanelOf<Driver>>(std::make_unique<Ssd0323Model>(), timing_of(request.bus, request.cycle),
+                                           [&config](ModelBus& bus) { return Driver(bus, config); });
+}
+
+}  // namespace
+
+std::span<const PanelKind> panel_kinds() { return kKinds; }
+
+BusTiming timing_of(BusKind bus, Nanoseconds cycle) {
+  if (bus == BusKind::spi) return {.byte = 8 * cycle, .transfer = 0ns, .cycle = cycle};
+  // Each byte with its acknowledge; before them start, address and control byte, behind them stop.
+  return {.byte = 9 * cycle, .transfer = (1 + 9 + 9 + 1) * cycle, .cycle = cycle};
+}
+
+std::unique_ptr<SimulatedPanel> open_panel(const PanelRequest& request) {
+  const std::string_view name = request.kind->name;
+  if (name == "ssd1351") return ssd1351_panel(request);
+  if (name == "ssd1306") return ssd1306_panel(request);
+  if (name == "ssd0323") return ssd0323_panel(request);
+  using hal::Ili9341;
+  using hal::St7735;
+  using hal::St7789;
+  if (name == "ili9341") {
+    return dcs_panel<Ili9341<ModelBus, ModelBus>>(request, kIli9341Part, hal::kIli9341Module240x320);
+  }
+  if (name == "st7735") {
+    return dcs_panel<St7735<ModelBus, ModelBus>>(request, kSt7735Part, hal::kSt7735Module128x160);
+  }
+  return dcs_panel<St7789<ModelBus, ModelBus>>(request, kSt7789Part, hal::kSt7789Module240x240);
+}
+
+std::uint16_t row_step(const PanelRequest& request) {
+  const bool sideways = is_sideways(request.orientation);
+  const std::string_view name = request.kind->name;
+  if (name == "ssd1306" && !sideways) return hal::Ssd1306<ModelBus>::kRowStep;
+  if (name == "ssd0323" && sideways) return hal::Ssd0323<ModelBus>::kRowStep;
+  return 1;
+}
+
+}  // namespace zstrip::sim

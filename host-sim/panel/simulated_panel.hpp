@@ -1,0 +1,79 @@
+// A whole panel to draw on: the driver of hal, a bus with a speed, and the model that says what is seen.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "panel/model_bus.hpp"
+#include "panel/panel_model.hpp"
+#include "zstrip_hal/display.hpp"
+#include "zstrip_hal/orientation.hpp"
+
+namespace zstrip::sim {
+
+enum class BusKind : std::uint8_t { spi, i2c };
+
+/// A module that can be bought: a controller and its glass, upright.
+struct PanelModule {
+  std::uint16_t width = 0;
+  std::uint16_t height = 0;
+  std::uint16_t column_offset = 0;
+  std::uint16_t row_offset = 0;
+};
+
+/// A controller as it is named on the command line.
+struct PanelKind {
+  const char* name;
+  std::span<const PanelModule> modules;       ///< the first one is the usual one
+  std::span<const hal::PixelFormat> formats;  ///< the first one is the usual one
+  Nanoseconds fastest_spi;                    ///< a bit, by its data sheet
+  Nanoseconds fastest_i2c;                    ///< 0: it has no I2C
+};
+
+std::span<const PanelKind> panel_kinds();
+
+struct PanelRequest {
+  const PanelKind* kind = nullptr;
+  PanelModule module;  ///< one of the kind's
+  hal::Orientation orientation;
+  hal::PixelFormat format{};  ///< one of the kind's
+  BusKind bus = BusKind::spi;
+  Nanoseconds cycle{};  ///< of the bus's clock
+};
+
+/// A hal::Display. The driver refers to bus and model, so that it stays where it is.
+class SimulatedPanel {
+ public:
+  SimulatedPanel() = default;
+  SimulatedPanel(const SimulatedPanel&) = delete;
+  SimulatedPanel& operator=(const SimulatedPanel&) = delete;
+  virtual ~SimulatedPanel() = default;
+
+  virtual hal::Error start() = 0;
+  virtual std::uint16_t width() const = 0;
+  virtual std::uint16_t height() const = 0;
+  virtual hal::PixelFormat format() const = 0;
+  virtual hal::Error begin_frame() = 0;
+  virtual hal::Error write(const hal::Area& area, std::span<const std::byte> pixels) = 0;
+  virtual hal::Error wait() = 0;
+  virtual hal::Error end_frame() = 0;
+
+  virtual const PanelModel& model() const = 0;
+  virtual const ModelBus& bus() const = 0;
+};
+
+static_assert(hal::Display<SimulatedPanel>);
+
+/// A panel 120 ms after power-on, not started.
+std::unique_ptr<SimulatedPanel> open_panel(const PanelRequest& request);
+
+/// Strips begin and end at multiples of so many rows, unless they end at the picture's last one.
+std::uint16_t row_step(const PanelRequest& request);
+
+/// What a byte and a transfer take on a bus whose clock has this cycle.
+BusTiming timing_of(BusKind bus, Nanoseconds cycle);
+
+}  // namespace zstrip::sim
