@@ -395,8 +395,8 @@ TEST(SceneBlob, ValuesThatAreNone) {
     EXPECT_EQ(error_with(flag, 2), (Status{.error = Error::blob_damaged, .needed = static_cast<std::uint32_t>(flag)}));
   }
   EXPECT_EQ(error_with(material + 9, 8).error, Error::blob_damaged);  // depth test
-  EXPECT_EQ(error_with(128, 4).error, Error::blob_damaged);           // pixel format
-  EXPECT_EQ(error_with(125, 17).error, Error::blob_damaged);          // 4416 pixels wide
+  EXPECT_EQ(error_with(128, static_cast<std::uint8_t>(kLastPixelFormat) + 1).error, Error::blob_damaged);
+  EXPECT_EQ(error_with(125, 17).error, Error::blob_damaged);  // 4416 pixels wide
   EXPECT_EQ(error_with(3, 'd').error, Error::blob_damaged);
   EXPECT_EQ(error_with(2, 1), (Status{.error = Error::blob_version, .needed = 1, .available = 2}));
   EXPECT_EQ(error_with(111, 0x80).error, Error::camera);  // negative focal length
