@@ -36,10 +36,13 @@ enum class Error : std::uint8_t {
   blob_memory,     ///< the memory lent for a scene blob; `needed`, `available` in bytes
   depth_effects,   ///< two depth formats at once, sub-ranges of one that has none, or one that needs a perspective
                    ///< camera and is to draw an orthographic one
+  fog,             ///< not 0 <= start < end, a negative density, or no mode
+  quadric,         ///< refers to a material that does not exist or that has a slope bias, or a transform that is out of
+                   ///< range or has no inverse (`needed` = index of the quadric)
 };
 
 /// What memory is for. The order is that of a plan's table.
-enum class Purpose : std::uint8_t { none, instances, extents, vertices, depth, colour, bins, layer };
+enum class Purpose : std::uint8_t { none, instances, extents, vertices, depth, colour, bins, layer, effects };
 
 /// `error == Error::none` is success; converts to true then. [[nodiscard]]: nothing fails in silence.
 struct [[nodiscard]] Status {

@@ -7,7 +7,7 @@
 namespace zstrip {
 
 Status Frame::Access::check(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
-                            Effects missing, std::span<std::byte> arena) {
+                            Effects called_for, Effects missing, std::span<std::byte> arena) {
   if (view.width < 1 || view.height < 1 || view.width > kMaxViewSize || view.height > kMaxViewSize) {
     return {.error = Error::view_size};
   }
@@ -22,7 +22,7 @@ Status Frame::Access::check(const Scene& scene, const Camera& camera, const View
   if (plan.strips != strips) return {.error = Error::strip_rows, .needed = strips, .available = plan.strips};
   if (!usable(camera)) return {.error = Error::camera};
   if (const Status status = validate_instances(scene); !status) return status;
-  if (missing.bits != 0) return {.error = Error::effect_missing, .needed = missing.bits};
+  if (missing.bits != 0) return {.error = Error::effect_missing, .needed = low_bits(missing)};
   // The plan must be one for this scene: a smaller one would overrun its parts of the arena.
   const SceneCounts counts = count(scene);
   const auto too_small = [](Purpose purpose, std::uint64_t needed, std::uint32_t available) {
@@ -31,10 +31,10 @@ Status Frame::Access::check(const Scene& scene, const Camera& camera, const View
                   .needed = static_cast<std::uint32_t>(needed),
                   .available = available};
   };
-  if (plan.instance_bytes < std::uint64_t{counts.instances} * kInstanceBytes) {
-    return too_small(Purpose::instances, std::uint64_t{counts.instances} * kInstanceBytes, plan.instance_bytes);
+  if (plan.instance_bytes < detail::instance_bytes(counts)) {
+    return too_small(Purpose::instances, detail::instance_bytes(counts), plan.instance_bytes);
   }
-  const bool colours = detail::has_vertex_colours(effects_of(scene, camera));
+  const bool colours = detail::has_vertex_colours(called_for);
   const bool binned = plan.mode == Mode::binned;
   if (const std::uint64_t extents = std::uint64_t{counts.meshlets} * kExtentBytes;
       (strips > 1 || binned) && plan.extent_bytes < extents) {
@@ -56,7 +56,8 @@ Status Frame::Access::check(const Scene& scene, const Camera& camera, const View
   for (const auto& [purpose, bytes] :
        {std::pair{Purpose::instances, plan.instance_bytes}, std::pair{Purpose::extents, plan.extent_bytes},
         std::pair{Purpose::vertices, plan.vertex_bytes}, std::pair{Purpose::depth, plan.depth_bytes},
-        std::pair{Purpose::colour, plan.colour_bytes}, std::pair{Purpose::bins, plan.bin_bytes}}) {
+        std::pair{Purpose::colour, plan.colour_bytes}, std::pair{Purpose::bins, plan.bin_bytes},
+        std::pair{Purpose::effects, plan.effect_bytes}}) {
     if (bytes % kArenaAlignment != 0) return too_small(purpose, detail::rounded_up(bytes), bytes);
   }
   if (arena.size() < plan.wide_bytes() || reinterpret_cast<std::uintptr_t>(arena.data()) % kArenaAlignment != 0) {
@@ -82,14 +83,15 @@ void Frame::Access::lay_out_arena(Frame& frame, std::span<std::byte> arena) {
   frame.batches_ = reinterpret_cast<detail::RetainedBatch*>(take(frame.plan_.bin_bytes));
 }
 
-Status Frame::Access::prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view) {
+Status Frame::Access::prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view,
+                              const DepthFit& fit) {
   const bool orthographic = camera.projection == Projection::orthographic;
   const SceneCounts counts = count(scene);
   const bool binned = frame.plan_.mode == Mode::binned;
   frame.colours_ = reinterpret_cast<Colour*>(frame.vertices_ + (binned ? counts.vertices : counts.largest_meshlet));
   frame.bounds_ = {};
   frame.depth_area_ = {};
-  frame.fit_ = detail::fit_to_scene(scene, camera);
+  frame.fit_ = fit;
   frame.origin_ = detail::raster_origin(view, frame.fit_, orthographic);
   const bool nothing = frame.fit_.near == 0;
   for (std::uint32_t i = 0; i < counts.instances; ++i) {
@@ -108,18 +110,26 @@ Status Frame::Access::prepare(Frame& frame, const Scene& scene, const Camera& ca
       instance.visible = false;
       continue;
     }
-    const Rect& all = frame.bounds_;
-    frame.bounds_ = all.empty() ? box
-                                : Rect{std::min(all.left, box.left), std::min(all.top, box.top),
-                                       std::max(all.right, box.right), std::max(all.bottom, box.bottom)};
+    extend_bounds(frame, box);
   }
+  return {};
+}
+
+void Frame::Access::extend_bounds(Frame& frame, const Rect& box) {
+  const Rect& all = frame.bounds_;
+  frame.bounds_ = all.empty() ? box
+                              : Rect{std::min(all.left, box.left), std::min(all.top, box.top),
+                                     std::max(all.right, box.right), std::max(all.bottom, box.bottom)};
+}
+
+void Frame::Access::divide(Frame& frame, const Scene& scene, const View& view) {
   frame.grid_ = detail::StripGrid(frame.plan_, view, frame.bounds_);
-  if (binned) {
+  if (frame.plan_.mode == Mode::binned) {
+    const SceneCounts counts = count(scene);
     const std::uint32_t batch_bytes = counts.meshlets * kBatchBytes;
     frame.bins_ = detail::Bins(reinterpret_cast<std::byte*>(frame.batches_) + batch_bytes,
                                frame.plan_.bin_bytes - batch_bytes, frame.plan_.strips);
   }
-  return {};
 }
 
 detail::StripTarget Frame::Access::target_of(Frame& frame, const Rect& strip, std::uint16_t* pixels) {

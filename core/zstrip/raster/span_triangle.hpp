@@ -51,34 +51,22 @@ void walk_spans(const StripTarget& target, const RasterVertex& a, const RasterVe
   }
 }
 
-/// Draws a counter-clockwise triangle. `narrow`: all coordinates within kNarrowLimit; only speed depends on it.
-/// `perspective`: that of zstrip::perspective_run().
-template <Shade shade, bool orthographic, bool statistics, DepthMode mode = DepthMode{}, std::int32_t perspective = 16>
-void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
-                        const RasterVertex& v2, const Surface& surface, bool narrow) {
-  const std::int64_t area = signed_area(v0, v1, v2);
-  // The anchor is a pixel of the picture near the triangle: offsets stay small and do not depend on the strip.
-  const std::int32_t anchor_x = std::max(std::min({v0.x, v1.x, v2.x}) >> 4, target.view_left);
-  const std::int32_t anchor_y = std::max(std::min({v0.y, v1.y, v2.y}) >> 4, target.view_top);
-  const PlaneSetup setup(v0, v1, v2, area, anchor_x, anchor_y);
-  const auto plane = [&](auto member) {
-    const auto value = [&](const RasterVertex& v) { return std::int64_t{v.*member}; };
-    return setup.plane(value(v0), value(v1) - value(v0), value(v2) - value(v0));
-  };
+/// A triangle set up: its anchor, its depth, and its spans in a strip.
+template <DepthMode mode>
+struct SpanTriangle {
+  SpanTriangle(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2)
+      : area(signed_area(v0, v1, v2)),
+        anchor_x(std::max(std::min({v0.x, v1.x, v2.x}) >> 4, target.view_left)),
+        anchor_y(std::max(std::min({v0.y, v1.y, v2.y}) >> 4, target.view_top)),
+        setup(v0, v1, v2, area, anchor_x, anchor_y),
+        depth(setup, v0, v1, v2, area, anchor_x, anchor_y),
+        rule(target, v0, v1, v2, area) {}
 
-  const TriangleDepth<mode.format> depth(setup, v0, v1, v2, area, anchor_x, anchor_y);
-  const DepthRule<mode> rule(target, v0, v1, v2, area);
-  ColourPlanes colours{};
-  constexpr bool kVaries = shade == Shade::gouraud || shade == Shade::textured_gouraud;
-  if constexpr (kVaries) {
-    colours = {plane(&RasterVertex::r), plane(&RasterVertex::g), plane(&RasterVertex::b)};
-  } else if constexpr (shade == Shade::textured_flat) {
-    const auto constant = [](std::int32_t value) { return Plane{static_cast<std::uint32_t>(value), 0, 0}; };
-    colours = {constant(v0.r), constant(v0.g), constant(v0.b)};
-  }
-
-  using Cell = typename DepthRule<mode>::Cell;
-  const auto walk = [&](const auto& fill) {
+  /// Calls fill(run, depth plane) for all runs in the strip.
+  template <bool statistics, class Fill>
+  void walk(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2,
+            bool narrow, const Fill& fill) const {
+    using Cell = typename DepthRule<mode>::Cell;
     const auto fill_row = [&](std::int32_t row, std::int32_t left, std::int32_t right, std::int32_t whole_left,
                               std::int32_t whole_right) {
       const Span<Cell> span{target.template depth_row<Cell>(row) + (left - target.area.left),
@@ -96,7 +84,37 @@ void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, c
     } else {
       walk_spans<std::int64_t>(target, v0, v1, v2, fill_row);
     }
+  }
+
+  std::int64_t area;
+  std::int32_t anchor_x, anchor_y;  ///< a pixel of the picture near the triangle, whatever the strip
+  PlaneSetup setup;
+  TriangleDepth<mode.format> depth;
+  DepthRule<mode> rule;
+};
+
+/// Draws a counter-clockwise triangle. `narrow`: all coordinates within kNarrowLimit; only speed depends on it.
+/// `perspective`: that of zstrip::perspective_run().
+template <Shade shade, bool orthographic, bool statistics, DepthMode mode = DepthMode{}, std::int32_t perspective = 16>
+void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
+                        const RasterVertex& v2, const Surface& surface, bool narrow) {
+  const SpanTriangle<mode> triangle(target, v0, v1, v2);
+  const auto plane = [&](auto member) {
+    const auto value = [&](const RasterVertex& v) { return std::int64_t{v.*member}; };
+    return triangle.setup.plane(value(v0), value(v1) - value(v0), value(v2) - value(v0));
   };
+  ColourPlanes colours{};
+  constexpr bool kVaries = shade == Shade::gouraud || shade == Shade::textured_gouraud;
+  if constexpr (kVaries) {
+    colours = {plane(&RasterVertex::r), plane(&RasterVertex::g), plane(&RasterVertex::b)};
+  } else if constexpr (shade == Shade::textured_flat) {
+    const auto constant = [](std::int32_t value) { return Plane{static_cast<std::uint32_t>(value), 0, 0}; };
+    colours = {constant(v0.r), constant(v0.g), constant(v0.b)};
+  }
+
+  using Cell = typename DepthRule<mode>::Cell;
+  const DepthRule<mode>& rule = triangle.rule;
+  const auto walk = [&](const auto& fill) { triangle.template walk<statistics>(target, v0, v1, v2, narrow, fill); };
   if constexpr (shade == Shade::flat) {
     walk([&](const Span<Cell>& run, const auto& z) {
       fill_flat<statistics>(run, z, rule, surface.flat_colour, target.statistics);
@@ -109,7 +127,7 @@ void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, c
     const RasterVertex* const vertices[3] = {&v0, &v1, &v2};
     constexpr bool kAffine = orthographic || perspective == 0;
     constexpr int kLog2Run = perspective == 0 ? 4 : std::countr_zero(static_cast<std::uint32_t>(perspective));
-    const TextureCoordinates<kAffine> coordinates(setup, vertices, surface.depth_offset);
+    const TextureCoordinates<kAffine> coordinates(triangle.setup, vertices, surface.depth_offset);
     constexpr bool kLit = shade != Shade::textured;
     walk([&](const Span<Cell>& run, const auto& z) {
       fill_textured<kAffine, kLog2Run, kLit, statistics>(run, z, rule, surface.texture, coordinates, colours,

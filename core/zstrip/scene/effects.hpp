@@ -11,7 +11,7 @@ namespace zstrip {
 
 /// A set of effects; a structural type, so that it can be a template argument.
 struct Effects {
-  std::uint32_t bits = 0;
+  std::uint64_t bits = 0;
   constexpr bool has(Effects other) const { return (bits & other.bits) == other.bits; }
   constexpr bool any(Effects other) const { return (bits & other.bits) != 0; }
   friend constexpr Effects operator|(Effects a, Effects b) { return {a.bits | b.bits}; }
@@ -41,12 +41,29 @@ inline constexpr Effects depth_formats{depth_float.bits | depth_w16.bits | depth
 /// Can carry out plans of Mode::binned; never called for by a scene. Sub-ranges cannot be binned.
 inline constexpr Effects bins{1U << 12};
 /// How often the pixels of a textured row get their exact place in the texture, with perspective; linear between. None
-/// of them is every 16th pixel. At most one; never called for by a scene.
-inline constexpr Effects perspective_affine{1U << 24};  ///< only at the triangle's corners
-inline constexpr Effects perspective_8{1U << 25};       ///< at every 8th pixel
-inline constexpr Effects perspective_1{1U << 26};       ///< at every pixel
+/// of them is every 16th pixel, as where fragments have effects. At most one; never called for by a scene.
+inline constexpr Effects perspective_affine{std::uint64_t{1} << 40};  ///< only at the triangle's corners
+inline constexpr Effects perspective_8{std::uint64_t{1} << 41};       ///< at every 8th pixel
+inline constexpr Effects perspective_1{std::uint64_t{1} << 42};       ///< at every pixel
 inline constexpr Effects perspective_runs{perspective_affine.bits | perspective_8.bits | perspective_1.bits};
+
+// Of light and of fragments. Each needs nothing of the others.
+inline constexpr Effects fog{std::uint64_t{1} << 13};  ///< Scene::fog
+
+/// Those that need a fragment of its own: instances with one of them are drawn by fill_fragments.
+inline constexpr Effects fragments = fog;
+// Surfaces and passes beyond the triangles of instances; bits 22 to 31.
+inline constexpr Effects quadrics{1U << 22};       ///< spheres and ellipsoids
+inline constexpr Effects surfaces{quadrics.bits};  ///< all of these
+/// All that a scene can call for.
+inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | surfaces;
 }  // namespace effect
+
+/// Effects as Status::needed has them: the lower 32 bits, or all ones where the lower have none.
+constexpr std::uint32_t low_bits(Effects effects) {
+  const auto low = static_cast<std::uint32_t>(effects.bits);
+  return low != 0 || effects.bits == 0 ? low : 0xFFFFFFFF;
+}
 
 /// How a renderer with these effects keeps depth: z16, unless one of effect::depth_formats is among them.
 constexpr DepthFormat depth_format(Effects effects) {
@@ -78,13 +95,13 @@ constexpr std::int32_t perspective_run(Effects effects) {
 
 /// At most one of them.
 constexpr bool perspective_effects_agree(Effects effects) {
-  const std::uint32_t run = (effects & effect::perspective_runs).bits;
+  const std::uint64_t run = (effects & effect::perspective_runs).bits;
   return (run & (run - 1)) == 0;
 }
 
 /// At most one format, sub-ranges only of z16, and what needs 1/w only with perspective.
 constexpr bool depth_effects_agree(Effects effects) {
-  const std::uint32_t format = (effects & (effect::depth_formats | effect::depth_ranges)).bits;
+  const std::uint64_t format = (effects & (effect::depth_formats | effect::depth_ranges)).bits;
   const bool single = (format & (format - 1)) == 0;
   return single && !(effects.has(effect::orthographic) && effects.any(effect::depth_float | effect::depth_w16));
 }
@@ -94,6 +111,9 @@ constexpr bool has_depth_state(const Material& material) {
   return material.depth_test != DepthTest::nearer || !material.depth_write || material.depth_bias != 0 ||
          material.depth_slope_bias != 0;
 }
+
+/// Whether fragments of this scene's instances have effects: these are drawn by fill_fragments.
+constexpr bool has_fragments(const Scene& scene) { return scene.fog != nullptr; }
 
 /// Exactly what drawing this scene with this camera needs. constexpr for baked scenes.
 constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
@@ -109,6 +129,15 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (coloured) found = found | effect::vertex_colours;
     if (textured) found = found | effect::textures;
     if (material.smooth && (lit || coloured)) found = found | effect::gouraud;
+    if (has_depth_state(material)) found = found | effect::depth_state;
+  }
+  if (scene.fog != nullptr && !scene.instances.empty()) found = found | effect::fog;
+  for (const Quadric& quadric : scene.quadrics) {
+    found = found | effect::quadrics;
+    if (quadric.material >= scene.materials.size()) continue;
+    const Material& material = scene.materials[quadric.material];
+    if (material.lit) found = found | effect::lighting;
+    if (material.texture != kNoTexture) found = found | effect::textures;
     if (has_depth_state(material)) found = found | effect::depth_state;
   }
   if (camera.projection == Projection::orthographic) found = found | effect::orthographic;
