@@ -22,7 +22,10 @@ std::vector<std::string> fields(const std::string& line) {
 
 std::string values(const Settings& settings) {
   std::string text;
-  for (const KnobInfo& knob : knobs()) text += (text.empty() ? "" : " ") + std::string(settings.name_of(knob.knob));
+  for (const KnobInfo& knob : knobs()) {
+    if (!text.empty()) text += ' ';
+    text += settings.name_of(knob.knob);
+  }
   return text;
 }
 
