@@ -18,12 +18,13 @@ std::unique_ptr<AccuracyScene> scene(const char* name) {
 }
 Errors errors(const AccuracyScene& scene, const char* settings) { return *scene.errors(*parse_settings(settings)); }
 
+// Scenes of which nothing is clipped: corners that clipping makes are snapped again, each side in its own way.
 TEST(Figures, DepthIsWithinACodeOfThePlanesThroughSnappedCorners) {
-  for (const char* name : {"room", "random50"}) {
+  for (const char* name : {"knot", "teapot", "cube"}) {
     const auto opened = scene(name);
     for (const char* format : {"z16", "float", "w16"}) {
-      if (std::string(name) == "random50" && std::string(format) != "z16") continue;
-      EXPECT_LT(errors(*opened, (std::string("depth=") + format).c_str())[Figure::depth_codes], 1.6) << name << format;
+      const std::string settings = std::string("depth=") + format;
+      EXPECT_LT(errors(*opened, settings.c_str())[Figure::depth_codes], 1.6) << name << ' ' << format;
     }
   }
 }

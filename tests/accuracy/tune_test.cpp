@@ -34,7 +34,7 @@ TEST_F(TuneCommand, SaysWhichLimitCannotBeMetAndByHowMuch) {
   EXPECT_NE(outcome.err.find(" too much"), std::string::npos) << outcome.err;
 }
 
-TEST(Tune, NothingThatKeepsTheLimitsIsMuchFaster) {
+TEST(Tune, LooksAtAllCombinationsAndKeepsTheLimits) {
   const auto scene = AccuracyScene::open({.scene = "knot_meshlets", .view = {96, 72}, .frames = 1, .firmware = ""});
   ASSERT_TRUE(scene);
   const Limits limits{.wrong_pixels = 2.0, .ram = 20000};
