@@ -92,14 +92,18 @@ std::string summary(const Campaign& campaign, double seconds) {
   return text;
 }
 
+/// For what does not depend on the picture's size: whether it can be drawn, its effects.
+Result<std::unique_ptr<AccuracyScene>> open_small(AccuracyRequest request) {
+  request.view = {16, 12, PixelFormat::rgb565};
+  request.frames = 1;
+  return AccuracyScene::open(request);
+}
+
 /// The boards' programs that the job will ask for, one name a line: host-sim/run builds them.
 Result<Done> list_programs(const Job& job) {
   std::set<std::string> names;
   for (const AccuracyRequest& request : job.requests) {
-    AccuracyRequest small = request;  // effects do not depend on the picture
-    small.view = {16, 12, PixelFormat::rgb565};
-    small.frames = 1;
-    const auto scene = AccuracyScene::open(small);
+    const auto scene = open_small(request);
     if (!scene) return scene.failure();
     const std::vector<Settings> settings = !job.options.only.empty() ? job.options.only
                                            : job.options.product     ? all_settings(**scene, job.options.knobs)
@@ -119,6 +123,9 @@ Result<Done> run(const Arguments& arguments) {
   const Result<Job> job = parse(arguments);
   if (!job) return job.failure();
   if (arguments.programs) return list_programs(*job);
+  for (const AccuracyRequest& request : job->requests) {
+    if (const auto scene = open_small(request); !scene) return scene.failure();  // nothing is left behind
+  }
   const fs::path folder = arguments.output;
   std::error_code error;
   fs::create_directories(folder, error);

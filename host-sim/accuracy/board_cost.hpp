@@ -11,7 +11,7 @@ namespace zstrip::sim {
 std::string_view board_of(std::string_view target);
 
 /// The program that draws scenes with exactly these effects, without folder and suffix, for example
-/// "zstrip_scene_m3_0003".
+/// "zstrip_scene_m3_00000000003".
 std::string board_program_name(std::string_view target, Effects effects);
 
 /// Draws each of the staged scenes and fills in instructions, frames a second and flash. Failures: those of

@@ -90,7 +90,7 @@ class Measuring {
   Journal& journal_;
   Campaign& campaign_;
   const std::function<void(std::size_t, std::size_t)>& progress_;
-  std::map<std::uint32_t, std::uint32_t> fingerprints_;
+  std::map<std::uint64_t, std::uint32_t> fingerprints_;
   std::mutex mutex_;
 };
 

@@ -209,6 +209,9 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
                    "the scene has materials with a depth test, write or bias of their own: what is right there depends "
                    "on the z-buffer's codes, so that no truth can be drawn"};
   }
+  if (!scene.quadrics.empty() || scene.fog != nullptr) {
+    return Failure{ExitStatus::input, "the scene has quadrics or fog, and the truth knows triangles only"};
+  }
   Rasteriser rasteriser(camera, view, scale, scene.background, snap);
   const Vector right = vector_of(camera.right, kOne30), up = vector_of(camera.up, kOne30),
                back = vector_of(camera.back, kOne30), eye = vector_of(camera.eye, kOne16);

@@ -41,7 +41,7 @@ struct Truth {
 
 /// Draws `scale` x `scale` samples a pixel, each in the middle of its square. `snap`: corners on the screen are rounded
 /// to 1/16 of these. Failures: ExitStatus::input for materials
-/// with a depth test or bias of their own, whose result depends on the z-buffer's codes.
+/// with a depth test or bias of their own, whose result depends on the z-buffer's codes, and for quadrics and fog.
 Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const View& view, std::uint32_t scale,
                                 bool snap = false);
 

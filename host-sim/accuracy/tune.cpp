@@ -66,8 +66,8 @@ std::vector<std::string> explain(const std::vector<Candidate>& candidates, const
     const std::optional<double> best = best_of(candidates, value, holds);
     if (!best) return;
     if (*best > limit) {
-      const auto number = [&](double value) {
-        return unit == "bytes" ? grouped(static_cast<std::uint64_t>(value)) : fmt::format("{:.3g}", value);
+      const auto number = [&](double amount) {
+        return unit == "bytes" ? grouped(static_cast<std::uint64_t>(amount)) : fmt::format("{:.3g}", amount);
       };
       lines.push_back(fmt::format("{}: {} {} asked for, {} is the least within the other limits, {} too much", name,
                                   number(limit), unit, number(*best), number(*best - limit)));

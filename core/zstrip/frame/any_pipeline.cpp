@@ -62,7 +62,8 @@ constexpr Pipeline kRefusing{
 
 Pipeline pipeline_for(Effects effects) {
   if (!depth_effects_agree(effects) || !perspective_effects_agree(effects)) return kRefusing;
-  if (!effects.has(effect::textures) || effects.has(effect::orthographic)) {
+  // Without perspective, or without textures, all of them draw the same.
+  if (effects.has(effect::orthographic) || !effects.has(effect::textures)) {
     effects = without(effects, effect::perspective_runs);
   }
   if (effects.any(detail::kBeyondTable)) {

@@ -5,6 +5,7 @@ namespace zstrip::detail {
 namespace {
 
 constexpr Effects kEverything = without(effect::of_scenes, effect::orthographic) | effect::statistics | effect::bins;
+constexpr Effects kTriangles = without(effect::all, effect::orthographic) | effect::bins;
 
 struct Superset {
   Effects effects;
@@ -31,6 +32,9 @@ constexpr Superset kSupersets[] = {
     superset<kEverything | effect::depth_32 | effect::orthographic>(),
     superset<kEverything | effect::depth_ranges>(),
     superset<kEverything | effect::depth_ranges | effect::orthographic>(),
+    superset<kTriangles | effect::perspective_affine>(),
+    superset<kTriangles | effect::perspective_8>(),
+    superset<kTriangles | effect::perspective_1>(),
 };
 
 constexpr Effects kMustBeEqual =

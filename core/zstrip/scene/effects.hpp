@@ -41,7 +41,7 @@ inline constexpr Effects depth_formats{depth_float.bits | depth_w16.bits | depth
 /// Can carry out plans of Mode::binned; never called for by a scene. Sub-ranges cannot be binned.
 inline constexpr Effects bins{1U << 12};
 /// How often the pixels of a textured row get their exact place in the texture, with perspective; linear between. None
-/// of them is every 16th pixel. At most one; never called for by a scene.
+/// of them is every 16th pixel, as where fragments have effects. At most one; never called for by a scene.
 inline constexpr Effects perspective_affine{std::uint64_t{1} << 40};  ///< only at the triangle's corners
 inline constexpr Effects perspective_8{std::uint64_t{1} << 41};       ///< at every 8th pixel
 inline constexpr Effects perspective_1{std::uint64_t{1} << 42};       ///< at every pixel

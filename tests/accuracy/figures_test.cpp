@@ -1,0 +1,106 @@
+// The renderer against the truth: what the figures must say where it is known beforehand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "accuracy/campaign.hpp"
+#include "accuracy/measure.hpp"
+#include "accuracy/variant.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+std::unique_ptr<AccuracyScene> scene(const char* name) {
+  auto opened = AccuracyScene::open({.scene = name, .view = {96, 72}, .frames = 1, .firmware = ""});
+  EXPECT_TRUE(opened) << opened.failure().message;
+  return std::move(*opened);
+}
+Errors errors(const AccuracyScene& scene, const char* settings) { return *scene.errors(*parse_settings(settings)); }
+
+// Scenes of which nothing is clipped: corners that clipping makes are snapped again, each side in its own way.
+TEST(Figures, DepthIsWithinACodeOfThePlanesThroughSnappedCorners) {
+  for (const char* name : {"knot", "teapot", "cube"}) {
+    const auto opened = scene(name);
+    for (const char* format : {"z16", "float", "w16"}) {
+      const std::string settings = std::string("depth=") + format;
+      EXPECT_LT(errors(*opened, settings.c_str())[Figure::depth_codes], 1.6) << name << ' ' << format;
+    }
+  }
+}
+
+TEST(Figures, SurfacesAreTheTruthsButAtSomeEdges) {
+  for (const char* name : {"knot", "teapot", "cube", "room"}) {
+    EXPECT_LT(errors(*scene(name), "default")[Figure::wrong_pixels], 1.0) << name;
+  }
+}
+
+TEST(Figures, CoarserDepthShowsMoreWrongSurfaces) {
+  const auto opened = scene("random10k");
+  const double fine = errors(*opened, "depth=z32")[Figure::wrong_surface];
+  const double coarse = errors(*opened, "depth=ranges,fit=fixed")[Figure::wrong_surface];
+  EXPECT_LE(fine, coarse);
+}
+
+TEST(Figures, PerspectiveAtMorePixelsIsCloserToThePlaceInTheTexture) {
+  const auto opened = scene("room");
+  const double affine = errors(*opened, "perspective=affine")[Figure::texture];
+  const double sixteen = errors(*opened, "default")[Figure::texture];
+  const double eight = errors(*opened, "perspective=8")[Figure::texture];
+  const double one = errors(*opened, "perspective=1")[Figure::texture];
+  EXPECT_GT(affine, sixteen);
+  EXPECT_GT(sixteen, eight);
+  EXPECT_GT(eight, one);
+}
+
+TEST(Figures, StripsChangeNoPixel) {
+  const auto opened = scene("knot_meshlets");
+  const Errors standard = errors(*opened, "default");
+  for (const char* strips : {"4", "64", "whole", "bins16"}) {
+    const Errors other = errors(*opened, (std::string("strips=") + strips).c_str());
+    for (std::size_t i = 0; i < kFigures; ++i) {
+      EXPECT_TRUE(other.value[i] == standard.value[i] || std::isnan(standard.value[i])) << strips << figures()[i].name;
+    }
+  }
+}
+
+TEST(Figures, FewerTrianglesAreFartherFromTheTruthAndTakeLessMemory) {
+  const auto opened = scene("knot");
+  double last = 0;
+  std::uint64_t bytes = UINT64_MAX;
+  for (const char* detail : {"default", "detail=50", "detail=25", "detail=10"}) {
+    const double wrong = errors(*opened, detail)[Figure::wrong_pixels];
+    EXPECT_GT(wrong, last) << detail;
+    last = wrong;
+    const Result<MemoryCost> memory = opened->memory(*parse_settings(detail));
+    EXPECT_LT(memory->scene_bytes, bytes) << detail;
+    bytes = memory->scene_bytes;
+  }
+}
+
+TEST(Figures, EqualPicturesLookTheSame) {
+  const std::vector<std::array<float, 3>> grey(64, {90, 90, 90});
+  std::vector<std::array<float, 3>> other = grey;
+  EXPECT_EQ(perceived_difference(8, 8, grey, other), std::vector<float>(64, 0));
+  other[8 * 4 + 4] = {255, 255, 255};
+  const std::vector<float> difference = perceived_difference(8, 8, grey, other);
+  EXPECT_GT(difference[8 * 4 + 4], 10);
+  EXPECT_GT(difference[8 * 4 + 5], 0);
+  EXPECT_EQ(difference[0], 0);
+  // White and black are 100 units of lightness apart.
+  const std::vector<std::array<float, 3>> black(64, {0, 0, 0}), white(64, {255, 255, 255});
+  EXPECT_NEAR(perceived_difference(8, 8, black, white)[20], 100, 0.1);
+}
+
+TEST(Campaign, CombinationsTurnSeveralKnobsAndCanAllBeDrawn) {
+  const auto opened = scene("room");
+  CampaignOptions options{.knobs = *parse_knobs("depth,perspective,strips"), .only = {}, .jobs = 2};
+  const std::vector<Settings> all = all_settings(*opened, options.knobs);
+  for (const Settings& settings : all) {
+    EXPECT_TRUE(opened->errors(settings)) << to_text(settings);
+  }
+  EXPECT_GT(all.size(), 40U);
+}
+
+}  // namespace
+}  // namespace zstrip::sim

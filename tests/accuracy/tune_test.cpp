@@ -1,0 +1,50 @@
+// zstrip tune: the answer keeps the limits, and is the answer; what cannot be met is said.
+#include "accuracy/tune.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "support.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+using TuneCommand = test::FolderTest;
+
+TEST_F(TuneCommand, KeepsTheLimitsAndWritesTheSettings) {
+  const test::Outcome outcome = test::run(
+      ZSTRIP_COMMAND,
+      {"tune", "teapot_meshlets", "--size", "96x72", "--max-error-pixels", "3%", "--max-ram", "16K", "-o", "out"},
+      path(""));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string toml = test::read(path("out/quality.toml"));
+  EXPECT_TRUE(toml.starts_with("[quality]\n")) << toml;
+  for (const KnobInfo& knob : knobs()) EXPECT_NE(toml.find(std::string(knob.name) + " = \""), std::string::npos);
+  EXPECT_NE(test::read(path("out/quality.hpp")).find("inline constexpr zstrip::Budget kBudget{.strip_rows = "),
+            std::string::npos);
+  EXPECT_NE(test::read(path("out/quality.json")).find("\"wrong_pixels\""), std::string::npos);
+}
+
+TEST_F(TuneCommand, SaysWhichLimitCannotBeMetAndByHowMuch) {
+  const test::Outcome outcome =
+      test::run(ZSTRIP_COMMAND, {"tune", "teapot", "--size", "96x72", "--max-ram", "1K"}, path(""));
+  EXPECT_EQ(outcome.status, 5);
+  EXPECT_NE(outcome.err.find("--max-ram: 1,024 bytes asked for, "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(" too much"), std::string::npos) << outcome.err;
+}
+
+TEST(Tune, LooksAtAllCombinationsAndKeepsTheLimits) {
+  const auto scene = AccuracyScene::open({.scene = "knot_meshlets", .view = {96, 72}, .frames = 1, .firmware = ""});
+  ASSERT_TRUE(scene);
+  const Limits limits{.wrong_pixels = 2.0, .ram = 20000};
+  const Result<Tuned> tuned = tune(**scene, limits, "rgb565", 2, [](std::size_t, std::size_t) {});
+  ASSERT_TRUE(tuned) << tuned.failure().message;
+  ASSERT_TRUE(tuned->best);
+  EXPECT_LE(tuned->best->errors[Figure::wrong_pixels], 2.0);
+  EXPECT_LE(tuned->best->cost.ram_bytes, 20000U);
+  EXPECT_GT(tuned->candidates, 100U);
+}
+
+}  // namespace
+}  // namespace zstrip::sim
