@@ -17,6 +17,7 @@
 #include "cli/output_names.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
+#include "cli/visibility_arguments.hpp"
 #include "image/write_file.hpp"
 #include "render/parallel.hpp"
 #include "render/render_frame.hpp"
@@ -24,6 +25,9 @@
 #include "report/frame_record.hpp"
 #include "report/progress.hpp"
 #include "report/text.hpp"
+#include "visibility/drawing.hpp"
+#include "visibility/methods.hpp"
+#include "visibility/show.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -45,6 +49,7 @@ struct Arguments {
   std::string depth_format = "z16";
   std::optional<std::string> image;
   CameraArguments camera;
+  VisibilityArguments visibility;
   std::optional<std::string> json;
   bool quiet = false;
 };
@@ -55,6 +60,7 @@ struct Job {
   DepthFormat depth_format = DepthFormat::z16;
   Budget budget;
   CameraOptions camera;
+  VisibilityRequest visibility;
   OutputNames outputs;
   unsigned threads = 1;
 };
@@ -96,6 +102,15 @@ Result<Job> parse(const Arguments& arguments) {
     if (!parsed) return parsed.failure();
     type = *parsed;
   }
+  const Result<VisibilityRequest> visibility = parse_visibility(arguments.visibility);
+  if (!visibility) return visibility.failure();
+  job.visibility = *visibility;
+  if (const Result<Done> checked = check_visibility(job.visibility.method | depth_effect(job.depth_format)); !checked) {
+    return checked.failure();
+  }
+  if (job.visibility.show != Show::colour && *format != PixelFormat::rgb565) {
+    return usage("--show makes RGB565 pictures; leave out --format");
+  }
   const Result<UpAxis> up = parse_up(arguments.camera, arguments.scene);
   if (!up) return up.failure();
   job.up = *up;
@@ -134,14 +149,25 @@ Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t f
   if (!staging) return staging.failure();
   const Result<FrameReport> report = worker.renderer.render(*staging);
   if (!report) return report.failure();
-  const Result<std::vector<std::uint8_t>> picture = encode(job.outputs.type, job.view, worker.renderer.pixels());
+  std::span<const std::byte> pixels = worker.renderer.pixels();
+  std::optional<Result<ShownFrame>> shown;
+  if (job.visibility.show != Show::colour) {
+    const MethodRequest request{job.view, job.budget, job.visibility.method | depth_effect(job.depth_format),
+                                job.visibility.options};
+    shown = draw_shown(*staging, request, job.visibility.show);
+    if (!*shown) return shown->failure();
+    pixels = std::as_bytes(std::span((*shown)->pixels));
+  }
+  const Result<std::vector<std::uint8_t>> picture = encode(job.outputs.type, job.view, pixels);
   if (!picture) return picture.failure();
   if (frame == 0) {
     if (const Result<Done> prepared = prepare(job.outputs); !prepared) return prepared.failure();
   }
   const std::filesystem::path file = job.outputs.file(frame);
   if (const Result<Done> written = write_file(file, *picture, "-o"); !written) return written.failure();
-  return FrameRecord{file.string(), *report};
+  FrameRecord record{file.string(), *report, {}};
+  if (job.visibility.show == Show::error) record.wrong = (*shown)->wrong;
+  return record;
 }
 
 /// Several frames are drawn, encoded and written on all threads, one frame on each; the strips of a single frame are.
@@ -156,6 +182,7 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
   std::vector<Worker> workers;
   for (unsigned thread = 0; thread < threads; ++thread) {
     workers.push_back({(*stage)->copy(), FrameRenderer(job.view, job.budget, job.depth_format, strip_threads)});
+    workers.back().renderer.set_visibility(job.visibility.method, job.visibility.options);
   }
   Progress progress(job.outputs.frames, !quiet);
   std::mutex mutex;  // of the progress
@@ -242,6 +269,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
       ->type_name("FORMAT");
   command->add_option("--image", a.image, "Picture files: png (default), ppm or raw")->type_name("TYPE");
   add_camera_options(*command, a.camera);
+  add_visibility_options(*command, a.visibility);
   command->add_option("--json", a.json, "Write a report of each frame; - is standard output")->type_name("FILE|-");
   command->add_flag("--quiet", a.quiet, "No summary, no progress; warnings and errors remain");
   command->footer(
@@ -250,6 +278,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
       "  zstrip render teapot -o out/teapot --frames 64\n"
       "  zstrip render bunny.obj -o bunny.png --size 640x480 --orbit 0.3,45,70\n"
       "  zstrip render knot_meshlets --ram 20K --json -\n"
+      "  zstrip render random50 --visibility painter --show error\n"
       "  zstrip render duck.glb -o oled --size 128x64 --format gray4 --image raw");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

@@ -1,6 +1,8 @@
 // What is told about a run, in words and as JSON.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,7 @@ namespace zstrip::sim {
 struct FrameRecord {
   std::string file;
   FrameReport report;
+  std::optional<std::uint32_t> wrong{};  ///< pixels that the judge of visibility finds wrong, where it was asked
 };
 
 struct RunRecord {

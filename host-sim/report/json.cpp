@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/frame_record.hpp"
+#include "visibility/methods.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -15,32 +16,52 @@ Json to_object(std::size_t index, const FrameRecord& frame) {
   const Plan& plan = report.plan;
   const Statistics& statistics = report.statistics;
   const Rect& bounds = report.bounds;
-  return {{"frame", index},
-          {"file", frame.file},
-          {"crc32", fmt::format("{:08x}", report.crc32)},
-          {"time_ns", report.nanoseconds},
-          {"mode", name(report.mode)},
-          {"strips", plan.strips},
-          {"strip_rows", plan.strip_rows},
-          {"strip_columns", plan.strip_columns},
-          {"ram_bytes",
-           {{"instances", plan.instance_bytes},
-            {"extents", plan.extent_bytes},
-            {"vertices", plan.vertex_bytes},
-            {"depth", plan.depth_bytes},
-            {"colour", plan.colour_bytes},
-            {"bins", plan.bin_bytes},
-            {"arena", plan.bytes()},
-            {"strip_pixels", report.strip_pixel_bytes}}},
-          {"bounds", {{"left", bounds.left}, {"top", bounds.top}, {"right", bounds.right}, {"bottom", bounds.bottom}}},
-          {"statistics",
-           {{"triangles", statistics.triangles},
-            {"drawn", statistics.drawn},
-            {"clipped", statistics.clipped},
-            {"covering", statistics.covering},
-            {"vertices", statistics.vertices},
-            {"fragments", statistics.fragments},
-            {"depth_passes", statistics.depth_passes}}}};
+  Json object = {
+      {"frame", index},
+      {"file", frame.file},
+      {"crc32", fmt::format("{:08x}", report.crc32)},
+      {"time_ns", report.nanoseconds},
+      {"mode", name(report.mode)},
+      {"strips", plan.strips},
+      {"strip_rows", plan.strip_rows},
+      {"strip_columns", plan.strip_columns},
+      {"ram_bytes",
+       {{"instances", plan.instance_bytes},
+        {"extents", plan.extent_bytes},
+        {"vertices", plan.vertex_bytes},
+        {"depth", plan.depth_bytes},
+        {"colour", plan.colour_bytes},
+        {"bins", plan.bin_bytes},
+        {"arena", plan.bytes()},
+        {"strip_pixels", report.strip_pixel_bytes}}},
+      {"bounds", {{"left", bounds.left}, {"top", bounds.top}, {"right", bounds.right}, {"bottom", bounds.bottom}}},
+      {"statistics",
+       {{"triangles", statistics.triangles},
+        {"drawn", statistics.drawn},
+        {"clipped", statistics.clipped},
+        {"covering", statistics.covering},
+        {"vertices", statistics.vertices},
+        {"fragments", statistics.fragments},
+        {"depth_passes", statistics.depth_passes}}}};
+  if (frame.wrong) object["wrong_pixels"] = *frame.wrong;
+  if (report.method.methods == 0) return object;
+  const VisibilityStatistics& counts = report.visibility;
+  object["ram_bytes"]["visibility"] = plan.visibility_bytes;
+  object["visibility"] = {{"method", visibility_name(report.method)},
+                          {"comparisons", counts.comparisons},
+                          {"cells_read", counts.cells_read},
+                          {"writes", counts.writes},
+                          {"untested", counts.untested},
+                          {"splits", counts.splits},
+                          {"hidden_instances", counts.instances},
+                          {"hidden_meshlets", counts.meshlets},
+                          {"hidden_triangles", counts.triangles},
+                          {"hidden_run_pixels", counts.run_pixels},
+                          {"back_faces", counts.back_faces},
+                          {"small", counts.small},
+                          {"outside", counts.outside},
+                          {"outside_cells", counts.outside_cells}};
+  return object;
 }
 
 }  // namespace

@@ -36,10 +36,23 @@ enum class Error : std::uint8_t {
   blob_memory,     ///< the memory lent for a scene blob; `needed`, `available` in bytes
   depth_effects,   ///< two depth formats at once, sub-ranges of one that has none, or one that needs a perspective
                    ///< camera and is to draw an orthographic one
+  visibility,      ///< visibility methods that exclude each other or a depth effect, a draw_over with one, or without
+                   ///< the tree that it needs (`needed` = the methods)
 };
 
 /// What memory is for. The order is that of a plan's table.
-enum class Purpose : std::uint8_t { none, instances, extents, vertices, depth, colour, bins, layer };
+enum class Purpose : std::uint8_t {
+  none,
+  instances,
+  extents,
+  vertices,
+  depth,
+  colour,
+  bins,
+  layer,
+  sorting,
+  depth_bounds
+};
 
 /// `error == Error::none` is success; converts to true then. [[nodiscard]]: nothing fails in silence.
 struct [[nodiscard]] Status {

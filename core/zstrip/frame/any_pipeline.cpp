@@ -47,6 +47,7 @@ constexpr Pipeline kRefusing{
 }  // namespace
 
 Pipeline pipeline_for(Effects effects) {
+  if (effects.methods != 0) return pipeline_of_method(effects);
   if (!depth_effects_agree(effects)) return kRefusing;
   const bool orthographic = effects.has(effect::orthographic);
   if (effects.has(effect::depth_ranges)) return full_pipeline<effect::depth_ranges>(orthographic);

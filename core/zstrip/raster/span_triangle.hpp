@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "zstrip/raster/edge_walk.hpp"
+#include "zstrip/raster/midpoint.hpp"
 #include "zstrip/raster/span_fill.hpp"
 
 namespace zstrip::detail {
@@ -50,6 +51,29 @@ void walk_spans(const StripTarget& target, const RasterVertex& a, const RasterVe
   }
 }
 
+/// Calls draw(run) for the parts of a span that the method does not know to be hidden.
+template <DepthMode mode, class Depth, class Draw>
+void for_each_shown_run(const TargetFor<mode>& target, const Depth& depth, std::int32_t row, std::int32_t left,
+                        const Span<std::uint16_t>& span, const Draw& draw) {
+  target.method->bounds.for_each_shown(
+      row, left, span.length, depth.plane().at(span.columns, span.rows), depth.plane().step_x, target.method->counts,
+      [&](std::int32_t first, std::int32_t length) {
+        draw(Span<std::uint16_t>{span.depth + first, span.colour + first, length, span.columns + first, span.rows,
+                                 span.skipped + first, span.whole_length});
+      });
+}
+
+/// Calls draw(piece, use) for the pieces of a triangle that the method does not know to be hidden.
+template <DepthMode mode, class Draw>
+void for_each_midpoint_piece(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
+                             const RasterVertex& v2, const Draw& draw) {
+  MidpointSplitter<mode>(target).for_each_piece(v0, v1, v2, [&](const Piece& piece, DepthUse use) {
+    RasterVertex corners[3] = {};
+    for (int i = 0; i < 3; ++i) corners[i].x = piece.corners[i].x, corners[i].y = piece.corners[i].y;
+    draw(corners, use);
+  });
+}
+
 /// Draws a counter-clockwise triangle. `narrow`: all coordinates within kNarrowLimit; only speed depends on it.
 template <Shade shade, bool orthographic, bool statistics, DepthMode mode = DepthMode{}>
 void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
@@ -76,7 +100,7 @@ void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, c
   }
 
   using Cell = typename DepthRule<mode>::Cell;
-  const auto walk = [&](const auto& fill) {
+  const auto walk_part = [&](const RasterVertex& a, const RasterVertex& b, const RasterVertex& c, const auto& fill) {
     const auto fill_row = [&](std::int32_t row, std::int32_t left, std::int32_t right, std::int32_t whole_left,
                               std::int32_t whole_right) {
       const Span<Cell> span{target.template depth_row<Cell>(row) + (left - target.area.left),
@@ -87,28 +111,51 @@ void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, c
                             left - whole_left,
                             whole_right - whole_left};
       if constexpr (statistics) target.statistics->fragments += static_cast<std::uint32_t>(right - left);
-      depth.for_each_run(span, fill);
+      if constexpr (mode.any(method::hierarchical_z)) {
+        for_each_shown_run<mode>(target, depth, row, left, span,
+                                 [&](const Span<Cell>& run) { fill(run, depth.plane()); });
+      } else {
+        depth.for_each_run(span, fill);
+      }
     };
     if (narrow) {
-      walk_spans<std::int32_t>(target, v0, v1, v2, fill_row);
+      walk_spans<std::int32_t>(target, a, b, c, fill_row);
     } else {
-      walk_spans<std::int64_t>(target, v0, v1, v2, fill_row);
+      walk_spans<std::int64_t>(target, a, b, c, fill_row);
+    }
+  };
+  // `fill` is called with the rule that holds for the run.
+  const auto walk = [&](const auto& fill) {
+    const auto filled_by = [&fill](const auto& rule_of_part) {
+      return [&fill, &rule_of_part](const Span<Cell>& run, const auto& z) { fill(run, z, rule_of_part); };
+    };
+    if constexpr (mode.any(method::splitting)) {
+      const DepthRule<mode.with(DepthUse::written)> writing(target, v0, v1, v2, area);
+      for_each_midpoint_piece<mode>(target, v0, v1, v2, [&](const RasterVertex(&part)[3], DepthUse use) {
+        if (use == DepthUse::tested) {
+          walk_part(part[0], part[1], part[2], filled_by(rule));
+        } else {
+          walk_part(part[0], part[1], part[2], filled_by(writing));
+        }
+      });
+    } else {
+      walk_part(v0, v1, v2, filled_by(rule));
     }
   };
   if constexpr (shade == Shade::flat) {
-    walk([&](const Span<Cell>& run, const auto& z) {
-      fill_flat<statistics>(run, z, rule, surface.flat_colour, target.statistics);
+    walk([&](const Span<Cell>& run, const auto& z, const auto& how) {
+      fill_flat<statistics>(run, z, how, surface.flat_colour, target.statistics);
     });
   } else if constexpr (shade == Shade::gouraud) {
-    walk([&](const Span<Cell>& run, const auto& z) {
-      fill_gouraud<statistics>(run, z, rule, colours, target.statistics);
+    walk([&](const Span<Cell>& run, const auto& z, const auto& how) {
+      fill_gouraud<statistics>(run, z, how, colours, target.statistics);
     });
   } else {
     const RasterVertex* const vertices[3] = {&v0, &v1, &v2};
     const TextureCoordinates<orthographic> coordinates(setup, vertices, surface.depth_offset);
     constexpr bool kLit = shade != Shade::textured;
-    walk([&](const Span<Cell>& run, const auto& z) {
-      fill_textured<orthographic, kLit, statistics>(run, z, rule, surface.texture, coordinates, colours,
+    walk([&](const Span<Cell>& run, const auto& z, const auto& how) {
+      fill_textured<orthographic, kLit, statistics>(run, z, how, surface.texture, coordinates, colours,
                                                     target.statistics);
     });
   }
