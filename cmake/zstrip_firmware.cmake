@@ -3,16 +3,27 @@
 include(ExternalProject)
 
 add_custom_target(firmware)
+set(processors cortex-m0 cortex-m3 cortex-m4 cortex-m7 arm926ej-s)
+find_program(ZSTRIP_RISCV_COMPILER riscv64-unknown-elf-g++)
+if(ZSTRIP_RISCV_COMPILER)
+  list(APPEND processors rv32imac)
+else()
+  message(STATUS "No programs for RISC-V: they need riscv64-unknown-elf-g++")
+endif()
 set(previous "")
-foreach(cpu cortex-m0 cortex-m3 cortex-m4 cortex-m7)
+foreach(cpu IN LISTS processors)
   set(name firmware_${cpu})
+  set(toolchain ${cpu})
+  if(cpu MATCHES "^cortex-m")
+    set(toolchain arm-none-eabi)
+  endif()
   ExternalProject_Add(${name}
     SOURCE_DIR ${PROJECT_SOURCE_DIR}
     BINARY_DIR ${PROJECT_BINARY_DIR}/firmware/${cpu}
     STAMP_DIR ${PROJECT_BINARY_DIR}/firmware/stamps
     TMP_DIR ${PROJECT_BINARY_DIR}/firmware/temporary
     CMAKE_ARGS
-      -DCMAKE_TOOLCHAIN_FILE=${PROJECT_SOURCE_DIR}/cmake/toolchains/arm-none-eabi.cmake
+      -DCMAKE_TOOLCHAIN_FILE=${PROJECT_SOURCE_DIR}/cmake/toolchains/${toolchain}.cmake
       -DCMAKE_BUILD_TYPE=Release
       -DZSTRIP_CPU=${cpu}
       -DZSTRIP_HOST_SIM=OFF

@@ -2,10 +2,12 @@
 #include "zstrip_scenes/scenes.hpp"
 
 #include "zstrip_scenes/cube.hpp"
+#include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"
 #include "zstrip_scenes/knot_meshlets.hpp"
 #include "zstrip_scenes/random.hpp"
 #include "zstrip_scenes/room.hpp"
+#include "zstrip_scenes/spheres.hpp"
 #include "zstrip_scenes/teapot.hpp"
 #include "zstrip_scenes/teapot_meshlets.hpp"
 #include "zstrip_scenes/triangle.hpp"
@@ -13,8 +15,9 @@
 namespace zstrip::scenes {
 namespace {
 
-constexpr BuiltIn kBuiltIn[] = {triangle,  cube,     room,          random50,      teapot,    teapot_meshlets,   knot,
-                                knot_flat, knot_lit, knot_meshlets, knot_textured, random10k, random10k_meshlets};
+constexpr BuiltIn kBuiltIn[] = {
+    triangle, cube,      room,     spheres,       random50,      teapot,    teapot_meshlets,
+    knot,     knot_flat, knot_lit, knot_meshlets, knot_textured, random10k, random10k_meshlets};
 
 constexpr bool all_fit_staged() {
   for (const BuiltIn& scene : kBuiltIn) {
@@ -38,8 +41,10 @@ bool equal(std::string_view name, const char* other) {
 std::span<const BuiltIn> built_in() { return kBuiltIn; }
 
 const BuiltIn* find(std::string_view name) {
-  for (const BuiltIn& scene : kBuiltIn) {
-    if (equal(name, scene.name)) return &scene;
+  for (const std::span<const BuiltIn> scenes : {built_in(), effect_scenes()}) {
+    for (const BuiltIn& scene : scenes) {
+      if (equal(name, scene.name)) return &scene;
+    }
   }
   return nullptr;
 }

@@ -2,6 +2,7 @@
 #include "zstrip_scenes/stage.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "zstrip/base/math.hpp"
 
@@ -74,6 +75,23 @@ void Staged::place(const BuiltIn& built_in, const Transform& motion) {
 
 Transform turned(const Transform& at_rest, std::uint32_t frame, std::uint32_t frames) {
   return combine(about_y(rotation_by(turn(frame, frames))), at_rest);
+}
+
+bool can_turn(const Transform& transform) {
+  return std::all_of(std::begin(transform.m), std::end(transform.m), [](const Fixed(&row)[4]) {
+    return row[3] >= -kFarthestTurned && row[3] <= kFarthestTurned;
+  });
+}
+
+Camera fit_width(const Camera& camera, const View& own, const View& view) {
+  const std::uint64_t ratio = std::uint64_t{view.width} * own.height;
+  const std::uint64_t own_ratio = std::uint64_t{own.width} * view.height;
+  Camera fitted = camera;
+  if (ratio < own_ratio) {
+    const std::uint64_t focal = static_cast<std::uint64_t>(camera.focal) * ratio / own_ratio;
+    fitted.focal = static_cast<Fixed>(std::max<std::uint64_t>(focal, 1));
+  }
+  return fitted;
 }
 
 void stage(const BuiltIn& built_in, Staged& staged, std::uint32_t frame, std::uint32_t frames, const View& view) {

@@ -16,8 +16,9 @@ namespace zstrip::hal {
 ///     wait() returns. Bytes of successive writes follow each other without a gap in meaning.
 ///   - wait() returns when nothing is under way, with the error of the last write_data(). The caller waits before the
 ///     next call of either function.
-/// No function blocks for ever: a driver of a bus states its time-out and returns Error::timeout.
-/// One thread, or one interrupt level, at a time.
+/// No function blocks for ever: a driver of a bus states its time-out and returns Error::timeout. Error::bus is a fault
+/// that the bus itself reports. After an error the bus is idle and the panel deselected: how much of the bytes arrived
+/// is unknown, the next call starts a transfer of its own. One thread, or one interrupt level, at a time.
 template <class T>
 concept CommandDataBus = requires(T& bus, std::span<const std::byte> bytes) {
   { bus.write_command(bytes) } -> std::same_as<Error>;

@@ -20,6 +20,9 @@ enum class PixelFormat : std::uint8_t {
   rgb565_swapped,  ///< two bytes, the high one first
   gray4,           ///< two pixels a byte, the left one in the high nibble; 15 is lightest
   mono,            ///< eight pixels a byte, the leftmost in the highest bit; 1 is lit
+  rgb666,          ///< three bytes: red, green, blue, each in the upper six bits, the lower two 0
+  rgb444,          ///< two pixels in three bytes, red, green, blue of the left one first, high nibbles first
+  xrgb8888,        ///< four bytes: blue, green, red, 0; a 32-bit word with red in bits 23..16
 };
 
 /// Pixels x in [left, left + width), y in [top, top + height); the origin is the upper left corner.
@@ -36,6 +39,9 @@ constexpr std::uint32_t bytes_per_row(std::uint16_t width, PixelFormat format) {
   switch (format) {
     case PixelFormat::gray4: return (width + 1U) / 2U;
     case PixelFormat::mono: return (width + 7U) / 8U;
+    case PixelFormat::rgb666: return 3U * width;
+    case PixelFormat::rgb444: return (3U * width + 1U) / 2U;
+    case PixelFormat::xrgb8888: return 4U * width;
     default: return 2U * width;
   }
 }
@@ -51,8 +57,12 @@ constexpr bool contains(std::uint16_t width, std::uint16_t height, const Area& a
 ///     caller waits before the next.
 ///   - wait() returns when nothing is under way, with the error of that write. Called when idle, it returns at once.
 ///   - end_frame() makes the frame complete; nothing may be under way.
-/// After an error the display is idle again, what it shows of this frame is undefined, and a new frame may begin.
-/// One thread, or one interrupt level, at a time. The display refers to its bus, which must outlive it.
+/// Only what was written changes: a frame may write no more than the rectangles in which the picture differs from the
+/// one before. A display whose memory has several pixels a byte may ask that areas begin and end at whole bytes, in x
+/// or in y: Error::alignment otherwise; its documentation says so. After an error of write() or wait() the display is
+/// idle, what it shows of this frame is undefined, and a new frame may begin, which shows right whatever it writes.
+/// end_frame() is called after an error too. One thread, or one interrupt level, at a time. The display refers to its
+/// bus, which must outlive it.
 template <class T>
 concept Display = requires(T& display, const T& view, const Area& area, std::span<const std::byte> pixels) {
   { view.width() } -> std::same_as<std::uint16_t>;

@@ -11,6 +11,11 @@ const char* message(Error error) {
     case Error::alignment: return "the area does not begin and end at whole bytes";
     case Error::pixels_too_small: return "the pixel buffer is smaller than the area";
     case Error::strip_layout: return "the strips do not cover the display exactly";
+    case Error::bus: return "the bus reports a fault";
+    case Error::pin: return "an output line cannot be set";
+    case Error::wrong_id: return "the panel has another controller, or does not answer";
+    case Error::configuration: return "the display's controller cannot do what its configuration asks for";
+    case Error::framebuffer: return "the picture does not fit its memory";
   }
   return "unknown error";
 }

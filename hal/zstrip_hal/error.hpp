@@ -12,6 +12,11 @@ enum class [[nodiscard]] Error : std::uint8_t{
     alignment,         ///< the area does not begin and end at whole bytes, which the panel needs
     pixels_too_small,  ///< fewer bytes than the area needs
     strip_layout,      ///< the strips do not cover the display exactly
+    bus,               ///< the bus reports a fault: nobody acknowledges, a transfer was refused or broke off
+    pin,               ///< a line cannot be set
+    wrong_id,          ///< another controller answers, or none
+    configuration,     ///< the display's configuration asks for what its controller cannot do
+    framebuffer,       ///< the picture does not fit its memory, or its rows overlap
 };
 
 /// A short English phrase without a full stop, in static storage.

@@ -8,79 +8,116 @@
 #include <cstdint>
 #include <span>
 
+#include "zstrip_hal/blacken.hpp"
 #include "zstrip_hal/bus.hpp"
 #include "zstrip_hal/display.hpp"
 #include "zstrip_hal/error.hpp"
+#include "zstrip_hal/orientation.hpp"
+#include "zstrip_hal/piecewise.hpp"
 
 namespace zstrip::hal {
 
 /// How a panel is wired to the controller, and how it is driven. The defaults suit OSRAM Pictiva panels of 128x64.
 struct Ssd0323Config {
   std::uint8_t contrast = 0x3A;        ///< 0..127
-  std::uint8_t display_offset = 0x4C;  ///< 0..79: the COM line that shows the first row
-  /// Bits: 0 columns mirrored, 1 the high nibble is the left pixel (always set by the driver), 2 downwards first (never
-  /// set by it), 4 rows mirrored, 6 COM lines split in odd and even.
-  std::uint8_t remap = 0x52;
-  bool dc_dc_converter = true;  ///< the panel's supply comes from the controller's converter
+  std::uint8_t display_offset = 0x4C;  ///< 0..79: the COM line of the first row, in the direction of the scan
+  Orientation orientation{};
+  bool columns_reversed = false;  ///< the glass is wired from the right to the left
+  bool rows_reversed = true;      ///< and from the bottom to the top
+  bool com_split = true;          ///< odd rows on one side of the glass, even ones on the other
+  bool dc_dc_converter = true;    ///< the panel's supply comes from the controller's converter
 };
 
+/// A display that shows what is written at once. Its memory has two pixels a byte, side by side on the upright glass:
+/// an area's left and width must be even, or sideways its top and height; Error::alignment otherwise. `bus` must
+/// outlive it.
 template <CommandDataBus Bus>
 class Ssd0323 {
  public:
-  static constexpr std::uint16_t kWidth = 128;
+  static constexpr std::uint16_t kWidth = 128;  ///< of the upright glass
   static constexpr std::uint16_t kHeight = 64;
+  static constexpr std::uint16_t kRowStep =
+      2;  ///< rows of a strip are a multiple of this, where the picture is sideways
 
-  /// `bus` must outlive the display.
   explicit constexpr Ssd0323(Bus& bus, const Ssd0323Config& config = {}) : bus_(bus), config_(config) {}
 
   /// Sets the controller up, blackens its memory and switches the panel on. To be called once, after the reset line
-  /// went high (at least 3 us low before); takes 4.3 KB of bus traffic.
+  /// went high (at least 3 us low before), and again after it where it failed; takes 4.3 KB of bus traffic.
   Error start() {
-    if (const Error error = command(start_sequence(config_)); error != Error::none) return error;
-    if (const Error error = blacken(); error != Error::none) return error;
-    return command(std::array{kDisplayOn});
+    if (const Error error = command(start_sequence()); error != Error::none) return error;
+    if (const Error error = set_window({0, 0, width(), height()}); error != Error::none) return error;
+    if (const Error error = send_zeros(bus_, kWidth / 2 * kHeight); error != Error::none) return error;
+    return wake();
   }
 
-  constexpr std::uint16_t width() const { return kWidth; }
-  constexpr std::uint16_t height() const { return kHeight; }
+  constexpr std::uint16_t width() const { return is_sideways(config_.orientation) ? kHeight : kWidth; }
+  constexpr std::uint16_t height() const { return is_sideways(config_.orientation) ? kWidth : kHeight; }
   constexpr PixelFormat format() const { return PixelFormat::gray4; }
 
-  Error begin_frame() { return Error::none; }
-
-  /// Left and width must be even: the controller's memory has two pixels a byte.
-  Error write(const Area& area, std::span<const std::byte> pixels) {
-    if (!contains(kWidth, kHeight, area)) return Error::area;
-    if (area.left % 2 != 0 || area.width % 2 != 0) return Error::alignment;
-    const std::uint32_t bytes = bytes_per_row(area.width, PixelFormat::gray4) * area.height;
-    if (pixels.size() < bytes) return Error::pixels_too_small;
-    if (const Error error = set_window(area); error != Error::none) return error;
-    return bus_.write_data(pixels.first(bytes));
+  /// After an error the controller may still wait for parameters of a command that broke off: at most two.
+  Error begin_frame() {
+    if (!broken_) return Error::none;
+    const Error error = command(std::array{kShowMemory, kShowMemory, kContrast, std::byte{config_.contrast}});
+    if (error == Error::none) broken_ = false;
+    return error;
   }
 
-  Error wait() { return bus_.wait(); }
+  Error write(const Area& area, std::span<const std::byte> pixels) {
+    if (!contains(width(), height(), area)) return Error::area;
+    const bool sideways = is_sideways(config_.orientation);
+    if (sideways ? (area.top % 2 != 0 || area.height % 2 != 0) : (area.left % 2 != 0 || area.width % 2 != 0)) {
+      return Error::alignment;
+    }
+    const std::uint32_t row_bytes = bytes_per_row(area.width, PixelFormat::gray4);
+    if (pixels.size() < row_bytes * area.height) return Error::pixels_too_small;
+    if (const Error error = set_window(area); error != Error::none) return error;
+    if (sideways) return noted(send_columns(area, row_bytes, pixels));
+    return noted(bus_.write_data(pixels.first(row_bytes * area.height)));
+  }
+
+  Error wait() { return noted(bus_.wait()); }
   Error end_frame() { return Error::none; }
+
+  /// Dark, nearly without current; the memory stays, and may be written.
+  Error sleep() { return command(std::array{std::byte{0xAE}}); }
+  Error wake() { return command(std::array{std::byte{0xAF}}); }
+  /// Contrast: 0..255, in steps of two. Nothing may be under way.
+  Error set_brightness(std::uint8_t level) {
+    config_.contrast = level / 2;
+    return command(std::array{kContrast, std::byte{config_.contrast}});
+  }
 
  private:
   static constexpr std::byte kSetColumns{0x15};
   static constexpr std::byte kSetRows{0x75};
-  static constexpr std::byte kDisplayOn{0xAF};
+  static constexpr std::byte kContrast{0x81};
+  static constexpr std::byte kShowMemory{0xA4};  // neither all on nor all off nor inverse; harmless, as a parameter too
   static constexpr std::byte kLastColumn{kWidth / 2 - 1};
   static constexpr std::byte kLastRow{kHeight - 1};
 
-  static constexpr auto start_sequence(const Ssd0323Config& config) {
-    const std::byte remap{static_cast<std::uint8_t>((config.remap & ~0x04U) | 0x02U)};
+  /// Bits: 0 columns from the right, 1 the high nibble is the left pixel of the glass, 2 downwards first, 4 rows from
+  /// the bottom, 6 COM lines split in odd and even.
+  constexpr unsigned remap() const {
+    const Scan scan = scan_of(config_.orientation);
+    const bool from_the_right = scan.columns_reversed != config_.columns_reversed;
+    // The high nibble is the first pixel in the direction of the columns.
+    return (from_the_right ? 0x01U : 0x02U) | (scan.exchanged ? 0x04U : 0U) |
+           (scan.rows_reversed != config_.rows_reversed ? 0x10U : 0U) | (config_.com_split ? 0x40U : 0U);
+  }
+
+  constexpr auto start_sequence() const {
     const auto byte = [](unsigned value) { return static_cast<std::byte>(value); };
     // clang-format off
     return std::array{
         byte(0xAE),                              // display off
         kSetColumns, byte(0), kLastColumn,       // two pixels a column
         kSetRows, byte(0), kLastRow,
-        byte(0x81), byte(config.contrast),
+        kContrast, byte(config_.contrast),
         byte(0x86),                              // full current range
-        byte(0xA0), remap,
+        byte(0xA0), byte(remap()),
         byte(0xA1), byte(0),                     // display start line
-        byte(0xA2), byte(config.display_offset),
-        byte(0xA4),                              // normal display: neither all on nor all off nor inverse
+        byte(0xA2), byte(config_.display_offset),
+        kShowMemory,
         byte(0xA8), kLastRow,                    // multiplex ratio - 1
         byte(0xB1), byte(0x22),                  // phase lengths: 2 clocks of reset, 2 of precharge
         byte(0xB2), byte(0x46),                  // row period: 70 clocks
@@ -90,37 +127,52 @@ class Ssd0323 {
         byte(0xBC), byte(0x10),                  // precharge voltage
         byte(0xB8), byte(0x01), byte(0x11), byte(0x22), byte(0x32),  // pulse lengths of the grey levels, each as an
                     byte(0x43), byte(0x54), byte(0x65), byte(0x76),  // increase over the one below
-        byte(0xAD), byte(config.dc_dc_converter ? 3U : 2U),  // master configuration: bit 0 is the DC-DC converter
+        byte(0xAD), byte(config_.dc_dc_converter ? 3U : 2U),  // master configuration: bit 0 is the DC-DC converter
     };
     // clang-format on
   }
 
+  Error noted(Error error) {
+    if (error != Error::none) broken_ = true;
+    return error;
+  }
   /// Commands come from the stack: write_command has taken them when it returns.
   template <std::size_t count>
   Error command(const std::array<std::byte, count>& bytes) {
-    return bus_.write_command(bytes);
+    return noted(bus_.write_command(bytes));
   }
 
-  /// The window's edges are inclusive, columns count bytes; the next data byte goes to its upper left corner.
+  /// Columns, of two pixels, and rows are the glass's; edges are inclusive. The next data byte goes to the area's upper
+  /// left corner.
   Error set_window(const Area& area) {
+    const bool sideways = is_sideways(config_.orientation);
+    const int left = sideways ? area.top : area.left, columns = sideways ? area.height : area.width;
+    const int top = sideways ? area.left : area.top, rows = sideways ? area.width : area.height;
     const auto byte = [](int value) { return static_cast<std::byte>(value); };
-    return command(std::array{kSetColumns, byte(area.left / 2), byte((area.left + area.width) / 2 - 1), kSetRows,
-                              byte(area.top), byte(area.top + area.height - 1)});
+    return command(std::array{kSetColumns, byte(left / 2), byte((left + columns) / 2 - 1), kSetRows, byte(top),
+                              byte(top + rows - 1)});
   }
 
-  /// The memory holds noise after power-on.
-  Error blacken() {
-    static constexpr std::array<std::byte, kWidth / 2> kBlackRow{};
-    if (const Error error = set_window({0, 0, kWidth, kHeight}); error != Error::none) return error;
-    for (int row = 0; row < kHeight; ++row) {
-      if (const Error error = bus_.write_data(kBlackRow); error != Error::none) return error;
-      if (const Error error = bus_.wait(); error != Error::none) return error;
+  /// Sideways a byte holds a pixel of one row and the one below it.
+  Error send_columns(const Area& area, std::uint32_t row_bytes, std::span<const std::byte> pixels) {
+    for (std::uint32_t y = 0; y < area.height; y += 2) {
+      const std::span<const std::byte> pair = pixels.subspan(y * row_bytes, 2 * row_bytes);
+      const Error error = pieces_.send(bus_, area.width, [pair, row_bytes](std::uint32_t x) {
+        const std::uint32_t shift = x % 2 == 0 ? 4 : 0;
+        const auto level = [pair, shift](std::uint32_t at) {
+          return (std::to_integer<std::uint32_t>(pair[at]) >> shift) & 0xFU;
+        };
+        return level(x / 2) << 4 | level(row_bytes + x / 2);
+      });
+      if (error != Error::none) return error;
     }
     return Error::none;
   }
 
   Bus& bus_;
   Ssd0323Config config_;
+  bool broken_ = false;
+  Piecewise pieces_{};
 };
 
 }  // namespace zstrip::hal

@@ -15,6 +15,8 @@ constexpr KnownEffect kKnown[] = {
     {effect::textures, "textures", "a texture and texture coordinates"},
     {effect::orthographic, "orthographic", "the camera's parallel projection"},
     {effect::depth_state, "depth_state", "a depth test, depth write or bias of its own"},
+    {effect::fog, "fog", "the scene's fog"},
+    {effect::quadrics, "quadrics", "spheres and ellipsoids"},
     {effect::bins, "bins", "the plan transforms geometry only once (--mode)"},
 };
 
@@ -22,7 +24,7 @@ constexpr KnownEffect kKnown[] = {
 constexpr bool all_known() {
   Effects known{};
   for (const KnownEffect& each : kKnown) known = known | each.effect;
-  return known == (without(effect::all, effect::statistics) | effect::depth_state | effect::bins);
+  return known == (effect::of_scenes | effect::bins);
 }
 static_assert(all_known());
 
@@ -43,13 +45,17 @@ std::vector<FoundEffect> find_effects(const Scene& scene, const Camera& camera, 
     if (!effects.has(known.effect)) continue;
     FoundEffect effect{known, {}};
     std::set<std::string> seen;
-    for (const Instance& instance : scene.instances) {
+    const auto consider = [&](std::span<const Instance> instances, std::span<const Quadric> quadrics,
+                              std::uint16_t material) {
       Scene alone = scene;
-      alone.instances = {&instance, 1};
-      if (!effects_of(alone, perspective).has(known.effect)) continue;
-      const std::string name = name_of(instance.material, material_names);
+      alone.instances = instances;
+      alone.quadrics = quadrics;
+      if (!effects_of(alone, perspective).has(known.effect)) return;
+      const std::string name = name_of(material, material_names);
       if (seen.insert(name).second) effect.materials.push_back(name);
-    }
+    };
+    for (const Instance& instance : scene.instances) consider({&instance, 1}, {}, instance.material);
+    for (const Quadric& quadric : scene.quadrics) consider({}, {&quadric, 1}, quadric.material);
     found.push_back(effect);
   }
   return found;

@@ -147,6 +147,9 @@ void write_texture(Writer& writer, std::size_t at, const Texture& texture) {
 
 Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   const Scene& scene = content.scene;
+  if (!scene.quadrics.empty()) {
+    return Failure{ExitStatus::input, "has spheres or ellipsoids, which blobs do not keep; bake a header"};
+  }
   Writer writer;
   for (const char letter : {'z', 's'}) writer.byte(static_cast<std::uint8_t>(letter));
   writer.byte(kSceneBlobVersion);

@@ -51,6 +51,9 @@ std::string literal(const Instance& instance) {
   return fmt::format("{{.mesh = {}, .material = {}, .transform = {}}}", instance.mesh, instance.material,
                      literal(instance.transform));
 }
+std::string literal(const Quadric& quadric) {
+  return fmt::format("{{.material = {}, .transform = {}}}", quadric.material, literal(quadric.transform));
+}
 std::string literal(const DirectionalLight& light) {
   return fmt::format("{{.x = {}, .y = {}, .z = {}, .colour = {}}}", light.x, light.y, light.z, literal(light.colour));
 }
@@ -173,10 +176,12 @@ class Header {
     const std::string materials = array("zstrip::Material", "kMaterials", scene_.materials);
     const std::string instances = array("zstrip::Instance", "kInstances", scene_.instances);
     const std::string lights = array("zstrip::DirectionalLight", "kLights", scene_.lights);
+    const std::string quadrics = array("zstrip::Quadric", "kQuadrics", scene_.quadrics);
     line(fmt::format(
         "\ninline constexpr zstrip::Scene kScene{{.meshes = {},\n{pad}.materials = {},\n{pad}.textures = {},\n"
-        "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}}};",
+        "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}{}}};",
         meshes, materials, textures, instances, lights, literal(scene_.ambient), literal(scene_.background),
+        scene_.quadrics.empty() ? "" : fmt::format(",\n{:38}.quadrics = {}", "", quadrics),
         fmt::arg("pad", "                                      ")));
   }
 

@@ -106,11 +106,11 @@ Result<std::array<double, 3>> parse_vector(const std::string& option, const std:
 }
 
 Result<PixelFormat> parse_format(const std::string& text) {
-  for (const PixelFormat format :
-       {PixelFormat::rgb565, PixelFormat::rgb565_swapped, PixelFormat::gray4, PixelFormat::mono}) {
+  for (int index = 0; index <= static_cast<int>(kLastPixelFormat); ++index) {
+    const auto format = static_cast<PixelFormat>(index);
     if (text == name(format)) return format;
   }
-  return bad_value("--format", text, "rgb565, rgb565_swapped, gray4 or mono");
+  return bad_value("--format", text, "rgb565, rgb565_swapped, gray4, mono, rgb666, rgb444 or xrgb8888");
 }
 
 Result<DepthFormat> parse_depth_format(const std::string& text) {

@@ -10,7 +10,9 @@ namespace zstrip::sim {
 void add_plan_options(CLI::App& command, PlanArguments& arguments) {
   PlanArguments& a = arguments;
   command.add_option("--size", a.size, "Size of the picture, each side 1 to 4096 (default: 320x240)")->type_name("WxH");
-  command.add_option("--format", a.format, "Pixels: rgb565 (default), rgb565_swapped, gray4 or mono")
+  command
+      .add_option("--format", a.format,
+                  "Pixels: rgb565 (default), rgb565_swapped, gray4, mono, rgb666, rgb444, xrgb8888")
       ->type_name("FORMAT");
   command.add_option("--ram", a.ram, "Bytes at most, of arena and strip buffers, K and M allowed (default: no limit)")
       ->type_name("BYTES");

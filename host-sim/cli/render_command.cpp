@@ -261,7 +261,9 @@ void add_render_command(CLI::App& app, int& exit_code) {
       ->add_option("--strip-columns", a.strip_columns,
                    "Pixels of a strip's row, a multiple of 8 (default: auto, the picture's width)")
       ->type_name("N|auto");
-  command->add_option("--format", a.format, "Pixels: rgb565 (default), rgb565_swapped, gray4 or mono")
+  command
+      ->add_option("--format", a.format,
+                   "Pixels: rgb565 (default), rgb565_swapped, gray4, mono, rgb666, rgb444, xrgb8888")
       ->type_name("FORMAT");
   command
       ->add_option("--depth-format", a.depth_format,

@@ -5,11 +5,13 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <span>
 #include <string>
 
 #include "report/number.hpp"
 #include "report/text.hpp"
 #include "result.hpp"
+#include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/scenes.hpp"
 
 namespace zstrip::sim {
@@ -19,9 +21,11 @@ void add_scenes_command(CLI::App& app, int& exit_code) {
   command->footer("Example:\n  zstrip scenes");
   command->callback([&exit_code] {
     std::string list = fmt::format("{:<18} {:>9} {:>9}  {}\n", "name", "triangles", "vertices", "description");
-    for (const scenes::BuiltIn& scene : scenes::built_in()) {
-      list += fmt::format("{:<18} {:>9} {:>9}  {}\n", scene.name, grouped(scene.counts.triangles),
-                          grouped(scene.counts.vertices), scene.description);
+    for (const std::span<const scenes::BuiltIn> part : {scenes::built_in(), scenes::effect_scenes()}) {
+      for (const scenes::BuiltIn& scene : part) {
+        list += fmt::format("{:<18} {:>9} {:>9}  {}\n", scene.name, grouped(scene.counts.triangles),
+                            grouped(scene.counts.vertices), scene.description);
+      }
     }
     write_text(stdout, list);  // main looks at the stream's state
     exit_code = static_cast<int>(ExitStatus::ok);

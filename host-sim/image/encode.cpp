@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <spng.h>
 
+#include <array>
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -13,20 +14,42 @@ namespace {
 
 bool is_grey(PixelFormat format) { return format == PixelFormat::gray4 || format == PixelFormat::mono; }
 
-/// Channels of 5 and 6 bits are widened by repeating their upper bits: 31 and 63 become 255.
+using Rgb8 = std::array<std::uint8_t, 3>;
+
+/// A channel of `bits` bits, widened by repeating its upper bits: the largest becomes 255.
+std::uint8_t widened(unsigned channel, unsigned bits) {
+  return static_cast<std::uint8_t>(channel << (8 - bits) | channel >> (2 * bits - 8));
+}
+
+/// Pixel x of a row in a colour format.
+Rgb8 colour_at(std::span<const std::byte> row, std::size_t x, PixelFormat format) {
+  const auto byte = [row](std::size_t i) { return std::to_integer<unsigned>(row[i]); };
+  const auto from_565 = [](unsigned pixel) {
+    return Rgb8{widened(pixel >> 11, 5), widened(pixel >> 5 & 63, 6), widened(pixel & 31, 5)};
+  };
+  const auto nibble = [&byte, x](std::size_t i) {
+    return byte((3 * x + i) / 2) >> ((3 * x + i) % 2 == 0 ? 4 : 0) & 15;
+  };
+  const std::size_t i = x * bytes_per_row(1, format);
+  switch (format) {
+    case PixelFormat::rgb565_swapped: return from_565(byte(i) << 8 | byte(i + 1));
+    case PixelFormat::rgb666:
+      return {widened(byte(i) >> 2, 6), widened(byte(i + 1) >> 2, 6), widened(byte(i + 2) >> 2, 6)};
+    case PixelFormat::rgb444: return {widened(nibble(0), 4), widened(nibble(1), 4), widened(nibble(2), 4)};
+    case PixelFormat::xrgb8888: return {widened(byte(i + 2), 8), widened(byte(i + 1), 8), widened(byte(i), 8)};
+    default: return from_565(byte(i) | byte(i + 1) << 8);
+  }
+}
+
 std::vector<std::uint8_t> to_rgb8(const View& view, std::span<const std::byte> pixels) {
-  const std::size_t low = view.format == PixelFormat::rgb565 ? 0 : 1;
+  const std::size_t row_bytes = bytes_per_row(view.width, view.format);
   std::vector<std::uint8_t> rgb;
-  rgb.reserve(pixels.size() / 2 * 3);
-  for (std::size_t i = 0; i < pixels.size(); i += 2) {
-    const unsigned pixel = std::to_integer<unsigned>(pixels[i + low]) | std::to_integer<unsigned>(pixels[i + 1 - low])
-                                                                            << 8;
-    const unsigned red = pixel >> 11;
-    const unsigned green = pixel >> 5 & 63;
-    const unsigned blue = pixel & 31;
-    rgb.push_back(static_cast<std::uint8_t>(red << 3 | red >> 2));
-    rgb.push_back(static_cast<std::uint8_t>(green << 2 | green >> 4));
-    rgb.push_back(static_cast<std::uint8_t>(blue << 3 | blue >> 2));
+  rgb.reserve(std::size_t{view.width} * view.height * 3);
+  for (std::size_t y = 0; y < view.height; ++y) {
+    for (std::size_t x = 0; x < view.width; ++x) {
+      const Rgb8 colour = colour_at(pixels.subspan(y * row_bytes, row_bytes), x, view.format);
+      rgb.insert(rgb.end(), colour.begin(), colour.end());
+    }
   }
   return rgb;
 }

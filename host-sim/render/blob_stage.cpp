@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "import/read_file.hpp"
@@ -26,23 +24,6 @@ std::string reason(const Status& status) {
   }
 }
 
-/// As much from side to side as the blob's own picture shows, where `view` is narrower.
-Camera fit_width(Camera camera, const View& own, const View& view) {
-  const std::uint64_t ratio = std::uint64_t{view.width} * own.height;
-  const std::uint64_t own_ratio = std::uint64_t{own.width} * view.height;
-  if (ratio < own_ratio) {
-    const std::uint64_t focal = static_cast<std::uint64_t>(camera.focal) * ratio / own_ratio;
-    camera.focal = static_cast<Fixed>(std::max<std::uint64_t>(focal, 1));
-  }
-  return camera;
-}
-
-bool can_turn(const Transform& transform) {
-  return std::all_of(std::begin(transform.m), std::end(transform.m), [](const Fixed(&row)[4]) {
-    return row[3] >= -scenes::kFarthestTurned && row[3] <= scenes::kFarthestTurned;
-  });
-}
-
 class BlobStage : public Stage {
  public:
   explicit BlobStage(std::vector<std::uint8_t> bytes) : bytes_(std::move(bytes)) {}
@@ -58,7 +39,7 @@ class BlobStage : public Stage {
   Result<Done> set_camera(const CameraOptions& options, const View& view) {
     const Result<Camera> camera = options.placed()
                                       ? place_camera(options, Units{}, radius_about_origin(blob_.scene))
-                                      : change_projection(fit_width(blob_.camera, blob_.view, view), options);
+                                      : change_projection(scenes::fit_width(blob_.camera, blob_.view, view), options);
     if (!camera) return camera.failure();
     camera_ = *camera;
     return Done{};
@@ -68,7 +49,7 @@ class BlobStage : public Stage {
     instances_.assign(blob_.scene.instances.begin(), blob_.scene.instances.end());
     if (frame % frames != 0) {
       for (Instance& instance : instances_) {
-        if (!can_turn(instance.transform)) {
+        if (!scenes::can_turn(instance.transform)) {
           return Failure{ExitStatus::input, "an instance of the baked scene is too far away to turn; render one frame"};
         }
         instance.transform = scenes::turned(instance.transform, frame, frames);

@@ -13,6 +13,9 @@ hal::PixelFormat PictureDisplay::format() const {
     case PixelFormat::rgb565_swapped: return hal::PixelFormat::rgb565_swapped;
     case PixelFormat::gray4: return hal::PixelFormat::gray4;
     case PixelFormat::mono: return hal::PixelFormat::mono;
+    case PixelFormat::rgb666: return hal::PixelFormat::rgb666;
+    case PixelFormat::rgb444: return hal::PixelFormat::rgb444;
+    case PixelFormat::xrgb8888: return hal::PixelFormat::xrgb8888;
   }
   return hal::PixelFormat::rgb565;
 }

@@ -24,7 +24,7 @@ struct RunRecord {
   std::vector<FrameRecord> frames;
 };
 
-/// "rgb565", "rgb565_swapped", "gray4", "mono".
+/// As the enumerators: "rgb565", "gray4" ...
 const char* name(PixelFormat format);
 /// "streamed", "binned".
 const char* name(Mode mode);

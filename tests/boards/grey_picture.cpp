@@ -1,9 +1,10 @@
 // Reading and comparing pictures of 16 greys.
 #include "grey_picture.hpp"
 
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
+
+#include "colour_picture.hpp"
 
 namespace zstrip::boards {
 namespace {
@@ -17,30 +18,17 @@ std::string position(int x, int y) {
 }  // namespace
 
 GreyPicture read_scaled_ppm(const std::filesystem::path& file, int scale) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string magic;
-  int width = 0, height = 0, maximum = 0;
-  stream >> magic >> width >> height >> maximum;
-  stream.get();
-  if (!stream || magic != "P6" || maximum != 255 || width <= 0 || height <= 0) {
-    throw std::runtime_error("no PPM of 8 bits a channel: " + file.string());
-  }
-  if (width % scale != 0 || height % scale != 0)
+  const ColourPicture pixels = read_ppm(file);
+  const int width = pixels.width, height = pixels.height;
+  if (width % scale != 0 || height % scale != 0) {
     throw std::runtime_error("the screen's size is no multiple of its scale");
-  std::vector<char> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
-  if (!stream.read(pixels.data(), static_cast<std::streamsize>(pixels.size()))) {
-    throw std::runtime_error("the PPM is too short: " + file.string());
   }
-
-  const auto channel = [&](int x, int y, int index) {
-    return static_cast<std::uint8_t>(pixels[static_cast<std::size_t>((y * width + x) * 3 + index)]);
-  };
   GreyPicture picture{width / scale, height / scale, {}};
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const std::uint8_t expected = channel(x / scale * scale, y / scale * scale, 0);
-      for (int index = 0; index < 3; ++index) {
-        if (channel(x, y, index) != expected) throw std::runtime_error("no even grey square at " + position(x, y));
+      const std::uint8_t expected = pixels.at(x / scale * scale, y / scale * scale)[0];
+      for (const std::uint8_t channel : pixels.at(x, y)) {
+        if (channel != expected) throw std::runtime_error("no even grey square at " + position(x, y));
       }
       if (x % scale != 0 || y % scale != 0) continue;
       if (expected % 17 != 0) throw std::runtime_error("no level of 16 greys at " + position(x, y));

@@ -60,6 +60,20 @@ GreyPicture render_turntable_gray4(const std::string& scene, std::uint32_t frame
   return unpack_gray4(render(staged.scene, staged.camera, view, height), width, height);
 }
 
+std::vector<std::uint16_t> render_turntable_rgb565(const std::string& scene, std::uint32_t frame, std::uint32_t frames,
+                                                   std::uint16_t width, std::uint16_t height) {
+  const View view{width, height, PixelFormat::rgb565_swapped};
+  scenes::Staged staged;
+  stage(built_in(scene), staged, frame, frames, view);
+  const std::vector<std::byte> bytes = render(staged.scene, staged.camera, view, height);
+  std::vector<std::uint16_t> pixels;
+  for (std::size_t at = 0; at < bytes.size(); at += 2) {
+    pixels.push_back(static_cast<std::uint16_t>(std::to_integer<unsigned>(bytes[at]) << 8 |
+                                                std::to_integer<unsigned>(bytes[at + 1])));
+  }
+  return pixels;
+}
+
 GreyPicture render_showroom_gray4(std::uint32_t frame, std::uint32_t frames, std::uint16_t width,
                                   std::uint16_t height) {
   std::vector<Instance> instances(std::begin(scenes::kRoomInstances), std::end(scenes::kRoomInstances));

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "grey_picture.hpp"
 
@@ -11,6 +12,10 @@ namespace zstrip::boards {
 /// A frame of a built-in scene on the turntable, in 16 greys.
 GreyPicture render_turntable_gray4(const std::string& scene, std::uint32_t frame, std::uint32_t frames,
                                    std::uint16_t width, std::uint16_t height);
+
+/// A frame of a built-in scene on the turntable, in RGB565, drawn in one strip.
+std::vector<std::uint16_t> render_turntable_rgb565(const std::string& scene, std::uint32_t frame, std::uint32_t frames,
+                                                   std::uint16_t width, std::uint16_t height);
 
 /// The whole showroom with the teapot where it is in that frame, in 16 greys, drawn as one scene without layers.
 GreyPicture render_showroom_gray4(std::uint32_t frame, std::uint32_t frames, std::uint16_t width, std::uint16_t height);

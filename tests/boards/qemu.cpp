@@ -37,9 +37,10 @@ std::filesystem::path make_folder() {
 }
 
 std::vector<std::string> command_line(const Qemu::Options& options, const std::filesystem::path& monitor) {
-  std::vector<std::string> line{"qemu-system-arm", "-M",    options.machine, "-display",     "none", "-monitor", "none",
-                                "-serial",         "stdio", "-kernel",       options.program};
+  std::vector<std::string> line{options.emulator, "-M",      options.machine, "-display", "none",         "-monitor",
+                                "none",           "-serial", "stdio",         "-kernel",  options.program};
   line.insert(line.end(), {"-qmp", "unix:" + monitor.string() + ",server=on,wait=off"});
+  line.insert(line.end(), options.devices.begin(), options.devices.end());
   if (options.count_instructions) line.insert(line.end(), {"-icount", "shift=0"});
   if (!options.words.empty()) {
     std::string config = "enable=on,target=native";
@@ -202,11 +203,15 @@ std::vector<std::byte> Qemu::memory(std::uint32_t address, std::uint32_t size) {
   return bytes;
 }
 
-GreyPicture Qemu::screen(int scale) {
+std::filesystem::path Qemu::screenshot() {
   if (monitor_ < 0) connect_monitor(Clock::now() + kPatience);
   const std::filesystem::path file = folder_ / "screen.ppm";
   command({{"execute", "screendump"}, {"arguments", {{"filename", file.string()}}}});
-  return read_scaled_ppm(file, scale);
+  return file;
 }
+
+GreyPicture Qemu::screen(int scale) { return read_scaled_ppm(screenshot(), scale); }
+
+ColourPicture Qemu::colour_screen() { return read_ppm(screenshot()); }
 
 }  // namespace zstrip::boards

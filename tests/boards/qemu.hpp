@@ -1,4 +1,4 @@
-// One run of a board in qemu-system-arm: its console on a socket, its screen through QMP. Everything has a time-out,
+// One run of a board in QEMU: its console on a socket, its screen through QMP. Everything has a time-out,
 // and the emulator ends with this object, or with the test if that is killed.
 #pragma once
 
@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "colour_picture.hpp"
 #include "grey_picture.hpp"
 
 namespace zstrip::boards {
@@ -20,10 +21,12 @@ namespace zstrip::boards {
 class Qemu {
  public:
   struct Options {
+    std::string emulator = "qemu-system-arm";
     std::string machine;
     std::filesystem::path program;
-    std::vector<std::string> words{};  ///< what the program reads as its command line; none: no semihosting at all
-    bool count_instructions = false;   ///< every instruction takes one nanosecond
+    std::vector<std::string> words{};    ///< what the program reads as its command line; none: no semihosting at all
+    bool count_instructions = false;     ///< every instruction takes one nanosecond
+    std::vector<std::string> devices{};  ///< more words of the emulator's own command line
   };
   using Duration = std::chrono::milliseconds;
   static constexpr Duration kPatience{60'000};
@@ -49,11 +52,13 @@ class Qemu {
   std::vector<std::byte> memory(std::uint32_t address, std::uint32_t size);
   /// What the board's display shows now, each of its pixels `scale` x `scale` on the emulator's screen.
   GreyPicture screen(int scale);
+  ColourPicture colour_screen();
 
   pid_t process() const { return process_; }
 
  private:
   using Deadline = std::chrono::steady_clock::time_point;
+  std::filesystem::path screenshot();
   void connect_monitor(Deadline deadline);
   nlohmann::json read_monitor(Deadline deadline);
   nlohmann::json command(const nlohmann::json& request);

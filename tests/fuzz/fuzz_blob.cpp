@@ -63,7 +63,7 @@ bool valid_values(const fuzz::SceneInput& input) {
   const View& view = input.view();
   const auto known_test = [](const Material& material) { return material.depth_test <= DepthTest::always; };
   return std::ranges::all_of(input.scene().materials, known_test) && view.width >= 1 && view.width <= kMaxViewSize &&
-         view.height >= 1 && view.height <= kMaxViewSize && view.format <= PixelFormat::mono &&
+         view.height >= 1 && view.height <= kMaxViewSize && view.format <= kLastPixelFormat &&
          input.camera().projection <= Projection::orthographic;
 }
 

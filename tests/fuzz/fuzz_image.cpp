@@ -61,6 +61,16 @@ std::array<unsigned, 3> rgb_of(std::span<const std::byte> pixels, const View& vi
   const auto grey = [](unsigned value) { return std::array<unsigned, 3>{value, value, value}; };
   if (view.format == PixelFormat::mono) return grey((byte(x / 8) >> (7 - x % 8)) % 2 * 255);
   if (view.format == PixelFormat::gray4) return grey(byte(x / 2) / (x % 2 == 0 ? 16 : 1) % 16 * 17);
+  if (view.format == PixelFormat::xrgb8888) return {byte(4 * x + 2), byte(4 * x + 1), byte(4 * x)};
+  if (view.format == PixelFormat::rgb666) {
+    const auto six_bits = [&byte, x](std::size_t i) { return byte(3 * x + i) / 4 * 4 + byte(3 * x + i) / 64; };
+    return {six_bits(0), six_bits(1), six_bits(2)};
+  }
+  if (view.format == PixelFormat::rgb444) {
+    const std::size_t i = x / 2 * 3;
+    if (x % 2 == 0) return {byte(i) / 16 * 17, byte(i) % 16 * 17, byte(i + 1) / 16 * 17};
+    return {byte(i + 1) % 16 * 17, byte(i + 2) / 16 * 17, byte(i + 2) % 16 * 17};
+  }
   const bool swapped = view.format == PixelFormat::rgb565_swapped;
   const unsigned pixel = byte(2 * x + (swapped ? 1 : 0)) + 256 * byte(2 * x + (swapped ? 0 : 1));
   const unsigned r = pixel / 2048;
@@ -71,7 +81,7 @@ std::array<unsigned, 3> rgb_of(std::span<const std::byte> pixels, const View& vi
 
 void judge_encoding(fuzz::Input& input) {
   const View view{static_cast<std::uint16_t>(1 + input.below(40)), static_cast<std::uint16_t>(1 + input.below(40)),
-                  static_cast<PixelFormat>(input.below(4))};
+                  static_cast<PixelFormat>(input.below(7))};
   std::vector<std::byte> pixels(std::size_t{view.height} * bytes_per_row(view.width, view.format));
   for (std::byte& b : pixels) b = static_cast<std::byte>(input.any<std::uint8_t>());
 

@@ -22,7 +22,7 @@ void require_enough(const Plan& plan, const SceneCounts& counts, const View& vie
   const bool binned = plan.mode == Mode::binned;
   const std::uint64_t meshlets = std::max(counts.meshlets, counts.instances);
   const bool coloured = effects.any(effect::lighting | effect::vertex_colours);
-  const bool panel = view.format == PixelFormat::gray4 || view.format == PixelFormat::mono;
+  const bool panel = view.format != PixelFormat::rgb565 && view.format != PixelFormat::rgb565_swapped;
   fuzz::require(plan.instance_bytes >= std::uint64_t{counts.instances} * kInstanceBytes, "room for every instance");
   fuzz::require(
       plan.vertex_bytes >= std::uint64_t{binned ? counts.vertices : counts.largest_meshlet} * (coloured ? 12 : 8),
@@ -51,7 +51,7 @@ void require_sound(const Plan& plan, const SceneCounts& counts, const View& view
 void judge_plan(fuzz::Input& input) {
   const auto number = [&input](std::int32_t usual) { return static_cast<std::uint32_t>(input.number(usual)); };
   SceneCounts counts{number(1), number(100), number(100), number(64)};
-  const View view{input.any<std::uint16_t>(), input.any<std::uint16_t>(), static_cast<PixelFormat>(input.below(4))};
+  const View view{input.any<std::uint16_t>(), input.any<std::uint16_t>(), static_cast<PixelFormat>(input.below(7))};
   const Effects shading = Effects{input.any<std::uint8_t>()} & effect::all;
   const Effects effects = shading | (input.flag() ? effect::bins : Effects{});
   Budget budget{.bytes = number(0), .strip_rows = static_cast<std::uint16_t>(input.number(0))};

@@ -88,7 +88,7 @@ SceneInput::Hostile SceneInput::read_hostile(Input& input) {
 }
 
 void SceneInput::read_view(Input& input) {
-  view_.format = static_cast<PixelFormat>(input.below(4));
+  view_.format = static_cast<PixelFormat>(input.below(7));
   if (hostile_.view) {
     view_.width = input.any<std::uint16_t>();
     view_.height = input.any<std::uint16_t>();

@@ -101,7 +101,7 @@ struct AnyScene {
     if (between(0, 2) == 0) camera.projection = Projection::orthographic;
     if (between(0, 2) == 0) camera.eye = {between(-60000, 60000), between(-60000, 60000), between(-60000, 60000)};
     view = {static_cast<std::uint16_t>(between(1, 70)), static_cast<std::uint16_t>(between(1, 50)),
-            static_cast<PixelFormat>(between(0, 3))};
+            static_cast<PixelFormat>(between(0, 6))};
     // Every triangle has three vertices of its own, so that any run of them is a meshlet.
     const int length = between(0, 9);
     const auto triangles = static_cast<int>(model.triangles.size());

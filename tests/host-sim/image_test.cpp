@@ -43,6 +43,16 @@ TEST(Png, SwappedIsTheSamePicture) {
             round_trip({2, 1, PixelFormat::rgb565}, native).rgb);
 }
 
+TEST(Png, WiderAndNarrowerColoursRepeatUpperBits) {
+  // The lowest two bits of rgb666 and the highest byte of xrgb8888 do not count; rows of rgb444 end at bytes.
+  EXPECT_EQ(round_trip({2, 1, PixelFormat::rgb666}, bytes({0xFF, 0x03, 0x84, 0x00, 0x80, 0xFC})).rgb,
+            (std::vector<std::uint8_t>{255, 0, 0x86, 0, 0x82, 255}));
+  EXPECT_EQ(round_trip({1, 2, PixelFormat::xrgb8888}, bytes({1, 2, 3, 99, 255, 0, 128, 0})).rgb,
+            (std::vector<std::uint8_t>{3, 2, 1, 128, 0, 255}));
+  EXPECT_EQ(round_trip({3, 1, PixelFormat::rgb444}, bytes({0x12, 0x34, 0x56, 0x78, 0x90})).rgb,
+            (std::vector<std::uint8_t>{0x11, 0x22, 0x33, 0x44, 0x55, 0x66, 0x77, 0x88, 0x99}));
+}
+
 TEST(Png, Gray4HasSixteenGreysAndPaddedRows) {
   const auto pixels = bytes({0x0F, 0x80, 0x12, 0x30});  // rows of three pixels
   const std::vector<std::uint8_t> grey{0, 255, 136, 17, 34, 51};

@@ -51,6 +51,8 @@ TEST(Parse, Vector) {
 
 TEST(Parse, Words) {
   EXPECT_EQ(*parse_format("gray4"), PixelFormat::gray4);
+  EXPECT_EQ(*parse_format("rgb565"), PixelFormat::rgb565);
+  EXPECT_EQ(*parse_format("xrgb8888"), PixelFormat::xrgb8888);
   EXPECT_EQ(*parse_image_type("ppm"), ImageType::ppm);
   EXPECT_EQ(*parse_up_axis("-z"), UpAxis::minus_z);
   expect_usage_error(parse_format("rgb888"), "--format");

@@ -32,6 +32,12 @@ struct DepthPicture {
   Statistics statistics;
 };
 
+/// An RGB565 pixel.
+inline int pixel_of(const DepthPicture& picture, int x, int y, int width) {
+  const auto at = static_cast<std::size_t>(2 * (y * width + x));
+  return std::to_integer<int>(picture.pixels[at]) | std::to_integer<int>(picture.pixels[at + 1]) << 8;
+}
+
 /// One renderer with its arena, frame after frame.
 class DepthRenderer {
  public:

@@ -12,6 +12,7 @@
 #include "zstrip_scenes/random.hpp"
 #include "zstrip_scenes/room.hpp"
 #include "zstrip_scenes/scenes.hpp"
+#include "zstrip_scenes/spheres.hpp"
 #include "zstrip_scenes/teapot.hpp"
 #include "zstrip_scenes/teapot_meshlets.hpp"
 #include "zstrip_scenes/triangle.hpp"
@@ -27,6 +28,7 @@ static_assert(effects_of(knot_textured.scene, knot.camera) == (effect::lighting 
 static_assert(effects_of(cube.scene, cube.camera) == effect::textures);
 static_assert(effects_of(random50.scene, random50.camera) == effect::vertex_colours);
 static_assert(effects_of(room.scene, room.camera) == (effect::lighting | effect::textures));
+static_assert(effects_of(spheres.scene, spheres.camera) == (effect::quadrics | effect::lighting | effect::textures));
 static_assert(plan(teapot_meshlets.counts, {.width = 128, .height = 64},
                    effects_of(teapot_meshlets.scene, teapot_meshlets.camera))
                   .status);
@@ -48,6 +50,7 @@ TEST(Catalogue, CountsAreThoseOfTheScene) {
     EXPECT_EQ(scene.counts.largest_meshlet, counted.largest_meshlet) << scene.name;
     EXPECT_EQ(scene.counts.meshlets, counted.meshlets) << scene.name;
     EXPECT_EQ(scene.counts.longest_meshlet, counted.longest_meshlet) << scene.name;
+    EXPECT_EQ(scene.counts.quadrics, counted.quadrics) << scene.name;
   }
 }
 

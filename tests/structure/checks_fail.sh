@@ -47,6 +47,16 @@ echo '#include "zstrip_hal/bus.hpp"' >>"$tree/core/zstrip/scene/twice.cpp"
 fails_with "core includes zstrip_hal/bus.hpp" includes.sh
 echo '#include "zstrip/base/fixed.hpp"' >>"$tree/hal/zstrip_hal/bus.hpp"
 fails_with "hal includes zstrip/base/fixed.hpp" includes.sh
+echo '#include <sys/mman.h>' >>"$tree/hal/zstrip_hal/bus.hpp"
+fails_with "hal includes sys/mman.h" includes.sh
+mkdir -p "$tree/hal/linux/zstrip_hal_linux"
+printf '#pragma once\n#include <sys/mman.h>\n#include "zstrip_hal/bus.hpp"\n' >"$tree/hal/linux/zstrip_hal_linux/spidev.hpp"
+passes includes.sh
+echo '#include "zstrip_hal_linux/spidev.hpp"' >>"$tree/hal/zstrip_hal/bus.hpp"
+fails_with "hal includes zstrip_hal_linux/spidev.hpp" includes.sh
+mkdir -p "$tree/hal/linux/zstrip_hal_linux"
+echo '#include "zstrip/base/fixed.hpp"' >"$tree/hal/linux/zstrip_hal_linux/spidev.hpp"
+fails_with "hal includes zstrip/base/fixed.hpp" includes.sh
 echo '#include "zstrip/frame/frame.hpp"' >>"$tree/core/zstrip/scene/twice.cpp"
 fails_with "scene includes zstrip/frame/frame.hpp of the later stage frame" includes.sh
 echo '#include "zstrip/base/gone.hpp"' >>"$tree/core/zstrip/scene/twice.cpp"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # includes.sh ROOT: core and hal know nothing of each other or of programs, and no stage of core includes a later one.
+# Only hal/linux includes headers of an operating system.
 set -euo pipefail
 cd "$1"
 
@@ -39,9 +40,12 @@ while IFS=: read -r file line path; do
 done < <(includes_of core)
 
 while IFS=: read -r file line path; do
-  case "$path" in
-    zstrip_hal/*) if [ ! -e "hal/$path" ]; then complain "$file:$line: $path does not exist"; fi ;;
-    */* | *.hpp | *.h) complain "$file:$line: hal includes $path: only zstrip_hal/... and the C++ library are allowed" ;;
+  case "$file $path" in
+    hal/linux/*" zstrip_hal_linux/"*) if [ ! -e "hal/linux/$path" ]; then complain "$file:$line: $path does not exist"; fi ;;
+    *" zstrip_hal/"*) if [ ! -e "hal/$path" ]; then complain "$file:$line: $path does not exist"; fi ;;
+    *" zstrip"*/*) complain "$file:$line: hal includes $path: only zstrip_hal/... is allowed" ;;
+    hal/linux/*) ;;
+    *" "*/* | *.hpp | *.h) complain "$file:$line: hal includes $path: only zstrip_hal/... and the C++ library are allowed" ;;
   esac
 done < <(includes_of hal)
 

@@ -1,12 +1,14 @@
 // Conversions between 16-bit formats, for every input: texels times light, codes of the small float, panel formats.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <vector>
 
 #include "zstrip/raster/colour.hpp"
+#include "zstrip/resolve/convert.hpp"
 #include "zstrip/resolve/resolve.hpp"
 #include "zstrip/scene/depth_format.hpp"
 
@@ -72,6 +74,23 @@ TEST(Conversion, EveryPixelInThePanelFormats) {
     std::uint16_t swapped = pixel;
     detail::swap_bytes(&swapped, 1);
     ASSERT_EQ(swapped, pixel % 256 * 256 + pixel / 256);
+
+    const std::uint32_t r8 = r5 * 8 + r5 / 4, g8 = g6 * 4 + g6 / 16, b8 = b5 * 8 + b5 / 4;
+    std::uint16_t pair[2] = {pixel, static_cast<std::uint16_t>(~pixel)};
+    std::array<std::byte, 8> out{};
+    const auto sent = [&](PixelFormat format) {
+      convert_pixels(format, 2, 1, pair, out.data());
+      std::uint64_t value = 0;  // the first byte is the highest
+      for (const std::byte byte : out) value = value * 256 + std::to_integer<std::uint64_t>(byte);
+      return value;
+    };
+    const std::uint64_t left = r5 / 2 * 256 + g6 / 4 * 16 + b5 / 2;
+    const std::uint64_t right = (31 - r5) / 2 * 256 + (63 - g6) / 4 * 16 + (31 - b5) / 2;
+    ASSERT_EQ(sent(PixelFormat::rgb444) >> 40, left * 4096 + right) << pixel;
+    ASSERT_EQ(sent(PixelFormat::rgb666) >> 40, r8 / 4 * 4 * 65536 + g8 / 4 * 4 * 256 + b8 / 4 * 4) << pixel;
+    ASSERT_EQ(sent(PixelFormat::xrgb8888) >> 32, b8 * 16777216ULL + g8 * 65536 + r8 * 256) << pixel;
+    ASSERT_EQ(sent(PixelFormat::xrgb8888) % 0x100000000, 0xFFFFFF00 - (b8 * 16777216ULL + g8 * 65536 + r8 * 256))
+        << pixel;
   }
 }
 

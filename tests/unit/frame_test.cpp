@@ -346,7 +346,7 @@ TEST(Frame, TheGuardBandHoldsCloseToTheCamera) {
   camera.far_plane = 16384 * kFixedOne;
   camera.focal = INT32_MAX;
   const View view{64, 4096};
-  const DepthFit fit = fit_to_scene(scene, camera);
+  const DepthFit fit = fit_to(reach_of(scene, camera), camera);
   CompiledInstance compiled{};
   ASSERT_TRUE(compile_instance(compiled, scene, instance, camera, view, fit));
   const RasterOrigin origin = raster_origin(view, fit, false);

@@ -1,6 +1,8 @@
 // The output formats, pixel by pixel.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "zstrip/resolve/resolve.hpp"
@@ -32,6 +34,16 @@ TEST(Resolve, MonoPacksLeftPixelInTheHighestBit) {
   detail::resolve_mono(row.data(), 10, out);
   EXPECT_EQ(out[0], std::byte{0x80});
   EXPECT_EQ(out[1], std::byte{0x40});
+}
+
+TEST(Resolve, Rgb444EndsOddRowsWithADarkNibbleAndWritesNoMore) {
+  const std::uint16_t row[3] = {0xFFFF, 0x0000, 0xFFFF};
+  std::byte out[6];
+  std::fill_n(out, 6, std::byte{0x55});
+  detail::resolve_rgb444(row, 3, out);
+  for (const auto& [index, value] : {std::pair{0, 0xFF}, {1, 0xF0}, {2, 0x00}, {3, 0xFF}, {4, 0xF0}, {5, 0x55}}) {
+    EXPECT_EQ(std::to_integer<int>(out[index]), value) << index;
+  }
 }
 
 TEST(Resolve, SwapsBytesOfOddCounts) {

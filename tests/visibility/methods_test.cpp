@@ -80,20 +80,21 @@ TEST(Visibility, EveryMethodDrawsTheSameInStripsAndBins) {
 }
 
 TEST(Visibility, FrontToBackWritesOnceAndHierarchicalZComparesLess) {
-  std::vector<Corners> layers;  // the nearest one last
+  const View view{384, 320, PixelFormat::rgb565};  // most tiles lie inside the triangles
+  std::vector<Corners> layers;                     // the nearest one last
   for (int i = 0; i < 12; ++i) layers.push_back({{{0, 0, i / 4.0 - 4}, {6, 0, i / 4.0 - 4}, {3, 6, i / 4.0 - 4}}});
   const SoupScene scene = scene_of(layers);
   const Staging staging{scene.scene(), camera_at(Projection::orthographic)};
-  const LookedAtFrame front = drawn(staging, request("front-to-back", kView));
-  const LookedAtFrame bounded = drawn(staging, request("front-to-back-hierarchical-z", kView));
-  MethodRequest counted = request("zbuffer", kView);
+  const LookedAtFrame front = drawn(staging, request("front-to-back", view));
+  const LookedAtFrame bounded = drawn(staging, request("front-to-back-hierarchical-z", view));
+  MethodRequest counted = request("zbuffer", view);
   counted.effects = method::culling;
   const LookedAtFrame plain = drawn(staging, counted);
   EXPECT_EQ(plain.visibility.comparisons, plain.statistics.fragments);
   EXPECT_EQ(plain.visibility.writes, plain.statistics.fragments);
   EXPECT_EQ(front.visibility.comparisons, plain.statistics.fragments);
   EXPECT_EQ(front.visibility.writes, plain.statistics.fragments / 12);
-  EXPECT_LT(bounded.visibility.comparisons, front.visibility.comparisons / 4);
+  EXPECT_LT(bounded.visibility.comparisons, front.visibility.comparisons / 2);
   EXPECT_EQ(bounded.pixels, plain.pixels);
   std::uint64_t overdraw = 0;
   for (const std::uint8_t times : plain.overdraw) overdraw += times;

@@ -29,6 +29,8 @@ const char* message(Error error) {
     case Error::blob_version: return "the scene blob has a version that is not read here";
     case Error::blob_memory: return "the memory lent for the scene blob is too small";
     case Error::depth_effects: return "these depth effects exclude each other or this camera";
+    case Error::fog: return "the fog needs 0 <= start < end and a density that is not negative";
+    case Error::quadric: return "a quadric is not valid";
     case Error::visibility: return "these visibility methods exclude each other or what is asked of them";
   }
   return "unknown error";
@@ -44,6 +46,7 @@ const char* name(Purpose purpose) {
     case Purpose::colour: return "colour";
     case Purpose::bins: return "bins";
     case Purpose::layer: return "the static layer";
+    case Purpose::effects: return "effects";
     case Purpose::sorting: return "sorting";
     case Purpose::depth_bounds: return "bounds of depth";
   }

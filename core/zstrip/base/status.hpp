@@ -36,6 +36,9 @@ enum class Error : std::uint8_t {
   blob_memory,     ///< the memory lent for a scene blob; `needed`, `available` in bytes
   depth_effects,   ///< two depth formats at once, sub-ranges of one that has none, or one that needs a perspective
                    ///< camera and is to draw an orthographic one
+  fog,             ///< not 0 <= start < end, a negative density, or no mode
+  quadric,         ///< refers to a material that does not exist or that has a slope bias, or a transform that is out of
+                   ///< range or has no inverse (`needed` = index of the quadric)
   visibility,      ///< visibility methods that exclude each other or a depth effect, a draw_over with one, or without
                    ///< the tree that it needs (`needed` = the methods)
 };
@@ -50,6 +53,7 @@ enum class Purpose : std::uint8_t {
   colour,
   bins,
   layer,
+  effects,
   sorting,
   depth_bounds
 };

@@ -1,39 +1,53 @@
-// The table of all pipelines, for programs that learn the effects at run time.
+// The table of the pipelines that most scenes need, for programs that learn the effects at run time.
 #include <utility>
 
-#include "zstrip/frame/pipeline.hpp"
+#include "zstrip/frame/pipelines_with_effects.hpp"
 
 namespace zstrip {
 namespace {
 
-/// Every program of this kind may bin: half as many pipelines.
-constexpr Effects kAlways = effect::bins;
+/// Light and vertex colours are one choice here: what an instance has of them is decided for each of them anyway.
+constexpr Effects kColours = effect::lighting | effect::vertex_colours;
+constexpr Effects kChoices[] = {effect::textures, effect::orthographic, effect::statistics};
+/// Nothing, colours of triangles, colours of vertices.
+constexpr Effects kShades[] = {Effects{}, kColours, kColours | effect::gouraud};
+constexpr std::size_t kSets = std::size(kShades) << std::size(kChoices);
 
-template <std::size_t... bits>
-constexpr auto table_of(std::index_sequence<bits...>) {
-  struct Table {
-    Pipeline pipelines[sizeof...(bits)];
-  };
-  return Table{{{&detail::begin_frame<Effects{bits} | kAlways>, &detail::draw_strip<Effects{bits} | kAlways>,
-                 &detail::draw_over<Effects{bits} | kAlways>}...}};
-}
-
-constexpr auto kTable = table_of(std::make_index_sequence<effect::all.bits + 1>{});
-
-// 64 sets for each way to keep depth would be too many: these have one pipeline for each projection.
-constexpr Effects kAllButProjection = without(effect::all, effect::orthographic) | effect::depth_state | kAlways;
-
-template <Effects depth>
-constexpr Pipeline full_pipeline(bool orthographic) {
-  constexpr Effects kPerspective = kAllButProjection | depth;
-  constexpr Effects kOrthographic = kPerspective | effect::orthographic;
-  if constexpr (depth_effects_agree(kOrthographic)) {
-    if (orthographic)
-      return {&detail::begin_frame<kOrthographic>, &detail::draw_strip<kOrthographic>,
-              &detail::draw_over<kOrthographic>};
+constexpr Effects set_at(std::size_t index) {
+  Effects effects = kShades[index >> std::size(kChoices)] | effect::bins;
+  for (std::size_t i = 0; i < std::size(kChoices); ++i) {
+    if (((index >> i) & 1U) != 0) effects = effects | kChoices[i];
   }
-  return {&detail::begin_frame<kPerspective>, &detail::draw_strip<kPerspective>, &detail::draw_over<kPerspective>};
+  return effects;
 }
+
+/// Of effects that the table knows.
+constexpr std::size_t index_of(Effects effects) {
+  std::size_t index = effects.has(effect::gouraud) ? 2 : effects.any(kColours) ? 1 : 0;
+  index <<= std::size(kChoices);
+  for (std::size_t i = 0; i < std::size(kChoices); ++i) {
+    if (effects.has(kChoices[i])) index |= std::size_t{1} << i;
+  }
+  return index;
+}
+
+constexpr bool table_has_every_set() {
+  for (std::uint64_t bits = 0; bits <= effect::all.bits; ++bits) {
+    if (!set_at(index_of(Effects{bits})).has(Effects{bits})) return false;
+  }
+  return true;
+}
+static_assert(table_has_every_set());
+
+template <std::size_t... index>
+constexpr auto table_of(std::index_sequence<index...>) {
+  struct Table {
+    Pipeline pipelines[sizeof...(index)];
+  };
+  return Table{{detail::pipeline<set_at(index)>()...}};
+}
+
+constexpr auto kTable = table_of(std::make_index_sequence<kSets>{});
 
 constexpr Pipeline kRefusing{
     [](Frame&, const Scene&, const Camera&, const View&, const Plan&, std::span<std::byte>) {
@@ -49,17 +63,11 @@ constexpr Pipeline kRefusing{
 Pipeline pipeline_for(Effects effects) {
   if (effects.methods != 0) return pipeline_of_method(effects);
   if (!depth_effects_agree(effects)) return kRefusing;
-  const bool orthographic = effects.has(effect::orthographic);
-  if (effects.has(effect::depth_ranges)) return full_pipeline<effect::depth_ranges>(orthographic);
-  switch (depth_format(effects)) {
-    case DepthFormat::float16: return full_pipeline<effect::depth_float>(orthographic);
-    case DepthFormat::w16: return full_pipeline<effect::depth_w16>(orthographic);
-    case DepthFormat::z24: return full_pipeline<effect::depth_24>(orthographic);
-    case DepthFormat::z32: return full_pipeline<effect::depth_32>(orthographic);
-    case DepthFormat::z16: break;
+  if (effects.any(detail::kBeyondTable)) {
+    const Pipeline* const found = detail::pipeline_with_effects(effects);
+    return found != nullptr ? *found : kRefusing;
   }
-  if (effects.has(effect::depth_state)) return full_pipeline<Effects{}>(orthographic);
-  return kTable.pipelines[effects.bits & effect::all.bits];
+  return kTable.pipelines[index_of(effects)];
 }
 
 }  // namespace zstrip

@@ -67,22 +67,20 @@ PositionBox cube_of(const Meshlet& meshlet, const Mesh& mesh) {
 
 }  // namespace
 
-DepthFit fit_to_scene(const Scene& scene, const Camera& camera) {
+DistanceRange reach_of(const Scene& scene, const Camera& camera) {
+  DistanceRange reach = kNoReach;
+  for (const Instance& instance : scene.instances) {
+    extend(reach, distance_range(scene.meshes[instance.mesh], instance.transform, camera), camera);
+  }
+  return reach;
+}
+
+DepthFit fit_to(const DistanceRange& reach, const Camera& camera) {
   const Distance near = distance_of(camera.near_plane);
   const Distance far = distance_of(camera.far_plane);
-  Distance nearest = far;
-  Distance farthest = near;
-  bool any = false;
-  for (const Instance& instance : scene.instances) {
-    const DistanceRange range = distance_range(scene.meshes[instance.mesh], instance.transform, camera);
-    if (range.farthest < near || range.nearest > far) continue;
-    any = true;
-    nearest = std::min(nearest, range.nearest);
-    farthest = std::max(farthest, range.farthest);
-  }
-  if (!any) return {};
+  if (reach.nearest > reach.farthest) return {};
   if (camera.fixed_depth_range) return fit_depth(near, far);
-  return fit_depth(std::max(nearest, near), std::min(farthest, far));
+  return fit_depth(std::max(reach.nearest, near), std::min(reach.farthest, far));
 }
 
 Rect bounds_of(const CompiledInstance& instance, const RasterOrigin& origin, const View& view, bool orthographic) {

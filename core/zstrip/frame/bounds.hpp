@@ -8,9 +8,11 @@
 
 namespace zstrip::detail {
 
-/// Fitted to all instances that reach into the camera's depth range, or that range itself if the camera says so;
-/// near == 0 if there is no such instance.
-DepthFit fit_to_scene(const Scene& scene, const Camera& camera);
+/// Distances of all instances that reach into the camera's depth range; kNoReach if there is none.
+DistanceRange reach_of(const Scene& scene, const Camera& camera);
+
+/// Fitted to what lies in front of the camera, or to the camera's range if it says so; near == 0 for kNoReach.
+DepthFit fit_to(const DistanceRange& reach, const Camera& camera);
 
 /// Picture pixels that the instance's bounding box can cover, cut to the view.
 Rect bounds_of(const CompiledInstance& instance, const RasterOrigin& origin, const View& view, bool orthographic);

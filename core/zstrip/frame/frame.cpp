@@ -7,7 +7,7 @@
 namespace zstrip {
 
 Status Frame::Access::check(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
-                            Effects effects, std::span<std::byte> arena) {
+                            Effects called_for, Effects effects, std::span<std::byte> arena) {
   if (view.width < 1 || view.height < 1 || view.width > kMaxViewSize || view.height > kMaxViewSize) {
     return {.error = Error::view_size};
   }
@@ -22,9 +22,8 @@ Status Frame::Access::check(const Scene& scene, const Camera& camera, const View
   if (plan.strips != strips) return {.error = Error::strip_rows, .needed = strips, .available = plan.strips};
   if (!usable(camera)) return {.error = Error::camera};
   if (const Status status = validate_instances(scene); !status) return status;
-  const Effects called_for = effects_of(scene, camera);
   if (const Effects missing = without(called_for, effects); missing.bits != 0)
-    return {.error = Error::effect_missing, .needed = missing.bits};
+    return {.error = Error::effect_missing, .needed = low_bits(missing)};
   // The plan must be one for this scene: a smaller one would overrun its parts of the arena.
   const SceneCounts counts = count(scene);
   const auto too_small = [](Purpose purpose, std::uint64_t needed, std::uint32_t available) {
@@ -33,8 +32,8 @@ Status Frame::Access::check(const Scene& scene, const Camera& camera, const View
                   .needed = static_cast<std::uint32_t>(needed),
                   .available = available};
   };
-  if (plan.instance_bytes < std::uint64_t{counts.instances} * kInstanceBytes) {
-    return too_small(Purpose::instances, std::uint64_t{counts.instances} * kInstanceBytes, plan.instance_bytes);
+  if (plan.instance_bytes < detail::instance_bytes(counts)) {
+    return too_small(Purpose::instances, detail::instance_bytes(counts), plan.instance_bytes);
   }
   const bool colours = detail::has_vertex_colours(called_for);
   const bool binned = plan.mode == Mode::binned;
@@ -60,6 +59,7 @@ Status Frame::Access::check(const Scene& scene, const Camera& camera, const View
        {std::pair{Purpose::instances, plan.instance_bytes}, std::pair{Purpose::extents, plan.extent_bytes},
         std::pair{Purpose::vertices, plan.vertex_bytes}, std::pair{Purpose::depth, plan.depth_bytes},
         std::pair{Purpose::colour, plan.colour_bytes}, std::pair{Purpose::bins, plan.bin_bytes},
+        std::pair{Purpose::effects, plan.effect_bytes},
         std::pair{detail::visibility_purpose(effects), plan.visibility_bytes}}) {
     if (bytes % kArenaAlignment != 0) return too_small(purpose, detail::rounded_up(bytes), bytes);
   }
@@ -127,14 +127,15 @@ void Frame::Access::begin_strip_of_method(FrameWithMethod& frame, Effects effect
     frame.state_.bounds.begin(frame.depth_bounds_, target.area, target.depth);
 }
 
-Status Frame::Access::prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view) {
+Status Frame::Access::prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view,
+                              const DepthFit& fit) {
   const bool orthographic = camera.projection == Projection::orthographic;
   const SceneCounts counts = count(scene);
   const bool binned = frame.plan_.mode == Mode::binned;
   frame.colours_ = reinterpret_cast<Colour*>(frame.vertices_ + (binned ? counts.vertices : counts.largest_meshlet));
   frame.bounds_ = {};
   frame.depth_area_ = {};
-  frame.fit_ = detail::fit_to_scene(scene, camera);
+  frame.fit_ = fit;
   frame.origin_ = detail::raster_origin(view, frame.fit_, orthographic);
   const bool nothing = frame.fit_.near == 0;
   for (std::uint32_t i = 0; i < counts.instances; ++i) {
@@ -153,18 +154,26 @@ Status Frame::Access::prepare(Frame& frame, const Scene& scene, const Camera& ca
       instance.visible = false;
       continue;
     }
-    const Rect& all = frame.bounds_;
-    frame.bounds_ = all.empty() ? box
-                                : Rect{std::min(all.left, box.left), std::min(all.top, box.top),
-                                       std::max(all.right, box.right), std::max(all.bottom, box.bottom)};
+    extend_bounds(frame, box);
   }
+  return {};
+}
+
+void Frame::Access::extend_bounds(Frame& frame, const Rect& box) {
+  const Rect& all = frame.bounds_;
+  frame.bounds_ = all.empty() ? box
+                              : Rect{std::min(all.left, box.left), std::min(all.top, box.top),
+                                     std::max(all.right, box.right), std::max(all.bottom, box.bottom)};
+}
+
+void Frame::Access::divide(Frame& frame, const Scene& scene, const View& view) {
   frame.grid_ = detail::StripGrid(frame.plan_, view, frame.bounds_);
-  if (binned) {
+  if (frame.plan_.mode == Mode::binned) {
+    const SceneCounts counts = count(scene);
     const std::uint32_t batch_bytes = counts.meshlets * kBatchBytes;
     frame.bins_ = detail::Bins(reinterpret_cast<std::byte*>(frame.batches_) + batch_bytes,
                                frame.plan_.bin_bytes - batch_bytes, frame.plan_.strips);
   }
-  return {};
 }
 
 detail::StripTarget Frame::Access::target_of(Frame& frame, const Rect& strip, std::uint16_t* pixels) {

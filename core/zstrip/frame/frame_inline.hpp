@@ -6,8 +6,11 @@
 #include <span>
 
 #include "zstrip/frame/bounds.hpp"
+#include "zstrip/frame/effect_block.hpp"
 #include "zstrip/frame/frame.hpp"
 #include "zstrip/raster/assemble.hpp"
+#include "zstrip/raster/quadric.hpp"
+#include "zstrip/raster/quadric_shade.hpp"
 #include "zstrip/resolve/convert.hpp"
 #include "zstrip/resolve/resolve.hpp"
 #include "zstrip/scene/validate.hpp"
@@ -20,8 +23,8 @@ struct Frame::Access {
   using Assembler = detail::Assembler<without(effects, effect::bins)>;
 
   /// Everything about the request that could harm; not the index arrays, which validate() has seen.
-  static Status check(const Scene& scene, const Camera& camera, const View& view, const Plan& plan, Effects effects,
-                      std::span<std::byte> arena);
+  static Status check(const Scene& scene, const Camera& camera, const View& view, const Plan& plan, Effects called_for,
+                      Effects effects, std::span<std::byte> arena);
   /// Checks and lays out what a visibility method has; everything else of the frame has been prepared.
   static Status begin_method(FrameWithMethod& frame, Effects effects, const SceneCounts& counts,
                              std::span<std::byte> arena);
@@ -45,7 +48,18 @@ struct Frame::Access {
   template <Effects effects>
   static void count_culled(FrameWithMethod& frame);
   static void lay_out_arena(Frame& frame, std::span<std::byte> arena);
-  static Status prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view);
+  /// Compiles the instances, finds the frame's bounds.
+  static Status prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const DepthFit& fit);
+  static void extend_bounds(Frame& frame, const Rect& box);
+  /// Compiles the quadrics, for the depth mapping that the frame has now.
+  static Status prepare_quadrics(Frame& frame, const Scene& scene, const Camera& camera);
+  /// They lie behind the instances.
+  static detail::CompiledQuadric* quadrics_of(const Frame& frame, const Scene& scene) {
+    auto* const first = reinterpret_cast<std::byte*>(frame.instances_);
+    return reinterpret_cast<detail::CompiledQuadric*>(first + scene.instances.size() * kInstanceBytes);
+  }
+  /// Into strips, of the bounds that are now known.
+  static void divide(Frame& frame, const Scene& scene, const View& view);
   /// `strip`: its pixels in the picture.
   static detail::StripTarget target_of(Frame& frame, const Rect& strip, std::uint16_t* pixels);
   static void clear(const Frame& frame, std::uint16_t width, std::uint16_t rows, std::uint16_t* pixels,
@@ -206,7 +220,7 @@ struct Frame::Access {
       const detail::Batch batch = batch_of(frame, instance, range.first_vertex, 0);
       const bool all_narrow = transform<effects>(frame, batch, range, 0);
       shade<effects>(frame, batch, range, 0);
-      with_depth<effects>(frame, target, *batch.instance, [&](const auto& complete) {
+      with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
         Assembler<effects>::draw(complete, batch, range.triangles, all_narrow);
       });
     };
@@ -224,30 +238,102 @@ struct Frame::Access {
       const MeshletRange range =
           meshlet_range(frame.scene_->meshes[frame.instances_[retained.instance].mesh], retained.meshlet);
       const detail::Batch batch = batch_of(frame, retained.instance, range.first_vertex, retained.first_vertex);
-      with_depth<effects>(frame, target, *batch.instance, [&](const auto& complete) {
+      with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
         Assembler<effects>::draw_listed(complete, batch, range.triangles, {triangles, count});
       });
     });
   }
 
-  /// Calls draw(target), with what the depth effects of this instance's material add to it.
+  template <Effects effects>
+  static void draw_quadrics(const Frame& frame, const detail::StripTarget& target) {
+    constexpr bool kOrthographic = effects.has(effect::orthographic);
+    const std::int64_t offset = kOrthographic ? std::int64_t{frame.origin_.depth_offset} : -frame.fit_.offset;
+    const detail::CompiledQuadric* const quadrics = quadrics_of(frame, *frame.scene_);
+    for (std::size_t i = 0; i < frame.scene_->quadrics.size(); ++i) {
+      const detail::CompiledQuadric& quadric = quadrics[i];
+      if (!quadric.visible) continue;
+      const detail::QuadricShade<effects.has(effect::lighting), effects.has(effect::textures)> shade{
+          quadric, texture_of(frame, quadric.material)};
+      with_depth<effects>(frame, target, quadric.material, [&](const auto& complete) {
+        detail::QuadricFill<effects>::draw(complete, quadric, offset, shade);
+      });
+    }
+  }
+
+  /// Calls draw(target), with what the depth effects of this material add to it.
   template <Effects effects, class Draw>
-  static void with_depth(Frame& frame, const detail::StripTarget& target, const detail::CompiledInstance& instance,
+  static void with_depth(const Frame& frame, const detail::StripTarget& target, std::uint16_t material,
                          const Draw& draw) {
-    if constexpr (effects.methods != 0) {
-      detail::MethodState& state = static_cast<FrameWithMethod&>(frame).state_;
-      draw(detail::StripTargetWithMethod{{target, depth_settings<effects>(frame, instance)}, &state});
-    } else if constexpr (std::is_same_v<detail::TargetFor<detail::depth_mode(effects)>, detail::StripTarget>) {
+    if constexpr (std::is_same_v<detail::TargetFor<detail::depth_mode(effects)>, detail::StripTarget>) {
       draw(target);
     } else {
-      draw(detail::StripTargetWithDepth{target, depth_settings<effects>(frame, instance)});
+      draw(detail::StripTargetWithDepth{target, depth_settings<effects>(frame, material)});
+    }
+  }
+
+  /// Calls draw(target), with what the depth effects of this instance's material and its fragments add to it.
+  template <Effects effects, class Draw>
+  static void with_settings(Frame& frame, const detail::StripTarget& target, const detail::CompiledInstance& instance,
+                            const Draw& draw) {
+    if constexpr (effects.methods != 0) {
+      detail::MethodState& state = static_cast<FrameWithMethod&>(frame).state_;
+      draw(detail::StripTargetWithMethod{{target, depth_settings<effects>(frame, instance.material)}, &state});
+    } else if constexpr (std::is_same_v<typename detail::TargetOfEffects<effects>::WithDepth, detail::StripTarget>) {
+      with_fragments<effects>(frame, target, instance, draw);
+    } else {
+      with_fragments<effects>(frame,
+                              detail::StripTargetWithDepth{target, depth_settings<effects>(frame, instance.material)},
+                              instance, draw);
+    }
+  }
+  template <Effects effects, class Target, class Draw>
+  static void with_fragments(const Frame& frame, const Target& target, const detail::CompiledInstance& instance,
+                             const Draw& draw) {
+    if constexpr (effects.any(effect::fragments)) {
+      draw(detail::TargetOf<effects>{target, fragment_settings<effects>(frame, instance)});
+    } else {
+      draw(target);
     }
   }
 
   template <Effects effects>
-  static detail::DepthSettings depth_settings(const Frame& frame, const detail::CompiledInstance& instance) {
+  static detail::EffectBlock<effects> effect_block(const Frame& frame) {
+    return detail::EffectBlock<effects>(reinterpret_cast<std::byte*>(frame.batches_) + frame.plan_.bin_bytes);
+  }
+
+  /// Which instances are drawn by fill_fragments, and what these need through the frame.
+  template <Effects effects>
+  static void prepare_fragments(Frame& frame) {
+    const Scene& scene = *frame.scene_;
+    constexpr bool kOrthographic = effects.has(effect::orthographic);
+    if constexpr (effects.has(effect::fog)) {
+      if (scene.fog != nullptr && frame.fit_.near != 0) {
+        effect_block<effects>(frame).fog() = detail::fog_curve(
+            *scene.fog, detail::distance_scale(frame.fit_, kOrthographic, detail::depth_span(effects)));
+      }
+    }
+    for (detail::CompiledInstance& instance : std::span(frame.instances_, scene.instances.size())) {
+      if (!instance.visible) continue;
+      if (has_fragments(scene)) instance.shade = detail::with_fragments(instance.shade);
+    }
+  }
+
+  template <Effects effects>
+  static detail::FragmentSettings fragment_settings(const Frame& frame, const detail::CompiledInstance& instance) {
+    detail::FragmentSettings settings;
+    settings.textured = detail::without_fragments(instance.shade) >= detail::Shade::textured;
+    if constexpr (effects.has(effect::fog)) {
+      if (frame.scene_->fog != nullptr) settings.fog = &effect_block<effects>(frame).fog();
+      settings.depth_offset =
+          effects.has(effect::orthographic) ? std::int64_t{frame.origin_.depth_offset} : frame.fit_.offset;
+    }
+    return settings;
+  }
+
+  template <Effects effects>
+  static detail::DepthSettings depth_settings(const Frame& frame, std::uint16_t index) {
     constexpr DepthFormat kFormat = depth_format(effects);
-    const Material& material = frame.scene_->materials[instance.material];
+    const Material& material = frame.scene_->materials[index];
     detail::DepthSettings settings;
     settings.test = material.depth_test;
     settings.write = material.depth_write;
@@ -265,13 +351,14 @@ struct Frame::Access {
   }
 
   static detail::Surface surface_of(const Frame& frame, const detail::CompiledInstance& instance) {
-    detail::Surface surface{detail::rgb565(instance.base), {nullptr, 0, 0}, frame.fit_.offset};
-    const std::uint16_t index = frame.scene_->materials[instance.material].texture;
-    if (index != kNoTexture) {
-      const Texture& texture = frame.scene_->textures[index];
-      surface.texture = {texture.texels.data(), texture.log2_width, texture.log2_height};
-    }
-    return surface;
+    return {detail::rgb565(instance.base), texture_of(frame, instance.material), frame.fit_.offset};
+  }
+
+  static detail::TextureView texture_of(const Frame& frame, std::uint16_t material) {
+    const std::uint16_t index = frame.scene_->materials[material].texture;
+    if (index == kNoTexture) return {nullptr, 0, 0};
+    const Texture& texture = frame.scene_->textures[index];
+    return {texture.texels.data(), texture.log2_width, texture.log2_height};
   }
 
   static constexpr bool has_own_mapping(Effects effects) {
@@ -321,16 +408,28 @@ struct Frame::Access {
                             std::span<std::byte> arena) {
     frame.scene_ = nullptr;
     frame.next_to_last_strip_ = 0;
+    const Effects called_for = effects_of(scene, camera);
     // A pipeline has one projection: this is the effect that must not be there without being called for.
     if (effects.has(effect::orthographic) && camera.projection != Projection::orthographic) {
       return {.error = Error::effect_missing};
     }
     if (plan.mode == Mode::binned && !effects.has(effect::bins)) {
-      return {.error = Error::effect_missing, .needed = effect::bins.bits};
+      return {.error = Error::effect_missing, .needed = low_bits(effect::bins)};
     }
     // Binned vertices keep the depth of the sub-range in which they were transformed.
     if (plan.mode == Mode::binned && effects.has(effect::depth_ranges)) return {.error = Error::depth_effects};
-    if (const Status status = check(scene, camera, view, plan, effects, arena); !status) return status;
+    if (const Status status = check(scene, camera, view, plan, called_for, effects, arena); !status) {
+      return status;
+    }
+    if constexpr (detail::EffectBlock<effects>::kExists) {
+      const std::uint64_t needed = detail::effect_bytes(called_for, static_cast<std::uint32_t>(scene.instances.size()));
+      if (plan.effect_bytes < needed) {
+        return {.error = Error::arena_too_small,
+                .purpose = Purpose::effects,
+                .needed = static_cast<std::uint32_t>(needed),
+                .available = plan.effect_bytes};
+      }
+    }
     if constexpr (depth_bytes(depth_format(effects)) != kDepthBytes) {
       const std::uint64_t needed =
           std::uint64_t{plan.strip_rows} * plan.strip_columns * depth_bytes(depth_format(effects));
@@ -352,8 +451,16 @@ struct Frame::Access {
       ranged.ranges_.begin_frame(frame.depth_, plan.depth_bytes / kDepthBytes);
       ranged.cleared_code_ = 0;
     }
-    if (const Status status = prepare(frame, scene, camera, view); !status) return status;
+    detail::DistanceRange reach = detail::reach_of(scene, camera);
+    if constexpr (effects.has(effect::quadrics)) detail::extend(reach, scene.quadrics, camera);
+    if (const Status status = prepare(frame, scene, camera, view, detail::fit_to(reach, camera)); !status) {
+      return status;
+    }
     if constexpr (has_own_mapping(effects)) change_mapping<effects>(frame, scene);
+    if constexpr (effects.has(effect::quadrics)) {
+      if (const Status status = prepare_quadrics(frame, scene, camera); !status) return status;
+    }
+    divide(frame, scene, view);
     if constexpr (effects.has(effect::statistics)) frame.statistics_.triangles = count(scene).triangles;
     if constexpr (effects.methods != 0) {
       if (const Status status = begin_method(static_cast<FrameWithMethod&>(frame), effects, count(scene), arena);
@@ -362,6 +469,7 @@ struct Frame::Access {
       }
     }
     frame.scene_ = &scene;
+    if constexpr (effects.any(effect::fragments)) prepare_fragments<effects>(frame);
     if constexpr (effects.has(method::culling | effect::statistics)) {
       count_culled<effects>(static_cast<FrameWithMethod&>(frame));
     }
@@ -407,7 +515,7 @@ struct Frame::Access {
     if constexpr (effects.methods != 0) {
       begin_strip_of_method(static_cast<FrameWithMethod&>(frame), effects, target);
     }
-    if (!target.area.empty()) draw_triangles<effects>(frame, target, strip);
+    if (!target.area.empty()) draw_surfaces<effects>(frame, target, strip);
     convert_pixels(frame.view_.format, width, rows, drawn, pixels.data());
     frame.next_to_last_strip_ = strip + 1U;
     return {};
@@ -446,11 +554,17 @@ struct Frame::Access {
           target.depth = depth.data() + first;
           target.colour = pixels.data() + first;
           target.depth_stride = target.colour_stride = area.width();
-          draw_triangles<effects>(frame, target, strip);
+          draw_surfaces<effects>(frame, target, strip);
         }
       }
       return {};
     }
+  }
+
+  template <Effects effects>
+  static void draw_surfaces(Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
+    draw_triangles<effects>(frame, target, strip);
+    if constexpr (effects.has(effect::quadrics)) draw_quadrics<effects>(frame, target);
   }
 
   template <Effects effects>

@@ -16,8 +16,8 @@ struct Pipeline {
   Status (*draw_over)(Frame&, const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth);
 };
 
-/// The pipeline that draws exactly `effects`; where there are depth effects among them, one with all effects but the
-/// other depth formats and the other projection. Effects that do not agree get one that refuses every frame with
+/// A pipeline that draws the same as one with exactly `effects`: it may have more of them, but no other depth format
+/// and projection. Effects that do not agree, or are unknown, get one that refuses every frame with
 /// Error::depth_effects. Links all of them: for hosts (library zstrip::core_any).
 Pipeline pipeline_for(Effects effects);
 

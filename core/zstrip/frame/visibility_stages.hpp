@@ -118,12 +118,13 @@ void Frame::Access::collect_triangles(FrameWithMethod& frame) {
           if (extent.empty()) return true;
           const Triangle& triangle = range.triangles[index];
           listed = true;
-          frame.sorted_[count++] = {detail::depth_key(frame.options_.key, depth(triangle.a), depth(triangle.b), depth(triangle.c)),
-                                    static_cast<std::uint16_t>(instance),
-                                    static_cast<std::uint16_t>(meshlet),
-                                    static_cast<std::uint16_t>(index),
-                                    batches,
-                                    extent};
+          frame.sorted_[count++] = {
+              detail::depth_key(frame.options_.key, depth(triangle.a), depth(triangle.b), depth(triangle.c)),
+              static_cast<std::uint16_t>(instance),
+              static_cast<std::uint16_t>(meshlet),
+              static_cast<std::uint16_t>(index),
+              batches,
+              extent};
           return true;
         });
     if (!listed || !binned) return;
@@ -213,7 +214,7 @@ void Frame::Access::draw_sorted(FrameWithMethod& frame, const detail::StripTarge
         }
       }
     }
-    with_depth<effects>(frame, target, *batch.instance, [&](const auto& complete) {
+    with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
       Assembler<effects>::draw_listed(complete, batch, range.triangles, {&sorted.triangle, 1});
     });
   }

@@ -26,7 +26,15 @@ struct LinearForm {
 };
 
 /// How the light and the material shade this instance. Chosen once a frame, so that no triangle asks again.
-enum class Shade : std::uint8_t { flat, gouraud, textured, textured_flat, textured_gouraud };
+/// `fragments` is added to one of the others where fragments have effects: see fill_fragments.
+enum class Shade : std::uint8_t { flat, gouraud, textured, textured_flat, textured_gouraud, fragments = 8 };
+
+constexpr Shade with_fragments(Shade shade) {
+  return static_cast<Shade>(static_cast<std::uint8_t>(shade) | static_cast<std::uint8_t>(Shade::fragments));
+}
+constexpr Shade without_fragments(Shade shade) {
+  return static_cast<Shade>(static_cast<std::uint8_t>(shade) & ~static_cast<std::uint8_t>(Shade::fragments));
+}
 
 struct ObjectLight {
   std::int16_t x, y, z;          ///< 1.15, unit vector towards the light, in object space
@@ -56,6 +64,15 @@ struct DistanceRange {
   Distance nearest, farthest;
 };
 DistanceRange distance_range(const Mesh& mesh, const Transform& transform, const Camera& camera);
+
+inline constexpr DistanceRange kNoReach{INT64_MAX, INT64_MIN};
+
+/// Extends a reach by something that spans `range`, if that lies in the camera's depth range.
+constexpr void extend(DistanceRange& reach, const DistanceRange& range, const Camera& camera) {
+  if (range.farthest < distance_of(camera.near_plane) || range.nearest > distance_of(camera.far_plane)) return;
+  if (range.nearest < reach.nearest) reach.nearest = range.nearest;
+  if (range.farthest > reach.farthest) reach.farthest = range.farthest;
+}
 
 /// Error::instance if its picture would be more than 2^26 pixels wide, or if its box is so large beside the depth
 /// range of the frame that all of it would be one step of w.

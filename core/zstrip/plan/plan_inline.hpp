@@ -11,6 +11,7 @@ namespace zstrip {
 
 /// Bytes of the renderer's own records; the stages that define them assert these sizes on every target.
 inline constexpr std::uint32_t kInstanceBytes = 160;
+inline constexpr std::uint32_t kQuadricBytes = 384;
 inline constexpr std::uint32_t kVertexBytes = 8;        // snapped x, y and depth
 inline constexpr std::uint32_t kVertexColourBytes = 4;  // only with lighting or vertex colours
 inline constexpr std::uint32_t kExtentBytes = 4;        // the strips that a meshlet touches
@@ -18,6 +19,7 @@ inline constexpr std::uint32_t kBatchBytes = 8;         // a transformed meshlet
 inline constexpr std::uint32_t kBinBytes = 8;           // a strip's list
 inline constexpr std::uint32_t kBinChunkBytes = 32;     // part of a list: kBinChunkEntries and a link
 inline constexpr std::uint32_t kBinChunkEntries = 15;
+inline constexpr std::uint32_t kFogBytes = 40;  // the frame's fog
 inline constexpr std::uint32_t kMostBinChunks = 0xFFFF;
 inline constexpr std::uint32_t kMostBatches = 0x7FFF;  // that bins can name; likewise triangles of a meshlet
 inline constexpr std::uint32_t kMostStrips = 0xFFFF;
@@ -40,9 +42,21 @@ constexpr std::uint16_t whole_tiles(std::uint32_t rows, std::uint16_t height) {
 
 constexpr bool has_vertex_colours(Effects effects) { return effects.any(effect::lighting | effect::vertex_colours); }
 
+/// What effects keep through a frame of so many instances.
+constexpr std::uint64_t effect_bytes(Effects effects, [[maybe_unused]] std::uint32_t instances) {
+  std::uint64_t bytes = 0;
+  if (effects.has(effect::fog)) bytes += kFogBytes;
+  return bytes;
+}
+
 /// RGB565 is drawn straight into the caller's pixels; the other formats pass through a working strip.
 constexpr bool drawn_in_place(PixelFormat format) {
   return format == PixelFormat::rgb565 || format == PixelFormat::rgb565_swapped;
+}
+
+/// What begin_frame compiles.
+constexpr std::uint64_t instance_bytes(const SceneCounts& counts) {
+  return std::uint64_t{counts.instances} * kInstanceBytes + std::uint64_t{counts.quadrics} * kQuadricBytes;
 }
 
 constexpr Purpose largest_purpose(const Plan& plan, const LayerBytes& layer = {},
@@ -58,13 +72,15 @@ constexpr Purpose largest_purpose(const Plan& plan, const LayerBytes& layer = {}
   consider(Purpose::colour, plan.colour_bytes);
   consider(Purpose::bins, plan.bin_bytes);
   consider(Purpose::layer, layer.sum());
+  consider(Purpose::effects, plan.effect_bytes);
   consider(of_visibility, plan.visibility_bytes);
   return purpose;
 }
 }  // namespace detail
 
 constexpr SceneCounts count(const Scene& scene) {
-  SceneCounts counts{.instances = static_cast<std::uint32_t>(scene.instances.size())};
+  SceneCounts counts{.instances = static_cast<std::uint32_t>(scene.instances.size()),
+                     .quadrics = static_cast<std::uint32_t>(scene.quadrics.size())};
   const auto raise = [](std::uint32_t& largest, std::uint32_t value) { largest = largest < value ? value : largest; };
   // No sum wraps: what needs more than 32 bits is refused everywhere, not mistaken for something small.
   const auto add = [](std::uint32_t& sum, std::uint64_t value) {
@@ -104,6 +120,7 @@ class Planner {
         per_vertex_(kVertexBytes + (has_vertex_colours(effects) ? kVertexColourBytes : 0)),
         per_cell_(depth_cell_bytes(effects)),
         effects_(effects),
+        effect_bytes_(rounded_up(effect_bytes(effects, counts.instances))),
         strip_buffers_(budget.strip_buffers),
         layer_(budget.layer),
         limit_(budget.bytes == 0 || budget.bytes > kLargestArena ? kLargestArena : budget.bytes) {}
@@ -144,7 +161,8 @@ class Planner {
     consider(with(mode, columns, view_.height));
     // From the fewest strips whose pixels could fit on, with evenly filled rows, to the first that does: more strips
     // of the same columns cost more time.
-    const std::uint64_t fixed = std::uint64_t{lowest.instance_bytes} + lowest.vertex_bytes + layer_.sum();
+    const std::uint64_t fixed =
+        std::uint64_t{lowest.instance_bytes} + lowest.vertex_bytes + effect_bytes_ + layer_.sum();
     if (fixed >= limit_) return;
     const std::uint64_t whole_depth = std::uint64_t{per_cell_} * columns * view_.height;
     const std::uint64_t at_least = whole_depth / (limit_ - fixed);
@@ -165,12 +183,13 @@ class Planner {
     if (sorts_triangles(effects_) && counts_.longest_meshlet > kMostSortedIndex) return {};
     const std::uint64_t meshlets = counts_.meshlets > counts_.instances ? counts_.meshlets : counts_.instances;
     const bool binned = mode == Mode::binned;
-    plan.instance_bytes = rounded_up(std::uint64_t{counts_.instances} * kInstanceBytes);
+    plan.instance_bytes = rounded_up(detail::instance_bytes(counts_));
     plan.extent_bytes = strips > 1 || binned ? rounded_up(meshlets * kExtentBytes) : 0;
     plan.vertex_bytes = rounded_up(std::uint64_t{binned ? counts_.vertices : counts_.largest_meshlet} * per_vertex_);
     plan.depth_bytes = rounded_up(cells * per_cell_);
     plan.visibility_bytes = rounded_up(visibility_bytes(effects_, counts_.triangles, columns, rows));
     plan.colour_bytes = drawn_in_place(view_.format) ? 0 : rounded_up(cells * kWorkingColourBytes);
+    plan.effect_bytes = effect_bytes_;
     if (binned) {
       if (meshlets > kMostBatches || counts_.longest_meshlet > kMostBatches) return {};
       const Visits visits = visits_of(counts_, view_, plan);
@@ -201,7 +220,7 @@ class Planner {
   const View& view_;
   std::uint32_t per_vertex_, per_cell_;
   Effects effects_;
-  std::uint32_t strip_buffers_;
+  std::uint32_t effect_bytes_, strip_buffers_;
   LayerBytes layer_;
   std::uint32_t limit_;
   Plan best_{}, smallest_{};
@@ -234,7 +253,7 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
     }
   }
   if (budget.modes == Modes::binned && !effects.has(effect::bins)) {
-    return {.status = {.error = Error::effect_missing, .needed = effect::bins.bits}, .plan = {}};
+    return {.status = {.error = Error::effect_missing, .needed = low_bits(effect::bins)}, .plan = {}};
   }
   const bool can_bin = effects.has(effect::bins) && !effects.has(effect::depth_ranges);
   if (budget.modes == Modes::binned && !can_bin) return {.status = {.error = Error::depth_effects}, .plan = {}};

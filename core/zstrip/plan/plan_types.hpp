@@ -17,6 +17,7 @@ struct SceneCounts {
   std::uint32_t largest_meshlet = 0;  ///< most vertices that one meshlet uses
   std::uint32_t meshlets = 0;         ///< of all instances; a mesh without any counts as one
   std::uint32_t longest_meshlet = 0;  ///< most triangles in one meshlet
+  std::uint32_t quadrics = 0;
 };
 
 enum class Mode : std::uint8_t {
@@ -45,14 +46,15 @@ inline constexpr std::uint32_t kLargestArena = 0xFFFFFFF0;  ///< bytes; needs be
 struct Plan {
   Mode mode = Mode::streamed;
   std::uint16_t strip_rows = 0;
-  std::uint16_t strip_columns = 0;  ///< the view's width where strips are not split
-  std::uint16_t strips = 0;         ///< row by row, from left to right
-  std::uint32_t instance_bytes = 0;
-  std::uint32_t extent_bytes = 0;  ///< which strips a meshlet touches; none for a single streamed strip
+  std::uint16_t strip_columns = 0;   ///< the view's width where strips are not split
+  std::uint16_t strips = 0;          ///< row by row, from left to right
+  std::uint32_t instance_bytes = 0;  ///< of quadrics, too
+  std::uint32_t extent_bytes = 0;    ///< which strips a meshlet touches; none for a single streamed strip
   std::uint32_t vertex_bytes = 0;
   std::uint32_t depth_bytes = 0;
   std::uint32_t colour_bytes = 0;  ///< RGB565 working strip; only for formats that are not drawn in place
   std::uint32_t bin_bytes = 0;
+  std::uint32_t effect_bytes = 0;      ///< what effects keep through a frame: fog
   std::uint32_t visibility_bytes = 0;  ///< what a visibility method keeps: order of triangles, or bounds of depth
   /// The arena. It must be aligned to kArenaAlignment. Of a plan that `plan` returned never more than kLargestArena.
   constexpr std::uint32_t bytes() const {
@@ -62,7 +64,7 @@ struct Plan {
   /// The same without a limit, for plans from elsewhere.
   constexpr std::uint64_t wide_bytes() const {
     return std::uint64_t{instance_bytes} + extent_bytes + vertex_bytes + depth_bytes + colour_bytes + bin_bytes +
-           visibility_bytes;
+           effect_bytes + visibility_bytes;
   }
   /// The caller's pixel buffer for one strip.
   constexpr std::uint32_t strip_pixel_bytes(const View& view) const {

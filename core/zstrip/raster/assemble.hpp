@@ -7,6 +7,7 @@
 
 #include "zstrip/geometry/clip.hpp"
 #include "zstrip/geometry/transform.hpp"
+#include "zstrip/raster/fragment.hpp"
 #include "zstrip/raster/polygon.hpp"
 #include "zstrip/raster/small_triangle.hpp"
 #include "zstrip/raster/span_triangle.hpp"
@@ -63,20 +64,31 @@ template <Effects effects>
 struct Assembler {
   static constexpr bool kOrthographic = effects.has(effect::orthographic);
   static constexpr bool kStatistics = effects.has(effect::statistics);
+  static constexpr bool kTextures = effects.has(effect::textures);
   static constexpr bool kColours = has_vertex_colours(effects);
   static constexpr DepthMode kDepth = depth_mode(effects);
-  using StripTarget = TargetFor<kDepth>;  // with what this depth mode needs
+  using StripTarget = TargetOf<effects>;  // with what the depth mode and fragments need
+
+  template <class Vertex>
+  static void set_colour(Vertex& vertex, const Colour& colour) {
+    vertex.r = channel_start(colour.r);
+    vertex.g = channel_start(colour.g);
+    vertex.b = channel_start(colour.b);
+  }
 
   /// Colour and texture coordinates, as far as `shade` reads them.
   template <Shade shade, class Vertex>
   static void load_attributes(const Batch& batch, std::uint32_t index, Vertex& vertex) {
     if constexpr (shade == Shade::gouraud || shade == Shade::textured_gouraud || shade == Shade::textured_flat) {
-      const Colour colour = colour_of(batch, index);
-      vertex.r = channel_start(colour.r);
-      vertex.g = channel_start(colour.g);
-      vertex.b = channel_start(colour.b);
+      set_colour(vertex, colour_of(batch, index));
     }
-    if constexpr (shade >= Shade::textured) {
+    if constexpr (shade == Shade::fragments) {
+      const Shade kind = without_fragments(batch.instance->shade);
+      const bool white = kind == Shade::textured;  // texels as they are
+      set_colour(vertex, white ? Colour{255, 255, 255, 255} : colour_of(batch, index));
+      if (!kTextures || kind < Shade::textured) return;
+    }
+    if constexpr (shade >= Shade::textured && kTextures) {
       const TexCoord& t = batch.mesh->texcoords[index];
       vertex.u = texels(t.u, batch.surface.texture.log2_width, batch.mesh->texcoord_bits);
       vertex.v = texels(t.v, batch.surface.texture.log2_height, batch.mesh->texcoord_bits);
@@ -223,7 +235,24 @@ struct Assembler {
     }
     Surface surface = batch.surface;
     surface.flat_colour = flat_colour<shade>(batch, provoking);
-    draw_span_triangle<shade, kOrthographic, kStatistics, kDepth>(target, v[0], v[1], v[2], surface, true);
+    if constexpr (shade == Shade::fragments) take_first_colour(batch, provoking, v);
+    draw_spans<shade>(target, v, surface, true);
+  }
+
+  /// Where the first vertex decides, all get its colour.
+  static void take_first_colour(const Batch& batch, const Triangle& provoking, RasterVertex (&vertices)[3]) {
+    const Shade kind = without_fragments(batch.instance->shade);
+    if (kind != Shade::flat && kind != Shade::textured_flat) return;
+    for (RasterVertex& vertex : vertices) set_colour(vertex, colour_of(batch, provoking.a));
+  }
+
+  template <Shade shade, class Target>
+  static void draw_spans(const Target& target, const RasterVertex (&v)[3], const Surface& surface, bool narrow) {
+    if constexpr (shade == Shade::fragments) {
+      draw_fragment_triangle<effects>(target, v[0], v[1], v[2], surface, narrow);
+    } else {
+      draw_span_triangle<shade, kOrthographic, kStatistics, kDepth>(target, v[0], v[1], v[2], surface, narrow);
+    }
   }
 
   static ClipVertex clip_vertex(const Batch& batch, std::uint32_t index) {
@@ -280,10 +309,10 @@ struct Assembler {
         corner[0].r = channel_start(colour.r), corner[0].g = channel_start(colour.g),
         corner[0].b = channel_start(colour.b);
       }
+      if constexpr (shade == Shade::fragments) take_first_colour(batch, triangle, corner);
       TriangleParts parts(polygon, corner, target.area);
       for (Rect part; parts.next(part);) {
-        draw_span_triangle<shade, kOrthographic, kStatistics, kDepth>(part_of<DepthCell<kDepth.format>>(target, part),
-                                                                      corner[0], corner[1], corner[2], surface, false);
+        draw_spans<shade>(part_of<DepthCell<kDepth.format>>(target, part), corner, surface, false);
       }
     }
   }
@@ -379,7 +408,9 @@ struct Assembler {
   template <class Draw>
   static void with_shade(Shade shade, const Draw& draw) {
     constexpr bool kGouraud = effects.has(effect::gouraud);
-    constexpr bool kTextures = effects.has(effect::textures);
+    if constexpr (effects.any(effect::fragments)) {
+      if (shade >= Shade::fragments) return draw.template operator()<Shade::fragments>();
+    }
     if constexpr (kTextures) {
       if (shade == Shade::textured) return draw.template operator()<Shade::textured>();
       if (shade == Shade::textured_flat) return draw.template operator()<Shade::textured_flat>();

@@ -74,33 +74,41 @@ void for_each_midpoint_piece(const TargetFor<mode>& target, const RasterVertex& 
   });
 }
 
-/// Draws a counter-clockwise triangle. `narrow`: all coordinates within kNarrowLimit; only speed depends on it.
-template <Shade shade, bool orthographic, bool statistics, DepthMode mode = DepthMode{}>
-void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
-                        const RasterVertex& v2, const Surface& surface, bool narrow) {
-  const std::int64_t area = signed_area(v0, v1, v2);
-  // The anchor is a pixel of the picture near the triangle: offsets stay small and do not depend on the strip.
-  const std::int32_t anchor_x = std::max(std::min({v0.x, v1.x, v2.x}) >> 4, target.view_left);
-  const std::int32_t anchor_y = std::max(std::min({v0.y, v1.y, v2.y}) >> 4, target.view_top);
-  const PlaneSetup setup(v0, v1, v2, area, anchor_x, anchor_y);
-  const auto plane = [&](auto member) {
-    const auto value = [&](const RasterVertex& v) { return std::int64_t{v.*member}; };
-    return setup.plane(value(v0), value(v1) - value(v0), value(v2) - value(v0));
-  };
+/// A triangle set up: its anchor, its depth, and its spans in a strip.
+template <DepthMode mode>
+struct SpanTriangle {
+  SpanTriangle(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2)
+      : area(signed_area(v0, v1, v2)),
+        anchor_x(std::max(std::min({v0.x, v1.x, v2.x}) >> 4, target.view_left)),
+        anchor_y(std::max(std::min({v0.y, v1.y, v2.y}) >> 4, target.view_top)),
+        setup(v0, v1, v2, area, anchor_x, anchor_y),
+        depth(setup, v0, v1, v2, area, anchor_x, anchor_y),
+        rule(target, v0, v1, v2, area) {}
 
-  const TriangleDepth<mode.format> depth(setup, v0, v1, v2, area, anchor_x, anchor_y);
-  const DepthRule<mode> rule(target, v0, v1, v2, area);
-  ColourPlanes colours{};
-  constexpr bool kVaries = shade == Shade::gouraud || shade == Shade::textured_gouraud;
-  if constexpr (kVaries) {
-    colours = {plane(&RasterVertex::r), plane(&RasterVertex::g), plane(&RasterVertex::b)};
-  } else if constexpr (shade == Shade::textured_flat) {
-    const auto constant = [](std::int32_t value) { return Plane{static_cast<std::uint32_t>(value), 0, 0}; };
-    colours = {constant(v0.r), constant(v0.g), constant(v0.b)};
+  /// Calls fill(run, depth plane, rule) for all runs in the strip that may be seen.
+  template <bool statistics, class Fill>
+  void walk(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2,
+            bool narrow, const Fill& fill) const {
+    if constexpr (mode.any(method::splitting)) {
+      const DepthRule<mode.with(DepthUse::written)> writing(target, v0, v1, v2, area);
+      for_each_midpoint_piece<mode>(target, v0, v1, v2, [&](const RasterVertex(&part)[3], DepthUse use) {
+        if (use == DepthUse::tested) {
+          walk_part<statistics>(target, part[0], part[1], part[2], narrow, rule, fill);
+        } else {
+          walk_part<statistics>(target, part[0], part[1], part[2], narrow, writing, fill);
+        }
+      });
+    } else {
+      walk_part<statistics>(target, v0, v1, v2, narrow, rule, fill);
+    }
   }
 
-  using Cell = typename DepthRule<mode>::Cell;
-  const auto walk_part = [&](const RasterVertex& a, const RasterVertex& b, const RasterVertex& c, const auto& fill) {
+  /// The same of a part of the triangle.
+  template <bool statistics, class Rule, class Fill>
+  void walk_part(const TargetFor<mode>& target, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
+                 bool narrow, const Rule& how, const Fill& fill) const {
+    using Cell = typename Rule::Cell;
+    const auto fill_run = [&](const Span<Cell>& run, const auto& plane) { fill(run, plane, how); };
     const auto fill_row = [&](std::int32_t row, std::int32_t left, std::int32_t right, std::int32_t whole_left,
                               std::int32_t whole_right) {
       const Span<Cell> span{target.template depth_row<Cell>(row) + (left - target.area.left),
@@ -113,9 +121,9 @@ void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, c
       if constexpr (statistics) target.statistics->fragments += static_cast<std::uint32_t>(right - left);
       if constexpr (mode.any(method::hierarchical_z)) {
         for_each_shown_run<mode>(target, depth, row, left, span,
-                                 [&](const Span<Cell>& run) { fill(run, depth.plane()); });
+                                 [&](const Span<Cell>& run) { fill_run(run, depth.plane()); });
       } else {
-        depth.for_each_run(span, fill);
+        depth.for_each_run(span, fill_run);
       }
     };
     if (narrow) {
@@ -123,25 +131,35 @@ void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, c
     } else {
       walk_spans<std::int64_t>(target, a, b, c, fill_row);
     }
+  }
+
+  std::int64_t area;
+  std::int32_t anchor_x, anchor_y;  ///< a pixel of the picture near the triangle, whatever the strip
+  PlaneSetup setup;
+  TriangleDepth<mode.format> depth;
+  DepthRule<mode> rule;
+};
+
+/// Draws a counter-clockwise triangle. `narrow`: all coordinates within kNarrowLimit; only speed depends on it.
+template <Shade shade, bool orthographic, bool statistics, DepthMode mode = DepthMode{}>
+void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
+                        const RasterVertex& v2, const Surface& surface, bool narrow) {
+  const SpanTriangle<mode> triangle(target, v0, v1, v2);
+  const auto plane = [&](auto member) {
+    const auto value = [&](const RasterVertex& v) { return std::int64_t{v.*member}; };
+    return triangle.setup.plane(value(v0), value(v1) - value(v0), value(v2) - value(v0));
   };
-  // `fill` is called with the rule that holds for the run.
-  const auto walk = [&](const auto& fill) {
-    const auto filled_by = [&fill](const auto& rule_of_part) {
-      return [&fill, &rule_of_part](const Span<Cell>& run, const auto& z) { fill(run, z, rule_of_part); };
-    };
-    if constexpr (mode.any(method::splitting)) {
-      const DepthRule<mode.with(DepthUse::written)> writing(target, v0, v1, v2, area);
-      for_each_midpoint_piece<mode>(target, v0, v1, v2, [&](const RasterVertex(&part)[3], DepthUse use) {
-        if (use == DepthUse::tested) {
-          walk_part(part[0], part[1], part[2], filled_by(rule));
-        } else {
-          walk_part(part[0], part[1], part[2], filled_by(writing));
-        }
-      });
-    } else {
-      walk_part(v0, v1, v2, filled_by(rule));
-    }
-  };
+  ColourPlanes colours{};
+  constexpr bool kVaries = shade == Shade::gouraud || shade == Shade::textured_gouraud;
+  if constexpr (kVaries) {
+    colours = {plane(&RasterVertex::r), plane(&RasterVertex::g), plane(&RasterVertex::b)};
+  } else if constexpr (shade == Shade::textured_flat) {
+    const auto constant = [](std::int32_t value) { return Plane{static_cast<std::uint32_t>(value), 0, 0}; };
+    colours = {constant(v0.r), constant(v0.g), constant(v0.b)};
+  }
+
+  using Cell = typename DepthRule<mode>::Cell;
+  const auto walk = [&](const auto& fill) { triangle.template walk<statistics>(target, v0, v1, v2, narrow, fill); };
   if constexpr (shade == Shade::flat) {
     walk([&](const Span<Cell>& run, const auto& z, const auto& how) {
       fill_flat<statistics>(run, z, how, surface.flat_colour, target.statistics);
@@ -152,7 +170,7 @@ void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, c
     });
   } else {
     const RasterVertex* const vertices[3] = {&v0, &v1, &v2};
-    const TextureCoordinates<orthographic> coordinates(setup, vertices, surface.depth_offset);
+    const TextureCoordinates<orthographic> coordinates(triangle.setup, vertices, surface.depth_offset);
     constexpr bool kLit = shade != Shade::textured;
     walk([&](const Span<Cell>& run, const auto& z, const auto& how) {
       fill_textured<orthographic, kLit, statistics>(run, z, how, surface.texture, coordinates, colours,

@@ -17,6 +17,7 @@ struct TexelPosition {
 template <bool orthographic>
 class TextureCoordinates {
  public:
+  TextureCoordinates() = default;
   /// `depth_offset` is DepthFit::offset.
   TextureCoordinates(const PlaneSetup& setup, const RasterVertex* const (&v)[3], std::int64_t depth_offset) {
     // Relative to whole texels near vertex 0: small numbers keep their precision.

@@ -17,8 +17,12 @@ void convert_pixels(PixelFormat format, std::uint16_t width, std::uint16_t rows,
     std::byte* const out_row = out + y * bytes_per_row(width, format);
     if (format == PixelFormat::gray4) {
       detail::resolve_gray4(row, width, out_row);
-    } else {
+    } else if (format == PixelFormat::mono) {
       detail::resolve_mono(row, width, out_row);
+    } else if (format == PixelFormat::rgb444) {
+      detail::resolve_rgb444(row, width, out_row);
+    } else {
+      detail::resolve_wide(row, width, format == PixelFormat::xrgb8888, out_row);
     }
   }
 }

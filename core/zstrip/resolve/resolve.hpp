@@ -39,6 +39,38 @@ inline void resolve_mono(const std::uint16_t* pixels, std::uint16_t width, std::
   }
 }
 
+/// Channels keep their upper 4 bits. `out` has bytes_per_row(width, rgb444) bytes; an odd last nibble is 0.
+inline void resolve_rgb444(const std::uint16_t* pixels, std::uint16_t width, std::byte* out) {
+  const auto bits = [pixels](std::uint32_t x) {
+    const std::uint32_t pixel = pixels[x];
+    return ((pixel >> 4) & 0xF00U) | ((pixel >> 3) & 0xF0U) | ((pixel >> 1) & 0xFU);
+  };
+  for (std::uint32_t x = 0; x < width; x += 2) {
+    const std::uint32_t left = bits(x);
+    const bool pair = x + 1U < width;
+    const std::uint32_t right = pair ? bits(x + 1U) : 0U;
+    *out++ = static_cast<std::byte>(left >> 4);
+    *out++ = static_cast<std::byte>((left << 4) | (right >> 8));
+    if (pair) *out++ = static_cast<std::byte>(right);
+  }
+}
+
+/// A byte a channel, widened by repeating the upper bits: xrgb8888 if `words`, else rgb666.
+inline void resolve_wide(const std::uint16_t* pixels, std::uint16_t width, bool words, std::byte* out) {
+  for (std::uint32_t x = 0; x < width; ++x) {
+    const std::uint32_t pixel = pixels[x];
+    const std::uint32_t r5 = pixel >> 11, g6 = (pixel >> 5) & 0x3FU, b5 = pixel & 0x1FU;
+    const auto r = static_cast<std::byte>((r5 << 3) | (r5 >> 2));
+    const auto g = static_cast<std::byte>((g6 << 2) | (g6 >> 4));
+    const auto b = static_cast<std::byte>((b5 << 3) | (b5 >> 2));
+    constexpr std::byte kSixBits{0xFC};
+    *out++ = words ? b : r & kSixBits;
+    *out++ = words ? g : g & kSixBits;
+    *out++ = words ? r : b & kSixBits;
+    if (words) *out++ = std::byte{0};
+  }
+}
+
 using PixelPairs [[gnu::may_alias]] = std::uint32_t;
 
 /// `blocks` > 0 times sixteen pixels.

@@ -11,7 +11,7 @@ namespace zstrip {
 
 /// A set of effects; a structural type, so that it can be a template argument.
 struct Effects {
-  std::uint32_t bits = 0;     ///< namespace effect
+  std::uint64_t bits = 0;     ///< namespace effect
   std::uint32_t methods = 0;  ///< namespace method: how visibility is found; none is the z-buffer
   constexpr bool has(Effects other) const { return (*this & other) == other; }
   constexpr bool any(Effects other) const { return (*this & other) != Effects{}; }
@@ -41,6 +41,17 @@ inline constexpr Effects depth_ranges{1U << 11};
 inline constexpr Effects depth_formats{depth_float.bits | depth_w16.bits | depth_24.bits | depth_32.bits};
 /// Can carry out plans of Mode::binned; never called for by a scene. Sub-ranges cannot be binned.
 inline constexpr Effects bins{1U << 12};
+
+// Of light and of fragments. Each needs nothing of the others.
+inline constexpr Effects fog{std::uint64_t{1} << 13};  ///< Scene::fog
+
+/// Those that need a fragment of its own: instances with one of them are drawn by fill_fragments.
+inline constexpr Effects fragments = fog;
+// Surfaces and passes beyond the triangles of instances; bits 22 to 31.
+inline constexpr Effects quadrics{1U << 22};       ///< spheres and ellipsoids
+inline constexpr Effects surfaces{quadrics.bits};  ///< all of these
+/// All that a scene can call for.
+inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | surfaces;
 }  // namespace effect
 
 /// Ways to find what is visible other than a plain z-buffer; docs/visibility.md compares them. Never called for by a
@@ -71,6 +82,12 @@ inline constexpr Effects splitting{0, midpoint.methods | midpoint_safe.methods};
 inline constexpr Effects orders{0, in_order.methods | bsp.methods};  ///< any replaces the painter's key
 }  // namespace method
 
+/// Effects as Status::needed has them: the lower 32 bits, or all ones where the lower have none.
+constexpr std::uint32_t low_bits(Effects effects) {
+  const auto low = static_cast<std::uint32_t>(effects.bits);
+  return low != 0 || effects.bits == 0 ? low : 0xFFFFFFFF;
+}
+
 /// How a renderer with these effects keeps depth: z16, unless one of effect::depth_formats is among them.
 constexpr DepthFormat depth_format(Effects effects) {
   if (effects.has(effect::depth_float)) return DepthFormat::float16;
@@ -94,16 +111,18 @@ constexpr Effects depth_effect(DepthFormat format) {
 
 /// At most one format, sub-ranges only of z16, and what needs 1/w only with perspective.
 constexpr bool depth_effects_agree(Effects effects) {
-  const std::uint32_t format = (effects & (effect::depth_formats | effect::depth_ranges)).bits;
+  const std::uint64_t format = (effects & (effect::depth_formats | effect::depth_ranges)).bits;
   const bool single = (format & (format - 1)) == 0;
   return single && !(effects.has(effect::orthographic) && effects.any(effect::depth_float | effect::depth_w16));
 }
 
 /// Of the painter, hierarchical z and the two midpoints at most one; the painter has one order and cannot be sorted the
-/// other way round. Other depth formats, sub-ranges and materials with a depth test of their own need the plain
-/// z-buffer, because the methods take "nearer is seen" for granted.
+/// other way round. Fog and quadrics are drawn by the plain z-buffer only. Other depth formats, sub-ranges and
+/// materials with a depth test of their own need the plain z-buffer, because the methods take "nearer is seen" for
+/// granted.
 constexpr bool methods_agree(Effects effects) {
   const Effects own = without(Effects{0, effects.methods}, method::culling);
+  if (effects.methods != 0 && effects.any(effect::fragments | effect::surfaces)) return false;
   if (own == Effects{}) return true;
   if (effects.any(effect::depth_formats | effect::depth_ranges | effect::depth_state)) return false;
   const auto single = [own](Effects set) {
@@ -125,6 +144,9 @@ constexpr bool has_depth_state(const Material& material) {
          material.depth_slope_bias != 0;
 }
 
+/// Whether fragments of this scene's instances have effects: these are drawn by fill_fragments.
+constexpr bool has_fragments(const Scene& scene) { return scene.fog != nullptr; }
+
 /// Exactly what drawing this scene with this camera needs. constexpr for baked scenes.
 constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
   Effects found{};
@@ -139,6 +161,15 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (coloured) found = found | effect::vertex_colours;
     if (textured) found = found | effect::textures;
     if (material.smooth && (lit || coloured)) found = found | effect::gouraud;
+    if (has_depth_state(material)) found = found | effect::depth_state;
+  }
+  if (scene.fog != nullptr && !scene.instances.empty()) found = found | effect::fog;
+  for (const Quadric& quadric : scene.quadrics) {
+    found = found | effect::quadrics;
+    if (quadric.material >= scene.materials.size()) continue;
+    const Material& material = scene.materials[quadric.material];
+    if (material.lit) found = found | effect::lighting;
+    if (material.texture != kNoTexture) found = found | effect::textures;
     if (has_depth_state(material)) found = found | effect::depth_state;
   }
   if (camera.projection == Projection::orthographic) found = found | effect::orthographic;

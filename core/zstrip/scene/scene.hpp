@@ -101,9 +101,34 @@ struct Instance {
   Transform transform = Transform::identity();  ///< object to world; rotation and scale entries within +-255
 };
 
+/// A sphere or ellipsoid: the unit sphere around the origin, transformed. Drawn pixel by pixel along the viewing ray,
+/// after the instances, into the same z-buffer; docs/effects.md has the mapping of its texture. Material::smooth means
+/// nothing to it, and its depth has no slope: Material::depth_slope_bias must be 0.
+struct Quadric {
+  std::uint16_t material = 0;  ///< index into Scene::materials
+  /// Sphere to world; entries within +-255, with an inverse. Its columns are the ellipsoid's half axes where they are
+  /// at right angles.
+  Transform transform = Transform::identity();
+};
+
 struct DirectionalLight {
   std::int16_t x = 0, y = 0, z = 32767;  ///< 1.15, unit vector *towards* the light, in world space
   Colour colour{255, 255, 255, 255};
+};
+
+/// How what is seen fades into a colour with its distance w from the camera's plane (along the viewing direction).
+enum class FogMode : std::uint8_t {
+  linear,               ///< visible: (end - w) / (end - start), within 0..1
+  exponential,          ///< visible: e^-(density w)
+  exponential_squared,  ///< visible: e^-(density w)^2
+};
+
+struct Fog {
+  Colour colour{128, 128, 128, 255};  ///< the background is not fogged: give Scene::background the same colour
+  FogMode mode = FogMode::linear;
+  Fixed start = 0;                ///< 16.16, 0 <= start < end; linear
+  Fixed end = 100 * kFixedOne;    ///< 16.16
+  Fixed density = kFixedOne / 8;  ///< 16.16 a unit of length, >= 0; the exponential modes
 };
 
 inline constexpr std::uint32_t kMaxLights = 4;
@@ -116,6 +141,8 @@ struct Scene {
   std::span<const DirectionalLight> lights;  ///< at most kMaxLights
   Colour ambient{48, 48, 48, 255};
   Colour background{0, 0, 0, 255};
+  const Fog* fog = nullptr;                ///< none if null
+  std::span<const Quadric> quadrics = {};  ///< drawn in this order, after the instances
 };
 
 }  // namespace zstrip

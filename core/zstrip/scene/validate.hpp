@@ -53,14 +53,23 @@ constexpr bool valid_mesh(const Mesh& mesh) {
   return valid_meshlets(mesh);
 }
 
-constexpr bool valid_instance(const Scene& scene, const Instance& instance) {
-  if (instance.mesh >= scene.meshes.size() || instance.material >= scene.materials.size()) return false;
-  for (const auto& row : instance.transform.m) {
+constexpr bool valid_transform(const Transform& transform) {
+  for (const auto& row : transform.m) {
     for (int column = 0; column < 3; ++column) {
       if (!within(row[column], kLargestScale)) return false;
     }
   }
   return true;
+}
+
+constexpr bool valid_instance(const Scene& scene, const Instance& instance) {
+  return instance.mesh < scene.meshes.size() && instance.material < scene.materials.size() &&
+         valid_transform(instance.transform);
+}
+
+constexpr bool valid_quadric(const Scene& scene, const Quadric& quadric) {
+  return quadric.material < scene.materials.size() && scene.materials[quadric.material].depth_slope_bias == 0 &&
+         valid_transform(quadric.transform);
 }
 
 /// Texture coordinates in texels have 16 bits before the point: 2048 texels may repeat 16 times on either side of 0.
@@ -78,6 +87,10 @@ constexpr bool valid_texcoords(const Scene& scene, const Instance& instance) {
   return true;
 }
 
+constexpr bool valid_fog(const Fog& fog) {
+  return fog.mode <= FogMode::exponential_squared && fog.start >= 0 && fog.start < fog.end && fog.density >= 0;
+}
+
 constexpr bool valid_texture(const Texture& texture) {
   return texture.log2_width <= kLargestTextureLog2 && texture.log2_height <= kLargestTextureLog2 &&
          texture.texels.size() >= std::size_t{1} << (texture.log2_width + texture.log2_height);
@@ -85,10 +98,13 @@ constexpr bool valid_texture(const Texture& texture) {
 
 }  // namespace detail
 
-/// Instances move between frames: begin_frame calls this for them again.
+/// Instances and quadrics move between frames: begin_frame calls this for them again.
 constexpr Status validate_instances(const Scene& scene) {
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     if (!detail::valid_instance(scene, scene.instances[i])) return {.error = Error::instance, .needed = i};
+  }
+  for (std::uint32_t i = 0; i < scene.quadrics.size(); ++i) {
+    if (!detail::valid_quadric(scene, scene.quadrics[i])) return {.error = Error::quadric, .needed = i};
   }
   if (scene.lights.size() > kMaxLights) {
     return {.error = Error::light, .needed = static_cast<std::uint32_t>(scene.lights.size()), .available = kMaxLights};
@@ -110,6 +126,7 @@ constexpr Status validate(const Scene& scene) {
     const std::uint16_t texture = scene.materials[i].texture;
     if (texture != kNoTexture && texture >= scene.textures.size()) return {.error = Error::material, .needed = i};
   }
+  if (scene.fog != nullptr && !detail::valid_fog(*scene.fog)) return {.error = Error::fog};
   if (const Status status = validate_instances(scene); !status) return status;
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     if (!detail::valid_texcoords(scene, scene.instances[i])) return {.error = Error::instance, .needed = i};

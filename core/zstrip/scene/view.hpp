@@ -5,7 +5,9 @@
 
 namespace zstrip {
 
-enum class PixelFormat : std::uint8_t { rgb565, rgb565_swapped, gray4, mono };
+/// The bytes of each: docs/conventions.md, "Picture formats". zstrip_hal has the same names in the same order.
+enum class PixelFormat : std::uint8_t { rgb565, rgb565_swapped, gray4, mono, rgb666, rgb444, xrgb8888 };
+inline constexpr PixelFormat kLastPixelFormat = PixelFormat::xrgb8888;
 
 struct View {
   std::uint16_t width = 0;   ///< 1..4096
@@ -20,6 +22,9 @@ constexpr std::uint32_t bytes_per_row(std::uint16_t width, PixelFormat format) {
   switch (format) {
     case PixelFormat::gray4: return (width + 1U) / 2U;
     case PixelFormat::mono: return (width + 7U) / 8U;
+    case PixelFormat::rgb666: return 3U * width;
+    case PixelFormat::rgb444: return (3U * width + 1U) / 2U;
+    case PixelFormat::xrgb8888: return 4U * width;
     default: return 2U * width;
   }
 }

@@ -2,12 +2,14 @@
 #include "cortex_m/board.hpp"
 
 #include "cortex_m/registers.hpp"
+#include "portable/console_input.hpp"
 
 namespace zstrip::board {
 namespace {
 
 constexpr std::uint32_t kUart0 = 0x101F1000;  // offset 0 is the data register
 constexpr std::uint32_t kUartFlags = 0x018;
+constexpr std::uint32_t kUartReceiveEmpty = 1U << 4;
 constexpr std::uint32_t kUartTransmitFull = 1U << 5;
 constexpr std::uint32_t kUartBaudInteger = 0x024;
 constexpr std::uint32_t kUartBaudFraction = 0x028;  // 64ths
@@ -28,6 +30,13 @@ void put_character(char character) {
   while ((register_at(kUart0 + kUartFlags) & kUartTransmitFull) != 0) {
   }
   register_at(kUart0) = static_cast<unsigned char>(character);
+}
+
+bool take_character(char& character) {
+  if ((register_at(kUart0 + kUartFlags) & kUartReceiveEmpty) != 0) return false;
+  const std::uint32_t data = register_at(kUart0);
+  character = static_cast<char>(data);
+  return true;
 }
 
 void halt(int status) {

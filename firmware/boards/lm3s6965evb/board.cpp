@@ -3,7 +3,7 @@
 
 #include "cortex_m/registers.hpp"
 #include "lm3s6965evb/chip.hpp"
-#include "lm3s6965evb/console_input.hpp"
+#include "portable/console_input.hpp"
 
 namespace zstrip::board {
 namespace {

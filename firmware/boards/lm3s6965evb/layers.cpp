@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "cortex_m/console.hpp"
-#include "lm3s6965evb/host_control.hpp"
 #include "lm3s6965evb/oled_bus.hpp"
+#include "portable/host_control.hpp"
 #include "zstrip/frame/renderer.hpp"
 #include "zstrip/frame/static_layer.hpp"
 #include "zstrip/resolve/convert.hpp"

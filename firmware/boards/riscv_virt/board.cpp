@@ -4,12 +4,14 @@
 #include <cstdint>
 
 #include "cortex_m/registers.hpp"
+#include "portable/console_input.hpp"
 
 namespace zstrip::board {
 namespace {
 
 constexpr std::uintptr_t kUart = 0x10000000;  // registers of one byte; 0 is the data register
 constexpr std::uintptr_t kUartLineStatus = 5;
+constexpr std::uint8_t kReceived = 1U << 0;
 constexpr std::uint8_t kTransmitEmpty = 1U << 5;
 
 constexpr std::uint32_t kTestDevice = 0x00100000;  // "sifive,test": a write ends the machine
@@ -26,6 +28,13 @@ void put_character(char character) {
   while ((byte_at(kUart + kUartLineStatus) & kTransmitEmpty) == 0) {
   }
   byte_at(kUart) = static_cast<unsigned char>(character);
+}
+
+bool take_character(char& character) {
+  if ((byte_at(kUart + kUartLineStatus) & kReceived) == 0) return false;
+  const std::uint8_t data = byte_at(kUart);
+  character = static_cast<char>(data);
+  return true;
 }
 
 void halt(int status) {

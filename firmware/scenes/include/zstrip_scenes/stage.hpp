@@ -42,6 +42,13 @@ inline constexpr Fixed kFarthestTurned = 1 << 30;  // 16.16
 /// frame number. The turntable's motion, for scenes of one's own. Translations within kFarthestTurned of the origin.
 Transform turned(const Transform& at_rest, std::uint32_t frame, std::uint32_t frames);
 
+/// Whether every translation of `transform` is within kFarthestTurned.
+bool can_turn(const Transform& transform);
+
+/// The camera of a scene that was baked for the picture `own`, for another picture: where `view` is narrower it shows as
+/// much from side to side. Rounds the focal length down.
+Camera fit_width(const Camera& camera, const View& own, const View& view);
+
 /// The motion of the benchmarks: vertical field of view 60 degrees, near 0.1, far 100, camera on +z looking at
 /// -z, the model turned by a about y, then by a/2 about x, with a = 0.1 radians a frame. Angles are kept in 0.32
 /// turns and wrap: any frame number.

@@ -1,11 +1,11 @@
-// A host on UART 0 (115200 baud, 8N1) can pause the pictures: 'p' pauses, 'n' shows the next frame, 'r' runs on. While
+// A host on the console can pause the pictures: 'p' pauses, 'n' shows the next frame, 'r' runs on. While
 // paused, each frame that is shown is announced as "frame N", or "frame N, M pixels" where only M were drawn.
 #pragma once
 
 #include <cstdint>
 
 #include "cortex_m/console.hpp"
-#include "lm3s6965evb/console_input.hpp"
+#include "portable/console_input.hpp"
 
 namespace zstrip::board {
 

@@ -1,0 +1,45 @@
+// The list of supersets, the smallest first.
+#include "zstrip/frame/pipelines_with_effects.hpp"
+
+namespace zstrip::detail {
+namespace {
+
+constexpr Effects kEverything = without(effect::of_scenes, effect::orthographic) | effect::statistics | effect::bins;
+
+struct Superset {
+  Effects effects;
+  Pipeline pipeline;
+};
+
+template <Effects effects>
+constexpr Superset superset() {
+  return {effects, pipeline<effects>()};
+}
+
+/// A set is drawn by the first that has all of it and the same way to keep depth and projection.
+constexpr Superset kSupersets[] = {
+    superset<kEverything>(),
+    superset<kEverything | effect::orthographic>(),
+    superset<kEverything | effect::depth_float>(),
+    superset<kEverything | effect::depth_w16>(),
+    superset<kEverything | effect::depth_24>(),
+    superset<kEverything | effect::depth_24 | effect::orthographic>(),
+    superset<kEverything | effect::depth_32>(),
+    superset<kEverything | effect::depth_32 | effect::orthographic>(),
+    superset<kEverything | effect::depth_ranges>(),
+    superset<kEverything | effect::depth_ranges | effect::orthographic>(),
+};
+
+constexpr Effects kMustBeEqual = effect::orthographic | effect::depth_formats | effect::depth_ranges;
+
+}  // namespace
+
+const Pipeline* pipeline_with_effects(Effects effects) {
+  const Effects fixed = effects & kMustBeEqual;
+  for (const Superset& candidate : kSupersets) {
+    if (candidate.effects.has(effects) && (candidate.effects & kMustBeEqual) == fixed) return &candidate.pipeline;
+  }
+  return nullptr;
+}
+
+}  // namespace zstrip::detail

@@ -1,0 +1,46 @@
+// From a depth back to the distance along the viewing direction that it stands for: what fog depends on.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "zstrip/base/math.hpp"
+#include "zstrip/geometry/depth_fit.hpp"
+#include "zstrip/scene/effects.hpp"
+
+namespace zstrip::detail {
+
+/// The frame's constants. Perspective: distance = scale 2^exponent / q, where q = k / w is a depth plus
+/// DepthFit::offset. Orthographic: distance = far - ((depth - that of far) scale >> 32).
+struct DistanceScale {
+  std::uint64_t scale;
+  std::int32_t exponent;
+  Fixed far;  ///< 16.16
+};
+
+/// Depth between near and far in 1/2^32 of all codes, for orthographic cameras; see depth_mapping.
+constexpr std::int64_t depth_span(Effects effects) {
+  if (effects.has(effect::depth_ranges)) return std::int64_t{(1 << 14) - 3} << 16;
+  switch (depth_format(effects)) {
+    case DepthFormat::z24: return (std::int64_t{1} << 32) - (3 << 8);
+    case DepthFormat::z32: return (std::int64_t{1} << 32) - 32;
+    default: return kDepthSpan;
+  }
+}
+
+/// `fit` as the frame has it when triangles are drawn.
+constexpr DistanceScale distance_scale(const DepthFit& fit, bool orthographic, std::int64_t span) {
+  if (orthographic) {
+    const auto range = static_cast<std::uint64_t>(length_of(fit.far)) - static_cast<std::uint64_t>(length_of(fit.near));
+    return {(range << 32) / static_cast<std::uint64_t>(span), 0, length_of(fit.far)};
+  }
+  // near times the quotient at near, of 26.38 times 1/2^32 codes, with 32 bits.
+  const auto near = static_cast<std::uint64_t>(fit.near), quotient = static_cast<std::uint64_t>(fit.quotient_at_near);
+  const int near_zeros = std::countl_zero(near), quotient_zeros = std::countl_zero(quotient);
+  const auto mantissa = multiply_high(static_cast<std::uint32_t>((near << near_zeros) >> 32),
+                                      static_cast<std::uint32_t>((quotient << quotient_zeros) >> 32));
+  // 32 and 32 bits off the factors, 32 off their product and 32 off that with the reciprocal (2^-62); 38 to 16 bits.
+  return {mantissa, 44 - near_zeros - quotient_zeros, 0};
+}
+
+}  // namespace zstrip::detail

@@ -1,0 +1,95 @@
+// The colour of a quadric's pixel: its normal under the scene's lights, and its texture.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "zstrip/base/arctangent.hpp"
+#include "zstrip/base/pixel_root.hpp"
+#include "zstrip/geometry/light.hpp"
+#include "zstrip/geometry/quadric.hpp"
+#include "zstrip/raster/colour.hpp"
+#include "zstrip/raster/target.hpp"
+
+namespace zstrip::detail {
+
+struct Direction {
+  std::int32_t x, y, z;
+};
+
+/// Any length below 2^14 in each component. `root` is shifted by CompiledQuadric::direction_shift.
+inline Direction direction_at(const DirectionPlane& plane, std::int32_t columns, std::int32_t rows, std::int32_t root) {
+  const auto component = [&](int i) {
+    return (plane.start[i] + plane.step_x[i] * columns + plane.step_y[i] * rows + plane.root_part[i] * root) >> 15;
+  };
+  return {component(0), component(1), component(2)};
+}
+
+/// The same direction with a length of one, 2.12; components below 2^14.
+inline Direction unit(const Direction& d) {
+  const auto square = static_cast<std::uint32_t>(d.x * d.x + d.y * d.y + d.z * d.z);  // below 2^30
+  if (square == 0) return d;
+  const int zeros = std::countl_zero(square) & ~1;  // 2 .. 30
+  const auto inverse = static_cast<std::int32_t>(refined_inverse(normalised_root(square << zeros)));
+  const int shift = 31 - 12 - zeros / 2;
+  return {(d.x * inverse) >> shift, (d.y * inverse) >> shift, (d.z * inverse) >> shift};
+}
+
+inline Colour lit_colour(const CompiledQuadric& quadric, const Direction& normal) {
+  std::uint32_t r = quadric.ambient.r;
+  std::uint32_t g = quadric.ambient.g;
+  std::uint32_t b = quadric.ambient.b;
+  for (int i = 0; i < quadric.light_count; ++i) {
+    const ObjectLight& light = quadric.lights[i];
+    const std::int32_t cosine = normal.x * light.x + normal.y * light.y + normal.z * light.z;  // 5.27
+    if (cosine <= 0) continue;
+    std::uint32_t intensity = static_cast<std::uint32_t>(cosine) >> 19;  // 0..255 where both are unit vectors
+    intensity += intensity >> 7;                                         // 0..256
+    if (intensity > 256) intensity = 256;
+    r += (intensity * light.r) >> 8;
+    g += (intensity * light.g) >> 8;
+    b += (intensity * light.b) >> 8;
+  }
+  return {clamped_channel(r), clamped_channel(g), clamped_channel(b), 255};
+}
+
+/// Longitude across, latitude down: the middle of the texture faces the sphere's +z, its upper edge is the pole +y.
+inline std::uint16_t texel_at(const TextureView& texture, const Direction& d) {
+  const auto u = static_cast<std::uint32_t>(arctangent(d.x, d.z) + kFullTurn / 2) & 0xFFFFU;  // 0.16
+  const std::uint64_t square = static_cast<std::uint32_t>(d.x * d.x + d.z * d.z);
+  std::int32_t from_axis = 0;
+  if (square != 0) {
+    const WideRoot r = wide_root(square << 32);  // the root of the square itself has half_shift 0 .. 15
+    from_axis = static_cast<std::int32_t>(r.root >> (8 + r.half_shift));
+  }
+  const auto v = static_cast<std::uint32_t>(arctangent(from_axis, d.y)) * 2;  // 0.16, 0 .. 1.0
+  const std::uint32_t column = (u << texture.log2_width) >> 16;
+  const std::uint32_t last_row = (1U << texture.log2_height) - 1;
+  const std::uint32_t row = (v << texture.log2_height) >> 16;
+  return texture.texels[((row < last_row ? row : last_row) << texture.log2_width) + column];
+}
+
+/// Colours of one quadric's pixels; the effects say which of its members are looked at.
+template <bool lit, bool textured>
+struct QuadricShade {
+  const CompiledQuadric& quadric;
+  TextureView texture;
+
+  std::uint16_t operator()(std::int32_t columns, std::int32_t rows, std::int32_t root) const {
+    Colour colour = quadric.base;
+    if constexpr (lit) {
+      if (quadric.lit) colour = lit_colour(quadric, unit(direction_at(quadric.normal, columns, rows, root)));
+    }
+    if constexpr (textured) {
+      if (quadric.textured) {
+        const std::uint16_t texel = texel_at(texture, direction_at(quadric.surface, columns, rows, root));
+        if (!quadric.lit) return texel;
+        const auto channel = [](std::uint8_t value) { return static_cast<std::uint32_t>(value) << 16; };  // 8.16
+        return modulated(texel, channel(colour.r), channel(colour.g), channel(colour.b));
+      }
+    }
+    return rgb565(colour);
+  }
+};
+
+}  // namespace zstrip::detail

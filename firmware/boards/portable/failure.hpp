@@ -1,0 +1,23 @@
+// What a program could not do, in words, for the console and the panel.
+#pragma once
+
+#include "cortex_m/console.hpp"
+
+namespace zstrip::board {
+
+/// Both phrases are in static storage; without `error` nothing failed.
+struct [[nodiscard]] Failure {
+  const char* doing = nullptr;
+  const char* error = nullptr;
+  constexpr explicit operator bool() const { return error != nullptr; }
+};
+
+/// One line on the console, "DOING: ERROR".
+inline void print(const Failure& failure) {
+  print(failure.doing);
+  print(": ");
+  print(failure.error);
+  print("\n");
+}
+
+}  // namespace zstrip::board

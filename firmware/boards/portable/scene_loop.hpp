@@ -1,0 +1,22 @@
+// The main program of boards that show one scene on one display for ever; see host_control.hpp.
+#pragma once
+
+#include <cstdint>
+
+#include "portable/failure.hpp"
+#include "portable/host_control.hpp"
+#include "zstrip_hal/display.hpp"
+
+namespace zstrip::board {
+
+/// Frame after frame of `Player`'s motion on a display that was started. Returns only what failed.
+template <class Player, hal::Display Panel>
+Failure show_scene(Panel& panel) {
+  HostControl control;
+  for (std::uint32_t frame = 0;; frame = (frame + 1) % Player::kFrames) {
+    if (const Failure failure = Player::show(panel, frame)) return failure;
+    control.frame_shown(frame);
+  }
+}
+
+}  // namespace zstrip::board

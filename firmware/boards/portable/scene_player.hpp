@@ -1,0 +1,59 @@
+// Shows frames of a moving scene on a display: the renderer, all its memory, and one call a frame.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "portable/failure.hpp"
+#include "zstrip/frame/renderer.hpp"
+#include "zstrip_hal/present.hpp"
+
+namespace zstrip::board {
+
+/// `Motion`: turntable_motion.hpp or baked_motion.hpp. With two strip buffers drawing overlaps a transfer: of use only
+/// with a bus that sends by itself.
+template <class Motion, unsigned strip_buffers = 1>
+class ScenePlayer {
+  static_assert(strip_buffers == 1 || strip_buffers == 2);
+
+ public:
+  static constexpr View kView = Motion::kView;
+  static constexpr Plan kPlan = Motion::kPlan;
+  static constexpr std::uint32_t kFrames = Motion::kFrames;
+  static constexpr std::uint32_t kStripBytes = kPlan.strip_pixel_bytes(kView);
+
+  /// Draws and sends frame `frame` of the motion.
+  template <hal::Display Panel>
+  static Failure show(Panel& panel, std::uint32_t frame) {
+    if (static_cast<int>(panel.format()) != static_cast<int>(kView.format) || panel.width() != kView.width ||
+        panel.height() != kView.height) {
+      return {"display", "its size or format is not that of the plan"};
+    }
+    motion.move_to(frame);
+    if (const Status begun = renderer.begin_frame(motion.scene_now(), motion.camera_now(), kView, kPlan, arena);
+        !begun) {
+      return {"begin of the frame", message(begun.error)};
+    }
+    const auto shown = hal::present(renderer, panel, {kPlan.strips, kPlan.strip_rows, kPlan.strip_columns}, buffers());
+    if (!shown.draw) return {"drawing", message(shown.draw.error)};
+    if (shown.display != hal::Error::none) return {"display", hal::message(shown.display)};
+    return {};
+  }
+
+ private:
+  static hal::StripBuffers buffers() {
+    const std::span<std::byte> all = pixels;
+    if constexpr (strip_buffers == 1) return {all, {}};
+    return {all.first(kBufferBytes), all.subspan(kBufferBytes * (strip_buffers - 1))};
+  }
+
+  static constexpr std::uint32_t kBufferBytes = (kStripBytes + 3) & ~3U;
+  alignas(kArenaAlignment) static inline constinit std::array<std::byte, kPlan.bytes()> arena{};
+  alignas(
+      4) static inline constinit std::array<std::byte, strip_buffers == 1 ? kStripBytes : 2 * kBufferBytes> pixels{};
+  static inline constinit Renderer<Motion::kEffects> renderer{};
+  static inline constinit Motion motion{};
+};
+
+}  // namespace zstrip::board

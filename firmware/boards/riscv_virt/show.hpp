@@ -1,0 +1,30 @@
+// The main program of the scenes on bochs-display.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "portable/scene_loop.hpp"
+#include "portable/scene_player.hpp"
+#include "portable/turntable_motion.hpp"
+#include "riscv_virt/bochs_display.hpp"
+
+namespace zstrip::board {
+
+/// `scene` on the turntable for ever; the result is main's.
+template <const scenes::BuiltIn& scene, View view>
+int show_on_bochs_display() {
+  constexpr Budget kBudget{.bytes = 256 * 1024, .strip_buffers = 1};
+  constexpr std::uint32_t kRowBytes = bytes_per_row(view.width, view.format);
+  static_assert(kRowBytes * view.height <= kBochsBytes);
+  if (!start_bochs_display(view.width, view.height, kRowBytes / view.width * 8)) {
+    print(Failure{"start of the display", "there is no bochs-display"});
+    return 1;
+  }
+  hal::Framebuffer display({reinterpret_cast<std::byte*>(kBochsPixels), kBochsBytes},
+                           {view.width, view.height, static_cast<hal::PixelFormat>(view.format)});
+  print(show_scene<ScenePlayer<TurntableMotion<scene, view, kBudget>>>(display));
+  return 1;
+}
+
+}  // namespace zstrip::board

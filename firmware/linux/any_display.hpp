@@ -1,0 +1,50 @@
+// A display that is known only at run time, with everything that it stands on.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "zstrip_hal/display.hpp"
+
+namespace zstrip::panel {
+
+/// As hal::Display says. When the object ends the display is left defined: a screen as it was before, a panel black and
+/// asleep, its backlight off.
+class AnyDisplay {
+ public:
+  AnyDisplay() = default;
+  AnyDisplay(const AnyDisplay&) = delete;
+  AnyDisplay& operator=(const AnyDisplay&) = delete;
+  virtual ~AnyDisplay() = default;
+
+  virtual std::uint16_t width() const = 0;
+  virtual std::uint16_t height() const = 0;
+  virtual hal::PixelFormat format() const = 0;
+  virtual hal::Error begin_frame() = 0;
+  virtual hal::Error write(const hal::Area& area, std::span<const std::byte> pixels) = 0;
+  virtual hal::Error wait() = 0;
+  virtual hal::Error end_frame() = 0;
+};
+
+static_assert(hal::Display<AnyDisplay>);
+
+/// Passes everything on to what `derived().display()` returns.
+template <class Derived>
+class DisplayAdapter : public AnyDisplay {
+ public:
+  std::uint16_t width() const final { return shown().width(); }
+  std::uint16_t height() const final { return shown().height(); }
+  hal::PixelFormat format() const final { return shown().format(); }
+  hal::Error begin_frame() final { return shown().begin_frame(); }
+  hal::Error write(const hal::Area& area, std::span<const std::byte> pixels) final {
+    return shown().write(area, pixels);
+  }
+  hal::Error wait() final { return shown().wait(); }
+  hal::Error end_frame() final { return shown().end_frame(); }
+
+ private:
+  auto& shown() { return static_cast<Derived&>(*this).display(); }
+  const auto& shown() const { return const_cast<DisplayAdapter*>(this)->shown(); }
+};
+
+}  // namespace zstrip::panel

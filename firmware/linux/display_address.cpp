@@ -1,0 +1,93 @@
+// What a user writes to name a display: KIND:KEY=VALUE,...
+#include "display_address.hpp"
+
+#include <charconv>
+
+namespace zstrip::panel {
+namespace {
+
+/// The whole text as a decimal number, perhaps with K, M or G.
+std::optional<std::uint64_t> number(std::string_view text) {
+  std::uint64_t value = 0;
+  std::uint64_t factor = 1;
+  if (text.ends_with('K')) factor = 1'000;
+  if (text.ends_with('M')) factor = 1'000'000;
+  if (text.ends_with('G')) factor = 1'000'000'000;
+  if (factor != 1) text.remove_suffix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  if (value > UINT32_MAX / factor) return std::nullopt;
+  return value * factor;
+}
+
+}  // namespace
+
+hal::Outcome<DisplayAddress> DisplayAddress::parse(const std::string& text) {
+  DisplayAddress address;
+  const std::size_t colon = text.find(':');
+  address.kind_ = text.substr(0, colon);
+  std::string_view rest = colon == std::string::npos ? std::string_view() : std::string_view(text).substr(colon + 1);
+  for (bool first = true; !rest.empty(); first = false) {
+    const std::size_t comma = rest.find(',');
+    const std::string part(rest.substr(0, comma));
+    rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
+    const std::size_t equals = part.find('=');
+    if (part.empty() || equals == 0) return hal::Fault{"'" + text + "' has a comma without a KEY=VALUE"};
+    if (first && part.find('/') < equals) {
+      address.device_ = part;
+      continue;
+    }
+    const std::string value = equals == std::string::npos ? "yes" : part.substr(equals + 1);
+    if (!address.values_.emplace(part.substr(0, equals), value).second)
+      return hal::Fault{"'" + text + "' says " + part.substr(0, equals) + " twice"};
+  }
+  return address;
+}
+
+hal::Fault DisplayAddress::fault(const std::string& key, const std::string& what) const {
+  return {"--display " + kind_ + ": " + key + " " + what};
+}
+
+std::optional<std::string> DisplayAddress::take(const std::string& key) {
+  const auto node = values_.extract(key);
+  if (node.empty()) return std::nullopt;
+  return node.mapped();
+}
+
+hal::Outcome<std::optional<hal::ScreenSize>> DisplayAddress::take_size(const std::string& key) {
+  const std::optional<std::string> value = take(key);
+  if (!value) return std::optional<hal::ScreenSize>();
+  const std::size_t cross = value->find('x');
+  const auto width = number(std::string_view(*value).substr(0, cross));
+  const auto height = cross == std::string::npos ? std::nullopt : number(std::string_view(*value).substr(cross + 1));
+  if (!width || !height || *width < 1 || *height < 1 || *width > hal::kLargestScreen || *height > hal::kLargestScreen)
+    return fault(key, "must be WIDTHxHEIGHT, each 1 to 4096, not '" + *value + "'");
+  return std::optional(hal::ScreenSize{static_cast<std::uint16_t>(*width), static_cast<std::uint16_t>(*height)});
+}
+
+hal::Outcome<std::optional<std::uint32_t>> DisplayAddress::take_number(const std::string& key, std::uint32_t least,
+                                                                       std::uint32_t most) {
+  const std::optional<std::string> value = take(key);
+  if (!value) return std::optional<std::uint32_t>();
+  const auto parsed = number(*value);
+  if (!parsed || *parsed < least || *parsed > most) {
+    return fault(key, "must be a number from " + std::to_string(least) + " to " + std::to_string(most) + ", not '" +
+                          *value + "'");
+  }
+  return std::optional(static_cast<std::uint32_t>(*parsed));
+}
+
+hal::Outcome<bool> DisplayAddress::take_flag(const std::string& key, bool unless_given) {
+  const std::optional<std::string> value = take(key);
+  if (!value) return unless_given;
+  if (*value == "yes") return true;
+  if (*value == "no") return false;
+  return fault(key, "is yes or no, not '" + *value + "'");
+}
+
+std::optional<hal::Fault> DisplayAddress::untaken() const {
+  if (values_.empty()) return std::nullopt;
+  return fault(values_.begin()->first, "is not known there; see --help");
+}
+
+}  // namespace zstrip::panel

@@ -1,0 +1,47 @@
+// What a user writes to name a display: KIND:KEY=VALUE,..., with the device first for those that are one file.
+//   fbdev:/dev/fb0,size=640x480
+//   drm:/dev/dri/card0,connector=HDMI-A-1
+//   st7789:spidev=/dev/spidev0.0,dc=gpiochip0:25,reset=RESET
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "zstrip_hal_linux/outcome.hpp"
+#include "zstrip_hal_linux/screen_size.hpp"
+
+namespace zstrip::panel {
+
+class DisplayAddress {
+ public:
+  /// Faults name what is wrong with the text.
+  static hal::Outcome<DisplayAddress> parse(const std::string& text);
+
+  const std::string& kind() const { return kind_; }
+  /// A value without a key: the device. Empty: none.
+  const std::string& device() const { return device_; }
+
+  /// Each takes a key's value; what was not taken is not known: see untaken().
+  std::optional<std::string> take(const std::string& key);
+  hal::Outcome<std::optional<hal::ScreenSize>> take_size(const std::string& key);
+  /// From `least` to `most`; K, M and G multiply by thousands.
+  hal::Outcome<std::optional<std::uint32_t>> take_number(const std::string& key, std::uint32_t least,
+                                                         std::uint32_t most);
+  /// A key without a value, or with the values "yes" and "no".
+  hal::Outcome<bool> take_flag(const std::string& key, bool unless_given = false);
+  /// A fault that names a key that nobody took, if there is one.
+  std::optional<hal::Fault> untaken() const;
+
+  hal::Fault fault(const std::string& key, const std::string& what) const;
+
+ private:
+  std::string kind_;
+  std::string device_;
+  std::map<std::string, std::string, std::less<>> values_;
+};
+
+}  // namespace zstrip::panel

@@ -1,0 +1,24 @@
+// What zstrip-panel ends with; documented in firmware/README.md, the same numbers as the host command's.
+#pragma once
+
+#include <string>
+
+namespace zstrip::panel {
+
+enum class ExitStatus : int {
+  ok = 0,        ///< all frames were shown, or a signal asked to stop
+  internal = 1,  ///< a bug
+  usage = 2,     ///< the command line
+  device = 3,    ///< a device that is missing, busy or not permitted
+  input = 4,     ///< the scene
+  budget = 5,    ///< too little memory
+  output = 6,    ///< the display failed while it was shown pictures
+};
+
+/// `message` is one line: the thing, what is wrong with it, what to do.
+struct Failure {
+  ExitStatus status = ExitStatus::internal;
+  std::string message;
+};
+
+}  // namespace zstrip::panel

@@ -1,0 +1,12 @@
+// What the machine has that pictures could be shown on.
+#pragma once
+
+#include <string>
+
+namespace zstrip::panel {
+
+/// Lines of text: framebuffers, graphics cards with their connectors, spidev, GPIO chips with their lines and who has
+/// them; for what cannot be read: why.
+std::string machine_list();
+
+}  // namespace zstrip::panel

@@ -1,0 +1,96 @@
+// zstrip-panel: plays a baked scene on a screen or panel of a Linux machine.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "machine_list.hpp"
+#include "open_display.hpp"
+#include "play.hpp"
+
+namespace {
+
+using zstrip::panel::ExitStatus;
+using zstrip::panel::Failure;
+
+struct Arguments {
+  std::string scene;
+  std::string display;
+  zstrip::panel::PlayOptions play{.frames_per_turn = 64};
+  bool hold = false;
+  bool list = false;
+  bool quiet = false;
+};
+
+constexpr const char* kFooter = R"(Displays, KIND:[DEVICE,]KEY=VALUE,...:
+  fbdev:/dev/fb0          size=WxH
+  drm:/dev/dri/card0      size=WxH, connector=NAME (as --list shows), format=rgb565|xrgb8888
+  ssd0323: and other controllers of panels; firmware/README.md has their keys
+    spidev=/dev/spidev0.0,speed=HZ  or bit by bit  clock=LINE,data=LINE[,select=LINE]
+    dc=LINE[,reset=LINE][,backlight=LINE]
+A LINE is CHIP:OFFSET (gpiochip0:25) or the line's name.
+
+Exit status: 0 shown or stopped by SIGINT, SIGTERM, SIGHUP; 1 bug; 2 command line; 3 device missing, busy or not
+permitted; 4 scene; 5 too little memory; 6 the display failed.)";
+
+int fail(const Failure& failure) {
+  std::fprintf(stderr, "zstrip-panel: %s\n", failure.message.c_str());
+  return static_cast<int>(failure.status);
+}
+
+int run(const Arguments& arguments) {
+  // Before anything is opened, so that a signal finds everything in order to be closed.
+  zstrip::panel::StopSignals stop;
+  auto scene = zstrip::panel::SceneFile::open(arguments.scene);
+  if (!scene) return fail({ExitStatus::input, scene.fault().message});
+  auto opened = zstrip::panel::open_display(arguments.display);
+  if (const Failure* failure = std::get_if<Failure>(&opened)) return fail(*failure);
+  zstrip::panel::AnyDisplay& display = *std::get<zstrip::panel::DisplayPointer>(opened);
+
+  zstrip::panel::Played played;
+  if (const auto failure = zstrip::panel::play(*scene, display, arguments.play, stop, played)) return fail(*failure);
+  if (!arguments.quiet) {
+    std::printf("%u frames of %ux%u in %.2f s, %.1f a second\n", played.frames, display.width(), display.height(),
+                played.seconds, played.seconds > 0 ? played.frames / played.seconds : 0.0);
+    std::fflush(stdout);
+  }
+  if (arguments.hold) stop.wait();
+  return static_cast<int>(ExitStatus::ok);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app("Plays a baked scene (zstrip bake SCENE -o scene.zsc) on a screen or panel of this machine.",
+               "zstrip-panel");
+  app.footer(kFooter);
+  app.add_option("scene", arguments.scene, "The baked scene, .zsc");
+  app.add_option("--display", arguments.display, "Where to show it; see below");
+  app.add_option("--frames", arguments.play.frames, "Frames to show; 0: until stopped (default)");
+  app.add_option("--turn", arguments.play.frames_per_turn, "Frames of a full turn of the scene (default: 64)")
+      ->check(CLI::Range(1U, 1'000'000U));
+  app.add_option("--fps", arguments.play.frames_per_second, "Frames a second at most (default: no limit)")
+      ->check(CLI::Range(0.01, 1000.0));
+  app.add_flag("--hold", arguments.hold, "Leave the last frame on the display until stopped");
+  app.add_flag("--list", arguments.list, "List screens, SPI devices and GPIO lines of this machine, and end");
+  app.add_flag("--quiet", arguments.quiet, "Say nothing but warnings and errors");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return fail({ExitStatus::usage, error.what()});
+  }
+  try {
+    if (arguments.list) {
+      std::fputs(zstrip::panel::machine_list().c_str(), stdout);
+      return static_cast<int>(ExitStatus::ok);
+    }
+    if (arguments.scene.empty() || arguments.display.empty())
+      return fail(
+          {ExitStatus::usage, "name a scene and a --display; --list shows what there is, --help how to name it"});
+    return run(arguments);
+  } catch (const std::exception& error) {
+    return fail({ExitStatus::internal, error.what()});
+  }
+}

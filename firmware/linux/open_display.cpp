@@ -1,0 +1,82 @@
+// Opens the display that an address names: screens here, panels in open_panel.cpp.
+#include "open_display.hpp"
+
+#include <cstdio>
+#include <utility>
+
+#include "open_panel.hpp"
+#include "zstrip_hal_linux/drm_display.hpp"
+#include "zstrip_hal_linux/framebuffer_display.hpp"
+#include "zstrip_hal_linux/graphics_console.hpp"
+
+namespace zstrip::panel {
+namespace {
+
+using hal::Outcome;
+
+Failure usage(const hal::Fault& fault) { return {ExitStatus::usage, fault.message}; }
+Failure device(const hal::Fault& fault) { return {ExitStatus::device, fault.message}; }
+
+/// A screen of the machine, with its text console kept away.
+template <class Shown>
+class Screen final : public DisplayAdapter<Screen<Shown>> {
+ public:
+  Screen(hal::GraphicsConsole console, Shown shown) : console_(std::move(console)), shown_(std::move(shown)) {}
+  Shown& display() { return shown_; }
+
+ private:
+  // In this order: the console comes back when the screen is as it was before.
+  hal::GraphicsConsole console_;
+  Shown shown_;
+};
+
+/// Without permission for the console pictures can be shown all the same, but the console may write on them.
+hal::GraphicsConsole take_console() {
+  Outcome<hal::GraphicsConsole> console = hal::GraphicsConsole::enter();
+  if (console) return std::move(*console);
+  std::fprintf(stderr, "zstrip-panel: %s; its text may appear on the picture\n", console.fault().message.c_str());
+  return hal::GraphicsConsole();
+}
+
+template <class Shown>
+DisplayPointer on_screen(Shown shown) {
+  return std::make_unique<Screen<Shown>>(take_console(), std::move(shown));
+}
+
+std::variant<DisplayPointer, Failure> open_framebuffer(DisplayAddress& address) {
+  const auto size = address.take_size("size");
+  if (!size) return usage(size.fault());
+  if (const auto untaken = address.untaken()) return usage(*untaken);
+  auto display = hal::FramebufferDisplay::open(address.device().empty() ? "/dev/fb0" : address.device(), *size);
+  if (!display) return device(display.fault());
+  return on_screen(std::move(*display));
+}
+
+std::variant<DisplayPointer, Failure> open_card(DisplayAddress& address) {
+  hal::DrmOptions options;
+  const auto size = address.take_size("size");
+  if (!size) return usage(size.fault());
+  options.size = *size;
+  options.connector = address.take("connector").value_or("");
+  if (const auto format = address.take("format")) {
+    if (*format != "rgb565" && *format != "xrgb8888")
+      return usage(address.fault("format", "is rgb565 or xrgb8888, not '" + *format + "'"));
+    options.format = *format == "rgb565" ? hal::DrmFormat::rgb565 : hal::DrmFormat::xrgb8888;
+  }
+  if (const auto untaken = address.untaken()) return usage(*untaken);
+  auto display = hal::DrmDisplay::open(address.device().empty() ? "/dev/dri/card0" : address.device(), options);
+  if (!display) return device(display.fault());
+  return on_screen(std::move(*display));
+}
+
+}  // namespace
+
+std::variant<DisplayPointer, Failure> open_display(const std::string& text) {
+  Outcome<DisplayAddress> address = DisplayAddress::parse(text);
+  if (!address) return usage(address.fault());
+  if (address->kind() == "fbdev") return open_framebuffer(*address);
+  if (address->kind() == "drm") return open_card(*address);
+  return open_panel(*address);
+}
+
+}  // namespace zstrip::panel

@@ -1,0 +1,19 @@
+// Opens the display that an address names.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "any_display.hpp"
+#include "display_address.hpp"
+#include "exit_status.hpp"
+
+namespace zstrip::panel {
+
+using DisplayPointer = std::unique_ptr<AnyDisplay>;
+
+/// A display that was started and shows black. Failures: usage, device, output (a panel that cannot be started).
+std::variant<DisplayPointer, Failure> open_display(const std::string& address);
+
+}  // namespace zstrip::panel

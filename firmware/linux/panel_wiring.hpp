@@ -1,0 +1,37 @@
+// How a panel is wired to a Linux machine, as an address says it: the bus, D/C, reset and backlight.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "display_address.hpp"
+#include "zstrip_hal/bit_banged_spi.hpp"
+#include "zstrip_hal_linux/gpio.hpp"
+#include "zstrip_hal_linux/spidev.hpp"
+
+namespace zstrip::panel {
+
+/// The words for lines and bus. Either `spidev`, or `clock` and `data` and perhaps `select`.
+struct PanelWiring {
+  /// Takes its keys from the address. Faults: a word is missing, or two do not go together.
+  static hal::Outcome<PanelWiring> take(DisplayAddress& address);
+
+  std::optional<std::string> spidev, clock, data, select, data_command, reset, backlight;
+  std::optional<std::uint32_t> hertz;  ///< of spidev
+};
+
+using BitBangedBus = hal::BitBangedSpi<hal::GpioPin, hal::GpioPin, hal::GpioPin, hal::GpioPin>;
+
+/// Lines and bus, opened; a line that is not wired is a pin without a line.
+struct OpenWiring {
+  /// `usual_hertz`: spidev's clock unless the wiring says another. Faults name line and device, and what to do.
+  static hal::Outcome<OpenWiring> open(const PanelWiring& wiring, std::uint32_t usual_hertz);
+
+  std::variant<hal::SpidevBus, BitBangedBus> bus;
+  hal::GpioPin reset;      ///< high
+  hal::GpioPin backlight;  ///< low: off
+};
+
+}  // namespace zstrip::panel

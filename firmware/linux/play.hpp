@@ -1,0 +1,31 @@
+// Plays a scene on a display: frame after frame until enough of them were shown or a signal asks to stop.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "any_display.hpp"
+#include "exit_status.hpp"
+#include "scene_file.hpp"
+#include "stop_signals.hpp"
+
+namespace zstrip::panel {
+
+struct PlayOptions {
+  std::uint32_t frames = 0;           ///< 0: until stopped
+  std::uint32_t frames_per_turn = 1;  ///< at least 1; 1: the scene stands still
+  double frames_per_second = 0;       ///< at most; 0: as many as the display takes
+};
+
+/// What was shown.
+struct Played {
+  std::uint32_t frames = 0;
+  double seconds = 0;
+};
+
+/// A frame that the display refuses is said on standard error and drawn again; after ten refusals in a row the display
+/// is given up. None, or a failure: budget, input (the scene cannot be planned or drawn), output.
+std::optional<Failure> play(SceneFile& scene, AnyDisplay& display, const PlayOptions& options, StopSignals& stop,
+                            Played& played);
+
+}  // namespace zstrip::panel

@@ -1,0 +1,74 @@
+// A baked scene (.zsc) read from a file, turning about the y axis.
+#include "scene_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "zstrip/base/status.hpp"
+#include "zstrip_scenes/stage.hpp"
+
+namespace zstrip::panel {
+namespace {
+
+static_assert(kSceneBlobAlignment <= alignof(std::uint64_t) && kSceneBlobMemoryAlignment <= alignof(std::uint64_t));
+
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{256} << 20;
+
+std::vector<std::uint64_t> words_for(std::size_t bytes) {
+  return std::vector<std::uint64_t>((bytes + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t));
+}
+
+std::string reason(const Status& status) {
+  switch (status.error) {
+    case Error::blob_damaged:
+      return "is no whole baked scene (byte " + std::to_string(status.needed) + "); bake it again: zstrip bake";
+    case Error::blob_version:
+      return "is a baked scene of version " + std::to_string(status.needed) + ", and this program reads version " +
+             std::to_string(status.available) + "; bake it again";
+    default: return std::string("is a baked scene that cannot be drawn: ") + message(status.error) + "; bake it again";
+  }
+}
+
+}  // namespace
+
+hal::Outcome<SceneFile> SceneFile::open(const std::string& path) {
+  const auto fault = [&path](const std::string& text) { return hal::Fault{"'" + path + "' " + text}; };
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error) return fault("cannot be read: " + error.message());
+  if (size > kLargestFile) return fault("is larger than 256 MB: no baked scene");
+  SceneFile file;
+  file.bytes_ = words_for(size);
+  const std::span<std::byte> bytes = std::as_writable_bytes(std::span(file.bytes_)).first(size);
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
+    return fault("cannot be read");
+
+  Status status = open_scene_blob(bytes, {}, file.blob_);
+  if (status.error == zstrip::Error::blob_memory) {
+    file.tables_ = words_for(status.needed);
+    status = open_scene_blob(bytes, std::as_writable_bytes(std::span(file.tables_)), file.blob_);
+  }
+  if (!status) return fault(reason(status));
+  return file;
+}
+
+Camera SceneFile::camera(const View& view) const { return scenes::fit_width(blob_.camera, blob_.view, view); }
+
+bool SceneFile::can_turn() const {
+  return std::ranges::all_of(blob_.scene.instances,
+                             [](const Instance& instance) { return scenes::can_turn(instance.transform); });
+}
+
+Scene SceneFile::turned(std::uint32_t frame, std::uint32_t frames) {
+  instances_.assign(blob_.scene.instances.begin(), blob_.scene.instances.end());
+  if (frame % frames != 0) {
+    for (Instance& instance : instances_) instance.transform = scenes::turned(instance.transform, frame, frames);
+  }
+  Scene scene = blob_.scene;
+  scene.instances = instances_;
+  return scene;
+}
+
+}  // namespace zstrip::panel

@@ -1,0 +1,30 @@
+// The signals that ask the program to end: SIGINT, SIGTERM and SIGHUP.
+#pragma once
+
+#include <chrono>
+
+#include "zstrip_hal_linux/file_descriptor.hpp"
+
+namespace zstrip::panel {
+
+/// From the first object on they end nothing by themselves, but are waited for here. SIGQUIT still ends the program at
+/// once.
+class StopSignals {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  StopSignals();
+
+  /// Whether one has arrived.
+  bool arrived() { return arrived_before(Clock::now()); }
+  /// Returns true as soon as one has arrived, false at `deadline`.
+  bool arrived_before(Clock::time_point deadline);
+  /// Returns when one has arrived.
+  void wait();
+
+ private:
+  hal::FileDescriptor file_;
+  bool arrived_ = false;
+};
+
+}  // namespace zstrip::panel

@@ -1,0 +1,227 @@
+// Chooses connector, mode, CRTC and format of a graphics card, and keeps the picture that its buffers get.
+#include "zstrip_hal_linux/drm_display.hpp"
+
+#include <xf86drm.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "zstrip_hal_linux/drm_screen.hpp"
+
+namespace zstrip::hal {
+namespace {
+
+constexpr DeviceKind kKind = DeviceKind::graphics_card;
+
+std::string name_of(const drmModeConnector& connector) {
+  const char* type = drmModeGetConnectorTypeName(connector.connector_type);
+  return std::string(type != nullptr ? type : "Unknown") + "-" + std::to_string(connector.connector_type_id);
+}
+
+bool is_usable(const drmModeConnector& connector) {
+  return connector.connection == DRM_MODE_CONNECTED && connector.count_modes > 0;
+}
+
+std::span<const drmModeModeInfo> modes_of(const drmModeConnector& connector) {
+  return {connector.modes, static_cast<std::size_t>(std::max(connector.count_modes, 0))};
+}
+
+ScreenSize size_of(const drmModeModeInfo& mode) { return {mode.hdisplay, mode.vdisplay}; }
+
+const drmModeModeInfo& preferred_mode(std::span<const drmModeModeInfo> modes) {
+  const auto preferred = std::ranges::find_if(
+      modes, [](const drmModeModeInfo& mode) { return (mode.type & DRM_MODE_TYPE_PREFERRED) != 0; });
+  return preferred != modes.end() ? *preferred : modes.front();
+}
+
+/// Every size once, in the screen's order.
+std::string sizes_of(const drmModeConnector& connector) {
+  std::vector<std::string> sizes;
+  for (const drmModeModeInfo& mode : modes_of(connector)) {
+    const std::string size = to_string(size_of(mode));
+    if (std::ranges::find(sizes, size) == sizes.end()) sizes.push_back(size);
+  }
+  std::string text;
+  for (const std::string& size : sizes) text += (text.empty() ? "" : ", ") + size;
+  return text;
+}
+
+std::vector<DrmConnector> connectors_of(int card, const drmModeRes& resources) {
+  std::vector<DrmConnector> connectors;
+  for (int i = 0; i < resources.count_connectors; ++i) {
+    DrmConnector connector(drmModeGetConnector(card, resources.connectors[i]));
+    if (connector != nullptr) connectors.push_back(std::move(connector));
+  }
+  return connectors;
+}
+
+/// The CRTC that drives the connector, or else the first one that can. 0: none.
+std::uint32_t crtc_for(int card, const drmModeRes& resources, const drmModeConnector& connector) {
+  const DrmEncoder current(connector.encoder_id != 0 ? drmModeGetEncoder(card, connector.encoder_id) : nullptr);
+  if (current != nullptr && current->crtc_id != 0) return current->crtc_id;
+  for (int i = 0; i < connector.count_encoders; ++i) {
+    const DrmEncoder encoder(drmModeGetEncoder(card, connector.encoders[i]));
+    if (encoder == nullptr) continue;
+    for (int index = 0; index < resources.count_crtcs && index < 32; ++index) {
+      if ((encoder->possible_crtcs >> index & 1U) != 0) return resources.crtcs[index];
+    }
+  }
+  return 0;
+}
+
+Outcome<DrmResources> resources_of(int card, const std::string& path) {
+  DrmResources resources(drmModeGetResources(card));
+  if (resources == nullptr)
+    return Fault{path + " sets no modes: it only computes; choose another card, as --list shows"};
+  return resources;
+}
+
+Outcome<DrmConnector> choose_connector(std::vector<DrmConnector> connectors, const std::string& path,
+                                       const std::string& wanted) {
+  std::string found;
+  for (DrmConnector& connector : connectors) {
+    const std::string name = name_of(*connector);
+    if (wanted.empty() ? is_usable(*connector) : name == wanted) {
+      if (!is_usable(*connector)) return Fault{path + ": no screen is connected to " + name};
+      return std::move(connector);
+    }
+    found += (found.empty() ? "" : ", ") + name;
+  }
+  if (found.empty()) return Fault{path + " has no connector for a screen"};
+  if (wanted.empty()) return Fault{path + ": no screen is connected to " + found};
+  return Fault{path + " has no connector " + wanted + ", only " + found};
+}
+
+std::vector<DrmFormat> formats_to_try(int card, const std::optional<DrmFormat>& wanted) {
+  if (wanted) return {*wanted};
+  std::uint64_t depth = 0;
+  const bool prefers_16 = drmGetCap(card, DRM_CAP_DUMB_PREFERRED_DEPTH, &depth) == 0 && depth == 16;
+  if (prefers_16) return {DrmFormat::rgb565, DrmFormat::xrgb8888};
+  return {DrmFormat::xrgb8888, DrmFormat::rgb565};
+}
+
+int start_in(DrmScreen& screen, DrmFormat format) {
+  for (DumbBuffer& buffer : screen.buffers) {
+    buffer = {};
+    if (const int error = DumbBuffer::create(screen.card.get(), size_of(screen.mode), format, buffer); error != 0)
+      return error;
+  }
+  return screen.show(screen.buffers[0]);
+}
+
+}  // namespace
+
+Outcome<std::vector<std::string>> drm_connectors(const std::string& path) {
+  const Outcome<FileDescriptor> card = open_device(kKind, path);
+  if (!card) return card.fault();
+  const Outcome<DrmResources> resources = resources_of(card->get(), path);
+  if (!resources) return resources.fault();
+  std::vector<std::string> lines;
+  for (const DrmConnector& connector : connectors_of(card->get(), **resources)) {
+    lines.push_back(name_of(*connector) + ": " +
+                    (is_usable(*connector) ? sizes_of(*connector) : std::string("no screen")));
+  }
+  return lines;
+}
+
+Outcome<DrmDisplay> DrmDisplay::open(const std::string& path, const DrmOptions& options) {
+  Outcome<FileDescriptor> card = open_device(kKind, path);
+  if (!card) return card.fault();
+  const int number = card->get();
+  Outcome<DrmResources> resources = resources_of(number, path);
+  if (!resources) return resources.fault();
+  std::uint64_t has_dumb_buffers = 0;
+  if (drmGetCap(number, DRM_CAP_DUMB_BUFFER, &has_dumb_buffers) != 0 || has_dumb_buffers == 0)
+    return Fault{path + " has no dumb buffers; use its framebuffer (fbdev:/dev/fb0) if it has one"};
+  Outcome<DrmConnector> chosen = choose_connector(connectors_of(number, **resources), path, options.connector);
+  if (!chosen) return chosen.fault();
+  const drmModeConnector& connector = **chosen;
+
+  auto screen = std::make_unique<DrmScreen>();
+  const std::span<const drmModeModeInfo> modes = modes_of(connector);
+  screen->mode = preferred_mode(modes);
+  if (options.size) {
+    const auto mode = std::ranges::find_if(
+        modes, [&options](const drmModeModeInfo& candidate) { return size_of(candidate) == *options.size; });
+    if (mode == modes.end()) {
+      return Fault{path + ": the screen at " + name_of(connector) + " has no mode of " + to_string(*options.size) +
+                   ", only " + sizes_of(connector)};
+    }
+    screen->mode = *mode;
+  }
+  const ScreenSize size = size_of(screen->mode);
+  if (size.width == 0 || size.height == 0 || size.width > kLargestScreen || size.height > kLargestScreen)
+    return Fault{path + ": the mode " + to_string(size) + " is too large; choose a size, one of " +
+                 sizes_of(connector)};
+
+  const std::uint32_t crtc = crtc_for(number, **resources, connector);
+  if (crtc == 0) return Fault{path + " has no CRTC left for " + name_of(connector)};
+  if (drmIsMaster(number) == 0) return device_fault(kKind, path, "show pictures", EBUSY);
+
+  screen->connector = connector.connector_id;
+  screen->former.reset(drmModeGetCrtc(number, crtc));
+  screen->crtc = crtc;
+  screen->card = std::move(*card);
+  int error = 0;
+  for (const DrmFormat format : formats_to_try(number, options.format)) {
+    error = start_in(*screen, format);
+    if (error != 0) continue;
+    const std::optional<PixelWriter> writer =
+        PixelWriter::create(format == DrmFormat::rgb565 ? kRgb565Layout : kXrgb8888Layout);
+    return DrmDisplay(std::move(screen), size, format, *writer);
+  }
+  return device_fault(kKind, path, "show pictures of " + to_string(size), error);
+}
+
+DrmDisplay::DrmDisplay(std::unique_ptr<DrmScreen> screen, const ScreenSize& size, DrmFormat card_format,
+                       const PixelWriter& writer)
+    : screen_(std::move(screen)),
+      size_(size),
+      card_format_(card_format),
+      writer_(writer),
+      picture_(std::size_t{2} * size.width * size.height) {
+  stale_.fill(std::vector<Stale>(size.height));
+}
+
+DrmDisplay::DrmDisplay(DrmDisplay&&) noexcept = default;
+DrmDisplay::~DrmDisplay() = default;
+
+Error DrmDisplay::write(const Area& area, std::span<const std::byte> pixels) {
+  if (!contains(size_.width, size_.height, area)) return Error::area;
+  const std::size_t row_bytes = std::size_t{2} * area.width;
+  if (pixels.size() < row_bytes * area.height) return Error::pixels_too_small;
+  const auto right = static_cast<std::uint16_t>(area.left + area.width);
+  for (std::size_t y = 0; y < area.height; ++y) {
+    const std::size_t row = area.top + y;
+    std::memcpy(&picture_[2 * (row * size_.width + area.left)], &pixels[y * row_bytes], row_bytes);
+    for (std::vector<Stale>& rows : stale_) {
+      Stale& stale = rows[row];
+      const bool empty = stale.right <= stale.left;
+      stale = {empty ? area.left : std::min(stale.left, area.left), empty ? right : std::max(stale.right, right)};
+    }
+  }
+  return Error::none;
+}
+
+Error DrmDisplay::bring_up_to_date(std::size_t buffer) {
+  for (std::size_t y = 0; y < size_.height; ++y) {
+    Stale& stale = stale_[buffer][y];
+    if (stale.right <= stale.left) continue;
+    const Area area{stale.left, static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(stale.right - stale.left), 1};
+    const auto pixels = std::span<const std::byte>(picture_).subspan(2 * (y * size_.width + stale.left));
+    if (const Error error = writer_.write(screen_->buffers[buffer].memory(), area, pixels); error != Error::none)
+      return error;
+    stale = {};
+  }
+  return Error::none;
+}
+
+Error DrmDisplay::end_frame() {
+  // Until then the back buffer is on the screen.
+  if (const Error error = screen_->wait_for_flip(kFlipTimeout); error != Error::none) return error;
+  if (const Error error = bring_up_to_date(screen_->back); error != Error::none) return error;
+  return screen_->flip();
+}
+
+}  // namespace zstrip::hal

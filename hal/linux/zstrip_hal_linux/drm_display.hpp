@@ -1,0 +1,81 @@
+// A screen by the kernel's mode setting (DRM/KMS), with two dumb buffers that are flipped.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "zstrip_hal/display.hpp"
+#include "zstrip_hal_linux/device.hpp"
+#include "zstrip_hal_linux/screen_size.hpp"
+#include "zstrip_hal_linux/video_memory.hpp"
+
+namespace zstrip::hal {
+
+/// What a graphics card has to offer: one line of words for each connector.
+Outcome<std::vector<std::string>> drm_connectors(const std::string& path);
+
+enum class DrmFormat : std::uint8_t { rgb565, xrgb8888 };
+
+struct DrmOptions {
+  std::string connector;            ///< as in "HDMI-A-1"; empty: the first one with a screen
+  std::optional<ScreenSize> size;   ///< one of the screen's modes; none: the one that it prefers
+  std::optional<DrmFormat> format;  ///< none: what the driver prefers, or else the other
+};
+
+struct DrmScreen;  // the card, the CRTC and what was on it before
+
+/// Takes RGB565. A frame appears whole, at a vertical blank. end_frame() asks for that and returns; the next one waits
+/// until it has happened, at most kFlipTimeout milliseconds (Error::timeout, and again in the next frame if it still
+/// has not). Error::bus: the driver refuses the flip, as when another program has taken the screen.
+/// The pixels are kept in the processor's own memory, too: a frame may write only what changes, and no buffer of the
+/// card, slow to read, is ever read. When the object ends the CRTC shows what it showed before.
+class DrmDisplay {
+ public:
+  static constexpr int kFlipTimeout = 1000;  // ms
+
+  /// Errors: the device is missing, no permission, another program shows pictures, no such connector or size, no
+  /// screen connected, a driver without dumb buffers or with neither of the formats.
+  static Outcome<DrmDisplay> open(const std::string& path, const DrmOptions& options = {});
+
+  DrmDisplay(DrmDisplay&&) noexcept;
+  DrmDisplay& operator=(DrmDisplay&&) = delete;
+  ~DrmDisplay();
+
+  std::uint16_t width() const { return size_.width; }
+  std::uint16_t height() const { return size_.height; }
+  PixelFormat format() const { return PixelFormat::rgb565; }
+  DrmFormat card_format() const { return card_format_; }
+
+  Error begin_frame() { return Error::none; }
+  Error write(const Area& area, std::span<const std::byte> pixels);
+  Error wait() { return Error::none; }
+  Error end_frame();
+
+ private:
+  /// Of a row: the pixels that a buffer of the card does not have yet. Empty where right <= left.
+  struct Stale {
+    std::uint16_t left = 0;
+    std::uint16_t right = 0;
+  };
+
+  DrmDisplay(std::unique_ptr<DrmScreen> screen, const ScreenSize& size, DrmFormat card_format,
+             const PixelWriter& writer);
+  Error bring_up_to_date(std::size_t buffer);
+
+  std::unique_ptr<DrmScreen> screen_;
+  ScreenSize size_;
+  DrmFormat card_format_;
+  PixelWriter writer_;
+  std::vector<std::byte> picture_;  ///< RGB565
+  std::array<std::vector<Stale>, 2> stale_;
+};
+
+static_assert(Display<DrmDisplay>);
+
+}  // namespace zstrip::hal

@@ -1,0 +1,70 @@
+// A connector, its CRTC and two dumb buffers of a graphics card: mode setting, flips, and back.
+#pragma once
+
+#include <xf86drmMode.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "zstrip_hal_linux/device.hpp"
+#include "zstrip_hal_linux/drm_display.hpp"
+
+namespace zstrip::hal {
+
+template <auto release>
+struct DrmRelease {
+  template <class T>
+  void operator()(T* object) const {
+    release(object);
+  }
+};
+using DrmResources = std::unique_ptr<drmModeRes, DrmRelease<drmModeFreeResources>>;
+using DrmConnector = std::unique_ptr<drmModeConnector, DrmRelease<drmModeFreeConnector>>;
+using DrmEncoder = std::unique_ptr<drmModeEncoder, DrmRelease<drmModeFreeEncoder>>;
+using DrmCrtc = std::unique_ptr<drmModeCrtc, DrmRelease<drmModeFreeCrtc>>;
+
+/// Memory of the card that it can show. Zeroed by the kernel.
+class DumbBuffer {
+ public:
+  /// 0 or errno.
+  static int create(int card, const ScreenSize& size, DrmFormat format, DumbBuffer& buffer);
+
+  DumbBuffer() = default;
+  DumbBuffer(DumbBuffer&& other) noexcept { *this = std::move(other); }
+  DumbBuffer& operator=(DumbBuffer&& other) noexcept;
+  ~DumbBuffer();
+
+  std::uint32_t framebuffer() const { return framebuffer_; }
+  const VideoMemory& memory() const { return memory_; }
+
+ private:
+  int card_ = -1;
+  std::uint32_t handle_ = 0;
+  std::uint32_t framebuffer_ = 0;
+  Mapping mapping_;
+  VideoMemory memory_;
+};
+
+struct DrmScreen {
+  ~DrmScreen();
+
+  /// Shows `front`'s picture in `mode`. 0 or errno.
+  int show(DumbBuffer& buffer);
+  /// Asks for the back buffer at the next vertical blank. Nothing may be under way.
+  Error flip();
+  /// Until no flip is under way.
+  Error wait_for_flip(int milliseconds);
+
+  FileDescriptor card;
+  std::uint32_t connector = 0;
+  std::uint32_t crtc = 0;
+  drmModeModeInfo mode{};
+  DrmCrtc former;
+  std::array<DumbBuffer, 2> buffers;
+  std::size_t back = 1;  ///< the buffer that is not shown; while a flip is under way: that will not be
+  bool flipping = false;
+};
+
+}  // namespace zstrip::hal

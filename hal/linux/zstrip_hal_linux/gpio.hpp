@@ -1,0 +1,55 @@
+// Output lines of GPIO chips, through libgpiod: D/C, reset, backlight, and the wires of a bit-banged bus.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "zstrip_hal/error.hpp"
+#include "zstrip_hal/output_pin.hpp"
+#include "zstrip_hal_linux/gpio_backend.hpp"
+#include "zstrip_hal_linux/outcome.hpp"
+
+namespace zstrip::hal {
+
+/// A line of a chip.
+struct GpioLine {
+  std::string chip;  ///< the path of its device
+  unsigned offset = 0;
+  friend bool operator==(const GpioLine&, const GpioLine&) = default;
+};
+
+/// The paths of all chips of the machine, in the order of their numbers.
+std::vector<std::string> gpio_chips();
+
+/// `text` is CHIP:OFFSET, the chip as a number, a name (gpiochip0) or a path, or else the name of a line as the device
+/// tree gives it; of several lines with that name the first one. Errors: no such chip, no permission, no such line.
+Outcome<GpioLine> find_gpio_line(const std::string& text);
+
+/// A line that is an output as long as this object lives. What the pin does afterwards is up to the chip: most keep
+/// their level. One that was made without a line is wired to nothing: set() does nothing and succeeds.
+class GpioPin {
+ public:
+  GpioPin() = default;
+  /// Starts at `level`. Errors: those of the chip: missing, no permission, no such line, a line that is busy (and who
+  /// has it).
+  static Outcome<GpioPin> request(const GpioLine& line, bool level);
+
+  /// No system call if the line has that level. Error: pin.
+  Error set(bool level) {
+    if (request_ == nullptr || level == level_) return Error::none;
+    if (gpio::set_level(*request_, level) != 0) return Error::pin;
+    level_ = level;
+    return Error::none;
+  }
+
+ private:
+  GpioPin(gpio::RequestPointer request, bool level) : request_(std::move(request)), level_(level) {}
+
+  gpio::RequestPointer request_;
+  bool level_ = false;
+};
+
+static_assert(OutputPin<GpioPin>);
+
+}  // namespace zstrip::hal

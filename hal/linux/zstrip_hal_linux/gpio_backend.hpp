@@ -1,0 +1,31 @@
+// What zstrip needs of libgpiod. Its releases 1 and 2 have different interfaces: gpio_libgpiod1.cpp or
+// gpio_libgpiod2.cpp, whichever CMake chose, is behind these functions. They return 0 or errno.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace zstrip::hal::gpio {
+
+struct LineInfo {
+  std::string name;      ///< empty: it has none
+  std::string consumer;  ///< who uses it, in words of its own; may be empty
+  bool used = false;
+};
+
+/// All lines of the chip at `path`, by offset.
+int read_lines(const std::string& path, std::vector<LineInfo>& lines);
+
+struct Request;
+struct ReleaseRequest {
+  void operator()(Request* request) const;
+};
+using RequestPointer = std::unique_ptr<Request, ReleaseRequest>;
+
+/// Makes a line of the chip at `path` an output that starts at `level`.
+int request_output(const std::string& path, unsigned offset, bool level, RequestPointer& request);
+
+int set_level(Request& request, bool level);
+
+}  // namespace zstrip::hal::gpio

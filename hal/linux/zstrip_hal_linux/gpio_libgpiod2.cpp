@@ -1,0 +1,76 @@
+// libgpiod 2.x (Debian 13 has 2.2): a request is made of settings for lines; the chip may be closed afterwards.
+#include <gpiod.h>
+
+#include <cerrno>
+
+#include "zstrip_hal_linux/gpio_backend.hpp"
+
+namespace zstrip::hal::gpio {
+namespace {
+
+template <auto release>
+struct Release {
+  template <class T>
+  void operator()(T* object) const {
+    release(object);
+  }
+};
+using Chip = std::unique_ptr<gpiod_chip, Release<gpiod_chip_close>>;
+using ChipInfo = std::unique_ptr<gpiod_chip_info, Release<gpiod_chip_info_free>>;
+using Line = std::unique_ptr<gpiod_line_info, Release<gpiod_line_info_free>>;
+using Settings = std::unique_ptr<gpiod_line_settings, Release<gpiod_line_settings_free>>;
+using LineConfig = std::unique_ptr<gpiod_line_config, Release<gpiod_line_config_free>>;
+using RequestConfig = std::unique_ptr<gpiod_request_config, Release<gpiod_request_config_free>>;
+using LineRequest = std::unique_ptr<gpiod_line_request, Release<gpiod_line_request_release>>;
+
+gpiod_line_value value(bool level) { return level ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE; }
+
+std::string text(const char* name) { return name != nullptr ? name : ""; }
+
+}  // namespace
+
+struct Request {
+  LineRequest line;
+  unsigned offset;
+};
+
+void ReleaseRequest::operator()(Request* request) const { delete request; }
+
+int read_lines(const std::string& path, std::vector<LineInfo>& lines) {
+  const Chip chip(gpiod_chip_open(path.c_str()));
+  if (chip == nullptr) return errno;
+  const ChipInfo info(gpiod_chip_get_info(chip.get()));
+  if (info == nullptr) return errno;
+  for (unsigned offset = 0; offset < gpiod_chip_info_get_num_lines(info.get()); ++offset) {
+    const Line line(gpiod_chip_get_line_info(chip.get(), offset));
+    if (line == nullptr) return errno;
+    lines.push_back({text(gpiod_line_info_get_name(line.get())), text(gpiod_line_info_get_consumer(line.get())),
+                     gpiod_line_info_is_used(line.get())});
+  }
+  return 0;
+}
+
+int request_output(const std::string& path, unsigned offset, bool level, RequestPointer& request) {
+  const Chip chip(gpiod_chip_open(path.c_str()));
+  if (chip == nullptr) return errno;
+  const Settings settings(gpiod_line_settings_new());
+  const LineConfig lines(gpiod_line_config_new());
+  const RequestConfig config(gpiod_request_config_new());
+  if (settings == nullptr || lines == nullptr || config == nullptr) return ENOMEM;
+  gpiod_request_config_set_consumer(config.get(), "zstrip");
+  if (gpiod_line_settings_set_direction(settings.get(), GPIOD_LINE_DIRECTION_OUTPUT) != 0 ||
+      gpiod_line_settings_set_output_value(settings.get(), value(level)) != 0 ||
+      gpiod_line_config_add_line_settings(lines.get(), &offset, 1, settings.get()) != 0) {
+    return errno;
+  }
+  LineRequest line(gpiod_chip_request_lines(chip.get(), config.get(), lines.get()));
+  if (line == nullptr) return errno;
+  request.reset(new Request{std::move(line), offset});
+  return 0;
+}
+
+int set_level(Request& request, bool level) {
+  return gpiod_line_request_set_value(request.line.get(), request.offset, value(level)) == 0 ? 0 : errno;
+}
+
+}  // namespace zstrip::hal::gpio

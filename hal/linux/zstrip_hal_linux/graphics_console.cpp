@@ -1,0 +1,66 @@
+// The machine's text console, kept off the screen while pictures are shown.
+#include "zstrip_hal_linux/graphics_console.hpp"
+
+#include <fcntl.h>
+#include <linux/kd.h>
+#include <sys/ioctl.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+
+namespace zstrip::hal {
+namespace {
+
+constexpr std::array kFatalSignals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT};
+
+// For the handler, which may read nothing else. -1: no console is in graphics mode.
+volatile std::sig_atomic_t console_file = -1;
+volatile std::sig_atomic_t console_mode = KD_TEXT;
+
+void set_mode(int file, int mode) { static_cast<void>(ioctl(file, KDSETMODE, static_cast<std::intptr_t>(mode))); }
+
+/// SA_RESETHAND has given the signal its default action back: raised again it ends the program.
+void restore_and_end(int signal) {
+  if (console_file >= 0) set_mode(console_file, console_mode);
+  static_cast<void>(raise(signal));
+}
+
+void on_fatal_signals(void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  for (const int signal : kFatalSignals) sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+Outcome<GraphicsConsole> GraphicsConsole::enter() {
+  const std::string shown = "/dev/tty0";
+  FileDescriptor file;
+  int mode = KD_TEXT;
+  for (const std::string& path : {std::string("/dev/tty"), shown}) {
+    file = FileDescriptor(open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOCTTY));
+    if (file && ioctl(file.get(), KDGETMODE, &mode) == 0) break;
+    // /dev/tty is a console only for a program that was started on one.
+    if (path != shown) continue;
+    if (file || errno == ENOENT || errno == ENXIO || errno == ENODEV) return GraphicsConsole();
+    return device_fault(DeviceKind::console, path, "be opened", errno);
+  }
+  if (ioctl(file.get(), KDSETMODE, std::intptr_t{KD_GRAPHICS}) != 0)
+    return device_fault(DeviceKind::console, "the console", "be set to graphics mode", errno);
+  console_mode = mode;
+  console_file = file.get();
+  on_fatal_signals(restore_and_end);
+  return GraphicsConsole(std::move(file), mode);
+}
+
+GraphicsConsole::~GraphicsConsole() {
+  if (!file_) return;
+  set_mode(file_.get(), former_mode_);
+  console_file = -1;
+  on_fatal_signals(SIG_DFL);
+}
+
+}  // namespace zstrip::hal

@@ -1,0 +1,32 @@
+// Either a value or the reason why there is none, in words for whoever sits at the machine.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace zstrip::hal {
+
+/// `message` is one line without a full stop: the thing, what is wrong with it, what to do.
+struct Fault {
+  std::string message;
+};
+
+template <class T>
+class [[nodiscard]] Outcome {
+ public:
+  Outcome(T value) : content_(std::move(value)) {}      // NOLINT(google-explicit-constructor): `return value;`
+  Outcome(Fault fault) : content_(std::move(fault)) {}  // NOLINT(google-explicit-constructor)
+
+  explicit operator bool() const { return std::holds_alternative<T>(content_); }
+  T& operator*() { return std::get<T>(content_); }
+  const T& operator*() const { return std::get<T>(content_); }
+  T* operator->() { return &std::get<T>(content_); }
+  const T* operator->() const { return &std::get<T>(content_); }
+  const Fault& fault() const { return std::get<Fault>(content_); }
+
+ private:
+  std::variant<T, Fault> content_;
+};
+
+}  // namespace zstrip::hal

@@ -1,0 +1,74 @@
+// A panel on SPI by the kernel's driver.
+#include "zstrip_hal_linux/spidev.hpp"
+
+#include <linux/spi/spidev.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace zstrip::hal {
+namespace {
+
+/// What spidev takes in one message: its module's parameter; 4096 is its default.
+std::size_t most_message_bytes() {
+  std::size_t bytes = 0;
+  std::ifstream parameter("/sys/module/spidev/parameters/bufsiz");
+  return parameter >> bytes && bytes > 0 ? bytes : 4096;
+}
+
+}  // namespace
+
+Outcome<SpidevBus> SpidevBus::open(const std::string& path, std::uint32_t hertz, GpioPin data_command) {
+  Outcome<FileDescriptor> file = open_device(DeviceKind::spi, path);
+  if (!file) return file.fault();
+  const int number = file->get();
+  const auto refused = [&path](const char* doing, int error) {
+    return device_fault(DeviceKind::spi, path, doing, error);
+  };
+  // Chip select's polarity comes from the device tree and stays; the rest of the mode is ours.
+  std::uint8_t mode = 0;
+  constexpr std::uint8_t kSelect = SPI_CS_HIGH | SPI_NO_CS;
+  if (const int error = device_control(number, SPI_IOC_RD_MODE, &mode); error != 0)
+    return refused("tell its mode", error);
+  mode &= kSelect;
+  std::uint8_t bits = 8;
+  if (const int error = device_control(number, SPI_IOC_WR_MODE, &mode); error != 0)
+    return refused("be set to mode 0", error);
+  if (const int error = device_control(number, SPI_IOC_WR_BITS_PER_WORD, &bits); error != 0)
+    return refused("be set to 8 bits", error);
+  if (const int error = device_control(number, SPI_IOC_WR_MAX_SPEED_HZ, &hertz); error != 0)
+    return refused(("be set to " + std::to_string(hertz) + " Hz").c_str(), error);
+
+  std::uint8_t real_mode = 0;
+  std::uint8_t real_bits = 0;
+  if (const int error = device_control(number, SPI_IOC_RD_MODE, &real_mode); error != 0)
+    return refused("tell its mode", error);
+  if (const int error = device_control(number, SPI_IOC_RD_BITS_PER_WORD, &real_bits); error != 0)
+    return refused("tell its bits", error);
+  if (real_mode != mode || real_bits != 8)
+    return Fault{path + " took the setting of mode 0 with 8 bits, but has another one; panels need these"};
+  return SpidevBus(std::move(*file), hertz, std::move(data_command));
+}
+
+SpidevBus::SpidevBus(FileDescriptor file, std::uint32_t hertz, GpioPin data_command)
+    : file_(std::move(file)),
+      hertz_(hertz),
+      message_bytes_(most_message_bytes()),
+      data_command_(std::move(data_command)) {}
+
+Error SpidevBus::write(std::span<const std::byte> bytes, bool data) {
+  if (const Error error = data_command_.set(data); error != Error::none) return error;
+  while (!bytes.empty()) {
+    const std::span<const std::byte> part = bytes.first(std::min(bytes.size(), message_bytes_));
+    spi_ioc_transfer transfer{};
+    transfer.tx_buf = reinterpret_cast<std::uintptr_t>(part.data());
+    transfer.len = static_cast<std::uint32_t>(part.size());
+    transfer.speed_hz = hertz_;
+    transfer.bits_per_word = 8;
+    if (device_control(file_.get(), SPI_IOC_MESSAGE(1), &transfer) != 0) return Error::bus;
+    bytes = bytes.subspan(part.size());
+  }
+  return Error::none;
+}
+
+}  // namespace zstrip::hal

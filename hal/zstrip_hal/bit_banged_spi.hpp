@@ -1,0 +1,67 @@
+// SPI without a controller: a command/data bus over three output pins, and a fourth to select the panel. For processors
+// whose SPI is in use or wired elsewhere; slow, and the processor does nothing else meanwhile.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "zstrip_hal/bus.hpp"
+#include "zstrip_hal/error.hpp"
+#include "zstrip_hal/output_pin.hpp"
+
+namespace zstrip::hal {
+
+/// SPI mode 0, highest bit first: the panel takes data and D/C at the clock's rising edge. Between two edges lies one
+/// call of a pin and nothing else: where a pin takes less than half of the panel's shortest clock cycle, its set() must
+/// wait. Everything has been sent when a function returns. Errors are the pins'; the panel is deselected then, so that
+/// the bits of an incomplete byte are forgotten, where it has a select line.
+template <OutputPin ClockPin, OutputPin DataPin, OutputPin DataCommandPin, OutputPin SelectPin = NoPin>
+class BitBangedSpi {
+ public:
+  constexpr BitBangedSpi(ClockPin clock, DataPin data, DataCommandPin data_command, SelectPin select = {})
+      : clock_(std::move(clock)),
+        data_(std::move(data)),
+        data_command_(std::move(data_command)),
+        select_(std::move(select)) {}
+
+  /// Gives the lines their idle levels. To be called once, before anything else.
+  Error start() {
+    if (const Error error = select_.set(true); error != Error::none) return error;
+    if (const Error error = clock_.set(false); error != Error::none) return error;
+    return data_command_.set(false);
+  }
+
+  Error write_command(std::span<const std::byte> bytes) { return write(bytes, false); }
+  Error write_data(std::span<const std::byte> bytes) { return write(bytes, true); }
+  Error wait() { return Error::none; }
+
+ private:
+  Error write(std::span<const std::byte> bytes, bool data) {
+    Error error = data_command_.set(data);
+    if (error == Error::none) error = select_.set(false);
+    for (std::size_t i = 0; error == Error::none && i < bytes.size(); ++i) {
+      error = send(std::to_integer<std::uint32_t>(bytes[i]));
+    }
+    const Error idle = clock_.set(false);
+    const Error deselected = select_.set(true);
+    if (error != Error::none) return error;
+    return idle != Error::none ? idle : deselected;
+  }
+  Error send(std::uint32_t byte) {
+    for (int bit = 7; bit >= 0; --bit) {
+      if (const Error error = clock_.set(false); error != Error::none) return error;
+      if (const Error error = data_.set(((byte >> bit) & 1U) != 0); error != Error::none) return error;
+      if (const Error error = clock_.set(true); error != Error::none) return error;
+    }
+    return Error::none;
+  }
+
+  [[no_unique_address]] ClockPin clock_;
+  [[no_unique_address]] DataPin data_;
+  [[no_unique_address]] DataCommandPin data_command_;
+  [[no_unique_address]] SelectPin select_;
+};
+
+}  // namespace zstrip::hal

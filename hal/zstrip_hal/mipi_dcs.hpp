@@ -1,0 +1,192 @@
+// Panels whose controller follows MIPI's Display Command Set, as those for SPI of Sitronix and Ilitek do: what they
+// have in common. st7789.hpp, ili9341.hpp and st7735.hpp say what each has of its own.
+//
+// A command is one byte with D/C low, its parameters follow with D/C high. A command ends the one before it, whole or
+// not, so that whatever went wrong, the next window starts clean.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "zstrip_hal/blacken.hpp"
+#include "zstrip_hal/bus.hpp"
+#include "zstrip_hal/clock.hpp"
+#include "zstrip_hal/display.hpp"
+#include "zstrip_hal/error.hpp"
+#include "zstrip_hal/orientation.hpp"
+#include "zstrip_hal/parameters.hpp"
+
+namespace zstrip::hal {
+
+/// How a glass is wired to its controller, and how the picture lies on it. Sizes and offsets are those of the upright
+/// glass, whatever the orientation.
+struct DcsConfig {
+  std::uint16_t width = 0;          ///< of the glass, 1 up to the controller's columns
+  std::uint16_t height = 0;         ///< of the glass, 1 up to the controller's rows
+  std::uint16_t column_offset = 0;  ///< of the glass in the controller's memory, where the latter is larger
+  std::uint16_t row_offset = 0;
+  Orientation orientation{};
+  PixelFormat format = PixelFormat::rgb565_swapped;  ///< or rgb666; or rgb444, where the controller has it
+  bool columns_reversed = false;                     ///< the glass is wired from the right to the left
+  bool rows_reversed = false;                        ///< the glass is wired from the bottom to the top
+  bool bgr = false;                                  ///< its subpixels are blue, green, red
+  bool inverted = false;                             ///< it shows colours inverted, as most IPS panels do
+  /// Commands that the maker of the module asks for (voltages, gamma), sent before the panel wakes up: the command, the
+  /// number of its parameters, its parameters; then the next command. Must outlive the display.
+  std::span<const std::byte> module_commands{};
+};
+
+/// What a driver says about a controller:
+///   - kColumns, kRows: of its memory, with the glass upright
+///   - pixel_format(format): COLMOD's parameter, 0 for a format that it has not
+///   - kSettings: commands for every module, as DcsConfig::module_commands
+///   - kHasBrightness: it has a PWM output for a backlight
+template <class T>
+concept DcsController = requires(PixelFormat format) {
+  { T::kColumns } -> std::convertible_to<std::uint16_t>;
+  { T::kRows } -> std::convertible_to<std::uint16_t>;
+  { T::pixel_format(format) } -> std::same_as<std::uint8_t>;
+  std::span<const std::byte>(T::kSettings);
+  { T::kHasBrightness } -> std::convertible_to<bool>;
+};
+
+/// A display that shows what is written at once. `bus` and `clock` must outlive it. Any rectangle may be written; with
+/// rgb444 its width must be even (Error::alignment), as two pixels share a byte.
+template <DcsController Controller, CommandDataBus Bus, Clock Time>
+class DcsPanel {
+ public:
+  constexpr DcsPanel(Bus& bus, Time& clock, const DcsConfig& config) : bus_(bus), clock_(clock), config_(config) {}
+
+  /// Resets the controller by command, sets it up, blackens the glass and switches it on; takes a quarter of a second
+  /// and the time for a frame's bytes. May be repeated after an error, best after reset_panel() (output_pin.hpp).
+  /// Error::configuration for a glass that is larger than the controller's memory, a format that it has not, or
+  /// module_commands that end amid a command; nothing was sent then.
+  Error start() {
+    if (!valid()) return Error::configuration;
+    Error error = command(kSoftReset);
+    clock_.wait(kAwakeToReady);
+    if (error == Error::none) error = send_commands(bus_, Controller::kSettings);
+    if (error == Error::none) error = send_commands(bus_, config_.module_commands);
+    if (error == Error::none) error = command(kSleepOut);
+    clock_.wait(kAwakeToReady);
+    if (error == Error::none) error = command(kPixelFormat, Controller::pixel_format(config_.format));
+    if (error == Error::none) error = command(kMemoryAccess, memory_access());
+    if (error == Error::none) error = command(config_.inverted ? kInversionOn : kInversionOff);
+    if (error == Error::none) error = command(kNormalMode);
+    if (error == Error::none) error = set_window({0, 0, width(), height()});
+    if (error == Error::none) error = send_zeros(bus_, bytes_per_row(width(), format()) * height());
+    if (error == Error::none) error = command(kDisplayOn);
+    return error;
+  }
+
+  constexpr std::uint16_t width() const { return is_sideways(config_.orientation) ? config_.height : config_.width; }
+  constexpr std::uint16_t height() const { return is_sideways(config_.orientation) ? config_.width : config_.height; }
+  constexpr PixelFormat format() const { return config_.format; }
+
+  Error begin_frame() { return Error::none; }
+  Error write(const Area& area, std::span<const std::byte> pixels) {
+    if (!contains(width(), height(), area)) return Error::area;
+    if (config_.format == PixelFormat::rgb444 && area.width % 2 != 0) return Error::alignment;
+    const std::uint32_t bytes = bytes_per_row(area.width, config_.format) * area.height;
+    if (pixels.size() < bytes) return Error::pixels_too_small;
+    if (const Error error = set_window(area); error != Error::none) return error;
+    return bus_.write_data(pixels.first(bytes));
+  }
+  Error wait() { return bus_.wait(); }
+  Error end_frame() { return Error::none; }
+
+  /// Dark and nearly without current; the memory keeps its pixels, but none may be written. Takes 120 ms. The backlight
+  /// is the program's to switch.
+  Error sleep() {
+    if (const Error error = command(kDisplayOff); error != Error::none) return error;
+    const Error error = command(kSleepIn);
+    clock_.wait(kAsleepToReady);
+    return error;
+  }
+  /// Shows the memory again. Takes 120 ms.
+  Error wake() {
+    const Error error = command(kSleepOut);
+    clock_.wait(kAwakeToReady);
+    return error != Error::none ? error : command(kDisplayOn);
+  }
+
+  /// Of a backlight on the controller's own PWM output, which few modules use: 0 dark .. 255. Where the backlight is a
+  /// pin of the board, brightness is the board's.
+  Error set_brightness(std::uint8_t level) requires(Controller::kHasBrightness) {
+    constexpr std::uint8_t kControlAndBacklight = 0x24;
+    if (const Error error = command(kBrightnessControl, kControlAndBacklight); error != Error::none) return error;
+    return command(kBrightness, level);
+  }
+
+ private:
+  // Commands of the set's user command list; all three controllers have them.
+  static constexpr std::byte kSoftReset{0x01};
+  static constexpr std::byte kSleepIn{0x10};
+  static constexpr std::byte kSleepOut{0x11};
+  static constexpr std::byte kNormalMode{0x13};
+  static constexpr std::byte kInversionOff{0x20};
+  static constexpr std::byte kInversionOn{0x21};
+  static constexpr std::byte kDisplayOff{0x28};
+  static constexpr std::byte kDisplayOn{0x29};
+  static constexpr std::byte kColumns{0x2A};
+  static constexpr std::byte kRows{0x2B};
+  static constexpr std::byte kMemoryWrite{0x2C};
+  static constexpr std::byte kMemoryAccess{0x36};
+  static constexpr std::byte kPixelFormat{0x3A};
+  static constexpr std::byte kBrightness{0x51};
+  static constexpr std::byte kBrightnessControl{0x53};
+  // Memory access control.
+  static constexpr unsigned kReverseRows = 0x80, kReverseColumns = 0x40, kExchange = 0x20, kBgr = 0x08;
+  // After a reset, or between sleep-out and sleep-in, either way; commands alone would have to wait 5 ms.
+  static constexpr std::uint32_t kAwakeToReady = 120'000, kAsleepToReady = 120'000;  // us
+
+  constexpr bool valid() const {
+    const auto fits = [](unsigned first, unsigned size, unsigned all) { return size >= 1 && first + size <= all; };
+    return fits(config_.column_offset, config_.width, Controller::kColumns) &&
+           fits(config_.row_offset, config_.height, Controller::kRows) &&
+           Controller::pixel_format(config_.format) != 0 &&
+           (config_.format != PixelFormat::rgb444 || width() % 2 == 0) && is_command_list(config_.module_commands);
+  }
+  static_assert(is_command_list(Controller::kSettings));
+
+  constexpr std::uint8_t memory_access() const {
+    const Scan scan = scan_of(config_.orientation);
+    return static_cast<std::uint8_t>((scan.rows_reversed != config_.rows_reversed ? kReverseRows : 0U) |
+                                     (scan.columns_reversed != config_.columns_reversed ? kReverseColumns : 0U) |
+                                     (scan.exchanged ? kExchange : 0U) | (config_.bgr ? kBgr : 0U));
+  }
+
+  template <class... Parameters>
+  Error command(std::byte code, Parameters... parameters) {
+    return send_command(bus_, code, parameters...);
+  }
+
+  /// The next data goes to the area's upper left corner and fills it row by row.
+  Error set_window(const Area& area) {
+    // Columns and rows are the picture's; only where the glass begins in the memory depends on the direction.
+    const Scan scan = scan_of(config_.orientation);
+    const auto start = [](bool reversed, unsigned all, unsigned size, unsigned offset) {
+      return reversed ? all - size - offset : offset;
+    };
+    const unsigned column = start(scan.columns_reversed, Controller::kColumns, config_.width, config_.column_offset);
+    const unsigned row = start(scan.rows_reversed, Controller::kRows, config_.height, config_.row_offset);
+    const unsigned left = area.left + (scan.exchanged ? row : column);
+    const unsigned top = area.top + (scan.exchanged ? column : row);
+    if (const Error error = range(kColumns, left, area.width); error != Error::none) return error;
+    if (const Error error = range(kRows, top, area.height); error != Error::none) return error;
+    return command(kMemoryWrite);
+  }
+  /// First and last, inclusive, high byte first.
+  Error range(std::byte code, unsigned first, unsigned count) {
+    const unsigned last = first + count - 1;
+    return command(code, first >> 8, first & 0xFFU, last >> 8, last & 0xFFU);
+  }
+
+  Bus& bus_;
+  Time& clock_;
+  DcsConfig config_;
+};
+
+}  // namespace zstrip::hal

@@ -1,0 +1,61 @@
+// Sitronix ST7735R and ST7735S: controllers of colour panels up to 132x162, on a command/data bus. Serial clock up to
+// 15 MHz (66 ns a write cycle).
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip_hal/mipi_dcs.hpp"
+
+namespace zstrip::hal {
+
+/// Its pins GM1 and GM0 are 00: the memory has 132x162 pixels.
+struct St7735Controller {
+  static constexpr std::uint16_t kColumns = 132;
+  static constexpr std::uint16_t kRows = 162;
+  static constexpr bool kHasBrightness = false;
+  // Panel function commands; the values are those that the makers of modules agree on.
+  // clang-format off
+  static constexpr auto kSettings = bytes(
+      0xB1, 3, 0x01, 0x2C, 0x2D,                    // frame rate, normal
+      0xB2, 3, 0x01, 0x2C, 0x2D,                    // idle
+      0xB3, 6, 0x01, 0x2C, 0x2D, 0x01, 0x2C, 0x2D,  // partial
+      0xB4, 1, 0x07,                                // inversion by dots
+      0xC0, 3, 0xA2, 0x02, 0x84,                    // GVDD
+      0xC1, 1, 0xC5,                                // VGH, VGL
+      0xC2, 2, 0x0A, 0x00,                          // current of the amplifiers, normal
+      0xC3, 2, 0x8A, 0x2A,                          // idle
+      0xC4, 2, 0x8A, 0xEE,                          // partial
+      0xC5, 1, 0x0E,                                // VCOM
+      0xE0, 16, 0x02, 0x1C, 0x07, 0x12, 0x37, 0x32, 0x29, 0x2D, 0x25, 0x29, 0x2B, 0x39, 0x00, 0x01, 0x03, 0x10,
+      0xE1, 16, 0x03, 0x1D, 0x07, 0x06, 0x2E, 0x2C, 0x29, 0x2D, 0x2E, 0x2E, 0x37, 0x3F, 0x00, 0x00, 0x02, 0x10);
+  // clang-format on
+
+  static constexpr std::uint8_t pixel_format(PixelFormat format) {
+    switch (format) {
+      case PixelFormat::rgb444: return 0x03;
+      case PixelFormat::rgb565_swapped: return 0x05;
+      case PixelFormat::rgb666: return 0x06;
+      default: return 0;
+    }
+  }
+};
+
+/// GM1 and GM0 are 11: 128x160, without offsets.
+struct St7735Gm11Controller : St7735Controller {
+  static constexpr std::uint16_t kColumns = 128;
+  static constexpr std::uint16_t kRows = 160;
+};
+
+/// 128x160 in the middle of 132x162 ("green tab"). Modules of 128x128 have row_offset 3 and bgr, those of 80x160
+/// width 80, column_offset 26, bgr and inverted.
+inline constexpr DcsConfig kSt7735Module128x160{
+    .width = 128, .height = 160, .column_offset = 2, .row_offset = 1, .columns_reversed = true, .rows_reversed = true};
+
+template <CommandDataBus Bus, Clock Time, DcsController Controller = St7735Controller>
+class St7735 : public DcsPanel<Controller, Bus, Time> {
+ public:
+  constexpr St7735(Bus& bus, Time& clock, const DcsConfig& config = kSt7735Module128x160)
+      : DcsPanel<Controller, Bus, Time>(bus, clock, config) {}
+};
+
+}  // namespace zstrip::hal

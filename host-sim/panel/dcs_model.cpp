@@ -1,0 +1,221 @@
+// Commands, address counters, memory and what the glass shows of it.
+#include "panel/dcs_model.hpp"
+
+#include <fmt/format.h>
+
+#include <random>
+
+namespace zstrip::sim {
+namespace {
+
+// MADCTL
+constexpr std::uint8_t kRowOrder = 0x80, kColumnOrder = 0x40, kRowColumnExchange = 0x20, kBgrOrder = 0x08;
+
+/// Noise, the same each time.
+std::uint8_t noise(std::mt19937& random) { return static_cast<std::uint8_t>(random() >> 26); }
+
+/// A channel of the bus in the 6 bits of the memory: the upper bits are repeated.
+std::uint8_t six_bits(std::uint32_t channel, unsigned bits) {
+  const std::uint32_t twice = channel << bits | channel;
+  return static_cast<std::uint8_t>(twice >> (2 * bits - 6));
+}
+
+}  // namespace
+
+DcsModel::DcsModel(const DcsPart& part, const Glass& glass)
+    : part_(part), glass_(glass), memory_(std::size_t{part.columns} * part.rows) {
+  std::mt19937 random;
+  for (Colour& colour : memory_) colour = {noise(random), noise(random), noise(random)};
+  reset();
+}
+
+void DcsModel::reset() {
+  asleep_ = true;
+  on_ = inverted_ = idle_ = partial_ = false;
+  access_ = 0;
+  format_ = part_.format_after_reset;
+  scroll_ = 0;
+  columns_ = {0, part_.columns - 1U};
+  rows_ = {0, part_.rows - 1U};
+  command_ = nullptr;
+  writing_ = false;
+  next_command_ = now() + part_.reset_to_command;
+  next_sleep_out_ = now() + part_.reset_to_sleep_out;
+}
+
+void DcsModel::interrupted() { excused_ = true; }
+
+void DcsModel::complain_of(const char* what) { complain(fmt::format("{}, command {:02X}h", what, code_)); }
+
+void DcsModel::receive_byte(Wire wire, std::uint8_t byte) {
+  if (wire == Wire::command) {
+    finish_command();
+    begin(byte);
+  } else if (writing_) {
+    receive_pixel_byte(byte);
+  } else if (command_ == nullptr || parameters_.size() == command_->most) {
+    complain_of(command_ == nullptr ? "data without a command" : "more data than the command takes");
+  } else {
+    parameters_.push_back(byte);
+    if (parameters_.size() == command_->fewest) parameters_complete();
+  }
+}
+
+/// Another command ends the one before.
+void DcsModel::finish_command() {
+  if (!excused_) {
+    if (command_ != nullptr && parameters_.size() < command_->fewest) complain_of("too few parameters");
+    if (writing_ && bit_count_ != 0) complain_of("the last pixel is not whole");
+  }
+  excused_ = false;
+  writing_ = false;
+  command_ = nullptr;
+  parameters_.clear();
+}
+
+void DcsModel::begin(std::uint8_t code) {
+  code_ = code;
+  if (now() < next_command_) {
+    complain(fmt::format("command {:02X}h comes {} us too early", code,
+                         std::chrono::ceil<std::chrono::microseconds>(next_command_ - now()).count()));
+  }
+  command_ = find_command(part_, code);
+  if (command_ == nullptr) {
+    complain(fmt::format("the {} has no command {:02X}h", part_.name, code));
+    return;
+  }
+  if (command_->fewest == 0) parameters_complete();
+}
+
+void DcsModel::parameters_complete() {
+  switch (code_) {
+    case 0x01: reset(); break;
+    case 0x10:
+      if (now() < next_sleep_in_) complain("sleep-in too soon after sleep-out");
+      asleep_ = true;
+      next_command_ = now() + part_.sleep_to_command;
+      next_sleep_out_ = now() + part_.between_sleeps;
+      break;
+    case 0x11:
+      if (now() < next_sleep_out_) complain("sleep-out too soon after a reset or sleep-in");
+      asleep_ = false;
+      next_command_ = now() + part_.sleep_to_command;
+      next_sleep_in_ = now() + part_.between_sleeps;
+      break;
+    case 0x12: partial_ = true; break;
+    case 0x13: partial_ = false; break;
+    case 0x20: inverted_ = false; break;
+    case 0x21: inverted_ = true; break;
+    case 0x28: on_ = false; break;
+    case 0x29: on_ = true; break;
+    case 0x2A: columns_ = range_of((access_ & kRowColumnExchange) != 0 ? part_.rows : part_.columns, "columns"); break;
+    case 0x2B: rows_ = range_of((access_ & kRowColumnExchange) != 0 ? part_.columns : part_.rows, "rows"); break;
+    case 0x2C:
+      if (asleep_) complain("pixels before sleep-out");
+      writing_ = true;
+      full_ = false;
+      column_ = columns_.first;
+      row_ = rows_.first;
+      bits_ = bit_count_ = 0;
+      break;
+    case 0x36: access_ = parameters_[0]; break;
+    case 0x37: scroll_ = parameters_[0] * 256U + parameters_[1]; break;
+    case 0x38: idle_ = false; break;
+    case 0x39: idle_ = true; break;
+    case 0x3A:
+      format_ = parameters_[0];
+      if (bits_per_pixel() == 0) complain(fmt::format("the {} has no pixel format {:02X}h", part_.name, format_));
+      break;
+    default: break;  // voltages, timing: any value shows a picture
+  }
+}
+
+DcsModel::Range DcsModel::range_of(unsigned limit, const char* what) {
+  const Range range{parameters_[0] * 256U + parameters_[1], parameters_[2] * 256U + parameters_[3]};
+  if (range.first > range.last || range.last >= limit) {
+    complain(fmt::format("{} {} to {} of {}", what, range.first, range.last, limit));
+  }
+  return range;
+}
+
+/// Of the interface; 0 if there is no such format.
+unsigned DcsModel::bits_per_pixel() const {
+  switch (format_ & 7U) {
+    case 3: return part_.has_12_bits ? 12 : 0;
+    case 5: return 16;
+    case 6: return 24;  // 18 that count
+    default: return 0;
+  }
+}
+
+void DcsModel::receive_pixel_byte(std::uint8_t byte) {
+  const unsigned bits = bits_per_pixel();
+  if (bits == 0) return;
+  bits_ = bits_ << 8 | byte;
+  bit_count_ += 8;
+  while (bit_count_ >= bits) {
+    bit_count_ -= bits;
+    const std::uint32_t pixel = bits_ >> bit_count_;
+    if (bits == 12) {
+      store({six_bits(pixel >> 8 & 15, 4), six_bits(pixel >> 4 & 15, 4), six_bits(pixel & 15, 4)});
+    } else if (bits == 16) {
+      store({six_bits(pixel >> 11 & 31, 5), static_cast<std::uint8_t>(pixel >> 5 & 63), six_bits(pixel & 31, 5)});
+    } else {
+      store({static_cast<std::uint8_t>(pixel >> 18 & 63), static_cast<std::uint8_t>(pixel >> 10 & 63),
+             static_cast<std::uint8_t>(pixel >> 2 & 63)});
+    }
+  }
+}
+
+void DcsModel::store(const Colour& colour) {
+  if (full_) complain_of("more pixels than the window has");
+  const bool exchange = (access_ & kRowColumnExchange) != 0;
+  unsigned column = exchange ? row_ : column_;
+  unsigned row = exchange ? column_ : row_;
+  if (column < part_.columns && row < part_.rows) {
+    if ((access_ & kColumnOrder) != 0) column = part_.columns - 1U - column;
+    if ((access_ & kRowOrder) != 0) row = part_.rows - 1U - row;
+    memory_[cell(column, row)] = colour;
+  } else {
+    complain_of("a pixel outside of the memory");
+  }
+  if (column_++ != columns_.last) return;
+  column_ = columns_.first;
+  if (row_++ != rows_.last) return;
+  row_ = rows_.first;
+  full_ = true;
+}
+
+std::size_t DcsModel::cell(unsigned column, unsigned row) const { return std::size_t{row} * part_.columns + column; }
+
+std::string DcsModel::darkness() const {
+  if (asleep_) return "the panel is asleep";
+  if (!on_) return "the display is off";
+  return {};
+}
+
+RgbImage DcsModel::seen() const {
+  RgbImage image{glass_.width, glass_.height, {}};
+  image.rgb.assign(std::size_t{glass_.width} * glass_.height * 3, 0);
+  if (!darkness().empty()) return image;
+  std::uint8_t* out = image.rgb.data();
+  for (unsigned y = 0; y < glass_.height; ++y) {
+    for (unsigned x = 0; x < glass_.width; ++x, out += 3) {
+      const unsigned column_from_edge = glass_.column_offset + x;
+      const unsigned row_from_edge = glass_.row_offset + y;
+      const unsigned column = glass_.columns_reversed ? part_.columns - 1U - column_from_edge : column_from_edge;
+      const unsigned row = glass_.rows_reversed ? part_.rows - 1U - row_from_edge : row_from_edge;
+      const Colour& colour = memory_[cell(column, (row + scroll_) % part_.rows)];
+      const bool swapped = glass_.bgr != ((access_ & kBgrOrder) != 0);
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        unsigned value = colour[swapped ? 2 - channel : channel];
+        if (inverted_ != glass_.inverted) value = 63 - value;
+        if (idle_) value = value >= 32 ? 63 : 0;  // eight colours
+        out[channel] = static_cast<std::uint8_t>(value << 2 | value >> 4);
+      }
+    }
+  }
+  return image;
+}
+
+}  // namespace zstrip::sim

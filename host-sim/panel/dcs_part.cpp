@@ -1,0 +1,95 @@
+// Command tables (names in the comments are the data sheets') and timing. Commands that read have no parameters to be
+// written and are left out: none of the models answers.
+#include "panel/dcs_part.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace zstrip::sim {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr DcsCommand kUserCommands[] = {
+    {0x00, 0, 0},                              // NOP
+    {0x01, 0, 0},                              // SWRESET
+    {0x10, 0, 0}, {0x11, 0, 0},                // SLPIN SLPOUT
+    {0x12, 0, 0}, {0x13, 0, 0},                // PTLON NORON
+    {0x20, 0, 0}, {0x21, 0, 0},                // INVOFF INVON
+    {0x26, 1, 1},                              // GAMSET
+    {0x28, 0, 0}, {0x29, 0, 0},                // DISPOFF DISPON
+    {0x2A, 4, 4}, {0x2B, 4, 4}, {0x2C, 0, 0},  // CASET RASET RAMWR
+    {0x30, 4, 4},                              // PTLAR
+    {0x33, 6, 6}, {0x37, 2, 2},                // VSCRDEF VSCSAD
+    {0x34, 0, 0}, {0x35, 1, 1},                // TEOFF TEON
+    {0x36, 1, 1}, {0x3A, 1, 1},                // MADCTL COLMOD
+    {0x38, 0, 0}, {0x39, 0, 0},                // IDMOFF IDMON
+};
+
+// ST7789V, system function command tables 1 and 2.
+constexpr DcsCommand kSt7789Commands[] = {
+    {0x3C, 0, 0},                                                // WRMEMC
+    {0x44, 2, 2},                                                // STE
+    {0x51, 1, 1},   {0x53, 1, 1},   {0x55, 1, 1}, {0x5E, 1, 1},  // WRDISBV WRCTRLD WRCACE WRCABCMB
+    {0xB0, 2, 2},   {0xB1, 3, 3},   {0xB2, 5, 5}, {0xB3, 3, 3},  // RAMCTRL RGBCTRL PORCTRL FRCTRL1
+    {0xB5, 1, 1},   {0xB7, 1, 1},   {0xB8, 4, 4}, {0xBA, 1, 1},  // PARCTRL GCTRL GTADJ DGMEN
+    {0xBB, 1, 1},   {0xBC, 1, 1},   {0xBD, 1, 1},                // VCOMS POWSAVE DLPOFFSAVE
+    {0xC0, 1, 1},   {0xC1, 3, 3},   {0xC2, 1, 2}, {0xC3, 1, 1},  // LCMCTRL IDSET VDVVRHEN VRHS
+    {0xC4, 1, 1},   {0xC5, 1, 1},   {0xC6, 1, 1}, {0xC7, 1, 1},  // VDVSET VCMOFSET FRCTRL2 CABCCTRL
+    {0xC8, 1, 1},   {0xCA, 1, 1},   {0xCC, 1, 1},                // REGSEL1 REGSEL2 PWMFRSEL
+    {0xD0, 2, 2},   {0xD2, 1, 1},   {0xDF, 4, 4},                // PWCTRL1 VAPVANEN CMD2EN
+    {0xE0, 14, 14}, {0xE1, 14, 14},                              // PVGAMCTRL NVGAMCTRL
+    {0xE2, 64, 64}, {0xE3, 64, 64},                              // DGMLUTR DGMLUTB
+    {0xE4, 3, 3},   {0xE7, 1, 1},   {0xE8, 1, 2}, {0xE9, 3, 3},  // GATECTRL SPI2EN PWCTRL2 EQCTRL
+    {0xEC, 1, 1},   {0xFA, 4, 4},   {0xFC, 1, 1}, {0xFE, 1, 1},  // PROMCTRL PROMEN NVMSET PROMACT
+};
+
+// ILI9341, level 2 commands, and the extended registers of its application notes.
+constexpr DcsCommand kIli9341Commands[] = {
+    {0x2D, 128, 128},                                              // colour set
+    {0x3C, 0, 0},                                                  // write memory continue
+    {0x44, 2, 2},                                                  // set tear scanline
+    {0x51, 1, 1},     {0x53, 1, 1},   {0x55, 1, 1}, {0x5E, 1, 1},  // brightness, control, content adaptive, minimum
+    {0xB0, 1, 1},     {0xB1, 2, 2},   {0xB2, 2, 2}, {0xB3, 2, 2},  // RGB interface; frame rate: normal, idle, partial
+    {0xB4, 1, 1},     {0xB5, 4, 4},   {0xB6, 3, 4}, {0xB7, 1, 1},  // inversion, porch, display function, entry mode
+    {0xB8, 1, 1},     {0xB9, 1, 1},   {0xBA, 1, 1}, {0xBB, 1, 1},  // backlight 1 to 4
+    {0xBC, 1, 1},     {0xBE, 1, 1},   {0xBF, 1, 1},                // backlight 5, 7, 8
+    {0xC0, 1, 1},     {0xC1, 1, 1},   {0xC5, 2, 2}, {0xC7, 1, 1},  // power 1 and 2, VCOM 1 and 2
+    {0xCB, 5, 5},     {0xCF, 3, 3},                                // power A and B
+    {0xD0, 2, 2},     {0xD1, 3, 3},                                // NV memory write, protection key
+    {0xE0, 15, 15},   {0xE1, 15, 15},                              // gamma, positive and negative
+    {0xE2, 16, 16},   {0xE3, 64, 64},                              // digital gamma 1 and 2
+    {0xE8, 3, 3},     {0xE9, 3, 3},   {0xEA, 2, 2}, {0xED, 4, 4},  // driver timing A and B, power-on sequence
+    {0xF2, 1, 1},     {0xF6, 3, 3},   {0xF7, 1, 1},                // three gammas, interface, pump ratio
+};
+
+// ST7735R and ST7735S, panel function commands.
+constexpr DcsCommand kSt7735Commands[] = {
+    {0x2D, 128, 128},                                              // RGBSET
+    {0xB1, 3, 3},     {0xB2, 3, 3},   {0xB3, 6, 6},                // FRMCTR1 to 3
+    {0xB4, 1, 1},     {0xB6, 2, 2},                                // INVCTR DISSET5
+    {0xC0, 3, 3},     {0xC1, 1, 1},   {0xC2, 2, 2}, {0xC3, 2, 2},  // PWCTR1 to 4
+    {0xC4, 2, 2},     {0xC5, 1, 1},   {0xC7, 1, 1},                // PWCTR5 VMCTR1 VMOFCTR
+    {0xD1, 1, 1},     {0xD9, 1, 1},   {0xDE, 1, 1}, {0xDF, 2, 2},  // WRID2 NVFCTR1 to 3
+    {0xE0, 16, 16},   {0xE1, 16, 16},                              // GMCTRP1 GMCTRN1
+    {0xFC, 1, 1},                                                  // PWCTR6
+};
+
+}  // namespace
+
+// Timing: serial interface characteristics (write cycle), RESX timing, SWRESET, SLPIN and SLPOUT restrictions.
+const DcsPart kSt7789Part{"ST7789", 240, 320, 66ns, 10us, 5ms, 120ms, 5ms, 120ms, 0x66, true, kSt7789Commands};
+const DcsPart kIli9341Part{"ILI9341", 240, 320, 100ns, 10us, 5ms, 120ms, 5ms, 120ms, 0x66, false, kIli9341Commands};
+const DcsPart kSt7735Part{"ST7735", 132, 162, 66ns, 10us, 120ms, 120ms, 5ms, 120ms, 0x06, true, kSt7735Commands};
+const DcsPart kSt7735Gm11Part{"ST7735_GM11", 128, 160,   66ns, 10us, 120ms,
+                              120ms,         5ms, 120ms, 0x06, true, kSt7735Commands};
+
+const DcsCommand* find_command(const DcsPart& part, std::uint8_t code) {
+  for (const std::span<const DcsCommand> table : {std::span<const DcsCommand>(kUserCommands), part.own_commands}) {
+    const auto found = std::ranges::find(table, code, &DcsCommand::code);
+    if (found != table.end()) return &*found;
+  }
+  return nullptr;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,40 @@
+// What the data sheets of the controllers with MIPI's command set say where they differ.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <span>
+
+namespace zstrip::sim {
+
+/// A command and how many bytes of parameters it may have.
+struct DcsCommand {
+  std::uint8_t code;
+  std::uint8_t fewest;
+  std::uint8_t most;
+};
+
+struct DcsPart {
+  const char* name;
+  std::uint16_t columns;  ///< of the memory
+  std::uint16_t rows;
+  std::chrono::nanoseconds shortest_cycle;  ///< of the serial clock, writing
+  std::chrono::nanoseconds shortest_reset;  ///< low pulse of the reset line
+  std::chrono::nanoseconds reset_to_command;
+  std::chrono::nanoseconds reset_to_sleep_out;
+  std::chrono::nanoseconds sleep_to_command;  ///< after sleep-in and after sleep-out
+  std::chrono::nanoseconds between_sleeps;    ///< from sleep-in to sleep-out and back
+  std::uint8_t format_after_reset;            ///< COLMOD's parameter
+  bool has_12_bits;
+  std::span<const DcsCommand> own_commands;  ///< beyond the user commands that all have
+};
+
+extern const DcsPart kSt7789Part;
+extern const DcsPart kIli9341Part;
+extern const DcsPart kSt7735Part;
+extern const DcsPart kSt7735Gm11Part;  ///< pins GM1 and GM0 high: a smaller memory
+
+/// The command of this code, or nullptr.
+const DcsCommand* find_command(const DcsPart& part, std::uint8_t code);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,73 @@
+// Boards whose picture lies in memory, in the emulator: what their screens show, compared pixel for pixel.
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <set>
+#include <string>
+
+#include "colour_picture.hpp"
+#include "host_render.hpp"
+#include "programs.hpp"
+#include "qemu.hpp"
+
+namespace zstrip::boards {
+namespace {
+
+constexpr std::uint32_t kFramesPerTurn = 64;
+
+struct FramebufferBoard {
+  const char* program;
+  const char* scene;
+  std::uint16_t width, height;
+  bool risc_v;
+  LowBits low_bits;  ///< how the emulator widens 16 bits a pixel
+};
+
+std::ostream& operator<<(std::ostream& stream, const FramebufferBoard& board) { return stream << board.program; }
+
+Qemu::Options options_of(const FramebufferBoard& board) {
+  const auto elf = program(std::string("zstrip_") + board.program);
+  if (!board.risc_v) return {.machine = "versatilepb", .program = elf, .devices = {"-audiodev", "none,id=none"}};
+  return {.emulator = "qemu-system-riscv32",
+          .machine = "virt",
+          .program = elf,
+          .devices = {"-bios", "none", "-device", "bochs-display,romfile="}};
+}
+
+class FramebufferBoards : public testing::TestWithParam<FramebufferBoard> {};
+
+TEST_P(FramebufferBoards, ScreenIsThePictureOfTheHost) {
+  const FramebufferBoard& board = GetParam();
+  Qemu emulator(options_of(board));
+  emulator.write_console("p");
+  std::set<std::vector<std::array<std::uint8_t, 3>>> pictures;
+  constexpr std::size_t kFrames = 2;
+  for (std::size_t step = 0; step < kFrames; ++step) {
+    const std::string line = emulator.read_line();
+    ASSERT_TRUE(line.starts_with("frame ")) << line;
+    const auto frame = static_cast<std::uint32_t>(std::stoi(line.substr(6)));
+    const ColourPicture screen = emulator.colour_screen();
+    EXPECT_EQ(difference(widened(render_turntable_rgb565(board.scene, frame, kFramesPerTurn, board.width, board.height),
+                                 board.width, board.height, board.low_bits),
+                         screen),
+              "")
+        << "frame " << frame;
+    pictures.insert(screen.pixels);
+    emulator.write_console("n");
+  }
+  EXPECT_EQ(pictures.size(), kFrames) << "it does not turn";
+}
+
+constexpr FramebufferBoard kBoards[] = {
+    {"versatilepb_teapot_qvga", "teapot", 320, 240, false, LowBits::zeros},
+    {"versatilepb_room_vga", "room", 640, 480, false, LowBits::zeros},
+#ifdef ZSTRIP_RISCV_PROGRAMS
+    {"riscv_virt_teapot", "teapot", 320, 240, true, LowBits::repeated},
+#endif
+};
+
+INSTANTIATE_TEST_SUITE_P(Board, FramebufferBoards, testing::ValuesIn(kBoards),
+                         [](const auto& test) { return std::string(test.param.program); });
+
+}  // namespace
+}  // namespace zstrip::boards

@@ -1,0 +1,178 @@
+// Each controller to the tests: its driver, its model, and the configurations to try.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "panel/dcs_model.hpp"
+#include "panel/model_bus.hpp"
+#include "panel/ssd0323_model.hpp"
+#include "panel/ssd1306_model.hpp"
+#include "panel/ssd1351_model.hpp"
+#include "zstrip_hal/ili9341.hpp"
+#include "zstrip_hal/ssd0323.hpp"
+#include "zstrip_hal/ssd1306.hpp"
+#include "zstrip_hal/ssd1351.hpp"
+#include "zstrip_hal/st7735.hpp"
+#include "zstrip_hal/st7789.hpp"
+
+namespace zstrip::panels {
+
+using hal::Orientation;
+using hal::PixelFormat;
+using hal::Rotation;
+
+inline constexpr Orientation kOrientations[] = {
+    {Rotation::none, false}, {Rotation::by_90, false}, {Rotation::by_180, false}, {Rotation::by_270, false},
+    {Rotation::none, true},  {Rotation::by_90, true},  {Rotation::by_180, true},  {Rotation::by_270, true}};
+
+/// Areas begin and end at multiples of these.
+struct Step {
+  unsigned x = 1, y = 1;
+};
+
+template <class Display, const sim::DcsPart& part, PixelFormat... formats>
+struct Dcs {
+  using Driver = Display;
+  using Config = hal::DcsConfig;
+  static std::string name() { return part.name; }
+
+  static std::vector<Config> configs() {
+    std::vector<Config> all;
+    for (const Orientation& orientation : kOrientations) {
+      for (const PixelFormat format : {formats...}) {
+        for (const unsigned wiring : {0U, 1U, 2U, 7U, 12U}) {
+          all.push_back({.width = 34,
+                         .height = 22,
+                         .column_offset = 7,
+                         .row_offset = 11,
+                         .orientation = orientation,
+                         .format = format,
+                         .columns_reversed = (wiring & 1) != 0,
+                         .rows_reversed = (wiring & 2) != 0,
+                         .bgr = (wiring & 4) != 0,
+                         .inverted = (wiring & 8) != 0});
+        }
+      }
+      all.push_back({.width = part.columns, .height = part.rows, .orientation = orientation});
+    }
+    return all;
+  }
+  static Step step(const Config& config) { return {config.format == PixelFormat::rgb444 ? 2U : 1U, 1}; }
+  static std::unique_ptr<sim::DcsModel> model(const Config& config) {
+    return std::make_unique<sim::DcsModel>(part, sim::Glass{.width = config.width,
+                                                            .height = config.height,
+                                                            .column_offset = config.column_offset,
+                                                            .row_offset = config.row_offset,
+                                                            .columns_reversed = config.columns_reversed,
+                                                            .rows_reversed = config.rows_reversed,
+                                                            .bgr = config.bgr,
+                                                            .inverted = config.inverted});
+  }
+  static Driver driver(sim::ModelBus& bus, const Config& config) { return Driver(bus, bus, config); }
+};
+
+using St7789 = Dcs<hal::St7789<sim::ModelBus, sim::ModelBus>, sim::kSt7789Part, PixelFormat::rgb565_swapped,
+                   PixelFormat::rgb666, PixelFormat::rgb444>;
+using Ili9341 = Dcs<hal::Ili9341<sim::ModelBus, sim::ModelBus>, sim::kIli9341Part, PixelFormat::rgb565_swapped,
+                    PixelFormat::rgb666>;
+using St7735 = Dcs<hal::St7735<sim::ModelBus, sim::ModelBus>, sim::kSt7735Part, PixelFormat::rgb565_swapped,
+                   PixelFormat::rgb666, PixelFormat::rgb444>;
+using St7735Gm11 = Dcs<hal::St7735<sim::ModelBus, sim::ModelBus, hal::St7735Gm11Controller>, sim::kSt7735Gm11Part,
+                       PixelFormat::rgb565_swapped>;
+
+struct Ssd1351 {
+  using Driver = hal::Ssd1351<sim::ModelBus>;
+  using Config = hal::Ssd1351Config;
+  static std::string name() { return "SSD1351"; }
+
+  static std::vector<Config> configs() {
+    std::vector<Config> all;
+    for (const Orientation& orientation : kOrientations) {
+      for (const unsigned wiring : {0U, 1U, 2U, 7U}) {
+        all.push_back({.height = static_cast<std::uint16_t>(wiring == 1 ? 96 : 128),
+                       .orientation = orientation,
+                       .columns_reversed = (wiring & 1) != 0,
+                       .rows_reversed = (wiring & 2) != 0,
+                       .bgr = (wiring & 4) != 0});
+      }
+    }
+    return all;
+  }
+  static Step step(const Config& /*config*/) { return {}; }
+  static std::unique_ptr<sim::Ssd1351Model> model(const Config& config) {
+    return std::make_unique<sim::Ssd1351Model>(sim::Ssd1351Glass{.height = config.height,
+                                                                 .columns_reversed = config.columns_reversed,
+                                                                 .rows_reversed = config.rows_reversed,
+                                                                 .bgr = config.bgr});
+  }
+  static Driver driver(sim::ModelBus& bus, const Config& config) { return Driver(bus, config); }
+};
+
+struct Ssd1306 {
+  using Driver = hal::Ssd1306<sim::ModelBus>;
+  using Config = hal::Ssd1306Config;
+  static std::string name() { return "SSD1306"; }
+
+  static std::vector<Config> configs() {
+    std::vector<Config> all;
+    for (const Orientation& orientation : kOrientations) {
+      for (const unsigned wiring : {0U, 1U, 2U, 3U}) {
+        const bool reversed_columns = (wiring & 1) != 0, reversed_rows = (wiring & 2) != 0;
+        all.push_back(
+            {.orientation = orientation, .columns_reversed = reversed_columns, .rows_reversed = reversed_rows});
+        all.push_back({.width = 65,
+                       .height = 40,
+                       .column_offset = 31,
+                       .orientation = orientation,
+                       .columns_reversed = reversed_columns,
+                       .rows_reversed = reversed_rows,
+                       .com_alternating = false,
+                       .charge_pump = false});
+      }
+    }
+    return all;
+  }
+  static Step step(const Config& config) { return is_sideways(config.orientation) ? Step{8, 1} : Step{1, 8}; }
+  static std::unique_ptr<sim::Ssd1306Model> model(const Config& config) {
+    return std::make_unique<sim::Ssd1306Model>(sim::Ssd1306Glass{.width = config.width,
+                                                                 .height = config.height,
+                                                                 .column_offset = config.column_offset,
+                                                                 .columns_reversed = config.columns_reversed,
+                                                                 .rows_reversed = config.rows_reversed,
+                                                                 .com_alternating = config.com_alternating,
+                                                                 .charge_pump = config.charge_pump});
+  }
+  static Driver driver(sim::ModelBus& bus, const Config& config) { return Driver(bus, config); }
+};
+
+struct Ssd0323 {
+  using Driver = hal::Ssd0323<sim::ModelBus>;
+  using Config = hal::Ssd0323Config;
+  static std::string name() { return "SSD0323"; }
+
+  static std::vector<Config> configs() {
+    std::vector<Config> all;
+    for (const Orientation& orientation : kOrientations) {
+      for (const unsigned wiring : {0U, 1U, 2U, 7U}) {
+        all.push_back({.orientation = orientation,
+                       .columns_reversed = (wiring & 1) != 0,
+                       .rows_reversed = (wiring & 2) != 0,
+                       .com_split = (wiring & 4) != 0,
+                       .dc_dc_converter = wiring != 0});
+      }
+    }
+    return all;
+  }
+  static Step step(const Config& config) { return is_sideways(config.orientation) ? Step{1, 2} : Step{2, 1}; }
+  static std::unique_ptr<sim::Ssd0323Model> model(const Config& config) {
+    return std::make_unique<sim::Ssd0323Model>(sim::Ssd0323Glass{.columns_reversed = config.columns_reversed,
+                                                                 .rows_reversed = config.rows_reversed,
+                                                                 .com_split = config.com_split,
+                                                                 .display_offset = config.display_offset});
+  }
+  static Driver driver(sim::ModelBus& bus, const Config& config) { return Driver(bus, config); }
+};
+
+}  // namespace zstrip::panels
