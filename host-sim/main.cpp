@@ -13,6 +13,8 @@
 #include <string>
 
 #ifdef ZSTRIP_BENCH_COMMAND
+#include "accuracy/accuracy_command.hpp"
+#include "accuracy/tune_command.hpp"
 #include "bench/bench_command.hpp"
 #endif
 #include "cli/bake_command.hpp"
@@ -51,6 +53,8 @@ int run(int argc, char** argv) {
   zstrip::sim::add_scenes_command(app, exit_code);
 #ifdef ZSTRIP_BENCH_COMMAND
   zstrip::sim::add_bench_command(app, exit_code);
+  zstrip::sim::add_accuracy_command(app, exit_code);
+  zstrip::sim::add_tune_command(app, exit_code);
 #endif
   try {
     app.parse(argc, argv);

@@ -11,6 +11,7 @@
 #include "zstrip_hal_linux/device.hpp"
 #include "zstrip_hal_linux/drm_display.hpp"
 #include "zstrip_hal_linux/gpio.hpp"
+#include "zstrip_hal_linux/graphics_console.hpp"
 
 namespace zstrip::panel {
 namespace {
@@ -64,6 +65,15 @@ std::string chip_lines(const std::string& path) {
   return text;
 }
 
+std::string console_line() {
+  switch (hal::console_mode()) {
+    case hal::ConsoleMode::text: return "Text console: shown\n";
+    case hal::ConsoleMode::graphics: return "Text console: off, a program shows pictures or was killed\n";
+    case hal::ConsoleMode::none: break;
+  }
+  return "Text console: none, or no permission for it\n";
+}
+
 template <class Describe>
 std::string section(const char* title, const std::vector<std::string>& paths, Describe describe) {
   std::string text = std::string(title) + ":" + (paths.empty() ? " none\n" : "\n");
@@ -74,7 +84,7 @@ std::string section(const char* title, const std::vector<std::string>& paths, De
 }  // namespace
 
 std::string machine_list() {
-  return section("Framebuffers", devices("/dev", "fb"), framebuffer_line) +
+  return console_line() + section("Framebuffers", devices("/dev", "fb"), framebuffer_line) +
          section("Graphics cards", devices("/dev/dri", "card"), card_lines) +
          section("SPI", devices("/dev", "spidev"), [](const std::string& path) { return "  spidev=" + path + "\n"; }) +
          section("GPIO chips", hal::gpio_chips(), chip_lines);

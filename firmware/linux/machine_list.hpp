@@ -5,7 +5,7 @@
 
 namespace zstrip::panel {
 
-/// Lines of text: framebuffers, graphics cards with their connectors, spidev, GPIO chips with their lines and who has
+/// Lines of text: the text console, framebuffers, graphics cards with their connectors, spidev, GPIO chips with their lines and who has
 /// them; for what cannot be read: why.
 std::string machine_list();
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "zstrip/plan/plan.hpp"
+#include "zstrip/scene/animation.hpp"
 #include "zstrip/scene/camera.hpp"
 #include "zstrip/scene/effects.hpp"
 #include "zstrip/scene/scene.hpp"
@@ -16,6 +17,7 @@ struct BakedScene {
   std::string source;  ///< what it was made of, without folders, for comments
   Scene scene;
   Camera camera;
+  Animation animation;  ///< empty: nothing moves
   View view;
   Effects effects;  ///< those that the scene calls for, and effect::bins if the plan needs it
   Budget budget;    ///< with the strips of `plan`: the same plan comes out of it again

@@ -17,6 +17,13 @@ constexpr KnownEffect kKnown[] = {
     {effect::depth_state, "depth_state", "a depth test, depth write or bias of its own"},
     {effect::fog, "fog", "the scene's fog"},
     {effect::quadrics, "quadrics", "spheres and ellipsoids"},
+    {effect::emissive, "emissive", "an emissive colour"},
+    {effect::specular, "specular", "a specular colour"},
+    {effect::punctual_lights, "punctual_lights", "lit, and there are point or spot lights"},
+    {effect::alpha_test, "alpha_test", "the alpha mode mask"},
+    {effect::blending, "blending", "the alpha mode blend"},
+    {effect::texture_alpha, "texture_alpha", "a texture with alpha, masked or blended"},
+    {effect::bilinear, "bilinear", "the texture filter bilinear"},
     {effect::bins, "bins", "the plan transforms geometry only once (--mode)"},
 };
 

@@ -5,7 +5,7 @@ namespace zstrip::sim {
 namespace {
 
 // With addresses of 32 bits; core/zstrip/scene/scene_blob.cpp asserts them on such targets.
-constexpr std::uint64_t kSceneBytes = 48, kCameraBytes = 64;
+constexpr std::uint64_t kSceneBytes = 68, kCameraBytes = 64;
 
 }  // namespace
 
@@ -26,7 +26,8 @@ FlashBytes flash_bytes(const Scene& scene) {
   }
   for (const Texture& texture : scene.textures) bytes.texels += texture.texels.size_bytes();
   bytes.tables = table_bytes(scene) + scene.materials.size_bytes() + scene.instances.size_bytes() +
-                 scene.lights.size_bytes() + kSceneBytes + kCameraBytes;
+                 scene.lights.size_bytes() + scene.finishes.size_bytes() + scene.punctual_lights.size_bytes() +
+                 (scene.fog != nullptr ? sizeof(Fog) : 0) + kSceneBytes + kCameraBytes;
   return bytes;
 }
 

@@ -60,7 +60,7 @@ class Writer {
     for (const bool flag : {m.lit, m.smooth, m.double_sided}) byte(flag ? 1 : 0);
     byte(static_cast<std::uint8_t>(m.depth_test));
     byte(m.depth_write ? 1 : 0);
-    zeros(1);
+    byte(m.finish);
     for (const std::int32_t bias : {m.depth_bias, m.depth_slope_bias, m.depth_bias_clamp}) word(bias);
   }
   void put(const Instance& instance) {
@@ -73,6 +73,41 @@ class Writer {
   void put(const DirectionalLight& light) {
     for (const std::int16_t component : {light.x, light.y, light.z}) half_word(component);
     put(light.colour);
+  }
+  void put(const Track& track) {
+    for (const std::uint32_t value : {track.instance, track.count}) half_word(value);
+    word(track.first);
+  }
+  void put(const Keyframe& keyframe) {
+    word(keyframe.time);
+    for (const std::int16_t component : keyframe.rotation) half_word(component);
+    put(keyframe.translation);
+    put(keyframe.scale);
+  }
+  void put(const Finish& finish) {
+    put(finish.emissive);
+    put(finish.specular);
+    byte(finish.shininess);
+    byte(static_cast<std::uint8_t>(finish.alpha_mode));
+    byte(finish.alpha_cutoff);
+    byte(static_cast<std::uint8_t>(finish.filter));
+  }
+  void put(const PunctualLight& light) {
+    byte(static_cast<std::uint8_t>(light.type));
+    put(light.colour);
+    zeros(3);
+    put(light.position);
+    word(light.intensity);
+    word(light.range);
+    for (const std::int16_t value : {light.x, light.y, light.z, light.cosine_inner, light.cosine_outer})
+      half_word(value);
+    zeros(2);
+  }
+  void put(const Fog& fog) {
+    put(fog.colour);
+    byte(static_cast<std::uint8_t>(fog.mode));
+    zeros(3);
+    for (const Fixed value : {fog.start, fog.end, fog.density}) word(value);
   }
   void put(const Camera& camera) {
     for (const Vec3& vector : {camera.right, camera.up, camera.back, camera.eye}) put(vector);
@@ -141,6 +176,7 @@ void write_texture(Writer& writer, std::size_t at, const Texture& texture) {
   writer.array(at, texture.texels);
   writer.byte_at(at + 8, texture.log2_width);
   writer.byte_at(at + 9, texture.log2_height);
+  writer.byte_at(at + 10, static_cast<std::uint8_t>(texture.format));
 }
 
 }  // namespace
@@ -159,12 +195,20 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   writer.put(scene.background);
   writer.put(content.camera);
   writer.put(content.view);
+  writer.zeros(16);  // arrays of tracks and keyframes: set below
+  writer.word(content.animation.duration);
+  writer.zeros(24);  // more arrays: set below
 
   const std::size_t meshes = writer.reserve(12, scene.meshes.size(), kMeshBytes);
   writer.array(20, scene.materials);
   const std::size_t textures = writer.reserve(28, scene.textures.size(), kTextureBytes);
   writer.array(36, scene.instances);
   writer.array(44, scene.lights);
+  writer.array(132, content.animation.tracks);
+  writer.array(140, content.animation.keyframes);
+  writer.array(152, scene.finishes);
+  writer.array(160, scene.punctual_lights);
+  if (scene.fog != nullptr) writer.array(168, std::span(scene.fog, 1));
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) write_mesh(writer, meshes + i * kMeshBytes, scene.meshes[i]);
   for (std::size_t i = 0; i < scene.textures.size(); ++i) {
     write_texture(writer, textures + i * kTextureBytes, scene.textures[i]);

@@ -38,7 +38,26 @@ std::string literal(const Material& m) {
         ".depth_bias_clamp = {}",
         static_cast<int>(m.depth_test), m.depth_write, m.depth_bias, m.depth_slope_bias, m.depth_bias_clamp);
   }
+  if (m.finish != kNoFinish) text += fmt::format(", .finish = {}", m.finish);
   return text + '}';
+}
+std::string literal(const Finish& f) {
+  return fmt::format(
+      "{{.emissive = {}, .specular = {}, .shininess = {}, .alpha_mode = zstrip::AlphaMode{{{}}}, .alpha_cutoff = {}, "
+      ".filter = zstrip::TextureFilter{{{}}}}}",
+      literal(f.emissive), literal(f.specular), f.shininess, static_cast<int>(f.alpha_mode), f.alpha_cutoff,
+      static_cast<int>(f.filter));
+}
+std::string literal(const PunctualLight& light) {
+  return fmt::format(
+      "{{.type = zstrip::PunctualLightType{{{}}}, .colour = {}, .position = {}, .intensity = {}, .range = {}, .x = {}, "
+      ".y = {}, .z = {}, .cosine_inner = {}, .cosine_outer = {}}}",
+      static_cast<int>(light.type), literal(light.colour), literal(light.position), light.intensity, light.range,
+      light.x, light.y, light.z, light.cosine_inner, light.cosine_outer);
+}
+std::string literal(const Fog& fog) {
+  return fmt::format("{{.colour = {}, .mode = zstrip::FogMode{{{}}}, .start = {}, .end = {}, .density = {}}}",
+                     literal(fog.colour), static_cast<int>(fog.mode), fog.start, fog.end, fog.density);
 }
 std::string literal(const Transform& transform) {
   std::string rows;
@@ -58,6 +77,14 @@ std::string literal(const DirectionalLight& light) {
   return fmt::format("{{.x = {}, .y = {}, .z = {}, .colour = {}}}", light.x, light.y, light.z, literal(light.colour));
 }
 
+std::string literal(const Track& track) {
+  return fmt::format("{{.instance = {}, .count = {}, .first = {}}}", track.instance, track.count, track.first);
+}
+std::string literal(const Keyframe& k) {
+  return fmt::format("{{{}, {{{}, {}, {}, {}}}, {}, {}}}", k.time, k.rotation[0], k.rotation[1], k.rotation[2],
+                     k.rotation[3], literal(k.translation), literal(k.scale));
+}
+
 std::string literal(Effects effects) {
   std::string text;
   for (const KnownEffect& known : known_effects()) {
@@ -74,13 +101,14 @@ class Header {
   std::string text(const std::string& name_space) {
     comment(name_space);
     line("#pragma once\n");
-    for (const char* header : {"base/status.hpp", "plan/plan.hpp", "scene/camera.hpp", "scene/effects.hpp",
-                               "scene/scene.hpp", "scene/view.hpp"}) {
+    for (const char* header : {"base/status.hpp", "plan/plan.hpp", "scene/animation.hpp", "scene/camera.hpp",
+                               "scene/effects.hpp", "scene/scene.hpp", "scene/view.hpp"}) {
       line(fmt::format("#include \"zstrip/{}\"", header));
     }
     line(fmt::format("\nnamespace {} {{\n", name_space));
     data();
     scene();
+    animation();
     camera();
     plan();
     line(fmt::format("\n}}  // namespace {}", name_space));
@@ -118,6 +146,8 @@ class Header {
         "// begin_frame and draw_strip return a Status: look at it. To move the scene, copy kInstances into RAM, "
         "change");
     line("// the transforms there, and begin the frame with a copy of kScene whose `instances` are yours.");
+    if (baked_.animation.tracks.empty()) return;
+    line("// Here they are animated: zstrip::pose(kAnimation, milliseconds, instances) changes them, each frame.");
   }
 
   /// An array of these records, or nothing; gives the expression that names it.
@@ -157,8 +187,11 @@ class Header {
     for (std::size_t i = 0; i < scene_.textures.size(); ++i) {
       const Texture& texture = scene_.textures[i];
       const std::string texels = array("std::uint16_t", fmt::format("kTexels{}", i), texture.texels);
-      textures_ += fmt::format("    {{.texels = {}, .log2_width = {}, .log2_height = {}}},\n", texels,
-                               texture.log2_width, texture.log2_height);
+      const bool plain = texture.format == TextureFormat::rgb565;
+      const std::string format =
+          plain ? "" : fmt::format(", .format = zstrip::TextureFormat{{{}}}", static_cast<int>(texture.format));
+      textures_ += fmt::format("    {{.texels = {}, .log2_width = {}, .log2_height = {}{}}},\n", texels,
+                               texture.log2_width, texture.log2_height, format);
     }
   }
 
@@ -176,13 +209,32 @@ class Header {
     const std::string materials = array("zstrip::Material", "kMaterials", scene_.materials);
     const std::string instances = array("zstrip::Instance", "kInstances", scene_.instances);
     const std::string lights = array("zstrip::DirectionalLight", "kLights", scene_.lights);
-    const std::string quadrics = array("zstrip::Quadric", "kQuadrics", scene_.quadrics);
+    std::string more;
+    const auto add = [&more](const char* member, const std::string& value) {
+      more += fmt::format(",\n{:38}.{} = {}", "", member, value);
+    };
+    if (scene_.fog != nullptr) {
+      array("zstrip::Fog", "kFog", std::span(scene_.fog, 1));
+      add("fog", "kFog");
+    }
+    if (!scene_.finishes.empty()) add("finishes", array("zstrip::Finish", "kFinishes", scene_.finishes));
+    if (!scene_.punctual_lights.empty()) {
+      add("punctual_lights", array("zstrip::PunctualLight", "kPunctualLights", scene_.punctual_lights));
+    }
+    if (!scene_.quadrics.empty()) add("quadrics", array("zstrip::Quadric", "kQuadrics", scene_.quadrics));
     line(fmt::format(
         "\ninline constexpr zstrip::Scene kScene{{.meshes = {},\n{pad}.materials = {},\n{pad}.textures = {},\n"
         "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}{}}};",
-        meshes, materials, textures, instances, lights, literal(scene_.ambient), literal(scene_.background),
-        scene_.quadrics.empty() ? "" : fmt::format(",\n{:38}.quadrics = {}", "", quadrics),
+        meshes, materials, textures, instances, lights, literal(scene_.ambient), literal(scene_.background), more,
         fmt::arg("pad", "                                      ")));
+  }
+
+  void animation() {
+    line("\n/// What moves the instances; without tracks nothing does. Times in milliseconds.");
+    const std::string tracks = array("zstrip::Track", "kTracks", baked_.animation.tracks);
+    const std::string keyframes = array("zstrip::Keyframe", "kKeyframes", baked_.animation.keyframes);
+    line(fmt::format("inline constexpr zstrip::Animation kAnimation{{.tracks = {}, .keyframes = {}, .duration = {}}};",
+                     tracks, keyframes, baked_.animation.duration));
   }
 
   void camera() {

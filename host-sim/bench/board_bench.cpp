@@ -21,7 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds kLimit{900};  // for each case; a hundred frames of the largest need a few minutes
-constexpr int kBoardBudget = 5;              // bench.cpp's exit status for too little memory
+constexpr std::uint32_t kSceneAddress = 0x00100000;  // where scene_cost.cpp looks for its scene
+constexpr int kBoardBudget = 5;                      // bench.cpp's exit status for too little memory
 
 // Code for Cortex-M0 runs on the machine with a Cortex-M3.
 const char* machine(std::string_view target) {
@@ -45,21 +46,29 @@ std::vector<std::string> emulator_command(const BenchCase& bench_case, const fs:
   if (bench_case.budget.strip_buffers != 0) words += fmt::format(",arg=buffers={}", bench_case.budget.strip_buffers);
   if (bench_case.budget.strip_rows != 0) words += fmt::format(",arg=rows={}", bench_case.budget.strip_rows);
   if (bench_case.budget.strip_columns != 0) words += fmt::format(",arg=columns={}", bench_case.budget.strip_columns);
-  return {"qemu-system-arm",
-          "-M",
-          machine(bench_case.target),
-          "-icount",
-          "shift=0",
-          "-display",
-          "none",
-          "-monitor",
-          "none",
-          "-serial",
-          "stdio",
-          "-semihosting-config",
-          words,
-          "-kernel",
-          program.string()};
+  if (bench_case.view.format != PixelFormat::rgb565) {
+    words += bench_case.view.format == PixelFormat::gray4 ? ",arg=format=gray4" : ",arg=format=mono";
+  }
+  std::vector<std::string> command{"qemu-system-arm",
+                                   "-M",
+                                   machine(bench_case.target),
+                                   "-icount",
+                                   "shift=0",
+                                   "-display",
+                                   "none",
+                                   "-monitor",
+                                   "none",
+                                   "-serial",
+                                   "stdio",
+                                   "-semihosting-config",
+                                   words,
+                                   "-kernel",
+                                   program.string()};
+  if (!bench_case.scene_file.empty()) {
+    command.push_back("-device");
+    command.push_back(fmt::format("loader,file={},addr={:#x},force-raw=on", bench_case.scene_file, kSceneAddress));
+  }
+  return command;
 }
 
 std::optional<std::uint32_t> hexadecimal(const std::string& text) {
@@ -99,7 +108,8 @@ Result<fs::path> board_program(const BenchCase& bench_case, const std::string& f
     if (error) return Failure{ExitStatus::environment, "cannot find this program's own file: " + error.message()};
     folder = self.parent_path().parent_path() / "firmware" / "bin";
   }
-  const fs::path program = folder / fmt::format("zstrip_bench_{}{}.elf", program_infix(bench_case), bench_case.target);
+  const std::string own = fmt::format("zstrip_bench_{}{}", program_infix(bench_case), bench_case.target);
+  const fs::path program = folder / ((bench_case.program.empty() ? own : bench_case.program) + ".elf");
   if (!fs::exists(program)) {
     return Failure{ExitStatus::environment,
                    fmt::format("{} is not there: build the boards' programs (tests/run does, or cmake --build --preset "

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <fstream>
 #include <map>
 #include <optional>
@@ -149,7 +150,8 @@ Result<ProfiledCase> profile_on_board(const BenchCase& bench_case, const FlashCa
                                       const std::string& firmware) {
   const Result<fs::path> program = board_program(bench_case, firmware);
   if (!program) return program.failure();
-  const fs::path out = fs::temp_directory_path() / fmt::format("zstrip_profile_{}.txt", getpid());
+  static std::atomic<unsigned> number{0};  // several may be profiled at once
+  const fs::path out = fs::temp_directory_path() / fmt::format("zstrip_profile_{}_{}.txt", getpid(), number++);
   const Result<std::string> option = plugin_option(*program, cache, out);
   if (!option) return option.failure();
   Result<Measurement> measured = bench_on_board(bench_case, *program, {"-plugin", *option});

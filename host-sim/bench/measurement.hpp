@@ -19,6 +19,8 @@ struct BenchCase {
   Budget budget;              ///< zeros: the planner decides
   std::string depth = "z16";  ///< how depth is kept; anything else on boards only, of R50: see firmware/README.md
   std::uint32_t frames = 0;
+  std::string program{};     ///< of a board, without folder and suffix, instead of the benchmark's
+  std::string scene_file{};  ///< a baked scene (.zsc) for such a program
 };
 
 struct Measurement {

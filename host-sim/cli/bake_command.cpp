@@ -56,12 +56,14 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
 }
 
 /// The scene at rest, planned.
-Result<BakedScene> bake(const std::string& scene, const Staging& staging, const PlanRequest& request) {
+Result<BakedScene> bake(const std::string& scene, const Staging& staging, const Animation& animation,
+                        const PlanRequest& request) {
   const Result<Plan> plan = best_plan(staging, request);
   if (!plan) return plan.failure();
   BakedScene baked{.source = std::filesystem::path(scene).filename().string(),
                    .scene = staging.scene,
                    .camera = staging.camera,
+                   .animation = animation,
                    .view = request.view,
                    .effects = effects_of(staging.scene, staging.camera),
                    .budget = request.budget,
@@ -95,7 +97,7 @@ BakeRecord describe(const Arguments& arguments, const Stage& stage, const BakedS
 
 Result<Done> write_blob(const BakedScene& baked, const std::string& output, BakeRecord& record) {
   const Result<std::vector<std::uint8_t>> blob =
-      to_scene_blob({.scene = baked.scene, .camera = baked.camera, .view = baked.view});
+      to_scene_blob({.scene = baked.scene, .camera = baked.camera, .view = baked.view, .animation = baked.animation});
   if (!blob) return Failure{blob.failure().status, fmt::format("'{}' {}", record.scene, blob.failure().message)};
   record.flash.tables = blob->size() - record.flash.arrays();
   record.lent_bytes = table_bytes(baked.scene);
@@ -125,10 +127,10 @@ Result<Done> run(const Arguments& arguments) {
                                "them, and neither std nor zstrip",
                                arguments.name_space)};
   }
-  const Result<PlanRequest> request = parse_plan(arguments.plan);
+  const Result<PlanRequest> request = parse_plan(arguments.plan, arguments.scene);
   if (!request) return request.failure();
-  const Result<UpAxis> up = parse_up(arguments.camera, arguments.scene);
-  if (!up) return up.failure();
+  const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene);
+  if (!model) return model.failure();
   const Result<CameraOptions> camera = parse_camera(arguments.camera, arguments.scene);
   if (!camera) return camera.failure();
   const bool built_in = kind_of_scene(arguments.scene) == SceneKind::built_in;
@@ -138,12 +140,12 @@ Result<Done> run(const Arguments& arguments) {
   if (!distinct) return distinct.failure();
 
   const std::uint32_t angles = arguments.turntable ? 2 : 1;  // more than one: every angle must fit
-  const Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, *up, *camera, request->view, angles);
+  const Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, *model, *camera, request->view, angles);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   const Result<Staging> staging = (*stage)->place(0, angles);
   if (!staging) return staging.failure();
-  const Result<BakedScene> baked = bake(arguments.scene, *staging, *request);
+  const Result<BakedScene> baked = bake(arguments.scene, *staging, (*stage)->animation(), *request);
   if (!baked) return baked.failure();
   BakeRecord record = describe(arguments, **stage, *baked);
   const Result<Done> written =

@@ -21,6 +21,8 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments) {
   command
       .add_option("--up", a.up, "A model's axis that points upwards: x, -x, y (default), -y, z, -z; some .3ds need -z")
       ->type_name("AXIS");
+  command.add_option("--animation", a.animation, "An animation of a glTF 2.0 file, by its name (default: the first)")
+      ->type_name("NAME");
   command.add_option("--camera", a.camera, "A camera of a glTF 2.0 file, by its name")->type_name("NAME");
   command.add_option("--eye", a.eye, "Where the camera is, in the model's units")->type_name("X,Y,Z");
   command.add_option("--look-at", a.look_at, "What it looks at (default: the model's centre)")->type_name("X,Y,Z");
@@ -70,16 +72,24 @@ Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::
   return camera;
 }
 
-Result<UpAxis> parse_up(const CameraArguments& arguments, const std::string& scene) {
-  if (!arguments.up) return UpAxis::plus_y;
-  const Result<UpAxis> up = parse_up_axis(*arguments.up);
-  if (!up) return up.failure();
+Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::string& scene) {
+  ModelOptions options{.animation = arguments.animation};
+  if (arguments.up) {
+    const Result<UpAxis> up = parse_up_axis(*arguments.up);
+    if (!up) return up.failure();
+    options.up = *up;
+  }
+  if (kind_of_scene(scene) == SceneKind::model || (!arguments.up && !arguments.animation)) return options;
+  const char* const option = arguments.up ? "--up" : "--animation";
   switch (kind_of_scene(scene)) {
-    case SceneKind::built_in: return usage(fmt::format("--up is for model files; '{}' is a built-in scene", scene));
-    case SceneKind::baked: return usage(fmt::format("--up is for model files; '{}' is a baked scene", scene));
+    case SceneKind::built_in:
+      return usage(fmt::format("{} is for model files; '{}' is a built-in scene", option, scene));
+    case SceneKind::baked: return usage(fmt::format("{} is for model files; '{}' is a baked scene", option, scene));
+    case SceneKind::composed:
+      return usage(fmt::format("{} is for model files; '{}' says it itself, in [[model]]", option, scene));
     case SceneKind::model: break;
   }
-  return *up;
+  return options;
 }
 
 }  // namespace zstrip::sim

@@ -6,6 +6,7 @@
 
 #include "import/source_model.hpp"
 #include "render/camera.hpp"
+#include "render/stage.hpp"
 #include "result.hpp"
 
 namespace CLI {
@@ -17,6 +18,7 @@ namespace zstrip::sim {
 /// As given on the command line.
 struct CameraArguments {
   std::optional<std::string> up;
+  std::optional<std::string> animation;
   std::optional<std::string> camera;
   std::optional<std::string> eye;
   std::optional<std::string> look_at;
@@ -31,7 +33,7 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments);
 /// `scene`: --camera is a usage error for those that are no model files.
 Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::string& scene);
 
-/// The axis of --up, +y without it. A usage error for scenes that are no model files: they are upright already.
-Result<UpAxis> parse_up(const CameraArguments& arguments, const std::string& scene);
+/// --up and --animation. Usage errors for scenes that are no model files: those say such things themselves.
+Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::string& scene);
 
 }  // namespace zstrip::sim

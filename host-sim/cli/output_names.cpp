@@ -9,8 +9,6 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::uint32_t kFolderFrames = 8;
-
 std::optional<ImageType> type_of_extension(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
   if (extension == ".png") return ImageType::png;
@@ -40,8 +38,8 @@ std::filesystem::path OutputNames::file(std::uint32_t frame) const {
 }
 
 Result<OutputNames> name_outputs(const std::string& scene, const std::optional<std::string>& output,
-                                 std::optional<std::uint32_t> frames, std::optional<ImageType> type,
-                                 PixelFormat format) {
+                                 std::optional<std::uint32_t> frames, std::optional<ImageType> type, PixelFormat format,
+                                 std::uint32_t folder_frames) {
   OutputNames names;
   names.format = format;
   std::error_code ignored;
@@ -58,7 +56,7 @@ Result<OutputNames> name_outputs(const std::string& scene, const std::optional<s
                      fmt::format("-o '{}' and --image name different picture types; give one of them", *output)};
     }
     names.type = type.value_or(names.folder ? ImageType::png : by_name.value_or(ImageType::png));
-    names.frames = frames.value_or(names.folder ? kFolderFrames : 1);
+    names.frames = frames.value_or(names.folder ? folder_frames : 1);
     if (!names.folder && names.frames > 1) {
       return Failure{
           ExitStatus::usage,

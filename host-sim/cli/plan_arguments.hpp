@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/picture_arguments.hpp"
 #include "plan/alternatives.hpp"
 #include "result.hpp"
 
@@ -16,11 +17,9 @@ namespace zstrip::sim {
 
 /// As given on the command line.
 struct PlanArguments {
-  std::string size = "320x240";
-  std::string format = "rgb565";
-  std::optional<std::string> ram{};
-  std::string strip_rows = "auto";
-  std::string strip_columns = "auto";
+  std::optional<std::string> size{};
+  std::optional<std::string> format{};
+  MemoryArguments memory{};
   bool split_columns = false;
   std::uint32_t strip_buffers = 1;
   std::string mode = "any";
@@ -29,6 +28,7 @@ struct PlanArguments {
 /// Adds the options; `arguments` must live as long as the command.
 void add_plan_options(CLI::App& command, PlanArguments& arguments);
 
-Result<PlanRequest> parse_plan(const PlanArguments& arguments);
+/// What the options leave open, the scene says if it is a scene file.
+Result<PlanRequest> parse_plan(const PlanArguments& arguments, const std::string& scene);
 
 }  // namespace zstrip::sim

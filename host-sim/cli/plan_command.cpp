@@ -26,19 +26,21 @@ constexpr std::uint32_t kFramesOfTurn = 8;  // enough to see the sides of a thin
 struct Arguments {
   std::string scene;
   PlanArguments plan;
-  std::string depth_format = "z16";
+  std::optional<std::string> depth_format;
   std::optional<double> separation;
   bool static_layer = false;
   bool json = false;
 };
 
 Result<PlanRequest> parse(const Arguments& arguments) {
-  Result<PlanRequest> request = parse_plan(arguments.plan);
+  Result<PlanRequest> request = parse_plan(arguments.plan, arguments.scene);
   if (!request) return request.failure();
-  const Result<DepthFormat> depth_format = parse_depth_format(arguments.depth_format);
-  if (!depth_format) return depth_format.failure();
-  request->depth_format = *depth_format;
-  const bool wide = depth_bytes(*depth_format) > sizeof(std::uint16_t);
+  if (arguments.depth_format) {
+    const Result<DepthFormat> depth_format = parse_depth_format(*arguments.depth_format);
+    if (!depth_format) return depth_format.failure();
+    request->depth_format = *depth_format;
+  }
+  const bool wide = depth_bytes(request->depth_format) > sizeof(std::uint16_t);
   if (arguments.static_layer && (wide || request->view.format != PixelFormat::rgb565)) {
     return Failure{ExitStatus::usage, "a static layer keeps depth of 16 bits and pixels of --format rgb565"};
   }
@@ -51,7 +53,7 @@ Result<PlanRequest> parse(const Arguments& arguments) {
 Result<Done> run(const Arguments& arguments) {
   Result<PlanRequest> request = parse(arguments);
   if (!request) return request.failure();
-  const Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, UpAxis::plus_y, {}, request->view, 1);
+  const Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, {}, {}, request->view, 1);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   const DepthFormat kept_format =

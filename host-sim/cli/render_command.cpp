@@ -16,6 +16,7 @@
 #include "cli/camera_arguments.hpp"
 #include "cli/output_names.hpp"
 #include "cli/parse.hpp"
+#include "cli/picture_arguments.hpp"
 #include "cli/print.hpp"
 #include "cli/visibility_arguments.hpp"
 #include "image/write_file.hpp"
@@ -39,14 +40,14 @@ constexpr unsigned kMaxThreads = 256;
 struct Arguments {
   std::string scene;
   std::optional<std::string> output;
-  std::string size = "320x240";
+  std::optional<std::string> size;
   std::optional<std::uint32_t> frames;
   std::optional<std::uint32_t> threads;
   std::optional<std::string> ram;
-  std::string strip_rows = "auto";
-  std::string strip_columns = "auto";
-  std::string format = "rgb565";
-  std::string depth_format = "z16";
+  std::optional<std::string> strip_rows;
+  std::optional<std::string> strip_columns;
+  std::optional<std::string> format;
+  std::optional<std::string> depth_format;
   std::optional<std::string> image;
   CameraArguments camera;
   VisibilityArguments visibility;
@@ -55,7 +56,7 @@ struct Arguments {
 };
 
 struct Job {
-  UpAxis up = UpAxis::plus_y;
+  ModelOptions model;
   View view;
   DepthFormat depth_format = DepthFormat::z16;
   Budget budget;
@@ -69,25 +70,21 @@ Failure usage(std::string message) { return {ExitStatus::usage, std::move(messag
 
 Result<Job> parse(const Arguments& arguments) {
   Job job;
-  const auto size = parse_size(arguments.size);
-  if (!size) return size.failure();
-  const Result<PixelFormat> format = parse_format(arguments.format);
-  if (!format) return format.failure();
-  job.view = {size->first, size->second, *format};
-  const Result<DepthFormat> depth_format = parse_depth_format(arguments.depth_format);
+  const Result<PictureSettings> settings = settings_of(arguments.scene);
+  if (!settings) return settings.failure();
+  const Result<View> view = parse_view(arguments.size, arguments.format, *settings);
+  if (!view) return view.failure();
+  job.view = *view;
+  const Result<DepthFormat> depth_format = parse_depth_format(arguments.depth_format, *settings);
   if (!depth_format) return depth_format.failure();
   job.depth_format = *depth_format;
   if (arguments.camera.orthographic && !depth_effects_agree(depth_effect(*depth_format) | effect::orthographic)) {
-    return usage(fmt::format("--depth-format {} needs a perspective camera, not --ortho", arguments.depth_format));
+    return usage("--depth-format float and w16 need a perspective camera, not --ortho");
   }
-
-  const Result<Done> strips = parse_strips(arguments.strip_rows, arguments.strip_columns, job.view, job.budget);
-  if (!strips) return strips.failure();
-  if (arguments.ram) {
-    const Result<std::uint32_t> bytes = parse_bytes(*arguments.ram);
-    if (!bytes) return bytes.failure();
-    job.budget.bytes = *bytes;
-  }
+  const Result<Done> memory =
+      parse_memory({.ram = arguments.ram, .strip_rows = arguments.strip_rows, .strip_columns = arguments.strip_columns},
+                   *settings, job.view, job.budget);
+  if (!memory) return memory.failure();
   if (arguments.frames && (*arguments.frames < 1 || *arguments.frames > kMaxFrames)) {
     return usage(fmt::format("--frames must be 1 to {}", kMaxFrames));
   }
@@ -108,16 +105,17 @@ Result<Job> parse(const Arguments& arguments) {
   if (const Result<Done> checked = check_visibility(job.visibility.method | depth_effect(job.depth_format)); !checked) {
     return checked.failure();
   }
-  if (job.visibility.show != Show::colour && *format != PixelFormat::rgb565) {
+  if (job.visibility.show != Show::colour && job.view.format != PixelFormat::rgb565) {
     return usage("--show makes RGB565 pictures; leave out --format");
   }
-  const Result<UpAxis> up = parse_up(arguments.camera, arguments.scene);
-  if (!up) return up.failure();
-  job.up = *up;
+  const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene);
+  if (!model) return model.failure();
+  job.model = *model;
   const Result<CameraOptions> camera = parse_camera(arguments.camera, arguments.scene);
   if (!camera) return camera.failure();
   job.camera = *camera;
-  Result<OutputNames> outputs = name_outputs(arguments.scene, arguments.output, arguments.frames, type, *format);
+  Result<OutputNames> outputs = name_outputs(arguments.scene, arguments.output, arguments.frames, type, job.view.format,
+                                             settings->frames.value_or(kFolderFrames));
   if (!outputs) return outputs.failure();
   const bool built_in = kind_of_scene(arguments.scene) == SceneKind::built_in;
   const Result<Done> distinct = check_distinct(*outputs, arguments.json, built_in ? "" : arguments.scene);
@@ -172,7 +170,7 @@ Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t f
 
 /// Several frames are drawn, encoded and written on all threads, one frame on each; the strips of a single frame are.
 Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool quiet) {
-  Result<std::unique_ptr<Stage>> stage = open_stage(scene, job.up, job.camera, job.view, job.outputs.frames);
+  Result<std::unique_ptr<Stage>> stage = open_stage(scene, job.model, job.camera, job.view, job.outputs.frames);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   RunRecord run{scene, job.view, (*stage)->warnings(), std::vector<FrameRecord>(job.outputs.frames)};
@@ -249,7 +247,9 @@ void add_render_command(CLI::App& app, int& exit_code) {
       ->type_name("DIR|FILE");
   command->add_option("--size", a.size, "Size of the picture, each side 1 to 4096 (default: 320x240)")
       ->type_name("WxH");
-  command->add_option("--frames", a.frames, "Frames of a full turn (default: 1 into a file, 8 into a folder)")
+  command
+      ->add_option("--frames", a.frames,
+                   "Frames of the animation, or of a full turn (default: 1 into a file, 8 into a folder)")
       ->type_name("N");
   command->add_option("--threads", a.threads, "Threads that draw, the same pixels with any (default: one a core)")
       ->type_name("N");

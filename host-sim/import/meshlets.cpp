@@ -17,7 +17,9 @@ void append(std::vector<T>& to, const std::vector<T>& from, std::span<const unsi
   for (const unsigned index : indices) to.push_back(from[index]);
 }
 
-/// Centre of the bounding box, and the largest distance from it in steps of the grid's largest half extent, rounded up.
+}  // namespace
+
+// Centre of the bounding box, and the largest distance from it in steps of the grid's largest half extent, rounded up.
 void set_bounds(Meshlet& meshlet, std::span<const Position> positions, const Vec3& half_extent) {
   std::array<int, 3> low{32767, 32767, 32767};
   std::array<int, 3> high{-32767, -32767, -32767};
@@ -42,8 +44,6 @@ void set_bounds(Meshlet& meshlet, std::span<const Position> positions, const Vec
   // At most sqrt(3) * 32768 = 56756: half the box's diagonal.
   meshlet.radius = static_cast<std::uint16_t>(std::ceil(radius));
 }
-
-}  // namespace
 
 std::vector<MeshData> split_into_meshlets(const MeshData& whole, std::span<const std::uint32_t> indices,
                                           const Vec3& half_extent) {

@@ -19,4 +19,7 @@ inline constexpr std::size_t kMaxMeshVertices = 65535;
 std::vector<MeshData> split_into_meshlets(const MeshData& whole, std::span<const std::uint32_t> indices,
                                           const Vec3& half_extent);
 
+/// Centre and radius of a meshlet with these vertices, in a mesh with this half extent (16.16).
+void set_bounds(Meshlet& meshlet, std::span<const Position> positions, const Vec3& half_extent);
+
 }  // namespace zstrip::sim

@@ -86,18 +86,6 @@ MeshData to_mesh_data(const SourceMesh& source, int texcoord_bits, const Grid& g
   return data;
 }
 
-std::vector<std::uint16_t> to_rgb565(const RgbImage& image) {
-  std::vector<std::uint16_t> texels;
-  texels.reserve(image.rgb.size() / 3);
-  for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
-    const auto channel = [&](std::size_t offset, unsigned levels) {
-      return (image.rgb[i + offset] * levels + 127U) / 255U;  // to nearest
-    };
-    texels.push_back(static_cast<std::uint16_t>(channel(0, 31) << 11 | channel(1, 63) << 5 | channel(2, 31)));
-  }
-  return texels;
-}
-
 DirectionalLight to_light(const SourceLight& light, double brightest) {
   const auto component = [](double value) {
     return static_cast<std::int16_t>(std::lround(32767 * std::clamp(value, -1.0, 1.0)));  // 1.15
@@ -129,6 +117,18 @@ std::vector<DirectionalLight> to_lights(std::vector<SourceLight> lights, std::ve
 
 }  // namespace
 
+std::vector<std::uint16_t> to_rgb565(const RgbImage& image) {
+  std::vector<std::uint16_t> texels;
+  texels.reserve(image.rgb.size() / 3);
+  for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+    const auto channel = [&](std::size_t offset, unsigned levels) {
+      return (image.rgb[i + offset] * levels + 127U) / 255U;  // to nearest
+    };
+    texels.push_back(static_cast<std::uint16_t>(channel(0, 31) << 11 | channel(1, 63) << 5 | channel(2, 31)));
+  }
+  return texels;
+}
+
 Fixed to_fixed(double value) { return static_cast<Fixed>(std::llround(value * kFixedOne)); }
 
 Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>& traits) {
@@ -138,6 +138,7 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
   model.units = grid.units;
   model.warnings = source.warnings;
   model.cameras = source.cameras;
+  model.tree = source.nodes;
   model.lights = to_lights(source.lights, model.warnings);
 
   std::map<std::uint32_t, std::uint16_t> textures;  // only those in use, in order of use
@@ -176,6 +177,7 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
       }
       model.instances.push_back({.mesh = static_cast<std::uint16_t>(model.meshes.size()),
                                  .material = static_cast<std::uint16_t>(material_index)});
+      model.nodes.push_back(mesh.node);
       model.meshes.push_back({.positions = data.positions,
                               .normals = data.normals,
                               .colours = data.colours,

@@ -23,6 +23,9 @@ inline constexpr const char* kTooManyMeshes = "needs more than 65,535 meshes or 
 /// texture coordinates that fit. Fails only beyond 65,535 meshes or materials; the message starts with a verb.
 Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>& traits);
 
+/// Row by row, each channel rounded to nearest.
+std::vector<std::uint16_t> to_rgb565(const RgbImage& image);
+
 /// A length, coordinate or scale in 16.16, rounded to nearest; the value must fit.
 Fixed to_fixed(double value);
 /// The exact inverse.

@@ -19,6 +19,7 @@
 
 #include "import/crash_guard.hpp"
 #include "import/materials.hpp"
+#include "import/moved_nodes.hpp"
 #include "import/read_file.hpp"
 #include "report/number.hpp"
 #include "report/text.hpp"
@@ -65,22 +66,24 @@ bool has_area(const SourceVertex& a, const SourceVertex& b, const SourceVertex& 
 /// Walks the nodes and collects their meshes, transformed.
 class Collector {
  public:
-  Collector(const aiScene& scene, const aiMatrix4x4& turn, const MaterialReader& materials, SourceModel& model)
-      : scene_(scene), turn_(turn), materials_(materials), model_(model) {}
+  Collector(const aiScene& scene, const aiMatrix4x4& turn, const MaterialReader& materials, const MovedNodes& moved,
+            SourceModel& model)
+      : scene_(scene), turn_(turn), materials_(materials), moved_(moved), model_(model) {}
 
   Result<Done> collect();
 
  private:
-  void add(const aiMesh& mesh, const aiMatrix4x4& transform);
-  SourceMesh& mesh_for(std::uint32_t material, bool has_colours, bool has_texcoords);
+  void add(const aiMesh& mesh, const aiMatrix4x4& transform, std::int32_t node);
+  SourceMesh& mesh_for(std::uint32_t material, bool has_colours, bool has_texcoords, std::int32_t node);
   SourceVertex vertex(const aiMesh& mesh, unsigned index, const aiMatrix4x4& transform,
                       const aiMatrix3x3& normal_transform, const SourceMesh& group);
 
   const aiScene& scene_;
   const aiMatrix4x4& turn_;
   const MaterialReader& materials_;
+  const MovedNodes& moved_;
   SourceModel& model_;
-  std::map<std::tuple<std::uint32_t, bool, bool>, std::size_t> groups_;
+  std::map<std::tuple<std::uint32_t, bool, bool, std::int32_t>, std::size_t> groups_;
   std::uint64_t vertices_ = 0;
   std::uint64_t triangles_seen_ = 0;
   std::uint64_t triangles_kept_ = 0;
@@ -96,7 +99,7 @@ Result<Done> Collector::collect() {
     open.pop_back();
     for (const unsigned index : std::span(node->mMeshes, node->mNumMeshes)) {
       if (index >= scene_.mNumMeshes) continue;
-      add(*scene_.mMeshes[index], transform);
+      add(*scene_.mMeshes[index], transform, moved_.mover_of(*node));
       if (triangles_seen_ > kMaxTriangles || vertices_ > 3 * kMaxTriangles) {
         return Failure{ExitStatus::input, fmt::format("has more than {} triangles; simplify the model", kMaxTriangles)};
       }
@@ -124,11 +127,12 @@ Result<Done> Collector::collect() {
   return Done{};
 }
 
-SourceMesh& Collector::mesh_for(std::uint32_t material, bool has_colours, bool has_texcoords) {
-  const auto [at, is_new] = groups_.try_emplace({material, has_colours, has_texcoords}, model_.meshes.size());
+SourceMesh& Collector::mesh_for(std::uint32_t material, bool has_colours, bool has_texcoords, std::int32_t node) {
+  const auto [at, is_new] = groups_.try_emplace({material, has_colours, has_texcoords, node}, model_.meshes.size());
   if (is_new) {
     SourceMesh& mesh = model_.meshes.emplace_back();
     mesh.material = material;
+    mesh.node = node;
     mesh.has_colours = has_colours;
     mesh.has_texcoords = has_texcoords;
   }
@@ -154,14 +158,14 @@ SourceVertex Collector::vertex(const aiMesh& mesh, unsigned index, const aiMatri
   return to;
 }
 
-void Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform) {
+void Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform, std::int32_t node) {
   if ((mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) == 0 || !mesh.HasPositions()) return;
   const std::uint32_t material = mesh.mMaterialIndex;
   if (material >= model_.materials.size()) return;
   const unsigned set = materials_.texcoord_set(material);
   const bool has_texcoords = model_.materials[material].texture != kNoSourceTexture &&
                              set < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(set);
-  SourceMesh& group = mesh_for(material, mesh.HasVertexColors(0), has_texcoords);
+  SourceMesh& group = mesh_for(material, mesh.HasVertexColors(0), has_texcoords, mesh.HasBones() ? kNoNode : node);
 
   const aiMatrix3x3 linear(transform);
   const float determinant = linear.Determinant();
@@ -291,7 +295,8 @@ Result<SourceModel> read_model(const std::filesystem::path& path, UpAxis up) {
   const aiMatrix4x4 turn = turn_up(up);
   MaterialReader materials(*scene, path.parent_path(), model);
   materials.read_all();
-  if (const Result<Done> collected = Collector(*scene, turn, materials, model).collect(); !collected) {
+  const MovedNodes moved(*scene, turn, materials.linear_colours(), model);
+  if (const Result<Done> collected = Collector(*scene, turn, materials, moved, model).collect(); !collected) {
     return named(collected.failure().message);
   }
   // Outside glTF, vertex colours stand for the material's colour and are not multiplied with it.

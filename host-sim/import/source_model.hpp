@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "image/rgb_image.hpp"
+#include "motion/node_tree.hpp"
 
 namespace zstrip::sim {
 
@@ -22,7 +23,8 @@ struct SourceVertex {
 static_assert(sizeof(SourceVertex) == 36);
 
 struct SourceMesh {
-  std::uint32_t material = 0;  ///< index into SourceModel::materials
+  std::uint32_t material = 0;   ///< index into SourceModel::materials
+  std::int32_t node = kNoNode;  ///< of SourceModel::nodes, which moves it; vertices are where they are at rest
   bool has_colours = false;
   bool has_texcoords = false;
   std::vector<SourceVertex> vertices;
@@ -66,6 +68,7 @@ struct SourceModel {
   std::vector<RgbImage> textures;
   std::vector<SourceLight> lights;
   std::vector<SourceCamera> cameras;
+  NodeTree nodes;                     ///< those that move, all with an inverse at rest
   std::vector<std::string> warnings;  ///< what the picture will lack, one line each
 };
 

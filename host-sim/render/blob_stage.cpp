@@ -47,7 +47,9 @@ class BlobStage : public Stage {
 
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
     instances_.assign(blob_.scene.instances.begin(), blob_.scene.instances.end());
-    if (frame % frames != 0) {
+    if (!animation().tracks.empty()) {
+      pose(animation(), time_of_frame(animation(), frame, frames), instances_);
+    } else if (frame % frames != 0) {
       for (Instance& instance : instances_) {
         if (!scenes::can_turn(instance.transform)) {
           return Failure{ExitStatus::input, "an instance of the baked scene is too far away to turn; render one frame"};
@@ -68,6 +70,7 @@ class BlobStage : public Stage {
   }
 
   const std::vector<std::string>& warnings() const override { return warnings_; }
+  Animation animation() const override { return blob_.animation; }
 
  private:
   Status open_with(std::size_t memory) {

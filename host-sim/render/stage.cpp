@@ -1,4 +1,4 @@
-// What is rendered: a built-in scene, a model file or a baked scene, placed for each frame of a turn.
+// What is rendered: a built-in scene, a scene file, a model file or a baked scene, placed for each frame of a turn.
 #include "render/stage.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "render/blob_stage.hpp"
+#include "render/composed_stage.hpp"
+#include "render/model_animation.hpp"
 #include "zstrip/scene/validate.hpp"
 #include "zstrip_scenes/presentation.hpp"
 #include "zstrip_scenes/scenes.hpp"
@@ -28,6 +30,18 @@ Result<Done> check(const Scene& scene, const std::string& name) {
   if (status) return Done{};
   return Failure{ExitStatus::internal, fmt::format("'{}' became a scene that the renderer refuses: {} (number {})",
                                                    name, message(status.error), status.needed)};
+}
+
+/// The file's animation of this name, or its first.
+Result<FittedAnimation> animation_of(const Model& model, const std::optional<std::string>& name,
+                                     const std::string& file) {
+  const Result<const NodeAnimation*> chosen = find_animation(model, name);
+  if (!chosen) return chosen.failure();
+  if (*chosen == nullptr) return FittedAnimation();
+  Result<FittedAnimation> fitted = fit_model_animation(model, **chosen);
+  if (fitted) return fitted;
+  return Failure{fitted.failure().status, fmt::format("'{}': the animation '{}' {}; choose another with --animation",
+                                                      file, (*chosen)->name, fitted.failure().message)};
 }
 
 class BuiltInStage : public Stage {
@@ -72,8 +86,11 @@ class BuiltInStage : public Stage {
 
 class ModelStage : public Stage {
  public:
-  explicit ModelStage(std::shared_ptr<const Model> model)
-      : model_(std::move(model)), instances_(model_->instances), lights_(model_->lights) {
+  ModelStage(std::shared_ptr<const Model> model, std::shared_ptr<const FittedAnimation> animation)
+      : model_(std::move(model)),
+        animation_(std::move(animation)),
+        instances_(model_->instances),
+        lights_(model_->lights) {
     if (lights_.empty()) {
       lights_.assign(std::begin(scenes::kKeyLight), std::end(scenes::kKeyLight));
     } else if (lights_.size() < kMaxLights) {
@@ -93,20 +110,27 @@ class ModelStage : public Stage {
 
   Result<Done> set_camera(const CameraOptions& options, const View& view, std::uint32_t frames) {
     const double degrees = options.field_of_view.value_or(kDefaultFieldOfView);
-    const double radius = radius_about_origin(scene_);
+    const std::vector<Instance> poses = all_poses(animation(), instances_);
+    Scene whole = scene_;
+    whole.instances = poses;
+    const double radius = radius_about_origin(whole);
     const FramingView framing{.aspect = static_cast<double>(view.width) / view.height,
                               .half_tangent = std::tan(degrees * std::numbers::pi / 360),
                               .orthographic = options.orthographic,
-                              .whole_turn = frames > 1};
+                              .whole_turn = frames > 1 && animation().tracks.empty()};
     if (options.name) return use_file_camera(*options.name, radius);
     const Result<Camera> camera = options.placed() ? place_camera(options, model_->units, radius)
-                                                   : framed_camera(options, frame_scene(scene_, framing), radius);
+                                                   : framed_camera(options, frame_scene(whole, framing), radius);
     if (!camera) return camera.failure();
     camera_ = *camera;
     return Done{};
   }
 
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
+    if (!animation().tracks.empty()) {
+      pose(animation(), time_of_frame(animation(), frame, frames), instances_);
+      return Staging{scene_, camera_};
+    }
     for (Instance& instance : instances_) {
       instance.transform = scenes::turned(Transform::identity(), frame, frames);
     }
@@ -114,12 +138,13 @@ class ModelStage : public Stage {
   }
 
   std::unique_ptr<Stage> copy() const override {
-    auto stage = std::make_unique<ModelStage>(model_);
+    auto stage = std::make_unique<ModelStage>(model_, animation_);
     stage->camera_ = camera_;
     return stage;
   }
 
   const std::vector<std::string>& warnings() const override { return model_->warnings; }
+  Animation animation() const override { return animation_->view(); }
   const Model* model() const override { return model_.get(); }
 
  private:
@@ -141,6 +166,7 @@ class ModelStage : public Stage {
   }
 
   std::shared_ptr<const Model> model_;
+  std::shared_ptr<const FittedAnimation> animation_;
   std::vector<Instance> instances_;
   std::vector<DirectionalLight> lights_;
   Scene scene_;
@@ -151,11 +177,13 @@ class ModelStage : public Stage {
 
 SceneKind kind_of_scene(const std::string& name) {
   if (scenes::find(name) != nullptr) return SceneKind::built_in;
-  return std::filesystem::path(name).extension() == ".zsc" ? SceneKind::baked : SceneKind::model;
+  const std::filesystem::path extension = std::filesystem::path(name).extension();
+  if (extension == ".zsc") return SceneKind::baked;
+  return extension == ".toml" ? SceneKind::composed : SceneKind::model;
 }
 
-Result<std::unique_ptr<Stage>> open_stage(const std::string& name, UpAxis up, const CameraOptions& options,
-                                          const View& view, std::uint32_t frames) {
+Result<std::unique_ptr<Stage>> open_stage(const std::string& name, const ModelOptions& model_options,
+                                          const CameraOptions& options, const View& view, std::uint32_t frames) {
   if (const scenes::BuiltIn* built_in = scenes::find(name)) {
     if (const Result<Done> checked = check(built_in->scene, name); !checked) return checked.failure();
     auto stage = std::make_unique<BuiltInStage>(*built_in, view);
@@ -169,9 +197,13 @@ Result<std::unique_ptr<Stage>> open_stage(const std::string& name, UpAxis up, co
                                                   name)};
   }
   if (kind_of_scene(name) == SceneKind::baked) return open_blob_stage(name, options, view);
-  Result<Model> model = import_model(name, up);
+  if (kind_of_scene(name) == SceneKind::composed) return open_composed_stage(name, options, view, frames);
+  Result<Model> model = import_model(name, model_options.up);
   if (!model) return model.failure();
-  auto stage = std::make_unique<ModelStage>(std::make_shared<const Model>(std::move(*model)));
+  Result<FittedAnimation> animation = animation_of(*model, model_options.animation, name);
+  if (!animation) return animation.failure();
+  auto stage = std::make_unique<ModelStage>(std::make_shared<const Model>(std::move(*model)),
+                                            std::make_shared<const FittedAnimation>(std::move(*animation)));
   if (const Result<Done> checked = check(stage->scene(), name); !checked) return checked.failure();
   if (const Result<Done> camera = stage->set_camera(options, view, frames); !camera) return camera.failure();
   return std::unique_ptr<Stage>(std::move(stage));

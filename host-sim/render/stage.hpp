@@ -1,4 +1,4 @@
-// What is rendered: a built-in scene, a model file or a baked scene, placed for each frame of a turn.
+// What is rendered: a built-in scene, a scene file, a model file or a baked scene, placed for each frame of a turn.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@
 #include "import/model.hpp"
 #include "render/camera.hpp"
 #include "result.hpp"
+#include "zstrip/scene/animation.hpp"
 #include "zstrip/scene/camera.hpp"
 #include "zstrip/scene/scene.hpp"
 #include "zstrip/scene/view.hpp"
@@ -24,24 +25,31 @@ struct Staging {
 class Stage {
  public:
   virtual ~Stage() = default;
-  /// Frame `frame` of a full turn in `frames` frames.
+  /// Frame `frame` of `frames` that show the scene's animation once, or without one a full turn.
   virtual Result<Staging> place(std::uint32_t frame, std::uint32_t frames) = 0;
   /// Another stage of the same scene, to be placed on another thread; it shares what does not move.
   virtual std::unique_ptr<Stage> copy() const = 0;
   /// What the picture lacks, one line each.
   virtual const std::vector<std::string>& warnings() const = 0;
+  /// What moves the instances; without tracks where nothing does. Valid as long as the stage.
+  virtual Animation animation() const { return {}; }
   /// The imported file; null for other scenes.
   virtual const Model* model() const { return nullptr; }
 };
 
-enum class SceneKind : std::uint8_t { built_in, baked, model };
+enum class SceneKind : std::uint8_t { built_in, baked, composed, model };
 
-/// By the name alone: that of a built-in scene, a path that ends in .zsc, any other path.
+/// By the name alone: that of a built-in scene, a path that ends in .zsc, one that ends in .toml, any other path.
 SceneKind kind_of_scene(const std::string& name);
 
-/// `name` as in kind_of_scene. `up`: the axis of a model file that points upwards. `frames`: a model's camera shows it
-/// at every angle of a turn if there are more than one.
-Result<std::unique_ptr<Stage>> open_stage(const std::string& name, UpAxis up, const CameraOptions& options,
-                                          const View& view, std::uint32_t frames);
+/// How a model file is read.
+struct ModelOptions {
+  UpAxis up = UpAxis::plus_y;              ///< the axis that points upwards
+  std::optional<std::string> animation{};  ///< its name; empty: the first, if there is one
+};
+
+/// `name` as in kind_of_scene. `frames`: a model's camera shows it at every angle of a turn if there are more than one.
+Result<std::unique_ptr<Stage>> open_stage(const std::string& name, const ModelOptions& model,
+                                          const CameraOptions& options, const View& view, std::uint32_t frames);
 
 }  // namespace zstrip::sim

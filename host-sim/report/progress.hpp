@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 
 namespace zstrip::sim {
 
@@ -17,11 +18,14 @@ class Progress {
 
   /// `done` of the steps are finished.
   void show(std::uint32_t done);
+  /// The same where only now it is known how many there are; with an estimate of the time that is left.
+  void show(std::uint32_t done, std::uint32_t steps);
 
  private:
   std::uint32_t steps_;
   bool enabled_;
   const char* step_;
+  std::string left_;
   bool drawn_ = false;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point last_ = start_;

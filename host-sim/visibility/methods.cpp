@@ -54,10 +54,12 @@ Result<Done> check_visibility(Effects effects) {
                                "its own; use zbuffer",
                                name)};
   }
-  if (effects.any(effect::fragments | effect::surfaces)) {
-    return Failure{ExitStatus::usage,
-                   fmt::format("--visibility {} cannot draw this scene's fog or quadrics; use zbuffer, and no --cull",
-                               name)};
+  if (effects.any(effect::fragments | effect::surfaces | effect::vertex_light)) {
+    return Failure{
+        ExitStatus::usage,
+        fmt::format("--visibility {} cannot draw this scene's fog, transparency, local light or quadrics; use "
+                    "zbuffer, and no --cull",
+                    name)};
   }
   return Failure{ExitStatus::usage, fmt::format("--visibility {} keeps depth as z16 only", name)};
 }

@@ -272,7 +272,7 @@ TEST_F(Bake, DamagedBlobsAreInputErrors) {
   expect(flipped, "is no whole baked scene (byte 8)");
   std::string newer = whole;
   newer[2] = 2;
-  expect(newer, "version 2, and this zstrip reads version 1");
+  expect(newer, "version 3, and this zstrip reads version 2");
   EXPECT_EQ(zstrip({"render", "none.zsc"}).status, 4);
 }
 

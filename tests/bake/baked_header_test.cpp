@@ -82,7 +82,7 @@ class BakedHeader : public FolderTest {
     }
     return crcs;
   }
-  bool turntable_ = false;
+  bool turntable_ = !baked::kAnimation.tracks.empty();  ///< it moves
 };
 
 TEST_F(BakedHeader, DrawsWhatTheModelDraws) {
@@ -105,7 +105,11 @@ TEST_F(BakedHeader, TurnsAsTheModelTurns) {
   alignas(4) std::array<std::byte, baked::kPlan.strip_pixel_bytes(baked::kView)> pixels{};
   for (std::uint32_t frame = 0; frame < expected.size(); ++frame) {
     std::vector<Instance> instances(std::begin(baked::kInstances), std::end(baked::kInstances));
-    for (Instance& instance : instances) instance.transform = scenes::turned(instance.transform, frame, 4);
+    if (baked::kAnimation.tracks.empty()) {
+      for (Instance& instance : instances) instance.transform = scenes::turned(instance.transform, frame, 4);
+    } else {
+      pose(baked::kAnimation, time_of_frame(baked::kAnimation, frame, 4), instances);
+    }
     Scene scene = baked::kScene;
     scene.instances = instances;
     const Status begun = renderer.begin_frame(scene, baked::kCamera, baked::kView, baked::kPlan,

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 #include "bake/scene_blob.hpp"
@@ -57,7 +58,8 @@ constexpr std::uint16_t kTexels[] = {0xF800, 0x07E0, 0x001F, 0xFFFF};
 constexpr Mesh kMeshes[] = {
     {kPositions, kNormals, kColours, kTexcoords, kTriangles, kMeshlets, {100, -200, 300}, {65536, 70000, 1}, 12},
     {kPositions, {}, {}, {}, kTriangles, {}, {0, 0, 0}, {65536, 65536, 65536}, 4}};
-constexpr Texture kTextures[] = {{kTexels, 1, 1}, {kTexels, 2, 0}};
+constexpr std::uint16_t kTexelsWithAlpha[] = {0xF800, 0x07E0, 0x001F, 0xFFFF, 0x8000, 0xFF40};
+constexpr Texture kTextures[] = {{kTexelsWithAlpha, 1, 1, TextureFormat::rgb565_alpha}, {kTexels, 2, 0}};
 constexpr Material kMaterials[] = {{.colour = {1, 2, 3, 4}, .texture = 1},
                                    {.colour = {200, 100, 50, 255},
                                     .lit = false,
@@ -65,6 +67,7 @@ constexpr Material kMaterials[] = {{.colour = {1, 2, 3, 4}, .texture = 1},
                                     .double_sided = true,
                                     .depth_test = DepthTest::nearer_or_equal,
                                     .depth_write = false,
+                                    .finish = 1,
                                     .depth_bias = -3,
                                     .depth_slope_bias = 70000,
                                     .depth_bias_clamp = 9}};
@@ -73,6 +76,24 @@ constexpr Instance kInstances[] = {{0, 0, Transform::identity()},
                                    {0, 1, {{{30000, 0, 0, 50000}, {0, 30000, 0, 0}, {0, 0, 30000, 0}}}}};
 constexpr DirectionalLight kLights[] = {{1, -2, 32767, {10, 20, 30, 40}}, {-32767, 0, 0, {50, 60, 70, 80}}};
 
+constexpr Finish kFinishes[] = {{},
+                                {.emissive = {1, 2, 3, 4},
+                                 .specular = {5, 6, 7, 8},
+                                 .shininess = 9,
+                                 .alpha_mode = AlphaMode::mask,
+                                 .alpha_cutoff = 10,
+                                 .filter = TextureFilter::bilinear}};
+constexpr PunctualLight kPunctualLights[] = {{.colour = {9, 8, 7, 6}, .position = {1, -2, 3}},
+                                             {.type = PunctualLightType::spot,
+                                              .intensity = 70000,
+                                              .range = 80000,
+                                              .x = 1,
+                                              .y = -2,
+                                              .z = 3,
+                                              .cosine_inner = 30000,
+                                              .cosine_outer = 20000}};
+constexpr Fog kFog{.colour = {4, 3, 2, 1}, .mode = FogMode::exponential, .start = 5, .end = 600000, .density = 7000};
+
 SceneBlob sample() {
   SceneBlob blob{.scene = {.meshes = kMeshes,
                            .materials = kMaterials,
@@ -80,7 +101,10 @@ SceneBlob sample() {
                            .instances = kInstances,
                            .lights = kLights,
                            .ambient = {11, 12, 13, 14},
-                           .background = {15, 16, 17, 18}},
+                           .background = {15, 16, 17, 18},
+                           .fog = &kFog,
+                           .finishes = kFinishes,
+                           .punctual_lights = kPunctualLights},
                  .camera = {},
                  .view = {320, 200, PixelFormat::gray4}};
   EXPECT_TRUE(look_at(blob.camera, {20000, 30000, 250000}, {0, 0, 0}, {0, kFixedOne, 0}));
@@ -117,29 +141,31 @@ TEST(SceneBlob, ChecksumIsZlibs) {
 TEST(SceneBlob, GoldenBytes) {
   // clang-format off
   Bytes expected{
-      'z', 's', 1, 's',  0, 0, 0, 0,  0, 0, 0, 0,
-      132, 0, 0, 0, 1, 0, 0, 0,   208, 0, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   // meshes, materials, textures
-      232, 0, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,                               // instances, lights
+      'z', 's', 2, 's',  0, 0, 0, 0,  0, 0, 0, 0,
+      176, 0, 0, 0, 1, 0, 0, 0,   252, 0, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   // meshes, materials, textures
+      20, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,                                // instances, lights
       48, 48, 48, 255,  1, 2, 3, 4,                                                     // ambient, background
       0, 0, 0, 64, 0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 64, 0, 0, 0, 0,       // right, up
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 64,   0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0,        // back, eye
       0x68, 0xBB, 1, 0,  0x9A, 0x19, 0, 0,  0, 0, 100, 0,  1, 0, 0, 0,                  // focal, near, far; orthographic
       64, 1, 240, 0, 1, 0, 0, 0,                                                        // 320x240, rgb565_swapped
-      // 132: the mesh
-      28, 1, 0, 0, 3, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
-      48, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
+      0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0,                      // tracks, keyframes, duration
+      0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 0, 0,          // finishes, punctual lights, fog
+      // 176: the mesh
+      72, 1, 0, 0, 3, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
+      92, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0,   12, 0, 0, 0,
-      // 208: the material
-      255, 0, 0, 255,  255, 255,  0, 1, 0, 1, 1, 0,  0, 0, 0, 0,  0, 0, 0, 0,  0, 0, 0, 0,
-      // 232: the instance
+      // 252: the material
+      255, 0, 0, 255,  255, 255,  0, 1, 0, 1, 1, 255,  0, 0, 0, 0,  0, 0, 0, 0,  0, 0, 0, 0,
+      // 276: the instance
       0, 0, 0, 0,  0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0,
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0,
-      // 284: positions, and two bytes up to the next multiple of 4; 304: the triangle, likewise
+      // 328: positions, and two bytes up to the next multiple of 4; 348: the triangle, likewise
       0, 128, 0, 0, 1, 0,  255, 127, 0, 0, 0, 0,  0, 0, 255, 127, 0, 0,  0, 0,
       0, 0, 1, 0, 2, 0,  0, 0};
   // clang-format on
   mend(expected);
-  ASSERT_EQ(expected.size(), 312U);
+  ASSERT_EQ(expected.size(), 356U);
 
   constexpr Position kCorners[] = {{-32768, 0, 1}, {32767, 0, 0}, {0, 32767, 0}};
   constexpr Triangle kTriangle[] = {{0, 1, 2}};
@@ -212,6 +238,7 @@ TEST(SceneBlob, WhatIsWrittenIsReadInPlace) {
     expect_same_bytes(scene.textures[i].texels, kTextures[i].texels);
     EXPECT_EQ(scene.textures[i].log2_width, kTextures[i].log2_width);
     EXPECT_EQ(scene.textures[i].log2_height, kTextures[i].log2_height);
+    EXPECT_EQ(scene.textures[i].format, kTextures[i].format);
     EXPECT_TRUE(in_place(scene.textures[i].texels));
   }
   ASSERT_EQ(scene.materials.size(), 2U);
@@ -224,6 +251,7 @@ TEST(SceneBlob, WhatIsWrittenIsReadInPlace) {
     EXPECT_EQ(actual.double_sided, wanted.double_sided);
     EXPECT_EQ(actual.depth_test, wanted.depth_test);
     EXPECT_EQ(actual.depth_write, wanted.depth_write);
+    EXPECT_EQ(actual.finish, wanted.finish);
     EXPECT_EQ(actual.depth_bias, wanted.depth_bias);
     EXPECT_EQ(actual.depth_slope_bias, wanted.depth_slope_bias);
     EXPECT_EQ(actual.depth_bias_clamp, wanted.depth_bias_clamp);
@@ -231,6 +259,25 @@ TEST(SceneBlob, WhatIsWrittenIsReadInPlace) {
   expect_same_bytes(scene.instances, std::span<const Instance>(kInstances));
   expect_same_bytes(scene.lights, std::span<const DirectionalLight>(kLights));
   EXPECT_TRUE(in_place(scene.materials) && in_place(scene.instances) && in_place(scene.lights));
+  expect_same_bytes(scene.finishes, std::span<const Finish>(kFinishes));
+  ASSERT_EQ(scene.punctual_lights.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const PunctualLight &actual = scene.punctual_lights[i], &wanted = kPunctualLights[i];
+    EXPECT_EQ(actual.type, wanted.type);
+    EXPECT_EQ(actual.colour, wanted.colour);
+    EXPECT_EQ(actual.position, wanted.position);
+    EXPECT_EQ(actual.intensity, wanted.intensity);
+    EXPECT_EQ(actual.range, wanted.range);
+    EXPECT_EQ(std::tuple(actual.x, actual.y, actual.z), std::tuple(wanted.x, wanted.y, wanted.z));
+    EXPECT_EQ(actual.cosine_inner, wanted.cosine_inner);
+    EXPECT_EQ(actual.cosine_outer, wanted.cosine_outer);
+  }
+  ASSERT_NE(scene.fog, nullptr);
+  EXPECT_EQ(scene.fog->colour, kFog.colour);
+  EXPECT_EQ(scene.fog->mode, kFog.mode);
+  EXPECT_EQ(std::tuple(scene.fog->start, scene.fog->end, scene.fog->density),
+            std::tuple(kFog.start, kFog.end, kFog.density));
+  EXPECT_TRUE(in_place(scene.finishes) && in_place(scene.punctual_lights));
   EXPECT_EQ(scene.ambient, expected.scene.ambient);
   EXPECT_EQ(scene.background, expected.scene.background);
   EXPECT_EQ(opened.content.camera.right, expected.camera.right);
@@ -313,8 +360,9 @@ TEST(SceneBlob, EveryByteChangedUnderARightChecksum) {
 TEST(SceneBlob, ArraysBeyondTheEnd) {
   const Bytes whole = sample_bytes();
   const std::uint32_t meshes = word(whole, 12);
-  for (std::size_t entry : {std::size_t{12}, std::size_t{20}, std::size_t{28}, std::size_t{36}, std::size_t{44},
-                            std::size_t{meshes}, std::size_t{meshes} + 8, std::size_t{meshes} + 40}) {
+  for (std::size_t entry :
+       {std::size_t{12}, std::size_t{20}, std::size_t{28}, std::size_t{36}, std::size_t{44}, std::size_t{132},
+        std::size_t{140}, std::size_t{148}, std::size_t{meshes}, std::size_t{meshes} + 8, std::size_t{meshes} + 40}) {
     for (const std::uint32_t value :
          {0xFFFFFFFFU, 0xFFFFFFFCU, 0x80000000U, 0x7FFFFFFCU, static_cast<std::uint32_t>(whole.size()),
           static_cast<std::uint32_t>(whole.size()) - 4, 128U, 130U}) {
@@ -349,7 +397,7 @@ TEST(SceneBlob, ValuesThatAreNone) {
   EXPECT_EQ(error_with(128, 4).error, Error::blob_damaged);           // pixel format
   EXPECT_EQ(error_with(125, 17).error, Error::blob_damaged);          // 4416 pixels wide
   EXPECT_EQ(error_with(3, 'd').error, Error::blob_damaged);
-  EXPECT_EQ(error_with(2, 2), (Status{.error = Error::blob_version, .needed = 2, .available = 1}));
+  EXPECT_EQ(error_with(2, 1), (Status{.error = Error::blob_version, .needed = 1, .available = 2}));
   EXPECT_EQ(error_with(111, 0x80).error, Error::camera);  // negative focal length
 }
 

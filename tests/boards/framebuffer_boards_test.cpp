@@ -62,6 +62,7 @@ constexpr FramebufferBoard kBoards[] = {
     {"versatilepb_teapot_qvga", "teapot", 320, 240, false, LowBits::zeros},
     {"versatilepb_room_vga", "room", 640, 480, false, LowBits::zeros},
 #ifdef ZSTRIP_RISCV_PROGRAMS
+    {"riscv_virt_room", "room", 640, 480, true, LowBits::repeated},
     {"riscv_virt_teapot", "teapot", 320, 240, true, LowBits::repeated},
 #endif
 };

@@ -36,10 +36,13 @@ std::filesystem::path make_folder() {
   return name;
 }
 
-std::vector<std::string> command_line(const Qemu::Options& options, const std::filesystem::path& monitor) {
-  std::vector<std::string> line{options.emulator, "-M",      options.machine, "-display", "none",         "-monitor",
-                                "none",           "-serial", "stdio",         "-kernel",  options.program};
-  line.insert(line.end(), {"-qmp", "unix:" + monitor.string() + ",server=on,wait=off"});
+std::vector<std::string> command_line(const Qemu::Options& options, const std::filesystem::path& folder) {
+  std::vector<std::string> line{options.emulator, "-M",   options.machine, "-display",     "none",
+                                "-monitor",       "none", "-kernel",       options.program};
+  for (int port = 0; port < options.serial_port; ++port) line.insert(line.end(), {"-serial", "null"});
+  line.insert(line.end(), {"-serial", "stdio"});
+  line.insert(line.end(), {"-qmp", "unix:" + (folder / "qmp").string() + ",server=on,wait=off"});
+  if (!options.trace.empty()) line.insert(line.end(), {"-trace", options.trace, "-D", folder / "trace"});
   line.insert(line.end(), options.devices.begin(), options.devices.end());
   if (options.count_instructions) line.insert(line.end(), {"-icount", "shift=0"});
   if (!options.words.empty()) {
@@ -100,10 +103,10 @@ void send_all(int socket, std::string_view text) {
 
 }  // namespace
 
-Qemu::Qemu(const Options& options) : folder_(make_folder()) {
+Qemu::Qemu(const Options& options) : folder_(make_folder()), traced_event_(options.trace) {
   try {
     if (!std::filesystem::exists(options.program)) fail("there is no " + options.program.string());
-    std::vector<std::string> line = command_line(options, folder_ / "qmp");
+    std::vector<std::string> line = command_line(options, folder_);
     std::vector<char*> arguments;
     for (std::string& word : line) arguments.push_back(word.data());
     arguments.push_back(nullptr);
@@ -142,6 +145,17 @@ void Qemu::write_console(std::string_view text) { send_all(console_, text); }
 
 std::string Qemu::read_line(Duration patience) {
   return receive_line(console_, console_text_, Clock::now() + patience, "a line on the console");
+}
+
+std::string Qemu::prompt(std::string_view text) {
+  const Deadline deadline = Clock::now() + kPatience;
+  constexpr int kMilliseconds = 100;
+  pollfd waiting{console_, POLLIN, 0};
+  do {
+    if (Clock::now() > deadline) fail("time-out while waiting for an answer to " + std::string(text));
+    write_console(text);
+  } while (console_text_.empty() && poll(&waiting, 1, kMilliseconds) == 0);
+  return read_line();
 }
 
 Qemu::Finished Qemu::finish(Duration patience) {
@@ -189,6 +203,31 @@ Json Qemu::command(const Json& request) {
     if (!answer.contains("return")) fail(request.dump() + " answered " + answer.dump());
     return answer["return"];
   }
+}
+
+std::optional<std::string> Qemu::poll_trace_line() {
+  if (!trace_.is_open()) trace_.open(folder_ / "trace");
+  if (!trace_.is_open()) return std::nullopt;
+  std::string part;
+  std::getline(trace_, part);
+  trace_text_ += part;
+  if (!trace_.eof()) return std::exchange(trace_text_, {});
+  trace_.clear();  // more may come
+  return std::nullopt;
+}
+
+std::string Qemu::read_trace_line(Duration patience) {
+  const Deadline deadline = Clock::now() + patience;
+  for (;;) {
+    if (auto line = poll_trace_line()) return std::move(*line);
+    if (Clock::now() > deadline) fail("time-out while waiting for its trace");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+void Qemu::set_trace(bool on) {
+  if (monitor_ < 0) connect_monitor(Clock::now() + kPatience);
+  command({{"execute", "trace-event-set-state"}, {"arguments", {{"name", traced_event_}, {"enable", on}}}});
 }
 
 std::vector<std::byte> Qemu::memory(std::uint32_t address, std::uint32_t size) {

@@ -8,7 +8,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +28,8 @@ class Qemu {
     std::filesystem::path program;
     std::vector<std::string> words{};    ///< what the program reads as its command line; none: no semihosting at all
     bool count_instructions = false;     ///< every instruction takes one nanosecond
+    int serial_port = 0;                 ///< the one that is the console; those before it lead nowhere
+    std::string trace{};                 ///< an event of the emulator's; its lines can be read. Empty: none
     std::vector<std::string> devices{};  ///< more words of the emulator's own command line
   };
   using Duration = std::chrono::milliseconds;
@@ -41,6 +45,9 @@ class Qemu {
   void write_console(std::string_view text);
   /// The next whole line, without its end.
   std::string read_line(Duration patience = kPatience);
+  /// Writes `text` again and again until a line comes, and returns that: a board that just starts misses the first
+  /// ones.
+  std::string prompt(std::string_view text);
   /// Everything until the program ends, and its exit status.
   struct Finished {
     std::string output;
@@ -53,6 +60,13 @@ class Qemu {
   /// What the board's display shows now, each of its pixels `scale` x `scale` on the emulator's screen.
   GreyPicture screen(int scale);
   ColourPicture colour_screen();
+
+  /// The next whole line of the trace, without its end; nothing if there is none yet.
+  std::optional<std::string> poll_trace_line();
+  /// The same, but waits for it.
+  std::string read_trace_line(Duration patience = kPatience);
+  /// From now on the event of the options is traced, or not.
+  void set_trace(bool on);
 
   pid_t process() const { return process_; }
 
@@ -70,6 +84,9 @@ class Qemu {
   int monitor_ = -1;
   std::string console_text_;
   std::string monitor_text_;
+  std::string traced_event_;
+  std::ifstream trace_;
+  std::string trace_text_;  ///< the beginning of a line that is not whole yet
 };
 
 }  // namespace zstrip::boards

@@ -2,6 +2,7 @@
 #include "board_run.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -60,11 +61,13 @@ BoardRun run_bench(Qemu& emulator) {
 }
 
 BoardRun run_frames(Qemu& emulator, const Section& stack) {
-  constexpr int kFrames = 64;  // a whole turn
-  emulator.write_console("p");
-  for (int frame = 0; frame < kFrames; ++frame) {
-    emulator.read_line();
+  // A whole turn, or as much of it as slow panels show in this time.
+  constexpr int kFrames = 64;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(4);
+  emulator.prompt("p");
+  for (int frame = 1; frame < kFrames && std::chrono::steady_clock::now() < end; ++frame) {
     emulator.write_console("n");
+    emulator.read_line();
   }
   return {.stack = painted_high_water(emulator, stack)};
 }
@@ -72,7 +75,8 @@ BoardRun run_frames(Qemu& emulator, const Section& stack) {
 }  // namespace
 
 BoardRun run_on_board(const Target& target, const std::filesystem::path& program, const Section& stack) {
-  Qemu::Options options{.machine = target.machine, .program = program};
+  if (target.report == Report::none) return {};
+  Qemu::Options options{.machine = target.machine, .program = program, .serial_port = target.serial_port};
   if (target.report == Report::bench) {
     options.words = {std::string("workload=") + target.workload,
                      "size=" + std::to_string(target.view.width) + "x" + std::to_string(target.view.height),
@@ -83,6 +87,7 @@ BoardRun run_on_board(const Target& target, const std::filesystem::path& program
   switch (target.report) {
     case Report::turntable: return run_turntable(emulator, stack);
     case Report::bench: return run_bench(emulator);
+    case Report::none: break;
     case Report::frames: return run_frames(emulator, stack);
   }
   throw std::runtime_error("a report of no kind");

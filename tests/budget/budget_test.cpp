@@ -34,7 +34,9 @@ class ProgramBudget : public testing::Test {
                                      known == before.end() ? std::vector<SymbolSize>{} : known->second)
                     << kAdvice;
     }
-    EXPECT_GT(usage.stack_measured, 0U);
+    if (target_.report != Report::none) {
+      EXPECT_GT(usage.stack_measured, 0U);
+    }
     EXPECT_LE(usage.stack_measured, usage.stack_bound) << "the bound of the stack is wrong";
     EXPECT_LE(usage.stack_bound + target_.stack_guard, usage.stack_reserved) << "the linker script gives it too little";
   }
@@ -65,7 +67,8 @@ TEST(Budget, EveryProgramHasOne) {
     if (name.starts_with("zstrip_versatilepb_") || name.starts_with("zstrip_riscv_virt_")) continue;
     if (name.starts_with("zstrip_self_test_") || name.starts_with("zstrip_bench_bins_") ||
         name.starts_with("zstrip_bench_depth_") || name.starts_with("zstrip_store_bench_") ||
-        name.starts_with("zstrip_pipeline_") || name == "zstrip_lm3s6965evb_display_test.elf")
+        name.starts_with("zstrip_pipeline_") || name == "zstrip_lm3s6965evb_display_test.elf" ||
+        name == "zstrip_lm3s6965evb_stuck_bus.elf")
       continue;
     EXPECT_TRUE(known.contains(name)) << name << " is not in tests/budget/targets.cpp";
   }

@@ -10,6 +10,7 @@ constexpr std::uint32_t kGuard = 256, kNoGuard = 0;
 constexpr View kBench{320, 240, PixelFormat::rgb565};
 constexpr View kMicrobit{240, 240, PixelFormat::rgb565_swapped};
 constexpr View kDiscovery{128, 128, PixelFormat::rgb565_swapped};
+constexpr View kLandscape{320, 240, PixelFormat::rgb565_swapped};
 constexpr View kOled{128, 64, PixelFormat::gray4};
 constexpr View kPanel{128, 64, PixelFormat::rgb565};  // the same, converted when it is sent
 constexpr const char* kStm32 = "stm32vldiscovery";
@@ -21,6 +22,13 @@ constexpr Target kTargets[] = {
     {"STM32VLDISCOVERY", "stm32vldiscovery_teapot", kStm32, "teapot_meshlets", "", kDiscovery, Report::turntable,
      kGuard},
     {"STM32VLDISCOVERY", "stm32vldiscovery_room", kStm32, "room", "", kDiscovery, Report::turntable, kGuard},
+    {"micro:bit", "microbit_show", "microbit", "teapot_meshlets", "", kMicrobit, Report::frames, kNoGuard, 60, 48},
+    {"STM32VLDISCOVERY", "stm32vldiscovery_show", kStm32, "teapot_meshlets", "", kDiscovery, Report::frames, kGuard, 26,
+     32},
+    {"Netduino Plus 2", "netduinoplus2_show", "netduinoplus2", "teapot", "", kLandscape, Report::frames, kGuard, 60,
+     320, 5},
+    {"STM32F4 Discovery", "stm32f4discovery_show", nullptr, "teapot", "", kLandscape, Report::none, kGuard, 48, 320},
+    {"Raspberry Pi Pico", "pico_show", nullptr, "teapot", "", kMicrobit, Report::none, kNoGuard, 80, 240},
     {"EK-LM3S6965", "lm3s6965evb_teapot", "lm3s6965evb", "teapot", "", kOled, Report::frames, kGuard},
     {"EK-LM3S6965", "lm3s6965evb_layers", "lm3s6965evb", "showroom", "", kPanel, Report::frames, kGuard, 16},
     {"MPS2, Cortex-M0", "bench_m0", "mps2-an385", "knot", "K5", kBench, Report::bench, kNoGuard},

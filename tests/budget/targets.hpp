@@ -13,6 +13,7 @@ namespace zstrip::budget {
 enum class Report : std::uint8_t {
   turntable,  ///< a line of JSON on the console, then it waits for ever
   bench,      ///< a line of JSON on the console, then it ends; takes words
+  none,       ///< there is no emulator for it
   frames,     ///< the number of each frame on the console, one at a time if asked to
 };
 
@@ -25,8 +26,10 @@ struct Target {
   const char* workload;  ///< the benchmark's name of it
   View view;
   Report report;
-  std::uint32_t stack_guard;     ///< bytes of the stack that the memory protection unit takes, if there is one
-  std::uint16_t strip_rows = 0;  ///< that the program asks for; 0: as its plan or its report says
+  std::uint32_t stack_guard;        ///< bytes of the stack that the memory protection unit takes, if there is one
+  std::uint16_t strip_rows = 0;     ///< of the program's plan; 0: as its budget or its report says
+  std::uint16_t strip_columns = 0;  ///< likewise
+  int serial_port = 0;              ///< that is the console
 };
 
 /// Every program that draws a scene, with every scene that it draws.

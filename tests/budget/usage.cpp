@@ -93,7 +93,7 @@ std::pair<SceneCounts, Effects> needs_of(const Target& target) {
 
 /// The plan of an arena of this size; whoever sized it had the same planner.
 Plan plan_of(const Target& target, const BoardRun& run, std::uint32_t arena) {
-  Budget budget{.bytes = arena, .strip_rows = target.strip_rows};
+  Budget budget{.bytes = arena, .strip_rows = target.strip_rows, .strip_columns = target.strip_columns};
   if (run.strip_rows != 0) {
     budget = {.strip_rows = static_cast<std::uint16_t>(run.strip_rows),
               .strip_columns = static_cast<std::uint16_t>(run.strip_columns)};

@@ -39,6 +39,13 @@ struct Subject {
 
 TEST(EffectsInvariance, FogIsTheSameInStripsBinsAndSupersets) { Subject<scenes::fog>::check(); }
 
+TEST(EffectsInvariance, EmissiveIsTheSameInStripsBinsAndSupersets) { Subject<scenes::emissive>::check(); }
+TEST(EffectsInvariance, SpecularIsTheSameInStripsBinsAndSupersets) { Subject<scenes::specular>::check(); }
+TEST(EffectsInvariance, PunctualIsTheSameInStripsBinsAndSupersets) { Subject<scenes::punctual>::check(); }
+TEST(EffectsInvariance, MaskIsTheSameInStripsBinsAndSupersets) { Subject<scenes::mask>::check(); }
+TEST(EffectsInvariance, BlendIsTheSameInStripsBinsAndSupersets) { Subject<scenes::blend>::check(); }
+TEST(EffectsInvariance, BilinearIsTheSameInStripsBinsAndSupersets) { Subject<scenes::bilinear>::check(); }
+
 // What a superset draws where the effect is absent must come from the same loops.
 TEST(EffectsInvariance, SupersetsDrawScenesWithoutEffectsAlike) {
   const auto check = [](const scenes::BuiltIn& built_in) {
@@ -46,7 +53,7 @@ TEST(EffectsInvariance, SupersetsDrawScenesWithoutEffectsAlike) {
     scenes::Staged staged;
     scenes::stage(built_in, staged, kFrame, kFrames, kView);
     const Effects exact = effects_of(staged.scene, staged.camera);
-    EXPECT_EQ(draw_any(exact | effect::fog, staged.scene, staged.camera, kView),
+    EXPECT_EQ(draw_any(exact | effect::fog | effect::specular, staged.scene, staged.camera, kView),
               draw_any(exact, staged.scene, staged.camera, kView));
   };
   check(scenes::room);

@@ -101,7 +101,7 @@ void ReferenceTest::TestBody() {
   if (!built_in && case_.folder.empty()) GTEST_SKIP() << case_.scene << " is not installed";
   sim::CameraOptions camera;
   camera.orthographic = case_.orthographic;
-  auto stage = sim::open_stage(built_in ? case_.scene : case_.folder + "/" + case_.scene, sim::UpAxis::plus_y, camera,
+  auto stage = sim::open_stage(built_in ? case_.scene : case_.folder + "/" + case_.scene, sim::ModelOptions{}, camera,
                                kView, kFrames);
   ASSERT_TRUE(stage) << stage.failure().message;
   const auto staging = (*stage)->place(frame_, kFrames);

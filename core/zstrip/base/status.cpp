@@ -16,7 +16,7 @@ const char* message(Error error) {
     case Error::camera: return "the camera is not usable";
     case Error::mesh: return "a mesh is not valid";
     case Error::instance: return "an instance is not valid";
-    case Error::material: return "a material refers to a texture that does not exist";
+    case Error::material: return "a material refers to a texture or a finish that does not exist";
     case Error::texture: return "a texture is not valid";
     case Error::light: return "too many lights";
     case Error::effect_missing: return "the renderer was built without an effect that the scene calls for";
@@ -29,8 +29,11 @@ const char* message(Error error) {
     case Error::blob_version: return "the scene blob has a version that is not read here";
     case Error::blob_memory: return "the memory lent for the scene blob is too small";
     case Error::depth_effects: return "these depth effects exclude each other or this camera";
+    case Error::finish: return "a material's finish is not valid";
+    case Error::punctual_light: return "a point or spot light is not valid";
     case Error::fog: return "the fog needs 0 <= start < end and a density that is not negative";
     case Error::quadric: return "a quadric is not valid";
+    case Error::animation: return "a track of the animation is not valid";
     case Error::visibility: return "these visibility methods exclude each other or what is asked of them";
   }
   return "unknown error";

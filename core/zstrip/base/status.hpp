@@ -20,7 +20,7 @@ enum class Error : std::uint8_t {
   instance,        ///< refers to a mesh or material that does not exist, a transform out of range, or a mesh that
                    ///< repeats the material's texture too often (`needed` = index of the
                    ///< instance)
-  material,        ///< refers to a texture that does not exist (`needed` = index of the material)
+  material,        ///< refers to a texture or a finish that does not exist (`needed` = index of the material)
   texture,         ///< no texels, or more than 2^11 on a side (`needed` = index of the texture)
   light,           ///< too many lights (`needed` = given, `available` = limit)
   effect_missing,  ///< the scene calls for an effect that this renderer was built without (`needed` = the missing set),
@@ -39,6 +39,9 @@ enum class Error : std::uint8_t {
   fog,             ///< not 0 <= start < end, a negative density, or no mode
   quadric,         ///< refers to a material that does not exist or that has a slope bias, or a transform that is out of
                    ///< range or has no inverse (`needed` = index of the quadric)
+  animation,       ///< a track that names no instance or keyframes, or keyframes out of range (`needed` = its index)
+  finish,          ///< a mode or filter that does not exist, or more than 255 (`needed` = index of the finish)
+  punctual_light,  ///< a negative intensity or range, or cones that are none (`needed` = its index)
   visibility,      ///< visibility methods that exclude each other or a depth effect, a draw_over with one, or without
                    ///< the tree that it needs (`needed` = the methods)
 };

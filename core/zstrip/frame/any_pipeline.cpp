@@ -62,7 +62,10 @@ constexpr Pipeline kRefusing{
 
 Pipeline pipeline_for(Effects effects) {
   if (effects.methods != 0) return pipeline_of_method(effects);
-  if (!depth_effects_agree(effects)) return kRefusing;
+  if (!depth_effects_agree(effects) || !perspective_effects_agree(effects)) return kRefusing;
+  if (!effects.has(effect::textures) || effects.has(effect::orthographic)) {
+    effects = without(effects, effect::perspective_runs);
+  }
   if (effects.any(detail::kBeyondTable)) {
     const Pipeline* const found = detail::pipeline_with_effects(effects);
     return found != nullptr ? *found : kRefusing;

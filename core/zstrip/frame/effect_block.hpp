@@ -2,25 +2,50 @@
 // have.
 #pragma once
 
+#include <span>
+
 #include "zstrip/frame/frame.hpp"
+#include "zstrip/geometry/local_light.hpp"
 #include "zstrip/raster/fragment_settings.hpp"
 
 namespace zstrip::detail {
 
-/// Parts whose effects are missing are not planned: see effect_bytes.
-template <Effects effects>
+/// An instance in the order of drawing.
+struct DrawOrder {
+  Distance distance;  ///< of the middle of its box from the camera's plane
+  std::uint32_t instance, unused;
+};
+static_assert(sizeof(DrawOrder) == kDrawOrderBytes);
+
+/// The arena's last part. It is laid out by the effects that the scene calls for, not by those of the pipeline: a
+/// superset draws with the plan of the exact set. Parts whose effects has() denies must not be asked for.
 class EffectBlock {
  public:
-  static constexpr bool kExists = effect_bytes(effects, 1) != 0;
+  /// `memory`: `bytes` of the plan, aligned to kArenaAlignment.
+  EffectBlock(std::byte* memory, std::uint32_t bytes, std::size_t instances)
+      : memory_(memory), bytes_(bytes), instances_(instances) {}
 
-  /// `memory`: of effect_bytes(), aligned to kArenaAlignment.
-  explicit EffectBlock(std::byte* memory) : memory_(memory) {}
+  /// Comes before anything else. `bytes` are effect_bytes(called_for, instances) or more.
+  void lay_out(Effects called_for) const {
+    if (bytes_ != 0) reinterpret_cast<Effects*>(memory_)->bits = called_for.bits;
+  }
+  bool has(Effects effects) const { return bytes_ != 0 && reinterpret_cast<const Effects*>(memory_)->any(effects); }
 
-  FogCurve& fog() const { return *reinterpret_cast<FogCurve*>(memory_); }
+  FogCurve& fog() const { return *reinterpret_cast<FogCurve*>(memory_ + sizeof(Effects)); }
+  std::span<DrawOrder> order() const { return {reinterpret_cast<DrawOrder*>(memory_ + order_at()), instances_}; }
+  FrameLights& lights() const { return *reinterpret_cast<FrameLights*>(memory_ + lights_at()); }
+  InstanceShading& shading(std::size_t instance) const {
+    return reinterpret_cast<InstanceShading*>(memory_ + lights_at() + kFrameLightsBytes)[instance];
+  }
 
  private:
-  static_assert(sizeof(FogCurve) == kFogBytes);
+  static_assert(sizeof(FogCurve) == kFogBytes && kFogBytes % kArenaAlignment == 0);
+  std::size_t order_at() const { return sizeof(Effects) + (has(effect::fog) ? kFogBytes : 0); }
+  std::size_t lights_at() const { return order_at() + (has(effect::blending) ? instances_ * kDrawOrderBytes : 0); }
+
   std::byte* memory_;
+  std::uint32_t bytes_;
+  std::size_t instances_;
 };
 
 }  // namespace zstrip::detail

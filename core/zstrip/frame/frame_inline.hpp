@@ -81,10 +81,14 @@ struct Frame::Access {
 
   /// Calls visit(number, instance index, meshlet index) in drawing order; numbers count the meshlets of all instances,
   /// invisible ones too, but are called only for visible ones.
-  template <class Visit>
+  template <Effects effects, class Visit>
   static void for_each_meshlet(const Frame& frame, const Visit& visit) {
     std::uint32_t number = 0;
-    for (std::uint32_t i = 0; i < frame.scene_->instances.size(); ++i) {
+    for (std::uint32_t place = 0; place < frame.scene_->instances.size(); ++place) {
+      std::uint32_t i = place;
+      if constexpr (effects.has(effect::blending)) {
+        if (const auto block = effect_block(frame); block.has(effect::blending)) i = block.order()[place].instance;
+      }
       const Mesh& mesh = frame.scene_->meshes[frame.scene_->instances[i].mesh];
       const std::uint32_t meshlets = mesh.meshlets.empty() ? 1 : static_cast<std::uint32_t>(mesh.meshlets.size());
       if (frame.instances_[i].visible) {
@@ -120,16 +124,43 @@ struct Frame::Access {
   static void shade(Frame& frame, const detail::Batch& batch, const MeshletRange& range, std::uint32_t cache) {
     if constexpr (detail::has_vertex_colours(effects)) {
       if (batch.colours != nullptr) {
+        if constexpr (effects.any(effect::vertex_light)) {
+          if (shade_locally<effects>(frame, batch, range, cache)) return;
+        }
         detail::shade_vertices<without(effects, effect::bins)>(*batch.instance, *batch.mesh, range.first_vertex,
                                                                range.vertex_count, frame.colours_ + cache);
       }
     }
   }
 
+  /// False if the instance has no light beyond what all have.
+  template <Effects effects>
+  static bool shade_locally(Frame& frame, const detail::Batch& batch, const MeshletRange& range, std::uint32_t cache) {
+    const Scene& scene = *frame.scene_;
+    const detail::CompiledInstance& instance = *batch.instance;
+    const Material& material = scene.materials[instance.material];
+    if (!effects_of_finish(scene, material, instance.lit, false).any(effect::vertex_light)) return false;
+    const Finish finish = finish_of(scene, material);
+    const detail::EffectBlock block = effect_block(frame);
+    const detail::FrameLights* lights = nullptr;
+    const detail::InstanceShading* shading = nullptr;
+    if (block.has(effect::local_light)) {
+      lights = &block.lights();
+      shading = &block.shading(static_cast<std::size_t>(batch.instance - frame.instances_));
+    }
+    for (std::uint32_t i = 0; i < range.vertex_count; ++i) {
+      const std::uint32_t vertex = range.first_vertex + i;
+      const Colour lit =
+          detail::locally_lit_colour<effects>(instance, *batch.mesh, vertex, scene, lights, shading, finish);
+      frame.colours_[cache + i] = detail::with_vertex_colour<effects>(lit, instance, *batch.mesh, vertex);
+    }
+    return true;
+  }
+
   /// Which strips the front faces of each meshlet touch.
   template <Effects effects>
   static void survey(Frame& frame) {
-    for_each_meshlet(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+    for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
       if constexpr (effects.has(method::culling)) {
         frame.extents_[number] = detail::Extent::none();
         if (is_left_out<effects>(frame, number, instance, meshlet)) return;
@@ -153,7 +184,8 @@ struct Frame::Access {
     std::uint32_t retained = 0;
     std::uint16_t batches = 0;
     bool room = true;
-    for_each_meshlet(frame, [&]([[maybe_unused]] std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+    for_each_meshlet<effects>(frame, [&]([[maybe_unused]] std::uint32_t number, std::uint32_t instance,
+                                         std::uint32_t meshlet) {
       if (!room) return;
       if constexpr (effects.has(method::culling)) {
         if (is_left_out<effects>(frame, number, instance, meshlet)) return;
@@ -227,7 +259,7 @@ struct Frame::Access {
     if constexpr (effects.has(method::hierarchical_z)) {
       draw_seen_first<effects>(static_cast<FrameWithMethod&>(frame), target, draw_meshlet);
     } else {
-      for_each_meshlet(frame, draw_meshlet);
+      for_each_meshlet<effects>(frame, draw_meshlet);
     }
   }
 
@@ -296,25 +328,77 @@ struct Frame::Access {
     }
   }
 
-  template <Effects effects>
-  static detail::EffectBlock<effects> effect_block(const Frame& frame) {
-    return detail::EffectBlock<effects>(reinterpret_cast<std::byte*>(frame.batches_) + frame.plan_.bin_bytes);
+  static detail::EffectBlock effect_block(const Frame& frame) {
+    return {reinterpret_cast<std::byte*>(frame.batches_) + frame.plan_.bin_bytes, frame.plan_.effect_bytes,
+            frame.scene_->instances.size()};
   }
 
-  /// Which instances are drawn by fill_fragments, and what these need through the frame.
+  /// Opaque instances in the scene's order, then those that blend, from far to near.
+  static void prepare_order(const Frame& frame, const Camera& camera) {
+    const Scene& scene = *frame.scene_;
+    const std::span<detail::DrawOrder> order = effect_block(frame).order();
+    const auto blends = [&scene](const Instance& instance) {
+      return finish_of(scene, scene.materials[instance.material]).alpha_mode == AlphaMode::blend;
+    };
+    std::size_t count = 0;
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+      if (!blends(scene.instances[i])) order[count++] = {0, i, 0};
+    }
+    const std::size_t first = count;
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+      const Instance& instance = scene.instances[i];
+      if (!blends(instance)) continue;
+      const detail::DistanceRange range =
+          detail::distance_range(scene.meshes[instance.mesh], instance.transform, camera);
+      const Distance middle = range.nearest / 2 + range.farthest / 2;
+      std::size_t place = count++;
+      for (; place > first && order[place - 1].distance < middle; --place) order[place] = order[place - 1];
+      order[place] = {middle, i, 0};
+    }
+  }
+
+  /// What effects need through the frame.
+  template <Effects effects>
+  static void prepare_effects(Frame& frame, const Camera& camera, [[maybe_unused]] Effects called_for) {
+    [[maybe_unused]] const detail::EffectBlock block = effect_block(frame);
+    if constexpr (detail::effect_bytes(effects, 1) != 0) block.lay_out(called_for);
+    if constexpr (effects.has(effect::blending)) {
+      if (block.has(effect::blending)) prepare_order(frame, camera);
+    }
+    if constexpr (effects.any(effect::local_light)) {
+      if (block.has(effect::local_light)) prepare_local_light(frame, camera);
+    }
+    if constexpr (effects.any(effect::fragments)) prepare_fragments<effects>(frame);
+  }
+
+  static void prepare_local_light(const Frame& frame, const Camera& camera) {
+    const Scene& scene = *frame.scene_;
+    const detail::EffectBlock block = effect_block(frame);
+    block.lights() = detail::frame_lights(scene, camera);
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+      const Instance& instance = scene.instances[i];
+      block.shading(i) = detail::instance_shading(scene.meshes[instance.mesh], instance.transform, camera);
+    }
+  }
+
+  /// Which instances are drawn by fill_fragments.
   template <Effects effects>
   static void prepare_fragments(Frame& frame) {
     const Scene& scene = *frame.scene_;
     constexpr bool kOrthographic = effects.has(effect::orthographic);
     if constexpr (effects.has(effect::fog)) {
       if (scene.fog != nullptr && frame.fit_.near != 0) {
-        effect_block<effects>(frame).fog() = detail::fog_curve(
+        effect_block(frame).fog() = detail::fog_curve(
             *scene.fog, detail::distance_scale(frame.fit_, kOrthographic, detail::depth_span(effects)));
       }
     }
     for (detail::CompiledInstance& instance : std::span(frame.instances_, scene.instances.size())) {
       if (!instance.visible) continue;
-      if (has_fragments(scene)) instance.shade = detail::with_fragments(instance.shade);
+      const Effects finish = effects_of_finish(scene, scene.materials[instance.material], instance.lit,
+                                               instance.shade >= detail::Shade::textured);
+      if (scene.fog != nullptr || finish.any(effect::fragments)) {
+        instance.shade = detail::with_fragments(instance.shade);
+      }
     }
   }
 
@@ -322,8 +406,16 @@ struct Frame::Access {
   static detail::FragmentSettings fragment_settings(const Frame& frame, const detail::CompiledInstance& instance) {
     detail::FragmentSettings settings;
     settings.textured = detail::without_fragments(instance.shade) >= detail::Shade::textured;
+    const Material& material = frame.scene_->materials[instance.material];
+    const Finish finish = finish_of(*frame.scene_, material);
+    settings.alpha = material.colour.a;
+    if (finish.alpha_mode == AlphaMode::mask) settings.cutoff = finish.alpha_cutoff;
+    settings.blends = finish.alpha_mode == AlphaMode::blend;
+    settings.bilinear = finish.filter == TextureFilter::bilinear;
+    settings.has_texture_alpha = settings.textured && finish.alpha_mode != AlphaMode::opaque &&
+                                 frame.scene_->textures[material.texture].format == TextureFormat::rgb565_alpha;
     if constexpr (effects.has(effect::fog)) {
-      if (frame.scene_->fog != nullptr) settings.fog = &effect_block<effects>(frame).fog();
+      if (frame.scene_->fog != nullptr) settings.fog = &effect_block(frame).fog();
       settings.depth_offset =
           effects.has(effect::orthographic) ? std::int64_t{frame.origin_.depth_offset} : frame.fit_.offset;
     }
@@ -421,7 +513,7 @@ struct Frame::Access {
     if (const Status status = check(scene, camera, view, plan, called_for, effects, arena); !status) {
       return status;
     }
-    if constexpr (detail::EffectBlock<effects>::kExists) {
+    if constexpr (detail::effect_bytes(effects, 1) != 0) {
       const std::uint64_t needed = detail::effect_bytes(called_for, static_cast<std::uint32_t>(scene.instances.size()));
       if (plan.effect_bytes < needed) {
         return {.error = Error::arena_too_small,
@@ -469,7 +561,7 @@ struct Frame::Access {
       }
     }
     frame.scene_ = &scene;
-    if constexpr (effects.any(effect::fragments)) prepare_fragments<effects>(frame);
+    prepare_effects<effects>(frame, camera, called_for);
     if constexpr (effects.has(method::culling | effect::statistics)) {
       count_culled<effects>(static_cast<FrameWithMethod&>(frame));
     }

@@ -17,8 +17,10 @@ struct Pipeline {
 };
 
 /// A pipeline that draws the same as one with exactly `effects`: it may have more of them, but no other depth format
-/// and projection. Effects that do not agree, or are unknown, get one that refuses every frame with
-/// Error::depth_effects. Links all of them: for hosts (library zstrip::core_any).
+/// and projection. One of effect::perspective_runs is left out where nothing is textured or the projection is
+/// orthographic. Effects that do not agree, or are unknown, get one that refuses every frame with Error::depth_effects;
+/// so does one of effect::perspective_runs beside a depth format or sub-ranges. Links all of them: for hosts (library
+/// zstrip::core_any).
 Pipeline pipeline_for(Effects effects);
 
 /// The same for effects with a visibility method: one with all effects of scenes, with method::culling and with

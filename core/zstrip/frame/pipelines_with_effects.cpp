@@ -20,6 +20,9 @@ constexpr Superset superset() {
 constexpr Superset kSupersets[] = {
     superset<kEverything>(),
     superset<kEverything | effect::orthographic>(),
+    superset<kEverything | effect::perspective_affine>(),
+    superset<kEverything | effect::perspective_8>(),
+    superset<kEverything | effect::perspective_1>(),
     superset<kEverything | effect::depth_float>(),
     superset<kEverything | effect::depth_w16>(),
     superset<kEverything | effect::depth_24>(),
@@ -30,7 +33,8 @@ constexpr Superset kSupersets[] = {
     superset<kEverything | effect::depth_ranges | effect::orthographic>(),
 };
 
-constexpr Effects kMustBeEqual = effect::orthographic | effect::depth_formats | effect::depth_ranges;
+constexpr Effects kMustBeEqual =
+    effect::orthographic | effect::depth_formats | effect::depth_ranges | effect::perspective_runs;
 
 }  // namespace
 

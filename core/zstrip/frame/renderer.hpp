@@ -20,6 +20,7 @@ class Renderer {
   static_assert(depth_effects_agree(effects), "one depth format; float16 and w16 need perspective");
   static_assert(methods_agree(effects),
                 "visibility methods that go together, with z16 and without effect::depth_state");
+  static_assert(perspective_effects_agree(effects), "one of effect::perspective_runs");
 
  public:
   /// Checks everything that could harm and prepares the frame. `arena`: at least plan.bytes(), aligned to

@@ -53,13 +53,13 @@ void Frame::Access::draw_seen_first(FrameWithMethod& frame, const detail::StripT
     return number / 32 < seen.size() && (seen[number / 32] >> (number % 32) & 1) != 0;
   };
   if (!seen.empty()) {
-    for_each_meshlet(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+    for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
       if (was_seen(number)) draw(number, instance, meshlet);
     });
   }
   std::uint32_t asked = UINT32_MAX;  // the instance that `hidden` is of
   bool hidden = false;
-  for_each_meshlet(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t index) {
+  for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t index) {
     const Mesh& mesh = frame.scene_->meshes[frame.instances_[instance].mesh];
     const bool drawn = was_seen(number);
     if (instance != asked && !drawn) {
@@ -90,7 +90,8 @@ void Frame::Access::collect_triangles(FrameWithMethod& frame) {
   std::uint32_t count = 0;
   std::uint32_t retained = 0;
   std::uint16_t batches = 0;
-  for_each_meshlet(frame, [&]([[maybe_unused]] std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+  for_each_meshlet<effects>(frame, [&]([[maybe_unused]] std::uint32_t number, std::uint32_t instance,
+                                       std::uint32_t meshlet) {
     if constexpr (effects.has(method::culling)) {
       if (is_left_out<effects>(frame, number, instance, meshlet)) return;
     }
@@ -225,7 +226,7 @@ template <Effects effects>
 void Frame::Access::count_culled(FrameWithMethod& frame) {
   VisibilityStatistics& counts = frame.counts_;
   const std::uint32_t before = frame.statistics_.vertices;
-  for_each_meshlet(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+  for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
     const detail::CompiledInstance& compiled = frame.instances_[instance];
     const MeshletRange range = meshlet_range(frame.scene_->meshes[compiled.mesh], meshlet);
     const auto triangles = static_cast<std::uint32_t>(range.triangles.size());

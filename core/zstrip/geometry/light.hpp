@@ -35,6 +35,20 @@ constexpr Colour modulated(const Colour& colour, const Colour& by) {
           static_cast<std::uint8_t>((colour.b * factor(by.b)) >> 8), 255};
 }
 
+/// The vertex' own colour comes last.
+template <Effects effects>
+inline Colour with_vertex_colour(const Colour& colour, const CompiledInstance& instance, const Mesh& mesh,
+                                 std::uint32_t vertex) {
+  if constexpr (effects.has(effect::vertex_colours)) {
+    if (instance.coloured) {
+      const Colour& own = mesh.colours[vertex];
+      // White base and no light: the vertex colour as it is, without a multiplication.
+      return colour == Colour{255, 255, 255, 255} ? own : modulated(colour, own);
+    }
+  }
+  return colour;
+}
+
 /// `instance.lit` and `instance.coloured` are only looked at where the effect exists.
 template <Effects effects>
 inline Colour vertex_colour(const CompiledInstance& instance, const Mesh& mesh, std::uint32_t vertex) {
@@ -42,14 +56,7 @@ inline Colour vertex_colour(const CompiledInstance& instance, const Mesh& mesh, 
   if constexpr (effects.has(effect::lighting)) {
     if (instance.lit) colour = lit_colour(instance, mesh.normals[vertex]);
   }
-  if constexpr (effects.has(effect::vertex_colours)) {
-    if (instance.coloured) {
-      const Colour& own = mesh.colours[vertex];
-      // White base and no light: the vertex colour as it is, without a multiplication.
-      colour = colour == Colour{255, 255, 255, 255} ? own : modulated(colour, own);
-    }
-  }
-  return colour;
+  return with_vertex_colour<effects>(colour, instance, mesh, vertex);
 }
 
 }  // namespace zstrip::detail

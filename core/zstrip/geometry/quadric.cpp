@@ -267,7 +267,7 @@ Status compile_quadric(CompiledQuadric& compiled, const Scene& scene, const Quad
   compiled.radicand_yy = scaled(yy);
 
   const std::int32_t root_bits = 31 + compiled.root_shift;  // roots are below 2^root_bits
-  compiled.direction_shift = std::max(0, root_bits - 15);
+  compiled.direction_shift = std::max<std::int32_t>(0, root_bits - 15);
   const Scaled per_pole = Scaled(1, 0) / leading;
   const PixelPlane surface =
       ray.mapped([&](const Scaled3& v) { return v - (per_pole * dot(v, pole)) * pole; });  // where the root is 0

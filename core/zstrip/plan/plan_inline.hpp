@@ -20,6 +20,10 @@ inline constexpr std::uint32_t kBinBytes = 8;           // a strip's list
 inline constexpr std::uint32_t kBinChunkBytes = 32;     // part of a list: kBinChunkEntries and a link
 inline constexpr std::uint32_t kBinChunkEntries = 15;
 inline constexpr std::uint32_t kFogBytes = 40;  // the frame's fog
+inline constexpr std::uint32_t kWorldLightBytes = 44;
+inline constexpr std::uint32_t kFrameLightsBytes = 192;     // lights that depend on where a vertex is, of the frame
+inline constexpr std::uint32_t kInstanceShadingBytes = 68;  // and what they need of an instance
+inline constexpr std::uint32_t kDrawOrderBytes = 16;        // an instance's place in the order of blending
 inline constexpr std::uint32_t kMostBinChunks = 0xFFFF;
 inline constexpr std::uint32_t kMostBatches = 0x7FFF;  // that bins can name; likewise triangles of a meshlet
 inline constexpr std::uint32_t kMostStrips = 0xFFFF;
@@ -43,10 +47,12 @@ constexpr std::uint16_t whole_tiles(std::uint32_t rows, std::uint16_t height) {
 constexpr bool has_vertex_colours(Effects effects) { return effects.any(effect::lighting | effect::vertex_colours); }
 
 /// What effects keep through a frame of so many instances.
-constexpr std::uint64_t effect_bytes(Effects effects, [[maybe_unused]] std::uint32_t instances) {
+constexpr std::uint64_t effect_bytes(Effects effects, std::uint32_t instances) {
   std::uint64_t bytes = 0;
   if (effects.has(effect::fog)) bytes += kFogBytes;
-  return bytes;
+  if (effects.has(effect::blending)) bytes += std::uint64_t{instances} * kDrawOrderBytes;
+  if (effects.any(effect::local_light)) bytes += kFrameLightsBytes + std::uint64_t{instances} * kInstanceShadingBytes;
+  return bytes == 0 ? 0 : bytes + sizeof(Effects);
 }
 
 /// RGB565 is drawn straight into the caller's pixels; the other formats pass through a working strip.

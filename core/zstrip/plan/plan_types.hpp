@@ -54,7 +54,7 @@ struct Plan {
   std::uint32_t depth_bytes = 0;
   std::uint32_t colour_bytes = 0;  ///< RGB565 working strip; only for formats that are not drawn in place
   std::uint32_t bin_bytes = 0;
-  std::uint32_t effect_bytes = 0;      ///< what effects keep through a frame: fog
+  std::uint32_t effect_bytes = 0;      ///< what effects keep through a frame: fog, local light, drawing order
   std::uint32_t visibility_bytes = 0;  ///< what a visibility method keeps: order of triangles, or bounds of depth
   /// The arena. It must be aligned to kArenaAlignment. Of a plan that `plan` returned never more than kLargestArena.
   constexpr std::uint32_t bytes() const {

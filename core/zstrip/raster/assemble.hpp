@@ -67,6 +67,7 @@ struct Assembler {
   static constexpr bool kTextures = effects.has(effect::textures);
   static constexpr bool kColours = has_vertex_colours(effects);
   static constexpr DepthMode kDepth = depth_mode(effects);
+  static constexpr std::int32_t kPerspective = perspective_run(effects);
   using StripTarget = TargetOf<effects>;  // with what the depth mode and fragments need
 
   template <class Vertex>
@@ -251,7 +252,8 @@ struct Assembler {
     if constexpr (shade == Shade::fragments) {
       draw_fragment_triangle<effects>(target, v[0], v[1], v[2], surface, narrow);
     } else {
-      draw_span_triangle<shade, kOrthographic, kStatistics, kDepth>(target, v[0], v[1], v[2], surface, narrow);
+      draw_span_triangle<shade, kOrthographic, kStatistics, kDepth, kPerspective>(target, v[0], v[1], v[2], surface,
+                                                                                  narrow);
     }
   }
 

@@ -105,7 +105,7 @@ class FogPlane {
  private:
   Fixed distance(std::uint32_t value) const {
     if constexpr (orthographic) {
-      return std::max(static_cast<Fixed>(value), 0);  // rounding may leave the range
+      return std::max<Fixed>(static_cast<Fixed>(value), 0);  // rounding may leave the range
     } else {
       const Reciprocal r = reciprocal_of(value == 0 ? 1 : value);
       const std::uint32_t high =

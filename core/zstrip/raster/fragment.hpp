@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "zstrip/geometry/light.hpp"
 #include "zstrip/raster/fragment_settings.hpp"
 #include "zstrip/raster/span_triangle.hpp"
 
@@ -12,7 +13,7 @@ namespace zstrip::detail {
 
 /// A fragment's colour on its way to the pixel, 0..255 a channel.
 struct FragmentColour {
-  std::uint32_t r, g, b;
+  std::uint32_t r, g, b, a;
 };
 
 /// `share` 0..256 of a, the rest of b; rounded to nearest.
@@ -23,7 +24,7 @@ constexpr std::uint32_t mixed(std::uint32_t a, std::uint32_t b, std::uint32_t sh
 /// RGB565 to 8 bits a channel, the upper bits repeated below: 31 and 63 become 255.
 constexpr FragmentColour expanded(std::uint16_t pixel) {
   const std::uint32_t r = pixel >> 11, g = (pixel >> 5) & 0x3FU, b = pixel & 0x1FU;
-  return {(r << 3) | (r >> 2), (g << 2) | (g >> 4), (b << 3) | (b >> 2)};
+  return {(r << 3) | (r >> 2), (g << 2) | (g >> 4), (b << 3) | (b >> 2), 255};
 }
 
 /// Texel times light, channels of 8.16; light of 255 leaves the texel as it is.
@@ -32,7 +33,7 @@ constexpr FragmentColour modulated(const FragmentColour& texel, std::uint32_t r,
     const std::uint32_t whole = light >> 16;
     return (channel * (whole + (whole >> 7)) + 128) >> 8;
   };
-  return {product(texel.r, r), product(texel.g, g), product(texel.b, b)};
+  return {product(texel.r, r), product(texel.g, g), product(texel.b, b), texel.a};
 }
 
 /// Fetches texels by coordinates in fractions of the texture, 0.32.
@@ -41,16 +42,60 @@ class TextureSampler {
   TextureSampler() = default;
   explicit TextureSampler(const TextureView& texture)
       : texels_(texture.texels),
+        log2_width_(texture.log2_width),
+        log2_height_(texture.log2_height),
         to_column_(TextureAxis(texture.log2_width).to_index),
         to_row_(texture.log2_height + texture.log2_width == 0 ? 31 : 32 - texture.log2_height - texture.log2_width),
         row_mask_(~((std::uint32_t{1} << texture.log2_width) - 1)) {}
 
-  FragmentColour nearest(std::uint32_t u, std::uint32_t v) const {
-    return expanded(texels_[((v >> to_row_) & row_mask_) + (u >> to_column_)]);
+  template <bool alpha>
+  FragmentColour nearest(std::uint32_t u, std::uint32_t v, bool has_alpha) const {
+    return texel<alpha>(((v >> to_row_) & row_mask_) + (u >> to_column_), has_alpha);
+  }
+
+  /// The mean of the four texels whose centres lie around the point, by their distance in 1/256; rounded to nearest.
+  template <bool alpha>
+  FragmentColour bilinear(std::uint32_t u, std::uint32_t v, bool has_alpha) const {
+    const Between x(u, log2_width_), y(v, log2_height_);
+    const auto fetch = [&](std::uint32_t column, std::uint32_t row) {
+      return texel<alpha>((row << log2_width_) + column, has_alpha);
+    };
+    const FragmentColour a = fetch(x.first, y.first), b = fetch(x.second, y.first), c = fetch(x.first, y.second),
+                         d = fetch(x.second, y.second);
+    const auto mean = [&](std::uint32_t FragmentColour::*channel) {
+      const std::uint32_t upper = a.*channel * (256 - x.share) + b.*channel * x.share;
+      const std::uint32_t lower = c.*channel * (256 - x.share) + d.*channel * x.share;
+      return (upper * (256 - y.share) + lower * y.share + 32768) >> 16;
+    };
+    return {mean(&FragmentColour::r), mean(&FragmentColour::g), mean(&FragmentColour::b), mean(&FragmentColour::a)};
   }
 
  private:
+  /// Two neighbours along an axis that repeats, and the second one's share in 1/256.
+  struct Between {
+    std::uint32_t first = 0, second = 0, share = 0;
+
+    Between(std::uint32_t fraction, std::uint32_t log2_size) {
+      if (log2_size == 0) return;
+      const std::uint32_t from_centre = fraction - (std::uint32_t{1} << (31 - log2_size));
+      first = from_centre >> (32 - log2_size);
+      second = (first + 1) & ((std::uint32_t{1} << log2_size) - 1);
+      share = (from_centre << log2_size) >> 24;
+    }
+  };
+
+  template <bool alpha>
+  FragmentColour texel(std::uint32_t index, [[maybe_unused]] bool has_alpha) const {
+    FragmentColour colour = expanded(texels_[index]);
+    if constexpr (alpha) {
+      const std::uint32_t texels = std::uint32_t{1} << (log2_width_ + log2_height_);
+      if (has_alpha) colour.a = (texels_[texels + (index >> 1)] >> (8 * (index & 1))) & 0xFFU;
+    }
+    return colour;
+  }
+
   const std::uint16_t* texels_ = nullptr;
+  std::uint32_t log2_width_ = 0, log2_height_ = 0;
   std::int32_t to_column_ = 0, to_row_ = 0;  ///< right shifts; a row stays multiplied by the width
   std::uint32_t row_mask_ = 0;
 };
@@ -112,6 +157,51 @@ constexpr std::int32_t step_of_run(std::int32_t difference, std::int32_t left) {
   return static_cast<std::int32_t>((difference * static_cast<std::int64_t>(kInverse[left - 1])) >> 16);
 }
 
+/// The stages after the depth test; false if the fragment is discarded. `u`, `v` in 0.32 of the texture, light in 8.16,
+/// `visible` 0..256.
+template <Effects effects>
+bool shade_fragment(const FragmentPlanes<effects>& planes, const FragmentSettings& settings,
+                    [[maybe_unused]] const TextureSampler& sampler, std::uint32_t r, std::uint32_t g, std::uint32_t b,
+                    [[maybe_unused]] std::uint32_t u, [[maybe_unused]] std::uint32_t v,
+                    [[maybe_unused]] std::uint32_t visible, std::uint16_t& pixel) {
+  constexpr bool kTextureAlpha = effects.has(effect::texture_alpha);
+  FragmentColour colour{r >> 16, g >> 16, b >> 16, 255};
+  if constexpr (effects.has(effect::textures)) {
+    if (planes.textured) {
+      FragmentColour texel;
+      if (effects.has(effect::bilinear) && settings.bilinear) {
+        texel = sampler.template bilinear<kTextureAlpha>(u, v, settings.has_texture_alpha);
+      } else {
+        texel = sampler.template nearest<kTextureAlpha>(u, v, settings.has_texture_alpha);
+      }
+      colour = modulated(texel, r, g, b);
+    }
+  }
+  if constexpr (effects.any(effect::alpha_test | effect::blending)) {
+    colour.a = (colour.a * factor(settings.alpha)) >> 8;
+  }
+  if constexpr (effects.has(effect::alpha_test)) {
+    if (colour.a < settings.cutoff) return false;
+  }
+  if constexpr (effects.has(effect::fog)) {
+    if (planes.fogged) {
+      const Colour& fog = settings.fog->colour;
+      colour = {mixed(colour.r, fog.r, visible), mixed(colour.g, fog.g, visible), mixed(colour.b, fog.b, visible),
+                colour.a};
+    }
+  }
+  if constexpr (effects.has(effect::blending)) {
+    if (settings.blends) {
+      const FragmentColour behind = expanded(pixel);
+      const std::uint32_t share = factor(colour.a);
+      colour = {mixed(colour.r, behind.r, share), mixed(colour.g, behind.g, share), mixed(colour.b, behind.b, share),
+                255};
+    }
+  }
+  pixel = rgb565(colour.r << 16, colour.g << 16, colour.b << 16);
+  return true;
+}
+
 /// A span of one triangle. `planes` and `settings` are its instance's.
 template <Effects effects, class DepthPlane, class Rule>
 void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
@@ -156,22 +246,11 @@ void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& dep
     }
     const std::int32_t drawn = std::min(length - before, to_draw);
     for (std::int32_t i = 0; i < drawn; ++i) {
-      // The cell is written last: stages may still discard the fragment.
+      // The cell is written last: stages may still discard the fragment, and what is blended hides nothing.
       typename Rule::Cell kept = *cell;
-      if (rule.draws(z, kept)) {
-        FragmentColour colour{r >> 16, g >> 16, b >> 16};
-        if constexpr (kTextures) {
-          if (planes.textured) colour = modulated(sampler.nearest(u, v), r, g, b);
-        }
-        if constexpr (kFog) {
-          if (planes.fogged) {
-            const Colour& fog = settings.fog->colour;
-            const auto share = static_cast<std::uint32_t>(visible) >> 16;
-            colour = {mixed(colour.r, fog.r, share), mixed(colour.g, fog.g, share), mixed(colour.b, fog.b, share)};
-          }
-        }
-        *pixel = rgb565(colour.r << 16, colour.g << 16, colour.b << 16);
-        *cell = kept;
+      if (rule.draws(z, kept) &&
+          shade_fragment(planes, settings, sampler, r, g, b, u, v, static_cast<std::uint32_t>(visible) >> 16, *pixel)) {
+        if (!effects.has(effect::blending) || !settings.blends) *cell = kept;
         count_pass<effects.has(effect::statistics)>(counters);
       }
       ++cell;

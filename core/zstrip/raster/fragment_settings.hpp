@@ -11,6 +11,11 @@ namespace zstrip::detail {
 
 /// Once for each meshlet.
 struct FragmentSettings {
+  std::uint8_t alpha = 255;  ///< the material's
+  std::uint8_t cutoff = 0;   ///< least alpha that is drawn
+  bool blends = false;
+  bool bilinear = false;
+  bool has_texture_alpha = false;
   bool textured = false;
   const FogCurve* fog = nullptr;  ///< only with effect::fog
   std::int64_t depth_offset = 0;  ///< of FogPlane

@@ -13,12 +13,13 @@
 
 namespace zstrip::detail {
 
-struct Direction {
+struct QuadricNormal {
   std::int32_t x, y, z;
 };
 
 /// Any length below 2^14 in each component. `root` is shifted by CompiledQuadric::direction_shift.
-inline Direction direction_at(const DirectionPlane& plane, std::int32_t columns, std::int32_t rows, std::int32_t root) {
+inline QuadricNormal direction_at(const DirectionPlane& plane, std::int32_t columns, std::int32_t rows,
+                                  std::int32_t root) {
   const auto component = [&](int i) {
     return (plane.start[i] + plane.step_x[i] * columns + plane.step_y[i] * rows + plane.root_part[i] * root) >> 15;
   };
@@ -26,7 +27,7 @@ inline Direction direction_at(const DirectionPlane& plane, std::int32_t columns,
 }
 
 /// The same direction with a length of one, 2.12; components below 2^14.
-inline Direction unit(const Direction& d) {
+inline QuadricNormal unit(const QuadricNormal& d) {
   const auto square = static_cast<std::uint32_t>(d.x * d.x + d.y * d.y + d.z * d.z);  // below 2^30
   if (square == 0) return d;
   const int zeros = std::countl_zero(square) & ~1;  // 2 .. 30
@@ -35,7 +36,7 @@ inline Direction unit(const Direction& d) {
   return {(d.x * inverse) >> shift, (d.y * inverse) >> shift, (d.z * inverse) >> shift};
 }
 
-inline Colour lit_colour(const CompiledQuadric& quadric, const Direction& normal) {
+inline Colour lit_colour(const CompiledQuadric& quadric, const QuadricNormal& normal) {
   std::uint32_t r = quadric.ambient.r;
   std::uint32_t g = quadric.ambient.g;
   std::uint32_t b = quadric.ambient.b;
@@ -54,7 +55,7 @@ inline Colour lit_colour(const CompiledQuadric& quadric, const Direction& normal
 }
 
 /// Longitude across, latitude down: the middle of the texture faces the sphere's +z, its upper edge is the pole +y.
-inline std::uint16_t texel_at(const TextureView& texture, const Direction& d) {
+inline std::uint16_t texel_at(const TextureView& texture, const QuadricNormal& d) {
   const auto u = static_cast<std::uint32_t>(arctangent(d.x, d.z) + kFullTurn / 2) & 0xFFFFU;  // 0.16
   const std::uint64_t square = static_cast<std::uint32_t>(d.x * d.x + d.z * d.z);
   std::int32_t from_axis = 0;

@@ -53,7 +53,7 @@ void fill_gouraud(const Span<typename Rule::Cell>& span, const DepthPlane& depth
   }
 }
 
-/// Pixels between two exact texture positions.
+/// Most pixels between two exact texture positions.
 inline constexpr std::int32_t kPerspectiveRun = 16;
 
 /// 2^16 / n, for the last, shorter run of a span.
@@ -123,11 +123,13 @@ constexpr std::int32_t difference(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
 
-/// `light` is read only where `lit`.
-template <bool orthographic, bool lit, bool statistics, class DepthPlane, class Rule>
+/// `light` is read only where `lit`. `log2_run`: of the pixels between two exact positions, 0 .. 4.
+template <bool affine, int log2_run, bool lit, bool statistics, class DepthPlane, class Rule>
 void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
-                   const TextureView& texture, const TextureCoordinates<orthographic>& coordinates,
-                   const ColourPlanes& light, Statistics* counters) {
+                   const TextureView& texture, const TextureCoordinates<affine>& coordinates, const ColourPlanes& light,
+                   Statistics* counters) {
+  constexpr std::int32_t kRun = 1 << log2_run;
+  static_assert(kRun <= kPerspectiveRun);
   const TextureAxis axis_u(texture.log2_width);
   const TextureAxis axis_v(texture.log2_height);
   TexturedRun<lit, statistics, typename DepthPlane::Value, Rule> run{};
@@ -145,7 +147,7 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
     run.b = light.b.at(span.columns, span.rows);
   }
   // Pixels of the first run that lie to the left of the span.
-  std::int32_t before = span.skipped & (kPerspectiveRun - 1);
+  std::int32_t before = span.skipped & (kRun - 1);
   std::int32_t column = span.columns - before;
   std::int32_t left = span.whole_length - span.skipped + before;
   auto* depth_cell = span.depth;
@@ -154,13 +156,13 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
   TexelPosition from = coordinates.at(column, span.rows);
   for (;;) {
     // A full run ends at the next one's first pixel, the last run at its own last pixel: always inside the triangle.
-    const std::int32_t length = left > kPerspectiveRun ? kPerspectiveRun : left;
+    const std::int32_t length = left > kRun ? kRun : left;
     TexelPosition to = from;
     std::int32_t step_u = 0, step_v = 0;  // 16.16
-    if (left > kPerspectiveRun) {
+    if (left > kRun) {
       to = coordinates.at(column + length, span.rows);
-      step_u = difference(to.u, from.u) >> 4;
-      step_v = difference(to.v, from.v) >> 4;
+      step_u = difference(to.u, from.u) >> log2_run;
+      step_v = difference(to.v, from.v) >> log2_run;
     } else if (left > 1) {
       to = coordinates.at(column + length - 1, span.rows);
       const auto inverse = static_cast<std::int64_t>(kInverse[length - 1]);
@@ -180,8 +182,8 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
     pixel += drawn;
     if (pixel == end) break;
     depth_cell += drawn;
-    column += kPerspectiveRun;
-    left -= kPerspectiveRun;
+    column += kRun;
+    left -= kRun;
     before = 0;
     from = to;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 
 #include "zstrip/raster/edge_walk.hpp"
@@ -141,7 +142,8 @@ struct SpanTriangle {
 };
 
 /// Draws a counter-clockwise triangle. `narrow`: all coordinates within kNarrowLimit; only speed depends on it.
-template <Shade shade, bool orthographic, bool statistics, DepthMode mode = DepthMode{}>
+/// `perspective`: that of zstrip::perspective_run().
+template <Shade shade, bool orthographic, bool statistics, DepthMode mode = DepthMode{}, std::int32_t perspective = 16>
 void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
                         const RasterVertex& v2, const Surface& surface, bool narrow) {
   const SpanTriangle<mode> triangle(target, v0, v1, v2);
@@ -170,11 +172,13 @@ void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, c
     });
   } else {
     const RasterVertex* const vertices[3] = {&v0, &v1, &v2};
-    const TextureCoordinates<orthographic> coordinates(triangle.setup, vertices, surface.depth_offset);
+    constexpr bool kAffine = orthographic || perspective == 0;
+    constexpr int kLog2Run = perspective == 0 ? 4 : std::countr_zero(static_cast<std::uint32_t>(perspective));
+    const TextureCoordinates<kAffine> coordinates(triangle.setup, vertices, surface.depth_offset);
     constexpr bool kLit = shade != Shade::textured;
     walk([&](const Span<Cell>& run, const auto& z, const auto& how) {
-      fill_textured<orthographic, kLit, statistics>(run, z, how, surface.texture, coordinates, colours,
-                                                    target.statistics);
+      fill_textured<kAffine, kLog2Run, kLit, statistics>(run, z, how, surface.texture, coordinates, colours,
+                                                         target.statistics);
     });
   }
 }

@@ -41,17 +41,34 @@ inline constexpr Effects depth_ranges{1U << 11};
 inline constexpr Effects depth_formats{depth_float.bits | depth_w16.bits | depth_24.bits | depth_32.bits};
 /// Can carry out plans of Mode::binned; never called for by a scene. Sub-ranges cannot be binned.
 inline constexpr Effects bins{1U << 12};
+/// How often the pixels of a textured row get their exact place in the texture, with perspective; linear between. None
+/// of them is every 16th pixel. At most one; never called for by a scene.
+inline constexpr Effects perspective_affine{std::uint64_t{1} << 40};  ///< only at the triangle's corners
+inline constexpr Effects perspective_8{std::uint64_t{1} << 41};       ///< at every 8th pixel
+inline constexpr Effects perspective_1{std::uint64_t{1} << 42};       ///< at every pixel
+inline constexpr Effects perspective_runs{perspective_affine.bits | perspective_8.bits | perspective_1.bits};
 
 // Of light and of fragments. Each needs nothing of the others.
-inline constexpr Effects fog{std::uint64_t{1} << 13};  ///< Scene::fog
+inline constexpr Effects fog{std::uint64_t{1} << 13};              ///< Scene::fog
+inline constexpr Effects emissive{std::uint64_t{1} << 14};         ///< Finish::emissive
+inline constexpr Effects specular{std::uint64_t{1} << 15};         ///< Finish::specular
+inline constexpr Effects punctual_lights{std::uint64_t{1} << 16};  ///< Scene::punctual_lights
+inline constexpr Effects alpha_test{std::uint64_t{1} << 17};       ///< AlphaMode::mask
+inline constexpr Effects blending{std::uint64_t{1} << 18};         ///< AlphaMode::blend
+inline constexpr Effects texture_alpha{std::uint64_t{1} << 19};    ///< a texture's alpha that is masked or blended with
+inline constexpr Effects bilinear{std::uint64_t{1} << 20};         ///< TextureFilter::bilinear
 
 /// Those that need a fragment of its own: instances with one of them are drawn by fill_fragments.
-inline constexpr Effects fragments = fog;
+inline constexpr Effects fragments = fog | alpha_test | blending | texture_alpha | bilinear;
+/// Those that light vertices by where they are.
+inline constexpr Effects local_light = specular | punctual_lights;
+/// All that a vertex' light has beyond ambient and directional light.
+inline constexpr Effects vertex_light = local_light | emissive;
 // Surfaces and passes beyond the triangles of instances; bits 22 to 31.
 inline constexpr Effects quadrics{1U << 22};       ///< spheres and ellipsoids
 inline constexpr Effects surfaces{quadrics.bits};  ///< all of these
 /// All that a scene can call for.
-inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | surfaces;
+inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | vertex_light | surfaces;
 }  // namespace effect
 
 /// Ways to find what is visible other than a plain z-buffer; docs/visibility.md compares them. Never called for by a
@@ -109,6 +126,19 @@ constexpr Effects depth_effect(DepthFormat format) {
   return {};
 }
 
+/// Pixels from one exact place in the texture to the next, a power of two; 0: only the corners are exact.
+constexpr std::int32_t perspective_run(Effects effects) {
+  if (effects.has(effect::perspective_affine)) return 0;
+  if (effects.has(effect::perspective_8)) return 8;
+  return effects.has(effect::perspective_1) ? 1 : 16;
+}
+
+/// At most one of them.
+constexpr bool perspective_effects_agree(Effects effects) {
+  const std::uint64_t run = (effects & effect::perspective_runs).bits;
+  return (run & (run - 1)) == 0;
+}
+
 /// At most one format, sub-ranges only of z16, and what needs 1/w only with perspective.
 constexpr bool depth_effects_agree(Effects effects) {
   const std::uint64_t format = (effects & (effect::depth_formats | effect::depth_ranges)).bits;
@@ -117,12 +147,14 @@ constexpr bool depth_effects_agree(Effects effects) {
 }
 
 /// Of the painter, hierarchical z and the two midpoints at most one; the painter has one order and cannot be sorted the
-/// other way round. Fog and quadrics are drawn by the plain z-buffer only. Other depth formats, sub-ranges and
-/// materials with a depth test of their own need the plain z-buffer, because the methods take "nearer is seen" for
-/// granted.
+/// other way round. Effects of fragments, of local light and of surfaces, and effect::perspective_runs, are the plain
+/// z-buffer's. Other depth formats, sub-ranges and materials with a depth test of their own need the plain z-buffer,
+/// because the methods take "nearer is seen" for granted.
 constexpr bool methods_agree(Effects effects) {
   const Effects own = without(Effects{0, effects.methods}, method::culling);
-  if (effects.methods != 0 && effects.any(effect::fragments | effect::surfaces)) return false;
+  constexpr Effects kKnown =
+      effect::all | effect::bins | effect::depth_state | effect::depth_formats | effect::depth_ranges;
+  if (effects.methods != 0 && without(effects, kKnown).bits != 0) return false;
   if (own == Effects{}) return true;
   if (effects.any(effect::depth_formats | effect::depth_ranges | effect::depth_state)) return false;
   const auto single = [own](Effects set) {
@@ -144,12 +176,37 @@ constexpr bool has_depth_state(const Material& material) {
          material.depth_slope_bias != 0;
 }
 
-/// Whether fragments of this scene's instances have effects: these are drawn by fill_fragments.
-constexpr bool has_fragments(const Scene& scene) { return scene.fog != nullptr; }
+/// The material's finish, or one without anything.
+constexpr Finish finish_of(const Scene& scene, const Material& material) {
+  return material.finish < scene.finishes.size() ? scene.finishes[material.finish] : Finish{};
+}
+
+constexpr bool is_black(const Colour& colour) { return colour.r == 0 && colour.g == 0 && colour.b == 0; }
+
+/// What an instance's light and fragments call for, beyond the effects of materials without finish.
+constexpr Effects effects_of_finish(const Scene& scene, const Material& material, bool lit, bool textured) {
+  Effects found{};
+  if (lit && !scene.punctual_lights.empty()) found = found | effect::punctual_lights;
+  if (material.finish >= scene.finishes.size()) return found;
+  const Finish& finish = scene.finishes[material.finish];
+  const bool has_light = !scene.lights.empty() || !scene.punctual_lights.empty();
+  if (lit && !is_black(finish.emissive)) found = found | effect::emissive;
+  if (lit && has_light && !is_black(finish.specular)) found = found | effect::specular;
+  if (finish.alpha_mode == AlphaMode::mask) found = found | effect::alpha_test;
+  if (finish.alpha_mode == AlphaMode::blend) found = found | effect::blending;
+  if (textured) {
+    const bool has_alpha = material.texture < scene.textures.size() &&
+                           scene.textures[material.texture].format == TextureFormat::rgb565_alpha;
+    if (has_alpha && finish.alpha_mode != AlphaMode::opaque) found = found | effect::texture_alpha;
+    if (finish.filter == TextureFilter::bilinear) found = found | effect::bilinear;
+  }
+  return found;
+}
 
 /// Exactly what drawing this scene with this camera needs. constexpr for baked scenes.
 constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
   Effects found{};
+  const bool has_tables = !scene.finishes.empty() || !scene.punctual_lights.empty();
   for (const Instance& instance : scene.instances) {
     if (instance.material >= scene.materials.size() || instance.mesh >= scene.meshes.size()) continue;
     const Material& material = scene.materials[instance.material];
@@ -162,6 +219,7 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (textured) found = found | effect::textures;
     if (material.smooth && (lit || coloured)) found = found | effect::gouraud;
     if (has_depth_state(material)) found = found | effect::depth_state;
+    if (has_tables) found = found | effects_of_finish(scene, material, lit, textured);
   }
   if (scene.fog != nullptr && !scene.instances.empty()) found = found | effect::fog;
   for (const Quadric& quadric : scene.quadrics) {

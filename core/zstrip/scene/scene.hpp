@@ -59,11 +59,23 @@ struct Mesh {
   std::uint8_t texcoord_bits = 12;                    ///< 4..15
 };
 
+/// How a texel is chosen.
+enum class TextureFilter : std::uint8_t {
+  nearest,   ///< the one in which the pixel's centre lies
+  bilinear,  ///< the four around it, by their distance
+};
+
+enum class TextureFormat : std::uint8_t {
+  rgb565,        ///< one texel each
+  rgb565_alpha,  ///< the same, and after all texels an alpha for each: 8 bits, two in a word, the first in the low half
+};
+
 /// Row-major RGB565 texels, the first row is v = 0. Sides are powers of two, 1..2048.
 struct Texture {
   std::span<const std::uint16_t> texels;
   std::uint8_t log2_width = 0;
   std::uint8_t log2_height = 0;
+  TextureFormat format = TextureFormat::rgb565;
 };
 
 inline constexpr std::uint16_t kNoTexture = 0xFFFF;
@@ -81,6 +93,26 @@ enum class DepthTest : std::uint8_t {
   always = 7,
 };
 
+/// What alpha does (as in glTF). A fragment's alpha is the material's colour.a times the texel's, where its texture has
+/// any.
+enum class AlphaMode : std::uint8_t {
+  opaque,  ///< nothing
+  mask,    ///< fragments with less than Finish::alpha_cutoff are not drawn
+  blend,   ///< fragments are mixed into what lies behind them
+};
+
+/// What few materials have, in a table of its own, so that the others have no bytes for it.
+struct Finish {
+  Colour emissive{0, 0, 0, 255};  ///< added to the light of a lit material; texels are multiplied with the sum
+  Colour specular{0, 0, 0, 255};  ///< colour of highlights (Blinn-Phong) on a lit material
+  std::uint8_t shininess = 32;    ///< their exponent; the greater, the smaller they are
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  std::uint8_t alpha_cutoff = 128;  ///< 0..255
+  TextureFilter filter = TextureFilter::nearest;
+};
+
+inline constexpr std::uint8_t kNoFinish = 0xFF;
+
 struct Material {
   Colour colour{255, 255, 255,
                 255};  ///< multiplied with vertex colours and light; not with texels of an unlit material
@@ -90,6 +122,7 @@ struct Material {
   bool double_sided = false;                 ///< false: back faces are culled
   DepthTest depth_test = DepthTest::nearer;  ///< anything below but the default calls for effect::depth_state
   bool depth_write = true;                   ///< false: fragments are tested and drawn, the z-buffer keeps its depth
+  std::uint8_t finish = kNoFinish;           ///< index into Scene::finishes
   std::int32_t depth_bias = 0;               ///< codes; positive is nearer
   Fixed depth_slope_bias = 0;                ///< 16.16, times the triangle's larger slope in codes a pixel
   std::int32_t depth_bias_clamp = 0;  ///< codes: the sum of both at most (positive), at least (negative), any (0)
@@ -116,6 +149,25 @@ struct DirectionalLight {
   Colour colour{255, 255, 255, 255};
 };
 
+enum class PunctualLightType : std::uint8_t { point, spot };
+
+/// A light at a point (as KHR_lights_punctual of glTF). At distance d (units of length) `intensity` / d^2 of its colour
+/// arrives, up to 256 times; with a range that times 1 - (d / range)^4, none beyond it. Of a spot that times
+/// ((c - cosine_outer) / (cosine_inner - cosine_outer))^2, c the cosine of the angle off its direction, within 0..1.
+struct PunctualLight {
+  PunctualLightType type = PunctualLightType::point;
+  Colour colour{255, 255, 255, 255};
+  Vec3 position{0, 0, 0};                 ///< 16.16, world
+  Fixed intensity = kFixedOne;            ///< 16.16, >= 0
+  Fixed range = 0;                        ///< 16.16; 0: no end
+  std::int16_t x = 0, y = 0, z = -32767;  ///< 1.15, unit vector in which a spot shines, world
+  std::int16_t cosine_inner = 32767;      ///< 1.15, of half the angle that is fully lit
+  std::int16_t cosine_outer = 23170;      ///< 1.15, of half the angle that is lit; 0 <= outer < inner
+  std::uint16_t unused = 0;
+};
+
+inline constexpr std::uint32_t kMaxPunctualLights = 4;
+
 /// How what is seen fades into a colour with its distance w from the camera's plane (along the viewing direction).
 enum class FogMode : std::uint8_t {
   linear,               ///< visible: (end - w) / (end - start), within 0..1
@@ -141,8 +193,10 @@ struct Scene {
   std::span<const DirectionalLight> lights;  ///< at most kMaxLights
   Colour ambient{48, 48, 48, 255};
   Colour background{0, 0, 0, 255};
-  const Fog* fog = nullptr;                ///< none if null
-  std::span<const Quadric> quadrics = {};  ///< drawn in this order, after the instances
+  const Fog* fog = nullptr;                          ///< none if null
+  std::span<const Finish> finishes{};                ///< at most 255
+  std::span<const PunctualLight> punctual_lights{};  ///< at most kMaxPunctualLights
+  std::span<const Quadric> quadrics{};               ///< drawn in this order, after the instances
 };
 
 }  // namespace zstrip

@@ -25,13 +25,28 @@ static_assert(sizeof(Material) == 24 && offsetof(Material, texture) == 4 && offs
               offsetof(Material, depth_bias_clamp) == 20);
 static_assert(sizeof(bool) == 1 && sizeof(Camera) == 64);
 static_assert(sizeof(Instance) == 52 && offsetof(Instance, material) == 2 && offsetof(Instance, transform) == 4);
-static_assert(sizeof(void*) != 4 || (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(Scene) == 56));
+static_assert(sizeof(void*) != 4 || (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(Scene) == 76));
+static_assert(sizeof(Track) == 8 && offsetof(Track, count) == 2 && offsetof(Track, first) == 4);
+static_assert(sizeof(Keyframe) == 36 && offsetof(Keyframe, rotation) == 4 && offsetof(Keyframe, translation) == 12 &&
+              offsetof(Keyframe, scale) == 24);
+static_assert(offsetof(Material, finish) == 11);
+static_assert(sizeof(Finish) == 12 && offsetof(Finish, specular) == 4 && offsetof(Finish, shininess) == 8 &&
+              offsetof(Finish, alpha_mode) == 9 && offsetof(Finish, alpha_cutoff) == 10 &&
+              offsetof(Finish, filter) == 11);
+static_assert(sizeof(PunctualLight) == 40 && offsetof(PunctualLight, colour) == 1 &&
+              offsetof(PunctualLight, position) == 8 && offsetof(PunctualLight, intensity) == 20 &&
+              offsetof(PunctualLight, range) == 24 && offsetof(PunctualLight, x) == 28 &&
+              offsetof(PunctualLight, cosine_inner) == 34 && offsetof(PunctualLight, cosine_outer) == 36);
+static_assert(sizeof(Fog) == 20 && offsetof(Fog, mode) == 4 && offsetof(Fog, start) == 8 &&
+              offsetof(Fog, density) == 16);
 static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colour) == 6);
 
 // Where the header has what; docs/formats.md.
 constexpr std::uint32_t kSize = 4, kChecksum = 8, kChecked = 12;
 constexpr std::uint32_t kMeshes = 12, kMaterials = 20, kTextures = 28, kInstances = 36, kLights = 44;
-constexpr std::uint32_t kAmbient = 52, kBackground = 56, kCamera = 60, kView = 124, kHeaderBytes = 132;
+constexpr std::uint32_t kAmbient = 52, kBackground = 56, kCamera = 60, kView = 124;
+constexpr std::uint32_t kTracks = 132, kKeyframes = 140, kDuration = 148;
+constexpr std::uint32_t kFinishes = 152, kPunctualLights = 160, kFog = 168, kHeaderBytes = 176;
 
 /// Records that become structures with pointers.
 struct MeshRecord {
@@ -40,7 +55,7 @@ struct MeshRecord {
   std::uint32_t words[19];
 };
 struct TextureRecord {
-  static constexpr std::uint32_t kTexels = 0, kLog2Width = 8, kLog2Height = 9;
+  static constexpr std::uint32_t kTexels = 0, kLog2Width = 8, kLog2Height = 9, kFormat = 10;
   std::uint32_t words[3];
 };
 
@@ -170,7 +185,8 @@ Mesh read_mesh(Reader& reader, std::uint32_t at) {
 Texture read_texture(Reader& reader, std::uint32_t at) {
   return {.texels = reader.array<std::uint16_t>(at + TextureRecord::kTexels),
           .log2_width = reader.byte(at + TextureRecord::kLog2Width),
-          .log2_height = reader.byte(at + TextureRecord::kLog2Height)};
+          .log2_height = reader.byte(at + TextureRecord::kLog2Height),
+          .format = static_cast<TextureFormat>(reader.byte(at + TextureRecord::kFormat))};
 }
 
 }  // namespace
@@ -184,10 +200,18 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   found.scene.materials = reader.array<Material>(kMaterials);
   found.scene.instances = reader.array<Instance>(kInstances);
   found.scene.lights = reader.array<DirectionalLight>(kLights);
+  found.scene.finishes = reader.array<Finish>(kFinishes);
+  found.scene.punctual_lights = reader.array<PunctualLight>(kPunctualLights);
+  const std::span fog = reader.array<Fog>(kFog);
+  reader.require(fog.size() <= 1, kFog);
+  if (!fog.empty()) found.scene.fog = fog.data();
   found.scene.ambient = reader.colour(kAmbient);
   found.scene.background = reader.colour(kBackground);
   read_camera(reader, found.camera);
   read_view(reader, found.view);
+  found.animation = {.tracks = reader.array<Track>(kTracks),
+                     .keyframes = reader.array<Keyframe>(kKeyframes),
+                     .duration = reader.word(kDuration)};
   check_materials(reader, found.scene.materials);
   if (const Status status = reader.status(); !status) return status;
 
@@ -214,6 +238,8 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   found.scene.textures = {texture_table, textures.size()};
   if (const Status status = reader.status(); !status) return status;
   if (const Status status = validate(found.scene); !status) return status;
+  const auto instances = static_cast<std::uint32_t>(found.scene.instances.size());
+  if (const Status status = validate(found.animation, instances); !status) return status;
   if (!usable(found.camera)) return {.error = Error::camera};
   opened = found;
   return {};

@@ -7,24 +7,26 @@
 #include <span>
 
 #include "zstrip/base/status.hpp"
+#include "zstrip/scene/animation.hpp"
 #include "zstrip/scene/camera.hpp"
 #include "zstrip/scene/scene.hpp"
 #include "zstrip/scene/view.hpp"
 
 namespace zstrip {
 
-inline constexpr std::uint8_t kSceneBlobVersion = 1;
+inline constexpr std::uint8_t kSceneBlobVersion = 2;
 inline constexpr std::uint32_t kSceneBlobAlignment = 4;  ///< of the blob's first byte
 
 /// What a blob holds. `scene` reads the blob and the memory lent to open_scene_blob: both must outlive it, unchanged.
 struct SceneBlob {
   Scene scene;
   Camera camera;
-  View view;  ///< the picture for which the camera was placed
+  View view;            ///< the picture for which the camera was placed
+  Animation animation;  ///< of the scene's instances, which are to be copied into RAM for it; empty: nothing moves
 };
 
 /// Bytes to lend for the tables of this many meshes and textures, whose pointers only the running program knows.
-/// Vertices, triangles, texels, materials, instances and lights are not copied.
+/// Vertices, triangles, texels, materials, instances, lights and keyframes are not copied.
 constexpr std::size_t scene_blob_memory(std::uint32_t meshes, std::uint32_t textures) {
   static_assert(alignof(Mesh) == alignof(Texture));
   return std::size_t{meshes} * sizeof(Mesh) + std::size_t{textures} * sizeof(Texture);

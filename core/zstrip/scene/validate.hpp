@@ -91,9 +91,24 @@ constexpr bool valid_fog(const Fog& fog) {
   return fog.mode <= FogMode::exponential_squared && fog.start >= 0 && fog.start < fog.end && fog.density >= 0;
 }
 
+/// Words that a texture of this size and format has.
+constexpr std::size_t texel_words(const Texture& texture) {
+  const std::size_t texels = std::size_t{1} << (texture.log2_width + texture.log2_height);
+  return texture.format == TextureFormat::rgb565_alpha ? texels + (texels + 1) / 2 : texels;
+}
+
+constexpr bool valid_punctual_light(const PunctualLight& light) {
+  return light.type <= PunctualLightType::spot && light.intensity >= 0 && light.range >= 0 && light.cosine_outer >= 0 &&
+         light.cosine_outer < light.cosine_inner;
+}
+
+constexpr bool valid_finish(const Finish& finish) {
+  return finish.alpha_mode <= AlphaMode::blend && finish.filter <= TextureFilter::bilinear;
+}
+
 constexpr bool valid_texture(const Texture& texture) {
   return texture.log2_width <= kLargestTextureLog2 && texture.log2_height <= kLargestTextureLog2 &&
-         texture.texels.size() >= std::size_t{1} << (texture.log2_width + texture.log2_height);
+         texture.format <= TextureFormat::rgb565_alpha && texture.texels.size() >= texel_words(texture);
 }
 
 }  // namespace detail
@@ -108,6 +123,11 @@ constexpr Status validate_instances(const Scene& scene) {
   }
   if (scene.lights.size() > kMaxLights) {
     return {.error = Error::light, .needed = static_cast<std::uint32_t>(scene.lights.size()), .available = kMaxLights};
+  }
+  if (scene.punctual_lights.size() > kMaxPunctualLights) {
+    return {.error = Error::light,
+            .needed = static_cast<std::uint32_t>(scene.punctual_lights.size()),
+            .available = kMaxPunctualLights};
   }
   return {};
 }
@@ -125,6 +145,15 @@ constexpr Status validate(const Scene& scene) {
   for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
     const std::uint16_t texture = scene.materials[i].texture;
     if (texture != kNoTexture && texture >= scene.textures.size()) return {.error = Error::material, .needed = i};
+    const std::uint8_t finish = scene.materials[i].finish;
+    if (finish != kNoFinish && finish >= scene.finishes.size()) return {.error = Error::material, .needed = i};
+  }
+  if (scene.finishes.size() > kNoFinish) return {.error = Error::finish, .needed = kNoFinish};
+  for (std::uint32_t i = 0; i < scene.finishes.size(); ++i) {
+    if (!detail::valid_finish(scene.finishes[i])) return {.error = Error::finish, .needed = i};
+  }
+  for (std::uint32_t i = 0; i < scene.punctual_lights.size(); ++i) {
+    if (!detail::valid_punctual_light(scene.punctual_lights[i])) return {.error = Error::punctual_light, .needed = i};
   }
   if (scene.fog != nullptr && !detail::valid_fog(*scene.fog)) return {.error = Error::fog};
   if (const Status status = validate_instances(scene); !status) return status;

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "arm926/pl110.hpp"
+#include "portable/panic.hpp"
 #include "portable/scene_loop.hpp"
 #include "portable/scene_player.hpp"
 #include "portable/turntable_motion.hpp"
@@ -20,7 +21,8 @@ int show_on_lcd() {
   alignas(8) static std::array<std::byte, kHeight * bytes_per_row(kWidth, kView.format)> picture;
   start_lcd(mode, picture.data());
   hal::Framebuffer lcd(picture, {kWidth, kHeight, hal::PixelFormat::rgb565});
-  print(show_scene<ScenePlayer<TurntableMotion<scene, kView, kBudget>>>(lcd));
+  start_pacing();
+  panic(lcd, show_scene<ScenePlayer<TurntableMotion<scene, kView, kBudget>>>(lcd));
   return 1;
 }
 

@@ -8,6 +8,8 @@ namespace zstrip::board::chip {
 inline constexpr std::uint32_t kClockStatus = 0x400FE050;  // raw interrupt status
 inline constexpr std::uint32_t kPllLocked = 1U << 6;
 inline constexpr std::uint32_t kClockConfig = 0x400FE060;
+inline constexpr std::uint32_t kClockGating0 = 0x400FE100;
+inline constexpr std::uint32_t kGateWatchdog = 1U << 3;
 inline constexpr std::uint32_t kClockGating1 = 0x400FE104;
 inline constexpr std::uint32_t kGateUart0 = 1U << 0;
 inline constexpr std::uint32_t kGateSsi0 = 1U << 4;
@@ -15,6 +17,13 @@ inline constexpr std::uint32_t kClockGating2 = 0x400FE108;
 inline constexpr std::uint32_t kGateGpioA = 1U << 0;
 inline constexpr std::uint32_t kGateGpioC = 1U << 2;
 inline constexpr std::uint32_t kGateGpioD = 1U << 3;
+
+// SP805
+inline constexpr std::uint32_t kWatchdogLoad = 0x40000000;
+inline constexpr std::uint32_t kWatchdogControl = 0x40000008;
+inline constexpr std::uint32_t kWatchdogInterrupt = 1U << 0;
+inline constexpr std::uint32_t kWatchdogReset = 1U << 1;
+inline constexpr std::uint32_t kWatchdogClear = 0x4000000C;
 
 // PL011
 inline constexpr std::uint32_t kUart0 = 0x4000C000;  // offset 0 is the data register

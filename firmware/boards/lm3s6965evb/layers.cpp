@@ -8,6 +8,7 @@
 #include "cortex_m/console.hpp"
 #include "lm3s6965evb/oled_bus.hpp"
 #include "portable/host_control.hpp"
+#include "portable/pacing.hpp"
 #include "zstrip/frame/renderer.hpp"
 #include "zstrip/frame/static_layer.hpp"
 #include "zstrip/resolve/convert.hpp"
@@ -110,10 +111,13 @@ int main() {
   bus.start();
   Panel panel(bus);
   if (!succeeded("start of the display", panel.start()) || !keep_background()) return 1;
+  zstrip::board::start_pacing();
   zstrip::board::HostControl control;
   for (std::uint32_t frame = 0;; frame = (frame + 1) % kFramesPerFlight) {
     std::uint32_t cells = 0;
     if (!show_frame(panel, frame, cells)) return 1;
+    zstrip::board::feed_watchdog();
     control.frame_shown(frame, cells);
+    zstrip::board::wait_for_tick();
   }
 }

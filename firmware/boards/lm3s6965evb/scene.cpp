@@ -1,4 +1,4 @@
-// A scene of one's own turning on the board's OLED: ZSTRIP_SCENE names its header.
+// A scene of one's own animated or turning on the board's OLED: ZSTRIP_SCENE names its header.
 #include "lm3s6965evb/show.hpp"
 #include "portable/baked_motion.hpp"
 
@@ -8,4 +8,7 @@ static_assert(baked::kView.width == Oled::kWidth && baked::kView.height == Oled:
               "bake for this display: --size 128x64 --format gray4");
 static_assert(baked::kPlan.strip_columns % 2 == 0, "the OLED has two pixels a byte: bake with even --strip-columns");
 
-int main() { return zstrip::board::show_on_oled<zstrip::board::BakedMotion>(); }
+int main() {
+  zstrip::board::OledBus bus;
+  return zstrip::board::show_on_oled<zstrip::board::BakedMotion>(bus);
+}

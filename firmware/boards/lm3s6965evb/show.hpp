@@ -2,8 +2,7 @@
 #pragma once
 
 #include "lm3s6965evb/oled_bus.hpp"
-#include "portable/scene_loop.hpp"
-#include "portable/scene_player.hpp"
+#include "portable/panel_program.hpp"
 #include "zstrip_hal/ssd0323.hpp"
 
 namespace zstrip::board {
@@ -11,17 +10,11 @@ namespace zstrip::board {
 using Oled = hal::Ssd0323<OledBus>;
 
 /// Shows the motion for ever; the result is main's. The bus is polled: a second strip of pixels would not save time.
-template <class Motion>
-int show_on_oled() {
-  static OledBus bus;
+template <class Motion, class Bus>
+int show_on_oled(Bus& bus) {
   bus.start();
-  Oled panel(bus);
-  if (const hal::Error error = panel.start(); error != hal::Error::none) {
-    print(Failure{"start of the display", hal::message(error)});
-    return 1;
-  }
-  print(show_scene<ScenePlayer<Motion>>(panel));
-  return 1;
+  hal::Ssd0323 panel(bus);
+  return run_on_panel<ScenePlayer<Motion>>(panel);
 }
 
 }  // namespace zstrip::board

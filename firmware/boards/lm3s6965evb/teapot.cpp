@@ -9,4 +9,7 @@ constexpr View kView{board::Oled::kWidth, board::Oled::kHeight, PixelFormat::gra
 constexpr Budget kBudget{.bytes = 40 * 1024};
 }  // namespace
 
-int main() { return board::show_on_oled<board::TurntableMotion<scenes::teapot, kView, kBudget>>(); }
+int main() {
+  board::OledBus bus;
+  return board::show_on_oled<board::TurntableMotion<scenes::teapot, kView, kBudget>>(bus);
+}

@@ -39,6 +39,10 @@ bool read_word(std::string_view word, Arguments& arguments) {
     arguments.depth = value;
     return true;
   }
+  if (key == "format") {
+    arguments.format = value;
+    return value == "rgb565" || value == "gray4" || value == "mono";
+  }
   if (key == "size") {
     const std::string_view width = take(value, 'x');
     return read_number(width, arguments.width) && read_number(value, arguments.height);

@@ -1,4 +1,4 @@
-// A scene of one's own, baked by `zstrip bake`, turning: one of the motions that scene_player.hpp shows. ZSTRIP_SCENE
+// A scene of one's own, baked by `zstrip bake`, animated or turning: one of the motions that scene_player.hpp shows. ZSTRIP_SCENE
 // names its header.
 #pragma once
 
@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "baked_scene.hpp"
+#include "zstrip/scene/animation.hpp"
 #include "zstrip_scenes/stage.hpp"
 
 namespace zstrip::board {
@@ -20,12 +21,18 @@ class BakedMotion {
   static constexpr Plan kPlan = baked::kPlan;
 
   static constexpr const char* name() { return "baked"; }
+  /// The scene's animation in as many frames as a turn has; what has none turns.
   void move_to(std::uint32_t frame) {
-    std::transform(std::begin(baked::kInstances), std::end(baked::kInstances), instances_.begin(),
-                   [frame](Instance instance) {
-                     instance.transform = scenes::turned(instance.transform, frame, kFrames);
-                     return instance;
-                   });
+    if constexpr (!baked::kAnimation.tracks.empty()) {
+      std::copy(std::begin(baked::kInstances), std::end(baked::kInstances), instances_.begin());
+      pose(baked::kAnimation, time_of_frame(baked::kAnimation, frame, kFrames), instances_);
+    } else {
+      std::transform(std::begin(baked::kInstances), std::end(baked::kInstances), instances_.begin(),
+                     [frame](Instance instance) {
+                       instance.transform = scenes::turned(instance.transform, frame, kFrames);
+                       return instance;
+                     });
+    }
     scene_ = baked::kScene;
     scene_.instances = instances_;
   }

@@ -6,6 +6,7 @@
 
 #include "cortex_m/console.hpp"
 #include "portable/console_input.hpp"
+#include "portable/pacing.hpp"
 
 namespace zstrip::board {
 
@@ -23,7 +24,11 @@ class HostControl {
       print(" pixels");
     }
     print("\n");
-    while (paused_ && !next) next = take_command();
+    while (paused_ && !next) {
+      wait_for_tick();
+      feed_watchdog();
+      next = take_command();
+    }
   }
 
  private:

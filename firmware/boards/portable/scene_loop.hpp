@@ -5,17 +5,21 @@
 
 #include "portable/failure.hpp"
 #include "portable/host_control.hpp"
+#include "portable/pacing.hpp"
 #include "zstrip_hal/display.hpp"
 
 namespace zstrip::board {
 
-/// Frame after frame of `Player`'s motion on a display that was started. Returns only what failed.
+/// Frame after frame of `Player`'s motion on a display that was started, one a tick or as fast as they can be drawn;
+/// between them the board sleeps. start_pacing() comes before. Returns only what failed.
 template <class Player, hal::Display Panel>
 Failure show_scene(Panel& panel) {
   HostControl control;
   for (std::uint32_t frame = 0;; frame = (frame + 1) % Player::kFrames) {
     if (const Failure failure = Player::show(panel, frame)) return failure;
+    feed_watchdog();
     control.frame_shown(frame);
+    wait_for_tick();
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "portable/panic.hpp"
 #include "portable/scene_loop.hpp"
 #include "portable/scene_player.hpp"
 #include "portable/turntable_motion.hpp"
@@ -23,7 +24,8 @@ int show_on_bochs_display() {
   }
   hal::Framebuffer display({reinterpret_cast<std::byte*>(kBochsPixels), kBochsBytes},
                            {view.width, view.height, static_cast<hal::PixelFormat>(view.format)});
-  print(show_scene<ScenePlayer<TurntableMotion<scene, view, kBudget>>>(display));
+  start_pacing();
+  panic(display, show_scene<ScenePlayer<TurntableMotion<scene, view, kBudget>>>(display));
   return 1;
 }
 

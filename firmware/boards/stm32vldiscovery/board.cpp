@@ -1,41 +1,45 @@
-// STM32VLDISCOVERY: UART of its STM32F100RB, on the internal oscillator of 8 MHz. Source: reference manual RM0041.
+// STM32VLDISCOVERY: console and pins of its STM32F100RB, on the internal oscillator of 8 MHz. Source: reference manual
+// RM0041, chapters 6 (RCC) and 7 (GPIO).
 #include "cortex_m/board.hpp"
 
 #include "cortex_m/registers.hpp"
+#include "portable/console_input.hpp"
+#include "stm32vldiscovery/pins.hpp"
 
 namespace zstrip::board {
 namespace {
 
 constexpr std::uint32_t kClockEnableApb2 = 0x40021018;
-constexpr std::uint32_t kGateGpioA = 1U << 2;
-constexpr std::uint32_t kGateUsart1 = 1U << 14;
+constexpr std::uint32_t kGateGpioA = 1U << 2, kGateGpioB = 1U << 3, kGateSpi1 = 1U << 12, kGateUsart1 = 1U << 14;
 
-constexpr std::uint32_t kGpioAConfigHigh = 0x40010804;  // four bits a pin, from PA8 on
+// Four bits a pin, the lower eight pins first.
+constexpr std::uint32_t kGpioA = 0x40010800, kGpioB = 0x40010C00;
+constexpr std::uint32_t kOutput = 0x3, kAlternateOutput = 0xB;  // push-pull, 50 MHz
 
-constexpr std::uint32_t kUsart1 = 0x40013800;
-constexpr std::uint32_t kUsartStatus = 0x00;
-constexpr std::uint32_t kTransmitEmpty = 1U << 7;
-constexpr std::uint32_t kUsartData = 0x04;
-constexpr std::uint32_t kUsartBaudRate = 0x08;
-constexpr std::uint32_t kUsartControl1 = 0x0C;
-constexpr std::uint32_t kTransmitEnable = 1U << 3;
-constexpr std::uint32_t kUsartEnable = 1U << 13;
+void configure(std::uint32_t port, unsigned pin, std::uint32_t mode) {
+  const std::uint32_t address = port + (pin < 8 ? 0 : 4), shift = pin % 8 * 4;
+  register_at(address) = (register_at(address) & ~(0xFU << shift)) | mode << shift;
+}
 
 }  // namespace
 
 void start() {
   register_at(kClockEnableApb2) = register_at(kClockEnableApb2) | kGateGpioA | kGateUsart1;
-  constexpr std::uint32_t kPin9 = 4, kAlternateOutput = 0x9;  // push-pull, 10 MHz
-  register_at(kGpioAConfigHigh) = (register_at(kGpioAConfigHigh) & ~(0xFU << kPin9)) | kAlternateOutput << kPin9;
-  register_at(kUsart1 + kUsartBaudRate) = 69;  // 8 MHz / 115200
-  register_at(kUsart1 + kUsartControl1) = kUsartEnable | kTransmitEnable;
+  configure(kGpioA, 9, kAlternateOutput);  // PA10 is an input after reset
+  Console::start(kHertz, 115'200);
 }
 
-void put_character(char character) {
-  while ((register_at(kUsart1 + kUsartStatus) & kTransmitEmpty) == 0) {
-  }
-  register_at(kUsart1 + kUsartData) = static_cast<unsigned char>(character);
+void start_panel_pins() {
+  register_at(kClockEnableApb2) = register_at(kClockEnableApb2) | kGateGpioB | kGateSpi1;
+  configure(kGpioA, 5, kAlternateOutput);
+  configure(kGpioA, 7, kAlternateOutput);
+  configure(kGpioA, 4, kOutput);
+  configure(kGpioB, 0, kOutput);
+  configure(kGpioB, 1, kOutput);
 }
+
+void put_character(char character) { Console::put(character); }
+bool take_character(char& character) { return Console::take(character); }
 
 void halt(int) {
   for (;;) asm volatile("wfi");

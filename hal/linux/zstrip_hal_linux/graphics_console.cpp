@@ -13,17 +13,18 @@
 namespace zstrip::hal {
 namespace {
 
+constexpr const char* kShown = "/dev/tty0";
 constexpr std::array kFatalSignals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT};
 
 // For the handler, which may read nothing else. -1: no console is in graphics mode.
 volatile std::sig_atomic_t console_file = -1;
-volatile std::sig_atomic_t console_mode = KD_TEXT;
+volatile std::sig_atomic_t former_console_mode = KD_TEXT;
 
 void set_mode(int file, int mode) { static_cast<void>(ioctl(file, KDSETMODE, static_cast<std::intptr_t>(mode))); }
 
 /// SA_RESETHAND has given the signal its default action back: raised again it ends the program.
 void restore_and_end(int signal) {
-  if (console_file >= 0) set_mode(console_file, console_mode);
+  if (console_file >= 0) set_mode(console_file, former_console_mode);
   static_cast<void>(raise(signal));
 }
 
@@ -36,8 +37,15 @@ void on_fatal_signals(void (*handler)(int)) {
 
 }  // namespace
 
+ConsoleMode console_mode() {
+  const FileDescriptor file(open(kShown, O_RDONLY | O_CLOEXEC | O_NOCTTY));
+  int mode = KD_TEXT;
+  if (!file || ioctl(file.get(), KDGETMODE, &mode) != 0) return ConsoleMode::none;
+  return mode == KD_TEXT ? ConsoleMode::text : ConsoleMode::graphics;
+}
+
 Outcome<GraphicsConsole> GraphicsConsole::enter() {
-  const std::string shown = "/dev/tty0";
+  const std::string shown = kShown;
   FileDescriptor file;
   int mode = KD_TEXT;
   for (const std::string& path : {std::string("/dev/tty"), shown}) {
@@ -50,7 +58,7 @@ Outcome<GraphicsConsole> GraphicsConsole::enter() {
   }
   if (ioctl(file.get(), KDSETMODE, std::intptr_t{KD_GRAPHICS}) != 0)
     return device_fault(DeviceKind::console, "the console", "be set to graphics mode", errno);
-  console_mode = mode;
+  former_console_mode = mode;
   console_file = file.get();
   on_fatal_signals(restore_and_end);
   return GraphicsConsole(std::move(file), mode);

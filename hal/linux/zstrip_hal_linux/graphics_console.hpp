@@ -1,11 +1,17 @@
 // The machine's text console, kept off the screen while pictures are shown.
 #pragma once
 
-#include <string>
+#include <cstdint>
 
 #include "zstrip_hal_linux/device.hpp"
 
 namespace zstrip::hal {
+
+/// Of the console that is shown.
+enum class ConsoleMode : std::uint8_t { text, graphics, none };
+
+/// ConsoleMode::none also if it may not be asked.
+ConsoleMode console_mode();
 
 /// The console is in graphics mode (KD_GRAPHICS: it draws nothing, no cursor blinks) as long as this object lives, and
 /// then in the mode that it had before; also if the program ends by SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT or

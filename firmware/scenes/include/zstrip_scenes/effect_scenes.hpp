@@ -35,6 +35,145 @@ inline constexpr BuiltIn fog{.name = "fog",
                              .camera = turntable_camera(3.2, 10, 1.7),
                              .focal_across = fixed(1.7)};
 
+inline constexpr Finish kGlowingFinish[] = {{.emissive = {200, 90, 20, 255}}};
+inline constexpr Material kGlowingMaterials[] = {
+    {.colour = {90, 80, 75, 255}, .lit = true, .smooth = true},
+    {.colour = {90, 80, 75, 255}, .lit = true, .smooth = true, .finish = 0}};
+inline constexpr DirectionalLight kDimLight[] = {light_from(-0.5, 0.7, 0.6, {120, 120, 130, 255})};
+inline constexpr Instance kPairInstances[] = {
+    {.material = 0, .transform = {{{kFixedOne, 0, 0, fixed(-0.75)}, {0, kFixedOne, 0, 0}, {0, 0, kFixedOne, 0}}}},
+    {.material = 1, .transform = {{{kFixedOne, 0, 0, fixed(0.75)}, {0, kFixedOne, 0, 0}, {0, 0, kFixedOne, 0}}}}};
+
+/// Two knots side by side, the one on the right with the effect.
+consteval BuiltIn pair_of_knots(const char* name, const char* description, const Scene& scene) {
+  return {.name = name,
+          .description = description,
+          .scene = scene,
+          .counts = {.instances = 2,
+                     .triangles = 2 * kKnotTriangleCount,
+                     .vertices = 2 * kKnotVertices,
+                     .largest_meshlet = kKnotVertices,
+                     .meshlets = 2,
+                     .longest_meshlet = kKnotTriangleCount},
+          .camera = turntable_camera(4.0, 20, 2.0),
+          .focal_across = fixed(2.0)};
+}
+
+inline constexpr Scene kEmissiveScene{.meshes = kKnotLitMesh,
+                                      .materials = kGlowingMaterials,
+                                      .textures = {},
+                                      .instances = kPairInstances,
+                                      .lights = kDimLight,
+                                      .ambient = {30, 30, 30, 255},
+                                      .finishes = kGlowingFinish};
+inline constexpr BuiltIn emissive =
+    pair_of_knots("emissive", "two knots in dim light, of which the right one glows", kEmissiveScene);
+
+inline constexpr Finish kPolishedFinish[] = {{.specular = {255, 255, 255, 255}, .shininess = 40}};
+inline constexpr Material kPolishedMaterials[] = {
+    {.colour = {150, 60, 50, 255}, .lit = true, .smooth = true},
+    {.colour = {150, 60, 50, 255}, .lit = true, .smooth = true, .finish = 0}};
+inline constexpr Scene kSpecularScene{.meshes = kKnotLitMesh,
+                                      .materials = kPolishedMaterials,
+                                      .textures = {},
+                                      .instances = kPairInstances,
+                                      .lights = kKeyLight,
+                                      .ambient = kAmbient,
+                                      .finishes = kPolishedFinish};
+inline constexpr BuiltIn specular =
+    pair_of_knots("specular", "two knots, of which the right one is polished", kSpecularScene);
+
+/// A red point light between the knots, and a spot from above on the right one.
+inline constexpr PunctualLight kPunctualLights[] = {
+    {.colour = {255, 70, 50, 255}, .position = {0, fixed(0.2), fixed(0.6)}, .intensity = fixed(0.6), .range = fixed(3)},
+    {.type = PunctualLightType::spot,
+     .colour = {120, 160, 255, 255},
+     .position = {fixed(0.75), fixed(2), fixed(0.8)},
+     .intensity = fixed(6),
+     .x = 0,
+     .y = -30426,
+     .z = -12163,
+     .cosine_inner = 32000,
+     .cosine_outer = 31000}};
+inline constexpr Material kChalk[] = {{.colour = {220, 220, 220, 255}, .lit = true, .smooth = true},
+                                      {.colour = {220, 220, 220, 255}, .lit = true, .smooth = true}};
+inline constexpr Scene kPunctualScene{.meshes = kKnotLitMesh,
+                                      .materials = kChalk,
+                                      .textures = {},
+                                      .instances = kPairInstances,
+                                      .lights = {},
+                                      .ambient = {20, 20, 26, 255},
+                                      .punctual_lights = kPunctualLights};
+inline constexpr BuiltIn punctual =
+    pair_of_knots("punctual", "two knots lit by a point light between them and a spot from above", kPunctualScene);
+
+/// Bars with holes between them, 16 x 16, and the alpha behind them.
+extern const std::array<std::uint16_t, 256 + 128> kLatticeTexels;
+inline constexpr Texture kLatticeTextures[] = {{kLatticeTexels, 4, 4, TextureFormat::rgb565_alpha},
+                                               {kCubeTexels, kCubeTextureLog2, kCubeTextureLog2}};
+inline constexpr Finish kMaskFinish[] = {{.alpha_mode = AlphaMode::mask}};
+inline constexpr Material kMaskMaterials[] = {
+    {.texture = 0, .lit = false, .smooth = false, .double_sided = true, .finish = 0},
+    {.texture = 1, .lit = false, .smooth = false}};
+inline constexpr Instance kMaskInstances[] = {block(0, 0.9, 0.9, 0.9, 0, 0, 0), block(1, 0.4, 0.4, 0.4, 0, 0, 0)};
+inline constexpr Scene kMaskScene{.meshes = kRoomMeshes,
+                                  .materials = kMaskMaterials,
+                                  .textures = kLatticeTextures,
+                                  .instances = kMaskInstances,
+                                  .lights = {},
+                                  .background = {40, 50, 60, 255},
+                                  .finishes = kMaskFinish};
+inline constexpr BuiltIn mask{.name = "mask",
+                              .description = "a box in a lattice with holes",
+                              .scene = kMaskScene,
+                              .counts = count(kMaskScene),
+                              .camera = turntable_camera(4.0, 20, 2.2),
+                              .focal_across = fixed(2.2)};
+
+inline constexpr Finish kGlassFinish[] = {{.alpha_mode = AlphaMode::blend}};
+inline constexpr Material kGlassMaterials[] = {
+    {.colour = {230, 60, 50, 110}, .lit = true, .smooth = false, .finish = 0},
+    {.colour = {60, 200, 90, 110}, .lit = true, .smooth = false, .finish = 0},
+    {.colour = {70, 90, 240, 110}, .lit = true, .smooth = false, .finish = 0},
+    {.texture = 1, .lit = false, .smooth = false}};
+/// In an order that is wrong from every side: the opaque one last.
+inline constexpr Instance kGlassInstances[] = {
+    block(0, 0.7, 0.7, 0.1, 0.25, 0.1, 0.7), block(1, 0.7, 0.7, 0.1, -0.2, 0, 0.25),
+    block(2, 0.7, 0.7, 0.1, 0.1, -0.1, -0.6), block(3, 0.3, 0.3, 0.3, 0, 0, -0.1)};
+inline constexpr Scene kBlendScene{.meshes = kRoomMeshes,
+                                   .materials = kGlassMaterials,
+                                   .textures = kLatticeTextures,
+                                   .instances = kGlassInstances,
+                                   .lights = kRoomLights,
+                                   .ambient = {70, 70, 70, 255},
+                                   .background = {235, 235, 235, 255},
+                                   .finishes = kGlassFinish};
+inline constexpr BuiltIn blend{.name = "blend",
+                               .description = "three panes of glass and a box between them",
+                               .scene = kBlendScene,
+                               .counts = count(kBlendScene),
+                               .camera = turntable_camera(4.0, 20, 2.6),
+                               .focal_across = fixed(2.6)};
+
+inline constexpr Finish kSmoothTexels[] = {{.filter = TextureFilter::bilinear}};
+inline constexpr Texture kCoarseTextures[] = {{kRoomTexels, kRoomTextureLog2, kRoomTextureLog2}};
+inline constexpr Material kBilinearMaterials[] = {{.texture = 0, .lit = false, .smooth = false},
+                                                  {.texture = 0, .lit = false, .smooth = false, .finish = 0}};
+inline constexpr Instance kBilinearInstances[] = {block(0, 0.6, 0.6, 0.6, -0.75, 0, 0),
+                                                  block(1, 0.6, 0.6, 0.6, 0.75, 0, 0)};
+inline constexpr Scene kBilinearScene{.meshes = kRoomMeshes,
+                                      .materials = kBilinearMaterials,
+                                      .textures = kCoarseTextures,
+                                      .instances = kBilinearInstances,
+                                      .lights = {},
+                                      .finishes = kSmoothTexels};
+inline constexpr BuiltIn bilinear{.name = "bilinear",
+                                  .description = "two boxes with coarse texels, those of the right one filtered",
+                                  .scene = kBilinearScene,
+                                  .counts = count(kBilinearScene),
+                                  .camera = turntable_camera(4.0, 20, 2.0),
+                                  .focal_across = fixed(2.0)};
+
 /// All of this page, in its order.
 std::span<const BuiltIn> effect_scenes();
 

@@ -1,0 +1,223 @@
+// Light that depends on where a vertex is: point and spot lights, highlights (Blinn-Phong). In world space, relative to
+// the eye, so that no light is turned into an instance's space.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "zstrip/base/math.hpp"
+#include "zstrip/geometry/instance.hpp"
+#include "zstrip/geometry/light.hpp"
+#include "zstrip/scene/effects.hpp"
+
+namespace zstrip::detail {
+
+/// World coordinates relative to the eye, 17.15; lights within 2^29, vertices within 5 2^28.
+struct WorldPoint {
+  std::int32_t x, y, z;
+};
+
+/// 1.14.
+struct UnitVector {
+  std::int32_t x, y, z;
+};
+
+constexpr std::int32_t dot(const UnitVector& a, const UnitVector& b) {  // 3.28: below 2^30
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// floor(sqrt(value)) of a whole word: 16 steps.
+constexpr std::uint32_t root_of_word(std::uint32_t value) {
+  std::uint32_t root = 0;
+  for (std::uint32_t bit = 1U << 30; bit != 0; bit >>= 2) {
+    const std::uint32_t trial = root + bit;
+    root >>= 1;
+    if (value >= trial) value -= trial, root += bit;
+  }
+  return root;
+}
+
+/// A vector as a direction and a length: |vector| = root * 2^shift.
+struct Direction {
+  UnitVector unit;
+  std::uint32_t root;     ///< 2^14 .. 2^16
+  std::uint32_t inverse;  ///< 2^30 / root
+  std::int32_t shift;
+};
+
+/// Components within +-2^31. The direction of no vector at all is no direction: 0.
+constexpr Direction direction_of(std::int32_t x, std::int32_t y, std::int32_t z) {
+  const auto magnitude = [](std::int32_t v) {
+    return v < 0 ? 0U - static_cast<std::uint32_t>(v) : static_cast<std::uint32_t>(v);
+  };
+  const std::uint32_t largest = magnitude(x) | magnitude(y) | magnitude(z);
+  if (largest == 0) return {{0, 0, 0}, 1U << 14, 1U << 16, -31};
+  const std::int32_t shift = 17 - std::countl_zero(largest);  // to 15 bits
+  const auto scaled = [shift](std::int32_t v) { return shift >= 0 ? v >> shift : v * (std::int32_t{1} << -shift); };
+  const std::int32_t sx = scaled(x), sy = scaled(y), sz = scaled(z);
+  const std::uint32_t root =
+      std::max<std::uint32_t>(root_of_word(static_cast<std::uint32_t>(sx * sx) + static_cast<std::uint32_t>(sy * sy) +
+                                           static_cast<std::uint32_t>(sz * sz)),
+                              1U << 14);
+  const std::uint32_t inverse = (1U << 30) / root;
+  const auto unit = [inverse](std::int32_t v) { return (v * static_cast<std::int32_t>(inverse)) >> 16; };  // 1.14
+  return {{unit(sx), unit(sy), unit(sz)}, root, inverse, shift};
+}
+
+/// base^exponent for 0 <= base <= 2^14 (0.14), rounded down at every step: at most 14 multiplications.
+constexpr std::uint32_t power(std::uint32_t base, std::uint32_t exponent) {
+  std::uint32_t result = 1U << 14;
+  for (; exponent != 0; exponent >>= 1) {
+    if ((exponent & 1) != 0) result = (result * base) >> 14;
+    base = (base * base) >> 14;
+  }
+  return result;
+}
+
+/// Light that reaches a surface, 8.12: 1.0 is all of a light's colour; saturates.
+using Gain = std::uint32_t;
+inline constexpr Gain kAllOfIt = 1U << 12, kMostGain = 1U << 20;
+
+/// A punctual light of the frame.
+struct WorldLight {
+  WorldPoint position;
+  UnitVector towards;         ///< 1.14, against the direction in which a spot shines
+  std::int32_t range;         ///< 17.15; 0: no end
+  std::uint32_t intensity;    ///< 16.16
+  std::int32_t cosine_outer;  ///< 1.14
+  std::uint32_t cone;         ///< 2^28 / (cosine of the inner cone - that of the outer), at most 2^28; 0: a point light
+  Colour colour;
+};
+static_assert(sizeof(WorldLight) == kWorldLightBytes);
+
+/// How much of a light arrives from `from`, the direction to it; KHR_lights_punctual.
+constexpr Gain attenuation(const WorldLight& light, const Direction& from) {
+  // intensity / d^2, d = root 2^shift / 2^15.
+  const std::uint32_t half = from.inverse >> 1;
+  const std::uint32_t inverse_square = half * half;  // 2^58 / root^2
+  const std::uint32_t product =
+      multiply_high(light.intensity, inverse_square);  // 4096 intensity / d^2 = product 2^-shift
+  const std::int32_t shift = 2 * from.shift;
+  std::uint32_t gain = shift >= 0 ? (shift < 32 ? product >> shift : 0)
+                                  : (shift > -20 && product < (kMostGain >> -shift) ? product << -shift : kMostGain);
+  gain = product == 0 ? 0 : std::min(gain, kMostGain);
+  if (light.range != 0) {
+    const std::uint64_t distance =
+        from.shift >= 0 ? std::uint64_t{from.root} << from.shift : from.root >> std::min<std::int32_t>(-from.shift, 31);
+    if (distance >= static_cast<std::uint32_t>(light.range)) return 0;
+    const int surplus = std::max(0, 16 - std::countl_zero(static_cast<std::uint32_t>(light.range)));
+    const std::uint32_t quotient = ((static_cast<std::uint32_t>(distance) >> surplus) << 15) /
+                                   (static_cast<std::uint32_t>(light.range) >> surplus);
+    const std::uint32_t square = (quotient * quotient) >> 15;  // 1.15
+    gain = static_cast<std::uint32_t>((std::uint64_t{gain} * (32768 - ((square * square) >> 15))) >> 15);
+  }
+  if (light.cone != 0) {
+    const std::int32_t above = (dot(light.towards, from.unit) >> 14) - light.cosine_outer;  // 1.14
+    if (above <= 0) return 0;
+    const std::uint64_t ratio = (std::uint64_t{light.cone} * static_cast<std::uint32_t>(above)) >> 14;  // 0.14
+    const auto within = static_cast<std::uint32_t>(std::min<std::uint64_t>(ratio, 1U << 14));
+    gain = static_cast<std::uint32_t>((std::uint64_t{gain} * ((within * within) >> 14)) >> 14);
+  }
+  return gain;
+}
+
+/// What the frame's local light needs of an instance.
+struct InstanceShading {
+  LinearForm x, y, z;         ///< WorldPoint of a position
+  std::int16_t normal[3][3];  ///< rows, 1.14: object to world, without its scale
+  std::int16_t unused;
+};
+static_assert(sizeof(InstanceShading) == kInstanceShadingBytes);
+
+/// And what it needs of the frame.
+struct FrameLights {
+  WorldLight lights[kMaxPunctualLights];
+  UnitVector back;  ///< 1.14: the direction to the eye of an orthographic camera
+  std::uint32_t count;
+};
+static_assert(sizeof(FrameLights) == kFrameLightsBytes);
+
+FrameLights frame_lights(const Scene& scene, const Camera& camera);
+InstanceShading instance_shading(const Mesh& mesh, const Transform& transform, const Camera& camera);
+
+/// Sum of light on a vertex, 0..255 a channel and beyond.
+struct LightSum {
+  std::uint32_t r, g, b;
+  constexpr void add(const Colour& colour, Gain gain) {
+    r += (gain * colour.r + 2048) >> 12;
+    g += (gain * colour.g + 2048) >> 12;
+    b += (gain * colour.b + 2048) >> 12;
+  }
+};
+
+/// The colour of a lit vertex with everything that the effects add; before the vertex colour. `frame` and `shading` are
+/// null where the scene has no local light.
+template <Effects effects>
+Colour locally_lit_colour(const CompiledInstance& instance, const Mesh& mesh, std::uint32_t vertex, const Scene& scene,
+                          const FrameLights* frame, const InstanceShading* shading, const Finish& finish) {
+  const Normal& n = mesh.normals[vertex];
+  const Colour plain = lit_colour(instance, n);
+  LightSum total{plain.r, plain.g, plain.b};
+  if (effects.any(effect::local_light) && shading != nullptr) {
+    const Position& p = mesh.positions[vertex];
+    const WorldPoint at{shading->x.at(p), shading->y.at(p), shading->z.at(p)};
+    const auto turned = [&](int row) {  // 1.7 times 1.14
+      return (n.x * shading->normal[row][0] + n.y * shading->normal[row][1] + n.z * shading->normal[row][2]) >> 7;
+    };
+    const UnitVector normal = direction_of(turned(0), turned(1), turned(2)).unit;
+    UnitVector to_eye = frame->back;
+    bool shines = false;
+    if constexpr (effects.has(effect::specular)) {
+      shines = finish.specular.r != 0 || finish.specular.g != 0 || finish.specular.b != 0;
+      if constexpr (!effects.has(effect::orthographic)) {
+        if (shines) to_eye = direction_of(-at.x, -at.y, -at.z).unit;
+      }
+    }
+    LightSum highlights{0, 0, 0};
+    const auto highlight = [&](const UnitVector& towards, const Colour& colour, Gain gain) {
+      if constexpr (effects.has(effect::specular)) {
+        if (!shines || dot(normal, towards) <= 0) return;
+        const UnitVector half = direction_of(towards.x + to_eye.x, towards.y + to_eye.y, towards.z + to_eye.z).unit;
+        const std::int32_t cosine = std::clamp<std::int32_t>(dot(normal, half) >> 14, 0, 1 << 14);  // 0.14
+        const std::uint32_t share = power(static_cast<std::uint32_t>(cosine), finish.shininess);
+        highlights.add(colour, static_cast<Gain>((std::uint64_t{gain} * share) >> 14));
+      }
+    };
+    if constexpr (effects.has(effect::specular)) {
+      for (const DirectionalLight& light : scene.lights) {
+        highlight({light.x >> 1, light.y >> 1, light.z >> 1}, light.colour, kAllOfIt);
+      }
+    }
+    if constexpr (effects.has(effect::punctual_lights)) {
+      LightSum diffuse{0, 0, 0};
+      for (std::uint32_t i = 0; i < frame->count; ++i) {
+        const WorldLight& light = frame->lights[i];
+        const Direction from = direction_of(light.position.x - at.x, light.position.y - at.y, light.position.z - at.z);
+        const std::int32_t cosine = dot(normal, from.unit) >> 14;  // 1.14
+        if (cosine <= 0) continue;
+        const Gain gain = attenuation(light, from);
+        if (gain == 0) continue;
+        diffuse.add(light.colour, static_cast<Gain>((std::uint64_t{gain} * static_cast<std::uint32_t>(cosine)) >> 14));
+        highlight(from.unit, light.colour, gain);
+      }
+      // Light times the material's colour.
+      total.r += (diffuse.r * factor(instance.base.r)) >> 8;
+      total.g += (diffuse.g * factor(instance.base.g)) >> 8;
+      total.b += (diffuse.b * factor(instance.base.b)) >> 8;
+    }
+    if constexpr (effects.has(effect::specular)) {
+      total.r += (highlights.r * factor(finish.specular.r)) >> 8;
+      total.g += (highlights.g * factor(finish.specular.g)) >> 8;
+      total.b += (highlights.b * factor(finish.specular.b)) >> 8;
+    }
+  }
+  if constexpr (effects.has(effect::emissive)) {
+    total.r += finish.emissive.r;
+    total.g += finish.emissive.g;
+    total.b += finish.emissive.b;
+  }
+  return {clamped_channel(total.r), clamped_channel(total.g), clamped_channel(total.b), 255};
+}
+
+}  // namespace zstrip::detail

@@ -1,0 +1,137 @@
+// Interpolates keyframes. Work once an instance and frame: products of 64 bits, one reciprocal, one division.
+#include "zstrip/scene/animation.hpp"
+
+#include <bit>
+
+#include "zstrip/base/math.hpp"
+
+namespace zstrip {
+namespace {
+
+constexpr Fixed kLargestScale = 255 * kFixedOne;
+
+constexpr std::int32_t dot(const Keyframe& a, const Keyframe& b) {
+  std::int32_t sum = 0;  // 4.28: four products of 1.15 fit for any bits
+  for (int i = 0; i < 4; ++i) sum += (std::int32_t{a.rotation[i]} * b.rotation[i]) >> 2;
+  return sum;
+}
+
+constexpr bool in_range(const Vec3& scale) {
+  for (const Fixed s : {scale.x, scale.y, scale.z}) {
+    if (s < -kLargestScale || s > kLargestScale) return false;
+  }
+  return true;
+}
+
+/// How far `time` is from `from` to `to`, 0.16. from <= time < to.
+std::uint32_t fraction(std::uint32_t from, std::uint32_t time, std::uint32_t to) {
+  std::uint32_t length = to - from, passed = time - from;
+  const int shift = 16 - std::countl_zero(length);
+  if (shift > 0) length >>= shift, passed >>= shift;
+  return (passed << 16) / length;
+}
+
+Fixed between(Fixed a, Fixed b, std::uint32_t share) {
+  return static_cast<Fixed>(a + (((std::int64_t{b} - a) * share) >> 16));
+}
+Vec3 between(const Vec3& a, const Vec3& b, std::uint32_t share) {
+  return {between(a.x, b.x, share), between(a.y, b.y, share), between(a.z, b.z, share)};
+}
+
+/// The two keyframes around a time, and how far it is from the first to the second (0.16).
+struct Segment {
+  const Keyframe* from;
+  const Keyframe* to;
+  std::uint32_t share;
+};
+
+Segment find(std::span<const Keyframe> keyframes, std::uint32_t time) {
+  std::size_t low = 0, high = keyframes.size();  // all below low are not later than time, all from high on are
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    if (keyframes[middle].time <= time) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  const Keyframe& from = keyframes[low == 0 ? 0 : low - 1];
+  if (low == 0 || low == keyframes.size()) return {&from, &from, 0};
+  return {&from, &keyframes[low], fraction(from.time, time, keyframes[low].time)};
+}
+
+/// The rotation's rows, 16.16, of a quaternion between two, normalised.
+void rotate(const Segment& segment, Fixed (&m)[3][3]) {
+  std::int64_t q[4];
+  std::uint32_t square = 0;  // 2.30, at least a quarter: neighbours are at most a right angle apart
+  for (int i = 0; i < 4; ++i) {
+    const std::int32_t a = segment.from->rotation[i], b = segment.to->rotation[i];
+    const auto share = static_cast<std::int32_t>(segment.share);
+    q[i] = (a << 15) + (((b - a) * std::int64_t{share}) >> 1);  // 2.30
+    square += static_cast<std::uint32_t>((q[i] * q[i]) >> 30);
+  }
+  const int zeros = std::countl_zero(square);
+  const std::int64_t inverse = zstrip::reciprocal(square << zeros);  // 2^62 / (square 2^zeros)
+  // 2 q_i q_j / |q|^2 in 16.16, to nearest.
+  const auto twice = [&](int i, int j) {
+    const int shift = 45 - zeros;
+    const std::int64_t product = ((q[i] * q[j]) >> 30) * inverse;
+    return static_cast<Fixed>((product + (std::int64_t{1} << (shift - 1))) >> shift);
+  };
+  const Fixed xx = twice(0, 0), yy = twice(1, 1), zz = twice(2, 2);
+  const Fixed xy = twice(0, 1), xz = twice(0, 2), yz = twice(1, 2);
+  const Fixed xw = twice(0, 3), yw = twice(1, 3), zw = twice(2, 3);
+  m[0][0] = kFixedOne - yy - zz, m[0][1] = xy - zw, m[0][2] = xz + yw;
+  m[1][0] = xy + zw, m[1][1] = kFixedOne - xx - zz, m[1][2] = yz - xw;
+  m[2][0] = xz - yw, m[2][1] = yz + xw, m[2][2] = kFixedOne - xx - yy;
+}
+
+Transform placed(const Segment& segment) {
+  const Vec3 translation = between(segment.from->translation, segment.to->translation, segment.share);
+  const Vec3 scale = between(segment.from->scale, segment.to->scale, segment.share);
+  Fixed rotation[3][3];
+  rotate(segment, rotation);
+  Transform transform{};
+  for (int row = 0; row < 3; ++row) {
+    const auto scaled = [&](int column, Fixed by) {
+      return static_cast<Fixed>((std::int64_t{rotation[row][column]} * by + kFixedOne / 2) >> kFixedBits);
+    };
+    transform.m[row][0] = scaled(0, scale.x);
+    transform.m[row][1] = scaled(1, scale.y);
+    transform.m[row][2] = scaled(2, scale.z);
+  }
+  transform.m[0][3] = translation.x;
+  transform.m[1][3] = translation.y;
+  transform.m[2][3] = translation.z;
+  return transform;
+}
+
+}  // namespace
+
+Status validate(const Animation& animation, std::uint32_t instances) {
+  for (std::size_t i = 0; i < animation.tracks.size(); ++i) {
+    const Status wrong{.error = Error::animation, .needed = static_cast<std::uint32_t>(i)};
+    const Track& track = animation.tracks[i];
+    const std::size_t all = animation.keyframes.size();
+    if (animation.duration == 0 || track.instance >= instances || track.count == 0) return wrong;
+    if (track.first > all || track.count > all - track.first) return wrong;
+    const std::span keyframes = animation.keyframes.subspan(track.first, track.count);
+    for (std::size_t k = 0; k < keyframes.size(); ++k) {
+      constexpr std::int32_t kUnit = 1 << 28, kTolerance = kUnit / 100;
+      const std::int32_t square = dot(keyframes[k], keyframes[k]);
+      if (square < kUnit - kTolerance || square > kUnit + kTolerance || !in_range(keyframes[k].scale)) return wrong;
+      if (k == 0) continue;
+      if (keyframes[k].time <= keyframes[k - 1].time || dot(keyframes[k], keyframes[k - 1]) < 0) return wrong;
+    }
+  }
+  return {};
+}
+
+void pose(const Animation& animation, std::uint32_t time, std::span<Instance> instances) {
+  for (const Track& track : animation.tracks) {
+    const std::span keyframes = animation.keyframes.subspan(track.first, track.count);
+    instances[track.instance].transform = placed(find(keyframes, time % animation.duration));
+  }
+}
+
+}  // namespace zstrip

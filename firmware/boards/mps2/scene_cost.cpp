@@ -1,0 +1,86 @@
+// Measures one pipeline, that of ZSTRIP_EFFECTS, on a baked scene that the emulator put into the board's flash: prints
+// what the benchmark programs print, of one frame. A program of its own for each pipeline, so that functions are
+// compiled as they are in firmware, which has one.
+#include "mps2/bench_run.hpp"
+#include "zstrip/scene/scene_blob.hpp"
+
+namespace {
+
+using namespace zstrip;
+
+constexpr Effects kEffects{ZSTRIP_EFFECTS};
+constexpr std::uintptr_t kSceneAddress = 0x00100000;  // host-sim/bench/board_bench.cpp puts it there
+constexpr std::size_t kSceneBytes = 0x00300000;       // to the end of the flash
+
+Renderer<kEffects> renderer;
+// Tables of up to a hundred meshes and textures.
+alignas(kSceneBlobMemoryAlignment) std::byte tables[scene_blob_memory(100, 100)];
+
+PixelFormat format_of(std::string_view name) {
+  if (name == "gray4") return PixelFormat::gray4;
+  return name == "mono" ? PixelFormat::mono : PixelFormat::rgb565;
+}
+
+/// Bytes 4 to 7 of a blob say how long it is.
+std::span<const std::byte> blob() {
+  const auto* const bytes = reinterpret_cast<const std::byte*>(kSceneAddress);
+  std::uint32_t size = 0;
+  for (int i = 3; i >= 0; --i) size = size << 8 | std::to_integer<std::uint32_t>(bytes[4 + i]);
+  return {bytes, size < kSceneBytes ? size : kSceneBytes};
+}
+
+int run(const bench::Arguments& arguments) {
+  SceneBlob opened;
+  if (const Status status = open_scene_blob(blob(), tables, opened); !status) return bench::report(status);
+  const View view{arguments.width, arguments.height, format_of(arguments.format)};
+  const auto [status, plan] = zstrip::plan(count(opened.scene), view, kEffects,
+                                           {.bytes = arguments.ram,
+                                            .strip_rows = arguments.rows,
+                                            .strip_columns = arguments.columns,
+                                            .strip_buffers = arguments.buffers,
+                                            .modes = kEffects.has(effect::bins) ? Modes::binned : Modes::streamed});
+  if (!status) return bench::report(status);
+  const std::uint32_t needed = plan.bytes() + plan.strip_pixel_bytes(view);
+  if (needed < plan.bytes() || needed > sizeof bench::memory) {
+    return bench::report({Error::arena_too_small, Purpose::none, needed, sizeof bench::memory});
+  }
+  bench::print_configuration(arguments, plan, view);
+  scenes::Staged staged;
+  staged.scene = opened.scene;
+  staged.camera = opened.camera;
+  bench::InstructionCounter counter;
+  const bench::FrameResult result = bench::run_frame(renderer, staged, view, plan, counter);
+  if (!result.status) {
+    bench::print("\n");
+    return bench::report(result.status);
+  }
+  bench::print(", \"frames\": [{\"frame\": 0");
+  bench::print_member("instructions", result.instructions);
+  bench::print(", \"crc32\": \"");
+  bench::print_hex(result.crc32);
+  bench::print("\"}]");
+  bench::print_member("instructions_per_frame", result.instructions);
+  bench::print_member("bin_overflows", renderer.frame().bin_overflows());
+  bench::print("}\n");
+  return bench::kDone;
+}
+
+}  // namespace
+
+int main() {
+  static std::array<char, 256> buffer;
+  const auto words = board::read_command_line(buffer);
+  if (!words) return bench::kUsage;
+  const bench::Arguments arguments = bench::parse_arguments(*words);
+  if (!arguments.wrong_word.empty()) {
+    bench::print("scene_cost: cannot read the word '");
+    bench::print(arguments.wrong_word);
+    bench::print("'\n");
+    return bench::kUsage;
+  }
+  if (!board::start_instruction_counter()) {
+    bench::print("scene_cost: the timer does not count instructions; run QEMU with -icount shift=0\n");
+    return bench::kFailed;
+  }
+  return run(arguments);
+}

@@ -1,0 +1,111 @@
+// Raspberry Pi Pico: clocks from its crystal of 12 MHz, console, frame clock and watchdog. Source: RP2040 data sheet,
+// chapters in chip.hpp.
+#include "cortex_m/board.hpp"
+
+#include "cortex_m/systick.hpp"
+#include "pico/pins.hpp"
+#include "portable/console_input.hpp"
+#include "portable/pacing.hpp"
+
+namespace zstrip::board {
+namespace {
+
+using namespace chip;
+
+/// A board whose crystal or PLL does not start cannot even speak.
+void wait_until(std::uint32_t address, std::uint32_t bits) {
+  constexpr int kPolls = 1'000'000;
+  for (int poll = 0; poll < kPolls; ++poll) {
+    if ((register_at(address) & bits) == bits) return;
+  }
+  halt(1);
+}
+
+void leave_reset(std::uint32_t subsystems) {
+  clear_bits(kReset, subsystems);
+  wait_until(kResetDone, subsystems);
+}
+
+// 12 MHz * 125 = 1500 MHz, by 6 and by 2: 125 MHz. The order is that of 2.18.2.
+void start_pll() {
+  set_bits(kReset, kResetPllSys);
+  leave_reset(kResetPllSys);
+  register_at(kPllControl) = 1;  // the reference is not divided
+  register_at(kPllFeedback) = 125;
+  clear_bits(kPllPower, kPllPowerDown | kPllVcoDown);
+  wait_until(kPllControl, kPllLocked);
+  register_at(kPllPostDividers) = 6U << 16 | 2U << 12;
+  clear_bits(kPllPower, kPllPostDividersDown);
+}
+
+// After a reset by the watchdog the system may still run from the PLL: first back to what always runs.
+void start_clocks() {
+  clear_bits(kSystemControl, kSystemFromAuxiliary);
+  wait_until(kSystemSelected, 1U << 0);
+  constexpr std::uint32_t kMillisecond = 47;  // of 256 cycles
+  register_at(kCrystalStartup) = kMillisecond;
+  register_at(kCrystalControl) = kCrystalEnable;
+  wait_until(kCrystalStatus, kCrystalStable);
+  register_at(kReferenceControl) = kReferenceFromCrystal;
+  wait_until(kReferenceSelected, 1U << kReferenceFromCrystal);
+  start_pll();
+  register_at(kSystemControl) = 0;  // the auxiliary source is the PLL, before it is chosen
+  set_bits(kSystemControl, kSystemFromAuxiliary);
+  wait_until(kSystemSelected, 1U << kSystemFromAuxiliary);
+  register_at(kPeripheralControl) = kPeripheralEnable;
+}
+
+// 115200 baud at 125 MHz: 125e6 / (16 * 115200) = 67 + 52/64.
+void start_uart() {
+  register_at(pin_control(0)) = kFunctionUart;
+  register_at(pin_control(1)) = kFunctionUart;
+  register_at(kUart0 + kUartBaudInteger) = 67;
+  register_at(kUart0 + kUartBaudFraction) = 52;
+  register_at(kUart0 + kUartLine) = 0x60;      // 8 bits, no parity, 1 stop bit
+  register_at(kUart0 + kUartControl) = 0x301;  // enabled, both directions
+}
+
+// It counts down by two a microsecond (RP2040-E1), so that 24 bits are 8.3 s.
+constexpr std::uint32_t kWatchdogTime = 2 * 8'000'000;
+static_assert(kWatchdogTime < 1U << 24);
+
+}  // namespace
+
+void start() {
+  leave_reset(kResetIoBank0 | kResetPadsBank0);
+  start_clocks();
+  leave_reset(kResetUart0);
+  start_uart();
+}
+
+void put_character(char character) {
+  while ((register_at(kUart0 + kUartFlags) & kUartTransmitFull) != 0) {
+  }
+  register_at(kUart0) = static_cast<unsigned char>(character);
+}
+
+bool take_character(char& character) {
+  if ((register_at(kUart0 + kUartFlags) & kUartReceiveEmpty) != 0) return false;
+  const std::uint32_t data = register_at(kUart0);
+  character = static_cast<char>(data);
+  return true;
+}
+
+void halt(int) {
+  for (;;) asm volatile("wfi");
+}
+
+void start_pacing() {
+  start_systick(kHertz, 30);
+  register_at(kWatchdogTick) = kTickEnable | 12;  // a tick each microsecond, of the crystal
+  register_at(kWatchdogControl) = 0;
+  register_at(kWatchdogResets) = kAllButOscillators;
+  register_at(kWatchdogLoad) = kWatchdogTime;
+  register_at(kWatchdogControl) = kWatchdogEnable;
+}
+
+void wait_for_tick() { wait_for_systick(); }
+
+void feed_watchdog() { register_at(kWatchdogLoad) = kWatchdogTime; }
+
+}  // namespace zstrip::board

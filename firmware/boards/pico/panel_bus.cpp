@@ -1,0 +1,129 @@
+// SPI0 (PL022) and channel 0 of the DMA.
+#include "pico/panel_bus.hpp"
+
+#include "pico/chip.hpp"
+#include "pico/pins.hpp"
+
+namespace zstrip::board {
+namespace {
+
+using namespace chip;
+using hal::Error;
+
+constexpr std::uint32_t kPolls = 20'000;
+constexpr std::uint32_t kPollsPerByte = 32;  // at least 5 cycles each; a byte takes 80
+
+Error wait_for(std::uint32_t mask, std::uint32_t value) {
+  for (std::uint32_t poll = 0; poll < kPolls; ++poll) {
+    if ((register_at(kSpi0 + kSpiStatus) & mask) == value) return Error::none;
+  }
+  return Error::timeout;
+}
+
+/// The receiver runs along with the transmitter; nobody wants what it gets.
+void drain_receiver() {
+  constexpr int kFifo = 8;
+  for (int word = 0; word < kFifo && (register_at(kSpi0 + kSpiStatus) & kSpiReceiveNotEmpty) != 0; ++word) {
+    [[maybe_unused]] const std::uint32_t unused = register_at(kSpi0 + kSpiData);
+  }
+}
+
+// Off and on again empties it.
+void configure_spi() {
+  register_at(kSpi0 + kSpiControl1) = 0;
+  register_at(kSpi0 + kSpiDma) = 0;
+  register_at(kSpi0 + kSpiPrescale) = 10;  // 125 MHz / 10
+  register_at(kSpi0 + kSpiControl0) = 7;   // 8 bits, mode 0
+  register_at(kSpi0 + kSpiControl1) = 2;   // on, as master
+}
+
+// The channel says that it has stopped by clearing the bit (2.5.5.3).
+bool stop_dma() {
+  register_at(kDmaAbort) = 1U << 0;
+  for (std::uint32_t poll = 0; poll < kPolls; ++poll) {
+    if ((register_at(kDmaAbort) & 1U) == 0) return true;
+  }
+  return false;
+}
+
+/// The first error is the one reported. D/C and select may change only when the last bit is out.
+Error end_transfer(Error error) {
+  if (error == Error::none) error = wait_for(kSpiBusy, 0);
+  if (error == Error::none) {
+    drain_receiver();
+    register_at(kSpi0 + kSpiDma) = 0;
+  } else {
+    configure_spi();
+  }
+  const Error deselected = PanelSelect().set(true);
+  return error != Error::none ? error : deselected;
+}
+
+Error begin_transfer(bool data) {
+  const Error error = PanelDataCommand().set(data);
+  return error != Error::none ? error : PanelSelect().set(false);
+}
+
+}  // namespace
+
+void PanelBus::start() {
+  constexpr std::uint32_t kSubsystems = kResetSpi0 | kResetDma;
+  set_bits(kReset, kSubsystems);
+  clear_bits(kReset, kSubsystems);
+  for (std::uint32_t poll = 0; poll < kPolls && (register_at(kResetDone) & kSubsystems) != kSubsystems; ++poll) {
+  }
+  PanelSelect::make_output();
+  PanelDataCommand::make_output();
+  PanelReset::make_output();
+  PanelLight::make_output();
+  register_at(pin_control(18)) = kFunctionSpi;
+  register_at(pin_control(19)) = kFunctionSpi;
+  [[maybe_unused]] const Error cannot_fail = PanelSelect().set(true);
+  configure_spi();
+}
+
+Error PanelBus::write_command(std::span<const std::byte> bytes) {
+  Error error = begin_transfer(false);
+  for (std::size_t i = 0; error == Error::none && i < bytes.size(); ++i) {
+    error = wait_for(kSpiTransmitNotFull, kSpiTransmitNotFull);
+    if (error == Error::none) register_at(kSpi0 + kSpiData) = std::to_integer<std::uint32_t>(bytes[i]);
+  }
+  return end_transfer(error);
+}
+
+Error PanelBus::write_data(std::span<const std::byte> bytes) {
+  if (const Error error = begin_transfer(true); error != Error::none) return end_transfer(error);
+  if (bytes.empty()) return end_transfer(Error::none);
+  register_at(kSpi0 + kSpiDma) = kSpiTransmitByDma;
+  register_at(kDmaRead) = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(bytes.data()));
+  register_at(kDmaWrite) = kSpi0 + kSpiData;
+  register_at(kDmaCount) = static_cast<std::uint32_t>(bytes.size());
+  // What was drawn must be in the memory before the channel reads it. It chains to itself, which is: to none.
+  asm volatile("dsb" ::: "memory");
+  register_at(kDmaControl) =
+      kDmaFaults | kDmaAtSpi0Pace | kDmaIncrementRead | kDmaEnable;  // faults are cleared by ones
+  polls_left_ = kPolls + kPollsPerByte * static_cast<std::uint32_t>(bytes.size());
+  sending_ = true;
+  return Error::none;
+}
+
+Error PanelBus::wait() {
+  if (!sending_) return Error::none;
+  sending_ = false;
+  Error error = Error::timeout;
+  for (; polls_left_ > 0; --polls_left_) {
+    const std::uint32_t control = register_at(kDmaControl);
+    if ((control & kDmaFaults) != 0) {
+      error = Error::bus;
+      break;
+    }
+    if ((control & kDmaBusy) == 0) {
+      error = Error::none;
+      break;
+    }
+  }
+  if (error != Error::none && !stop_dma()) error = Error::timeout;
+  return end_transfer(error);
+}
+
+}  // namespace zstrip::board

@@ -1,0 +1,31 @@
+// What is wired where on the Raspberry Pi Pico, by the numbers GPn on its pinout.
+#pragma once
+
+#include "pico/chip.hpp"
+#include "zstrip_hal/output_pin.hpp"
+
+namespace zstrip::board {
+
+inline constexpr std::uint32_t kHertz = 125'000'000;
+
+/// A pin that was made an output.
+template <unsigned number>
+struct Pin {
+  hal::Error set(bool high) const {
+    register_at(high ? chip::kPinsSet : chip::kPinsClear) = 1U << number;
+    return hal::Error::none;
+  }
+  static void make_output() {
+    register_at(chip::kPinsClear) = 1U << number;
+    register_at(chip::kPinsEnableOutput) = 1U << number;
+    register_at(chip::pin_control(number)) = chip::kFunctionSio;
+  }
+};
+
+// The console: GP0 sends, GP1 receives. The panel: GP18 clock, GP19 data (SPI0), and lines of its own.
+using PanelSelect = Pin<17>;
+using PanelDataCommand = Pin<20>;
+using PanelReset = Pin<21>;
+using PanelLight = Pin<22>;
+
+}  // namespace zstrip::board

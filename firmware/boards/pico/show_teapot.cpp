@@ -1,0 +1,28 @@
+// The Utah teapot on a panel of 240x240 pixels, ST7789, on SPI0 with DMA (pins.hpp): one strip is drawn while the other
+// is being sent.
+#include "cortex_m/systick.hpp"
+#include "pico/panel_bus.hpp"
+#include "pico/pins.hpp"
+#include "portable/panel_program.hpp"
+#include "portable/turntable_motion.hpp"
+#include "zstrip_hal/st7789.hpp"
+#include "zstrip_scenes/teapot.hpp"
+
+namespace {
+
+using namespace zstrip;
+using namespace zstrip::board;
+
+constexpr View kView{240, 240, PixelFormat::rgb565_swapped};
+constexpr Budget kBudget{.bytes = 128 * 1024, .strip_buffers = 2};
+
+}  // namespace
+
+int main() {
+  PanelBus bus;
+  bus.start();
+  SysTickClock clock(kHertz);
+  hal::St7789 panel(bus, clock);
+  return run_on_panel<ScenePlayer<TurntableMotion<scenes::teapot, kView, kBudget>, 2>>(panel, PanelReset{}, clock,
+                                                                                       PanelLight{});
+}

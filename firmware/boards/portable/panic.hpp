@@ -1,0 +1,27 @@
+// The end of a program that cannot go on: it says why, on the console and on the panel as far as that still works.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "portable/failure.hpp"
+#include "zstrip_hal/message_screen.hpp"
+
+namespace zstrip::board {
+
+/// Afterwards the caller ends the program without feeding the watchdog: the board starts again, where it has one.
+template <hal::Display Panel>
+void panic(Panel& panel, const Failure& failure) {
+  print("panic: ");
+  print(failure);
+  std::array<char, 96> text{};
+  std::size_t size = 0;
+  for (const char* part : std::array{"panic: ", failure.doing, ": ", failure.error}) {
+    while (*part != '\0' && size < text.size()) text[size++] = *part++;
+  }
+  const hal::Error error = hal::show_message(panel, std::string_view(text.data(), size));
+  if (error != hal::Error::none) print(Failure{"panic on the display", hal::message(error)});
+}
+
+}  // namespace zstrip::board

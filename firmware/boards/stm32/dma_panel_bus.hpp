@@ -1,0 +1,86 @@
+// A panel on SPI1 of an STM32F405/407 with a D/C and a select line; data goes by DMA while the processor draws.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "stm32/spi.hpp"
+#include "zstrip_hal/bus.hpp"
+#include "zstrip_hal/output_pin.hpp"
+
+namespace zstrip::board::stm32 {
+
+/// DMA2's stream that feeds SPI1.
+class SpiDma {
+ public:
+  static constexpr std::uint32_t kSpi1 = 0x40013000;
+  static constexpr std::size_t kMostBytes = 65'535;  // its counter has 16 bits
+
+  /// Begins to send up to kMostBytes, which must lie in the SRAM at 0x20000000 or in flash: it does not reach the
+  /// core-coupled memory.
+  void start(std::span<const std::byte> bytes);
+  /// Until everything is out of the memory. Error::timeout, or Error::bus if it reports a fault of its own; the stream
+  /// is off in any case.
+  hal::Error finish();
+
+ private:
+  std::uint32_t polls_left_ = 0;
+};
+
+/// Commands are polled. wait() gives up after about twice the time that the bytes take, at 10 MHz and more.
+template <hal::OutputPin DataCommandPin, hal::OutputPin SelectPin>
+class DmaPanelBus {
+ public:
+  /// See SpiMaster::start(); the clocks of SPI1, DMA2 and the ports must run. To be called once, before anything else.
+  hal::Error start(std::uint32_t divider) {
+    spi_.start(divider);
+    return SelectPin().set(true);
+  }
+
+  hal::Error write_command(std::span<const std::byte> bytes) {
+    hal::Error error = select(false);
+    if (error == hal::Error::none) error = spi_.send(bytes);
+    return deselect(error);
+  }
+
+  hal::Error write_data(std::span<const std::byte> bytes) {
+    if (const hal::Error error = select(true); error != hal::Error::none) return deselect(error);
+    spi_.use_dma(true);
+    while (bytes.size() > SpiDma::kMostBytes) {
+      dma_.start(bytes.first(SpiDma::kMostBytes));
+      if (const hal::Error error = dma_.finish(); error != hal::Error::none) return deselect(error);
+      bytes = bytes.subspan(SpiDma::kMostBytes);
+    }
+    dma_.start(bytes);
+    sending_ = true;
+    return hal::Error::none;
+  }
+
+  hal::Error wait() {
+    if (!sending_) return hal::Error::none;
+    sending_ = false;
+    hal::Error error = dma_.finish();
+    if (error == hal::Error::none) error = spi_.finish();
+    return deselect(error);
+  }
+
+ private:
+  hal::Error select(bool data) {
+    const hal::Error error = DataCommandPin().set(data);
+    return error != hal::Error::none ? error : SelectPin().set(false);
+  }
+  /// The first error is the one reported.
+  hal::Error deselect(hal::Error error) {
+    spi_.use_dma(false);
+    if (error != hal::Error::none) spi_.abort();
+    const hal::Error deselected = SelectPin().set(true);
+    return error != hal::Error::none ? error : deselected;
+  }
+
+  SpiMaster spi_{SpiDma::kSpi1};
+  SpiDma dma_;
+  bool sending_ = false;
+};
+
+}  // namespace zstrip::board::stm32

@@ -1,0 +1,216 @@
+// Options of `zstrip accuracy`, and the order of its work: truth, points, front, files.
+#include "accuracy/accuracy_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <thread>
+
+#include "accuracy/board_cost.hpp"
+#include "accuracy/campaign.hpp"
+#include "accuracy/page.hpp"
+#include "accuracy/plot.hpp"
+#include "accuracy/results.hpp"
+#include "cli/parse.hpp"
+#include "cli/print.hpp"
+#include "image/write_file.hpp"
+#include "report/number.hpp"
+#include "report/progress.hpp"
+#include "report/text.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::vector<std::string> scenes;
+  std::string target = "host";
+  std::string knobs = "all";
+  std::string size = "160x120";
+  std::string up = "y";
+  std::vector<std::string> only;
+  std::uint32_t frames = 2;
+  unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
+  bool singles = false;
+  bool programs = false;
+  bool quiet = false;
+  std::string firmware;
+  std::string output = "accuracy";
+};
+
+struct Job {
+  std::vector<AccuracyRequest> requests;
+  CampaignOptions options;
+};
+
+Result<Job> parse(const Arguments& arguments) {
+  const auto size = parse_size(arguments.size);
+  if (!size) return size.failure();
+  const Result<UpAxis> up = parse_up_axis(arguments.up);
+  if (!up) return up.failure();
+  const Result<std::vector<Knob>> turned = parse_knobs(arguments.knobs);
+  if (!turned) return turned.failure();
+  Job job{{}, {.knobs = *turned, .only = {}, .jobs = arguments.jobs, .product = !arguments.singles}};
+  for (const std::string& text : arguments.only) {
+    const Result<Settings> settings = parse_settings(text);
+    if (!settings) return settings.failure();
+    job.options.only.push_back(*settings);
+  }
+  for (const std::string& scene : arguments.scenes) {
+    job.requests.push_back({.scene = scene,
+                            .view = {size->first, size->second, PixelFormat::rgb565},
+                            .up = *up,
+                            .frames = arguments.frames,
+                            .target = arguments.target,
+                            .firmware = arguments.firmware});
+  }
+  return job;
+}
+
+Result<Done> write(const fs::path& path, const std::string& text) {
+  return write_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, "-o");
+}
+
+std::string file_name(const AccuracyRequest& request) {
+  return fmt::format("{}_{}.svg", fs::path(request.scene).stem().string(), request.target);
+}
+
+std::string summary(const Campaign& campaign, double seconds) {
+  const AccuracyPoint* best = recommended(campaign);
+  std::size_t front = 0;
+  for (const AccuracyPoint& point : campaign.points) front += point.on_front ? 1 : 0;
+  std::string text =
+      fmt::format("{} on {}: {} points, {} measured now in {:.0f} s, {} on the front\n", campaign.request.scene,
+                  campaign.request.target, campaign.points.size(), campaign.measured, seconds, front);
+  if (best != nullptr) text += fmt::format("  recommended: {}\n", to_text(best->settings));
+  return text;
+}
+
+/// The boards' programs that the job will ask for, one name a line: host-sim/run builds them.
+Result<Done> list_programs(const Job& job) {
+  std::set<std::string> names;
+  for (const AccuracyRequest& request : job.requests) {
+    AccuracyRequest small = request;  // effects do not depend on the picture
+    small.view = {16, 12, PixelFormat::rgb565};
+    small.frames = 1;
+    const auto scene = AccuracyScene::open(small);
+    if (!scene) return scene.failure();
+    const std::vector<Settings> settings = !job.options.only.empty() ? job.options.only
+                                           : job.options.product     ? all_settings(**scene, job.options.knobs)
+                                                                     : one_at_a_time(**scene, job.options.knobs);
+    names.merge([&] {
+      const std::vector<std::string> found = programs_for(**scene, settings);
+      return std::set<std::string>(found.begin(), found.end());
+    }());
+  }
+  std::string text;
+  for (const std::string& name : names) text += name + "\n";
+  write_text(stdout, text);
+  return Done{};
+}
+
+Result<Done> run(const Arguments& arguments) {
+  const Result<Job> job = parse(arguments);
+  if (!job) return job.failure();
+  if (arguments.programs) return list_programs(*job);
+  const fs::path folder = arguments.output;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    return Failure{ExitStatus::output, fmt::format("the folder '{}' cannot be made ({}); name another with -o",
+                                                   folder.string(), error.message())};
+  }
+  Result<Journal> journal = Journal::open(folder / "points.jsonl");
+  if (!journal) return journal.failure();
+  std::vector<Campaign> campaigns;
+  std::vector<PageScene> pages;
+  for (const AccuracyRequest& request : job->requests) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto scene = AccuracyScene::open(request);
+    if (!scene) return scene.failure();
+    Result<Campaign> campaign = [&] {
+      Progress progress(1, !arguments.quiet, "point");
+      return run_campaign(**scene, job->options, *journal, [&](std::size_t done, std::size_t all) {
+        progress.show(static_cast<std::uint32_t>(done), static_cast<std::uint32_t>(all));
+      });
+    }();
+    if (!campaign) return campaign.failure();
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    if (!arguments.quiet) write_text(stdout, summary(*campaign, took.count()));
+    if (const Result<Done> written = write(folder / file_name(request), plot_svg(*campaign)); !written)
+      return written.failure();
+    Result<PageScene> page = with_pictures(**scene, *campaign, arguments.jobs);
+    if (!page) return page.failure();
+    pages.push_back(std::move(*page));
+    campaigns.push_back(std::move(*campaign));
+  }
+  for (const auto& [name, text] :
+       {std::pair{"accuracy.csv", accuracy_csv(campaigns)}, std::pair{"accuracy.json", accuracy_json(campaigns)},
+        std::pair{"index.html", accuracy_page(pages)}}) {
+    if (const Result<Done> written = write(folder / name, text); !written) return written.failure();
+  }
+  if (!arguments.quiet) write_text(stdout, fmt::format("{} shows them all\n", (folder / "index.html").string()));
+  return Done{};
+}
+
+std::string footer() {
+  std::string text = "Knobs, the default first:\n";
+  for (const KnobInfo& knob : knobs()) {
+    std::string values;
+    for (const KnobValue& value : knob.values) values += fmt::format("{}{}", values.empty() ? "" : ", ", value.name);
+    text += fmt::format("  {:<12} {}: {}\n", knob.name, knob.meaning, values);
+  }
+  return text +
+         "Examples:\n"
+         "  zstrip accuracy knot -o out/accuracy\n"
+         "  zstrip accuracy knot room --target m3 --knobs depth,fit,strips -o out/m3\n"
+         "  zstrip accuracy teapot --only depth=w16,detail=50 --only exact -o out/two\n"
+         "A run that was interrupted goes on where it was: points are kept in points.jsonl of the folder.";
+}
+
+}  // namespace
+
+void add_accuracy_command(CLI::App& app, int& exit_code) {
+  CLI::App* command =
+      app.add_subcommand("accuracy", "Measure what accuracy costs: errors, time and memory of all settings");
+  const auto arguments = std::make_shared<Arguments>();
+  Arguments& a = *arguments;
+  command->add_option("scenes", a.scenes, "Built-in scenes, models or baked scenes")->required()->type_name("SCENE...");
+  command->add_option("--target", a.target, "Whose time: host, or an emulated m0, m3 or m4f")
+      ->check(CLI::IsMember({"host", "m0", "m3", "m4f"}))
+      ->capture_default_str();
+  command->add_option("--knobs", a.knobs, "Knobs to turn, separated by commas, or all")->capture_default_str();
+  command->add_option("--size", a.size, "Size of the picture")->type_name("WxH")->capture_default_str();
+  command->add_option("--frames", a.frames, "Poses of a turn")
+      ->type_name("N")
+      ->check(CLI::Range(1U, 60U))
+      ->capture_default_str();
+  command->add_option("--jobs", a.jobs, "Points measured at once (default: one a core)")
+      ->type_name("N")
+      ->check(CLI::Range(1U, 256U));
+  command->add_option("--only", a.only, "These settings and no others, as KNOB=VALUE,... or a preset's name")
+      ->type_name("SETTINGS");
+  command->add_flag("--singles", a.singles, "One knob at a time, no combinations");
+  command->add_option("--up", a.up, "Axis that points upwards in a model file")->type_name("AXIS");
+  command->add_option("--firmware", a.firmware, "Folder of the boards' programs, if not where the build puts them")
+      ->type_name("DIR");
+  command->add_flag("--list-programs", a.programs,
+                    "Print the names of the boards' programs that would be run, and end");
+  command->add_option("-o,--output", a.output, "Folder for page, plots, tables and points")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->add_flag("--quiet", a.quiet, "No summary and no progress");
+  command->footer(footer());
+  command->callback([arguments, &exit_code] {
+    const Result<Done> done = run(*arguments);
+    exit_code = done ? static_cast<int>(ExitStatus::ok) : print_failure(done.failure());
+  });
+}
+
+}  // namespace zstrip::sim

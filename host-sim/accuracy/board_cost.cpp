@@ -1,0 +1,96 @@
+// Hands baked scenes to the boards' program that has just their pipeline.
+#include "accuracy/board_cost.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <filesystem>
+
+#include "bake/scene_blob.hpp"
+#include "bench/board_bench.hpp"
+#include "bench/board_prediction.hpp"
+#include "image/write_file.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file that goes when this does.
+class TemporaryFile {
+ public:
+  TemporaryFile() {
+    static std::atomic<unsigned> number{0};
+    path_ = fs::temp_directory_path() / fmt::format("zstrip_accuracy_{}_{}.zsc", getpid(), number++);
+  }
+  ~TemporaryFile() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+std::string_view board_of(std::string_view target) {
+  if (target == "m0") return "microbit";
+  return target == "m3" ? "bluepill" : "blackpill";
+}
+
+std::string board_program_name(std::string_view target, Effects effects) {
+  return fmt::format("zstrip_scene_{}_{:07x}", target, effects.bits);
+}
+
+Result<Done> measure_on_board(const AccuracyRequest& request, const std::vector<Staging>& staged, const View& view,
+                              Effects effects, const Budget& budget, Cost& cost) {
+  const BoardModel& board = *find_board(board_of(request.target));
+  std::uint64_t instructions = 0;
+  double slow = 0, fast = 0;
+  bool fits = true;
+  for (const Staging& pose : staged) {
+    const Result<std::vector<std::uint8_t>> blob = to_scene_blob({pose.scene, pose.camera, view});
+    if (!blob) return blob.failure();
+    const TemporaryFile file;
+    if (const Result<Done> written = write_file(file.path(), *blob, "TMPDIR"); !written) return written.failure();
+    BenchCase bench_case{.workload = request.scene,
+                         .target = request.target,
+                         .view = view,
+                         .budget = budget,
+                         .frames = 1,
+                         .program = board_program_name(request.target, effects),
+                         .scene_file = file.path()};
+    // Strips as asked for; whether they fit the board is a question of its own.
+    if (fits && cost.ram_bytes <= board.ram_bytes - kReservedRam) {
+      const Result<BoardPrediction> predicted = predict(board, bench_case, request.firmware);
+      if (predicted) {
+        instructions += predicted->instructions;
+        slow += frame_seconds(*predicted, true);
+        fast += frame_seconds(*predicted, false);
+        cost.program_bytes = predicted->measurement.flash_bytes;
+        continue;
+      }
+      if (predicted.failure().status != ExitStatus::budget) return predicted.failure();
+    }
+    fits = false;
+    const Result<fs::path> program = board_program(bench_case, request.firmware);
+    if (!program) return program.failure();
+    const Result<Measurement> measured = bench_on_board(bench_case, *program, {});
+    if (!measured) return measured.failure();
+    instructions += *measured->instructions_per_frame;
+    cost.program_bytes = measured->flash_bytes;
+  }
+  cost.instructions = instructions / staged.size();
+  if (fits) {
+    cost.least_fps = static_cast<double>(staged.size()) / slow;
+    cost.most_fps = static_cast<double>(staged.size()) / fast;
+  }
+  return Done{};
+}
+
+}  // namespace zstrip::sim

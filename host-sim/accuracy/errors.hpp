@@ -1,0 +1,91 @@
+// How far a picture is from the truth, in separate figures, and where.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "accuracy/observation.hpp"
+#include "accuracy/truth.hpp"
+
+namespace zstrip::sim {
+
+/// The figures. "Shown" pixels are those where picture or truth show a surface.
+enum class Figure : std::uint8_t {
+  wrong_pixels,
+  wrong_surface,
+  silhouette,
+  depth_codes,
+  depth_view,
+  texture,
+  colour_mean,
+  colour_p999,
+  colour_worst,
+  psnr,
+  psnr_16x,
+  perceived,
+  flicker
+};
+inline constexpr std::size_t kFigures = 13;
+
+struct FigureInfo {
+  std::string_view name;
+  std::string_view unit;
+  std::string_view meaning;
+  bool more_is_better = false;
+};
+std::span<const FigureInfo> figures();
+
+/// NaN where a figure has no meaning: the place in the texture of a scene without textures.
+struct Errors {
+  std::array<double, kFigures> value{};
+  double operator[](Figure figure) const { return value[static_cast<std::size_t>(figure)]; }
+  double& operator[](Figure figure) { return value[static_cast<std::size_t>(figure)]; }
+};
+
+/// What the codes of the z-buffer are linear in.
+struct DepthScale {
+  DepthFormat format = DepthFormat::z16;
+  bool orthographic = false;
+};
+
+/// Gathers the errors of several frames.
+class ErrorSum {
+ public:
+  /// `simplified`: triangles have other numbers than in the truth; a surface is then wrong where it lies more than a
+  /// pixel's size before or behind all that the truth shows at the pixel and its neighbours.
+  ErrorSum(const View& view, const Camera& camera, const DepthScale& depth, bool simplified);
+
+  void add(const Observation& drawn, const Truth& truth);
+  /// Two frames a little apart.
+  void add_flicker(const Observation& first, const Truth& first_truth, const Observation& next,
+                   const Truth& next_truth);
+  Errors take() const;
+  /// Of each pixel of the frame that was added first: how different it looks.
+  const std::vector<float>& heat() const { return heat_; }
+
+ private:
+  void add_surfaces(const Observation& drawn, const Truth& truth);
+  void add_depth(const Observation& drawn, const Truth& truth);
+  void add_colour(const Observation& drawn, const Truth& truth);
+
+  View view_;
+  double pixel_at_one_;  ///< size of a pixel at distance 1
+  DepthScale depth_;
+  bool simplified_;
+  std::uint64_t shown_ = 0, wrong_surface_ = 0, silhouette_ = 0, flicker_pixels_ = 0, looked_at_ = 0;
+  double squares_ = 0, squares_16x_ = 0, perceived_ = 0, flicker_ = 0;
+  std::uint64_t channels_ = 0;
+  std::vector<float> codes_, distances_, texels_, colours_;
+  std::vector<float> heat_;
+};
+
+/// How different two pictures look: CIELAB after what the eye does not resolve at 67 pixels a degree is smoothed away;
+/// for each pixel |dL| + |dab|, 0 .. about 200. 1 is just noticeable.
+std::vector<float> perceived_difference(std::uint32_t width, std::uint32_t height,
+                                        std::span<const std::array<float, 3>> a,
+                                        std::span<const std::array<float, 3>> b);
+
+}  // namespace zstrip::sim

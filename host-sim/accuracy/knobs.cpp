@@ -1,0 +1,218 @@
+// The table of knobs.
+#include "accuracy/knobs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+namespace zstrip::sim {
+namespace {
+
+const std::vector<KnobInfo>& table() {
+  static const std::vector<KnobInfo> kTable{
+      {Knob::depth,
+       "depth",
+       "how the z-buffer keeps depth",
+       {{"z16", "16 bits, linear in 1/w"},
+        {"float", "16 bits, 3.13 of near/w: needs no far bound"},
+        {"w16", "16 bits, linear in w: a division a pixel"},
+        {"z24", "24 bits in cells of 32"},
+        {"z32", "32 bits"},
+        {"ranges", "z16 in four sub-ranges: 14 bits, three clears of four saved"}}},
+      {Knob::fit,
+       "fit",
+       "which distances the depth codes span",
+       {{"fitted", "those that the scene can reach in this frame"}, {"fixed", "the camera's near to its far plane"}}},
+      {Knob::shading,
+       "shading",
+       "colour within a triangle",
+       {{"gouraud", "interpolated between the vertices"}, {"flat", "that of the first vertex"}}},
+      {Knob::perspective,
+       "perspective",
+       "pixels of a row from one exact place in the texture to the next",
+       {{"16", "every 16th pixel"},
+        {"affine", "only the triangle's corners"},
+        {"8", "every 8th pixel"},
+        {"1", "every pixel"}}},
+      {Knob::detail,
+       "detail",
+       "of 100 triangles of a mesh how many stay (meshoptimizer)",
+       {{"100", "all"}, {"50", "half"}, {"25", "a quarter"}, {"10", "a tenth"}}},
+      {Knob::format,
+       "format",
+       "pixels of the display",
+       {{"rgb565", "65,536 colours"}, {"gray4", "16 greys"}, {"mono", "black and white"}}},
+      {Knob::strips,
+       "strips",
+       "rows of a strip: memory against time, not a pixel changes",
+       {{"16", "16 rows, geometry transformed again for each strip"},
+        {"4", "4 rows"},
+        {"8", "8 rows"},
+        {"64", "64 rows"},
+        {"whole", "the whole picture at once"},
+        {"bins16", "16 rows, geometry transformed once and listed by strip"}}},
+  };
+  return kTable;
+}
+
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({substituted, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+/// The index of `word` in `range` by its name, else a failure that lists them and names the nearest.
+template <class Range>
+Result<std::size_t> find_word(const Range& range, std::string_view word, std::string_view what) {
+  std::size_t nearest = 0, least = SIZE_MAX;
+  std::string names;
+  for (std::size_t i = 0; i < range.size(); ++i) {
+    if (range[i].name == word) return i;
+    const std::size_t d = distance(range[i].name, word);
+    if (d < least) least = d, nearest = i;
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", range[i].name);
+  }
+  return Failure{ExitStatus::usage, fmt::format("no {} is called '{}', the nearest is '{}'; there are {}", what, word,
+                                                range[nearest].name, names)};
+}
+
+std::vector<std::string_view> split(std::string_view text) {
+  std::vector<std::string_view> words;
+  while (!text.empty()) {
+    const std::size_t comma = text.find(',');
+    words.push_back(text.substr(0, comma));
+    text = comma == std::string_view::npos ? std::string_view{} : text.substr(comma + 1);
+  }
+  return words;
+}
+
+}  // namespace
+
+std::span<const KnobInfo> knobs() { return table(); }
+const KnobInfo& info(Knob knob) { return table()[static_cast<std::size_t>(knob)]; }
+
+std::string to_text(const Settings& settings) {
+  std::string text;
+  for (const KnobInfo& knob : knobs()) {
+    if (settings[knob.knob] == 0) continue;
+    text += fmt::format("{}{}={}", text.empty() ? "" : ",", knob.name, settings.name_of(knob.knob));
+  }
+  return text.empty() ? "default" : text;
+}
+
+Result<Settings> parse_settings(std::string_view text) {
+  Settings settings;
+  for (const NamedSettings& named : named_settings()) {
+    if (named.name == text) return named.settings;
+  }
+  if (text == "default") return settings;
+  for (const std::string_view word : split(text)) {
+    const std::size_t equals = word.find('=');
+    const Result<std::size_t> knob = find_word(knobs(), word.substr(0, equals), "knob");
+    if (!knob) return knob.failure();
+    const KnobInfo& found = knobs()[*knob];
+    const std::string_view wanted = equals == std::string_view::npos ? "" : word.substr(equals + 1);
+    const Result<std::size_t> value = find_word(found.values, wanted, fmt::format("value of {}", found.name));
+    if (!value) return value.failure();
+    settings[found.knob] = static_cast<std::uint8_t>(*value);
+  }
+  return settings;
+}
+
+Result<std::vector<Knob>> parse_knobs(std::string_view text) {
+  std::vector<Knob> found;
+  for (const std::string_view word : split(text)) {
+    if (word == "all") {
+      for (const KnobInfo& knob : knobs()) found.push_back(knob.knob);
+      continue;
+    }
+    const Result<std::size_t> knob = find_word(knobs(), word, "knob");
+    if (!knob) return knob.failure();
+    found.push_back(knobs()[*knob].knob);
+  }
+  std::ranges::sort(found);
+  found.erase(std::ranges::unique(found).begin(), found.end());
+  return found;
+}
+
+Effects extra_effects(const Settings& settings) {
+  Effects effects{};
+  const std::string_view depth = settings.name_of(Knob::depth);
+  if (depth == "float") effects = effect::depth_float;
+  if (depth == "w16") effects = effect::depth_w16;
+  if (depth == "z24") effects = effect::depth_24;
+  if (depth == "z32") effects = effect::depth_32;
+  if (depth == "ranges") effects = effect::depth_ranges;
+  const std::string_view perspective = settings.name_of(Knob::perspective);
+  if (perspective == "affine") effects = effects | effect::perspective_affine;
+  if (perspective == "8") effects = effects | effect::perspective_8;
+  if (perspective == "1") effects = effects | effect::perspective_1;
+  if (settings.name_of(Knob::strips) == "bins16") effects = effects | effect::bins;
+  return effects;
+}
+
+PixelFormat pixel_format(const Settings& settings) {
+  const std::string_view format = settings.name_of(Knob::format);
+  if (format == "gray4") return PixelFormat::gray4;
+  return format == "mono" ? PixelFormat::mono : PixelFormat::rgb565;
+}
+
+Budget budget(const Settings& settings, std::uint16_t height) {
+  const std::string_view strips = settings.name_of(Knob::strips);
+  std::uint16_t rows = 16;
+  if (strips == "4") rows = 4;
+  if (strips == "8") rows = 8;
+  if (strips == "64") rows = 64;
+  if (strips == "whole") rows = height;
+  return {.strip_rows = std::min(rows, height), .modes = strips == "bins16" ? Modes::binned : Modes::streamed};
+}
+
+std::uint32_t detail_percent(const Settings& settings) {
+  constexpr std::array<std::uint32_t, 4> kPercent{100, 50, 25, 10};
+  return kPercent[settings[Knob::detail]];
+}
+
+std::vector<Knob> knobs_for(Effects effects, bool may_simplify) {
+  std::vector<Knob> found;
+  for (const KnobInfo& knob : knobs()) {
+    if (knob.knob == Knob::shading && !effects.has(effect::gouraud)) continue;
+    if (knob.knob == Knob::perspective && (!effects.has(effect::textures) || effects.has(effect::orthographic)))
+      continue;
+    if (knob.knob == Knob::detail && !may_simplify) continue;
+    found.push_back(knob.knob);
+  }
+  return found;
+}
+
+bool possible(const Settings& settings, Effects effects) {
+  const Effects extra = extra_effects(settings);
+  if (!depth_effects_agree(effects | extra)) return false;
+  if (extra.has(effect::bins | effect::depth_ranges)) return false;
+  // Libraries for programs that choose at run time have no pipeline with both.
+  return !(extra.any(effect::perspective_runs) && extra.any(effect::depth_formats | effect::depth_ranges));
+}
+
+std::span<const NamedSettings> named_settings() {
+  static const std::array<NamedSettings, 3> kNamed = [] {
+    Settings tiny, exact;
+    tiny[Knob::shading] = 1;       // flat
+    tiny[Knob::strips] = 1;        // 4 rows
+    tiny[Knob::detail] = 1;        // half
+    exact[Knob::perspective] = 3;  // every pixel
+    return std::array<NamedSettings, 3>{{{"tiny", tiny}, {"balanced", Settings{}}, {"exact", exact}}};
+  }();
+  return kNamed;
+}
+
+}  // namespace zstrip::sim

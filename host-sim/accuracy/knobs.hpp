@@ -1,0 +1,73 @@
+// The knobs that trade accuracy for time or memory: their names, their values, and settings, one value of each.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "result.hpp"
+#include "zstrip/plan/plan_types.hpp"
+#include "zstrip/scene/effects.hpp"
+
+namespace zstrip::sim {
+
+enum class Knob : std::uint8_t { depth, fit, shading, perspective, detail, format, strips };
+inline constexpr std::size_t kKnobs = 7;
+
+struct KnobValue {
+  std::string_view name;
+  std::string_view meaning;  ///< one phrase
+};
+
+/// The first value is the default.
+struct KnobInfo {
+  Knob knob;
+  std::string_view name;
+  std::string_view meaning;
+  std::vector<KnobValue> values;
+};
+
+/// In the order of Knob.
+std::span<const KnobInfo> knobs();
+const KnobInfo& info(Knob knob);
+
+/// An index into KnobInfo::values for each knob; zeros are the defaults.
+struct Settings {
+  std::array<std::uint8_t, kKnobs> value{};
+  std::uint8_t operator[](Knob knob) const { return value[static_cast<std::size_t>(knob)]; }
+  std::uint8_t& operator[](Knob knob) { return value[static_cast<std::size_t>(knob)]; }
+  std::string_view name_of(Knob knob) const { return info(knob).values[(*this)[knob]].name; }
+  friend auto operator<=>(const Settings&, const Settings&) = default;
+};
+
+/// What is not default, "depth=w16,strips=8"; "default" where nothing is.
+std::string to_text(const Settings& settings);
+/// The reverse, of a part of them: a usage error names the nearest knob or value.
+Result<Settings> parse_settings(std::string_view text);
+/// Names separated by commas, or "all".
+Result<std::vector<Knob>> parse_knobs(std::string_view text);
+
+/// What the settings are to the renderer.
+Effects extra_effects(const Settings& settings);  ///< beside those that the scene calls for
+PixelFormat pixel_format(const Settings& settings);
+/// Of the strips of a picture of `height` rows.
+Budget budget(const Settings& settings, std::uint16_t height);
+/// Of 100, how many triangles a mesh keeps.
+std::uint32_t detail_percent(const Settings& settings);
+
+/// Which knobs change anything of a scene that calls for `effects`; `may_simplify`: it has a mesh that is worth it.
+std::vector<Knob> knobs_for(Effects effects, bool may_simplify);
+/// Whether the renderer can draw so: not every pair of values goes together.
+bool possible(const Settings& settings, Effects effects);
+
+/// The presets of docs/accuracy.md by their names: tiny, balanced, exact.
+struct NamedSettings {
+  std::string_view name;
+  Settings settings;
+};
+std::span<const NamedSettings> named_settings();
+
+}  // namespace zstrip::sim

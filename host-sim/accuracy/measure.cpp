@@ -1,0 +1,123 @@
+// Poses, their truth, and what settings make of them.
+#include "accuracy/measure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "accuracy/board_cost.hpp"
+#include "accuracy/observation.hpp"
+#include "accuracy/variant.hpp"
+#include "bake/scene_blob.hpp"
+#include "zstrip/plan/plan.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::uint32_t kTurn = 720;  // frames of a turn: two next to each other are half a degree apart
+constexpr int kRounds = 5;
+
+}  // namespace
+
+double time_of(const AccuracyPoint& point) {
+  return point.cost.instructions ? static_cast<double>(*point.cost.instructions) : point.cost.nanoseconds;
+}
+
+Result<std::unique_ptr<AccuracyScene>> AccuracyScene::open(const AccuracyRequest& request) {
+  Result<std::unique_ptr<Stage>> stage = open_stage(request.scene, request.up, {}, request.view, kTurn);
+  if (!stage) return stage.failure();
+  auto scene = std::make_unique<AccuracyScene>();
+  scene->request_ = request;
+  for (std::uint32_t pose = 0; pose < request.frames; ++pose) {
+    for (std::uint32_t next = 0; next < 2; ++next) {
+      scene->stages_.push_back((*stage)->copy());
+      const Result<Staging> staged = scene->stages_.back()->place(pose * (kTurn / request.frames) + next, kTurn);
+      if (!staged) return staged.failure();
+      Result<Truth> truth = find_truth(staged->scene, staged->camera, request.view);
+      if (!truth) return truth.failure();
+      scene->staged_.push_back(*staged);
+      scene->truths_.push_back(std::move(*truth));
+    }
+  }
+  return scene;
+}
+
+Effects AccuracyScene::effects() const { return effects_of(staged_[0].scene, staged_[0].camera); }
+
+Effects AccuracyScene::effects_with(const Settings& settings) const {
+  const Effects called_for =
+      settings.name_of(Knob::shading) == "flat" ? without(effects(), effect::gouraud) : effects();
+  return called_for | extra_effects(settings);
+}
+
+std::vector<Knob> AccuracyScene::knobs() const { return knobs_for(effects(), may_simplify(staged_[0].scene)); }
+
+Result<Errors> AccuracyScene::errors(const Settings& settings, AccuracyPictures* pictures) const {
+  const SceneVariant variant(staged_[0].scene, settings);
+  const DepthScale depth{depth_format(extra_effects(settings)), effects().has(effect::orthographic)};
+  ErrorSum sum(request_.view, staged_[0].camera, depth, variant.simplified());
+  std::vector<Observation> seen;
+  for (std::size_t i = 0; i < staged_.size(); ++i) {
+    Result<Observation> observed = observe(variant.apply(staged_[i]), request_.view, settings);
+    if (!observed) return observed.failure();
+    seen.push_back(std::move(*observed));
+    if (i % 2 == 0) {
+      sum.add(seen[i], truths_[i]);
+    } else {
+      sum.add_flicker(seen[i - 1], truths_[i - 1], seen[i], truths_[i]);
+    }
+  }
+  if (pictures != nullptr) *pictures = {seen[0].rgb, sum.heat()};
+  return sum.take();
+}
+
+Result<MemoryCost> AccuracyScene::memory(const Settings& settings) const {
+  const SceneVariant variant(staged_[0].scene, settings);
+  const View view{request_.view.width, request_.view.height, pixel_format(settings)};
+  const Staging first = variant.apply(staged_[0]);
+  const PlanResult planned = plan(count(first.scene), view, effects_with(settings), budget(settings, view.height));
+  if (!planned.status) {
+    return Failure{ExitStatus::internal,
+                   fmt::format("{} cannot be planned: {}", to_text(settings), message(planned.status.error))};
+  }
+  const Result<std::vector<std::uint8_t>> blob = to_scene_blob({first.scene, first.camera, view});
+  if (!blob) return blob.failure();
+  return MemoryCost{planned.plan.wide_bytes() + planned.plan.strip_pixel_bytes(view), blob->size()};
+}
+
+Result<Cost> AccuracyScene::cost(const Settings& settings) const {
+  const SceneVariant variant(staged_[0].scene, settings);
+  const View view{request_.view.width, request_.view.height, pixel_format(settings)};
+  const Budget strips = budget(settings, view.height);
+  const Effects extra = extra_effects(settings);
+  const auto poses = static_cast<double>(request_.frames);
+
+  const Result<MemoryCost> memory_cost = memory(settings);
+  if (!memory_cost) return memory_cost.failure();
+  Cost cost;
+  cost.ram_bytes = memory_cost->ram_bytes;
+  cost.scene_bytes = memory_cost->scene_bytes;
+  if (request_.target != "host") {
+    std::vector<Staging> staged;
+    for (std::size_t i = 0; i < staged_.size(); i += 2) staged.push_back(variant.apply(staged_[i]));
+    const Result<Done> measured = measure_on_board(request_, staged, view, effects_with(settings), strips, cost);
+    if (!measured) return measured.failure();
+    return cost;
+  }
+  for (std::size_t i = 0; i < staged_.size(); i += 2) {
+    const Staging staged = variant.apply(staged_[i]);
+    double least = 1e300;
+    for (int round = 0; round < kRounds; ++round) {
+      const auto start = std::chrono::steady_clock::now();
+      const Result<Drawn> drawn = draw(staged, view, extra, strips, false);
+      const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - start;
+      if (!drawn) return drawn.failure();
+      least = std::min(least, took.count());
+    }
+    cost.nanoseconds += least / poses;
+  }
+  return cost;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,31 @@
+// The page that shows what accuracy costs: one HTML file that opens from disk and needs nothing else.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "accuracy/campaign.hpp"
+#include "result.hpp"
+
+namespace zstrip::sim {
+
+/// Pictures of one point, as PNG files.
+struct PointPictures {
+  std::size_t point = 0;  ///< its place in the campaign
+  std::vector<std::uint8_t> drawn, heat;
+};
+struct PageScene {
+  Campaign campaign;
+  std::vector<std::uint8_t> truth;  ///< PNG
+  std::vector<PointPictures> pictures;
+};
+
+/// Draws the pictures of points that people will ask for: those with one knob turned and those on the front.
+Result<PageScene> with_pictures(const AccuracyScene& scene, Campaign campaign, unsigned jobs);
+
+/// What one types to measure this point again.
+std::string command_of(const AccuracyPoint& point, const AccuracyRequest& request);
+
+std::string accuracy_page(const std::vector<PageScene>& scenes);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,184 @@
+// Axes with logarithms, points, the front.
+#include "accuracy/plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace zstrip::sim {
+namespace {
+
+constexpr double kWidth = 760, kHeight = 430;
+constexpr double kLeft = 62, kRight = 20, kTop = 14, kBottom = 52;
+
+struct Group {
+  std::string_view name, colour;
+};
+// Okabe and Ito's colours.
+constexpr std::array<Group, 9> kGroups{{{"default", "#111111"},
+                                        {"depth", "#0072b2"},
+                                        {"fit", "#56b4e9"},
+                                        {"shading", "#e69f00"},
+                                        {"perspective", "#009e73"},
+                                        {"detail", "#d55e00"},
+                                        {"format", "#cc79a7"},
+                                        {"strips", "#b8a500"},
+                                        {"several", "#9a9a9a"}}};
+
+/// A logarithmic axis from below the least to above the largest value.
+class Axis {
+ public:
+  Axis(double least, double most, double from, double to) : from_(from), to_(to) {
+    low_ = std::log10(std::max(least, 1e-6)) - 0.06;
+    high_ = std::log10(std::max(most, 1e-6)) + 0.06;
+    if (high_ - low_ < 0.2) low_ -= 0.1, high_ += 0.1;
+  }
+  double at(double value) const {
+    return from_ + (std::log10(std::max(value, 1e-6)) - low_) / (high_ - low_) * (to_ - from_);
+  }
+  /// 1, 2 and 5 of each decade; in short ranges all tenths.
+  std::vector<double> ticks() const {
+    std::vector<double> found;
+    for (int decade = static_cast<int>(std::floor(low_)); decade <= static_cast<int>(std::ceil(high_)); ++decade) {
+      for (int digit = 1; digit < 10; ++digit) {
+        if (high_ - low_ > 0.7 && digit != 1 && digit != 2 && digit != 5) continue;
+        const double value = digit * std::pow(10, decade);
+        if (std::log10(value) >= low_ && std::log10(value) <= high_) found.push_back(value);
+      }
+    }
+    return found;
+  }
+
+ private:
+  double low_, high_, from_, to_;
+};
+
+std::string short_number(double value) {
+  if (value >= 1e6) return fmt::format("{:g} M", value / 1e6);
+  if (value >= 1e3) return fmt::format("{:g} k", value / 1e3);
+  return fmt::format("{:g}", value);
+}
+
+double error_of(const AccuracyPoint& point) { return point.errors[Figure::perceived]; }
+
+}  // namespace
+
+std::string group_of(const AccuracyPoint& point) {
+  std::string group = "default";
+  for (const KnobInfo& knob : knobs()) {
+    if (point.settings[knob.knob] == 0) continue;
+    group = group == "default" ? std::string(knob.name) : "several";
+  }
+  return group;
+}
+
+std::string_view colour_of_group(std::string_view group) {
+  return std::ranges::find(kGroups, group, &Group::name)->colour;
+}
+
+const AccuracyPoint* recommended(const Campaign& campaign) {
+  const auto standard = std::ranges::find(campaign.points, Settings{}, &AccuracyPoint::settings);
+  if (standard == campaign.points.end()) return nullptr;
+  const AccuracyPoint* best = &*standard;
+  for (const AccuracyPoint& point : campaign.points) {
+    const bool fine = error_of(point) <= 1.05 * error_of(*standard) &&
+                      point.errors[Figure::wrong_pixels] <= 1.05 * standard->errors[Figure::wrong_pixels] &&
+                      point.cost.ram_bytes <= standard->cost.ram_bytes;
+    // Instructions are exact; a clock's times are not.
+    const double gain = point.cost.instructions ? 1 : 0.95;
+    if (fine && time_of(point) < gain * time_of(*best)) best = &point;
+  }
+  return best;
+}
+
+std::string time_label(const Campaign& campaign) {
+  if (campaign.request.target == "host") return "nanoseconds a frame on this machine";
+  return fmt::format("instructions a frame on {}", campaign.request.target == "m0"   ? "Cortex-M0"
+                                                   : campaign.request.target == "m3" ? "Cortex-M3"
+                                                                                     : "Cortex-M4F");
+}
+
+std::string plot_svg(const Campaign& campaign) {
+  const std::vector<AccuracyPoint>& points = campaign.points;
+  std::vector<double> times, errors, ram;
+  for (const AccuracyPoint& point : points) {
+    times.push_back(time_of(point));
+    errors.push_back(error_of(point));
+    ram.push_back(static_cast<double>(point.cost.ram_bytes));
+  }
+  const Axis x(*std::ranges::min_element(times), *std::ranges::max_element(times), kLeft, kWidth - kRight);
+  const Axis y(*std::ranges::min_element(errors), *std::ranges::max_element(errors), kHeight - kBottom, kTop);
+  const double most_ram = *std::ranges::max_element(ram);
+
+  std::string svg = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
+      "font-family=\"system-ui, sans-serif\" font-size=\"12\" role=\"img\"><title>{2}: time against visible "
+      "error</title>\n"
+      "<rect x=\"{3}\" y=\"{4}\" width=\"{5}\" height=\"{6}\" fill=\"#fff\" stroke=\"#ccc\"/>\n",
+      kWidth, kHeight, campaign.request.scene, kLeft, kTop, kWidth - kLeft - kRight, kHeight - kTop - kBottom);
+  for (const double tick : x.ticks()) {
+    svg += fmt::format(
+        "<path d=\"M{0:.1f} {1}V{2}\" stroke=\"#eee\"/><text x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\" "
+        "fill=\"#555\">{4}</text>\n",
+        x.at(tick), kTop, kHeight - kBottom, kHeight - kBottom + 16, short_number(tick));
+  }
+  for (const double tick : y.ticks()) {
+    svg += fmt::format(
+        "<path d=\"M{1} {0:.1f}H{2}\" stroke=\"#eee\"/><text x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\" "
+        "fill=\"#555\">{5}</text>\n",
+        y.at(tick), kLeft, kWidth - kRight, kLeft - 6, y.at(tick) + 4, short_number(tick));
+  }
+  svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" fill=\"#222\">{}</text>\n",
+                     (kLeft + kWidth - kRight) / 2, kHeight - 14, time_label(campaign));
+  svg += fmt::format(
+      "<text transform=\"translate(15 {}) rotate(-90)\" text-anchor=\"middle\" fill=\"#222\">visible "
+      "error, CIELAB (1: just noticeable)</text>\n",
+      (kTop + kHeight - kBottom) / 2);
+  // The front of time and error: as time grows the error falls, in steps.
+  std::string path;
+  double least = 1e300;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (errors[i] >= least) continue;
+    path += path.empty() ? fmt::format("M{:.1f} {:.1f}", x.at(times[i]), y.at(errors[i]))
+                         : fmt::format("H{:.1f}V{:.1f}", x.at(times[i]), y.at(errors[i]));
+    least = errors[i];
+  }
+  svg += fmt::format("<path class=\"front\" d=\"{}\" fill=\"none\" stroke=\"#444\" stroke-dasharray=\"5 3\"/>\n", path);
+  const AccuracyPoint* best = recommended(campaign);
+  // Large markers first, so that small ones stay visible; the default on top.
+  std::vector<std::size_t> order(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+    const bool a_last = points[a].settings == Settings{}, b_last = points[b].settings == Settings{};
+    return a_last != b_last ? b_last : ram[a] > ram[b];
+  });
+  for (const std::size_t i : order) {
+    const std::string group = group_of(points[i]);
+    const double radius = 3.5 + 8.5 * std::sqrt(ram[i] / most_ram);
+    svg += fmt::format(
+        "<circle data-point=\"{}\" data-group=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\" "
+        "fill-opacity=\"{}\" stroke=\"{}\"><title>{}</title></circle>\n",
+        i, group, x.at(times[i]), y.at(errors[i]), radius, colour_of_group(group), group == "several" ? 0.35 : 0.7,
+        points[i].on_front ? "#000" : "#fff", to_text(points[i].settings));
+    if (&points[i] == best) {
+      svg += fmt::format(
+          "<circle class=\"recommended\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"none\" "
+          "stroke=\"#d00\" stroke-width=\"2\"/>\n",
+          x.at(times[i]), y.at(errors[i]), radius + 4);
+    }
+  }
+  const auto label = [&](const AccuracyPoint& point, std::string_view text, double dy) {
+    svg += fmt::format(
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" font-weight=\"600\" fill=\"#111\" "
+        "paint-order=\"stroke\" stroke=\"#fff\" stroke-width=\"3\">{}</text>\n",
+        std::clamp(x.at(time_of(point)), kLeft + 40, kWidth - kRight - 45), y.at(error_of(point)) + dy, text);
+  };
+  const auto standard = std::ranges::find(points, Settings{}, &AccuracyPoint::settings);
+  if (standard != points.end()) label(*standard, "default", -16);
+  if (best != nullptr && standard != points.end() && best != &*standard) label(*best, "recommended", 26);
+  return svg + "</svg>\n";
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,27 @@
+// Cost against error as SVG.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "accuracy/campaign.hpp"
+
+namespace zstrip::sim {
+
+/// The colour group of a point: "default", the name of the knob that it turns, "several".
+std::string group_of(const AccuracyPoint& point);
+/// #rrggbb, told apart by people who see few colours, too.
+std::string_view colour_of_group(std::string_view group);
+
+/// The settings for a campaign's scene: of the front the fastest point that looks no worse than the default by more
+/// than a twentieth and takes no more RAM.
+const AccuracyPoint* recommended(const Campaign& campaign);
+
+/// "time on m3, instructions a frame" or that of the host.
+std::string time_label(const Campaign& campaign);
+
+/// One picture, for a page (whose script finds the points by data-point, their places in the campaign) or a file.
+std::string plot_svg(const Campaign& campaign);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,277 @@
+// The rasteriser in double precision.
+#include "accuracy/truth.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace zstrip::sim {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+constexpr double kOne16 = 65536;       // 16.16
+constexpr double kOne30 = 1073741824;  // 2.30
+
+Vector vector_of(const Vec3& v, double one) { return {v.x / one, v.y / one, v.z / one}; }
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector normalised(const Vector& a) {
+  const double length = std::sqrt(dot(a, a));
+  return length == 0 ? a : Vector{a[0] / length, a[1] / length, a[2] / length};
+}
+/// Without the translation if `direction`.
+Vector transformed(const Transform& transform, const Vector& p, bool direction) {
+  Vector out{};
+  for (std::size_t row = 0; row < 3; ++row) {
+    const Fixed(&m)[4] = transform.m[row];
+    out[row] = (m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + (direction ? 0 : m[3])) / kOne16;
+  }
+  return out;
+}
+
+/// A corner of a polygon: where it is, and how much of each corner of the triangle it is.
+struct Corner {
+  double x = 0, y = 0, w = 0;  ///< view space, w along the viewing direction
+  Vector share{};
+};
+
+Corner between(const Corner& a, const Corner& b, double t) {
+  Corner c;
+  c.x = a.x + t * (b.x - a.x);
+  c.y = a.y + t * (b.y - a.y);
+  c.w = a.w + t * (b.w - a.w);
+  for (std::size_t i = 0; i < 3; ++i) c.share[i] = a.share[i] + t * (b.share[i] - a.share[i]);
+  return c;
+}
+
+/// Keeps where sign * (w - plane) >= 0.
+std::vector<Corner> cut(const std::vector<Corner>& polygon, double plane, double sign) {
+  std::vector<Corner> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Corner& a = polygon[i];
+    const Corner& b = polygon[(i + 1) % polygon.size()];
+    const double da = sign * (a.w - plane);
+    const double db = sign * (b.w - plane);
+    if (da >= 0) kept.push_back(a);
+    if ((da >= 0) != (db >= 0)) kept.push_back(between(a, b, da / (da - db)));
+  }
+  return kept;
+}
+
+/// What a triangle looks like, whatever its shape on the screen.
+struct Look {
+  std::uint32_t number = 0;
+  std::array<Vector, 3> rgb{};                ///< 0..255, of the corners
+  std::array<std::array<double, 2>, 3> uv{};  ///< texels
+  const Texture* texture = nullptr;
+  bool lit_texture = false;
+};
+
+Vector texel_at(const Texture& texture, double u, double v) {
+  const std::int64_t width = std::int64_t{1} << texture.log2_width;
+  const std::int64_t height = std::int64_t{1} << texture.log2_height;
+  const auto wrapped = [](double at, std::int64_t size) {
+    return static_cast<std::size_t>(((static_cast<std::int64_t>(std::floor(at)) % size) + size) % size);
+  };
+  const std::uint16_t texel = texture.texels[wrapped(v, height) * static_cast<std::size_t>(width) + wrapped(u, width)];
+  return {(texel >> 11) * 255.0 / 31, ((texel >> 5) & 63) * 255.0 / 63, (texel & 31) * 255.0 / 31};
+}
+
+class Rasteriser {
+ public:
+  Rasteriser(const Camera& camera, const View& view, std::uint32_t scale, const Colour& background, bool snap)
+      : orthographic_(camera.projection == Projection::orthographic), snap_(snap) {
+    picture_.width = view.width * scale;
+    picture_.height = view.height * scale;
+    TruthSample empty;
+    empty.rgb = {static_cast<float>(background.r), static_cast<float>(background.g), static_cast<float>(background.b)};
+    picture_.samples.assign(std::size_t{picture_.width} * picture_.height, empty);
+    focal_ = camera.focal / kOne16 * picture_.height / 2.0;
+  }
+
+  void draw(const std::vector<Corner>& polygon, const Look& look, bool double_sided) {
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+      draw_triangle({project(polygon[0]), project(polygon[i - 1]), project(polygon[i])}, look, double_sided);
+    }
+  }
+  TruthPicture take() { return std::move(picture_); }
+
+ private:
+  struct Point {
+    double x, y, q;  ///< picture coordinates; 1/w, or 1 without perspective
+    double w;
+    Vector share;
+  };
+
+  Point project(const Corner& c) const {
+    const double q = orthographic_ ? 1 : 1 / c.w;
+    // To nearest, halves up (docs/conventions.md).
+    const auto snapped = [&](double at) { return snap_ ? std::floor(at * 16 + 0.5) / 16 : at; };
+    return {snapped(picture_.width / 2.0 + c.x * q * focal_), snapped(picture_.height / 2.0 - c.y * q * focal_), q, c.w,
+            c.share};
+  }
+
+  static double edge(const Point& a, const Point& b, double x, double y) {
+    return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
+  }
+  /// With y downwards and a positive area: the interior lies to the right of the edge's direction.
+  static bool is_top_left(const Point& a, const Point& b) { return b.y < a.y || (b.y == a.y && b.x > a.x); }
+
+  void draw_triangle(std::array<Point, 3> p, const Look& look, bool double_sided) {
+    double area = edge(p[0], p[1], p[2].x, p[2].y);
+    // Counter-clockwise before y is turned downwards: negative here.
+    if (area > 0 && !double_sided) return;
+    if (area < 0) std::swap(p[1], p[2]), area = -area;
+    if (!(area > 0)) return;
+    const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
+    const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y});
+    const auto clamped = [](double at, std::uint32_t size) {
+      return static_cast<std::uint32_t>(std::clamp(std::floor(at), 0.0, static_cast<double>(size)));
+    };
+    const std::uint32_t x_end = clamped(right + 1, picture_.width), y_end = clamped(bottom + 1, picture_.height);
+    const std::array<bool, 3> owns{is_top_left(p[1], p[2]), is_top_left(p[2], p[0]), is_top_left(p[0], p[1])};
+    for (std::uint32_t y = clamped(top, picture_.height); y < y_end; ++y) {
+      for (std::uint32_t x = clamped(left, picture_.width); x < x_end; ++x) {
+        const double at_x = x + 0.5, at_y = y + 0.5;
+        const Vector e{edge(p[1], p[2], at_x, at_y), edge(p[2], p[0], at_x, at_y), edge(p[0], p[1], at_x, at_y)};
+        bool inside = true;
+        for (std::size_t i = 0; i < 3; ++i) inside = inside && (e[i] > 0 || (e[i] == 0 && owns[i]));
+        if (inside) shade(picture_.samples[std::size_t{y} * picture_.width + x], p, e, area, look);
+      }
+    }
+  }
+
+  void shade(TruthSample& sample, const std::array<Point, 3>& p, const Vector& e, double area, const Look& look) const {
+    double q = 0, w = 0;
+    Vector share{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double weight = e[i] / area * p[i].q;
+      q += weight;
+      w += e[i] / area * p[i].w;
+      for (std::size_t j = 0; j < 3; ++j) share[j] += weight * p[i].share[j];
+    }
+    const double distance = orthographic_ ? w : 1 / q;
+    if (sample.triangle != kNoTriangle && sample.w <= distance) return;
+    Vector rgb{};
+    double u = 0, v = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double part = share[j] / q;
+      for (std::size_t c = 0; c < 3; ++c) rgb[c] += part * look.rgb[j][c];
+      u += part * look.uv[j][0];
+      v += part * look.uv[j][1];
+    }
+    if (look.texture != nullptr) {
+      const Vector texel = texel_at(*look.texture, u, v);
+      for (std::size_t c = 0; c < 3; ++c) rgb[c] = look.lit_texture ? rgb[c] * texel[c] / 255 : texel[c];
+    }
+    sample = {look.number, distance, static_cast<float>(u), static_cast<float>(v), {}};
+    for (std::size_t c = 0; c < 3; ++c) sample.rgb[c] = static_cast<float>(std::clamp(rgb[c], 0.0, 255.0));
+  }
+
+  bool orthographic_, snap_;
+  double focal_;
+  TruthPicture picture_;
+};
+
+/// The colour of a vertex without its texture.
+Vector vertex_colour(const Scene& scene, const Instance& instance, const Mesh& mesh, const Material& material,
+                     std::uint16_t vertex) {
+  Vector rgb{double(material.colour.r), double(material.colour.g), double(material.colour.b)};
+  if (material.lit && !mesh.normals.empty()) {
+    const Normal& n = mesh.normals[vertex];
+    const Vector normal = normalised(transformed(instance.transform, {double(n.x), double(n.y), double(n.z)}, true));
+    Vector light{double(scene.ambient.r), double(scene.ambient.g), double(scene.ambient.b)};
+    for (const DirectionalLight& l : scene.lights) {
+      const double cosine = dot(normal, normalised({double(l.x), double(l.y), double(l.z)}));
+      if (cosine <= 0) continue;
+      light[0] += cosine * l.colour.r;
+      light[1] += cosine * l.colour.g;
+      light[2] += cosine * l.colour.b;
+    }
+    for (std::size_t c = 0; c < 3; ++c) rgb[c] = std::min(rgb[c] * light[c] / 255, 255.0);
+  }
+  if (!mesh.colours.empty()) {
+    const Colour& own = mesh.colours[vertex];
+    rgb = {rgb[0] * own.r / 255, rgb[1] * own.g / 255, rgb[2] * own.b / 255};
+  }
+  return rgb;
+}
+
+bool has_own_depth(const Material& m) {
+  return m.depth_test != DepthTest::nearer || !m.depth_write || m.depth_bias != 0 || m.depth_slope_bias != 0;
+}
+
+}  // namespace
+
+Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const View& view, std::uint32_t scale,
+                                bool snap) {
+  if (std::ranges::any_of(scene.materials, has_own_depth)) {
+    return Failure{ExitStatus::input,
+                   "the scene has materials with a depth test, write or bias of their own: what is right there depends "
+                   "on the z-buffer's codes, so that no truth can be drawn"};
+  }
+  Rasteriser rasteriser(camera, view, scale, scene.background, snap);
+  const Vector right = vector_of(camera.right, kOne30), up = vector_of(camera.up, kOne30),
+               back = vector_of(camera.back, kOne30), eye = vector_of(camera.eye, kOne16);
+  std::uint32_t number = 0;
+  for (const Instance& instance : scene.instances) {
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    const Material& material = scene.materials[instance.material];
+    const Vector centre = vector_of(mesh.centre, kOne16), extent = vector_of(mesh.half_extent, kOne16);
+    const bool textured = material.texture != kNoTexture && !mesh.texcoords.empty();
+    const double texcoord_one = std::ldexp(1.0, mesh.texcoord_bits);
+    for (const Triangle& triangle : mesh.triangles) {
+      const std::array<std::uint16_t, 3> index{triangle.a, triangle.b, triangle.c};
+      Look look{.number = number++, .rgb = {}, .uv = {}};
+      std::vector<Corner> polygon(3);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Position& p = mesh.positions[index[i]];
+        const Vector local{centre[0] + extent[0] * p.x / 32768, centre[1] + extent[1] * p.y / 32768,
+                           centre[2] + extent[2] * p.z / 32768};
+        const Vector world = transformed(instance.transform, local, false);
+        const Vector seen{world[0] - eye[0], world[1] - eye[1], world[2] - eye[2]};
+        polygon[i] = {dot(seen, right), dot(seen, up), -dot(seen, back), {}};
+        polygon[i].share[i] = 1;
+        look.rgb[i] = vertex_colour(scene, instance, mesh, material, material.smooth ? index[i] : index[0]);
+        if (textured) {
+          const Texture& texture = scene.textures[material.texture];
+          look.uv[i] = {std::ldexp(mesh.texcoords[index[i]].u / texcoord_one, texture.log2_width),
+                        std::ldexp(mesh.texcoords[index[i]].v / texcoord_one, texture.log2_height)};
+          look.texture = &texture;
+          look.lit_texture = material.lit;
+        }
+      }
+      polygon = cut(cut(polygon, camera.near_plane / kOne16, 1), camera.far_plane / kOne16, -1);
+      rasteriser.draw(polygon, look, material.double_sided);
+    }
+  }
+  return rasteriser.take();
+}
+
+Result<Truth> find_truth(const Scene& scene, const Camera& camera, const View& view) {
+  constexpr std::uint32_t kScale = 4;
+  Result<TruthPicture> centres = draw_truth(scene, camera, view, 1);
+  if (!centres) return centres.failure();
+  const Result<TruthPicture> fine = draw_truth(scene, camera, view, kScale);
+  if (!fine) return fine.failure();
+  Result<TruthPicture> snapped = draw_truth(scene, camera, view, 1, true);
+  if (!snapped) return snapped.failure();
+  Truth truth;
+  truth.centres = std::move(*centres);
+  truth.snapped = std::move(*snapped);
+  for (std::uint32_t y = 0; y < view.height; ++y) {
+    for (std::uint32_t x = 0; x < view.width; ++x) {
+      std::array<float, 3> sum{};
+      std::array<std::uint32_t, 16> seen{};
+      for (std::uint32_t i = 0; i < 16; ++i) {
+        const TruthSample& sample = fine->at(kScale * x + i % kScale, kScale * y + i / kScale);
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += sample.rgb[c] / 16;
+        seen[i] = sample.triangle;
+      }
+      truth.mean.push_back(sum);
+      truth.triangles.push_back(seen);
+    }
+  }
+  return truth;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,51 @@
+// What a scene looks like, in double precision: every surface where the scene says it is, the nearest one visible,
+// colours and texture coordinates correct in perspective. Shares no code with the renderer.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "result.hpp"
+#include "zstrip/scene/camera.hpp"
+#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene/view.hpp"
+
+namespace zstrip::sim {
+
+/// Nothing is visible there.
+inline constexpr std::uint32_t kNoTriangle = 0xFFFFFFFF;
+
+/// What one sample of the picture shows.
+struct TruthSample {
+  std::uint32_t triangle = kNoTriangle;  ///< number among the triangles of all instances, in drawing order
+  double w = 0;                          ///< distance along the viewing direction, world units
+  float u = 0, v = 0;                    ///< texels of its texture
+  std::array<float, 3> rgb{};            ///< 0..255, not rounded
+};
+
+struct TruthPicture {
+  std::uint32_t width = 0, height = 0;
+  std::vector<TruthSample> samples;  ///< row by row
+  const TruthSample& at(std::uint32_t x, std::uint32_t y) const { return samples[std::size_t{y} * width + x]; }
+};
+
+/// What a pixel shows and what it would show with an infinite number of samples, of which there are 16.
+struct Truth {
+  TruthPicture
+      snapped;  ///< as `centres`, of corners rounded to 1/16 pixel: what a renderer with these can draw at best
+  TruthPicture centres;                                  ///< at the middle of each pixel
+  std::vector<std::array<float, 3>> mean;                ///< of 16 samples of each pixel, 0..255
+  std::vector<std::array<std::uint32_t, 16>> triangles;  ///< of the samples
+};
+
+/// Draws `scale` x `scale` samples a pixel, each in the middle of its square. `snap`: corners on the screen are rounded
+/// to 1/16 of these. Failures: ExitStatus::input for materials
+/// with a depth test or bias of their own, whose result depends on the z-buffer's codes.
+Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const View& view, std::uint32_t scale,
+                                bool snap = false);
+
+/// Both of the above.
+Result<Truth> find_truth(const Scene& scene, const Camera& camera, const View& view);
+
+}  // namespace zstrip::sim

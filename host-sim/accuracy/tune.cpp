@@ -1,0 +1,284 @@
+// Errors and memory of all settings on this machine; time on the target only of those that look cheapest.
+#include "accuracy/tune.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+#include "accuracy/campaign.hpp"
+#include "render/parallel.hpp"
+#include "report/number.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::size_t kMostTimed = 10;
+
+struct Candidate {
+  Settings settings;
+  Errors errors;
+  std::uint64_t ram = 0, flash = 0;
+  double expected_time = 0;  ///< as if what each knob saves did not depend on the others
+};
+
+bool within(double value, const std::optional<double>& limit) { return !limit || value <= *limit; }
+
+struct Checks {
+  bool wrong_pixels, perceived, ram, flash;
+  bool all() const { return wrong_pixels && perceived && ram && flash; }
+};
+Checks checked(const Candidate& c, const Limits& limits) {
+  return {within(c.errors[Figure::wrong_pixels], limits.wrong_pixels),
+          within(c.errors[Figure::perceived], limits.perceived), !limits.ram || c.ram <= *limits.ram,
+          !limits.flash || c.flash <= *limits.flash};
+}
+
+/// All that is a matter of choice: the display's format is not.
+std::vector<Knob> choices(const AccuracyScene& scene) {
+  std::vector<Knob> knobs = scene.knobs();
+  std::erase(knobs, Knob::format);
+  return knobs;
+}
+
+/// The same errors for all strips: they change no pixel.
+Settings without_strips(Settings settings) {
+  settings[Knob::strips] = 0;
+  return settings;
+}
+
+/// What is the best value of `value` among the candidates whose other limits hold; nothing if there are none.
+template <class Value, class Holds>
+std::optional<double> best_of(const std::vector<Candidate>& candidates, const Value& value, const Holds& holds) {
+  std::optional<double> best;
+  for (const Candidate& c : candidates) {
+    if (holds(c) && (!best || value(c) < *best)) best = value(c);
+  }
+  return best;
+}
+
+std::vector<std::string> explain(const std::vector<Candidate>& candidates, const Limits& limits) {
+  std::vector<std::string> lines;
+  const auto say = [&](bool asked, std::string_view name, double limit, auto value, auto holds, std::string_view unit) {
+    if (!asked) return;
+    const std::optional<double> best = best_of(candidates, value, holds);
+    if (!best) return;
+    if (*best > limit) {
+      const auto number = [&](double value) {
+        return unit == "bytes" ? grouped(static_cast<std::uint64_t>(value)) : fmt::format("{:.3g}", value);
+      };
+      lines.push_back(fmt::format("{}: {} {} asked for, {} is the least within the other limits, {} too much", name,
+                                  number(limit), unit, number(*best), number(*best - limit)));
+    }
+  };
+  say(
+      limits.wrong_pixels.has_value(), "--max-error-pixels", limits.wrong_pixels.value_or(0),
+      [](const Candidate& c) { return c.errors[Figure::wrong_pixels]; },
+      [&](const Candidate& c) {
+        const Checks k = checked(c, limits);
+        return k.perceived && k.ram && k.flash;
+      },
+      "%");
+  say(
+      limits.perceived.has_value(), "--max-perceived", limits.perceived.value_or(0),
+      [](const Candidate& c) { return c.errors[Figure::perceived]; },
+      [&](const Candidate& c) {
+        const Checks k = checked(c, limits);
+        return k.wrong_pixels && k.ram && k.flash;
+      },
+      "units");
+  say(
+      limits.ram.has_value(), "--max-ram", limits.ram.value_or(0),
+      [](const Candidate& c) { return static_cast<double>(c.ram); },
+      [&](const Candidate& c) {
+        const Checks k = checked(c, limits);
+        return k.wrong_pixels && k.perceived && k.flash;
+      },
+      "bytes");
+  say(
+      limits.flash.has_value(), "--max-flash", limits.flash.value_or(0),
+      [](const Candidate& c) { return static_cast<double>(c.flash); },
+      [&](const Candidate& c) {
+        const Checks k = checked(c, limits);
+        return k.wrong_pixels && k.perceived && k.ram;
+      },
+      "bytes");
+  if (lines.empty()) lines.emplace_back("each limit can be met, but not all of them by the same settings");
+  return lines;
+}
+
+/// Names of C++ for the effects that settings add.
+std::string effect_names(const Settings& settings) {
+  std::string names;
+  const auto add = [&](std::string_view name) { names += fmt::format(" | zstrip::effect::{}", name); };
+  const std::string_view depth = settings.name_of(Knob::depth);
+  if (depth == "float") add("depth_float");
+  if (depth == "w16") add("depth_w16");
+  if (depth == "z24") add("depth_24");
+  if (depth == "z32") add("depth_32");
+  if (depth == "ranges") add("depth_ranges");
+  const std::string_view perspective = settings.name_of(Knob::perspective);
+  if (perspective != "16") add(fmt::format("perspective_{}", perspective));
+  if (settings.name_of(Knob::strips) == "bins16") add("bins");
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> programs_to_tune(const AccuracyScene& scene) {
+  return programs_for(scene, all_settings(scene, choices(scene)));
+}
+
+std::optional<double> frames_per_second(const AccuracyPoint& point) {
+  if (!point.cost.instructions) return 1e9 / point.cost.nanoseconds;
+  return point.cost.least_fps;
+}
+
+Result<Tuned> tune(const AccuracyScene& scene, const Limits& limits, std::string_view format, unsigned jobs,
+                   const std::function<void(std::size_t, std::size_t)>& progress) {
+  const Result<Settings> of_format = parse_settings(fmt::format("format={}", format));
+  if (!of_format) return of_format.failure();
+  const std::vector<Settings> settings = all_settings(scene, choices(scene), *of_format);
+  std::vector<Settings> pictures;
+  for (const Settings& s : settings) {
+    if (without_strips(s) == s) pictures.push_back(s);
+  }
+  // The standard and each knob alone are timed, so that the rest can be put into an order.
+  std::vector<Settings> alone;
+  for (const Settings& s : settings) {
+    const auto turned = std::ranges::count_if(s.value, [](std::uint8_t v) { return v != 0; });
+    if (turned - (s[Knob::format] != 0 ? 1 : 0) <= 1) alone.push_back(s);
+  }
+  const std::size_t all = pictures.size() + alone.size() + kMostTimed;
+  std::size_t done = 0;
+  std::mutex mutex;
+  std::map<Settings, Errors> errors;
+  const Result<Done> drawn =
+      for_each_on_threads(static_cast<std::uint32_t>(pictures.size()), jobs, [&](unsigned, std::uint32_t i) {
+        const Result<Errors> found = scene.errors(pictures[i]);
+        if (!found) return Result<Done>(found.failure());
+        const std::scoped_lock lock(mutex);
+        errors[pictures[i]] = *found;
+        progress(++done, all);
+        return Result<Done>(Done{});
+      });
+  if (!drawn) return drawn.failure();
+  std::map<Settings, Cost> costs;
+  const auto time_all = [&](const std::vector<Settings>& wanted) {
+    return for_each_on_threads(static_cast<std::uint32_t>(wanted.size()), jobs, [&](unsigned, std::uint32_t i) {
+      const Result<Cost> found = scene.cost(wanted[i]);
+      if (!found) return Result<Done>(found.failure());
+      const std::scoped_lock lock(mutex);
+      costs[wanted[i]] = *found;
+      progress(++done, all);
+      return Result<Done>(Done{});
+    });
+  };
+  if (const Result<Done> timed = time_all(alone); !timed) return timed.failure();
+
+  const auto point_of = [&](const Settings& s) {
+    return AccuracyPoint{.scene = scene.request().scene,
+                         .target = scene.request().target,
+                         .settings = s,
+                         .part = "tune",
+                         .errors = errors.at(without_strips(s)),
+                         .cost = costs.at(s)};
+  };
+  const Settings& standard = *of_format;
+  const double standard_time = time_of(point_of(standard));
+  std::vector<Candidate> candidates;
+  for (const Settings& s : settings) {
+    const Result<MemoryCost> memory = scene.memory(s);
+    if (!memory) return memory.failure();
+    Candidate candidate{s, errors.at(without_strips(s)), memory->ram_bytes, memory->scene_bytes, standard_time};
+    for (const Knob knob : choices(scene)) {
+      if (s[knob] == 0) continue;
+      Settings single = standard;
+      single[knob] = s[knob];
+      candidate.expected_time *= time_of(point_of(single)) / standard_time;
+    }
+    candidates.push_back(candidate);
+  }
+  Tuned tuned;
+  tuned.candidates = candidates.size();
+  std::vector<Candidate> fine;
+  std::ranges::copy_if(candidates, std::back_inserter(fine),
+                       [&](const Candidate& c) { return checked(c, limits).all(); });
+  if (fine.empty()) {
+    tuned.broken = explain(candidates, limits);
+    tuned.timed = costs.size();
+    return tuned;
+  }
+  std::ranges::stable_sort(fine, {}, &Candidate::expected_time);
+  if (fine.size() > kMostTimed) fine.resize(kMostTimed);
+  std::vector<Settings> wanted;
+  for (const Candidate& c : fine) {
+    if (!costs.contains(c.settings)) wanted.push_back(c.settings);
+  }
+  if (const Result<Done> timed = time_all(wanted); !timed) return timed.failure();
+  tuned.timed = costs.size();
+  std::optional<AccuracyPoint> fastest;
+  for (const Candidate& c : fine) {
+    const AccuracyPoint point = point_of(c.settings);
+    if (!fastest || time_of(point) < time_of(*fastest)) fastest = point;
+  }
+  const std::optional<double> fps = frames_per_second(*fastest);
+  if (limits.frames && (!fps || *fps < *limits.frames)) {
+    tuned.broken.push_back(
+        fps ? fmt::format(
+                  "--min-fps: {:.4g} asked for, {:.4g} is the most within the other limits ({}), {:.4g} too few",
+                  *limits.frames, *fps, to_text(fastest->settings), *limits.frames - *fps)
+            : fmt::format("--min-fps: the board has too little RAM for the fastest settings ({}); give --max-ram",
+                          to_text(fastest->settings)));
+    return tuned;
+  }
+  tuned.best = fastest;
+  return tuned;
+}
+
+std::string quality_toml(const AccuracyPoint& point) {
+  std::string text = "[quality]\n";
+  for (const KnobInfo& knob : knobs())
+    text += fmt::format("{} = \"{}\"\n", knob.name, point.settings.name_of(knob.knob));
+  return text;
+}
+
+std::string quality_json(const AccuracyPoint& point) {
+  nlohmann::json object;
+  for (const KnobInfo& knob : knobs()) object["quality"][std::string(knob.name)] = point.settings.name_of(knob.knob);
+  object["point"] = nlohmann::json::parse(point_json(point));
+  return object.dump(1) + "\n";
+}
+
+std::string quality_header(const AccuracyPoint& point, const View& view) {
+  const Budget strips = budget(point.settings, view.height);
+  const std::string_view shading = point.settings.name_of(Knob::shading);
+  const PixelFormat format = pixel_format(point.settings);
+  return fmt::format(
+      "// Written by zstrip tune for {} on {}: {}.\n"
+      "#pragma once\n\n"
+      "#include \"zstrip/plan/plan_types.hpp\"\n#include \"zstrip/scene/effects.hpp\"\n#include "
+      "\"zstrip/scene/view.hpp\"\n\n"
+      "namespace quality {{\n\n"
+      "/// Beside what the scene calls for: Renderer<effects_of(scene, camera) | quality::kEffects>.\n"
+      "inline constexpr zstrip::Effects kEffects = zstrip::Effects{{}}{};\n"
+      "inline constexpr zstrip::View kView{{{}, {}, zstrip::PixelFormat::{}}};\n"
+      "inline constexpr zstrip::Budget kBudget{{.strip_rows = {}, .modes = zstrip::Modes::{}}};\n"
+      "/// For Camera::fixed_depth_range.\n"
+      "inline constexpr bool kFixedDepthRange = {};\n"
+      "/// For Material::smooth of all materials.\n"
+      "inline constexpr bool kSmooth = {};\n"
+      "/// Of 100 triangles of the meshes how many are to stay when they are baked.\n"
+      "inline constexpr int kDetailPercent = {};\n\n"
+      "}}  // namespace quality\n",
+      point.scene, point.target, to_text(point.settings), effect_names(point.settings), view.width, view.height,
+      format == PixelFormat::gray4  ? "gray4"
+      : format == PixelFormat::mono ? "mono"
+                                    : "rgb565",
+      strips.strip_rows, strips.modes == Modes::binned ? "binned" : "streamed",
+      point.settings.name_of(Knob::fit) == "fixed", shading == "gouraud", detail_percent(point.settings));
+}
+
+}  // namespace zstrip::sim

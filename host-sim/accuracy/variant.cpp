@@ -1,0 +1,86 @@
+// Flat materials, meshes simplified by meshoptimizer.
+#include "accuracy/variant.hpp"
+
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <array>
+
+#include "import/meshlets.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::size_t kWorthSimplifying = 200;  // triangles
+
+template <class T>
+std::vector<T> copy(std::span<const T> from) {
+  return {from.begin(), from.end()};
+}
+
+/// At most this part of 100 of the triangles, or as few as can be without moving the surface by a tenth of its size.
+std::vector<unsigned> simplified_indices(const Mesh& mesh, std::uint32_t percent) {
+  std::vector<unsigned> indices;
+  for (const Triangle& t : mesh.triangles) indices.insert(indices.end(), {t.a, t.b, t.c});
+  std::vector<std::array<float, 3>> points;
+  for (const Position& p : mesh.positions) {
+    points.push_back({static_cast<float>(p.x) * static_cast<float>(mesh.half_extent.x),
+                      static_cast<float>(p.y) * static_cast<float>(mesh.half_extent.y),
+                      static_cast<float>(p.z) * static_cast<float>(mesh.half_extent.z)});
+  }
+  const std::size_t wanted = mesh.triangles.size() * percent / 100 * 3;
+  std::vector<unsigned> kept(indices.size());
+  constexpr float kLargestError = 0.1F;
+  kept.resize(meshopt_simplify(kept.data(), indices.data(), indices.size(), points[0].data(), points.size(),
+                               sizeof points[0], wanted, kLargestError, 0, nullptr));
+  return kept;
+}
+
+/// Views of `data` in place of those of `mesh`.
+Mesh with_data(Mesh mesh, const MeshData& data) {
+  mesh.positions = data.positions;
+  mesh.normals = data.normals;
+  mesh.colours = data.colours;
+  mesh.texcoords = data.texcoords;
+  mesh.triangles = data.triangles;
+  mesh.meshlets = data.meshlets;
+  return mesh;
+}
+
+}  // namespace
+
+bool may_simplify(const Scene& scene) {
+  return std::ranges::any_of(scene.meshes, [](const Mesh& mesh) { return mesh.triangles.size() >= kWorthSimplifying; });
+}
+
+SceneVariant::SceneVariant(const Scene& scene, const Settings& settings)
+    : fixed_range_(settings.name_of(Knob::fit) == "fixed"),
+      meshes_(scene.meshes.begin(), scene.meshes.end()),
+      materials_(scene.materials.begin(), scene.materials.end()) {
+  if (settings.name_of(Knob::shading) == "flat") {
+    for (Material& material : materials_) material.smooth = false;
+  }
+  const std::uint32_t percent = detail_percent(settings);
+  if (percent == 100) return;
+  for (Mesh& mesh : meshes_) {
+    if (mesh.triangles.size() < kWorthSimplifying) continue;
+    const std::vector<unsigned> indices = simplified_indices(mesh, percent);
+    const MeshData whole{copy(mesh.positions), copy(mesh.normals), copy(mesh.colours), copy(mesh.texcoords), {}, {}};
+    std::vector<MeshData> parts = split_into_meshlets(whole, indices, mesh.half_extent);
+    if (parts.size() != 1) continue;  // nothing left, or more vertices than one mesh has
+    data_.push_back(std::move(parts[0]));
+    // A mesh that was one piece stays one: meshlets are another matter.
+    if (mesh.meshlets.empty()) data_.back().meshlets.clear();
+    mesh = with_data(mesh, data_.back());
+  }
+}
+
+Staging SceneVariant::apply(const Staging& staged) const {
+  Staging result = staged;
+  result.scene.meshes = meshes_;
+  result.scene.materials = materials_;
+  result.camera.fixed_depth_range = fixed_range_;
+  return result;
+}
+
+}  // namespace zstrip::sim

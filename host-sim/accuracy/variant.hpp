@@ -1,0 +1,36 @@
+// A scene as settings change it: shading, mesh detail, depth range.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "accuracy/knobs.hpp"
+#include "import/model.hpp"
+#include "render/stage.hpp"
+
+namespace zstrip::sim {
+
+/// Whether a mesh of the scene is large enough for fewer triangles to mean anything.
+bool may_simplify(const Scene& scene);
+
+/// Meshes and materials for settings that differ in shading and detail; made once, for all poses of the scene. Views of
+/// the scene that it was made of, which must outlive it.
+class SceneVariant {
+ public:
+  SceneVariant(const Scene& scene, const Settings& settings);
+  SceneVariant(const SceneVariant&) = delete;
+  SceneVariant& operator=(const SceneVariant&) = delete;
+
+  /// The staged scene with what is different here, and the camera with the depth range of the settings.
+  Staging apply(const Staging& staged) const;
+  bool simplified() const { return !data_.empty(); }
+
+ private:
+  bool fixed_range_;
+  std::deque<MeshData> data_;  ///< of simplified meshes
+  std::vector<Mesh> meshes_;
+  std::vector<Material> materials_;
+};
+
+}  // namespace zstrip::sim

@@ -1,0 +1,33 @@
+// Options that a scene file may set as well: what is given on the command line wins.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "compose/scene_file.hpp"
+#include "result.hpp"
+#include "zstrip/plan/plan_types.hpp"
+#include "zstrip/scene/view.hpp"
+
+namespace zstrip::sim {
+
+/// [picture] of a scene file; nothing for other scenes.
+Result<PictureSettings> settings_of(const std::string& scene);
+
+/// 320x240 in RGB565 if neither says.
+Result<View> parse_view(const std::optional<std::string>& size, const std::optional<std::string>& format,
+                        const PictureSettings& settings);
+
+Result<DepthFormat> parse_depth_format(const std::optional<std::string>& given, const PictureSettings& settings);
+
+/// As given on the command line.
+struct MemoryArguments {
+  std::optional<std::string> ram{};
+  std::optional<std::string> strip_rows{};
+  std::optional<std::string> strip_columns{};
+};
+/// Into the budget of a picture of this size; a usage error also where it cannot be cut so.
+Result<Done> parse_memory(const MemoryArguments& arguments, const PictureSettings& settings, const View& view,
+                          Budget& budget);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,59 @@
+// A scene file and everything that it names, as one scene in the renderer's formats.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compose/scene_file.hpp"
+#include "import/model.hpp"
+#include "motion/fitted_animation.hpp"
+#include "result.hpp"
+#include "zstrip/scene/scene.hpp"
+
+namespace zstrip::sim {
+
+/// How far from the origin the farthest thing is in the scene's units: far enough from 1 that turns and scales keep
+/// their bits, near enough that cameras have room outside.
+inline constexpr double kComposedRadius = 8;
+
+/// Owns what its views view; stays where it is.
+struct ComposedScene {
+  ComposedScene() = default;
+  ComposedScene(const ComposedScene&) = delete;
+  ComposedScene& operator=(const ComposedScene&) = delete;
+
+  std::vector<Mesh> meshes;
+  std::vector<Material> materials;
+  std::vector<Texture> textures;
+  std::vector<Instance> instances;  ///< those of the static layer first
+  std::vector<DirectionalLight> lights;
+  Colour ambient, background;
+  std::size_t static_instances = 0;
+  FittedAnimation animation;
+  Units units;  ///< of the file's lengths
+  std::vector<std::string> material_names;
+  std::vector<std::string> material_origins;  ///< "room.toml line 12", or the model that it comes from
+  std::vector<std::string> warnings;
+
+  std::deque<Model> models;
+  std::deque<MeshData> scaled;                    ///< normals and meshlets of meshes that are scaled unevenly
+  std::deque<std::vector<std::uint16_t>> texels;  ///< of textures that the scene file names itself
+
+  Scene scene() const {
+    return {.meshes = meshes,
+            .materials = materials,
+            .textures = textures,
+            .instances = instances,
+            .lights = lights,
+            .ambient = ambient,
+            .background = background};
+  }
+};
+
+/// Reads the models and textures that `file` names. Failures name the line that is to blame, or the file that is.
+Result<std::unique_ptr<const ComposedScene>> compose(const SceneFile& file);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,74 @@
+// A model of a scene file: its parts, as they lie in the coordinates that the scene file places.
+#include "compose/placed_model.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "import/quantise.hpp"
+#include "render/model_animation.hpp"
+#include "zstrip_scenes/scenes.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+Affine to_affine(const Transform& transform) {
+  Affine affine;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 4; ++column) affine.m[row][column] = from_fixed(transform.m[row][column]);
+  }
+  return affine;
+}
+
+}  // namespace
+
+Affine PlacedModel::placed(const ModelPart& part, double seconds) const {
+  if (!moves(part)) return part.to_file;
+  if (seconds > animation->duration) seconds = std::fmod(seconds, animation->duration);
+  return moved_from_rest(*model, *animation, part.node, seconds) * part.to_file;
+}
+
+Result<PlacedModel> place_model(const FileModel& entry, const Model& model, const std::filesystem::path& scene) {
+  const Result<const NodeAnimation*> animation = find_animation(model, entry.animation);
+  if (!animation) return at_line(scene, entry.line, animation.failure().message);
+  PlacedModel placed{.parts = {},
+                     .materials = model.materials,
+                     .textures = model.textures,
+                     .material_names = model.material_names,
+                     .model = &model,
+                     .animation = *animation};
+  const double size = 1 / model.units.scale;
+  const Affine to_file = translation(model.units.origin) * scaling({size, size, size});
+  for (std::size_t i = 0; i < model.instances.size(); ++i) {
+    const Instance& instance = model.instances[i];
+    placed.parts.push_back({model.meshes[instance.mesh], instance.material, to_file, model.nodes[i]});
+  }
+  return placed;
+}
+
+Result<PlacedModel> place_built_in(const FileModel& entry, const std::filesystem::path& scene) {
+  const scenes::BuiltIn* const found = scenes::find(entry.built_in);
+  if (found == nullptr) {
+    std::vector<std::string> names;
+    std::string all;
+    for (const scenes::BuiltIn& each : scenes::built_in()) {
+      names.emplace_back(each.name);
+      all += fmt::format("{}{}", all.empty() ? "" : ", ", each.name);
+    }
+    const std::string near = nearest(entry.built_in, names);
+    return at_line(scene, entry.line,
+                   fmt::format("there is no built-in scene '{}'; {}", entry.built_in,
+                               near.empty() ? "there are " + all : fmt::format("did you mean '{}'?", near)));
+  }
+  PlacedModel placed{.parts = {},
+                     .materials = found->scene.materials,
+                     .textures = found->scene.textures,
+                     .material_names = std::vector<std::string>(found->scene.materials.size())};
+  for (const Instance& instance : found->scene.instances) {
+    placed.parts.push_back(
+        {found->scene.meshes[instance.mesh], instance.material, to_affine(instance.transform), kNoNode});
+  }
+  return placed;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,124 @@
+// What a scene file (.toml) says, before anything that it names is looked at. docs/scenes.md has every key.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "import/source_model.hpp"
+#include "motion/affine.hpp"
+#include "motion/node_tree.hpp"
+#include "result.hpp"
+#include "zstrip/scene/depth_format.hpp"
+#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene/view.hpp"
+
+namespace zstrip::sim {
+
+/// [picture]: what the options of the command line are without them.
+struct PictureSettings {
+  std::optional<std::pair<std::uint16_t, std::uint16_t>> size;
+  std::optional<PixelFormat> format;
+  std::optional<DepthFormat> depth_format;
+  std::optional<std::uint16_t> strip_rows;
+  std::optional<std::uint16_t> strip_columns;
+  std::optional<std::uint32_t> ram;
+  std::optional<std::uint32_t> frames;
+};
+
+/// [camera]: exactly one of `eye` and `radius` is set.
+struct FileCamera {
+  int line = 0;
+  std::optional<Vector> eye;
+  std::optional<double> radius;  ///< > 0; of a spherical camera
+  double phi = 0, theta = 90;    ///< degrees
+  Vector look_at{0, 0, 0};
+  Vector up{0, 1, 0};
+  int projection_line = 0;  ///< where `orthographic` comes from
+  bool orthographic = false;
+  std::optional<double> field_of_view;  ///< degrees
+  std::optional<double> half_height;    ///< of what an orthographic camera shows
+  std::optional<double> near_plane, far_plane;
+};
+
+/// [[model]]: exactly one of `file` and `built_in` is set.
+struct FileModel {
+  int line = 0;
+  std::string name;
+  std::filesystem::path file;  ///< relative to the scene file's folder
+  std::string built_in;
+  UpAxis up = UpAxis::plus_y;
+  std::optional<std::string> animation;
+};
+
+/// [[material]]: what is set replaces what the model's material says.
+struct FileMaterial {
+  int line = 0;
+  std::string name;
+  std::optional<Colour> colour;
+  std::optional<std::filesystem::path> texture;
+  int texture_line = 0;
+  std::optional<bool> lit, smooth, double_sided, depth_write;
+  std::optional<DepthTest> depth_test;
+  std::optional<std::int32_t> depth_bias;
+  int depth_line = 0;  ///< of the first key about depth
+};
+
+/// A part of an [[instance]].
+struct FileTurntable {
+  int line = 0;
+  Vector axis{0, 1, 0};
+  double turns = 1;  ///< in one duration of the animation
+};
+
+/// [[instance]]
+struct FileInstance {
+  int line = 0;
+  std::string name, model;
+  std::string material;                                        ///< for all of the model; may be empty
+  std::vector<std::pair<std::string, std::string>> materials;  ///< the model's name of one, and what replaces it
+  Placement placement;
+  bool is_static = false;
+  std::optional<FileTurntable> turntable;
+  Curve<Vector> translation, scale;  ///< keyframes; those without times stay as in `placement`
+  Curve<Quaternion> rotation;
+
+  bool moves() const {
+    return turntable.has_value() || !translation.times.empty() || !rotation.times.empty() || !scale.times.empty();
+  }
+};
+
+/// [[light]]
+struct FileLight {
+  int line = 0;
+  Vector direction{0, -1, 0};  ///< in which it shines; any length but zero
+  Colour colour{255, 255, 255, 255};
+};
+
+struct SceneFile {
+  std::filesystem::path path;
+  PictureSettings picture;
+  std::optional<Colour> ambient, background;
+  std::optional<double> duration;  ///< seconds, of the animation
+  std::optional<FileCamera> camera;
+  std::vector<FileModel> models;
+  std::vector<FileMaterial> materials;
+  std::vector<FileInstance> instances;  ///< at least one
+  std::vector<FileLight> lights;
+};
+
+/// A failure at a line of a file: "'room.toml' line 12: ...".
+Failure at_line(const std::filesystem::path& path, int line, const std::string& message);
+
+/// Of `names` the one that `name` is most likely to have been meant for; empty if none is near.
+std::string nearest(const std::string& name, const std::vector<std::string>& names);
+
+/// Checks everything that can be checked without another file: syntax, keys, types, ranges, references between tables.
+Result<SceneFile> read_scene_file(const std::filesystem::path& path);
+/// The same of a text; `path` is for messages.
+Result<SceneFile> parse_scene_file(const std::string& text, const std::filesystem::path& path);
+
+}  // namespace zstrip::sim

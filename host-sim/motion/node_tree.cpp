@@ -1,0 +1,96 @@
+// The nodes of a model that its animations move.
+#include "motion/node_tree.hpp"
+
+#include <algorithm>
+
+namespace zstrip::sim {
+namespace {
+
+Vector linear(const Vector& a, const Vector& b, double share) {
+  Vector result{};
+  for (std::size_t i = 0; i < 3; ++i) result[i] = a[i] + (b[i] - a[i]) * share;
+  return result;
+}
+Quaternion linear(const Quaternion& a, const Quaternion& b, double share) { return between(unit(a), unit(b), share); }
+
+Vector finished(const Vector& v) { return v; }
+Quaternion finished(const Quaternion& q) { return unit(q); }
+
+/// Hermite's cubic, as glTF 2.0 (appendix C) writes it.
+template <typename Value>
+Value cubic(const Curve<Value>& curve, std::size_t k, double share) {
+  const double length = curve.times[k + 1] - curve.times[k];
+  const double s = share, s2 = s * s, s3 = s2 * s;
+  Value result{};
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = (2 * s3 - 3 * s2 + 1) * curve.values[k][i] + length * (s3 - 2 * s2 + s) * curve.slopes_out[k][i] +
+                (3 * s2 - 2 * s3) * curve.values[k + 1][i] + length * (s3 - s2) * curve.slopes_in[k + 1][i];
+  }
+  return finished(result);
+}
+
+template <typename Value>
+Value sample_any(const Curve<Value>& curve, double seconds) {
+  const auto after = std::upper_bound(curve.times.begin(), curve.times.end(), seconds);
+  if (after == curve.times.begin()) return finished(curve.values.front());
+  const auto k = static_cast<std::size_t>(after - curve.times.begin() - 1);
+  if (after == curve.times.end() || curve.interpolation == Interpolation::step) return finished(curve.values[k]);
+  const double share = (seconds - curve.times[k]) / (curve.times[k + 1] - curve.times[k]);
+  if (curve.interpolation == Interpolation::cubic_spline) return cubic(curve, k, share);
+  return linear(curve.values[k], curve.values[k + 1], share);
+}
+
+const NodeCurves* curves_of(const NodeAnimation& animation, std::int32_t node) {
+  const auto at = std::ranges::find(animation.moved, node, &NodeCurves::node);
+  return at == animation.moved.end() ? nullptr : &*at;
+}
+
+const Node& node_at(const NodeTree& tree, std::int32_t index) { return tree.nodes[static_cast<std::size_t>(index)]; }
+
+Affine local(const Node& node, const NodeCurves* curves, double seconds) {
+  if (curves == nullptr) return node.at_rest;
+  Placement placement = to_placement(node.at_rest);
+  if (!curves->translation.times.empty()) placement.translation = sample(curves->translation, seconds);
+  if (!curves->rotation.times.empty()) placement.rotation = sample(curves->rotation, seconds);
+  if (!curves->scale.times.empty()) placement.scale = sample(curves->scale, seconds);
+  return to_affine(placement);
+}
+
+}  // namespace
+
+Vector sample(const Curve<Vector>& curve, double seconds) { return sample_any(curve, seconds); }
+Quaternion sample(const Curve<Quaternion>& curve, double seconds) { return sample_any(curve, seconds); }
+
+Affine NodeTree::at_rest(std::int32_t node) const {
+  Affine world;
+  for (; node != kNoNode; node = node_at(*this, node).parent) {
+    world = node_at(*this, node).before * node_at(*this, node).at_rest * world;
+  }
+  return world;
+}
+
+Affine NodeTree::at(const NodeAnimation& animation, std::int32_t node, double seconds) const {
+  Affine world;
+  for (; node != kNoNode; node = node_at(*this, node).parent) {
+    const Node& placed = node_at(*this, node);
+    world = placed.before * local(placed, curves_of(animation, node), seconds) * world;
+  }
+  return world;
+}
+
+bool NodeTree::moves(const NodeAnimation& animation, std::int32_t node) const {
+  while (node != kNoNode && curves_of(animation, node) == nullptr) node = node_at(*this, node).parent;
+  return node != kNoNode;
+}
+
+std::set<double> key_times(const NodeAnimation& animation) {
+  std::set<double> times;
+  for (const NodeCurves& curves : animation.moved) {
+    times.insert(curves.translation.times.begin(), curves.translation.times.end());
+    times.insert(curves.rotation.times.begin(), curves.rotation.times.end());
+    times.insert(curves.scale.times.begin(), curves.scale.times.end());
+  }
+  return times;
+}
+
+}  // namespace zstrip::sim

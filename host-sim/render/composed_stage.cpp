@@ -1,0 +1,149 @@
+// A scene file (.toml) as something to render.
+#include "render/composed_stage.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "compose/composed_scene.hpp"
+#include "import/quantise.hpp"
+#include "render/model_animation.hpp"
+#include "zstrip_scenes/stage.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+/// What [camera] says, in the file's units.
+Result<Camera> camera_of(const FileCamera& from, const Units& units, double radius) {
+  const double degrees = from.field_of_view.value_or(kDefaultFieldOfView);
+  if (from.radius) {
+    return place_camera({.orbit = Orbit{*from.radius, from.phi, from.theta},
+                         .look_at = from.look_at,
+                         .field_of_view = degrees,
+                         .orthographic = from.orthographic},
+                        units, radius);
+  }
+  Vector towards{};
+  for (std::size_t i = 0; i < 3; ++i) towards[i] = from.look_at[i] - (*from.eye)[i];
+  const double distance = std::hypot(towards[0], towards[1], towards[2]);
+  for (double& component : towards) component /= distance;
+  return file_camera({.name = "of the scene",
+                      .eye = *from.eye,
+                      .towards = towards,
+                      .up = from.up,
+                      .orthographic = from.orthographic,
+                      .field_of_view = degrees,
+                      .half_height = distance * std::tan(degrees * std::numbers::pi / 360)},
+                     units, radius);
+}
+
+/// A length of the file in 16.16; nullopt if it does not fit.
+std::optional<Fixed> scaled(double length, double scale) {
+  const double fixed = length * scale * kFixedOne;
+  if (!(fixed >= 1 && fixed <= 0x7FFFFFFF)) return std::nullopt;
+  return static_cast<Fixed>(std::llround(fixed));
+}
+
+Result<Camera> finished_camera(const SceneFile& file, const Units& units, double radius) {
+  const FileCamera& from = *file.camera;
+  Result<Camera> camera = camera_of(from, units, radius);
+  if (!camera) return at_line(file.path, from.line, "[camera] cannot be placed: " + camera.failure().message);
+  const auto set = [&](const std::optional<double>& length, double scale, Fixed& to) {
+    if (!length) return true;
+    const std::optional<Fixed> fixed = scaled(*length, scale);
+    if (fixed) to = *fixed;
+    return fixed.has_value();
+  };
+  const std::optional<double> per_height = from.half_height ? std::optional(1 / *from.half_height) : std::nullopt;
+  if (!set(per_height, 1 / units.scale, camera->focal)) {
+    return at_line(file.path, from.line, "[camera]: 'half_height' is too large or too small for this scene");
+  }
+  if (!set(from.near_plane, units.scale, camera->near_plane) || !set(from.far_plane, units.scale, camera->far_plane) ||
+      camera->near_plane >= camera->far_plane) {
+    return at_line(file.path, from.line, "[camera]: 'near' or 'far' is too large or too small for this scene");
+  }
+  return camera;
+}
+
+class ComposedStage : public Stage {
+ public:
+  explicit ComposedStage(std::shared_ptr<const ComposedScene> composed)
+      : composed_(std::move(composed)), instances_(composed_->instances), scene_(composed_->scene()) {
+    scene_.instances = instances_;
+  }
+  ComposedStage(const ComposedStage&) = delete;
+  ComposedStage& operator=(const ComposedStage&) = delete;
+
+  Result<Done> set_camera(const SceneFile& file, const CameraOptions& options, const View& view, std::uint32_t frames) {
+    Result<Camera> camera = choose_camera(file, options, view, frames);
+    if (!camera) return camera.failure();
+    camera_ = *camera;
+    // Depths of the two layers are compared.
+    camera_.fixed_depth_range = composed_->static_instances > 0;
+    return Done{};
+  }
+
+  Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
+    if (!animation().tracks.empty()) {
+      pose(animation(), time_of_frame(animation(), frame, frames), instances_);
+      return Staging{scene_, camera_};
+    }
+    for (std::size_t i = composed_->static_instances; i < instances_.size(); ++i) {
+      instances_[i].transform = scenes::turned(composed_->instances[i].transform, frame, frames);
+    }
+    return Staging{scene_, camera_};
+  }
+
+  std::unique_ptr<Stage> copy() const override {
+    auto stage = std::make_unique<ComposedStage>(composed_);
+    stage->camera_ = camera_;
+    return stage;
+  }
+
+  const std::vector<std::string>& warnings() const override { return composed_->warnings; }
+  Animation animation() const override { return composed_->animation.view(); }
+
+ private:
+  Result<Camera> choose_camera(const SceneFile& file, const CameraOptions& options, const View& view,
+                               std::uint32_t frames) const {
+    const std::vector<Instance> poses = all_poses(animation(), instances_);
+    Scene whole = scene_;
+    whole.instances = poses;
+    const double radius = radius_about_origin(whole);
+    if (options.placed()) return place_camera(options, composed_->units, radius);
+    if (file.camera) {
+      const Result<Camera> camera = finished_camera(file, composed_->units, radius);
+      if (!camera) return camera.failure();
+      return change_projection(*camera, options);
+    }
+    const double degrees = options.field_of_view.value_or(kDefaultFieldOfView);
+    return framed_camera(options,
+                         frame_scene(whole, {.aspect = static_cast<double>(view.width) / view.height,
+                                             .half_tangent = std::tan(degrees * std::numbers::pi / 360),
+                                             .orthographic = options.orthographic,
+                                             .whole_turn = frames > 1 && animation().tracks.empty()}),
+                         radius);
+  }
+
+  std::shared_ptr<const ComposedScene> composed_;
+  std::vector<Instance> instances_;
+  Scene scene_;
+  Camera camera_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Stage>> open_composed_stage(const std::string& path, const CameraOptions& options,
+                                                   const View& view, std::uint32_t frames) {
+  const Result<SceneFile> file = read_scene_file(path);
+  if (!file) return file.failure();
+  Result<std::unique_ptr<const ComposedScene>> composed = compose(*file);
+  if (!composed) return composed.failure();
+  auto stage = std::make_unique<ComposedStage>(std::shared_ptr<const ComposedScene>(std::move(*composed)));
+  if (const Result<Done> camera = stage->set_camera(*file, options, view, frames); !camera) return camera.failure();
+  return std::unique_ptr<Stage>(std::move(stage));
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,83 @@
+// A model file's animation as the renderer's.
+#include "render/model_animation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "import/quantise.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::uint32_t kPoses = 24;
+
+}  // namespace
+
+Result<const NodeAnimation*> find_animation(const Model& model, const std::optional<std::string>& name) {
+  const std::vector<NodeAnimation>& all = model.tree.animations;
+  if (!name) return all.empty() ? nullptr : all.data();
+  const auto at = std::ranges::find(all, *name, &NodeAnimation::name);
+  if (at != all.end()) return &*at;
+  std::string names;
+  for (const NodeAnimation& animation : all) names += fmt::format("{}'{}'", names.empty() ? "" : ", ", animation.name);
+  return Failure{ExitStatus::input,
+                 fmt::format("there is no animation '{}' in the file; {}", *name,
+                             names.empty() ? "it has none that moves nodes, or is no glTF 2.0" : "it has " + names)};
+}
+
+Affine moved_from_rest(const Model& model, const NodeAnimation& animation, std::int32_t node, double seconds) {
+  return model.tree.at(animation, node, seconds) * inverse(model.tree.at_rest(node));
+}
+
+std::vector<Vector> corners_of(const Mesh& mesh) {
+  Vector low{}, high{};
+  const std::array<Fixed, 3> centre{mesh.centre.x, mesh.centre.y, mesh.centre.z};
+  const std::array<Fixed, 3> half{mesh.half_extent.x, mesh.half_extent.y, mesh.half_extent.z};
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Position& p = mesh.positions[i];
+    const std::array<std::int16_t, 3> steps{p.x, p.y, p.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double at = from_fixed(centre[axis]) + from_fixed(half[axis]) * steps[axis] / 32768;
+      low[axis] = i == 0 ? at : std::min(low[axis], at);
+      high[axis] = i == 0 ? at : std::max(high[axis], at);
+    }
+  }
+  std::vector<Vector> corners;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const auto side = [&](std::size_t axis) { return (corner >> axis & 1) != 0 ? high[axis] : low[axis]; };
+    corners.push_back({side(0), side(1), side(2)});
+  }
+  return corners;
+}
+
+Result<FittedAnimation> fit_model_animation(const Model& model, const NodeAnimation& animation) {
+  const double scale = model.units.scale;
+  const auto& origin = model.units.origin;
+  const Affine to_scene = scaling({scale, scale, scale}) * translation({-origin[0], -origin[1], -origin[2]});
+  const Affine to_file = inverse(to_scene);
+  std::vector<InstanceMotion> motions;
+  for (std::size_t i = 0; i < model.instances.size(); ++i) {
+    const std::int32_t node = model.nodes[i];
+    if (node == kNoNode || !model.tree.moves(animation, node)) continue;
+    motions.push_back(
+        {.instance = static_cast<std::uint16_t>(i),
+         .at = [&model, &animation, to_scene, to_file,
+                node](double seconds) { return to_scene * moved_from_rest(model, animation, node, seconds) * to_file; },
+         .corners = corners_of(model.meshes[model.instances[i].mesh])});
+  }
+  return fit_animation(motions, animation.duration, key_times(animation), kAnimationTolerance);
+}
+
+std::vector<Instance> all_poses(const Animation& animation, std::span<const Instance> instances) {
+  std::vector<Instance> all;
+  const std::uint32_t poses = animation.tracks.empty() ? 1 : kPoses;
+  for (std::uint32_t i = 0; i < poses; ++i) {
+    const std::size_t first = all.size();
+    all.insert(all.end(), instances.begin(), instances.end());
+    if (!animation.tracks.empty()) pose(animation, time_of_frame(animation, i, poses), std::span(all).subspan(first));
+  }
+  return all;
+}
+
+}  // namespace zstrip::sim

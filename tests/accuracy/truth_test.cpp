@@ -1,0 +1,132 @@
+// The truth on scenes whose pictures can be said without drawing them.
+#include "accuracy/truth.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace zstrip::sim {
+namespace {
+
+constexpr View kView{16, 16};
+
+/// The unit square in z = 0, counter-clockwise, seen by a camera at distance 4 whose picture is 2 high there.
+struct Square {
+  std::array<Position, 4> positions{{{-32767, -32767, 0}, {32767, -32767, 0}, {32767, 32767, 0}, {-32767, 32767, 0}}};
+  std::array<Colour, 4> colours{{{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {255, 255, 255, 255}}};
+  std::array<TexCoord, 4> texcoords{{{0, 4096}, {4096, 4096}, {4096, 0}, {0, 0}}};
+  std::array<Triangle, 2> triangles{{{0, 1, 2}, {0, 2, 3}}};
+  std::array<std::uint16_t, 4> texels{{0xF800, 0x07E0, 0x001F, 0xFFFF}};
+  std::array<Texture, 1> textures{{{texels, 1, 1}}};
+  std::array<Material, 1> materials{{{.lit = false}}};
+  std::array<Mesh, 1> meshes{};
+  std::array<Instance, 1> instances{};
+  Camera camera;
+  Scene scene;
+
+  Square() {
+    meshes[0].positions = positions;
+    meshes[0].colours = colours;
+    meshes[0].triangles = triangles;
+    camera.eye = {0, 0, 4 * kFixedOne};
+    camera.focal = 4 * kFixedOne;
+    scene.meshes = meshes;
+    scene.materials = materials;
+    scene.instances = instances;
+  }
+  Square(const Square&) = delete;
+  Square& operator=(const Square&) = delete;
+  TruthPicture draw() const { return *draw_truth(scene, camera, kView, 1); }
+};
+
+TEST(Truth, FillsThePictureOnceAlongTheDiagonal) {
+  Square square;
+  const TruthPicture picture = square.draw();
+  for (std::uint32_t y = 0; y < 16; ++y) {
+    for (std::uint32_t x = 0; x < 16; ++x) {
+      const TruthSample& sample = picture.at(x, y);
+      ASSERT_NE(sample.triangle, kNoTriangle);
+      if (x + y > 15 || x > 15 - y) EXPECT_EQ(sample.triangle, 0U) << x << ' ' << y;
+      if (x + y < 15) EXPECT_EQ(sample.triangle, 1U) << x << ' ' << y;
+      EXPECT_NEAR(sample.w, 4, 1e-9);
+    }
+  }
+}
+
+TEST(Truth, ColoursAreLinearWhereThereIsNoPerspective) {
+  Square square;
+  const TruthSample& sample = square.draw().at(12, 14);  // 12.5/16 to the right, 1.5/16 above the lower side
+  const double x = (12.5 / 16 * 2 - 1) * 32768 / 32767, y = (1.5 / 16 * 2 - 1) * 32768 / 32767;
+  const double to_green = (x + 1) / 2 - (y + 1) / 2, to_blue = (y + 1) / 2;
+  EXPECT_NEAR(sample.rgb[0], 255 * (1 - to_green - to_blue), 0.01);
+  EXPECT_NEAR(sample.rgb[1], 255 * to_green, 0.01);
+  EXPECT_NEAR(sample.rgb[2], 255 * to_blue, 0.01);
+}
+
+TEST(Truth, PlacesInATextureAreThoseOfThePlaneSeenAtAnAngle) {
+  Square square;
+  square.materials[0].texture = 0;
+  square.meshes[0].colours = {};
+  square.meshes[0].texcoords = square.texcoords;
+  square.scene.textures = square.textures;
+  // Turned by 60 degrees about y: x becomes x / 2, z becomes -x sin.
+  const double sine = std::sqrt(3.0) / 2;
+  square.instances[0].transform.m[0][0] = kFixedOne / 2;
+  square.instances[0].transform.m[0][2] = static_cast<Fixed>(sine * kFixedOne);
+  square.instances[0].transform.m[2][0] = -static_cast<Fixed>(sine * kFixedOne);
+  square.instances[0].transform.m[2][2] = kFixedOne / 2;
+  const TruthPicture picture = square.draw();
+  int seen = 0;
+  for (std::uint32_t x = 0; x < 16; ++x) {
+    const TruthSample& sample = picture.at(x, 7);
+    if (sample.triangle == kNoTriangle) continue;
+    ++seen;
+    // The ray through the pixel: picture = local / 2 * 4 / (4 + local sin), solved for local.
+    const double at = (x + 0.5) / 8 - 1;
+    const double local = 4 * at / (2 - at * sine);
+    EXPECT_NEAR(sample.u, (local + 1), 1e-3) << x;  // of a texture of 2 texels
+    EXPECT_NEAR(sample.w, 4 + local * sine, 1e-3) << x;
+  }
+  EXPECT_GT(seen, 4);
+}
+
+TEST(Truth, TheNearestSurfaceIsVisibleWhateverTheOrder) {
+  for (const bool near_first : {true, false}) {
+    Square square;
+    std::array<Instance, 2> instances{};
+    instances[near_first ? 0 : 1].transform.m[2][3] = kFixedOne;
+    square.scene.instances = instances;
+    const TruthPicture picture = square.draw();
+    EXPECT_NEAR(picture.at(8, 8).w, 3, 1e-9);
+    EXPECT_EQ(picture.at(8, 8).triangle / 2, near_first ? 0U : 1U);
+  }
+}
+
+TEST(Truth, BackFacesAreNotThere) {
+  Square square;
+  std::swap(square.triangles[0].b, square.triangles[0].c);
+  EXPECT_EQ(square.draw().at(14, 14).triangle, kNoTriangle);
+  square.materials[0].double_sided = true;
+  EXPECT_EQ(square.draw().at(14, 14).triangle, 0U);
+}
+
+TEST(Truth, MeansOfSixteenSamplesShowHalfCoveredPixels) {
+  Square square;
+  square.colours.fill({255, 255, 255, 255});
+  square.camera.focal = 2 * kFixedOne + kFixedOne / 4;  // the square covers 4.5 pixels to each side of the middle
+  const Truth truth = *find_truth(square.scene, square.camera, kView);
+  EXPECT_NEAR(truth.mean[8 * 16 + 8][0], 255, 0.01);
+  EXPECT_NEAR(truth.mean[8 * 16 + 12][0], 127.5, 0.01);
+  EXPECT_NEAR(truth.mean[8 * 16 + 13][0], 0, 0.01);
+  EXPECT_NEAR(truth.mean[12 * 16 + 12][0], 63.75, 0.01);
+}
+
+TEST(Truth, RefusesMaterialsWhoseDepthIsTheirOwn) {
+  Square square;
+  square.materials[0].depth_bias = 5;
+  EXPECT_FALSE(draw_truth(square.scene, square.camera, kView, 1));
+}
+
+}  // namespace
+}  // namespace zstrip::sim

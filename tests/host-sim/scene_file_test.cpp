@@ -1,0 +1,177 @@
+// Scene files: what they say is what is read, and what they say wrongly is an error with its line.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "compose/scene_file.hpp"
+
+namespace zstrip::sim::test {
+namespace {
+
+SceneFile parsed(const std::string& text) {
+  Result<SceneFile> file = parse_scene_file(text, "scene.toml");
+  EXPECT_TRUE(file) << file.failure().message;
+  return file ? std::move(*file) : SceneFile{};
+}
+
+std::string failure(const std::string& text) {
+  const Result<SceneFile> file = parse_scene_file(text, "scene.toml");
+  EXPECT_FALSE(file);
+  if (file) return "";
+  EXPECT_EQ(file.failure().status, ExitStatus::input);
+  return file.failure().message;
+}
+
+const std::string kCube = "[[model]]\nname = 'cube'\nbuilt_in = 'cube'\n[[instance]]\nmodel = 'cube'\n";  // 5 lines
+
+TEST(SceneFile, SmallestOne) {
+  const SceneFile file = parsed(kCube);
+  ASSERT_EQ(file.instances.size(), 1U);
+  EXPECT_EQ(file.instances[0].line, 4);
+  EXPECT_FALSE(file.instances[0].moves());
+  EXPECT_FALSE(file.camera);
+}
+
+TEST(SceneFile, EveryTable) {
+  const SceneFile file = parsed(
+      "ambient = [1, 2, 3]\nbackground = '#0a0B0c'\nduration = 2\n"
+      "[picture]\nsize = [64, 48]\nformat = 'gray4'\ndepth_format = 'z24'\nstrip_rows = 8\nstrip_columns = 16\n"
+      "ram = 4096\nframes = 12\n"
+      "[camera]\nr = 5\nphi = 30\ntheta = 60\nlook_at = [0, 1, 0]\nprojection = 'orthographic'\nhalf_height = 2\n"
+      "near = 0.5\nfar = 20\n"
+      "[[model]]\nname = 'pot'\nfile = 'pot.obj'\nup = '-z'\n"
+      "[[material]]\nname = 'red'\ncolour = [255, 0, 0]\nlit = false\nsmooth = false\ndouble_sided = true\n"
+      "depth_test = 'always'\ndepth_write = false\ndepth_bias = -3\n"
+      "[[instance]]\nmodel = 'pot'\nmaterials = { 'lid' = 'red' }\ntranslation = [1, 2, 3]\nrotation = [0, 90, 0]\n"
+      "scale = [1, 2, 3]\nlayer = 'static'\n"
+      "[[instance]]\nmodel = 'pot'\nmaterial = 'red'\ninterpolation = 'step'\nturntable = { turns = -2, axis = [1, 0, "
+      "0] }\n"
+      "[[instance.keyframe]]\ntime = 0\nscale = 1\n[[instance.keyframe]]\ntime = 1.5\nscale = 2\n"
+      "[[light]]\ndirection = [0, -1, 0]\ncolour = [200, 100, 0]\nintensity = 0.5\n");
+  EXPECT_EQ(file.ambient, (Colour{1, 2, 3, 255}));
+  EXPECT_EQ(file.background, (Colour{10, 11, 12, 255}));
+  EXPECT_EQ(file.duration, 2);
+  EXPECT_EQ(file.picture.size, (std::pair<std::uint16_t, std::uint16_t>{64, 48}));
+  EXPECT_EQ(file.picture.format, PixelFormat::gray4);
+  EXPECT_EQ(file.picture.depth_format, DepthFormat::z24);
+  EXPECT_EQ(file.picture.strip_rows, 8);
+  EXPECT_EQ(file.picture.strip_columns, 16);
+  EXPECT_EQ(file.picture.ram, 4096U);
+  EXPECT_EQ(file.picture.frames, 12U);
+  ASSERT_TRUE(file.camera);
+  EXPECT_EQ(file.camera->radius, 5);
+  EXPECT_EQ(file.camera->phi, 30);
+  EXPECT_EQ(file.camera->theta, 60);
+  EXPECT_EQ(file.camera->look_at, (Vector{0, 1, 0}));
+  EXPECT_TRUE(file.camera->orthographic);
+  EXPECT_EQ(file.camera->projection_line, 17);
+  EXPECT_EQ(file.camera->half_height, 2);
+  EXPECT_EQ(file.camera->near_plane, 0.5);
+  EXPECT_EQ(file.camera->far_plane, 20);
+  ASSERT_EQ(file.models.size(), 1U);
+  EXPECT_EQ(file.models[0].file, "pot.obj");
+  EXPECT_EQ(file.models[0].up, UpAxis::minus_z);
+  ASSERT_EQ(file.materials.size(), 1U);
+  EXPECT_EQ(file.materials[0].colour, (Colour{255, 0, 0, 255}));
+  EXPECT_EQ(file.materials[0].lit, false);
+  EXPECT_EQ(file.materials[0].smooth, false);
+  EXPECT_EQ(file.materials[0].double_sided, true);
+  EXPECT_EQ(file.materials[0].depth_test, DepthTest::always);
+  EXPECT_EQ(file.materials[0].depth_write, false);
+  EXPECT_EQ(file.materials[0].depth_bias, -3);
+  ASSERT_EQ(file.instances.size(), 2U);
+  const FileInstance& still = file.instances[0];
+  EXPECT_TRUE(still.is_static);
+  EXPECT_EQ(still.placement.translation, (Vector{1, 2, 3}));
+  EXPECT_EQ(still.placement.scale, (Vector{1, 2, 3}));
+  EXPECT_NEAR(still.placement.rotation[1], 0.70710678, 1e-8);
+  EXPECT_NEAR(still.placement.rotation[3], 0.70710678, 1e-8);
+  ASSERT_EQ(still.materials.size(), 1U);
+  EXPECT_EQ(still.materials[0].first, "lid");
+  const FileInstance& moving = file.instances[1];
+  EXPECT_TRUE(moving.moves());
+  ASSERT_TRUE(moving.turntable);
+  EXPECT_EQ(moving.turntable->turns, -2);
+  EXPECT_EQ(moving.scale.times, (std::vector<double>{0, 1.5}));
+  EXPECT_EQ(moving.scale.interpolation, Interpolation::step);
+  EXPECT_TRUE(moving.translation.times.empty());
+  ASSERT_EQ(file.lights.size(), 1U);
+  EXPECT_EQ(file.lights[0].colour, (Colour{100, 50, 0, 255}));
+}
+
+/// Degrees about x, then y, then z: x, turned by 90 degrees about y, points to -z; about z afterwards it stays there.
+TEST(SceneFile, OrderOfRotations) {
+  const SceneFile file = parsed(kCube + "rotation = [0, 90, 90]\n");
+  const Vector turned = to_affine(file.instances[0].placement) * Vector{1, 0, 0};
+  EXPECT_NEAR(turned[0], 0, 1e-12);
+  EXPECT_NEAR(turned[1], 0, 1e-12);
+  EXPECT_NEAR(turned[2], -1, 1e-12);
+}
+
+TEST(SceneFile, ErrorsNameLineAndNearestName) {
+  EXPECT_EQ(failure("backgrund = 'x'\n" + kCube),
+            "'scene.toml' line 1: a scene has no key 'backgrund'; did you mean 'background'?");
+  EXPECT_EQ(failure(kCube + "scael = 2\n"),
+            "'scene.toml' line 6: [[instance]] has no key 'scael'; did you mean 'scale'?");
+  EXPECT_EQ(failure(kCube + "[[instance]]\nmodel = 'cub'\n"),
+            "'scene.toml' line 7: [[instance]]: 'model' names no model 'cub'; did you mean 'cube'?");
+  EXPECT_EQ(failure(kCube + "material = 'red'\n"),
+            "'scene.toml' line 6: [[instance]]: 'material' names no material 'red'; there is none");
+  EXPECT_EQ(failure(kCube + "layer = 'statik'\n"),
+            "'scene.toml' line 6: [[instance]]: 'layer' names no word 'statik'; did you mean 'static'?");
+  EXPECT_EQ(failure("duration = 'long'\n" + kCube),
+            "'scene.toml' line 1: a scene: 'duration' must be a number from 0.001 to 3600");
+  EXPECT_EQ(failure(kCube + "[camera]\nr = -1\n"),
+            "'scene.toml' line 7: [camera]: 'r' must be a number from 1e-09 to 1e+09");
+}
+
+/// What is wrong stands in the line that the message names.
+TEST(SceneFile, OutOfRangeOrMissing) {
+  const struct {
+    const char* lines;
+    int line;
+    const char* said;
+  } cases[] = {
+      {"scale = 0\n", 6, "'scale' must be a number"},
+      {"scale = nan\n", 6, "'scale' must be a number"},
+      {"translation = [1, 2]\n", 6, "3 numbers"},
+      {"translation = [1, 2, inf]\n", 6, "must be a number from"},
+      {"quaternion = [0, 0, 0, 0]\n", 6, "must have a length"},
+      {"rotation = [0, 0, 0]\nquaternion = [0, 0, 0, 1]\n", 7, "either 'rotation' or 'quaternion'"},
+      {"layer = 'static'\nturntable = {}\n", 6, "static layer"},
+      {"[[instance.keyframe]]\ntime = 1\n[[instance.keyframe]]\ntime = 1\n", 9, "greater than"},
+      {"[[instance.keyframe]]\nscale = 1\n", 6, "'time' is missing"},
+      {"[camera]\n", 6, "either 'eye'"},
+      {"[camera]\nr = 1\neye = [0, 0, 1]\n", 8, "either 'eye'"},
+      {"[camera]\neye = [0, 0, 0]\n", 7, "different points"},
+      {"[camera]\neye = [0, 0, 1]\nphi = 3\n", 8, "goes with 'r'"},
+      {"[camera]\nr = 1\nhalf_height = 1\n", 8, "orthographic"},
+      {"[camera]\nr = 1\nnear = 2\nfar = 1\n", 8, "less than"},
+      {"[picture]\nsize = [0, 5]\n", 7, "from 1 to 4096"},
+      {"[picture]\nframes = 1.5\n", 7, "whole number"},
+      {"[[light]]\ncolour = '#fff'\ndirection = [0, 1, 0]\n", 7, "must be a colour"},
+      {"[[light]]\ndirection = [0, 0, 0]\n", 7, "must have a length"},
+      {"[[light]]\n", 6, "'direction' is missing"},
+      {"[[material]]\nname = 'a'\nlit = 1\n", 8, "true or false"},
+      {"[[material]]\nname = 'a'\n[[material]]\nname = 'a'\n", 8, "a second material 'a'"},
+      {"[[model]]\nname = 'b'\n", 6, "either 'file' or 'built_in'"},
+      {"[[model]]\nname = 'b'\nbuilt_in = 'cube'\nup = 'z'\n", 9, "goes with 'file'"},
+      {"scale = \n", 6, ""},
+  };
+  for (const auto& each : cases) {
+    const std::string message = failure(kCube + each.lines);
+    EXPECT_TRUE(message.starts_with("'scene.toml' line " + std::to_string(each.line) + ": ")) << each.lines << message;
+    EXPECT_NE(message.find(each.said), std::string::npos) << each.lines << message;
+  }
+  EXPECT_NE(failure("ambient = [0, 0, 0]\n").find("nothing to draw"), std::string::npos);
+  EXPECT_NE(failure("instance = 3\n").find("must be tables"), std::string::npos);
+}
+
+TEST(SceneFile, NearestNames) {
+  EXPECT_EQ(nearest("colr", {"name", "colour", "lit"}), "colour");
+  EXPECT_EQ(nearest("zzzzzzzz", {"name", "colour"}), "");
+  EXPECT_EQ(nearest("", {}), "");
+}
+
+}  // namespace
+}  // namespace zstrip::sim::test

@@ -1,0 +1,104 @@
+// A machine in the emulator with a real Debian kernel.
+#include "guest.hpp"
+
+#include <stdlib.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <thread>
+
+namespace zstrip::linux_guest {
+namespace {
+
+using namespace std::chrono_literals;
+
+const std::filesystem::path kGuests = ZSTRIP_GUESTS;
+constexpr auto kPatience = 240s;  // a kernel starts in some seconds, if it is alone
+
+std::filesystem::path folder_of(Machine machine) { return kGuests / (machine == Machine::amd64 ? "amd64" : "armhf"); }
+
+boards::Qemu::Options emulator_of(const Guest::Options& options) {
+  const bool is_arm = options.machine == Machine::armhf;
+  const std::filesystem::path folder = folder_of(options.machine);
+  const std::string console = is_arm ? "ttyAMA0" : "ttyS0";
+  boards::Qemu::Options emulator;
+  emulator.emulator = is_arm ? "qemu-system-arm" : "qemu-system-x86_64";
+  emulator.machine = is_arm ? "virt,highmem=off" : "pc";
+  emulator.program = folder / "kernel";
+  emulator.devices = {"-nodefaults",
+                      "-no-reboot",
+                      "-m",
+                      "256",
+                      "-initrd",
+                      (folder / "initrd").string(),
+                      "-append",
+                      "quiet loglevel=1 panic=-1 console=" + console + " zstrip.console=" + console +
+                          " zstrip.modules=" + options.modules};
+  if (is_arm) {
+    const std::string tree = (folder / "tree.dtb").string();
+    emulator.devices.insert(emulator.devices.end(), {"-cpu", "cortex-a15", "-dtb", tree});
+  }
+  emulator.devices.insert(emulator.devices.end(), options.devices.begin(), options.devices.end());
+  return emulator;
+}
+
+}  // namespace
+
+std::string missing(Machine machine) {
+  std::ifstream reason(kGuests / "missing");
+  if (reason) return std::string(std::istreambuf_iterator<char>(reason), {});
+  return std::filesystem::exists(folder_of(machine) / "initrd") ? "" : "the test LinuxGuests makes the machines first";
+}
+
+Guest::Guest(const Options& options) : emulator_(emulator_of(options)) {
+  const Answer start = answer("ready");
+  if (!start.text.empty()) throw std::runtime_error("the guest started with: " + start.text);
+}
+
+Guest::Answer Guest::run(const std::string& command) {
+  emulator_.write_console(command + "\n");
+  return answer("status ");
+}
+
+Guest::Answer Guest::answer(const std::string& last) {
+  Answer answer;
+  for (;;) {
+    const std::string line = emulator_.read_line(kPatience);
+    if (line.starts_with(last)) {
+      if (line.size() > last.size()) answer.status = std::stoi(line.substr(last.size()));
+      return answer;
+    }
+    answer.text += line + "\n";
+  }
+}
+
+std::string Guest::screen_differs(const boards::ColourPicture& expected) {
+  const auto deadline = std::chrono::steady_clock::now() + 20s;
+  for (;;) {
+    std::string difference = boards::difference(expected, emulator_.colour_screen());
+    if (difference.empty() || std::chrono::steady_clock::now() > deadline) return difference;
+    std::this_thread::sleep_for(50ms);
+  }
+}
+
+boards::ColourPicture host_frame(int frame, int width, int height) {
+  std::string folder = std::filesystem::temp_directory_path() / "zstrip-frames-XXXXXX";
+  if (mkdtemp(folder.data()) == nullptr) throw std::runtime_error("cannot make " + folder);
+  // Of a turn in 64 frames only the first can be had alone.
+  const std::string frames = frame == 0 ? "1" : "64";
+  const std::string output = frame == 0 ? folder + "/frame_0000.ppm" : folder;
+  const std::string command = std::string(ZSTRIP_COMMAND) + " render " + (kGuests / "scene.zsc").string() +
+                              " --quiet --image ppm --size " + std::to_string(width) + "x" + std::to_string(height) +
+                              " --frames " + frames + " -o " + output;
+  if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
+  const std::string name =
+      "frame_" + std::string(4 - std::to_string(frame).size(), '0') + std::to_string(frame) + ".ppm";
+  boards::ColourPicture picture = boards::read_ppm(std::filesystem::path(folder) / name);
+  std::filesystem::remove_all(folder);
+  return picture;
+}
+
+}  // namespace zstrip::linux_guest

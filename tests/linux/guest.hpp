@@ -1,0 +1,47 @@
+// A machine in the emulator with a real Debian kernel and zstrip-panel on it, as guest.sh made it; commands go over its
+// console.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "colour_picture.hpp"
+#include "qemu.hpp"
+
+namespace zstrip::linux_guest {
+
+enum class Machine : std::uint8_t { amd64, armhf };
+
+/// Why there is no such machine, for a test to be skipped; empty if there is one.
+std::string missing(Machine machine);
+
+class Guest {
+ public:
+  struct Options {
+    Machine machine = Machine::amd64;
+    std::string modules{};               ///< of the kernel, with commas
+    std::vector<std::string> devices{};  ///< more words of the emulator's command line
+  };
+  /// Returns when the machine has started. All functions throw std::runtime_error when it does not do its part in time.
+  explicit Guest(const Options& options);
+
+  struct Answer {
+    std::string text;  ///< all lines
+    int status = -1;
+  };
+  Answer run(const std::string& command);
+  /// Empty if the screen shows the picture, or does so soon: drivers pass on what was written some time later. Else the
+  /// difference.
+  std::string screen_differs(const boards::ColourPicture& expected);
+
+ private:
+  Answer answer(const std::string& last);
+
+  boards::Qemu emulator_;
+};
+
+/// A frame of the guests' scene as the host's command draws it, 64 frames a turn.
+boards::ColourPicture host_frame(int frame, int width, int height);
+
+}  // namespace zstrip::linux_guest

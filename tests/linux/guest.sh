@@ -1,0 +1,141 @@
+#!/usr/bin/env bash
+# guest.sh ROOT FOLDER PANEL: real Debian kernels with zstrip-panel as machines for QEMU, in FOLDER/amd64 and FOLDER/armhf:
+# `kernel`, `initrd`, for armhf `tree.dtb` (the emulator's device tree, and panels on its GPIO chip), and FOLDER/armhf2 with
+# what libgpiod 2 of Debian 13 needs to be compiled with. PANEL is the host's program; that for armhf is built here.
+# Downloads are kept in FOLDER/downloads. Where the packages cannot be had FOLDER/missing says why, and the status is 77.
+set -euo pipefail
+root=$1 folder=$2 panel=$3
+scripts=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+mkdir -p "$folder/downloads"
+cd "$folder"
+rm -f missing
+
+give_up() {
+  echo "$1" >missing
+  echo "$1" >&2
+  exit 77
+}
+
+for tool in apt-get dpkg-deb cpio dtc qemu-system-arm qemu-system-x86_64 arm-linux-gnueabihf-g++; do
+  command -v "$tool" >/dev/null || give_up "$tool is not installed"
+done
+
+# Debian's packages for other architectures and releases, with an apt configuration of our own: the machine's stays as it
+# is. The mirror is the machine's.
+mirror=$(apt-get indextargets 'Created-By: Packages' --format '$(REPO_URI) $(RELEASE) $(COMPONENT)' |
+  awk '$3 == "main" && $2 !~ /security|updates/ && $1 ~ /debian\/?$/ { print $1; exit }')
+[ -n "$mirror" ] || give_up "apt knows no mirror of Debian"
+apt=$folder/apt
+apt_options=(-o "Dir::State=$apt/state" -o "Dir::State::status=$apt/status" -o "Dir::State::Lists=$apt/lists"
+  -o "Dir::Cache=$apt/cache" -o Dir::Etc::SourceList=/dev/null -o "Dir::Etc::SourceParts=$apt/sources"
+  -o APT::Architecture=armhf -o APT::Architectures::=armhf -o APT::Architectures::=amd64 -o APT::Sandbox::User=root)
+
+update_index() {
+  mkdir -p "$apt"/{state,lists/partial,cache/archives/partial,sources}
+  touch "$apt/status"
+  for release in "bookworm armhf amd64" "trixie armhf"; do
+    printf 'Types: deb\nURIs: %s\nSuites: %s\nComponents: main\nArchitectures: %s\nSigned-By: %s\n' "$mirror" \
+      "${release%% *}" "${release#* }" /usr/share/keyrings/debian-archive-keyring.gpg >"$apt/sources/${release%% *}.sources"
+  done
+  timeout 300 apt-get "${apt_options[@]}" -o Acquire::Retries=2 update >"$apt/log" 2>&1
+}
+
+# fetch PACKAGE:ARCHITECTURE/RELEASE: its file in downloads, whose name is printed. Each is downloaded once.
+fetch() {
+  local name=$1 kept=downloads/${1//[:\/]/_}.deb
+  if [ ! -s "$kept" ]; then
+    rm -rf downloads/new && mkdir downloads/new
+    (cd downloads/new && timeout 300 apt-get "${apt_options[@]}" download "$name") >>"$apt/log" 2>&1 ||
+      give_up "$name cannot be downloaded: $(tail -n 1 "$apt/log")"
+    mv downloads/new/*.deb "$kept"
+  fi
+  echo "$kept"
+}
+
+# The metapackage names the kernel of the day.
+kernel_of() {
+  apt-cache "${apt_options[@]}" show "$1" | awk '/^Version: 6\.1\./ { found = 1 }
+    found && /^Depends:/ { sub(/,.*/, ""); print $2; exit }'
+}
+
+armhf_packages="busybox-static:armhf/bookworm libgpiod-dev:armhf/bookworm libdrm-dev:armhf/bookworm
+  libcli11-dev/bookworm libgpiod-dev:armhf/trixie"
+names=downloads/names
+if [ ! -s "$names" ]; then
+  update_index || give_up "Debian's index for armhf cannot be downloaded: $(tail -n 1 "$apt/log")"
+  armhf_kernel=$(kernel_of linux-image-armmp:armhf) amd64_kernel=$(kernel_of linux-image-amd64:amd64)
+  [ -n "$armhf_kernel" ] && [ -n "$amd64_kernel" ] || give_up "the index of $mirror has no kernel 6.1"
+  for package in $armhf_packages busybox-static:amd64/bookworm "$armhf_kernel:armhf" "$amd64_kernel:amd64"; do
+    fetch "$package" >/dev/null || exit
+  done
+  echo "$armhf_kernel $amd64_kernel" >"$names"
+fi
+read -r armhf_kernel amd64_kernel <"$names"
+
+unpack() { # FOLDER PACKAGE...
+  local to=$1 package
+  shift
+  if [ -e "$to" ]; then return; fi
+  mkdir -p "$to.new"
+  for package in "$@"; do dpkg-deb -x "$(fetch "$package")" "$to.new"; done
+  mv "$to.new" "$to"
+}
+
+# The files of kernel modules and those that they need, in the order in which they have to be loaded.
+modules() { # FOLDER NAME...
+  local from=$1 name file
+  shift
+  for name in "$@"; do
+    file=$(find "$from/lib/modules" -name "${name//_/[-_]}.ko" | head -n 1)
+    [ -n "$file" ] || { echo "the kernel has no module $name" >&2; return 1; }
+    # shellcheck disable=SC2046  # names
+    modules "$from" $(tr '\0' '\n' <"$file" | sed -n 's/^depends=//p' | tr , ' ')
+    echo "$file"
+  done
+}
+
+pack() { # ARCHITECTURE PROGRAM MODULE...: FOLDER/ARCHITECTURE/{kernel,initrd}
+  local arch=$1 program=$2 tree=$1/tree module
+  shift 2
+  rm -rf "$tree"
+  mkdir -p "$tree"/{bin,dev,proc,sys,modules}
+  cp "$arch/packages/bin/busybox" "$tree/bin"
+  cp "$program" "$tree/bin/zstrip-panel"
+  for library in $(ldd "$program" 2>/dev/null | grep -o '/[^ )]*'); do install -D "$library" "$tree$library"; done
+  for module in "$@"; do
+    modules "$arch/packages" "$module" | awk '!seen[$0]++' >"$tree/modules/$module"
+    while read -r file; do cp -n "$file" "$tree/modules"; done <"$tree/modules/$module"
+    sed -i 's|.*/||' "$tree/modules/$module"
+  done
+  cp "$folder/scene.zsc" "$tree"
+  install -m 755 "$scripts/guest_init.sh" "$tree/init"
+  (cd "$tree" && find . | LC_ALL=C sort | cpio --quiet -o -H newc) | gzip -1 >"$arch/initrd"
+  cp "$arch"/packages/boot/vmlinuz-* "$arch/kernel"
+}
+
+# armhf: everything linked statically, with less optimisation, which draws the same and compiles in a tenth of the time.
+unpack armhf/packages busybox-static:armhf/bookworm "$armhf_kernel:armhf"
+unpack armhf/development libgpiod-dev:armhf/bookworm libdrm-dev:armhf/bookworm libcli11-dev/bookworm
+unpack armhf2/development libgpiod-dev:armhf/trixie
+build=(cmake -S "$root" -B armhf/build -G Ninja "-DCMAKE_TOOLCHAIN_FILE=$root/cmake/toolchains/arm-linux-gnueabihf.cmake"
+  "-DCMAKE_FIND_ROOT_PATH=$folder/armhf/development" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
+  -DCMAKE_EXE_LINKER_FLAGS=-static -DZSTRIP_HOST_SIM=OFF -DZSTRIP_TESTS=OFF -DZSTRIP_FIRMWARE=OFF -DZSTRIP_INSTALL=OFF
+  -DZSTRIP_LINUX=ON)
+{ "${build[@]}" && nice cmake --build armhf/build --target zstrip-panel; } >armhf/build.log 2>&1 ||
+  { tail -n 40 armhf/build.log; exit 1; }
+pack armhf armhf/build/firmware/linux/zstrip-panel virtio_pci virtio_gpu
+
+# Panels on the only GPIO chip of the machine: SPI by spi-gpio, lines with names. The chip's power button goes.
+qemu-system-arm -M virt,highmem=off,dumpdtb=armhf/machine.dtb -cpu cortex-a15 -m 256 -display none >/dev/null 2>&1
+dtc -q -I dtb -O dts armhf/machine.dtb | awk -v panels="$scripts/panels.dtsi" '
+  /^\tgpio-keys \{/ { skipping = 1 }
+  !skipping { print }
+  skipping && /^\t\};/ { skipping = 0 }
+  /^\tpl061@/ { print "\t\tgpio-line-names = \"SCLK\", \"MOSI\", \"CS\", \"DC\", \"RESET\", \"BACKLIGHT\", \"\", \"\";"; in_chip = 1 }
+  in_chip && /phandle/ { chip = $3; gsub(/[<>;]/, "", chip); in_chip = 0 }
+  END { print "/ {"; while ((getline line < panels) > 0) { gsub(/CHIP/, chip, line); print line }; print "};" }
+' >armhf/tree.dts
+dtc -q -I dts -O dtb -o armhf/tree.dtb armhf/tree.dts
+
+unpack amd64/packages busybox-static:amd64/bookworm "$amd64_kernel:amd64"
+pack amd64 "$panel" cirrus cirrusfb bochs
