@@ -19,6 +19,7 @@
 #include "bench/host_bench.hpp"
 #include "bench/peer_bench.hpp"
 #include "bench/stage_profile.hpp"
+#include "bench/visibility_table.hpp"
 #include "bench/workloads.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
@@ -51,6 +52,7 @@ struct BenchOptions {
   std::vector<std::uint32_t> pictures;  ///< of the table; empty: all
   std::uint32_t draw_each = 0;          ///< not 0: run by instruction_count.cpp
   std::string depth_memory;             ///< the row of the table to draw then
+  std::uint32_t table_row = 0;          ///< likewise, of the tables of visibility
 };
 
 Result<std::vector<BenchCase>> cases_for(const BenchOptions& options, const std::string& target) {
@@ -148,6 +150,14 @@ Result<Done> run_dynamic_z(const BenchOptions& options) {
                                                    wrong->picture.side, name(wrong->memory))};
 }
 
+Result<Done> run_visibility(const BenchOptions& options) {
+  if (!options.pictures.empty()) return Failure{ExitStatus::usage, "--picture is for --table dynamic-z"};
+  if (options.draw_each != 0) return draw_visibility_row_only(options.table, options.table_row, options.draw_each);
+  const Result<std::vector<VisibilityRow>> rows = measure_visibility(options.table);
+  if (!rows) return rows.failure();
+  return report(options, visibility_text(options.table, *rows), visibility_json(options.table, *rows));
+}
+
 Result<Done> run_predictions(const BenchOptions& options) {
   std::vector<BoardPrediction> predictions;
   std::string text;
@@ -197,7 +207,8 @@ Result<Done> run(const BenchOptions& options) {
   if (options.stages) return run_stages(options);
   if (options.peers) return run_peers(options);
   if (!options.boards.empty()) return run_predictions(options);
-  if (!options.table.empty()) return run_dynamic_z(options);
+  if (options.table == "dynamic-z") return run_dynamic_z(options);
+  if (!options.table.empty()) return run_visibility(options);
   std::vector<Measurement> rows;
   for (const std::string& target : options.targets) {
     const Result<std::vector<BenchCase>> cases = cases_for(options, target);
@@ -236,6 +247,12 @@ std::vector<std::uint32_t> sides_of_pictures() {
   return sides;
 }
 
+std::vector<std::string> tables() {
+  std::vector<std::string> names{"dynamic-z"};
+  names.insert(names.end(), visibility_tables().begin(), visibility_tables().end());
+  return names;
+}
+
 std::string footer() {
   std::string text = "Workloads:\n";
   for (const Workload& workload : workloads()) {
@@ -250,7 +267,8 @@ std::string footer() {
          "  zstrip bench --board bluepill,pico --workload K5M,CT --frames 6\n"
          "                                                frames a second that real boards would draw\n"
          "  zstrip bench --peers                          Allegro 4 and OSMesa on the same workloads\n"
-         "  zstrip bench --table dynamic-z                a published table, with our renderer beside it";
+         "  zstrip bench --table dynamic-z                a published table, with our renderer beside it\n"
+         "  zstrip bench --table thesis                   painter, z-buffer and both; likewise midpoint and depth-bits";
 }
 
 void add_board_options(CLI::App& command, BenchOptions& options, CLI::Option* target) {
@@ -278,7 +296,7 @@ void add_bench_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("bench", "Measure instructions, time and memory of the benchmark workloads");
   command->footer(footer());
   auto* const table = command->add_option("--table", options->table, "Reproduce a published table instead")
-                          ->check(CLI::IsMember({"dynamic-z"}));
+                          ->check(CLI::IsMember(tables()));
   command
       ->add_option("--picture", options->pictures, "Sides of the table's pictures, separated by commas (default: all)")
       ->delimiter(',')
@@ -325,6 +343,7 @@ void add_bench_command(CLI::App& app, int& exit_code) {
   command->add_option("--json", options->json, "Write the results to this file as JSON; - is standard output")
       ->type_name("FILE|-");
   command->add_option("--depth-memory", options->depth_memory)->needs(table)->group("");
+  command->add_option("--table-row", options->table_row)->needs(table)->group("");
   command->add_option("--draw-each", options->draw_each)
       ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{100}))
       ->group("");

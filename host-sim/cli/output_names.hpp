@@ -28,8 +28,8 @@ inline constexpr std::uint32_t kFolderFrames = 8;
 /// else a folder. Without it: SCENE.png for one frame, a folder SCENE for more, both in the current folder.
 /// Frames, where not given: 1 into a file, `folder_frames` into a folder.
 Result<OutputNames> name_outputs(const std::string& scene, const std::optional<std::string>& output,
-                                 std::optional<std::uint32_t> frames, std::optional<ImageType> type,
-                                 PixelFormat format, std::uint32_t folder_frames = kFolderFrames);
+                                 std::optional<std::uint32_t> frames, std::optional<ImageType> type, PixelFormat format,
+                                 std::uint32_t folder_frames = kFolderFrames);
 
 /// Whether `path` is a name of standard output: /dev/stdout and the like.
 bool is_standard_output(const std::string& path);

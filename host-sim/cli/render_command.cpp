@@ -19,6 +19,7 @@
 #include "cli/parse.hpp"
 #include "cli/picture_arguments.hpp"
 #include "cli/print.hpp"
+#include "cli/visibility_arguments.hpp"
 #include "image/write_file.hpp"
 #include "render/parallel.hpp"
 #include "render/render_frame.hpp"
@@ -26,6 +27,9 @@
 #include "report/frame_record.hpp"
 #include "report/progress.hpp"
 #include "report/text.hpp"
+#include "visibility/drawing.hpp"
+#include "visibility/methods.hpp"
+#include "visibility/show.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -48,6 +52,7 @@ struct Arguments {
   PanelArguments panel;
   std::optional<std::string> image;
   CameraArguments camera;
+  VisibilityArguments visibility;
   std::optional<std::string> json;
   bool quiet = false;
 };
@@ -59,6 +64,7 @@ struct Job {
   DepthFormat depth_format = DepthFormat::z16;
   Budget budget;
   CameraOptions camera;
+  VisibilityRequest visibility;
   OutputNames outputs;
   unsigned threads = 1;
 };
@@ -127,6 +133,18 @@ Result<Job> parse(const Arguments& arguments) {
     if (!parsed) return parsed.failure();
     type = *parsed;
   }
+  const Result<VisibilityRequest> visibility = parse_visibility(arguments.visibility);
+  if (!visibility) return visibility.failure();
+  job.visibility = *visibility;
+  if (const Result<Done> checked = check_visibility(job.visibility.method | depth_effect(job.depth_format)); !checked) {
+    return checked.failure();
+  }
+  if (job.visibility.show != Show::colour && job.panel) {
+    return usage("--show and --panel exclude each other: a panel shows colours");
+  }
+  if (job.visibility.show != Show::colour && job.view.format != PixelFormat::rgb565) {
+    return usage("--show makes RGB565 pictures; leave out --format");
+  }
   const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene);
   if (!model) return model.failure();
   job.model = *model;
@@ -185,8 +203,9 @@ Result<std::unique_ptr<SimulatedPanel>> start_panel(const PanelRequest& request)
 }
 
 /// The file's bytes: what the strips are, or what is seen on the panel.
-Result<std::vector<std::uint8_t>> encode_picture(const Worker& worker, const Job& job) {
-  if (!worker.panel) return encode(job.outputs.type, job.view, worker.renderer.pixels());
+Result<std::vector<std::uint8_t>> encode_picture(const Worker& worker, const Job& job,
+                                                 std::span<const std::byte> pixels) {
+  if (!worker.panel) return encode(job.outputs.type, job.view, pixels);
   if (const std::string dark = worker.panel->model().darkness(); !dark.empty()) {
     return Failure{ExitStatus::internal, "the panel shows nothing: " + dark};
   }
@@ -203,14 +222,25 @@ Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t f
   const Result<FrameReport> report = worker.renderer.render(*staging);
   if (!report) return report.failure();
   const BusUse after = bus_use();
-  const Result<std::vector<std::uint8_t>> picture = encode_picture(worker, job);
+  std::span<const std::byte> pixels = worker.renderer.pixels();
+  std::optional<Result<ShownFrame>> shown;
+  if (job.visibility.show != Show::colour) {
+    const MethodRequest request{job.view, job.budget, job.visibility.method | depth_effect(job.depth_format),
+                                job.visibility.options};
+    shown = draw_shown(*staging, request, job.visibility.show);
+    if (!*shown) return shown->failure();
+    pixels = std::as_bytes(std::span((*shown)->pixels));
+  }
+  const Result<std::vector<std::uint8_t>> picture = encode_picture(worker, job, pixels);
   if (!picture) return picture.failure();
   if (frame == 0) {
     if (const Result<Done> prepared = prepare(job.outputs); !prepared) return prepared.failure();
   }
   const std::filesystem::path file = job.outputs.file(frame);
   if (const Result<Done> written = write_file(file, *picture, "-o"); !written) return written.failure();
-  return FrameRecord{file.string(), *report, {after.bytes - before.bytes, after.nanoseconds - before.nanoseconds}};
+  FrameRecord record{file.string(), *report, {after.bytes - before.bytes, after.nanoseconds - before.nanoseconds}, {}};
+  if (job.visibility.show == Show::error) record.wrong = (*shown)->wrong;
+  return record;
 }
 
 /// Several frames are drawn, encoded and written on all threads, one frame on each; the strips of a single frame are.
@@ -226,6 +256,7 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
   for (unsigned thread = 0; thread < threads; ++thread) {
     workers.push_back(
         {(*stage)->copy(), FrameRenderer(job.view, job.budget, job.depth_format, strip_threads), nullptr});
+    workers.back().renderer.set_visibility(job.visibility.method, job.visibility.options);
     if (!job.panel) continue;
     Result<std::unique_ptr<SimulatedPanel>> panel = start_panel(*job.panel);
     if (!panel) return panel.failure();
@@ -324,6 +355,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
   command->add_option("--image", a.image, "Picture files: png (default), ppm or raw")->type_name("TYPE");
   add_panel_options(*command, a.panel);
   add_camera_options(*command, a.camera);
+  add_visibility_options(*command, a.visibility);
   command->add_option("--json", a.json, "Write a report of each frame; - is standard output")->type_name("FILE|-");
   command->add_flag("--quiet", a.quiet, "No summary, no progress; warnings and errors remain");
   command->footer(
@@ -332,6 +364,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
       "  zstrip render teapot -o out/teapot --frames 64\n"
       "  zstrip render bunny.obj -o bunny.png --size 640x480 --orbit 0.3,45,70\n"
       "  zstrip render knot_meshlets --ram 20K --json -\n"
+      "  zstrip render random50 --visibility painter --show error\n"
       "  zstrip render duck.glb -o oled --size 128x64 --format gray4 --image raw\n"
       "  zstrip render teapot -o panel.png --panel st7789 --bus spi@40MHz --rotation 90\n"
       "  zstrip render teapot -o oled.png --panel ssd1306 --bus i2c@400kHz");

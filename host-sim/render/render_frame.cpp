@@ -10,6 +10,8 @@
 #include "render/display_pair.hpp"
 #include "render/parallel.hpp"
 #include "report/number.hpp"
+#include "visibility/methods.hpp"
+#include "visibility/prepared_scene.hpp"
 #include "zstrip/frame/renderer.hpp"
 #include "zstrip_hal/present.hpp"
 
@@ -68,8 +70,14 @@ void add(Statistics& sum, const Statistics& all, const Statistics& after_begin) 
 
 }  // namespace
 
-Result<FrameReport> FrameRenderer::render(const Staging& staging) {
-  const Effects effects = effects_of(staging.scene, staging.camera) | depth_effect(depth_format_) | effect::bins;
+Result<FrameReport> FrameRenderer::render(const Staging& original) {
+  const Result<PreparedScene> prepared = PreparedScene::of(original, method_);
+  if (!prepared) return prepared.failure();
+  const Staging staging = prepared->staging();
+  options_.tree = prepared->tree();
+  const Effects effects =
+      effects_of(staging.scene, staging.camera) | depth_effect(depth_format_) | effect::bins | method_;
+  if (const Result<Done> checked = check_visibility(effects); !checked) return checked.failure();
   const auto [status, plan] = zstrip::plan(count(staging.scene), view_, effects, budget_);
   if (status.error == Error::arena_too_small) {
     // A panel may want a number of rows.
@@ -87,6 +95,7 @@ Result<Done> FrameRenderer::draw(const Staging& staging, const Effects& effects,
   const std::span<std::byte> arena = at_least(memory_[0].arena, plan.bytes());
   const std::span<std::byte> strip = at_least(memory_[0].strip, report.strip_pixel_bytes);
   AnyRenderer renderer(effects);
+  renderer.set_visibility(options_);
   const Status begun = renderer.begin_frame(staging.scene, staging.camera, view_, plan, arena);
   if (!begun) return refused("the frame cannot begin", begun);
   const hal::StripLayout layout{plan.strips, plan.strip_rows, plan.strip_columns};
@@ -100,6 +109,7 @@ Result<Done> FrameRenderer::draw(const Staging& staging, const Effects& effects,
   report.mode = renderer.frame().mode();
   report.statistics = renderer.frame().statistics();
   report.bounds = renderer.frame().bounds();
+  report.visibility = renderer.frame().visibility();
   return Done{};
 }
 
@@ -146,13 +156,15 @@ Result<Done> FrameRenderer::draw_on_threads(const Staging& staging, const Effect
 }
 
 Result<FrameReport> FrameRenderer::render(const Staging& staging, const Plan& plan) {
-  const Effects effects = effects_of(staging.scene, staging.camera) | depth_effect(depth_format_) | effect::statistics;
+  const Effects effects =
+      effects_of(staging.scene, staging.camera) | depth_effect(depth_format_) | effect::statistics | method_;
   FrameReport report;
   report.plan = plan;
+  report.method = method_;
   report.strip_pixel_bytes = plan.strip_pixel_bytes(view_);
 
   const auto start = std::chrono::steady_clock::now();
-  const bool alone = memory_.size() == 1 || plan.strips == 1 || panel_ != nullptr;
+  const bool alone = memory_.size() == 1 || plan.strips == 1 || panel_ != nullptr || method_.methods != 0;
   const Result<Done> drawn = alone ? draw(staging, effects, report) : draw_on_threads(staging, effects, report);
   const auto end = std::chrono::steady_clock::now();
   if (!drawn) return drawn.failure();

@@ -11,6 +11,8 @@
 #include "zstrip/base/statistics.hpp"
 #include "zstrip/plan/plan.hpp"
 #include "zstrip/scene/depth_format.hpp"
+#include "zstrip/scene/effects.hpp"
+#include "zstrip/visibility/options.hpp"
 
 namespace zstrip::sim {
 
@@ -20,9 +22,11 @@ struct FrameReport {
   Mode mode = Mode::streamed;  ///< how it was drawn: not as planned if its bins overflowed
   std::uint32_t strip_pixel_bytes = 0;
   Statistics statistics;
-  Rect bounds;                   ///< of the projected scene: the only pixels that have depth
-  std::uint32_t crc32 = 0;       ///< zlib's, of the raw pixel bytes
-  std::int64_t nanoseconds = 0;  ///< begin_frame and all strips
+  Effects method;                   ///< how visibility was found; nothing: the z-buffer
+  VisibilityStatistics visibility;  ///< only with a method
+  Rect bounds;                      ///< of the projected scene: the only pixels that have depth
+  std::uint32_t crc32 = 0;          ///< zlib's, of the raw pixel bytes
+  std::int64_t nanoseconds = 0;     ///< begin_frame and all strips
 };
 
 /// Draws frames of one size; keeps its memory from frame to frame. With several threads they draw the strips of a frame
@@ -32,6 +36,9 @@ class FrameRenderer {
   FrameRenderer(const View& view, const Budget& budget, DepthFormat depth_format = DepthFormat::z16,
                 unsigned threads = 1)
       : view_(view), budget_(budget), depth_format_(depth_format), display_(view), memory_(threads) {}
+
+  /// Another method than the z-buffer, from the next frame on; it draws on one thread.
+  void set_visibility(Effects method, const VisibilityOptions& options) { method_ = method, options_ = options; }
 
   /// Plans and draws. Failures: ExitStatus::budget says how many bytes are missing, for what, and how many are enough.
   Result<FrameReport> render(const Staging& staging);
@@ -53,6 +60,8 @@ class FrameRenderer {
   View view_;
   Budget budget_;
   DepthFormat depth_format_;
+  Effects method_;
+  VisibilityOptions options_;
   PictureDisplay display_;
   SimulatedPanel* panel_ = nullptr;
   struct Memory {

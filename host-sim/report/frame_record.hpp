@@ -20,7 +20,8 @@ struct BusUse {
 struct FrameRecord {
   std::string file;
   FrameReport report;
-  BusUse bus{};  ///< where there is a panel
+  BusUse bus{};                          ///< where there is a panel
+  std::optional<std::uint32_t> wrong{};  ///< pixels that the judge of visibility finds wrong, where it was asked
 };
 
 /// The panel of a run, in words.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "report/frame_record.hpp"
+#include "visibility/methods.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -44,6 +45,24 @@ Json to_object(std::size_t index, const FrameRecord& frame, bool has_panel) {
         {"fragments", statistics.fragments},
         {"depth_passes", statistics.depth_passes}}}};
   if (has_panel) object["bus"] = {{"bytes", frame.bus.bytes}, {"time_ns", frame.bus.nanoseconds}};
+  if (frame.wrong) object["wrong_pixels"] = *frame.wrong;
+  if (report.method.methods == 0) return object;
+  const VisibilityStatistics& counts = report.visibility;
+  object["ram_bytes"]["visibility"] = plan.visibility_bytes;
+  object["visibility"] = {{"method", visibility_name(report.method)},
+                          {"comparisons", counts.comparisons},
+                          {"cells_read", counts.cells_read},
+                          {"writes", counts.writes},
+                          {"untested", counts.untested},
+                          {"splits", counts.splits},
+                          {"hidden_instances", counts.instances},
+                          {"hidden_meshlets", counts.meshlets},
+                          {"hidden_triangles", counts.triangles},
+                          {"hidden_run_pixels", counts.run_pixels},
+                          {"back_faces", counts.back_faces},
+                          {"small", counts.small},
+                          {"outside", counts.outside},
+                          {"outside_cells", counts.outside_cells}};
   return object;
 }
 

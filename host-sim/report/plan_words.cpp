@@ -25,11 +25,13 @@ std::array<std::pair<Purpose, std::uint32_t>, 6> by_purpose(const Plan& plan) {
            {Purpose::bins, plan.bin_bytes}}};
 }
 
-std::string memory(const Plan& plan, std::uint32_t strip_pixel_bytes) {
+std::string memory(const Plan& plan, std::uint32_t strip_pixel_bytes, Purpose of_visibility) {
   std::string parts;
-  for (const auto& [purpose, bytes] : by_purpose(plan)) {
+  const auto list = [&parts](Purpose purpose, std::uint32_t bytes) {
     if (bytes > 0) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name(purpose), grouped(bytes));
-  }
+  };
+  for (const auto& [purpose, bytes] : by_purpose(plan)) list(purpose, bytes);
+  list(of_visibility, plan.visibility_bytes);
   return fmt::format("{} ({}), and {} for the pixels of a strip", counted(plan.bytes(), "byte"), parts,
                      grouped(strip_pixel_bytes));
 }

@@ -17,6 +17,7 @@ std::string shape(const Plan& plan, const View& view);
 std::array<std::pair<Purpose, std::uint32_t>, 6> by_purpose(const Plan& plan);
 
 /// "1,234 bytes (instances 160, depth 1,074), and 512 for the pixels of a strip".
-std::string memory(const Plan& plan, std::uint32_t strip_pixel_bytes);
+/// `of_visibility`: what the visibility method's bytes are for.
+std::string memory(const Plan& plan, std::uint32_t strip_pixel_bytes, Purpose of_visibility = Purpose::sorting);
 
 }  // namespace zstrip::sim

@@ -6,6 +6,8 @@
 #include "report/frame_record.hpp"
 #include "report/number.hpp"
 #include "report/plan_words.hpp"
+#include "visibility/methods.hpp"
+#include "zstrip/plan/visibility_bytes.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -71,7 +73,18 @@ std::string summary(const RunRecord& run) {
                           ? fmt::format(" and {}", counted(fullest.plan.strip_columns, "column"))
                           : "",
                       name(fullest.plan.mode));
-  text += fmt::format("  RAM        {}\n", memory(fullest.plan, fullest.strip_pixel_bytes));
+  text += fmt::format("  RAM        {}\n",
+                      memory(fullest.plan, fullest.strip_pixel_bytes, detail::visibility_purpose(fullest.method)));
+  if (first.method.methods != 0) {
+    text += fmt::format("  visibility {}: {} comparisons of depth, {} writes\n", visibility_name(first.method),
+                        range(run, [](const FrameReport& report) { return report.visibility.comparisons; }),
+                        range(run, [](const FrameReport& report) { return report.visibility.writes; }));
+  }
+  if (run.frames.front().wrong) {
+    std::uint64_t wrong = 0;
+    for (const FrameRecord& frame : run.frames) wrong += frame.wrong.value_or(0);
+    text += fmt::format("  wrong      {}\n", counted(wrong, "pixel"));
+  }
   text += fmt::format("  time       {:.2f} ms a frame\n", milliseconds);
   if (run.panel) text += fmt::format("  panel      {}\n", panel(run));
   text += run.frames.size() == 1

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$1"
 
 # In the order in which data flows; a stage may include itself and what stands before it.
-stages=(base scene store plan geometry raster resolve frame)
+stages=(base scene store plan geometry visibility raster resolve frame)
 failed=0
 
 # Every quoted or angled include of the C++ files in a folder, as "file:line:path".

@@ -34,6 +34,7 @@ const char* message(Error error) {
     case Error::fog: return "the fog needs 0 <= start < end and a density that is not negative";
     case Error::quadric: return "a quadric is not valid";
     case Error::animation: return "a track of the animation is not valid";
+    case Error::visibility: return "these visibility methods exclude each other or what is asked of them";
   }
   return "unknown error";
 }
@@ -49,6 +50,8 @@ const char* name(Purpose purpose) {
     case Purpose::bins: return "bins";
     case Purpose::layer: return "the static layer";
     case Purpose::effects: return "effects";
+    case Purpose::sorting: return "sorting";
+    case Purpose::depth_bounds: return "bounds of depth";
   }
   return "unknown";
 }

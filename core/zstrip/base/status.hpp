@@ -43,10 +43,24 @@ enum class Error : std::uint8_t {
   animation,       ///< a track that names no instance or keyframes, or keyframes out of range (`needed` = its index)
   finish,          ///< a mode or filter that does not exist, or more than 255 (`needed` = index of the finish)
   punctual_light,  ///< a negative intensity or range, or cones that are none (`needed` = its index)
+  visibility,      ///< visibility methods that exclude each other or a depth effect, a draw_over with one, or without
+                   ///< the tree that it needs (`needed` = the methods)
 };
 
 /// What memory is for. The order is that of a plan's table.
-enum class Purpose : std::uint8_t { none, instances, extents, vertices, depth, colour, bins, layer, effects };
+enum class Purpose : std::uint8_t {
+  none,
+  instances,
+  extents,
+  vertices,
+  depth,
+  colour,
+  bins,
+  layer,
+  effects,
+  sorting,
+  depth_bounds
+};
 
 /// `error == Error::none` is success; converts to true then. [[nodiscard]]: nothing fails in silence.
 struct [[nodiscard]] Status {

@@ -61,6 +61,7 @@ constexpr Pipeline kRefusing{
 }  // namespace
 
 Pipeline pipeline_for(Effects effects) {
+  if (effects.methods != 0) return pipeline_of_method(effects);
   if (!depth_effects_agree(effects) || !perspective_effects_agree(effects)) return kRefusing;
   // Without perspective, or without textures, all of them draw the same.
   if (effects.has(effect::orthographic) || !effects.has(effect::textures)) {

@@ -17,4 +17,13 @@ DepthFit fit_to(const DistanceRange& reach, const Camera& camera);
 /// Picture pixels that the instance's bounding box can cover, cut to the view.
 Rect bounds_of(const CompiledInstance& instance, const RasterOrigin& origin, const View& view, bool orthographic);
 
+/// What a meshlet's bounding sphere can cover: pixels as bounds_of gives them, and the nearest depth code.
+struct SphereBounds {
+  Rect box;
+  std::uint32_t nearest;
+};
+/// z16 only. `meshlet` null: of the instance's whole box.
+SphereBounds sphere_bounds(const CompiledInstance& instance, const Mesh& mesh, const Meshlet* meshlet,
+                           const RasterOrigin& origin, const View& view, bool orthographic);
+
 }  // namespace zstrip::detail

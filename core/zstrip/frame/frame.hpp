@@ -11,6 +11,8 @@
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/plan/plan.hpp"
 #include "zstrip/scene/view.hpp"
+#include "zstrip/visibility/method_state.hpp"
+#include "zstrip/visibility/triangle_order.hpp"
 
 namespace zstrip {
 
@@ -82,8 +84,32 @@ class FrameWithDepthRanges : public Frame {
   std::uint32_t cleared_code_ = 0;
 };
 
+/// The frame of a renderer with a visibility method.
+class FrameWithMethod : public FrameWithDepthRanges {
+ public:
+  const VisibilityOptions& options() const { return options_; }
+  void set_options(const VisibilityOptions& options) { options_ = options; }
+  /// Zeros without effect::statistics.
+  const VisibilityStatistics& visibility() const { return counts_; }
+  /// Of the strip drawn last, with a method that keeps bounds of depth: the farthest code that is known of the 8x8
+  /// cells around a pixel of depth_area(), which was drawn into.
+  std::uint16_t farthest_known(std::int32_t x, std::int32_t y) const {
+    return state_.bounds.farthest_at(x - (view().width >> 1), y - (view().height >> 1));
+  }
+
+ private:
+  friend struct Frame::Access;
+  VisibilityOptions options_;
+  VisibilityStatistics counts_;
+  detail::MethodState state_;
+  detail::SortedTriangle* sorted_ = nullptr;
+  std::uint32_t sorted_count_ = 0;
+  std::byte* depth_bounds_ = nullptr;
+};
+
 /// What a renderer with these effects holds.
 template <Effects effects>
-using FrameFor = std::conditional_t<effects.has(effect::depth_ranges), FrameWithDepthRanges, Frame>;
+using FrameFor = std::conditional_t<effects.methods != 0, FrameWithMethod,
+                                    std::conditional_t<effects.has(effect::depth_ranges), FrameWithDepthRanges, Frame>>;
 
 }  // namespace zstrip

@@ -24,7 +24,29 @@ struct Frame::Access {
 
   /// Everything about the request that could harm; not the index arrays, which validate() has seen.
   static Status check(const Scene& scene, const Camera& camera, const View& view, const Plan& plan, Effects called_for,
-                      Effects missing, std::span<std::byte> arena);
+                      Effects effects, std::span<std::byte> arena);
+  /// Checks and lays out what a visibility method has; everything else of the frame has been prepared.
+  static Status begin_method(FrameWithMethod& frame, Effects effects, const SceneCounts& counts,
+                             std::span<std::byte> arena);
+  static void begin_strip_of_method(FrameWithMethod& frame, Effects effects, detail::StripTarget& target);
+  /// See visibility_stages.hpp, which renderers with a method include.
+  template <Effects effects>
+  static Status order_triangles(FrameWithMethod& frame, const Camera& camera);
+  template <Effects effects>
+  static void collect_triangles(FrameWithMethod& frame);
+  template <Effects effects>
+  static Status collect_from_tree(FrameWithMethod& frame, const Camera& camera);
+  template <Effects effects>
+  static void draw_sorted(FrameWithMethod& frame, const detail::StripTarget& target, std::uint16_t strip);
+  template <Effects effects>
+  static bool is_left_out(Frame& frame, std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet);
+  template <Effects effects>
+  static bool is_hidden(FrameWithMethod& frame, const detail::StripTarget& target, std::uint32_t instance,
+                        const Meshlet* meshlet);
+  template <Effects effects, class Draw>
+  static void draw_seen_first(FrameWithMethod& frame, const detail::StripTarget& target, const Draw& draw);
+  template <Effects effects>
+  static void count_culled(FrameWithMethod& frame);
   static void lay_out_arena(Frame& frame, std::span<std::byte> arena);
   /// Compiles the instances, finds the frame's bounds.
   static Status prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const DepthFit& fit);
@@ -139,6 +161,10 @@ struct Frame::Access {
   template <Effects effects>
   static void survey(Frame& frame) {
     for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+      if constexpr (effects.has(method::culling)) {
+        frame.extents_[number] = detail::Extent::none();
+        if (is_left_out<effects>(frame, number, instance, meshlet)) return;
+      }
       const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
       const detail::Batch batch = batch_of(frame, instance, range.first_vertex, 0);
       const bool all_narrow = transform<effects>(frame, batch, range, 0);
@@ -158,8 +184,12 @@ struct Frame::Access {
     std::uint32_t retained = 0;
     std::uint16_t batches = 0;
     bool room = true;
-    for_each_meshlet<effects>(frame, [&](std::uint32_t, std::uint32_t instance, std::uint32_t meshlet) {
+    for_each_meshlet<effects>(frame, [&]([[maybe_unused]] std::uint32_t number, std::uint32_t instance,
+                                         std::uint32_t meshlet) {
       if (!room) return;
+      if constexpr (effects.has(method::culling)) {
+        if (is_left_out<effects>(frame, number, instance, meshlet)) return;
+      }
       const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
       const detail::Batch batch = batch_of(frame, instance, range.first_vertex, retained);
       const bool all_narrow = transform<effects>(frame, batch, range, retained);
@@ -175,6 +205,18 @@ struct Frame::Access {
       retained += range.vertex_count;
     });
     return room;
+  }
+
+  /// Into the lists of all strips of an extent.
+  static bool list(Frame& frame, const detail::Extent& extent, std::uint16_t batch, std::uint16_t triangle) {
+    const Rect strips = frame.grid_.strips_of_extent(extent);
+    for (std::int32_t row = strips.top; row < strips.bottom; ++row) {
+      for (std::int32_t column = strips.left; column < strips.right; ++column) {
+        const auto strip = static_cast<std::uint32_t>(row * frame.grid_.across() + column);
+        if (!frame.bins_.add(strip, batch, triangle)) return false;
+      }
+    }
+    return true;
   }
 
   /// Into the lists of all strips that hold pixels of the box.
@@ -201,8 +243,11 @@ struct Frame::Access {
   static void draw_streamed(Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
     const std::int32_t row = strip / frame.grid_.across();
     const std::int32_t column = strip % frame.grid_.across();
-    for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+    const auto draw_meshlet = [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
       if (frame.extents_ != nullptr && !frame.grid_.touches(frame.extents_[number], row, column)) return;
+      if constexpr (effects.has(method::culling)) {
+        if (is_left_out<effects>(frame, number, instance, meshlet)) return;
+      }
       const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
       const detail::Batch batch = batch_of(frame, instance, range.first_vertex, 0);
       const bool all_narrow = transform<effects>(frame, batch, range, 0);
@@ -210,11 +255,16 @@ struct Frame::Access {
       with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
         Assembler<effects>::draw(complete, batch, range.triangles, all_narrow);
       });
-    });
+    };
+    if constexpr (effects.has(method::hierarchical_z)) {
+      draw_seen_first<effects>(static_cast<FrameWithMethod&>(frame), target, draw_meshlet);
+    } else {
+      for_each_meshlet<effects>(frame, draw_meshlet);
+    }
   }
 
   template <Effects effects>
-  static void draw_binned(const Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
+  static void draw_binned(Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
     frame.bins_.for_each_run(strip, [&](std::uint16_t number, const std::uint16_t* triangles, std::uint32_t count) {
       const detail::RetainedBatch& retained = frame.batches_[number];
       const MeshletRange range =
@@ -258,10 +308,15 @@ struct Frame::Access {
 
   /// Calls draw(target), with what the depth effects of this instance's material and its fragments add to it.
   template <Effects effects, class Draw>
-  static void with_settings(const Frame& frame, const detail::StripTarget& target,
-                            const detail::CompiledInstance& instance, const Draw& draw) {
-    with_depth<effects>(frame, target, instance.material,
-                        [&](const auto& complete) { with_fragments<effects>(frame, complete, instance, draw); });
+  static void with_settings(Frame& frame, const detail::StripTarget& target, const detail::CompiledInstance& instance,
+                            const Draw& draw) {
+    if constexpr (effects.methods != 0) {
+      detail::MethodState& state = static_cast<FrameWithMethod&>(frame).state_;
+      draw(detail::StripTargetWithMethod{{target, depth_settings<effects>(frame, instance.material)}, &state});
+    } else {
+      with_depth<effects>(frame, target, instance.material,
+                          [&](const auto& complete) { with_fragments<effects>(frame, complete, instance, draw); });
+    }
   }
   template <Effects effects, class Target, class Draw>
   static void with_fragments(const Frame& frame, const Target& target, const detail::CompiledInstance& instance,
@@ -402,7 +457,8 @@ struct Frame::Access {
     return effects.any(effect::depth_formats | effect::depth_ranges);
   }
   static constexpr bool has_own_clear(Effects effects) {
-    return depth_bytes(depth_format(effects)) != kDepthBytes || effects.has(effect::depth_ranges);
+    return effects.has(method::painter) || depth_bytes(depth_format(effects)) != kDepthBytes ||
+           effects.has(effect::depth_ranges);
   }
 
   /// From z16's, for which the frame has been prepared.
@@ -435,7 +491,7 @@ struct Frame::Access {
         frame.origin_.depth_offset = static_cast<std::uint32_t>(frame.fit_.offset);
       }
     } else {
-      __builtin_memset(frame.depth_, 0, std::size_t{cells} * depth_bytes(depth_format(effects)));
+      __builtin_memset(frame.depth_, 0, std::size_t{cells} * detail::depth_cell_bytes(effects));
     }
   }
 
@@ -454,8 +510,7 @@ struct Frame::Access {
     }
     // Binned vertices keep the depth of the sub-range in which they were transformed.
     if (plan.mode == Mode::binned && effects.has(effect::depth_ranges)) return {.error = Error::depth_effects};
-    if (const Status status = check(scene, camera, view, plan, called_for, without(called_for, effects), arena);
-        !status) {
+    if (const Status status = check(scene, camera, view, plan, called_for, effects, arena); !status) {
       return status;
     }
     if constexpr (detail::effect_bytes(effects, 1) != 0) {
@@ -499,8 +554,19 @@ struct Frame::Access {
     }
     divide(frame, scene, view);
     if constexpr (effects.has(effect::statistics)) frame.statistics_.triangles = count(scene).triangles;
+    if constexpr (effects.methods != 0) {
+      if (const Status status = begin_method(static_cast<FrameWithMethod&>(frame), effects, count(scene), arena);
+          !status) {
+        return status;
+      }
+    }
     frame.scene_ = &scene;
     prepare_effects<effects>(frame, camera, called_for);
+    if constexpr (effects.has(method::culling | effect::statistics)) {
+      count_culled<effects>(static_cast<FrameWithMethod&>(frame));
+    }
+    if constexpr (sorts_triangles(effects))
+      return order_triangles<effects>(static_cast<FrameWithMethod&>(frame), camera);
     if (frame.extents_ == nullptr) return {};
     if constexpr (effects.has(effect::bins)) {
       if (frame.mode_ == Mode::binned) {
@@ -531,12 +597,15 @@ struct Frame::Access {
     }
     auto* const drawn = detail::drawn_in_place(frame.view_.format) ? reinterpret_cast<std::uint16_t*>(pixels.data())
                                                                    : frame.working_colour_;
-    const detail::StripTarget target = target_of(frame, area, drawn);
+    detail::StripTarget target = target_of(frame, area, drawn);
     if constexpr (has_own_clear(effects)) {
       detail::fill_pixels(drawn, std::uint32_t{rows} * width, detail::rgb565(frame.scene_->background));
       clear_depth<effects>(frame, target);
     } else {
       clear(frame, width, rows, drawn, target);
+    }
+    if constexpr (effects.methods != 0) {
+      begin_strip_of_method(static_cast<FrameWithMethod&>(frame), effects, target);
     }
     if (!target.area.empty()) draw_surfaces<effects>(frame, target, strip);
     convert_pixels(frame.view_.format, width, rows, drawn, pixels.data());
@@ -548,7 +617,9 @@ struct Frame::Access {
   static Status draw_over(Frame& frame, const Rect& area, std::span<std::uint16_t> pixels,
                           std::span<std::uint16_t> depth) {
     if (frame.scene_ == nullptr) return {.error = Error::not_begun};
-    if constexpr (has_own_clear(effects)) {
+    if constexpr (effects.methods != 0) {
+      return {.error = Error::visibility, .needed = effects.methods};
+    } else if constexpr (has_own_clear(effects)) {
       return {.error = Error::depth_effects};
     } else {
       if (area.empty() || area.left < 0 || area.top < 0 || area.right > frame.view_.width ||
@@ -593,6 +664,9 @@ struct Frame::Access {
   static void draw_triangles(Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
     if constexpr (effects.has(effect::bins)) {
       if (frame.mode_ == Mode::binned) return draw_binned<effects>(frame, target, strip);
+    }
+    if constexpr (sorts_triangles(effects)) {
+      return draw_sorted<effects>(static_cast<FrameWithMethod&>(frame), target, strip);
     }
     draw_streamed<effects>(frame, target, strip);
   }

@@ -9,7 +9,7 @@
 
 namespace zstrip {
 
-/// A pipeline with effect::depth_ranges takes a FrameWithDepthRanges only.
+/// A pipeline with effect::depth_ranges takes a FrameWithDepthRanges only, one with a method a FrameWithMethod.
 struct Pipeline {
   Status (*begin_frame)(Frame&, const Scene&, const Camera&, const View&, const Plan&, std::span<std::byte> arena);
   Status (*draw_strip)(Frame&, std::uint16_t strip, std::span<std::byte> pixels);
@@ -22,6 +22,10 @@ struct Pipeline {
 /// so does one of effect::perspective_runs beside a depth format or sub-ranges. Links all of them: for hosts (library
 /// zstrip::core_any).
 Pipeline pipeline_for(Effects effects);
+
+/// The same for effects with a visibility method: one with all effects of scenes, with method::culling and with
+/// statistics. Methods that do not agree get one that refuses every frame with Error::visibility.
+Pipeline pipeline_of_method(Effects effects);
 
 }  // namespace zstrip
 

@@ -6,6 +6,7 @@
 
 #include "zstrip/frame/frame.hpp"
 #include "zstrip/frame/pipeline.hpp"
+#include "zstrip/frame/visibility_stages.hpp"
 
 namespace zstrip {
 
@@ -17,6 +18,8 @@ namespace zstrip {
 template <Effects effects>
 class Renderer {
   static_assert(depth_effects_agree(effects), "one depth format; float16 and w16 need perspective");
+  static_assert(methods_agree(effects),
+                "visibility methods that go together, with z16 and without effect::depth_state");
   static_assert(perspective_effects_agree(effects), "one of effect::perspective_runs");
 
  public:
@@ -45,6 +48,8 @@ class Renderer {
     return detail::draw_over<effects>(frame_, area, pixels, depth);
   }
   const FrameFor<effects>& frame() const { return frame_; }
+  /// Holds from the next begin_frame on.
+  void set_visibility(const VisibilityOptions& options) requires(effects.methods != 0) { frame_.set_options(options); }
 
  private:
   FrameFor<effects> frame_;
@@ -66,11 +71,13 @@ class AnyRenderer {
   Status draw_over(const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) {
     return pipeline_.draw_over(frame_, area, pixels, depth);
   }
-  const FrameWithDepthRanges& frame() const { return frame_; }
+  const FrameWithMethod& frame() const { return frame_; }
+  /// Holds from the next begin_frame on; without a method it says nothing.
+  void set_visibility(const VisibilityOptions& options) { frame_.set_options(options); }
 
  private:
   Pipeline pipeline_;
-  FrameWithDepthRanges frame_;
+  FrameWithMethod frame_;
 };
 
 }  // namespace zstrip

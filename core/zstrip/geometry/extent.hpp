@@ -70,6 +70,15 @@ class StripGrid {
     return {group(strips.top, row_shift_), group(strips.bottom - 1, row_shift_), group(strips.left, column_shift_),
             group(strips.right - 1, column_shift_)};
   }
+  /// At least all strips of an extent that is not empty.
+  Rect strips_of_extent(const Extent& extent) const {
+    const auto end = [](std::uint8_t last, std::uint32_t shift, std::int32_t strips) {
+      return std::min((last + 1) << shift, strips);
+    };
+    return {extent.first_column << column_shift_, extent.first_row << row_shift_,
+            end(extent.last_column, column_shift_, across_),
+            end(extent.last_row, row_shift_, strip(bounds_.bottom - 1, inverse_rows_) + 1)};
+  }
   bool touches(const Extent& extent, std::int32_t strip_row, std::int32_t strip_column) const {
     const std::int32_t row = strip_row >> row_shift_;
     const std::int32_t column = strip_column >> column_shift_;

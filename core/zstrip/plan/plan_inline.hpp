@@ -5,6 +5,7 @@
 
 #include "zstrip/plan/estimate.hpp"
 #include "zstrip/plan/plan.hpp"
+#include "zstrip/plan/visibility_bytes.hpp"
 
 namespace zstrip {
 
@@ -64,7 +65,8 @@ constexpr std::uint64_t instance_bytes(const SceneCounts& counts) {
   return std::uint64_t{counts.instances} * kInstanceBytes + std::uint64_t{counts.quadrics} * kQuadricBytes;
 }
 
-constexpr Purpose largest_purpose(const Plan& plan, const LayerBytes& layer = {}) {
+constexpr Purpose largest_purpose(const Plan& plan, const LayerBytes& layer = {},
+                                  Purpose of_visibility = Purpose::sorting) {
   Purpose purpose = Purpose::instances;
   std::uint64_t most = plan.instance_bytes;
   const auto consider = [&](Purpose candidate, std::uint64_t bytes) {
@@ -77,6 +79,7 @@ constexpr Purpose largest_purpose(const Plan& plan, const LayerBytes& layer = {}
   consider(Purpose::bins, plan.bin_bytes);
   consider(Purpose::layer, layer.sum());
   consider(Purpose::effects, plan.effect_bytes);
+  consider(of_visibility, plan.visibility_bytes);
   return purpose;
 }
 }  // namespace detail
@@ -121,7 +124,8 @@ class Planner {
       : counts_(counts),
         view_(view),
         per_vertex_(kVertexBytes + (has_vertex_colours(effects) ? kVertexColourBytes : 0)),
-        per_cell_(depth_bytes(depth_format(effects))),
+        per_cell_(depth_cell_bytes(effects)),
+        effects_(effects),
         effect_bytes_(rounded_up(effect_bytes(effects, counts.instances))),
         strip_buffers_(budget.strip_buffers),
         layer_(budget.layer),
@@ -145,7 +149,7 @@ class Planner {
     if (smallest_.strips == 0) return {.status = {.error = Error::unplannable}, .plan = {}};
     const std::uint64_t needed = all_bytes(smallest_);
     return {.status = {.error = Error::arena_too_small,
-                       .purpose = largest_purpose(smallest_, layer_),
+                       .purpose = largest_purpose(smallest_, layer_, visibility_purpose(effects_)),
                        .needed = needed > kLargestArena ? kLargestArena : static_cast<std::uint32_t>(needed),
                        .available = limit_},
             .plan = smallest_};
@@ -182,12 +186,14 @@ class Planner {
     if (strips > kMostStrips) return {};
     plan.strips = static_cast<std::uint16_t>(strips);
     const std::uint64_t cells = std::uint64_t{rows} * columns;
+    if (sorts_triangles(effects_) && counts_.longest_meshlet > kMostSortedIndex) return {};
     const std::uint64_t meshlets = counts_.meshlets > counts_.instances ? counts_.meshlets : counts_.instances;
     const bool binned = mode == Mode::binned;
     plan.instance_bytes = rounded_up(detail::instance_bytes(counts_));
     plan.extent_bytes = strips > 1 || binned ? rounded_up(meshlets * kExtentBytes) : 0;
     plan.vertex_bytes = rounded_up(std::uint64_t{binned ? counts_.vertices : counts_.largest_meshlet} * per_vertex_);
     plan.depth_bytes = rounded_up(cells * per_cell_);
+    plan.visibility_bytes = rounded_up(visibility_bytes(effects_, counts_.triangles, columns, rows));
     plan.colour_bytes = drawn_in_place(view_.format) ? 0 : rounded_up(cells * kWorkingColourBytes);
     plan.effect_bytes = effect_bytes_;
     if (binned) {
@@ -218,7 +224,9 @@ class Planner {
 
   const SceneCounts& counts_;
   const View& view_;
-  std::uint32_t per_vertex_, per_cell_, effect_bytes_, strip_buffers_;
+  std::uint32_t per_vertex_, per_cell_;
+  Effects effects_;
+  std::uint32_t effect_bytes_, strip_buffers_;
   LayerBytes layer_;
   std::uint32_t limit_;
   Plan best_{}, smallest_{};
@@ -239,7 +247,9 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
     return {.status = {.error = Error::strip_columns, .needed = budget.strip_columns, .available = view.width},
             .plan = {}};
   }
+  if (!methods_agree(effects)) return {.status = {.error = Error::visibility, .needed = effects.methods}, .plan = {}};
   if (budget.layer.sum() != 0) {
+    if (effects.methods != 0) return {.status = {.error = Error::visibility, .needed = effects.methods}, .plan = {}};
     if (view.format != PixelFormat::rgb565) return {.status = {.error = Error::store_range}, .plan = {}};
     if (depth_bytes(depth_format(effects)) != kDepthBytes || effects.has(effect::depth_ranges)) {
       return {.status = {.error = Error::depth_effects}, .plan = {}};

@@ -54,7 +54,8 @@ struct Plan {
   std::uint32_t depth_bytes = 0;
   std::uint32_t colour_bytes = 0;  ///< RGB565 working strip; only for formats that are not drawn in place
   std::uint32_t bin_bytes = 0;
-  std::uint32_t effect_bytes = 0;  ///< what effects keep through a frame: fog, local light, drawing order
+  std::uint32_t effect_bytes = 0;      ///< what effects keep through a frame: fog, local light, drawing order
+  std::uint32_t visibility_bytes = 0;  ///< what a visibility method keeps: order of triangles, or bounds of depth
   /// The arena. It must be aligned to kArenaAlignment. Of a plan that `plan` returned never more than kLargestArena.
   constexpr std::uint32_t bytes() const {
     const std::uint64_t sum = wide_bytes();
@@ -63,7 +64,7 @@ struct Plan {
   /// The same without a limit, for plans from elsewhere.
   constexpr std::uint64_t wide_bytes() const {
     return std::uint64_t{instance_bytes} + extent_bytes + vertex_bytes + depth_bytes + colour_bytes + bin_bytes +
-           effect_bytes;
+           effect_bytes + visibility_bytes;
   }
   /// The caller's pixel buffer for one strip.
   constexpr std::uint32_t strip_pixel_bytes(const View& view) const {

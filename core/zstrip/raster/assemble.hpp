@@ -152,6 +152,28 @@ struct Assembler {
     return {std::min(least, c), std::max(greatest, c)};
   }
 
+  /// Whether a triangle that has no pixel's centre in its box, or none in the strip, is left out.
+  static bool culls_small([[maybe_unused]] const StripTarget& target) {
+    if constexpr (kDepth.any(method::culling)) {
+      return target.method->cull_small;
+    } else {
+      return true;
+    }
+  }
+
+  static std::uint32_t nearest_code(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c) {
+    return std::max(std::max(a.depth, b.depth), c.depth) >> 16;
+  }
+
+  /// False if the bounds of depth hide the triangle.
+  static bool may_show(const StripTarget& target, const Rect& box, const SnappedVertex& a, const SnappedVertex& b,
+                       const SnappedVertex& c) {
+    MethodState& method = *target.method;
+    if (!method.bounds.hides(box, nearest_code(a, b, c), method.counts)) return true;
+    if constexpr (kStatistics) ++method.counts->triangles;
+    return false;
+  }
+
   /// Cannot be inlined: keeps the culling loop small enough for the registers of a Cortex-M.
   template <Shade shade>
   [[gnu::noinline]] static void draw_narrow(const StripTarget& target, const Batch& batch, const Triangle& provoking,
@@ -178,12 +200,18 @@ struct Assembler {
       box = {std::max(box.left, strip.left), std::max(box.top, strip.top), std::min(box.right, strip.right),
              std::min(box.bottom, strip.bottom)};
     }
-    if (box.empty()) return;
+    if (box.empty() && culls_small(target)) return;
+    if constexpr (kDepth.any(method::bounded)) {
+      if (!box.empty() && !may_show(target, box, a, b, c)) return;
+    }
     const CountedTriangle<kStatistics> counted(target, whole.left, whole.top);
-    constexpr bool kHasSmall = kDepth.format == DepthFormat::z16 || kDepth.format == DepthFormat::float16;
+    constexpr bool kHasSmall =
+        (kDepth.format == DepthFormat::z16 || kDepth.format == DepthFormat::float16) && !kDepth.any(method::midpoint);
     if constexpr (shade <= Shade::gouraud && kHasSmall) {
-      if (kDepth.format == DepthFormat::float16 ? is_small_in_octave(max_x - min_x, max_y - min_y, a, b, c)
-                                                : is_small(max_x - min_x, max_y - min_y, a, b, c)) {
+      if ((kDepth.format == DepthFormat::float16 ? is_small_in_octave(max_x - min_x, max_y - min_y, a, b, c)
+                                                 : is_small(max_x - min_x, max_y - min_y, a, b, c)) &&
+          (!kDepth.any(method::culling) || !box.empty())) {
+        if constexpr (kDepth.any(method::bounded)) target.method->bounds.cover(box, nearest_code(a, b, c));
         constexpr bool kGouraud = shade == Shade::gouraud;
         const Colour* colours[3] = {nullptr, nullptr, nullptr};
         if constexpr (kGouraud) {

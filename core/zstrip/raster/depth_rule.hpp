@@ -10,16 +10,34 @@
 #include "zstrip/raster/target.hpp"
 #include "zstrip/raster/wide_plane.hpp"
 #include "zstrip/scene/effects.hpp"
+#include "zstrip/visibility/method_state.hpp"
 
 namespace zstrip::detail {
+
+/// What a fragment has to do with the z-buffer.
+enum class DepthUse : std::uint8_t {
+  tested,   ///< drawn where it is nearer
+  written,  ///< known to be nearer
+  none,     ///< drawn; there is no z-buffer
+};
 
 /// The part of the effects that the pixel loops ask for; a structural type, so that it can be a template argument.
 struct DepthMode {
   DepthFormat format = DepthFormat::z16;
   bool state = false;  ///< test, write and bias are the material's
+  DepthUse use = DepthUse::tested;
+  std::uint32_t methods = 0;  ///< Effects::methods
+  bool counted = false;       ///< with methods: fragments are counted
+
+  constexpr bool any(Effects method) const { return (methods & method.methods) != 0; }
+  constexpr DepthMode with(DepthUse other) const { return {format, state, other, methods, counted}; }
 };
 
-constexpr DepthMode depth_mode(Effects effects) { return {depth_format(effects), effects.has(effect::depth_state)}; }
+constexpr DepthMode depth_mode(Effects effects) {
+  return {depth_format(effects), effects.has(effect::depth_state),
+          effects.has(method::painter) ? DepthUse::none : DepthUse::tested, effects.methods,
+          effects.methods != 0 && effects.has(effect::statistics)};
+}
 
 /// 1/w to codes that are linear in w.
 struct LinearMapping {
@@ -56,8 +74,14 @@ struct DepthSettings {
 struct StripTargetWithDepth : StripTarget {
   DepthSettings settings;
 };
+/// With a visibility method.
+struct StripTargetWithMethod : StripTargetWithDepth {
+  MethodState* method;
+};
 template <DepthMode mode>
-using TargetFor = std::conditional_t<mode.format == DepthFormat::w16 || mode.state, StripTargetWithDepth, StripTarget>;
+using TargetFor = std::conditional_t<
+    mode.methods != 0, StripTargetWithMethod,
+    std::conditional_t<mode.format == DepthFormat::w16 || mode.state, StripTargetWithDepth, StripTarget>>;
 
 template <DepthFormat format>
 using DepthCell = std::conditional_t<depth_bytes(format) == 4, std::uint32_t, std::uint16_t>;
@@ -142,6 +166,7 @@ class DepthRule {
   template <class Vertex>
   constexpr DepthRule(const TargetFor<mode>& target, const Vertex& v0, const Vertex& v1, const Vertex& v2,
                       std::int64_t area) {
+    if constexpr (mode.counted) counted_.method = target.method;
     if constexpr (mode.format == DepthFormat::w16) code_.mapping = target.settings.linear;
     if constexpr (mode.format == DepthFormat::w16 || mode.state) {
       const std::int64_t codes[3] = {vertex_code(v0.depth), vertex_code(v1.depth), vertex_code(v2.depth)};
@@ -165,8 +190,20 @@ class DepthRule {
   /// Whether a fragment of stepped depth `value` is drawn; it is then in the cell.
   template <class Value>
   constexpr bool draws(Value value, Cell& cell) const {
+    const bool drawn = decides(value, cell);
+    if constexpr (mode.counted) count(drawn, cell);
+    return drawn;
+  }
+
+ private:
+  template <class Value>
+  constexpr bool decides(Value value, Cell& cell) const {
+    if constexpr (mode.use == DepthUse::none) return true;
     Cell code = code_(value);
-    if constexpr (!mode.state) {
+    if constexpr (mode.use == DepthUse::written) {
+      cell = code;
+      return true;
+    } else if constexpr (!mode.state) {
       const bool nearer = code > cell;
       if (nearer) cell = code;
       return nearer;
@@ -180,7 +217,20 @@ class DepthRule {
     }
   }
 
- private:
+  /// The cell's address says which pixel it is.
+  void count(bool drawn, const Cell& cell) const {
+    VisibilityStatistics& counts = *counted_.method->counts;
+    if constexpr (mode.use == DepthUse::tested) ++counts.comparisons;
+    if constexpr (mode.use == DepthUse::written) ++counts.untested;
+    if (!drawn) return;
+    ++counts.writes;
+    if constexpr (sizeof(Cell) == sizeof(std::uint16_t)) {
+      if (counted_.method->overdraw == nullptr) return;
+      std::uint8_t& times = counted_.method->overdraw[&cell - counted_.method->first_cell];
+      if (times != 255) ++times;
+    }
+  }
+
   using Bias = std::conditional_t<sizeof(Cell) == 4, std::int64_t, std::int32_t>;
   struct State {
     std::uint8_t test = 0;  ///< DepthTest's bits
@@ -189,6 +239,10 @@ class DepthRule {
     std::uint32_t smallest = 1, largest = 0;
   };
   struct NoState {};
+  struct Counted {
+    MethodState* method = nullptr;
+  };
+  struct NotCounted {};
 
   static constexpr int kVertexCodeBits = mode.format == DepthFormat::z32   ? 0
                                          : mode.format == DepthFormat::z24 ? 8
@@ -206,6 +260,7 @@ class DepthRule {
 
   [[no_unique_address]] DepthCode<mode.format> code_;
   [[no_unique_address]] std::conditional_t<mode.state, State, NoState> state_;
+  [[no_unique_address]] std::conditional_t<mode.counted, Counted, NotCounted> counted_;
 };
 
 }  // namespace zstrip::detail

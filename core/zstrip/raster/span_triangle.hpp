@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "zstrip/raster/edge_walk.hpp"
+#include "zstrip/raster/midpoint.hpp"
 #include "zstrip/raster/span_fill.hpp"
 
 namespace zstrip::detail {
@@ -51,6 +52,29 @@ void walk_spans(const StripTarget& target, const RasterVertex& a, const RasterVe
   }
 }
 
+/// Calls draw(run) for the parts of a span that the method does not know to be hidden.
+template <DepthMode mode, class Depth, class Draw>
+void for_each_shown_run(const TargetFor<mode>& target, const Depth& depth, std::int32_t row, std::int32_t left,
+                        const Span<std::uint16_t>& span, const Draw& draw) {
+  target.method->bounds.for_each_shown(
+      row, left, span.length, depth.plane().at(span.columns, span.rows), depth.plane().step_x, target.method->counts,
+      [&](std::int32_t first, std::int32_t length) {
+        draw(Span<std::uint16_t>{span.depth + first, span.colour + first, length, span.columns + first, span.rows,
+                                 span.skipped + first, span.whole_length});
+      });
+}
+
+/// Calls draw(piece, use) for the pieces of a triangle that the method does not know to be hidden.
+template <DepthMode mode, class Draw>
+void for_each_midpoint_piece(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
+                             const RasterVertex& v2, const Draw& draw) {
+  MidpointSplitter<mode>(target).for_each_piece(v0, v1, v2, [&](const Piece& piece, DepthUse use) {
+    RasterVertex corners[3] = {};
+    for (int i = 0; i < 3; ++i) corners[i].x = piece.corners[i].x, corners[i].y = piece.corners[i].y;
+    draw(corners, use);
+  });
+}
+
 /// A triangle set up: its anchor, its depth, and its spans in a strip.
 template <DepthMode mode>
 struct SpanTriangle {
@@ -62,11 +86,30 @@ struct SpanTriangle {
         depth(setup, v0, v1, v2, area, anchor_x, anchor_y),
         rule(target, v0, v1, v2, area) {}
 
-  /// Calls fill(run, depth plane) for all runs in the strip.
+  /// Calls fill(run, depth plane, rule) for all runs in the strip that may be seen.
   template <bool statistics, class Fill>
   void walk(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2,
             bool narrow, const Fill& fill) const {
-    using Cell = typename DepthRule<mode>::Cell;
+    if constexpr (mode.any(method::splitting)) {
+      const DepthRule<mode.with(DepthUse::written)> writing(target, v0, v1, v2, area);
+      for_each_midpoint_piece<mode>(target, v0, v1, v2, [&](const RasterVertex(&part)[3], DepthUse use) {
+        if (use == DepthUse::tested) {
+          walk_part<statistics>(target, part[0], part[1], part[2], narrow, rule, fill);
+        } else {
+          walk_part<statistics>(target, part[0], part[1], part[2], narrow, writing, fill);
+        }
+      });
+    } else {
+      walk_part<statistics>(target, v0, v1, v2, narrow, rule, fill);
+    }
+  }
+
+  /// The same of a part of the triangle.
+  template <bool statistics, class Rule, class Fill>
+  void walk_part(const TargetFor<mode>& target, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
+                 bool narrow, const Rule& how, const Fill& fill) const {
+    using Cell = typename Rule::Cell;
+    const auto fill_run = [&](const Span<Cell>& run, const auto& plane) { fill(run, plane, how); };
     const auto fill_row = [&](std::int32_t row, std::int32_t left, std::int32_t right, std::int32_t whole_left,
                               std::int32_t whole_right) {
       const Span<Cell> span{target.template depth_row<Cell>(row) + (left - target.area.left),
@@ -77,12 +120,17 @@ struct SpanTriangle {
                             left - whole_left,
                             whole_right - whole_left};
       if constexpr (statistics) target.statistics->fragments += static_cast<std::uint32_t>(right - left);
-      depth.for_each_run(span, fill);
+      if constexpr (mode.any(method::hierarchical_z)) {
+        for_each_shown_run<mode>(target, depth, row, left, span,
+                                 [&](const Span<Cell>& run) { fill_run(run, depth.plane()); });
+      } else {
+        depth.for_each_run(span, fill_run);
+      }
     };
     if (narrow) {
-      walk_spans<std::int32_t>(target, v0, v1, v2, fill_row);
+      walk_spans<std::int32_t>(target, a, b, c, fill_row);
     } else {
-      walk_spans<std::int64_t>(target, v0, v1, v2, fill_row);
+      walk_spans<std::int64_t>(target, a, b, c, fill_row);
     }
   }
 
@@ -113,15 +161,14 @@ void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, c
   }
 
   using Cell = typename DepthRule<mode>::Cell;
-  const DepthRule<mode>& rule = triangle.rule;
   const auto walk = [&](const auto& fill) { triangle.template walk<statistics>(target, v0, v1, v2, narrow, fill); };
   if constexpr (shade == Shade::flat) {
-    walk([&](const Span<Cell>& run, const auto& z) {
-      fill_flat<statistics>(run, z, rule, surface.flat_colour, target.statistics);
+    walk([&](const Span<Cell>& run, const auto& z, const auto& how) {
+      fill_flat<statistics>(run, z, how, surface.flat_colour, target.statistics);
     });
   } else if constexpr (shade == Shade::gouraud) {
-    walk([&](const Span<Cell>& run, const auto& z) {
-      fill_gouraud<statistics>(run, z, rule, colours, target.statistics);
+    walk([&](const Span<Cell>& run, const auto& z, const auto& how) {
+      fill_gouraud<statistics>(run, z, how, colours, target.statistics);
     });
   } else {
     const RasterVertex* const vertices[3] = {&v0, &v1, &v2};
@@ -129,8 +176,8 @@ void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, c
     constexpr int kLog2Run = perspective == 0 ? 4 : std::countr_zero(static_cast<std::uint32_t>(perspective));
     const TextureCoordinates<kAffine> coordinates(triangle.setup, vertices, surface.depth_offset);
     constexpr bool kLit = shade != Shade::textured;
-    walk([&](const Span<Cell>& run, const auto& z) {
-      fill_textured<kAffine, kLog2Run, kLit, statistics>(run, z, rule, surface.texture, coordinates, colours,
+    walk([&](const Span<Cell>& run, const auto& z, const auto& how) {
+      fill_textured<kAffine, kLog2Run, kLit, statistics>(run, z, how, surface.texture, coordinates, colours,
                                                          target.statistics);
     });
   }

@@ -44,6 +44,7 @@ class TriangleDepth {
   void for_each_run(const Span<Cell>& span, const Draw& draw) const {
     draw(span, plane_);
   }
+  const auto& plane() const { return plane_; }
 
  private:
   std::conditional_t<format == DepthFormat::z16, Plane, WidePlane> plane_;

@@ -11,12 +11,13 @@ namespace zstrip {
 
 /// A set of effects; a structural type, so that it can be a template argument.
 struct Effects {
-  std::uint64_t bits = 0;
-  constexpr bool has(Effects other) const { return (bits & other.bits) == other.bits; }
-  constexpr bool any(Effects other) const { return (bits & other.bits) != 0; }
-  friend constexpr Effects operator|(Effects a, Effects b) { return {a.bits | b.bits}; }
-  friend constexpr Effects operator&(Effects a, Effects b) { return {a.bits & b.bits}; }
-  friend constexpr Effects without(Effects a, Effects b) { return {a.bits & ~b.bits}; }
+  std::uint64_t bits = 0;     ///< namespace effect
+  std::uint32_t methods = 0;  ///< namespace method: how visibility is found; none is the z-buffer
+  constexpr bool has(Effects other) const { return (*this & other) == other; }
+  constexpr bool any(Effects other) const { return (*this & other) != Effects{}; }
+  friend constexpr Effects operator|(Effects a, Effects b) { return {a.bits | b.bits, a.methods | b.methods}; }
+  friend constexpr Effects operator&(Effects a, Effects b) { return {a.bits & b.bits, a.methods & b.methods}; }
+  friend constexpr Effects without(Effects a, Effects b) { return {a.bits & ~b.bits, a.methods & ~b.methods}; }
   friend constexpr bool operator==(const Effects&, const Effects&) = default;
 };
 
@@ -72,6 +73,34 @@ inline constexpr Effects surfaces{quadrics.bits};  ///< all of these
 inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | vertex_light | surfaces;
 }  // namespace effect
 
+/// Ways to find what is visible other than a plain z-buffer; docs/visibility.md compares them. Never called for by a
+/// scene. They keep depth as z16 and leave its test to themselves: methods_agree says which effects go together.
+namespace method {
+/// Triangles from far to near, without depth memory: wrong where no order is right. Takes Purpose::sorting.
+inline constexpr Effects painter{0, 1U << 0};
+/// Triangles from near to far, and the z-buffer: few pixels are written twice. Takes Purpose::sorting.
+inline constexpr Effects front_to_back{0, 1U << 1};
+/// Farthest depths of 8x8 tiles and a pyramid above them, by which instances, meshlets, triangles and runs of pixels
+/// are skipped that are hidden: the z-buffer's pixels. Takes Purpose::depth_bounds.
+inline constexpr Effects hierarchical_z{0, 1U << 2};
+/// Triangles are split at their centroids, and drawn or rejected by samples: wrong pixels are part of it.
+inline constexpr Effects midpoint{0, 1U << 3};
+/// Likewise, but samples are confirmed by bounds of tiles, or pixels are tested: the z-buffer's pixels. Takes
+/// Purpose::depth_bounds.
+inline constexpr Effects midpoint_safe{0, 1U << 4};
+/// With the painter: triangles in the scene's own order, which somebody else has made right. Takes no memory.
+inline constexpr Effects in_order{0, 1U << 5};
+/// With the painter: the order of a tree that was baked, VisibilityOptions::tree.
+inline constexpr Effects bsp{0, 1U << 6};
+/// Culling as VisibilityOptions says, and counted. Goes with every method, and alone with the z-buffer.
+inline constexpr Effects culling{0, 1U << 7};
+
+inline constexpr Effects sorted{0, painter.methods | front_to_back.methods};          ///< any of these sorts
+inline constexpr Effects bounded{0, hierarchical_z.methods | midpoint_safe.methods};  ///< any keeps bounds of tiles
+inline constexpr Effects splitting{0, midpoint.methods | midpoint_safe.methods};      ///< any splits at centroids
+inline constexpr Effects orders{0, in_order.methods | bsp.methods};  ///< any replaces the painter's key
+}  // namespace method
+
 /// Effects as Status::needed has them: the lower 32 bits, or all ones where the lower have none.
 constexpr std::uint32_t low_bits(Effects effects) {
   const auto low = static_cast<std::uint32_t>(effects.bits);
@@ -117,6 +146,30 @@ constexpr bool depth_effects_agree(Effects effects) {
   const std::uint64_t format = (effects & (effect::depth_formats | effect::depth_ranges)).bits;
   const bool single = (format & (format - 1)) == 0;
   return single && !(effects.has(effect::orthographic) && effects.any(effect::depth_float | effect::depth_w16));
+}
+
+/// Of the painter, hierarchical z and the two midpoints at most one; the painter has one order and cannot be sorted the
+/// other way round. Effects of fragments, of local light and of surfaces, and effect::perspective_runs, are the plain
+/// z-buffer's. Other depth formats, sub-ranges and materials with a depth test of their own need the plain z-buffer,
+/// because the methods take "nearer is seen" for granted.
+constexpr bool methods_agree(Effects effects) {
+  const Effects own = without(Effects{0, effects.methods}, method::culling);
+  constexpr Effects kKnown =
+      effect::all | effect::bins | effect::depth_state | effect::depth_formats | effect::depth_ranges;
+  if (effects.methods != 0 && without(effects, kKnown).bits != 0) return false;
+  if (own == Effects{}) return true;
+  if (effects.any(effect::depth_formats | effect::depth_ranges | effect::depth_state)) return false;
+  const auto single = [own](Effects set) {
+    const std::uint32_t chosen = (own & set).methods;
+    return (chosen & (chosen - 1)) == 0;
+  };
+  return single(method::painter | method::bounded | method::splitting) && single(method::sorted) &&
+         single(method::orders) && (own.has(method::painter) || !own.any(method::orders));
+}
+
+/// Whether a frame begins with a list of its triangles in order, in Purpose::sorting.
+constexpr bool sorts_triangles(Effects effects) {
+  return effects.any(method::sorted) && !effects.has(method::in_order);
 }
 
 /// Whether this material needs effect::depth_state.

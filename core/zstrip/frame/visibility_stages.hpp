@@ -1,0 +1,252 @@
+// The stages that visibility methods add to a frame: sorting triangles, drawing them in order, leaving out what cannot
+// be seen before its vertices are transformed.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "zstrip/frame/frame_inline.hpp"
+#include "zstrip/visibility/bsp_order.hpp"
+
+namespace zstrip {
+
+/// Whether the options leave out a meshlet of the whole frame: not in the visible set, or its sphere not in the
+/// picture.
+template <Effects effects>
+bool Frame::Access::is_left_out(Frame& base, std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+  auto& frame = static_cast<FrameWithMethod&>(base);
+  const std::span<const std::uint32_t> visible = frame.options_.potentially_visible;
+  if (number / 32 < visible.size() && (visible[number / 32] >> (number % 32) & 1) == 0) return true;
+  if (!frame.options_.cull_by_spheres) return false;
+  const detail::CompiledInstance& compiled = frame.instances_[instance];
+  const Mesh& mesh = frame.scene_->meshes[compiled.mesh];
+  if (mesh.meshlets.empty()) return false;
+  return detail::sphere_bounds(compiled, mesh, &mesh.meshlets[meshlet], frame.origin_, frame.view_,
+                               effects.has(effect::orthographic))
+      .box.empty();
+}
+
+/// Whether the bounds of the strip's depth hide a meshlet, or an instance where it is null.
+template <Effects effects>
+bool Frame::Access::is_hidden(FrameWithMethod& frame, const detail::StripTarget& target, std::uint32_t instance,
+                              const Meshlet* meshlet) {
+  const detail::CompiledInstance& compiled = frame.instances_[instance];
+  const detail::SphereBounds bounds =
+      detail::sphere_bounds(compiled, frame.scene_->meshes[compiled.mesh], meshlet, frame.origin_, frame.view_,
+                            effects.has(effect::orthographic));
+  const std::int32_t centre_x = frame.view_.width >> 1;
+  const std::int32_t centre_y = frame.view_.height >> 1;
+  const Rect box{std::max(bounds.box.left - centre_x, target.area.left),
+                 std::max(bounds.box.top - centre_y, target.area.top),
+                 std::min(bounds.box.right - centre_x, target.area.right),
+                 std::min(bounds.box.bottom - centre_y, target.area.bottom)};
+  return box.empty() || frame.state_.bounds.hides(box, bounds.nearest, frame.state_.counts);
+}
+
+/// Calls draw(number, instance, meshlet) for the meshlets that bounds of depth do not hide: first for those that were
+/// seen before, whose depth then hides others.
+template <Effects effects, class Draw>
+void Frame::Access::draw_seen_first(FrameWithMethod& frame, const detail::StripTarget& target, const Draw& draw) {
+  const std::span<std::uint32_t> seen =
+      effects.has(method::culling) ? frame.options_.seen_before : std::span<std::uint32_t>{};
+  const auto was_seen = [seen](std::uint32_t number) {
+    return number / 32 < seen.size() && (seen[number / 32] >> (number % 32) & 1) != 0;
+  };
+  if (!seen.empty()) {
+    for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+      if (was_seen(number)) draw(number, instance, meshlet);
+    });
+  }
+  std::uint32_t asked = UINT32_MAX;  // the instance that `hidden` is of
+  bool hidden = false;
+  for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t index) {
+    const Mesh& mesh = frame.scene_->meshes[frame.instances_[instance].mesh];
+    const bool drawn = was_seen(number);
+    if (instance != asked && !drawn) {
+      asked = instance;
+      hidden = is_hidden<effects>(frame, target, instance, nullptr);
+      if (hidden && effects.has(effect::statistics)) ++frame.counts_.instances;
+    }
+    const Meshlet* const meshlet = mesh.meshlets.empty() ? nullptr : &mesh.meshlets[index];
+    const bool all_hidden =
+        (instance == asked && hidden) || (meshlet != nullptr && is_hidden<effects>(frame, target, instance, meshlet));
+    if (!drawn) {
+      if (!all_hidden) {
+        draw(number, instance, index);
+      } else if (effects.has(effect::statistics)) {
+        ++frame.counts_.meshlets;
+      }
+    }
+    if (number / 32 >= seen.size()) return;
+    std::uint32_t& word = seen[number / 32];
+    word = (word & ~(1U << (number % 32))) | static_cast<std::uint32_t>(!all_hidden) << (number % 32);
+  });
+}
+
+/// Finds all front faces that may be in the picture, and sorts them from near to far.
+template <Effects effects>
+void Frame::Access::collect_triangles(FrameWithMethod& frame) {
+  constexpr bool kOrthographic = effects.has(effect::orthographic);
+  std::uint32_t count = 0;
+  std::uint32_t retained = 0;
+  std::uint16_t batches = 0;
+  for_each_meshlet<effects>(frame, [&]([[maybe_unused]] std::uint32_t number, std::uint32_t instance,
+                                       std::uint32_t meshlet) {
+    if constexpr (effects.has(method::culling)) {
+      if (is_left_out<effects>(frame, number, instance, meshlet)) return;
+    }
+    const bool binned = frame.mode_ == Mode::binned;
+    const detail::CompiledInstance& compiled = frame.instances_[instance];
+    const MeshletRange range = meshlet_range(frame.scene_->meshes[compiled.mesh], meshlet);
+    const std::uint32_t cache = binned ? retained : 0;
+    const detail::Batch batch = batch_of(frame, instance, range.first_vertex, cache);
+    const bool all_narrow = transform<effects>(frame, batch, range, cache);
+    // A vertex outside the depth range counts as on its border.
+    const auto depth = [&](std::uint32_t index) {
+      const detail::SnappedVertex& v = batch.vertices[index - range.first_vertex];
+      if (v.x != detail::kNotNarrow) return v.depth;
+      const std::int32_t nearest = static_cast<std::int32_t>(compiled.w_near);
+      const std::int32_t w = std::clamp(compiled.w.at(batch.mesh->positions[index]), nearest,
+                                        nearest + static_cast<std::int32_t>(compiled.w_range));
+      const detail::Reciprocal r =
+          kOrthographic ? detail::Reciprocal{0, 0} : detail::reciprocal_of(static_cast<std::uint32_t>(w));
+      return detail::project_depth<kOrthographic>(compiled, frame.origin_, w, r);
+    };
+    bool listed = false;
+    Assembler<effects>::for_each_facing(
+        batch, range.triangles, all_narrow, [&](std::uint32_t index, const Rect& pixels) {
+          const detail::Extent extent = frame.grid_.extent_of(pixels);
+          if (extent.empty()) return true;
+          const Triangle& triangle = range.triangles[index];
+          listed = true;
+          frame.sorted_[count++] = {
+              detail::depth_key(frame.options_.key, depth(triangle.a), depth(triangle.b), depth(triangle.c)),
+              static_cast<std::uint16_t>(instance),
+              static_cast<std::uint16_t>(meshlet),
+              static_cast<std::uint16_t>(index),
+              batches,
+              extent};
+          return true;
+        });
+    if (!listed || !binned) return;
+    shade<effects>(frame, batch, range, cache);
+    frame.batches_[batches++] = {static_cast<std::uint16_t>(instance), static_cast<std::uint16_t>(meshlet), retained};
+    retained += range.vertex_count;
+  });
+  frame.sorted_count_ = count;
+  detail::sort_near_to_far({frame.sorted_, count});
+}
+
+/// The same in the order of a tree, for the scene's only mesh, all of which is one meshlet.
+template <Effects effects>
+Status Frame::Access::collect_from_tree(FrameWithMethod& frame, const Camera& camera) {
+  constexpr Status kNotOfThisScene{.error = Error::visibility, .needed = method::bsp.methods};
+  const BspTree* const tree = frame.options_.tree;
+  const Scene& scene = *frame.scene_;
+  if (tree == nullptr || scene.instances.size() != 1) return kNotOfThisScene;
+  const Mesh& mesh = scene.meshes[scene.instances[0].mesh];
+  if (!mesh.meshlets.empty()) return kNotOfThisScene;
+  if (!frame.instances_[0].visible) return {};
+  const MeshletRange range = meshlet_range(mesh, 0);
+  const detail::Batch batch = batch_of(frame, 0, 0, 0);
+  const bool all_narrow = transform<effects>(frame, batch, range, 0);
+  const detail::BspEye eye = detail::bsp_eye(mesh, scene.instances[0].transform, camera);
+  const bool whole =
+      detail::for_each_bsp_run(*tree, eye, mesh.triangles.size(), [&](std::uint32_t first, std::uint32_t triangles) {
+        return Assembler<effects>::for_each_facing(
+            batch, range.triangles.subspan(first, triangles), all_narrow, [&](std::uint32_t index, const Rect& pixels) {
+              const detail::Extent extent = frame.grid_.extent_of(pixels);
+              if (extent.empty()) return true;
+              const std::uint32_t place = frame.sorted_count_;
+              if (place == mesh.triangles.size()) return false;  // a tree that has triangles twice
+              frame.sorted_[place] = {place, 0, 0, static_cast<std::uint16_t>(first + index), 0, extent};
+              ++frame.sorted_count_;
+              return true;
+            });
+      });
+  if (!whole) return kNotOfThisScene;
+  if (frame.mode_ != Mode::binned) return {};
+  shade<effects>(frame, batch, range, 0);
+  frame.batches_[0] = {0, 0, 0};
+  return {};
+}
+
+/// Puts the triangles in the method's order and, if binned, lists them in it.
+template <Effects effects>
+Status Frame::Access::order_triangles(FrameWithMethod& frame, const Camera& camera) {
+  if constexpr (effects.has(method::bsp)) {
+    if (const Status status = collect_from_tree<effects>(frame, camera); !status) {
+      frame.scene_ = nullptr;
+      return status;
+    }
+  } else {
+    collect_triangles<effects>(frame);
+    if constexpr (effects.has(method::painter)) std::reverse(frame.sorted_, frame.sorted_ + frame.sorted_count_);
+  }
+  if (frame.mode_ != Mode::binned) return {};
+  for (const detail::SortedTriangle& t : std::span(frame.sorted_, frame.sorted_count_)) {
+    if (list(frame, t.extent, t.batch, t.triangle)) continue;
+    frame.mode_ = Mode::streamed;
+    ++frame.bin_overflows_;
+    break;
+  }
+  return {};
+}
+
+/// Transforms the vertices of each triangle again: neighbours in the order rarely share any.
+template <Effects effects>
+void Frame::Access::draw_sorted(FrameWithMethod& frame, const detail::StripTarget& target, std::uint16_t strip) {
+  const std::int32_t row = strip / frame.grid_.across();
+  const std::int32_t column = strip % frame.grid_.across();
+  for (const detail::SortedTriangle& sorted : std::span(frame.sorted_, frame.sorted_count_)) {
+    if (!frame.grid_.touches(sorted.extent, row, column)) continue;
+    const MeshletRange range =
+        meshlet_range(frame.scene_->meshes[frame.instances_[sorted.instance].mesh], sorted.meshlet);
+    const detail::Batch batch = batch_of(frame, sorted.instance, range.first_vertex, 0);
+    const Triangle& triangle = range.triangles[sorted.triangle];
+    for (const std::uint32_t index : {triangle.a, triangle.b, triangle.c}) {
+      const MeshletRange vertex{index, 1, {}};
+      const std::uint32_t cache = index - range.first_vertex;
+      transform<effects>(frame, batch, vertex, cache);
+      if constexpr (detail::has_vertex_colours(effects)) {
+        if (batch.colours != nullptr) {
+          detail::shade_vertices<without(effects, effect::bins)>(*batch.instance, *batch.mesh, index, 1,
+                                                                 frame.colours_ + cache);
+        }
+      }
+    }
+    with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
+      Assembler<effects>::draw_listed(complete, batch, range.triangles, {&sorted.triangle, 1});
+    });
+  }
+}
+
+/// A pass over all triangles that only counts which culling would leave them out, in the order in which they ask.
+template <Effects effects>
+void Frame::Access::count_culled(FrameWithMethod& frame) {
+  VisibilityStatistics& counts = frame.counts_;
+  const std::uint32_t before = frame.statistics_.vertices;
+  for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+    const detail::CompiledInstance& compiled = frame.instances_[instance];
+    const MeshletRange range = meshlet_range(frame.scene_->meshes[compiled.mesh], meshlet);
+    const auto triangles = static_cast<std::uint32_t>(range.triangles.size());
+    if (is_left_out<effects>(frame, number, instance, meshlet)) {
+      const std::span<const std::uint32_t> visible = frame.options_.potentially_visible;
+      const bool by_set = number / 32 < visible.size() && (visible[number / 32] >> (number % 32) & 1) == 0;
+      (by_set ? counts.outside_cells : counts.outside) += triangles;
+      return;
+    }
+    const detail::Batch batch = batch_of(frame, instance, range.first_vertex, 0);
+    const bool all_narrow = transform<effects>(frame, batch, range, 0);
+    std::uint32_t facing = 0;
+    Assembler<effects>::for_each_facing(batch, range.triangles, all_narrow, [&](std::uint32_t, const Rect& box) {
+      ++facing;
+      if (box.empty()) ++counts.small;
+      return true;
+    });
+    counts.back_faces += triangles - facing;
+  });
+  frame.statistics_.vertices = before;
+}
+
+}  // namespace zstrip

@@ -1,0 +1,27 @@
+// A tree that gives triangles of one mesh their order from far to near for every eye (Fuchs, Kedem and Naylor, "On
+// Visible Surface Generation by a Priori Tree Structures", 1980). Baked on the host, read in place.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace zstrip {
+
+/// A plane and the triangles in it. Children are indices of nodes that come later, 0 for none.
+struct BspNode {
+  std::int32_t x, y, z;          ///< of the normal, 2.30 of the mesh's bounding box: positions are 1.15
+  std::int32_t distance;         ///< 2.30: in front are positions with normal * position > distance
+  std::uint32_t first_triangle;  ///< of the mesh
+  std::uint32_t triangle_count;
+  std::uint32_t front, back;
+};
+
+/// Of a scene of one instance of one mesh, whose triangles lie in the order of the nodes.
+struct BspTree {
+  std::span<const BspNode> nodes;
+  std::uint32_t depth;  ///< nodes from the root to the farthest leaf; at most kMostBspDepth
+};
+
+inline constexpr std::uint32_t kMostBspDepth = 64;
+
+}  // namespace zstrip

@@ -1,0 +1,49 @@
+// The order of triangles for the painter and for front-to-back drawing.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "zstrip/geometry/extent.hpp"
+#include "zstrip/plan/visibility_bytes.hpp"
+#include "zstrip/visibility/options.hpp"
+
+namespace zstrip::detail {
+
+/// A front face that may be in the picture.
+struct SortedTriangle {
+  std::uint32_t key;       ///< greater is drawn first by front_to_back, last by the painter
+  std::uint16_t instance;  ///< index into Scene::instances
+  std::uint16_t meshlet;   ///< index into Mesh::meshlets
+  std::uint16_t triangle;  ///< index into the meshlet's triangles
+  std::uint16_t batch;     ///< where its meshlet is retained, if binned
+  Extent extent;           ///< the strips that it touches
+};
+static_assert(sizeof(SortedTriangle) == kSortedTriangleBytes);
+
+/// From the depths of three vertices.
+constexpr std::uint32_t depth_key(SortKey key, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  const std::uint32_t farthest = std::min(std::min(a, b), c);
+  const std::uint32_t nearest = std::max(std::max(a, b), c);
+  switch (key) {
+    case SortKey::nearest: return nearest;
+    case SortKey::farthest: return farthest;
+    case SortKey::middle: break;
+  }
+  return farthest + (nearest - farthest) / 2;
+}
+
+/// Greatest key first; of equal keys the one that the scene has first, as its z-buffer decides. Not stable and without
+/// recursion: heap sort, whose order is total here.
+inline void sort_near_to_far(std::span<SortedTriangle> triangles) {
+  const auto before = [](const SortedTriangle& a, const SortedTriangle& b) {
+    if (a.key != b.key) return a.key > b.key;
+    if (a.instance != b.instance) return a.instance < b.instance;
+    return a.meshlet != b.meshlet ? a.meshlet < b.meshlet : a.triangle < b.triangle;
+  };
+  std::make_heap(triangles.begin(), triangles.end(), before);
+  std::sort_heap(triangles.begin(), triangles.end(), before);
+}
+
+}  // namespace zstrip::detail

@@ -1,0 +1,39 @@
+// The options that say how visibility is found, and what of it is shown.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "result.hpp"
+#include "visibility/show.hpp"
+#include "zstrip/scene/effects.hpp"
+#include "zstrip/visibility/options.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace zstrip::sim {
+
+/// As given on the command line.
+struct VisibilityArguments {
+  std::string method = "zbuffer";
+  std::uint32_t iterations = VisibilityOptions{}.iterations;
+  std::string key = "middle";
+  std::vector<std::string> cull{"back-faces", "small"};
+  std::string show;  ///< empty: the picture
+};
+
+struct VisibilityRequest {
+  Effects method;
+  VisibilityOptions options;
+  Show show = Show::colour;
+};
+
+/// Adds the options; `arguments` must live as long as the command.
+void add_visibility_options(CLI::App& command, VisibilityArguments& arguments);
+
+Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments);
+
+}  // namespace zstrip::sim

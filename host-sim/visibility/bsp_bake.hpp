@@ -1,0 +1,25 @@
+// Bakes a tree that orders a scene's triangles from far to near for every eye (Fuchs, Kedem and Naylor, 1980).
+#pragma once
+
+#include <vector>
+
+#include "result.hpp"
+#include "visibility/polygon_soup.hpp"
+#include "zstrip/visibility/bsp_tree.hpp"
+
+namespace zstrip::sim {
+
+/// The scene, its triangles split where planes of others cut them, and the tree over them.
+struct BakedBsp {
+  SoupScene scene;
+  std::vector<BspNode> nodes;
+  std::uint32_t depth = 0;
+  std::size_t splits = 0;
+
+  BspTree tree() const { return {nodes, depth}; }
+};
+
+/// A usage error if the tree would be deeper than kMostBspDepth, or the pieces more than a mesh can hold.
+Result<BakedBsp> bake_bsp(const PolygonSoup& soup);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,64 @@
+// A frame drawn with any visibility method, with all that can be looked at afterwards: pixels, depth, how often pixels
+// were written, bounds of tiles, counts.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+#include "render/stage.hpp"
+#include "result.hpp"
+#include "visibility/prepared_scene.hpp"
+#include "zstrip/base/statistics.hpp"
+#include "zstrip/plan/plan.hpp"
+#include "zstrip/scene/effects.hpp"
+#include "zstrip/visibility/options.hpp"
+
+namespace zstrip::sim {
+
+/// One value for each pixel of the view, row by row; depth codes, and those of tiles, are 0 where nothing was drawn or
+/// the method does not keep them.
+struct LookedAtFrame {
+  View view;
+  Plan plan;
+  Mode mode = Mode::streamed;
+  std::vector<std::uint16_t> pixels;   ///< RGB565
+  std::vector<std::uint32_t> depth;    ///< codes
+  std::vector<std::uint8_t> overdraw;  ///< times written, up to 255
+  std::vector<std::uint16_t> tiles;    ///< farthest code that is known of the pixel's tile
+  Statistics statistics{};
+  VisibilityStatistics visibility{};
+  std::size_t pieces_split = 0;     ///< triangles that the host split for the method
+  Fixed nearest = 0, farthest = 0;  ///< Frame's
+  std::int64_t nanoseconds = 0;     ///< begin_frame and all strips
+};
+
+/// What is drawn how. `effects`: those besides the scene's own: method, depth format.
+struct MethodRequest {
+  View view;  ///< RGB565
+  Budget budget;
+  Effects effects;
+  VisibilityOptions options;
+};
+
+/// Draws once, with counting. Failures: ExitStatus::budget and usage as `zstrip render` tells them.
+Result<LookedAtFrame> draw_looked_at(const Staging& staging, const MethodRequest& request);
+
+/// Draws without counting, again and again; for measurements.
+class TimedDrawing {
+ public:
+  static Result<TimedDrawing> prepare(const Staging& staging, const MethodRequest& request);
+  Status draw();
+  const Plan& plan() const { return plan_; }
+
+ private:
+  TimedDrawing(PreparedScene scene, const MethodRequest& request, Effects effects, const Plan& plan);
+
+  PreparedScene scene_;
+  MethodRequest request_;
+  Effects effects_;
+  Plan plan_;
+  std::vector<std::uint64_t> arena_, strip_;
+};
+
+}  // namespace zstrip::sim

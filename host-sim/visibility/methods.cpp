@@ -1,0 +1,67 @@
+// The table of visibility methods.
+#include "visibility/methods.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::array kMethods{
+    VisibilityMethod{"zbuffer", {}, "the nearest of each pixel, whatever the order"},
+    VisibilityMethod{"painter", method::painter, "triangles from far to near, no depth memory"},
+    VisibilityMethod{"painter-newell", method::painter | method::in_order,
+                     "the same, with splits where no order is right"},
+    VisibilityMethod{"painter-bsp", method::painter | method::bsp, "the same, in the order of a tree that was baked"},
+    VisibilityMethod{"half-range", effect::depth_ranges, "the z-buffer in sub-ranges, with fewer clears"},
+    VisibilityMethod{"front-to-back", method::front_to_back, "triangles from near to far, and the z-buffer"},
+    VisibilityMethod{"hierarchical-z", method::hierarchical_z, "the z-buffer, with bounds of 8x8 tiles and a pyramid"},
+    VisibilityMethod{"front-to-back-hierarchical-z", method::front_to_back | method::hierarchical_z, "the last two"},
+    VisibilityMethod{"midpoint", method::midpoint, "triangles split at their centroids, decided by samples"},
+    VisibilityMethod{"midpoint-safe", method::midpoint_safe, "the same, but samples are confirmed or pixels tested"},
+};
+
+}  // namespace
+
+std::span<const VisibilityMethod> visibility_methods() { return kMethods; }
+
+Result<VisibilityMethod> parse_visibility(const std::string& name) {
+  const auto* const found = std::ranges::find(kMethods, name, &VisibilityMethod::name);
+  if (found != kMethods.end()) return *found;
+  std::string names;
+  for (const VisibilityMethod& known : kMethods) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
+  return Failure{ExitStatus::usage, fmt::format("--visibility '{}' is not one of: {}", name, names)};
+}
+
+std::string_view visibility_name(Effects effects) {
+  const Effects own = without(Effects{effects.bits & effect::depth_ranges.bits, effects.methods}, method::culling);
+  const auto* const found = std::ranges::find(kMethods, own, &VisibilityMethod::effects);
+  return found == kMethods.end() ? "?" : found->name;
+}
+
+Result<Done> check_visibility(Effects effects) {
+  if (!depth_effects_agree(effects)) {
+    return Failure{ExitStatus::usage, fmt::format("--visibility {} does not go with this --depth-format or camera",
+                                                  visibility_name(effects))};
+  }
+  if (methods_agree(effects)) return Done{};
+  const std::string_view name = visibility_name(effects);
+  if (effects.has(effect::depth_state)) {
+    return Failure{ExitStatus::usage,
+                   fmt::format("--visibility {} cannot draw this scene: a material has a depth test, bias or write of "
+                               "its own; use zbuffer",
+                               name)};
+  }
+  if (effects.any(effect::fragments | effect::surfaces | effect::vertex_light)) {
+    return Failure{
+        ExitStatus::usage,
+        fmt::format("--visibility {} cannot draw this scene's fog, transparency, local light or quadrics; use "
+                    "zbuffer, and no --cull",
+                    name)};
+  }
+  return Failure{ExitStatus::usage, fmt::format("--visibility {} keeps depth as z16 only", name)};
+}
+
+}  // namespace zstrip::sim

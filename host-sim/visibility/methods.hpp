@@ -1,0 +1,31 @@
+// The visibility methods by their names on the command line.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "result.hpp"
+#include "zstrip/scene/effects.hpp"
+
+namespace zstrip::sim {
+
+struct VisibilityMethod {
+  std::string_view name;
+  Effects effects;               ///< what selects it; nothing for the z-buffer
+  std::string_view description;  ///< one phrase
+};
+
+/// The z-buffer first.
+std::span<const VisibilityMethod> visibility_methods();
+
+/// A usage error that lists all names if there is none such.
+Result<VisibilityMethod> parse_visibility(const std::string& name);
+
+/// The name of the method in these effects; of the z-buffer without one.
+std::string_view visibility_name(Effects effects);
+
+/// What the method needs is that all effects of the scene go with it: a usage error that says which does not.
+Result<Done> check_visibility(Effects effects);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,82 @@
+// A scene's triangles in the world, in double precision, with the colours that its light gives them: what is sorted and
+// split. And the way back to a scene.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "result.hpp"
+#include "zstrip/scene/scene.hpp"
+
+namespace zstrip::sim {
+
+struct SoupPoint {
+  double x = 0, y = 0, z = 0;
+};
+double dot(const SoupPoint& a, const SoupPoint& b);
+SoupPoint cross(const SoupPoint& a, const SoupPoint& b);
+SoupPoint difference(const SoupPoint& a, const SoupPoint& b);
+
+struct SoupCorner {
+  SoupPoint position;
+  std::array<double, 3> colour{};  ///< 0..255 a channel
+};
+
+/// Convex and flat, counter-clockwise seen from the front.
+using SoupPolygon = std::vector<SoupCorner>;
+
+/// The plane of a polygon: positive in front.
+struct SoupPlane {
+  SoupPoint normal;  ///< unit; 0 of a polygon without area
+  double distance = 0;
+
+  static SoupPlane of(const SoupPolygon& polygon);
+  double at(const SoupPoint& p) const { return dot(normal, p) - distance; }
+  bool degenerate() const { return dot(normal, normal) < 0.5; }
+};
+
+/// Below this, in world units, a point lies in a plane.
+inline constexpr double kOnPlane = 1e-6;
+
+/// What of a polygon is in front of a plane and behind it; empty where nothing is.
+struct SoupSplit {
+  SoupPolygon front, back;
+};
+SoupSplit split(const SoupPolygon& polygon, const SoupPlane& plane);
+
+struct PolygonSoup {
+  std::vector<SoupPolygon> polygons;
+  bool double_sided = false;
+  bool smooth = false;
+  Colour background{};
+};
+
+/// A usage error for what colours at corners cannot say: textures.
+Result<PolygonSoup> soup_of(const Scene& scene);
+
+/// One instance of one mesh, without meshlets, that owns its memory; triangles in the order of the polygons. Moving it
+/// keeps its views valid.
+class SoupScene {
+ public:
+  /// A usage error if there are more vertices than a mesh can have.
+  static Result<SoupScene> of(const PolygonSoup& soup);
+
+  Scene scene() const;
+  const Mesh& mesh() const { return mesh_[0]; }
+  /// Triangles of the polygons before this one.
+  std::size_t first_triangle(std::size_t polygon) const { return first_triangle_[polygon]; }
+
+ private:
+  std::vector<Position> positions_;
+  std::vector<Colour> colours_;
+  std::vector<Triangle> triangles_;
+  std::vector<std::size_t> first_triangle_;
+  std::vector<Mesh> mesh_;
+  std::vector<Material> material_;
+  std::vector<Instance> instance_;
+  Colour background_{};
+};
+
+}  // namespace zstrip::sim

@@ -1,0 +1,32 @@
+// What the host does to a scene before a method can draw it: a tree for painter-bsp, an order for painter-newell.
+#pragma once
+
+#include <memory>
+
+#include "render/stage.hpp"
+#include "result.hpp"
+#include "visibility/bsp_bake.hpp"
+#include "zstrip/scene/effects.hpp"
+
+namespace zstrip::sim {
+
+/// Owns what it makes; where a method needs nothing, it is the scene as it was. `original` must outlive it.
+class PreparedScene {
+ public:
+  static Result<PreparedScene> of(const Staging& original, Effects method);
+
+  Staging staging() const { return made_ ? Staging{made_->scene.scene(), original_.camera} : original_; }
+  /// Null without method::bsp.
+  const BspTree* tree() const { return tree_.nodes.empty() ? nullptr : &tree_; }
+  /// Triangles that were split.
+  std::size_t splits() const { return made_ ? made_->splits : 0; }
+
+ private:
+  explicit PreparedScene(const Staging& original) : original_(original) {}
+
+  Staging original_;
+  std::shared_ptr<const BakedBsp> made_;  ///< without nodes for painter-newell
+  BspTree tree_{};
+};
+
+}  // namespace zstrip::sim

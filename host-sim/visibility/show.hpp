@@ -1,0 +1,34 @@
+// Pictures of how visibility was found instead of what is visible.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "result.hpp"
+#include "visibility/drawing.hpp"
+
+namespace zstrip::sim {
+
+enum class Show : std::uint8_t {
+  colour,    ///< what is visible
+  depth,     ///< the z-buffer as a grey picture: near is light, nothing is black
+  overdraw,  ///< how often each pixel was written: black, blue, green, yellow, red, white for 0 to 5 and more
+  tiles,     ///< the farthest depth that the method knows of each 8x8 tile, as depth is shown
+  error,     ///< the picture in grey; red where another surface is nearer, or nothing should be
+};
+
+/// "depth", "overdraw", "tiles" or "error".
+Result<Show> parse_show(const std::string& name);
+
+struct ShownFrame {
+  LookedAtFrame frame;
+  std::vector<std::uint16_t> pixels;  ///< RGB565
+  std::uint32_t wrong = 0;            ///< pixels; only of Show::error
+};
+
+/// Draws and shows. Usage errors: depth of the painter, tiles of a method without, the error of a scene that is too
+/// large for the judge.
+Result<ShownFrame> draw_shown(const Staging& staging, const MethodRequest& request, Show show);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,97 @@
+// `zstrip render --visibility` and `--show`, as a user runs them.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace {
+
+struct Outcome {
+  int status;
+  std::string text;
+};
+
+class VisibilityCommand : public ::testing::Test {
+ protected:
+  VisibilityCommand() : folder_(std::filesystem::temp_directory_path() / ("zstrip_visibility_" + unique())) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~VisibilityCommand() override { std::filesystem::remove_all(folder_); }
+
+  std::string picture(const std::string& name) const { return (folder_ / name).string(); }
+  Outcome render(const std::string& words) const {
+    const std::string command = std::string("'") + ZSTRIP_COMMAND + "' render " + words + " 2>&1";
+    std::FILE* const pipe = popen(command.c_str(), "r");
+    std::string text;
+    for (char buffer[512]; std::fgets(buffer, sizeof buffer, pipe) != nullptr;) text += buffer;
+    const int status = pclose(pipe);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
+  }
+  static std::string bytes(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream content;
+    content << stream.rdbuf();
+    return content.str();
+  }
+
+ private:
+  static std::string unique() {
+    return std::to_string(getpid()) + ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  }
+  std::filesystem::path folder_;
+};
+
+TEST_F(VisibilityCommand, ThePainterIsWrongAndTheZBufferIsNot) {
+  for (const char* model : {"thesis.obj", "cycle.obj", "crossing.obj"}) {
+    const std::string words = std::string("'") + MODELS + "/" + model + "' --size 96x96 --ortho --show error -o '";
+    const Outcome painter = render(words + picture("painter.png") + "' --visibility painter --sort-key nearest");
+    EXPECT_EQ(painter.status, 0) << painter.text;
+    EXPECT_EQ(painter.text.find("wrong      0 pixels"), std::string::npos) << painter.text;
+    for (const char* method : {"zbuffer", "front-to-back", "hierarchical-z", "painter-newell", "painter-bsp"}) {
+      const Outcome right = render(words + picture("right.png") + "' --visibility " + method);
+      EXPECT_EQ(right.status, 0) << right.text;
+      EXPECT_NE(right.text.find("wrong      0 pixels"), std::string::npos) << method << ": " << right.text;
+    }
+    EXPECT_NE(bytes(picture("painter.png")), bytes(picture("right.png")));
+  }
+}
+
+TEST_F(VisibilityCommand, HierarchicalZWritesTheSameFile) {
+  ASSERT_EQ(render("teapot --size 96x80 --image raw -o '" + picture("a.raw") + "'").status, 0);
+  const Outcome other =
+      render("teapot --size 96x80 --image raw --visibility hierarchical-z -o '" + picture("b.raw") + "'");
+  EXPECT_NE(other.text.find("bounds of depth"), std::string::npos) << other.text;
+  EXPECT_EQ(bytes(picture("a.raw")), bytes(picture("b.raw")));
+  EXPECT_FALSE(bytes(picture("a.raw")).empty());
+}
+
+TEST_F(VisibilityCommand, ShowsWhatItIsAskedFor) {
+  std::string last;
+  for (const char* show : {"depth", "overdraw", "tiles", "error"}) {
+    const std::string file = picture(std::string(show) + ".png");
+    const Outcome shown =
+        render(std::string("random50 --size 96x80 --visibility hierarchical-z --show ") + show + " -o '" + file + "'");
+    EXPECT_EQ(shown.status, 0) << shown.text;
+    EXPECT_NE(bytes(file), last);
+    last = bytes(file);
+    EXPECT_FALSE(last.empty());
+  }
+}
+
+TEST_F(VisibilityCommand, WhatCannotBeIsAUsageError) {
+  for (const char* words :
+       {"teapot --visibility best", "teapot --visibility painter --show depth", "teapot --show tiles",
+        "teapot --show what", "teapot --iterations 7", "teapot --visibility painter --depth-format float",
+        "teapot --cull none,small", "cube --visibility painter-bsp", "teapot --show depth --format mono"}) {
+    const Outcome refused = render(std::string(words) + " -o '" + picture("none.png") + "'");
+    EXPECT_EQ(refused.status, 2) << words << ": " << refused.text;
+    EXPECT_FALSE(std::filesystem::exists(picture("none.png"))) << words;
+  }
+}
+
+}  // namespace
