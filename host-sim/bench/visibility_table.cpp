@@ -44,7 +44,8 @@ class RowScene {
   }
 
  private:
-  /// At 8 distances from 2 to 40, 6 pairs each, tilted, 1/500 to 1/50,000 of the distance apart.
+  /// At 8 distances from 2 to 40, 6 pairs each, 1/500 to 1/50,000 of the distance apart. They face the camera, so that
+  /// no tolerance of a vertex's place moves their depth.
   static PolygonSoup layers_soup() {
     PolygonSoup soup;
     soup.double_sided = true;
@@ -52,11 +53,12 @@ class RowScene {
     for (int row = 0; row < 8; ++row, distance *= 1.534) {
       double apart = distance / 500;
       for (int column = 0; column < 6; ++column, apart /= 2.512) {
-        for (int behind = 0; behind < 2; ++behind) {
+        for (int behind = 1; behind >= 0;
+             --behind) {  // where codes are equal, the first one drawn stays: the wrong one
           const double size = distance * 0.05, x = distance * 0.16 * (column - 2.5), y = distance * 0.13 * (row - 3.5);
           SoupPolygon square;
           for (const auto& [across, up] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-            const double z = -distance + size * (0.5 * across + 0.3 * up) - behind * apart;
+            const double z = -distance - behind * apart;
             square.push_back(
                 {{x + size * across, y + size * up, z}, {behind != 0 ? 230.0 : 40.0, behind != 0 ? 60.0 : 200.0, 90}});
           }
