@@ -54,7 +54,7 @@ Result<Done> measure_on_board(const AccuracyRequest& request, const std::vector<
   double slow = 0, fast = 0;
   bool fits = true;
   for (const Staging& pose : staged) {
-    const Result<std::vector<std::uint8_t>> blob = to_scene_blob({pose.scene, pose.camera, view});
+    const Result<std::vector<std::uint8_t>> blob = to_scene_blob({pose.scene, pose.camera, view, {}});
     if (!blob) return blob.failure();
     const TemporaryFile file;
     if (const Result<Done> written = write_file(file.path(), *blob, "TMPDIR"); !written) return written.failure();

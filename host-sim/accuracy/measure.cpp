@@ -25,7 +25,7 @@ double time_of(const AccuracyPoint& point) {
 }
 
 Result<std::unique_ptr<AccuracyScene>> AccuracyScene::open(const AccuracyRequest& request) {
-  Result<std::unique_ptr<Stage>> stage = open_stage(request.scene, request.up, {}, request.view, kTurn);
+  Result<std::unique_ptr<Stage>> stage = open_stage(request.scene, {.up = request.up}, {}, request.view, kTurn);
   if (!stage) return stage.failure();
   auto scene = std::make_unique<AccuracyScene>();
   scene->request_ = request;
@@ -81,7 +81,7 @@ Result<MemoryCost> AccuracyScene::memory(const Settings& settings) const {
     return Failure{ExitStatus::internal,
                    fmt::format("{} cannot be planned: {}", to_text(settings), message(planned.status.error))};
   }
-  const Result<std::vector<std::uint8_t>> blob = to_scene_blob({first.scene, first.camera, view});
+  const Result<std::vector<std::uint8_t>> blob = to_scene_blob({first.scene, first.camera, view, {}});
   if (!blob) return blob.failure();
   return MemoryCost{planned.plan.wide_bytes() + planned.plan.strip_pixel_bytes(view), blob->size()};
 }

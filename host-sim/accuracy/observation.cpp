@@ -165,8 +165,7 @@ std::vector<const Texture*> textures_of(const Scene& scene) {
 
 Result<Drawn> draw(const Staging& staged, const View& view, Effects extra, const Budget& budget, bool with_depth) {
   const Effects effects = effects_of(staged.scene, staged.camera) | extra;
-  // Where effects are chosen at run time the pipeline may have fog, too, which wants its part of the arena.
-  const auto [status, plan] = zstrip::plan(count(staged.scene), view, effects | effect::fog, budget);
+  const auto [status, plan] = zstrip::plan(count(staged.scene), view, effects, budget);
   if (!status) return refused(status);
   std::vector<std::uint64_t> arena(plan.bytes() / 8 + 1);
   std::vector<std::uint64_t> strip(plan.strip_pixel_bytes(view) / 8 + 1);

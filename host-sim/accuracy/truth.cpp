@@ -1,5 +1,6 @@
 // The rasteriser in double precision.
 #include "accuracy/truth.hpp"
+#include "zstrip/scene/effects.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -209,8 +210,10 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
                    "the scene has materials with a depth test, write or bias of their own: what is right there depends "
                    "on the z-buffer's codes, so that no truth can be drawn"};
   }
-  if (!scene.quadrics.empty() || scene.fog != nullptr) {
-    return Failure{ExitStatus::input, "the scene has quadrics or fog, and the truth knows triangles only"};
+  if (effects_of(scene, camera).any(effect::fragments | effect::vertex_light | effect::surfaces)) {
+    return Failure{ExitStatus::input,
+                   "the scene has quadrics, fog, highlights, emission, point or spot lights, alpha or bilinear texels, "
+                   "and the truth knows lit and textured triangles only"};
   }
   Rasteriser rasteriser(camera, view, scale, scene.background, snap);
   const Vector right = vector_of(camera.right, kOne30), up = vector_of(camera.up, kOne30),
