@@ -73,7 +73,7 @@ class StripGrid {
   /// At least all strips of an extent that is not empty.
   Rect strips_of_extent(const Extent& extent) const {
     const auto end = [](std::uint8_t last, std::uint32_t shift, std::int32_t strips) {
-      return std::min((last + 1) << shift, strips);
+      return std::min<std::int32_t>((last + 1) << shift, strips);
     };
     return {extent.first_column << column_shift_, extent.first_row << row_shift_,
             end(extent.last_column, column_shift_, across_),

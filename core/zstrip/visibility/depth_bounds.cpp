@@ -77,8 +77,8 @@ void DepthBounds::cover(const Rect& box, std::uint32_t nearest) {
 }
 
 void DepthBounds::read(Tile& tile, std::int32_t x, std::int32_t y, VisibilityStatistics* counts) {
-  const std::int32_t columns = std::min(8, area_.width() - 8 * x);
-  const std::int32_t rows = std::min(8, area_.height() - 8 * y);
+  const std::int32_t columns = std::min<std::int32_t>(8, area_.width() - 8 * x);
+  const std::int32_t rows = std::min<std::int32_t>(8, area_.height() - 8 * y);
   const std::uint16_t* cells = cells_ + 8 * y * area_.width() + 8 * x;
   std::uint16_t farthest = 0xFFFF;
   for (std::int32_t row = 0; row < rows && farthest != 0; ++row, cells += area_.width()) {
