@@ -21,8 +21,8 @@ inline constexpr std::uint32_t kSceneBlobAlignment = 4;  ///< of the blob's firs
 struct SceneBlob {
   Scene scene;
   Camera camera;
-  View view;            ///< the picture for which the camera was placed
-  Animation animation;  ///< of the scene's instances, which are to be copied into RAM for it; empty: nothing moves
+  View view;              ///< the picture for which the camera was placed
+  Animation animation{};  ///< of the scene's instances, which are to be copied into RAM for it; empty: nothing moves
 };
 
 /// Bytes to lend for the tables of this many meshes and textures, whose pointers only the running program knows.
