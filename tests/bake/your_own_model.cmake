@@ -23,7 +23,8 @@ add_test(NAME BakeBoard.Build COMMAND ${CMAKE_CTEST_COMMAND}
 set_tests_properties(BakeBoard.Build PROPERTIES
   FIXTURES_REQUIRED baked_scene FIXTURES_SETUP baked_program TIMEOUT 900 LABELS board)
 
-add_executable(bake_board_test board_test.cpp ../boards/grey_picture.cpp ../boards/qemu.cpp ${support})
+add_executable(bake_board_test board_test.cpp ../boards/colour_picture.cpp ../boards/grey_picture.cpp
+  ../boards/qemu.cpp ${support})
 target_include_directories(bake_board_test PRIVATE ../boards ../host-sim)
 target_link_libraries(bake_board_test PRIVATE zstrip::core nlohmann_json::nlohmann_json GTest::gtest_main)
 target_compile_definitions(bake_board_test PRIVATE
