@@ -361,9 +361,9 @@ TEST(SceneBlob, EveryByteChangedUnderARightChecksum) {
 TEST(SceneBlob, ArraysBeyondTheEnd) {
   const Bytes whole = sample_bytes();
   const std::uint32_t meshes = word(whole, 12);
-  for (std::size_t entry :
-       {std::size_t{12}, std::size_t{20}, std::size_t{28}, std::size_t{36}, std::size_t{44}, std::size_t{132},
-        std::size_t{140}, std::size_t{148}, std::size_t{meshes}, std::size_t{meshes} + 8, std::size_t{meshes} + 40}) {
+  for (std::size_t entry : {std::size_t{12}, std::size_t{20}, std::size_t{28}, std::size_t{36}, std::size_t{44},
+                            std::size_t{132}, std::size_t{140}, std::size_t{152}, std::size_t{160}, std::size_t{168},
+                            std::size_t{176}, std::size_t{meshes}, std::size_t{meshes} + 8, std::size_t{meshes} + 40}) {
     for (const std::uint32_t value :
          {0xFFFFFFFFU, 0xFFFFFFFCU, 0x80000000U, 0x7FFFFFFCU, static_cast<std::uint32_t>(whole.size()),
           static_cast<std::uint32_t>(whole.size()) - 4, 128U, 130U}) {
