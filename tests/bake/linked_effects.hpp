@@ -15,7 +15,7 @@
 namespace zstrip::sim::test {
 
 struct LinkedEffects {
-  std::set<std::uint32_t> pipelines;  ///< bits of the Effects that templates were made for
+  std::set<std::uint64_t> pipelines;  ///< bits of the Effects that templates were made for
   std::set<int> shades;               ///< values of detail::Shade that rasterisers were made for
   bool bins = false;
 };
@@ -27,11 +27,11 @@ inline LinkedEffects linked_effects(const std::string& program) {
     const std::regex regex(pattern);
     for (std::sregex_iterator found(outcome.out.begin(), outcome.out.end(), regex), end; found != end; ++found) {
       using Number = typename std::remove_reference_t<decltype(into)>::value_type;
-      into.insert(static_cast<Number>(std::stoul((*found)[1])));
+      into.insert(static_cast<Number>(std::stoull((*found)[1])));
     }
   };
   LinkedEffects linked;
-  numbers(R"(zstrip::Effects\{([0-9]+)u?l?\})", linked.pipelines);
+  numbers(R"(zstrip::Effects\{([0-9]+)u?l*\})", linked.pipelines);
   numbers(R"(\(zstrip::detail::Shade\)([0-9]))", linked.shades);
   linked.bins = outcome.out.find("zstrip::detail::Bins::append") != std::string::npos;
   return linked;
@@ -41,7 +41,7 @@ inline LinkedEffects linked_effects(const std::string& program) {
 inline void expect_only(const std::string& program, Effects effects) {
   const LinkedEffects linked = linked_effects(program);
   ASSERT_FALSE(linked.pipelines.empty()) << program << " has no symbols";
-  for (const std::uint32_t bits : linked.pipelines) {
+  for (const std::uint64_t bits : linked.pipelines) {
     // What does not depend on bins is made without them.
     EXPECT_EQ(Effects{bits} | (effects & effect::bins), effects) << program;
   }

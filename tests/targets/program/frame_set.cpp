@@ -20,6 +20,9 @@ const char* name_of(PixelFormat format) {
     case PixelFormat::rgb565_swapped: return "rgb565_swapped";
     case PixelFormat::gray4: return "gray4";
     case PixelFormat::mono: return "mono";
+    case PixelFormat::rgb666: return "rgb666";
+    case PixelFormat::rgb444: return "rgb444";
+    case PixelFormat::xrgb8888: return "xrgb8888";
   }
   return "unknown";
 }

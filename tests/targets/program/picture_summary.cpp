@@ -12,6 +12,12 @@ std::uint32_t pixel_at(const std::byte* row, std::uint32_t x, PixelFormat format
     case PixelFormat::rgb565_swapped: return byte(2 * x) << 8 | byte(2 * x + 1);
     case PixelFormat::gray4: return (byte(x / 2) >> (x % 2 == 0 ? 4 : 0)) & 15U;
     case PixelFormat::mono: return (byte(x / 8) >> (7 - x % 8)) & 1U;
+    case PixelFormat::rgb666: return byte(3 * x) << 16 | byte(3 * x + 1) << 8 | byte(3 * x + 2);
+    case PixelFormat::rgb444: {
+      const std::uint32_t first = x / 2 * 3;
+      return x % 2 == 0 ? byte(first) << 4 | byte(first + 1) >> 4 : (byte(first + 1) & 15U) << 8 | byte(first + 2);
+    }
+    case PixelFormat::xrgb8888: return byte(4 * x) | byte(4 * x + 1) << 8 | byte(4 * x + 2) << 16;
   }
   return 0;
 }
