@@ -111,7 +111,7 @@ std::vector<Settings> all_settings(const AccuracyScene& scene, const std::vector
     if (std::ranges::find(useful, knob) == useful.end()) continue;
     const std::vector<Settings> before = grown;
     for (const Settings& settings : before) {
-      for (std::uint8_t value = 1; value < info(knob).values.size(); ++value) {
+      for (std::uint8_t value = 1, end = static_cast<std::uint8_t>(info(knob).values.size()); value < end; ++value) {
         Settings more = settings;
         more[knob] = value;
         if (scene.possible(more)) grown.push_back(more);
@@ -132,7 +132,7 @@ std::vector<Settings> one_at_a_time(const AccuracyScene& scene, const std::vecto
   const std::vector<Knob> useful = scene.knobs();
   for (const Knob knob : turned) {
     if (std::ranges::find(useful, knob) == useful.end()) continue;
-    for (std::uint8_t value = 1; value < info(knob).values.size(); ++value) {
+    for (std::uint8_t value = 1, end = static_cast<std::uint8_t>(info(knob).values.size()); value < end; ++value) {
       Settings settings;
       settings[knob] = value;
       if (scene.possible(settings)) wanted.push_back(settings);
@@ -148,7 +148,7 @@ std::vector<Settings> combinations(const AccuracyScene& scene, const std::vector
     // The values of this knob alone, the default first.
     std::vector<Respects> alone;
     std::vector<std::uint8_t> values;
-    for (std::uint8_t value = 0; value < info(knob).values.size(); ++value) {
+    for (std::uint8_t value = 0, end = static_cast<std::uint8_t>(info(knob).values.size()); value < end; ++value) {
       Settings settings;
       settings[knob] = value;
       const auto found = std::ranges::find(singles, settings, &AccuracyPoint::settings);

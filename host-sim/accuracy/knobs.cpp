@@ -11,7 +11,7 @@ namespace zstrip::sim {
 namespace {
 
 const std::vector<KnobInfo>& table() {
-  static const std::vector<KnobInfo> kTable{
+  static const std::vector<KnobInfo> table{
       {Knob::depth,
        "depth",
        "how the z-buffer keeps depth",
@@ -54,7 +54,7 @@ const std::vector<KnobInfo>& table() {
         {"whole", "the whole picture at once"},
         {"bins16", "16 rows, geometry transformed once and listed by strip"}}},
   };
-  return kTable;
+  return table;
 }
 
 std::size_t distance(std::string_view a, std::string_view b) {
@@ -204,7 +204,7 @@ bool possible(const Settings& settings, Effects effects) {
 }
 
 std::span<const NamedSettings> named_settings() {
-  static const std::array<NamedSettings, 3> kNamed = [] {
+  static const std::array<NamedSettings, 3> named = [] {
     Settings tiny, exact;
     tiny[Knob::shading] = 1;       // flat
     tiny[Knob::strips] = 1;        // 4 rows
@@ -212,7 +212,7 @@ std::span<const NamedSettings> named_settings() {
     exact[Knob::perspective] = 3;  // every pixel
     return std::array<NamedSettings, 3>{{{"tiny", tiny}, {"balanced", Settings{}}, {"exact", exact}}};
   }();
-  return kNamed;
+  return named;
 }
 
 }  // namespace zstrip::sim

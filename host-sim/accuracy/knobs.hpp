@@ -40,7 +40,8 @@ struct Settings {
   std::uint8_t operator[](Knob knob) const { return value[static_cast<std::size_t>(knob)]; }
   std::uint8_t& operator[](Knob knob) { return value[static_cast<std::size_t>(knob)]; }
   std::string_view name_of(Knob knob) const { return info(knob).values[(*this)[knob]].name; }
-  friend auto operator<=>(const Settings&, const Settings&) = default;
+  friend auto operator<=>(const Settings&,
+                          const Settings&) = default;  // NOLINT(modernize-use-nullptr): clang 14 sees a 0 in it
 };
 
 /// What is not default, "depth=w16,strips=8"; "default" where nothing is.

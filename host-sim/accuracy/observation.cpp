@@ -134,7 +134,8 @@ struct PlaceScene {
     TexelSeen seen{0, 0, static_cast<float>(width), static_cast<float>(height)};
     if (std::uint64_t{width} * height <= 65536) {
       seen.u = static_cast<float>(word % width) + 0.5F;
-      seen.v = static_cast<float>(word / width) + 0.5F;
+      const auto row = static_cast<std::uint32_t>(word / width);
+      seen.v = static_cast<float>(row) + 0.5F;
     } else {
       seen.u = (static_cast<float>(word & 255) + 0.5F) * seen.width / 256;
       seen.v = (static_cast<float>(word >> 8) + 0.5F) * seen.height / 256;

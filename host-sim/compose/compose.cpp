@@ -142,7 +142,7 @@ class Composer {
         const PlacedModel& model = models_[index];
         for (std::size_t i = 0; i < model.parts.size(); ++i) {
           placed_.push_back({&instance, &model, &model.parts[i], index, i});
-          if (const Result<Done> checked = check_placed(placed_.back()); !checked) return checked;
+          if (Result<Done> checked = check_placed(placed_.back()); !checked) return checked;
         }
       }
       if (is_static) composed_->static_instances = placed_.size();

@@ -48,11 +48,11 @@ class Builder {
     polygons = {};
     if (!front.empty()) {
       nodes_[index].front = static_cast<std::uint32_t>(nodes_.size());
-      if (const Result<Done> built = build(std::move(front), level + 1); !built) return built;
+      if (Result<Done> built = build(std::move(front), level + 1); !built) return built;
     }
     if (!back.empty()) {
       nodes_[index].back = static_cast<std::uint32_t>(nodes_.size());
-      if (const Result<Done> built = build(std::move(back), level + 1); !built) return built;
+      if (Result<Done> built = build(std::move(back), level + 1); !built) return built;
     }
     return Done{};
   }

@@ -40,7 +40,7 @@ class Sorter {
         perspective_(camera.projection == Projection::perspective) {}
 
   /// False if nothing of it can be seen.
-  bool prepare(SoupPolygon polygon, Item& item) const {
+  bool prepare(const SoupPolygon& polygon, Item& item) const {
     const SoupPlane near{{-back_.x, -back_.y, -back_.z}, near_ - dot(back_, eye_)};
     SoupSplit cut = split(polygon, near);
     if (cut.front.size() < 3) return false;

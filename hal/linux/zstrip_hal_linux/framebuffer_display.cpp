@@ -98,7 +98,9 @@ Outcome<FramebufferDisplay> FramebufferDisplay::open(const std::string& path, co
   const std::optional<VideoMemory> memory = visible_memory(device, mode, device_memory);
   if (!memory) return Fault{path + " says that its picture lies beyond its memory, or is larger than 4096x4096"};
 
-  device_control(number, FBIOBLANK, reinterpret_cast<void*>(FB_BLANK_UNBLANK));  // not every driver can blank
+  device_control(
+      number, FBIOBLANK,
+      reinterpret_cast<void*>(FB_BLANK_UNBLANK));  // NOLINT(performance-no-int-to-ptr): not every driver can blank
   return FramebufferDisplay(std::move(*file), std::move(mapping), device_memory, *memory, *layout, *writer,
                             former_mode);
 }
