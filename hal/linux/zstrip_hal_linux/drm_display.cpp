@@ -83,7 +83,7 @@ Outcome<DrmConnector> choose_connector(std::vector<DrmConnector> connectors, con
   for (DrmConnector& connector : connectors) {
     const std::string name = name_of(*connector);
     if (wanted.empty() ? is_usable(*connector) : name == wanted) {
-      if (!is_usable(*connector)) return Fault{path + ": no screen is connected to " + name};
+      if (!is_usable(*connector)) return Fault{std::string(path).append(": no screen is connected to ").append(name)};
       return std::move(connector);
     }
     found += (found.empty() ? "" : ", ") + name;
