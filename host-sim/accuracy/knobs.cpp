@@ -142,7 +142,7 @@ Result<std::vector<Knob>> parse_knobs(std::string_view text) {
     found.push_back(knobs()[*knob].knob);
   }
   std::ranges::sort(found);
-  found.erase(std::ranges::unique(found).begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 
