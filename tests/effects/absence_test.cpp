@@ -44,7 +44,7 @@ constexpr Marker kMarkers[] = {
     {effect::fragments, "zstrip::detail::fill_fragments<"},
     {effect::fragments, "zstrip::detail::shade_fragment<"},
     {effect::fragments, "zstrip::detail::draw_fragment_triangle<"},
-    {effect::blending, "zstrip::Frame::Access::prepare_order("},
+    {effect::blending, "zstrip::Frame::Access::EffectStage::prepare_order("},
     {effect::bilinear, "zstrip::detail::TextureSampler::bilinear<"},
     {effect::textures, "zstrip::detail::TextureCoordinates<"},
     {effect::lighting, "zstrip::detail::lit_colour("},

@@ -13,7 +13,8 @@ namespace zstrip {
 /// Whether the options leave out a meshlet of the whole frame: not in the visible set, or its sphere not in the
 /// picture.
 template <Effects effects>
-bool Frame::Access::is_left_out(Frame& base, std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+bool Frame::Access::Methods::is_left_out(Frame& base, std::uint32_t number, std::uint32_t instance,
+                                         std::uint32_t meshlet) {
   auto& frame = static_cast<FrameWithMethod&>(base);
   const std::span<const std::uint32_t> visible = frame.options_.potentially_visible;
   if (number / 32 < visible.size() && (visible[number / 32] >> (number % 32) & 1) == 0) return true;
@@ -28,8 +29,8 @@ bool Frame::Access::is_left_out(Frame& base, std::uint32_t number, std::uint32_t
 
 /// Whether the bounds of the strip's depth hide a meshlet, or an instance where it is null.
 template <Effects effects>
-bool Frame::Access::is_hidden(FrameWithMethod& frame, const detail::StripTarget& target, std::uint32_t instance,
-                              const Meshlet* meshlet) {
+bool Frame::Access::Methods::is_hidden(FrameWithMethod& frame, const detail::StripTarget& target,
+                                       std::uint32_t instance, const Meshlet* meshlet) {
   const detail::CompiledInstance& compiled = frame.instances_[instance];
   const detail::SphereBounds bounds =
       detail::sphere_bounds(compiled, frame.scene_->meshes[compiled.mesh], meshlet, frame.origin_, frame.view_,
@@ -46,20 +47,22 @@ bool Frame::Access::is_hidden(FrameWithMethod& frame, const detail::StripTarget&
 /// Calls draw(number, instance, meshlet) for the meshlets that bounds of depth do not hide: first for those that were
 /// seen before, whose depth then hides others.
 template <Effects effects, class Draw>
-void Frame::Access::draw_seen_first(FrameWithMethod& frame, const detail::StripTarget& target, const Draw& draw) {
+void Frame::Access::Methods::draw_seen_first(FrameWithMethod& frame, const detail::StripTarget& target,
+                                             const Draw& draw) {
   const std::span<std::uint32_t> seen =
       effects.has(method::culling) ? frame.options_.seen_before : std::span<std::uint32_t>{};
   const auto was_seen = [seen](std::uint32_t number) {
     return number / 32 < seen.size() && (seen[number / 32] >> (number % 32) & 1) != 0;
   };
   if (!seen.empty()) {
-    for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
-      if (was_seen(number)) draw(number, instance, meshlet);
-    });
+    Geometry::for_each_meshlet<effects>(frame,
+                                        [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+                                          if (was_seen(number)) draw(number, instance, meshlet);
+                                        });
   }
   std::uint32_t asked = UINT32_MAX;  // the instance that `hidden` is of
   bool hidden = false;
-  for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t index) {
+  Geometry::for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t index) {
     const Mesh& mesh = frame.scene_->meshes[frame.instances_[instance].mesh];
     const bool drawn = was_seen(number);
     if (instance != asked && !drawn) {
@@ -85,22 +88,22 @@ void Frame::Access::draw_seen_first(FrameWithMethod& frame, const detail::StripT
 
 /// Finds all front faces that may be in the picture, and sorts them from near to far.
 template <Effects effects>
-void Frame::Access::collect_triangles(FrameWithMethod& frame) {
+void Frame::Access::Methods::collect_triangles(FrameWithMethod& frame) {
   constexpr bool kOrthographic = effects.has(effect::orthographic);
   std::uint32_t count = 0;
   std::uint32_t retained = 0;
   std::uint16_t batches = 0;
-  for_each_meshlet<effects>(frame, [&]([[maybe_unused]] std::uint32_t number, std::uint32_t instance,
-                                       std::uint32_t meshlet) {
+  Geometry::for_each_meshlet<effects>(frame, [&]([[maybe_unused]] std::uint32_t number, std::uint32_t instance,
+                                                 std::uint32_t meshlet) {
     if constexpr (effects.has(method::culling)) {
       if (is_left_out<effects>(frame, number, instance, meshlet)) return;
     }
     const bool binned = frame.mode_ == Mode::binned;
     const detail::CompiledInstance& compiled = frame.instances_[instance];
-    const MeshletRange range = meshlet_range(frame.scene_->meshes[compiled.mesh], meshlet);
+    const Geometry::MeshletRange range = Geometry::meshlet_range(frame.scene_->meshes[compiled.mesh], meshlet);
     const std::uint32_t cache = binned ? retained : 0;
-    const detail::Batch batch = batch_of(frame, instance, range.first_vertex, cache);
-    const bool all_narrow = transform<effects>(frame, batch, range, cache);
+    const detail::Batch batch = Geometry::batch_of(frame, instance, range.first_vertex, cache);
+    const bool all_narrow = Geometry::transform<effects>(frame, batch, range, cache);
     // A vertex outside the depth range counts as on its border.
     const auto depth = [&](std::uint32_t index) {
       const detail::SnappedVertex& v = batch.vertices[index - range.first_vertex];
@@ -129,7 +132,7 @@ void Frame::Access::collect_triangles(FrameWithMethod& frame) {
           return true;
         });
     if (!listed || !binned) return;
-    shade<effects>(frame, batch, range, cache);
+    Geometry::shade<effects>(frame, batch, range, cache);
     frame.batches_[batches++] = {static_cast<std::uint16_t>(instance), static_cast<std::uint16_t>(meshlet), retained};
     retained += range.vertex_count;
   });
@@ -139,7 +142,7 @@ void Frame::Access::collect_triangles(FrameWithMethod& frame) {
 
 /// The same in the order of a tree, for the scene's only mesh, all of which is one meshlet.
 template <Effects effects>
-Status Frame::Access::collect_from_tree(FrameWithMethod& frame, const Camera& camera) {
+Status Frame::Access::Methods::collect_from_tree(FrameWithMethod& frame, const Camera& camera) {
   constexpr Status kNotOfThisScene{.error = Error::visibility, .needed = method::bsp.methods};
   const BspTree* const tree = frame.options_.tree;
   const Scene& scene = *frame.scene_;
@@ -147,9 +150,9 @@ Status Frame::Access::collect_from_tree(FrameWithMethod& frame, const Camera& ca
   const Mesh& mesh = scene.meshes[scene.instances[0].mesh];
   if (!mesh.meshlets.empty()) return kNotOfThisScene;
   if (!frame.instances_[0].visible) return {};
-  const MeshletRange range = meshlet_range(mesh, 0);
-  const detail::Batch batch = batch_of(frame, 0, 0, 0);
-  const bool all_narrow = transform<effects>(frame, batch, range, 0);
+  const Geometry::MeshletRange range = Geometry::meshlet_range(mesh, 0);
+  const detail::Batch batch = Geometry::batch_of(frame, 0, 0, 0);
+  const bool all_narrow = Geometry::transform<effects>(frame, batch, range, 0);
   const detail::BspEye eye = detail::bsp_eye(mesh, scene.instances[0].transform, camera);
   const bool whole =
       detail::for_each_bsp_run(*tree, eye, mesh.triangles.size(), [&](std::uint32_t first, std::uint32_t triangles) {
@@ -166,14 +169,14 @@ Status Frame::Access::collect_from_tree(FrameWithMethod& frame, const Camera& ca
       });
   if (!whole) return kNotOfThisScene;
   if (frame.mode_ != Mode::binned) return {};
-  shade<effects>(frame, batch, range, 0);
+  Geometry::shade<effects>(frame, batch, range, 0);
   frame.batches_[0] = {0, 0, 0};
   return {};
 }
 
 /// Puts the triangles in the method's order and, if binned, lists them in it.
 template <Effects effects>
-Status Frame::Access::order_triangles(FrameWithMethod& frame, const Camera& camera) {
+Status Frame::Access::Methods::order_triangles(FrameWithMethod& frame, const Camera& camera) {
   if constexpr (effects.has(method::bsp)) {
     if (const Status status = collect_from_tree<effects>(frame, camera); !status) {
       frame.scene_ = nullptr;
@@ -185,7 +188,7 @@ Status Frame::Access::order_triangles(FrameWithMethod& frame, const Camera& came
   }
   if (frame.mode_ != Mode::binned) return {};
   for (const detail::SortedTriangle& t : std::span(frame.sorted_, frame.sorted_count_)) {
-    if (list(frame, t.extent, t.batch, t.triangle)) continue;
+    if (Geometry::list(frame, t.extent, t.batch, t.triangle)) continue;
     frame.mode_ = Mode::streamed;
     ++frame.bin_overflows_;
     break;
@@ -195,19 +198,20 @@ Status Frame::Access::order_triangles(FrameWithMethod& frame, const Camera& came
 
 /// Transforms the vertices of each triangle again: neighbours in the order rarely share any.
 template <Effects effects>
-void Frame::Access::draw_sorted(FrameWithMethod& frame, const detail::StripTarget& target, std::uint16_t strip) {
+void Frame::Access::Methods::draw_sorted(FrameWithMethod& frame, const detail::StripTarget& target,
+                                         std::uint16_t strip) {
   const std::int32_t row = strip / frame.grid_.across();
   const std::int32_t column = strip % frame.grid_.across();
   for (const detail::SortedTriangle& sorted : std::span(frame.sorted_, frame.sorted_count_)) {
     if (!frame.grid_.touches(sorted.extent, row, column)) continue;
-    const MeshletRange range =
-        meshlet_range(frame.scene_->meshes[frame.instances_[sorted.instance].mesh], sorted.meshlet);
-    const detail::Batch batch = batch_of(frame, sorted.instance, range.first_vertex, 0);
+    const Geometry::MeshletRange range =
+        Geometry::meshlet_range(frame.scene_->meshes[frame.instances_[sorted.instance].mesh], sorted.meshlet);
+    const detail::Batch batch = Geometry::batch_of(frame, sorted.instance, range.first_vertex, 0);
     const Triangle& triangle = range.triangles[sorted.triangle];
     for (const std::uint32_t index : {triangle.a, triangle.b, triangle.c}) {
-      const MeshletRange vertex{index, 1, {}};
+      const Geometry::MeshletRange vertex{index, 1, {}};
       const std::uint32_t cache = index - range.first_vertex;
-      transform<effects>(frame, batch, vertex, cache);
+      Geometry::transform<effects>(frame, batch, vertex, cache);
       if constexpr (detail::has_vertex_colours(effects)) {
         if (batch.colours != nullptr) {
           detail::shade_vertices<without(effects, effect::bins)>(*batch.instance, *batch.mesh, index, 1,
@@ -215,7 +219,7 @@ void Frame::Access::draw_sorted(FrameWithMethod& frame, const detail::StripTarge
         }
       }
     }
-    with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
+    Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
       Assembler<effects>::draw_listed(complete, batch, range.triangles, {&sorted.triangle, 1});
     });
   }
@@ -223,12 +227,12 @@ void Frame::Access::draw_sorted(FrameWithMethod& frame, const detail::StripTarge
 
 /// A pass over all triangles that only counts which culling would leave them out, in the order in which they ask.
 template <Effects effects>
-void Frame::Access::count_culled(FrameWithMethod& frame) {
+void Frame::Access::Methods::count_culled(FrameWithMethod& frame) {
   VisibilityStatistics& counts = frame.counts_;
   const std::uint32_t before = frame.statistics_.vertices;
-  for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+  Geometry::for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
     const detail::CompiledInstance& compiled = frame.instances_[instance];
-    const MeshletRange range = meshlet_range(frame.scene_->meshes[compiled.mesh], meshlet);
+    const Geometry::MeshletRange range = Geometry::meshlet_range(frame.scene_->meshes[compiled.mesh], meshlet);
     const auto triangles = static_cast<std::uint32_t>(range.triangles.size());
     if (is_left_out<effects>(frame, number, instance, meshlet)) {
       const std::span<const std::uint32_t> visible = frame.options_.potentially_visible;
@@ -236,8 +240,8 @@ void Frame::Access::count_culled(FrameWithMethod& frame) {
       (by_set ? counts.outside_cells : counts.outside) += triangles;
       return;
     }
-    const detail::Batch batch = batch_of(frame, instance, range.first_vertex, 0);
-    const bool all_narrow = transform<effects>(frame, batch, range, 0);
+    const detail::Batch batch = Geometry::batch_of(frame, instance, range.first_vertex, 0);
+    const bool all_narrow = Geometry::transform<effects>(frame, batch, range, 0);
     std::uint32_t facing = 0;
     Assembler<effects>::for_each_facing(batch, range.triangles, all_narrow, [&](std::uint32_t, const Rect& box) {
       ++facing;

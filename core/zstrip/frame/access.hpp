@@ -1,0 +1,66 @@
+// The way into a frame: which stages there are, and what of them no effect changes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "zstrip/frame/effect_block.hpp"
+#include "zstrip/frame/frame.hpp"
+#include "zstrip/geometry/quadric.hpp"
+#include "zstrip/raster/assemble.hpp"
+#include "zstrip/raster/target.hpp"
+
+namespace zstrip {
+
+struct Frame::Access {
+  // Each has a header of its own.
+  struct Checks;
+  struct DepthStage;
+  struct EffectStage;
+  struct Geometry;
+  struct Materials;
+  struct Methods;
+  struct Raster;
+
+  /// Binning does not change how triangles are drawn.
+  template <Effects effects>
+  using Assembler = detail::Assembler<without(effects, effect::bins)>;
+
+  static void lay_out_arena(Frame& frame, std::span<std::byte> arena);
+  /// Compiles the instances, finds the frame's bounds.
+  static Status prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const DepthFit& fit);
+  static void extend_bounds(Frame& frame, const Rect& box);
+  /// Compiles the quadrics, for the depth mapping that the frame has now.
+  static Status prepare_quadrics(Frame& frame, const Scene& scene, const Camera& camera);
+  /// They lie behind the instances.
+  static detail::CompiledQuadric* quadrics_of(const Frame& frame, const Scene& scene) {
+    auto* const first = reinterpret_cast<std::byte*>(frame.instances_);
+    return reinterpret_cast<detail::CompiledQuadric*>(first + scene.instances.size() * kInstanceBytes);
+  }
+  /// Into strips, of the bounds that are now known.
+  static void divide(Frame& frame, const Scene& scene, const View& view);
+  static detail::EffectBlock effect_block(const Frame& frame) {
+    return {reinterpret_cast<std::byte*>(frame.batches_) + frame.plan_.bin_bytes, frame.plan_.effect_bytes,
+            frame.scene_->instances.size()};
+  }
+
+  /// `strip`: its pixels in the picture.
+  static detail::StripTarget target_of(Frame& frame, const Rect& strip, std::uint16_t* pixels);
+  /// `area`: pixels of the picture inside the frame's bounds. Where they and their depth lie is left to the caller.
+  static detail::StripTarget target_at(Frame& frame, const Rect& area);
+  static void clear(const Frame& frame, std::uint16_t width, std::uint16_t rows, std::uint16_t* pixels,
+                    const detail::StripTarget& target);
+
+  // The order of the stages: frame_inline.hpp.
+  template <Effects effects>
+  static Status begin_frame(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
+                            std::span<std::byte> arena);
+  template <Effects effects>
+  static Status draw_strip(Frame& frame, std::uint16_t strip, std::span<std::byte> pixels);
+  template <Effects effects>
+  static Status draw_over(Frame& frame, const Rect& area, std::span<std::uint16_t> pixels,
+                          std::span<std::uint16_t> depth);
+};
+
+}  // namespace zstrip

@@ -1,0 +1,101 @@
+// The checks that no effect changes.
+#include "zstrip/frame/checks.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "zstrip/resolve/convert.hpp"
+#include "zstrip/resolve/resolve.hpp"
+#include "zstrip/scene/camera.hpp"
+#include "zstrip/scene/validate.hpp"
+
+namespace zstrip {
+
+Status Frame::Access::Checks::every_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
+                                          Effects called_for, Effects effects, std::span<std::byte> arena) {
+  if (view.width < 1 || view.height < 1 || view.width > kMaxViewSize || view.height > kMaxViewSize) {
+    return {.error = Error::view_size};
+  }
+  if (plan.strip_rows < 1 || plan.strip_rows > view.height) {
+    return {.error = Error::strip_rows, .needed = plan.strip_rows, .available = view.height};
+  }
+  if (plan.strip_columns < 1 || plan.strip_columns > view.width ||
+      (plan.strip_columns != view.width && plan.strip_columns % detail::kColumnStep != 0)) {
+    return {.error = Error::strip_columns, .needed = plan.strip_columns, .available = view.width};
+  }
+  const std::uint32_t strips = plan.columns_of_strips(view) * plan.rows_of_strips(view);
+  if (plan.strips != strips) return {.error = Error::strip_rows, .needed = strips, .available = plan.strips};
+  if (!usable(camera)) return {.error = Error::camera};
+  if (const Status status = validate_instances(scene); !status) return status;
+  if (const Effects missing = without(called_for, effects); missing.bits != 0)
+    return {.error = Error::effect_missing, .needed = low_bits(missing)};
+  // The plan must be one for this scene: a smaller one would overrun its parts of the arena.
+  const SceneCounts counts = count(scene);
+  if (plan.instance_bytes < detail::instance_bytes(counts)) {
+    return too_small(Purpose::instances, detail::instance_bytes(counts), plan.instance_bytes);
+  }
+  const bool colours = detail::has_vertex_colours(called_for);
+  const bool binned = plan.mode == Mode::binned;
+  if (const std::uint64_t extents = std::uint64_t{counts.meshlets} * kExtentBytes;
+      (strips > 1 || binned) && plan.extent_bytes < extents) {
+    return too_small(Purpose::extents, extents, plan.extent_bytes);
+  }
+  if (binned) {
+    if (counts.meshlets > kMostBatches || counts.longest_meshlet > kMostBatches) return {.error = Error::unplannable};
+    const std::uint64_t lists = std::uint64_t{counts.meshlets} * kBatchBytes + std::uint64_t{strips} * kBinBytes;
+    if (plan.bin_bytes < lists) return too_small(Purpose::bins, lists, plan.bin_bytes);
+  }
+  const std::uint64_t vertices = std::uint64_t{binned ? counts.vertices : counts.largest_meshlet} *
+                                 (kVertexBytes + (colours ? kVertexColourBytes : 0));
+  if (plan.vertex_bytes < vertices) return too_small(Purpose::vertices, vertices, plan.vertex_bytes);
+  const std::uint64_t cells = std::uint64_t{plan.strip_rows} * plan.strip_columns;
+  if (!effects.has(method::painter) && plan.depth_bytes < cells * kDepthBytes)
+    return too_small(Purpose::depth, cells * kDepthBytes, plan.depth_bytes);
+  if (!detail::drawn_in_place(view.format) && plan.colour_bytes < cells * kWorkingColourBytes) {
+    return too_small(Purpose::colour, cells * kWorkingColourBytes, plan.colour_bytes);
+  }
+  for (const auto& [purpose, bytes] :
+       {std::pair{Purpose::instances, plan.instance_bytes}, std::pair{Purpose::extents, plan.extent_bytes},
+        std::pair{Purpose::vertices, plan.vertex_bytes}, std::pair{Purpose::depth, plan.depth_bytes},
+        std::pair{Purpose::colour, plan.colour_bytes}, std::pair{Purpose::bins, plan.bin_bytes},
+        std::pair{Purpose::effects, plan.effect_bytes},
+        std::pair{detail::visibility_purpose(effects), plan.visibility_bytes}}) {
+    if (bytes % kArenaAlignment != 0) return too_small(purpose, detail::rounded_up(bytes), bytes);
+  }
+  if (arena.size() < plan.wide_bytes() || reinterpret_cast<std::uintptr_t>(arena.data()) % kArenaAlignment != 0) {
+    return too_small(detail::largest_purpose(plan), plan.bytes(), static_cast<std::uint32_t>(arena.size()));
+  }
+  return {};
+}
+
+Status Frame::Access::Checks::strip(const Frame& frame, std::uint16_t strip, std::span<const std::byte> pixels) {
+  if (frame.scene_ == nullptr) return {.error = Error::not_begun};
+  if (strip >= frame.plan_.strips)
+    return {.error = Error::strip_rows, .needed = strip, .available = frame.plan_.strips};
+  const Rect area = frame.plan_.strip_area(strip, frame.view_);
+  const auto rows = static_cast<std::uint32_t>(area.height());
+  const std::uint32_t needed = rows * bytes_per_row(static_cast<std::uint16_t>(area.width()), frame.view_.format);
+  if (pixels.size() < needed) {
+    return {.error = Error::pixels_too_small, .needed = needed, .available = static_cast<std::uint32_t>(pixels.size())};
+  }
+  if (detail::drawn_in_place(frame.view_.format) && reinterpret_cast<std::uintptr_t>(pixels.data()) % 2 != 0) {
+    return {.error = Error::pixels_misaligned};
+  }
+  return {};
+}
+
+Status Frame::Access::Checks::every_area(const Frame& frame, const Rect& area, std::size_t pixels, std::size_t depths) {
+  if (area.empty() || area.left < 0 || area.top < 0 || area.right > frame.view_.width ||
+      area.bottom > frame.view_.height) {
+    return {.error = Error::view_size};
+  }
+  const auto cells = static_cast<std::uint32_t>(area.width() * area.height());
+  if (pixels < cells || depths < cells) {
+    return {.error = Error::pixels_too_small,
+            .needed = 2 * cells,
+            .available = static_cast<std::uint32_t>(2 * std::min(pixels, depths))};
+  }
+  return {};
+}
+
+}  // namespace zstrip

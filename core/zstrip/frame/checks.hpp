@@ -1,0 +1,64 @@
+// Everything about the caller's requests that could harm, before any stage runs.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "zstrip/frame/depth_stage.hpp"
+
+namespace zstrip {
+
+struct Frame::Access::Checks {
+  /// Of begin_frame; not the index arrays, which validate() has seen.
+  template <Effects effects>
+  static Status frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan, Effects called_for,
+                      std::span<std::byte> arena) {
+    // A pipeline has one projection: this is the effect that must not be there without being called for.
+    if (effects.has(effect::orthographic) && camera.projection != Projection::orthographic) {
+      return {.error = Error::effect_missing};
+    }
+    if (plan.mode == Mode::binned && !effects.has(effect::bins)) {
+      return {.error = Error::effect_missing, .needed = low_bits(effect::bins)};
+    }
+    // Binned vertices keep the depth of the sub-range in which they were transformed.
+    if (plan.mode == Mode::binned && effects.has(effect::depth_ranges)) return {.error = Error::depth_effects};
+    if (const Status status = every_frame(scene, camera, view, plan, called_for, effects, arena); !status) {
+      return status;
+    }
+    if constexpr (detail::effect_bytes(effects, 1) != 0) {
+      const std::uint64_t needed = detail::effect_bytes(called_for, static_cast<std::uint32_t>(scene.instances.size()));
+      if (plan.effect_bytes < needed) return too_small(Purpose::effects, needed, plan.effect_bytes);
+    }
+    if constexpr (depth_bytes(depth_format(effects)) != kDepthBytes) {
+      const std::uint64_t needed =
+          std::uint64_t{plan.strip_rows} * plan.strip_columns * depth_bytes(depth_format(effects));
+      if (plan.depth_bytes < needed) return too_small(Purpose::depth, needed, plan.depth_bytes);
+    }
+    return {};
+  }
+  static Status every_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
+                            Effects called_for, Effects effects, std::span<std::byte> arena);
+
+  /// Of draw_strip.
+  static Status strip(const Frame& frame, std::uint16_t strip, std::span<const std::byte> pixels);
+
+  /// Of draw_over.
+  template <Effects effects>
+  static Status area(const Frame& frame, const Rect& area, std::size_t pixels, std::size_t depths) {
+    if (frame.scene_ == nullptr) return {.error = Error::not_begun};
+    if (effects.methods != 0) return {.error = Error::visibility, .needed = effects.methods};
+    if (DepthStage::has_own_clear(effects)) return {.error = Error::depth_effects};
+    return every_area(frame, area, pixels, depths);
+  }
+  static Status every_area(const Frame& frame, const Rect& area, std::size_t pixels, std::size_t depths);
+
+  static Status too_small(Purpose purpose, std::uint64_t needed, std::uint32_t available) {
+    return {.error = Error::arena_too_small,
+            .purpose = purpose,
+            .needed = static_cast<std::uint32_t>(needed),
+            .available = available};
+  }
+};
+
+}  // namespace zstrip

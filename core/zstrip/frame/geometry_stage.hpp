@@ -1,0 +1,179 @@
+// The geometry stage: meshlets in drawing order, transformed, lit, and assigned to strips.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "zstrip/frame/materials.hpp"
+#include "zstrip/frame/method_stage.hpp"
+#include "zstrip/raster/assemble.hpp"
+
+namespace zstrip {
+
+struct Frame::Access::Geometry {
+  /// The triangles of a meshlet and the vertices that they use; of the whole mesh where it has no meshlets.
+  struct MeshletRange {
+    std::uint32_t first_vertex, vertex_count;
+    std::span<const Triangle> triangles;
+  };
+
+  static MeshletRange meshlet_range(const Mesh& mesh, std::uint32_t index) {
+    if (mesh.meshlets.empty()) return {0, static_cast<std::uint32_t>(mesh.positions.size()), mesh.triangles};
+    const Meshlet& meshlet = mesh.meshlets[index];
+    return {meshlet.first_vertex, meshlet.vertex_count,
+            mesh.triangles.subspan(meshlet.first_triangle, meshlet.triangle_count)};
+  }
+
+  /// Calls visit(number, instance index, meshlet index) in drawing order; numbers count the meshlets of all instances,
+  /// invisible ones too, but are called only for visible ones.
+  template <Effects effects, class Visit>
+  static void for_each_meshlet(const Frame& frame, const Visit& visit) {
+    std::uint32_t number = 0;
+    for (std::uint32_t place = 0; place < frame.scene_->instances.size(); ++place) {
+      std::uint32_t i = place;
+      if constexpr (effects.has(effect::blending)) {
+        if (const auto block = effect_block(frame); block.has(effect::blending)) i = block.order()[place].instance;
+      }
+      const Mesh& mesh = frame.scene_->meshes[frame.scene_->instances[i].mesh];
+      const std::uint32_t meshlets = mesh.meshlets.empty() ? 1 : static_cast<std::uint32_t>(mesh.meshlets.size());
+      if (frame.instances_[i].visible) {
+        for (std::uint32_t m = 0; m < meshlets; ++m) visit(number + m, i, m);
+      }
+      number += meshlets;
+    }
+  }
+
+  /// A meshlet with its vertices at vertices_[cache] on.
+  static detail::Batch batch_of(const Frame& frame, std::uint32_t instance, std::uint32_t first_vertex,
+                                std::uint32_t cache) {
+    const detail::CompiledInstance& compiled = frame.instances_[instance];
+    const bool has_colours = compiled.lit || compiled.coloured;
+    return {&compiled,
+            &frame.scene_->meshes[compiled.mesh],
+            frame.vertices_ + cache,
+            has_colours ? frame.colours_ + cache : nullptr,
+            first_vertex,
+            frame.origin_,
+            Materials::surface_of(frame, compiled)};
+  }
+
+  /// False if some vertex needs the clipping path.
+  template <Effects effects>
+  static bool transform(Frame& frame, const detail::Batch& batch, const MeshletRange& range, std::uint32_t cache) {
+    if constexpr (effects.has(effect::statistics)) frame.statistics_.vertices += range.vertex_count;
+    return detail::transform_vertices<without(effects, effect::bins)>(
+        *batch.instance, *batch.mesh, frame.origin_, range.first_vertex, range.vertex_count, frame.vertices_ + cache);
+  }
+
+  template <Effects effects>
+  static void shade(Frame& frame, const detail::Batch& batch, const MeshletRange& range, std::uint32_t cache) {
+    if constexpr (detail::has_vertex_colours(effects)) {
+      if (batch.colours != nullptr) {
+        if constexpr (effects.any(effect::vertex_light)) {
+          if (shade_locally<effects>(frame, batch, range, cache)) return;
+        }
+        detail::shade_vertices<without(effects, effect::bins)>(*batch.instance, *batch.mesh, range.first_vertex,
+                                                               range.vertex_count, frame.colours_ + cache);
+      }
+    }
+  }
+
+  /// False if the instance has no light beyond what all have.
+  template <Effects effects>
+  static bool shade_locally(Frame& frame, const detail::Batch& batch, const MeshletRange& range, std::uint32_t cache) {
+    const Scene& scene = *frame.scene_;
+    const detail::CompiledInstance& instance = *batch.instance;
+    const Material& material = scene.materials[instance.material];
+    if (!effects_of_finish(scene, material, instance.lit, false).any(effect::vertex_light)) return false;
+    const Finish finish = finish_of(scene, material);
+    const detail::EffectBlock block = effect_block(frame);
+    const detail::FrameLights* lights = nullptr;
+    const detail::InstanceShading* shading = nullptr;
+    if (block.has(effect::local_light)) {
+      lights = &block.lights();
+      shading = &block.shading(static_cast<std::size_t>(batch.instance - frame.instances_));
+    }
+    for (std::uint32_t i = 0; i < range.vertex_count; ++i) {
+      const std::uint32_t vertex = range.first_vertex + i;
+      const Colour lit =
+          detail::locally_lit_colour<effects>(instance, *batch.mesh, vertex, scene, lights, shading, finish);
+      frame.colours_[cache + i] = detail::with_vertex_colour<effects>(lit, instance, *batch.mesh, vertex);
+    }
+    return true;
+  }
+
+  /// Which strips the front faces of each meshlet touch.
+  template <Effects effects>
+  static void survey(Frame& frame) {
+    for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+      if constexpr (effects.has(method::culling)) {
+        frame.extents_[number] = detail::Extent::none();
+        if (Methods::is_left_out<effects>(frame, number, instance, meshlet)) return;
+      }
+      const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
+      const detail::Batch batch = batch_of(frame, instance, range.first_vertex, 0);
+      const bool all_narrow = transform<effects>(frame, batch, range, 0);
+      Rect box{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
+      Assembler<effects>::for_each_facing(batch, range.triangles, all_narrow, [&](std::uint32_t, const Rect& pixels) {
+        box = {std::min(box.left, pixels.left), std::min(box.top, pixels.top), std::max(box.right, pixels.right),
+               std::max(box.bottom, pixels.bottom)};
+        return true;
+      });
+      frame.extents_[number] = frame.grid_.extent_of(box);
+    });
+  }
+
+  /// Transforms everything once and writes each front face into the lists of its strips. False if they are too small.
+  template <Effects effects>
+  static bool fill_bins(Frame& frame) {
+    std::uint32_t retained = 0;
+    std::uint16_t batches = 0;
+    bool room = true;
+    for_each_meshlet<effects>(frame, [&]([[maybe_unused]] std::uint32_t number, std::uint32_t instance,
+                                         std::uint32_t meshlet) {
+      if (!room) return;
+      if constexpr (effects.has(method::culling)) {
+        if (Methods::is_left_out<effects>(frame, number, instance, meshlet)) return;
+      }
+      const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
+      const detail::Batch batch = batch_of(frame, instance, range.first_vertex, retained);
+      const bool all_narrow = transform<effects>(frame, batch, range, retained);
+      bool listed = false;
+      room = Assembler<effects>::for_each_facing(batch, range.triangles, all_narrow,
+                                                 [&](std::uint32_t triangle, const Rect& pixels) {
+                                                   listed = true;
+                                                   return list(frame, pixels, batches, triangle);
+                                                 });
+      if (!listed) return;
+      shade<effects>(frame, batch, range, retained);
+      frame.batches_[batches++] = {static_cast<std::uint16_t>(instance), static_cast<std::uint16_t>(meshlet), retained};
+      retained += range.vertex_count;
+    });
+    return room;
+  }
+
+  /// Into the lists of all strips of an extent.
+  static bool list(Frame& frame, const detail::Extent& extent, std::uint16_t batch, std::uint16_t triangle) {
+    return list_in(frame, frame.grid_.strips_of_extent(extent), batch, triangle);
+  }
+  /// Into the lists of all strips that hold pixels of the box.
+  static bool list(Frame& frame, const Rect& pixels, std::uint16_t batch, std::uint32_t triangle) {
+    const auto index = static_cast<std::uint16_t>(triangle);
+    if (frame.grid_.across() != 1) return list_in(frame, frame.grid_.strips_of(pixels), batch, index);
+    const detail::StripGrid::Range rows = frame.grid_.rows_of(pixels.top, pixels.bottom);
+    return list_in(frame, {0, rows.first, 1, rows.end}, batch, index);
+  }
+  /// `strips`: columns and rows of strips.
+  static bool list_in(Frame& frame, const Rect& strips, std::uint16_t batch, std::uint16_t triangle) {
+    for (std::int32_t row = strips.top; row < strips.bottom; ++row) {
+      for (std::int32_t column = strips.left; column < strips.right; ++column) {
+        const auto strip = static_cast<std::uint32_t>(row * frame.grid_.across() + column);
+        if (!frame.bins_.add(strip, batch, triangle)) return false;
+      }
+    }
+    return true;
+  }
+};
+
+}  // namespace zstrip

@@ -1,0 +1,99 @@
+// What the raster stage gets of an instance's material: surface, depth settings, fragment settings.
+#pragma once
+
+#include <type_traits>
+
+#include "zstrip/frame/access.hpp"
+#include "zstrip/frame/effect_block.hpp"
+#include "zstrip/raster/target.hpp"
+
+namespace zstrip {
+
+struct Frame::Access::Materials {
+  static detail::Surface surface_of(const Frame& frame, const detail::CompiledInstance& instance) {
+    return {detail::rgb565(instance.base), texture_of(frame, instance.material), frame.fit_.offset};
+  }
+
+  static detail::TextureView texture_of(const Frame& frame, std::uint16_t material) {
+    const std::uint16_t index = frame.scene_->materials[material].texture;
+    if (index == kNoTexture) return {nullptr, 0, 0};
+    const Texture& texture = frame.scene_->textures[index];
+    return {texture.texels.data(), texture.log2_width, texture.log2_height};
+  }
+
+  template <Effects effects>
+  static detail::DepthSettings depth_settings(const Frame& frame, std::uint16_t index) {
+    constexpr DepthFormat kFormat = depth_format(effects);
+    const Material& material = frame.scene_->materials[index];
+    detail::DepthSettings settings;
+    settings.test = material.depth_test;
+    settings.write = material.depth_write;
+    settings.bias = material.depth_bias;
+    settings.slope_bias = material.depth_slope_bias;
+    settings.bias_clamp = material.depth_bias_clamp;
+    settings.largest = largest_depth_code(kFormat);
+    if constexpr (kFormat == DepthFormat::w16) settings.linear = detail::linear_mapping(frame.fit_);
+    if constexpr (effects.has(effect::depth_ranges)) {
+      const std::uint32_t cleared = static_cast<const FrameWithDepthRanges&>(frame).cleared_code_;
+      settings.smallest = cleared + 1;
+      settings.largest = cleared + detail::kDepthRangeCodes - 2;
+    }
+    return settings;
+  }
+
+  template <Effects effects>
+  static detail::FragmentSettings fragment_settings(const Frame& frame, const detail::CompiledInstance& instance) {
+    detail::FragmentSettings settings;
+    settings.textured = detail::without_fragments(instance.shade) >= detail::Shade::textured;
+    const Material& material = frame.scene_->materials[instance.material];
+    const Finish finish = finish_of(*frame.scene_, material);
+    settings.alpha = material.colour.a;
+    if (finish.alpha_mode == AlphaMode::mask) settings.cutoff = finish.alpha_cutoff;
+    settings.blends = finish.alpha_mode == AlphaMode::blend;
+    settings.bilinear = finish.filter == TextureFilter::bilinear;
+    settings.has_texture_alpha = settings.textured && finish.alpha_mode != AlphaMode::opaque &&
+                                 frame.scene_->textures[material.texture].format == TextureFormat::rgb565_alpha;
+    if constexpr (effects.has(effect::fog)) {
+      if (frame.scene_->fog != nullptr) settings.fog = &effect_block(frame).fog();
+      settings.depth_offset =
+          effects.has(effect::orthographic) ? std::int64_t{frame.origin_.depth_offset} : frame.fit_.offset;
+    }
+    return settings;
+  }
+
+  /// Calls draw(target), with what the depth effects of this material add to it.
+  template <Effects effects, class Draw>
+  static void with_depth(const Frame& frame, const detail::StripTarget& target, std::uint16_t material,
+                         const Draw& draw) {
+    if constexpr (std::is_same_v<detail::TargetFor<detail::depth_mode(effects)>, detail::StripTarget>) {
+      draw(target);
+    } else {
+      draw(detail::StripTargetWithDepth{target, depth_settings<effects>(frame, material)});
+    }
+  }
+
+  /// Calls draw(target), with what the depth effects of this instance's material and its fragments add to it.
+  template <Effects effects, class Draw>
+  static void with_settings(Frame& frame, const detail::StripTarget& target, const detail::CompiledInstance& instance,
+                            const Draw& draw) {
+    if constexpr (effects.methods != 0) {
+      detail::MethodState& state = static_cast<FrameWithMethod&>(frame).state_;
+      draw(detail::StripTargetWithMethod{{target, depth_settings<effects>(frame, instance.material)}, &state});
+    } else {
+      with_depth<effects>(frame, target, instance.material,
+                          [&](const auto& complete) { with_fragments<effects>(frame, complete, instance, draw); });
+    }
+  }
+
+  template <Effects effects, class Target, class Draw>
+  static void with_fragments(const Frame& frame, const Target& target, const detail::CompiledInstance& instance,
+                             const Draw& draw) {
+    if constexpr (effects.any(effect::fragments)) {
+      draw(detail::TargetOf<effects>{target, fragment_settings<effects>(frame, instance)});
+    } else {
+      draw(target);
+    }
+  }
+};
+
+}  // namespace zstrip
