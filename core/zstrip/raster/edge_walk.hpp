@@ -19,7 +19,9 @@ class EdgeWalk {
  public:
   EdgeWalk() = default;
   /// The edge from (x0, y0) down to (x1, y1), y0 < y1, at the pixel row `row`, whose centre lies in y0 .. y1.
-  EdgeWalk(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row) {
+  // Where many pipelines share a file, GCC would call it: up to 2 % of R10k on the host.
+  [[gnu::always_inline]] EdgeWalk(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,
+                                  std::int32_t row) {
     const Integer dx = Integer{x1} - x0;
     const Integer dy = Integer{y1} - y0;
     denominator_ = dy * 16;

@@ -78,7 +78,7 @@ void for_each_midpoint_piece(const TargetFor<mode>& target, const RasterVertex& 
 /// A triangle set up: its anchor, its depth, and its spans in a strip.
 template <DepthMode mode>
 struct SpanTriangle {
-  // A call of its own would pass all of it through memory: 4 % of ten thousand triangles.
+  // A call of its own would pass all of it through memory.
   [[gnu::always_inline]] SpanTriangle(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
                                       const RasterVertex& v2)
       : area(signed_area(v0, v1, v2)),

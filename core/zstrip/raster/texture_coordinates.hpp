@@ -58,7 +58,8 @@ class TextureCoordinates {
   }
 
   /// Exact position at a covered pixel, relative to the anchor.
-  TexelPosition at(std::int32_t columns, std::int32_t rows) const {
+  // Where many pipelines share a file, GCC would call it: 2 % of CT on the host.
+  [[gnu::always_inline]] TexelPosition at(std::int32_t columns, std::int32_t rows) const {
     const auto u = static_cast<std::int32_t>(u_over_w_.at(columns, rows));
     const auto v = static_cast<std::int32_t>(v_over_w_.at(columns, rows));
     if constexpr (orthographic) {
