@@ -37,9 +37,8 @@ class Composer {
       : file_(file), composed_(std::make_unique<ComposedScene>()), meshes_(*composed_), materials_(file, *composed_) {}
 
   Result<std::unique_ptr<const ComposedScene>> run() {
-    for (const Result<Done>& done : {read_models(), place()}) {
-      if (!done) return done.failure();
-    }
+    if (const Result<Done> done = read_models(); !done) return done.failure();
+    if (const Result<Done> done = place(); !done) return done.failure();
     duration_ = duration_of(file_, placed_);
     if (const Result<Done> done = set_scale(); !done) return done.failure();
     for (const PlacedPart& placed : placed_) {
@@ -131,7 +130,8 @@ class Composer {
       return scaling({units, units, units}) * placed.at(seconds, duration_) * unscaled;
     };
     if (!to_transform(at(0), instance.transform)) {
-      return at_line(file_.path, placed.file->line, "is too far away, or too large or small beside the others");
+      return at_line(file_.path, placed.file->line,
+                     "[[instance]] is too far away, or too large or small beside the others");
     }
     if (placed.moves()) {
       motions_.push_back({.instance = static_cast<std::uint16_t>(composed_->instances.size()),
@@ -148,8 +148,11 @@ class Composer {
     if (!material) return material.failure();
     const double units = composed_->units.scale;
     Quadric quadric{.material = *material};
-    if (!to_transform(scaling({units, units, units}) * to_affine(ellipsoid.placement), quadric.transform)) {
-      return at_line(file_.path, ellipsoid.line, "is too far away, or too large or small beside the others");
+    // Less than a few codes of 16.16 is nothing, or has no inverse, once it is rounded.
+    const bool is_thin = std::ranges::min(ellipsoid.placement.scale) * units < 4.0 / kFixedOne;
+    if (is_thin || !to_transform(scaling({units, units, units}) * to_affine(ellipsoid.placement), quadric.transform)) {
+      return at_line(file_.path, ellipsoid.line,
+                     "[[ellipsoid]] is too far away, or too large, small or flat beside the others");
     }
     composed_->quadrics.push_back(quadric);
     return Done{};

@@ -72,7 +72,6 @@ Result<std::uint16_t> ComposedMaterials::index_of(const FileMaterial& own) {
   const auto [at, is_new] = materials_.try_emplace(key, static_cast<std::uint16_t>(scene_.materials.size()));
   if (!is_new) return at->second;
   Material material = replaced({}, own);
-  if (!set_finish(material, Finish{}, own)) return too_many_finishes(own.line);
   if (own.texture) {
     const Result<std::uint16_t> texture = own_texture(own);
     if (!texture) return texture.failure();
@@ -124,8 +123,7 @@ std::uint16_t ComposedMaterials::model_texture(const PlacedPart& placed, std::ui
 /// is full.
 bool ComposedMaterials::set_finish(Material& material, const Finish& own, const FileMaterial& by) {
   const bool has_own = material.finish != kNoFinish;
-  const bool given = by.emissive || by.specular || by.shininess || by.alpha_mode || by.alpha_cutoff || by.filter;
-  if (!has_own && !given) return true;
+  if (!has_own && !by.has_finish()) return true;
   if (scene_.finishes.size() >= kNoFinish) return false;
   material.finish = static_cast<std::uint8_t>(scene_.finishes.size());
   scene_.finishes.push_back({.emissive = by.emissive.value_or(own.emissive),

@@ -34,6 +34,24 @@ void check_name(const std::string& name, const std::vector<std::string>& names, 
   if (!name.empty() && std::ranges::find(names, name) == names.end()) table.wrong_name(key, name, what, names);
 }
 
+/// The renderer refuses what an ellipsoid would be drawn without.
+void check_ellipsoid(const FileEllipsoid& ellipsoid, const SceneFile& scene, TomlErrors& errors) {
+  const auto material = std::ranges::find(scene.materials, ellipsoid.material, &FileMaterial::name);
+  if (material == scene.materials.end()) return;
+  if (material->has_finish()) {
+    errors.add(ellipsoid.line, fmt::format("[[ellipsoid]]: the material '{}' must do without emissive, specular, "
+                                           "shininess, alpha_mode, alpha_cutoff and filter: ellipsoids have none",
+                                           material->name));
+  }
+  const bool punctual =
+      std::ranges::any_of(scene.lights, [](const FileLight& light) { return light.punctual.has_value(); });
+  if (punctual && material->lit.value_or(Material{}.lit)) {
+    errors.add(ellipsoid.line, fmt::format("[[ellipsoid]]: point and spot lights do not reach ellipsoids; the material "
+                                           "'{}' needs lit = false, or the scene only directional lights",
+                                           material->name));
+  }
+}
+
 SceneFile read_root(TomlTable& root, TomlErrors& errors) {
   SceneFile scene;
   scene.ambient = root.colour("ambient");
@@ -63,6 +81,7 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
   }
   for (std::size_t i = 0; i < ellipsoids.size(); ++i) {
     check_name(scene.ellipsoids[i].material, materials, ellipsoids[i], "material", "material");
+    check_ellipsoid(scene.ellipsoids[i], scene, errors);
   }
   if (instances.empty() && ellipsoids.empty()) {
     errors.add(1, "the scene has neither [[instance]] nor [[ellipsoid]]: there is nothing to draw");

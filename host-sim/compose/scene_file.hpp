@@ -69,6 +69,9 @@ struct FileMaterial {
   std::optional<DepthTest> depth_test;
   std::optional<std::int32_t> depth_bias;
   int depth_line = 0;  ///< of the first key about depth
+
+  /// Whether it sets what few materials have (Finish).
+  bool has_finish() const { return emissive || specular || shininess || alpha_mode || alpha_cutoff || filter; }
 };
 
 /// A part of an [[instance]].

@@ -7,10 +7,11 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::pair<std::string_view, PixelFormat> kFormats[] = {{"rgb565", PixelFormat::rgb565},
-                                                                 {"rgb565_swapped", PixelFormat::rgb565_swapped},
-                                                                 {"gray4", PixelFormat::gray4},
-                                                                 {"mono", PixelFormat::mono}};
+constexpr std::pair<std::string_view, PixelFormat> kFormats[] = {
+    {"rgb565", PixelFormat::rgb565},    {"rgb565_swapped", PixelFormat::rgb565_swapped},
+    {"gray4", PixelFormat::gray4},      {"mono", PixelFormat::mono},
+    {"rgb666", PixelFormat::rgb666},    {"rgb444", PixelFormat::rgb444},
+    {"xrgb8888", PixelFormat::xrgb8888}};
 constexpr std::pair<std::string_view, DepthFormat> kDepthFormats[] = {{"z16", DepthFormat::z16},
                                                                       {"float", DepthFormat::float16},
                                                                       {"w16", DepthFormat::w16},
@@ -24,6 +25,9 @@ PictureSettings read_picture(TomlTable& table) {
   PictureSettings picture;
   if (const auto size = table.numbers("size", 2, {1, kMaxViewSize})) {
     picture.size = {static_cast<std::uint16_t>((*size)[0]), static_cast<std::uint16_t>((*size)[1])};
+    if ((*size)[0] != picture.size->first || (*size)[1] != picture.size->second) {
+      table.wrong("size", "'size' must be whole numbers");
+    }
   }
   picture.format = table.choice("format", kFormats);
   picture.depth_format = table.choice("depth_format", kDepthFormats);
