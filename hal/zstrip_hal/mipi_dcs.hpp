@@ -38,6 +38,12 @@ struct DcsConfig {
   std::span<const std::byte> module_commands{};
 };
 
+/// The same module with the picture turned.
+constexpr DcsConfig turned(DcsConfig module, Rotation by) {
+  module.orientation.rotation = by;
+  return module;
+}
+
 /// What a driver says about a controller:
 ///   - kColumns, kRows: of its memory, with the glass upright
 ///   - pixel_format(format): COLMOD's parameter, 0 for a format that it has not

@@ -160,7 +160,9 @@ void add_bake_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("bake", "Write a model for firmware: as C++ constants, or a blob for flash");
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
-  command->add_option("scene", a.scene, "A model (.obj .gltf .glb .stl .ply .3ds .dae ...), a built-in or baked scene")
+  command
+      ->add_option("scene", a.scene,
+                   "A model (.obj .gltf .glb .stl .ply .3ds .dae ...), a scene file (.toml), a built-in or baked scene")
       ->required()
       ->type_name("SCENE");
   command->add_option("-o,--output", a.output, "The file to write: .hpp for C++ constants, .zsc for a blob")

@@ -82,7 +82,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("plan", "Show how much memory a picture takes, for what, and the alternatives");
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
-  command->add_option("scene", a.scene, "A built-in scene, a model file or a baked scene (.zsc)")
+  command->add_option("scene", a.scene, "A built-in scene, a model, a scene file (.toml) or a baked scene (.zsc)")
       ->required()
       ->type_name("SCENE");
   add_plan_options(*command, a.plan);

@@ -323,7 +323,8 @@ void add_render_command(CLI::App& app, int& exit_code) {
   Arguments& a = *arguments;
   command
       ->add_option("scene", a.scene,
-                   "A built-in scene, a model (.obj .gltf .glb .stl .ply .3ds .dae ...) or a baked scene (.zsc)")
+                   "A built-in scene, a model (.obj .gltf .glb .stl .ply .3ds .dae ...), a scene file (.toml) or a "
+                   "baked scene (.zsc)")
       ->required()
       ->type_name("SCENE");
   command->add_option("-o,--output", a.output, "A folder for the frames, or one file (default: SCENE.png here)")

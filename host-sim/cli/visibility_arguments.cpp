@@ -18,17 +18,21 @@ void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
   }
   command.add_option("--visibility", a.method, fmt::format("How visibility is found: {} (default: zbuffer)", names))
       ->type_name("METHOD");
-  command.add_option("--iterations", a.iterations, "Levels of splitting of the midpoint methods")
-      ->type_name("N")
-      ->check(CLI::Range(std::uint32_t{0}, std::uint32_t{kMostIterations}))
-      ->capture_default_str();
-  command.add_option("--sort-key", a.key, "The vertex by which triangles are sorted")
-      ->check(CLI::IsMember({"middle", "nearest", "farthest"}))
-      ->capture_default_str();
+  command
+      .add_option("--iterations", a.iterations,
+                  fmt::format("Levels of splitting of the midpoint methods, 0 to {} (default: {})", kMostIterations,
+                              a.iterations))
+      ->option_text("N")
+      ->check(CLI::Range(std::uint32_t{0}, std::uint32_t{kMostIterations}));
+  command
+      .add_option("--sort-key", a.key, "The depth by which triangles are sorted: middle (default), nearest or farthest")
+      ->option_text("KEY")
+      ->check(CLI::IsMember({"middle", "nearest", "farthest"}));
   command
       .add_option("--cull", a.cull,
                   "What is left out early, separated by commas: back-faces, small, spheres (meshlets by their bounding "
                   "spheres) or none (default: back-faces,small)")
+      ->option_text("LIST")
       ->delimiter(',')
       ->check(CLI::IsMember({"back-faces", "small", "spheres", "none"}));
   command.add_option("--show", a.show, "Instead of the picture: depth, overdraw, tiles or error")->type_name("WHAT");

@@ -69,6 +69,9 @@ struct FileMaterial {
   std::optional<DepthTest> depth_test;
   std::optional<std::int32_t> depth_bias;
   int depth_line = 0;  ///< of the first key about depth
+
+  /// Whether it sets what few materials have (Finish).
+  bool has_finish() const { return emissive || specular || shininess || alpha_mode || alpha_cutoff || filter; }
 };
 
 /// A part of an [[instance]].
@@ -134,10 +137,15 @@ struct SceneFile {
   std::vector<FileEllipsoid> ellipsoids;  ///< at least one of these or of the instances
   std::optional<FileFog> fog;
   std::vector<FileLight> lights;
+
+  /// Of a file that it names.
+  std::filesystem::path beside(const std::filesystem::path& name) const { return path.parent_path() / name; }
 };
 
 /// A failure at a line of a file: "'room.toml' line 12: ...".
 Failure at_line(const std::filesystem::path& path, int line, const std::string& message);
+/// Where a thing of the scene comes from: "room.toml line 12".
+std::string origin_of(const std::filesystem::path& path, int line);
 
 /// Of `names` the one that `name` is most likely to have been meant for; empty if none is near.
 std::string nearest(const std::string& name, const std::vector<std::string>& names);

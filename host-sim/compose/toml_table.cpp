@@ -59,6 +59,10 @@ Failure at_line(const std::filesystem::path& path, int line, const std::string& 
   return {ExitStatus::input, fmt::format("'{}' line {}: {}", path.string(), line, message)};
 }
 
+std::string origin_of(const std::filesystem::path& path, int line) {
+  return fmt::format("{} line {}", path.filename().string(), line);
+}
+
 std::string nearest(const std::string& name, const std::vector<std::string>& names) {
   constexpr std::size_t kLongest = 64;  // keys of a hostile file may be as long as the file
   if (name.size() > kLongest) return {};
@@ -124,6 +128,11 @@ std::optional<std::string> TomlTable::text(const char* key) {
   if (given != nullptr && !given->get().empty()) return given->get();
   wrong(key, fmt::format("'{}' must be a text in quotes", key));
   return std::nullopt;
+}
+
+std::string TomlTable::needed_text(const char* key, const char* missing) {
+  if (!has(key)) wrong(key, missing);
+  return text(key).value_or("");
 }
 
 std::optional<std::vector<double>> TomlTable::numbers(const char* key, std::size_t count, const Limits& limits) {

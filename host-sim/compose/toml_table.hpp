@@ -56,6 +56,8 @@ class TomlTable {
   std::optional<std::int64_t> integer(const char* key, std::int64_t low, std::int64_t high);
   std::optional<bool> flag(const char* key);
   std::optional<std::string> text(const char* key);
+  /// A text that must be there; empty if it is not, with `missing` as the error.
+  std::string needed_text(const char* key, const char* missing);
   /// Three numbers.
   std::optional<Vector> vector(const char* key, const Limits& limits);
   /// Three integers 0..255, or "#rrggbb".

@@ -81,6 +81,15 @@ Affine rotation(const Quaternion& by) {
   return a;
 }
 
+bool is_diagonal(const Affine& a) {
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      if (row != column && a.m[row][column] != 0) return false;
+    }
+  }
+  return true;
+}
+
 double determinant(const Affine& a) { return dot(column(a, 0), cross(column(a, 1), column(a, 2))); }
 
 Affine inverse(const Affine& a) {

@@ -22,6 +22,8 @@ Affine scaling(const Vector& by);
 /// Of any quaternion but zero, whose length does not matter.
 Affine rotation(const Quaternion& by);
 
+/// Whether it only scales along the axes and moves.
+bool is_diagonal(const Affine& a);
 double determinant(const Affine& a);
 /// determinant(a) != 0.
 Affine inverse(const Affine& a);

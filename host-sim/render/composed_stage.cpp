@@ -1,8 +1,6 @@
 // A scene file (.toml) as something to render.
 #include "render/composed_stage.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -15,6 +13,11 @@
 namespace zstrip::sim {
 namespace {
 
+double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
+
+/// Of any vector but zero.
+Vector unit(const Vector& v) { return {v[0] / length(v), v[1] / length(v), v[2] / length(v)}; }
+
 /// What [camera] says, in the file's units.
 Result<Camera> camera_of(const FileCamera& from, const Units& units, double radius) {
   const double degrees = from.field_of_view.value_or(kDefaultFieldOfView);
@@ -25,14 +28,13 @@ Result<Camera> camera_of(const FileCamera& from, const Units& units, double radi
                          .orthographic = from.orthographic},
                         units, radius);
   }
-  Vector towards{};
-  for (std::size_t i = 0; i < 3; ++i) towards[i] = from.look_at[i] - (*from.eye)[i];
-  const double distance = std::hypot(towards[0], towards[1], towards[2]);
-  for (double& component : towards) component /= distance;
+  Vector ahead{};
+  for (std::size_t i = 0; i < 3; ++i) ahead[i] = from.look_at[i] - (*from.eye)[i];
+  const double distance = length(ahead);
   return file_camera({.name = "of the scene",
                       .eye = *from.eye,
-                      .towards = towards,
-                      .up = from.up,
+                      .towards = unit(ahead),
+                      .up = unit(from.up),
                       .orthographic = from.orthographic,
                       .field_of_view = degrees,
                       .half_height = distance * std::tan(degrees * std::numbers::pi / 360)},
@@ -49,7 +51,9 @@ std::optional<Fixed> scaled(double length, double scale) {
 Result<Camera> finished_camera(const SceneFile& file, const Units& units, double radius) {
   const FileCamera& from = *file.camera;
   Result<Camera> camera = camera_of(from, units, radius);
-  if (!camera) return at_line(file.path, from.line, "[camera] cannot be placed: " + camera.failure().message);
+  if (!camera) {
+    return at_line(file.path, from.line, "[camera] is too far away for this scene, or too near to what it looks at");
+  }
   const auto set = [&](const std::optional<double>& length, double scale, Fixed& to) {
     if (!length) return true;
     const std::optional<Fixed> fixed = scaled(*length, scale);
@@ -81,7 +85,7 @@ class ComposedStage : public Stage {
     if (!camera) return camera.failure();
     camera_ = *camera;
     if (file.camera && !options.placed() && !options.orthographic) {
-      camera_origin_ = fmt::format("{} line {}", file.path.filename().string(), file.camera->projection_line);
+      camera_origin_ = origin_of(file.path, file.camera->projection_line);
     }
     // Depths of the two layers are compared.
     camera_.fixed_depth_range = composed_->static_instances > 0;

@@ -33,7 +33,11 @@ bool names(const std::vector<Entry>& entries, const std::string& name) {
 
 void judge(const SceneFile& file) {
   fuzz::require(!file.instances.empty() || !file.ellipsoids.empty(), "something to draw");
-  fuzz::require(file.lights.size() <= kMaxLights, "no more lights than the renderer takes");
+  const auto punctual =
+      std::ranges::count_if(file.lights, [](const FileLight& light) { return light.punctual.has_value(); });
+  fuzz::require(static_cast<std::size_t>(punctual) <= kMaxPunctualLights &&
+                    file.lights.size() - static_cast<std::size_t>(punctual) <= kMaxLights,
+                "no more lights than the renderer takes");
   for (const FileModel& model : file.models) {
     fuzz::require(model.file.empty() != model.built_in.empty(), "a model comes from one place");
   }

@@ -96,6 +96,34 @@ TEST_F(BadInput, NameWithControlCharacters) {
   expect_failure(ExitStatus::input, "bad??name", {"render", "bad\n\x1Bname"});
 }
 
+TEST_F(BadInput, SceneFileWhoseModelIsMissing) {
+  file("scene.toml", "[[model]]\nname = 'a'\nfile = 'gone.obj'\n[[instance]]\nmodel = 'a'\n");
+  expect_failure(ExitStatus::input, "'scene.toml' line 1: ", {"render", "scene.toml", "-o", "picture.png"});
+}
+
+TEST_F(BadInput, SceneFileWhoseBuiltInSceneIsMisspelt) {
+  file("scene.toml", "[[model]]\nname = 'a'\nbuilt_in = 'teapott'\n[[instance]]\nmodel = 'a'\n");
+  expect_failure(ExitStatus::input, "did you mean 'teapot'?", {"render", "scene.toml", "-o", "picture.png"});
+}
+
+TEST_F(BadInput, EllipsoidThatRoundsToNothing) {
+  for (const char* radius : {"[1e-9, 1, 1]", "[1, 1e-6, 1]", "[1e-6, 1e-6, 1]"}) {
+    file("scene.toml", std::string("[[material]]\nname = 'a'\n[[ellipsoid]]\nmaterial = 'a'\nrotation = [31, 17, 5]\n"
+                                   "radius = ") +
+                           radius + "\n");
+    expect_failure(ExitStatus::input, "'scene.toml' line 3: ", {"render", "scene.toml", "-o", "picture.png"});
+  }
+}
+
+TEST_F(BadInput, CameraOfASceneFileNamesNoOption) {
+  for (const char* place : {"r = 1e-9", "r = 1e9", "eye = [1e9, 0, 0]"}) {
+    file("scene.toml",
+         std::string("[[model]]\nname = 'a'\nbuilt_in = 'cube'\n[[instance]]\nmodel = 'a'\n[camera]\n") + place + "\n");
+    expect_failure(ExitStatus::input, "line 6: [camera] is too far away",
+                   {"render", "scene.toml", "-o", "picture.png"});
+  }
+}
+
 TEST_F(BadInput, Options) {
   const auto usage = [&](const std::string& mention, std::vector<std::string> arguments) {
     expect_failure(ExitStatus::usage, mention, arguments);

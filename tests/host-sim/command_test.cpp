@@ -261,6 +261,20 @@ TEST_F(Command, CamerasSeeTheModelFromTheirSide) {
   EXPECT_GT(seen({"--orbit", "4,0,90", "--ortho"}), 1000U);
 }
 
+TEST_F(Command, OnlyTheDirectionOfUpCounts) {
+  std::string expected;
+  for (const char* up : {"[1, 2, 0]", "[1e5, 2e5, 0]", "[1e-6, 2e-6, 0]"}) {
+    file("scene.toml", std::string("[[model]]\nname = 'a'\nbuilt_in = 'cube'\n[[instance]]\nmodel = 'a'\n[camera]\n"
+                                   "eye = [0, 1, 5]\nup = ") +
+                           up + "\n");
+    const Outcome outcome = run(ZSTRIP_COMMAND, {"render", "scene.toml", "-o", "a.png"}, path(""));
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const std::string picture = read(path("a.png"));
+    if (expected.empty()) expected = picture;
+    EXPECT_EQ(picture, expected) << up;
+  }
+}
+
 TEST_F(Command, WarningsAreLinesOnStderrAndInTheReport) {
   file("m.mtl", "newmtl a\nKd 1 1 1\nmap_Kd missing.png\n");
   file("t.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/parse.hpp"
 #include "compose/scene_file.hpp"
 
 namespace zstrip::sim::test {
@@ -165,6 +166,37 @@ TEST(SceneFile, OutOfRangeOrMissing) {
   }
   EXPECT_NE(failure("ambient = [0, 0, 0]\n").find("nothing to draw"), std::string::npos);
   EXPECT_NE(failure("instance = 3\n").find("must be tables"), std::string::npos);
+}
+
+TEST(SceneFile, SizeOfHalfAPixel) {
+  EXPECT_EQ(failure(kCube + "[picture]\nsize = [64.5, 48]\n"),
+            "'scene.toml' line 7: [picture]: 'size' must be whole numbers");
+}
+
+TEST(SceneFile, EveryFormatOfTheCommandLine) {
+  for (const char* name : {"rgb565", "rgb565_swapped", "gray4", "mono", "rgb666", "rgb444", "xrgb8888"}) {
+    const Result<PixelFormat> format = parse_format(name);
+    ASSERT_TRUE(format) << name;
+    EXPECT_EQ(parsed(kCube + "[picture]\nformat = '" + name + "'\n").picture.format, *format) << name;
+  }
+}
+
+/// The renderer knows neither for ellipsoids, and says so only when the frame begins.
+TEST(SceneFile, FinishOfAnEllipsoid) {
+  for (const char* key : {"emissive = [9, 9, 9]", "specular = [9, 9, 9]", "shininess = 3", "alpha_mode = 'blend'",
+                          "alpha_cutoff = 0.5", "filter = 'bilinear'"}) {
+    const std::string message =
+        failure(std::string("[[material]]\nname = 'a'\n") + key + "\n[[ellipsoid]]\nmaterial = 'a'\n");
+    EXPECT_TRUE(message.starts_with("'scene.toml' line 4: [[ellipsoid]]: the material 'a' must do without")) << message;
+  }
+}
+
+TEST(SceneFile, PointLightOnAnEllipsoid) {
+  const std::string light = "[[light]]\ntype = 'point'\nposition = [0, 2, 0]\n";
+  const std::string ellipsoid = "[[ellipsoid]]\nmaterial = 'a'\n";
+  EXPECT_NE(failure("[[material]]\nname = 'a'\n" + ellipsoid + light).find("line 3: [[ellipsoid]]: point and spot"),
+            std::string::npos);
+  EXPECT_EQ(parsed("[[material]]\nname = 'a'\nlit = false\n" + ellipsoid + light).ellipsoids.size(), 1U);
 }
 
 TEST(SceneFile, NearestNames) {

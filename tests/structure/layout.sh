@@ -14,7 +14,7 @@ fi
 
 # A folder of somebody's machine: at the start of a path, so that "src/work/" stays allowed.
 machine_path='(^|[^A-Za-z0-9_.})>])/(work|root|home/[a-z][a-z0-9_-]*|tmp/[a-z]+-[a-z]+)/'
-found=$(grep -rnIE --exclude-dir=.git --exclude-dir=.cache --exclude-dir='build*' --exclude-dir=out "$machine_path" . || true)
+found=$(grep -rnIE --exclude-dir=.git --exclude=.git --exclude-dir=.cache --exclude-dir='build*' --exclude-dir=out "$machine_path" . || true)
 if [ -n "$found" ]; then
   printf 'paths of one machine:\n%s\n' "$found"
   failed=1

@@ -11,22 +11,30 @@ constexpr std::uint32_t factor(std::uint32_t channel) { return channel + (channe
 
 constexpr std::uint8_t clamped_channel(std::uint32_t sum) { return static_cast<std::uint8_t>(sum < 255 ? sum : 255); }
 
-inline Colour lit_colour(const CompiledInstance& instance, const Normal& normal) {
-  std::uint32_t r = instance.ambient.r;
-  std::uint32_t g = instance.ambient.g;
-  std::uint32_t b = instance.ambient.b;
-  for (int i = 0; i < instance.light_count; ++i) {
-    const ObjectLight& light = instance.lights[i];
-    const std::int32_t cosine = normal.x * light.x + normal.y * light.y + normal.z * light.z;  // 3.22
+/// Ambient and directional light on what was compiled of an instance or of a quadric. `shift` turns the cosine that a
+/// normal of this format makes into an intensity of up to 8 bits, `ones` that intensity into one of 0..256.
+template <int shift, int ones, class Lit, class Direction>
+[[gnu::always_inline]] inline Colour lit_by(const Lit& lit, const Direction& normal) {
+  std::uint32_t r = lit.ambient.r;
+  std::uint32_t g = lit.ambient.g;
+  std::uint32_t b = lit.ambient.b;
+  for (int i = 0; i < lit.light_count; ++i) {
+    const ObjectLight& light = lit.lights[i];
+    const std::int32_t cosine = normal.x * light.x + normal.y * light.y + normal.z * light.z;
     if (cosine <= 0) continue;
-    std::uint32_t intensity = static_cast<std::uint32_t>(cosine) >> 14;  // 0..253 where both are unit vectors
-    intensity += intensity >> 6;                                         // 0..256
-    if (intensity > 256) intensity = 256;                                // normals longer than one
+    std::uint32_t intensity = static_cast<std::uint32_t>(cosine) >> shift;
+    intensity += intensity >> ones;
+    if (intensity > 256) intensity = 256;  // normals longer than one
     r += (intensity * light.r) >> 8;
     g += (intensity * light.g) >> 8;
     b += (intensity * light.b) >> 8;
   }
   return {clamped_channel(r), clamped_channel(g), clamped_channel(b), 255};
+}
+
+/// The cosine is 3.22; shifted, 0..253 where both are unit vectors.
+inline Colour lit_colour(const CompiledInstance& instance, const Normal& normal) {
+  return lit_by<14, 6>(instance, normal);
 }
 
 constexpr Colour modulated(const Colour& colour, const Colour& by) {

@@ -37,22 +37,9 @@ inline QuadricNormal unit(const QuadricNormal& d) {
   return {(d.x * inverse) >> shift, (d.y * inverse) >> shift, (d.z * inverse) >> shift};
 }
 
+/// The cosine is 5.27; shifted, 0..255 where both are unit vectors.
 inline Colour lit_colour(const CompiledQuadric& quadric, const QuadricNormal& normal) {
-  std::uint32_t r = quadric.ambient.r;
-  std::uint32_t g = quadric.ambient.g;
-  std::uint32_t b = quadric.ambient.b;
-  for (int i = 0; i < quadric.light_count; ++i) {
-    const ObjectLight& light = quadric.lights[i];
-    const std::int32_t cosine = normal.x * light.x + normal.y * light.y + normal.z * light.z;  // 5.27
-    if (cosine <= 0) continue;
-    std::uint32_t intensity = static_cast<std::uint32_t>(cosine) >> 19;  // 0..255 where both are unit vectors
-    intensity += intensity >> 7;                                         // 0..256
-    if (intensity > 256) intensity = 256;
-    r += (intensity * light.r) >> 8;
-    g += (intensity * light.g) >> 8;
-    b += (intensity * light.b) >> 8;
-  }
-  return {clamped_channel(r), clamped_channel(g), clamped_channel(b), 255};
+  return lit_by<19, 7>(quadric, normal);
 }
 
 /// Longitude across, latitude down: the middle of the texture faces the sphere's +z, its upper edge is the pole +y.

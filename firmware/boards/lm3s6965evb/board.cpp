@@ -1,12 +1,15 @@
 // EK-LM3S6965: clocks, pins and UART0. 50 MHz from the PLL and the board's 8 MHz crystal.
 #include "cortex_m/board.hpp"
 
+#include "cortex_m/pl011.hpp"
 #include "cortex_m/registers.hpp"
 #include "lm3s6965evb/chip.hpp"
 #include "portable/console_input.hpp"
 
 namespace zstrip::board {
 namespace {
+
+using Uart = Pl011<chip::kUart0>;
 
 // The order is that of the data sheet: leave the PLL, choose the crystal, power the PLL up, wait, use it.
 void start_clock() {
@@ -35,10 +38,7 @@ void start_uart() {
   constexpr std::uint32_t kPins = 0x03;  // PA0 receives, PA1 sends
   register_at(chip::kGpioA + chip::kGpioAlternate) = register_at(chip::kGpioA + chip::kGpioAlternate) | kPins;
   register_at(chip::kGpioA + chip::kGpioDigital) = register_at(chip::kGpioA + chip::kGpioDigital) | kPins;
-  register_at(chip::kUart0 + chip::kUartBaudInteger) = 27;
-  register_at(chip::kUart0 + chip::kUartBaudFraction) = 8;
-  register_at(chip::kUart0 + chip::kUartLine) = 0x60;      // 8 bits, no parity, 1 stop bit
-  register_at(chip::kUart0 + chip::kUartControl) = 0x301;  // enabled, both directions
+  Uart::start(27, 8);
 }
 
 }  // namespace
@@ -49,18 +49,9 @@ void start() {
   start_uart();
 }
 
-void put_character(char character) {
-  while ((register_at(chip::kUart0 + chip::kUartFlags) & chip::kUartTransmitFull) != 0) {
-  }
-  register_at(chip::kUart0) = static_cast<unsigned char>(character);
-}
+void put_character(char character) { Uart::put(character); }
 
-bool take_character(char& character) {
-  if ((register_at(chip::kUart0 + chip::kUartFlags) & chip::kUartReceiveEmpty) != 0) return false;
-  const std::uint32_t data = register_at(chip::kUart0);
-  character = static_cast<char>(data);
-  return true;
-}
+bool take_character(char& character) { return Uart::take(character); }
 
 void halt(int) {
   for (;;) asm volatile("wfi");

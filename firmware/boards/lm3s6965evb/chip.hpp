@@ -26,14 +26,7 @@ inline constexpr std::uint32_t kWatchdogReset = 1U << 1;
 inline constexpr std::uint32_t kWatchdogClear = 0x4000000C;
 
 // PL011
-inline constexpr std::uint32_t kUart0 = 0x4000C000;  // offset 0 is the data register
-inline constexpr std::uint32_t kUartFlags = 0x018;
-inline constexpr std::uint32_t kUartReceiveEmpty = 1U << 4;
-inline constexpr std::uint32_t kUartTransmitFull = 1U << 5;
-inline constexpr std::uint32_t kUartBaudInteger = 0x024;
-inline constexpr std::uint32_t kUartBaudFraction = 0x028;  // 64ths
-inline constexpr std::uint32_t kUartLine = 0x02C;
-inline constexpr std::uint32_t kUartControl = 0x030;
+inline constexpr std::uint32_t kUart0 = 0x4000C000;
 
 // PL061; bits 9..2 of an address of the data register mask the pins that the access touches.
 inline constexpr std::uint32_t kGpioA = 0x40004000;

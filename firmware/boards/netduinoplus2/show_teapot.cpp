@@ -15,9 +15,7 @@ using namespace zstrip::board;
 
 constexpr View kView{320, 240, PixelFormat::rgb565_swapped};
 constexpr Budget kBudget{.bytes = 100 * 1024, .strip_buffers = 1};
-// The usual module, lying on its side.
-constexpr hal::DcsConfig kModule{
-    .width = 240, .height = 320, .orientation = {hal::Rotation::by_90}, .columns_reversed = true, .bgr = true};
+constexpr hal::DcsConfig kModule = hal::turned(hal::kIli9341Module240x320, hal::Rotation::by_90);
 constexpr std::uint32_t kBy4 = 1;  // 10.5 MHz of APB1's 42
 
 }  // namespace

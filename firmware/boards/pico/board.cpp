@@ -2,6 +2,7 @@
 // chapters in chip.hpp.
 #include "cortex_m/board.hpp"
 
+#include "cortex_m/pl011.hpp"
 #include "cortex_m/systick.hpp"
 #include "pico/pins.hpp"
 #include "portable/console_input.hpp"
@@ -11,6 +12,7 @@ namespace zstrip::board {
 namespace {
 
 using namespace chip;
+using Uart = Pl011<kUart0>;
 
 /// A board whose crystal or PLL does not start cannot even speak.
 void wait_until(std::uint32_t address, std::uint32_t bits) {
@@ -59,10 +61,7 @@ void start_clocks() {
 void start_uart() {
   register_at(pin_control(0)) = kFunctionUart;
   register_at(pin_control(1)) = kFunctionUart;
-  register_at(kUart0 + kUartBaudInteger) = 67;
-  register_at(kUart0 + kUartBaudFraction) = 52;
-  register_at(kUart0 + kUartLine) = 0x60;      // 8 bits, no parity, 1 stop bit
-  register_at(kUart0 + kUartControl) = 0x301;  // enabled, both directions
+  Uart::start(67, 52);
 }
 
 // It counts down by two a microsecond (RP2040-E1), so that 24 bits are 8.3 s.
@@ -78,18 +77,9 @@ void start() {
   start_uart();
 }
 
-void put_character(char character) {
-  while ((register_at(kUart0 + kUartFlags) & kUartTransmitFull) != 0) {
-  }
-  register_at(kUart0) = static_cast<unsigned char>(character);
-}
+void put_character(char character) { Uart::put(character); }
 
-bool take_character(char& character) {
-  if ((register_at(kUart0 + kUartFlags) & kUartReceiveEmpty) != 0) return false;
-  const std::uint32_t data = register_at(kUart0);
-  character = static_cast<char>(data);
-  return true;
-}
+bool take_character(char& character) { return Uart::take(character); }
 
 void halt(int) {
   for (;;) asm volatile("wfi");

@@ -47,9 +47,6 @@ inline constexpr std::uint32_t kPinsSet = 0xD0000014, kPinsClear = 0xD0000018, k
 
 // 4.2, UART 0 (PL011)
 inline constexpr std::uint32_t kUart0 = 0x40034000;
-inline constexpr std::uint32_t kUartFlags = 0x018, kUartReceiveEmpty = 1U << 4, kUartTransmitFull = 1U << 5;
-inline constexpr std::uint32_t kUartBaudInteger = 0x024, kUartBaudFraction = 0x028;  // 64ths
-inline constexpr std::uint32_t kUartLine = 0x02C, kUartControl = 0x030;
 
 // 4.4, SPI 0 (PL022)
 inline constexpr std::uint32_t kSpi0 = 0x4003C000;

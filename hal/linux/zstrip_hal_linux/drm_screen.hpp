@@ -6,24 +6,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 
 #include "zstrip_hal_linux/device.hpp"
 #include "zstrip_hal_linux/drm_display.hpp"
+#include "zstrip_hal_linux/release.hpp"
 
 namespace zstrip::hal {
 
-template <auto release>
-struct DrmRelease {
-  template <class T>
-  void operator()(T* object) const {
-    release(object);
-  }
-};
-using DrmResources = std::unique_ptr<drmModeRes, DrmRelease<drmModeFreeResources>>;
-using DrmConnector = std::unique_ptr<drmModeConnector, DrmRelease<drmModeFreeConnector>>;
-using DrmEncoder = std::unique_ptr<drmModeEncoder, DrmRelease<drmModeFreeEncoder>>;
-using DrmCrtc = std::unique_ptr<drmModeCrtc, DrmRelease<drmModeFreeCrtc>>;
+using DrmResources = Owned<drmModeRes, drmModeFreeResources>;
+using DrmConnector = Owned<drmModeConnector, drmModeFreeConnector>;
+using DrmEncoder = Owned<drmModeEncoder, drmModeFreeEncoder>;
+using DrmCrtc = Owned<drmModeCrtc, drmModeFreeCrtc>;
 
 /// Memory of the card that it can show. Zeroed by the kernel.
 class DumbBuffer {

@@ -4,14 +4,12 @@
 #include <cerrno>
 
 #include "zstrip_hal_linux/gpio_backend.hpp"
+#include "zstrip_hal_linux/release.hpp"
 
 namespace zstrip::hal::gpio {
 namespace {
 
-struct CloseChip {
-  void operator()(gpiod_chip* chip) const { gpiod_chip_close(chip); }  // releases its lines, too
-};
-using Chip = std::unique_ptr<gpiod_chip, CloseChip>;
+using Chip = Owned<gpiod_chip, gpiod_chip_close>;  // closing releases its lines, too
 
 std::string text(const char* name) { return name != nullptr ? name : ""; }
 

@@ -4,24 +4,18 @@
 #include <cerrno>
 
 #include "zstrip_hal_linux/gpio_backend.hpp"
+#include "zstrip_hal_linux/release.hpp"
 
 namespace zstrip::hal::gpio {
 namespace {
 
-template <auto release>
-struct Release {
-  template <class T>
-  void operator()(T* object) const {
-    release(object);
-  }
-};
-using Chip = std::unique_ptr<gpiod_chip, Release<gpiod_chip_close>>;
-using ChipInfo = std::unique_ptr<gpiod_chip_info, Release<gpiod_chip_info_free>>;
-using Line = std::unique_ptr<gpiod_line_info, Release<gpiod_line_info_free>>;
-using Settings = std::unique_ptr<gpiod_line_settings, Release<gpiod_line_settings_free>>;
-using LineConfig = std::unique_ptr<gpiod_line_config, Release<gpiod_line_config_free>>;
-using RequestConfig = std::unique_ptr<gpiod_request_config, Release<gpiod_request_config_free>>;
-using LineRequest = std::unique_ptr<gpiod_line_request, Release<gpiod_line_request_release>>;
+using Chip = Owned<gpiod_chip, gpiod_chip_close>;
+using ChipInfo = Owned<gpiod_chip_info, gpiod_chip_info_free>;
+using Line = Owned<gpiod_line_info, gpiod_line_info_free>;
+using Settings = Owned<gpiod_line_settings, gpiod_line_settings_free>;
+using LineConfig = Owned<gpiod_line_config, gpiod_line_config_free>;
+using RequestConfig = Owned<gpiod_request_config, gpiod_request_config_free>;
+using LineRequest = Owned<gpiod_line_request, gpiod_line_request_release>;
 
 gpiod_line_value value(bool level) { return level ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE; }
 

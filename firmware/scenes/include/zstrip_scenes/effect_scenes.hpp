@@ -16,6 +16,17 @@ consteval Instance block(std::uint16_t material, double across, double up, doubl
           .transform = {{{fixed(across), 0, 0, fixed(x)}, {0, fixed(up), 0, fixed(y)}, {0, 0, fixed(deep), fixed(z)}}}};
 }
 
+/// Looked at from `degrees` above the horizon.
+consteval BuiltIn effect_scene(const char* name, const char* description, const Scene& scene, const SceneCounts& counts,
+                               double distance, double degrees, double focal) {
+  return {.name = name,
+          .description = description,
+          .scene = scene,
+          .counts = counts,
+          .camera = turntable_camera(distance, degrees, focal),
+          .focal_across = fixed(focal)};
+}
+
 inline constexpr Instance kFogInstances[] = {
     block(1, 1.6, 0.1, 4.0, 0, -1.0, -2.6), block(2, 0.3, 0.6, 0.3, -0.8, -0.3, 0.6),
     block(3, 0.3, 0.6, 0.3, 0.8, -0.3, -1.8), block(2, 0.3, 0.6, 0.3, -0.8, -0.3, -4.2)};
@@ -28,12 +39,8 @@ inline constexpr Scene kFogScene{.meshes = kRoomMeshes,
                                  .ambient = {70, 70, 70, 255},
                                  .background = {150, 165, 180, 255},
                                  .fog = &kFog};
-inline constexpr BuiltIn fog{.name = "fog",
-                             .description = "boxes on a floor that fade with their distance",
-                             .scene = kFogScene,
-                             .counts = count(kFogScene),
-                             .camera = turntable_camera(3.2, 10, 1.7),
-                             .focal_across = fixed(1.7)};
+inline constexpr BuiltIn fog =
+    effect_scene("fog", "boxes on a floor that fade with their distance", kFogScene, count(kFogScene), 3.2, 10, 1.7);
 
 inline constexpr Finish kGlowingFinish[] = {{.emissive = {200, 90, 20, 255}}};
 inline constexpr Material kGlowingMaterials[] = {
@@ -46,17 +53,14 @@ inline constexpr Instance kPairInstances[] = {
 
 /// Two knots side by side, the one on the right with the effect.
 consteval BuiltIn pair_of_knots(const char* name, const char* description, const Scene& scene) {
-  return {.name = name,
-          .description = description,
-          .scene = scene,
-          .counts = {.instances = 2,
-                     .triangles = 2 * kKnotTriangleCount,
-                     .vertices = 2 * kKnotVertices,
-                     .largest_meshlet = kKnotVertices,
-                     .meshlets = 2,
-                     .longest_meshlet = kKnotTriangleCount},
-          .camera = turntable_camera(4.0, 20, 2.0),
-          .focal_across = fixed(2.0)};
+  return effect_scene(name, description, scene,
+                      {.instances = 2,
+                       .triangles = 2 * kKnotTriangleCount,
+                       .vertices = 2 * kKnotVertices,
+                       .largest_meshlet = kKnotVertices,
+                       .meshlets = 2,
+                       .longest_meshlet = kKnotTriangleCount},
+                      4.0, 20, 2.0);
 }
 
 inline constexpr Scene kEmissiveScene{.meshes = kKnotLitMesh,
@@ -123,12 +127,8 @@ inline constexpr Scene kMaskScene{.meshes = kRoomMeshes,
                                   .lights = {},
                                   .background = {40, 50, 60, 255},
                                   .finishes = kMaskFinish};
-inline constexpr BuiltIn mask{.name = "mask",
-                              .description = "a box in a lattice with holes",
-                              .scene = kMaskScene,
-                              .counts = count(kMaskScene),
-                              .camera = turntable_camera(4.0, 20, 2.2),
-                              .focal_across = fixed(2.2)};
+inline constexpr BuiltIn mask =
+    effect_scene("mask", "a box in a lattice with holes", kMaskScene, count(kMaskScene), 4.0, 20, 2.2);
 
 inline constexpr Finish kGlassFinish[] = {{.alpha_mode = AlphaMode::blend}};
 inline constexpr Material kGlassMaterials[] = {
@@ -148,12 +148,8 @@ inline constexpr Scene kBlendScene{.meshes = kRoomMeshes,
                                    .ambient = {70, 70, 70, 255},
                                    .background = {235, 235, 235, 255},
                                    .finishes = kGlassFinish};
-inline constexpr BuiltIn blend{.name = "blend",
-                               .description = "three panes of glass and a box between them",
-                               .scene = kBlendScene,
-                               .counts = count(kBlendScene),
-                               .camera = turntable_camera(4.0, 20, 2.6),
-                               .focal_across = fixed(2.6)};
+inline constexpr BuiltIn blend =
+    effect_scene("blend", "three panes of glass and a box between them", kBlendScene, count(kBlendScene), 4.0, 20, 2.6);
 
 inline constexpr Finish kSmoothTexels[] = {{.filter = TextureFilter::bilinear}};
 inline constexpr Texture kCoarseTextures[] = {{kRoomTexels, kRoomTextureLog2, kRoomTextureLog2}};
@@ -167,12 +163,9 @@ inline constexpr Scene kBilinearScene{.meshes = kRoomMeshes,
                                       .instances = kBilinearInstances,
                                       .lights = {},
                                       .finishes = kSmoothTexels};
-inline constexpr BuiltIn bilinear{.name = "bilinear",
-                                  .description = "two boxes with coarse texels, those of the right one filtered",
-                                  .scene = kBilinearScene,
-                                  .counts = count(kBilinearScene),
-                                  .camera = turntable_camera(4.0, 20, 2.0),
-                                  .focal_across = fixed(2.0)};
+inline constexpr BuiltIn bilinear =
+    effect_scene("bilinear", "two boxes with coarse texels, those of the right one filtered", kBilinearScene,
+                 count(kBilinearScene), 4.0, 20, 2.0);
 
 /// All of this page, in its order.
 std::span<const BuiltIn> effect_scenes();

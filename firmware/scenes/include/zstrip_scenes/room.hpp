@@ -23,13 +23,7 @@ inline constexpr Mesh kRoomMeshes[] = {{.positions = kRoomPositions,
                                         .triangles = kRoomTriangles,
                                         .meshlets = {},
                                         .half_extent = {fixed(2.0), fixed(1.25), fixed(2.0)}},
-                                       {.positions = kCubePositions,
-                                        .normals = kCubeNormals,
-                                        .colours = {},
-                                        .texcoords = kCubeTexcoords,
-                                        .triangles = kCubeTriangles,
-                                        .meshlets = {},
-                                        .half_extent = kCubeHalfExtent}};
+                                       kLitCube};
 inline constexpr Texture kRoomTextures[] = {{kRoomTexels, kRoomTextureLog2, kRoomTextureLog2},
                                             {kCubeTexels, kCubeTextureLog2, kCubeTextureLog2}};
 inline constexpr Material kRoomMaterials[] = {{.texture = 0, .lit = true, .smooth = false},

@@ -12,13 +12,7 @@ inline constexpr std::uint8_t kGlobeTextureLog2[2] = {5, 4};
 
 extern const std::array<std::uint16_t, 1U << (kGlobeTextureLog2[0] + kGlobeTextureLog2[1])> kGlobeTexels;
 
-inline constexpr Mesh kSpheresMeshes[] = {{.positions = kCubePositions,
-                                           .normals = kCubeNormals,
-                                           .colours = {},
-                                           .texcoords = kCubeTexcoords,
-                                           .triangles = kCubeTriangles,
-                                           .meshlets = {},
-                                           .half_extent = kCubeHalfExtent}};
+inline constexpr Mesh kSpheresMeshes[] = {kLitCube};
 inline constexpr Texture kSpheresTextures[] = {{kGlobeTexels, kGlobeTextureLog2[0], kGlobeTextureLog2[1]}};
 inline constexpr Material kSpheresMaterials[] = {{.colour = {96, 104, 112, 255}, .lit = false, .smooth = false},
                                                  {.colour = {240, 200, 90, 255}, .smooth = false},

@@ -1,0 +1,142 @@
+// The materials of a composed scene, with their textures and finishes: each once for each override.
+#include "compose/composed_materials.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "image/decode.hpp"
+#include "image/resample.hpp"
+#include "import/quantise.hpp"
+#include "import/read_file.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+Material replaced(Material material, const FileMaterial& by) {
+  material.colour = by.colour.value_or(material.colour);
+  material.colour.a = by.alpha.value_or(material.colour.a);
+  material.lit = by.lit.value_or(material.lit);
+  material.smooth = by.smooth.value_or(material.smooth);
+  material.double_sided = by.double_sided.value_or(material.double_sided);
+  material.depth_test = by.depth_test.value_or(material.depth_test);
+  material.depth_write = by.depth_write.value_or(material.depth_write);
+  material.depth_bias = by.depth_bias.value_or(material.depth_bias);
+  return material;
+}
+
+}  // namespace
+
+Result<std::uint16_t> ComposedMaterials::index_of(const PlacedPart& placed) {
+  const FileMaterial* const other = override_of(placed);
+  if (other != nullptr && other->texture && placed.part->mesh.texcoords.empty()) {
+    return at_line(file_.path, other->texture_line,
+                   fmt::format("material '{}' has a texture, but the model '{}' has no texture coordinates for it",
+                               other->name, placed.file->model));
+  }
+  const auto key = std::tuple(placed.model_index, placed.part->material, other);
+  const auto [at, is_new] = materials_.try_emplace(key, static_cast<std::uint16_t>(scene_.materials.size()));
+  if (!is_new) return at->second;
+  Material material = placed.model->materials[placed.part->material];
+  std::string name = placed.model->material_names[placed.part->material];
+  std::string origin = fmt::format("model '{}'", placed.file->model);
+  const Finish finish =
+      material.finish < placed.model->finishes.size() ? placed.model->finishes[material.finish] : Finish{};
+  if (material.finish != kNoFinish && other == nullptr && !set_finish(material, finish, FileMaterial{})) {
+    return too_many_finishes(placed.file->line);
+  }
+  if (other != nullptr && other->texture) {
+    const Result<std::uint16_t> texture = own_texture(*other);
+    if (!texture) return texture.failure();
+    material.texture = *texture;
+  } else if (material.texture != kNoTexture) {
+    material.texture = model_texture(placed, material.texture);
+  }
+  if (other != nullptr) {
+    material = replaced(material, *other);
+    if (!set_finish(material, finish, *other)) return too_many_finishes(other->line);
+    name = other->name;
+    origin = origin_of(file_.path, other->line);
+  }
+  scene_.materials.push_back(material);
+  scene_.material_names.push_back(name);
+  scene_.material_origins.push_back(origin);
+  return at->second;
+}
+
+Result<std::uint16_t> ComposedMaterials::index_of(const FileMaterial& own) {
+  constexpr auto kNoModel = static_cast<std::size_t>(-1);
+  const auto key = std::tuple(kNoModel, std::uint16_t{0}, &own);
+  const auto [at, is_new] = materials_.try_emplace(key, static_cast<std::uint16_t>(scene_.materials.size()));
+  if (!is_new) return at->second;
+  Material material = replaced({}, own);
+  if (own.texture) {
+    const Result<std::uint16_t> texture = own_texture(own);
+    if (!texture) return texture.failure();
+    material.texture = *texture;
+  }
+  scene_.materials.push_back(material);
+  scene_.material_names.push_back(own.name);
+  scene_.material_origins.push_back(origin_of(file_.path, own.line));
+  return at->second;
+}
+
+const FileMaterial* ComposedMaterials::override_of(const PlacedPart& placed) const {
+  std::string name = placed.file->material;
+  const std::string& own = placed.model->material_names[placed.part->material];
+  for (const auto& [replaced, by] : placed.file->materials) {
+    if (replaced == own) name = by;
+  }
+  const auto at = std::ranges::find(file_.materials, name, &FileMaterial::name);
+  return name.empty() ? nullptr : &*at;
+}
+
+Result<std::uint16_t> ComposedMaterials::own_texture(const FileMaterial& material) {
+  const std::filesystem::path path = file_.beside(*material.texture);
+  const auto [at, is_new] = own_textures_.try_emplace(path, static_cast<std::uint16_t>(scene_.textures.size()));
+  if (!is_new) return at->second;
+  const auto wrong = [&](const std::string& what) {
+    return at_line(file_.path, material.texture_line, fmt::format("texture '{}' {}", path.string(), what));
+  };
+  const Result<std::vector<std::uint8_t>> bytes = read_file(path);
+  if (!bytes) return wrong(bytes.failure().message);
+  Result<RgbImage> image = decode_image(*bytes);
+  if (!image) return wrong(image.failure().message);
+  const RgbImage fitted = resample_to_power_of_two(std::move(*image));
+  scene_.texels.push_back(to_rgb565(fitted));
+  scene_.textures.push_back({.texels = scene_.texels.back(),
+                             .log2_width = static_cast<std::uint8_t>(log2_of(fitted.width)),
+                             .log2_height = static_cast<std::uint8_t>(log2_of(fitted.height))});
+  return at->second;
+}
+
+std::uint16_t ComposedMaterials::model_texture(const PlacedPart& placed, std::uint16_t texture) {
+  const auto key = std::pair(placed.model_index, texture);
+  const auto [at, is_new] = model_textures_.try_emplace(key, static_cast<std::uint16_t>(scene_.textures.size()));
+  if (is_new) scene_.textures.push_back(placed.model->textures[texture]);
+  return at->second;
+}
+
+/// Gives the material what few have, if it has any of it: its model's own, with what `by` replaces. False if the table
+/// is full.
+bool ComposedMaterials::set_finish(Material& material, const Finish& own, const FileMaterial& by) {
+  const bool has_own = material.finish != kNoFinish;
+  if (!has_own && !by.has_finish()) return true;
+  if (scene_.finishes.size() >= kNoFinish) return false;
+  material.finish = static_cast<std::uint8_t>(scene_.finishes.size());
+  scene_.finishes.push_back({.emissive = by.emissive.value_or(own.emissive),
+                             .specular = by.specular.value_or(own.specular),
+                             .shininess = by.shininess.value_or(own.shininess),
+                             .alpha_mode = by.alpha_mode.value_or(own.alpha_mode),
+                             .alpha_cutoff = by.alpha_cutoff.value_or(own.alpha_cutoff),
+                             .filter = by.filter.value_or(own.filter)});
+  return true;
+}
+
+Failure ComposedMaterials::too_many_finishes(int line) const {
+  return at_line(file_.path, line, "the scene has more than 255 finishes of materials");
+}
+
+}  // namespace zstrip::sim

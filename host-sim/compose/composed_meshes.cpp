@@ -1,0 +1,71 @@
+// The meshes of a composed scene: each once for each size that it is wanted in.
+#include "compose/composed_meshes.hpp"
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "import/meshlets.hpp"
+#include "import/quantise.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+/// Normals of a surface that is scaled: by the inverse, and as long as before.
+std::vector<Normal> scaled_normals(std::span<const Normal> normals, const Vector& scale) {
+  std::vector<Normal> result;
+  for (const Normal& n : normals) {
+    const Vector v{n.x / scale[0], n.y / scale[1], n.z / scale[2]};
+    const double length = std::hypot(v[0], v[1], v[2]);
+    const auto component = [&](std::size_t axis) {
+      return static_cast<std::int8_t>(length > 0 ? std::lround(127 * v[axis] / length) : 0);  // 1.7
+    };
+    result.push_back({component(0), component(1), component(2), 0});
+  }
+  return result;
+}
+
+}  // namespace
+
+Vector ComposedMeshes::scale_of(const PlacedPart& placed) {
+  const Affine& to_file = placed.part->to_file;
+  Vector scale = placed.file->placement.scale;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double own = is_diagonal(to_file) ? std::abs(to_file.m[axis][axis]) : 1;
+    scale[axis] *= scene_.units.scale * own;
+  }
+  // A mesh that is there already and has nearly this size will do.
+  const auto known = first_scales_.try_emplace({placed.model_index, placed.part_index}, scale).first->second;
+  const double ratio = scale[0] / known[0];
+  const bool similar = placed.scaled_evenly() && ratio > 1.0 / 16 && ratio < 16 &&
+                       std::abs(scale[1] / known[1] - ratio) < 1e-9 * ratio &&
+                       std::abs(scale[2] / known[2] - ratio) < 1e-9 * ratio;
+  return similar ? known : scale;
+}
+
+std::uint16_t ComposedMeshes::index_of(const PlacedPart& placed, const Vector& scale) {
+  const auto key = std::tuple(placed.model_index, placed.part_index, scale);
+  const auto [at, is_new] = known_.try_emplace(key, static_cast<std::uint16_t>(scene_.meshes.size()));
+  if (!is_new) return at->second;
+  Mesh mesh = placed.part->mesh;
+  std::size_t axis = 0;
+  for (Fixed Vec3::*const member : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+    mesh.centre.*member = to_fixed(from_fixed(mesh.centre.*member) * scale[axis]);
+    mesh.half_extent.*member = to_fixed(from_fixed(mesh.half_extent.*member) * scale[axis]);
+    ++axis;
+  }
+  if (!placed.scaled_evenly()) {
+    MeshData& own = scene_.scaled.emplace_back();
+    own.normals = scaled_normals(mesh.normals, placed.file->placement.scale);
+    own.meshlets.assign(mesh.meshlets.begin(), mesh.meshlets.end());
+    for (Meshlet& meshlet : own.meshlets) {
+      set_bounds(meshlet, mesh.positions.subspan(meshlet.first_vertex, meshlet.vertex_count), mesh.half_extent);
+    }
+    mesh.normals = own.normals;
+    mesh.meshlets = own.meshlets;
+  }
+  scene_.meshes.push_back(mesh);
+  return at->second;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,95 @@
+// What a scene file places: [[model]], [[instance]] with its keyframes, [[ellipsoid]].
+#include <fmt/format.h>
+
+#include "compose/scene_tables.hpp"
+#include "compose/table_values.hpp"
+#include "motion/fitted_animation.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::pair<std::string_view, UpAxis> kAxes[] = {{"x", UpAxis::plus_x}, {"-x", UpAxis::minus_x},
+                                                         {"y", UpAxis::plus_y}, {"-y", UpAxis::minus_y},
+                                                         {"z", UpAxis::plus_z}, {"-z", UpAxis::minus_z}};
+constexpr std::pair<std::string_view, bool> kLayers[] = {{"static", true}, {"moving", false}};
+constexpr std::pair<std::string_view, Interpolation> kInterpolations[] = {{"linear", Interpolation::linear},
+                                                                          {"step", Interpolation::step}};
+
+template <typename Value>
+void add_key(Curve<Value>& curve, double time, const std::optional<Value>& value) {
+  if (!value) return;
+  curve.times.push_back(time);
+  curve.values.push_back(*value);
+}
+
+void read_keyframes(TomlTable& table, FileInstance& instance) {
+  const Interpolation interpolation = table.choice("interpolation", kInterpolations).value_or(Interpolation::linear);
+  double last = -1;
+  for (TomlTable& keyframe : table.tables("keyframe", "[[instance.keyframe]]")) {
+    if (!keyframe.has("time")) keyframe.wrong("time", "'time' is missing");
+    const double time = keyframe.number("time", {0, kLongestAnimation}).value_or(last + 1);
+    if (time <= last) keyframe.wrong("time", "'time' must be greater than in the keyframe before");
+    last = time;
+    add_key(instance.translation, time, keyframe.vector("translation", kLength));
+    add_key(instance.rotation, time, read_rotation(keyframe));
+    add_key(instance.scale, time, keyframe.number_or_vector("scale", kPositive));
+    keyframe.finish();
+  }
+  instance.translation.interpolation = interpolation;
+  instance.rotation.interpolation = interpolation;
+  instance.scale.interpolation = interpolation;
+}
+
+}  // namespace
+
+FileModel read_model_table(TomlTable& table) {
+  FileModel model;
+  model.line = table.line();
+  model.name = table.needed_text("name", "'name' is missing; instances refer to it");
+  model.file = table.text("file").value_or("");
+  model.built_in = table.text("built_in").value_or("");
+  if (table.has("file") == table.has("built_in")) table.wrong("file", "give either 'file' or 'built_in'");
+  model.up = table.choice("up", kAxes).value_or(UpAxis::plus_y);
+  model.animation = table.text("animation");
+  for (const char* key : {"up", "animation"}) {
+    if (table.has("built_in") && table.has(key)) table.wrong(key, fmt::format("'{}' goes with 'file'", key));
+  }
+  table.finish();
+  return model;
+}
+
+FileInstance read_instance(TomlTable& table) {
+  FileInstance instance;
+  instance.line = table.line();
+  instance.name = table.text("name").value_or("");
+  instance.model = table.needed_text("model", "'model' is missing");
+  instance.material = table.text("material").value_or("");
+  instance.materials = table.texts("materials");
+  instance.placement = read_placement(table, "scale");
+  instance.is_static = table.choice("layer", kLayers).value_or(false);
+  if (auto turntable = table.table("turntable", "[instance.turntable]")) {
+    instance.turntable.emplace();
+    instance.turntable->line = table.line_of("turntable");
+    instance.turntable->axis = turntable->vector("axis", kLength).value_or(Vector{0, 1, 0});
+    check_direction(*turntable, "axis", instance.turntable->axis);
+    instance.turntable->turns = turntable->number("turns", {-1000, 1000}).value_or(1);
+    turntable->finish();
+  }
+  read_keyframes(table, instance);
+  if (instance.is_static && instance.moves()) {
+    table.wrong("layer", "what lies in the static layer cannot have keyframes or a turntable");
+  }
+  table.finish();
+  return instance;
+}
+
+FileEllipsoid read_ellipsoid(TomlTable& table) {
+  FileEllipsoid ellipsoid;
+  ellipsoid.line = table.line();
+  ellipsoid.material = table.needed_text("material", "'material' is missing");
+  ellipsoid.placement = read_placement(table, "radius");
+  table.finish();
+  return ellipsoid;
+}
+
+}  // namespace zstrip::sim

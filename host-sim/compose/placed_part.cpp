@@ -1,0 +1,37 @@
+// One part of a model where an instance of the scene file places it: what becomes an instance of the composed scene.
+#include "compose/placed_part.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+/// Where the scene file puts an instance at a time.
+Affine placement_at(const FileInstance& instance, double seconds, double duration) {
+  Placement placement = instance.placement;
+  if (!instance.translation.times.empty()) placement.translation = sample(instance.translation, seconds);
+  if (!instance.rotation.times.empty()) placement.rotation = sample(instance.rotation, seconds);
+  if (!instance.scale.times.empty()) placement.scale = sample(instance.scale, seconds);
+  const Affine turned = rotation(placement.rotation) * scaling(placement.scale);
+  if (!instance.turntable) return translation(placement.translation) * turned;
+  const double degrees = 360 * instance.turntable->turns * seconds / duration;
+  return translation(placement.translation) * rotation(about_axis(instance.turntable->axis, degrees)) * turned;
+}
+
+}  // namespace
+
+Affine PlacedPart::at(double seconds, double duration) const {
+  return placement_at(*file, seconds, duration) * model->placed(*part, seconds);
+}
+
+Result<Done> check_placed(const PlacedPart& placed, const std::filesystem::path& scene) {
+  const auto wrong = [&](const char* what) { return at_line(scene, placed.file->line, what); };
+  const bool animated = placed.model->moves(*placed.part);
+  if (placed.file->is_static && animated) {
+    return wrong("what lies in the static layer cannot have an animation; its model has one");
+  }
+  if (placed.scaled_evenly()) return Done{};
+  if (animated) return wrong("a model that has an animation can only be scaled evenly");
+  if (!is_diagonal(placed.part->to_file)) return wrong("this built-in scene can only be scaled evenly");
+  return Done{};
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,85 @@
+// [picture] and [camera] of a scene file.
+#include <fmt/format.h>
+
+#include "compose/scene_tables.hpp"
+#include "compose/table_values.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::pair<std::string_view, PixelFormat> kFormats[] = {
+    {"rgb565", PixelFormat::rgb565},    {"rgb565_swapped", PixelFormat::rgb565_swapped},
+    {"gray4", PixelFormat::gray4},      {"mono", PixelFormat::mono},
+    {"rgb666", PixelFormat::rgb666},    {"rgb444", PixelFormat::rgb444},
+    {"xrgb8888", PixelFormat::xrgb8888}};
+constexpr std::pair<std::string_view, DepthFormat> kDepthFormats[] = {{"z16", DepthFormat::z16},
+                                                                      {"float", DepthFormat::float16},
+                                                                      {"w16", DepthFormat::w16},
+                                                                      {"z24", DepthFormat::z24},
+                                                                      {"z32", DepthFormat::z32}};
+constexpr std::pair<std::string_view, bool> kProjections[] = {{"perspective", false}, {"orthographic", true}};
+
+}  // namespace
+
+PictureSettings read_picture(TomlTable& table) {
+  PictureSettings picture;
+  if (const auto size = table.numbers("size", 2, {1, kMaxViewSize})) {
+    picture.size = {static_cast<std::uint16_t>((*size)[0]), static_cast<std::uint16_t>((*size)[1])};
+    if ((*size)[0] != picture.size->first || (*size)[1] != picture.size->second) {
+      table.wrong("size", "'size' must be whole numbers");
+    }
+  }
+  picture.format = table.choice("format", kFormats);
+  picture.depth_format = table.choice("depth_format", kDepthFormats);
+  const auto pixels = [&table](const char* key) -> std::optional<std::uint16_t> {
+    const auto value = table.integer(key, 1, kMaxViewSize);
+    return value ? std::optional(static_cast<std::uint16_t>(*value)) : std::nullopt;
+  };
+  picture.strip_rows = pixels("strip_rows");
+  picture.strip_columns = pixels("strip_columns");
+  if (const auto ram = table.integer("ram", 1, 0xFFFFFFFF)) picture.ram = static_cast<std::uint32_t>(*ram);
+  if (const auto frames = table.integer("frames", 1, 10000)) picture.frames = static_cast<std::uint32_t>(*frames);
+  table.finish();
+  return picture;
+}
+
+FileCamera read_camera(TomlTable& table) {
+  FileCamera camera;
+  camera.line = table.line();
+  camera.eye = table.vector("eye", kLength);
+  camera.radius = table.number("r", kPositive);
+  if (camera.eye.has_value() == camera.radius.has_value()) {
+    table.wrong("eye", "give either 'eye' (a point) or 'r', 'phi' and 'theta' (a sphere around 'look_at')");
+  }
+  camera.phi = table.number("phi", kDegrees).value_or(camera.phi);
+  camera.theta = table.number("theta", kDegrees).value_or(camera.theta);
+  camera.look_at = table.vector("look_at", kLength).value_or(camera.look_at);
+  camera.up = table.vector("up", kLength).value_or(camera.up);
+  if (camera.eye) {
+    for (const char* key : {"phi", "theta"}) {
+      if (table.has(key)) table.wrong(key, fmt::format("'{}' goes with 'r', not with 'eye'", key));
+    }
+    Vector towards{};
+    for (std::size_t i = 0; i < 3; ++i) towards[i] = camera.look_at[i] - (*camera.eye)[i];
+    if (towards == Vector{}) table.wrong("eye", "'eye' and 'look_at' must be different points");
+  } else if (table.has("up")) {
+    table.wrong("up", "'up' goes with 'eye': a spherical camera's comes from 'phi'");
+  }
+  check_direction(table, "up", camera.up);
+  camera.orthographic = table.choice("projection", kProjections).value_or(false);
+  camera.projection_line = table.line_of("projection");
+  camera.field_of_view = table.number("field_of_view", {1, 170});
+  camera.half_height = table.number("half_height", kPositive);
+  if (camera.half_height && !camera.orthographic) {
+    table.wrong("half_height", "'half_height' goes with projection = \"orthographic\"");
+  }
+  camera.near_plane = table.number("near", kPositive);
+  camera.far_plane = table.number("far", kPositive);
+  if (camera.near_plane && camera.far_plane && *camera.near_plane >= *camera.far_plane) {
+    table.wrong("near", "'near' must be less than 'far'");
+  }
+  table.finish();
+  return camera;
+}
+
+}  // namespace zstrip::sim
