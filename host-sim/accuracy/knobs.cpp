@@ -183,11 +183,13 @@ std::uint32_t detail_percent(const Settings& settings) {
   return kPercent[settings[Knob::detail]];
 }
 
-std::vector<Knob> knobs_for(Effects effects, bool may_simplify) {
+std::vector<Knob> knobs_for(Effects effects, bool may_simplify, bool textured_triangles) {
   std::vector<Knob> found;
   for (const KnobInfo& knob : knobs()) {
     if (knob.knob == Knob::shading && !effects.has(effect::gouraud)) continue;
-    if (knob.knob == Knob::perspective && (!effects.has(effect::textures) || effects.has(effect::orthographic)))
+    // Fragments with effects of their own have their places at every 16th pixel, whatever is asked for.
+    if (knob.knob == Knob::perspective &&
+        (!textured_triangles || effects.has(effect::orthographic) || effects.any(effect::fragments)))
       continue;
     if (knob.knob == Knob::detail && !may_simplify) continue;
     found.push_back(knob.knob);

@@ -20,7 +20,7 @@ Errors errors(const AccuracyScene& scene, const char* settings) { return *scene.
 
 // Scenes of which nothing is clipped: corners that clipping makes are snapped again, each side in its own way.
 TEST(Figures, DepthIsWithinACodeOfThePlanesThroughSnappedCorners) {
-  for (const char* name : {"knot", "teapot", "cube"}) {
+  for (const char* name : {"knot", "teapot", "cube", "spheres", "wires"}) {
     const auto opened = scene(name);
     for (const char* format : {"z16", "float", "w16"}) {
       const std::string settings = std::string("depth=") + format;
@@ -30,9 +30,22 @@ TEST(Figures, DepthIsWithinACodeOfThePlanesThroughSnappedCorners) {
 }
 
 TEST(Figures, SurfacesAreTheTruthsButAtSomeEdges) {
-  for (const char* name : {"knot", "teapot", "cube", "room"}) {
+  for (const char* name : {"knot", "teapot", "cube", "room", "terrain"}) {
     EXPECT_LT(errors(*scene(name), "default")[Figure::wrong_pixels], 1.0) << name;
   }
+}
+
+// Nothing of a sphere is snapped: every pixel is right, and so is its place in the texture.
+TEST(Figures, SpheresAreTheTruths) {
+  const Errors spheres = errors(*scene("spheres"), "default");
+  EXPECT_EQ(spheres[Figure::wrong_surface], 0);
+  EXPECT_LT(spheres[Figure::texture], 0.01);
+  EXPECT_LT(spheres[Figure::colour_mean], 3);
+}
+
+TEST(Figures, DepthFormatsDifferWhereNearAndFarAreFarApart) {
+  const auto terrain = scene("terrain");
+  EXPECT_GT(errors(*terrain, "default")[Figure::depth_view], 3 * errors(*terrain, "depth=w16")[Figure::depth_view]);
 }
 
 TEST(Figures, CoarserDepthShowsMoreWrongSurfaces) {
