@@ -150,7 +150,7 @@ Result<Done> run(const Arguments& arguments) {
     if (!campaign) return campaign.failure();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     if (!arguments.quiet) write_text(stdout, summary(*campaign, took.count()));
-    if (const Result<Done> written = write(folder / file_name(request), plot_svg(*campaign)); !written)
+    if (const Result<Done> written = write(folder / file_name(request), plot_file_svg(*campaign)); !written)
       return written.failure();
     Result<PageScene> page = with_pictures(**scene, *campaign, arguments.jobs);
     if (!page) return page.failure();

@@ -14,8 +14,8 @@
 
 namespace zstrip::sim {
 
-enum class Knob : std::uint8_t { depth, fit, shading, perspective, detail, format, strips };
-inline constexpr std::size_t kKnobs = 7;
+enum class Knob : std::uint8_t { depth, fit, shading, perspective, filter, detail, format, strips };
+inline constexpr std::size_t kKnobs = 8;
 
 struct KnobValue {
   std::string_view name;

@@ -257,14 +257,16 @@ Result<Observation> observe(const Staging& staged, const View& view, const Setti
   const Result<Drawn> picture = draw(staged, coloured, effects, whole, false);
   if (!picture) return picture.failure();
   const LabelledScene labelled(staged.scene);
-  Result<Drawn> labels =
-      draw({labelled.scene, staged.camera}, words, without(effects, effect::perspective_runs), whole, true);
+  Result<Drawn> labels = draw({labelled.scene, staged.camera}, words,
+                              without(effects, effect::perspective_runs | effect::bilinear), whole, true);
   if (!labels) return labels.failure();
   Observation seen;
   seen.rgb = to_rgb(coloured, picture->pixels);
   seen.code = std::move(labels->code);
   for (std::size_t i = 0; i < seen.code.size(); ++i) seen.label.push_back(word_at(labels->pixels, i));
-  if (!effects_of(staged.scene, staged.camera).has(effect::textures)) return seen;
+  // Of bilinear texels there is no single one.
+  const Effects called_for = effects_of(staged.scene, staged.camera);
+  if (!called_for.has(effect::textures) || called_for.has(effect::bilinear)) return seen;
 
   const PlaceScene places(staged.scene);
   const Result<Drawn> texels = draw({places.scene, staged.camera}, words, effects, whole, false);

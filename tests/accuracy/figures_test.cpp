@@ -66,6 +66,14 @@ TEST(Figures, PerspectiveAtMorePixelsIsCloserToThePlaceInTheTexture) {
   EXPECT_GT(eight, one);
 }
 
+TEST(Figures, BilinearTexelsChangeColoursAlone) {
+  const auto opened = scene("room");
+  const Errors nearest = errors(*opened, "default"), bilinear = errors(*opened, "filter=bilinear");
+  EXPECT_EQ(bilinear[Figure::wrong_pixels], nearest[Figure::wrong_pixels]);
+  EXPECT_TRUE(std::isnan(bilinear[Figure::texture]));
+  EXPECT_NE(bilinear[Figure::colour_mean], nearest[Figure::colour_mean]);
+}
+
 TEST(Figures, StripsChangeNoPixel) {
   const auto opened = scene("knot_meshlets");
   const Errors standard = errors(*opened, "default");
@@ -107,7 +115,7 @@ TEST(Figures, EqualPicturesLookTheSame) {
 
 TEST(Campaign, CombinationsTurnSeveralKnobsAndCanAllBeDrawn) {
   const auto opened = scene("room");
-  CampaignOptions options{.knobs = *parse_knobs("depth,perspective,strips"), .only = {}, .jobs = 2};
+  CampaignOptions options{.knobs = *parse_knobs("depth,perspective,filter,strips"), .only = {}, .jobs = 2};
   const std::vector<Settings> all = all_settings(*opened, options.knobs);
   for (const Settings& settings : all) {
     EXPECT_TRUE(opened->errors(settings)) << to_text(settings);
