@@ -69,8 +69,12 @@ double error_of(const AccuracyPoint& point) { return point.errors[Figure::percei
 /// The scene without folder and suffix.
 std::string title_of(const Campaign& campaign) { return std::filesystem::path(campaign.request.scene).stem().string(); }
 
-/// "flat", "strips 4".
+/// "flat", "strips 4"; what turns several knobs has a name if it is a preset.
 std::string short_name(const AccuracyPoint& point) {
+  for (const NamedSettings& named : named_settings()) {
+    if (named.settings == point.settings && group_of(point) == "several") return std::string(named.name);
+  }
+  if (group_of(point) == "several") return "";
   for (const KnobInfo& knob : knobs()) {
     if (point.settings[knob.knob] == 0) continue;
     const std::string_view value = point.settings.name_of(knob.knob);
@@ -122,7 +126,7 @@ std::string names(const Campaign& campaign, const Axis& x, const Axis& y) {
     if (point.settings == Settings{}) add(point, "700");
   }
   for (const AccuracyPoint& point : campaign.points) {
-    if (point.settings != Settings{} && group_of(point) != "several") add(point, "400");
+    if (point.settings != Settings{} && !short_name(point).empty()) add(point, "400");
   }
   return svg;
 }

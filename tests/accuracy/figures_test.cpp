@@ -1,6 +1,7 @@
 // The renderer against the truth: what the figures must say where it is known beforehand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -121,6 +122,20 @@ TEST(Campaign, CombinationsTurnSeveralKnobsAndCanAllBeDrawn) {
     EXPECT_TRUE(opened->errors(settings)) << to_text(settings);
   }
   EXPECT_GT(all.size(), 40U);
+}
+
+TEST(Campaign, PresetsAreMeasuredAsFarAsTheyChangeAnything) {
+  const auto has = [](const std::vector<Settings>& list, const char* text) {
+    return std::find(list.begin(), list.end(), *parse_settings(text)) != list.end();
+  };
+  CampaignOptions options{.knobs = *parse_knobs("strips"), .only = {}, .presets = true};
+  const std::vector<Settings> teapot = first_settings(*scene("teapot"), options);
+  EXPECT_EQ(teapot.size(), 7U);  // six strips and tiny; balanced and exact are the default
+  EXPECT_TRUE(has(teapot, "tiny"));
+  const std::vector<Settings> cube = first_settings(*scene("cube"), options);
+  EXPECT_EQ(cube.size(), 7U);  // tiny changes its strips alone, which are there already
+  EXPECT_TRUE(has(cube, "exact"));
+  EXPECT_FALSE(has(cube, "tiny"));
 }
 
 }  // namespace
