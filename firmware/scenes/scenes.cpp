@@ -10,14 +10,16 @@
 #include "zstrip_scenes/spheres.hpp"
 #include "zstrip_scenes/teapot.hpp"
 #include "zstrip_scenes/teapot_meshlets.hpp"
+#include "zstrip_scenes/terrain.hpp"
 #include "zstrip_scenes/triangle.hpp"
+#include "zstrip_scenes/wires.hpp"
 
 namespace zstrip::scenes {
 namespace {
 
 constexpr BuiltIn kBuiltIn[] = {
-    triangle, cube,      room,     spheres,       random50,      teapot,    teapot_meshlets,
-    knot,     knot_flat, knot_lit, knot_meshlets, knot_textured, random10k, random10k_meshlets};
+    triangle, cube, room,      spheres,  random50,      teapot,        teapot_meshlets, wires,
+    terrain,  knot, knot_flat, knot_lit, knot_meshlets, knot_textured, random10k,       random10k_meshlets};
 
 constexpr bool all_fit_staged() {
   for (const BuiltIn& scene : kBuiltIn) {

@@ -38,6 +38,7 @@ struct Arguments {
   std::uint32_t frames = 2;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
   bool singles = false;
+  bool presets = false;
   bool programs = false;
   bool quiet = false;
   std::string firmware;
@@ -56,7 +57,12 @@ Result<Job> parse(const Arguments& arguments) {
   if (!up) return up.failure();
   const Result<std::vector<Knob>> turned = parse_knobs(arguments.knobs);
   if (!turned) return turned.failure();
-  Job job{{}, {.knobs = *turned, .only = {}, .jobs = arguments.jobs, .product = !arguments.singles}};
+  Job job{{},
+          {.knobs = *turned,
+           .only = {},
+           .jobs = arguments.jobs,
+           .product = !arguments.singles,
+           .presets = arguments.presets}};
   for (const std::string& text : arguments.only) {
     const Result<Settings> settings = parse_settings(text);
     if (!settings) return settings.failure();
@@ -105,13 +111,12 @@ Result<Done> list_programs(const Job& job) {
   for (const AccuracyRequest& request : job.requests) {
     const auto scene = open_small(request);
     if (!scene) return scene.failure();
-    const std::vector<Settings> settings = !job.options.only.empty() ? job.options.only
-                                           : job.options.product     ? all_settings(**scene, job.options.knobs)
-                                                                     : one_at_a_time(**scene, job.options.knobs);
-    names.merge([&] {
-      const std::vector<std::string> found = programs_for(**scene, settings);
-      return std::set<std::string>(found.begin(), found.end());
-    }());
+    std::vector<Settings> settings = first_settings(**scene, job.options);
+    if (job.options.product && job.options.only.empty()) {
+      const std::vector<Settings> all = all_settings(**scene, job.options.knobs);
+      settings.insert(settings.end(), all.begin(), all.end());
+    }
+    for (const std::string& name : programs_for(**scene, settings)) names.insert(name);
   }
   std::string text;
   for (const std::string& name : names) text += name + "\n";
@@ -150,7 +155,7 @@ Result<Done> run(const Arguments& arguments) {
     if (!campaign) return campaign.failure();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     if (!arguments.quiet) write_text(stdout, summary(*campaign, took.count()));
-    if (const Result<Done> written = write(folder / file_name(request), plot_svg(*campaign)); !written)
+    if (const Result<Done> written = write(folder / file_name(request), plot_file_svg(*campaign)); !written)
       return written.failure();
     Result<PageScene> page = with_pictures(**scene, *campaign, arguments.jobs);
     if (!page) return page.failure();
@@ -204,6 +209,7 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
   command->add_option("--only", a.only, "These settings and no others, as KNOB=VALUE,... or a preset's name")
       ->type_name("SETTINGS");
   command->add_flag("--singles", a.singles, "One knob at a time, no combinations");
+  command->add_flag("--presets", a.presets, "The presets tiny, balanced and exact, too");
   command->add_option("--up", a.up, "Axis that points upwards in a model file")->type_name("AXIS");
   command->add_option("--firmware", a.firmware, "Folder of the boards' programs, if not where the build puts them")
       ->type_name("DIR");

@@ -141,6 +141,21 @@ std::vector<Settings> one_at_a_time(const AccuracyScene& scene, const std::vecto
   return wanted;
 }
 
+std::vector<Settings> first_settings(const AccuracyScene& scene, const CampaignOptions& options) {
+  if (!options.only.empty()) return options.only;
+  std::vector<Settings> wanted = one_at_a_time(scene, options.knobs);
+  if (!options.presets) return wanted;
+  const std::vector<Knob> useful = scene.knobs();
+  for (const NamedSettings& named : named_settings()) {
+    Settings settings = named.settings;
+    for (const KnobInfo& knob : knobs()) {
+      if (std::ranges::find(useful, knob.knob) == useful.end()) settings[knob.knob] = 0;
+    }
+    if (std::ranges::find(wanted, settings) == wanted.end()) wanted.push_back(settings);
+  }
+  return wanted;
+}
+
 std::vector<Settings> combinations(const AccuracyScene& scene, const std::vector<Knob>& turned,
                                    const std::vector<AccuracyPoint>& singles, std::size_t limit) {
   std::vector<Settings> grown{Settings{}};
@@ -178,7 +193,7 @@ Result<Campaign> run_campaign(const AccuracyScene& scene, const CampaignOptions&
                               const std::function<void(std::size_t, std::size_t)>& progress) {
   Campaign campaign{.request = scene.request(), .points = {}};
   Measuring measuring(scene, options.jobs, journal, campaign, progress);
-  const std::vector<Settings> singles = options.only.empty() ? one_at_a_time(scene, options.knobs) : options.only;
+  const std::vector<Settings> singles = first_settings(scene, options);
   if (const Result<Done> done = measuring.measure(singles, "one", singles.size()); !done) return done.failure();
   if (options.product && options.only.empty()) {
     const std::vector<Settings> more = combinations(scene, options.knobs, campaign.points, kMostCombinations);

@@ -17,6 +17,7 @@ struct CampaignOptions {
   std::vector<Settings> only;  ///< these settings instead, if there are any
   unsigned jobs = 1;           ///< points measured at once
   bool product = true;         ///< combinations too
+  bool presets = false;        ///< the presets of zstrip/plan/quality.hpp too
 };
 
 struct Campaign {
@@ -38,6 +39,10 @@ std::vector<std::string> programs_for(const AccuracyScene& scene, const std::vec
 
 /// One knob at a time from the default, which comes first.
 std::vector<Settings> one_at_a_time(const AccuracyScene& scene, const std::vector<Knob>& turned);
+
+/// What is measured before combinations: options.only, or one knob at a time and, if asked for, the presets as far as
+/// their knobs change anything of the scene. Each once.
+std::vector<Settings> first_settings(const AccuracyScene& scene, const CampaignOptions& options);
 
 /// All combinations of the values that are on the front of their own knob: a value that costs more time, memory and
 /// accuracy than another of its knob costs them in combinations too. At most `limit`, those with the fewest changes

@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "accuracy/flip.hpp"
+
 namespace zstrip::sim {
 namespace {
 
@@ -25,6 +27,7 @@ constexpr std::array<FigureInfo, kFigures> kInfo{{
     {"psnr", "dB", "of the whole picture, sampled in the middle of pixels", true},
     {"psnr_16x", "dB", "the same against 16 samples a pixel", true},
     {"perceived", "Lab", "mean visible difference to 16 samples a pixel; 1 is just noticeable"},
+    {"flip", "of 1", "mean of LDR-FLIP at 67 pixels a degree, against 16 samples a pixel"},
     {"flicker", "of 255", "brightness that changes otherwise than in truth while the scene turns by half a degree"},
 }};
 
@@ -254,6 +257,7 @@ void ErrorSum::add_colour(const Observation& drawn, const Truth& truth) {
   }
   const std::vector<float> difference = perceived_difference(view_.width, view_.height, picture, truth.mean);
   for (const float d : difference) perceived_ += d;
+  for (const float d : flip(view_.width, view_.height, truth.mean, picture)) flip_ += d;
   looked_at_ += difference.size();
   if (heat_.empty()) heat_ = difference;
 }
@@ -288,6 +292,7 @@ Errors ErrorSum::take() const {
   errors[Figure::psnr] = ratio_in_db(squares_, channels_);
   errors[Figure::psnr_16x] = ratio_in_db(squares_16x_, channels_);
   errors[Figure::perceived] = mean(perceived_, looked_at_);
+  errors[Figure::flip] = mean(flip_, looked_at_);
   errors[Figure::flicker] = mean(flicker_, flicker_pixels_);
   return errors;
 }

@@ -26,9 +26,10 @@ enum class Figure : std::uint8_t {
   psnr,
   psnr_16x,
   perceived,
+  flip,
   flicker
 };
-inline constexpr std::size_t kFigures = 13;
+inline constexpr std::size_t kFigures = 14;
 
 struct FigureInfo {
   std::string_view name;
@@ -76,7 +77,7 @@ class ErrorSum {
   DepthScale depth_;
   bool simplified_;
   std::uint64_t shown_ = 0, wrong_surface_ = 0, silhouette_ = 0, flicker_pixels_ = 0, looked_at_ = 0;
-  double squares_ = 0, squares_16x_ = 0, perceived_ = 0, flicker_ = 0;
+  double squares_ = 0, squares_16x_ = 0, perceived_ = 0, flip_ = 0, flicker_ = 0;
   std::uint64_t channels_ = 0;
   std::vector<float> codes_, distances_, texels_, colours_;
   std::vector<float> heat_;

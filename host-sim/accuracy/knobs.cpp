@@ -36,6 +36,11 @@ const std::vector<KnobInfo>& table() {
         {"affine", "only the triangle's corners"},
         {"8", "every 8th pixel"},
         {"1", "every pixel"}}},
+      {Knob::filter,
+       "filter",
+       "how a texel is chosen",
+       {{"nearest", "the one in which the pixel's centre lies"},
+        {"bilinear", "the four around it, by their distance"}}},
       {Knob::detail,
        "detail",
        "of 100 triangles of a mesh how many stay (meshoptimizer)",
@@ -158,6 +163,7 @@ Effects extra_effects(const Settings& settings) {
   if (perspective == "affine") effects = effects | effect::perspective_affine;
   if (perspective == "8") effects = effects | effect::perspective_8;
   if (perspective == "1") effects = effects | effect::perspective_1;
+  if (settings.name_of(Knob::filter) == "bilinear") effects = effects | effect::bilinear;
   if (settings.name_of(Knob::strips) == "bins16") effects = effects | effect::bins;
   return effects;
 }
@@ -183,12 +189,15 @@ std::uint32_t detail_percent(const Settings& settings) {
   return kPercent[settings[Knob::detail]];
 }
 
-std::vector<Knob> knobs_for(Effects effects, bool may_simplify) {
+std::vector<Knob> knobs_for(Effects effects, bool may_simplify, bool textured_triangles) {
   std::vector<Knob> found;
   for (const KnobInfo& knob : knobs()) {
     if (knob.knob == Knob::shading && !effects.has(effect::gouraud)) continue;
-    if (knob.knob == Knob::perspective && (!effects.has(effect::textures) || effects.has(effect::orthographic)))
+    // Fragments with effects of their own have their places at every 16th pixel, whatever is asked for.
+    if (knob.knob == Knob::perspective &&
+        (!textured_triangles || effects.has(effect::orthographic) || effects.any(effect::fragments)))
       continue;
+    if (knob.knob == Knob::filter && (!textured_triangles || effects.has(effect::bilinear))) continue;
     if (knob.knob == Knob::detail && !may_simplify) continue;
     found.push_back(knob.knob);
   }
@@ -199,6 +208,8 @@ bool possible(const Settings& settings, Effects effects) {
   const Effects extra = extra_effects(settings);
   if (!depth_effects_agree(effects | extra)) return false;
   if (extra.has(effect::bins | effect::depth_ranges)) return false;
+  // Fragments with effects have their places at every 16th pixel.
+  if (extra.has(effect::bilinear) && extra.any(effect::perspective_runs)) return false;
   // Libraries for programs that choose at run time have no pipeline with both.
   return !(extra.any(effect::perspective_runs) && extra.any(effect::depth_formats | effect::depth_ranges));
 }

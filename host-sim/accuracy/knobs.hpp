@@ -14,8 +14,8 @@
 
 namespace zstrip::sim {
 
-enum class Knob : std::uint8_t { depth, fit, shading, perspective, detail, format, strips };
-inline constexpr std::size_t kKnobs = 7;
+enum class Knob : std::uint8_t { depth, fit, shading, perspective, filter, detail, format, strips };
+inline constexpr std::size_t kKnobs = 8;
 
 struct KnobValue {
   std::string_view name;
@@ -59,8 +59,9 @@ Budget budget(const Settings& settings, std::uint16_t height);
 /// Of 100, how many triangles a mesh keeps.
 std::uint32_t detail_percent(const Settings& settings);
 
-/// Which knobs change anything of a scene that calls for `effects`; `may_simplify`: it has a mesh that is worth it.
-std::vector<Knob> knobs_for(Effects effects, bool may_simplify);
+/// Which knobs change anything of a scene that calls for `effects`; `may_simplify`: it has a mesh that is worth it;
+/// `textured_triangles`: textures are not on quadrics alone.
+std::vector<Knob> knobs_for(Effects effects, bool may_simplify, bool textured_triangles);
 /// Whether the renderer can draw so: not every pair of values goes together.
 bool possible(const Settings& settings, Effects effects);
 

@@ -51,7 +51,13 @@ Effects AccuracyScene::effects_with(const Settings& settings) const {
   return called_for | extra_effects(settings);
 }
 
-std::vector<Knob> AccuracyScene::knobs() const { return knobs_for(effects(), may_simplify(staged_[0].scene)); }
+std::vector<Knob> AccuracyScene::knobs() const {
+  const Scene& scene = staged_[0].scene;
+  const bool textured = std::ranges::any_of(scene.instances, [&](const Instance& instance) {
+    return scene.materials[instance.material].texture != kNoTexture && !scene.meshes[instance.mesh].texcoords.empty();
+  });
+  return knobs_for(effects(), may_simplify(scene), textured);
+}
 
 Result<Errors> AccuracyScene::errors(const Settings& settings, AccuracyPictures* pictures) const {
   const SceneVariant variant(staged_[0].scene, settings);

@@ -25,21 +25,26 @@ Colour colour_of(std::uint32_t word) {
           static_cast<std::uint8_t>((word & 31) << 3), 255};
 }
 
-/// The scene with each triangle in the colour of its label: same vertices, same bounds, same depths.
+/// The scene with each triangle and quadric in the colour of its label: same vertices, same bounds, same depths.
 struct LabelledScene {
   std::deque<MeshData> data;
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
   std::vector<Instance> instances;
+  std::vector<Quadric> quadrics;
   Scene scene;
 
   explicit LabelledScene(const Scene& from) : scene(from) {
     std::uint32_t number = 0;
     for (const Instance& instance : from.instances) add(from, instance, number);
+    for (const Quadric& quadric : from.quadrics) add(from, quadric, number);
     scene.meshes = meshes;
     scene.materials = materials;
     scene.instances = instances;
+    scene.quadrics = quadrics;
     scene.textures = {};
+    scene.finishes = {};
+    scene.fog = nullptr;
     scene.background = {0, 0, 0, 255};
   }
 
@@ -47,13 +52,24 @@ struct LabelledScene {
   // Each triangle gets three vertices of its own, so that it has a colour: a mesh may become several.
   static constexpr std::size_t kTriangles = 21845;
 
-  void add(const Scene& from, const Instance& instance, std::uint32_t& number) {
-    const Mesh& mesh = from.meshes[instance.mesh];
-    Material material = from.materials[instance.material];
-    material.colour = {255, 255, 255, 255};
+  /// A material like this one, but shown as it is.
+  std::uint16_t plain(Material material, const Colour& colour) {
+    material.colour = colour;
     material.texture = kNoTexture;
+    material.finish = kNoFinish;
     material.lit = material.smooth = false;
     materials.push_back(material);
+    return static_cast<std::uint16_t>(materials.size() - 1);
+  }
+
+  void add(const Scene& from, Quadric quadric, std::uint32_t& number) {
+    quadric.material = plain(from.materials[quadric.material], colour_of(label_of(number++)));
+    quadrics.push_back(quadric);
+  }
+
+  void add(const Scene& from, const Instance& instance, std::uint32_t& number) {
+    const Mesh& mesh = from.meshes[instance.mesh];
+    const std::uint16_t material = plain(from.materials[instance.material], {255, 255, 255, 255});
     const std::size_t pieces = std::max<std::size_t>(mesh.meshlets.size(), 1);
     MeshData* current = nullptr;
     const auto begin = [&] { current = &data.emplace_back(); };
@@ -67,7 +83,7 @@ struct LabelledScene {
       labelled.meshlets = current->meshlets;
       Instance copy = instance;
       copy.mesh = static_cast<std::uint16_t>(meshes.size());
-      copy.material = static_cast<std::uint16_t>(materials.size() - 1);
+      copy.material = material;
       meshes.push_back(labelled);
       instances.push_back(copy);
     };
@@ -124,7 +140,10 @@ struct PlaceScene {
     }
     for (Material& material : materials) {
       if (material.texture != kNoTexture) material.lit = false;
+      material.finish = kNoFinish;
     }
+    scene.finishes = {};
+    scene.fog = nullptr;
     scene.textures = textures;
     scene.materials = materials;
   }
@@ -150,7 +169,7 @@ std::uint16_t word_at(std::span<const std::byte> pixels, std::size_t pixel) {
   return word;
 }
 
-/// Of each triangle the texture that it shows; null where none.
+/// Of each triangle and quadric the texture that it shows; null where none.
 std::vector<const Texture*> textures_of(const Scene& scene) {
   std::vector<const Texture*> found;
   for (const Instance& instance : scene.instances) {
@@ -158,6 +177,10 @@ std::vector<const Texture*> textures_of(const Scene& scene) {
     const std::uint16_t texture = scene.materials[instance.material].texture;
     const bool textured = texture != kNoTexture && !mesh.texcoords.empty();
     found.insert(found.end(), mesh.triangles.size(), textured ? &scene.textures[texture] : nullptr);
+  }
+  for (const Quadric& quadric : scene.quadrics) {
+    const std::uint16_t texture = scene.materials[quadric.material].texture;
+    found.push_back(texture == kNoTexture ? nullptr : &scene.textures[texture]);
   }
   return found;
 }
@@ -234,14 +257,16 @@ Result<Observation> observe(const Staging& staged, const View& view, const Setti
   const Result<Drawn> picture = draw(staged, coloured, effects, whole, false);
   if (!picture) return picture.failure();
   const LabelledScene labelled(staged.scene);
-  Result<Drawn> labels =
-      draw({labelled.scene, staged.camera}, words, without(effects, effect::perspective_runs), whole, true);
+  Result<Drawn> labels = draw({labelled.scene, staged.camera}, words,
+                              without(effects, effect::perspective_runs | effect::bilinear), whole, true);
   if (!labels) return labels.failure();
   Observation seen;
   seen.rgb = to_rgb(coloured, picture->pixels);
   seen.code = std::move(labels->code);
   for (std::size_t i = 0; i < seen.code.size(); ++i) seen.label.push_back(word_at(labels->pixels, i));
-  if (!effects_of(staged.scene, staged.camera).has(effect::textures)) return seen;
+  // Of bilinear texels there is no single one.
+  const Effects called_for = effects_of(staged.scene, staged.camera);
+  if (!called_for.has(effect::textures) || called_for.has(effect::bilinear)) return seen;
 
   const PlaceScene places(staged.scene);
   const Result<Drawn> texels = draw({places.scene, staged.camera}, words, effects, whole, false);

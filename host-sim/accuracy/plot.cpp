@@ -1,4 +1,4 @@
-// Axes with logarithms, points, the front.
+// Axes with logarithms, points, the front, names.
 #include "accuracy/plot.hpp"
 
 #include <fmt/format.h>
@@ -6,26 +6,29 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 
 namespace zstrip::sim {
 namespace {
 
 constexpr double kWidth = 760, kHeight = 430;
 constexpr double kLeft = 62, kRight = 20, kTop = 14, kBottom = 52;
+constexpr double kAbove = 46;  // title and legend of a file
 
 struct Group {
   std::string_view name, colour;
 };
 // Okabe and Ito's colours.
-constexpr std::array<Group, 9> kGroups{{{"default", "#111111"},
-                                        {"depth", "#0072b2"},
-                                        {"fit", "#56b4e9"},
-                                        {"shading", "#e69f00"},
-                                        {"perspective", "#009e73"},
-                                        {"detail", "#d55e00"},
-                                        {"format", "#cc79a7"},
-                                        {"strips", "#b8a500"},
-                                        {"several", "#9a9a9a"}}};
+constexpr std::array<Group, 10> kGroups{{{"default", "#111111"},
+                                         {"depth", "#0072b2"},
+                                         {"fit", "#56b4e9"},
+                                         {"shading", "#e69f00"},
+                                         {"perspective", "#009e73"},
+                                         {"filter", "#7f5aa8"},
+                                         {"detail", "#d55e00"},
+                                         {"format", "#cc79a7"},
+                                         {"strips", "#b8a500"},
+                                         {"several", "#9a9a9a"}}};
 
 /// A logarithmic axis from below the least to above the largest value.
 class Axis {
@@ -62,6 +65,71 @@ std::string short_number(double value) {
 }
 
 double error_of(const AccuracyPoint& point) { return point.errors[Figure::perceived]; }
+
+/// The scene without folder and suffix.
+std::string title_of(const Campaign& campaign) { return std::filesystem::path(campaign.request.scene).stem().string(); }
+
+/// "flat", "strips 4"; what turns several knobs has a name if it is a preset.
+std::string short_name(const AccuracyPoint& point) {
+  for (const NamedSettings& named : named_settings()) {
+    if (named.settings == point.settings && group_of(point) == "several") return std::string(named.name);
+  }
+  if (group_of(point) == "several") return "";
+  for (const KnobInfo& knob : knobs()) {
+    if (point.settings[knob.knob] == 0) continue;
+    const std::string_view value = point.settings.name_of(knob.knob);
+    const bool clear = knob.knob == Knob::depth || knob.knob == Knob::shading || knob.knob == Knob::filter ||
+                       knob.knob == Knob::format || value == "affine";
+    return clear ? std::string(value) : fmt::format("{} {}", knob.name, value);
+  }
+  return "default";
+}
+
+/// Above the axes: the scene, and coloured dots with those knobs that are turned.
+std::string head(const Campaign& campaign) {
+  std::string svg = fmt::format(
+      "<rect y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#fff\"/><text x=\"{}\" y=\"-28\" font-size=\"15\" "
+      "font-weight=\"600\" fill=\"#111\">{}</text>\n",
+      -kAbove, kWidth, kHeight + kAbove, kLeft, title_of(campaign));
+  double x = kLeft + 6;
+  for (const Group& group : kGroups) {
+    const bool used =
+        std::ranges::any_of(campaign.points, [&](const AccuracyPoint& point) { return group_of(point) == group.name; });
+    if (!used) continue;
+    svg += fmt::format(
+        "<circle cx=\"{:.1f}\" cy=\"-10\" r=\"5\" fill=\"{}\"/><text x=\"{:.1f}\" y=\"-6\" fill=\"#222\">{}</text>\n",
+        x, group.colour, x + 9, group.name);
+    x += 24 + 6.6 * static_cast<double>(group.name.size());
+  }
+  return svg;
+}
+
+/// The names of the default and of points that turn one knob; of points on top of each other the first that fits.
+std::string names(const Campaign& campaign, const Axis& x, const Axis& y) {
+  std::string svg;
+  std::vector<std::array<double, 2>> taken;
+  const auto add = [&](const AccuracyPoint& point, std::string_view weight) {
+    const double at_x = x.at(time_of(point)), at_y = y.at(error_of(point));
+    const bool free = std::ranges::none_of(taken, [&](const std::array<double, 2>& other) {
+      return std::abs(other[0] - at_x) < 13 && std::abs(other[1] - at_y) < 50;
+    });
+    if (!free) return;
+    taken.push_back({at_x, at_y});
+    // Upwards from the point, or downwards where there is no room.
+    const double angle = at_y < kTop + 80 ? 60 : -60;
+    svg += fmt::format(
+        "<text transform=\"translate({:.1f} {:.1f}) rotate({})\" x=\"13\" y=\"4\" font-size=\"11\" font-weight=\"{}\" "
+        "fill=\"#222\" paint-order=\"stroke\" stroke=\"#fff\" stroke-width=\"3\">{}</text>\n",
+        at_x, at_y, angle, weight, short_name(point));
+  };
+  for (const AccuracyPoint& point : campaign.points) {
+    if (point.settings == Settings{}) add(point, "700");
+  }
+  for (const AccuracyPoint& point : campaign.points) {
+    if (point.settings != Settings{} && !short_name(point).empty()) add(point, "400");
+  }
+  return svg;
+}
 
 }  // namespace
 
@@ -100,7 +168,9 @@ std::string time_label(const Campaign& campaign) {
                                                                                      : "Cortex-M4F");
 }
 
-std::string plot_svg(const Campaign& campaign) {
+namespace {
+
+std::string plot(const Campaign& campaign, bool alone) {
   const std::vector<AccuracyPoint>& points = campaign.points;
   std::vector<double> times, errors, ram;
   for (const AccuracyPoint& point : points) {
@@ -112,12 +182,15 @@ std::string plot_svg(const Campaign& campaign) {
   const Axis y(*std::ranges::min_element(errors), *std::ranges::max_element(errors), kHeight - kBottom, kTop);
   const double most_ram = *std::ranges::max_element(ram);
 
+  const double above = alone ? kAbove : 0;
   std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
-      "font-family=\"system-ui, sans-serif\" font-size=\"12\" role=\"img\"><title>{2}: time against visible "
-      "error</title>\n"
-      "<rect x=\"{3}\" y=\"{4}\" width=\"{5}\" height=\"{6}\" fill=\"#fff\" stroke=\"#ccc\"/>\n",
-      kWidth, kHeight, campaign.request.scene, kLeft, kTop, kWidth - kLeft - kRight, kHeight - kTop - kBottom);
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 {0} {1} {2}\" width=\"{1}\" "
+      "height=\"{2}\" font-family=\"system-ui, sans-serif\" font-size=\"12\" role=\"img\"><title>{3}: time against "
+      "visible error</title>\n",
+      -above, kWidth, kHeight + above, title_of(campaign));
+  if (alone) svg += head(campaign);
+  svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#fff\" stroke=\"#ccc\"/>\n", kLeft,
+                     kTop, kWidth - kLeft - kRight, kHeight - kTop - kBottom);
   for (const double tick : x.ticks()) {
     svg += fmt::format(
         "<path d=\"M{0:.1f} {1}V{2}\" stroke=\"#eee\"/><text x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\" "
@@ -175,10 +248,16 @@ std::string plot_svg(const Campaign& campaign) {
         "paint-order=\"stroke\" stroke=\"#fff\" stroke-width=\"3\">{}</text>\n",
         std::clamp(x.at(time_of(point)), kLeft + 40, kWidth - kRight - 45), y.at(error_of(point)) + dy, text);
   };
+  if (alone) svg += names(campaign, x, y);
   const auto standard = std::ranges::find(points, Settings{}, &AccuracyPoint::settings);
-  if (standard != points.end()) label(*standard, "default", -16);
+  if (standard != points.end() && !alone) label(*standard, "default", -16);
   if (best != nullptr && standard != points.end() && best != &*standard) label(*best, "recommended", 26);
   return svg + "</svg>\n";
 }
+
+}  // namespace
+
+std::string plot_svg(const Campaign& campaign) { return plot(campaign, false); }
+std::string plot_file_svg(const Campaign& campaign) { return plot(campaign, true); }
 
 }  // namespace zstrip::sim

@@ -21,7 +21,10 @@ const AccuracyPoint* recommended(const Campaign& campaign);
 /// "time on m3, instructions a frame" or that of the host.
 std::string time_label(const Campaign& campaign);
 
-/// One picture, for a page (whose script finds the points by data-point, their places in the campaign) or a file.
+/// One picture, for a page, whose script finds the points by data-point, their places in the campaign.
 std::string plot_svg(const Campaign& campaign);
+
+/// The same for a file of its own: with a title, what the colours mean, and the names of the points that turn one knob.
+std::string plot_file_svg(const Campaign& campaign);
 
 }  // namespace zstrip::sim

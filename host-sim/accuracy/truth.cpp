@@ -1,33 +1,24 @@
 // The rasteriser in double precision.
 #include "accuracy/truth.hpp"
-#include "zstrip/scene/effects.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "accuracy/truth_light.hpp"
+#include "accuracy/truth_quadrics.hpp"
+#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::sim {
 namespace {
 
-using Vector = std::array<double, 3>;
-
-constexpr double kOne16 = 65536;       // 16.16
-constexpr double kOne30 = 1073741824;  // 2.30
-
-Vector vector_of(const Vec3& v, double one) { return {v.x / one, v.y / one, v.z / one}; }
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector normalised(const Vector& a) {
-  const double length = std::sqrt(dot(a, a));
-  return length == 0 ? a : Vector{a[0] / length, a[1] / length, a[2] / length};
-}
-/// Without the translation if `direction`.
-Vector transformed(const Transform& transform, const Vector& p, bool direction) {
-  Vector out{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    const Fixed(&m)[4] = transform.m[row];
-    out[row] = (m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + (direction ? 0 : m[3])) / kOne16;
-  }
-  return out;
-}
+using truth::dot;
+using truth::kOne16;
+using truth::kOne30;
+using truth::texel_at;
+using truth::transformed;
+using truth::Vector;
+using truth::vector_of;
 
 /// A corner of a polygon: where it is, and how much of each corner of the triangle it is.
 struct Corner {
@@ -67,23 +58,14 @@ struct Look {
   bool lit_texture = false;
 };
 
-Vector texel_at(const Texture& texture, double u, double v) {
-  const std::int64_t width = std::int64_t{1} << texture.log2_width;
-  const std::int64_t height = std::int64_t{1} << texture.log2_height;
-  const auto wrapped = [](double at, std::int64_t size) {
-    return static_cast<std::size_t>(((static_cast<std::int64_t>(std::floor(at)) % size) + size) % size);
-  };
-  const std::uint16_t texel = texture.texels[wrapped(v, height) * static_cast<std::size_t>(width) + wrapped(u, width)];
-  return {(texel >> 11) * 255.0 / 31, ((texel >> 5) & 63) * 255.0 / 63, (texel & 31) * 255.0 / 31};
-}
-
 class Rasteriser {
  public:
-  Rasteriser(const Camera& camera, const View& view, std::uint32_t scale, const Colour& background, bool snap)
-      : orthographic_(camera.projection == Projection::orthographic), snap_(snap) {
+  Rasteriser(const Camera& camera, const View& view, std::uint32_t scale, const Scene& scene, bool snap)
+      : orthographic_(camera.projection == Projection::orthographic), snap_(snap), fog_(scene.fog) {
     picture_.width = view.width * scale;
     picture_.height = view.height * scale;
     TruthSample empty;
+    const Colour& background = scene.background;
     empty.rgb = {static_cast<float>(background.r), static_cast<float>(background.g), static_cast<float>(background.b)};
     picture_.samples.assign(std::size_t{picture_.width} * picture_.height, empty);
     focal_ = camera.focal / kOne16 * picture_.height / 2.0;
@@ -92,6 +74,17 @@ class Rasteriser {
   void draw(const std::vector<Corner>& polygon, const Look& look, bool double_sided) {
     for (std::size_t i = 2; i < polygon.size(); ++i) {
       draw_triangle({project(polygon[0]), project(polygon[i - 1]), project(polygon[i])}, look, double_sided);
+    }
+  }
+
+  void draw(const truth::QuadricTruth& quadric, std::uint32_t number) {
+    for (std::uint32_t y = 0; y < picture_.height; ++y) {
+      for (std::uint32_t x = 0; x < picture_.width; ++x) {
+        const std::optional<truth::QuadricSample> seen =
+            quadric.at((x + 0.5 - picture_.width / 2.0) / picture_.height, 0.5 - (y + 0.5) / picture_.height);
+        if (seen)
+          show(picture_.samples[std::size_t{y} * picture_.width + x], number, seen->w, {seen->u, seen->v}, seen->rgb);
+      }
     }
   }
   TruthPicture take() { return std::move(picture_); }
@@ -151,7 +144,7 @@ class Rasteriser {
       for (std::size_t j = 0; j < 3; ++j) share[j] += weight * p[i].share[j];
     }
     const double distance = orthographic_ ? w : 1 / q;
-    if (sample.triangle != kNoTriangle && sample.w <= distance) return;
+    if (is_hidden(sample, distance)) return;
     Vector rgb{};
     double u = 0, v = 0;
     for (std::size_t j = 0; j < 3; ++j) {
@@ -164,11 +157,24 @@ class Rasteriser {
       const Vector texel = texel_at(*look.texture, u, v);
       for (std::size_t c = 0; c < 3; ++c) rgb[c] = look.lit_texture ? rgb[c] * texel[c] / 255 : texel[c];
     }
-    sample = {look.number, distance, static_cast<float>(u), static_cast<float>(v), {}};
-    for (std::size_t c = 0; c < 3; ++c) sample.rgb[c] = static_cast<float>(std::clamp(rgb[c], 0.0, 255.0));
+    show(sample, look.number, distance, {u, v}, rgb);
   }
 
+  /// If nothing nearer is there.
+  void show(TruthSample& sample, std::uint32_t number, double w, const std::array<double, 2>& uv, Vector rgb) const {
+    if (is_hidden(sample, w)) return;
+    if (fog_ != nullptr) {
+      const double share = truth::visible_share(*fog_, w);
+      const Vector other{double(fog_->colour.r), double(fog_->colour.g), double(fog_->colour.b)};
+      for (std::size_t c = 0; c < 3; ++c) rgb[c] = share * rgb[c] + (1 - share) * other[c];
+    }
+    sample = {number, w, static_cast<float>(uv[0]), static_cast<float>(uv[1]), {}};
+    for (std::size_t c = 0; c < 3; ++c) sample.rgb[c] = static_cast<float>(std::clamp(rgb[c], 0.0, 255.0));
+  }
+  static bool is_hidden(const TruthSample& sample, double w) { return sample.triangle != kNoTriangle && sample.w <= w; }
+
   bool orthographic_, snap_;
+  const Fog* fog_;
   double focal_;
   TruthPicture picture_;
 };
@@ -179,16 +185,8 @@ Vector vertex_colour(const Scene& scene, const Instance& instance, const Mesh& m
   Vector rgb{double(material.colour.r), double(material.colour.g), double(material.colour.b)};
   if (material.lit && !mesh.normals.empty()) {
     const Normal& n = mesh.normals[vertex];
-    const Vector normal = normalised(transformed(instance.transform, {double(n.x), double(n.y), double(n.z)}, true));
-    Vector light{double(scene.ambient.r), double(scene.ambient.g), double(scene.ambient.b)};
-    for (const DirectionalLight& l : scene.lights) {
-      const double cosine = dot(normal, normalised({double(l.x), double(l.y), double(l.z)}));
-      if (cosine <= 0) continue;
-      light[0] += cosine * l.colour.r;
-      light[1] += cosine * l.colour.g;
-      light[2] += cosine * l.colour.b;
-    }
-    for (std::size_t c = 0; c < 3; ++c) rgb[c] = std::min(rgb[c] * light[c] / 255, 255.0);
+    rgb = truth::lit_colour(scene, material,
+                            transformed(instance.transform, {double(n.x), double(n.y), double(n.z)}, true));
   }
   if (!mesh.colours.empty()) {
     const Colour& own = mesh.colours[vertex];
@@ -210,12 +208,13 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
                    "the scene has materials with a depth test, write or bias of their own: what is right there depends "
                    "on the z-buffer's codes, so that no truth can be drawn"};
   }
-  if (effects_of(scene, camera).any(effect::fragments | effect::vertex_light | effect::surfaces)) {
+  constexpr Effects kKnown = effect::all | effect::fog | effect::emissive | effect::quadrics;
+  if (without(effects_of(scene, camera), kKnown) != Effects{}) {
     return Failure{ExitStatus::input,
-                   "the scene has quadrics, fog, highlights, emission, point or spot lights, alpha or bilinear texels, "
-                   "and the truth knows lit and textured triangles only"};
+                   "the scene has highlights, point or spot lights, alpha or bilinear texels, and the truth knows "
+                   "neither: it draws triangles and quadrics with directional light, emission, textures and fog"};
   }
-  Rasteriser rasteriser(camera, view, scale, scene.background, snap);
+  Rasteriser rasteriser(camera, view, scale, scene, snap);
   const Vector right = vector_of(camera.right, kOne30), up = vector_of(camera.up, kOne30),
                back = vector_of(camera.back, kOne30), eye = vector_of(camera.eye, kOne16);
   std::uint32_t number = 0;
@@ -249,6 +248,9 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
       polygon = cut(cut(polygon, camera.near_plane / kOne16, 1), camera.far_plane / kOne16, -1);
       rasteriser.draw(polygon, look, material.double_sided);
     }
+  }
+  for (const Quadric& quadric : scene.quadrics) {
+    rasteriser.draw(truth::QuadricTruth(scene, quadric, camera), number++);
   }
   return rasteriser.take();
 }

@@ -18,10 +18,11 @@ inline constexpr std::uint32_t kNoTriangle = 0xFFFFFFFF;
 
 /// What one sample of the picture shows.
 struct TruthSample {
-  std::uint32_t triangle = kNoTriangle;  ///< number among the triangles of all instances, in drawing order
-  double w = 0;                          ///< distance along the viewing direction, world units
-  float u = 0, v = 0;                    ///< texels of its texture
-  std::array<float, 3> rgb{};            ///< 0..255, not rounded
+  std::uint32_t triangle =
+      kNoTriangle;             ///< number among the triangles of all instances, in drawing order; quadrics follow them
+  double w = 0;                ///< distance along the viewing direction, world units
+  float u = 0, v = 0;          ///< texels of its texture
+  std::array<float, 3> rgb{};  ///< 0..255, not rounded
 };
 
 struct TruthPicture {
@@ -41,7 +42,8 @@ struct Truth {
 
 /// Draws `scale` x `scale` samples a pixel, each in the middle of its square. `snap`: corners on the screen are rounded
 /// to 1/16 of these. Failures: ExitStatus::input for materials
-/// with a depth test or bias of their own, whose result depends on the z-buffer's codes, and for quadrics and fog.
+/// with a depth test or bias of their own, whose result depends on the z-buffer's codes; for highlights, point and spot
+/// lights, alpha and bilinear texels. Quadrics have no corners: nothing of them is snapped.
 Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const View& view, std::uint32_t scale,
                                 bool snap = false);
 

@@ -270,6 +270,8 @@ std::string quality_header(const AccuracyPoint& point, const View& view) {
       "inline constexpr bool kFixedDepthRange = {};\n"
       "/// For Material::smooth of all materials.\n"
       "inline constexpr bool kSmooth = {};\n"
+      "/// For Finish::filter of all textured materials: TextureFilter::bilinear.\n"
+      "inline constexpr bool kBilinear = {};\n"
       "/// Of 100 triangles of the meshes how many are to stay when they are baked.\n"
       "inline constexpr int kDetailPercent = {};\n\n"
       "}}  // namespace quality\n",
@@ -278,7 +280,8 @@ std::string quality_header(const AccuracyPoint& point, const View& view) {
       : format == PixelFormat::mono ? "mono"
                                     : "rgb565",
       strips.strip_rows, strips.modes == Modes::binned ? "binned" : "streamed",
-      point.settings.name_of(Knob::fit) == "fixed", shading == "gouraud", detail_percent(point.settings));
+      point.settings.name_of(Knob::fit) == "fixed", shading == "gouraud",
+      point.settings.name_of(Knob::filter) == "bilinear", detail_percent(point.settings));
 }
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Flat materials, meshes simplified by meshoptimizer.
+// Flat materials, bilinear texels, meshes simplified by meshoptimizer.
 #include "accuracy/variant.hpp"
 
 #include <meshoptimizer.h>
@@ -7,6 +7,7 @@
 #include <array>
 
 #include "import/meshlets.hpp"
+#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -56,10 +57,12 @@ bool may_simplify(const Scene& scene) {
 SceneVariant::SceneVariant(const Scene& scene, const Settings& settings)
     : fixed_range_(settings.name_of(Knob::fit) == "fixed"),
       meshes_(scene.meshes.begin(), scene.meshes.end()),
-      materials_(scene.materials.begin(), scene.materials.end()) {
+      materials_(scene.materials.begin(), scene.materials.end()),
+      finishes_(scene.finishes.begin(), scene.finishes.end()) {
   if (settings.name_of(Knob::shading) == "flat") {
     for (Material& material : materials_) material.smooth = false;
   }
+  if (settings.name_of(Knob::filter) == "bilinear") filter_bilinearly(scene);
   const std::uint32_t percent = detail_percent(settings);
   if (percent == 100) return;
   for (Mesh& mesh : meshes_) {
@@ -75,10 +78,24 @@ SceneVariant::SceneVariant(const Scene& scene, const Settings& settings)
   }
 }
 
+void SceneVariant::filter_bilinearly(const Scene& scene) {
+  for (std::size_t i = 0; i < materials_.size(); ++i) {
+    Material& material = materials_[i];
+    const bool on_quadric =
+        std::ranges::any_of(scene.quadrics, [i](const Quadric& quadric) { return quadric.material == i; });
+    if (material.texture == kNoTexture || on_quadric || finishes_.size() >= kNoFinish) continue;
+    Finish finish = finish_of(scene, material);
+    finish.filter = TextureFilter::bilinear;
+    material.finish = static_cast<std::uint8_t>(finishes_.size());
+    finishes_.push_back(finish);
+  }
+}
+
 Staging SceneVariant::apply(const Staging& staged) const {
   Staging result = staged;
   result.scene.meshes = meshes_;
   result.scene.materials = materials_;
+  result.scene.finishes = finishes_;
   result.camera.fixed_depth_range = fixed_range_;
   return result;
 }

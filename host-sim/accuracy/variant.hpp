@@ -1,4 +1,4 @@
-// A scene as settings change it: shading, mesh detail, depth range.
+// A scene as settings change it: shading, filter, mesh detail, depth range.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ namespace zstrip::sim {
 /// Whether a mesh of the scene is large enough for fewer triangles to mean anything.
 bool may_simplify(const Scene& scene);
 
-/// Meshes and materials for settings that differ in shading and detail; made once, for all poses of the scene. Views of
-/// the scene that it was made of, which must outlive it.
+/// Meshes and materials for settings that differ in shading, filter and detail; made once, for all poses of the scene.
+/// Views of the scene that it was made of, which must outlive it.
 class SceneVariant {
  public:
   SceneVariant(const Scene& scene, const Settings& settings);
@@ -27,10 +27,14 @@ class SceneVariant {
   bool simplified() const { return !data_.empty(); }
 
  private:
+  /// All that is textured, unless a quadric has it, too: it takes no finish.
+  void filter_bilinearly(const Scene& scene);
+
   bool fixed_range_;
   std::deque<MeshData> data_;  ///< of simplified meshes
   std::vector<Mesh> meshes_;
   std::vector<Material> materials_;
+  std::vector<Finish> finishes_;
 };
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// docs/accuracy.csv against a fresh run of some of its scenes.
+// docs/accuracy.csv against a fresh run of some of its scenes, and the plots against docs/accuracy.csv.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,18 +29,45 @@ std::string values(const Settings& settings) {
   return text;
 }
 
-TEST(Document, FiguresAreThoseOfAFreshRun) {
-  std::ifstream csv(ZSTRIP_ROOT "/docs/accuracy.csv");
-  std::string line;
-  ASSERT_TRUE(std::getline(csv, line));
-  const std::vector<std::string> names = fields(line);
+/// docs/accuracy.csv: the columns' names, and rows by scene and settings.
+struct Table {
+  std::vector<std::string> names;
   std::map<std::string, std::vector<std::string>> rows;
+};
+
+Table table() {
+  std::ifstream csv(ZSTRIP_ROOT "/docs/accuracy.csv");
+  Table read;
+  std::string line;
+  std::getline(csv, line);
+  read.names = fields(line);
   while (std::getline(csv, line)) {
     std::vector<std::string> row = fields(line);
-    row.resize(names.size());
-    rows[row[0] + "," + row[1]] = row;
+    row.resize(read.names.size());
+    read.rows[row[0] + "," + row[1]] = row;
   }
-  for (const char* name : {"cube", "teapot"}) {
+  return read;
+}
+
+TEST(Document, PlotsShowTheTablesPoints) {
+  std::map<std::string, std::size_t> settings;
+  for (const auto& [key, row] : table().rows) {
+    ++settings[row[0]];
+    EXPECT_NE(row[3], "") << key << " has no instructions of m3";
+  }
+  EXPECT_GE(settings.size(), 6U);
+  for (const auto& [scene, count] : settings) {
+    std::ifstream file(std::string(ZSTRIP_ROOT "/docs/images/accuracy-") + scene + ".svg");
+    std::string line;
+    std::size_t points = 0;
+    while (std::getline(file, line)) points += line.starts_with("<circle data-point=") ? 1U : 0U;
+    EXPECT_EQ(points, count) << scene << ": run host-sim/accuracy/document";
+  }
+}
+
+TEST(Document, FiguresAreThoseOfAFreshRun) {
+  const auto [names, rows] = table();
+  for (const char* name : {"cube", "spheres", "teapot", "wires"}) {
     const auto scene = AccuracyScene::open({.scene = name, .view = {160, 120}, .frames = 2, .firmware = ""});
     ASSERT_TRUE(scene);
     const std::vector<Settings> wanted = one_at_a_time(**scene, *parse_knobs("all"));

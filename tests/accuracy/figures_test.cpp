@@ -1,6 +1,7 @@
 // The renderer against the truth: what the figures must say where it is known beforehand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -20,7 +21,7 @@ Errors errors(const AccuracyScene& scene, const char* settings) { return *scene.
 
 // Scenes of which nothing is clipped: corners that clipping makes are snapped again, each side in its own way.
 TEST(Figures, DepthIsWithinACodeOfThePlanesThroughSnappedCorners) {
-  for (const char* name : {"knot", "teapot", "cube"}) {
+  for (const char* name : {"knot", "teapot", "cube", "spheres", "wires"}) {
     const auto opened = scene(name);
     for (const char* format : {"z16", "float", "w16"}) {
       const std::string settings = std::string("depth=") + format;
@@ -30,9 +31,22 @@ TEST(Figures, DepthIsWithinACodeOfThePlanesThroughSnappedCorners) {
 }
 
 TEST(Figures, SurfacesAreTheTruthsButAtSomeEdges) {
-  for (const char* name : {"knot", "teapot", "cube", "room"}) {
+  for (const char* name : {"knot", "teapot", "cube", "room", "terrain"}) {
     EXPECT_LT(errors(*scene(name), "default")[Figure::wrong_pixels], 1.0) << name;
   }
+}
+
+// Nothing of a sphere is snapped: every pixel is right, and so is its place in the texture.
+TEST(Figures, SpheresAreTheTruths) {
+  const Errors spheres = errors(*scene("spheres"), "default");
+  EXPECT_EQ(spheres[Figure::wrong_surface], 0);
+  EXPECT_LT(spheres[Figure::texture], 0.01);
+  EXPECT_LT(spheres[Figure::colour_mean], 3);
+}
+
+TEST(Figures, DepthFormatsDifferWhereNearAndFarAreFarApart) {
+  const auto terrain = scene("terrain");
+  EXPECT_GT(errors(*terrain, "default")[Figure::depth_view], 3 * errors(*terrain, "depth=w16")[Figure::depth_view]);
 }
 
 TEST(Figures, CoarserDepthShowsMoreWrongSurfaces) {
@@ -51,6 +65,14 @@ TEST(Figures, PerspectiveAtMorePixelsIsCloserToThePlaceInTheTexture) {
   EXPECT_GT(affine, sixteen);
   EXPECT_GT(sixteen, eight);
   EXPECT_GT(eight, one);
+}
+
+TEST(Figures, BilinearTexelsChangeColoursAlone) {
+  const auto opened = scene("room");
+  const Errors nearest = errors(*opened, "default"), bilinear = errors(*opened, "filter=bilinear");
+  EXPECT_EQ(bilinear[Figure::wrong_pixels], nearest[Figure::wrong_pixels]);
+  EXPECT_TRUE(std::isnan(bilinear[Figure::texture]));
+  EXPECT_NE(bilinear[Figure::colour_mean], nearest[Figure::colour_mean]);
 }
 
 TEST(Figures, StripsChangeNoPixel) {
@@ -94,12 +116,26 @@ TEST(Figures, EqualPicturesLookTheSame) {
 
 TEST(Campaign, CombinationsTurnSeveralKnobsAndCanAllBeDrawn) {
   const auto opened = scene("room");
-  CampaignOptions options{.knobs = *parse_knobs("depth,perspective,strips"), .only = {}, .jobs = 2};
+  CampaignOptions options{.knobs = *parse_knobs("depth,perspective,filter,strips"), .only = {}, .jobs = 2};
   const std::vector<Settings> all = all_settings(*opened, options.knobs);
   for (const Settings& settings : all) {
     EXPECT_TRUE(opened->errors(settings)) << to_text(settings);
   }
   EXPECT_GT(all.size(), 40U);
+}
+
+TEST(Campaign, PresetsAreMeasuredAsFarAsTheyChangeAnything) {
+  const auto has = [](const std::vector<Settings>& list, const char* text) {
+    return std::find(list.begin(), list.end(), *parse_settings(text)) != list.end();
+  };
+  CampaignOptions options{.knobs = *parse_knobs("strips"), .only = {}, .presets = true};
+  const std::vector<Settings> teapot = first_settings(*scene("teapot"), options);
+  EXPECT_EQ(teapot.size(), 7U);  // six strips and tiny; balanced and exact are the default
+  EXPECT_TRUE(has(teapot, "tiny"));
+  const std::vector<Settings> cube = first_settings(*scene("cube"), options);
+  EXPECT_EQ(cube.size(), 7U);  // tiny changes its strips alone, which are there already
+  EXPECT_TRUE(has(cube, "exact"));
+  EXPECT_FALSE(has(cube, "tiny"));
 }
 
 }  // namespace

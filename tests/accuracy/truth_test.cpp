@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 namespace zstrip::sim {
 namespace {
@@ -122,6 +124,79 @@ TEST(Truth, MeansOfSixteenSamplesShowHalfCoveredPixels) {
   EXPECT_NEAR(truth.mean[8 * 16 + 12][0], 127.5, 0.01);
   EXPECT_NEAR(truth.mean[8 * 16 + 13][0], 0, 0.01);
   EXPECT_NEAR(truth.mean[12 * 16 + 12][0], 63.75, 0.01);
+}
+
+TEST(Truth, FogIsThatOfTheDistance) {
+  Square square;
+  square.colours.fill({200, 200, 200, 255});
+  Fog fog{.colour = {100, 0, 0, 255}, .mode = FogMode::linear, .start = 2 * kFixedOne, .end = 10 * kFixedOne};
+  square.scene.fog = &fog;
+  EXPECT_NEAR(square.draw().at(8, 8).rgb[0], 0.75 * 200 + 0.25 * 100, 0.01);
+  EXPECT_NEAR(square.draw().at(8, 8).rgb[1], 0.75 * 200, 0.01);
+  fog.mode = FogMode::exponential;
+  fog.density = kFixedOne / 4;
+  EXPECT_NEAR(square.draw().at(8, 8).rgb[1], 200 * std::exp(-1), 0.01);
+  fog.mode = FogMode::exponential_squared;
+  fog.density = kFixedOne / 2;
+  EXPECT_NEAR(square.draw().at(8, 8).rgb[1], 200 * std::exp(-4), 0.01);
+}
+
+/// A unit sphere around the origin alone, seen as the square is.
+struct Sphere : Square {
+  std::array<Quadric, 1> quadrics{};
+  Sphere() {
+    scene.instances = {};
+    scene.quadrics = quadrics;
+    scene.textures = textures;
+  }
+};
+
+TEST(Truth, SpheresHaveTheirDepthAndSilhouette) {
+  Sphere sphere;
+  const TruthPicture picture = *draw_truth(sphere.scene, sphere.camera, {256, 256}, 1);
+  EXPECT_NEAR(picture.at(128, 128).w, 3, 1e-4);
+  std::uint32_t covered = 0;
+  for (const TruthSample& sample : picture.samples) covered += sample.triangle == 0 ? 1 : 0;
+  // The tangents from distance 4: 1 / sqrt(15) of the distance, times 4 of half the picture.
+  const double radius = 128 * 4 / std::sqrt(15.0);
+  double expected = 0;  // cut off by the picture's sides
+  for (int y = 0; y < 256; ++y) expected += 2 * std::min(std::sqrt(radius * radius - std::pow(y - 127.5, 2)), 128.0);
+  EXPECT_NEAR(covered, expected, 200);
+}
+
+TEST(Truth, SpheresShowTheMiddleOfTheirTextureInFront) {
+  Sphere sphere;
+  sphere.materials[0].texture = 0;
+  const TruthPicture picture = *draw_truth(sphere.scene, sphere.camera, {257, 257}, 1);
+  const TruthSample& middle = picture.at(128, 128);
+  EXPECT_NEAR(middle.u, 1, 1e-9);  // of 2x2 texels
+  EXPECT_NEAR(middle.v, 1, 1e-9);
+  EXPECT_GT(picture.at(200, 128).u, 1.1);  // to the right is +x
+  EXPECT_LT(picture.at(128, 60).v, 0.9);   // the upper edge is +y
+  EXPECT_EQ(picture.at(200, 60).rgb, (std::array<float, 3>{0, 255, 0}));
+}
+
+TEST(Truth, SpheresAreLitByTheirNormals) {
+  Sphere sphere;
+  sphere.materials[0].lit = true;
+  const std::array<DirectionalLight, 1> lights{{{0, 0, 32767, {200, 200, 200, 255}}}};
+  sphere.scene.lights = lights;
+  sphere.scene.ambient = {20, 20, 20, 255};
+  const TruthPicture picture = *draw_truth(sphere.scene, sphere.camera, {257, 257}, 1);
+  EXPECT_NEAR(picture.at(128, 128).rgb[0], 220, 0.01);
+  const TruthSample& aside = picture.at(200, 128);
+  // Where it is: w along the ray, so z = 4 - w is the cosine.
+  EXPECT_NEAR(aside.rgb[0], 20 + 200 * (4 - aside.w), 0.01);
+}
+
+TEST(Truth, RefusesWhatItDoesNotKnow) {
+  Square square;
+  const std::array<Finish, 1> finishes{{{.alpha_mode = AlphaMode::mask}}};
+  square.scene.finishes = finishes;
+  square.materials[0].finish = 0;
+  const Result<TruthPicture> picture = draw_truth(square.scene, square.camera, kView, 1);
+  ASSERT_FALSE(picture);
+  EXPECT_NE(picture.failure().message.find("alpha"), std::string::npos);
 }
 
 TEST(Truth, RefusesMaterialsWhoseDepthIsTheirOwn) {

@@ -15,7 +15,9 @@
 #include "zstrip_scenes/spheres.hpp"
 #include "zstrip_scenes/teapot.hpp"
 #include "zstrip_scenes/teapot_meshlets.hpp"
+#include "zstrip_scenes/terrain.hpp"
 #include "zstrip_scenes/triangle.hpp"
+#include "zstrip_scenes/wires.hpp"
 
 namespace zstrip::scenes {
 namespace {
@@ -29,6 +31,8 @@ static_assert(effects_of(cube.scene, cube.camera) == effect::textures);
 static_assert(effects_of(random50.scene, random50.camera) == effect::vertex_colours);
 static_assert(effects_of(room.scene, room.camera) == (effect::lighting | effect::textures));
 static_assert(effects_of(spheres.scene, spheres.camera) == (effect::quadrics | effect::lighting | effect::textures));
+static_assert(effects_of(wires.scene, wires.camera) == (effect::lighting | effect::gouraud));
+static_assert(effects_of(terrain.scene, terrain.camera) == (effect::vertex_colours | effect::gouraud));
 static_assert(plan(teapot_meshlets.counts, {.width = 128, .height = 64},
                    effects_of(teapot_meshlets.scene, teapot_meshlets.camera))
                   .status);

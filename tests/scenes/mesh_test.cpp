@@ -203,9 +203,9 @@ TEST(Meshlets, AreSmallAndInsideTheirSpheres) {
         EXPECT_LE(meshlet.vertex_count, 64);
         double farthest = 0;
         for (const Position& p : mesh.positions.subspan(meshlet.first_vertex, meshlet.vertex_count)) {
-          const Point offset{(p.x - meshlet.centre.x) * mesh.half_extent.x / unit,
-                             (p.y - meshlet.centre.y) * mesh.half_extent.y / unit,
-                             (p.z - meshlet.centre.z) * mesh.half_extent.z / unit};
+          const Point offset{(p.x - meshlet.centre.x) * (mesh.half_extent.x / unit),
+                             (p.y - meshlet.centre.y) * (mesh.half_extent.y / unit),
+                             (p.z - meshlet.centre.z) * (mesh.half_extent.z / unit)};
           farthest = std::max(farthest, length(offset));
         }
         EXPECT_LE(farthest, meshlet.radius) << scene.name;

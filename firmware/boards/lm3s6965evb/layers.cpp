@@ -11,6 +11,7 @@
 #include "portable/pacing.hpp"
 #include "zstrip/frame/renderer.hpp"
 #include "zstrip/frame/static_layer.hpp"
+#include "zstrip/plan/quality.hpp"
 #include "zstrip/resolve/convert.hpp"
 #include "zstrip_hal/ssd0323.hpp"
 #include "zstrip_scenes/showroom.hpp"
@@ -29,8 +30,8 @@ constexpr Instance kAnyTeapot[] = {{.mesh = kShowroomTeapotMesh, .material = kSh
 constexpr Effects kEffects =
     effects_of(kShowroomBackground, kShowroomCamera) | effects_of(showroom_scene(kAnyTeapot), kShowroomCamera);
 constexpr LayerBytes kLayer = layer_bytes(kView, 6 * 1024, 8 * 1024);
-constexpr PlanResult kBackground =
-    plan(count(kShowroomBackground), kView, kEffects, {.strip_rows = 16, .layer = kLayer});
+constexpr PlanResult kBackground = plan(count(kShowroomBackground), kView, kEffects,
+                                        {.strip_rows = quality::balanced.budget.strip_rows, .layer = kLayer});
 constexpr PlanResult kMoving = plan(kShowroomTeapotCounts, kView, kEffects, {.strip_rows = 8});
 static_assert(kBackground.status && kMoving.status);
 

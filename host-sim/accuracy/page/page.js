@@ -1,6 +1,6 @@
 'use strict';
 // Hovering names a point, clicking shows its pictures, the boxes on top filter. Without this the page is whole, too.
-const figures = [['perceived', 'visible error'], ['wrong_pixels', 'wrong pixels, %'], ['silhouette', 'silhouette, pixels'],
+const figures = [['perceived', 'visible error'], ['flip', 'FLIP'], ['wrong_pixels', 'wrong pixels, %'], ['silhouette', 'silhouette, pixels'],
   ['depth_view', 'depth, units'], ['texture', 'texture, texels'], ['colour_mean', 'colour, mean'], ['flicker', 'flicker']];
 const tip = document.body.appendChild(Object.assign(document.createElement('div'), { id: 'tip', hidden: true }));
 const number = (value) => value === null || value === undefined ? '–'
