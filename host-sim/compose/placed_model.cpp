@@ -34,7 +34,7 @@ Result<PlacedModel> place_model(const FileModel& entry, const Model& model, cons
   PlacedModel placed{.parts = {},
                      .materials = model.materials,
                      .textures = model.textures,
-                     .finishes = {},
+                     .finishes = model.finishes,
                      .material_names = model.material_names,
                      .model = &model,
                      .animation = *animation};

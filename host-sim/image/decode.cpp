@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace zstrip::sim {
 namespace {
@@ -23,6 +25,27 @@ Failure damaged(const char* kind, const char* reason) {
   return {ExitStatus::input, fmt::format("is not a whole {} picture ({})", kind, reason)};
 }
 
+/// Whether the file says of some pixels that they are transparent.
+bool has_alpha(spng_ctx& png, const spng_ihdr& header) {
+  spng_trns key{};
+  return header.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA || header.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA ||
+         spng_get_trns(&png, &key) == 0;
+}
+
+/// Of four bytes a pixel; without alpha where no pixel has any.
+RgbImage split_alpha(std::uint32_t width, std::uint32_t height, const std::vector<std::uint8_t>& rgba) {
+  RgbImage image{width, height, {}};
+  image.rgb.reserve(rgba.size() / 4 * 3);
+  image.alpha.reserve(rgba.size() / 4);
+  for (std::size_t i = 0; i < rgba.size(); i += 4) {
+    image.rgb.insert(image.rgb.end(), {rgba[i], rgba[i + 1], rgba[i + 2]});
+    image.alpha.push_back(rgba[i + 3]);
+  }
+  const bool opaque = std::all_of(image.alpha.begin(), image.alpha.end(), [](std::uint8_t a) { return a == 255; });
+  if (opaque) image.alpha.clear();
+  return image;
+}
+
 Result<RgbImage> decode_png(std::span<const std::uint8_t> file) {
   const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> png(spng_ctx_new(0), &spng_ctx_free);
   if (!png) return damaged("PNG", "no memory");
@@ -31,12 +54,15 @@ Result<RgbImage> decode_png(std::span<const std::uint8_t> file) {
   std::size_t bytes = 0;
   int error = spng_set_png_buffer(png.get(), file.data(), file.size());
   if (error == 0) error = spng_get_ihdr(png.get(), &header);
-  if (error == 0) error = spng_decoded_image_size(png.get(), SPNG_FMT_RGB8, &bytes);
+  const bool alpha = error == 0 && has_alpha(*png, header);
+  const spng_format format = alpha ? SPNG_FMT_RGBA8 : SPNG_FMT_RGB8;
+  if (error == 0) error = spng_decoded_image_size(png.get(), format, &bytes);
   if (error != 0) return damaged("PNG", spng_strerror(error));
-  RgbImage image{header.width, header.height, std::vector<std::uint8_t>(bytes)};
-  error = spng_decode_image(png.get(), image.rgb.data(), bytes, SPNG_FMT_RGB8, 0);
+  std::vector<std::uint8_t> pixels(bytes);
+  error = spng_decode_image(png.get(), pixels.data(), bytes, format, alpha ? SPNG_DECODE_TRNS : 0);
   if (error != 0) return damaged("PNG", spng_strerror(error));
-  return image;
+  if (alpha) return split_alpha(header.width, header.height, pixels);
+  return RgbImage{header.width, header.height, std::move(pixels)};
 }
 
 Result<RgbImage> decode_jpeg(std::span<const std::uint8_t> file) {

@@ -38,6 +38,10 @@ RgbImage halve(const RgbImage& from, bool halve_x, bool halve_y) {
                         from.pixel(left, bottom)[channel] + from.pixel(right, bottom)[channel];
         to.rgb.push_back(static_cast<std::uint8_t>((sum + 2) / 4));
       }
+      if (from.alpha.empty()) continue;
+      const int sum = from.alpha_at(left, top) + from.alpha_at(right, top) + from.alpha_at(left, bottom) +
+                      from.alpha_at(right, bottom);
+      to.alpha.push_back(static_cast<std::uint8_t>((sum + 2) / 4));
     }
   }
   return to;
@@ -54,14 +58,18 @@ RgbImage resample_to_power_of_two(RgbImage image) {
     const Sample row = sample(y, scaled.height, image.height);
     for (std::uint32_t x = 0; x < scaled.width; ++x) {
       const Sample column = sample(x, scaled.width, image.width);
-      for (std::size_t channel = 0; channel < 3; ++channel) {
+      const auto mixed = [&](auto&& at) {
         const auto along = [&](std::uint32_t source_row) {
-          return image.pixel(column.first, source_row)[channel] * (1 - column.share) +
-                 image.pixel(column.second, source_row)[channel] * column.share;
+          return at(column.first, source_row) * (1 - column.share) + at(column.second, source_row) * column.share;
         };
         const double value = along(row.first) * (1 - row.share) + along(row.second) * row.share;
-        scaled.rgb.push_back(static_cast<std::uint8_t>(std::lround(value)));
+        return static_cast<std::uint8_t>(std::lround(value));
+      };
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        scaled.rgb.push_back(mixed([&](std::uint32_t u, std::uint32_t v) { return image.pixel(u, v)[channel]; }));
       }
+      if (image.alpha.empty()) continue;
+      scaled.alpha.push_back(mixed([&](std::uint32_t u, std::uint32_t v) { return image.alpha_at(u, v); }));
     }
   }
   return scaled;

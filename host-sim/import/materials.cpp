@@ -1,6 +1,7 @@
 // Assimp's materials and textures as source materials and decoded pictures.
 #include "import/materials.hpp"
 
+#include <assimp/GltfMaterial.h>
 #include <assimp/commonMetaData.h>
 #include <assimp/material.h>
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 
 #include "image/decode.hpp"
 #include "import/read_file.hpp"
+#include "report/text.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -65,6 +67,13 @@ std::filesystem::path find_texture(const std::filesystem::path& folder, std::str
   return std::filesystem::is_regular_file(beside, ignored) ? beside : as_given;
 }
 
+/// A cutoff above 1 hides everything, one of 0 nothing.
+void set_cutoff(float cutoff, SourceMaterial& to) {
+  if (cutoff > 1) to.alpha = 0;
+  to.alpha_cutoff = to_screen_channel(cutoff, false);
+  if (to.alpha_cutoff == 0) to.alpha_mode = AlphaMode::opaque;
+}
+
 }  // namespace
 
 std::uint8_t to_screen_channel(double value, bool linear) {
@@ -96,7 +105,7 @@ SourceMaterial MaterialReader::read(const aiMaterial& from, unsigned& texcoord_s
   aiString name;
   const bool is_default = from.Get(AI_MATKEY_NAME, name) == AI_SUCCESS && name == aiString(AI_DEFAULT_MATERIAL_NAME);
   if (!is_default) to.name = name.C_Str();
-  aiColor4D colour;
+  aiColor4D colour(1, 1, 1, 1);
   if (!is_default && (from.Get(AI_MATKEY_BASE_COLOR, colour) == AI_SUCCESS ||
                       from.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS)) {
     to.colour = {to_screen_channel(colour.r, linear_colours_), to_screen_channel(colour.g, linear_colours_),
@@ -110,8 +119,8 @@ SourceMaterial MaterialReader::read(const aiMaterial& from, unsigned& texcoord_s
   int two_sided = 0;
   if (from.Get(AI_MATKEY_TWOSIDED, two_sided) == AI_SUCCESS) to.double_sided = two_sided != 0;
 
+  aiString texture;
   for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
-    aiString texture;
     if (from.Get(AI_MATKEY_TEXTURE(type, 0), texture) != AI_SUCCESS || texture.length == 0) continue;
     to.texture = read_texture(texture.C_Str());
     int set = 0;
@@ -121,7 +130,34 @@ SourceMaterial MaterialReader::read(const aiMaterial& from, unsigned& texcoord_s
   // Exporters write black, or nothing, beside a texture that is to be seen as it is.
   const bool textured = to.texture != kNoSourceTexture;
   if (textured && (is_default || to.colour == std::array<std::uint8_t, 3>{0, 0, 0})) to.colour = {255, 255, 255};
+  if (linear_colours_) {
+    read_effects(from, texture, to);
+    if (to.alpha_mode != AlphaMode::opaque) to.alpha = to_screen_channel(colour.a, false);
+    float cutoff = 0.5F;
+    from.Get(AI_MATKEY_GLTF_ALPHACUTOFF, cutoff);
+    if (to.alpha_mode == AlphaMode::mask) set_cutoff(cutoff, to);
+  }
   return to;
+}
+
+void MaterialReader::read_effects(const aiMaterial& from, const aiString& texture, SourceMaterial& to) {
+  aiColor3D emissive(0, 0, 0);
+  if (to.lit && from.Get(AI_MATKEY_COLOR_EMISSIVE, emissive) == AI_SUCCESS &&
+      std::max({emissive.r, emissive.g, emissive.b}) > 0) {
+    aiString own;
+    const bool has_own = from.Get(AI_MATKEY_TEXTURE(aiTextureType_EMISSIVE, 0), own) == AI_SUCCESS && own.length > 0;
+    if (has_own && own != texture) {
+      model_.warnings.push_back(
+          fmt::format("material '{}' drawn without its emission: it has a texture of its own", printable(to.name)));
+    } else {
+      to.emissive = {to_screen_channel(emissive.r, true), to_screen_channel(emissive.g, true),
+                     to_screen_channel(emissive.b, true)};
+    }
+  }
+  aiString mode;
+  if (from.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) != AI_SUCCESS) return;
+  if (mode == aiString("MASK")) to.alpha_mode = AlphaMode::mask;
+  if (mode == aiString("BLEND")) to.alpha_mode = AlphaMode::blend;
 }
 
 std::uint32_t MaterialReader::read_texture(const std::string& name) {

@@ -27,6 +27,8 @@ class MaterialReader {
 
  private:
   SourceMaterial read(const aiMaterial& from, unsigned& texcoord_set);
+  /// Emission and alpha, as glTF 2.0 has them. `texture`: the name of the material's own.
+  void read_effects(const aiMaterial& from, const aiString& texture, SourceMaterial& to);
   std::uint32_t read_texture(const std::string& name);
 
   const aiScene& scene_;

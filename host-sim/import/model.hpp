@@ -53,10 +53,12 @@ class Model {
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
   std::vector<Texture> textures;
-  std::vector<Instance> instances;          ///< one for each mesh, untransformed
-  std::vector<std::int32_t> nodes;          ///< of each instance: the one of `tree` that moves it, or kNoNode
-  NodeTree tree;                            ///< of the file, in its units
-  std::vector<DirectionalLight> lights;     ///< empty: the file has none
+  std::vector<Instance> instances;  ///< one for each mesh, untransformed
+  std::vector<std::int32_t> nodes;  ///< of each instance: the one of `tree` that moves it, or kNoNode
+  NodeTree tree;                    ///< of the file, in its units
+  std::vector<DirectionalLight> lights;
+  std::vector<PunctualLight> punctual_lights;
+  std::vector<Finish> finishes;
   std::vector<std::string> material_names;  ///< one for each material, from the file; may be empty
   std::vector<SourceCamera> cameras;        ///< of the file, in its units
   Units units;

@@ -1,6 +1,8 @@
 // The one place where floating point becomes the renderer's fixed point.
 #include "import/quantise.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +11,7 @@
 
 #include "image/resample.hpp"
 #include "import/accuracy.hpp"
+#include "import/fixed_lights.hpp"
 #include "import/meshlets.hpp"
 #include "report/number.hpp"
 
@@ -86,33 +89,28 @@ MeshData to_mesh_data(const SourceMesh& source, int texcoord_bits, const Grid& g
   return data;
 }
 
-DirectionalLight to_light(const SourceLight& light, double brightest) {
-  const auto component = [](double value) {
-    return static_cast<std::int16_t>(std::lround(32767 * std::clamp(value, -1.0, 1.0)));  // 1.15
-  };
-  const auto channel = [brightest](double value) {
-    return static_cast<std::uint8_t>(std::lround(255 * value / brightest));
-  };
-  return {component(light.towards[0]),
-          component(light.towards[1]),
-          component(light.towards[2]),
-          {channel(light.colour[0]), channel(light.colour[1]), channel(light.colour[2]), 255}};
+/// Of the source's textures those whose alpha something is masked or blended with.
+std::vector<bool> find_used_alpha(const SourceModel& source) {
+  std::vector<bool> used(source.textures.size());
+  for (const SourceMesh& mesh : source.meshes) {
+    const SourceMaterial& material = source.materials[mesh.material];
+    if (!mesh.has_texcoords || material.alpha_mode == AlphaMode::opaque) continue;
+    if (!source.textures[material.texture].alpha.empty()) used[material.texture] = true;
+  }
+  return used;
 }
 
-/// The brightest few; their brightest channel becomes 255.
-std::vector<DirectionalLight> to_lights(std::vector<SourceLight> lights, std::vector<std::string>& warnings) {
-  const auto strength = [](const SourceLight& light) {
-    return *std::max_element(light.colour.begin(), light.colour.end());
-  };
-  std::stable_sort(lights.begin(), lights.end(),
-                   [&](const SourceLight& a, const SourceLight& b) { return strength(a) > strength(b); });
-  if (lights.size() > kMaxLights) {
-    warnings.push_back(counted(lights.size() - kMaxLights, "light") + " left out: only the brightest 4 are drawn");
-    lights.resize(kMaxLights);
-  }
-  std::vector<DirectionalLight> result;
-  for (const SourceLight& light : lights) result.push_back(to_light(light, strength(lights[0])));
-  return result;
+/// Gives the material what few have, if the file's has any of it. False if the table is full.
+bool set_finish(const SourceMaterial& from, Material& to, std::vector<Finish>& finishes) {
+  Finish finish{.emissive = {from.emissive[0], from.emissive[1], from.emissive[2], 255}, .alpha_mode = from.alpha_mode};
+  if (from.alpha_mode == AlphaMode::mask) finish.alpha_cutoff = from.alpha_cutoff;
+  if (finish == Finish{}) return true;
+  const auto known = std::find(finishes.begin(), finishes.end(), finish);
+  const auto index = known - finishes.begin();
+  if (index >= kNoFinish) return false;
+  if (known == finishes.end()) finishes.push_back(finish);
+  to.finish = static_cast<std::uint8_t>(index);
+  return true;
 }
 
 }  // namespace
@@ -129,6 +127,13 @@ std::vector<std::uint16_t> to_rgb565(const RgbImage& image) {
   return texels;
 }
 
+void append_alpha(const RgbImage& image, std::vector<std::uint16_t>& words) {
+  for (std::size_t i = 0; i < image.alpha.size(); i += 2) {
+    const unsigned second = i + 1 < image.alpha.size() ? image.alpha[i + 1] : 0U;
+    words.push_back(static_cast<std::uint16_t>(image.alpha[i] | second << 8));
+  }
+}
+
 Fixed to_fixed(double value) { return static_cast<Fixed>(std::llround(value * kFixedOne)); }
 
 Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>& traits) {
@@ -139,24 +144,29 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
   model.warnings = source.warnings;
   model.cameras = source.cameras;
   model.tree = source.nodes;
-  model.lights = to_lights(source.lights, model.warnings);
+  set_lights(source.lights, grid.units, model);
+  const std::vector<bool> used_alpha = find_used_alpha(source);
+  std::uint64_t plain = 0;
 
   std::map<std::uint32_t, std::uint16_t> textures;  // only those in use, in order of use
   for (std::size_t i = 0; i < source.meshes.size(); ++i) {
     const SourceMesh& mesh = source.meshes[i];
     const SourceMaterial& from = source.materials[mesh.material];
-    Material material{.colour = {from.colour[0], from.colour[1], from.colour[2], 255},
+    Material material{.colour = {from.colour[0], from.colour[1], from.colour[2], from.alpha},
                       .lit = from.lit,
                       .smooth = from.smooth,
                       .double_sided = traits[i].double_sided};
+    if (!set_finish(from, material, model.finishes)) ++plain;
     if (mesh.has_texcoords) {
       const auto [at, is_new] = textures.try_emplace(from.texture, static_cast<std::uint16_t>(model.textures.size()));
       if (is_new) {
         const RgbImage& image = source.textures[from.texture];
         model.texels.push_back(to_rgb565(image));
         note_texels(model.accuracy, image, model.texels.back());
+        if (used_alpha[from.texture]) append_alpha(image, model.texels.back());
         model.textures.push_back({model.texels.back(), static_cast<std::uint8_t>(log2_of(image.width)),
-                                  static_cast<std::uint8_t>(log2_of(image.height))});
+                                  static_cast<std::uint8_t>(log2_of(image.height)),
+                                  used_alpha[from.texture] ? TextureFormat::rgb565_alpha : TextureFormat::rgb565});
       }
       material.texture = at->second;
     }
@@ -187,6 +197,10 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
                               .half_extent = grid.half_extent,
                               .texcoord_bits = static_cast<std::uint8_t>(traits[i].texcoord_bits)});
     }
+  }
+  if (plain > 0) {
+    model.warnings.push_back(
+        fmt::format("{} drawn without emission and alpha: more than 255 kinds of these", counted(plain, "mesh")));
   }
   return model;
 }

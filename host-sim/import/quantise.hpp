@@ -25,6 +25,8 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
 
 /// Row by row, each channel rounded to nearest.
 std::vector<std::uint16_t> to_rgb565(const RgbImage& image);
+/// Makes TextureFormat::rgb565_alpha of these texels, if the picture has alpha.
+void append_alpha(const RgbImage& image, std::vector<std::uint16_t>& words);
 
 /// A length, coordinate or scale in 16.16, rounded to nearest; the value must fit.
 Fixed to_fixed(double value);

@@ -3,14 +3,12 @@
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <assimp/version.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <span>
 #include <string>
 #include <system_error>
@@ -18,6 +16,7 @@
 #include <utility>
 
 #include "import/crash_guard.hpp"
+#include "import/lights_and_cameras.hpp"
 #include "import/materials.hpp"
 #include "import/moved_nodes.hpp"
 #include "import/read_file.hpp"
@@ -75,6 +74,7 @@ class Collector {
  private:
   void add(const aiMesh& mesh, const aiMatrix4x4& transform, std::int32_t node);
   SourceMesh& mesh_for(std::uint32_t material, bool has_colours, bool has_texcoords, std::int32_t node);
+  void note_alpha(const aiMesh& mesh, const SourceMaterial& material);
   SourceVertex vertex(const aiMesh& mesh, unsigned index, const aiMatrix4x4& transform,
                       const aiMatrix3x3& normal_transform, const SourceMesh& group);
 
@@ -83,12 +83,14 @@ class Collector {
   const MaterialReader& materials_;
   const MovedNodes& moved_;
   SourceModel& model_;
-  std::map<std::tuple<std::uint32_t, bool, bool, std::int32_t>, std::size_t> groups_;
+  /// By material, colours, texture coordinates, node; and a number where meshes must stay apart.
+  std::map<std::tuple<std::uint32_t, bool, bool, std::int32_t, std::uint32_t>, std::size_t> groups_;
   std::uint64_t vertices_ = 0;
   std::uint64_t triangles_seen_ = 0;
   std::uint64_t triangles_kept_ = 0;
   std::uint64_t not_finite_ = 0;
   std::uint64_t bad_index_ = 0;
+  std::uint64_t vertex_alpha_ = 0;
 };
 
 Result<Done> Collector::collect() {
@@ -124,11 +126,19 @@ Result<Done> Collector::collect() {
     model_.warnings.push_back(
         fmt::format("{} left out: with vertices that do not exist", counted(bad_index_, "triangle")));
   }
+  if (vertex_alpha_ > 0) {
+    model_.warnings.push_back(
+        fmt::format("{} drawn without the alpha of its vertex colours", counted(vertex_alpha_, "mesh")));
+  }
   return Done{};
 }
 
+/// What blends is sorted by instances, so that each stays one.
 SourceMesh& Collector::mesh_for(std::uint32_t material, bool has_colours, bool has_texcoords, std::int32_t node) {
-  const auto [at, is_new] = groups_.try_emplace({material, has_colours, has_texcoords, node}, model_.meshes.size());
+  const bool blends = model_.materials[material].alpha_mode == AlphaMode::blend;
+  const auto apart = static_cast<std::uint32_t>(blends ? model_.meshes.size() + 1 : 0);
+  const auto [at, is_new] =
+      groups_.try_emplace({material, has_colours, has_texcoords, node, apart}, model_.meshes.size());
   if (is_new) {
     SourceMesh& mesh = model_.meshes.emplace_back();
     mesh.material = material;
@@ -158,6 +168,13 @@ SourceVertex Collector::vertex(const aiMesh& mesh, unsigned index, const aiMatri
   return to;
 }
 
+void Collector::note_alpha(const aiMesh& mesh, const SourceMaterial& material) {
+  if (material.alpha_mode == AlphaMode::opaque || !mesh.HasVertexColors(0)) return;
+  const std::span<const aiColor4D> colours(mesh.mColors[0], mesh.mNumVertices);
+  if (std::any_of(colours.begin(), colours.end(), [](const aiColor4D& colour) { return colour.a < 1; }))
+    ++vertex_alpha_;
+}
+
 void Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform, std::int32_t node) {
   if ((mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) == 0 || !mesh.HasPositions()) return;
   const std::uint32_t material = mesh.mMaterialIndex;
@@ -166,6 +183,8 @@ void Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform, std::int32
   const bool has_texcoords = model_.materials[material].texture != kNoSourceTexture &&
                              set < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(set);
   SourceMesh& group = mesh_for(material, mesh.HasVertexColors(0), has_texcoords, mesh.HasBones() ? kNoNode : node);
+
+  note_alpha(mesh, model_.materials[material]);
 
   const aiMatrix3x3 linear(transform);
   const float determinant = linear.Determinant();
@@ -200,68 +219,6 @@ void Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform, std::int32
     if (mirrored) std::swap(b, c);
     ++triangles_kept_;
     group.indices.insert(group.indices.end(), {first + a, first + b, first + c});
-  }
-}
-
-/// Of the node of this name, which is that of a light or camera.
-aiMatrix4x4 to_world(const aiScene& scene, const aiString& name) {
-  aiMatrix4x4 transform;
-  for (const aiNode* node = scene.mRootNode->FindNode(name); node != nullptr; node = node->mParent) {
-    transform = node->mTransformation * transform;
-  }
-  return transform;
-}
-
-/// Directional lights; others are reported, the renderer has none.
-void read_lights(const aiScene& scene, const aiMatrix4x4& turn, SourceModel& model) {
-  std::size_t others = 0;
-  for (const aiLight* light : std::span(scene.mLights, scene.mNumLights)) {
-    if (light->mType != aiLightSource_DIRECTIONAL) {
-      ++others;
-      continue;
-    }
-    const aiMatrix4x4 transform = to_world(scene, light->mName);
-    const aiVector3D towards = direction(-(aiMatrix3x3(turn * transform) * light->mDirection));
-    const aiColor3D& colour = light->mColorDiffuse;
-    const auto usable = [](float channel) { return std::isfinite(channel) && channel >= 0; };
-    if (towards.SquareLength() == 0 || !usable(colour.r) || !usable(colour.g) || !usable(colour.b)) continue;
-    if (colour.IsBlack()) continue;
-    model.lights.push_back({{towards.x, towards.y, towards.z}, {colour.r, colour.g, colour.b}});
-  }
-  if (others > 0) {
-    model.warnings.push_back(fmt::format("{} left out: only directional lights are drawn", counted(others, "light")));
-  }
-}
-
-/// glTF's vertical field of view, in radians, from the horizontal one that Assimp makes of it: times the aspect before
-/// 5.3 (assimp/assimp#4886), by the tangent since.
-double vertical_field_of_view(const aiCamera& camera, double aspect) {
-  if (aiGetVersionMajor() == 5 && aiGetVersionMinor() < 3) return camera.mHorizontalFOV / aspect;
-  return 2 * std::atan(std::tan(camera.mHorizontalFOV / 2) / aspect);
-}
-
-/// Cameras of glTF 2.0; other formats do not agree what their angles mean.
-void read_cameras(const aiScene& scene, const aiMatrix4x4& turn, SourceModel& model) {
-  for (const aiCamera* camera : std::span(scene.mCameras, scene.mNumCameras)) {
-    const aiMatrix4x4 transform = turn * to_world(scene, camera->mName);
-    const aiMatrix3x3 linear(transform);
-    // At its node's origin: Assimp 5.2 gives the node's translation a second time as the camera's position.
-    const aiVector3D eye = transform * aiVector3D();
-    const aiVector3D towards = direction(linear * camera->mLookAt);
-    const aiVector3D up = direction(linear * camera->mUp);
-    if (!finite(eye) || towards.SquareLength() == 0) continue;
-    SourceCamera read{.name = camera->mName.C_Str(),
-                      .eye = {eye.x, eye.y, eye.z},
-                      .towards = {towards.x, towards.y, towards.z},
-                      .up = {up.x, up.y, up.z}};
-    read.orthographic = camera->mOrthographicWidth > 0;
-    const double aspect = camera->mAspect > 0 ? camera->mAspect : 1;
-    if (read.orthographic) {
-      read.half_height = camera->mOrthographicWidth / aspect;  // glTF's xmag is half of the width
-    } else {
-      read.field_of_view = vertical_field_of_view(*camera, aspect) * 180 / std::numbers::pi;
-    }
-    model.cameras.push_back(read);
   }
 }
 
@@ -310,7 +267,7 @@ Result<SourceModel> read_model(const std::filesystem::path& path, UpAxis up) {
     }
   }
   std::erase_if(model.meshes, [](const SourceMesh& mesh) { return mesh.indices.empty(); });
-  read_lights(*scene, turn, model);
+  read_lights(*scene, turn, materials.linear_colours(), model);
   if (materials.linear_colours()) read_cameras(*scene, turn, model);
   return model;
 }

@@ -9,6 +9,7 @@
 
 #include "image/rgb_image.hpp"
 #include "motion/node_tree.hpp"
+#include "zstrip/scene/scene.hpp"
 
 namespace zstrip::sim {
 
@@ -36,6 +37,10 @@ inline constexpr std::uint32_t kNoSourceTexture = 0xFFFFFFFF;
 struct SourceMaterial {
   std::string name;  ///< the file's, for messages; may be empty
   std::array<std::uint8_t, 3> colour{255, 255, 255};
+  std::array<std::uint8_t, 3> emissive{};
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  std::uint8_t alpha = 255;                  ///< of the colour; 255 where alpha does nothing
+  std::uint8_t alpha_cutoff = 128;           ///< of what is masked
   std::uint32_t texture = kNoSourceTexture;  ///< index into SourceModel::textures
   bool lit = true;
   bool smooth = true;
@@ -45,10 +50,15 @@ struct SourceMaterial {
 /// The axis of a model that shall point upwards. Formats disagree, and files do not always follow their format.
 enum class UpAxis : std::uint8_t { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };
 
-/// A directional light.
+enum class SourceLightType : std::uint8_t { directional, point, spot };
+
 struct SourceLight {
-  std::array<double, 3> towards{0, 0, 1};  ///< unit vector towards the light
-  std::array<double, 3> colour{1, 1, 1};   ///< any scale >= 0
+  SourceLightType type = SourceLightType::directional;
+  std::array<double, 3> towards{0, 0, 1};  ///< unit vector towards a directional light, or against a spot's direction
+  std::array<double, 3> colour{1, 1, 1};   ///< what arrives, of point and spot lights at distance 1; any scale >= 0
+  std::array<double, 3> position{};        ///< of point and spot lights, the file's units
+  double range = 0;                        ///< where the light of a point or spot ends; 0: it does not
+  double inner = 0, outer = 0;             ///< radians off a spot's direction: fully lit, and lit at all; 0..pi/2
 };
 
 /// A camera of the file, for pictures of any shape.

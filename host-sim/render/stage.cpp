@@ -86,12 +86,14 @@ class BuiltInStage : public Stage {
 
 class ModelStage : public Stage {
  public:
-  ModelStage(std::shared_ptr<const Model> model, std::shared_ptr<const FittedAnimation> animation)
+  /// `file`: its name, for what the origins say.
+  ModelStage(std::shared_ptr<const Model> model, std::shared_ptr<const FittedAnimation> animation, std::string file)
       : model_(std::move(model)),
         animation_(std::move(animation)),
         instances_(model_->instances),
-        lights_(model_->lights) {
-    if (lights_.empty()) {
+        lights_(model_->lights),
+        file_(std::move(file)) {
+    if (lights_.empty() && model_->punctual_lights.empty()) {
       lights_.assign(std::begin(scenes::kKeyLight), std::end(scenes::kKeyLight));
     } else if (lights_.size() < kMaxLights) {
       lights_.push_back(kFillLight);
@@ -101,7 +103,9 @@ class ModelStage : public Stage {
               .textures = model_->textures,
               .instances = instances_,
               .lights = lights_,
-              .ambient = scenes::kAmbient};
+              .ambient = scenes::kAmbient,
+              .finishes = model_->finishes,
+              .punctual_lights = model_->punctual_lights};
   }
   ModelStage(const ModelStage&) = delete;
   ModelStage& operator=(const ModelStage&) = delete;
@@ -138,14 +142,16 @@ class ModelStage : public Stage {
   }
 
   std::unique_ptr<Stage> copy() const override {
-    auto stage = std::make_unique<ModelStage>(model_, animation_);
+    auto stage = std::make_unique<ModelStage>(model_, animation_, file_);
     stage->camera_ = camera_;
     return stage;
   }
 
   const std::vector<std::string>& warnings() const override { return model_->warnings; }
   Animation animation() const override { return animation_->view(); }
-  Origins origins() const override { return {model_->material_names, {}, {}, {}}; }
+  Origins origins() const override {
+    return {model_->material_names, std::vector<std::string>(model_->materials.size(), file_), {}, {}};
+  }
   const Model* model() const override { return model_.get(); }
 
  private:
@@ -170,6 +176,7 @@ class ModelStage : public Stage {
   std::shared_ptr<const FittedAnimation> animation_;
   std::vector<Instance> instances_;
   std::vector<DirectionalLight> lights_;
+  std::string file_;
   Scene scene_;
   Camera camera_;
 };
@@ -204,7 +211,8 @@ Result<std::unique_ptr<Stage>> open_stage(const std::string& name, const ModelOp
   Result<FittedAnimation> animation = animation_of(*model, model_options.animation, name);
   if (!animation) return animation.failure();
   auto stage = std::make_unique<ModelStage>(std::make_shared<const Model>(std::move(*model)),
-                                            std::make_shared<const FittedAnimation>(std::move(*animation)));
+                                            std::make_shared<const FittedAnimation>(std::move(*animation)),
+                                            std::filesystem::path(name).filename().string());
   if (const Result<Done> checked = check(stage->scene(), name); !checked) return checked.failure();
   if (const Result<Done> camera = stage->set_camera(options, view, frames); !camera) return camera.failure();
   return std::unique_ptr<Stage>(std::move(stage));

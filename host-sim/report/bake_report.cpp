@@ -58,7 +58,7 @@ std::string effect_lines(const BakeRecord& record) {
     std::string why = found.effect.reason;
     if (!found.materials.empty()) why += fmt::format(": material '{}'", printable(found.materials.front()));
     if (found.materials.size() > 1) why += fmt::format(" and {} more", grouped(found.materials.size() - 1));
-    if (!found.origin.empty()) why += fmt::format(", {}", printable(found.origin));
+    if (!found.origin.empty()) why += fmt::format(" in {}", printable(found.origin));
     text += fmt::format("  {:<10} {}: {}\n", text.empty() ? "effects" : "", found.effect.name, why);
   }
   return text.empty() ? "  effects    none\n" : text;

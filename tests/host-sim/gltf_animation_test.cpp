@@ -1,33 +1,14 @@
 // Animations of glTF 2.0 files made to measure: where the instances are at each frame.
 #include <cmath>
-#include <cstring>
 #include <numbers>
 
+#include "gltf_file.hpp"
 #include "import/quantise.hpp"
 #include "render/stage.hpp"
 #include "support.hpp"
 
 namespace zstrip::sim::test {
 namespace {
-
-/// Bytes in base64 (RFC 4648).
-std::string base64(const std::string& bytes) {
-  const char* const kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned bits = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      bits = bits << 8 | (i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? kLetters[bits >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
-std::string floats(const std::vector<float>& values) {
-  std::string bytes(values.size() * sizeof(float), '\0');
-  std::memcpy(bytes.data(), values.data(), bytes.size());
-  return bytes;
-}
 
 /// A square of side 2 in a node at rest, and another in a child of the node "arm", which the animation "swing" moves:
 /// two keys, at 0 and 2 seconds, of `path`, `values` floats each.

@@ -15,6 +15,8 @@
 #include <vector>
 
 #include "../oracle/triangle_oracle.hpp"
+#include "zstrip_scenes/effect_scenes.hpp"
+#include "zstrip_scenes/spheres.hpp"
 
 namespace {
 
@@ -67,6 +69,17 @@ TEST(TargetsTable, PicturesDiffer) {
     const auto [known, is_new] = picture_of.emplace(row.values.at(0) + row.values.at(1), picture);
     EXPECT_TRUE(is_new || known->second == picture) << picture << " is the same picture as " << known->second;
   }
+}
+
+TEST(TargetsTable, EveryEffectHasAPicture) {
+  const std::vector<Row> rows = read_table();
+  const auto drawn = [&](const std::string& scene) {
+    return std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.name.rfind(scene + "_", 0) == 0; });
+  };
+  for (const zstrip::scenes::BuiltIn& built_in : zstrip::scenes::effect_scenes()) {
+    EXPECT_TRUE(drawn(built_in.name)) << built_in.name;
+  }
+  EXPECT_TRUE(drawn(zstrip::scenes::spheres.name));
 }
 
 struct Expected {

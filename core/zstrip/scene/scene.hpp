@@ -109,6 +109,7 @@ struct Finish {
   AlphaMode alpha_mode = AlphaMode::opaque;
   std::uint8_t alpha_cutoff = 128;  ///< 0..255
   TextureFilter filter = TextureFilter::nearest;
+  friend constexpr bool operator==(const Finish&, const Finish&) = default;
 };
 
 inline constexpr std::uint8_t kNoFinish = 0xFF;

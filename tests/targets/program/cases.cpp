@@ -1,13 +1,15 @@
-// Every kind of scene in every picture format and three strip heights; then frames that stand for more: benchmark
-// workloads, swapped bytes, a camera inside a room that turns all the way around.
+// Every kind of scene in every picture format and three strip heights; each effect's scene in three strip heights; then
+// frames that stand for more: benchmark workloads, swapped bytes, a camera inside a room that turns all the way around.
 #include "cases.hpp"
 
 #include "draw_case.hpp"
 #include "zstrip_scenes/cube.hpp"
+#include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"
 #include "zstrip_scenes/knot_meshlets.hpp"
 #include "zstrip_scenes/random.hpp"
 #include "zstrip_scenes/room.hpp"
+#include "zstrip_scenes/spheres.hpp"
 #include "zstrip_scenes/teapot.hpp"
 #include "zstrip_scenes/triangle.hpp"
 
@@ -39,6 +41,9 @@ constexpr const Subject* kRandom10kMeshlets = &kSubject<scenes::random10k_meshle
 
 constexpr const Subject* kSubjects[] = {kTriangle, kCube,     kRoom,         kRandom50, kTeapot,
                                         kKnot,     kKnotFlat, kKnotTextured, kRandom10k};
+constexpr const Subject* kEffectSubjects[] = {
+    &kSubject<scenes::fog>,  &kSubject<scenes::emissive>, &kSubject<scenes::specular>, &kSubject<scenes::punctual>,
+    &kSubject<scenes::mask>, &kSubject<scenes::blend>,    &kSubject<scenes::bilinear>, &kSubject<scenes::spheres>};
 /// Odd sizes: rows end inside a byte, and neither 7 nor 1 strip rows fill the picture evenly.
 constexpr View kViews[] = {{64, 48, PixelFormat::rgb565}, {37, 29, PixelFormat::gray4}, {51, 33, PixelFormat::mono}};
 constexpr std::uint16_t kStripRows[] = {1, 7, 0};
@@ -75,6 +80,11 @@ bool for_each_case(bool (*run)(const Case&)) {
       for (const std::uint16_t rows : kStripRows) {
         if (!run({subject, Motion::turntable, view, rows, kFrame, 1})) return false;
       }
+    }
+  }
+  for (const Subject* subject : kEffectSubjects) {
+    for (const std::uint16_t rows : kStripRows) {
+      if (!run({subject, Motion::turntable, kSmall, rows, kFrame, 1})) return false;
     }
   }
   for (const Case& single : kSingleCases) {

@@ -1,0 +1,45 @@
+// The scenes of effects without their effects.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "zstrip_scenes/effect_scenes.hpp"
+#include "zstrip_scenes/knot.hpp"
+#include "zstrip_scenes/spheres.hpp"
+
+namespace zstrip::effects_cost {
+
+inline constexpr View kView{160, 120, PixelFormat::rgb565};
+inline constexpr std::uint32_t kFrames = 4, kFramesPerTurn = 36;
+
+/// Without fog, finishes, punctual lights and quadrics; all else as it is.
+template <const scenes::BuiltIn& built_in>
+struct Plain {
+  static constexpr auto kMaterials = [] {
+    std::array<Material, built_in.scene.materials.size()> materials{};
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+      materials[i] = built_in.scene.materials[i];
+      materials[i].finish = kNoFinish;
+    }
+    return materials;
+  }();
+  static constexpr scenes::BuiltIn kBuiltIn = [] {
+    scenes::BuiltIn plain = built_in;
+    plain.scene.materials = kMaterials;
+    plain.scene.fog = nullptr;
+    plain.scene.finishes = {};
+    plain.scene.punctual_lights = {};
+    plain.scene.quadrics = {};
+    plain.counts.quadrics = 0;
+    return plain;
+  }();
+};
+
+/// As it is, or plain.
+template <const scenes::BuiltIn& built_in, bool plain>
+inline constexpr const scenes::BuiltIn& kChosen = built_in;
+template <const scenes::BuiltIn& built_in>
+inline constexpr const scenes::BuiltIn& kChosen<built_in, true> = Plain<built_in>::kBuiltIn;
+
+}  // namespace zstrip::effects_cost
