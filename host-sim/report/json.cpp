@@ -33,6 +33,7 @@ Json to_object(std::size_t index, const FrameRecord& frame, bool has_panel) {
         {"depth", plan.depth_bytes},
         {"colour", plan.colour_bytes},
         {"bins", plan.bin_bytes},
+        {"effects", plan.effect_bytes},
         {"arena", plan.bytes()},
         {"strip_pixels", report.strip_pixel_bytes}}},
       {"bounds", {{"left", bounds.left}, {"top", bounds.top}, {"right", bounds.right}, {"bottom", bounds.bottom}}},

@@ -26,14 +26,15 @@ struct Part {
   const char* what;
 };
 
-std::array<Part, 6> parts(const Plan& plan) {
+std::array<Part, 7> parts(const Plan& plan) {
   return {{{"instances", plan.instance_bytes, "compiled transforms and lights"},
            {"extents", plan.extent_bytes, "which strips each meshlet touches"},
            {"vertices", plan.vertex_bytes,
             plan.mode == Mode::binned ? "all transformed vertices" : "the meshlet being drawn"},
            {"depth", plan.depth_bytes, "z-buffer of a strip"},
            {"colour", plan.colour_bytes, "RGB565 strip, before it becomes the panel's format"},
-           {"bins", plan.bin_bytes, "triangles waiting for their strip"}}};
+           {"bins", plan.bin_bytes, "triangles waiting for their strip"},
+           {"effects", plan.effect_bytes, "fog, light by place, the order of what blends"}}};
 }
 
 /// A length with three digits that count, without an exponent.

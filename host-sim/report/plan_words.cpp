@@ -16,13 +16,14 @@ std::string shape(const Plan& plan, const View& view) {
   return fmt::format("{}, {}", name(plan.mode), strips);
 }
 
-std::array<std::pair<Purpose, std::uint32_t>, 6> by_purpose(const Plan& plan) {
+std::array<std::pair<Purpose, std::uint32_t>, 7> by_purpose(const Plan& plan) {
   return {{{Purpose::instances, plan.instance_bytes},
            {Purpose::extents, plan.extent_bytes},
            {Purpose::vertices, plan.vertex_bytes},
            {Purpose::depth, plan.depth_bytes},
            {Purpose::colour, plan.colour_bytes},
-           {Purpose::bins, plan.bin_bytes}}};
+           {Purpose::bins, plan.bin_bytes},
+           {Purpose::effects, plan.effect_bytes}}};
 }
 
 std::string memory(const Plan& plan, std::uint32_t strip_pixel_bytes, Purpose of_visibility) {

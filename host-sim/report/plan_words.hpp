@@ -14,7 +14,7 @@ namespace zstrip::sim {
 std::string shape(const Plan& plan, const View& view);
 
 /// In the order of a plan's table.
-std::array<std::pair<Purpose, std::uint32_t>, 6> by_purpose(const Plan& plan);
+std::array<std::pair<Purpose, std::uint32_t>, 7> by_purpose(const Plan& plan);
 
 /// "1,234 bytes (instances 160, depth 1,074), and 512 for the pixels of a strip".
 /// `of_visibility`: what the visibility method's bytes are for.

@@ -17,5 +17,15 @@ TEST(EffectsTogether, EachOfFragmentsAlone) {
   expect_drawn_alike<effect::bilinear>();
 }
 
+TEST(EffectsTogether, EachOfSurfacesAlone) {
+  expect_drawn_alike<effect::lighting>();
+  expect_drawn_alike<effect::gouraud>();
+  expect_drawn_alike<effect::vertex_colours>();
+  expect_drawn_alike<effect::textures>();
+  expect_drawn_alike<effect::quadrics>();
+  expect_drawn_alike<effect::orthographic>();
+  expect_drawn_alike<effect::depth_state>();
+}
+
 }  // namespace
 }  // namespace effects_test

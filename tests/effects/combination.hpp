@@ -1,4 +1,4 @@
-// Sets of effects, and a scene that calls for exactly such a set: two boxes, one behind the other.
+// Sets of effects, and a scene that calls for exactly such a set: two boxes, one behind the other, perhaps a sphere.
 #pragma once
 
 #include <array>
@@ -14,13 +14,14 @@ inline constexpr Effects kFactors[] = {effect::lighting,     effect::gouraud,   
                                        effect::orthographic, effect::depth_state,     effect::fog,
                                        effect::emissive,     effect::specular,        effect::texture_alpha,
                                        effect::bilinear,     effect::punctual_lights, effect::alpha_test,
-                                       effect::blending};
+                                       effect::blending,     effect::vertex_colours,  effect::quadrics};
 
 /// With what its effects need to show.
 constexpr Effects completed(Effects set) {
   if (set.has(effect::texture_alpha) && !set.any(effect::alpha_test | effect::blending)) set = set | effect::alpha_test;
   if (set.any(effect::texture_alpha | effect::bilinear)) set = set | effect::textures;
-  if (set.any(effect::vertex_light | effect::gouraud)) set = set | effect::lighting;
+  const bool unlit_texels = set.has(effect::textures | effect::vertex_colours);  // have no vertex colours
+  if (set.any(effect::vertex_light | effect::gouraud) || unlit_texels) set = set | effect::lighting;
   return set;
 }
 
@@ -52,13 +53,27 @@ constexpr bool covers_all_pairs() {
 }
 static_assert(covers_all_pairs());
 
+constexpr auto kBoxColours = [] {
+  std::array<Colour, 24> colours{};
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    const auto level = static_cast<std::uint8_t>(80 + 7 * i);
+    colours[i] = {level, 200, static_cast<std::uint8_t>(255 - level), 255};
+  }
+  return colours;
+}();
+
 /// Calls for exactly completed(set).
 struct Combination {
+  Mesh meshes[2] = {scenes::kRoomMeshes[0], scenes::kRoomMeshes[1]};
   Finish finishes[2];
-  Material materials[2];
+  Material materials[3];
   Texture textures[1] = {{scenes::kLatticeTexels, 4, 4}};
   Instance instances[2] = {scenes::block(0, 0.5, 0.5, 0.5, -0.2, 0, -0.6),
                            scenes::block(1, 0.5, 0.5, 0.5, 0.2, 0.1, 0.5)};
+  Quadric quadrics[1] = {
+      {.material = 2,
+       .transform = {
+           {{fixed(0.4), 0, 0, fixed(-0.3)}, {0, fixed(0.4), 0, fixed(0.5)}, {0, 0, fixed(0.4), fixed(0.4)}}}}};
   Camera camera = scenes::turntable_camera(4.0, 20, 2.2);
   Scene scene;
 
@@ -81,7 +96,10 @@ struct Combination {
       camera.projection = Projection::orthographic;
       camera.focal = fixed(0.7);
     }
-    scene.meshes = scenes::kRoomMeshes;
+    materials[2] = {.colour = {240, 220, 40, 255}, .lit = false};
+    if (set.has(effect::vertex_colours)) meshes[1].colours = kBoxColours;
+    if (set.has(effect::quadrics)) scene.quadrics = quadrics;
+    scene.meshes = meshes;
     scene.materials = materials;
     scene.textures = textures;
     scene.instances = instances;
@@ -112,6 +130,7 @@ void expect_drawn_alike() {
   // Memory is planned for what is there, and not for more.
   const Plan plan = zstrip::plan(count(scene), kView, kSet).plan;
   EXPECT_EQ(plan.effect_bytes != 0, kSet.any(effect::fog | effect::blending | effect::local_light));
+  EXPECT_EQ(plan.colour_bytes + plan.bin_bytes + plan.visibility_bytes, 0U);
 }
 
 }  // namespace effects_test

@@ -106,7 +106,7 @@ TEST_F(Command, JsonHasTheDocumentedKeys) {
   EXPECT_EQ(frame.at("strips"), 15);
   EXPECT_GT(frame.at("time_ns"), 0);
   std::uint64_t sum = 0;
-  for (const char* purpose : {"instances", "extents", "vertices", "depth", "colour", "bins"}) {
+  for (const char* purpose : {"instances", "extents", "vertices", "depth", "colour", "bins", "effects"}) {
     sum += frame.at("ram_bytes").at(purpose).get<std::uint64_t>();
   }
   EXPECT_EQ(frame.at("ram_bytes").at("arena"), sum);
@@ -114,6 +114,26 @@ TEST_F(Command, JsonHasTheDocumentedKeys) {
   EXPECT_GT(frame.at("statistics").at("drawn"), 0);
   EXPECT_LE(frame.at("statistics").at("drawn"), frame.at("statistics").at("triangles"));
   EXPECT_GT(frame.at("bounds").at("right"), frame.at("bounds").at("left"));
+}
+
+TEST_F(Command, PlanListsAPurposeOnlyIfTheSceneHasIt) {
+  const auto arena = [this](const std::string& scene) {
+    const Outcome outcome = zstrip({"plan", scene, "--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out).at("plan").at("bytes");
+  };
+  EXPECT_EQ(arena("knot").at("effects"), 0);
+  EXPECT_EQ(zstrip({"plan", "knot"}).out.find("effects"), std::string::npos);
+  for (const char* scene : {"fog", "specular", "punctual", "blend"}) {
+    const auto bytes = arena(scene);
+    EXPECT_GT(bytes.at("effects"), 0) << scene;
+    std::uint64_t sum = 0;
+    for (const char* purpose : {"instances", "extents", "vertices", "depth", "colour", "bins", "effects"}) {
+      sum += bytes.at(purpose).get<std::uint64_t>();
+    }
+    EXPECT_EQ(bytes.at("arena"), sum) << scene;
+    EXPECT_NE(zstrip({"plan", scene}).out.find("effects"), std::string::npos) << scene;
+  }
 }
 
 TEST_F(Command, PlanSaysWhatThePictureTakesAndKeepsToTheLimit) {
@@ -125,7 +145,7 @@ TEST_F(Command, PlanSaysWhatThePictureTakesAndKeepsToTheLimit) {
   EXPECT_GT(bytes.at("total"), bytes.at("arena"));
   EXPECT_LT(json.at("plan").at("strip_columns"), 320);
   std::uint64_t sum = 0;
-  for (const char* purpose : {"instances", "extents", "vertices", "depth", "colour", "bins"}) {
+  for (const char* purpose : {"instances", "extents", "vertices", "depth", "colour", "bins", "effects"}) {
     sum += bytes.at(purpose).get<std::uint64_t>();
   }
   EXPECT_EQ(bytes.at("arena"), sum);

@@ -1,0 +1,50 @@
+// A plan has bytes for a purpose only if the scene has what the purpose is for, and then as many as it says.
+#include "drawn.hpp"
+#include "zstrip_scenes/effect_scenes.hpp"
+#include "zstrip_scenes/spheres.hpp"
+
+namespace effects_test {
+namespace {
+
+constexpr View kView{64, 48, PixelFormat::rgb565};
+
+/// What docs/effects.md says: the block's head, fog, a place in the order for each instance, light.
+std::uint32_t bytes_of_effects(Effects effects, std::uint32_t instances) {
+  std::uint32_t bytes = 0;
+  if (effects.has(effect::fog)) bytes += 40;
+  if (effects.has(effect::blending)) bytes += 16 * instances;
+  if (effects.any(effect::local_light)) bytes += 192 + 68 * instances;
+  return bytes == 0 ? 0 : bytes + 16;
+}
+
+void expect_only_its_purposes(const scenes::BuiltIn& built_in) {
+  SCOPED_TRACE(built_in.name);
+  const Effects effects = effects_of(built_in.scene, built_in.camera);
+  const Plan whole = plan(built_in.counts, kView, effects, {.strip_rows = kView.height}).plan;
+  EXPECT_EQ(whole.effect_bytes, bytes_of_effects(effects, built_in.counts.instances));
+  EXPECT_EQ(whole.extent_bytes, 0U) << "one strip needs to know of no other";
+  EXPECT_EQ(whole.colour_bytes, 0U) << "drawn in place";
+  EXPECT_EQ(whole.bin_bytes, 0U);
+  EXPECT_EQ(whole.visibility_bytes, 0U);
+  SceneCounts fewer = built_in.counts;
+  fewer.quadrics = 0;
+  const Effects others = without(effects, effect::quadrics);
+  const Plan no_quadrics = plan(fewer, kView, others, {.strip_rows = kView.height}).plan;
+  EXPECT_EQ(whole.instance_bytes - no_quadrics.instance_bytes, 384 * built_in.counts.quadrics);
+
+  // Each of the others comes with what it is for.
+  EXPECT_GT(plan(built_in.counts, kView, effects, {.strip_rows = 8}).plan.extent_bytes, 0U);
+  EXPECT_GT(plan(built_in.counts, {64, 48, PixelFormat::mono}, effects).plan.colour_bytes, 0U);
+  const Budget binned{.strip_rows = 8, .modes = Modes::binned};
+  EXPECT_GT(plan(built_in.counts, kView, effects | effect::bins, binned).plan.bin_bytes, 0U);
+}
+
+TEST(EffectsPlan, OnlyWhatTheSceneHas) {
+  expect_only_its_purposes(scenes::knot);
+  expect_only_its_purposes(scenes::room);
+  expect_only_its_purposes(scenes::spheres);
+  for (const scenes::BuiltIn& built_in : scenes::effect_scenes()) expect_only_its_purposes(built_in);
+}
+
+}  // namespace
+}  // namespace effects_test
