@@ -106,9 +106,11 @@ Result<std::uint16_t> ComposedMaterials::own_texture(const FileMaterial& materia
   if (!image) return wrong(image.failure().message);
   const RgbImage fitted = resample_to_power_of_two(std::move(*image));
   scene_.texels.push_back(to_rgb565(fitted));
+  append_alpha(fitted, scene_.texels.back());
   scene_.textures.push_back({.texels = scene_.texels.back(),
                              .log2_width = static_cast<std::uint8_t>(log2_of(fitted.width)),
-                             .log2_height = static_cast<std::uint8_t>(log2_of(fitted.height))});
+                             .log2_height = static_cast<std::uint8_t>(log2_of(fitted.height)),
+                             .format = fitted.alpha.empty() ? TextureFormat::rgb565 : TextureFormat::rgb565_alpha});
   return at->second;
 }
 

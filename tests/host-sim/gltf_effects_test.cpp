@@ -218,5 +218,22 @@ TEST_F(GltfEffects, OriginsNameTheFile) {
   EXPECT_EQ(found[0].origin, "tree.gltf");
 }
 
+/// Scene files lost it: a texture that they name was read without its alpha.
+TEST_F(GltfEffects, AlphaOfATextureThatASceneFileNames) {
+  file("square.gltf", GltfFile{.materials = {R"({"name":"plain"})"}, .nodes = kOneSquare}.text());
+  file("glass.png", kHalfGlass);
+  const std::string scene = file("scene.toml",
+                                 "[[model]]\nname = 'square'\nfile = 'square.gltf'\n"
+                                 "[[material]]\nname = 'glass'\ntexture = 'glass.png'\nalpha_mode = 'blend'\n"
+                                 "[[instance]]\nmodel = 'square'\nmaterial = 'glass'\n");
+  const auto stage = open_stage(scene, {}, {}, {64, 48}, 1);
+  ASSERT_TRUE(stage) << stage.failure().message;
+  const Result<Staging> staging = (*stage)->place(0, 1);
+  ASSERT_EQ(staging->scene.textures.size(), 1U);
+  EXPECT_EQ(staging->scene.textures[0].format, TextureFormat::rgb565_alpha);
+  EXPECT_EQ(staging->scene.textures[0].texels.back(), 128 | 255 << 8);
+  EXPECT_TRUE(effects_of(staging->scene, staging->camera).has(effect::texture_alpha));
+}
+
 }  // namespace
 }  // namespace zstrip::sim::test
