@@ -8,6 +8,7 @@
 #include <string>
 
 #include "zstrip_scenes/effect_scenes.hpp"
+#include "zstrip_scenes/spheres.hpp"
 
 namespace effects_test {
 namespace {
@@ -67,6 +68,7 @@ TEST(EffectsAbsence, ProgramsHoldTheCodeOfTheirScenesEffectsAndNoOther) {
   const auto check = [&](const scenes::BuiltIn& built_in) { expect_only(folder + built_in.name, built_in); };
   check(scenes::knot);
   check(scenes::room);
+  check(scenes::spheres);
   for (const scenes::BuiltIn& built_in : scenes::effect_scenes()) check(built_in);
 }
 

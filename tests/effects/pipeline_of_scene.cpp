@@ -6,6 +6,7 @@
 
 #include "zstrip/zstrip.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
+#include "zstrip_scenes/spheres.hpp"
 
 namespace {
 
