@@ -220,7 +220,10 @@ TEST_F(GltfEffects, OriginsNameTheFile) {
 
 /// Scene files lost it: a texture that they name was read without its alpha.
 TEST_F(GltfEffects, AlphaOfATextureThatASceneFileNames) {
-  file("square.gltf", GltfFile{.materials = {R"({"name":"plain"})"}, .nodes = kOneSquare}.text());
+  const GltfFile opaque{.materials = {R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})"},
+                        .nodes = kOneSquare,
+                        .pictures = rgba_png(1, 1, {90, 90, 90, 255})};
+  file("square.gltf", opaque.text());
   file("glass.png", kHalfGlass);
   const std::string scene = file("scene.toml",
                                  "[[model]]\nname = 'square'\nfile = 'square.gltf'\n"
@@ -229,9 +232,9 @@ TEST_F(GltfEffects, AlphaOfATextureThatASceneFileNames) {
   const auto stage = open_stage(scene, {}, {}, {64, 48}, 1);
   ASSERT_TRUE(stage) << stage.failure().message;
   const Result<Staging> staging = (*stage)->place(0, 1);
-  ASSERT_EQ(staging->scene.textures.size(), 1U);
-  EXPECT_EQ(staging->scene.textures[0].format, TextureFormat::rgb565_alpha);
-  EXPECT_EQ(staging->scene.textures[0].texels.back(), 128 | 255 << 8);
+  const Texture& glass = staging->scene.textures[staging->scene.materials.back().texture];
+  EXPECT_EQ(glass.format, TextureFormat::rgb565_alpha);
+  EXPECT_EQ(glass.texels.back(), 128 | 255 << 8);
   EXPECT_TRUE(effects_of(staging->scene, staging->camera).has(effect::texture_alpha));
 }
 
