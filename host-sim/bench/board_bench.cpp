@@ -65,7 +65,7 @@ std::vector<std::string> emulator_command(const BenchCase& bench_case, const fs:
                                    "-kernel",
                                    program.string()};
   if (!bench_case.scene_file.empty()) {
-    command.push_back("-device");
+    command.emplace_back("-device");
     command.push_back(fmt::format("loader,file={},addr={:#x},force-raw=on", bench_case.scene_file, kSceneAddress));
   }
   return command;

@@ -26,15 +26,18 @@ std::span<const std::uint8_t> json_of(std::span<const std::uint8_t> file) {
   return file.subspan(kBegin, std::min(length, file.size() - kBegin));
 }
 
+const Json& nothing() {
+  static const Json null;
+  return null;
+}
+
 /// The member of an object, or the element of an array; null if it is not there.
 const Json& at(const Json& json, const char* key) {
-  static const Json kNull;
   const auto found = json.is_object() ? json.find(key) : json.end();
-  return json.is_object() && found != json.end() ? *found : kNull;
+  return json.is_object() && found != json.end() ? *found : nothing();
 }
 const Json& at(const Json& array, const Json& index) {
-  static const Json kNull;
-  if (!array.is_array() || !index.is_number_unsigned() || index.get<std::uint64_t>() >= array.size()) return kNull;
+  if (!array.is_array() || !index.is_number_unsigned() || index.get<std::uint64_t>() >= array.size()) return nothing();
   return array[index.get<std::size_t>()];
 }
 

@@ -155,7 +155,7 @@ Result<NewellOrder> newell_order(const PolygonSoup& soup, const Camera& camera) 
       ++order.splits;
       waiting.erase(cut);
       for (SoupPolygon* part : {&parts.front, &parts.back}) {
-        if (Item item; sorter.prepare(std::move(*part), item)) insert(std::move(item));
+        if (Item item; sorter.prepare(*part, item)) insert(std::move(item));
       }
       break;
     }
