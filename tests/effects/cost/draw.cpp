@@ -16,7 +16,7 @@ using namespace zstrip;
 using namespace zstrip::effects_cost;
 
 constexpr const scenes::BuiltIn& kBuiltIn = kChosen<scenes::COST_SCENE, COST_PLAIN>;
-constexpr Effects kEffects = effects_of(kBuiltIn.scene, kBuiltIn.camera);
+constexpr Effects kEffects = kEffectsOf<scenes::COST_SCENE, COST_PLAIN>;
 constexpr Plan kPlan = plan(kBuiltIn.counts, kView, kEffects, {.strip_rows = kView.height}).plan;
 alignas(kArenaAlignment) std::array<std::byte, kPlan.bytes()> arena;
 alignas(4) std::array<std::byte, kPlan.strip_pixel_bytes(kView)> pixels;

@@ -42,4 +42,10 @@ inline constexpr const scenes::BuiltIn& kChosen = built_in;
 template <const scenes::BuiltIn& built_in>
 inline constexpr const scenes::BuiltIn& kChosen<built_in, true> = Plain<built_in>::kBuiltIn;
 
+/// The pipeline of kChosen. The plain one keeps what the effect brought along, as quadrics their textures.
+template <const scenes::BuiltIn& built_in, bool plain>
+inline constexpr Effects kEffectsOf = without(effects_of(built_in.scene, built_in.camera),
+                                              plain ? effect::fragments | effect::vertex_light | effect::surfaces
+                                                    : Effects{});
+
 }  // namespace zstrip::effects_cost

@@ -6,8 +6,7 @@ namespace {
 
 using namespace zstrip;
 
-constexpr const scenes::BuiltIn& kBuiltIn = effects_cost::kChosen<scenes::COST_SCENE, COST_PLAIN>;
-Renderer<effects_of(kBuiltIn.scene, kBuiltIn.camera)> renderer;
+Renderer<effects_cost::kEffectsOf<scenes::COST_SCENE, COST_PLAIN>> renderer;
 
 }  // namespace
 
