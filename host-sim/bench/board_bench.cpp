@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::seconds kLimit{900};  // for each case; a hundred frames of the largest need a few minutes
+constexpr std::chrono::seconds kCaseLimit{900};  // for each case; a hundred frames of the largest need a few minutes
 constexpr std::uint32_t kSceneAddress = 0x00100000;  // where scene_cost.cpp looks for its scene
 constexpr int kBoardBudget = 5;                      // bench.cpp's exit status for too little memory
 
@@ -123,7 +123,7 @@ Result<Measurement> bench_on_board(const BenchCase& bench_case, const fs::path& 
                                    const std::vector<std::string>& emulator_options) {
   std::vector<std::string> command = emulator_command(bench_case, program);
   command.insert(command.end(), emulator_options.begin(), emulator_options.end());
-  const Result<ChildOutput> output = run_program(command, kLimit);
+  const Result<ChildOutput> output = run_program(command, kCaseLimit);
   if (!output) return output.failure();
   const std::string line = output->text.substr(0, output->text.find_last_not_of("\r\n") + 1);
   if (output->exit_status != 0) {

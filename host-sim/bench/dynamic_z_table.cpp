@@ -14,7 +14,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::size_t kRounds = 25;
+constexpr std::size_t kRatioRounds = 25;
 
 Failure drawing_failure(const DynamicZPicture& picture, const Status& status) {
   return {ExitStatus::internal,
@@ -32,7 +32,7 @@ Result<std::uint32_t> checksum(DynamicZDrawing& drawing, const DynamicZPicture& 
 // The least of all rounds: whatever else the machine does only adds. Rounds take turns among the rows, so that a slow
 // spell falls on all of them.
 Result<Done> time_rows(std::vector<DynamicZDrawing>& drawings, std::span<DynamicZRow> rows) {
-  for (std::size_t round = 0; round < kRounds; ++round) {
+  for (std::size_t round = 0; round < kRatioRounds; ++round) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const auto begin = std::chrono::steady_clock::now();
       const Status drawn = drawings[i].draw();

@@ -14,7 +14,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::size_t kRounds = 9;
+constexpr std::size_t kTimedRounds = 9;
 
 Failure drawing_failure(const BenchCase& bench_case, const Status& status) {
   return {ExitStatus::internal, fmt::format("{} could not be drawn: {}", bench_case.workload, message(status.error))};
@@ -72,7 +72,7 @@ Result<std::vector<Measurement>> bench_on_host(const std::vector<BenchCase>& cas
   }
 
   std::vector<std::vector<double>> times(cases.size());
-  for (std::size_t round = 0; round < kRounds; ++round) {
+  for (std::size_t round = 0; round < kTimedRounds; ++round) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
       const Result<double> time = nanoseconds_per_frame(drawings[i], cases[i]);
       if (!time) return time.failure();

@@ -15,7 +15,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::chrono::seconds kLimit{600};
+constexpr std::chrono::seconds kProgramLimit{600};
 
 // valgrind refuses programs built with AddressSanitizer.
 constexpr bool kCanCount = !kAddressSanitizer;
@@ -50,7 +50,7 @@ Result<std::uint64_t> total_of_run(const CountedRun& run, const char* draws) {
   command.insert(command.end(), run.command.begin(), run.command.end());
   command.insert(command.end(), {"--draw-each", draws});
 
-  const Result<ChildOutput> output = run_program(command, kLimit);
+  const Result<ChildOutput> output = run_program(command, kProgramLimit);
   if (!output) return output.failure();
   const std::optional<std::uint64_t> total = instruction_total(output->text);
   if (output->exit_status != 0 || !total) {

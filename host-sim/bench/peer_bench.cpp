@@ -23,8 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kRounds = 5;
-constexpr std::chrono::seconds kLimit{300};  // of one round of one case
+constexpr std::size_t kPeerRounds = 5;
+constexpr std::chrono::seconds kRoundLimit{300};  // of one round of one case
 
 struct PeerProgram {
   std::string_view renderer;
@@ -64,7 +64,7 @@ Result<Done> run_peer(Contestant& c) {
   std::vector<std::string> command{"env"};
   command.insert(command.end(), c.environment.begin(), c.environment.end());
   command.insert(command.end(), c.command.begin(), c.command.end());
-  const Result<ChildOutput> output = run_program(command, kLimit);
+  const Result<ChildOutput> output = run_program(command, kRoundLimit);
   if (!output) return output.failure();
   const nlohmann::json line = nlohmann::json::parse(output->text, nullptr, false);
   if (output->exit_status != 0 || !line.is_object()) {
@@ -146,7 +146,7 @@ Result<PeerComparison> compare_with_peers(const std::vector<BenchCase>& cases) {
     for (const PeerProgram* peer : present)
       contestants.push_back(contestant(*peer, bench_case, folder / peer->program));
   }
-  for (std::size_t round = 0; round < kRounds; ++round) {
+  for (std::size_t round = 0; round < kPeerRounds; ++round) {
     for (Contestant& c : contestants) {
       if (const Result<Done> done = c.peer == nullptr ? run_zstrip(c) : run_peer(c); !done) return done.failure();
     }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kTables{"midpoint", "thesis", "depth-bits"};
 constexpr std::uint32_t kFrame = 7;  // of the workload's motion: an angle without symmetry
-constexpr std::uint32_t kRounds = 5;
+constexpr std::uint32_t kRowRounds = 5;
 
 /// What a row draws.
 class RowScene {
@@ -175,7 +175,7 @@ Result<std::vector<VisibilityRow>> measure_visibility(std::string_view table) {
   std::vector<VisibilityRow> rows;
   Progress progress(static_cast<std::uint32_t>(cases.size()), true, "row");
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    Result<VisibilityRow> row = measure_visibility_row(cases[i], kRounds);
+    Result<VisibilityRow> row = measure_visibility_row(cases[i], kRowRounds);
     if (!row) return row.failure();
     if (table == "thesis") {
       const auto counted = count_draw({"--table", std::string(table), "--table-row", std::to_string(i)},

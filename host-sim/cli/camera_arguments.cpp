@@ -10,12 +10,6 @@
 #include "render/stage.hpp"
 
 namespace zstrip::sim {
-namespace {
-
-Failure usage(std::string message) { return {ExitStatus::usage, std::move(message)}; }
-
-}  // namespace
-
 void add_camera_options(CLI::App& command, CameraArguments& arguments) {
   CameraArguments& a = arguments;
   command

@@ -18,8 +18,6 @@
 namespace zstrip::sim {
 namespace {
 
-Failure usage(std::string message) { return {ExitStatus::usage, std::move(message)}; }
-
 Result<const PanelKind*> parse_kind(const std::string& text) {
   std::vector<std::string_view> names;
   for (const PanelKind& kind : panel_kinds()) {

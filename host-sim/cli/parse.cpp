@@ -28,6 +28,8 @@ std::optional<T> number(std::string_view text) {
 
 }  // namespace
 
+Failure usage(std::string message) { return {ExitStatus::usage, std::move(message)}; }
+
 Result<std::pair<std::uint16_t, std::uint16_t>> parse_size(const std::string& text) {
   const auto side = [](std::string_view part) {
     const auto value = number<std::uint16_t>(part);

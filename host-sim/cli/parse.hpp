@@ -16,6 +16,9 @@
 
 namespace zstrip::sim {
 
+/// `message` is one line.
+Failure usage(std::string message);
+
 /// "320x240": each side 1..4096.
 Result<std::pair<std::uint16_t, std::uint16_t>> parse_size(const std::string& text);
 

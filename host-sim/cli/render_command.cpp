@@ -69,8 +69,6 @@ struct Job {
   unsigned threads = 1;
 };
 
-Failure usage(std::string message) { return {ExitStatus::usage, std::move(message)}; }
-
 /// The picture fills the panel.
 View panel_view(const PanelRequest& panel) {
   const bool sideways = is_sideways(panel.orientation);

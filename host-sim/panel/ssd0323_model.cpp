@@ -6,7 +6,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr SolomonCommand kCommands[] = {
+constexpr SolomonCommand kSsd0323Commands[] = {
     {0x15, 0x15, 2},  // columns
     {0x75, 0x75, 2},  // rows
     {0x81, 0x81, 1},  // contrast
@@ -28,7 +28,7 @@ constexpr unsigned kColumnRemap = 0x01, kNibbleRemap = 0x02, kDownwardsFirst = 0
 }  // namespace
 
 Ssd0323Model::Ssd0323Model(const Ssd0323Glass& glass)
-    : SolomonModel("SSD0323", Wire::command, kCommands), glass_(glass) {
+    : SolomonModel("SSD0323", Wire::command, kSsd0323Commands), glass_(glass) {
   std::mt19937 random;
   for (std::uint8_t& byte : memory_) byte = static_cast<std::uint8_t>(random());
   reset_registers();

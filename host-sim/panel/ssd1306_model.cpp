@@ -6,7 +6,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr SolomonCommand kCommands[] = {
+constexpr SolomonCommand kSsd1306Commands[] = {
     {0x00, 0x1F, 0},                   // column in page addressing, low and high digit
     {0x20, 0x20, 1},                   // addressing mode
     {0x21, 0x22, 2},                   // columns, pages
@@ -34,7 +34,7 @@ constexpr SolomonCommand kCommands[] = {
 }  // namespace
 
 Ssd1306Model::Ssd1306Model(const Ssd1306Glass& glass, Nanoseconds shortest_cycle)
-    : SolomonModel("SSD1306", Wire::command, kCommands), glass_(glass), cycle_(shortest_cycle) {
+    : SolomonModel("SSD1306", Wire::command, kSsd1306Commands), glass_(glass), cycle_(shortest_cycle) {
   std::mt19937 random;
   for (std::uint8_t& byte : memory_) byte = static_cast<std::uint8_t>(random());
   reset_registers();

@@ -6,7 +6,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr SolomonCommand kCommands[] = {
+constexpr SolomonCommand kSsd1351Commands[] = {
     {0x15, 0x15, 2},   // columns
     {0x75, 0x75, 2},   // rows
     {0x5C, 0x5C, 0},   // write
@@ -45,7 +45,7 @@ std::uint8_t widened(unsigned value, unsigned bits) {
 }  // namespace
 
 Ssd1351Model::Ssd1351Model(const Ssd1351Glass& glass)
-    : SolomonModel("SSD1351", Wire::data, kCommands), glass_(glass), memory_(kSide * kSide) {
+    : SolomonModel("SSD1351", Wire::data, kSsd1351Commands), glass_(glass), memory_(kSide * kSide) {
   std::mt19937 random;
   for (std::uint16_t& pixel : memory_) pixel = static_cast<std::uint16_t>(random());
   reset_registers();

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kCandidates = 12;
 constexpr std::size_t kMostPieces = 20000;
 
-struct Node {
+struct TreeNode {
   SoupPlane plane;
   std::vector<SoupPolygon> polygons;  ///< in the plane, facing either way
   std::uint32_t front = 0, back = 0;
@@ -57,7 +57,7 @@ class Builder {
     return Done{};
   }
 
-  const std::vector<Node>& nodes() const { return nodes_; }
+  const std::vector<TreeNode>& nodes() const { return nodes_; }
   std::uint32_t deepest() const { return deepest_; }
   std::size_t splits() const { return splits_; }
 
@@ -88,7 +88,7 @@ class Builder {
     return best;
   }
 
-  std::vector<Node> nodes_;
+  std::vector<TreeNode> nodes_;
   std::uint32_t deepest_ = 0;
   std::size_t splits_ = 0, pieces_ = 0;
 };
@@ -117,14 +117,14 @@ Result<BakedBsp> bake_bsp(const PolygonSoup& soup) {
   Builder builder;
   if (const Result<Done> built = builder.build(soup.polygons, 1); !built) return built.failure();
   PolygonSoup ordered{{}, soup.double_sided, soup.smooth, soup.background};
-  for (const Node& node : builder.nodes()) {
+  for (const TreeNode& node : builder.nodes()) {
     ordered.polygons.insert(ordered.polygons.end(), node.polygons.begin(), node.polygons.end());
   }
   Result<SoupScene> scene = SoupScene::of(ordered);
   if (!scene) return scene.failure();
   BakedBsp baked{std::move(*scene), {}, builder.deepest(), builder.splits()};
   std::size_t polygon = 0;
-  for (const Node& node : builder.nodes()) {
+  for (const TreeNode& node : builder.nodes()) {
     BspNode written = in_box(node.plane, baked.scene.mesh());
     const std::size_t first = polygon;
     polygon += node.polygons.size();

@@ -58,27 +58,19 @@ constexpr auto table_of(std::index_sequence<index...>) {
 
 constexpr auto kTable = table_of(std::make_index_sequence<kSets>{});
 
-constexpr Pipeline kRefusing{
-    [](Frame&, const Scene&, const Camera&, const View&, const Plan&, std::span<std::byte>) {
-      return Status{.error = Error::depth_effects};
-    },
-    [](Frame&, std::uint16_t, std::span<std::byte>) { return Status{.error = Error::not_begun}; },
-    [](Frame&, const Rect&, std::span<std::uint16_t>, std::span<std::uint16_t>) {
-      return Status{.error = Error::not_begun};
-    }};
-
 }  // namespace
 
 Pipeline pipeline_for(Effects effects) {
   if (effects.methods != 0) return pipeline_of_method(effects);
-  if (!depth_effects_agree(effects) || !perspective_effects_agree(effects)) return kRefusing;
+  if (!depth_effects_agree(effects) || !perspective_effects_agree(effects))
+    return detail::refusing<Error::depth_effects>();
   // Without perspective, or without textures, all of them draw the same.
   if (effects.has(effect::orthographic) || !effects.has(effect::textures)) {
     effects = without(effects, effect::perspective_runs);
   }
   if (effects.any(detail::kBeyondTable)) {
     const Pipeline* const found = detail::pipeline_with_effects(effects);
-    return found != nullptr ? *found : kRefusing;
+    return found != nullptr ? *found : detail::refusing<Error::depth_effects>();
   }
   return kTable.pipelines[index_of(effects)];
 }

@@ -1,5 +1,5 @@
 // The table of pipelines with a visibility method, for programs that learn the method at run time.
-#include "zstrip/frame/pipeline.hpp"
+#include "zstrip/frame/pipelines_with_effects.hpp"
 #include "zstrip/frame/visibility_stages.hpp"
 
 namespace zstrip {
@@ -18,19 +18,10 @@ constexpr Pipeline pipeline(bool orthographic) {
   return {&detail::begin_frame<kPerspective>, &detail::draw_strip<kPerspective>, &detail::draw_over<kPerspective>};
 }
 
-constexpr Pipeline kRefusing{
-    [](Frame&, const Scene&, const Camera&, const View&, const Plan&, std::span<std::byte>) {
-      return Status{.error = Error::visibility};
-    },
-    [](Frame&, std::uint16_t, std::span<std::byte>) { return Status{.error = Error::not_begun}; },
-    [](Frame&, const Rect&, std::span<std::uint16_t>, std::span<std::uint16_t>) {
-      return Status{.error = Error::not_begun};
-    }};
-
 }  // namespace
 
 Pipeline pipeline_of_method(Effects effects) {
-  if (!methods_agree(effects)) return kRefusing;
+  if (!methods_agree(effects)) return detail::refusing<Error::visibility>();
   const bool orthographic = effects.has(effect::orthographic);
   const Effects own = without(Effects{0, effects.methods}, method::culling);
   if (own == Effects{}) return pipeline<effect::depth_state>(orthographic);
@@ -44,7 +35,7 @@ Pipeline pipeline_of_method(Effects effects) {
   }
   if (own == method::midpoint) return pipeline<method::midpoint>(orthographic);
   if (own == method::midpoint_safe) return pipeline<method::midpoint_safe>(orthographic);
-  return kRefusing;
+  return detail::refusing<Error::visibility>();
 }
 
 }  // namespace zstrip

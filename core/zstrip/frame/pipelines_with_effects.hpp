@@ -14,6 +14,18 @@ constexpr Pipeline pipeline() {
   return {&begin_frame<effects>, &draw_strip<effects>, &draw_over<effects>};
 }
 
+/// Refuses every frame, for effects that do not go together.
+template <Error error>
+constexpr Pipeline refusing() {
+  return {[](Frame&, const Scene&, const Camera&, const View&, const Plan&, std::span<std::byte>) {
+            return Status{.error = error};
+          },
+          [](Frame&, std::uint16_t, std::span<std::byte>) { return Status{.error = Error::not_begun}; },
+          [](Frame&, const Rect&, std::span<std::uint16_t>, std::span<std::uint16_t>) {
+            return Status{.error = Error::not_begun};
+          }};
+}
+
 /// A pipeline that has all of `effects` (which agree) and draws the same as one that has them exactly; null if there
 /// are unknown ones among them. Static storage.
 const Pipeline* pipeline_with_effects(Effects effects);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "zstrip/geometry/colour_product.hpp"
+
 namespace zstrip::detail {
 namespace {
 
@@ -81,13 +83,6 @@ ViewRow negated(const ViewRow& row) { return {{-row.part[0], -row.part[1], -row.
 
 ViewRow distance_row(const Mesh& mesh, const Transform& transform, const Camera& camera) {
   return negated(view_row(camera.back, camera, mesh, transform));
-}
-
-constexpr std::uint8_t product(std::uint8_t a, std::uint8_t b) {
-  return static_cast<std::uint8_t>((a * b + 127) / 255);
-}
-constexpr Colour product(const Colour& a, const Colour& b) {
-  return {product(a.r, b.r), product(a.g, b.g), product(a.b, b.b), 255};
 }
 
 /// The light's direction as seen from the object: the transform's transpose, renormalised. Exact for rotations with

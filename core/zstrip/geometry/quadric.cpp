@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "zstrip/base/scaled.hpp"
+#include "zstrip/geometry/colour_product.hpp"
 
 namespace zstrip::detail {
 namespace {
@@ -125,11 +126,6 @@ DirectionPlane direction_plane(const PixelPlane& plane, const Scaled3& per_root,
     result.root_part[i] = static_cast<std::int32_t>((per_root.*member).fixed(fraction + direction_shift));
   }
   return result;
-}
-
-Colour product(const Colour& a, const Colour& b) {
-  const auto channel = [](std::uint8_t p, std::uint8_t q) { return static_cast<std::uint8_t>((p * q + 127) / 255); };
-  return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b), 255};
 }
 
 void compile_shading(CompiledQuadric& compiled, const Scene& scene, const Quadric& quadric) {

@@ -12,7 +12,7 @@
 namespace zstrip::hal {
 namespace {
 
-constexpr DeviceKind kKind = DeviceKind::graphics_card;
+constexpr DeviceKind kGraphicsCard = DeviceKind::graphics_card;
 
 std::string name_of(const drmModeConnector& connector) {
   const char* type = drmModeGetConnectorTypeName(connector.connector_type);
@@ -113,7 +113,7 @@ int start_in(DrmScreen& screen, DrmFormat format) {
 }  // namespace
 
 Outcome<std::vector<std::string>> drm_connectors(const std::string& path) {
-  const Outcome<FileDescriptor> card = open_device(kKind, path);
+  const Outcome<FileDescriptor> card = open_device(kGraphicsCard, path);
   if (!card) return card.fault();
   const Outcome<DrmResources> resources = resources_of(card->get(), path);
   if (!resources) return resources.fault();
@@ -126,7 +126,7 @@ Outcome<std::vector<std::string>> drm_connectors(const std::string& path) {
 }
 
 Outcome<DrmDisplay> DrmDisplay::open(const std::string& path, const DrmOptions& options) {
-  Outcome<FileDescriptor> card = open_device(kKind, path);
+  Outcome<FileDescriptor> card = open_device(kGraphicsCard, path);
   if (!card) return card.fault();
   const int number = card->get();
   Outcome<DrmResources> resources = resources_of(number, path);
@@ -157,7 +157,7 @@ Outcome<DrmDisplay> DrmDisplay::open(const std::string& path, const DrmOptions& 
 
   const std::uint32_t crtc = crtc_for(number, **resources, connector);
   if (crtc == 0) return Fault{path + " has no CRTC left for " + name_of(connector)};
-  if (drmIsMaster(number) == 0) return device_fault(kKind, path, "show pictures", EBUSY);
+  if (drmIsMaster(number) == 0) return device_fault(kGraphicsCard, path, "show pictures", EBUSY);
 
   screen->connector = connector.connector_id;
   screen->former.reset(drmModeGetCrtc(number, crtc));
@@ -171,7 +171,7 @@ Outcome<DrmDisplay> DrmDisplay::open(const std::string& path, const DrmOptions& 
         PixelWriter::create(format == DrmFormat::rgb565 ? kRgb565Layout : kXrgb8888Layout);
     return DrmDisplay(std::move(screen), size, format, *writer);
   }
-  return device_fault(kKind, path, "show pictures of " + to_string(size), error);
+  return device_fault(kGraphicsCard, path, "show pictures of " + to_string(size), error);
 }
 
 DrmDisplay::DrmDisplay(std::unique_ptr<DrmScreen> screen, const ScreenSize& size, DrmFormat card_format,

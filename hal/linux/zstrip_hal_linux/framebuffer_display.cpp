@@ -67,8 +67,7 @@ std::optional<Fault> change_mode(int file, const std::string& path, const Frameb
 }  // namespace
 
 Outcome<FramebufferDisplay> FramebufferDisplay::open(const std::string& path, const FramebufferOptions& options) {
-  constexpr DeviceKind kKind = DeviceKind::framebuffer;
-  Outcome<FileDescriptor> file = open_device(kKind, path);
+  Outcome<FileDescriptor> file = open_device(DeviceKind::framebuffer, path);
   if (!file) return file.fault();
   const int number = file->get();
   fb_var_screeninfo mode{};
@@ -80,7 +79,7 @@ Outcome<FramebufferDisplay> FramebufferDisplay::open(const std::string& path, co
   // Only after the mode was set: rows may have another length then.
   fb_fix_screeninfo device{};
   if (const int error = device_control(number, FBIOGET_FSCREENINFO, &device); error != 0)
-    return device_fault(kKind, path, "tell where its memory is", error);
+    return device_fault(DeviceKind::framebuffer, path, "tell where its memory is", error);
   const std::optional<PixelLayout> layout = layout_of(mode);
   const std::optional<PixelWriter> writer = layout ? PixelWriter::create(*layout) : std::nullopt;
   if (!writer || device.type != FB_TYPE_PACKED_PIXELS || device.visual != FB_VISUAL_TRUECOLOR) {
@@ -93,7 +92,7 @@ Outcome<FramebufferDisplay> FramebufferDisplay::open(const std::string& path, co
   const std::size_t start = device.smem_start & (page - 1);
   if (device.smem_len == 0 || device.line_length == 0) return Fault{path + " says that it has no memory"};
   Mapping mapping(number, (start + device.smem_len + page - 1) / page * page, 0);
-  if (mapping.bytes().empty()) return device_fault(kKind, path, "be mapped", errno);
+  if (mapping.bytes().empty()) return device_fault(DeviceKind::framebuffer, path, "be mapped", errno);
   const std::span<std::byte> device_memory = mapping.bytes().subspan(start, device.smem_len);
   const std::optional<VideoMemory> memory = visible_memory(device, mode, device_memory);
   if (!memory) return Fault{path + " says that its picture lies beyond its memory, or is larger than 4096x4096"};

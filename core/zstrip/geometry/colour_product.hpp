@@ -1,0 +1,16 @@
+// A light's colour times a material's.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/scene/scene.hpp"
+
+namespace zstrip::detail {
+
+/// Channel by channel, 255 being one, rounded to nearest; opaque.
+constexpr Colour product(const Colour& a, const Colour& b) {
+  const auto channel = [](std::uint8_t p, std::uint8_t q) { return static_cast<std::uint8_t>((p * q + 127) / 255); };
+  return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b), 255};
+}
+
+}  // namespace zstrip::detail
