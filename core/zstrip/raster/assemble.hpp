@@ -114,10 +114,10 @@ struct Assembler {
 
   /// Planes start at vertex a and round there. Rotated so that the vertex of least order becomes a, a triangle has the
   /// same depths and colours whichever of its vertices comes first.
-  template <class Order>
-  static void rotate_to_first(const Order& order, std::uint32_t& ia, std::uint32_t& ib, std::uint32_t& ic) {
+  template <class Order, class Corner>
+  static void rotate_to_first(const Order& order, Corner& ia, Corner& ib, Corner& ic) {
     const auto a = order(ia), b = order(ib), c = order(ic);
-    const std::uint32_t first = ia;
+    const Corner first = ia;
     if (b < a && b < c) {
       ia = ib, ib = ic, ic = first;
     } else if (c < a) {
@@ -178,15 +178,13 @@ struct Assembler {
   template <Shade shade>
   [[gnu::noinline]] static void draw_narrow(const StripTarget& target, const Batch& batch, const Triangle& provoking,
                                             std::uint32_t ia, std::uint32_t ib, std::uint32_t ic, std::int32_t area) {
-    const auto from_the_top = [&batch](std::uint32_t index) {
-      const SnappedVertex& v = batch.vertices[index - batch.first_vertex];
-      return v.y * 65536 + v.x;
-    };
-    rotate_to_first(from_the_top, ia, ib, ic);
-    const SnappedVertex* vertices = batch.vertices;
-    const SnappedVertex& a = vertices[ia - batch.first_vertex];
-    const SnappedVertex& b = vertices[ib - batch.first_vertex];
-    const SnappedVertex& c = vertices[ic - batch.first_vertex];
+    const SnappedVertex* first = batch.vertices + (ia - batch.first_vertex);
+    const SnappedVertex* second = batch.vertices + (ib - batch.first_vertex);
+    const SnappedVertex* third = batch.vertices + (ic - batch.first_vertex);
+    rotate_to_first([](const SnappedVertex* v) { return v->y * 65536 + v->x; }, first, second, third);
+    const SnappedVertex& a = *first;
+    const SnappedVertex& b = *second;
+    const SnappedVertex& c = *third;
     const auto [min_x, max_x] = range(a.x, b.x, c.x);
     const std::int32_t min_y = a.y;
     const std::int32_t max_y = range(b.y, c.y).second;
@@ -215,9 +213,9 @@ struct Assembler {
         constexpr bool kGouraud = shade == Shade::gouraud;
         const Colour* colours[3] = {nullptr, nullptr, nullptr};
         if constexpr (kGouraud) {
-          colours[0] = batch.colours + (ia - batch.first_vertex);
-          colours[1] = batch.colours + (ib - batch.first_vertex);
-          colours[2] = batch.colours + (ic - batch.first_vertex);
+          colours[0] = batch.colours + (&a - batch.vertices);
+          colours[1] = batch.colours + (&b - batch.vertices);
+          colours[2] = batch.colours + (&c - batch.vertices);
         }
         draw_small_triangle<kGouraud, kStatistics>(target, in_codes(a), in_codes(b), in_codes(c), colours,
                                                    flat_colour<shade>(batch, provoking), area, whole.left, whole.top,
@@ -225,14 +223,21 @@ struct Assembler {
         return;
       }
     }
+    draw_narrow_spans<shade>(target, batch, provoking, a, b, c);
+  }
+
+  /// Apart from the above, because what small triangles do not need would take their registers.
+  template <Shade shade>
+  [[gnu::noinline]] static void draw_narrow_spans(const StripTarget& target, const Batch& batch,
+                                                  const Triangle& provoking, const SnappedVertex& a,
+                                                  const SnappedVertex& b, const SnappedVertex& c) {
     RasterVertex v[3] = {};
     const SnappedVertex* const snapped[3] = {&a, &b, &c};
-    const std::uint32_t indices[3] = {ia, ib, ic};
     for (int i = 0; i < 3; ++i) {
       v[i].x = snapped[i]->x;
       v[i].y = snapped[i]->y;
       v[i].depth = snapped[i]->depth;
-      load_attributes<shade>(batch, indices[i], v[i]);
+      load_attributes<shade>(batch, static_cast<std::uint32_t>(snapped[i] - batch.vertices) + batch.first_vertex, v[i]);
     }
     Surface surface = batch.surface;
     surface.flat_colour = flat_colour<shade>(batch, provoking);

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "zstrip/base/math.hpp"
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/raster/colour.hpp"
 #include "zstrip/raster/depth_rule.hpp"
+#include "zstrip/raster/small_triangle_thumb2.hpp"
 #include "zstrip/raster/target.hpp"
 
 namespace zstrip::detail {
@@ -95,17 +97,28 @@ class SmallChannels {
 
 /// All that scanning needs, in memory: set-up and scan are short only if neither holds the other's registers.
 struct SmallScan {
-  SmallPlane edges;  ///< PackedEdges
-  SmallPlane depth;  ///< 16.16 codes
-  SmallPlane red_blue,
-      green;  ///< red and blue share a word as two 8.8 values: they never leave 0..255, see channel_start
-  std::uint16_t flat_colour;
-  std::int32_t width, height;             ///< of the box, > 0
-  std::uint32_t first_column, first_row;  ///< of the box, from the anchor
+  /// Whose planes: PackedEdges; depth in 16.16 codes; green in 8.8; red and blue, two 8.8 values in a word, which never
+  /// leave 0..255, see channel_start.
+  enum Value { edges, depth, green, red_blue };
+  // The members up to anchor_y stand where small_triangle_thumb2.cpp expects them.
+  std::uint32_t start[4], step_x[4], step_y[4];  ///< of each Value
   std::uint16_t* depth_row;
   std::uint16_t* colour_row;
   std::int32_t depth_stride, colour_stride;
+  std::int32_t width, height;  ///< of the box, > 0
+  Colour colours[3];           ///< of the vertices
+  std::int32_t area;
+  std::int32_t anchor_x, anchor_y;
+  std::uint32_t first_column, first_row;  ///< of the box, from the anchor
+  std::uint16_t flat_colour;
   Statistics* statistics;
+
+  void set(Value value, const SmallPlane& plane) {
+    start[value] = plane.start, step_x[value] = plane.step_x, step_y[value] = plane.step_y;
+  }
+  std::uint32_t at(Value value, std::uint32_t column, std::uint32_t row) const {
+    return SmallPlane{start[value], step_x[value], step_y[value]}.at(column, row);
+  }
 
   /// What a stage of the set-up has found is in memory from here on. Left alone, GCC mixes the stages and has a dozen
   /// registers for all of their values.
@@ -120,9 +133,9 @@ template <bool gouraud, bool statistics, class Rule>
 [[gnu::noinline]] void scan_small_triangle(SmallScan& scan, const Rule& rule) {
   for (std::uint32_t row = 0; row != static_cast<std::uint32_t>(scan.height); ++row) {
     scan.settle();
-    const std::uint32_t edges_x = scan.edges.step_x;
+    const std::uint32_t edges_x = scan.step_x[SmallScan::edges];
     const std::int32_t width = scan.width;
-    PackedEdges edges{scan.edges.start + scan.edges.step_y * row};
+    PackedEdges edges{scan.at(SmallScan::edges, 0, row)};
     std::int32_t i = 0;
     while (!edges.inside()) {
       edges.word += edges_x;
@@ -130,11 +143,11 @@ template <bool gouraud, bool statistics, class Rule>
     }
     if (i == width) continue;
     const auto column = static_cast<std::uint32_t>(i);
-    std::uint32_t z = scan.depth.at(column, row);
+    std::uint32_t z = scan.at(SmallScan::depth, column, row);
     std::uint32_t red_blue = 0, green = 0;
     if constexpr (gouraud) {
-      red_blue = scan.red_blue.at(column, row);
-      green = scan.green.at(column, row);
+      red_blue = scan.at(SmallScan::red_blue, column, row);
+      green = scan.at(SmallScan::green, column, row);
     }
     std::uint16_t* const depth_row = scan.depth_row + static_cast<std::int32_t>(row) * scan.depth_stride;
     std::uint16_t* const colour_row = scan.colour_row + static_cast<std::int32_t>(row) * scan.colour_stride;
@@ -149,9 +162,9 @@ template <bool gouraud, bool statistics, class Rule>
         }
         if constexpr (statistics) ++scan.statistics->depth_passes;
       }
-      z += scan.depth.step_x;
-      red_blue += scan.red_blue.step_x;
-      green += scan.green.step_x;
+      z += scan.step_x[SmallScan::depth];
+      red_blue += scan.step_x[SmallScan::red_blue];
+      green += scan.step_x[SmallScan::green];
       edges.word += edges_x;
     } while (++i != width && edges.inside());
   }
@@ -167,9 +180,49 @@ inline bool is_small(std::int32_t width, std::int32_t height, const SnappedVerte
   return width + height < kSmallExtent && near_a(b) && near_a(c);
 }
 
+/// The planes, from the area, anchor and colours of the scan. `settle` after each stage.
+template <bool gouraud>
+[[gnu::always_inline]] inline void set_up_small(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,
+                                                const SnappedVertex& v2) {
+  const std::int32_t x = scan.anchor_x * 16 + kPixelCentre - v0.x;
+  const std::int32_t y = scan.anchor_y * 16 + kPixelCentre - v0.y;
+  SmallWeights weights{{}, {v0.y - v2.y, v1.y - v0.y}, {v2.x - v0.x, v0.x - v1.x}};
+  for (int i = 0; i < 2; ++i) weights.at_anchor[i] = x * weights.right[i] + y * weights.down[i];
+  const std::int32_t right_0 = -weights.right[0] - weights.right[1];
+  const std::int32_t down_0 = -weights.down[0] - weights.down[1];
+  scan.set(
+      SmallScan::edges,
+      {PackedEdges::pack(PackedEdges::field(scan.area - weights.at_anchor[0] - weights.at_anchor[1], right_0, down_0),
+                         PackedEdges::field(weights.at_anchor[0], weights.right[0], weights.down[0]),
+                         PackedEdges::field(weights.at_anchor[1], weights.right[1], weights.down[1])),
+       PackedEdges::pack(right_0, weights.right[0], weights.right[1]),
+       PackedEdges::pack(down_0, weights.down[0], weights.down[1])});
+  scan.settle();
+
+  const std::int32_t inverse_area =
+      of_any_sign(static_cast<std::int32_t>(quotient_31(static_cast<std::uint32_t>(scan.area))));
+  scan.set(SmallScan::depth,
+           small_depth(weights, inverse_area, v0.depth, static_cast<std::int32_t>(v1.depth - v0.depth),
+                       static_cast<std::int32_t>(v2.depth - v0.depth)));
+  scan.settle();
+  if constexpr (gouraud) {
+    const SmallChannels channels(weights, inverse_area);
+    const Colour(&c)[3] = scan.colours;
+    scan.set(SmallScan::green, channels.plane(c[0].g, c[1].g, c[2].g));
+    scan.settle();
+    const SmallPlane r = channels.plane(c[0].r, c[1].r, c[2].r);
+    scan.set(SmallScan::red_blue, {r.start << 16, r.step_x << 16, r.step_y << 16});
+    scan.settle();
+    const SmallPlane b = channels.plane(c[0].b, c[1].b, c[2].b);
+    scan.start[SmallScan::red_blue] += b.start;
+    scan.step_x[SmallScan::red_blue] += b.step_x;
+    scan.step_y[SmallScan::red_blue] += b.step_y;
+  }
+}
+
 /// `area` is twice the signed area, > 0; `anchor_x`, `anchor_y` the first pixel of the triangle's whole box: all values
 /// start there, so that no rounding depends on the strip; `box` the pixels to scan, not empty, inside the target's
-/// area. `colours` of the three vertices where `gouraud`, else the one at [0]. Depths are 16.16 codes.
+/// area. `colours` of the three vertices where `gouraud`, else none. Depths are 16.16 codes.
 template <bool gouraud, bool statistics, class Rule = DepthRule<DepthMode{}>>
 void draw_small_triangle(const StripTarget& target, const SnappedVertex& v0, const SnappedVertex& v1,
                          const SnappedVertex& v2, const Colour* const (&colours)[3], std::uint16_t flat_colour,
@@ -184,52 +237,38 @@ void draw_small_triangle(const StripTarget& target, const SnappedVertex& v0, con
   scan.colour_row = target.colour_row(box.top) + (box.left - target.area.left);
   scan.depth_stride = target.depth_stride;
   scan.colour_stride = target.colour_stride;
-  scan.settle();
-  const std::int32_t x = anchor_x * 16 + kPixelCentre - v0.x;
-  const std::int32_t y = anchor_y * 16 + kPixelCentre - v0.y;
-  SmallWeights weights{{}, {v0.y - v2.y, v1.y - v0.y}, {v2.x - v0.x, v0.x - v1.x}};
-  for (int i = 0; i < 2; ++i) weights.at_anchor[i] = x * weights.right[i] + y * weights.down[i];
-  const std::int32_t right_0 = -weights.right[0] - weights.right[1];
-  const std::int32_t down_0 = -weights.down[0] - weights.down[1];
-  scan.edges = {
-      PackedEdges::pack(PackedEdges::field(area - weights.at_anchor[0] - weights.at_anchor[1], right_0, down_0),
-                        PackedEdges::field(weights.at_anchor[0], weights.right[0], weights.down[0]),
-                        PackedEdges::field(weights.at_anchor[1], weights.right[1], weights.down[1])),
-      PackedEdges::pack(right_0, weights.right[0], weights.right[1]),
-      PackedEdges::pack(down_0, weights.down[0], weights.down[1])};
-  scan.settle();
-
-  const std::int32_t inverse_area =
-      of_any_sign(static_cast<std::int32_t>(quotient_31(static_cast<std::uint32_t>(area))));
-  scan.depth = small_depth(weights, inverse_area, v0.depth, static_cast<std::int32_t>(v1.depth - v0.depth),
-                           static_cast<std::int32_t>(v2.depth - v0.depth));
-  scan.settle();
+  scan.area = area;
+  scan.anchor_x = anchor_x;
+  scan.anchor_y = anchor_y;
   if constexpr (gouraud) {
-    const SmallChannels channels(weights, inverse_area);
-    scan.green = channels.plane(colours[0]->g, colours[1]->g, colours[2]->g);
-    scan.settle();
-    const SmallPlane r = channels.plane(colours[0]->r, colours[1]->r, colours[2]->r);
-    scan.red_blue = {r.start << 16, r.step_x << 16, r.step_y << 16};
-    scan.settle();
-    const SmallPlane b = channels.plane(colours[0]->b, colours[1]->b, colours[2]->b);
-    scan.red_blue.start += b.start;
-    scan.red_blue.step_x += b.step_x;
-    scan.red_blue.step_y += b.step_y;
+    for (int i = 0; i < 3; ++i) scan.colours[i] = *colours[i];
   } else {
     scan.flat_colour = flat_colour;
   }
+  scan.settle();
+  if constexpr (kHasThumb2 && gouraud) {
+    set_up_small_thumb2(scan, v0, v1, v2);
+  } else {
+    set_up_small<gouraud>(scan, v0, v1, v2);
+  }
 
   if ((scan.first_column | scan.first_row) != 0) {  // the strip or the picture cuts the box
-    const auto skip_to_box = [&scan](SmallPlane& plane) { plane.start = plane.at(scan.first_column, scan.first_row); };
-    skip_to_box(scan.edges);
-    skip_to_box(scan.depth);
+    const auto skip_to_box = [&scan](SmallScan::Value value) {
+      scan.start[value] = scan.at(value, scan.first_column, scan.first_row);
+    };
+    skip_to_box(SmallScan::edges);
+    skip_to_box(SmallScan::depth);
     if constexpr (gouraud) {
-      skip_to_box(scan.red_blue);
-      skip_to_box(scan.green);
+      skip_to_box(SmallScan::green);
+      skip_to_box(SmallScan::red_blue);
     }
   }
   if constexpr (statistics) scan.statistics = target.statistics;
-  scan_small_triangle<gouraud, statistics>(scan, rule);
+  if constexpr (kHasThumb2 && gouraud && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>>) {
+    scan_small_thumb2(scan);
+  } else {
+    scan_small_triangle<gouraud, statistics>(scan, rule);
+  }
 }
 
 }  // namespace zstrip::detail

@@ -1,0 +1,25 @@
+// Set-up and scan of small triangles with interpolated colours, in assembly for Thumb-2 (Cortex-M3, M4, M7): the same
+// values as small_triangle.hpp, which a test on emulated cores compares word by word.
+#pragma once
+
+#include "zstrip/geometry/project.hpp"
+
+namespace zstrip::detail {
+
+struct SmallScan;
+
+/// Whether the functions below exist. Not in ARMv8-M, where nothing here could try them.
+#if defined(__thumb2__) && (defined(__ARM_ARCH_7M__) || defined(__ARM_ARCH_7EM__))
+inline constexpr bool kHasThumb2 = true;
+#else
+inline constexpr bool kHasThumb2 = false;
+#endif
+
+/// Planes of edges, depth and colours from `scan.area`, `anchor_x`, `anchor_y`, `colours` and the vertices; the weights
+/// as in small_triangle.hpp.
+void set_up_small_thumb2(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1, const SnappedVertex& v2);
+
+/// scan_small_triangle<true, false> with the depth test of z16. Moves the scan's starts and rows.
+void scan_small_thumb2(SmallScan& scan);
+
+}  // namespace zstrip::detail
