@@ -183,7 +183,7 @@ inline bool is_small(std::int32_t width, std::int32_t height, const SnappedVerte
 /// The planes, from the area, anchor and colours of the scan. `settle` after each stage.
 template <bool gouraud>
 [[gnu::always_inline]] inline void set_up_small(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,
-                                                const SnappedVertex& v2) {
+                                                const SnappedVertex& v2, const Colour* const (&colours)[3]) {
   const std::int32_t x = scan.anchor_x * 16 + kPixelCentre - v0.x;
   const std::int32_t y = scan.anchor_y * 16 + kPixelCentre - v0.y;
   SmallWeights weights{{}, {v0.y - v2.y, v1.y - v0.y}, {v2.x - v0.x, v0.x - v1.x}};
@@ -207,13 +207,12 @@ template <bool gouraud>
   scan.settle();
   if constexpr (gouraud) {
     const SmallChannels channels(weights, inverse_area);
-    const Colour(&c)[3] = scan.colours;
-    scan.set(SmallScan::green, channels.plane(c[0].g, c[1].g, c[2].g));
+    scan.set(SmallScan::green, channels.plane(colours[0]->g, colours[1]->g, colours[2]->g));
     scan.settle();
-    const SmallPlane r = channels.plane(c[0].r, c[1].r, c[2].r);
+    const SmallPlane r = channels.plane(colours[0]->r, colours[1]->r, colours[2]->r);
     scan.set(SmallScan::red_blue, {r.start << 16, r.step_x << 16, r.step_y << 16});
     scan.settle();
-    const SmallPlane b = channels.plane(c[0].b, c[1].b, c[2].b);
+    const SmallPlane b = channels.plane(colours[0]->b, colours[1]->b, colours[2]->b);
     scan.start[SmallScan::red_blue] += b.start;
     scan.step_x[SmallScan::red_blue] += b.step_x;
     scan.step_y[SmallScan::red_blue] += b.step_y;
@@ -240,16 +239,13 @@ void draw_small_triangle(const StripTarget& target, const SnappedVertex& v0, con
   scan.area = area;
   scan.anchor_x = anchor_x;
   scan.anchor_y = anchor_y;
-  if constexpr (gouraud) {
-    for (int i = 0; i < 3; ++i) scan.colours[i] = *colours[i];
-  } else {
-    scan.flat_colour = flat_colour;
-  }
-  scan.settle();
+  if constexpr (!gouraud) scan.flat_colour = flat_colour;
   if constexpr (kHasThumb2 && gouraud) {
+    for (int i = 0; i < 3; ++i) scan.colours[i] = *colours[i];
     set_up_small_thumb2(scan, v0, v1, v2);
   } else {
-    set_up_small<gouraud>(scan, v0, v1, v2);
+    scan.settle();
+    set_up_small<gouraud>(scan, v0, v1, v2, colours);
   }
 
   if ((scan.first_column | scan.first_row) != 0) {  // the strip or the picture cuts the box

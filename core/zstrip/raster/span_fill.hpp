@@ -57,21 +57,19 @@ void fill_gouraud(const Span<typename Rule::Cell>& span, const DepthPlane& depth
 inline constexpr std::int32_t kPerspectiveRun = 16;
 
 /// 2^16 / n, for the last, shorter run of a span.
-inline constexpr std::uint32_t kInverse[kPerspectiveRun] = {0,    65536, 32768, 21845, 16384, 13107, 10922, 9362,
-                                                            8192, 7281,  6553,  5957,  5461,  5041,  4681,  4369};
+inline constexpr std::int32_t kInverse[kPerspectiveRun] = {0,    65536, 32768, 21845, 16384, 13107, 10922, 9362,
+                                                           8192, 7281,  6553,  5957,  5461,  5041,  4681,  4369};
 
 /// A texture coordinate as a fraction of the texture in 0.32: wrapping is what unsigned integers do. A side of one
 /// texel has no fraction: it stays 0.
 struct TextureAxis {
-  std::int32_t to_fraction;  ///< from 16.16 texels
-  std::int32_t to_index;     ///< right shift
-  bool single;
+  std::uint32_t to_fraction;  ///< factor, from 16.16 texels
+  std::int32_t to_index;      ///< right shift
 
   explicit TextureAxis(std::uint8_t log2_size)
-      : to_fraction(16 - log2_size), to_index(log2_size == 0 ? 31 : 32 - log2_size), single(log2_size == 0) {}
-  std::uint32_t fraction(std::int32_t texels) const {
-    return single ? 0 : static_cast<std::uint32_t>(texels) << to_fraction;
-  }
+      : to_fraction(log2_size == 0 ? 0 : std::uint32_t{1} << (16 - log2_size)),
+        to_index(log2_size == 0 ? 31 : 32 - log2_size) {}
+  std::uint32_t fraction(std::int32_t texels) const { return static_cast<std::uint32_t>(texels) * to_fraction; }
 };
 
 /// The pixels between two exact texture positions. Not inlined: the loop needs every register of a Cortex-M.
@@ -132,7 +130,7 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
   static_assert(kRun <= kPerspectiveRun);
   const TextureAxis axis_u(texture.log2_width);
   const TextureAxis axis_v(texture.log2_height);
-  TexturedRun<lit, statistics, typename DepthPlane::Value, Rule> run{};
+  TexturedRun<lit, statistics, typename DepthPlane::Value, Rule> run;
   run.rule = rule;
   run.z = depth.at(span.columns, span.rows);
   run.step_z = depth.step_x;
@@ -148,26 +146,25 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
   }
   // Pixels of the first run that lie to the left of the span.
   std::int32_t before = span.skipped & (kRun - 1);
-  std::int32_t column = span.columns - before;
   std::int32_t left = span.whole_length - span.skipped + before;
   auto* depth_cell = span.depth;
   std::uint16_t* pixel = span.colour;
   std::uint16_t* const end = pixel + span.length;
-  TexelPosition from = coordinates.at(column, span.rows);
+  auto place = coordinates.place(span.columns - before, span.rows);
+  TexelPosition from = coordinates.at(place);
   for (;;) {
     // A full run ends at the next one's first pixel, the last run at its own last pixel: always inside the triangle.
     const std::int32_t length = left > kRun ? kRun : left;
-    TexelPosition to = from;
-    std::int32_t step_u = 0, step_v = 0;  // 16.16
+    place = coordinates.right_of(place, left > kRun ? kRun : left - 1);
+    const TexelPosition to = coordinates.at(place);
+    std::int32_t step_u = difference(to.u, from.u), step_v = difference(to.v, from.v);  // 16.16
     if (left > kRun) {
-      to = coordinates.at(column + length, span.rows);
-      step_u = difference(to.u, from.u) >> log2_run;
-      step_v = difference(to.v, from.v) >> log2_run;
-    } else if (left > 1) {
-      to = coordinates.at(column + length - 1, span.rows);
-      const auto inverse = static_cast<std::int64_t>(kInverse[length - 1]);
-      step_u = static_cast<std::int32_t>((difference(to.u, from.u) * inverse) >> 16);
-      step_v = static_cast<std::int32_t>((difference(to.v, from.v) * inverse) >> 16);
+      step_u >>= log2_run;
+      step_v >>= log2_run;
+    } else {
+      const std::int32_t inverse = kInverse[left - 1];
+      step_u = static_cast<std::int32_t>((std::int64_t{step_u} * inverse) >> 16);
+      step_v = static_cast<std::int32_t>((std::int64_t{step_v} * inverse) >> 16);
     }
     run.step_u = axis_u.fraction(step_u);
     run.step_v = axis_v.fraction(step_v);
@@ -182,7 +179,6 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
     pixel += drawn;
     if (pixel == end) break;
     depth_cell += drawn;
-    column += kRun;
     left -= kRun;
     before = 0;
     from = to;

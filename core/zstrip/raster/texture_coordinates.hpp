@@ -57,19 +57,39 @@ class TextureCoordinates {
     v_over_w_ = setup.plane(w[0], w[1] - w[0], w[2] - w[0]);
   }
 
-  /// Exact position at a covered pixel, relative to the anchor.
+  /// u/w, v/w and 1/w at a pixel of a row.
+  struct Place {
+    std::uint32_t u_over_w, v_over_w, one_over_w;
+  };
+  /// Relative to the anchor.
+  Place place(std::int32_t columns, std::int32_t rows) const {
+    Place place{u_over_w_.at(columns, rows), v_over_w_.at(columns, rows), 0};
+    if constexpr (!orthographic) place.one_over_w = one_over_w_.at(columns, rows);
+    return place;
+  }
+  /// The same as place() of a pixel that is so many columns further to the right: sums modulo 2^32 are exact.
+  Place right_of(Place place, std::int32_t columns) const {
+    const auto count = static_cast<std::uint32_t>(columns);
+    place.u_over_w += u_over_w_.step_x * count;
+    place.v_over_w += v_over_w_.step_x * count;
+    if constexpr (!orthographic) place.one_over_w += one_over_w_.step_x * count;
+    return place;
+  }
+
+  /// Exact position at a covered pixel.
   // Where many pipelines share a file, GCC would call it: 2 % of CT on the host.
-  [[gnu::always_inline]] TexelPosition at(std::int32_t columns, std::int32_t rows) const {
-    const auto u = static_cast<std::int32_t>(u_over_w_.at(columns, rows));
-    const auto v = static_cast<std::int32_t>(v_over_w_.at(columns, rows));
+  [[gnu::always_inline]] TexelPosition at(const Place& place) const {
+    const auto u = static_cast<std::int32_t>(place.u_over_w);
+    const auto v = static_cast<std::int32_t>(place.v_over_w);
     if constexpr (orthographic) {
       return {wrapping_sum(u, base_u_), wrapping_sum(v, base_v_)};
     } else {
-      std::uint32_t q = one_over_w_.at(columns, rows);
-      if (q == 0) q = 1;
-      const Reciprocal r = reciprocal_of(q);
+      const Reciprocal r = reciprocal_of(place.one_over_w == 0 ? 1 : place.one_over_w);
       return {wrapping_sum(divided(u, r), base_u_), wrapping_sum(divided(v, r), base_v_)};
     }
+  }
+  [[gnu::always_inline]] TexelPosition at(std::int32_t columns, std::int32_t rows) const {
+    return at(place(columns, rows));
   }
 
  private:
