@@ -136,6 +136,18 @@ TEST_P(Mps2SelfTest, FaultsAreReported) {
   EXPECT_EQ(status, 70);
 }
 
+TEST_P(Mps2SelfTest, AssemblyForSmallTrianglesIsItsCpp) {
+  const auto [output, status] = run(GetParam(), "self_test", {"small"});
+  EXPECT_EQ(status, 0) << output;
+  if (std::string(GetParam().name) == "m0") {
+    EXPECT_EQ(output, "self-test: no Thumb-2\n");
+  } else {
+    // Most have a pixel in front of what is there.
+    EXPECT_TRUE(output.starts_with("self-test: 1") && output.ends_with(" small triangles are equal\n")) << output;
+    EXPECT_GE(output.size(), std::string("self-test: 10000 small triangles are equal\n").size()) << output;
+  }
+}
+
 /// The memory protection unit notices it; code for the Cortex-M0 does not count on one.
 TEST(Board, Mps2StackOverflowIsReported) {
   for (const Processor& processor : kProcessors) {

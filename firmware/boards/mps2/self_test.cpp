@@ -1,6 +1,7 @@
 // Proves what the start-up code and the memory functions promise, on the board itself. The host's word says what:
 // "memory" compares memcpy, memmove, memset and memcmp with bytewise loops and checks .data and .bss; "fault" reads
-// where nothing is and "overflow" uses up the stack: both must end in a fault report.
+// where nothing is and "overflow" uses up the stack: both must end in a fault report; "small" compares the assembly for
+// small triangles with its C++.
 // Exit status: 0 all right, 1 something differs, 2 no such word.
 #include <array>
 #include <cstddef>
@@ -11,6 +12,7 @@
 #include "cortex_m/console.hpp"
 #include "cortex_m/registers.hpp"
 #include "cortex_m/semihosting.hpp"
+#include "mps2/small_triangle_check.hpp"
 
 namespace {
 
@@ -115,6 +117,7 @@ int main() {
   if (word == "memory") return check_memory();
   if (word == "fault") return read_nowhere();
   if (word == "overflow") return static_cast<int>(overflow_stack(zeroed)) | 1;
-  print("self-test: say memory, fault or overflow\n");
+  if (word == "small") return zstrip::board::check_small_triangles();
+  print("self-test: say memory, fault, overflow or small\n");
   return 2;
 }
