@@ -8,7 +8,7 @@
 
 namespace zstrip::detail {
 
-#if defined(__thumb2__) && (defined(__ARM_ARCH_7M__) || defined(__ARM_ARCH_7EM__))
+#if ZSTRIP_HAS_THUMB2
 
 static_assert(offsetof(SmallScan, start) == 0 && offsetof(SmallScan, step_x) == 16 &&
               offsetof(SmallScan, step_y) == 32);

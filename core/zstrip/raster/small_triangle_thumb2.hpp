@@ -2,18 +2,12 @@
 // values as small_triangle.hpp, which a test on emulated cores compares word by word.
 #pragma once
 
+#include "zstrip/base/thumb2.hpp"
 #include "zstrip/geometry/project.hpp"
 
 namespace zstrip::detail {
 
 struct SmallScan;
-
-/// Whether the functions below exist. Not in ARMv8-M, where nothing here could try them.
-#if defined(__thumb2__) && (defined(__ARM_ARCH_7M__) || defined(__ARM_ARCH_7EM__))
-inline constexpr bool kHasThumb2 = true;
-#else
-inline constexpr bool kHasThumb2 = false;
-#endif
 
 /// Planes of edges, depth and colours from `scan.area`, `anchor_x`, `anchor_y`, `colours` and the vertices; the weights
 /// as in small_triangle.hpp.

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 
 #include "zstrip/raster/colour.hpp"
 #include "zstrip/raster/plane.hpp"
 #include "zstrip/raster/target.hpp"
 #include "zstrip/raster/texture_coordinates.hpp"
+#include "zstrip/raster/textured_run_thumb2.hpp"
 #include "zstrip/raster/triangle_depth.hpp"
 
 namespace zstrip::detail {
@@ -74,23 +76,18 @@ struct TextureAxis {
 
 /// The pixels between two exact texture positions. Not inlined: the loop needs every register of a Cortex-M.
 template <bool lit, bool statistics, class Value, class Rule>
-struct TexturedRun {
-  std::uint32_t u, v, step_u, step_v;  ///< 0.32
-  Value z, step_z;                     ///< a depth plane's
-  std::uint32_t r, g, b;               ///< 8.16, only where `lit`
-  const std::uint16_t* texels;
-  std::int32_t to_column, to_row;  ///< right shifts; to_row leaves the row times the width of the texture
-  std::uint32_t row_mask;          ///< clears the bits below a row
+struct TexturedRun : TexturedRunState<Value> {
+  std::uint32_t r, g, b;  ///< 8.16, only where `lit`
   [[no_unique_address]] Rule rule;
 
   [[gnu::noinline]] void fill(typename Rule::Cell* depth, std::uint16_t* pixel, std::int32_t length,
                               const ColourPlanes& light, Statistics* counters) {
-    const std::uint16_t* const t = texels;
-    const std::uint32_t du = step_u, dv = step_v, mask = row_mask;
-    const Value dz = step_z;
-    const std::int32_t shift_u = to_column, shift_v = to_row;
-    std::uint32_t at_u = u, at_v = v;
-    Value at_z = z;
+    const std::uint16_t* const t = this->texels;
+    const std::uint32_t du = this->step_u, dv = this->step_v, mask = this->row_mask;
+    const Value dz = this->step_z;
+    const std::int32_t shift_u = this->to_column, shift_v = this->to_row;
+    std::uint32_t at_u = this->u, at_v = this->v;
+    Value at_z = this->z;
     std::uint16_t* const end = pixel + length;
     do {
       if (rule.draws(at_z, *depth)) {
@@ -112,7 +109,7 @@ struct TexturedRun {
         b += light.b.step_x;
       }
     } while (++pixel != end);
-    z = at_z;
+    this->z = at_z;
   }
 };
 
@@ -175,7 +172,12 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
       run.v += run.step_v * static_cast<std::uint32_t>(before);
     }
     const std::int32_t drawn = std::min(length - before, static_cast<std::int32_t>(end - pixel));
-    run.fill(depth_cell, pixel, drawn, light, counters);
+    if constexpr (kHasThumb2 && !lit && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>> &&
+                  std::is_same_v<typename DepthPlane::Value, std::uint32_t>) {
+      fill_run_thumb2(run, depth_cell, pixel, drawn);
+    } else {
+      run.fill(depth_cell, pixel, drawn, light, counters);
+    }
     pixel += drawn;
     if (pixel == end) break;
     depth_cell += drawn;

@@ -1,7 +1,7 @@
 // Proves what the start-up code and the memory functions promise, on the board itself. The host's word says what:
 // "memory" compares memcpy, memmove, memset and memcmp with bytewise loops and checks .data and .bss; "fault" reads
-// where nothing is and "overflow" uses up the stack: both must end in a fault report; "small" compares the assembly for
-// small triangles with its C++.
+// where nothing is and "overflow" uses up the stack: both must end in a fault report; "small" and "texels" compare
+// assembly with its C++.
 // Exit status: 0 all right, 1 something differs, 2 no such word.
 #include <array>
 #include <cstddef>
@@ -12,7 +12,7 @@
 #include "cortex_m/console.hpp"
 #include "cortex_m/registers.hpp"
 #include "cortex_m/semihosting.hpp"
-#include "mps2/small_triangle_check.hpp"
+#include "mps2/assembly_checks.hpp"
 
 namespace {
 
@@ -118,6 +118,7 @@ int main() {
   if (word == "fault") return read_nowhere();
   if (word == "overflow") return static_cast<int>(overflow_stack(zeroed)) | 1;
   if (word == "small") return zstrip::board::check_small_triangles();
-  print("self-test: say memory, fault, overflow or small\n");
+  if (word == "texels") return zstrip::board::check_textured_runs();
+  print("self-test: say memory, fault, overflow, small or texels\n");
   return 2;
 }

@@ -1,5 +1,5 @@
-// Compares word by word; see small_triangle_check.hpp.
-#include "mps2/small_triangle_check.hpp"
+// 40,000 small triangles by assembly and by C++; see assembly_checks.hpp.
+#include "mps2/assembly_checks.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,20 +15,6 @@ using namespace zstrip::detail;
 
 constexpr std::int32_t kSide = 16;  // pixels: no small triangle's box is wider or higher
 using Cells = std::array<std::uint16_t, kSide * kSide>;
-
-/// Marsaglia's xorshift.
-class Random {
- public:
-  std::uint32_t next() {
-    state_ ^= state_ << 13;
-    state_ ^= state_ >> 17;
-    return state_ ^= state_ << 5;
-  }
-  std::int32_t below(std::int32_t limit) { return static_cast<std::int32_t>(next() >> 1) % limit; }
-
- private:
-  std::uint32_t state_ = 0x2545F491;
-};
 
 struct Pictures {
   Cells depth, colour;

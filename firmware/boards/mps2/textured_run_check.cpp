@@ -1,0 +1,76 @@
+// 20,000 runs of texels by assembly and by C++; see assembly_checks.hpp.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "cortex_m/console.hpp"
+#include "mps2/assembly_checks.hpp"
+#include "zstrip/raster/span_fill.hpp"
+
+namespace zstrip::board {
+namespace {
+
+using namespace zstrip::detail;
+using Run = TexturedRun<false, false, std::uint32_t, DepthRule<DepthMode{}>>;
+
+constexpr std::int32_t kMostPixels = 40;  // more than a run has
+constexpr std::int32_t kMostLog2 = 5;     // of a side of the texture
+
+struct Row {
+  std::array<std::uint16_t, kMostPixels + 2> depth, colour;  // a pixel more at each end, which must stay
+  bool operator==(const Row&) const = default;
+};
+
+/// Any walk over any texture: what the renderer asks for is among them.
+void place(Random& random, Run& run) {
+  const std::int32_t log2_width = random.below(kMostLog2 + 1), log2_height = random.below(kMostLog2 + 1);
+  run.u = random.next(), run.v = random.next();
+  run.step_u = random.next() >> random.below(16), run.step_v = random.next() >> random.below(16);
+  run.z = random.next(), run.step_z = random.next() >> random.below(16);
+  run.to_column = TextureAxis(static_cast<std::uint8_t>(log2_width)).to_index;
+  run.to_row = log2_width + log2_height == 0 ? 31 : 32 - log2_width - log2_height;
+  run.row_mask = ~((std::uint32_t{1} << log2_width) - 1);
+  if (log2_width == 0) run.u = run.step_u = 0;
+  if (log2_height == 0) run.v = run.step_v = 0;
+}
+
+}  // namespace
+
+int check_textured_runs() {
+  if constexpr (!kHasThumb2) {
+    print("self-test: no Thumb-2\n");
+    return 0;
+  } else {
+    Random random;
+    static std::array<std::uint16_t, std::size_t{1} << (2 * kMostLog2)> texels;
+    for (std::uint16_t& texel : texels) texel = static_cast<std::uint16_t>(random.next() >> 16);
+    std::uint32_t written = 0;
+    for (std::uint32_t i = 0; i < 20'000; ++i) {
+      Run run;
+      place(random, run);
+      run.texels = texels.data();
+      Row portable, before;
+      for (std::uint16_t& code : portable.depth) code = static_cast<std::uint16_t>(random.next() >> 16);
+      for (std::uint16_t& pixel : portable.colour) pixel = static_cast<std::uint16_t>(random.next() >> 16);
+      before = portable;
+      Row assembled = portable;
+      Run by_hand = run;
+      const std::int32_t length = 1 + random.below(kMostPixels);
+      run.fill(portable.depth.data() + 1, portable.colour.data() + 1, length, ColourPlanes{}, nullptr);
+      fill_run_thumb2(by_hand, assembled.depth.data() + 1, assembled.colour.data() + 1, length);
+      if (portable != assembled || run.z != by_hand.z) {
+        print("self-test: run of texels ");
+        print_decimal(i);
+        print(" differs\n");
+        return 1;
+      }
+      written += portable != before;
+    }
+    print("self-test: ");
+    print_decimal(written);
+    print(" runs of texels are equal\n");
+    return 0;
+  }
+}
+
+}  // namespace zstrip::board
