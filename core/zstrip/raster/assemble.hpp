@@ -226,7 +226,7 @@ struct Assembler {
     draw_narrow_spans<shade>(target, batch, provoking, a, b, c);
   }
 
-  /// Apart from the above, because what small triangles do not need would take their registers.
+  /// Cannot be inlined: small triangles keep the registers that it would take.
   template <Shade shade>
   [[gnu::noinline]] static void draw_narrow_spans(const StripTarget& target, const Batch& batch,
                                                   const Triangle& provoking, const SnappedVertex& a,
