@@ -1,6 +1,6 @@
 // Proves what the start-up code and the memory functions promise, on the board itself. The host's word says what:
 // "memory" compares memcpy, memmove, memset and memcmp with bytewise loops and checks .data and .bss; "fault" reads
-// where nothing is and "overflow" uses up the stack: both must end in a fault report.
+// where nothing is and "overflow" uses up the stack: both must end in a fault report; "return" goes on after one.
 // Exit status: 0 all right, 1 something differs, 2 no such word.
 #include <array>
 #include <cstddef>
@@ -11,6 +11,7 @@
 #include "cortex_m/console.hpp"
 #include "cortex_m/registers.hpp"
 #include "cortex_m/semihosting.hpp"
+#include "portable/fault_return.hpp"
 
 namespace {
 
@@ -93,10 +94,18 @@ int check_memory() {
   return 0;
 }
 
-int read_nowhere() {
+[[gnu::noinline]] int read_nowhere() {
   const std::uint32_t value = zstrip::board::register_at(0x90000000);
   print_decimal(value);
   return 1;
+}
+
+int come_back() {
+  if (!zstrip::board::mark_fault_return()) return read_nowhere();
+  print("self-test: back from ");
+  print(zstrip::board::FaultWords::all());
+  print("\n");
+  return 0;
 }
 
 /// Uses 256 bytes of stack a level; `depth` keeps the compiler from proving that it never ends.
@@ -114,7 +123,8 @@ int main() {
   const std::string_view word = zstrip::board::read_command_line(buffer).value_or("");
   if (word == "memory") return check_memory();
   if (word == "fault") return read_nowhere();
+  if (word == "return") return come_back();
   if (word == "overflow") return static_cast<int>(overflow_stack(zeroed)) | 1;
-  print("self-test: say memory, fault or overflow\n");
+  print("self-test: say memory, fault, return or overflow\n");
   return 2;
 }
