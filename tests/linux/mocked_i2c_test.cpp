@@ -165,9 +165,14 @@ TEST_F(LinuxMockedI2c, RefusalsNameTheAddressAndTheRemedy) {
   EXPECT_EQ(open().fault().message,
             "/dev/i2c-1 is a controller for SMBus, which cannot send pictures; use another bus");
   i2c_ = {};
+  for (const int error : {ENXIO, EREMOTEIO, EIO, ETIMEDOUT}) {
+    i2c_.transfers_until_failure = 0;
+    i2c_.error = error;
+    EXPECT_NE(open().fault().message.find("nobody answers at the address 0x3d"), std::string::npos) << error;
+  }
   i2c_.transfers_until_failure = 0;
-  i2c_.error = ETIMEDOUT;
-  EXPECT_EQ(open().fault().message, "/dev/i2c-1 cannot talk to the address 0x3d: Connection timed out");
+  i2c_.error = EAGAIN;
+  EXPECT_EQ(open().fault().message, "/dev/i2c-1 cannot talk to the address 0x3d: Resource temporarily unavailable");
   const auto missing = I2cdevBus::open("/dev/i2c-9", kAddress);
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.fault().message,

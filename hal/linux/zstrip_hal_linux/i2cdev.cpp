@@ -20,8 +20,8 @@ std::string in_hex(std::uint8_t address) {
   return text;
 }
 
-/// What drivers of controllers say when an address or a byte is not acknowledged.
-bool is_refusal(int error) { return error == ENXIO || error == EREMOTEIO || error == EIO; }
+/// What drivers of controllers say when an address is not acknowledged, each its own.
+bool is_refusal(int error) { return error == ENXIO || error == EREMOTEIO || error == EIO || error == ETIMEDOUT; }
 
 }  // namespace
 
