@@ -186,7 +186,7 @@ TEST_F(LinuxMockedDrm, FlipThatDoesNotHappenIsAnErrorThatNamesItAndTheNextFrameI
   const std::chrono::duration<double, std::milli> waited = std::chrono::steady_clock::now() - start;
   EXPECT_GE(waited.count(), DrmDisplay::kFlipTimeout);
   EXPECT_LT(waited.count(), 3 * DrmDisplay::kFlipTimeout);
-  EXPECT_STREQ(hal::message(Error::flip), "the page flip to the last picture does not happen");
+  EXPECT_STREQ(hal::message(Error::flip), "the last page flip did not happen");
   EXPECT_EQ(screen(), rows({0x1111, 0, 0, 0})) << "what is shown was drawn upon";
 
   // It comes late, other events before it; the next frame has what the one that failed changed.

@@ -33,13 +33,11 @@ Outcome<I2cdevBus> I2cdevBus::open(const std::string& path, std::uint8_t address
     return Fault{path + " is not an I2C bus"};
   if ((functions & I2C_FUNC_I2C) == 0)
     return Fault{path + " is a controller for SMBus, which cannot send pictures; use another bus"};
-  // The number stands for the pointer: ioctl takes either.
-  void* const number = reinterpret_cast<void*>(static_cast<std::uintptr_t>(address));
-  if (const int error = device_control(file->get(), I2C_SLAVE, number); error == EBUSY) {
+  // Asked for the address alone, so that a driver that has it is noticed: transfers have their own.
+  if (ioctl(file->get(), I2C_SLAVE, static_cast<unsigned long>(address)) < 0) {
+    if (errno != EBUSY) return device_fault(kKind, path, "talk to the address " + in_hex(address), errno);
     return Fault{path + ": the address " + in_hex(address) +
                  " is busy; a driver of the kernel has the panel: take its node out of the device tree"};
-  } else if (error != 0) {
-    return device_fault(kKind, path, "talk to the address " + in_hex(address), error);
   }
   I2cdevBus bus(std::move(*file), address);
   bus.message_ = {std::byte{0}};
