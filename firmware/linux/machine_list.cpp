@@ -87,6 +87,7 @@ std::string machine_list() {
   return console_line() + section("Framebuffers", devices("/dev", "fb"), framebuffer_line) +
          section("Graphics cards", devices("/dev/dri", "card"), card_lines) +
          section("SPI", devices("/dev", "spidev"), [](const std::string& path) { return "  spidev=" + path + "\n"; }) +
+         section("I2C", devices("/dev", "i2c-"), [](const std::string& path) { return "  i2c=" + path + "\n"; }) +
          section("GPIO chips", hal::gpio_chips(), chip_lines);
 }
 

@@ -27,6 +27,7 @@ constexpr const char* kFooter = R"(Displays, KIND:[DEVICE,]KEY=VALUE,...:
   st7789: ili9341: st7735: ssd1351: ssd1306: ssd0323:  panels on SPI; docs/linux.md has all keys
     spidev=/dev/spidev0.0,speed=HZ  or bit by bit  clock=LINE,data=LINE[,select=LINE]
     dc=LINE[,reset=LINE][,backlight=LINE]
+  ssd1306:i2c=/dev/i2c-1[,address=0x3D][,reset=LINE]   on I2C, at 0x3c unless told
 A LINE is CHIP:OFFSET (gpiochip0:25) or the line's name.
 
 Exit status: 0 shown or stopped by SIGINT, SIGTERM, SIGHUP; 1 bug; 2 command line; 3 device missing, busy or not
@@ -72,7 +73,7 @@ int main(int argc, char** argv) {
   app.add_option("--fps", arguments.play.frames_per_second, "Frames a second at most (default: no limit)")
       ->check(CLI::Range(0.01, 1000.0));
   app.add_flag("--hold", arguments.hold, "Leave the last frame on the display until stopped");
-  app.add_flag("--list", arguments.list, "List screens, SPI devices and GPIO lines of this machine, and end");
+  app.add_flag("--list", arguments.list, "List screens, SPI and I2C devices and GPIO lines of this machine, and end");
   app.add_flag("--quiet", arguments.quiet, "Say nothing but warnings and errors");
   try {
     app.parse(argc, argv);

@@ -1,4 +1,4 @@
-// Opens the panels with a controller of their own, on spidev or bit-banged lines.
+// Opens the panels with a controller of their own, on spidev, I2C or bit-banged lines.
 #pragma once
 
 #include <string>

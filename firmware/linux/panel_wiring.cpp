@@ -1,6 +1,9 @@
 // How a panel is wired to a Linux machine.
 #include "panel_wiring.hpp"
 
+#include <charconv>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace zstrip::panel {
@@ -20,6 +23,29 @@ Outcome<GpioPin> open_pin(const char* key, const std::optional<std::string>& nam
   return pin;
 }
 
+/// Of 7 bits, those that devices may have; decimal, or hexadecimal as 0x3c.
+std::optional<std::uint8_t> i2c_address(std::string_view text) {
+  const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
+  if (hexadecimal) text.remove_prefix(2);
+  std::uint8_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, hexadecimal ? 16 : 10);
+  if (error != std::errc{} || end != text.data() + text.size() || value < 0x08 || value > 0x77) return std::nullopt;
+  return value;
+}
+
+/// What an address with `i2c` may say.
+Outcome<PanelWiring> take_i2c(DisplayAddress& address, PanelWiring wiring) {
+  if (address.kind() != "ssd1306") return address.fault("i2c", "is only for ssd1306: other controllers have none");
+  if (wiring.spidev || wiring.clock || wiring.data || wiring.select || wiring.data_command || wiring.hertz)
+    return address.fault("i2c", "does without spidev, speed, clock, data, select and dc: it has two wires of its own");
+  if (const auto text = address.take("address")) {
+    const auto value = i2c_address(*text);
+    if (!value) return address.fault("address", "must be 0x08 to 0x77, as 0x3c, not '" + *text + "'");
+    wiring.address = *value;
+  }
+  return wiring;
+}
+
 }  // namespace
 
 Outcome<PanelWiring> PanelWiring::take(DisplayAddress& address) {
@@ -34,6 +60,8 @@ Outcome<PanelWiring> PanelWiring::take(DisplayAddress& address) {
   const auto hertz = address.take_number("speed", 1'000, 1'000'000'000);
   if (!hertz) return hertz.fault();
   wiring.hertz = *hertz;
+  wiring.i2c = address.take("i2c");
+  if (wiring.i2c) return take_i2c(address, std::move(wiring));
 
   if (!wiring.data_command) return address.fault("dc", "is missing: the line that tells commands from data");
   if (wiring.spidev && (wiring.clock || wiring.data || wiring.select))
@@ -46,12 +74,17 @@ Outcome<PanelWiring> PanelWiring::take(DisplayAddress& address) {
 
 Outcome<OpenWiring> OpenWiring::open(const PanelWiring& wiring, std::uint32_t usual_hertz) {
   // All lines rest: chip select and reset are active while low.
-  Outcome<GpioPin> data_command = open_pin("dc", wiring.data_command, false);
-  if (!data_command) return data_command.fault();
   Outcome<GpioPin> reset = open_pin("reset", wiring.reset, true);
   if (!reset) return reset.fault();
   Outcome<GpioPin> backlight = open_pin("backlight", wiring.backlight, false);
   if (!backlight) return backlight.fault();
+  if (wiring.i2c) {
+    Outcome<hal::I2cdevBus> bus = hal::I2cdevBus::open(*wiring.i2c, wiring.address);
+    if (!bus) return bus.fault();
+    return OpenWiring{std::move(*bus), std::move(*reset), std::move(*backlight)};
+  }
+  Outcome<GpioPin> data_command = open_pin("dc", wiring.data_command, false);
+  if (!data_command) return data_command.fault();
   if (wiring.spidev) {
     Outcome<hal::SpidevBus> bus =
         hal::SpidevBus::open(*wiring.spidev, wiring.hertz.value_or(usual_hertz), std::move(*data_command));

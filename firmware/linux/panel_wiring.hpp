@@ -9,17 +9,19 @@
 #include "display_address.hpp"
 #include "zstrip_hal/bit_banged_spi.hpp"
 #include "zstrip_hal_linux/gpio.hpp"
+#include "zstrip_hal_linux/i2cdev.hpp"
 #include "zstrip_hal_linux/spidev.hpp"
 
 namespace zstrip::panel {
 
-/// The words for lines and bus. Either `spidev`, or `clock` and `data` and perhaps `select`.
+/// The words for lines and bus. Either `spidev`, or `clock` and `data` and perhaps `select`, or `i2c` without D/C.
 struct PanelWiring {
   /// Takes its keys from the address. Faults: a word is missing, or two do not go together.
   static hal::Outcome<PanelWiring> take(DisplayAddress& address);
 
-  std::optional<std::string> spidev, clock, data, select, data_command, reset, backlight;
+  std::optional<std::string> spidev, clock, data, select, i2c, data_command, reset, backlight;
   std::optional<std::uint32_t> hertz;  ///< of spidev
+  std::uint8_t address = 0x3C;         ///< on I2C
 };
 
 using BitBangedBus = hal::BitBangedSpi<hal::GpioPin, hal::GpioPin, hal::GpioPin, hal::GpioPin>;
@@ -29,7 +31,7 @@ struct OpenWiring {
   /// `usual_hertz`: spidev's clock unless the wiring says another. Faults name line and device, and what to do.
   static hal::Outcome<OpenWiring> open(const PanelWiring& wiring, std::uint32_t usual_hertz);
 
-  std::variant<hal::SpidevBus, BitBangedBus> bus;
+  std::variant<hal::SpidevBus, BitBangedBus, hal::I2cdevBus> bus;
   hal::GpioPin reset;      ///< high
   hal::GpioPin backlight;  ///< low: off
 };

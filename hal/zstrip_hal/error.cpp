@@ -15,6 +15,7 @@ const char* message(Error error) {
     case Error::pin: return "an output line cannot be set";
     case Error::configuration: return "the display's controller cannot do what its configuration asks for";
     case Error::framebuffer: return "the picture does not fit its memory";
+    case Error::flip: return "the last page flip did not happen";
   }
   return "unknown error";
 }

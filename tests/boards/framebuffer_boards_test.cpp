@@ -1,14 +1,20 @@
 // Boards whose picture lies in memory, in the emulator: what their screens show, compared pixel for pixel.
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <ostream>
 #include <set>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "colour_picture.hpp"
 #include "host_render.hpp"
 #include "programs.hpp"
 #include "qemu.hpp"
+#include "zstrip_hal/framebuffer.hpp"
+#include "zstrip_hal/message_screen.hpp"
 
 namespace zstrip::boards {
 namespace {
@@ -68,6 +74,39 @@ constexpr FramebufferBoard kBoards[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Board, FramebufferBoards, testing::ValuesIn(kBoards),
+                         [](const auto& test) { return std::string(test.param.program); });
+
+class FaultingFramebufferBoards : public testing::TestWithParam<FramebufferBoard> {};
+
+TEST_P(FaultingFramebufferBoards, FaultShowsOnConsoleAndScreen) {
+  const FramebufferBoard& board = GetParam();
+  Qemu emulator(options_of(board));
+  const std::string report = emulator.read_line();
+  ASSERT_TRUE(report.starts_with("fault: ")) << report;
+  const std::string words = "panic: " + report.substr(0, report.find(" value "));
+  ASSERT_EQ(emulator.read_line(), words);
+  std::vector<std::uint16_t> pixels(std::size_t{board.width} * board.height);
+  hal::Framebuffer display(std::as_writable_bytes(std::span(pixels)),
+                           {board.width, board.height, hal::PixelFormat::rgb565});
+  ASSERT_EQ(hal::show_message(display, words), hal::Error::none);
+  const ColourPicture expected = widened(pixels, board.width, board.height, board.low_bits);
+  // The console is faster than the screen.
+  std::string wrong;
+  for (int look = 0; look < 20; ++look) {
+    wrong = difference(expected, emulator.colour_screen());
+    if (wrong.empty()) break;
+  }
+  EXPECT_EQ(wrong, "");
+}
+
+constexpr FramebufferBoard kFaultingBoards[] = {
+    {"versatilepb_fault_qvga", "", 320, 240, false, LowBits::zeros},
+#ifdef ZSTRIP_RISCV_PROGRAMS
+    {"riscv_virt_fault", "", 320, 240, true, LowBits::repeated},
+#endif
+};
+
+INSTANTIATE_TEST_SUITE_P(Board, FaultingFramebufferBoards, testing::ValuesIn(kFaultingBoards),
                          [](const auto& test) { return std::string(test.param.program); });
 
 }  // namespace

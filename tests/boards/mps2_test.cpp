@@ -152,6 +152,15 @@ TEST_P(Mps2SelfTest, AssemblyIsItsCpp) {
   }
 }
 
+TEST_P(Mps2SelfTest, FaultsReturnToWhoMarkedAPlace) {
+  const auto [output, status] = run(GetParam(), "self_test", {"return"});
+  ASSERT_TRUE(output.starts_with("fault: exception 3 pc 0")) << output;
+  constexpr std::size_t kWord = sizeof "fault: " - 1;
+  const std::string words = output.substr(kWord, sizeof "exception 3 pc 00000000 lr 00000000" - 1);
+  EXPECT_EQ(output.substr(output.find('\n') + 1), "self-test: back from " + words + "\n");
+  EXPECT_EQ(status, 0);
+}
+
 /// The memory protection unit notices it; code for the Cortex-M0 does not count on one.
 TEST(Board, Mps2StackOverflowIsReported) {
   for (const Processor& processor : kProcessors) {

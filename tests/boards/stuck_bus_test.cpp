@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,17 +16,22 @@
 namespace zstrip::boards {
 namespace {
 
-constexpr const char* kPrompt = "stuck bus: t or h?";
+constexpr const char* kPrompt = "stuck bus: t, h, f, o or g?";
 
-TEST(Board, StuckBusThatTimesOutShowsAPanicAndIsReset) {
-  Qemu board({.machine = "lm3s6965evb", .program = program("zstrip_lm3s6965evb_stuck_bus")});
-  ASSERT_EQ(board.read_line(), kPrompt);
-  board.write_console("t");
-  const std::string error = "display: the bus did not get ready in time";
-  ASSERT_EQ(board.read_line(), "panic: " + error);
+/// The board, asked for this.
+std::unique_ptr<Qemu> stuck(const char* how) {
+  auto board = std::make_unique<Qemu>(
+      Qemu::Options{.machine = "lm3s6965evb", .program = program("zstrip_lm3s6965evb_stuck_bus")});
+  EXPECT_EQ(board->read_line(), kPrompt);
+  board->write_console(how);
+  return board;
+}
+
+/// Its panel soon shows these words and nothing else, and then its watchdog resets it.
+void expect_message_and_reset(Qemu& board, const std::string& words) {
   std::vector<std::byte> memory(64 * 64);
   hal::Framebuffer display(memory, {128, 64, hal::PixelFormat::gray4});
-  ASSERT_EQ(hal::show_message(display, "panic: " + error), hal::Error::none);
+  ASSERT_EQ(hal::show_message(display, words), hal::Error::none);
   const GreyPicture expected = unpack_gray4(memory, 128, 64);
   // The console is faster than the panel, the watchdog slower than both.
   std::string wrong;
@@ -37,11 +43,42 @@ TEST(Board, StuckBusThatTimesOutShowsAPanicAndIsReset) {
   EXPECT_EQ(board.read_line(), kPrompt) << "the watchdog does not reset the board";
 }
 
+TEST(Board, StuckBusThatTimesOutShowsAPanicAndIsReset) {
+  const auto board = stuck("t");
+  const std::string words = "panic: display: the bus did not get ready in time";
+  ASSERT_EQ(board->read_line(), words);
+  expect_message_and_reset(*board, words);
+}
+
 TEST(Board, StuckBusThatNeverReturnsIsResetByTheWatchdog) {
-  Qemu board({.machine = "lm3s6965evb", .program = program("zstrip_lm3s6965evb_stuck_bus")});
-  ASSERT_EQ(board.read_line(), kPrompt);
-  board.write_console("h");
-  EXPECT_EQ(board.read_line(), kPrompt) << "the watchdog does not reset the board";
+  const auto board = stuck("h");
+  EXPECT_EQ(board->read_line(), kPrompt) << "the watchdog does not reset the board";
+}
+
+TEST(Board, FaultShowsOnConsoleAndPanelAndIsReset) {
+  const auto board = stuck("f");
+  const std::string report = board->read_line();
+  ASSERT_TRUE(report.starts_with("fault: exception 3 pc 0")) << report;
+  const std::string words = "panic: " + report.substr(0, report.find(" cfsr "));
+  ASSERT_EQ(board->read_line(), words);
+  expect_message_and_reset(*board, words);
+}
+
+TEST(Board, StackOverflowShowsOnConsoleAndPanelAndIsReset) {
+  const auto board = stuck("o");
+  const std::string report = board->read_line();
+  ASSERT_TRUE(report.starts_with("fault: exception 3 stack overflow ")) << report;
+  ASSERT_EQ(board->read_line(), "panic: fault: exception 3 stack overflow");
+  expect_message_and_reset(*board, "panic: fault: exception 3 stack overflow");
+}
+
+// The panel cannot be told any more, and that does not keep the board from its reset.
+TEST(Board, FaultWithAStuckBusIsResetByTheWatchdog) {
+  const auto board = stuck("g");
+  const std::string report = board->read_line();
+  ASSERT_TRUE(report.starts_with("fault: exception 3 pc 0")) << report;
+  ASSERT_EQ(board->read_line(), "panic: " + report.substr(0, report.find(" cfsr ")));
+  EXPECT_EQ(board->read_line(), kPrompt) << "the watchdog does not reset the board";
 }
 
 // As long as frames are shown, nothing resets it: the host sees them in order.

@@ -21,12 +21,13 @@ constexpr auto kPatience = 240s;  // a kernel starts in some seconds, if it is a
 std::filesystem::path folder_of(Machine machine) { return kGuests / (machine == Machine::amd64 ? "amd64" : "armhf"); }
 
 boards::Qemu::Options emulator_of(const Guest::Options& options) {
-  const bool is_arm = options.machine == Machine::armhf;
+  const bool is_arm = options.machine != Machine::amd64, is_board = options.machine == Machine::sabrelite;
   const std::filesystem::path folder = folder_of(options.machine);
-  const std::string console = is_arm ? "ttyAMA0" : "ttyS0";
+  const std::string console = is_board ? "ttymxc1" : is_arm ? "ttyAMA0" : "ttyS0";
   boards::Qemu::Options emulator;
   emulator.emulator = is_arm ? "qemu-system-arm" : "qemu-system-x86_64";
-  emulator.machine = is_arm ? "virt,highmem=off" : "pc";
+  emulator.machine = is_board ? "sabrelite" : is_arm ? "virt,highmem=off" : "pc";
+  emulator.serial_port = is_board ? 1 : 0;
   emulator.program = folder / "kernel";
   emulator.devices = {"-nodefaults",
                       "-no-reboot",
@@ -37,7 +38,9 @@ boards::Qemu::Options emulator_of(const Guest::Options& options) {
                       "-append",
                       "quiet loglevel=1 panic=-1 console=" + console + " zstrip.console=" + console +
                           " zstrip.modules=" + options.modules};
-  if (is_arm) {
+  if (is_board) {
+    emulator.devices.insert(emulator.devices.end(), {"-dtb", (folder / "sabrelite.dtb").string()});
+  } else if (is_arm) {
     const std::string tree = (folder / "tree.dtb").string();
     emulator.devices.insert(emulator.devices.end(), {"-cpu", "cortex-a15", "-dtb", tree});
   }
@@ -84,21 +87,47 @@ std::string Guest::screen_differs(const boards::ColourPicture& expected) {
   }
 }
 
-boards::ColourPicture host_frame(int frame, int width, int height) {
+namespace {
+
+/// Draws a frame with the host's command, and takes it from its file.
+template <class Take>
+auto drawn(int frame, const std::string& options, const std::string& extension, Take take) {
   std::string folder = std::filesystem::temp_directory_path() / "zstrip-frames-XXXXXX";
   if (mkdtemp(folder.data()) == nullptr) throw std::runtime_error("cannot make " + folder);
   // Of a turn in 64 frames only the first can be had alone.
   const std::string frames = frame == 0 ? "1" : "64";
-  const std::string output = frame == 0 ? folder + "/frame_0000.ppm" : folder;
+  const std::string output = frame == 0 ? folder + "/frame_0000" + extension : folder;
   const std::string command = std::string(ZSTRIP_COMMAND) + " render " + (kGuests / "scene.zsc").string() +
-                              " --quiet --image ppm --size " + std::to_string(width) + "x" + std::to_string(height) +
-                              " --frames " + frames + " -o " + output;
+                              " --quiet --frames " + frames + " -o " + output + " " + options;
   if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
-  const std::string name =
-      "frame_" + std::string(4 - std::to_string(frame).size(), '0') + std::to_string(frame) + ".ppm";
-  boards::ColourPicture picture = boards::read_ppm(std::filesystem::path(folder) / name);
+  const std::string number = std::to_string(frame);
+  auto result =
+      take(std::filesystem::path(folder) / ("frame_" + std::string(4 - number.size(), '0') + number + extension));
   std::filesystem::remove_all(folder);
-  return picture;
+  return result;
+}
+
+std::string size_option(int width, int height) {
+  return "--size " + std::to_string(width) + "x" + std::to_string(height);
+}
+
+}  // namespace
+
+boards::ColourPicture host_frame(int frame, int width, int height) {
+  return drawn(frame, size_option(width, height) + " --image ppm", ".ppm",
+               [](const std::filesystem::path& file) { return boards::read_ppm(file); });
+}
+
+std::vector<std::byte> host_frame_mono(int frame, int width, int height) {
+  return drawn(frame, size_option(width, height) + " --format mono --image raw", ".raw",
+               [width, height](const std::filesystem::path& file) {
+                 std::vector<std::byte> bytes(static_cast<std::size_t>((width + 7) / 8 * height));
+                 std::ifstream stream(file, std::ios::binary);
+                 stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+                 if (!stream || stream.peek() != std::ifstream::traits_type::eof())
+                   throw std::runtime_error("not a picture of one bit a pixel: " + file.string());
+                 return bytes;
+               });
 }
 
 }  // namespace zstrip::linux_guest

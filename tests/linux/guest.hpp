@@ -2,6 +2,7 @@
 // console.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,7 +12,7 @@
 
 namespace zstrip::linux_guest {
 
-enum class Machine : std::uint8_t { amd64, armhf };
+enum class Machine : std::uint8_t { amd64, armhf, sabrelite };  // sabrelite: with the kernel for armhf
 
 /// Why there is no such machine, for a test to be skipped; empty if there is one.
 std::string missing(Machine machine);
@@ -43,5 +44,7 @@ class Guest {
 
 /// A frame of the guests' scene as the host's command draws it, 64 frames a turn.
 boards::ColourPicture host_frame(int frame, int width, int height);
+/// The same of one bit a pixel: rows of whole bytes, the leftmost pixel in the highest bit.
+std::vector<std::byte> host_frame_mono(int frame, int width, int height);
 
 }  // namespace zstrip::linux_guest

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # guest.sh ROOT FOLDER PANEL: real Debian kernels with zstrip-panel as machines for QEMU, in FOLDER/amd64 and FOLDER/armhf:
-# `kernel`, `initrd`, for armhf `tree.dtb` (the emulator's device tree, and panels on its GPIO chip). PANEL is the host's
+# `kernel`, `initrd`, for armhf `tree.dtb` (the emulator's device tree, and panels on its GPIO chip) and `sabrelite.dtb` (the
+# kernel's own of a board with I2C). PANEL is the host's
 # program; those for armhf are built here, zstrip-panel and, with libgpiod 2 of Debian 13, zstrip-panel-gpiod2.
 # Downloads are kept in FOLDER/downloads. Where the packages cannot be had FOLDER/missing says why, and the status is 77.
 set -euo pipefail
@@ -134,7 +135,8 @@ mapfile -t objects < <(find "$objects" -name '*.o')
 arm-linux-gnueabihf-g++ -static -o armhf2/zstrip-panel "${objects[@]}" armhf2/gpio.o \
   armhf/build/{hal/linux/libzstrip_hal_linux,core/libzstrip_core_any,core/libzstrip_core,hal/libzstrip_hal}.a \
   armhf/development/usr/$libraries/libdrm.a armhf2/development/usr/$libraries/libgpiod.a
-pack armhf armhf/build/firmware/linux/zstrip-panel virtio_pci virtio_gpu
+pack armhf armhf/build/firmware/linux/zstrip-panel virtio_pci virtio_gpu i2c_imx i2c_dev
+cp armhf/packages/usr/lib/linux-image-*/imx6q-sabrelite.dtb armhf/sabrelite.dtb
 
 # Panels on the only GPIO chip of the machine: SPI by spi-gpio, lines with names. The chip's power button goes.
 qemu-system-arm -M virt,highmem=off,dumpdtb=armhf/machine.dtb -cpu cortex-a15 -m 256 -display none >/dev/null 2>&1

@@ -28,14 +28,24 @@ MockedDevices::MockedDevices() : testbed_(umockdev_testbed_new()) {
 
 MockedDevices::~MockedDevices() { g_object_unref(testbed_); }
 
-void MockedDevices::add(const std::string& subsystem, const std::string& name, int major, int minor, Control control) {
+std::filesystem::path MockedDevices::file(const std::string& name) const {
+  gchar* root = umockdev_testbed_get_root_dir(testbed_);
+  std::filesystem::path path = std::filesystem::path(root) / "dev" / name;
+  g_free(root);
+  return path;
+}
+
+void MockedDevices::add(const std::string& subsystem, const std::string& name, int major, int minor, Control control,
+                        std::size_t memory) {
   const std::string number = std::to_string(major) + ":" + std::to_string(minor);
   // The files of a kernel end with a newline, which libgpiod takes off.
-  const std::string text = "P: /devices/mock/" + name + "\nN: " + name + "\nE: SUBSYSTEM=" + subsystem +
-                           "\nE: DEVNAME=/dev/" + name + "\nE: MAJOR=" + std::to_string(major) +
-                           "\nE: MINOR=" + std::to_string(minor) + "\nA: dev=" + number + "\\n\n";
+  const std::string text = "P: /devices/mock/" + name + "\nN: " + name + (memory != 0 ? "=00" : "") +
+                           "\nE: SUBSYSTEM=" + subsystem + "\nE: DEVNAME=/dev/" + name +
+                           "\nE: MAJOR=" + std::to_string(major) + "\nE: MINOR=" + std::to_string(minor) +
+                           "\nA: dev=" + number + "\\n\n";
   GError* error = nullptr;
   if (umockdev_testbed_add_from_string(testbed_, text.c_str(), &error) == 0) throw std::runtime_error(error->message);
+  if (memory != 0) std::filesystem::resize_file(file(name), memory);
   // Where libgpiod looks; umockdev makes links only for classes.
   gchar* root = umockdev_testbed_get_root_dir(testbed_);
   const std::filesystem::path bus = std::filesystem::path(root) / "sys/bus" / subsystem / "devices";

@@ -12,18 +12,26 @@
 
 namespace zstrip::board {
 
+template <LcdMode mode>
+inline constexpr View kLcdView{mode.horizontal.visible, mode.vertical.visible, PixelFormat::rgb565};
+
+/// Whatever `Player` shows, for ever; the result is main's.
+template <class Player, LcdMode mode>
+int run_on_lcd() {
+  constexpr View kView = kLcdView<mode>;
+  alignas(8) static std::array<std::byte, kView.height * bytes_per_row(kView.width, kView.format)> picture;
+  start_lcd(mode, picture.data());
+  hal::Framebuffer lcd(picture, {kView.width, kView.height, hal::PixelFormat::rgb565});
+  start_pacing();
+  panic(lcd, show_scene<Player>(lcd));
+  return 1;
+}
+
 /// `scene` on the turntable for ever; the result is main's.
 template <const scenes::BuiltIn& scene, LcdMode mode>
 int show_on_lcd() {
-  constexpr std::uint16_t kWidth = mode.horizontal.visible, kHeight = mode.vertical.visible;
-  constexpr View kView{kWidth, kHeight, PixelFormat::rgb565};
   constexpr Budget kBudget{.bytes = 256 * 1024, .strip_buffers = 1};
-  alignas(8) static std::array<std::byte, kHeight * bytes_per_row(kWidth, kView.format)> picture;
-  start_lcd(mode, picture.data());
-  hal::Framebuffer lcd(picture, {kWidth, kHeight, hal::PixelFormat::rgb565});
-  start_pacing();
-  panic(lcd, show_scene<ScenePlayer<TurntableMotion<scene, kView, kBudget>>>(lcd));
-  return 1;
+  return run_on_lcd<ScenePlayer<TurntableMotion<scene, kLcdView<mode>, kBudget>>, mode>();
 }
 
 }  // namespace zstrip::board

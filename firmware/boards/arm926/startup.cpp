@@ -4,6 +4,7 @@
 
 #include "cortex_m/board.hpp"
 #include "cortex_m/console.hpp"
+#include "portable/fault_return.hpp"
 
 int main();
 
@@ -14,12 +15,16 @@ extern std::uint32_t bss_start[], bss_end[];
 [[noreturn]] void reset_handler();
 void exception_handler();
 [[noreturn, gnu::used]] void start_program();
-[[noreturn, gnu::used]] void report_exception(std::uint32_t return_address, std::uint32_t mode);
+[[gnu::used]] void report_exception(std::uint32_t return_address, std::uint32_t mode);
+
+[[gnu::used, gnu::aligned(8)]] char fault_stack[1024];
+[[gnu::used]] std::uint32_t fault_return[10];  // r4 to r11, sp and lr of who called mark_fault_return()
 }
 
 namespace {
 constexpr int kFaultStatus = 70;
-}
+bool reported = false;
+}  // namespace
 
 // One word for each exception, at address 0. The branches reach everything: the program is far below 32 MB.
 [[gnu::naked, gnu::section(".vectors"), gnu::used]] void vectors() {
@@ -49,23 +54,37 @@ void start_program() {
   zstrip::board::halt(main());
 }
 
-// Each mode has a stack pointer of its own; the program never goes on, so that its stack may be used from the top.
+[[gnu::naked]] bool zstrip::board::mark_fault_return() {
+  asm volatile(
+      "ldr r0, =fault_return\n\t"
+      "stmia r0, {r4-r11, sp, lr}\n\t"
+      "mov r0, #0\n\t"
+      "bx lr\n\t"
+      ".ltorg");
+}
+
+// Each mode has a stack pointer of its own; the program's frames must stay as they are.
 [[gnu::naked]] void exception_handler() {
   asm volatile(
       "mov r0, lr\n\t"
       "mrs r1, cpsr\n\t"
-      "ldr sp, =stack_top\n\t"
-      "b report_exception\n\t"
+      "ldr sp, =fault_stack + 1024\n\t"
+      "bl report_exception\n\t"
+      "ldr r0, =fault_return\n\t"
+      "ldmia r0, {r4-r11, sp, lr}\n\t"
+      "mov r0, #1\n\t"
+      "bx lr\n\t"
       ".ltorg");
 }
 
 // `return_address` is 4 or 8 bytes behind the instruction; `mode`: 0x1B undefined instruction, 0x17 abort.
 void report_exception(std::uint32_t return_address, std::uint32_t mode) {
   using namespace zstrip::board;
-  print("fault: mode ");
-  print_hex(mode & 0x1FU);
-  print(" before ");
-  print_hex(return_address);
+  FaultWords::add("mode ", mode & 0x1FU, 32);
+  FaultWords::add(" before ", return_address, 32);
+  print("fault: ");
+  print(FaultWords::all());
   print("\n");
-  halt(kFaultStatus);
+  if (reported || fault_return[9] == 0) halt(kFaultStatus);
+  reported = true;
 }

@@ -1,20 +1,44 @@
-// Faults and unexpected interrupts: says on the console what happened and where, then halts.
+// Faults and unexpected interrupts: says on the console what happened and where, then goes back to who has marked a
+// place for that, or halts.
 #include <cstdint>
 
 #include "cortex_m/board.hpp"
 #include "cortex_m/console.hpp"
 #include "cortex_m/registers.hpp"
 #include "cortex_m/stack.hpp"
+#include "portable/fault_return.hpp"
 
 namespace {
 constexpr int kFaultStatus = 70;
-}
+enum : std::uint32_t { kReturnAddress = 9, kReturnWords };
+}  // namespace
 
 // The report runs on a stack of its own, because the program's may be full.
 extern "C" {
-[[gnu::used, gnu::aligned(8)]] char fault_stack[256];
+[[gnu::used, gnu::aligned(8)]] char fault_stack[176];
+/// r4 to r11, sp and lr of who called mark_fault_return(). Without FPU registers: nobody here keeps anything there.
+[[gnu::used]] std::uint32_t fault_return[kReturnWords];
 void fault_handler();
-[[noreturn, gnu::used]] void report_fault(const std::uint32_t* stacked, std::uint32_t exception);
+[[gnu::used]] void report_fault(const std::uint32_t* stacked, std::uint32_t exception);
+}
+
+// Only with low registers can Armv6-M load and store several at once.
+[[gnu::naked]] bool zstrip::board::mark_fault_return() {
+  asm volatile(
+      ".syntax unified\n\t"
+      "ldr r0, =fault_return\n\t"
+      "stmia r0!, {r4-r7}\n\t"
+      "mov r1, r8\n\t"
+      "mov r2, r9\n\t"
+      "mov r3, r10\n\t"
+      "stmia r0!, {r1-r3}\n\t"
+      "mov r1, r11\n\t"
+      "mov r2, sp\n\t"
+      "mov r3, lr\n\t"
+      "stmia r0!, {r1-r3}\n\t"
+      "movs r0, #0\n\t"
+      "bx lr\n\t"
+      ".ltorg");
 }
 
 [[gnu::naked]] void fault_handler() {
@@ -22,26 +46,37 @@ void fault_handler();
       ".syntax unified\n\t"
       "mrs r0, msp\n\t"
       "mrs r1, ipsr\n\t"
-      "ldr r2, =fault_stack + 256\n\t"
+      "ldr r2, =fault_stack + 176\n\t"
       "mov sp, r2\n\t"
-      "ldr r2, =report_fault\n\t"
-      "bx r2\n\t"
+      "bl report_fault\n\t"
+      "ldr r0, =fault_return\n\t"
+      "ldmia r0!, {r4-r7}\n\t"
+      "ldmia r0!, {r1-r3}\n\t"
+      "mov r8, r1\n\t"
+      "mov r9, r2\n\t"
+      "mov r10, r3\n\t"
+      "ldmia r0!, {r1-r3}\n\t"
+      "mov r11, r1\n\t"
+      "mov sp, r2\n\t"
+      "movs r0, #1\n\t"
+      "bx r3\n\t"
       ".ltorg");
 }
 
 // `stacked` is what the processor pushed: r0-r3, r12, lr, pc, xpsr. `exception` is its number, 3 for a hard fault.
 void report_fault(const std::uint32_t* stacked, std::uint32_t exception) {
   using namespace zstrip::board;
-  print("fault: exception ");
-  print_decimal(exception);
+  std::uint32_t decimal = exception;  // a digit every four bits
+  for (std::uint32_t rest = exception; rest >= 10; rest -= 10) decimal += 16 - 10;
+  FaultWords::add("exception ", decimal, exception < 10 ? 4 : 8);
   if (stacked >= stack_bottom + kStackGuardBytes / 4 && stacked + 8 <= stack_top) {
-    print(" pc ");
-    print_hex(stacked[6]);
-    print(" lr ");
-    print_hex(stacked[5]);
+    FaultWords::add(" pc ", stacked[6], 32);
+    FaultWords::add(" lr ", stacked[5], 32);
   } else {
-    print(" stack overflow");
+    FaultWords::add(" stack overflow", 0, 0);
   }
+  print("fault: ");
+  print(FaultWords::all());
 #if __ARM_ARCH_7M__ || __ARM_ARCH_7EM__
   print(" cfsr ");
   print_hex(register_at(0xE000ED28));
@@ -51,5 +86,5 @@ void report_fault(const std::uint32_t* stacked, std::uint32_t exception) {
   print_hex(register_at(0xE000ED38));
 #endif
   print("\n");
-  halt(kFaultStatus);
+  if (fault_return[kReturnAddress] == 0) halt(kFaultStatus);
 }

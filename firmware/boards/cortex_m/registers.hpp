@@ -6,7 +6,7 @@
 namespace zstrip::board {
 
 inline volatile std::uint32_t& register_at(std::uint32_t address) {
-  return *reinterpret_cast<volatile std::uint32_t*>(address);
+  return *reinterpret_cast<volatile std::uint32_t*>(static_cast<std::uintptr_t>(address));
 }
 
 }  // namespace zstrip::board

@@ -1,6 +1,7 @@
-// What becomes of a board whose bus gets stuck, for tests. The teapot, whose bus does what the console asks for: 't',
-// it times out once, amid a frame; 'h', it never returns. The one must end in a panic that shows, both in a reset by
-// the watchdog, and the program asks again.
+// What becomes of a board whose bus gets stuck or whose program faults, for tests. The teapot, whose bus does amid a
+// frame what the console asks for: 't', it times out once; 'h', it never returns; 'f', it faults; 'o', it takes more
+// stack than there is; 'g', it faults and never returns afterwards. What can must end in a panic that shows, everything
+// in a reset by the watchdog, and the program asks again.
 #include "lm3s6965evb/show.hpp"
 #include "portable/turntable_motion.hpp"
 #include "zstrip_scenes/teapot.hpp"
@@ -8,6 +9,14 @@
 namespace {
 
 using namespace zstrip;
+
+/// Until the stack ends, far below 2^32 levels.
+[[gnu::noinline]] std::uint32_t overflow_stack(std::uint32_t depth) {
+  volatile std::uint32_t frame[16];
+  frame[depth % 16] = depth;
+  if (depth == 0xFFFFFFFF) return depth;
+  return overflow_stack(depth + 1) + frame[depth % 16];
+}
 
 class StuckBus : public board::OledBus {
  public:
@@ -17,8 +26,11 @@ class StuckBus : public board::OledBus {
     constexpr int kGood = 200;  // the start, and some strips
     if (++writes_ == kGood) {
       while (fault_ == 'h') asm volatile("");
+      if (fault_ == 'f' || fault_ == 'g') asm volatile("udf #0");
+      if (fault_ == 'o') overflow_stack(0);
       return hal::Error::timeout;
     }
+    while (fault_ == 'g' && writes_ > kGood) asm volatile("");
     return board::OledBus::write_data(bytes);
   }
 
@@ -33,7 +45,7 @@ constexpr Budget kBudget{.bytes = 40 * 1024};
 }  // namespace
 
 int main() {
-  board::print("stuck bus: t or h?\n");
+  board::print("stuck bus: t, h, f, o or g?\n");
   char fault = 0;
   while (!board::take_character(fault)) {
   }

@@ -1,8 +1,7 @@
 // Proves what the start-up code and the memory functions promise, on the board itself. The host's word says what:
 // "memory" compares memcpy, memmove, memset and memcmp with bytewise loops and checks .data and .bss; "fault" reads
-// where nothing is and "overflow" uses up the stack: both must end in a fault report; "small" and "texels" compare
-// assembly with its C++.
-// Exit status: 0 all right, 1 something differs, 2 no such word.
+// where nothing is and "overflow" uses up the stack: both must end in a fault report; "return" goes on after one;
+// "small" and "texels" compare assembly with its C++. Exit status: 0 all right, 1 something differs, 2 no such word.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +12,7 @@
 #include "cortex_m/registers.hpp"
 #include "cortex_m/semihosting.hpp"
 #include "mps2/assembly_checks.hpp"
+#include "portable/fault_return.hpp"
 
 namespace {
 
@@ -95,10 +95,18 @@ int check_memory() {
   return 0;
 }
 
-int read_nowhere() {
+[[gnu::noinline]] int read_nowhere() {
   const std::uint32_t value = zstrip::board::register_at(0x90000000);
   print_decimal(value);
   return 1;
+}
+
+int come_back() {
+  if (!zstrip::board::mark_fault_return()) return read_nowhere();
+  print("self-test: back from ");
+  print(zstrip::board::FaultWords::all());
+  print("\n");
+  return 0;
 }
 
 /// Uses 256 bytes of stack a level; `depth` keeps the compiler from proving that it never ends.
@@ -116,9 +124,10 @@ int main() {
   const std::string_view word = zstrip::board::read_command_line(buffer).value_or("");
   if (word == "memory") return check_memory();
   if (word == "fault") return read_nowhere();
+  if (word == "return") return come_back();
   if (word == "overflow") return static_cast<int>(overflow_stack(zeroed)) | 1;
   if (word == "small") return zstrip::board::check_small_triangles();
   if (word == "texels") return zstrip::board::check_textured_runs();
-  print("self-test: say memory, fault, overflow, small or texels\n");
+  print("self-test: say memory, fault, return, overflow, small or texels\n");
   return 2;
 }

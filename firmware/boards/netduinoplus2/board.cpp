@@ -9,15 +9,13 @@ namespace zstrip::board {
 namespace {
 
 constexpr std::uint32_t kPortsAToC = 7;
-constexpr std::uint32_t kApb2Usart6 = 1U << 5;
-constexpr std::uint32_t kApb1Spi2 = 1U << 14;
 
 }  // namespace
 
 void start() {
   stm32::start_clock_f4(kCrystalMegahertz);
   stm32::enable_clock(stm32::kAhb1Enable, kPortsAToC);
-  stm32::enable_clock(stm32::kApb2Enable, kApb2Usart6);
+  stm32::enable_clock(stm32::kApb2Enable, stm32::kApb2Usart6);
   constexpr std::uint32_t kUsart6 = 8;
   stm32::make_alternate_f4('C', 6, kUsart6);
   stm32::make_alternate_f4('C', 7, kUsart6);
@@ -25,7 +23,7 @@ void start() {
 }
 
 void start_panel_pins() {
-  stm32::enable_clock(stm32::kApb1Enable, kApb1Spi2);
+  stm32::enable_clock(stm32::kApb1Enable, stm32::kApb1Spi2);
   constexpr std::uint32_t kSpi2 = 5;
   stm32::make_alternate_f4('B', 13, kSpi2);
   stm32::make_alternate_f4('B', 15, kSpi2);

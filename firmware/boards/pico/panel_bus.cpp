@@ -37,11 +37,11 @@ void configure_spi() {
   register_at(kSpi0 + kSpiControl1) = 2;   // on, as master
 }
 
-// The channel says that it has stopped by clearing the bit (2.5.5.3).
+// The channel says that it has stopped by clearing the bit (2.5.5.3), and is no longer busy.
 bool stop_dma() {
   register_at(kDmaAbort) = 1U << 0;
   for (std::uint32_t poll = 0; poll < kPolls; ++poll) {
-    if ((register_at(kDmaAbort) & 1U) == 0) return true;
+    if ((register_at(kDmaAbort) & 1U) == 0 && (register_at(kDmaControl) & kDmaBusy) == 0) return true;
   }
   return false;
 }

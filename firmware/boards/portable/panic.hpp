@@ -10,7 +10,9 @@
 
 namespace zstrip::board {
 
-/// Afterwards the caller ends the program without feeding the watchdog: the board starts again, where it has one.
+/// After any failure, also amid a write: what is under way ends first. Waits for the bus only, at most for three of its
+/// time-outs; a bus that never returns is the watchdog's. Afterwards the caller ends the program without feeding it:
+/// the board starts again, where it has one.
 template <hal::Display Panel>
 void panic(Panel& panel, const Failure& failure) {
   print("panic: ");
@@ -20,7 +22,11 @@ void panic(Panel& panel, const Failure& failure) {
   for (const char* part : std::array{"panic: ", failure.doing, ": ", failure.error}) {
     while (*part != '\0' && size < text.size()) text[size++] = *part++;
   }
-  const hal::Error error = hal::show_message(panel, std::string_view(text.data(), size));
+  static_cast<void>(panel.wait());
+  const std::string_view words(text.data(), size);
+  hal::Error error = hal::show_message(panel, words);
+  // A command may have been broken off: the frame after an error shows right.
+  if (error != hal::Error::none) error = hal::show_message(panel, words);
   if (error != hal::Error::none) print(Failure{"panic on the display", hal::message(error)});
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "portable/failure.hpp"
+#include "portable/fault_return.hpp"
 #include "portable/host_control.hpp"
 #include "portable/pacing.hpp"
 #include "zstrip_hal/display.hpp"
@@ -11,9 +12,10 @@
 namespace zstrip::board {
 
 /// Frame after frame of `Player`'s motion on a display that was started, one a tick or as fast as they can be drawn;
-/// between them the board sleeps. start_pacing() comes before. Returns only what failed.
+/// between them the board sleeps. start_pacing() comes before. Returns only what failed, also a fault of the processor.
 template <class Player, hal::Display Panel>
 Failure show_scene(Panel& panel) {
+  if (mark_fault_return()) return {"fault", FaultWords::all()};
   HostControl control;
   for (std::uint32_t frame = 0;; frame = (frame + 1) % Player::kFrames) {
     if (const Failure failure = Player::show(panel, frame)) return failure;

@@ -12,10 +12,9 @@
 
 namespace zstrip::board {
 
-/// `scene` on the turntable for ever; the result is main's.
-template <const scenes::BuiltIn& scene, View view>
-int show_on_bochs_display() {
-  constexpr Budget kBudget{.bytes = 256 * 1024, .strip_buffers = 1};
+/// Whatever `Player` shows, for ever; the result is main's, if there is no display.
+template <class Player, View view>
+int run_on_bochs_display() {
   constexpr std::uint32_t kRowBytes = bytes_per_row(view.width, view.format);
   static_assert(kRowBytes * view.height <= kBochsBytes);
   if (!start_bochs_display(view.width, view.height, kRowBytes / view.width * 8)) {
@@ -25,8 +24,15 @@ int show_on_bochs_display() {
   hal::Framebuffer display({reinterpret_cast<std::byte*>(kBochsPixels), kBochsBytes},
                            {view.width, view.height, static_cast<hal::PixelFormat>(view.format)});
   start_pacing();
-  panic(display, show_scene<ScenePlayer<TurntableMotion<scene, view, kBudget>>>(display));
-  return 1;
+  panic(display, show_scene<Player>(display));
+  for (;;) asm volatile("wfi");  // the emulator ends with main, and with it the screen that has the words
+}
+
+/// `scene` on the turntable for ever; the result is main's.
+template <const scenes::BuiltIn& scene, View view>
+int show_on_bochs_display() {
+  constexpr Budget kBudget{.bytes = 256 * 1024, .strip_buffers = 1};
+  return run_on_bochs_display<ScenePlayer<TurntableMotion<scene, view, kBudget>>, view>();
 }
 
 }  // namespace zstrip::board

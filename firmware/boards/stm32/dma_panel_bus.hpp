@@ -17,7 +17,7 @@ class SpiDma {
   static constexpr std::uint32_t kSpi1 = 0x40013000;
   static constexpr std::size_t kMostBytes = 65'535;  // its counter has 16 bits
 
-  /// Begins to send up to kMostBytes, which must lie in the SRAM at 0x20000000 or in flash: it does not reach the
+  /// Begins to send 1 up to kMostBytes, which must lie in the SRAM at 0x20000000 or in flash: it does not reach the
   /// core-coupled memory.
   void start(std::span<const std::byte> bytes);
   /// Until everything is out of the memory. Error::timeout, or Error::bus if it reports a fault of its own; the stream
@@ -45,14 +45,15 @@ class DmaPanelBus {
   }
 
   hal::Error write_data(std::span<const std::byte> bytes) {
-    if (const hal::Error error = select(true); error != hal::Error::none) return deselect(error);
-    spi_.use_dma(true);
+    const hal::Error selected = select(true);
+    if (selected != hal::Error::none || bytes.empty()) return deselect(selected);  // no stream ends that has no bytes
     while (bytes.size() > SpiDma::kMostBytes) {
-      dma_.start(bytes.first(SpiDma::kMostBytes));
+      begin(bytes.first(SpiDma::kMostBytes));
       if (const hal::Error error = dma_.finish(); error != hal::Error::none) return deselect(error);
+      spi_.use_dma(false);
       bytes = bytes.subspan(SpiDma::kMostBytes);
     }
-    dma_.start(bytes);
+    begin(bytes);
     sending_ = true;
     return hal::Error::none;
   }
@@ -66,6 +67,11 @@ class DmaPanelBus {
   }
 
  private:
+  /// The stream first, then who asks it for bytes; and off in the other order (RM0090, 10.3.17).
+  void begin(std::span<const std::byte> bytes) {
+    dma_.start(bytes);
+    spi_.use_dma(true);
+  }
   hal::Error select(bool data) {
     const hal::Error error = DataCommandPin().set(data);
     return error != hal::Error::none ? error : SelectPin().set(false);

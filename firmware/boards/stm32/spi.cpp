@@ -42,6 +42,7 @@ void SpiMaster::abort() {
   at(kSpiControl2) = 0;
   at(kSpiControl1) = control & ~kSpiEnable;
   at(kSpiControl1) = control | kSpiEnable;
+  [[maybe_unused]] const Error again = finish();  // the error that led here is the one reported
 }
 
 }  // namespace zstrip::board::stm32

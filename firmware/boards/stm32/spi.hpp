@@ -18,7 +18,7 @@ inline constexpr std::uint32_t kSpiData = 0x0C;
 inline constexpr std::uint32_t kSpiMaster = 1U << 2, kSpiDividerShift = 3, kSpiEnable = 1U << 6;
 inline constexpr std::uint32_t kSpiSelectInternal = 3U << 8;  // SSM and SSI: the select line is a pin of ours
 inline constexpr std::uint32_t kSpiTransmitByDma = 1U << 1;   // of control 2
-inline constexpr std::uint32_t kSpiReceived = 1U << 0, kSpiTransmitEmpty = 1U << 1, kSpiBusy = 1U << 7;
+inline constexpr std::uint32_t kSpiTransmitEmpty = 1U << 1, kSpiBusy = 1U << 7;
 
 /// The controller at this address, its clock running and its pins configured. Mode 0, 8 bits, highest first.
 class SpiMaster {
@@ -34,13 +34,14 @@ class SpiMaster {
   /// Until the shift register is empty, too.
   hal::Error finish();
 
-  /// Off and on again: whatever was under way is forgotten.
+  /// Off and on again; a byte that was left is given time to go out, as long as finish() has, so that none is sent with
+  /// the next transfer.
   void abort();
 
   std::uint32_t data_register() const { return address_ + kSpiData; }
   void use_dma(bool on) { at(kSpiControl2) = on ? kSpiTransmitByDma : 0; }
 
-  /// At least six cycles each: 0.7 ms at 168 MHz, 15 ms at 8 MHz. A byte takes at most 256 * 8 cycles.
+  /// At least six cycles each: 0.7 ms at 160 MHz, 15 ms at 8 MHz. A byte takes at most 256 * 8 cycles.
   static constexpr int kPolls = 20'000;
 
  private:

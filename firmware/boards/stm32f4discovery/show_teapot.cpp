@@ -16,7 +16,7 @@ using namespace zstrip::board;
 constexpr View kView{320, 240, PixelFormat::rgb565_swapped};
 constexpr Budget kBudget{.bytes = 100 * 1024, .strip_buffers = 2};
 constexpr hal::DcsConfig kModule = hal::turned(hal::kIli9341Module240x320, hal::Rotation::by_90);
-constexpr std::uint32_t kBy8 = 2;  // 10.5 MHz of APB2's 84
+constexpr std::uint32_t kBy8 = 2;  // 10 MHz of APB2's 80
 
 }  // namespace
 

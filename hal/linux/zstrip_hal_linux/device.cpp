@@ -16,6 +16,7 @@ const char* group(DeviceKind kind) {
     case DeviceKind::framebuffer:
     case DeviceKind::graphics_card: return "video";
     case DeviceKind::spi: return "spi";
+    case DeviceKind::i2c: return "i2c";
     case DeviceKind::gpio: return "gpio";
     case DeviceKind::console: return "tty";
   }
@@ -27,6 +28,7 @@ const char* missing(DeviceKind kind) {
     case DeviceKind::framebuffer: return "the kernel has no framebuffer there";
     case DeviceKind::graphics_card: return "the kernel has no graphics driver there";
     case DeviceKind::spi: return "enable SPI and spidev for this chip select in the device tree";
+    case DeviceKind::i2c: return "enable I2C in the device tree and load the module i2c-dev";
     case DeviceKind::gpio: return "the kernel has no GPIO chip there";
     case DeviceKind::console: return "the kernel has no text console there";
   }

@@ -10,7 +10,7 @@
 
 namespace zstrip::hal {
 
-enum class DeviceKind : std::uint8_t { framebuffer, graphics_card, spi, gpio, console };
+enum class DeviceKind : std::uint8_t { framebuffer, graphics_card, spi, i2c, gpio, console };
 
 /// What a system call's `error` (errno) means for the device at `path`, and the remedy; `doing` completes
 /// "cannot ...": "be opened", "set its speed to 40 MHz".

@@ -80,12 +80,13 @@ Error DrmScreen::wait_for_flip(int milliseconds) {
   events.page_flip_handler = [](int, unsigned, unsigned, unsigned, void* screen) {
     static_cast<DrmScreen*>(screen)->flipping = false;
   };
-  while (flipping) {
+  // Not as long as there is something to read: that may be other events, or nothing.
+  for (bool in_time = true; flipping; in_time = Clock::now() < deadline) {
+    if (!in_time) return Error::flip;
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
     pollfd waiting{card.get(), POLLIN, 0};
     const int ready = poll(&waiting, 1, left > 0 ? static_cast<int>(left) : 0);
     if (ready < 0 && errno != EINTR) return Error::bus;
-    if (ready == 0) return Error::timeout;
     if (ready > 0 && drmHandleEvent(card.get(), &events) != 0) return Error::bus;
   }
   return Error::none;

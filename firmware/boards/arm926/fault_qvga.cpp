@@ -1,0 +1,5 @@
+// Faults, for tests: on the LCD and the console it says so.
+#include "arm926/show.hpp"
+#include "portable/faulting_player.hpp"
+
+int main() { return zstrip::board::run_on_lcd<zstrip::board::FaultingPlayer, zstrip::board::kQvga>(); }

@@ -1,0 +1,41 @@
+// From a fault of the processor back to the program that it broke off, so that it can say so on its panel. Each
+// processor's start-up code defines mark_fault_return().
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace zstrip::board {
+
+/// False now. When a fault comes, and has been reported on the console, the same call returns true: everything that was
+/// called since then is gone, and the caller must not have returned. It then runs in the fault's handler: no second
+/// fault comes back, and nothing may be waited for that wants an interrupt (no clock), which leaves polled buses and
+/// those with DMA.
+extern "C" [[gnu::returns_twice]] bool mark_fault_return();
+
+/// What the processor's fault was, in words that console and panel show.
+class FaultWords {
+ public:
+  /// What does not fit is left out. The bits of `value` from `bits` - 4 down to 0 as hexadecimal digits.
+  [[gnu::noinline]] static void add(const char* words, std::uint32_t value, int bits) {
+    for (; *words != '\0'; ++words) keep(*words);
+    while (bits > 0) {
+      bits -= 4;
+      keep("0123456789abcdef"[(value >> bits) & 15U]);
+    }
+  }
+
+  /// In static storage.
+  static const char* all() { return text.data(); }
+
+ private:
+  static void keep(char character) {
+    if (size + 1U < text.size()) text[size++] = character;
+  }
+
+  static inline constinit std::array<char, 40> text{};  // the last one stays zero
+  static inline constinit std::uint32_t size = 0;
+};
+
+}  // namespace zstrip::board

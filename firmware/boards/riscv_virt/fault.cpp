@@ -1,0 +1,9 @@
+// Faults, for tests: on bochs-display and the console it says so.
+#include "portable/faulting_player.hpp"
+#include "riscv_virt/show.hpp"
+
+namespace {
+constexpr zstrip::View kView{320, 240, zstrip::PixelFormat::rgb565};
+}
+
+int main() { return zstrip::board::run_on_bochs_display<zstrip::board::FaultingPlayer, kView>(); }

@@ -1,0 +1,73 @@
+// A panel on I2C by the kernel's driver.
+#include "zstrip_hal_linux/i2cdev.hpp"
+
+#include <linux/i2c-dev.h>
+#include <linux/i2c.h>
+#include <sys/ioctl.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+
+namespace zstrip::hal {
+namespace {
+
+constexpr DeviceKind kKind = DeviceKind::i2c;
+
+std::string in_hex(std::uint8_t address) {
+  char text[8];
+  std::snprintf(text, sizeof text, "0x%02x", static_cast<unsigned>(address));
+  return text;
+}
+
+/// What drivers of controllers say when an address is not acknowledged, each its own.
+bool is_refusal(int error) { return error == ENXIO || error == EREMOTEIO || error == EIO || error == ETIMEDOUT; }
+
+}  // namespace
+
+Outcome<I2cdevBus> I2cdevBus::open(const std::string& path, std::uint8_t address) {
+  Outcome<FileDescriptor> file = open_device(kKind, path);
+  if (!file) return file.fault();
+  unsigned long functions = 0;
+  if (const int error = device_control(file->get(), I2C_FUNCS, &functions); error != 0)
+    return Fault{path + " is not an I2C bus"};
+  if ((functions & I2C_FUNC_I2C) == 0)
+    return Fault{path + " is a controller for SMBus, which cannot send pictures; use another bus"};
+  // Asked for the address alone, so that a driver that has it is noticed: transfers have their own.
+  if (ioctl(file->get(), I2C_SLAVE, static_cast<unsigned long>(address)) < 0) {
+    if (errno != EBUSY) return device_fault(kKind, path, "talk to the address " + in_hex(address), errno);
+    return Fault{path + ": the address " + in_hex(address) +
+                 " is busy; a driver of the kernel has the panel: take its node out of the device tree"};
+  }
+  I2cdevBus bus(std::move(*file), address);
+  bus.message_ = {std::byte{0}};
+  if (const int error = bus.transfer(); is_refusal(error)) {
+    return Fault{path + ": nobody answers at the address " + in_hex(address) +
+                 "; check wires, supply and address (i2cdetect -y lists who answers)"};
+  } else if (error != 0) {
+    return device_fault(kKind, path, "talk to the address " + in_hex(address), error);
+  }
+  return bus;
+}
+
+int I2cdevBus::transfer() {
+  i2c_msg message{};
+  message.addr = address_;
+  message.len = static_cast<std::uint16_t>(message_.size());
+  message.buf = reinterpret_cast<std::uint8_t*>(message_.data());
+  i2c_rdwr_ioctl_data transfers{&message, 1};
+  return device_control(file_.get(), I2C_RDWR, &transfers);
+}
+
+Error I2cdevBus::write(std::byte control, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const std::span<const std::byte> part = bytes.first(std::min(bytes.size(), kMessageBytes - 1));
+    message_.assign(1, control);
+    message_.insert(message_.end(), part.begin(), part.end());
+    if (const int error = transfer(); error != 0) return error == ETIMEDOUT ? Error::timeout : Error::bus;
+    bytes = bytes.subspan(part.size());
+  }
+  return Error::none;
+}
+
+}  // namespace zstrip::hal

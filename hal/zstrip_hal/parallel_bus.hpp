@@ -1,0 +1,87 @@
+// The 8080 interface of panels, eight bits wide, write only: eight data lines, a write strobe, D/C, and a line to
+// select the panel. A command/data bus over output pins.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "zstrip_hal/bus.hpp"
+#include "zstrip_hal/error.hpp"
+#include "zstrip_hal/output_pin.hpp"
+
+namespace zstrip::hal {
+
+/// Eight lines that the processor drives, D7 to D0: set() gives them the levels of a byte, and returns when they have
+/// them. Where they are neighbours in a port this is one store or two; else EightPins. Error::pin as OutputPin.
+template <class T>
+concept DataLines = std::movable<T> && requires(T& lines, std::uint8_t byte) {
+  { lines.set(byte) } -> std::same_as<Error>;
+};
+
+/// Any eight pins of one type, D0 first.
+template <OutputPin Pin>
+class EightPins {
+ public:
+  explicit constexpr EightPins(std::array<Pin, 8> pins) : pins_(std::move(pins)) {}
+  Error set(std::uint8_t byte) {
+    for (std::size_t i = 0; i < pins_.size(); ++i) {
+      if (const Error error = pins_[i].set((byte >> i & 1U) != 0); error != Error::none) return error;
+    }
+    return Error::none;
+  }
+
+ private:
+  std::array<Pin, 8> pins_;
+};
+
+/// The panel takes data and D/C when the strobe rises. Between two edges of the strobe lies one call of the data lines
+/// or of the strobe: where these take less than half of the panel's shortest write cycle, they must wait. The panel's
+/// read strobe is wired high. Everything has been sent when a function returns. Errors are the pins'; the panel is
+/// deselected then, and no byte is half sent.
+template <DataLines Lines, OutputPin WritePin, OutputPin DataCommandPin, OutputPin SelectPin = NoPin>
+class ParallelBus {
+ public:
+  constexpr ParallelBus(Lines data, WritePin strobe, DataCommandPin data_command, SelectPin select = {})
+      : data_(std::move(data)),
+        strobe_(std::move(strobe)),
+        data_command_(std::move(data_command)),
+        select_(std::move(select)) {}
+
+  /// Gives the lines their idle levels. To be called once, before anything else.
+  Error start() {
+    if (const Error error = select_.set(true); error != Error::none) return error;
+    if (const Error error = strobe_.set(true); error != Error::none) return error;
+    return data_command_.set(false);
+  }
+
+  Error write_command(std::span<const std::byte> bytes) { return write(bytes, false); }
+  Error write_data(std::span<const std::byte> bytes) { return write(bytes, true); }
+  Error wait() { return Error::none; }
+
+ private:
+  Error write(std::span<const std::byte> bytes, bool data) {
+    // After an error it may be low: it rises while nobody is selected.
+    Error error = strobe_.set(true);
+    if (error == Error::none) error = data_command_.set(data);
+    if (error == Error::none) error = select_.set(false);
+    for (std::size_t i = 0; error == Error::none && i < bytes.size(); ++i) error = send(bytes[i]);
+    const Error deselected = select_.set(true);
+    return error != Error::none ? error : deselected;
+  }
+  Error send(std::byte byte) {
+    if (const Error error = strobe_.set(false); error != Error::none) return error;
+    if (const Error error = data_.set(std::to_integer<std::uint8_t>(byte)); error != Error::none) return error;
+    return strobe_.set(true);
+  }
+
+  [[no_unique_address]] Lines data_;
+  [[no_unique_address]] WritePin strobe_;
+  [[no_unique_address]] DataCommandPin data_command_;
+  [[no_unique_address]] SelectPin select_;
+};
+
+}  // namespace zstrip::hal
