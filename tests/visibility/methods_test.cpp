@@ -132,7 +132,8 @@ TEST(Visibility, WhatAMethodCannotIsRefused) {
   EXPECT_FALSE(methods_agree(method::hierarchical_z | method::midpoint));
   EXPECT_FALSE(methods_agree(method::bsp | method::front_to_back));
   EXPECT_FALSE(methods_agree(method::painter | effect::depth_float));
-  EXPECT_FALSE(methods_agree(method::hierarchical_z | effect::depth_state));
+  EXPECT_FALSE(methods_agree(method::front_to_back | effect::depth_state));
+  EXPECT_TRUE(methods_agree(method::hierarchical_z | effect::depth_state));
   EXPECT_TRUE(methods_agree(method::culling | effect::depth_state));
   const Workload workload("random50");
   const Effects effects = effects_of(workload.staged.scene, workload.staged.camera) | effect::bins;
