@@ -35,13 +35,17 @@ void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
       ->option_text("LIST")
       ->delimiter(',')
       ->check(CLI::IsMember({"back-faces", "small", "spheres", "none"}));
+  command
+      .add_option("--visible-sets", a.sets,
+                  "Leave out the meshlets that cannot be seen from the camera's cell, by a file of zstrip bake")
+      ->type_name("FILE");
   command.add_option("--show", a.show, "Instead of the picture: depth, overdraw, tiles or error")->type_name("WHAT");
 }
 
 Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments) {
   const Result<VisibilityMethod> method = parse_visibility(arguments.method);
   if (!method) return method.failure();
-  VisibilityRequest request{.method = method->effects, .options = {}};
+  VisibilityRequest request{.method = method->effects, .options = {}, .sets = arguments.sets};
   request.options.iterations = static_cast<std::uint8_t>(arguments.iterations);
   request.options.key = arguments.key == "nearest"    ? SortKey::nearest
                         : arguments.key == "farthest" ? SortKey::farthest
@@ -58,6 +62,7 @@ Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments)
       request.options.cull_by_spheres != usual.cull_by_spheres) {
     request.method = request.method | method::culling;
   }
+  if (!arguments.sets.empty()) request.method = request.method | method::culling;
   if (!arguments.show.empty()) {
     const Result<Show> show = parse_show(arguments.show);
     if (!show) return show.failure();

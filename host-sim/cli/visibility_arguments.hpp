@@ -22,12 +22,14 @@ struct VisibilityArguments {
   std::uint32_t iterations = VisibilityOptions{}.iterations;
   std::string key = "middle";
   std::vector<std::string> cull{"back-faces", "small"};
+  std::string sets;  ///< a file that `zstrip bake` wrote; empty: none
   std::string show;  ///< empty: the picture
 };
 
 struct VisibilityRequest {
   Effects method;
   VisibilityOptions options;
+  std::string sets;  ///< a file, or empty
   Show show = Show::colour;
 };
 
