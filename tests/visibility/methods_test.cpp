@@ -1,5 +1,6 @@
 // Each method's picture against the judge and against the z-buffer's, streamed, binned and in strips.
 #include "scenes.hpp"
+#include "visibility/uncounted_pipelines.hpp"
 #include "zstrip/zstrip.hpp"
 
 namespace zstrip::sim::test {
@@ -99,6 +100,28 @@ TEST(Visibility, FrontToBackWritesOnceAndHierarchicalZComparesLess) {
   std::uint64_t overdraw = 0;
   for (const std::uint8_t times : plain.overdraw) overdraw += times;
   EXPECT_EQ(overdraw, plain.visibility.writes);
+}
+
+TEST(Visibility, PipelinesWithoutCountsDrawTheSame) {
+  for (const char* scene : {"random50", "knot_meshlets"}) {
+    const Workload workload(scene);
+    const Effects of_scene = effects_of(workload.staged.scene, workload.staged.camera);
+    for (const char* name : {"zbuffer", "painter", "front-to-back", "hierarchical-z", "front-to-back-hierarchical-z",
+                             "midpoint", "midpoint-safe"}) {
+      const LookedAtFrame counted = drawn(workload.staging(), request(name, kView, 80));
+      const Effects effects = of_scene | parse_visibility(std::string(name))->effects;
+      const Pipeline pipeline = uncounted_pipeline(effects);
+      FrameWithMethod frame;
+      std::vector<std::uint64_t> arena(counted.plan.bytes() / 8 + 1);
+      std::vector<std::uint16_t> pixels(counted.pixels.size());
+      ASSERT_TRUE(pipeline.begin_frame(frame, workload.staged.scene, workload.staged.camera, kView, counted.plan,
+                                       std::as_writable_bytes(std::span(arena))));
+      ASSERT_TRUE(pipeline.draw_strip(frame, 0, std::as_writable_bytes(std::span(pixels))));
+      EXPECT_EQ(pixels, counted.pixels) << scene << ' ' << name;
+      EXPECT_EQ(frame.visibility().comparisons, 0U);
+      EXPECT_EQ(frame.statistics().fragments, 0U);
+    }
+  }
 }
 
 TEST(Visibility, MoreIterationsOfMidpointLeaveFewerWrongPixels) {
