@@ -134,7 +134,7 @@ Result<Job> parse(const Arguments& arguments) {
     if (!parsed) return parsed.failure();
     type = *parsed;
   }
-  const Result<VisibilityRequest> visibility = parse_visibility(arguments.visibility);
+  const Result<VisibilityRequest> visibility = parse_visibility(arguments.visibility, settings->visibility);
   if (!visibility) return visibility.failure();
   job.visibility = *visibility;
   if (const Result<Done> checked = check_visibility(job.visibility.method | depth_effect(job.depth_format)); !checked) {

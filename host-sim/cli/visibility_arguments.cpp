@@ -12,11 +12,9 @@ namespace zstrip::sim {
 
 void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
   VisibilityArguments& a = arguments;
-  std::string names;
-  for (const VisibilityMethod& known : visibility_methods()) {
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
-  }
-  command.add_option("--visibility", a.method, fmt::format("How visibility is found: {} (default: zbuffer)", names))
+  command
+      .add_option("--visibility", a.method,
+                  fmt::format("How visibility is found: {} (default: zbuffer)", visibility_names()))
       ->type_name("METHOD");
   command
       .add_option("--iterations", a.iterations,
@@ -42,8 +40,9 @@ void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
   command.add_option("--show", a.show, "Instead of the picture: depth, overdraw, tiles or error")->type_name("WHAT");
 }
 
-Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments) {
-  const Result<VisibilityMethod> method = parse_visibility(arguments.method);
+Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments,
+                                           const std::optional<std::string>& setting) {
+  const Result<VisibilityMethod> method = parse_visibility(arguments.method.value_or(setting.value_or("zbuffer")));
   if (!method) return method.failure();
   VisibilityRequest request{.method = method->effects, .options = {}, .sets = arguments.sets};
   request.options.iterations = static_cast<std::uint8_t>(arguments.iterations);

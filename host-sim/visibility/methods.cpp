@@ -29,12 +29,16 @@ constexpr std::array kMethods{
 
 std::span<const VisibilityMethod> visibility_methods() { return kMethods; }
 
+std::string visibility_names() {
+  std::string names;
+  for (const VisibilityMethod& known : kMethods) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
+  return names;
+}
+
 Result<VisibilityMethod> parse_visibility(const std::string& name) {
   const auto* const found = std::ranges::find(kMethods, name, &VisibilityMethod::name);
   if (found != kMethods.end()) return *found;
-  std::string names;
-  for (const VisibilityMethod& known : kMethods) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
-  return Failure{ExitStatus::usage, fmt::format("--visibility '{}' is not one of: {}", name, names)};
+  return Failure{ExitStatus::usage, fmt::format("--visibility '{}' is not one of: {}", name, visibility_names())};
 }
 
 std::string_view visibility_name(Effects effects) {

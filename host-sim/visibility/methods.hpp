@@ -19,6 +19,9 @@ struct VisibilityMethod {
 /// The z-buffer first.
 std::span<const VisibilityMethod> visibility_methods();
 
+/// All names, separated by commas.
+std::string visibility_names();
+
 /// A usage error that lists all names if there is none such.
 Result<VisibilityMethod> parse_visibility(const std::string& name);
 

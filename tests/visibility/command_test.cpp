@@ -98,6 +98,25 @@ TEST_F(VisibilityCommand, TransparencyGoesWithWhatCanAndIsRefusedByNameElsewhere
       << refused.text;
 }
 
+TEST_F(VisibilityCommand, ASceneFileNamesTheMethodAndTheOptionCountsMore) {
+  const auto scene = [this](const std::string& method) {
+    std::ofstream(picture("cycle.toml")) << "[picture]\nsize = [96, 96]\nvisibility = \"" << method
+                                         << "\"\n[camera]\nr = 9\nprojection = \"orthographic\"\n[[model]]\nname "
+                                            "= \"bars\"\nfile = \""
+                                         << MODELS << "/cycle.obj\"\n[[instance]]\nmodel = \"bars\"\n";
+    return std::string("'") + picture("cycle.toml") + "' --frames 1 --sort-key nearest -o '";
+  };
+  const Outcome painter = render(scene("painter") + picture("painter.png") + "'");
+  EXPECT_EQ(painter.status, 0) << painter.text;
+  EXPECT_NE(painter.text.find("painter: 0 comparisons"), std::string::npos) << painter.text;
+  const Outcome plain = render(scene("painter") + picture("plain.png") + "' --visibility zbuffer");
+  EXPECT_EQ(plain.status, 0) << plain.text;
+  EXPECT_NE(bytes(picture("painter.png")), bytes(picture("plain.png")));
+  const Outcome refused = render(scene("best") + picture("none.png") + "'");
+  EXPECT_EQ(refused.status, 4) << refused.text;
+  EXPECT_NE(refused.text.find("'visibility' is not one of: zbuffer, painter"), std::string::npos) << refused.text;
+}
+
 TEST_F(VisibilityCommand, BakesVisibleSetsAndRendersWithThem) {
   const std::string rooms = std::string("'") + ROOMS + "'", sets = picture("rooms.zpv");
   const Outcome baked =
