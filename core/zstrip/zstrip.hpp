@@ -12,3 +12,4 @@
 #include "zstrip/scene/validate.hpp"
 #include "zstrip/scene/view.hpp"
 #include "zstrip/store/depth_store.hpp"
+#include "zstrip/visibility/visible_sets.hpp"

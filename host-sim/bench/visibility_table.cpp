@@ -177,12 +177,10 @@ Result<std::vector<VisibilityRow>> measure_visibility(std::string_view table) {
   for (std::size_t i = 0; i < cases.size(); ++i) {
     Result<VisibilityRow> row = measure_visibility_row(cases[i], kRowRounds);
     if (!row) return row.failure();
-    if (table == "thesis") {
-      const auto counted = count_draw({"--table", std::string(table), "--table-row", std::to_string(i)},
-                                      fmt::format("row {} of the table {}", i, table));
-      if (!counted) return counted.failure();
-      row->instructions = *counted;
-    }
+    const auto counted = count_draw({"--table", std::string(table), "--table-row", std::to_string(i)},
+                                    fmt::format("row {} of the table {}", i, table));
+    if (!counted) return counted.failure();
+    row->instructions = *counted;
     rows.push_back(std::move(*row));
     progress.show(static_cast<std::uint32_t>(i + 1));
   }

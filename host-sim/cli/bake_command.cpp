@@ -25,6 +25,7 @@
 #include "render/stage.hpp"
 #include "report/bake_report.hpp"
 #include "report/text.hpp"
+#include "visibility/visible_set_bake.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -37,6 +38,8 @@ struct Arguments {
   CameraArguments camera;
   bool turntable = false;
   std::string name_space = kDefaultNamespace;
+  std::optional<std::string> visible_sets;
+  std::string cells = "8x2x8";
   std::optional<std::string> json;
   bool quiet = false;
 };
@@ -103,6 +106,17 @@ Result<Done> write_blob(const BakedScene& baked, const std::string& output, Bake
   return write_file(output, *blob, "-o");
 }
 
+Result<VisibleSetRecord> write_sets(const std::string& output, const Staging& staging, const Animation& animation,
+                                    const CellCounts& cells) {
+  const Result<BakedVisibleSets> baked = bake_visible_sets(staging.scene, staging.camera, animation, cells);
+  if (!baked) return baked.failure();
+  const auto bytes = baked->bytes();
+  const Result<Done> written =
+      write_file(output, {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, "--visible-sets");
+  if (!written) return written.failure();
+  return VisibleSetRecord{output, baked->cells, baked->sets, baked->meshlets, bytes.size(), baked->hidden};
+}
+
 Result<Done> report(const BakeRecord& record, const Arguments& arguments) {
   const bool json_on_stdout = arguments.json && (*arguments.json == "-" || is_standard_output(*arguments.json));
   if (json_on_stdout) write_text(stdout, bake_json(record));  // main looks at the stream's state
@@ -126,6 +140,8 @@ Result<Done> run(const Arguments& arguments) {
                                "them, and neither std nor zstrip",
                                arguments.name_space)};
   }
+  const Result<CellCounts> cells = parse_cells(arguments.cells, "--cells");
+  if (!cells) return cells.failure();
   const Result<PlanRequest> request = parse_plan(arguments.plan, arguments.scene);
   if (!request) return request.failure();
   const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene);
@@ -147,6 +163,11 @@ Result<Done> run(const Arguments& arguments) {
   const Result<BakedScene> baked = bake(arguments.scene, *staging, (*stage)->animation(), *request);
   if (!baked) return baked.failure();
   BakeRecord record = describe(arguments, **stage, *baked);
+  if (arguments.visible_sets) {
+    Result<VisibleSetRecord> sets = write_sets(*arguments.visible_sets, *staging, (*stage)->animation(), *cells);
+    if (!sets) return sets.failure();
+    record.visible_sets = std::move(*sets);
+  }
   const Result<Done> written =
       *kind == Kind::blob ? write_blob(*baked, arguments.output, record)
                           : write_file(arguments.output, bytes_of(to_scene_header(*baked, arguments.name_space)), "-o");
@@ -173,6 +194,13 @@ void add_bake_command(CLI::App& app, int& exit_code) {
   command->add_flag("--turntable", a.turntable, "Place the camera so that the model may turn, as for several frames");
   command->add_option("--namespace", a.name_space, "Where a header's constants are, for several in one program")
       ->type_name("NAME")
+      ->capture_default_str();
+  command
+      ->add_option("--visible-sets", a.visible_sets,
+                   "Write, besides, which meshlets cannot be seen from the cells of a grid (zstrip render reads it)")
+      ->type_name("FILE");
+  command->add_option("--cells", a.cells, "Cells of that grid along x, y and z")
+      ->type_name("NxNxN")
       ->capture_default_str();
   command->add_option("--json", a.json, "Write the report as JSON; - is standard output")->type_name("FILE|-");
   command->add_flag("--quiet", a.quiet, "No report in words; warnings and errors remain");

@@ -30,6 +30,7 @@
 #include "visibility/drawing.hpp"
 #include "visibility/methods.hpp"
 #include "visibility/show.hpp"
+#include "visibility/visible_set_file.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -131,7 +132,7 @@ Result<Job> parse(const Arguments& arguments) {
     if (!parsed) return parsed.failure();
     type = *parsed;
   }
-  const Result<VisibilityRequest> visibility = parse_visibility(arguments.visibility);
+  const Result<VisibilityRequest> visibility = parse_visibility(arguments.visibility, settings->visibility);
   if (!visibility) return visibility.failure();
   job.visibility = *visibility;
   if (const Result<Done> checked = check_visibility(job.visibility.method | depth_effect(job.depth_format)); !checked) {
@@ -189,6 +190,7 @@ std::optional<PanelRecord> panel_record(const Job& job) {
 struct Worker {
   std::unique_ptr<Stage> stage;
   FrameRenderer renderer;
+  const VisibleSetFile* sets;             // or none
   std::unique_ptr<SimulatedPanel> panel;  // or none
 };
 
@@ -216,6 +218,13 @@ Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t f
   const auto bus_use = [&worker] {
     return worker.panel ? BusUse{worker.panel->bus().bytes(), worker.panel->bus().busy().count()} : BusUse{};
   };
+  VisibilityOptions visibility = job.visibility.options;
+  if (worker.sets != nullptr) {
+    const auto visible = worker.sets->at(staging->scene, staging->camera, worker.stage->animation());
+    if (!visible) return visible.failure();
+    visibility.potentially_visible = *visible;
+  }
+  worker.renderer.set_visibility(job.visibility.method, visibility);
   const BusUse before = bus_use();
   const Result<FrameReport> report = worker.renderer.render(*staging);
   if (!report) return report.failure();
@@ -224,7 +233,7 @@ Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t f
   std::optional<Result<ShownFrame>> shown;
   if (job.visibility.show != Show::colour) {
     const MethodRequest request{job.view, job.budget, job.visibility.method | depth_effect(job.depth_format),
-                                job.visibility.options};
+                                visibility};
     shown = draw_shown(*staging, request, job.visibility.show);
     if (!*shown) return shown->failure();
     pixels = std::as_bytes(std::span((*shown)->pixels));
@@ -248,13 +257,18 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   RunRecord run{scene, job.view, (*stage)->warnings(), std::vector<FrameRecord>(job.outputs.frames), panel_record(job)};
 
+  std::optional<VisibleSetFile> sets;
+  if (!job.visibility.sets.empty()) {
+    Result<VisibleSetFile> read = VisibleSetFile::read(job.visibility.sets);
+    if (!read) return read.failure();
+    sets = std::move(*read);
+  }
   const unsigned threads = std::min(job.threads, job.outputs.frames);
   const unsigned strip_threads = job.outputs.frames == 1 ? job.threads : 1;
   std::vector<Worker> workers;
   for (unsigned thread = 0; thread < threads; ++thread) {
-    workers.push_back(
-        {(*stage)->copy(), FrameRenderer(job.view, job.budget, job.depth_format, strip_threads), nullptr});
-    workers.back().renderer.set_visibility(job.visibility.method, job.visibility.options);
+    workers.push_back({(*stage)->copy(), FrameRenderer(job.view, job.budget, job.depth_format, strip_threads),
+                       sets ? &*sets : nullptr, nullptr});
     if (!job.panel) continue;
     Result<std::unique_ptr<SimulatedPanel>> panel = start_panel(*job.panel);
     if (!panel) return panel.failure();

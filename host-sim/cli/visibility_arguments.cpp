@@ -12,11 +12,9 @@ namespace zstrip::sim {
 
 void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
   VisibilityArguments& a = arguments;
-  std::string names;
-  for (const VisibilityMethod& known : visibility_methods()) {
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
-  }
-  command.add_option("--visibility", a.method, fmt::format("How visibility is found: {} (default: zbuffer)", names))
+  command
+      .add_option("--visibility", a.method,
+                  fmt::format("How visibility is found: {} (default: zbuffer)", visibility_names()))
       ->type_name("METHOD");
   command
       .add_option("--iterations", a.iterations,
@@ -35,13 +33,18 @@ void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
       ->option_text("LIST")
       ->delimiter(',')
       ->check(CLI::IsMember({"back-faces", "small", "spheres", "none"}));
+  command
+      .add_option("--visible-sets", a.sets,
+                  "Leave out the meshlets that cannot be seen from the camera's cell, by a file of zstrip bake")
+      ->type_name("FILE");
   command.add_option("--show", a.show, "Instead of the picture: depth, overdraw, tiles or error")->type_name("WHAT");
 }
 
-Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments) {
-  const Result<VisibilityMethod> method = parse_visibility(arguments.method);
+Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments,
+                                           const std::optional<std::string>& setting) {
+  const Result<VisibilityMethod> method = parse_visibility(arguments.method.value_or(setting.value_or("zbuffer")));
   if (!method) return method.failure();
-  VisibilityRequest request{.method = method->effects, .options = {}};
+  VisibilityRequest request{.method = method->effects, .options = {}, .sets = arguments.sets};
   request.options.iterations = static_cast<std::uint8_t>(arguments.iterations);
   request.options.key = arguments.key == "nearest"    ? SortKey::nearest
                         : arguments.key == "farthest" ? SortKey::farthest
@@ -58,6 +61,7 @@ Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments)
       request.options.cull_by_spheres != usual.cull_by_spheres) {
     request.method = request.method | method::culling;
   }
+  if (!arguments.sets.empty()) request.method = request.method | method::culling;
   if (!arguments.show.empty()) {
     const Result<Show> show = parse_show(arguments.show);
     if (!show) return show.failure();

@@ -23,6 +23,7 @@ struct PictureSettings {
   std::optional<std::pair<std::uint16_t, std::uint16_t>> size;
   std::optional<PixelFormat> format;
   std::optional<DepthFormat> depth_format;
+  std::optional<std::string> visibility;  ///< a name that parse_visibility knows
   std::optional<std::uint16_t> strip_rows;
   std::optional<std::uint16_t> strip_columns;
   std::optional<std::uint32_t> ram;

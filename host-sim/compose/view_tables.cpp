@@ -3,6 +3,7 @@
 
 #include "compose/scene_tables.hpp"
 #include "compose/table_values.hpp"
+#include "visibility/methods.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -31,6 +32,10 @@ PictureSettings read_picture(TomlTable& table) {
   }
   picture.format = table.choice("format", kFormats);
   picture.depth_format = table.choice("depth_format", kDepthFormats);
+  picture.visibility = table.text("visibility");
+  if (picture.visibility && !parse_visibility(*picture.visibility)) {
+    table.wrong("visibility", fmt::format("'visibility' is not one of: {}", visibility_names()));
+  }
   const auto pixels = [&table](const char* key) -> std::optional<std::uint16_t> {
     const auto value = table.integer(key, 1, kMaxViewSize);
     return value ? std::optional(static_cast<std::uint16_t>(*value)) : std::nullopt;

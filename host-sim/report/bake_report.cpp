@@ -82,6 +82,11 @@ std::string bake_summary(const BakeRecord& record) {
                         counted(*record.lent_bytes, "byte"));
   }
   text += fmt::format("  written    {}\n", printable(record.output));
+  if (const auto& sets = record.visible_sets) {
+    text += fmt::format("  cells      {} with {} of {}; {:.1f} % of them left out, on average; {} in {}\n",
+                        grouped(sets->cells), counted(sets->sets, "different set"), counted(sets->meshlets, "meshlet"),
+                        100 * sets->hidden, counted(sets->bytes, "byte"), printable(sets->output));
+  }
   return text;
 }
 
@@ -138,6 +143,10 @@ std::string bake_json(const BakeRecord& record) {
                     {"strip_buffers", record.strip_buffers},
                     {"ram_bytes", bytes}};
   if (record.lent_bytes) object["plan"]["ram_bytes"]["lent_tables"] = *record.lent_bytes;
+  if (const auto& sets = record.visible_sets) {
+    object["visible_sets"] = {{"output", sets->output},     {"cells", sets->cells}, {"sets", sets->sets},
+                              {"meshlets", sets->meshlets}, {"bytes", sets->bytes}, {"hidden", sets->hidden}};
+  }
   return object.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -14,6 +14,14 @@
 
 namespace zstrip::sim {
 
+/// Potentially visible sets that were written beside the scene.
+struct VisibleSetRecord {
+  std::string output;
+  std::uint32_t cells = 0, sets = 0, meshlets = 0;
+  std::size_t bytes = 0;
+  double hidden = 0;  ///< share of all pairs of cell and meshlet that are left out
+};
+
 struct BakeRecord {
   std::string scene;
   std::string output;
@@ -27,6 +35,7 @@ struct BakeRecord {
   std::uint8_t strip_buffers = 1;
   std::optional<std::uint64_t> lent_bytes;  ///< of a blob: memory that a program with 32-bit addresses lends for it
   std::vector<std::string> warnings;
+  std::optional<VisibleSetRecord> visible_sets{};
 };
 
 /// For a person.

@@ -8,6 +8,7 @@
 
 #include "report/number.hpp"
 #include "visibility/methods.hpp"
+#include "visibility/uncounted_pipelines.hpp"
 #include "zstrip/frame/renderer.hpp"
 
 namespace zstrip::sim {
@@ -128,17 +129,19 @@ Result<TimedDrawing> TimedDrawing::prepare(const Staging& original, const Method
 }
 
 Status TimedDrawing::draw() {
-  AnyRenderer renderer(effects_);
+  const Pipeline pipeline = plan_.mode == Mode::binned ? pipeline_for(effects_) : uncounted_pipeline(effects_);
+  FrameWithMethod frame;
   VisibilityOptions options = request_.options;
   options.tree = scene_.tree();
-  renderer.set_visibility(options);
+  frame.set_options(options);
   const Staging staging = scene_.staging();
   const std::span<std::byte> arena = bytes_of(arena_, plan_.bytes());
-  if (const Status begun = renderer.begin_frame(staging.scene, staging.camera, request_.view, plan_, arena); !begun) {
+  if (const Status begun = pipeline.begin_frame(frame, staging.scene, staging.camera, request_.view, plan_, arena);
+      !begun) {
     return begun;
   }
   for (std::uint16_t i = 0; i < plan_.strips; ++i) {
-    const Status drawn = renderer.draw_strip(i, bytes_of(strip_, plan_.strip_pixel_bytes(request_.view)));
+    const Status drawn = pipeline.draw_strip(frame, i, bytes_of(strip_, plan_.strip_pixel_bytes(request_.view)));
     if (!drawn) return drawn;
   }
   return {};

@@ -44,7 +44,7 @@ struct MethodRequest {
 /// Draws once, with counting. Failures: ExitStatus::budget and usage as `zstrip render` tells them.
 Result<LookedAtFrame> draw_looked_at(const Staging& staging, const MethodRequest& request);
 
-/// Draws without counting, again and again; for measurements.
+/// Draws without counting, as a device would, again and again; for measurements of streamed plans.
 class TimedDrawing {
  public:
   static Result<TimedDrawing> prepare(const Staging& staging, const MethodRequest& request);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "bake/effects_found.hpp"
+
 namespace zstrip::sim {
 namespace {
 
@@ -27,12 +29,16 @@ constexpr std::array kMethods{
 
 std::span<const VisibilityMethod> visibility_methods() { return kMethods; }
 
+std::string visibility_names() {
+  std::string names;
+  for (const VisibilityMethod& known : kMethods) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
+  return names;
+}
+
 Result<VisibilityMethod> parse_visibility(const std::string& name) {
   const auto* const found = std::ranges::find(kMethods, name, &VisibilityMethod::name);
   if (found != kMethods.end()) return *found;
-  std::string names;
-  for (const VisibilityMethod& known : kMethods) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
-  return Failure{ExitStatus::usage, fmt::format("--visibility '{}' is not one of: {}", name, names)};
+  return Failure{ExitStatus::usage, fmt::format("--visibility '{}' is not one of: {}", name, visibility_names())};
 }
 
 std::string_view visibility_name(Effects effects) {
@@ -42,26 +48,33 @@ std::string_view visibility_name(Effects effects) {
 }
 
 Result<Done> check_visibility(Effects effects) {
+  const std::string_view name = visibility_name(effects);
   if (!depth_effects_agree(effects)) {
-    return Failure{ExitStatus::usage, fmt::format("--visibility {} does not go with this --depth-format or camera",
-                                                  visibility_name(effects))};
+    return Failure{ExitStatus::usage,
+                   fmt::format("--visibility {} does not go with this --depth-format or camera", name)};
+  }
+  if (effects.methods != 0 && effects.any(effect::depth_formats | effect::depth_ranges)) {
+    const bool culls = without(Effects{0, effects.methods}, method::culling) == Effects{};
+    return Failure{ExitStatus::usage,
+                   fmt::format("{} keeps depth as z16 only",
+                               culls ? "--cull, and so --visible-sets," : fmt::format("--visibility {}", name))};
   }
   if (methods_agree(effects)) return Done{};
-  const std::string_view name = visibility_name(effects);
-  if (effects.has(effect::depth_state)) {
-    return Failure{ExitStatus::usage,
-                   fmt::format("--visibility {} cannot draw this scene: a material has a depth test, bias or write of "
-                               "its own; use zbuffer",
-                               name)};
+  const Effects refused = refused_by_methods(effects);
+  std::string missing;
+  for (const KnownEffect& known : known_effects()) {
+    if (!refused.has(known.effect)) continue;
+    missing += fmt::format("{}{} ({})", missing.empty() ? "" : ", ", known.name, known.reason);
   }
-  if (effects.any(effect::fragments | effect::surfaces | effect::vertex_light)) {
-    return Failure{
-        ExitStatus::usage,
-        fmt::format("--visibility {} cannot draw this scene's fog, transparency, local light or quadrics; use "
-                    "zbuffer, and no --cull",
-                    name)};
+  if (missing.empty()) return Failure{ExitStatus::usage, fmt::format("--visibility {} excludes another method", name)};
+  std::string able;
+  for (const VisibilityMethod& method : kMethods) {
+    if (!refused_by_methods(refused | method.effects).any(effect::of_scenes)) {
+      able += fmt::format("{}{}", able.empty() ? "" : ", ", method.name);
+    }
   }
-  return Failure{ExitStatus::usage, fmt::format("--visibility {} keeps depth as z16 only", name)};
+  return Failure{ExitStatus::usage, fmt::format("--visibility {} cannot draw what this scene has: {}; these can: {}",
+                                                name, missing, able)};
 }
 
 }  // namespace zstrip::sim

@@ -19,13 +19,17 @@ struct VisibilityMethod {
 /// The z-buffer first.
 std::span<const VisibilityMethod> visibility_methods();
 
+/// All names, separated by commas.
+std::string visibility_names();
+
 /// A usage error that lists all names if there is none such.
 Result<VisibilityMethod> parse_visibility(const std::string& name);
 
 /// The name of the method in these effects; of the z-buffer without one.
 std::string_view visibility_name(Effects effects);
 
-/// What the method needs is that all effects of the scene go with it: a usage error that says which does not.
+/// `effects` of scene, depth format and method together: a usage error names the method, each effect that it cannot
+/// draw, and the methods that can.
 Result<Done> check_visibility(Effects effects);
 
 }  // namespace zstrip::sim

@@ -3,11 +3,16 @@
 
 #include <utility>
 
+#include "visibility/methods.hpp"
 #include "visibility/newell.hpp"
 
 namespace zstrip::sim {
 
 Result<PreparedScene> PreparedScene::of(const Staging& original, Effects method) {
+  // Of the scene as it is: what is made of it below has lost what it cannot have.
+  if (const Result<Done> checked = check_visibility(effects_of(original.scene, original.camera) | method); !checked) {
+    return checked.failure();
+  }
   PreparedScene prepared(original);
   if (!method.any(method::orders)) return prepared;
   Result<PolygonSoup> soup = soup_of(original.scene);

@@ -13,6 +13,7 @@ namespace zstrip::sim {
 /// Owns what it makes; where a method needs nothing, it is the scene as it was. `original` must outlive it.
 class PreparedScene {
  public:
+  /// A usage error also where the method cannot draw what the scene has.
   static Result<PreparedScene> of(const Staging& original, Effects method);
 
   Staging staging() const { return made_ ? Staging{made_->scene.scene(), original_.camera} : original_; }

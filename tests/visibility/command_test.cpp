@@ -24,8 +24,9 @@ class VisibilityCommand : public ::testing::Test {
   ~VisibilityCommand() override { std::filesystem::remove_all(folder_); }
 
   std::string picture(const std::string& name) const { return (folder_ / name).string(); }
-  Outcome render(const std::string& words) const {
-    const std::string command = std::string("'") + ZSTRIP_COMMAND + "' render " + words + " 2>&1";
+  Outcome render(const std::string& words) const { return run("render " + words); }
+  static Outcome run(const std::string& words) {
+    const std::string command = std::string("'") + ZSTRIP_COMMAND + "' " + words + " 2>&1";
     std::FILE* const pipe = popen(command.c_str(), "r");
     std::string text;
     for (char buffer[512]; std::fgets(buffer, sizeof buffer, pipe) != nullptr;) text += buffer;
@@ -81,6 +82,70 @@ TEST_F(VisibilityCommand, ShowsWhatItIsAskedFor) {
     last = bytes(file);
     EXPECT_FALSE(last.empty());
   }
+}
+
+TEST_F(VisibilityCommand, TransparencyGoesWithWhatCanAndIsRefusedByNameElsewhere) {
+  const std::string words = "blend --size 96x80 --image raw -o '";
+  ASSERT_EQ(render(words + picture("plain.raw") + "'").status, 0);
+  for (const char* method : {"front-to-back", "hierarchical-z", "half-range"}) {
+    const Outcome drawn = render(words + picture("other.raw") + "' --visibility " + method);
+    EXPECT_EQ(drawn.status, 0) << drawn.text;
+    EXPECT_EQ(bytes(picture("plain.raw")), bytes(picture("other.raw"))) << method;
+  }
+  const Outcome refused = render(words + picture("none.raw") + "' --visibility painter-bsp");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.text.find("--visibility painter-bsp cannot draw what this scene has: blending"), std::string::npos)
+      << refused.text;
+}
+
+TEST_F(VisibilityCommand, ASceneFileNamesTheMethodAndTheOptionCountsMore) {
+  const auto scene = [this](const std::string& method) {
+    std::ofstream(picture("cycle.toml")) << "[picture]\nsize = [96, 96]\nvisibility = \"" << method
+                                         << "\"\n[camera]\nr = 9\nprojection = \"orthographic\"\n[[model]]\nname "
+                                            "= \"bars\"\nfile = \""
+                                         << MODELS << "/cycle.obj\"\n[[instance]]\nmodel = \"bars\"\n";
+    return std::string("'") + picture("cycle.toml") + "' --frames 1 --sort-key nearest -o '";
+  };
+  const Outcome painter = render(scene("painter") + picture("painter.png") + "'");
+  EXPECT_EQ(painter.status, 0) << painter.text;
+  EXPECT_NE(painter.text.find("painter: 0 comparisons"), std::string::npos) << painter.text;
+  const Outcome plain = render(scene("painter") + picture("plain.png") + "' --visibility zbuffer");
+  EXPECT_EQ(plain.status, 0) << plain.text;
+  EXPECT_NE(bytes(picture("painter.png")), bytes(picture("plain.png")));
+  const Outcome refused = render(scene("best") + picture("none.png") + "'");
+  EXPECT_EQ(refused.status, 4) << refused.text;
+  EXPECT_NE(refused.text.find("'visibility' is not one of: zbuffer, painter"), std::string::npos) << refused.text;
+}
+
+TEST_F(VisibilityCommand, BakesVisibleSetsAndRendersWithThem) {
+  const std::string rooms = std::string("'") + ROOMS + "'", sets = picture("rooms.zpv");
+  const Outcome baked =
+      run("bake " + rooms + " -o '" + picture("rooms.zsc") + "' --visible-sets '" + sets + "' --cells 6x1x4");
+  ASSERT_EQ(baked.status, 0) << baked.text;
+  EXPECT_NE(baked.text.find("24 with "), std::string::npos) << baked.text;
+  const std::string words = rooms + " --size 96x80 --frames 1 --image raw -o '";
+  ASSERT_EQ(render(words + picture("all.raw") + "'").status, 0);
+  const Outcome fewer = render(words + picture("fewer.raw") + "' --json - --visible-sets '" + sets + "'");
+  ASSERT_EQ(fewer.status, 0) << fewer.text;
+  EXPECT_NE(fewer.text.find("\"outside_cells\": "), std::string::npos) << fewer.text;
+  EXPECT_EQ(fewer.text.find("\"outside_cells\": 0,"), std::string::npos) << fewer.text;
+  EXPECT_EQ(bytes(picture("all.raw")), bytes(picture("fewer.raw")));
+  EXPECT_FALSE(bytes(picture("all.raw")).empty());
+  // Another scene, a damaged file, none, no eye, a nearer near plane, no grid.
+  const auto refused = [&](const std::string& command, int status, const char* part) {
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, status) << command << outcome.text;
+    EXPECT_NE(outcome.text.find(part), std::string::npos) << outcome.text;
+  };
+  const std::string none = " -o '" + picture("none.png") + "' --visible-sets '";
+  refused("render cube" + none + sets + "'", 4, "another scene");
+  std::ofstream(picture("bad.zpv"), std::ios::binary) << bytes(sets).substr(0, 100);
+  refused("render " + rooms + none + picture("bad.zpv") + "'", 4, "damaged");
+  refused("render " + rooms + none + picture("missing") + "'", 4, "--visible-sets");
+  refused("render " + rooms + " --ortho" + none + sets + "'", 2, "perspective");
+  refused("render " + rooms + " --eye -5,1.7,2.2 --look-at 0,1,0" + none + sets + "'", 2, "near plane");
+  refused("render " + rooms + " --depth-format z24" + none + sets + "'", 2, "z16 only");
+  refused("bake " + rooms + " -o '" + picture("none.zsc") + "' --cells 6x4", 2, "--cells");
 }
 
 TEST_F(VisibilityCommand, WhatCannotBeIsAUsageError) {

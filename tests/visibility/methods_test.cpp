@@ -1,5 +1,6 @@
 // Each method's picture against the judge and against the z-buffer's, streamed, binned and in strips.
 #include "scenes.hpp"
+#include "visibility/uncounted_pipelines.hpp"
 #include "zstrip/zstrip.hpp"
 
 namespace zstrip::sim::test {
@@ -101,6 +102,28 @@ TEST(Visibility, FrontToBackWritesOnceAndHierarchicalZComparesLess) {
   EXPECT_EQ(overdraw, plain.visibility.writes);
 }
 
+TEST(Visibility, PipelinesWithoutCountsDrawTheSame) {
+  for (const char* scene : {"random50", "knot_meshlets"}) {
+    const Workload workload(scene);
+    const Effects of_scene = effects_of(workload.staged.scene, workload.staged.camera);
+    for (const char* name : {"zbuffer", "painter", "front-to-back", "hierarchical-z", "front-to-back-hierarchical-z",
+                             "midpoint", "midpoint-safe"}) {
+      const LookedAtFrame counted = drawn(workload.staging(), request(name, kView, 80));
+      const Effects effects = of_scene | parse_visibility(std::string(name))->effects;
+      const Pipeline pipeline = uncounted_pipeline(effects);
+      FrameWithMethod frame;
+      std::vector<std::uint64_t> arena(counted.plan.bytes() / 8 + 1);
+      std::vector<std::uint16_t> pixels(counted.pixels.size());
+      ASSERT_TRUE(pipeline.begin_frame(frame, workload.staged.scene, workload.staged.camera, kView, counted.plan,
+                                       std::as_writable_bytes(std::span(arena))));
+      ASSERT_TRUE(pipeline.draw_strip(frame, 0, std::as_writable_bytes(std::span(pixels))));
+      EXPECT_EQ(pixels, counted.pixels) << scene << ' ' << name;
+      EXPECT_EQ(frame.visibility().comparisons, 0U);
+      EXPECT_EQ(frame.statistics().fragments, 0U);
+    }
+  }
+}
+
 TEST(Visibility, MoreIterationsOfMidpointLeaveFewerWrongPixels) {
   const Workload workload("random50");
   int first = 0, last = INT32_MAX;
@@ -132,7 +155,8 @@ TEST(Visibility, WhatAMethodCannotIsRefused) {
   EXPECT_FALSE(methods_agree(method::hierarchical_z | method::midpoint));
   EXPECT_FALSE(methods_agree(method::bsp | method::front_to_back));
   EXPECT_FALSE(methods_agree(method::painter | effect::depth_float));
-  EXPECT_FALSE(methods_agree(method::hierarchical_z | effect::depth_state));
+  EXPECT_FALSE(methods_agree(method::front_to_back | effect::depth_state));
+  EXPECT_TRUE(methods_agree(method::hierarchical_z | effect::depth_state));
   EXPECT_TRUE(methods_agree(method::culling | effect::depth_state));
   const Workload workload("random50");
   const Effects effects = effects_of(workload.staged.scene, workload.staged.camera) | effect::bins;

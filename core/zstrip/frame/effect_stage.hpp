@@ -27,7 +27,7 @@ struct Frame::Access::EffectStage {
     const Scene& scene = *frame.scene_;
     const std::span<detail::DrawOrder> order = effect_block(frame).order();
     const auto blends = [&scene](const Instance& instance) {
-      return finish_of(scene, scene.materials[instance.material]).alpha_mode == AlphaMode::blend;
+      return is_blended(scene, scene.materials[instance.material]);
     };
     std::size_t count = 0;
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {

@@ -43,7 +43,8 @@ Status Frame::Access::begin_frame(Frame& frame, const Scene& scene, const Camera
   divide(frame, scene, view);
   if constexpr (effects.has(effect::statistics)) frame.statistics_.triangles = count(scene).triangles;
   if constexpr (effects.methods != 0) {
-    if (const Status status = Methods::begin_frame(static_cast<FrameWithMethod&>(frame), effects, count(scene), arena);
+    if (const Status status =
+            Methods::begin_frame(static_cast<FrameWithMethod&>(frame), effects, called_for, count(scene), arena);
         !status) {
       return status;
     }

@@ -61,28 +61,25 @@ struct Frame::Access::Materials {
     return settings;
   }
 
-  /// Calls draw(target), with what the depth effects of this material add to it.
+  /// Calls draw(target), with what the method and the depth effects of this material add to it.
   template <Effects effects, class Draw>
-  static void with_depth(const Frame& frame, const detail::StripTarget& target, std::uint16_t material,
-                         const Draw& draw) {
-    if constexpr (std::is_same_v<detail::TargetFor<detail::depth_mode(effects)>, detail::StripTarget>) {
+  static void with_depth(Frame& frame, const detail::StripTarget& target, std::uint16_t material, const Draw& draw) {
+    if constexpr (effects.methods != 0) {
+      detail::MethodState& state = static_cast<FrameWithMethod&>(frame).state_;
+      draw(detail::StripTargetWithMethod{{target, depth_settings<effects>(frame, material)}, &state});
+    } else if constexpr (std::is_same_v<detail::TargetFor<detail::depth_mode(effects)>, detail::StripTarget>) {
       draw(target);
     } else {
       draw(detail::StripTargetWithDepth{target, depth_settings<effects>(frame, material)});
     }
   }
 
-  /// Calls draw(target), with what the depth effects of this instance's material and its fragments add to it.
+  /// Calls draw(target), with what the method, the depth effects of this instance's material and its fragments add.
   template <Effects effects, class Draw>
   static void with_settings(Frame& frame, const detail::StripTarget& target, const detail::CompiledInstance& instance,
                             const Draw& draw) {
-    if constexpr (effects.methods != 0) {
-      detail::MethodState& state = static_cast<FrameWithMethod&>(frame).state_;
-      draw(detail::StripTargetWithMethod{{target, depth_settings<effects>(frame, instance.material)}, &state});
-    } else {
-      with_depth<effects>(frame, target, instance.material,
-                          [&](const auto& complete) { with_fragments<effects>(frame, complete, instance, draw); });
-    }
+    with_depth<effects>(frame, target, instance.material,
+                        [&](const auto& complete) { with_fragments<effects>(frame, complete, instance, draw); });
   }
 
   template <Effects effects, class Target, class Draw>

@@ -1,29 +1,27 @@
 // The table of pipelines with a visibility method, for programs that learn the method at run time.
-#include "zstrip/frame/pipelines_with_effects.hpp"
-#include "zstrip/frame/visibility_stages.hpp"
+#include "zstrip/frame/method_pipelines.hpp"
 
 namespace zstrip {
 namespace {
 
-/// One for each method and projection: what counts slows all of them alike.
-constexpr Effects kAlways = without(effect::all, effect::orthographic) | effect::bins | method::culling;
-
 template <Effects own>
 constexpr Pipeline pipeline(bool orthographic) {
-  constexpr Effects kPerspective = kAlways | own;
-  constexpr Effects kOrthographic = kPerspective | effect::orthographic;
-  if (orthographic) {
-    return {&detail::begin_frame<kOrthographic>, &detail::draw_strip<kOrthographic>, &detail::draw_over<kOrthographic>};
-  }
-  return {&detail::begin_frame<kPerspective>, &detail::draw_strip<kPerspective>, &detail::draw_over<kPerspective>};
+  return detail::method_pipeline<detail::kOfTriangles | own>(orthographic);
 }
 
 }  // namespace
 
 Pipeline pipeline_of_method(Effects effects) {
-  if (!methods_agree(effects)) return detail::refusing<Error::visibility>();
+  if (!methods_agree(effects) || effects.any(effect::depth_formats | effect::depth_ranges)) {
+    return detail::refusing<Error::visibility>();
+  }
   const bool orthographic = effects.has(effect::orthographic);
   const Effects own = without(Effects{0, effects.methods}, method::culling);
+  constexpr Effects kBeyondTriangles =
+      effect::depth_state | effect::fragments | effect::vertex_light | effect::surfaces;
+  if (effects.any(own == Effects{} ? without(kBeyondTriangles, effect::depth_state) : kBeyondTriangles)) {
+    return detail::pipeline_of_method_with_effects(own, orthographic);
+  }
   if (own == Effects{}) return pipeline<effect::depth_state>(orthographic);
   if (own == method::painter) return pipeline<method::painter>(orthographic);
   if (own == (method::painter | method::in_order)) return pipeline<method::painter | method::in_order>(orthographic);

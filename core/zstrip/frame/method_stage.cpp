@@ -7,8 +7,8 @@
 
 namespace zstrip {
 
-Status Frame::Access::Methods::begin_frame(FrameWithMethod& frame, Effects effects, const SceneCounts& counts,
-                                           std::span<std::byte> arena) {
+Status Frame::Access::Methods::begin_frame(FrameWithMethod& frame, Effects effects, Effects called_for,
+                                           const SceneCounts& counts, std::span<std::byte> arena) {
   const Plan& plan = frame.plan_;
   const std::uint64_t needed = detail::visibility_bytes(effects, counts.triangles, plan.strip_columns, plan.strip_rows);
   if (plan.visibility_bytes < needed) {
@@ -31,6 +31,7 @@ Status Frame::Access::Methods::begin_frame(FrameWithMethod& frame, Effects effec
   frame.state_.counts = effects.has(effect::statistics) ? &frame.counts_ : nullptr;
   frame.state_.iterations = std::min(frame.options_.iterations, kMostIterations);
   frame.state_.cull_small = frame.options_.cull_small;
+  if (effects.has(effect::depth_state)) frame.state_.keeps_order = called_for.has(effect::depth_state);
   if (effects.has(method::culling) && !frame.options_.cull_back_faces) {
     for (std::uint32_t i = 0; i < counts.instances; ++i) frame.instances_[i].double_sided = true;
   }

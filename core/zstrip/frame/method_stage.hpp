@@ -12,7 +12,7 @@ namespace zstrip {
 
 struct Frame::Access::Methods {
   /// Checks and lays out what a method has; everything else of the frame has been prepared.
-  static Status begin_frame(FrameWithMethod& frame, Effects effects, const SceneCounts& counts,
+  static Status begin_frame(FrameWithMethod& frame, Effects effects, Effects called_for, const SceneCounts& counts,
                             std::span<std::byte> arena);
   static void begin_strip(FrameWithMethod& frame, Effects effects, detail::StripTarget& target);
   template <Effects effects>

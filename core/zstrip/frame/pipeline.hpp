@@ -24,7 +24,8 @@ struct Pipeline {
 Pipeline pipeline_for(Effects effects);
 
 /// The same for effects with a visibility method: one with all effects of scenes, with method::culling and with
-/// statistics. Methods that do not agree get one that refuses every frame with Error::visibility.
+/// statistics. Methods that do not agree, and culling with another depth format or sub-ranges, which is left to
+/// Renderer, get one that refuses every frame with Error::visibility.
 Pipeline pipeline_of_method(Effects effects);
 
 }  // namespace zstrip

@@ -70,7 +70,7 @@ struct Frame::Access::Raster {
   }
 
   template <Effects effects>
-  static void draw_quadrics(const Frame& frame, const detail::StripTarget& target) {
+  static void draw_quadrics(Frame& frame, const detail::StripTarget& target) {
     constexpr bool kOrthographic = effects.has(effect::orthographic);
     const std::int64_t offset = kOrthographic ? std::int64_t{frame.origin_.depth_offset} : -frame.fit_.offset;
     const detail::CompiledQuadric* const quadrics = quadrics_of(frame, *frame.scene_);

@@ -19,7 +19,7 @@ template <Effects effects>
 class Renderer {
   static_assert(depth_effects_agree(effects), "one depth format; float16 and w16 need perspective");
   static_assert(methods_agree(effects),
-                "visibility methods that go together, with z16 and without effect::depth_state");
+                "visibility methods that go together and can draw these effects: refused_by_methods");
   static_assert(perspective_effects_agree(effects), "one of effect::perspective_runs");
 
  public:

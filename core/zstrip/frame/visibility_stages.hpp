@@ -45,34 +45,41 @@ bool Frame::Access::Methods::is_hidden(FrameWithMethod& frame, const detail::Str
 }
 
 /// Calls draw(number, instance, meshlet) for the meshlets that bounds of depth do not hide: first for those that were
-/// seen before, whose depth then hides others.
+/// seen before, whose depth then hides others. What blends comes last in any case, and where materials have rules of
+/// their own for depth everything keeps the scene's order and only those with the usual rule are hidden.
 template <Effects effects, class Draw>
 void Frame::Access::Methods::draw_seen_first(FrameWithMethod& frame, const detail::StripTarget& target,
                                              const Draw& draw) {
   const std::span<std::uint32_t> seen =
       effects.has(method::culling) ? frame.options_.seen_before : std::span<std::uint32_t>{};
-  const auto was_seen = [seen](std::uint32_t number) {
+  const auto material_of = [&frame](std::uint32_t instance) -> const Material& {
+    return frame.scene_->materials[frame.instances_[instance].material];
+  };
+  const auto is_drawn_first = [&](std::uint32_t number, std::uint32_t instance) {
+    if (frame.state_.keeps_order) return false;
+    if (effects.has(effect::blending) && is_blended(*frame.scene_, material_of(instance))) return false;
     return number / 32 < seen.size() && (seen[number / 32] >> (number % 32) & 1) != 0;
   };
   if (!seen.empty()) {
     Geometry::for_each_meshlet<effects>(frame,
                                         [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
-                                          if (was_seen(number)) draw(number, instance, meshlet);
+                                          if (is_drawn_first(number, instance)) draw(number, instance, meshlet);
                                         });
   }
   std::uint32_t asked = UINT32_MAX;  // the instance that `hidden` is of
   bool hidden = false;
   Geometry::for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t index) {
     const Mesh& mesh = frame.scene_->meshes[frame.instances_[instance].mesh];
-    const bool drawn = was_seen(number);
+    const bool drawn = is_drawn_first(number, instance);
+    const bool may_be_hidden = !effects.has(effect::depth_state) || !has_depth_state(material_of(instance));
     if (instance != asked && !drawn) {
       asked = instance;
-      hidden = is_hidden<effects>(frame, target, instance, nullptr);
+      hidden = may_be_hidden && is_hidden<effects>(frame, target, instance, nullptr);
       if (hidden && effects.has(effect::statistics)) ++frame.counts_.instances;
     }
     const Meshlet* const meshlet = mesh.meshlets.empty() ? nullptr : &mesh.meshlets[index];
-    const bool all_hidden =
-        (instance == asked && hidden) || (meshlet != nullptr && is_hidden<effects>(frame, target, instance, meshlet));
+    const bool all_hidden = (instance == asked && hidden) || (meshlet != nullptr && may_be_hidden &&
+                                                              is_hidden<effects>(frame, target, instance, meshlet));
     if (!drawn) {
       if (!all_hidden) {
         draw(number, instance, index);
@@ -86,13 +93,17 @@ void Frame::Access::Methods::draw_seen_first(FrameWithMethod& frame, const detai
   });
 }
 
-/// Finds all front faces that may be in the picture, and sorts them from near to far.
+/// Finds all front faces that may be in the picture, and sorts them from near to far; with a z-buffer those that blend
+/// behind all others, in the plain z-buffer's order.
 template <Effects effects>
 void Frame::Access::Methods::collect_triangles(FrameWithMethod& frame) {
   constexpr bool kOrthographic = effects.has(effect::orthographic);
   std::uint32_t count = 0;
   std::uint32_t retained = 0;
   std::uint16_t batches = 0;
+  // Codes begin at 1, in 16.16: what blends has keys below them, that of one instance the same.
+  [[maybe_unused]] std::uint32_t blended_key = kMostSortedIndex;
+  [[maybe_unused]] std::uint32_t blended_instance = UINT32_MAX;
   Geometry::for_each_meshlet<effects>(frame, [&]([[maybe_unused]] std::uint32_t number, std::uint32_t instance,
                                                  std::uint32_t meshlet) {
     if constexpr (effects.has(method::culling)) {
@@ -115,6 +126,11 @@ void Frame::Access::Methods::collect_triangles(FrameWithMethod& frame) {
           kOrthographic ? detail::Reciprocal{0, 0} : detail::reciprocal_of(static_cast<std::uint32_t>(w));
       return detail::project_depth<kOrthographic>(compiled, frame.origin_, w, r);
     };
+    [[maybe_unused]] bool is_last = false;
+    if constexpr (effects.has(effect::blending) && !effects.has(method::painter)) {
+      is_last = is_blended(*frame.scene_, frame.scene_->materials[compiled.material]);
+      if (is_last && instance != blended_instance) --blended_key, blended_instance = instance;
+    }
     bool listed = false;
     Assembler<effects>::for_each_facing(
         batch, range.triangles, all_narrow, [&](std::uint32_t index, const Rect& pixels) {
@@ -123,7 +139,8 @@ void Frame::Access::Methods::collect_triangles(FrameWithMethod& frame) {
           const Triangle& triangle = range.triangles[index];
           listed = true;
           frame.sorted_[count++] = {
-              detail::depth_key(frame.options_.key, depth(triangle.a), depth(triangle.b), depth(triangle.c)),
+              is_last ? blended_key
+                      : detail::depth_key(frame.options_.key, depth(triangle.a), depth(triangle.b), depth(triangle.c)),
               static_cast<std::uint16_t>(instance),
               static_cast<std::uint16_t>(meshlet),
               static_cast<std::uint16_t>(index),
@@ -212,12 +229,7 @@ void Frame::Access::Methods::draw_sorted(FrameWithMethod& frame, const detail::S
       const Geometry::MeshletRange vertex{index, 1, {}};
       const std::uint32_t cache = index - range.first_vertex;
       Geometry::transform<effects>(frame, batch, vertex, cache);
-      if constexpr (detail::has_vertex_colours(effects)) {
-        if (batch.colours != nullptr) {
-          detail::shade_vertices<without(effects, effect::bins)>(*batch.instance, *batch.mesh, index, 1,
-                                                                 frame.colours_ + cache);
-        }
-      }
+      Geometry::shade<effects>(frame, batch, vertex, cache);
     }
     Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
       Assembler<effects>::draw_listed(complete, batch, range.triangles, {&sorted.triangle, 1});

@@ -165,9 +165,16 @@ struct Assembler {
     return std::max(std::max(a.depth, b.depth), c.depth) >> 16;
   }
 
+  /// Whether bounds of depth say something about fragments in this strip.
+  static bool has_bounds([[maybe_unused]] const StripTarget& target) {
+    if constexpr (kDepth.any(method::bounded) && kDepth.state) return is_plain(target.settings);
+    return kDepth.any(method::bounded);
+  }
+
   /// False if the bounds of depth hide the triangle.
   static bool may_show(const StripTarget& target, const Rect& box, const SnappedVertex& a, const SnappedVertex& b,
                        const SnappedVertex& c) {
+    if (!has_bounds(target)) return true;
     MethodState& method = *target.method;
     if (!method.bounds.hides(box, nearest_code(a, b, c), method.counts)) return true;
     if constexpr (kStatistics) ++method.counts->triangles;
@@ -209,7 +216,13 @@ struct Assembler {
       if ((kDepth.format == DepthFormat::float16 ? is_small_in_octave(max_x - min_x, max_y - min_y, a, b, c)
                                                  : is_small(max_x - min_x, max_y - min_y, a, b, c)) &&
           (!kDepth.any(method::culling) || !box.empty())) {
-        if constexpr (kDepth.any(method::bounded)) target.method->bounds.cover(box, nearest_code(a, b, c));
+        if constexpr (kDepth.any(method::bounded)) {
+          if (has_bounds(target)) {
+            target.method->bounds.cover(box, nearest_code(a, b, c));
+          } else {
+            target.method->bounds.forget(box);
+          }
+        }
         constexpr bool kGouraud = shade == Shade::gouraud;
         const Colour* colours[3] = {nullptr, nullptr, nullptr};
         if constexpr (kGouraud) {

@@ -70,6 +70,11 @@ struct DepthSettings {
   LinearMapping linear;                         ///< only for DepthFormat::w16
 };
 
+/// Whether fragments with these settings can only bring cells nearer, and only where their own vertices are.
+constexpr bool is_plain(const DepthSettings& settings) {
+  return settings.test == DepthTest::nearer && settings.bias == 0 && settings.slope_bias == 0;
+}
+
 /// A strip with these settings, for the modes that have any.
 struct StripTargetWithDepth : StripTarget {
   DepthSettings settings;
@@ -191,8 +196,22 @@ class DepthRule {
   template <class Value>
   constexpr bool draws(Value value, Cell& cell) const {
     const bool drawn = decides(value, cell);
-    if constexpr (mode.counted) count(drawn, cell);
+    count_test();
+    if (drawn) count_write(cell);
     return drawn;
+  }
+  /// The same for fragments that may still be discarded: `kept` is what the cell would then hold.
+  template <class Value>
+  constexpr bool may_draw(Value value, Cell& kept) const {
+    count_test();
+    return decides(value, kept);
+  }
+  /// What follows may_draw, once the fragment is drawn. `writes`: it hides what is behind it.
+  constexpr void drawn(Cell kept, bool writes, Cell& cell) const {
+    if constexpr (mode.use != DepthUse::none) {
+      if (writes) cell = kept;
+    }
+    count_write(cell);
   }
 
  private:
@@ -217,17 +236,22 @@ class DepthRule {
     }
   }
 
+  constexpr void count_test() const {
+    if constexpr (mode.counted) {
+      VisibilityStatistics& counts = *counted_.method->counts;
+      if constexpr (mode.use == DepthUse::tested) ++counts.comparisons;
+      if constexpr (mode.use == DepthUse::written) ++counts.untested;
+    }
+  }
   /// The cell's address says which pixel it is.
-  void count(bool drawn, const Cell& cell) const {
-    VisibilityStatistics& counts = *counted_.method->counts;
-    if constexpr (mode.use == DepthUse::tested) ++counts.comparisons;
-    if constexpr (mode.use == DepthUse::written) ++counts.untested;
-    if (!drawn) return;
-    ++counts.writes;
-    if constexpr (sizeof(Cell) == sizeof(std::uint16_t)) {
-      if (counted_.method->overdraw == nullptr) return;
-      std::uint8_t& times = counted_.method->overdraw[&cell - counted_.method->first_cell];
-      if (times != 255) ++times;
+  constexpr void count_write([[maybe_unused]] const Cell& cell) const {
+    if constexpr (mode.counted) {
+      ++counted_.method->counts->writes;
+      if constexpr (sizeof(Cell) == sizeof(std::uint16_t)) {
+        if (counted_.method->overdraw == nullptr) return;
+        std::uint8_t& times = counted_.method->overdraw[&cell - counted_.method->first_cell];
+        if (times != 255) ++times;
+      }
     }
   }
 

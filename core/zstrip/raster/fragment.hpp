@@ -255,9 +255,9 @@ void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& dep
     for (std::int32_t i = 0; i < drawn; ++i) {
       // The cell is written last: stages may still discard the fragment, and what is blended hides nothing.
       typename Rule::Cell kept = *cell;
-      if (rule.draws(z, kept) &&
+      if (rule.may_draw(z, kept) &&
           shade_fragment(planes, settings, sampler, r, g, b, u, v, static_cast<std::uint32_t>(visible) >> 16, *pixel)) {
-        if (!effects.has(effect::blending) || !settings.blends) *cell = kept;
+        rule.drawn(kept, !effects.has(effect::blending) || !settings.blends, *cell);
         count_pass<effects.has(effect::statistics)>(counters);
       }
       ++cell;

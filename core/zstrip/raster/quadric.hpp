@@ -40,6 +40,7 @@ class QuadricFill {
     const Rect box{std::max(quadric.box.left, strip.left), std::max(quadric.box.top, strip.top),
                    std::min(quadric.box.right, strip.right), std::min(quadric.box.bottom, strip.bottom)};
     if (box.empty()) return;
+    if constexpr (kMode.any(method::bounded)) target.method->bounds.forget(box);
     // Its codes are those between these two, whatever the mapping.
     const RasterVertex farthest{0, 0, static_cast<std::uint32_t>(quadric.farthest + offset), 0, 0, 0, 0, 0};
     const RasterVertex nearest{0, 0, static_cast<std::uint32_t>(quadric.nearest + offset), 0, 0, 0, 0, 0};

@@ -56,6 +56,12 @@ void walk_spans(const StripTarget& target, const RasterVertex& a, const RasterVe
 template <DepthMode mode, class Depth, class Draw>
 void for_each_shown_run(const TargetFor<mode>& target, const Depth& depth, std::int32_t row, std::int32_t left,
                         const Span<std::uint16_t>& span, const Draw& draw) {
+  if constexpr (mode.state) {
+    if (!is_plain(target.settings)) {
+      target.method->bounds.forget({left, row, left + span.length, row + 1});
+      return draw(span);
+    }
+  }
   target.method->bounds.for_each_shown(
       row, left, span.length, depth.plane().at(span.columns, span.rows), depth.plane().step_x, target.method->counts,
       [&](std::int32_t first, std::int32_t length) {

@@ -74,7 +74,7 @@ inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fr
 }  // namespace effect
 
 /// Ways to find what is visible other than a plain z-buffer; docs/visibility.md compares them. Never called for by a
-/// scene. They keep depth as z16 and leave its test to themselves: methods_agree says which effects go together.
+/// scene. They keep depth as z16; refused_by_methods says which effects of scenes each cannot draw.
 namespace method {
 /// Triangles from far to near, without depth memory: wrong where no order is right. Takes Purpose::sorting.
 inline constexpr Effects painter{0, 1U << 0};
@@ -148,17 +148,30 @@ constexpr bool depth_effects_agree(Effects effects) {
   return single && !(effects.has(effect::orthographic) && effects.any(effect::depth_float | effect::depth_w16));
 }
 
-/// Of the painter, hierarchical z and the two midpoints at most one; the painter has one order and cannot be sorted the
-/// other way round. Effects of fragments, of local light and of surfaces, and effect::perspective_runs, are the plain
-/// z-buffer's. Other depth formats, sub-ranges and materials with a depth test of their own need the plain z-buffer,
-/// because the methods take "nearer is seen" for granted.
-constexpr bool methods_agree(Effects effects) {
+/// Which of these effects their methods cannot draw: other depth formats and sub-ranges, which only culling goes with;
+/// rules of a material's own, which need the scene's order and a z-buffer; quadrics where there is none; fragments
+/// where triangles are split, because runs of texels and fog would begin at other pixels; local light too where the
+/// host has split them.
+constexpr Effects refused_by_methods(Effects effects) {
+  if (effects.methods == 0) return {};
   const Effects own = without(Effects{0, effects.methods}, method::culling);
+  Effects refused = effect::perspective_runs;
+  if (own != Effects{}) refused = refused | effect::depth_formats | effect::depth_ranges;
+  if (own != Effects{} && own != method::hierarchical_z) refused = refused | effect::depth_state;
+  if (own.has(method::painter)) refused = refused | effect::surfaces;
+  if (own.any(method::orders | method::splitting)) refused = refused | effect::fragments;
+  if (own.any(method::orders)) refused = refused | effect::vertex_light;
+  return {effects.bits & refused.bits, 0};
+}
+
+/// Of the painter, hierarchical z and the two midpoints at most one; the painter has one order and cannot be sorted the
+/// other way round. No effect that refused_by_methods names, and none that is unknown.
+constexpr bool methods_agree(Effects effects) {
+  if (effects.methods == 0) return true;
   constexpr Effects kKnown =
-      effect::all | effect::bins | effect::depth_state | effect::depth_formats | effect::depth_ranges;
-  if (effects.methods != 0 && without(effects, kKnown).bits != 0) return false;
-  if (own == Effects{}) return true;
-  if (effects.any(effect::depth_formats | effect::depth_ranges | effect::depth_state)) return false;
+      effect::of_scenes | effect::statistics | effect::bins | effect::depth_formats | effect::depth_ranges;
+  if (without(effects, kKnown).bits != 0 || refused_by_methods(effects) != Effects{}) return false;
+  const Effects own = without(Effects{0, effects.methods}, method::culling);
   const auto single = [own](Effects set) {
     const std::uint32_t chosen = (own & set).methods;
     return (chosen & (chosen - 1)) == 0;
@@ -181,6 +194,11 @@ constexpr bool has_depth_state(const Material& material) {
 /// The material's finish, or one without anything.
 constexpr Finish finish_of(const Scene& scene, const Material& material) {
   return material.finish < scene.finishes.size() ? scene.finishes[material.finish] : Finish{};
+}
+
+/// Whether what has this material is drawn after everything that does not.
+constexpr bool is_blended(const Scene& scene, const Material& material) {
+  return finish_of(scene, material).alpha_mode == AlphaMode::blend;
 }
 
 constexpr bool is_black(const Colour& colour) { return colour.r == 0 && colour.g == 0 && colour.b == 0; }

@@ -76,6 +76,21 @@ void DepthBounds::cover(const Rect& box, std::uint32_t nearest) {
   }
 }
 
+void DepthBounds::forget(const Rect& box) {
+  for (int level = 0; level < levels_; ++level) {
+    const Rect nodes = nodes_of(box, level);
+    for (std::int32_t y = nodes.top; y <= nodes.bottom; ++y) {
+      for (std::int32_t x = nodes.left; x <= nodes.right; ++x) {
+        if (level == 0) {
+          tile_at(x, y) = {0, 0xFFFF, 255, 0};
+        } else {
+          nodes_[level][y * across_[level] + x] = 0;
+        }
+      }
+    }
+  }
+}
+
 void DepthBounds::read(Tile& tile, std::int32_t x, std::int32_t y, VisibilityStatistics* counts) {
   const std::int32_t columns = std::min<std::int32_t>(8, area_.width() - 8 * x);
   const std::int32_t rows = std::min<std::int32_t>(8, area_.height() - 8 * y);

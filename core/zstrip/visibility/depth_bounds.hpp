@@ -1,8 +1,9 @@
 // Bounds of the depth in 8x8 tiles of a strip's z-buffer and a pyramid of farthest depths above them: what is hidden
 // for certain, without a look at every cell (Greene, Kass and Miller, "Hierarchical Z-Buffer Visibility", 1993).
 //
-// Depth in the z-buffer only grows, greater is nearer. So a farthest depth that was true stays a bound; it is found
-// again, lazily, when somebody asks for a tile that as many fragments have been drawn into since as it has cells.
+// Depth in the z-buffer only grows, greater is nearer, unless a material has a test of its own: then what it touches is
+// forgotten. So a farthest depth that was true stays a bound; it is found again, lazily, when somebody asks for a tile
+// that as many fragments have been drawn into since as it has cells.
 #pragma once
 
 #include <algorithm>
@@ -28,6 +29,8 @@ class DepthBounds {
   bool lies_behind(const Rect& box, std::uint32_t farthest, VisibilityStatistics* counts) const;
   /// Fragments with codes up to `nearest` may be drawn into `box`.
   void cover(const Rect& box, std::uint32_t nearest);
+  /// Whatever may be drawn into `box`, farther codes too: nothing is known of its tiles until they are read again.
+  void forget(const Rect& box);
 
   /// Calls draw(first, length) for the parts of a run of pixels that no tile hides: column `first` from the run's left
   /// end. The depth of pixel i is value + i * step, 16.16 codes, modulo 2^32.
