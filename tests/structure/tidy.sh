@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # tidy.sh ROOT BUILD: clang-tidy finds nothing in the sources of core, hal and host-sim that BUILD compiles.
 set -euo pipefail
-root=$(cd "$1" && pwd -P) build=$2
+root=$(cd "$1" && pwd -P)
+build=$(cd "$2" && pwd -P)
 if ! clang-tidy --version 2>/dev/null | grep -q 'version 14\.'; then
   echo "clang-tidy 14 is not installed"
   exit 77
@@ -15,9 +16,10 @@ trap 'rm -rf "$work"' EXIT
 cp "$root/.clang-tidy" "$work"
 
 # Nearly all of the time goes to the headers of libraries. So sources of one folder and program are looked at together, in
-# groups of eight that are one source each. In: "command -o DIRECTORY-OF-TARGET", a tab, "source". Out: N.cpp and N.command.
-sed -nE 's/^ *"command": "(.* -o [^ ]*\.dir)\/.*",?$/\1/p; s/^ *"file": "(.*)",?$/\t\1/p' "$build/compile_commands.json" |
-  paste -d '' - - | sed 's/\\"/"/g; s/\\\\/\\/g' |
+# groups of eight that are one source each. In: the command up to the folder of the program's objects, a tab, the source.
+# Out: N.cpp and N.command.
+sed -nE 's/^ *"command": "(.*) -c .*",?$/\1/; T file; s/( -o [^ ]*\.dir)\/[^ ]*$/\1/; p; :file; s/^ *"file": "(.*)",?$/\t\1/p' \
+    "$build/compile_commands.json" | paste -d '' - - | sed 's/\\"/"/g; s/\\\\/\\/g' |
   grep -P "\t$root/(core|hal|host-sim)/.*\.cpp$" | sort -t $'\t' -u -k 2,2 |
   awk -F '\t' -v work="$work" '
     { folder = $2; sub("/[^/]*$", "", folder); alike = $1 "\t" folder
@@ -30,7 +32,8 @@ sed -nE 's/^ *"command": "(.* -o [^ ]*\.dir)\/.*",?$/\1/p; s/^ *"file": "(.*)",?
 tidy() {
   local source=$1
   eval "set -- $2"
-  while [ "${1#-}" = "$1" ]; do shift; done  # the compiler, and what launches it
+  while [ $# -gt 0 ] && [ "${1#-}" = "$1" ]; do shift; done  # the compiler, and what launches it
+  cd "$build"
   clang-tidy --quiet --checks=-bugprone-suspicious-include --header-filter='/(core|hal|host-sim)/.*\.[ch]pp$' \
     "$source" -- "$@" 2>/dev/null
 }
@@ -49,7 +52,8 @@ tidy_group() {
   fi
   return "$failed"
 }
+export build
 export -f tidy tidy_group
 # Diagnostics go to standard output; standard error only counts the suppressed warnings of system headers.
 find "$work" -name '*.cpp' -printf '%s %p\n' | sort -rn | sed 's/^[0-9]* //; s/\.cpp$//' |
-  xargs -P 2 -n 1 bash -c 'tidy_group "$@"' _
+  xargs -r -P 2 -n 1 bash -c 'tidy_group "$@"' _
