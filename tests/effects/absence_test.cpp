@@ -17,7 +17,7 @@ using namespace zstrip;
 
 /// What `nm --demangle` prints.
 std::string symbols(const std::string& program) {
-  const std::string command = std::string(ZSTRIP_NM) + " --demangle '" + program + "'";
+  const std::string command = ZSTRIP_NM " --demangle '" + program + "'";
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   std::string text;
   if (!pipe) return text;
@@ -64,7 +64,7 @@ void expect_only(const std::string& program, const scenes::BuiltIn& built_in) {
 }
 
 TEST(EffectsAbsence, ProgramsHoldTheCodeOfTheirScenesEffectsAndNoOther) {
-  const std::string folder = std::string(ZSTRIP_PIPELINES) + "/zstrip_pipeline_of_";
+  const std::string folder = ZSTRIP_PIPELINES "/zstrip_pipeline_of_";
   const auto check = [&](const scenes::BuiltIn& built_in) { expect_only(folder + built_in.name, built_in); };
   check(scenes::knot);
   check(scenes::room);
