@@ -113,7 +113,7 @@ constexpr Fact kPico[] = {
 
 // cmsis_device_f4, Include/stm32f407xx.h: blocks, structures and bits.
 namespace stm32f4 {
-constexpr std::uint32_t kApb1 = 0x40000000, kApb2 = kApb1 + 0x10000, kAhb1 = kApb1 + 0x20000;
+constexpr std::uint32_t kApb1 = 0x40000000, kAhb1 = kApb1 + 0x20000;
 constexpr std::uint32_t kRcc = kAhb1 + 0x3800, kDma2 = kAhb1 + 0x6400, kStream3 = kDma2 + 0x58;
 }  // namespace stm32f4
 
