@@ -153,6 +153,11 @@ Result<Done> run(const Arguments& arguments) {
   outputs.path = arguments.output;
   const Result<Done> distinct = check_distinct(outputs, arguments.json, built_in ? "" : arguments.scene);
   if (!distinct) return distinct.failure();
+  if (arguments.visible_sets) {
+    const Result<Done> apart = check_apart("--visible-sets", *arguments.visible_sets, outputs, arguments.json,
+                                           built_in ? "" : arguments.scene);
+    if (!apart) return apart.failure();
+  }
 
   const std::uint32_t angles = arguments.turntable ? 2 : 1;  // more than one: every angle must fit
   const Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, *model, *camera, request->view, angles);
@@ -163,15 +168,15 @@ Result<Done> run(const Arguments& arguments) {
   const Result<BakedScene> baked = bake(arguments.scene, *staging, (*stage)->animation(), *request);
   if (!baked) return baked.failure();
   BakeRecord record = describe(arguments, **stage, *baked);
+  const Result<Done> written =
+      *kind == Kind::blob ? write_blob(*baked, arguments.output, record)
+                          : write_file(arguments.output, bytes_of(to_scene_header(*baked, arguments.name_space)), "-o");
+  if (!written) return written.failure();
   if (arguments.visible_sets) {
     Result<VisibleSetRecord> sets = write_sets(*arguments.visible_sets, *staging, (*stage)->animation(), *cells);
     if (!sets) return sets.failure();
     record.visible_sets = std::move(*sets);
   }
-  const Result<Done> written =
-      *kind == Kind::blob ? write_blob(*baked, arguments.output, record)
-                          : write_file(arguments.output, bytes_of(to_scene_header(*baked, arguments.name_space)), "-o");
-  if (!written) return written.failure();
   return report(record, arguments);
 }
 

@@ -102,6 +102,26 @@ Result<Done> check_distinct(const OutputNames& outputs, const std::optional<std:
   return Done{};
 }
 
+Result<Done> check_apart(const std::string& option, const std::string& path, const OutputNames& outputs,
+                         const std::optional<std::string>& json, const std::string& scene) {
+  const auto usage = [](std::string message) { return Failure{ExitStatus::usage, std::move(message)}; };
+  if (is_device(path)) return Done{};
+  const std::filesystem::path file = resolved(path);
+  if (!scene.empty() && file == resolved(scene)) {
+    return usage(fmt::format("{} '{}' is the model itself; name another file", option, path));
+  }
+  if (json && *json != "-" && file == resolved(*json)) {
+    return usage(fmt::format("--json '{}' is the file of {}; give the report another name", *json, option));
+  }
+  for (std::uint32_t frame = 0; frame < outputs.frames; ++frame) {
+    const std::filesystem::path name = outputs.file(frame);
+    if (file == resolved(name)) {
+      return usage(fmt::format("-o '{}' is the file of {}; name another one", name.string(), option));
+    }
+  }
+  return Done{};
+}
+
 Result<Done> prepare(const OutputNames& outputs) {
   if (!outputs.folder) return Done{};
   std::error_code error;

@@ -38,6 +38,10 @@ bool is_standard_output(const std::string& path);
 Result<Done> check_distinct(const OutputNames& outputs, const std::optional<std::string>& json,
                             const std::string& scene);
 
+/// Likewise for one file more, which `option` names: it is neither the scene nor anything that is written.
+Result<Done> check_apart(const std::string& option, const std::string& path, const OutputNames& outputs,
+                         const std::optional<std::string>& json, const std::string& scene);
+
 /// Creates the folder where there is to be one.
 Result<Done> prepare(const OutputNames& outputs);
 

@@ -156,6 +156,10 @@ Result<Job> parse(const Arguments& arguments) {
   const bool built_in = kind_of_scene(arguments.scene) == SceneKind::built_in;
   const Result<Done> distinct = check_distinct(*outputs, arguments.json, built_in ? "" : arguments.scene);
   if (!distinct) return distinct.failure();
+  if (!job.visibility.sets.empty()) {
+    const Result<Done> apart = check_apart("--visible-sets", job.visibility.sets, *outputs, arguments.json, "");
+    if (!apart) return apart.failure();
+  }
   job.outputs = std::move(*outputs);
   return job;
 }

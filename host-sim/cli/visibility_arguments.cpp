@@ -61,7 +61,16 @@ Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments,
       request.options.cull_by_spheres != usual.cull_by_spheres) {
     request.method = request.method | method::culling;
   }
-  if (!arguments.sets.empty()) request.method = request.method | method::culling;
+  if (!arguments.sets.empty()) {
+    if (request.method.any(method::orders)) {
+      return Failure{
+          ExitStatus::usage,
+          fmt::format("--visible-sets are of the scene's meshlets, which --visibility {} splits into others; "
+                      "leave out one of them",
+                      visibility_name(request.method))};
+    }
+    request.method = request.method | method::culling;
+  }
   if (!arguments.show.empty()) {
     const Result<Show> show = parse_show(arguments.show);
     if (!show) return show.failure();

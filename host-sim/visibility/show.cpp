@@ -70,13 +70,24 @@ Result<Show> parse_show(const std::string& name) {
 Result<ShownFrame> draw_shown(const Staging& staging, const MethodRequest& request, Show show) {
   MethodRequest counting = request;
   // What counts pixels is part of the methods' pipelines.
+  if (show == Show::overdraw && request.effects.any(effect::depth_formats | effect::depth_ranges)) {
+    return Failure{ExitStatus::usage,
+                   "--show overdraw counts with depth in z16 alone; leave out --depth-format and half-range"};
+  }
   if (show == Show::overdraw) counting.effects = counting.effects | method::culling;
   if (show == Show::overdraw && !methods_agree(counting.effects)) counting.effects = request.effects;
   if (show == Show::depth && request.effects.has(method::painter)) {
     return Failure{ExitStatus::usage, "--show depth: the painter has no depth memory; take another --visibility"};
   }
   if (show == Show::tiles && !request.effects.any(method::bounded)) {
-    return Failure{ExitStatus::usage, "--show tiles needs --visibility hierarchical-z or midpoint-safe"};
+    return Failure{ExitStatus::usage,
+                   "--show tiles needs --visibility hierarchical-z, front-to-back-hierarchical-z or midpoint-safe"};
+  }
+  // The judge knows triangles only, and takes each for opaque.
+  if (show == Show::error &&
+      effects_of(staging.scene, staging.camera).any(effect::quadrics | effect::alpha_test | effect::blending)) {
+    return Failure{ExitStatus::usage,
+                   "--show error judges opaque triangles; the scene has spheres, ellipsoids or transparent materials"};
   }
   Result<LookedAtFrame> drawn = draw_looked_at(staging, counting);
   if (!drawn) return drawn.failure();

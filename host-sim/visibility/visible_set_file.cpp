@@ -13,7 +13,8 @@ namespace zstrip::sim {
 
 Result<VisibleSetFile> VisibleSetFile::read(const std::string& path) {
   const auto bytes = read_file(path);
-  if (!bytes) return Failure{bytes.failure().status, fmt::format("--visible-sets: {}", bytes.failure().message)};
+  if (!bytes)
+    return Failure{bytes.failure().status, fmt::format("--visible-sets '{}' {}", path, bytes.failure().message)};
   VisibleSetFile file;
   file.path_ = path;
   file.bytes_ = bytes->size();

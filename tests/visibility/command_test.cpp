@@ -159,4 +159,38 @@ TEST_F(VisibilityCommand, WhatCannotBeIsAUsageError) {
   }
 }
 
+/// The sets name meshlets of the scene, and a scene that was split has others: half of it was left out.
+TEST_F(VisibilityCommand, SetsDoNotGoWithMethodsThatSplitTheScene) {
+  for (const char* method : {"painter-newell", "painter-bsp"}) {
+    const Outcome refused = render("knot --visible-sets '" + picture("none.zpv") + "' --visibility " + method);
+    EXPECT_EQ(refused.status, 2) << refused.text;
+    EXPECT_NE(refused.text.find(std::string("which --visibility ") + method + " splits"), std::string::npos)
+        << refused.text;
+  }
+}
+
+TEST_F(VisibilityCommand, SetsAreNeverWrittenOverTheSceneOrAnotherOutput) {
+  const std::string model = picture("model.obj"), scene = picture("scene.zsc"), report = picture("report.json");
+  std::filesystem::copy_file(std::string(MODELS) + "/cycle.obj", model);
+  const std::string before = bytes(model);
+  const std::string words = "bake '" + model + "' -o '" + scene + "' --json '" + report + "' --visible-sets '";
+  for (const std::string& sets : {model, scene, report}) {
+    const Outcome refused = run(words + sets + "'");
+    EXPECT_EQ(refused.status, 2) << refused.text;
+    EXPECT_NE(refused.text.find("--visible-sets"), std::string::npos) << refused.text;
+  }
+  EXPECT_EQ(bytes(model), before);
+  EXPECT_FALSE(std::filesystem::exists(scene));
+  const Outcome over = render("cube -o '" + picture("sets.png") + "' --visible-sets '" + picture("sets.png") + "'");
+  EXPECT_EQ(over.status, 2) << over.text;
+}
+
+TEST_F(VisibilityCommand, ErrorsAreNotJudgedWhereTheJudgeDoesNotKnowTheScene) {
+  for (const char* scene : {"spheres", "mask", "blend"}) {
+    const Outcome refused = render(std::string(scene) + " --show error -o '" + picture("none.png") + "'");
+    EXPECT_EQ(refused.status, 2) << refused.text;
+    EXPECT_NE(refused.text.find("--show error judges opaque triangles"), std::string::npos) << refused.text;
+  }
+}
+
 }  // namespace
