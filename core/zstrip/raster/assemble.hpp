@@ -9,6 +9,7 @@
 #include "zstrip/geometry/transform.hpp"
 #include "zstrip/raster/fragment.hpp"
 #include "zstrip/raster/polygon.hpp"
+#include "zstrip/raster/small_run_thumb2.hpp"
 #include "zstrip/raster/small_triangle.hpp"
 #include "zstrip/raster/span_triangle.hpp"
 #include "zstrip/scene/effects.hpp"
@@ -411,15 +412,59 @@ struct Assembler {
     return true;
   }
 
+  /// Whether most triangles never come to draw_narrow.
+  template <Shade shade>
+  static constexpr bool kSmallRuns = kHasThumb2 && shade == Shade::gouraud && !kStatistics &&
+                                     std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
+
+  /// The triangles of a one-sided surface. Not all of them in one run where vertices have to be looked at first.
+  template <Shade shade, bool all_narrow, class TriangleAt>
+  static void draw_small_runs(const StripTarget& target, const Batch& batch, std::uint32_t count,
+                              const TriangleAt& triangle_at) {
+    SmallRun run(target, batch.vertices, batch.colours, batch.first_vertex);
+    const SnappedVertex* const vertices = batch.vertices;
+    const std::uint32_t first = batch.first_vertex;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if constexpr (all_narrow) {
+        i += draw_small_run_thumb2(run, &triangle_at(i), count - i);
+        if (i == count) return;
+      }
+      const Triangle& triangle = triangle_at(i);
+      const SnappedVertex& a = vertices[triangle.a - first];
+      const SnappedVertex& b = vertices[triangle.b - first];
+      const SnappedVertex& c = vertices[triangle.c - first];
+      if constexpr (!all_narrow) {
+        if (a.x == kNotNarrow || b.x == kNotNarrow || c.x == kNotNarrow) {
+          draw_clipped<shade>(target, batch, triangle);
+          continue;
+        }
+        if (draw_small_run_thumb2(run, &triangle, 1) == 1) continue;
+      }
+      draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c, narrow_area(a, b, c));
+    }
+  }
+
+  /// Those with the loop that is quickest for them.
+  template <Shade shade, bool all_narrow, class TriangleAt>
+  [[gnu::always_inline]] static void draw_run(const StripTarget& target, const Batch& batch, std::size_t count,
+                       const TriangleAt& triangle_at) {
+    if constexpr (kSmallRuns<shade>) {
+      if (!batch.instance->double_sided) {
+        return draw_small_runs<shade, all_narrow>(target, batch, static_cast<std::uint32_t>(count), triangle_at);
+      }
+    }
+    draw_triangles<shade, all_narrow>(target, batch, count, triangle_at);
+  }
+
   template <Shade shade>
   static void draw_shaded(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
                           bool all_narrow) {
     const Triangle* const first = triangles.data();
     const auto in_order = [first](std::size_t i) -> const Triangle& { return first[i]; };
     if (all_narrow) {
-      draw_triangles<shade, true>(target, batch, triangles.size(), in_order);
+      draw_run<shade, true>(target, batch, triangles.size(), in_order);
     } else {
-      draw_triangles<shade, false>(target, batch, triangles.size(), in_order);
+      draw_run<shade, false>(target, batch, triangles.size(), in_order);
     }
   }
 
@@ -453,7 +498,7 @@ struct Assembler {
   static void draw_listed(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
                           std::span<const std::uint16_t> listed) {
     with_shade(batch.instance->shade, [&]<Shade shade>() {
-      draw_triangles<shade, false>(target, batch, listed.size(),
+      draw_run<shade, false>(target, batch, listed.size(),
                                    [&](std::size_t i) -> const Triangle& { return triangles[listed[i]]; });
     });
   }

@@ -24,32 +24,30 @@ static_assert(SmallScan::edges == 0 && SmallScan::depth == 1 && SmallScan::green
 static_assert(kPixelCentre == 15);
 static_assert(PackedEdges::kSigns == 0x80200400U);
 
-// A channel's plane: start r1, steps r2 and r3, from the channel at offset \at of the scan. Needs the inverse area in
-// r4 and the weights of vertices 1 and 2, scaled: at the anchor r7 and r8, towards the right r12 and r10, down r11 and
-// r9.
-asm(R"(
-  .macro zstrip_small_channel at
-    ldrb  lr, [r0, #\at]
-    ldrb  r5, [r0, #\at + 4]
-    ldrb  r6, [r0, #\at + 8]
-    subs  r5, r5, lr
-    subs  r6, r6, lr
-    mul   r1, r5, r7
-    mla   r1, r6, r8, r1
-    smull r2, r1, r4, r1
-    mul   r2, r5, r12
-    mla   r2, r6, r10, r2
-    smull r3, r2, r4, r2
-    mul   r3, r5, r11
-    mla   r3, r6, r9, r3
-    smull r5, r3, r4, r3
-    add   r1, r1, lr, lsl #8
-    adds  r1, r1, #128
-  .endm
-)");
-
-[[gnu::naked]] void set_up_small_thumb2(SmallScan&, const SnappedVertex&, const SnappedVertex&, const SnappedVertex&) {
+// Used: small_run_thumb2.cpp calls it by its name.
+[[gnu::naked, gnu::used]] void set_up_small_thumb2(SmallScan&, const SnappedVertex&, const SnappedVertex&, const SnappedVertex&) {
   asm(R"(
+    @ A channel's plane: start r1, steps r2 and r3, from the channel at offset \at of the scan. Needs the inverse area
+    @ in r4 and the weights of vertices 1 and 2, scaled: at the anchor r7 and r8, right r12 and r10, down r11 and r9.
+    .macro zstrip_small_channel at
+      ldrb  lr, [r0, #\at]
+      ldrb  r5, [r0, #\at + 4]
+      ldrb  r6, [r0, #\at + 8]
+      subs  r5, r5, lr
+      subs  r6, r6, lr
+      mul   r1, r5, r7
+      mla   r1, r6, r8, r1
+      smull r2, r1, r4, r1
+      mul   r2, r5, r12
+      mla   r2, r6, r10, r2
+      smull r3, r2, r4, r2
+      mul   r3, r5, r11
+      mla   r3, r6, r9, r3
+      smull r5, r3, r4, r3
+      add   r1, r1, lr, lsl #8
+      adds  r1, r1, #128
+    .endm
+
     push  {r4-r11, lr}
     ldrd  r5, r6, [r0, #88]           @ anchor
     ldr   r4, [r0, #84]               @ area
@@ -145,15 +143,17 @@ asm(R"(
     str   r2, [r0, #28]
     str   r3, [r0, #44]
     pop   {r4-r11, pc}
+    .purgem zstrip_small_channel
   )");
 }
 
-[[gnu::naked]] void scan_small_thumb2(SmallScan&) {
+// Used: small_run_thumb2.cpp calls it by its name.
+[[gnu::naked, gnu::used]] void scan_small_thumb2(SmallScan&) {
   asm(R"(
     push  {r0, r4-r11, lr}
     movw  lr, #0x0400                 @ the signs of the packed edges
     movt  lr, #0x8020
-  .Lrow:
+  .Lsmall_row:
     ldm   r0, {r1-r12}                @ this row's starts, steps to the right, steps down
     add   r9, r9, r1
     add   r10, r10, r2
@@ -167,14 +167,14 @@ asm(R"(
     strd  r11, r12, [r0, #48]
     ldr   r12, [r0, #64]
     mov   r11, r12                    @ columns left
-  .Lskip:
+  .Lsmall_skip:
     tst   r1, lr
-    beq   .Lfirst
+    beq   .Lsmall_first
     add   r1, r1, r5
     subs  r11, r11, #1
-    bne   .Lskip
-    b     .Lnext_row
-  .Lfirst:
+    bne   .Lsmall_skip
+    b     .Lsmall_next_row
+  .Lsmall_first:
     subs  r12, r12, r11               @ the first covered column
     mla   r2, r6, r12, r2
     mla   r3, r7, r12, r3
@@ -182,10 +182,10 @@ asm(R"(
     sub   r10, r10, r9
     subs  r10, r10, #2                @ from behind a cell of depth to its pixel
     add   r9, r9, r12, lsl #1
-  .Lpixel:
+  .Lsmall_pixel:
     ldrh  r12, [r9], #2
     cmp   r12, r2, lsr #16
-    bhs   .Lhidden
+    bhs   .Lsmall_hidden
     lsrs  r12, r2, #16
     strh  r12, [r9, #-2]
     lsrs  r0, r4, #27                 @ red, the upper 5 of 8 bits of the upper half
@@ -194,22 +194,22 @@ asm(R"(
     ubfx  r0, r4, #11, #5
     orr   r12, r0, r12, lsl #5
     strh  r12, [r9, r10]
-  .Lhidden:
+  .Lsmall_hidden:
     add   r1, r1, r5
     add   r2, r2, r6
     add   r3, r3, r7
     add   r4, r4, r8
     subs  r11, r11, #1
-    beq   .Lrow_done
+    beq   .Lsmall_row_done
     tst   r1, lr
-    beq   .Lpixel
-  .Lrow_done:
+    beq   .Lsmall_pixel
+  .Lsmall_row_done:
     ldr   r0, [sp]
-  .Lnext_row:
+  .Lsmall_next_row:
     ldr   r12, [r0, #68]
     subs  r12, r12, #1
     str   r12, [r0, #68]
-    bne   .Lrow
+    bne   .Lsmall_row
     pop   {r0, r4-r11, pc}
   )");
 }

@@ -11,9 +11,10 @@ struct SmallScan;
 
 /// Planes of edges, depth and colours from `scan.area`, `anchor_x`, `anchor_y`, `colours` and the vertices; the weights
 /// as in small_triangle.hpp.
-void set_up_small_thumb2(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1, const SnappedVertex& v2);
+void set_up_small_thumb2(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,
+                         const SnappedVertex& v2) asm("zstrip_set_up_small_thumb2");
 
 /// scan_small_triangle<true, false> with the depth test of z16. Moves the scan's starts and rows.
-void scan_small_thumb2(SmallScan& scan);
+void scan_small_thumb2(SmallScan& scan) asm("zstrip_scan_small_thumb2");
 
 }  // namespace zstrip::detail

@@ -21,10 +21,10 @@ static_assert(offsetof(State, z) == 16 && offsetof(State, texels) == 24 && offse
     sub   lr, r3, #1
     ldm   r12, {r0-r9}                @ u, v, their steps, depth, its step, texels, both shifts, mask
     add   r7, r7, lr, lsl #8
-  .Ltexel:
+  .Lrun_texel:
     ldrh  r12, [r10], #2
     cmp   r12, r4, lsr #16
-    bhs   .Lbehind
+    bhs   .Lrun_behind
     lsrs  r12, r4, #16
     strh  r12, [r10, #-2]
     lsr   r12, r1, r8
@@ -33,12 +33,12 @@ static_assert(offsetof(State, z) == 16 && offsetof(State, texels) == 24 && offse
     add   r12, r12, lr
     ldrh  r12, [r6, r12, lsl #1]
     strh  r12, [r10, r11]
-  .Lbehind:
+  .Lrun_behind:
     add   r4, r4, r5
     add   r0, r0, r2
     add   r1, r1, r3
     subs  r7, r7, #256
-    bhs   .Ltexel
+    bhs   .Lrun_texel
     ldr   r0, [sp]
     str   r4, [r0, #16]
     pop   {r0, r4-r11, pc}
