@@ -139,7 +139,9 @@ TEST_P(Mps2SelfTest, FaultsAreReported) {
 
 /// Not on m0, which has none. At least 10,000 of each drew something.
 TEST_P(Mps2SelfTest, AssemblyIsItsCpp) {
-  for (const auto& [word, what] : {std::pair("small", " small triangles"), std::pair("texels", " runs of texels")}) {
+  for (const auto& [word, what] :
+       {std::pair("small", " small triangles"), std::pair("runs", " triangles in runs"),
+        std::pair("transform", " vertices, narrow and not,"), std::pair("texels", " runs of texels")}) {
     const auto [output, status] = run(GetParam(), "self_test", {word});
     EXPECT_EQ(status, 0) << output;
     if (GetParam().name == std::string("m0")) {

@@ -3,14 +3,15 @@
 
 #include "zstrip/geometry/light.hpp"
 #include "zstrip/geometry/project.hpp"
+#include "zstrip/geometry/transform_thumb2.hpp"
 
 namespace zstrip::detail {
 
 /// Writes `count` vertices from `first` on. Returns whether all of them are narrow, so that the loop over the
 /// triangles need not ask.
 template <Effects effects>
-bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, const RasterOrigin& origin,
-                        std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {
+bool transform_vertices_portable(const CompiledInstance& instance, const Mesh& mesh, const RasterOrigin& origin,
+                                 std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {
   constexpr bool kOrthographic = effects.has(effect::orthographic);
   constexpr DepthFormat kFormat = depth_format(effects);
   const LinearForm fx = instance.x;
@@ -27,6 +28,18 @@ bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, cons
     }
   }
   return all_narrow;
+}
+
+/// The same.
+template <Effects effects>
+bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, const RasterOrigin& origin,
+                        std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {
+  if constexpr (kHasThumb2 && !effects.has(effect::orthographic) && depth_format(effects) == DepthFormat::z16) {
+    if (count == 0) return true;
+    return transform_vertices_thumb2(NarrowTransform(instance, origin), mesh.positions.data() + first, count, vertices);
+  } else {
+    return transform_vertices_portable<effects>(instance, mesh, origin, first, count, vertices);
+  }
 }
 
 template <Effects effects>

@@ -1,5 +1,5 @@
-// The assembly behind small_run_thumb2.hpp. Without calls between the stages of a triangle, and with both coordinates of
-// a vertex in one word, it takes half of what GCC makes of the C++. Offsets are those of SmallRun.
+// The assembly behind small_run_thumb2.hpp. Without calls between the stages of a triangle, and with both coordinates
+// of a vertex in one word, it takes half of what GCC makes of the C++. Offsets are those of SmallRun.
 #include "zstrip/raster/small_run_thumb2.hpp"
 
 #include <cstddef>

@@ -12,7 +12,7 @@ namespace zstrip::detail {
 
 /// What the triangles of a meshlet share, where small_run_thumb2.cpp expects it.
 struct SmallRun {
-  SmallScan scan;          ///< of the triangle at hand
+  SmallScan scan;           ///< of the triangle at hand
   std::uintptr_t vertices;  ///< where the mesh's vertex 0 would be: the cache has a run of them
   std::uintptr_t colours;   ///< likewise
   Rect area;                ///< of the strip

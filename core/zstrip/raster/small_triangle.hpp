@@ -240,7 +240,7 @@ void draw_small_triangle(const StripTarget& target, const SnappedVertex& v0, con
   scan.anchor_x = anchor_x;
   scan.anchor_y = anchor_y;
   if constexpr (!gouraud) scan.flat_colour = flat_colour;
-  if constexpr (kHasThumb2 && gouraud) {
+  if constexpr (kHasThumb2 && gouraud && !statistics) {
     for (int i = 0; i < 3; ++i) scan.colours[i] = *colours[i];
     set_up_small_thumb2(scan, v0, v1, v2);
   } else {

@@ -25,7 +25,8 @@ static_assert(kPixelCentre == 15);
 static_assert(PackedEdges::kSigns == 0x80200400U);
 
 // Used: small_run_thumb2.cpp calls it by its name.
-[[gnu::naked, gnu::used]] void set_up_small_thumb2(SmallScan&, const SnappedVertex&, const SnappedVertex&, const SnappedVertex&) {
+[[gnu::naked, gnu::used]] void set_up_small_thumb2(SmallScan&, const SnappedVertex&, const SnappedVertex&,
+                                                   const SnappedVertex&) {
   asm(R"(
     @ A channel's plane: start r1, steps r2 and r3, from the channel at offset \at of the scan. Needs the inverse area
     @ in r4 and the weights of vertices 1 and 2, scaled: at the anchor r7 and r8, right r12 and r10, down r11 and r9.

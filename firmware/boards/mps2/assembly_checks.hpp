@@ -5,10 +5,13 @@
 
 namespace zstrip::board {
 
-/// Pseudo-random triangles, and runs of texels, drawn both ways: what is in memory afterwards is compared word by word.
-/// 0 if all are equal; says what differs. A core without Thumb-2 has nothing to compare, which it says.
+/// Pseudo-random triangles, runs of texels, meshlets and vertices, both ways: what is in memory afterwards is
+/// compared word by word. 0 if all are equal; says what differs. A core without Thumb-2 has nothing to compare, which
+/// it says.
 int check_small_triangles();
 int check_textured_runs();
+int check_small_runs();
+int check_transform();
 
 /// Marsaglia's xorshift.
 class Random {

@@ -127,7 +127,9 @@ int main() {
   if (word == "return") return come_back();
   if (word == "overflow") return static_cast<int>(overflow_stack(zeroed)) | 1;
   if (word == "small") return zstrip::board::check_small_triangles();
+  if (word == "runs") return zstrip::board::check_small_runs();
+  if (word == "transform") return zstrip::board::check_transform();
   if (word == "texels") return zstrip::board::check_textured_runs();
-  print("self-test: say memory, fault, return, overflow, small or texels\n");
+  print("self-test: say memory, fault, return, overflow, small, runs, transform or texels\n");
   return 2;
 }
