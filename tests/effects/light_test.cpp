@@ -82,6 +82,33 @@ void expect_near(const Drawn& drawn, double expected) {
   EXPECT_GT(drawn.green(4, 4), within - 7);
 }
 
+/// Regression: planes start at the vertex that is least in y and x, and unclipped triangles took its colour.
+TEST(EffectsLight, FlatTextureHasTheColourOfItsFirstVertex) {
+  const std::uint16_t white[4] = {0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF};
+  const std::array<TexCoord, 4> texcoords{};
+  const Texture texture{.texels = white, .log2_width = 1, .log2_height = 1};
+  Sheet sheet;
+  sheet.material.colour = {255, 255, 255, 255};
+  sheet.normals = {Normal{0, 0, 127, 0}, Normal{0, 76, 101, 0}, Normal{0, 110, 63, 0}, Normal{0, 0, 127, 0}};
+  sheet.directional = {0, 0, 32767, {255, 255, 255, 255}};
+  std::vector<int> greens;
+  for (const Triangle& triangle : {Triangle{0, 1, 2}, Triangle{1, 2, 0}, Triangle{2, 0, 1}}) {
+    sheet.triangles.fill(triangle);
+    sheet.mesh.texcoords = {};
+    sheet.material.texture = kNoTexture;
+    const Drawn plain = draw<effect::lighting>(sheet.scene(true, false), {}, kView);
+    Scene scene = sheet.scene(true, false);
+    sheet.mesh.texcoords = texcoords;
+    sheet.material.texture = 0;
+    scene.textures = {&texture, 1};
+    const Drawn textured = draw<effect::lighting | effect::textures>(scene, {}, kView);
+    EXPECT_NEAR(textured.green(5, 4), plain.green(5, 4), 8);
+    greens.push_back(plain.green(5, 4));
+  }
+  EXPECT_GT(greens[0], greens[1] + 20);
+  EXPECT_GT(greens[1], greens[2] + 20);
+}
+
 TEST(EffectsLight, EmissionIsAddedToLight) {
   Samples samples;
   for (int i = 0; i < 50; ++i) {

@@ -7,6 +7,7 @@
 
 #include "zstrip/geometry/clip.hpp"
 #include "zstrip/geometry/transform.hpp"
+#include "zstrip/raster/attributes.hpp"
 #include "zstrip/raster/fragment.hpp"
 #include "zstrip/raster/polygon.hpp"
 #include "zstrip/raster/small_run_thumb2.hpp"
@@ -15,17 +16,6 @@
 #include "zstrip/scene/effects.hpp"
 
 namespace zstrip::detail {
-
-/// A meshlet with its vertices transformed, ready to be drawn into a strip.
-struct Batch {
-  const CompiledInstance* instance;
-  const Mesh* mesh;
-  const SnappedVertex* vertices;  ///< of mesh vertex first_vertex on
-  const Colour* colours;          ///< likewise; null where no vertex has its own colour
-  std::uint32_t first_vertex;
-  RasterOrigin origin;
-  Surface surface;
-};
 
 /// Counts a triangle while it lives: as drawn in the first strip that it touches, so that strips add up to the frame,
 /// and as covering in every strip where it turns out to have fragments. Without statistics it is nothing.
@@ -55,63 +45,15 @@ class CountedTriangle {
   std::uint32_t fragments_before_ = 0;
 };
 
-/// Texels, 16.16, of a texture coordinate.
-constexpr std::int32_t texels(std::int16_t coordinate, std::uint8_t log2_size, std::uint8_t fraction_bits) {
-  const int shift = 16 + log2_size - fraction_bits;  // 1 .. 23
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(std::int32_t{coordinate}) << shift);
-}
-
 template <Effects effects>
 struct Assembler {
   static constexpr bool kOrthographic = effects.has(effect::orthographic);
   static constexpr bool kStatistics = effects.has(effect::statistics);
   static constexpr bool kTextures = effects.has(effect::textures);
-  static constexpr bool kColours = has_vertex_colours(effects);
   static constexpr DepthMode kDepth = depth_mode(effects);
   static constexpr std::int32_t kPerspective = perspective_run(effects);
+  using Attributes = VertexAttributes<effects>;
   using StripTarget = TargetOf<effects>;  // with what the depth mode and fragments need
-
-  template <class Vertex>
-  static void set_colour(Vertex& vertex, const Colour& colour) {
-    vertex.r = channel_start(colour.r);
-    vertex.g = channel_start(colour.g);
-    vertex.b = channel_start(colour.b);
-  }
-
-  /// Colour and texture coordinates, as far as `shade` reads them.
-  template <Shade shade, class Vertex>
-  static void load_attributes(const Batch& batch, std::uint32_t index, Vertex& vertex) {
-    if constexpr (shade == Shade::gouraud || shade == Shade::textured_gouraud || shade == Shade::textured_flat) {
-      set_colour(vertex, colour_of(batch, index));
-    }
-    if constexpr (shade == Shade::fragments) {
-      const Shade kind = without_fragments(batch.instance->shade);
-      const bool white = kind == Shade::textured;  // texels as they are
-      set_colour(vertex, white ? Colour{255, 255, 255, 255} : colour_of(batch, index));
-      if (!kTextures || kind < Shade::textured) return;
-    }
-    if constexpr (shade >= Shade::textured && kTextures) {
-      const TexCoord& t = batch.mesh->texcoords[index];
-      vertex.u = texels(t.u, batch.surface.texture.log2_width, batch.mesh->texcoord_bits);
-      vertex.v = texels(t.v, batch.surface.texture.log2_height, batch.mesh->texcoord_bits);
-    }
-  }
-
-  static Colour colour_of(const Batch& batch, std::uint32_t index) {
-    if constexpr (kColours) {
-      if (batch.colours != nullptr) return batch.colours[index - batch.first_vertex];
-    }
-    return batch.instance->base;
-  }
-
-  /// A flat triangle has the colour of its first vertex, whatever clipping and culling do to the order.
-  template <Shade shade>
-  static std::uint16_t flat_colour(const Batch& batch, const Triangle& triangle) {
-    if constexpr (shade == Shade::flat && kColours) {
-      if (batch.colours != nullptr) return rgb565(batch.colours[triangle.a - batch.first_vertex]);
-    }
-    return batch.surface.flat_colour;
-  }
 
   /// Planes start at vertex a and round there. Rotated so that the vertex of least order becomes a, a triangle has the
   /// same depths and colours whichever of its vertices comes first.
@@ -232,8 +174,9 @@ struct Assembler {
           colours[2] = batch.colours + (&c - batch.vertices);
         }
         draw_small_triangle<kGouraud, kStatistics>(target, in_codes(a), in_codes(b), in_codes(c), colours,
-                                                   flat_colour<shade>(batch, provoking), area, whole.left, whole.top,
-                                                   box, DepthRule<kDepth>(target, a, b, c, area));
+                                                   Attributes::template flat_colour<shade>(batch, provoking), area,
+                                                   whole.left, whole.top, box,
+                                                   DepthRule<kDepth>(target, a, b, c, area));
         return;
       }
     }
@@ -251,19 +194,13 @@ struct Assembler {
       v[i].x = snapped[i]->x;
       v[i].y = snapped[i]->y;
       v[i].depth = snapped[i]->depth;
-      load_attributes<shade>(batch, static_cast<std::uint32_t>(snapped[i] - batch.vertices) + batch.first_vertex, v[i]);
+      Attributes::template load<shade>(
+          batch, static_cast<std::uint32_t>(snapped[i] - batch.vertices) + batch.first_vertex, v[i]);
     }
     Surface surface = batch.surface;
-    surface.flat_colour = flat_colour<shade>(batch, provoking);
-    if constexpr (shade == Shade::fragments) take_first_colour(batch, provoking, v);
+    surface.flat_colour = Attributes::template flat_colour<shade>(batch, provoking);
+    Attributes::template take_first_colour<shade>(batch, provoking, v);
     draw_spans<shade>(target, v, surface, true);
-  }
-
-  /// Where the first vertex decides, all get its colour.
-  static void take_first_colour(const Batch& batch, const Triangle& provoking, RasterVertex (&vertices)[3]) {
-    const Shade kind = without_fragments(batch.instance->shade);
-    if (kind != Shade::flat && kind != Shade::textured_flat) return;
-    for (RasterVertex& vertex : vertices) set_colour(vertex, colour_of(batch, provoking.a));
   }
 
   template <Shade shade, class Target>
@@ -304,7 +241,7 @@ struct Assembler {
     rotate_to_first(by_position, indices[0], indices[1], indices[2]);
     for (int i = 0; i < 3; ++i) {
       clipped.vertices[i] = clip_vertex(batch, indices[i]);
-      load_attributes<shade>(batch, indices[i], clipped.vertices[i]);
+      Attributes::template load<shade>(batch, indices[i], clipped.vertices[i]);
     }
     if constexpr (kOrthographic) {
       clip_orthographic(clipped, *batch.instance);
@@ -320,17 +257,12 @@ struct Assembler {
   [[gnu::noinline]] static void draw_polygon(const StripTarget& target, const Batch& batch, const Triangle& triangle,
                                              RasterPolygon& polygon, const Rect& box) {
     Surface surface = batch.surface;
-    surface.flat_colour = flat_colour<shade>(batch, triangle);
+    surface.flat_colour = Attributes::template flat_colour<shade>(batch, triangle);
     if constexpr (kStatistics) ++target.statistics->clipped;
     const CountedTriangle<kStatistics> counted(target, box.left, box.top);
     RasterVertex corner[3];
     while (polygon.cut_triangle(corner)) {
-      if constexpr (shade == Shade::textured_flat) {
-        const Colour colour = colour_of(batch, triangle.a);
-        corner[0].r = channel_start(colour.r), corner[0].g = channel_start(colour.g),
-        corner[0].b = channel_start(colour.b);
-      }
-      if constexpr (shade == Shade::fragments) take_first_colour(batch, triangle, corner);
+      Attributes::template take_first_colour<shade>(batch, triangle, corner);
       TriangleParts parts(polygon, corner, target.area);
       for (Rect part; parts.next(part);) {
         draw_spans<shade>(part_of<DepthCell<kDepth.format>>(target, part), corner, surface, false);
@@ -414,8 +346,8 @@ struct Assembler {
 
   /// Whether most triangles never come to draw_narrow.
   template <Shade shade>
-  static constexpr bool kSmallRuns = kHasThumb2 && shade == Shade::gouraud && !kStatistics &&
-                                     std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
+  static constexpr bool kSmallRuns =
+      kHasThumb2&& shade == Shade::gouraud && !kStatistics && std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
 
   /// The triangles of a one-sided surface. Not all of them in one run where vertices have to be looked at first.
   template <Shade shade, bool all_narrow, class TriangleAt>
@@ -447,7 +379,7 @@ struct Assembler {
   /// Those with the loop that is quickest for them.
   template <Shade shade, bool all_narrow, class TriangleAt>
   [[gnu::always_inline]] static void draw_run(const StripTarget& target, const Batch& batch, std::size_t count,
-                       const TriangleAt& triangle_at) {
+                                              const TriangleAt& triangle_at) {
     if constexpr (kSmallRuns<shade>) {
       if (!batch.instance->double_sided) {
         return draw_small_runs<shade, all_narrow>(target, batch, static_cast<std::uint32_t>(count), triangle_at);
@@ -499,7 +431,7 @@ struct Assembler {
                           std::span<const std::uint16_t> listed) {
     with_shade(batch.instance->shade, [&]<Shade shade>() {
       draw_run<shade, false>(target, batch, listed.size(),
-                                   [&](std::size_t i) -> const Triangle& { return triangles[listed[i]]; });
+                             [&](std::size_t i) -> const Triangle& { return triangles[listed[i]]; });
     });
   }
 };

@@ -1,0 +1,88 @@
+// What a triangle's vertices carry beside place and depth: colours and texture coordinates, as far as its shade asks.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/geometry/project.hpp"
+#include "zstrip/raster/plane.hpp"
+#include "zstrip/raster/span_triangle.hpp"
+#include "zstrip/scene/effects.hpp"
+
+namespace zstrip::detail {
+
+/// A meshlet with its vertices transformed, ready to be drawn into a strip.
+struct Batch {
+  const CompiledInstance* instance;
+  const Mesh* mesh;
+  const SnappedVertex* vertices;  ///< of mesh vertex first_vertex on
+  const Colour* colours;          ///< likewise; null where no vertex has its own colour
+  std::uint32_t first_vertex;
+  RasterOrigin origin;
+  Surface surface;
+};
+
+/// Texels, 16.16, of a texture coordinate.
+constexpr std::int32_t texels(std::int16_t coordinate, std::uint8_t log2_size, std::uint8_t fraction_bits) {
+  const int shift = 16 + log2_size - fraction_bits;  // 1 .. 23
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(std::int32_t{coordinate}) << shift);
+}
+
+template <Effects effects>
+struct VertexAttributes {
+  static constexpr bool kTextures = effects.has(effect::textures);
+  static constexpr bool kColours = has_vertex_colours(effects);
+
+  /// Colour and texture coordinates, as far as `shade` reads them.
+  template <Shade shade, class Vertex>
+  static void load(const Batch& batch, std::uint32_t index, Vertex& vertex) {
+    if constexpr (shade == Shade::gouraud || shade == Shade::textured_gouraud || shade == Shade::textured_flat) {
+      set_colour(vertex, colour_of(batch, index));
+    }
+    if constexpr (shade == Shade::fragments) {
+      const Shade kind = without_fragments(batch.instance->shade);
+      const bool white = kind == Shade::textured;  // texels as they are
+      set_colour(vertex, white ? Colour{255, 255, 255, 255} : colour_of(batch, index));
+      if (!kTextures || kind < Shade::textured) return;
+    }
+    if constexpr (shade >= Shade::textured && kTextures) {
+      const TexCoord& t = batch.mesh->texcoords[index];
+      vertex.u = texels(t.u, batch.surface.texture.log2_width, batch.mesh->texcoord_bits);
+      vertex.v = texels(t.v, batch.surface.texture.log2_height, batch.mesh->texcoord_bits);
+    }
+  }
+
+  /// A flat triangle has the colour of its first vertex, whatever clipping and culling do to the order.
+  template <Shade shade>
+  static std::uint16_t flat_colour(const Batch& batch, const Triangle& triangle) {
+    if constexpr (shade == Shade::flat && kColours) {
+      if (batch.colours != nullptr) return rgb565(batch.colours[triangle.a - batch.first_vertex]);
+    }
+    return batch.surface.flat_colour;
+  }
+
+  /// Where the first vertex decides, all get its colour.
+  template <Shade shade>
+  static void take_first_colour(const Batch& batch, const Triangle& provoking, RasterVertex (&vertices)[3]) {
+    if constexpr (shade != Shade::textured_flat && shade != Shade::fragments) return;
+    const Shade kind = without_fragments(batch.instance->shade);
+    if (kind != Shade::flat && kind != Shade::textured_flat) return;
+    for (RasterVertex& vertex : vertices) set_colour(vertex, colour_of(batch, provoking.a));
+  }
+
+ private:
+  template <class Vertex>
+  static void set_colour(Vertex& vertex, const Colour& colour) {
+    vertex.r = channel_start(colour.r);
+    vertex.g = channel_start(colour.g);
+    vertex.b = channel_start(colour.b);
+  }
+
+  static Colour colour_of(const Batch& batch, std::uint32_t index) {
+    if constexpr (kColours) {
+      if (batch.colours != nullptr) return batch.colours[index - batch.first_vertex];
+    }
+    return batch.instance->base;
+  }
+};
+
+}  // namespace zstrip::detail
