@@ -15,3 +15,14 @@ function(zstrip_configure_freestanding_target target)
   target_compile_options(${target} PRIVATE
     $<$<CXX_COMPILER_ID:GNU,Clang>:-Wdouble-promotion -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics>)
 endfunction()
+
+# Sources that read options and write reports take longer to compile than they will ever run: of the optimiser only -O1,
+# under sanitizers nothing. They must emit no inline function of the core, which the linker could take for everybody.
+function(zstrip_compile_quickly)
+  if(ZSTRIP_SANITIZED)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -O0)
+  else()
+    set_source_files_properties(${ARGN} PROPERTIES
+      COMPILE_OPTIONS "$<$<AND:$<CXX_COMPILER_ID:GNU,Clang>,$<CONFIG:Release>>:-O1>")
+  endif()
+endfunction()

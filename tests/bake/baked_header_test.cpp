@@ -1,11 +1,8 @@
 // A baked header draws, byte for byte, what `zstrip render` draws of the scene that it was baked from.
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "command_report.hpp"
 #include "linked_effects.hpp"
 #include "scene.hpp"
 #include "support.hpp"
@@ -18,25 +15,6 @@ zstrip::Status draw(std::span<std::byte> pixels, void (*send)(std::uint16_t stri
 
 namespace zstrip::sim::test {
 namespace {
-
-std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream stream(text);
-  return {std::istream_iterator<std::string>(stream), {}};
-}
-
-/// The options of BAKED_OPTIONS that say what the picture is, and not how it is planned.
-std::vector<std::string> render_options(bool& turntable) {
-  std::vector<std::string> kept;
-  const std::vector<std::string> words = words_of(BAKED_OPTIONS);
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (words[i] == "--turntable") turntable = true;
-    if (words[i] == "--ortho") kept.push_back(words[i]);
-    for (const char* option : {"--size", "--format", "--up", "--orbit", "--fov"}) {
-      if (words[i] == option) kept.insert(kept.end(), {words[i], words[i + 1]});
-    }
-  }
-  return kept;
-}
 
 /// Puts strips, which may be narrower than the picture, into the picture.
 std::vector<std::byte> picture;
@@ -51,14 +29,6 @@ void send(std::uint16_t strip, std::span<const std::byte> pixels) {
   }
 }
 
-std::string crc32_of_picture() {
-  const uLong crc = ::crc32(::crc32(0, nullptr, 0), reinterpret_cast<const Bytef*>(picture.data()),
-                            static_cast<uInt>(picture.size()));
-  char text[9];
-  std::snprintf(text, sizeof text, "%08lx", crc);
-  return text;
-}
-
 class BakedHeader : public FolderTest {
  protected:
   BakedHeader() {
@@ -66,23 +36,8 @@ class BakedHeader : public FolderTest {
                    std::byte{0xAA});
   }
   /// Checksums of `zstrip render`'s frames: one, or of a turntable four of a turn.
-  std::vector<std::string> rendered() {
-    std::vector<std::string> arguments{"render", BAKED_SCENE, "--quiet", "--json", "-"};
-    const std::vector<std::string> options = render_options(turntable_);
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    for (const char* word : {"-o", "frames", "--frames", turntable_ ? "4" : "1"}) arguments.emplace_back(word);
-    const Outcome outcome = run(ZSTRIP_COMMAND, arguments, path(""));
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    std::vector<std::string> crcs;
-    if (outcome.status != 0) return crcs;
-    const auto report = nlohmann::json::parse(outcome.out);
-    for (const auto& frame : report.at("frames")) {
-      EXPECT_GT(frame.at("statistics").at("fragments"), 100);
-      crcs.push_back(frame.at("crc32"));
-    }
-    return crcs;
-  }
-  bool turntable_ = !baked::kAnimation.tracks.empty();  ///< it moves
+  std::vector<std::string> rendered() { return rendered_frames(BAKED_SCENE, BAKED_OPTIONS, turntable_, path("")); }
+  bool turntable_ = !baked::kAnimation.tracks.empty() || is_turntable(BAKED_OPTIONS);  ///< it moves
 };
 
 TEST_F(BakedHeader, DrawsWhatTheModelDraws) {
@@ -91,7 +46,7 @@ TEST_F(BakedHeader, DrawsWhatTheModelDraws) {
   alignas(4) std::array<std::byte, baked::kPlan.strip_pixel_bytes(baked::kView)> pixels{};
   const Status drawn = baked_alone::draw(pixels, send);
   ASSERT_TRUE(drawn) << message(drawn.error);
-  EXPECT_EQ(crc32_of_picture(), expected[0]);
+  EXPECT_EQ(crc32_of(picture), expected[0]);
 }
 
 TEST_F(BakedHeader, TurnsAsTheModelTurns) {
@@ -119,22 +74,18 @@ TEST_F(BakedHeader, TurnsAsTheModelTurns) {
       ASSERT_TRUE(renderer.draw_strip(strip, pixels));
       send(strip, pixels);
     }
-    EXPECT_EQ(crc32_of_picture(), expected[frame]) << "frame " << frame;
+    EXPECT_EQ(crc32_of(picture), expected[frame]) << "frame " << frame;
   }
 }
 
 /// What `zstrip bake` chose is what the compiler finds, and within what was allowed.
 TEST_F(BakedHeader, PlanIsTheOneThatWasReported) {
-  std::vector<std::string> arguments{"bake", BAKED_SCENE, "-o", "again.hpp", "--quiet", "--json", "-"};
-  const std::vector<std::string> options = words_of(BAKED_OPTIONS);
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  const Outcome outcome = run(ZSTRIP_COMMAND, arguments, path(""));
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const auto plan = nlohmann::json::parse(outcome.out).at("plan");
-  EXPECT_EQ(plan.at("ram_bytes").at("arena"), baked::kPlan.bytes());
-  EXPECT_EQ(plan.at("ram_bytes").at("strip_pixels"), baked::kPlan.strip_pixel_bytes(baked::kView));
-  EXPECT_EQ(plan.at("strips"), baked::kPlan.strips);
-  EXPECT_EQ(plan.at("mode"), baked::kPlan.mode == Mode::binned ? "binned" : "streamed");
+  const std::optional<PlanReport> plan = baked_plan(BAKED_SCENE, BAKED_OPTIONS, path(""));
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->arena, baked::kPlan.bytes());
+  EXPECT_EQ(plan->strip_pixels, baked::kPlan.strip_pixel_bytes(baked::kView));
+  EXPECT_EQ(plan->strips, baked::kPlan.strips);
+  EXPECT_EQ(plan->mode, baked::kPlan.mode == Mode::binned ? "binned" : "streamed");
   if (baked::kBudget.bytes != 0) {
     EXPECT_LE(baked::kPlan.bytes() + baked::kPlan.strip_pixel_bytes(baked::kView), baked::kBudget.bytes);
   }

@@ -18,7 +18,7 @@ cp "$root/.clang-tidy" "$work"
 # Nearly all of the time goes to the headers of libraries. So sources of one folder and program are looked at together, in
 # groups of eight that are one source each. In: the command up to the folder of the program's objects, a tab, the source.
 # Out: N.cpp and N.command.
-sed -nE 's/^ *"command": "(.*) -c .*",?$/\1/; T file; s/( -o [^ ]*\.dir)\/[^ ]*$/\1/; p; :file; s/^ *"file": "(.*)",?$/\t\1/p' \
+sed -nE 's/^ *"command": "(.*) -c .*",?$/\1/; T file; s/ -O[0-3s]( |$)/ /g; s/( -o [^ ]*\.dir)\/[^ ]*$/\1/; p; :file; s/^ *"file": "(.*)",?$/\t\1/p' \
     "$build/compile_commands.json" | paste -d '' - - | sed 's/\\"/"/g; s/\\\\/\\/g' |
   grep -P "\t$root/(core|hal|host-sim)/.*\.cpp$" | sort -t $'\t' -u -k 2,2 |
   awk -F '\t' -v work="$work" '
