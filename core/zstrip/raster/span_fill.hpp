@@ -75,8 +75,8 @@ struct TextureAxis {
 };
 
 /// The pixels between two exact texture positions. Not inlined: the loop needs every register of a Cortex-M.
-template <bool lit, bool statistics, class Value, class Rule>
-struct TexturedRun : TexturedRunState<Value> {
+template <bool lit, bool statistics, class Value, class Rule, class State = TexturedRunState<Value>>
+struct TexturedRun : State {
   std::uint32_t r, g, b;  ///< 8.16, only where `lit`
   [[no_unique_address]] Rule rule;
 
@@ -127,7 +127,12 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
   static_assert(kRun <= kPerspectiveRun);
   const TextureAxis axis_u(texture.log2_width);
   const TextureAxis axis_v(texture.log2_height);
-  TexturedRun<lit, statistics, typename DepthPlane::Value, Rule> run;
+  using Value = typename DepthPlane::Value;
+  constexpr bool kAssembly = kHasThumb2 && !lit && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>> &&
+                             std::is_same_v<Value, std::uint32_t>;
+  constexpr bool kWholeRuns = kAssembly && !affine && kRun == kPerspectiveRun;
+  using State = std::conditional_t<kWholeRuns, TexturedRunsState, TexturedRunState<Value>>;
+  TexturedRun<lit, statistics, Value, Rule, State> run;
   run.rule = rule;
   run.z = depth.at(span.columns, span.rows);
   run.step_z = depth.step_x;
@@ -150,6 +155,21 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
   auto place = coordinates.place(span.columns - before, span.rows);
   TexelPosition from = coordinates.at(place);
   for (;;) {
+    if constexpr (kWholeRuns) {
+      const std::int32_t whole =
+          before != 0 ? 0 : std::min((left - 1) / kRun, static_cast<std::int32_t>(end - pixel) / kRun);
+      if (whole > 0) {
+        run.to_fraction_u = axis_u.to_fraction, run.to_fraction_v = axis_v.to_fraction;
+        coordinates.start_runs(run, place, from, static_cast<std::uint32_t>(kRun));
+        fill_runs_thumb2(run, depth_cell, pixel, static_cast<std::uint32_t>(whole));
+        pixel += whole * kRun;
+        if (pixel == end) break;
+        depth_cell += whole * kRun;
+        left -= whole * kRun;
+        place = {run.u_over_w, run.v_over_w, run.one_over_w};
+        from = {run.from_u, run.from_v};
+      }
+    }
     // A full run ends at the next one's first pixel, the last run at its own last pixel: always inside the triangle.
     const std::int32_t length = left > kRun ? kRun : left;
     place = coordinates.right_of(place, left > kRun ? kRun : left - 1);
@@ -172,8 +192,7 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
       run.v += run.step_v * static_cast<std::uint32_t>(before);
     }
     const std::int32_t drawn = std::min(length - before, static_cast<std::int32_t>(end - pixel));
-    if constexpr (kHasThumb2 && !lit && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>> &&
-                  std::is_same_v<typename DepthPlane::Value, std::uint32_t>) {
+    if constexpr (kAssembly) {
       fill_run_thumb2(run, depth_cell, pixel, drawn);
     } else {
       run.fill(depth_cell, pixel, drawn, light, counters);

@@ -6,6 +6,7 @@
 
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/raster/plane.hpp"
+#include "zstrip/raster/textured_run_thumb2.hpp"
 
 namespace zstrip::detail {
 
@@ -74,6 +75,16 @@ class TextureCoordinates {
     place.v_over_w += v_over_w_.step_x * count;
     if constexpr (!orthographic) place.one_over_w += one_over_w_.step_x * count;
     return place;
+  }
+
+  /// Of whole runs: the place of their first pixel, and what the assembly needs beside it.
+  void start_runs(TexturedRunsState& state, const Place& place, TexelPosition from, std::uint32_t columns) const {
+    state.u_over_w = place.u_over_w, state.v_over_w = place.v_over_w, state.one_over_w = place.one_over_w;
+    state.u_over_w_step = u_over_w_.step_x * columns, state.v_over_w_step = v_over_w_.step_x * columns;
+    state.one_over_w_step = one_over_w_.step_x * columns;
+    state.base_u = base_u_, state.base_v = base_v_;
+    state.from_u = from.u, state.from_v = from.v;
+    state.right_shift = 30 - shift_;
   }
 
   /// Exact position at a covered pixel.
