@@ -9,8 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "transfer.hpp"
+
 namespace zstrip::hal {
 namespace {
+
+using panels::kArrived;
+using panels::kCommand;
+using panels::kPixels;
 
 enum Line : std::size_t { kClock, kData, kDataCommand, kSelect, kLines };
 
@@ -51,11 +57,6 @@ auto bus_on(Wires& wires) {
   static_assert(CommandDataBus<decltype(bus)>);
   return bus;
 }
-
-constexpr std::array kCommand{std::byte{0x2A}};
-constexpr std::array kPixels{std::byte{0x00}, std::byte{0xFF}, std::byte{0x80}, std::byte{0x01}, std::byte{0xA5}};
-const std::vector<std::pair<bool, int>> kArrived{{false, 0x2A}, {true, 0x00}, {true, 0xFF},
-                                                 {true, 0x80},  {true, 0x01}, {true, 0xA5}};
 
 TEST(PanelBitBangedSpi, EveryBitArrivesAtARisingEdge) {
   Wires wires;
