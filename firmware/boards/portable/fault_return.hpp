@@ -9,9 +9,9 @@
 namespace zstrip::board {
 
 /// False now. When a fault comes, and has been reported on the console, the same call returns true: everything that was
-/// called since then is gone, and the caller must not have returned. It then runs in the fault's handler: no second
-/// fault comes back, and nothing may be waited for that wants an interrupt (no clock), which leaves polled buses and
-/// those with DMA.
+/// called since then is gone, and the caller must not have returned. That happens once: a second fault is reported,
+/// too, and halts the board, whose watchdog then starts it again. Nothing may be waited for that wants an interrupt (no
+/// clock), which leaves polled buses and those with DMA.
 extern "C" [[gnu::returns_twice]] bool mark_fault_return();
 
 /// What the processor's fault was, in words that console and panel show.
@@ -24,6 +24,12 @@ class FaultWords {
       bits -= 4;
       keep("0123456789abcdef"[(value >> bits) & 15U]);
     }
+  }
+
+  /// No words yet, of a new fault.
+  static void clear() {
+    text = {};
+    size = 0;
   }
 
   /// In static storage.
