@@ -11,7 +11,7 @@
 namespace {
 constexpr int kFaultStatus = 70;
 enum : std::uint32_t { kReturnAddress = 9, kReturnWords };
-bool reported = false;
+constexpr std::uint32_t kThumb = 1;  // of an address in lr, not of one in a frame
 }  // namespace
 
 // The report runs on a stack of its own, because the program's may be full.
@@ -64,9 +64,7 @@ void fault_handler();
       "mov sp, r2\n\t"
       "movs r0, #1\n\t"
       "str r0, [r2, #0]\n\t"   // r0: true
-      "str r3, [r2, #20]\n\t"  // lr
-      "bics r3, r0\n\t"
-      "str r3, [r2, #24]\n\t"  // pc, without the bit for Thumb
+      "str r3, [r2, #24]\n\t"  // pc
       "lsls r0, r0, #24\n\t"
       "str r0, [r2, #28]\n\t"    // xpsr: Thumb
       "ldr r0, =0xFFFFFFF9\n\t"  // to thread mode, main stack, no FPU registers
@@ -98,6 +96,7 @@ void report_fault(const std::uint32_t* stacked, std::uint32_t exception) {
   print_hex(register_at(0xE000ED38));
 #endif
   print("\n");
-  if (reported || fault_return[kReturnAddress] == 0) halt(kFaultStatus);
-  reported = true;
+  // Once: an address without that bit was used already.
+  if ((fault_return[kReturnAddress] & kThumb) == 0) halt(kFaultStatus);
+  fault_return[kReturnAddress] -= kThumb;
 }

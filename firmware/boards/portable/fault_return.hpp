@@ -27,20 +27,19 @@ class FaultWords {
   }
 
   /// No words yet, of a new fault.
-  static void clear() {
-    text = {};
-    size = 0;
-  }
+  static void clear() { size = 0; }
 
   /// In static storage.
   static const char* all() { return text.data(); }
 
  private:
   static void keep(char character) {
-    if (size + 1U < text.size()) text[size++] = character;
+    if (size + 1U >= text.size()) return;
+    text[size++] = character;
+    text[size] = '\0';
   }
 
-  static inline constinit std::array<char, 40> text{};  // the last one stays zero
+  static inline constinit std::array<char, 40> text{};  // ended by a zero
   static inline constinit std::uint32_t size = 0;
 };
 
