@@ -28,10 +28,14 @@ hal::Outcome<DisplayAddress> DisplayAddress::parse(const std::string& text) {
   const std::size_t kind_end = text.find_first_of(":,");
   address.kind_ = text.substr(0, kind_end);
   std::string_view rest;
-  if (kind_end != std::string::npos) rest = std::string_view(text).substr(kind_end + 1);
+  if (kind_end != std::string::npos) {
+    rest = std::string_view(text).substr(kind_end + 1);
+    if (rest.empty()) return hal::Fault{"'" + text + "' has nothing behind its " + text[kind_end]};
+  }
   for (bool first = true; !rest.empty(); first = false) {
     const std::size_t comma = rest.find(',');
     const std::string part(rest.substr(0, comma));
+    if (comma + 1 == rest.size()) return hal::Fault{"'" + text + "' has a comma without a KEY=VALUE"};
     rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
     const std::size_t equals = part.find('=');
     if (part.empty() || equals == 0) return hal::Fault{"'" + text + "' has a comma without a KEY=VALUE"};
@@ -39,7 +43,8 @@ hal::Outcome<DisplayAddress> DisplayAddress::parse(const std::string& text) {
       address.device_ = part;
       continue;
     }
-    const std::string value = equals == std::string::npos ? "yes" : part.substr(equals + 1);
+    std::optional<std::string> value;
+    if (equals != std::string::npos) value = part.substr(equals + 1);
     if (!address.values_.emplace(part.substr(0, equals), value).second)
       return hal::Fault{"'" + text + "' says " + part.substr(0, equals) + " twice"};
   }
@@ -53,6 +58,13 @@ hal::Fault DisplayAddress::fault(const std::string& key, const std::string& what
 std::optional<std::string> DisplayAddress::take(const std::string& key) {
   const auto node = values_.extract(key);
   if (node.empty()) return std::nullopt;
+  return node.mapped().value_or("yes");
+}
+
+hal::Outcome<std::optional<std::string>> DisplayAddress::take_name(const std::string& key) {
+  const auto node = values_.extract(key);
+  if (node.empty()) return std::optional<std::string>();
+  if (node.mapped().value_or("").empty()) return fault(key, "needs a value");
   return node.mapped();
 }
 

@@ -27,6 +27,8 @@ class DisplayAddress {
 
   /// Each takes a key's value; what was not taken is not known: see untaken().
   std::optional<std::string> take(const std::string& key);
+  /// The name of something: not empty, and not a key without a value.
+  hal::Outcome<std::optional<std::string>> take_name(const std::string& key);
   hal::Outcome<std::optional<hal::ScreenSize>> take_size(const std::string& key);
   /// From `least` to `most`; K, M and G multiply by thousands.
   hal::Outcome<std::optional<std::uint32_t>> take_number(const std::string& key, std::uint32_t least,
@@ -41,7 +43,7 @@ class DisplayAddress {
  private:
   std::string kind_;
   std::string device_;
-  std::map<std::string, std::string, std::less<>> values_;
+  std::map<std::string, std::optional<std::string>, std::less<>> values_;  ///< none: a key without a value
 };
 
 }  // namespace zstrip::panel

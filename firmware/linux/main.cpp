@@ -1,5 +1,6 @@
 // zstrip-panel: plays a baked scene on a screen or panel of a Linux machine.
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 
@@ -25,8 +26,9 @@ constexpr const char* kFooter = R"(Displays, KIND:[DEVICE,]KEY=VALUE,...:
   fbdev:/dev/fb0          size=WxH, depth=16|24|32
   drm:/dev/dri/card0      size=WxH, connector=NAME (as --list shows), format=rgb565|xrgb8888
   st7789: ili9341: st7735: ssd1351: ssd1306: ssd0323:  panels on SPI; docs/linux.md has all keys
-    spidev=/dev/spidev0.0,speed=HZ  or bit by bit  clock=LINE,data=LINE[,select=LINE]
+    spidev=/dev/spidev0.0,speed=HZ  or bit by bit  clock=LINE,data=LINE[,select=LINE][,miso=LINE]
     dc=LINE[,reset=LINE][,backlight=LINE]
+    id  asks st7789, ili9341 and st7735 who they are before anything is sent, where they have a wire to answer
   ssd1306:i2c=/dev/i2c-1[,address=0x3D][,reset=LINE]   on I2C, at 0x3c unless told
 A LINE is CHIP:OFFSET (gpiochip0:25) or the line's name.
 
@@ -82,6 +84,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return fail({ExitStatus::usage, error.what()});
   }
+  if (std::isnan(arguments.play.frames_per_second))  // a range does not exclude it
+    return fail({ExitStatus::usage, "--fps must be a number from 0.01 to 1000"});
   try {
     if (arguments.list) {
       std::fputs(zstrip::panel::machine_list().c_str(), stdout);

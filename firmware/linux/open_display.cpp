@@ -63,7 +63,9 @@ std::variant<DisplayPointer, Failure> open_card(DisplayAddress& address) {
   const auto size = address.take_size("size");
   if (!size) return usage(size.fault());
   options.size = *size;
-  options.connector = address.take("connector").value_or("");
+  const auto connector = address.take_name("connector");
+  if (!connector) return usage(connector.fault());
+  options.connector = connector->value_or("");
   if (const auto format = address.take("format")) {
     if (*format != "rgb565" && *format != "xrgb8888")
       return usage(address.fault("format", "is rgb565 or xrgb8888, not '" + *format + "'"));

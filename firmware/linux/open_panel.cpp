@@ -1,8 +1,12 @@
 // Opens the panels with a controller of their own: wiring, reset, start sequence, backlight.
 #include "open_panel.hpp"
 
+#include <charconv>
+#include <cstdio>
 #include <memory>
 #include <optional>
+#include <string_view>
+#include <system_error>
 #include <type_traits>
 #include <utility>
 
@@ -35,12 +39,13 @@ class Panel final : public DisplayAdapter<Panel<Driver, Bus>> {
   ~Panel() override {
     // Dark first. What fails now has nobody to be told.
     static_cast<void>(backlight_.set(false));
-    static_cast<void>(driver_.sleep());
+    if (!is_stranger_) static_cast<void>(driver_.sleep());
   }
 
   hal::Error start() {
     hal::Error error = hal::reset_panel(reset_, clock_);
     if (error == hal::Error::none) error = driver_.start();
+    is_stranger_ = error == hal::Error::wrong_id;
     return error == hal::Error::none ? backlight_.set(true) : error;
   }
   Driver& display() { return driver_; }
@@ -60,7 +65,30 @@ class Panel final : public DisplayAdapter<Panel<Driver, Bus>> {
   hal::GpioPin reset_;
   hal::GpioPin backlight_;
   Driver driver_;
+  bool is_stranger_ = false;  ///< another controller, to which commands of this one mean something else
 };
+
+/// Three bytes of an id.
+std::string in_hex(std::uint32_t id) {
+  char text[12];
+  std::snprintf(text, sizeof text, "%02x %02x %02x", static_cast<unsigned>(id >> 16 & 0xFF),
+                static_cast<unsigned>(id >> 8 & 0xFF), static_cast<unsigned>(id & 0xFF));
+  return text;
+}
+
+/// After Error::wrong_id: who is there, and what to do.
+template <class Driver>
+std::string who_answers(Driver& driver, const hal::DcsConfig& config) {
+  std::uint32_t found = 0;
+  if (const hal::Error error = driver.read_id(found); error != hal::Error::none)
+    return std::string("the panel cannot be asked for its id: ") + hal::message(error);
+  if (found == 0 || found == 0xFFFFFF) {
+    return "the panel does not answer: its id reads " + in_hex(found) + ", not " + in_hex(config.id) +
+           "; check its supply and the wire from its data output, or leave id out where there is none";
+  }
+  return "another panel answers: its id is " + in_hex(found) + ", not " + in_hex(config.id) +
+         "; name its controller, or give its id as id=0x... if the module's maker has set one";
+}
 
 // The drivers of panels, by bus.
 template <class Bus>
@@ -86,7 +114,11 @@ Opened start(const PanelWiring& wiring, std::uint32_t usual_hertz, const Config&
         using Bus = std::remove_reference_t<decltype(bus)>;
         auto panel = std::make_unique<Panel<Driver<Bus>, Bus>>(std::move(bus), std::move(open->reset),
                                                                std::move(open->backlight), config);
-        if (const hal::Error error = panel->start(); error != hal::Error::none) {
+        const hal::Error error = panel->start();
+        if constexpr (requires(std::uint32_t id) { panel->display().read_id(id); }) {
+          if (error == hal::Error::wrong_id) return Failure{ExitStatus::device, who_answers(panel->display(), config)};
+        }
+        if (error != hal::Error::none) {
           const ExitStatus status = error == hal::Error::configuration ? ExitStatus::usage : ExitStatus::output;
           return Failure{status, std::string("the panel cannot be started: ") + hal::message(error)};
         }
@@ -103,6 +135,21 @@ Outcome<hal::Orientation> take_orientation(DisplayAddress& address) {
   const auto mirrored = address.take_flag("mirror");
   if (!mirrored) return mirrored.fault();
   return hal::Orientation{static_cast<hal::Rotation>(degrees->value_or(0) / 90), *mirrored};
+}
+
+/// The key `id`: the controller's own, or three bytes in hexadecimal. 0 without it.
+Outcome<std::uint32_t> take_id(DisplayAddress& address, std::uint32_t usual, bool can_read) {
+  const std::optional<std::string> value = address.take("id");
+  if (!value || *value == "no") return std::uint32_t{0};
+  if (!can_read) return address.fault("id", "needs miso, the line on which the panel answers");
+  if (*value == "yes") return usual;
+  std::string_view digits = *value;
+  if (digits.starts_with("0x") || digits.starts_with("0X")) digits.remove_prefix(2);
+  std::uint32_t id = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), id, 16);
+  if (error != std::errc{} || end != digits.data() + digits.size() || id == 0 || id >= 0xFFFFFF)
+    return address.fault("id", "is three bytes, as 0x858552, not '" + *value + "'");
+  return id;
 }
 
 /// The keys of panels with MIPI's commands; `usual` is what they are without.
@@ -159,13 +206,20 @@ Opened open_panel(DisplayAddress& address) {
     const hal::DcsConfig& module = kind == "st7789"    ? hal::kSt7789Module240x240
                                    : kind == "ili9341" ? hal::kIli9341Module240x320
                                                        : hal::kSt7735Module128x160;
-    const Outcome<hal::DcsConfig> config = take_config(address, module);
+    Outcome<hal::DcsConfig> config = take_config(address, module);
     if (!config) return usage(config.fault());
+    const std::uint32_t usual_id = kind == "st7789"    ? hal::St7789Controller::kId
+                                   : kind == "ili9341" ? hal::Ili9341Controller::kId
+                                                       : hal::St7735Controller::kId;
+    const Outcome<std::uint32_t> id = take_id(address, usual_id, wiring->can_read());
+    if (!id) return usage(id.fault());
+    config->id = *id;
     if (const auto untaken = address.untaken()) return usage(*untaken);
     if (kind == "st7789") return start<St7789>(*wiring, 15'000'000, *config);
     if (kind == "ili9341") return start<Ili9341>(*wiring, 10'000'000, *config);
     return start<St7735>(*wiring, 15'000'000, *config);
   }
+  if (address.take("id")) return usage(address.fault("id", "cannot be asked for: this controller has none"));
   const Outcome<hal::Orientation> orientation = take_orientation(address);
   if (!orientation) return usage(orientation.fault());
   if (const auto untaken = address.untaken()) return usage(*untaken);

@@ -14,17 +14,21 @@
 
 namespace zstrip::panel {
 
-/// The words for lines and bus. Either `spidev`, or `clock` and `data` and perhaps `select`, or `i2c` without D/C.
+/// The words for lines and bus. Either `spidev`, or `clock` and `data` and perhaps `select` and `miso`, or `i2c`
+/// without D/C.
 struct PanelWiring {
   /// Takes its keys from the address. Faults: a word is missing, or two do not go together.
   static hal::Outcome<PanelWiring> take(DisplayAddress& address);
 
-  std::optional<std::string> spidev, clock, data, select, i2c, data_command, reset, backlight;
+  std::optional<std::string> spidev, clock, data, select, miso, i2c, data_command, reset, backlight;
   std::optional<std::uint32_t> hertz;  ///< of spidev
   std::uint8_t address = 0x3C;         ///< on I2C
+
+  /// Whether a panel's answers have a wire. That of spidev is the controller's.
+  bool can_read() const { return spidev || miso; }
 };
 
-using BitBangedBus = hal::BitBangedSpi<hal::GpioPin, hal::GpioPin, hal::GpioPin, hal::GpioPin>;
+using BitBangedBus = hal::BitBangedSpi<hal::GpioPin, hal::GpioPin, hal::GpioPin, hal::GpioPin, hal::GpioInput>;
 
 /// Lines and bus, opened; a line that is not wired is a pin without a line.
 struct OpenWiring {

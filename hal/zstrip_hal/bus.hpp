@@ -26,4 +26,14 @@ concept CommandDataBus = requires(T& bus, std::span<const std::byte> bytes) {
   { bus.wait() } -> std::same_as<Error>;
 };
 
+/// A bus on which the panel answers, too. read() sends a command as write_command() does, lets `dummy_clocks` (0..8)
+/// cycles of the clock pass, and takes all bytes of `answer`, highest bit first, while the panel stays selected;
+/// nothing may be under way. It has them when it returns; after an error they mean nothing. Where no wire comes back
+/// from the panel the answer is what the processor's input rests at: all ones, or all zeros.
+template <class T>
+concept ReadableBus = CommandDataBus<T> &&
+    requires(T& bus, std::byte command, unsigned dummy_clocks, std::span<std::byte> answer) {
+  { bus.read(command, dummy_clocks, answer) } -> std::same_as<Error>;
+};
+
 }  // namespace zstrip::hal

@@ -16,6 +16,7 @@ const char* message(Error error) {
     case Error::configuration: return "the display's controller cannot do what its configuration asks for";
     case Error::framebuffer: return "the picture does not fit its memory";
     case Error::flip: return "the last page flip did not happen";
+    case Error::wrong_id: return "another controller answers, or none";
   }
   return "unknown error";
 }

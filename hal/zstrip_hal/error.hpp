@@ -16,7 +16,8 @@ enum class [[nodiscard]] Error : std::uint8_t{
     pin,               ///< a line cannot be set
     configuration,     ///< the display's configuration asks for what its controller cannot do
     framebuffer,       ///< the picture does not fit its memory, or its rows overlap
-    flip,  ///< the screen has not shown the picture that it was given last, in the time that its driver states
+    flip,      ///< the screen has not shown the picture that it was given last, in the time that its driver states
+    wrong_id,  ///< the controller says that it is another one, or nobody answers
 };
 
 /// A short English phrase without a full stop, in static storage.

@@ -3,7 +3,9 @@
 // bus.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "zstrip_hal/mipi_dcs.hpp"
 
@@ -13,6 +15,19 @@ struct Ili9341Controller {
   static constexpr std::uint16_t kColumns = 240;
   static constexpr std::uint16_t kRows = 320;
   static constexpr bool kHasBrightness = true;
+  static constexpr std::uint32_t kId = 0x009341;
+  /// Read ID4, D3h: an unused parameter, then three bytes. On a serial bus it gives but one, whose number D9h sets
+  /// first: a command that is not in the data sheet, which Adafruit's and other libraries read these parts with.
+  template <ReadableBus Bus>
+  static Error read_id(Bus& bus, std::span<std::byte, 3> id) {
+    constexpr std::byte kReadIndex{0xD9}, kReadId4{0xD3};
+    constexpr unsigned kByIndex = 0x10;
+    for (unsigned i = 0; i < id.size(); ++i) {
+      if (const Error error = send_command(bus, kReadIndex, kByIndex | (i + 1)); error != Error::none) return error;
+      if (const Error error = bus.read(kReadId4, 0, id.subspan(i, 1)); error != Error::none) return error;
+    }
+    return Error::none;
+  }
   // Level 2 commands; the values are those that the makers of modules agree on.
   // clang-format off
   static constexpr auto kSettings = bytes(

@@ -5,6 +5,7 @@
 // not, so that whatever went wrong, the next window starts clean.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -36,6 +37,10 @@ struct DcsConfig {
   /// Commands that the maker of the module asks for (voltages, gamma), sent before the panel wakes up: the command, the
   /// number of its parameters, its parameters; then the next command. Must outlive the display.
   std::span<const std::byte> module_commands{};
+  /// Which controller start() must find: the id that it answers with, its three bytes from the highest down, as kId of
+  /// each controller; modules may have another one of their maker's. 0: it is not asked. So it is unless told, because
+  /// many modules have no wire for answers.
+  std::uint32_t id = 0;
 };
 
 /// The same module with the picture turned.
@@ -49,6 +54,7 @@ constexpr DcsConfig turned(DcsConfig module, Rotation by) {
 ///   - pixel_format(format): COLMOD's parameter, 0 for a format that it has not
 ///   - kSettings: commands for every module, as DcsConfig::module_commands
 ///   - kHasBrightness: it has a PWM output for a backlight
+///   - kId: what read_id(bus, id) gives on a ReadableBus, three bytes
 template <class T>
 concept DcsController = requires(PixelFormat format) {
   { T::kColumns } -> std::convertible_to<std::uint16_t>;
@@ -56,7 +62,14 @@ concept DcsController = requires(PixelFormat format) {
   { T::pixel_format(format) } -> std::same_as<std::uint8_t>;
   std::span<const std::byte>(T::kSettings);
   { T::kHasBrightness } -> std::convertible_to<bool>;
+  { T::kId } -> std::convertible_to<std::uint32_t>;
 };
+
+/// Read display ID, 04h: on a serial bus a dummy clock, then three bytes.
+template <ReadableBus Bus>
+Error read_display_id(Bus& bus, std::span<std::byte, 3> id) {
+  return bus.read(std::byte{0x04}, 1, id);
+}
 
 /// A display that shows what is written at once. `bus` and `clock` must outlive it. Any rectangle may be written; with
 /// rgb444 its width must be even (Error::alignment), as two pixels share a byte.
@@ -67,11 +80,14 @@ class DcsPanel {
 
   /// Resets the controller by command, sets it up, blackens the glass and switches it on; takes a quarter of a second
   /// and the time for a frame's bytes. May be repeated after an error, best after reset_panel() (output_pin.hpp).
-  /// Error::configuration for a glass that is larger than the controller's memory, a format that it has not, or
-  /// module_commands that end amid a command; nothing was sent then.
+  /// Error::configuration for a glass that is larger than the controller's memory, a format that it has not,
+  /// module_commands that end amid a command, or an id to be asked for on a bus that cannot read; nothing was sent
+  /// then. Error::wrong_id where the configuration has another id than the controller: nothing but the question was
+  /// sent.
   Error start() {
     if (!valid()) return Error::configuration;
-    Error error = command(kSoftReset);
+    Error error = checked_id();
+    if (error == Error::none) error = command(kSoftReset);
     clock_.wait(kAwakeToReady);
     if (error == Error::none) error = send_commands(bus_, Controller::kSettings);
     if (error == Error::none) error = send_commands(bus_, config_.module_commands);
@@ -102,6 +118,16 @@ class DcsPanel {
   }
   Error wait() { return bus_.wait(); }
   Error end_frame() { return Error::none; }
+
+  /// What the controller answers when it is asked who it is, as DcsConfig::id; also before start(), from 5 ms after a
+  /// reset on. All ones or all zeros: nobody answers, or no wire comes back. Nothing may be under way.
+  Error read_id(std::uint32_t& id) requires ReadableBus<Bus> {
+    std::array<std::byte, 3> answer{};
+    const Error error = Controller::read_id(bus_, answer);
+    id = 0;
+    for (const std::byte byte : answer) id = id << 8 | std::to_integer<std::uint32_t>(byte);
+    return error;
+  }
 
   /// Dark and nearly without current; the memory keeps its pixels, but none may be written. Takes 120 ms. The backlight
   /// is the program's to switch.
@@ -153,7 +179,8 @@ class DcsPanel {
     return fits(config_.column_offset, config_.width, Controller::kColumns) &&
            fits(config_.row_offset, config_.height, Controller::kRows) &&
            Controller::pixel_format(config_.format) != 0 &&
-           (config_.format != PixelFormat::rgb444 || width() % 2 == 0) && is_command_list(config_.module_commands);
+           (config_.format != PixelFormat::rgb444 || width() % 2 == 0) && is_command_list(config_.module_commands) &&
+           (config_.id == 0 || ReadableBus<Bus>);
   }
   static_assert(is_command_list(Controller::kSettings));
 
@@ -162,6 +189,16 @@ class DcsPanel {
     return static_cast<std::uint8_t>((scan.rows_reversed != config_.rows_reversed ? kReverseRows : 0U) |
                                      (scan.columns_reversed != config_.columns_reversed ? kReverseColumns : 0U) |
                                      (scan.exchanged ? kExchange : 0U) | (config_.bgr ? kBgr : 0U));
+  }
+
+  Error checked_id() {
+    if constexpr (ReadableBus<Bus>) {
+      if (config_.id == 0) return Error::none;
+      std::uint32_t found = 0;
+      if (const Error error = read_id(found); error != Error::none) return error;
+      if (found != config_.id) return Error::wrong_id;
+    }
+    return Error::none;
   }
 
   template <class... Parameters>

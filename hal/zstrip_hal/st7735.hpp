@@ -2,7 +2,9 @@
 // 15 MHz (66 ns a write cycle).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "zstrip_hal/mipi_dcs.hpp"
 
@@ -13,6 +15,11 @@ struct St7735Controller {
   static constexpr std::uint16_t kColumns = 132;
   static constexpr std::uint16_t kRows = 162;
   static constexpr bool kHasBrightness = false;
+  static constexpr std::uint32_t kId = 0x7C89F0;  // of an ST7735S; an ST7735R has what the module's maker wrote into it
+  template <ReadableBus Bus>
+  static Error read_id(Bus& bus, std::span<std::byte, 3> id) {
+    return read_display_id(bus, id);
+  }
   // Panel function commands; the values are those that the makers of modules agree on.
   // clang-format off
   static constexpr auto kSettings = bytes(

@@ -2,7 +2,9 @@
 // to 15 MHz by the data sheet (66 ns a write cycle); modules are commonly run at 40 MHz and more, at your own risk.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "zstrip_hal/mipi_dcs.hpp"
 
@@ -12,6 +14,11 @@ struct St7789Controller {
   static constexpr std::uint16_t kColumns = 240;
   static constexpr std::uint16_t kRows = 320;
   static constexpr bool kHasBrightness = true;
+  static constexpr std::uint32_t kId = 0x858552;
+  template <ReadableBus Bus>
+  static Error read_id(Bus& bus, std::span<std::byte, 3> id) {
+    return read_display_id(bus, id);
+  }
   static constexpr auto kSettings = bytes();  // what it has after a reset suits its panels
 
   /// COLMOD: the upper digit is that of the RGB interface, the lower one that of the bus.

@@ -34,7 +34,9 @@ void DcsModel::reset() {
   on_ = inverted_ = idle_ = partial_ = false;
   access_ = 0;
   format_ = part_.format_after_reset;
+  brightness_ = brightness_control_ = 0;
   scroll_ = 0;
+  read_index_ = 0;
   columns_ = {0, part_.columns - 1U};
   rows_ = {0, part_.rows - 1U};
   command_ = nullptr;
@@ -73,12 +75,37 @@ void DcsModel::finish_command() {
   parameters_.clear();
 }
 
+void DcsModel::check_time(std::uint8_t code) {
+  if (now() >= next_command_) return;
+  complain(fmt::format("command {:02X}h comes {} us too early", code,
+                       std::chrono::ceil<std::chrono::microseconds>(next_command_ - now()).count()));
+}
+
+/// Bits leave with the highest first.
+std::vector<bool> DcsModel::answer(std::uint8_t code) {
+  finish_command();
+  code_ = code;
+  check_time(code);
+  const DcsAnswer* const found = find_answer(part_, code);
+  if (found == nullptr) {
+    complain(fmt::format("the {} does not answer command {:02X}h", part_.name, code));
+    return {};
+  }
+  std::vector<std::uint8_t> bytes(found->bytes.begin(), found->bytes.begin() + found->count);
+  if (part_.has_read_index && code == 0xD3) {
+    bytes = {read_index_ == 0 || read_index_ > bytes.size() ? std::uint8_t{0} : bytes[read_index_ - 1]};
+  }
+  read_index_ = 0;
+  std::vector<bool> bits(found->dummy_clocks, false);
+  for (const std::uint8_t byte : bytes) {
+    for (int bit = 7; bit >= 0; --bit) bits.push_back((byte >> bit & 1) != 0);
+  }
+  return bits;
+}
+
 void DcsModel::begin(std::uint8_t code) {
   code_ = code;
-  if (now() < next_command_) {
-    complain(fmt::format("command {:02X}h comes {} us too early", code,
-                         std::chrono::ceil<std::chrono::microseconds>(next_command_ - now()).count()));
-  }
+  check_time(code);
   command_ = find_command(part_, code);
   if (command_ == nullptr) {
     complain(fmt::format("the {} has no command {:02X}h", part_.name, code));
@@ -125,6 +152,11 @@ void DcsModel::parameters_complete() {
     case 0x3A:
       format_ = parameters_[0];
       if (bits_per_pixel() == 0) complain(fmt::format("the {} has no pixel format {:02X}h", part_.name, format_));
+      break;
+    case 0x51: brightness_ = parameters_[0]; break;
+    case 0x53: brightness_control_ = parameters_[0]; break;
+    case 0xD9:
+      if (part_.has_read_index) read_index_ = (parameters_[0] & 0x10) != 0 ? parameters_[0] & 0x0FU : 0;
       break;
     default: break;  // voltages, timing: any value shows a picture
   }
@@ -192,6 +224,13 @@ std::string DcsModel::darkness() const {
   if (asleep_) return "the panel is asleep";
   if (!on_) return "the display is off";
   return {};
+}
+
+/// WRDISBV counts while WRCTRLD has its block (BCTRL) and the backlight (BL) on.
+std::optional<unsigned> DcsModel::brightness() const {
+  constexpr unsigned kBlockAndBacklight = 0x24;
+  if (find_command(part_, 0x51) == nullptr) return std::nullopt;
+  return (brightness_control_ & kBlockAndBacklight) == kBlockAndBacklight ? brightness_ : 0U;
 }
 
 RgbImage DcsModel::seen() const {

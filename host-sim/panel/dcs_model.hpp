@@ -32,7 +32,9 @@ class DcsModel final : public PanelModel {
   void interrupted() override;
   RgbImage seen() const override;
   std::string darkness() const override;
+  std::optional<unsigned> brightness() const override;
   Nanoseconds shortest_cycle() const override { return part_.shortest_cycle; }
+  Nanoseconds shortest_read_cycle() const override { return part_.shortest_read_cycle; }
 
  private:
   using Colour = std::array<std::uint8_t, 3>;  // red, green, blue of 6 bits
@@ -41,10 +43,12 @@ class DcsModel final : public PanelModel {
   };
 
   void receive_byte(Wire wire, std::uint8_t byte) override;
+  std::vector<bool> answer(std::uint8_t code) override;
   void reset() override;
   Nanoseconds shortest_reset() const override { return part_.shortest_reset; }
 
   void begin(std::uint8_t code);
+  void check_time(std::uint8_t code);
   void finish_command();
   void parameters_complete();
   void receive_pixel_byte(std::uint8_t byte);
@@ -61,7 +65,9 @@ class DcsModel final : public PanelModel {
   // Registers.
   bool asleep_ = true, on_ = false, inverted_ = false, idle_ = false, partial_ = false;
   std::uint8_t access_ = 0, format_ = 0;
+  std::uint8_t brightness_ = 0, brightness_control_ = 0;
   unsigned scroll_ = 0;
+  unsigned read_index_ = 0;  // 0: none was set
   Range columns_, rows_;
 
   // The command under way.

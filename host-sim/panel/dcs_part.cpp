@@ -1,5 +1,5 @@
-// Command tables (names in the comments are the data sheets') and timing. Commands that read have no parameters to be
-// written and are left out: none of the models answers.
+// Command tables (names in the comments are the data sheets') and timing. Of the commands that read only those that say
+// who the controller is are here.
 #include "panel/dcs_part.hpp"
 
 #include <algorithm>
@@ -57,6 +57,7 @@ constexpr DcsCommand kIli9341Commands[] = {
     {0xC0, 1, 1},     {0xC1, 1, 1},   {0xC5, 2, 2}, {0xC7, 1, 1},  // power 1 and 2, VCOM 1 and 2
     {0xCB, 5, 5},     {0xCF, 3, 3},                                // power A and B
     {0xD0, 2, 2},     {0xD1, 3, 3},                                // NV memory write, protection key
+    {0xD9, 1, 1},                                                  // read index; in no data sheet
     {0xE0, 15, 15},   {0xE1, 15, 15},                              // gamma, positive and negative
     {0xE2, 16, 16},   {0xE3, 64, 64},                              // digital gamma 1 and 2
     {0xE8, 3, 3},     {0xE9, 3, 3},   {0xEA, 2, 2}, {0xED, 4, 4},  // driver timing A and B, power-on sequence
@@ -75,14 +76,31 @@ constexpr DcsCommand kSt7735Commands[] = {
     {0xFC, 1, 1},                                                  // PWCTR6
 };
 
+// RDDID has a dummy clock on a serial bus, RDID1 to RDID3, of 8 bits, have none. ST7735S: what parts answer, the data
+// sheet leaves it to the maker of the module.
+constexpr DcsAnswer kSt7789Answers[] = {
+    {0x04, 1, 3, {0x85, 0x85, 0x52}}, {0xDA, 0, 1, {0x85}}, {0xDB, 0, 1, {0x85}}, {0xDC, 0, 1, {0x52}}};
+constexpr DcsAnswer kSt7735Answers[] = {
+    {0x04, 1, 3, {0x7C, 0x89, 0xF0}}, {0xDA, 0, 1, {0x7C}}, {0xDB, 0, 1, {0x89}}, {0xDC, 0, 1, {0xF0}}};
+// RDDID as parts answer that nobody has programmed. ID4 is 00h, 93h, 41h behind an unused parameter, one at a time.
+constexpr DcsAnswer kIli9341Answers[] = {
+    {0x04, 1, 3, {}}, {0xDA, 0, 1, {}}, {0xDB, 0, 1, {}}, {0xDC, 0, 1, {}}, {0xD3, 0, 3, {0x00, 0x93, 0x41}}};
+
 }  // namespace
 
-// Timing: serial interface characteristics (write cycle), RESX timing, SWRESET, SLPIN and SLPOUT restrictions.
-const DcsPart kSt7789Part{"ST7789", 240, 320, 66ns, 10us, 5ms, 120ms, 5ms, 120ms, 0x66, true, kSt7789Commands};
-const DcsPart kIli9341Part{"ILI9341", 240, 320, 100ns, 10us, 5ms, 120ms, 5ms, 120ms, 0x66, false, kIli9341Commands};
-const DcsPart kSt7735Part{"ST7735", 132, 162, 66ns, 10us, 120ms, 120ms, 5ms, 120ms, 0x06, true, kSt7735Commands};
-const DcsPart kSt7735Gm11Part{"ST7735_GM11", 128, 160,   66ns, 10us, 120ms,
-                              120ms,         5ms, 120ms, 0x06, true, kSt7735Commands};
+// Timing: serial interface characteristics (write cycle), RESX timing, SWRESET, SLPIN and SLPOUT restrictions; read
+// cycle.
+const DcsPart kSt7789Part{"ST7789",       240,   320,  66ns, 10us, 5ms, 120ms, 5ms, 120ms, 0x66, true, kSt7789Commands,
+                          kSt7789Answers, 150ns, false};
+const DcsPart kIli9341Part{"ILI9341",       240,   320,   100ns, 10us,  5ms,
+                           120ms,           5ms,   120ms, 0x66,  false, kIli9341Commands,
+                           kIli9341Answers, 150ns, true};
+const DcsPart kSt7735Part{"ST7735",       132,   162,   66ns, 10us, 120ms,
+                          120ms,          5ms,   120ms, 0x06, true, kSt7735Commands,
+                          kSt7735Answers, 150ns, false};
+const DcsPart kSt7735Gm11Part{"ST7735_GM11",  128,   160,   66ns, 10us, 120ms,
+                              120ms,          5ms,   120ms, 0x06, true, kSt7735Commands,
+                              kSt7735Answers, 150ns, false};
 
 const DcsCommand* find_command(const DcsPart& part, std::uint8_t code) {
   for (const std::span<const DcsCommand> table : {std::span<const DcsCommand>(kUserCommands), part.own_commands}) {
@@ -90,6 +108,11 @@ const DcsCommand* find_command(const DcsPart& part, std::uint8_t code) {
     if (found != table.end()) return &*found;
   }
   return nullptr;
+}
+
+const DcsAnswer* find_answer(const DcsPart& part, std::uint8_t code) {
+  const auto found = std::ranges::find(part.answers, code, &DcsAnswer::code);
+  return found == part.answers.end() ? nullptr : &*found;
 }
 
 }  // namespace zstrip::sim

@@ -1,6 +1,7 @@
 // What the data sheets of the controllers with MIPI's command set say where they differ.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <span>
@@ -12,6 +13,14 @@ struct DcsCommand {
   std::uint8_t code;
   std::uint8_t fewest;
   std::uint8_t most;
+};
+
+/// A command that reads, on a serial bus: clocks before the answer, and its bytes, the first ones of these.
+struct DcsAnswer {
+  std::uint8_t code;
+  std::uint8_t dummy_clocks;
+  std::uint8_t count;
+  std::array<std::uint8_t, 3> bytes;
 };
 
 struct DcsPart {
@@ -27,6 +36,9 @@ struct DcsPart {
   std::uint8_t format_after_reset;            ///< COLMOD's parameter
   bool has_12_bits;
   std::span<const DcsCommand> own_commands;  ///< beyond the user commands that all have
+  std::span<const DcsAnswer> answers;
+  std::chrono::nanoseconds shortest_read_cycle;  ///< of the serial clock
+  bool has_read_index;                           ///< D9h says which byte of ID4, D3h, the next reading gives
 };
 
 extern const DcsPart kSt7789Part;
@@ -36,5 +48,7 @@ extern const DcsPart kSt7735Gm11Part;  ///< pins GM1 and GM0 high: a smaller mem
 
 /// The command of this code, or nullptr.
 const DcsCommand* find_command(const DcsPart& part, std::uint8_t code);
+/// What answers this command, or nullptr.
+const DcsAnswer* find_answer(const DcsPart& part, std::uint8_t code);
 
 }  // namespace zstrip::sim

@@ -1,6 +1,9 @@
 // Transfers: time, lateness and faults.
 #include "panel/model_bus.hpp"
 
+#include <algorithm>
+#include <vector>
+
 namespace zstrip::sim {
 
 ModelBus::ModelBus(PanelModel& panel, const BusTiming& timing) : panel_(panel), timing_(timing) {
@@ -35,6 +38,26 @@ hal::Error ModelBus::wait() {
   if (!is_sending_) return hal::Error::none;
   is_sending_ = false;
   return send(Wire::data, sending_);
+}
+
+hal::Error ModelBus::read(std::byte command, unsigned dummy_clocks, std::span<std::byte> answer) {
+  if (is_sending_) panel_.driver_broke("a question while data is being sent");
+  const Nanoseconds cycle = std::max(timing_.cycle, Nanoseconds(500));
+  const std::size_t bits = dummy_clocks + 8 * answer.size();
+  const Nanoseconds time = timing_.transfer + (8 + bits) * cycle;
+  panel_.elapse(time);
+  busy_ += time;
+  const bool fails = transfers_++ == fail_at_;
+  std::vector<bool> levels;  // of a question that does not arrive, any
+  if (!fails || quarters_ != 0) levels = panel_.ask(std::to_integer<std::uint8_t>(command), bits, cycle);
+  levels.resize(bits);
+  if (answers_ != AnswerWire::wired) levels.assign(bits, answers_ == AnswerWire::high);
+  for (std::size_t i = 0; i < 8 * answer.size(); ++i) {
+    answer[i / 8] = (answer[i / 8] << 1) | static_cast<std::byte>(levels[dummy_clocks + i] ? 1 : 0);
+  }
+  bytes_ += 1 + answer.size();
+  if (fails) panel_.interrupted();
+  return fails ? hal::Error::bus : hal::Error::none;
 }
 
 void ModelBus::wait(std::uint32_t microseconds) { panel_.elapse(std::chrono::microseconds(microseconds)); }

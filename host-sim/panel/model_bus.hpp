@@ -18,6 +18,9 @@ struct BusTiming {
   Nanoseconds cycle{};     ///< of the clock
 };
 
+/// What the panel's data output is wired to: the bus, or nothing, so that the bus reads one level.
+enum class AnswerWire : std::uint8_t { wired, low, high };
+
 /// Data is taken as late as the contract of a bus allows, in wait(): a buffer that is drawn into too early shows.
 /// Doubles as the clock that a driver waits with. The bytes and the time since the start can be read off.
 class ModelBus {
@@ -27,6 +30,8 @@ class ModelBus {
   hal::Error write_command(std::span<const std::byte> bytes);
   hal::Error write_data(std::span<const std::byte> bytes);
   hal::Error wait();
+  /// At 2 MHz at most, as buses read whose panels are written to faster than they can answer.
+  hal::Error read(std::byte command, unsigned dummy_clocks, std::span<std::byte> answer);
   void wait(std::uint32_t microseconds);
 
   std::uint64_t bytes() const { return bytes_; }
@@ -39,6 +44,7 @@ class ModelBus {
     quarters_ = quarters;
   }
   int transfers() const { return transfers_; }
+  void wire_answers(AnswerWire wire) { answers_ = wire; }
 
  private:
   hal::Error send(Wire wire, std::span<const std::byte> bytes);
@@ -52,9 +58,10 @@ class ModelBus {
   int fail_at_ = -1;
   unsigned quarters_ = 0;
   int transfers_ = 0;
+  AnswerWire answers_ = AnswerWire::wired;
 };
 
-static_assert(hal::CommandDataBus<ModelBus>);
+static_assert(hal::ReadableBus<ModelBus>);
 static_assert(hal::Clock<ModelBus>);
 
 }  // namespace zstrip::sim

@@ -20,6 +20,26 @@ void PanelModel::clocked_at(Nanoseconds cycle) {
                        cycle.count(), shortest_cycle().count()));
 }
 
+std::vector<bool> PanelModel::ask(std::uint8_t command, std::size_t bits, Nanoseconds cycle) {
+  if (cycle < shortest_read_cycle()) {
+    complain(fmt::format("the bus reads a bit in {} ns, the controller's data sheet asks for at least {} ns",
+                         cycle.count(), shortest_read_cycle().count()));
+  }
+  std::vector<bool> levels;
+  if (in_reset_) {
+    complain("bytes while the reset line is low");
+  } else {
+    levels = answer(command);
+  }
+  levels.resize(bits, true);
+  return levels;
+}
+
+std::vector<bool> PanelModel::answer(std::uint8_t command) {
+  complain(fmt::format("command {:02X}h is to be answered, which this part does not do on a serial bus", command));
+  return {};
+}
+
 void PanelModel::set_reset(bool high) {
   if (high == !in_reset_) return;
   in_reset_ = !high;

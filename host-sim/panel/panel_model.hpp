@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -40,6 +41,9 @@ class PanelModel {
   void receive(Wire wire, std::span<const std::byte> bytes);
   /// One bit's time on the bus, to be told once: complains where the data sheet asks for more.
   void clocked_at(Nanoseconds cycle);
+  /// A command arrives, and the clock runs on for so many bits, of `cycle` each: the levels of the panel's data output.
+  /// What it does not drive is high.
+  std::vector<bool> ask(std::uint8_t command, std::size_t bits, Nanoseconds cycle);
   /// The reset line.
   void set_reset(bool high);
   /// The driver breaks the contract of its bus.
@@ -51,15 +55,22 @@ class PanelModel {
   virtual RgbImage seen() const = 0;
   /// Why the glass is dark; empty if it shows its memory.
   virtual std::string darkness() const = 0;
+  /// Of the light that the controller governs, a backlight's or its own pixels': 0 dark .. 255; none if it governs
+  /// none.
+  virtual std::optional<unsigned> brightness() const { return std::nullopt; }
   /// Each once, in order.
   const std::vector<std::string>& complaints() const { return complaints_; }
   void forgive() { complaints_.clear(); }
 
-  /// The shortest cycle of the serial clock for writing.
+  /// The shortest cycle of the serial clock for writing, and for reading.
   virtual Nanoseconds shortest_cycle() const = 0;
+  virtual Nanoseconds shortest_read_cycle() const { return 0ns; }
 
  protected:
   virtual void receive_byte(Wire wire, std::uint8_t byte) = 0;
+  /// All bits that answer a command which has just arrived, dummy clocks too. Most parts have no output on a serial
+  /// bus.
+  virtual std::vector<bool> answer(std::uint8_t command);
   /// Registers and timing as after a reset by the line; memory stays.
   virtual void reset() = 0;
   /// The reset line's pulse at least, and whether the part exists without one.

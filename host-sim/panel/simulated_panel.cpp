@@ -71,13 +71,15 @@ class PanelOf final : public SimulatedPanel {
 };
 
 template <class Driver>
-std::unique_ptr<SimulatedPanel> dcs_panel(const PanelRequest& request, const DcsPart& part, hal::DcsConfig config) {
+std::unique_ptr<SimulatedPanel> dcs_panel(const PanelRequest& request, const DcsPart& part, hal::DcsConfig config,
+                                          std::uint32_t id) {
   config.width = request.module.width;
   config.height = request.module.height;
   config.column_offset = request.module.column_offset;
   config.row_offset = request.module.row_offset;
   config.orientation = request.orientation;
   config.format = request.format;
+  config.id = id;  // this panel's answers are wired
   const Glass glass{.width = config.width,
                     .height = config.height,
                     .column_offset = config.column_offset,
@@ -143,12 +145,15 @@ std::unique_ptr<SimulatedPanel> open_panel(const PanelRequest& request) {
   using hal::St7735;
   using hal::St7789;
   if (name == "ili9341") {
-    return dcs_panel<Ili9341<ModelBus, ModelBus>>(request, kIli9341Part, hal::kIli9341Module240x320);
+    return dcs_panel<Ili9341<ModelBus, ModelBus>>(request, kIli9341Part, hal::kIli9341Module240x320,
+                                                  hal::Ili9341Controller::kId);
   }
   if (name == "st7735") {
-    return dcs_panel<St7735<ModelBus, ModelBus>>(request, kSt7735Part, hal::kSt7735Module128x160);
+    return dcs_panel<St7735<ModelBus, ModelBus>>(request, kSt7735Part, hal::kSt7735Module128x160,
+                                                 hal::St7735Controller::kId);
   }
-  return dcs_panel<St7789<ModelBus, ModelBus>>(request, kSt7789Part, hal::kSt7789Module240x240);
+  return dcs_panel<St7789<ModelBus, ModelBus>>(request, kSt7789Part, hal::kSt7789Module240x240,
+                                               hal::St7789Controller::kId);
 }
 
 std::uint16_t row_step(const PanelRequest& request) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "panel/solomon_model.hpp"
@@ -22,6 +23,7 @@ class Ssd0323Model final : public SolomonModel {
 
   RgbImage seen() const override;
   std::string darkness() const override;
+  std::optional<unsigned> brightness() const override { return contrast_ * 2; }
   Nanoseconds shortest_cycle() const override { return 250ns; }
 
  private:

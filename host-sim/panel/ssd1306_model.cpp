@@ -48,6 +48,7 @@ void Ssd1306Model::reset_registers() {
   start_line_ = offset_ = 0;
   multiplex_ = 63;
   com_pins_ = 0x12;
+  contrast_ = 0x7F;
 }
 
 void Ssd1306Model::execute(std::uint8_t code, std::span<const std::uint8_t> parameters) {
@@ -78,6 +79,7 @@ void Ssd1306Model::execute(std::uint8_t code, std::span<const std::uint8_t> para
     }
     case 0x2E: scrolling_ = false; break;
     case 0x2F: scrolling_ = true; break;
+    case 0x81: contrast_ = first; break;
     case 0x8D:
       require((first & 0x3BU) == 0x10, "the charge pump", first);
       pump_ = (first & 4U) != 0;
@@ -101,7 +103,7 @@ void Ssd1306Model::execute(std::uint8_t code, std::span<const std::uint8_t> para
       require((first & ~0x30U) == 2, "the COM pins", first);
       com_pins_ = first;
       break;
-    default: break;  // contrast, timing and voltages: any value shows a picture
+    default: break;  // timing and voltages: any value shows a picture
   }
 }
 

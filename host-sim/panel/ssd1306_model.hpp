@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "panel/solomon_model.hpp"
@@ -28,6 +29,7 @@ class Ssd1306Model final : public SolomonModel {
 
   RgbImage seen() const override;
   std::string darkness() const override;
+  std::optional<unsigned> brightness() const override { return contrast_; }
   Nanoseconds shortest_cycle() const override { return cycle_; }
 
  private:
@@ -45,7 +47,7 @@ class Ssd1306Model final : public SolomonModel {
   enum class Addressing : std::uint8_t { horizontal, vertical, page } addressing_ = Addressing::page;
   bool on_ = false, inverse_ = false, all_on_ = false, pump_ = false, segment_remap_ = false, scan_reversed_ = false;
   bool scrolling_ = false;
-  unsigned start_line_ = 0, offset_ = 0, multiplex_ = 63, com_pins_ = 0x12;
+  unsigned start_line_ = 0, offset_ = 0, multiplex_ = 63, com_pins_ = 0x12, contrast_ = 0x7F;
 };
 
 }  // namespace zstrip::sim

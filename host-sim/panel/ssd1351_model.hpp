@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ class Ssd1351Model final : public SolomonModel {
 
   RgbImage seen() const override;
   std::string darkness() const override;
+  std::optional<unsigned> brightness() const override { return master_ * 17; }
   Nanoseconds shortest_cycle() const override { return 50ns; }
 
  private:

@@ -1,6 +1,7 @@
 // Benchmark workloads on the MPS2 in the emulator: the pixels are those of the host, on every processor.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -161,6 +162,15 @@ TEST_P(Mps2SelfTest, FaultsReturnToWhoMarkedAPlace) {
   const std::string words = output.substr(kWord, sizeof "exception 3 pc 00000000 lr 00000000" - 1);
   EXPECT_EQ(output.substr(output.find('\n') + 1), "self-test: back from " + words + "\n");
   EXPECT_EQ(status, 0);
+}
+
+TEST_P(Mps2SelfTest, SecondFaultHalts) {
+  const auto [output, status] = run(GetParam(), "self_test", {"twice"});
+  ASSERT_TRUE(output.starts_with("fault: exception 3 pc 0")) << output;
+  const std::string second = output.substr(output.find('\n') + 1);
+  EXPECT_TRUE(second.starts_with("self-test: again\nfault: exception 3 pc 0")) << output;
+  EXPECT_EQ(std::count(output.begin(), output.end(), '\n'), 3) << output;
+  EXPECT_EQ(status, 70);
 }
 
 /// The memory protection unit notices it; code for the Cortex-M0 does not count on one.

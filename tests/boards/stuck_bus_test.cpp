@@ -16,7 +16,7 @@
 namespace zstrip::boards {
 namespace {
 
-constexpr const char* kPrompt = "stuck bus: t, h, f, o or g?";
+constexpr const char* kPrompt = "stuck bus: t, h, f, o, g or s?";
 
 /// The board, asked for this.
 std::unique_ptr<Qemu> stuck(const char* how) {
@@ -79,6 +79,18 @@ TEST(Board, FaultWithAStuckBusIsResetByTheWatchdog) {
   ASSERT_TRUE(report.starts_with("fault: exception 3 pc 0")) << report;
   ASSERT_EQ(board->read_line(), "panic: " + report.substr(0, report.find(" cfsr ")));
   EXPECT_EQ(board->read_line(), kPrompt) << "the watchdog does not reset the board";
+}
+
+// A fault of the panic itself locked the processor up. It is reported, and ends in the same reset.
+TEST(Board, SecondFaultInThePanicIsReportedAndReset) {
+  const auto board = stuck("s");
+  const std::string first = board->read_line();
+  ASSERT_TRUE(first.starts_with("fault: exception 3 pc 0")) << first;
+  ASSERT_EQ(board->read_line(), "panic: " + first.substr(0, first.find(" cfsr ")));
+  const std::string second = board->read_line();
+  EXPECT_TRUE(second.starts_with("fault: exception 3 pc 0")) << second;
+  EXPECT_NE(second.substr(0, second.find(" cfsr ")), first.substr(0, first.find(" cfsr "))) << "another place";
+  EXPECT_EQ(board->read_line(), kPrompt) << "nothing but the watchdog comes after it";
 }
 
 // As long as frames are shown, nothing resets it: the host sees them in order.

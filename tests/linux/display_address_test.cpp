@@ -38,7 +38,8 @@ TEST(LinuxDisplayAddress, DeviceAndKeys) {
 }
 
 TEST(LinuxDisplayAddress, WhatIsNone) {
-  for (const char* text : {"drm:,size=1x1", "drm:size=1x1,,format=rgb565", "drm:=5", "drm:size=1x1,size=2x2"}) {
+  for (const char* text : {"drm:,size=1x1", "drm:size=1x1,,format=rgb565", "drm:=5", "drm:size=1x1,size=2x2",
+                           "drm:", "drm,", "drm:size=1x1,", "drm:/dev/dri/card0,", "drm:,"}) {
     EXPECT_FALSE(DisplayAddress::parse(text)) << text;
   }
   for (const char* size : {"", "x", "1x", "x1", "0x1", "1x4097", "1x1x1", "-1x1", " 1x1", "99999999999x1"}) {
@@ -51,9 +52,18 @@ TEST(LinuxDisplayAddress, WhatIsNone) {
     ASSERT_TRUE(address) << number;
     EXPECT_FALSE(address->take_number("speed", 1000, 1'000'000)) << number;
   }
-  auto address = DisplayAddress::parse("st7789:bgr=maybe");
-  ASSERT_TRUE(address);
-  EXPECT_FALSE(address->take_flag("bgr"));
+  for (const char* flag : {"maybe", "", "1", "true"}) {
+    auto address = DisplayAddress::parse(std::string("st7789:bgr=") + flag);
+    ASSERT_TRUE(address) << flag;
+    EXPECT_FALSE(address->take_flag("bgr")) << flag;
+  }
+  for (const char* text : {"drm:connector", "drm:connector="}) {
+    auto address = DisplayAddress::parse(text);
+    ASSERT_TRUE(address) << text;
+    const auto name = address->take_name("connector");
+    ASSERT_FALSE(name) << text;
+    EXPECT_EQ(name.fault().message, "--display drm: connector needs a value");
+  }
 }
 
 }  // namespace

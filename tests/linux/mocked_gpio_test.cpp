@@ -1,14 +1,12 @@
 // GPIO lines by libgpiod 1 where a kernel misbehaves as no emulated one does: what the HAL makes of it.
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <linux/gpio.h>
 
 #include <cerrno>
-#include <cstring>
 #include <string>
 #include <vector>
 
 #include "mocked_devices.hpp"
+#include "mocked_gpio_chip.hpp"
 #include "zstrip_hal_linux/gpio.hpp"
 
 namespace zstrip::linux_mock {
@@ -17,55 +15,9 @@ namespace {
 using hal::Error;
 using hal::GpioPin;
 
-/// A chip of four lines as libgpiod 1.6 speaks to it. Line 1 is CLOCK, line 2 belongs to a driver.
-struct MockedChip {
-  int refused_request = 0;  ///< errno for a request
-  int refused_level = 0;    ///< errno for a level
-  unsigned requested = 0;
-  std::vector<int> levels;
-
-  int control(unsigned long request, void* argument) {
-    if (request == GPIO_GET_CHIPINFO_IOCTL) {
-      gpiochip_info info{};
-      std::strcpy(info.name, "gpiochip0");
-      info.lines = 4;
-      std::memcpy(argument, &info, sizeof info);
-      return 0;
-    }
-    if (request == GPIO_GET_LINEINFO_IOCTL) {
-      auto& info = *static_cast<gpioline_info*>(argument);
-      if (info.line_offset == 1) std::strcpy(info.name, "CLOCK");
-      if (info.line_offset == 2) std::strcpy(info.consumer, "heartbeat");
-      info.flags = info.line_offset == 2 ? GPIOLINE_FLAG_KERNEL : 0;
-      return 0;
-    }
-    if (request == GPIO_GET_LINEHANDLE_IOCTL) {
-      auto& asked = *static_cast<gpiohandle_request*>(argument);
-      if (refused_request != 0) return refused_request;
-      if (asked.lineoffsets[0] == 2) return EBUSY;
-      requested = asked.lineoffsets[0];
-      levels.push_back(asked.default_values[0]);
-      asked.fd = open("/dev/gpiohandle", O_RDWR | O_CLOEXEC);
-      return asked.fd >= 0 ? 0 : errno;
-    }
-    return ENOTTY;
-  }
-  int handle_control(unsigned long request, void* argument) {
-    if (request != GPIOHANDLE_SET_LINE_VALUES_IOCTL) return ENOTTY;
-    if (refused_level != 0) return refused_level;
-    levels.push_back(static_cast<gpiohandle_data*>(argument)->values[0]);
-    return 0;
-  }
-};
-
 class LinuxMockedGpio : public testing::Test {
  protected:
-  LinuxMockedGpio() {
-    devices_.add("gpio", "gpiochip0", 254, 0,
-                 [this](auto request, void* argument) { return chip_.control(request, argument); });
-    devices_.add("gpio", "gpiohandle", 254, 1,
-                 [this](auto request, void* argument) { return chip_.handle_control(request, argument); });
-  }
+  LinuxMockedGpio() { add(devices_, chip_); }
 
   MockedChip chip_;
   MockedDevices devices_;
@@ -92,6 +44,30 @@ TEST_F(LinuxMockedGpio, OneCallForEveryChangeOfALevel) {
   EXPECT_EQ(pin->set(other), Error::pin) << "a level that was refused is not taken for set";
   chip_.refused_level = 0;
   EXPECT_EQ(pin->set(other), Error::none);
+}
+
+TEST_F(LinuxMockedGpio, AnInputIsReadEachTime) {
+  auto pin = hal::GpioInput::request({"/dev/gpiochip0", 3});
+  ASSERT_TRUE(pin) << pin.fault().message;
+  EXPECT_TRUE(chip_.is_input);
+  for (const int level : {1, 0, 0, 1}) {
+    chip_.level = level;
+    bool high = level == 0;
+    EXPECT_EQ(pin->read(high), Error::none);
+    EXPECT_EQ(high, level == 1);
+  }
+  chip_.refused_level = EIO;
+  bool high = false;
+  EXPECT_EQ(pin->read(high), Error::pin);
+  EXPECT_EQ(hal::GpioInput().read(high), Error::pin) << "no line";
+
+  EXPECT_EQ(hal::GpioInput::request({"/dev/gpiochip0", 2}).fault().message.substr(0, 39),
+            "/dev/gpiochip0 line 2 is busy: 'heartbe");
+  EXPECT_EQ(hal::GpioInput::request({"/dev/gpiochip0", 4}).fault().message,
+            "/dev/gpiochip0 has no line 4, only 4 lines from 0 on");
+  chip_.refused_request = EIO;
+  EXPECT_EQ(hal::GpioInput::request({"/dev/gpiochip0", 3}).fault().message,
+            "/dev/gpiochip0 cannot make line 3 an input: Input/output error");
 }
 
 TEST_F(LinuxMockedGpio, RefusalsNameTheLineAndTheRemedy) {

@@ -3,12 +3,14 @@
 #include <linux/spi/spidev.h>
 
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <string>
 #include <vector>
 
 #include "mocked_devices.hpp"
+#include "mocked_spi.hpp"
+#include "panel/dcs_model.hpp"
+#include "zstrip_hal/ili9341.hpp"
+#include "zstrip_hal/st7789.hpp"
 #include "zstrip_hal_linux/gpio.hpp"
 #include "zstrip_hal_linux/spidev.hpp"
 
@@ -18,39 +20,6 @@ namespace {
 using hal::Error;
 using hal::GpioPin;
 using hal::SpidevBus;
-
-/// A driver of spidev: what it was set to, and what arrived.
-struct MockedSpi {
-  std::uint8_t mode = 0, bits = 0;
-  std::uint32_t hertz = 0;
-  bool keeps_mode = false;  ///< says yes and changes nothing
-  unsigned long refused = 0;
-  int error = EINVAL;
-  int messages_until_failure = -1;
-  std::vector<std::vector<std::uint8_t>> messages;
-
-  int control(unsigned long request, void* argument) {
-    if (request == refused) return error;
-    switch (request) {
-      case SPI_IOC_RD_MODE: std::memcpy(argument, &mode, sizeof mode); return 0;
-      case SPI_IOC_WR_MODE:
-        if (!keeps_mode) std::memcpy(&mode, argument, sizeof mode);
-        return 0;
-      case SPI_IOC_RD_BITS_PER_WORD: std::memcpy(argument, &bits, sizeof bits); return 0;
-      case SPI_IOC_WR_BITS_PER_WORD: std::memcpy(&bits, argument, sizeof bits); return 0;
-      case SPI_IOC_WR_MAX_SPEED_HZ: std::memcpy(&hertz, argument, sizeof hertz); return 0;
-      case SPI_IOC_MESSAGE(1): break;
-      default: return ENOTTY;
-    }
-    spi_ioc_transfer transfer{};
-    std::memcpy(&transfer, argument, sizeof transfer);
-    if (transfer.len > 4096) return EMSGSIZE;
-    if (messages_until_failure-- == 0) return EIO;
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(transfer.tx_buf);
-    messages.emplace_back(bytes, bytes + transfer.len);
-    return 0;
-  }
-};
 
 class LinuxMockedSpi : public testing::Test {
  protected:
@@ -93,6 +62,55 @@ TEST_F(LinuxMockedSpi, EveryMessageMayFail) {
     EXPECT_EQ(spi_.messages.size(), static_cast<std::size_t>(failing));
     EXPECT_EQ(bus->write_data(bytes), Error::none) << "the next one starts clean";
   }
+}
+
+TEST_F(LinuxMockedSpi, AnswersAreShiftedByTheirDummyClocks) {
+  sim::DcsModel panel(sim::kSt7789Part, {.width = 4, .height = 4});
+  panel.elapse(std::chrono::seconds(1));
+  spi_.panel = &panel;
+  auto bus = SpidevBus::open("/dev/spidev0.0", 40'000'000, GpioPin());
+  ASSERT_TRUE(bus);
+  std::array<std::byte, 3> id{};
+  ASSERT_EQ(bus->read(std::byte{0x04}, 1, id), Error::none);
+  EXPECT_EQ(id, (std::array{std::byte{0x85}, std::byte{0x85}, std::byte{0x52}}));
+  EXPECT_EQ(spi_.read_hertz, SpidevBus::kReadHertz) << "not as fast as it is written to";
+  ASSERT_EQ(bus->read(std::byte{0xDC}, 0, std::span(id).first(1)), Error::none);
+  EXPECT_EQ(id[0], std::byte{0x52});
+  auto slow = open();
+  ASSERT_TRUE(slow);
+  ASSERT_EQ(slow->read(std::byte{0x04}, 1, id), Error::none);
+  EXPECT_EQ(spi_.read_hertz, 1'000'000U);
+  EXPECT_EQ(panel.complaints(), std::vector<std::string>{});
+  spi_.messages_until_failure = 0;
+  EXPECT_EQ(slow->read(std::byte{0x04}, 1, id), Error::bus);
+}
+
+// From the driver over spidev to the model of the panel that answers, or does not.
+TEST_F(LinuxMockedSpi, APanelIsAskedWhoItIs) {
+  struct NoTime {
+    void wait(std::uint32_t) {}
+  };
+  NoTime clock;
+  const hal::DcsConfig glass{.width = 4, .height = 4, .id = hal::Ili9341Controller::kId};
+  auto bus = open();
+  ASSERT_TRUE(bus);
+  hal::Ili9341 display(*bus, clock, glass);
+  for (const int level : {0x00, 0xFF}) {
+    spi_.floating = level;
+    spi_.messages.clear();
+    EXPECT_EQ(display.start(), Error::wrong_id) << level;
+    EXPECT_LE(spi_.messages.size(), 6U) << "a start sequence was sent to nobody";
+  }
+  sim::DcsModel st7789(sim::kSt7789Part, {.width = 4, .height = 4});
+  st7789.elapse(std::chrono::seconds(1));
+  spi_.panel = &st7789;
+  hal::DcsConfig other = glass;
+  other.id = hal::St7789Controller::kId;
+  hal::St7789 right(*bus, clock, other);
+  EXPECT_EQ(right.start(), Error::none);
+  other.id = 0x123456;
+  hal::St7789 wrong(*bus, clock, other);
+  EXPECT_EQ(wrong.start(), Error::wrong_id);
 }
 
 TEST_F(LinuxMockedSpi, EverySettingMayBeRefused) {

@@ -127,6 +127,9 @@ void expect_refusals(Guest& guest, const std::string& program) {
            {"spidev=/dev/spidev1.0,dc=DC", 3, "/dev/spidev1.0 cannot be opened: there is no such device; enable SPI"},
            {"spidev=/dev/null,dc=DC", 3, "/dev/null cannot tell its mode"},
            {"spidev=/dev/spidev0.0,dc=DC,size=300x300", 2, "the display's controller cannot do what its configuration"},
+           // Nobody drives the line that is read.
+           {"clock=0:6,data=0:7,miso=BACKLIGHT,dc=DC,id", 3, "the panel does not answer: its id reads "},
+           {"clock=0:6,data=0:7,miso=SCLK,dc=DC,id", 3, "miso: /dev/gpiochip0 line 0 (SCLK) is busy: 'sck' has it"},
        }) {
     const Guest::Answer answer = guest.run(program + " /scene.zsc --frames 1 --display st7789:" + refusal.display);
     EXPECT_EQ(answer.status, refusal.status) << refusal.display << "\n" << answer.text;

@@ -116,7 +116,13 @@ TYPED_TEST(PanelDriver, TakesALevelOfBrightness) {
     for (const int level : {255, 128, 16}) {
       EXPECT_EQ(bench.display.set_brightness(static_cast<std::uint8_t>(level)), Error::none);
       EXPECT_EQ(bench.fault(), "");
+      ASSERT_TRUE(bench.panel->brightness());
+      EXPECT_NEAR(*bench.panel->brightness(), level, 15) << "coarser than sixteen steps";
     }
+    EXPECT_EQ(bench.display.set_brightness(0), Error::none);
+    EXPECT_EQ(bench.panel->brightness(), 0U);
+  } else {
+    EXPECT_FALSE(bench.panel->brightness()) << "the controller could";
   }
 }
 

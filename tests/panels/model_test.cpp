@@ -136,6 +136,65 @@ TEST(PanelModel, DcsComplains) {
   EXPECT_EQ(panel->complaints(), std::vector<std::string>{"data without a command, command 00h"});
 }
 
+/// The bytes of an answer behind so many clocks.
+std::vector<int> answer_of(PanelModel& panel, std::uint8_t command, std::size_t dummy_clocks, std::size_t bytes) {
+  const std::vector<bool> bits = panel.ask(command, dummy_clocks + 8 * bytes, 150ns);
+  std::vector<int> result(bytes);
+  for (std::size_t i = 0; i < 8 * bytes; ++i) result[i / 8] = result[i / 8] * 2 + (bits[dummy_clocks + i] ? 1 : 0);
+  return result;
+}
+
+TEST(PanelModel, DcsAnswers) {
+  DcsModel panel(kSt7789Part, {.width = 1, .height = 1});
+  Lines lines{panel};
+  lines.wait(120ms);
+  EXPECT_EQ(answer_of(panel, 0x04, 1, 3), (std::vector<int>{0x85, 0x85, 0x52}));
+  EXPECT_EQ(answer_of(panel, 0x04, 0, 3), (std::vector<int>{0x42, 0xC2, 0xA9})) << "a dummy clock comes first";
+  EXPECT_EQ(answer_of(panel, 0x04, 1, 4), (std::vector<int>{0x85, 0x85, 0x52, 0xFF})) << "then nobody drives the line";
+  EXPECT_EQ(answer_of(panel, 0xDA, 0, 1), std::vector<int>{0x85});
+  EXPECT_EQ(answer_of(panel, 0xDB, 0, 1), std::vector<int>{0x85});
+  EXPECT_EQ(answer_of(panel, 0xDC, 0, 1), std::vector<int>{0x52});
+  EXPECT_EQ(panel.complaints(), std::vector<std::string>{});
+  EXPECT_EQ(answer_of(panel, 0xD3, 0, 1), std::vector<int>{0xFF});
+  EXPECT_EQ(panel.complaints(), std::vector<std::string>{"the ST7789 does not answer command D3h"});
+  panel.forgive();
+  panel.ask(0x04, 25, 149ns);
+  EXPECT_EQ(
+      panel.complaints(),
+      std::vector<std::string>{"the bus reads a bit in 149 ns, the controller's data sheet asks for at least 150 ns"});
+  panel.forgive();
+  lines.command({0x01});
+  answer_of(panel, 0x04, 1, 3);
+  EXPECT_EQ(panel.complaints(), std::vector<std::string>{"command 04h comes 5000 us too early"});
+}
+
+TEST(PanelModel, Ili9341AnswersByIndex) {
+  DcsModel panel(kIli9341Part, {.width = 1, .height = 1});
+  Lines lines{panel};
+  lines.wait(120ms);
+  EXPECT_EQ(answer_of(panel, 0xD3, 0, 1), std::vector<int>{0x00}) << "no index";
+  std::vector<int> id;
+  for (const int index : {1, 2, 3}) {
+    lines.dcs(0xD9, {0x10 | index});
+    id.push_back(answer_of(panel, 0xD3, 0, 1)[0]);
+  }
+  EXPECT_EQ(id, (std::vector<int>{0x00, 0x93, 0x41}));
+  EXPECT_EQ(answer_of(panel, 0xD3, 0, 1), std::vector<int>{0x00}) << "an index is for one reading";
+  EXPECT_EQ(panel.complaints(), std::vector<std::string>{});
+}
+
+TEST(PanelModel, OledsDoNotAnswerOnASerialBus) {
+  Ssd1306Model ssd1306;
+  Ssd1351Model ssd1351;
+  Ssd0323Model ssd0323;
+  for (PanelModel* panel :
+       {static_cast<PanelModel*>(&ssd1306), static_cast<PanelModel*>(&ssd1351), static_cast<PanelModel*>(&ssd0323)}) {
+    EXPECT_EQ(answer_of(*panel, 0x04, 0, 1), std::vector<int>{0xFF});
+    EXPECT_EQ(panel->complaints(),
+              std::vector<std::string>{"command 04h is to be answered, which this part does not do on a serial bus"});
+  }
+}
+
 TEST(PanelModel, DcsDiffers) {
   DcsModel ili9341(kIli9341Part, {.width = 1, .height = 1});
   Lines(ili9341).wait(120ms);

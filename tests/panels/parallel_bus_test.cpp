@@ -12,10 +12,15 @@
 
 #include "panel/dcs_model.hpp"
 #include "picture.hpp"
+#include "transfer.hpp"
 #include "zstrip_hal/st7789.hpp"
 
 namespace zstrip::hal {
 namespace {
+
+using panels::kArrived;
+using panels::kCommand;
+using panels::kPixels;
 
 /// D0 to D7, then these.
 enum Line : std::size_t { kStrobe = 8, kDataCommand, kSelect, kLines };
@@ -59,11 +64,6 @@ auto bus_on(Wires& wires) {
   static_assert(CommandDataBus<decltype(bus)>);
   return bus;
 }
-
-constexpr std::array kCommand{std::byte{0x2A}};
-constexpr std::array kPixels{std::byte{0x00}, std::byte{0xFF}, std::byte{0x80}, std::byte{0x01}, std::byte{0xA5}};
-const std::vector<std::pair<bool, int>> kArrived{{false, 0x2A}, {true, 0x00}, {true, 0xFF},
-                                                 {true, 0x80},  {true, 0x01}, {true, 0xA5}};
 
 TEST(PanelParallelBus, EveryByteArrivesAtARisingEdge) {
   Wires wires;

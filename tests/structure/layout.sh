@@ -12,7 +12,7 @@ if [ -n "$unexpected" ]; then
   failed=1
 fi
 
-# A folder of somebody's machine: at the start of a path, so that "src/work/" stays allowed.
+# A folder of somebody's machine: only at the start of a path, for a folder in the repository may have the same name.
 machine_path='(^|[^A-Za-z0-9_.})>])/(work|root|home/[a-z][a-z0-9_-]*|tmp/[a-z]+-[a-z]+)/'
 found=$(grep -rnIE --exclude-dir=.git --exclude=.git --exclude-dir=.cache --exclude-dir='build*' --exclude-dir=out "$machine_path" . || true)
 if [ -n "$found" ]; then

@@ -31,7 +31,7 @@ bool reported = false;
   asm volatile(
       "b reset_handler\n\t"      // reset
       "b exception_handler\n\t"  // undefined instruction
-      "b exception_handler\n\t"  // software interrupt: the emulator takes the one that is used before it gets here
+      "b .\n\t"                  // software interrupt: halt() without semihosting, the end
       "b exception_handler\n\t"  // prefetch abort
       "b exception_handler\n\t"  // data abort
       "b exception_handler\n\t"  // reserved
@@ -80,6 +80,7 @@ void start_program() {
 // `return_address` is 4 or 8 bytes behind the instruction; `mode`: 0x1B undefined instruction, 0x17 abort.
 void report_exception(std::uint32_t return_address, std::uint32_t mode) {
   using namespace zstrip::board;
+  FaultWords::clear();
   FaultWords::add("mode ", mode & 0x1FU, 32);
   FaultWords::add(" before ", return_address, 32);
   print("fault: ");

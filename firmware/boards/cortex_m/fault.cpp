@@ -1,5 +1,5 @@
 // Faults and unexpected interrupts: says on the console what happened and where, then goes back to who has marked a
-// place for that, or halts.
+// place for that, the first time, or halts.
 #include <cstdint>
 
 #include "cortex_m/board.hpp"
@@ -11,6 +11,7 @@
 namespace {
 constexpr int kFaultStatus = 70;
 enum : std::uint32_t { kReturnAddress = 9, kReturnWords };
+constexpr std::uint32_t kThumb = 1;  // of an address in lr, not of one in a frame
 }  // namespace
 
 // The report runs on a stack of its own, because the program's may be full.
@@ -41,6 +42,8 @@ void fault_handler();
       ".ltorg");
 }
 
+// The return goes by an exception frame below the marked stack pointer, so that it leaves the handler: in there a
+// second fault would lock the processor up.
 [[gnu::naked]] void fault_handler() {
   asm volatile(
       ".syntax unified\n\t"
@@ -57,15 +60,22 @@ void fault_handler();
       "mov r10, r3\n\t"
       "ldmia r0!, {r1-r3}\n\t"
       "mov r11, r1\n\t"
+      "subs r2, #32\n\t"
       "mov sp, r2\n\t"
       "movs r0, #1\n\t"
-      "bx r3\n\t"
+      "str r0, [r2, #0]\n\t"   // r0: true
+      "str r3, [r2, #24]\n\t"  // pc
+      "lsls r0, r0, #24\n\t"
+      "str r0, [r2, #28]\n\t"    // xpsr: Thumb
+      "ldr r0, =0xFFFFFFF9\n\t"  // to thread mode, main stack, no FPU registers
+      "bx r0\n\t"
       ".ltorg");
 }
 
 // `stacked` is what the processor pushed: r0-r3, r12, lr, pc, xpsr. `exception` is its number, 3 for a hard fault.
 void report_fault(const std::uint32_t* stacked, std::uint32_t exception) {
   using namespace zstrip::board;
+  FaultWords::clear();
   std::uint32_t decimal = exception;  // a digit every four bits
   for (std::uint32_t rest = exception; rest >= 10; rest -= 10) decimal += 16 - 10;
   FaultWords::add("exception ", decimal, exception < 10 ? 4 : 8);
@@ -86,5 +96,7 @@ void report_fault(const std::uint32_t* stacked, std::uint32_t exception) {
   print_hex(register_at(0xE000ED38));
 #endif
   print("\n");
-  if (fault_return[kReturnAddress] == 0) halt(kFaultStatus);
+  // Once: an address without that bit was used already.
+  if ((fault_return[kReturnAddress] & kThumb) == 0) halt(kFaultStatus);
+  fault_return[kReturnAddress] -= kThumb;
 }

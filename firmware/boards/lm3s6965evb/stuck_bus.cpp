@@ -1,7 +1,7 @@
 // What becomes of a board whose bus gets stuck or whose program faults, for tests. The teapot, whose bus does amid a
 // frame what the console asks for: 't', it times out once; 'h', it never returns; 'f', it faults; 'o', it takes more
-// stack than there is; 'g', it faults and never returns afterwards. What can must end in a panic that shows, everything
-// in a reset by the watchdog, and the program asks again.
+// stack than there is; 'g', it faults and never returns afterwards; 's', it faults, and again when the panic is to be
+// shown. What can must end in a panic that shows, everything in a reset by the watchdog, and the program asks again.
 #include "lm3s6965evb/show.hpp"
 #include "portable/turntable_motion.hpp"
 #include "zstrip_scenes/teapot.hpp"
@@ -26,11 +26,12 @@ class StuckBus : public board::OledBus {
     constexpr int kGood = 200;  // the start, and some strips
     if (++writes_ == kGood) {
       while (fault_ == 'h') asm volatile("");
-      if (fault_ == 'f' || fault_ == 'g') asm volatile("udf #0");
+      if (fault_ == 'f' || fault_ == 'g' || fault_ == 's') asm volatile("udf #0");
       if (fault_ == 'o') overflow_stack(0);
       return hal::Error::timeout;
     }
     while (fault_ == 'g' && writes_ > kGood) asm volatile("");
+    if (fault_ == 's' && writes_ > kGood) asm volatile("udf #1");
     return board::OledBus::write_data(bytes);
   }
 
@@ -45,7 +46,7 @@ constexpr Budget kBudget{.bytes = 40 * 1024};
 }  // namespace
 
 int main() {
-  board::print("stuck bus: t, h, f, o or g?\n");
+  board::print("stuck bus: t, h, f, o, g or s?\n");
   char fault = 0;
   while (!board::take_character(fault)) {
   }

@@ -117,6 +117,12 @@ std::uint32_t overflow_stack(std::uint32_t depth) {
   return overflow_stack(depth + 1) + frame[depth % 64];
 }
 
+int come_back_and_fault() {
+  if (!zstrip::board::mark_fault_return()) return read_nowhere();
+  print("self-test: again\n");
+  return read_nowhere();
+}
+
 }  // namespace
 
 int main() {
@@ -125,11 +131,13 @@ int main() {
   if (word == "memory") return check_memory();
   if (word == "fault") return read_nowhere();
   if (word == "return") return come_back();
+  if (word == "twice") return come_back_and_fault();
   if (word == "overflow") return static_cast<int>(overflow_stack(zeroed)) | 1;
   if (word == "small") return zstrip::board::check_small_triangles();
   if (word == "runs") return zstrip::board::check_small_runs();
   if (word == "transform") return zstrip::board::check_transform();
   if (word == "texels") return zstrip::board::check_textured_runs();
-  print("self-test: say memory, fault, return, overflow, small, runs, transform or texels\n");
+  print("self-test: say memory, fault, return, twice, overflow, small, runs, transform or texels
+");
   return 2;
 }

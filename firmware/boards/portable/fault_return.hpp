@@ -9,9 +9,9 @@
 namespace zstrip::board {
 
 /// False now. When a fault comes, and has been reported on the console, the same call returns true: everything that was
-/// called since then is gone, and the caller must not have returned. It then runs in the fault's handler: no second
-/// fault comes back, and nothing may be waited for that wants an interrupt (no clock), which leaves polled buses and
-/// those with DMA.
+/// called since then is gone, and the caller must not have returned. That happens once: a second fault is reported,
+/// too, and halts the board, whose watchdog then starts it again. Nothing may be waited for that wants an interrupt (no
+/// clock), which leaves polled buses and those with DMA.
 extern "C" [[gnu::returns_twice]] bool mark_fault_return();
 
 /// What the processor's fault was, in words that console and panel show.
@@ -26,15 +26,20 @@ class FaultWords {
     }
   }
 
+  /// No words yet, of a new fault.
+  static void clear() { size = 0; }
+
   /// In static storage.
   static const char* all() { return text.data(); }
 
  private:
   static void keep(char character) {
-    if (size + 1U < text.size()) text[size++] = character;
+    if (size + 1U >= text.size()) return;
+    text[size++] = character;
+    text[size] = '\0';
   }
 
-  static inline constinit std::array<char, 40> text{};  // the last one stays zero
+  static inline constinit std::array<char, 40> text{};  // ended by a zero
   static inline constinit std::uint32_t size = 0;
 };
 

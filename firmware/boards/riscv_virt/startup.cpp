@@ -93,6 +93,7 @@ void start_program() {
 
 void report_trap(std::uint32_t cause, std::uint32_t address, std::uint32_t value) {
   using namespace zstrip::board;
+  FaultWords::clear();
   FaultWords::add("cause ", cause, cause < 16 ? 4 : 32);
   FaultWords::add(" pc ", address, 32);
   print("fault: ");

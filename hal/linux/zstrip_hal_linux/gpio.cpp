@@ -49,6 +49,16 @@ Fault busy(const GpioLine& line, const gpio::LineInfo& info) {
           " has it; choose another line, or end that program or take that driver out of the device tree"};
 }
 
+/// A line that cannot be what it should.
+Fault refused(const GpioLine& line, const char* what, int error) {
+  const Outcome<std::vector<gpio::LineInfo>> lines = lines_of(line.chip);
+  if (!lines) return lines.fault();
+  if (line.offset >= lines->size()) return no_such_line(line, lines->size());
+  if (error == EBUSY) return busy(line, (*lines)[line.offset]);
+  return device_fault(DeviceKind::gpio, line.chip, ("make line " + std::to_string(line.offset) + " " + what).c_str(),
+                      error);
+}
+
 }  // namespace
 
 std::vector<std::string> gpio_chips() {
@@ -98,11 +108,14 @@ Outcome<GpioPin> GpioPin::request(const GpioLine& line, bool level) {
   gpio::RequestPointer request;
   const int error = gpio::request_output(line.chip, line.offset, level, request);
   if (error == 0) return GpioPin(std::move(request), level);
-  const Outcome<std::vector<gpio::LineInfo>> lines = lines_of(line.chip);
-  if (!lines) return lines.fault();
-  if (line.offset >= lines->size()) return no_such_line(line, lines->size());
-  if (error == EBUSY) return busy(line, (*lines)[line.offset]);
-  return device_fault(DeviceKind::gpio, line.chip, "make line " + std::to_string(line.offset) + " an output", error);
+  return refused(line, "an output", error);
+}
+
+Outcome<GpioInput> GpioInput::request(const GpioLine& line) {
+  gpio::RequestPointer request;
+  const int error = gpio::request_input(line.chip, line.offset, request);
+  if (error == 0) return GpioInput(std::move(request));
+  return refused(line, "an input", error);
 }
 
 }  // namespace zstrip::hal

@@ -1,4 +1,4 @@
-// Output lines of GPIO chips, through libgpiod: D/C, reset, backlight, and the wires of a bit-banged bus.
+// Lines of GPIO chips, through libgpiod: D/C, reset, backlight, and the wires of a bit-banged bus.
 #pragma once
 
 #include <string>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "zstrip_hal/error.hpp"
+#include "zstrip_hal/input_pin.hpp"
 #include "zstrip_hal/output_pin.hpp"
 #include "zstrip_hal_linux/gpio_backend.hpp"
 #include "zstrip_hal_linux/outcome.hpp"
@@ -51,5 +52,25 @@ class GpioPin {
 };
 
 static_assert(OutputPin<GpioPin>);
+
+/// A line that is an input as long as this object lives. One that was made without a line cannot be read.
+class GpioInput {
+ public:
+  GpioInput() = default;
+  /// Errors as GpioPin::request().
+  static Outcome<GpioInput> request(const GpioLine& line);
+
+  /// Error: pin.
+  Error read(bool& high) {
+    return request_ != nullptr && gpio::get_level(*request_, high) == 0 ? Error::none : Error::pin;
+  }
+
+ private:
+  explicit GpioInput(gpio::RequestPointer request) : request_(std::move(request)) {}
+
+  gpio::RequestPointer request_;
+};
+
+static_assert(InputPin<GpioInput>);
 
 }  // namespace zstrip::hal

@@ -26,6 +26,10 @@ using RequestPointer = std::unique_ptr<Request, ReleaseRequest>;
 /// Makes a line of the chip at `path` an output that starts at `level`.
 int request_output(const std::string& path, unsigned offset, bool level, RequestPointer& request);
 
+/// Makes it an input.
+int request_input(const std::string& path, unsigned offset, RequestPointer& request);
+
 int set_level(Request& request, bool level);
+int get_level(Request& request, bool& level);
 
 }  // namespace zstrip::hal::gpio

@@ -44,7 +44,11 @@ int read_lines(const std::string& path, std::vector<LineInfo>& lines) {
   return 0;
 }
 
-int request_output(const std::string& path, unsigned offset, bool level, RequestPointer& request) {
+namespace {
+
+/// `set` makes the settings of the line and returns 0, or else sets errno.
+template <class Set>
+int request_line(const std::string& path, unsigned offset, RequestPointer& request, Set set) {
   const Chip chip(gpiod_chip_open(path.c_str()));
   if (chip == nullptr) return errno;
   const Settings settings(gpiod_line_settings_new());
@@ -52,9 +56,7 @@ int request_output(const std::string& path, unsigned offset, bool level, Request
   const RequestConfig config(gpiod_request_config_new());
   if (settings == nullptr || lines == nullptr || config == nullptr) return ENOMEM;
   gpiod_request_config_set_consumer(config.get(), "zstrip");
-  if (gpiod_line_settings_set_direction(settings.get(), GPIOD_LINE_DIRECTION_OUTPUT) != 0 ||
-      gpiod_line_settings_set_output_value(settings.get(), value(level)) != 0 ||
-      gpiod_line_config_add_line_settings(lines.get(), &offset, 1, settings.get()) != 0) {
+  if (set(settings.get()) != 0 || gpiod_line_config_add_line_settings(lines.get(), &offset, 1, settings.get()) != 0) {
     return errno;
   }
   LineRequest line(gpiod_chip_request_lines(chip.get(), config.get(), lines.get()));
@@ -63,8 +65,30 @@ int request_output(const std::string& path, unsigned offset, bool level, Request
   return 0;
 }
 
+}  // namespace
+
+int request_output(const std::string& path, unsigned offset, bool level, RequestPointer& request) {
+  return request_line(path, offset, request, [level](gpiod_line_settings* settings) {
+    const int refused = gpiod_line_settings_set_direction(settings, GPIOD_LINE_DIRECTION_OUTPUT);
+    return refused != 0 ? refused : gpiod_line_settings_set_output_value(settings, value(level));
+  });
+}
+
+int request_input(const std::string& path, unsigned offset, RequestPointer& request) {
+  return request_line(path, offset, request, [](gpiod_line_settings* settings) {
+    return gpiod_line_settings_set_direction(settings, GPIOD_LINE_DIRECTION_INPUT);
+  });
+}
+
 int set_level(Request& request, bool level) {
   return gpiod_line_request_set_value(request.line.get(), request.offset, value(level)) == 0 ? 0 : errno;
+}
+
+int get_level(Request& request, bool& level) {
+  const gpiod_line_value found = gpiod_line_request_get_value(request.line.get(), request.offset);
+  if (found == GPIOD_LINE_VALUE_ERROR) return errno;
+  level = found == GPIOD_LINE_VALUE_ACTIVE;
+  return 0;
 }
 
 }  // namespace zstrip::hal::gpio

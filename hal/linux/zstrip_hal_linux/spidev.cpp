@@ -4,7 +4,9 @@
 #include <linux/spi/spidev.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
+#include <vector>
 
 namespace zstrip::hal {
 namespace {
@@ -67,6 +69,27 @@ Error SpidevBus::write(std::span<const std::byte> bytes, bool data) {
     transfer.bits_per_word = 8;
     if (device_control(file_.get(), SPI_IOC_MESSAGE(1), &transfer) != 0) return Error::bus;
     bytes = bytes.subspan(part.size());
+  }
+  return Error::none;
+}
+
+Error SpidevBus::read(std::byte command, unsigned dummy_clocks, std::span<std::byte> answer) {
+  if (const Error error = data_command_.set(false); error != Error::none) return error;
+  // The kernel counts whole bytes: where bits come before the answer, it is one byte longer.
+  std::vector<std::byte> arrived(answer.size() + (dummy_clocks != 0 ? 1 : 0));
+  std::array<spi_ioc_transfer, 2> transfers{};
+  transfers[0].tx_buf = reinterpret_cast<std::uintptr_t>(&command);
+  transfers[0].len = 1;
+  transfers[1].rx_buf = reinterpret_cast<std::uintptr_t>(arrived.data());
+  transfers[1].len = static_cast<std::uint32_t>(arrived.size());
+  for (spi_ioc_transfer& transfer : transfers) {
+    transfer.speed_hz = std::min(hertz_, kReadHertz);
+    transfer.bits_per_word = 8;
+  }
+  if (device_control(file_.get(), SPI_IOC_MESSAGE(2), transfers.data()) != 0) return Error::bus;
+  for (std::size_t i = 0; i < answer.size(); ++i) {
+    answer[i] = arrived[i] << dummy_clocks;
+    if (dummy_clocks != 0) answer[i] |= arrived[i + 1] >> (8 - dummy_clocks);
   }
   return Error::none;
 }

@@ -1,0 +1,106 @@
+// Panels as zstrip-panel opens them, on mocked lines and spidev: who answers there, and what is said of another one.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+
+#include "mocked_devices.hpp"
+#include "mocked_gpio_chip.hpp"
+#include "mocked_spi.hpp"
+#include "open_display.hpp"
+#include "panel/dcs_model.hpp"
+
+namespace zstrip::linux_mock {
+namespace {
+
+using panel::ExitStatus;
+using panel::Failure;
+
+class LinuxMockedPanel : public testing::Test {
+ protected:
+  LinuxMockedPanel() {
+    add(devices_, chip_);
+    devices_.add("spidev", "spidev0.0", 153, 0,
+                 [this](auto request, void* argument) { return spi_.control(request, argument); });
+    st7789_.elapse(std::chrono::seconds(1));
+  }
+
+  struct Said {
+    ExitStatus status = ExitStatus::ok;
+    std::string words;
+  };
+  static Said open(const std::string& display) {
+    const auto opened = panel::open_display(display);
+    if (const Failure* failure = std::get_if<Failure>(&opened)) return {failure->status, failure->message};
+    return {};
+  }
+  Said open_on_spidev(const std::string& more) {
+    spi_.messages.clear();
+    return open("st7789:spidev=/dev/spidev0.0,dc=0:3,size=4x4" + more);
+  }
+
+  sim::DcsModel st7789_{sim::kSt7789Part, {.width = 4, .height = 4}};
+  MockedSpi spi_;
+  MockedChip chip_;
+  MockedDevices devices_;
+};
+
+TEST_F(LinuxMockedPanel, TheRightOneIsStarted) {
+  spi_.panel = &st7789_;
+  for (const char* id : {"", ",id=no", ",id", ",id=yes", ",id=858552", ",id=0x858552"}) {
+    const Said said = open_on_spidev(id);
+    EXPECT_EQ(said.words, "") << id;
+    EXPECT_GT(spi_.messages.size(), 10U) << "nothing was started";
+  }
+  EXPECT_EQ(st7789_.complaints(), std::vector<std::string>{});
+}
+
+TEST_F(LinuxMockedPanel, AnotherOneIsNamedAndSentNothing) {
+  spi_.panel = &st7789_;
+  const Said said = open_on_spidev(",id=7c89f0");
+  EXPECT_EQ(said.status, ExitStatus::device);
+  EXPECT_EQ(
+      said.words,
+      "another panel answers: its id is 85 85 52, not 7c 89 f0; name its controller, or give its id as id=0x... if "
+      "the module's maker has set one");
+  EXPECT_TRUE(spi_.messages.empty());
+}
+
+TEST_F(LinuxMockedPanel, NobodyAnswers) {
+  for (const auto& [level, read] : {std::pair(0x00, "00 00 00"), {0xFF, "ff ff ff"}}) {
+    spi_.floating = level;
+    const Said said = open_on_spidev(",id");
+    EXPECT_EQ(said.status, ExitStatus::device);
+    EXPECT_EQ(said.words, std::string("the panel does not answer: its id reads ") + read +
+                              ", not 85 85 52; check its supply and the wire from its data output, or leave id out "
+                              "where there is none");
+    EXPECT_TRUE(spi_.messages.empty());
+    EXPECT_EQ(open_on_spidev("").words, "") << "who does not ask needs no wire";
+  }
+}
+
+TEST_F(LinuxMockedPanel, ABusThatFailsWhenItIsAskedIsSaid) {
+  spi_.panel = &st7789_;
+  spi_.messages_until_failure = 0;
+  const Said said = open_on_spidev(",id");
+  EXPECT_EQ(said.status, ExitStatus::output);
+  EXPECT_EQ(said.words, "the panel cannot be started: the bus reports a fault");
+}
+
+TEST_F(LinuxMockedPanel, IdsThatAreNone) {
+  for (const char* id : {"", "0", "ffffff", "1000000", "85 85 52", "0x", "-1", "id", "858552 "}) {
+    const Said said = open_on_spidev(std::string(",id=") + id);
+    EXPECT_EQ(said.status, ExitStatus::usage);
+    EXPECT_EQ(said.words, std::string("--display st7789: id is three bytes, as 0x858552, not '") + id + "'");
+  }
+  EXPECT_EQ(open("st7789:clock=0:0,data=0:1,dc=0:3,id").words,
+            "--display st7789: id needs miso, the line on which the panel answers");
+  for (const char* kind : {"ssd1351", "ssd1306", "ssd0323"}) {
+    const Said said = open(std::string(kind) + ":spidev=/dev/spidev0.0,dc=0:3,id");
+    EXPECT_EQ(said.status, ExitStatus::usage);
+    EXPECT_EQ(said.words, std::string("--display ") + kind + ": id cannot be asked for: this controller has none");
+  }
+}
+
+}  // namespace
+}  // namespace zstrip::linux_mock
