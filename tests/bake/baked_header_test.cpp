@@ -31,7 +31,7 @@ std::vector<std::string> render_options(bool& turntable) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i] == "--turntable") turntable = true;
     if (words[i] == "--ortho") kept.push_back(words[i]);
-    for (const char* option : {"--size", "--format", "--up", "--orbit", "--fov"}) {
+    for (const char* option : {"--size", "--format", "--up", "--orbit", "--fov", "--visibility"}) {
       if (words[i] == option) kept.insert(kept.end(), {words[i], words[i + 1]});
     }
   }
@@ -101,6 +101,9 @@ TEST_F(BakedHeader, TurnsAsTheModelTurns) {
     EXPECT_NE(expected[0], expected[1]);
   }
   Renderer<baked::kEffects> renderer;
+#ifdef BAKED_TREE
+  renderer.set_visibility({.tree = &baked::kTree});
+#endif
   std::vector<std::uint64_t> arena(baked::kPlan.bytes() / 8 + 1);
   alignas(4) std::array<std::byte, baked::kPlan.strip_pixel_bytes(baked::kView)> pixels{};
   for (std::uint32_t frame = 0; frame < expected.size(); ++frame) {
