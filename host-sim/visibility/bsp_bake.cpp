@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kCandidates = 24;
 constexpr std::size_t kTried = 600;
 /// What a split costs in polygons that one side has more than the other.
-constexpr double kCostOfSplit = 4;
+constexpr double kCostOfSplit = 8;
 constexpr std::size_t kMostPieces = 65535;
 
 struct TreeNode {
@@ -97,7 +97,8 @@ class Builder {
   Result<Done> build(std::vector<SoupPolygon> all) {
     std::vector<Waiting> waiting;
     waiting.push_back({std::move(all), 0, nullptr});
-    std::size_t pieces = waiting.back().polygons.size();
+    const std::size_t triangles = waiting.back().polygons.size();
+    std::size_t pieces = triangles;
     while (!waiting.empty()) {
       Waiting now = std::move(waiting.back());
       waiting.pop_back();
@@ -114,8 +115,9 @@ class Builder {
       divide(std::move(now.polygons), node, front.polygons, back.polygons);
       pieces += node.polygons.size() + front.polygons.size() + back.polygons.size() - before;
       if (pieces > kMostPieces) {
-        return Failure{ExitStatus::usage, fmt::format("the planes of the tree cut the scene into more than {} pieces",
-                                                      grouped(kMostPieces))};
+        return Failure{ExitStatus::usage,
+                       fmt::format("the planes of the tree cut {} triangles into more than {} pieces",
+                                   grouped(triangles), grouped(kMostPieces))};
       }
       nodes_.push_back(std::move(node));
       if (!back.polygons.empty()) waiting.push_back(std::move(back));

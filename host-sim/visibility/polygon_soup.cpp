@@ -219,10 +219,8 @@ Result<SoupScene> SoupScene::of(const PolygonSoup& soup) {
     corners.clear();
     for (const SoupCorner& c : polygon) corners.push_back(vertex_of(c));
     if (!writer.add(corners)) {
-      return Failure{
-          ExitStatus::usage,
-          fmt::format("the pieces have more vertices than a mesh can, {}, at polygon {} of {}",
-                      grouped(kMaxMeshVertices), grouped(made.first_triangle_.size()), grouped(soup.polygons.size()))};
+      return Failure{ExitStatus::usage, fmt::format("{} pieces have more vertices than a mesh can, {}",
+                                                    grouped(soup.polygons.size()), grouped(kMaxMeshVertices))};
     }
   }
   for (Meshlet& meshlet : made.meshlets_) {

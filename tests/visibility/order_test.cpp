@@ -142,8 +142,8 @@ TEST(Visibility, ATreeOfAMeshIsShallowAndHasFewPieces) {
     ASSERT_TRUE(soup) << name;
     const Result<BakedBsp> baked = bake_bsp(*soup);
     ASSERT_TRUE(baked) << name << baked.failure().message;
-    EXPECT_LT(baked->depth, 64U) << name;
-    EXPECT_LT(baked->splits, 3 * soup->polygons.size()) << name;
+    EXPECT_LT(baked->depth, 200U) << name;
+    EXPECT_LT(baked->splits, soup->polygons.size() * 11 / 10) << name;
     // Each run of the mesh once, and the vertices of one meshlet at a time.
     std::size_t triangles = 0;
     EXPECT_TRUE(detail::for_each_bsp_run(baked->tree(), {0, 0, 65536, false}, baked->scene.mesh().triangles.size(),
