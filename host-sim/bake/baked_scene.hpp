@@ -9,6 +9,7 @@
 #include "zstrip/scene/effects.hpp"
 #include "zstrip/scene/scene.hpp"
 #include "zstrip/scene/view.hpp"
+#include "zstrip/visibility/bsp_tree.hpp"
 
 namespace zstrip::sim {
 
@@ -19,9 +20,10 @@ struct BakedScene {
   Camera camera;
   Animation animation;  ///< empty: nothing moves
   View view;
-  Effects effects;  ///< those that the scene calls for, and effect::bins if the plan needs it
+  Effects effects;  ///< those that the scene calls for, effect::bins if the plan needs it, and the visibility method
   Budget budget;    ///< with the strips of `plan`: the same plan comes out of it again
   Plan plan;
+  BspTree tree{};  ///< with method::bsp
 };
 
 }  // namespace zstrip::sim

@@ -17,7 +17,7 @@ std::uint64_t table_bytes(const Scene& scene) {
   return scene.meshes.size() * kMeshBytes + scene.textures.size() * kTextureBytes;
 }
 
-FlashBytes flash_bytes(const Scene& scene, const Animation& animation) {
+FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const BspTree& tree) {
   FlashBytes bytes;
   std::set<std::pair<const void*, std::size_t>> seen;  // meshes may share arrays
   const auto add = [&seen](std::uint64_t& sum, const auto& records) {
@@ -32,6 +32,7 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation) {
     add(bytes.meshlets, mesh.meshlets);
   }
   for (const Texture& texture : scene.textures) add(bytes.texels, texture.texels);
+  bytes.tree = tree.nodes.size_bytes();
   bytes.keyframes = animation.keyframes.size_bytes() + animation.tracks.size_bytes();
   bytes.tables = table_bytes(scene) + scene.materials.size_bytes() + scene.instances.size_bytes() +
                  scene.quadrics.size_bytes() + scene.lights.size_bytes() + scene.finishes.size_bytes() +

@@ -5,6 +5,7 @@
 
 #include "zstrip/scene/animation.hpp"
 #include "zstrip/scene/scene.hpp"
+#include "zstrip/visibility/bsp_tree.hpp"
 
 namespace zstrip::sim {
 
@@ -17,10 +18,11 @@ struct FlashBytes {
   std::uint64_t meshlets = 0;
   std::uint64_t texels = 0;
   std::uint64_t keyframes = 0;  ///< and tracks
+  std::uint64_t tree = 0;       ///< of method::bsp
   std::uint64_t tables = 0;     ///< meshes, materials, textures, instances, lights, camera
 
   std::uint64_t arrays() const {
-    return positions + normals + colours + texcoords + triangles + meshlets + texels + keyframes;
+    return positions + normals + colours + texcoords + triangles + meshlets + texels + keyframes + tree;
   }
   std::uint64_t total() const { return arrays() + tables; }
 };
@@ -29,6 +31,6 @@ struct FlashBytes {
 std::uint64_t table_bytes(const Scene& scene);
 
 /// As constants of a program for a processor with addresses of 32 bits, without what alignment adds.
-FlashBytes flash_bytes(const Scene& scene, const Animation& animation);
+FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const BspTree& tree = {});
 
 }  // namespace zstrip::sim

@@ -119,6 +119,10 @@ class Writer {
     zeros(3);
     for (const Fixed value : {fog.start, fog.end, fog.density}) word(value);
   }
+  void put(const BspNode& node) {
+    for (const std::int32_t value : {node.x, node.y, node.z, node.distance}) word(value);
+    for (const std::uint32_t value : {node.first_triangle, node.front, node.back, node.parent}) word(value);
+  }
   void put(const Camera& camera) {
     for (const Vec3& vector : {camera.right, camera.up, camera.back, camera.eye}) put(vector);
     for (const Fixed value : {camera.focal, camera.near_plane, camera.far_plane}) word(value);
@@ -207,7 +211,7 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   writer.put(content.view);
   writer.zeros(16);  // arrays of tracks and keyframes: set below
   writer.word(content.animation.duration);
-  writer.zeros(32);  // more arrays: set below
+  writer.zeros(40);  // more arrays: set below
 
   const std::size_t meshes = writer.reserve(12, scene.meshes.size(), kMeshBytes);
   writer.array(20, scene.materials);
@@ -220,6 +224,7 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   writer.array(160, scene.punctual_lights);
   if (scene.fog != nullptr) writer.array(168, std::span(scene.fog, 1));
   writer.array(176, scene.quadrics);
+  writer.array(184, content.tree.nodes);
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) write_mesh(writer, meshes + i * kMeshBytes, scene.meshes[i]);
   for (std::size_t i = 0; i < scene.textures.size(); ++i) {
     write_texture(writer, textures + i * kTextureBytes, scene.textures[i]);

@@ -86,12 +86,27 @@ std::string literal(const Keyframe& k) {
                      k.rotation[3], literal(k.translation), literal(k.scale));
 }
 
+/// What a method of visibility is selected by.
+constexpr std::pair<const char*, Effects> kMethods[] = {
+    {"effect::depth_ranges", effect::depth_ranges},   {"method::painter", method::painter},
+    {"method::in_order", method::in_order},           {"method::bsp", method::bsp},
+    {"method::front_to_back", method::front_to_back}, {"method::hierarchical_z", method::hierarchical_z},
+    {"method::midpoint", method::midpoint},           {"method::midpoint_safe", method::midpoint_safe}};
+
 std::string literal(Effects effects) {
   std::string text;
   for (const KnownEffect& known : known_effects()) {
     if (effects.has(known.effect)) text += fmt::format("{}zstrip::effect::{}", text.empty() ? "" : " | ", known.name);
   }
+  for (const auto& [name, effect] : kMethods) {
+    if (effects.has(effect)) text += fmt::format("{}zstrip::{}", text.empty() ? "" : " | ", name);
+  }
   return text.empty() ? "zstrip::Effects{}" : text;
+}
+
+std::string literal(const BspNode& n) {
+  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}}}", n.x, n.y, n.z, n.distance, n.first_triangle, n.front, n.back,
+                     n.parent);
 }
 
 /// Builds the text; knows the names that it has given.
@@ -106,9 +121,11 @@ class Header {
                                "scene/effects.hpp", "scene/scene.hpp", "scene/view.hpp"}) {
       line(fmt::format("#include \"zstrip/{}\"", header));
     }
+    if (!baked_.tree.nodes.empty()) line("#include \"zstrip/visibility/bsp_tree.hpp\"");
     line(fmt::format("\nnamespace {} {{\n", name_space));
     data();
     scene();
+    tree();
     animation();
     camera();
     plan();
@@ -147,6 +164,9 @@ class Header {
         "// begin_frame and draw_strip return a Status: look at it. To move the scene, copy kInstances into RAM, "
         "change");
     line("// the transforms there, and begin the frame with a copy of kScene whose `instances` are yours.");
+    if (!baked_.tree.nodes.empty()) {
+      line(fmt::format("// Before begin_frame: renderer.set_visibility({{.tree = &{}::kTree}});", name_space));
+    }
     if (baked_.animation.tracks.empty()) return;
     line("// Here they are animated: zstrip::pose(kAnimation, milliseconds, instances) changes them, each frame.");
   }
@@ -232,6 +252,13 @@ class Header {
         fmt::arg("pad", "                                      ")));
   }
 
+  void tree() {
+    if (baked_.tree.nodes.empty()) return;
+    line("\n/// The order of the triangles for every eye, which begin_frame wants.");
+    array("zstrip::BspNode", "kNodes", baked_.tree.nodes);
+    line("inline constexpr zstrip::BspTree kTree{.nodes = kNodes};");
+  }
+
   void animation() {
     line("\n/// What moves the instances; without tracks nothing does. Times in milliseconds.");
     const std::string tracks = array("zstrip::Track", "kTracks", baked_.animation.tracks);
@@ -261,9 +288,10 @@ class Header {
         fmt::format("/// All that the scene calls for{}: the one pipeline to instantiate.\n"
                     "inline constexpr zstrip::Effects kEffects = {};",
                     baked_.effects.has(effect::bins) ? ", and bins for the plan" : "", literal(baked_.effects)));
-    line(fmt::format("static_assert(kEffects == ({}));",
-                     baked_.effects.has(effect::bins) ? "zstrip::effects_of(kScene, kCamera) | zstrip::effect::bins"
-                                                      : "zstrip::effects_of(kScene, kCamera)"));
+    const Effects beyond_scene{baked_.effects.bits & (effect::bins | effect::depth_ranges).bits,
+                               baked_.effects.methods};
+    line(fmt::format("static_assert(kEffects == (zstrip::effects_of(kScene, kCamera){}));",
+                     beyond_scene == Effects{} ? "" : " | " + literal(beyond_scene)));
     line("inline constexpr zstrip::SceneCounts kCounts = zstrip::count(kScene);");
     line(fmt::format(
         "/// What --ram and the other options allowed, and the strips that were chosen for it: {} of arena and {} for\n"

@@ -15,6 +15,7 @@
 #include "bench/bench_report.hpp"
 #include "bench/board_bench.hpp"
 #include "bench/board_prediction.hpp"
+#include "bench/board_visibility.hpp"
 #include "bench/dynamic_z_table.hpp"
 #include "bench/host_bench.hpp"
 #include "bench/peer_bench.hpp"
@@ -29,6 +30,8 @@
 
 namespace zstrip::sim {
 namespace {
+
+constexpr const char* kBoardTable = "boards";
 
 struct BenchOptions {
   std::vector<std::string> targets{"host"};
@@ -158,6 +161,13 @@ Result<Done> run_visibility(const BenchOptions& options) {
   return report(options, visibility_text(options.table, *rows), visibility_json(options.table, *rows));
 }
 
+Result<Done> run_board_visibility(const BenchOptions& options) {
+  if (!options.pictures.empty()) return Failure{ExitStatus::usage, "--picture is for --table dynamic-z"};
+  const Result<std::vector<Measurement>> rows = measure_board_visibility(options.firmware);
+  if (!rows) return rows.failure();
+  return report(options, board_visibility_text(*rows), board_visibility_json(*rows));
+}
+
 Result<Done> run_predictions(const BenchOptions& options) {
   std::vector<BoardPrediction> predictions;
   std::string text;
@@ -207,7 +217,11 @@ Result<Done> run(const BenchOptions& options) {
   if (options.stages) return run_stages(options);
   if (options.peers) return run_peers(options);
   if (!options.boards.empty()) return run_predictions(options);
+  if (!options.table.empty() && options.table != kBoardTable && !options.firmware.empty()) {
+    return Failure{ExitStatus::usage, fmt::format("--table {} runs no firmware; leave out --firmware", options.table)};
+  }
   if (options.table == "dynamic-z") return run_dynamic_z(options);
+  if (options.table == kBoardTable) return run_board_visibility(options);
   if (!options.table.empty()) return run_visibility(options);
   std::vector<Measurement> rows;
   for (const std::string& target : options.targets) {
@@ -250,6 +264,7 @@ std::vector<std::uint32_t> sides_of_pictures() {
 std::vector<std::string> tables() {
   std::vector<std::string> names{"dynamic-z"};
   names.insert(names.end(), visibility_tables().begin(), visibility_tables().end());
+  names.emplace_back(kBoardTable);
   return names;
 }
 
@@ -268,7 +283,9 @@ std::string footer() {
          "                                                frames a second that real boards would draw\n"
          "  zstrip bench --peers                          Allegro 4 and OSMesa on the same workloads\n"
          "  zstrip bench --table dynamic-z                a published table, with our renderer beside it\n"
-         "  zstrip bench --table thesis                   painter, z-buffer and both; likewise midpoint and depth-bits";
+         "  zstrip bench --table thesis                   painter, z-buffer and both; likewise midpoint and "
+         "depth-bits\n"
+         "  zstrip bench --table boards                   visibility methods on emulated boards";
 }
 
 void add_board_options(CLI::App& command, BenchOptions& options, CLI::Option* target) {
@@ -348,7 +365,7 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{100}))
       ->group("");
   for (const char* of_workloads : {"--target", "--workload", "--size", "--strip-rows", "--strip-columns", "--mode",
-                                   "--depth", "--ram", "--frames", "--firmware", "--board", "--peers"}) {
+                                   "--depth", "--ram", "--frames", "--board", "--peers"}) {
     table->excludes(command->get_option(of_workloads));
   }
   command->callback([options, &exit_code] {

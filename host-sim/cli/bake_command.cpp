@@ -25,6 +25,8 @@
 #include "render/stage.hpp"
 #include "report/bake_report.hpp"
 #include "report/text.hpp"
+#include "visibility/methods.hpp"
+#include "visibility/prepared_scene.hpp"
 #include "visibility/visible_set_bake.hpp"
 
 namespace zstrip::sim {
@@ -39,7 +41,7 @@ struct Arguments {
   bool turntable = false;
   std::string name_space = kDefaultNamespace;
   std::optional<std::string> visible_sets;
-  std::string cells = "8x2x8";
+  std::optional<std::string> cells;
   std::optional<std::string> json;
   bool quiet = false;
 };
@@ -58,6 +60,28 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
+/// What a method makes of the scene is for what stands still.
+Result<PreparedScene> prepare_for(const PlanRequest& request, const Arguments& arguments, const Staging& staging,
+                                  const Animation& animation) {
+  if (request.method.any(method::orders)) {
+    const std::string_view name = visibility_name(request.method);
+    if (!animation.tracks.empty()) {
+      return Failure{ExitStatus::usage,
+                     fmt::format("--visibility {} orders triangles that stand still, and here some move; bake with "
+                                 "another method",
+                                 name)};
+    }
+    if (arguments.visible_sets) {
+      return Failure{
+          ExitStatus::usage,
+          fmt::format("--visible-sets are of the scene's meshlets, which --visibility {} splits into others; "
+                      "leave out one of them",
+                      name)};
+    }
+  }
+  return PreparedScene::of(staging, request.method);
+}
+
 /// The scene at rest, planned.
 Result<BakedScene> bake(const std::string& scene, const Staging& staging, const Animation& animation,
                         const PlanRequest& request) {
@@ -68,9 +92,10 @@ Result<BakedScene> bake(const std::string& scene, const Staging& staging, const 
                    .camera = staging.camera,
                    .animation = animation,
                    .view = request.view,
-                   .effects = effects_of(staging.scene, staging.camera),
+                   .effects = effects_of(staging.scene, staging.camera) | request.method,
                    .budget = request.budget,
-                   .plan = *plan};
+                   .plan = *plan,
+                   .tree = staging.tree};
   const bool binned = plan->mode == Mode::binned;
   if (binned) baked.effects = baked.effects | effect::bins;
   baked.budget.modes = binned ? Modes::binned : Modes::streamed;
@@ -81,14 +106,16 @@ Result<BakedScene> bake(const std::string& scene, const Staging& staging, const 
 
 BakeRecord describe(const Arguments& arguments, const Stage& stage, const BakedScene& baked) {
   const Model* model = stage.model();
+  // What was split has a material of its own.
+  const Origins origins = baked.effects.any(method::orders) ? Origins{} : stage.origins();
   BakeRecord record{.scene = arguments.scene,
                     .output = arguments.output,
                     .view = baked.view,
                     .materials = baked.scene.materials.size(),
                     .counts = count(baked.scene),
-                    .flash = flash_bytes(baked.scene, baked.animation),
+                    .flash = flash_bytes(baked.scene, baked.animation, baked.tree),
                     .accuracy = {},
-                    .effects = find_effects(baked.scene, baked.camera, baked.effects, stage.origins()),
+                    .effects = find_effects(baked.scene, baked.camera, baked.effects, origins),
                     .plan = baked.plan,
                     .strip_buffers = baked.budget.strip_buffers,
                     .lent_bytes = {},
@@ -98,8 +125,11 @@ BakeRecord describe(const Arguments& arguments, const Stage& stage, const BakedS
 }
 
 Result<Done> write_blob(const BakedScene& baked, const std::string& output, BakeRecord& record) {
-  const Result<std::vector<std::uint8_t>> blob =
-      to_scene_blob({.scene = baked.scene, .camera = baked.camera, .view = baked.view, .animation = baked.animation});
+  const Result<std::vector<std::uint8_t>> blob = to_scene_blob({.scene = baked.scene,
+                                                                .camera = baked.camera,
+                                                                .view = baked.view,
+                                                                .tree = baked.tree,
+                                                                .animation = baked.animation});
   if (!blob) return Failure{blob.failure().status, fmt::format("'{}' {}", record.scene, blob.failure().message)};
   record.flash.tables = blob->size() - record.flash.arrays();
   record.lent_bytes = table_bytes(baked.scene);
@@ -140,7 +170,10 @@ Result<Done> run(const Arguments& arguments) {
                                "them, and neither std nor zstrip",
                                arguments.name_space)};
   }
-  const Result<CellCounts> cells = parse_cells(arguments.cells, "--cells");
+  if (arguments.cells && !arguments.visible_sets) {
+    return Failure{ExitStatus::usage, "--cells is the grid of --visible-sets, which is not given"};
+  }
+  const Result<CellCounts> cells = parse_cells(arguments.cells.value_or("8x2x8"), "--cells");
   if (!cells) return cells.failure();
   const Result<PlanRequest> request = parse_plan(arguments.plan, arguments.scene);
   if (!request) return request.failure();
@@ -151,13 +184,9 @@ Result<Done> run(const Arguments& arguments) {
   const bool built_in = kind_of_scene(arguments.scene) == SceneKind::built_in;
   OutputNames outputs;
   outputs.path = arguments.output;
-  const Result<Done> distinct = check_distinct(outputs, arguments.json, built_in ? "" : arguments.scene);
+  const Result<Done> distinct =
+      check_distinct(outputs, arguments.json, built_in ? "" : arguments.scene, arguments.visible_sets);
   if (!distinct) return distinct.failure();
-  if (arguments.visible_sets) {
-    const Result<Done> apart = check_apart("--visible-sets", *arguments.visible_sets, outputs, arguments.json,
-                                           built_in ? "" : arguments.scene);
-    if (!apart) return apart.failure();
-  }
 
   const std::uint32_t angles = arguments.turntable ? 2 : 1;  // more than one: every angle must fit
   const Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, *model, *camera, request->view, angles);
@@ -165,9 +194,14 @@ Result<Done> run(const Arguments& arguments) {
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   const Result<Staging> staging = (*stage)->place(0, angles);
   if (!staging) return staging.failure();
-  const Result<BakedScene> baked = bake(arguments.scene, *staging, (*stage)->animation(), *request);
+  const Result<PreparedScene> prepared = prepare_for(*request, arguments, *staging, (*stage)->animation());
+  if (!prepared) return prepared.failure();
+  const Result<BakedScene> baked = bake(arguments.scene, prepared->staging(), (*stage)->animation(), *request);
   if (!baked) return baked.failure();
   BakeRecord record = describe(arguments, **stage, *baked);
+  if (request->method != Effects{}) {
+    record.method = BakedMethodRecord{request->method, prepared->splits(), baked->tree.nodes.size()};
+  }
   const Result<Done> written =
       *kind == Kind::blob ? write_blob(*baked, arguments.output, record)
                           : write_file(arguments.output, bytes_of(to_scene_header(*baked, arguments.name_space)), "-o");
@@ -204,9 +238,7 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       ->add_option("--visible-sets", a.visible_sets,
                    "Write, besides, which meshlets cannot be seen from the cells of a grid (zstrip render reads it)")
       ->type_name("FILE");
-  command->add_option("--cells", a.cells, "Cells of that grid along x, y and z")
-      ->type_name("NxNxN")
-      ->capture_default_str();
+  command->add_option("--cells", a.cells, "Cells of that grid along x, y and z (default: 8x2x8)")->type_name("NxNxN");
   command->add_option("--json", a.json, "Write the report as JSON; - is standard output")->type_name("FILE|-");
   command->add_flag("--quiet", a.quiet, "No report in words; warnings and errors remain");
   command->footer(
@@ -215,6 +247,7 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       "  zstrip bake model.glb -o scene.hpp --size 240x240 --format rgb565_swapped --ram 14K --split-columns "
       "--turntable\n"
       "  zstrip bake model.obj -o scene.zsc --size 320x240\n"
+      "  zstrip bake house.obj -o house.zsc --visibility painter-bsp\n"
       "  zstrip render scene.zsc --size 320x240");
   command->callback([arguments, &exit_code] {
     const Result<Done> done = run(*arguments);

@@ -77,16 +77,28 @@ bool is_standard_output(const std::string& path) {
 }
 
 Result<Done> check_distinct(const OutputNames& outputs, const std::optional<std::string>& json,
-                            const std::string& scene) {
+                            const std::string& scene, const std::optional<std::string>& sets) {
   const auto usage = [](std::string message) { return Failure{ExitStatus::usage, std::move(message)}; };
   const bool json_on_stdout = json && (*json == "-" || is_standard_output(*json));
   if (json_on_stdout && is_standard_output(outputs.path.string())) {
     return usage("-o and --json both name standard output; give one of them a file");
   }
-  const std::filesystem::path report = json && !json_on_stdout && !is_device(*json) ? resolved(*json) : "";
+  // Empty where there is no file of its own.
+  const auto file_of = [](bool is_file, const std::string& path) {
+    return is_file && !is_device(path) ? resolved(path) : std::filesystem::path();
+  };
   const std::filesystem::path model = resolved(scene);
-  if (!report.empty() && report == model)
+  const std::filesystem::path report = file_of(json && !json_on_stdout, json.value_or(""));
+  const std::filesystem::path set_file = file_of(sets.has_value(), sets.value_or(""));
+  if (!report.empty() && report == model) {
     return usage(fmt::format("--json '{}' is the model itself; name another file", *json));
+  }
+  if (!set_file.empty() && set_file == model) {
+    return usage(fmt::format("--visible-sets '{}' is the model itself; name another file", *sets));
+  }
+  if (!report.empty() && report == set_file) {
+    return usage(fmt::format("--json '{}' is the file of --visible-sets; give the report another name", *json));
+  }
 
   // Of a folder's files only the names differ.
   const std::filesystem::path place = outputs.folder ? resolved(outputs.path) : "";
@@ -98,25 +110,8 @@ Result<Done> check_distinct(const OutputNames& outputs, const std::optional<std:
     if (!report.empty() && picture == report) {
       return usage(fmt::format("--json '{}' is a file of -o; give the report another name", *json));
     }
-  }
-  return Done{};
-}
-
-Result<Done> check_apart(const std::string& option, const std::string& path, const OutputNames& outputs,
-                         const std::optional<std::string>& json, const std::string& scene) {
-  const auto usage = [](std::string message) { return Failure{ExitStatus::usage, std::move(message)}; };
-  if (is_device(path)) return Done{};
-  const std::filesystem::path file = resolved(path);
-  if (!scene.empty() && file == resolved(scene)) {
-    return usage(fmt::format("{} '{}' is the model itself; name another file", option, path));
-  }
-  if (json && *json != "-" && file == resolved(*json)) {
-    return usage(fmt::format("--json '{}' is the file of {}; give the report another name", *json, option));
-  }
-  for (std::uint32_t frame = 0; frame < outputs.frames; ++frame) {
-    const std::filesystem::path name = outputs.file(frame);
-    if (file == resolved(name)) {
-      return usage(fmt::format("-o '{}' is the file of {}; name another one", name.string(), option));
+    if (!set_file.empty() && picture == set_file) {
+      return usage(fmt::format("-o '{}' is the file of --visible-sets; name another one", name.string()));
     }
   }
   return Done{};

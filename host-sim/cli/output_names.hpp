@@ -34,13 +34,10 @@ Result<OutputNames> name_outputs(const std::string& scene, const std::optional<s
 /// Whether `path` is a name of standard output: /dev/stdout and the like.
 bool is_standard_output(const std::string& path);
 
-/// Refuses to write two things to one place: the report over a picture, or either over the file of the scene.
+/// Refuses to write two things to one place: the report over a picture, or either over the file of the scene or of
+/// --visible-sets, which is not the scene's either.
 Result<Done> check_distinct(const OutputNames& outputs, const std::optional<std::string>& json,
-                            const std::string& scene);
-
-/// Likewise for one file more, which `option` names: it is neither the scene nor anything that is written.
-Result<Done> check_apart(const std::string& option, const std::string& path, const OutputNames& outputs,
-                         const std::optional<std::string>& json, const std::string& scene);
+                            const std::string& scene, const std::optional<std::string>& sets = std::nullopt);
 
 /// Creates the folder where there is to be one.
 Result<Done> prepare(const OutputNames& outputs);

@@ -21,7 +21,11 @@ Result<PictureSettings> settings_of(const std::string& scene) {
   if (kind_of_scene(scene) != SceneKind::composed || !std::filesystem::exists(scene)) return PictureSettings{};
   const Result<SceneFile> file = read_scene_file(scene);
   if (!file) return file.failure();
-  return file->picture;
+  PictureSettings settings = file->picture;
+  if (std::optional<std::string>& sets = settings.visibility.sets) {
+    sets = (std::filesystem::path(scene).parent_path() / *sets).string();
+  }
+  return settings;
 }
 
 Result<View> parse_view(const std::optional<std::string>& size, const std::optional<std::string>& format,

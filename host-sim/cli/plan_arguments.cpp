@@ -1,7 +1,11 @@
 // The options that say what a picture is and what memory it may take.
 #include "cli/plan_arguments.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+
+#include "visibility/methods.hpp"
 
 namespace zstrip::sim {
 
@@ -29,6 +33,10 @@ void add_plan_options(CLI::App& command, PlanArguments& arguments) {
   command.add_option("--mode", a.mode, "Transform geometry for each strip, once, or what is faster")
       ->check(CLI::IsMember({"any", "streamed", "binned"}))
       ->capture_default_str();
+  command
+      .add_option("--visibility", a.visibility,
+                  fmt::format("How visibility is found: {} (default: zbuffer)", visibility_names()))
+      ->type_name("METHOD");
 }
 
 Result<PlanRequest> parse_plan(const PlanArguments& arguments, const std::string& scene) {
@@ -41,6 +49,10 @@ Result<PlanRequest> parse_plan(const PlanArguments& arguments, const std::string
   const Result<Done> memory = parse_memory(arguments.memory, *settings, request.view, request.budget);
   if (!memory) return memory.failure();
   request.depth_format = settings->depth_format.value_or(DepthFormat::z16);
+  const Result<VisibilityMethod> method =
+      parse_visibility(arguments.visibility.value_or(settings->visibility.method.value_or("zbuffer")));
+  if (!method) return method.failure();
+  request.method = method->effects;
   request.budget.split_columns = arguments.split_columns;
   request.budget.strip_buffers = static_cast<std::uint8_t>(arguments.strip_buffers);
   request.may_bin = arguments.mode != "streamed";

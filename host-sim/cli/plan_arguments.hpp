@@ -23,6 +23,7 @@ struct PlanArguments {
   bool split_columns = false;
   std::uint32_t strip_buffers = 1;
   std::string mode = "any";
+  std::optional<std::string> visibility{};
 };
 
 /// Adds the options; `arguments` must live as long as the command.

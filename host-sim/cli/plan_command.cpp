@@ -17,6 +17,8 @@
 #include "render/stage.hpp"
 #include "report/plan_report.hpp"
 #include "report/text.hpp"
+#include "visibility/methods.hpp"
+#include "visibility/prepared_scene.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -44,6 +46,14 @@ Result<PlanRequest> parse(const Arguments& arguments) {
   if (arguments.static_layer && (wide || request->view.format != PixelFormat::rgb565)) {
     return Failure{ExitStatus::usage, "a static layer keeps depth of 16 bits and pixels of --format rgb565"};
   }
+  if (arguments.static_layer && request->method != Effects{}) {
+    return Failure{ExitStatus::usage,
+                   fmt::format("--static-layer keeps the z-buffer of the plain method, not of --visibility {}",
+                               visibility_name(request->method))};
+  }
+  if (const Result<Done> checked = check_visibility(request->method | depth_effect(request->depth_format)); !checked) {
+    return checked.failure();
+  }
   if (arguments.separation && !(std::isfinite(*arguments.separation) && *arguments.separation > 0)) {
     return Failure{ExitStatus::usage, "--separation is a length greater than 0"};
   }
@@ -64,10 +74,12 @@ Result<Done> run(const Arguments& arguments) {
   if (arguments.static_layer) request->budget.layer = kept->layer();
   const Result<Staging> staging = (*stage)->place(0, 1);
   if (!staging) return staging.failure();
-  Result<PlanChoice> choice = choose_plan(*staging, *request);
+  const Result<PreparedScene> prepared = PreparedScene::of(*staging, request->method);
+  if (!prepared) return prepared.failure();
+  Result<PlanChoice> choice = choose_plan(prepared->staging(), *request);
   if (!choice) return choice.failure();
   choice->kept = *kept;
-  if (kept->nearest > 0) {
+  if (kept->nearest > 0 && !request->method.has(method::painter)) {
     choice->depth = advise_depth(*kept, staging->camera, request->view, arguments.separation);
   }
   write_text(stdout, arguments.json ? plan_json(arguments.scene, *request, *choice)
@@ -99,6 +111,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
       "  zstrip plan teapot --size 240x240\n"
       "  zstrip plan model.glb --size 320x240 --ram 16K --split-columns\n"
       "  zstrip plan knot_meshlets --ram 48K --strip-buffers 2 --json\n"
+      "  zstrip plan random50 --visibility painter --size 128x64\n"
       "  zstrip plan room --size 128x64 --ram 32K --static-layer --separation 0.01");
   command->callback([arguments, &exit_code] {
     const Result<Done> done = run(*arguments);

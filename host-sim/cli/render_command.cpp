@@ -154,12 +154,10 @@ Result<Job> parse(const Arguments& arguments) {
                                              shown_format(job), settings->frames.value_or(kFolderFrames));
   if (!outputs) return outputs.failure();
   const bool built_in = kind_of_scene(arguments.scene) == SceneKind::built_in;
-  const Result<Done> distinct = check_distinct(*outputs, arguments.json, built_in ? "" : arguments.scene);
+  const std::optional<std::string> sets =
+      job.visibility.sets.empty() ? std::nullopt : std::optional(job.visibility.sets);
+  const Result<Done> distinct = check_distinct(*outputs, arguments.json, built_in ? "" : arguments.scene, sets);
   if (!distinct) return distinct.failure();
-  if (!job.visibility.sets.empty()) {
-    const Result<Done> apart = check_apart("--visible-sets", job.visibility.sets, *outputs, arguments.json, "");
-    if (!apart) return apart.failure();
-  }
   job.outputs = std::move(*outputs);
   return job;
 }
@@ -228,7 +226,7 @@ Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t f
     if (!visible) return visible.failure();
     visibility.potentially_visible = *visible;
   }
-  worker.renderer.set_visibility(job.visibility.method, visibility);
+  worker.renderer.set_visibility(job.visibility.method, visibility, job.visibility.temporal);
   const BusUse before = bus_use();
   const Result<FrameReport> report = worker.renderer.render(*staging);
   if (!report) return report.failure();
@@ -267,7 +265,8 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
     if (!read) return read.failure();
     sets = std::move(*read);
   }
-  const unsigned threads = std::min(job.threads, job.outputs.frames);
+  // Each frame begins with what the one before has seen.
+  const unsigned threads = job.visibility.temporal ? 1 : std::min(job.threads, job.outputs.frames);
   const unsigned strip_threads = job.outputs.frames == 1 ? job.threads : 1;
   std::vector<Worker> workers;
   for (unsigned thread = 0; thread < threads; ++thread) {

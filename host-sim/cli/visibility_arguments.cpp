@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 
+#include "visibility/method_options.hpp"
 #include "visibility/methods.hpp"
 
 namespace zstrip::sim {
@@ -19,7 +19,7 @@ void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
   command
       .add_option("--iterations", a.iterations,
                   fmt::format("Levels of splitting of the midpoint methods, 0 to {} (default: {})", kMostIterations,
-                              a.iterations))
+                              VisibilityOptions{}.iterations))
       ->option_text("N")
       ->check(CLI::Range(std::uint32_t{0}, std::uint32_t{kMostIterations}));
   command
@@ -28,11 +28,11 @@ void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
       ->check(CLI::IsMember({"middle", "nearest", "farthest"}));
   command
       .add_option("--cull", a.cull,
-                  "What is left out early, separated by commas: back-faces, small, spheres (meshlets by their bounding "
-                  "spheres) or none (default: back-faces,small)")
+                  "All that is left out early, separated by commas: back-faces, small, spheres (meshlets by their "
+                  "bounding spheres), temporal (meshlets hidden in the last frame come last; hierarchical-z), or none. "
+                  "The list takes the place of the default: back-faces,small")
       ->option_text("LIST")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"back-faces", "small", "spheres", "none"}));
+      ->delimiter(',');
   command
       .add_option("--visible-sets", a.sets,
                   "Leave out the meshlets that cannot be seen from the camera's cell, by a file of zstrip bake")
@@ -40,28 +40,29 @@ void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
   command.add_option("--show", a.show, "Instead of the picture: depth, overdraw, tiles or error")->type_name("WHAT");
 }
 
-Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments,
-                                           const std::optional<std::string>& setting) {
-  const Result<VisibilityMethod> method = parse_visibility(arguments.method.value_or(setting.value_or("zbuffer")));
+Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments, const VisibilitySettings& settings) {
+  const Result<VisibilityMethod> method =
+      parse_visibility(arguments.method.value_or(settings.method.value_or("zbuffer")));
   if (!method) return method.failure();
   VisibilityRequest request{.method = method->effects, .options = {}, .sets = arguments.sets};
-  request.options.iterations = static_cast<std::uint8_t>(arguments.iterations);
-  request.options.key = arguments.key == "nearest"    ? SortKey::nearest
-                        : arguments.key == "farthest" ? SortKey::farthest
-                                                      : SortKey::middle;
-  const auto culls = [&](const char* what) { return std::ranges::find(arguments.cull, what) != arguments.cull.end(); };
-  if (culls("none") && arguments.cull.size() > 1) {
-    return Failure{ExitStatus::usage, "--cull none goes with nothing else"};
+  if (request.sets.empty()) request.sets = settings.sets.value_or("");
+  request.options.iterations = static_cast<std::uint8_t>(
+      arguments.iterations.value_or(settings.iterations.value_or(request.options.iterations)));
+  request.options.key =
+      known_sort_key(arguments.key.value_or(settings.sort_key.value_or("middle"))).value_or(SortKey::middle);
+  const Result<CullChoice> cull = parse_cull(arguments.cull.empty() ? settings.cull : arguments.cull);
+  if (!cull) return Failure{cull.failure().status, "--cull " + cull.failure().message};
+  request.options.cull_back_faces = cull->back_faces;
+  request.options.cull_small = cull->small;
+  request.options.cull_by_spheres = cull->spheres;
+  request.temporal = cull->temporal;
+  if (request.temporal && without(request.method, method::culling) != method::hierarchical_z) {
+    return Failure{ExitStatus::usage, fmt::format("--cull temporal needs the bounds of --visibility hierarchical-z, "
+                                                  "and not {}",
+                                                  visibility_name(request.method))};
   }
-  request.options.cull_back_faces = culls("back-faces");
-  request.options.cull_small = culls("small");
-  request.options.cull_by_spheres = culls("spheres");
-  const VisibilityOptions usual;
-  if (request.options.cull_back_faces != usual.cull_back_faces || request.options.cull_small != usual.cull_small ||
-      request.options.cull_by_spheres != usual.cull_by_spheres) {
-    request.method = request.method | method::culling;
-  }
-  if (!arguments.sets.empty()) {
+  if (cull->is_special()) request.method = request.method | method::culling;
+  if (!request.sets.empty()) {
     if (request.method.any(method::orders)) {
       return Failure{
           ExitStatus::usage,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compose/scene_file.hpp"
 #include "result.hpp"
 #include "visibility/show.hpp"
 #include "zstrip/scene/effects.hpp"
@@ -20,25 +21,25 @@ namespace zstrip::sim {
 /// As given on the command line.
 struct VisibilityArguments {
   std::optional<std::string> method;
-  std::uint32_t iterations = VisibilityOptions{}.iterations;
-  std::string key = "middle";
-  std::vector<std::string> cull{"back-faces", "small"};
-  std::string sets;  ///< a file that `zstrip bake` wrote; empty: none
-  std::string show;  ///< empty: the picture
+  std::optional<std::uint32_t> iterations;
+  std::optional<std::string> key;
+  std::vector<std::string> cull;  ///< empty: not given
+  std::string sets;               ///< a file that `zstrip bake` wrote; empty: none
+  std::string show;               ///< empty: the picture
 };
 
 struct VisibilityRequest {
   Effects method;
   VisibilityOptions options;
-  std::string sets;  ///< a file, or empty
+  std::string sets;       ///< a file, or empty
+  bool temporal = false;  ///< VisibilityOptions::seen_before is kept from frame to frame
   Show show = Show::colour;
 };
 
 /// Adds the options; `arguments` must live as long as the command.
 void add_visibility_options(CLI::App& command, VisibilityArguments& arguments);
 
-/// `setting`: the scene file's method, which counts where the command line names none.
-Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments,
-                                           const std::optional<std::string>& setting);
+/// `settings`: the scene file's, each of which counts where the command line says nothing.
+Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments, const VisibilitySettings& settings);
 
 }  // namespace zstrip::sim

@@ -18,12 +18,21 @@
 
 namespace zstrip::sim {
 
+/// The keys of [picture] that say how visibility is found: names as on the command line.
+struct VisibilitySettings {
+  std::optional<std::string> method{};
+  std::optional<std::uint32_t> iterations{};
+  std::optional<std::string> sort_key{};
+  std::vector<std::string> cull{};    ///< empty: not given
+  std::optional<std::string> sets{};  ///< a path relative to the scene file's folder, or an absolute one
+};
+
 /// [picture]: what the options of the command line are without them.
 struct PictureSettings {
   std::optional<std::pair<std::uint16_t, std::uint16_t>> size;
   std::optional<PixelFormat> format;
   std::optional<DepthFormat> depth_format;
-  std::optional<std::string> visibility;  ///< a name that parse_visibility knows
+  VisibilitySettings visibility;
   std::optional<std::uint16_t> strip_rows;
   std::optional<std::uint16_t> strip_columns;
   std::optional<std::uint32_t> ram;

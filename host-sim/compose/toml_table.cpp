@@ -222,6 +222,20 @@ std::vector<std::pair<std::string, std::string>> TomlTable::texts(const char* ke
   return {};
 }
 
+std::vector<std::string> TomlTable::list(const char* key) {
+  std::vector<std::string> found;
+  const toml::node* const node = find(key);
+  if (node == nullptr) return found;
+  if (const toml::array* const array = node->as_array(); array != nullptr && !array->empty()) {
+    for (const toml::node& element : *array) {
+      if (const auto* const given = element.as_string()) found.push_back(given->get());
+    }
+    if (found.size() == array->size()) return found;
+  }
+  wrong(key, fmt::format("'{}' must be a list of texts, [\"word\", \"word\"]", key));
+  return {};
+}
+
 void TomlTable::wrong_name(const char* key, const std::string& given, const char* what,
                            const std::vector<std::string>& names) {
   const std::string near = nearest(given, names);

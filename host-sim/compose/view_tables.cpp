@@ -3,6 +3,7 @@
 
 #include "compose/scene_tables.hpp"
 #include "compose/table_values.hpp"
+#include "visibility/method_options.hpp"
 #include "visibility/methods.hpp"
 
 namespace zstrip::sim {
@@ -20,6 +21,27 @@ constexpr std::pair<std::string_view, DepthFormat> kDepthFormats[] = {{"z16", De
                                                                       {"z32", DepthFormat::z32}};
 constexpr std::pair<std::string_view, bool> kProjections[] = {{"perspective", false}, {"orthographic", true}};
 
+VisibilitySettings read_visibility(TomlTable& table) {
+  VisibilitySettings settings;
+  settings.method = table.text("visibility");
+  if (settings.method && !parse_visibility(*settings.method)) {
+    table.wrong("visibility", fmt::format("'visibility' is not one of: {}", visibility_names()));
+  }
+  if (const auto iterations = table.integer("iterations", 0, kMostIterations)) {
+    settings.iterations = static_cast<std::uint32_t>(*iterations);
+  }
+  settings.sort_key = table.text("sort_key");
+  if (settings.sort_key && !known_sort_key(*settings.sort_key)) {
+    table.wrong("sort_key", "'sort_key' is not one of: middle, nearest, farthest");
+  }
+  settings.cull = table.list("cull");
+  if (const Result<CullChoice> parsed = parse_cull(settings.cull); !parsed) {
+    table.wrong("cull", "'cull' " + parsed.failure().message);
+  }
+  settings.sets = table.text("visible_sets");
+  return settings;
+}
+
 }  // namespace
 
 PictureSettings read_picture(TomlTable& table) {
@@ -32,10 +54,7 @@ PictureSettings read_picture(TomlTable& table) {
   }
   picture.format = table.choice("format", kFormats);
   picture.depth_format = table.choice("depth_format", kDepthFormats);
-  picture.visibility = table.text("visibility");
-  if (picture.visibility && !parse_visibility(*picture.visibility)) {
-    table.wrong("visibility", fmt::format("'visibility' is not one of: {}", visibility_names()));
-  }
+  picture.visibility = read_visibility(table);
   const auto pixels = [&table](const char* key) -> std::optional<std::uint16_t> {
     const auto value = table.integer(key, 1, kMaxViewSize);
     return value ? std::optional(static_cast<std::uint16_t>(*value)) : std::nullopt;

@@ -24,8 +24,16 @@ Result<Done> check_readable(const std::filesystem::path& path) {
 Result<std::vector<std::uint8_t>> read_file(const std::filesystem::path& path) {
   const Result<Done> readable = check_readable(path);
   if (!readable) return readable.failure();
+  // Not by stream iterators: their buffer throws where the system reports an error.
   std::ifstream file(path, std::ios::binary);
-  std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  std::vector<std::uint8_t> bytes;
+  constexpr std::size_t kBlock = 65536;
+  while (file) {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + kBlock);
+    file.read(reinterpret_cast<char*>(bytes.data() + before), kBlock);
+    bytes.resize(before + static_cast<std::size_t>(file.gcount()));
+  }
   if (file.bad()) return Failure{ExitStatus::input, "cannot be read to its end"};
   return bytes;
 }

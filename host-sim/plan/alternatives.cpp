@@ -32,7 +32,7 @@ class Planning {
       : staging_(staging),
         request_(request),
         counts_(count(staging.scene)),
-        effects_(effects_of(staging.scene, staging.camera) | depth_effect(request.depth_format) |
+        effects_(effects_of(staging.scene, staging.camera) | depth_effect(request.depth_format) | request.method |
                  (request.may_bin ? effect::bins : Effects{})) {}
 
   const SceneCounts& counts() const { return counts_; }
@@ -48,6 +48,7 @@ class Planning {
 
   Result<Alternative> draw(const Plan& plan) {
     FrameRenderer renderer(request_.view, {}, request_.depth_format);
+    renderer.set_visibility(request_.method, {});
     const Result<FrameReport> report = renderer.render(staging_, plan);
     if (!report) return report.failure();
     const Statistics& done = report->statistics;

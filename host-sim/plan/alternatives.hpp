@@ -28,6 +28,7 @@ struct PlanRequest {
   Budget budget;        ///< bytes, rows, columns, buffers and layer as asked for
   bool may_bin = true;  ///< else only streamed plans
   DepthFormat depth_format = DepthFormat::z16;
+  Effects method{};  ///< how visibility is found; nothing: the z-buffer. The scene is prepared for it (PreparedScene).
 };
 
 struct PlanChoice {

@@ -12,9 +12,14 @@
 namespace zstrip::sim {
 namespace {
 
-std::string reason(const Status& status) {
+std::string reason(const Status& status, std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t kKind = 3;
   switch (status.error) {
-    case Error::blob_damaged: return fmt::format("is no whole baked scene (byte {}); bake it again", status.needed);
+    case Error::blob_damaged:
+      if (status.needed == kKind && bytes.size() > kKind && bytes[kKind] == 'v') {
+        return "holds visible sets and no scene; name the scene, and this file with --visible-sets";
+      }
+      return fmt::format("is no whole baked scene (byte {}); bake it again", status.needed);
     case Error::blob_version:
       return fmt::format("is a baked scene of version {}, and this zstrip reads version {}; bake it again",
                          status.needed, status.available);
@@ -29,6 +34,8 @@ class BlobStage : public Stage {
   explicit BlobStage(std::vector<std::uint8_t> bytes) : bytes_(std::move(bytes)) {}
   BlobStage(const BlobStage&) = delete;
   BlobStage& operator=(const BlobStage&) = delete;
+
+  std::span<const std::uint8_t> bytes() const { return bytes_; }
 
   Status open() {
     Status status = open_with(0);
@@ -59,7 +66,7 @@ class BlobStage : public Stage {
     }
     Scene scene = blob_.scene;
     scene.instances = instances_;
-    return Staging{scene, camera_};
+    return Staging{scene, camera_, blob_.tree};
   }
 
   std::unique_ptr<Stage> copy() const override {
@@ -94,7 +101,7 @@ Result<std::unique_ptr<Stage>> open_blob_stage(const std::string& path, const Ca
   if (!bytes) return Failure{ExitStatus::input, fmt::format("'{}' {}", path, bytes.failure().message)};
   auto stage = std::make_unique<BlobStage>(std::move(*bytes));
   if (const Status status = stage->open(); !status) {
-    return Failure{ExitStatus::input, fmt::format("'{}' {}", path, reason(status))};
+    return Failure{ExitStatus::input, fmt::format("'{}' {}", path, reason(status, stage->bytes()))};
   }
   if (const Result<Done> camera = stage->set_camera(options, view); !camera) return camera.failure();
   return std::unique_ptr<Stage>(std::move(stage));

@@ -48,26 +48,35 @@ std::optional<Fixed> scaled(double length, double scale) {
   return static_cast<Fixed>(std::llround(fixed));
 }
 
+/// Those that the file says, whatever place the camera has.
+Result<Done> set_planes(const SceneFile& file, const Units& units, Camera& camera) {
+  const auto set = [&](const std::optional<double>& length, Fixed& to) {
+    if (!length) return true;
+    const std::optional<Fixed> fixed = scaled(*length, units.scale);
+    if (fixed) to = *fixed;
+    return fixed.has_value();
+  };
+  if (!set(file.camera->near_plane, camera.near_plane) || !set(file.camera->far_plane, camera.far_plane) ||
+      camera.near_plane >= camera.far_plane) {
+    return at_line(file.path, file.camera->line, "[camera]: 'near' or 'far' is too large or too small for this scene");
+  }
+  return Done{};
+}
+
 Result<Camera> finished_camera(const SceneFile& file, const Units& units, double radius) {
   const FileCamera& from = *file.camera;
   Result<Camera> camera = camera_of(from, units, radius);
   if (!camera) {
     return at_line(file.path, from.line, "[camera] is too far away for this scene, or too near to what it looks at");
   }
-  const auto set = [&](const std::optional<double>& length, double scale, Fixed& to) {
-    if (!length) return true;
-    const std::optional<Fixed> fixed = scaled(*length, scale);
-    if (fixed) to = *fixed;
-    return fixed.has_value();
-  };
-  const std::optional<double> per_height = from.half_height ? std::optional(1 / *from.half_height) : std::nullopt;
-  if (!set(per_height, 1 / units.scale, camera->focal)) {
-    return at_line(file.path, from.line, "[camera]: 'half_height' is too large or too small for this scene");
+  if (from.half_height) {
+    const std::optional<Fixed> focal = scaled(1 / *from.half_height, 1 / units.scale);
+    if (!focal) {
+      return at_line(file.path, from.line, "[camera]: 'half_height' is too large or too small for this scene");
+    }
+    camera->focal = *focal;
   }
-  if (!set(from.near_plane, units.scale, camera->near_plane) || !set(from.far_plane, units.scale, camera->far_plane) ||
-      camera->near_plane >= camera->far_plane) {
-    return at_line(file.path, from.line, "[camera]: 'near' or 'far' is too large or too small for this scene");
-  }
+  if (const Result<Done> set = set_planes(file, units, *camera); !set) return set.failure();
   return camera;
 }
 
@@ -122,7 +131,14 @@ class ComposedStage : public Stage {
     Scene whole = scene_;
     whole.instances = poses;
     const double radius = radius_about_origin(whole);
-    if (options.placed()) return place_camera(options, composed_->units, radius);
+    if (options.placed()) {
+      Result<Camera> camera = place_camera(options, composed_->units, radius);
+      if (camera && file.camera) {
+        const Result<Done> set = set_planes(file, composed_->units, *camera);
+        if (!set) return set.failure();
+      }
+      return camera;
+    }
     if (file.camera) {
       const Result<Camera> camera = finished_camera(file, composed_->units, radius);
       if (!camera) return camera.failure();

@@ -74,11 +74,12 @@ Result<FrameReport> FrameRenderer::render(const Staging& original) {
   const Result<PreparedScene> prepared = PreparedScene::of(original, method_);
   if (!prepared) return prepared.failure();
   const Staging staging = prepared->staging();
-  options_.tree = prepared->tree();
   const Effects effects =
       effects_of(staging.scene, staging.camera) | depth_effect(depth_format_) | effect::bins | method_;
   if (const Result<Done> checked = check_visibility(effects); !checked) return checked.failure();
-  const auto [status, plan] = zstrip::plan(count(staging.scene), view_, effects, budget_);
+  Budget budget = budget_;
+  if (temporal_) budget.modes = Modes::streamed;
+  const auto [status, plan] = zstrip::plan(count(staging.scene), view_, effects, budget);
   if (status.error == Error::arena_too_small) {
     // A panel may want a number of rows.
     return too_little_memory(status, staging.scene, view_, effects, budget_, panel_ == nullptr);
@@ -95,7 +96,13 @@ Result<Done> FrameRenderer::draw(const Staging& staging, const Effects& effects,
   const std::span<std::byte> arena = at_least(memory_[0].arena, plan.bytes());
   const std::span<std::byte> strip = at_least(memory_[0].strip, report.strip_pixel_bytes);
   AnyRenderer renderer(effects);
-  renderer.set_visibility(options_);
+  VisibilityOptions options = options_;
+  options.tree = &staging.tree;
+  if (temporal_) {
+    seen_.resize(seen_words(count(staging.scene).meshlets));
+    options.seen_before = seen_;
+  }
+  renderer.set_visibility(options);
   const Status begun = renderer.begin_frame(staging.scene, staging.camera, view_, plan, arena);
   if (!begun) return refused("the frame cannot begin", begun);
   const hal::StripLayout layout{plan.strips, plan.strip_rows, plan.strip_columns};

@@ -37,8 +37,11 @@ class FrameRenderer {
                 unsigned threads = 1)
       : view_(view), budget_(budget), depth_format_(depth_format), display_(view), memory_(threads) {}
 
-  /// Another method than the z-buffer, from the next frame on; it draws on one thread.
-  void set_visibility(Effects method, const VisibilityOptions& options) { method_ = method, options_ = options; }
+  /// Another method than the z-buffer, from the next frame on; it draws on one thread. `temporal`: what was seen is
+  /// kept for the next frame (VisibilityOptions::seen_before), and plans are streamed.
+  void set_visibility(Effects method, const VisibilityOptions& options, bool temporal = false) {
+    method_ = method, options_ = options, temporal_ = temporal;
+  }
 
   /// Plans and draws. Failures: ExitStatus::budget says how many bytes are missing, for what, and how many are enough.
   Result<FrameReport> render(const Staging& staging);
@@ -62,6 +65,8 @@ class FrameRenderer {
   DepthFormat depth_format_;
   Effects method_;
   VisibilityOptions options_;
+  bool temporal_ = false;
+  std::vector<std::uint32_t> seen_;
   PictureDisplay display_;
   SimulatedPanel* panel_ = nullptr;
   struct Memory {

@@ -14,6 +14,7 @@
 #include "zstrip/scene/camera.hpp"
 #include "zstrip/scene/scene.hpp"
 #include "zstrip/scene/view.hpp"
+#include "zstrip/visibility/bsp_tree.hpp"
 
 namespace zstrip::sim {
 
@@ -21,6 +22,7 @@ namespace zstrip::sim {
 struct Staging {
   Scene scene;
   Camera camera;
+  BspTree tree{};  ///< of method::bsp, where one was baked for the scene
 };
 
 class Stage {

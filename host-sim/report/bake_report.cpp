@@ -10,6 +10,8 @@
 #include "report/number.hpp"
 #include "report/plan_words.hpp"
 #include "report/text.hpp"
+#include "visibility/methods.hpp"
+#include "zstrip/plan/visibility_bytes.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -48,6 +50,7 @@ std::string flash_lines(const BakeRecord& record) {
   add(flash.meshlets, "meshlets", "");
   add(flash.texels, "textures, RGB565", known ? "a channel " + off_words(100 * accuracy.texel, "%") : "");
   add(flash.keyframes, "keyframes of the animation", "");
+  add(flash.tree, "tree of painter-bsp", counted(record.method.value_or(BakedMethodRecord{}).nodes, "node"));
   add(flash.tables, "tables of meshes, materials, textures, instances and lights, camera", "");
   return text;
 }
@@ -68,6 +71,7 @@ std::string effect_lines(const BakeRecord& record) {
 
 std::string bake_summary(const BakeRecord& record) {
   const SceneCounts& counts = record.counts;
+  const Effects method = record.method ? record.method->method : Effects{};
   std::string text = fmt::format("{}: {} in {}, {}, {}\n", printable(record.scene),
                                  counted(counts.triangles, "triangle"), counted(counts.meshlets, "meshlet"),
                                  counted(counts.instances, "instance"), counted(record.materials, "material"));
@@ -75,8 +79,15 @@ std::string bake_summary(const BakeRecord& record) {
   text += effect_lines(record);
   text += fmt::format("  picture    {}x{}, {}; {}\n", record.view.width, record.view.height, name(record.view.format),
                       shape(record.plan, record.view));
-  text += fmt::format("  RAM        {}{}\n", memory(record.plan, record.plan.strip_pixel_bytes(record.view)),
-                      record.strip_buffers == 2 ? ", twice" : "");
+  text +=
+      fmt::format("  RAM        {}{}\n",
+                  memory(record.plan, record.plan.strip_pixel_bytes(record.view), detail::visibility_purpose(method)),
+                  record.strip_buffers == 2 ? ", twice" : "");
+  if (record.method) {
+    text += fmt::format("  visibility {}; {}\n", visibility_words(record.plan, method),
+                        record.method->splits == 0 ? "no triangle was cut"
+                                                   : counted(record.method->splits, "cut") + " through triangles");
+  }
   if (record.lent_bytes) {
     text += fmt::format("             and {} to lend for the tables (with addresses of 32 bits)\n",
                         counted(*record.lent_bytes, "byte"));
@@ -115,6 +126,7 @@ std::string bake_json(const BakeRecord& record) {
                    {"meshlets", flash.meshlets},
                    {"textures", flash.texels},
                    {"keyframes", flash.keyframes},
+                   {"tree", flash.tree},
                    {"tables", flash.tables},
                    {"total", flash.total()}}}};
   object["accuracy"] = nullptr;
@@ -134,6 +146,7 @@ std::string bake_json(const BakeRecord& record) {
   }
   Json bytes;
   for (const auto& [purpose, size] : by_purpose(plan)) bytes[name(purpose)] = size;
+  bytes["visibility"] = plan.visibility_bytes;
   bytes["arena"] = plan.bytes();
   bytes["strip_pixels"] = plan.strip_pixel_bytes(record.view);
   object["plan"] = {{"mode", name(plan.mode)},
@@ -143,6 +156,10 @@ std::string bake_json(const BakeRecord& record) {
                     {"strip_buffers", record.strip_buffers},
                     {"ram_bytes", bytes}};
   if (record.lent_bytes) object["plan"]["ram_bytes"]["lent_tables"] = *record.lent_bytes;
+  if (const auto& method = record.method) {
+    object["visibility"] = {
+        {"method", visibility_name(method->method)}, {"splits", method->splits}, {"tree_nodes", method->nodes}};
+  }
   if (const auto& sets = record.visible_sets) {
     object["visible_sets"] = {{"output", sets->output},     {"cells", sets->cells}, {"sets", sets->sets},
                               {"meshlets", sets->meshlets}, {"bytes", sets->bytes}, {"hidden", sets->hidden}};

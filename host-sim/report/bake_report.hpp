@@ -10,9 +10,17 @@
 #include "bake/flash_bytes.hpp"
 #include "import/model.hpp"
 #include "zstrip/plan/plan_types.hpp"
+#include "zstrip/scene/effects.hpp"
 #include "zstrip/scene/view.hpp"
 
 namespace zstrip::sim {
+
+/// How visibility is found, where not by the z-buffer.
+struct BakedMethodRecord {
+  Effects method;
+  std::size_t splits = 0;  ///< triangles that were cut
+  std::size_t nodes = 0;   ///< of the tree
+};
 
 /// Potentially visible sets that were written beside the scene.
 struct VisibleSetRecord {
@@ -35,6 +43,7 @@ struct BakeRecord {
   std::uint8_t strip_buffers = 1;
   std::optional<std::uint64_t> lent_bytes;  ///< of a blob: memory that a program with 32-bit addresses lends for it
   std::vector<std::string> warnings;
+  std::optional<BakedMethodRecord> method{};
   std::optional<VisibleSetRecord> visible_sets{};
 };
 

@@ -58,6 +58,7 @@ Json to_object(std::size_t index, const FrameRecord& frame, bool has_panel) {
                           {"splits", counts.splits},
                           {"hidden_instances", counts.instances},
                           {"hidden_meshlets", counts.meshlets},
+                          {"drawn_first", counts.drawn_first},
                           {"hidden_triangles", counts.triangles},
                           {"hidden_run_pixels", counts.run_pixels},
                           {"back_faces", counts.back_faces},

@@ -14,6 +14,7 @@
 #include "report/number.hpp"
 #include "report/plan_words.hpp"
 #include "report/text.hpp"
+#include "visibility/methods.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -26,7 +27,7 @@ struct Part {
   const char* what;
 };
 
-std::array<Part, 7> parts(const Plan& plan) {
+std::array<Part, 8> parts(const Plan& plan) {
   return {{{"instances", plan.instance_bytes, "compiled transforms and lights"},
            {"extents", plan.extent_bytes, "which strips each meshlet touches"},
            {"vertices", plan.vertex_bytes,
@@ -34,7 +35,8 @@ std::array<Part, 7> parts(const Plan& plan) {
            {"depth", plan.depth_bytes, "z-buffer of a strip"},
            {"colour", plan.colour_bytes, "RGB565 strip, before it becomes the panel's format"},
            {"bins", plan.bin_bytes, "triangles waiting for their strip"},
-           {"effects", plan.effect_bytes, "fog, light by place, the order of what blends"}}};
+           {"effects", plan.effect_bytes, "fog, light by place, the order of what blends"},
+           {"visibility", plan.visibility_bytes, "order of triangles, or bounds of depth"}}};
 }
 
 /// A length with three digits that count, without an exponent.
@@ -129,6 +131,7 @@ std::string plan_table(const std::string& scene, const PlanRequest& request, con
                   counted(choice.counts.meshlets, "meshlet"), counted(choice.counts.instances, "instance"));
   text += fmt::format("plan: {}{}\n\n", shape(chosen.plan, request.view),
                       chosen.overflowed ? "; its bins overflow, so that frames like this one are streamed" : "");
+  if (request.method != Effects{}) text += fmt::format("{}\n\n", visibility_words(chosen.plan, request.method));
   for (const Part& part : parts(chosen.plan)) {
     if (part.bytes != 0) text += fmt::format("{:>10}  {:<12} {}\n", grouped(part.bytes), part.name, part.what);
   }
@@ -175,6 +178,7 @@ std::string plan_json(const std::string& scene, const PlanRequest& request, cons
                        {"width", request.view.width},
                        {"height", request.view.height},
                        {"format", name(request.view.format)},
+                       {"visibility", visibility_name(request.method)},
                        {"strip_buffers", request.budget.strip_buffers},
                        {"counts",
                         {{"instances", choice.counts.instances},

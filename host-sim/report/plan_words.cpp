@@ -5,6 +5,8 @@
 
 #include "report/frame_record.hpp"
 #include "report/number.hpp"
+#include "visibility/methods.hpp"
+#include "zstrip/plan/visibility_bytes.hpp"
 
 namespace zstrip::sim {
 
@@ -35,6 +37,23 @@ std::string memory(const Plan& plan, std::uint32_t strip_pixel_bytes, Purpose of
   list(of_visibility, plan.visibility_bytes);
   return fmt::format("{} ({}), and {} for the pixels of a strip", counted(plan.bytes(), "byte"), parts,
                      grouped(strip_pixel_bytes));
+}
+
+std::string visibility_words(const Plan& plan, Effects method) {
+  std::string text = fmt::format("{}: ", visibility_name(method));
+  if (plan.visibility_bytes == 0) {
+    text += "no memory of its own";
+  } else {
+    text +=
+        fmt::format("{} for {}", counted(plan.visibility_bytes, "byte"),
+                    sorts_triangles(method) && method.any(method::bounded) ? "sorting and bounds of depth"
+                                                                           : name(detail::visibility_purpose(method)));
+  }
+  if (method.has(method::painter)) {
+    const std::uint64_t cells = std::uint64_t{plan.strip_columns} * plan.strip_rows;
+    text += fmt::format(", {} of z-buffer saved", counted(cells * depth_bytes(DepthFormat::z16), "byte"));
+  }
+  return text;
 }
 
 }  // namespace zstrip::sim

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "zstrip/plan/plan_types.hpp"
+#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::sim {
 
@@ -19,5 +20,9 @@ std::array<std::pair<Purpose, std::uint32_t>, 7> by_purpose(const Plan& plan);
 /// "1,234 bytes (instances 160, depth 1,074), and 512 for the pixels of a strip".
 /// `of_visibility`: what the visibility method's bytes are for.
 std::string memory(const Plan& plan, std::uint32_t strip_pixel_bytes, Purpose of_visibility = Purpose::sorting);
+
+/// What a method of visibility takes and saves in a plan: "painter: 800 bytes for sorting, 30,720 bytes of z-buffer
+/// saved".
+std::string visibility_words(const Plan& plan, Effects method);
 
 }  // namespace zstrip::sim

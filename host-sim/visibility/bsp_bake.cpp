@@ -7,52 +7,121 @@
 #include <cmath>
 #include <utility>
 
+#include "report/number.hpp"
+
 namespace zstrip::sim {
 namespace {
 
-/// Planes that are tried for a node: more cost time, and save splits.
-constexpr std::size_t kCandidates = 12;
-constexpr std::size_t kMostPieces = 20000;
+/// Planes of polygons that are tried for a node, and polygons that each is tried on: more cost time, and save splits.
+constexpr std::size_t kCandidates = 24;
+constexpr std::size_t kTried = 600;
+/// What a split costs in polygons that one side has more than the other.
+constexpr double kCostOfSplit = 8;
+constexpr std::size_t kMostPieces = 65535;
 
 struct TreeNode {
   SoupPlane plane;
   std::vector<SoupPolygon> polygons;  ///< in the plane, facing either way
-  std::uint32_t front = 0, back = 0;
+  std::uint32_t front = 0, back = 0, parent = 0;
+  std::uint32_t level = 1;
+};
+
+/// How many polygons a plane leaves on each side, and cuts.
+struct Sides {
+  double front = 0, back = 0, cut = 0;
+  double cost() const { return kCostOfSplit * cut + std::abs(front - back); }
+};
+
+Sides sides_of(const SoupPlane& plane, const std::vector<SoupPolygon>& polygons) {
+  Sides sides;
+  const std::size_t step = std::max<std::size_t>(1, polygons.size() / kTried);
+  for (std::size_t i = 0; i < polygons.size(); i += step) {
+    bool any_front = false, any_back = false;
+    for (const SoupCorner& corner : polygons[i]) {
+      const double side = plane.at(corner.position);
+      any_front |= side > kOnPlane;
+      any_back |= side < -kOnPlane;
+    }
+    sides.cut += any_front && any_back;
+    sides.front += any_front && !any_back;
+    sides.back += any_back && !any_front;
+  }
+  return sides;
+}
+
+/// Splits so few polygons, and leaves the rest so evenly on both sides, that a mesh's tree stays shallow: besides the
+/// planes of polygons, which have all of a convex surface behind them, those that halve the box along an axis.
+class PlaneChoice {
+ public:
+  explicit PlaneChoice(const std::vector<SoupPolygon>& polygons) : polygons_(polygons) {}
+
+  SoupPlane best() const {
+    double least = 1e300;
+    SoupPlane chosen;
+    const auto consider = [&](const SoupPlane& plane, const Sides& sides) {
+      if (sides.cost() < least) least = sides.cost(), chosen = plane;
+    };
+    const std::size_t step = std::max<std::size_t>(1, polygons_.size() / kCandidates);
+    for (std::size_t i = 0; i < polygons_.size(); i += step) {
+      const SoupPlane plane = SoupPlane::of(polygons_[i]);
+      consider(plane, sides_of(plane, polygons_));
+    }
+    constexpr std::size_t kWorthHalving = 16;
+    if (polygons_.size() < kWorthHalving) return chosen;
+    for (double SoupPoint::*axis : {&SoupPoint::x, &SoupPoint::y, &SoupPoint::z}) {
+      const SoupPlane plane = halving(axis);
+      const Sides sides = sides_of(plane, polygons_);
+      if (sides.front > 0 && sides.back > 0) consider(plane, sides);  // else it might leave all on one side
+    }
+    return chosen;
+  }
+
+ private:
+  /// As many first corners on one side as on the other.
+  SoupPlane halving(double SoupPoint::*axis) const {
+    std::vector<double> places;
+    for (const SoupPolygon& polygon : polygons_) places.push_back(polygon[0].position.*axis);
+    const auto middle = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
+    std::nth_element(places.begin(), middle, places.end());
+    SoupPlane plane;
+    plane.normal.*axis = 1;
+    plane.distance = *middle;
+    return plane;
+  }
+
+  const std::vector<SoupPolygon>& polygons_;
 };
 
 class Builder {
  public:
-  Result<Done> build(std::vector<SoupPolygon> polygons, std::uint32_t level) {
-    deepest_ = std::max(deepest_, level);
-    if (level > kMostBspDepth) {
-      return Failure{ExitStatus::usage, fmt::format("the tree would be deeper than {} nodes", kMostBspDepth)};
-    }
-    const std::size_t index = nodes_.size();
-    nodes_.push_back({SoupPlane::of(polygons[best_of(polygons)]), {}, 0, 0});
-    const SoupPlane plane = nodes_[index].plane;
-    std::vector<SoupPolygon> front, back;
-    for (SoupPolygon& polygon : polygons) {
-      SoupSplit parts = split(polygon, plane);
-      if (parts.front.empty() && parts.back.empty()) {
-        nodes_[index].polygons.push_back(std::move(polygon));
-        continue;
+  Result<Done> build(std::vector<SoupPolygon> all) {
+    std::vector<Waiting> waiting;
+    waiting.push_back({std::move(all), 0, nullptr});
+    const std::size_t triangles = waiting.back().polygons.size();
+    std::size_t pieces = triangles;
+    while (!waiting.empty()) {
+      Waiting now = std::move(waiting.back());
+      waiting.pop_back();
+      const auto index = static_cast<std::uint32_t>(nodes_.size());
+      TreeNode node;
+      if (now.side != nullptr) {
+        node.parent = now.parent;
+        node.level = nodes_[now.parent].level + 1;
+        nodes_[now.parent].*now.side = index;
       }
-      splits_ += !parts.front.empty() && !parts.back.empty();
-      if (!parts.front.empty()) front.push_back(std::move(parts.front));
-      if (!parts.back.empty()) back.push_back(std::move(parts.back));
-    }
-    pieces_ += nodes_[index].polygons.size();
-    if (pieces_ + front.size() + back.size() > kMostPieces) {
-      return Failure{ExitStatus::usage, fmt::format("planes cut the scene into more than {} pieces", kMostPieces)};
-    }
-    polygons = {};
-    if (!front.empty()) {
-      nodes_[index].front = static_cast<std::uint32_t>(nodes_.size());
-      if (Result<Done> built = build(std::move(front), level + 1); !built) return built;
-    }
-    if (!back.empty()) {
-      nodes_[index].back = static_cast<std::uint32_t>(nodes_.size());
-      if (Result<Done> built = build(std::move(back), level + 1); !built) return built;
+      deepest_ = std::max(deepest_, node.level);
+      const std::size_t before = now.polygons.size();
+      Waiting front{{}, index, &TreeNode::front}, back{{}, index, &TreeNode::back};
+      divide(std::move(now.polygons), node, front.polygons, back.polygons);
+      pieces += node.polygons.size() + front.polygons.size() + back.polygons.size() - before;
+      if (pieces > kMostPieces) {
+        return Failure{ExitStatus::usage,
+                       fmt::format("the planes of the tree cut {} triangles into more than {} pieces",
+                                   grouped(triangles), grouped(kMostPieces))};
+      }
+      nodes_.push_back(std::move(node));
+      if (!back.polygons.empty()) waiting.push_back(std::move(back));
+      if (!front.polygons.empty()) waiting.push_back(std::move(front));
     }
     return Done{};
   }
@@ -62,35 +131,31 @@ class Builder {
   std::size_t splits() const { return splits_; }
 
  private:
-  /// The polygon whose plane splits few others and leaves about as many in front as behind.
-  static std::size_t best_of(const std::vector<SoupPolygon>& polygons) {
-    std::size_t best = 0;
-    double least = 1e300;
-    const std::size_t step = std::max<std::size_t>(1, polygons.size() / kCandidates);
-    for (std::size_t i = 0; i < polygons.size(); i += step) {
-      const SoupPlane plane = SoupPlane::of(polygons[i]);
-      if (plane.degenerate()) continue;
-      double front = 0, back = 0, both = 0;
-      for (const SoupPolygon& polygon : polygons) {
-        bool any_front = false, any_back = false;
-        for (const SoupCorner& corner : polygon) {
-          const double side = plane.at(corner.position);
-          any_front |= side > kOnPlane;
-          any_back |= side < -kOnPlane;
-        }
-        both += any_front && any_back;
-        front += any_front;
-        back += any_back;
+  struct Waiting {
+    std::vector<SoupPolygon> polygons;
+    std::uint32_t parent;
+    std::uint32_t TreeNode::*side;  ///< null: the root
+  };
+
+  void divide(std::vector<SoupPolygon> polygons, TreeNode& node, std::vector<SoupPolygon>& front,
+              std::vector<SoupPolygon>& back) {
+    node.plane = PlaneChoice(polygons).best();
+    for (SoupPolygon& polygon : polygons) {
+      SoupSplit parts = split(polygon, node.plane);
+      if (parts.front.empty() && parts.back.empty()) {
+        node.polygons.push_back(std::move(polygon));
+        continue;
       }
-      const double cost = 4 * both + std::abs(front - back);
-      if (cost < least) least = cost, best = i;
+      splits_ += !parts.front.empty() && !parts.back.empty();
+      // What is too thin to have a plane of its own has no pixel either.
+      if (!SoupPlane::of(parts.front).degenerate()) front.push_back(std::move(parts.front));
+      if (!SoupPlane::of(parts.back).degenerate()) back.push_back(std::move(parts.back));
     }
-    return best;
   }
 
   std::vector<TreeNode> nodes_;
   std::uint32_t deepest_ = 0;
-  std::size_t splits_ = 0, pieces_ = 0;
+  std::size_t splits_ = 0;
 };
 
 /// The plane in the mesh's bounding box, where the renderer asks for the eye's side.
@@ -115,7 +180,7 @@ BspNode in_box(const SoupPlane& plane, const Mesh& mesh) {
 Result<BakedBsp> bake_bsp(const PolygonSoup& soup) {
   if (soup.polygons.empty()) return Failure{ExitStatus::usage, "the scene has no triangle of any area to sort"};
   Builder builder;
-  if (const Result<Done> built = builder.build(soup.polygons, 1); !built) return built.failure();
+  if (const Result<Done> built = builder.build(soup.polygons); !built) return built.failure();
   PolygonSoup ordered{{}, soup.double_sided, soup.smooth, soup.background};
   for (const TreeNode& node : builder.nodes()) {
     ordered.polygons.insert(ordered.polygons.end(), node.polygons.begin(), node.polygons.end());
@@ -128,11 +193,9 @@ Result<BakedBsp> bake_bsp(const PolygonSoup& soup) {
     BspNode written = in_box(node.plane, baked.scene.mesh());
     const std::size_t first = polygon;
     polygon += node.polygons.size();
-    const std::size_t end =
-        polygon < ordered.polygons.size() ? baked.scene.first_triangle(polygon) : baked.scene.mesh().triangles.size();
-    const std::size_t begin = first < ordered.polygons.size() ? baked.scene.first_triangle(first) : end;
-    written.first_triangle = static_cast<std::uint32_t>(begin);
-    written.triangle_count = static_cast<std::uint32_t>(end - begin);
+    written.first_triangle = static_cast<std::uint32_t>(
+        first < ordered.polygons.size() ? baked.scene.first_triangle(first) : baked.scene.mesh().triangles.size());
+    written.parent = node.parent;
     written.front = node.front;
     written.back = node.back;
     baked.nodes.push_back(written);

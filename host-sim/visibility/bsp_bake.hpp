@@ -13,13 +13,13 @@ namespace zstrip::sim {
 struct BakedBsp {
   SoupScene scene;
   std::vector<BspNode> nodes;
-  std::uint32_t depth = 0;
+  std::uint32_t depth = 0;  ///< nodes from the root to the farthest leaf
   std::size_t splits = 0;
 
-  BspTree tree() const { return {nodes, depth}; }
+  BspTree tree() const { return {nodes}; }
 };
 
-/// A usage error if the tree would be deeper than kMostBspDepth, or the pieces more than a mesh can hold.
+/// A usage error if the pieces are more than a mesh can hold.
 Result<BakedBsp> bake_bsp(const PolygonSoup& soup);
 
 }  // namespace zstrip::sim

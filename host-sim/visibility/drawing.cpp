@@ -86,7 +86,7 @@ Result<LookedAtFrame> draw_looked_at(const Staging& original, const MethodReques
   const std::span<std::byte> strip_bytes = bytes_of(strip, plan->strip_pixel_bytes(request.view));
   VisibilityOptions options = request.options;
   options.overdraw = overdraw.data();
-  options.tree = prepared->tree();
+  options.tree = &staging.tree;
   AnyRenderer renderer(effects);
   renderer.set_visibility(options);
   const auto start = std::chrono::steady_clock::now();
@@ -131,10 +131,10 @@ Result<TimedDrawing> TimedDrawing::prepare(const Staging& original, const Method
 Status TimedDrawing::draw() {
   const Pipeline pipeline = plan_.mode == Mode::binned ? pipeline_for(effects_) : uncounted_pipeline(effects_);
   FrameWithMethod frame;
-  VisibilityOptions options = request_.options;
-  options.tree = scene_.tree();
-  frame.set_options(options);
   const Staging staging = scene_.staging();
+  VisibilityOptions options = request_.options;
+  options.tree = &staging.tree;
+  frame.set_options(options);
   const std::span<std::byte> arena = bytes_of(arena_, plan_.bytes());
   if (const Status begun = pipeline.begin_frame(frame, staging.scene, staging.camera, request_.view, plan_, arena);
       !begun) {

@@ -55,9 +55,11 @@ Result<Done> check_visibility(Effects effects) {
   }
   if (effects.methods != 0 && effects.any(effect::depth_formats | effect::depth_ranges)) {
     const bool culls = without(Effects{0, effects.methods}, method::culling) == Effects{};
-    return Failure{ExitStatus::usage,
-                   fmt::format("{} keeps depth as z16 only",
-                               culls ? "--cull, and so --visible-sets," : fmt::format("--visibility {}", name))};
+    return Failure{
+        ExitStatus::usage,
+        fmt::format("{} with depth as z16 only: leave out {}",
+                    culls ? std::string("--cull and --visible-sets go") : fmt::format("--visibility {} goes", name),
+                    effects.has(effect::depth_ranges) ? "--visibility half-range" : "--depth-format")};
   }
   if (methods_agree(effects)) return Done{};
   const Effects refused = refused_by_methods(effects);

@@ -5,6 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <span>
+
+#include "import/meshlets.hpp"
+#include "report/number.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -46,6 +51,59 @@ std::array<double, 3> colour_of(const Scene& scene, const Mesh& mesh, const Inst
   }
   return colour;
 }
+
+struct Vertex {
+  Position position;
+  Colour colour;
+};
+
+/// Writes polygons as fans of triangles into meshlets, one after the other; vertices that are alike are shared within a
+/// meshlet.
+class MeshletWriter {
+ public:
+  MeshletWriter(std::vector<Position>& positions, std::vector<Colour>& colours, std::vector<Triangle>& triangles,
+                std::vector<Meshlet>& meshlets)
+      : positions_(positions), colours_(colours), triangles_(triangles), meshlets_(meshlets) {}
+
+  /// False if a mesh cannot have that many vertices.
+  bool add(std::span<const Vertex> corners) {
+    const bool fits = !meshlets_.empty() && meshlets_.back().vertex_count + corners.size() <= kMeshletVertices &&
+                      meshlets_.back().triangle_count + corners.size() - 2 <= kMeshletTriangles;
+    if (positions_.size() + corners.size() > kMaxMeshVertices) return false;
+    if (!fits) {
+      known_.clear();
+      meshlets_.push_back({.first_triangle = static_cast<std::uint32_t>(triangles_.size()),
+                           .first_vertex = static_cast<std::uint16_t>(positions_.size()),
+                           .vertex_count = 0,
+                           .triangle_count = 0,
+                           .radius = 0,
+                           .centre = {}});
+    }
+    std::vector<std::uint16_t> indices;
+    for (const Vertex& corner : corners) indices.push_back(index_of(corner));
+    for (std::size_t i = 1; i + 1 < indices.size(); ++i) triangles_.push_back({indices[0], indices[i], indices[i + 1]});
+    meshlets_.back().triangle_count = static_cast<std::uint16_t>(triangles_.size() - meshlets_.back().first_triangle);
+    return true;
+  }
+
+ private:
+  std::uint16_t index_of(const Vertex& v) {
+    const std::array<int, 6> key{v.position.x, v.position.y, v.position.z, v.colour.r, v.colour.g, v.colour.b};
+    const auto [known, is_new] = known_.try_emplace(key, static_cast<std::uint16_t>(positions_.size()));
+    if (is_new) {
+      positions_.push_back(v.position);
+      colours_.push_back(v.colour);
+      ++meshlets_.back().vertex_count;
+    }
+    return known->second;
+  }
+
+  std::vector<Position>& positions_;
+  std::vector<Colour>& colours_;
+  std::vector<Triangle>& triangles_;
+  std::vector<Meshlet>& meshlets_;
+  std::map<std::array<int, 6>, std::uint16_t> known_;  ///< of the last meshlet
+};
 
 SoupCorner between(const SoupCorner& a, const SoupCorner& b, double t) {
   const auto mix = [t](double from, double to) { return from + t * (to - from); };
@@ -107,9 +165,7 @@ Result<PolygonSoup> soup_of(const Scene& scene) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     const Material& material = scene.materials[instance.material];
     if (material.texture != kNoTexture && !mesh.texcoords.empty()) {
-      return Failure{ExitStatus::usage,
-                     "painter-newell and painter-bsp split triangles that have colours, not textures; use another "
-                     "--visibility for this scene"};
+      return Failure{ExitStatus::usage, "triangles with textures cannot be split, only those with colours"};
     }
     soup.smooth |= material.smooth;
     for (const Triangle& t : mesh.triangles) {
@@ -132,20 +188,14 @@ Result<PolygonSoup> soup_of(const Scene& scene) {
 Result<SoupScene> SoupScene::of(const PolygonSoup& soup) {
   SoupScene made;
   SoupPoint low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  std::size_t vertices = 0;
   for (const SoupPolygon& polygon : soup.polygons) {
-    vertices += polygon.size();
     for (const SoupCorner& c : polygon) {
       const SoupPoint& p = c.position;
       low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
   }
-  if (vertices == 0) return Failure{ExitStatus::usage, "the scene has no triangle of any area to sort"};
-  if (vertices > 65535) {
-    return Failure{ExitStatus::usage,
-                   fmt::format("{} vertices after splitting are more than a mesh can have, 65,535", vertices)};
-  }
+  if (soup.polygons.empty()) return Failure{ExitStatus::usage, "the scene has no triangle of any area to sort"};
   const auto fixed_of = [](double value) { return static_cast<Fixed>(std::lround(value * 65536)); };
   Mesh mesh;
   mesh.centre = {fixed_of((low.x + high.x) / 2), fixed_of((low.y + high.y) / 2), fixed_of((low.z + high.z) / 2)};
@@ -156,23 +206,31 @@ Result<SoupScene> SoupScene::of(const PolygonSoup& soup) {
     return static_cast<std::int16_t>(std::lround(std::clamp(units, -32767.0, 32767.0)));
   };
   const auto byte = [](double value) { return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0))); };
+  const auto vertex_of = [&](const SoupCorner& c) {
+    return Vertex{{position(c.position.x, mesh.centre.x, mesh.half_extent.x),
+                   position(c.position.y, mesh.centre.y, mesh.half_extent.y),
+                   position(c.position.z, mesh.centre.z, mesh.half_extent.z)},
+                  {byte(c.colour[0]), byte(c.colour[1]), byte(c.colour[2]), 255}};
+  };
+  MeshletWriter writer(made.positions_, made.colours_, made.triangles_, made.meshlets_);
+  std::vector<Vertex> corners;
   for (const SoupPolygon& polygon : soup.polygons) {
     made.first_triangle_.push_back(made.triangles_.size());
-    const std::size_t first = made.positions_.size();
-    for (const SoupCorner& c : polygon) {
-      made.positions_.push_back({position(c.position.x, mesh.centre.x, mesh.half_extent.x),
-                                 position(c.position.y, mesh.centre.y, mesh.half_extent.y),
-                                 position(c.position.z, mesh.centre.z, mesh.half_extent.z)});
-      made.colours_.push_back({byte(c.colour[0]), byte(c.colour[1]), byte(c.colour[2]), 255});
+    corners.clear();
+    for (const SoupCorner& c : polygon) corners.push_back(vertex_of(c));
+    if (!writer.add(corners)) {
+      return Failure{ExitStatus::usage, fmt::format("{} pieces have more vertices than a mesh can, {}",
+                                                    grouped(soup.polygons.size()), grouped(kMaxMeshVertices))};
     }
-    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-      made.triangles_.push_back({static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(first + i),
-                                 static_cast<std::uint16_t>(first + i + 1)});
-    }
+  }
+  for (Meshlet& meshlet : made.meshlets_) {
+    set_bounds(meshlet, std::span(made.positions_).subspan(meshlet.first_vertex, meshlet.vertex_count),
+               mesh.half_extent);
   }
   mesh.positions = made.positions_;
   mesh.colours = made.colours_;
   mesh.triangles = made.triangles_;
+  mesh.meshlets = made.meshlets_;
   made.mesh_.push_back(mesh);
   made.material_.push_back({.lit = false, .smooth = soup.smooth, .double_sided = soup.double_sided});
   made.instance_.push_back({});

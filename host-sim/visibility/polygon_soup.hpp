@@ -56,8 +56,8 @@ struct PolygonSoup {
 /// A usage error for what colours at corners cannot say: textures.
 Result<PolygonSoup> soup_of(const Scene& scene);
 
-/// One instance of one mesh, without meshlets, that owns its memory; triangles in the order of the polygons. Moving it
-/// keeps its views valid.
+/// One instance of one mesh, in meshlets, that owns its memory; triangles in the order of the polygons. Moving it keeps
+/// its views valid.
 class SoupScene {
  public:
   /// A usage error if there are more vertices than a mesh can have.
@@ -72,6 +72,7 @@ class SoupScene {
   std::vector<Position> positions_;
   std::vector<Colour> colours_;
   std::vector<Triangle> triangles_;
+  std::vector<Meshlet> meshlets_;
   std::vector<std::size_t> first_triangle_;
   std::vector<Mesh> mesh_;
   std::vector<Material> material_;

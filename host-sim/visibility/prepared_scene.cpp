@@ -1,12 +1,23 @@
 // Chooses what the method needs.
 #include "visibility/prepared_scene.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "visibility/methods.hpp"
 #include "visibility/newell.hpp"
 
 namespace zstrip::sim {
+namespace {
+
+/// What was wrong, with the name of the method for which it was.
+Failure of_method(Effects method, const Failure& failure) {
+  return {failure.status,
+          fmt::format("--visibility {}: {}; choose another method", visibility_name(method), failure.message)};
+}
+
+}  // namespace
 
 Result<PreparedScene> PreparedScene::of(const Staging& original, Effects method) {
   // Of the scene as it is: what is made of it below has lost what it cannot have.
@@ -15,19 +26,19 @@ Result<PreparedScene> PreparedScene::of(const Staging& original, Effects method)
   }
   PreparedScene prepared(original);
   if (!method.any(method::orders)) return prepared;
+  if (method.has(method::bsp) && !original.tree.nodes.empty()) return prepared;  // it was baked
   Result<PolygonSoup> soup = soup_of(original.scene);
-  if (!soup) return soup.failure();
+  if (!soup) return of_method(method, soup.failure());
   if (method.has(method::bsp)) {
     Result<BakedBsp> baked = bake_bsp(*soup);
-    if (!baked) return baked.failure();
+    if (!baked) return of_method(method, baked.failure());
     prepared.made_ = std::make_shared<const BakedBsp>(std::move(*baked));
-    prepared.tree_ = prepared.made_->tree();
     return prepared;
   }
   Result<NewellOrder> order = newell_order(*soup, original.camera);
-  if (!order) return order.failure();
+  if (!order) return of_method(method, order.failure());
   Result<SoupScene> scene = SoupScene::of(order->soup);
-  if (!scene) return scene.failure();
+  if (!scene) return of_method(method, scene.failure());
   prepared.made_ = std::make_shared<const BakedBsp>(BakedBsp{std::move(*scene), {}, 0, order->splits});
   return prepared;
 }

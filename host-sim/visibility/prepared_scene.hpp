@@ -16,9 +16,8 @@ class PreparedScene {
   /// A usage error also where the method cannot draw what the scene has.
   static Result<PreparedScene> of(const Staging& original, Effects method);
 
-  Staging staging() const { return made_ ? Staging{made_->scene.scene(), original_.camera} : original_; }
-  /// Null without method::bsp.
-  const BspTree* tree() const { return tree_.nodes.empty() ? nullptr : &tree_; }
+  /// With the tree of method::bsp, which lives as long as this or `original`.
+  Staging staging() const { return made_ ? Staging{made_->scene.scene(), original_.camera, made_->tree()} : original_; }
   /// Triangles that were split.
   std::size_t splits() const { return made_ ? made_->splits : 0; }
 
@@ -27,7 +26,6 @@ class PreparedScene {
 
   Staging original_;
   std::shared_ptr<const BakedBsp> made_;  ///< without nodes for painter-newell
-  BspTree tree_{};
 };
 
 }  // namespace zstrip::sim

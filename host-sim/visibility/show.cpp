@@ -49,7 +49,10 @@ std::vector<std::uint16_t> colours_of(const std::vector<std::uint8_t>& overdraw)
 Result<std::vector<std::uint8_t>> errors_of(const Staging& staging, const MethodRequest& request) {
   const Result<NumberedScene> numbered = NumberedScene::of(staging.scene);
   if (!numbered) return numbered.failure();
-  const Result<LookedAtFrame> drawn = draw_looked_at({numbered->scene(), staging.camera}, request);
+  // The triangles are those of the scene, and in its order: a tree that was baked is one of theirs, too.
+  const bool is_whole = numbered->scene().instances.size() == staging.scene.instances.size();
+  const Result<LookedAtFrame> drawn =
+      draw_looked_at({numbered->scene(), staging.camera, is_whole ? staging.tree : BspTree{}}, request);
   if (!drawn) return drawn.failure();
   SurfaceJudge judge(numbered->scene(), staging.camera, request.view);
   judge.find_nearest(

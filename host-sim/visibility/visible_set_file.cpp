@@ -27,7 +27,9 @@ Result<std::span<const std::uint32_t>> VisibleSetFile::at(const Scene& scene, co
                                                           const Animation& animation) const {
   VisibleSets sets;
   const Status opened = open_visible_sets(std::as_bytes(std::span(words_)).first(bytes_), count(scene).meshlets, sets);
-  if (!opened && opened.error == Error::blob_damaged && opened.needed != detail::visible_sets_at::kMeshlets) {
+  // The number of meshlets, and not a file that ends where it would stand.
+  const bool of_another = opened.needed == detail::visible_sets_at::kMeshlets && bytes_ > opened.needed;
+  if (!opened && opened.error == Error::blob_damaged && !of_another) {
     return Failure{ExitStatus::input,
                    fmt::format("'{}' holds no visible sets, or damaged ones: byte {}", path_, opened.needed)};
   }
@@ -45,7 +47,7 @@ Result<std::span<const std::uint32_t>> VisibleSetFile::at(const Scene& scene, co
   if (camera.near_plane < sets.near_plane) {
     return Failure{ExitStatus::usage,
                    fmt::format("--visible-sets: '{}' is for cameras with a near plane of {:.4g} or more, and this one "
-                               "has {:.4g}; bake it with this camera",
+                               "has {:.4g}; bake it with this camera, or say 'near' in the scene file's [camera]",
                                path_, sets.near_plane / 65536.0, camera.near_plane / 65536.0)};
   }
   return sets.at(camera.eye);

@@ -271,8 +271,8 @@ TEST_F(Bake, DamagedBlobsAreInputErrors) {
   flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 1);
   expect(flipped, "is no whole baked scene (byte 8)");
   std::string newer = whole;
-  newer[2] = 3;
-  expect(newer, "version 3, and this zstrip reads version 2");
+  newer[2] = 4;
+  expect(newer, "version 4, and this zstrip reads version 3");
   EXPECT_EQ(zstrip({"render", "none.zsc"}).status, 4);
 }
 

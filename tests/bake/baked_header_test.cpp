@@ -56,6 +56,9 @@ TEST_F(BakedHeader, TurnsAsTheModelTurns) {
     EXPECT_NE(expected[0], expected[1]);
   }
   Renderer<baked::kEffects> renderer;
+#ifdef BAKED_TREE
+  renderer.set_visibility({.tree = &baked::kTree});
+#endif
   std::vector<std::uint64_t> arena(baked::kPlan.bytes() / 8 + 1);
   alignas(4) std::array<std::byte, baked::kPlan.strip_pixel_bytes(baked::kView)> pixels{};
   for (std::uint32_t frame = 0; frame < expected.size(); ++frame) {

@@ -141,9 +141,9 @@ TEST(SceneBlob, ChecksumIsZlibs) {
 TEST(SceneBlob, GoldenBytes) {
   // clang-format off
   Bytes expected{
-      'z', 's', 2, 's',  0, 0, 0, 0,  0, 0, 0, 0,
-      184, 0, 0, 0, 1, 0, 0, 0,   4, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   // meshes, materials, textures
-      28, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,                                // instances, lights
+      'z', 's', 3, 's',  0, 0, 0, 0,  0, 0, 0, 0,
+      192, 0, 0, 0, 1, 0, 0, 0,   12, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   // meshes, materials, textures
+      36, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,                                // instances, lights
       48, 48, 48, 255,  1, 2, 3, 4,                                                     // ambient, background
       0, 0, 0, 64, 0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 64, 0, 0, 0, 0,       // right, up
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 64,   0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0,        // back, eye
@@ -151,22 +151,22 @@ TEST(SceneBlob, GoldenBytes) {
       64, 1, 240, 0, 1, 0, 0, 0,                                                        // 320x240, rgb565_swapped
       0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0,                      // tracks, keyframes, duration
       0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 0, 0,          // finishes, punctual lights, fog
-      0, 0, 0, 0, 0, 0, 0, 0,                                                           // quadrics
-      // 184: the mesh
-      80, 1, 0, 0, 3, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
-      100, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
+      0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 0, 0,                                  // quadrics, nodes of a tree
+      // 192: the mesh
+      88, 1, 0, 0, 3, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
+      108, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0,   12, 0, 0, 0,
-      // 260: the material
+      // 268: the material
       255, 0, 0, 255,  255, 255,  0, 1, 0, 1, 1, 255,  0, 0, 0, 0,  0, 0, 0, 0,  0, 0, 0, 0,
-      // 284: the instance
+      // 292: the instance
       0, 0, 0, 0,  0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0,
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0,
-      // 336: positions, and two bytes up to the next multiple of 4; 356: the triangle, likewise
+      // 344: positions, and two bytes up to the next multiple of 4; 364: the triangle, likewise
       0, 128, 0, 0, 1, 0,  255, 127, 0, 0, 0, 0,  0, 0, 255, 127, 0, 0,  0, 0,
       0, 0, 1, 0, 2, 0,  0, 0};
   // clang-format on
   mend(expected);
-  ASSERT_EQ(expected.size(), 364U);
+  ASSERT_EQ(expected.size(), 372U);
 
   constexpr Position kCorners[] = {{-32768, 0, 1}, {32767, 0, 0}, {0, 32767, 0}};
   constexpr Triangle kTriangle[] = {{0, 1, 2}};
@@ -292,6 +292,89 @@ TEST(SceneBlob, WhatIsWrittenIsReadInPlace) {
   EXPECT_EQ(opened.content.view.format, PixelFormat::gray4);
 }
 
+// Three planes: the root with a triangle in its plane and one on either side of it.
+constexpr Triangle kFourTriangles[] = {{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}};
+constexpr BspNode kNodes[] = {
+    {1, -2, 3, -4, 0, 1, 2, 0}, {5, 6, 7, 0x40000000, 1, 0, 0, 0}, {-8, 9, 10, 11, 3, 0, 0, 0}};
+
+Bytes tree_bytes() {
+  constexpr Mesh kMesh[] = {{kPositions, {}, {}, {}, kFourTriangles, {}, {0, 0, 0}, {65536, 65536, 65536}, 12}};
+  SceneBlob blob = sample();
+  blob.scene.meshes = kMesh;
+  blob.scene.instances = std::span(kInstances).first(1);
+  blob.tree.nodes = kNodes;
+  const Result<Bytes> bytes = to_scene_blob(blob);
+  EXPECT_TRUE(bytes);
+  return bytes ? *bytes : Bytes{};
+}
+
+TEST(SceneBlob, ATreeStandsWhereItsArraySaysAndIsReadInPlace) {
+  const Bytes bytes = tree_bytes();
+  const std::uint32_t at = word(bytes, 184);
+  ASSERT_EQ(word(bytes, 188), 3U);
+  const std::uint32_t expected[] = {1, 0xFFFFFFFE, 3, 0xFFFFFFFC, 0,          1, 2,  0,  5, 6, 7, 0x40000000,
+                                    1, 0,          0, 0,          0xFFFFFFF8, 9, 10, 11, 3, 0, 0, 0};
+  for (std::uint32_t i = 0; i < 24; ++i) EXPECT_EQ(word(bytes, at + 4 * i), expected[i]) << i;
+  const Opened opened(bytes);
+  ASSERT_TRUE(opened.status) << message(opened.status.error) << ' ' << opened.status.needed;
+  ASSERT_EQ(opened.content.tree.nodes.size(), 3U);
+  EXPECT_EQ(reinterpret_cast<const std::byte*>(opened.content.tree.nodes.data()), opened.blob.bytes.get() + at);
+  EXPECT_EQ(opened.content.tree.nodes[1].distance, 0x40000000);
+  EXPECT_EQ(opened.content.tree.nodes[2].first_triangle, 3U);
+}
+
+TEST(SceneBlob, ATreeThatIsNoneIsDamaged) {
+  const Bytes whole = tree_bytes();
+  const std::uint32_t nodes = word(whole, 184);
+  const auto refused_at = [&](std::uint32_t node, std::uint32_t member, std::uint32_t value, std::uint32_t byte) {
+    Bytes changed = whole;
+    put_word(changed, nodes + 32 * node + member, value);
+    mend(changed);
+    EXPECT_EQ(Opened(changed).status, (Status{.error = Error::blob_damaged, .needed = nodes + byte}))
+        << node << ' ' << member << ' ' << value;
+  };
+  constexpr std::uint32_t kFirst = 16, kFront = 20, kBack = 24, kParent = 28;
+  refused_at(0, kFirst, 1, kFirst);       // triangles that no node has
+  refused_at(1, kFirst, 5, 32 + kFirst);  // beyond the mesh's four
+  refused_at(2, kFirst, 0, 64 + kFirst);  // before the last node's
+  for (const std::uint32_t none : {3U, 0x80000000U, 0xFFFFFFFFU}) {
+    refused_at(0, kFront, none, kFront);
+    refused_at(0, kBack, none, kBack);
+    refused_at(1, kParent, none, kFront);
+  }
+  refused_at(0, kFront, 2, kBack);        // both sides are one
+  refused_at(0, kBack, 0, 64 + kParent);  // nobody's child
+  refused_at(1, kFront, 1, 32 + kFront);  // itself
+  refused_at(1, kFront, 2, 32 + kFront);  // another's child
+  refused_at(0, kParent, 1, kParent);
+  Bytes several = sample_bytes();  // of a scene of three instances
+  const auto at = static_cast<std::uint32_t>(several.size());
+  several.insert(several.end(), 32, 0);
+  put_word(several, 184, at);
+  put_word(several, 188, 1);
+  mend(several);
+  EXPECT_EQ(Opened(several).status, (Status{.error = Error::blob_damaged, .needed = 184}));
+}
+
+TEST(SceneBlob, TruncatedAtEveryLengthWithATree) {
+  const Bytes whole = tree_bytes();
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    Bytes part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
+    ASSERT_EQ(Opened(part).status.error, Error::blob_damaged) << length;
+    if (length < 12) continue;
+    mend(part);
+    ASSERT_FALSE(Opened(part).status) << length;
+  }
+}
+
+/// Visible sets begin like a scene, and have another version.
+TEST(SceneBlob, AnotherKindIsNotAnotherVersion) {
+  Bytes bytes = sample_bytes();
+  bytes[2] = 1;
+  bytes[3] = 'v';
+  EXPECT_EQ(Opened(bytes).status, (Status{.error = Error::blob_damaged, .needed = 3}));
+}
+
 TEST(SceneBlob, TruncatedAtEveryLength) {
   const Bytes whole = sample_bytes();
   for (std::size_t length = 0; length < whole.size(); ++length) {
@@ -320,13 +403,14 @@ TEST(SceneBlob, EveryBitFlipped) {
 }
 
 /// Draws whatever has opened: it has passed the same checks as any scene.
-void draw(const SceneBlob& content) {
+void draw(const SceneBlob& content, Effects method = {}) {
   constexpr View kView{48, 32, PixelFormat::rgb565};
-  const Effects effects = effects_of(content.scene, content.camera);
+  const Effects effects = effects_of(content.scene, content.camera) | method;
   const PlanResult planned = plan(count(content.scene), kView, effects, {.strip_rows = 16});
   if (!planned.status) return;
   std::vector<std::uint64_t> arena(planned.plan.bytes() / 8 + 1), pixels(planned.plan.strip_pixel_bytes(kView) / 8 + 1);
   AnyRenderer renderer(effects);
+  renderer.set_visibility({.tree = &content.tree});
   if (!renderer.begin_frame(content.scene, content.camera, kView, planned.plan,
                             std::as_writable_bytes(std::span(arena)))) {
     return;
@@ -338,32 +422,35 @@ void draw(const SceneBlob& content) {
 
 /// Who writes a wrong value also writes its checksum.
 TEST(SceneBlob, EveryByteChangedUnderARightChecksum) {
-  const Bytes whole = sample_bytes();
-  std::size_t refused = 0, drawn = 0;
-  for (std::size_t at = 12; at < whole.size(); ++at) {
-    for (const int value : {0x00, 0x01, 0x02, 0x7F, 0x80, 0xFF}) {
-      Bytes changed = whole;
-      changed[at] = static_cast<std::uint8_t>(value);
-      mend(changed);
-      const Opened opened(changed, scene_blob_memory(300, 300));
-      if (!opened.status) {
-        ++refused;
-        continue;
+  for (const bool has_tree : {false, true}) {
+    const Bytes whole = has_tree ? tree_bytes() : sample_bytes();
+    std::size_t refused = 0, drawn = 0;
+    for (std::size_t at = 12; at < whole.size(); ++at) {
+      for (const int value : {0x00, 0x01, 0x02, 0x7F, 0x80, 0xFF}) {
+        Bytes changed = whole;
+        changed[at] = static_cast<std::uint8_t>(value);
+        mend(changed);
+        const Opened opened(changed, scene_blob_memory(300, 300));
+        if (!opened.status) {
+          ++refused;
+          continue;
+        }
+        ++drawn;
+        draw(opened.content, has_tree ? method::painter | method::bsp : Effects{});
       }
-      ++drawn;
-      draw(opened.content);
     }
+    EXPECT_GT(refused, 300U);
+    EXPECT_GT(drawn, 300U);
   }
-  EXPECT_GT(refused, 300U);
-  EXPECT_GT(drawn, 300U);
 }
 
 TEST(SceneBlob, ArraysBeyondTheEnd) {
   const Bytes whole = sample_bytes();
   const std::uint32_t meshes = word(whole, 12);
-  for (std::size_t entry : {std::size_t{12}, std::size_t{20}, std::size_t{28}, std::size_t{36}, std::size_t{44},
-                            std::size_t{132}, std::size_t{140}, std::size_t{152}, std::size_t{160}, std::size_t{168},
-                            std::size_t{176}, std::size_t{meshes}, std::size_t{meshes} + 8, std::size_t{meshes} + 40}) {
+  for (std::size_t entry :
+       {std::size_t{12}, std::size_t{20}, std::size_t{28}, std::size_t{36}, std::size_t{44}, std::size_t{132},
+        std::size_t{140}, std::size_t{152}, std::size_t{160}, std::size_t{168}, std::size_t{176}, std::size_t{184},
+        std::size_t{meshes}, std::size_t{meshes} + 8, std::size_t{meshes} + 40}) {
     for (const std::uint32_t value :
          {0xFFFFFFFFU, 0xFFFFFFFCU, 0x80000000U, 0x7FFFFFFCU, static_cast<std::uint32_t>(whole.size()),
           static_cast<std::uint32_t>(whole.size()) - 4, 128U, 130U}) {
@@ -398,7 +485,7 @@ TEST(SceneBlob, ValuesThatAreNone) {
   EXPECT_EQ(error_with(128, static_cast<std::uint8_t>(kLastPixelFormat) + 1).error, Error::blob_damaged);
   EXPECT_EQ(error_with(125, 17).error, Error::blob_damaged);  // 4416 pixels wide
   EXPECT_EQ(error_with(3, 'd').error, Error::blob_damaged);
-  EXPECT_EQ(error_with(2, 1), (Status{.error = Error::blob_version, .needed = 1, .available = 2}));
+  EXPECT_EQ(error_with(2, 1), (Status{.error = Error::blob_version, .needed = 1, .available = 3}));
   EXPECT_EQ(error_with(111, 0x80).error, Error::camera);  // negative focal length
 }
 

@@ -15,6 +15,7 @@
 #include "zstrip/scene/effects.hpp"
 #include "zstrip/scene/scene_blob.hpp"
 #include "zstrip/scene/validate.hpp"
+#include "zstrip/visibility/bsp_order.hpp"
 
 namespace {
 
@@ -67,11 +68,48 @@ bool valid_values(const fuzz::SceneInput& input) {
          input.camera().projection <= Projection::orthographic;
 }
 
+/// A tree over the triangles of the scene's only instance; none where there are more instances, or indices are wrong.
+std::vector<BspNode> tree_over(const Scene& scene, fuzz::Input& input) {
+  if (scene.instances.size() != 1 || scene.instances[0].mesh >= scene.meshes.size()) return {};
+  const auto triangles = static_cast<std::uint32_t>(scene.meshes[scene.instances[0].mesh].triangles.size());
+  std::vector<BspNode> nodes;
+  for (std::uint32_t i = input.below(6); i > 0; --i) {
+    BspNode node{};
+    for (std::int32_t* value : {&node.x, &node.y, &node.z, &node.distance}) *value = input.any<std::int32_t>();
+    const auto index = static_cast<std::uint32_t>(nodes.size());
+    if (index != 0) {
+      node.parent = input.below(index);
+      while (nodes[node.parent].front != 0 && nodes[node.parent].back != 0) node.parent = (node.parent + 1) % index;
+      BspNode& parent = nodes[node.parent];
+      (parent.front == 0 ? parent.front : parent.back) = index;
+      const std::uint32_t from = nodes.back().first_triangle;
+      node.first_triangle = from + input.below(triangles - from + 1);
+    }
+    nodes.push_back(node);
+  }
+  return nodes;
+}
+
+/// Every triangle once, for any eye.
+void judge_tree(const SceneBlob& content) {
+  if (content.tree.nodes.empty()) return;
+  const std::size_t triangles = content.scene.meshes[content.scene.instances[0].mesh].triangles.size();
+  std::vector<int> visits(triangles, 0);
+  const detail::BspEye eye{1000, -70000, 65536, content.camera.projection == Projection::orthographic};
+  const bool whole = detail::for_each_bsp_run(content.tree, eye, triangles, [&](std::uint32_t first, std::uint32_t n) {
+    for (std::uint32_t i = 0; i < n; ++i) ++visits[first + i];
+    return true;
+  });
+  fuzz::require(whole, "a tree that opens is walked to its end");
+  fuzz::require(std::ranges::count(visits, 1) == static_cast<std::ptrdiff_t>(triangles), "each triangle once");
+}
+
 void judge_written(const fuzz::SceneInput& input, const Opened& opened) {
   const bool valid = valid_values(input) && validate(input.scene()) && usable(input.camera());
   fuzz::require(static_cast<bool>(opened.status) == valid, "a blob opens if its scene is valid: %s",
                 message(opened.status.error));
   if (!valid) return;
+  judge_tree(opened.content);
   const Effects effects = effects_of(input.scene(), input.camera());
   fuzz::require(effects == effects_of(opened.content.scene, opened.content.camera), "the same effects");
   const fuzz::Picture expected =
@@ -89,6 +127,7 @@ void judge_any(const Bytes& bytes) {
     return;
   }
   fuzz::require(static_cast<bool>(validate(opened.content.scene)), "what opens is valid");
+  judge_tree(opened.content);
   constexpr View kView{40, 30, PixelFormat::rgb565};
   (void)fuzz::draw(opened.content.scene, opened.content.camera, kView,
                    {.effects = effects_of(opened.content.scene, opened.content.camera), .budget = {}});
@@ -101,7 +140,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::uint32_t kind = input.below(4);
   if (kind == 3) {
     Bytes bytes(data + 1, data + size);
-    if (bytes.size() > 4) std::memcpy(bytes.data(), "zs\1s", 4);
+    if (bytes.size() > 4) bytes[0] = 'z', bytes[1] = 's', bytes[2] = kSceneBlobVersion, bytes[3] = 's';
     mend(bytes);
     judge_any(bytes);
     return 0;
@@ -116,7 +155,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   }
   const fuzz::SceneInput scene(input);
-  const auto written = sim::to_scene_blob({.scene = scene.scene(), .camera = scene.camera(), .view = scene.view()});
+  const std::vector<BspNode> nodes = tree_over(scene.scene(), input);
+  const auto written =
+      sim::to_scene_blob({.scene = scene.scene(), .camera = scene.camera(), .view = scene.view(), .tree = {nodes}});
   fuzz::require(static_cast<bool>(written), "any scene can be written");
   if (kind == 0) {
     judge_written(scene, Opened(*written));

@@ -37,7 +37,8 @@ TEST(SceneFile, EveryTable) {
   const SceneFile file = parsed(
       "ambient = [1, 2, 3]\nbackground = '#0a0B0c'\nduration = 2\n"
       "[picture]\nsize = [64, 48]\nformat = 'gray4'\ndepth_format = 'z24'\nstrip_rows = 8\nstrip_columns = 16\n"
-      "ram = 4096\nframes = 12\n"
+      "ram = 4096\nframes = 12\nvisibility = 'midpoint'\niterations = 4\nsort_key = 'nearest'\n"
+      "cull = ['small', 'spheres']\nvisible_sets = 'rooms.zpv'\n"
       "[camera]\nr = 5\nphi = 30\ntheta = 60\nlook_at = [0, 1, 0]\nprojection = 'orthographic'\nhalf_height = 2\n"
       "near = 0.5\nfar = 20\n"
       "[[model]]\nname = 'pot'\nfile = 'pot.obj'\nup = '-z'\n"
@@ -58,6 +59,11 @@ TEST(SceneFile, EveryTable) {
   EXPECT_EQ(file.picture.strip_rows, 8);
   EXPECT_EQ(file.picture.strip_columns, 16);
   EXPECT_EQ(file.picture.ram, 4096U);
+  EXPECT_EQ(file.picture.visibility.method, "midpoint");
+  EXPECT_EQ(file.picture.visibility.iterations, 4U);
+  EXPECT_EQ(file.picture.visibility.sort_key, "nearest");
+  EXPECT_EQ(file.picture.visibility.cull, (std::vector<std::string>{"small", "spheres"}));
+  EXPECT_EQ(file.picture.visibility.sets, "rooms.zpv");
   EXPECT_EQ(file.picture.frames, 12U);
   ASSERT_TRUE(file.camera);
   EXPECT_EQ(file.camera->radius, 5);
@@ -166,6 +172,24 @@ TEST(SceneFile, OutOfRangeOrMissing) {
   }
   EXPECT_NE(failure("ambient = [0, 0, 0]\n").find("nothing to draw"), std::string::npos);
   EXPECT_NE(failure("instance = 3\n").find("must be tables"), std::string::npos);
+}
+
+TEST(SceneFile, HowVisibilityIsFound) {
+  const auto wrong = [](const std::string& line, const char* part) {
+    const std::string message = failure("[picture]\n" + line + "\n" + kCube);
+    EXPECT_NE(message.find("line 2: "), std::string::npos) << message;
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  wrong("visibility = 'best'", "'visibility' is not one of: zbuffer, ");
+  wrong("iterations = 7", "'iterations' must be a whole number from 0 to 6");
+  wrong("sort_key = 'centre'", "'sort_key' is not one of: middle, nearest, farthest");
+  wrong("cull = 'small'", "'cull' must be a list of texts");
+  wrong("cull = []", "'cull' must be a list of texts");
+  wrong("cull = ['small', 3]", "'cull' must be a list of texts");
+  wrong("cull = ['none', 'small']", "'cull' none goes with nothing else");
+  wrong("cull = ['fronts']", "'cull' 'fronts' is not one of: back-faces, small, spheres, temporal, none");
+  wrong("visible_sets = 3", "'visible_sets' must be");
+  wrong("iteration = 3", "did you mean 'iterations'?");
 }
 
 TEST(SceneFile, SizeOfHalfAPixel) {

@@ -40,6 +40,19 @@ class VisibilityCommand : public ::testing::Test {
     return content.str();
   }
 
+  /// The rooms with a camera whose near plane is nearer.
+  std::string nearer_rooms() const {
+    std::string text = bytes(ROOMS);
+    const std::size_t at = text.find("\nnear = ");
+    EXPECT_NE(at, std::string::npos);
+    text.replace(at, text.find('\n', at + 1) - at, "\nnear = 0.01");
+    const std::size_t model = text.find("models/");
+    text.insert(model, std::filesystem::path(ROOMS).parent_path().string() + "/");
+    const std::string file = picture("nearer.toml");
+    std::ofstream(file) << text;
+    return file;
+  }
+
  private:
   static std::string unique() {
     return std::to_string(getpid()) + ::testing::UnitTest::GetInstance()->current_test_info()->name();
@@ -143,9 +156,159 @@ TEST_F(VisibilityCommand, BakesVisibleSetsAndRendersWithThem) {
   refused("render " + rooms + none + picture("bad.zpv") + "'", 4, "damaged");
   refused("render " + rooms + none + picture("missing") + "'", 4, "--visible-sets");
   refused("render " + rooms + " --ortho" + none + sets + "'", 2, "perspective");
-  refused("render " + rooms + " --eye -5,1.7,2.2 --look-at 0,1,0" + none + sets + "'", 2, "near plane");
+  refused("render '" + nearer_rooms() + "'" + none + sets + "'", 2, "near plane");
   refused("render " + rooms + " --depth-format z24" + none + sets + "'", 2, "z16 only");
   refused("bake " + rooms + " -o '" + picture("none.zsc") + "' --cells 6x4", 2, "--cells");
+  refused("bake " + rooms + " -o '" + picture("none.zsc") + "' --cells 6x1x4", 2, "--visible-sets, which is not given");
+  std::filesystem::copy_file(sets, picture("sets.zsc"));
+  refused("render '" + picture("sets.zsc") + "' -o '" + picture("none.png") + "'", 4, "visible sets and no scene");
+}
+
+// Of 16 bytes the number of meshlets would be the next.
+TEST_F(VisibilityCommand, SetsThatEndBeforeTheirMeshletsAreDamaged) {
+  const std::string rooms = std::string("'") + ROOMS + "'", sets = picture("rooms.zpv");
+  ASSERT_EQ(
+      run("bake " + rooms + " -o '" + picture("rooms.zsc") + "' --visible-sets '" + sets + "' --cells 2x1x2").status,
+      0);
+  const std::string whole = bytes(sets);
+  for (const std::size_t length : std::initializer_list<std::size_t>{0, 3, 15, 16, 17, 20, 55, 60}) {
+    std::ofstream(picture("part.zpv"), std::ios::binary) << whole.substr(0, length);
+    const Outcome refused =
+        render(rooms + " -o '" + picture("none.png") + "' --visible-sets '" + picture("part.zpv") + "'");
+    EXPECT_EQ(refused.status, 4) << refused.text;
+    EXPECT_NE(refused.text.find("damaged ones: byte " + std::to_string(length)), std::string::npos)
+        << length << refused.text;
+  }
+}
+
+// The planes are the scene's, wherever the camera stands.
+TEST_F(VisibilityCommand, AnotherEyeKeepsTheFilesNearPlane) {
+  const std::string rooms = std::string("'") + ROOMS + "'", sets = picture("rooms.zpv");
+  ASSERT_EQ(
+      run("bake " + rooms + " -o '" + picture("rooms.zsc") + "' --visible-sets '" + sets + "' --cells 6x1x4").status,
+      0);
+  const std::string eye = rooms + " --size 96x80 --frames 1 --image raw --eye -5,1.7,2.2 --look-at 0,1,0 -o '";
+  ASSERT_EQ(render(eye + picture("all.raw") + "'").status, 0);
+  const Outcome fewer = render(eye + picture("fewer.raw") + "' --visible-sets '" + sets + "'");
+  EXPECT_EQ(fewer.status, 0) << fewer.text;
+  EXPECT_EQ(bytes(picture("all.raw")), bytes(picture("fewer.raw")));
+}
+
+TEST_F(VisibilityCommand, ATreeIsBakedAndDrawnInPlace) {
+  for (const char* scene : {"knot_meshlets", "random50", "cycle"}) {
+    const std::string name = std::string(scene) == "cycle" ? std::string("'") + MODELS + "/cycle.obj'" : scene;
+    const std::string baked = picture("baked.zsc"), words = " --size 160x120 --image raw --visibility painter-bsp";
+    const Outcome made = run("bake " + name + " -o '" + baked + "' --size 160x120 --visibility painter-bsp");
+    ASSERT_EQ(made.status, 0) << made.text;
+    EXPECT_NE(made.text.find("tree of painter-bsp: "), std::string::npos) << made.text;
+    EXPECT_NE(made.text.find("visibility painter-bsp: "), std::string::npos) << made.text;
+    EXPECT_NE(made.text.find("of z-buffer saved"), std::string::npos) << made.text;
+    const Outcome drawn = render("'" + baked + "'" + words + " -o '" + picture("baked.raw") + "'");
+    ASSERT_EQ(drawn.status, 0) << drawn.text;
+    ASSERT_EQ(render(name + words + " -o '" + picture("made.raw") + "'").status, 0);
+    EXPECT_EQ(bytes(picture("baked.raw")), bytes(picture("made.raw"))) << scene;
+    EXPECT_EQ(bytes(picture("baked.raw")).size(), 160U * 120 * 2);
+    // In strips, and with the judge.
+    ASSERT_EQ(render("'" + baked + "'" + words + " --strip-rows 9 -o '" + picture("strips.raw") + "'").status, 0);
+    EXPECT_EQ(bytes(picture("baked.raw")), bytes(picture("strips.raw"))) << scene;
+    const Outcome judged = render("'" + baked + "' --size 160x120 --visibility painter-bsp --show error -o '" +
+                                  picture("error.png") + "'");
+    EXPECT_EQ(judged.status, 0) << judged.text;
+    // Without the option it is a scene like others.
+    EXPECT_EQ(render("'" + baked + "' --size 160x120 -o '" + picture("plain.png") + "'").status, 0);
+  }
+}
+
+TEST_F(VisibilityCommand, PlanAndBakeKnowTheMethodsBytes) {
+  const auto says = [this](const std::string& command, const char* part) {
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, 0) << command << outcome.text;
+    EXPECT_NE(outcome.text.find(part), std::string::npos) << outcome.text;
+  };
+  says("plan random50 --size 96x80 --strip-rows 80 --visibility painter",
+       "painter: 800 bytes for sorting, 15,360 bytes of z-buffer saved");
+  says("plan random50 --size 96x80 --strip-rows 80 --visibility painter --json", "\"visibility\": 800");
+  says("plan random50 --size 96x80 --strip-rows 80 --visibility hierarchical-z",
+       "hierarchical-z: 808 bytes for bounds of depth");
+  says("plan random50 --size 96x80 --visibility midpoint", "midpoint: no memory of its own");
+  says("plan random50 --size 96x80 --visibility painter-bsp", "painter-bsp: ");
+  says("bake random50 --size 96x80 --strip-rows 80 -o '" + picture("a.zsc") + "' --visibility front-to-back",
+       "front-to-back: 800 bytes for sorting");
+  says("bake random50 --size 96x80 --strip-rows 80 -o '" + picture("a.hpp") + "' --visibility front-to-back --json -",
+       "\"visibility\": 800");
+  EXPECT_NE(bytes(picture("a.hpp")).find("zstrip::method::front_to_back"), std::string::npos);
+  for (const char* words :
+       {"plan room --visibility painter-bsp", "plan blend --visibility painter-newell", "plan room --visibility best",
+        "plan room --visibility hierarchical-z --static-layer", "plan room --visibility painter --depth-format z24",
+        "bake rooms.toml -o none.zsc --visibility best"}) {
+    const Outcome refused = run(words);
+    EXPECT_EQ(refused.status, 2) << words << refused.text;
+    EXPECT_NE(refused.text.find("--visibility"), std::string::npos) << refused.text;
+  }
+  const Outcome moving =
+      run(std::string("bake '") + ROOMS + "' -o '" + picture("none.zsc") + "' --visibility painter-bsp");
+  EXPECT_EQ(moving.status, 2) << moving.text;
+  EXPECT_NE(moving.text.find("stand still"), std::string::npos) << moving.text;
+}
+
+TEST_F(VisibilityCommand, MessagesNameTheMethodAndTheOptionThatWereGiven) {
+  const auto refused = [this](const std::string& words, const char* part) {
+    const Outcome outcome = render(words + " -o '" + picture("none.png") + "'");
+    EXPECT_EQ(outcome.status, 2) << words << outcome.text;
+    EXPECT_NE(outcome.text.find(part), std::string::npos) << outcome.text;
+  };
+  refused("cube --visibility painter-bsp", "--visibility painter-bsp: triangles with textures cannot be split");
+  refused("cube --visibility painter-newell", "--visibility painter-newell: triangles with textures cannot be split");
+  refused("cube --visibility half-range --cull spheres", "leave out --visibility half-range");
+  refused("cube --cull spheres --depth-format z24", "leave out --depth-format");
+  refused("cube --visibility painter --depth-format z24", "--visibility painter goes with depth as z16 only");
+  refused("cube --cull temporal", "--cull temporal needs the bounds of --visibility hierarchical-z, and not zbuffer");
+  refused("cube --cull fronts", "--cull 'fronts' is not one of: back-faces, small, spheres, temporal, none");
+}
+
+TEST_F(VisibilityCommand, TemporalCoherenceDrawsTheSameFramesAndIsCounted) {
+  const std::string words = "knot_meshlets --size 96x80 --frames 6 --image raw --visibility hierarchical-z --json '" +
+                            picture("counts.json") + "' -o '";
+  ASSERT_EQ(render(words + picture("plain") + "'").status, 0);
+  EXPECT_EQ(bytes(picture("counts.json")).find("\"drawn_first\": 1"), std::string::npos);
+  ASSERT_EQ(render(words + picture("coherent") + "' --cull back-faces,small,temporal").status, 0);
+  for (int frame = 0; frame < 6; ++frame) {
+    const std::string name = "/frame_000" + std::to_string(frame) + ".raw";
+    EXPECT_EQ(bytes(picture("plain") + name), bytes(picture("coherent") + name)) << frame;
+    EXPECT_EQ(bytes(picture("plain") + name).size(), 96U * 80 * 2);
+  }
+  const std::string counts = bytes(picture("counts.json"));
+  const std::size_t first = counts.find("\"drawn_first\": "), second = counts.find("\"drawn_first\": ", first + 1);
+  EXPECT_EQ(counts.substr(first, 17), "\"drawn_first\": 0,") << "nothing is known yet";
+  ASSERT_NE(second, std::string::npos);
+  EXPECT_NE(counts.substr(second, 17), "\"drawn_first\": 0,");
+}
+
+TEST_F(VisibilityCommand, ASceneFileHasTheOptionsToo) {
+  const auto scene = [this](const std::string& lines) {
+    std::ofstream(picture("knot.toml")) << "[picture]\nsize = [96, 80]\n"
+                                        << lines
+                                        << "[camera]\nr = 3\n[[model]]\nname = 'knot'\nbuilt_in = 'knot_meshlets'\n"
+                                           "[[instance]]\nmodel = 'knot'\n";
+    return std::string("'") + picture("knot.toml") + "' --frames 1 --image raw --json - -o '" + picture("a.raw") + "'";
+  };
+  const Outcome split = render(scene("visibility = 'midpoint'\niterations = 0\n"));
+  EXPECT_NE(split.text.find("\"splits\": 0,"), std::string::npos) << split.text;
+  const Outcome deeper = render(scene("visibility = 'midpoint'\niterations = 0\n") + " --iterations 3");
+  EXPECT_EQ(deeper.text.find("\"splits\": 0,"), std::string::npos) << deeper.text;
+  const Outcome usual = render(scene("visibility = 'hierarchical-z'\n"));
+  EXPECT_EQ(usual.text.find("\"back_faces\": 0,"), std::string::npos) << usual.text;
+  const Outcome none = render(scene("visibility = 'hierarchical-z'\ncull = ['none']\n"));
+  EXPECT_NE(none.text.find("\"back_faces\": 0,"), std::string::npos) << none.text;
+  const Outcome sets = render(scene("visible_sets = 'none.zpv'\n"));
+  EXPECT_EQ(sets.status, 4) << sets.text;
+  EXPECT_NE(sets.text.find(picture("none.zpv")), std::string::npos) << sets.text;
+}
+
+TEST_F(VisibilityCommand, AFileThatCannotBeReadToItsEndIsAnError) {
+  const Outcome refused = render(std::string("cube -o '") + picture("none.png") + "' --visible-sets /proc/self/mem");
+  EXPECT_EQ(refused.status, 4) << refused.text;
+  EXPECT_NE(refused.text.find("cannot be read to its end"), std::string::npos) << refused.text;
 }
 
 TEST_F(VisibilityCommand, WhatCannotBeIsAUsageError) {

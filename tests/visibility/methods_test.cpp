@@ -54,7 +54,9 @@ TEST(Visibility, HierarchicalZAndMidpointSafeDrawTheZBuffersPixels) {
       for (const std::uint8_t iterations : std::initializer_list<std::uint8_t>{0, 3}) {
         MethodRequest safe = request("midpoint-safe", kView, rows);
         safe.options.iterations = iterations;
-        EXPECT_EQ(plain.depth, drawn(workload.staging(), safe).depth) << scene << ' ' << rows;
+        const LookedAtFrame split = drawn(workload.staging(), safe);
+        EXPECT_EQ(plain.depth, split.depth) << scene << ' ' << rows;
+        EXPECT_EQ(plain.pixels, split.pixels) << scene << ' ' << rows;
       }
     }
   }

@@ -2,26 +2,15 @@
 #include "zstrip/frame/method_pipelines.hpp"
 
 namespace zstrip::detail {
-namespace {
-
-template <Effects own>
-constexpr Pipeline pipeline(bool orthographic) {
-  return method_pipeline<everything_with<own>()>(orthographic);
-}
-
-}  // namespace
 
 Pipeline pipeline_of_method_with_effects(Effects own, bool orthographic) {
-  if (own == Effects{}) return pipeline<Effects{}>(orthographic);
-  if (own == method::painter) return pipeline<method::painter>(orthographic);
-  if (own == method::front_to_back) return pipeline<method::front_to_back>(orthographic);
-  if (own == method::hierarchical_z) return pipeline<method::hierarchical_z>(orthographic);
-  if (own == (method::front_to_back | method::hierarchical_z)) {
-    return pipeline<method::front_to_back | method::hierarchical_z>(orthographic);
-  }
-  if (own == method::midpoint) return pipeline<method::midpoint>(orthographic);
-  if (own == method::midpoint_safe) return pipeline<method::midpoint_safe>(orthographic);
-  return refusing<Error::visibility>();
+  return pipeline_of_set(own, [orthographic]<Effects set>() {
+    if constexpr (set.any(method::orders)) {
+      return refusing<Error::visibility>();
+    } else {
+      return method_pipeline<everything_with<set>()>(orthographic);
+    }
+  });
 }
 
 }  // namespace zstrip::detail

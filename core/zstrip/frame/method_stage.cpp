@@ -35,6 +35,12 @@ Status Frame::Access::Methods::begin_frame(FrameWithMethod& frame, Effects effec
   if (effects.has(method::culling) && !frame.options_.cull_back_faces) {
     for (std::uint32_t i = 0; i < counts.instances; ++i) frame.instances_[i].double_sided = true;
   }
+  if (effects.has(method::culling)) {
+    const std::span<std::uint32_t> seen = frame.options_.seen_before;
+    const auto found = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2);
+    std::copy(found, found + (found - seen.begin()), seen.begin());
+    std::fill(found, seen.end(), 0U);
+  }
   return {};
 }
 

@@ -23,7 +23,7 @@ struct Frame::Access::Methods {
   template <Effects effects>
   static void collect_triangles(FrameWithMethod& frame);
   template <Effects effects>
-  static Status collect_from_tree(FrameWithMethod& frame, const Camera& camera);
+  static Status key_by_tree(FrameWithMethod& frame, const Camera& camera);
   template <Effects effects>
   static void draw_sorted(FrameWithMethod& frame, const detail::StripTarget& target, std::uint16_t strip);
 

@@ -50,8 +50,10 @@ bool Frame::Access::Methods::is_hidden(FrameWithMethod& frame, const detail::Str
 template <Effects effects, class Draw>
 void Frame::Access::Methods::draw_seen_first(FrameWithMethod& frame, const detail::StripTarget& target,
                                              const Draw& draw) {
-  const std::span<std::uint32_t> seen =
-      effects.has(method::culling) ? frame.options_.seen_before : std::span<std::uint32_t>{};
+  // The last frame's bits, and behind them those that this one finds; a meshlet may be in several strips.
+  const std::span<std::uint32_t> seen = effects.has(method::culling)
+                                            ? frame.options_.seen_before.first(frame.options_.seen_before.size() / 2)
+                                            : std::span<std::uint32_t>{};
   const auto material_of = [&frame](std::uint32_t instance) -> const Material& {
     return frame.scene_->materials[frame.instances_[instance].material];
   };
@@ -63,7 +65,9 @@ void Frame::Access::Methods::draw_seen_first(FrameWithMethod& frame, const detai
   if (!seen.empty()) {
     Geometry::for_each_meshlet<effects>(frame,
                                         [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
-                                          if (is_drawn_first(number, instance)) draw(number, instance, meshlet);
+                                          if (!is_drawn_first(number, instance)) return;
+                                          if (effects.has(effect::statistics)) ++frame.counts_.drawn_first;
+                                          draw(number, instance, meshlet);
                                         });
   }
   std::uint32_t asked = UINT32_MAX;  // the instance that `hidden` is of
@@ -87,14 +91,13 @@ void Frame::Access::Methods::draw_seen_first(FrameWithMethod& frame, const detai
         ++frame.counts_.meshlets;
       }
     }
-    if (number / 32 >= seen.size()) return;
-    std::uint32_t& word = seen[number / 32];
-    word = (word & ~(1U << (number % 32))) | static_cast<std::uint32_t>(!all_hidden) << (number % 32);
+    if (all_hidden || number / 32 >= seen.size()) return;
+    frame.options_.seen_before[seen.size() + number / 32] |= 1U << (number % 32);
   });
 }
 
-/// Finds all front faces that may be in the picture, and sorts them from near to far; with a z-buffer those that blend
-/// behind all others, in the plain z-buffer's order.
+/// Finds all front faces that may be in the picture, in the scene's order, with their keys (0 for a tree); with a
+/// z-buffer those of what blends are behind all others, in the plain z-buffer's order.
 template <Effects effects>
 void Frame::Access::Methods::collect_triangles(FrameWithMethod& frame) {
   constexpr bool kOrthographic = effects.has(effect::orthographic);
@@ -116,7 +119,7 @@ void Frame::Access::Methods::collect_triangles(FrameWithMethod& frame) {
     const detail::Batch batch = Geometry::batch_of(frame, instance, range.first_vertex, cache);
     const bool all_narrow = Geometry::transform<effects>(frame, batch, range, cache);
     // A vertex outside the depth range counts as on its border.
-    const auto depth = [&](std::uint32_t index) {
+    [[maybe_unused]] const auto depth = [&](std::uint32_t index) {
       const detail::SnappedVertex& v = batch.vertices[index - range.first_vertex];
       if (v.x != detail::kNotNarrow) return v.depth;
       const std::int32_t nearest = static_cast<std::int32_t>(compiled.w_near);
@@ -136,16 +139,20 @@ void Frame::Access::Methods::collect_triangles(FrameWithMethod& frame) {
         batch, range.triangles, all_narrow, [&](std::uint32_t index, const Rect& pixels) {
           const detail::Extent extent = frame.grid_.extent_of(pixels);
           if (extent.empty()) return true;
-          const Triangle& triangle = range.triangles[index];
+          [[maybe_unused]] const Triangle& triangle = range.triangles[index];
           listed = true;
-          frame.sorted_[count++] = {
-              is_last ? blended_key
-                      : detail::depth_key(frame.options_.key, depth(triangle.a), depth(triangle.b), depth(triangle.c)),
-              static_cast<std::uint16_t>(instance),
-              static_cast<std::uint16_t>(meshlet),
-              static_cast<std::uint16_t>(index),
-              batches,
-              extent};
+          std::uint32_t key = 0;
+          if constexpr (!effects.has(method::bsp)) {
+            key = is_last
+                      ? blended_key
+                      : detail::depth_key(frame.options_.key, depth(triangle.a), depth(triangle.b), depth(triangle.c));
+          }
+          frame.sorted_[count++] = {key,
+                                    static_cast<std::uint16_t>(instance),
+                                    static_cast<std::uint16_t>(meshlet),
+                                    static_cast<std::uint16_t>(index),
+                                    batches,
+                                    extent};
           return true;
         });
     if (!listed || !binned) return;
@@ -154,55 +161,45 @@ void Frame::Access::Methods::collect_triangles(FrameWithMethod& frame) {
     retained += range.vertex_count;
   });
   frame.sorted_count_ = count;
-  detail::sort_near_to_far({frame.sorted_, count});
 }
 
-/// The same in the order of a tree, for the scene's only mesh, all of which is one meshlet.
+/// Gives the triangles that were collected the order of a tree, for the scene's only mesh.
 template <Effects effects>
-Status Frame::Access::Methods::collect_from_tree(FrameWithMethod& frame, const Camera& camera) {
+Status Frame::Access::Methods::key_by_tree(FrameWithMethod& frame, const Camera& camera) {
   constexpr Status kNotOfThisScene{.error = Error::visibility, .needed = method::bsp.methods};
   const BspTree* const tree = frame.options_.tree;
   const Scene& scene = *frame.scene_;
   if (tree == nullptr || scene.instances.size() != 1) return kNotOfThisScene;
   const Mesh& mesh = scene.meshes[scene.instances[0].mesh];
-  if (!mesh.meshlets.empty()) return kNotOfThisScene;
-  if (!frame.instances_[0].visible) return {};
-  const Geometry::MeshletRange range = Geometry::meshlet_range(mesh, 0);
-  const detail::Batch batch = Geometry::batch_of(frame, 0, 0, 0);
-  const bool all_narrow = Geometry::transform<effects>(frame, batch, range, 0);
+  detail::SortedTriangle* const end = frame.sorted_ + frame.sorted_count_;
+  const auto number_of = [&mesh](const detail::SortedTriangle& t) {
+    return (mesh.meshlets.empty() ? 0 : mesh.meshlets[t.meshlet].first_triangle) + t.triangle;
+  };
+  const auto is_before = [&](const detail::SortedTriangle& t, std::uint32_t number) { return number_of(t) < number; };
+  std::uint32_t place = 0;
   const detail::BspEye eye = detail::bsp_eye(mesh, scene.instances[0].transform, camera);
   const bool whole =
-      detail::for_each_bsp_run(*tree, eye, mesh.triangles.size(), [&](std::uint32_t first, std::uint32_t triangles) {
-        return Assembler<effects>::for_each_facing(
-            batch, range.triangles.subspan(first, triangles), all_narrow, [&](std::uint32_t index, const Rect& pixels) {
-              const detail::Extent extent = frame.grid_.extent_of(pixels);
-              if (extent.empty()) return true;
-              const std::uint32_t place = frame.sorted_count_;
-              if (place == mesh.triangles.size()) return false;  // a tree that has triangles twice
-              frame.sorted_[place] = {place, 0, 0, static_cast<std::uint16_t>(first + index), 0, extent};
-              ++frame.sorted_count_;
-              return true;
-            });
+      detail::for_each_bsp_run(*tree, eye, mesh.triangles.size(), [&](std::uint32_t first, std::uint32_t count) {
+        // They were collected in the mesh's order.
+        detail::SortedTriangle* t = std::lower_bound(frame.sorted_, end, first, is_before);
+        for (; t != end && number_of(*t) < first + count; ++t) t->key = place++;
+        return true;
       });
-  if (!whole) return kNotOfThisScene;
-  if (frame.mode_ != Mode::binned) return {};
-  Geometry::shade<effects>(frame, batch, range, 0);
-  frame.batches_[0] = {0, 0, 0};
-  return {};
+  return whole ? Status{} : kNotOfThisScene;
 }
 
 /// Puts the triangles in the method's order and, if binned, lists them in it.
 template <Effects effects>
 Status Frame::Access::Methods::order_triangles(FrameWithMethod& frame, const Camera& camera) {
+  collect_triangles<effects>(frame);
   if constexpr (effects.has(method::bsp)) {
-    if (const Status status = collect_from_tree<effects>(frame, camera); !status) {
+    if (const Status status = key_by_tree<effects>(frame, camera); !status) {
       frame.scene_ = nullptr;
       return status;
     }
-  } else {
-    collect_triangles<effects>(frame);
-    if constexpr (effects.has(method::painter)) std::reverse(frame.sorted_, frame.sorted_ + frame.sorted_count_);
   }
+  detail::sort_near_to_far({frame.sorted_, frame.sorted_count_});
+  if constexpr (effects.has(method::painter)) std::reverse(frame.sorted_, frame.sorted_ + frame.sorted_count_);
   if (frame.mode_ != Mode::binned) return {};
   for (const detail::SortedTriangle& t : std::span(frame.sorted_, frame.sorted_count_)) {
     if (Geometry::list(frame, t.extent, t.batch, t.triangle)) continue;
@@ -257,10 +254,10 @@ void Frame::Access::Methods::count_culled(FrameWithMethod& frame) {
     std::uint32_t facing = 0;
     Assembler<effects>::for_each_facing(batch, range.triangles, all_narrow, [&](std::uint32_t, const Rect& box) {
       ++facing;
-      if (box.empty()) ++counts.small;
+      if (box.empty() && frame.options_.cull_small) ++counts.small;
       return true;
     });
-    counts.back_faces += triangles - facing;
+    if (frame.options_.cull_back_faces) counts.back_faces += triangles - facing;
   });
   frame.statistics_.vertices = before;
 }

@@ -287,7 +287,7 @@ void draw_fragment_triangle(const TargetOf<effects>& target, const RasterVertex&
   const SpanTriangle<kMode> triangle(target, v0, v1, v2);
   const RasterVertex* const vertices[3] = {&v0, &v1, &v2};
   const FragmentPlanes<effects> planes(triangle.setup, vertices, surface, target.fragments);
-  triangle.template walk<effects.has(effect::statistics)>(
+  triangle.template walk<effects.has(effect::statistics), true>(
       target, v0, v1, v2, narrow, [&](const auto& run, const auto& z, const auto& rule) {
         fill_fragments<effects>(run, z, rule, planes, target.fragments, target.statistics);
       });

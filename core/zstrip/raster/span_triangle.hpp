@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 
 #include "zstrip/raster/edge_walk.hpp"
 #include "zstrip/raster/midpoint.hpp"
@@ -18,15 +21,21 @@ struct Surface {
   std::int64_t depth_offset;  ///< DepthFit::offset
 };
 
+/// From above to below.
+[[gnu::always_inline]] inline void sort_by_row(const RasterVertex*& top, const RasterVertex*& middle,
+                                               const RasterVertex*& bottom) {
+  if (middle->y < top->y) std::swap(middle, top);
+  if (bottom->y < middle->y) std::swap(bottom, middle);
+  if (middle->y < top->y) std::swap(middle, top);
+}
+
 template <class Integer, class FillSpan>
 void walk_spans(const StripTarget& target, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
                 const FillSpan& fill) {
   const RasterVertex* top = &a;
   const RasterVertex* middle = &b;
   const RasterVertex* bottom = &c;
-  if (middle->y < top->y) std::swap(middle, top);
-  if (bottom->y < middle->y) std::swap(bottom, middle);
-  if (middle->y < top->y) std::swap(middle, top);
+  sort_by_row(top, middle, bottom);
 
   const std::int32_t end = std::min(bottom->y >> 4, target.area.bottom);
   std::int32_t row = std::max(top->y >> 4, target.area.top);
@@ -51,6 +60,41 @@ void walk_spans(const StripTarget& target, const RasterVertex& a, const RasterVe
     }
   }
 }
+
+/// The spans of a whole triangle in the rows of a piece of it, from above to below.
+template <class Integer>
+class WholeSpans {
+ public:
+  WholeSpans(const RasterVertex& a, const RasterVertex& b, const RasterVertex& c) : sorted_{&a, &b, &c} {
+    sort_by_row(sorted_[0], sorted_[1], sorted_[2]);
+    middle_is_right_ = signed_area(*sorted_[0], *sorted_[1], *sorted_[2]) < 0;
+  }
+
+  /// First pixel and the one after the last, of a row that the triangle covers; not above the row that was asked for
+  /// before.
+  std::pair<std::int32_t, std::int32_t> at(std::int32_t row) {
+    const std::int32_t half = row < sorted_[1]->y >> 4 ? 0 : 1;
+    if (half != half_) {
+      if (half_ < 0) long_ = walk(0, 2, row), row_ = row;
+      short_ = walk(half, half + 1, row);
+      half_ = half;
+      for (; row_ < row; ++row_) long_.next_row();
+    }
+    for (; row_ < row; ++row_) long_.next_row(), short_.next_row();
+    return middle_is_right_ ? std::pair(long_.pixel, short_.pixel) : std::pair(short_.pixel, long_.pixel);
+  }
+
+ private:
+  EdgeWalk<Integer> walk(std::int32_t from, std::int32_t to, std::int32_t row) const {
+    const RasterVertex &a = *sorted_[from], &b = *sorted_[to];
+    return EdgeWalk<Integer>(a.x, a.y, b.x, b.y, row);
+  }
+
+  const RasterVertex* sorted_[3];
+  bool middle_is_right_;
+  std::int32_t half_ = -1, row_ = 0;
+  EdgeWalk<Integer> long_, short_;
+};
 
 /// Calls draw(run) for the parts of a span that the method does not know to be hidden.
 template <DepthMode mode, class Depth, class Draw>
@@ -94,32 +138,45 @@ struct SpanTriangle {
         depth(setup, v0, v1, v2, area, anchor_x, anchor_y),
         rule(target, v0, v1, v2, area) {}
 
-  /// Calls fill(run, depth plane, rule) for all runs in the strip that may be seen.
-  template <bool statistics, class Fill>
+  /// Calls fill(run, depth plane, rule) for all runs in the strip that may be seen. Pieces of midpoint subdivision only
+  /// say which pixels are drawn how: everything else is the whole triangle's. `in_runs`: fill counts pixels from the
+  /// left end of the whole span.
+  template <bool statistics, bool in_runs, class Fill>
   void walk(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2,
             bool narrow, const Fill& fill) const {
     if constexpr (mode.any(method::splitting)) {
       const DepthRule<mode.with(DepthUse::written)> writing(target, v0, v1, v2, area);
       for_each_midpoint_piece<mode>(target, v0, v1, v2, [&](const RasterVertex(&part)[3], DepthUse use) {
-        if (use == DepthUse::tested) {
-          walk_part<statistics>(target, part[0], part[1], part[2], narrow, rule, fill);
+        const auto walk_piece = [&](const auto& whole, const auto& how) {
+          walk_part<statistics>(target, part[0], part[1], part[2], narrow, how, whole, fill);
+        };
+        const auto walk_with = [&](const auto& whole) {
+          use == DepthUse::tested ? walk_piece(whole, rule) : walk_piece(whole, writing);
+        };
+        if constexpr (!in_runs) {
+          walk_with(Unsplit{});
+        } else if (narrow) {
+          walk_with(WholeSpans<std::int32_t>(v0, v1, v2));
         } else {
-          walk_part<statistics>(target, part[0], part[1], part[2], narrow, writing, fill);
+          walk_with(WholeSpans<std::int64_t>(v0, v1, v2));
         }
       });
     } else {
-      walk_part<statistics>(target, v0, v1, v2, narrow, rule, fill);
+      walk_part<statistics>(target, v0, v1, v2, narrow, rule, Unsplit{}, fill);
     }
   }
 
+  struct Unsplit {};  ///< instead of WholeSpans: the part is the whole, or nobody asks
+
   /// The same of a part of the triangle.
-  template <bool statistics, class Rule, class Fill>
+  template <bool statistics, class Rule, class Whole, class Fill>
   void walk_part(const TargetFor<mode>& target, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
-                 bool narrow, const Rule& how, const Fill& fill) const {
+                 bool narrow, const Rule& how, [[maybe_unused]] Whole whole, const Fill& fill) const {
     using Cell = typename Rule::Cell;
     const auto fill_run = [&](const Span<Cell>& run, const auto& plane) { fill(run, plane, how); };
     const auto fill_row = [&](std::int32_t row, std::int32_t left, std::int32_t right, std::int32_t whole_left,
                               std::int32_t whole_right) {
+      if constexpr (!std::is_same_v<Whole, Unsplit>) std::tie(whole_left, whole_right) = whole.at(row);
       const Span<Cell> span{target.template depth_row<Cell>(row) + (left - target.area.left),
                             target.colour_row(row) + (left - target.area.left),
                             right - left,
@@ -169,7 +226,9 @@ void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, c
   }
 
   using Cell = typename DepthRule<mode>::Cell;
-  const auto walk = [&](const auto& fill) { triangle.template walk<statistics>(target, v0, v1, v2, narrow, fill); };
+  const auto walk = [&](const auto& fill) {
+    triangle.template walk<statistics, (shade >= Shade::textured)>(target, v0, v1, v2, narrow, fill);
+  };
   if constexpr (shade == Shade::flat) {
     walk([&](const Span<Cell>& run, const auto& z, const auto& how) {
       fill_flat<statistics>(run, z, how, surface.flat_colour, target.statistics);

@@ -149,9 +149,8 @@ constexpr bool depth_effects_agree(Effects effects) {
 }
 
 /// Which of these effects their methods cannot draw: other depth formats and sub-ranges, which only culling goes with;
-/// rules of a material's own, which need the scene's order and a z-buffer; quadrics where there is none; fragments
-/// where triangles are split, because runs of texels and fog would begin at other pixels; local light too where the
-/// host has split them.
+/// rules of a material's own, which need the scene's order and a z-buffer; quadrics where there is none; fragments and
+/// local light where the host has split triangles.
 constexpr Effects refused_by_methods(Effects effects) {
   if (effects.methods == 0) return {};
   const Effects own = without(Effects{0, effects.methods}, method::culling);
@@ -159,8 +158,7 @@ constexpr Effects refused_by_methods(Effects effects) {
   if (own != Effects{}) refused = refused | effect::depth_formats | effect::depth_ranges;
   if (own != Effects{} && own != method::hierarchical_z) refused = refused | effect::depth_state;
   if (own.has(method::painter)) refused = refused | effect::surfaces;
-  if (own.any(method::orders | method::splitting)) refused = refused | effect::fragments;
-  if (own.any(method::orders)) refused = refused | effect::vertex_light;
+  if (own.any(method::orders)) refused = refused | effect::fragments | effect::vertex_light;
   return {effects.bits & refused.bits, 0};
 }
 

@@ -29,6 +29,8 @@ static_assert(sizeof(void*) != 4 || (sizeof(Mesh) == 76 && sizeof(Texture) == 12
 static_assert(sizeof(Track) == 8 && offsetof(Track, count) == 2 && offsetof(Track, first) == 4);
 static_assert(sizeof(Keyframe) == 36 && offsetof(Keyframe, rotation) == 4 && offsetof(Keyframe, translation) == 12 &&
               offsetof(Keyframe, scale) == 24);
+static_assert(sizeof(BspNode) == 32 && offsetof(BspNode, distance) == 12 && offsetof(BspNode, first_triangle) == 16 &&
+              offsetof(BspNode, front) == 20 && offsetof(BspNode, back) == 24 && offsetof(BspNode, parent) == 28);
 static_assert(offsetof(Material, finish) == 11);
 static_assert(sizeof(Finish) == 12 && offsetof(Finish, specular) == 4 && offsetof(Finish, shininess) == 8 &&
               offsetof(Finish, alpha_mode) == 9 && offsetof(Finish, alpha_cutoff) == 10 &&
@@ -48,7 +50,8 @@ constexpr std::uint32_t kMeshes = 12, kMaterials = 20, kTextures = 28, kInstance
 constexpr std::uint32_t kAmbient = 52, kBackground = 56, kCamera = 60, kView = 124;
 constexpr std::uint32_t kTracks = 132, kKeyframes = 140, kDuration = 148;
 constexpr std::uint32_t kFinishes = 152, kPunctualLights = 160, kFog = 168, kQuadrics = 176;
-constexpr std::uint32_t kHeaderBytes = 184;
+constexpr std::uint32_t kTree = 184;
+constexpr std::uint32_t kHeaderBytes = 192;
 
 /// Records that become structures with pointers.
 struct MeshRecord {
@@ -123,12 +126,14 @@ Status check_envelope(std::span<const std::byte> blob) {
   for (std::size_t i = 0; i < sizeof kMagic; ++i) {
     if (i >= blob.size() || std::to_integer<char>(blob[i]) != kMagic[i]) return damaged(i);
   }
-  if (blob.size() < kHeaderBytes) return damaged(blob.size());
+  constexpr std::size_t kVersion = 2, kKind = 3;
+  if (blob.size() <= kKind) return damaged(blob.size());
   const Reader reader(blob);
-  if (reader.byte(2) != kSceneBlobVersion) {
-    return {.error = Error::blob_version, .needed = reader.byte(2), .available = kSceneBlobVersion};
+  if (reader.byte(kKind) != 's') return damaged(kKind);
+  if (reader.byte(kVersion) != kSceneBlobVersion) {
+    return {.error = Error::blob_version, .needed = reader.byte(kVersion), .available = kSceneBlobVersion};
   }
-  if (reader.byte(3) != 's') return damaged(3);
+  if (blob.size() < kHeaderBytes) return damaged(blob.size());
   if (reader.word(kSize) > blob.size()) return damaged(blob.size());
   if (reader.word(kSize) < blob.size()) return damaged(kSize);
   if (reader.word(kChecksum) != crc32(blob.subspan(kChecked))) return damaged(kChecksum);
@@ -191,6 +196,33 @@ Texture read_texture(Reader& reader, std::uint32_t at) {
           .format = static_cast<TextureFormat>(reader.byte(at + TextureRecord::kFormat))};
 }
 
+/// Each node but the first is the child of one before it, which it names; triangles follow the nodes. `scene` is valid.
+void check_tree(Reader& reader, std::span<const BspNode> nodes, const Scene& scene) {
+  if (nodes.empty()) return;
+  reader.require(scene.instances.size() == 1, kTree);
+  if (!reader.status()) return;
+  const std::size_t triangles = scene.meshes[scene.instances[0].mesh].triangles.size();
+  std::uint32_t first_triangle = 0;
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    const BspNode& node = nodes[i];
+    const auto require = [&](bool holds, std::size_t member) {
+      reader.require(holds, reader.offset_of(node) + static_cast<std::uint32_t>(member));
+    };
+    const auto is_child = [&](std::uint32_t child) {
+      return child == 0 || (child > i && child < nodes.size() && nodes[child].parent == i);
+    };
+    require(
+        i == 0 ? node.first_triangle == 0 : node.first_triangle >= first_triangle && node.first_triangle <= triangles,
+        offsetof(BspNode, first_triangle));
+    first_triangle = node.first_triangle;
+    require(is_child(node.front), offsetof(BspNode, front));
+    require(is_child(node.back) && (node.back == 0 || node.back != node.front), offsetof(BspNode, back));
+    const bool has_parent =
+        i == 0 ? node.parent == 0 : node.parent < i && (nodes[node.parent].front == i || nodes[node.parent].back == i);
+    require(has_parent, offsetof(BspNode, parent));
+  }
+}
+
 }  // namespace
 
 Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> memory, SceneBlob& opened) {
@@ -212,6 +244,7 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   read_camera(reader, found.camera);
   read_view(reader, found.view);
   found.scene.quadrics = reader.array<Quadric>(kQuadrics);
+  found.tree.nodes = reader.array<BspNode>(kTree);
   found.animation = {.tracks = reader.array<Track>(kTracks),
                      .keyframes = reader.array<Keyframe>(kKeyframes),
                      .duration = reader.word(kDuration)};
@@ -244,6 +277,8 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   const auto instances = static_cast<std::uint32_t>(found.scene.instances.size());
   if (const Status status = validate(found.animation, instances); !status) return status;
   if (!usable(found.camera)) return {.error = Error::camera};
+  check_tree(reader, found.tree.nodes, found.scene);
+  if (const Status status = reader.status(); !status) return status;
   opened = found;
   return {};
 }

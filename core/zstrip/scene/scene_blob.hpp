@@ -11,10 +11,11 @@
 #include "zstrip/scene/camera.hpp"
 #include "zstrip/scene/scene.hpp"
 #include "zstrip/scene/view.hpp"
+#include "zstrip/visibility/bsp_tree.hpp"
 
 namespace zstrip {
 
-inline constexpr std::uint8_t kSceneBlobVersion = 2;
+inline constexpr std::uint8_t kSceneBlobVersion = 3;
 inline constexpr std::uint32_t kSceneBlobAlignment = 4;  ///< of the blob's first byte
 
 /// What a blob holds. `scene` reads the blob and the memory lent to open_scene_blob: both must outlive it, unchanged.
@@ -22,11 +23,12 @@ struct SceneBlob {
   Scene scene;
   Camera camera;
   View view;              ///< the picture for which the camera was placed
+  BspTree tree{};         ///< for method::bsp, of the scene's only instance; without nodes: none was baked
   Animation animation{};  ///< of the scene's instances, which are to be copied into RAM for it; empty: nothing moves
 };
 
 /// Bytes to lend for the tables of this many meshes and textures, whose pointers only the running program knows.
-/// Vertices, triangles, texels, materials, instances, lights and keyframes are not copied.
+/// Vertices, triangles, texels, materials, instances, lights, keyframes and nodes of the tree are not copied.
 constexpr std::size_t scene_blob_memory(std::uint32_t meshes, std::uint32_t textures) {
   static_assert(alignof(Mesh) == alignof(Texture));
   return std::size_t{meshes} * sizeof(Mesh) + std::size_t{textures} * sizeof(Texture);

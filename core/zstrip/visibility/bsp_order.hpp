@@ -26,36 +26,36 @@ constexpr bool lies_in_front(const BspNode& node, const BspEye& eye) {
 }
 
 /// Calls visit(first, count) for the runs of triangles from far to near, until it returns false, which is then the
-/// result; also false if the tree is none for a mesh of so many triangles. Never more than kMostBspDepth nodes wait.
+/// result; also false if the tree is none for a mesh of so many triangles.
 template <class Visit>
 bool for_each_bsp_run(const BspTree& tree, const BspEye& eye, std::size_t triangles, const Visit& visit) {
-  if (tree.nodes.empty()) return true;
-  // A node waits after its far side has been entered, and is followed by its near side.
-  std::uint32_t waiting[kMostBspDepth];
-  std::uint32_t count = 0;
+  const std::span<const BspNode> nodes = tree.nodes;
+  if (nodes.empty() || nodes[0].first_triangle != 0) return nodes.empty();
+  enum class From : std::uint8_t { parent, far, near };
+  From from = From::parent;
   std::uint32_t index = 0;
-  bool any = true;
   std::size_t visited = 0;
   for (;;) {
-    if (any) {
-      const BspNode& node = tree.nodes[index];
-      if (count == kMostBspDepth || ++visited > tree.nodes.size()) return false;
-      waiting[count++] = index;
-      const std::uint32_t far = lies_in_front(node, eye) ? node.back : node.front;
-      if (far != 0 && (far <= index || far >= tree.nodes.size())) return false;
-      any = far != 0;
-      index = far;
+    const BspNode& node = nodes[index];
+    const bool in_front = lies_in_front(node, eye);
+    const std::uint32_t far = in_front ? node.back : node.front;
+    const std::uint32_t near = in_front ? node.front : node.back;
+    if (from == From::far || (from == From::parent && far == 0)) {
+      const std::size_t end = index + 1 < nodes.size() ? nodes[index + 1].first_triangle : triangles;
+      if (end > triangles || node.first_triangle > end || ++visited > nodes.size()) return false;
+      if (!visit(node.first_triangle, static_cast<std::uint32_t>(end - node.first_triangle))) return false;
+    }
+    const std::uint32_t child = from == From::parent && far != 0 ? far : from != From::near ? near : 0;
+    if (child != 0) {
+      if (child <= index || child >= nodes.size() || nodes[child].parent != index || near == far) return false;
+      from = From::parent;
+      index = child;
       continue;
     }
-    if (count == 0) return true;
-    index = waiting[--count];
-    const BspNode& node = tree.nodes[index];
-    if (node.first_triangle > triangles || node.triangle_count > triangles - node.first_triangle) return false;
-    if (!visit(node.first_triangle, node.triangle_count)) return false;
-    const std::uint32_t near = lies_in_front(node, eye) ? node.front : node.back;
-    if (near != 0 && (near <= index || near >= tree.nodes.size())) return false;
-    any = near != 0;
-    index = near;
+    if (index == 0) return visited == nodes.size();
+    const BspNode& parent = nodes[node.parent];  // which has this child: it was entered from there
+    from = index == (lies_in_front(parent, eye) ? parent.back : parent.front) ? From::far : From::near;
+    index = node.parent;
   }
 }
 

@@ -1,0 +1,20 @@
+// What visibility methods cost on emulated boards: the table `boards` of `zstrip bench`.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/measurement.hpp"
+#include "result.hpp"
+
+namespace zstrip::sim {
+
+/// Workloads of firmware/boards/mps2/bench_visibility.cpp at 320x240 in strips of 16 rows, on a Cortex-M0 and a
+/// Cortex-M3; BenchCase::depth has the method. `firmware` as of board_program. Takes minutes.
+Result<std::vector<Measurement>> measure_board_visibility(const std::string& firmware);
+
+std::string board_visibility_text(std::span<const Measurement> rows);
+std::string board_visibility_json(std::span<const Measurement> rows);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,33 @@
+// The words for what a visibility method does besides, the same on the command line and in scene files.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "result.hpp"
+#include "zstrip/visibility/options.hpp"
+
+namespace zstrip::sim {
+
+/// What is left out before its pixels are drawn.
+struct CullChoice {
+  bool back_faces = true, small = true;  ///< also without method::culling
+  bool spheres = false;                  ///< meshlets by their bounding spheres
+  bool temporal = false;                 ///< meshlets that were hidden in the last frame are drawn last
+
+  /// Whether it takes method::culling.
+  bool is_special() const { return !back_faces || !small || spheres || temporal; }
+};
+
+/// For help texts.
+inline constexpr std::string_view kCullWords = "back-faces, small, spheres, temporal";
+
+/// The list takes the place of the usual one; an empty list is the usual one, "none" stands alone. A usage error says
+/// what is wrong with a list, without naming who has given it.
+Result<CullChoice> parse_cull(std::span<const std::string> words);
+
+std::optional<SortKey> known_sort_key(std::string_view word);
+
+}  // namespace zstrip::sim
