@@ -137,7 +137,6 @@ int main() {
   if (word == "runs") return zstrip::board::check_small_runs();
   if (word == "transform") return zstrip::board::check_transform();
   if (word == "texels") return zstrip::board::check_textured_runs();
-  print("self-test: say memory, fault, return, twice, overflow, small, runs, transform or texels
-");
+  print("self-test: say memory, fault, return, twice, overflow, small, runs, transform or texels\n");
   return 2;
 }
