@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "zstrip/scene/animation.hpp"
+#include "zstrip/scene/bsp_tree.hpp"
 #include "zstrip/scene/scene.hpp"
-#include "zstrip/visibility/bsp_tree.hpp"
 
 namespace zstrip::sim {
 

@@ -121,7 +121,7 @@ class Header {
                                "scene/effects.hpp", "scene/scene.hpp", "scene/view.hpp"}) {
       line(fmt::format("#include \"zstrip/{}\"", header));
     }
-    if (!baked_.tree.nodes.empty()) line("#include \"zstrip/visibility/bsp_tree.hpp\"");
+    if (!baked_.tree.nodes.empty()) line("#include \"zstrip/scene/bsp_tree.hpp\"");
     line(fmt::format("\nnamespace {} {{\n", name_space));
     data();
     scene();

@@ -11,10 +11,10 @@
 #include "render/camera.hpp"
 #include "result.hpp"
 #include "zstrip/scene/animation.hpp"
+#include "zstrip/scene/bsp_tree.hpp"
 #include "zstrip/scene/camera.hpp"
 #include "zstrip/scene/scene.hpp"
 #include "zstrip/scene/view.hpp"
-#include "zstrip/visibility/bsp_tree.hpp"
 
 namespace zstrip::sim {
 

@@ -5,7 +5,7 @@
 
 #include "result.hpp"
 #include "visibility/polygon_soup.hpp"
-#include "zstrip/visibility/bsp_tree.hpp"
+#include "zstrip/scene/bsp_tree.hpp"
 
 namespace zstrip::sim {
 

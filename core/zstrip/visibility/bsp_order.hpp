@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "zstrip/scene/bsp_tree.hpp"
 #include "zstrip/scene/camera.hpp"
 #include "zstrip/scene/scene.hpp"
-#include "zstrip/visibility/bsp_tree.hpp"
 
 namespace zstrip::detail {
 

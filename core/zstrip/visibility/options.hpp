@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "zstrip/visibility/bsp_tree.hpp"
+#include "zstrip/scene/bsp_tree.hpp"
 
 namespace zstrip {
 
