@@ -1,9 +1,17 @@
 #!/usr/bin/env bash
-# freestanding.sh ROOT COMPILER FLAGS...: compiles core and hal for a freestanding target and reads the objects: they may
-# call the four mem functions and the compiler's integer helpers, and nothing may run before main.
+# freestanding.sh ROOT [--headers] COMPILER FLAGS...: compiles core and hal for a freestanding target and reads the objects:
+# they may call the four mem functions and the compiler's integer helpers, and nothing may run before main. With --headers
+# each header must compile on its own, too.
 set -euo pipefail
-root=$1 compiler=$2
-shift 2
+root=$1
+shift
+pattern='*.cpp'
+if [ "$1" = --headers ]; then
+  pattern='*.[ch]pp'
+  shift
+fi
+compiler=$1
+shift
 if ! command -v "$compiler" >/dev/null; then
   echo "$compiler is not installed"
   exit 77
@@ -11,9 +19,9 @@ fi
 objects=$(mktemp -d)
 trap 'rm -rf "$objects"' EXIT
 
-# Headers are compiled too, each on its own; their templates are instantiated by the .cpp files. Without optimisation, which
-# is quicker and folds nothing away: what the sources call, the objects call. Firmware is linked without a library anyway.
-find "$root/core/zstrip" "$root/hal/zstrip_hal" -name '*.cpp' -o -name '*.hpp' | sort >"$objects/sources"
+# The headers' templates are instantiated by the .cpp files. Without optimisation, which is quicker and folds nothing away:
+# what the sources call, the objects call. Firmware is linked without a library anyway.
+find "$root/core/zstrip" "$root/hal/zstrip_hal" -name "$pattern" | sort >"$objects/sources"
 compile() {
   local source=$1
   shift
