@@ -7,7 +7,7 @@
 #include <regex>
 #include <set>
 #include <string>
-#include <type_traits>
+#include <vector>
 
 #include "support.hpp"
 #include "zstrip/scene/effects.hpp"
@@ -15,24 +15,27 @@
 namespace zstrip::sim::test {
 
 struct LinkedEffects {
-  std::set<std::uint64_t> pipelines;  ///< bits of the Effects that templates were made for
-  std::set<int> shades;               ///< values of detail::Shade that rasterisers were made for
+  std::vector<Effects> pipelines;  ///< that templates were made for
+  std::set<int> shades;            ///< values of detail::Shade that rasterisers were made for
   bool bins = false;
 };
 
 inline LinkedEffects linked_effects(const std::string& program) {
   const Outcome outcome = run(ZSTRIP_NM, {"--demangle", program}, "/");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  const auto numbers = [&outcome](const char* pattern, auto& into) {
+  const auto for_each = [&outcome](const char* pattern, const auto& take) {
     const std::regex regex(pattern);
     for (std::sregex_iterator found(outcome.out.begin(), outcome.out.end(), regex), end; found != end; ++found) {
-      using Number = typename std::remove_reference_t<decltype(into)>::value_type;
-      into.insert(static_cast<Number>(std::stoull((*found)[1])));
+      take(*found);
     }
   };
   LinkedEffects linked;
-  numbers(R"(zstrip::Effects\{([0-9]+)u?l*\})", linked.pipelines);
-  numbers(R"(\(zstrip::detail::Shade\)([0-9]))", linked.shades);
+  for_each(R"(zstrip::Effects\{([0-9]+)u?l*(?:, ([0-9]+)u)?\})", [&linked](const std::smatch& match) {
+    linked.pipelines.push_back(
+        {std::stoull(match[1]), match[2].matched ? static_cast<std::uint32_t>(std::stoul(match[2])) : 0});
+  });
+  for_each(R"(\(zstrip::detail::Shade\)([0-9]))",
+           [&linked](const std::smatch& match) { linked.shades.insert(std::stoi(match[1])); });
   linked.bins = outcome.out.find("zstrip::detail::Bins::append") != std::string::npos;
   return linked;
 }
@@ -41,9 +44,9 @@ inline LinkedEffects linked_effects(const std::string& program) {
 inline void expect_only(const std::string& program, Effects effects) {
   const LinkedEffects linked = linked_effects(program);
   ASSERT_FALSE(linked.pipelines.empty()) << program << " has no symbols";
-  for (const std::uint64_t bits : linked.pipelines) {
+  for (const Effects made_for : linked.pipelines) {
     // What does not depend on bins is made without them.
-    EXPECT_EQ(Effects{bits} | (effects & effect::bins), effects) << program;
+    EXPECT_EQ(made_for | (effects & effect::bins), effects) << program;
   }
   constexpr int kFlat = 0, kGouraud = 1, kTextured = 2, kTexturedFlat = 3, kTexturedGouraud = 4;
   const bool gouraud = effects.has(effect::gouraud), textures = effects.has(effect::textures);

@@ -112,7 +112,7 @@ void Frame::Access::Methods::collect_triangles(FrameWithMethod& frame) {
     if constexpr (effects.has(method::culling)) {
       if (is_left_out<effects>(frame, number, instance, meshlet)) return;
     }
-    const bool binned = frame.mode_ == Mode::binned;
+    const bool binned = effects.has(effect::bins) && frame.mode_ == Mode::binned;
     const detail::CompiledInstance& compiled = frame.instances_[instance];
     const Geometry::MeshletRange range = Geometry::meshlet_range(frame.scene_->meshes[compiled.mesh], meshlet);
     const std::uint32_t cache = binned ? retained : 0;
@@ -200,12 +200,14 @@ Status Frame::Access::Methods::order_triangles(FrameWithMethod& frame, const Cam
   }
   detail::sort_near_to_far({frame.sorted_, frame.sorted_count_});
   if constexpr (effects.has(method::painter)) std::reverse(frame.sorted_, frame.sorted_ + frame.sorted_count_);
-  if (frame.mode_ != Mode::binned) return {};
-  for (const detail::SortedTriangle& t : std::span(frame.sorted_, frame.sorted_count_)) {
-    if (Geometry::list(frame, t.extent, t.batch, t.triangle)) continue;
-    frame.mode_ = Mode::streamed;
-    ++frame.bin_overflows_;
-    break;
+  if constexpr (effects.has(effect::bins)) {
+    if (frame.mode_ != Mode::binned) return {};
+    for (const detail::SortedTriangle& t : std::span(frame.sorted_, frame.sorted_count_)) {
+      if (Geometry::list(frame, t.extent, t.batch, t.triangle)) continue;
+      frame.mode_ = Mode::streamed;
+      ++frame.bin_overflows_;
+      break;
+    }
   }
   return {};
 }
