@@ -30,13 +30,20 @@ bool transform_vertices_portable(const CompiledInstance& instance, const Mesh& m
   return all_narrow;
 }
 
+/// Cannot be inlined: the rasterisers need the stack that it takes.
+[[gnu::noinline]] inline bool transform_vertices_in_assembly(const CompiledInstance& instance, const Mesh& mesh,
+                                                             const RasterOrigin& origin, std::uint32_t first,
+                                                             std::uint32_t count, SnappedVertex* vertices) {
+  return transform_vertices_thumb2(NarrowTransform(instance, origin), mesh.positions.data() + first, count, vertices);
+}
+
 /// The same.
 template <Effects effects>
 bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, const RasterOrigin& origin,
                         std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {
   if constexpr (kHasThumb2 && !effects.has(effect::orthographic) && depth_format(effects) == DepthFormat::z16) {
     if (count == 0) return true;
-    return transform_vertices_thumb2(NarrowTransform(instance, origin), mesh.positions.data() + first, count, vertices);
+    return transform_vertices_in_assembly(instance, mesh, origin, first, count, vertices);
   } else {
     return transform_vertices_portable<effects>(instance, mesh, origin, first, count, vertices);
   }

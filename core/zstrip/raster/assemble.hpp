@@ -303,7 +303,7 @@ struct Assembler {
       const SnappedVertex& b = vertices[triangle.b - first];
       const SnappedVertex& c = vertices[triangle.c - first];
       if constexpr (!all_narrow) {
-        if (a.x == kNotNarrow || b.x == kNotNarrow || c.x == kNotNarrow) {
+        if (!is_narrow(a, b, c)) {
           draw_clipped<shade>(target, batch, triangle);
           continue;
         }
@@ -330,7 +330,7 @@ struct Assembler {
       const SnappedVertex& a = vertices[triangle.a - first];
       const SnappedVertex& b = vertices[triangle.b - first];
       const SnappedVertex& c = vertices[triangle.c - first];
-      if (!all_narrow && (a.x == kNotNarrow || b.x == kNotNarrow || c.x == kNotNarrow)) {
+      if (!all_narrow && !is_narrow(a, b, c)) {
         RasterPolygon polygon;
         if (clip<Shade::flat>(batch, triangle, polygon) && !visit(i, polygon.box())) return false;
         continue;
@@ -349,37 +349,52 @@ struct Assembler {
   static constexpr bool kSmallRuns =
       kHasThumb2&& shade == Shade::gouraud && !kStatistics && std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
 
-  /// The triangles of a one-sided surface. Not all of them in one run where vertices have to be looked at first.
+  static bool is_narrow(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c) {
+    return a.x != kNotNarrow && b.x != kNotNarrow && c.x != kNotNarrow;
+  }
+
+  /// Draws triangles of a one-sided surface from `next` on, up to the first that is not small or not narrow, and says
+  /// which that is. Cannot be inlined: the others need the stack that a run takes.
+  template <bool all_narrow, class TriangleAt>
+  [[gnu::noinline]] static std::uint32_t draw_small_run(const StripTarget& target, const Batch& batch,
+                                                        std::uint32_t next, std::uint32_t count,
+                                                        const TriangleAt& triangle_at) {
+    SmallRun run(target, batch.vertices, batch.colours, batch.first_vertex);
+    if constexpr (all_narrow) return next + draw_small_run_thumb2(run, &triangle_at(next), count - next);
+    const SnappedVertex* const vertices = batch.vertices;
+    const std::uint32_t first = batch.first_vertex;
+    for (; next < count; ++next) {
+      const Triangle& triangle = triangle_at(next);
+      if (!is_narrow(vertices[triangle.a - first], vertices[triangle.b - first], vertices[triangle.c - first]) ||
+          draw_small_run_thumb2(run, &triangle, 1) == 0) {
+        break;
+      }
+    }
+    return next;
+  }
+
   template <Shade shade, bool all_narrow, class TriangleAt>
   static void draw_small_runs(const StripTarget& target, const Batch& batch, std::uint32_t count,
                               const TriangleAt& triangle_at) {
-    SmallRun run(target, batch.vertices, batch.colours, batch.first_vertex);
-    const SnappedVertex* const vertices = batch.vertices;
-    const std::uint32_t first = batch.first_vertex;
     for (std::uint32_t i = 0; i < count; ++i) {
-      if constexpr (all_narrow) {
-        i += draw_small_run_thumb2(run, &triangle_at(i), count - i);
-        if (i == count) return;
-      }
+      i = draw_small_run<all_narrow>(target, batch, i, count, triangle_at);
+      if (i == count) return;
       const Triangle& triangle = triangle_at(i);
-      const SnappedVertex& a = vertices[triangle.a - first];
-      const SnappedVertex& b = vertices[triangle.b - first];
-      const SnappedVertex& c = vertices[triangle.c - first];
-      if constexpr (!all_narrow) {
-        if (a.x == kNotNarrow || b.x == kNotNarrow || c.x == kNotNarrow) {
-          draw_clipped<shade>(target, batch, triangle);
-          continue;
-        }
-        if (draw_small_run_thumb2(run, &triangle, 1) == 1) continue;
+      const SnappedVertex& a = batch.vertices[triangle.a - batch.first_vertex];
+      const SnappedVertex& b = batch.vertices[triangle.b - batch.first_vertex];
+      const SnappedVertex& c = batch.vertices[triangle.c - batch.first_vertex];
+      if (all_narrow || is_narrow(a, b, c)) {
+        draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c, narrow_area(a, b, c));
+      } else {
+        draw_clipped<shade>(target, batch, triangle);
       }
-      draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c, narrow_area(a, b, c));
     }
   }
 
   /// Those with the loop that is quickest for them.
   template <Shade shade, bool all_narrow, class TriangleAt>
-  [[gnu::always_inline]] static void draw_run(const StripTarget& target, const Batch& batch, std::size_t count,
-                                              const TriangleAt& triangle_at) {
+  static void draw_run(const StripTarget& target, const Batch& batch, std::size_t count,
+                       const TriangleAt& triangle_at) {
     if constexpr (kSmallRuns<shade>) {
       if (!batch.instance->double_sided) {
         return draw_small_runs<shade, all_narrow>(target, batch, static_cast<std::uint32_t>(count), triangle_at);
@@ -396,7 +411,7 @@ struct Assembler {
     if (all_narrow) {
       draw_run<shade, true>(target, batch, triangles.size(), in_order);
     } else {
-      draw_run<shade, false>(target, batch, triangles.size(), in_order);
+      draw_triangles<shade, false>(target, batch, triangles.size(), in_order);
     }
   }
 
