@@ -14,8 +14,8 @@ enum class ConsoleMode : std::uint8_t { text, graphics, none };
 ConsoleMode console_mode();
 
 /// The console is in graphics mode (KD_GRAPHICS: it draws nothing, no cursor blinks) as long as this object lives, and
-/// then in the mode that it had before; also if the program ends by SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT or
-/// SIGQUIT. The signals that ask a program to end are the program's to catch; SIGKILL leaves the console dark until
+/// then in the mode that it had before; also if the program ends by SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT,
+/// SIGQUIT, SIGTRAP or SIGSYS. The signals that ask a program to end are the program's to catch; SIGKILL leaves the console dark until
 /// `kbd_mode` or another program sets it right. One object at a time.
 class GraphicsConsole {
  public:
