@@ -1,7 +1,9 @@
 // zstrip-panel: plays a baked scene on a screen or panel of a Linux machine.
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 
 #include "machine_list.hpp"
@@ -32,17 +34,21 @@ constexpr const char* kFooter = R"(Displays, KIND:[DEVICE,]KEY=VALUE,...:
   ssd1306:i2c=/dev/i2c-1[,address=0x3D][,reset=LINE]   on I2C, at 0x3c unless told
 A LINE is CHIP:OFFSET (gpiochip0:25) or the line's name.
 
-Exit status: 0 shown or stopped by SIGINT, SIGTERM, SIGHUP; 1 bug; 2 command line; 3 device missing, busy or not
-permitted; 4 scene; 5 too little memory; 6 the display failed.)";
+Exit status: 0 shown or stopped by a signal (SIGINT, SIGTERM, SIGHUP and others); 1 bug; 2 command line; 3 device
+missing, busy or not permitted; 4 scene; 5 too little memory; 6 the display or standard output failed.)";
 
 int fail(const Failure& failure) {
   std::fprintf(stderr, "zstrip-panel: %s\n", failure.message.c_str());
   return static_cast<int>(failure.status);
 }
 
-int run(const Arguments& arguments) {
-  // Before anything is opened, so that a signal finds everything in order to be closed.
-  zstrip::panel::StopSignals stop;
+int say(const std::string& words) {
+  if (std::fputs(words.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return static_cast<int>(ExitStatus::ok);
+  return fail({ExitStatus::output, std::string("standard output takes no words: ") + std::strerror(errno) +
+                                       "; --quiet plays without them"});
+}
+
+int run(const Arguments& arguments, zstrip::panel::StopSignals& stop) {
   auto scene = zstrip::panel::SceneFile::open(arguments.scene);
   if (!scene) return fail({ExitStatus::input, scene.fault().message});
   auto opened = zstrip::panel::open_display(arguments.display);
@@ -52,9 +58,10 @@ int run(const Arguments& arguments) {
   zstrip::panel::Played played;
   if (const auto failure = zstrip::panel::play(*scene, display, arguments.play, stop, played)) return fail(*failure);
   if (!arguments.quiet) {
-    std::printf("%u frames of %ux%u in %.2f s, %.1f a second\n", played.frames, display.width(), display.height(),
-                played.seconds, played.seconds > 0 ? played.frames / played.seconds : 0.0);
-    std::fflush(stdout);
+    char words[128];
+    std::snprintf(words, sizeof words, "%u frames of %ux%u in %.2f s, %.1f a second\n", played.frames, display.width(),
+                  display.height(), played.seconds, played.seconds > 0 ? played.frames / played.seconds : 0.0);
+    if (const int status = say(words); status != 0) return status;
   }
   if (arguments.hold) stop.wait();
   return static_cast<int>(ExitStatus::ok);
@@ -87,14 +94,13 @@ int main(int argc, char** argv) {
   if (std::isnan(arguments.play.frames_per_second))  // a range does not exclude it
     return fail({ExitStatus::usage, "--fps must be a number from 0.01 to 1000"});
   try {
-    if (arguments.list) {
-      std::fputs(zstrip::panel::machine_list().c_str(), stdout);
-      return static_cast<int>(ExitStatus::ok);
-    }
+    // Before anything is opened, so that a signal finds everything in order to be closed.
+    zstrip::panel::StopSignals stop;
+    if (arguments.list) return say(zstrip::panel::machine_list());
     if (arguments.scene.empty() || arguments.display.empty())
       return fail(
           {ExitStatus::usage, "name a scene and a --display; --list shows what there is, --help how to name it"});
-    return run(arguments);
+    return run(arguments, stop);
   } catch (const std::exception& error) {
     return fail({ExitStatus::internal, error.what()});
   }

@@ -186,6 +186,13 @@ Outcome<hal::DcsConfig> take_config(DisplayAddress& address, const hal::DcsConfi
       return address.fault("format", "is rgb565, rgb666 or rgb444, not '" + *format + "'");
     }
   }
+  const bool sideways = is_sideways(config.orientation);
+  const auto [width, other] =
+      sideways ? std::pair(config.height, config.width) : std::pair(config.width, config.height);
+  if (config.format == hal::PixelFormat::rgb444 && width % 2 != 0) {
+    const char* const remedy = other % 2 != 0 ? "" : sideways ? " (or rotate=0, 180)" : " (or rotate=90, 270)";
+    return address.fault("format", std::string("rgb444 needs an even width") + remedy);
+  }
   return config;
 }
 

@@ -8,17 +8,28 @@
 #include <csignal>
 
 namespace zstrip::panel {
+namespace {
+
+/// Besides these, the real-time signals would end the program as quietly.
+constexpr int kStopping[] = {SIGINT,  SIGTERM,   SIGHUP,  SIGUSR1, SIGUSR2, SIGALRM,
+                             SIGPROF, SIGVTALRM, SIGXCPU, SIGIO,   SIGPWR,  SIGSTKFLT};
+
+}  // namespace
 
 StopSignals::StopSignals() {
   sigset_t signals;
   sigemptyset(&signals);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  const auto add = [&signals](int signal) {
     struct sigaction action {};
+    const bool is_ignored = sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
     // nohup has SIGHUP ignored, a shell SIGINT of a program in the background.
-    if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN && signal == SIGHUP) continue;
-    if (action.sa_handler == SIG_IGN) std::signal(signal, SIG_DFL);
+    if (is_ignored && signal != SIGINT && signal != SIGTERM) return;
+    if (is_ignored) std::signal(signal, SIG_DFL);
     sigaddset(&signals, signal);
-  }
+  };
+  for (const int signal : kStopping) add(signal);
+  for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal) add(signal);
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
   sigprocmask(SIG_BLOCK, &signals, nullptr);
   file_ = hal::FileDescriptor(signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK));
 }

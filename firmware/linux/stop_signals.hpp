@@ -1,4 +1,4 @@
-// The signals that ask the program to end: SIGINT, SIGTERM and SIGHUP.
+// The signals that ask the program to end: SIGINT, SIGTERM, SIGHUP, and the others that would end it without a word.
 #pragma once
 
 #include <chrono>
@@ -7,8 +7,8 @@
 
 namespace zstrip::panel {
 
-/// From the first object on they end nothing by themselves, but are waited for here. SIGQUIT still ends the program at
-/// once.
+/// From the first object on they end nothing by themselves, but are waited for here; SIGPIPE and SIGXFSZ are ignored,
+/// so that what is written fails instead. SIGQUIT, signals of crashes and SIGKILL still end the program at once.
 class StopSignals {
  public:
   using Clock = std::chrono::steady_clock;

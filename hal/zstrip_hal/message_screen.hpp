@@ -58,6 +58,24 @@ constexpr std::array<std::byte, kCellWidth * kCellHeight * 4> cell(char characte
   return bytes;
 }
 
+/// Between begin_frame() and end_frame().
+template <Display Panel>
+Error write_cells(Panel& panel, std::string_view text) {
+  const std::uint16_t columns = panel.width() / kCellWidth, lines = panel.height() / kCellHeight;
+  std::size_t next = 0;
+  for (std::uint16_t line = 0; line < lines; ++line) {
+    for (std::uint16_t column = 0; column < columns; ++column, ++next) {
+      const auto pixels = cell(next < text.size() ? text[next] : ' ', panel.format());
+      const Area area{static_cast<std::uint16_t>(column * kCellWidth), static_cast<std::uint16_t>(line * kCellHeight),
+                      kCellWidth, kCellHeight};
+      const std::size_t bytes = bytes_per_row(area.width, panel.format()) * std::size_t{area.height};
+      if (const Error error = panel.write(area, std::span(pixels).first(bytes)); error != Error::none) return error;
+      if (const Error error = panel.wait(); error != Error::none) return error;
+    }
+  }
+  return Error::none;
+}
+
 }  // namespace detail
 
 /// Fills the display with `text`, in capitals, from the upper left corner, line by line as wide as the display; what
@@ -66,19 +84,9 @@ constexpr std::array<std::byte, kCellWidth * kCellHeight * 4> cell(char characte
 template <Display Panel>
 Error show_message(Panel& panel, std::string_view text) {
   if (const Error error = panel.begin_frame(); error != Error::none) return error;
-  const std::uint16_t columns = panel.width() / detail::kCellWidth, lines = panel.height() / detail::kCellHeight;
-  std::size_t next = 0;
-  for (std::uint16_t line = 0; line < lines; ++line) {
-    for (std::uint16_t column = 0; column < columns; ++column, ++next) {
-      const auto cell = detail::cell(next < text.size() ? text[next] : ' ', panel.format());
-      const Area area{static_cast<std::uint16_t>(column * detail::kCellWidth),
-                      static_cast<std::uint16_t>(line * detail::kCellHeight), detail::kCellWidth, detail::kCellHeight};
-      const std::size_t bytes = bytes_per_row(area.width, panel.format()) * std::size_t{area.height};
-      if (const Error error = panel.write(area, std::span(cell).first(bytes)); error != Error::none) return error;
-      if (const Error error = panel.wait(); error != Error::none) return error;
-    }
-  }
-  return panel.end_frame();
+  const Error written = detail::write_cells(panel, text);
+  const Error ended = panel.end_frame();
+  return written != Error::none ? written : ended;
 }
 
 }  // namespace zstrip::hal

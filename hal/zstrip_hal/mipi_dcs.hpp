@@ -38,8 +38,8 @@ struct DcsConfig {
   /// number of its parameters, its parameters; then the next command. Must outlive the display.
   std::span<const std::byte> module_commands{};
   /// Which controller start() must find: the id that it answers with, its three bytes from the highest down, as kId of
-  /// each controller; modules may have another one of their maker's. 0: it is not asked. So it is unless told, because
-  /// many modules have no wire for answers.
+  /// each controller; modules may have another one of their maker's. Below 0xFFFFFF, which is also read where nobody
+  /// answers. 0: it is not asked. So it is unless told, because many modules have no wire for answers.
   std::uint32_t id = 0;
 };
 
@@ -81,9 +81,9 @@ class DcsPanel {
   /// Resets the controller by command, sets it up, blackens the glass and switches it on; takes a quarter of a second
   /// and the time for a frame's bytes. May be repeated after an error, best after reset_panel() (output_pin.hpp).
   /// Error::configuration for a glass that is larger than the controller's memory, a format that it has not,
-  /// module_commands that end amid a command, or an id to be asked for on a bus that cannot read; nothing was sent
-  /// then. Error::wrong_id where the configuration has another id than the controller: nothing but the question was
-  /// sent.
+  /// module_commands that end amid a command, an id to be asked for on a bus that cannot read, or one that is none;
+  /// nothing was sent then. Error::wrong_id where the configuration has another id than the controller: nothing but the
+  /// question was sent.
   Error start() {
     if (!valid()) return Error::configuration;
     Error error = checked_id();
@@ -171,6 +171,7 @@ class DcsPanel {
   static constexpr std::byte kBrightnessControl{0x53};
   // Memory access control.
   static constexpr unsigned kReverseRows = 0x80, kReverseColumns = 0x40, kExchange = 0x20, kBgr = 0x08;
+  static constexpr std::uint32_t kNobody = 0xFFFFFF;  // what a wire reads that is pulled up, or not there
   // After a reset, or between sleep-out and sleep-in, either way; commands alone would have to wait 5 ms.
   static constexpr std::uint32_t kAwakeToReady = 120'000, kAsleepToReady = 120'000;  // us
 
@@ -180,7 +181,7 @@ class DcsPanel {
            fits(config_.row_offset, config_.height, Controller::kRows) &&
            Controller::pixel_format(config_.format) != 0 &&
            (config_.format != PixelFormat::rgb444 || width() % 2 == 0) && is_command_list(config_.module_commands) &&
-           (config_.id == 0 || ReadableBus<Bus>);
+           (config_.id == 0 || (ReadableBus<Bus> && config_.id < kNobody));
   }
   static_assert(is_command_list(Controller::kSettings));
 

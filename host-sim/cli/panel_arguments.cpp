@@ -145,6 +145,11 @@ Result<std::optional<PanelRequest>> parse_panel(const PanelArguments& arguments,
     if (!parsed) return parsed.failure();
     request.format = *parsed;
   }
+  const bool sideways = is_sideways(request.orientation);
+  const std::uint16_t width = sideways ? request.module.height : request.module.width;
+  if (request.format == hal::PixelFormat::rgb444 && width % 2 != 0) {
+    return usage(fmt::format("--format rgb444 needs an even width (or rotation {})", sideways ? "0, 180" : "90, 270"));
+  }
   return std::optional<PanelRequest>{request};
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "zstrip_hal/framebuffer.hpp"
@@ -91,17 +92,25 @@ TEST(MessageScreen, NoTwoCharactersLookTheSame) {
   }
 }
 
-/// A display on which the step of this number fails.
+/// A display on which the step of this number fails, and all after it otherwise.
 struct FailingDisplay {
   int left;
-  Error use() { return left-- > 0 ? Error::none : Error::timeout; }
+  bool failed = false;
+  int ended = 0;
+  Error use() {
+    if (left-- > 0) return Error::none;
+    return std::exchange(failed, true) ? Error::bus : Error::timeout;
+  }
   std::uint16_t width() const { return 16; }
   std::uint16_t height() const { return 16; }
   PixelFormat format() const { return PixelFormat::mono; }
   Error begin_frame() { return use(); }
   Error write(const Area&, std::span<const std::byte>) { return use(); }
   Error wait() { return use(); }
-  Error end_frame() { return use(); }
+  Error end_frame() {
+    ++ended;
+    return use();
+  }
 };
 
 TEST(MessageScreen, ReportsADisplayThatFailsAtAnyStep) {
@@ -109,6 +118,7 @@ TEST(MessageScreen, ReportsADisplayThatFailsAtAnyStep) {
   for (int step = 0; step < kSteps; ++step) {
     FailingDisplay display{step};
     EXPECT_EQ(show_message(display, "AB"), Error::timeout) << step;
+    EXPECT_EQ(display.ended, step == 0 ? 0 : 1) << "end_frame() belongs to a frame that began, also after an error";
   }
   FailingDisplay display{kSteps};
   EXPECT_EQ(show_message(display, "AB"), Error::none);

@@ -173,6 +173,28 @@ TEST_P(Mps2SelfTest, SecondFaultHalts) {
   EXPECT_EQ(status, 70);
 }
 
+/// The processor had reserved a place for FPU registers in the frame of the fault, and wrote there later.
+TEST_P(Mps2SelfTest, FpuRegistersDoNotGoToTheStackOfAFaultThatWasLeft) {
+  const auto [output, status] = run(GetParam(), "self_test", {"fpu"});
+  const bool has_fpu = GetParam().name == std::string("m4f") || GetParam().name == std::string("m7");
+  EXPECT_TRUE(output.ends_with(has_fpu ? "\nself-test: the stack is untouched\n" : "self-test: no FPU\n")) << output;
+  EXPECT_EQ(status, 0);
+}
+
+TEST_P(Mps2SelfTest, WaitOfOneCycleEnds) {
+  const auto [output, status] = run(GetParam(), "self_test", {"wait"});
+  EXPECT_EQ(output, "self-test: waited\n");
+  EXPECT_EQ(status, 0);
+}
+
+/// A bus fault has its address, and says nothing of the other kind's.
+TEST_P(Mps2SelfTest, FaultsNameTheAddressThatIsValid) {
+  if (GetParam().name == std::string("m0")) GTEST_SKIP() << "it has no such registers";
+  const auto [output, status] = run(GetParam(), "self_test", {"fault"});
+  EXPECT_NE(output.find(" bfar 90000000\n"), std::string::npos) << output;
+  EXPECT_EQ(output.find("mmfar"), std::string::npos) << output;
+}
+
 /// The memory protection unit notices it; code for the Cortex-M0 does not count on one.
 TEST(Board, Mps2StackOverflowIsReported) {
   for (const Processor& processor : kProcessors) {

@@ -106,6 +106,7 @@ TEST_F(PanelCommand, SaysWhatCannotBeAndWhatIsNearest) {
       {{"--panel", "st7735", "--rotation", "91"}, "0, 90, 180 or 270"},
       {{"--panel", "st7735", "--size", "160x128"}, "128x160"},
       {{"--panel", "ili9341", "--format", "rgb444"}, "rgb565_swapped or rgb666"},
+      {{"--panel", "st7789", "--size", "135x240", "--format", "rgb444"}, "an even width (or rotation 90, 270)"},
       {{"--panel", "ssd1306", "--strip-rows", "12"}, "multiples of 8"},
       {{"--bus", "spi@1MHz"}, "--panel"},
       {{"--rotation", "90"}, "--panel"},

@@ -55,6 +55,19 @@ TEST_F(LinuxMockedPanel, TheRightOneIsStarted) {
   EXPECT_EQ(st7789_.complaints(), std::vector<std::string>{});
 }
 
+TEST_F(LinuxMockedPanel, OddWidthsOfRgb444AreRefusedBeforeALineIsOpened) {
+  for (const auto& [keys, remedy] : {std::pair("size=135x240", " (or rotate=90, 270)"),
+                                     {"size=135x240,rotate=180", " (or rotate=90, 270)"},
+                                     {"size=134x239,rotate=90", " (or rotate=0, 180)"},
+                                     {"size=135x239", ""}}) {
+    const Said said = open(std::string("st7789:spidev=/dev/nowhere,dc=9:3,format=rgb444,") + keys);
+    EXPECT_EQ(said.status, ExitStatus::usage) << keys;
+    EXPECT_EQ(said.words, std::string("--display st7789: format rgb444 needs an even width") + remedy);
+  }
+  const Said sideways = open("st7789:spidev=/dev/nowhere,dc=9:3,format=rgb444,size=135x240,rotate=90");
+  EXPECT_EQ(sideways.status, ExitStatus::device) << sideways.words;
+}
+
 TEST_F(LinuxMockedPanel, AnotherOneIsNamedAndSentNothing) {
   spi_.panel = &st7789_;
   const Said said = open_on_spidev(",id=7c89f0");

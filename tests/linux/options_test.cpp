@@ -41,5 +41,19 @@ TEST(LinuxPanelOptions, NumbersThatAreNone) {
   }
 }
 
+TEST(LinuxPanelOutput, ABrokenPipeIsAnErrorAndNoEnd) {
+  const auto ended = [](const char* command) {
+    FILE* const pipe = popen(command, "r");
+    return pipe == nullptr ? -1 : pclose(pipe);  // closed at once, while the command still waits
+  };
+  constexpr int kOutput = 6;
+  for (const char* command : {"sleep 0.2; exec '" ZSTRIP_PANEL "' --list 2>/dev/null",
+                              "exec '" ZSTRIP_PANEL "' --list 2>/dev/null >/dev/full"}) {
+    const int status = ended(command);
+    ASSERT_TRUE(WIFEXITED(status)) << command << ": signal " << WTERMSIG(status);
+    EXPECT_EQ(WEXITSTATUS(status), kOutput) << command;
+  }
+}
+
 }  // namespace
 }  // namespace zstrip::panel

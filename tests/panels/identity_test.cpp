@@ -109,6 +109,18 @@ TYPED_TEST(PanelIdentity, AStartThatBreaksOffAtAnyStepIsReportedAndCanBeRepeated
   }
 }
 
+// A wire that nobody drives would read as the first, and the others never match.
+TYPED_TEST(PanelIdentity, IdsThatNoControllerCanHaveAreRefused) {
+  for (const std::uint32_t id : {0xFFFFFFU, 0x1000000U, 0x1858552U, 0xFFFFFFFFU}) {
+    hal::DcsConfig config = this->asked();
+    config.id = id;
+    Bench<TypeParam> bench(config);
+    bench.bus.wire_answers(sim::AnswerWire::high);
+    EXPECT_EQ(bench.display.start(), Error::configuration) << id;
+    EXPECT_EQ(bench.bus.transfers(), 0) << id;
+  }
+}
+
 // A driver that believes in another controller than the one that is there.
 TEST(PanelIdentities, EachIsAnotherOneToTheOthers) {
   Bench<St7789> bench(St7789::configs().front());

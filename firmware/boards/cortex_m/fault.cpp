@@ -17,7 +17,7 @@ constexpr std::uint32_t kThumb = 1;  // of an address in lr, not of one in a fra
 // The report runs on a stack of its own, because the program's may be full.
 extern "C" {
 [[gnu::used, gnu::aligned(8)]] char fault_stack[176];
-/// r4 to r11, sp and lr of who called mark_fault_return(). Without FPU registers: nobody here keeps anything there.
+/// r4 to r11, sp and lr of who called mark_fault_return(). FPU registers are not kept: afterwards they hold anything.
 [[gnu::used]] std::uint32_t fault_return[kReturnWords];
 void fault_handler();
 [[gnu::used]] void report_fault(const std::uint32_t* stacked, std::uint32_t exception);
@@ -49,6 +49,14 @@ void fault_handler();
       ".syntax unified\n\t"
       "mrs r0, msp\n\t"
       "mrs r1, ipsr\n\t"
+#ifdef __ARM_FP
+      // FPCCR.LSPACT: the registers' place in the frame that is left behind is reserved, and the next FP instruction
+      // would still write there.
+      "ldr r2, =0xE000EF34\n\t"
+      "ldr r3, [r2]\n\t"
+      "bic r3, #1\n\t"
+      "str r3, [r2]\n\t"
+#endif
       "ldr r2, =fault_stack + 176\n\t"
       "mov sp, r2\n\t"
       "bl report_fault\n\t"
@@ -88,12 +96,21 @@ void report_fault(const std::uint32_t* stacked, std::uint32_t exception) {
   print("fault: ");
   print(FaultWords::all());
 #if __ARM_ARCH_7M__ || __ARM_ARCH_7EM__
+  constexpr std::uint32_t kCfsr = 0xE000ED28, kMmfarValid = 1U << 7, kBfarValid = 1U << 15;
+  const std::uint32_t cause = register_at(kCfsr);
   print(" cfsr ");
-  print_hex(register_at(0xE000ED28));
+  print_hex(cause);
   print(" hfsr ");
   print_hex(register_at(0xE000ED2C));
-  print(" bfar ");
-  print_hex(register_at(0xE000ED38));
+  if ((cause & kMmfarValid) != 0) {
+    print(" mmfar ");
+    print_hex(register_at(0xE000ED34));
+  }
+  if ((cause & kBfarValid) != 0) {
+    print(" bfar ");
+    print_hex(register_at(0xE000ED38));
+  }
+  register_at(kCfsr) = cause;  // cleared by ones: the next fault's has its own bits only
 #endif
   print("\n");
   // Once: an address without that bit was used already.

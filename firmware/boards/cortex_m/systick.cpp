@@ -19,7 +19,7 @@ constexpr std::uint32_t kTickPending = 1U << 26, kClearTick = 1U << 25;
 void count_from_now(std::uint32_t cycles) {
   asm volatile("cpsid i" ::: "memory");
   register_at(kControl) = 0;
-  register_at(kReload) = cycles - 1;
+  register_at(kReload) = cycles > 1 ? cycles - 1 : 1;  // with 0 it never ticks
   register_at(kCurrent) = 0;
   register_at(kInterruptControl) = kClearTick;
   register_at(kControl) = kEnable | kInterrupt | kProcessorClock;

@@ -19,9 +19,11 @@ constexpr int kPolls = 20'000;                                  // at least five
 
 std::uint32_t status() { return register_at(chip::kSsi0 + chip::kSsiStatus); }
 
-/// The receiver runs along with the transmitter; nobody wants what it gets.
+/// The receiver runs along with the transmitter; nobody wants what it gets. No more than its FIFO holds: one that is
+/// never empty must not keep the program here.
 void drain_receiver() {
-  while ((status() & chip::kSsiReceiveNotEmpty) != 0) {
+  constexpr int kFifo = 8;
+  for (int word = 0; word < kFifo && (status() & chip::kSsiReceiveNotEmpty) != 0; ++word) {
     [[maybe_unused]] const std::uint32_t unused = register_at(chip::kSsi0 + chip::kSsiData);
   }
 }
@@ -34,7 +36,17 @@ Error wait_for(std::uint32_t mask, std::uint32_t value) {
   return Error::timeout;
 }
 
-Error send(std::span<const std::byte> bytes) {
+/// D/C may change only when the last bit is out.
+Error finish() {
+  const Error error = wait_for(chip::kSsiBusy, 0);
+  drain_receiver();
+  return error;
+}
+
+Error send(std::uint32_t data_command, std::span<const std::byte> bytes) {
+  // A transfer that timed out has left bytes in the transmitter.
+  if (const Error error = finish(); error != Error::none) return error;
+  register_at(chip::gpio_pins(chip::kGpioC, kDataCommandPin)) = data_command;
   for (const std::byte byte : bytes) {
     if (const Error error = wait_for(chip::kSsiTransmitNotFull, chip::kSsiTransmitNotFull); error != Error::none) {
       return error;
@@ -42,10 +54,7 @@ Error send(std::span<const std::byte> bytes) {
     register_at(chip::kSsi0 + chip::kSsiData) = std::to_integer<std::uint32_t>(byte);
     drain_receiver();
   }
-  // D/C may change only when the last bit is out.
-  const Error error = wait_for(chip::kSsiBusy, 0);
-  drain_receiver();
-  return error;
+  return finish();
 }
 
 void configure_output(std::uint32_t port, std::uint32_t pins, std::uint32_t level) {
@@ -70,14 +79,8 @@ void OledBus::start() {
   register_at(chip::kSsi0 + chip::kSsiControl1) = 2;   // on
 }
 
-hal::Error OledBus::write_command(std::span<const std::byte> bytes) {
-  register_at(chip::gpio_pins(chip::kGpioC, kDataCommandPin)) = 0;
-  return send(bytes);
-}
+hal::Error OledBus::write_command(std::span<const std::byte> bytes) { return send(0, bytes); }
 
-hal::Error OledBus::write_data(std::span<const std::byte> bytes) {
-  register_at(chip::gpio_pins(chip::kGpioC, kDataCommandPin)) = kDataCommandPin;
-  return send(bytes);
-}
+hal::Error OledBus::write_data(std::span<const std::byte> bytes) { return send(kDataCommandPin, bytes); }
 
 }  // namespace zstrip::board

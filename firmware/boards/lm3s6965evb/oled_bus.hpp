@@ -10,7 +10,8 @@
 namespace zstrip::board {
 
 /// SPI mode 0, 8 bits, 3.6 MHz. Polled: everything has been sent when a function returns, so wait() has nothing to do.
-/// Error::timeout if the controller takes no byte for about 2 ms.
+/// Error::timeout if the controller takes no byte for about 2 ms; the next transfer first waits as long for what was
+/// left.
 class OledBus {
  public:
   /// To be called once, before anything else, with the clocks of the ports running.

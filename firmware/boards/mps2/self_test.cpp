@@ -1,6 +1,7 @@
 // Proves what the start-up code and the memory functions promise, on the board itself. The host's word says what:
 // "memory" compares memcpy, memmove, memset and memcmp with bytewise loops and checks .data and .bss; "fault" reads
-// where nothing is and "overflow" uses up the stack: both must end in a fault report; "return" goes on after one;
+// where nothing is and "overflow" uses up the stack: both must end in a fault report; "return" and "fpu" go on after
+// one; "wait" takes a cycle of the clock;
 // "small" and "texels" compare assembly with its C++. Exit status: 0 all right, 1 something differs, 2 no such word.
 #include <array>
 #include <cstddef>
@@ -11,6 +12,7 @@
 #include "cortex_m/console.hpp"
 #include "cortex_m/registers.hpp"
 #include "cortex_m/semihosting.hpp"
+#include "cortex_m/systick.hpp"
 #include "mps2/assembly_checks.hpp"
 #include "portable/fault_return.hpp"
 
@@ -109,6 +111,41 @@ int come_back() {
   return 0;
 }
 
+#ifdef __ARM_FP
+/// Whether an FP instruction changes what lies below the caller's stack frame.
+[[gnu::noinline]] bool fp_writes_to_stack() {
+  constexpr std::uint32_t kPaint = 0x5AA55AA5;
+  volatile std::uint32_t words[96];  // more than the frames of read_nowhere() and of a fault in it
+  for (volatile std::uint32_t& word : words) word = kPaint;
+  asm volatile("vmov s1, %0" ::"r"(1) : "s1", "memory");
+  bool changed = false;
+  for (const volatile std::uint32_t& word : words) changed = changed || word != kPaint;
+  return changed;
+}
+
+int come_back_to_fpu() {
+  if (!zstrip::board::mark_fault_return()) {
+    asm volatile("vmov s0, %0" ::"r"(1) : "s0", "memory");  // from now on frames have a place for FPU registers
+    return read_nowhere();
+  }
+  const bool wrong = fp_writes_to_stack();
+  print(wrong ? "self-test: FPU registers went to the stack\n" : "self-test: the stack is untouched\n");
+  return wrong ? 1 : 0;
+}
+#else
+int come_back_to_fpu() {
+  print("self-test: no FPU\n");
+  return 0;
+}
+#endif
+
+/// A clock so slow that the wait is one of its cycles.
+int wait_one_cycle() {
+  zstrip::board::SysTickClock(1'000'000).wait(1);
+  print("self-test: waited\n");
+  return 0;
+}
+
 /// Uses 256 bytes of stack a level; `depth` keeps the compiler from proving that it never ends.
 std::uint32_t overflow_stack(std::uint32_t depth) {
   volatile std::uint32_t frame[64];
@@ -132,11 +169,13 @@ int main() {
   if (word == "fault") return read_nowhere();
   if (word == "return") return come_back();
   if (word == "twice") return come_back_and_fault();
+  if (word == "fpu") return come_back_to_fpu();
+  if (word == "wait") return wait_one_cycle();
   if (word == "overflow") return static_cast<int>(overflow_stack(zeroed)) | 1;
   if (word == "small") return zstrip::board::check_small_triangles();
   if (word == "runs") return zstrip::board::check_small_runs();
   if (word == "transform") return zstrip::board::check_transform();
   if (word == "texels") return zstrip::board::check_textured_runs();
-  print("self-test: say memory, fault, return, twice, overflow, small, runs, transform or texels\n");
+  print("self-test: say memory, fault, return, twice, fpu, wait, overflow, small, runs, transform or texels\n");
   return 2;
 }

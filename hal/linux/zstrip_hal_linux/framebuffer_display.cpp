@@ -40,6 +40,17 @@ std::string in_words(const fb_var_screeninfo& mode) {
          " bits a pixel";
 }
 
+/// What is left to ask for, as the command's keys.
+std::string other_depths(const fb_var_screeninfo& mode) {
+  std::string keys;
+  for (const std::uint32_t depth : {16U, 24U, 32U}) {
+    if (depth == mode.bits_per_pixel) continue;
+    keys += keys.empty() ? "depth=" : " or depth=";
+    keys += std::to_string(depth);
+  }
+  return keys;
+}
+
 /// Sets what `options` ask for and reads back what the driver then really has.
 std::optional<Fault> change_mode(int file, const std::string& path, const FramebufferOptions& options,
                                  fb_var_screeninfo& mode) {
@@ -67,13 +78,13 @@ std::optional<Fault> change_mode(int file, const std::string& path, const Frameb
 }  // namespace
 
 Outcome<FramebufferDisplay> FramebufferDisplay::open(const std::string& path, const FramebufferOptions& options) {
-  Outcome<FileDescriptor> file = open_device(DeviceKind::framebuffer, path);
-  if (!file) return file.fault();
-  const int number = file->get();
+  Outcome<FileDescriptor> opened = open_device(DeviceKind::framebuffer, path);
+  if (!opened) return opened.fault();
+  const int number = opened->get();
   fb_var_screeninfo mode{};
   if (device_control(number, FBIOGET_VSCREENINFO, &mode) != 0) return Fault{path + " is not a framebuffer"};
 
-  const fb_var_screeninfo former_mode = mode;
+  FramebufferFile file(std::move(*opened), mode);
   if (const auto fault = change_mode(number, path, options, mode)) return *fault;
 
   // Only after the mode was set: rows may have another length then.
@@ -84,7 +95,7 @@ Outcome<FramebufferDisplay> FramebufferDisplay::open(const std::string& path, co
   const std::optional<PixelWriter> writer = layout ? PixelWriter::create(*layout) : std::nullopt;
   if (!writer || device.type != FB_TYPE_PACKED_PIXELS || device.visual != FB_VISUAL_TRUECOLOR) {
     return Fault{path + " has " + std::to_string(mode.bits_per_pixel) +
-                 " bits a pixel that are no true colour; ask for 16, 24 or 32: depth=16"};
+                 " bits a pixel that are no true colour; another depth may be: " + other_depths(mode)};
   }
 
   // The memory begins somewhere in its first page.
@@ -100,28 +111,28 @@ Outcome<FramebufferDisplay> FramebufferDisplay::open(const std::string& path, co
   device_control(
       number, FBIOBLANK,
       reinterpret_cast<void*>(FB_BLANK_UNBLANK));  // NOLINT(performance-no-int-to-ptr): not every driver can blank
-  return FramebufferDisplay(std::move(*file), std::move(mapping), device_memory, *memory, *layout, *writer,
-                            former_mode);
+  return FramebufferDisplay(std::move(file), std::move(mapping), device_memory, *memory, *layout, *writer);
 }
 
-FramebufferDisplay::FramebufferDisplay(FileDescriptor file, Mapping mapping, std::span<std::byte> device_memory,
-                                       const VideoMemory& memory, const PixelLayout& layout, const PixelWriter& writer,
-                                       const fb_var_screeninfo& former_mode)
+FramebufferFile::~FramebufferFile() {
+  if (!file_) return;  // moved from
+  former_mode_.activate = FB_ACTIVATE_NOW;
+  device_control(file_.get(), FBIOPUT_VSCREENINFO, &former_mode_);
+}
+
+FramebufferDisplay::FramebufferDisplay(FramebufferFile file, Mapping mapping, std::span<std::byte> device_memory,
+                                       const VideoMemory& memory, const PixelLayout& layout, const PixelWriter& writer)
     : file_(std::move(file)),
       mapping_(std::move(mapping)),
       device_memory_(device_memory),
       memory_(memory),
       layout_(layout),
-      writer_(writer),
-      former_mode_(former_mode) {
+      writer_(writer) {
   blacken();
 }
 
 FramebufferDisplay::~FramebufferDisplay() {
-  if (!file_) return;  // moved from
-  blacken();
-  former_mode_.activate = FB_ACTIVATE_NOW;
-  device_control(file_.get(), FBIOPUT_VSCREENINFO, &former_mode_);
+  if (file_) blacken();  // else moved from
 }
 
 void FramebufferDisplay::blacken() {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "zstrip_hal/display.hpp"
 #include "zstrip_hal_linux/device.hpp"
@@ -21,6 +22,23 @@ struct FramebufferOptions {
   std::optional<std::uint32_t> depth;  ///< bits a pixel, 16, 24 or 32; none: as it is
 };
 
+/// A framebuffer's file, and the mode that it had: set again when the object ends, so on every way out.
+class FramebufferFile {
+ public:
+  FramebufferFile(FileDescriptor file, const fb_var_screeninfo& former_mode)
+      : file_(std::move(file)), former_mode_(former_mode) {}
+  FramebufferFile(FramebufferFile&&) = default;
+  FramebufferFile& operator=(FramebufferFile&&) = delete;
+  ~FramebufferFile();
+
+  int get() const { return file_.get(); }
+  explicit operator bool() const { return static_cast<bool>(file_); }
+
+ private:
+  FileDescriptor file_;
+  fb_var_screeninfo former_mode_;
+};
+
 /// Takes RGB565 and converts it to whatever true colour the driver has, 16, 24 or 32 bits a pixel. Pixels show as they
 /// are written: there is one buffer, so that a frame may tear. The text console is not its business: enter
 /// GraphicsConsole first, which else takes the new mode for its own. When the object ends, the screen is black and has
@@ -30,7 +48,8 @@ class FramebufferDisplay {
   /// The driver's present mode, or another. What counts is what the driver says afterwards that it has: many
   /// report success and change nothing. (Framebuffers on top of DRM take any smaller size: the picture is in the upper
   /// left corner then, on black.) Errors: the device is missing, no permission, it is no framebuffer, its pixels
-  /// are a palette or planes, the driver does not take the mode, its description of its memory makes no sense.
+  /// are a palette or planes, the driver does not take the mode, its description of its memory makes no sense. It has
+  /// its former mode then.
   static Outcome<FramebufferDisplay> open(const std::string& path, const FramebufferOptions& options = {});
 
   FramebufferDisplay(FramebufferDisplay&&) = default;
@@ -49,18 +68,16 @@ class FramebufferDisplay {
   Error end_frame();
 
  private:
-  FramebufferDisplay(FileDescriptor file, Mapping mapping, std::span<std::byte> device_memory,
-                     const VideoMemory& memory, const PixelLayout& layout, const PixelWriter& writer,
-                     const fb_var_screeninfo& former_mode);
+  FramebufferDisplay(FramebufferFile file, Mapping mapping, std::span<std::byte> device_memory,
+                     const VideoMemory& memory, const PixelLayout& layout, const PixelWriter& writer);
   void blacken();
 
-  FileDescriptor file_;
+  FramebufferFile file_;
   Mapping mapping_;
   std::span<std::byte> device_memory_;
   VideoMemory memory_;  ///< the part of it that shows
   PixelLayout layout_;
   PixelWriter writer_;
-  fb_var_screeninfo former_mode_;
 };
 
 static_assert(Display<FramebufferDisplay>);

@@ -14,7 +14,7 @@ namespace zstrip::hal {
 namespace {
 
 constexpr const char* kShown = "/dev/tty0";
-constexpr std::array kFatalSignals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT};
+constexpr std::array kFatalSignals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT, SIGTRAP, SIGSYS};
 
 // For the handler, which may read nothing else. -1: no console is in graphics mode.
 volatile std::sig_atomic_t console_file = -1;

@@ -14,9 +14,9 @@ enum class ConsoleMode : std::uint8_t { text, graphics, none };
 ConsoleMode console_mode();
 
 /// The console is in graphics mode (KD_GRAPHICS: it draws nothing, no cursor blinks) as long as this object lives, and
-/// then in the mode that it had before; also if the program ends by SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT or
-/// SIGQUIT. The signals that ask a program to end are the program's to catch; SIGKILL leaves the console dark until
-/// `kbd_mode` or another program sets it right. One object at a time.
+/// then in the mode that it had before; also if the program ends by SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT,
+/// SIGQUIT, SIGTRAP or SIGSYS. The signals that ask a program to end are the program's to catch; SIGKILL leaves the
+/// console dark until `kbd_mode` or another program sets it right. One object at a time.
 class GraphicsConsole {
  public:
   /// The terminal that the program runs on, if that is a console, else the one that is shown (/dev/tty0). A machine
