@@ -251,6 +251,24 @@ TEST_F(VisibilityCommand, PlanAndBakeKnowTheMethodsBytes) {
   EXPECT_NE(moving.text.find("stand still"), std::string::npos) << moving.text;
 }
 
+/// The order was of one camera, but the header said how to move the scene.
+TEST_F(VisibilityCommand, NewellsOrderIsBakedForOneCameraOnly) {
+  const std::string header = picture("order.hpp");
+  const Outcome turned = run("bake knot_meshlets --turntable --visibility painter-newell -o '" + header + "'");
+  EXPECT_EQ(turned.status, 2) << turned.text;
+  EXPECT_NE(turned.text.find("leave out --turntable"), std::string::npos) << turned.text;
+  EXPECT_FALSE(std::filesystem::exists(header));
+  const auto says = [&](const std::string& method, const char* part) {
+    const Outcome baked = run("bake random50 -o '" + header + "' --visibility " + method);
+    EXPECT_EQ(baked.status, 0) << baked.text;
+    return bytes(header).find(part) != std::string::npos;
+  };
+  EXPECT_TRUE(says("painter-newell", "for this camera only"));
+  EXPECT_FALSE(says("painter-newell", "To move the scene"));
+  EXPECT_FALSE(says("painter-bsp", "for this camera only"));
+  EXPECT_TRUE(says("painter-bsp", "To move the scene"));
+}
+
 TEST_F(VisibilityCommand, MessagesNameTheMethodAndTheOptionThatWereGiven) {
   const auto refused = [this](const std::string& words, const char* part) {
     const Outcome outcome = render(words + " -o '" + picture("none.png") + "'");
