@@ -248,6 +248,7 @@ Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t f
   const std::filesystem::path file = job.outputs.file(frame);
   if (const Result<Done> written = write_file(file, *picture, "-o"); !written) return written.failure();
   FrameRecord record{file.string(), *report, {after.bytes - before.bytes, after.nanoseconds - before.nanoseconds}, {}};
+  if (shown) record.report.crc32 = checksum(pixels);
   if (job.visibility.show == Show::error) record.wrong = (*shown)->wrong;
   return record;
 }

@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -94,6 +95,30 @@ TEST_F(VisibilityCommand, ShowsWhatItIsAskedFor) {
     EXPECT_NE(bytes(file), last);
     last = bytes(file);
     EXPECT_FALSE(last.empty());
+  }
+}
+
+/// CRC-32 of ISO 3309, bit by bit, as the report writes it.
+std::string crc32_words(const std::string& bytes) {
+  std::uint32_t crc = 0xFFFFFFFF;
+  for (const char byte : bytes) {
+    crc ^= static_cast<std::uint8_t>(byte);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xEDB88320U : 0U);
+  }
+  char words[9];
+  std::snprintf(words, sizeof words, "%08x", static_cast<unsigned>(~crc));
+  return words;
+}
+
+/// It was that of the picture without --show.
+TEST_F(VisibilityCommand, TheChecksumIsOfWhatIsShown) {
+  for (const char* show : {"", "--show depth ", "--show overdraw ", "--show tiles ", "--show error "}) {
+    const std::string file = picture("shown.raw");
+    const Outcome shown = render(std::string("random50 --size 96x80 --image raw --visibility hierarchical-z ") + show +
+                                 "--json - -o '" + file + "'");
+    EXPECT_EQ(shown.status, 0) << shown.text;
+    EXPECT_NE(shown.text.find("\"crc32\": \"" + crc32_words(bytes(file)) + "\""), std::string::npos)
+        << show << shown.text;
   }
 }
 
