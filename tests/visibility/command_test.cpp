@@ -294,6 +294,27 @@ TEST_F(VisibilityCommand, NewellsOrderIsBakedForOneCameraOnly) {
   EXPECT_TRUE(says("painter-bsp", "To move the scene"));
 }
 
+/// It named itself twice, and advised painter-bsp, which may refuse the model as well.
+TEST_F(VisibilityCommand, NewellGivesUpInOneSentence) {
+  const std::string model = picture("floor.obj");
+  {
+    std::ofstream grid(model);
+    constexpr int kSide = 102;  // 2 * 101 * 101 triangles
+    for (int i = 0; i < kSide * kSide; ++i) grid << "v " << i % kSide << " 0 " << i / kSide << '\n';
+    for (int row = 1; row < kSide; ++row) {
+      for (int at = (row - 1) * kSide + 1; at < row * kSide; ++at) {
+        grid << "f " << at << ' ' << at + kSide << ' ' << at + 1 << "\nf " << at + 1 << ' ' << at + kSide << ' '
+             << at + kSide + 1 << '\n';
+      }
+    }
+  }
+  const Outcome refused = render("'" + model + "' --visibility painter-newell -o '" + picture("none.png") + "'");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.text,
+            "zstrip: --visibility painter-newell: to order the triangles takes more than 20,000 pieces or 50 million "
+            "comparisons; choose another method\n");
+}
+
 TEST_F(VisibilityCommand, MessagesNameTheMethodAndTheOptionThatWereGiven) {
   const auto refused = [this](const std::string& words, const char* part) {
     const Outcome outcome = render(words + " -o '" + picture("none.png") + "'");
