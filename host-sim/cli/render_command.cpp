@@ -135,9 +135,9 @@ Result<Job> parse(const Arguments& arguments) {
   const Result<VisibilityRequest> visibility = parse_visibility(arguments.visibility, settings->visibility);
   if (!visibility) return visibility.failure();
   job.visibility = *visibility;
-  if (const Result<Done> checked = check_visibility(job.visibility.method | depth_effect(job.depth_format)); !checked) {
-    return checked.failure();
-  }
+  const Result<Done> checked =
+      check_visibility(job.visibility.method | depth_effect(job.depth_format), depth_option(arguments.depth_format));
+  if (!checked) return checked.failure();
   if (job.visibility.show != Show::colour && job.panel) {
     return usage("--show and --panel exclude each other: a panel shows colours");
   }

@@ -142,9 +142,9 @@ TEST_F(VisibilityCommand, ASceneFileNamesTheMethodAndTheOptionCountsMore) {
                                          << "\"\n[camera]\nr = 9\nprojection = \"orthographic\"\n[[model]]\nname "
                                             "= \"bars\"\nfile = \""
                                          << MODELS << "/cycle.obj\"\n[[instance]]\nmodel = \"bars\"\n";
-    return std::string("'") + picture("cycle.toml") + "' --frames 1 --sort-key nearest -o '";
+    return std::string("'") + picture("cycle.toml") + "' --frames 1 -o '";
   };
-  const Outcome painter = render(scene("painter") + picture("painter.png") + "'");
+  const Outcome painter = render(scene("painter") + picture("painter.png") + "' --sort-key nearest");
   EXPECT_EQ(painter.status, 0) << painter.text;
   EXPECT_NE(painter.text.find("painter: 0 comparisons"), std::string::npos) << painter.text;
   const Outcome plain = render(scene("painter") + picture("plain.png") + "' --visibility zbuffer");
@@ -152,7 +152,8 @@ TEST_F(VisibilityCommand, ASceneFileNamesTheMethodAndTheOptionCountsMore) {
   EXPECT_NE(bytes(picture("painter.png")), bytes(picture("plain.png")));
   const Outcome refused = render(scene("best") + picture("none.png") + "'");
   EXPECT_EQ(refused.status, 4) << refused.text;
-  EXPECT_NE(refused.text.find("'visibility' is not one of: zbuffer, painter"), std::string::npos) << refused.text;
+  EXPECT_NE(refused.text.find("'visibility' names no method 'best'; there are zbuffer, painter"), std::string::npos)
+      << refused.text;
 }
 
 TEST_F(VisibilityCommand, BakesVisibleSetsAndRendersWithThem) {
@@ -326,6 +327,15 @@ TEST_F(VisibilityCommand, MessagesNameTheMethodAndTheOptionThatWereGiven) {
   refused("cube --visibility half-range --cull spheres", "leave out --visibility half-range");
   refused("cube --cull spheres --depth-format z24", "leave out --depth-format");
   refused("cube --visibility painter --depth-format z24", "--visibility painter goes with depth as z16 only");
+  refused("teapot --visibility half-range --depth-format z24",
+          "--visibility half-range goes with depth as z16 only: leave out --depth-format");
+  refused(
+      "cube --iterations 3",
+      "--iterations means nothing to --visibility zbuffer; leave it out, or choose one of: midpoint, midpoint-safe");
+  for (const char* method : {"zbuffer", "half-range", "hierarchical-z", "midpoint", "painter-newell", "painter-bsp"}) {
+    refused(std::string("random50 --sort-key nearest --visibility ") + method,
+            "leave it out, or choose one of: painter, front-to-back, front-to-back-hierarchical-z");
+  }
   refused("cube --cull temporal", "--cull temporal needs the bounds of --visibility hierarchical-z, and not zbuffer");
   refused("cube --cull fronts", "--cull 'fronts' is not one of: back-faces, small, spheres, temporal, none");
 }
@@ -364,6 +374,16 @@ TEST_F(VisibilityCommand, ASceneFileHasTheOptionsToo) {
   EXPECT_EQ(usual.text.find("\"back_faces\": 0,"), std::string::npos) << usual.text;
   const Outcome none = render(scene("visibility = 'hierarchical-z'\ncull = ['none']\n"));
   EXPECT_NE(none.text.find("\"back_faces\": 0,"), std::string::npos) << none.text;
+  const Outcome wide = render(scene("visibility = 'painter'\ndepth_format = 'z24'\n"));
+  EXPECT_EQ(wide.status, 2) << wide.text;
+  EXPECT_NE(wide.text.find("leave out 'depth_format' in the scene file"), std::string::npos) << wide.text;
+  const Outcome temporal = render(scene("cull = ['temporal']\n"));
+  EXPECT_EQ(temporal.status, 4) << temporal.text;
+  EXPECT_NE(temporal.text.find("knot.toml' line 3: [picture]: 'cull' with temporal needs"), std::string::npos)
+      << temporal.text;
+  const Outcome other = render(scene("visibility = 'hierarchical-z'\ncull = ['temporal']\n") + " --visibility zbuffer");
+  EXPECT_EQ(other.status, 2) << other.text;
+  EXPECT_NE(other.text.find("the scene file's 'cull' with temporal needs"), std::string::npos) << other.text;
   const Outcome sets = render(scene("visible_sets = 'none.zpv'\n"));
   EXPECT_EQ(sets.status, 4) << sets.text;
   EXPECT_NE(sets.text.find(picture("none.zpv")), std::string::npos) << sets.text;
