@@ -207,6 +207,23 @@ TEST_F(VisibilityCommand, SetsThatEndBeforeTheirMeshletsAreDamaged) {
   }
 }
 
+TEST_F(VisibilityCommand, SetsWithBytesBehindThemAreRefused) {
+  const std::string rooms = std::string("'") + ROOMS + "'", sets = picture("rooms.zpv");
+  ASSERT_EQ(
+      run("bake " + rooms + " -o '" + picture("rooms.zsc") + "' --visible-sets '" + sets + "' --cells 2x1x2").status,
+      0);
+  const std::string whole = bytes(sets);
+  for (const std::size_t more : std::initializer_list<std::size_t>{1, 4, 1000}) {
+    std::ofstream(picture("long.zpv"), std::ios::binary) << whole << std::string(more, '\0');
+    const Outcome refused =
+        render(rooms + " -o '" + picture("none.png") + "' --visible-sets '" + picture("long.zpv") + "'");
+    EXPECT_EQ(refused.status, 4) << refused.text;
+    EXPECT_NE(refused.text.find("does not end with its visible sets, at byte " + std::to_string(whole.size())),
+              std::string::npos)
+        << more << refused.text;
+  }
+}
+
 // The planes are the scene's, wherever the camera stands.
 TEST_F(VisibilityCommand, AnotherEyeKeepsTheFilesNearPlane) {
   const std::string rooms = std::string("'") + ROOMS + "'", sets = picture("rooms.zpv");
