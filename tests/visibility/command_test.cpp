@@ -262,6 +262,15 @@ TEST_F(VisibilityCommand, ATreeIsBakedAndDrawnInPlace) {
   }
 }
 
+/// They were all called sorting, and most were bounds.
+TEST_F(VisibilityCommand, BytesOfTwoKindsHaveBothNames) {
+  const std::string words = "random50 --size 96x80 --strip-rows 80 --visibility front-to-back-hierarchical-z -o '";
+  for (const Outcome& told : {render(words + picture("a.png") + "'"), run("bake " + words + picture("a.zsc") + "'")}) {
+    EXPECT_EQ(told.status, 0) << told.text;
+    EXPECT_NE(told.text.find(", sorting and bounds of depth 1,608)"), std::string::npos) << told.text;
+  }
+}
+
 TEST_F(VisibilityCommand, PlanAndBakeKnowTheMethodsBytes) {
   const auto says = [this](const std::string& command, const char* part) {
     const Outcome outcome = run(command);
