@@ -160,6 +160,13 @@ class Header {
       line(text.empty() ? "//" : "//     " + text);
     }
     line("//");
+    if (baked_.effects.has(method::in_order)) {
+      line(
+          "// begin_frame and draw_strip return a Status: look at it. The triangles are in the order of "
+          "painter-newell,");
+      line("// for this camera only: with another one, or moved, they hide each other wrongly. Bake again for that.");
+      return;
+    }
     line(
         "// begin_frame and draw_strip return a Status: look at it. To move the scene, copy kInstances into RAM, "
         "change");

@@ -71,6 +71,12 @@ Result<PreparedScene> prepare_for(const PlanRequest& request, const Arguments& a
                                  "another method",
                                  name)};
     }
+    if (arguments.turntable && request.method.has(method::in_order)) {
+      return Failure{ExitStatus::usage,
+                     fmt::format("--visibility {} orders triangles for one camera and a scene that stands still; leave "
+                                 "out --turntable, or bake with another method",
+                                 name)};
+    }
     if (arguments.visible_sets) {
       return Failure{
           ExitStatus::usage,

@@ -50,6 +50,10 @@ Result<DepthFormat> parse_depth_format(const std::optional<std::string>& given, 
   return settings.depth_format.value_or(DepthFormat::z16);
 }
 
+std::string_view depth_option(const std::optional<std::string>& given) {
+  return given ? "--depth-format" : "'depth_format' in the scene file";
+}
+
 Result<Done> parse_memory(const MemoryArguments& arguments, const PictureSettings& settings, const View& view,
                           Budget& budget) {
   if (arguments.ram) {

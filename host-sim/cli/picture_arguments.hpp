@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "compose/scene_file.hpp"
 #include "result.hpp"
@@ -19,6 +20,9 @@ Result<View> parse_view(const std::optional<std::string>& size, const std::optio
                         const PictureSettings& settings);
 
 Result<DepthFormat> parse_depth_format(const std::optional<std::string>& given, const PictureSettings& settings);
+
+/// What has chosen the depth format, for messages: the option if it is given, or the scene file's key.
+std::string_view depth_option(const std::optional<std::string>& given);
 
 /// As given on the command line.
 struct MemoryArguments {

@@ -51,9 +51,9 @@ Result<PlanRequest> parse(const Arguments& arguments) {
                    fmt::format("--static-layer keeps the z-buffer of the plain method, not of --visibility {}",
                                visibility_name(request->method))};
   }
-  if (const Result<Done> checked = check_visibility(request->method | depth_effect(request->depth_format)); !checked) {
-    return checked.failure();
-  }
+  const Result<Done> checked =
+      check_visibility(request->method | depth_effect(request->depth_format), depth_option(arguments.depth_format));
+  if (!checked) return checked.failure();
   if (arguments.separation && !(std::isfinite(*arguments.separation) && *arguments.separation > 0)) {
     return Failure{ExitStatus::usage, "--separation is a length greater than 0"};
   }

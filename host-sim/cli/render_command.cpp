@@ -135,9 +135,9 @@ Result<Job> parse(const Arguments& arguments) {
   const Result<VisibilityRequest> visibility = parse_visibility(arguments.visibility, settings->visibility);
   if (!visibility) return visibility.failure();
   job.visibility = *visibility;
-  if (const Result<Done> checked = check_visibility(job.visibility.method | depth_effect(job.depth_format)); !checked) {
-    return checked.failure();
-  }
+  const Result<Done> checked =
+      check_visibility(job.visibility.method | depth_effect(job.depth_format), depth_option(arguments.depth_format));
+  if (!checked) return checked.failure();
   if (job.visibility.show != Show::colour && job.panel) {
     return usage("--show and --panel exclude each other: a panel shows colours");
   }
@@ -248,6 +248,7 @@ Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t f
   const std::filesystem::path file = job.outputs.file(frame);
   if (const Result<Done> written = write_file(file, *picture, "-o"); !written) return written.failure();
   FrameRecord record{file.string(), *report, {after.bytes - before.bytes, after.nanoseconds - before.nanoseconds}, {}};
+  if (shown) record.report.crc32 = checksum(pixels);
   if (job.visibility.show == Show::error) record.wrong = (*shown)->wrong;
   return record;
 }

@@ -44,6 +44,15 @@ Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments,
   const Result<VisibilityMethod> method =
       parse_visibility(arguments.method.value_or(settings.method.value_or("zbuffer")));
   if (!method) return method.failure();
+  const auto unused = [&](std::string_view option, const std::string& methods) {
+    return Failure{ExitStatus::usage,
+                   fmt::format("{} means nothing to --visibility {}; leave it out, or choose one of: {}", option,
+                               method->name, methods)};
+  };
+  if (arguments.iterations && !uses_iterations(method->effects)) {
+    return unused("--iterations", methods_with_iterations());
+  }
+  if (arguments.key && !uses_sort_key(method->effects)) return unused("--sort-key", methods_with_sort_key());
   VisibilityRequest request{.method = method->effects, .options = {}, .sets = arguments.sets};
   if (request.sets.empty()) request.sets = settings.sets.value_or("");
   request.options.iterations = static_cast<std::uint8_t>(
@@ -57,9 +66,9 @@ Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments,
   request.options.cull_by_spheres = cull->spheres;
   request.temporal = cull->temporal;
   if (request.temporal && without(request.method, method::culling) != method::hierarchical_z) {
-    return Failure{ExitStatus::usage, fmt::format("--cull temporal needs the bounds of --visibility hierarchical-z, "
-                                                  "and not {}",
-                                                  visibility_name(request.method))};
+    const std::string_view given = arguments.cull.empty() ? "the scene file's 'cull' with temporal" : "--cull temporal";
+    return Failure{ExitStatus::usage, fmt::format("{} needs the bounds of --visibility hierarchical-z, and not {}",
+                                                  given, visibility_name(request.method))};
   }
   if (cull->is_special()) request.method = request.method | method::culling;
   if (!request.sets.empty()) {

@@ -126,7 +126,7 @@ std::optional<std::string> TomlTable::text(const char* key) {
   if (node == nullptr) return std::nullopt;
   const auto* const given = node->as_string();
   if (given != nullptr && !given->get().empty()) return given->get();
-  wrong(key, fmt::format("'{}' must be a text in quotes", key));
+  wrong(key, fmt::format("'{}' must {}", key, given != nullptr ? "not be empty" : "be a text in quotes"));
   return std::nullopt;
 }
 
@@ -222,7 +222,7 @@ std::vector<std::pair<std::string, std::string>> TomlTable::texts(const char* ke
   return {};
 }
 
-std::vector<std::string> TomlTable::list(const char* key) {
+std::vector<std::string> TomlTable::list(const char* key, std::string_view words) {
   std::vector<std::string> found;
   const toml::node* const node = find(key);
   if (node == nullptr) return found;
@@ -232,7 +232,7 @@ std::vector<std::string> TomlTable::list(const char* key) {
     }
     if (found.size() == array->size()) return found;
   }
-  wrong(key, fmt::format("'{}' must be a list of texts, [\"word\", \"word\"]", key));
+  wrong(key, fmt::format("'{}' must be a list, [\"word\", \"word\"], of {}", key, words));
   return {};
 }
 

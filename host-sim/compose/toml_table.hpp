@@ -87,8 +87,8 @@ class TomlTable {
   std::vector<TomlTable> tables(const char* key, const std::string& title);
   /// Pairs of a key and a text, any keys.
   std::vector<std::pair<std::string, std::string>> texts(const char* key);
-  /// A list of texts, not empty if it is there.
-  std::vector<std::string> list(const char* key);
+  /// A list of texts, not empty if it is there; `words` says in the message which.
+  std::vector<std::string> list(const char* key, std::string_view words);
 
   /// Says what is wrong with the value of a key: "... must be ...".
   void wrong(const char* key, const std::string& message) { errors_.add(line_of(key), title_ + ": " + message); }

@@ -24,19 +24,32 @@ constexpr std::pair<std::string_view, bool> kProjections[] = {{"perspective", fa
 VisibilitySettings read_visibility(TomlTable& table) {
   VisibilitySettings settings;
   settings.method = table.text("visibility");
-  if (settings.method && !parse_visibility(*settings.method)) {
-    table.wrong("visibility", fmt::format("'visibility' is not one of: {}", visibility_names()));
+  const Result<VisibilityMethod> method = parse_visibility(settings.method.value_or("zbuffer"));
+  if (!method) {
+    std::vector<std::string> names;
+    for (const VisibilityMethod& known : visibility_methods()) names.emplace_back(known.name);
+    table.wrong_name("visibility", *settings.method, "method", names);
   }
+  const auto unused = [&](const char* key, const std::string& methods) {
+    table.wrong(key, fmt::format("'{}' means nothing to visibility = \"{}\"; leave it out, or choose one of: {}", key,
+                                 method->name, methods));
+  };
   if (const auto iterations = table.integer("iterations", 0, kMostIterations)) {
     settings.iterations = static_cast<std::uint32_t>(*iterations);
+    if (method && !uses_iterations(method->effects)) unused("iterations", methods_with_iterations());
   }
   settings.sort_key = table.text("sort_key");
   if (settings.sort_key && !known_sort_key(*settings.sort_key)) {
     table.wrong("sort_key", "'sort_key' is not one of: middle, nearest, farthest");
   }
-  settings.cull = table.list("cull");
-  if (const Result<CullChoice> parsed = parse_cull(settings.cull); !parsed) {
-    table.wrong("cull", "'cull' " + parsed.failure().message);
+  if (settings.sort_key && method && !uses_sort_key(method->effects)) unused("sort_key", methods_with_sort_key());
+  settings.cull = table.list("cull", fmt::format("one or more of: {}; or [\"none\"]", kCullWords));
+  const Result<CullChoice> cull = parse_cull(settings.cull);
+  if (!cull) table.wrong("cull", "'cull' " + cull.failure().message);
+  if (cull && cull->temporal && method && method->effects != method::hierarchical_z) {
+    table.wrong("cull", fmt::format("'cull' with temporal needs the bounds of visibility = \"hierarchical-z\", and not "
+                                    "\"{}\"",
+                                    method->name));
   }
   settings.sets = table.text("visible_sets");
   return settings;

@@ -70,6 +70,11 @@ void add(Statistics& sum, const Statistics& all, const Statistics& after_begin) 
 
 }  // namespace
 
+std::uint32_t checksum(std::span<const std::byte> pixels) {
+  return static_cast<std::uint32_t>(
+      crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(pixels.data()), pixels.size()));
+}
+
 Result<FrameReport> FrameRenderer::render(const Staging& original) {
   const Result<PreparedScene> prepared = PreparedScene::of(original, method_);
   if (!prepared) return prepared.failure();
@@ -177,9 +182,7 @@ Result<FrameReport> FrameRenderer::render(const Staging& staging, const Plan& pl
   if (!drawn) return drawn.failure();
 
   report.nanoseconds = std::chrono::duration_cast<std::chrono::nanoseconds>(end - start).count();
-  const std::span<const std::byte> pixels = display_.pixels();
-  report.crc32 = static_cast<std::uint32_t>(
-      crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(pixels.data()), pixels.size()));
+  report.crc32 = checksum(display_.pixels());
   return report;
 }
 

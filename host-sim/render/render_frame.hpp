@@ -1,7 +1,9 @@
 // One frame from a scene to pixels: effects, plan, begin, strips.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "panel/simulated_panel.hpp"
@@ -28,6 +30,9 @@ struct FrameReport {
   std::uint32_t crc32 = 0;          ///< zlib's, of the raw pixel bytes
   std::int64_t nanoseconds = 0;     ///< begin_frame and all strips
 };
+
+/// zlib's CRC-32.
+std::uint32_t checksum(std::span<const std::byte> pixels);
 
 /// Draws frames of one size; keeps its memory from frame to frame. With several threads they draw the strips of a frame
 /// together, each with a renderer, an arena and a strip of pixels of its own: the same pixels and statistics.

@@ -11,7 +11,6 @@
 #include "report/plan_words.hpp"
 #include "report/text.hpp"
 #include "visibility/methods.hpp"
-#include "zstrip/plan/visibility_bytes.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -79,10 +78,8 @@ std::string bake_summary(const BakeRecord& record) {
   text += effect_lines(record);
   text += fmt::format("  picture    {}x{}, {}; {}\n", record.view.width, record.view.height, name(record.view.format),
                       shape(record.plan, record.view));
-  text +=
-      fmt::format("  RAM        {}{}\n",
-                  memory(record.plan, record.plan.strip_pixel_bytes(record.view), detail::visibility_purpose(method)),
-                  record.strip_buffers == 2 ? ", twice" : "");
+  text += fmt::format("  RAM        {}{}\n", memory(record.plan, record.plan.strip_pixel_bytes(record.view), method),
+                      record.strip_buffers == 2 ? ", twice" : "");
   if (record.method) {
     text += fmt::format("  visibility {}; {}\n", visibility_words(record.plan, method),
                         record.method->splits == 0 ? "no triangle was cut"

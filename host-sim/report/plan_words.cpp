@@ -9,6 +9,15 @@
 #include "zstrip/plan/visibility_bytes.hpp"
 
 namespace zstrip::sim {
+namespace {
+
+/// What a method's bytes are for.
+std::string_view purpose_of(Effects method) {
+  if (sorts_triangles(method) && method.any(method::bounded)) return "sorting and bounds of depth";
+  return name(detail::visibility_purpose(method));
+}
+
+}  // namespace
 
 std::string shape(const Plan& plan, const View& view) {
   const std::string strips =
@@ -28,13 +37,13 @@ std::array<std::pair<Purpose, std::uint32_t>, 7> by_purpose(const Plan& plan) {
            {Purpose::effects, plan.effect_bytes}}};
 }
 
-std::string memory(const Plan& plan, std::uint32_t strip_pixel_bytes, Purpose of_visibility) {
+std::string memory(const Plan& plan, std::uint32_t strip_pixel_bytes, Effects method) {
   std::string parts;
-  const auto list = [&parts](Purpose purpose, std::uint32_t bytes) {
-    if (bytes > 0) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name(purpose), grouped(bytes));
+  const auto list = [&parts](std::string_view purpose, std::uint32_t bytes) {
+    if (bytes > 0) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", purpose, grouped(bytes));
   };
-  for (const auto& [purpose, bytes] : by_purpose(plan)) list(purpose, bytes);
-  list(of_visibility, plan.visibility_bytes);
+  for (const auto& [purpose, bytes] : by_purpose(plan)) list(name(purpose), bytes);
+  list(purpose_of(method), plan.visibility_bytes);
   return fmt::format("{} ({}), and {} for the pixels of a strip", counted(plan.bytes(), "byte"), parts,
                      grouped(strip_pixel_bytes));
 }
@@ -44,10 +53,7 @@ std::string visibility_words(const Plan& plan, Effects method) {
   if (plan.visibility_bytes == 0) {
     text += "no memory of its own";
   } else {
-    text +=
-        fmt::format("{} for {}", counted(plan.visibility_bytes, "byte"),
-                    sorts_triangles(method) && method.any(method::bounded) ? "sorting and bounds of depth"
-                                                                           : name(detail::visibility_purpose(method)));
+    text += fmt::format("{} for {}", counted(plan.visibility_bytes, "byte"), purpose_of(method));
   }
   if (method.has(method::painter)) {
     const std::uint64_t cells = std::uint64_t{plan.strip_columns} * plan.strip_rows;

@@ -18,8 +18,7 @@ std::string shape(const Plan& plan, const View& view);
 std::array<std::pair<Purpose, std::uint32_t>, 7> by_purpose(const Plan& plan);
 
 /// "1,234 bytes (instances 160, depth 1,074), and 512 for the pixels of a strip".
-/// `of_visibility`: what the visibility method's bytes are for.
-std::string memory(const Plan& plan, std::uint32_t strip_pixel_bytes, Purpose of_visibility = Purpose::sorting);
+std::string memory(const Plan& plan, std::uint32_t strip_pixel_bytes, Effects method);
 
 /// What a method of visibility takes and saves in a plan: "painter: 800 bytes for sorting, 30,720 bytes of z-buffer
 /// saved".

@@ -7,7 +7,6 @@
 #include "report/number.hpp"
 #include "report/plan_words.hpp"
 #include "visibility/methods.hpp"
-#include "zstrip/plan/visibility_bytes.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -73,8 +72,7 @@ std::string summary(const RunRecord& run) {
                           ? fmt::format(" and {}", counted(fullest.plan.strip_columns, "column"))
                           : "",
                       name(fullest.plan.mode));
-  text += fmt::format("  RAM        {}\n",
-                      memory(fullest.plan, fullest.strip_pixel_bytes, detail::visibility_purpose(fullest.method)));
+  text += fmt::format("  RAM        {}\n", memory(fullest.plan, fullest.strip_pixel_bytes, fullest.method));
   if (first.method.methods != 0) {
     text += fmt::format("  visibility {}: {} comparisons of depth, {} writes\n", visibility_name(first.method),
                         range(run, [](const FrameReport& report) { return report.visibility.comparisons; }),

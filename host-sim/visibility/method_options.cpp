@@ -6,7 +6,25 @@
 #include <algorithm>
 #include <utility>
 
+#include "visibility/methods.hpp"
+
 namespace zstrip::sim {
+namespace {
+
+std::string names_of(bool (*uses)(Effects)) {
+  std::string names;
+  for (const VisibilityMethod& method : visibility_methods()) {
+    if (uses(method.effects)) names += fmt::format("{}{}", names.empty() ? "" : ", ", method.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+bool uses_iterations(Effects method) { return method.any(method::splitting); }
+bool uses_sort_key(Effects method) { return method.any(method::sorted) && !method.any(method::orders); }
+std::string methods_with_iterations() { return names_of(uses_iterations); }
+std::string methods_with_sort_key() { return names_of(uses_sort_key); }
 
 Result<CullChoice> parse_cull(std::span<const std::string> words) {
   if (words.empty()) return CullChoice{};

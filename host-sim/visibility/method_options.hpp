@@ -7,9 +7,18 @@
 #include <string_view>
 
 #include "result.hpp"
+#include "zstrip/scene/effects.hpp"
 #include "zstrip/visibility/options.hpp"
 
 namespace zstrip::sim {
+
+/// Whether VisibilityOptions::iterations and ::key mean something to a method.
+bool uses_iterations(Effects method);
+bool uses_sort_key(Effects method);
+
+/// The methods that do, separated by commas, for messages.
+std::string methods_with_iterations();
+std::string methods_with_sort_key();
 
 /// What is left out before its pixels are drawn.
 struct CullChoice {

@@ -47,19 +47,20 @@ std::string_view visibility_name(Effects effects) {
   return found == kMethods.end() ? "?" : found->name;
 }
 
-Result<Done> check_visibility(Effects effects) {
+Result<Done> check_visibility(Effects effects, std::string_view depth_given) {
   const std::string_view name = visibility_name(effects);
+  const bool ranges = effects.has(effect::depth_ranges), formats = effects.any(effect::depth_formats);
+  if ((effects.methods != 0 && (ranges || formats)) || (ranges && formats)) {
+    const bool culls = effects.methods != 0 && without(Effects{0, effects.methods}, method::culling) == Effects{};
+    return Failure{ExitStatus::usage, fmt::format("{} with depth as z16 only: leave out {}",
+                                                  culls ? std::string("--cull and --visible-sets go")
+                                                        : fmt::format("--visibility {} goes", name),
+                                                  ranges && !formats ? "--visibility half-range" : depth_given)};
+  }
   if (!depth_effects_agree(effects)) {
     return Failure{ExitStatus::usage,
-                   fmt::format("--visibility {} does not go with this --depth-format or camera", name)};
-  }
-  if (effects.methods != 0 && effects.any(effect::depth_formats | effect::depth_ranges)) {
-    const bool culls = without(Effects{0, effects.methods}, method::culling) == Effects{};
-    return Failure{
-        ExitStatus::usage,
-        fmt::format("{} with depth as z16 only: leave out {}",
-                    culls ? std::string("--cull and --visible-sets go") : fmt::format("--visibility {} goes", name),
-                    effects.has(effect::depth_ranges) ? "--visibility half-range" : "--depth-format")};
+                   "depth as float or w16 needs a perspective camera, and this one is orthographic; take another depth "
+                   "format"};
   }
   if (methods_agree(effects)) return Done{};
   const Effects refused = refused_by_methods(effects);

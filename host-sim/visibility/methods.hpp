@@ -29,7 +29,7 @@ Result<VisibilityMethod> parse_visibility(const std::string& name);
 std::string_view visibility_name(Effects effects);
 
 /// `effects` of scene, depth format and method together: a usage error names the method, each effect that it cannot
-/// draw, and the methods that can.
-Result<Done> check_visibility(Effects effects);
+/// draw, and the methods that can. `depth_given` names in messages what has chosen the depth format.
+Result<Done> check_visibility(Effects effects, std::string_view depth_given = "--depth-format");
 
 }  // namespace zstrip::sim

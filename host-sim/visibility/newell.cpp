@@ -9,11 +9,13 @@
 #include <list>
 #include <utility>
 
+#include "report/number.hpp"
+
 namespace zstrip::sim {
 namespace {
 
 constexpr std::size_t kMostPieces = 20000;
-constexpr std::size_t kMostComparisons = 50'000'000;
+constexpr std::size_t kMostComparisons = 50'000'000;  // the message has it in words
 constexpr double kApart = 1e-9;  // of projected coordinates, where half of the picture's height is about 1
 
 struct Projected {
@@ -131,7 +133,8 @@ Result<NewellOrder> newell_order(const PolygonSoup& soup, const Camera& camera) 
       if (q->farthest <= first.nearest) continue;
       if (++comparisons > kMostComparisons || order.soup.polygons.size() + waiting.size() > kMostPieces) {
         return Failure{ExitStatus::usage,
-                       "painter-newell gave up: too many triangles overlap in depth; use painter-bsp"};
+                       fmt::format("to order the triangles takes more than {} pieces or 50 million comparisons",
+                                   grouped(kMostPieces))};
       }
       if (sorter.may_precede(first, *q)) continue;
       drawn = false;

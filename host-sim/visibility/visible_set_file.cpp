@@ -41,6 +41,11 @@ Result<std::span<const std::uint32_t>> VisibleSetFile::at(const Scene& scene, co
     return Failure{ExitStatus::input,
                    fmt::format("'{}' was baked for another scene, or what stood still has moved", path_)};
   }
+  // open_visible_sets takes a region of flash that may be larger; a file has nothing behind its sets.
+  if (const std::uint32_t size = words_[detail::visible_sets_at::kSize / 4]; size != bytes_) {
+    return Failure{ExitStatus::input,
+                   fmt::format("'{}' does not end with its visible sets, at byte {}; bake it again", path_, size)};
+  }
   if (camera.projection == Projection::orthographic) {
     return Failure{ExitStatus::usage, "--visible-sets needs a perspective camera: an orthographic one has no eye"};
   }

@@ -37,7 +37,7 @@ TEST(SceneFile, EveryTable) {
   const SceneFile file = parsed(
       "ambient = [1, 2, 3]\nbackground = '#0a0B0c'\nduration = 2\n"
       "[picture]\nsize = [64, 48]\nformat = 'gray4'\ndepth_format = 'z24'\nstrip_rows = 8\nstrip_columns = 16\n"
-      "ram = 4096\nframes = 12\nvisibility = 'midpoint'\niterations = 4\nsort_key = 'nearest'\n"
+      "ram = 4096\nframes = 12\nvisibility = 'midpoint'\niterations = 4\n"
       "cull = ['small', 'spheres']\nvisible_sets = 'rooms.zpv'\n"
       "[camera]\nr = 5\nphi = 30\ntheta = 60\nlook_at = [0, 1, 0]\nprojection = 'orthographic'\nhalf_height = 2\n"
       "near = 0.5\nfar = 20\n"
@@ -61,7 +61,6 @@ TEST(SceneFile, EveryTable) {
   EXPECT_EQ(file.picture.ram, 4096U);
   EXPECT_EQ(file.picture.visibility.method, "midpoint");
   EXPECT_EQ(file.picture.visibility.iterations, 4U);
-  EXPECT_EQ(file.picture.visibility.sort_key, "nearest");
   EXPECT_EQ(file.picture.visibility.cull, (std::vector<std::string>{"small", "spheres"}));
   EXPECT_EQ(file.picture.visibility.sets, "rooms.zpv");
   EXPECT_EQ(file.picture.frames, 12U);
@@ -180,16 +179,43 @@ TEST(SceneFile, HowVisibilityIsFound) {
     EXPECT_NE(message.find("line 2: "), std::string::npos) << message;
     EXPECT_NE(message.find(part), std::string::npos) << message;
   };
-  wrong("visibility = 'best'", "'visibility' is not one of: zbuffer, ");
+  wrong("visibility = 'best'", "'visibility' names no method 'best'; there are zbuffer, painter, ");
+  wrong("visibility = 'paintr'", "'visibility' names no method 'paintr'; did you mean 'painter'?");
   wrong("iterations = 7", "'iterations' must be a whole number from 0 to 6");
   wrong("sort_key = 'centre'", "'sort_key' is not one of: middle, nearest, farthest");
-  wrong("cull = 'small'", "'cull' must be a list of texts");
-  wrong("cull = []", "'cull' must be a list of texts");
-  wrong("cull = ['small', 3]", "'cull' must be a list of texts");
+  for (const char* line : {"cull = 'small'", "cull = []", "cull = ['small', 3]"}) {
+    wrong(
+        line,
+        "must be a list, [\"word\", \"word\"], of one or more of: back-faces, small, spheres, temporal; or [\"none\"]");
+  }
   wrong("cull = ['none', 'small']", "'cull' none goes with nothing else");
   wrong("cull = ['fronts']", "'cull' 'fronts' is not one of: back-faces, small, spheres, temporal, none");
-  wrong("visible_sets = 3", "'visible_sets' must be");
+  wrong("cull = ['temporal']",
+        "'cull' with temporal needs the bounds of visibility = \"hierarchical-z\", and not \"zbuffer\"");
+  wrong("visible_sets = 3", "'visible_sets' must be a text in quotes");
+  wrong("visible_sets = ''", "'visible_sets' must not be empty");
   wrong("iteration = 3", "did you mean 'iterations'?");
+}
+
+/// They were ignored.
+TEST(SceneFile, KeysThatTheMethodDoesNotUse) {
+  const auto picture = [](const std::string& lines) { return failure("[picture]\n" + lines + "\n" + kCube); };
+  EXPECT_NE(picture("iterations = 3")
+                .find("line 2: [picture]: 'iterations' means nothing to visibility = \"zbuffer\"; "
+                      "leave it out, or choose one of: midpoint, midpoint-safe"),
+            std::string::npos);
+  EXPECT_NE(
+      picture("visibility = 'midpoint'\nsort_key = 'nearest'")
+          .find("line 3: [picture]: 'sort_key' means nothing to visibility = \"midpoint\"; leave it out, or choose "
+                "one of: painter, front-to-back, front-to-back-hierarchical-z"),
+      std::string::npos);
+  const auto kept = [](const std::string& lines) {
+    return parsed("[picture]\n" + lines + "\n" + kCube).picture.visibility;
+  };
+  EXPECT_EQ(kept("visibility = 'midpoint-safe'\niterations = 3").iterations, 3U);
+  EXPECT_EQ(kept("visibility = 'painter'\nsort_key = 'nearest'").sort_key, "nearest");
+  EXPECT_EQ(kept("visibility = 'front-to-back'\nsort_key = 'farthest'").sort_key, "farthest");
+  EXPECT_EQ(kept("visibility = 'hierarchical-z'\ncull = ['temporal']").cull, std::vector<std::string>{"temporal"});
 }
 
 TEST(SceneFile, SizeOfHalfAPixel) {

@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -97,6 +98,30 @@ TEST_F(VisibilityCommand, ShowsWhatItIsAskedFor) {
   }
 }
 
+/// CRC-32 of ISO 3309, bit by bit, as the report writes it.
+std::string crc32_words(const std::string& bytes) {
+  std::uint32_t crc = 0xFFFFFFFF;
+  for (const char byte : bytes) {
+    crc ^= static_cast<std::uint8_t>(byte);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xEDB88320U : 0U);
+  }
+  char words[9];
+  std::snprintf(words, sizeof words, "%08x", static_cast<unsigned>(~crc));
+  return words;
+}
+
+/// It was that of the picture without --show.
+TEST_F(VisibilityCommand, TheChecksumIsOfWhatIsShown) {
+  for (const char* show : {"", "--show depth ", "--show overdraw ", "--show tiles ", "--show error "}) {
+    const std::string file = picture("shown.raw");
+    const Outcome shown = render(std::string("random50 --size 96x80 --image raw --visibility hierarchical-z ") + show +
+                                 "--json - -o '" + file + "'");
+    EXPECT_EQ(shown.status, 0) << shown.text;
+    EXPECT_NE(shown.text.find("\"crc32\": \"" + crc32_words(bytes(file)) + "\""), std::string::npos)
+        << show << shown.text;
+  }
+}
+
 TEST_F(VisibilityCommand, TransparencyGoesWithWhatCanAndIsRefusedByNameElsewhere) {
   const std::string words = "blend --size 96x80 --image raw -o '";
   ASSERT_EQ(render(words + picture("plain.raw") + "'").status, 0);
@@ -117,9 +142,9 @@ TEST_F(VisibilityCommand, ASceneFileNamesTheMethodAndTheOptionCountsMore) {
                                          << "\"\n[camera]\nr = 9\nprojection = \"orthographic\"\n[[model]]\nname "
                                             "= \"bars\"\nfile = \""
                                          << MODELS << "/cycle.obj\"\n[[instance]]\nmodel = \"bars\"\n";
-    return std::string("'") + picture("cycle.toml") + "' --frames 1 --sort-key nearest -o '";
+    return std::string("'") + picture("cycle.toml") + "' --frames 1 -o '";
   };
-  const Outcome painter = render(scene("painter") + picture("painter.png") + "'");
+  const Outcome painter = render(scene("painter") + picture("painter.png") + "' --sort-key nearest");
   EXPECT_EQ(painter.status, 0) << painter.text;
   EXPECT_NE(painter.text.find("painter: 0 comparisons"), std::string::npos) << painter.text;
   const Outcome plain = render(scene("painter") + picture("plain.png") + "' --visibility zbuffer");
@@ -127,7 +152,8 @@ TEST_F(VisibilityCommand, ASceneFileNamesTheMethodAndTheOptionCountsMore) {
   EXPECT_NE(bytes(picture("painter.png")), bytes(picture("plain.png")));
   const Outcome refused = render(scene("best") + picture("none.png") + "'");
   EXPECT_EQ(refused.status, 4) << refused.text;
-  EXPECT_NE(refused.text.find("'visibility' is not one of: zbuffer, painter"), std::string::npos) << refused.text;
+  EXPECT_NE(refused.text.find("'visibility' names no method 'best'; there are zbuffer, painter"), std::string::npos)
+      << refused.text;
 }
 
 TEST_F(VisibilityCommand, BakesVisibleSetsAndRendersWithThem) {
@@ -181,6 +207,23 @@ TEST_F(VisibilityCommand, SetsThatEndBeforeTheirMeshletsAreDamaged) {
   }
 }
 
+TEST_F(VisibilityCommand, SetsWithBytesBehindThemAreRefused) {
+  const std::string rooms = std::string("'") + ROOMS + "'", sets = picture("rooms.zpv");
+  ASSERT_EQ(
+      run("bake " + rooms + " -o '" + picture("rooms.zsc") + "' --visible-sets '" + sets + "' --cells 2x1x2").status,
+      0);
+  const std::string whole = bytes(sets);
+  for (const std::size_t more : std::initializer_list<std::size_t>{1, 4, 1000}) {
+    std::ofstream(picture("long.zpv"), std::ios::binary) << whole << std::string(more, '\0');
+    const Outcome refused =
+        render(rooms + " -o '" + picture("none.png") + "' --visible-sets '" + picture("long.zpv") + "'");
+    EXPECT_EQ(refused.status, 4) << refused.text;
+    EXPECT_NE(refused.text.find("does not end with its visible sets, at byte " + std::to_string(whole.size())),
+              std::string::npos)
+        << more << refused.text;
+  }
+}
+
 // The planes are the scene's, wherever the camera stands.
 TEST_F(VisibilityCommand, AnotherEyeKeepsTheFilesNearPlane) {
   const std::string rooms = std::string("'") + ROOMS + "'", sets = picture("rooms.zpv");
@@ -219,6 +262,15 @@ TEST_F(VisibilityCommand, ATreeIsBakedAndDrawnInPlace) {
   }
 }
 
+/// They were all called sorting, and most were bounds.
+TEST_F(VisibilityCommand, BytesOfTwoKindsHaveBothNames) {
+  const std::string words = "random50 --size 96x80 --strip-rows 80 --visibility front-to-back-hierarchical-z -o '";
+  for (const Outcome& told : {render(words + picture("a.png") + "'"), run("bake " + words + picture("a.zsc") + "'")}) {
+    EXPECT_EQ(told.status, 0) << told.text;
+    EXPECT_NE(told.text.find(", sorting and bounds of depth 1,608)"), std::string::npos) << told.text;
+  }
+}
+
 TEST_F(VisibilityCommand, PlanAndBakeKnowTheMethodsBytes) {
   const auto says = [this](const std::string& command, const char* part) {
     const Outcome outcome = run(command);
@@ -251,6 +303,45 @@ TEST_F(VisibilityCommand, PlanAndBakeKnowTheMethodsBytes) {
   EXPECT_NE(moving.text.find("stand still"), std::string::npos) << moving.text;
 }
 
+/// The order was of one camera, but the header said how to move the scene.
+TEST_F(VisibilityCommand, NewellsOrderIsBakedForOneCameraOnly) {
+  const std::string header = picture("order.hpp");
+  const Outcome turned = run("bake knot_meshlets --turntable --visibility painter-newell -o '" + header + "'");
+  EXPECT_EQ(turned.status, 2) << turned.text;
+  EXPECT_NE(turned.text.find("leave out --turntable"), std::string::npos) << turned.text;
+  EXPECT_FALSE(std::filesystem::exists(header));
+  const auto says = [&](const std::string& method, const char* part) {
+    const Outcome baked = run("bake random50 -o '" + header + "' --visibility " + method);
+    EXPECT_EQ(baked.status, 0) << baked.text;
+    return bytes(header).find(part) != std::string::npos;
+  };
+  EXPECT_TRUE(says("painter-newell", "for this camera only"));
+  EXPECT_FALSE(says("painter-newell", "To move the scene"));
+  EXPECT_FALSE(says("painter-bsp", "for this camera only"));
+  EXPECT_TRUE(says("painter-bsp", "To move the scene"));
+}
+
+/// It named itself twice, and advised painter-bsp, which may refuse the model as well.
+TEST_F(VisibilityCommand, NewellGivesUpInOneSentence) {
+  const std::string model = picture("floor.obj");
+  {
+    std::ofstream grid(model);
+    constexpr int kSide = 102;  // 2 * 101 * 101 triangles
+    for (int i = 0; i < kSide * kSide; ++i) grid << "v " << i % kSide << " 0 " << i / kSide << '\n';
+    for (int row = 1; row < kSide; ++row) {
+      for (int at = (row - 1) * kSide + 1; at < row * kSide; ++at) {
+        grid << "f " << at << ' ' << at + kSide << ' ' << at + 1 << "\nf " << at + 1 << ' ' << at + kSide << ' '
+             << at + kSide + 1 << '\n';
+      }
+    }
+  }
+  const Outcome refused = render("'" + model + "' --visibility painter-newell -o '" + picture("none.png") + "'");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.text,
+            "zstrip: --visibility painter-newell: to order the triangles takes more than 20,000 pieces or 50 million "
+            "comparisons; choose another method\n");
+}
+
 TEST_F(VisibilityCommand, MessagesNameTheMethodAndTheOptionThatWereGiven) {
   const auto refused = [this](const std::string& words, const char* part) {
     const Outcome outcome = render(words + " -o '" + picture("none.png") + "'");
@@ -262,6 +353,15 @@ TEST_F(VisibilityCommand, MessagesNameTheMethodAndTheOptionThatWereGiven) {
   refused("cube --visibility half-range --cull spheres", "leave out --visibility half-range");
   refused("cube --cull spheres --depth-format z24", "leave out --depth-format");
   refused("cube --visibility painter --depth-format z24", "--visibility painter goes with depth as z16 only");
+  refused("teapot --visibility half-range --depth-format z24",
+          "--visibility half-range goes with depth as z16 only: leave out --depth-format");
+  refused(
+      "cube --iterations 3",
+      "--iterations means nothing to --visibility zbuffer; leave it out, or choose one of: midpoint, midpoint-safe");
+  for (const char* method : {"zbuffer", "half-range", "hierarchical-z", "midpoint", "painter-newell", "painter-bsp"}) {
+    refused(std::string("random50 --sort-key nearest --visibility ") + method,
+            "leave it out, or choose one of: painter, front-to-back, front-to-back-hierarchical-z");
+  }
   refused("cube --cull temporal", "--cull temporal needs the bounds of --visibility hierarchical-z, and not zbuffer");
   refused("cube --cull fronts", "--cull 'fronts' is not one of: back-faces, small, spheres, temporal, none");
 }
@@ -300,6 +400,16 @@ TEST_F(VisibilityCommand, ASceneFileHasTheOptionsToo) {
   EXPECT_EQ(usual.text.find("\"back_faces\": 0,"), std::string::npos) << usual.text;
   const Outcome none = render(scene("visibility = 'hierarchical-z'\ncull = ['none']\n"));
   EXPECT_NE(none.text.find("\"back_faces\": 0,"), std::string::npos) << none.text;
+  const Outcome wide = render(scene("visibility = 'painter'\ndepth_format = 'z24'\n"));
+  EXPECT_EQ(wide.status, 2) << wide.text;
+  EXPECT_NE(wide.text.find("leave out 'depth_format' in the scene file"), std::string::npos) << wide.text;
+  const Outcome temporal = render(scene("cull = ['temporal']\n"));
+  EXPECT_EQ(temporal.status, 4) << temporal.text;
+  EXPECT_NE(temporal.text.find("knot.toml' line 3: [picture]: 'cull' with temporal needs"), std::string::npos)
+      << temporal.text;
+  const Outcome other = render(scene("visibility = 'hierarchical-z'\ncull = ['temporal']\n") + " --visibility zbuffer");
+  EXPECT_EQ(other.status, 2) << other.text;
+  EXPECT_NE(other.text.find("the scene file's 'cull' with temporal needs"), std::string::npos) << other.text;
   const Outcome sets = render(scene("visible_sets = 'none.zpv'\n"));
   EXPECT_EQ(sets.status, 4) << sets.text;
   EXPECT_NE(sets.text.find(picture("none.zpv")), std::string::npos) << sets.text;
