@@ -70,7 +70,7 @@ TEST(SceneFile, EveryTable) {
   EXPECT_EQ(file.camera->theta, 60);
   EXPECT_EQ(file.camera->look_at, (Vector{0, 1, 0}));
   EXPECT_TRUE(file.camera->orthographic);
-  EXPECT_EQ(file.camera->projection_line, 22);
+  EXPECT_EQ(file.camera->projection_line, 21);
   EXPECT_EQ(file.camera->half_height, 2);
   EXPECT_EQ(file.camera->near_plane, 0.5);
   EXPECT_EQ(file.camera->far_plane, 20);
