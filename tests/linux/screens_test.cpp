@@ -118,7 +118,9 @@ TEST_F(LinuxScreens, EveryDepthOfAFramebuffer) {
   Guest guest({.modules = "cirrusfb", .devices = {"-device", "cirrus-vga"}});
   const std::string list = guest.run("zstrip-panel --list").text;
   ASSERT_TRUE(contains(list, "driver CL ")) << list;
-  expect_refused(guest, "fbdev", 3, "/dev/fb0 has 8 bits a pixel that are no true colour; ask for 16, 24 or 32");
+  expect_refused(
+      guest, "fbdev", 3,
+      "/dev/fb0 has 8 bits a pixel that are no true colour; another depth may be: depth=16 or depth=24 or depth=32");
   expect_shown_and_undone(guest, "fbdev,depth=16", 1, 640, 480);
   expect_shown_and_undone(guest, "fbdev,depth=24", 1, 640, 480);
   expect_refused(guest, "fbdev,depth=32", 3, "does not take 640x480 with 32 bits a pixel; it has 640x480 with 8 bits");
