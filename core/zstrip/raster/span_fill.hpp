@@ -130,6 +130,7 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
   using Value = typename DepthPlane::Value;
   constexpr bool kAssembly = kHasThumb2 && !lit && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>> &&
                              std::is_same_v<Value, std::uint32_t>;
+  static_assert(kPerspectiveRun == 16);  // fill_runs_thumb2 knows it
   constexpr bool kWholeRuns = kAssembly && !affine && kRun == kPerspectiveRun;
   using State = std::conditional_t<kWholeRuns, TexturedRunsState, TexturedRunState<Value>>;
   TexturedRun<lit, statistics, Value, Rule, State> run;

@@ -14,8 +14,29 @@ static_assert(offsetof(State, z) == 16 && offsetof(State, texels) == 24 && offse
 using Runs = TexturedRunsState;
 static_assert(sizeof(State) == 40 && sizeof(Runs) == 92);  // no gaps: the members lie in order
 
+// A pixel: depth test, texel, steps. Text, because the assembler's macros outside of functions get lost where the
+// linker puts the files' code in another order.
+#define ZSTRIP_TEXEL                 \
+  ".macro zstrip_texel\n"            \
+  "  ldrh  r12, [r10], #2\n"         \
+  "  cmp   r12, r4, lsr #16\n"       \
+  "  bhs   .Ltexel_behind\\@\n"      \
+  "  lsrs  r12, r4, #16\n"           \
+  "  strh  r12, [r10, #-2]\n"        \
+  "  lsr   r12, r1, r8\n"            \
+  "  and   r12, r12, r9\n"           \
+  "  lsr   lr, r0, r7\n"             \
+  "  add   r12, r12, lr\n"           \
+  "  ldrh  r12, [r6, r12, lsl #1]\n" \
+  "  strh  r12, [r10, r11]\n"        \
+  ".Ltexel_behind\\@:\n"             \
+  "  add   r4, r4, r5\n"             \
+  "  add   r0, r0, r2\n"             \
+  "  add   r1, r1, r3\n"             \
+  ".endm\n"
+
 [[gnu::naked]] void fill_run_thumb2(State&, std::uint16_t*, std::uint16_t*, std::int32_t) {
-  asm(R"(
+  asm(ZSTRIP_TEXEL R"(
     push  {r0, r4-r11, lr}
     mov   r12, r0
     mov   r10, r1
@@ -25,50 +46,19 @@ static_assert(sizeof(State) == 40 && sizeof(Runs) == 92);  // no gaps: the membe
     ldm   r12, {r0-r9}                @ u, v, their steps, depth, its step, texels, both shifts, mask
     add   r7, r7, lr, lsl #8
   .Lrun_texel:
-    ldrh  r12, [r10], #2
-    cmp   r12, r4, lsr #16
-    bhs   .Lrun_behind
-    lsrs  r12, r4, #16
-    strh  r12, [r10, #-2]
-    lsr   r12, r1, r8
-    and   r12, r12, r9
-    lsr   lr, r0, r7
-    add   r12, r12, lr
-    ldrh  r12, [r6, r12, lsl #1]
-    strh  r12, [r10, r11]
-  .Lrun_behind:
-    add   r4, r4, r5
-    add   r0, r0, r2
-    add   r1, r1, r3
+    zstrip_texel
     subs  r7, r7, #256
     bhs   .Lrun_texel
     ldr   r0, [sp]
     str   r4, [r0, #16]
     pop   {r0, r4-r11, pc}
+    .purgem zstrip_texel
   )");
 }
 
 // Two pixels at a time. On the stack: the state, a gap, how many runs are left.
 [[gnu::naked]] void fill_runs_thumb2(TexturedRunsState&, std::uint16_t*, std::uint16_t*, std::uint32_t) {
-  asm(R"(
-    .macro zstrip_texel
-      ldrh  r12, [r10], #2
-      cmp   r12, r4, lsr #16
-      bhs   .Lruns_behind\@
-      lsrs  r12, r4, #16
-      strh  r12, [r10, #-2]
-      lsr   r12, r1, r8
-      and   r12, r12, r9
-      lsr   lr, r0, r7
-      add   r12, r12, lr
-      ldrh  r12, [r6, r12, lsl #1]
-      strh  r12, [r10, r11]
-    .Lruns_behind\@:
-      add   r4, r4, r5
-      add   r0, r0, r2
-      add   r1, r1, r3
-    .endm
-
+  asm(ZSTRIP_TEXEL R"(
     push  {r0-r1, r3-r11, lr}
     mov   r10, r1
     sub   r11, r2, r1
