@@ -51,7 +51,9 @@ if [ -n "$foreign" ]; then
   failed=1
 fi
 
-starters=$("${prefix}readelf" -SW "$objects"/*.o | awk '/^File:/ { file = $2 } /\.(init_array|ctors|preinit_array|tbss|tdata)/ { print file }' | sort -u)
+# A lone object is read without its name: the section's is always there.
+starters=$("${prefix}readelf" -SW "$objects"/*.o |
+  awk '/^File:/ { file = $2 } match($0, /\.(init_array|ctors|preinit_array|tbss|tdata)/) { print substr($0, RSTART, RLENGTH), file }' | sort -u)
 if [ -n "$starters" ]; then
   printf 'code that runs before main, or thread-local data:\n%s\n' "$starters"
   failed=1
