@@ -16,13 +16,28 @@ function(zstrip_configure_freestanding_target target)
     $<$<CXX_COMPILER_ID:GNU,Clang>:-Wdouble-promotion -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics>)
 endfunction()
 
-# Sources that read options and write reports take longer to compile than they will ever run: of the optimiser only -O1,
-# under sanitizers nothing. They must emit no inline function of the core, which the linker could take for everybody.
+# Sources that read options and write reports take longer to compile than they will ever run: of the optimiser only -O1.
+# They must emit no inline function of the core, which the linker could take for everybody.
 function(zstrip_compile_quickly)
-  if(ZSTRIP_SANITIZED)
-    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -O0)
-  else()
+  if(NOT ZSTRIP_SANITIZED)
     set_source_files_properties(${ARGN} PROPERTIES
       COMPILE_OPTIONS "$<$<AND:$<CXX_COMPILER_ID:GNU,Clang>,$<CONFIG:Release>>:-O1>")
+  endif()
+endfunction()
+
+# zstrip_compile_together(TARGET [APART source...]): under sanitizers, where nobody works at single sources, those of one
+# folder are compiled as one, which parses the headers of libraries once, and without the optimiser. APART: names of
+# theirs clash with others'.
+function(zstrip_compile_together target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "APART")
+  if(ZSTRIP_SANITIZED)
+    target_compile_options(${target} PRIVATE -O0)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    get_target_property(sources ${target} SOURCES)
+    list(REMOVE_ITEM sources ${arg_APART})
+    foreach(source IN LISTS sources)
+      get_filename_component(folder ${source} DIRECTORY)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${target}${folder}")
+    endforeach()
   endif()
 endfunction()
