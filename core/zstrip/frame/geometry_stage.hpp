@@ -7,7 +7,7 @@
 
 #include "zstrip/frame/materials.hpp"
 #include "zstrip/frame/method_stage.hpp"
-#include "zstrip/raster/assemble.hpp"
+#include "zstrip/raster/facing.hpp"
 
 namespace zstrip {
 
@@ -115,7 +115,8 @@ struct Frame::Access::Geometry {
       const detail::Batch batch = batch_of(frame, instance, range.first_vertex, 0);
       const bool all_narrow = transform<effects>(frame, batch, range, 0);
       Rect box{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
-      Assembler<effects>::for_each_facing(batch, range.triangles, all_narrow, [&](std::uint32_t, const Rect& pixels) {
+      detail::Facing<effects>::for_each(batch, range.triangles, all_narrow, [&](std::uint32_t, const auto& covered) {
+        const Rect pixels = covered.box();
         box = {std::min(box.left, pixels.left), std::min(box.top, pixels.top), std::max(box.right, pixels.right),
                std::max(box.bottom, pixels.bottom)};
         return true;
@@ -130,26 +131,27 @@ struct Frame::Access::Geometry {
     std::uint32_t retained = 0;
     std::uint16_t batches = 0;
     bool room = true;
-    for_each_meshlet<effects>(frame, [&]([[maybe_unused]] std::uint32_t number, std::uint32_t instance,
-                                         std::uint32_t meshlet) {
-      if (!room) return;
-      if constexpr (effects.has(method::culling)) {
-        if (Methods::is_left_out<effects>(frame, number, instance, meshlet)) return;
-      }
-      const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
-      const detail::Batch batch = batch_of(frame, instance, range.first_vertex, retained);
-      const bool all_narrow = transform<effects>(frame, batch, range, retained);
-      bool listed = false;
-      room = Assembler<effects>::for_each_facing(batch, range.triangles, all_narrow,
-                                                 [&](std::uint32_t triangle, const Rect& pixels) {
-                                                   listed = true;
-                                                   return list(frame, pixels, batches, triangle);
-                                                 });
-      if (!listed) return;
-      shade<effects>(frame, batch, range, retained);
-      frame.batches_[batches++] = {static_cast<std::uint16_t>(instance), static_cast<std::uint16_t>(meshlet), retained};
-      retained += range.vertex_count;
-    });
+    for_each_meshlet<effects>(
+        frame, [&]([[maybe_unused]] std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+          if (!room) return;
+          if constexpr (effects.has(method::culling)) {
+            if (Methods::is_left_out<effects>(frame, number, instance, meshlet)) return;
+          }
+          const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
+          const detail::Batch batch = batch_of(frame, instance, range.first_vertex, retained);
+          const bool all_narrow = transform<effects>(frame, batch, range, retained);
+          bool listed = false;
+          room = detail::Facing<effects>::for_each(batch, range.triangles, all_narrow,
+                                                   [&](std::uint32_t triangle, const auto& covered) {
+                                                     listed = true;
+                                                     return list(frame, covered, batches, triangle);
+                                                   });
+          if (!listed) return;
+          shade<effects>(frame, batch, range, retained);
+          frame.batches_[batches++] = {static_cast<std::uint16_t>(instance), static_cast<std::uint16_t>(meshlet),
+                                       retained & 0x7FFFFFFFU, all_narrow};
+          retained += range.vertex_count;
+        });
     return room;
   }
 
@@ -157,12 +159,16 @@ struct Frame::Access::Geometry {
   static bool list(Frame& frame, const detail::Extent& extent, std::uint16_t batch, std::uint16_t triangle) {
     return list_in(frame, frame.grid_.strips_of_extent(extent), batch, triangle);
   }
-  /// Into the lists of all strips that hold pixels of the box.
-  static bool list(Frame& frame, const Rect& pixels, std::uint16_t batch, std::uint32_t triangle) {
+  /// Into the lists of all strips that hold pixels which a front face can cover.
+  template <class Pixels>
+  static bool list(Frame& frame, const Pixels& covered, std::uint16_t batch, std::uint32_t triangle) {
     const auto index = static_cast<std::uint16_t>(triangle);
-    if (frame.grid_.across() != 1) return list_in(frame, frame.grid_.strips_of(pixels), batch, index);
-    const detail::StripGrid::Range rows = frame.grid_.rows_of(pixels.top, pixels.bottom);
-    return list_in(frame, {0, rows.first, 1, rows.end}, batch, index);
+    if (frame.grid_.across() != 1) return list_in(frame, frame.grid_.strips_of(covered.box()), batch, index);
+    const detail::StripGrid::Range rows = frame.grid_.rows_of(covered.top(), covered.bottom());
+    for (std::int32_t row = rows.first; row < rows.end; ++row) {
+      if (!frame.bins_.add(static_cast<std::uint32_t>(row), batch, index)) return false;
+    }
+    return true;
   }
   /// `strips`: columns and rows of strips.
   static bool list_in(Frame& frame, const Rect& strips, std::uint16_t batch, std::uint16_t triangle) {

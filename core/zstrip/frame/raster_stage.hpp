@@ -64,7 +64,7 @@ struct Frame::Access::Raster {
       const detail::Batch batch =
           Geometry::batch_of(frame, retained.instance, range.first_vertex, retained.first_vertex);
       Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
-        Assembler<effects>::draw_listed(complete, batch, range.triangles, {triangles, count});
+        Assembler<effects>::draw_listed(complete, batch, range.triangles, {triangles, count}, retained.all_narrow);
       });
     });
   }

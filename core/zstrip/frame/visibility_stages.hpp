@@ -135,9 +135,9 @@ void Frame::Access::Methods::collect_triangles(FrameWithMethod& frame) {
       if (is_last && instance != blended_instance) --blended_key, blended_instance = instance;
     }
     bool listed = false;
-    Assembler<effects>::for_each_facing(
-        batch, range.triangles, all_narrow, [&](std::uint32_t index, const Rect& pixels) {
-          const detail::Extent extent = frame.grid_.extent_of(pixels);
+    detail::Facing<effects>::for_each(
+        batch, range.triangles, all_narrow, [&](std::uint32_t index, const auto& covered) {
+          const detail::Extent extent = frame.grid_.extent_of(covered.box());
           if (extent.empty()) return true;
           [[maybe_unused]] const Triangle& triangle = range.triangles[index];
           listed = true;
@@ -157,7 +157,8 @@ void Frame::Access::Methods::collect_triangles(FrameWithMethod& frame) {
         });
     if (!listed || !binned) return;
     Geometry::shade<effects>(frame, batch, range, cache);
-    frame.batches_[batches++] = {static_cast<std::uint16_t>(instance), static_cast<std::uint16_t>(meshlet), retained};
+    frame.batches_[batches++] = {static_cast<std::uint16_t>(instance), static_cast<std::uint16_t>(meshlet),
+                                 retained & 0x7FFFFFFFU, all_narrow};
     retained += range.vertex_count;
   });
   frame.sorted_count_ = count;
@@ -231,7 +232,7 @@ void Frame::Access::Methods::draw_sorted(FrameWithMethod& frame, const detail::S
       Geometry::shade<effects>(frame, batch, vertex, cache);
     }
     Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
-      Assembler<effects>::draw_listed(complete, batch, range.triangles, {&sorted.triangle, 1});
+      Assembler<effects>::draw_listed(complete, batch, range.triangles, {&sorted.triangle, 1}, false);
     });
   }
 }
@@ -254,9 +255,9 @@ void Frame::Access::Methods::count_culled(FrameWithMethod& frame) {
     const detail::Batch batch = Geometry::batch_of(frame, instance, range.first_vertex, 0);
     const bool all_narrow = Geometry::transform<effects>(frame, batch, range, 0);
     std::uint32_t facing = 0;
-    Assembler<effects>::for_each_facing(batch, range.triangles, all_narrow, [&](std::uint32_t, const Rect& box) {
+    detail::Facing<effects>::for_each(batch, range.triangles, all_narrow, [&](std::uint32_t, const auto& covered) {
       ++facing;
-      if (box.empty() && frame.options_.cull_small) ++counts.small;
+      if (covered.box().empty() && frame.options_.cull_small) ++counts.small;
       return true;
     });
     if (frame.options_.cull_back_faces) counts.back_faces += triangles - facing;

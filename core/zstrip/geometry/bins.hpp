@@ -9,9 +9,10 @@ namespace zstrip::detail {
 
 /// A meshlet whose vertices stay transformed for the whole frame.
 struct RetainedBatch {
-  std::uint16_t instance;      ///< index into Scene::instances
-  std::uint16_t meshlet;       ///< index into Mesh::meshlets
-  std::uint32_t first_vertex;  ///< index of the transformed vertices
+  std::uint16_t instance;           ///< index into Scene::instances
+  std::uint16_t meshlet;            ///< index into Mesh::meshlets
+  std::uint32_t first_vertex : 31;  ///< index of the transformed vertices
+  std::uint32_t all_narrow : 1;     ///< none of them needs the clipping path
 };
 static_assert(sizeof(RetainedBatch) == kBatchBytes);
 

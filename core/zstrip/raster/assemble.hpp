@@ -317,33 +317,6 @@ struct Assembler {
     }
   }
 
-  /// Calls visit(index, box) for each triangle that faces the viewer, until it returns false, which is then the result;
-  /// `box` holds the raster pixels that the triangle can cover and may be empty.
-  template <class Visit>
-  static bool for_each_facing(const Batch& batch, std::span<const Triangle> triangles, bool all_narrow,
-                              const Visit& visit) {
-    const SnappedVertex* const vertices = batch.vertices;
-    const std::uint32_t first = batch.first_vertex;
-    const bool double_sided = batch.instance->double_sided;
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-      const Triangle& triangle = triangles[i];
-      const SnappedVertex& a = vertices[triangle.a - first];
-      const SnappedVertex& b = vertices[triangle.b - first];
-      const SnappedVertex& c = vertices[triangle.c - first];
-      if (!all_narrow && !is_narrow(a, b, c)) {
-        RasterPolygon polygon;
-        if (clip<Shade::flat>(batch, triangle, polygon) && !visit(i, polygon.box())) return false;
-        continue;
-      }
-      const std::int32_t area = narrow_area(a, b, c);
-      if (area <= 0 && (area == 0 || !double_sided)) continue;
-      const Rect box{std::min(std::min(a.x, b.x), c.x) >> 4, std::min(std::min(a.y, b.y), c.y) >> 4,
-                     std::max(std::max(a.x, b.x), c.x) >> 4, std::max(std::max(a.y, b.y), c.y) >> 4};
-      if (!visit(i, box)) return false;
-    }
-    return true;
-  }
-
   /// Whether most triangles never come to draw_narrow.
   template <Shade shade>
   static constexpr bool kSmallRuns =
@@ -441,13 +414,27 @@ struct Assembler {
     with_shade(batch.instance->shade, [&]<Shade shade>() { draw_shaded<shade>(target, batch, triangles, all_narrow); });
   }
 
-  /// Only the triangles with the given indices.
+  /// Only the triangles with the given indices, at most as many as a chunk of a bin has.
   static void draw_listed(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
-                          std::span<const std::uint16_t> listed) {
+                          std::span<const std::uint16_t> listed, bool all_narrow) {
     with_shade(batch.instance->shade, [&]<Shade shade>() {
+      if constexpr (kSmallRuns<shade>) {
+        if (all_narrow && !batch.instance->double_sided)
+          return draw_listed_small<shade>(target, batch, triangles, listed);
+      }
       draw_run<shade, false>(target, batch, listed.size(),
                              [&](std::size_t i) -> const Triangle& { return triangles[listed[i]]; });
     });
+  }
+
+  /// The assembly takes triangles that lie in a row.
+  template <Shade shade>
+  static void draw_listed_small(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
+                                std::span<const std::uint16_t> listed) {
+    Triangle row[kBinChunkEntries];
+    for (std::size_t i = 0; i < listed.size(); ++i) row[i] = triangles[listed[i]];
+    draw_small_runs<shade, true>(target, batch, static_cast<std::uint32_t>(listed.size()),
+                                 [&row](std::size_t i) -> const Triangle& { return row[i]; });
   }
 };
 

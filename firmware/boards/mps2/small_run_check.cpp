@@ -88,7 +88,12 @@ void draw(const Meshlet& meshlet, const CompiledInstance& instance, Picture& pic
                     .origin = {},
                     .surface = {}};
   Assembler<effects>::draw(target, batch, std::span(meshlet.triangles).first(kTriangles / 2), true);
-  Assembler<effects>::draw_listed(target, batch, meshlet.triangles, meshlet.listed);
+  for (std::size_t first = 0; first < kTriangles; first += kBinChunkEntries) {
+    const std::size_t count = std::min<std::size_t>(kBinChunkEntries, kTriangles - first);
+    const bool all_narrow = first % 2 == 0;  // of every second chunk
+    Assembler<effects>::draw_listed(target, batch, meshlet.triangles, std::span(meshlet.listed).subspan(first, count),
+                                    all_narrow);
+  }
 }
 
 }  // namespace

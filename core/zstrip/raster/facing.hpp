@@ -1,0 +1,81 @@
+// The triangles of a meshlet that face the viewer, for what comes before drawing: extents, bins, sorting.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "zstrip/raster/assemble.hpp"
+
+namespace zstrip::detail {
+
+/// Raster pixels that a triangle of narrow vertices can cover. Worked out when asked for: bins of whole rows never ask
+/// for columns.
+struct NarrowPixels {
+  const SnappedVertex &a, &b, &c;
+
+  std::int32_t top() const { return least(a.y, b.y, c.y) >> 4; }
+  std::int32_t bottom() const { return greatest(a.y, b.y, c.y) >> 4; }
+  /// May be empty.
+  Rect box() const { return {least(a.x, b.x, c.x) >> 4, top(), greatest(a.x, b.x, c.x) >> 4, bottom()}; }
+
+ private:
+  // Of whole words, or every comparison extends halfwords.
+  static std::int32_t least(std::int32_t i, std::int32_t j, std::int32_t k) { return std::min(std::min(i, j), k); }
+  static std::int32_t greatest(std::int32_t i, std::int32_t j, std::int32_t k) { return std::max(std::max(i, j), k); }
+};
+
+/// The same of a triangle that was clipped.
+struct ClippedPixels {
+  Rect pixels;
+
+  std::int32_t top() const { return pixels.top; }
+  std::int32_t bottom() const { return pixels.bottom; }
+  Rect box() const { return pixels; }
+};
+
+template <Effects effects>
+struct Facing {
+  /// Calls visit(index, pixels) for each triangle that faces the viewer, until it returns false, which is then the
+  /// result; `pixels` is a NarrowPixels or a ClippedPixels. `all_narrow`: no vertex of the batch needs the clipping
+  /// path.
+  template <class Visit>
+  static bool for_each(const Batch& batch, std::span<const Triangle> triangles, bool all_narrow, const Visit& visit) {
+    return all_narrow ? for_each<true>(batch, triangles, visit) : for_each<false>(batch, triangles, visit);
+  }
+
+ private:
+  template <bool all_narrow, class Visit>
+  static bool for_each(const Batch& batch, std::span<const Triangle> triangles, const Visit& visit) {
+    // Where the mesh's vertex 0 would be: the cache has a run of them.
+    const std::uintptr_t vertices =
+        reinterpret_cast<std::uintptr_t>(batch.vertices) - batch.first_vertex * sizeof(SnappedVertex);
+    const auto vertex = [vertices](std::uint32_t index) -> const SnappedVertex& {
+      return *reinterpret_cast<const SnappedVertex*>(vertices + index * sizeof(SnappedVertex));
+    };
+    const bool double_sided = batch.instance->double_sided;
+    std::uint32_t i = 0;
+    for (const Triangle& triangle : triangles) {
+      const std::uint32_t index = i++;
+      const SnappedVertex& a = vertex(triangle.a);
+      const SnappedVertex& b = vertex(triangle.b);
+      const SnappedVertex& c = vertex(triangle.c);
+      if constexpr (!all_narrow) {
+        if (!Assembler<effects>::is_narrow(a, b, c)) {
+          RasterPolygon polygon;
+          if (Assembler<effects>::template clip<Shade::flat>(batch, triangle, polygon) &&
+              !visit(index, ClippedPixels{polygon.box()})) {
+            return false;
+          }
+          continue;
+        }
+      }
+      const std::int32_t area = Assembler<effects>::narrow_area(a, b, c);
+      if (area <= 0 && (area == 0 || !double_sided)) continue;
+      if (!visit(index, NarrowPixels{a, b, c})) return false;
+    }
+    return true;
+  }
+};
+
+}  // namespace zstrip::detail
