@@ -5,6 +5,7 @@
 #include "zstrip/base/status.hpp"
 #include "zstrip/frame/renderer.hpp"
 #include "zstrip/plan/plan.hpp"
+#include "zstrip/plan/plan_depth.hpp"
 #include "zstrip/scene/animation.hpp"
 #include "zstrip/scene/camera.hpp"
 #include "zstrip/scene/effects.hpp"

@@ -23,12 +23,13 @@
 namespace zstrip::sim {
 namespace {
 
+constexpr const char* kChosen = "auto";
 constexpr std::uint32_t kFramesOfTurn = 8;  // enough to see the sides of a thing that turns
 
 struct Arguments {
   std::string scene;
   PlanArguments plan;
-  std::optional<std::string> depth_format;
+  std::optional<std::string> depth_format;  // kChosen: by the planner
   std::optional<double> separation;
   bool static_layer = false;
   bool json = false;
@@ -37,7 +38,7 @@ struct Arguments {
 Result<PlanRequest> parse(const Arguments& arguments) {
   Result<PlanRequest> request = parse_plan(arguments.plan, arguments.scene);
   if (!request) return request.failure();
-  if (arguments.depth_format) {
+  if (arguments.depth_format && *arguments.depth_format != kChosen) {
     const Result<DepthFormat> depth_format = parse_depth_format(*arguments.depth_format);
     if (!depth_format) return depth_format.failure();
     request->depth_format = *depth_format;
@@ -76,12 +77,15 @@ Result<Done> run(const Arguments& arguments) {
   if (!staging) return staging.failure();
   const Result<PreparedScene> prepared = PreparedScene::of(*staging, request->method);
   if (!prepared) return prepared.failure();
+  std::optional<DepthAdvice> advice;
+  if (kept->nearest > 0 && !request->method.has(method::painter)) {
+    advice = advise_depth(*kept, staging->camera, request->view, arguments.separation);
+    if (arguments.depth_format == kChosen) request->depth = advice->need(*kept);
+  }
   Result<PlanChoice> choice = choose_plan(prepared->staging(), *request);
   if (!choice) return choice.failure();
   choice->kept = *kept;
-  if (kept->nearest > 0 && !request->method.has(method::painter)) {
-    choice->depth = advise_depth(*kept, staging->camera, request->view, arguments.separation);
-  }
+  choice->depth = advice;
   write_text(stdout, arguments.json ? plan_json(arguments.scene, *request, *choice)
                                     : plan_table(arguments.scene, *request, *choice));  // main looks at the stream
   return Done{};
@@ -98,7 +102,9 @@ void add_plan_command(CLI::App& app, int& exit_code) {
       ->required()
       ->type_name("SCENE");
   add_plan_options(*command, a.plan);
-  command->add_option("--depth-format", a.depth_format, "How depth is kept: z16 (default), float, w16, z24 or z32")
+  command
+      ->add_option("--depth-format", a.depth_format,
+                   "How depth is kept: z16 (default), float, w16, z24, z32, or auto: what sorts and fits")
       ->type_name("FORMAT");
   command
       ->add_option("--separation", a.separation,
@@ -111,6 +117,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
       "  zstrip plan teapot --size 240x240\n"
       "  zstrip plan model.glb --size 320x240 --ram 16K --split-columns\n"
       "  zstrip plan knot_meshlets --ram 48K --strip-buffers 2 --json\n"
+      "  zstrip plan room --ram 8K --depth-format auto --separation 0.0001\n"
       "  zstrip plan random50 --visibility painter --size 128x64\n"
       "  zstrip plan room --size 128x64 --ram 32K --static-layer --separation 0.01");
   command->callback([arguments, &exit_code] {

@@ -33,9 +33,12 @@ class Planning {
         request_(request),
         counts_(count(staging.scene)),
         effects_(effects_of(staging.scene, staging.camera) | depth_effect(request.depth_format) | request.method |
-                 (request.may_bin ? effect::bins : Effects{})) {}
+                 (request.may_bin ? effect::bins : Effects{})) {
+    if (request.depth) effects_ = zstrip::plan(counts_, request.view, effects_, *request.depth, request.budget).effects;
+  }
 
   const SceneCounts& counts() const { return counts_; }
+  DepthFormat depth_format() const { return zstrip::depth_format(effects_); }
 
   /// With `budget`, and the request's view and effects.
   PlanResult plan(const Budget& budget) const { return zstrip::plan(counts_, request_.view, effects_, budget); }
@@ -47,7 +50,7 @@ class Planning {
   }
 
   Result<Alternative> draw(const Plan& plan) {
-    FrameRenderer renderer(request_.view, {}, request_.depth_format);
+    FrameRenderer renderer(request_.view, {}, depth_format());
     renderer.set_visibility(request_.method, {});
     const Result<FrameReport> report = renderer.render(staging_, plan);
     if (!report) return report.failure();
@@ -129,7 +132,12 @@ Result<PlanChoice> choose_plan(const Staging& staging, const PlanRequest& reques
   Planning planning(staging, request);
   const Result<Plan> best = best_plan(planning, request);
   if (!best) return best.failure();
-  PlanChoice choice{.counts = planning.counts(), .chosen = {}, .curve = {}, .kept = {}, .depth = {}};
+  PlanChoice choice{.counts = planning.counts(),
+                    .chosen = {},
+                    .depth_format = planning.depth_format(),
+                    .curve = {},
+                    .kept = {},
+                    .depth = {}};
   Result<Alternative> chosen = planning.draw(*best);
   if (!chosen) return chosen.failure();
   choice.chosen = *chosen;

@@ -11,6 +11,7 @@
 #include "result.hpp"
 #include "zstrip/base/statistics.hpp"
 #include "zstrip/plan/plan.hpp"
+#include "zstrip/plan/plan_depth.hpp"
 
 namespace zstrip::sim {
 
@@ -28,12 +29,14 @@ struct PlanRequest {
   Budget budget;        ///< bytes, rows, columns, buffers and layer as asked for
   bool may_bin = true;  ///< else only streamed plans
   DepthFormat depth_format = DepthFormat::z16;
+  std::optional<DepthNeed> depth{};  ///< then the planner chooses the format
   Effects method{};  ///< how visibility is found; nothing: the z-buffer. The scene is prepared for it (PreparedScene).
 };
 
 struct PlanChoice {
   SceneCounts counts;
   Alternative chosen;
+  DepthFormat depth_format = DepthFormat::z16;  ///< of all its plans
   std::vector<Alternative> curve;    ///< from the smallest plan to a single strip, each faster than the one before
   KeptFrames kept;                   ///< the scene as a static layer
   std::optional<DepthAdvice> depth;  ///< none if nothing is visible

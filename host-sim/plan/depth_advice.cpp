@@ -31,10 +31,14 @@ DepthAdvice advise_depth(const KeptFrames& kept, const Camera& camera, const Vie
     };
     advice.formats.push_back({format, at(kept.nearest), at(kept.farthest)});
   }
-  const double largest = std::ldexp(1.0, 63) / kUnit;
-  advice.advised =
-      cheapest_depth_format(range, kept.farthest, static_cast<std::uint64_t>(std::min(advice.needed, largest) * kUnit));
+  const DepthNeed need = advice.need(kept);
+  advice.advised = cheapest_depth_format(need.range, need.farthest, need.separation);
   return advice;
+}
+
+DepthNeed DepthAdvice::need(const KeptFrames& kept) const {
+  const double largest = std::ldexp(1.0, 63) / kUnit;
+  return {kept.codes, kept.farthest, static_cast<std::uint64_t>(std::min(needed, largest) * kUnit)};
 }
 
 const char* name(DepthFormat format) {

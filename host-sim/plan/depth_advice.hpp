@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plan/kept_frames.hpp"
+#include "zstrip/plan/plan_depth.hpp"
 #include "zstrip/scene/view.hpp"
 
 namespace zstrip::sim {
@@ -20,6 +21,9 @@ struct DepthAdvice {
   double needed = 0;                 ///< smallest separation that is to sort at the farthest
   std::vector<FormatSeparation> formats;
   DepthFormat advised = DepthFormat::z16;
+
+  /// What the planner asks; `kept`: what the advice is for.
+  DepthNeed need(const KeptFrames& kept) const;
 };
 
 /// Without a `separation` of the scene's things (view units): what lies one pixel behind something else, which is as

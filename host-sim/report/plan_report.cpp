@@ -131,6 +131,7 @@ std::string plan_table(const std::string& scene, const PlanRequest& request, con
                   counted(choice.counts.meshlets, "meshlet"), counted(choice.counts.instances, "instance"));
   text += fmt::format("plan: {}{}\n\n", shape(chosen.plan, request.view),
                       chosen.overflowed ? "; its bins overflow, so that frames like this one are streamed" : "");
+  if (request.depth) text += fmt::format("depth: {}, chosen\n\n", name(choice.depth_format));
   if (request.method != Effects{}) text += fmt::format("{}\n\n", visibility_words(chosen.plan, request.method));
   for (const Part& part : parts(chosen.plan)) {
     if (part.bytes != 0) text += fmt::format("{:>10}  {:<12} {}\n", grouped(part.bytes), part.name, part.what);
@@ -179,6 +180,7 @@ std::string plan_json(const std::string& scene, const PlanRequest& request, cons
                        {"height", request.view.height},
                        {"format", name(request.view.format)},
                        {"visibility", visibility_name(request.method)},
+                       {"depth_format", name(choice.depth_format)},
                        {"strip_buffers", request.budget.strip_buffers},
                        {"counts",
                         {{"instances", choice.counts.instances},

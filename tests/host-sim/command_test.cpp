@@ -198,6 +198,23 @@ TEST_F(Command, PlanAdvisesADepthFormat) {
   EXPECT_EQ(zstrip({"plan", "room", "--separation", "nan"}).status, 2);
 }
 
+TEST_F(Command, PlanChoosesTheDepthFormat) {
+  const auto chosen = [this](std::vector<std::string> words) {
+    words.insert(words.begin(), {"plan", "room", "--size", "128x64", "--depth-format", "auto", "--json"});
+    const Outcome outcome = zstrip(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const nlohmann::json report = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(report.at("depth").at("advised_format"), report.at("depth_format"));
+    return report;
+  };
+  const nlohmann::json narrow = chosen({}), wide = chosen({"--separation", "0.0001"});
+  EXPECT_EQ(narrow.at("depth_format"), "z16");
+  EXPECT_EQ(wide.at("depth_format"), "z24");
+  EXPECT_EQ(wide.at("plan").at("bytes").at("depth"), 2 * narrow.at("plan").at("bytes").at("depth").get<int>());
+  EXPECT_NE(zstrip({"plan", "room", "--depth-format", "auto"}).out.find("depth: z16, chosen"), std::string::npos);
+  EXPECT_EQ(zstrip({"plan", "room", "--depth-format", "least"}).status, 2);
+}
+
 TEST_F(Command, PlanNamesTheCheapestChangeThatWouldFit) {
   const Outcome rows = zstrip({"plan", "knot_meshlets", "--ram", "16K", "--strip-rows", "120"});
   EXPECT_EQ(rows.status, 5);
