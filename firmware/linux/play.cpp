@@ -42,11 +42,11 @@ std::span<std::byte> resized(std::vector<std::uint64_t>& words, std::uint32_t by
 
 std::optional<Failure> play(SceneFile& scene, AnyDisplay& display, const PlayOptions& options, StopSignals& stop,
                             Played& played) {
-  const View view{display.width(), display.height(), view_format(display.format())};
+  const View view{display.width(), display.height(), view_format(display.format()), scene.dithers()};
   const Camera camera = scene.camera(view);
   if (options.frames_per_turn > 1 && !scene.can_turn())
     return Failure{ExitStatus::input, "an instance of the baked scene is too far away to turn; play it with --turn 1"};
-  const Effects effects = effects_of(scene.scene(), camera) | effect::bins;
+  const Effects effects = effects_of(scene.scene(), camera) | effects_of(view) | effect::bins;
   // Controllers with several pixels a byte want areas of whole bytes, some of them in y: they get the picture in one.
   const bool whole = view.format == PixelFormat::gray4 || view.format == PixelFormat::mono;
   const Budget budget{.strip_rows = whole ? view.height : std::uint16_t{0}};

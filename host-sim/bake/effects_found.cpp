@@ -24,10 +24,13 @@ constexpr KnownEffect kKnown[] = {
     {effect::texture_alpha, "texture_alpha", "a texture with alpha, masked or blended"},
     {effect::bilinear, "bilinear", "the texture filter bilinear"},
     {effect::quadrics, "quadrics", "spheres and ellipsoids"},
+    {effect::dithered_colours, "dithered_colours", "the picture is dithered to RGB565 (--dither)"},
+    {effect::dithered_format, "dithered_format", "the picture is dithered to its format (--dither)"},
     {effect::bins, "bins", "the plan transforms geometry only once (--mode)"},
 };
 
-/// An effect that a scene can call for and that is not known here would be missing in headers and reports.
+/// An effect that a scene or its picture can call for and that is not known here would be missing in headers and
+/// reports.
 constexpr bool all_known() {
   Effects known{};
   for (const KnownEffect& each : kKnown) known = known | each.effect;
@@ -48,6 +51,10 @@ std::vector<FoundEffect> find_effects(const Scene& scene, const Camera& camera, 
   std::vector<FoundEffect> found;
   for (const KnownEffect& known : kKnown) {
     if (!effects.has(known.effect)) continue;
+    if (known.effect == effect::dithered_colours || known.effect == effect::dithered_format) {
+      found.push_back({known, {}, {}});
+      continue;
+    }
     if (known.effect == effect::fog || known.effect == effect::orthographic) {
       found.push_back({known, {}, known.effect == effect::fog ? origins.fog : origins.camera});
       continue;

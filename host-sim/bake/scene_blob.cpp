@@ -134,7 +134,8 @@ class Writer {
     half_word(std::uint32_t{view.width});
     half_word(std::uint32_t{view.height});
     byte(static_cast<std::uint8_t>(view.format));
-    zeros(3);
+    byte(view.dither ? 1 : 0);
+    zeros(2);
   }
 
   /// Writes the array here, and its offset and count at `entry`.

@@ -98,7 +98,7 @@ Result<BakedScene> bake(const std::string& scene, const Staging& staging, const 
                    .camera = staging.camera,
                    .animation = animation,
                    .view = request.view,
-                   .effects = effects_of(staging.scene, staging.camera) | request.method,
+                   .effects = effects_of(staging.scene, staging.camera) | effects_of(request.view) | request.method,
                    .budget = request.budget,
                    .plan = *plan,
                    .tree = staging.tree};

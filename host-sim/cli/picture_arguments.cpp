@@ -1,6 +1,7 @@
 // Options that a scene file may set as well.
 #include "cli/picture_arguments.hpp"
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <tuple>
 
@@ -28,17 +29,29 @@ Result<PictureSettings> settings_of(const std::string& scene) {
   return settings;
 }
 
-Result<View> parse_view(const std::optional<std::string>& size, const std::optional<std::string>& format,
-                        const PictureSettings& settings) {
-  View view{.width = 320, .height = 240, .format = settings.format.value_or(PixelFormat::rgb565)};
+void add_dither_option(CLI::App& command, ViewArguments& arguments) {
+  command.add_flag_function(
+      "--dither,!--no-dither", [&arguments](std::int64_t count) { arguments.dither = count > 0; },
+      "Hide the steps between colours in a pattern, where they get fewer bits (default: no)");
+}
+
+bool dithers(const ViewArguments& arguments, const PictureSettings& settings) {
+  return arguments.dither.value_or(settings.dither.value_or(false));
+}
+
+Result<View> parse_view(const ViewArguments& arguments, const PictureSettings& settings) {
+  View view{.width = 320,
+            .height = 240,
+            .format = settings.format.value_or(PixelFormat::rgb565),
+            .dither = dithers(arguments, settings)};
   if (settings.size) std::tie(view.width, view.height) = *settings.size;
-  if (size) {
-    const auto parsed = parse_size(*size);
+  if (arguments.size) {
+    const auto parsed = parse_size(*arguments.size);
     if (!parsed) return parsed.failure();
     std::tie(view.width, view.height) = *parsed;
   }
-  if (format) {
-    const Result<PixelFormat> parsed = parse_format(*format);
+  if (arguments.format) {
+    const Result<PixelFormat> parsed = parse_format(*arguments.format);
     if (!parsed) return parsed.failure();
     view.format = *parsed;
   }

@@ -10,14 +10,28 @@
 #include "zstrip/plan/plan_types.hpp"
 #include "zstrip/scene/view.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace zstrip::sim {
 
 /// [picture] of a scene file; nothing for other scenes.
 Result<PictureSettings> settings_of(const std::string& scene);
 
-/// 320x240 in RGB565 if neither says.
-Result<View> parse_view(const std::optional<std::string>& size, const std::optional<std::string>& format,
-                        const PictureSettings& settings);
+/// As given on the command line; `dither` is the view's where a panel gives the rest.
+struct ViewArguments {
+  std::optional<std::string> size{};
+  std::optional<std::string> format{};
+  std::optional<bool> dither{};
+};
+/// `arguments` must live as long as the command.
+void add_dither_option(CLI::App& command, ViewArguments& arguments);
+
+/// 320x240 in RGB565, not dithered, if neither says.
+Result<View> parse_view(const ViewArguments& arguments, const PictureSettings& settings);
+/// Whether the picture is dithered.
+bool dithers(const ViewArguments& arguments, const PictureSettings& settings);
 
 Result<DepthFormat> parse_depth_format(const std::optional<std::string>& given, const PictureSettings& settings);
 

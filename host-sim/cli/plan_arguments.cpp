@@ -11,11 +11,13 @@ namespace zstrip::sim {
 
 void add_plan_options(CLI::App& command, PlanArguments& arguments) {
   PlanArguments& a = arguments;
-  command.add_option("--size", a.size, "Size of the picture, each side 1 to 4096 (default: 320x240)")->type_name("WxH");
+  command.add_option("--size", a.view.size, "Size of the picture, each side 1 to 4096 (default: 320x240)")
+      ->type_name("WxH");
   command
-      .add_option("--format", a.format,
+      .add_option("--format", a.view.format,
                   "Pixels: rgb565 (default), rgb565_swapped, gray4, mono, rgb666, rgb444, xrgb8888")
       ->type_name("FORMAT");
+  add_dither_option(command, a.view);
   command
       .add_option("--ram", a.memory.ram,
                   "Bytes at most, of arena and strip buffers, K and M allowed (default: no limit)")
@@ -43,7 +45,7 @@ Result<PlanRequest> parse_plan(const PlanArguments& arguments, const std::string
   PlanRequest request;
   const Result<PictureSettings> settings = settings_of(scene);
   if (!settings) return settings.failure();
-  const Result<View> view = parse_view(arguments.size, arguments.format, *settings);
+  const Result<View> view = parse_view(arguments.view, *settings);
   if (!view) return view.failure();
   request.view = *view;
   const Result<Done> memory = parse_memory(arguments.memory, *settings, request.view, request.budget);

@@ -17,8 +17,7 @@ namespace zstrip::sim {
 
 /// As given on the command line.
 struct PlanArguments {
-  std::optional<std::string> size{};
-  std::optional<std::string> format{};
+  ViewArguments view{};
   MemoryArguments memory{};
   bool split_columns = false;
   std::uint32_t strip_buffers = 1;

@@ -42,13 +42,12 @@ constexpr unsigned kMaxThreads = 256;
 struct Arguments {
   std::string scene;
   std::optional<std::string> output;
-  std::optional<std::string> size;
+  ViewArguments view;
   std::optional<std::uint32_t> frames;
   std::optional<std::uint32_t> threads;
   std::optional<std::string> ram;
   std::optional<std::string> strip_rows;
   std::optional<std::string> strip_columns;
-  std::optional<std::string> format;
   std::optional<std::string> depth_format;
   PanelArguments panel;
   std::optional<std::string> image;
@@ -98,13 +97,13 @@ Result<Job> parse(const Arguments& arguments) {
   Job job;
   const Result<PictureSettings> settings = settings_of(arguments.scene);
   if (!settings) return settings.failure();
-  const auto panel = parse_panel(arguments.panel, arguments.size, arguments.format);
+  const auto panel = parse_panel(arguments.panel, arguments.view.size, arguments.view.format);
   if (!panel) return panel.failure();
   job.panel = *panel;
-  const Result<View> view =
-      job.panel ? panel_view(*job.panel) : parse_view(arguments.size, arguments.format, *settings);
+  const Result<View> view = job.panel ? panel_view(*job.panel) : parse_view(arguments.view, *settings);
   if (!view) return view.failure();
   job.view = *view;
+  job.view.dither = dithers(arguments.view, *settings);
   const Result<DepthFormat> depth_format = parse_depth_format(arguments.depth_format, *settings);
   if (!depth_format) return depth_format.failure();
   job.depth_format = *depth_format;
@@ -345,7 +344,8 @@ void add_render_command(CLI::App& app, int& exit_code) {
       ->type_name("SCENE");
   command->add_option("-o,--output", a.output, "A folder for the frames, or one file (default: SCENE.png here)")
       ->type_name("DIR|FILE");
-  command->add_option("--size", a.size, "Size of the picture, each side 1 to 4096 (default: 320x240, or the panel's)")
+  command
+      ->add_option("--size", a.view.size, "Size of the picture, each side 1 to 4096 (default: 320x240, or the panel's)")
       ->type_name("WxH");
   command
       ->add_option("--frames", a.frames,
@@ -362,9 +362,10 @@ void add_render_command(CLI::App& app, int& exit_code) {
                    "Pixels of a strip's row, a multiple of 8 (default: auto, the picture's width)")
       ->type_name("N|auto");
   command
-      ->add_option("--format", a.format,
+      ->add_option("--format", a.view.format,
                    "Pixels: rgb565 (default), rgb565_swapped, gray4, mono, rgb666, rgb444, xrgb8888")
       ->type_name("FORMAT");
+  add_dither_option(*command, a.view);
   command
       ->add_option("--depth-format", a.depth_format,
                    "Depth in the z-buffer: z16 (default), float, w16, z24 or z32; the last three for comparison")
@@ -384,7 +385,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
       "  zstrip render random50 --visibility painter --show error\n"
       "  zstrip render duck.glb -o oled --size 128x64 --format gray4 --image raw\n"
       "  zstrip render teapot -o panel.png --panel st7789 --bus spi@40MHz --rotation 90\n"
-      "  zstrip render teapot -o oled.png --panel ssd1306 --bus i2c@400kHz");
+      "  zstrip render teapot -o oled.png --panel ssd1306 --bus i2c@400kHz --dither");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

@@ -31,6 +31,7 @@ struct VisibilitySettings {
 struct PictureSettings {
   std::optional<std::pair<std::uint16_t, std::uint16_t>> size;
   std::optional<PixelFormat> format;
+  std::optional<bool> dither;
   std::optional<DepthFormat> depth_format;
   VisibilitySettings visibility;
   std::optional<std::uint16_t> strip_rows;

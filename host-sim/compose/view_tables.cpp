@@ -66,6 +66,7 @@ PictureSettings read_picture(TomlTable& table) {
     }
   }
   picture.format = table.choice("format", kFormats);
+  picture.dither = table.flag("dither");
   picture.depth_format = table.choice("depth_format", kDepthFormats);
   picture.visibility = read_visibility(table);
   const auto pixels = [&table](const char* key) -> std::optional<std::uint16_t> {

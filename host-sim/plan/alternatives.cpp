@@ -32,8 +32,8 @@ class Planning {
       : staging_(staging),
         request_(request),
         counts_(count(staging.scene)),
-        effects_(effects_of(staging.scene, staging.camera) | depth_effect(request.depth_format) | request.method |
-                 (request.may_bin ? effect::bins : Effects{})) {
+        effects_(effects_of(staging.scene, staging.camera) | effects_of(request.view) |
+                 depth_effect(request.depth_format) | request.method | (request.may_bin ? effect::bins : Effects{})) {
     if (request.depth) effects_ = zstrip::plan(counts_, request.view, effects_, *request.depth, request.budget).effects;
   }
 

@@ -21,7 +21,7 @@ Failure refused(const Status& status) {
 class Keeper {
  public:
   Keeper(const View& view, DepthFormat format)
-      : view_{view.width, view.height, PixelFormat::rgb565},
+      : view_{view.width, view.height, PixelFormat::rgb565, view.dither && !is_narrow(view.format)},
         format_(format),
         worst_(layer_bytes_worst(view_)),
         depth_(worst_.depth),
@@ -32,7 +32,7 @@ class Keeper {
 
   /// Widens the distances of things by this frame's.
   Status keep(const Staging& staging, Fixed& nearest, Fixed& farthest) {
-    const Effects effects = effects_of(staging.scene, staging.camera) | depth_effect(format_);
+    const Effects effects = effects_of(staging.scene, staging.camera) | effects_of(view_) | depth_effect(format_);
     const PlanResult planned = zstrip::plan(count(staging.scene), view_, effects, {.strip_rows = view_.height});
     const Status& status = planned.status;
     const Plan& plan = planned.plan;

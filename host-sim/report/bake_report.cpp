@@ -76,7 +76,7 @@ std::string bake_summary(const BakeRecord& record) {
                                  counted(counts.instances, "instance"), counted(record.materials, "material"));
   text += fmt::format("  flash      {}\n", counted(record.flash.total(), "byte")) + flash_lines(record);
   text += effect_lines(record);
-  text += fmt::format("  picture    {}x{}, {}; {}\n", record.view.width, record.view.height, name(record.view.format),
+  text += fmt::format("  picture    {}x{}, {}; {}\n", record.view.width, record.view.height, format_words(record.view),
                       shape(record.plan, record.view));
   text += fmt::format("  RAM        {}{}\n", memory(record.plan, record.plan.strip_pixel_bytes(record.view), method),
                       record.strip_buffers == 2 ? ", twice" : "");
@@ -107,6 +107,7 @@ std::string bake_json(const BakeRecord& record) {
                  {"width", record.view.width},
                  {"height", record.view.height},
                  {"format", name(record.view.format)},
+                 {"dither", record.view.dither},
                  {"warnings", record.warnings},
                  {"counts",
                   {{"instances", counts.instances},

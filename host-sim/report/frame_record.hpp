@@ -42,6 +42,8 @@ struct RunRecord {
 
 /// As the enumerators: "rgb565", "gray4" ...
 const char* name(PixelFormat format);
+/// "mono", or "mono dithered".
+std::string format_words(const View& view);
 /// "streamed", "binned".
 const char* name(Mode mode);
 

@@ -83,17 +83,19 @@ const char* name(PixelFormat format) {
   return "";
 }
 
+std::string format_words(const View& view) {
+  return view.dither ? std::string(name(view.format)) + " dithered" : name(view.format);
+}
+
 const char* name(Mode mode) { return mode == Mode::binned ? "binned" : "streamed"; }
 
 std::string to_json(const RunRecord& run) {
   Json frames = Json::array();
   for (std::size_t i = 0; i < run.frames.size(); ++i)
     frames.push_back(to_object(i, run.frames[i], run.panel.has_value()));
-  Json object = {{"scene", run.scene},
-                 {"width", run.view.width},
-                 {"height", run.view.height},
-                 {"format", name(run.view.format)},
-                 {"warnings", run.warnings}};
+  Json object = {{"scene", run.scene},        {"width", run.view.width},
+                 {"height", run.view.height}, {"format", name(run.view.format)},
+                 {"dither", run.view.dither}, {"warnings", run.warnings}};
   if (run.panel) {
     object["panel"] = {{"name", run.panel->name},
                        {"bus", run.panel->bus},

@@ -127,7 +127,7 @@ std::string plan_table(const std::string& scene, const PlanRequest& request, con
   const Alternative& chosen = choice.chosen;
   std::string text =
       fmt::format("{}, {}x{} {}: {}, {}, {}\n", printable(scene), request.view.width, request.view.height,
-                  name(request.view.format), counted(choice.counts.triangles, "triangle"),
+                  format_words(request.view), counted(choice.counts.triangles, "triangle"),
                   counted(choice.counts.meshlets, "meshlet"), counted(choice.counts.instances, "instance"));
   text += fmt::format("plan: {}{}\n\n", shape(chosen.plan, request.view),
                       chosen.overflowed ? "; its bins overflow, so that frames like this one are streamed" : "");
@@ -179,6 +179,7 @@ std::string plan_json(const std::string& scene, const PlanRequest& request, cons
                        {"width", request.view.width},
                        {"height", request.view.height},
                        {"format", name(request.view.format)},
+                       {"dither", request.view.dither},
                        {"visibility", visibility_name(request.method)},
                        {"depth_format", name(choice.depth_format)},
                        {"strip_buffers", request.budget.strip_buffers},

@@ -60,7 +60,7 @@ std::string summary(const RunRecord& run) {
   const double milliseconds = 1e-6 * static_cast<double>(nanoseconds) / static_cast<double>(run.frames.size());
 
   std::string text = fmt::format("{}: {} of {}x{}, {}\n", run.scene, counted(run.frames.size(), "frame"),
-                                 run.view.width, run.view.height, name(run.view.format));
+                                 run.view.width, run.view.height, format_words(run.view));
   text += fmt::format("  triangles  {}, of which drawn {}\n", grouped(first.statistics.triangles),
                       range(run, [](const FrameReport& report) { return report.statistics.drawn; }));
   text += fmt::format("  fragments  {}, of which seen when drawn {}\n",

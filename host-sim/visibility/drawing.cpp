@@ -15,7 +15,7 @@ namespace zstrip::sim {
 namespace {
 
 Effects effects_for(const Staging& staging, const MethodRequest& request) {
-  return effects_of(staging.scene, staging.camera) | request.effects | effect::bins;
+  return effects_of(staging.scene, staging.camera) | effects_of(request.view) | request.effects | effect::bins;
 }
 
 Result<Plan> planned(const Staging& staging, const MethodRequest& request, Effects effects) {

@@ -106,7 +106,7 @@ SceneBlob sample() {
                            .finishes = kFinishes,
                            .punctual_lights = kPunctualLights},
                  .camera = {},
-                 .view = {320, 200, PixelFormat::gray4}};
+                 .view = {320, 200, PixelFormat::gray4, true}};
   EXPECT_TRUE(look_at(blob.camera, {20000, 30000, 250000}, {0, 0, 0}, {0, kFixedOne, 0}));
   blob.camera.fixed_depth_range = true;
   return blob;
@@ -192,6 +192,7 @@ TEST(SceneBlob, GoldenBytes) {
   EXPECT_EQ(opened.content.scene.materials[0].colour, (Colour{255, 0, 0, 255}));
   EXPECT_EQ(opened.content.camera.focal, Camera{}.focal);
   EXPECT_EQ(opened.content.view.width, 320);
+  EXPECT_FALSE(opened.content.view.dither);
 }
 
 template <class Record>
@@ -290,6 +291,20 @@ TEST(SceneBlob, WhatIsWrittenIsReadInPlace) {
   EXPECT_TRUE(opened.content.camera.fixed_depth_range);
   EXPECT_EQ(opened.content.view.height, 200);
   EXPECT_EQ(opened.content.view.format, PixelFormat::gray4);
+  EXPECT_TRUE(opened.content.view.dither);
+}
+
+TEST(SceneBlob, DitheringIsAFlagThatOlderBlobsDoNotHave) {
+  Bytes bytes = sample_bytes();
+  EXPECT_EQ(bytes[129], 1);
+  const auto with = [&bytes](std::uint8_t value) {
+    bytes[129] = value;
+    mend(bytes);
+    return Opened(bytes);
+  };
+  EXPECT_TRUE(with(0).status);
+  EXPECT_FALSE(with(0).content.view.dither);
+  EXPECT_EQ(with(2).status, (Status{.error = Error::blob_damaged, .needed = 129}));
 }
 
 // Three planes: the root with a triangle in its plane and one on either side of it.

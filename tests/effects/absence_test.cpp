@@ -51,11 +51,14 @@ constexpr Marker kMarkers[] = {
     {effect::lighting, "zstrip::detail::lit_colour("},
     {effect::quadrics, "zstrip::detail::QuadricFill<"},
     {effect::bins, "zstrip::detail::Bins::append("},
+    {effect::dithered_colours, "zstrip::detail::dithered_rgb565("},
+    {effect::dithered_colours | effect::dithered_format, "zstrip::detail::kBayer"},
+    {effect::dithered_format, "zstrip::dither_pixels("},
 };
 
-void expect_only(const std::string& program, const scenes::BuiltIn& built_in) {
+void expect_only(const std::string& program, const scenes::BuiltIn& built_in, const View& view = {}) {
   SCOPED_TRACE(program);
-  const Effects effects = effects_of(built_in.scene, built_in.camera);
+  const Effects effects = effects_of(built_in.scene, built_in.camera) | effects_of(view);
   const std::string linked = symbols(program);
   ASSERT_NE(linked.find("zstrip::Frame::Access::draw_strip"), std::string::npos) << "no symbols";
   for (const Marker& marker : kMarkers) {
@@ -70,6 +73,9 @@ TEST(EffectsAbsence, ProgramsHoldTheCodeOfTheirScenesEffectsAndNoOther) {
   check(scenes::room);
   check(scenes::spheres);
   for (const scenes::BuiltIn& built_in : scenes::effect_scenes()) check(built_in);
+  expect_only(folder + "knot_rgb565_dithered", scenes::knot, {64, 48, PixelFormat::rgb565, true});
+  expect_only(folder + "fog_rgb565_dithered", scenes::fog, {64, 48, PixelFormat::rgb565, true});
+  expect_only(folder + "knot_mono_dithered", scenes::knot, {64, 48, PixelFormat::mono, true});
 }
 
 }  // namespace

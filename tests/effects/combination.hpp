@@ -10,11 +10,12 @@
 namespace effects_test {
 
 /// Everything that a set may have or not.
-inline constexpr Effects kFactors[] = {effect::lighting,     effect::gouraud,         effect::textures,
-                                       effect::orthographic, effect::depth_state,     effect::fog,
-                                       effect::emissive,     effect::specular,        effect::texture_alpha,
-                                       effect::bilinear,     effect::punctual_lights, effect::alpha_test,
-                                       effect::blending,     effect::vertex_colours,  effect::quadrics};
+inline constexpr Effects kFactors[] = {effect::lighting,        effect::gouraud,         effect::textures,
+                                       effect::orthographic,    effect::depth_state,     effect::fog,
+                                       effect::emissive,        effect::specular,        effect::texture_alpha,
+                                       effect::bilinear,        effect::punctual_lights, effect::alpha_test,
+                                       effect::blending,        effect::vertex_colours,  effect::quadrics,
+                                       effect::dithered_colours};
 
 /// With what its effects need to show.
 constexpr Effects completed(Effects set) {
@@ -25,10 +26,10 @@ constexpr Effects completed(Effects set) {
   return set;
 }
 
-inline constexpr std::size_t kRows = 7;
+inline constexpr std::size_t kRows = 8;
 
 /// A row of a covering array: of every two factors it has both, either and neither somewhere. Kleitman and Spencer:
-/// columns are different words of 7 bits that have 4 ones, none of them in the first row.
+/// columns are different words of 8 bits that have 4 ones, none of them in the first row.
 constexpr Effects row(std::size_t index) {
   Effects set{};
   unsigned word = 0;
@@ -62,7 +63,7 @@ constexpr auto kBoxColours = [] {
   return colours;
 }();
 
-/// Calls for exactly completed(set).
+/// With a dithered picture if that is in the set, calls for exactly completed(set).
 struct Combination {
   Mesh meshes[2] = {scenes::kRoomMeshes[0], scenes::kRoomMeshes[1]};
   Finish finishes[2];
@@ -115,12 +116,12 @@ struct Combination {
 template <Effects set>
 void expect_drawn_alike() {
   constexpr Effects kSet = completed(set);
-  constexpr View kView{40, 32, PixelFormat::rgb565};
+  constexpr View kView{40, 32, PixelFormat::rgb565, set.has(effect::dithered_colours)};
   SCOPED_TRACE(testing::Message() << std::hex << kSet.bits);
   Combination combination(kSet);
   const Scene& scene = combination.scene;
   const Camera& camera = combination.camera;
-  ASSERT_EQ(effects_of(scene, camera), kSet);
+  ASSERT_EQ(effects_of(scene, camera) | effects_of(kView), kSet);
   const Drawn whole = draw<kSet>(scene, camera, kView);
   const auto background = static_cast<std::uint16_t>(30 >> 3 << 11 | 60 >> 2 << 5 | 90 >> 3);
   EXPECT_GT(std::ranges::count_if(whole.pixels, [&](std::uint16_t pixel) { return pixel != background; }), 100);

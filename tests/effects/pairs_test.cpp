@@ -17,6 +17,7 @@ TEST(EffectsTogether, PairsOfRows5And6) {
   expect_drawn_alike<row(5)>();
   expect_drawn_alike<row(6)>();
 }
+TEST(EffectsTogether, PairsOfRow7) { expect_drawn_alike<row(7)>(); }
 
 }  // namespace
 }  // namespace effects_test

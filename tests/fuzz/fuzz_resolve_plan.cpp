@@ -5,6 +5,7 @@
 #include "input.hpp"
 #include "require.hpp"
 #include "zstrip/plan/plan.hpp"
+#include "zstrip/resolve/dither.hpp"
 #include "zstrip/resolve/resolve.hpp"
 
 namespace {
@@ -145,6 +146,20 @@ void judge_resolve(fuzz::Input& input) {
     const unsigned expected = x < width && reference_luma(pixels[x]) >= 128 ? 1 : 0;
     const unsigned got = (std::to_integer<unsigned>(mono[x / 8]) >> (7 - x % 8)) % 2;
     fuzz::require(got == expected, "mono pixel %zu is %u, not %u", x, got, expected);
+  }
+
+  // A row anywhere in the picture is dithered at once as it is pixel by pixel.
+  const auto left = static_cast<std::int32_t>(input.below(kMaxViewSize));
+  const auto top = static_cast<std::int32_t>(input.below(kMaxViewSize));
+  for (const PixelFormat format : {PixelFormat::gray4, PixelFormat::mono, PixelFormat::rgb444}) {
+    std::vector<std::uint16_t> dithered = pixels;
+    dither_pixels(format, {left, top, left + width, top + 1}, dithered.data());
+    for (std::int32_t x = 0; x < width; ++x) {
+      const auto at = static_cast<std::size_t>(x);
+      std::uint16_t alone = pixels[at];
+      dither_pixels(format, {left + x, top, left + x + 1, top + 1}, &alone);
+      fuzz::require(dithered[at] == alone, "dithered pixel %zu is %u, not %u", at, dithered[at], alone);
+    }
   }
 
   std::vector<std::uint16_t> swapped = pixels;

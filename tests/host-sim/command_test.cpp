@@ -77,6 +77,27 @@ TEST_F(Command, OneFileWithoutOptions) {
   EXPECT_EQ(picture("teapot.png").height, 240U);
 }
 
+/// Of its 128x64 pixels in strips of any height and on any threads, also where the option says what the file does.
+TEST_F(Command, DitheredSceneHasItsChecksum) {
+  const std::string scene = ZSTRIP_SCENE_FILES "/dithered.toml";
+  const auto drawn = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"render", scene, "-o", "d.png", "--quiet", "--json", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = zstrip(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    if (outcome.status != 0) return std::string();
+    const auto report = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(report.at("dither"), options.empty() || options[0] != "--no-dither");
+    return report.at("frames").at(0).at("crc32").get<std::string>();
+  };
+  const std::string golden = "070a1f43";
+  EXPECT_EQ(drawn({}), golden);
+  EXPECT_EQ(drawn({"--strip-rows", "1"}), golden);
+  EXPECT_EQ(drawn({"--strip-rows", "7", "--strip-columns", "24"}), golden);
+  EXPECT_EQ(drawn({"--dither", "--threads", "3", "--strip-rows", "5"}), golden);
+  EXPECT_NE(drawn({"--no-dither"}), golden);
+}
+
 TEST_F(Command, FramesOfATurnDiffer) {
   EXPECT_EQ(zstrip({"render", "teapot", "-o", "turn", "--frames", "3", "--quiet"}).status, 0);
   EXPECT_EQ(files(), (std::vector<std::string>{"turn/frame_0000.png", "turn/frame_0001.png", "turn/frame_0002.png"}));

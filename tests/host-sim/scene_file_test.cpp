@@ -36,7 +36,8 @@ TEST(SceneFile, SmallestOne) {
 TEST(SceneFile, EveryTable) {
   const SceneFile file = parsed(
       "ambient = [1, 2, 3]\nbackground = '#0a0B0c'\nduration = 2\n"
-      "[picture]\nsize = [64, 48]\nformat = 'gray4'\ndepth_format = 'z24'\nstrip_rows = 8\nstrip_columns = 16\n"
+      "[picture]\nsize = [64, 48]\nformat = 'gray4'\ndither = true\ndepth_format = 'z24'\nstrip_rows = "
+      "8\nstrip_columns = 16\n"
       "ram = 4096\nframes = 12\nvisibility = 'midpoint'\niterations = 4\n"
       "cull = ['small', 'spheres']\nvisible_sets = 'rooms.zpv'\n"
       "[camera]\nr = 5\nphi = 30\ntheta = 60\nlook_at = [0, 1, 0]\nprojection = 'orthographic'\nhalf_height = 2\n"
@@ -55,6 +56,7 @@ TEST(SceneFile, EveryTable) {
   EXPECT_EQ(file.duration, 2);
   EXPECT_EQ(file.picture.size, (std::pair<std::uint16_t, std::uint16_t>{64, 48}));
   EXPECT_EQ(file.picture.format, PixelFormat::gray4);
+  EXPECT_EQ(file.picture.dither, true);
   EXPECT_EQ(file.picture.depth_format, DepthFormat::z24);
   EXPECT_EQ(file.picture.strip_rows, 8);
   EXPECT_EQ(file.picture.strip_columns, 16);
@@ -70,7 +72,7 @@ TEST(SceneFile, EveryTable) {
   EXPECT_EQ(file.camera->theta, 60);
   EXPECT_EQ(file.camera->look_at, (Vector{0, 1, 0}));
   EXPECT_TRUE(file.camera->orthographic);
-  EXPECT_EQ(file.camera->projection_line, 21);
+  EXPECT_EQ(file.camera->projection_line, 22);
   EXPECT_EQ(file.camera->half_height, 2);
   EXPECT_EQ(file.camera->near_plane, 0.5);
   EXPECT_EQ(file.camera->far_plane, 20);
@@ -171,6 +173,15 @@ TEST(SceneFile, OutOfRangeOrMissing) {
   }
   EXPECT_NE(failure("ambient = [0, 0, 0]\n").find("nothing to draw"), std::string::npos);
   EXPECT_NE(failure("instance = 3\n").find("must be tables"), std::string::npos);
+}
+
+TEST(SceneFile, WhetherThePictureIsDithered) {
+  EXPECT_EQ(parsed(kCube).picture.dither, std::nullopt);
+  EXPECT_EQ(parsed("[picture]\ndither = false\n" + kCube).picture.dither, false);
+  EXPECT_EQ(failure("[picture]\ndither = 1\n" + kCube),
+            "'scene.toml' line 2: [picture]: 'dither' must be true or false");
+  EXPECT_EQ(failure("[picture]\nditer = true\n" + kCube),
+            "'scene.toml' line 2: [picture] has no key 'diter'; did you mean 'dither'?");
 }
 
 TEST(SceneFile, HowVisibilityIsFound) {

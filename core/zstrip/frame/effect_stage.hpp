@@ -74,6 +74,13 @@ struct Frame::Access::EffectStage {
       if (scene.fog != nullptr || finish.any(effect::fragments)) {
         instance.shade = detail::with_fragments(instance.shade);
       }
+      if constexpr (effects.has(effect::dithered_colours)) {
+        const bool varies =
+            instance.shade == detail::Shade::gouraud || instance.shade == detail::Shade::textured_gouraud;
+        if (varies && effects_of(frame.view_).has(effect::dithered_colours)) {
+          instance.shade = detail::with_fragments(instance.shade);
+        }
+      }
     }
   }
 };

@@ -10,6 +10,7 @@
 #include "zstrip/frame/method_stage.hpp"
 #include "zstrip/frame/raster_stage.hpp"
 #include "zstrip/resolve/convert.hpp"
+#include "zstrip/resolve/dither.hpp"
 #include "zstrip/resolve/resolve.hpp"
 #include "zstrip/scene/validate.hpp"
 
@@ -84,10 +85,19 @@ Status Frame::Access::draw_strip(Frame& frame, std::uint16_t strip, std::span<st
   } else {
     clear(frame, width, rows, drawn, target);
   }
+  if constexpr (effects.has(effect::dithered_colours | effect::fog)) {
+    // Fog is dithered and ends in the background's colour: without a seam only if that is dithered, too.
+    if (frame.scene_->fog != nullptr && effects_of(frame.view_).has(effect::dithered_colours)) {
+      detail::fill_dithered(area, frame.scene_->background, drawn);
+    }
+  }
   if constexpr (effects.methods != 0) {
     Methods::begin_strip(static_cast<FrameWithMethod&>(frame), effects, target);
   }
   if (!target.area.empty()) Raster::draw_surfaces<effects>(frame, target, strip);
+  if constexpr (effects.has(effect::dithered_format)) {
+    if (frame.view_.dither) dither_pixels(frame.view_.format, area, drawn);
+  }
   convert_pixels(frame.view_.format, width, rows, drawn, pixels.data());
   frame.next_to_last_strip_ = strip + 1U;
   return {};

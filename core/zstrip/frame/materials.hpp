@@ -85,7 +85,10 @@ struct Frame::Access::Materials {
   template <Effects effects, class Target, class Draw>
   static void with_fragments(const Frame& frame, const Target& target, const detail::CompiledInstance& instance,
                              const Draw& draw) {
-    if constexpr (effects.any(effect::fragments)) {
+    if constexpr (effects.has(effect::dithered_colours)) {
+      draw(detail::TargetOf<effects>{{target, fragment_settings<effects>(frame, instance)},
+                                     effects_of(frame.view_).has(effect::dithered_colours)});
+    } else if constexpr (effects.any(effect::fragments)) {
       draw(detail::TargetOf<effects>{target, fragment_settings<effects>(frame, instance)});
     } else {
       draw(target);

@@ -82,6 +82,10 @@ struct Frame::Access::Raster {
         if (frame.scene_->fog != nullptr) shade.fog = &effect_block(frame).fog();
         shade.depth_offset = kOrthographic ? offset : -offset;
       }
+      if constexpr (effects.has(effect::dithered_colours)) {
+        shade.dither = {quadric.anchor_x - target.view_left, quadric.anchor_y - target.view_top,
+                        effects_of(frame.view_).has(effect::dithered_colours)};
+      }
       Materials::with_depth<effects>(frame, target, quadric.material, [&](const auto& complete) {
         detail::QuadricFill<effects>::draw(complete, quadric, offset, shade);
       });

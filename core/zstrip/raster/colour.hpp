@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "zstrip/base/bayer.hpp"
 #include "zstrip/scene/scene.hpp"
 
 namespace zstrip::detail {
@@ -14,6 +15,12 @@ constexpr std::uint16_t rgb565(const Colour& c) {
 /// Channels in 8.16, not below 0 or from 256 on.
 constexpr std::uint16_t rgb565(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
   return static_cast<std::uint16_t>(((r >> 8) & 0xF800U) | ((g >> 13) & 0x07E0U) | (b >> 19));
+}
+
+/// Channels of 8 bits, with a threshold of kBayer.
+constexpr std::uint16_t dithered_rgb565(std::uint32_t r, std::uint32_t g, std::uint32_t b, std::uint32_t threshold) {
+  return static_cast<std::uint16_t>((dithered<5>(r, threshold) << 11) | (dithered<6>(g, threshold) << 5) |
+                                    dithered<5>(b, threshold));
 }
 
 /// A channel's start value for interpolation, 8.16: half a unit added, so that an error below 1/2 never wraps.

@@ -101,9 +101,6 @@ class TextureSampler {
   std::uint32_t row_mask_ = 0;
 };
 
-/// In place of a member whose effect is missing.
-struct Absent {};
-
 /// Everything that varies over a triangle but its depth, as far as the effects go.
 template <Effects effects>
 struct FragmentPlanes {
@@ -133,9 +130,10 @@ struct FragmentPlanes {
   bool textured = false, fogged = false;
   TextureView texture{};
   template <Effects needed, class Member>
-  using If = std::conditional_t<effects.has(needed), Member, Absent>;
+  using If = MemberIf<effects, needed, Member>;
   [[no_unique_address]] If<effect::textures, TextureCoordinates<kOrthographic>> coordinates;
   [[no_unique_address]] If<effect::fog, FogPlane<kOrthographic>> fog;
+  [[no_unique_address]] If<effect::dithered_colours, DitherAnchor> dither;
 };
 
 /// What is exact at the ends of a run only, and linear between.
@@ -164,12 +162,12 @@ constexpr std::int32_t step_of_run(std::int32_t difference, std::int32_t left) {
 }
 
 /// The stages after the depth test; false if the fragment is discarded. `u`, `v` in 0.32 of the texture, light in 8.16,
-/// `visible` 0..256.
-template <Effects effects>
+/// `visible` 0..256. With effect::dithered_colours a threshold of kBayer comes last.
+template <Effects effects, class... Threshold>
 bool shade_fragment(const FragmentPlanes<effects>& planes, const FragmentSettings& settings,
                     [[maybe_unused]] const TextureSampler& sampler, std::uint32_t r, std::uint32_t g, std::uint32_t b,
                     [[maybe_unused]] std::uint32_t u, [[maybe_unused]] std::uint32_t v,
-                    [[maybe_unused]] std::uint32_t visible, std::uint16_t& pixel) {
+                    [[maybe_unused]] std::uint32_t visible, std::uint16_t& pixel, Threshold... threshold) {
   constexpr bool kTextureAlpha = effects.has(effect::texture_alpha);
   FragmentColour colour{r >> 16, g >> 16, b >> 16, 255};
   if constexpr (effects.has(effect::textures)) {
@@ -205,6 +203,12 @@ bool shade_fragment(const FragmentPlanes<effects>& planes, const FragmentSetting
                 255};
     }
   }
+  if constexpr (sizeof...(threshold) != 0) {
+    if (planes.dither.dithered) {
+      pixel = dithered_rgb565(colour.r, colour.g, colour.b, threshold...);
+      return true;
+    }
+  }
   pixel = rgb565(colour.r << 16, colour.g << 16, colour.b << 16);
   return true;
 }
@@ -215,6 +219,7 @@ void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& dep
                     const FragmentPlanes<effects>& planes, const FragmentSettings& settings, Statistics* counters) {
   constexpr bool kTextures = effects.has(effect::textures);
   constexpr bool kFog = effects.has(effect::fog);
+  constexpr bool kDithered = effects.has(effect::dithered_colours);
   auto z = depth.at(span.columns, span.rows);
   std::uint32_t r = planes.light.r.at(span.columns, span.rows);
   std::uint32_t g = planes.light.g.at(span.columns, span.rows);
@@ -255,8 +260,15 @@ void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& dep
     for (std::int32_t i = 0; i < drawn; ++i) {
       // The cell is written last: stages may still discard the fragment, and what is blended hides nothing.
       typename Rule::Cell kept = *cell;
-      if (rule.may_draw(z, kept) &&
-          shade_fragment(planes, settings, sampler, r, g, b, u, v, static_cast<std::uint32_t>(visible) >> 16, *pixel)) {
+      bool shown = rule.may_draw(z, kept);
+      const std::uint32_t share = static_cast<std::uint32_t>(visible) >> 16;
+      if constexpr (kDithered) {
+        const std::uint32_t threshold = planes.dither.threshold(column + before + i, span.rows);
+        shown = shown && shade_fragment(planes, settings, sampler, r, g, b, u, v, share, *pixel, threshold);
+      } else {
+        shown = shown && shade_fragment(planes, settings, sampler, r, g, b, u, v, share, *pixel);
+      }
+      if (shown) {
         rule.drawn(kept, !effects.has(effect::blending) || !settings.blends, *cell);
         count_pass<effects.has(effect::statistics)>(counters);
       }
@@ -286,7 +298,10 @@ void draw_fragment_triangle(const TargetOf<effects>& target, const RasterVertex&
   constexpr DepthMode kMode = depth_mode(effects);
   const SpanTriangle<kMode> triangle(target, v0, v1, v2);
   const RasterVertex* const vertices[3] = {&v0, &v1, &v2};
-  const FragmentPlanes<effects> planes(triangle.setup, vertices, surface, target.fragments);
+  FragmentPlanes<effects> planes(triangle.setup, vertices, surface, target.fragments);
+  if constexpr (effects.has(effect::dithered_colours)) {
+    planes.dither = {triangle.anchor_x - target.view_left, triangle.anchor_y - target.view_top, target.dithered};
+  }
   triangle.template walk<effects.has(effect::statistics), true>(
       target, v0, v1, v2, narrow, [&](const auto& run, const auto& z, const auto& rule) {
         fill_fragments<effects>(run, z, rule, planes, target.fragments, target.statistics);

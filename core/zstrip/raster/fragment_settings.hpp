@@ -1,8 +1,10 @@
 // What the fragments of an instance need beyond its vertices, and the strip that carries it to the span loop.
 #pragma once
 
+#include <cstdint>
 #include <type_traits>
 
+#include "zstrip/base/bayer.hpp"
 #include "zstrip/raster/depth_rule.hpp"
 #include "zstrip/raster/fog.hpp"
 #include "zstrip/scene/effects.hpp"
@@ -27,14 +29,38 @@ struct TargetWithFragments : Target {
   FragmentSettings fragments;
 };
 
+/// With effect::dithered_colours, which a renderer may have for pictures that are not dithered.
+template <class Target>
+struct TargetWithDithering : Target {
+  bool dithered;
+};
+
 template <Effects effects>
 struct TargetOfEffects {
   static constexpr DepthMode kDepth = depth_mode(effects);
   using WithDepth = TargetFor<kDepth>;
-  using Type = std::conditional_t<effects.any(effect::fragments), TargetWithFragments<WithDepth>, WithDepth>;
+  using WithFragments = TargetWithFragments<WithDepth>;
+  using Drawn =
+      std::conditional_t<effects.has(effect::dithered_colours), TargetWithDithering<WithFragments>, WithFragments>;
+  using Type = std::conditional_t<effects.any(effect::fragments), Drawn, WithDepth>;
 };
 /// The strip as the rasterisers of these effects take it.
 template <Effects effects>
 using TargetOf = typename TargetOfEffects<effects>::Type;
+
+/// In place of a member whose effect is missing.
+struct Absent {};
+template <Effects effects, Effects needed, class Member>
+using MemberIf = std::conditional_t<effects.has(needed), Member, Absent>;
+
+/// Where the pixel that columns and rows count from lies in the picture, as far as a threshold asks.
+struct DitherAnchor {
+  std::int32_t column = 0, row = 0;
+  bool dithered = false;
+
+  std::uint32_t threshold(std::int32_t columns, std::int32_t rows) const {
+    return kBayer[(row + rows) & 7][(column + columns) & 7];
+  }
+};
 
 }  // namespace zstrip::detail

@@ -65,9 +65,13 @@ struct QuadricShade {
   TextureView texture;
   const FogCurve* fog = nullptr;  ///< only with effect::fog
   std::int64_t depth_offset = 0;  ///< of distance_at
+  [[no_unique_address]] MemberIf<effects, effect::dithered_colours, DitherAnchor> dither{};
 
   /// `root` may be negative: the far side. `depth` in 1/2^32 of all codes.
   std::uint16_t operator()(std::int32_t columns, std::int32_t rows, std::int32_t root, std::uint32_t depth) const {
+    if constexpr (effects.has(effect::dithered_colours)) {
+      if (dither.dithered) return dithered_colour(columns, rows, root, depth);
+    }
     const std::uint16_t colour = surface_colour(columns, rows, root);
     if constexpr (effects.has(effect::fog)) {
       if (fog != nullptr) return fogged(colour, depth);
@@ -76,7 +80,18 @@ struct QuadricShade {
   }
 
  private:
-  std::uint16_t surface_colour(std::int32_t columns, std::int32_t rows, std::int32_t root) const {
+  /// Dithered once, last.
+  std::uint16_t dithered_colour(std::int32_t columns, std::int32_t rows, std::int32_t root, std::uint32_t depth) const {
+    const std::uint32_t threshold = dither.threshold(columns, rows);
+    if constexpr (effects.has(effect::fog)) {
+      if (fog != nullptr) return fogged(surface_colour(columns, rows, root), depth, threshold);
+    }
+    return surface_colour(columns, rows, root, threshold);
+  }
+
+  template <class... Threshold>
+  std::uint16_t surface_colour(std::int32_t columns, std::int32_t rows, std::int32_t root,
+                               Threshold... threshold) const {
     Colour colour = quadric.base;
     if constexpr (effects.has(effect::lighting)) {
       if (quadric.lit) colour = lit_colour(quadric, unit(direction_at(quadric.normal, columns, rows, root)));
@@ -89,16 +104,20 @@ struct QuadricShade {
         return modulated(texel, channel(colour.r), channel(colour.g), channel(colour.b));
       }
     }
+    if constexpr (sizeof...(threshold) != 0) return dithered_rgb565(colour.r, colour.g, colour.b, threshold...);
     return rgb565(colour);
   }
 
-  std::uint16_t fogged(std::uint16_t pixel, std::uint32_t depth) const {
+  template <class... Threshold>
+  std::uint16_t fogged(std::uint16_t pixel, std::uint32_t depth, Threshold... threshold) const {
     const Fixed distance = distance_at<effects.has(effect::orthographic)>(fog->distance, depth, depth_offset);
     const auto share = static_cast<std::uint32_t>(visibility(*fog, distance) + 128) >> 8;
     const FragmentColour colour = expanded(pixel);
     const Colour& other = fog->colour;
-    return rgb565(mixed(colour.r, other.r, share) << 16, mixed(colour.g, other.g, share) << 16,
-                  mixed(colour.b, other.b, share) << 16);
+    const std::uint32_t r = mixed(colour.r, other.r, share), g = mixed(colour.g, other.g, share),
+                        b = mixed(colour.b, other.b, share);
+    if constexpr (sizeof...(threshold) != 0) return dithered_rgb565(r, g, b, threshold...);
+    return rgb565(r << 16, g << 16, b << 16);
   }
 };
 

@@ -6,6 +6,7 @@
 #include "zstrip/scene/camera.hpp"
 #include "zstrip/scene/depth_format.hpp"
 #include "zstrip/scene/scene.hpp"
+#include "zstrip/scene/view.hpp"
 
 namespace zstrip {
 
@@ -57,9 +58,11 @@ inline constexpr Effects alpha_test{std::uint64_t{1} << 17};       ///< AlphaMod
 inline constexpr Effects blending{std::uint64_t{1} << 18};         ///< AlphaMode::blend
 inline constexpr Effects texture_alpha{std::uint64_t{1} << 19};    ///< a texture's alpha that is masked or blended with
 inline constexpr Effects bilinear{std::uint64_t{1} << 20};         ///< TextureFilter::bilinear
+/// View::dither of a picture in RGB565, or in what is made of it without loss: gradients and fragments are dithered.
+inline constexpr Effects dithered_colours{std::uint64_t{1} << 21};
 
 /// Those that need a fragment of its own: instances with one of them are drawn by fill_fragments.
-inline constexpr Effects fragments = fog | alpha_test | blending | texture_alpha | bilinear;
+inline constexpr Effects fragments = fog | alpha_test | blending | texture_alpha | bilinear | dithered_colours;
 /// Those that light vertices by where they are.
 inline constexpr Effects local_light = specular | punctual_lights;
 /// All that a vertex' light has beyond ambient and directional light.
@@ -68,9 +71,12 @@ inline constexpr Effects vertex_light = local_light | emissive;
 // Surfaces and passes beyond the triangles of instances; bits 22 to 31.
 inline constexpr Effects quadrics{1U << 22};       ///< spheres and ellipsoids
 inline constexpr Effects surfaces{quadrics.bits};  ///< all of these
+/// View::dither of a picture in a format that is_narrow.
+inline constexpr Effects dithered_format{1U << 23};
 
-/// All that a scene can call for.
-inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | vertex_light | surfaces;
+/// All that a scene and its picture can call for.
+inline constexpr Effects of_scenes =
+    without(all, statistics) | depth_state | fragments | vertex_light | surfaces | dithered_format;
 }  // namespace effect
 
 /// Ways to find what is visible other than a plain z-buffer; docs/visibility.md compares them. Never called for by a
@@ -219,6 +225,12 @@ constexpr Effects effects_of_finish(const Scene& scene, const Material& material
     if (finish.filter == TextureFilter::bilinear) found = found | effect::bilinear;
   }
   return found;
+}
+
+/// What the picture needs beside what its scene does. constexpr.
+constexpr Effects effects_of(const View& view) {
+  if (!view.dither) return {};
+  return is_narrow(view.format) ? effect::dithered_format : effect::dithered_colours;
 }
 
 /// Exactly what drawing this scene with this camera needs. constexpr for baked scenes.

@@ -162,6 +162,7 @@ void read_view(Reader& reader, View& view) {
   view.height = side(kView + 2);
   reader.require(reader.byte(kView + 4) <= static_cast<std::uint8_t>(kLastPixelFormat), kView + 4);
   view.format = static_cast<PixelFormat>(reader.byte(kView + 4));
+  view.dither = reader.flag(kView + 5);
 }
 
 /// A bool or a test of any other value must not even be read as one.

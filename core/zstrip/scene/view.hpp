@@ -9,10 +9,16 @@ namespace zstrip {
 enum class PixelFormat : std::uint8_t { rgb565, rgb565_swapped, gray4, mono, rgb666, rgb444, xrgb8888 };
 inline constexpr PixelFormat kLastPixelFormat = PixelFormat::xrgb8888;
 
+/// Whether it has fewer bits than RGB565, in which strips are drawn.
+constexpr bool is_narrow(PixelFormat format) {
+  return format == PixelFormat::gray4 || format == PixelFormat::mono || format == PixelFormat::rgb444;
+}
+
 struct View {
   std::uint16_t width = 0;   ///< 1..4096
   std::uint16_t height = 0;  ///< 1..4096
   PixelFormat format = PixelFormat::rgb565;
+  bool dither = false;  ///< where colours get fewer bits (docs/conventions.md, "Dithering"); needs effects_of(view)
 };
 
 inline constexpr std::uint16_t kMaxViewSize = 4096;

@@ -14,29 +14,33 @@ using namespace zstrip::effects_cost;
 
 template <const scenes::BuiltIn& built_in>
 int print_affected() {
-  constexpr Effects kEffects = effects_of(built_in.scene, built_in.camera) | effect::statistics;
+  constexpr View kPicture = kView<built_in, false>;
+  constexpr Effects kCalledFor = effects_of(kPicture);
+  constexpr Effects kEffects = effects_of(built_in.scene, built_in.camera) | kCalledFor | effect::statistics;
   static Renderer<kEffects> renderer;
   std::uint64_t fragments = 0, vertices = 0;
   for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
     scenes::Staged staged;
-    stage(built_in, staged, frame, kFramesPerTurn, kView);
+    stage(built_in, staged, frame, kFramesPerTurn, kPicture);
     std::vector<Instance> touched;
     for (const Instance& instance : staged.scene.instances) {
       Scene alone = staged.scene;
       alone.instances = {&instance, 1};
       alone.quadrics = {};
       constexpr Effects kOwn = effect::fragments | effect::vertex_light;
-      if (effects_of(alone, staged.camera).any(kOwn)) touched.push_back(instance);
+      if ((effects_of(alone, staged.camera) | kCalledFor).any(kOwn)) touched.push_back(instance);
     }
     staged.scene.instances = touched;
     for (const Instance& instance : touched) vertices += staged.scene.meshes[instance.mesh].positions.size();
-    const Plan plan = zstrip::plan(built_in.counts, kView, kEffects, {.strip_rows = kView.height}).plan;
-    std::vector<std::uint64_t> arena(plan.bytes() / 8 + 1), pixels(plan.strip_pixel_bytes(kView) / 8 + 1);
-    if (!renderer.begin_frame(staged.scene, staged.camera, kView, plan, std::as_writable_bytes(std::span(arena))) ||
+    const Plan plan = zstrip::plan(built_in.counts, kPicture, kEffects, {.strip_rows = kPicture.height}).plan;
+    std::vector<std::uint64_t> arena(plan.bytes() / 8 + 1), pixels(plan.strip_pixel_bytes(kPicture) / 8 + 1);
+    if (!renderer.begin_frame(staged.scene, staged.camera, kPicture, plan, std::as_writable_bytes(std::span(arena))) ||
         !renderer.draw_strip(0, std::as_writable_bytes(std::span(pixels)))) {
       return 1;
     }
-    fragments += renderer.frame().statistics().fragments;
+    // A format is that of every pixel.
+    fragments += kCalledFor.has(effect::dithered_format) ? std::uint32_t{kWidth} * kHeight
+                                                         : renderer.frame().statistics().fragments;
   }
   std::printf("%s %llu %llu\n", built_in.name, static_cast<unsigned long long>(fragments / kFrames),
               static_cast<unsigned long long>(vertices / kFrames));
@@ -48,5 +52,6 @@ int print_affected() {
 int main() {
   return print_affected<scenes::fog>() + print_affected<scenes::emissive>() + print_affected<scenes::specular>() +
          print_affected<scenes::punctual>() + print_affected<scenes::mask>() + print_affected<scenes::blend>() +
-         print_affected<scenes::bilinear>() + print_affected<scenes::spheres>();
+         print_affected<scenes::bilinear>() + print_affected<scenes::spheres>() + print_affected<scenes::dithered>() +
+         print_affected<scenes::dithered_mono>();
 }

@@ -16,10 +16,11 @@ using namespace zstrip;
 using namespace zstrip::effects_cost;
 
 constexpr const scenes::BuiltIn& kBuiltIn = kChosen<scenes::COST_SCENE, COST_PLAIN>;
+constexpr View kPicture = kView<scenes::COST_SCENE, COST_PLAIN>;
 constexpr Effects kEffects = kEffectsOf<scenes::COST_SCENE, COST_PLAIN>;
-constexpr Plan kPlan = plan(kBuiltIn.counts, kView, kEffects, {.strip_rows = kView.height}).plan;
+constexpr Plan kPlan = plan(kBuiltIn.counts, kPicture, kEffects, {.strip_rows = kPicture.height}).plan;
 alignas(kArenaAlignment) std::array<std::byte, kPlan.bytes()> arena;
-alignas(4) std::array<std::byte, kPlan.strip_pixel_bytes(kView)> pixels;
+alignas(4) std::array<std::byte, kPlan.strip_pixel_bytes(kPicture)> pixels;
 Renderer<kEffects> renderer;
 scenes::Staged staged;
 
@@ -30,9 +31,9 @@ int main() {
   Counter counter;
   for (std::uint32_t repeat = 0; repeat < repeats(); ++repeat) {
     for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
-      stage(kBuiltIn, staged, frame, kFramesPerTurn, kView);
+      stage(kBuiltIn, staged, frame, kFramesPerTurn, kPicture);
       counter.resume();
-      Status status = renderer.begin_frame(staged.scene, staged.camera, kView, kPlan, arena);
+      Status status = renderer.begin_frame(staged.scene, staged.camera, kPicture, kPlan, arena);
       for (std::uint16_t strip = 0; status && strip < kPlan.strips; ++strip)
         status = renderer.draw_strip(strip, pixels);
       counter.pause();

@@ -8,9 +8,32 @@
 #include "zstrip_scenes/knot.hpp"
 #include "zstrip_scenes/spheres.hpp"
 
+namespace zstrip::scenes {
+
+/// The knot in pictures that call for an effect.
+inline constexpr BuiltIn dithered = [] {
+  BuiltIn scene = knot;
+  scene.name = "dithered";
+  return scene;
+}();
+inline constexpr BuiltIn dithered_mono = [] {
+  BuiltIn scene = knot;
+  scene.name = "dithered_mono";
+  return scene;
+}();
+
+}  // namespace zstrip::scenes
+
 namespace zstrip::effects_cost {
 
-inline constexpr View kView{160, 120, PixelFormat::rgb565};
+inline constexpr std::uint16_t kWidth = 160, kHeight = 120;
+/// The picture of a scene as it is, or plain.
+template <const scenes::BuiltIn& built_in, bool plain>
+inline constexpr View kView{kWidth, kHeight, PixelFormat::rgb565};
+template <bool plain>
+inline constexpr View kView<scenes::dithered, plain>{kWidth, kHeight, PixelFormat::rgb565, !plain};
+template <bool plain>
+inline constexpr View kView<scenes::dithered_mono, plain>{kWidth, kHeight, PixelFormat::mono, !plain};
 inline constexpr std::uint32_t kFrames = 4, kFramesPerTurn = 36;
 
 /// Without fog, finishes, punctual lights and quadrics; all else as it is.
@@ -44,7 +67,8 @@ inline constexpr const scenes::BuiltIn& kChosen<built_in, true> = Plain<built_in
 
 /// The pipeline of kChosen. The plain one keeps what the effect brought along, as quadrics their textures.
 template <const scenes::BuiltIn& built_in, bool plain>
-inline constexpr Effects kEffectsOf = without(effects_of(built_in.scene, built_in.camera),
+inline constexpr Effects kEffectsOf = without(effects_of(built_in.scene, built_in.camera) |
+                                                  effects_of(kView<built_in, plain>),
                                               plain ? effect::fragments | effect::vertex_light | effect::surfaces
                                                     : Effects{});
 
