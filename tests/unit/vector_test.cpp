@@ -236,16 +236,16 @@ void compare_meshlets(unsigned seed) {
   constexpr Effects kEffects = effect::gouraud | effect::vertex_colours;
   Random random(seed);
   std::uint32_t drawn = 0;
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < 12000; ++i) {
     constexpr std::uint32_t kFirst = 1000;
     SnappedVertex vertices[12];
     Colour colours[12];
-    const std::int32_t extent = random.between(10, 300);
+    const std::int32_t extent = random.between(0, 2) == 0 ? random.between(10, 300) : random.between(10, 60);
     const std::uint32_t base = random.word() >> 1;
     for (int k = 0; k < 12; ++k) {
       vertices[k].x = static_cast<std::int16_t>(random.between(-extent, extent));
       vertices[k].y = static_cast<std::int16_t>(random.between(-extent, extent));
-      vertices[k].depth = snap_depth(base + (random.word() >> random.between(2, 12)));
+      vertices[k].depth = snap_depth(base + (random.word() >> random.between(4, 14)));
       colours[k] = random.colour();
     }
     std::vector<Triangle> triangles(40);

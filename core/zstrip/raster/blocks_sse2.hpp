@@ -116,66 +116,36 @@ struct ChannelBlock {
   __m128i value, step_x, step_y;
 };
 
-/// What blocks of a triangle share: where they lie.
-class Blocks {
- public:
-  Blocks(const StripTarget& target, const Rect& box)
-      : across_((box.width() + kBlockColumns - 1) >> 2),
-        down_((box.height() + kBlockRows - 1) >> 1),
-        // Blocks may go beyond the box, where the triangle covers nothing, but not beyond the strip.
-        left(std::min(box.left, target.area.right - across_ * kBlockColumns)),
-        top(std::min(box.top, target.area.bottom - down_ * kBlockRows)),
-        target_(target) {}
+/// The blocks of a triangle's box in a strip. They may go beyond the box, where the triangle covers nothing, but not
+/// beyond the strip.
+struct Blocks {
+  const StripTarget& target;
+  std::int32_t across, down;  ///< how many
+  std::int32_t left, top;     ///< the first pixel of the first one
 
-  bool fit() const { return left >= target_.area.left && top >= target_.area.top; }
+  Blocks(const StripTarget& strip, const Rect& box)
+      : target(strip),
+        across((box.width() + kBlockColumns - 1) >> 2),
+        down((box.height() + kBlockRows - 1) >> 1),
+        left(std::min(box.left, strip.area.right - across * kBlockColumns)),
+        top(std::min(box.top, strip.area.bottom - down * kBlockRows)) {}
 
-  /// `z` is the depth of the first block's upper row; colour_at(column, row) of blocks.
+  bool fit() const { return left >= target.area.left && top >= target.area.top; }
+
+  /// `exact`: Edges::at(left, top); `z`: depths of the first four pixels; `channels` are read only where `gouraud`.
   template <bool gouraud>
   [[gnu::always_inline]] void draw(const Edges& edges, __m128i exact, __m128i z, __m128i z_step_x, __m128i z_step_y,
                                    ChannelBlock (&channels)[3], std::uint16_t flat_colour) const {
     const __m128i fields = edges.fields(exact);
     EdgeBlock e[3] = {EdgeBlock::of<0>(fields, edges.steps), EdgeBlock::of<1>(fields, edges.steps),
                       EdgeBlock::of<2>(fields, edges.steps)};
-    // Stores of lanes may change any memory, as far as compilers know.
-    const InTwoRows cells{target_.depth_stride};
-    const InTwoRows pixels{target_.colour_stride};
-    const std::int32_t down = down_;
-    std::uint16_t* depth = target_.depth_row(top) + (left - target_.area.left);
-    std::uint16_t* pixel = target_.colour_row(top) + (left - target_.area.left);
+    std::uint16_t* depth = target.depth_row(top) + (left - target.area.left);
+    std::uint16_t* pixel = target.colour_row(top) + (left - target.area.left);
     const __m128i flat = in_all_halves(flat_colour);
-    const __m128i z_down = _mm_add_epi32(z_step_y, z_step_y);
-
-    for (std::int32_t column = across_;;) {
-      __m128i e0 = e[0].value, e1 = e[1].value, e2 = e[2].value;
-      __m128i upper = z;
-      __m128i lower = _mm_add_epi32(z, z_step_y);
-      __m128i r{}, g{}, b{};
-      if constexpr (gouraud) r = channels[0].value, g = channels[1].value, b = channels[2].value;
-      std::uint16_t* cell = depth;
-      std::uint16_t* at = pixel;
-      for (std::int32_t row = down;;) {
-        const __m128i outside = _mm_srai_epi16(_mm_or_si128(_mm_or_si128(e0, e1), e2), 15);
-        if (_mm_movemask_epi8(outside) != 0xFFFF) {
-          // Code 0 is nearer than no cell.
-          draw_fragments(cells, pixels, cell, at, _mm_andnot_si128(outside, upper_halves(upper, lower)), [&] {
-            if constexpr (gouraud) return rgb565_of_halves(r, g, b);
-            return flat;
-          });
-        }
-        if (--row == 0) break;
-        e0 = _mm_add_epi16(e0, e[0].down);
-        e1 = _mm_add_epi16(e1, e[1].down);
-        e2 = _mm_add_epi16(e2, e[2].down);
-        upper = _mm_add_epi32(upper, z_down);
-        lower = _mm_add_epi32(lower, z_down);
-        if constexpr (gouraud) {
-          r = _mm_add_epi16(r, _mm_slli_epi16(channels[0].step_y, 1));
-          g = _mm_add_epi16(g, _mm_slli_epi16(channels[1].step_y, 1));
-          b = _mm_add_epi16(b, _mm_slli_epi16(channels[2].step_y, 1));
-        }
-        cell += cells.stride * kBlockRows;
-        at += pixels.stride * kBlockRows;
-      }
+    // Alone, a column's values need not be kept: most small triangles have one.
+    if (across == 1) return draw_column<gouraud>(e, z, z_step_y, channels, flat, depth, pixel);
+    for (std::int32_t column = across;;) {
+      draw_column<gouraud>(e, z, z_step_y, channels, flat, depth, pixel);
       if (--column == 0) return;
       e[0].move_right<0>(edges.steps);
       e[1].move_right<1>(edges.steps);
@@ -190,13 +160,42 @@ class Blocks {
   }
 
  private:
-  std::int32_t across_, down_;
-
- public:
-  std::int32_t left, top;  ///< the first pixel of the first block
-
- private:
-  const StripTarget& target_;
+  template <bool gouraud>
+  [[gnu::always_inline]] void draw_column(const EdgeBlock (&e)[3], __m128i upper, __m128i z_step_y,
+                                          const ChannelBlock (&channels)[3], __m128i flat, std::uint16_t* depth,
+                                          std::uint16_t* pixel) const {
+    // Copies: stores of lanes may change any memory, as far as compilers know.
+    const InTwoRows cells{target.depth_stride};
+    const InTwoRows pixels{target.colour_stride};
+    const __m128i z_down = _mm_add_epi32(z_step_y, z_step_y);
+    __m128i e0 = e[0].value, e1 = e[1].value, e2 = e[2].value;
+    __m128i lower = _mm_add_epi32(upper, z_step_y);
+    __m128i r{}, g{}, b{};
+    if constexpr (gouraud) r = channels[0].value, g = channels[1].value, b = channels[2].value;
+    for (std::int32_t row = down;;) {
+      const __m128i outside = _mm_srai_epi16(_mm_or_si128(_mm_or_si128(e0, e1), e2), 15);
+      if (_mm_movemask_epi8(outside) != 0xFFFF) {
+        // Code 0 is nearer than no cell.
+        draw_fragments(cells, pixels, depth, pixel, _mm_andnot_si128(outside, upper_halves(upper, lower)), [&] {
+          if constexpr (gouraud) return rgb565_of_halves(r, g, b);
+          return flat;
+        });
+      }
+      if (--row == 0) return;
+      e0 = _mm_add_epi16(e0, e[0].down);
+      e1 = _mm_add_epi16(e1, e[1].down);
+      e2 = _mm_add_epi16(e2, e[2].down);
+      upper = _mm_add_epi32(upper, z_down);
+      lower = _mm_add_epi32(lower, z_down);
+      if constexpr (gouraud) {
+        r = _mm_add_epi16(r, _mm_slli_epi16(channels[0].step_y, 1));
+        g = _mm_add_epi16(g, _mm_slli_epi16(channels[1].step_y, 1));
+        b = _mm_add_epi16(b, _mm_slli_epi16(channels[2].step_y, 1));
+      }
+      depth += cells.stride * kBlockRows;
+      pixel += pixels.stride * kBlockRows;
+    }
+  }
 };
 
 }  // namespace zstrip::detail::blocks
