@@ -21,6 +21,8 @@ complain() {
 
 while IFS=: read -r file line path; do
   from=$(cut -d/ -f3 <<<"$file")
+  # The compiler's own header for its vectors, in one place.
+  if [ "$file $path" = "core/zstrip/base/sse2_intrinsics.hpp emmintrin.h" ]; then continue; fi
   case "$path" in
     zstrip/*) to=$(cut -d/ -f2 <<<"$path") ;;
     */* | *.hpp | *.h) complain "$file:$line: core includes $path: only zstrip/... and the C++ library are allowed"; continue ;;

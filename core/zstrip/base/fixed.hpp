@@ -78,6 +78,8 @@ constexpr std::int32_t multiply_high_rounded(std::int32_t a, std::int32_t b) {
 /// The same of a factor of 16 bits: floor(a * b / 2^16).
 constexpr std::int32_t multiply_by_half(std::int32_t a, std::int16_t b) {
   if constexpr (!kMultipliesLong) return multiply_by_half_in_halves(a, b);
+  // Where a register holds the product, its second factor need not be shifted first.
+  if constexpr (sizeof(void*) == 8) return static_cast<std::int32_t>((std::int64_t{a} * b) >> 16);
   return multiply_high(a, std::int32_t{b} << 16);
 }
 

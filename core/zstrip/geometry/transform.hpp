@@ -3,6 +3,7 @@
 
 #include "zstrip/geometry/light.hpp"
 #include "zstrip/geometry/project.hpp"
+#include "zstrip/geometry/transform_sse2.hpp"
 #include "zstrip/geometry/transform_thumb2.hpp"
 
 namespace zstrip::detail {
@@ -45,6 +46,11 @@ bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, cons
     if (count == 0) return true;
     return transform_vertices_in_assembly(instance, mesh, origin, first, count, vertices);
   } else {
+    if constexpr (kHasSse2 && !effects.has(effect::orthographic) && depth_format(effects) == DepthFormat::z16) {
+      if (fits_sse2(instance.w) && fits_sse2(instance.x) && fits_sse2(instance.y)) {
+        return transform_vertices_sse2(instance, origin, mesh.positions.data() + first, count, vertices);
+      }
+    }
     return transform_vertices_portable<effects>(instance, mesh, origin, first, count, vertices);
   }
 }
@@ -52,6 +58,14 @@ bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, cons
 template <Effects effects>
 void shade_vertices(const CompiledInstance& instance, const Mesh& mesh, std::uint32_t first, std::uint32_t count,
                     Colour* colours) {
+  if constexpr (effects.has(effect::vertex_colours)) {
+    if (!(effects.has(effect::lighting) && instance.lit) && instance.coloured &&
+        instance.base == Colour{255, 255, 255, 255}) {
+      const Colour* const own = mesh.colours.data() + first;
+      for (std::uint32_t i = 0; i < count; ++i) colours[i] = own[i];
+      return;
+    }
+  }
   for (std::uint32_t i = 0; i < count; ++i) colours[i] = vertex_colour<effects>(instance, mesh, first + i);
 }
 

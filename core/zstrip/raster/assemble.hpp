@@ -318,9 +318,9 @@ struct Assembler {
   }
 
   /// Whether most triangles never come to draw_narrow.
-  template <Shade shade>
-  static constexpr bool kSmallRuns =
-      kHasThumb2&& shade == Shade::gouraud && !kStatistics && std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
+  template <Shade shade, bool all_narrow>
+  static constexpr bool kSmallRuns = (kHasThumb2 || (kHasSse2 && all_narrow)) && shade == Shade::gouraud && !kStatistics
+                                     && std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
 
   static bool is_narrow(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c) {
     return a.x != kNotNarrow && b.x != kNotNarrow && c.x != kNotNarrow;
@@ -332,18 +332,23 @@ struct Assembler {
   [[gnu::noinline]] static std::uint32_t draw_small_run(const StripTarget& target, const Batch& batch,
                                                         std::uint32_t next, std::uint32_t count,
                                                         const TriangleAt& triangle_at) {
-    SmallRun run(target, batch.vertices, batch.colours, batch.first_vertex);
-    if constexpr (all_narrow) return next + draw_small_run_thumb2(run, &triangle_at(next), count - next);
-    const SnappedVertex* const vertices = batch.vertices;
-    const std::uint32_t first = batch.first_vertex;
-    for (; next < count; ++next) {
-      const Triangle& triangle = triangle_at(next);
-      if (!is_narrow(vertices[triangle.a - first], vertices[triangle.b - first], vertices[triangle.c - first]) ||
-          draw_small_run_thumb2(run, &triangle, 1) == 0) {
-        break;
+    if constexpr (kHasSse2) {
+      return next + draw_small_run_sse2(target, batch.vertices, batch.colours, batch.first_vertex, &triangle_at(next),
+                                        count - next);
+    } else {
+      SmallRun run(target, batch.vertices, batch.colours, batch.first_vertex);
+      if constexpr (all_narrow) return next + draw_small_run_thumb2(run, &triangle_at(next), count - next);
+      const SnappedVertex* const vertices = batch.vertices;
+      const std::uint32_t first = batch.first_vertex;
+      for (; next < count; ++next) {
+        const Triangle& triangle = triangle_at(next);
+        if (!is_narrow(vertices[triangle.a - first], vertices[triangle.b - first], vertices[triangle.c - first]) ||
+            draw_small_run_thumb2(run, &triangle, 1) == 0) {
+          break;
+        }
       }
+      return next;
     }
-    return next;
   }
 
   template <Shade shade, bool all_narrow, class TriangleAt>
@@ -368,7 +373,7 @@ struct Assembler {
   template <Shade shade, bool all_narrow, class TriangleAt>
   static void draw_run(const StripTarget& target, const Batch& batch, std::size_t count,
                        const TriangleAt& triangle_at) {
-    if constexpr (kSmallRuns<shade>) {
+    if constexpr (kSmallRuns<shade, all_narrow>) {
       if (!batch.instance->double_sided) {
         return draw_small_runs<shade, all_narrow>(target, batch, static_cast<std::uint32_t>(count), triangle_at);
       }
@@ -418,7 +423,7 @@ struct Assembler {
   static void draw_listed(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
                           std::span<const std::uint16_t> listed, bool all_narrow) {
     with_shade(batch.instance->shade, [&]<Shade shade>() {
-      if constexpr (kSmallRuns<shade>) {
+      if constexpr (kSmallRuns<shade, true>) {
         if (all_narrow && !batch.instance->double_sided)
           return draw_listed_small<shade>(target, batch, triangles, listed);
       }

@@ -29,6 +29,8 @@ struct DepthMode {
   std::uint32_t methods = 0;  ///< Effects::methods
   bool counted = false;       ///< with methods: fragments are counted
 
+  friend constexpr bool operator==(const DepthMode&, const DepthMode&) = default;
+
   constexpr bool any(Effects method) const { return (methods & method.methods) != 0; }
   constexpr DepthMode with(DepthUse other) const { return {format, state, other, methods, counted}; }
 };
@@ -164,6 +166,9 @@ template <DepthMode mode>
 class DepthRule {
  public:
   using Cell = DepthCell<mode.format>;
+  /// Whether all it does is to draw fragments whose code, the upper half of a word, is greater than the cell.
+  static constexpr bool kNearerOnly = (mode.format == DepthFormat::z16 || mode.format == DepthFormat::float16) &&
+                                      mode.use == DepthUse::tested && !mode.state && !mode.counted;
 
   /// The default's.
   constexpr DepthRule() = default;

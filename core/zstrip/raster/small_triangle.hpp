@@ -9,6 +9,7 @@
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/raster/colour.hpp"
 #include "zstrip/raster/depth_rule.hpp"
+#include "zstrip/raster/small_triangle_sse2.hpp"
 #include "zstrip/raster/small_triangle_thumb2.hpp"
 #include "zstrip/raster/target.hpp"
 
@@ -55,15 +56,17 @@ struct SmallPlane {
   std::uint32_t at(std::uint32_t columns, std::uint32_t rows) const { return start + step_x * columns + step_y * rows; }
 };
 
+/// Value per unit of edge function, 16.16, rounded.
+inline std::uint32_t small_depth_per_unit(std::int32_t difference, std::int32_t inverse_area) {
+  return static_cast<std::uint32_t>(multiply_high_rounded(difference * 2, inverse_area));
+}
+
 /// The depth plane. `from_0` are the differences to vertices 1 and 2, 14.16, below 2^29; `inverse_area` is 2^31 / area.
 inline SmallPlane small_depth(const SmallWeights& weights, std::int32_t inverse_area, std::uint32_t depth_0,
                               std::int32_t from_0_to_1, std::int32_t from_0_to_2) {
-  // Value per unit of edge function, 16.16, rounded; every pixel's value is exactly depth_0 + k1 e1 + k2 e2.
-  const auto per_unit = [inverse_area](std::int32_t difference) {
-    return static_cast<std::uint32_t>(multiply_high_rounded(difference * 2, inverse_area));
-  };
-  const std::uint32_t k1 = per_unit(from_0_to_1);
-  const std::uint32_t k2 = per_unit(from_0_to_2);
+  // Every pixel's value is exactly depth_0 + k1 e1 + k2 e2.
+  const std::uint32_t k1 = small_depth_per_unit(from_0_to_1, inverse_area);
+  const std::uint32_t k2 = small_depth_per_unit(from_0_to_2, inverse_area);
   const auto along = [k1, k2](const std::int32_t(&e)[2]) {
     return k1 * static_cast<std::uint32_t>(e[0]) + k2 * static_cast<std::uint32_t>(e[1]);
   };
@@ -223,10 +226,10 @@ template <bool gouraud>
 /// start there, so that no rounding depends on the strip; `box` the pixels to scan, not empty, inside the target's
 /// area. `colours` of the three vertices where `gouraud`, else none. Depths are 16.16 codes.
 template <bool gouraud, bool statistics, class Rule = DepthRule<DepthMode{}>>
-void draw_small_triangle(const StripTarget& target, const SnappedVertex& v0, const SnappedVertex& v1,
-                         const SnappedVertex& v2, const Colour* const (&colours)[3], std::uint16_t flat_colour,
-                         std::int32_t area, std::int32_t anchor_x, std::int32_t anchor_y, const Rect& box,
-                         Rule rule = {}) {
+void draw_small_triangle_portable(const StripTarget& target, const SnappedVertex& v0, const SnappedVertex& v1,
+                                  const SnappedVertex& v2, const Colour* const (&colours)[3], std::uint16_t flat_colour,
+                                  std::int32_t area, std::int32_t anchor_x, std::int32_t anchor_y, const Rect& box,
+                                  Rule rule = {}) {
   SmallScan scan;
   scan.first_column = static_cast<std::uint32_t>(box.left - anchor_x);
   scan.first_row = static_cast<std::uint32_t>(box.top - anchor_y);
@@ -265,6 +268,25 @@ void draw_small_triangle(const StripTarget& target, const SnappedVertex& v0, con
   } else {
     scan_small_triangle<gouraud, statistics>(scan, rule);
   }
+}
+
+/// The same. Inlined, because a call of its own would pass all of it through memory.
+template <bool gouraud, bool statistics, class Rule = DepthRule<DepthMode{}>>
+[[gnu::always_inline]] inline void draw_small_triangle(const StripTarget& target, const SnappedVertex& v0,
+                                                       const SnappedVertex& v1, const SnappedVertex& v2,
+                                                       const Colour* const (&colours)[3], std::uint16_t flat_colour,
+                                                       std::int32_t area, std::int32_t anchor_x, std::int32_t anchor_y,
+                                                       const Rect& box, Rule rule = {}) {
+  if constexpr (kHasSse2 && !statistics && Rule::kNearerOnly) {
+    const SmallTriangle triangle{target, v0, v1, v2, area, anchor_x, anchor_y, box};
+    if constexpr (gouraud) {
+      if (draw_small_gouraud_sse2(triangle, colours)) return;
+    } else {
+      if (draw_small_flat_sse2(triangle, flat_colour)) return;
+    }
+  }
+  draw_small_triangle_portable<gouraud, statistics>(target, v0, v1, v2, colours, flat_colour, area, anchor_x, anchor_y,
+                                                    box, rule);
 }
 
 }  // namespace zstrip::detail

@@ -7,8 +7,10 @@
 
 #include "zstrip/raster/colour.hpp"
 #include "zstrip/raster/plane.hpp"
+#include "zstrip/raster/span_sse2.hpp"
 #include "zstrip/raster/target.hpp"
 #include "zstrip/raster/texture_coordinates.hpp"
+#include "zstrip/raster/textured_run_sse2.hpp"
 #include "zstrip/raster/textured_run_thumb2.hpp"
 #include "zstrip/raster/triangle_depth.hpp"
 
@@ -20,8 +22,8 @@ inline void count_pass(Statistics* counters) {
 }
 
 template <bool statistics, class DepthPlane, class Rule>
-void fill_flat(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule, std::uint16_t colour,
-               Statistics* counters) {
+void fill_flat_portable(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
+                        std::uint16_t colour, Statistics* counters) {
   auto z = depth.at(span.columns, span.rows);
   for (std::int32_t i = 0; i < span.length; ++i) {
     if (rule.draws(z, span.depth[i])) {
@@ -32,13 +34,24 @@ void fill_flat(const Span<typename Rule::Cell>& span, const DepthPlane& depth, c
   }
 }
 
+/// The same.
+template <bool statistics, class DepthPlane, class Rule>
+void fill_flat(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule, std::uint16_t colour,
+               Statistics* counters) {
+  if constexpr (kHasSse2 && !statistics && Rule::kNearerOnly) {
+    fill_flat_sse2(span.depth, span.colour, span.length, depth.at(span.columns, span.rows), depth.step_x, colour);
+  } else {
+    fill_flat_portable<statistics>(span, depth, rule, colour, counters);
+  }
+}
+
 struct ColourPlanes {
   Plane r, g, b;  ///< 8.16
 };
 
 template <bool statistics, class DepthPlane, class Rule>
-void fill_gouraud(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
-                  const ColourPlanes& planes, Statistics* counters) {
+void fill_gouraud_portable(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
+                           const ColourPlanes& planes, Statistics* counters) {
   auto z = depth.at(span.columns, span.rows);
   std::uint32_t r = planes.r.at(span.columns, span.rows);
   std::uint32_t g = planes.g.at(span.columns, span.rows);
@@ -52,6 +65,20 @@ void fill_gouraud(const Span<typename Rule::Cell>& span, const DepthPlane& depth
     r += planes.r.step_x;
     g += planes.g.step_x;
     b += planes.b.step_x;
+  }
+}
+
+/// The same.
+template <bool statistics, class DepthPlane, class Rule>
+void fill_gouraud(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
+                  const ColourPlanes& planes, Statistics* counters) {
+  if constexpr (kHasSse2 && !statistics && Rule::kNearerOnly) {
+    const auto start = [&span](const Plane& plane) { return plane.at(span.columns, span.rows); };
+    fill_gouraud_sse2(span.depth, span.colour, span.length,
+                      {start(depth), start(planes.r), start(planes.g), start(planes.b), depth.step_x, planes.r.step_x,
+                       planes.g.step_x, planes.b.step_x});
+  } else {
+    fill_gouraud_portable<statistics>(span, depth, rule, planes, counters);
   }
 }
 
@@ -130,8 +157,10 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
   using Value = typename DepthPlane::Value;
   constexpr bool kAssembly = kHasThumb2 && !lit && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>> &&
                              std::is_same_v<Value, std::uint32_t>;
-  static_assert(kPerspectiveRun == 16);  // fill_runs_thumb2 knows it
-  constexpr bool kWholeRuns = kAssembly && !affine && kRun == kPerspectiveRun;
+  constexpr bool kVectors =
+      kHasSse2 && !lit && !statistics && Rule::kNearerOnly && std::is_same_v<Value, std::uint32_t>;
+  static_assert(kPerspectiveRun == 16);  // fill_runs_thumb2 and fill_runs_sse2 know it
+  constexpr bool kWholeRuns = (kAssembly || kVectors) && !affine && kRun == kPerspectiveRun;
   using State = std::conditional_t<kWholeRuns, TexturedRunsState, TexturedRunState<Value>>;
   TexturedRun<lit, statistics, Value, Rule, State> run;
   run.rule = rule;
@@ -147,6 +176,8 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
     run.g = light.g.at(span.columns, span.rows);
     run.b = light.b.at(span.columns, span.rows);
   }
+  bool takes_vectors = false;
+  if constexpr (kVectors) takes_vectors = fits_sse2(run);
   // Pixels of the first run that lie to the left of the span.
   std::int32_t before = span.skipped & (kRun - 1);
   std::int32_t left = span.whole_length - span.skipped + before;
@@ -157,12 +188,17 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
   TexelPosition from = coordinates.at(place);
   for (;;) {
     if constexpr (kWholeRuns) {
-      const std::int32_t whole =
-          before != 0 ? 0 : std::min((left - 1) / kRun, static_cast<std::int32_t>(end - pixel) / kRun);
+      const std::int32_t whole = before != 0 || (kVectors && !takes_vectors)
+                                     ? 0
+                                     : std::min((left - 1) / kRun, static_cast<std::int32_t>(end - pixel) / kRun);
       if (whole > 0) {
         run.to_fraction_u = axis_u.to_fraction, run.to_fraction_v = axis_v.to_fraction;
         coordinates.start_runs(run, place, from, static_cast<std::uint32_t>(kRun));
-        fill_runs_thumb2(run, depth_cell, pixel, static_cast<std::uint32_t>(whole));
+        if constexpr (kVectors) {
+          fill_runs_sse2(run, depth_cell, pixel, static_cast<std::uint32_t>(whole));
+        } else {
+          fill_runs_thumb2(run, depth_cell, pixel, static_cast<std::uint32_t>(whole));
+        }
         pixel += whole * kRun;
         if (pixel == end) break;
         depth_cell += whole * kRun;
@@ -195,6 +231,8 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
     const std::int32_t drawn = std::min(length - before, static_cast<std::int32_t>(end - pixel));
     if constexpr (kAssembly) {
       fill_run_thumb2(run, depth_cell, pixel, drawn);
+    } else if (kVectors && takes_vectors) {
+      if constexpr (kVectors) fill_run_sse2(run, depth_cell, pixel, drawn);
     } else {
       run.fill(depth_cell, pixel, drawn, light, counters);
     }

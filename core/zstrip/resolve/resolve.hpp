@@ -75,6 +75,9 @@ using PixelPairs [[gnu::may_alias]] = std::uint32_t;
 
 /// `blocks` > 0 times sixteen pixels.
 inline void fill_blocks_portably(PixelPairs* to, std::uint32_t pair, std::uint32_t blocks) {
+  for (; blocks >= 4; blocks -= 4, to += 32) {
+    for (int i = 0; i < 32; ++i) to[i] = pair;
+  }
   for (; blocks != 0; --blocks, to += 8) {
     for (int i = 0; i < 8; ++i) to[i] = pair;
   }
