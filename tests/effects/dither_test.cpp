@@ -218,19 +218,14 @@ TEST(Dithering, ChangedRectanglesMeetThePictureWithoutASeam) {
   }
 }
 
-TEST(Dithering, ARendererWithoutTheEffectRefusesADitheredPicture) {
+TEST(Dithering, ARendererWithoutTheEffectDrawsThePictureUndithered) {
   Square square({40, 60, 80, 255}, {72, 76, 96, 255});
-  const Plan plan = zstrip::plan(count(square.scene), kSquareDithered, kGradient, {}).plan;
-  std::vector<std::uint64_t> arena(plan.bytes() / 8 + 2048);
-  Renderer<kGradient> renderer;
-  const auto begin = [&](const View& view) {
-    Plan fitting = zstrip::plan(count(square.scene), view, kGradient, {}).plan;
-    return renderer.begin_frame(square.scene, facing(), view, fitting, std::as_writable_bytes(std::span(arena)));
-  };
-  EXPECT_EQ(begin(kSquareDithered), (Status{.error = Error::effect_missing, .needed = effect::dithered_colours.bits}));
-  EXPECT_EQ(begin({64, 64, PixelFormat::mono, true}),
-            (Status{.error = Error::effect_missing, .needed = effect::dithered_format.bits}));
-  EXPECT_TRUE(begin(kSquare));
+  EXPECT_EQ(effects_of(kSquare), Effects{});
+  EXPECT_EQ(effects_of(kSquareDithered), effect::dithered_colours);
+  EXPECT_EQ(effects_of(View{64, 64, PixelFormat::mono, true}), effect::dithered_format);
+  const Drawn plain = draw<kGradient>(square.scene, facing(), kSquare);
+  EXPECT_EQ(draw<kGradient>(square.scene, facing(), kSquareDithered), plain);
+  EXPECT_NE(draw<kGradient | effect::dithered_colours>(square.scene, facing(), kSquareDithered), plain);
 }
 
 }  // namespace

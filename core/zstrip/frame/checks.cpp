@@ -29,10 +29,6 @@ Status Frame::Access::Checks::every_frame(const Scene& scene, const Camera& came
   if (const Status status = validate_instances(scene); !status) return status;
   if (const Effects missing = without(called_for, effects); missing.bits != 0)
     return {.error = Error::effect_missing, .needed = low_bits(missing)};
-  if (view.dither) {
-    if (const Effects missing = without(effects_of(view), effects); missing != Effects{})
-      return {.error = Error::effect_missing, .needed = low_bits(missing)};
-  }
   // The plan must be one for this scene: a smaller one would overrun its parts of the arena.
   const SceneCounts counts = count(scene);
   if (plan.instance_bytes < detail::instance_bytes(counts)) {

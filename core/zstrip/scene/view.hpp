@@ -18,7 +18,9 @@ struct View {
   std::uint16_t width = 0;   ///< 1..4096
   std::uint16_t height = 0;  ///< 1..4096
   PixelFormat format = PixelFormat::rgb565;
-  bool dither = false;  ///< where colours get fewer bits (docs/conventions.md, "Dithering"); needs effects_of(view)
+  /// Where colours get fewer bits (docs/conventions.md, "Dithering"). Renderers with effects_of(view) do it; for others
+  /// it is not there, and costs nothing.
+  bool dither = false;
 };
 
 inline constexpr std::uint16_t kMaxViewSize = 4096;
