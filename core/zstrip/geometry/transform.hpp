@@ -55,10 +55,13 @@ bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, cons
   }
 }
 
+/// Whether a colour is copied as one word: without (Cortex-M0) a loop of copies is slower than the general one.
+inline constexpr bool kCopiesColours = kHasThumb2 || kHasSse2;
+
 template <Effects effects>
 void shade_vertices(const CompiledInstance& instance, const Mesh& mesh, std::uint32_t first, std::uint32_t count,
                     Colour* colours) {
-  if constexpr (effects.has(effect::vertex_colours)) {
+  if constexpr (kCopiesColours && effects.has(effect::vertex_colours)) {
     if (!(effects.has(effect::lighting) && instance.lit) && instance.coloured &&
         instance.base == Colour{255, 255, 255, 255}) {
       const Colour* const own = mesh.colours.data() + first;

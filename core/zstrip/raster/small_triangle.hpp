@@ -56,17 +56,15 @@ struct SmallPlane {
   std::uint32_t at(std::uint32_t columns, std::uint32_t rows) const { return start + step_x * columns + step_y * rows; }
 };
 
-/// Value per unit of edge function, 16.16, rounded.
-inline std::uint32_t small_depth_per_unit(std::int32_t difference, std::int32_t inverse_area) {
-  return static_cast<std::uint32_t>(multiply_high_rounded(difference * 2, inverse_area));
-}
-
 /// The depth plane. `from_0` are the differences to vertices 1 and 2, 14.16, below 2^29; `inverse_area` is 2^31 / area.
 inline SmallPlane small_depth(const SmallWeights& weights, std::int32_t inverse_area, std::uint32_t depth_0,
                               std::int32_t from_0_to_1, std::int32_t from_0_to_2) {
-  // Every pixel's value is exactly depth_0 + k1 e1 + k2 e2.
-  const std::uint32_t k1 = small_depth_per_unit(from_0_to_1, inverse_area);
-  const std::uint32_t k2 = small_depth_per_unit(from_0_to_2, inverse_area);
+  // Value per unit of edge function, 16.16, rounded; every pixel's value is exactly depth_0 + k1 e1 + k2 e2.
+  const auto per_unit = [inverse_area](std::int32_t difference) {
+    return static_cast<std::uint32_t>(multiply_high_rounded(difference * 2, inverse_area));
+  };
+  const std::uint32_t k1 = per_unit(from_0_to_1);
+  const std::uint32_t k2 = per_unit(from_0_to_2);
   const auto along = [k1, k2](const std::int32_t(&e)[2]) {
     return k1 * static_cast<std::uint32_t>(e[0]) + k2 * static_cast<std::uint32_t>(e[1]);
   };

@@ -83,7 +83,8 @@ template <bool gouraud>
   const __m128i weights = weight_pairs(edges, at_anchor);
   const auto inverse_area = static_cast<std::int32_t>(quotient_31(static_cast<std::uint32_t>(t.area)));
   const auto per_unit = [&](const SnappedVertex& v) {
-    return small_depth_per_unit(static_cast<std::int32_t>(v.depth - t.v0.depth), inverse_area);
+    const auto difference = static_cast<std::int32_t>(v.depth - t.v0.depth);
+    return static_cast<std::uint32_t>(multiply_high_rounded(difference * 2, inverse_area));
   };
   const __m128i plane = depth_plane(weights, per_unit(t.v1), per_unit(t.v2));
   const __m128i step_x = word_in_all<0>(plane);

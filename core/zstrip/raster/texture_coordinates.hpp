@@ -14,13 +14,6 @@ struct TexelPosition {
   std::int32_t u, v;  ///< texels, 16.16, modulo 2^16 texels
 };
 
-/// u/w or v/w times w, shifted right by `right`, or left where that is negative.
-constexpr std::int32_t times_w(std::uint32_t over_w, const Reciprocal& w, int right) {
-  const std::int32_t high = multiply_high(static_cast<std::int32_t>(over_w), w.value);
-  if (right >= 0) return high >> (right < 31 ? right : 31);
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(high) << (right > -31 ? -right : 31));
-}
-
 /// 1/w needs no interpolant of its own: with perspective the depth code is k / w - offset.
 template <bool orthographic>
 class TextureCoordinates {
@@ -112,8 +105,10 @@ class TextureCoordinates {
 
  private:
   std::int32_t divided(std::int32_t value, const Reciprocal& r) const {
-    // 1/q = r * 2^(normalisation - 62)
-    return times_w(static_cast<std::uint32_t>(value), r, 30 - r.normalisation - shift_);
+    const std::int32_t high = multiply_high(value, r.value);
+    const int right = 30 - r.normalisation - shift_;  // 1/q = r * 2^(normalisation - 62)
+    if (right >= 0) return high >> (right < 31 ? right : 31);
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(high) << (right > -31 ? -right : 31));
   }
   static std::int32_t wrapping_sum(std::int32_t a, std::int32_t b) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));

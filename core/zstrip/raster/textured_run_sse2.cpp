@@ -1,8 +1,8 @@
 // Eight texels at a time: their indices in two vectors, fetched one by one.
 #include "zstrip/raster/textured_run_sse2.hpp"
 
+#include "zstrip/geometry/project.hpp"
 #include "zstrip/raster/interpolated_sse2.hpp"
-#include "zstrip/raster/texture_coordinates.hpp"
 
 #if ZSTRIP_HAS_SSE2
 
@@ -44,6 +44,13 @@ class Texels {
   const std::uint16_t* texels_;
   __m128i to_column_, to_row_, row_mask_;
 };
+
+/// TextureCoordinates::divided: u/w or v/w times w, shifted right by `right`, or left where that is negative.
+std::int32_t times_w(std::uint32_t over_w, const Reciprocal& w, int right) {
+  const std::int32_t high = multiply_high(static_cast<std::int32_t>(over_w), w.value);
+  if (right >= 0) return high >> (right < 31 ? right : 31);
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(high) << (right > -31 ? -right : 31));
+}
 
 }  // namespace
 
