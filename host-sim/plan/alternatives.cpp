@@ -34,7 +34,7 @@ class Planning {
         counts_(count(staging.scene)),
         effects_(effects_of(staging.scene, staging.camera) | effects_of(request.view) |
                  depth_effect(request.depth_format) | request.method | (request.may_bin ? effect::bins : Effects{})) {
-    if (request.depth) effects_ = zstrip::plan(counts_, request.view, effects_, *request.depth, request.budget).effects;
+    if (request.depth) effects_ = zstrip::plan(counts_, request.view, effects_, request.budget, *request.depth).effects;
   }
 
   const SceneCounts& counts() const { return counts_; }

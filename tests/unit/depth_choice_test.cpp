@@ -81,21 +81,21 @@ constexpr DepthNeed need(double separation) {
 }
 
 TEST(PlanWithDepth, HasTheCheapestFormatThatSorts) {
-  constexpr PlanWithDepth kPlan = plan(kCounts, kView, effect::gouraud | effect::depth_32, need(0.05));
+  constexpr PlanWithDepth kPlan = plan(kCounts, kView, effect::gouraud | effect::depth_32, {}, need(0.05));
   static_assert(kPlan.status);
   EXPECT_EQ(kPlan.effects, effect::gouraud) << "the format that was asked for is not needed";
   EXPECT_EQ(kPlan.plan.depth_bytes, 240U * 240 * 2);
-  EXPECT_EQ(depth_format(plan(kCounts, kView, {}, need(0.005)).effects), DepthFormat::float16);
-  const PlanWithDepth fine = plan(kCounts, kView, {}, need(0.0002));
+  EXPECT_EQ(depth_format(plan(kCounts, kView, {}, {}, need(0.005)).effects), DepthFormat::float16);
+  const PlanWithDepth fine = plan(kCounts, kView, {}, {}, need(0.0002));
   EXPECT_EQ(depth_format(fine.effects), DepthFormat::z24);
   EXPECT_EQ(fine.plan.depth_bytes, 240U * 240 * 4);
-  EXPECT_EQ(depth_format(plan(kCounts, kView, {}, need(1e-9)).effects), DepthFormat::z32) << "nothing sorts that";
+  EXPECT_EQ(depth_format(plan(kCounts, kView, {}, {}, need(1e-9)).effects), DepthFormat::z32) << "nothing sorts that";
 }
 
 TEST(PlanWithDepth, IsThePlanForItsEffects) {
   for (std::uint32_t bytes = 1000; bytes < 300000; bytes += 1777) {
     for (const double separation : {0.05, 0.005, 0.0002}) {
-      const PlanWithDepth with_depth = plan(kCounts, kView, effect::lighting, need(separation), {.bytes = bytes});
+      const PlanWithDepth with_depth = plan(kCounts, kView, effect::lighting, {.bytes = bytes}, need(separation));
       const PlanResult same = plan(kCounts, kView, with_depth.effects, {.bytes = bytes});
       ASSERT_EQ(with_depth.status.error, same.status.error) << bytes;
       ASSERT_EQ(with_depth.plan.bytes(), same.plan.bytes()) << bytes;
@@ -108,26 +108,26 @@ TEST(PlanWithDepth, TakesSlowerTwoBytesWhereFourDoNotFit) {
   // Far away w16 sorts what of 2-byte formats only it does.
   constexpr DepthNeed kFar{{6554, 100 * kFixedOne}, 90 * kFixedOne, static_cast<std::uint64_t>(0.02 * 4294967296.0)};
   constexpr Budget kRows{.strip_rows = 8};
-  const PlanWithDepth wide = plan(kCounts, kView, {}, kFar, kRows);
+  const PlanWithDepth wide = plan(kCounts, kView, {}, kRows, kFar);
   ASSERT_TRUE(wide.status);
   EXPECT_EQ(depth_format(wide.effects), DepthFormat::z24);
   Budget less = kRows;
   less.bytes = wide.plan.bytes() - 8;
-  const PlanWithDepth narrow = plan(kCounts, kView, {}, kFar, less);
+  const PlanWithDepth narrow = plan(kCounts, kView, {}, less, kFar);
   EXPECT_TRUE(narrow.status);
   EXPECT_EQ(depth_format(narrow.effects), DepthFormat::w16);
   // Where not even that fits, the words are about what was best.
   less.bytes = 1;
-  EXPECT_EQ(depth_format(plan(kCounts, kView, {}, kFar, less).effects), DepthFormat::z24);
+  EXPECT_EQ(depth_format(plan(kCounts, kView, {}, less, kFar).effects), DepthFormat::z24);
   // A static layer keeps 16 bits.
-  const PlanWithDepth layer = plan(kCounts, kView, {}, kFar, {.layer = {1000, 1000, 100}});
+  const PlanWithDepth layer = plan(kCounts, kView, {}, {.layer = {1000, 1000, 100}}, kFar);
   EXPECT_TRUE(layer.status);
   EXPECT_EQ(depth_format(layer.effects), DepthFormat::w16);
 }
 
 TEST(PlanWithDepth, MethodsAndSubRangesKeepZ16) {
-  EXPECT_EQ(plan(kCounts, kView, effect::depth_ranges, need(0.0002)).effects, effect::depth_ranges);
-  EXPECT_EQ(plan(kCounts, kView, method::hierarchical_z, need(0.0002)).effects, method::hierarchical_z);
+  EXPECT_EQ(plan(kCounts, kView, effect::depth_ranges, {}, need(0.0002)).effects, effect::depth_ranges);
+  EXPECT_EQ(plan(kCounts, kView, method::hierarchical_z, {}, need(0.0002)).effects, method::hierarchical_z);
 }
 
 }  // namespace

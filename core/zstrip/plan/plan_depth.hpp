@@ -26,10 +26,10 @@ struct PlanWithDepth {
 /// slower than all others but z32, where it sorts as well and four bytes a cell do not fit (or cannot be kept, with a
 /// static layer). Visibility methods and sub-ranges always have z16. If not even z32 sorts what is needed, the plan is
 /// for z32. constexpr, so that the effects can be a renderer's:
-///     constexpr PlanWithDepth kPlan = plan(kCounts, kView, kEffects, DepthNeed{kRange, kFarthest, kSeparation},
-///     kBudget); Renderer<kPlan.effects> renderer;
-constexpr PlanWithDepth plan(const SceneCounts& counts, const View& view, Effects effects, const DepthNeed& need,
-                             const Budget& budget = {}) {
+///     constexpr PlanWithDepth kPlan = plan(kCounts, kView, kEffects, kBudget, {kRange, kFarthest, kSeparation});
+/// and Renderer<kPlan.effects>.
+constexpr PlanWithDepth plan(const SceneCounts& counts, const View& view, Effects effects, const Budget& budget,
+                             const DepthNeed& need) {
   const Effects others = without(effects, effect::depth_formats);
   const auto planned = [&](DepthFormat format) -> PlanWithDepth {
     const Effects all = others | depth_effect(format);
