@@ -230,10 +230,11 @@ TEST_F(Vectors, SmallTriangles) {
   EXPECT_GT(drawn, 10000);
 }
 
+constexpr Effects kOfMeshlets = effect::gouraud | effect::vertex_colours;
+
 /// Draws whole meshlets with counting, which is portable, and without.
 template <Shade shade>
 void compare_meshlets(unsigned seed) {
-  constexpr Effects kEffects = effect::gouraud | effect::vertex_colours;
   Random random(seed);
   std::uint32_t drawn = 0;
   for (int i = 0; i < 12000; ++i) {
@@ -266,9 +267,9 @@ void compare_meshlets(unsigned seed) {
     const std::int32_t left = random.between(-25, 5), top = random.between(-25, 5);
     Statistics statistics{};
     const bool all_narrow = random.between(0, 1) == 0;
-    Assembler<kEffects | effect::statistics>::draw(portable.target(left, top, &statistics), batch, triangles,
-                                                   all_narrow);
-    Assembler<kEffects>::draw(vectors.target(left, top, nullptr), batch, triangles, all_narrow);
+    Assembler<kOfMeshlets | effect::statistics>::draw(portable.target(left, top, &statistics), batch, triangles,
+                                                      all_narrow);
+    Assembler<kOfMeshlets>::draw(vectors.target(left, top, nullptr), batch, triangles, all_narrow);
     ASSERT_TRUE(portable == vectors) << "meshlet " << i;
     drawn += statistics.covering;
   }
