@@ -1,6 +1,8 @@
 // Eight texels at a time: their indices in two vectors, fetched one by one.
 #include "zstrip/raster/textured_run_sse2.hpp"
 
+#include <bit>
+
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/raster/interpolated_sse2.hpp"
 
@@ -28,17 +30,22 @@ class Texels {
   }
 
  private:
+  // By subscript: without the optimiser _mm_insert_epi16 is a macro, whose conversion to a half warns here.
+  using Halves [[gnu::vector_size(16)]] = std::uint16_t;
+
   template <int lane>
-  int fetch(__m128i indices) const {
+  std::uint16_t fetch(__m128i indices) const {
     return texels_[static_cast<unsigned>(_mm_extract_epi16(indices, 2 * lane))];
   }
   /// Four texels in the lanes from `first` on.
   template <int first>
   __m128i fetched(__m128i texels, __m128i indices) const {
-    texels = _mm_insert_epi16(texels, fetch<0>(indices), first);
-    texels = _mm_insert_epi16(texels, fetch<1>(indices), first + 1);
-    texels = _mm_insert_epi16(texels, fetch<2>(indices), first + 2);
-    return _mm_insert_epi16(texels, fetch<3>(indices), first + 3);
+    auto lanes = std::bit_cast<Halves>(texels);
+    lanes[first] = fetch<0>(indices);
+    lanes[first + 1] = fetch<1>(indices);
+    lanes[first + 2] = fetch<2>(indices);
+    lanes[first + 3] = fetch<3>(indices);
+    return std::bit_cast<__m128i>(lanes);
   }
 
   const std::uint16_t* texels_;
