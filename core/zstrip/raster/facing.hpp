@@ -51,7 +51,8 @@ struct Facing {
     const std::uintptr_t vertices =
         reinterpret_cast<std::uintptr_t>(batch.vertices) - batch.first_vertex * sizeof(SnappedVertex);
     const auto vertex = [vertices](std::uint32_t index) -> const SnappedVertex& {
-      return *reinterpret_cast<const SnappedVertex*>(vertices + index * sizeof(SnappedVertex));
+      return *reinterpret_cast<const SnappedVertex*>(  // NOLINT(performance-no-int-to-ptr)
+          vertices + index * sizeof(SnappedVertex));
     };
     const bool double_sided = batch.instance->double_sided;
     std::uint32_t i = 0;

@@ -231,8 +231,12 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
     const std::int32_t drawn = std::min(length - before, static_cast<std::int32_t>(end - pixel));
     if constexpr (kAssembly) {
       fill_run_thumb2(run, depth_cell, pixel, drawn);
-    } else if (kVectors && takes_vectors) {
-      if constexpr (kVectors) fill_run_sse2(run, depth_cell, pixel, drawn);
+    } else if constexpr (kVectors) {
+      if (takes_vectors) {
+        fill_run_sse2(run, depth_cell, pixel, drawn);
+      } else {
+        run.fill(depth_cell, pixel, drawn, light, counters);
+      }
     } else {
       run.fill(depth_cell, pixel, drawn, light, counters);
     }
