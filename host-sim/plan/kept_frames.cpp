@@ -21,7 +21,7 @@ Failure refused(const Status& status) {
 class Keeper {
  public:
   Keeper(const View& view, DepthFormat format)
-      : view_{view.width, view.height, PixelFormat::rgb565, view.dither && !is_narrow(view.format)},
+      : view_{view.width, view.height, PixelFormat::rgb565, dithers_colours(view)},
         format_(format),
         worst_(layer_bytes_worst(view_)),
         depth_(worst_.depth),

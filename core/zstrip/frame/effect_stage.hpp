@@ -77,7 +77,7 @@ struct Frame::Access::EffectStage {
       if constexpr (effects.has(effect::dithered_colours)) {
         const bool varies =
             instance.shade == detail::Shade::gouraud || instance.shade == detail::Shade::textured_gouraud;
-        if (varies && effects_of(frame.view_).has(effect::dithered_colours)) {
+        if (varies && dithers_colours(frame.view_)) {
           instance.shade = detail::with_fragments(instance.shade);
         }
       }

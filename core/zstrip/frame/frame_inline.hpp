@@ -87,7 +87,7 @@ Status Frame::Access::draw_strip(Frame& frame, std::uint16_t strip, std::span<st
   }
   if constexpr (effects.has(effect::dithered_colours | effect::fog)) {
     // Fog is dithered and ends in the background's colour: without a seam only if that is dithered, too.
-    if (frame.scene_->fog != nullptr && effects_of(frame.view_).has(effect::dithered_colours)) {
+    if (frame.scene_->fog != nullptr && dithers_colours(frame.view_)) {
       detail::fill_dithered(area, frame.scene_->background, drawn);
     }
   }

@@ -87,7 +87,7 @@ struct Frame::Access::Materials {
                              const Draw& draw) {
     if constexpr (effects.has(effect::dithered_colours)) {
       draw(detail::TargetOf<effects>{{target, fragment_settings<effects>(frame, instance)},
-                                     effects_of(frame.view_).has(effect::dithered_colours)});
+                                     dithers_colours(frame.view_)});
     } else if constexpr (effects.any(effect::fragments)) {
       draw(detail::TargetOf<effects>{target, fragment_settings<effects>(frame, instance)});
     } else {

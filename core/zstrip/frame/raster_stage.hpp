@@ -84,7 +84,7 @@ struct Frame::Access::Raster {
       }
       if constexpr (effects.has(effect::dithered_colours)) {
         shade.dither = {quadric.anchor_x - target.view_left, quadric.anchor_y - target.view_top,
-                        effects_of(frame.view_).has(effect::dithered_colours)};
+                        dithers_colours(frame.view_)};
       }
       Materials::with_depth<effects>(frame, target, quadric.material, [&](const auto& complete) {
         detail::QuadricFill<effects>::draw(complete, quadric, offset, shade);

@@ -229,8 +229,8 @@ constexpr Effects effects_of_finish(const Scene& scene, const Material& material
 
 /// What the picture needs beside what its scene does. constexpr.
 constexpr Effects effects_of(const View& view) {
-  if (!view.dither) return {};
-  return {is_narrow(view.format) ? effect::dithered_format.bits : effect::dithered_colours.bits};
+  if (dithers_colours(view)) return effect::dithered_colours;
+  return view.dither ? effect::dithered_format : Effects{};
 }
 
 /// Exactly what drawing this scene with this camera needs. constexpr for baked scenes.

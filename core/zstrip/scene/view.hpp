@@ -23,6 +23,9 @@ struct View {
   bool dither = false;
 };
 
+/// Whether gradients, fog and spheres are dithered as they are drawn; in narrow formats pixels are, afterwards.
+constexpr bool dithers_colours(const View& view) { return view.dither && !is_narrow(view.format); }
+
 inline constexpr std::uint16_t kMaxViewSize = 4096;
 
 /// Bytes of one row of pixels; every row starts at a byte.
