@@ -148,8 +148,7 @@ struct Frame::Access::Geometry {
                                                    });
           if (!listed) return;
           shade<effects>(frame, batch, range, retained);
-          frame.batches_[batches++] = {static_cast<std::uint16_t>(instance), static_cast<std::uint16_t>(meshlet),
-                                       retained & 0x7FFFFFFFU, all_narrow};
+          frame.batches_[batches++] = detail::retained_batch(instance, meshlet, retained, all_narrow);
           retained += range.vertex_count;
         });
     return room;

@@ -157,8 +157,7 @@ void Frame::Access::Methods::collect_triangles(FrameWithMethod& frame) {
         });
     if (!listed || !binned) return;
     Geometry::shade<effects>(frame, batch, range, cache);
-    frame.batches_[batches++] = {static_cast<std::uint16_t>(instance), static_cast<std::uint16_t>(meshlet),
-                                 retained & 0x7FFFFFFFU, all_narrow};
+    frame.batches_[batches++] = detail::retained_batch(instance, meshlet, retained, all_narrow);
     retained += range.vertex_count;
   });
   frame.sorted_count_ = count;

@@ -16,6 +16,13 @@ struct RetainedBatch {
 };
 static_assert(sizeof(RetainedBatch) == kBatchBytes);
 
+/// Plans keep each number within its bits.
+constexpr RetainedBatch retained_batch(std::uint32_t instance, std::uint32_t meshlet, std::uint32_t first_vertex,
+                                       bool all_narrow) {
+  return {static_cast<std::uint16_t>(instance), static_cast<std::uint16_t>(meshlet), first_vertex & 0x7FFFFFFFU,
+          all_narrow};
+}
+
 /// A list is a chain of chunks of 16-bit entries: kBatchEntry + n, "the triangles of batch n follow", or the index of a
 /// triangle in its meshlet.
 inline constexpr std::uint16_t kBatchEntry = 0x8000;
