@@ -38,7 +38,9 @@ struct Arguments {
 Result<PlanRequest> parse(const Arguments& arguments) {
   Result<PlanRequest> request = parse_plan(arguments.plan, arguments.scene);
   if (!request) return request.failure();
-  if (arguments.depth_format && *arguments.depth_format != kChosen) {
+  if (arguments.depth_format == kChosen) {
+    request->depth_format = DepthFormat::z16;  // until distances are known
+  } else if (arguments.depth_format) {
     const Result<DepthFormat> depth_format = parse_depth_format(*arguments.depth_format);
     if (!depth_format) return depth_format.failure();
     request->depth_format = *depth_format;

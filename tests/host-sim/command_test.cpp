@@ -236,6 +236,25 @@ TEST_F(Command, PlanChoosesTheDepthFormat) {
   EXPECT_EQ(zstrip({"plan", "room", "--depth-format", "least"}).status, 2);
 }
 
+/// What the scene's file says does not stand in the way: a static layer cannot keep z24, and an empty picture needs
+/// no format in particular.
+TEST_F(Command, PlanChoosesTheDepthFormatWhateverTheSceneSays) {
+  const auto chosen = [this](const char* instances, std::vector<std::string> words) {
+    std::string scene = "[[model]]\nname = 'a'\nbuilt_in = 'cube'\n";
+    scene += instances;
+    scene += "[camera]\neye = [0, 1, 5]\n[picture]\ndepth_format = 'z24'\n";
+    file("deep.toml", scene);
+    words.insert(words.begin(), {"plan", "deep.toml", "--size", "128x64", "--depth-format", "auto", "--json"});
+    const Outcome outcome = run(ZSTRIP_COMMAND, words, path(""));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out).at("depth_format").get<std::string>();
+  };
+  const char* const cube = "[[instance]]\nmodel = 'a'\n";
+  EXPECT_EQ(chosen(cube, {}), "z16");
+  EXPECT_EQ(chosen(cube, {"--static-layer"}), "z16");
+  EXPECT_EQ(chosen("[[instance]]\nmodel = 'a'\ntranslation = [0, 0, 100]\n", {}), "z16");
+}
+
 TEST_F(Command, PlanNamesTheCheapestChangeThatWouldFit) {
   const Outcome rows = zstrip({"plan", "knot_meshlets", "--ram", "16K", "--strip-rows", "120"});
   EXPECT_EQ(rows.status, 5);

@@ -22,10 +22,10 @@ struct PlanWithDepth {
   Effects effects;
 };
 
-/// As `plan` above, with the format of cheapest_depth_format in place of any that `effects` has; or with w16, which is
-/// slower than all others but z32, where it sorts as well and four bytes a cell do not fit (or cannot be kept, with a
-/// static layer). Visibility methods and sub-ranges always have z16. If not even z32 sorts what is needed, the plan is
-/// for z32. constexpr, so that the effects can be a renderer's:
+/// As `plan` above, with the format of cheapest_depth_format in place of any that `effects` has; or with w16, on most
+/// scenes the slowest, where it sorts as well and four bytes a cell do not fit (or cannot be kept, with a static
+/// layer). Visibility methods and sub-ranges always have z16. If not even z32 sorts what is needed, the plan is for
+/// z32. constexpr, so that the effects can be a renderer's:
 ///     constexpr PlanWithDepth kPlan = plan(kCounts, kView, kEffects, kBudget, {kRange, kFarthest, kSeparation});
 /// and Renderer<kPlan.effects>.
 constexpr PlanWithDepth plan(const SceneCounts& counts, const View& view, Effects effects, const Budget& budget,
