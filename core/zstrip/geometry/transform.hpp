@@ -4,6 +4,7 @@
 #include "zstrip/geometry/light.hpp"
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/geometry/transform_sse2.hpp"
+#include "zstrip/geometry/transform_thumb1.hpp"
 #include "zstrip/geometry/transform_thumb2.hpp"
 
 namespace zstrip::detail {
@@ -35,14 +36,20 @@ bool transform_vertices_portable(const CompiledInstance& instance, const Mesh& m
 [[gnu::noinline]] inline bool transform_vertices_in_assembly(const CompiledInstance& instance, const Mesh& mesh,
                                                              const RasterOrigin& origin, std::uint32_t first,
                                                              std::uint32_t count, SnappedVertex* vertices) {
-  return transform_vertices_thumb2(NarrowTransform(instance, origin), mesh.positions.data() + first, count, vertices);
+  const Position* const positions = mesh.positions.data() + first;
+  if constexpr (kHasThumb1) {
+    return transform_vertices_thumb1(HalvedTransform(instance, origin), positions, count, vertices);
+  } else {
+    return transform_vertices_thumb2(NarrowTransform(instance, origin), positions, count, vertices);
+  }
 }
 
 /// The same.
 template <Effects effects>
 bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, const RasterOrigin& origin,
                         std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {
-  if constexpr (kHasThumb2 && !effects.has(effect::orthographic) && depth_format(effects) == DepthFormat::z16) {
+  if constexpr ((kHasThumb1 || kHasThumb2) && !effects.has(effect::orthographic) &&
+                depth_format(effects) == DepthFormat::z16) {
     if (count == 0) return true;
     return transform_vertices_in_assembly(instance, mesh, origin, first, count, vertices);
   } else {

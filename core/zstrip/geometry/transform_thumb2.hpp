@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "zstrip/base/thumb2.hpp"
+#include "zstrip/base/thumb.hpp"
 #include "zstrip/geometry/project.hpp"
 
 namespace zstrip::detail {

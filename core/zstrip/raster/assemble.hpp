@@ -10,7 +10,7 @@
 #include "zstrip/raster/attributes.hpp"
 #include "zstrip/raster/fragment.hpp"
 #include "zstrip/raster/polygon.hpp"
-#include "zstrip/raster/small_run_thumb2.hpp"
+#include "zstrip/raster/small_run_thumb.hpp"
 #include "zstrip/raster/small_triangle.hpp"
 #include "zstrip/raster/span_triangle.hpp"
 #include "zstrip/scene/effects.hpp"
@@ -319,8 +319,8 @@ struct Assembler {
 
   /// Whether most triangles never come to draw_narrow.
   template <Shade shade, bool all_narrow>
-  static constexpr bool kSmallRuns = (kHasThumb2 || (kHasSse2 && all_narrow)) && shade == Shade::gouraud && !kStatistics
-                                     && std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
+  static constexpr bool kSmallRuns = (kHasSmallTriangleThumb || (kHasSse2 && all_narrow)) && shade == Shade::gouraud &&
+                                     !kStatistics && std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
 
   static bool is_narrow(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c) {
     return a.x != kNotNarrow && b.x != kNotNarrow && c.x != kNotNarrow;
@@ -337,13 +337,13 @@ struct Assembler {
                                         count - next);
     } else {
       SmallRun run(target, batch.vertices, batch.colours, batch.first_vertex);
-      if constexpr (all_narrow) return next + draw_small_run_thumb2(run, &triangle_at(next), count - next);
+      if constexpr (all_narrow) return next + draw_small_run_thumb(run, &triangle_at(next), count - next);
       const SnappedVertex* const vertices = batch.vertices;
       const std::uint32_t first = batch.first_vertex;
       for (; next < count; ++next) {
         const Triangle& triangle = triangle_at(next);
         if (!is_narrow(vertices[triangle.a - first], vertices[triangle.b - first], vertices[triangle.c - first]) ||
-            draw_small_run_thumb2(run, &triangle, 1) == 0) {
+            draw_small_run_thumb(run, &triangle, 1) == 0) {
           break;
         }
       }
@@ -424,8 +424,9 @@ struct Assembler {
                           std::span<const std::uint16_t> listed, bool all_narrow) {
     with_shade(batch.instance->shade, [&]<Shade shade>() {
       if constexpr (kSmallRuns<shade, true>) {
-        if (all_narrow && !batch.instance->double_sided)
+        if (all_narrow && !batch.instance->double_sided) {
           return draw_listed_small<shade>(target, batch, triangles, listed);
+        }
       }
       draw_run<shade, false>(target, batch, listed.size(),
                              [&](std::size_t i) -> const Triangle& { return triangles[listed[i]]; });

@@ -1,7 +1,7 @@
-// The assembly behind small_run_thumb2.hpp. Without calls between the stages of a triangle, and with both coordinates
+// The assembly behind small_run_thumb.hpp. Without calls between the stages of a triangle, and with both coordinates
 // of a vertex in one word, it takes half of what GCC makes of the C++. Offsets are those of SmallRun;
 // small_triangle_thumb2.cpp asserts those of SmallScan before anchor_y.
-#include "zstrip/raster/small_run_thumb2.hpp"
+#include "zstrip/raster/small_run_thumb.hpp"
 
 #include <cstddef>
 
@@ -20,7 +20,7 @@ static_assert(kSmallExtent == 181 && kSmallDepthDifference == 1U << 29);
 
 // r0 the run, r10 the next triangle, r11 its vertices, lr how many triangles are left; r1 to r3 the indices of a
 // triangle's vertices, then their addresses. On the stack: what was left of the count, and the count.
-[[gnu::naked]] std::uint32_t draw_small_run_thumb2(SmallRun&, const Triangle*, std::uint32_t) {
+[[gnu::naked]] std::uint32_t draw_small_run_thumb(SmallRun&, const Triangle*, std::uint32_t) {
   asm(R"(
     @ Rows of the box at column r6 and row r9 of the strip; its width r8 and height r5.
     .macro zstrip_small_rows
@@ -168,8 +168,8 @@ static_assert(kSmallExtent == 181 && kSmallDepthDifference == 1U << 29);
     cmpne r5, #0
     beq   .Lsmall_run_done
     zstrip_small_rows
-    bl    zstrip_set_up_small_thumb2
-    bl    zstrip_scan_small_thumb2
+    bl    zstrip_set_up_small_thumb
+    bl    zstrip_scan_small_thumb
   .Lsmall_run_done:
     ldr   lr, [sp]
     b     .Lsmall_run_next
@@ -193,11 +193,11 @@ static_assert(kSmallExtent == 181 && kSmallDepthDifference == 1U << 29);
     rsb   lr, lr, #0
     strd  r12, lr, [r0, #96]
     zstrip_small_rows
-    bl    zstrip_set_up_small_thumb2
+    bl    zstrip_set_up_small_thumb
     ldrd  r12, lr, [r0, #96]
     zstrip_small_move 0
     zstrip_small_move 8
-    bl    zstrip_scan_small_thumb2
+    bl    zstrip_scan_small_thumb
     b     .Lsmall_run_done
 
   .Lsmall_run_stop:

@@ -10,7 +10,7 @@
 #include "zstrip/raster/colour.hpp"
 #include "zstrip/raster/depth_rule.hpp"
 #include "zstrip/raster/small_triangle_sse2.hpp"
-#include "zstrip/raster/small_triangle_thumb2.hpp"
+#include "zstrip/raster/small_triangle_thumb.hpp"
 #include "zstrip/raster/target.hpp"
 
 namespace zstrip::detail {
@@ -101,7 +101,7 @@ struct SmallScan {
   /// Whose planes: PackedEdges; depth in 16.16 codes; green in 8.8; red and blue, two 8.8 values in a word, which never
   /// leave 0..255, see channel_start.
   enum Value { edges, depth, green, red_blue };
-  // The members up to anchor_y stand where small_triangle_thumb2.cpp expects them.
+  // The members up to anchor_y stand where the assembly expects them.
   std::uint32_t start[4], step_x[4], step_y[4];  ///< of each Value
   std::uint16_t* depth_row;
   std::uint16_t* colour_row;
@@ -116,6 +116,10 @@ struct SmallScan {
 
   void set(Value value, const SmallPlane& plane) {
     start[value] = plane.start, step_x[value] = plane.step_x, step_y[value] = plane.step_y;
+  }
+  /// Byte by byte: where a word must be aligned and a colour need not be (Cortex-M0), GCC calls memcpy for a whole one.
+  void set_colour(int vertex, const Colour& colour) {
+    colours[vertex].r = colour.r, colours[vertex].g = colour.g, colours[vertex].b = colour.b;
   }
   std::uint32_t at(Value value, std::uint32_t column, std::uint32_t row) const {
     return SmallPlane{start[value], step_x[value], step_y[value]}.at(column, row);
@@ -241,9 +245,9 @@ void draw_small_triangle_portable(const StripTarget& target, const SnappedVertex
   scan.anchor_x = anchor_x;
   scan.anchor_y = anchor_y;
   if constexpr (!gouraud) scan.flat_colour = flat_colour;
-  if constexpr (kHasThumb2 && gouraud && !statistics) {
-    for (int i = 0; i < 3; ++i) scan.colours[i] = *colours[i];
-    set_up_small_thumb2(scan, v0, v1, v2);
+  if constexpr (kHasSmallTriangleThumb && gouraud && !statistics) {
+    for (int i = 0; i < 3; ++i) scan.set_colour(i, *colours[i]);
+    set_up_small_thumb(scan, v0, v1, v2);
   } else {
     scan.settle();
     set_up_small<gouraud>(scan, v0, v1, v2, colours);
@@ -261,8 +265,8 @@ void draw_small_triangle_portable(const StripTarget& target, const SnappedVertex
     }
   }
   if constexpr (statistics) scan.statistics = target.statistics;
-  if constexpr (kHasThumb2 && gouraud && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>>) {
-    scan_small_thumb2(scan);
+  if constexpr (kHasSmallTriangleThumb && gouraud && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>>) {
+    scan_small_thumb(scan);
   } else {
     scan_small_triangle<gouraud, statistics>(scan, rule);
   }

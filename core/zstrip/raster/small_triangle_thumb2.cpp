@@ -1,6 +1,6 @@
-// The assembly behind small_triangle_thumb2.hpp. GCC has a dozen registers for twice as many values and moves a third
+// The assembly behind small_triangle_thumb.hpp. GCC has a dozen registers for twice as many values and moves a third
 // of them to the stack and back; by hand all fit. Offsets are those of SmallScan, which the assertions hold.
-#include "zstrip/raster/small_triangle_thumb2.hpp"
+#include "zstrip/raster/small_triangle_thumb.hpp"
 
 #include <cstddef>
 
@@ -25,8 +25,8 @@ static_assert(kPixelCentre == 15);
 static_assert(PackedEdges::kSigns == 0x80200400U);
 
 // Used: small_run_thumb2.cpp calls it by its name.
-[[gnu::naked, gnu::used]] void set_up_small_thumb2(SmallScan&, const SnappedVertex&, const SnappedVertex&,
-                                                   const SnappedVertex&) {
+[[gnu::naked, gnu::used]] void set_up_small_thumb(SmallScan&, const SnappedVertex&, const SnappedVertex&,
+                                                  const SnappedVertex&) {
   asm(R"(
     @ A channel's plane: start r1, steps r2 and r3, from the channel at offset \at of the scan. Needs the inverse area
     @ in r4 and the weights of vertices 1 and 2, scaled: at the anchor r7 and r8, right r12 and r10, down r11 and r9.
@@ -149,7 +149,7 @@ static_assert(PackedEdges::kSigns == 0x80200400U);
 }
 
 // Used: small_run_thumb2.cpp calls it by its name.
-[[gnu::naked, gnu::used]] void scan_small_thumb2(SmallScan&) {
+[[gnu::naked, gnu::used]] void scan_small_thumb(SmallScan&) {
   asm(R"(
     push  {r0, r4-r11, lr}
     movw  lr, #0x0400                 @ the signs of the packed edges

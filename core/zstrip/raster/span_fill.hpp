@@ -11,7 +11,7 @@
 #include "zstrip/raster/target.hpp"
 #include "zstrip/raster/texture_coordinates.hpp"
 #include "zstrip/raster/textured_run_sse2.hpp"
-#include "zstrip/raster/textured_run_thumb2.hpp"
+#include "zstrip/raster/textured_run_thumb.hpp"
 #include "zstrip/raster/triangle_depth.hpp"
 
 namespace zstrip::detail {
@@ -155,11 +155,11 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
   const TextureAxis axis_u(texture.log2_width);
   const TextureAxis axis_v(texture.log2_height);
   using Value = typename DepthPlane::Value;
-  constexpr bool kAssembly = kHasThumb2 && !lit && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>> &&
-                             std::is_same_v<Value, std::uint32_t>;
+  constexpr bool kAssembly = kHasTexturedRunThumb && !lit && !statistics &&
+                             std::is_same_v<Rule, DepthRule<DepthMode{}>> && std::is_same_v<Value, std::uint32_t>;
   constexpr bool kVectors =
       kHasSse2 && !lit && !statistics && Rule::kNearerOnly && std::is_same_v<Value, std::uint32_t>;
-  static_assert(kPerspectiveRun == 16);  // fill_runs_thumb2 and fill_runs_sse2 know it
+  static_assert(kPerspectiveRun == 16);  // fill_runs_thumb and fill_runs_sse2 know it
   constexpr bool kWholeRuns = (kAssembly || kVectors) && !affine && kRun == kPerspectiveRun;
   using State = std::conditional_t<kWholeRuns, TexturedRunsState, TexturedRunState<Value>>;
   TexturedRun<lit, statistics, Value, Rule, State> run;
@@ -197,7 +197,7 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
         if constexpr (kVectors) {
           fill_runs_sse2(run, depth_cell, pixel, static_cast<std::uint32_t>(whole));
         } else {
-          fill_runs_thumb2(run, depth_cell, pixel, static_cast<std::uint32_t>(whole));
+          fill_runs_thumb(run, depth_cell, pixel, static_cast<std::uint32_t>(whole));
         }
         pixel += whole * kRun;
         if (pixel == end) break;
@@ -230,7 +230,7 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
     }
     const std::int32_t drawn = std::min(length - before, static_cast<std::int32_t>(end - pixel));
     if constexpr (kAssembly) {
-      fill_run_thumb2(run, depth_cell, pixel, drawn);
+      fill_run_thumb(run, depth_cell, pixel, drawn);
     } else if constexpr (kVectors) {
       if (takes_vectors) {
         fill_run_sse2(run, depth_cell, pixel, drawn);

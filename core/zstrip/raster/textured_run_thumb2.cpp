@@ -1,6 +1,6 @@
-// The assembly behind textured_run_thumb2.hpp. 15 values for 14 registers: shifts by a register look at its lowest byte
+// The assembly behind textured_run_thumb.hpp. 15 values for 14 registers: shifts by a register look at its lowest byte
 // only, so that the bytes above count the pixels.
-#include "zstrip/raster/textured_run_thumb2.hpp"
+#include "zstrip/raster/textured_run_thumb.hpp"
 
 #include <cstddef>
 
@@ -35,7 +35,7 @@ static_assert(sizeof(State) == 40 && sizeof(Runs) == 92);  // no gaps: the membe
   "  add   r1, r1, r3\n"             \
   ".endm\n"
 
-[[gnu::naked]] void fill_run_thumb2(State&, std::uint16_t*, std::uint16_t*, std::int32_t) {
+[[gnu::naked]] void fill_run_thumb(State&, std::uint16_t*, std::uint16_t*, std::int32_t) {
   asm(ZSTRIP_TEXEL R"(
     push  {r0, r4-r11, lr}
     mov   r12, r0
@@ -57,7 +57,7 @@ static_assert(sizeof(State) == 40 && sizeof(Runs) == 92);  // no gaps: the membe
 }
 
 // Two pixels at a time. On the stack: the state, a gap, how many runs are left.
-[[gnu::naked]] void fill_runs_thumb2(TexturedRunsState&, std::uint16_t*, std::uint16_t*, std::uint32_t) {
+[[gnu::naked]] void fill_runs_thumb(TexturedRunsState&, std::uint16_t*, std::uint16_t*, std::uint32_t) {
   asm(ZSTRIP_TEXEL R"(
     push  {r0-r1, r3-r11, lr}
     mov   r10, r1

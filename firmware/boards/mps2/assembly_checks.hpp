@@ -6,7 +6,7 @@
 namespace zstrip::board {
 
 /// Pseudo-random triangles, runs of texels, meshlets and vertices, both ways: what is in memory afterwards is
-/// compared word by word. 0 if all are equal; says what differs. A core without Thumb-2 has nothing to compare, which
+/// compared word by word. 0 if all are equal; says what differs. A core without assembly has nothing to compare, which
 /// it says.
 int check_small_triangles();
 int check_textured_runs();

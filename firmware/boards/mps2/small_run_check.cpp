@@ -99,8 +99,8 @@ void draw(const Meshlet& meshlet, const CompiledInstance& instance, Picture& pic
 }  // namespace
 
 int check_small_runs() {
-  if constexpr (!kHasThumb2) {
-    print("self-test: no Thumb-2\n");
+  if constexpr (!kHasSmallTriangleThumb) {
+    print("self-test: no assembly\n");
     return 0;
   } else {
     Random random;

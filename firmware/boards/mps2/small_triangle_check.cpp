@@ -50,8 +50,8 @@ int differs(const char* what, std::uint32_t triangle) {
 }  // namespace
 
 int check_small_triangles() {
-  if constexpr (!kHasThumb2) {
-    print("self-test: no Thumb-2\n");
+  if constexpr (!kHasSmallTriangleThumb) {
+    print("self-test: no assembly\n");
     return 0;
   } else {
     Random random;
@@ -93,10 +93,10 @@ int check_small_triangles() {
 
       const Colour* const in_order[3] = {&colours[0], &colours[1], &colours[2]};
       set_up_small<true>(scan, v[0], v[1], v[2], in_order);
-      set_up_small_thumb2(by_hand, v[0], v[1], v[2]);
+      set_up_small_thumb(by_hand, v[0], v[1], v[2]);
       if (!same(scan, by_hand)) return differs("planes", triangle);
       scan_small_triangle<true, false>(scan, DepthRule<DepthMode{}>{});
-      scan_small_thumb2(by_hand);
+      scan_small_thumb(by_hand);
       if (portable.depth != assembled.depth) return differs("depths", triangle);
       if (portable.colour != assembled.colour) return differs("pixels", triangle);
       drawn += std::any_of(portable.colour.begin(), portable.colour.end(), [](std::uint16_t c) { return c != 0; });

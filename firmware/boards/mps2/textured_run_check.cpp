@@ -91,8 +91,8 @@ bool triangles_are_equal(Random& random, const std::uint16_t* texels) {
 }  // namespace
 
 int check_textured_runs() {
-  if constexpr (!kHasThumb2) {
-    print("self-test: no Thumb-2\n");
+  if constexpr (!kHasTexturedRunThumb) {
+    print("self-test: no assembly\n");
     return 0;
   } else {
     Random random;
@@ -111,7 +111,7 @@ int check_textured_runs() {
       Run by_hand = run;
       const std::int32_t length = 1 + random.below(kMostPixels);
       run.fill(portable.depth.data() + 1, portable.colour.data() + 1, length, ColourPlanes{}, nullptr);
-      fill_run_thumb2(by_hand, assembled.depth.data() + 1, assembled.colour.data() + 1, length);
+      fill_run_thumb(by_hand, assembled.depth.data() + 1, assembled.colour.data() + 1, length);
       if (portable != assembled || run.z != by_hand.z) {
         print("self-test: run of texels ");
         print_decimal(i);

@@ -1,16 +1,16 @@
-// Runs of small triangles with interpolated colours, from indices to pixels, in assembly for Thumb-2 (Cortex-M3, M4,
-// M7): the same pixels as assemble.hpp's, which a test on emulated cores compares.
+// Runs of small triangles with interpolated colours, from indices to pixels, in assembly for Cortex-M: the same pixels
+// as assemble.hpp's, which a test on emulated cores compares.
 #pragma once
 
 #include <cstdint>
 
-#include "zstrip/base/thumb2.hpp"
+#include "zstrip/base/thumb.hpp"
 #include "zstrip/raster/small_triangle.hpp"
 #include "zstrip/scene/scene.hpp"
 
 namespace zstrip::detail {
 
-/// What the triangles of a meshlet share, where small_run_thumb2.cpp expects it.
+/// What the triangles of a meshlet share, where the assembly expects it.
 struct SmallRun {
   SmallScan scan;           ///< of the triangle at hand
   std::uintptr_t vertices;  ///< where the mesh's vertex 0 would be: the cache has a run of them
@@ -34,6 +34,6 @@ struct SmallRun {
 
 /// Culls and draws triangles of one-sided surfaces whose vertices are narrow, with the depth test of z16 and nothing to
 /// count. Stops at the first that is not small; how many triangles come before it.
-std::uint32_t draw_small_run_thumb2(SmallRun& run, const Triangle* triangles, std::uint32_t count);
+std::uint32_t draw_small_run_thumb(SmallRun& run, const Triangle* triangles, std::uint32_t count);
 
 }  // namespace zstrip::detail
