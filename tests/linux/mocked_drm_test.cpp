@@ -25,26 +25,33 @@ using hal::Error;
 constexpr std::uint16_t kWidth = 8, kHeight = 4;
 constexpr std::uint32_t kPitch = 2 * kWidth, kBuffer = 4096;  // of each of two, of 16 bits a pixel
 constexpr std::uint32_t kCrtc = 11, kConnector = 22, kEncoder = 33, kFirstBuffer = 100;
+constexpr std::uint32_t kOther = 1000;  // added to each of these: those of a second screen
 
-/// A card with one screen of one mode, as libdrm's system calls see it.
+/// A card with one screen of one mode, as libdrm's system calls see it; or with two, of which the second is shown by
+/// the first CRTC, and the first by none.
 struct MockedCard {
+  std::uint32_t crtcs = 1;
+  bool two_screens = false;
+  std::uint32_t set_crtc = 0;        ///< the last one that was given a picture
   std::uint32_t buffers = 0;         ///< made so far
   std::uint32_t shown = 0;           ///< the framebuffer on the screen
   std::uint32_t asked = 0;           ///< by a flip that was not answered
   std::uint64_t flip_user_data = 0;  ///< of that flip
   int flip_error = 0;
 
-  static void put(std::uint64_t to, std::uint32_t value) {
-    if (to != 0) *reinterpret_cast<std::uint32_t*>(to) = value;
+  static void put(std::uint64_t to, std::uint32_t value, std::uint32_t count = 1) {
+    for (std::uint32_t i = 0; to != 0 && i < count; ++i) reinterpret_cast<std::uint32_t*>(to)[i] = value + i * kOther;
   }
   int control(unsigned long request, void* argument) {
     switch (request) {
       case DRM_IOCTL_MODE_GETRESOURCES: {
         auto& resources = *static_cast<drm_mode_card_res*>(argument);
-        put(resources.crtc_id_ptr, kCrtc);
-        put(resources.connector_id_ptr, kConnector);
-        put(resources.encoder_id_ptr, kEncoder);
-        resources.count_crtcs = resources.count_connectors = resources.count_encoders = 1;
+        const std::uint32_t screens = two_screens ? 2 : 1;
+        put(resources.crtc_id_ptr, kCrtc, crtcs);
+        put(resources.connector_id_ptr, kConnector, screens);
+        put(resources.encoder_id_ptr, kEncoder, screens);
+        resources.count_crtcs = crtcs;
+        resources.count_connectors = resources.count_encoders = screens;
         resources.count_fbs = 0;
         return 0;
       }
@@ -61,22 +68,26 @@ struct MockedCard {
           mode.vdisplay = kHeight;
           std::memcpy(reinterpret_cast<void*>(connector.modes_ptr), &mode, sizeof mode);
         }
-        put(connector.encoders_ptr, kEncoder);
+        const bool second = connector.connector_id != kConnector;
+        put(connector.encoders_ptr, second ? kEncoder + kOther : kEncoder);
         connector.count_modes = connector.count_encoders = 1;
         connector.count_props = 0;
-        connector.encoder_id = kEncoder;
+        connector.encoder_id = second ? kEncoder + kOther : two_screens ? 0 : kEncoder;
         connector.connection = 1;
         return 0;
       }
       case DRM_IOCTL_MODE_GETENCODER: {
         auto& encoder = *static_cast<drm_mode_get_encoder*>(argument);
-        encoder.crtc_id = kCrtc;
-        encoder.possible_crtcs = 1;
+        encoder.crtc_id = two_screens && encoder.encoder_id == kEncoder ? 0 : kCrtc;
+        encoder.possible_crtcs = 3;
         return 0;
       }
       case DRM_IOCTL_AUTH_MAGIC: return EINVAL;  // and not EACCES: the caller is the card's master
       case DRM_IOCTL_MODE_GETCRTC: return 0;
-      case DRM_IOCTL_MODE_SETCRTC: shown = static_cast<drm_mode_crtc*>(argument)->fb_id; return 0;
+      case DRM_IOCTL_MODE_SETCRTC:
+        shown = static_cast<drm_mode_crtc*>(argument)->fb_id;
+        set_crtc = static_cast<drm_mode_crtc*>(argument)->crtc_id;
+        return 0;
       case DRM_IOCTL_MODE_CREATE_DUMB: {
         auto& buffer = *static_cast<drm_mode_create_dumb*>(argument);
         buffer.handle = ++buffers;
@@ -212,6 +223,19 @@ TEST_F(LinuxMockedDrm, RefusedFlipIsAnErrorAndTheNextFrameIsRight) {
   EXPECT_EQ(show_row(*display, 2, 0x3333), Error::none);
   flip();
   EXPECT_EQ(screen(), rows({0x1111, 0x2222, 0x3333, 0}));
+}
+
+/// It took the first one that could, and the second screen went dark.
+TEST_F(LinuxMockedDrm, ACrtcThatDrivesAnotherScreenIsLeftAlone) {
+  card_.two_screens = true;
+  const auto none_left = open();
+  ASSERT_FALSE(none_left);
+  EXPECT_NE(none_left.fault().message.find("no CRTC left for "), std::string::npos) << none_left.fault().message;
+  EXPECT_EQ(card_.set_crtc, 0U);
+  card_.crtcs = 2;
+  const auto display = open();
+  ASSERT_TRUE(display) << display.fault().message;
+  EXPECT_EQ(card_.set_crtc, kCrtc + kOther);
 }
 
 }  // namespace

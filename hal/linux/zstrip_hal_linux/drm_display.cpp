@@ -56,15 +56,24 @@ std::vector<DrmConnector> connectors_of(int card, const drmModeRes& resources) {
   return connectors;
 }
 
-/// The CRTC that drives the connector, or else the first one that can. 0: none.
+/// The CRTC that drives this connector; 0: none does.
+std::uint32_t current_crtc(int card, const drmModeConnector& connector) {
+  const DrmEncoder encoder(connector.encoder_id != 0 ? drmModeGetEncoder(card, connector.encoder_id) : nullptr);
+  return encoder != nullptr ? encoder->crtc_id : 0;
+}
+
+/// The CRTC that drives the connector, or else the first one that can and drives no other: that screen would go dark,
+/// and get its picture back on the wrong connector. 0: none.
 std::uint32_t crtc_for(int card, const drmModeRes& resources, const drmModeConnector& connector) {
-  const DrmEncoder current(connector.encoder_id != 0 ? drmModeGetEncoder(card, connector.encoder_id) : nullptr);
-  if (current != nullptr && current->crtc_id != 0) return current->crtc_id;
+  if (const std::uint32_t crtc = current_crtc(card, connector); crtc != 0) return crtc;
+  std::vector<std::uint32_t> taken;
+  for (const DrmConnector& other : connectors_of(card, resources)) taken.push_back(current_crtc(card, *other));
   for (int i = 0; i < connector.count_encoders; ++i) {
     const DrmEncoder encoder(drmModeGetEncoder(card, connector.encoders[i]));
     if (encoder == nullptr) continue;
     for (int index = 0; index < resources.count_crtcs && index < 32; ++index) {
-      if ((encoder->possible_crtcs >> index & 1U) != 0) return resources.crtcs[index];
+      const std::uint32_t crtc = resources.crtcs[index];
+      if ((encoder->possible_crtcs >> index & 1U) != 0 && std::ranges::find(taken, crtc) == taken.end()) return crtc;
     }
   }
   return 0;
@@ -156,7 +165,8 @@ Outcome<DrmDisplay> DrmDisplay::open(const std::string& path, const DrmOptions& 
                  sizes_of(connector)};
 
   const std::uint32_t crtc = crtc_for(number, **resources, connector);
-  if (crtc == 0) return Fault{path + " has no CRTC left for " + name_of(connector)};
+  if (crtc == 0)
+    return Fault{path + " has no CRTC left for " + name_of(connector) + ": the other screens take all of them"};
   if (drmIsMaster(number) == 0) return device_fault(kGraphicsCard, path, "show pictures", EBUSY);
 
   screen->connector = connector.connector_id;
