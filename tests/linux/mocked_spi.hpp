@@ -21,7 +21,7 @@ struct MockedSpi {
   bool keeps_mode = false;  ///< says yes and changes nothing
   unsigned long refused = 0;
   int error = EINVAL;
-  int messages_until_failure = -1;
+  int messages_until_failure = -1, failure = EIO;
   std::vector<std::vector<std::uint8_t>> messages;
   sim::PanelModel* panel = nullptr;  ///< that answers; or nobody, and the line has the level of `floating`
   int floating = 0xFF;
@@ -31,7 +31,7 @@ struct MockedSpi {
   int answer(const spi_ioc_transfer* transfers) {
     const spi_ioc_transfer &command = transfers[0], &reading = transfers[1];
     if (command.len != 1 || command.rx_buf != 0 || command.cs_change != 0 || reading.tx_buf != 0) return EINVAL;
-    if (messages_until_failure-- == 0) return EIO;
+    if (messages_until_failure-- == 0) return failure;
     read_hertz = reading.speed_hz;
     auto* bytes = reinterpret_cast<std::uint8_t*>(reading.rx_buf);
     std::memset(bytes, floating, reading.len);
@@ -62,7 +62,7 @@ struct MockedSpi {
     spi_ioc_transfer transfer{};
     std::memcpy(&transfer, argument, sizeof transfer);
     if (transfer.len > 4096) return EMSGSIZE;
-    if (messages_until_failure-- == 0) return EIO;
+    if (messages_until_failure-- == 0) return failure;
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(transfer.tx_buf);
     messages.emplace_back(bytes, bytes + transfer.len);
     return 0;

@@ -64,6 +64,18 @@ TEST_F(LinuxMockedSpi, EveryMessageMayFail) {
   }
 }
 
+TEST_F(LinuxMockedSpi, ATransferThatTheKernelGivesUpIsATimeout) {
+  auto bus = open();
+  ASSERT_TRUE(bus);
+  spi_.failure = ETIMEDOUT;
+  spi_.messages_until_failure = 0;
+  const std::vector<std::byte> bytes(10);
+  EXPECT_EQ(bus->write_data(bytes), Error::timeout);
+  spi_.messages_until_failure = 0;
+  std::array<std::byte, 3> answer{};
+  EXPECT_EQ(bus->read(std::byte{0x04}, 1, answer), Error::timeout);
+}
+
 TEST_F(LinuxMockedSpi, AnswersAreShiftedByTheirDummyClocks) {
   sim::DcsModel panel(sim::kSt7789Part, {.width = 4, .height = 4});
   panel.elapse(std::chrono::seconds(1));

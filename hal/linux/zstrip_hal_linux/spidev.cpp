@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <fstream>
 #include <vector>
 
@@ -17,6 +18,9 @@ std::size_t most_message_bytes() {
   std::ifstream parameter("/sys/module/spidev/parameters/bufsiz");
   return parameter >> bytes && bytes > 0 ? bytes : 4096;
 }
+
+/// The kernel gives up a transfer that its controller does not end.
+Error transfer_error(int error) { return error == ETIMEDOUT ? Error::timeout : Error::bus; }
 
 }  // namespace
 
@@ -67,7 +71,8 @@ Error SpidevBus::write(std::span<const std::byte> bytes, bool data) {
     transfer.len = static_cast<std::uint32_t>(part.size());
     transfer.speed_hz = hertz_;
     transfer.bits_per_word = 8;
-    if (device_control(file_.get(), SPI_IOC_MESSAGE(1), &transfer) != 0) return Error::bus;
+    if (const int error = device_control(file_.get(), SPI_IOC_MESSAGE(1), &transfer); error != 0)
+      return transfer_error(error);
     bytes = bytes.subspan(part.size());
   }
   return Error::none;
@@ -86,7 +91,8 @@ Error SpidevBus::read(std::byte command, unsigned dummy_clocks, std::span<std::b
     transfer.speed_hz = std::min(hertz_, kReadHertz);
     transfer.bits_per_word = 8;
   }
-  if (device_control(file_.get(), SPI_IOC_MESSAGE(2), transfers.data()) != 0) return Error::bus;
+  if (const int error = device_control(file_.get(), SPI_IOC_MESSAGE(2), transfers.data()); error != 0)
+    return transfer_error(error);
   for (std::size_t i = 0; i < answer.size(); ++i) {
     answer[i] = arrived[i] << dummy_clocks;
     if (dummy_clocks != 0) answer[i] |= arrived[i + 1] >> (8 - dummy_clocks);
