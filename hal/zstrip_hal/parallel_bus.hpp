@@ -38,10 +38,10 @@ class EightPins {
   std::array<Pin, 8> pins_;
 };
 
-/// The panel takes data and D/C when the strobe rises. Between two edges of the strobe lies one call of the data lines
-/// or of the strobe: where these take less than half of the panel's shortest write cycle, they must wait. The panel's
-/// read strobe is wired high. Everything has been sent when a function returns. Errors are the pins'; the panel is
-/// deselected then, and no byte is half sent.
+/// The panel takes data and D/C when the strobe rises. The strobe is low during one of its own calls and high during
+/// one of the data lines': where these take less than half of the panel's shortest write cycle, they must wait. The
+/// panel's read strobe is wired high. Everything has been sent when a function returns. Errors are the pins'; the panel
+/// is deselected then, and no byte is half sent.
 template <DataLines Lines, OutputPin WritePin, OutputPin DataCommandPin, OutputPin SelectPin = NoPin>
 class ParallelBus {
  public:
@@ -73,8 +73,10 @@ class ParallelBus {
     return error != Error::none ? error : deselected;
   }
   Error send(std::byte byte) {
-    if (const Error error = strobe_.set(false); error != Error::none) return error;
+    // The data first: what goes wrong among them goes wrong while the strobe is high, and nothing is taken. A strobe
+    // that stays low is ended by the line that selects.
     if (const Error error = data_.set(std::to_integer<std::uint8_t>(byte)); error != Error::none) return error;
+    if (const Error error = strobe_.set(false); error != Error::none) return error;
     return strobe_.set(true);
   }
 
