@@ -308,15 +308,15 @@ TEST(SceneBlob, DitheringIsAFlagThatOlderBlobsDoNotHave) {
   EXPECT_EQ(with(2).status, (Status{.error = Error::blob_damaged, .needed = 129}));
 }
 
-// A palette of 16 colours for 4 texels, one of 256 for 2x1.
+// A palette of 16 colours for 4 texels, one of 256 for as many.
 constexpr auto kFourBits = [] {
   std::array<std::uint16_t, 17> words{0xF800, 0x07E0, 0x001F};
   words[16] = 0xF210;
   return words;
 }();
-constexpr std::array<std::uint16_t, 257> kEightBits{0x1111, 0x2222};
+constexpr std::array<std::uint16_t, 258> kEightBits{0x1111, 0x2222};
 constexpr Texture kWithPalettes[] = {{kFourBits, 1, 1, TextureFormat::palette4},
-                                     {kEightBits, 1, 0, TextureFormat::palette8}};
+                                     {kEightBits, 1, 1, TextureFormat::palette8}};
 
 Bytes palette_bytes() {
   std::vector<Material> materials(std::begin(kMaterials), std::end(kMaterials));
@@ -354,7 +354,7 @@ TEST(SceneBlob, PalettesNeedAllTheirWords) {
   const Bytes whole = palette_bytes();
   const std::uint32_t textures = word(whole, 28);
   for (std::uint32_t i = 0; i < 2; ++i) {
-    for (const std::uint32_t words : {0U, 1U, 15U, i == 0 ? 16U : 256U}) {
+    for (const std::uint32_t words : {0U, 1U, 15U, i == 0 ? 16U : 257U}) {
       Bytes fewer = whole;
       put_word(fewer, textures + 12 * i + 4, words);
       if (words == 0) put_word(fewer, textures + 12 * i, 0);
