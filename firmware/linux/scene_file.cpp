@@ -24,8 +24,8 @@ std::string reason(const Status& status) {
     case Error::blob_damaged:
       return "is no whole baked scene (byte " + std::to_string(status.needed) + "); bake it again: zstrip bake";
     case Error::blob_version:
-      return "is a baked scene of version " + std::to_string(status.needed) + ", and this program reads version " +
-             std::to_string(status.available) + "; bake it again";
+      return "is a baked scene of version " + std::to_string(status.needed) + ", and this program reads versions " +
+             std::to_string(kOldestSceneBlobVersion) + " to " + std::to_string(status.available) + "; bake it again";
     default: return std::string("is a baked scene that cannot be drawn: ") + message(status.error) + "; bake it again";
   }
 }

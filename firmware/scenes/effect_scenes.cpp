@@ -1,10 +1,10 @@
-// The list of the effects' scenes, and the lattice.
+// The list of the effects' scenes, the lattice, and tiles with a palette.
 #include "zstrip_scenes/effect_scenes.hpp"
 
 namespace zstrip::scenes {
 namespace {
 
-constexpr BuiltIn kEffectScenes[] = {fog, emissive, specular, punctual, mask, blend, bilinear};
+constexpr BuiltIn kEffectScenes[] = {fog, emissive, specular, punctual, mask, blend, bilinear, palette};
 
 consteval bool all_valid() {
   for (const BuiltIn& scene : kEffectScenes) {
@@ -25,9 +25,22 @@ consteval std::array<std::uint16_t, 256 + 128> lattice() {
   return result;
 }
 
+/// As the texels of room.cpp: joints, light and dark tiles.
+consteval std::array<std::uint16_t, 16 + 64> indexed() {
+  std::array<std::uint16_t, 16 + 64> result{0x8C71, 0xF7BE, 0xC5F6};  // RGB565
+  for (std::size_t i = 0; i < 256; ++i) {
+    const std::size_t x = i % 16, y = i / 16;
+    const bool joint = x % 8 == 7 || y % 8 == 7;
+    const unsigned index = joint ? 0 : ((x ^ y) & 8) != 0 ? 2 : 1;
+    result[16 + i / 4] |= static_cast<std::uint16_t>(index << 4 * (i % 4));
+  }
+  return result;
+}
+
 }  // namespace
 
 constexpr std::array<std::uint16_t, 256 + 128> kLatticeTexels = lattice();
+constexpr std::array<std::uint16_t, 16 + 64> kIndexedTexels = indexed();
 
 std::span<const BuiltIn> effect_scenes() { return kEffectScenes; }
 

@@ -210,9 +210,10 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
   }
   constexpr Effects kKnown = effect::all | effect::fog | effect::emissive | effect::quadrics;
   if (without(effects_of(scene, camera), kKnown) != Effects{}) {
-    return Failure{ExitStatus::input,
-                   "the scene has highlights, point or spot lights, alpha or bilinear texels, and the truth knows "
-                   "neither: it draws triangles and quadrics with directional light, emission, textures and fog"};
+    return Failure{
+        ExitStatus::input,
+        "the scene has highlights, point or spot lights, alpha, bilinear texels or palettes, and the truth "
+        "knows none of these: it draws triangles and quadrics with directional light, emission, textures and fog"};
   }
   Rasteriser rasteriser(camera, view, scale, scene, snap);
   const Vector right = vector_of(camera.right, kOne30), up = vector_of(camera.up, kOne30),

@@ -22,6 +22,7 @@ constexpr KnownEffect kKnown[] = {
     {effect::alpha_test, "alpha_test", "the alpha mode mask"},
     {effect::blending, "blending", "the alpha mode blend"},
     {effect::texture_alpha, "texture_alpha", "a texture with alpha, masked or blended"},
+    {effect::texture_palettes, "texture_palettes", "a texture with a palette"},
     {effect::bilinear, "bilinear", "the texture filter bilinear"},
     {effect::quadrics, "quadrics", "spheres and ellipsoids"},
     {effect::dithered_colours, "dithered_colours", "the picture is dithered to RGB565 (--dither)"},

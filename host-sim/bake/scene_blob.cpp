@@ -3,6 +3,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <map>
 #include <span>
 #include <utility>
@@ -203,7 +204,9 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   const Scene& scene = content.scene;
   Writer writer;
   for (const char letter : {'z', 's'}) writer.byte(static_cast<std::uint8_t>(letter));
-  writer.byte(kSceneBlobVersion);
+  const bool has_palettes =
+      std::ranges::any_of(scene.textures, [](const Texture& texture) { return has_palette(texture.format); });
+  writer.byte(has_palettes ? kSceneBlobVersion : kOldestSceneBlobVersion);
   writer.byte('s');
   writer.zeros(48);  // size, checksum and arrays: set below
   writer.put(scene.ambient);

@@ -15,6 +15,7 @@
 #include "bake/baked_scene.hpp"
 #include "bake/effects_found.hpp"
 #include "bake/flash_bytes.hpp"
+#include "bake/palettes.hpp"
 #include "bake/scene_blob.hpp"
 #include "bake/scene_header.hpp"
 #include "cli/camera_arguments.hpp"
@@ -42,9 +43,17 @@ struct Arguments {
   std::string name_space = kDefaultNamespace;
   std::optional<std::string> visible_sets;
   std::optional<std::string> cells;
+  std::string textures = "rgb565";
   std::optional<std::string> json;
   bool quiet = false;
 };
+
+/// Of a word that the option allows.
+TextureChoice texture_choice(const std::string& word) {
+  if (word == "auto") return TextureChoice::automatic;
+  if (word == "palette8") return TextureChoice::palette8;
+  return word == "palette4" ? TextureChoice::palette4 : TextureChoice::rgb565;
+}
 
 enum class Kind { header, blob };
 
@@ -202,9 +211,16 @@ Result<Done> run(const Arguments& arguments) {
   if (!staging) return staging.failure();
   const Result<PreparedScene> prepared = prepare_for(*request, arguments, *staging, (*stage)->animation());
   if (!prepared) return prepared.failure();
-  const Result<BakedScene> baked = bake(arguments.scene, prepared->staging(), (*stage)->animation(), *request);
+  Staging at_rest = prepared->staging();
+  const PalettedScene paletted(at_rest.scene, texture_choice(arguments.textures));
+  at_rest.scene = paletted.scene();
+  const Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *request);
   if (!baked) return baked.failure();
   BakeRecord record = describe(arguments, **stage, *baked);
+  record.palettes = paletted.records();
+  if (arguments.textures == "rgb565") {
+    record.palettes_would_save = PalettedScene(at_rest.scene, TextureChoice::automatic).saved_bytes();
+  }
   if (request->method != Effects{}) {
     record.method = BakedMethodRecord{request->method, prepared->splits(), baked->tree.nodes.size()};
   }
@@ -245,6 +261,12 @@ void add_bake_command(CLI::App& app, int& exit_code) {
                    "Write, besides, which meshlets cannot be seen from the cells of a grid (zstrip render reads it)")
       ->type_name("FILE");
   command->add_option("--cells", a.cells, "Cells of that grid along x, y and z (default: 8x2x8)")->type_name("NxNxN");
+  command
+      ->add_option("--textures", a.textures,
+                   "Palettes for textures, which take fewer bytes and are drawn slower: auto, where nothing is lost; "
+                   "palette8, of 256 colours, or palette4, of 16; rgb565: none (default)")
+      ->option_text("FORMAT")
+      ->check(CLI::IsMember({"rgb565", "auto", "palette8", "palette4"}));
   command->add_option("--json", a.json, "Write the report as JSON; - is standard output")->type_name("FILE|-");
   command->add_flag("--quiet", a.quiet, "No report in words; warnings and errors remain");
   command->footer(
@@ -254,6 +276,7 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       "--turntable\n"
       "  zstrip bake model.obj -o scene.zsc --size 320x240\n"
       "  zstrip bake house.obj -o house.zsc --visibility painter-bsp\n"
+      "  zstrip bake house.glb -o house.hpp --textures auto\n"
       "  zstrip render scene.zsc --size 320x240");
   command->callback([arguments, &exit_code] {
     const Result<Done> done = run(*arguments);

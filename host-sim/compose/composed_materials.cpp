@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "image/decode.hpp"
+#include "image/palette.hpp"
 #include "image/resample.hpp"
 #include "import/quantise.hpp"
 #include "import/read_file.hpp"
@@ -95,7 +96,8 @@ const FileMaterial* ComposedMaterials::override_of(const PlacedPart& placed) con
 
 Result<std::uint16_t> ComposedMaterials::own_texture(const FileMaterial& material) {
   const std::filesystem::path path = file_.beside(*material.texture);
-  const auto [at, is_new] = own_textures_.try_emplace(path, static_cast<std::uint16_t>(scene_.textures.size()));
+  const auto [at, is_new] =
+      own_textures_.try_emplace({path, material.palette}, static_cast<std::uint16_t>(scene_.textures.size()));
   if (!is_new) return at->second;
   const auto wrong = [&](const std::string& what) {
     return at_line(file_.path, material.texture_line, fmt::format("texture '{}' {}", path.string(), what));
@@ -106,11 +108,17 @@ Result<std::uint16_t> ComposedMaterials::own_texture(const FileMaterial& materia
   if (!image) return wrong(image.failure().message);
   const RgbImage fitted = resample_to_power_of_two(std::move(*image));
   scene_.texels.push_back(to_rgb565(fitted));
+  TextureFormat format = fitted.alpha.empty() ? TextureFormat::rgb565 : TextureFormat::rgb565_alpha;
+  if (material.palette) {
+    if (!fitted.alpha.empty()) return wrong("has alpha, which goes with no 'palette'; leave out one of them");
+    format = *material.palette;
+    scene_.texels.back() = index_texels(scene_.texels.back(), format).words;
+  }
   append_alpha(fitted, scene_.texels.back());
   scene_.textures.push_back({.texels = scene_.texels.back(),
                              .log2_width = static_cast<std::uint8_t>(log2_of(fitted.width)),
                              .log2_height = static_cast<std::uint8_t>(log2_of(fitted.height)),
-                             .format = fitted.alpha.empty() ? TextureFormat::rgb565 : TextureFormat::rgb565_alpha});
+                             .format = format});
   return at->second;
 }
 

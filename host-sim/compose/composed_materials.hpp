@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -34,7 +35,7 @@ class ComposedMaterials {
   const SceneFile& file_;
   ComposedScene& scene_;
   std::map<std::pair<std::size_t, std::uint16_t>, std::uint16_t> model_textures_;
-  std::map<std::filesystem::path, std::uint16_t> own_textures_;
+  std::map<std::pair<std::filesystem::path, std::optional<TextureFormat>>, std::uint16_t> own_textures_;
   std::map<std::tuple<std::size_t, std::uint16_t, const FileMaterial*>, std::uint16_t> materials_;
 };
 

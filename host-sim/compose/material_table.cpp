@@ -28,6 +28,11 @@ FileMaterial read_material(TomlTable& table) {
   material.colour = table.colour("colour");
   if (const auto texture = table.text("texture")) material.texture = *texture;
   material.texture_line = table.line_of("texture");
+  if (const auto bits = table.integer("palette", 4, 8)) {
+    if (*bits != 4 && *bits != 8) table.wrong("palette", "'palette' must be 4 or 8, the bits of a texel's index");
+    if (!material.texture) table.wrong("palette", "'palette' is for the colours of 'texture', which is missing");
+    material.palette = *bits == 4 ? TextureFormat::palette4 : TextureFormat::palette8;
+  }
   material.lit = table.flag("lit");
   material.smooth = table.flag("smooth");
   material.double_sided = table.flag("double_sided");

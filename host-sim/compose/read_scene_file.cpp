@@ -39,9 +39,10 @@ void check_ellipsoid(const FileEllipsoid& ellipsoid, const SceneFile& scene, Tom
   const auto material = std::ranges::find(scene.materials, ellipsoid.material, &FileMaterial::name);
   if (material == scene.materials.end()) return;
   if (material->has_finish()) {
-    errors.add(ellipsoid.line, fmt::format("[[ellipsoid]]: the material '{}' must do without emissive, specular, "
-                                           "shininess, alpha_mode, alpha_cutoff and filter: ellipsoids have none",
-                                           material->name));
+    errors.add(ellipsoid.line,
+               fmt::format("[[ellipsoid]]: the material '{}' must do without emissive, specular, "
+                           "shininess, alpha_mode, alpha_cutoff, filter and palette: ellipsoids have none",
+                           material->name));
   }
   const bool punctual =
       std::ranges::any_of(scene.lights, [](const FileLight& light) { return light.punctual.has_value(); });

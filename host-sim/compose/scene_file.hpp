@@ -77,12 +77,15 @@ struct FileMaterial {
   std::optional<std::uint8_t> shininess, alpha, alpha_cutoff;  ///< alpha: of the colour
   std::optional<AlphaMode> alpha_mode;
   std::optional<TextureFilter> filter;
+  std::optional<TextureFormat> palette;  ///< of `texture`: palette8 or palette4
   std::optional<DepthTest> depth_test;
   std::optional<std::int32_t> depth_bias;
   int depth_line = 0;  ///< of the first key about depth
 
   /// Whether it sets what few materials have (Finish).
-  bool has_finish() const { return emissive || specular || shininess || alpha_mode || alpha_cutoff || filter; }
+  bool has_finish() const {
+    return emissive || specular || shininess || alpha_mode || alpha_cutoff || filter || palette;
+  }
 };
 
 /// A part of an [[instance]].

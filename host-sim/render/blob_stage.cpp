@@ -21,8 +21,8 @@ std::string reason(const Status& status, std::span<const std::uint8_t> bytes) {
       }
       return fmt::format("is no whole baked scene (byte {}); bake it again", status.needed);
     case Error::blob_version:
-      return fmt::format("is a baked scene of version {}, and this zstrip reads version {}; bake it again",
-                         status.needed, status.available);
+      return fmt::format("is a baked scene of version {}, and this zstrip reads versions {} to {}; bake it again",
+                         status.needed, kOldestSceneBlobVersion, status.available);
     default:
       return fmt::format("is a baked scene that cannot be drawn: {} (number {}); bake it again", message(status.error),
                          status.needed);

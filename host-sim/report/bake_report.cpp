@@ -2,6 +2,7 @@
 #include "report/bake_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -47,10 +48,34 @@ std::string flash_lines(const BakeRecord& record) {
   add(flash.texcoords, "texture coordinates", known ? off_words(accuracy.texcoord, "texels") : "");
   add(flash.triangles, "triangles", "");
   add(flash.meshlets, "meshlets", "");
-  add(flash.texels, "textures, RGB565", known ? "a channel " + off_words(100 * accuracy.texel, "%") : "");
+  add(flash.texels, record.palettes.empty() ? "textures, RGB565" : "textures",
+      known ? "a channel " + off_words(100 * accuracy.texel, "%") : "");
   add(flash.keyframes, "keyframes of the animation", "");
   add(flash.tree, "tree of painter-bsp", counted(record.method.value_or(BakedMethodRecord{}).nodes, "node"));
   add(flash.tables, "tables of meshes, materials, textures, instances and lights, camera", "");
+  return text;
+}
+
+/// "at most 8, 4, 8 of 255 off (red, green, blue), 1.2, 0.8, 2.1 on average", or "exact".
+std::string palette_words(const TexelErrors& errors) {
+  if (errors.largest == std::array<int, 3>{}) return "exact";
+  return fmt::format("at most {} of 255 off (red, green, blue), {:.2f} on average", fmt::join(errors.largest, ", "),
+                     fmt::join(errors.mean, ", "));
+}
+
+std::string palette_lines(const BakeRecord& record) {
+  std::string text;
+  for (const PaletteRecord& palette : record.palettes) {
+    text += fmt::format("  {:<10} texture {}: {} colours, {} instead of {}: {}\n", text.empty() ? "palettes" : "",
+                        palette.texture, 1 << index_bits(palette.format), grouped(palette.bytes),
+                        counted(palette.bytes_before, "byte"), palette_words(palette.errors));
+  }
+  if (record.palettes_would_save > 0) {
+    text += fmt::format(
+        "  palettes   none; --textures auto would save {} of texels and change no pixel, but takes code "
+        "and time for each fragment\n",
+        counted(record.palettes_would_save, "byte"));
+  }
   return text;
 }
 
@@ -75,6 +100,7 @@ std::string bake_summary(const BakeRecord& record) {
                                  counted(counts.triangles, "triangle"), counted(counts.meshlets, "meshlet"),
                                  counted(counts.instances, "instance"), counted(record.materials, "material"));
   text += fmt::format("  flash      {}\n", counted(record.flash.total(), "byte")) + flash_lines(record);
+  text += palette_lines(record);
   text += effect_lines(record);
   text += fmt::format("  picture    {}x{}, {}; {}\n", record.view.width, record.view.height, format_words(record.view),
                       shape(record.plan, record.view));
@@ -135,6 +161,16 @@ std::string bake_json(const BakeRecord& record) {
                           {"texcoord_texels", accuracy->texcoord},
                           {"texel_channel", accuracy->texel}};
   }
+  object["palettes"] = Json::array();
+  for (const PaletteRecord& palette : record.palettes) {
+    object["palettes"].push_back({{"texture", palette.texture},
+                                  {"bits", index_bits(palette.format)},
+                                  {"bytes", palette.bytes},
+                                  {"bytes_before", palette.bytes_before},
+                                  {"largest_error", palette.errors.largest},
+                                  {"mean_error", palette.errors.mean}});
+  }
+  object["palettes_would_save"] = record.palettes_would_save;
   object["effects"] = Json::array();
   for (const FoundEffect& found : record.effects) {
     object["effects"].push_back({{"name", found.effect.name},

@@ -8,6 +8,7 @@
 
 #include "bake/effects_found.hpp"
 #include "bake/flash_bytes.hpp"
+#include "bake/palettes.hpp"
 #include "import/model.hpp"
 #include "zstrip/plan/plan_types.hpp"
 #include "zstrip/scene/effects.hpp"
@@ -45,6 +46,8 @@ struct BakeRecord {
   std::vector<std::string> warnings;
   std::optional<BakedMethodRecord> method{};
   std::optional<VisibleSetRecord> visible_sets{};
+  std::vector<PaletteRecord> palettes{};  ///< of the textures that have got one
+  std::uint64_t palettes_would_save = 0;  ///< bytes of texels, without loss
 };
 
 /// For a person.

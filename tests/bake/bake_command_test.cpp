@@ -214,6 +214,64 @@ TEST_F(Bake, EffectsAndWhy) {
   EXPECT_NE(effects("room", {}).find("textures[\"number 0\",\"number 1\"]"), std::string::npos);
 }
 
+/// The room's walls have 3 colours in 256 texels, its box more than 16 in 4096.
+TEST_F(Bake, PalettesThatLoseNothingChangeNoPixel) {
+  const Json plain = report({"bake", "room", "-o", "plain.zsc"});
+  EXPECT_EQ(plain.at("flash_bytes").at("textures"), 2 * (256 + 4096));
+  EXPECT_EQ(plain.at("palettes"), Json::array());
+  EXPECT_EQ(read(path("plain.zsc"))[2], 3) << "a version that older programs read";
+  EXPECT_EQ(crcs("plain.zsc", {}, 1), crcs("room", {}, 1));
+
+  const Json baked = report({"bake", "room", "-o", "small.zsc", "--textures", "auto"});
+  const int bytes = 2 * (16 + 256 / 4 + 256 + 4096 / 2);
+  EXPECT_EQ(baked.at("flash_bytes").at("textures"), bytes);
+  EXPECT_EQ(plain.at("palettes_would_save"), 2 * (256 + 4096) - bytes);
+  EXPECT_EQ(baked.at("palettes_would_save"), 0);
+  ASSERT_EQ(baked.at("palettes").size(), 2U);
+  const Json& of_walls = baked.at("palettes").at(0);
+  EXPECT_EQ(of_walls.at("bits"), 4);
+  EXPECT_EQ(of_walls.at("bytes_before"), 512);
+  EXPECT_EQ(of_walls.at("bytes"), 160);
+  EXPECT_EQ(of_walls.at("largest_error"), (std::vector{0, 0, 0}));
+  EXPECT_EQ(baked.at("effects").back().at("name"), "texture_palettes");
+  EXPECT_EQ(read(path("small.zsc"))[2], 4);
+  EXPECT_EQ(crcs("small.zsc", {}, 1), crcs("room", {}, 1));
+  EXPECT_EQ(crcs("small.zsc", {}, 5), crcs("plain.zsc", {}, 5));
+
+  report({"bake", "small.zsc", "-o", "again.zsc"});
+  EXPECT_EQ(read(path("again.zsc")), read(path("small.zsc")));
+}
+
+TEST_F(Bake, PalettesThatLoseSomethingSayHowMuch) {
+  const std::string scene = ZSTRIP_SCENE_FILES "/palette.toml";
+  const auto baked = [&](const char* textures) {
+    return report({"bake", scene, "-o", "scene.zsc", "--textures", textures}).at("palettes");
+  };
+  EXPECT_EQ(baked("rgb565"), Json::array());
+  EXPECT_EQ(baked("auto"), Json::array()) << "more than 256 colours";
+  for (const auto& [choice, bits, bytes] :
+       {std::tuple{"palette8", 8, 2 * (256 + 2048)}, {"palette4", 4, 2 * (16 + 1024)}}) {
+    const Json palettes = baked(choice);
+    ASSERT_EQ(palettes.size(), 1U) << "the other two have one already";
+    EXPECT_EQ(palettes.at(0).at("bits"), bits);
+    EXPECT_EQ(palettes.at(0).at("bytes"), bytes);
+    EXPECT_EQ(palettes.at(0).at("bytes_before"), 2 * 4096);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const double largest = palettes.at(0).at("largest_error").at(channel);
+      const double mean = palettes.at(0).at("mean_error").at(channel);
+      EXPECT_GT(mean, 0);
+      EXPECT_LT(mean, largest);
+      EXPECT_LT(largest, 96);
+    }
+  }
+  const Outcome words = zstrip({"bake", scene, "-o", "scene.hpp", "--textures", "palette8"});
+  EXPECT_NE(words.out.find("  palettes   texture 0: 256 colours, 4,608 instead of 8,192 bytes: at most "),
+            std::string::npos)
+      << words.out;
+  const Outcome advice = zstrip({"bake", "room", "-o", "scene.hpp"});
+  EXPECT_NE(advice.out.find("--textures auto would save 3,936 bytes"), std::string::npos) << advice.out;
+}
+
 TEST_F(Bake, SummaryInWords) {
   const Outcome outcome = zstrip({"bake", kHouse, "-o", "house.hpp", "--size", "128x64", "--ram", "14K"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -244,6 +302,7 @@ TEST_F(Bake, Refusals) {
   expect({"bake", kHouse, "-o", "house.hpp", "--namespace", "a__b"}, 2, "--namespace");
   expect({"bake", "teapot", "-o", "house.hpp", "--up", "z"}, 2, "--up");
   expect({"bake", kHouse, "-o", "house.hpp", "--size", "0x0"}, 2, "--size");
+  expect({"bake", "room", "-o", "room.hpp", "--textures", "palette"}, 2, "--textures");
   expect({"bake", "none.obj", "-o", "house.hpp"}, 4, "none.obj");
   expect({"bake", kHouse, "-o", "house.hpp", "--ram", "100"}, 5, "bytes");
   expect({"bake", kHouse, "-o", "nowhere/house.hpp"}, 6, "nowhere");
@@ -271,8 +330,8 @@ TEST_F(Bake, DamagedBlobsAreInputErrors) {
   flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 1);
   expect(flipped, "is no whole baked scene (byte 8)");
   std::string newer = whole;
-  newer[2] = 4;
-  expect(newer, "version 4, and this zstrip reads version 3");
+  newer[2] = 5;
+  expect(newer, "version 5, and this zstrip reads versions 3 to 4");
   EXPECT_EQ(zstrip({"render", "none.zsc"}).status, 4);
 }
 

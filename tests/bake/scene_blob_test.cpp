@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -307,6 +308,66 @@ TEST(SceneBlob, DitheringIsAFlagThatOlderBlobsDoNotHave) {
   EXPECT_EQ(with(2).status, (Status{.error = Error::blob_damaged, .needed = 129}));
 }
 
+// A palette of 16 colours for 4 texels, one of 256 for as many.
+constexpr auto kFourBits = [] {
+  std::array<std::uint16_t, 17> words{0xF800, 0x07E0, 0x001F};
+  words[16] = 0xF210;
+  return words;
+}();
+constexpr std::array<std::uint16_t, 258> kEightBits{0x1111, 0x2222};
+constexpr Texture kWithPalettes[] = {{kFourBits, 1, 1, TextureFormat::palette4},
+                                     {kEightBits, 1, 1, TextureFormat::palette8}};
+
+Bytes palette_bytes() {
+  std::vector<Material> materials(std::begin(kMaterials), std::end(kMaterials));
+  materials[0].finish = 0;  // which the one with a texture needs
+  SceneBlob blob = sample();
+  blob.scene.materials = materials;
+  blob.scene.textures = kWithPalettes;
+  const Result<Bytes> bytes = to_scene_blob(blob);
+  EXPECT_TRUE(bytes);
+  return bytes ? *bytes : Bytes{};
+}
+
+TEST(SceneBlob, PalettesAreOfANewVersion) {
+  EXPECT_EQ(sample_bytes()[2], 3);
+  Bytes bytes = palette_bytes();
+  EXPECT_EQ(bytes[2], 4);
+  const Opened opened(bytes);
+  ASSERT_TRUE(opened.status);
+  expect_same_bytes(opened.content.scene.textures[0].texels, kWithPalettes[0].texels);
+  expect_same_bytes(opened.content.scene.textures[1].texels, kWithPalettes[1].texels);
+  EXPECT_EQ(opened.content.scene.textures[0].format, TextureFormat::palette4);
+  EXPECT_EQ(opened.content.scene.textures[1].format, TextureFormat::palette8);
+
+  const std::uint32_t format = word(bytes, 28) + 10;  // of the first texture
+  EXPECT_EQ(bytes[format], 3);
+  bytes[2] = 3;
+  EXPECT_EQ(Opened(bytes).status, (Status{.error = Error::blob_damaged, .needed = format})) << "it has none";
+  bytes[2] = 4;
+  bytes[format] = 4;
+  mend(bytes);
+  EXPECT_EQ(Opened(bytes).status, (Status{.error = Error::blob_damaged, .needed = format}));
+}
+
+TEST(SceneBlob, PalettesNeedAllTheirWords) {
+  const Bytes whole = palette_bytes();
+  const std::uint32_t textures = word(whole, 28);
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    for (const std::uint32_t words : {0U, 1U, 15U, i == 0 ? 16U : 257U}) {
+      Bytes fewer = whole;
+      put_word(fewer, textures + 12 * i + 4, words);
+      if (words == 0) put_word(fewer, textures + 12 * i, 0);
+      mend(fewer);
+      EXPECT_EQ(Opened(fewer).status, (Status{.error = Error::texture, .needed = i})) << words;
+    }
+    Bytes larger = whole;
+    larger[textures + 12 * i + 8] = 11;  // 2048 texels across
+    mend(larger);
+    EXPECT_EQ(Opened(larger).status, (Status{.error = Error::texture, .needed = i}));
+  }
+}
+
 // Three planes: the root with a triangle in its plane and one on either side of it.
 constexpr Triangle kFourTriangles[] = {{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}};
 constexpr BspNode kNodes[] = {
@@ -383,6 +444,7 @@ void expect_every_part_refused(const Bytes& whole) {
 }
 
 TEST(SceneBlob, TruncatedAtEveryLengthWithATree) { expect_every_part_refused(tree_bytes()); }
+TEST(SceneBlob, TruncatedAtEveryLengthWithPalettes) { expect_every_part_refused(palette_bytes()); }
 
 /// Visible sets begin like a scene, and have another version.
 TEST(SceneBlob, AnotherKindIsNotAnotherVersion) {
@@ -431,8 +493,8 @@ void draw(const SceneBlob& content, Effects method = {}) {
 
 /// Who writes a wrong value also writes its checksum.
 TEST(SceneBlob, EveryByteChangedUnderARightChecksum) {
-  for (const bool has_tree : {false, true}) {
-    const Bytes whole = has_tree ? tree_bytes() : sample_bytes();
+  for (const Bytes& whole : {sample_bytes(), tree_bytes(), palette_bytes()}) {
+    const bool has_tree = word(whole, 184) != 0;
     std::size_t refused = 0, drawn = 0;
     for (std::size_t at = 12; at < whole.size(); ++at) {
       for (const int value : {0x00, 0x01, 0x02, 0x7F, 0x80, 0xFF}) {
@@ -494,7 +556,7 @@ TEST(SceneBlob, ValuesThatAreNone) {
   EXPECT_EQ(error_with(128, static_cast<std::uint8_t>(kLastPixelFormat) + 1).error, Error::blob_damaged);
   EXPECT_EQ(error_with(125, 17).error, Error::blob_damaged);  // 4416 pixels wide
   EXPECT_EQ(error_with(3, 'd').error, Error::blob_damaged);
-  EXPECT_EQ(error_with(2, 1), (Status{.error = Error::blob_version, .needed = 1, .available = 3}));
+  EXPECT_EQ(error_with(2, 1), (Status{.error = Error::blob_version, .needed = 1, .available = 4}));
   EXPECT_EQ(error_with(111, 0x80).error, Error::camera);  // negative focal length
 }
 

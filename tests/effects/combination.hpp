@@ -10,17 +10,17 @@
 namespace effects_test {
 
 /// Everything that a set may have or not.
-inline constexpr Effects kFactors[] = {effect::lighting,        effect::gouraud,         effect::textures,
-                                       effect::orthographic,    effect::depth_state,     effect::fog,
-                                       effect::emissive,        effect::specular,        effect::texture_alpha,
-                                       effect::bilinear,        effect::punctual_lights, effect::alpha_test,
-                                       effect::blending,        effect::vertex_colours,  effect::quadrics,
-                                       effect::dithered_colours};
+inline constexpr Effects kFactors[] = {effect::lighting,         effect::gouraud,         effect::textures,
+                                       effect::orthographic,     effect::depth_state,     effect::fog,
+                                       effect::emissive,         effect::specular,        effect::texture_alpha,
+                                       effect::bilinear,         effect::punctual_lights, effect::alpha_test,
+                                       effect::blending,         effect::vertex_colours,  effect::quadrics,
+                                       effect::dithered_colours, effect::texture_palettes};
 
 /// With what its effects need to show.
 constexpr Effects completed(Effects set) {
   if (set.has(effect::texture_alpha) && !set.any(effect::alpha_test | effect::blending)) set = set | effect::alpha_test;
-  if (set.any(effect::texture_alpha | effect::bilinear)) set = set | effect::textures;
+  if (set.any(effect::texture_alpha | effect::bilinear | effect::texture_palettes)) set = set | effect::textures;
   const bool unlit_texels = set.has(effect::textures | effect::vertex_colours);  // have no vertex colours
   if (set.any(effect::vertex_light | effect::gouraud) || unlit_texels) set = set | effect::lighting;
   return set;
@@ -68,7 +68,7 @@ struct Combination {
   Mesh meshes[2] = {scenes::kRoomMeshes[0], scenes::kRoomMeshes[1]};
   Finish finishes[2];
   Material materials[3];
-  Texture textures[1] = {{scenes::kLatticeTexels, 4, 4}};
+  Texture textures[2] = {{scenes::kLatticeTexels, 4, 4}, {scenes::kIndexedTexels, 4, 4, TextureFormat::palette4}};
   Instance instances[2] = {scenes::block(0, 0.5, 0.5, 0.5, -0.2, 0, -0.6),
                            scenes::block(1, 0.5, 0.5, 0.5, 0.2, 0.1, 0.5)};
   Quadric quadrics[1] = {
@@ -79,6 +79,7 @@ struct Combination {
   Scene scene;
 
   explicit Combination(Effects set) {
+    const int indexed = set.has(effect::alpha_test) ? 1 : 0;  // the other one's texture may have alpha
     for (int i = 0; i < 2; ++i) {
       Finish& finish = finishes[i];
       if (set.has(effect::emissive)) finish.emissive = {40, 20, 0, 255};
@@ -87,7 +88,7 @@ struct Combination {
       Material& material = materials[i];
       material = {.colour = {200, 180, 160, 150}, .lit = set.has(effect::lighting), .smooth = set.has(effect::gouraud)};
       material.finish = static_cast<std::uint8_t>(i);
-      if (set.has(effect::textures)) material.texture = 0;
+      if (set.has(effect::textures)) material.texture = set.has(effect::texture_palettes) && i == indexed ? 1 : 0;
       if (set.has(effect::depth_state)) material.depth_test = DepthTest::nearer_or_equal;
     }
     if (set.has(effect::alpha_test)) finishes[0].alpha_mode = AlphaMode::mask;

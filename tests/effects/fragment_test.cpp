@@ -167,7 +167,7 @@ TEST(EffectsFragments, ATextureWithoutItsAlphaIsRefused) {
   short_one.texels = short_one.texels.first(short_one.texels.size() - 1);
   scene.textures = {&short_one, 1};
   EXPECT_EQ(validate(scene).error, Error::texture);
-  short_one = {squares.texels, 4, 4, TextureFormat{2}};
+  short_one = {squares.texels, 4, 4, TextureFormat{4}};
   EXPECT_EQ(validate(scene).error, Error::texture);
 }
 

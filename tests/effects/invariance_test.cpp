@@ -45,6 +45,7 @@ TEST(EffectsInvariance, PunctualIsTheSameInStripsBinsAndSupersets) { Subject<sce
 TEST(EffectsInvariance, MaskIsTheSameInStripsBinsAndSupersets) { Subject<scenes::mask>::check(); }
 TEST(EffectsInvariance, BlendIsTheSameInStripsBinsAndSupersets) { Subject<scenes::blend>::check(); }
 TEST(EffectsInvariance, BilinearIsTheSameInStripsBinsAndSupersets) { Subject<scenes::bilinear>::check(); }
+TEST(EffectsInvariance, PaletteIsTheSameInStripsBinsAndSupersets) { Subject<scenes::palette>::check(); }
 
 // What a superset draws where the effect is absent must come from the same loops.
 TEST(EffectsInvariance, SupersetsDrawScenesWithoutEffectsAlike) {

@@ -98,6 +98,26 @@ TEST_F(Command, DitheredSceneHasItsChecksum) {
   EXPECT_NE(drawn({"--no-dither"}), golden);
 }
 
+/// Of three boxes with 65536, 256 and 16 colours: in strips of any height, on any threads, and baked.
+TEST_F(Command, SceneWithPalettesHasItsChecksum) {
+  const std::string scene = ZSTRIP_SCENE_FILES "/palette.toml";
+  const auto drawn = [&](const std::string& file, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"render", file, "-o", "p.png", "--size", "192x64", "--quiet", "--json", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = zstrip(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    if (outcome.status != 0) return std::string();
+    return nlohmann::json::parse(outcome.out).at("frames").at(0).at("crc32").get<std::string>();
+  };
+  const std::string golden = "7a55f4ee";
+  EXPECT_EQ(drawn(scene, {}), golden);
+  EXPECT_EQ(drawn(scene, {"--strip-rows", "1"}), golden);
+  EXPECT_EQ(drawn(scene, {"--strip-rows", "7", "--strip-columns", "24"}), golden);
+  EXPECT_EQ(drawn(scene, {"--threads", "3", "--strip-rows", "5"}), golden);
+  EXPECT_EQ(zstrip({"bake", scene, "-o", "p.zsc", "--size", "192x64", "--quiet"}).status, 0);
+  EXPECT_EQ(drawn("p.zsc", {}), golden);
+}
+
 TEST_F(Command, FramesOfATurnDiffer) {
   EXPECT_EQ(zstrip({"render", "teapot", "-o", "turn", "--frames", "3", "--quiet"}).status, 0);
   EXPECT_EQ(files(), (std::vector<std::string>{"turn/frame_0000.png", "turn/frame_0001.png", "turn/frame_0002.png"}));

@@ -175,6 +175,19 @@ TEST(SceneFile, OutOfRangeOrMissing) {
   EXPECT_NE(failure("instance = 3\n").find("must be tables"), std::string::npos);
 }
 
+TEST(SceneFile, PalettesOfTextures) {
+  const auto material = [](const std::string& lines) { return "[[material]]\nname = 'a'\n" + lines + "\n" + kCube; };
+  EXPECT_EQ(parsed(material("texture = 't.png'")).materials.at(0).palette, std::nullopt);
+  EXPECT_EQ(parsed(material("texture = 't.png'\npalette = 4")).materials.at(0).palette, TextureFormat::palette4);
+  EXPECT_EQ(parsed(material("texture = 't.png'\npalette = 8")).materials.at(0).palette, TextureFormat::palette8);
+  for (const char* value : {"6", "16", "0", "'8'", "true"}) {
+    const std::string message = failure(material(std::string("texture = 't.png'\npalette = ") + value));
+    EXPECT_EQ(message.find("'scene.toml' line 4: [[material]]: 'palette' must be "), 0U) << message;
+  }
+  EXPECT_EQ(failure(material("palette = 8")),
+            "'scene.toml' line 3: [[material]]: 'palette' is for the colours of 'texture', which is missing");
+}
+
 TEST(SceneFile, WhetherThePictureIsDithered) {
   EXPECT_EQ(parsed(kCube).picture.dither, std::nullopt);
   EXPECT_EQ(parsed("[picture]\ndither = false\n" + kCube).picture.dither, false);
@@ -250,6 +263,9 @@ TEST(SceneFile, FinishOfAnEllipsoid) {
         failure(std::string("[[material]]\nname = 'a'\n") + key + "\n[[ellipsoid]]\nmaterial = 'a'\n");
     EXPECT_TRUE(message.starts_with("'scene.toml' line 4: [[ellipsoid]]: the material 'a' must do without")) << message;
   }
+  const std::string palette =
+      failure("[[material]]\nname = 'a'\ntexture = 't.png'\npalette = 8\n[[ellipsoid]]\nmaterial = 'a'\n");
+  EXPECT_NE(palette.find("filter and palette: ellipsoids have none"), std::string::npos) << palette;
 }
 
 TEST(SceneFile, PointLightOnAnEllipsoid) {

@@ -16,7 +16,9 @@ const char* message(Error error) {
     case Error::camera: return "the camera is not usable";
     case Error::mesh: return "a mesh is not valid";
     case Error::instance: return "an instance is not valid";
-    case Error::material: return "a material refers to a texture or a finish that does not exist";
+    case Error::material:
+      return "a material refers to a texture or a finish that does not exist, or its texture has a palette and it no "
+             "finish";
     case Error::texture: return "a texture is not valid";
     case Error::light: return "too many lights";
     case Error::effect_missing: return "the renderer was built without an effect that the scene calls for";

@@ -37,22 +37,28 @@ constexpr FragmentColour modulated(const FragmentColour& texel, std::uint32_t r,
   return {product(texel.r, r), product(texel.g, g), product(texel.b, b), texel.a};
 }
 
-/// Fetches texels by coordinates in fractions of the texture, 0.32.
+/// Fetches texels by coordinates in fractions of the texture, 0.32. `palettes`: of textures that may have one.
+template <bool palettes>
 class TextureSampler {
  public:
+  using Indices = std::conditional_t<palettes, TexelIndices, Absent>;
+
   TextureSampler() = default;
-  explicit TextureSampler(const TextureView& texture)
+  TextureSampler(const TextureView& texture, Indices indices)
       : texels_(texture.texels),
         log2_width_(texture.log2_width),
         log2_height_(texture.log2_height),
         to_column_(TextureAxis(texture.log2_width).to_index),
         to_row_(texture.log2_height + texture.log2_width == 0 ? 31 : 32 - texture.log2_height - texture.log2_width),
-        row_mask_(~((std::uint32_t{1} << texture.log2_width) - 1)) {}
+        row_mask_(~((std::uint32_t{1} << texture.log2_width) - 1)),
+        indices_(indices) {}
 
   template <bool alpha>
   FragmentColour nearest(std::uint32_t u, std::uint32_t v, bool has_alpha) const {
-    return texel<alpha>(((v >> to_row_) & row_mask_) + (u >> to_column_), has_alpha);
+    return texel<alpha>(nearest_index(u, v), has_alpha);
   }
+  /// RGB565.
+  std::uint16_t nearest_word(std::uint32_t u, std::uint32_t v) const { return word(nearest_index(u, v)); }
 
   /// The mean of the four texels whose centres lie around the point, by their distance in 1/256; rounded to nearest.
   template <bool alpha>
@@ -72,6 +78,19 @@ class TextureSampler {
   }
 
  private:
+  std::uint32_t nearest_index(std::uint32_t u, std::uint32_t v) const {
+    return ((v >> to_row_) & row_mask_) + (u >> to_column_);
+  }
+
+  /// The texel's RGB565.
+  std::uint16_t word(std::uint32_t index) const {
+    if constexpr (palettes) {
+      if (indices_.bits == 8) return texels_[(texels_[256 + (index >> 1)] >> (8 * (index & 1))) & 0xFF];
+      if (indices_.bits == 4) return texels_[(texels_[16 + (index >> 2)] >> (4 * (index & 3))) & 0xF];
+    }
+    return texels_[index];
+  }
+
   /// Two neighbours along an axis that repeats, and the second one's share in 1/256.
   struct Between {
     std::uint32_t first = 0, second = 0, share = 0;
@@ -87,7 +106,7 @@ class TextureSampler {
 
   template <bool alpha>
   FragmentColour texel(std::uint32_t index, [[maybe_unused]] bool has_alpha) const {
-    FragmentColour colour = expanded(texels_[index]);
+    FragmentColour colour = expanded(word(index));
     if constexpr (alpha) {
       const std::uint32_t texels = std::uint32_t{1} << (log2_width_ + log2_height_);
       if (has_alpha) colour.a = (texels_[texels + (index >> 1)] >> (8 * (index & 1))) & 0xFFU;
@@ -99,12 +118,14 @@ class TextureSampler {
   std::uint32_t log2_width_ = 0, log2_height_ = 0;
   std::int32_t to_column_ = 0, to_row_ = 0;  ///< right shifts; a row stays multiplied by the width
   std::uint32_t row_mask_ = 0;
+  [[no_unique_address]] Indices indices_{};
 };
 
 /// Everything that varies over a triangle but its depth, as far as the effects go.
 template <Effects effects>
 struct FragmentPlanes {
   static constexpr bool kOrthographic = effects.has(effect::orthographic);
+  using Sampler = TextureSampler<effects.has(effect::texture_palettes)>;
 
   FragmentPlanes(const PlaneSetup& setup, const RasterVertex* const (&v)[3], const Surface& surface,
                  const FragmentSettings& settings) {
@@ -134,6 +155,7 @@ struct FragmentPlanes {
   [[no_unique_address]] If<effect::textures, TextureCoordinates<kOrthographic>> coordinates;
   [[no_unique_address]] If<effect::fog, FogPlane<kOrthographic>> fog;
   [[no_unique_address]] If<effect::dithered_colours, DitherAnchor> dither;
+  [[no_unique_address]] typename Sampler::Indices indices;
 };
 
 /// What is exact at the ends of a run only, and linear between.
@@ -165,10 +187,18 @@ constexpr std::int32_t step_of_run(std::int32_t difference, std::int32_t left) {
 /// `visible` 0..256. With effect::dithered_colours a threshold of kBayer comes last.
 template <Effects effects, class... Threshold>
 bool shade_fragment(const FragmentPlanes<effects>& planes, const FragmentSettings& settings,
-                    [[maybe_unused]] const TextureSampler& sampler, std::uint32_t r, std::uint32_t g, std::uint32_t b,
-                    [[maybe_unused]] std::uint32_t u, [[maybe_unused]] std::uint32_t v,
-                    [[maybe_unused]] std::uint32_t visible, std::uint16_t& pixel, Threshold... threshold) {
+                    [[maybe_unused]] const typename FragmentPlanes<effects>::Sampler& sampler, std::uint32_t r,
+                    std::uint32_t g, std::uint32_t b, [[maybe_unused]] std::uint32_t u,
+                    [[maybe_unused]] std::uint32_t v, [[maybe_unused]] std::uint32_t visible, std::uint16_t& pixel,
+                    Threshold... threshold) {
   constexpr bool kTextureAlpha = effects.has(effect::texture_alpha);
+  if constexpr (effects.has(effect::texture_palettes)) {
+    // As TexturedRun does, so that a palette changes no pixel.
+    if (planes.indices.only_effect) {
+      pixel = modulated(sampler.nearest_word(u, v), r, g, b);
+      return true;
+    }
+  }
   FragmentColour colour{r >> 16, g >> 16, b >> 16, 255};
   if constexpr (effects.has(effect::textures)) {
     if (planes.textured) {
@@ -224,10 +254,10 @@ void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& dep
   std::uint32_t r = planes.light.r.at(span.columns, span.rows);
   std::uint32_t g = planes.light.g.at(span.columns, span.rows);
   std::uint32_t b = planes.light.b.at(span.columns, span.rows);
-  TextureSampler sampler;
+  typename FragmentPlanes<effects>::Sampler sampler;
   TextureAxis axis_u(0), axis_v(0);
   if constexpr (kTextures) {
-    sampler = TextureSampler(planes.texture);
+    sampler = {planes.texture, planes.indices};
     axis_u = TextureAxis(planes.texture.log2_width);
     axis_v = TextureAxis(planes.texture.log2_height);
   }
@@ -302,6 +332,7 @@ void draw_fragment_triangle(const TargetOf<effects>& target, const RasterVertex&
   if constexpr (effects.has(effect::dithered_colours)) {
     planes.dither = {triangle.anchor_x - target.view_left, triangle.anchor_y - target.view_top, target.dithered};
   }
+  if constexpr (effects.has(effect::texture_palettes)) planes.indices = target.indices;
   triangle.template walk<effects.has(effect::statistics), true>(
       target, v0, v1, v2, narrow, [&](const auto& run, const auto& z, const auto& rule) {
         fill_fragments<effects>(run, z, rule, planes, target.fragments, target.statistics);

@@ -29,10 +29,22 @@ struct TargetWithFragments : Target {
   FragmentSettings fragments;
 };
 
-/// With effect::dithered_colours, which a renderer may have for pictures that are not dithered.
-template <class Target>
-struct TargetWithDithering : Target {
-  bool dithered;
+/// In place of a member whose effect is missing.
+struct Absent {};
+template <Effects effects, Effects needed, class Member>
+using MemberIf = std::conditional_t<effects.has(needed), Member, Absent>;
+
+/// How the texels of an instance are kept.
+struct TexelIndices {
+  std::uint8_t bits = 0;     ///< 8 or 4; 0: they are colours
+  bool only_effect = false;  ///< all else of its fragments is as without effects
+};
+
+/// With what dithering and palettes add, either of which a renderer may have where the picture or an instance has not.
+template <class Target, Effects effects>
+struct TargetWithColours : Target {
+  [[no_unique_address]] MemberIf<effects, effect::dithered_colours, bool> dithered;
+  [[no_unique_address]] MemberIf<effects, effect::texture_palettes, TexelIndices> indices;
 };
 
 template <Effects effects>
@@ -40,18 +52,14 @@ struct TargetOfEffects {
   static constexpr DepthMode kDepth = depth_mode(effects);
   using WithDepth = TargetFor<kDepth>;
   using WithFragments = TargetWithFragments<WithDepth>;
+  static constexpr Effects kOfColours = effects & (effect::dithered_colours | effect::texture_palettes);
   using Drawn =
-      std::conditional_t<effects.has(effect::dithered_colours), TargetWithDithering<WithFragments>, WithFragments>;
+      std::conditional_t<kOfColours == Effects{}, WithFragments, TargetWithColours<WithFragments, kOfColours>>;
   using Type = std::conditional_t<effects.any(effect::fragments), Drawn, WithDepth>;
 };
 /// The strip as the rasterisers of these effects take it.
 template <Effects effects>
 using TargetOf = typename TargetOfEffects<effects>::Type;
-
-/// In place of a member whose effect is missing.
-struct Absent {};
-template <Effects effects, Effects needed, class Member>
-using MemberIf = std::conditional_t<effects.has(needed), Member, Absent>;
 
 /// Where the pixel that columns and rows count from lies in the picture, as far as a threshold asks.
 struct DitherAnchor {

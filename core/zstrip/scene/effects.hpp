@@ -60,9 +60,11 @@ inline constexpr Effects texture_alpha{std::uint64_t{1} << 19};    ///< a textur
 inline constexpr Effects bilinear{std::uint64_t{1} << 20};         ///< TextureFilter::bilinear
 /// View::dither of a picture in RGB565, or in what is made of it without loss: gradients and fragments are dithered.
 inline constexpr Effects dithered_colours{std::uint64_t{1} << 21};
+inline constexpr Effects texture_palettes{std::uint64_t{1} << 24};  ///< TextureFormat::palette8 or palette4
 
 /// Those that need a fragment of its own: instances with one of them are drawn by fill_fragments.
-inline constexpr Effects fragments = fog | alpha_test | blending | texture_alpha | bilinear | dithered_colours;
+inline constexpr Effects fragments =
+    fog | alpha_test | blending | texture_alpha | bilinear | dithered_colours | texture_palettes;
 /// Those that light vertices by where they are.
 inline constexpr Effects local_light = specular | punctual_lights;
 /// All that a vertex' light has beyond ambient and directional light.
@@ -219,9 +221,13 @@ constexpr Effects effects_of_finish(const Scene& scene, const Material& material
   if (finish.alpha_mode == AlphaMode::mask) found = found | effect::alpha_test;
   if (finish.alpha_mode == AlphaMode::blend) found = found | effect::blending;
   if (textured) {
-    const bool has_alpha = material.texture < scene.textures.size() &&
-                           scene.textures[material.texture].format == TextureFormat::rgb565_alpha;
-    if (has_alpha && finish.alpha_mode != AlphaMode::opaque) found = found | effect::texture_alpha;
+    const TextureFormat format =
+        material.texture < scene.textures.size() ? scene.textures[material.texture].format : TextureFormat::rgb565;
+    if (has_palette(format)) {
+      found = found | effect::texture_palettes;
+    } else if (format == TextureFormat::rgb565_alpha && finish.alpha_mode != AlphaMode::opaque) {
+      found = found | effect::texture_alpha;
+    }
     if (finish.filter == TextureFilter::bilinear) found = found | effect::bilinear;
   }
   return found;

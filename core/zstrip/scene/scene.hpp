@@ -68,11 +68,19 @@ enum class TextureFilter : std::uint8_t {
 enum class TextureFormat : std::uint8_t {
   rgb565,        ///< one texel each
   rgb565_alpha,  ///< the same, and after all texels an alpha for each: 8 bits, two in a word, the first in the low half
+  palette8,      ///< 256 colours, then an index of 8 bits for each texel, two in a word, the first in the low half
+  palette4,      ///< 16 colours, then an index of 4 bits for each texel, four in a word, the first in the lowest
 };
+
+/// Whether texels are indices of a palette. Every index has its colour: nothing to check, nothing to overrun. Such a
+/// texture is for materials with a finish (which may be Finish{}): those without do not even ask. Not for quadrics.
+constexpr bool has_palette(TextureFormat format) { return format >= TextureFormat::palette8; }
+/// Bits of an index; with a palette only.
+constexpr std::uint32_t index_bits(TextureFormat format) { return format == TextureFormat::palette8 ? 8 : 4; }
 
 /// Row-major RGB565 texels, the first row is v = 0. Sides are powers of two, 1..2048.
 struct Texture {
-  std::span<const std::uint16_t> texels;
+  std::span<const std::uint16_t> texels;  ///< words as `format` says
   std::uint8_t log2_width = 0;
   std::uint8_t log2_height = 0;
   TextureFormat format = TextureFormat::rgb565;

@@ -45,7 +45,7 @@ static_assert(sizeof(Quadric) == 52 && offsetof(Quadric, transform) == 4);
 static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colour) == 6);
 
 // Where the header has what; docs/formats.md.
-constexpr std::uint32_t kSize = 4, kChecksum = 8, kChecked = 12;
+constexpr std::uint32_t kVersion = 2, kKind = 3, kSize = 4, kChecksum = 8, kChecked = 12;
 constexpr std::uint32_t kMeshes = 12, kMaterials = 20, kTextures = 28, kInstances = 36, kLights = 44;
 constexpr std::uint32_t kAmbient = 52, kBackground = 56, kCamera = 60, kView = 124;
 constexpr std::uint32_t kTracks = 132, kKeyframes = 140, kDuration = 148;
@@ -126,11 +126,10 @@ Status check_envelope(std::span<const std::byte> blob) {
   for (std::size_t i = 0; i < sizeof kMagic; ++i) {
     if (i >= blob.size() || std::to_integer<char>(blob[i]) != kMagic[i]) return damaged(i);
   }
-  constexpr std::size_t kVersion = 2, kKind = 3;
   if (blob.size() <= kKind) return damaged(blob.size());
   const Reader reader(blob);
   if (reader.byte(kKind) != 's') return damaged(kKind);
-  if (reader.byte(kVersion) != kSceneBlobVersion) {
+  if (reader.byte(kVersion) < kOldestSceneBlobVersion || reader.byte(kVersion) > kSceneBlobVersion) {
     return {.error = Error::blob_version, .needed = reader.byte(kVersion), .available = kSceneBlobVersion};
   }
   if (blob.size() < kHeaderBytes) return damaged(blob.size());
@@ -190,11 +189,13 @@ Mesh read_mesh(Reader& reader, std::uint32_t at) {
           .texcoord_bits = reader.byte(at + MeshRecord::kTexcoordBits)};
 }
 
-Texture read_texture(Reader& reader, std::uint32_t at) {
+Texture read_texture(Reader& reader, std::uint32_t at, TextureFormat last_format) {
+  const std::uint32_t format = at + TextureRecord::kFormat;
+  reader.require(reader.byte(format) <= static_cast<std::uint8_t>(last_format), format);
   return {.texels = reader.array<std::uint16_t>(at + TextureRecord::kTexels),
           .log2_width = reader.byte(at + TextureRecord::kLog2Width),
           .log2_height = reader.byte(at + TextureRecord::kLog2Height),
-          .format = static_cast<TextureFormat>(reader.byte(at + TextureRecord::kFormat))};
+          .format = static_cast<TextureFormat>(reader.byte(format))};
 }
 
 /// Each node but the first is the child of one before it, which it names; triangles follow the nodes. `scene` is valid.
@@ -268,8 +269,10 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
     ::new (mesh_table + i) Mesh(read_mesh(reader, reader.offset_of(meshes[i])));
   }
   auto* const texture_table = reinterpret_cast<Texture*>(memory.data() + meshes.size() * sizeof(Mesh));
+  const bool knows_palettes = reader.byte(kVersion) > kOldestSceneBlobVersion;
+  const TextureFormat last_format = knows_palettes ? TextureFormat::palette4 : TextureFormat::rgb565_alpha;
   for (std::size_t i = 0; i < textures.size(); ++i) {
-    ::new (texture_table + i) Texture(read_texture(reader, reader.offset_of(textures[i])));
+    ::new (texture_table + i) Texture(read_texture(reader, reader.offset_of(textures[i]), last_format));
   }
   found.scene.meshes = {mesh_table, meshes.size()};
   found.scene.textures = {texture_table, textures.size()};

@@ -15,7 +15,9 @@
 
 namespace zstrip {
 
-inline constexpr std::uint8_t kSceneBlobVersion = 3;
+/// The oldest version that is read and the newest, which has palettes: a blob has the oldest that can say what it
+/// holds.
+inline constexpr std::uint8_t kOldestSceneBlobVersion = 3, kSceneBlobVersion = 4;
 inline constexpr std::uint32_t kSceneBlobAlignment = 4;  ///< of the blob's first byte
 
 /// What a blob holds. `scene` reads the blob and the memory lent to open_scene_blob: both must outlive it, unchanged.

@@ -99,7 +99,13 @@ constexpr bool valid_fog(const Fog& fog) {
 /// Words that a texture of this size and format has.
 constexpr std::size_t texel_words(const Texture& texture) {
   const std::size_t texels = std::size_t{1} << (texture.log2_width + texture.log2_height);
-  return texture.format == TextureFormat::rgb565_alpha ? texels + (texels + 1) / 2 : texels;
+  switch (texture.format) {
+    case TextureFormat::rgb565_alpha: return texels + (texels + 1) / 2;
+    case TextureFormat::palette8: return 256 + (texels + 1) / 2;
+    case TextureFormat::palette4: return 16 + (texels + 3) / 4;
+    case TextureFormat::rgb565: break;
+  }
+  return texels;
 }
 
 constexpr bool valid_punctual_light(const PunctualLight& light) {
@@ -113,7 +119,7 @@ constexpr bool valid_finish(const Finish& finish) {
 
 constexpr bool valid_texture(const Texture& texture) {
   return texture.log2_width <= kLargestTextureLog2 && texture.log2_height <= kLargestTextureLog2 &&
-         texture.format <= TextureFormat::rgb565_alpha && texture.texels.size() >= texel_words(texture);
+         texture.format <= TextureFormat::palette4 && texture.texels.size() >= texel_words(texture);
 }
 
 }  // namespace detail
@@ -152,6 +158,9 @@ constexpr Status validate(const Scene& scene) {
     if (texture != kNoTexture && texture >= scene.textures.size()) return {.error = Error::material, .needed = i};
     const std::uint8_t finish = scene.materials[i].finish;
     if (finish != kNoFinish && finish >= scene.finishes.size()) return {.error = Error::material, .needed = i};
+    if (texture != kNoTexture && finish == kNoFinish && has_palette(scene.textures[texture].format)) {
+      return {.error = Error::material, .needed = i};
+    }
   }
   if (scene.finishes.size() > kNoFinish) return {.error = Error::finish, .needed = kNoFinish};
   for (std::uint32_t i = 0; i < scene.finishes.size(); ++i) {

@@ -36,7 +36,8 @@ template <bool plain>
 inline constexpr View kView<scenes::dithered_mono, plain>{kWidth, kHeight, PixelFormat::mono, !plain};
 inline constexpr std::uint32_t kFrames = 4, kFramesPerTurn = 36;
 
-/// Without fog, finishes, punctual lights and quadrics; all else as it is.
+/// Without fog, finishes, punctual lights and quadrics, and the scene's first texture for one with a palette; all else
+/// as it is.
 template <const scenes::BuiltIn& built_in>
 struct Plain {
   static constexpr auto kMaterials = [] {
@@ -44,6 +45,8 @@ struct Plain {
     for (std::size_t i = 0; i < materials.size(); ++i) {
       materials[i] = built_in.scene.materials[i];
       materials[i].finish = kNoFinish;
+      std::uint16_t& texture = materials[i].texture;
+      if (texture != kNoTexture && has_palette(built_in.scene.textures[texture].format)) texture = 0;
     }
     return materials;
   }();

@@ -171,6 +171,25 @@ inline constexpr BuiltIn bilinear =
     effect_scene("bilinear", "two boxes with coarse texels, those of the right one filtered", kBilinearScene,
                  count(kBilinearScene), 4.0, 20, 2.0);
 
+/// The tiles of the room's texture as indices.
+extern const std::array<std::uint16_t, 16 + 64> kIndexedTexels;
+inline constexpr Texture kTileTextures[] = {
+    {kRoomTexels, kRoomTextureLog2, kRoomTextureLog2},
+    {kIndexedTexels, kRoomTextureLog2, kRoomTextureLog2, TextureFormat::palette4}};
+inline constexpr Finish kPlainFinish[] = {{}};
+inline constexpr Material kPaletteMaterials[] = {{.texture = 0, .lit = true, .smooth = false},
+                                                 {.texture = 1, .lit = true, .smooth = false, .finish = 0}};
+inline constexpr Scene kPaletteScene{.meshes = kRoomMeshes,
+                                     .materials = kPaletteMaterials,
+                                     .textures = kTileTextures,
+                                     .instances = kBilinearInstances,
+                                     .lights = kRoomLights,
+                                     .ambient = {70, 70, 70, 255},
+                                     .finishes = kPlainFinish};
+inline constexpr BuiltIn palette =
+    effect_scene("palette", "two boxes with the same texels, those of the right one indices of 4 bits", kPaletteScene,
+                 count(kPaletteScene), 4.0, 20, 2.0);
+
 /// All of this page, in its order.
 std::span<const BuiltIn> effect_scenes();
 
