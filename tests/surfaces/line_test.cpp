@@ -6,10 +6,13 @@
 #include <cmath>
 #include <optional>
 #include <random>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "depth_picture.hpp"
 #include "drawn.hpp"
+#include "zstrip/base/crc32.hpp"
 
 namespace {
 
@@ -297,7 +300,7 @@ TEST_P(LinesIn, PerspectiveAreClippedAndDeepAsTheLineIs) {
           EXPECT_EQ(code, 0U);
           continue;
         }
-        auto [a, b] = *ends;
+        Seen a = (*ends)[0], b = (*ends)[1];
         Real along = x + 0.5L, across = y + 0.5L;
         const Real length_x = std::abs(b.x - a.x), length_y = std::abs(b.y - a.y);
         constexpr Real kSnap = 0.13L;
@@ -353,6 +356,17 @@ World tangle(Projection projection) {
   }
   world.lines.width = 3;
   return world;
+}
+
+TEST(Lines, HaveTheirChecksums) {
+  for (const auto& [projection, checksum] :
+       {std::pair{Projection::perspective, 0x5620BD75U}, std::pair{Projection::orthographic, 0xC84877FEU}}) {
+    World world = tangle(projection);
+    const Scene scene = world.scene();
+    const effects_test::Drawn drawn =
+        effects_test::draw_any(effects_of(scene, world.camera), scene, world.camera, kView);
+    EXPECT_EQ(crc32(std::as_bytes(std::span(drawn.pixels))), checksum);
+  }
 }
 
 TEST(Lines, StripsTilesBinsAndMethodsDrawTheSame) {
