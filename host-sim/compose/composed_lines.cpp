@@ -42,8 +42,8 @@ std::vector<Segment> edges_of(const Mesh& mesh) {
 std::vector<Segment> points_of(const Mesh& mesh) {
   const std::vector<std::uint16_t> first = first_in_place(mesh);
   std::vector<Segment> points;
-  for (std::uint16_t i = 0; i < first.size(); ++i) {
-    if (first[i] == i) points.push_back({i, i});
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (first[i] == i) points.push_back({first[i], first[i]});
   }
   return points;
 }

@@ -1,4 +1,6 @@
 // Prepares the sets of lines of a frame; only renderers with effect::lines link it.
+#include <algorithm>
+
 #include "zstrip/frame/bounds.hpp"
 #include "zstrip/frame/frame_inline.hpp"
 #include "zstrip/geometry/lines.hpp"
@@ -17,7 +19,7 @@ Rect box_of(const detail::CompiledInstance& instance, std::uint8_t width, const 
   wider.height = static_cast<std::uint16_t>(view.height + 2 * border);
   const Rect box = detail::bounds_of(instance, origin, wider, orthographic);
   if (box.empty()) return {};
-  const Rect cut{std::max(box.left - 2 * border, 0), std::max(box.top - 2 * border, 0),
+  const Rect cut{std::max<std::int32_t>(box.left - 2 * border, 0), std::max<std::int32_t>(box.top - 2 * border, 0),
                  std::min<std::int32_t>(box.right, view.width), std::min<std::int32_t>(box.bottom, view.height)};
   return cut.empty() ? Rect{} : cut;
 }
