@@ -25,6 +25,7 @@ constexpr KnownEffect kKnown[] = {
     {effect::texture_palettes, "texture_palettes", "a texture with a palette"},
     {effect::bilinear, "bilinear", "the texture filter bilinear"},
     {effect::quadrics, "quadrics", "spheres and ellipsoids"},
+    {effect::lines, "lines", "lines and points"},
     {effect::dithered_colours, "dithered_colours", "the picture is dithered to RGB565 (--dither)"},
     {effect::dithered_format, "dithered_format", "the picture is dithered to its format (--dither)"},
     {effect::bins, "bins", "the plan transforms geometry only once (--mode)"},
@@ -63,17 +64,19 @@ std::vector<FoundEffect> find_effects(const Scene& scene, const Camera& camera, 
     FoundEffect effect{known, {}, {}};
     std::set<std::string> seen;
     const auto consider = [&](std::span<const Instance> instances, std::span<const Quadric> quadrics,
-                              std::uint16_t material) {
+                              std::span<const LineSet> lines, std::uint16_t material) {
       Scene alone = scene;
       alone.instances = instances;
       alone.quadrics = quadrics;
+      alone.lines = lines;
       if (!effects_of(alone, camera).has(known.effect)) return;
       const std::string name = name_of(material, origins.material_names);
       if (seen.empty() && material < origins.materials.size()) effect.origin = origins.materials[material];
       if (seen.insert(name).second) effect.materials.push_back(name);
     };
-    for (const Instance& instance : scene.instances) consider({&instance, 1}, {}, instance.material);
-    for (const Quadric& quadric : scene.quadrics) consider({}, {&quadric, 1}, quadric.material);
+    for (const Instance& instance : scene.instances) consider({&instance, 1}, {}, {}, instance.material);
+    for (const Quadric& quadric : scene.quadrics) consider({}, {&quadric, 1}, {}, quadric.material);
+    for (const LineSet& lines : scene.lines) consider({}, {}, {&lines, 1}, lines.material);
     found.push_back(effect);
   }
   return found;

@@ -202,6 +202,9 @@ void write_texture(Writer& writer, std::size_t at, const Texture& texture) {
 
 Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   const Scene& scene = content.scene;
+  if (!scene.lines.empty()) {
+    return Failure{ExitStatus::input, "has lines or points, which a scene blob cannot hold; bake a header (.hpp)"};
+  }
   Writer writer;
   for (const char letter : {'z', 's'}) writer.byte(static_cast<std::uint8_t>(letter));
   const bool has_palettes =

@@ -74,6 +74,7 @@ std::string literal(const Fog& fog) {
 std::string literal(const Quadric& quadric) {
   return fmt::format("{{.material = {}, .transform = {}}}", quadric.material, literal(quadric.transform));
 }
+std::string literal(const Segment& segment) { return fmt::format("{{{}, {}}}", segment.a, segment.b); }
 std::string literal(const DirectionalLight& light) {
   return fmt::format("{{.x = {}, .y = {}, .z = {}, .colour = {}}}", light.x, light.y, light.z, literal(light.colour));
 }
@@ -252,11 +253,25 @@ class Header {
       add("punctual_lights", array("zstrip::PunctualLight", "kPunctualLights", scene_.punctual_lights));
     }
     if (!scene_.quadrics.empty()) add("quadrics", array("zstrip::Quadric", "kQuadrics", scene_.quadrics));
+    if (!scene_.lines.empty()) add("lines", lines());
     line(fmt::format(
         "\ninline constexpr zstrip::Scene kScene{{.meshes = {},\n{pad}.materials = {},\n{pad}.textures = {},\n"
         "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}{}}};",
         meshes, materials, textures, instances, lights, literal(scene_.ambient), literal(scene_.background), more,
         fmt::arg("pad", "                                      ")));
+  }
+
+  std::string lines() {
+    std::string sets;
+    for (std::size_t i = 0; i < scene_.lines.size(); ++i) {
+      const LineSet& set = scene_.lines[i];
+      sets += fmt::format(
+          "    {{.segments = {},\n     .mesh = {},\n     .material = {},\n     .transform = {},\n     .width = {}}},\n",
+          array("zstrip::Segment", fmt::format("kSegments{}", i), set.segments), set.mesh, set.material,
+          literal(set.transform), set.width);
+    }
+    line(fmt::format("inline constexpr zstrip::LineSet kLines[{}] = {{\n{}}};", scene_.lines.size(), sets));
+    return "kLines";
   }
 
   void tree() {

@@ -1,10 +1,13 @@
-// Composes a scene of what a scene file names: the order of the steps, instances and ellipsoids.
+// Composes a scene of what a scene file names: the order of the steps, instances, ellipsoids and lines.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <utility>
 
 #include "compose/composed_lights.hpp"
+#include "compose/composed_lines.hpp"
 #include "compose/composed_materials.hpp"
 #include "compose/composed_meshes.hpp"
 #include "compose/composed_scene.hpp"
@@ -46,6 +49,9 @@ class Composer {
     }
     for (const FileEllipsoid& ellipsoid : file_.ellipsoids) {
       if (const Result<Done> done = add(ellipsoid); !done) return done.failure();
+    }
+    for (const FileLines& lines : file_.lines) {
+      if (const Result<Done> done = add(lines); !done) return done.failure();
     }
     if (const Result<Done> done = add_lights(file_, *composed_); !done) return done.failure();
     if (const Result<Done> done = add_fog(file_, *composed_); !done) return done.failure();
@@ -91,7 +97,33 @@ class Composer {
       }
       if (is_static) composed_->static_instances = placed_.size();
     }
-    if (placed_.size() > kMostInstances) return at_line(file_.path, 1, "the scene has more than 65,535 instances");
+    for (const FileLines& lines : file_.lines) {
+      if (lines.model.empty()) continue;
+      if (const Result<Done> done = place(lines); !done) return done.failure();
+    }
+    if (placed_.size() + placed_lines_.size() + file_.lines.size() > kMostInstances) {
+      return at_line(file_.path, 1, "the scene has more than 65,535 instances, lines and points");
+    }
+    return Done{};
+  }
+
+  /// The parts of the model that these lines are of, as an instance would have them.
+  Result<Done> place(const FileLines& lines) {
+    FileInstance& instance = line_instances_.emplace_back();
+    instance.line = lines.line;
+    instance.placement = lines.placement;
+    const auto entry = std::ranges::find(file_.models, lines.model, &FileModel::name);
+    const auto index = static_cast<std::size_t>(entry - file_.models.begin());
+    const PlacedModel& model = models_[index];
+    for (std::size_t i = 0; i < model.parts.size(); ++i) {
+      const PlacedPart part{&instance, &model, &model.parts[i], index, i};
+      if (part.moves()) {
+        return at_line(file_.path, lines.line,
+                       fmt::format("{} stand still, and the model '{}' has an animation", lines.title(), lines.model));
+      }
+      if (Result<Done> checked = check_placed(part, file_.path); !checked) return checked;
+      placed_lines_.emplace_back(&lines, part);
+    }
     return Done{};
   }
 
@@ -99,15 +131,19 @@ class Composer {
   Result<Done> set_scale() {
     constexpr int kLooks = 64;
     double radius = 0;
-    for (const PlacedPart& placed : placed_) {
+    const auto include = [&radius](const Vector& p) { radius = std::max(radius, std::hypot(p[0], p[1], p[2])); };
+    const auto include_part = [&](const PlacedPart& placed) {
       const std::vector<Vector> corners = corners_of(placed.part->mesh);
       for (int look = 0; look < (placed.moves() ? kLooks : 1); ++look) {
         const Affine at = placed.at(duration_ * look / kLooks, duration_);
-        for (const Vector& corner : corners) {
-          const Vector p = at * corner;
-          radius = std::max(radius, std::hypot(p[0], p[1], p[2]));
-        }
+        for (const Vector& corner : corners) include(at * corner);
       }
+    };
+    for (const PlacedPart& placed : placed_) include_part(placed);
+    for (const auto& [lines, placed] : placed_lines_) include_part(placed);
+    for (const FileLines& lines : file_.lines) {
+      const Affine at = to_affine(lines.placement);
+      for (const Vector& vertex : lines.vertices) include(at * vertex);
     }
     for (const FileEllipsoid& ellipsoid : file_.ellipsoids) {
       const Vector& at = ellipsoid.placement.translation;
@@ -158,6 +194,43 @@ class Composer {
     return Done{};
   }
 
+  Result<Done> add(const FileLines& lines) {
+    const auto own = std::ranges::find(file_.materials, lines.material, &FileMaterial::name);
+    const Result<std::uint16_t> material = materials_.index_of(*own);
+    if (!material) return material.failure();
+    const double units = composed_->units.scale;
+    const auto add_set = [&](std::uint16_t mesh, const std::vector<Segment>& segments, const Transform& transform) {
+      composed_->lines.push_back({.segments = composed_->segments.emplace_back(segments),
+                                  .mesh = mesh,
+                                  .material = *material,
+                                  .transform = transform,
+                                  .width = lines.width});
+    };
+    if (lines.model.empty()) {
+      const Affine at = scaling({units, units, units}) * to_affine(lines.placement);
+      std::vector<Vector> vertices;
+      for (const Vector& vertex : lines.vertices) vertices.push_back(at * vertex);
+      const auto mesh = static_cast<std::uint16_t>(composed_->meshes.size());
+      composed_->meshes.push_back(mesh_of(vertices, composed_->line_vertices.emplace_back()));
+      add_set(mesh, lines.segments, Transform::identity());
+      return Done{};
+    }
+    for (const auto& [file, placed] : placed_lines_) {
+      if (file != &lines) continue;
+      const Vector scale = meshes_.scale_of(placed);
+      const Affine unscaled = scaling({1 / scale[0], 1 / scale[1], 1 / scale[2]});
+      Transform transform;
+      if (!to_transform(scaling({units, units, units}) * placed.at(0, duration_) * unscaled, transform)) {
+        return at_line(file_.path, lines.line,
+                       fmt::format("{} are too far away, or too large or small beside the others", lines.title()));
+      }
+      const std::uint16_t mesh = meshes_.index_of(placed, scale);
+      add_set(mesh, lines.are_points ? points_of(composed_->meshes[mesh]) : edges_of(composed_->meshes[mesh]),
+              transform);
+    }
+    return Done{};
+  }
+
   Result<Done> animate() {
     if (motions_.empty()) return Done{};
     Result<FittedAnimation> fitted = fit_animation(motions_, duration_, all_key_times(file_, models_, duration_),
@@ -187,6 +260,8 @@ class Composer {
   ComposedMaterials materials_;
   std::vector<PlacedModel> models_;  ///< of file_.models
   std::vector<PlacedPart> placed_;
+  std::deque<FileInstance> line_instances_;  ///< what would place the models that lines are of
+  std::vector<std::pair<const FileLines*, PlacedPart>> placed_lines_;
   std::vector<InstanceMotion> motions_;
   double duration_ = 0;
 };

@@ -31,6 +31,7 @@ struct ComposedScene {
   std::vector<Texture> textures;
   std::vector<Instance> instances;  ///< those of the static layer first
   std::vector<Quadric> quadrics;
+  std::vector<LineSet> lines;
   std::vector<DirectionalLight> lights;
   std::vector<PunctualLight> punctual_lights;
   std::vector<Finish> finishes;
@@ -45,7 +46,9 @@ struct ComposedScene {
   std::vector<std::string> warnings;
 
   std::deque<Model> models;
-  std::deque<MeshData> scaled;                    ///< normals and meshlets of meshes that are scaled unevenly
+  std::deque<MeshData> scaled;         ///< normals and meshlets of meshes that are scaled unevenly
+  std::deque<MeshData> line_vertices;  ///< of lines that have vertices of their own
+  std::deque<std::vector<Segment>> segments;
   std::deque<std::vector<std::uint16_t>> texels;  ///< of textures that the scene file names itself
 
   Scene scene() const {
@@ -59,7 +62,8 @@ struct ComposedScene {
             .fog = fog ? &*fog : nullptr,
             .finishes = finishes,
             .punctual_lights = punctual_lights,
-            .quadrics = quadrics};
+            .quadrics = quadrics,
+            .lines = lines};
   }
 };
 

@@ -1,5 +1,9 @@
-// What a scene file places: [[model]], [[instance]] with its keyframes, [[ellipsoid]].
+// What a scene file places: [[model]], [[instance]] with its keyframes, [[ellipsoid]], [[lines]] and
+// [[points]].
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "compose/scene_tables.hpp"
 #include "compose/table_values.hpp"
@@ -90,6 +94,43 @@ FileEllipsoid read_ellipsoid(TomlTable& table) {
   ellipsoid.placement = read_placement(table, "radius");
   table.finish();
   return ellipsoid;
+}
+
+FileLines read_lines(TomlTable& table, bool are_points) {
+  constexpr std::size_t kMostVertices = 65535;
+  FileLines lines;
+  lines.line = table.line();
+  lines.are_points = are_points;
+  lines.material = table.needed_text("material", "'material' is missing");
+  lines.width = static_cast<std::uint8_t>(table.integer("width", 1, kMaxLineWidth).value_or(1));
+  lines.model = table.text("model").value_or("");
+  for (const std::vector<double>& v : table.rows("vertices", 3, kLength)) lines.vertices.push_back({v[0], v[1], v[2]});
+  if (table.has("model") == table.has("vertices")) table.wrong("vertices", "give either 'model' or 'vertices'");
+  if (lines.vertices.size() > kMostVertices) {
+    table.wrong("vertices", "'vertices' must be 65,535 at most");
+    lines.vertices.clear();
+  }
+  const auto count = static_cast<double>(lines.vertices.size());
+  const auto join = [&lines](double a, double b) {
+    lines.segments.push_back({static_cast<std::uint16_t>(a), static_cast<std::uint16_t>(b)});
+  };
+  if (are_points) {
+    for (double i = 0; i < count; ++i) join(i, i);
+  } else if (table.has("segments")) {
+    if (!table.has("vertices")) table.wrong("segments", "'segments' goes with 'vertices'");
+    for (const std::vector<double>& segment : table.rows("segments", 2, {0, std::max(count - 1, 0.0)})) {
+      if (segment[0] != std::floor(segment[0]) || segment[1] != std::floor(segment[1]) || segment[0] == segment[1]) {
+        table.wrong("segments", "'segments' must be pairs of two different vertices, counted from 0");
+      }
+      join(segment[0], segment[1]);
+    }
+  } else {
+    if (table.has("vertices") && count < 2) table.wrong("vertices", "'vertices' must be two or more");
+    for (double i = 0; i + 1 < count; ++i) join(i, i + 1);
+  }
+  lines.placement = read_placement(table, "scale");
+  table.finish();
+  return lines;
 }
 
 }  // namespace zstrip::sim

@@ -53,6 +53,15 @@ void check_ellipsoid(const FileEllipsoid& ellipsoid, const SceneFile& scene, Tom
   }
 }
 
+/// Likewise of lines and points.
+void check_lines(const FileLines& lines, const SceneFile& scene, TomlErrors& errors) {
+  const auto material = std::ranges::find(scene.materials, lines.material, &FileMaterial::name);
+  if (material == scene.materials.end() || (!material->has_finish() && !material->texture)) return;
+  errors.add(lines.line, fmt::format("{}: the material '{}' must do without texture, emissive, specular, shininess, "
+                                     "alpha_mode, alpha_cutoff and filter: lines and points have none",
+                                     lines.title(), material->name));
+}
+
 SceneFile read_root(TomlTable& root, TomlErrors& errors) {
   SceneFile scene;
   scene.ambient = root.colour("ambient");
@@ -66,6 +75,13 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
   for (TomlTable& table : instances) scene.instances.push_back(read_instance(table));
   std::vector<TomlTable> ellipsoids = root.tables("ellipsoid", "[[ellipsoid]]");
   for (TomlTable& table : ellipsoids) scene.ellipsoids.push_back(read_ellipsoid(table));
+  std::vector<TomlTable> line_tables;
+  for (const bool are_points : {false, true}) {
+    for (TomlTable& table : root.tables(are_points ? "points" : "lines", are_points ? "[[points]]" : "[[lines]]")) {
+      scene.lines.push_back(read_lines(table, are_points));
+      line_tables.push_back(table);
+    }
+  }
   if (auto fog = root.table("fog", "[fog]")) scene.fog = read_fog(*fog);
   std::vector<TomlTable> lights = root.tables("light", "[[light]]");
   for (TomlTable& table : lights) scene.lights.push_back(read_light(table));
@@ -84,8 +100,15 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
     check_name(scene.ellipsoids[i].material, materials, ellipsoids[i], "material", "material");
     check_ellipsoid(scene.ellipsoids[i], scene, errors);
   }
-  if (instances.empty() && ellipsoids.empty()) {
-    errors.add(1, "the scene has neither [[instance]] nor [[ellipsoid]]: there is nothing to draw");
+  for (std::size_t i = 0; i < line_tables.size(); ++i) {
+    check_name(scene.lines[i].model, models, line_tables[i], "model", "model");
+    check_name(scene.lines[i].material, materials, line_tables[i], "material", "material");
+    check_lines(scene.lines[i], scene, errors);
+  }
+  if (instances.empty() && ellipsoids.empty() && line_tables.empty()) {
+    errors.add(1,
+               "the scene has neither [[instance]] nor [[ellipsoid]], [[lines]] or [[points]]: there is nothing to "
+               "draw");
   }
   std::size_t directional = 0, punctual = 0;
   for (const FileLight& light : scene.lights) {

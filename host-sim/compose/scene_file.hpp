@@ -139,6 +139,19 @@ struct FileEllipsoid {
   Placement placement;  ///< of the unit sphere
 };
 
+/// [[lines]] or [[points]]: exactly one of `model` and `vertices` is set.
+struct FileLines {
+  int line = 0;
+  bool are_points = false;
+  std::string material, model;
+  std::uint8_t width = 1;
+  std::vector<Vector> vertices;
+  std::vector<Segment> segments;  ///< between `vertices`; a point is one of a vertex with itself
+  Placement placement;
+
+  const char* title() const { return are_points ? "[[points]]" : "[[lines]]"; }
+};
+
 struct SceneFile {
   std::filesystem::path path;
   PictureSettings picture;
@@ -148,7 +161,8 @@ struct SceneFile {
   std::vector<FileModel> models;
   std::vector<FileMaterial> materials;
   std::vector<FileInstance> instances;
-  std::vector<FileEllipsoid> ellipsoids;  ///< at least one of these or of the instances
+  std::vector<FileEllipsoid> ellipsoids;
+  std::vector<FileLines> lines;  ///< at least one of these, of the ellipsoids or of the instances
   std::optional<FileFog> fog;
   std::vector<FileLight> lights;
 

@@ -13,6 +13,8 @@ FileModel read_model_table(TomlTable& table);
 FileMaterial read_material(TomlTable& table);
 FileInstance read_instance(TomlTable& table);
 FileEllipsoid read_ellipsoid(TomlTable& table);
+/// `are_points`: [[points]].
+FileLines read_lines(TomlTable& table, bool are_points);
 FileLight read_light(TomlTable& table);
 FileFog read_fog(TomlTable& table);
 

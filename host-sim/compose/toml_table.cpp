@@ -152,6 +152,30 @@ std::optional<std::vector<double>> TomlTable::numbers(const char* key, std::size
   return values;
 }
 
+std::vector<std::vector<double>> TomlTable::rows(const char* key, std::size_t count, const Limits& limits) {
+  const toml::node* const node = find(key);
+  std::vector<std::vector<double>> rows;
+  if (node == nullptr) return rows;
+  const auto add = [&](const toml::node& element) {
+    const toml::array* const array = element.as_array();
+    if (array == nullptr || array->size() != count) return false;
+    std::vector<double>& row = rows.emplace_back();
+    for (const toml::node& each : *array) {
+      const std::optional<double> value = number(key, each, limits);
+      if (!value) return true;  // has been said
+      row.push_back(*value);
+    }
+    return true;
+  };
+  const toml::array* const array = node->as_array();
+  bool holds = array != nullptr && !array->empty();
+  for (std::size_t i = 0; holds && i < array->size(); ++i) holds = add(*array->get(i));
+  if (!holds) wrong(key, fmt::format("'{}' must be a list of lists of {} numbers", key, count));
+  for (const std::vector<double>& row : rows) holds = holds && row.size() == count;
+  if (!holds) rows.clear();
+  return rows;
+}
+
 std::optional<Vector> TomlTable::vector(const char* key, const Limits& limits) {
   const auto values = numbers(key, 3, limits);
   if (!values) return std::nullopt;

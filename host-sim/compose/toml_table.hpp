@@ -64,6 +64,8 @@ class TomlTable {
   std::optional<Colour> colour(const char* key);
   /// Exactly `count` numbers.
   std::optional<std::vector<double>> numbers(const char* key, std::size_t count, const Limits& limits);
+  /// A list, not empty if it is there, of lists of `count` numbers.
+  std::vector<std::vector<double>> rows(const char* key, std::size_t count, const Limits& limits);
   /// One number for all three, or three.
   std::optional<Vector> number_or_vector(const char* key, const Limits& limits);
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kFilled = 0.95;  // of the picture's half width and half height
 
-/// Calls visit(x, y, z) for each vertex of each instance, and for each corner of the box around each quadric, where its
-/// transform puts it, in the scene's units.
+/// Calls visit(x, y, z) for each vertex of each instance and each set of lines, and for each corner of the box around
+/// each quadric, where its transform puts it, in the scene's units.
 template <typename Visit>
 void for_each_vertex(const Scene& scene, Visit visit) {
   const auto visit_moved = [&](const Transform& transform, double x, double y, double z) {
@@ -30,17 +30,18 @@ void for_each_vertex(const Scene& scene, Visit visit) {
       }
     }
   }
-  for (const Instance& instance : scene.instances) {
-    const Mesh& mesh = scene.meshes[instance.mesh];
+  const auto visit_mesh = [&](const Mesh& mesh, const Transform& transform) {
     const auto coordinate = [](Fixed centre, Fixed half, std::int16_t steps) {
       return from_fixed(centre) + from_fixed(half) * steps / 32768;
     };
     for (const Position& p : mesh.positions) {
-      visit_moved(instance.transform, coordinate(mesh.centre.x, mesh.half_extent.x, p.x),
+      visit_moved(transform, coordinate(mesh.centre.x, mesh.half_extent.x, p.x),
                   coordinate(mesh.centre.y, mesh.half_extent.y, p.y),
                   coordinate(mesh.centre.z, mesh.half_extent.z, p.z));
     }
-  }
+  };
+  for (const Instance& instance : scene.instances) visit_mesh(scene.meshes[instance.mesh], instance.transform);
+  for (const LineSet& lines : scene.lines) visit_mesh(scene.meshes[lines.mesh], lines.transform);
 }
 
 /// Largest values so far of a linear expression and of its mirror image.

@@ -88,9 +88,10 @@ Result<ShownFrame> draw_shown(const Staging& staging, const MethodRequest& reque
   }
   // The judge knows triangles only, and takes each for opaque.
   if (show == Show::error &&
-      effects_of(staging.scene, staging.camera).any(effect::quadrics | effect::alpha_test | effect::blending)) {
-    return Failure{ExitStatus::usage,
-                   "--show error judges opaque triangles; the scene has spheres, ellipsoids or transparent materials"};
+      effects_of(staging.scene, staging.camera).any(effect::surfaces | effect::alpha_test | effect::blending)) {
+    return Failure{
+        ExitStatus::usage,
+        "--show error judges opaque triangles; the scene has spheres, ellipsoids, lines or transparent materials"};
   }
   Result<LookedAtFrame> drawn = draw_looked_at(staging, counting);
   if (!drawn) return drawn.failure();

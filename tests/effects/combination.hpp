@@ -1,4 +1,5 @@
-// Sets of effects, and a scene that calls for exactly such a set: two boxes, one behind the other, perhaps a sphere.
+// Sets of effects, and a scene that calls for exactly such a set: two boxes, one behind the other, perhaps a sphere
+// and lines.
 #pragma once
 
 #include <array>
@@ -10,12 +11,23 @@
 namespace effects_test {
 
 /// Everything that a set may have or not.
-inline constexpr Effects kFactors[] = {effect::lighting,         effect::gouraud,         effect::textures,
-                                       effect::orthographic,     effect::depth_state,     effect::fog,
-                                       effect::emissive,         effect::specular,        effect::texture_alpha,
-                                       effect::bilinear,         effect::punctual_lights, effect::alpha_test,
-                                       effect::blending,         effect::vertex_colours,  effect::quadrics,
-                                       effect::dithered_colours, effect::texture_palettes};
+inline constexpr Effects kFactors[] = {effect::lighting,         effect::gouraud,          effect::textures,
+                                       effect::orthographic,     effect::depth_state,      effect::fog,
+                                       effect::emissive,         effect::specular,         effect::texture_alpha,
+                                       effect::bilinear,         effect::punctual_lights,  effect::alpha_test,
+                                       effect::blending,         effect::vertex_colours,   effect::quadrics,
+                                       effect::dithered_colours, effect::texture_palettes, effect::lines};
+
+static_assert(
+    [] {
+      std::uint64_t seen = 0;
+      for (const Effects factor : kFactors) {
+        if ((seen & factor.bits) != 0) return false;
+        seen |= factor.bits;
+      }
+      return true;
+    }(),
+    "two effects share a bit");
 
 /// With what its effects need to show.
 constexpr Effects completed(Effects set) {
@@ -75,6 +87,8 @@ struct Combination {
       {.material = 2,
        .transform = {
            {{fixed(0.4), 0, 0, fixed(-0.3)}, {0, fixed(0.4), 0, fixed(0.5)}, {0, 0, fixed(0.4), fixed(0.4)}}}}};
+  Segment segments[4] = {{0, 3}, {4, 9}, {12, 21}, {2, 2}};
+  LineSet lines[1] = {{.segments = segments, .mesh = 0, .material = 2, .width = 3}};
   Camera camera = scenes::turntable_camera(4.0, 20, 2.2);
   Scene scene;
 
@@ -101,6 +115,7 @@ struct Combination {
     materials[2] = {.colour = {240, 220, 40, 255}, .lit = false};
     if (set.has(effect::vertex_colours)) meshes[1].colours = kBoxColours;
     if (set.has(effect::quadrics)) scene.quadrics = quadrics;
+    if (set.has(effect::lines)) scene.lines = lines;
     scene.meshes = meshes;
     scene.materials = materials;
     scene.textures = textures;

@@ -1,5 +1,6 @@
 // A plan has bytes for a purpose only if the scene has what the purpose is for, and then as many as it says.
 #include "drawn.hpp"
+#include "lines_scene.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/spheres.hpp"
 
@@ -31,6 +32,8 @@ void expect_only_its_purposes(const scenes::BuiltIn& built_in) {
   const Effects others = without(effects, effect::quadrics);
   const Plan no_quadrics = plan(fewer, kView, others, {.strip_rows = kView.height}).plan;
   EXPECT_EQ(whole.instance_bytes - no_quadrics.instance_bytes, 384 * built_in.counts.quadrics);
+  EXPECT_EQ(whole.instance_bytes,
+            160 * built_in.counts.instances + 384 * built_in.counts.quadrics + 176 * built_in.counts.line_sets);
 
   // Each of the others comes with what it is for.
   EXPECT_GT(plan(built_in.counts, kView, effects, {.strip_rows = 8}).plan.extent_bytes, 0U);
@@ -43,6 +46,7 @@ TEST(EffectsPlan, OnlyWhatTheSceneHas) {
   expect_only_its_purposes(scenes::knot);
   expect_only_its_purposes(scenes::room);
   expect_only_its_purposes(scenes::spheres);
+  expect_only_its_purposes(scenes::lines);
   for (const scenes::BuiltIn& built_in : scenes::effect_scenes()) expect_only_its_purposes(built_in);
 }
 

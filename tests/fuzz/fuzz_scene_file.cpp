@@ -32,7 +32,7 @@ bool names(const std::vector<Entry>& entries, const std::string& name) {
 }
 
 void judge(const SceneFile& file) {
-  fuzz::require(!file.instances.empty() || !file.ellipsoids.empty(), "something to draw");
+  fuzz::require(!file.instances.empty() || !file.ellipsoids.empty() || !file.lines.empty(), "something to draw");
   const auto punctual =
       std::ranges::count_if(file.lights, [](const FileLight& light) { return light.punctual.has_value(); });
   fuzz::require(static_cast<std::size_t>(punctual) <= kMaxPunctualLights &&
@@ -53,6 +53,17 @@ void judge(const SceneFile& file) {
   for (const FileEllipsoid& ellipsoid : file.ellipsoids) {
     fuzz::require(names(file.materials, ellipsoid.material), "an ellipsoid names a material");
     judge_placement(ellipsoid.placement);
+  }
+  for (const FileLines& lines : file.lines) {
+    fuzz::require(names(file.materials, lines.material), "lines name a material");
+    fuzz::require(lines.model.empty() != lines.vertices.empty(), "lines have their vertices from one place");
+    fuzz::require(lines.model.empty() || names(file.models, lines.model), "which is a model");
+    fuzz::require(lines.width >= 1 && lines.width <= kMaxLineWidth && lines.vertices.size() <= 65535, "in range");
+    for (const Segment& segment : lines.segments) {
+      fuzz::require(std::max(segment.a, segment.b) < lines.vertices.size(), "segments join vertices");
+      fuzz::require((segment.a == segment.b) == lines.are_points, "and points are no lines");
+    }
+    judge_placement(lines.placement);
   }
   if (file.camera) {
     fuzz::require(file.camera->eye.has_value() != file.camera->radius.has_value(), "a camera stands in one place");

@@ -115,6 +115,13 @@ TEST_F(BadInput, EllipsoidThatRoundsToNothing) {
   }
 }
 
+TEST_F(BadInput, LinesDoNotGetIntoABlob) {
+  file("scene.toml",
+       "[[material]]\nname = 'a'\n[[lines]]\nmaterial = 'a'\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n");
+  expect_failure(ExitStatus::input, "'scene.toml' has lines or points, which a scene blob cannot hold",
+                 {"bake", "scene.toml", "-o", "scene.zsc", "--size", "64x48"});
+}
+
 TEST_F(BadInput, CameraOfASceneFileNamesNoOption) {
   for (const char* place : {"r = 1e-9", "r = 1e9", "eye = [1e9, 0, 0]"}) {
     file("scene.toml",

@@ -276,6 +276,64 @@ TEST(SceneFile, PointLightOnAnEllipsoid) {
   EXPECT_EQ(parsed("[[material]]\nname = 'a'\nlit = false\n" + ellipsoid + light).ellipsoids.size(), 1U);
 }
 
+const std::string kWire = "[[material]]\nname = 'w'\n";  // 2 lines
+
+TEST(SceneFile, LinesAndPoints) {
+  const SceneFile file =
+      parsed(kWire +
+             "[[model]]\nname = 'cube'\nbuilt_in = 'cube'\n"
+             "[[points]]\nmaterial = 'w'\nwidth = 4\nvertices = [[0, 0, 0], [1, 2.5, -3]]\ntranslation = [1, 2, 3]\n"
+             "[[lines]]\nmaterial = 'w'\nmodel = 'cube'\nscale = 2\n"
+             "[[lines]]\nmaterial = 'w'\nvertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0]]\n"
+             "[[lines]]\nmaterial = 'w'\nvertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0]]\nsegments = [[2, 0]]\n");
+  ASSERT_EQ(file.lines.size(), 4U);  // lines first
+  const FileLines &wire = file.lines[0], &open = file.lines[1], &own = file.lines[2], &points = file.lines[3];
+  EXPECT_EQ(wire.model, "cube");
+  EXPECT_EQ(wire.width, 1);
+  EXPECT_EQ(wire.placement.scale, (Vector{2, 2, 2}));
+  EXPECT_TRUE(wire.segments.empty());
+  ASSERT_EQ(open.segments.size(), 2U);
+  EXPECT_EQ(open.segments[1].a, 1);
+  EXPECT_EQ(open.segments[1].b, 2);
+  ASSERT_EQ(own.segments.size(), 1U);
+  EXPECT_EQ(own.segments[0].a, 2);
+  EXPECT_EQ(own.segments[0].b, 0);
+  EXPECT_TRUE(points.are_points);
+  EXPECT_EQ(points.line, 6);
+  EXPECT_EQ(points.width, 4);
+  EXPECT_EQ(points.vertices[1], (Vector{1, 2.5, -3}));
+  ASSERT_EQ(points.segments.size(), 2U);
+  EXPECT_EQ(points.segments[1].a, points.segments[1].b);
+  EXPECT_EQ(points.placement.translation, (Vector{1, 2, 3}));
+}
+
+TEST(SceneFile, LinesThatCannotBe) {
+  const std::string lines = kWire + "[[lines]]\nmaterial = 'w'\n", ends = "vertices = [[0, 0, 0], [1, 0, 0]]\n";
+  EXPECT_EQ(failure(lines), "'scene.toml' line 3: [[lines]]: give either 'model' or 'vertices'");
+  EXPECT_EQ(failure(lines + ends + "widht = 2\n"),
+            "'scene.toml' line 6: [[lines]] has no key 'widht'; did you mean 'width'?");
+  EXPECT_EQ(failure(lines + ends + "width = 65\n"),
+            "'scene.toml' line 6: [[lines]]: 'width' must be a whole number from 1 to 64");
+  EXPECT_EQ(failure(lines + "vertices = [[0, 0, 0]]\n"),
+            "'scene.toml' line 5: [[lines]]: 'vertices' must be two or more");
+  EXPECT_EQ(failure(lines + "vertices = [[0, 0], [1, 0]]\n"),
+            "'scene.toml' line 5: [[lines]]: 'vertices' must be a list of lists of 3 numbers");
+  EXPECT_EQ(failure(lines + ends + "segments = [[0, 2]]\n"),
+            "'scene.toml' line 6: [[lines]]: 'segments' must be a number from 0 to 1");
+  for (const char* segment : {"[1, 1]", "[0.5, 1]"}) {
+    EXPECT_EQ(failure(lines + ends + "segments = [" + segment + "]\n"),
+              "'scene.toml' line 6: [[lines]]: 'segments' must be pairs of two different vertices, counted from 0");
+  }
+  EXPECT_EQ(failure(kWire + "[[points]]\nmaterial = 'v'\n" + ends),
+            "'scene.toml' line 4: [[points]]: 'material' names no material 'v'; did you mean 'w'?");
+  EXPECT_EQ(failure(lines + "model = 'cube'\n"),
+            "'scene.toml' line 5: [[lines]]: 'model' names no model 'cube'; there is none");
+  for (const char* key : {"texture = 'a.png'", "shininess = 3", "alpha_mode = 'blend'"}) {
+    const std::string message = failure(kWire + key + "\n[[lines]]\nmaterial = 'w'\n" + ends);
+    EXPECT_TRUE(message.starts_with("'scene.toml' line 4: [[lines]]: the material 'w' must do without")) << message;
+  }
+}
+
 TEST(SceneFile, NearestNames) {
   EXPECT_EQ(nearest("colr", {"name", "colour", "lit"}), "colour");
   EXPECT_EQ(nearest("zzzzzzzz", {"name", "colour"}), "");

@@ -37,6 +37,7 @@ const char* message(Error error) {
     case Error::quadric: return "a quadric is not valid";
     case Error::animation: return "a track of the animation is not valid";
     case Error::visibility: return "these visibility methods exclude each other or what is asked of them";
+    case Error::lines: return "a set of lines is not valid";
   }
   return "unknown error";
 }

@@ -45,6 +45,9 @@ enum class Error : std::uint8_t {
   punctual_light,  ///< a negative intensity or range, or cones that are none (`needed` = its index)
   visibility,      ///< visibility methods that exclude each other or a depth effect, a draw_over with one, or without
                    ///< the tree that it needs (`needed` = the methods)
+  lines,           ///< refer to a mesh, vertex or material that does not exist or ask for what lines do not have (a
+                   ///< texture, a finish, a slope bias), a transform or a width out of range, or a mesh too large
+                   ///< beside the depth range (`needed` = index of the set)
 };
 
 /// What memory is for. The order is that of a plan's table.

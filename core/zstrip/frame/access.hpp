@@ -7,6 +7,7 @@
 
 #include "zstrip/frame/effect_block.hpp"
 #include "zstrip/frame/frame.hpp"
+#include "zstrip/geometry/lines.hpp"
 #include "zstrip/geometry/quadric.hpp"
 #include "zstrip/raster/assemble.hpp"
 #include "zstrip/raster/target.hpp"
@@ -37,6 +38,15 @@ struct Frame::Access {
   static detail::CompiledQuadric* quadrics_of(const Frame& frame, const Scene& scene) {
     auto* const first = reinterpret_cast<std::byte*>(frame.instances_);
     return reinterpret_cast<detail::CompiledQuadric*>(first + scene.instances.size() * kInstanceBytes);
+  }
+  /// Compiles the sets of lines, for z16's depth mapping, of which the frame has to be still.
+  static Status prepare_lines(Frame& frame, const Scene& scene, const Camera& camera);
+  /// They lie behind the quadrics.
+  static std::span<detail::CompiledLines> lines_of(const Frame& frame, const Scene& scene) {
+    auto* const first = reinterpret_cast<std::byte*>(frame.instances_);
+    return {reinterpret_cast<detail::CompiledLines*>(first + scene.instances.size() * kInstanceBytes +
+                                                     scene.quadrics.size() * kQuadricBytes),
+            scene.lines.size()};
   }
   /// Into strips, of the bounds that are now known.
   static void divide(Frame& frame, const Scene& scene, const View& view);

@@ -25,6 +25,13 @@ struct Frame::Access::DepthStage {
     const detail::DepthMapping mapping = effects.has(effect::depth_ranges)
                                              ? detail::depth_mapping_of_ranges(frame.fit_)
                                              : detail::depth_mapping(depth_format(effects), frame.fit_);
+    if constexpr (effects.has(effect::lines)) {
+      for (detail::CompiledLines& lines : lines_of(frame, scene)) {
+        DepthFit fit = frame.fit_;
+        detail::RasterOrigin origin = frame.origin_;
+        detail::change_depth_mapping(mapping, effects.has(effect::orthographic), fit, origin, {&lines.instance, 1});
+      }
+    }
     detail::change_depth_mapping(mapping, effects.has(effect::orthographic), frame.fit_, frame.origin_,
                                  {frame.instances_, scene.instances.size()});
   }

@@ -34,8 +34,12 @@ Status Frame::Access::begin_frame(Frame& frame, const Scene& scene, const Camera
   if constexpr (effects.has(effect::depth_ranges)) DepthStage::begin_ranges(frame);
   detail::DistanceRange reach = detail::reach_of(scene, camera);
   if constexpr (effects.has(effect::quadrics)) detail::extend(reach, scene.quadrics, camera);
+  if constexpr (effects.has(effect::lines)) detail::extend_by_lines(reach, scene, camera);
   if (const Status status = prepare(frame, scene, camera, view, detail::fit_to(reach, camera)); !status) {
     return status;
+  }
+  if constexpr (effects.has(effect::lines)) {
+    if (const Status status = prepare_lines(frame, scene, camera); !status) return status;
   }
   if constexpr (DepthStage::has_own_mapping(effects)) DepthStage::change_mapping<effects>(frame, scene);
   if constexpr (effects.has(effect::quadrics)) {

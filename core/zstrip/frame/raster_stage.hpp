@@ -1,4 +1,4 @@
-// The raster stage of a strip: quadrics, then the triangles of the meshlets or of the strip's bin.
+// The raster stage of a strip: quadrics, lines, then the triangles of the meshlets or of the strip's bin.
 #pragma once
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 #include <span>
 
 #include "zstrip/frame/geometry_stage.hpp"
+#include "zstrip/raster/line.hpp"
 #include "zstrip/raster/quadric.hpp"
 #include "zstrip/raster/quadric_shade.hpp"
 
@@ -16,6 +17,7 @@ struct Frame::Access::Raster {
   static void draw_surfaces(Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
     // They are opaque: what blends comes after them.
     if constexpr (effects.has(effect::quadrics)) draw_quadrics<effects>(frame, target);
+    if constexpr (effects.has(effect::lines)) draw_lines<effects>(frame, target);
     draw_triangles<effects>(frame, target, strip);
   }
 
@@ -88,6 +90,28 @@ struct Frame::Access::Raster {
       }
       Materials::with_depth<effects>(frame, target, quadric.material, [&](const auto& complete) {
         detail::QuadricFill<effects>::draw(complete, quadric, offset, shade);
+      });
+    }
+  }
+
+  template <Effects effects>
+  static void draw_lines(Frame& frame, const detail::StripTarget& target) {
+    const Scene& scene = *frame.scene_;
+    const std::span<const detail::CompiledLines> all = lines_of(frame, scene);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!all[i].instance.visible) continue;
+      const LineSet& lines = scene.lines[i];
+      detail::LineShade<effects> shade;
+      if constexpr (effects.has(effect::fog)) {
+        if (scene.fog != nullptr) shade.fog = &effect_block(frame).fog();
+        shade.depth_offset =
+            effects.has(effect::orthographic) ? std::int64_t{frame.origin_.depth_offset} : frame.fit_.offset;
+      }
+      if constexpr (effects.has(effect::dithered_colours)) {
+        shade.dither = {-target.view_left, -target.view_top, effects_of(frame.view_).has(effect::dithered_colours)};
+      }
+      Materials::with_depth<effects>(frame, target, lines.material, [&](const auto& complete) {
+        detail::LineFill<effects>::draw(complete, all[i], lines, scene.meshes[lines.mesh], frame.origin_, shade);
       });
     }
   }

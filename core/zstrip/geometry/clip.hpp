@@ -27,7 +27,8 @@ struct ClipPolygon {
 };
 
 /// Clips `polygon` (on entry a triangle) in place; count 0 if nothing is left. Two polygons that share an edge get the
-/// same new vertex on it, whatever its direction.
+/// same new vertex on it, whatever its direction. A segment is clipped as a polygon of two vertices: its ends are then
+/// the first two, in their order; what follows repeats them.
 void clip_perspective(ClipPolygon& polygon, const CompiledInstance& instance);
 void clip_orthographic(ClipPolygon& polygon, const CompiledInstance& instance);
 

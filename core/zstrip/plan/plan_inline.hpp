@@ -12,6 +12,7 @@ namespace zstrip {
 /// Bytes of the renderer's own records; the stages that define them assert these sizes on every target.
 inline constexpr std::uint32_t kInstanceBytes = 160;
 inline constexpr std::uint32_t kQuadricBytes = 384;
+inline constexpr std::uint32_t kLineSetBytes = 176;
 inline constexpr std::uint32_t kVertexBytes = 8;        // snapped x, y and depth
 inline constexpr std::uint32_t kVertexColourBytes = 4;  // only with lighting or vertex colours
 inline constexpr std::uint32_t kExtentBytes = 4;        // the strips that a meshlet touches
@@ -62,7 +63,8 @@ constexpr bool drawn_in_place(PixelFormat format) {
 
 /// What begin_frame compiles.
 constexpr std::uint64_t instance_bytes(const SceneCounts& counts) {
-  return std::uint64_t{counts.instances} * kInstanceBytes + std::uint64_t{counts.quadrics} * kQuadricBytes;
+  return std::uint64_t{counts.instances} * kInstanceBytes + std::uint64_t{counts.quadrics} * kQuadricBytes +
+         std::uint64_t{counts.line_sets} * kLineSetBytes;
 }
 
 constexpr Purpose largest_purpose(const Plan& plan, const LayerBytes& layer = {},
@@ -86,7 +88,8 @@ constexpr Purpose largest_purpose(const Plan& plan, const LayerBytes& layer = {}
 
 constexpr SceneCounts count(const Scene& scene) {
   SceneCounts counts{.instances = static_cast<std::uint32_t>(scene.instances.size()),
-                     .quadrics = static_cast<std::uint32_t>(scene.quadrics.size())};
+                     .quadrics = static_cast<std::uint32_t>(scene.quadrics.size()),
+                     .line_sets = static_cast<std::uint32_t>(scene.lines.size())};
   const auto raise = [](std::uint32_t& largest, std::uint32_t value) { largest = largest < value ? value : largest; };
   // No sum wraps: what needs more than 32 bits is refused everywhere, not mistaken for something small.
   const auto add = [](std::uint32_t& sum, std::uint64_t value) {

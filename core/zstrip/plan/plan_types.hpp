@@ -18,6 +18,7 @@ struct SceneCounts {
   std::uint32_t meshlets = 0;         ///< of all instances; a mesh without any counts as one
   std::uint32_t longest_meshlet = 0;  ///< most triangles in one meshlet
   std::uint32_t quadrics = 0;
+  std::uint32_t line_sets = 0;
 };
 
 enum class Mode : std::uint8_t {
@@ -48,7 +49,7 @@ struct Plan {
   std::uint16_t strip_rows = 0;
   std::uint16_t strip_columns = 0;   ///< the view's width where strips are not split
   std::uint16_t strips = 0;          ///< row by row, from left to right
-  std::uint32_t instance_bytes = 0;  ///< of quadrics, too
+  std::uint32_t instance_bytes = 0;  ///< of quadrics and sets of lines, too
   std::uint32_t extent_bytes = 0;    ///< which strips a meshlet touches; none for a single streamed strip
   std::uint32_t vertex_bytes = 0;
   std::uint32_t depth_bytes = 0;

@@ -12,19 +12,6 @@
 
 namespace zstrip::detail {
 
-/// Depth in 1/2^32 of all codes (near / w for the formats that have that) as DepthRule steps it.
-template <DepthFormat format>
-constexpr auto stepped_depth(std::uint32_t depth) {
-  if constexpr (format == DepthFormat::z16) {
-    return depth;
-  } else if constexpr (format == DepthFormat::float16) {
-    const std::uint32_t code = float16_code(depth);
-    return (code == 0 ? 1U : code) << 16;
-  } else {
-    return std::uint64_t{depth} << kWideBits;
-  }
-}
-
 template <Effects effects>
 class QuadricFill {
  public:

@@ -9,6 +9,7 @@
 #include "zstrip/geometry/light.hpp"
 #include "zstrip/geometry/quadric.hpp"
 #include "zstrip/raster/colour.hpp"
+#include "zstrip/raster/fogged_colour.hpp"
 #include "zstrip/raster/fragment.hpp"
 #include "zstrip/raster/target.hpp"
 
@@ -110,14 +111,7 @@ struct QuadricShade {
 
   template <class... Threshold>
   std::uint16_t fogged(std::uint16_t pixel, std::uint32_t depth, Threshold... threshold) const {
-    const Fixed distance = distance_at<effects.has(effect::orthographic)>(fog->distance, depth, depth_offset);
-    const auto share = static_cast<std::uint32_t>(visibility(*fog, distance) + 128) >> 8;
-    const FragmentColour colour = expanded(pixel);
-    const Colour& other = fog->colour;
-    const std::uint32_t r = mixed(colour.r, other.r, share), g = mixed(colour.g, other.g, share),
-                        b = mixed(colour.b, other.b, share);
-    if constexpr (sizeof...(threshold) != 0) return dithered_rgb565(r, g, b, threshold...);
-    return rgb565(r << 16, g << 16, b << 16);
+    return fogged_colour<effects.has(effect::orthographic)>(*fog, expanded(pixel), depth, depth_offset, threshold...);
   }
 };
 

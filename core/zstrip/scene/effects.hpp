@@ -71,10 +71,11 @@ inline constexpr Effects local_light = specular | punctual_lights;
 inline constexpr Effects vertex_light = local_light | emissive;
 
 // Surfaces and passes beyond the triangles of instances; bits 22 to 31.
-inline constexpr Effects quadrics{1U << 22};       ///< spheres and ellipsoids
-inline constexpr Effects surfaces{quadrics.bits};  ///< all of these
+inline constexpr Effects quadrics{1U << 22};  ///< spheres and ellipsoids
 /// View::dither of a picture in a format that is_narrow.
 inline constexpr Effects dithered_format{1U << 23};
+inline constexpr Effects lines{1U << 25};                       ///< lines and points
+inline constexpr Effects surfaces{quadrics.bits | lines.bits};  ///< all of these
 
 /// All that a scene and its picture can call for.
 inline constexpr Effects of_scenes =
@@ -157,7 +158,7 @@ constexpr bool depth_effects_agree(Effects effects) {
 }
 
 /// Which of these effects their methods cannot draw: other depth formats and sub-ranges, which only culling goes with;
-/// rules of a material's own, which need the scene's order and a z-buffer; quadrics where there is none; fragments and
+/// rules of a material's own, which need the scene's order and a z-buffer; surfaces where there is none; fragments and
 /// local light where the host has split triangles.
 constexpr Effects refused_by_methods(Effects effects) {
   if (effects.methods == 0) return {};
@@ -257,7 +258,9 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (has_depth_state(material)) found = found | effect::depth_state;
     if (has_tables) found = found | effects_of_finish(scene, material, lit, textured);
   }
-  if (scene.fog != nullptr && !(scene.instances.empty() && scene.quadrics.empty())) found = found | effect::fog;
+  if (scene.fog != nullptr && !(scene.instances.empty() && scene.quadrics.empty() && scene.lines.empty())) {
+    found = found | effect::fog;
+  }
   for (const Quadric& quadric : scene.quadrics) {
     found = found | effect::quadrics;
     if (quadric.material >= scene.materials.size()) continue;
@@ -265,6 +268,11 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (material.lit) found = found | effect::lighting;
     if (material.texture != kNoTexture) found = found | effect::textures;
     if (has_depth_state(material)) found = found | effect::depth_state;
+  }
+  for (const LineSet& lines : scene.lines) {
+    found = found | effect::lines;
+    if (lines.material >= scene.materials.size()) continue;
+    if (has_depth_state(scene.materials[lines.material])) found = found | effect::depth_state;
   }
   if (camera.projection == Projection::orthographic) found = found | effect::orthographic;
   return found;

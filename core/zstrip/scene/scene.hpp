@@ -154,6 +154,26 @@ struct Quadric {
   Transform transform = Transform::identity();
 };
 
+/// A line between two vertices, or a point where both are the same one.
+struct Segment {
+  std::uint16_t a, b;
+};
+
+inline constexpr std::uint8_t kMaxLineWidth = 64;
+
+/// Lines and points, as many pixels wide at any distance; docs/conventions.md says which pixels. Drawn after the
+/// quadrics, before the instances, into the same z-buffer, so that what is nearer hides them. Of one colour each: the
+/// material's, times that of the vertex Segment::a where the mesh has colours. They have no surface: Material::lit,
+/// smooth and double_sided mean nothing to them; a texture, a finish or a slope bias is refused. A constant bias of a
+/// few codes keeps a wireframe in front of the surface that it lies on.
+struct LineSet {
+  std::span<const Segment> segments;            ///< drawn in this order
+  std::uint16_t mesh = 0;                       ///< index into Scene::meshes; only its vertices are looked at
+  std::uint16_t material = 0;                   ///< index into Scene::materials
+  Transform transform = Transform::identity();  ///< as an instance's
+  std::uint8_t width = 1;                       ///< pixels, 1..kMaxLineWidth
+};
+
 struct DirectionalLight {
   std::int16_t x = 0, y = 0, z = 32767;  ///< 1.15, unit vector *towards* the light, in world space
   Colour colour{255, 255, 255, 255};
@@ -207,6 +227,7 @@ struct Scene {
   std::span<const Finish> finishes{};                ///< at most 255
   std::span<const PunctualLight> punctual_lights{};  ///< at most kMaxPunctualLights
   std::span<const Quadric> quadrics{};               ///< drawn in this order, before the instances
+  std::span<const LineSet> lines{};                  ///< drawn in this order, after the quadrics
 };
 
 }  // namespace zstrip

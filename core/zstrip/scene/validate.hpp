@@ -77,6 +77,22 @@ constexpr bool valid_quadric(const Scene& scene, const Quadric& quadric) {
          (!material.lit || scene.punctual_lights.empty());
 }
 
+/// What lines would be drawn without is refused.
+constexpr bool valid_lines(const Scene& scene, const LineSet& lines) {
+  if (lines.mesh >= scene.meshes.size() || lines.material >= scene.materials.size()) return false;
+  const Material& material = scene.materials[lines.material];
+  return valid_transform(lines.transform) && lines.width >= 1 && lines.width <= kMaxLineWidth &&
+         material.texture == kNoTexture && material.finish >= scene.finishes.size() && material.depth_slope_bias == 0;
+}
+
+constexpr bool valid_segments(const Scene& scene, const LineSet& lines) {
+  const std::size_t vertices = scene.meshes[lines.mesh].positions.size();
+  for (const Segment& segment : lines.segments) {
+    if (segment.a >= vertices || segment.b >= vertices) return false;
+  }
+  return true;
+}
+
 /// Texture coordinates in texels have 16 bits before the point: 2048 texels may repeat 16 times on either side of 0.
 constexpr bool valid_texcoords(const Scene& scene, const Instance& instance) {
   const std::uint16_t texture = scene.materials[instance.material].texture;
@@ -124,13 +140,16 @@ constexpr bool valid_texture(const Texture& texture) {
 
 }  // namespace detail
 
-/// Instances and quadrics move between frames: begin_frame calls this for them again.
+/// Instances, quadrics and lines move between frames: begin_frame calls this for them again.
 constexpr Status validate_instances(const Scene& scene) {
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     if (!detail::valid_instance(scene, scene.instances[i])) return {.error = Error::instance, .needed = i};
   }
   for (std::uint32_t i = 0; i < scene.quadrics.size(); ++i) {
     if (!detail::valid_quadric(scene, scene.quadrics[i])) return {.error = Error::quadric, .needed = i};
+  }
+  for (std::uint32_t i = 0; i < scene.lines.size(); ++i) {
+    if (!detail::valid_lines(scene, scene.lines[i])) return {.error = Error::lines, .needed = i};
   }
   if (scene.lights.size() > kMaxLights) {
     return {.error = Error::light, .needed = static_cast<std::uint32_t>(scene.lights.size()), .available = kMaxLights};
@@ -173,6 +192,9 @@ constexpr Status validate(const Scene& scene) {
   if (const Status status = validate_instances(scene); !status) return status;
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     if (!detail::valid_texcoords(scene, scene.instances[i])) return {.error = Error::instance, .needed = i};
+  }
+  for (std::uint32_t i = 0; i < scene.lines.size(); ++i) {
+    if (!detail::valid_segments(scene, scene.lines[i])) return {.error = Error::lines, .needed = i};
   }
   return {};
 }

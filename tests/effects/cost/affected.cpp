@@ -27,6 +27,7 @@ int print_affected() {
       Scene alone = staged.scene;
       alone.instances = {&instance, 1};
       alone.quadrics = {};
+      alone.lines = {};
       constexpr Effects kOwn = effect::fragments | effect::vertex_light;
       if ((effects_of(alone, staged.camera) | kCalledFor).any(kOwn)) touched.push_back(instance);
     }
@@ -53,5 +54,5 @@ int main() {
   return print_affected<scenes::fog>() + print_affected<scenes::emissive>() + print_affected<scenes::specular>() +
          print_affected<scenes::punctual>() + print_affected<scenes::mask>() + print_affected<scenes::blend>() +
          print_affected<scenes::bilinear>() + print_affected<scenes::palette>() + print_affected<scenes::spheres>() +
-         print_affected<scenes::dithered>() + print_affected<scenes::dithered_mono>();
+         print_affected<scenes::dithered>() + print_affected<scenes::dithered_mono>() + print_affected<scenes::lines>();
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "../lines_scene.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"
 #include "zstrip_scenes/spheres.hpp"
@@ -36,8 +37,8 @@ template <bool plain>
 inline constexpr View kView<scenes::dithered_mono, plain>{kWidth, kHeight, PixelFormat::mono, !plain};
 inline constexpr std::uint32_t kFrames = 4, kFramesPerTurn = 36;
 
-/// Without fog, finishes, punctual lights and quadrics, and the scene's first texture for one with a palette; all else
-/// as it is.
+/// Without fog, finishes, punctual lights, quadrics and lines, and the scene's first texture for one with a palette; all
+/// else as it is.
 template <const scenes::BuiltIn& built_in>
 struct Plain {
   static constexpr auto kMaterials = [] {
@@ -58,6 +59,8 @@ struct Plain {
     plain.scene.punctual_lights = {};
     plain.scene.quadrics = {};
     plain.counts.quadrics = 0;
+    plain.scene.lines = {};
+    plain.counts.line_sets = 0;
     return plain;
   }();
 };
