@@ -37,8 +37,8 @@ template <bool plain>
 inline constexpr View kView<scenes::dithered_mono, plain>{kWidth, kHeight, PixelFormat::mono, !plain};
 inline constexpr std::uint32_t kFrames = 4, kFramesPerTurn = 36;
 
-/// Without fog, finishes, punctual lights, quadrics and lines, and the scene's first texture for one with a palette; all
-/// else as it is.
+/// Without fog, finishes, punctual lights, quadrics and lines, and the scene's first texture for one with a palette;
+/// all else as it is.
 template <const scenes::BuiltIn& built_in>
 struct Plain {
   static constexpr auto kMaterials = [] {
