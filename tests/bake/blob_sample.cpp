@@ -1,0 +1,69 @@
+// What blob_sample.hpp declares, written by the same code as files are.
+#include "blob_sample.hpp"
+
+#include <zlib.h>
+
+#include <iterator>
+
+namespace zstrip::sim::test {
+
+void put_word(Bytes& bytes, std::size_t at, std::uint32_t value) {
+  for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::uint8_t>(value >> 8 * i);
+}
+std::uint32_t word(const Bytes& bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value |= std::uint32_t{bytes[at + i]} << 8 * i;
+  return value;
+}
+void mend(Bytes& bytes) {
+  put_word(bytes, 4, static_cast<std::uint32_t>(bytes.size()));
+  put_word(bytes, 8, static_cast<std::uint32_t>(::crc32(0, bytes.data() + 12, static_cast<uInt>(bytes.size() - 12))));
+}
+
+SceneBlob sample() {
+  SceneBlob blob{.scene = {.meshes = kMeshes,
+                           .materials = kMaterials,
+                           .textures = kTextures,
+                           .instances = kInstances,
+                           .lights = kLights,
+                           .ambient = {11, 12, 13, 14},
+                           .background = {15, 16, 17, 18},
+                           .fog = &kFog,
+                           .finishes = kFinishes,
+                           .punctual_lights = kPunctualLights},
+                 .camera = {},
+                 .view = {320, 200, PixelFormat::gray4, true}};
+  EXPECT_TRUE(look_at(blob.camera, {20000, 30000, 250000}, {0, 0, 0}, {0, kFixedOne, 0}));
+  blob.camera.fixed_depth_range = true;
+  return blob;
+}
+
+Bytes sample_bytes() {
+  const Result<Bytes> bytes = to_scene_blob(sample());
+  EXPECT_TRUE(bytes);
+  return bytes ? *bytes : Bytes{};
+}
+
+Bytes palette_bytes() {
+  std::vector<Material> materials(std::begin(kMaterials), std::end(kMaterials));
+  materials[0].finish = 0;  // which the one with a texture needs
+  SceneBlob blob = sample();
+  blob.scene.materials = materials;
+  blob.scene.textures = kWithPalettes;
+  const Result<Bytes> bytes = to_scene_blob(blob);
+  EXPECT_TRUE(bytes);
+  return bytes ? *bytes : Bytes{};
+}
+
+Bytes tree_bytes() {
+  constexpr Mesh kMesh[] = {{kPositions, {}, {}, {}, kFourTriangles, {}, {0, 0, 0}, {65536, 65536, 65536}, 12}};
+  SceneBlob blob = sample();
+  blob.scene.meshes = kMesh;
+  blob.scene.instances = std::span(kInstances).first(1);
+  blob.tree.nodes = kNodes;
+  const Result<Bytes> bytes = to_scene_blob(blob);
+  EXPECT_TRUE(bytes);
+  return bytes ? *bytes : Bytes{};
+}
+
+}  // namespace zstrip::sim::test

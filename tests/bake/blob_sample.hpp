@@ -1,0 +1,115 @@
+// A scene that has everything that a blob can hold, as a blob; and blobs in memory, read, written over and mended.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "bake/scene_blob.hpp"
+#include "zstrip/scene/scene_blob.hpp"
+
+namespace zstrip::sim::test {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// On the heap and of exactly this size, so that AddressSanitizer guards both ends.
+struct Exact {
+  std::unique_ptr<std::byte[]> bytes;
+  std::size_t size;
+  explicit Exact(std::size_t s) : bytes(new std::byte[s]()), size(s) {}
+  explicit Exact(const Bytes& from) : Exact(from.size()) {
+    if (!from.empty()) std::memcpy(bytes.get(), from.data(), from.size());
+  }
+  std::span<std::byte> span() { return {bytes.get(), size}; }
+};
+
+void put_word(Bytes& bytes, std::size_t at, std::uint32_t value);
+std::uint32_t word(const Bytes& bytes, std::size_t at);
+/// Makes size and checksum right again.
+void mend(Bytes& bytes);
+
+// Two quads with everything that a mesh can have, two textures, two materials, three instances, two lights.
+inline constexpr Position kPositions[] = {
+    {-32767, -30000, 5}, {32767, -30000, -5}, {32767, 30000, 7}, {-32767, 30000, -32767}};
+inline constexpr Normal kNormals[] = {{0, 0, 127, 0}, {0, 127, 0, 1}, {-128, 0, 0, 2}, {1, 2, 3, 4}};
+inline constexpr Colour kColours[] = {{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 254}, {9, 8, 7, 6}};
+inline constexpr TexCoord kTexcoords[] = {{0, 0}, {4096, 0}, {4096, -4096}, {0, 4096}};
+inline constexpr Triangle kTriangles[] = {{0, 1, 2}, {0, 2, 3}};
+inline constexpr Meshlet kMeshlets[] = {{0, 0, 4, 1, 40000, {1, -2, 3}}, {1, 0, 4, 1, 65535, {-4, 5, -6}}};
+inline constexpr std::uint16_t kTexels[] = {0xF800, 0x07E0, 0x001F, 0xFFFF};
+inline constexpr Mesh kMeshes[] = {
+    {kPositions, kNormals, kColours, kTexcoords, kTriangles, kMeshlets, {100, -200, 300}, {65536, 70000, 1}, 12},
+    {kPositions, {}, {}, {}, kTriangles, {}, {0, 0, 0}, {65536, 65536, 65536}, 4}};
+inline constexpr std::uint16_t kTexelsWithAlpha[] = {0xF800, 0x07E0, 0x001F, 0xFFFF, 0x8000, 0xFF40};
+inline constexpr Texture kTextures[] = {{kTexelsWithAlpha, 1, 1, TextureFormat::rgb565_alpha}, {kTexels, 2, 0}};
+inline constexpr Material kMaterials[] = {{.colour = {1, 2, 3, 4}, .texture = 1},
+                                          {.colour = {200, 100, 50, 255},
+                                           .lit = false,
+                                           .smooth = false,
+                                           .double_sided = true,
+                                           .depth_test = DepthTest::nearer_or_equal,
+                                           .depth_write = false,
+                                           .finish = 1,
+                                           .depth_bias = -3,
+                                           .depth_slope_bias = 70000,
+                                           .depth_bias_clamp = 9}};
+inline constexpr Instance kInstances[] = {{0, 0, Transform::identity()},
+                                          {1, 1, {{{1, -2, 3, -4}, {5, 6, 7, 8}, {9, 10, 11, -70000}}}},
+                                          {0, 1, {{{30000, 0, 0, 50000}, {0, 30000, 0, 0}, {0, 0, 30000, 0}}}}};
+inline constexpr DirectionalLight kLights[] = {{1, -2, 32767, {10, 20, 30, 40}}, {-32767, 0, 0, {50, 60, 70, 80}}};
+
+inline constexpr Finish kFinishes[] = {{},
+                                       {.emissive = {1, 2, 3, 4},
+                                        .specular = {5, 6, 7, 8},
+                                        .shininess = 9,
+                                        .alpha_mode = AlphaMode::mask,
+                                        .alpha_cutoff = 10,
+                                        .filter = TextureFilter::bilinear}};
+inline constexpr PunctualLight kPunctualLights[] = {{.colour = {9, 8, 7, 6}, .position = {1, -2, 3}},
+                                                    {.type = PunctualLightType::spot,
+                                                     .intensity = 70000,
+                                                     .range = 80000,
+                                                     .x = 1,
+                                                     .y = -2,
+                                                     .z = 3,
+                                                     .cosine_inner = 30000,
+                                                     .cosine_outer = 20000}};
+inline constexpr Fog kFog{
+    .colour = {4, 3, 2, 1}, .mode = FogMode::exponential, .start = 5, .end = 600000, .density = 7000};
+
+// A palette of 16 colours for 4 texels, one of 256 for as many.
+inline constexpr auto kFourBits = [] {
+  std::array<std::uint16_t, 17> words{0xF800, 0x07E0, 0x001F};
+  words[16] = 0xF210;
+  return words;
+}();
+inline constexpr std::array<std::uint16_t, 258> kEightBits{0x1111, 0x2222};
+inline constexpr Texture kWithPalettes[] = {{kFourBits, 1, 1, TextureFormat::palette4},
+                                            {kEightBits, 1, 1, TextureFormat::palette8}};
+
+// Three planes: the root with a triangle in its plane and one on either side of it.
+inline constexpr Triangle kFourTriangles[] = {{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}};
+inline constexpr BspNode kNodes[] = {
+    {1, -2, 3, -4, 0, 1, 2, 0}, {5, 6, 7, 0x40000000, 1, 0, 0, 0}, {-8, 9, 10, 11, 3, 0, 0, 0}};
+
+SceneBlob sample();
+/// Those of sample(); with kWithPalettes for textures; with the tree of kNodes over kFourTriangles.
+Bytes sample_bytes();
+Bytes palette_bytes();
+Bytes tree_bytes();
+
+struct Opened {
+  Exact blob, memory;
+  SceneBlob content;
+  Status status;
+  explicit Opened(const Bytes& bytes, std::size_t lent = scene_blob_memory(2, 2)) : blob(bytes), memory(lent) {
+    status = open_scene_blob(blob.span(), memory.span(), content);
+  }
+};
+
+}  // namespace zstrip::sim::test
