@@ -41,10 +41,10 @@ struct TexelIndices {
 };
 
 /// With what dithering and palettes add, either of which a renderer may have where the picture or an instance has not.
-template <class Target, Effects effects>
+template <class Target, bool dithering, bool palettes>
 struct TargetWithColours : Target {
-  [[no_unique_address]] MemberIf<effects, effect::dithered_colours, bool> dithered;
-  [[no_unique_address]] MemberIf<effects, effect::texture_palettes, TexelIndices> indices;
+  [[no_unique_address]] std::conditional_t<dithering, bool, Absent> dithered;
+  [[no_unique_address]] std::conditional_t<palettes, TexelIndices, Absent> indices;
 };
 
 template <Effects effects>
@@ -52,9 +52,10 @@ struct TargetOfEffects {
   static constexpr DepthMode kDepth = depth_mode(effects);
   using WithDepth = TargetFor<kDepth>;
   using WithFragments = TargetWithFragments<WithDepth>;
-  static constexpr Effects kOfColours = effects & (effect::dithered_colours | effect::texture_palettes);
+  static constexpr bool kDithers = effects.has(effect::dithered_colours);
+  static constexpr bool kPalettes = effects.has(effect::texture_palettes);
   using Drawn =
-      std::conditional_t<kOfColours == Effects{}, WithFragments, TargetWithColours<WithFragments, kOfColours>>;
+      std::conditional_t<kDithers || kPalettes, TargetWithColours<WithFragments, kDithers, kPalettes>, WithFragments>;
   using Type = std::conditional_t<effects.any(effect::fragments), Drawn, WithDepth>;
 };
 /// The strip as the rasterisers of these effects take it.
