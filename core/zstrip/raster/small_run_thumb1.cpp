@@ -1,22 +1,12 @@
-// The assembly behind small_run_thumb.hpp for Thumb-1 (Cortex-M0, M0+). Offsets are those of SmallRun;
-// small_triangle_thumb1.cpp asserts those of SmallScan before anchor_y.
-#include <cstddef>
-
+// The assembly behind small_run_thumb.hpp for Thumb-1 (Cortex-M0, M0+). Offsets are
+// small_layout_thumb.hpp's.
 #include "zstrip/base/thumb1_macros.hpp"
+#include "zstrip/raster/small_layout_thumb.hpp"
 #include "zstrip/raster/small_run_thumb.hpp"
 
 namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
-
-static_assert(offsetof(SmallRun, scan) == 0);
-static_assert(offsetof(SmallScan, first_column) == 96 && offsetof(SmallScan, first_row) == 100);
-static_assert(offsetof(SmallRun, vertices) == 112 && offsetof(SmallRun, colours) == 116);
-static_assert(offsetof(SmallRun, area) == 120 && offsetof(Rect, left) == 0 && offsetof(Rect, top) == 4 &&
-              offsetof(Rect, right) == 8 && offsetof(Rect, bottom) == 12);
-static_assert(offsetof(SmallRun, depth) == 136 && offsetof(SmallRun, colour) == 140);
-static_assert(sizeof(Triangle) == 6 && sizeof(SnappedVertex) == 8 && sizeof(Colour) == 4);
-static_assert(kSmallExtent == 181 && kSmallDepthDifference == 1U << 29);
 
 // r8 the vertices, r9 the next triangle, r10 how many are left, r11 the run. On the stack: the count.
 [[gnu::naked]] std::uint32_t draw_small_run_thumb(SmallRun&, const Triangle*, std::uint32_t) {

@@ -1,22 +1,12 @@
 // The assembly behind small_run_thumb.hpp. Without calls between the stages of a triangle, and with both coordinates
-// of a vertex in one word, it takes half of what GCC makes of the C++. Offsets are those of SmallRun;
-// small_triangle_thumb2.cpp asserts those of SmallScan before anchor_y.
+// of a vertex in one word, it takes half of what GCC makes of the C++. Offsets are small_layout_thumb.hpp's.
 #include "zstrip/raster/small_run_thumb.hpp"
 
-#include <cstddef>
+#include "zstrip/raster/small_layout_thumb.hpp"
 
 namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB2
-
-static_assert(offsetof(SmallRun, scan) == 0);
-static_assert(offsetof(SmallScan, first_column) == 96 && offsetof(SmallScan, first_row) == 100);
-static_assert(offsetof(SmallRun, vertices) == 112 && offsetof(SmallRun, colours) == 116);
-static_assert(offsetof(SmallRun, area) == 120 && offsetof(Rect, left) == 0 && offsetof(Rect, top) == 4 &&
-              offsetof(Rect, right) == 8 && offsetof(Rect, bottom) == 12);
-static_assert(offsetof(SmallRun, depth) == 136 && offsetof(SmallRun, colour) == 140);
-static_assert(sizeof(Triangle) == 6 && sizeof(SnappedVertex) == 8 && sizeof(Colour) == 4);
-static_assert(kSmallExtent == 181 && kSmallDepthDifference == 1U << 29);
 
 // r0 the run, r10 the next triangle, r11 its vertices, lr how many triangles are left; r1 to r3 the indices of a
 // triangle's vertices, then their addresses. On the stack: what was left of the count, and the count.

@@ -1,30 +1,15 @@
 // The assembly behind small_triangle_thumb.hpp for Thumb-1 (Cortex-M0, M0+). Products of 32 bits are made of products
-// of halves; those of the reciprocal stay in two of the eight registers that multiply. Offsets are those of SmallScan,
-// which the assertions hold.
-#include <cstddef>
-
+// of halves; those of the reciprocal stay in two of the eight registers that multiply. Offsets are
+// small_layout_thumb.hpp's.
 #include "zstrip/base/division.hpp"
 #include "zstrip/base/thumb1_macros.hpp"
+#include "zstrip/raster/small_layout_thumb.hpp"
 #include "zstrip/raster/small_triangle.hpp"
 #include "zstrip/raster/small_triangle_thumb.hpp"
 
 namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
-
-static_assert(offsetof(SmallScan, start) == 0 && offsetof(SmallScan, step_x) == 16 &&
-              offsetof(SmallScan, step_y) == 32);
-static_assert(offsetof(SmallScan, depth_row) == 48 && offsetof(SmallScan, colour_row) == 52);
-static_assert(offsetof(SmallScan, depth_stride) == 56 && offsetof(SmallScan, colour_stride) == 60);
-static_assert(offsetof(SmallScan, width) == 64 && offsetof(SmallScan, height) == 68);
-static_assert(offsetof(SmallScan, colours) == 72 && offsetof(SmallScan, area) == 84);
-static_assert(offsetof(SmallScan, anchor_x) == 88 && offsetof(SmallScan, anchor_y) == 92);
-static_assert(offsetof(SnappedVertex, x) == 0 && offsetof(SnappedVertex, y) == 2 &&
-              offsetof(SnappedVertex, depth) == 4);
-static_assert(offsetof(Colour, r) == 0 && offsetof(Colour, g) == 1 && offsetof(Colour, b) == 2);
-static_assert(SmallScan::edges == 0 && SmallScan::depth == 1 && SmallScan::green == 2 && SmallScan::red_blue == 3);
-static_assert(kPixelCentre == 15);
-static_assert(PackedEdges::kSigns == 0x80200400U);
 
 // On the stack: 0, 4 weights of vertices 1 and 2 at the anchor, 8, 12 their steps to the right, 16, 20 down, all of
 // them scaled for the colours once depth is done; 24 the depth of vertex 0, 28, 32 the differences to the others; 36
@@ -305,13 +290,15 @@ static_assert(PackedEdges::kSigns == 0x80200400U);
   )" ZSTRIP_THUMB1_PURGE_MULTIPLY_HIGH);
 }
 
-void set_up_small_thumb(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1, const SnappedVertex& v2) {
+// Used: small_run_thumb1.cpp calls both by their names.
+[[gnu::used]] void set_up_small_thumb(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,
+                                      const SnappedVertex& v2) {
   set_up(scan, v0, v1, v2, kReciprocalTable.data());
 }
 
 // r1 edges, r2 their signs, r3 depth, r4 its cell, r6 columns left, r7 from a cell to its pixel, r8 green, r9 red and
 // blue, r10 to r12 the steps of depth, green, red and blue, lr of the edges. On the stack: the scan, the signs.
-[[gnu::naked]] void scan_small_thumb(SmallScan&) {
+[[gnu::naked, gnu::used]] void scan_small_thumb(SmallScan&) {
   asm(R"(
     .syntax unified
     push  {r4-r7, lr}

@@ -1,28 +1,13 @@
 // The assembly behind small_triangle_thumb.hpp. GCC has a dozen registers for twice as many values and moves a third
-// of them to the stack and back; by hand all fit. Offsets are those of SmallScan, which the assertions hold.
+// of them to the stack and back; by hand all fit. Offsets are small_layout_thumb.hpp's.
 #include "zstrip/raster/small_triangle_thumb.hpp"
 
-#include <cstddef>
-
+#include "zstrip/raster/small_layout_thumb.hpp"
 #include "zstrip/raster/small_triangle.hpp"
 
 namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB2
-
-static_assert(offsetof(SmallScan, start) == 0 && offsetof(SmallScan, step_x) == 16 &&
-              offsetof(SmallScan, step_y) == 32);
-static_assert(offsetof(SmallScan, depth_row) == 48 && offsetof(SmallScan, colour_row) == 52);
-static_assert(offsetof(SmallScan, depth_stride) == 56 && offsetof(SmallScan, colour_stride) == 60);
-static_assert(offsetof(SmallScan, width) == 64 && offsetof(SmallScan, height) == 68);
-static_assert(offsetof(SmallScan, colours) == 72 && offsetof(SmallScan, area) == 84);
-static_assert(offsetof(SmallScan, anchor_x) == 88 && offsetof(SmallScan, anchor_y) == 92);
-static_assert(offsetof(SnappedVertex, x) == 0 && offsetof(SnappedVertex, y) == 2 &&
-              offsetof(SnappedVertex, depth) == 4);
-static_assert(offsetof(Colour, r) == 0 && offsetof(Colour, g) == 1 && offsetof(Colour, b) == 2);
-static_assert(SmallScan::edges == 0 && SmallScan::depth == 1 && SmallScan::green == 2 && SmallScan::red_blue == 3);
-static_assert(kPixelCentre == 15);
-static_assert(PackedEdges::kSigns == 0x80200400U);
 
 // Used: small_run_thumb2.cpp calls it by its name.
 [[gnu::naked, gnu::used]] void set_up_small_thumb(SmallScan&, const SnappedVertex&, const SnappedVertex&,
