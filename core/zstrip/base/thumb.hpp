@@ -18,5 +18,6 @@ namespace zstrip::detail {
 
 inline constexpr bool kHasThumb1 = ZSTRIP_HAS_THUMB1 == 1;
 inline constexpr bool kHasThumb2 = ZSTRIP_HAS_THUMB2 == 1;
+inline constexpr bool kHasThumb = kHasThumb1 || kHasThumb2;  ///< every such function is there for both
 
 }  // namespace zstrip::detail

@@ -108,7 +108,7 @@ struct Frame::Access::Raster {
             effects.has(effect::orthographic) ? std::int64_t{frame.origin_.depth_offset} : frame.fit_.offset;
       }
       if constexpr (effects.has(effect::dithered_colours)) {
-        shade.dither = {-target.view_left, -target.view_top, effects_of(frame.view_).has(effect::dithered_colours)};
+        shade.dither = {-target.view_left, -target.view_top, dithers_colours(frame.view_)};
       }
       Materials::with_depth<effects>(frame, target, lines.material, [&](const auto& complete) {
         detail::LineFill<effects>::draw(complete, all[i], lines, scene.meshes[lines.mesh], frame.origin_, shade);

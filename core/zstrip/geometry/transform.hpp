@@ -48,8 +48,7 @@ bool transform_vertices_portable(const CompiledInstance& instance, const Mesh& m
 template <Effects effects>
 bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, const RasterOrigin& origin,
                         std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {
-  if constexpr ((kHasThumb1 || kHasThumb2) && !effects.has(effect::orthographic) &&
-                depth_format(effects) == DepthFormat::z16) {
+  if constexpr (kHasThumb && !effects.has(effect::orthographic) && depth_format(effects) == DepthFormat::z16) {
     if (count == 0) return true;
     return transform_vertices_in_assembly(instance, mesh, origin, first, count, vertices);
   } else {

@@ -319,8 +319,8 @@ struct Assembler {
 
   /// Whether most triangles never come to draw_narrow.
   template <Shade shade, bool all_narrow>
-  static constexpr bool kSmallRuns = (kHasSmallTriangleThumb || (kHasSse2 && all_narrow)) && shade == Shade::gouraud &&
-                                     !kStatistics && std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
+  static constexpr bool kSmallRuns = (kHasThumb || (kHasSse2 && all_narrow)) && shade == Shade::gouraud && !kStatistics
+                                     && std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
 
   static bool is_narrow(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c) {
     return a.x != kNotNarrow && b.x != kNotNarrow && c.x != kNotNarrow;

@@ -245,7 +245,7 @@ void draw_small_triangle_portable(const StripTarget& target, const SnappedVertex
   scan.anchor_x = anchor_x;
   scan.anchor_y = anchor_y;
   if constexpr (!gouraud) scan.flat_colour = flat_colour;
-  if constexpr (kHasSmallTriangleThumb && gouraud && !statistics) {
+  if constexpr (kHasThumb && gouraud && !statistics) {
     for (int i = 0; i < 3; ++i) scan.set_colour(i, *colours[i]);
     set_up_small_thumb(scan, v0, v1, v2);
   } else {
@@ -265,7 +265,7 @@ void draw_small_triangle_portable(const StripTarget& target, const SnappedVertex
     }
   }
   if constexpr (statistics) scan.statistics = target.statistics;
-  if constexpr (kHasSmallTriangleThumb && gouraud && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>>) {
+  if constexpr (kHasThumb && gouraud && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>>) {
     scan_small_thumb(scan);
   } else {
     scan_small_triangle<gouraud, statistics>(scan, rule);

@@ -9,9 +9,6 @@ namespace zstrip::detail {
 
 struct SmallScan;
 
-/// Where there are the functions below, and those of small_run_thumb.hpp.
-inline constexpr bool kHasSmallTriangleThumb = kHasThumb1 || kHasThumb2;
-
 /// Planes of edges, depth and colours from `scan.area`, `anchor_x`, `anchor_y`, `colours` and the vertices; the weights
 /// as in small_triangle.hpp.
 void set_up_small_thumb(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,

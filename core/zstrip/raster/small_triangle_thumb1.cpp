@@ -260,12 +260,7 @@ namespace zstrip::detail {
     add   r2, r2, r11
     str   r2, [r0, #28]
     add   sp, sp, #40
-    pop   {r4-r7}
-    mov   r8, r4
-    mov   r9, r5
-    mov   r10, r6
-    mov   r11, r7
-    pop   {r4-r7, pc}
+  )" ZSTRIP_THUMB1_POP R"(
 
     @ A channel's plane: start r10, steps r11 and r1, from the channels at r3.
   .Lsetup_channel:
@@ -297,16 +292,10 @@ namespace zstrip::detail {
 }
 
 // r1 edges, r2 their signs, r3 depth, r4 its cell, r6 columns left, r7 from a cell to its pixel, r8 green, r9 red and
-// blue, r10 to r12 the steps of depth, green, red and blue, lr of the edges. On the stack: the scan, the signs.
+// blue, r10 to r12 the steps of depth, green, red and blue, lr of the edges. On the stack: the scan.
 [[gnu::naked, gnu::used]] void scan_small_thumb(SmallScan&) {
-  asm(R"(
-    .syntax unified
-    push  {r4-r7, lr}
-    mov   r4, r8
-    mov   r5, r9
-    mov   r6, r10
-    mov   r7, r11
-    push  {r0, r4-r7}
+  asm(ZSTRIP_THUMB1_PUSH R"(
+    push  {r0}
     ldr   r2, .Lsmall_signs
     ldr   r1, [r0, #16]
     mov   lr, r1
@@ -392,12 +381,8 @@ namespace zstrip::detail {
     subs  r5, r5, #1
     str   r5, [r0, #68]
     bne   .Lsmall_row
-    pop   {r0, r4-r7}
-    mov   r8, r4
-    mov   r9, r5
-    mov   r10, r6
-    mov   r11, r7
-    pop   {r4-r7, pc}
+    pop   {r0}
+  )" ZSTRIP_THUMB1_POP R"(
     .align 2
   .Lsmall_signs:
     .word 0x80200400

@@ -155,8 +155,8 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
   const TextureAxis axis_u(texture.log2_width);
   const TextureAxis axis_v(texture.log2_height);
   using Value = typename DepthPlane::Value;
-  constexpr bool kAssembly = kHasTexturedRunThumb && !lit && !statistics &&
-                             std::is_same_v<Rule, DepthRule<DepthMode{}>> && std::is_same_v<Value, std::uint32_t>;
+  constexpr bool kAssembly = kHasThumb && !lit && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>> &&
+                             std::is_same_v<Value, std::uint32_t>;
   constexpr bool kVectors =
       kHasSse2 && !lit && !statistics && Rule::kNearerOnly && std::is_same_v<Value, std::uint32_t>;
   static_assert(kPerspectiveRun == 16);  // fill_runs_thumb and fill_runs_sse2 know it

@@ -9,9 +9,6 @@
 
 namespace zstrip::detail {
 
-/// Where there are the two functions below.
-inline constexpr bool kHasTexturedRunThumb = kHasThumb1 || kHasThumb2;
-
 /// Fills `count` > 0 whole runs, with the depth test of z16. Moves z, the place and the exact position behind them.
 void fill_runs_thumb(TexturedRunsState& state, std::uint16_t* depth, std::uint16_t* pixel, std::uint32_t count);
 

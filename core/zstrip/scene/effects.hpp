@@ -70,7 +70,7 @@ inline constexpr Effects local_light = specular | punctual_lights;
 /// All that a vertex' light has beyond ambient and directional light.
 inline constexpr Effects vertex_light = local_light | emissive;
 
-// Surfaces and passes beyond the triangles of instances; bits 22 to 31.
+// Surfaces and passes beyond the triangles of instances; bits 22 to 31, but for 24.
 inline constexpr Effects quadrics{1U << 22};  ///< spheres and ellipsoids
 /// View::dither of a picture in a format that is_narrow.
 inline constexpr Effects dithered_format{1U << 23};

@@ -99,7 +99,7 @@ void draw(const Meshlet& meshlet, const CompiledInstance& instance, Picture& pic
 }  // namespace
 
 int check_small_runs() {
-  if constexpr (!kHasSmallTriangleThumb) {
+  if constexpr (!kHasThumb) {
     print("self-test: no assembly\n");
     return 0;
   } else {

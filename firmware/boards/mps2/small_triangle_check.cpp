@@ -50,7 +50,7 @@ int differs(const char* what, std::uint32_t triangle) {
 }  // namespace
 
 int check_small_triangles() {
-  if constexpr (!kHasSmallTriangleThumb) {
+  if constexpr (!kHasThumb) {
     print("self-test: no assembly\n");
     return 0;
   } else {

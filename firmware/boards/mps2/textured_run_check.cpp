@@ -91,7 +91,7 @@ bool triangles_are_equal(Random& random, const std::uint16_t* texels) {
 }  // namespace
 
 int check_textured_runs() {
-  if constexpr (!kHasTexturedRunThumb) {
+  if constexpr (!kHasThumb) {
     print("self-test: no assembly\n");
     return 0;
   } else {

@@ -41,7 +41,7 @@ bool same(const SnappedVertex& a, const SnappedVertex& b) { return a.x == b.x &&
 }  // namespace
 
 int check_transform() {
-  if constexpr (!kHasThumb1 && !kHasThumb2) {
+  if constexpr (!kHasThumb) {
     print("self-test: no assembly\n");
     return 0;
   } else {
