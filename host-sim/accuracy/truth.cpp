@@ -7,6 +7,7 @@
 
 #include "accuracy/truth_light.hpp"
 #include "accuracy/truth_quadrics.hpp"
+#include "motion/turned_billboard.hpp"
 #include "zstrip/scene/effects.hpp"
 
 namespace zstrip::sim {
@@ -180,13 +181,12 @@ class Rasteriser {
 };
 
 /// The colour of a vertex without its texture.
-Vector vertex_colour(const Scene& scene, const Instance& instance, const Mesh& mesh, const Material& material,
+Vector vertex_colour(const Scene& scene, const Transform& transform, const Mesh& mesh, const Material& material,
                      std::uint16_t vertex) {
   Vector rgb{double(material.colour.r), double(material.colour.g), double(material.colour.b)};
   if (material.lit && !mesh.normals.empty()) {
     const Normal& n = mesh.normals[vertex];
-    rgb = truth::lit_colour(scene, material,
-                            transformed(instance.transform, {double(n.x), double(n.y), double(n.z)}, true));
+    rgb = truth::lit_colour(scene, material, transformed(transform, {double(n.x), double(n.y), double(n.z)}, true));
   }
   if (!mesh.colours.empty()) {
     const Colour& own = mesh.colours[vertex];
@@ -208,7 +208,7 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
                    "the scene has materials with a depth test, write or bias of their own: what is right there depends "
                    "on the z-buffer's codes, so that no truth can be drawn"};
   }
-  constexpr Effects kKnown = effect::all | effect::fog | effect::emissive | effect::quadrics;
+  constexpr Effects kKnown = effect::all | effect::fog | effect::emissive | effect::quadrics | effect::billboards;
   if (without(effects_of(scene, camera), kKnown) != Effects{}) {
     return Failure{
         ExitStatus::input,
@@ -222,6 +222,7 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     const Material& material = scene.materials[instance.material];
+    const Transform transform = standing(scene, instance, camera);
     const Vector centre = vector_of(mesh.centre, kOne16), extent = vector_of(mesh.half_extent, kOne16);
     const bool textured = material.texture != kNoTexture && !mesh.texcoords.empty();
     const double texcoord_one = std::ldexp(1.0, mesh.texcoord_bits);
@@ -233,11 +234,11 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
         const Position& p = mesh.positions[index[i]];
         const Vector local{centre[0] + extent[0] * p.x / 32768, centre[1] + extent[1] * p.y / 32768,
                            centre[2] + extent[2] * p.z / 32768};
-        const Vector world = transformed(instance.transform, local, false);
+        const Vector world = transformed(transform, local, false);
         const Vector seen{world[0] - eye[0], world[1] - eye[1], world[2] - eye[2]};
         polygon[i] = {dot(seen, right), dot(seen, up), -dot(seen, back), {}};
         polygon[i].share[i] = 1;
-        look.rgb[i] = vertex_colour(scene, instance, mesh, material, material.smooth ? index[i] : index[0]);
+        look.rgb[i] = vertex_colour(scene, transform, mesh, material, material.smooth ? index[i] : index[0]);
         if (textured) {
           const Texture& texture = scene.textures[material.texture];
           look.uv[i] = {std::ldexp(mesh.texcoords[index[i]].u / texcoord_one, texture.log2_width),

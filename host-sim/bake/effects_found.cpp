@@ -26,6 +26,7 @@ constexpr KnownEffect kKnown[] = {
     {effect::bilinear, "bilinear", "the texture filter bilinear"},
     {effect::quadrics, "quadrics", "spheres and ellipsoids"},
     {effect::lines, "lines", "lines and points"},
+    {effect::billboards, "billboards", "turns with the camera"},
     {effect::dithered_colours, "dithered_colours", "the picture is dithered to RGB565 (--dither)"},
     {effect::dithered_format, "dithered_format", "the picture is dithered to its format (--dither)"},
     {effect::bins, "bins", "the plan transforms geometry only once (--mode)"},

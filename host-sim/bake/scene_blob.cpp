@@ -189,6 +189,7 @@ void write_mesh(Writer& writer, std::size_t at, const Mesh& mesh) {
     }
   }
   writer.byte_at(at + 72, mesh.texcoord_bits);
+  writer.byte_at(at + 73, static_cast<std::uint8_t>(mesh.billboard));
 }
 
 void write_texture(Writer& writer, std::size_t at, const Texture& texture) {

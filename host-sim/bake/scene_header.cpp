@@ -25,6 +25,12 @@ std::string literal(const Normal& n) { return fmt::format("{{{}, {}, {}, {}}}", 
 std::string literal(const TexCoord& t) { return fmt::format("{{{}, {}}}", t.u, t.v); }
 std::string literal(const Triangle& t) { return fmt::format("{{{}, {}, {}}}", t.a, t.b, t.c); }
 std::string literal(std::uint16_t texel) { return fmt::format("0x{:04X}", texel); }
+/// The member, unless it is as it would be without.
+std::string literal(Billboard billboard) {
+  if (billboard == Billboard::none) return "";
+  return fmt::format(",\n     .billboard = zstrip::Billboard::{}",
+                     billboard == Billboard::viewer ? "viewer" : "upright");
+}
 std::string literal(const Meshlet& m) {
   return fmt::format("{{{}, {}, {}, {}, {}, {}}}", m.first_triangle, m.first_vertex, m.vertex_count, m.triangle_count,
                      m.radius, literal(m.centre));
@@ -212,8 +218,9 @@ class Header {
       meshes_ += ",\n     .texcoords = " + array("zstrip::TexCoord", name("Texcoords"), mesh.texcoords);
       meshes_ += ",\n     .triangles = " + array("zstrip::Triangle", name("Triangles"), mesh.triangles);
       meshes_ += ",\n     .meshlets = " + array("zstrip::Meshlet", name("Meshlets"), mesh.meshlets);
-      meshes_ += fmt::format(",\n     .centre = {},\n     .half_extent = {},\n     .texcoord_bits = {}}},\n",
-                             literal(mesh.centre), literal(mesh.half_extent), mesh.texcoord_bits);
+      meshes_ +=
+          fmt::format(",\n     .centre = {},\n     .half_extent = {},\n     .texcoord_bits = {}{}}},\n",
+                      literal(mesh.centre), literal(mesh.half_extent), mesh.texcoord_bits, literal(mesh.billboard));
     }
     for (std::size_t i = 0; i < scene_.textures.size(); ++i) {
       const Texture& texture = scene_.textures[i];

@@ -34,6 +34,17 @@ bool to_transform(const Affine& from, Transform& to) {
   return true;
 }
 
+/// From the scene's origin to what a billboard can reach, however it is turned.
+double radius_of_billboard(const Affine& at, std::span<const Vector> corners) {
+  const Vector middle = at * Vector{0, 0, 0};
+  double reach = 0;
+  for (const Vector& corner : corners) {
+    const Vector p = at * corner;
+    reach = std::max(reach, std::hypot(p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]));
+  }
+  return std::hypot(middle[0], middle[1], middle[2]) + reach;
+}
+
 class Composer {
  public:
   explicit Composer(const SceneFile& file)
@@ -69,7 +80,8 @@ class Composer {
         models_.push_back(std::move(*placed));
         continue;
       }
-      Result<Model> model = import_model(file_.beside(entry.file), entry.up);
+      const Texcoords texcoords = materials_.may_texture(entry.name) ? Texcoords::all : Texcoords::of_textures;
+      Result<Model> model = import_model(file_.beside(entry.file), entry.up, texcoords);
       if (!model) return at_line(file_.path, entry.line, model.failure().message);
       composed_->models.push_back(std::move(*model));
       for (const std::string& warning : composed_->models.back().warnings) {
@@ -93,6 +105,9 @@ class Composer {
         for (std::size_t i = 0; i < model.parts.size(); ++i) {
           placed_.push_back({&instance, &model, &model.parts[i], index, i});
           if (Result<Done> checked = check_placed(placed_.back(), file_.path); !checked) return checked;
+          if (instance.billboard != Billboard::none) {
+            placed_.back().part = &billboard_parts_.emplace_back(around_origin(model.parts[i]));
+          }
         }
       }
       if (is_static) composed_->static_instances = placed_.size();
@@ -136,6 +151,10 @@ class Composer {
       const std::vector<Vector> corners = corners_of(placed.part->mesh);
       for (int look = 0; look < (placed.moves() ? kLooks : 1); ++look) {
         const Affine at = placed.at(duration_ * look / kLooks, duration_);
+        if (placed.file->billboard != Billboard::none) {
+          radius = std::max(radius, radius_of_billboard(at, corners));
+          continue;
+        }
         for (const Vector& corner : corners) include(at * corner);
       }
     };
@@ -260,6 +279,7 @@ class Composer {
   ComposedMaterials materials_;
   std::vector<PlacedModel> models_;  ///< of file_.models
   std::vector<PlacedPart> placed_;
+  std::deque<ModelPart> billboard_parts_;
   std::deque<FileInstance> line_instances_;  ///< what would place the models that lines are of
   std::vector<std::pair<const FileLines*, PlacedPart>> placed_lines_;
   std::vector<InstanceMotion> motions_;

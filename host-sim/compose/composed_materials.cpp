@@ -94,6 +94,18 @@ const FileMaterial* ComposedMaterials::override_of(const PlacedPart& placed) con
   return name.empty() ? nullptr : &*at;
 }
 
+bool ComposedMaterials::may_texture(const std::string& model) const {
+  const auto has_texture = [this](const std::string& material) {
+    const auto at = std::ranges::find(file_.materials, material, &FileMaterial::name);
+    return at != file_.materials.end() && at->texture;
+  };
+  return std::ranges::any_of(file_.instances, [&](const FileInstance& instance) {
+    return instance.model == model &&
+           (has_texture(instance.material) ||
+            std::ranges::any_of(instance.materials, [&](const auto& pair) { return has_texture(pair.second); }));
+  });
+}
+
 Result<std::uint16_t> ComposedMaterials::own_texture(const FileMaterial& material) {
   const std::filesystem::path path = file_.beside(*material.texture);
   const auto [at, is_new] =

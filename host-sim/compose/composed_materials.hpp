@@ -25,6 +25,8 @@ class ComposedMaterials {
   Result<std::uint16_t> index_of(const FileMaterial& material);
   /// What replaces the part's material; null if nothing does.
   const FileMaterial* override_of(const PlacedPart& placed) const;
+  /// Whether something in the file gives a texture to parts of the model of this name.
+  bool may_texture(const std::string& model) const;
 
  private:
   Result<std::uint16_t> own_texture(const FileMaterial& material);

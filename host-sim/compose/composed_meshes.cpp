@@ -44,10 +44,11 @@ Vector ComposedMeshes::scale_of(const PlacedPart& placed) {
 }
 
 std::uint16_t ComposedMeshes::index_of(const PlacedPart& placed, const Vector& scale) {
-  const auto key = std::tuple(placed.model_index, placed.part_index, scale);
+  const auto key = std::tuple(placed.model_index, placed.part_index, scale, placed.file->billboard);
   const auto [at, is_new] = known_.try_emplace(key, static_cast<std::uint16_t>(scene_.meshes.size()));
   if (!is_new) return at->second;
   Mesh mesh = placed.part->mesh;
+  mesh.billboard = placed.file->billboard;
   std::size_t axis = 0;
   for (Fixed Vec3::*const member : {&Vec3::x, &Vec3::y, &Vec3::z}) {
     mesh.centre.*member = to_fixed(from_fixed(mesh.centre.*member) * scale[axis]);

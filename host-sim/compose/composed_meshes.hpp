@@ -25,7 +25,7 @@ class ComposedMeshes {
  private:
   ComposedScene& scene_;
   std::map<std::pair<std::size_t, std::size_t>, Vector> first_scales_;
-  std::map<std::tuple<std::size_t, std::size_t, Vector>, std::uint16_t> known_;
+  std::map<std::tuple<std::size_t, std::size_t, Vector, Billboard>, std::uint16_t> known_;
 };
 
 }  // namespace zstrip::sim

@@ -15,6 +15,8 @@ namespace {
 constexpr std::pair<std::string_view, UpAxis> kAxes[] = {{"x", UpAxis::plus_x}, {"-x", UpAxis::minus_x},
                                                          {"y", UpAxis::plus_y}, {"-y", UpAxis::minus_y},
                                                          {"z", UpAxis::plus_z}, {"-z", UpAxis::minus_z}};
+constexpr std::pair<std::string_view, Billboard> kBillboards[] = {{"viewer", Billboard::viewer},
+                                                                  {"upright", Billboard::upright}};
 constexpr std::pair<std::string_view, bool> kLayers[] = {{"static", true}, {"moving", false}};
 constexpr std::pair<std::string_view, Interpolation> kInterpolations[] = {{"linear", Interpolation::linear},
                                                                           {"step", Interpolation::step}};
@@ -71,6 +73,15 @@ FileInstance read_instance(TomlTable& table) {
   instance.materials = table.texts("materials");
   instance.placement = read_placement(table, "scale");
   instance.is_static = table.choice("layer", kLayers).value_or(false);
+  instance.billboard = table.choice("billboard", kBillboards).value_or(Billboard::none);
+  for (const char* key : {"rotation", "quaternion"}) {
+    if (instance.billboard == Billboard::viewer && table.has(key)) {
+      table.wrong(key, "what faces the viewer has no rotation of its own");
+    }
+  }
+  if (instance.billboard != Billboard::none && table.has("turntable")) {
+    table.wrong("turntable", "a billboard turns with the camera: it has no 'turntable'");
+  }
   if (auto turntable = table.table("turntable", "[instance.turntable]")) {
     instance.turntable.emplace();
     instance.turntable->line = table.line_of("turntable");

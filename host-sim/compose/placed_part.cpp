@@ -1,6 +1,8 @@
 // One part of a model where an instance of the scene file places it: what becomes an instance of the composed scene.
 #include "compose/placed_part.hpp"
 
+#include "import/quantise.hpp"
+
 namespace zstrip::sim {
 namespace {
 
@@ -22,11 +24,26 @@ Affine PlacedPart::at(double seconds, double duration) const {
   return placement_at(*file, seconds, duration) * model->placed(*part, seconds);
 }
 
+ModelPart around_origin(const ModelPart& part) {
+  ModelPart moved = part;
+  std::size_t axis = 0;
+  for (Fixed Vec3::*const member : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+    auto& row = moved.to_file.m[axis];
+    moved.mesh.centre.*member += to_fixed(row[3] / row[axis]);
+    row[3] = 0;
+    ++axis;
+  }
+  return moved;
+}
+
 Result<Done> check_placed(const PlacedPart& placed, const std::filesystem::path& scene) {
   const auto wrong = [&](const char* what) { return at_line(scene, placed.file->line, what); };
   const bool animated = placed.model->moves(*placed.part);
   if (placed.file->is_static && animated) {
     return wrong("what lies in the static layer cannot have an animation; its model has one");
+  }
+  if (placed.file->billboard != Billboard::none && (animated || !is_diagonal(placed.part->to_file))) {
+    return wrong("a billboard's model must have no animation and no part that is turned");
   }
   if (placed.scaled_evenly()) return Done{};
   if (animated) return wrong("a model that has an animation can only be scaled evenly");

@@ -26,6 +26,10 @@ struct PlacedPart {
   Affine at(double seconds, double duration) const;
 };
 
+/// The same part with its mesh moved instead of itself, so that it turns about the model's origin. Its map to the
+/// model's coordinates is diagonal.
+ModelPart around_origin(const ModelPart& part);
+
 /// Whether this part can be placed like this; the failure names the line of the instance in `scene`.
 Result<Done> check_placed(const PlacedPart& placed, const std::filesystem::path& scene);
 

@@ -103,6 +103,7 @@ struct FileInstance {
   std::vector<std::pair<std::string, std::string>> materials;  ///< the model's name of one, and what replaces it
   Placement placement;
   bool is_static = false;
+  Billboard billboard = Billboard::none;
   std::optional<FileTurntable> turntable;
   Curve<Vector> translation, scale;  ///< keyframes; those without times stay as in `placement`
   Curve<Quaternion> rotation;

@@ -42,8 +42,8 @@ void lower_textures(SourceModel& source, const std::vector<TextureSides>& sides)
 
 }  // namespace
 
-Result<Model> import_model(const std::filesystem::path& path, UpAxis up) {
-  Result<SourceModel> read = read_model(path, up);
+Result<Model> import_model(const std::filesystem::path& path, UpAxis up, Texcoords texcoords) {
+  Result<SourceModel> read = read_model(path, up, texcoords);
   if (!read) return read.failure();
   SourceModel& source = *read;
   const auto named = [&path](const std::string& message) {
@@ -65,6 +65,12 @@ Result<Model> import_model(const std::filesystem::path& path, UpAxis up) {
     trait.double_sided = material.double_sided.value_or(!closed_outside[i]);
     weld(mesh);
     if (!mesh.has_texcoords) continue;
+    if (material.texture == kNoSourceTexture) {
+      constexpr int kLog2Side = 8;  // of a texture that nobody knows yet
+      trait.texcoord_bits = fit_texcoords(mesh, kLog2Side, clamped);
+      weld(mesh);
+      continue;
+    }
     const RgbImage& texture = source.textures[material.texture];
     trait.texcoord_bits = fit_texcoords(mesh, log2_of(std::max(texture.width, texture.height)), clamped);
     TextureSides& side = sides[material.texture];

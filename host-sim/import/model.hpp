@@ -67,6 +67,7 @@ class Model {
 };
 
 /// Reads, repairs and quantises a model file. The failure's message is whole: it names the file.
-Result<Model> import_model(const std::filesystem::path& path, UpAxis up = UpAxis::plus_y);
+Result<Model> import_model(const std::filesystem::path& path, UpAxis up = UpAxis::plus_y,
+                           Texcoords texcoords = Texcoords::of_textures);
 
 }  // namespace zstrip::sim

@@ -89,12 +89,16 @@ MeshData to_mesh_data(const SourceMesh& source, int texcoord_bits, const Grid& g
   return data;
 }
 
+bool is_textured(const SourceMesh& mesh, const SourceMaterial& material) {
+  return mesh.has_texcoords && material.texture != kNoSourceTexture;
+}
+
 /// Of the source's textures those whose alpha something is masked or blended with.
 std::vector<bool> find_used_alpha(const SourceModel& source) {
   std::vector<bool> used(source.textures.size());
   for (const SourceMesh& mesh : source.meshes) {
     const SourceMaterial& material = source.materials[mesh.material];
-    if (!mesh.has_texcoords || material.alpha_mode == AlphaMode::opaque) continue;
+    if (!is_textured(mesh, material) || material.alpha_mode == AlphaMode::opaque) continue;
     if (!source.textures[material.texture].alpha.empty()) used[material.texture] = true;
   }
   return used;
@@ -157,7 +161,7 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
                       .smooth = from.smooth,
                       .double_sided = traits[i].double_sided};
     if (!set_finish(from, material, model.finishes)) ++plain;
-    if (mesh.has_texcoords) {
+    if (is_textured(mesh, from)) {
       const auto [at, is_new] = textures.try_emplace(from.texture, static_cast<std::uint16_t>(model.textures.size()));
       if (is_new) {
         const RgbImage& image = source.textures[from.texture];
@@ -177,7 +181,7 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
 
     const MeshData whole = to_mesh_data(mesh, traits[i].texcoord_bits, grid);
     note_vertices(model.accuracy, mesh, whole, grid.units, grid.half_extent);
-    if (mesh.has_texcoords) {
+    if (is_textured(mesh, from)) {
       note_texcoords(model.accuracy, mesh, whole, traits[i].texcoord_bits, source.textures[from.texture]);
     }
     for (MeshData& part : split_into_meshlets(whole, mesh.indices, grid.half_extent)) {

@@ -66,8 +66,8 @@ bool has_area(const SourceVertex& a, const SourceVertex& b, const SourceVertex& 
 class Collector {
  public:
   Collector(const aiScene& scene, const aiMatrix4x4& turn, const MaterialReader& materials, const MovedNodes& moved,
-            SourceModel& model)
-      : scene_(scene), turn_(turn), materials_(materials), moved_(moved), model_(model) {}
+            Texcoords texcoords, SourceModel& model)
+      : scene_(scene), turn_(turn), materials_(materials), moved_(moved), texcoords_(texcoords), model_(model) {}
 
   Result<Done> collect();
 
@@ -82,6 +82,7 @@ class Collector {
   const aiMatrix4x4& turn_;
   const MaterialReader& materials_;
   const MovedNodes& moved_;
+  Texcoords texcoords_;
   SourceModel& model_;
   /// By material, colours, texture coordinates, node; and a number where meshes must stay apart.
   std::map<std::tuple<std::uint32_t, bool, bool, std::int32_t, std::uint32_t>, std::size_t> groups_;
@@ -180,8 +181,8 @@ void Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform, std::int32
   const std::uint32_t material = mesh.mMaterialIndex;
   if (material >= model_.materials.size()) return;
   const unsigned set = materials_.texcoord_set(material);
-  const bool has_texcoords = model_.materials[material].texture != kNoSourceTexture &&
-                             set < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(set);
+  const bool wants_texcoords = texcoords_ == Texcoords::all || model_.materials[material].texture != kNoSourceTexture;
+  const bool has_texcoords = wants_texcoords && set < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(set);
   SourceMesh& group = mesh_for(material, mesh.HasVertexColors(0), has_texcoords, mesh.HasBones() ? kNoNode : node);
 
   note_alpha(mesh, model_.materials[material]);
@@ -224,7 +225,7 @@ void Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform, std::int32
 
 }  // namespace
 
-Result<SourceModel> read_model(const std::filesystem::path& path, UpAxis up) {
+Result<SourceModel> read_model(const std::filesystem::path& path, UpAxis up, Texcoords texcoords) {
   const auto named = [&](const std::string& message) {
     return Failure{ExitStatus::input, fmt::format("'{}' {}", path.string(), message)};
   };
@@ -253,7 +254,8 @@ Result<SourceModel> read_model(const std::filesystem::path& path, UpAxis up) {
   MaterialReader materials(*scene, path.parent_path(), model);
   materials.read_all();
   const MovedNodes moved(*scene, turn, materials.linear_colours() ? path : std::filesystem::path(), model);
-  if (const Result<Done> collected = Collector(*scene, turn, materials, moved, model).collect(); !collected) {
+  if (const Result<Done> collected = Collector(*scene, turn, materials, moved, texcoords, model).collect();
+      !collected) {
     return named(collected.failure().message);
   }
   // Outside glTF, vertex colours stand for the material's colour and are not multiplied with it.

@@ -48,6 +48,9 @@ struct SourceMaterial {
 };
 
 /// The axis of a model that shall point upwards. Formats disagree, and files do not always follow their format.
+/// Texture coordinates of materials without a texture: left out, or kept for a texture that somebody else brings.
+enum class Texcoords : std::uint8_t { of_textures, all };
+
 enum class UpAxis : std::uint8_t { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };
 
 enum class SourceLightType : std::uint8_t { directional, point, spot };

@@ -40,7 +40,31 @@ void for_each_vertex(const Scene& scene, Visit visit) {
                   coordinate(mesh.centre.z, mesh.half_extent.z, p.z));
     }
   };
-  for (const Instance& instance : scene.instances) visit_mesh(scene.meshes[instance.mesh], instance.transform);
+  // However it is turned, a billboard stays within a sphere.
+  const auto visit_billboard = [&](const Mesh& mesh, const Transform& transform) {
+    double reach = 0;
+    for (const Fixed Vec3::*const member : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+      const double corner = std::abs(from_fixed(mesh.centre.*member)) + from_fixed(mesh.half_extent.*member);
+      reach = std::hypot(reach, corner);
+    }
+    double scale = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto entry = [&](std::size_t r) { return from_fixed(transform.m[r][c]); };
+      scale = std::max(scale, std::hypot(entry(0), entry(1), entry(2)));
+    }
+    const double x = from_fixed(transform.m[0][3]), y = from_fixed(transform.m[1][3]),
+                 z = from_fixed(transform.m[2][3]);
+    for (const double r : {-reach * scale, reach * scale}) {
+      visit(x + r, y, z);
+      visit(x, y + r, z);
+      visit(x, y, z + r);
+    }
+  };
+  for (const Instance& instance : scene.instances) {
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    mesh.billboard == Billboard::none ? visit_mesh(mesh, instance.transform)
+                                      : visit_billboard(mesh, instance.transform);
+  }
   for (const LineSet& lines : scene.lines) visit_mesh(scene.meshes[lines.mesh], lines.transform);
 }
 

@@ -84,7 +84,8 @@ void NumberedScene::add(const Mesh& mesh, const Instance& instance, std::size_t 
                      .triangles = kept.triangles,
                      .meshlets = kept.meshlets,
                      .centre = mesh.centre,
-                     .half_extent = mesh.half_extent});
+                     .half_extent = mesh.half_extent,
+                     .billboard = mesh.billboard});
 }
 
 Scene NumberedScene::scene() const {

@@ -164,6 +164,9 @@ Result<PolygonSoup> soup_of(const Scene& scene) {
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     const Material& material = scene.materials[instance.material];
+    if (mesh.billboard != Billboard::none) {
+      return Failure{ExitStatus::usage, "billboards cannot be split: they turn with the camera"};
+    }
     if (material.texture != kNoTexture && !mesh.texcoords.empty()) {
       return Failure{ExitStatus::usage, "triangles with textures cannot be split, only those with colours"};
     }

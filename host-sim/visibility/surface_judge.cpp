@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/turned_billboard.hpp"
+
 namespace zstrip::sim {
 namespace {
 
@@ -49,10 +51,11 @@ SurfaceJudge::SurfaceJudge(const Scene& scene, const Camera& camera, const View&
   const double scale = camera.focal / kFixed * view.height / 2;
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
+    const Transform transform = standing(scene, instance, camera);
     std::vector<Point> corners;  // of all vertices: x, y in pixels times w, and w; z apart
     std::vector<double> distances;
     for (const Position& position : mesh.positions) {
-      const Point v = to_view(mesh, instance.transform, camera, position);
+      const Point v = to_view(mesh, transform, camera, position);
       const double w = perspective ? v.z : 1;
       corners.push_back({view.width / 2.0 * w + scale * v.x, view.height / 2.0 * w - scale * v.y, w});
       distances.push_back(v.z);

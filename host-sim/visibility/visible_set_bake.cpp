@@ -60,8 +60,12 @@ Corners box_of(const Mesh& mesh, const Transform& transform, std::span<const Tri
   return corners;
 }
 
+/// Billboards move with the camera.
 std::vector<bool> moving(const Scene& scene, const Animation& animation) {
-  std::vector<bool> moves(scene.instances.size(), false);
+  std::vector<bool> moves;
+  for (const Instance& instance : scene.instances) {
+    moves.push_back(scene.meshes[instance.mesh].billboard != Billboard::none);
+  }
   for (const Track& track : animation.tracks) {
     if (track.instance < moves.size()) moves[track.instance] = true;
   }

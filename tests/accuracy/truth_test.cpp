@@ -42,6 +42,26 @@ struct Square {
   TruthPicture draw() const { return *draw_truth(scene, camera, kView, 1); }
 };
 
+TEST(Truth, ABillboardIsSeenFromTheFrontFromEverywhere) {
+  Square square;
+  const TruthPicture front = square.draw();
+  for (const Billboard billboard : {Billboard::viewer, Billboard::upright}) {
+    square.meshes[0].billboard = billboard;
+    for (int step = 0; step < 5; ++step) {
+      const Angle theta = billboard == Billboard::viewer ? 3000 + 5000 * step : kFullTurn / 4;
+      ASSERT_TRUE(orbit(square.camera, {0, 0, 0}, 4 * kFixedOne, 9000 * step, theta));
+      const TruthPicture picture = square.draw();
+      for (std::uint32_t y = 1; y < 15; ++y) {
+        for (std::uint32_t x = 1; x < 15; ++x) {
+          if (x + y == 15) continue;  // the diagonal
+          ASSERT_EQ(picture.at(x, y).triangle, front.at(x, y).triangle) << step << ' ' << x << ' ' << y;
+          EXPECT_NEAR(picture.at(x, y).rgb[0], front.at(x, y).rgb[0], 1);
+        }
+      }
+    }
+  }
+}
+
 TEST(Truth, FillsThePictureOnceAlongTheDiagonal) {
   Square square;
   const TruthPicture picture = square.draw();

@@ -242,6 +242,16 @@ TEST_F(Bake, PalettesThatLoseNothingChangeNoPixel) {
   EXPECT_EQ(read(path("again.zsc")), read(path("small.zsc")));
 }
 
+TEST_F(Bake, BillboardsTurnInABlobAsInTheSceneFile) {
+  const std::string scene = ZSTRIP_SCENE_FILES "/billboards.toml";
+  const Json baked = report({"bake", scene, "-o", "scene.zsc"});
+  EXPECT_EQ(baked.at("effects").back().at("name"), "billboards");
+  EXPECT_EQ(read(path("scene.zsc"))[2], 3) << "a version that older programs read";
+  EXPECT_EQ(crcs("scene.zsc", {}, 5), crcs(scene, {}, 5));
+  report({"bake", "scene.zsc", "-o", "again.zsc"});
+  EXPECT_EQ(read(path("again.zsc")), read(path("scene.zsc")));
+}
+
 TEST_F(Bake, PalettesThatLoseSomethingSayHowMuch) {
   const std::string scene = ZSTRIP_SCENE_FILES "/palette.toml";
   const auto baked = [&](const char* textures) {

@@ -194,6 +194,25 @@ TEST(SceneBlob, DitheringIsAFlagThatOlderBlobsDoNotHave) {
   EXPECT_EQ(with(2).status, (Status{.error = Error::blob_damaged, .needed = 129}));
 }
 
+TEST(SceneBlob, WhetherAMeshIsABillboardStandsInAByteThatWasUnused) {
+  SceneBlob content = sample();
+  std::vector<Mesh> meshes(content.scene.meshes.begin(), content.scene.meshes.end());
+  meshes[1].billboard = Billboard::upright;
+  content.scene.meshes = meshes;
+  Bytes bytes = *to_scene_blob(content);
+  EXPECT_EQ(bytes[2], 3);
+  const std::uint32_t at = word(bytes, 12);
+  EXPECT_EQ(bytes[at + 73], 0);
+  EXPECT_EQ(bytes[at + 76 + 73], 2);
+  const Opened opened(bytes);
+  ASSERT_TRUE(opened.status);
+  EXPECT_EQ(opened.content.scene.meshes[0].billboard, Billboard::none);
+  EXPECT_EQ(opened.content.scene.meshes[1].billboard, Billboard::upright);
+  bytes[at + 73] = 3;
+  mend(bytes);
+  EXPECT_EQ(Opened(bytes).status, (Status{.error = Error::blob_damaged, .needed = at + 73}));
+}
+
 TEST(SceneBlob, PalettesAreOfANewVersion) {
   EXPECT_EQ(sample_bytes()[2], 3);
   Bytes bytes = palette_bytes();

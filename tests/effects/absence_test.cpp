@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "billboards_scene.hpp"
 #include "lines_scene.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/spheres.hpp"
@@ -55,6 +56,8 @@ constexpr Marker kMarkers[] = {
     {effect::lines, "zstrip::detail::LineFill<"},
     {effect::lines, "zstrip::detail::clip_segment<"},
     {effect::lines, "zstrip::Frame::Access::prepare_lines("},
+    {effect::billboards, "zstrip::Frame::Access::turn_billboards("},
+    {effect::billboards, "zstrip::detail::turned_to_viewer("},
     {effect::bins, "zstrip::detail::Bins::append("},
     {effect::dithered_colours, "zstrip::detail::dithered_rgb565("},
     {effect::dithered_colours | effect::dithered_format, "zstrip::detail::kBayer"},
@@ -78,6 +81,7 @@ TEST(EffectsAbsence, ProgramsHoldTheCodeOfTheirScenesEffectsAndNoOther) {
   check(scenes::room);
   check(scenes::spheres);
   check(scenes::lines);
+  check(scenes::billboards);
   for (const scenes::BuiltIn& built_in : scenes::effect_scenes()) check(built_in);
   expect_only(folder + "knot_rgb565_dithered", scenes::knot, {64, 48, PixelFormat::rgb565, true});
   expect_only(folder + "fog_rgb565_dithered", scenes::fog, {64, 48, PixelFormat::rgb565, true});

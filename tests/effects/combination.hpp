@@ -1,5 +1,5 @@
-// Sets of effects, and a scene that calls for exactly such a set: two boxes, one behind the other, perhaps a sphere
-// and lines.
+// Sets of effects, and a scene that calls for exactly such a set: two boxes, one behind the other, perhaps turned to
+// the viewer, a sphere and lines.
 #pragma once
 
 #include <array>
@@ -16,7 +16,8 @@ inline constexpr Effects kFactors[] = {effect::lighting,         effect::gouraud
                                        effect::emissive,         effect::specular,         effect::texture_alpha,
                                        effect::bilinear,         effect::punctual_lights,  effect::alpha_test,
                                        effect::blending,         effect::vertex_colours,   effect::quadrics,
-                                       effect::dithered_colours, effect::texture_palettes, effect::lines};
+                                       effect::dithered_colours, effect::texture_palettes, effect::lines,
+                                       effect::billboards};
 
 static_assert(
     [] {
@@ -114,6 +115,7 @@ struct Combination {
     }
     materials[2] = {.colour = {240, 220, 40, 255}, .lit = false};
     if (set.has(effect::vertex_colours)) meshes[1].colours = kBoxColours;
+    if (set.has(effect::billboards)) meshes[0].billboard = Billboard::upright, meshes[1].billboard = Billboard::viewer;
     if (set.has(effect::quadrics)) scene.quadrics = quadrics;
     if (set.has(effect::lines)) scene.lines = lines;
     scene.meshes = meshes;
@@ -146,7 +148,8 @@ void expect_drawn_alike() {
   EXPECT_EQ(draw_any(kSet | effect::bins, scene, camera, kView, {.strip_rows = 9, .modes = Modes::binned}), whole);
   // Memory is planned for what is there, and not for more.
   const Plan plan = zstrip::plan(count(scene), kView, kSet).plan;
-  EXPECT_EQ(plan.effect_bytes != 0, kSet.any(effect::fog | effect::blending | effect::local_light));
+  EXPECT_EQ(plan.effect_bytes != 0,
+            kSet.any(effect::fog | effect::blending | effect::local_light | effect::billboards));
   EXPECT_EQ(plan.colour_bytes + plan.bin_bytes + plan.visibility_bytes, 0U);
 }
 

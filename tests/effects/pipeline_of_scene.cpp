@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "billboards_scene.hpp"
 #include "lines_scene.hpp"
 #include "zstrip/zstrip.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"

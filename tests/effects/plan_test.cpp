@@ -1,4 +1,5 @@
 // A plan has bytes for a purpose only if the scene has what the purpose is for, and then as many as it says.
+#include "billboards_scene.hpp"
 #include "drawn.hpp"
 #include "lines_scene.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
@@ -9,13 +10,15 @@ namespace {
 
 constexpr View kView{64, 48, PixelFormat::rgb565};
 
-/// What docs/effects.md says: the block's head, fog, a place in the order for each instance, light.
+/// What docs/effects.md says: the block's head, fog, a place in the order for each instance, light, turned
+/// instances; whole words of 8 bytes.
 std::uint32_t bytes_of_effects(Effects effects, std::uint32_t instances) {
   std::uint32_t bytes = 0;
   if (effects.has(effect::fog)) bytes += 40;
   if (effects.has(effect::blending)) bytes += 16 * instances;
   if (effects.any(effect::local_light)) bytes += 192 + 68 * instances;
-  return bytes == 0 ? 0 : bytes + 16;
+  if (effects.has(effect::billboards)) bytes += 52 * instances;
+  return bytes == 0 ? 0 : (bytes + 16 + 7) / 8 * 8;
 }
 
 void expect_only_its_purposes(const scenes::BuiltIn& built_in) {
@@ -47,6 +50,7 @@ TEST(EffectsPlan, OnlyWhatTheSceneHas) {
   expect_only_its_purposes(scenes::room);
   expect_only_its_purposes(scenes::spheres);
   expect_only_its_purposes(scenes::lines);
+  expect_only_its_purposes(scenes::billboards);
   for (const scenes::BuiltIn& built_in : scenes::effect_scenes()) expect_only_its_purposes(built_in);
 }
 

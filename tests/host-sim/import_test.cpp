@@ -21,8 +21,8 @@ namespace {
 
 class Import : public FolderTest {
  protected:
-  Model model(const std::string& path, UpAxis up = UpAxis::plus_y) const {
-    Result<Model> imported = import_model(path, up);
+  Model model(const std::string& path, UpAxis up = UpAxis::plus_y, Texcoords texcoords = Texcoords::of_textures) const {
+    Result<Model> imported = import_model(path, up, texcoords);
     EXPECT_TRUE(imported) << imported.failure().message;
     const Scene scene{.meshes = imported->meshes,
                       .materials = imported->materials,
@@ -272,6 +272,21 @@ TEST_F(Import, TexturesInOtherCase) {
     EXPECT_EQ(textured.textures.size(), 1U) << name;
     EXPECT_TRUE(textured.warnings.empty()) << name;
   }
+}
+
+TEST_F(Import, TexcoordsWithoutATextureAreKeptForOneThatComesLater) {
+  const std::string path = file("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 3 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+  EXPECT_TRUE(model(path).meshes[0].texcoords.empty());
+  const Model kept = model(path, UpAxis::plus_y, Texcoords::all);
+  ASSERT_EQ(kept.meshes[0].texcoords.size(), 3U);
+  std::vector<double> across;
+  for (const TexCoord& t : kept.meshes[0].texcoords) across.push_back(std::ldexp(t.u, -kept.meshes[0].texcoord_bits));
+  std::ranges::sort(across);
+  EXPECT_EQ(across[2] - across[0], 3);
+  EXPECT_TRUE(kept.textures.empty());
+  EXPECT_EQ(kept.materials[0].texture, kNoTexture);
+  const std::string none = file("n.obj", kTriangleObj);
+  EXPECT_TRUE(model(none, UpAxis::plus_y, Texcoords::all).meshes[0].texcoords.empty());
 }
 
 TEST_F(Import, OneLeftOutIsSingular) {

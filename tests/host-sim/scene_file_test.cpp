@@ -334,6 +334,21 @@ TEST(SceneFile, LinesThatCannotBe) {
   }
 }
 
+TEST(SceneFile, Billboards) {
+  EXPECT_EQ(parsed(kCube).instances[0].billboard, Billboard::none);
+  EXPECT_EQ(parsed(kCube + "billboard = 'viewer'\n").instances[0].billboard, Billboard::viewer);
+  const SceneFile upright = parsed(kCube + "billboard = 'upright'\nrotation = [0, 0, 30]\n");
+  EXPECT_EQ(upright.instances[0].billboard, Billboard::upright);
+  EXPECT_NE(failure(kCube + "billboard = 'up'\n").find("line 6: [[instance]]: 'billboard' names no word 'up'"),
+            std::string::npos);
+  EXPECT_EQ(failure(kCube + "billboard = 'viewer'\nrotation = [0, 0, 30]\n"),
+            "'scene.toml' line 7: [[instance]]: what faces the viewer has no rotation of its own");
+  EXPECT_EQ(failure(kCube + "billboard = 'viewer'\nquaternion = [0, 0, 0, 1]\n"),
+            "'scene.toml' line 7: [[instance]]: what faces the viewer has no rotation of its own");
+  EXPECT_EQ(failure(kCube + "billboard = 'upright'\nturntable = {}\n"),
+            "'scene.toml' line 7: [[instance]]: a billboard turns with the camera: it has no 'turntable'");
+}
+
 TEST(SceneFile, NearestNames) {
   EXPECT_EQ(nearest("colr", {"name", "colour", "lit"}), "colour");
   EXPECT_EQ(nearest("zzzzzzzz", {"name", "colour"}), "");

@@ -303,6 +303,22 @@ TEST_F(VisibilityCommand, PlanAndBakeKnowTheMethodsBytes) {
   EXPECT_NE(moving.text.find("stand still"), std::string::npos) << moving.text;
 }
 
+TEST_F(VisibilityCommand, BillboardsHaveNoOrderOfTheirOwn) {
+  const std::string scene = picture("billboards.toml");
+  std::ofstream(scene) << "[[model]]\nname = 'a'\nbuilt_in = 'knot'\n[[instance]]\nmodel = 'a'\nlayer = 'static'\n"
+                          "billboard = 'viewer'\n";
+  for (const char* method : {"painter-bsp", "painter-newell"}) {
+    const Outcome refused = run("render '" + scene + "' -o '" + picture("none.png") + "' --visibility " + method);
+    EXPECT_EQ(refused.status, 2) << refused.text;
+    EXPECT_NE(refused.text.find("billboards cannot be split: they turn with the camera"), std::string::npos)
+        << refused.text;
+  }
+  // And as they are in no place for long, nothing is said of what they hide.
+  const Outcome drawn = run("render '" + scene + "' --size 64x48 --show error -o '" + picture("error.png") + "'");
+  EXPECT_EQ(drawn.status, 0) << drawn.text;
+  EXPECT_NE(drawn.text.find("wrong      0 pixels"), std::string::npos) << drawn.text;
+}
+
 /// The order was of one camera, but the header said how to move the scene.
 TEST_F(VisibilityCommand, NewellsOrderIsBakedForOneCameraOnly) {
   const std::string header = picture("order.hpp");

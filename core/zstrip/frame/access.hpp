@@ -29,6 +29,8 @@ struct Frame::Access {
   using Assembler = detail::Assembler<without(effects, effect::bins)>;
 
   static void lay_out_arena(Frame& frame, std::span<std::byte> arena);
+  /// Turns the scene's billboards to the camera; the instances lie in the effects' part of the arena then.
+  static Status turn_billboards(const Frame& frame, Scene& scene, const Camera& camera, Effects called_for);
   /// Compiles the instances, finds the frame's bounds.
   static Status prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const DepthFit& fit);
   static void extend_bounds(Frame& frame, const Rect& box);
@@ -50,10 +52,11 @@ struct Frame::Access {
   }
   /// Into strips, of the bounds that are now known.
   static void divide(Frame& frame, const Scene& scene, const View& view);
-  static detail::EffectBlock effect_block(const Frame& frame) {
+  static detail::EffectBlock effect_block(const Frame& frame, const Scene& scene) {
     return {reinterpret_cast<std::byte*>(frame.batches_) + frame.plan_.bin_bytes, frame.plan_.effect_bytes,
-            frame.scene_->instances.size()};
+            scene.instances.size()};
   }
+  static detail::EffectBlock effect_block(const Frame& frame) { return effect_block(frame, *frame.scene_); }
 
   /// `strip`: its pixels in the picture.
   static detail::StripTarget target_of(Frame& frame, const Rect& strip, std::uint16_t* pixels);
@@ -66,6 +69,10 @@ struct Frame::Access {
   template <Effects effects>
   static Status begin_frame(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                             std::span<std::byte> arena);
+  /// With the checks done and the arena laid out.
+  template <Effects effects>
+  static Status prepare_frame(Frame& frame, const Scene& scene, const Camera& camera, const View& view,
+                              Effects called_for, std::span<std::byte> arena);
   template <Effects effects>
   static Status draw_strip(Frame& frame, std::uint16_t strip, std::span<std::byte> pixels);
   template <Effects effects>

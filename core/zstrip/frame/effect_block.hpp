@@ -37,11 +37,18 @@ class EffectBlock {
   InstanceShading& shading(std::size_t instance) const {
     return reinterpret_cast<InstanceShading*>(memory_ + lights_at() + kFrameLightsBytes)[instance];
   }
+  /// Only begin_frame looks at them.
+  std::span<Instance> turned() const { return {reinterpret_cast<Instance*>(memory_ + turned_at()), instances_}; }
 
  private:
   static_assert(sizeof(FogCurve) == kFogBytes && kFogBytes % kArenaAlignment == 0);
   std::size_t order_at() const { return sizeof(Effects) + (has(effect::fog) ? kFogBytes : 0); }
   std::size_t lights_at() const { return order_at() + (has(effect::blending) ? instances_ * kDrawOrderBytes : 0); }
+  static_assert(sizeof(Instance) == kTurnedInstanceBytes);
+  std::size_t turned_at() const {
+    const std::size_t lights = kFrameLightsBytes + instances_ * kInstanceShadingBytes;
+    return lights_at() + (has(effect::local_light) ? lights : 0);
+  }
 
   std::byte* memory_;
   std::uint32_t bytes_;

@@ -31,6 +31,21 @@ Status Frame::Access::begin_frame(Frame& frame, const Scene& scene, const Camera
   frame.has_special_depth_ = DepthStage::has_own_clear(effects);
   frame.statistics_ = {};
   lay_out_arena(frame, arena);
+  if constexpr (effects.has(effect::billboards)) {
+    if (called_for.has(effect::billboards)) {
+      Scene turned = scene;
+      if (const Status status = turn_billboards(frame, turned, camera, called_for); !status) return status;
+      const Status status = prepare_frame<effects>(frame, turned, camera, view, called_for, arena);
+      if (frame.scene_ != nullptr) frame.scene_ = &scene;
+      return status;
+    }
+  }
+  return prepare_frame<effects>(frame, scene, camera, view, called_for, arena);
+}
+
+template <Effects effects>
+Status Frame::Access::prepare_frame(Frame& frame, const Scene& scene, const Camera& camera, const View& view,
+                                    Effects called_for, [[maybe_unused]] std::span<std::byte> arena) {
   if constexpr (effects.has(effect::depth_ranges)) DepthStage::begin_ranges(frame);
   detail::DistanceRange reach = detail::reach_of(scene, camera);
   if constexpr (effects.has(effect::quadrics)) detail::extend(reach, scene.quadrics, camera);

@@ -24,6 +24,7 @@ inline constexpr std::uint32_t kFogBytes = 40;  // the frame's fog
 inline constexpr std::uint32_t kWorldLightBytes = 44;
 inline constexpr std::uint32_t kFrameLightsBytes = 192;     // lights that depend on where a vertex is, of the frame
 inline constexpr std::uint32_t kInstanceShadingBytes = 68;  // and what they need of an instance
+inline constexpr std::uint32_t kTurnedInstanceBytes = 52;   // an instance that may have been turned to the viewer
 inline constexpr std::uint32_t kDrawOrderBytes = 16;        // an instance's place in the order of blending
 inline constexpr std::uint32_t kMostBinChunks = 0xFFFF;
 inline constexpr std::uint32_t kMostBatches = 0x7FFF;  // that bins can name; likewise triangles of a meshlet
@@ -53,6 +54,7 @@ constexpr std::uint64_t effect_bytes(Effects effects, std::uint32_t instances) {
   if (effects.has(effect::fog)) bytes += kFogBytes;
   if (effects.has(effect::blending)) bytes += std::uint64_t{instances} * kDrawOrderBytes;
   if (effects.any(effect::local_light)) bytes += kFrameLightsBytes + std::uint64_t{instances} * kInstanceShadingBytes;
+  if (effects.has(effect::billboards)) bytes += std::uint64_t{instances} * kTurnedInstanceBytes;
   return bytes == 0 ? 0 : bytes + sizeof(Effects);
 }
 

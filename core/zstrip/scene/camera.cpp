@@ -1,42 +1,20 @@
 // Camera placement: look-at, spherical coordinates, field of view.
 #include "zstrip/scene/camera.hpp"
 
+#include "zstrip/base/direction.hpp"
 #include "zstrip/base/math.hpp"
 
 namespace zstrip {
 namespace {
 
-struct Wide3 {
-  std::int64_t x, y, z;
-};
+using detail::cross;
+using detail::magnitude;
+using detail::unit;
+using detail::Wide3;
 
-constexpr std::int64_t magnitude(std::int64_t value) { return value < 0 ? -value : value; }
-
-/// The unit vector along `v`, in 2.30. `v` must not be zero; any scale.
-Vec3 unit(Wide3 v) {
-  std::uint64_t largest = static_cast<std::uint64_t>(magnitude(v.x) | magnitude(v.y) | magnitude(v.z));
-  // Bring the largest component to 30 bits, so that the sum of squares fits 62.
-  int shift = 34 - std::countl_zero(largest);
-  const auto scaled = [shift](std::int64_t c) {
-    return shift >= 0 ? c >> shift : static_cast<std::int64_t>(static_cast<std::uint64_t>(c) << -shift);
-  };
-  v = {scaled(v.x), scaled(v.y), scaled(v.z)};
-  const std::int64_t length = square_root(static_cast<std::uint64_t>(v.x * v.x + v.y * v.y + v.z * v.z));
-  const auto component = [length](std::int64_t c) { return static_cast<std::int32_t>((c << 30) / length); };  // 2.30
-  return {component(v.x), component(v.y), component(v.z)};
-}
-
-/// a x b of two 2.30 vectors, in 2.60 >> 8: room for the sum.
-Wide3 cross(const Vec3& a, const Vec3& b) {
-  const auto term = [](std::int32_t p, std::int32_t q, std::int32_t r, std::int32_t s) {
-    return ((std::int64_t{p} * q) >> 8) - ((std::int64_t{r} * s) >> 8);
-  };
-  return {term(a.y, b.z, a.z, b.y), term(a.z, b.x, a.x, b.z), term(a.x, b.y, a.y, b.x)};
-}
-
+/// Of a cross product.
 constexpr bool nearly_zero(const Wide3& v) {
-  constexpr std::int64_t kLimit = std::int64_t{1} << 36;  // 2^-16 of a unit vector, in 2.52
-  return magnitude(v.x) < kLimit && magnitude(v.y) < kLimit && magnitude(v.z) < kLimit;
+  return detail::is_within(v, std::int64_t{1} << 36);  // 2^-16 of a unit vector, in 2.52
 }
 
 }  // namespace

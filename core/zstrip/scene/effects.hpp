@@ -75,11 +75,12 @@ inline constexpr Effects quadrics{1U << 22};  ///< spheres and ellipsoids
 /// View::dither of a picture in a format that is_narrow.
 inline constexpr Effects dithered_format{1U << 23};
 inline constexpr Effects lines{1U << 25};                       ///< lines and points
+inline constexpr Effects billboards{1U << 28};                  ///< Mesh::billboard
 inline constexpr Effects surfaces{quadrics.bits | lines.bits};  ///< all of these
 
 /// All that a scene and its picture can call for.
 inline constexpr Effects of_scenes =
-    without(all, statistics) | depth_state | fragments | vertex_light | surfaces | dithered_format;
+    without(all, statistics) | depth_state | fragments | vertex_light | surfaces | billboards | dithered_format;
 }  // namespace effect
 
 /// Ways to find what is visible other than a plain z-buffer; docs/visibility.md compares them. Never called for by a
@@ -256,6 +257,7 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (textured) found = found | effect::textures;
     if (material.smooth && (lit || coloured)) found = found | effect::gouraud;
     if (has_depth_state(material)) found = found | effect::depth_state;
+    if (mesh.billboard != Billboard::none) found = found | effect::billboards;
     if (has_tables) found = found | effects_of_finish(scene, material, lit, textured);
   }
   if (scene.fog != nullptr && !(scene.instances.empty() && scene.quadrics.empty() && scene.lines.empty())) {

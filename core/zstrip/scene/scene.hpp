@@ -47,6 +47,13 @@ struct Meshlet {
   Position centre;
 };
 
+/// Whether a mesh's instances turn with the camera.
+enum class Billboard : std::uint8_t {
+  none,     ///< no: they stand as their transform says
+  viewer,   ///< x to the picture's right, y up, z against the viewing direction; only lengths and place are theirs
+  upright,  ///< y as the transform says; x as far to the right as that allows
+};
+
 struct Mesh {
   std::span<const Position> positions;  ///< 1..65535 vertices
   std::span<const Normal> normals;      ///< one a vertex, or empty: unlit
@@ -57,6 +64,7 @@ struct Mesh {
   Vec3 centre{0, 0, 0};               ///< 16.16, of the bounding box; +-4095
   Vec3 half_extent{kFixedOne, kFixedOne, kFixedOne};  ///< 16.16, 0..4095
   std::uint8_t texcoord_bits = 12;                    ///< 4..15
+  Billboard billboard = Billboard::none;              ///< anything else makes its instances billboards
 };
 
 /// How a texel is chosen.

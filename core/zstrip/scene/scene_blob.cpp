@@ -57,7 +57,7 @@ constexpr std::uint32_t kHeaderBytes = 192;
 /// Records that become structures with pointers.
 struct MeshRecord {
   static constexpr std::uint32_t kPositions = 0, kNormals = 8, kColours = 16, kTexcoords = 24, kTriangles = 32,
-                                 kMeshlets = 40, kCentre = 48, kHalfExtent = 60, kTexcoordBits = 72;
+                                 kMeshlets = 40, kCentre = 48, kHalfExtent = 60, kTexcoordBits = 72, kBillboard = 73;
   std::uint32_t words[19];
 };
 struct TextureRecord {
@@ -179,6 +179,8 @@ void check_materials(Reader& reader, std::span<const Material> materials) {
 }
 
 Mesh read_mesh(Reader& reader, std::uint32_t at) {
+  const std::uint32_t billboard = at + MeshRecord::kBillboard;
+  reader.require(reader.byte(billboard) <= static_cast<std::uint8_t>(Billboard::upright), billboard);
   return {.positions = reader.array<Position>(at + MeshRecord::kPositions),
           .normals = reader.array<Normal>(at + MeshRecord::kNormals),
           .colours = reader.array<Colour>(at + MeshRecord::kColours),
@@ -187,7 +189,8 @@ Mesh read_mesh(Reader& reader, std::uint32_t at) {
           .meshlets = reader.array<Meshlet>(at + MeshRecord::kMeshlets),
           .centre = reader.vector(at + MeshRecord::kCentre),
           .half_extent = reader.vector(at + MeshRecord::kHalfExtent),
-          .texcoord_bits = reader.byte(at + MeshRecord::kTexcoordBits)};
+          .texcoord_bits = reader.byte(at + MeshRecord::kTexcoordBits),
+          .billboard = static_cast<Billboard>(reader.byte(billboard))};
 }
 
 Texture read_texture(Reader& reader, std::uint32_t at, TextureFormat last_format) {

@@ -40,7 +40,7 @@ constexpr bool valid_mesh(const Mesh& mesh) {
       !one_each_or_none(mesh.texcoords.size())) {
     return false;
   }
-  if (mesh.texcoord_bits < 4 || mesh.texcoord_bits > 15) return false;
+  if (mesh.texcoord_bits < 4 || mesh.texcoord_bits > 15 || mesh.billboard > Billboard::upright) return false;
   for (const Fixed c : {mesh.centre.x, mesh.centre.y, mesh.centre.z}) {
     if (!within(c, kLargestMeshLength)) return false;
   }
@@ -58,6 +58,16 @@ constexpr bool valid_transform(const Transform& transform) {
     for (int column = 0; column < 3; ++column) {
       if (!within(row[column], kLargestScale)) return false;
     }
+  }
+  return true;
+}
+
+/// Whether no axis is longer than an entry may be: turned, it may come to lie along one of the world's.
+constexpr bool is_turnable(const Transform& transform) {
+  for (int column = 0; column < 3; ++column) {
+    std::int64_t square = 0;
+    for (const auto& row : transform.m) square += std::int64_t{row[column]} * row[column];
+    if (square > std::int64_t{kLargestScale} * kLargestScale) return false;
   }
   return true;
 }
@@ -191,7 +201,11 @@ constexpr Status validate(const Scene& scene) {
   if (scene.fog != nullptr && !detail::valid_fog(*scene.fog)) return {.error = Error::fog};
   if (const Status status = validate_instances(scene); !status) return status;
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
-    if (!detail::valid_texcoords(scene, scene.instances[i])) return {.error = Error::instance, .needed = i};
+    const Instance& instance = scene.instances[i];
+    const bool is_billboard = scene.meshes[instance.mesh].billboard != Billboard::none;
+    if (!detail::valid_texcoords(scene, instance) || (is_billboard && !detail::is_turnable(instance.transform))) {
+      return {.error = Error::instance, .needed = i};
+    }
   }
   for (std::uint32_t i = 0; i < scene.lines.size(); ++i) {
     if (!detail::valid_segments(scene, scene.lines[i])) return {.error = Error::lines, .needed = i};

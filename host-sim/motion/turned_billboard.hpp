@@ -1,0 +1,13 @@
+// Where instances stand before a camera, billboards turned to it, for tools that do not ask the renderer.
+#pragma once
+
+#include "zstrip/scene/camera.hpp"
+#include "zstrip/scene/scene.hpp"
+
+namespace zstrip::sim {
+
+/// The instance's transform, or that of a billboard as docs/conventions.md turns it: found in floating point, then
+/// rounded to 16.16. `scene` is valid.
+Transform standing(const Scene& scene, const Instance& instance, const Camera& camera);
+
+}  // namespace zstrip::sim
