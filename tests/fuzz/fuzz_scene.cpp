@@ -33,13 +33,16 @@ void offer_refused_scene(const fuzz::SceneInput& input, const Status& refusal) {
   static_cast<void>(plan(count(scene), input.view(), effects, input.budget()));
   if (refusal.error != Error::light && refusal.error != Error::instance) return;
   // validate() looks at meshes, textures and materials before instances and lights: those of this scene are sound. The
-  // texture coordinates of instances are left to it alone, because looking at them takes time with every vertex.
+  // texture coordinates of instances are left to it alone, because looking at them takes time with every vertex; the
+  // axes of billboards to those renderers that turn them.
   const Status again = validate_instances(scene);
   fuzz::require(again == refusal || (again && refusal.error == Error::instance),
                 "begin_frame's own check finds what validate found");
   if (again) {
-    const Material& material = scene.materials[scene.instances[refusal.needed].material];
-    fuzz::require(material.texture != kNoTexture, "an instance that begin_frame takes is refused for its texels");
+    const Instance& instance = scene.instances[refusal.needed];
+    fuzz::require(scene.materials[instance.material].texture != kNoTexture ||
+                      scene.meshes[instance.mesh].billboard != Billboard::none,
+                  "an instance that begin_frame takes is refused for its texels or its axes");
   }
   const fuzz::Picture picture =
       fuzz::draw(scene, input.camera(), input.view(), {.effects = effects, .budget = {.modes = Modes::streamed}});

@@ -79,6 +79,10 @@ SceneInput::SceneInput(Input& input) : hostile_(read_hostile(input)) {
             .lights = lights_,
             .ambient = read_colour(input),
             .background = {input.any<std::uint8_t>(), input.any<std::uint8_t>(), input.any<std::uint8_t>(), 255}};
+  // Last, so that older inputs keep their meaning.
+  for (Mesh& mesh : meshes_) {
+    mesh.billboard = static_cast<Billboard>(hostile_.meshes ? input.any<std::uint8_t>() : input.below(3));
+  }
 }
 
 SceneInput::Hostile SceneInput::read_hostile(Input& input) {
