@@ -3,10 +3,10 @@
 #include <cmath>
 #include <random>
 
-#include "billboards_scene.hpp"
 #include "drawn.hpp"
 #include "zstrip/geometry/billboard.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
+#include "zstrip_scenes/knot.hpp"
 
 namespace effects_test {
 namespace {
@@ -157,7 +157,10 @@ TEST_F(Billboards, ArePicturesOfTurnedInstances) {
 }
 
 TEST_F(Billboards, ShowTheSameSideFromEverywhere) {
-  Scene scene = scenes::billboards.scene;
+  Mesh knot = scenes::knot.scene.meshes[0];
+  knot.billboard = Billboard::viewer;
+  Scene scene = scenes::knot.scene;
+  scene.meshes = {&knot, 1};
   scene.lights = {};
   constexpr View kView{64, 48, PixelFormat::rgb565};
   constexpr Effects kEffects =

@@ -32,15 +32,16 @@ Status Frame::Access::begin_frame(Frame& frame, const Scene& scene, const Camera
   frame.statistics_ = {};
   lay_out_arena(frame, arena);
   if constexpr (effects.has(effect::billboards)) {
+    Scene turned = scene;
     if (called_for.has(effect::billboards)) {
-      Scene turned = scene;
       if (const Status status = turn_billboards(frame, turned, camera, called_for); !status) return status;
-      const Status status = prepare_frame<effects>(frame, turned, camera, view, called_for, arena);
-      if (frame.scene_ != nullptr) frame.scene_ = &scene;
-      return status;
     }
+    const Status status = prepare_frame<effects>(frame, turned, camera, view, called_for, arena);
+    if (frame.scene_ != nullptr) frame.scene_ = &scene;
+    return status;
+  } else {
+    return prepare_frame<effects>(frame, scene, camera, view, called_for, arena);
   }
-  return prepare_frame<effects>(frame, scene, camera, view, called_for, arena);
 }
 
 template <Effects effects>

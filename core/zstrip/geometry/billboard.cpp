@@ -1,4 +1,4 @@
-// Turns billboards to the camera. Work once an instance and frame: three square roots, up to six divisions.
+// Turns billboards to the camera. Work once an instance and frame.
 #include "zstrip/geometry/billboard.hpp"
 
 #include "zstrip/base/direction.hpp"
@@ -11,20 +11,17 @@ Wide3 column(const Transform& transform, int index) {
   return {transform.m[0][index], transform.m[1][index], transform.m[2][index]};
 }
 
-/// |v| of a column, 16.22, rounded down: below 2^31.
-std::int64_t length(const Wide3& v) {
-  // Entries are below 2^24, so that the sum with 12 bits more is below 2^62.
-  return square_root(static_cast<std::uint64_t>(v.x * v.x + v.y * v.y + v.z * v.z) << 12);
-}
-
-/// Column `index`: `axis` (2.30) times `length` (16.22).
-void set_column(Transform& transform, int index, const Vec3& axis, std::int64_t length) {
+/// Column `index` of `to`: `axis` (2.30) with the length that it has in `from`. Not inlined: code is scarce.
+[[gnu::noinline]] void turn_column(const Transform& from, Transform& to, int index, const Vec3& axis) {
+  const Wide3 v = column(from, index);
+  // 16.22, rounded down, below 2^31: entries are below 2^24, so that the sum with 12 bits more is below 2^62.
+  const std::int64_t length = square_root(static_cast<std::uint64_t>(v.x * v.x + v.y * v.y + v.z * v.z) << 12);
   const auto entry = [length](std::int32_t c) {
     return static_cast<Fixed>((c * length + (std::int64_t{1} << 35)) >> 36);
   };
-  transform.m[0][index] = entry(axis.x);
-  transform.m[1][index] = entry(axis.y);
-  transform.m[2][index] = entry(axis.z);
+  to.m[0][index] = entry(axis.x);
+  to.m[1][index] = entry(axis.y);
+  to.m[2][index] = entry(axis.z);
 }
 
 /// `axis` less what of it lies along `direction`, both unit vectors.
@@ -43,7 +40,7 @@ Transform turned_to_viewer(const Transform& transform, Billboard billboard, cons
   const Wide3 y = column(transform, 1);
   Vec3 right = camera.right, back = camera.back;
   if (billboard == Billboard::viewer || y == Wide3{0, 0, 0}) {
-    set_column(turned, 1, camera.up, length(y));
+    turn_column(transform, turned, 1, camera.up);
   } else {
     const Vec3 axis = unit(y);
     constexpr std::int64_t kLeast = std::int64_t{1} << 22;  // 2.30: a 256th of a unit vector
@@ -53,8 +50,8 @@ Transform turned_to_viewer(const Transform& transform, Billboard billboard, cons
     right = unit(is_within(sideways, kLeast) ? instead : sideways);
     back = unit(cross(right, axis));
   }
-  set_column(turned, 0, right, length(column(transform, 0)));
-  set_column(turned, 2, back, length(column(transform, 2)));
+  turn_column(transform, turned, 0, right);
+  turn_column(transform, turned, 2, back);
   return turned;
 }
 

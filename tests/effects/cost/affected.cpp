@@ -1,5 +1,5 @@
-// Prints, for each effect's scene, "name fragments vertices": of a frame, those that the effect touches. Only what
-// calls for the effect is drawn, so that nothing hides it.
+// Prints, for each effect's scene, "name fragments vertices instances": of a frame, those that the effect touches. Only
+// what calls for the effect is drawn, so that nothing hides it.
 #include <cstdio>
 #include <vector>
 
@@ -18,7 +18,7 @@ int print_affected() {
   constexpr Effects kCalledFor = effects_of(kPicture);
   constexpr Effects kEffects = effects_of(built_in.scene, built_in.camera) | kCalledFor | effect::statistics;
   static Renderer<kEffects> renderer;
-  std::uint64_t fragments = 0, vertices = 0;
+  std::uint64_t fragments = 0, vertices = 0, instances = 0;
   for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
     scenes::Staged staged;
     stage(built_in, staged, frame, kFramesPerTurn, kPicture);
@@ -28,10 +28,11 @@ int print_affected() {
       alone.instances = {&instance, 1};
       alone.quadrics = {};
       alone.lines = {};
-      constexpr Effects kOwn = effect::fragments | effect::vertex_light;
+      constexpr Effects kOwn = effect::fragments | effect::vertex_light | effect::billboards;
       if ((effects_of(alone, staged.camera) | kCalledFor).any(kOwn)) touched.push_back(instance);
     }
     staged.scene.instances = touched;
+    instances += touched.size();
     for (const Instance& instance : touched) vertices += staged.scene.meshes[instance.mesh].positions.size();
     const Plan plan = zstrip::plan(built_in.counts, kPicture, kEffects, {.strip_rows = kPicture.height}).plan;
     std::vector<std::uint64_t> arena(plan.bytes() / 8 + 1), pixels(plan.strip_pixel_bytes(kPicture) / 8 + 1);
@@ -43,8 +44,8 @@ int print_affected() {
     fragments += kCalledFor.has(effect::dithered_format) ? std::uint32_t{kWidth} * kHeight
                                                          : renderer.frame().statistics().fragments;
   }
-  std::printf("%s %llu %llu\n", built_in.name, static_cast<unsigned long long>(fragments / kFrames),
-              static_cast<unsigned long long>(vertices / kFrames));
+  const auto of_a_frame = [](std::uint64_t count) { return static_cast<unsigned long long>(count / kFrames); };
+  std::printf("%s %llu %llu %llu\n", built_in.name, of_a_frame(fragments), of_a_frame(vertices), of_a_frame(instances));
   return 0;
 }
 
@@ -54,5 +55,6 @@ int main() {
   return print_affected<scenes::fog>() + print_affected<scenes::emissive>() + print_affected<scenes::specular>() +
          print_affected<scenes::punctual>() + print_affected<scenes::mask>() + print_affected<scenes::blend>() +
          print_affected<scenes::bilinear>() + print_affected<scenes::palette>() + print_affected<scenes::spheres>() +
-         print_affected<scenes::dithered>() + print_affected<scenes::dithered_mono>() + print_affected<scenes::lines>();
+         print_affected<scenes::dithered>() + print_affected<scenes::dithered_mono>() +
+         print_affected<scenes::lines>() + print_affected<scenes::billboards>();
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "../billboards_scene.hpp"
 #include "../lines_scene.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"
@@ -37,8 +38,8 @@ template <bool plain>
 inline constexpr View kView<scenes::dithered_mono, plain>{kWidth, kHeight, PixelFormat::mono, !plain};
 inline constexpr std::uint32_t kFrames = 4, kFramesPerTurn = 36;
 
-/// Without fog, finishes, punctual lights, quadrics and lines, and the scene's first texture for one with a palette;
-/// all else as it is.
+/// Without fog, finishes, punctual lights, quadrics and lines, billboards standing still, and the scene's first texture
+/// for one with a palette; all else as it is.
 template <const scenes::BuiltIn& built_in>
 struct Plain {
   static constexpr auto kMaterials = [] {
@@ -51,8 +52,17 @@ struct Plain {
     }
     return materials;
   }();
+  static constexpr auto kMeshes = [] {
+    std::array<Mesh, built_in.scene.meshes.size()> meshes{};
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      meshes[i] = built_in.scene.meshes[i];
+      meshes[i].billboard = Billboard::none;
+    }
+    return meshes;
+  }();
   static constexpr scenes::BuiltIn kBuiltIn = [] {
     scenes::BuiltIn plain = built_in;
+    plain.scene.meshes = kMeshes;
     plain.scene.materials = kMaterials;
     plain.scene.fog = nullptr;
     plain.scene.finishes = {};
@@ -73,9 +83,8 @@ inline constexpr const scenes::BuiltIn& kChosen<built_in, true> = Plain<built_in
 
 /// The pipeline of kChosen. The plain one keeps what the effect brought along, as quadrics their textures.
 template <const scenes::BuiltIn& built_in, bool plain>
-inline constexpr Effects kEffectsOf = without(effects_of(built_in.scene, built_in.camera) |
-                                                  effects_of(kView<built_in, plain>),
-                                              plain ? effect::fragments | effect::vertex_light | effect::surfaces
-                                                    : Effects{});
+inline constexpr Effects kEffectsOf =
+    without(effects_of(built_in.scene, built_in.camera) | effects_of(kView<built_in, plain>),
+            plain ? effect::fragments | effect::vertex_light | effect::surfaces | effect::billboards : Effects{});
 
 }  // namespace zstrip::effects_cost
