@@ -1,10 +1,10 @@
-// The list of the effects' scenes, the lattice, and tiles with a palette.
+// The list of the effects' scenes, the lattice, tiles with a palette, and a floor with mipmaps.
 #include "zstrip_scenes/effect_scenes.hpp"
 
 namespace zstrip::scenes {
 namespace {
 
-constexpr BuiltIn kEffectScenes[] = {fog, emissive, specular, punctual, mask, blend, bilinear, palette};
+constexpr BuiltIn kEffectScenes[] = {fog, emissive, specular, punctual, mask, blend, bilinear, palette, mipmaps};
 
 consteval bool all_valid() {
   for (const BuiltIn& scene : kEffectScenes) {
@@ -37,7 +37,28 @@ consteval std::array<std::uint16_t, 16 + 64> indexed() {
   return result;
 }
 
+/// Half of each level's texels are light, down to one texel between both.
+consteval std::array<std::uint16_t, 256 + 64 + 16 + 4 + 1> chequer() {
+  constexpr std::uint16_t kLight = 0xFFFF, kDark = 0x18E8, kBetween = 0x8C74;  // RGB565
+  std::array<std::uint16_t, 256 + 64 + 16 + 4 + 1> result{};
+  std::size_t at = 0;
+  for (std::size_t side = 16; side > 1; side /= 2) {
+    for (std::size_t i = 0; i < side * side; ++i) {
+      const bool light = ((i % side < side / 2) != (i / side < side / 2));
+      result[at++] = light ? kLight : kDark;
+    }
+  }
+  result[at] = kBetween;
+  return result;
+}
+
 }  // namespace
+
+constexpr std::array<std::uint16_t, 256 + 64 + 16 + 4 + 1> kChequerTexels = chequer();
+constexpr std::array<Position, 4> kFloorPositions = {
+    {{-32767, 0, 32767}, {32767, 0, 32767}, {32767, 0, -32767}, {-32767, 0, -32767}}};
+constexpr std::array<TexCoord, 4> kFloorTexcoords = {{{0, 24 << 10}, {4 << 10, 24 << 10}, {4 << 10, 0}, {0, 0}}};
+constexpr std::array<Triangle, 2> kFloorTriangles = {{{0, 1, 2}, {0, 2, 3}}};
 
 constexpr std::array<std::uint16_t, 256 + 128> kLatticeTexels = lattice();
 constexpr std::array<std::uint16_t, 16 + 64> kIndexedTexels = indexed();

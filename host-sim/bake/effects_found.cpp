@@ -23,6 +23,7 @@ constexpr KnownEffect kKnown[] = {
     {effect::blending, "blending", "the alpha mode blend"},
     {effect::texture_alpha, "texture_alpha", "a texture with alpha, masked or blended"},
     {effect::texture_palettes, "texture_palettes", "a texture with a palette"},
+    {effect::mipmaps, "mipmaps", "a texture with mipmaps, and a finish"},
     {effect::bilinear, "bilinear", "the texture filter bilinear"},
     {effect::quadrics, "quadrics", "spheres and ellipsoids"},
     {effect::lines, "lines", "lines and points"},

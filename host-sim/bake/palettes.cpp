@@ -2,8 +2,12 @@
 #include "bake/palettes.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 #include <utility>
+
+#include "bake/plain_finish.hpp"
+#include "image/mipmaps.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -38,9 +42,10 @@ PalettedScene::PalettedScene(const Scene& scene, TextureChoice choice)
   for (const std::size_t i : used) {
     if (i >= textures_.size() || textures_[i].format != TextureFormat::rgb565) continue;
     Texture& texture = textures_[i];
-    const auto texels = texture.texels.first(std::size_t{1} << (texture.log2_width + texture.log2_height));
+    const std::vector<std::size_t> levels = level_sizes(texture);
+    const auto texels = texture.texels.first(std::accumulate(levels.begin(), levels.end(), std::size_t{0}));
     for (const auto& [format, lossy] : candidates(choice)) {
-      IndexedTexels indexed = index_texels(texels, format);
+      IndexedTexels indexed = index_texels(texels, format, levels);
       const bool loses = indexed.errors.largest != std::array<int, 3>{};
       if ((loses && !lossy) || indexed.words.size() >= texels.size()) continue;
       records_.push_back(
@@ -51,7 +56,10 @@ PalettedScene::PalettedScene(const Scene& scene, TextureChoice choice)
       break;
     }
   }
-  if (!records_.empty()) add_finish();
+  if (!records_.empty()) {
+    add_plain_finish(materials_, textures_, finishes_,
+                     [this](const Material& material) { return has_palette(textures_[material.texture].format); });
+  }
   scene_.textures = textures_;
   scene_.materials = materials_;
   scene_.finishes = finishes_;
@@ -61,16 +69,6 @@ std::uint64_t PalettedScene::saved_bytes() const {
   std::uint64_t before = 0, after = 0;
   for (const PaletteRecord& record : records_) before += record.bytes_before, after += record.bytes;
   return before - after;
-}
-
-void PalettedScene::add_finish() {
-  const auto index = static_cast<std::uint8_t>(finishes_.size());
-  for (Material& material : materials_) {
-    if (material.finish != kNoFinish || material.texture >= textures_.size()) continue;
-    if (!has_palette(textures_[material.texture].format)) continue;
-    material.finish = index;
-    finishes_.resize(index + std::size_t{1});
-  }
 }
 
 }  // namespace zstrip::sim

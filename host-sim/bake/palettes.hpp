@@ -41,8 +41,6 @@ class PalettedScene {
   std::uint64_t saved_bytes() const;
 
  private:
-  void add_finish();
-
   Scene scene_;
   std::vector<Texture> textures_;
   std::vector<Material> materials_;

@@ -197,6 +197,7 @@ void write_texture(Writer& writer, std::size_t at, const Texture& texture) {
   writer.byte_at(at + 8, texture.log2_width);
   writer.byte_at(at + 9, texture.log2_height);
   writer.byte_at(at + 10, static_cast<std::uint8_t>(texture.format));
+  writer.byte_at(at + 11, texture.smaller_levels);
 }
 
 }  // namespace

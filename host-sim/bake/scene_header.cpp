@@ -228,8 +228,10 @@ class Header {
       const bool plain = texture.format == TextureFormat::rgb565;
       const std::string format =
           plain ? "" : fmt::format(", .format = zstrip::TextureFormat{{{}}}", static_cast<int>(texture.format));
-      textures_ += fmt::format("    {{.texels = {}, .log2_width = {}, .log2_height = {}{}}},\n", texels,
-                               texture.log2_width, texture.log2_height, format);
+      const std::string levels =
+          texture.smaller_levels == 0 ? "" : fmt::format(", .smaller_levels = {}", texture.smaller_levels);
+      textures_ += fmt::format("    {{.texels = {}, .log2_width = {}, .log2_height = {}{}{}}},\n", texels,
+                               texture.log2_width, texture.log2_height, format, levels);
     }
   }
 

@@ -15,6 +15,7 @@
 #include "bake/baked_scene.hpp"
 #include "bake/effects_found.hpp"
 #include "bake/flash_bytes.hpp"
+#include "bake/mipmaps.hpp"
 #include "bake/palettes.hpp"
 #include "bake/scene_blob.hpp"
 #include "bake/scene_header.hpp"
@@ -44,6 +45,7 @@ struct Arguments {
   std::optional<std::string> visible_sets;
   std::optional<std::string> cells;
   std::string textures = "rgb565";
+  std::string mipmaps = "auto";
   std::optional<std::string> json;
   bool quiet = false;
 };
@@ -53,6 +55,11 @@ TextureChoice texture_choice(const std::string& word) {
   if (word == "auto") return TextureChoice::automatic;
   if (word == "palette8") return TextureChoice::palette8;
   return word == "palette4" ? TextureChoice::palette4 : TextureChoice::rgb565;
+}
+
+MipmapChoice mipmap_choice(const std::string& word) {
+  if (word == "on") return MipmapChoice::on;
+  return word == "off" ? MipmapChoice::off : MipmapChoice::automatic;
 }
 
 enum class Kind { header, blob };
@@ -212,12 +219,14 @@ Result<Done> run(const Arguments& arguments) {
   const Result<PreparedScene> prepared = prepare_for(*request, arguments, *staging, (*stage)->animation());
   if (!prepared) return prepared.failure();
   Staging at_rest = prepared->staging();
-  const PalettedScene paletted(at_rest.scene, texture_choice(arguments.textures));
+  const MipmappedScene mipmapped(at_rest.scene, mipmap_choice(arguments.mipmaps));
+  const PalettedScene paletted(mipmapped.scene(), texture_choice(arguments.textures));
   at_rest.scene = paletted.scene();
   const Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *request);
   if (!baked) return baked.failure();
   BakeRecord record = describe(arguments, **stage, *baked);
   record.palettes = paletted.records();
+  record.mipmaps = mipmap_records(at_rest.scene);
   if (arguments.textures == "rgb565") {
     record.palettes_would_save = PalettedScene(at_rest.scene, TextureChoice::automatic).saved_bytes();
   }
@@ -267,6 +276,12 @@ void add_bake_command(CLI::App& app, int& exit_code) {
                    "palette8, of 256 colours, or palette4, of 16; rgb565: none (default)")
       ->option_text("FORMAT")
       ->check(CLI::IsMember({"rgb565", "auto", "palette8", "palette4"}));
+  command
+      ->add_option("--mipmaps", a.mipmaps,
+                   "Smaller levels of textures, for texels that lie closer than pixels: auto, where the scene asks for "
+                   "them (default); on, for all textures of instances: a third more bytes, and drawn slower; off: none")
+      ->option_text("CHOICE")
+      ->check(CLI::IsMember({"auto", "on", "off"}));
   command->add_option("--json", a.json, "Write the report as JSON; - is standard output")->type_name("FILE|-");
   command->add_flag("--quiet", a.quiet, "No report in words; warnings and errors remain");
   command->footer(
@@ -277,6 +292,7 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       "  zstrip bake model.obj -o scene.zsc --size 320x240\n"
       "  zstrip bake house.obj -o house.zsc --visibility painter-bsp\n"
       "  zstrip bake house.glb -o house.hpp --textures auto\n"
+      "  zstrip bake house.glb -o house.zsc --mipmaps on\n"
       "  zstrip render scene.zsc --size 320x240");
   command->callback([arguments, &exit_code] {
     const Result<Done> done = run(*arguments);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "image/decode.hpp"
+#include "image/mipmaps.hpp"
 #include "image/palette.hpp"
 #include "image/resample.hpp"
 #include "import/quantise.hpp"
@@ -53,7 +54,12 @@ Result<std::uint16_t> ComposedMaterials::index_of(const PlacedPart& placed) {
     if (!texture) return texture.failure();
     material.texture = *texture;
   } else if (material.texture != kNoTexture) {
-    material.texture = model_texture(placed, material.texture);
+    material.texture =
+        model_texture(placed, material.texture, other != nullptr ? other->mipmaps : std::optional<bool>{});
+  } else if (other != nullptr && other->mipmaps.value_or(false)) {
+    return at_line(file_.path, other->mipmaps_line,
+                   fmt::format("material '{}' has mipmaps, but neither a texture of its own nor one of the model '{}'",
+                               other->name, placed.file->model));
   }
   if (other != nullptr) {
     material = replaced(material, *other);
@@ -108,8 +114,8 @@ bool ComposedMaterials::may_texture(const std::string& model) const {
 
 Result<std::uint16_t> ComposedMaterials::own_texture(const FileMaterial& material) {
   const std::filesystem::path path = file_.beside(*material.texture);
-  const auto [at, is_new] =
-      own_textures_.try_emplace({path, material.palette}, static_cast<std::uint16_t>(scene_.textures.size()));
+  const auto [at, is_new] = own_textures_.try_emplace({path, material.palette, material.mipmaps.value_or(false)},
+                                                      static_cast<std::uint16_t>(scene_.textures.size()));
   if (!is_new) return at->second;
   const auto wrong = [&](const std::string& what) {
     return at_line(file_.path, material.texture_line, fmt::format("texture '{}' {}", path.string(), what));
@@ -119,26 +125,41 @@ Result<std::uint16_t> ComposedMaterials::own_texture(const FileMaterial& materia
   Result<RgbImage> image = decode_image(*bytes);
   if (!image) return wrong(image.failure().message);
   const RgbImage fitted = resample_to_power_of_two(std::move(*image));
-  scene_.texels.push_back(to_rgb565(fitted));
-  TextureFormat format = fitted.alpha.empty() ? TextureFormat::rgb565 : TextureFormat::rgb565_alpha;
-  if (material.palette) {
-    if (!fitted.alpha.empty()) return wrong("has alpha, which goes with no 'palette'; leave out one of them");
-    format = *material.palette;
-    scene_.texels.back() = index_texels(scene_.texels.back(), format).words;
+  if (material.palette && !fitted.alpha.empty()) {
+    return wrong("has alpha, which goes with no 'palette'; leave out one of them");
   }
-  append_alpha(fitted, scene_.texels.back());
-  scene_.textures.push_back({.texels = scene_.texels.back(),
-                             .log2_width = static_cast<std::uint8_t>(log2_of(fitted.width)),
-                             .log2_height = static_cast<std::uint8_t>(log2_of(fitted.height)),
-                             .format = format});
+  std::vector<std::uint16_t>& words = scene_.texels.emplace_back(to_rgb565(fitted));
+  append_alpha(fitted, words);
+  Texture texture{.texels = words,
+                  .log2_width = static_cast<std::uint8_t>(log2_of(fitted.width)),
+                  .log2_height = static_cast<std::uint8_t>(log2_of(fitted.height)),
+                  .format = fitted.alpha.empty() ? TextureFormat::rgb565 : TextureFormat::rgb565_alpha};
+  if (material.mipmaps.value_or(false)) add_levels(texture);
+  if (material.palette) {
+    texture.texels =
+        scene_.texels.emplace_back(index_texels(texture.texels, *material.palette, level_sizes(texture)).words);
+    texture.format = *material.palette;
+  }
+  scene_.textures.push_back(texture);
   return at->second;
 }
 
-std::uint16_t ComposedMaterials::model_texture(const PlacedPart& placed, std::uint16_t texture) {
-  const auto key = std::pair(placed.model_index, texture);
+std::uint16_t ComposedMaterials::model_texture(const PlacedPart& placed, std::uint16_t texture,
+                                               std::optional<bool> mipmaps) {
+  const auto key = std::tuple(placed.model_index, texture, mipmaps);
   const auto [at, is_new] = model_textures_.try_emplace(key, static_cast<std::uint16_t>(scene_.textures.size()));
-  if (is_new) scene_.textures.push_back(placed.model->textures[texture]);
+  if (!is_new) return at->second;
+  Texture own = placed.model->textures[texture];
+  if (mipmaps == true) add_levels(own);
+  if (mipmaps == false) own = without_smaller_levels(own);
+  scene_.textures.push_back(own);
   return at->second;
+}
+
+void ComposedMaterials::add_levels(Texture& texture) {
+  const std::uint8_t levels = most_smaller_levels(texture);
+  texture.texels = scene_.texels.emplace_back(with_smaller_levels(texture, levels));
+  texture.smaller_levels = levels;
 }
 
 /// Gives the material what few have, if it has any of it: its model's own, with what `by` replaces. False if the table

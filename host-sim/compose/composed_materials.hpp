@@ -30,14 +30,15 @@ class ComposedMaterials {
 
  private:
   Result<std::uint16_t> own_texture(const FileMaterial& material);
-  std::uint16_t model_texture(const PlacedPart& placed, std::uint16_t texture);
+  std::uint16_t model_texture(const PlacedPart& placed, std::uint16_t texture, std::optional<bool> mipmaps);
+  void add_levels(Texture& texture);
   bool set_finish(Material& material, const Finish& own, const FileMaterial& by);
   Failure too_many_finishes(int line) const;
 
   const SceneFile& file_;
   ComposedScene& scene_;
-  std::map<std::pair<std::size_t, std::uint16_t>, std::uint16_t> model_textures_;
-  std::map<std::pair<std::filesystem::path, std::optional<TextureFormat>>, std::uint16_t> own_textures_;
+  std::map<std::tuple<std::size_t, std::uint16_t, std::optional<bool>>, std::uint16_t> model_textures_;
+  std::map<std::tuple<std::filesystem::path, std::optional<TextureFormat>, bool>, std::uint16_t> own_textures_;
   std::map<std::tuple<std::size_t, std::uint16_t, const FileMaterial*>, std::uint16_t> materials_;
 };
 

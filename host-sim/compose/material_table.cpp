@@ -33,6 +33,8 @@ FileMaterial read_material(TomlTable& table) {
     if (!material.texture) table.wrong("palette", "'palette' is for the colours of 'texture', which is missing");
     material.palette = *bits == 4 ? TextureFormat::palette4 : TextureFormat::palette8;
   }
+  material.mipmaps = table.flag("mipmaps");
+  material.mipmaps_line = table.line_of("mipmaps");
   material.lit = table.flag("lit");
   material.smooth = table.flag("smooth");
   material.double_sided = table.flag("double_sided");

@@ -41,7 +41,7 @@ void check_ellipsoid(const FileEllipsoid& ellipsoid, const SceneFile& scene, Tom
   if (material->has_finish()) {
     errors.add(ellipsoid.line,
                fmt::format("[[ellipsoid]]: the material '{}' must do without emissive, specular, "
-                           "shininess, alpha_mode, alpha_cutoff, filter and palette: ellipsoids have none",
+                           "shininess, alpha_mode, alpha_cutoff, filter, palette and mipmaps: ellipsoids have none",
                            material->name));
   }
   const bool punctual =
@@ -58,7 +58,7 @@ void check_lines(const FileLines& lines, const SceneFile& scene, TomlErrors& err
   const auto material = std::ranges::find(scene.materials, lines.material, &FileMaterial::name);
   if (material == scene.materials.end() || (!material->has_finish() && !material->texture)) return;
   errors.add(lines.line, fmt::format("{}: the material '{}' must do without texture, emissive, specular, shininess, "
-                                     "alpha_mode, alpha_cutoff and filter: lines and points have none",
+                                     "alpha_mode, alpha_cutoff, filter and mipmaps: lines and points have none",
                                      lines.title(), material->name));
 }
 

@@ -78,13 +78,16 @@ struct FileMaterial {
   std::optional<AlphaMode> alpha_mode;
   std::optional<TextureFilter> filter;
   std::optional<TextureFormat> palette;  ///< of `texture`: palette8 or palette4
+  std::optional<bool> mipmaps;           ///< of `texture`, or else of the model's own
+  int mipmaps_line = 0;
   std::optional<DepthTest> depth_test;
   std::optional<std::int32_t> depth_bias;
   int depth_line = 0;  ///< of the first key about depth
 
   /// Whether it sets what few materials have (Finish).
   bool has_finish() const {
-    return emissive || specular || shininess || alpha_mode || alpha_cutoff || filter || palette;
+    return emissive || specular || shininess || alpha_mode || alpha_cutoff || filter || palette ||
+           mipmaps.value_or(false);
   }
 };
 

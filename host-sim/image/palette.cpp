@@ -83,29 +83,49 @@ std::vector<std::uint16_t> palette_of(const Histogram& histogram, std::size_t en
 }  // namespace
 
 IndexedTexels index_texels(std::span<const std::uint16_t> texels, TextureFormat format) {
-  const std::size_t bits = index_bits(format), entries = std::size_t{1} << bits, in_word = 16 / bits;
+  const std::size_t level = texels.size();
+  return index_texels(texels, format, {&level, 1});
+}
+
+IndexedTexels index_texels(std::span<const std::uint16_t> texels, TextureFormat format,
+                           std::span<const std::size_t> levels) {
+  const std::size_t entries = std::size_t{1} << index_bits(format);
   Histogram histogram;
   for (const std::uint16_t texel : texels) ++histogram[texel];
   IndexedTexels indexed{palette_of(histogram, entries), {}};
-  std::map<std::uint16_t, std::size_t> index_of;
+  std::map<std::uint16_t, std::uint8_t> index_of;
   for (const auto& [colour, times] : histogram) {
-    const auto nearest = std::min_element(indexed.words.begin(), indexed.words.end(),
-                                          [colour = colour](std::uint16_t a, std::uint16_t b) {
-                                            return squared_distance(a, colour) < squared_distance(b, colour);
-                                          });
-    index_of[colour] = static_cast<std::size_t>(nearest - indexed.words.begin());
+    const std::uint8_t nearest = index_of[colour] = nearest_entry(indexed.words, colour);
     for (std::size_t i = 0; i < 3; ++i) {
-      const int off = std::abs(channels(*nearest)[i] - channels(colour)[i]);
+      const int off = std::abs(channels(indexed.words[nearest])[i] - channels(colour)[i]);
       indexed.errors.largest[i] = std::max(indexed.errors.largest[i], off);
       indexed.errors.mean[i] += static_cast<double>(off) * times / static_cast<double>(texels.size());
     }
   }
-  indexed.words.resize(entries + (texels.size() + in_word - 1) / in_word);
-  for (std::size_t i = 0; i < texels.size(); ++i) {
-    std::uint16_t& word = indexed.words[entries + i / in_word];
-    word = static_cast<std::uint16_t>(word | index_of[texels[i]] << (bits * (i % in_word)));
+  indexed.words.resize(entries);
+  std::size_t first = 0;
+  for (const std::size_t size : levels) {
+    std::vector<std::uint8_t> indices;
+    for (const std::uint16_t texel : texels.subspan(first, size)) indices.push_back(index_of[texel]);
+    append_packed(indices, index_bits(format), indexed.words);
+    first += size;
   }
   return indexed;
+}
+
+std::uint8_t nearest_entry(std::span<const std::uint16_t> palette, std::uint16_t colour) {
+  const auto nearest = std::min_element(palette.begin(), palette.end(), [colour](std::uint16_t a, std::uint16_t b) {
+    return squared_distance(a, colour) < squared_distance(b, colour);
+  });
+  return static_cast<std::uint8_t>(nearest - palette.begin());
+}
+
+void append_packed(std::span<const std::uint8_t> values, std::uint32_t bits, std::vector<std::uint16_t>& words) {
+  const std::size_t in_word = 16 / bits;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i % in_word == 0) words.push_back(0);
+    words.back() = static_cast<std::uint16_t>(words.back() | unsigned{values[i]} << (bits * (i % in_word)));
+  }
 }
 
 }  // namespace zstrip::sim

@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "image/palette.hpp"
 #include "image/resample.hpp"
 #include "import/accuracy.hpp"
 #include "import/fixed_lights.hpp"
@@ -131,12 +132,7 @@ std::vector<std::uint16_t> to_rgb565(const RgbImage& image) {
   return texels;
 }
 
-void append_alpha(const RgbImage& image, std::vector<std::uint16_t>& words) {
-  for (std::size_t i = 0; i < image.alpha.size(); i += 2) {
-    const unsigned second = i + 1 < image.alpha.size() ? image.alpha[i + 1] : 0U;
-    words.push_back(static_cast<std::uint16_t>(image.alpha[i] | second << 8));
-  }
-}
+void append_alpha(const RgbImage& image, std::vector<std::uint16_t>& words) { append_packed(image.alpha, 8, words); }
 
 Fixed to_fixed(double value) { return static_cast<Fixed>(std::llround(value * kFixedOne)); }
 

@@ -79,6 +79,15 @@ std::string palette_lines(const BakeRecord& record) {
   return text;
 }
 
+std::string mipmap_lines(const BakeRecord& record) {
+  std::string text;
+  for (const MipmapRecord& mipmaps : record.mipmaps) {
+    text += fmt::format("  {:<10} texture {}: {} for {}\n", text.empty() ? "mipmaps" : "", mipmaps.texture,
+                        counted(mipmaps.bytes, "byte"), counted(mipmaps.levels, "smaller level"));
+  }
+  return text;
+}
+
 std::string effect_lines(const BakeRecord& record) {
   std::string text;
   for (const FoundEffect& found : record.effects) {
@@ -101,6 +110,7 @@ std::string bake_summary(const BakeRecord& record) {
                                  counted(counts.instances, "instance"), counted(record.materials, "material"));
   text += fmt::format("  flash      {}\n", counted(record.flash.total(), "byte")) + flash_lines(record);
   text += palette_lines(record);
+  text += mipmap_lines(record);
   text += effect_lines(record);
   text += fmt::format("  picture    {}x{}, {}; {}\n", record.view.width, record.view.height, format_words(record.view),
                       shape(record.plan, record.view));
@@ -171,6 +181,11 @@ std::string bake_json(const BakeRecord& record) {
                                   {"mean_error", palette.errors.mean}});
   }
   object["palettes_would_save"] = record.palettes_would_save;
+  object["mipmaps"] = Json::array();
+  for (const MipmapRecord& mipmaps : record.mipmaps) {
+    object["mipmaps"].push_back(
+        {{"texture", mipmaps.texture}, {"smaller_levels", mipmaps.levels}, {"bytes", mipmaps.bytes}});
+  }
   object["effects"] = Json::array();
   for (const FoundEffect& found : record.effects) {
     object["effects"].push_back({{"name", found.effect.name},

@@ -8,6 +8,7 @@
 
 #include "bake/effects_found.hpp"
 #include "bake/flash_bytes.hpp"
+#include "bake/mipmaps.hpp"
 #include "bake/palettes.hpp"
 #include "import/model.hpp"
 #include "zstrip/plan/plan_types.hpp"
@@ -47,6 +48,7 @@ struct BakeRecord {
   std::optional<BakedMethodRecord> method{};
   std::optional<VisibleSetRecord> visible_sets{};
   std::vector<PaletteRecord> palettes{};  ///< of the textures that have got one
+  std::vector<MipmapRecord> mipmaps{};
   std::uint64_t palettes_would_save = 0;  ///< bytes of texels, without loss
 };
 

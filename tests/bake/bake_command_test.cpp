@@ -252,6 +252,49 @@ TEST_F(Bake, BillboardsTurnInABlobAsInTheSceneFile) {
   EXPECT_EQ(read(path("again.zsc")), read(path("scene.zsc")));
 }
 
+TEST_F(Bake, MipmapsWhereTheSceneAsksForThemOrEverywhereOrNowhere) {
+  const std::string scene = ZSTRIP_SCENE_FILES "/mipmaps.toml";
+  const auto levels = [](int texels) {  // of a square, all but the first
+    int sum = 0;
+    for (; texels > 1; texels /= 4) sum += texels / 4;
+    return sum;
+  };
+  const Json asked = report({"bake", scene, "-o", "asked.zsc"});
+  ASSERT_EQ(asked.at("mipmaps").size(), 1U) << "the material on the right";
+  EXPECT_EQ(asked.at("mipmaps").at(0).at("smaller_levels"), 6);
+  EXPECT_EQ(asked.at("mipmaps").at(0).at("bytes"), 2 * levels(4096));
+  const auto effect =
+      std::ranges::find_if(asked.at("effects"), [](const Json& e) { return e.at("name") == "mipmaps"; });
+  ASSERT_NE(effect, asked.at("effects").end());
+  EXPECT_EQ(effect->at("materials"), Json::array({"tiles with mipmaps"}));
+  EXPECT_EQ(read(path("asked.zsc"))[2], 3) << "a version that older programs read";
+  EXPECT_EQ(crcs("asked.zsc", {"--size", "320x240"}, 1), crcs(scene, {"--size", "320x240"}, 1));
+  report({"bake", "asked.zsc", "-o", "again.zsc", "--size", "320x240"});
+  report({"bake", scene, "-o", "asked.zsc", "--size", "320x240"});
+  EXPECT_EQ(read(path("again.zsc")), read(path("asked.zsc")));
+
+  const Json off = report({"bake", scene, "-o", "off.zsc", "--mipmaps", "off"});
+  EXPECT_EQ(off.at("mipmaps"), Json::array());
+  EXPECT_EQ(off.at("flash_bytes").at("textures"), 2 * 2 * 4096);
+  EXPECT_EQ(report({"bake", scene, "-o", "on.zsc", "--mipmaps", "on"}).at("mipmaps").size(), 2U);
+
+  // The room: levels for its walls and its box, and a finish for their materials; with palettes of all levels.
+  const Json room = report({"bake", "room", "-o", "room.zsc", "--mipmaps", "on"});
+  EXPECT_EQ(room.at("mipmaps").size(), 2U);
+  EXPECT_EQ(room.at("flash_bytes").at("textures"), 2 * (256 + levels(256) + 4096 + levels(4096)));
+  EXPECT_NE(crcs("room.zsc", {}, 1), crcs("room", {}, 1));
+  const Json small = report({"bake", "room", "-o", "small.zsc", "--mipmaps", "on", "--textures", "auto"});
+  ASSERT_EQ(small.at("palettes").size(), 2U);
+  EXPECT_EQ(small.at("palettes").at(0).at("largest_error"), (std::vector{0, 0, 0}));
+  EXPECT_EQ(crcs("small.zsc", {}, 3), crcs("room.zsc", {}, 3));
+
+  const Outcome words = zstrip({"bake", scene, "-o", "scene.hpp"});
+  EXPECT_NE(words.out.find("  mipmaps    texture 1: 2,730 bytes for 6 smaller levels\n"), std::string::npos)
+      << words.out;
+  EXPECT_NE(read(path("scene.hpp")).find(".smaller_levels = 6"), std::string::npos);
+  EXPECT_EQ(zstrip({"bake", scene, "-o", "scene.hpp", "--mipmaps", "some"}).status, 2);
+}
+
 TEST_F(Bake, PalettesThatLoseSomethingSayHowMuch) {
   const std::string scene = ZSTRIP_SCENE_FILES "/palette.toml";
   const auto baked = [&](const char* textures) {

@@ -82,15 +82,16 @@ inline constexpr PunctualLight kPunctualLights[] = {{.colour = {9, 8, 7, 6}, .po
 inline constexpr Fog kFog{
     .colour = {4, 3, 2, 1}, .mode = FogMode::exponential, .start = 5, .end = 600000, .density = 7000};
 
-// A palette of 16 colours for 4 texels, one of 256 for as many.
+// A palette of 16 colours for 4 texels, one of 256 for as many and one of half the size, and a word that nobody needs:
+// no byte behind it.
 inline constexpr auto kFourBits = [] {
   std::array<std::uint16_t, 17> words{0xF800, 0x07E0, 0x001F};
   words[16] = 0xF210;
   return words;
 }();
-inline constexpr std::array<std::uint16_t, 258> kEightBits{0x1111, 0x2222};
+inline constexpr std::array<std::uint16_t, 260> kEightBits{0x1111, 0x2222};
 inline constexpr Texture kWithPalettes[] = {{kFourBits, 1, 1, TextureFormat::palette4},
-                                            {kEightBits, 1, 1, TextureFormat::palette8}};
+                                            {kEightBits, 1, 1, TextureFormat::palette8, 1}};
 
 // Three planes: the root with a triangle in its plane and one on either side of it.
 inline constexpr Triangle kFourTriangles[] = {{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}};

@@ -19,7 +19,7 @@ TEST(SceneBlob, PalettesNeedAllTheirWords) {
   const Bytes whole = palette_bytes();
   const std::uint32_t textures = word(whole, 28);
   for (std::uint32_t i = 0; i < 2; ++i) {
-    for (const std::uint32_t words : {0U, 1U, 15U, i == 0 ? 16U : 257U}) {
+    for (const std::uint32_t words : {0U, 1U, 15U, i == 0 ? 16U : 258U}) {
       Bytes fewer = whole;
       put_word(fewer, textures + 12 * i + 4, words);
       if (words == 0) put_word(fewer, textures + 12 * i, 0);

@@ -234,6 +234,26 @@ TEST(SceneBlob, PalettesAreOfANewVersion) {
   EXPECT_EQ(Opened(bytes).status, (Status{.error = Error::blob_damaged, .needed = format}));
 }
 
+TEST(SceneBlob, SmallerLevelsAreAByteThatOlderBlobsDoNotHave) {
+  Bytes bytes = palette_bytes();
+  const std::uint32_t first = word(bytes, 28) + 11, second = first + 12;
+  EXPECT_EQ(bytes[first], 0);
+  EXPECT_EQ(bytes[second], 1);
+  EXPECT_EQ(Opened(bytes).content.scene.textures[0].smaller_levels, 0);
+  EXPECT_EQ(Opened(bytes).content.scene.textures[1].smaller_levels, 1);
+  const auto with = [&bytes](std::uint32_t at, std::uint8_t value) {
+    Bytes changed = bytes;
+    changed[at] = value;
+    mend(changed);
+    return Opened(changed).status;
+  };
+  EXPECT_TRUE(with(second, 0));
+  EXPECT_EQ(with(first, 1), (Status{.error = Error::texture, .needed = 0})) << "its word is missing";
+  for (const std::uint8_t levels : std::initializer_list<std::uint8_t>{2, 11, 32, 255}) {
+    EXPECT_EQ(with(second, levels), (Status{.error = Error::texture, .needed = 1})) << "2 texels wide and high";
+  }
+}
+
 TEST(SceneBlob, ATreeStandsWhereItsArraySaysAndIsReadInPlace) {
   const Bytes bytes = tree_bytes();
   const std::uint32_t at = word(bytes, 184);

@@ -16,6 +16,7 @@ TEST(EffectsTogether, EachOfFragmentsAlone) {
   expect_drawn_alike<effect::texture_alpha>();
   expect_drawn_alike<effect::bilinear>();
   expect_drawn_alike<effect::texture_palettes>();
+  expect_drawn_alike<effect::mipmaps>();
   expect_drawn_alike<effect::dithered_colours>();
 }
 

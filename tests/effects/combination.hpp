@@ -17,7 +17,7 @@ inline constexpr Effects kFactors[] = {effect::lighting,         effect::gouraud
                                        effect::bilinear,         effect::punctual_lights,  effect::alpha_test,
                                        effect::blending,         effect::vertex_colours,   effect::quadrics,
                                        effect::dithered_colours, effect::texture_palettes, effect::lines,
-                                       effect::billboards};
+                                       effect::billboards,       effect::mipmaps};
 
 static_assert(
     [] {
@@ -33,7 +33,9 @@ static_assert(
 /// With what its effects need to show.
 constexpr Effects completed(Effects set) {
   if (set.has(effect::texture_alpha) && !set.any(effect::alpha_test | effect::blending)) set = set | effect::alpha_test;
-  if (set.any(effect::texture_alpha | effect::bilinear | effect::texture_palettes)) set = set | effect::textures;
+  if (set.any(effect::texture_alpha | effect::bilinear | effect::texture_palettes | effect::mipmaps)) {
+    set = set | effect::textures;
+  }
   const bool unlit_texels = set.has(effect::textures | effect::vertex_colours);  // have no vertex colours
   if (set.any(effect::vertex_light | effect::gouraud) || unlit_texels) set = set | effect::lighting;
   return set;
@@ -76,6 +78,13 @@ constexpr auto kBoxColours = [] {
   return colours;
 }();
 
+/// Enough for any format of 16x16 texels with all smaller levels.
+constexpr auto kNoise = [] {
+  std::array<std::uint16_t, 512> words{};
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = static_cast<std::uint16_t>(i * 40503 + 0x7080);
+  return words;
+}();
+
 /// With a dithered picture if that is in the set, calls for exactly completed(set).
 struct Combination {
   Mesh meshes[2] = {scenes::kRoomMeshes[0], scenes::kRoomMeshes[1]};
@@ -109,6 +118,9 @@ struct Combination {
     if (set.has(effect::alpha_test)) finishes[0].alpha_mode = AlphaMode::mask;
     if (set.has(effect::blending)) finishes[1].alpha_mode = AlphaMode::blend;
     if (set.has(effect::texture_alpha)) textures[0].format = TextureFormat::rgb565_alpha;
+    if (set.has(effect::mipmaps)) {
+      for (Texture& texture : textures) texture.texels = kNoise, texture.smaller_levels = 4;
+    }
     if (set.has(effect::orthographic)) {
       camera.projection = Projection::orthographic;
       camera.focal = fixed(0.7);

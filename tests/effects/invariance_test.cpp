@@ -46,6 +46,7 @@ TEST(EffectsInvariance, MaskIsTheSameInStripsBinsAndSupersets) { Subject<scenes:
 TEST(EffectsInvariance, BlendIsTheSameInStripsBinsAndSupersets) { Subject<scenes::blend>::check(); }
 TEST(EffectsInvariance, BilinearIsTheSameInStripsBinsAndSupersets) { Subject<scenes::bilinear>::check(); }
 TEST(EffectsInvariance, PaletteIsTheSameInStripsBinsAndSupersets) { Subject<scenes::palette>::check(); }
+TEST(EffectsInvariance, MipmapsAreTheSameInStripsBinsAndSupersets) { Subject<scenes::mipmaps>::check(); }
 
 // What a superset draws where the effect is absent must come from the same loops.
 TEST(EffectsInvariance, SupersetsDrawScenesWithoutEffectsAlike) {

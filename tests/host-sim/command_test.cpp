@@ -118,6 +118,41 @@ TEST_F(Command, SceneWithPalettesHasItsChecksum) {
   EXPECT_EQ(drawn("p.zsc", {}), golden);
 }
 
+/// Of a floor whose right half has mipmaps: in strips of any height, on any threads, and baked.
+TEST_F(Command, SceneWithMipmapsHasItsChecksum) {
+  const std::string scene = ZSTRIP_SCENE_FILES "/mipmaps.toml";
+  const auto drawn = [&](const std::string& file, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"render", file, "-o", "p.png", "--size", "160x120", "--quiet", "--json", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = zstrip(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    if (outcome.status != 0) return std::string();
+    return nlohmann::json::parse(outcome.out).at("frames").at(0).at("crc32").get<std::string>();
+  };
+  const std::string golden = "858e065e";
+  EXPECT_EQ(drawn(scene, {}), golden);
+  EXPECT_EQ(drawn(scene, {"--strip-rows", "1"}), golden);
+  EXPECT_EQ(drawn(scene, {"--strip-rows", "7", "--strip-columns", "24"}), golden);
+  EXPECT_EQ(drawn(scene, {"--threads", "3", "--strip-rows", "5"}), golden);
+  EXPECT_EQ(zstrip({"bake", scene, "-o", "p.zsc", "--size", "160x120", "--quiet"}).status, 0);
+  EXPECT_EQ(drawn("p.zsc", {}), golden);
+  EXPECT_EQ(zstrip({"bake", scene, "-o", "p.zsc", "--size", "160x120", "--mipmaps", "off", "--quiet"}).status, 0);
+  EXPECT_NE(drawn("p.zsc", {}), golden);
+}
+
+TEST_F(Command, MipmapsOfAMaterialWithoutTextureAreRefused) {
+  const std::string scene = file("m.toml",
+                                 "[[model]]\nname = 'pot'\nbuilt_in = 'teapot'\n"
+                                 "[[material]]\nname = 'clay'\nmipmaps = true\n"
+                                 "[[instance]]\nmodel = 'pot'\nmaterial = 'clay'\n");
+  const Outcome outcome = zstrip({"render", scene, "-o", "p.png"});
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("line 6: material 'clay' has mipmaps, but neither a texture of its own nor one of the "
+                             "model 'pot'"),
+            std::string::npos)
+      << outcome.err;
+}
+
 TEST_F(Command, FramesOfATurnDiffer) {
   EXPECT_EQ(zstrip({"render", "teapot", "-o", "turn", "--frames", "3", "--quiet"}).status, 0);
   EXPECT_EQ(files(), (std::vector<std::string>{"turn/frame_0000.png", "turn/frame_0001.png", "turn/frame_0002.png"}));

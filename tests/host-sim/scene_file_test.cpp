@@ -188,6 +188,19 @@ TEST(SceneFile, PalettesOfTextures) {
             "'scene.toml' line 3: [[material]]: 'palette' is for the colours of 'texture', which is missing");
 }
 
+TEST(SceneFile, MipmapsOfTextures) {
+  const auto material = [](const std::string& lines) { return "[[material]]\nname = 'a'\n" + lines + "\n" + kCube; };
+  EXPECT_EQ(parsed(material("texture = 't.png'")).materials.at(0).mipmaps, std::nullopt);
+  EXPECT_EQ(parsed(material("mipmaps = true")).materials.at(0).mipmaps, true);
+  EXPECT_TRUE(parsed(material("mipmaps = true")).materials.at(0).has_finish());
+  EXPECT_EQ(parsed(material("mipmaps = false")).materials.at(0).mipmaps, false);
+  EXPECT_FALSE(parsed(material("mipmaps = false")).materials.at(0).has_finish());
+  for (const char* value : {"1", "'on'", "4"}) {
+    EXPECT_EQ(failure(material(std::string("texture = 't.png'\nmipmaps = ") + value)),
+              "'scene.toml' line 4: [[material]]: 'mipmaps' must be true or false");
+  }
+}
+
 TEST(SceneFile, WhetherThePictureIsDithered) {
   EXPECT_EQ(parsed(kCube).picture.dither, std::nullopt);
   EXPECT_EQ(parsed("[picture]\ndither = false\n" + kCube).picture.dither, false);
@@ -265,7 +278,7 @@ TEST(SceneFile, FinishOfAnEllipsoid) {
   }
   const std::string palette =
       failure("[[material]]\nname = 'a'\ntexture = 't.png'\npalette = 8\n[[ellipsoid]]\nmaterial = 'a'\n");
-  EXPECT_NE(palette.find("filter and palette: ellipsoids have none"), std::string::npos) << palette;
+  EXPECT_NE(palette.find("filter, palette and mipmaps: ellipsoids have none"), std::string::npos) << palette;
 }
 
 TEST(SceneFile, PointLightOnAnEllipsoid) {

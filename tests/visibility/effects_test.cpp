@@ -11,7 +11,7 @@ namespace {
 
 constexpr View kView{96, 80, PixelFormat::rgb565};
 constexpr const char* kEffectScenes[] = {"fog",   "emissive", "specular", "punctual", "mask",
-                                         "blend", "bilinear", "palette",  "spheres"};
+                                         "blend", "bilinear", "palette",  "mipmaps",  "spheres"};
 constexpr const char* kKeepingZ[] = {"front-to-back", "hierarchical-z", "front-to-back-hierarchical-z",
                                      "midpoint-safe"};
 

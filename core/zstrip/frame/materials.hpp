@@ -61,21 +61,21 @@ struct Frame::Access::Materials {
     return settings;
   }
 
-  /// Only with effect::texture_palettes.
+  /// Only with effect::texture_palettes or mipmaps.
   template <Effects effects>
-  static detail::TexelIndices texel_indices(const Frame& frame, const detail::CompiledInstance& instance) {
+  static detail::TexelStorage texel_storage(const Frame& frame, const detail::CompiledInstance& instance) {
     const Scene& scene = *frame.scene_;
     const Material& material = scene.materials[instance.material];
     const detail::Shade shade = detail::without_fragments(instance.shade);
     if (shade < detail::Shade::textured) return {};
-    const TextureFormat format = scene.textures[material.texture].format;
-    if (!has_palette(format)) return {};
+    const Texture& texture = scene.textures[material.texture];
+    if (!has_palette(texture.format) && texture.smaller_levels == 0) return {};
     const bool dithered = effects.has(effect::dithered_colours) && shade == detail::Shade::textured_gouraud &&
                           dithers_colours(frame.view_);
+    const Effects others = without(effect::fragments, effect::texture_palettes | effect::mipmaps);
     const bool only_effect =
-        scene.fog == nullptr && !dithered &&
-        (effects_of_finish(scene, material, instance.lit, true) & effect::fragments) == effect::texture_palettes;
-    return {static_cast<std::uint8_t>(index_bits(format)), only_effect};
+        scene.fog == nullptr && !dithered && !effects_of_finish(scene, material, instance.lit, true).any(others);
+    return {texture.format, texture.smaller_levels, only_effect};
   }
 
   /// Calls draw(target), with what the method and the depth effects of this material add to it.
@@ -102,12 +102,14 @@ struct Frame::Access::Materials {
   template <Effects effects, class Target, class Draw>
   static void with_fragments(const Frame& frame, const Target& target, const detail::CompiledInstance& instance,
                              const Draw& draw) {
-    if constexpr (effects.any(effect::dithered_colours | effect::texture_palettes)) {
+    if constexpr (effects.any(effect::dithered_colours | effect::texture_palettes | effect::mipmaps)) {
       detail::TargetOf<effects> complete{{target, fragment_settings<effects>(frame, instance)}, {}, {}};
       if constexpr (effects.has(effect::dithered_colours)) {
         complete.dithered = dithers_colours(frame.view_);
       }
-      if constexpr (effects.has(effect::texture_palettes)) complete.indices = texel_indices<effects>(frame, instance);
+      if constexpr (effects.any(effect::texture_palettes | effect::mipmaps)) {
+        complete.storage = texel_storage<effects>(frame, instance);
+      }
       draw(complete);
     } else if constexpr (effects.any(effect::fragments)) {
       draw(detail::TargetOf<effects>{target, fragment_settings<effects>(frame, instance)});

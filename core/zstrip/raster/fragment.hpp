@@ -4,28 +4,17 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <type_traits>
 
 #include "zstrip/geometry/light.hpp"
 #include "zstrip/raster/fragment_settings.hpp"
 #include "zstrip/raster/span_triangle.hpp"
+#include "zstrip/raster/texture_sampler.hpp"
 
 namespace zstrip::detail {
-
-/// A fragment's colour on its way to the pixel, 0..255 a channel.
-struct FragmentColour {
-  std::uint32_t r, g, b, a;
-};
 
 /// `share` 0..256 of a, the rest of b; rounded to nearest.
 constexpr std::uint32_t mixed(std::uint32_t a, std::uint32_t b, std::uint32_t share) {
   return (a * share + b * (256 - share) + 128) >> 8;
-}
-
-/// RGB565 to 8 bits a channel, the upper bits repeated below: 31 and 63 become 255.
-constexpr FragmentColour expanded(std::uint16_t pixel) {
-  const std::uint32_t r = pixel >> 11, g = (pixel >> 5) & 0x3FU, b = pixel & 0x1FU;
-  return {(r << 3) | (r >> 2), (g << 2) | (g >> 4), (b << 3) | (b >> 2), 255};
 }
 
 /// Texel times light, channels of 8.16; light of 255 leaves the texel as it is.
@@ -37,95 +26,11 @@ constexpr FragmentColour modulated(const FragmentColour& texel, std::uint32_t r,
   return {product(texel.r, r), product(texel.g, g), product(texel.b, b), texel.a};
 }
 
-/// Fetches texels by coordinates in fractions of the texture, 0.32. `palettes`: of textures that may have one.
-template <bool palettes>
-class TextureSampler {
- public:
-  using Indices = std::conditional_t<palettes, TexelIndices, Absent>;
-
-  TextureSampler() = default;
-  TextureSampler(const TextureView& texture, Indices indices)
-      : texels_(texture.texels),
-        log2_width_(texture.log2_width),
-        log2_height_(texture.log2_height),
-        to_column_(TextureAxis(texture.log2_width).to_index),
-        to_row_(texture.log2_height + texture.log2_width == 0 ? 31 : 32 - texture.log2_height - texture.log2_width),
-        row_mask_(~((std::uint32_t{1} << texture.log2_width) - 1)),
-        indices_(indices) {}
-
-  template <bool alpha>
-  FragmentColour nearest(std::uint32_t u, std::uint32_t v, bool has_alpha) const {
-    return texel<alpha>(nearest_index(u, v), has_alpha);
-  }
-  /// RGB565.
-  std::uint16_t nearest_word(std::uint32_t u, std::uint32_t v) const { return word(nearest_index(u, v)); }
-
-  /// The mean of the four texels whose centres lie around the point, by their distance in 1/256; rounded to nearest.
-  template <bool alpha>
-  FragmentColour bilinear(std::uint32_t u, std::uint32_t v, bool has_alpha) const {
-    const Between x(u, log2_width_), y(v, log2_height_);
-    const auto fetch = [&](std::uint32_t column, std::uint32_t row) {
-      return texel<alpha>((row << log2_width_) + column, has_alpha);
-    };
-    const FragmentColour a = fetch(x.first, y.first), b = fetch(x.second, y.first), c = fetch(x.first, y.second),
-                         d = fetch(x.second, y.second);
-    const auto mean = [&](std::uint32_t FragmentColour::*channel) {
-      const std::uint32_t upper = a.*channel * (256 - x.share) + b.*channel * x.share;
-      const std::uint32_t lower = c.*channel * (256 - x.share) + d.*channel * x.share;
-      return (upper * (256 - y.share) + lower * y.share + 32768) >> 16;
-    };
-    return {mean(&FragmentColour::r), mean(&FragmentColour::g), mean(&FragmentColour::b), mean(&FragmentColour::a)};
-  }
-
- private:
-  std::uint32_t nearest_index(std::uint32_t u, std::uint32_t v) const {
-    return ((v >> to_row_) & row_mask_) + (u >> to_column_);
-  }
-
-  /// The texel's RGB565.
-  std::uint16_t word(std::uint32_t index) const {
-    if constexpr (palettes) {
-      if (indices_.bits == 8) return texels_[(texels_[256 + (index >> 1)] >> (8 * (index & 1))) & 0xFF];
-      if (indices_.bits == 4) return texels_[(texels_[16 + (index >> 2)] >> (4 * (index & 3))) & 0xF];
-    }
-    return texels_[index];
-  }
-
-  /// Two neighbours along an axis that repeats, and the second one's share in 1/256.
-  struct Between {
-    std::uint32_t first = 0, second = 0, share = 0;
-
-    Between(std::uint32_t fraction, std::uint32_t log2_size) {
-      if (log2_size == 0) return;
-      const std::uint32_t from_centre = fraction - (std::uint32_t{1} << (31 - log2_size));
-      first = from_centre >> (32 - log2_size);
-      second = (first + 1) & ((std::uint32_t{1} << log2_size) - 1);
-      share = (from_centre << log2_size) >> 24;
-    }
-  };
-
-  template <bool alpha>
-  FragmentColour texel(std::uint32_t index, [[maybe_unused]] bool has_alpha) const {
-    FragmentColour colour = expanded(word(index));
-    if constexpr (alpha) {
-      const std::uint32_t texels = std::uint32_t{1} << (log2_width_ + log2_height_);
-      if (has_alpha) colour.a = (texels_[texels + (index >> 1)] >> (8 * (index & 1))) & 0xFFU;
-    }
-    return colour;
-  }
-
-  const std::uint16_t* texels_ = nullptr;
-  std::uint32_t log2_width_ = 0, log2_height_ = 0;
-  std::int32_t to_column_ = 0, to_row_ = 0;  ///< right shifts; a row stays multiplied by the width
-  std::uint32_t row_mask_ = 0;
-  [[no_unique_address]] Indices indices_{};
-};
-
 /// Everything that varies over a triangle but its depth, as far as the effects go.
 template <Effects effects>
 struct FragmentPlanes {
   static constexpr bool kOrthographic = effects.has(effect::orthographic);
-  using Sampler = TextureSampler<effects.has(effect::texture_palettes)>;
+  using Sampler = TextureSampler<effects.has(effect::texture_palettes), effects.has(effect::mipmaps)>;
 
   FragmentPlanes(const PlaneSetup& setup, const RasterVertex* const (&v)[3], const Surface& surface,
                  const FragmentSettings& settings) {
@@ -155,12 +60,13 @@ struct FragmentPlanes {
   [[no_unique_address]] If<effect::textures, TextureCoordinates<kOrthographic>> coordinates;
   [[no_unique_address]] If<effect::fog, FogPlane<kOrthographic>> fog;
   [[no_unique_address]] If<effect::dithered_colours, DitherAnchor> dither;
-  [[no_unique_address]] typename Sampler::Indices indices;
+  [[no_unique_address]] typename Sampler::Storage storage;
 };
 
 /// What is exact at the ends of a run only, and linear between.
 struct FragmentPoint {
   TexelPosition texel{};
+  std::uint32_t footprint = 0;  ///< TexelFootprint's
   std::int32_t visibility = 0;  ///< 0..65536
 };
 
@@ -168,7 +74,16 @@ template <Effects effects>
 FragmentPoint point_at(const FragmentPlanes<effects>& planes, std::int32_t columns, std::int32_t rows) {
   FragmentPoint point;
   if constexpr (effects.has(effect::textures)) {
-    if (planes.textured) point.texel = planes.coordinates.at(columns, rows);
+    if constexpr (effects.has(effect::mipmaps)) {
+      if (planes.textured && planes.storage.smaller_levels != 0) {
+        const TexelFootprint there = planes.coordinates.footprint_at(columns, rows);
+        point.texel = there.position, point.footprint = there.texels;
+      } else if (planes.textured) {
+        point.texel = planes.coordinates.at(columns, rows);
+      }
+    } else if (planes.textured) {
+      point.texel = planes.coordinates.at(columns, rows);
+    }
   }
   if constexpr (effects.has(effect::fog)) {
     if (planes.fogged) point.visibility = planes.fog.at(columns, rows);
@@ -192,9 +107,9 @@ bool shade_fragment(const FragmentPlanes<effects>& planes, const FragmentSetting
                     [[maybe_unused]] std::uint32_t v, [[maybe_unused]] std::uint32_t visible, std::uint16_t& pixel,
                     Threshold... threshold) {
   constexpr bool kTextureAlpha = effects.has(effect::texture_alpha);
-  if constexpr (effects.has(effect::texture_palettes)) {
-    // As TexturedRun does, so that a palette changes no pixel.
-    if (planes.indices.only_effect) {
+  if constexpr (effects.any(effect::texture_palettes | effect::mipmaps)) {
+    // As TexturedRun does, so that a palette changes no pixel, and a smaller level only the texel.
+    if (planes.storage.only_effect) {
       pixel = modulated(sampler.nearest_word(u, v), r, g, b);
       return true;
     }
@@ -257,7 +172,7 @@ void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& dep
   typename FragmentPlanes<effects>::Sampler sampler;
   TextureAxis axis_u(0), axis_v(0);
   if constexpr (kTextures) {
-    sampler = {planes.texture, planes.indices};
+    sampler = {planes.texture, planes.storage};
     axis_u = TextureAxis(planes.texture.log2_width);
     axis_v = TextureAxis(planes.texture.log2_height);
   }
@@ -275,6 +190,9 @@ void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& dep
     const FragmentPoint to =
         left > 1 ? point_at(planes, column + (left > kPerspectiveRun ? length : length - 1), span.rows) : from;
     std::uint32_t u = 0, v = 0, step_u = 0, step_v = 0;
+    if constexpr (kTextures && effects.has(effect::mipmaps)) {
+      sampler.show(planes.texture, level_of_run(from.footprint, to.footprint, planes.storage.smaller_levels));
+    }
     if constexpr (kTextures) {
       step_u = axis_u.fraction(step_of_run(difference(to.texel.u, from.texel.u), left));
       step_v = axis_v.fraction(step_of_run(difference(to.texel.v, from.texel.v), left));
@@ -332,7 +250,7 @@ void draw_fragment_triangle(const TargetOf<effects>& target, const RasterVertex&
   if constexpr (effects.has(effect::dithered_colours)) {
     planes.dither = {triangle.anchor_x - target.view_left, triangle.anchor_y - target.view_top, target.dithered};
   }
-  if constexpr (effects.has(effect::texture_palettes)) planes.indices = target.indices;
+  if constexpr (effects.any(effect::texture_palettes | effect::mipmaps)) planes.storage = target.storage;
   triangle.template walk<effects.has(effect::statistics), true>(
       target, v0, v1, v2, narrow, [&](const auto& run, const auto& z, const auto& rule) {
         fill_fragments<effects>(run, z, rule, planes, target.fragments, target.statistics);

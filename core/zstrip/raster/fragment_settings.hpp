@@ -35,16 +35,18 @@ template <Effects effects, Effects needed, class Member>
 using MemberIf = std::conditional_t<effects.has(needed), Member, Absent>;
 
 /// How the texels of an instance are kept.
-struct TexelIndices {
-  std::uint8_t bits = 0;     ///< 8 or 4; 0: they are colours
+struct TexelStorage {
+  TextureFormat format = TextureFormat::rgb565;
+  std::uint8_t smaller_levels = 0;
   bool only_effect = false;  ///< all else of its fragments is as without effects
 };
 
-/// With what dithering and palettes add, either of which a renderer may have where the picture or an instance has not.
-template <class Target, bool dithering, bool palettes>
+/// With what dithering, and palettes or mipmaps add, any of which a renderer may have where the picture or an instance
+/// has not.
+template <class Target, bool dithering, bool stored>
 struct TargetWithColours : Target {
   [[no_unique_address]] std::conditional_t<dithering, bool, Absent> dithered;
-  [[no_unique_address]] std::conditional_t<palettes, TexelIndices, Absent> indices;
+  [[no_unique_address]] std::conditional_t<stored, TexelStorage, Absent> storage;
 };
 
 template <Effects effects>
@@ -53,9 +55,9 @@ struct TargetOfEffects {
   using WithDepth = TargetFor<kDepth>;
   using WithFragments = TargetWithFragments<WithDepth>;
   static constexpr bool kDithers = effects.has(effect::dithered_colours);
-  static constexpr bool kPalettes = effects.has(effect::texture_palettes);
+  static constexpr bool kStores = effects.any(effect::texture_palettes | effect::mipmaps);
   using Drawn =
-      std::conditional_t<kDithers || kPalettes, TargetWithColours<WithFragments, kDithers, kPalettes>, WithFragments>;
+      std::conditional_t<kDithers || kStores, TargetWithColours<WithFragments, kDithers, kStores>, WithFragments>;
   using Type = std::conditional_t<effects.any(effect::fragments), Drawn, WithDepth>;
 };
 /// The strip as the rasterisers of these effects take it.

@@ -1,6 +1,7 @@
 // Perspective-correct texture coordinates: u/w, v/w and 1/w are linear on the screen; one division for each 16 pixels.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -13,6 +14,14 @@ namespace zstrip::detail {
 struct TexelPosition {
   std::int32_t u, v;  ///< texels, 16.16, modulo 2^16 texels
 };
+
+/// A position, and how far the texture goes by there.
+struct TexelFootprint {
+  TexelPosition position;
+  std::uint32_t texels;  ///< 24.8, a step to the right or downwards, whichever is longer; docs/conventions.md
+};
+/// The most that a footprint says: twice the largest texture.
+inline constexpr std::uint32_t kLargestFootprint = 4096U << 8;
 
 /// 1/w needs no interpolant of its own: with perspective the depth code is k / w - offset.
 template <bool orthographic>
@@ -95,7 +104,7 @@ class TextureCoordinates {
     if constexpr (orthographic) {
       return {wrapping_sum(u, base_u_), wrapping_sum(v, base_v_)};
     } else {
-      const Reciprocal r = reciprocal_of(place.one_over_w == 0 ? 1 : place.one_over_w);
+      const Reciprocal r = inverse(place);
       return {wrapping_sum(divided(u, r), base_u_), wrapping_sum(divided(v, r), base_v_)};
     }
   }
@@ -103,7 +112,49 @@ class TextureCoordinates {
     return at(place(columns, rows));
   }
 
+  /// The same with its footprint: the derivatives of u and v, by the same division.
+  TexelFootprint footprint_at(std::int32_t columns, std::int32_t rows) const {
+    const Place there = place(columns, rows);
+    const auto step = [&](std::uint32_t Plane::*direction) {
+      if constexpr (orthographic) {
+        return length(static_cast<std::int32_t>(u_over_w_.*direction), static_cast<std::int32_t>(v_over_w_.*direction));
+      } else {
+        // d(u) = d(u/w / 1/w), times (1/w)^2. Below 2^61.
+        const std::int64_t w = static_cast<std::int32_t>(there.one_over_w);
+        const std::int64_t w_step = static_cast<std::int32_t>(one_over_w_.*direction);
+        const auto derivative = [&](std::uint32_t value, std::uint32_t value_step) {
+          return static_cast<std::int32_t>(value_step) * w - static_cast<std::int32_t>(value) * w_step;
+        };
+        return length(derivative(there.u_over_w, u_over_w_.*direction),
+                      derivative(there.v_over_w, v_over_w_.*direction));
+      }
+    };
+    const std::uint64_t longer = std::max(step(&Plane::step_x), step(&Plane::step_y));
+    const auto limited = [](std::uint64_t texels) {
+      return static_cast<std::uint32_t>(std::min(texels, std::uint64_t{kLargestFootprint}));
+    };
+    if constexpr (orthographic) {
+      return {at(there), limited(longer >> 8)};
+    } else {
+      const Reciprocal r = inverse(there);
+      const int zeros = std::countl_zero(longer | 1);
+      const std::uint32_t squared = multiply_high(static_cast<std::uint32_t>(r.value),
+                                                  static_cast<std::uint32_t>(r.value));  // 28..30 bits
+      const std::uint32_t product = multiply_high(static_cast<std::uint32_t>((longer << zeros) >> 32), squared);
+      // longer * 2^zeros / 2^32, (1/q)^2 = squared * 2^(2 * normalisation - 92), 16.16 to 24.8.
+      const int right = 36 + zeros - 2 * r.normalisation - shift_;
+      return {at(there), right <= 0 ? kLargestFootprint : limited(product >> (right < 31 ? right : 31))};
+    }
+  }
+
  private:
+  /// The longer side of the right angle and half of the shorter one: up to an eighth more than the hypotenuse.
+  static std::uint64_t length(std::int64_t a, std::int64_t b) {
+    const auto magnitude = [](std::int64_t value) { return static_cast<std::uint64_t>(value < 0 ? -value : value); };
+    const std::uint64_t x = magnitude(a), y = magnitude(b);
+    return std::max(x, y) + std::min(x, y) / 2;
+  }
+  static Reciprocal inverse(const Place& place) { return reciprocal_of(place.one_over_w == 0 ? 1 : place.one_over_w); }
   std::int32_t divided(std::int32_t value, const Reciprocal& r) const {
     const std::int32_t high = multiply_high(value, r.value);
     const int right = 30 - r.normalisation - shift_;  // 1/q = r * 2^(normalisation - 62)

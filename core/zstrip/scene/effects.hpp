@@ -61,16 +61,17 @@ inline constexpr Effects bilinear{std::uint64_t{1} << 20};         ///< TextureF
 /// View::dither of a picture in RGB565, or in what is made of it without loss: gradients and fragments are dithered.
 inline constexpr Effects dithered_colours{std::uint64_t{1} << 21};
 inline constexpr Effects texture_palettes{std::uint64_t{1} << 24};  ///< TextureFormat::palette8 or palette4
+inline constexpr Effects mipmaps{std::uint64_t{1} << 26};           ///< Texture::smaller_levels
 
 /// Those that need a fragment of its own: instances with one of them are drawn by fill_fragments.
 inline constexpr Effects fragments =
-    fog | alpha_test | blending | texture_alpha | bilinear | dithered_colours | texture_palettes;
+    fog | alpha_test | blending | texture_alpha | bilinear | dithered_colours | texture_palettes | mipmaps;
 /// Those that light vertices by where they are.
 inline constexpr Effects local_light = specular | punctual_lights;
 /// All that a vertex' light has beyond ambient and directional light.
 inline constexpr Effects vertex_light = local_light | emissive;
 
-// Surfaces and passes beyond the triangles of instances; bits 22 to 31, but for 24.
+// Surfaces and passes beyond the triangles of instances; bits 22 to 31, but for 24 and 26.
 inline constexpr Effects quadrics{1U << 22};  ///< spheres and ellipsoids
 /// View::dither of a picture in a format that is_narrow.
 inline constexpr Effects dithered_format{1U << 23};
@@ -223,13 +224,13 @@ constexpr Effects effects_of_finish(const Scene& scene, const Material& material
   if (finish.alpha_mode == AlphaMode::mask) found = found | effect::alpha_test;
   if (finish.alpha_mode == AlphaMode::blend) found = found | effect::blending;
   if (textured) {
-    const TextureFormat format =
-        material.texture < scene.textures.size() ? scene.textures[material.texture].format : TextureFormat::rgb565;
-    if (has_palette(format)) {
+    const Texture texture = material.texture < scene.textures.size() ? scene.textures[material.texture] : Texture{};
+    if (has_palette(texture.format)) {
       found = found | effect::texture_palettes;
-    } else if (format == TextureFormat::rgb565_alpha && finish.alpha_mode != AlphaMode::opaque) {
+    } else if (texture.format == TextureFormat::rgb565_alpha && finish.alpha_mode != AlphaMode::opaque) {
       found = found | effect::texture_alpha;
     }
+    if (texture.smaller_levels != 0) found = found | effect::mipmaps;
     if (finish.filter == TextureFilter::bilinear) found = found | effect::bilinear;
   }
   return found;

@@ -88,11 +88,27 @@ constexpr std::uint32_t index_bits(TextureFormat format) { return format == Text
 
 /// Row-major RGB565 texels, the first row is v = 0. Sides are powers of two, 1..2048.
 struct Texture {
-  std::span<const std::uint16_t> texels;  ///< words as `format` says
+  std::span<const std::uint16_t> texels;  ///< words as `format` says, level after level
   std::uint8_t log2_width = 0;
   std::uint8_t log2_height = 0;
   TextureFormat format = TextureFormat::rgb565;
+  /// Smaller pictures of the same (mipmaps) that follow, each with half the sides of the one before, rounded down, at
+  /// least 1; with its palette, and its alpha behind its texels. Down to 1 texel at most. They are for materials with a
+  /// finish (which may be Finish{}): all others, and quadrics, are drawn with the first picture.
+  std::uint8_t smaller_levels = 0;
 };
+
+/// Words of one level of so many texels, without the palette.
+constexpr std::size_t level_words(TextureFormat format, std::uint32_t log2_texels) {
+  const std::size_t texels = std::size_t{1} << log2_texels;
+  switch (format) {
+    case TextureFormat::rgb565_alpha: return texels + (texels + 1) / 2;
+    case TextureFormat::palette8: return (texels + 1) / 2;
+    case TextureFormat::palette4: return (texels + 3) / 4;
+    case TextureFormat::rgb565: break;
+  }
+  return texels;
+}
 
 inline constexpr std::uint16_t kNoTexture = 0xFFFF;
 

@@ -61,7 +61,7 @@ struct MeshRecord {
   std::uint32_t words[19];
 };
 struct TextureRecord {
-  static constexpr std::uint32_t kTexels = 0, kLog2Width = 8, kLog2Height = 9, kFormat = 10;
+  static constexpr std::uint32_t kTexels = 0, kLog2Width = 8, kLog2Height = 9, kFormat = 10, kSmallerLevels = 11;
   std::uint32_t words[3];
 };
 
@@ -199,7 +199,8 @@ Texture read_texture(Reader& reader, std::uint32_t at, TextureFormat last_format
   return {.texels = reader.array<std::uint16_t>(at + TextureRecord::kTexels),
           .log2_width = reader.byte(at + TextureRecord::kLog2Width),
           .log2_height = reader.byte(at + TextureRecord::kLog2Height),
-          .format = static_cast<TextureFormat>(reader.byte(format))};
+          .format = static_cast<TextureFormat>(reader.byte(format)),
+          .smaller_levels = reader.byte(at + TextureRecord::kSmallerLevels)};
 }
 
 /// Each node but the first is the child of one before it, which it names; triangles follow the nodes. `scene` is valid.

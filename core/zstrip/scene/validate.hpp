@@ -122,16 +122,16 @@ constexpr bool valid_fog(const Fog& fog) {
   return fog.mode <= FogMode::exponential_squared && fog.start >= 0 && fog.start < fog.end && fog.density >= 0;
 }
 
-/// Words that a texture of this size and format has.
+/// Words that a texture of this size, format and number of levels has.
 constexpr std::size_t texel_words(const Texture& texture) {
-  const std::size_t texels = std::size_t{1} << (texture.log2_width + texture.log2_height);
-  switch (texture.format) {
-    case TextureFormat::rgb565_alpha: return texels + (texels + 1) / 2;
-    case TextureFormat::palette8: return 256 + (texels + 1) / 2;
-    case TextureFormat::palette4: return 16 + (texels + 3) / 4;
-    case TextureFormat::rgb565: break;
+  std::size_t words = has_palette(texture.format) ? std::size_t{1} << index_bits(texture.format) : 0;
+  std::uint32_t log2_width = texture.log2_width, log2_height = texture.log2_height;
+  for (std::uint32_t level = 0; level <= texture.smaller_levels; ++level) {
+    words += level_words(texture.format, log2_width + log2_height);
+    if (log2_width != 0) --log2_width;
+    if (log2_height != 0) --log2_height;
   }
-  return texels;
+  return words;
 }
 
 constexpr bool valid_punctual_light(const PunctualLight& light) {
@@ -145,7 +145,9 @@ constexpr bool valid_finish(const Finish& finish) {
 
 constexpr bool valid_texture(const Texture& texture) {
   return texture.log2_width <= kLargestTextureLog2 && texture.log2_height <= kLargestTextureLog2 &&
-         texture.format <= TextureFormat::palette4 && texture.texels.size() >= texel_words(texture);
+         texture.format <= TextureFormat::palette4 &&
+         (texture.smaller_levels <= texture.log2_width || texture.smaller_levels <= texture.log2_height) &&
+         texture.texels.size() >= texel_words(texture);
 }
 
 }  // namespace detail

@@ -54,7 +54,8 @@ int print_affected() {
 int main() {
   return print_affected<scenes::fog>() + print_affected<scenes::emissive>() + print_affected<scenes::specular>() +
          print_affected<scenes::punctual>() + print_affected<scenes::mask>() + print_affected<scenes::blend>() +
-         print_affected<scenes::bilinear>() + print_affected<scenes::palette>() + print_affected<scenes::spheres>() +
-         print_affected<scenes::dithered>() + print_affected<scenes::dithered_mono>() +
-         print_affected<scenes::lines>() + print_affected<scenes::billboards>();
+         print_affected<scenes::bilinear>() + print_affected<scenes::palette>() + print_affected<scenes::mipmaps>() +
+         print_affected<scenes::spheres>() + print_affected<scenes::dithered>() +
+         print_affected<scenes::dithered_mono>() + print_affected<scenes::lines>() +
+         print_affected<scenes::billboards>();
 }

@@ -190,6 +190,46 @@ inline constexpr BuiltIn palette =
     effect_scene("palette", "two boxes with the same texels, those of the right one indices of 4 bits", kPaletteScene,
                  count(kPaletteScene), 4.0, 20, 2.0);
 
+/// Squares of 8x8 texels, and the same picture half as large four times, down to one texel.
+extern const std::array<std::uint16_t, 256 + 64 + 16 + 4 + 1> kChequerTexels;
+inline constexpr Texture kChequerTextures[] = {{.texels = kChequerTexels,
+                                                .log2_width = 4,
+                                                .log2_height = 4,
+                                                .format = TextureFormat::rgb565,
+                                                .smaller_levels = 4}};
+/// A strip of floor, 2 x 12, on which the texture repeats 4 times across and 24 times along.
+extern const std::array<Position, 4> kFloorPositions;
+extern const std::array<TexCoord, 4> kFloorTexcoords;
+extern const std::array<Triangle, 2> kFloorTriangles;
+inline constexpr Mesh kFloorMesh[] = {{.positions = kFloorPositions,
+                                       .normals = {},
+                                       .colours = {},
+                                       .texcoords = kFloorTexcoords,
+                                       .triangles = kFloorTriangles,
+                                       .meshlets = {},
+                                       .half_extent = {fixed(1), 0, fixed(6)},
+                                       .texcoord_bits = 10}};
+inline constexpr Material kMipmapMaterials[] = {{.texture = 0, .lit = false, .smooth = false},
+                                                {.texture = 0, .lit = false, .smooth = false, .finish = 0}};
+/// A floor in the place (x, 0, z).
+consteval Instance floor_at(std::uint16_t material, double x, double z) {
+  Instance instance{.material = material};
+  instance.transform.m[0][3] = fixed(x);
+  instance.transform.m[2][3] = fixed(z);
+  return instance;
+}
+inline constexpr Instance kMipmapInstances[] = {floor_at(0, -1.02, -4), floor_at(1, 1.02, -4)};
+inline constexpr Scene kMipmapScene{.meshes = kFloorMesh,
+                                    .materials = kMipmapMaterials,
+                                    .textures = kChequerTextures,
+                                    .instances = kMipmapInstances,
+                                    .lights = {},
+                                    .background = {120, 150, 180, 255},
+                                    .finishes = kPlainFinish};
+inline constexpr BuiltIn mipmaps =
+    effect_scene("mipmaps", "a chequered floor towards the horizon, its right half with mipmaps", kMipmapScene,
+                 count(kMipmapScene), 3.0, 12, 2.0);
+
 /// All of this page, in its order.
 std::span<const BuiltIn> effect_scenes();
 
