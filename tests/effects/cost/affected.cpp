@@ -39,9 +39,10 @@ int print_affected() {
         !renderer.draw_strip(0, std::as_writable_bytes(std::span(pixels)))) {
       return 1;
     }
-    // A format is that of every pixel.
-    fragments += kCalledFor.has(effect::dithered_format) ? std::uint32_t{kWidth} * kHeight
-                                                         : renderer.frame().statistics().fragments;
+    // A format is that of every pixel, and every pixel has samples.
+    fragments += kCalledFor.any(effect::dithered_format | effect::supersampled)
+                     ? std::uint32_t{kWidth} * kHeight
+                     : renderer.frame().statistics().fragments;
   }
   std::printf("%s %llu %llu\n", built_in.name, static_cast<unsigned long long>(fragments / kFrames),
               static_cast<unsigned long long>(vertices / kFrames));
@@ -54,5 +55,6 @@ int main() {
   return print_affected<scenes::fog>() + print_affected<scenes::emissive>() + print_affected<scenes::specular>() +
          print_affected<scenes::punctual>() + print_affected<scenes::mask>() + print_affected<scenes::blend>() +
          print_affected<scenes::bilinear>() + print_affected<scenes::palette>() + print_affected<scenes::spheres>() +
-         print_affected<scenes::dithered>() + print_affected<scenes::dithered_mono>() + print_affected<scenes::lines>();
+         print_affected<scenes::dithered>() + print_affected<scenes::dithered_mono>() +
+         print_affected<scenes::lines>() + print_affected<scenes::samples_2>() + print_affected<scenes::samples_4>();
 }
