@@ -42,7 +42,10 @@ std::span<std::byte> resized(std::vector<std::uint64_t>& words, std::uint32_t by
 
 std::optional<Failure> play(SceneFile& scene, AnyDisplay& display, const PlayOptions& options, StopSignals& stop,
                             Played& played) {
-  const View view{display.width(), display.height(), view_format(display.format()), scene.dithers()};
+  View view{display.width(), display.height(), view_format(display.format()), scene.dithers(), scene.samples()};
+  if (view.width * sample_columns(view) > kMaxViewSize || view.height * sample_rows(view) > kMaxViewSize) {
+    view.samples = 1;  // the display has pixels enough
+  }
   const Camera camera = scene.camera(view);
   if (options.frames_per_turn > 1 && !scene.can_turn())
     return Failure{ExitStatus::input, "an instance of the baked scene is too far away to turn; play it with --turn 1"};

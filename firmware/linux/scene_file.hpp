@@ -22,8 +22,9 @@ class SceneFile {
   const Scene& scene() const { return blob_.scene; }
   /// The blob's camera; in a picture narrower than the blob's own it shows as much from side to side.
   Camera camera(const View& view) const;
-  /// Whether the picture was baked to be dithered.
+  /// Whether the picture was baked to be dithered, and with how many samples a pixel.
   bool dithers() const { return blob_.view.dither; }
+  std::uint8_t samples() const { return blob_.view.samples; }
   /// Whether the scene can turn: none of its instances is too far away.
   bool can_turn() const;
   /// Frame `frame` of a full turn in `frames` frames. Valid until the next call, and as long as this object lives.

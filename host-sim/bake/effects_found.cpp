@@ -30,6 +30,7 @@ constexpr KnownEffect kKnown[] = {
     {effect::billboards, "billboards", "turns with the camera"},
     {effect::dithered_colours, "dithered_colours", "the picture is dithered to RGB565 (--dither)"},
     {effect::dithered_format, "dithered_format", "the picture is dithered to its format (--dither)"},
+    {effect::supersampled, "supersampled", "the picture has several samples a pixel (--samples)"},
     {effect::bins, "bins", "the plan transforms geometry only once (--mode)"},
 };
 
@@ -55,7 +56,7 @@ std::vector<FoundEffect> find_effects(const Scene& scene, const Camera& camera, 
   std::vector<FoundEffect> found;
   for (const KnownEffect& known : kKnown) {
     if (!effects.has(known.effect)) continue;
-    if (known.effect == effect::dithered_colours || known.effect == effect::dithered_format) {
+    if ((effect::dithered_colours | effect::dithered_format | effect::supersampled).has(known.effect)) {
       found.push_back({known, {}, {}});
       continue;
     }

@@ -136,7 +136,8 @@ class Writer {
     half_word(std::uint32_t{view.height});
     byte(static_cast<std::uint8_t>(view.format));
     byte(view.dither ? 1 : 0);
-    zeros(2);
+    byte(view.samples == 1 ? std::uint8_t{0} : view.samples);
+    zeros(1);
   }
 
   /// Writes the array here, and its offset and count at `entry`.

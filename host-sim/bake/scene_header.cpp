@@ -311,19 +311,24 @@ class Header {
 
   void plan() {
     const Budget& budget = baked_.budget;
-    const bool dither = baked_.view.dither;
+    const View& view = baked_.view;
+    std::string words, settings;
+    if (view.dither) words += ", dithered", settings += ", true";
+    if (view.samples != 1) {
+      words += fmt::format(", with {} samples a pixel", view.samples);
+      settings = fmt::format(", {}, {}", view.dither, view.samples);
+    }
     line(
         fmt::format("\n/// The picture that camera and plan are for{}.\n"
                     "inline constexpr zstrip::View kView{{{}, {}, zstrip::PixelFormat::{}{}}};",
-                    dither ? ", dithered" : "", baked_.view.width, baked_.view.height, name(baked_.view.format),
-                    dither ? ", true" : ""));
+                    words, view.width, view.height, name(view.format), settings));
     line(
         fmt::format("/// All that the scene calls for{}: the one pipeline to instantiate.\n"
                     "inline constexpr zstrip::Effects kEffects = {};",
                     baked_.effects.has(effect::bins) ? ", and bins for the plan" : "", literal(baked_.effects)));
     const Effects beyond_scene{baked_.effects.bits & (effect::bins | effect::depth_ranges).bits,
                                baked_.effects.methods};
-    const std::string of_view = dither ? " | zstrip::effects_of(kView)" : "";
+    const std::string of_view = effects_of(view) == Effects{} ? "" : " | zstrip::effects_of(kView)";
     line(fmt::format("static_assert(kEffects == (zstrip::effects_of(kScene, kCamera){}));",
                      of_view + (beyond_scene == Effects{} ? "" : " | " + literal(beyond_scene))));
     line("inline constexpr zstrip::SceneCounts kCounts = zstrip::count(kScene);");

@@ -70,7 +70,7 @@ class DynamicZDrawing {
   const Plan& plan() const { return plan_; }
   std::uint32_t pixel_bytes() const { return plan_.strip_pixel_bytes(view_); }
   /// The part of the view whose z-buffer the last draw cleared.
-  const Rect& cleared() const { return renderer_.frame().bounds(); }
+  Rect cleared() const { return renderer_.frame().bounds(); }
 
  private:
   DynamicZDrawing(const TorusKnot& knot, const DynamicZPicture& picture, const View& view, bool whole_view);

@@ -1,6 +1,8 @@
 // Options that a scene file may set as well.
 #include "cli/picture_arguments.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <tuple>
@@ -29,21 +31,36 @@ Result<PictureSettings> settings_of(const std::string& scene) {
   return settings;
 }
 
-void add_dither_option(CLI::App& command, ViewArguments& arguments) {
+void add_quality_options(CLI::App& command, ViewArguments& arguments) {
   command.add_flag_function(
       "--dither,!--no-dither", [&arguments](std::int64_t count) { arguments.dither = count > 0; },
       "Hide the steps between colours in a pattern, where they get fewer bits (default: no)");
+  command
+      .add_option("--samples", arguments.samples,
+                  "Samples a pixel, whose mean smooths edges: 1 (default), 2 (side by side) or 4 (two by two); they "
+                  "take memory and time as so many pixels")
+      ->type_name("N")
+      ->check(CLI::IsMember({1, 2, 4}));
 }
 
-bool dithers(const ViewArguments& arguments, const PictureSettings& settings) {
-  return arguments.dither.value_or(settings.dither.value_or(false));
+Result<View> parse_quality(const ViewArguments& arguments, const PictureSettings& settings, const View& view) {
+  View result = view;
+  result.dither = arguments.dither.value_or(settings.dither.value_or(false));
+  const std::uint32_t samples = arguments.samples.value_or(settings.samples.value_or(std::uint8_t{1}));
+  result.samples = static_cast<std::uint8_t>(samples);
+  if (view.width * sample_columns(result) > kMaxViewSize || view.height * sample_rows(result) > kMaxViewSize) {
+    const auto largest = [](std::uint32_t samples_a_side) { return kMaxViewSize / samples_a_side; };
+    return Failure{ExitStatus::usage,
+                   fmt::format("{} {}: a picture has at most {} samples in a row or column, so that it may be {}x{} "
+                               "with them, not {}x{}",
+                               arguments.samples ? "--samples" : "'samples' in the scene file,", samples, kMaxViewSize,
+                               largest(sample_columns(result)), largest(sample_rows(result)), view.width, view.height)};
+  }
+  return result;
 }
 
 Result<View> parse_view(const ViewArguments& arguments, const PictureSettings& settings) {
-  View view{.width = 320,
-            .height = 240,
-            .format = settings.format.value_or(PixelFormat::rgb565),
-            .dither = dithers(arguments, settings)};
+  View view{.width = 320, .height = 240, .format = settings.format.value_or(PixelFormat::rgb565)};
   if (settings.size) std::tie(view.width, view.height) = *settings.size;
   if (arguments.size) {
     const auto parsed = parse_size(*arguments.size);
@@ -55,7 +72,7 @@ Result<View> parse_view(const ViewArguments& arguments, const PictureSettings& s
     if (!parsed) return parsed.failure();
     view.format = *parsed;
   }
-  return view;
+  return parse_quality(arguments, settings, view);
 }
 
 Result<DepthFormat> parse_depth_format(const std::optional<std::string>& given, const PictureSettings& settings) {

@@ -19,19 +19,20 @@ namespace zstrip::sim {
 /// [picture] of a scene file; nothing for other scenes.
 Result<PictureSettings> settings_of(const std::string& scene);
 
-/// As given on the command line; `dither` is the view's where a panel gives the rest.
+/// As given on the command line.
 struct ViewArguments {
   std::optional<std::string> size{};
   std::optional<std::string> format{};
   std::optional<bool> dither{};
+  std::optional<std::uint32_t> samples{};
 };
-/// `arguments` must live as long as the command.
-void add_dither_option(CLI::App& command, ViewArguments& arguments);
+/// --dither and --samples. `arguments` must live as long as the command.
+void add_quality_options(CLI::App& command, ViewArguments& arguments);
 
-/// 320x240 in RGB565, not dithered, if neither says.
+/// 320x240 in RGB565, not dithered, with one sample a pixel, if neither says.
 Result<View> parse_view(const ViewArguments& arguments, const PictureSettings& settings);
-/// Whether the picture is dithered.
-bool dithers(const ViewArguments& arguments, const PictureSettings& settings);
+/// Whether a picture of this size and format, which a panel has given, is dithered, and its samples.
+Result<View> parse_quality(const ViewArguments& arguments, const PictureSettings& settings, const View& view);
 
 Result<DepthFormat> parse_depth_format(const std::optional<std::string>& given, const PictureSettings& settings);
 

@@ -17,7 +17,7 @@ void add_plan_options(CLI::App& command, PlanArguments& arguments) {
       .add_option("--format", a.view.format,
                   "Pixels: rgb565 (default), rgb565_swapped, gray4, mono, rgb666, rgb444, xrgb8888")
       ->type_name("FORMAT");
-  add_dither_option(command, a.view);
+  add_quality_options(command, a.view);
   command
       .add_option("--ram", a.memory.ram,
                   "Bytes at most, of arena and strip buffers, K and M allowed (default: no limit)")

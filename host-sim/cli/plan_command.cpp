@@ -49,6 +49,9 @@ Result<PlanRequest> parse(const Arguments& arguments) {
   if (arguments.static_layer && (wide || request->view.format != PixelFormat::rgb565)) {
     return Failure{ExitStatus::usage, "a static layer keeps depth of 16 bits and pixels of --format rgb565"};
   }
+  if (arguments.static_layer && request->view.samples != 1) {
+    return Failure{ExitStatus::usage, "a static layer keeps pixels of one sample; use --samples 1"};
+  }
   if (arguments.static_layer && request->method != Effects{}) {
     return Failure{ExitStatus::usage,
                    fmt::format("--static-layer keeps the z-buffer of the plain method, not of --visibility {}",
@@ -121,6 +124,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
       "  zstrip plan knot_meshlets --ram 48K --strip-buffers 2 --json\n"
       "  zstrip plan room --ram 8K --depth-format auto --separation 0.0001\n"
       "  zstrip plan random50 --visibility painter --size 128x64\n"
+      "  zstrip plan teapot --size 240x240 --ram 64K --samples 4\n"
       "  zstrip plan room --size 128x64 --ram 32K --static-layer --separation 0.01");
   command->callback([arguments, &exit_code] {
     const Result<Done> done = run(*arguments);

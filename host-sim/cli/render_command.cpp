@@ -100,10 +100,10 @@ Result<Job> parse(const Arguments& arguments) {
   const auto panel = parse_panel(arguments.panel, arguments.view.size, arguments.view.format);
   if (!panel) return panel.failure();
   job.panel = *panel;
-  const Result<View> view = job.panel ? panel_view(*job.panel) : parse_view(arguments.view, *settings);
+  const Result<View> view = job.panel ? parse_quality(arguments.view, *settings, panel_view(*job.panel))
+                                      : parse_view(arguments.view, *settings);
   if (!view) return view.failure();
   job.view = *view;
-  job.view.dither = dithers(arguments.view, *settings);
   const Result<DepthFormat> depth_format = parse_depth_format(arguments.depth_format, *settings);
   if (!depth_format) return depth_format.failure();
   job.depth_format = *depth_format;
@@ -142,6 +142,9 @@ Result<Job> parse(const Arguments& arguments) {
   }
   if (job.visibility.show != Show::colour && job.view.format != PixelFormat::rgb565) {
     return usage("--show makes RGB565 pictures; leave out --format");
+  }
+  if (job.visibility.show != Show::colour && job.view.samples != 1) {
+    return usage("--show shows pixels of one sample; use --samples 1");
   }
   const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene);
   if (!model) return model.failure();
@@ -365,7 +368,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
       ->add_option("--format", a.view.format,
                    "Pixels: rgb565 (default), rgb565_swapped, gray4, mono, rgb666, rgb444, xrgb8888")
       ->type_name("FORMAT");
-  add_dither_option(*command, a.view);
+  add_quality_options(*command, a.view);
   command
       ->add_option("--depth-format", a.depth_format,
                    "Depth in the z-buffer: z16 (default), float, w16, z24 or z32; the last three for comparison")
@@ -385,7 +388,8 @@ void add_render_command(CLI::App& app, int& exit_code) {
       "  zstrip render random50 --visibility painter --show error\n"
       "  zstrip render duck.glb -o oled --size 128x64 --format gray4 --image raw\n"
       "  zstrip render teapot -o panel.png --panel st7789 --bus spi@40MHz --rotation 90\n"
-      "  zstrip render teapot -o oled.png --panel ssd1306 --bus i2c@400kHz --dither");
+      "  zstrip render teapot -o oled.png --panel ssd1306 --bus i2c@400kHz --dither\n"
+      "  zstrip render teapot -o smooth.png --samples 4");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

@@ -32,6 +32,7 @@ struct PictureSettings {
   std::optional<std::pair<std::uint16_t, std::uint16_t>> size;
   std::optional<PixelFormat> format;
   std::optional<bool> dither;
+  std::optional<std::uint8_t> samples;  ///< 1, 2 or 4
   std::optional<DepthFormat> depth_format;
   VisibilitySettings visibility;
   std::optional<std::uint16_t> strip_rows;

@@ -67,6 +67,10 @@ PictureSettings read_picture(TomlTable& table) {
   }
   picture.format = table.choice("format", kFormats);
   picture.dither = table.flag("dither");
+  if (const auto samples = table.integer("samples", 1, kMostSamples)) {
+    picture.samples = static_cast<std::uint8_t>(*samples);
+    if (*samples == 3) table.wrong("samples", "'samples' must be 1, 2 or 4");
+  }
   picture.depth_format = table.choice("depth_format", kDepthFormats);
   picture.visibility = read_visibility(table);
   const auto pixels = [&table](const char* key) -> std::optional<std::uint16_t> {

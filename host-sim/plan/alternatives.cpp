@@ -17,13 +17,16 @@ namespace {
 constexpr int kPointsOfCurve = 24;
 
 /// As estimated_cost, but from what a frame did; `pixels` of the whole picture.
-std::uint64_t cost_of(const SceneCounts& counts, const Statistics& done, std::uint64_t pixels, const Plan& plan) {
+std::uint64_t cost_of(const SceneCounts& counts, const Statistics& done, const View& view, const Plan& plan) {
   using namespace zstrip::detail;
+  const std::uint64_t pixels = std::uint64_t{view.width} * view.height;
+  const std::uint64_t averaged = view.samples == 1 ? 0 : pixels;
   const std::uint64_t average = counts.vertices == 0 ? 0 : 256 * std::uint64_t{counts.triangles} / counts.vertices;
   const std::uint64_t culled = done.vertices * average >> 8;  // triangles come with their vertices
   return done.vertices * kCostOfVertex + culled * kCostOfCulling + done.covering * kCostOfSetup +
          (plan.mode == Mode::binned ? done.covering * kCostOfBinning : 0) + done.fragments * kCostOfFragment +
-         pixels * kCostOfClearing + std::uint64_t{plan.strips} * kCostOfMeshlet;
+         pixels * view.samples * kCostOfClearing + averaged * kCostOfAveraging +
+         std::uint64_t{plan.strips} * kCostOfMeshlet;
 }
 
 class Planning {
@@ -55,10 +58,9 @@ class Planning {
     const Result<FrameReport> report = renderer.render(staging_, plan);
     if (!report) return report.failure();
     const Statistics& done = report->statistics;
-    const std::uint64_t pixels = std::uint64_t{request_.view.width} * request_.view.height;
     return Alternative{.plan = plan,
                        .total_bytes = total_bytes(plan),
-                       .instructions = cost_of(counts_, done, pixels, plan),
+                       .instructions = cost_of(counts_, done, request_.view, plan),
                        .statistics = done,
                        .overflowed = report->mode != plan.mode};
   }

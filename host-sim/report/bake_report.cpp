@@ -144,6 +144,7 @@ std::string bake_json(const BakeRecord& record) {
                  {"height", record.view.height},
                  {"format", name(record.view.format)},
                  {"dither", record.view.dither},
+                 {"samples", record.view.samples},
                  {"warnings", record.warnings},
                  {"counts",
                   {{"instances", counts.instances},

@@ -42,7 +42,7 @@ struct RunRecord {
 
 /// As the enumerators: "rgb565", "gray4" ...
 const char* name(PixelFormat format);
-/// "mono", or "mono dithered".
+/// "mono", or "mono dithered, 4 samples a pixel".
 std::string format_words(const View& view);
 /// "streamed", "binned".
 const char* name(Mode mode);

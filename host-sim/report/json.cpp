@@ -84,7 +84,10 @@ const char* name(PixelFormat format) {
 }
 
 std::string format_words(const View& view) {
-  return view.dither ? std::string(name(view.format)) + " dithered" : name(view.format);
+  std::string words = name(view.format);
+  if (view.dither) words += " dithered";
+  if (view.samples != 1) words += ", " + std::to_string(view.samples) + " samples a pixel";
+  return words;
 }
 
 const char* name(Mode mode) { return mode == Mode::binned ? "binned" : "streamed"; }
@@ -95,7 +98,8 @@ std::string to_json(const RunRecord& run) {
     frames.push_back(to_object(i, run.frames[i], run.panel.has_value()));
   Json object = {{"scene", run.scene},        {"width", run.view.width},
                  {"height", run.view.height}, {"format", name(run.view.format)},
-                 {"dither", run.view.dither}, {"warnings", run.warnings}};
+                 {"dither", run.view.dither}, {"samples", run.view.samples},
+                 {"warnings", run.warnings}};
   if (run.panel) {
     object["panel"] = {{"name", run.panel->name},
                        {"bus", run.panel->bus},

@@ -33,7 +33,7 @@ std::array<Part, 8> parts(const Plan& plan) {
            {"vertices", plan.vertex_bytes,
             plan.mode == Mode::binned ? "all transformed vertices" : "the meshlet being drawn"},
            {"depth", plan.depth_bytes, "z-buffer of a strip"},
-           {"colour", plan.colour_bytes, "RGB565 strip, before it becomes the panel's format"},
+           {"colour", plan.colour_bytes, "RGB565 strip, before it becomes the panel's pixels"},
            {"bins", plan.bin_bytes, "triangles waiting for their strip"},
            {"effects", plan.effect_bytes, "fog, light by place, the order of what blends"},
            {"visibility", plan.visibility_bytes, "order of triangles, or bounds of depth"}}};
@@ -180,6 +180,7 @@ std::string plan_json(const std::string& scene, const PlanRequest& request, cons
                        {"height", request.view.height},
                        {"format", name(request.view.format)},
                        {"dither", request.view.dither},
+                       {"samples", request.view.samples},
                        {"visibility", visibility_name(request.method)},
                        {"depth_format", name(choice.depth_format)},
                        {"strip_buffers", request.budget.strip_buffers},

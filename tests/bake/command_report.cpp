@@ -25,7 +25,7 @@ std::vector<std::string> render_options(const std::string& options) {
   const std::vector<std::string> words = words_of(options);
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i] == "--ortho" || words[i] == "--dither") kept.push_back(words[i]);
-    for (const char* option : {"--size", "--format", "--up", "--orbit", "--fov", "--visibility"}) {
+    for (const char* option : {"--size", "--format", "--samples", "--up", "--orbit", "--fov", "--visibility"}) {
       if (words[i] == option) kept.insert(kept.end(), {words[i], words[i + 1]});
     }
   }

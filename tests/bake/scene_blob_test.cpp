@@ -213,6 +213,23 @@ TEST(SceneBlob, WhetherAMeshIsABillboardStandsInAByteThatWasUnused) {
   EXPECT_EQ(Opened(bytes).status, (Status{.error = Error::blob_damaged, .needed = at + 73}));
 }
 
+TEST(SceneBlob, SamplesAreAByteThatOlderBlobsLeaveZero) {
+  Bytes bytes = sample_bytes();
+  EXPECT_EQ(bytes[130], 0);
+  EXPECT_EQ(Opened(bytes).content.view.samples, 1);
+  for (int value = 0; value < 256; ++value) {
+    bytes[130] = static_cast<std::uint8_t>(value);
+    mend(bytes);
+    const Opened opened(bytes);
+    if (value <= 2 || value == 4) {
+      ASSERT_TRUE(opened.status) << value;
+      EXPECT_EQ(opened.content.view.samples, std::max(value, 1));
+    } else {
+      EXPECT_EQ(opened.status, (Status{.error = Error::blob_damaged, .needed = 130})) << value;
+    }
+  }
+}
+
 TEST(SceneBlob, PalettesAreOfANewVersion) {
   EXPECT_EQ(sample_bytes()[2], 3);
   Bytes bytes = palette_bytes();

@@ -65,6 +65,9 @@ constexpr Marker kMarkers[] = {
     {effect::dithered_colours, "zstrip::detail::dithered_rgb565("},
     {effect::dithered_colours | effect::dithered_format, "zstrip::detail::kBayer"},
     {effect::dithered_format, "zstrip::dither_pixels("},
+    {effect::supersampled, "zstrip::Frame::Access::Samples::"},
+    {effect::supersampled, "zstrip::detail::average_samples<false>("},
+    {effect::supersampled, "zstrip::detail::camera_of_samples("},
 };
 
 void expect_only(const std::string& program, const scenes::BuiltIn& built_in, const View& view = {}) {
@@ -89,6 +92,8 @@ TEST(EffectsAbsence, ProgramsHoldTheCodeOfTheirScenesEffectsAndNoOther) {
   expect_only(folder + "knot_rgb565_dithered", scenes::knot, {64, 48, PixelFormat::rgb565, true});
   expect_only(folder + "fog_rgb565_dithered", scenes::fog, {64, 48, PixelFormat::rgb565, true});
   expect_only(folder + "knot_mono_dithered", scenes::knot, {64, 48, PixelFormat::mono, true});
+  expect_only(folder + "knot_rgb565_4", scenes::knot, {64, 48, PixelFormat::rgb565, false, 4});
+  expect_only(folder + "knot_mono_2", scenes::knot, {64, 48, PixelFormat::mono, false, 2});
 }
 
 }  // namespace

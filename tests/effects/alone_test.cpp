@@ -30,6 +30,7 @@ TEST(EffectsTogether, EachOfSurfacesAlone) {
   expect_drawn_alike<effect::billboards>();
   expect_drawn_alike<effect::orthographic>();
   expect_drawn_alike<effect::depth_state>();
+  expect_drawn_alike<effect::supersampled>();
 }
 
 }  // namespace

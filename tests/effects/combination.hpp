@@ -17,7 +17,7 @@ inline constexpr Effects kFactors[] = {effect::lighting,         effect::gouraud
                                        effect::bilinear,         effect::punctual_lights,  effect::alpha_test,
                                        effect::blending,         effect::vertex_colours,   effect::quadrics,
                                        effect::dithered_colours, effect::texture_palettes, effect::lines,
-                                       effect::billboards,       effect::mipmaps};
+                                       effect::billboards,       effect::mipmaps,          effect::supersampled};
 
 static_assert(
     [] {
@@ -85,7 +85,7 @@ constexpr auto kNoise = [] {
   return words;
 }();
 
-/// With a dithered picture if that is in the set, calls for exactly completed(set).
+/// With a picture that is dithered or has samples if that is in the set, calls for exactly completed(set).
 struct Combination {
   Mesh meshes[2] = {scenes::kRoomMeshes[0], scenes::kRoomMeshes[1]};
   Finish finishes[2];
@@ -146,7 +146,8 @@ struct Combination {
 template <Effects set>
 void expect_drawn_alike() {
   constexpr Effects kSet = completed(set);
-  constexpr View kView{40, 32, PixelFormat::rgb565, set.has(effect::dithered_colours)};
+  constexpr View kView{40, 32, PixelFormat::rgb565, set.has(effect::dithered_colours),
+                       set.has(effect::supersampled) ? kMostSamples : std::uint8_t{1}};
   SCOPED_TRACE(testing::Message() << std::hex << kSet.bits);
   Combination combination(kSet);
   const Scene& scene = combination.scene;
@@ -162,7 +163,8 @@ void expect_drawn_alike() {
   const Plan plan = zstrip::plan(count(scene), kView, kSet).plan;
   EXPECT_EQ(plan.effect_bytes != 0,
             kSet.any(effect::fog | effect::blending | effect::local_light | effect::billboards));
-  EXPECT_EQ(plan.colour_bytes + plan.bin_bytes + plan.visibility_bytes, 0U);
+  EXPECT_EQ(plan.colour_bytes, kSet.has(effect::supersampled) ? 40U * 32 * 2 * 4 : 0);
+  EXPECT_EQ(plan.bin_bytes + plan.visibility_bytes, 0U);
 }
 
 }  // namespace effects_test

@@ -16,9 +16,9 @@ constexpr View kView{75, 58, PixelFormat::rgb565, true};
 View as_dithered(PixelFormat format) { return {kView.width, kView.height, format, true}; }
 
 /// Level of each pixel of a picture in mono or gray4, from strips by the host's pipeline.
-std::vector<int> levels(const scenes::Staged& staged, PixelFormat format, const Budget& budget) {
+std::vector<int> levels(const scenes::Staged& staged, PixelFormat format, const Budget& budget, Effects method = {}) {
   const View view = as_dithered(format);
-  const Effects effects = effects_of(staged.scene, staged.camera) | effects_of(view) | effect::bins;
+  const Effects effects = effects_of(staged.scene, staged.camera) | effects_of(view) | effect::bins | method;
   const PlanResult planned = plan(count(staged.scene), view, effects, budget);
   EXPECT_TRUE(planned.status);
   AnyRenderer renderer(effects);
@@ -60,6 +60,14 @@ TEST(Dithering, FormatsWithFewerBitsAreThoseOfTheWholePictureInAnyStrips) {
     EXPECT_EQ(levels(staged, format, {.strip_rows = 1}), expected);
     EXPECT_EQ(levels(staged, format, {.strip_rows = 7, .strip_columns = 24}), expected);
     EXPECT_EQ(levels(staged, format, {.strip_rows = 9, .modes = Modes::binned}), expected);
+  }
+}
+
+TEST(Dithering, FormatsWithFewerBitsAreDitheredWithMethodsToo) {
+  scenes::Staged staged;
+  scenes::stage(scenes::knot, staged, 3, 20, kPlain);
+  for (const Effects method : {method::front_to_back, method::hierarchical_z, method::culling}) {
+    EXPECT_EQ(levels(staged, PixelFormat::mono, {}, method), levels(staged, PixelFormat::mono, {}));
   }
 }
 

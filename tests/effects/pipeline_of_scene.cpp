@@ -1,5 +1,5 @@
-// The one pipeline that EFFECT_SCENE calls for, in EFFECT_FORMAT and dithered if EFFECT_DITHER: linked to be looked at
-// by absence_test.cpp, not to be run for its picture.
+// The one pipeline that EFFECT_SCENE calls for, in EFFECT_FORMAT, dithered if EFFECT_DITHER, with EFFECT_SAMPLES a
+// pixel: linked to be looked at by absence_test.cpp, not to be run for its picture.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace {
 
 constexpr const zstrip::scenes::BuiltIn& kBuiltIn = zstrip::scenes::EFFECT_SCENE;
-constexpr zstrip::View kView{64, 48, zstrip::PixelFormat::EFFECT_FORMAT, EFFECT_DITHER};
+constexpr zstrip::View kView{64, 48, zstrip::PixelFormat::EFFECT_FORMAT, EFFECT_DITHER, EFFECT_SAMPLES};
 constexpr zstrip::Effects kEffects = effects_of(kBuiltIn.scene, kBuiltIn.camera) | effects_of(kView);
 constexpr zstrip::Plan kPlan = plan(kBuiltIn.counts, kView, kEffects, {.strip_rows = 16}).plan;
 alignas(zstrip::kArenaAlignment) std::array<std::byte, kPlan.bytes()> arena;

@@ -98,6 +98,70 @@ TEST_F(Command, DitheredSceneHasItsChecksum) {
   EXPECT_NE(drawn({"--no-dither"}), golden);
 }
 
+/// As many as the option or the scene file says; in strips of any height and on any threads.
+TEST_F(Command, SamplesAreAveraged) {
+  const auto report_of = [&](const std::string& scene, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"render", scene, "-o", "s.png", "--size", "75x58", "--quiet", "--json", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = zstrip(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.status == 0 ? outcome.out : "{}");
+  };
+  const auto checksum = [](const nlohmann::json& report) {
+    return report.at("frames").at(0).at("crc32").get<std::string>();
+  };
+  const nlohmann::json one = report_of("knot", {}), two = report_of("knot", {"--samples", "2"}),
+                       four = report_of("knot", {"--samples", "4"});
+  EXPECT_EQ(one.at("samples"), 1);
+  EXPECT_EQ(two.at("samples"), 2);
+  EXPECT_EQ(four.at("samples"), 4);
+  EXPECT_EQ(checksum(report_of("knot", {"--samples", "1"})), checksum(one));
+  EXPECT_NE(checksum(two), checksum(one));
+  EXPECT_NE(checksum(four), checksum(two));
+  EXPECT_GT(four.at("frames").at(0).at("statistics").at("fragments"),
+            3 * one.at("frames").at(0).at("statistics").at("fragments").get<int>());
+  EXPECT_EQ(checksum(report_of("knot", {"--samples", "4", "--strip-rows", "5", "--threads", "3"})), checksum(four));
+  EXPECT_EQ(checksum(report_of("knot", {"--samples", "4", "--strip-rows", "9", "--strip-columns", "24"})),
+            checksum(four));
+  file("knot.toml", "[picture]\nsamples = 4\n[[model]]\nname = 'k'\nbuilt_in = 'knot'\n[[instance]]\nmodel = 'k'\n");
+  EXPECT_EQ(report_of("knot.toml", {}).at("samples"), 4);
+  EXPECT_EQ(report_of("knot.toml", {"--samples", "2"}).at("samples"), 2);
+}
+
+TEST_F(Command, SamplesThatCannotBeAreRefused) {
+  const auto refusal = [&](const std::vector<std::string>& arguments) {
+    const Outcome outcome = zstrip(arguments);
+    EXPECT_EQ(outcome.status, 2) << outcome.out;
+    return outcome.err;
+  };
+  for (const char* samples : {"0", "3", "8", "-1", "four"}) {
+    EXPECT_NE(refusal({"render", "cube", "--samples", samples}).find("--samples"), std::string::npos) << samples;
+  }
+  EXPECT_NE(refusal({"render", "cube", "--size", "2049x10", "--samples", "2"})
+                .find("--samples 2: a picture has at most 4096 samples in a row or column, so that it may be 2048x4096 "
+                      "with them, not 2049x10"),
+            std::string::npos);
+  EXPECT_NE(refusal({"render", "cube", "--samples", "4", "--show", "depth"}).find("use --samples 1"),
+            std::string::npos);
+  EXPECT_NE(refusal({"plan", "cube", "--samples", "4", "--static-layer"}).find("use --samples 1"), std::string::npos);
+}
+
+TEST_F(Command, PlansCountSamples) {
+  const auto plan = [&](const char* samples) {
+    const Outcome outcome =
+        zstrip({"plan", "knot_meshlets", "--size", "160x120", "--strip-rows", "16", "--samples", samples, "--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.status == 0 ? outcome.out : "{}");
+  };
+  const nlohmann::json one = plan("1"), four = plan("4");
+  EXPECT_EQ(four.at("samples"), 4);
+  const auto bytes = [](const nlohmann::json& report) { return report.at("plan").at("bytes"); };
+  EXPECT_EQ(bytes(four).at("depth"), 160 * 16 * 2 * 4);
+  EXPECT_EQ(bytes(four).at("colour"), 160 * 16 * 2 * 4);
+  EXPECT_EQ(bytes(four).at("arena"), bytes(one).at("arena").get<int>() + 160 * 16 * (2 * 4 - 2 + 2 * 4));
+  EXPECT_GT(four.at("plan").at("estimated_m3_instructions"), one.at("plan").at("estimated_m3_instructions"));
+}
+
 /// Of three boxes with 65536, 256 and 16 colours: in strips of any height, on any threads, and baked.
 TEST_F(Command, SceneWithPalettesHasItsChecksum) {
   const std::string scene = ZSTRIP_SCENE_FILES "/palette.toml";

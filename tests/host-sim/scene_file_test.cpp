@@ -210,6 +210,17 @@ TEST(SceneFile, WhetherThePictureIsDithered) {
             "'scene.toml' line 2: [picture] has no key 'diter'; did you mean 'dither'?");
 }
 
+TEST(SceneFile, SamplesOfAPixel) {
+  EXPECT_EQ(parsed(kCube).picture.samples, std::nullopt);
+  for (const int samples : {1, 2, 4}) {
+    EXPECT_EQ(parsed("[picture]\nsamples = " + std::to_string(samples) + "\n" + kCube).picture.samples, samples);
+  }
+  EXPECT_EQ(failure("[picture]\nsamples = 3\n" + kCube), "'scene.toml' line 2: [picture]: 'samples' must be 1, 2 or 4");
+  EXPECT_NE(failure("[picture]\nsamples = 0\n" + kCube), "");
+  EXPECT_NE(failure("[picture]\nsamples = 8\n" + kCube), "");
+  EXPECT_NE(failure("[picture]\nsamples = '4'\n" + kCube), "");
+}
+
 TEST(SceneFile, HowVisibilityIsFound) {
   const auto wrong = [](const std::string& line, const char* part) {
     const std::string message = failure("[picture]\n" + line + "\n" + kCube);

@@ -10,7 +10,8 @@ enum class Error : std::uint8_t {
   arena_too_small,    ///< `needed`, `available` in bytes; `purpose` says for what
   pixels_too_small,   ///< the caller's strip buffer; `needed`, `available` in bytes
   pixels_misaligned,  ///< RGB565 pixels must lie at an even address
-  view_size,          ///< width or height outside 1..4096
+  view_size,          ///< width or height outside 1..4096; with several samples a pixel, those of a row or column
+                      ///< (`needed` = given, `available` = limit)
   strip_rows,  ///< more strip rows than the picture has, a strip index out of range, or rows that end within tiles of a
                ///< static layer (`needed` = given, `available` = limit)
   strip_columns,   ///< neither a multiple of 8 nor the picture's width (`needed` = given, `available` = the width)
@@ -48,6 +49,8 @@ enum class Error : std::uint8_t {
   lines,           ///< refer to a mesh, vertex or material that does not exist or ask for what lines do not have (a
                    ///< texture, a finish, a slope bias), a transform or a width out of range, or a mesh too large
                    ///< beside the depth range (`needed` = index of the set)
+  samples,         ///< View::samples is none of 1, 2, 4, or what was asked for, a static layer or a draw_over, is not
+                   ///< there with several (`needed` = View::samples)
 };
 
 /// What memory is for. The order is that of a plan's table.

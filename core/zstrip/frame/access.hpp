@@ -23,6 +23,7 @@ struct Frame::Access {
   struct Materials;
   struct Methods;
   struct Raster;
+  struct Samples;
 
   /// Binning does not change how triangles are drawn.
   template <Effects effects>

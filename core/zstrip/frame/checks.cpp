@@ -69,19 +69,8 @@ Status Frame::Access::Checks::every_frame(const Scene& scene, const Camera& came
 }
 
 Status Frame::Access::Checks::strip(const Frame& frame, std::uint16_t strip, std::span<const std::byte> pixels) {
-  if (frame.scene_ == nullptr) return {.error = Error::not_begun};
-  if (strip >= frame.plan_.strips)
-    return {.error = Error::strip_rows, .needed = strip, .available = frame.plan_.strips};
-  const Rect area = frame.plan_.strip_area(strip, frame.view_);
-  const auto rows = static_cast<std::uint32_t>(area.height());
-  const std::uint32_t needed = rows * bytes_per_row(static_cast<std::uint16_t>(area.width()), frame.view_.format);
-  if (pixels.size() < needed) {
-    return {.error = Error::pixels_too_small, .needed = needed, .available = static_cast<std::uint32_t>(pixels.size())};
-  }
-  if (detail::drawn_in_place(frame.view_.format) && reinterpret_cast<std::uintptr_t>(pixels.data()) % 2 != 0) {
-    return {.error = Error::pixels_misaligned};
-  }
-  return {};
+  if (const Status status = strip_number(frame, strip); !status) return status;
+  return room(frame.plan_.strip_area(strip, frame.view_), frame.view_.format, pixels);
 }
 
 Status Frame::Access::Checks::every_area(const Frame& frame, const Rect& area, std::size_t pixels, std::size_t depths) {

@@ -42,11 +42,34 @@ struct Frame::Access::Checks {
 
   /// Of draw_strip.
   static Status strip(const Frame& frame, std::uint16_t strip, std::span<const std::byte> pixels);
+  static Status strip_number(const Frame& frame, std::uint16_t strip) {
+    if (frame.scene_ == nullptr) return {.error = Error::not_begun};
+    if (strip >= frame.plan_.strips) {
+      return {.error = Error::strip_rows, .needed = strip, .available = frame.plan_.strips};
+    }
+    return {};
+  }
+  /// Whether `pixels` has room for `area` of the picture.
+  static Status room(const Rect& area, PixelFormat format, std::span<const std::byte> pixels) {
+    const auto rows = static_cast<std::uint32_t>(area.height());
+    const std::uint32_t needed = rows * bytes_per_row(static_cast<std::uint16_t>(area.width()), format);
+    if (pixels.size() < needed) {
+      const auto available = static_cast<std::uint32_t>(pixels.size());
+      return {.error = Error::pixels_too_small, .needed = needed, .available = available};
+    }
+    if (detail::drawn_in_place(format) && reinterpret_cast<std::uintptr_t>(pixels.data()) % 2 != 0) {
+      return {.error = Error::pixels_misaligned};
+    }
+    return {};
+  }
 
   /// Of draw_over.
   template <Effects effects>
   static Status area(const Frame& frame, const Rect& area, std::size_t pixels, std::size_t depths) {
     if (frame.scene_ == nullptr) return {.error = Error::not_begun};
+    if constexpr (effects.has(effect::supersampled)) {
+      if (frame.view_.samples != 1) return {.error = Error::samples, .needed = frame.view_.samples};
+    }
     if (effects.methods != 0) return {.error = Error::visibility, .needed = effects.methods};
     if (DepthStage::has_own_clear(effects)) return {.error = Error::depth_effects};
     return every_area(frame, area, pixels, depths);

@@ -6,6 +6,7 @@
 
 #include "zstrip/base/statistics.hpp"
 #include "zstrip/frame/depth_ranges.hpp"
+#include "zstrip/frame/samples.hpp"
 #include "zstrip/geometry/bins.hpp"
 #include "zstrip/geometry/extent.hpp"
 #include "zstrip/geometry/project.hpp"
@@ -107,9 +108,27 @@ class FrameWithMethod : public FrameWithDepthRanges {
   std::byte* depth_bounds_ = nullptr;
 };
 
+/// The frame of a renderer with effect::supersampled. Within, all is of the picture of samples; only what is named here
+/// is of pixels. So with several samples depth(), depth_area() and what else says pixels means samples, statistics()
+/// counts them, and has_plain_depth() is false.
+template <class Base>
+class FrameOfSamples : public Base {
+ public:
+  Rect bounds() const { return detail::pixels_of(Base::bounds(), Base::view()); }
+  View view() const { return detail::view_of_pixels(Base::view()); }
+  Plan plan() const { return detail::plan_of_pixels(Base::plan(), Base::view()); }
+};
+
+namespace detail {
+template <Effects effects>
+using PlainFrameFor =
+    std::conditional_t<effects.methods != 0, FrameWithMethod,
+                       std::conditional_t<effects.has(effect::depth_ranges), FrameWithDepthRanges, Frame>>;
+}  // namespace detail
+
 /// What a renderer with these effects holds.
 template <Effects effects>
-using FrameFor = std::conditional_t<effects.methods != 0, FrameWithMethod,
-                                    std::conditional_t<effects.has(effect::depth_ranges), FrameWithDepthRanges, Frame>>;
+using FrameFor = std::conditional_t<effects.has(effect::supersampled), FrameOfSamples<detail::PlainFrameFor<effects>>,
+                                    detail::PlainFrameFor<effects>>;
 
 }  // namespace zstrip

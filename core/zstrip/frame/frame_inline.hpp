@@ -9,6 +9,7 @@
 #include "zstrip/frame/effect_stage.hpp"
 #include "zstrip/frame/method_stage.hpp"
 #include "zstrip/frame/raster_stage.hpp"
+#include "zstrip/frame/sample_stage.hpp"
 #include "zstrip/resolve/convert.hpp"
 #include "zstrip/resolve/dither.hpp"
 #include "zstrip/resolve/resolve.hpp"
@@ -92,12 +93,19 @@ Status Frame::Access::prepare_frame(Frame& frame, const Scene& scene, const Came
 
 template <Effects effects>
 Status Frame::Access::draw_strip(Frame& frame, std::uint16_t strip, std::span<std::byte> pixels) {
-  if (const Status status = Checks::strip(frame, strip, pixels); !status) return status;
+  constexpr bool kSupersampled = effects.has(effect::supersampled);
+  if constexpr (kSupersampled) {
+    if (const Status status = Samples::strip(frame, strip, pixels); !status) return status;
+  } else {
+    if (const Status status = Checks::strip(frame, strip, pixels); !status) return status;
+  }
   const Rect area = frame.plan_.strip_area(strip, frame.view_);
   const auto width = static_cast<std::uint16_t>(area.width());
   const auto rows = static_cast<std::uint16_t>(area.height());
-  auto* const drawn = detail::drawn_in_place(frame.view_.format) ? reinterpret_cast<std::uint16_t*>(pixels.data())
-                                                                 : frame.working_colour_;
+  const bool has_samples = kSupersampled && frame.view_.samples != 1;
+  auto* const drawn = detail::drawn_in_place(frame.view_.format) && !has_samples
+                          ? reinterpret_cast<std::uint16_t*>(pixels.data())
+                          : frame.working_colour_;
   detail::StripTarget target = target_of(frame, area, drawn);
   if constexpr (DepthStage::has_own_clear(effects)) {
     detail::fill_pixels(drawn, std::uint32_t{rows} * width, detail::rgb565(frame.scene_->background));
@@ -115,6 +123,13 @@ Status Frame::Access::draw_strip(Frame& frame, std::uint16_t strip, std::span<st
     Methods::begin_strip(static_cast<FrameWithMethod&>(frame), effects, target);
   }
   if (!target.area.empty()) Raster::draw_surfaces<effects>(frame, target, strip);
+  if constexpr (kSupersampled) {
+    if (has_samples) {
+      Samples::resolve<effects>(frame, area, drawn, pixels.data());
+      frame.next_to_last_strip_ = strip + 1U;
+      return {};
+    }
+  }
   if constexpr (effects.has(effect::dithered_format)) {
     if (frame.view_.dither) dither_pixels(frame.view_.format, area, drawn);
   }
@@ -138,6 +153,11 @@ namespace detail {
 template <Effects effects>
 Status begin_frame(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                    std::span<std::byte> arena) {
+  if constexpr (effects.has(effect::supersampled)) {
+    if (view.samples != 1) {
+      return Frame::Access::Samples::begin_frame<effects>(frame, scene, camera, view, plan, arena);
+    }
+  }
   return Frame::Access::begin_frame<effects>(frame, scene, camera, view, plan, arena);
 }
 

@@ -9,7 +9,7 @@ namespace zstrip {
 namespace {
 
 /// Picture pixels that the set can cover: those of its vertices' box, and half a width around them.
-Rect box_of(const detail::CompiledInstance& instance, std::uint8_t width, const detail::RasterOrigin& origin,
+Rect box_of(const detail::CompiledInstance& instance, std::int32_t width, const detail::RasterOrigin& origin,
             const View& view, bool orthographic) {
   // In a picture with a border, so that what lies beside this one and reaches into it is not lost. Its size keeps
   // the parity of this one's.
@@ -46,7 +46,8 @@ Status Frame::Access::prepare_lines(Frame& frame, const Scene& scene, const Came
       return {.error = Error::lines, .needed = i};
     }
     if (!compiled.instance.visible) continue;
-    const Rect box = box_of(compiled.instance, lines.width, frame.origin_, frame.view_, orthographic);
+    const auto width = static_cast<std::int32_t>(lines.width * sample_columns(frame.view_));
+    const Rect box = box_of(compiled.instance, width, frame.origin_, frame.view_, orthographic);
     compiled.instance.visible = !box.empty();
     if (box.empty()) continue;
     extend_bounds(frame, box);

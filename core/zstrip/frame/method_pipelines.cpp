@@ -9,8 +9,7 @@ Pipeline pipeline_of_method(Effects effects) {
   }
   const bool orthographic = effects.has(effect::orthographic);
   const Effects own = without(Effects{0, effects.methods}, method::culling);
-  constexpr Effects kBeyondTriangles =
-      effect::depth_state | effect::fragments | effect::vertex_light | effect::surfaces;
+  constexpr Effects kBeyondTriangles = without(effect::of_scenes, effect::all);
   if (effects.any(own == Effects{} ? without(kBeyondTriangles, effect::depth_state) : kBeyondTriangles)) {
     return detail::pipeline_of_method_with_effects(own, orthographic);
   }

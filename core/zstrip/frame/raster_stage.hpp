@@ -110,6 +110,10 @@ struct Frame::Access::Raster {
       if constexpr (effects.has(effect::dithered_colours)) {
         shade.dither = {-target.view_left, -target.view_top, dithers_colours(frame.view_)};
       }
+      if constexpr (effects.has(effect::supersampled)) {
+        shade.grid = {static_cast<std::int32_t>(sample_columns(frame.view_)),
+                      static_cast<std::int32_t>(sample_rows(frame.view_))};
+      }
       Materials::with_depth<effects>(frame, target, lines.material, [&](const auto& complete) {
         detail::LineFill<effects>::draw(complete, all[i], lines, scene.meshes[lines.mesh], frame.origin_, shade);
       });

@@ -31,6 +31,11 @@ class Renderer {
   /// like the last one. Where something else wrote it (another renderer, too), assign a new object first.
   Status begin_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                      std::span<std::byte> arena) {
+    // Here, where a view that is a constant needs no instruction.
+    if (!effects.has(effect::supersampled) && view.samples != 1) {
+      static_cast<void>(detail::begin_frame<effects>(frame_, scene, camera, {}, plan, arena));
+      return {.error = Error::effect_missing, .needed = low_bits(effect::supersampled)};
+    }
     return detail::begin_frame<effects>(frame_, scene, camera, view, plan, arena);
   }
   /// Draws plan.strip_area(strip, view) of the picture into `pixels` (at most plan.strip_pixel_bytes(view), aligned to
@@ -43,7 +48,7 @@ class Renderer {
   /// pixels in RGB565, whatever the view's format, and as many depth codes, without gaps. For layers: depths compare
   /// only with those of frames that have the same camera, Camera::fixed_depth_range and the same depth format.
   /// Error::view_size if the area is empty or leaves the picture, Error::pixels_too_small, Error::depth_effects where
-  /// depth has no 16-bit cells or has sub-ranges.
+  /// depth has no 16-bit cells or has sub-ranges, Error::samples where pixels have several.
   Status draw_over(const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) {
     return detail::draw_over<effects>(frame_, area, pixels, depth);
   }
@@ -60,9 +65,14 @@ class AnyRenderer {
  public:
   /// Takes the pipeline for exactly these effects; with a depth effect one that has all others as well, which draws
   /// the same.
-  explicit AnyRenderer(Effects effects) : pipeline_(pipeline_for(effects)) {}
+  explicit AnyRenderer(Effects effects)
+      : pipeline_(pipeline_for(effects)), takes_samples_(effects.has(effect::supersampled)) {}
   Status begin_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                      std::span<std::byte> arena) {
+    if (!takes_samples_ && view.samples != 1) {
+      static_cast<void>(pipeline_.begin_frame(frame_, scene, camera, {}, plan, arena));
+      return {.error = Error::effect_missing, .needed = low_bits(effect::supersampled)};
+    }
     return pipeline_.begin_frame(frame_, scene, camera, view, plan, arena);
   }
   Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
@@ -71,13 +81,14 @@ class AnyRenderer {
   Status draw_over(const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) {
     return pipeline_.draw_over(frame_, area, pixels, depth);
   }
-  const FrameWithMethod& frame() const { return frame_; }
+  const FrameOfSamples<FrameWithMethod>& frame() const { return frame_; }
   /// Holds from the next begin_frame on; without a method it says nothing.
   void set_visibility(const VisibilityOptions& options) { frame_.set_options(options); }
 
  private:
   Pipeline pipeline_;
-  FrameWithMethod frame_;
+  FrameOfSamples<FrameWithMethod> frame_;
+  bool takes_samples_;
 };
 
 }  // namespace zstrip

@@ -12,7 +12,8 @@ inline constexpr std::uint64_t kCostOfCulling = 25;  // a triangle, facing eithe
 inline constexpr std::uint64_t kCostOfBinning = 90;  // a triangle in a strip's list
 inline constexpr std::uint64_t kCostOfSetup = 400;   // a triangle in a strip
 inline constexpr std::uint64_t kCostOfFragment = 22;
-inline constexpr std::uint64_t kCostOfClearing = 3;  // a pixel
+inline constexpr std::uint64_t kCostOfClearing = 3;    // a pixel
+inline constexpr std::uint64_t kCostOfAveraging = 16;  // a pixel of several samples
 inline constexpr std::uint64_t kCostOfMeshlet = 150;
 
 constexpr std::uint32_t rough_square_root(std::uint64_t value) {
@@ -62,7 +63,8 @@ constexpr std::uint64_t estimated_cost(const SceneCounts& counts, const View& vi
     geometry += pass / meshlets * visits.meshlets;
   }
   return geometry + visits.triangles * kCostOfSetup +
-         std::uint64_t{view.width} * view.height * (kCostOfFragment + kCostOfClearing) +
+         std::uint64_t{view.width} * view.height * view.samples * (kCostOfFragment + kCostOfClearing) +
+         (view.samples == 1 ? 0 : std::uint64_t{view.width} * view.height * kCostOfAveraging) +
          std::uint64_t{plan.strips} * kCostOfMeshlet;
 }
 

@@ -10,8 +10,9 @@ namespace zstrip {
 
 constexpr SceneCounts count(const Scene& scene);
 
-/// Also Error::view_size, strip_rows, strip_columns for shapes that cannot be; with a static layer Error::store_range
-/// and Error::depth_effects for what StaticLayer::keep refuses.
+/// Also Error::view_size, samples, strip_rows, strip_columns for shapes that cannot be, Error::effect_missing for
+/// several samples without effect::supersampled; with a static layer Error::store_range, samples and depth_effects for
+/// what StaticLayer::keep refuses.
 constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects effects, const Budget& budget = {});
 
 /// What a frame is thought to cost with a plan, in instructions of a Cortex-M3: a scene is assumed to fill the view

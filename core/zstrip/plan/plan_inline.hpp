@@ -63,6 +63,9 @@ constexpr bool drawn_in_place(PixelFormat format) {
   return format == PixelFormat::rgb565 || format == PixelFormat::rgb565_swapped;
 }
 
+/// Samples are not: pixels are their means.
+constexpr bool drawn_in_place(const View& view) { return drawn_in_place(view.format) && view.samples == 1; }
+
 /// What begin_frame compiles.
 constexpr std::uint64_t instance_bytes(const SceneCounts& counts) {
   return std::uint64_t{counts.instances} * kInstanceBytes + std::uint64_t{counts.quadrics} * kQuadricBytes +
@@ -175,7 +178,7 @@ class Planner {
     const std::uint64_t fixed =
         std::uint64_t{lowest.instance_bytes} + lowest.vertex_bytes + effect_bytes_ + layer_.sum();
     if (fixed >= limit_) return;
-    const std::uint64_t whole_depth = std::uint64_t{per_cell_} * columns * view_.height;
+    const std::uint64_t whole_depth = std::uint64_t{per_cell_} * view_.samples * columns * view_.height;
     const std::uint64_t at_least = whole_depth / (limit_ - fixed);
     for (std::uint64_t down = at_least > 2 ? at_least : 2; down < view_.height; ++down) {
       const Plan plan = with(mode, columns, static_cast<std::uint16_t>((view_.height + down - 1) / down));
@@ -190,7 +193,7 @@ class Planner {
     const std::uint32_t strips = plan.columns_of_strips(view_) * plan.rows_of_strips(view_);
     if (strips > kMostStrips) return {};
     plan.strips = static_cast<std::uint16_t>(strips);
-    const std::uint64_t cells = std::uint64_t{rows} * columns;
+    const std::uint64_t cells = std::uint64_t{rows} * columns * view_.samples;
     if (sorts_triangles(effects_) && counts_.longest_meshlet > kMostSortedIndex) return {};
     const std::uint64_t meshlets = counts_.meshlets > counts_.instances ? counts_.meshlets : counts_.instances;
     const bool binned = mode == Mode::binned;
@@ -198,8 +201,9 @@ class Planner {
     plan.extent_bytes = strips > 1 || binned ? rounded_up(meshlets * kExtentBytes) : 0;
     plan.vertex_bytes = rounded_up(std::uint64_t{binned ? counts_.vertices : counts_.largest_meshlet} * per_vertex_);
     plan.depth_bytes = rounded_up(cells * per_cell_);
-    plan.visibility_bytes = rounded_up(visibility_bytes(effects_, counts_.triangles, columns, rows));
-    plan.colour_bytes = drawn_in_place(view_.format) ? 0 : rounded_up(cells * kWorkingColourBytes);
+    plan.visibility_bytes = rounded_up(
+        visibility_bytes(effects_, counts_.triangles, columns * sample_columns(view_), rows * sample_rows(view_)));
+    plan.colour_bytes = drawn_in_place(view_) ? 0 : rounded_up(cells * kWorkingColourBytes);
     plan.effect_bytes = effect_bytes_;
     if (binned) {
       if (meshlets > kMostBatches || counts_.longest_meshlet > kMostBatches) return {};
@@ -244,6 +248,14 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
   if (view.width < 1 || view.height < 1 || view.width > kMaxViewSize || view.height > kMaxViewSize) {
     return {.status = {.error = Error::view_size}, .plan = {}};
   }
+  if (!valid_samples(view)) return {.status = {.error = Error::samples, .needed = view.samples}, .plan = {}};
+  const std::uint32_t most_samples = std::max(view.width * sample_columns(view), view.height * sample_rows(view));
+  if (most_samples > kMaxViewSize) {
+    return {.status = {.error = Error::view_size, .needed = most_samples, .available = kMaxViewSize}, .plan = {}};
+  }
+  if (view.samples != 1 && !effects.has(effect::supersampled)) {
+    return {.status = {.error = Error::effect_missing, .needed = low_bits(effect::supersampled)}, .plan = {}};
+  }
   if (budget.strip_rows > view.height) {
     return {.status = {.error = Error::strip_rows, .needed = budget.strip_rows, .available = view.height}, .plan = {}};
   }
@@ -256,6 +268,7 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
   if (budget.layer.sum() != 0) {
     if (effects.methods != 0) return {.status = {.error = Error::visibility, .needed = effects.methods}, .plan = {}};
     if (view.format != PixelFormat::rgb565) return {.status = {.error = Error::store_range}, .plan = {}};
+    if (view.samples != 1) return {.status = {.error = Error::samples, .needed = view.samples}, .plan = {}};
     if (depth_bytes(depth_format(effects)) != kDepthBytes || effects.has(effect::depth_ranges)) {
       return {.status = {.error = Error::depth_effects}, .plan = {}};
     }

@@ -52,8 +52,8 @@ struct Plan {
   std::uint32_t instance_bytes = 0;  ///< of quadrics and sets of lines, too
   std::uint32_t extent_bytes = 0;    ///< which strips a meshlet touches; none for a single streamed strip
   std::uint32_t vertex_bytes = 0;
-  std::uint32_t depth_bytes = 0;
-  std::uint32_t colour_bytes = 0;  ///< RGB565 working strip; only for formats that are not drawn in place
+  std::uint32_t depth_bytes = 0;   ///< a cell a sample
+  std::uint32_t colour_bytes = 0;  ///< RGB565 working strip; only for formats that are not drawn in place, and samples
   std::uint32_t bin_bytes = 0;
   std::uint32_t effect_bytes = 0;      ///< what effects keep through a frame: fog, local light, drawing order
   std::uint32_t visibility_bytes = 0;  ///< what a visibility method keeps: order of triangles, or bounds of depth

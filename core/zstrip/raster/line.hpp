@@ -12,6 +12,11 @@
 
 namespace zstrip::detail {
 
+/// Samples of a pixel: a line is as wide as its pixels say. Where they are side by side, samples are not square.
+struct SampleGrid {
+  std::int32_t columns = 1, rows = 1;
+};
+
 /// The colour of one line's pixels; the effects say which of its members are looked at.
 template <Effects effects>
 struct LineShade {
@@ -20,6 +25,7 @@ struct LineShade {
   const FogCurve* fog = nullptr;  ///< only with effect::fog
   std::int64_t depth_offset = 0;  ///< of distance_at
   [[no_unique_address]] MemberIf<effects, effect::dithered_colours, DitherAnchor> dither{};
+  [[no_unique_address]] MemberIf<effects, effect::supersampled, SampleGrid> grid{};
 
   /// Raster pixel; `depth` in 1/2^32 of all codes.
   std::uint16_t operator()([[maybe_unused]] std::int32_t column, [[maybe_unused]] std::int32_t row,
@@ -45,6 +51,7 @@ class LineFill {
   static constexpr DepthMode kMode = depth_mode(effects);
   static constexpr bool kStatistics = effects.has(effect::statistics);
   static constexpr bool kOrthographic = effects.has(effect::orthographic);
+  static constexpr bool kSupersampled = effects.has(effect::supersampled);
   using Target = TargetFor<kMode>;
   using Rule = DepthRule<kMode>;
   using Shade = LineShade<effects>;
@@ -101,21 +108,33 @@ class LineFill {
   /// What pixel_of makes the first of `width` pixels around `coordinate`.
   static std::int32_t before(std::int32_t coordinate, std::int32_t width) { return coordinate - 8 * (width - 1); }
 
+  /// `width` pixels of the picture in columns, or rows, of what is drawn.
+  std::int32_t in_columns(std::int32_t width) const {
+    if constexpr (kSupersampled) return width * shade_.grid.columns;
+    return width;
+  }
+  std::int32_t in_rows(std::int32_t width) const {
+    if constexpr (kSupersampled) return width * shade_.grid.rows;
+    return width;
+  }
+
   void point(const WidePosition& p, std::int32_t width) const {
-    const std::int32_t left = pixel_of(before(p.x, width)), top = pixel_of(before(p.y, width));
-    const std::int32_t end = std::min(left + width, target_.area.right);
+    const std::int32_t wide = in_columns(width), high = in_rows(width);
+    const std::int32_t left = pixel_of(before(p.x, wide)), top = pixel_of(before(p.y, high));
+    const std::int32_t end = std::min(left + wide, target_.area.right);
     for (std::int32_t column = std::max(left, target_.area.left); column < end; ++column) {
-      across<true>(column, top, width, stepped(p.depth));
+      across<true>(column, top, high, stepped(p.depth));
     }
   }
 
   void line(const SnappedSegment& ends, std::int32_t width) const {
     const auto& [a, b] = ends;
     const auto distance = [](std::int32_t from, std::int32_t to) { return from < to ? to - from : from - to; };
-    if (distance(a.x, b.x) >= distance(a.y, b.y)) {
-      in_order<true>({a.x, a.y, a.depth}, {b.x, b.y, b.depth}, width);
+    // In pixels of the picture, whatever the samples.
+    if (in_rows(distance(a.x, b.x)) >= in_columns(distance(a.y, b.y))) {
+      in_order<true>({a.x, a.y, a.depth}, {b.x, b.y, b.depth}, in_rows(width));
     } else {
-      in_order<false>({a.y, a.x, a.depth}, {b.y, b.x, b.depth}, width);
+      in_order<false>({a.y, a.x, a.depth}, {b.y, b.x, b.depth}, in_columns(width));
     }
   }
 
@@ -154,7 +173,7 @@ class LineFill {
   void between(const End& low, const End& high, std::int32_t first, std::int32_t last, std::int32_t width) const {
     if (first > last) return;
     const std::int64_t length = std::int64_t{high.along} - low.along;  // below 2^27
-    const std::int64_t rise = std::int64_t{high.across} - low.across;  // not more
+    const std::int64_t rise = std::int64_t{high.across} - low.across;  // not more; twice that with two samples
     const std::int64_t start = std::int64_t{first} * 16 + kPixelCentre - low.along;
     const auto denominator = static_cast<std::uint32_t>(length * 16);
     const std::int64_t numerator = (before(low.across, width) - kCentreBias) * length + rise * start;
@@ -162,7 +181,11 @@ class LineFill {
     if (rest < 0) rest += denominator, --quotient;
     auto pixel = static_cast<std::int32_t>(quotient);
     auto remainder = static_cast<std::uint32_t>(rest);
-    const std::int32_t step = rise == length ? 1 : rise < 0 ? -1 : 0;
+    std::int32_t step = rise == length ? 1 : rise < 0 ? -1 : 0;
+    if constexpr (kSupersampled) {
+      if (rise > length) step = rise == 2 * length ? 2 : 1;
+      if (rise < -length) step = -2;
+    }
     const auto step_remainder = static_cast<std::uint32_t>((rise - step * length) * 16);
 
     const std::int64_t depth_range = std::int64_t{high.depth} - low.depth;

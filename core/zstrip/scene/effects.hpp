@@ -76,12 +76,13 @@ inline constexpr Effects quadrics{1U << 22};  ///< spheres and ellipsoids
 /// View::dither of a picture in a format that is_narrow.
 inline constexpr Effects dithered_format{1U << 23};
 inline constexpr Effects lines{1U << 25};                       ///< lines and points
+inline constexpr Effects supersampled{1U << 27};                ///< View::samples is not 1
 inline constexpr Effects billboards{1U << 28};                  ///< Mesh::billboard
 inline constexpr Effects surfaces{quadrics.bits | lines.bits};  ///< all of these
 
 /// All that a scene and its picture can call for.
-inline constexpr Effects of_scenes =
-    without(all, statistics) | depth_state | fragments | vertex_light | surfaces | billboards | dithered_format;
+inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | vertex_light | surfaces |
+                                     billboards | dithered_format | supersampled;
 }  // namespace effect
 
 /// Ways to find what is visible other than a plain z-buffer; docs/visibility.md compares them. Never called for by a
@@ -238,8 +239,9 @@ constexpr Effects effects_of_finish(const Scene& scene, const Material& material
 
 /// What the picture needs beside what its scene does. constexpr.
 constexpr Effects effects_of(const View& view) {
-  if (dithers_colours(view)) return effect::dithered_colours;
-  return view.dither ? effect::dithered_format : Effects{};
+  const Effects samples = view.samples == 1 ? Effects{} : effect::supersampled;
+  if (dithers_colours(view)) return samples | effect::dithered_colours;
+  return view.dither ? samples | effect::dithered_format : samples;
 }
 
 /// Exactly what drawing this scene with this camera needs. constexpr for baked scenes.

@@ -163,6 +163,8 @@ void read_view(Reader& reader, View& view) {
   reader.require(reader.byte(kView + 4) <= static_cast<std::uint8_t>(kLastPixelFormat), kView + 4);
   view.format = static_cast<PixelFormat>(reader.byte(kView + 4));
   view.dither = reader.flag(kView + 5);
+  if (const std::uint8_t samples = reader.byte(kView + 6); samples != 0) view.samples = samples;
+  reader.require(valid_samples(view), kView + 6);
 }
 
 /// A bool or a test of any other value must not even be read as one.

@@ -21,12 +21,24 @@ struct View {
   /// Where colours get fewer bits (docs/conventions.md, "Dithering"). Renderers with effects_of(view) do it; for others
   /// it is not there, and costs nothing.
   bool dither = false;
+  /// Samples of a pixel: 1, 2 (side by side) or 4 (two by two). The picture of all samples is drawn, and the mean of
+  /// each pixel's is taken (docs/conventions.md, "Samples"); at most kMaxViewSize of them in a row or column. Any but 1
+  /// needs effects_of(view).
+  std::uint8_t samples = 1;
 };
 
 /// Whether gradients, fog and spheres are dithered as they are drawn; in narrow formats pixels are, afterwards.
 constexpr bool dithers_colours(const View& view) { return view.dither && !is_narrow(view.format); }
 
 inline constexpr std::uint16_t kMaxViewSize = 4096;
+inline constexpr std::uint8_t kMostSamples = 4;
+
+constexpr bool valid_samples(const View& view) {
+  return view.samples == 1 || view.samples == 2 || view.samples == kMostSamples;
+}
+/// Samples of a pixel side by side, and one below the other.
+constexpr std::uint32_t sample_columns(const View& view) { return view.samples > 1 ? 2 : 1; }
+constexpr std::uint32_t sample_rows(const View& view) { return view.samples > 2 ? 2 : 1; }
 
 /// Bytes of one row of pixels; every row starts at a byte.
 constexpr std::uint32_t bytes_per_row(std::uint16_t width, PixelFormat format) {

@@ -40,9 +40,10 @@ int print_affected() {
         !renderer.draw_strip(0, std::as_writable_bytes(std::span(pixels)))) {
       return 1;
     }
-    // A format is that of every pixel.
-    fragments += kCalledFor.has(effect::dithered_format) ? std::uint32_t{kWidth} * kHeight
-                                                         : renderer.frame().statistics().fragments;
+    // A format is that of every pixel, and every pixel has samples.
+    fragments += kCalledFor.any(effect::dithered_format | effect::supersampled)
+                     ? std::uint32_t{kWidth} * kHeight
+                     : renderer.frame().statistics().fragments;
   }
   const auto of_a_frame = [](std::uint64_t count) { return static_cast<unsigned long long>(count / kFrames); };
   std::printf("%s %llu %llu %llu\n", built_in.name, of_a_frame(fragments), of_a_frame(vertices), of_a_frame(instances));
@@ -57,5 +58,6 @@ int main() {
          print_affected<scenes::bilinear>() + print_affected<scenes::palette>() + print_affected<scenes::mipmaps>() +
          print_affected<scenes::spheres>() + print_affected<scenes::dithered>() +
          print_affected<scenes::dithered_mono>() + print_affected<scenes::lines>() +
-         print_affected<scenes::billboards>();
+         print_affected<scenes::billboards>() + print_affected<scenes::samples_2>() +
+         print_affected<scenes::samples_4>();
 }

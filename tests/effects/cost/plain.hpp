@@ -23,6 +23,16 @@ inline constexpr BuiltIn dithered_mono = [] {
   scene.name = "dithered_mono";
   return scene;
 }();
+inline constexpr BuiltIn samples_2 = [] {
+  BuiltIn scene = knot;
+  scene.name = "samples_2";
+  return scene;
+}();
+inline constexpr BuiltIn samples_4 = [] {
+  BuiltIn scene = knot;
+  scene.name = "samples_4";
+  return scene;
+}();
 
 }  // namespace zstrip::scenes
 
@@ -36,6 +46,10 @@ template <bool plain>
 inline constexpr View kView<scenes::dithered, plain>{kWidth, kHeight, PixelFormat::rgb565, !plain};
 template <bool plain>
 inline constexpr View kView<scenes::dithered_mono, plain>{kWidth, kHeight, PixelFormat::mono, !plain};
+template <bool plain>
+inline constexpr View kView<scenes::samples_2, plain>{kWidth, kHeight, PixelFormat::rgb565, false, plain ? 1 : 2};
+template <bool plain>
+inline constexpr View kView<scenes::samples_4, plain>{kWidth, kHeight, PixelFormat::rgb565, false, plain ? 1 : 4};
 inline constexpr std::uint32_t kFrames = 4, kFramesPerTurn = 36;
 
 /// Without fog, finishes, punctual lights, quadrics and lines, billboards standing still, and the scene's first texture

@@ -1,0 +1,66 @@
+// What effect::supersampled adds to the stages of a frame: before them a picture of samples takes the place of the
+// pixels', after them the means of its strips are pixels again.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "zstrip/frame/checks.hpp"
+#include "zstrip/frame/samples.hpp"
+#include "zstrip/resolve/average.hpp"
+#include "zstrip/resolve/convert.hpp"
+#include "zstrip/resolve/dither.hpp"
+
+namespace zstrip {
+
+struct Frame::Access::Samples {
+  /// Of a view with several samples. All checks of pixels come first, so that errors count pixels.
+  template <Effects effects>
+  static Status begin_frame(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
+                            std::span<std::byte> arena) {
+    frame.scene_ = nullptr;
+    if (const Status status = check_view(camera, view); !status) return status;
+    if (const Status status = Checks::frame<effects>(scene, camera, view, plan, effects_of(scene, camera), arena);
+        !status) {
+      return status;
+    }
+    if (const Status status = check_colour(view, plan); !status) return status;
+    const Status status =
+        Access::begin_frame<effects>(frame, scene, detail::camera_of_samples(camera, view),
+                                     detail::view_of_samples(view), detail::plan_of_samples(plan, view), arena);
+    frame.has_special_depth_ = true;
+    return status;
+  }
+
+  /// Of draw_strip.
+  static Status strip(const Frame& frame, std::uint16_t strip, std::span<const std::byte> pixels);
+
+  /// `area` of the picture of samples, which are in `samples`.
+  template <Effects effects>
+  static void resolve(const Frame& frame, const Rect& area, std::uint16_t* samples, std::byte* out) {
+    const View& view = frame.view_;
+    const Rect pixels = detail::pixels_of(area, view);
+    std::uint16_t* const mean = detail::drawn_in_place(view.format) ? reinterpret_cast<std::uint16_t*>(out) : samples;
+    average<effects>(view, pixels, samples, mean);
+    if constexpr (effects.has(effect::dithered_format)) {
+      if (view.dither) dither_pixels(view.format, pixels, mean);
+    }
+    convert_pixels(view.format, static_cast<std::uint16_t>(pixels.width()), static_cast<std::uint16_t>(pixels.height()),
+                   mean, out);
+  }
+
+ private:
+  static Status check_view(const Camera& camera, const View& view);
+  /// A plan for pixels of RGB565 has no working strip.
+  static Status check_colour(const View& view, const Plan& plan);
+
+  template <Effects effects>
+  static void average(const View& view, const Rect& pixels, const std::uint16_t* samples, std::uint16_t* mean) {
+    if constexpr (effects.has(effect::dithered_colours)) {
+      if (dithers_colours(view)) return detail::average_samples<true>(view, pixels, samples, mean);
+    }
+    detail::average_samples<false>(view, pixels, samples, mean);
+  }
+};
+
+}  // namespace zstrip

@@ -1,0 +1,54 @@
+// The picture of samples that is drawn for a view with several samples a pixel, and the way back to pixels.
+#pragma once
+
+#include "zstrip/plan/plan_types.hpp"
+#include "zstrip/scene/camera.hpp"
+#include "zstrip/scene/view.hpp"
+
+namespace zstrip::detail {
+
+/// Its pixels are the samples. View::samples stays, and says how many of them a pixel of the display has.
+constexpr View view_of_samples(View view) {
+  view.width = static_cast<std::uint16_t>(view.width * sample_columns(view));
+  view.height = static_cast<std::uint16_t>(view.height * sample_rows(view));
+  return view;
+}
+constexpr View view_of_pixels(View samples) {
+  samples.width = static_cast<std::uint16_t>(samples.width / sample_columns(samples));
+  samples.height = static_cast<std::uint16_t>(samples.height / sample_rows(samples));
+  return samples;
+}
+
+/// The same strips of the same bytes. `view`: of either picture.
+constexpr Plan plan_of_samples(Plan plan, const View& view) {
+  plan.strip_columns = static_cast<std::uint16_t>(plan.strip_columns * sample_columns(view));
+  plan.strip_rows = static_cast<std::uint16_t>(plan.strip_rows * sample_rows(view));
+  return plan;
+}
+constexpr Plan plan_of_pixels(Plan samples, const View& view) {
+  samples.strip_columns = static_cast<std::uint16_t>(samples.strip_columns / sample_columns(view));
+  samples.strip_rows = static_cast<std::uint16_t>(samples.strip_rows / sample_rows(view));
+  return samples;
+}
+
+/// The pixels that have a sample in a rectangle of the picture of samples.
+constexpr Rect pixels_of(const Rect& samples, const View& view) {
+  const auto columns = static_cast<std::int32_t>(sample_columns(view));
+  const auto rows = static_cast<std::int32_t>(sample_rows(view));
+  return {samples.left / columns, samples.top / rows, (samples.right + columns - 1) / columns,
+          (samples.bottom + rows - 1) / rows};
+}
+
+/// The longest focal length that camera_of_samples can double.
+inline constexpr Fixed kLongestFocal = INT32_MAX / 2;
+
+/// What shows in the picture of samples what `camera` does in that of pixels. A focal length counts halves of the
+/// height, so that two by two samples need no other camera; two side by side have twice the length, and half of `up`.
+constexpr Camera camera_of_samples(Camera camera, const View& view) {
+  if (sample_columns(view) == sample_rows(view)) return camera;
+  camera.focal *= 2;
+  camera.up = {camera.up.x >> 1, camera.up.y >> 1, camera.up.z >> 1};
+  return camera;
+}
+
+}  // namespace zstrip::detail
