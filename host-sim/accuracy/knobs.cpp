@@ -58,6 +58,10 @@ const std::vector<KnobInfo>& table() {
         {"64", "64 rows"},
         {"whole", "the whole picture at once"},
         {"bins16", "16 rows, geometry transformed once and listed by strip"}}},
+      {Knob::samples,
+       "samples",
+       "samples a pixel, whose mean is shown: anti-aliasing",
+       {{"1", "one, in the pixel's middle"}, {"2", "two side by side"}, {"4", "two by two"}}},
   };
   return table;
 }
@@ -139,7 +143,9 @@ Result<std::vector<Knob>> parse_knobs(std::string_view text) {
   std::vector<Knob> found;
   for (const std::string_view word : split(text)) {
     if (word == "all") {
-      for (const KnobInfo& knob : knobs()) found.push_back(knob.knob);
+      for (const KnobInfo& knob : knobs()) {
+        if (knob.knob != Knob::samples) found.push_back(knob.knob);
+      }
       continue;
     }
     const Result<std::size_t> knob = find_word(knobs(), word, "knob");
@@ -165,6 +171,7 @@ Effects extra_effects(const Settings& settings) {
   if (perspective == "1") effects = effects | effect::perspective_1;
   if (settings.name_of(Knob::filter) == "bilinear") effects = effects | effect::bilinear;
   if (settings.name_of(Knob::strips) == "bins16") effects = effects | effect::bins;
+  if (settings[Knob::samples] != 0) effects = effects | effect::supersampled;
   return effects;
 }
 
@@ -172,6 +179,11 @@ PixelFormat pixel_format(const Settings& settings) {
   const std::string_view format = settings.name_of(Knob::format);
   if (format == "gray4") return PixelFormat::gray4;
   return format == "mono" ? PixelFormat::mono : PixelFormat::rgb565;
+}
+
+View picture(const Settings& settings, const View& size) {
+  constexpr std::array<std::uint8_t, 3> kSamples{1, 2, 4};
+  return {size.width, size.height, pixel_format(settings), false, kSamples[settings[Knob::samples]]};
 }
 
 Budget budget(const Settings& settings, std::uint16_t height) {

@@ -14,8 +14,8 @@
 
 namespace zstrip::sim {
 
-enum class Knob : std::uint8_t { depth, fit, shading, perspective, filter, detail, format, strips };
-inline constexpr std::size_t kKnobs = 8;
+enum class Knob : std::uint8_t { depth, fit, shading, perspective, filter, detail, format, strips, samples };
+inline constexpr std::size_t kKnobs = 9;
 
 struct KnobValue {
   std::string_view name;
@@ -48,12 +48,14 @@ struct Settings {
 std::string to_text(const Settings& settings);
 /// The reverse, of a part of them: a usage error names the nearest knob or value.
 Result<Settings> parse_settings(std::string_view text);
-/// Names separated by commas, or "all".
+/// Names separated by commas, or "all" of those that a picture of one sample a pixel has: samples must be named.
 Result<std::vector<Knob>> parse_knobs(std::string_view text);
 
 /// What the settings are to the renderer.
 Effects extra_effects(const Settings& settings);  ///< beside those that the scene calls for
 PixelFormat pixel_format(const Settings& settings);
+/// The picture of this size, in the settings' format and with their samples.
+View picture(const Settings& settings, const View& size);
 /// Of the strips of a picture of `height` rows.
 Budget budget(const Settings& settings, std::uint16_t height);
 /// Of 100, how many triangles a mesh keeps.

@@ -59,6 +59,12 @@ std::vector<Knob> AccuracyScene::knobs() const {
   return knobs_for(effects(), may_simplify(scene), textured);
 }
 
+bool AccuracyScene::possible(const Settings& settings) const {
+  const Effects extra = extra_effects(settings);
+  const bool has_program = !extra.has(effect::supersampled) || extra == effect::supersampled;
+  return sim::possible(settings, effects()) && (request_.target == "host" || has_program);
+}
+
 Result<Errors> AccuracyScene::errors(const Settings& settings, AccuracyPictures* pictures) const {
   const SceneVariant variant(staged_[0].scene, settings);
   const DepthScale depth{depth_format(extra_effects(settings)), effects().has(effect::orthographic)};
@@ -80,7 +86,7 @@ Result<Errors> AccuracyScene::errors(const Settings& settings, AccuracyPictures*
 
 Result<MemoryCost> AccuracyScene::memory(const Settings& settings) const {
   const SceneVariant variant(staged_[0].scene, settings);
-  const View view{request_.view.width, request_.view.height, pixel_format(settings)};
+  const View view = picture(settings, request_.view);
   const Staging first = variant.apply(staged_[0]);
   const PlanResult planned = plan(count(first.scene), view, effects_with(settings), budget(settings, view.height));
   if (!planned.status) {
@@ -94,7 +100,7 @@ Result<MemoryCost> AccuracyScene::memory(const Settings& settings) const {
 
 Result<Cost> AccuracyScene::cost(const Settings& settings) const {
   const SceneVariant variant(staged_[0].scene, settings);
-  const View view{request_.view.width, request_.view.height, pixel_format(settings)};
+  const View view = picture(settings, request_.view);
   const Budget strips = budget(settings, view.height);
   const Effects extra = extra_effects(settings);
   const auto poses = static_cast<double>(request_.frames);

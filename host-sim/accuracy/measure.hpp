@@ -70,7 +70,8 @@ class AccuracyScene {
   /// What drawing with these settings needs; flat shading needs less.
   Effects effects_with(const Settings& settings) const;
   std::vector<Knob> knobs() const;
-  bool possible(const Settings& settings) const { return sim::possible(settings, effects()); }
+  /// Boards have programs for several samples in strips of z16 without more.
+  bool possible(const Settings& settings) const;
 
   Result<Errors> errors(const Settings& settings, AccuracyPictures* pictures = nullptr) const;
   Result<Cost> cost(const Settings& settings) const;

@@ -251,7 +251,7 @@ std::vector<std::array<std::uint8_t, 3>> to_rgb(const View& view, std::span<cons
 Result<Observation> observe(const Staging& staged, const View& view, const Settings& settings) {
   const Budget whole{.strip_rows = view.height, .modes = Modes::streamed};
   const Effects effects = without(extra_effects(settings), effect::bins);
-  const View coloured{view.width, view.height, pixel_format(settings)};
+  const View coloured = picture(settings, view);
   const View words{view.width, view.height, PixelFormat::rgb565};
 
   const Result<Drawn> picture = draw(staged, coloured, effects, whole, false);

@@ -40,8 +40,8 @@ struct Drawn {
 /// `effects`: beside those that the scene calls for.
 Result<Drawn> draw(const Staging& staged, const View& view, Effects effects, const Budget& budget, bool with_depth);
 
-/// Draws the scene, once with each triangle in a colour of its own, and once more with each texel in one. `staged` is
-/// as SceneVariant::apply left it.
+/// Draws the scene, once with each triangle in a colour of its own, and once more with each texel in one; these two
+/// with one sample a pixel, because neither labels nor places have a mean. `staged` is as SceneVariant::apply left it.
 Result<Observation> observe(const Staging& staged, const View& view, const Settings& settings);
 
 /// 0..255 a channel, of the view's pixels.

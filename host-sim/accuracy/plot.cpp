@@ -19,7 +19,7 @@ struct Group {
   std::string_view name, colour;
 };
 // Okabe and Ito's colours.
-constexpr std::array<Group, 10> kGroups{{{"default", "#111111"},
+constexpr std::array<Group, 11> kGroups{{{"default", "#111111"},
                                          {"depth", "#0072b2"},
                                          {"fit", "#56b4e9"},
                                          {"shading", "#e69f00"},
@@ -28,6 +28,7 @@ constexpr std::array<Group, 10> kGroups{{{"default", "#111111"},
                                          {"detail", "#d55e00"},
                                          {"format", "#cc79a7"},
                                          {"strips", "#b8a500"},
+                                         {"samples", "#8c564b"},
                                          {"several", "#9a9a9a"}}};
 
 /// A logarithmic axis from below the least to above the largest value.

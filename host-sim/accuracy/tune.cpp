@@ -36,10 +36,10 @@ Checks checked(const Candidate& c, const Limits& limits) {
           !limits.flash || c.flash <= *limits.flash};
 }
 
-/// All that is a matter of choice: the display's format is not.
+/// All that is a matter of choice: the display's format is not. More samples a pixel never make surfaces more right.
 std::vector<Knob> choices(const AccuracyScene& scene) {
   std::vector<Knob> knobs = scene.knobs();
-  std::erase(knobs, Knob::format);
+  std::erase_if(knobs, [](Knob knob) { return knob == Knob::format || knob == Knob::samples; });
   return knobs;
 }
 

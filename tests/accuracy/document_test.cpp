@@ -23,6 +23,7 @@ std::vector<std::string> fields(const std::string& line) {
 std::string values(const Settings& settings) {
   std::string text;
   for (const KnobInfo& knob : knobs()) {
+    if (knob.knob == Knob::samples) continue;  // one, in the whole table
     if (!text.empty()) text += ' ';
     text += settings.name_of(knob.knob);
   }

@@ -75,6 +75,26 @@ TEST(Figures, BilinearTexelsChangeColoursAlone) {
   EXPECT_NE(bilinear[Figure::colour_mean], nearest[Figure::colour_mean]);
 }
 
+TEST(Figures, MoreSamplesLookMoreLikeTheTruthAndTakeMoreMemory) {
+  for (const char* name : {"cube", "wires"}) {
+    const auto opened = scene(name);
+    std::vector<Errors> seen;
+    std::vector<std::uint64_t> ram;
+    for (const char* samples : {"samples=1", "samples=2", "samples=4"}) {
+      seen.push_back(errors(*opened, samples));
+      ram.push_back(opened->memory(*parse_settings(samples))->ram_bytes);
+    }
+    for (std::size_t i = 1; i < 3; ++i) {
+      EXPECT_LT(seen[i][Figure::perceived], seen[i - 1][Figure::perceived]) << name;
+      EXPECT_GT(seen[i][Figure::psnr_16x], seen[i - 1][Figure::psnr_16x] + 1) << name;
+      // Surfaces are those of the pixel's middle.
+      EXPECT_EQ(seen[i][Figure::wrong_pixels], seen[0][Figure::wrong_pixels]) << name;
+      // 16 rows of samples: their depth, and RGB565 beside the strip's pixels.
+      EXPECT_EQ(ram[i], ram[0] + 96 * 16 * (i == 1 ? 2 * 2 - 2 + 2 * 2 : 2 * 4 - 2 + 2 * 4)) << name;
+    }
+  }
+}
+
 TEST(Figures, StripsChangeNoPixel) {
   const auto opened = scene("knot_meshlets");
   const Errors standard = errors(*opened, "default");

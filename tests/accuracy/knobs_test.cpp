@@ -34,7 +34,9 @@ TEST(Knobs, ErrorsNameTheNearestWord) {
   EXPECT_NE(parse_settings("depth=z23").failure().message.find("nearest is 'z24'"), std::string::npos);
   EXPECT_NE(parse_settings("depth").failure().message.find("no value of depth"), std::string::npos);
   EXPECT_NE(parse_knobs("strip").failure().message.find("nearest is 'strips'"), std::string::npos);
-  EXPECT_EQ(parse_knobs("all")->size(), kKnobs);
+  EXPECT_EQ(parse_knobs("all")->size(), kKnobs - 1) << "samples must be named";
+  EXPECT_EQ(parse_knobs("all,samples")->size(), kKnobs);
+  EXPECT_EQ(*parse_knobs("samples"), std::vector{Knob::samples});
 }
 
 TEST(Knobs, PresetsOfTheLibraryAreThoseOfTheCommand) {

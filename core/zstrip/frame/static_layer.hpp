@@ -36,10 +36,10 @@ class StaticLayer {
 
   /// Keeps the strip that was drawn last: `pixels` as draw_strip left them, and the frame's depth. Error::strip_rows if
   /// there is no such strip; Error::not_begun if another one was drawn last; Error::depth_effects for depth that has no
-  /// 16-bit cells, or sub-ranges; Error::store_range for another view or another format than PixelFormat::rgb565, and
-  /// if the strip does not begin and end between tiles of 8x8 (or at the picture's border); Error::pixels_too_small,
-  /// Error::pixels_misaligned. Error::store_full if a pool is full: some of the strip's tiles are then new, others not;
-  /// keep the whole background again with larger pools.
+  /// 16-bit cells, or sub-ranges, or several samples a pixel; Error::store_range for another view or another format
+  /// than PixelFormat::rgb565, and if the strip does not begin and end between tiles of 8x8 (or at the picture's
+  /// border); Error::pixels_too_small, Error::pixels_misaligned. Error::store_full if a pool is full: some of the
+  /// strip's tiles are then new, others not; keep the whole background again with larger pools.
   Status keep(const Frame& frame, std::uint16_t strip, std::span<const std::byte> pixels);
 
   /// What moves lies in `bounds` now; its tiles and those of the last call are to be drawn again.
