@@ -51,7 +51,7 @@ class Frame {
  private:
   friend struct Access;
   const Scene* scene_ = nullptr;
-  View view_{};
+  View view_{.samples = 0};  // all zeros, so that a renderer takes no flash
   Plan plan_{};
   Rect bounds_{};
   Rect depth_area_{};
