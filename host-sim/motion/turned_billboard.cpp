@@ -15,15 +15,15 @@ Vector of_axis(const Vec3& axis) { return {axis.x / kUnit, axis.y / kUnit, axis.
 Vector column(const Transform& t, std::size_t c) {
   return {t.m[0][c] / double{kFixedOne}, t.m[1][c] / double{kFixedOne}, t.m[2][c] / double{kFixedOne}};
 }
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
+double scalar_product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector vector_product(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-double length(const Vector& v) { return std::sqrt(dot(v, v)); }
+double length(const Vector& v) { return std::sqrt(scalar_product(v, v)); }
 Vector scaled(const Vector& v, double by) { return {v[0] * by, v[1] * by, v[2] * by}; }
 /// What of `v` is not along the unit vector `axis`.
 Vector across(const Vector& v, const Vector& axis) {
-  const double along = dot(v, axis);
+  const double along = scalar_product(v, axis);
   return {v[0] - along * axis[0], v[1] - along * axis[1], v[2] - along * axis[2]};
 }
 
@@ -38,9 +38,10 @@ Transform standing(const Scene& scene, const Instance& instance, const Camera& c
     constexpr double kLeast = 1.0 / 256;
     axes[1] = scaled(y, 1 / length(y));
     axes[0] = across(right, axes[1]);
-    if (std::ranges::all_of(axes[0], [](double c) { return std::abs(c) < kLeast; })) axes[0] = cross(axes[1], back);
+    if (std::ranges::all_of(axes[0], [](double c) { return std::abs(c) < kLeast; }))
+      axes[0] = vector_product(axes[1], back);
     axes[0] = scaled(axes[0], 1 / length(axes[0]));
-    axes[2] = cross(axes[0], axes[1]);
+    axes[2] = vector_product(axes[0], axes[1]);
   }
   Transform turned = instance.transform;
   for (std::size_t c = 0; c < 3; ++c) {
