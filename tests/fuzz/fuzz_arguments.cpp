@@ -57,9 +57,9 @@ void judge_names(const std::string& text) {
     }
     return false;
   };
-  fuzz::require(
-      accepted(parse_format(text), "--format", text) == is_one_of({"rgb565", "rgb565_swapped", "gray4", "mono"}),
-      "four formats");
+  fuzz::require(accepted(parse_format(text), "--format", text) ==
+                    is_one_of({"rgb565", "rgb565_swapped", "gray4", "mono", "rgb666", "rgb444", "xrgb8888"}),
+                "seven formats");
   fuzz::require(accepted(parse_up_axis(text), "--up", text) == is_one_of({"x", "-x", "y", "-y", "z", "-z"}),
                 "six axes");
   fuzz::require(accepted(parse_image_type(text), "--image", text) == is_one_of({"png", "ppm", "raw"}),
