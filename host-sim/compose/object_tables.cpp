@@ -28,6 +28,14 @@ void add_key(Curve<Value>& curve, double time, const std::optional<Value>& value
   curve.values.push_back(*value);
 }
 
+/// Of an instance or a keyframe of it.
+void refuse_rotation(TomlTable& table, Billboard billboard) {
+  if (billboard != Billboard::viewer) return;
+  for (const char* key : {"rotation", "quaternion"}) {
+    if (table.has(key)) table.wrong(key, "what faces the viewer has no rotation of its own");
+  }
+}
+
 void read_keyframes(TomlTable& table, FileInstance& instance) {
   const Interpolation interpolation = table.choice("interpolation", kInterpolations).value_or(Interpolation::linear);
   double last = -1;
@@ -36,6 +44,7 @@ void read_keyframes(TomlTable& table, FileInstance& instance) {
     const double time = keyframe.number("time", {0, kLongestAnimation}).value_or(last + 1);
     if (time <= last) keyframe.wrong("time", "'time' must be greater than in the keyframe before");
     last = time;
+    refuse_rotation(keyframe, instance.billboard);
     add_key(instance.translation, time, keyframe.vector("translation", kLength));
     add_key(instance.rotation, time, read_rotation(keyframe));
     add_key(instance.scale, time, keyframe.number_or_vector("scale", kPositive));
@@ -74,11 +83,7 @@ FileInstance read_instance(TomlTable& table) {
   instance.placement = read_placement(table, "scale");
   instance.is_static = table.choice("layer", kLayers).value_or(false);
   instance.billboard = table.choice("billboard", kBillboards).value_or(Billboard::none);
-  for (const char* key : {"rotation", "quaternion"}) {
-    if (instance.billboard == Billboard::viewer && table.has(key)) {
-      table.wrong(key, "what faces the viewer has no rotation of its own");
-    }
-  }
+  refuse_rotation(table, instance.billboard);
   if (instance.billboard != Billboard::none && table.has("turntable")) {
     table.wrong("turntable", "a billboard turns with the camera: it has no 'turntable'");
   }

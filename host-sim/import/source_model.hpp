@@ -47,10 +47,10 @@ struct SourceMaterial {
   std::optional<bool> double_sided;  ///< empty: the file does not say
 };
 
-/// The axis of a model that shall point upwards. Formats disagree, and files do not always follow their format.
 /// Texture coordinates of materials without a texture: left out, or kept for a texture that somebody else brings.
 enum class Texcoords : std::uint8_t { of_textures, all };
 
+/// The axis of a model that shall point upwards. Formats disagree, and files do not always follow their format.
 enum class UpAxis : std::uint8_t { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };
 
 enum class SourceLightType : std::uint8_t { directional, point, spot };

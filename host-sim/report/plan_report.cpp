@@ -35,7 +35,7 @@ std::array<Part, 8> parts(const Plan& plan) {
            {"depth", plan.depth_bytes, "z-buffer of a strip"},
            {"colour", plan.colour_bytes, "RGB565 strip, before it becomes the panel's pixels"},
            {"bins", plan.bin_bytes, "triangles waiting for their strip"},
-           {"effects", plan.effect_bytes, "fog, light by place, the order of what blends"},
+           {"effects", plan.effect_bytes, "fog, light by place, the order of what blends, billboards"},
            {"visibility", plan.visibility_bytes, "order of triangles, or bounds of depth"}}};
 }
 
@@ -151,7 +151,7 @@ std::string plan_table(const std::string& scene, const PlanRequest& request, con
       request.budget.bytes == 0 ? "no limit given" : fmt::format("of {} allowed", grouped(request.budget.bytes)));
   text += curve(choice, request.view);
   if (choice.depth) text += depth_table(*choice.depth);
-  text += layer_table(choice.kept);
+  if (request.view.samples == 1) text += layer_table(choice.kept);
   text += "Instructions: a frame on a Cortex-M3, estimated from what the first frame does; zstrip bench measures.\n";
   return text;
 }
@@ -175,31 +175,32 @@ std::string plan_json(const std::string& scene, const PlanRequest& request, cons
   const auto pool = [](const KeptBytes& bytes) {
     return Json{{"largest", bytes.largest}, {"average", bytes.average}, {"worst", bytes.worst}};
   };
-  const Json object = {{"scene", scene},
-                       {"width", request.view.width},
-                       {"height", request.view.height},
-                       {"format", name(request.view.format)},
-                       {"dither", request.view.dither},
-                       {"samples", request.view.samples},
-                       {"visibility", visibility_name(request.method)},
-                       {"depth_format", name(choice.depth_format)},
-                       {"strip_buffers", request.budget.strip_buffers},
-                       {"counts",
-                        {{"instances", choice.counts.instances},
-                         {"triangles", choice.counts.triangles},
-                         {"vertices", choice.counts.vertices},
-                         {"meshlets", choice.counts.meshlets},
-                         {"largest_meshlet", choice.counts.largest_meshlet},
-                         {"longest_meshlet", choice.counts.longest_meshlet}}},
-                       {"plan", to_object(choice.chosen, request.budget.layer)},
-                       {"curve", curve},
-                       {"depth", depth},
-                       {"static_layer",
-                        {{"frames", choice.kept.frames},
-                         {"depth_format", name(choice.kept.format)},
-                         {"depth_bytes", pool(choice.kept.depth)},
-                         {"colour_bytes", pool(choice.kept.colour)},
-                         {"dirty_bytes", choice.kept.dirty}}}};
+  Json object = {{"scene", scene},
+                 {"width", request.view.width},
+                 {"height", request.view.height},
+                 {"format", name(request.view.format)},
+                 {"dither", request.view.dither},
+                 {"samples", request.view.samples},
+                 {"visibility", visibility_name(request.method)},
+                 {"depth_format", name(choice.depth_format)},
+                 {"strip_buffers", request.budget.strip_buffers},
+                 {"counts",
+                  {{"instances", choice.counts.instances},
+                   {"triangles", choice.counts.triangles},
+                   {"vertices", choice.counts.vertices},
+                   {"meshlets", choice.counts.meshlets},
+                   {"largest_meshlet", choice.counts.largest_meshlet},
+                   {"longest_meshlet", choice.counts.longest_meshlet}}},
+                 {"plan", to_object(choice.chosen, request.budget.layer)},
+                 {"curve", curve},
+                 {"depth", depth},
+                 {"static_layer",
+                  {{"frames", choice.kept.frames},
+                   {"depth_format", name(choice.kept.format)},
+                   {"depth_bytes", pool(choice.kept.depth)},
+                   {"colour_bytes", pool(choice.kept.colour)},
+                   {"dirty_bytes", choice.kept.dirty}}}};
+  if (request.view.samples != 1) object["static_layer"] = nullptr;  // layers keep pixels of one sample
   return object.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

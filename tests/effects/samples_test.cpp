@@ -4,6 +4,7 @@
 #include "dither_oracle.hpp"
 #include "lines_scene.hpp"
 #include "samples.hpp"
+#include "zstrip/geometry/billboard.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/spheres.hpp"
 #include "zstrip_scenes/stage.hpp"
@@ -134,6 +135,28 @@ TEST(Supersampling, PicturesAreTheMeansOfTheirSamples) {
   expect_means(scenes::room);
   expect_means(scenes::spheres);
   for (const scenes::BuiltIn& built_in : scenes::effect_scenes()) expect_means(built_in);
+}
+
+TEST(Supersampling, BillboardsTurnToThePictureNotToItsSamples) {
+  scenes::Staged staged;
+  scenes::stage(scenes::knot, staged, 3, 20, kPixels);
+  for (const Billboard billboard : {Billboard::viewer, Billboard::upright}) {
+    Mesh mesh = staged.scene.meshes[0];
+    mesh.billboard = billboard;
+    Scene billboards = staged.scene, by_hand = staged.scene;
+    billboards.meshes = {&mesh, 1};
+    Instance turned = staged.scene.instances[0];
+    turned.transform = detail::turned_to_viewer(turned.transform, billboard, staged.camera);
+    by_hand.instances = {&turned, 1};
+    for (const int samples : {2, 4}) {
+      const View view = with_samples(kPixels, samples);
+      const Effects effects = effects_of(billboards, staged.camera) | effects_of(view);
+      ASSERT_TRUE(effects.has(effect::billboards | effect::supersampled));
+      EXPECT_EQ(bytes_of(effects, billboards, staged.camera, view, {.strip_rows = 9}),
+                expected(without(effects, effect::billboards), by_hand, staged.camera, view))
+          << samples;
+    }
+  }
 }
 
 TEST(Supersampling, InEveryDepthFormatAndWithMethods) {

@@ -115,6 +115,10 @@ TEST_F(Command, SamplesAreAveraged) {
   EXPECT_EQ(one.at("samples"), 1);
   EXPECT_EQ(two.at("samples"), 2);
   EXPECT_EQ(four.at("samples"), 4);
+  // Static layers are refused then, and nothing is said of what they would take.
+  const auto plan_of = [&](const char* samples) { return zstrip({"plan", "knot", "--samples", samples}).out; };
+  EXPECT_NE(plan_of("1").find("as a static layer"), std::string::npos);
+  EXPECT_EQ(plan_of("4").find("as a static layer"), std::string::npos);
   EXPECT_EQ(checksum(report_of("knot", {"--samples", "1"})), checksum(one));
   EXPECT_NE(checksum(two), checksum(one));
   EXPECT_NE(checksum(four), checksum(two));

@@ -369,6 +369,8 @@ TEST(SceneFile, Billboards) {
             "'scene.toml' line 7: [[instance]]: what faces the viewer has no rotation of its own");
   EXPECT_EQ(failure(kCube + "billboard = 'viewer'\nquaternion = [0, 0, 0, 1]\n"),
             "'scene.toml' line 7: [[instance]]: what faces the viewer has no rotation of its own");
+  EXPECT_EQ(failure(kCube + "billboard = 'viewer'\n[[instance.keyframe]]\ntime = 0\nrotation = [0, 0, 30]\n"),
+            "'scene.toml' line 9: [[instance.keyframe]]: what faces the viewer has no rotation of its own");
   EXPECT_EQ(failure(kCube + "billboard = 'upright'\nturntable = {}\n"),
             "'scene.toml' line 7: [[instance]]: a billboard turns with the camera: it has no 'turntable'");
 }

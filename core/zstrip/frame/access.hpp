@@ -70,6 +70,11 @@ struct Frame::Access {
   template <Effects effects>
   static Status begin_frame(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                             std::span<std::byte> arena);
+  /// With billboards turned to another camera than the one that draws them.
+  template <Effects effects>
+  [[gnu::always_inline]] static Status begin_facing(Frame& frame, const Scene& scene, const Camera& camera,
+                                                    const Camera& facing, const View& view, const Plan& plan,
+                                                    std::span<std::byte> arena);
   /// With the checks done and the arena laid out.
   template <Effects effects>
   static Status prepare_frame(Frame& frame, const Scene& scene, const Camera& camera, const View& view,

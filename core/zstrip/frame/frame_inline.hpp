@@ -20,6 +20,13 @@ namespace zstrip {
 template <Effects effects>
 Status Frame::Access::begin_frame(Frame& frame, const Scene& scene, const Camera& camera, const View& view,
                                   const Plan& plan, std::span<std::byte> arena) {
+  return begin_facing<effects>(frame, scene, camera, camera, view, plan, arena);
+}
+
+template <Effects effects>
+inline Status Frame::Access::begin_facing(Frame& frame, const Scene& scene, const Camera& camera,
+                                          [[maybe_unused]] const Camera& facing, const View& view, const Plan& plan,
+                                          std::span<std::byte> arena) {
   frame.scene_ = nullptr;
   frame.next_to_last_strip_ = 0;
   const Effects called_for = effects_of(scene, camera);
@@ -35,7 +42,7 @@ Status Frame::Access::begin_frame(Frame& frame, const Scene& scene, const Camera
   if constexpr (effects.has(effect::billboards)) {
     Scene turned = scene;
     if (called_for.has(effect::billboards)) {
-      if (const Status status = turn_billboards(frame, turned, camera, called_for); !status) return status;
+      if (const Status status = turn_billboards(frame, turned, facing, called_for); !status) return status;
     }
     const Status status = prepare_frame<effects>(frame, turned, camera, view, called_for, arena);
     if (frame.scene_ != nullptr) frame.scene_ = &scene;

@@ -158,9 +158,11 @@ struct Frame::Access::Geometry {
   static bool list(Frame& frame, const detail::Extent& extent, std::uint16_t batch, std::uint16_t triangle) {
     return list_in(frame, frame.grid_.strips_of_extent(extent), batch, triangle);
   }
-  /// Into the lists of all strips that hold pixels which a front face can cover.
+  /// Into the lists of all strips that hold pixels which a front face can cover. Inlined wherever it is called: where
+  /// many pipelines share a program, the compiler would make it a call for every triangle.
   template <class Pixels>
-  static bool list(Frame& frame, const Pixels& covered, std::uint16_t batch, std::uint32_t triangle) {
+  [[gnu::always_inline]] static bool list(Frame& frame, const Pixels& covered, std::uint16_t batch,
+                                          std::uint32_t triangle) {
     const auto index = static_cast<std::uint16_t>(triangle);
     if (frame.grid_.across() != 1) return list_in(frame, frame.grid_.strips_of(covered.box()), batch, index);
     const detail::StripGrid::Range rows = frame.grid_.rows_of(covered.top(), covered.bottom());

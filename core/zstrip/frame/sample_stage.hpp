@@ -25,9 +25,7 @@ struct Frame::Access::Samples {
       return status;
     }
     if (const Status status = check_colour(view, plan); !status) return status;
-    const Status status =
-        Access::begin_frame<effects>(frame, scene, detail::camera_of_samples(camera, view),
-                                     detail::view_of_samples(view), detail::plan_of_samples(plan, view), arena);
+    const Status status = begin<effects>(frame, scene, camera, view, plan, arena);
     frame.has_special_depth_ = true;
     return status;
   }
@@ -50,6 +48,20 @@ struct Frame::Access::Samples {
   }
 
  private:
+  /// The picture of samples. Its camera's axes may be halves: billboards turn to the picture's own.
+  template <Effects effects>
+  static Status begin(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
+                      std::span<std::byte> arena) {
+    const Camera drawing = detail::camera_of_samples(camera, view);
+    const View samples = detail::view_of_samples(view);
+    const Plan strips = detail::plan_of_samples(plan, view);
+    if constexpr (effects.has(effect::billboards)) {
+      return Access::begin_facing<effects>(frame, scene, drawing, camera, samples, strips, arena);
+    } else {
+      return Access::begin_frame<effects>(frame, scene, drawing, samples, strips, arena);
+    }
+  }
+
   static Status check_view(const Camera& camera, const View& view);
   /// A plan for pixels of RGB565 has no working strip.
   static Status check_colour(const View& view, const Plan& plan);

@@ -14,7 +14,7 @@ Wide3 column(const Transform& transform, int index) {
 /// Column `index` of `to`: `axis` (2.30) with the length that it has in `from`. Not inlined: code is scarce.
 [[gnu::noinline]] void turn_column(const Transform& from, Transform& to, int index, const Vec3& axis) {
   const Wide3 v = column(from, index);
-  // 16.22, rounded down, below 2^31: entries are below 2^24, so that the sum with 12 bits more is below 2^62.
+  // 16.22, rounded down, below 2^31: entries are at most 2^24, so that the sum with 12 bits more is below 2^62.
   const std::int64_t length = square_root(static_cast<std::uint64_t>(v.x * v.x + v.y * v.y + v.z * v.z) << 12);
   const auto entry = [length](std::int32_t c) {
     return static_cast<Fixed>((c * length + (std::int64_t{1} << 35)) >> 36);

@@ -227,6 +227,8 @@ Status compile_quadric(CompiledQuadric& compiled, const Scene& scene, const Quad
     units = Scaled(fit.quotient_at_near, 0) * Scaled(fit.near, -kDistanceBits) / pixels_per_unit;
     compiled.farthest = (Scaled(fit.quotient_at_near, 0) * Scaled(fit.near, 0) / Scaled(fit.far, 0)).fixed(0);
   }
+  // A depth range or a ray that is thinner than the bits that are left of it.
+  if (units.sign() == 0 || leading.sign() == 0) return {.error = Error::quadric};
   const Scaled per_leading = units / leading;
   const auto along_pole = ray.mapped([&](const Scaled3& v) { return Scaled3{dot(v, pole), {}, {}}; });
   compiled.linear =

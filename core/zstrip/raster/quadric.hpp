@@ -59,6 +59,8 @@ class QuadricFill {
     // Once a row leaves the silhouette it does not enter it again, unless this is a hyperbola.
     const bool convex = static_cast<std::int64_t>(q.radicand_xx) < 0;
     const std::int32_t left = box.left - q.anchor_x;
+    // A root of 32 bits is below 2^31 where it is one of the surface: whatever is shifted out of it leaves 0.
+    const std::int32_t direction_shift = cut ? q.direction_shift : std::min<std::int32_t>(q.direction_shift, 31);
     for (std::int32_t row = box.top; row < box.bottom; ++row) {
       const std::int32_t rows = row - q.anchor_y;
       std::uint64_t radicand = q.radicand + wide(left) * q.radicand_x + wide(rows) * q.radicand_y +
@@ -72,7 +74,7 @@ class QuadricFill {
         if (static_cast<std::int64_t>(radicand) > 0) {
           const Root<cut> root = root_of<cut>(radicand, q.root_shift);
           draw_pixel<cut>(q, linear, root, offset, rule, *cell, [&](std::int32_t sign, std::uint32_t depth) {
-            *pixel = shade(columns, rows, sign * static_cast<std::int32_t>(root >> q.direction_shift), depth);
+            *pixel = shade(columns, rows, sign * static_cast<std::int32_t>(root >> direction_shift), depth);
             count_pass<kStatistics>(target.statistics);
           });
           if constexpr (kStatistics) ++target.statistics->fragments;
