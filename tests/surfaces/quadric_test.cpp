@@ -457,38 +457,30 @@ TEST(Quadric, HostileTransformsAreHarmless) {
   EXPECT_GT(drawn, 100);
 }
 
-// Axes as usable() takes them, tiny and long ones in one camera: what was divided by could round to nothing, and roots
-// were shifted by more bits than they have.
-TEST(Quadric, HostileCamerasAreHarmless) {
+// Flat ones, without an inverse, of which a camera's rotation leaves one by rounding: what was divided by was 0 then.
+TEST(Quadric, FlatOnesDivideByNothingThatIsZero) {
   std::mt19937 random(16);
   World world;
   world.material.double_sided = true;
-  const auto axis = [&random]() -> Vec3 {
-    const auto part = [&random] { return static_cast<std::int32_t>(random()) >> (2 + random() % 30); };
-    return {part(), part(), part()};
-  };
-  int drawn = 0, refused = 0;
+  const auto entry = [&random] { return random() % 2 == 0 ? 0 : 255 * kFixedOne; };
+  int refused = 0;
   for (int i = 0; i < 20000; ++i) {
     Quadric quadric;
     for (auto& row : quadric.transform.m) {
-      for (Fixed& value : row) value = static_cast<Fixed>(random()) >> (8 + random() % 24);
-      row[3] = static_cast<Fixed>(random()) >> (random() % 32);
+      for (Fixed& value : row) value = entry();
+      row[3] = static_cast<Fixed>(random() % 200000) - 100000;
     }
+    for (int column = 0; column < 3; ++column) quadric.transform.m[i % 3][column] = 0;
     world.quadrics = {quadric};
-    world.camera.right = axis();
-    world.camera.up = axis();
-    world.camera.back = axis();
-    world.camera.projection = i % 2 == 0 ? Projection::perspective : Projection::orthographic;
-    world.camera.near_plane = 1 + static_cast<Fixed>(random() >> (2 + random() % 29));
-    world.camera.far_plane = world.camera.near_plane + 1 + static_cast<Fixed>(random() >> (2 + random() % 29));
-    world.camera.focal = 1 + static_cast<Fixed>(random() >> (1 + random() % 30));
+    ASSERT_TRUE(orbit(world.camera, {0, 0, 0}, 3 * kFixedOne, static_cast<Angle>(random()),
+                      static_cast<Angle>(random() % 4 * 16384)));
+    world.camera.projection = i % 4 == 0 ? Projection::perspective : Projection::orthographic;
+    world.camera.focal = 1 + static_cast<Fixed>(random() >> (8 + random() % 16));
     const DepthPicture picture = DepthRenderer(world.effects(), world.view, 24).draw(world.scene(), world.camera);
     EXPECT_TRUE(picture.status || picture.status.error == Error::quadric);
-    drawn += picture.statistics.fragments != 0;
     refused += picture.status ? 0 : 1;
   }
-  EXPECT_GT(drawn, 100);
-  EXPECT_GT(refused, 10);
+  EXPECT_GT(refused, 1000);
 }
 
 }  // namespace
