@@ -48,8 +48,8 @@ Result<View> parse_quality(const ViewArguments& arguments, const PictureSettings
   result.dither = arguments.dither.value_or(settings.dither.value_or(false));
   const std::uint32_t samples = arguments.samples.value_or(settings.samples.value_or(std::uint8_t{1}));
   result.samples = static_cast<std::uint8_t>(samples);
-  if (view.width * sample_columns(result) > kMaxViewSize || view.height * sample_rows(result) > kMaxViewSize) {
-    const auto largest = [](std::uint32_t samples_a_side) { return kMaxViewSize / samples_a_side; };
+  if (samples_a_side(result) > kMaxViewSize) {
+    const auto largest = [](std::uint32_t of_a_pixel) { return kMaxViewSize / of_a_pixel; };
     return Failure{ExitStatus::usage,
                    fmt::format("{} {}: a picture has at most {} samples in a row or column, so that it may be {}x{} "
                                "with them, not {}x{}",

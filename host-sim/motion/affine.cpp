@@ -8,10 +8,6 @@
 namespace zstrip::sim {
 namespace {
 
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 Vector column(const Affine& a, std::size_t index) { return {a.m[0][index], a.m[1][index], a.m[2][index]}; }
 
 /// Unit vector in the direction of `v`; `otherwise` if it has none.
@@ -23,7 +19,7 @@ Vector direction(const Vector& v, const Vector& otherwise) {
 
 /// A unit vector at a right angle to the unit vector `v`.
 Vector perpendicular(const Vector& v) {
-  return direction(cross(v, std::abs(v[0]) < 0.9 ? Vector{1, 0, 0} : Vector{0, 1, 0}), {0, 1, 0});
+  return direction(vector_product(v, std::abs(v[0]) < 0.9 ? Vector{1, 0, 0} : Vector{0, 1, 0}), {0, 1, 0});
 }
 
 /// Of the rotation with these columns, orthonormal and right-handed: the largest component by a root, the others by it.
@@ -39,6 +35,11 @@ Quaternion quaternion_of(const Vector& x, const Vector& y, const Vector& z) {
 }
 
 }  // namespace
+
+double scalar_product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector vector_product(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
 
 Affine operator*(const Affine& a, const Affine& b) {
   Affine product;
@@ -90,17 +91,18 @@ bool is_diagonal(const Affine& a) {
   return true;
 }
 
-double determinant(const Affine& a) { return dot(column(a, 0), cross(column(a, 1), column(a, 2))); }
+double determinant(const Affine& a) { return scalar_product(column(a, 0), vector_product(column(a, 1), column(a, 2))); }
 
 Affine inverse(const Affine& a) {
   const double d = determinant(a);
-  const std::array<Vector, 3> rows{cross(column(a, 1), column(a, 2)), cross(column(a, 2), column(a, 0)),
-                                   cross(column(a, 0), column(a, 1))};
+  const std::array<Vector, 3> rows{vector_product(column(a, 1), column(a, 2)),
+                                   vector_product(column(a, 2), column(a, 0)),
+                                   vector_product(column(a, 0), column(a, 1))};
   const Vector moved = column(a, 3);
   Affine result;
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t col = 0; col < 3; ++col) result.m[row][col] = rows[row][col] / d;
-    result.m[row][3] = -dot(rows[row], moved) / d;
+    result.m[row][3] = -scalar_product(rows[row], moved) / d;
   }
   return result;
 }
@@ -111,14 +113,14 @@ Affine to_affine(const Placement& placement) {
 
 Placement to_placement(const Affine& a) {
   const Vector along_x = column(a, 0), along_y = column(a, 1), along_z = column(a, 2);
-  const Vector x = direction(along_x, direction(cross(along_y, along_z), {1, 0, 0}));
-  const double overlap = dot(x, along_y);
+  const Vector x = direction(along_x, direction(vector_product(along_y, along_z), {1, 0, 0}));
+  const double overlap = scalar_product(x, along_y);
   const Vector y = direction({along_y[0] - overlap * x[0], along_y[1] - overlap * x[1], along_y[2] - overlap * x[2]},
-                             direction(cross(along_z, x), perpendicular(x)));
-  const Vector z = cross(x, y);  // a mirror image has a negative scale along it
+                             direction(vector_product(along_z, x), perpendicular(x)));
+  const Vector z = vector_product(x, y);  // a mirror image has a negative scale along it
   return {.translation = column(a, 3),
           .rotation = quaternion_of(x, y, z),
-          .scale = {dot(x, along_x), dot(y, along_y), dot(z, along_z)}};
+          .scale = {scalar_product(x, along_x), scalar_product(y, along_y), scalar_product(z, along_z)}};
 }
 
 Quaternion about_axis(const Vector& axis, double degrees) {

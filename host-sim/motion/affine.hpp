@@ -13,6 +13,9 @@ struct Affine {
   std::array<std::array<double, 4>, 3> m{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 };
 
+double scalar_product(const Vector& a, const Vector& b);
+Vector vector_product(const Vector& a, const Vector& b);
+
 /// First `b`, then `a`.
 Affine operator*(const Affine& a, const Affine& b);
 Vector operator*(const Affine& a, const Vector& point);

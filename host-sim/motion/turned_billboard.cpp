@@ -15,10 +15,6 @@ Vector of_axis(const Vec3& axis) { return {axis.x / kUnit, axis.y / kUnit, axis.
 Vector column(const Transform& t, std::size_t c) {
   return {t.m[0][c] / double{kFixedOne}, t.m[1][c] / double{kFixedOne}, t.m[2][c] / double{kFixedOne}};
 }
-double scalar_product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector vector_product(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 double length(const Vector& v) { return std::sqrt(scalar_product(v, v)); }
 Vector scaled(const Vector& v, double by) { return {v[0] * by, v[1] * by, v[2] * by}; }
 /// What of `v` is not along the unit vector `axis`.

@@ -40,7 +40,7 @@ void for_each_vertex(const Scene& scene, Visit visit) {
                   coordinate(mesh.centre.z, mesh.half_extent.z, p.z));
     }
   };
-  // However it is turned, a billboard stays within a sphere.
+  // However it is turned, a billboard stays within a sphere, and that within its cube.
   const auto visit_billboard = [&](const Mesh& mesh, const Transform& transform) {
     double reach = 0;
     for (const Fixed Vec3::*const member : {&Vec3::x, &Vec3::y, &Vec3::z}) {
@@ -54,10 +54,11 @@ void for_each_vertex(const Scene& scene, Visit visit) {
     }
     const double x = from_fixed(transform.m[0][3]), y = from_fixed(transform.m[1][3]),
                  z = from_fixed(transform.m[2][3]);
-    for (const double r : {-reach * scale, reach * scale}) {
-      visit(x + r, y, z);
-      visit(x, y + r, z);
-      visit(x, y, z + r);
+    const double r = reach * scale;
+    for (const double across : {-r, r}) {
+      for (const double up : {-r, r}) {
+        for (const double along : {-r, r}) visit(x + across, y + up, z + along);
+      }
     }
   };
   for (const Instance& instance : scene.instances) {

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "import/quantise.hpp"
+#include "motion/turned_billboard.hpp"
 #include "render/camera.hpp"
 #include "render/framing.hpp"
 #include "render/stage.hpp"
@@ -65,6 +66,45 @@ TEST_P(Framed, FillsThePictureAndStaysInside) {
   EXPECT_LE(widest, 0.951);
   EXPECT_LE(highest, 0.951);
   EXPECT_GE(std::max(widest, highest), 0.94);
+}
+
+TEST_P(Framed, BillboardsStayInsideHoweverTheyAreTurned) {
+  const auto [orthographic, aspect, whole_turn] = GetParam();
+  const Position positions[] = {{-32000, -32000, 0}, {32000, -32000, 0}, {0, 32000, 9000}};
+  Mesh mesh;
+  mesh.positions = positions;
+  Scene scene;
+  scene.meshes = {&mesh, 1};
+  for (const Billboard billboard : {Billboard::viewer, Billboard::upright}) {
+    mesh.billboard = billboard;
+    Instance instance{.transform = Transform::identity()};
+    instance.transform.m[0][3] = kFixedOne / 4;
+    scene.instances = {&instance, 1};
+    CameraOptions options;
+    options.orthographic = orthographic;
+    const FramingView view{.aspect = aspect,
+                           .half_tangent = std::tan(kDefaultFieldOfView * std::numbers::pi / 360),
+                           .orthographic = orthographic,
+                           .whole_turn = whole_turn};
+    EXPECT_GE(radius_about_origin(scene), std::hypot(32000, 32000) / 32768 + 0.25);
+    const auto camera = framed_camera(options, frame_scene(scene, view), radius_about_origin(scene));
+    ASSERT_TRUE(camera);
+    for (int step = 0; step < (whole_turn ? 72 : 1); ++step) {
+      const double angle = 2 * std::numbers::pi * step / 72;
+      instance.transform.m[0][3] = to_fixed(0.25 * std::cos(angle));
+      instance.transform.m[2][3] = to_fixed(-0.25 * std::sin(angle));
+      const Transform turned = standing(scene, instance, *camera);
+      for (const Position& p : positions) {
+        const auto row = [&](int r) {
+          return (turned.m[r][0] * (p.x / 32768.0) + turned.m[r][1] * (p.y / 32768.0) +
+                  turned.m[r][2] * (p.z / 32768.0) + turned.m[r][3]) /
+                 kFixedOne;
+        };
+        const Projected at = project(*camera, aspect, row(0), row(1), row(2));
+        EXPECT_LE(std::max(std::abs(at.x), std::abs(at.y)), 0.951) << step;
+      }
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Views, Framed,

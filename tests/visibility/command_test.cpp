@@ -313,7 +313,7 @@ TEST_F(VisibilityCommand, BillboardsHaveNoOrderOfTheirOwn) {
     EXPECT_NE(refused.text.find("billboards cannot be split: they turn with the camera"), std::string::npos)
         << refused.text;
   }
-  // And as they are in no place for long, nothing is said of what they hide.
+  // The judge of wrong pixels turns them by itself.
   const Outcome drawn = run("render '" + scene + "' --size 64x48 --show error -o '" + picture("error.png") + "'");
   EXPECT_EQ(drawn.status, 0) << drawn.text;
   EXPECT_NE(drawn.text.find("wrong      0 pixels"), std::string::npos) << drawn.text;

@@ -229,6 +229,16 @@ TEST(VisibilitySetsOf, OnlyWhatHidesIsAWall) {
   EXPECT_EQ(WalledScene(opaque).hidden(Projection::orthographic), -1);
 }
 
+TEST(VisibilitySetsOf, BillboardsHideNothingAndAreNeverHidden) {
+  const Material opaque{.lit = false};
+  ASSERT_GT(WalledScene(opaque).hidden(), 0);
+  for (const std::size_t turning : {0, 1}) {  // the wall, and the square behind it
+    WalledScene scene(opaque);
+    scene.meshes[turning].billboard = Billboard::upright;
+    EXPECT_EQ(scene.hidden(), 0) << turning;
+  }
+}
+
 TEST(VisibilitySetsOf, TheScenesChecksumIsOfWhatStandsStill) {
   const Material opaque{.lit = false};
   const WalledScene walled(opaque);

@@ -29,6 +29,11 @@ struct Frame::Access {
   template <Effects effects>
   using Assembler = detail::Assembler<without(effects, effect::bins)>;
 
+  /// Nothing is drawn until the next frame that can begin.
+  static void abandon(Frame& frame) {
+    frame.scene_ = nullptr;
+    frame.next_to_last_strip_ = 0;
+  }
   static void lay_out_arena(Frame& frame, std::span<std::byte> arena);
   /// Turns the scene's billboards to the camera; the instances lie in the effects' part of the arena then.
   static Status turn_billboards(const Frame& frame, Scene& scene, const Camera& camera, Effects called_for);

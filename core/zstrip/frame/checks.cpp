@@ -87,4 +87,9 @@ Status Frame::Access::Checks::every_area(const Frame& frame, const Rect& area, s
   return {};
 }
 
+Status detail::refuse_samples(Frame& frame) {
+  Frame::Access::abandon(frame);
+  return {.error = Error::effect_missing, .needed = low_bits(effect::supersampled)};
+}
+
 }  // namespace zstrip

@@ -108,6 +108,12 @@ class FrameWithMethod : public FrameWithDepthRanges {
   std::byte* depth_bounds_ = nullptr;
 };
 
+namespace detail {
+/// What a renderer without effect::supersampled says to a view with several samples a pixel. The frame draws nothing
+/// until the next that can begin.
+Status refuse_samples(Frame& frame);
+}  // namespace detail
+
 /// The frame of a renderer with effect::supersampled. Within, all is of the picture of samples; only what is named here
 /// is of pixels. So with several samples depth(), depth_area() and what else says pixels means samples, statistics()
 /// counts them, and has_plain_depth() is false.

@@ -27,8 +27,7 @@ template <Effects effects>
 inline Status Frame::Access::begin_facing(Frame& frame, const Scene& scene, const Camera& camera,
                                           [[maybe_unused]] const Camera& facing, const View& view, const Plan& plan,
                                           std::span<std::byte> arena) {
-  frame.scene_ = nullptr;
-  frame.next_to_last_strip_ = 0;
+  abandon(frame);
   const Effects called_for = effects_of(scene, camera);
   if (const Status status = Checks::frame<effects>(scene, camera, view, plan, called_for, arena); !status) {
     return status;

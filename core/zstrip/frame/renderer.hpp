@@ -32,10 +32,7 @@ class Renderer {
   Status begin_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                      std::span<std::byte> arena) {
     // Here, where a view that is a constant needs no instruction.
-    if (!effects.has(effect::supersampled) && view.samples != 1) {
-      static_cast<void>(detail::begin_frame<effects>(frame_, scene, camera, {}, plan, arena));
-      return {.error = Error::effect_missing, .needed = low_bits(effect::supersampled)};
-    }
+    if (!effects.has(effect::supersampled) && view.samples != 1) return detail::refuse_samples(frame_);
     return detail::begin_frame<effects>(frame_, scene, camera, view, plan, arena);
   }
   /// Draws plan.strip_area(strip, view) of the picture into `pixels` (at most plan.strip_pixel_bytes(view), aligned to
@@ -69,10 +66,7 @@ class AnyRenderer {
       : pipeline_(pipeline_for(effects)), takes_samples_(effects.has(effect::supersampled)) {}
   Status begin_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                      std::span<std::byte> arena) {
-    if (!takes_samples_ && view.samples != 1) {
-      static_cast<void>(pipeline_.begin_frame(frame_, scene, camera, {}, plan, arena));
-      return {.error = Error::effect_missing, .needed = low_bits(effect::supersampled)};
-    }
+    if (!takes_samples_ && view.samples != 1) return detail::refuse_samples(frame_);
     return pipeline_.begin_frame(frame_, scene, camera, view, plan, arena);
   }
   Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {

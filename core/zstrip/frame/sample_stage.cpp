@@ -1,14 +1,13 @@
 // The checks that a view with several samples adds; only renderers with effect::supersampled link it.
 #include "zstrip/frame/sample_stage.hpp"
 
-#include <algorithm>
-
 namespace zstrip {
 
 Status Frame::Access::Samples::check_view(const Camera& camera, const View& view) {
   if (!valid_samples(view)) return {.error = Error::samples, .needed = view.samples};
-  const std::uint32_t most = std::max(view.width * sample_columns(view), view.height * sample_rows(view));
-  if (most > kMaxViewSize) return {.error = Error::view_size, .needed = most, .available = kMaxViewSize};
+  if (samples_a_side(view) > kMaxViewSize) {
+    return {.error = Error::view_size, .needed = samples_a_side(view), .available = kMaxViewSize};
+  }
   if (sample_columns(view) != sample_rows(view) && camera.focal > detail::kLongestFocal) {
     return {.error = Error::camera};
   }

@@ -18,7 +18,7 @@ struct Frame::Access::Samples {
   template <Effects effects>
   static Status begin_frame(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                             std::span<std::byte> arena) {
-    frame.scene_ = nullptr;
+    abandon(frame);
     if (const Status status = check_view(camera, view); !status) return status;
     if (const Status status = Checks::frame<effects>(scene, camera, view, plan, effects_of(scene, camera), arena);
         !status) {

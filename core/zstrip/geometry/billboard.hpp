@@ -7,7 +7,7 @@
 namespace zstrip::detail {
 
 /// `transform` with its three axes turned as `billboard` says (docs/conventions.md), each as long as it was, around the
-/// same place. Rounded to the nearest 16.16, within 2^-15 of an axis of length 1 and 2^-20 of longer ones' lengths.
+/// same place. Each entry is within 2^-15 and 2^-19 of the axis' length of what it should be.
 Transform turned_to_viewer(const Transform& transform, Billboard billboard, const Camera& camera);
 
 }  // namespace zstrip::detail

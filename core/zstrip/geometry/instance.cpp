@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "zstrip/base/direction.hpp"
 #include "zstrip/geometry/colour_product.hpp"
 
 namespace zstrip::detail {
@@ -15,8 +16,6 @@ struct ViewRow {
   std::int64_t part[3];
   std::int64_t offset;
 };
-
-constexpr std::int64_t magnitude(std::int64_t value) { return value < 0 ? -value : value; }
 
 /// `axis` in 2.30.
 ViewRow view_row(const Vec3& axis, const Camera& camera, const Mesh& mesh, const Transform& transform) {

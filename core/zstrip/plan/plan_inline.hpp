@@ -249,9 +249,9 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
     return {.status = {.error = Error::view_size}, .plan = {}};
   }
   if (!valid_samples(view)) return {.status = {.error = Error::samples, .needed = view.samples}, .plan = {}};
-  const std::uint32_t most_samples = std::max(view.width * sample_columns(view), view.height * sample_rows(view));
-  if (most_samples > kMaxViewSize) {
-    return {.status = {.error = Error::view_size, .needed = most_samples, .available = kMaxViewSize}, .plan = {}};
+  if (samples_a_side(view) > kMaxViewSize) {
+    return {.status = {.error = Error::view_size, .needed = samples_a_side(view), .available = kMaxViewSize},
+            .plan = {}};
   }
   if (view.samples != 1 && !effects.has(effect::supersampled)) {
     return {.status = {.error = Error::effect_missing, .needed = low_bits(effect::supersampled)}, .plan = {}};

@@ -39,6 +39,11 @@ constexpr bool valid_samples(const View& view) {
 /// Samples of a pixel side by side, and one below the other.
 constexpr std::uint32_t sample_columns(const View& view) { return view.samples > 1 ? 2 : 1; }
 constexpr std::uint32_t sample_rows(const View& view) { return view.samples > 2 ? 2 : 1; }
+/// In the picture's longer row or column; at most kMaxViewSize.
+constexpr std::uint32_t samples_a_side(const View& view) {
+  const std::uint32_t across = view.width * sample_columns(view), down = view.height * sample_rows(view);
+  return across > down ? across : down;
+}
 
 /// Bytes of one row of pixels; every row starts at a byte.
 constexpr std::uint32_t bytes_per_row(std::uint16_t width, PixelFormat format) {

@@ -1,0 +1,136 @@
+// Pictures of the scene files that come with the command, by their checksums; and how pixels are made: dithered, of
+// samples, of texels of smaller levels.
+#include <nlohmann/json.hpp>
+
+#include "command_fixture.hpp"
+
+namespace zstrip::sim::test {
+namespace {
+
+class ScenePicture : public Command {
+ protected:
+  /// Of the first frame.
+  std::string checksum(const std::string& scene, const std::vector<std::string>& options) const {
+    std::vector<std::string> arguments{"render", scene, "-o", "p.png", "--quiet", "--json", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = zstrip(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    if (outcome.status != 0) return "";
+    return nlohmann::json::parse(outcome.out).at("frames").at(0).at("crc32").get<std::string>();
+  }
+
+  /// Of a scene file that comes with the command: in strips of any height, on any threads, and baked.
+  void expect_checksum(const std::string& name, const std::string& size, const std::string& golden) const {
+    const std::string scene = std::string(ZSTRIP_SCENE_FILES "/").append(name);
+    EXPECT_EQ(checksum(scene, {"--size", size}), golden);
+    EXPECT_EQ(checksum(scene, {"--size", size, "--strip-rows", "1"}), golden);
+    EXPECT_EQ(checksum(scene, {"--size", size, "--strip-rows", "7", "--strip-columns", "24"}), golden);
+    EXPECT_EQ(checksum(scene, {"--size", size, "--threads", "3", "--strip-rows", "5"}), golden);
+    EXPECT_EQ(zstrip({"bake", scene, "-o", "p.zsc", "--size", size, "--quiet"}).status, 0);
+    EXPECT_EQ(checksum("p.zsc", {"--size", size}), golden);
+  }
+};
+
+/// Of its 128x64 pixels in strips of any height and on any threads, also where the option says what the file does.
+TEST_F(ScenePicture, DitheredSceneHasItsChecksum) {
+  const std::string scene = ZSTRIP_SCENE_FILES "/dithered.toml";
+  const auto drawn = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"render", scene, "-o", "d.png", "--quiet", "--json", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = zstrip(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    if (outcome.status != 0) return std::string();
+    const auto report = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(report.at("dither"), options.empty() || options[0] != "--no-dither");
+    return report.at("frames").at(0).at("crc32").get<std::string>();
+  };
+  const std::string golden = "070a1f43";
+  EXPECT_EQ(drawn({}), golden);
+  EXPECT_EQ(drawn({"--strip-rows", "1"}), golden);
+  EXPECT_EQ(drawn({"--strip-rows", "7", "--strip-columns", "24"}), golden);
+  EXPECT_EQ(drawn({"--dither", "--threads", "3", "--strip-rows", "5"}), golden);
+  EXPECT_NE(drawn({"--no-dither"}), golden);
+}
+
+/// As many as the option or the scene file says; in strips of any height and on any threads.
+TEST_F(ScenePicture, SamplesAreAveraged) {
+  const auto report_of = [&](const std::string& scene, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"render", scene, "-o", "s.png", "--size", "75x58", "--quiet", "--json", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = zstrip(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.status == 0 ? outcome.out : "{}");
+  };
+  const auto checksum = [](const nlohmann::json& report) {
+    return report.at("frames").at(0).at("crc32").get<std::string>();
+  };
+  const nlohmann::json one = report_of("knot", {}), two = report_of("knot", {"--samples", "2"}),
+                       four = report_of("knot", {"--samples", "4"});
+  EXPECT_EQ(one.at("samples"), 1);
+  EXPECT_EQ(two.at("samples"), 2);
+  EXPECT_EQ(four.at("samples"), 4);
+  // Static layers are refused then, and nothing is said of what they would take.
+  const auto plan_of = [&](const char* samples) { return zstrip({"plan", "knot", "--samples", samples}).out; };
+  EXPECT_NE(plan_of("1").find("as a static layer"), std::string::npos);
+  EXPECT_EQ(plan_of("4").find("as a static layer"), std::string::npos);
+  EXPECT_EQ(checksum(report_of("knot", {"--samples", "1"})), checksum(one));
+  EXPECT_NE(checksum(two), checksum(one));
+  EXPECT_NE(checksum(four), checksum(two));
+  EXPECT_GT(four.at("frames").at(0).at("statistics").at("fragments"),
+            3 * one.at("frames").at(0).at("statistics").at("fragments").get<int>());
+  EXPECT_EQ(checksum(report_of("knot", {"--samples", "4", "--strip-rows", "5", "--threads", "3"})), checksum(four));
+  EXPECT_EQ(checksum(report_of("knot", {"--samples", "4", "--strip-rows", "9", "--strip-columns", "24"})),
+            checksum(four));
+  file("knot.toml", "[picture]\nsamples = 4\n[[model]]\nname = 'k'\nbuilt_in = 'knot'\n[[instance]]\nmodel = 'k'\n");
+  EXPECT_EQ(report_of("knot.toml", {}).at("samples"), 4);
+  EXPECT_EQ(report_of("knot.toml", {"--samples", "2"}).at("samples"), 2);
+}
+
+TEST_F(ScenePicture, SamplesThatCannotBeAreRefused) {
+  const auto refusal = [&](const std::vector<std::string>& arguments) {
+    const Outcome outcome = zstrip(arguments);
+    EXPECT_EQ(outcome.status, 2) << outcome.out;
+    return outcome.err;
+  };
+  for (const char* samples : {"0", "3", "8", "-1", "four"}) {
+    EXPECT_NE(refusal({"render", "cube", "--samples", samples}).find("--samples"), std::string::npos) << samples;
+  }
+  EXPECT_NE(refusal({"render", "cube", "--size", "2049x10", "--samples", "2"})
+                .find("--samples 2: a picture has at most 4096 samples in a row or column, so that it may be 2048x4096 "
+                      "with them, not 2049x10"),
+            std::string::npos);
+  EXPECT_NE(refusal({"render", "cube", "--samples", "4", "--show", "depth"}).find("use --samples 1"),
+            std::string::npos);
+  EXPECT_NE(refusal({"plan", "cube", "--samples", "4", "--static-layer"}).find("use --samples 1"), std::string::npos);
+}
+
+/// Of three boxes with 65536, 256 and 16 colours.
+TEST_F(ScenePicture, PalettesHaveTheirChecksum) { expect_checksum("palette.toml", "192x64", "7a55f4ee"); }
+
+/// Of a floor whose right half has mipmaps.
+TEST_F(ScenePicture, MipmapsHaveTheirChecksum) {
+  const std::string golden = "858e065e";
+  expect_checksum("mipmaps.toml", "160x120", golden);
+  const std::string scene = ZSTRIP_SCENE_FILES "/mipmaps.toml";
+  EXPECT_EQ(zstrip({"bake", scene, "-o", "p.zsc", "--size", "160x120", "--mipmaps", "off", "--quiet"}).status, 0);
+  EXPECT_NE(checksum("p.zsc", {"--size", "160x120"}), golden);
+}
+
+/// Of trees and a glow that turn with the camera.
+TEST_F(ScenePicture, BillboardsHaveTheirChecksum) { expect_checksum("billboards.toml", "160x120", "c44c9bf8"); }
+
+TEST_F(ScenePicture, MipmapsOfAMaterialWithoutTextureAreRefused) {
+  const std::string scene = file("m.toml",
+                                 "[[model]]\nname = 'pot'\nbuilt_in = 'teapot'\n"
+                                 "[[material]]\nname = 'clay'\nmipmaps = true\n"
+                                 "[[instance]]\nmodel = 'pot'\nmaterial = 'clay'\n");
+  const Outcome outcome = zstrip({"render", scene, "-o", "p.png"});
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("line 6: material 'clay' has mipmaps, but neither a texture of its own nor one of the "
+                             "model 'pot'"),
+            std::string::npos)
+      << outcome.err;
+}
+
+}  // namespace
+}  // namespace zstrip::sim::test
