@@ -16,28 +16,35 @@ function(zstrip_configure_freestanding_target target)
     $<$<CXX_COMPILER_ID:GNU,Clang>:-Wdouble-promotion -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics>)
 endfunction()
 
+# ZSTRIP_COMPILE_TOGETHER lists the parts, host-sim and core, whose sources are compiled folder by folder. That parses
+# headers once, for builds at whose single sources nobody works: `host-sim` in tests/run, both where only pixels and
+# findings matter and not the code's size and speed, which change with what the optimiser sees together.
+
 # Sources that read options and write reports take longer to compile than they will ever run: of the optimiser only -O1.
 # They must emit no inline function of the core, which the linker could take for everybody.
 function(zstrip_compile_quickly)
-  if(NOT ZSTRIP_SANITIZED)
+  if(NOT "host-sim" IN_LIST ZSTRIP_COMPILE_TOGETHER)
     set_source_files_properties(${ARGN} PROPERTIES
       COMPILE_OPTIONS "$<$<AND:$<CXX_COMPILER_ID:GNU,Clang>,$<CONFIG:Release>>:-O1>")
   endif()
 endfunction()
 
-# zstrip_compile_together(TARGET [APART source...]): under sanitizers, where nobody works at single sources, those of one
-# folder are compiled as one, which parses the headers of libraries once, and without the optimiser. APART: names of
-# theirs clash with others'.
-function(zstrip_compile_together target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "APART")
-  if(ZSTRIP_SANITIZED)
-    target_compile_options(${target} PRIVATE -O0)
+# zstrip_compile_together(TARGET PART [APART source...]): if the part is to be. APART: names of theirs clash with others',
+# or the others would take long to be compiled again.
+function(zstrip_compile_together target part)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "APART")
+  if(part IN_LIST ZSTRIP_COMPILE_TOGETHER)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
     get_target_property(sources ${target} SOURCES)
     list(REMOVE_ITEM sources ${arg_APART})
     foreach(source IN LISTS sources)
       get_filename_component(folder ${source} DIRECTORY)
-      set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${target}${folder}")
+      string(MAKE_C_IDENTIFIER "${folder}" folder)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${target}_${folder}")
     endforeach()
+  endif()
+  # Under sanitizers the command only runs small things.
+  if(ZSTRIP_SANITIZED AND part STREQUAL "host-sim")
+    target_compile_options(${target} PRIVATE -O0)
   endif()
 endfunction()

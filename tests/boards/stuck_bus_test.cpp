@@ -16,7 +16,7 @@
 namespace zstrip::boards {
 namespace {
 
-constexpr const char* kPrompt = "stuck bus: t, h, f, o, g or s?";
+constexpr const char* kPrompt = "stuck bus: t, d, h, f, o, g or s?";
 
 /// The board, asked for this.
 std::unique_ptr<Qemu> stuck(const char* how) {
@@ -48,6 +48,14 @@ TEST(Board, StuckBusThatTimesOutShowsAPanicAndIsReset) {
   const std::string words = "panic: display: the bus did not get ready in time";
   ASSERT_EQ(board->read_line(), words);
   expect_message_and_reset(*board, words);
+}
+
+// Nothing can be shown any more: each step of the panic times out, too, says so, and leaves the rest to the watchdog.
+TEST(Board, StuckBusThatStaysStuckSaysSoAndIsReset) {
+  const auto board = stuck("d");
+  ASSERT_EQ(board->read_line(), "panic: display: the bus did not get ready in time");
+  ASSERT_EQ(board->read_line(), "panic on the display: the bus did not get ready in time");
+  EXPECT_EQ(board->read_line(), kPrompt) << "the watchdog does not reset the board";
 }
 
 TEST(Board, StuckBusThatNeverReturnsIsResetByTheWatchdog) {

@@ -20,6 +20,11 @@ cp "$root/.clang-tidy" "$work"
 # Out: N.cpp and N.command.
 sed -nE 's/^ *"command": "(.*) -c .*",?$/\1/; T file; s/ -O[0-3s]( |$)/ /g; s/( -o [^ ]*\.dir)\/[^ ]*$/\1/; p; :file; s/^ *"file": "(.*)",?$/\t\1/p' \
     "$build/compile_commands.json" | paste -d '' - - | sed 's/\\"/"/g; s/\\\\/\\/g' |
+  awk -F '\t' '
+    # Where the build compiles a folder as one: its sources.
+    $2 !~ /\/Unity\/[^/]*$/ { print; next }
+    { while ((getline line < $2) > 0) if (match(line, /"[^"]*"/)) print $1 "\t" substr(line, RSTART + 1, RLENGTH - 2)
+      close($2) }' |
   grep -P "\t$root/(core|hal|host-sim)/.*\.cpp$" | sort -t $'\t' -u -k 2,2 |
   awk -F '\t' -v work="$work" '
     { folder = $2; sub("/[^/]*$", "", folder); alike = $1 "\t" folder

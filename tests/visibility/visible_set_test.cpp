@@ -232,7 +232,7 @@ TEST(VisibilitySetsOf, OnlyWhatHidesIsAWall) {
 TEST(VisibilitySetsOf, BillboardsHideNothingAndAreNeverHidden) {
   const Material opaque{.lit = false};
   ASSERT_GT(WalledScene(opaque).hidden(), 0);
-  for (const std::size_t turning : {0, 1}) {  // the wall, and the square behind it
+  for (const std::size_t turning : {0U, 1U}) {  // the wall, and the square behind it
     WalledScene scene(opaque);
     scene.meshes[turning].billboard = Billboard::upright;
     EXPECT_EQ(scene.hidden(), 0) << turning;

@@ -41,6 +41,7 @@ constexpr std::uint32_t gpio_pins(std::uint32_t port, std::uint32_t mask) { retu
 inline constexpr std::uint32_t kSsi0 = 0x40008000;
 inline constexpr std::uint32_t kSsiControl0 = 0x000;
 inline constexpr std::uint32_t kSsiControl1 = 0x004;
+inline constexpr std::uint32_t kSsiOn = 1U << 1;
 inline constexpr std::uint32_t kSsiData = 0x008;
 inline constexpr std::uint32_t kSsiStatus = 0x00C;
 inline constexpr std::uint32_t kSsiTransmitNotFull = 1U << 1;

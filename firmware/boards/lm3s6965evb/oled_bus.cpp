@@ -76,7 +76,7 @@ void OledBus::start() {
   register_at(chip::kSsi0 + chip::kSsiControl1) = 0;   // off and master while it is configured
   register_at(chip::kSsi0 + chip::kSsiPrescale) = 14;  // 50 MHz / 14
   register_at(chip::kSsi0 + chip::kSsiControl0) = 7;   // 8 bits, SPI mode 0
-  register_at(chip::kSsi0 + chip::kSsiControl1) = 2;   // on
+  register_at(chip::kSsi0 + chip::kSsiControl1) = chip::kSsiOn;
 }
 
 hal::Error OledBus::write_command(std::span<const std::byte> bytes) { return send(0, bytes); }

@@ -1,7 +1,10 @@
 // What becomes of a board whose bus gets stuck or whose program faults, for tests. The teapot, whose bus does amid a
-// frame what the console asks for: 't', it times out once; 'h', it never returns; 'f', it faults; 'o', it takes more
-// stack than there is; 'g', it faults and never returns afterwards; 's', it faults, and again when the panic is to be
-// shown. What can must end in a panic that shows, everything in a reset by the watchdog, and the program asks again.
+// frame what the console asks for: 't', its controller is off for one transfer; 'd', from then on; 'h', it never
+// returns; 'f', it faults; 'o', it takes more stack than there is; 'g', it faults and never returns afterwards; 's', it
+// faults, and again when the panic is to be shown. What can must end in a panic that shows, everything in a reset by the
+// watchdog, and the program asks again.
+#include "cortex_m/registers.hpp"
+#include "lm3s6965evb/chip.hpp"
 #include "lm3s6965evb/show.hpp"
 #include "portable/turntable_motion.hpp"
 #include "zstrip_scenes/teapot.hpp"
@@ -9,6 +12,11 @@
 namespace {
 
 using namespace zstrip;
+
+/// A controller that is off keeps what it is given, until its FIFO is full.
+void switch_controller(bool on) {
+  board::register_at(board::chip::kSsi0 + board::chip::kSsiControl1) = on ? board::chip::kSsiOn : 0;
+}
 
 /// Until the stack ends, far below 2^32 levels.
 [[gnu::noinline]] std::uint32_t overflow_stack(std::uint32_t depth) {
@@ -28,7 +36,11 @@ class StuckBus : public board::OledBus {
       while (fault_ == 'h') asm volatile("");
       if (fault_ == 'f' || fault_ == 'g' || fault_ == 's') asm volatile("udf #0");
       if (fault_ == 'o') overflow_stack(0);
-      return hal::Error::timeout;
+      switch_controller(false);
+      hal::Error error = hal::Error::none;
+      while (error == hal::Error::none) error = board::OledBus::write_data(bytes);
+      switch_controller(fault_ == 't');
+      return error;
     }
     while (fault_ == 'g' && writes_ > kGood) asm volatile("");
     if (fault_ == 's' && writes_ > kGood) asm volatile("udf #1");
@@ -46,7 +58,7 @@ constexpr Budget kBudget{.bytes = 40 * 1024};
 }  // namespace
 
 int main() {
-  board::print("stuck bus: t, h, f, o, g or s?\n");
+  board::print("stuck bus: t, d, h, f, o, g or s?\n");
   char fault = 0;
   while (!board::take_character(fault)) {
   }
