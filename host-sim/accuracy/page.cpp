@@ -108,25 +108,25 @@ std::string table(const PageScene& scene) {
 std::string data_url(const std::vector<std::uint8_t>& png) { return "data:image/png;base64," + base64(png); }
 
 std::string scene_json(const PageScene& scene) {
-  std::string json = fmt::format("{{\"width\":{},\"height\":{},\"points\":[", scene.campaign.request.view.width,
+  std::string text = fmt::format("{{\"width\":{},\"height\":{},\"points\":[", scene.campaign.request.view.width,
                                  scene.campaign.request.view.height);
   for (std::size_t i = 0; i < scene.campaign.points.size(); ++i) {
     const AccuracyPoint& point = scene.campaign.points[i];
     std::string object = point_json(point);
     object.back() = ',';
-    json += fmt::format("{}{}\"group\":\"{}\",\"time\":{},\"front\":{}}}", i == 0 ? "" : ",", object, group_of(point),
+    text += fmt::format("{}{}\"group\":\"{}\",\"time\":{},\"front\":{}}}", i == 0 ? "" : ",", object, group_of(point),
                         time_of(point), point.on_front);
   }
-  json += "],\"truth\":\"" + data_url(scene.truth) + "\",\"pictures\":{";
+  text += "],\"truth\":\"" + data_url(scene.truth) + "\",\"pictures\":{";
   for (std::size_t i = 0; i < scene.pictures.size(); ++i) {
     const PointPictures& p = scene.pictures[i];
-    json += fmt::format("{}\"{}\":{{\"drawn\":\"{}\",\"heat\":\"{}\"}}", i == 0 ? "" : ",", p.point, data_url(p.drawn),
+    text += fmt::format("{}\"{}\":{{\"drawn\":\"{}\",\"heat\":\"{}\"}}", i == 0 ? "" : ",", p.point, data_url(p.drawn),
                         data_url(p.heat));
   }
-  json += "}}";
+  text += "}}";
   // Nothing in it may end the element that holds it.
   std::string safe;
-  for (const char c : json) safe += c == '<' ? "\\u003c" : std::string(1, c);
+  for (const char c : text) safe += c == '<' ? "\\u003c" : std::string(1, c);
   return safe;
 }
 
