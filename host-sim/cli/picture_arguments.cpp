@@ -1,4 +1,4 @@
-// Options that a scene file may set as well.
+// Options that a scene file or a baked scene may set as well.
 #include "cli/picture_arguments.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "cli/parse.hpp"
+#include "render/blob_stage.hpp"
 #include "render/stage.hpp"
 
 namespace zstrip::sim {
@@ -18,10 +19,23 @@ std::string pixels(const std::optional<std::string>& given, const std::optional<
   return setting ? std::to_string(*setting) : "auto";
 }
 
+Result<PictureSettings> settings_of_blob(const std::string& path) {
+  const Result<View> view = view_of_blob(path);
+  if (!view) return view.failure();
+  PictureSettings settings;
+  settings.size.emplace(view->width, view->height);
+  settings.format = view->format;
+  settings.dither = view->dither;
+  settings.samples = view->samples;
+  return settings;
+}
+
 }  // namespace
 
 Result<PictureSettings> settings_of(const std::string& scene) {
-  if (kind_of_scene(scene) != SceneKind::composed || !std::filesystem::exists(scene)) return PictureSettings{};
+  if (!std::filesystem::exists(scene)) return PictureSettings{};
+  if (kind_of_scene(scene) == SceneKind::baked) return settings_of_blob(scene);
+  if (kind_of_scene(scene) != SceneKind::composed) return PictureSettings{};
   const Result<SceneFile> file = read_scene_file(scene);
   if (!file) return file.failure();
   PictureSettings settings = file->picture;
@@ -53,7 +67,7 @@ Result<View> parse_quality(const ViewArguments& arguments, const PictureSettings
     return Failure{ExitStatus::usage,
                    fmt::format("{} {}: a picture has at most {} samples in a row or column, so that it may be {}x{} "
                                "with them, not {}x{}",
-                               arguments.samples ? "--samples" : "'samples' in the scene file,", samples, kMaxViewSize,
+                               arguments.samples ? "--samples" : "the scene's samples,", samples, kMaxViewSize,
                                largest(sample_columns(result)), largest(sample_rows(result)), view.width, view.height)};
   }
   return result;

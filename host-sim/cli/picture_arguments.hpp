@@ -16,7 +16,7 @@ class App;
 
 namespace zstrip::sim {
 
-/// [picture] of a scene file; nothing for other scenes.
+/// [picture] of a scene file, the picture that a blob was baked for; nothing for other scenes.
 Result<PictureSettings> settings_of(const std::string& scene);
 
 /// As given on the command line.

@@ -11,7 +11,9 @@ namespace zstrip::sim {
 
 void add_plan_options(CLI::App& command, PlanArguments& arguments) {
   PlanArguments& a = arguments;
-  command.add_option("--size", a.view.size, "Size of the picture, each side 1 to 4096 (default: 320x240)")
+  command
+      .add_option("--size", a.view.size,
+                  "Size of the picture, each side 1 to 4096 (default: 320x240, or what the scene was baked for)")
       ->type_name("WxH");
   command
       .add_option("--format", a.view.format,

@@ -348,7 +348,9 @@ void add_render_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", a.output, "A folder for the frames, or one file (default: SCENE.png here)")
       ->type_name("DIR|FILE");
   command
-      ->add_option("--size", a.view.size, "Size of the picture, each side 1 to 4096 (default: 320x240, or the panel's)")
+      ->add_option(
+          "--size", a.view.size,
+          "Size of the picture, each side 1 to 4096 (default: 320x240, the panel's, or what the scene was baked for)")
       ->type_name("WxH");
   command
       ->add_option("--frames", a.frames,

@@ -36,6 +36,7 @@ class BlobStage : public Stage {
   BlobStage& operator=(const BlobStage&) = delete;
 
   std::span<const std::uint8_t> bytes() const { return bytes_; }
+  const View& view() const { return blob_.view; }
 
   Status open() {
     Status status = open_with(0);
@@ -93,18 +94,30 @@ class BlobStage : public Stage {
   std::vector<std::string> warnings_;
 };
 
-}  // namespace
-
-Result<std::unique_ptr<Stage>> open_blob_stage(const std::string& path, const CameraOptions& options,
-                                               const View& view) {
+Result<std::unique_ptr<BlobStage>> open(const std::string& path) {
   Result<std::vector<std::uint8_t>> bytes = read_file(path);
   if (!bytes) return Failure{ExitStatus::input, fmt::format("'{}' {}", path, bytes.failure().message)};
   auto stage = std::make_unique<BlobStage>(std::move(*bytes));
   if (const Status status = stage->open(); !status) {
     return Failure{ExitStatus::input, fmt::format("'{}' {}", path, reason(status, stage->bytes()))};
   }
-  if (const Result<Done> camera = stage->set_camera(options, view); !camera) return camera.failure();
-  return std::unique_ptr<Stage>(std::move(stage));
+  return stage;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Stage>> open_blob_stage(const std::string& path, const CameraOptions& options,
+                                               const View& view) {
+  Result<std::unique_ptr<BlobStage>> stage = open(path);
+  if (!stage) return stage.failure();
+  if (const Result<Done> camera = (*stage)->set_camera(options, view); !camera) return camera.failure();
+  return std::unique_ptr<Stage>(std::move(*stage));
+}
+
+Result<View> view_of_blob(const std::string& path) {
+  const Result<std::unique_ptr<BlobStage>> stage = open(path);
+  if (!stage) return stage.failure();
+  return (*stage)->view();
 }
 
 }  // namespace zstrip::sim

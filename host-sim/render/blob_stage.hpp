@@ -12,4 +12,7 @@ namespace zstrip::sim {
 /// picture narrower than the one that the blob was baked for it shows as much from side to side.
 Result<std::unique_ptr<Stage>> open_blob_stage(const std::string& path, const CameraOptions& options, const View& view);
 
+/// The picture that the blob was baked for.
+Result<View> view_of_blob(const std::string& path);
+
 }  // namespace zstrip::sim

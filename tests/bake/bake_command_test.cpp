@@ -96,6 +96,20 @@ TEST_F(Bake, BlobInPicturesOfOtherShapes) {
   }
 }
 
+/// It was drawn with 320x240 pixels in RGB565, one sample each.
+TEST_F(Bake, BlobsPictureIsWhatItWasBakedFor) {
+  const std::vector<std::string> picture{"--size", "90x60", "--format", "rgb444", "--samples", "4", "--dither"};
+  std::vector<std::string> bake{"bake", "teapot", "-o", "teapot.zsc"};
+  bake.insert(bake.end(), picture.begin(), picture.end());
+  report(bake);
+  EXPECT_EQ(crcs("teapot.zsc", {}, 1), crcs("teapot", picture, 1));
+  EXPECT_EQ(crcs("teapot.zsc", {"--samples", "1", "--no-dither", "--format", "rgb565"}, 1),
+            crcs("teapot", {"--size", "90x60"}, 1));
+  EXPECT_EQ(zstrip({"plan", "teapot.zsc"}).out.find("320x240"), std::string::npos);
+  report({"bake", "teapot.zsc", "-o", "again.zsc"});
+  EXPECT_EQ(read(path("again.zsc")), read(path("teapot.zsc")));
+}
+
 TEST_F(Bake, CameraOptionsReplaceTheBlobsCamera) {
   report({"bake", kHouse, "-o", "house.zsc"});
   const std::vector<std::string> own = crcs("house.zsc", {}, 1);

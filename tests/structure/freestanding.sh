@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # freestanding.sh ROOT [--headers] COMPILER FLAGS...: compiles core and hal for a freestanding target and reads the objects:
-# they may call the four mem functions and the compiler's integer helpers, and nothing may run before main. With --headers
-# each header must compile on its own, too.
+# they may call the four mem functions and the compiler's integer helpers, and nothing may run before main. The sources of
+# a folder are compiled together; with --headers each by itself, and each header, too.
 set -euo pipefail
 root=$1
 shift
-pattern='*.cpp'
+headers=
 if [ "$1" = --headers ]; then
-  pattern='*.[ch]pp'
+  headers=yes
   shift
 fi
 compiler=$1
@@ -21,12 +21,22 @@ trap 'rm -rf "$objects"' EXIT
 
 # The headers' templates are instantiated by the .cpp files. Without optimisation, which is quicker and folds nothing away:
 # what the sources call, the objects call. Firmware is linked without a library anyway.
-find "$root/core/zstrip" "$root/hal/zstrip_hal" -name "$pattern" | sort >"$objects/sources"
+if [ -n "$headers" ]; then
+  find "$root/core/zstrip" "$root/hal/zstrip_hal" -name '*.[ch]pp' | sort >"$objects/sources"
+else
+  find "$root/core/zstrip" "$root/hal/zstrip_hal" -name '*.cpp' -printf '%h\n' | sort -u >"$objects/sources"
+fi
+# compile SOURCE-OR-FOLDER COMPILER FLAGS...
 compile() {
-  local source=$1
+  local source=$1 included
   shift
+  if [ -d "$source" ]; then
+    included=$(printf '#include "%s"\n' "$source"/*.cpp)
+  else
+    included="#include \"$source\""
+  fi
   "$@" -std=c++20 -O0 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wall -Wextra -Werror \
-    -I"$root/core" -I"$root/hal" -o "$objects/$(tr / _ <<<"${source#"$root"/}").o" -c -x c++ - <<<"#include \"$source\""
+    -I"$root/core" -I"$root/hal" -o "$objects/$(tr / _ <<<"${source#"$root"/}").o" -c -x c++ - <<<"$included"
 }
 export root objects
 export -f compile

@@ -39,13 +39,13 @@ Vec3 between(const Vec3& a, const Vec3& b, std::uint32_t share) {
 }
 
 /// The two keyframes around a time, and how far it is from the first to the second (0.16).
-struct Segment {
+struct Interval {
   const Keyframe* from;
   const Keyframe* to;
   std::uint32_t share;
 };
 
-Segment find(std::span<const Keyframe> keyframes, std::uint32_t time) {
+Interval find(std::span<const Keyframe> keyframes, std::uint32_t time) {
   std::size_t low = 0, high = keyframes.size();  // all below low are not later than time, all from high on are
   while (low < high) {
     const std::size_t middle = (low + high) / 2;
@@ -61,12 +61,12 @@ Segment find(std::span<const Keyframe> keyframes, std::uint32_t time) {
 }
 
 /// The rotation's rows, 16.16, of a quaternion between two, normalised.
-void rotate(const Segment& segment, Fixed (&m)[3][3]) {
+void rotate(const Interval& interval, Fixed (&m)[3][3]) {
   std::int64_t q[4];
   std::uint32_t square = 0;  // 2.30, at least a quarter: neighbours are at most a right angle apart
   for (int i = 0; i < 4; ++i) {
-    const std::int32_t a = segment.from->rotation[i], b = segment.to->rotation[i];
-    const auto share = static_cast<std::int32_t>(segment.share);
+    const std::int32_t a = interval.from->rotation[i], b = interval.to->rotation[i];
+    const auto share = static_cast<std::int32_t>(interval.share);
     q[i] = (a << 15) + (((b - a) * std::int64_t{share}) >> 1);  // 2.30
     square += static_cast<std::uint32_t>((q[i] * q[i]) >> 30);
   }
@@ -86,11 +86,11 @@ void rotate(const Segment& segment, Fixed (&m)[3][3]) {
   m[2][0] = xz - yw, m[2][1] = yz + xw, m[2][2] = kFixedOne - xx - yy;
 }
 
-Transform placed(const Segment& segment) {
-  const Vec3 translation = between(segment.from->translation, segment.to->translation, segment.share);
-  const Vec3 scale = between(segment.from->scale, segment.to->scale, segment.share);
+Transform placed(const Interval& interval) {
+  const Vec3 translation = between(interval.from->translation, interval.to->translation, interval.share);
+  const Vec3 scale = between(interval.from->scale, interval.to->scale, interval.share);
   Fixed rotation[3][3];
-  rotate(segment, rotation);
+  rotate(interval, rotation);
   Transform transform{};
   for (int row = 0; row < 3; ++row) {
     const auto scaled = [&](int column, Fixed by) {
