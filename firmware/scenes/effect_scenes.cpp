@@ -1,10 +1,11 @@
-// The list of the effects' scenes, the lattice, tiles with a palette, and a floor with mipmaps.
+// The list of the effects' scenes, the lattice, tiles with a palette, a floor with mipmaps, and surroundings.
 #include "zstrip_scenes/effect_scenes.hpp"
 
 namespace zstrip::scenes {
 namespace {
 
-constexpr BuiltIn kEffectScenes[] = {fog, emissive, specular, punctual, mask, blend, bilinear, palette, mipmaps};
+constexpr BuiltIn kEffectScenes[] = {fog,   emissive, specular, punctual, mask,
+                                     blend, bilinear, palette,  mipmaps,  environment};
 
 consteval bool all_valid() {
   for (const BuiltIn& scene : kEffectScenes) {
@@ -52,7 +53,43 @@ consteval std::array<std::uint16_t, 256 + 64 + 16 + 4 + 1> chequer() {
   return result;
 }
 
+consteval std::int32_t root(std::int32_t square) {
+  std::int32_t root = 0;
+  while ((root + 1) * (root + 1) <= square) ++root;
+  return root;
+}
+
+/// `share`: of `to`, in 256ths.
+consteval std::uint16_t mixed(const Colour& from, const Colour& to, std::int32_t share) {
+  const auto channel = [share](std::int32_t a, std::int32_t b) {
+    return a + (b - a) * (share < 256 ? share : 256) / 256;
+  };
+  return static_cast<std::uint16_t>(channel(from.r, to.r) >> 3 << 11 | channel(from.g, to.g) >> 2 << 5 |
+                                    channel(from.b, to.b) >> 3);
+}
+
+/// What a ball of radius 31 mirrors of a sky that is blue overhead and of a floor that is dark far away.
+consteval std::array<std::uint16_t, 1024> surroundings() {
+  std::array<std::uint16_t, 1024> result{};
+  for (std::int32_t i = 0; i < 1024; ++i) {
+    const std::int32_t x = 2 * (i % 32) - 31, y = 31 - 2 * (i / 32), square = 31 * 31 - x * x - y * y;
+    const std::int32_t height = 2 * y * root(square > 0 ? square : 0) * 256 / (31 * 31);
+    const bool frame = x == -11 || y == 11;
+    std::uint16_t& texel = result[static_cast<std::size_t>(i)];
+    if (x > -17 && x < -5 && y > 5 && y < 17 && !frame) {
+      texel = 0xFFFF;
+    } else if (y > 0) {
+      texel = mixed({224, 232, 240, 255}, {56, 96, 168, 255}, height * 5 / 4);
+    } else {
+      texel = mixed({40, 30, 28, 255}, {168, 132, 96, 255}, -height);
+    }
+  }
+  return result;
+}
+
 }  // namespace
+
+constexpr std::array<std::uint16_t, 1024> kSurroundingsTexels = surroundings();
 
 constexpr std::array<std::uint16_t, 256 + 64 + 16 + 4 + 1> kChequerTexels = chequer();
 constexpr std::array<Position, 4> kFloorPositions = {

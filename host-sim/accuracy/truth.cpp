@@ -212,7 +212,8 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
   if (without(effects_of(scene, camera), kKnown) != Effects{}) {
     return Failure{
         ExitStatus::input,
-        "the scene has highlights, point or spot lights, alpha, bilinear texels, palettes or mipmaps, and the "
+        "the scene has highlights, point or spot lights, alpha, bilinear texels, palettes, mipmaps or environments, "
+        "and the "
         "truth knows none of these: it draws triangles and quadrics with directional light, emission, textures and "
         "fog"};
   }

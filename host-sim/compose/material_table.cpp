@@ -28,9 +28,19 @@ FileMaterial read_material(TomlTable& table) {
   material.colour = table.colour("colour");
   if (const auto texture = table.text("texture")) material.texture = *texture;
   material.texture_line = table.line_of("texture");
+  if (const auto environment = table.text("environment")) {
+    if (material.texture) {
+      table.wrong("environment",
+                  "'environment' is in the place of 'texture', and the material has both; leave out one");
+    }
+    material.texture = *environment;
+    material.mapping = TextureMapping::environment;
+    material.texture_line = table.line_of("environment");
+  }
   if (const auto bits = table.integer("palette", 4, 8)) {
     if (*bits != 4 && *bits != 8) table.wrong("palette", "'palette' must be 4 or 8, the bits of a texel's index");
-    if (!material.texture) table.wrong("palette", "'palette' is for the colours of 'texture', which is missing");
+    if (!material.texture)
+      table.wrong("palette", "'palette' is for the colours of 'texture' or 'environment', which is missing");
     material.palette = *bits == 4 ? TextureFormat::palette4 : TextureFormat::palette8;
   }
   material.mipmaps = table.flag("mipmaps");

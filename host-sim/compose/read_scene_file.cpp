@@ -39,10 +39,12 @@ void check_ellipsoid(const FileEllipsoid& ellipsoid, const SceneFile& scene, Tom
   const auto material = std::ranges::find(scene.materials, ellipsoid.material, &FileMaterial::name);
   if (material == scene.materials.end()) return;
   if (material->has_finish()) {
-    errors.add(ellipsoid.line,
-               fmt::format("[[ellipsoid]]: the material '{}' must do without emissive, specular, "
-                           "shininess, alpha_mode, alpha_cutoff, filter, palette and mipmaps: ellipsoids have none",
-                           material->name));
+    errors.add(
+        ellipsoid.line,
+        fmt::format("[[ellipsoid]]: the material '{}' must do without emissive, specular, "
+                    "shininess, alpha_mode, alpha_cutoff, filter, palette, mipmaps and environment: ellipsoids have "
+                    "none",
+                    material->name));
   }
   const bool punctual =
       std::ranges::any_of(scene.lights, [](const FileLight& light) { return light.punctual.has_value(); });
@@ -57,9 +59,10 @@ void check_ellipsoid(const FileEllipsoid& ellipsoid, const SceneFile& scene, Tom
 void check_lines(const FileLines& lines, const SceneFile& scene, TomlErrors& errors) {
   const auto material = std::ranges::find(scene.materials, lines.material, &FileMaterial::name);
   if (material == scene.materials.end() || (!material->has_finish() && !material->texture)) return;
-  errors.add(lines.line, fmt::format("{}: the material '{}' must do without texture, emissive, specular, shininess, "
-                                     "alpha_mode, alpha_cutoff, filter and mipmaps: lines and points have none",
-                                     lines.title(), material->name));
+  errors.add(lines.line,
+             fmt::format("{}: the material '{}' must do without texture, environment, emissive, specular, shininess, "
+                         "alpha_mode, alpha_cutoff, filter and mipmaps: lines and points have none",
+                         lines.title(), material->name));
 }
 
 SceneFile read_root(TomlTable& root, TomlErrors& errors) {

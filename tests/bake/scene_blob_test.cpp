@@ -213,6 +213,26 @@ TEST(SceneBlob, WhetherAMeshIsABillboardStandsInAByteThatWasUnused) {
   EXPECT_EQ(Opened(bytes).status, (Status{.error = Error::blob_damaged, .needed = at + 73}));
 }
 
+TEST(SceneBlob, WhetherAFinishMirrorsStandsBesideItsFilter) {
+  SceneBlob content = sample();
+  std::vector<Finish> finishes(content.scene.finishes.begin(), content.scene.finishes.end());
+  finishes.push_back({.filter = TextureFilter::bilinear, .mapping = TextureMapping::environment});
+  content.scene.finishes = finishes;
+  Bytes bytes = *to_scene_blob(content);
+  const std::uint32_t at = word(bytes, 152);
+  EXPECT_EQ(bytes[at + 11], 0);
+  EXPECT_EQ(bytes[at + 12 + 11], 1) << "as before there was a mapping";
+  EXPECT_EQ(bytes[at + 24 + 11], 0x11);
+  const Opened opened(bytes);
+  ASSERT_TRUE(opened.status);
+  EXPECT_TRUE(std::ranges::equal(opened.content.scene.finishes, finishes));
+  for (const int value : {0x02, 0x20, 0xF1}) {
+    bytes[at + 24 + 11] = static_cast<std::uint8_t>(value);
+    mend(bytes);
+    EXPECT_EQ(Opened(bytes).status, (Status{.error = Error::finish, .needed = 2})) << value;
+  }
+}
+
 TEST(SceneBlob, SamplesAreAByteThatOlderBlobsLeaveZero) {
   Bytes bytes = sample_bytes();
   EXPECT_EQ(bytes[130], 0);

@@ -17,7 +17,8 @@ inline constexpr Effects kFactors[] = {effect::lighting,         effect::gouraud
                                        effect::bilinear,         effect::punctual_lights,  effect::alpha_test,
                                        effect::blending,         effect::vertex_colours,   effect::quadrics,
                                        effect::dithered_colours, effect::texture_palettes, effect::lines,
-                                       effect::billboards,       effect::mipmaps,          effect::supersampled};
+                                       effect::billboards,       effect::mipmaps,          effect::supersampled,
+                                       effect::environment};
 
 static_assert(
     [] {
@@ -33,7 +34,8 @@ static_assert(
 /// With what its effects need to show.
 constexpr Effects completed(Effects set) {
   if (set.has(effect::texture_alpha) && !set.any(effect::alpha_test | effect::blending)) set = set | effect::alpha_test;
-  if (set.any(effect::texture_alpha | effect::bilinear | effect::texture_palettes | effect::mipmaps)) {
+  if (set.any(effect::texture_alpha | effect::bilinear | effect::texture_palettes | effect::mipmaps |
+              effect::environment)) {
     set = set | effect::textures;
   }
   const bool unlit_texels = set.has(effect::textures | effect::vertex_colours);  // have no vertex colours
@@ -117,6 +119,7 @@ struct Combination {
     }
     if (set.has(effect::alpha_test)) finishes[0].alpha_mode = AlphaMode::mask;
     if (set.has(effect::blending)) finishes[1].alpha_mode = AlphaMode::blend;
+    if (set.has(effect::environment)) finishes[1].mapping = TextureMapping::environment;
     if (set.has(effect::texture_alpha)) textures[0].format = TextureFormat::rgb565_alpha;
     if (set.has(effect::mipmaps)) {
       for (Texture& texture : textures) texture.texels = kNoise, texture.smaller_levels = 4;
@@ -162,7 +165,7 @@ void expect_drawn_alike() {
   // Memory is planned for what is there, and not for more.
   const Plan plan = zstrip::plan(count(scene), kView, kSet).plan;
   EXPECT_EQ(plan.effect_bytes != 0,
-            kSet.any(effect::fog | effect::blending | effect::local_light | effect::billboards));
+            kSet.any(effect::fog | effect::blending | effect::local_light | effect::billboards | effect::environment));
   EXPECT_EQ(plan.colour_bytes, kSet.has(effect::supersampled) ? 40U * 32 * 2 * 4 : 0);
   EXPECT_EQ(plan.bin_bytes + plan.visibility_bytes, 0U);
 }

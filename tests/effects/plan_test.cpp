@@ -11,13 +11,14 @@ namespace {
 constexpr View kView{64, 48, PixelFormat::rgb565};
 
 /// What docs/effects.md says: the block's head, fog, a place in the order for each instance, light, turned
-/// instances; whole words of 8 bytes.
+/// instances, what mirrors; whole words of 8 bytes.
 std::uint32_t bytes_of_effects(Effects effects, std::uint32_t instances) {
   std::uint32_t bytes = 0;
   if (effects.has(effect::fog)) bytes += 40;
   if (effects.has(effect::blending)) bytes += 16 * instances;
   if (effects.any(effect::local_light)) bytes += 192 + 68 * instances;
   if (effects.has(effect::billboards)) bytes += 52 * instances;
+  if (effects.has(effect::environment)) bytes += 8 + 68 * instances;
   return bytes == 0 ? 0 : (bytes + 16 + 7) / 8 * 8;
 }
 

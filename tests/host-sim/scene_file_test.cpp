@@ -185,7 +185,8 @@ TEST(SceneFile, PalettesOfTextures) {
     EXPECT_EQ(message.find("'scene.toml' line 4: [[material]]: 'palette' must be "), 0U) << message;
   }
   EXPECT_EQ(failure(material("palette = 8")),
-            "'scene.toml' line 3: [[material]]: 'palette' is for the colours of 'texture', which is missing");
+            "'scene.toml' line 3: [[material]]: 'palette' is for the colours of 'texture' or 'environment', which is "
+            "missing");
 }
 
 TEST(SceneFile, MipmapsOfTextures) {
@@ -199,6 +200,24 @@ TEST(SceneFile, MipmapsOfTextures) {
     EXPECT_EQ(failure(material(std::string("texture = 't.png'\nmipmaps = ") + value)),
               "'scene.toml' line 4: [[material]]: 'mipmaps' must be true or false");
   }
+}
+
+TEST(SceneFile, EnvironmentInPlaceOfATexture) {
+  const auto material = [](const std::string& lines) { return "[[material]]\nname = 'a'\n" + lines + "\n" + kCube; };
+  EXPECT_FALSE(parsed(material("texture = 't.png'")).materials.at(0).mirrors());
+  const FileMaterial mirror = parsed(material("palette = 8\nenvironment = 'e.png'")).materials.at(0);
+  EXPECT_TRUE(mirror.mirrors());
+  EXPECT_TRUE(mirror.has_finish());
+  EXPECT_EQ(mirror.texture, "e.png");
+  EXPECT_EQ(mirror.texture_line, 4);
+  EXPECT_EQ(mirror.palette, TextureFormat::palette8);
+  EXPECT_EQ(failure(material("environment = 'e.png'\ntexture = 't.png'")),
+            "'scene.toml' line 3: [[material]]: 'environment' is in the place of 'texture', and the material has both; "
+            "leave out one");
+  EXPECT_NE(failure(material("enviroment = 'e.png'")).find("environment"), std::string::npos) << "the nearest key";
+  EXPECT_NE(failure("[[material]]\nname = 'a'\nenvironment = 'e.png'\n[[ellipsoid]]\nmaterial = 'a'\n")
+                .find("line 4: [[ellipsoid]]: the material 'a' must do without"),
+            std::string::npos);
 }
 
 TEST(SceneFile, WhetherThePictureIsDithered) {
@@ -289,7 +308,8 @@ TEST(SceneFile, FinishOfAnEllipsoid) {
   }
   const std::string palette =
       failure("[[material]]\nname = 'a'\ntexture = 't.png'\npalette = 8\n[[ellipsoid]]\nmaterial = 'a'\n");
-  EXPECT_NE(palette.find("filter, palette and mipmaps: ellipsoids have none"), std::string::npos) << palette;
+  EXPECT_NE(palette.find("filter, palette, mipmaps and environment: ellipsoids have none"), std::string::npos)
+      << palette;
 }
 
 TEST(SceneFile, PointLightOnAnEllipsoid) {

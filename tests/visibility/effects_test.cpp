@@ -10,8 +10,8 @@ namespace zstrip::sim::test {
 namespace {
 
 constexpr View kView{96, 80, PixelFormat::rgb565};
-constexpr const char* kEffectScenes[] = {"fog",   "emissive", "specular", "punctual", "mask",
-                                         "blend", "bilinear", "palette",  "mipmaps",  "spheres"};
+constexpr const char* kEffectScenes[] = {"fog",      "emissive", "specular", "punctual",    "mask",   "blend",
+                                         "bilinear", "palette",  "mipmaps",  "environment", "spheres"};
 constexpr const char* kKeepingZ[] = {"front-to-back", "hierarchical-z", "front-to-back-hierarchical-z",
                                      "midpoint-safe"};
 
@@ -289,7 +289,7 @@ TEST(VisibilityEffects, WhatAMethodCannotDrawIsNamedWithTheMethod) {
   }
   for (const char* method : {"painter-newell", "painter-bsp"}) {
     refusals.push_back({method, "spheres", "quadrics", "midpoint-safe"});
-    for (const char* const effect : {"fog", "emissive", "specular", "bilinear"}) {
+    for (const char* const effect : {"fog", "emissive", "specular", "bilinear", "environment"}) {
       refusals.push_back({method, effect, effect, "zbuffer, painter, half-range, front-to-back"});
     }
     refusals.push_back({method, "punctual", "punctual_lights", "painter"});

@@ -30,6 +30,12 @@ struct Frame::Access::Checks {
       const std::uint64_t needed = detail::effect_bytes(called_for, static_cast<std::uint32_t>(scene.instances.size()));
       if (plan.effect_bytes < needed) return too_small(Purpose::effects, needed, plan.effect_bytes);
     }
+    if constexpr (effects.has(effect::environment)) {
+      const SceneCounts counts = count(scene);
+      const std::uint64_t needed = std::uint64_t{plan.mode == Mode::binned ? counts.vertices : counts.largest_meshlet} *
+                                   detail::bytes_per_vertex(called_for);
+      if (plan.vertex_bytes < needed) return too_small(Purpose::vertices, needed, plan.vertex_bytes);
+    }
     if constexpr (depth_bytes(depth_format(effects)) != kDepthBytes) {
       const std::uint64_t needed =
           std::uint64_t{plan.strip_rows} * plan.strip_columns * depth_bytes(depth_format(effects));

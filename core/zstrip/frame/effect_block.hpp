@@ -5,6 +5,7 @@
 #include <span>
 
 #include "zstrip/frame/frame.hpp"
+#include "zstrip/geometry/environment.hpp"
 #include "zstrip/geometry/local_light.hpp"
 #include "zstrip/raster/fragment_settings.hpp"
 
@@ -16,6 +17,13 @@ struct DrawOrder {
   std::uint32_t instance, unused;
 };
 static_assert(sizeof(DrawOrder) == kDrawOrderBytes);
+
+/// The texture coordinates of what mirrors the surroundings lie behind the colours of vertices.
+struct FrameReflections {
+  std::uint32_t first;  ///< bytes from the vertices
+  std::uint32_t unused;
+};
+static_assert(sizeof(FrameReflections) == kFrameReflectionsBytes);
 
 /// The arena's last part. It is laid out by the effects that the scene calls for, not by those of the pipeline: a
 /// superset draws with the plan of the exact set. Parts whose effects has() denies must not be asked for.
@@ -39,6 +47,10 @@ class EffectBlock {
   }
   /// Only begin_frame looks at them.
   std::span<Instance> turned() const { return {reinterpret_cast<Instance*>(memory_ + turned_at()), instances_}; }
+  FrameReflections& reflections() const { return *reinterpret_cast<FrameReflections*>(memory_ + reflections_at()); }
+  EyeForms& eye_forms(std::size_t instance) const {
+    return reinterpret_cast<EyeForms*>(memory_ + reflections_at() + kFrameReflectionsBytes)[instance];
+  }
 
  private:
   static_assert(sizeof(FogCurve) == kFogBytes && kFogBytes % kArenaAlignment == 0);
@@ -48,6 +60,9 @@ class EffectBlock {
   std::size_t turned_at() const {
     const std::size_t lights = kFrameLightsBytes + instances_ * kInstanceShadingBytes;
     return lights_at() + (has(effect::local_light) ? lights : 0);
+  }
+  std::size_t reflections_at() const {
+    return turned_at() + (has(effect::billboards) ? instances_ * kTurnedInstanceBytes : 0);
   }
 
   std::byte* memory_;

@@ -19,6 +19,9 @@ struct Frame::Access::EffectStage {
     if constexpr (effects.any(effect::local_light)) {
       if (block.has(effect::local_light)) prepare_local_light(frame, camera);
     }
+    if constexpr (effects.has(effect::environment)) {
+      if (block.has(effect::environment)) prepare_reflections(frame, camera, called_for);
+    }
     if constexpr (effects.any(effect::fragments)) prepare_fragments<effects>(frame);
   }
 
@@ -55,6 +58,8 @@ struct Frame::Access::EffectStage {
       block.shading(i) = detail::instance_shading(scene.meshes[instance.mesh], instance.transform, camera);
     }
   }
+
+  static void prepare_reflections(Frame& frame, const Camera& camera, Effects called_for);
 
   /// Which instances are drawn by fill_fragments.
   template <Effects effects>

@@ -58,6 +58,26 @@ struct Frame::Access::Geometry {
             Materials::surface_of(frame, compiled)};
   }
 
+  /// The same, with what drawing it needs beside.
+  template <Effects effects>
+  static detail::BatchOf<effects> batch_for(const Frame& frame, std::uint32_t instance, std::uint32_t first_vertex,
+                                            std::uint32_t cache) {
+    if constexpr (effects.has(effect::environment)) {
+      return {batch_of(frame, instance, first_vertex, cache), reflections_of(frame, instance, cache)};
+    } else {
+      return batch_of(frame, instance, first_vertex, cache);
+    }
+  }
+
+  /// Null if the instance does not mirror the surroundings.
+  static TexCoord* reflections_of(const Frame& frame, std::uint32_t instance, std::uint32_t cache) {
+    const Scene& scene = *frame.scene_;
+    const detail::CompiledInstance& compiled = frame.instances_[instance];
+    if (!mirrors_surroundings(scene, scene.meshes[compiled.mesh], scene.materials[compiled.material])) return nullptr;
+    auto* const vertices = reinterpret_cast<std::byte*>(frame.vertices_);
+    return reinterpret_cast<TexCoord*>(vertices + effect_block(frame).reflections().first) + cache;
+  }
+
   /// False if some vertex needs the clipping path.
   template <Effects effects>
   static bool transform(Frame& frame, const detail::Batch& batch, const MeshletRange& range, std::uint32_t cache) {
@@ -67,7 +87,11 @@ struct Frame::Access::Geometry {
   }
 
   template <Effects effects>
-  static void shade(Frame& frame, const detail::Batch& batch, const MeshletRange& range, std::uint32_t cache) {
+  static void shade(Frame& frame, const detail::BatchOf<effects>& batch, const MeshletRange& range,
+                    std::uint32_t cache) {
+    if constexpr (effects.has(effect::environment)) {
+      if (batch.reflections != nullptr) reflect<effects.has(effect::orthographic)>(frame, batch, range);
+    }
     if constexpr (detail::has_vertex_colours(effects)) {
       if (batch.colours != nullptr) {
         if constexpr (effects.any(effect::vertex_light)) {
@@ -76,6 +100,20 @@ struct Frame::Access::Geometry {
         detail::shade_vertices<without(effects, effect::bins)>(*batch.instance, *batch.mesh, range.first_vertex,
                                                                range.vertex_count, frame.colours_ + cache);
       }
+    }
+  }
+
+  template <bool orthographic>
+  static void reflect(const Frame& frame, const detail::ReflectingBatch& batch, const MeshletRange& range) {
+    const detail::EyeForms& forms =
+        effect_block(frame).eye_forms(static_cast<std::size_t>(batch.instance - frame.instances_));
+    const detail::TextureView& texture = batch.surface.texture;
+    for (std::uint32_t i = 0; i < range.vertex_count; ++i) {
+      const std::uint32_t vertex = range.first_vertex + i;
+      const detail::MirroredPoint point = detail::mirrored_point<orthographic>(
+          forms, batch.mesh->positions[vertex], batch.mesh->normals[vertex], batch.instance->double_sided);
+      batch.reflections[vertex - batch.first_vertex] =
+          detail::texcoord_of(point, texture.log2_width, texture.log2_height);
     }
   }
 
@@ -112,7 +150,7 @@ struct Frame::Access::Geometry {
         if (Methods::is_left_out<effects>(frame, number, instance, meshlet)) return;
       }
       const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
-      const detail::Batch batch = batch_of(frame, instance, range.first_vertex, 0);
+      const auto batch = batch_for<effects>(frame, instance, range.first_vertex, 0);
       const bool all_narrow = transform<effects>(frame, batch, range, 0);
       Rect box{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
       detail::Facing<effects>::for_each(batch, range.triangles, all_narrow, [&](std::uint32_t, const auto& covered) {
@@ -138,7 +176,7 @@ struct Frame::Access::Geometry {
             if (Methods::is_left_out<effects>(frame, number, instance, meshlet)) return;
           }
           const MeshletRange range = meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
-          const detail::Batch batch = batch_of(frame, instance, range.first_vertex, retained);
+          const auto batch = batch_for<effects>(frame, instance, range.first_vertex, retained);
           const bool all_narrow = transform<effects>(frame, batch, range, retained);
           bool listed = false;
           room = detail::Facing<effects>::for_each(batch, range.triangles, all_narrow,

@@ -43,7 +43,7 @@ struct Frame::Access::Raster {
       }
       const Geometry::MeshletRange range =
           Geometry::meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
-      const detail::Batch batch = Geometry::batch_of(frame, instance, range.first_vertex, 0);
+      const auto batch = Geometry::batch_for<effects>(frame, instance, range.first_vertex, 0);
       const bool all_narrow = Geometry::transform<effects>(frame, batch, range, 0);
       Geometry::shade<effects>(frame, batch, range, 0);
       Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
@@ -63,8 +63,8 @@ struct Frame::Access::Raster {
       const detail::RetainedBatch& retained = frame.batches_[number];
       const Geometry::MeshletRange range =
           Geometry::meshlet_range(frame.scene_->meshes[frame.instances_[retained.instance].mesh], retained.meshlet);
-      const detail::Batch batch =
-          Geometry::batch_of(frame, retained.instance, range.first_vertex, retained.first_vertex);
+      const auto batch =
+          Geometry::batch_for<effects>(frame, retained.instance, range.first_vertex, retained.first_vertex);
       Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
         Assembler<effects>::draw_listed(complete, batch, range.triangles, {triangles, count}, retained.all_narrow);
       });

@@ -116,7 +116,7 @@ void Frame::Access::Methods::collect_triangles(FrameWithMethod& frame) {
     const detail::CompiledInstance& compiled = frame.instances_[instance];
     const Geometry::MeshletRange range = Geometry::meshlet_range(frame.scene_->meshes[compiled.mesh], meshlet);
     const std::uint32_t cache = binned ? retained : 0;
-    const detail::Batch batch = Geometry::batch_of(frame, instance, range.first_vertex, cache);
+    const auto batch = Geometry::batch_for<effects>(frame, instance, range.first_vertex, cache);
     const bool all_narrow = Geometry::transform<effects>(frame, batch, range, cache);
     // A vertex outside the depth range counts as on its border.
     [[maybe_unused]] const auto depth = [&](std::uint32_t index) {
@@ -222,7 +222,7 @@ void Frame::Access::Methods::draw_sorted(FrameWithMethod& frame, const detail::S
     if (!frame.grid_.touches(sorted.extent, row, column)) continue;
     const Geometry::MeshletRange range =
         Geometry::meshlet_range(frame.scene_->meshes[frame.instances_[sorted.instance].mesh], sorted.meshlet);
-    const detail::Batch batch = Geometry::batch_of(frame, sorted.instance, range.first_vertex, 0);
+    const auto batch = Geometry::batch_for<effects>(frame, sorted.instance, range.first_vertex, 0);
     const Triangle& triangle = range.triangles[sorted.triangle];
     for (const std::uint32_t index : {triangle.a, triangle.b, triangle.c}) {
       const Geometry::MeshletRange vertex{index, 1, {}};
@@ -251,7 +251,7 @@ void Frame::Access::Methods::count_culled(FrameWithMethod& frame) {
       (by_set ? counts.outside_cells : counts.outside) += triangles;
       return;
     }
-    const detail::Batch batch = Geometry::batch_of(frame, instance, range.first_vertex, 0);
+    const auto batch = Geometry::batch_for<effects>(frame, instance, range.first_vertex, 0);
     const bool all_narrow = Geometry::transform<effects>(frame, batch, range, 0);
     std::uint32_t facing = 0;
     detail::Facing<effects>::for_each(batch, range.triangles, all_narrow, [&](std::uint32_t, const auto& covered) {

@@ -15,6 +15,7 @@ inline constexpr std::uint32_t kQuadricBytes = 384;
 inline constexpr std::uint32_t kLineSetBytes = 176;
 inline constexpr std::uint32_t kVertexBytes = 8;        // snapped x, y and depth
 inline constexpr std::uint32_t kVertexColourBytes = 4;  // only with lighting or vertex colours
+inline constexpr std::uint32_t kReflectionBytes = 4;    // where a vertex mirrors the surroundings, likewise
 inline constexpr std::uint32_t kExtentBytes = 4;        // the strips that a meshlet touches
 inline constexpr std::uint32_t kBatchBytes = 8;         // a transformed meshlet, binned only
 inline constexpr std::uint32_t kBinBytes = 8;           // a strip's list
@@ -25,6 +26,8 @@ inline constexpr std::uint32_t kWorldLightBytes = 44;
 inline constexpr std::uint32_t kFrameLightsBytes = 192;     // lights that depend on where a vertex is, of the frame
 inline constexpr std::uint32_t kInstanceShadingBytes = 68;  // and what they need of an instance
 inline constexpr std::uint32_t kTurnedInstanceBytes = 52;   // an instance that may have been turned to the viewer
+inline constexpr std::uint32_t kFrameReflectionsBytes = 8;  // where those of the frame lie
+inline constexpr std::uint32_t kEyeFormsBytes = 68;         // what they need of an instance
 inline constexpr std::uint32_t kDrawOrderBytes = 16;        // an instance's place in the order of blending
 inline constexpr std::uint32_t kMostBinChunks = 0xFFFF;
 inline constexpr std::uint32_t kMostBatches = 0x7FFF;  // that bins can name; likewise triangles of a meshlet
@@ -48,6 +51,12 @@ constexpr std::uint16_t whole_tiles(std::uint32_t rows, std::uint16_t height) {
 
 constexpr bool has_vertex_colours(Effects effects) { return effects.any(effect::lighting | effect::vertex_colours); }
 
+/// Of a transformed vertex.
+constexpr std::uint32_t bytes_per_vertex(Effects effects) {
+  return kVertexBytes + (has_vertex_colours(effects) ? kVertexColourBytes : 0) +
+         (effects.has(effect::environment) ? kReflectionBytes : 0);
+}
+
 /// What effects keep through a frame of so many instances.
 constexpr std::uint64_t effect_bytes(Effects effects, std::uint32_t instances) {
   std::uint64_t bytes = 0;
@@ -55,6 +64,7 @@ constexpr std::uint64_t effect_bytes(Effects effects, std::uint32_t instances) {
   if (effects.has(effect::blending)) bytes += std::uint64_t{instances} * kDrawOrderBytes;
   if (effects.any(effect::local_light)) bytes += kFrameLightsBytes + std::uint64_t{instances} * kInstanceShadingBytes;
   if (effects.has(effect::billboards)) bytes += std::uint64_t{instances} * kTurnedInstanceBytes;
+  if (effects.has(effect::environment)) bytes += kFrameReflectionsBytes + std::uint64_t{instances} * kEyeFormsBytes;
   return bytes == 0 ? 0 : bytes + sizeof(Effects);
 }
 
@@ -131,7 +141,7 @@ class Planner {
   constexpr Planner(const SceneCounts& counts, const View& view, Effects effects, const Budget& budget)
       : counts_(counts),
         view_(view),
-        per_vertex_(kVertexBytes + (has_vertex_colours(effects) ? kVertexColourBytes : 0)),
+        per_vertex_(bytes_per_vertex(effects)),
         per_cell_(depth_cell_bytes(effects)),
         effects_(effects),
         effect_bytes_(rounded_up(effect_bytes(effects, counts.instances))),

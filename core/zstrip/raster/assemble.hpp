@@ -53,6 +53,7 @@ struct Assembler {
   static constexpr DepthMode kDepth = depth_mode(effects);
   static constexpr std::int32_t kPerspective = perspective_run(effects);
   using Attributes = VertexAttributes<effects>;
+  using Batch = BatchOf<effects>;
   using StripTarget = TargetOf<effects>;  // with what the depth mode and fragments need
 
   /// Planes start at vertex a and round there. Rotated so that the vertex of least order becomes a, a triangle has the

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/raster/plane.hpp"
@@ -21,6 +22,14 @@ struct Batch {
   Surface surface;
 };
 
+/// Of a renderer with effect::environment.
+struct ReflectingBatch : Batch {
+  TexCoord* reflections;  ///< as `vertices`, of 15 bits; null where the mesh's own texture coordinates are drawn
+};
+
+template <Effects effects>
+using BatchOf = std::conditional_t<effects.has(effect::environment), ReflectingBatch, Batch>;
+
 /// Texels, 16.16, of a texture coordinate.
 constexpr std::int32_t texels(std::int16_t coordinate, std::uint8_t log2_size, std::uint8_t fraction_bits) {
   const int shift = 16 + log2_size - fraction_bits;  // 1 .. 23
@@ -31,6 +40,7 @@ template <Effects effects>
 struct VertexAttributes {
   static constexpr bool kTextures = effects.has(effect::textures);
   static constexpr bool kColours = has_vertex_colours(effects);
+  using Batch = BatchOf<effects>;
 
   /// Colour and texture coordinates, as far as `shade` reads them.
   template <Shade shade, class Vertex>
@@ -45,6 +55,14 @@ struct VertexAttributes {
       if (!kTextures || kind < Shade::textured) return;
     }
     if constexpr (shade >= Shade::textured && kTextures) {
+      if constexpr (effects.has(effect::environment)) {
+        if (batch.reflections != nullptr) {
+          const TexCoord& t = batch.reflections[index - batch.first_vertex];
+          vertex.u = texels(t.u, batch.surface.texture.log2_width, 15);
+          vertex.v = texels(t.v, batch.surface.texture.log2_height, 15);
+          return;
+        }
+      }
       const TexCoord& t = batch.mesh->texcoords[index];
       vertex.u = texels(t.u, batch.surface.texture.log2_width, batch.mesh->texcoord_bits);
       vertex.v = texels(t.v, batch.surface.texture.log2_height, batch.mesh->texcoord_bits);

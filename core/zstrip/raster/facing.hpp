@@ -40,13 +40,14 @@ struct Facing {
   /// result; `pixels` is a NarrowPixels or a ClippedPixels. `all_narrow`: no vertex of the batch needs the clipping
   /// path.
   template <class Visit>
-  static bool for_each(const Batch& batch, std::span<const Triangle> triangles, bool all_narrow, const Visit& visit) {
+  static bool for_each(const BatchOf<effects>& batch, std::span<const Triangle> triangles, bool all_narrow,
+                       const Visit& visit) {
     return all_narrow ? for_each<true>(batch, triangles, visit) : for_each<false>(batch, triangles, visit);
   }
 
  private:
   template <bool all_narrow, class Visit>
-  static bool for_each(const Batch& batch, std::span<const Triangle> triangles, const Visit& visit) {
+  static bool for_each(const BatchOf<effects>& batch, std::span<const Triangle> triangles, const Visit& visit) {
     // Where the mesh's vertex 0 would be: the cache has a run of them.
     const std::uintptr_t vertices =
         reinterpret_cast<std::uintptr_t>(batch.vertices) - batch.first_vertex * sizeof(SnappedVertex);

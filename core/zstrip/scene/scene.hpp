@@ -73,6 +73,15 @@ enum class TextureFilter : std::uint8_t {
   bilinear,  ///< the four around it, by their distance
 };
 
+/// Where on its texture a vertex lies.
+enum class TextureMapping : std::uint8_t {
+  coordinates,  ///< where Mesh::texcoords say
+  /// Where the mirror image of the surroundings is (effect::environment): the texture is a sphere map, a picture of a
+  /// mirrored ball that fills it, as seen from the eye; docs/conventions.md has the formula. The mesh needs normals,
+  /// and its texture coordinates mean nothing. So a material has either a texture of its own or surroundings, not both.
+  environment,
+};
+
 enum class TextureFormat : std::uint8_t {
   rgb565,        ///< one texel each
   rgb565_alpha,  ///< the same, and after all texels an alpha for each: 8 bits, two in a word, the first in the low half
@@ -140,7 +149,9 @@ struct Finish {
   std::uint8_t shininess = 32;    ///< their exponent; the greater, the smaller they are
   AlphaMode alpha_mode = AlphaMode::opaque;
   std::uint8_t alpha_cutoff = 128;  ///< 0..255
-  TextureFilter filter = TextureFilter::nearest;
+  // One byte for both, as blobs have it.
+  TextureFilter filter : 4 = TextureFilter::nearest;
+  TextureMapping mapping : 4 = TextureMapping::coordinates;  ///< anything else calls for effect::environment
   friend constexpr bool operator==(const Finish&, const Finish&) = default;
 };
 

@@ -34,8 +34,7 @@ static_assert(sizeof(BspNode) == 32 && offsetof(BspNode, distance) == 12 && offs
               offsetof(BspNode, front) == 20 && offsetof(BspNode, back) == 24 && offsetof(BspNode, parent) == 28);
 static_assert(offsetof(Material, finish) == 11);
 static_assert(sizeof(Finish) == 12 && offsetof(Finish, specular) == 4 && offsetof(Finish, shininess) == 8 &&
-              offsetof(Finish, alpha_mode) == 9 && offsetof(Finish, alpha_cutoff) == 10 &&
-              offsetof(Finish, filter) == 11);
+              offsetof(Finish, alpha_mode) == 9 && offsetof(Finish, alpha_cutoff) == 10);
 static_assert(sizeof(PunctualLight) == 40 && offsetof(PunctualLight, colour) == 1 &&
               offsetof(PunctualLight, position) == 8 && offsetof(PunctualLight, intensity) == 20 &&
               offsetof(PunctualLight, range) == 24 && offsetof(PunctualLight, x) == 28 &&

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "zstrip/base/status.hpp"
+#include "zstrip/scene/effects.hpp"
 #include "zstrip/scene/scene.hpp"
 
 namespace zstrip {
@@ -105,9 +106,10 @@ constexpr bool valid_segments(const Scene& scene, const LineSet& lines) {
 
 /// Texture coordinates in texels have 16 bits before the point: 2048 texels may repeat 16 times on either side of 0.
 constexpr bool valid_texcoords(const Scene& scene, const Instance& instance) {
-  const std::uint16_t texture = scene.materials[instance.material].texture;
-  if (texture == kNoTexture) return true;
+  const Material& material = scene.materials[instance.material];
+  const std::uint16_t texture = material.texture;
   const Mesh& mesh = scene.meshes[instance.mesh];
+  if (texture == kNoTexture || mirrors_surroundings(scene, mesh, material)) return true;
   const auto fits = [&mesh](std::int32_t coordinate, std::uint8_t log2_size) {
     const std::int64_t magnitude = coordinate < 0 ? -std::int64_t{coordinate} : coordinate;
     return magnitude << log2_size < std::int64_t{1} << (15 + mesh.texcoord_bits);
@@ -116,6 +118,12 @@ constexpr bool valid_texcoords(const Scene& scene, const Instance& instance) {
     if (!fits(t.u, scene.textures[texture].log2_width) || !fits(t.v, scene.textures[texture].log2_height)) return false;
   }
   return true;
+}
+
+/// What mirrors the surroundings needs normals.
+constexpr bool can_mirror(const Scene& scene, const Instance& instance) {
+  return finish_of(scene, scene.materials[instance.material]).mapping != TextureMapping::environment ||
+         !scene.meshes[instance.mesh].normals.empty();
 }
 
 constexpr bool valid_fog(const Fog& fog) {
@@ -140,7 +148,8 @@ constexpr bool valid_punctual_light(const PunctualLight& light) {
 }
 
 constexpr bool valid_finish(const Finish& finish) {
-  return finish.alpha_mode <= AlphaMode::blend && finish.filter <= TextureFilter::bilinear;
+  return finish.alpha_mode <= AlphaMode::blend && finish.filter <= TextureFilter::bilinear &&
+         finish.mapping <= TextureMapping::environment;
 }
 
 constexpr bool valid_texture(const Texture& texture) {
@@ -189,6 +198,8 @@ constexpr Status validate(const Scene& scene) {
     if (texture != kNoTexture && texture >= scene.textures.size()) return {.error = Error::material, .needed = i};
     const std::uint8_t finish = scene.materials[i].finish;
     if (finish != kNoFinish && finish >= scene.finishes.size()) return {.error = Error::material, .needed = i};
+    const bool mirrors = finish_of(scene, scene.materials[i]).mapping == TextureMapping::environment;
+    if (texture == kNoTexture && mirrors) return {.error = Error::material, .needed = i};
     if (texture != kNoTexture && finish == kNoFinish && has_palette(scene.textures[texture].format)) {
       return {.error = Error::material, .needed = i};
     }
@@ -205,7 +216,8 @@ constexpr Status validate(const Scene& scene) {
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     const bool is_billboard = scene.meshes[instance.mesh].billboard != Billboard::none;
-    if (!detail::valid_texcoords(scene, instance) || (is_billboard && !detail::is_turnable(instance.transform))) {
+    if (!detail::valid_texcoords(scene, instance) || !detail::can_mirror(scene, instance) ||
+        (is_billboard && !detail::is_turnable(instance.transform))) {
       return {.error = Error::instance, .needed = i};
     }
   }

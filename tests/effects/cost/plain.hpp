@@ -52,8 +52,17 @@ template <bool plain>
 inline constexpr View kView<scenes::samples_4, plain>{kWidth, kHeight, PixelFormat::rgb565, false, plain ? 1 : 4};
 inline constexpr std::uint32_t kFrames = 4, kFramesPerTurn = 36;
 
-/// Without fog, finishes, punctual lights, quadrics and lines, billboards standing still, and the scene's first texture
-/// for one with a palette; all else as it is.
+/// What a knot gets in place of surroundings: about as many texels as it mirrors of them.
+inline constexpr auto kKnotTexcoords = [] {
+  std::array<TexCoord, scenes::kKnotVertices> texcoords{};
+  for (std::size_t i = 0; i < texcoords.size(); ++i) {
+    texcoords[i] = {static_cast<std::int16_t>(i % 16 * 256), static_cast<std::int16_t>(i / 16 * 64)};
+  }
+  return texcoords;
+}();
+
+/// Without fog, finishes, punctual lights, quadrics and lines, billboards standing still, the scene's first texture for
+/// one with a palette, and texture coordinates for what mirrors its surroundings; all else as it is.
 template <const scenes::BuiltIn& built_in>
 struct Plain {
   static constexpr auto kMaterials = [] {
@@ -71,6 +80,7 @@ struct Plain {
     for (std::size_t i = 0; i < meshes.size(); ++i) {
       meshes[i] = built_in.scene.meshes[i];
       meshes[i].billboard = Billboard::none;
+      if (effects_of(built_in.scene, built_in.camera).has(effect::environment)) meshes[i].texcoords = kKnotTexcoords;
     }
     return meshes;
   }();
@@ -97,8 +107,10 @@ inline constexpr const scenes::BuiltIn& kChosen<built_in, true> = Plain<built_in
 
 /// The pipeline of kChosen. The plain one keeps what the effect brought along, as quadrics their textures.
 template <const scenes::BuiltIn& built_in, bool plain>
-inline constexpr Effects kEffectsOf =
-    without(effects_of(built_in.scene, built_in.camera) | effects_of(kView<built_in, plain>),
-            plain ? effect::fragments | effect::vertex_light | effect::surfaces | effect::billboards : Effects{});
+inline constexpr Effects kEffectsOf = without(effects_of(built_in.scene, built_in.camera) |
+                                                  effects_of(kView<built_in, plain>),
+                                              plain ? effect::fragments | effect::vertex_light | effect::surfaces |
+                                                          effect::billboards | effect::environment
+                                                    : Effects{});
 
 }  // namespace zstrip::effects_cost

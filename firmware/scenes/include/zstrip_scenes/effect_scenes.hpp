@@ -230,6 +230,22 @@ inline constexpr BuiltIn mipmaps =
     effect_scene("mipmaps", "a chequered floor towards the horizon, its right half with mipmaps", kMipmapScene,
                  count(kMipmapScene), 3.0, 12, 2.0);
 
+/// A mirrored ball, 32 x 32: sky, a window in it, and a floor.
+extern const std::array<std::uint16_t, 1024> kSurroundingsTexels;
+inline constexpr Texture kSurroundings[] = {{kSurroundingsTexels, 5, 5}};
+inline constexpr Finish kChromeFinish[] = {{.mapping = TextureMapping::environment}};
+inline constexpr Material kChromeMaterials[] = {{.colour = {190, 192, 196, 255}, .lit = true, .smooth = true},
+                                                {.texture = 0, .lit = false, .smooth = true, .finish = 0}};
+inline constexpr Scene kEnvironmentScene{.meshes = kKnotLitMesh,
+                                         .materials = kChromeMaterials,
+                                         .textures = kSurroundings,
+                                         .instances = kPairInstances,
+                                         .lights = kKeyLight,
+                                         .ambient = kAmbient,
+                                         .finishes = kChromeFinish};
+inline constexpr BuiltIn environment =
+    pair_of_knots("environment", "two knots, of which the right one mirrors its surroundings", kEnvironmentScene);
+
 /// All of this page, in its order.
 std::span<const BuiltIn> effect_scenes();
 

@@ -1,0 +1,65 @@
+// Where a vertex mirrors the surroundings: its texture coordinates on a sphere map. docs/conventions.md has the
+// formula.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "zstrip/base/unit_vector.hpp"
+#include "zstrip/geometry/instance.hpp"
+#include "zstrip/plan/plan.hpp"
+#include "zstrip/scene/camera.hpp"
+
+namespace zstrip::detail {
+
+/// What an instance's vertices need: the camera's axes (x to the right, y up, z back) seen from the mesh.
+struct EyeForms {
+  LinearForm x, y, z;         ///< from a position to the eye, of any scale, below 2^30
+  std::int16_t normal[3][3];  ///< rows, 1.14: object to view, without its scale
+  std::int16_t unused;
+};
+static_assert(sizeof(EyeForms) == kEyeFormsBytes);
+
+EyeForms eye_forms(const Mesh& mesh, const Transform& transform, const Camera& camera);
+
+/// Across a sphere map, 1.14: to the right and upwards from its middle; at most about 1 away from it.
+struct MirroredPoint {
+  std::int32_t x, y;
+};
+
+/// Where the ball's normal is the vertex', in the frame of the line from the vertex to the eye: the camera's axes
+/// turned the shortest way. A normal that points away from the eye is mirrored on the rim; on a two-sided surface it is
+/// the other side's.
+template <bool orthographic>
+constexpr MirroredPoint mirrored_point(const EyeForms& forms, const Position& position, const Normal& normal,
+                                       bool double_sided) {
+  const auto turned = [&](int row) {  // 1.7 times 1.14
+    return normal.x * forms.normal[row][0] + normal.y * forms.normal[row][1] + normal.z * forms.normal[row][2];
+  };
+  const UnitVector n = direction_of(turned(0), turned(1), turned(2)).unit;
+  MirroredPoint point{n.x, n.y};
+  std::int32_t towards = n.z;  // 1.14: cosine of the angle between normal and line of sight
+  if constexpr (!orthographic) {
+    // Behind the camera's plane the line of sight lies in it: no vertex there is seen.
+    const UnitVector eye =
+        direction_of(forms.x.at(position), forms.y.at(position), std::max<std::int32_t>(forms.z.at(position), 0)).unit;
+    towards = dot(n, eye) >> 14;
+    const std::int32_t share = (towards + n.z) * (1 << 14) / ((1 << 14) + eye.z);  // 2.14
+    point.x -= (eye.x * share) >> 14;
+    point.y -= (eye.y * share) >> 14;
+  }
+  if (towards >= 0) return point;
+  if (double_sided) return {-point.x, -point.y};
+  const UnitVector rim = direction_of(point.x, point.y, 0).unit;
+  return {rim.x, rim.y};
+}
+
+/// Of 15 bits. The ball's rim goes through the middle of the texels at the edge, so that no texel is repeated.
+constexpr TexCoord texcoord_of(const MirroredPoint& point, std::uint8_t log2_width, std::uint8_t log2_height) {
+  const auto coordinate = [](std::int32_t c, std::uint8_t log2_size) {
+    return static_cast<std::int16_t>((1 << 14) + c - (c >> log2_size));
+  };
+  return {coordinate(point.x, log2_width), coordinate(-point.y, log2_height)};
+}
+
+}  // namespace zstrip::detail

@@ -1,0 +1,16 @@
+// Declared, not there: what code without surroundings may know of them.
+#pragma once
+
+#include "zstrip/geometry/instance.hpp"
+#include "zstrip/scene/camera.hpp"
+
+namespace zstrip::detail {
+
+struct EyeForms {};
+struct MirroredPoint {};
+EyeForms eye_forms(const Mesh& mesh, const Transform& transform, const Camera& camera);
+template <bool orthographic>
+MirroredPoint mirrored_point(const EyeForms& forms, const Position& position, const Normal& normal, bool double_sided);
+TexCoord texcoord_of(const MirroredPoint& point, std::uint8_t log2_width, std::uint8_t log2_height);
+
+}  // namespace zstrip::detail
