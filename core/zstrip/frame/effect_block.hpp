@@ -17,6 +17,14 @@ struct DrawOrder {
 };
 static_assert(sizeof(DrawOrder) == kDrawOrderBytes);
 
+/// A scene with its outlines' hulls as instances behind all others, and without outlines.
+struct OutlinedScene {
+  Scene scene;
+  std::span<const Outline> outlines;  ///< the caller's
+  std::uint32_t instances;            ///< the caller's
+};
+static_assert(sizeof(OutlinedScene) <= kOutlinedSceneBytes && alignof(OutlinedScene) <= kArenaAlignment);
+
 /// The arena's last part. It is laid out by the effects that the scene calls for, not by those of the pipeline: a
 /// superset draws with the plan of the exact set. Parts whose effects has() denies must not be asked for.
 class EffectBlock {
@@ -39,6 +47,11 @@ class EffectBlock {
   }
   /// Only begin_frame looks at them.
   std::span<Instance> turned() const { return {reinterpret_cast<Instance*>(memory_ + turned_at()), instances_}; }
+
+  OutlinedScene& outlined() const {
+    const std::size_t end = turned_at() + instances_ * kTurnedInstanceBytes;
+    return *reinterpret_cast<OutlinedScene*>(memory_ + rounded_up(end));
+  }
 
  private:
   static_assert(sizeof(FogCurve) == kFogBytes && kFogBytes % kArenaAlignment == 0);

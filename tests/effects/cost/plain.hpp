@@ -6,6 +6,7 @@
 
 #include "../billboards_scene.hpp"
 #include "../lines_scene.hpp"
+#include "../outlines_scene.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"
 #include "zstrip_scenes/spheres.hpp"
@@ -52,8 +53,8 @@ template <bool plain>
 inline constexpr View kView<scenes::samples_4, plain>{kWidth, kHeight, PixelFormat::rgb565, false, plain ? 1 : 4};
 inline constexpr std::uint32_t kFrames = 4, kFramesPerTurn = 36;
 
-/// Without fog, finishes, punctual lights, quadrics and lines, billboards standing still, and the scene's first texture
-/// for one with a palette; all else as it is.
+/// Without fog, finishes, punctual lights, quadrics, lines and outlines, billboards standing still, and the scene's
+/// first texture for one with a palette; all else as it is.
 template <const scenes::BuiltIn& built_in>
 struct Plain {
   static constexpr auto kMaterials = [] {
@@ -71,6 +72,7 @@ struct Plain {
     for (std::size_t i = 0; i < meshes.size(); ++i) {
       meshes[i] = built_in.scene.meshes[i];
       meshes[i].billboard = Billboard::none;
+      meshes[i].outline = 0;
     }
     return meshes;
   }();
@@ -85,6 +87,8 @@ struct Plain {
     plain.counts.quadrics = 0;
     plain.scene.lines = {};
     plain.counts.line_sets = 0;
+    plain.scene.outlines = {};
+    if constexpr (!built_in.scene.outlines.empty()) plain.counts = count(plain.scene);
     return plain;
   }();
 };
@@ -97,8 +101,10 @@ inline constexpr const scenes::BuiltIn& kChosen<built_in, true> = Plain<built_in
 
 /// The pipeline of kChosen. The plain one keeps what the effect brought along, as quadrics their textures.
 template <const scenes::BuiltIn& built_in, bool plain>
-inline constexpr Effects kEffectsOf =
-    without(effects_of(built_in.scene, built_in.camera) | effects_of(kView<built_in, plain>),
-            plain ? effect::fragments | effect::vertex_light | effect::surfaces | effect::billboards : Effects{});
+inline constexpr Effects kEffectsOf = without(effects_of(built_in.scene, built_in.camera) |
+                                                  effects_of(kView<built_in, plain>),
+                                              plain ? effect::fragments | effect::vertex_light | effect::surfaces |
+                                                          effect::billboards | effect::outlines
+                                                    : Effects{});
 
 }  // namespace zstrip::effects_cost
