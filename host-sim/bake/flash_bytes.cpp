@@ -8,7 +8,7 @@ namespace zstrip::sim {
 namespace {
 
 // With addresses of 32 bits; core/zstrip/scene/scene_blob.cpp asserts them on such targets.
-constexpr std::uint64_t kSceneBytes = 84, kLineSetBytes = 64, kCameraBytes = 64;
+constexpr std::uint64_t kSceneBytes = 92, kLineSetBytes = 64, kCameraBytes = 64;
 
 }  // namespace
 
@@ -37,8 +37,9 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const Bsp
   bytes.keyframes = animation.keyframes.size_bytes() + animation.tracks.size_bytes();
   bytes.tables += table_bytes(scene) + scene.materials.size_bytes() + scene.instances.size_bytes() +
                   scene.quadrics.size_bytes() + scene.lights.size_bytes() + scene.finishes.size_bytes() +
-                  scene.punctual_lights.size_bytes() + scene.lines.size() * kLineSetBytes +
-                  (scene.fog != nullptr ? sizeof(Fog) : 0) + kSceneBytes + kCameraBytes;
+                  scene.outlines.size_bytes() + scene.punctual_lights.size_bytes() +
+                  scene.lines.size() * kLineSetBytes + (scene.fog != nullptr ? sizeof(Fog) : 0) + kSceneBytes +
+                  kCameraBytes;
   return bytes;
 }
 

@@ -124,6 +124,11 @@ class Writer {
     for (const std::int32_t value : {node.x, node.y, node.z, node.distance}) word(value);
     for (const std::uint32_t value : {node.first_triangle, node.front, node.back, node.parent}) word(value);
   }
+  void put(const Outline& outline) {
+    put(outline.colour);
+    half_word(std::uint32_t{outline.width});
+    half_word(std::uint32_t{outline.hull});
+  }
   void put(const Camera& camera) {
     for (const Vec3& vector : {camera.right, camera.up, camera.back, camera.eye}) put(vector);
     for (const Fixed value : {camera.focal, camera.near_plane, camera.far_plane}) word(value);
@@ -191,6 +196,7 @@ void write_mesh(Writer& writer, std::size_t at, const Mesh& mesh) {
   }
   writer.byte_at(at + 72, mesh.texcoord_bits);
   writer.byte_at(at + 73, static_cast<std::uint8_t>(mesh.billboard));
+  writer.byte_at(at + 74, mesh.outline);
 }
 
 void write_texture(Writer& writer, std::size_t at, const Texture& texture) {
@@ -222,6 +228,9 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   writer.zeros(16);  // arrays of tracks and keyframes: set below
   writer.word(content.animation.duration);
   writer.zeros(40);  // more arrays: set below
+
+  for (const Outline& outline : scene.outlines) writer.put(outline);  // right behind the header
+  writer.byte_at(122, static_cast<std::uint8_t>(scene.outlines.size()));
 
   const std::size_t meshes = writer.reserve(12, scene.meshes.size(), kMeshBytes);
   writer.array(20, scene.materials);

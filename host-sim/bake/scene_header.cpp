@@ -31,6 +31,10 @@ std::string literal(Billboard billboard) {
   return fmt::format(",\n     .billboard = zstrip::Billboard::{}",
                      billboard == Billboard::viewer ? "viewer" : "upright");
 }
+/// Likewise.
+std::string outline_literal(std::uint8_t outline) {
+  return outline == 0 ? "" : fmt::format(",\n     .outline = {}", outline);
+}
 std::string literal(const Meshlet& m) {
   return fmt::format("{{{}, {}, {}, {}, {}, {}}}", m.first_triangle, m.first_vertex, m.vertex_count, m.triangle_count,
                      m.radius, literal(m.centre));
@@ -77,6 +81,9 @@ std::string literal(const Instance& instance) {
 std::string literal(const Fog& fog) {
   return fmt::format("{{.colour = {}, .mode = zstrip::FogMode{{{}}}, .start = {}, .end = {}, .density = {}}}",
                      literal(fog.colour), static_cast<int>(fog.mode), fog.start, fog.end, fog.density);
+}
+std::string literal(const Outline& outline) {
+  return fmt::format("{{.colour = {}, .width = {}, .hull = {}}}", literal(outline.colour), outline.width, outline.hull);
 }
 std::string literal(const Quadric& quadric) {
   return fmt::format("{{.material = {}, .transform = {}}}", quadric.material, literal(quadric.transform));
@@ -219,9 +226,9 @@ class Header {
       meshes_ += ",\n     .texcoords = " + array("zstrip::TexCoord", name("Texcoords"), mesh.texcoords);
       meshes_ += ",\n     .triangles = " + array("zstrip::Triangle", name("Triangles"), mesh.triangles);
       meshes_ += ",\n     .meshlets = " + array("zstrip::Meshlet", name("Meshlets"), mesh.meshlets);
-      meshes_ +=
-          fmt::format(",\n     .centre = {},\n     .half_extent = {},\n     .texcoord_bits = {}{}}},\n",
-                      literal(mesh.centre), literal(mesh.half_extent), mesh.texcoord_bits, literal(mesh.billboard));
+      meshes_ += fmt::format(",\n     .centre = {},\n     .half_extent = {},\n     .texcoord_bits = {}{}{}}},\n",
+                             literal(mesh.centre), literal(mesh.half_extent), mesh.texcoord_bits,
+                             literal(mesh.billboard), outline_literal(mesh.outline));
     }
     for (std::size_t i = 0; i < scene_.textures.size(); ++i) {
       const Texture& texture = scene_.textures[i];
@@ -264,6 +271,7 @@ class Header {
     }
     if (!scene_.quadrics.empty()) add("quadrics", array("zstrip::Quadric", "kQuadrics", scene_.quadrics));
     if (!scene_.lines.empty()) add("lines", lines());
+    if (!scene_.outlines.empty()) add("outlines", array("zstrip::Outline", "kOutlines", scene_.outlines));
     line(fmt::format(
         "\ninline constexpr zstrip::Scene kScene{{.meshes = {},\n{pad}.materials = {},\n{pad}.textures = {},\n"
         "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}{}}};",

@@ -20,7 +20,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::size_t kMostInstances = 65535;
+constexpr std::size_t kMostInstances = 65535, kMostOutlines = 255;
 
 /// Rounded to nearest; false if it leaves the renderer's range.
 bool to_transform(const Affine& from, Transform& to) {
@@ -116,8 +116,11 @@ class Composer {
       if (lines.model.empty()) continue;
       if (const Result<Done> done = place(lines); !done) return done.failure();
     }
-    if (placed_.size() + placed_lines_.size() + file_.lines.size() > kMostInstances) {
-      return at_line(file_.path, 1, "the scene has more than 65,535 instances, lines and points");
+    const auto outlines =
+        std::ranges::count_if(placed_, [](const PlacedPart& p) { return p.file->outline.has_value(); });
+    if (placed_.size() + static_cast<std::size_t>(outlines) + placed_lines_.size() + file_.lines.size() >
+        kMostInstances) {
+      return at_line(file_.path, 1, "the scene has more than 65,535 instances, outlines, lines and points");
     }
     return Done{};
   }
@@ -180,6 +183,7 @@ class Composer {
     const Result<std::uint16_t> material = materials_.index_of(placed);
     if (!material) return material.failure();
     Instance instance{.mesh = meshes_.index_of(placed, scale), .material = *material};
+    if (const Result<Done> done = check_outline(placed, instance); !done) return done;
     const double units = composed_->units.scale;
     const auto at = [this, placed, unscaled, units](double seconds) {
       return scaling({units, units, units}) * placed.at(seconds, duration_) * unscaled;
@@ -194,6 +198,21 @@ class Composer {
                           .corners = corners_of(composed_->meshes[instance.mesh])});
     }
     composed_->instances.push_back(instance);
+    return Done{};
+  }
+
+  Result<Done> check_outline(const PlacedPart& placed, const Instance& instance) const {
+    if (!placed.file->outline) return Done{};
+    const auto wrong = [&](const char* what) { return at_line(file_.path, placed.file->outline->line, what); };
+    if (composed_->outlines.size() > kMostOutlines) return wrong("[instance.outline] is one of more than 255 outlines");
+    if (composed_->outlines[composed_->meshes[instance.mesh].outline - 1U].hull == kNoHull) {
+      return wrong("[instance.outline]: the model has too many vertices for the hull of an outline; simplify it");
+    }
+    const Material& material = composed_->materials[instance.material];
+    if (material.finish < composed_->finishes.size() &&
+        composed_->finishes[material.finish].alpha_mode != AlphaMode::opaque) {
+      return wrong("[instance.outline] is of what is opaque: its material has a mask or blends");
+    }
     return Done{};
   }
 

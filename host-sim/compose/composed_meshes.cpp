@@ -1,10 +1,13 @@
 // The meshes of a composed scene: each once for each size that it is wanted in.
 #include "compose/composed_meshes.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "compose/composed_hull.hpp"
 #include "import/meshlets.hpp"
 #include "import/quantise.hpp"
 
@@ -44,9 +47,12 @@ Vector ComposedMeshes::scale_of(const PlacedPart& placed) {
 }
 
 std::uint16_t ComposedMeshes::index_of(const PlacedPart& placed, const Vector& scale) {
-  const auto key = std::tuple(placed.model_index, placed.part_index, scale, placed.file->billboard);
-  const auto [at, is_new] = known_.try_emplace(key, static_cast<std::uint16_t>(scene_.meshes.size()));
-  if (!is_new) return at->second;
+  const std::optional<FileOutline>& outline = placed.file->outline;
+  const Colour colour = outline ? outline->colour : Colour{};
+  const auto width = static_cast<std::uint16_t>(outline ? std::lround(16 * outline->width) : 0);
+  const Key key{
+      placed.model_index, placed.part_index, scale, placed.file->billboard, width, {colour.r, colour.g, colour.b}};
+  if (const auto at = known_.find(key); at != known_.end()) return at->second;
   Mesh mesh = placed.part->mesh;
   mesh.billboard = placed.file->billboard;
   std::size_t axis = 0;
@@ -65,7 +71,37 @@ std::uint16_t ComposedMeshes::index_of(const PlacedPart& placed, const Vector& s
     mesh.normals = own.normals;
     mesh.meshlets = own.meshlets;
   }
+  if (outline) {
+    const Outline own{.colour = colour, .width = width, .hull = hull_of(placed, mesh, scale)};
+    const auto same = [&own](const Outline& other) {
+      return other.colour == own.colour && other.width == own.width && other.hull == own.hull;
+    };
+    const auto at = std::ranges::find_if(scene_.outlines, same);
+    mesh.outline = static_cast<std::uint8_t>(at - scene_.outlines.begin() + 1);
+    if (at == scene_.outlines.end()) scene_.outlines.push_back(own);
+  }
+  const auto index = static_cast<std::uint16_t>(scene_.meshes.size());
   scene_.meshes.push_back(mesh);
+  known_[key] = index;
+  return index;
+}
+
+std::uint16_t ComposedMeshes::hull_of(const PlacedPart& placed, const Mesh& mesh, const Vector& scale) {
+  if (is_own_hull(mesh)) return kOwnMesh;
+  const auto [at, is_new] = hulls_.try_emplace({placed.model_index, placed.part_index, scale, placed.file->billboard},
+                                               static_cast<std::uint16_t>(scene_.meshes.size()));
+  if (!is_new) return at->second;
+  std::vector<MeshData> parts = sim::hull_of(mesh);
+  if (parts.size() != 1) return at->second = kNoHull;
+  const MeshData& own = scene_.hulls.emplace_back(std::move(parts.front()));
+  Mesh hull = mesh;
+  hull.positions = own.positions;
+  hull.normals = own.normals;
+  hull.colours = {};
+  hull.texcoords = {};
+  hull.triangles = own.triangles;
+  hull.meshlets = own.meshlets;
+  scene_.meshes.push_back(hull);
   return at->second;
 }
 

@@ -32,6 +32,7 @@ struct ComposedScene {
   std::vector<Instance> instances;  ///< those of the static layer first
   std::vector<Quadric> quadrics;
   std::vector<LineSet> lines;
+  std::vector<Outline> outlines;
   std::vector<DirectionalLight> lights;
   std::vector<PunctualLight> punctual_lights;
   std::vector<Finish> finishes;
@@ -47,6 +48,7 @@ struct ComposedScene {
 
   std::deque<Model> models;
   std::deque<MeshData> scaled;         ///< normals and meshlets of meshes that are scaled unevenly
+  std::deque<MeshData> hulls;          ///< of meshes with outlines
   std::deque<MeshData> line_vertices;  ///< of lines that have vertices of their own
   std::deque<std::vector<Segment>> segments;
   std::deque<std::vector<std::uint16_t>> texels;  ///< of textures that the scene file names itself
@@ -63,7 +65,8 @@ struct ComposedScene {
             .finishes = finishes,
             .punctual_lights = punctual_lights,
             .quadrics = quadrics,
-            .lines = lines};
+            .lines = lines,
+            .outlines = outlines};
   }
 };
 

@@ -87,6 +87,13 @@ FileInstance read_instance(TomlTable& table) {
   if (instance.billboard != Billboard::none && table.has("turntable")) {
     table.wrong("turntable", "a billboard turns with the camera: it has no 'turntable'");
   }
+  if (auto outline = table.table("outline", "[instance.outline]")) {
+    instance.outline.emplace();
+    instance.outline->line = table.line_of("outline");
+    instance.outline->width = outline->number("width", {1.0 / 16, kMaxOutlineWidth / 16.0}).value_or(2);
+    instance.outline->colour = outline->colour("colour").value_or(Colour{0, 0, 0, 255});
+    outline->finish();
+  }
   if (auto turntable = table.table("turntable", "[instance.turntable]")) {
     instance.turntable.emplace();
     instance.turntable->line = table.line_of("turntable");

@@ -101,6 +101,13 @@ struct FileTurntable {
   double turns = 1;  ///< in one duration of the animation
 };
 
+/// A part of an [[instance]].
+struct FileOutline {
+  int line = 0;
+  double width = 2;  ///< pixels
+  Colour colour{0, 0, 0, 255};
+};
+
 /// [[instance]]
 struct FileInstance {
   int line = 0;
@@ -110,6 +117,7 @@ struct FileInstance {
   Placement placement;
   bool is_static = false;
   Billboard billboard = Billboard::none;
+  std::optional<FileOutline> outline;
   std::optional<FileTurntable> turntable;
   Curve<Vector> translation, scale;  ///< keyframes; those without times stay as in `placement`
   Curve<Quaternion> rotation;

@@ -167,6 +167,9 @@ Result<PolygonSoup> soup_of(const Scene& scene) {
     if (mesh.billboard != Billboard::none) {
       return Failure{ExitStatus::usage, "billboards cannot be split: they turn with the camera"};
     }
+    if (outline_of(scene, mesh) != nullptr) {
+      return Failure{ExitStatus::usage, "instances with outlines cannot be split: hulls have no place in the order"};
+    }
     if (material.texture != kNoTexture && !mesh.texcoords.empty()) {
       return Failure{ExitStatus::usage, "triangles with textures cannot be split, only those with colours"};
     }

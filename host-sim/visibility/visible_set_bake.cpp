@@ -12,6 +12,7 @@
 
 #include "visibility/occluders.hpp"
 #include "zstrip/base/crc32.hpp"
+#include "zstrip/plan/plan.hpp"
 #include "zstrip/scene/effects.hpp"
 #include "zstrip/visibility/visible_sets.hpp"
 
@@ -86,6 +87,8 @@ std::vector<Part> parts_of(const Scene& scene, const std::vector<bool>& moves) {
       add(mesh.triangles.subspan(meshlet.first_triangle, meshlet.triangle_count));
     }
   }
+  // Behind them those of the outlines' hulls, which reach beyond their boxes.
+  parts.resize(count(scene).meshlets, {.corners = {}, .always_seen = true});
   return parts;
 }
 

@@ -278,6 +278,16 @@ TEST_F(Bake, SurroundingsAreMirroredFromABlobAsFromTheSceneFile) {
   EXPECT_EQ(read(path("again.zsc")), read(path("scene.zsc")));
 }
 
+TEST_F(Bake, OutlinesInABlobAsInTheSceneFile) {
+  const std::string scene = ZSTRIP_SCENE_FILES "/outlines.toml";
+  const Json baked = report({"bake", scene, "-o", "scene.zsc"});
+  EXPECT_EQ(baked.at("effects").back().at("name"), "outlines");
+  EXPECT_EQ(read(path("scene.zsc"))[2], 3) << "a version that older programs read";
+  EXPECT_EQ(crcs("scene.zsc", {}, 3), crcs(scene, {}, 3));
+  report({"bake", "scene.zsc", "-o", "again.zsc"});
+  EXPECT_EQ(read(path("again.zsc")), read(path("scene.zsc")));
+}
+
 TEST_F(Bake, MipmapsWhereTheSceneAsksForThemOrEverywhereOrNowhere) {
   const std::string scene = ZSTRIP_SCENE_FILES "/mipmaps.toml";
   const auto levels = [](int texels) {  // of a square, all but the first

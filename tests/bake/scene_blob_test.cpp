@@ -233,6 +233,43 @@ TEST(SceneBlob, WhetherAFinishMirrorsStandsBesideItsFilter) {
   }
 }
 
+TEST(SceneBlob, OutlinesStandInBytesThatWereUnused) {
+  SceneBlob content = sample();
+  std::vector<Mesh> meshes(content.scene.meshes.begin(), content.scene.meshes.end());
+  const Outline outlines[] = {{.colour = {1, 2, 3, 4}, .width = 0x102}, {.colour = {5, 6, 7, 8}, .width = 9}};
+  const Bytes without = *to_scene_blob(content);
+  EXPECT_EQ(without[122], 0);
+  meshes[0].outline = 2;
+  content.scene.meshes = meshes;
+  content.scene.instances = content.scene.instances.first(1);  // the others have a mask
+  content.scene.outlines = outlines;
+  EXPECT_EQ(validate(content.scene).error, Error::outline) << "258 sixteenths";
+  Bytes bytes = *to_scene_blob(content);
+  EXPECT_EQ(bytes[2], without[2]) << "the version stays";
+  EXPECT_EQ(bytes[122], 2);
+  EXPECT_EQ(bytes[123], 0);
+  const Bytes records(bytes.begin() + 192, bytes.begin() + 208);
+  EXPECT_EQ(records, (Bytes{1, 2, 3, 4, 2, 1, 255, 255, 5, 6, 7, 8, 9, 0, 255, 255}));
+  const std::uint32_t at = word(bytes, 12);
+  EXPECT_EQ(at, 208U);
+  EXPECT_EQ(bytes[at + 74], 2);
+  EXPECT_EQ(bytes[at + 76 + 74], 0);
+  EXPECT_EQ(Opened(bytes).status.error, Error::outline);
+  bytes[196] = 0, bytes[197] = 1;
+  mend(bytes);
+  const Opened opened(bytes);
+  ASSERT_TRUE(opened.status) << message(opened.status.error);
+  EXPECT_EQ(opened.content.scene.meshes[0].outline, 2);
+  EXPECT_EQ(opened.content.scene.meshes[1].outline, 0);
+  ASSERT_EQ(opened.content.scene.outlines.size(), 2U);
+  EXPECT_EQ(opened.content.scene.outlines[0].width, 256);
+  EXPECT_EQ(opened.content.scene.outlines[1].colour, (Colour{5, 6, 7, 8}));
+  EXPECT_EQ(opened.content.scene.outlines[1].hull, kOwnMesh);
+  bytes[122] = bytes[123] = 255;  // more than there are bytes
+  mend(bytes);
+  EXPECT_EQ(Opened(bytes).status, (Status{.error = Error::blob_damaged, .needed = 122}));
+}
+
 TEST(SceneBlob, SamplesAreAByteThatOlderBlobsLeaveZero) {
   Bytes bytes = sample_bytes();
   EXPECT_EQ(bytes[130], 0);

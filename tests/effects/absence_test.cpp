@@ -9,6 +9,7 @@
 
 #include "billboards_scene.hpp"
 #include "lines_scene.hpp"
+#include "outlines_scene.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/spheres.hpp"
 
@@ -64,6 +65,9 @@ constexpr Marker kMarkers[] = {
     {effect::environment, "zstrip::Frame::Access::EffectStage::prepare_reflections("},
     {effect::environment, "zstrip::detail::eye_forms("},
     {effect::environment, "zstrip::detail::MirroredPoint"},
+    {effect::outlines, "zstrip::Frame::Access::add_hulls("},
+    {effect::outlines, "zstrip::detail::make_outline("},
+    {effect::outlines, "zstrip::detail::transform_hull<"},
     {effect::bins, "zstrip::detail::Bins::append("},
     {effect::dithered_colours, "zstrip::detail::dithered_rgb565("},
     {effect::dithered_colours | effect::dithered_format, "zstrip::detail::kBayer"},
@@ -93,6 +97,7 @@ TEST(EffectsAbsence, ProgramsHoldTheCodeOfTheirScenesEffectsAndNoOther) {
   check(scenes::spheres);
   check(scenes::lines);
   check(scenes::billboards);
+  check(scenes::outlines);
   for (const scenes::BuiltIn& built_in : scenes::effect_scenes()) check(built_in);
   expect_only(folder + "knot_rgb565_dithered", scenes::knot, {64, 48, PixelFormat::rgb565, true});
   expect_only(folder + "fog_rgb565_dithered", scenes::fog, {64, 48, PixelFormat::rgb565, true});

@@ -1,5 +1,5 @@
 // Sets of effects, and a scene that calls for exactly such a set: two boxes, one behind the other, perhaps turned to
-// the viewer, a sphere and lines.
+// the viewer, a sphere and lines, and a third box with an outline.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ inline constexpr Effects kFactors[] = {effect::lighting,         effect::gouraud
                                        effect::blending,         effect::vertex_colours,   effect::quadrics,
                                        effect::dithered_colours, effect::texture_palettes, effect::lines,
                                        effect::billboards,       effect::mipmaps,          effect::supersampled,
-                                       effect::environment};
+                                       effect::environment,      effect::outlines};
 
 static_assert(
     [] {
@@ -89,12 +89,14 @@ constexpr auto kNoise = [] {
 
 /// With a picture that is dithered or has samples if that is in the set, calls for exactly completed(set).
 struct Combination {
-  Mesh meshes[2] = {scenes::kRoomMeshes[0], scenes::kRoomMeshes[1]};
+  Mesh meshes[3] = {scenes::kRoomMeshes[0], scenes::kRoomMeshes[1], scenes::kRoomMeshes[0]};
+  Outline outlines[1] = {{.colour = {200, 0, 120, 255}, .width = 30}};
   Finish finishes[2];
   Material materials[3];
   Texture textures[2] = {{scenes::kLatticeTexels, 4, 4}, {scenes::kIndexedTexels, 4, 4, TextureFormat::palette4}};
-  Instance instances[2] = {scenes::block(0, 0.5, 0.5, 0.5, -0.2, 0, -0.6),
-                           scenes::block(1, 0.5, 0.5, 0.5, 0.2, 0.1, 0.5)};
+  Instance instances[3] = {scenes::block(0, 0.5, 0.5, 0.5, -0.2, 0, -0.6),
+                           scenes::block(1, 0.5, 0.5, 0.5, 0.2, 0.1, 0.5),
+                           scenes::block(2, 0.3, 0.3, 0.3, -0.4, 0.5, 0.7)};
   Quadric quadrics[1] = {
       {.material = 2,
        .transform = {
@@ -136,7 +138,11 @@ struct Combination {
     scene.meshes = meshes;
     scene.materials = materials;
     scene.textures = textures;
-    scene.instances = instances;
+    // Its material is the sphere's and the lines', opaque and without anything.
+    meshes[2].outline = 1;
+    instances[2].mesh = instances[2].material = 2;
+    scene.instances = std::span(instances).first(set.has(effect::outlines) ? 3 : 2);
+    if (set.has(effect::outlines)) scene.outlines = outlines;
     scene.finishes = finishes;
     scene.background = {30, 60, 90, 255};
     if (set.has(effect::lighting)) scene.lights = scenes::kKeyLight;
@@ -164,8 +170,8 @@ void expect_drawn_alike() {
   EXPECT_EQ(draw_any(kSet | effect::bins, scene, camera, kView, {.strip_rows = 9, .modes = Modes::binned}), whole);
   // Memory is planned for what is there, and not for more.
   const Plan plan = zstrip::plan(count(scene), kView, kSet).plan;
-  EXPECT_EQ(plan.effect_bytes != 0,
-            kSet.any(effect::fog | effect::blending | effect::local_light | effect::billboards | effect::environment));
+  EXPECT_EQ(plan.effect_bytes != 0, kSet.any(effect::fog | effect::blending | effect::local_light | effect::billboards |
+                                             effect::environment | effect::outlines));
   EXPECT_EQ(plan.colour_bytes, kSet.has(effect::supersampled) ? 40U * 32 * 2 * 4 : 0);
   EXPECT_EQ(plan.bin_bytes + plan.visibility_bytes, 0U);
 }

@@ -2,6 +2,7 @@
 #include "billboards_scene.hpp"
 #include "drawn.hpp"
 #include "lines_scene.hpp"
+#include "outlines_scene.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/spheres.hpp"
 
@@ -11,14 +12,15 @@ namespace {
 constexpr View kView{64, 48, PixelFormat::rgb565};
 
 /// What docs/effects.md says: the block's head, fog, a place in the order for each instance, light, turned
-/// instances, what mirrors; whole words of 8 bytes.
+/// instances, what mirrors, in whole words of 8 bytes the scene with outlines.
 std::uint32_t bytes_of_effects(Effects effects, std::uint32_t instances) {
   std::uint32_t bytes = 0;
   if (effects.has(effect::fog)) bytes += 40;
   if (effects.has(effect::blending)) bytes += 16 * instances;
   if (effects.any(effect::local_light)) bytes += 192 + 68 * instances;
-  if (effects.has(effect::billboards)) bytes += 52 * instances;
+  if (effects.any(effect::billboards | effect::outlines)) bytes += 52 * instances;
   if (effects.has(effect::environment)) bytes += 8 + 68 * instances;
+  if (effects.has(effect::outlines)) bytes = (bytes + 7) / 8 * 8 + 200;
   return bytes == 0 ? 0 : (bytes + 16 + 7) / 8 * 8;
 }
 
@@ -52,6 +54,7 @@ TEST(EffectsPlan, OnlyWhatTheSceneHas) {
   expect_only_its_purposes(scenes::spheres);
   expect_only_its_purposes(scenes::lines);
   expect_only_its_purposes(scenes::billboards);
+  expect_only_its_purposes(scenes::outlines);
   for (const scenes::BuiltIn& built_in : scenes::effect_scenes()) expect_only_its_purposes(built_in);
 }
 

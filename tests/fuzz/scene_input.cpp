@@ -83,6 +83,19 @@ SceneInput::SceneInput(Input& input) : hostile_(read_hostile(input)) {
   for (Mesh& mesh : meshes_) {
     mesh.billboard = static_cast<Billboard>(hostile_.meshes ? input.any<std::uint8_t>() : input.below(3));
   }
+  outlines_.resize(input.below(hostile_.meshes ? 4 : 3));
+  for (Outline& outline : outlines_) {
+    outline.colour = read_colour(input);
+    const auto choice = input.any<std::uint16_t>();
+    outline.width = static_cast<std::uint16_t>(hostile_.meshes ? choice : 1 + choice % kMaxOutlineWidth);
+    outline.hull = input.any<std::uint16_t>();
+    if (!hostile_.meshes) outline.hull = outline.hull % 2 == 0 ? kOwnMesh : outline.hull % meshes_.size();
+  }
+  for (Mesh& mesh : meshes_) {
+    const auto outlines = static_cast<std::uint32_t>(outlines_.size());
+    mesh.outline = static_cast<std::uint8_t>(hostile_.meshes ? input.any<std::uint8_t>() : input.below(outlines + 1));
+  }
+  scene_.outlines = outlines_;
 }
 
 SceneInput::Hostile SceneInput::read_hostile(Input& input) {

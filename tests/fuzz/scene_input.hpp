@@ -54,6 +54,7 @@ class SceneInput {
   std::vector<zstrip::Material> materials_;
   std::vector<MeshArrays> arrays_;
   std::vector<zstrip::Mesh> meshes_;
+  std::vector<zstrip::Outline> outlines_;
   std::vector<zstrip::Instance> instances_;
   std::vector<zstrip::DirectionalLight> lights_;
   zstrip::Scene scene_;

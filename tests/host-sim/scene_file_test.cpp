@@ -395,6 +395,25 @@ TEST(SceneFile, Billboards) {
             "'scene.toml' line 7: [[instance]]: a billboard turns with the camera: it has no 'turntable'");
 }
 
+TEST(SceneFile, Outlines) {
+  EXPECT_FALSE(parsed(kCube).instances[0].outline);
+  const FileOutline plain = *parsed(kCube + "outline = {}\n").instances[0].outline;
+  EXPECT_EQ(plain.width, 2);
+  EXPECT_EQ(plain.colour, (Colour{0, 0, 0, 255}));
+  const FileOutline own = *parsed(kCube + "outline = { width = 0.5, colour = '#102030' }\n").instances[0].outline;
+  EXPECT_EQ(own.width, 0.5);
+  EXPECT_EQ(own.colour, (Colour{0x10, 0x20, 0x30, 255}));
+  for (const char* width : {"0", "16.1", "-1"}) {
+    EXPECT_NE(
+        failure(kCube + "outline = { width = " + width + " }\n").find("line 6: [instance.outline]: 'width' must be"),
+        std::string::npos)
+        << width;
+  }
+  EXPECT_NE(failure(kCube + "outline = { thickness = 1 }\n").find("[instance.outline] has no key 'thickness'"),
+            std::string::npos)
+      << failure(kCube + "outline = { thickness = 1 }\n");
+}
+
 TEST(SceneFile, NearestNames) {
   EXPECT_EQ(nearest("colr", {"name", "colour", "lit"}), "colour");
   EXPECT_EQ(nearest("zzzzzzzz", {"name", "colour"}), "");

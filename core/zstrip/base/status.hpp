@@ -51,6 +51,8 @@ enum class Error : std::uint8_t {
                    ///< beside the depth range (`needed` = index of the set)
   samples,         ///< View::samples is none of 1, 2, 4, or what was asked for, a static layer or a draw_over, is not
                    ///< there with several (`needed` = View::samples)
+  outline,         ///< a width out of range, a hull that does not exist or has no normals, or an instance that has it
+                   ///< and a mask or blends; more than 255 (`needed` = its index)
 };
 
 /// What memory is for. The order is that of a plan's table.

@@ -37,6 +37,13 @@ struct Frame::Access {
   static void lay_out_arena(Frame& frame, std::span<std::byte> arena);
   /// Turns the scene's billboards to the camera; the instances lie in the effects' part of the arena then.
   static Status turn_billboards(const Frame& frame, Scene& scene, const Camera& camera, Effects called_for);
+  /// Gives the scene its outlines' hulls as instances and takes the outlines away; all of it lies in the effects' part
+  /// of the arena then.
+  static void add_hulls(const Frame& frame, Scene& scene, Effects called_for);
+  /// The scene that add_hulls has made.
+  static const Scene* keep_outlined(const Frame& frame) { return &effect_block(frame).outlined().scene; }
+  /// Makes outlines of the hulls, which have been compiled as instances.
+  static void prepare_outlines(Frame& frame, const Scene& scene, const Camera& camera);
   /// Compiles the instances, finds the frame's bounds.
   static Status prepare(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const DepthFit& fit);
   static void extend_bounds(Frame& frame, const Rect& box);

@@ -87,6 +87,20 @@ Rect bounds_of(const CompiledInstance& instance, const RasterOrigin& origin, con
   return pixels_of({}, instance, origin, view, orthographic);
 }
 
+Rect bounds_with_border(const CompiledInstance& instance, std::int32_t border, const RasterOrigin& origin,
+                        const View& view, bool orthographic) {
+  // In a picture with a border, so that what lies beside this one and reaches into it is not lost. Its size keeps
+  // the parity of this one's.
+  View wider = view;
+  wider.width = static_cast<std::uint16_t>(view.width + 2 * border);
+  wider.height = static_cast<std::uint16_t>(view.height + 2 * border);
+  const Rect box = bounds_of(instance, origin, wider, orthographic);
+  if (box.empty()) return {};
+  const Rect cut{std::max<std::int32_t>(box.left - 2 * border, 0), std::max<std::int32_t>(box.top - 2 * border, 0),
+                 std::min<std::int32_t>(box.right, view.width), std::min<std::int32_t>(box.bottom, view.height)};
+  return cut.empty() ? Rect{} : cut;
+}
+
 SphereBounds sphere_bounds(const CompiledInstance& instance, const Mesh& mesh, const Meshlet* meshlet,
                            const RasterOrigin& origin, const View& view, bool orthographic) {
   const PositionBox positions = meshlet != nullptr ? cube_of(*meshlet, mesh) : PositionBox{};

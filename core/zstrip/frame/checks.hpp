@@ -27,7 +27,9 @@ struct Frame::Access::Checks {
       return status;
     }
     if constexpr (detail::effect_bytes(effects, 1) != 0) {
-      const std::uint64_t needed = detail::effect_bytes(called_for, static_cast<std::uint32_t>(scene.instances.size()));
+      auto instances = static_cast<std::uint32_t>(scene.instances.size());
+      if constexpr (effects.has(effect::outlines)) instances = count(scene).instances;
+      const std::uint64_t needed = detail::effect_bytes(called_for, instances);
       if (plan.effect_bytes < needed) return too_small(Purpose::effects, needed, plan.effect_bytes);
     }
     if constexpr (effects.has(effect::environment)) {

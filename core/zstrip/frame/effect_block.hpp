@@ -25,6 +25,14 @@ struct FrameReflections {
 };
 static_assert(sizeof(FrameReflections) == kFrameReflectionsBytes);
 
+/// A scene with its outlines' hulls as instances behind all others, and without outlines.
+struct OutlinedScene {
+  Scene scene;
+  std::span<const Outline> outlines;  ///< the caller's
+  std::uint32_t instances;            ///< the caller's
+};
+static_assert(sizeof(OutlinedScene) <= kOutlinedSceneBytes && alignof(OutlinedScene) <= kArenaAlignment);
+
 /// The arena's last part. It is laid out by the effects that the scene calls for, not by those of the pipeline: a
 /// superset draws with the plan of the exact set. Parts whose effects has() denies must not be asked for.
 class EffectBlock {
@@ -51,6 +59,7 @@ class EffectBlock {
   EyeForms& eye_forms(std::size_t instance) const {
     return reinterpret_cast<EyeForms*>(memory_ + reflections_at() + kFrameReflectionsBytes)[instance];
   }
+  OutlinedScene& outlined() const { return *reinterpret_cast<OutlinedScene*>(memory_ + outlined_at()); }
 
  private:
   static_assert(sizeof(FogCurve) == kFogBytes && kFogBytes % kArenaAlignment == 0);
@@ -62,7 +71,11 @@ class EffectBlock {
     return lights_at() + (has(effect::local_light) ? lights : 0);
   }
   std::size_t reflections_at() const {
-    return turned_at() + (has(effect::billboards) ? instances_ * kTurnedInstanceBytes : 0);
+    return turned_at() + (has(effect::billboards | effect::outlines) ? instances_ * kTurnedInstanceBytes : 0);
+  }
+  std::size_t outlined_at() const {
+    const std::size_t reflections = kFrameReflectionsBytes + instances_ * kEyeFormsBytes;
+    return rounded_up(reflections_at() + (has(effect::environment) ? reflections : 0));
   }
 
   std::byte* memory_;

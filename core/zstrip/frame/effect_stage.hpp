@@ -5,6 +5,7 @@
 
 #include "zstrip/frame/access.hpp"
 #include "zstrip/frame/effect_block.hpp"
+#include "zstrip/geometry/outline.hpp"
 
 namespace zstrip {
 
@@ -13,6 +14,12 @@ struct Frame::Access::EffectStage {
   static void prepare(Frame& frame, const Camera& camera, [[maybe_unused]] Effects called_for) {
     [[maybe_unused]] const detail::EffectBlock block = effect_block(frame);
     if constexpr (detail::effect_bytes(effects, 1) != 0) block.lay_out(called_for);
+    if constexpr (effects.has(effect::outlines) && effects.has(method::culling)) {
+      // Of a hull only the far side, also where front and back of all else are drawn.
+      for (detail::CompiledInstance& instance : std::span(frame.instances_, frame.scene_->instances.size())) {
+        if (detail::is_outline(instance)) instance.double_sided = false;
+      }
+    }
     if constexpr (effects.has(effect::blending)) {
       if (block.has(effect::blending)) prepare_order(frame, camera);
     }

@@ -8,6 +8,7 @@
 #include "zstrip/frame/checks.hpp"
 #include "zstrip/frame/effect_stage.hpp"
 #include "zstrip/frame/method_stage.hpp"
+#include "zstrip/frame/outline_stage.hpp"
 #include "zstrip/frame/raster_stage.hpp"
 #include "zstrip/frame/sample_stage.hpp"
 #include "zstrip/resolve/convert.hpp"
@@ -38,7 +39,18 @@ inline Status Frame::Access::begin_facing(Frame& frame, const Scene& scene, cons
   frame.has_special_depth_ = DepthStage::has_own_clear(effects);
   frame.statistics_ = {};
   lay_out_arena(frame, arena);
-  if constexpr (effects.has(effect::billboards)) {
+  if constexpr (effects.has(effect::outlines)) {
+    Scene drawn = scene;
+    if constexpr (effects.has(effect::billboards)) {
+      if (called_for.has(effect::billboards)) {
+        if (const Status status = turn_billboards(frame, drawn, facing, called_for); !status) return status;
+      }
+    }
+    if (called_for.has(effect::outlines)) add_hulls(frame, drawn, called_for);
+    const Status status = prepare_frame<effects>(frame, drawn, camera, view, called_for, arena);
+    if (frame.scene_ != nullptr) frame.scene_ = called_for.has(effect::outlines) ? keep_outlined(frame) : &scene;
+    return status;
+  } else if constexpr (effects.has(effect::billboards)) {
     Scene turned = scene;
     if (called_for.has(effect::billboards)) {
       if (const Status status = turn_billboards(frame, turned, facing, called_for); !status) return status;
@@ -58,8 +70,15 @@ Status Frame::Access::prepare_frame(Frame& frame, const Scene& scene, const Came
   detail::DistanceRange reach = detail::reach_of(scene, camera);
   if constexpr (effects.has(effect::quadrics)) detail::extend(reach, scene.quadrics, camera);
   if constexpr (effects.has(effect::lines)) detail::extend_by_lines(reach, scene, camera);
+  if constexpr (effects.has(effect::outlines)) {
+    if (called_for.has(effect::outlines))
+      detail::extend_by_outlines(reach, effect_block(frame, scene).outlined(), camera, view);
+  }
   if (const Status status = prepare(frame, scene, camera, view, detail::fit_to(reach, camera)); !status) {
     return status;
+  }
+  if constexpr (effects.has(effect::outlines)) {
+    if (called_for.has(effect::outlines)) prepare_outlines(frame, scene, camera);
   }
   if constexpr (effects.has(effect::lines)) {
     if (const Status status = prepare_lines(frame, scene, camera); !status) return status;

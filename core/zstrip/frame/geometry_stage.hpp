@@ -82,6 +82,13 @@ struct Frame::Access::Geometry {
   template <Effects effects>
   static bool transform(Frame& frame, const detail::Batch& batch, const MeshletRange& range, std::uint32_t cache) {
     if constexpr (effects.has(effect::statistics)) frame.statistics_.vertices += range.vertex_count;
+    if constexpr (effects.has(effect::outlines)) {
+      if (detail::is_outline(*batch.instance)) {
+        return detail::transform_hull<effects.has(effect::orthographic), depth_format(effects)>(
+            *batch.instance, *batch.mesh, frame.origin_, range.first_vertex, range.vertex_count,
+            frame.vertices_ + cache);
+      }
+    }
     return detail::transform_vertices<without(effects, effect::bins)>(
         *batch.instance, *batch.mesh, frame.origin_, range.first_vertex, range.vertex_count, frame.vertices_ + cache);
   }

@@ -1,31 +1,9 @@
 // Prepares the sets of lines of a frame; only renderers with effect::lines link it.
-#include <algorithm>
-
 #include "zstrip/frame/bounds.hpp"
 #include "zstrip/frame/frame_inline.hpp"
 #include "zstrip/geometry/lines.hpp"
 
 namespace zstrip {
-namespace {
-
-/// Picture pixels that the set can cover: those of its vertices' box, and half a width around them.
-Rect box_of(const detail::CompiledInstance& instance, std::int32_t width, const detail::RasterOrigin& origin,
-            const View& view, bool orthographic) {
-  // In a picture with a border, so that what lies beside this one and reaches into it is not lost. Its size keeps
-  // the parity of this one's.
-  const std::int32_t border = width / 2 + 1;
-  View wider = view;
-  wider.width = static_cast<std::uint16_t>(view.width + 2 * border);
-  wider.height = static_cast<std::uint16_t>(view.height + 2 * border);
-  const Rect box = detail::bounds_of(instance, origin, wider, orthographic);
-  if (box.empty()) return {};
-  const Rect cut{std::max<std::int32_t>(box.left - 2 * border, 0), std::max<std::int32_t>(box.top - 2 * border, 0),
-                 std::min<std::int32_t>(box.right, view.width), std::min<std::int32_t>(box.bottom, view.height)};
-  return cut.empty() ? Rect{} : cut;
-}
-
-}  // namespace
-
 void detail::extend_by_lines(DistanceRange& reach, const Scene& scene, const Camera& camera) {
   for (const LineSet& lines : scene.lines) {
     extend(reach, distance_range(scene.meshes[lines.mesh], lines.transform, camera), camera);
@@ -46,8 +24,9 @@ Status Frame::Access::prepare_lines(Frame& frame, const Scene& scene, const Came
       return {.error = Error::lines, .needed = i};
     }
     if (!compiled.instance.visible) continue;
-    const auto width = static_cast<std::int32_t>(lines.width * sample_columns(frame.view_));
-    const Rect box = box_of(compiled.instance, width, frame.origin_, frame.view_, orthographic);
+    // Half a width around the box of its vertices.
+    const auto border = static_cast<std::int32_t>(lines.width * sample_columns(frame.view_) / 2 + 1);
+    const Rect box = detail::bounds_with_border(compiled.instance, border, frame.origin_, frame.view_, orthographic);
     compiled.instance.visible = !box.empty();
     if (box.empty()) continue;
     extend_bounds(frame, box);

@@ -20,6 +20,9 @@ bool Frame::Access::Methods::is_left_out(Frame& base, std::uint32_t number, std:
   if (number / 32 < visible.size() && (visible[number / 32] >> (number % 32) & 1) == 0) return true;
   if (!frame.options_.cull_by_spheres) return false;
   const detail::CompiledInstance& compiled = frame.instances_[instance];
+  if constexpr (effects.has(effect::outlines)) {
+    if (detail::is_outline(compiled)) return false;  // its vertices leave their spheres
+  }
   const Mesh& mesh = frame.scene_->meshes[compiled.mesh];
   if (mesh.meshlets.empty()) return false;
   return detail::sphere_bounds(compiled, mesh, &mesh.meshlets[meshlet], frame.origin_, frame.view_,
@@ -32,6 +35,9 @@ template <Effects effects>
 bool Frame::Access::Methods::is_hidden(FrameWithMethod& frame, const detail::StripTarget& target,
                                        std::uint32_t instance, const Meshlet* meshlet) {
   const detail::CompiledInstance& compiled = frame.instances_[instance];
+  if constexpr (effects.has(effect::outlines)) {
+    if (detail::is_outline(compiled)) return false;
+  }
   const detail::SphereBounds bounds =
       detail::sphere_bounds(compiled, frame.scene_->meshes[compiled.mesh], meshlet, frame.origin_, frame.view_,
                             effects.has(effect::orthographic));
@@ -123,7 +129,7 @@ void Frame::Access::Methods::collect_triangles(FrameWithMethod& frame) {
       const detail::SnappedVertex& v = batch.vertices[index - range.first_vertex];
       if (v.x != detail::kNotNarrow) return v.depth;
       const std::int32_t nearest = static_cast<std::int32_t>(compiled.w_near);
-      const std::int32_t w = std::clamp(compiled.w.at(batch.mesh->positions[index]), nearest,
+      const std::int32_t w = std::clamp(Assembler<effects>::distance_of(batch, index), nearest,
                                         nearest + static_cast<std::int32_t>(compiled.w_range));
       const detail::Reciprocal r =
           kOrthographic ? detail::Reciprocal{0, 0} : detail::reciprocal_of(static_cast<std::uint32_t>(w));

@@ -28,6 +28,7 @@ inline constexpr std::uint32_t kInstanceShadingBytes = 68;  // and what they nee
 inline constexpr std::uint32_t kTurnedInstanceBytes = 52;   // an instance that may have been turned to the viewer
 inline constexpr std::uint32_t kFrameReflectionsBytes = 8;  // where those of the frame lie
 inline constexpr std::uint32_t kEyeFormsBytes = 68;         // what they need of an instance
+inline constexpr std::uint32_t kOutlinedSceneBytes = 200;   // the scene with outlines as instances of their own
 inline constexpr std::uint32_t kDrawOrderBytes = 16;        // an instance's place in the order of blending
 inline constexpr std::uint32_t kMostBinChunks = 0xFFFF;
 inline constexpr std::uint32_t kMostBatches = 0x7FFF;  // that bins can name; likewise triangles of a meshlet
@@ -57,14 +58,15 @@ constexpr std::uint32_t bytes_per_vertex(Effects effects) {
          (effects.has(effect::environment) ? kReflectionBytes : 0);
 }
 
-/// What effects keep through a frame of so many instances.
+/// What effects keep through a frame of so many instances, outlines among them.
 constexpr std::uint64_t effect_bytes(Effects effects, std::uint32_t instances) {
   std::uint64_t bytes = 0;
   if (effects.has(effect::fog)) bytes += kFogBytes;
   if (effects.has(effect::blending)) bytes += std::uint64_t{instances} * kDrawOrderBytes;
   if (effects.any(effect::local_light)) bytes += kFrameLightsBytes + std::uint64_t{instances} * kInstanceShadingBytes;
-  if (effects.has(effect::billboards)) bytes += std::uint64_t{instances} * kTurnedInstanceBytes;
+  if (effects.any(effect::billboards | effect::outlines)) bytes += std::uint64_t{instances} * kTurnedInstanceBytes;
   if (effects.has(effect::environment)) bytes += kFrameReflectionsBytes + std::uint64_t{instances} * kEyeFormsBytes;
+  if (effects.has(effect::outlines)) bytes = (bytes + 7) / 8 * 8 + kOutlinedSceneBytes;
   return bytes == 0 ? 0 : bytes + sizeof(Effects);
 }
 
@@ -111,9 +113,7 @@ constexpr SceneCounts count(const Scene& scene) {
     const std::uint64_t wide = sum + value;
     sum = wide < 0xFFFFFFFF && value < 0xFFFFFFFF ? static_cast<std::uint32_t>(wide) : 0xFFFFFFFF;
   };
-  for (const Instance& instance : scene.instances) {
-    if (instance.mesh >= scene.meshes.size()) continue;
-    const Mesh& mesh = scene.meshes[instance.mesh];
+  const auto add_mesh = [&](const Mesh& mesh) {
     const auto vertices = static_cast<std::uint32_t>(mesh.positions.size());
     const auto triangles = static_cast<std::uint32_t>(mesh.triangles.size());
     add(counts.triangles, triangles);
@@ -128,6 +128,15 @@ constexpr SceneCounts count(const Scene& scene) {
       add(counts.vertices, meshlet.vertex_count);
       raise(counts.largest_meshlet, meshlet.vertex_count);
       raise(counts.longest_meshlet, meshlet.triangle_count);
+    }
+  };
+  for (const Instance& instance : scene.instances) {
+    std::uint32_t index = instance.mesh;
+    for (const Outline* outline = nullptr; index < scene.meshes.size();) {
+      add_mesh(scene.meshes[index]);
+      if (outline != nullptr || (outline = outline_of(scene, scene.meshes[index])) == nullptr) break;
+      index = hull_of(*outline, instance);
+      add(counts.instances, 1);
     }
   }
   return counts;

@@ -9,7 +9,7 @@
 
 namespace zstrip {
 
-/// What a plan needs to know of a scene. 0xFFFFFFFF: that many or more.
+/// What a plan needs to know of a scene. 0xFFFFFFFF: that many or more. An outline counts as an instance of its hull.
 struct SceneCounts {
   std::uint32_t instances = 0;
   std::uint32_t triangles = 0;        ///< of all instances

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "zstrip/geometry/clip.hpp"
+#include "zstrip/geometry/outline.hpp"
 #include "zstrip/geometry/transform.hpp"
 #include "zstrip/raster/attributes.hpp"
 #include "zstrip/raster/fragment.hpp"
@@ -217,13 +218,37 @@ struct Assembler {
   static ClipVertex clip_vertex(const Batch& batch, std::uint32_t index) {
     const Position& p = batch.mesh->positions[index];
     const auto wide = [&p](const LinearForm& form) { return std::int64_t{form.at(p)} * (1 << kClipBits); };
-    return {wide(batch.instance->x), wide(batch.instance->y), wide(batch.instance->w), 0, 0, 0, 0, 0};
+    ClipVertex vertex{wide(batch.instance->x), wide(batch.instance->y), wide(batch.instance->w), 0, 0, 0, 0, 0};
+    if constexpr (effects.has(effect::outlines)) {
+      if (is_outline(*batch.instance)) {
+        const HullVertex moved = hull_vertex<kOrthographic>(*batch.instance, *batch.mesh, index);
+        vertex.w = std::int64_t{moved.w} * (1 << kClipBits);
+        vertex.u = moved.right, vertex.v = moved.down;
+      }
+    }
+    return vertex;
+  }
+
+  /// Along the viewing direction, in the instance's own scale.
+  static std::int32_t distance_of(const Batch& batch, std::uint32_t index) {
+    if constexpr (effects.has(effect::outlines)) {
+      if (is_outline(*batch.instance)) return hull_vertex<kOrthographic>(*batch.instance, *batch.mesh, index).w;
+    }
+    return batch.instance->w.at(batch.mesh->positions[index]);
   }
 
   static RasterVertex projected(const Batch& batch, const ClipVertex& v) {
     WidePosition p = project_wide<kOrthographic>(*batch.instance, batch.origin, v);
     if constexpr (kDepth.format != DepthFormat::z16) {
       p.depth = project_wide_depth<kOrthographic, kDepth.format>(*batch.instance, batch.origin, v);
+    }
+    if constexpr (effects.has(effect::outlines)) {
+      // Not beyond the guard band: both neighbours stop there.
+      const auto moved = [](std::int32_t from, std::int32_t by) {
+        constexpr std::int32_t kGuard = std::int32_t{1} << kGuardBits;
+        return std::clamp(from + by, -kGuard, kGuard);
+      };
+      if (is_outline(*batch.instance)) return {moved(p.x, v.u), moved(p.y, v.v), p.depth, v.r, v.g, v.b, 0, 0};
     }
     return {p.x, p.y, p.depth, v.r, v.g, v.b, v.u, v.v};
   }
@@ -415,14 +440,39 @@ struct Assembler {
     draw.template operator()<Shade::flat>();
   }
 
+  /// `triangles`, `count` of them, of an outline: those that face away.
+  template <class TriangleAt>
+  [[gnu::noinline]] static void draw_hull(const StripTarget& target, const Batch& batch, std::size_t count,
+                                          const TriangleAt& triangle_at) {
+    const auto turned = [&triangle_at](std::size_t i) { return turned_round(triangle_at(i)); };
+    if constexpr (effects.any(effect::fragments)) {
+      if (batch.instance->shade >= Shade::fragments) {
+        return draw_triangles<Shade::fragments, false>(target, batch, count, turned);
+      }
+    }
+    draw_triangles<Shade::flat, false>(target, batch, count, turned);
+  }
+
   static void draw(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
                    bool all_narrow) {
+    if constexpr (effects.has(effect::outlines)) {
+      if (is_outline(*batch.instance)) {
+        return draw_hull(target, batch, triangles.size(),
+                         [triangles](std::size_t i) -> const Triangle& { return triangles[i]; });
+      }
+    }
     with_shade(batch.instance->shade, [&]<Shade shade>() { draw_shaded<shade>(target, batch, triangles, all_narrow); });
   }
 
   /// Only the triangles with the given indices, at most as many as a chunk of a bin has.
   static void draw_listed(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
                           std::span<const std::uint16_t> listed, bool all_narrow) {
+    if constexpr (effects.has(effect::outlines)) {
+      if (is_outline(*batch.instance)) {
+        return draw_hull(target, batch, listed.size(),
+                         [&](std::size_t i) -> const Triangle& { return triangles[listed[i]]; });
+      }
+    }
     with_shade(batch.instance->shade, [&]<Shade shade>() {
       if constexpr (kSmallRuns<shade, true>) {
         if (all_narrow && !batch.instance->double_sided) {

@@ -42,12 +42,21 @@ struct Facing {
   template <class Visit>
   static bool for_each(const BatchOf<effects>& batch, std::span<const Triangle> triangles, bool all_narrow,
                        const Visit& visit) {
-    return all_narrow ? for_each<true>(batch, triangles, visit) : for_each<false>(batch, triangles, visit);
+    const auto in_order = [](const Triangle& triangle) -> const Triangle& { return triangle; };
+    if constexpr (effects.has(effect::outlines)) {
+      if (is_outline(*batch.instance)) {
+        const auto turned = [](const Triangle& triangle) { return turned_round(triangle); };
+        return for_each<false>(batch, triangles, turned, visit);
+      }
+    }
+    return all_narrow ? for_each<true>(batch, triangles, in_order, visit)
+                      : for_each<false>(batch, triangles, in_order, visit);
   }
 
  private:
-  template <bool all_narrow, class Visit>
-  static bool for_each(const BatchOf<effects>& batch, std::span<const Triangle> triangles, const Visit& visit) {
+  template <bool all_narrow, class Turn, class Visit>
+  static bool for_each(const BatchOf<effects>& batch, std::span<const Triangle> triangles, const Turn& turn,
+                       const Visit& visit) {
     // Where the mesh's vertex 0 would be: the cache has a run of them.
     const std::uintptr_t vertices =
         reinterpret_cast<std::uintptr_t>(batch.vertices) - batch.first_vertex * sizeof(SnappedVertex);
@@ -57,7 +66,8 @@ struct Facing {
     };
     const bool double_sided = batch.instance->double_sided;
     std::uint32_t i = 0;
-    for (const Triangle& triangle : triangles) {
+    for (const Triangle& listed : triangles) {
+      const Triangle& triangle = turn(listed);
       const std::uint32_t index = i++;
       const SnappedVertex& a = vertex(triangle.a);
       const SnappedVertex& b = vertex(triangle.b);

@@ -79,11 +79,12 @@ inline constexpr Effects lines{1U << 25};                       ///< lines and p
 inline constexpr Effects supersampled{1U << 27};                ///< View::samples is not 1
 inline constexpr Effects billboards{1U << 28};                  ///< Mesh::billboard
 inline constexpr Effects environment{1U << 29};                 ///< TextureMapping::environment
+inline constexpr Effects outlines{1U << 30};                    ///< Mesh::outline
 inline constexpr Effects surfaces{quadrics.bits | lines.bits};  ///< all of these
 
 /// All that a scene and its picture can call for.
 inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | vertex_light | surfaces |
-                                     billboards | environment | dithered_format | supersampled;
+                                     billboards | environment | outlines | dithered_format | supersampled;
 }  // namespace effect
 
 /// Ways to find what is visible other than a plain z-buffer; docs/visibility.md compares them. Never called for by a
@@ -163,7 +164,7 @@ constexpr bool depth_effects_agree(Effects effects) {
 
 /// Which of these effects their methods cannot draw: other depth formats and sub-ranges, which only culling goes with;
 /// rules of a material's own, which need the scene's order and a z-buffer; surfaces where there is none; fragments,
-/// local light and surroundings where the host has split triangles.
+/// local light, surroundings and outlines where the host has split triangles.
 constexpr Effects refused_by_methods(Effects effects) {
   if (effects.methods == 0) return {};
   const Effects own = without(Effects{0, effects.methods}, method::culling);
@@ -171,7 +172,9 @@ constexpr Effects refused_by_methods(Effects effects) {
   if (own != Effects{}) refused = refused | effect::depth_formats | effect::depth_ranges;
   if (own != Effects{} && own != method::hierarchical_z) refused = refused | effect::depth_state;
   if (own.has(method::painter)) refused = refused | effect::surfaces;
-  if (own.any(method::orders)) refused = refused | effect::fragments | effect::vertex_light | effect::environment;
+  if (own.any(method::orders)) {
+    refused = refused | effect::fragments | effect::vertex_light | effect::environment | effect::outlines;
+  }
   return {effects.bits & refused.bits, 0};
 }
 
@@ -270,6 +273,7 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (material.smooth && (lit || coloured)) found = found | effect::gouraud;
     if (has_depth_state(material)) found = found | effect::depth_state;
     if (mesh.billboard != Billboard::none) found = found | effect::billboards;
+    if (outline_of(scene, mesh) != nullptr) found = found | effect::outlines;
     if (has_tables) found = found | effects_of_finish(scene, material, lit, textured);
   }
   if (scene.fog != nullptr && !(scene.instances.empty() && scene.quadrics.empty() && scene.lines.empty())) {

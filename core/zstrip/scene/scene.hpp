@@ -54,6 +54,19 @@ enum class Billboard : std::uint8_t {
   upright,  ///< y as the transform says; x as far to the right as that allows
 };
 
+inline constexpr std::uint16_t kOwnMesh = 0xFFFF;
+inline constexpr std::uint16_t kMaxOutlineWidth = 256;  ///< 1/16 pixels
+
+/// A line around an instance's picture, as wide at any distance: the far side of a hull around it, drawn in one colour
+/// after what is opaque. The hull is a mesh whose vertices are moved along their normals, so that it must be closed:
+/// vertices in one place have one normal. Where edges are to keep their width, normals may be longer than one: with v
+/// the vertex' and n those of the faces around it, v . n = 1. docs/conventions.md says where a vertex moves.
+struct Outline {
+  Colour colour{0, 0, 0, 255};
+  std::uint16_t width = 32;       ///< 1/16 pixels, 1..kMaxOutlineWidth
+  std::uint16_t hull = kOwnMesh;  ///< index into Scene::meshes, of a mesh with normals, or kOwnMesh: the instance's
+};
+
 struct Mesh {
   std::span<const Position> positions;  ///< 1..65535 vertices
   std::span<const Normal> normals;      ///< one a vertex, or empty: unlit
@@ -65,6 +78,7 @@ struct Mesh {
   Vec3 half_extent{kFixedOne, kFixedOne, kFixedOne};  ///< 16.16, 0..4095
   std::uint8_t texcoord_bits = 12;                    ///< 4..15
   Billboard billboard = Billboard::none;              ///< anything else makes its instances billboards
+  std::uint8_t outline = 0;  ///< 1 + index into Scene::outlines: all its instances have it, and are opaque; 0: none
 };
 
 /// How a texel is chosen.
@@ -263,6 +277,17 @@ struct Scene {
   std::span<const PunctualLight> punctual_lights{};  ///< at most kMaxPunctualLights
   std::span<const Quadric> quadrics{};               ///< drawn in this order, before the instances
   std::span<const LineSet> lines{};                  ///< drawn in this order, after the quadrics
+  std::span<const Outline> outlines{};               ///< at most 255; Mesh::outline names them
 };
+
+/// Of the instances of this mesh; null if they have none.
+constexpr const Outline* outline_of(const Scene& scene, const Mesh& mesh) {
+  return mesh.outline != 0 && mesh.outline <= scene.outlines.size() ? &scene.outlines[mesh.outline - 1U] : nullptr;
+}
+
+/// The mesh that is the hull of an instance with this outline; may be out of range before validate.
+constexpr std::uint16_t hull_of(const Outline& outline, const Instance& instance) {
+  return outline.hull == kOwnMesh ? instance.mesh : outline.hull;
+}
 
 }  // namespace zstrip

@@ -26,7 +26,7 @@ static_assert(sizeof(Material) == 24 && offsetof(Material, texture) == 4 && offs
 static_assert(sizeof(bool) == 1 && sizeof(Camera) == 64);
 static_assert(sizeof(Instance) == 52 && offsetof(Instance, material) == 2 && offsetof(Instance, transform) == 4);
 static_assert(sizeof(void*) != 4 ||
-              (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(LineSet) == 64 && sizeof(Scene) == 84));
+              (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(LineSet) == 64 && sizeof(Scene) == 92));
 static_assert(sizeof(Track) == 8 && offsetof(Track, count) == 2 && offsetof(Track, first) == 4);
 static_assert(sizeof(Keyframe) == 36 && offsetof(Keyframe, rotation) == 4 && offsetof(Keyframe, translation) == 12 &&
               offsetof(Keyframe, scale) == 24);
@@ -42,12 +42,13 @@ static_assert(sizeof(PunctualLight) == 40 && offsetof(PunctualLight, colour) == 
 static_assert(sizeof(Fog) == 20 && offsetof(Fog, mode) == 4 && offsetof(Fog, start) == 8 &&
               offsetof(Fog, density) == 16);
 static_assert(sizeof(Quadric) == 52 && offsetof(Quadric, transform) == 4);
+static_assert(sizeof(Outline) == 8 && offsetof(Outline, width) == 4 && offsetof(Outline, hull) == 6);
 static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colour) == 6);
 
 // Where the header has what; docs/formats.md.
 constexpr std::uint32_t kVersion = 2, kKind = 3, kSize = 4, kChecksum = 8, kChecked = 12;
 constexpr std::uint32_t kMeshes = 12, kMaterials = 20, kTextures = 28, kInstances = 36, kLights = 44;
-constexpr std::uint32_t kAmbient = 52, kBackground = 56, kCamera = 60, kView = 124;
+constexpr std::uint32_t kAmbient = 52, kBackground = 56, kCamera = 60, kOutlines = 122, kView = 124;
 constexpr std::uint32_t kTracks = 132, kKeyframes = 140, kDuration = 148;
 constexpr std::uint32_t kFinishes = 152, kPunctualLights = 160, kFog = 168, kQuadrics = 176;
 constexpr std::uint32_t kTree = 184;
@@ -56,7 +57,8 @@ constexpr std::uint32_t kHeaderBytes = 192;
 /// Records that become structures with pointers.
 struct MeshRecord {
   static constexpr std::uint32_t kPositions = 0, kNormals = 8, kColours = 16, kTexcoords = 24, kTriangles = 32,
-                                 kMeshlets = 40, kCentre = 48, kHalfExtent = 60, kTexcoordBits = 72, kBillboard = 73;
+                                 kMeshlets = 40, kCentre = 48, kHalfExtent = 60, kTexcoordBits = 72, kBillboard = 73,
+                                 kOutline = 74;
   std::uint32_t words[19];
 };
 struct TextureRecord {
@@ -102,6 +104,15 @@ class Reader {
     require(inside, at);
     if (!inside) return {};
     return {reinterpret_cast<const Record*>(blob_.data() + offset), count};
+  }
+  /// The array right behind the header whose count, 16 bits, stands at `at`.
+  template <class Record>
+  std::span<const Record> array_behind_header(std::uint32_t at) {
+    const std::uint32_t count = half_word(at);
+    const bool inside = count <= (blob_.size() - kHeaderBytes) / sizeof(Record);
+    require(inside, at);
+    if (count == 0 || !inside) return {};
+    return {reinterpret_cast<const Record*>(blob_.data() + kHeaderBytes), count};
   }
   template <class Record>
   std::uint32_t offset_of(const Record& record) const {
@@ -191,7 +202,8 @@ Mesh read_mesh(Reader& reader, std::uint32_t at) {
           .centre = reader.vector(at + MeshRecord::kCentre),
           .half_extent = reader.vector(at + MeshRecord::kHalfExtent),
           .texcoord_bits = reader.byte(at + MeshRecord::kTexcoordBits),
-          .billboard = static_cast<Billboard>(reader.byte(billboard))};
+          .billboard = static_cast<Billboard>(reader.byte(billboard)),
+          .outline = reader.byte(at + MeshRecord::kOutline)};
 }
 
 Texture read_texture(Reader& reader, std::uint32_t at, TextureFormat last_format) {
@@ -252,6 +264,7 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   read_camera(reader, found.camera);
   read_view(reader, found.view);
   found.scene.quadrics = reader.array<Quadric>(kQuadrics);
+  found.scene.outlines = reader.array_behind_header<Outline>(kOutlines);
   found.tree.nodes = reader.array<BspNode>(kTree);
   found.animation = {.tracks = reader.array<Track>(kTracks),
                      .keyframes = reader.array<Keyframe>(kKeyframes),

@@ -152,6 +152,20 @@ constexpr bool valid_finish(const Finish& finish) {
          finish.mapping <= TextureMapping::environment;
 }
 
+/// Without its instances' materials.
+constexpr bool valid_outline(const Scene& scene, const Outline& outline) {
+  const bool has_hull =
+      outline.hull == kOwnMesh || (outline.hull < scene.meshes.size() && !scene.meshes[outline.hull].normals.empty());
+  return outline.width >= 1 && outline.width <= kMaxOutlineWidth && has_hull;
+}
+
+/// A far side would be seen through a mask or glass. Indices have been checked.
+constexpr bool can_have_outline(const Scene& scene, const Instance& instance, const Outline& outline) {
+  const std::uint8_t finish = scene.materials[instance.material].finish;
+  return !scene.meshes[hull_of(outline, instance)].normals.empty() &&
+         (finish == kNoFinish || scene.finishes[finish].alpha_mode == AlphaMode::opaque);
+}
+
 constexpr bool valid_texture(const Texture& texture) {
   return texture.log2_width <= kLargestTextureLog2 && texture.log2_height <= kLargestTextureLog2 &&
          texture.format <= TextureFormat::palette4 &&
@@ -188,7 +202,9 @@ constexpr Status validate_instances(const Scene& scene) {
 /// culprit.
 constexpr Status validate(const Scene& scene) {
   for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
-    if (!detail::valid_mesh(scene.meshes[i])) return {.error = Error::mesh, .needed = i};
+    if (!detail::valid_mesh(scene.meshes[i]) || scene.meshes[i].outline > scene.outlines.size()) {
+      return {.error = Error::mesh, .needed = i};
+    }
   }
   for (std::uint32_t i = 0; i < scene.textures.size(); ++i) {
     if (!detail::valid_texture(scene.textures[i])) return {.error = Error::texture, .needed = i};
@@ -208,11 +224,22 @@ constexpr Status validate(const Scene& scene) {
   for (std::uint32_t i = 0; i < scene.finishes.size(); ++i) {
     if (!detail::valid_finish(scene.finishes[i])) return {.error = Error::finish, .needed = i};
   }
+  if (scene.outlines.size() > 255) return {.error = Error::outline, .needed = 255};
+  for (std::uint32_t i = 0; i < scene.outlines.size(); ++i) {
+    if (!detail::valid_outline(scene, scene.outlines[i])) return {.error = Error::outline, .needed = i};
+  }
   for (std::uint32_t i = 0; i < scene.punctual_lights.size(); ++i) {
     if (!detail::valid_punctual_light(scene.punctual_lights[i])) return {.error = Error::punctual_light, .needed = i};
   }
   if (scene.fog != nullptr && !detail::valid_fog(*scene.fog)) return {.error = Error::fog};
   if (const Status status = validate_instances(scene); !status) return status;
+  for (const Instance& instance : scene.instances) {
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    const Outline* const outline = outline_of(scene, mesh);
+    if (outline != nullptr && !detail::can_have_outline(scene, instance, *outline)) {
+      return {.error = Error::outline, .needed = mesh.outline - 1U};
+    }
+  }
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     const bool is_billboard = scene.meshes[instance.mesh].billboard != Billboard::none;

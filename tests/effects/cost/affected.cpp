@@ -28,7 +28,8 @@ int print_affected() {
       alone.instances = {&instance, 1};
       alone.quadrics = {};
       alone.lines = {};
-      constexpr Effects kOwn = effect::fragments | effect::vertex_light | effect::billboards | effect::environment;
+      constexpr Effects kOwn =
+          effect::fragments | effect::vertex_light | effect::billboards | effect::environment | effect::outlines;
       if ((effects_of(alone, staged.camera) | kCalledFor).any(kOwn)) touched.push_back(instance);
     }
     staged.scene.instances = touched;
@@ -58,6 +59,6 @@ int main() {
          print_affected<scenes::bilinear>() + print_affected<scenes::palette>() + print_affected<scenes::mipmaps>() +
          print_affected<scenes::environment>() + print_affected<scenes::spheres>() +
          print_affected<scenes::dithered>() + print_affected<scenes::dithered_mono>() +
-         print_affected<scenes::lines>() + print_affected<scenes::billboards>() + print_affected<scenes::samples_2>() +
-         print_affected<scenes::samples_4>();
+         print_affected<scenes::lines>() + print_affected<scenes::billboards>() + print_affected<scenes::outlines>() +
+         print_affected<scenes::samples_2>() + print_affected<scenes::samples_4>();
 }

@@ -6,6 +6,7 @@
 
 #include "../billboards_scene.hpp"
 #include "../lines_scene.hpp"
+#include "../outlines_scene.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"
 #include "zstrip_scenes/spheres.hpp"
@@ -61,8 +62,8 @@ inline constexpr auto kKnotTexcoords = [] {
   return texcoords;
 }();
 
-/// Without fog, finishes, punctual lights, quadrics and lines, billboards standing still, the scene's first texture for
-/// one with a palette, and texture coordinates for what mirrors its surroundings; all else as it is.
+/// Without fog, finishes, punctual lights, quadrics, lines and outlines, billboards standing still, the scene's first
+/// texture for one with a palette, and texture coordinates for what mirrors its surroundings; all else as it is.
 template <const scenes::BuiltIn& built_in>
 struct Plain {
   static constexpr auto kMaterials = [] {
@@ -81,6 +82,7 @@ struct Plain {
       meshes[i] = built_in.scene.meshes[i];
       meshes[i].billboard = Billboard::none;
       if (effects_of(built_in.scene, built_in.camera).has(effect::environment)) meshes[i].texcoords = kKnotTexcoords;
+      meshes[i].outline = 0;
     }
     return meshes;
   }();
@@ -95,6 +97,8 @@ struct Plain {
     plain.counts.quadrics = 0;
     plain.scene.lines = {};
     plain.counts.line_sets = 0;
+    plain.scene.outlines = {};
+    if constexpr (!built_in.scene.outlines.empty()) plain.counts = count(plain.scene);
     return plain;
   }();
 };
@@ -110,7 +114,7 @@ template <const scenes::BuiltIn& built_in, bool plain>
 inline constexpr Effects kEffectsOf = without(effects_of(built_in.scene, built_in.camera) |
                                                   effects_of(kView<built_in, plain>),
                                               plain ? effect::fragments | effect::vertex_light | effect::surfaces |
-                                                          effect::billboards | effect::environment
+                                                          effect::billboards | effect::environment | effect::outlines
                                                     : Effects{});
 
 }  // namespace zstrip::effects_cost
