@@ -10,6 +10,7 @@
 #include "blob_sample.hpp"
 #include "zstrip/base/crc32.hpp"
 #include "zstrip/scene/scene_blob.hpp"
+#include "zstrip/scene/validate.hpp"
 
 namespace zstrip::sim::test {
 namespace {
