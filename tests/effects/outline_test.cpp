@@ -301,6 +301,25 @@ TEST(Outlines, OfWhatTurnsWithTheCameraTurnToo) {
   }
 }
 
+// Its hull mirrored them, too.
+TEST(Outlines, OfWhatMirrorsItsSurroundingsHaveTheirOwnColour) {
+  constexpr Effects kMirroring = kOutlined | effect::environment | effect::textures;
+  World world(sphere(32, 64), 4);
+  const Camera camera = camera_at(5);
+  const Drawn white = draw<kOutlined>(world.scene, camera, kView);
+  const std::array<std::uint16_t, 2> green{0x07E0, 0x07E0};
+  const Texture texture{.texels = green, .log2_width = 0, .log2_height = 0};
+  const Finish mirror{.mapping = TextureMapping::environment};
+  world.materials[0].texture = 0;
+  world.materials[0].finish = 0;
+  world.scene.textures = {&texture, 1};
+  world.scene.finishes = {&mirror, 1};
+  Drawn drawn = draw<kMirroring>(world.scene, camera, kView);
+  EXPECT_GT(std::ranges::count(drawn.pixels, 0x07E0), 100);
+  std::ranges::replace(drawn.pixels, 0x07E0, 0xFFFF);
+  EXPECT_EQ(drawn, white);
+}
+
 TEST(Outlines, VerticesMoveAsTheDefinitionSays) {
   std::mt19937 random(5);
   const auto between = [&random](double low, double high) { return std::uniform_real_distribution(low, high)(random); };

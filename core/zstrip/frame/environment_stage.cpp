@@ -1,6 +1,7 @@
 // Which instances mirror the surroundings, and what their vertices need for it; only renderers with
 // effect::environment link it.
 #include "zstrip/frame/frame_inline.hpp"
+#include "zstrip/geometry/outline.hpp"
 
 namespace zstrip {
 
@@ -15,7 +16,7 @@ void Frame::Access::EffectStage::prepare_reflections(Frame& frame, const Camera&
     detail::CompiledInstance& compiled = frame.instances_[i];
     const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
     const Material& material = scene.materials[scene.instances[i].material];
-    if (!compiled.visible || !mirrors_surroundings(scene, mesh, material)) continue;
+    if (!compiled.visible || detail::is_outline(compiled) || !mirrors_surroundings(scene, mesh, material)) continue;
     block.eye_forms(i) = detail::eye_forms(mesh, scene.instances[i].transform, camera);
     // As if the mesh had texture coordinates.
     if (!material.lit) {

@@ -7,6 +7,7 @@
 
 #include "zstrip/frame/materials.hpp"
 #include "zstrip/frame/method_stage.hpp"
+#include "zstrip/geometry/outline.hpp"
 #include "zstrip/raster/facing.hpp"
 
 namespace zstrip {
@@ -73,7 +74,10 @@ struct Frame::Access::Geometry {
   static TexCoord* reflections_of(const Frame& frame, std::uint32_t instance, std::uint32_t cache) {
     const Scene& scene = *frame.scene_;
     const detail::CompiledInstance& compiled = frame.instances_[instance];
-    if (!mirrors_surroundings(scene, scene.meshes[compiled.mesh], scene.materials[compiled.material])) return nullptr;
+    if (detail::is_outline(compiled) ||
+        !mirrors_surroundings(scene, scene.meshes[compiled.mesh], scene.materials[compiled.material])) {
+      return nullptr;
+    }
     auto* const vertices = reinterpret_cast<std::byte*>(frame.vertices_);
     return reinterpret_cast<TexCoord*>(vertices + effect_block(frame).reflections().first) + cache;
   }
