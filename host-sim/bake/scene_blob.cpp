@@ -101,7 +101,7 @@ class Writer {
     byte(finish.shininess);
     byte(static_cast<std::uint8_t>(finish.alpha_mode));
     byte(finish.alpha_cutoff);
-    byte(static_cast<std::uint8_t>(static_cast<int>(finish.filter) | static_cast<int>(finish.mapping) << 4));
+    byte(static_cast<std::uint8_t>(finish.filter));
   }
   void put(const PunctualLight& light) {
     byte(static_cast<std::uint8_t>(light.type));

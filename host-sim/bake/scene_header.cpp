@@ -55,10 +55,9 @@ std::string literal(const Material& m) {
 std::string literal(const Finish& f) {
   return fmt::format(
       "{{.emissive = {}, .specular = {}, .shininess = {}, .alpha_mode = zstrip::AlphaMode{{{}}}, .alpha_cutoff = {}, "
-      ".filter = zstrip::TextureFilter{{{}}}{}}}",
+      ".filter = zstrip::TextureFilter{{{}}}}}",
       literal(f.emissive), literal(f.specular), f.shininess, static_cast<int>(f.alpha_mode), f.alpha_cutoff,
-      static_cast<int>(f.filter),
-      f.mapping == TextureMapping::coordinates ? "" : ", .mapping = zstrip::TextureMapping::environment");
+      static_cast<int>(f.filter));
 }
 std::string literal(const PunctualLight& light) {
   return fmt::format(

@@ -33,12 +33,12 @@ Material replaced(Material material, const FileMaterial& by) {
 
 Result<std::uint16_t> ComposedMaterials::index_of(const PlacedPart& placed) {
   const FileMaterial* const other = override_of(placed);
-  if (other != nullptr && other->mirrors() && placed.part->mesh.normals.empty()) {
+  if (other != nullptr && other->mirrors && placed.part->mesh.normals.empty()) {
     return at_line(file_.path, other->texture_line,
                    fmt::format("material '{}' has an environment, but the model '{}' has no normals for it",
                                other->name, placed.file->model));
   }
-  if (other != nullptr && other->texture && !other->mirrors() && placed.part->mesh.texcoords.empty()) {
+  if (other != nullptr && other->texture && !other->mirrors && placed.part->mesh.texcoords.empty()) {
     return at_line(file_.path, other->texture_line,
                    fmt::format("material '{}' has a texture, but the model '{}' has no texture coordinates for it",
                                other->name, placed.file->model));
@@ -108,7 +108,7 @@ const FileMaterial* ComposedMaterials::override_of(const PlacedPart& placed) con
 bool ComposedMaterials::may_texture(const std::string& model) const {
   const auto has_texture = [this](const std::string& material) {
     const auto at = std::ranges::find(file_.materials, material, &FileMaterial::name);
-    return at != file_.materials.end() && at->texture && !at->mirrors();
+    return at != file_.materials.end() && at->texture && !at->mirrors;
   };
   return std::ranges::any_of(file_.instances, [&](const FileInstance& instance) {
     return instance.model == model &&
@@ -174,13 +174,13 @@ bool ComposedMaterials::set_finish(Material& material, const Finish& own, const 
   if (!has_own && !by.has_finish()) return true;
   if (scene_.finishes.size() >= kNoFinish) return false;
   material.finish = static_cast<std::uint8_t>(scene_.finishes.size());
-  scene_.finishes.push_back(Finish{.emissive = by.emissive.value_or(own.emissive),
-                                   .specular = by.specular.value_or(own.specular),
-                                   .shininess = by.shininess.value_or(own.shininess),
-                                   .alpha_mode = by.alpha_mode.value_or(own.alpha_mode),
-                                   .alpha_cutoff = by.alpha_cutoff.value_or(own.alpha_cutoff),
-                                   .filter = by.filter.value_or(own.filter),
-                                   .mapping = by.mapping});
+  const TextureFilter filter = by.filter.value_or(own.filter);
+  scene_.finishes.push_back({.emissive = by.emissive.value_or(own.emissive),
+                             .specular = by.specular.value_or(own.specular),
+                             .shininess = by.shininess.value_or(own.shininess),
+                             .alpha_mode = by.alpha_mode.value_or(own.alpha_mode),
+                             .alpha_cutoff = by.alpha_cutoff.value_or(own.alpha_cutoff),
+                             .filter = by.mirrors ? of_environment(filter) : filter});
   return true;
 }
 

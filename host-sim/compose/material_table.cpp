@@ -34,7 +34,7 @@ FileMaterial read_material(TomlTable& table) {
                   "'environment' is in the place of 'texture', and the material has both; leave out one");
     }
     material.texture = *environment;
-    material.mapping = TextureMapping::environment;
+    material.mirrors = true;
     material.texture_line = table.line_of("environment");
   }
   if (const auto bits = table.integer("palette", 4, 8)) {

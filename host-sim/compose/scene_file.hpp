@@ -72,7 +72,7 @@ struct FileMaterial {
   std::string name;
   std::optional<Colour> colour;
   std::optional<std::filesystem::path> texture;
-  TextureMapping mapping = TextureMapping::coordinates;  ///< environment: `texture` is that key's
+  bool mirrors = false;  ///< `texture` is that of the key `environment`
   int texture_line = 0;
   std::optional<bool> lit, smooth, double_sided, depth_write;
   std::optional<Colour> emissive, specular;
@@ -86,11 +86,10 @@ struct FileMaterial {
   std::optional<std::int32_t> depth_bias;
   int depth_line = 0;  ///< of the first key about depth
 
-  bool mirrors() const { return mapping == TextureMapping::environment; }
   /// Whether it sets what few materials have (Finish).
   bool has_finish() const {
     return emissive || specular || shininess || alpha_mode || alpha_cutoff || filter || palette ||
-           mipmaps.value_or(false) || mirrors();
+           mipmaps.value_or(false) || mirrors;
   }
 };
 

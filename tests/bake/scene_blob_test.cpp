@@ -217,7 +217,7 @@ TEST(SceneBlob, WhetherAMeshIsABillboardStandsInAByteThatWasUnused) {
 TEST(SceneBlob, WhetherAFinishMirrorsStandsBesideItsFilter) {
   SceneBlob content = sample();
   std::vector<Finish> finishes(content.scene.finishes.begin(), content.scene.finishes.end());
-  finishes.push_back({.filter = TextureFilter::bilinear, .mapping = TextureMapping::environment});
+  finishes.push_back({.filter = TextureFilter::environment_bilinear});
   content.scene.finishes = finishes;
   Bytes bytes = *to_scene_blob(content);
   const std::uint32_t at = word(bytes, 152);

@@ -121,7 +121,7 @@ struct Combination {
     }
     if (set.has(effect::alpha_test)) finishes[0].alpha_mode = AlphaMode::mask;
     if (set.has(effect::blending)) finishes[1].alpha_mode = AlphaMode::blend;
-    if (set.has(effect::environment)) finishes[1].mapping = TextureMapping::environment;
+    if (set.has(effect::environment)) finishes[1].filter = of_environment(finishes[1].filter);
     if (set.has(effect::texture_alpha)) textures[0].format = TextureFormat::rgb565_alpha;
     if (set.has(effect::mipmaps)) {
       for (Texture& texture : textures) texture.texels = kNoise, texture.smaller_levels = 4;

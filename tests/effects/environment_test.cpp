@@ -193,7 +193,7 @@ struct World {
   Mesh meshes[2] = {scenes::kKnotLitMesh[0], scenes::kKnotLitMesh[0]};
   std::vector<TexCoord> coordinates[2];
   Texture textures[2] = {{kMap, 5, 5}, {kMap, 4, 5}};
-  Finish finishes[2] = {{.mapping = TextureMapping::environment}, {.mapping = TextureMapping::environment}};
+  Finish finishes[2] = {{.filter = TextureFilter::environment_nearest}, {.filter = TextureFilter::environment_nearest}};
   Material materials[2] = {{.colour = {220, 200, 160, 255}, .texture = 0, .finish = 0},
                            {.texture = 1, .lit = false, .finish = 1}};
   Instance instances[2] = {{.mesh = 0}, {.mesh = 1, .material = 1}};
@@ -233,7 +233,7 @@ struct World {
       }
       mesh.texcoords = made.coordinates[i];
       mesh.texcoord_bits = 15;
-      made.finishes[i].mapping = TextureMapping::coordinates;
+      made.finishes[i].filter = is_bilinear(finishes[i].filter) ? TextureFilter::bilinear : TextureFilter::nearest;
     }
     return made;
   }
@@ -271,7 +271,7 @@ TEST_F(Environment, SoWithFragmentsFormatsAndParallelRays) {
     World world;
     for (Instance& instance : world.instances) instance.transform = transform(1, 0.6);
     for (Finish& finish : world.finishes) {
-      if (more.has(effect::bilinear)) finish.filter = TextureFilter::bilinear;
+      if (more.has(effect::bilinear)) finish.filter = TextureFilter::environment_bilinear;
       if (more.has(effect::alpha_test)) finish.alpha_mode = AlphaMode::mask;
       if (more.has(effect::blending)) finish.alpha_mode = AlphaMode::blend;
     }
@@ -312,14 +312,14 @@ TEST_F(Environment, MaterialsWithoutMapAndMeshesWithoutNormalsAreRefused) {
   Status status = validate(world.scene);
   EXPECT_EQ(status.error, Error::instance);
   EXPECT_EQ(status.needed, 1U);
-  world.finishes[1].mapping = TextureMapping::coordinates;
+  world.finishes[1].filter = TextureFilter::nearest;
   EXPECT_TRUE(validate(world.scene));
   world.materials[0].texture = kNoTexture;
   status = validate(world.scene);
   EXPECT_EQ(status.error, Error::material);
   EXPECT_EQ(status.needed, 0U);
   world.materials[0].texture = 0;
-  world.finishes[1].mapping = TextureMapping{2};
+  world.finishes[1].filter = TextureFilter{0x12};
   status = validate(world.scene);
   EXPECT_EQ(status.error, Error::finish);
   EXPECT_EQ(status.needed, 1U);

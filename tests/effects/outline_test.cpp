@@ -250,7 +250,7 @@ TEST(Outlines, ReachIntoThePicture) {
 
 TEST(Outlines, AreAsWideWithSamples) {
   constexpr Effects kSampled = kOutlined | effect::supersampled;
-  for (const std::uint8_t samples : {2, 4}) {
+  for (const std::uint8_t samples : {std::uint8_t{2}, std::uint8_t{4}}) {
     World world(sphere(32, 64), 3);
     View view = kView;
     view.samples = samples;
@@ -309,7 +309,7 @@ TEST(Outlines, OfWhatMirrorsItsSurroundingsHaveTheirOwnColour) {
   const Drawn white = draw<kOutlined>(world.scene, camera, kView);
   const std::array<std::uint16_t, 2> green{0x07E0, 0x07E0};
   const Texture texture{.texels = green, .log2_width = 0, .log2_height = 0};
-  const Finish mirror{.mapping = TextureMapping::environment};
+  const Finish mirror{.filter = TextureFilter::environment_nearest};
   world.materials[0].texture = 0;
   world.materials[0].finish = 0;
   world.scene.textures = {&texture, 1};

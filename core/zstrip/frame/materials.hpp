@@ -50,7 +50,7 @@ struct Frame::Access::Materials {
     settings.alpha = material.colour.a;
     if (finish.alpha_mode == AlphaMode::mask) settings.cutoff = finish.alpha_cutoff;
     settings.blends = finish.alpha_mode == AlphaMode::blend;
-    settings.bilinear = finish.filter == TextureFilter::bilinear;
+    settings.bilinear = is_bilinear(finish.filter);
     settings.has_texture_alpha = settings.textured && finish.alpha_mode != AlphaMode::opaque &&
                                  frame.scene_->textures[material.texture].format == TextureFormat::rgb565_alpha;
     if constexpr (effects.has(effect::fog)) {

@@ -75,11 +75,11 @@ inline constexpr Effects vertex_light = local_light | emissive;
 inline constexpr Effects quadrics{1U << 22};  ///< spheres and ellipsoids
 /// View::dither of a picture in a format that is_narrow.
 inline constexpr Effects dithered_format{1U << 23};
-inline constexpr Effects lines{1U << 25};                       ///< lines and points
-inline constexpr Effects supersampled{1U << 27};                ///< View::samples is not 1
-inline constexpr Effects billboards{1U << 28};                  ///< Mesh::billboard
-inline constexpr Effects environment{1U << 29};                 ///< TextureMapping::environment
-inline constexpr Effects outlines{1U << 30};                    ///< Mesh::outline
+inline constexpr Effects lines{1U << 25};         ///< lines and points
+inline constexpr Effects supersampled{1U << 27};  ///< View::samples is not 1
+inline constexpr Effects billboards{1U << 28};    ///< Mesh::billboard
+inline constexpr Effects environment{1U << 29};   ///< TextureFilter::environment_nearest, environment_bilinear
+inline constexpr Effects outlines{1U << 30};      ///< Mesh::outline
 inline constexpr Effects surfaces{quadrics.bits | lines.bits};  ///< all of these
 
 /// All that a scene and its picture can call for.
@@ -217,8 +217,7 @@ constexpr bool is_blended(const Scene& scene, const Material& material) {
 
 /// Whether what has this mesh and this material has the surroundings for its texture.
 constexpr bool mirrors_surroundings(const Scene& scene, const Mesh& mesh, const Material& material) {
-  return finish_of(scene, material).mapping == TextureMapping::environment && material.texture != kNoTexture &&
-         !mesh.normals.empty();
+  return is_environment(finish_of(scene, material).filter) && material.texture != kNoTexture && !mesh.normals.empty();
 }
 
 constexpr bool is_black(const Colour& colour) { return colour.r == 0 && colour.g == 0 && colour.b == 0; }
@@ -242,7 +241,7 @@ constexpr Effects effects_of_finish(const Scene& scene, const Material& material
       found = found | effect::texture_alpha;
     }
     if (texture.smaller_levels != 0) found = found | effect::mipmaps;
-    if (finish.filter == TextureFilter::bilinear) found = found | effect::bilinear;
+    if (is_bilinear(finish.filter)) found = found | effect::bilinear;
   }
   return found;
 }

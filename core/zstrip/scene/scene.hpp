@@ -85,16 +85,19 @@ struct Mesh {
 enum class TextureFilter : std::uint8_t {
   nearest,   ///< the one in which the pixel's centre lies
   bilinear,  ///< the four around it, by their distance
+  /// The same, where the mirror image of the surroundings is (effect::environment), not where Mesh::texcoords say: the
+  /// texture is a sphere map, a picture of a mirrored ball that fills it, as seen from the eye; docs/conventions.md has
+  /// the formula. The mesh needs normals, and its texture coordinates mean nothing. So a material has either a texture
+  /// of its own or surroundings, not both.
+  environment_nearest = 0x10,
+  environment_bilinear = 0x11,
 };
-
-/// Where on its texture a vertex lies.
-enum class TextureMapping : std::uint8_t {
-  coordinates,  ///< where Mesh::texcoords say
-  /// Where the mirror image of the surroundings is (effect::environment): the texture is a sphere map, a picture of a
-  /// mirrored ball that fills it, as seen from the eye; docs/conventions.md has the formula. The mesh needs normals,
-  /// and its texture coordinates mean nothing. So a material has either a texture of its own or surroundings, not both.
-  environment,
-};
+constexpr bool is_bilinear(TextureFilter filter) { return (static_cast<unsigned>(filter) & 1U) != 0; }
+constexpr bool is_environment(TextureFilter filter) { return (static_cast<unsigned>(filter) & 0x10U) != 0; }
+/// nearest and bilinear become those of the surroundings.
+constexpr TextureFilter of_environment(TextureFilter filter) {
+  return static_cast<TextureFilter>(static_cast<unsigned>(filter) | 0x10U);
+}
 
 enum class TextureFormat : std::uint8_t {
   rgb565,        ///< one texel each
@@ -163,9 +166,7 @@ struct Finish {
   std::uint8_t shininess = 32;    ///< their exponent; the greater, the smaller they are
   AlphaMode alpha_mode = AlphaMode::opaque;
   std::uint8_t alpha_cutoff = 128;  ///< 0..255
-  // One byte for both, as blobs have it.
-  TextureFilter filter : 4 = TextureFilter::nearest;
-  TextureMapping mapping : 4 = TextureMapping::coordinates;  ///< anything else calls for effect::environment
+  TextureFilter filter = TextureFilter::nearest;
   friend constexpr bool operator==(const Finish&, const Finish&) = default;
 };
 

@@ -122,7 +122,7 @@ constexpr bool valid_texcoords(const Scene& scene, const Instance& instance) {
 
 /// What mirrors the surroundings needs normals.
 constexpr bool can_mirror(const Scene& scene, const Instance& instance) {
-  return finish_of(scene, scene.materials[instance.material]).mapping != TextureMapping::environment ||
+  return !is_environment(finish_of(scene, scene.materials[instance.material]).filter) ||
          !scene.meshes[instance.mesh].normals.empty();
 }
 
@@ -148,8 +148,9 @@ constexpr bool valid_punctual_light(const PunctualLight& light) {
 }
 
 constexpr bool valid_finish(const Finish& finish) {
-  return finish.alpha_mode <= AlphaMode::blend && finish.filter <= TextureFilter::bilinear &&
-         finish.mapping <= TextureMapping::environment;
+  const bool known = finish.filter <= TextureFilter::bilinear || finish.filter == TextureFilter::environment_nearest ||
+                     finish.filter == TextureFilter::environment_bilinear;
+  return known && finish.alpha_mode <= AlphaMode::blend;
 }
 
 /// Without its instances' materials.
@@ -214,7 +215,7 @@ constexpr Status validate(const Scene& scene) {
     if (texture != kNoTexture && texture >= scene.textures.size()) return {.error = Error::material, .needed = i};
     const std::uint8_t finish = scene.materials[i].finish;
     if (finish != kNoFinish && finish >= scene.finishes.size()) return {.error = Error::material, .needed = i};
-    const bool mirrors = finish_of(scene, scene.materials[i]).mapping == TextureMapping::environment;
+    const bool mirrors = is_environment(finish_of(scene, scene.materials[i]).filter);
     if (texture == kNoTexture && mirrors) return {.error = Error::material, .needed = i};
     if (texture != kNoTexture && finish == kNoFinish && has_palette(scene.textures[texture].format)) {
       return {.error = Error::material, .needed = i};

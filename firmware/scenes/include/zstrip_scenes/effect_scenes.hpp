@@ -233,7 +233,7 @@ inline constexpr BuiltIn mipmaps =
 /// A mirrored ball, 32 x 32: sky, a window in it, and a floor.
 extern const std::array<std::uint16_t, 1024> kSurroundingsTexels;
 inline constexpr Texture kSurroundings[] = {{kSurroundingsTexels, 5, 5}};
-inline constexpr Finish kChromeFinish[] = {{.mapping = TextureMapping::environment}};
+inline constexpr Finish kChromeFinish[] = {{.filter = TextureFilter::environment_nearest}};
 inline constexpr Material kChromeMaterials[] = {{.colour = {190, 192, 196, 255}, .lit = true, .smooth = true},
                                                 {.texture = 0, .lit = false, .smooth = true, .finish = 0}};
 inline constexpr Scene kEnvironmentScene{.meshes = kKnotLitMesh,
