@@ -49,7 +49,7 @@ inline HullVertex hull_vertex(const CompiledInstance& instance, const Mesh& mesh
   const std::int32_t w = instance.w.at(mesh.positions[index]);
   std::int64_t moved = std::int64_t{w} + away;
   if constexpr (!orthographic) moved = w + ((std::int64_t{w} * away) >> 30);
-  const auto on_screen = [share, away](std::int32_t component, std::int32_t width) {
+  const auto on_screen = [&](std::int32_t component, std::int32_t width) {
     std::int32_t part = (component * share) >> 14;
     if constexpr (!orthographic) part -= (part * (away >> 16)) >> 14;  // what moves away becomes smaller
     return (part * width + kOne / 2) >> 14;
