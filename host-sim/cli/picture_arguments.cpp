@@ -19,9 +19,9 @@ std::string pixels(const std::optional<std::string>& given, const std::optional<
   return setting ? std::to_string(*setting) : "auto";
 }
 
-Result<PictureSettings> settings_of_blob(const std::string& path) {
+PictureSettings settings_of_blob(const std::string& path) {
   const Result<View> view = view_of_blob(path);
-  if (!view) return view.failure();
+  if (!view) return {};  // what is wrong with it is said when the scene is opened
   PictureSettings settings;
   settings.size.emplace(view->width, view->height);
   settings.format = view->format;

@@ -268,13 +268,13 @@ TEST_F(Bake, BillboardsTurnInABlobAsInTheSceneFile) {
 
 TEST_F(Bake, SurroundingsAreMirroredFromABlobAsFromTheSceneFile) {
   const std::string scene = ZSTRIP_SCENE_FILES "/environment.toml";
-  const Json baked = report({"bake", scene, "-o", "scene.zsc"});
+  const Json baked = report({"bake", scene, "-o", "scene.zsc", "--turntable"});
   const auto effect =
       std::ranges::find_if(baked.at("effects"), [](const Json& e) { return e.at("name") == "environment"; });
   ASSERT_NE(effect, baked.at("effects").end());
   EXPECT_EQ(effect->at("materials"), Json::array({"chrome", "lacquer", "gold"}));
   EXPECT_EQ(crcs("scene.zsc", {}, 5), crcs(scene, {}, 5));
-  report({"bake", "scene.zsc", "-o", "again.zsc"});
+  report({"bake", "scene.zsc", "-o", "again.zsc", "--turntable"});
   EXPECT_EQ(read(path("again.zsc")), read(path("scene.zsc")));
 }
 

@@ -139,7 +139,7 @@ struct Combination {
     scene.materials = materials;
     scene.textures = textures;
     // Its material is the sphere's and the lines', opaque and without anything.
-    meshes[2].outline = 1;
+    if (set.has(effect::outlines)) meshes[2].outline = 1;
     instances[2].mesh = instances[2].material = 2;
     scene.instances = std::span(instances).first(set.has(effect::outlines) ? 3 : 2);
     if (set.has(effect::outlines)) scene.outlines = outlines;

@@ -204,9 +204,9 @@ TEST(SceneFile, MipmapsOfTextures) {
 
 TEST(SceneFile, EnvironmentInPlaceOfATexture) {
   const auto material = [](const std::string& lines) { return "[[material]]\nname = 'a'\n" + lines + "\n" + kCube; };
-  EXPECT_FALSE(parsed(material("texture = 't.png'")).materials.at(0).mirrors());
+  EXPECT_FALSE(parsed(material("texture = 't.png'")).materials.at(0).mirrors);
   const FileMaterial mirror = parsed(material("palette = 8\nenvironment = 'e.png'")).materials.at(0);
-  EXPECT_TRUE(mirror.mirrors());
+  EXPECT_TRUE(mirror.mirrors);
   EXPECT_TRUE(mirror.has_finish());
   EXPECT_EQ(mirror.texture, "e.png");
   EXPECT_EQ(mirror.texture_line, 4);

@@ -119,6 +119,10 @@ TEST_F(ScenePicture, MipmapsHaveTheirChecksum) {
 /// Of trees and a glow that turn with the camera.
 TEST_F(ScenePicture, BillboardsHaveTheirChecksum) { expect_checksum("billboards.toml", "160x120", "c44c9bf8"); }
 
+TEST_F(ScenePicture, OutlinesHaveTheirChecksum) { expect_checksum("outlines.toml", "160x120", "332f5d3a"); }
+
+TEST_F(ScenePicture, SurroundingsHaveTheirChecksum) { expect_checksum("environment.toml", "160x120", "768b50c2"); }
+
 TEST_F(ScenePicture, MipmapsOfAMaterialWithoutTextureAreRefused) {
   const std::string scene = file("m.toml",
                                  "[[model]]\nname = 'pot'\nbuilt_in = 'teapot'\n"
