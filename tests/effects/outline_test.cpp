@@ -5,6 +5,7 @@
 #include <random>
 
 #include "drawn.hpp"
+#include "outlines_scene.hpp"
 #include "zstrip/geometry/billboard.hpp"
 #include "zstrip/geometry/outline.hpp"
 
@@ -368,6 +369,9 @@ TEST(Outlines, VerticesMoveAsTheDefinitionSays) {
   }
   EXPECT_GT(most, 0.02);
 }
+
+// What was weighed as their cost had no normals, which only validate() looks for.
+TEST(Outlines, OfTheSceneThatIsWeighedAreValid) { EXPECT_TRUE(validate(scenes::outlines.scene)); }
 
 TEST(Outlines, WhatIsNoneIsRefused) {
   World world(sphere(6, 8), 2);

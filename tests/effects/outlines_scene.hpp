@@ -7,13 +7,13 @@ namespace zstrip::scenes {
 
 inline constexpr Outline kKnotOutline[1] = {{.colour = {0, 0, 40, 255}, .width = 40}};
 inline constexpr Mesh kOutlinedKnot[1] = {[] {
-  Mesh mesh = knot.scene.meshes[0];
+  Mesh mesh = knot_lit.scene.meshes[0];
   mesh.outline = 1;
   return mesh;
 }()};
 
 inline constexpr BuiltIn outlines = [] {
-  BuiltIn scene = knot;
+  BuiltIn scene = knot_lit;
   scene.name = "outlines";
   scene.scene.meshes = kOutlinedKnot;
   scene.scene.outlines = kKnotOutline;
