@@ -183,7 +183,7 @@ class Composer {
     const Result<std::uint16_t> material = materials_.index_of(placed);
     if (!material) return material.failure();
     Instance instance{.mesh = meshes_.index_of(placed, scale), .material = *material};
-    if (const Result<Done> done = check_outline(placed, instance); !done) return done;
+    if (const Result<Done> fits = check_outline(placed, instance); !fits) return fits.failure();
     const double units = composed_->units.scale;
     const auto at = [this, placed, unscaled, units](double seconds) {
       return scaling({units, units, units}) * placed.at(seconds, duration_) * unscaled;
