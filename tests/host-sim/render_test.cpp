@@ -28,7 +28,16 @@ Projected project(const Camera& camera, double aspect, double x, double y, doubl
   return {along(camera.right) * focal / w / aspect, along(camera.up) * focal / w};
 }
 
-class Framed : public FolderTest, public ::testing::WithParamInterface<std::tuple<bool, double, bool>> {};
+class Framed : public FolderTest, public ::testing::WithParamInterface<std::tuple<bool, double, bool>> {
+ protected:
+  static FramingView framing_view() {
+    const auto [orthographic, aspect, whole_turn] = GetParam();
+    return {.aspect = aspect,
+            .half_tangent = std::tan(kDefaultFieldOfView * std::numbers::pi / 360),
+            .orthographic = orthographic,
+            .whole_turn = whole_turn};
+  }
+};
 
 TEST_P(Framed, FillsThePictureAndStaysInside) {
   const auto [orthographic, aspect, whole_turn] = GetParam();
@@ -42,10 +51,7 @@ TEST_P(Framed, FillsThePictureAndStaysInside) {
   scene.instances = {&instance, 1};
   CameraOptions options;
   options.orthographic = orthographic;
-  const FramingView view{.aspect = aspect,
-                         .half_tangent = std::tan(kDefaultFieldOfView * std::numbers::pi / 360),
-                         .orthographic = orthographic,
-                         .whole_turn = whole_turn};
+  const FramingView view = framing_view();
   const auto camera = framed_camera(options, frame_scene(scene, view), radius_about_origin(scene));
   ASSERT_TRUE(camera);
 
@@ -82,10 +88,7 @@ TEST_P(Framed, BillboardsStayInsideHoweverTheyAreTurned) {
     scene.instances = {&instance, 1};
     CameraOptions options;
     options.orthographic = orthographic;
-    const FramingView view{.aspect = aspect,
-                           .half_tangent = std::tan(kDefaultFieldOfView * std::numbers::pi / 360),
-                           .orthographic = orthographic,
-                           .whole_turn = whole_turn};
+    const FramingView view = framing_view();
     EXPECT_GE(radius_about_origin(scene), std::hypot(32000, 32000) / 32768 + 0.25);
     const auto camera = framed_camera(options, frame_scene(scene, view), radius_about_origin(scene));
     ASSERT_TRUE(camera);

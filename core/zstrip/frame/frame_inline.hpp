@@ -39,24 +39,24 @@ inline Status Frame::Access::begin_facing(Frame& frame, const Scene& scene, cons
   frame.has_special_depth_ = DepthStage::has_own_clear(effects);
   frame.statistics_ = {};
   lay_out_arena(frame, arena);
-  if constexpr (effects.has(effect::outlines)) {
+  if constexpr (effects.any(effect::billboards | effect::outlines)) {
     Scene drawn = scene;
     if constexpr (effects.has(effect::billboards)) {
       if (called_for.has(effect::billboards)) {
         if (const Status status = turn_billboards(frame, drawn, facing, called_for); !status) return status;
       }
     }
-    if (called_for.has(effect::outlines)) add_hulls(frame, drawn, called_for);
-    const Status status = prepare_frame<effects>(frame, drawn, camera, view, called_for, arena);
-    if (frame.scene_ != nullptr) frame.scene_ = called_for.has(effect::outlines) ? keep_outlined(frame) : &scene;
-    return status;
-  } else if constexpr (effects.has(effect::billboards)) {
-    Scene turned = scene;
-    if (called_for.has(effect::billboards)) {
-      if (const Status status = turn_billboards(frame, turned, facing, called_for); !status) return status;
+    if constexpr (effects.has(effect::outlines)) {
+      if (called_for.has(effect::outlines)) add_hulls(frame, drawn, called_for);
     }
-    const Status status = prepare_frame<effects>(frame, turned, camera, view, called_for, arena);
-    if (frame.scene_ != nullptr) frame.scene_ = &scene;
+    const Status status = prepare_frame<effects>(frame, drawn, camera, view, called_for, arena);
+    if (frame.scene_ == nullptr) return status;
+    const Scene* kept = &scene;
+    if constexpr (effects.has(effect::outlines)) {
+      // Found by the number of instances, hulls among them, of the scene that the frame still has.
+      if (called_for.has(effect::outlines)) kept = keep_outlined(frame);
+    }
+    frame.scene_ = kept;
     return status;
   } else {
     return prepare_frame<effects>(frame, scene, camera, view, called_for, arena);
