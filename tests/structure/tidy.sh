@@ -15,20 +15,20 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp "$root/.clang-tidy" "$work"
 
-# Nearly all of the time goes to the headers of libraries. So sources of one folder and program are looked at together, in
-# groups of eight that are one source each. In: the command up to the folder of the program's objects, a tab, the source.
-# Out: N.cpp and N.command.
+# Nearly all of the time goes to the headers of libraries. So sources are looked at together: those that the build compiles
+# as one (Unity) in its order, others of one folder and program in groups of eight. In: the command up to the folder of the
+# program's objects, a tab, the source. Out: N.cpp and N.command.
 sed -nE 's/^ *"command": "(.*) -c .*",?$/\1/; T file; s/ -O[0-3s]( |$)/ /g; s/( -o [^ ]*\.dir)\/[^ ]*$/\1/; p; :file; s/^ *"file": "(.*)",?$/\t\1/p' \
     "$build/compile_commands.json" | paste -d '' - - | sed 's/\\"/"/g; s/\\\\/\\/g' |
-  awk -F '\t' '
-    # Where the build compiles a folder as one: its sources.
-    $2 !~ /\/Unity\/[^/]*$/ { print; next }
-    { while ((getline line < $2) > 0) if (match(line, /"[^"]*"/)) print $1 "\t" substr(line, RSTART + 1, RLENGTH - 2)
+  awk -F '\t' -v OFS='\t' '
+    $2 !~ /\/Unity\/[^/]*$/ { print $1, $2, ""; next }
+    { while ((getline line < $2) > 0) if (match(line, /"[^"]*"/)) print $1, substr(line, RSTART + 1, RLENGTH - 2), $2
       close($2) }' |
-  grep -P "\t$root/(core|hal|host-sim)/.*\.cpp$" | sort -t $'\t' -u -k 2,2 |
+  grep -P "\t$root/(core|hal|host-sim)/[^\t]*\.cpp\t" | sort -t $'\t' -s -r -k 3,3 |
   awk -F '\t' -v work="$work" '
-    { folder = $2; sub("/[^/]*$", "", folder); alike = $1 "\t" folder
-      if (!(alike in group) || members[group[alike]] == 8) group[alike] = ++groups
+    seen[$2]++ { next }
+    { folder = $2; sub("/[^/]*$", "", folder); alike = $3 != "" ? $3 : $1 "\t" folder
+      if (!(alike in group) || ($3 == "" && members[group[alike]] == 8)) group[alike] = ++groups
       ++members[group[alike]]
       printf "#include \"%s\"\n", $2 >(work "/" group[alike] ".cpp")
       print $1 >(work "/" group[alike] ".command") }'
