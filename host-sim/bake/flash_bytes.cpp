@@ -8,13 +8,13 @@ namespace zstrip::sim {
 namespace {
 
 // With addresses of 32 bits; core/zstrip/scene/scene_blob.cpp asserts them on such targets.
-constexpr std::uint64_t kSceneBytes = 92, kLineSetBytes = 64, kCameraBytes = 64;
+constexpr std::uint64_t kSceneBytes = 92, kCameraBytes = 64;
 
 }  // namespace
 
 std::uint64_t table_bytes(const Scene& scene) {
-  constexpr std::uint64_t kMeshBytes = 76, kTextureBytes = 12;
-  return scene.meshes.size() * kMeshBytes + scene.textures.size() * kTextureBytes;
+  constexpr std::uint64_t kMeshBytes = 76, kTextureBytes = 12, kLineSetBytes = 64;
+  return scene.meshes.size() * kMeshBytes + scene.textures.size() * kTextureBytes + scene.lines.size() * kLineSetBytes;
 }
 
 FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const BspTree& tree) {
@@ -38,8 +38,7 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const Bsp
   bytes.tables += table_bytes(scene) + scene.materials.size_bytes() + scene.instances.size_bytes() +
                   scene.quadrics.size_bytes() + scene.lights.size_bytes() + scene.finishes.size_bytes() +
                   scene.outlines.size_bytes() + scene.punctual_lights.size_bytes() +
-                  scene.lines.size() * kLineSetBytes + (scene.fog != nullptr ? sizeof(Fog) : 0) + kSceneBytes +
-                  kCameraBytes;
+                  (scene.fog != nullptr ? sizeof(Fog) : 0) + kSceneBytes + kCameraBytes;
   return bytes;
 }
 

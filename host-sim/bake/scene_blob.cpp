@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::size_t kMeshBytes = 76;
 constexpr std::size_t kTextureBytes = 12;
+constexpr std::size_t kLineSetRecordBytes = 64;
+constexpr std::size_t kMaxLineSets = 255;
 
 class Writer {
  public:
@@ -49,6 +51,9 @@ class Writer {
   }
   void put(const Triangle& t) {
     for (const std::uint32_t index : {t.a, t.b, t.c}) half_word(index);
+  }
+  void put(const Segment& s) {
+    for (const std::uint32_t index : {s.a, s.b}) half_word(index);
   }
   void put(std::uint16_t texel) { half_word(std::uint32_t{texel}); }
   void put(const Meshlet& m) {
@@ -169,6 +174,9 @@ class Writer {
   void word_at(std::size_t at, std::uint32_t value) {
     for (std::size_t i = 0; i < 4; ++i) bytes_[at + i] = static_cast<std::uint8_t>(value >> 8 * i);
   }
+  void half_word_at(std::size_t at, std::uint16_t value) {
+    for (std::size_t i = 0; i < 2; ++i) bytes_[at + i] = static_cast<std::uint8_t>(value >> 8 * i);
+  }
   void byte_at(std::size_t at, std::uint8_t value) { bytes_[at] = value; }
 
   std::vector<std::uint8_t>& bytes() { return bytes_; }
@@ -207,12 +215,27 @@ void write_texture(Writer& writer, std::size_t at, const Texture& texture) {
   writer.byte_at(at + 11, texture.smaller_levels);
 }
 
+void write_lines(Writer& writer, std::size_t at, const LineSet& lines) {
+  writer.array(at, lines.segments);
+  writer.half_word_at(at + 8, lines.mesh);
+  writer.half_word_at(at + 10, lines.material);
+  std::size_t member = at + 12;
+  for (const auto& row : lines.transform.m) {
+    for (const Fixed value : row) {
+      writer.word_at(member, static_cast<std::uint32_t>(value));
+      member += 4;
+    }
+  }
+  writer.byte_at(at + 60, lines.width);
+}
+
 }  // namespace
 
 Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   const Scene& scene = content.scene;
-  if (!scene.lines.empty()) {
-    return Failure{ExitStatus::input, "has lines or points, which a scene blob cannot hold; bake a header (.hpp)"};
+  if (scene.lines.size() > kMaxLineSets) {
+    return Failure{ExitStatus::input,
+                   "has more than 255 sets of lines and points, which a scene blob cannot hold; bake a header (.hpp)"};
   }
   Writer writer;
   for (const char letter : {'z', 's'}) writer.byte(static_cast<std::uint8_t>(letter));
@@ -231,6 +254,9 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
 
   for (const Outline& outline : scene.outlines) writer.put(outline);  // right behind the header
   writer.byte_at(122, static_cast<std::uint8_t>(scene.outlines.size()));
+  const std::size_t lines = writer.bytes().size();
+  writer.zeros(scene.lines.size() * kLineSetRecordBytes);  // set below
+  writer.byte_at(131, static_cast<std::uint8_t>(scene.lines.size()));
 
   const std::size_t meshes = writer.reserve(12, scene.meshes.size(), kMeshBytes);
   writer.array(20, scene.materials);
@@ -248,6 +274,8 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   for (std::size_t i = 0; i < scene.textures.size(); ++i) {
     write_texture(writer, textures + i * kTextureBytes, scene.textures[i]);
   }
+  for (std::size_t i = 0; i < scene.lines.size(); ++i)
+    write_lines(writer, lines + i * kLineSetRecordBytes, scene.lines[i]);
 
   std::vector<std::uint8_t>& bytes = writer.bytes();
   if (bytes.size() > 0xFFFFFFFF) return Failure{ExitStatus::input, "takes more than 4 GB; simplify the model"};

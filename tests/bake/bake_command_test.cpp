@@ -34,6 +34,28 @@ class Bake : public FolderTest {
     }
     return result;
   }
+  /// The scene file as a blob has its pictures and a version that older programs read, and is baked again to the same
+  /// bytes. Returns the materials that the report names for `effect`.
+  Json same_as_a_blob(const std::string& name, const std::string& effect, const std::vector<std::string>& options,
+                      int frames) {
+    const std::string scene = ZSTRIP_SCENE_FILES "/" + name + ".toml";
+    const auto bake = [&](const std::string& from, const std::string& to) {
+      std::vector<std::string> arguments{"bake", from, "-o", to};
+      arguments.insert(arguments.end(), options.begin(), options.end());
+      return report(arguments);
+    };
+    const Json baked = bake(scene, "scene.zsc");
+    EXPECT_EQ(read(path("scene.zsc"))[2], 3) << "a version that older programs read";
+    EXPECT_EQ(crcs("scene.zsc", {}, frames), crcs(scene, {}, frames));
+    bake("scene.zsc", "again.zsc");
+    EXPECT_EQ(read(path("again.zsc")), read(path("scene.zsc")));
+    const auto found = std::ranges::find_if(baked.at("effects"), [&](const Json& e) { return e.at("name") == effect; });
+    if (found == baked.at("effects").end()) {
+      ADD_FAILURE() << effect << " is not reported";
+      return Json::array();
+    }
+    return found->at("materials");
+  }
   /// The model and the blob that it is baked into draw the same.
   void expect_same_pictures(const std::string& model, const std::vector<std::string>& camera = {}) {
     for (const int frames : {1, 3}) {
@@ -256,36 +278,31 @@ TEST_F(Bake, PalettesThatLoseNothingChangeNoPixel) {
   EXPECT_EQ(read(path("again.zsc")), read(path("small.zsc")));
 }
 
-TEST_F(Bake, BillboardsTurnInABlobAsInTheSceneFile) {
-  const std::string scene = ZSTRIP_SCENE_FILES "/billboards.toml";
-  const Json baked = report({"bake", scene, "-o", "scene.zsc"});
-  EXPECT_EQ(baked.at("effects").back().at("name"), "billboards");
-  EXPECT_EQ(read(path("scene.zsc"))[2], 3) << "a version that older programs read";
-  EXPECT_EQ(crcs("scene.zsc", {}, 5), crcs(scene, {}, 5));
-  report({"bake", "scene.zsc", "-o", "again.zsc"});
-  EXPECT_EQ(read(path("again.zsc")), read(path("scene.zsc")));
-}
+TEST_F(Bake, BillboardsTurnInABlobAsInTheSceneFile) { same_as_a_blob("billboards", "billboards", {}, 5); }
 
 TEST_F(Bake, SurroundingsAreMirroredFromABlobAsFromTheSceneFile) {
-  const std::string scene = ZSTRIP_SCENE_FILES "/environment.toml";
-  const Json baked = report({"bake", scene, "-o", "scene.zsc", "--turntable"});
-  const auto effect =
-      std::ranges::find_if(baked.at("effects"), [](const Json& e) { return e.at("name") == "environment"; });
-  ASSERT_NE(effect, baked.at("effects").end());
-  EXPECT_EQ(effect->at("materials"), Json::array({"chrome", "lacquer", "gold"}));
-  EXPECT_EQ(crcs("scene.zsc", {}, 5), crcs(scene, {}, 5));
-  report({"bake", "scene.zsc", "-o", "again.zsc", "--turntable"});
-  EXPECT_EQ(read(path("again.zsc")), read(path("scene.zsc")));
+  EXPECT_EQ(same_as_a_blob("environment", "environment", {"--turntable"}, 5),
+            Json::array({"chrome", "lacquer", "gold"}));
 }
 
-TEST_F(Bake, OutlinesInABlobAsInTheSceneFile) {
-  const std::string scene = ZSTRIP_SCENE_FILES "/outlines.toml";
-  const Json baked = report({"bake", scene, "-o", "scene.zsc"});
-  EXPECT_EQ(baked.at("effects").back().at("name"), "outlines");
-  EXPECT_EQ(read(path("scene.zsc"))[2], 3) << "a version that older programs read";
-  EXPECT_EQ(crcs("scene.zsc", {}, 3), crcs(scene, {}, 3));
-  report({"bake", "scene.zsc", "-o", "again.zsc"});
-  EXPECT_EQ(read(path("again.zsc")), read(path("scene.zsc")));
+TEST_F(Bake, OutlinesInABlobAsInTheSceneFile) { same_as_a_blob("outlines", "outlines", {}, 3); }
+
+TEST_F(Bake, LinesAndPointsInABlobAsInTheSceneFile) {
+  EXPECT_EQ(same_as_a_blob("lines", "lines", {}, 1), Json::array({"wire", "box", "x", "y", "z", "dots"}));
+}
+
+TEST_F(Bake, SetsOfLinesAreCountedAmongTheTablesToLend) {
+  const Json baked = report({"bake", ZSTRIP_SCENE_FILES "/lines.toml", "-o", "scene.zsc"});
+  const std::string bytes = read(path("scene.zsc"));
+  std::vector<std::uint64_t> blob(bytes.size() / 8 + 1), memory(10000);
+  std::memcpy(blob.data(), bytes.data(), bytes.size());
+  SceneBlob opened;
+  ASSERT_TRUE(open_scene_blob(std::as_bytes(std::span(blob)).first(bytes.size()),
+                              std::as_writable_bytes(std::span(memory)), opened));
+  const Scene& scene = opened.scene;
+  ASSERT_GT(scene.lines.size(), 3U);
+  EXPECT_EQ(baked.at("plan").at("ram_bytes").at("lent_tables"),
+            76 * scene.meshes.size() + 12 * scene.textures.size() + 64 * scene.lines.size());
 }
 
 TEST_F(Bake, MipmapsWhereTheSceneAsksForThemOrEverywhereOrNowhere) {

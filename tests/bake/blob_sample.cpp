@@ -66,4 +66,17 @@ Bytes tree_bytes() {
   return bytes ? *bytes : Bytes{};
 }
 
+Bytes lines_bytes() {
+  std::vector<Material> materials(std::begin(kMaterials), std::end(kMaterials));
+  materials[1].finish = Material{}.finish;
+  materials[1].depth_slope_bias = 0;
+  SceneBlob blob = sample();
+  blob.scene.materials = materials;
+  blob.scene.lines = kLines;
+  blob.scene.outlines = kOutlines;
+  const Result<Bytes> bytes = to_scene_blob(blob);
+  EXPECT_TRUE(bytes);
+  return bytes ? *bytes : Bytes{};
+}
+
 }  // namespace zstrip::sim::test

@@ -98,11 +98,19 @@ inline constexpr Triangle kFourTriangles[] = {{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {
 inline constexpr BspNode kNodes[] = {
     {1, -2, 3, -4, 0, 1, 2, 0}, {5, 6, 7, 0x40000000, 1, 0, 0, 0}, {-8, 9, 10, 11, 3, 0, 0, 0}};
 
+inline constexpr Segment kSegments[] = {{0, 1}, {1, 2}, {3, 3}};
+inline constexpr LineSet kLines[] = {
+    {.segments = kSegments, .mesh = 1, .material = 1, .transform = Transform::identity(), .width = 64},
+    {.segments = {}, .material = 1, .transform = {{{1, -2, 3, -4}, {5, 6, 7, 8}, {9, 10, 11, -70000}}}}};
+inline constexpr Outline kOutlines[] = {{.colour = {1, 2, 3, 4}, .width = 40}};
+
 SceneBlob sample();
-/// Those of sample(); with kWithPalettes for textures; with the tree of kNodes over kFourTriangles.
+/// Those of sample(); with kWithPalettes for textures; with the tree of kNodes over kFourTriangles; with kLines behind
+/// kOutlines.
 Bytes sample_bytes();
 Bytes palette_bytes();
 Bytes tree_bytes();
+Bytes lines_bytes();
 
 struct Opened {
   Exact blob, memory;

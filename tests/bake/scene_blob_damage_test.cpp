@@ -78,6 +78,7 @@ void expect_every_part_refused(const Bytes& whole) {
 }
 
 TEST(SceneBlob, TruncatedAtEveryLengthWithATree) { expect_every_part_refused(tree_bytes()); }
+TEST(SceneBlob, TruncatedAtEveryLengthWithLines) { expect_every_part_refused(lines_bytes()); }
 TEST(SceneBlob, TruncatedAtEveryLengthWithPalettes) { expect_every_part_refused(palette_bytes()); }
 
 /// Visible sets begin like a scene, and have another version.
@@ -127,7 +128,7 @@ void draw(const SceneBlob& content, Effects method = {}) {
 
 /// Who writes a wrong value also writes its checksum.
 TEST(SceneBlob, EveryByteChangedUnderARightChecksum) {
-  for (const Bytes& whole : {sample_bytes(), tree_bytes(), palette_bytes()}) {
+  for (const Bytes& whole : {sample_bytes(), tree_bytes(), palette_bytes(), lines_bytes()}) {
     const bool has_tree = word(whole, 184) != 0;
     std::size_t refused = 0, drawn = 0;
     for (std::size_t at = 12; at < whole.size(); ++at) {
@@ -135,7 +136,7 @@ TEST(SceneBlob, EveryByteChangedUnderARightChecksum) {
         Bytes changed = whole;
         changed[at] = static_cast<std::uint8_t>(value);
         mend(changed);
-        const Opened opened(changed, scene_blob_memory(300, 300));
+        const Opened opened(changed, scene_blob_memory(300, 300, 255));
         if (!opened.status) {
           ++refused;
           continue;
@@ -170,6 +171,26 @@ TEST(SceneBlob, ArraysBeyondTheEnd) {
       EXPECT_EQ(status.error, Error::blob_damaged) << entry << ' ' << value;
       EXPECT_EQ(status.needed, entry);
     }
+  }
+}
+
+TEST(SceneBlob, SegmentsBeyondTheEnd) {
+  const Bytes whole = lines_bytes();
+  constexpr std::uint32_t kSet = 192 + 8;  // behind the header and the outline
+  ASSERT_EQ(word(whole, kSet + 4), 3U);
+  for (const std::uint32_t value : {0U, 128U, 130U, 0xFFFFFFFCU, static_cast<std::uint32_t>(whole.size()) - 8}) {
+    Bytes changed = whole;
+    put_word(changed, kSet, value);
+    mend(changed);
+    const Opened opened(changed, scene_blob_memory(2, 2, 2));
+    EXPECT_EQ(opened.status, (Status{.error = Error::blob_damaged, .needed = kSet})) << value;
+  }
+  for (const std::uint32_t count : {0x10000U, 0x40000000U, 0x40000003U, 0xFFFFFFFFU}) {
+    Bytes changed = whole;
+    put_word(changed, kSet + 4, count);
+    mend(changed);
+    const Opened opened(changed, scene_blob_memory(2, 2, 2));
+    EXPECT_EQ(opened.status, (Status{.error = Error::blob_damaged, .needed = kSet})) << count;
   }
 }
 

@@ -271,6 +271,68 @@ TEST(SceneBlob, OutlinesStandInBytesThatWereUnused) {
   EXPECT_EQ(Opened(bytes).status, (Status{.error = Error::blob_damaged, .needed = 122}));
 }
 
+TEST(SceneBlob, LinesStandBehindTheOutlinesAndInAByteThatWasUnused) {
+  Bytes bytes = lines_bytes();
+  EXPECT_EQ(bytes[2], 3) << "the version stays";
+  EXPECT_EQ(sample_bytes()[131], 0);
+  EXPECT_EQ(bytes[131], 2);
+  constexpr std::uint32_t kSet = 192 + 8, kNext = kSet + 64;
+  EXPECT_EQ(word(bytes, 12), kNext + 64) << "then the meshes";
+  EXPECT_EQ(word(bytes, kSet + 4), 3U) << "segments";
+  const std::uint32_t at = word(bytes, kSet);
+  EXPECT_EQ(Bytes(bytes.begin() + at, bytes.begin() + at + 12), (Bytes{0, 0, 1, 0, 1, 0, 2, 0, 3, 0, 3, 0}));
+  EXPECT_EQ(word(bytes, kSet + 8), 0x10001U) << "mesh and material";
+  EXPECT_EQ(word(bytes, kSet + 12), 65536U);
+  EXPECT_EQ(word(bytes, kSet + 60), 64U) << "width";
+  EXPECT_EQ(word(bytes, kNext) | word(bytes, kNext + 4), 0U) << "no segments";
+  EXPECT_EQ(word(bytes, kNext + 8), 0x10000U);
+  EXPECT_EQ(word(bytes, kNext + 12 + 44), static_cast<std::uint32_t>(-70000));
+
+  const Opened opened(bytes, scene_blob_memory(2, 2, 2));
+  ASSERT_TRUE(opened.status) << message(opened.status.error) << ' ' << opened.status.needed;
+  EXPECT_EQ(scene_blob_memory(2, 2, 2) - scene_blob_memory(2, 2), 2 * sizeof(LineSet));
+  EXPECT_EQ(Opened(bytes, scene_blob_memory(2, 2, 2) - 1).status.error, Error::blob_memory);
+  ASSERT_EQ(opened.content.scene.lines.size(), 2U);
+  EXPECT_EQ(opened.content.scene.outlines.size(), 1U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const LineSet& actual = opened.content.scene.lines[i];
+    expect_same_bytes(actual.segments, kLines[i].segments);
+    EXPECT_EQ(actual.mesh, kLines[i].mesh);
+    EXPECT_EQ(actual.material, kLines[i].material);
+    EXPECT_EQ(std::memcmp(&actual.transform, &kLines[i].transform, sizeof(Transform)), 0);
+    EXPECT_EQ(actual.width, kLines[i].width);
+  }
+  EXPECT_EQ(reinterpret_cast<const std::byte*>(opened.content.scene.lines[0].segments.data()),
+            opened.blob.bytes.get() + at);
+
+  const auto with = [&bytes](std::uint32_t where, std::uint8_t value) {
+    Bytes changed = bytes;
+    changed[where] = value;
+    mend(changed);
+    return Opened(changed, scene_blob_memory(2, 2, 255)).status;
+  };
+  EXPECT_EQ(with(131, 255), (Status{.error = Error::blob_damaged, .needed = 131})) << "more than there are bytes";
+  EXPECT_EQ(with(kSet + 60, 0), (Status{.error = Error::lines, .needed = 0})) << "no width";
+  EXPECT_EQ(with(kNext + 8, 2), (Status{.error = Error::lines, .needed = 1})) << "no such mesh";
+  EXPECT_EQ(with(at + 10, 4), (Status{.error = Error::lines, .needed = 0})) << "no such vertex";
+  EXPECT_EQ(with(131, 0).error, Error::none) << "what an older program sees";
+}
+
+TEST(SceneBlob, MoreSetsOfLinesThanAByteCountsAreRefused) {
+  std::vector<LineSet> sets(256, kLines[1]);
+  const std::vector<Material> plain(2);
+  SceneBlob content = sample();
+  content.scene.materials = plain;
+  content.scene.lines = sets;
+  const Result<Bytes> refused = to_scene_blob(content);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.failure().message.find("more than 255 sets of lines"), std::string::npos);
+  content.scene.lines = std::span(sets).first(255);
+  const Result<Bytes> written = to_scene_blob(content);
+  ASSERT_TRUE(written);
+  EXPECT_EQ(Opened(*written, scene_blob_memory(2, 2, 255)).content.scene.lines.size(), 255U);
+}
+
 TEST(SceneBlob, SamplesAreAByteThatOlderBlobsLeaveZero) {
   Bytes bytes = sample_bytes();
   EXPECT_EQ(bytes[130], 0);

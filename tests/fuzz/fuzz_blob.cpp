@@ -60,10 +60,10 @@ void mend(Bytes& bytes) {
   put(8, static_cast<std::uint32_t>(crc32_z(crc32_z(0, nullptr, 0), bytes.data() + 12, bytes.size() - 12)));
 }
 
-bool valid_values(const fuzz::SceneInput& input) {
+bool valid_values(const fuzz::SceneInput& input, const Scene& scene) {
   const View& view = input.view();
   const auto known_test = [](const Material& material) { return material.depth_test <= DepthTest::always; };
-  return std::ranges::all_of(input.scene().materials, known_test) && view.width >= 1 && view.width <= kMaxViewSize &&
+  return std::ranges::all_of(scene.materials, known_test) && view.width >= 1 && view.width <= kMaxViewSize &&
          view.height >= 1 && view.height <= kMaxViewSize && view.format <= kLastPixelFormat &&
          input.camera().projection <= Projection::orthographic;
 }
@@ -90,6 +90,30 @@ std::vector<BspNode> tree_over(const Scene& scene, fuzz::Input& input) {
   return nodes;
 }
 
+/// Sets of lines between vertices of the scene's meshes, some of them between vertices that are not there.
+struct LinesInput {
+  std::vector<std::vector<Segment>> segments;
+  std::vector<LineSet> sets;
+
+  LinesInput(const Scene& scene, fuzz::Input& input) {
+    for (std::uint32_t i = input.below(3); i > 0; --i) {
+      LineSet set{.segments = {},
+                  .mesh = static_cast<std::uint16_t>(input.below(static_cast<std::uint32_t>(scene.meshes.size()) + 1)),
+                  .material = static_cast<std::uint16_t>(input.below(2)),
+                  .width = static_cast<std::uint8_t>(input.below(70))};
+      for (auto& row : set.transform.m) row[3] = static_cast<std::int16_t>(input.any<std::uint16_t>());
+      const std::size_t vertices = set.mesh < scene.meshes.size() ? scene.meshes[set.mesh].positions.size() : 0;
+      const auto vertex = [&] {
+        return static_cast<std::uint16_t>(input.below(static_cast<std::uint32_t>(vertices) + 1));
+      };
+      segments.emplace_back();
+      for (std::uint32_t n = input.below(5); n > 0; --n) segments.back().push_back({vertex(), vertex()});
+      sets.push_back(set);
+    }
+    for (std::size_t i = 0; i < sets.size(); ++i) sets[i].segments = segments[i];
+  }
+};
+
 /// Every triangle once, for any eye.
 void judge_tree(const SceneBlob& content) {
   if (content.tree.nodes.empty()) return;
@@ -104,16 +128,15 @@ void judge_tree(const SceneBlob& content) {
   fuzz::require(std::ranges::count(visits, 1) == static_cast<std::ptrdiff_t>(triangles), "each triangle once");
 }
 
-void judge_written(const fuzz::SceneInput& input, const Opened& opened) {
-  const bool valid = valid_values(input) && validate(input.scene()) && usable(input.camera());
+void judge_written(const fuzz::SceneInput& input, const Scene& scene, const Opened& opened) {
+  const bool valid = valid_values(input, scene) && validate(scene) && usable(input.camera());
   fuzz::require(static_cast<bool>(opened.status) == valid, "a blob opens if its scene is valid: %s",
                 message(opened.status.error));
   if (!valid) return;
   judge_tree(opened.content);
-  const Effects effects = effects_of(input.scene(), input.camera());
+  const Effects effects = effects_of(scene, input.camera());
   fuzz::require(effects == effects_of(opened.content.scene, opened.content.camera), "the same effects");
-  const fuzz::Picture expected =
-      fuzz::draw(input.scene(), input.camera(), input.view(), {.effects = effects, .budget = {}});
+  const fuzz::Picture expected = fuzz::draw(scene, input.camera(), input.view(), {.effects = effects, .budget = {}});
   const fuzz::Picture got =
       fuzz::draw(opened.content.scene, opened.content.camera, opened.content.view, {.effects = effects, .budget = {}});
   fuzz::require(expected.status == got.status, "the same status");
@@ -156,11 +179,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const fuzz::SceneInput scene(input);
   const std::vector<BspNode> nodes = tree_over(scene.scene(), input);
+  const LinesInput lines(scene.scene(), input);
+  Scene content = scene.scene();
+  content.lines = lines.sets;
   const auto written =
-      sim::to_scene_blob({.scene = scene.scene(), .camera = scene.camera(), .view = scene.view(), .tree = {nodes}});
+      sim::to_scene_blob({.scene = content, .camera = scene.camera(), .view = scene.view(), .tree = {nodes}});
   fuzz::require(static_cast<bool>(written), "any scene can be written");
   if (kind == 0) {
-    judge_written(scene, Opened(*written));
+    judge_written(scene, content, Opened(*written));
     return 0;
   }
   Bytes bytes = *written;

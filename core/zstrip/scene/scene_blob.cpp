@@ -14,7 +14,7 @@ namespace {
 // Records of the blob that are the program's own structures, byte for byte.
 static_assert(std::endian::native == std::endian::little, "blobs are little endian and used in place");
 static_assert(sizeof(Position) == 6 && sizeof(Normal) == 4 && sizeof(Colour) == 4 && sizeof(TexCoord) == 4);
-static_assert(sizeof(Triangle) == 6);
+static_assert(sizeof(Triangle) == 6 && sizeof(Segment) == 4);
 static_assert(sizeof(Meshlet) == 20 && offsetof(Meshlet, first_vertex) == 4 && offsetof(Meshlet, vertex_count) == 6 &&
               offsetof(Meshlet, triangle_count) == 8 && offsetof(Meshlet, radius) == 10 &&
               offsetof(Meshlet, centre) == 12);
@@ -49,6 +49,7 @@ static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colou
 constexpr std::uint32_t kVersion = 2, kKind = 3, kSize = 4, kChecksum = 8, kChecked = 12;
 constexpr std::uint32_t kMeshes = 12, kMaterials = 20, kTextures = 28, kInstances = 36, kLights = 44;
 constexpr std::uint32_t kAmbient = 52, kBackground = 56, kCamera = 60, kOutlines = 122, kView = 124;
+constexpr std::uint32_t kLines = 131;
 constexpr std::uint32_t kTracks = 132, kKeyframes = 140, kDuration = 148;
 constexpr std::uint32_t kFinishes = 152, kPunctualLights = 160, kFog = 168, kQuadrics = 176;
 constexpr std::uint32_t kTree = 184;
@@ -64,6 +65,10 @@ struct MeshRecord {
 struct TextureRecord {
   static constexpr std::uint32_t kTexels = 0, kLog2Width = 8, kLog2Height = 9, kFormat = 10, kSmallerLevels = 11;
   std::uint32_t words[3];
+};
+struct LineSetRecord {
+  static constexpr std::uint32_t kSegments = 0, kMesh = 8, kMaterial = 10, kTransform = 12, kWidth = 60;
+  std::uint32_t words[16];
 };
 
 /// Reads values and arrays; remembers the first that is wrong.
@@ -105,14 +110,16 @@ class Reader {
     if (!inside) return {};
     return {reinterpret_cast<const Record*>(blob_.data() + offset), count};
   }
-  /// The array right behind the header whose count, 16 bits, stands at `at`.
+  /// The next of the arrays that stand behind the header, of `count` records, which stands at `at`.
   template <class Record>
-  std::span<const Record> array_behind_header(std::uint32_t at) {
-    const std::uint32_t count = half_word(at);
-    const bool inside = count <= (blob_.size() - kHeaderBytes) / sizeof(Record);
+  std::span<const Record> next_behind_header(std::uint32_t count, std::uint32_t at) {
+    static_assert(sizeof(Record) % kSceneBlobAlignment == 0);
+    const bool inside = count <= (blob_.size() - behind_header_) / sizeof(Record);
     require(inside, at);
     if (count == 0 || !inside) return {};
-    return {reinterpret_cast<const Record*>(blob_.data() + kHeaderBytes), count};
+    const auto* const first = reinterpret_cast<const Record*>(blob_.data() + behind_header_);
+    behind_header_ += count * sizeof(Record);
+    return {first, count};
   }
   template <class Record>
   std::uint32_t offset_of(const Record& record) const {
@@ -123,6 +130,7 @@ class Reader {
 
  private:
   std::span<const std::byte> blob_;
+  std::size_t behind_header_ = kHeaderBytes;
   bool wrong_ = false;
   std::uint32_t wrong_at_ = 0;
 };
@@ -216,6 +224,18 @@ Texture read_texture(Reader& reader, std::uint32_t at, TextureFormat last_format
           .smaller_levels = reader.byte(at + TextureRecord::kSmallerLevels)};
 }
 
+LineSet read_lines(Reader& reader, std::uint32_t at) {
+  LineSet lines{.segments = reader.array<Segment>(at + LineSetRecord::kSegments),
+                .mesh = reader.half_word(at + LineSetRecord::kMesh),
+                .material = reader.half_word(at + LineSetRecord::kMaterial),
+                .width = reader.byte(at + LineSetRecord::kWidth)};
+  std::uint32_t value = at + LineSetRecord::kTransform;
+  for (auto& row : lines.transform.m) {
+    for (Fixed& number : row) number = static_cast<Fixed>(reader.word(value)), value += 4;
+  }
+  return lines;
+}
+
 /// Each node but the first is the child of one before it, which it names; triangles follow the nodes. `scene` is valid.
 void check_tree(Reader& reader, std::span<const BspNode> nodes, const Scene& scene) {
   if (nodes.empty()) return;
@@ -264,7 +284,8 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   read_camera(reader, found.camera);
   read_view(reader, found.view);
   found.scene.quadrics = reader.array<Quadric>(kQuadrics);
-  found.scene.outlines = reader.array_behind_header<Outline>(kOutlines);
+  found.scene.outlines = reader.next_behind_header<Outline>(reader.half_word(kOutlines), kOutlines);
+  const std::span lines = reader.next_behind_header<LineSetRecord>(reader.byte(kLines), kLines);
   found.tree.nodes = reader.array<BspNode>(kTree);
   found.animation = {.tracks = reader.array<Track>(kTracks),
                      .keyframes = reader.array<Keyframe>(kKeyframes),
@@ -273,7 +294,8 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   if (const Status status = reader.status(); !status) return status;
 
   const std::size_t needed =
-      scene_blob_memory(static_cast<std::uint32_t>(meshes.size()), static_cast<std::uint32_t>(textures.size()));
+      scene_blob_memory(static_cast<std::uint32_t>(meshes.size()), static_cast<std::uint32_t>(textures.size()),
+                        static_cast<std::uint32_t>(lines.size()));
   if (memory.size() < needed) {
     const auto saturated = [](std::size_t bytes) {
       return bytes < 0xFFFFFFFF ? static_cast<std::uint32_t>(bytes) : 0xFFFFFFFFU;
@@ -293,6 +315,11 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   for (std::size_t i = 0; i < textures.size(); ++i) {
     ::new (texture_table + i) Texture(read_texture(reader, reader.offset_of(textures[i]), last_format));
   }
+  auto* const lines_table = reinterpret_cast<LineSet*>(texture_table + textures.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    ::new (lines_table + i) LineSet(read_lines(reader, reader.offset_of(lines[i])));
+  }
+  found.scene.lines = {lines_table, lines.size()};
   found.scene.meshes = {mesh_table, meshes.size()};
   found.scene.textures = {texture_table, textures.size()};
   if (const Status status = reader.status(); !status) return status;

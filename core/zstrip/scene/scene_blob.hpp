@@ -29,11 +29,13 @@ struct SceneBlob {
   Animation animation{};  ///< of the scene's instances, which are to be copied into RAM for it; empty: nothing moves
 };
 
-/// Bytes to lend for the tables of this many meshes and textures, whose pointers only the running program knows.
-/// Vertices, triangles, texels, materials, instances, lights, keyframes and nodes of the tree are not copied.
-constexpr std::size_t scene_blob_memory(std::uint32_t meshes, std::uint32_t textures) {
-  static_assert(alignof(Mesh) == alignof(Texture));
-  return std::size_t{meshes} * sizeof(Mesh) + std::size_t{textures} * sizeof(Texture);
+/// Bytes to lend for the tables of this many meshes, textures and sets of lines, whose pointers only the running
+/// program knows. Vertices, triangles, segments, texels, materials, instances, lights, keyframes and nodes of the tree
+/// are not copied.
+constexpr std::size_t scene_blob_memory(std::uint32_t meshes, std::uint32_t textures, std::uint32_t lines = 0) {
+  static_assert(alignof(Mesh) == alignof(Texture) && alignof(Mesh) == alignof(LineSet));
+  return std::size_t{meshes} * sizeof(Mesh) + std::size_t{textures} * sizeof(Texture) +
+         std::size_t{lines} * sizeof(LineSet);
 }
 inline constexpr std::size_t kSceneBlobMemoryAlignment = alignof(Mesh);
 
