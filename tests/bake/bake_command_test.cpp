@@ -288,6 +288,18 @@ TEST_F(Bake, OutlinesInABlobAsInTheSceneFile) {
   EXPECT_EQ(read(path("again.zsc")), read(path("scene.zsc")));
 }
 
+TEST_F(Bake, ShadowsInABlobAsInTheSceneFile) {
+  const std::string scene = ZSTRIP_SCENE_FILES "/shadows.toml";
+  const Json baked = report({"bake", scene, "-o", "scene.zsc"});
+  const Json& effects = baked.at("effects");
+  const auto effect = std::ranges::find_if(effects, [](const Json& each) { return each.at("name") == "shadows"; });
+  ASSERT_NE(effect, effects.end());
+  EXPECT_EQ(read(path("scene.zsc"))[2], 3) << "a version that older programs read";
+  EXPECT_EQ(crcs("scene.zsc", {}, 3), crcs(scene, {}, 3));
+  report({"bake", "scene.zsc", "-o", "again.zsc"});
+  EXPECT_EQ(read(path("again.zsc")), read(path("scene.zsc")));
+}
+
 TEST_F(Bake, MipmapsWhereTheSceneAsksForThemOrEverywhereOrNowhere) {
   const std::string scene = ZSTRIP_SCENE_FILES "/mipmaps.toml";
   const auto levels = [](int texels) {  // of a square, all but the first

@@ -271,6 +271,46 @@ TEST(SceneBlob, OutlinesStandInBytesThatWereUnused) {
   EXPECT_EQ(Opened(bytes).status, (Status{.error = Error::blob_damaged, .needed = 122}));
 }
 
+TEST(SceneBlob, ShadowsStandInBytesThatWereUnused) {
+  SceneBlob content = sample();
+  std::vector<Mesh> meshes(content.scene.meshes.begin(), content.scene.meshes.end());
+  const Shadow shadow{.light = 0, .log2_size = 9, .bias = 0x102, .slope_bias = 0x30405, .pool = 0x6070};
+  const Bytes without = *to_scene_blob(content);
+  EXPECT_EQ(without[131], 0);
+  meshes[0].shadow = ShadowRole::only_casts;
+  content.scene.meshes = meshes;
+  content.scene.shadow = &shadow;
+  Bytes bytes = *to_scene_blob(content);
+  EXPECT_EQ(bytes[2], without[2]) << "the version stays";
+  EXPECT_EQ(bytes[131], 1);
+  EXPECT_EQ(Bytes(bytes.begin() + 192, bytes.begin() + 204), (Bytes{0, 9, 2, 1, 5, 4, 3, 0, 0x70, 0x60, 0, 0}));
+  const std::uint32_t at = word(bytes, 12);
+  EXPECT_EQ(at, 204U);
+  EXPECT_EQ(bytes[at + 75], 2);
+  EXPECT_EQ(bytes[at + 76 + 75], 0);
+  const Opened opened(bytes);
+  ASSERT_TRUE(opened.status) << message(opened.status.error);
+  EXPECT_EQ(opened.content.scene.meshes[0].shadow, ShadowRole::only_casts);
+  EXPECT_EQ(opened.content.scene.meshes[1].shadow, ShadowRole::casts_and_receives);
+  ASSERT_NE(opened.content.scene.shadow, nullptr);
+  EXPECT_EQ(opened.content.scene.shadow->log2_size, 9);
+  EXPECT_EQ(opened.content.scene.shadow->bias, 0x102);
+  EXPECT_EQ(opened.content.scene.shadow->slope_bias, 0x30405);
+  EXPECT_EQ(opened.content.scene.shadow->pool, 0x6070U);
+  Bytes wrong = bytes;
+  wrong[131] = 2;
+  mend(wrong);
+  EXPECT_EQ(Opened(wrong).status, (Status{.error = Error::blob_damaged, .needed = 131}));
+  wrong = bytes;
+  wrong[at + 75] = 4;
+  mend(wrong);
+  EXPECT_EQ(Opened(wrong).status, (Status{.error = Error::blob_damaged, .needed = at + 75}));
+  wrong = bytes;
+  wrong[192] = 77;  // no such light
+  mend(wrong);
+  EXPECT_EQ(Opened(wrong).status.error, Error::shadow);
+}
+
 TEST(SceneBlob, SamplesAreAByteThatOlderBlobsLeaveZero) {
   Bytes bytes = sample_bytes();
   EXPECT_EQ(bytes[130], 0);
