@@ -434,6 +434,24 @@ TEST(Shadows, WhatCannotBeIsRefused) {
   EXPECT_FALSE(renderer.frame().has_plain_depth());
 }
 
+// The frame had begun in spite of the error, and drew without its shadow.
+TEST(Shadows, TooSmallForThePictureDrawNothing) {
+  World world;
+  world.scene.instances = std::span(world.instances).first(2);
+  world.scene.quadrics = {};
+  world.meshes[0].half_extent = {fixed(4000), fixed(0.1), fixed(4000)};
+  world.meshes[1].half_extent = {0, 0, 0};
+  world.camera.far_plane = fixed(8000);
+  world.shadow.log2_size = 10;
+  const Plan plan = zstrip::plan(count(world.scene), kView, kShadowed).plan;
+  std::vector<std::uint64_t> arena(plan.bytes() / 8 + 1), pixels(plan.strip_pixel_bytes(kView) / 8 + 1);
+  Renderer<kShadowed> renderer;
+  const Status begun =
+      renderer.begin_frame(world.scene, world.camera, kView, plan, std::as_writable_bytes(std::span(arena)));
+  EXPECT_EQ(begun.error, Error::shadow);
+  EXPECT_EQ(renderer.draw_strip(0, std::as_writable_bytes(std::span(pixels))).error, Error::not_begun);
+}
+
 TEST(Shadows, OfLightFromAnywhereAndOfNothing) {
   // Straight down, along an axis, without a direction; what casts is a point, a sheet, far away.
   World world;

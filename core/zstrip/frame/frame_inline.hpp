@@ -107,7 +107,10 @@ Status Frame::Access::prepare_frame(Frame& frame, const Scene& scene, const Came
   frame.scene_ = &scene;
   EffectStage::prepare<effects>(frame, camera, called_for);
   if constexpr (effects.has(effect::shadows)) {
-    if (const Status status = Shadows::prepare<effects>(frame, camera, called_for); !status) return status;
+    if (const Status status = Shadows::prepare<effects>(frame, camera, called_for); !status) {
+      abandon(frame);
+      return status;
+    }
   }
   if constexpr (effects.has(method::culling | effect::statistics)) {
     Methods::count_culled<effects>(static_cast<FrameWithMethod&>(frame));

@@ -161,8 +161,8 @@ struct Frame::Access::Shadows {
           const std::uint32_t code = *cell;
           *cell = static_cast<Cell>(-1);
           if (code == 0) continue;
-          const detail::MapPoint at =
-              state.place.template at<effects.has(effect::orthographic), kFormat>(x, y, detail::depth_of_code<kFormat>(code));
+          const detail::MapPoint at = state.place.template at<effects.has(effect::orthographic), kFormat>(
+              x, y, detail::depth_of_code<kFormat>(code));
           if (!state.hides(at, status)) continue;
           *cell = 0;
           shadowed = {std::min(shadowed.left, x), std::min(shadowed.top, y), std::max(shadowed.right, x + 1),
