@@ -80,7 +80,7 @@ detail::StripTarget Frame::Access::Shadows::map_strip(Frame& light, std::uint16_
   Rect area{std::max(bounds.left, cut.left), std::max(bounds.top, cut.top), std::min(bounds.right, cut.right),
             std::min(bounds.bottom, cut.bottom)};
   if (area.empty()) area = {};
-  const auto cells = static_cast<std::size_t>(cut.width() * cut.height());
+  const std::size_t cells = static_cast<std::size_t>(cut.width()) * static_cast<std::size_t>(cut.height());
   __builtin_memset(light.depth_, 0, cells * kDepthBytes);
   detail::StripTarget target = target_at(light, area);
   target.depth = light.depth_ + (area.empty() ? 0 : (area.top - cut.top) * cut.width() + area.left);
