@@ -99,6 +99,8 @@ DirectionalLight light_from(double x, double y, double z, Colour colour = {180, 
 
 constexpr Effects kShadowed = effect::lighting | effect::gouraud | effect::shadows | effect::quadrics;
 constexpr View kView{128, 96, PixelFormat::rgb565};
+constexpr double kPixel =
+    6 / (2.2 * 48);  ///< of World's camera, at what it looks at; vertices are snapped to sixteenths
 
 /// A floor with a box, a ball of triangles and a sphere on it.
 struct World {
@@ -163,16 +165,35 @@ int difference(std::uint16_t a, std::uint16_t b) {
   return std::max({apart(a >> 11, b >> 11), apart(a >> 6 & 31, b >> 6 & 31), apart(a & 31, b & 31)});
 }
 
-/// World units of a texel, from the extents of what casts as the definition has them; the larger side.
+/// World units of a texel along the longer side of what casts, as the definition of the map has it: the extent of the
+/// casters' boxes across the light, and one texel more on each side.
 double texel_of(const World& world) {
-  double reach = 0;
-  for (const Instance& instance : world.scene.instances) {
-    if (!casts_shadow(world.scene.meshes[instance.mesh].shadow)) continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      reach = std::max(reach, std::abs(std::ldexp(instance.transform.m[axis][3], -16)) + 1);
+  const DirectionalLight& light = world.lights[world.shadow.light];
+  const oracle::Point back = oracle::unit({1.0 * light.x, 1.0 * light.y, 1.0 * light.z});
+  const oracle::Point right = oracle::unit(oracle::cross({0, 1, 0}, back)), up = oracle::cross(back, right);
+  double extent = 0;
+  for (const oracle::Point& axis : {right, up}) {
+    double low = 1e9, high = -1e9;
+    const auto extend = [&](const Transform& transform, const Vec3& half) {
+      double middle = 0, reach = 0;
+      for (std::size_t row = 0; row < 3; ++row) middle += axis[row] * std::ldexp(transform.m[row][3], -16);
+      const std::int32_t halves[3] = {half.x, half.y, half.z};
+      for (std::size_t column = 0; column < 3; ++column) {
+        double along = 0;
+        for (std::size_t row = 0; row < 3; ++row) along += axis[row] * std::ldexp(transform.m[row][column], -16);
+        reach += std::abs(along) * std::ldexp(halves[column], -16);
+      }
+      low = std::min(low, middle - reach);
+      high = std::max(high, middle + reach);
+    };
+    for (const Instance& instance : world.scene.instances) {
+      const Mesh& mesh = world.scene.meshes[instance.mesh];
+      if (casts_shadow(mesh.shadow)) extend(instance.transform, mesh.half_extent);
     }
+    for (const Quadric& quadric : world.scene.quadrics) extend(quadric.transform, {kFixedOne, kFixedOne, kFixedOne});
+    extent = std::max(extent, high - low);
   }
-  return 2 * reach * 1.8 / (1 << world.shadow.log2_size);
+  return extent / ((1 << world.shadow.log2_size) - 2);
 }
 
 struct Judged {
@@ -214,7 +235,7 @@ Judged judged_with(World& world, const View& view = kView) {
   const Drawn drawn = draw<effects>(world.scene, world.camera, view);
   const Drawn lit = draw<kPlain>(world.with_all_light(), world.camera, view);
   const Drawn dark = draw<kPlain>(world.without_light(), world.camera, view);
-  return judge(world, drawn, lit, dark, 1.5 * texel_of(world) + 0.01);
+  return judge(world, drawn, lit, dark, 1.5 * texel_of(world) + kPixel / 8);
 }
 
 TEST(Shadows, AreWhereRaysDoNotReachTheLight) {
