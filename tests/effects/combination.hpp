@@ -91,6 +91,7 @@ constexpr auto kNoise = [] {
 struct Combination {
   Mesh meshes[3] = {scenes::kRoomMeshes[0], scenes::kRoomMeshes[1], scenes::kRoomMeshes[0]};
   Shadow shadow{.log2_size = 5};
+  DirectionalLight over_the_near_box[1] = {{14100, 8500, 28200, {220, 210, 190, 255}}};  // on the far one
   Outline outlines[1] = {{.colour = {200, 0, 120, 255}, .width = 30}};
   Finish finishes[2];
   Material materials[3];
@@ -147,7 +148,7 @@ struct Combination {
     scene.finishes = finishes;
     scene.background = {30, 60, 90, 255};
     if (set.has(effect::lighting)) scene.lights = scenes::kKeyLight;
-    if (set.has(effect::shadows)) scene.shadow = &shadow;
+    if (set.has(effect::shadows)) scene.shadow = &shadow, scene.lights = over_the_near_box;
     if (set.has(effect::punctual_lights)) scene.punctual_lights = scenes::kPunctualLights;
     if (set.has(effect::fog)) scene.fog = &scenes::kFog;
   }
