@@ -30,6 +30,7 @@ constexpr KnownEffect kKnown[] = {
     {effect::billboards, "billboards", "turns with the camera"},
     {effect::environment, "environment", "mirrors its surroundings, with normals"},
     {effect::outlines, "outlines", "has an outline"},
+    {effect::shadows, "shadows", "the shadow of a light, and something is lit"},
     {effect::dithered_colours, "dithered_colours", "the picture is dithered to RGB565 (--dither)"},
     {effect::dithered_format, "dithered_format", "the picture is dithered to its format (--dither)"},
     {effect::supersampled, "supersampled", "the picture has several samples a pixel (--samples)"},
@@ -62,8 +63,12 @@ std::vector<FoundEffect> find_effects(const Scene& scene, const Camera& camera, 
       found.push_back({known, {}, {}});
       continue;
     }
-    if (known.effect == effect::fog || known.effect == effect::orthographic) {
-      found.push_back({known, {}, known.effect == effect::fog ? origins.fog : origins.camera});
+    const auto is_of_scene = [&](Effects effect, const std::string& origin) {
+      if (known.effect == effect) found.push_back({known, {}, origin});
+      return known.effect == effect;
+    };
+    if (is_of_scene(effect::fog, origins.fog) || is_of_scene(effect::orthographic, origins.camera) ||
+        is_of_scene(effect::shadows, origins.shadow)) {
       continue;
     }
     FoundEffect effect{known, {}, {}};

@@ -24,6 +24,7 @@ struct Origins {
   std::vector<std::string> materials;
   std::string camera;
   std::string fog;
+  std::string shadow{};
 };
 
 struct FoundEffect {

@@ -8,7 +8,7 @@ namespace zstrip::sim {
 namespace {
 
 // With addresses of 32 bits; core/zstrip/scene/scene_blob.cpp asserts them on such targets.
-constexpr std::uint64_t kSceneBytes = 92, kCameraBytes = 64;
+constexpr std::uint64_t kSceneBytes = 96, kCameraBytes = 64;
 
 }  // namespace
 
@@ -38,7 +38,8 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const Bsp
   bytes.tables += table_bytes(scene) + scene.materials.size_bytes() + scene.instances.size_bytes() +
                   scene.quadrics.size_bytes() + scene.lights.size_bytes() + scene.finishes.size_bytes() +
                   scene.outlines.size_bytes() + scene.punctual_lights.size_bytes() +
-                  (scene.fog != nullptr ? sizeof(Fog) : 0) + kSceneBytes + kCameraBytes;
+                  (scene.fog != nullptr ? sizeof(Fog) : 0) + (scene.shadow != nullptr ? sizeof(Shadow) : 0) +
+                  kSceneBytes + kCameraBytes;
   return bytes;
 }
 

@@ -134,6 +134,13 @@ class Writer {
     half_word(std::uint32_t{outline.width});
     half_word(std::uint32_t{outline.hull});
   }
+  void put(const Shadow& shadow) {
+    byte(shadow.light);
+    byte(shadow.log2_size);
+    half_word(std::uint32_t{shadow.bias});
+    word(shadow.slope_bias);
+    word(shadow.pool);
+  }
   void put(const Camera& camera) {
     for (const Vec3& vector : {camera.right, camera.up, camera.back, camera.eye}) put(vector);
     for (const Fixed value : {camera.focal, camera.near_plane, camera.far_plane}) word(value);
@@ -205,6 +212,7 @@ void write_mesh(Writer& writer, std::size_t at, const Mesh& mesh) {
   writer.byte_at(at + 72, mesh.texcoord_bits);
   writer.byte_at(at + 73, static_cast<std::uint8_t>(mesh.billboard));
   writer.byte_at(at + 74, mesh.outline);
+  writer.byte_at(at + 75, static_cast<std::uint8_t>(mesh.shadow));
 }
 
 void write_texture(Writer& writer, std::size_t at, const Texture& texture) {
@@ -252,11 +260,14 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   writer.word(content.animation.duration);
   writer.zeros(40);  // more arrays: set below
 
-  for (const Outline& outline : scene.outlines) writer.put(outline);  // right behind the header
+  // Right behind the header.
+  for (const Outline& outline : scene.outlines) writer.put(outline);
   writer.byte_at(122, static_cast<std::uint8_t>(scene.outlines.size()));
+  if (scene.shadow != nullptr) writer.put(*scene.shadow);
+  writer.byte_at(131, scene.shadow != nullptr ? 1 : 0);
   const std::size_t lines = writer.bytes().size();
   writer.zeros(scene.lines.size() * kLineSetRecordBytes);  // set below
-  writer.byte_at(131, static_cast<std::uint8_t>(scene.lines.size()));
+  writer.byte_at(123, static_cast<std::uint8_t>(scene.lines.size()));
 
   const std::size_t meshes = writer.reserve(12, scene.meshes.size(), kMeshBytes);
   writer.array(20, scene.materials);

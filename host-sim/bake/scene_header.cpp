@@ -35,6 +35,11 @@ std::string literal(Billboard billboard) {
 std::string outline_literal(std::uint8_t outline) {
   return outline == 0 ? "" : fmt::format(",\n     .outline = {}", outline);
 }
+/// Likewise.
+std::string literal(ShadowRole role) {
+  if (role == ShadowRole::casts_and_receives) return "";
+  return fmt::format(",\n     .shadow = zstrip::ShadowRole{{{}}}", static_cast<int>(role));
+}
 std::string literal(const Meshlet& m) {
   return fmt::format("{{{}, {}, {}, {}, {}, {}}}", m.first_triangle, m.first_vertex, m.vertex_count, m.triangle_count,
                      m.radius, literal(m.centre));
@@ -83,6 +88,10 @@ std::string literal(const Fog& fog) {
 }
 std::string literal(const Outline& outline) {
   return fmt::format("{{.colour = {}, .width = {}, .hull = {}}}", literal(outline.colour), outline.width, outline.hull);
+}
+std::string literal(const Shadow& shadow) {
+  return fmt::format("{{.light = {}, .log2_size = {}, .bias = {}, .slope_bias = {}, .pool = {}}}", shadow.light,
+                     shadow.log2_size, shadow.bias, shadow.slope_bias, shadow.pool);
 }
 std::string literal(const Quadric& quadric) {
   return fmt::format("{{.material = {}, .transform = {}}}", quadric.material, literal(quadric.transform));
@@ -225,9 +234,9 @@ class Header {
       meshes_ += ",\n     .texcoords = " + array("zstrip::TexCoord", name("Texcoords"), mesh.texcoords);
       meshes_ += ",\n     .triangles = " + array("zstrip::Triangle", name("Triangles"), mesh.triangles);
       meshes_ += ",\n     .meshlets = " + array("zstrip::Meshlet", name("Meshlets"), mesh.meshlets);
-      meshes_ += fmt::format(",\n     .centre = {},\n     .half_extent = {},\n     .texcoord_bits = {}{}{}}},\n",
+      meshes_ += fmt::format(",\n     .centre = {},\n     .half_extent = {},\n     .texcoord_bits = {}{}{}{}}},\n",
                              literal(mesh.centre), literal(mesh.half_extent), mesh.texcoord_bits,
-                             literal(mesh.billboard), outline_literal(mesh.outline));
+                             literal(mesh.billboard), outline_literal(mesh.outline), literal(mesh.shadow));
     }
     for (std::size_t i = 0; i < scene_.textures.size(); ++i) {
       const Texture& texture = scene_.textures[i];
@@ -271,6 +280,10 @@ class Header {
     if (!scene_.quadrics.empty()) add("quadrics", array("zstrip::Quadric", "kQuadrics", scene_.quadrics));
     if (!scene_.lines.empty()) add("lines", lines());
     if (!scene_.outlines.empty()) add("outlines", array("zstrip::Outline", "kOutlines", scene_.outlines));
+    if (scene_.shadow != nullptr) {
+      array("zstrip::Shadow", "kShadow", std::span(scene_.shadow, 1));
+      add("shadow", "kShadow");
+    }
     line(fmt::format(
         "\ninline constexpr zstrip::Scene kScene{{.meshes = {},\n{pad}.materials = {},\n{pad}.textures = {},\n"
         "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}{}}};",

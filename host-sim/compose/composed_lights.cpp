@@ -57,6 +57,17 @@ bool to_punctual(const FileLight& from, double units, PunctualLight& to) {
 
 Result<Done> add_lights(const SceneFile& file, ComposedScene& scene) {
   for (const FileLight& light : file.lights) {
+    if (light.shadow) {
+      if (scene.shadow) {
+        return at_line(file.path, light.line, "[[light]] has a 'shadow', which another light has already: one may");
+      }
+      scene.shadow = Shadow{.light = static_cast<std::uint8_t>(scene.lights.size()),
+                            .log2_size = light.shadow->log2_size,
+                            .bias = light.shadow->bias,
+                            .slope_bias = to_fixed(light.shadow->slope_bias),
+                            .pool = light.shadow->pool};
+      scene.shadow_origin = origin_of(file.path, light.line);
+    }
     if (!light.punctual) {
       const Direction towards = to_direction(light.direction, -32767);
       scene.lights.push_back({towards.x, towards.y, towards.z, light.colour});

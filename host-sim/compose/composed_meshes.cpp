@@ -51,10 +51,12 @@ std::uint16_t ComposedMeshes::index_of(const PlacedPart& placed, const Vector& s
   const Colour colour = outline ? outline->colour : Colour{};
   const auto width = static_cast<std::uint16_t>(outline ? std::lround(16 * outline->width) : 0);
   const Key key{
-      placed.model_index, placed.part_index, scale, placed.file->billboard, width, {colour.r, colour.g, colour.b}};
+      placed.model_index, placed.part_index, scale, placed.file->billboard, width, {colour.r, colour.g, colour.b},
+      placed.file->shadow};
   if (const auto at = known_.find(key); at != known_.end()) return at->second;
   Mesh mesh = placed.part->mesh;
   mesh.billboard = placed.file->billboard;
+  mesh.shadow = placed.file->shadow;
   std::size_t axis = 0;
   for (Fixed Vec3::*const member : {&Vec3::x, &Vec3::y, &Vec3::z}) {
     mesh.centre.*member = to_fixed(from_fixed(mesh.centre.*member) * scale[axis]);

@@ -32,8 +32,9 @@ class ComposedMeshes {
 
   ComposedScene& scene_;
   std::map<std::pair<std::size_t, std::size_t>, Vector> first_scales_;
-  /// Part, size, what it is as a billboard, the width of its outline and its colour.
-  using Key = std::tuple<std::size_t, std::size_t, Vector, Billboard, std::uint16_t, std::array<std::uint8_t, 3>>;
+  /// Part, size, what it is as a billboard, the width of its outline and its colour, what it has to do with shadows.
+  using Key =
+      std::tuple<std::size_t, std::size_t, Vector, Billboard, std::uint16_t, std::array<std::uint8_t, 3>, ShadowRole>;
   std::map<Key, std::uint16_t> known_;
   std::map<std::tuple<std::size_t, std::size_t, Vector, Billboard>, std::uint16_t> hulls_;
 };

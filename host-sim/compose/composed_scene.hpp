@@ -37,13 +37,14 @@ struct ComposedScene {
   std::vector<PunctualLight> punctual_lights;
   std::vector<Finish> finishes;
   std::optional<Fog> fog;
+  std::optional<Shadow> shadow;
   Colour ambient, background;
   std::size_t static_instances = 0;
   FittedAnimation animation;
   Units units;  ///< of the file's lengths
   std::vector<std::string> material_names;
   std::vector<std::string> material_origins;  ///< "room.toml line 12", or the model that it comes from
-  std::string fog_origin;
+  std::string fog_origin, shadow_origin;
   std::vector<std::string> warnings;
 
   std::deque<Model> models;
@@ -66,7 +67,8 @@ struct ComposedScene {
             .punctual_lights = punctual_lights,
             .quadrics = quadrics,
             .lines = lines,
-            .outlines = outlines};
+            .outlines = outlines,
+            .shadow = shadow ? &*shadow : nullptr};
   }
 };
 

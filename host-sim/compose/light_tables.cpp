@@ -1,6 +1,7 @@
 // [[light]] and [fog] of a scene file.
 #include <fmt/format.h>
 
+#include <bit>
 #include <cmath>
 
 #include "compose/scene_tables.hpp"
@@ -15,6 +16,19 @@ constexpr std::pair<std::string_view, LightType> kLightTypes[] = {
 constexpr std::pair<std::string_view, FogMode> kFogModes[] = {{"linear", FogMode::linear},
                                                               {"exponential", FogMode::exponential},
                                                               {"exponential_squared", FogMode::exponential_squared}};
+
+FileShadow read_shadow(TomlTable& table) {
+  FileShadow shadow;
+  const std::int64_t size =
+      table.integer("size", 1 << kLeastShadowLog2, 1 << kMostShadowLog2).value_or(1 << shadow.log2_size);
+  if ((size & (size - 1)) != 0) table.wrong("size", "'size' must be a power of two");
+  shadow.log2_size = static_cast<std::uint8_t>(std::countr_zero(static_cast<std::uint64_t>(size)));
+  shadow.bias = static_cast<std::uint16_t>(table.integer("bias", 0, 65535).value_or(shadow.bias));
+  shadow.slope_bias = table.number("slope_bias", {0, 1000}).value_or(shadow.slope_bias);
+  shadow.pool = static_cast<std::uint32_t>(table.integer("pool", 1, 1 << 24).value_or(0));
+  table.finish();
+  return shadow;
+}
 
 }  // namespace
 
@@ -35,9 +49,11 @@ FileLight read_light(TomlTable& table) {
     for (std::uint8_t* channel : {&light.colour.r, &light.colour.g, &light.colour.b}) {
       *channel = static_cast<std::uint8_t>(std::lround(*channel * intensity));
     }
+    if (auto shadow = table.table("shadow", "[light.shadow]")) light.shadow = read_shadow(*shadow);
     table.finish();
     return light;
   }
+  if (table.has("shadow")) table.wrong("shadow", "only a directional light has a shadow");
   light.punctual = type == LightType::spot ? PunctualLightType::spot : PunctualLightType::point;
   if (!table.has("position")) table.wrong("position", "'position' is missing: where the light is");
   light.position = table.vector("position", kLength).value_or(light.position);

@@ -17,6 +17,10 @@ constexpr std::pair<std::string_view, UpAxis> kAxes[] = {{"x", UpAxis::plus_x}, 
                                                          {"z", UpAxis::plus_z}, {"-z", UpAxis::minus_z}};
 constexpr std::pair<std::string_view, Billboard> kBillboards[] = {{"viewer", Billboard::viewer},
                                                                   {"upright", Billboard::upright}};
+constexpr std::pair<std::string_view, ShadowRole> kShadowRoles[] = {{"both", ShadowRole::casts_and_receives},
+                                                                    {"casts", ShadowRole::only_casts},
+                                                                    {"receives", ShadowRole::only_receives},
+                                                                    {"none", ShadowRole::none}};
 constexpr std::pair<std::string_view, bool> kLayers[] = {{"static", true}, {"moving", false}};
 constexpr std::pair<std::string_view, Interpolation> kInterpolations[] = {{"linear", Interpolation::linear},
                                                                           {"step", Interpolation::step}};
@@ -94,6 +98,7 @@ FileInstance read_instance(TomlTable& table) {
     instance.outline->colour = outline->colour("colour").value_or(Colour{0, 0, 0, 255});
     outline->finish();
   }
+  instance.shadow = table.choice("shadow", kShadowRoles).value_or(ShadowRole::casts_and_receives);
   if (auto turntable = table.table("turntable", "[instance.turntable]")) {
     instance.turntable.emplace();
     instance.turntable->line = table.line_of("turntable");

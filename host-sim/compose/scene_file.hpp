@@ -117,6 +117,7 @@ struct FileInstance {
   bool is_static = false;
   Billboard billboard = Billboard::none;
   std::optional<FileOutline> outline;
+  ShadowRole shadow = ShadowRole::casts_and_receives;
   std::optional<FileTurntable> turntable;
   Curve<Vector> translation, scale;  ///< keyframes; those without times stay as in `placement`
   Curve<Quaternion> rotation;
@@ -126,6 +127,14 @@ struct FileInstance {
   }
 };
 
+/// A part of a directional [[light]].
+struct FileShadow {
+  std::uint8_t log2_size = 8;
+  std::uint16_t bias = Shadow{}.bias;
+  double slope_bias = 1.25;
+  std::uint32_t pool = 0;  ///< bytes; 0: the worst case
+};
+
 /// [[light]]
 struct FileLight {
   int line = 0;
@@ -133,9 +142,10 @@ struct FileLight {
   Vector direction{0, -1, 0};                 ///< in which it shines, not of a point light; any length but zero
   Vector position{0, 0, 0};                   ///< of point and spot lights
   Colour colour{255, 255, 255, 255};
-  double intensity = 1;          ///< of point and spot lights, at distance 1; else it is in the colour
-  double range = 0;              ///< 0: no end
-  double inner = 0, outer = 45;  ///< degrees off a spot's direction that are fully lit, and lit at all
+  double intensity = 1;              ///< of point and spot lights, at distance 1; else it is in the colour
+  double range = 0;                  ///< 0: no end
+  double inner = 0, outer = 45;      ///< degrees off a spot's direction that are fully lit, and lit at all
+  std::optional<FileShadow> shadow;  ///< of one light at most
 };
 
 /// [fog]; lengths and densities of the file.

@@ -305,6 +305,8 @@ TEST_F(Bake, SetsOfLinesAreCountedAmongTheTablesToLend) {
             76 * scene.meshes.size() + 12 * scene.textures.size() + 64 * scene.lines.size());
 }
 
+TEST_F(Bake, ShadowsInABlobAsInTheSceneFile) { same_as_a_blob("shadows", "shadows", {}, 3); }
+
 TEST_F(Bake, MipmapsWhereTheSceneAsksForThemOrEverywhereOrNowhere) {
   const std::string scene = ZSTRIP_SCENE_FILES "/mipmaps.toml";
   const auto levels = [](int texels) {  // of a square, all but the first

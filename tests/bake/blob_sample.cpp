@@ -74,6 +74,7 @@ Bytes lines_bytes() {
   blob.scene.materials = materials;
   blob.scene.lines = kLines;
   blob.scene.outlines = kOutlines;
+  blob.scene.shadow = &kShadow;
   const Result<Bytes> bytes = to_scene_blob(blob);
   EXPECT_TRUE(bytes);
   return bytes ? *bytes : Bytes{};

@@ -103,10 +103,11 @@ inline constexpr LineSet kLines[] = {
     {.segments = kSegments, .mesh = 1, .material = 1, .transform = Transform::identity(), .width = 64},
     {.segments = {}, .material = 1, .transform = {{{1, -2, 3, -4}, {5, 6, 7, 8}, {9, 10, 11, -70000}}}}};
 inline constexpr Outline kOutlines[] = {{.colour = {1, 2, 3, 4}, .width = 40}};
+inline constexpr Shadow kShadow{.light = 1, .log2_size = 5, .bias = 77};
 
 SceneBlob sample();
 /// Those of sample(); with kWithPalettes for textures; with the tree of kNodes over kFourTriangles; with kLines behind
-/// kOutlines.
+/// kOutlines and kShadow.
 Bytes sample_bytes();
 Bytes palette_bytes();
 Bytes tree_bytes();

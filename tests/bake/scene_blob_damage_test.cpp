@@ -176,7 +176,7 @@ TEST(SceneBlob, ArraysBeyondTheEnd) {
 
 TEST(SceneBlob, SegmentsBeyondTheEnd) {
   const Bytes whole = lines_bytes();
-  constexpr std::uint32_t kSet = 192 + 8;  // behind the header and the outline
+  constexpr std::uint32_t kSet = 192 + 8 + 12;  // behind the header, the outline and the shadow
   ASSERT_EQ(word(whole, kSet + 4), 3U);
   for (const std::uint32_t value : {0U, 128U, 130U, 0xFFFFFFFCU, static_cast<std::uint32_t>(whole.size()) - 8}) {
     Bytes changed = whole;

@@ -266,17 +266,17 @@ TEST(SceneBlob, OutlinesStandInBytesThatWereUnused) {
   EXPECT_EQ(opened.content.scene.outlines[0].width, 256);
   EXPECT_EQ(opened.content.scene.outlines[1].colour, (Colour{5, 6, 7, 8}));
   EXPECT_EQ(opened.content.scene.outlines[1].hull, kOwnMesh);
-  bytes[122] = bytes[123] = 255;  // more than there are bytes
+  bytes[122] = 255;  // more than there are bytes
   mend(bytes);
   EXPECT_EQ(Opened(bytes).status, (Status{.error = Error::blob_damaged, .needed = 122}));
 }
 
-TEST(SceneBlob, LinesStandBehindTheOutlinesAndInAByteThatWasUnused) {
+TEST(SceneBlob, LinesStandBehindOutlinesAndTheShadow) {
   Bytes bytes = lines_bytes();
   EXPECT_EQ(bytes[2], 3) << "the version stays";
-  EXPECT_EQ(sample_bytes()[131], 0);
-  EXPECT_EQ(bytes[131], 2);
-  constexpr std::uint32_t kSet = 192 + 8, kNext = kSet + 64;
+  EXPECT_EQ(sample_bytes()[123], 0);
+  EXPECT_EQ(bytes[123], 2);
+  constexpr std::uint32_t kSet = 192 + 8 + 12, kNext = kSet + 64;
   EXPECT_EQ(word(bytes, 12), kNext + 64) << "then the meshes";
   EXPECT_EQ(word(bytes, kSet + 4), 3U) << "segments";
   const std::uint32_t at = word(bytes, kSet);
@@ -294,6 +294,8 @@ TEST(SceneBlob, LinesStandBehindTheOutlinesAndInAByteThatWasUnused) {
   EXPECT_EQ(Opened(bytes, scene_blob_memory(2, 2, 2) - 1).status.error, Error::blob_memory);
   ASSERT_EQ(opened.content.scene.lines.size(), 2U);
   EXPECT_EQ(opened.content.scene.outlines.size(), 1U);
+  ASSERT_NE(opened.content.scene.shadow, nullptr);
+  EXPECT_EQ(opened.content.scene.shadow->bias, kShadow.bias);
   for (std::size_t i = 0; i < 2; ++i) {
     const LineSet& actual = opened.content.scene.lines[i];
     expect_same_bytes(actual.segments, kLines[i].segments);
@@ -311,11 +313,11 @@ TEST(SceneBlob, LinesStandBehindTheOutlinesAndInAByteThatWasUnused) {
     mend(changed);
     return Opened(changed, scene_blob_memory(2, 2, 255)).status;
   };
-  EXPECT_EQ(with(131, 255), (Status{.error = Error::blob_damaged, .needed = 131})) << "more than there are bytes";
+  EXPECT_EQ(with(123, 255), (Status{.error = Error::blob_damaged, .needed = 123})) << "more than there are bytes";
   EXPECT_EQ(with(kSet + 60, 0), (Status{.error = Error::lines, .needed = 0})) << "no width";
   EXPECT_EQ(with(kNext + 8, 2), (Status{.error = Error::lines, .needed = 1})) << "no such mesh";
   EXPECT_EQ(with(at + 10, 4), (Status{.error = Error::lines, .needed = 0})) << "no such vertex";
-  EXPECT_EQ(with(131, 0).error, Error::none) << "what an older program sees";
+  EXPECT_EQ(with(123, 0).error, Error::none) << "what an older program sees";
 }
 
 TEST(SceneBlob, MoreSetsOfLinesThanAByteCountsAreRefused) {
@@ -331,6 +333,46 @@ TEST(SceneBlob, MoreSetsOfLinesThanAByteCountsAreRefused) {
   const Result<Bytes> written = to_scene_blob(content);
   ASSERT_TRUE(written);
   EXPECT_EQ(Opened(*written, scene_blob_memory(2, 2, 255)).content.scene.lines.size(), 255U);
+}
+
+TEST(SceneBlob, ShadowsStandInBytesThatWereUnused) {
+  SceneBlob content = sample();
+  std::vector<Mesh> meshes(content.scene.meshes.begin(), content.scene.meshes.end());
+  const Shadow shadow{.light = 0, .log2_size = 9, .bias = 0x102, .slope_bias = 0x30405, .pool = 0x6070};
+  const Bytes without = *to_scene_blob(content);
+  EXPECT_EQ(without[131], 0);
+  meshes[0].shadow = ShadowRole::only_casts;
+  content.scene.meshes = meshes;
+  content.scene.shadow = &shadow;
+  Bytes bytes = *to_scene_blob(content);
+  EXPECT_EQ(bytes[2], without[2]) << "the version stays";
+  EXPECT_EQ(bytes[131], 1);
+  EXPECT_EQ(Bytes(bytes.begin() + 192, bytes.begin() + 204), (Bytes{0, 9, 2, 1, 5, 4, 3, 0, 0x70, 0x60, 0, 0}));
+  const std::uint32_t at = word(bytes, 12);
+  EXPECT_EQ(at, 204U);
+  EXPECT_EQ(bytes[at + 75], 2);
+  EXPECT_EQ(bytes[at + 76 + 75], 0);
+  const Opened opened(bytes);
+  ASSERT_TRUE(opened.status) << message(opened.status.error);
+  EXPECT_EQ(opened.content.scene.meshes[0].shadow, ShadowRole::only_casts);
+  EXPECT_EQ(opened.content.scene.meshes[1].shadow, ShadowRole::casts_and_receives);
+  ASSERT_NE(opened.content.scene.shadow, nullptr);
+  EXPECT_EQ(opened.content.scene.shadow->log2_size, 9);
+  EXPECT_EQ(opened.content.scene.shadow->bias, 0x102);
+  EXPECT_EQ(opened.content.scene.shadow->slope_bias, 0x30405);
+  EXPECT_EQ(opened.content.scene.shadow->pool, 0x6070U);
+  Bytes wrong = bytes;
+  wrong[131] = 2;
+  mend(wrong);
+  EXPECT_EQ(Opened(wrong).status, (Status{.error = Error::blob_damaged, .needed = 131}));
+  wrong = bytes;
+  wrong[at + 75] = 4;
+  mend(wrong);
+  EXPECT_EQ(Opened(wrong).status, (Status{.error = Error::blob_damaged, .needed = at + 75}));
+  wrong = bytes;
+  wrong[192] = 77;  // no such light
+  mend(wrong);
+  EXPECT_EQ(Opened(wrong).status.error, Error::shadow);
 }
 
 TEST(SceneBlob, SamplesAreAByteThatOlderBlobsLeaveZero) {

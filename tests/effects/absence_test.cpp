@@ -10,6 +10,7 @@
 #include "billboards_scene.hpp"
 #include "lines_scene.hpp"
 #include "outlines_scene.hpp"
+#include "shadows_scene.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/spheres.hpp"
 
@@ -68,6 +69,10 @@ constexpr Marker kMarkers[] = {
     {effect::outlines, "zstrip::Frame::Access::add_hulls("},
     {effect::outlines, "zstrip::detail::make_outline("},
     {effect::outlines, "zstrip::detail::transform_hull<"},
+    {effect::shadows, "zstrip::Frame::Access::Shadows::"},
+    {effect::shadows, "zstrip::detail::light_camera("},
+    {effect::shadows, "zstrip::detail::shadow_place("},
+    {effect::shadows, "zstrip::detail::TileStore::"},
     {effect::bins, "zstrip::detail::Bins::append("},
     {effect::dithered_colours, "zstrip::detail::dithered_rgb565("},
     {effect::dithered_colours | effect::dithered_format, "zstrip::detail::kBayer"},
@@ -98,6 +103,7 @@ TEST(EffectsAbsence, ProgramsHoldTheCodeOfTheirScenesEffectsAndNoOther) {
   check(scenes::lines);
   check(scenes::billboards);
   check(scenes::outlines);
+  check(scenes::shadows);
   for (const scenes::BuiltIn& built_in : scenes::effect_scenes()) check(built_in);
   expect_only(folder + "knot_rgb565_dithered", scenes::knot, {64, 48, PixelFormat::rgb565, true});
   expect_only(folder + "fog_rgb565_dithered", scenes::fog, {64, 48, PixelFormat::rgb565, true});

@@ -18,7 +18,7 @@ inline constexpr Effects kFactors[] = {effect::lighting,         effect::gouraud
                                        effect::blending,         effect::vertex_colours,   effect::quadrics,
                                        effect::dithered_colours, effect::texture_palettes, effect::lines,
                                        effect::billboards,       effect::mipmaps,          effect::supersampled,
-                                       effect::environment,      effect::outlines};
+                                       effect::environment,      effect::outlines,         effect::shadows};
 
 static_assert(
     [] {
@@ -39,7 +39,7 @@ constexpr Effects completed(Effects set) {
     set = set | effect::textures;
   }
   const bool unlit_texels = set.has(effect::textures | effect::vertex_colours);  // have no vertex colours
-  if (set.any(effect::vertex_light | effect::gouraud) || unlit_texels) set = set | effect::lighting;
+  if (set.any(effect::vertex_light | effect::gouraud | effect::shadows) || unlit_texels) set = set | effect::lighting;
   return set;
 }
 
@@ -90,6 +90,8 @@ constexpr auto kNoise = [] {
 /// With a picture that is dithered or has samples if that is in the set, calls for exactly completed(set).
 struct Combination {
   Mesh meshes[3] = {scenes::kRoomMeshes[0], scenes::kRoomMeshes[1], scenes::kRoomMeshes[0]};
+  Shadow shadow{.log2_size = 5};
+  DirectionalLight over_the_near_box[1] = {{14100, 8500, 28200, {220, 210, 190, 255}}};  // on the far one
   Outline outlines[1] = {{.colour = {200, 0, 120, 255}, .width = 30}};
   Finish finishes[2];
   Material materials[3];
@@ -146,6 +148,7 @@ struct Combination {
     scene.finishes = finishes;
     scene.background = {30, 60, 90, 255};
     if (set.has(effect::lighting)) scene.lights = scenes::kKeyLight;
+    if (set.has(effect::shadows)) scene.shadow = &shadow, scene.lights = over_the_near_box;
     if (set.has(effect::punctual_lights)) scene.punctual_lights = scenes::kPunctualLights;
     if (set.has(effect::fog)) scene.fog = &scenes::kFog;
   }
@@ -171,7 +174,7 @@ void expect_drawn_alike() {
   // Memory is planned for what is there, and not for more.
   const Plan plan = zstrip::plan(count(scene), kView, kSet).plan;
   EXPECT_EQ(plan.effect_bytes != 0, kSet.any(effect::fog | effect::blending | effect::local_light | effect::billboards |
-                                             effect::environment | effect::outlines));
+                                             effect::environment | effect::outlines | effect::shadows));
   EXPECT_EQ(plan.colour_bytes, kSet.has(effect::supersampled) ? 40U * 32 * 2 * 4 : 0);
   EXPECT_EQ(plan.bin_bytes + plan.visibility_bytes, 0U);
 }

@@ -7,6 +7,7 @@
 #include "billboards_scene.hpp"
 #include "lines_scene.hpp"
 #include "outlines_scene.hpp"
+#include "shadows_scene.hpp"
 #include "zstrip/zstrip.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/spheres.hpp"

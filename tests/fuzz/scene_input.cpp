@@ -96,6 +96,19 @@ SceneInput::SceneInput(Input& input) : hostile_(read_hostile(input)) {
     mesh.outline = static_cast<std::uint8_t>(hostile_.meshes ? input.any<std::uint8_t>() : input.below(outlines + 1));
   }
   scene_.outlines = outlines_;
+  if (!input.flag()) return;
+  const std::uint32_t lights = static_cast<std::uint32_t>(lights_.size());
+  shadow_.light =
+      static_cast<std::uint8_t>(hostile_.lights || lights == 0 ? input.any<std::uint8_t>() : input.below(lights));
+  shadow_.log2_size = static_cast<std::uint8_t>(hostile_.lights ? input.below(8) : 4 + input.below(3));
+  shadow_.bias = input.any<std::uint16_t>();
+  shadow_.slope_bias = input.number(kFixedOne);
+  if (!hostile_.lights) shadow_.slope_bias = std::max(shadow_.slope_bias, 0);
+  shadow_.pool = input.flag() ? input.any<std::uint16_t>() : 0;
+  for (Mesh& mesh : meshes_) {
+    mesh.shadow = static_cast<ShadowRole>(hostile_.meshes ? input.any<std::uint8_t>() : input.below(4));
+  }
+  scene_.shadow = &shadow_;
 }
 
 SceneInput::Hostile SceneInput::read_hostile(Input& input) {

@@ -57,6 +57,7 @@ class SceneInput {
   std::vector<zstrip::Outline> outlines_;
   std::vector<zstrip::Instance> instances_;
   std::vector<zstrip::DirectionalLight> lights_;
+  zstrip::Shadow shadow_;
   zstrip::Scene scene_;
   zstrip::Camera camera_;
   zstrip::View view_;

@@ -414,6 +414,36 @@ TEST(SceneFile, Outlines) {
       << failure(kCube + "outline = { thickness = 1 }\n");
 }
 
+TEST(SceneFile, Shadows) {
+  const std::string light = kCube + "[[light]]\ndirection = [0, -1, 0]\n";
+  EXPECT_FALSE(parsed(light).lights[0].shadow);
+  const FileShadow plain = *parsed(light + "shadow = {}\n").lights[0].shadow;
+  EXPECT_EQ(plain.log2_size, 8);
+  EXPECT_EQ(plain.bias, Shadow{}.bias);
+  EXPECT_EQ(plain.slope_bias * 65536, Shadow{}.slope_bias);
+  EXPECT_EQ(plain.pool, 0U);
+  const FileShadow own =
+      *parsed(light + "shadow = { size = 64, bias = 5, slope_bias = 2.5, pool = 7000 }\n").lights[0].shadow;
+  EXPECT_EQ(own.log2_size, 6);
+  EXPECT_EQ(own.bias, 5);
+  EXPECT_EQ(own.slope_bias, 2.5);
+  EXPECT_EQ(own.pool, 7000U);
+  const auto fails_with = [](const std::string& text, const char* what) {
+    EXPECT_NE(failure(text).find(what), std::string::npos) << failure(text);
+  };
+  fails_with(light + "shadow = { size = 100 }\n", "[light.shadow]: 'size' must be a power of two");
+  fails_with(light + "shadow = { size = 8 }\n", "'size' must be");
+  fails_with(light + "shadow = { slope_bias = -1 }\n", "'slope_bias' must be");
+  fails_with(light + "shadow = { pol = 1 }\n", "[light.shadow] has no key 'pol'");
+  fails_with(kCube + "[[light]]\ntype = 'point'\nposition = [0, 1, 0]\nshadow = {}\n",
+             "only a directional light has a shadow");
+  EXPECT_EQ(parsed(kCube).instances[0].shadow, ShadowRole::casts_and_receives);
+  EXPECT_EQ(parsed(kCube + "shadow = 'receives'\n").instances[0].shadow, ShadowRole::only_receives);
+  EXPECT_EQ(parsed(kCube + "shadow = 'casts'\n").instances[0].shadow, ShadowRole::only_casts);
+  EXPECT_EQ(parsed(kCube + "shadow = 'none'\n").instances[0].shadow, ShadowRole::none);
+  fails_with(kCube + "shadow = 'recieves'\n", "receives");
+}
+
 TEST(SceneFile, NearestNames) {
   EXPECT_EQ(nearest("colr", {"name", "colour", "lit"}), "colour");
   EXPECT_EQ(nearest("zzzzzzzz", {"name", "colour"}), "");

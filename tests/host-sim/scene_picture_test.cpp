@@ -121,6 +121,9 @@ TEST_F(ScenePicture, BillboardsHaveTheirChecksum) { expect_checksum("billboards.
 
 TEST_F(ScenePicture, OutlinesHaveTheirChecksum) { expect_checksum("outlines.toml", "160x120", "332f5d3a"); }
 
+/// Of a knot, blocks and a sphere, on each other and on a floor.
+TEST_F(ScenePicture, ShadowsHaveTheirChecksum) { expect_checksum("shadows.toml", "160x120", "e3e01f0c"); }
+
 TEST_F(ScenePicture, SurroundingsHaveTheirChecksum) { expect_checksum("environment.toml", "160x120", "768b50c2"); }
 
 TEST_F(ScenePicture, MipmapsOfAMaterialWithoutTextureAreRefused) {

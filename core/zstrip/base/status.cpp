@@ -39,6 +39,9 @@ const char* message(Error error) {
     case Error::visibility: return "these visibility methods exclude each other or what is asked of them";
     case Error::lines: return "a set of lines is not valid";
     case Error::samples: return "a pixel has 1, 2 or 4 samples, and with a static layer one";
+    case Error::shadow:
+      return "the shadow needs a light of the scene, a size of 2^4 to 2^10 texels, no static layer, and materials "
+             "without a depth test for farther";
     case Error::outline: return "an outline is not valid, has a hull without normals or is of what is not opaque";
   }
   return "unknown error";

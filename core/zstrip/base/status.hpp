@@ -53,6 +53,9 @@ enum class Error : std::uint8_t {
                    ///< there with several (`needed` = View::samples)
   outline,         ///< a width out of range, a hull that does not exist or has no normals, or an instance that has it
                    ///< and a mask or blends; more than 255 (`needed` = its index)
+  shadow,          ///< a light that does not exist, a size or bias out of range, a material whose depth test asks for
+                   ///< farther, casters too large or too far away for a map; or what was asked for, a static layer or a
+                   ///< draw_over, is not there with shadows
 };
 
 /// What memory is for. The order is that of a plan's table.

@@ -24,6 +24,7 @@ struct Frame::Access {
   struct Methods;
   struct Raster;
   struct Samples;
+  struct Shadows;
 
   /// Binning does not change how triangles are drawn.
   template <Effects effects>

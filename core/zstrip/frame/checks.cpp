@@ -68,6 +68,22 @@ Status Frame::Access::Checks::every_frame(const Scene& scene, const Camera& came
   return {};
 }
 
+Status Frame::Access::Checks::shadows(const Scene& scene, const Plan& plan, Effects called_for) {
+  const SceneCounts counts = count(scene);
+  const std::uint64_t needed = detail::effect_bytes(called_for, counts);
+  if (plan.effect_bytes < needed) return too_small(Purpose::effects, needed, plan.effect_bytes);
+  if (!called_for.has(effect::shadows)) return {};
+  const std::uint64_t extents = std::uint64_t{counts.meshlets} * kExtentBytes;
+  if (plan.extent_bytes < extents) return too_small(Purpose::extents, extents, plan.extent_bytes);
+  const std::uint32_t strip = detail::shadow_strip_bytes(counts);
+  if (plan.depth_bytes < strip) return too_small(Purpose::depth, strip, plan.depth_bytes);
+  const std::uint64_t vertices = std::uint64_t{counts.vertices} * detail::retained_bytes_per_vertex(called_for);
+  if (plan.mode == Mode::binned && plan.vertex_bytes < vertices) {
+    return too_small(Purpose::vertices, vertices, plan.vertex_bytes);
+  }
+  return {};
+}
+
 Status Frame::Access::Checks::strip(const Frame& frame, std::uint16_t strip, std::span<const std::byte> pixels) {
   if (const Status status = strip_number(frame, strip); !status) return status;
   return room(frame.plan_.strip_area(strip, frame.view_), frame.view_.format, pixels);

@@ -26,7 +26,9 @@ struct Frame::Access::Checks {
     if (const Status status = every_frame(scene, camera, view, plan, called_for, effects, arena); !status) {
       return status;
     }
-    if constexpr (detail::effect_bytes(effects, 1) != 0) {
+    if constexpr (effects.has(effect::shadows)) {
+      if (const Status status = shadows(scene, plan, called_for); !status) return status;
+    } else if constexpr (detail::effect_bytes(effects, 1) != 0) {
       auto instances = static_cast<std::uint32_t>(scene.instances.size());
       if constexpr (effects.has(effect::outlines)) instances = count(scene).instances;
       const std::uint64_t needed = detail::effect_bytes(called_for, instances);
@@ -45,6 +47,8 @@ struct Frame::Access::Checks {
     }
     return {};
   }
+  /// Of renderers with effect::shadows, whose other effects' bytes are among them.
+  static Status shadows(const Scene& scene, const Plan& plan, Effects called_for);
   static Status every_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                             Effects called_for, Effects effects, std::span<std::byte> arena);
 
@@ -80,6 +84,9 @@ struct Frame::Access::Checks {
     }
     if (effects.methods != 0) return {.error = Error::visibility, .needed = effects.methods};
     if (DepthStage::has_own_clear(effects)) return {.error = Error::depth_effects};
+    if constexpr (effects.has(effect::shadows)) {
+      if (frame.scene_->shadow != nullptr) return {.error = Error::shadow};
+    }
     return every_area(frame, area, pixels, depths);
   }
   static Status every_area(const Frame& frame, const Rect& area, std::size_t pixels, std::size_t depths);

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "zstrip/frame/frame.hpp"
+#include "zstrip/frame/shadow_map.hpp"
 #include "zstrip/geometry/environment.hpp"
 #include "zstrip/geometry/local_light.hpp"
 #include "zstrip/raster/fragment_settings.hpp"
@@ -59,6 +60,12 @@ class EffectBlock {
   EyeForms& eye_forms(std::size_t instance) const {
     return reinterpret_cast<EyeForms*>(memory_ + reflections_at() + kFrameReflectionsBytes)[instance];
   }
+  ShadowState& shadows() const { return *reinterpret_cast<ShadowState*>(memory_ + shadows_at()); }
+  /// What lies behind everything else.
+  std::span<std::byte> shadow_pool() const {
+    const std::size_t first = shadows_at() + kShadowStateBytes;
+    return {memory_ + first, bytes_ - first};
+  }
   OutlinedScene& outlined() const { return *reinterpret_cast<OutlinedScene*>(memory_ + outlined_at()); }
 
  private:
@@ -76,6 +83,9 @@ class EffectBlock {
   std::size_t outlined_at() const {
     const std::size_t reflections = kFrameReflectionsBytes + instances_ * kEyeFormsBytes;
     return rounded_up(reflections_at() + (has(effect::environment) ? reflections : 0));
+  }
+  std::size_t shadows_at() const {
+    return rounded_up(outlined_at() + (has(effect::outlines) ? kOutlinedSceneBytes : 0));
   }
 
   std::byte* memory_;

@@ -40,7 +40,7 @@ class Frame {
   const std::uint32_t* wide_depth() const { return reinterpret_cast<const std::uint32_t*>(depth_); }
   const Rect& depth_area() const { return depth_area_; }
 
-  /// Whether depth() holds 16-bit codes of which 0 alone is cleared: not with 32-bit formats or sub-ranges.
+  /// Whether depth() holds 16-bit codes of which 0 alone is cleared: not with 32-bit formats, sub-ranges or shadows.
   bool has_plain_depth() const { return !has_special_depth_; }
 
   /// Whether `strip` is the one that this frame drew last: whose depth depth() is.

@@ -11,6 +11,7 @@
 #include "zstrip/frame/outline_stage.hpp"
 #include "zstrip/frame/raster_stage.hpp"
 #include "zstrip/frame/sample_stage.hpp"
+#include "zstrip/frame/shadow_stage.hpp"
 #include "zstrip/resolve/convert.hpp"
 #include "zstrip/resolve/dither.hpp"
 #include "zstrip/resolve/resolve.hpp"
@@ -39,12 +40,15 @@ inline Status Frame::Access::begin_facing(Frame& frame, const Scene& scene, cons
   frame.has_special_depth_ = DepthStage::has_own_clear(effects);
   frame.statistics_ = {};
   lay_out_arena(frame, arena);
-  if constexpr (effects.any(effect::billboards | effect::outlines)) {
+  if constexpr (effects.any(effect::billboards | effect::outlines | effect::shadows)) {
     Scene drawn = scene;
     if constexpr (effects.has(effect::billboards)) {
       if (called_for.has(effect::billboards)) {
         if (const Status status = turn_billboards(frame, drawn, facing, called_for); !status) return status;
       }
+    }
+    if constexpr (effects.has(effect::shadows)) {
+      if (const Status status = Shadows::begin_frame<effects>(frame, scene, drawn, called_for); !status) return status;
     }
     if constexpr (effects.has(effect::outlines)) {
       if (called_for.has(effect::outlines)) add_hulls(frame, drawn, called_for);
@@ -52,6 +56,10 @@ inline Status Frame::Access::begin_facing(Frame& frame, const Scene& scene, cons
     const Status status = prepare_frame<effects>(frame, drawn, camera, view, called_for, arena);
     if (frame.scene_ == nullptr) return status;
     const Scene* kept = &scene;
+    if constexpr (effects.has(effect::shadows)) {
+      // Found by the number of instances, too.
+      if (called_for.has(effect::shadows)) kept = &effect_block(frame).shadows().scene;
+    }
     if constexpr (effects.has(effect::outlines)) {
       // Found by the number of instances, hulls among them, of the scene that the frame still has.
       if (called_for.has(effect::outlines)) kept = keep_outlined(frame);
@@ -98,6 +106,12 @@ Status Frame::Access::prepare_frame(Frame& frame, const Scene& scene, const Came
   }
   frame.scene_ = &scene;
   EffectStage::prepare<effects>(frame, camera, called_for);
+  if constexpr (effects.has(effect::shadows)) {
+    if (const Status status = Shadows::prepare<effects>(frame, camera, called_for); !status) {
+      abandon(frame);
+      return status;
+    }
+  }
   if constexpr (effects.has(method::culling | effect::statistics)) {
     Methods::count_culled<effects>(static_cast<FrameWithMethod&>(frame));
   }
@@ -148,6 +162,9 @@ Status Frame::Access::draw_strip(Frame& frame, std::uint16_t strip, std::span<st
     Methods::begin_strip(static_cast<FrameWithMethod&>(frame), effects, target);
   }
   if (!target.area.empty()) Raster::draw_surfaces<effects>(frame, target, strip);
+  if constexpr (effects.has(effect::shadows)) {
+    if (const Status status = Shadows::draw<effects>(frame, target, strip); !status) return status;
+  }
   if constexpr (kSupersampled) {
     if (has_samples) {
       Samples::resolve<effects>(frame, area, drawn, pixels.data());

@@ -128,6 +128,21 @@ struct Frame::Access::Geometry {
     }
   }
 
+  /// The colours of a retained meshlet in shadow, in their own part of the vertices.
+  template <Effects effects>
+  static void shade_in_shadow(Frame& frame, const detail::BatchOf<effects>& batch, const MeshletRange& range,
+                              std::uint32_t cache) {
+    const detail::EffectBlock block = effect_block(frame);
+    if (!block.has(effect::shadows)) return;
+    const auto number = static_cast<std::size_t>(batch.instance - frame.instances_);
+    Colour* const lit = frame.colours_;
+    frame.colours_ = block.shadows().colours_in_shadow;
+    detail::leave_shadowing_light(frame.instances_[number], frame.scene_->meshes[batch.instance->mesh], -1);
+    shade<effects>(frame, batch, range, cache);
+    detail::leave_shadowing_light(frame.instances_[number], frame.scene_->meshes[batch.instance->mesh], 1);
+    frame.colours_ = lit;
+  }
+
   /// False if the instance has no light beyond what all have.
   template <Effects effects>
   static bool shade_locally(Frame& frame, const detail::Batch& batch, const MeshletRange& range, std::uint32_t cache) {
@@ -197,6 +212,7 @@ struct Frame::Access::Geometry {
                                                    });
           if (!listed) return;
           shade<effects>(frame, batch, range, retained);
+          if constexpr (effects.has(effect::shadows)) shade_in_shadow<effects>(frame, batch, range, retained);
           frame.batches_[batches++] = detail::retained_batch(instance, meshlet, retained, all_narrow);
           retained += range.vertex_count;
         });

@@ -5,6 +5,8 @@ namespace zstrip::detail {
 namespace {
 
 constexpr Effects kEverything = without(effect::of_scenes, effect::orthographic) | effect::statistics | effect::bins;
+/// With a depth that shadows cannot ask.
+constexpr Effects kWithoutShadows = without(kEverything, effect::shadows);
 constexpr Effects kTriangles = without(effect::all, effect::orthographic) | effect::bins;
 
 struct Superset {
@@ -25,13 +27,13 @@ constexpr Superset kSupersets[] = {
     superset<kEverything | effect::perspective_8>(),
     superset<kEverything | effect::perspective_1>(),
     superset<kEverything | effect::depth_float>(),
-    superset<kEverything | effect::depth_w16>(),
+    superset<kWithoutShadows | effect::depth_w16>(),
     superset<kEverything | effect::depth_24>(),
     superset<kEverything | effect::depth_24 | effect::orthographic>(),
     superset<kEverything | effect::depth_32>(),
     superset<kEverything | effect::depth_32 | effect::orthographic>(),
-    superset<kEverything | effect::depth_ranges>(),
-    superset<kEverything | effect::depth_ranges | effect::orthographic>(),
+    superset<kWithoutShadows | effect::depth_ranges>(),
+    superset<kWithoutShadows | effect::depth_ranges | effect::orthographic>(),
     superset<kTriangles | effect::perspective_affine>(),
     superset<kTriangles | effect::perspective_8>(),
     superset<kTriangles | effect::perspective_1>(),

@@ -136,7 +136,8 @@ void add_local_light(LightSum& total, const CompiledInstance& instance, const Me
     }
   };
   if constexpr (effects.has(effect::specular)) {
-    for (const DirectionalLight& light : scene.lights) {
+    // All of them, but for what is in a light's shadow.
+    for (const DirectionalLight& light : scene.lights.first(instance.light_count)) {
       highlight({light.x >> 1, light.y >> 1, light.z >> 1}, light.colour, kAllOfIt);
     }
   }

@@ -6,6 +6,7 @@
 #include "zstrip/plan/estimate.hpp"
 #include "zstrip/plan/plan.hpp"
 #include "zstrip/plan/visibility_bytes.hpp"
+#include "zstrip/store/tile_store.hpp"
 
 namespace zstrip {
 
@@ -28,7 +29,8 @@ inline constexpr std::uint32_t kInstanceShadingBytes = 68;  // and what they nee
 inline constexpr std::uint32_t kTurnedInstanceBytes = 52;   // an instance that may have been turned to the viewer
 inline constexpr std::uint32_t kFrameReflectionsBytes = 8;  // where those of the frame lie
 inline constexpr std::uint32_t kEyeFormsBytes = 68;         // what they need of an instance
-inline constexpr std::uint32_t kOutlinedSceneBytes = 200;   // the scene with outlines as instances of their own
+inline constexpr std::uint32_t kOutlinedSceneBytes = 208;   // the scene with outlines as instances of their own
+inline constexpr std::uint32_t kShadowStateBytes = 2656;    // the frame's shadow and tiles of its map, decoded
 inline constexpr std::uint32_t kDrawOrderBytes = 16;        // an instance's place in the order of blending
 inline constexpr std::uint32_t kMostBinChunks = 0xFFFF;
 inline constexpr std::uint32_t kMostBatches = 0x7FFF;  // that bins can name; likewise triangles of a meshlet
@@ -58,6 +60,11 @@ constexpr std::uint32_t bytes_per_vertex(Effects effects) {
          (effects.has(effect::environment) ? kReflectionBytes : 0);
 }
 
+/// Of one that bins keep: in shadow it has another colour.
+constexpr std::uint32_t retained_bytes_per_vertex(Effects effects) {
+  return bytes_per_vertex(effects) + (effects.has(effect::shadows) ? kVertexColourBytes : 0);
+}
+
 /// What effects keep through a frame of so many instances, outlines among them.
 constexpr std::uint64_t effect_bytes(Effects effects, std::uint32_t instances) {
   std::uint64_t bytes = 0;
@@ -67,7 +74,20 @@ constexpr std::uint64_t effect_bytes(Effects effects, std::uint32_t instances) {
   if (effects.any(effect::billboards | effect::outlines)) bytes += std::uint64_t{instances} * kTurnedInstanceBytes;
   if (effects.has(effect::environment)) bytes += kFrameReflectionsBytes + std::uint64_t{instances} * kEyeFormsBytes;
   if (effects.has(effect::outlines)) bytes = (bytes + 7) / 8 * 8 + kOutlinedSceneBytes;
+  if (effects.has(effect::shadows)) bytes = (bytes + 7) / 8 * 8 + kShadowStateBytes;
   return bytes == 0 ? 0 : bytes + sizeof(Effects);
+}
+
+/// What effects keep, and the map of shadows behind it.
+constexpr std::uint64_t effect_bytes(Effects effects, const SceneCounts& counts) {
+  const std::uint64_t bytes = effect_bytes(effects, counts.instances);
+  return effects.has(effect::shadows) ? rounded_up(bytes) + counts.shadow_pool : bytes;
+}
+
+/// The z-buffer of a strip of the shadow map, one row of tiles, and one row of pixels that nobody sees: begin_frame
+/// draws it where the picture's z-buffer will be.
+constexpr std::uint32_t shadow_strip_bytes(const SceneCounts& counts) {
+  return (kTileSide * kDepthBytes + kWorkingColourBytes) * counts.shadow_side;
 }
 
 /// RGB565 is drawn straight into the caller's pixels; the other formats pass through a working strip.
@@ -139,6 +159,11 @@ constexpr SceneCounts count(const Scene& scene) {
       add(counts.instances, 1);
     }
   }
+  if (scene.shadow != nullptr && scene.shadow->log2_size <= kMostShadowLog2) {
+    counts.shadow_side = 1U << scene.shadow->log2_size;
+    counts.shadow_pool =
+        scene.shadow->pool != 0 ? scene.shadow->pool : store_bytes_worst(counts.shadow_side, counts.shadow_side);
+  }
   return counts;
 }
 
@@ -153,7 +178,7 @@ class Planner {
         per_vertex_(bytes_per_vertex(effects)),
         per_cell_(depth_cell_bytes(effects)),
         effects_(effects),
-        effect_bytes_(rounded_up(effect_bytes(effects, counts.instances))),
+        effect_bytes_(rounded_up(effect_bytes(effects, counts))),
         strip_buffers_(budget.strip_buffers),
         layer_(budget.layer),
         limit_(budget.bytes == 0 || budget.bytes > kLargestArena ? kLargestArena : budget.bytes) {}
@@ -217,9 +242,12 @@ class Planner {
     const std::uint64_t meshlets = counts_.meshlets > counts_.instances ? counts_.meshlets : counts_.instances;
     const bool binned = mode == Mode::binned;
     plan.instance_bytes = rounded_up(detail::instance_bytes(counts_));
-    plan.extent_bytes = strips > 1 || binned ? rounded_up(meshlets * kExtentBytes) : 0;
-    plan.vertex_bytes = rounded_up(std::uint64_t{binned ? counts_.vertices : counts_.largest_meshlet} * per_vertex_);
+    const bool shadows = effects_.has(effect::shadows);
+    plan.extent_bytes = strips > 1 || binned || shadows ? rounded_up(meshlets * kExtentBytes) : 0;
+    plan.vertex_bytes = rounded_up(binned ? std::uint64_t{counts_.vertices} * retained_bytes_per_vertex(effects_)
+                                          : std::uint64_t{counts_.largest_meshlet} * per_vertex_);
     plan.depth_bytes = rounded_up(cells * per_cell_);
+    if (shadows) plan.depth_bytes = std::max(plan.depth_bytes, shadow_strip_bytes(counts_));
     plan.visibility_bytes = rounded_up(
         visibility_bytes(effects_, counts_.triangles, columns * sample_columns(view_), rows * sample_rows(view_)));
     plan.colour_bytes = drawn_in_place(view_) ? 0 : rounded_up(cells * kWorkingColourBytes);
@@ -288,6 +316,7 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
     if (effects.methods != 0) return {.status = {.error = Error::visibility, .needed = effects.methods}, .plan = {}};
     if (view.format != PixelFormat::rgb565) return {.status = {.error = Error::store_range}, .plan = {}};
     if (view.samples != 1) return {.status = {.error = Error::samples, .needed = view.samples}, .plan = {}};
+    if (effects.has(effect::shadows)) return {.status = {.error = Error::shadow}, .plan = {}};
     if (depth_bytes(depth_format(effects)) != kDepthBytes || effects.has(effect::depth_ranges)) {
       return {.status = {.error = Error::depth_effects}, .plan = {}};
     }

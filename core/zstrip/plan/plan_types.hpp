@@ -19,6 +19,8 @@ struct SceneCounts {
   std::uint32_t longest_meshlet = 0;  ///< most triangles in one meshlet
   std::uint32_t quadrics = 0;
   std::uint32_t line_sets = 0;
+  std::uint32_t shadow_side = 0;  ///< of the shadow map, in texels
+  std::uint32_t shadow_pool = 0;  ///< bytes of the pool that it is compressed in
 };
 
 enum class Mode : std::uint8_t {

@@ -12,7 +12,10 @@
 
 namespace zstrip::detail {
 
-template <Effects effects>
+/// Which side of a quadric is drawn where both lie in the depth range.
+enum class QuadricSide : std::uint8_t { near, far };
+
+template <Effects effects, QuadricSide side = QuadricSide::near>
 class QuadricFill {
  public:
   static constexpr DepthMode kMode = depth_mode(effects);
@@ -96,7 +99,9 @@ class QuadricFill {
       const std::uint32_t depth = static_cast<std::uint32_t>(relative) + static_cast<std::uint32_t>(offset);
       if (rule.draws(stepped_depth<kMode.format>(depth), cell)) paint(sign, depth);
     };
-    if constexpr (!cut) {
+    if constexpr (!cut && side == QuadricSide::far) {
+      test(linear - root, -1);
+    } else if constexpr (!cut) {
       test(linear + root, 1);
     } else {
       const auto in_range = [&q](std::uint64_t relative) {

@@ -80,11 +80,12 @@ inline constexpr Effects supersampled{1U << 27};  ///< View::samples is not 1
 inline constexpr Effects billboards{1U << 28};    ///< Mesh::billboard
 inline constexpr Effects environment{1U << 29};   ///< TextureFilter::environment_nearest, environment_bilinear
 inline constexpr Effects outlines{1U << 30};      ///< Mesh::outline
+inline constexpr Effects shadows{1U << 31};       ///< Scene::shadow, where something is lit
 inline constexpr Effects surfaces{quadrics.bits | lines.bits};  ///< all of these
 
 /// All that a scene and its picture can call for.
 inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | vertex_light | surfaces |
-                                     billboards | environment | outlines | dithered_format | supersampled;
+                                     billboards | environment | outlines | shadows | dithered_format | supersampled;
 }  // namespace effect
 
 /// Ways to find what is visible other than a plain z-buffer; docs/visibility.md compares them. Never called for by a
@@ -155,23 +156,28 @@ constexpr bool perspective_effects_agree(Effects effects) {
   return (run & (run - 1)) == 0;
 }
 
-/// At most one format, sub-ranges only of z16, and what needs 1/w only with perspective.
+/// At most one format, sub-ranges only of z16, and what needs 1/w only with perspective. Shadows ask what a cell's code
+/// stands for: not with w16, whose codes are none of 1/w, nor with sub-ranges, whose codes are of several strips.
 constexpr bool depth_effects_agree(Effects effects) {
   const std::uint64_t format = (effects & (effect::depth_formats | effect::depth_ranges)).bits;
   const bool single = (format & (format - 1)) == 0;
-  return single && !(effects.has(effect::orthographic) && effects.any(effect::depth_float | effect::depth_w16));
+  const bool has_code = !(effects.has(effect::shadows) && effects.any(effect::depth_w16 | effect::depth_ranges));
+  return single && has_code &&
+         !(effects.has(effect::orthographic) && effects.any(effect::depth_float | effect::depth_w16));
 }
 
 /// Which of these effects their methods cannot draw: other depth formats and sub-ranges, which only culling goes with;
-/// rules of a material's own, which need the scene's order and a z-buffer; surfaces where there is none; fragments,
-/// local light, surroundings and outlines where the host has split triangles.
+/// rules of a material's own, which need the scene's order and a z-buffer; surfaces where there is none; shadows where
+/// there is none or it is not exact; fragments, local light, surroundings and outlines where the host has split
+/// triangles.
 constexpr Effects refused_by_methods(Effects effects) {
   if (effects.methods == 0) return {};
   const Effects own = without(Effects{0, effects.methods}, method::culling);
   Effects refused = effect::perspective_runs;
   if (own != Effects{}) refused = refused | effect::depth_formats | effect::depth_ranges;
   if (own != Effects{} && own != method::hierarchical_z) refused = refused | effect::depth_state;
-  if (own.has(method::painter)) refused = refused | effect::surfaces;
+  if (own.has(method::painter)) refused = refused | effect::surfaces | effect::shadows;
+  if (own.has(method::midpoint)) refused = refused | effect::shadows;
   if (own.any(method::orders)) {
     refused = refused | effect::fragments | effect::vertex_light | effect::environment | effect::outlines;
   }
@@ -291,6 +297,7 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (lines.material >= scene.materials.size()) continue;
     if (has_depth_state(scene.materials[lines.material])) found = found | effect::depth_state;
   }
+  if (scene.shadow != nullptr && found.has(effect::lighting)) found = found | effect::shadows;
   if (camera.projection == Projection::orthographic) found = found | effect::orthographic;
   return found;
 }

@@ -67,6 +67,21 @@ struct Outline {
   std::uint16_t hull = kOwnMesh;  ///< index into Scene::meshes, of a mesh with normals, or kOwnMesh: the instance's
 };
 
+/// What a mesh' instances have to do with Scene::shadow. What only receives (a floor) leaves the map's texels to what
+/// casts.
+enum class ShadowRole : std::uint8_t {
+  casts_and_receives,
+  only_receives,
+  only_casts,  ///< it is lit as without shadows
+  none,
+};
+constexpr bool casts_shadow(ShadowRole role) {
+  return role == ShadowRole::casts_and_receives || role == ShadowRole::only_casts;
+}
+constexpr bool receives_shadow(ShadowRole role) {
+  return role == ShadowRole::casts_and_receives || role == ShadowRole::only_receives;
+}
+
 struct Mesh {
   std::span<const Position> positions;  ///< 1..65535 vertices
   std::span<const Normal> normals;      ///< one a vertex, or empty: unlit
@@ -79,6 +94,7 @@ struct Mesh {
   std::uint8_t texcoord_bits = 12;                    ///< 4..15
   Billboard billboard = Billboard::none;              ///< anything else makes its instances billboards
   std::uint8_t outline = 0;  ///< 1 + index into Scene::outlines: all its instances have it, and are opaque; 0: none
+  ShadowRole shadow = ShadowRole::casts_and_receives;  ///< only looked at where the scene has a shadow
 };
 
 /// How a texel is chosen.
@@ -265,6 +281,24 @@ struct Fog {
 
 inline constexpr std::uint32_t kMaxLights = 4;
 
+inline constexpr std::uint8_t kLeastShadowLog2 = 4, kMostShadowLog2 = 10;
+
+/// The shadows of one directional light, by a map of depths as the light sees them (effect::shadows). What casts:
+/// instances that are neither blended nor without depth write, as solid whatever their texture's alpha, both faces, and
+/// quadrics. What receives: instances, quadrics. In shadow the light's term is missing, all else stays. Every
+/// material's depth test must be one that asks for nearer, equal or both. docs/conventions.md says which pixels are in
+/// shadow.
+struct Shadow {
+  std::uint8_t light = 0;      ///< index into Scene::lights
+  std::uint8_t log2_size = 8;  ///< of the map's side in texels, kLeastShadowLog2..kMostShadowLog2
+  std::uint16_t bias = 32;     ///< how much farther than it is a caster is kept, in 1/65533 of the depth of all casters
+  /// And times its slope, 16.16, in texels, 0 or more: below 1 what faces the light at a slant shadows itself.
+  Fixed slope_bias = kFixedOne + kFixedOne / 4;
+  /// Bytes for the compressed map, of Purpose::effects. Too few are Error::store_full when a frame begins. 0: as many
+  /// as the worst map takes.
+  std::uint32_t pool = 0;
+};
+
 struct Scene {
   std::span<const Mesh> meshes;
   std::span<const Material> materials;
@@ -279,6 +313,7 @@ struct Scene {
   std::span<const Quadric> quadrics{};               ///< drawn in this order, before the instances
   std::span<const LineSet> lines{};                  ///< drawn in this order, after the quadrics
   std::span<const Outline> outlines{};               ///< at most 255; Mesh::outline names them
+  const Shadow* shadow = nullptr;                    ///< none if null
 };
 
 /// Of the instances of this mesh; null if they have none.

@@ -26,7 +26,7 @@ static_assert(sizeof(Material) == 24 && offsetof(Material, texture) == 4 && offs
 static_assert(sizeof(bool) == 1 && sizeof(Camera) == 64);
 static_assert(sizeof(Instance) == 52 && offsetof(Instance, material) == 2 && offsetof(Instance, transform) == 4);
 static_assert(sizeof(void*) != 4 ||
-              (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(LineSet) == 64 && sizeof(Scene) == 92));
+              (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(LineSet) == 64 && sizeof(Scene) == 96));
 static_assert(sizeof(Track) == 8 && offsetof(Track, count) == 2 && offsetof(Track, first) == 4);
 static_assert(sizeof(Keyframe) == 36 && offsetof(Keyframe, rotation) == 4 && offsetof(Keyframe, translation) == 12 &&
               offsetof(Keyframe, scale) == 24);
@@ -43,13 +43,15 @@ static_assert(sizeof(Fog) == 20 && offsetof(Fog, mode) == 4 && offsetof(Fog, sta
               offsetof(Fog, density) == 16);
 static_assert(sizeof(Quadric) == 52 && offsetof(Quadric, transform) == 4);
 static_assert(sizeof(Outline) == 8 && offsetof(Outline, width) == 4 && offsetof(Outline, hull) == 6);
+static_assert(sizeof(Shadow) == 12 && offsetof(Shadow, bias) == 2 && offsetof(Shadow, slope_bias) == 4 &&
+              offsetof(Shadow, pool) == 8);
 static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colour) == 6);
 
 // Where the header has what; docs/formats.md.
 constexpr std::uint32_t kVersion = 2, kKind = 3, kSize = 4, kChecksum = 8, kChecked = 12;
 constexpr std::uint32_t kMeshes = 12, kMaterials = 20, kTextures = 28, kInstances = 36, kLights = 44;
-constexpr std::uint32_t kAmbient = 52, kBackground = 56, kCamera = 60, kOutlines = 122, kView = 124;
-constexpr std::uint32_t kLines = 131;
+constexpr std::uint32_t kAmbient = 52, kBackground = 56, kCamera = 60, kOutlines = 122, kLines = 123, kView = 124;
+constexpr std::uint32_t kShadow = 131;
 constexpr std::uint32_t kTracks = 132, kKeyframes = 140, kDuration = 148;
 constexpr std::uint32_t kFinishes = 152, kPunctualLights = 160, kFog = 168, kQuadrics = 176;
 constexpr std::uint32_t kTree = 184;
@@ -59,7 +61,7 @@ constexpr std::uint32_t kHeaderBytes = 192;
 struct MeshRecord {
   static constexpr std::uint32_t kPositions = 0, kNormals = 8, kColours = 16, kTexcoords = 24, kTriangles = 32,
                                  kMeshlets = 40, kCentre = 48, kHalfExtent = 60, kTexcoordBits = 72, kBillboard = 73,
-                                 kOutline = 74;
+                                 kOutline = 74, kShadowRole = 75;
   std::uint32_t words[19];
 };
 struct TextureRecord {
@@ -201,6 +203,8 @@ void check_materials(Reader& reader, std::span<const Material> materials) {
 Mesh read_mesh(Reader& reader, std::uint32_t at) {
   const std::uint32_t billboard = at + MeshRecord::kBillboard;
   reader.require(reader.byte(billboard) <= static_cast<std::uint8_t>(Billboard::upright), billboard);
+  const std::uint32_t shadow = at + MeshRecord::kShadowRole;
+  reader.require(reader.byte(shadow) <= static_cast<std::uint8_t>(ShadowRole::none), shadow);
   return {.positions = reader.array<Position>(at + MeshRecord::kPositions),
           .normals = reader.array<Normal>(at + MeshRecord::kNormals),
           .colours = reader.array<Colour>(at + MeshRecord::kColours),
@@ -211,7 +215,8 @@ Mesh read_mesh(Reader& reader, std::uint32_t at) {
           .half_extent = reader.vector(at + MeshRecord::kHalfExtent),
           .texcoord_bits = reader.byte(at + MeshRecord::kTexcoordBits),
           .billboard = static_cast<Billboard>(reader.byte(billboard)),
-          .outline = reader.byte(at + MeshRecord::kOutline)};
+          .outline = reader.byte(at + MeshRecord::kOutline),
+          .shadow = static_cast<ShadowRole>(reader.byte(shadow))};
 }
 
 Texture read_texture(Reader& reader, std::uint32_t at, TextureFormat last_format) {
@@ -284,7 +289,8 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   read_camera(reader, found.camera);
   read_view(reader, found.view);
   found.scene.quadrics = reader.array<Quadric>(kQuadrics);
-  found.scene.outlines = reader.next_behind_header<Outline>(reader.half_word(kOutlines), kOutlines);
+  found.scene.outlines = reader.next_behind_header<Outline>(reader.byte(kOutlines), kOutlines);
+  found.scene.shadow = reader.next_behind_header<Shadow>(reader.flag(kShadow) ? 1 : 0, kShadow).data();
   const std::span lines = reader.next_behind_header<LineSetRecord>(reader.byte(kLines), kLines);
   found.tree.nodes = reader.array<BspNode>(kTree);
   found.animation = {.tracks = reader.array<Track>(kTracks),

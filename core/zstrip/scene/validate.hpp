@@ -41,7 +41,10 @@ constexpr bool valid_mesh(const Mesh& mesh) {
       !one_each_or_none(mesh.texcoords.size())) {
     return false;
   }
-  if (mesh.texcoord_bits < 4 || mesh.texcoord_bits > 15 || mesh.billboard > Billboard::upright) return false;
+  if (mesh.texcoord_bits < 4 || mesh.texcoord_bits > 15 || mesh.billboard > Billboard::upright ||
+      mesh.shadow > ShadowRole::none) {
+    return false;
+  }
   for (const Fixed c : {mesh.centre.x, mesh.centre.y, mesh.centre.z}) {
     if (!within(c, kLargestMeshLength)) return false;
   }
@@ -167,6 +170,23 @@ constexpr bool can_have_outline(const Scene& scene, const Instance& instance, co
          (finish == kNoFinish || scene.finishes[finish].alpha_mode == AlphaMode::opaque);
 }
 
+/// Whether a fragment that must stay hidden can be kept hidden by a code nearer than any.
+constexpr bool asks_for_farther(const Material& material) {
+  return (static_cast<unsigned>(material.depth_test) & static_cast<unsigned>(DepthTest::farther)) != 0;
+}
+
+/// Of begin_frame, too: lights and materials may change between frames.
+constexpr bool valid_shadow(const Scene& scene, const Shadow& shadow) {
+  if (shadow.light >= scene.lights.size() || shadow.log2_size < kLeastShadowLog2 ||
+      shadow.log2_size > kMostShadowLog2 || shadow.slope_bias < 0) {
+    return false;
+  }
+  for (const Material& material : scene.materials) {
+    if (asks_for_farther(material)) return false;
+  }
+  return true;
+}
+
 constexpr bool valid_texture(const Texture& texture) {
   return texture.log2_width <= kLargestTextureLog2 && texture.log2_height <= kLargestTextureLog2 &&
          texture.format <= TextureFormat::palette4 &&
@@ -195,6 +215,7 @@ constexpr Status validate_instances(const Scene& scene) {
             .needed = static_cast<std::uint32_t>(scene.punctual_lights.size()),
             .available = kMaxPunctualLights};
   }
+  if (scene.shadow != nullptr && !detail::valid_shadow(scene, *scene.shadow)) return {.error = Error::shadow};
   return {};
 }
 

@@ -28,8 +28,8 @@ int print_affected() {
       alone.instances = {&instance, 1};
       alone.quadrics = {};
       alone.lines = {};
-      constexpr Effects kOwn =
-          effect::fragments | effect::vertex_light | effect::billboards | effect::environment | effect::outlines;
+      constexpr Effects kOwn = effect::fragments | effect::vertex_light | effect::billboards | effect::environment |
+                               effect::outlines | effect::shadows;
       if ((effects_of(alone, staged.camera) | kCalledFor).any(kOwn)) touched.push_back(instance);
     }
     staged.scene.instances = touched;
@@ -60,5 +60,5 @@ int main() {
          print_affected<scenes::environment>() + print_affected<scenes::spheres>() +
          print_affected<scenes::dithered>() + print_affected<scenes::dithered_mono>() +
          print_affected<scenes::lines>() + print_affected<scenes::billboards>() + print_affected<scenes::outlines>() +
-         print_affected<scenes::samples_2>() + print_affected<scenes::samples_4>();
+         print_affected<scenes::shadows>() + print_affected<scenes::samples_2>() + print_affected<scenes::samples_4>();
 }

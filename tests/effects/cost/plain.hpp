@@ -7,6 +7,7 @@
 #include "../billboards_scene.hpp"
 #include "../lines_scene.hpp"
 #include "../outlines_scene.hpp"
+#include "../shadows_scene.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"
 #include "zstrip_scenes/spheres.hpp"
@@ -62,8 +63,9 @@ inline constexpr auto kKnotTexcoords = [] {
   return texcoords;
 }();
 
-/// Without fog, finishes, punctual lights, quadrics, lines and outlines, billboards standing still, the scene's first
-/// texture for one with a palette, and texture coordinates for what mirrors its surroundings; all else as it is.
+/// Without fog, finishes, punctual lights, quadrics, lines, outlines and shadows, billboards standing still, the
+/// scene's first texture for one with a palette, and texture coordinates for what mirrors its surroundings; all else as
+/// it is.
 template <const scenes::BuiltIn& built_in>
 struct Plain {
   static constexpr auto kMaterials = [] {
@@ -98,7 +100,9 @@ struct Plain {
     plain.scene.lines = {};
     plain.counts.line_sets = 0;
     plain.scene.outlines = {};
-    if constexpr (!built_in.scene.outlines.empty()) plain.counts = count(plain.scene);
+    plain.scene.shadow = nullptr;
+    if constexpr (!built_in.scene.outlines.empty() || built_in.scene.shadow != nullptr)
+      plain.counts = count(plain.scene);
     return plain;
   }();
 };
@@ -114,7 +118,8 @@ template <const scenes::BuiltIn& built_in, bool plain>
 inline constexpr Effects kEffectsOf = without(effects_of(built_in.scene, built_in.camera) |
                                                   effects_of(kView<built_in, plain>),
                                               plain ? effect::fragments | effect::vertex_light | effect::surfaces |
-                                                          effect::billboards | effect::environment | effect::outlines
+                                                          effect::billboards | effect::environment | effect::outlines |
+                                                          effect::shadows
                                                     : Effects{});
 
 }  // namespace zstrip::effects_cost

@@ -1,0 +1,114 @@
+// From a pixel of the picture and the depth in its cell to the place in the shadow map, without the triangle that drew
+// it: what a pixel shows lies on its ray, and the depth says where.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "zstrip/base/math.hpp"
+#include "zstrip/base/status.hpp"
+#include "zstrip/geometry/project.hpp"
+#include "zstrip/scene/depth_format.hpp"
+
+namespace zstrip::detail {
+
+/// Half a code, as a power of two in 1/2^32 of all codes; of the small float the least.
+template <DepthFormat format>
+inline constexpr int kLog2HalfCode = format == DepthFormat::z32       ? 0
+                                     : format == DepthFormat::z24     ? 7
+                                     : format == DepthFormat::float16 ? 11
+                                                                      : 15;
+
+/// The middle of the depths whose code a cell holds, in 1/2^32 of all codes (near / w of the small float). Not w16.
+template <DepthFormat format>
+constexpr std::uint32_t depth_of_code(std::uint32_t code) {
+  if constexpr (format == DepthFormat::float16) {
+    const std::uint32_t exponent = code >> 13;
+    if (exponent == 0) return (code << 12) | (1U << 11);
+    return ((code & 0x1FFF) | 0x2000) << (11 + exponent) | (1U << (10 + exponent));
+  } else if constexpr (format == DepthFormat::z32) {
+    return code;
+  } else if constexpr (format == DepthFormat::z24) {
+    return (code << 8) | 0x80;
+  } else {
+    return (code << 16) | 0x8000;
+  }
+}
+
+/// One coordinate of the map over the picture. Perspective: offset + form / q, where q is the depth plus that of an
+/// infinite distance; orthographic: form + per_depth depth.
+struct MapForm {
+  std::int32_t start, step_x, step_y;  ///< the form at raster pixel (0, 0), and a pixel further
+  std::int32_t offset;                 ///< perspective only
+  std::int32_t per_depth;              ///< orthographic only; times half of the depth, the upper word
+  std::int32_t shift;                  ///< perspective only: right shift for a q without leading zeros, of 64 bits
+
+  std::int32_t at(std::int32_t x, std::int32_t y) const {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(start) +
+                                     static_cast<std::uint32_t>(step_x) * static_cast<std::uint32_t>(x) +
+                                     static_cast<std::uint32_t>(step_y) * static_cast<std::uint32_t>(y));
+  }
+};
+
+/// Column and row in texels, floor(value / 2^texel_bits); depth code of the map with code_bits, which may be negative,
+/// a half code added as at vertices. Any numbers, also outside the map.
+struct MapPoint {
+  std::int32_t column, row, code;
+  std::int32_t doubt;  ///< how much half a code of the picture's depth is, in units of `code`
+};
+
+/// What casts so much nearer to the light than a point is never the point's own surface, unless light only grazes it.
+inline constexpr std::int32_t kContactTexels = 32;
+
+struct ShadowPlace {
+  MapForm column, row, code;
+  std::int64_t depth_offset;  ///< DepthFit::offset, perspective only
+  std::int32_t doubt;         ///< orthographic only
+  std::int32_t texel_bits, code_bits;
+  std::int32_t contact;  ///< depth of kContactTexels texels, in units of MapPoint::code
+
+  /// Of the depth of a cell with a fragment, at raster pixel (x, y).
+  template <bool orthographic, DepthFormat format>
+  MapPoint at(std::int32_t x, std::int32_t y, std::uint32_t depth) const {
+    if constexpr (orthographic) {
+      const auto value = [&](const MapForm& form) {
+        return form.at(x, y) + multiply_high(form.per_depth, static_cast<std::int32_t>(depth >> 1));
+      };
+      return {value(column), value(row), value(code), doubt};
+    } else {
+      const auto q = static_cast<std::uint64_t>(std::int64_t{depth} + depth_offset);
+      const int zeros = std::countl_zero(q | 1);
+      const std::int32_t inverse = reciprocal(static_cast<std::uint32_t>((q << zeros) >> 32) | 0x80000000U);
+      const auto relative = [&](const MapForm& form) {
+        return multiply_high(form.at(x, y), inverse) >> std::clamp<std::int32_t>(form.shift - zeros, 0, 31);
+      };
+      const std::int32_t deeper = relative(code);
+      // Half a code's share of q, 0.32.
+      int share_shift = 62 - kLog2HalfCode<format> - zeros;
+      // The small float's codes are wider where its octave is, and never less than 2^-15 of q.
+      if constexpr (format == DepthFormat::float16) share_shift = std::min<std::int32_t>(share_shift, 13);
+      const std::uint32_t share = share_shift < 0    ? 0x7FFFFFFFU
+                                  : share_shift < 32 ? static_cast<std::uint32_t>(inverse) >> share_shift
+                                                     : 0;
+      const auto magnitude = static_cast<std::uint32_t>(deeper < 0 ? -deeper : deeper);
+      return {column.offset + relative(column), row.offset + relative(row), code.offset + deeper,
+              static_cast<std::int32_t>(multiply_high(magnitude, share))};
+    }
+  }
+};
+
+/// The light's picture, of side x side pixels.
+struct LightPicture {
+  const Camera& camera;
+  DepthFit fit;  ///< z16
+  std::uint32_t side;
+};
+
+/// The picture, `fit` and `origin` as the frame's when triangles are drawn; `least`: the smallest depth that
+/// depth_of_code gives. Error::shadow where a texel is so small beside what the picture shows that 32 bits cannot tell
+/// them apart.
+Status shadow_place(ShadowPlace& place, const LightPicture& light, const Camera& camera, const View& view,
+                    const DepthFit& fit, const RasterOrigin& origin, std::uint32_t least);
+
+}  // namespace zstrip::detail
