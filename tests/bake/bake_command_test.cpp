@@ -278,6 +278,20 @@ TEST_F(Bake, SurroundingsAreMirroredFromABlobAsFromTheSceneFile) {
   EXPECT_EQ(read(path("again.zsc")), read(path("scene.zsc")));
 }
 
+TEST_F(Bake, ShadingInABlobAsInTheSceneFile) {
+  const std::string scene = ZSTRIP_SCENE_FILES "/per_pixel.toml";
+  const Json baked = report({"bake", scene, "-o", "scene.zsc"});
+  const auto effect =
+      std::ranges::find_if(baked.at("effects"), [](const Json& e) { return e.at("name") == "pixel_shading"; });
+  ASSERT_NE(effect, baked.at("effects").end());
+  EXPECT_EQ(effect->at("materials"), Json::array({"stone, each pixel", "lacquer, each pixel"}));
+  EXPECT_EQ(crcs("scene.zsc", {}, 1), crcs(scene, {}, 1));
+  report({"bake", "scene.zsc", "-o", "again.zsc"});
+  EXPECT_EQ(read(path("again.zsc")), read(path("scene.zsc")));
+  report({"bake", scene, "-o", "scene.hpp"});
+  EXPECT_NE(read(path("scene.hpp")).find(".smooth = zstrip::Shading::pixel"), std::string::npos);
+}
+
 TEST_F(Bake, OutlinesInABlobAsInTheSceneFile) {
   const std::string scene = ZSTRIP_SCENE_FILES "/outlines.toml";
   const Json baked = report({"bake", scene, "-o", "scene.zsc"});
