@@ -10,6 +10,7 @@
 
 #include "import/meshlets.hpp"
 #include "report/number.hpp"
+#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::sim {
 namespace {
