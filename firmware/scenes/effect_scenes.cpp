@@ -4,8 +4,8 @@
 namespace zstrip::scenes {
 namespace {
 
-constexpr BuiltIn kEffectScenes[] = {fog,   emissive, specular, punctual, mask,
-                                     blend, bilinear, palette,  mipmaps,  environment};
+constexpr BuiltIn kEffectScenes[] = {fog,      emissive, specular, punctual,    mask,     blend,
+                                     bilinear, palette,  mipmaps,  environment, per_pixel};
 
 consteval bool all_valid() {
   for (const BuiltIn& scene : kEffectScenes) {
@@ -53,7 +53,7 @@ consteval std::array<std::uint16_t, 256 + 64 + 16 + 4 + 1> chequer() {
   return result;
 }
 
-consteval std::int32_t root(std::int32_t square) {
+constexpr std::int32_t root(std::int32_t square) {
   std::int32_t root = 0;
   while ((root + 1) * (root + 1) <= square) ++root;
   return root;
@@ -87,7 +87,83 @@ consteval std::array<std::uint16_t, 1024> surroundings() {
   return result;
 }
 
+/// On the octahedron |x| + |y| + |z| = kCuts.
+struct OctahedronPoint {
+  std::int32_t x, y, z;
+};
+constexpr std::int32_t kCuts = 4;
+
+consteval std::array<OctahedronPoint, kBallVertices> octahedron() {
+  std::array<OctahedronPoint, kBallVertices> points{};
+  std::size_t count = 0;
+  for (std::int32_t x = -kCuts; x <= kCuts; ++x) {
+    const std::int32_t rest = kCuts - (x < 0 ? -x : x);
+    for (std::int32_t y = -rest; y <= rest; ++y) {
+      const std::int32_t z = rest - (y < 0 ? -y : y);
+      points[count++] = {x, y, z};
+      if (z != 0) points[count++] = {x, y, -z};
+    }
+  }
+  return points;
+}
+
+/// Where the sphere of this radius has what the octahedron has at `coordinate`, rounded to nearest.
+constexpr std::int32_t on_sphere(std::int32_t coordinate, const OctahedronPoint& p, std::int32_t radius) {
+  const std::int32_t length = root((p.x * p.x + p.y * p.y + p.z * p.z) << 16);  // 8 fraction bits
+  const std::int32_t twice = 2 * 256 * radius * coordinate / length;
+  return (twice + (twice < 0 ? -1 : 1)) / 2;
+}
+
+consteval std::array<Position, kBallVertices> ball_positions() {
+  std::array<Position, kBallVertices> result{};
+  for (std::size_t i = 0; i < kBallVertices; ++i) {
+    const OctahedronPoint p = octahedron()[i];
+    const auto at = [&p](std::int32_t c) { return static_cast<std::int16_t>(on_sphere(c, p, 32766)); };
+    result[i] = {at(p.x), at(p.y), at(p.z)};
+  }
+  return result;
+}
+
+consteval std::array<Normal, kBallVertices> ball_normals() {
+  std::array<Normal, kBallVertices> result{};
+  for (std::size_t i = 0; i < kBallVertices; ++i) {
+    const OctahedronPoint p = octahedron()[i];
+    const auto at = [&p](std::int32_t c) { return static_cast<std::int8_t>(on_sphere(c, p, 127)); };
+    result[i] = {at(p.x), at(p.y), at(p.z), 0};
+  }
+  return result;
+}
+
+consteval std::array<Triangle, kBallTriangleCount> ball_triangles() {
+  constexpr auto kPoints = octahedron();
+  std::array<Triangle, kBallTriangleCount> result{};
+  std::size_t count = 0;
+  for (std::int32_t octant = 0; octant < 8; ++octant) {
+    const std::int32_t sx = (octant & 1) != 0 ? -1 : 1, sy = (octant & 2) != 0 ? -1 : 1,
+                       sz = (octant & 4) != 0 ? -1 : 1;
+    const auto index = [&](std::int32_t a, std::int32_t b) {
+      std::uint16_t i = 0;
+      while (kPoints[i].x != sx * a || kPoints[i].y != sy * b || kPoints[i].z != sz * (kCuts - a - b)) ++i;
+      return i;
+    };
+    const auto add = [&](std::uint16_t a, std::uint16_t b, std::uint16_t c) {
+      result[count++] = sx * sy * sz > 0 ? Triangle{a, b, c} : Triangle{a, c, b};
+    };
+    for (std::int32_t a = 0; a < kCuts; ++a) {
+      for (std::int32_t b = 0; a + b < kCuts; ++b) {
+        add(index(a, b), index(a + 1, b), index(a, b + 1));
+        if (a + b + 1 < kCuts) add(index(a + 1, b), index(a + 1, b + 1), index(a, b + 1));
+      }
+    }
+  }
+  return result;
+}
+
 }  // namespace
+
+constexpr std::array<Position, kBallVertices> kBallPositions = ball_positions();
+constexpr std::array<Normal, kBallVertices> kBallNormals = ball_normals();
+constexpr std::array<Triangle, kBallTriangleCount> kBallTriangles = ball_triangles();
 
 constexpr std::array<std::uint16_t, 1024> kSurroundingsTexels = surroundings();
 

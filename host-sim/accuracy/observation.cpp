@@ -57,7 +57,8 @@ struct LabelledScene {
     material.colour = colour;
     material.texture = kNoTexture;
     material.finish = kNoFinish;
-    material.lit = material.smooth = false;
+    material.lit = false;
+    material.smooth = false;
     materials.push_back(material);
     return static_cast<std::uint16_t>(materials.size() - 1);
   }

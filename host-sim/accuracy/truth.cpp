@@ -57,6 +57,9 @@ struct Look {
   std::array<std::array<double, 2>, 3> uv{};  ///< texels
   const Texture* texture = nullptr;
   bool lit_texture = false;
+  const Scene* scene = nullptr;        ///< only where pixels are lit: `rgb` are vertex colours then
+  const Material* material = nullptr;  ///< likewise
+  std::array<Vector, 3> normal{};      ///< likewise, in the world, as long as the mesh's
 };
 
 class Rasteriser {
@@ -154,6 +157,14 @@ class Rasteriser {
       u += part * look.uv[j][0];
       v += part * look.uv[j][1];
     }
+    if (look.material != nullptr) {
+      Vector normal{};
+      for (std::size_t j = 0; j < 3; ++j) {
+        for (std::size_t c = 0; c < 3; ++c) normal[c] += share[j] / q * look.normal[j][c];
+      }
+      const Vector light = truth::lit_colour(*look.scene, *look.material, normal);
+      for (std::size_t c = 0; c < 3; ++c) rgb[c] *= light[c] / 255;
+    }
     if (look.texture != nullptr) {
       const Vector texel = texel_at(*look.texture, u, v);
       for (std::size_t c = 0; c < 3; ++c) rgb[c] = look.lit_texture ? rgb[c] * texel[c] / 255 : texel[c];
@@ -180,13 +191,18 @@ class Rasteriser {
   TruthPicture picture_;
 };
 
-/// The colour of a vertex without its texture.
+Vector world_normal(const Transform& transform, const Normal& n) {
+  return transformed(transform, {double(n.x), double(n.y), double(n.z)}, true);
+}
+
+/// The colour of a vertex without its texture, and without light where that is its pixels'.
 Vector vertex_colour(const Scene& scene, const Transform& transform, const Mesh& mesh, const Material& material,
                      std::uint16_t vertex) {
   Vector rgb{double(material.colour.r), double(material.colour.g), double(material.colour.b)};
-  if (material.lit && !mesh.normals.empty()) {
-    const Normal& n = mesh.normals[vertex];
-    rgb = truth::lit_colour(scene, material, transformed(transform, {double(n.x), double(n.y), double(n.z)}, true));
+  if (is_lit_by_pixel(mesh, material)) {
+    rgb = {255, 255, 255};
+  } else if (material.lit && !mesh.normals.empty()) {
+    rgb = truth::lit_colour(scene, material, world_normal(transform, mesh.normals[vertex]));
   }
   if (!mesh.colours.empty()) {
     const Colour& own = mesh.colours[vertex];
@@ -208,7 +224,8 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
                    "the scene has materials with a depth test, write or bias of their own: what is right there depends "
                    "on the z-buffer's codes, so that no truth can be drawn"};
   }
-  constexpr Effects kKnown = effect::all | effect::fog | effect::emissive | effect::quadrics | effect::billboards;
+  constexpr Effects kKnown =
+      effect::all | effect::fog | effect::emissive | effect::quadrics | effect::billboards | effect::pixel_shading;
   if (without(effects_of(scene, camera), kKnown) != Effects{}) {
     return Failure{
         ExitStatus::input,
@@ -231,6 +248,10 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
     for (const Triangle& triangle : mesh.triangles) {
       const std::array<std::uint16_t, 3> index{triangle.a, triangle.b, triangle.c};
       Look look{.number = number++, .rgb = {}, .uv = {}};
+      if (is_lit_by_pixel(mesh, material)) {
+        look.scene = &scene, look.material = &material;
+        for (std::size_t i = 0; i < 3; ++i) look.normal[i] = world_normal(transform, mesh.normals[index[i]]);
+      }
       std::vector<Corner> polygon(3);
       for (std::size_t i = 0; i < 3; ++i) {
         const Position& p = mesh.positions[index[i]];

@@ -60,7 +60,9 @@ SceneVariant::SceneVariant(const Scene& scene, const Settings& settings)
       materials_(scene.materials.begin(), scene.materials.end()),
       finishes_(scene.finishes.begin(), scene.finishes.end()) {
   if (settings.name_of(Knob::shading) == "flat") {
-    for (Material& material : materials_) material.smooth = false;
+    for (Material& material : materials_) {
+      if (material.smooth == Shading::gouraud) material.smooth = Shading::flat;
+    }
   }
   if (settings.name_of(Knob::filter) == "bilinear") filter_bilinearly(scene);
   const std::uint32_t percent = detail_percent(settings);

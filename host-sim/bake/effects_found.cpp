@@ -31,6 +31,7 @@ constexpr KnownEffect kKnown[] = {
     {effect::environment, "environment", "mirrors its surroundings, with normals"},
     {effect::outlines, "outlines", "has an outline"},
     {effect::shadows, "shadows", "the shadow of a light, and something is lit"},
+    {effect::pixel_shading, "pixel_shading", "lit at pixels, with normals"},
     {effect::dithered_colours, "dithered_colours", "the picture is dithered to RGB565 (--dither)"},
     {effect::dithered_format, "dithered_format", "the picture is dithered to its format (--dither)"},
     {effect::supersampled, "supersampled", "the picture has several samples a pixel (--samples)"},

@@ -65,7 +65,9 @@ class Writer {
   void put(const Material& m) {
     put(m.colour);
     half_word(std::uint32_t{m.texture});
-    for (const bool flag : {m.lit, m.smooth, m.double_sided}) byte(flag ? 1 : 0);
+    byte(m.lit ? 1 : 0);
+    byte(m.smooth.kind);
+    byte(m.double_sided ? 1 : 0);
     byte(static_cast<std::uint8_t>(m.depth_test));
     byte(m.depth_write ? 1 : 0);
     byte(m.finish);

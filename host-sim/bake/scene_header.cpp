@@ -47,7 +47,8 @@ std::string literal(const Meshlet& m) {
 std::string literal(const Material& m) {
   std::string text = fmt::format("{{.colour = {}", literal(m.colour));
   if (m.texture != kNoTexture) text += fmt::format(", .texture = {}", m.texture);
-  text += fmt::format(", .lit = {}, .smooth = {}, .double_sided = {}", m.lit, m.smooth, m.double_sided);
+  const char* const smooth = m.smooth == Shading::pixel ? "zstrip::Shading::pixel" : m.smooth ? "true" : "false";
+  text += fmt::format(", .lit = {}, .smooth = {}, .double_sided = {}", m.lit, smooth, m.double_sided);
   if (has_depth_state(m)) {
     text += fmt::format(
         ", .depth_test = zstrip::DepthTest{{{}}}, .depth_write = {}, .depth_bias = {}, .depth_slope_bias = {}, "

@@ -10,6 +10,8 @@ constexpr std::pair<std::string_view, AlphaMode> kAlphaModes[] = {
     {"opaque", AlphaMode::opaque}, {"mask", AlphaMode::mask}, {"blend", AlphaMode::blend}};
 constexpr std::pair<std::string_view, TextureFilter> kFilters[] = {{"nearest", TextureFilter::nearest},
                                                                    {"bilinear", TextureFilter::bilinear}};
+constexpr std::pair<std::string_view, Shading> kShadings[] = {
+    {"flat", Shading::flat}, {"gouraud", Shading::gouraud}, {"pixel", Shading::pixel}};
 constexpr std::pair<std::string_view, DepthTest> kDepthTests[] = {{"never", DepthTest::never},
                                                                   {"nearer", DepthTest::nearer},
                                                                   {"equal", DepthTest::equal},
@@ -46,7 +48,13 @@ FileMaterial read_material(TomlTable& table) {
   material.mipmaps = table.flag("mipmaps");
   material.mipmaps_line = table.line_of("mipmaps");
   material.lit = table.flag("lit");
-  material.smooth = table.flag("smooth");
+  material.smooth = table.choice("shading", kShadings);
+  if (const auto smooth = table.flag("smooth")) {
+    if (material.smooth) {
+      table.wrong("smooth", "'smooth' says what 'shading' does, and the material has both; leave out 'smooth'");
+    }
+    material.smooth = *smooth;
+  }
   material.double_sided = table.flag("double_sided");
   material.emissive = table.colour("emissive");
   material.specular = table.colour("specular");

@@ -74,7 +74,8 @@ struct FileMaterial {
   std::optional<std::filesystem::path> texture;
   bool mirrors = false;  ///< `texture` is that of the key `environment`
   int texture_line = 0;
-  std::optional<bool> lit, smooth, double_sided, depth_write;
+  std::optional<bool> lit, double_sided, depth_write;
+  std::optional<Shading> smooth;  ///< of the key `shading`, or of `smooth`
   std::optional<Colour> emissive, specular;
   std::optional<std::uint8_t> shininess, alpha, alpha_cutoff;  ///< alpha: of the colour
   std::optional<AlphaMode> alpha_mode;

@@ -10,6 +10,7 @@
 
 #include "import/meshlets.hpp"
 #include "report/number.hpp"
+#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -169,6 +170,9 @@ Result<PolygonSoup> soup_of(const Scene& scene) {
     }
     if (outline_of(scene, mesh) != nullptr) {
       return Failure{ExitStatus::usage, "instances with outlines cannot be split: hulls have no place in the order"};
+    }
+    if (is_lit_by_pixel(mesh, material)) {
+      return Failure{ExitStatus::usage, "triangles that are lit at pixels cannot be split, only those with colours"};
     }
     if (material.texture != kNoTexture && !mesh.texcoords.empty()) {
       return Failure{ExitStatus::usage, "triangles with textures cannot be split, only those with colours"};

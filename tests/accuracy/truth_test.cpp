@@ -209,6 +209,26 @@ TEST(Truth, SpheresAreLitByTheirNormals) {
   EXPECT_NEAR(aside.rgb[0], 20 + 200 * (4 - aside.w), 0.01);
 }
 
+TEST(Truth, PixelsAreLitByTheNormalThere) {
+  Square square;
+  // The normals of the left side lean to the left, those of the right side to the right, by 45 degrees.
+  const std::array<Normal, 4> normals{{{-90, 0, 90, 0}, {90, 0, 90, 0}, {90, 0, 90, 0}, {-90, 0, 90, 0}}};
+  const std::array<DirectionalLight, 1> lights{{{0, 0, 32767, {200, 200, 200, 255}}}};
+  square.meshes[0].normals = normals;
+  square.meshes[0].colours = {};
+  square.materials[0] = {.colour = {255, 255, 255, 255}, .smooth = Shading::pixel};
+  square.scene.lights = lights;
+  square.scene.ambient = {20, 20, 20, 255};
+  const TruthPicture picture = square.draw();
+  for (std::uint32_t x = 0; x < 16; ++x) {
+    const double lean = (x + 0.5) / 8 - 1;  // of the normal's x over its z
+    EXPECT_NEAR(picture.at(x, 3).rgb[0], 20 + 200 / std::sqrt(1 + lean * lean), 0.1) << x;
+  }
+  // Vertex colours are multiplied with it.
+  square.meshes[0].colours = square.colours;
+  EXPECT_NEAR(square.draw().at(12, 14).rgb[1], picture.at(12, 14).rgb[1] * 0.6875, 1);
+}
+
 TEST(Truth, RefusesWhatItDoesNotKnow) {
   Square square;
   const std::array<Finish, 1> finishes{{{.alpha_mode = AlphaMode::mask}}};

@@ -285,6 +285,13 @@ TEST_F(Bake, SurroundingsAreMirroredFromABlobAsFromTheSceneFile) {
             Json::array({"chrome", "lacquer", "gold"}));
 }
 
+TEST_F(Bake, ShadingInABlobAsInTheSceneFile) {
+  EXPECT_EQ(same_as_a_blob("per_pixel", "pixel_shading", {}, 1),
+            Json::array({"stone, each pixel", "lacquer, each pixel"}));
+  report({"bake", ZSTRIP_SCENE_FILES "/per_pixel.toml", "-o", "scene.hpp"});
+  EXPECT_NE(read(path("scene.hpp")).find(".smooth = zstrip::Shading::pixel"), std::string::npos);
+}
+
 TEST_F(Bake, OutlinesInABlobAsInTheSceneFile) { same_as_a_blob("outlines", "outlines", {}, 3); }
 
 TEST_F(Bake, LinesAndPointsInABlobAsInTheSceneFile) {

@@ -234,6 +234,25 @@ TEST(SceneBlob, WhetherAFinishMirrorsStandsBesideItsFilter) {
   }
 }
 
+TEST(SceneBlob, LightAtPixelsIsAThirdShading) {
+  SceneBlob content = sample();
+  std::vector<Material> materials(content.scene.materials.begin(), content.scene.materials.end());
+  const Bytes without = *to_scene_blob(content);
+  materials[1].smooth = Shading::pixel;
+  content.scene.materials = materials;
+  Bytes bytes = *to_scene_blob(content);
+  EXPECT_EQ(bytes[2], without[2]) << "the version stays: older programs refuse the byte";
+  const std::uint32_t at = word(bytes, 20);
+  EXPECT_EQ(bytes[at + 24 + 7], 2);
+  const Opened opened(bytes);
+  ASSERT_TRUE(opened.status);
+  EXPECT_EQ(opened.content.scene.materials[0].smooth, materials[0].smooth);
+  EXPECT_EQ(opened.content.scene.materials[1].smooth, Shading::pixel);
+  bytes[at + 24 + 7] = 3;
+  mend(bytes);
+  EXPECT_EQ(Opened(bytes).status, (Status{.error = Error::blob_damaged, .needed = at + 24 + 7}));
+}
+
 TEST(SceneBlob, OutlinesStandInBytesThatWereUnused) {
   SceneBlob content = sample();
   std::vector<Mesh> meshes(content.scene.meshes.begin(), content.scene.meshes.end());

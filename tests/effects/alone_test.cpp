@@ -18,6 +18,7 @@ TEST(EffectsTogether, EachOfFragmentsAlone) {
   expect_drawn_alike<effect::texture_palettes>();
   expect_drawn_alike<effect::mipmaps>();
   expect_drawn_alike<effect::dithered_colours>();
+  expect_drawn_alike<effect::pixel_shading>();
 }
 
 TEST(EffectsTogether, EachOfSurfacesAlone) {

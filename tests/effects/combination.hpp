@@ -18,7 +18,8 @@ inline constexpr Effects kFactors[] = {effect::lighting,         effect::gouraud
                                        effect::blending,         effect::vertex_colours,   effect::quadrics,
                                        effect::dithered_colours, effect::texture_palettes, effect::lines,
                                        effect::billboards,       effect::mipmaps,          effect::supersampled,
-                                       effect::environment,      effect::outlines,         effect::shadows};
+                                       effect::environment,      effect::outlines,         effect::shadows,
+                                        effect::pixel_shading};
 
 static_assert(
     [] {
@@ -39,7 +40,9 @@ constexpr Effects completed(Effects set) {
     set = set | effect::textures;
   }
   const bool unlit_texels = set.has(effect::textures | effect::vertex_colours);  // have no vertex colours
-  if (set.any(effect::vertex_light | effect::gouraud | effect::shadows) || unlit_texels) set = set | effect::lighting;
+  if (set.any(effect::vertex_light | effect::gouraud | effect::shadows | effect::pixel_shading) || unlit_texels) {
+    set = set | effect::lighting;
+  }
   return set;
 }
 
@@ -121,6 +124,7 @@ struct Combination {
       if (set.has(effect::textures)) material.texture = set.has(effect::texture_palettes) && i == indexed ? 1 : 0;
       if (set.has(effect::depth_state)) material.depth_test = DepthTest::nearer_or_equal;
     }
+    if (set.has(effect::pixel_shading)) materials[1].smooth = Shading::pixel;
     if (set.has(effect::alpha_test)) finishes[0].alpha_mode = AlphaMode::mask;
     if (set.has(effect::blending)) finishes[1].alpha_mode = AlphaMode::blend;
     if (set.has(effect::environment)) finishes[1].filter = of_environment(finishes[1].filter);

@@ -196,6 +196,8 @@ void SceneInput::read_material(Input& input, Material& material) const {
   material.lit = (flags & 1) != 0;
   material.smooth = (flags & 2) != 0;
   material.double_sided = (flags & 4) == 0;
+  if ((flags & 24) == 24)
+    material.smooth = static_cast<Shading::Kind>(Shading::pixel + (hostile_.materials ? flags >> 7 : 0));
 }
 
 void SceneInput::read_mesh(Input& input, MeshArrays& arrays, Mesh& mesh) const {

@@ -107,6 +107,28 @@ TEST(SceneFile, EveryTable) {
   EXPECT_EQ(file.lights[0].colour, (Colour{100, 50, 0, 255}));
 }
 
+TEST(SceneFile, ShadingHasThreeNames) {
+  const auto shading_of = [](const char* line) {
+    const std::string text = std::string("[[material]]\nname = 'a'\n").append(line).append("\n");
+    return parsed(text + "[[model]]\nname = 'm'\nbuilt_in = 'knot'\n[[instance]]\nmodel = 'm'\n").materials[0].smooth;
+  };
+  EXPECT_FALSE(shading_of("").has_value());
+  EXPECT_EQ(shading_of("shading = 'flat'"), Shading::flat);
+  EXPECT_EQ(shading_of("shading = 'gouraud'"), Shading::gouraud);
+  EXPECT_EQ(shading_of("shading = 'pixel'"), Shading::pixel);
+  EXPECT_EQ(shading_of("smooth = false"), Shading::flat);
+  EXPECT_EQ(shading_of("smooth = true"), Shading::gouraud);
+  const auto wrong = [](const char* lines) {
+    return failure(std::string("[[material]]\nname = 'a'\n").append(lines).append("\n").append(kCube));
+  };
+  EXPECT_EQ(wrong("shading = 'pixels'"),
+            "'scene.toml' line 3: [[material]]: 'shading' names no word 'pixels'; did you mean 'pixel'?");
+  EXPECT_EQ(
+      wrong("shading = 'flat'\nsmooth = false"),
+      "'scene.toml' line 4: [[material]]: 'smooth' says what 'shading' does, and the material has both; leave out "
+      "'smooth'");
+}
+
 /// Degrees about x, then y, then z: x, turned by 90 degrees about y, points to -z; about z afterwards it stays there.
 TEST(SceneFile, OrderOfRotations) {
   const SceneFile file = parsed(kCube + "rotation = [0, 90, 90]\n");

@@ -10,8 +10,8 @@ namespace zstrip::sim::test {
 namespace {
 
 constexpr View kView{96, 80, PixelFormat::rgb565};
-constexpr const char* kEffectScenes[] = {"fog",      "emissive", "specular", "punctual",    "mask",   "blend",
-                                         "bilinear", "palette",  "mipmaps",  "environment", "spheres"};
+constexpr const char* kEffectScenes[] = {"fog",      "emissive", "specular", "punctual",    "mask",      "blend",
+                                         "bilinear", "palette",  "mipmaps",  "environment", "per_pixel", "spheres"};
 constexpr const char* kKeepingZ[] = {"front-to-back", "hierarchical-z", "front-to-back-hierarchical-z",
                                      "midpoint-safe"};
 

@@ -30,6 +30,7 @@ struct Frame::Access::EffectStage {
       if (block.has(effect::environment)) prepare_reflections(frame, camera, called_for);
     }
     if constexpr (effects.any(effect::fragments)) prepare_fragments<effects>(frame);
+    if constexpr (effects.has(effect::pixel_shading)) prepare_pixel_shading(frame);
   }
 
   /// Opaque instances in the scene's order, then those that blend, from far to near.
@@ -67,6 +68,7 @@ struct Frame::Access::EffectStage {
   }
 
   static void prepare_reflections(Frame& frame, const Camera& camera, Effects called_for);
+  static void prepare_pixel_shading(Frame& frame);
 
   /// Which instances are drawn by fill_fragments.
   template <Effects effects>

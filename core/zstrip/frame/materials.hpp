@@ -73,9 +73,29 @@ struct Frame::Access::Materials {
     const bool dithered = effects.has(effect::dithered_colours) && shade == detail::Shade::textured_gouraud &&
                           dithers_colours(frame.view_);
     const Effects others = without(effect::fragments, effect::texture_palettes | effect::mipmaps);
-    const bool only_effect =
-        scene.fog == nullptr && !dithered && !effects_of_finish(scene, material, instance.lit, true).any(others);
+    const bool lit = effects.has(effect::pixel_shading) && detail::has_lit_fragments(instance.shade);
+    const bool only_effect = scene.fog == nullptr && !dithered && !lit &&
+                             !effects_of_finish(scene, material, instance.lit, true).any(others);
     return {texture.format, texture.smaller_levels, only_effect};
+  }
+
+  /// Only with effect::pixel_shading.
+  template <Effects effects>
+  static detail::PixelLightSettings pixel_light_settings(const Frame& frame, const detail::CompiledInstance& instance) {
+    const Scene& scene = *frame.scene_;
+    const Material& material = scene.materials[instance.material];
+    detail::PixelLightSettings settings{.instance = &instance, .scene = &scene};
+    if (!detail::has_lit_fragments(instance.shade)) return settings;
+    settings.finish = finish_of(scene, material);
+    settings.colour = material.colour;
+    if constexpr (effects.any(effect::local_light)) {
+      if (effects_of_finish(scene, material, true, false).any(effect::local_light)) {
+        const detail::EffectBlock block = effect_block(frame);
+        settings.lights = &block.lights();
+        settings.shading = &block.shading(static_cast<std::size_t>(&instance - frame.instances_));
+      }
+    }
+    return settings;
   }
 
   /// Calls draw(target), with what the method and the depth effects of this material add to it.
@@ -102,13 +122,17 @@ struct Frame::Access::Materials {
   template <Effects effects, class Target, class Draw>
   static void with_fragments(const Frame& frame, const Target& target, const detail::CompiledInstance& instance,
                              const Draw& draw) {
-    if constexpr (effects.any(effect::dithered_colours | effect::texture_palettes | effect::mipmaps)) {
-      detail::TargetOf<effects> complete{{target, fragment_settings<effects>(frame, instance)}, {}, {}};
+    if constexpr (effects.any(effect::dithered_colours | effect::texture_palettes | effect::mipmaps |
+                              effect::pixel_shading)) {
+      detail::TargetOf<effects> complete{{target, fragment_settings<effects>(frame, instance)}, {}, {}, {}};
       if constexpr (effects.has(effect::dithered_colours)) {
         complete.dithered = dithers_colours(frame.view_);
       }
       if constexpr (effects.any(effect::texture_palettes | effect::mipmaps)) {
         complete.storage = texel_storage<effects>(frame, instance);
+      }
+      if constexpr (effects.has(effect::pixel_shading)) {
+        complete.light = pixel_light_settings<effects>(frame, instance);
       }
       draw(complete);
     } else if constexpr (effects.any(effect::fragments)) {

@@ -74,7 +74,7 @@ static_assert(sizeof(ShadowState) <= kShadowStateBytes && alignof(ShadowState) <
 /// Takes the light of the shadow, which is the last one, from what was compiled of an instance that receives it (-1),
 /// or gives it back (1).
 inline void leave_shadowing_light(CompiledInstance& instance, const Mesh& mesh, int by) {
-  if (instance.lit && receives_shadow(mesh.shadow)) {
+  if ((instance.lit || has_lit_fragments(instance.shade)) && receives_shadow(mesh.shadow)) {
     instance.light_count = static_cast<std::uint8_t>(instance.light_count + by);
   }
 }

@@ -26,14 +26,27 @@ struct LinearForm {
 };
 
 /// How the light and the material shade this instance. Chosen once a frame, so that no triangle asks again.
-/// `fragments` is added to one of the others where fragments have effects: see fill_fragments.
-enum class Shade : std::uint8_t { flat, gouraud, textured, textured_flat, textured_gouraud, fragments = 8 };
+/// `fragments` is added to one of the others where fragments have effects: see fill_fragments; `lit_fragments`, which
+/// has it in it, where they are lit, too.
+enum class Shade : std::uint8_t {
+  flat,
+  gouraud,
+  textured,
+  textured_flat,
+  textured_gouraud,
+  fragments = 8,
+  lit_fragments = 24,
+};
 
 constexpr Shade with_fragments(Shade shade) {
   return static_cast<Shade>(static_cast<std::uint8_t>(shade) | static_cast<std::uint8_t>(Shade::fragments));
 }
+constexpr Shade with_lit_fragments(Shade shade) {
+  return static_cast<Shade>(static_cast<std::uint8_t>(shade) | static_cast<std::uint8_t>(Shade::lit_fragments));
+}
+constexpr bool has_lit_fragments(Shade shade) { return shade >= with_lit_fragments(Shade{}); }
 constexpr Shade without_fragments(Shade shade) {
-  return static_cast<Shade>(static_cast<std::uint8_t>(shade) & ~static_cast<std::uint8_t>(Shade::fragments));
+  return static_cast<Shade>(static_cast<std::uint8_t>(shade) & ~static_cast<std::uint8_t>(Shade::lit_fragments));
 }
 
 struct ObjectLight {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <span>
 
 #include "zstrip/base/math.hpp"
 #include "zstrip/base/unit_vector.hpp"
@@ -105,11 +106,66 @@ struct LightSum {
   }
 };
 
+/// A point of a surface, and what it sends to the eye of one light after the other. `direction` makes unit vectors:
+/// direction_of, or what is quicker.
+template <Effects effects, auto direction>
+struct LitPoint {
+  WorldPoint at;
+  UnitVector normal, to_eye;
+  std::uint8_t shininess;
+  bool shines;
+  LightSum diffuse{0, 0, 0}, highlights{0, 0, 0};
+
+  /// Of as much light as `gain` says, from `towards`.
+  void add_highlight(const UnitVector& towards, const Colour& colour, Gain gain) {
+    if constexpr (effects.has(effect::specular)) {
+      if (!shines || dot(normal, towards) <= 0) return;
+      const UnitVector half = direction(towards.x + to_eye.x, towards.y + to_eye.y, towards.z + to_eye.z).unit;
+      const std::int32_t cosine = std::clamp<std::int32_t>(dot(normal, half) >> 14, 0, 1 << 14);  // 0.14
+      const std::uint32_t share = power(static_cast<std::uint32_t>(cosine), shininess);
+      highlights.add(colour, static_cast<Gain>((std::uint64_t{gain} * share) >> 14));
+    }
+  }
+  /// Of a directional light, whose other part asks for no place.
+  void add_highlight(const DirectionalLight& light) {
+    add_highlight({light.x >> 1, light.y >> 1, light.z >> 1}, light.colour, kAllOfIt);
+  }
+  void add(const WorldLight& light) {
+    const DirectionAndLength from =
+        direction(light.position.x - at.x, light.position.y - at.y, light.position.z - at.z);
+    const std::int32_t cosine = dot(normal, from.unit) >> 14;  // 1.14
+    if (cosine <= 0) return;
+    const Gain gain = attenuation(light, from);
+    if (gain == 0) return;
+    diffuse.add(light.colour, static_cast<Gain>((std::uint64_t{gain} * static_cast<std::uint32_t>(cosine)) >> 14));
+    add_highlight(from.unit, light.colour, gain);
+  }
+
+  /// All local light, times the surface's colours. `lights`: the directional ones, but for what is in a light's shadow.
+  void add_all_to(LightSum& total, std::span<const DirectionalLight> lights, const FrameLights& frame,
+                  const Colour& colour, const Colour& specular) {
+    if constexpr (effects.has(effect::specular)) {
+      for (const DirectionalLight& light : lights) add_highlight(light);
+    }
+    if constexpr (effects.has(effect::punctual_lights)) {
+      for (std::uint32_t i = 0; i < frame.count; ++i) add(frame.lights[i]);
+      total.r += (diffuse.r * factor(colour.r)) >> 8;
+      total.g += (diffuse.g * factor(colour.g)) >> 8;
+      total.b += (diffuse.b * factor(colour.b)) >> 8;
+    }
+    if constexpr (effects.has(effect::specular)) {
+      total.r += (highlights.r * factor(specular.r)) >> 8;
+      total.g += (highlights.g * factor(specular.g)) >> 8;
+      total.b += (highlights.b * factor(specular.b)) >> 8;
+    }
+  }
+};
+
 /// Adds highlights, and point and spot lights.
 template <Effects effects>
 void add_local_light(LightSum& total, const CompiledInstance& instance, const Mesh& mesh, std::uint32_t vertex,
-                     const Scene& scene, [[maybe_unused]] const FrameLights* frame, const InstanceShading* shading,
-                     [[maybe_unused]] const Finish& finish) {
+                     const Scene& scene, const FrameLights* frame, const InstanceShading* shading,
+                     const Finish& finish) {
   const Normal& n = mesh.normals[vertex];
   const Position& p = mesh.positions[vertex];
   const WorldPoint at{shading->x.at(p), shading->y.at(p), shading->z.at(p)};
@@ -120,50 +176,13 @@ void add_local_light(LightSum& total, const CompiledInstance& instance, const Me
   UnitVector to_eye = frame->back;
   bool shines = false;
   if constexpr (effects.has(effect::specular)) {
-    shines = finish.specular.r != 0 || finish.specular.g != 0 || finish.specular.b != 0;
+    shines = !is_black(finish.specular);
     if constexpr (!effects.has(effect::orthographic)) {
       if (shines) to_eye = direction_of(-at.x, -at.y, -at.z).unit;
     }
   }
-  LightSum highlights{0, 0, 0};
-  const auto highlight = [&](const UnitVector& towards, const Colour& colour, Gain gain) {
-    if constexpr (effects.has(effect::specular)) {
-      if (!shines || dot(normal, towards) <= 0) return;
-      const UnitVector half = direction_of(towards.x + to_eye.x, towards.y + to_eye.y, towards.z + to_eye.z).unit;
-      const std::int32_t cosine = std::clamp<std::int32_t>(dot(normal, half) >> 14, 0, 1 << 14);  // 0.14
-      const std::uint32_t share = power(static_cast<std::uint32_t>(cosine), finish.shininess);
-      highlights.add(colour, static_cast<Gain>((std::uint64_t{gain} * share) >> 14));
-    }
-  };
-  if constexpr (effects.has(effect::specular)) {
-    // All of them, but for what is in a light's shadow.
-    for (const DirectionalLight& light : scene.lights.first(instance.light_count)) {
-      highlight({light.x >> 1, light.y >> 1, light.z >> 1}, light.colour, kAllOfIt);
-    }
-  }
-  if constexpr (effects.has(effect::punctual_lights)) {
-    LightSum diffuse{0, 0, 0};
-    for (std::uint32_t i = 0; i < frame->count; ++i) {
-      const WorldLight& light = frame->lights[i];
-      const DirectionAndLength from =
-          direction_of(light.position.x - at.x, light.position.y - at.y, light.position.z - at.z);
-      const std::int32_t cosine = dot(normal, from.unit) >> 14;  // 1.14
-      if (cosine <= 0) continue;
-      const Gain gain = attenuation(light, from);
-      if (gain == 0) continue;
-      diffuse.add(light.colour, static_cast<Gain>((std::uint64_t{gain} * static_cast<std::uint32_t>(cosine)) >> 14));
-      highlight(from.unit, light.colour, gain);
-    }
-    // Light times the material's colour.
-    total.r += (diffuse.r * factor(instance.base.r)) >> 8;
-    total.g += (diffuse.g * factor(instance.base.g)) >> 8;
-    total.b += (diffuse.b * factor(instance.base.b)) >> 8;
-  }
-  if constexpr (effects.has(effect::specular)) {
-    total.r += (highlights.r * factor(finish.specular.r)) >> 8;
-    total.g += (highlights.g * factor(finish.specular.g)) >> 8;
-    total.b += (highlights.b * factor(finish.specular.b)) >> 8;
-  }
+  LitPoint<effects, direction_of> point{at, normal, to_eye, finish.shininess, shines};
+  point.add_all_to(total, scene.lights.first(instance.light_count), *frame, instance.base, finish.specular);
 }
 
 /// The colour of a lit vertex with everything that the effects add; before the vertex colour. `frame` and `shading` are

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include "zstrip/geometry/clip.hpp"
@@ -10,6 +11,7 @@
 #include "zstrip/geometry/transform.hpp"
 #include "zstrip/raster/attributes.hpp"
 #include "zstrip/raster/fragment.hpp"
+#include "zstrip/raster/lit_corners.hpp"
 #include "zstrip/raster/polygon.hpp"
 #include "zstrip/raster/small_run_thumb.hpp"
 #include "zstrip/raster/small_triangle.hpp"
@@ -56,6 +58,10 @@ struct Assembler {
   using Attributes = VertexAttributes<effects>;
   using Batch = BatchOf<effects>;
   using StripTarget = TargetOf<effects>;  // with what the depth mode and fragments need
+  template <Shade shade>
+  using SurfaceOf = std::conditional_t<shade == Shade::fragments, FragmentSurface<effects>, Surface>;
+  template <Shade shade>
+  static constexpr bool kMayBeLit = effects.has(effect::pixel_shading) && shade == Shade::fragments;
 
   /// Planes start at vertex a and round there. Rotated so that the vertex of least order becomes a, a triangle has the
   /// same depths and colours whichever of its vertices comes first.
@@ -199,14 +205,23 @@ struct Assembler {
       Attributes::template load<shade>(
           batch, static_cast<std::uint32_t>(snapped[i] - batch.vertices) + batch.first_vertex, v[i]);
     }
-    Surface surface = batch.surface;
+    SurfaceOf<shade> surface{batch.surface};
     surface.flat_colour = Attributes::template flat_colour<shade>(batch, provoking);
     Attributes::template take_first_colour<shade>(batch, provoking, v);
+    if constexpr (kMayBeLit<shade>) {
+      if (has_lit_fragments(batch.instance->shade)) {
+        for (int i = 0; i < 3; ++i) {
+          const auto index = static_cast<std::uint32_t>(snapped[i] - batch.vertices) + batch.first_vertex;
+          surface.corners[i] = lit_corner<effects>(*batch.mesh, index, target.light);
+        }
+      }
+    }
     draw_spans<shade>(target, v, surface, true);
   }
 
   template <Shade shade, class Target>
-  static void draw_spans(const Target& target, const RasterVertex (&v)[3], const Surface& surface, bool narrow) {
+  static void draw_spans(const Target& target, const RasterVertex (&v)[3], const SurfaceOf<shade>& surface,
+                         bool narrow) {
     if constexpr (shade == Shade::fragments) {
       draw_fragment_triangle<effects>(target, v[0], v[1], v[2], surface, narrow);
     } else {
@@ -268,6 +283,11 @@ struct Assembler {
     for (int i = 0; i < 3; ++i) {
       clipped.vertices[i] = clip_vertex(batch, indices[i]);
       Attributes::template load<shade>(batch, indices[i], clipped.vertices[i]);
+      if constexpr (kMayBeLit<shade>) {
+        if (has_lit_fragments(batch.instance->shade)) {
+          set_corner(clipped.vertices[i], indices[i] == triangle.a ? 0 : indices[i] == triangle.b ? 1 : 2);
+        }
+      }
     }
     if constexpr (kOrthographic) {
       clip_orthographic(clipped, *batch.instance);
@@ -278,17 +298,33 @@ struct Assembler {
     return polygon.face_front(batch.instance->double_sided);
   }
 
+  /// Of a triangle of a clipped one.
+  static void take_corners(const StripTarget& target, const Batch& batch, const Triangle& triangle,
+                           RasterVertex (&vertices)[3], LitSurface& surface) {
+    LitCorner corners[3];
+    RasterVertex colours[3] = {};
+    const std::uint32_t indices[3] = {triangle.a, triangle.b, triangle.c};
+    for (int i = 0; i < 3; ++i) {
+      corners[i] = lit_corner<effects>(*batch.mesh, indices[i], target.light);
+      Attributes::template load<Shade::fragments>(batch, indices[i], colours[i]);
+    }
+    detail::take_corners(vertices, corners, colours, surface);
+  }
+
   /// Cannot be inlined: what clipping needs of the stack, the most of all, is free again here.
   template <Shade shade>
   [[gnu::noinline]] static void draw_polygon(const StripTarget& target, const Batch& batch, const Triangle& triangle,
                                              RasterPolygon& polygon, const Rect& box) {
-    Surface surface = batch.surface;
+    SurfaceOf<shade> surface{batch.surface};
     surface.flat_colour = Attributes::template flat_colour<shade>(batch, triangle);
     if constexpr (kStatistics) ++target.statistics->clipped;
     const CountedTriangle<kStatistics> counted(target, box.left, box.top);
     RasterVertex corner[3];
     while (polygon.cut_triangle(corner)) {
       Attributes::template take_first_colour<shade>(batch, triangle, corner);
+      if constexpr (kMayBeLit<shade>) {
+        if (has_lit_fragments(batch.instance->shade)) take_corners(target, batch, triangle, corner, surface);
+      }
       TriangleParts parts(polygon, corner, target.area);
       for (Rect part; parts.next(part);) {
         draw_spans<shade>(part_of<DepthCell<kDepth.format>>(target, part), corner, surface, false);

@@ -7,6 +7,7 @@
 
 #include "zstrip/geometry/light.hpp"
 #include "zstrip/raster/fragment_settings.hpp"
+#include "zstrip/raster/pixel_light.hpp"
 #include "zstrip/raster/span_triangle.hpp"
 #include "zstrip/raster/texture_sampler.hpp"
 
@@ -32,13 +33,27 @@ struct FragmentPlanes {
   static constexpr bool kOrthographic = effects.has(effect::orthographic);
   using Sampler = TextureSampler<effects.has(effect::texture_palettes), effects.has(effect::mipmaps)>;
 
-  FragmentPlanes(const PlaneSetup& setup, const RasterVertex* const (&v)[3], const Surface& surface,
-                 const FragmentSettings& settings) {
+  FragmentPlanes(const PlaneSetup& setup, const RasterVertex* const (&v)[3], const FragmentSurface<effects>& surface,
+                 const TargetOf<effects>& target) {
+    const FragmentSettings& settings = target.fragments;
     const auto plane = [&](auto member) {
       const auto value = [&](int i) { return std::int64_t{v[i]->*member}; };
       return setup.plane(value(0), value(1) - value(0), value(2) - value(0));
     };
-    light = {plane(&RasterVertex::r), plane(&RasterVertex::g), plane(&RasterVertex::b)};
+    bool varies = true;
+    if constexpr (effects.has(effect::pixel_shading)) {
+      const CompiledInstance& instance = *target.light.instance;
+      if (has_lit_fragments(instance.shade)) {
+        pixel_light = PixelLight<effects>(setup, v, surface, target.light);
+        varies = instance.coloured;
+      }
+    }
+    if (varies) {
+      light = {plane(&RasterVertex::r), plane(&RasterVertex::g), plane(&RasterVertex::b)};
+    } else {
+      const Plane white{static_cast<std::uint32_t>(channel_start(255)), 0, 0};
+      light = {white, white, white};
+    }
     if constexpr (effects.has(effect::textures)) {
       textured = settings.textured;
       if (textured) {
@@ -52,7 +67,7 @@ struct FragmentPlanes {
     }
   }
 
-  ColourPlanes light;  ///< constant over a flat triangle, 255 where texels are not lit
+  ColourPlanes light;  ///< constant over a flat triangle, 255 where texels are not lit; vertex colours with pixel_light
   bool textured = false, fogged = false;
   TextureView texture{};
   template <Effects needed, class Member>
@@ -60,6 +75,7 @@ struct FragmentPlanes {
   [[no_unique_address]] If<effect::textures, TextureCoordinates<kOrthographic>> coordinates;
   [[no_unique_address]] If<effect::fog, FogPlane<kOrthographic>> fog;
   [[no_unique_address]] If<effect::dithered_colours, DitherAnchor> dither;
+  [[no_unique_address]] If<effect::pixel_shading, PixelLight<effects>> pixel_light;
   [[no_unique_address]] typename Sampler::Storage storage;
 };
 
@@ -158,10 +174,11 @@ bool shade_fragment(const FragmentPlanes<effects>& planes, const FragmentSetting
   return true;
 }
 
-/// A span of one triangle. `planes` and `settings` are its instance's.
+/// A span of one triangle. `target` has its instance's settings.
 template <Effects effects, class DepthPlane, class Rule>
 void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
-                    const FragmentPlanes<effects>& planes, const FragmentSettings& settings, Statistics* counters) {
+                    const FragmentPlanes<effects>& planes, const TargetOf<effects>& target, Statistics* counters) {
+  const FragmentSettings& settings = target.fragments;
   constexpr bool kTextures = effects.has(effect::textures);
   constexpr bool kFog = effects.has(effect::fog);
   constexpr bool kDithered = effects.has(effect::dithered_colours);
@@ -210,11 +227,24 @@ void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& dep
       typename Rule::Cell kept = *cell;
       bool shown = rule.may_draw(z, kept);
       const std::uint32_t share = static_cast<std::uint32_t>(visible) >> 16;
-      if constexpr (kDithered) {
-        const std::uint32_t threshold = planes.dither.threshold(column + before + i, span.rows);
-        shown = shown && shade_fragment(planes, settings, sampler, r, g, b, u, v, share, *pixel, threshold);
+      const auto shade = [&](std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
+        if constexpr (kDithered) {
+          const std::uint32_t threshold = planes.dither.threshold(column + before + i, span.rows);
+          return shade_fragment(planes, settings, sampler, red, green, blue, u, v, share, *pixel, threshold);
+        } else {
+          return shade_fragment(planes, settings, sampler, red, green, blue, u, v, share, *pixel);
+        }
+      };
+      if constexpr (effects.has(effect::pixel_shading)) {
+        if (shown && planes.pixel_light.is_on()) {
+          const FragmentColour lit =
+              modulated(planes.pixel_light.at(column + before + i, span.rows, target.light), r, g, b);
+          shown = shade(lit.r << 16, lit.g << 16, lit.b << 16);
+        } else {
+          shown = shown && shade(r, g, b);
+        }
       } else {
-        shown = shown && shade_fragment(planes, settings, sampler, r, g, b, u, v, share, *pixel);
+        shown = shown && shade(r, g, b);
       }
       if (shown) {
         rule.drawn(kept, !effects.has(effect::blending) || !settings.blends, *cell);
@@ -242,18 +272,18 @@ void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& dep
 /// Draws a counter-clockwise triangle of an instance whose fragments have effects. `narrow`: as draw_span_triangle.
 template <Effects effects>
 void draw_fragment_triangle(const TargetOf<effects>& target, const RasterVertex& v0, const RasterVertex& v1,
-                            const RasterVertex& v2, const Surface& surface, bool narrow) {
+                            const RasterVertex& v2, const FragmentSurface<effects>& surface, bool narrow) {
   constexpr DepthMode kMode = depth_mode(effects);
   const SpanTriangle<kMode> triangle(target, v0, v1, v2);
   const RasterVertex* const vertices[3] = {&v0, &v1, &v2};
-  FragmentPlanes<effects> planes(triangle.setup, vertices, surface, target.fragments);
+  FragmentPlanes<effects> planes(triangle.setup, vertices, surface, target);
   if constexpr (effects.has(effect::dithered_colours)) {
     planes.dither = {triangle.anchor_x - target.view_left, triangle.anchor_y - target.view_top, target.dithered};
   }
   if constexpr (effects.any(effect::texture_palettes | effect::mipmaps)) planes.storage = target.storage;
   triangle.template walk<effects.has(effect::statistics), true>(
       target, v0, v1, v2, narrow, [&](const auto& run, const auto& z, const auto& rule) {
-        fill_fragments<effects>(run, z, rule, planes, target.fragments, target.statistics);
+        fill_fragments<effects>(run, z, rule, planes, target, target.statistics);
       });
 }
 

@@ -41,12 +41,27 @@ struct TexelStorage {
   bool only_effect = false;  ///< all else of its fragments is as without effects
 };
 
-/// With what dithering, and palettes or mipmaps add, any of which a renderer may have where the picture or an instance
-/// has not.
-template <class Target, bool dithering, bool stored>
+struct CompiledInstance;
+struct InstanceShading;
+struct FrameLights;
+
+/// What lights the pixels of an instance; only looked at where it has_lit_fragments.
+struct PixelLightSettings {
+  const CompiledInstance* instance = nullptr;
+  const Scene* scene = nullptr;
+  const FrameLights* lights = nullptr;
+  const InstanceShading* shading = nullptr;  ///< null where the instance has no local light
+  Finish finish{};
+  Colour colour{};  ///< the material's
+};
+
+/// With what dithering, palettes or mipmaps, and lit fragments add, any of which a renderer may have where the picture
+/// or an instance has not.
+template <class Target, bool dithering, bool stored, bool lit>
 struct TargetWithColours : Target {
   [[no_unique_address]] std::conditional_t<dithering, bool, Absent> dithered;
   [[no_unique_address]] std::conditional_t<stored, TexelStorage, Absent> storage;
+  [[no_unique_address]] std::conditional_t<lit, PixelLightSettings, Absent> light;
 };
 
 template <Effects effects>
@@ -56,8 +71,9 @@ struct TargetOfEffects {
   using WithFragments = TargetWithFragments<WithDepth>;
   static constexpr bool kDithers = effects.has(effect::dithered_colours);
   static constexpr bool kStores = effects.any(effect::texture_palettes | effect::mipmaps);
-  using Drawn =
-      std::conditional_t<kDithers || kStores, TargetWithColours<WithFragments, kDithers, kStores>, WithFragments>;
+  static constexpr bool kLights = effects.has(effect::pixel_shading);
+  using Drawn = std::conditional_t<kDithers || kStores || kLights,
+                                   TargetWithColours<WithFragments, kDithers, kStores, kLights>, WithFragments>;
   using Type = std::conditional_t<effects.any(effect::fragments), Drawn, WithDepth>;
 };
 /// The strip as the rasterisers of these effects take it.

@@ -62,13 +62,15 @@ inline constexpr Effects bilinear{std::uint64_t{1} << 20};         ///< TextureF
 inline constexpr Effects dithered_colours{std::uint64_t{1} << 21};
 inline constexpr Effects texture_palettes{std::uint64_t{1} << 24};  ///< TextureFormat::palette8 or palette4
 inline constexpr Effects mipmaps{std::uint64_t{1} << 26};           ///< Texture::smaller_levels
+/// A lit material with Shading::pixel. Alone it lights no vertex: neither lighting nor gouraud goes with it.
+inline constexpr Effects pixel_shading{std::uint64_t{1} << 32};
 
 /// Those that need a fragment of its own: instances with one of them are drawn by fill_fragments.
-inline constexpr Effects fragments =
-    fog | alpha_test | blending | texture_alpha | bilinear | dithered_colours | texture_palettes | mipmaps;
+inline constexpr Effects fragments = fog | alpha_test | blending | texture_alpha | bilinear | dithered_colours |
+                                     texture_palettes | mipmaps | pixel_shading;
 /// Those that light vertices by where they are.
 inline constexpr Effects local_light = specular | punctual_lights;
-/// All that a vertex' light has beyond ambient and directional light.
+/// All that light has beyond ambient and directional light.
 inline constexpr Effects vertex_light = local_light | emissive;
 
 // Surfaces and passes beyond the triangles of instances; bits 22 to 31, but for 24 and 26.
@@ -226,6 +228,11 @@ constexpr bool mirrors_surroundings(const Scene& scene, const Mesh& mesh, const 
   return is_environment(finish_of(scene, material).filter) && material.texture != kNoTexture && !mesh.normals.empty();
 }
 
+/// Whether what has this mesh and this material is lit at its pixels, not at its vertices.
+constexpr bool is_lit_by_pixel(const Mesh& mesh, const Material& material) {
+  return material.smooth == Shading::pixel && material.lit && !mesh.normals.empty();
+}
+
 constexpr bool is_black(const Colour& colour) { return colour.r == 0 && colour.g == 0 && colour.b == 0; }
 
 /// What an instance's light and fragments call for, beyond the effects of materials without finish.
@@ -271,11 +278,12 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     const bool mirrors = has_tables && mirrors_surroundings(scene, mesh, material);
     const bool textured = mirrors || (material.texture != kNoTexture && !mesh.texcoords.empty());
     const bool coloured = !mesh.colours.empty() && !(textured && !material.lit);
-    if (lit) found = found | effect::lighting;
+    const bool by_pixel = is_lit_by_pixel(mesh, material);
+    if (lit) found = found | (by_pixel ? effect::pixel_shading : effect::lighting);
     if (coloured) found = found | effect::vertex_colours;
     if (textured) found = found | effect::textures;
     if (mirrors) found = found | effect::environment;
-    if (material.smooth && (lit || coloured)) found = found | effect::gouraud;
+    if (material.smooth && !by_pixel && (lit || coloured)) found = found | effect::gouraud;
     if (has_depth_state(material)) found = found | effect::depth_state;
     if (mesh.billboard != Billboard::none) found = found | effect::billboards;
     if (outline_of(scene, mesh) != nullptr) found = found | effect::outlines;

@@ -188,12 +188,25 @@ struct Finish {
 
 inline constexpr std::uint8_t kNoFinish = 0xFF;
 
+/// How light and vertex colours vary over a triangle. A bool is one of the first two.
+struct Shading {
+  enum Kind : std::uint8_t {
+    flat,     ///< false: the first vertex decides
+    gouraud,  ///< true: lit at the vertices, linear between
+    pixel,    ///< lit at each pixel, by the normal that is interpolated there (effect::pixel_shading); unlit as gouraud
+  };
+  Kind kind;
+  constexpr Shading(Kind how) : kind(how) {}
+  constexpr Shading(bool smooth) : kind(smooth ? gouraud : flat) {}
+  constexpr operator Kind() const { return kind; }
+};
+
 struct Material {
   Colour colour{255, 255, 255,
                 255};  ///< multiplied with vertex colours and light; not with texels of an unlit material
   std::uint16_t texture = kNoTexture;        ///< index into Scene::textures
   bool lit = true;                           ///< false: colours and texels as they are
-  bool smooth = true;                        ///< Gouraud; false: flat, the first vertex decides
+  Shading smooth = true;                     ///< Gouraud; false: flat, the first vertex decides; or Shading::pixel
   bool double_sided = false;                 ///< false: back faces are culled
   DepthTest depth_test = DepthTest::nearer;  ///< anything below but the default calls for effect::depth_state
   bool depth_write = true;                   ///< false: fragments are tested and drawn, the z-buffer keeps its depth

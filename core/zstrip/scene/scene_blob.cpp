@@ -23,7 +23,7 @@ static_assert(sizeof(Material) == 24 && offsetof(Material, texture) == 4 && offs
               offsetof(Material, depth_test) == 9 && offsetof(Material, depth_write) == 10 &&
               offsetof(Material, depth_bias) == 12 && offsetof(Material, depth_slope_bias) == 16 &&
               offsetof(Material, depth_bias_clamp) == 20);
-static_assert(sizeof(bool) == 1 && sizeof(Camera) == 64);
+static_assert(sizeof(bool) == 1 && sizeof(Shading) == 1 && sizeof(Camera) == 64);
 static_assert(sizeof(Instance) == 52 && offsetof(Instance, material) == 2 && offsetof(Instance, transform) == 4);
 static_assert(sizeof(void*) != 4 ||
               (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(LineSet) == 64 && sizeof(Scene) == 96));
@@ -187,14 +187,16 @@ void read_view(Reader& reader, View& view) {
   reader.require(valid_samples(view), kView + 6);
 }
 
-/// A bool or a test of any other value must not even be read as one.
+/// A bool, a shading or a test of any other value must not even be read as one.
 void check_materials(Reader& reader, std::span<const Material> materials) {
   for (const Material& material : materials) {
     const std::uint32_t at = reader.offset_of(material);
-    for (const std::size_t member : {offsetof(Material, lit), offsetof(Material, smooth),
-                                     offsetof(Material, double_sided), offsetof(Material, depth_write)}) {
+    for (const std::size_t member :
+         {offsetof(Material, lit), offsetof(Material, double_sided), offsetof(Material, depth_write)}) {
       (void)reader.flag(at + static_cast<std::uint32_t>(member));
     }
+    const std::uint32_t shading = at + static_cast<std::uint32_t>(offsetof(Material, smooth));
+    reader.require(reader.byte(shading) <= Shading::pixel, shading);
     const std::uint32_t test = at + static_cast<std::uint32_t>(offsetof(Material, depth_test));
     reader.require(reader.byte(test) <= static_cast<std::uint8_t>(DepthTest::always), test);
   }

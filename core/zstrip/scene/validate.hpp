@@ -233,6 +233,7 @@ constexpr Status validate(const Scene& scene) {
   }
   for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
     const std::uint16_t texture = scene.materials[i].texture;
+    if (scene.materials[i].smooth > Shading::pixel) return {.error = Error::material, .needed = i};
     if (texture != kNoTexture && texture >= scene.textures.size()) return {.error = Error::material, .needed = i};
     const std::uint8_t finish = scene.materials[i].finish;
     if (finish != kNoFinish && finish >= scene.finishes.size()) return {.error = Error::material, .needed = i};

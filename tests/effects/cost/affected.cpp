@@ -28,8 +28,7 @@ int print_affected() {
       alone.instances = {&instance, 1};
       alone.quadrics = {};
       alone.lines = {};
-      constexpr Effects kOwn = effect::fragments | effect::vertex_light | effect::billboards | effect::environment |
-                               effect::outlines | effect::shadows;
+      constexpr Effects kOwn = kKeepsLight<built_in> ? effect::pixel_shading : kPlainLacks;
       if ((effects_of(alone, staged.camera) | kCalledFor).any(kOwn)) touched.push_back(instance);
     }
     staged.scene.instances = touched;
@@ -57,7 +56,7 @@ int main() {
   return print_affected<scenes::fog>() + print_affected<scenes::emissive>() + print_affected<scenes::specular>() +
          print_affected<scenes::punctual>() + print_affected<scenes::mask>() + print_affected<scenes::blend>() +
          print_affected<scenes::bilinear>() + print_affected<scenes::palette>() + print_affected<scenes::mipmaps>() +
-         print_affected<scenes::environment>() + print_affected<scenes::spheres>() +
+         print_affected<scenes::environment>() + print_affected<scenes::per_pixel>() + print_affected<scenes::spheres>() +
          print_affected<scenes::dithered>() + print_affected<scenes::dithered_mono>() +
          print_affected<scenes::lines>() + print_affected<scenes::billboards>() + print_affected<scenes::outlines>() +
          print_affected<scenes::shadows>() + print_affected<scenes::samples_2>() + print_affected<scenes::samples_4>();

@@ -63,16 +63,21 @@ inline constexpr auto kKnotTexcoords = [] {
   return texcoords;
 }();
 
-/// Without fog, finishes, punctual lights, quadrics, lines, outlines and shadows, billboards standing still, the
-/// scene's first texture for one with a palette, and texture coordinates for what mirrors its surroundings; all else as
-/// it is.
+/// Whether it is the same light at vertices that light at pixels is compared with.
+template <const scenes::BuiltIn& built_in>
+inline constexpr bool kKeepsLight = effects_of(built_in.scene, built_in.camera).has(effect::pixel_shading);
+
+/// Without fog, finishes, punctual lights, quadrics, lines, outlines and shadows, billboards standing still, the scene's first
+/// texture for one with a palette, and texture coordinates for what mirrors its surroundings; lit at vertices, with its
+/// finishes, what was lit at pixels; all else as it is.
 template <const scenes::BuiltIn& built_in>
 struct Plain {
   static constexpr auto kMaterials = [] {
     std::array<Material, built_in.scene.materials.size()> materials{};
     for (std::size_t i = 0; i < materials.size(); ++i) {
       materials[i] = built_in.scene.materials[i];
-      materials[i].finish = kNoFinish;
+      if (!kKeepsLight<built_in>) materials[i].finish = kNoFinish;
+      if (materials[i].smooth == Shading::pixel) materials[i].smooth = Shading::gouraud;
       std::uint16_t& texture = materials[i].texture;
       if (texture != kNoTexture && has_palette(built_in.scene.textures[texture].format)) texture = 0;
     }
@@ -93,7 +98,7 @@ struct Plain {
     plain.scene.meshes = kMeshes;
     plain.scene.materials = kMaterials;
     plain.scene.fog = nullptr;
-    plain.scene.finishes = {};
+    if (!kKeepsLight<built_in>) plain.scene.finishes = {};
     plain.scene.punctual_lights = {};
     plain.scene.quadrics = {};
     plain.counts.quadrics = 0;
@@ -113,13 +118,15 @@ inline constexpr const scenes::BuiltIn& kChosen = built_in;
 template <const scenes::BuiltIn& built_in>
 inline constexpr const scenes::BuiltIn& kChosen<built_in, true> = Plain<built_in>::kBuiltIn;
 
+inline constexpr Effects kPlainLacks = effect::fragments | effect::vertex_light | effect::surfaces |
+                                       effect::billboards | effect::environment | effect::outlines |
+                                       effect::shadows;
 /// The pipeline of kChosen. The plain one keeps what the effect brought along, as quadrics their textures.
 template <const scenes::BuiltIn& built_in, bool plain>
 inline constexpr Effects kEffectsOf = without(effects_of(built_in.scene, built_in.camera) |
                                                   effects_of(kView<built_in, plain>),
-                                              plain ? effect::fragments | effect::vertex_light | effect::surfaces |
-                                                          effect::billboards | effect::environment | effect::outlines |
-                                                          effect::shadows
-                                                    : Effects{});
+                                              !plain                  ? Effects{}
+                                              : kKeepsLight<built_in> ? effect::fragments
+                                                                      : kPlainLacks);
 
 }  // namespace zstrip::effects_cost

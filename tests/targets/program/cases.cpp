@@ -42,9 +42,10 @@ constexpr const Subject* kRandom10kMeshlets = &kSubject<scenes::random10k_meshle
 constexpr const Subject* kSubjects[] = {kTriangle, kCube,     kRoom,         kRandom50, kTeapot,
                                         kKnot,     kKnotFlat, kKnotTextured, kRandom10k};
 constexpr const Subject* kEffectSubjects[] = {
-    &kSubject<scenes::fog>,     &kSubject<scenes::emissive>, &kSubject<scenes::specular>,   &kSubject<scenes::punctual>,
-    &kSubject<scenes::mask>,    &kSubject<scenes::blend>,    &kSubject<scenes::bilinear>,   &kSubject<scenes::palette>,
-    &kSubject<scenes::spheres>, &kSubject<scenes::mipmaps>,  &kSubject<scenes::environment>};
+    &kSubject<scenes::fog>,      &kSubject<scenes::emissive>,    &kSubject<scenes::specular>,
+    &kSubject<scenes::punctual>, &kSubject<scenes::mask>,        &kSubject<scenes::blend>,
+    &kSubject<scenes::bilinear>, &kSubject<scenes::palette>,     &kSubject<scenes::spheres>,
+    &kSubject<scenes::mipmaps>,  &kSubject<scenes::environment>, &kSubject<scenes::per_pixel>};
 /// Odd sizes: rows end inside a byte, and neither 7 nor 1 strip rows fill the picture evenly.
 constexpr View kViews[] = {{64, 48, PixelFormat::rgb565}, {37, 29, PixelFormat::gray4}, {51, 33, PixelFormat::mono}};
 constexpr std::uint16_t kStripRows[] = {1, 7, 0};

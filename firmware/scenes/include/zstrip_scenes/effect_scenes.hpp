@@ -246,6 +246,37 @@ inline constexpr Scene kEnvironmentScene{.meshes = kKnotLitMesh,
 inline constexpr BuiltIn environment =
     pair_of_knots("environment", "two knots, of which the right one mirrors its surroundings", kEnvironmentScene);
 
+/// A ball of few triangles: each edge of an octahedron cut in four, its corners moved out to a sphere.
+inline constexpr std::size_t kBallVertices = 66, kBallTriangleCount = 128;
+extern const std::array<Position, kBallVertices> kBallPositions;
+extern const std::array<Normal, kBallVertices> kBallNormals;
+extern const std::array<Triangle, kBallTriangleCount> kBallTriangles;
+inline constexpr Mesh kBallMesh[] = {{.positions = kBallPositions,
+                                      .normals = kBallNormals,
+                                      .colours = {},
+                                      .texcoords = {},
+                                      .triangles = kBallTriangles,
+                                      .meshlets = {}}};
+inline constexpr Material kLacqueredMaterials[] = {
+    {.colour = {150, 60, 50, 255}, .lit = true, .smooth = true, .finish = 0},
+    {.colour = {150, 60, 50, 255}, .lit = true, .smooth = Shading::pixel, .finish = 0}};
+/// A ball of half the unit's radius and more, `x` to the right.
+consteval Instance ball(std::uint16_t material, double x) {
+  return {.material = material,
+          .transform = {{{fixed(0.65), 0, 0, fixed(x)}, {0, fixed(0.65), 0, 0}, {0, 0, fixed(0.65), 0}}}};
+}
+inline constexpr Instance kBallInstances[] = {ball(0, -0.75), ball(1, 0.75)};
+inline constexpr Scene kPerPixelScene{.meshes = kBallMesh,
+                                      .materials = kLacqueredMaterials,
+                                      .textures = {},
+                                      .instances = kBallInstances,
+                                      .lights = kKeyLight,
+                                      .ambient = kAmbient,
+                                      .finishes = kPolishedFinish};
+inline constexpr BuiltIn per_pixel =
+    effect_scene("per_pixel", "two polished balls of few triangles, of which the right one is lit at its pixels",
+                 kPerPixelScene, count(kPerPixelScene), 4.0, 20, 2.0);
+
 /// All of this page, in its order.
 std::span<const BuiltIn> effect_scenes();
 
