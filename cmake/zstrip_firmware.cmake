@@ -10,7 +10,6 @@ if(ZSTRIP_RISCV_COMPILER)
 else()
   message(STATUS "No programs for RISC-V: they need riscv64-unknown-elf-g++")
 endif()
-set(previous "")
 foreach(cpu IN LISTS processors)
   set(name firmware_${cpu})
   set(toolchain ${cpu})
@@ -36,7 +35,8 @@ foreach(cpu IN LISTS processors)
     BUILD_COMMAND ${CMAKE_COMMAND} --build <BINARY_DIR> --target boards
     INSTALL_COMMAND ""
     # One after the other: each already uses all processors.
-    DEPENDS ${previous})
+    USES_TERMINAL_BUILD ON
+    # Target firmware_CPU-configure, for programs that are built one by one.
+    STEP_TARGETS configure)
   add_dependencies(firmware ${name})
-  set(previous ${name})
 endforeach()

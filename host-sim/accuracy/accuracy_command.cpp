@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   std::vector<std::string> scenes;
-  std::string target = "host";
+  std::vector<std::string> targets{"host"};
   std::string knobs = "all";
   std::string size = "160x120";
   std::string up = "y";
@@ -46,7 +46,8 @@ struct Arguments {
 };
 
 struct Job {
-  std::vector<AccuracyRequest> requests;
+  std::vector<AccuracyRequest> requests;  ///< one a scene, for the first target
+  std::vector<std::string> targets;
   CampaignOptions options;
 };
 
@@ -58,6 +59,7 @@ Result<Job> parse(const Arguments& arguments) {
   const Result<std::vector<Knob>> turned = parse_knobs(arguments.knobs);
   if (!turned) return turned.failure();
   Job job{{},
+          arguments.targets,
           {.knobs = *turned,
            .only = {},
            .jobs = arguments.jobs,
@@ -73,7 +75,7 @@ Result<Job> parse(const Arguments& arguments) {
                             .view = {size->first, size->second, PixelFormat::rgb565},
                             .up = *up,
                             .frames = arguments.frames,
-                            .target = arguments.target,
+                            .target = arguments.targets.front(),
                             .firmware = arguments.firmware});
   }
   return job;
@@ -116,11 +118,36 @@ Result<Done> list_programs(const Job& job) {
       const std::vector<Settings> all = all_settings(**scene, job.options.knobs);
       settings.insert(settings.end(), all.begin(), all.end());
     }
-    for (const std::string& name : programs_for(**scene, settings)) names.insert(name);
+    for (const std::string& target : job.targets) {
+      if (target == "host") continue;
+      for (const std::string& name : programs_for((*scene)->on(target), settings)) names.insert(name);
+    }
   }
   std::string text;
   for (const std::string& name : names) text += name + "\n";
   write_text(stdout, text);
+  return Done{};
+}
+
+/// One scene on one target; its plot is written at once.
+Result<Done> measure(const AccuracyScene& scene, const CampaignOptions& options, bool quiet, const fs::path& folder,
+                     Journal& journal, std::vector<Campaign>& campaigns, std::vector<PageScene>& pages) {
+  const auto start = std::chrono::steady_clock::now();
+  Result<Campaign> campaign = [&] {
+    Progress progress(1, !quiet, "point");
+    return run_campaign(scene, options, journal, [&](std::size_t done, std::size_t all) {
+      progress.show(static_cast<std::uint32_t>(done), static_cast<std::uint32_t>(all));
+    });
+  }();
+  if (!campaign) return campaign.failure();
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  if (!quiet) write_text(stdout, summary(*campaign, took.count()));
+  if (const Result<Done> written = write(folder / file_name(scene.request()), plot_file_svg(*campaign)); !written)
+    return written.failure();
+  Result<PageScene> page = with_pictures(scene, *campaign, options.jobs);
+  if (!page) return page.failure();
+  pages.push_back(std::move(*page));
+  campaigns.push_back(std::move(*campaign));
   return Done{};
 }
 
@@ -143,24 +170,13 @@ Result<Done> run(const Arguments& arguments) {
   std::vector<Campaign> campaigns;
   std::vector<PageScene> pages;
   for (const AccuracyRequest& request : job->requests) {
-    const auto start = std::chrono::steady_clock::now();
     const auto scene = AccuracyScene::open(request);
     if (!scene) return scene.failure();
-    Result<Campaign> campaign = [&] {
-      Progress progress(1, !arguments.quiet, "point");
-      return run_campaign(**scene, job->options, *journal, [&](std::size_t done, std::size_t all) {
-        progress.show(static_cast<std::uint32_t>(done), static_cast<std::uint32_t>(all));
-      });
-    }();
-    if (!campaign) return campaign.failure();
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    if (!arguments.quiet) write_text(stdout, summary(*campaign, took.count()));
-    if (const Result<Done> written = write(folder / file_name(request), plot_file_svg(*campaign)); !written)
-      return written.failure();
-    Result<PageScene> page = with_pictures(**scene, *campaign, arguments.jobs);
-    if (!page) return page.failure();
-    pages.push_back(std::move(*page));
-    campaigns.push_back(std::move(*campaign));
+    for (const std::string& target : job->targets) {
+      const Result<Done> measured =
+          measure((*scene)->on(target), job->options, arguments.quiet, folder, *journal, campaigns, pages);
+      if (!measured) return measured.failure();
+    }
   }
   for (const auto& [name, text] :
        {std::pair{"accuracy.csv", accuracy_csv(campaigns)}, std::pair{"accuracy.json", accuracy_json(campaigns)},
@@ -194,7 +210,9 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
   command->add_option("scenes", a.scenes, "Built-in scenes, models or baked scenes")->required()->type_name("SCENE...");
-  command->add_option("--target", a.target, "Whose time: host, or an emulated m0, m3 or m4f")
+  command->add_option("--target", a.targets, "Whose time, separated by commas: host, or an emulated m0, m3 or m4f")
+      ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember({"host", "m0", "m3", "m4f"}))
       ->capture_default_str();
   command->add_option("--knobs", a.knobs, "Knobs to turn, separated by commas, or all")->capture_default_str();

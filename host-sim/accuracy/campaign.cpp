@@ -138,6 +138,15 @@ std::vector<Settings> one_at_a_time(const AccuracyScene& scene, const std::vecto
       if (scene.possible(settings)) wanted.push_back(settings);
     }
   }
+  // Dithering is for formats of few colours: beside the default's it is turned on with each of these.
+  const auto turns = [&](Knob knob) { return std::ranges::find(turned, knob) != turned.end(); };
+  for (std::uint8_t format = 1; turns(Knob::format) && turns(Knob::dither) && format < info(Knob::format).values.size();
+       ++format) {
+    Settings settings;
+    settings[Knob::format] = format;
+    settings[Knob::dither] = 1;
+    wanted.push_back(settings);
+  }
   return wanted;
 }
 

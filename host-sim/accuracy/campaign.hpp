@@ -37,7 +37,7 @@ std::vector<Settings> all_settings(const AccuracyScene& scene, const std::vector
 /// The boards' programs that these settings need, without folder and suffix, each once.
 std::vector<std::string> programs_for(const AccuracyScene& scene, const std::vector<Settings>& settings);
 
-/// One knob at a time from the default, which comes first.
+/// One knob at a time from the default, which comes first; and dithering with each format.
 std::vector<Settings> one_at_a_time(const AccuracyScene& scene, const std::vector<Knob>& turned);
 
 /// What is measured before combinations: options.only, or one knob at a time and, if asked for, the presets as far as

@@ -40,7 +40,9 @@ const std::vector<KnobInfo>& table() {
        "filter",
        "how a texel is chosen",
        {{"nearest", "the one in which the pixel's centre lies"},
-        {"bilinear", "the four around it, by their distance"}}},
+        {"bilinear", "the four around it, by their distance"},
+        {"mipmapped", "the nearest of the smaller texture whose texels are about as large as pixels"},
+        {"mipmapped_bilinear", "the four around it in that texture"}}},
       {Knob::detail,
        "detail",
        "of 100 triangles of a mesh how many stay (meshoptimizer)",
@@ -49,6 +51,10 @@ const std::vector<KnobInfo>& table() {
        "format",
        "pixels of the display",
        {{"rgb565", "65,536 colours"}, {"gray4", "16 greys"}, {"mono", "black and white"}}},
+      {Knob::dither,
+       "dither",
+       "whether what the format cannot show is spread over neighbouring pixels",
+       {{"off", "colours are cut"}, {"on", "by Bayer's matrix"}}},
       {Knob::strips,
        "strips",
        "rows of a strip: memory against time, not a pixel changes",
@@ -111,6 +117,11 @@ std::vector<std::string_view> split(std::string_view text) {
 std::span<const KnobInfo> knobs() { return table(); }
 const KnobInfo& info(Knob knob) { return table()[static_cast<std::size_t>(knob)]; }
 
+Settings without_strips(Settings settings) {
+  settings[Knob::strips] = 0;
+  return settings;
+}
+
 std::string to_text(const Settings& settings) {
   std::string text;
   for (const KnobInfo& knob : knobs()) {
@@ -143,9 +154,7 @@ Result<std::vector<Knob>> parse_knobs(std::string_view text) {
   std::vector<Knob> found;
   for (const std::string_view word : split(text)) {
     if (word == "all") {
-      for (const KnobInfo& knob : knobs()) {
-        if (knob.knob != Knob::samples) found.push_back(knob.knob);
-      }
+      for (const KnobInfo& knob : knobs()) found.push_back(knob.knob);
       continue;
     }
     const Result<std::size_t> knob = find_word(knobs(), word, "knob");
@@ -169,10 +178,10 @@ Effects extra_effects(const Settings& settings) {
   if (perspective == "affine") effects = effects | effect::perspective_affine;
   if (perspective == "8") effects = effects | effect::perspective_8;
   if (perspective == "1") effects = effects | effect::perspective_1;
-  if (settings.name_of(Knob::filter) == "bilinear") effects = effects | effect::bilinear;
+  if (filters_bilinearly(settings)) effects = effects | effect::bilinear;
+  if (filters_mipmaps(settings)) effects = effects | effect::mipmaps;
   if (settings.name_of(Knob::strips) == "bins16") effects = effects | effect::bins;
-  if (settings[Knob::samples] != 0) effects = effects | effect::supersampled;
-  return effects;
+  return effects | effects_of(picture(settings, {}));
 }
 
 PixelFormat pixel_format(const Settings& settings) {
@@ -183,7 +192,8 @@ PixelFormat pixel_format(const Settings& settings) {
 
 View picture(const Settings& settings, const View& size) {
   constexpr std::array<std::uint8_t, 3> kSamples{1, 2, 4};
-  return {size.width, size.height, pixel_format(settings), false, kSamples[settings[Knob::samples]]};
+  return {size.width, size.height, pixel_format(settings), settings.name_of(Knob::dither) == "on",
+          kSamples[settings[Knob::samples]]};
 }
 
 Budget budget(const Settings& settings, std::uint16_t height) {
@@ -194,6 +204,15 @@ Budget budget(const Settings& settings, std::uint16_t height) {
   if (strips == "64") rows = 64;
   if (strips == "whole") rows = height;
   return {.strip_rows = std::min(rows, height), .modes = strips == "bins16" ? Modes::binned : Modes::streamed};
+}
+
+bool filters_bilinearly(const Settings& settings) {
+  const std::string_view filter = settings.name_of(Knob::filter);
+  return filter == "bilinear" || filter == "mipmapped_bilinear";
+}
+bool filters_mipmaps(const Settings& settings) {
+  const std::string_view filter = settings.name_of(Knob::filter);
+  return filter == "mipmapped" || filter == "mipmapped_bilinear";
 }
 
 std::uint32_t detail_percent(const Settings& settings) {
@@ -221,7 +240,7 @@ bool possible(const Settings& settings, Effects effects) {
   if (!depth_effects_agree(effects | extra)) return false;
   if (extra.has(effect::bins | effect::depth_ranges)) return false;
   // Fragments with effects have their places at every 16th pixel.
-  if (extra.has(effect::bilinear) && extra.any(effect::perspective_runs)) return false;
+  if (extra.any(effect::fragments) && extra.any(effect::perspective_runs)) return false;
   // Libraries for programs that choose at run time have no pipeline with both.
   return !(extra.any(effect::perspective_runs) && extra.any(effect::depth_formats | effect::depth_ranges));
 }

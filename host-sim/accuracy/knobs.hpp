@@ -14,8 +14,8 @@
 
 namespace zstrip::sim {
 
-enum class Knob : std::uint8_t { depth, fit, shading, perspective, filter, detail, format, strips, samples };
-inline constexpr std::size_t kKnobs = 9;
+enum class Knob : std::uint8_t { depth, fit, shading, perspective, filter, detail, format, dither, strips, samples };
+inline constexpr std::size_t kKnobs = 10;
 
 struct KnobValue {
   std::string_view name;
@@ -44,20 +44,25 @@ struct Settings {
                           const Settings&) = default;  // NOLINT(modernize-use-nullptr): clang 14 sees a 0 in it
 };
 
+/// With those strips that the default has: they change no pixel.
+Settings without_strips(Settings settings);
+
 /// What is not default, "depth=w16,strips=8"; "default" where nothing is.
 std::string to_text(const Settings& settings);
 /// The reverse, of a part of them: a usage error names the nearest knob or value.
 Result<Settings> parse_settings(std::string_view text);
-/// Names separated by commas, or "all" of those that a picture of one sample a pixel has: samples must be named.
+/// Names separated by commas, or "all".
 Result<std::vector<Knob>> parse_knobs(std::string_view text);
 
 /// What the settings are to the renderer.
 Effects extra_effects(const Settings& settings);  ///< beside those that the scene calls for
 PixelFormat pixel_format(const Settings& settings);
-/// The picture of this size, in the settings' format and with their samples.
+/// The picture of this size, in the settings' format, dithered and with samples as they say.
 View picture(const Settings& settings, const View& size);
 /// Of the strips of a picture of `height` rows.
 Budget budget(const Settings& settings, std::uint16_t height);
+bool filters_bilinearly(const Settings& settings);
+bool filters_mipmaps(const Settings& settings);
 /// Of 100, how many triangles a mesh keeps.
 std::uint32_t detail_percent(const Settings& settings);
 

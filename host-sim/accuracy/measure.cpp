@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
+#include <mutex>
+#include <utility>
 
 #include "accuracy/board_cost.hpp"
 #include "accuracy/observation.hpp"
@@ -24,26 +27,51 @@ double time_of(const AccuracyPoint& point) {
   return point.cost.instructions ? static_cast<double>(*point.cost.instructions) : point.cost.nanoseconds;
 }
 
+struct AccuracyScene::Poses {
+  std::vector<std::unique_ptr<Stage>> stages;  ///< two a pose, a little apart
+  std::vector<Staging> staged;
+  std::vector<Truth> truths;
+
+  /// What was found before, by settings without strips, which change no pixel.
+  struct Found {
+    Errors errors;
+    std::optional<AccuracyPictures> pictures;
+  };
+  std::map<Settings, Found> found;
+  std::mutex mutex;  ///< of `found`
+};
+
+AccuracyScene::AccuracyScene(AccuracyRequest request, std::shared_ptr<Poses> poses)
+    : request_(std::move(request)), poses_(std::move(poses)) {}
+
 Result<std::unique_ptr<AccuracyScene>> AccuracyScene::open(const AccuracyRequest& request) {
   Result<std::unique_ptr<Stage>> stage = open_stage(request.scene, {.up = request.up}, {}, request.view, kTurn);
   if (!stage) return stage.failure();
-  auto scene = std::make_unique<AccuracyScene>();
-  scene->request_ = request;
+  auto poses = std::make_shared<Poses>();
   for (std::uint32_t pose = 0; pose < request.frames; ++pose) {
     for (std::uint32_t next = 0; next < 2; ++next) {
-      scene->stages_.push_back((*stage)->copy());
-      const Result<Staging> staged = scene->stages_.back()->place(pose * (kTurn / request.frames) + next, kTurn);
+      poses->stages.push_back((*stage)->copy());
+      const Result<Staging> staged = poses->stages.back()->place(pose * (kTurn / request.frames) + next, kTurn);
       if (!staged) return staged.failure();
       Result<Truth> truth = find_truth(staged->scene, staged->camera, request.view);
       if (!truth) return truth.failure();
-      scene->staged_.push_back(*staged);
-      scene->truths_.push_back(std::move(*truth));
+      poses->staged.push_back(*staged);
+      poses->truths.push_back(std::move(*truth));
     }
   }
-  return scene;
+  return std::unique_ptr<AccuracyScene>(new AccuracyScene(request, std::move(poses)));
 }
 
-Effects AccuracyScene::effects() const { return effects_of(staged_[0].scene, staged_[0].camera); }
+AccuracyScene AccuracyScene::on(std::string_view target) const {
+  AccuracyRequest request = request_;
+  request.target = target;
+  return {std::move(request), poses_};
+}
+
+const Staging& AccuracyScene::first() const { return poses_->staged[0]; }
+const std::vector<std::array<float, 3>>& AccuracyScene::true_picture() const { return poses_->truths[0].mean; }
+
+Effects AccuracyScene::effects() const { return effects_of(first().scene, first().camera); }
 
 Effects AccuracyScene::effects_with(const Settings& settings) const {
   const Effects called_for =
@@ -52,32 +80,49 @@ Effects AccuracyScene::effects_with(const Settings& settings) const {
 }
 
 std::vector<Knob> AccuracyScene::knobs() const {
-  const Scene& scene = staged_[0].scene;
+  const Scene& scene = first().scene;
   const bool textured = std::ranges::any_of(scene.instances, [&](const Instance& instance) {
     return scene.materials[instance.material].texture != kNoTexture && !scene.meshes[instance.mesh].texcoords.empty();
   });
   return knobs_for(effects(), may_simplify(scene), textured);
 }
 
-bool AccuracyScene::possible(const Settings& settings) const {
-  const Effects extra = extra_effects(settings);
-  const bool has_program = !extra.has(effect::supersampled) || extra == effect::supersampled;
-  return sim::possible(settings, effects()) && (request_.target == "host" || has_program);
-}
+bool AccuracyScene::possible(const Settings& settings) const { return sim::possible(settings, effects()); }
 
 Result<Errors> AccuracyScene::errors(const Settings& settings, AccuracyPictures* pictures) const {
-  const SceneVariant variant(staged_[0].scene, settings);
+  const Settings key = without_strips(settings);
+  {
+    const std::scoped_lock lock(poses_->mutex);
+    const auto known = poses_->found.find(key);
+    if (known != poses_->found.end() && (pictures == nullptr || known->second.pictures)) {
+      if (pictures != nullptr) *pictures = *known->second.pictures;
+      return known->second.errors;
+    }
+  }
+  Result<Errors> errors = find_errors(key, pictures);
+  if (!errors) return errors.failure();
+  const std::scoped_lock lock(poses_->mutex);
+  Poses::Found& found = poses_->found[key];
+  found.errors = *errors;
+  if (pictures != nullptr) found.pictures = *pictures;
+  return errors;
+}
+
+Result<Errors> AccuracyScene::find_errors(const Settings& settings, AccuracyPictures* pictures) const {
+  const std::vector<Staging>& staged = poses_->staged;
+  const std::vector<Truth>& truths = poses_->truths;
+  const SceneVariant variant(first().scene, settings);
   const DepthScale depth{depth_format(extra_effects(settings)), effects().has(effect::orthographic)};
-  ErrorSum sum(request_.view, staged_[0].camera, depth, variant.simplified());
+  ErrorSum sum(request_.view, first().camera, depth, variant.simplified());
   std::vector<Observation> seen;
-  for (std::size_t i = 0; i < staged_.size(); ++i) {
-    Result<Observation> observed = observe(variant.apply(staged_[i]), request_.view, settings);
+  for (std::size_t i = 0; i < staged.size(); ++i) {
+    Result<Observation> observed = observe(variant.apply(staged[i]), request_.view, settings);
     if (!observed) return observed.failure();
     seen.push_back(std::move(*observed));
     if (i % 2 == 0) {
-      sum.add(seen[i], truths_[i]);
+      sum.add(seen[i], truths[i]);
     } else {
-      sum.add_flicker(seen[i - 1], truths_[i - 1], seen[i], truths_[i]);
+      sum.add_flicker(seen[i - 1], truths[i - 1], seen[i], truths[i]);
     }
   }
   if (pictures != nullptr) *pictures = {seen[0].rgb, sum.heat()};
@@ -85,21 +130,21 @@ Result<Errors> AccuracyScene::errors(const Settings& settings, AccuracyPictures*
 }
 
 Result<MemoryCost> AccuracyScene::memory(const Settings& settings) const {
-  const SceneVariant variant(staged_[0].scene, settings);
+  const SceneVariant variant(first().scene, settings);
   const View view = picture(settings, request_.view);
-  const Staging first = variant.apply(staged_[0]);
-  const PlanResult planned = plan(count(first.scene), view, effects_with(settings), budget(settings, view.height));
+  const Staging staged = variant.apply(first());
+  const PlanResult planned = plan(count(staged.scene), view, effects_with(settings), budget(settings, view.height));
   if (!planned.status) {
     return Failure{ExitStatus::internal,
                    fmt::format("{} cannot be planned: {}", to_text(settings), message(planned.status.error))};
   }
-  const Result<std::vector<std::uint8_t>> blob = to_scene_blob({first.scene, first.camera, view, {}});
+  const Result<std::vector<std::uint8_t>> blob = to_scene_blob({staged.scene, staged.camera, view, {}});
   if (!blob) return blob.failure();
   return MemoryCost{planned.plan.wide_bytes() + planned.plan.strip_pixel_bytes(view), blob->size()};
 }
 
 Result<Cost> AccuracyScene::cost(const Settings& settings) const {
-  const SceneVariant variant(staged_[0].scene, settings);
+  const SceneVariant variant(first().scene, settings);
   const View view = picture(settings, request_.view);
   const Budget strips = budget(settings, view.height);
   const Effects extra = extra_effects(settings);
@@ -112,13 +157,13 @@ Result<Cost> AccuracyScene::cost(const Settings& settings) const {
   cost.scene_bytes = memory_cost->scene_bytes;
   if (request_.target != "host") {
     std::vector<Staging> staged;
-    for (std::size_t i = 0; i < staged_.size(); i += 2) staged.push_back(variant.apply(staged_[i]));
+    for (std::size_t i = 0; i < poses_->staged.size(); i += 2) staged.push_back(variant.apply(poses_->staged[i]));
     const Result<Done> measured = measure_on_board(request_, staged, view, effects_with(settings), strips, cost);
     if (!measured) return measured.failure();
     return cost;
   }
-  for (std::size_t i = 0; i < staged_.size(); i += 2) {
-    const Staging staged = variant.apply(staged_[i]);
+  for (std::size_t i = 0; i < poses_->staged.size(); i += 2) {
+    const Staging staged = variant.apply(poses_->staged[i]);
     double least = 1e300;
     for (int round = 0; round < kRounds; ++round) {
       const auto start = std::chrono::steady_clock::now();

@@ -44,7 +44,7 @@ struct AccuracyPoint {
   std::string scene;
   std::string target;
   Settings settings;
-  std::string part;  ///< "one": differs from the default in one knob; "product"
+  std::string part;  ///< "one": differs from the default in one knob, or is measured beside those; "product"
   Errors errors;
   Cost cost;
   bool on_front = false;
@@ -63,6 +63,8 @@ struct AccuracyPictures {
 class AccuracyScene {
  public:
   static Result<std::unique_ptr<AccuracyScene>> open(const AccuracyRequest& request);
+  /// The same scene where time is that of another target. What does not depend on it is found once for both.
+  AccuracyScene on(std::string_view target) const;
 
   const AccuracyRequest& request() const { return request_; }
   /// What the scene calls for, at its default settings.
@@ -70,19 +72,22 @@ class AccuracyScene {
   /// What drawing with these settings needs; flat shading needs less.
   Effects effects_with(const Settings& settings) const;
   std::vector<Knob> knobs() const;
-  /// Boards have programs for several samples in strips of z16 without more.
   bool possible(const Settings& settings) const;
 
   Result<Errors> errors(const Settings& settings, AccuracyPictures* pictures = nullptr) const;
   Result<Cost> cost(const Settings& settings) const;
   Result<MemoryCost> memory(const Settings& settings) const;
-  const std::vector<std::array<float, 3>>& true_picture() const { return truths_[0].mean; }
+  const std::vector<std::array<float, 3>>& true_picture() const;
 
  private:
+  /// What no target changes.
+  struct Poses;
+  AccuracyScene(AccuracyRequest request, std::shared_ptr<Poses> poses);
+  const Staging& first() const;
+  Result<Errors> find_errors(const Settings& settings, AccuracyPictures* pictures) const;
+
   AccuracyRequest request_;
-  std::vector<std::unique_ptr<Stage>> stages_;  ///< two a pose, a little apart
-  std::vector<Staging> staged_;
-  std::vector<Truth> truths_;
+  std::shared_ptr<Poses> poses_;
 };
 
 }  // namespace zstrip::sim

@@ -259,15 +259,15 @@ Result<Observation> observe(const Staging& staged, const View& view, const Setti
   if (!picture) return picture.failure();
   const LabelledScene labelled(staged.scene);
   Result<Drawn> labels = draw({labelled.scene, staged.camera}, words,
-                              without(effects, effect::perspective_runs | effect::bilinear), whole, true);
+                              without(effects, effect::perspective_runs | effect::fragments), whole, true);
   if (!labels) return labels.failure();
   Observation seen;
   seen.rgb = to_rgb(coloured, picture->pixels);
   seen.code = std::move(labels->code);
   for (std::size_t i = 0; i < seen.code.size(); ++i) seen.label.push_back(word_at(labels->pixels, i));
-  // Of bilinear texels there is no single one.
+  // Of bilinear texels there is no single one, and those of smaller textures are not the truth's.
   const Effects called_for = effects_of(staged.scene, staged.camera);
-  if (!called_for.has(effect::textures) || called_for.has(effect::bilinear)) return seen;
+  if (!called_for.has(effect::textures) || called_for.any(effect::bilinear | effect::mipmaps)) return seen;
 
   const PlaceScene places(staged.scene);
   const Result<Drawn> texels = draw({places.scene, staged.camera}, words, effects, whole, false);

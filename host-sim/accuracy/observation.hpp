@@ -26,7 +26,7 @@ struct Observation {
   std::vector<std::array<std::uint8_t, 3>> rgb;  ///< of each pixel, row by row
   std::vector<std::uint32_t> label;              ///< label_of() the triangle; 0: background
   std::vector<std::uint32_t> code;               ///< depth; 0: nothing drawn
-  std::vector<TexelSeen> texel;                  ///< empty without textures, or where they are bilinear
+  std::vector<TexelSeen> texel;                  ///< empty without textures, or where they are bilinear or mipmapped
 };
 
 /// Colours tell 65,535 triangles apart.

@@ -19,7 +19,7 @@ struct Group {
   std::string_view name, colour;
 };
 // Okabe and Ito's colours.
-constexpr std::array<Group, 11> kGroups{{{"default", "#111111"},
+constexpr std::array<Group, 12> kGroups{{{"default", "#111111"},
                                          {"depth", "#0072b2"},
                                          {"fit", "#56b4e9"},
                                          {"shading", "#e69f00"},
@@ -27,6 +27,7 @@ constexpr std::array<Group, 11> kGroups{{{"default", "#111111"},
                                          {"filter", "#7f5aa8"},
                                          {"detail", "#d55e00"},
                                          {"format", "#cc79a7"},
+                                         {"dither", "#6b705c"},
                                          {"strips", "#b8a500"},
                                          {"samples", "#8c564b"},
                                          {"several", "#9a9a9a"}}};

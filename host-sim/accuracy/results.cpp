@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -20,7 +21,7 @@ std::string field(const std::optional<T>& value) {
 }  // namespace
 
 std::string accuracy_csv(std::span<const Campaign> campaigns) {
-  std::string csv = "scene,target,width,height,poses";
+  std::string csv = "scene,target,width,height,poses,settings";
   for (const KnobInfo& knob : knobs()) csv += fmt::format(",{}", knob.name);
   csv += ",front,nanoseconds,instructions,least_fps,most_fps,ram_bytes,scene_bytes,program_bytes";
   for (const FigureInfo& figure : figures()) csv += fmt::format(",{}", figure.name);
@@ -31,8 +32,10 @@ std::string accuracy_csv(std::span<const Campaign> campaigns) {
       // Names of files may hold commas and quotes.
       std::string scene;
       for (const char c : request.scene) scene += c == '"' ? "\"\"" : std::string(1, c);
-      csv += fmt::format("\"{}\",{},{},{},{}", scene, request.target, request.view.width, request.view.height,
-                         request.frames);
+      std::string settings = to_text(point.settings);
+      std::ranges::replace(settings, ',', ' ');
+      csv += fmt::format("\"{}\",{},{},{},{},{}", scene, request.target, request.view.width, request.view.height,
+                         request.frames, settings);
       for (const KnobInfo& knob : knobs()) csv += fmt::format(",{}", point.settings.name_of(knob.knob));
       const Cost& cost = point.cost;
       csv += fmt::format(",{},{:.0f},{},{},{},{},{},{}", point.on_front ? 1 : 0, cost.nanoseconds,

@@ -36,17 +36,23 @@ Checks checked(const Candidate& c, const Limits& limits) {
           !limits.flash || c.flash <= *limits.flash};
 }
 
-/// All that is a matter of choice: the display's format is not. More samples a pixel never make surfaces more right.
-std::vector<Knob> choices(const AccuracyScene& scene) {
+/// All that is a matter of choice: the display's format is not. More samples a pixel and dithering cost, and never make
+/// surfaces more right: they are for those who limit how wrong it may look.
+std::vector<Knob> choices(const AccuracyScene& scene, const Limits& limits) {
   std::vector<Knob> knobs = scene.knobs();
-  std::erase_if(knobs, [](Knob knob) { return knob == Knob::format || knob == Knob::samples; });
+  std::erase_if(knobs, [&](Knob knob) {
+    const bool looks = knob == Knob::samples || knob == Knob::dither;
+    return knob == Knob::format || (looks && !limits.perceived);
+  });
   return knobs;
 }
 
-/// The same errors for all strips: they change no pixel.
-Settings without_strips(Settings settings) {
-  settings[Knob::strips] = 0;
-  return settings;
+/// All settings that are looked at.
+Result<std::vector<Settings>> settings_to_tune(const AccuracyScene& scene, const Limits& limits,
+                                               std::string_view format) {
+  const Result<Settings> of_format = parse_settings(fmt::format("format={}", format));
+  if (!of_format) return of_format.failure();
+  return all_settings(scene, choices(scene, limits), *of_format);
 }
 
 /// What is the best value of `value` among the candidates whose other limits hold; nothing if there are none.
@@ -127,8 +133,11 @@ std::string effect_names(const Settings& settings) {
 
 }  // namespace
 
-std::vector<std::string> programs_to_tune(const AccuracyScene& scene) {
-  return programs_for(scene, all_settings(scene, choices(scene)));
+Result<std::vector<std::string>> programs_to_tune(const AccuracyScene& scene, const Limits& limits,
+                                                  std::string_view format) {
+  const Result<std::vector<Settings>> settings = settings_to_tune(scene, limits, format);
+  if (!settings) return settings.failure();
+  return programs_for(scene, *settings);
 }
 
 std::optional<double> frames_per_second(const AccuracyPoint& point) {
@@ -138,9 +147,9 @@ std::optional<double> frames_per_second(const AccuracyPoint& point) {
 
 Result<Tuned> tune(const AccuracyScene& scene, const Limits& limits, std::string_view format, unsigned jobs,
                    const std::function<void(std::size_t, std::size_t)>& progress) {
-  const Result<Settings> of_format = parse_settings(fmt::format("format={}", format));
-  if (!of_format) return of_format.failure();
-  const std::vector<Settings> settings = all_settings(scene, choices(scene), *of_format);
+  const Result<std::vector<Settings>> all_to_tune = settings_to_tune(scene, limits, format);
+  if (!all_to_tune) return all_to_tune.failure();
+  const std::vector<Settings>& settings = *all_to_tune;
   std::vector<Settings> pictures;
   for (const Settings& s : settings) {
     if (without_strips(s) == s) pictures.push_back(s);
@@ -186,14 +195,14 @@ Result<Tuned> tune(const AccuracyScene& scene, const Limits& limits, std::string
                          .errors = errors.at(without_strips(s)),
                          .cost = costs.at(s)};
   };
-  const Settings& standard = *of_format;
+  const Settings& standard = settings.front();
   const double standard_time = time_of(point_of(standard));
   std::vector<Candidate> candidates;
   for (const Settings& s : settings) {
     const Result<MemoryCost> memory = scene.memory(s);
     if (!memory) return memory.failure();
     Candidate candidate{s, errors.at(without_strips(s)), memory->ram_bytes, memory->scene_bytes, standard_time};
-    for (const Knob knob : choices(scene)) {
+    for (const Knob knob : choices(scene, limits)) {
       if (s[knob] == 0) continue;
       Settings single = standard;
       single[knob] = s[knob];
@@ -252,19 +261,19 @@ std::string quality_json(const AccuracyPoint& point) {
   return object.dump(1) + "\n";
 }
 
-std::string quality_header(const AccuracyPoint& point, const View& view) {
-  const Budget strips = budget(point.settings, view.height);
+std::string quality_header(const AccuracyPoint& point, const View& size) {
+  const Budget strips = budget(point.settings, size.height);
   const std::string_view shading = point.settings.name_of(Knob::shading);
-  const PixelFormat format = pixel_format(point.settings);
+  const View shown = picture(point.settings, size);
   return fmt::format(
       "// Written by zstrip tune for {} on {}: {}.\n"
       "#pragma once\n\n"
       "#include \"zstrip/plan/plan_types.hpp\"\n#include \"zstrip/scene/effects.hpp\"\n#include "
       "\"zstrip/scene/view.hpp\"\n\n"
       "namespace quality {{\n\n"
+      "inline constexpr zstrip::View kView{{{}, {}, zstrip::PixelFormat::{}, {}, {}}};\n"
       "/// Beside what the scene calls for: Renderer<effects_of(scene, camera) | quality::kEffects>.\n"
-      "inline constexpr zstrip::Effects kEffects = zstrip::Effects{{}}{};\n"
-      "inline constexpr zstrip::View kView{{{}, {}, zstrip::PixelFormat::{}}};\n"
+      "inline constexpr zstrip::Effects kEffects = zstrip::effects_of(kView){};\n"
       "inline constexpr zstrip::Budget kBudget{{.strip_rows = {}, .modes = zstrip::Modes::{}}};\n"
       "/// For Camera::fixed_depth_range.\n"
       "inline constexpr bool kFixedDepthRange = {};\n"
@@ -272,16 +281,19 @@ std::string quality_header(const AccuracyPoint& point, const View& view) {
       "inline constexpr bool kSmooth = {};\n"
       "/// For Finish::filter of all textured materials: TextureFilter::bilinear.\n"
       "inline constexpr bool kBilinear = {};\n"
+      "/// For zstrip bake: --mipmaps on.\n"
+      "inline constexpr bool kMipmaps = {};\n"
       "/// Of 100 triangles of the meshes how many are to stay when they are baked.\n"
       "inline constexpr int kDetailPercent = {};\n\n"
       "}}  // namespace quality\n",
-      point.scene, point.target, to_text(point.settings), effect_names(point.settings), view.width, view.height,
-      format == PixelFormat::gray4  ? "gray4"
-      : format == PixelFormat::mono ? "mono"
-                                    : "rgb565",
-      strips.strip_rows, strips.modes == Modes::binned ? "binned" : "streamed",
-      point.settings.name_of(Knob::fit) == "fixed", shading == "gouraud",
-      point.settings.name_of(Knob::filter) == "bilinear", detail_percent(point.settings));
+      point.scene, point.target, to_text(point.settings), size.width, size.height,
+      shown.format == PixelFormat::gray4  ? "gray4"
+      : shown.format == PixelFormat::mono ? "mono"
+                                          : "rgb565",
+      shown.dither, shown.samples, effect_names(point.settings), strips.strip_rows,
+      strips.modes == Modes::binned ? "binned" : "streamed", point.settings.name_of(Knob::fit) == "fixed",
+      shading == "gouraud", filters_bilinearly(point.settings), filters_mipmaps(point.settings),
+      detail_percent(point.settings));
 }
 
 }  // namespace zstrip::sim

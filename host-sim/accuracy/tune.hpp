@@ -30,8 +30,9 @@ struct Tuned {
   std::size_t timed = 0;              ///< of these measured on the target
 };
 
-/// The boards' programs that tuning may run.
-std::vector<std::string> programs_to_tune(const AccuracyScene& scene);
+/// The boards' programs that tuning within these limits may run, of displays of this format.
+Result<std::vector<std::string>> programs_to_tune(const AccuracyScene& scene, const Limits& limits,
+                                                  std::string_view format);
 
 /// `format`: of the display, which is no matter of choice here.
 Result<Tuned> tune(const AccuracyScene& scene, const Limits& limits, std::string_view format, unsigned jobs,
@@ -40,6 +41,6 @@ Result<Tuned> tune(const AccuracyScene& scene, const Limits& limits, std::string
 /// The settings as a [quality] table of a scene's TOML file, as JSON, and as a header for firmware.
 std::string quality_toml(const AccuracyPoint& point);
 std::string quality_json(const AccuracyPoint& point);
-std::string quality_header(const AccuracyPoint& point, const View& view);
+std::string quality_header(const AccuracyPoint& point, const View& size);
 
 }  // namespace zstrip::sim

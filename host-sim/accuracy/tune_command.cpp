@@ -100,8 +100,10 @@ Result<Done> run(const Arguments& arguments) {
   const auto scene = AccuracyScene::open(request);
   if (!scene) return scene.failure();
   if (arguments.programs) {
+    const Result<std::vector<std::string>> programs = programs_to_tune(**scene, *limits, arguments.format);
+    if (!programs) return programs.failure();
     std::string names;
-    for (const std::string& name : programs_to_tune(**scene)) names += name + "\n";
+    for (const std::string& name : *programs) names += name + "\n";
     write_text(stdout, names);
     return Done{};
   }

@@ -56,15 +56,16 @@ bool may_simplify(const Scene& scene) {
 
 SceneVariant::SceneVariant(const Scene& scene, const Settings& settings)
     : fixed_range_(settings.name_of(Knob::fit) == "fixed"),
-      meshes_(scene.meshes.begin(), scene.meshes.end()),
-      materials_(scene.materials.begin(), scene.materials.end()),
-      finishes_(scene.finishes.begin(), scene.finishes.end()) {
+      textured_(scene, filters_mipmaps(settings) ? MipmapChoice::on : MipmapChoice::automatic),
+      meshes_(copy(scene.meshes)),
+      materials_(copy(textured_.scene().materials)),
+      finishes_(copy(textured_.scene().finishes)) {
   if (settings.name_of(Knob::shading) == "flat") {
     for (Material& material : materials_) {
       if (material.smooth == Shading::gouraud) material.smooth = Shading::flat;
     }
   }
-  if (settings.name_of(Knob::filter) == "bilinear") filter_bilinearly(scene);
+  if (filters_bilinearly(settings)) filter_bilinearly();
   const std::uint32_t percent = detail_percent(settings);
   if (percent == 100) return;
   for (Mesh& mesh : meshes_) {
@@ -80,7 +81,8 @@ SceneVariant::SceneVariant(const Scene& scene, const Settings& settings)
   }
 }
 
-void SceneVariant::filter_bilinearly(const Scene& scene) {
+void SceneVariant::filter_bilinearly() {
+  const Scene& scene = textured_.scene();
   for (std::size_t i = 0; i < materials_.size(); ++i) {
     Material& material = materials_[i];
     const bool on_quadric =
@@ -95,6 +97,7 @@ void SceneVariant::filter_bilinearly(const Scene& scene) {
 
 Staging SceneVariant::apply(const Staging& staged) const {
   Staging result = staged;
+  result.scene.textures = textured_.scene().textures;
   result.scene.meshes = meshes_;
   result.scene.materials = materials_;
   result.scene.finishes = finishes_;

@@ -1,4 +1,4 @@
-// A scene as settings change it: shading, filter, mesh detail, depth range.
+// A scene as settings change it: shading, filter with its mipmaps, mesh detail, depth range.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "accuracy/knobs.hpp"
+#include "bake/mipmaps.hpp"
 #include "import/model.hpp"
 #include "render/stage.hpp"
 
@@ -28,9 +29,10 @@ class SceneVariant {
 
  private:
   /// All that is textured, unless a quadric has it, too: it takes no finish.
-  void filter_bilinearly(const Scene& scene);
+  void filter_bilinearly();
 
   bool fixed_range_;
+  MipmappedScene textured_;
   std::deque<MeshData> data_;  ///< of simplified meshes
   std::vector<Mesh> meshes_;
   std::vector<Material> materials_;

@@ -1,6 +1,7 @@
 // docs/accuracy.csv against a fresh run of some of its scenes, and the plots against docs/accuracy.csv.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -20,13 +21,9 @@ std::vector<std::string> fields(const std::string& line) {
   return found;
 }
 
-std::string values(const Settings& settings) {
-  std::string text;
-  for (const KnobInfo& knob : knobs()) {
-    if (knob.knob == Knob::samples) continue;  // one, in the whole table
-    if (!text.empty()) text += ' ';
-    text += settings.name_of(knob.knob);
-  }
+std::string words(const Settings& settings) {
+  std::string text = to_text(settings);
+  std::ranges::replace(text, ',', ' ');
   return text;
 }
 
@@ -74,7 +71,7 @@ TEST(Document, FiguresAreThoseOfAFreshRun) {
     const std::vector<Settings> wanted = one_at_a_time(**scene, *parse_knobs("all"));
     EXPECT_GT(wanted.size(), 10U);
     for (const Settings& settings : wanted) {
-      const auto row = rows.find(std::string(name) + "," + values(settings));
+      const auto row = rows.find(std::string(name) + "," + words(settings));
       ASSERT_NE(row, rows.end()) << name << ' ' << to_text(settings) << ": run host-sim/accuracy/document";
       const Errors errors = *(*scene)->errors(settings);
       for (std::size_t column = 0; column < names.size(); ++column) {

@@ -75,6 +75,40 @@ TEST(Figures, BilinearTexelsChangeColoursAlone) {
   EXPECT_NE(bilinear[Figure::colour_mean], nearest[Figure::colour_mean]);
 }
 
+TEST(Figures, MipmapsFlickerLessAndTakeMoreFlash) {
+  for (const char* name : {"cube", "room"}) {
+    const auto opened = scene(name);
+    for (const auto& [without, with] :
+         {std::pair{"default", "filter=mipmapped"}, std::pair{"filter=bilinear", "filter=mipmapped_bilinear"}}) {
+      const Errors plain = errors(*opened, without), mipmapped = errors(*opened, with);
+      EXPECT_LT(mipmapped[Figure::flicker], plain[Figure::flicker]) << name;
+      EXPECT_LT(mipmapped[Figure::perceived], plain[Figure::perceived]) << name;
+      EXPECT_EQ(mipmapped[Figure::wrong_pixels], plain[Figure::wrong_pixels]) << name;
+      EXPECT_TRUE(std::isnan(mipmapped[Figure::texture])) << name;
+      EXPECT_GT(opened->memory(*parse_settings(with))->scene_bytes,
+                opened->memory(*parse_settings(without))->scene_bytes)
+          << name;
+    }
+  }
+}
+
+TEST(Figures, DitheringLooksMoreLikeTheTruthWhereShadesAreFew) {
+  for (const char* name : {"teapot", "spheres", "terrain"}) {
+    const auto opened = scene(name);
+    for (const auto& [without, with] :
+         {std::pair{"format=mono", "format=mono,dither=on"}, std::pair{"format=gray4", "format=gray4,dither=on"},
+          std::pair{"default", "dither=on"}}) {
+      const Errors plain = errors(*opened, without), dithered = errors(*opened, with);
+      EXPECT_EQ(dithered[Figure::wrong_pixels], plain[Figure::wrong_pixels]) << name;
+      EXPECT_EQ(dithered[Figure::depth_codes], plain[Figure::depth_codes]) << name;
+      EXPECT_NE(dithered[Figure::colour_mean], plain[Figure::colour_mean]) << name << ' ' << with;
+      if (std::string(without) == "format=mono") {
+        EXPECT_LT(dithered[Figure::perceived], plain[Figure::perceived]) << name;
+      }
+    }
+  }
+}
+
 TEST(Figures, MoreSamplesLookMoreLikeTheTruthAndTakeMoreMemory) {
   for (const char* name : {"cube", "wires"}) {
     const auto opened = scene(name);
@@ -134,9 +168,31 @@ TEST(Figures, EqualPicturesLookTheSame) {
   EXPECT_NEAR(perceived_difference(8, 8, black, white)[20], 100, 0.1);
 }
 
+TEST(Campaign, TargetsShareWhatDoesNotDependOnThem) {
+  const auto host = scene("teapot");
+  const AccuracyScene board = host->on("m3");
+  EXPECT_EQ(board.request().target, "m3");
+  EXPECT_EQ(host->request().target, "host");
+  AccuracyPictures first, again;
+  const Errors seen = *host->errors(*parse_settings("depth=w16"), &first);
+  EXPECT_EQ(board.errors(*parse_settings("depth=w16,strips=4"), &again)->value[0], seen.value[0]);
+  EXPECT_EQ(again.drawn, first.drawn);
+  EXPECT_EQ(again.heat, first.heat);
+  EXPECT_NE(errors(board, "depth=ranges")[Figure::depth_codes], seen[Figure::depth_codes]);
+}
+
+TEST(Campaign, DithersWithEachFormat) {
+  const CampaignOptions options{.knobs = *parse_knobs("format,dither"), .only = {}};
+  const std::vector<Settings> wanted = first_settings(*scene("teapot"), options);
+  std::vector<std::string> words;
+  for (const Settings& settings : wanted) words.push_back(to_text(settings));
+  EXPECT_EQ(words, (std::vector<std::string>{"default", "format=gray4", "format=mono", "dither=on",
+                                             "format=gray4,dither=on", "format=mono,dither=on"}));
+}
+
 TEST(Campaign, CombinationsTurnSeveralKnobsAndCanAllBeDrawn) {
   const auto opened = scene("room");
-  CampaignOptions options{.knobs = *parse_knobs("depth,perspective,filter,strips"), .only = {}, .jobs = 2};
+  CampaignOptions options{.knobs = *parse_knobs("depth,perspective,filter,dither,samples"), .only = {}, .jobs = 2};
   const std::vector<Settings> all = all_settings(*opened, options.knobs);
   for (const Settings& settings : all) {
     EXPECT_TRUE(opened->errors(settings)) << to_text(settings);

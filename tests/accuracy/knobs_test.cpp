@@ -34,9 +34,24 @@ TEST(Knobs, ErrorsNameTheNearestWord) {
   EXPECT_NE(parse_settings("depth=z23").failure().message.find("nearest is 'z24'"), std::string::npos);
   EXPECT_NE(parse_settings("depth").failure().message.find("no value of depth"), std::string::npos);
   EXPECT_NE(parse_knobs("strip").failure().message.find("nearest is 'strips'"), std::string::npos);
-  EXPECT_EQ(parse_knobs("all")->size(), kKnobs - 1) << "samples must be named";
-  EXPECT_EQ(parse_knobs("all,samples")->size(), kKnobs);
+  EXPECT_EQ(parse_knobs("all")->size(), kKnobs);
+  EXPECT_EQ(parse_knobs("samples,all")->size(), kKnobs);
   EXPECT_EQ(*parse_knobs("samples"), std::vector{Knob::samples});
+}
+
+TEST(Knobs, DitheringIsThePicturesOwnEffect) {
+  EXPECT_EQ(extra_effects(*parse_settings("dither=on")), effect::dithered_colours);
+  EXPECT_EQ(extra_effects(*parse_settings("dither=on,format=mono")), effect::dithered_format);
+  EXPECT_EQ(extra_effects(*parse_settings("filter=mipmapped_bilinear,samples=2")),
+            effect::mipmaps | effect::bilinear | effect::supersampled);
+}
+
+// Fragments that have effects have their exact places at every 16th pixel.
+TEST(Knobs, PlacesInTexturesAreForPixelsWithoutEffects) {
+  for (const char* fragments : {"dither=on", "filter=bilinear", "filter=mipmapped"}) {
+    EXPECT_FALSE(possible(*parse_settings(std::string("perspective=1,") + fragments), {})) << fragments;
+  }
+  EXPECT_TRUE(possible(*parse_settings("perspective=1,dither=on,format=gray4"), {}));
 }
 
 TEST(Knobs, PresetsOfTheLibraryAreThoseOfTheCommand) {

@@ -57,6 +57,15 @@ TEST_F(Page, RunsAgainWithoutMeasuring) {
   EXPECT_EQ(test::read(path("out/accuracy.csv")), before);
 }
 
+using AccuracyCommand = test::FolderTest;
+
+TEST_F(AccuracyCommand, NamesTheProgramsOfEachCore) {
+  const test::Outcome outcome = test::run(
+      ZSTRIP_COMMAND, {"accuracy", "--target", "host,m0,m3", "cube", "--only", "default", "--list-programs"}, path(""));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "zstrip_scene_m0_00000000008\nzstrip_scene_m3_00000000008\n");
+}
+
 // Words for a browser: what a person would do, and what is then on the page.
 constexpr const char* kDoings = R"(<script>
 addEventListener('load', async () => {

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
+#include "accuracy/board_cost.hpp"
 #include "support.hpp"
 
 namespace zstrip::sim {
@@ -32,6 +34,33 @@ TEST_F(TuneCommand, SaysWhichLimitCannotBeMetAndByHowMuch) {
   EXPECT_EQ(outcome.status, 5);
   EXPECT_NE(outcome.err.find("--max-ram: 1,024 bytes asked for, "), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find(" too much"), std::string::npos) << outcome.err;
+}
+
+TEST(Tune, SamplesAreForThoseWhoLimitHowItLooks) {
+  const auto scene =
+      AccuracyScene::open({.scene = "wires", .view = {64, 48}, .frames = 1, .target = "m3", .firmware = ""});
+  ASSERT_TRUE(scene);
+  const auto has_samples = [&](const Limits& limits) {
+    const Result<std::vector<std::string>> programs = programs_to_tune(**scene, limits, "gray4");
+    EXPECT_TRUE(programs);
+    const Effects effects = (*scene)->effects() | effect::supersampled | effect::dithered_format;
+    return std::ranges::find(*programs, board_program_name("m3", effects)) != programs->end();
+  };
+  EXPECT_FALSE(has_samples({.wrong_pixels = 2.0}));
+  EXPECT_TRUE(has_samples({.perceived = 1.0}));
+}
+
+TEST(Tune, TakesMoreSamplesWhereOneDoesNotLookWell) {
+  const auto scene = AccuracyScene::open({.scene = "spheres", .view = {64, 48}, .frames = 1, .firmware = ""});
+  ASSERT_TRUE(scene);
+  const auto perceived = [&](const Settings& settings) { return (*(*scene)->errors(settings))[Figure::perceived]; };
+  const Limits limits{.perceived = perceived(*parse_settings("samples=4")) * 1.001};
+  ASSERT_GT(perceived(*parse_settings("dither=on")), *limits.perceived);
+  const Result<Tuned> tuned = tune(**scene, limits, "rgb565", 2, [](std::size_t, std::size_t) {});
+  ASSERT_TRUE(tuned) << tuned.failure().message;
+  ASSERT_TRUE(tuned->best);
+  EXPECT_LE(perceived(tuned->best->settings), *limits.perceived);
+  EXPECT_NE(tuned->best->settings[Knob::samples], 0);
 }
 
 TEST(Tune, LooksAtAllCombinationsAndKeepsTheLimits) {

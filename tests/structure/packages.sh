@@ -101,14 +101,14 @@ board_build() {
   mkdir -p "$tree/build/host/host-sim"
   printf 'ZSTRIP_FIRMWARE:BOOL=OFF\n' >"$tree/build/host/CMakeCache.txt"
   touch "$tree/build/host/build.ninja"
-  puts zstrip 'echo "ran zstrip $*"'
+  puts zstrip 'case "$*" in *--list-programs) printf "zstrip_scene_%s_8\n" m0 m3 m3 ;; *) echo "ran zstrip $*" ;; esac'
   mv "$tree/bin/zstrip" "$tree/build/host/host-sim"
   puts cmake 'echo "$*" >>"'"$tree"'/asked"'
   for program in ninja qemu-system-arm; do puts "$program" 'exit 0'; done
   rm -f "$tree/asked"
   output=$(PATH=$tree/bin bash "$tree/host-sim/run" "$@" 2>&1) || { echo "host-sim/run $* failed: $output"; failed=1; }
   grep -qxF "ran zstrip $*" <<<"$output" || { echo "host-sim/run $* does not run the command: $output"; failed=1; }
-  grep -q -- "--target firmware" "$tree/asked" && grep -q -- "--preset host -DZSTRIP_FIRMWARE=ON" "$tree/asked"
+  grep -q -- "--target firmware$" "$tree/asked" && grep -q -- "--preset host -DZSTRIP_FIRMWARE=ON" "$tree/asked"
 }
 for arguments in "bench --target m3" "bench --target=host,m4f --workload K5" "bench --frames 1 --target host m0"; do
   # shellcheck disable=SC2086
@@ -118,5 +118,20 @@ for arguments in "bench" "bench --target host" "scenes" "render m3 --target m3" 
   # shellcheck disable=SC2086
   if board_build $arguments; then echo "host-sim/run $arguments builds the programs for boards"; failed=1; fi
 done
+
+
+# Counting instructions of a scene's pipelines takes their programs and no others, on the cores that are named.
+for arguments in "accuracy cube --target m3" "tune cube --target=m3" "accuracy --target host,m3 cube"; do
+  # shellcheck disable=SC2086
+  if board_build $arguments; then echo "host-sim/run $arguments builds all programs for boards"; failed=1; fi
+  for expected in "--preset host -DZSTRIP_FIRMWARE=ON" "--target firmware_cortex-m3-configure" \
+    "-DZSTRIP_SCENE_EFFECTS=8;8 $tree/build/host/firmware/cortex-m3" \
+    "--build $tree/build/host/firmware/cortex-m3 --target zstrip_scene_m3_8 zstrip_scene_m3_8"; do
+    grep -qF -- "$expected" "$tree/asked" || { echo "host-sim/run $arguments does not ask for $expected"; failed=1; }
+  done
+  if grep -q "cortex-m0" "$tree/asked"; then echo "host-sim/run $arguments asks for another core"; failed=1; fi
+done
+board_build accuracy cube && { echo "host-sim/run accuracy on the host builds programs for boards"; failed=1; }
+if grep -q "SCENE_EFFECTS" "$tree/asked"; then echo "host-sim/run accuracy on the host asks for programs"; failed=1; fi
 
 exit "$failed"

@@ -305,7 +305,7 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (lines.material >= scene.materials.size()) continue;
     if (has_depth_state(scene.materials[lines.material])) found = found | effect::depth_state;
   }
-  if (scene.shadow != nullptr && found.has(effect::lighting)) found = found | effect::shadows;
+  if (scene.shadow != nullptr && found.any(effect::lighting | effect::pixel_shading)) found = found | effect::shadows;
   if (camera.projection == Projection::orthographic) found = found | effect::orthographic;
   return found;
 }

@@ -32,8 +32,8 @@ std::span<const std::byte> blob() {
 int run(const bench::Arguments& arguments) {
   SceneBlob opened;
   if (const Status status = open_scene_blob(blob(), tables, opened); !status) return bench::report(status);
-  const std::uint8_t samples = kEffects.has(effect::supersampled) ? opened.view.samples : std::uint8_t{1};
-  const View view{arguments.width, arguments.height, format_of(arguments.format), false, samples};
+  const View view{arguments.width, arguments.height, format_of(arguments.format), opened.view.dither,
+                  opened.view.samples};
   const auto [status, plan] = zstrip::plan(count(opened.scene), view, kEffects,
                                            {.bytes = arguments.ram,
                                             .strip_rows = arguments.rows,
