@@ -19,7 +19,7 @@ inline constexpr Effects kFactors[] = {effect::lighting,         effect::gouraud
                                        effect::dithered_colours, effect::texture_palettes, effect::lines,
                                        effect::billboards,       effect::mipmaps,          effect::supersampled,
                                        effect::environment,      effect::outlines,         effect::shadows,
-                                        effect::pixel_shading};
+                                       effect::pixel_shading};
 
 static_assert(
     [] {

@@ -96,8 +96,8 @@ class PixelLight {
       at = {p.x, p.y, p.z};
     }
     LitPoint<effects, pixel_direction_of> point{at, normal, to_eye, settings.finish.shininess, shines};
-    point.add_all_to(total, settings.scene->lights.first(settings.instance->light_count), *settings.lights, settings.colour,
-                     settings.finish.specular);
+    point.add_all_to(total, settings.scene->lights.first(settings.instance->light_count), *settings.lights,
+                     settings.colour, settings.finish.specular);
   }
 
   Vector3 divided_place(std::int32_t columns, std::int32_t rows) const {

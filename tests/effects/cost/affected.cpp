@@ -56,8 +56,9 @@ int main() {
   return print_affected<scenes::fog>() + print_affected<scenes::emissive>() + print_affected<scenes::specular>() +
          print_affected<scenes::punctual>() + print_affected<scenes::mask>() + print_affected<scenes::blend>() +
          print_affected<scenes::bilinear>() + print_affected<scenes::palette>() + print_affected<scenes::mipmaps>() +
-         print_affected<scenes::environment>() + print_affected<scenes::per_pixel>() + print_affected<scenes::spheres>() +
-         print_affected<scenes::dithered>() + print_affected<scenes::dithered_mono>() +
-         print_affected<scenes::lines>() + print_affected<scenes::billboards>() + print_affected<scenes::outlines>() +
-         print_affected<scenes::shadows>() + print_affected<scenes::samples_2>() + print_affected<scenes::samples_4>();
+         print_affected<scenes::environment>() + print_affected<scenes::per_pixel>() +
+         print_affected<scenes::spheres>() + print_affected<scenes::dithered>() +
+         print_affected<scenes::dithered_mono>() + print_affected<scenes::lines>() +
+         print_affected<scenes::billboards>() + print_affected<scenes::outlines>() + print_affected<scenes::shadows>() +
+         print_affected<scenes::samples_2>() + print_affected<scenes::samples_4>();
 }

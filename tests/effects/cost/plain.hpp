@@ -67,9 +67,9 @@ inline constexpr auto kKnotTexcoords = [] {
 template <const scenes::BuiltIn& built_in>
 inline constexpr bool kKeepsLight = effects_of(built_in.scene, built_in.camera).has(effect::pixel_shading);
 
-/// Without fog, finishes, punctual lights, quadrics, lines, outlines and shadows, billboards standing still, the scene's first
-/// texture for one with a palette, and texture coordinates for what mirrors its surroundings; lit at vertices, with its
-/// finishes, what was lit at pixels; all else as it is.
+/// Without fog, finishes, punctual lights, quadrics, lines, outlines and shadows, billboards standing still, the
+/// scene's first texture for one with a palette, and texture coordinates for what mirrors its surroundings; lit at
+/// vertices, with its finishes, what was lit at pixels; all else as it is.
 template <const scenes::BuiltIn& built_in>
 struct Plain {
   static constexpr auto kMaterials = [] {
@@ -119,8 +119,7 @@ template <const scenes::BuiltIn& built_in>
 inline constexpr const scenes::BuiltIn& kChosen<built_in, true> = Plain<built_in>::kBuiltIn;
 
 inline constexpr Effects kPlainLacks = effect::fragments | effect::vertex_light | effect::surfaces |
-                                       effect::billboards | effect::environment | effect::outlines |
-                                       effect::shadows;
+                                       effect::billboards | effect::environment | effect::outlines | effect::shadows;
 /// The pipeline of kChosen. The plain one keeps what the effect brought along, as quadrics their textures.
 template <const scenes::BuiltIn& built_in, bool plain>
 inline constexpr Effects kEffectsOf = without(effects_of(built_in.scene, built_in.camera) |
