@@ -130,7 +130,7 @@ struct LitPoint {
   void add_highlight(const DirectionalLight& light) {
     add_highlight({light.x >> 1, light.y >> 1, light.z >> 1}, light.colour, kAllOfIt);
   }
-  void add(const WorldLight& light) {
+  [[gnu::always_inline]] void add(const WorldLight& light) {
     const DirectionAndLength from =
         direction(light.position.x - at.x, light.position.y - at.y, light.position.z - at.z);
     const std::int32_t cosine = dot(normal, from.unit) >> 14;  // 1.14
@@ -142,8 +142,8 @@ struct LitPoint {
   }
 
   /// All local light, times the surface's colours. `lights`: the directional ones, but for what is in a light's shadow.
-  void add_all_to(LightSum& total, std::span<const DirectionalLight> lights, const FrameLights& frame,
-                  const Colour& colour, const Colour& specular) {
+  [[gnu::always_inline]] void add_all_to(LightSum& total, std::span<const DirectionalLight> lights,
+                                         const FrameLights& frame, const Colour& colour, const Colour& specular) {
     if constexpr (effects.has(effect::specular)) {
       for (const DirectionalLight& light : lights) add_highlight(light);
     }
