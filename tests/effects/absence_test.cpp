@@ -48,7 +48,7 @@ constexpr Marker kMarkers[] = {
     {effect::specular, "zstrip::detail::power("},
     {effect::fragments, "zstrip::detail::fill_fragments<"},
     {effect::fragments, "zstrip::detail::shade_fragment<"},
-    {effect::fragments, "zstrip::detail::draw_fragment_triangle<"},
+    {effect::fragments, "draw_fragment_triangle"},  // whose name binutils cannot demangle
     {effect::blending, "zstrip::Frame::Access::EffectStage::prepare_order("},
     {effect::bilinear, "zstrip::detail::TextureSampler<false, false>::bilinear<"},
     {effect::texture_palettes, "zstrip::detail::TextureSampler<true, false>::"},

@@ -340,6 +340,26 @@ TEST(Shadows, OfMethodsThatFindTheZBuffersPixelsAreTheZBuffers) {
   EXPECT_EQ(refused_by_methods(effect::shadows | method::hierarchical_z), Effects{});
 }
 
+TEST(Shadows, WhatIsLitAtPixelsLosesTheLightAndItsHighlight) {
+  const Finish finishes[] = {{.specular = {200, 200, 200, 255}, .shininess = 20}};
+  for (const bool shines : {false, true}) {
+    World world;
+    for (Material& material : world.materials) {
+      material.smooth = Shading::pixel;
+      if (shines) material.finish = 0;
+    }
+    world.scene.finishes = finishes;
+    world.scene.quadrics = {};
+    constexpr Effects kLitAtPixels = effect::pixel_shading | effect::shadows;
+    const Judged judged =
+        shines ? judged_with<kLitAtPixels | effect::specular>(world) : judged_with<kLitAtPixels>(world);
+    EXPECT_EQ(judged.neither, 0) << shines;
+    EXPECT_EQ(judged.wrong, 0) << shines;
+    EXPECT_GT(judged.shadowed, 100) << shines;
+    EXPECT_TRUE(effects_of(world.scene, world.camera).has(kLitAtPixels));
+  }
+}
+
 TEST(Shadows, FallFromWhatCastsOnWhatReceives) {
   World world;
   constexpr Effects kPlain = without(kShadowed, effect::shadows);

@@ -12,8 +12,8 @@
 namespace zstrip::detail {
 
 struct LitCorner {
-  Vector3 normal;  ///< 1.21, as long as the mesh's; in the world where there is local light, else in the object
-  Vector3 place;   ///< WorldPoint; only where there is local light
+  Vector3 normal{};  ///< 1.21, as long as the mesh's; in the world where there is local light, else in the object
+  Vector3 place{};   ///< WorldPoint; only where there is local light
 };
 
 /// Of one triangle.
