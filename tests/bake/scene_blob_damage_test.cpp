@@ -203,10 +203,10 @@ TEST(SceneBlob, ValuesThatAreNone) {
     mend(changed);
     return Opened(changed).status;
   };
-  for (const std::size_t flag :
-       {material + 6, material + 7, material + 8, material + 10, std::size_t{120}, std::size_t{121}}) {
+  for (const std::size_t flag : {material + 6, material + 8, material + 10, std::size_t{120}, std::size_t{121}}) {
     EXPECT_EQ(error_with(flag, 2), (Status{.error = Error::blob_damaged, .needed = static_cast<std::uint32_t>(flag)}));
   }
+  EXPECT_EQ(error_with(material + 7, 3).error, Error::blob_damaged);  // shading
   EXPECT_EQ(error_with(material + 9, 8).error, Error::blob_damaged);  // depth test
   EXPECT_EQ(error_with(128, static_cast<std::uint8_t>(kLastPixelFormat) + 1).error, Error::blob_damaged);
   EXPECT_EQ(error_with(125, 17).error, Error::blob_damaged);  // 4416 pixels wide
