@@ -229,10 +229,9 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
   if (without(effects_of(scene, camera), kKnown) != Effects{}) {
     return Failure{
         ExitStatus::input,
-        "the scene has highlights, point or spot lights, alpha, bilinear texels, palettes, mipmaps or environments, "
-        "and the "
-        "truth knows none of these: it draws triangles and quadrics with directional light, emission, textures and "
-        "fog"};
+        "the scene has highlights, point or spot lights, alpha, bilinear texels, palettes, mipmaps, environments, "
+        "lines, outlines or shadows, and the truth knows none of these: it draws triangles and quadrics with "
+        "directional light, emission, textures and fog"};
   }
   Rasteriser rasteriser(camera, view, scale, scene, snap);
   const Vector right = vector_of(camera.right, kOne30), up = vector_of(camera.up, kOne30),
