@@ -58,17 +58,20 @@ hal::Outcome<SceneFile> SceneFile::open(const std::string& path) {
 Camera SceneFile::camera(const View& view) const { return scenes::fit_width(blob_.camera, blob_.view, view); }
 
 bool SceneFile::can_turn() const {
-  return std::ranges::all_of(blob_.scene.instances,
-                             [](const Instance& instance) { return scenes::can_turn(instance.transform); });
+  const auto can = [](const auto& placed) { return scenes::can_turn(placed.transform); };
+  return std::ranges::all_of(blob_.scene.instances, can) && std::ranges::all_of(blob_.scene.lines, can);
 }
 
 Scene SceneFile::turned(std::uint32_t frame, std::uint32_t frames) {
   instances_.assign(blob_.scene.instances.begin(), blob_.scene.instances.end());
+  lines_.assign(blob_.scene.lines.begin(), blob_.scene.lines.end());
   if (frame % frames != 0) {
     for (Instance& instance : instances_) instance.transform = scenes::turned(instance.transform, frame, frames);
+    for (LineSet& lines : lines_) lines.transform = scenes::turned(lines.transform, frame, frames);
   }
   Scene scene = blob_.scene;
   scene.instances = instances_;
+  scene.lines = lines_;
   return scene;
 }
 

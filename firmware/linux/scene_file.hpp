@@ -37,6 +37,7 @@ class SceneFile {
   std::vector<std::uint64_t> tables_;  ///< lent to open_scene_blob
   SceneBlob blob_;
   std::vector<Instance> instances_;
+  std::vector<LineSet> lines_;
 };
 
 }  // namespace zstrip::panel

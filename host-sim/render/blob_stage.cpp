@@ -55,6 +55,7 @@ class BlobStage : public Stage {
 
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
     instances_.assign(blob_.scene.instances.begin(), blob_.scene.instances.end());
+    lines_.assign(blob_.scene.lines.begin(), blob_.scene.lines.end());
     if (!animation().tracks.empty()) {
       pose(animation(), time_of_frame(animation(), frame, frames), instances_);
     } else if (frame % frames != 0) {
@@ -64,9 +65,16 @@ class BlobStage : public Stage {
         }
         instance.transform = scenes::turned(instance.transform, frame, frames);
       }
+      for (LineSet& lines : lines_) {
+        if (!scenes::can_turn(lines.transform)) {
+          return Failure{ExitStatus::input, "lines of the baked scene are too far away to turn; render one frame"};
+        }
+        lines.transform = scenes::turned(lines.transform, frame, frames);
+      }
     }
     Scene scene = blob_.scene;
     scene.instances = instances_;
+    scene.lines = lines_;
     return Staging{scene, camera_, blob_.tree};
   }
 
@@ -91,6 +99,7 @@ class BlobStage : public Stage {
   SceneBlob blob_;
   Camera camera_;
   std::vector<Instance> instances_;
+  std::vector<LineSet> lines_;
   std::vector<std::string> warnings_;
 };
 

@@ -333,7 +333,11 @@ TEST(Shadows, OfMethodsThatFindTheZBuffersPixelsAreTheZBuffers) {
   const Drawn plain = draw_any(kShadowed, world.scene, world.camera, kView);
   for (const Effects how : {method::front_to_back, method::hierarchical_z,
                             method::front_to_back | method::hierarchical_z, method::midpoint_safe, method::culling}) {
-    EXPECT_EQ(draw_any(kShadowed | how, world.scene, world.camera, kView, {.strip_rows = 24}), plain) << how.methods;
+    for (const Modes modes : {Modes::streamed, Modes::binned}) {
+      const Budget budget{.strip_rows = 24, .modes = modes};
+      EXPECT_EQ(draw_any(kShadowed | effect::bins | how, world.scene, world.camera, kView, budget), plain)
+          << how.methods << (modes == Modes::binned ? " binned" : "");
+    }
   }
   EXPECT_EQ(refused_by_methods(effect::shadows | method::painter), effect::shadows);
   EXPECT_EQ(refused_by_methods(effect::shadows | method::midpoint), effect::shadows);
@@ -382,6 +386,15 @@ TEST(Shadows, FallFromWhatCastsOnWhatReceives) {
   EXPECT_EQ(draw<kShadowed>(world.scene, world.camera, kView),
             draw<kPlain>(world.with_all_light(), world.camera, kView))
       << "nothing casts";
+}
+
+TEST(Shadows, OfNothingAreNotShadedInBins) {
+  World world;
+  world.scene.quadrics = {};
+  for (Mesh& mesh : world.meshes) mesh.shadow = ShadowRole::only_receives;
+  const Budget binned{.strip_rows = 8, .modes = Modes::binned};
+  EXPECT_EQ(draw_any(kShadowed | effect::bins, world.scene, world.camera, kView, binned),
+            draw_any(without(kShadowed, effect::shadows), world.with_all_light(), world.camera, kView));
 }
 
 TEST(Shadows, TakeThePoolThatTheyAreGivenOrSayHowMuchTheyNeed) {

@@ -133,7 +133,7 @@ struct Frame::Access::Geometry {
   static void shade_in_shadow(Frame& frame, const detail::BatchOf<effects>& batch, const MeshletRange& range,
                               std::uint32_t cache) {
     const detail::EffectBlock block = effect_block(frame);
-    if (!block.has(effect::shadows)) return;
+    if (!block.has(effect::shadows) || block.shadows().empty) return;
     const auto number = static_cast<std::size_t>(batch.instance - frame.instances_);
     Colour* const lit = frame.colours_;
     frame.colours_ = block.shadows().colours_in_shadow;

@@ -163,6 +163,7 @@ void Frame::Access::Methods::collect_triangles(FrameWithMethod& frame) {
         });
     if (!listed || !binned) return;
     Geometry::shade<effects>(frame, batch, range, cache);
+    if constexpr (effects.has(effect::shadows)) Geometry::shade_in_shadow<effects>(frame, batch, range, cache);
     frame.batches_[batches++] = detail::retained_batch(instance, meshlet, retained, all_narrow);
     retained += range.vertex_count;
   });
