@@ -59,11 +59,12 @@ Result<Done> check_visibility(Effects effects, std::string_view depth_given) {
   }
   if (effects.has(effect::shadows) && !depth_effects_agree(effects) &&
       depth_effects_agree(without(effects, effect::shadows))) {
-    return Failure{ExitStatus::usage, fmt::format("shadows are found in the z-buffer, and {} keeps no depth there that "
-                                                  "they can ask; leave it out, or the key shadow of the light",
-                                                  ranges                ? "--visibility half-range"
-                                                  : depth_given.empty() ? "this depth format"
-                                                                        : depth_given)};
+    return Failure{ExitStatus::usage,
+                   fmt::format("shadows ask the z-buffer, which {} does not allow; leave it out, or the key shadow of "
+                               "the light",
+                               ranges                ? "--visibility half-range"
+                               : depth_given.empty() ? "this depth format"
+                                                     : depth_given)};
   }
   if (!depth_effects_agree(effects)) {
     return Failure{ExitStatus::usage,
