@@ -6,6 +6,7 @@
 
 #include "drawn.hpp"
 #include "outlines_scene.hpp"
+#include "own_mesh.hpp"
 #include "zstrip/geometry/billboard.hpp"
 #include "zstrip/geometry/outline.hpp"
 
@@ -20,43 +21,8 @@ double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + 
 constexpr Colour kRed{255, 0, 0, 255};
 constexpr std::uint16_t kRedPixel = 0xF800;
 
-/// A mesh that owns its memory.
-struct OwnMesh {
-  std::vector<Position> positions;
-  std::vector<Normal> normals;
-  std::vector<Triangle> triangles;
-
-  Mesh mesh(std::uint8_t outline) const {
-    return {.positions = positions,
-            .normals = normals,
-            .colours = {},
-            .texcoords = {},
-            .triangles = triangles,
-            .meshlets = {},
-            .outline = outline};
-  }
-};
-
-/// The unit sphere, vertices on its surface.
-OwnMesh sphere(int rings, int segments) {
-  OwnMesh own;
-  for (int ring = 0; ring <= rings; ++ring) {
-    for (int segment = 0; segment < segments; ++segment) {
-      const double down = 3.14159265358979 * ring / rings, around = 2 * 3.14159265358979 * segment / segments;
-      const Point n{std::sin(down) * std::cos(around), std::cos(down), std::sin(down) * std::sin(around)};
-      const auto place = [&n](std::size_t axis) { return static_cast<std::int16_t>(std::lround(32767 * n[axis])); };
-      const auto normal = [&n](std::size_t axis) { return static_cast<std::int8_t>(std::lround(127 * n[axis])); };
-      own.positions.push_back({place(0), place(1), place(2)});
-      own.normals.push_back({normal(0), normal(1), normal(2), 0});
-      if (ring == rings) continue;
-      const int right = (segment + 1) % segments;
-      const auto vertex = [segments](int r, int s) { return static_cast<std::uint16_t>(r * segments + s); };
-      own.triangles.push_back({vertex(ring, segment), vertex(ring, right), vertex(ring + 1, right)});
-      own.triangles.push_back({vertex(ring, segment), vertex(ring + 1, right), vertex(ring + 1, segment)});
-    }
-  }
-  return own;
-}
+using zstrip::test::OwnMesh;
+using zstrip::test::sphere;
 
 /// The box's eight corners, with the sums of their faces' normals.
 OwnMesh box() {
@@ -92,7 +58,8 @@ struct World {
   Scene scene;
 
   World(const OwnMesh& shape, double width) : own(shape) {
-    meshes[0] = own.mesh(1);
+    meshes[0] = own.mesh();
+    meshes[0].outline = 1;
     outlines[0] = {.colour = kRed, .width = static_cast<std::uint16_t>(16 * width)};
     scene.meshes = meshes;
     scene.outlines = outlines;

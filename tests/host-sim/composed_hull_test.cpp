@@ -8,41 +8,17 @@
 #include <cmath>
 #include <vector>
 
+#include "own_mesh.hpp"
+
 namespace zstrip::sim::test {
 namespace {
 
 /// A cube of six faces with four vertices each, in a box of these half extents.
 struct Cube {
-  std::vector<Position> positions;
-  std::vector<Normal> normals;
-  std::vector<Triangle> triangles;
+  zstrip::test::OwnMesh own = zstrip::test::faceted_box();
   Mesh mesh;
 
-  explicit Cube(const Vec3& half) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (const int side : {-1, 1}) {
-        const auto first = static_cast<std::uint16_t>(positions.size());
-        for (const auto& [u, v] : {std::array{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-          std::array<int, 3> p{};
-          p[axis] = side;
-          p[(axis + 1) % 3] = side * u;
-          p[(axis + 2) % 3] = v;
-          const auto place = [&p](std::size_t i) { return static_cast<std::int16_t>(32767 * p[i]); };
-          positions.push_back({place(0), place(1), place(2)});
-          std::array<std::int8_t, 3> n{};
-          n[axis] = static_cast<std::int8_t>(127 * side);
-          normals.push_back({n[0], n[1], n[2], 0});
-        }
-        const auto corner = [first](int i) { return static_cast<std::uint16_t>(first + i); };
-        triangles.push_back({corner(0), corner(1), corner(2)});
-        triangles.push_back({corner(0), corner(2), corner(3)});
-      }
-    }
-    mesh.positions = positions;
-    mesh.normals = normals;
-    mesh.triangles = triangles;
-    mesh.half_extent = half;
-  }
+  explicit Cube(const Vec3& half) : mesh(own.mesh()) { mesh.half_extent = half; }
   Cube(const Cube&) = delete;
   Cube& operator=(const Cube&) = delete;
 };
@@ -78,17 +54,17 @@ TEST(ComposedHull, CornersOfABoxPointAlongTheSumOfItsFaces) {
 TEST(ComposedHull, FlatFacesMoveStraight) {
   Cube cube({kFixedOne, kFixedOne, kFixedOne});
   // A corner in the middle of the last face (z = 1).
-  cube.triangles.resize(10);
-  const auto first = static_cast<std::uint16_t>(20), middle = static_cast<std::uint16_t>(cube.positions.size());
-  cube.positions.push_back({5000, 100, 32767});
-  cube.normals.push_back({0, 0, 127, 0});
+  cube.own.triangles.resize(10);
+  const auto first = static_cast<std::uint16_t>(20), middle = static_cast<std::uint16_t>(cube.own.positions.size());
+  cube.own.positions.push_back({5000, 100, 32767});
+  cube.own.normals.push_back({0, 0, 127, 0});
   for (std::uint16_t i = 0; i < 4; ++i) {
-    cube.triangles.push_back(
+    cube.own.triangles.push_back(
         {static_cast<std::uint16_t>(first + i), static_cast<std::uint16_t>(first + (i + 1) % 4), middle});
   }
-  cube.mesh.positions = cube.positions;
-  cube.mesh.normals = cube.normals;
-  cube.mesh.triangles = cube.triangles;
+  cube.mesh.positions = cube.own.positions;
+  cube.mesh.normals = cube.own.normals;
+  cube.mesh.triangles = cube.own.triangles;
   const std::vector<MeshData> hulls = hull_of(cube.mesh);
   ASSERT_EQ(hulls.size(), 1U);
   ASSERT_EQ(hulls[0].positions.size(), 9U);

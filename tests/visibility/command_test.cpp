@@ -448,6 +448,17 @@ TEST_F(VisibilityCommand, WhatCannotBeIsAUsageError) {
   }
 }
 
+TEST_F(VisibilityCommand, ShadowsAskADepthThatTheyCanRead) {
+  const std::string scene = ZSTRIP_SCENE_FILES "/shadows.toml";
+  for (const auto& [words, named] : {std::pair{"--depth-format w16", "--depth-format"},
+                                     std::pair{"--visibility half-range", "--visibility half-range"}}) {
+    const Outcome refused = render("'" + scene + "' " + words + " -o '" + picture("none.png") + "'");
+    EXPECT_EQ(refused.status, 2) << refused.text;
+    EXPECT_NE(refused.text.find(std::string("shadows ask the z-buffer, which ") + named), std::string::npos)
+        << refused.text;
+  }
+}
+
 /// The sets name meshlets of the scene, and a scene that was split has others: half of it was left out.
 TEST_F(VisibilityCommand, SetsDoNotGoWithMethodsThatSplitTheScene) {
   for (const char* method : {"painter-newell", "painter-bsp"}) {

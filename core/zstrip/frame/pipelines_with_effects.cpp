@@ -21,6 +21,9 @@ constexpr Superset superset() {
 
 /// A set is drawn by the first that has all of it and the same way to keep depth and projection.
 constexpr Superset kSupersets[] = {
+    superset<kTriangles | effect::perspective_affine>(),
+    superset<kTriangles | effect::perspective_8>(),
+    superset<kTriangles | effect::perspective_1>(),
     superset<kEverything>(),
     superset<kEverything | effect::orthographic>(),
     superset<kEverything | effect::perspective_affine>(),
@@ -34,9 +37,6 @@ constexpr Superset kSupersets[] = {
     superset<kEverything | effect::depth_32 | effect::orthographic>(),
     superset<kWithoutShadows | effect::depth_ranges>(),
     superset<kWithoutShadows | effect::depth_ranges | effect::orthographic>(),
-    superset<kTriangles | effect::perspective_affine>(),
-    superset<kTriangles | effect::perspective_8>(),
-    superset<kTriangles | effect::perspective_1>(),
 };
 
 constexpr Effects kMustBeEqual =

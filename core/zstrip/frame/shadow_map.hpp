@@ -34,7 +34,7 @@ struct ShadowState {
   DepthFit fit;
   bool empty;  ///< nothing casts
   ShadowPlace place;
-  Colour* colours_in_shadow;  ///< binned only: of the vertices that are kept
+  Colour* colours_in_shadow = nullptr;  ///< binned only: of the vertices that are kept
   DecodedTiles decoded;
 
   /// The map's code at a texel inside it. The store must be whole: else a status that says so, once, in `status`.
