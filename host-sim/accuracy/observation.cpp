@@ -7,17 +7,11 @@
 #include <cstring>
 #include <map>
 
+#include "render/frame_refused.hpp"
 #include "zstrip/frame/renderer.hpp"
 
 namespace zstrip::sim {
 namespace {
-
-Failure refused(const Status& status) {
-  const bool little = status.error == Error::arena_too_small;
-  return {little ? ExitStatus::budget : ExitStatus::internal,
-          fmt::format("the picture cannot be drawn: {} (needed {}, available {})", message(status.error), status.needed,
-                      status.available)};
-}
 
 /// The colour that becomes this word of RGB565, whatever is added to it below a step.
 Colour colour_of(std::uint32_t word) {
@@ -191,14 +185,14 @@ std::vector<const Texture*> textures_of(const Scene& scene) {
 Result<Drawn> draw(const Staging& staged, const View& view, Effects extra, const Budget& budget, bool with_depth) {
   const Effects effects = effects_of(staged.scene, staged.camera) | extra;
   const auto [status, plan] = zstrip::plan(count(staged.scene), view, effects, budget);
-  if (!status) return refused(status);
+  if (!status) return frame_refused("the picture cannot be drawn", status);
   std::vector<std::uint64_t> arena(plan.bytes() / 8 + 1);
   std::vector<std::uint64_t> strip(plan.strip_pixel_bytes(view) / 8 + 1);
   AnyRenderer renderer(effects);
   if (const Status begun = renderer.begin_frame(staged.scene, staged.camera, view, plan,
                                                 std::as_writable_bytes(std::span(arena)).first(plan.bytes()));
       !begun) {
-    return refused(begun);
+    return frame_refused("the picture cannot be drawn", begun);
   }
   Drawn drawn;
   for (std::uint16_t i = 0; i < plan.strips; ++i) {
@@ -206,7 +200,8 @@ Result<Drawn> draw(const Staging& staged, const View& view, Effects extra, const
     const std::span<std::byte> pixels =
         std::as_writable_bytes(std::span(strip))
             .first(std::size_t{bytes_per_row(view.width, view.format)} * static_cast<std::size_t>(area.height()));
-    if (const Status done = renderer.draw_strip(i, pixels); !done) return refused(done);
+    if (const Status done = renderer.draw_strip(i, pixels); !done)
+      return frame_refused("the picture cannot be drawn", done);
     drawn.pixels.insert(drawn.pixels.end(), pixels.begin(), pixels.end());
   }
   if (!with_depth) return drawn;

@@ -6,16 +6,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "render/frame_refused.hpp"
 #include "zstrip/frame/renderer.hpp"
 #include "zstrip/frame/static_layer.hpp"
 
 namespace zstrip::sim {
 namespace {
-
-Failure refused(const Status& status) {
-  return {ExitStatus::internal, fmt::format("a frame cannot be kept: {} (needed {}, available {})",
-                                            message(status.error), status.needed, status.available)};
-}
 
 /// The memory of a layer in which every picture has room, and of a single strip.
 class Keeper {
@@ -84,7 +80,8 @@ Result<KeptFrames> keep_frames(Stage& stage, const View& view, DepthFormat forma
     Result<Staging> staging = stage.place(frame, frames);
     if (!staging) return staging.failure();
     staging->camera.fixed_depth_range = fixed_range;
-    if (const Status status = keeper.keep(*staging, kept.nearest, kept.farthest); !status) return refused(status);
+    if (const Status status = keeper.keep(*staging, kept.nearest, kept.farthest); !status)
+      return frame_refused("a frame cannot be kept", status);
     const std::uint32_t depth = keeper.layer().depth_store().bytes_used();
     const std::uint32_t colour = keeper.layer().colour_store().bytes_used();
     depth_sum += depth;

@@ -8,6 +8,7 @@
 #include <chrono>
 
 #include "render/display_pair.hpp"
+#include "render/frame_refused.hpp"
 #include "render/parallel.hpp"
 #include "report/number.hpp"
 #include "visibility/methods.hpp"
@@ -50,14 +51,6 @@ Failure too_little_memory(const Status& status, const Scene& scene, const View& 
                       counted(status.needed - status.available, "byte"), advice)};
 }
 
-/// Only a baked scene's own camera or transforms can be to blame, or else a bug.
-Failure refused(const char* what, const Status& status) {
-  const bool scene = status.error == Error::camera || status.error == Error::instance;
-  return {
-      scene ? ExitStatus::input : ExitStatus::internal,
-      fmt::format("{}: {} (needed {}, available {})", what, message(status.error), status.needed, status.available)};
-}
-
 /// What a thread did after begin_frame is added.
 void add(Statistics& sum, const Statistics& all, const Statistics& after_begin) {
   sum.drawn += all.drawn - after_begin.drawn;
@@ -92,7 +85,7 @@ Result<FrameReport> FrameRenderer::render(const Staging& original) {
   if (status.error == Error::unplannable) {
     return Failure{ExitStatus::usage, fmt::format("{}; ask for larger strips", message(status.error))};
   }
-  if (!status) return refused("the picture cannot be planned", status);
+  if (!status) return frame_refused("the picture cannot be planned", status);
   return render(staging, plan);
 }
 
@@ -109,14 +102,14 @@ Result<Done> FrameRenderer::draw(const Staging& staging, const Effects& effects,
   }
   renderer.set_visibility(options);
   const Status begun = renderer.begin_frame(staging.scene, staging.camera, view_, plan, arena);
-  if (!begun) return refused("the frame cannot begin", begun);
+  if (!begun) return frame_refused("the frame cannot begin", begun);
   const hal::StripLayout layout{plan.strips, plan.strip_rows, plan.strip_columns};
   const auto shown = [&] {
     if (panel_ == nullptr) return hal::present(renderer, display_, layout, {strip, {}});
     DisplayPair both(display_, *panel_);
     return hal::present(renderer, both, layout, {strip, at_least(memory_[0].second_strip, report.strip_pixel_bytes)});
   }();
-  if (!shown.draw) return refused("a strip cannot be drawn", shown.draw);
+  if (!shown.draw) return frame_refused("a strip cannot be drawn", shown.draw);
   if (shown.display != hal::Error::none) return Failure{ExitStatus::internal, hal::message(shown.display)};
   report.mode = renderer.frame().mode();
   report.statistics = renderer.frame().statistics();
@@ -139,14 +132,14 @@ Result<Done> FrameRenderer::draw_on_threads(const Staging& staging, const Effect
         if (!worker.begun) {
           const std::span<std::byte> arena = at_least(memory_[thread].arena, plan.bytes());
           const Status begun = worker.renderer.begin_frame(staging.scene, staging.camera, view_, plan, arena);
-          if (!begun) return Result<Done>(refused("the frame cannot begin", begun));
+          if (!begun) return Result<Done>(frame_refused("the frame cannot begin", begun));
           worker.after_begin = worker.renderer.frame().statistics();
           worker.begun = true;
         }
         const auto strip = static_cast<std::uint16_t>(index);
         const std::span<std::byte> pixels = at_least(memory_[thread].strip, report.strip_pixel_bytes);
         const Status status = worker.renderer.draw_strip(strip, pixels);
-        if (!status) return Result<Done>(refused("a strip cannot be drawn", status));
+        if (!status) return Result<Done>(frame_refused("a strip cannot be drawn", status));
         const Rect area = plan.strip_area(strip, view_);
         const hal::Error error =
             display_.write({static_cast<std::uint16_t>(area.left), static_cast<std::uint16_t>(area.top),

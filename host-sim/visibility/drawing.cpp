@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/frame_refused.hpp"
 #include "report/number.hpp"
 #include "visibility/methods.hpp"
 #include "visibility/uncounted_pipelines.hpp"
@@ -28,11 +29,6 @@ Result<Plan> planned(const Staging& staging, const MethodRequest& request, Effec
                                                    counted(status.needed, "byte"), name(status.purpose))};
   }
   return Failure{ExitStatus::usage, fmt::format("the picture cannot be planned: {}", message(status.error))};
-}
-
-Failure refused(const Status& status) {
-  return {ExitStatus::internal, fmt::format("the frame cannot be drawn: {} (needed {}, available {})",
-                                            message(status.error), status.needed, status.available)};
 }
 
 std::span<std::byte> bytes_of(std::vector<std::uint64_t>& words, std::uint32_t bytes) {
@@ -93,10 +89,11 @@ Result<LookedAtFrame> draw_looked_at(const Staging& original, const MethodReques
   if (const Status begun =
           renderer.begin_frame(staging.scene, staging.camera, request.view, *plan, bytes_of(arena, plan->bytes()));
       !begun) {
-    return refused(begun);
+    return frame_refused("the frame cannot be drawn", begun);
   }
   for (std::uint16_t i = 0; i < plan->strips; ++i) {
-    if (const Status drawn = renderer.draw_strip(i, strip_bytes); !drawn) return refused(drawn);
+    if (const Status drawn = renderer.draw_strip(i, strip_bytes); !drawn)
+      return frame_refused("the frame cannot be drawn", drawn);
     look_at(renderer.frame(), effects, plan->strip_area(i, request.view), strip_bytes, overdraw, looked);
   }
   looked.nanoseconds =

@@ -166,6 +166,15 @@ TEST_F(BadInput, TooLittleMemorySaysWhatWorks) {
   expect_failure(ExitStatus::budget, "RAM", {"render", "teapot", "--ram", std::to_string(smallest - 1), "-o", "b.png"});
 }
 
+/// Was an internal error with two numbers.
+TEST_F(BadInput, PoolOfAShadowThatIsTooSmallNamesItsKey) {
+  file("scene.toml",
+       "[[model]]\nname = 'a'\nbuilt_in = 'knot_lit'\n[[instance]]\nmodel = 'a'\n"
+       "[[light]]\ndirection = [1, -1, 0]\nshadow = { size = 256, pool = 2400 }\n");
+  expect_failure(ExitStatus::budget, "pool of 2,400 bytes; give the key 'pool'",
+                 {"render", "scene.toml", "-o", "picture.png"});
+}
+
 TEST_F(BadInput, TooManyRowsForTheMemory) {
   expect_failure(ExitStatus::budget, "--strip-rows auto",
                  {"render", "teapot", "--ram", "20K", "--strip-rows", "200", "-o", "a.png"});
