@@ -48,11 +48,18 @@ boards::Qemu::Options emulator_of(const Guest::Options& options) {
   return emulator;
 }
 
+/// Empty if there is no such file.
+std::string words_of(const char* file) {
+  std::ifstream words(kGuests / file);
+  return words ? std::string(std::istreambuf_iterator<char>(words), {}) : "";
+}
+
 }  // namespace
 
+std::string missing_gpiod2() { return words_of("missing-gpiod2"); }
+
 std::string missing(Machine machine) {
-  std::ifstream reason(kGuests / "missing");
-  if (reason) return std::string(std::istreambuf_iterator<char>(reason), {});
+  if (const std::string reason = words_of("missing"); !reason.empty()) return reason;
   return std::filesystem::exists(folder_of(machine) / "initrd") ? "" : "the test LinuxGuests makes the machines first";
 }
 

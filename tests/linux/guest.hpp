@@ -16,6 +16,8 @@ enum class Machine : std::uint8_t { amd64, armhf, sabrelite };  // sabrelite: wi
 
 /// Why there is no such machine, for a test to be skipped; empty if there is one.
 std::string missing(Machine machine);
+/// Why the machine for armhf has no zstrip-panel-gpiod2; empty if it has.
+std::string missing_gpiod2();
 
 class Guest {
  public:

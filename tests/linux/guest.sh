@@ -3,13 +3,14 @@
 # `kernel`, `initrd`, for armhf `tree.dtb` (the emulator's device tree, and panels on its GPIO chip) and `sabrelite.dtb` (the
 # kernel's own of a board with I2C). PANEL is the host's
 # program; those for armhf are built here, zstrip-panel and, with libgpiod 2 of Debian 13, zstrip-panel-gpiod2.
-# Downloads are kept in FOLDER/downloads. Where the packages cannot be had FOLDER/missing says why, and the status is 77.
+# Downloads are kept in FOLDER/downloads. Where the packages cannot be had FOLDER/missing says why, and the status is 77;
+# where only those of Debian 13 cannot, FOLDER/missing-gpiod2 does, and the machines are made without the second program.
 set -euo pipefail
 root=$1 folder=$2 panel=$3
 scripts=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 mkdir -p "$folder/downloads"
 cd "$folder"
-rm -f missing
+rm -f missing missing-gpiod2
 
 give_up() {
   echo "$1" >missing
@@ -31,14 +32,17 @@ apt_options=(-o "Dir::State=$apt/state" -o "Dir::State::status=$apt/status" -o "
   -o "Dir::Cache=$apt/cache" -o Dir::Etc::SourceList=/dev/null -o "Dir::Etc::SourceParts=$apt/sources"
   -o APT::Architecture=armhf -o APT::Architectures::=armhf -o APT::Architectures::=amd64 -o APT::Sandbox::User=root)
 
-update_index() {
+# add_index RELEASE ARCHITECTURE...: to those that are there.
+add_index() {
   mkdir -p "$apt"/{state,lists/partial,cache/archives/partial,sources}
   touch "$apt/status"
-  for release in "bookworm armhf amd64" "trixie armhf"; do
-    printf 'Types: deb\nURIs: %s\nSuites: %s\nComponents: main\nArchitectures: %s\nSigned-By: %s\n' "$mirror" \
-      "${release%% *}" "${release#* }" /usr/share/keyrings/debian-archive-keyring.gpg >"$apt/sources/${release%% *}.sources"
-  done
-  timeout 300 apt-get "${apt_options[@]}" -o Acquire::Retries=2 update >"$apt/log" 2>&1
+  local source=$apt/sources/$1.sources
+  printf 'Types: deb\nURIs: %s\nSuites: %s\nComponents: main\nArchitectures: %s\nSigned-By: %s\n' "$mirror" \
+    "$1" "${*:2}" /usr/share/keyrings/debian-archive-keyring.gpg >"$source"
+  if ! timeout 300 apt-get "${apt_options[@]}" -o Acquire::Retries=2 update >"$apt/log" 2>&1; then
+    rm "$source"
+    return 1
+  fi
 }
 
 # fetch PACKAGE:ARCHITECTURE/RELEASE: its file in downloads, whose name is printed. Each is downloaded once.
@@ -60,10 +64,11 @@ kernel_of() {
 }
 
 armhf_packages="busybox-static:armhf/bookworm libgpiod-dev:armhf/bookworm libdrm-dev:armhf/bookworm
-  libcli11-dev/bookworm libgpiod-dev:armhf/trixie"
+  libcli11-dev/bookworm" gpiod2=libgpiod-dev:armhf/trixie
 names=downloads/names
 if [ ! -s "$names" ]; then
-  update_index || give_up "Debian's index for armhf cannot be downloaded: $(tail -n 1 "$apt/log")"
+  rm -rf "$apt/sources"
+  add_index bookworm armhf amd64 || give_up "Debian's index for armhf cannot be downloaded: $(tail -n 1 "$apt/log")"
   armhf_kernel=$(kernel_of linux-image-armmp:armhf) amd64_kernel=$(kernel_of linux-image-amd64:amd64)
   [ -n "$armhf_kernel" ] && [ -n "$amd64_kernel" ] || give_up "the index of $mirror has no kernel 6.1"
   for package in $armhf_packages busybox-static:amd64/bookworm "$armhf_kernel:armhf" "$amd64_kernel:amd64"; do
@@ -72,6 +77,11 @@ if [ ! -s "$names" ]; then
   echo "$armhf_kernel $amd64_kernel" >"$names"
 fi
 read -r armhf_kernel amd64_kernel <"$names"
+# Mirrors serve halves of a release for hours while they copy it: that of another one shall not take the machines away.
+if ! [ -s "downloads/${gpiod2//[:\/]/_}.deb" ] && ! { add_index trixie armhf && (fetch "$gpiod2") >/dev/null; }; then
+  rm -f missing
+  echo "$gpiod2 cannot be downloaded: $(tail -n 1 "$apt/log")" | tee missing-gpiod2
+fi
 
 unpack() { # FOLDER PACKAGE...
   local to=$1 package
@@ -108,7 +118,7 @@ pack() { # ARCHITECTURE PROGRAM MODULE...: FOLDER/ARCHITECTURE/{kernel,initrd}
     while read -r file; do cp -n "$file" "$tree/modules"; done <"$tree/modules/$module"
     sed -i 's|.*/||' "$tree/modules/$module"
   done
-  if [ "$arch" = armhf ]; then cp armhf2/zstrip-panel "$tree/bin/zstrip-panel-gpiod2"; fi
+  if [ "$arch" = armhf ] && [ ! -e missing-gpiod2 ]; then cp armhf2/zstrip-panel "$tree/bin/zstrip-panel-gpiod2"; fi
   cp "$folder/scene.zsc" "$tree"
   install -m 755 "$scripts/guest_init.sh" "$tree/init"
   (cd "$tree" && find . | LC_ALL=C sort | cpio --quiet -o -H newc) | gzip -1 >"$arch/initrd"
@@ -118,7 +128,6 @@ pack() { # ARCHITECTURE PROGRAM MODULE...: FOLDER/ARCHITECTURE/{kernel,initrd}
 # armhf: everything linked statically, without optimisation, which draws the same and compiles in a fifth of the time.
 unpack armhf/packages busybox-static:armhf/bookworm "$armhf_kernel:armhf"
 unpack armhf/development libgpiod-dev:armhf/bookworm libdrm-dev:armhf/bookworm libcli11-dev/bookworm
-unpack armhf2/development libgpiod-dev:armhf/trixie
 build=(cmake -S "$root" -B armhf/build -G Ninja "-DCMAKE_TOOLCHAIN_FILE=$root/cmake/toolchains/arm-linux-gnueabihf.cmake"
   "-DCMAKE_FIND_ROOT_PATH=$folder/armhf/development" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O0
   -DCMAKE_EXE_LINKER_FLAGS=-static -DZSTRIP_HOST_SIM=OFF -DZSTRIP_TESTS=OFF -DZSTRIP_FIRMWARE=OFF -DZSTRIP_INSTALL=OFF
@@ -127,14 +136,18 @@ build=(cmake -S "$root" -B armhf/build -G Ninja "-DCMAKE_TOOLCHAIN_FILE=$root/cm
   { tail -n 40 armhf/build.log; exit 1; }
 
 # All but one file is the same with libgpiod 2, so that it is only linked again.
-objects=armhf/build/firmware/linux/CMakeFiles/zstrip-panel.dir libraries=lib/arm-linux-gnueabihf
-arm-linux-gnueabihf-g++ -std=c++20 -O1 -Wall -Wextra -Wshadow -Wconversion -Wsign-conversion -Werror -I"$root/hal" \
-  -I"$root/hal/linux" -isystem armhf2/development/usr/include \
-  -c "$root/hal/linux/zstrip_hal_linux/gpio_libgpiod2.cpp" -o armhf2/gpio.o
-mapfile -t objects < <(find "$objects" -name '*.o')
-arm-linux-gnueabihf-g++ -static -o armhf2/zstrip-panel "${objects[@]}" armhf2/gpio.o \
-  armhf/build/{hal/linux/libzstrip_hal_linux,core/libzstrip_core_any,core/libzstrip_core,hal/libzstrip_hal}.a \
-  armhf/development/usr/$libraries/libdrm.a armhf2/development/usr/$libraries/libgpiod.a
+link_with_gpiod2() {
+  unpack armhf2/development "$gpiod2"
+  local objects=armhf/build/firmware/linux/CMakeFiles/zstrip-panel.dir libraries=lib/arm-linux-gnueabihf
+  arm-linux-gnueabihf-g++ -std=c++20 -O1 -Wall -Wextra -Wshadow -Wconversion -Wsign-conversion -Werror -I"$root/hal" \
+    -I"$root/hal/linux" -isystem armhf2/development/usr/include \
+    -c "$root/hal/linux/zstrip_hal_linux/gpio_libgpiod2.cpp" -o armhf2/gpio.o
+  mapfile -t objects < <(find "$objects" -name '*.o')
+  arm-linux-gnueabihf-g++ -static -o armhf2/zstrip-panel "${objects[@]}" armhf2/gpio.o \
+    armhf/build/{hal/linux/libzstrip_hal_linux,core/libzstrip_core_any,core/libzstrip_core,hal/libzstrip_hal}.a \
+    armhf/development/usr/$libraries/libdrm.a armhf2/development/usr/$libraries/libgpiod.a
+}
+if [ ! -e missing-gpiod2 ]; then link_with_gpiod2; fi
 pack armhf armhf/build/firmware/linux/zstrip-panel virtio_pci virtio_gpu i2c_imx i2c_dev
 cp armhf/packages/usr/lib/linux-image-*/imx6q-sabrelite.dtb armhf/sabrelite.dtb
 
