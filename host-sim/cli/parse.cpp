@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "compose/perspective_runs.hpp"
 #include "report/frame_record.hpp"
 
 namespace zstrip::sim {
@@ -125,6 +126,13 @@ Result<DepthFormat> parse_depth_format(const std::string& text) {
     if (text == name) return format;
   }
   return bad_value("--depth-format", text, "z16, float, w16, z24 or z32");
+}
+
+Result<Effects> parse_perspective(const std::string& text) {
+  for (const auto& [name, effects] : kPerspectiveRuns) {
+    if (text == name) return effects;
+  }
+  return bad_value("--perspective", text, "affine, 16, 8 or 1");
 }
 
 Result<UpAxis> parse_up_axis(const std::string& text) {

@@ -12,6 +12,7 @@
 #include "result.hpp"
 #include "zstrip/plan/plan_types.hpp"
 #include "zstrip/scene/depth_format.hpp"
+#include "zstrip/scene/effects.hpp"
 #include "zstrip/scene/view.hpp"
 
 namespace zstrip::sim {
@@ -39,6 +40,8 @@ Result<std::array<double, 3>> parse_vector(const std::string& option, const std:
 
 /// z16, float, w16, z24 or z32.
 Result<DepthFormat> parse_depth_format(const std::string& text);
+/// One of effect::perspective_runs, or nothing for runs of 16.
+Result<Effects> parse_perspective(const std::string& text);
 Result<PixelFormat> parse_format(const std::string& text);
 /// "x", "-x", "y", ...
 Result<UpAxis> parse_up_axis(const std::string& text);

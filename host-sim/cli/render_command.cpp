@@ -49,6 +49,7 @@ struct Arguments {
   std::optional<std::string> strip_rows;
   std::optional<std::string> strip_columns;
   std::optional<std::string> depth_format;
+  std::optional<std::string> perspective;
   PanelArguments panel;
   std::optional<std::string> image;
   CameraArguments camera;
@@ -62,11 +63,15 @@ struct Job {
   std::optional<PanelRequest> panel;
   View view;
   DepthFormat depth_format = DepthFormat::z16;
+  Effects perspective;
   Budget budget;
   CameraOptions camera;
   VisibilityRequest visibility;
   OutputNames outputs;
   unsigned threads = 1;
+
+  /// What is asked for beside scene, view and method.
+  Effects effects() const { return depth_effect(depth_format) | perspective; }
 };
 
 /// The picture fills the panel.
@@ -110,6 +115,13 @@ Result<Job> parse(const Arguments& arguments) {
   if (arguments.camera.orthographic && !depth_effects_agree(depth_effect(*depth_format) | effect::orthographic)) {
     return usage("--depth-format float and w16 need a perspective camera, not --ortho");
   }
+  if (arguments.perspective) {
+    const Result<Effects> perspective = parse_perspective(*arguments.perspective);
+    if (!perspective) return perspective.failure();
+    job.perspective = *perspective;
+  } else {
+    job.perspective = settings->perspective.value_or(Effects{});
+  }
   const Result<Done> memory =
       parse_memory({.ram = arguments.ram, .strip_rows = arguments.strip_rows, .strip_columns = arguments.strip_columns},
                    *settings, job.view, job.budget);
@@ -135,7 +147,7 @@ Result<Job> parse(const Arguments& arguments) {
   if (!visibility) return visibility.failure();
   job.visibility = *visibility;
   const Result<Done> checked =
-      check_visibility(job.visibility.method | depth_effect(job.depth_format), depth_option(arguments.depth_format));
+      check_visibility(job.effects() | job.visibility.method, depth_option(arguments.depth_format));
   if (!checked) return checked.failure();
   if (job.visibility.show != Show::colour && job.panel) {
     return usage("--show and --panel exclude each other: a panel shows colours");
@@ -236,8 +248,7 @@ Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t f
   std::span<const std::byte> pixels = worker.renderer.pixels();
   std::optional<Result<ShownFrame>> shown;
   if (job.visibility.show != Show::colour) {
-    const MethodRequest request{job.view, job.budget, job.visibility.method | depth_effect(job.depth_format),
-                                visibility};
+    const MethodRequest request{job.view, job.budget, job.effects() | job.visibility.method, visibility};
     shown = draw_shown(*staging, request, job.visibility.show);
     if (!*shown) return shown->failure();
     pixels = std::as_bytes(std::span((*shown)->pixels));
@@ -273,7 +284,7 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
   const unsigned strip_threads = job.outputs.frames == 1 ? job.threads : 1;
   std::vector<Worker> workers;
   for (unsigned thread = 0; thread < threads; ++thread) {
-    workers.push_back({(*stage)->copy(), FrameRenderer(job.view, job.budget, job.depth_format, strip_threads),
+    workers.push_back({(*stage)->copy(), FrameRenderer(job.view, job.budget, job.effects(), strip_threads),
                        sets ? &*sets : nullptr, nullptr});
     if (!job.panel) continue;
     Result<std::unique_ptr<SimulatedPanel>> panel = start_panel(*job.panel);
@@ -375,6 +386,12 @@ void add_render_command(CLI::App& app, int& exit_code) {
       ->add_option("--depth-format", a.depth_format,
                    "Depth in the z-buffer: z16 (default), float, w16, z24 or z32; the last three for comparison")
       ->type_name("FORMAT");
+  command
+      ->add_option(
+          "--perspective", a.perspective,
+          "Textures are exact at every pixel (1), every 8th or 16th of a row (16 is the default), or only at a "
+          "triangle's corners (affine)")
+      ->type_name("RUN");
   command->add_option("--image", a.image, "Picture files: png (default), ppm or raw")->type_name("TYPE");
   add_panel_options(*command, a.panel);
   add_camera_options(*command, a.camera);

@@ -13,6 +13,7 @@
 #include "motion/node_tree.hpp"
 #include "result.hpp"
 #include "zstrip/scene/depth_format.hpp"
+#include "zstrip/scene/effects.hpp"
 #include "zstrip/scene/scene.hpp"
 #include "zstrip/scene/view.hpp"
 
@@ -34,6 +35,7 @@ struct PictureSettings {
   std::optional<bool> dither;
   std::optional<std::uint8_t> samples;  ///< 1, 2 or 4
   std::optional<DepthFormat> depth_format;
+  std::optional<Effects> perspective;  ///< of effect::perspective_runs
   VisibilitySettings visibility;
   std::optional<std::uint16_t> strip_rows;
   std::optional<std::uint16_t> strip_columns;

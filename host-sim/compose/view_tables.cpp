@@ -1,6 +1,7 @@
 // [picture] and [camera] of a scene file.
 #include <fmt/format.h>
 
+#include "compose/perspective_runs.hpp"
 #include "compose/scene_tables.hpp"
 #include "compose/table_values.hpp"
 #include "visibility/method_options.hpp"
@@ -72,6 +73,7 @@ PictureSettings read_picture(TomlTable& table) {
     if (*samples == 3) table.wrong("samples", "'samples' must be 1, 2 or 4");
   }
   picture.depth_format = table.choice("depth_format", kDepthFormats);
+  picture.perspective = table.choice("perspective", kPerspectiveRuns);
   picture.visibility = read_visibility(table);
   const auto pixels = [&table](const char* key) -> std::optional<std::uint16_t> {
     const auto value = table.integer(key, 1, kMaxViewSize);

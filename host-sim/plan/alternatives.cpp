@@ -53,7 +53,7 @@ class Planning {
   }
 
   Result<Alternative> draw(const Plan& plan) {
-    FrameRenderer renderer(request_.view, {}, depth_format());
+    FrameRenderer renderer(request_.view, {}, depth_effect(depth_format()));
     renderer.set_visibility(request_.method, {});
     const Result<FrameReport> report = renderer.render(staging_, plan);
     if (!report) return report.failure();

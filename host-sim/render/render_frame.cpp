@@ -72,8 +72,8 @@ Result<FrameReport> FrameRenderer::render(const Staging& original) {
   const Result<PreparedScene> prepared = PreparedScene::of(original, method_);
   if (!prepared) return prepared.failure();
   const Staging staging = prepared->staging();
-  const Effects effects = effects_of(staging.scene, staging.camera) | effects_of(view_) | depth_effect(depth_format_) |
-                          effect::bins | method_;
+  const Effects effects =
+      effects_of(staging.scene, staging.camera) | effects_of(view_) | asked_ | effect::bins | method_;
   if (const Result<Done> checked = check_visibility(effects); !checked) return checked.failure();
   Budget budget = budget_;
   if (temporal_) budget.modes = Modes::streamed;
@@ -161,8 +161,8 @@ Result<Done> FrameRenderer::draw_on_threads(const Staging& staging, const Effect
 }
 
 Result<FrameReport> FrameRenderer::render(const Staging& staging, const Plan& plan) {
-  const Effects effects = effects_of(staging.scene, staging.camera) | effects_of(view_) | depth_effect(depth_format_) |
-                          effect::statistics | method_;
+  const Effects effects =
+      effects_of(staging.scene, staging.camera) | effects_of(view_) | asked_ | effect::statistics | method_;
   FrameReport report;
   report.plan = plan;
   report.method = method_;

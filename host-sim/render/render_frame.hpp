@@ -12,7 +12,6 @@
 #include "result.hpp"
 #include "zstrip/base/statistics.hpp"
 #include "zstrip/plan/plan.hpp"
-#include "zstrip/scene/depth_format.hpp"
 #include "zstrip/scene/effects.hpp"
 #include "zstrip/visibility/options.hpp"
 
@@ -38,9 +37,9 @@ std::uint32_t checksum(std::span<const std::byte> pixels);
 /// together, each with a renderer, an arena and a strip of pixels of its own: the same pixels and statistics.
 class FrameRenderer {
  public:
-  FrameRenderer(const View& view, const Budget& budget, DepthFormat depth_format = DepthFormat::z16,
-                unsigned threads = 1)
-      : view_(view), budget_(budget), depth_format_(depth_format), display_(view), memory_(threads) {}
+  /// `asked`: effects that neither scene nor view calls for, a depth format and one of effect::perspective_runs.
+  FrameRenderer(const View& view, const Budget& budget, Effects asked = {}, unsigned threads = 1)
+      : view_(view), budget_(budget), asked_(asked), display_(view), memory_(threads) {}
 
   /// Another method than the z-buffer, from the next frame on; it draws on one thread. `temporal`: what was seen is
   /// kept for the next frame (VisibilityOptions::seen_before), and plans are streamed.
@@ -67,7 +66,7 @@ class FrameRenderer {
 
   View view_;
   Budget budget_;
-  DepthFormat depth_format_;
+  Effects asked_;
   Effects method_;
   VisibilityOptions options_;
   bool temporal_ = false;

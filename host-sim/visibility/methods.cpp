@@ -71,6 +71,14 @@ Result<Done> check_visibility(Effects effects, std::string_view depth_given) {
                    "depth as float or w16 needs a perspective camera, and this one is orthographic; take another depth "
                    "format"};
   }
+  if (effects.any(effect::perspective_runs) && (effects.methods != 0 || ranges || formats)) {
+    return Failure{ExitStatus::usage, fmt::format("--perspective, or 'perspective' in the scene file, goes with the "
+                                                  "z-buffer and depth as z16 only: leave it out, or {}",
+                                                  formats             ? depth_given
+                                                  : ranges            ? "--visibility half-range"
+                                                  : name == "zbuffer" ? "--cull and --visible-sets"
+                                                                      : "--visibility")};
+  }
   if (methods_agree(effects)) return Done{};
   const Effects refused = refused_by_methods(effects);
   std::string missing;

@@ -70,6 +70,14 @@ TEST(ParseDepthFormat, NamesAndNothingElse) {
     expect_usage_error(parse_depth_format(text), "--depth-format");
 }
 
+TEST(ParsePerspective, NamesAndNothingElse) {
+  EXPECT_EQ(*parse_perspective("affine"), effect::perspective_affine);
+  EXPECT_EQ(*parse_perspective("16"), Effects{});
+  EXPECT_EQ(*parse_perspective("8"), effect::perspective_8);
+  EXPECT_EQ(*parse_perspective("1"), effect::perspective_1);
+  for (const char* text : {"", "Affine", "2", "16 "}) expect_usage_error(parse_perspective(text), "--perspective");
+}
+
 TEST(Grouped, ThreeDigits) {
   EXPECT_EQ(grouped(0), "0");
   EXPECT_EQ(grouped(999), "999");

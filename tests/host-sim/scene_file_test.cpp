@@ -251,6 +251,13 @@ TEST(SceneFile, WhetherThePictureIsDithered) {
             "'scene.toml' line 2: [picture] has no key 'diter'; did you mean 'dither'?");
 }
 
+TEST(SceneFile, HowOftenTexturesAreExact) {
+  EXPECT_EQ(parsed("[picture]\nperspective = 'affine'\n" + kCube).picture.perspective, effect::perspective_affine);
+  EXPECT_EQ(parsed("[picture]\nperspective = '1'\n" + kCube).picture.perspective, effect::perspective_1);
+  EXPECT_FALSE(parsed(kCube).picture.perspective);
+  EXPECT_NE(failure("[picture]\nperspective = 'afine'\n" + kCube).find("line 2: "), std::string::npos);
+}
+
 TEST(SceneFile, SamplesOfAPixel) {
   EXPECT_EQ(parsed(kCube).picture.samples, std::nullopt);
   for (const int samples : {1, 2, 4}) {

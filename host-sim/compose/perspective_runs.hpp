@@ -1,0 +1,18 @@
+// How often a row's texture coordinates are exact, by the names that options and scene files have for it.
+#pragma once
+
+#include <string_view>
+#include <utility>
+
+#include "zstrip/scene/effects.hpp"
+
+namespace zstrip::sim {
+
+/// Pixels from one exact place in the texture to the next; between them it is linear. `affine`: only at the triangle's
+/// corners. No effect: 16.
+inline constexpr std::pair<std::string_view, Effects> kPerspectiveRuns[] = {{"affine", effect::perspective_affine},
+                                                                            {"16", Effects{}},
+                                                                            {"8", effect::perspective_8},
+                                                                            {"1", effect::perspective_1}};
+
+}  // namespace zstrip::sim
