@@ -16,9 +16,9 @@ function(zstrip_configure_freestanding_target target)
     $<$<CXX_COMPILER_ID:GNU,Clang>:-Wdouble-promotion -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics>)
 endfunction()
 
-# ZSTRIP_COMPILE_TOGETHER lists the parts, host-sim and core, whose sources are compiled folder by folder. That parses
-# headers once, for builds at whose single sources nobody works: `host-sim` in tests/run, both where only pixels and
-# findings matter and not the code's size and speed, which change with what the optimiser sees together.
+# ZSTRIP_COMPILE_TOGETHER lists the parts, host-sim, core and tests, whose sources are compiled folder by folder. That
+# parses headers once, for builds at whose single sources nobody works: `host-sim` and `tests` in tests/run, all where only
+# pixels and findings matter and not the code's size and speed, which change with what the optimiser sees together.
 
 # Sources that read options and write reports take longer to compile than they will ever run: of the optimiser only -O1.
 # They must emit no inline function of the core, which the linker could take for everybody.
@@ -46,5 +46,17 @@ function(zstrip_compile_together target part)
   # Under sanitizers the command only runs small things.
   if(ZSTRIP_SANITIZED AND part STREQUAL "host-sim")
     target_compile_options(${target} PRIVATE -O0)
+  endif()
+endfunction()
+
+# zstrip_compile_tests_together(TARGET [APART source...]): if tests are to be, eight sources at a time, so that processors
+# share a program. APART: names of theirs clash with others'.
+function(zstrip_compile_tests_together target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "APART")
+  if("tests" IN_LIST ZSTRIP_COMPILE_TOGETHER)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    if(arg_APART)
+      set_source_files_properties(${arg_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
   endif()
 endfunction()
