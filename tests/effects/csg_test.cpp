@@ -1,5 +1,6 @@
 // Products of solids against rays in double precision, and against pictures of the same surfaces without products.
 #include "csg_world.hpp"
+#include "zstrip/frame/static_layer.hpp"
 
 namespace effects_test {
 namespace {
@@ -286,13 +287,11 @@ TEST(Csg, WhatCannotBeCombinedIsRefused) {
   EXPECT_EQ(status_with([](CsgWorld& w) { w.scene.shadow = &kShadow, w.scene.lights = kLights; }).error, Error::csg);
 }
 
-TEST(Csg, LayersAndRenderersWithoutProductsAreRefused) {
+TEST(Csg, WhatIsDrawnOverALayerAndRenderersWithoutProductsAreRefused) {
   CsgWorld world;
   make_part(world);
   const Scene& scene = world.whole();
   EXPECT_EQ(effects_of(scene, world.camera), effect::csg);
-  EXPECT_EQ(plan(count(scene), kCsgView, effect::csg, {.layer = {.depth = 4096, .colour = 4096}}).status.error,
-            Error::csg);
   const Plan whole = plan(count(scene), kCsgView, effect::csg, {}).plan;
   std::vector<std::uint64_t> arena(whole.bytes() / 8 + 1);
   const auto memory = std::as_writable_bytes(std::span(arena));
@@ -302,6 +301,31 @@ TEST(Csg, LayersAndRenderersWithoutProductsAreRefused) {
   EXPECT_EQ(renderer.draw_over({0, 0, 8, 8}, pixels, depth), (Status{.error = Error::csg, .needed = 4}));
   Renderer<Effects{}> without_products;
   EXPECT_EQ(without_products.begin_frame(scene, world.camera, kCsgView, whole, memory).error, Error::effect_missing);
+}
+
+TEST(Csg, AStaticLayerKeepsProducts) {
+  CsgWorld world;
+  make_part(world);
+  const Scene& scene = world.whole();
+  const PlanResult planned =
+      plan(count(scene), kCsgView, effect::csg, {.strip_rows = 96, .layer = layer_bytes_worst(kCsgView)});
+  ASSERT_TRUE(planned.status);
+  std::vector<std::uint64_t> arena(planned.plan.bytes() / 8 + 1);
+  std::vector<std::uint16_t> pixels(std::size_t{128} * 96);
+  Renderer<effect::csg> renderer;
+  ASSERT_TRUE(
+      renderer.begin_frame(scene, world.camera, kCsgView, planned.plan, std::as_writable_bytes(std::span(arena))));
+  ASSERT_TRUE(renderer.draw_strip(0, std::as_writable_bytes(std::span(pixels))));
+  std::vector<std::byte> depth_pool(layer_bytes_worst(kCsgView).depth), colour_pool(depth_pool.size());
+  std::vector<std::uint32_t> dirty(dirty_tile_words(128, 96));
+  StaticLayer layer;
+  ASSERT_TRUE(layer.reset({depth_pool, colour_pool, dirty}, kCsgView));
+  ASSERT_TRUE(layer.keep(renderer.frame(), 0, std::as_bytes(std::span(pixels))));
+  std::vector<std::uint16_t> kept(pixels.size()), depth(pixels.size());
+  ASSERT_TRUE(layer.restore({0, 0, 128, 96}, kept, depth));
+  EXPECT_EQ(kept, pixels);
+  const std::uint16_t background = detail::rgb565(scene.background);
+  for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_EQ(depth[i] != 0, kept[i] != background) << i;
 }
 
 }  // namespace
