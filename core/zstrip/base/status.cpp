@@ -44,7 +44,7 @@ const char* message(Error error) {
              "without a depth test for farther";
     case Error::csg:
       return "a product of solids has an operand that is not a plain solid, or nothing to intersect, or goes with a "
-             "shadow or a static layer";
+             "shadow, or over a static layer";
     case Error::outline: return "an outline is not valid, has a hull without normals or is of what is not opaque";
   }
   return "unknown error";

@@ -333,7 +333,6 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
     if (view.format != PixelFormat::rgb565) return {.status = {.error = Error::store_range}, .plan = {}};
     if (view.samples != 1) return {.status = {.error = Error::samples, .needed = view.samples}, .plan = {}};
     if (effects.has(effect::shadows)) return {.status = {.error = Error::shadow}, .plan = {}};
-    if (effects.has(effect::csg)) return {.status = {.error = Error::csg, .needed = counts.csg_operands}, .plan = {}};
     if (depth_bytes(depth_format(effects)) != kDepthBytes || effects.has(effect::depth_ranges)) {
       return {.status = {.error = Error::depth_effects}, .plan = {}};
     }
