@@ -96,7 +96,10 @@ SceneInput::SceneInput(Input& input) : hostile_(read_hostile(input)) {
     mesh.outline = static_cast<std::uint8_t>(hostile_.meshes ? input.any<std::uint8_t>() : input.below(outlines + 1));
   }
   scene_.outlines = outlines_;
-  if (!input.flag()) return read_products(input);
+  if (!input.flag()) {
+    read_products(input);
+    return;
+  }
   const std::uint32_t lights = static_cast<std::uint32_t>(lights_.size());
   shadow_.light =
       static_cast<std::uint8_t>(hostile_.lights || lights == 0 ? input.any<std::uint8_t>() : input.below(lights));
