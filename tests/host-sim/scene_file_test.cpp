@@ -483,7 +483,7 @@ TEST(SceneFile, ProductsOfSolids) {
              "line 11: [[csg]]: 'expression' names no instance 'blok'; did you mean 'block'?");
   fails_with("expression = 'block -'\n", "line 11: [[csg]]: 'expression' is not one: a name is missing at its end");
   fails_with("", "[[csg]]: 'expression' is missing");
-  fails_with("expresion = 'block'\n", "did you mean 'expression'?");
+  fails_with("expression = 'block'\nexpresion = 'block'\n", "has no key 'expresion'; did you mean 'expression'?");
   fails_with("expression = 'block'\n[[instance]]\nmodel = 'cube'\nname = 'block'\n",
              "there are several instances 'block'");
 }
