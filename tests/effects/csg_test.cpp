@@ -128,6 +128,24 @@ TEST(Csg, AreTheSameInStripsAndBins) {
   }
 }
 
+// Meshlets were counted in the scene's order, but their strips were noted in that of drawing, in which what blends is
+// last.
+TEST(Csg, WhatBlendsLeavesOperandsInTheirStrips) {
+  const Finish finishes[] = {{.alpha_mode = AlphaMode::blend}};
+  CsgWorld world;
+  const std::uint16_t glass = world.add(CsgWorld::kBox, posed(0, 1.2, 0, 0.2));
+  world.materials[glass].finish = 0;
+  world.materials[glass].colour.a = 100;
+  make_part(world);
+  world.scene.finishes = finishes;
+  const Scene& scene = world.whole();
+  constexpr Effects kEffects = effect::csg | effect::blending | effect::bins;
+  const Drawn whole = draw_any(kEffects, scene, world.camera, kCsgView, {.strip_rows = 96, .modes = Modes::streamed});
+  for (const Modes modes : {Modes::streamed, Modes::binned}) {
+    EXPECT_EQ(draw_any(kEffects, scene, world.camera, kCsgView, {.strip_rows = 7, .modes = modes}), whole);
+  }
+}
+
 TEST(Csg, OneOperandIsTheInstance) {
   CsgWorld world;
   const std::uint16_t hoop = world.add(CsgWorld::kRing, posed(0, 0, 0, 1.3, 0.5, 0.8));

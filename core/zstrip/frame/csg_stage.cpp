@@ -5,6 +5,22 @@
 #include "zstrip/frame/frame_inline.hpp"
 
 namespace zstrip {
+namespace {
+
+/// Of an instance, among those of all instances in the order of drawing.
+std::uint32_t first_meshlet(const Scene& scene, const detail::EffectBlock& block, std::uint32_t instance) {
+  const bool has_order = block.has(effect::blending);
+  std::uint32_t first = 0;
+  for (std::uint32_t place = 0; place < scene.instances.size(); ++place) {
+    const std::uint32_t before = has_order ? block.order()[place].instance : place;
+    if (before == instance) break;
+    const std::size_t meshlets = scene.meshes[scene.instances[before].mesh].meshlets.size();
+    first += meshlets == 0 ? 1 : static_cast<std::uint32_t>(meshlets);
+  }
+  return first;
+}
+
+}  // namespace
 
 void Frame::Access::Csg::prepare_operands(Frame& frame, const Camera& camera) {
   const Scene& scene = *frame.scene_;
@@ -16,10 +32,7 @@ void Frame::Access::Csg::prepare_operands(Frame& frame, const Camera& camera) {
     if (mesh.meshlets.empty()) largest = std::max(largest, static_cast<std::uint32_t>(mesh.positions.size()));
     for (const Meshlet& meshlet : mesh.meshlets) largest = std::max<std::uint32_t>(largest, meshlet.vertex_count);
     detail::CsgBounds& bounds = block.csg_bounds(i) = {};
-    for (std::uint32_t before = 0; before < index; ++before) {
-      const std::size_t meshlets = scene.meshes[scene.instances[before].mesh].meshlets.size();
-      bounds.first_meshlet += meshlets == 0 ? 1 : static_cast<std::uint32_t>(meshlets);
-    }
+    bounds.first_meshlet = first_meshlet(scene, block, index);
     const detail::CompiledInstance& compiled = frame.instances_[index];
     if (!compiled.visible) continue;
     const Rect box =
