@@ -1,6 +1,7 @@
 // The layers of a product of solids: what the fragments of an operand do that is not drawn, but peeled off, or counted.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "zstrip/raster/depth_rule.hpp"
