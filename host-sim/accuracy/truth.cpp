@@ -230,7 +230,8 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
     return Failure{
         ExitStatus::input,
         "the scene has highlights, point or spot lights, alpha, bilinear texels, palettes, mipmaps, environments, "
-        "lines, outlines or shadows, and the truth knows none of these: it draws triangles and quadrics with "
+        "lines, outlines, shadows or products of solids, and the truth knows none of these: it draws triangles and "
+        "quadrics with "
         "directional light, emission, textures and fog"};
   }
   Rasteriser rasteriser(camera, view, scale, scene, snap);

@@ -31,6 +31,7 @@ constexpr KnownEffect kKnown[] = {
     {effect::environment, "environment", "mirrors its surroundings, with normals"},
     {effect::outlines, "outlines", "has an outline"},
     {effect::shadows, "shadows", "the shadow of a light, and something is lit"},
+    {effect::csg, "csg", "products of solids"},
     {effect::pixel_shading, "pixel_shading", "lit at pixels, with normals"},
     {effect::dithered_colours, "dithered_colours", "the picture is dithered to RGB565 (--dither)"},
     {effect::dithered_format, "dithered_format", "the picture is dithered to its format (--dither)"},
@@ -69,7 +70,7 @@ std::vector<FoundEffect> find_effects(const Scene& scene, const Camera& camera, 
       return known.effect == effect;
     };
     if (is_of_scene(effect::fog, origins.fog) || is_of_scene(effect::orthographic, origins.camera) ||
-        is_of_scene(effect::shadows, origins.shadow)) {
+        is_of_scene(effect::shadows, origins.shadow) || is_of_scene(effect::csg, origins.csg)) {
       continue;
     }
     FoundEffect effect{known, {}, {}};

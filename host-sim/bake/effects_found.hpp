@@ -25,6 +25,7 @@ struct Origins {
   std::string camera;
   std::string fog;
   std::string shadow{};
+  std::string csg{};
 };
 
 struct FoundEffect {

@@ -37,7 +37,7 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const Bsp
   bytes.keyframes = animation.keyframes.size_bytes() + animation.tracks.size_bytes();
   bytes.tables += table_bytes(scene) + scene.materials.size_bytes() + scene.instances.size_bytes() +
                   scene.quadrics.size_bytes() + scene.lights.size_bytes() + scene.finishes.size_bytes() +
-                  scene.outlines.size_bytes() + scene.punctual_lights.size_bytes() +
+                  scene.outlines.size_bytes() + scene.csg.size_bytes() + scene.punctual_lights.size_bytes() +
                   (scene.fog != nullptr ? sizeof(Fog) : 0) + (scene.shadow != nullptr ? sizeof(Shadow) : 0) +
                   kSceneBytes + kCameraBytes;
   return bytes;

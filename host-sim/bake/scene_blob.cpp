@@ -136,6 +136,11 @@ class Writer {
     half_word(std::uint32_t{outline.width});
     half_word(std::uint32_t{outline.hull});
   }
+  void put(const CsgOperand& operand) {
+    half_word(std::uint32_t{operand.instance});
+    byte(operand.product);
+    byte(static_cast<std::uint8_t>(operand.use));
+  }
   void put(const Shadow& shadow) {
     byte(shadow.light);
     byte(shadow.log2_size);
@@ -266,7 +271,9 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   for (const Outline& outline : scene.outlines) writer.put(outline);
   writer.byte_at(122, static_cast<std::uint8_t>(scene.outlines.size()));
   if (scene.shadow != nullptr) writer.put(*scene.shadow);
-  writer.byte_at(131, scene.shadow != nullptr ? 1 : 0);
+  for (const CsgOperand& operand : scene.csg) writer.put(operand);
+  const std::size_t operands = scene.csg.empty() ? 0 : 1 + scene.csg.size();
+  writer.byte_at(131, static_cast<std::uint8_t>(scene.shadow != nullptr ? 1 : operands));
   const std::size_t lines = writer.bytes().size();
   writer.zeros(scene.lines.size() * kLineSetRecordBytes);  // set below
   writer.byte_at(123, static_cast<std::uint8_t>(scene.lines.size()));

@@ -90,6 +90,10 @@ std::string literal(const Fog& fog) {
 std::string literal(const Outline& outline) {
   return fmt::format("{{.colour = {}, .width = {}, .hull = {}}}", literal(outline.colour), outline.width, outline.hull);
 }
+std::string literal(const CsgOperand& operand) {
+  return fmt::format("{{{}, {}, zstrip::CsgUse{{{}}}}}", operand.instance, operand.product,
+                     static_cast<int>(operand.use));
+}
 std::string literal(const Shadow& shadow) {
   return fmt::format("{{.light = {}, .log2_size = {}, .bias = {}, .slope_bias = {}, .pool = {}}}", shadow.light,
                      shadow.log2_size, shadow.bias, shadow.slope_bias, shadow.pool);
@@ -285,6 +289,7 @@ class Header {
       array("zstrip::Shadow", "kShadow", std::span(scene_.shadow, 1));
       add("shadow", "kShadow");
     }
+    if (!scene_.csg.empty()) add("csg", array("zstrip::CsgOperand", "kCsg", scene_.csg));
     line(fmt::format(
         "\ninline constexpr zstrip::Scene kScene{{.meshes = {},\n{pad}.materials = {},\n{pad}.textures = {},\n"
         "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}{}}};",

@@ -6,6 +6,7 @@
 #include <deque>
 #include <utility>
 
+#include "compose/composed_csg.hpp"
 #include "compose/composed_lights.hpp"
 #include "compose/composed_lines.hpp"
 #include "compose/composed_materials.hpp"
@@ -66,6 +67,7 @@ class Composer {
     }
     if (const Result<Done> done = add_lights(file_, *composed_); !done) return done.failure();
     if (const Result<Done> done = add_fog(file_, *composed_); !done) return done.failure();
+    if (const Result<Done> done = add_products(file_, placed_, *composed_); !done) return done.failure();
     if (const Result<Done> done = animate(); !done) return done.failure();
     if (const Result<Done> done = check(); !done) return done.failure();
     return std::unique_ptr<const ComposedScene>(std::move(composed_));

@@ -33,6 +33,7 @@ struct ComposedScene {
   std::vector<Quadric> quadrics;
   std::vector<LineSet> lines;
   std::vector<Outline> outlines;
+  std::vector<CsgOperand> csg;
   std::vector<DirectionalLight> lights;
   std::vector<PunctualLight> punctual_lights;
   std::vector<Finish> finishes;
@@ -44,7 +45,7 @@ struct ComposedScene {
   Units units;  ///< of the file's lengths
   std::vector<std::string> material_names;
   std::vector<std::string> material_origins;  ///< "room.toml line 12", or the model that it comes from
-  std::string fog_origin, shadow_origin;
+  std::string fog_origin, shadow_origin, csg_origin;
   std::vector<std::string> warnings;
 
   std::deque<Model> models;
@@ -68,7 +69,8 @@ struct ComposedScene {
             .quadrics = quadrics,
             .lines = lines,
             .outlines = outlines,
-            .shadow = shadow ? &*shadow : nullptr};
+            .shadow = shadow ? &*shadow : nullptr,
+            .csg = csg};
   }
 };
 

@@ -1,5 +1,5 @@
 // What a scene file places: [[model]], [[instance]] with its keyframes, [[ellipsoid]], [[lines]] and
-// [[points]].
+// [[points]], [[csg]].
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -159,6 +159,22 @@ FileLines read_lines(TomlTable& table, bool are_points) {
   lines.placement = read_placement(table, "scale");
   table.finish();
   return lines;
+}
+
+FileCsg read_csg(TomlTable& table) {
+  FileCsg csg;
+  csg.line = table.line_of("expression");
+  const std::string expression = table.needed_text("expression", "'expression' is missing");
+  if (!expression.empty()) {
+    auto products = products_of(expression);
+    if (const auto* const wrong = std::get_if<std::string>(&products)) {
+      table.wrong("expression", fmt::format("'expression' is not one: {}", *wrong));
+    } else {
+      csg.products = std::get<std::vector<CsgProduct>>(products);
+    }
+  }
+  table.finish();
+  return csg;
 }
 
 }  // namespace zstrip::sim

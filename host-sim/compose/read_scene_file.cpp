@@ -65,6 +65,22 @@ void check_lines(const FileLines& lines, const SceneFile& scene, TomlErrors& err
                          lines.title(), material->name));
 }
 
+/// Names of instances need not be different, but for those of solids.
+void check_csg(const FileCsg& csg, const SceneFile& scene, TomlTable& table) {
+  std::vector<std::string> names;
+  for (const FileInstance& instance : scene.instances) {
+    if (!instance.name.empty()) names.push_back(instance.name);
+  }
+  for (const CsgProduct& product : csg.products) {
+    for (const CsgTerm& term : product) {
+      check_name(term.name, names, table, "expression", "instance");
+      if (std::ranges::count(names, term.name) > 1) {
+        table.wrong("expression", fmt::format("there are several instances '{}'", term.name));
+      }
+    }
+  }
+}
+
 SceneFile read_root(TomlTable& root, TomlErrors& errors) {
   SceneFile scene;
   scene.ambient = root.colour("ambient");
@@ -85,6 +101,8 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
       line_tables.push_back(table);
     }
   }
+  std::vector<TomlTable> csg_tables = root.tables("csg", "[[csg]]");
+  for (TomlTable& table : csg_tables) scene.csg.push_back(read_csg(table));
   if (auto fog = root.table("fog", "[fog]")) scene.fog = read_fog(*fog);
   std::vector<TomlTable> lights = root.tables("light", "[[light]]");
   for (TomlTable& table : lights) scene.lights.push_back(read_light(table));
@@ -108,6 +126,7 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
     check_name(scene.lines[i].material, materials, line_tables[i], "material", "material");
     check_lines(scene.lines[i], scene, errors);
   }
+  for (std::size_t i = 0; i < csg_tables.size(); ++i) check_csg(scene.csg[i], scene, csg_tables[i]);
   if (instances.empty() && ellipsoids.empty() && line_tables.empty()) {
     errors.add(1,
                "the scene has neither [[instance]] nor [[ellipsoid]], [[lines]] or [[points]]: there is nothing to "

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "compose/csg_expression.hpp"
 #include "import/source_model.hpp"
 #include "motion/affine.hpp"
 #include "motion/node_tree.hpp"
@@ -179,6 +180,12 @@ struct FileLines {
   const char* title() const { return are_points ? "[[points]]" : "[[lines]]"; }
 };
 
+/// [[csg]]: the names are those of instances.
+struct FileCsg {
+  int line = 0;
+  std::vector<CsgProduct> products;
+};
+
 struct SceneFile {
   std::filesystem::path path;
   PictureSettings picture;
@@ -190,6 +197,7 @@ struct SceneFile {
   std::vector<FileInstance> instances;
   std::vector<FileEllipsoid> ellipsoids;
   std::vector<FileLines> lines;  ///< at least one of these, of the ellipsoids or of the instances
+  std::vector<FileCsg> csg;
   std::optional<FileFog> fog;
   std::vector<FileLight> lights;
 

@@ -15,6 +15,7 @@ FileInstance read_instance(TomlTable& table);
 FileEllipsoid read_ellipsoid(TomlTable& table);
 /// `are_points`: [[points]].
 FileLines read_lines(TomlTable& table, bool are_points);
+FileCsg read_csg(TomlTable& table);
 FileLight read_light(TomlTable& table);
 FileFog read_fog(TomlTable& table);
 

@@ -121,8 +121,8 @@ class ComposedStage : public Stage {
   const std::vector<std::string>& warnings() const override { return composed_->warnings; }
   Animation animation() const override { return composed_->animation.view(); }
   Origins origins() const override {
-    return {composed_->material_names, composed_->material_origins, camera_origin_, composed_->fog_origin,
-            composed_->shadow_origin};
+    return {composed_->material_names, composed_->material_origins, camera_origin_,
+            composed_->fog_origin,     composed_->shadow_origin,    composed_->csg_origin};
   }
 
  private:

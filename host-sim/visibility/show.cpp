@@ -87,11 +87,11 @@ Result<ShownFrame> draw_shown(const Staging& staging, const MethodRequest& reque
                    "--show tiles needs --visibility hierarchical-z, front-to-back-hierarchical-z or midpoint-safe"};
   }
   // The judge knows triangles only, and takes each for opaque.
-  if (show == Show::error &&
-      effects_of(staging.scene, staging.camera).any(effect::surfaces | effect::alpha_test | effect::blending)) {
-    return Failure{
-        ExitStatus::usage,
-        "--show error judges opaque triangles; the scene has spheres, ellipsoids, lines or transparent materials"};
+  if (show == Show::error && effects_of(staging.scene, staging.camera)
+                                 .any(effect::surfaces | effect::alpha_test | effect::blending | effect::csg)) {
+    return Failure{ExitStatus::usage,
+                   "--show error judges opaque triangles; the scene has spheres, ellipsoids, lines, products of solids "
+                   "or transparent materials"};
   }
   Result<LookedAtFrame> drawn = draw_looked_at(staging, counting);
   if (!drawn) return drawn.failure();

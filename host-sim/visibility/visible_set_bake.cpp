@@ -70,6 +70,8 @@ std::vector<bool> moving(const Scene& scene, const Animation& animation) {
   for (const Track& track : animation.tracks) {
     if (track.instance < moves.size()) moves[track.instance] = true;
   }
+  // Nor is what is seen of a product where its operands are.
+  for (const CsgOperand& operand : scene.csg) moves[operand.instance] = true;
   return moves;
 }
 

@@ -324,6 +324,12 @@ TEST_F(Bake, SetsOfLinesAreCountedAmongTheTablesToLend) {
 
 TEST_F(Bake, ShadowsInABlobAsInTheSceneFile) { same_as_a_blob("shadows", "shadows", {}, 3); }
 
+TEST_F(Bake, ProductsOfSolidsInABlobAsInTheSceneFile) {
+  same_as_a_blob("csg", "csg", {}, 3);
+  report({"bake", ZSTRIP_SCENE_FILES "/csg.toml", "-o", "scene.hpp"});
+  EXPECT_NE(read(path("scene.hpp")).find(".csg = kCsg"), std::string::npos);
+}
+
 TEST_F(Bake, MipmapsWhereTheSceneAsksForThemOrEverywhereOrNowhere) {
   const std::string scene = ZSTRIP_SCENE_FILES "/mipmaps.toml";
   const auto levels = [](int texels) {  // of a square, all but the first

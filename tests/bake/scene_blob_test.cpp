@@ -381,7 +381,7 @@ TEST(SceneBlob, ShadowsStandInBytesThatWereUnused) {
   EXPECT_EQ(opened.content.scene.shadow->slope_bias, 0x30405);
   EXPECT_EQ(opened.content.scene.shadow->pool, 0x6070U);
   Bytes wrong = bytes;
-  wrong[131] = 2;
+  wrong[131] = 66;  // from 2 to 65 it counts operands of products
   mend(wrong);
   EXPECT_EQ(Opened(wrong).status, (Status{.error = Error::blob_damaged, .needed = 131}));
   wrong = bytes;
@@ -392,6 +392,42 @@ TEST(SceneBlob, ShadowsStandInBytesThatWereUnused) {
   wrong[192] = 77;  // no such light
   mend(wrong);
   EXPECT_EQ(Opened(wrong).status.error, Error::shadow);
+}
+
+TEST(SceneBlob, ProductsStandWhereAShadowWould) {
+  SceneBlob content = sample();
+  const auto instances = static_cast<std::uint16_t>(content.scene.instances.size());
+  const CsgOperand operands[] = {{1, 0, CsgUse::intersected},
+                                 {0, 0, CsgUse::subtracted},
+                                 {static_cast<std::uint16_t>(instances - 1), 9, CsgUse::intersected}};
+  // Operands have no outline, no billboard and no rules of their own.
+  std::vector<Mesh> meshes(content.scene.meshes.begin(), content.scene.meshes.end());
+  for (Mesh& mesh : meshes) mesh.billboard = Billboard::none, mesh.outline = 0;
+  std::vector<Material> materials(content.scene.materials.size(), Material{});
+  content.scene.meshes = meshes;
+  content.scene.materials = materials;
+  content.scene.shadow = nullptr;
+  const Bytes without = *to_scene_blob(content);
+  EXPECT_EQ(without[131], 0);
+  content.scene.csg = operands;
+  const Bytes bytes = *to_scene_blob(content);
+  EXPECT_EQ(bytes[2], without[2]) << "the version stays";
+  EXPECT_EQ(bytes[131], 4);
+  EXPECT_EQ(bytes.size(), without.size() + 12);
+  const std::size_t at = 192 + 8 * content.scene.outlines.size();
+  EXPECT_EQ(Bytes(bytes.begin() + static_cast<std::ptrdiff_t>(at), bytes.begin() + static_cast<std::ptrdiff_t>(at + 8)),
+            (Bytes{1, 0, 0, 0, 0, 0, 0, 1}));
+  const Opened opened(bytes);
+  ASSERT_TRUE(opened.status) << message(opened.status.error) << ' ' << opened.status.needed;
+  const std::span<const CsgOperand> read = opened.content.scene.csg;
+  ASSERT_EQ(read.size(), 3U);
+  EXPECT_EQ(read[1].use, CsgUse::subtracted);
+  EXPECT_EQ(read[2].product, 9);
+  EXPECT_EQ(read[2].instance, instances - 1);
+  Bytes wrong = bytes;
+  wrong[at + 7] = 2;  // no such use
+  mend(wrong);
+  EXPECT_EQ(Opened(wrong).status, (Status{.error = Error::csg, .needed = 1}));
 }
 
 TEST(SceneBlob, SamplesAreAByteThatOlderBlobsLeaveZero) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "billboards_scene.hpp"
+#include "csg_scene.hpp"
 #include "lines_scene.hpp"
 #include "outlines_scene.hpp"
 #include "shadows_scene.hpp"
@@ -77,6 +78,8 @@ constexpr Marker kMarkers[] = {
     {effect::shadows, "zstrip::detail::light_camera("},
     {effect::shadows, "zstrip::detail::shadow_place("},
     {effect::shadows, "zstrip::detail::TileStore::"},
+    {effect::csg, "zstrip::Frame::Access::Csg::"},
+    {effect::csg, "zstrip::detail::DepthMode{(zstrip::DepthFormat)0, false, (zstrip::detail::DepthUse)3"},
     {effect::bins, "zstrip::detail::Bins::append("},
     {effect::dithered_colours, "zstrip::detail::dithered_rgb565("},
     {effect::dithered_colours | effect::dithered_format, "zstrip::detail::kBayer"},
@@ -108,6 +111,7 @@ TEST(EffectsAbsence, ProgramsHoldTheCodeOfTheirScenesEffectsAndNoOther) {
   check(scenes::billboards);
   check(scenes::outlines);
   check(scenes::shadows);
+  check(scenes::csg);
   for (const scenes::BuiltIn& built_in : scenes::effect_scenes()) check(built_in);
   expect_only(folder + "knot_rgb565_dithered", scenes::knot, {64, 48, PixelFormat::rgb565, true});
   expect_only(folder + "fog_rgb565_dithered", scenes::fog, {64, 48, PixelFormat::rgb565, true});

@@ -1,5 +1,5 @@
 // Sets of effects, and a scene that calls for exactly such a set: two boxes, one behind the other, perhaps turned to
-// the viewer, a sphere and lines, and a third box with an outline.
+// the viewer, a sphere and lines, a third box with an outline, and a fourth less a fifth.
 #pragma once
 
 #include <array>
@@ -92,16 +92,18 @@ constexpr auto kNoise = [] {
 
 /// With a picture that is dithered or has samples if that is in the set, calls for exactly completed(set).
 struct Combination {
-  Mesh meshes[3] = {scenes::kRoomMeshes[0], scenes::kRoomMeshes[1], scenes::kRoomMeshes[0]};
+  Mesh meshes[4] = {scenes::kRoomMeshes[0], scenes::kRoomMeshes[1], scenes::kRoomMeshes[0], scenes::kRoomMeshes[1]};
   Shadow shadow{.log2_size = 5};
   DirectionalLight over_the_near_box[1] = {{14100, 8500, 28200, {220, 210, 190, 255}}};  // on the far one
   Outline outlines[1] = {{.colour = {200, 0, 120, 255}, .width = 30}};
-  Finish finishes[2];
-  Material materials[3];
+  Finish finishes[3];
+  Material materials[4];
   Texture textures[2] = {{scenes::kLatticeTexels, 4, 4}, {scenes::kIndexedTexels, 4, 4, TextureFormat::palette4}};
-  Instance instances[3] = {scenes::block(0, 0.5, 0.5, 0.5, -0.2, 0, -0.6),
-                           scenes::block(1, 0.5, 0.5, 0.5, 0.2, 0.1, 0.5),
-                           scenes::block(2, 0.3, 0.3, 0.3, -0.4, 0.5, 0.7)};
+  Instance instances[5] = {
+      scenes::block(0, 0.5, 0.5, 0.5, -0.2, 0, -0.6), scenes::block(1, 0.5, 0.5, 0.5, 0.2, 0.1, 0.5),
+      scenes::block(2, 0.3, 0.3, 0.3, -0.4, 0.5, 0.7), scenes::block(3, 0.45, 0.45, 0.45, 0.5, -0.5, 0.6),
+      scenes::block(3, 0.3, 0.3, 0.3, 0.3, -0.3, 1.0)};
+  CsgOperand operands[2] = {{3, 0, CsgUse::intersected}, {4, 0, CsgUse::subtracted}};
   Quadric quadrics[1] = {
       {.material = 2,
        .transform = {
@@ -113,16 +115,16 @@ struct Combination {
 
   explicit Combination(Effects set) {
     const int indexed = set.has(effect::alpha_test) ? 1 : 0;  // the other one's texture may have alpha
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < 3; ++i) {
       Finish& finish = finishes[i];
       if (set.has(effect::emissive)) finish.emissive = {40, 20, 0, 255};
       if (set.has(effect::specular)) finish.specular = {200, 200, 200, 255};
       if (set.has(effect::bilinear)) finish.filter = TextureFilter::bilinear;
-      Material& material = materials[i];
+      Material& material = materials[i < 2 ? i : 3];
       material = {.colour = {200, 180, 160, 150}, .lit = set.has(effect::lighting), .smooth = set.has(effect::gouraud)};
       material.finish = static_cast<std::uint8_t>(i);
       if (set.has(effect::textures)) material.texture = set.has(effect::texture_palettes) && i == indexed ? 1 : 0;
-      if (set.has(effect::depth_state)) material.depth_test = DepthTest::nearer_or_equal;
+      if (set.has(effect::depth_state) && i < 2) material.depth_test = DepthTest::nearer_or_equal;
     }
     if (set.has(effect::pixel_shading)) materials[1].smooth = Shading::pixel;
     if (set.has(effect::alpha_test)) finishes[0].alpha_mode = AlphaMode::mask;
@@ -147,7 +149,10 @@ struct Combination {
     // Its material is the sphere's and the lines', opaque and without anything.
     if (set.has(effect::outlines)) meshes[2].outline = 1;
     instances[2].mesh = instances[2].material = 2;
-    scene.instances = std::span(instances).first(set.has(effect::outlines) ? 3 : 2);
+    scene.instances = std::span(instances).first(set.has(effect::csg) ? 5 : set.has(effect::outlines) ? 3 : 2);
+    // What is solid has everything that the near box has, but is opaque, and stays where it is.
+    instances[3].mesh = instances[4].mesh = 3;
+    if (set.has(effect::csg)) scene.csg = operands;
     if (set.has(effect::outlines)) scene.outlines = outlines;
     scene.finishes = finishes;
     scene.background = {30, 60, 90, 255};
@@ -178,7 +183,7 @@ void expect_drawn_alike() {
   // Memory is planned for what is there, and not for more.
   const Plan plan = zstrip::plan(count(scene), kView, kSet).plan;
   EXPECT_EQ(plan.effect_bytes != 0, kSet.any(effect::fog | effect::blending | effect::local_light | effect::billboards |
-                                             effect::environment | effect::outlines | effect::shadows));
+                                             effect::environment | effect::outlines | effect::shadows | effect::csg));
   EXPECT_EQ(plan.colour_bytes, kSet.has(effect::supersampled) ? 40U * 32 * 2 * 4 : 0);
   EXPECT_EQ(plan.bin_bytes + plan.visibility_bytes, 0U);
 }

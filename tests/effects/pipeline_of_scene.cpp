@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "billboards_scene.hpp"
+#include "csg_scene.hpp"
 #include "lines_scene.hpp"
 #include "outlines_scene.hpp"
 #include "shadows_scene.hpp"

@@ -24,6 +24,7 @@ void offer_refused_scene(const fuzz::SceneInput& input, const Status& refusal) {
                              : refusal.error == Error::instance ? scene.instances.size()
                              : refusal.error == Error::outline  ? scene.outlines.size()
                              : refusal.error == Error::shadow   ? 1
+                             : refusal.error == Error::csg      ? scene.csg.size()
                                                                 : 0;
   if (refusal.error == Error::light) {
     fuzz::require(refusal.needed == scene.lights.size() && refusal.available == kMaxLights, "validate counts lights");

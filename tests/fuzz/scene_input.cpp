@@ -96,7 +96,10 @@ SceneInput::SceneInput(Input& input) : hostile_(read_hostile(input)) {
     mesh.outline = static_cast<std::uint8_t>(hostile_.meshes ? input.any<std::uint8_t>() : input.below(outlines + 1));
   }
   scene_.outlines = outlines_;
-  if (!input.flag()) return;
+  if (!input.flag()) {
+    read_products(input);
+    return;
+  }
   const std::uint32_t lights = static_cast<std::uint32_t>(lights_.size());
   shadow_.light =
       static_cast<std::uint8_t>(hostile_.lights || lights == 0 ? input.any<std::uint8_t>() : input.below(lights));
@@ -109,6 +112,22 @@ SceneInput::SceneInput(Input& input) : hostile_(read_hostile(input)) {
     mesh.shadow = static_cast<ShadowRole>(hostile_.meshes ? input.any<std::uint8_t>() : input.below(4));
   }
   scene_.shadow = &shadow_;
+}
+
+/// No scene has shadows, too.
+void SceneInput::read_products(Input& input) {
+  operands_.resize(input.below(6));
+  std::uint32_t product = 0;
+  const auto instances = static_cast<std::uint32_t>(instances_.size());
+  for (CsgOperand& operand : operands_) {
+    const bool is_next = input.flag();
+    if (is_next) ++product;
+    operand.product = static_cast<std::uint8_t>(product);
+    const bool is_hostile = hostile_.instances || instances == 0;
+    operand.instance = static_cast<std::uint16_t>(is_hostile ? input.any<std::uint16_t>() : input.below(instances));
+    operand.use = static_cast<CsgUse>(is_hostile ? input.any<std::uint8_t>() : input.below(2));
+  }
+  scene_.csg = operands_;
 }
 
 SceneInput::Hostile SceneInput::read_hostile(Input& input) {

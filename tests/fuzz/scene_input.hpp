@@ -39,6 +39,7 @@ class SceneInput {
   };
 
   static Hostile read_hostile(Input& input);
+  void read_products(Input& input);
   void read_view(Input& input);
   void read_camera(Input& input);
   void read_texture(Input& input, std::size_t index);
@@ -58,6 +59,7 @@ class SceneInput {
   std::vector<zstrip::Instance> instances_;
   std::vector<zstrip::DirectionalLight> lights_;
   zstrip::Shadow shadow_;
+  std::vector<zstrip::CsgOperand> operands_;
   zstrip::Scene scene_;
   zstrip::Camera camera_;
   zstrip::View view_;

@@ -20,6 +20,7 @@ const std::map<std::string, Golden> kGolden{
     {"anti_aliasing", {"51440ae5"}},
     {"bilinear", {"e760ae50"}},
     {"billboards", {"c44c9bf8"}},
+    {"csg", {"765f7528"}},
     {"directional", {"2ace3470"}},
     {"dithered", {"070a1f43", "128x64"}},
     {"emissive", {"a7bf3535"}},

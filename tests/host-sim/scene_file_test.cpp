@@ -473,6 +473,28 @@ TEST(SceneFile, Shadows) {
   fails_with(kCube + "shadow = 'recieves'\n", "receives");
 }
 
+TEST(SceneFile, ProductsOfSolids) {
+  const std::string solids =
+      "[[model]]\nname = 'cube'\nbuilt_in = 'cube'\n"
+      "[[instance]]\nmodel = 'cube'\nname = 'block'\n"
+      "[[instance]]\nmodel = 'cube'\nname = 'left drill'\n[[csg]]\n";
+  const SceneFile file = parsed(solids + "expression = \"block - 'left drill'\"\n");
+  ASSERT_EQ(file.csg.size(), 1U);
+  EXPECT_EQ(file.csg[0].line, 11);
+  EXPECT_EQ(file.csg[0].products,
+            (std::vector<CsgProduct>{{{"block", CsgUse::intersected}, {"left drill", CsgUse::subtracted}}}));
+  const auto fails_with = [&](const std::string& text, const char* what) {
+    EXPECT_NE(failure(solids + text).find(what), std::string::npos) << failure(solids + text);
+  };
+  fails_with("expression = 'block - blok'\n",
+             "line 11: [[csg]]: 'expression' names no instance 'blok'; did you mean 'block'?");
+  fails_with("expression = 'block -'\n", "line 11: [[csg]]: 'expression' is not one: a name is missing at its end");
+  fails_with("", "[[csg]]: 'expression' is missing");
+  fails_with("expression = 'block'\nexpresion = 'block'\n", "has no key 'expresion'; did you mean 'expression'?");
+  fails_with("expression = 'block'\n[[instance]]\nmodel = 'cube'\nname = 'block'\n",
+             "there are several instances 'block'");
+}
+
 TEST(SceneFile, NearestNames) {
   EXPECT_EQ(nearest("colr", {"name", "colour", "lit"}), "colour");
   EXPECT_EQ(nearest("zzzzzzzz", {"name", "colour"}), "");

@@ -135,6 +135,28 @@ TEST_F(ScenePicture, AffineTexturesThatCannotBeAreRefused) {
   }
 }
 
+TEST_F(ScenePicture, OfProductsOnlyClosedMeshesThatGoTogetherAreDrawn) {
+  const std::string part =
+      "[[model]]\nname = 'm'\nfile = 'm.obj'\n[[material]]\nname = 'glass'\nalpha_mode = 'blend'\n"
+      "[[csg]]\nexpression = 'a'\n[[instance]]\nmodel = 'm'\nname = 'a'\n";
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  const auto said = [&](const std::string& faces, const std::string& more) {
+    file("m.obj", corners + faces);
+    const auto drawn = zstrip({"render", file("part.toml", part + more), "-o", "part.png", "--size", "32x24"});
+    EXPECT_EQ(drawn.status != 0, drawn.err.find("line 8: [[csg]]: ") != std::string::npos) << drawn.err;
+    return drawn.err;
+  };
+  const auto has = [](const std::string& text, const char* what) { return text.find(what) != std::string::npos; };
+  const std::string closed = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+  EXPECT_FALSE(has(said(closed, ""), "[[csg]]"));
+  EXPECT_TRUE(has(said("f 1 3 2\nf 1 2 4\nf 2 3 4\n", ""), "'a' has 3 open edges"));
+  EXPECT_TRUE(has(said(closed, "material = 'glass'\n"), "a material that is not opaque"));
+  EXPECT_TRUE(has(said(closed, "outline = {}\n"), "an outline"));
+  EXPECT_TRUE(has(said(closed, "billboard = 'upright'\n"), "a billboard"));
+  EXPECT_TRUE(has(said(closed, "layer = 'static'\n"), "lies in the static layer"));
+  EXPECT_TRUE(has(said(closed, "[[light]]\ndirection = [0, -1, 0]\nshadow = {}\n"), "shadow of a light"));
+}
+
 TEST_F(ScenePicture, MipmapsOfAMaterialWithoutTextureAreRefused) {
   const std::string scene = file("m.toml",
                                  "[[model]]\nname = 'pot'\nbuilt_in = 'teapot'\n"

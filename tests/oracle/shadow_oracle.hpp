@@ -43,6 +43,21 @@ struct Surface {
   bool receives;
 };
 
+/// A mesh's vertex in the world.
+inline Point placed(const zstrip::Mesh& mesh, const zstrip::Transform& transform, std::uint16_t index) {
+  const zstrip::Position& p = mesh.positions[index];
+  const Point own{std::ldexp(mesh.centre.x, -16) + std::ldexp(mesh.half_extent.x, -31) * p.x,
+                  std::ldexp(mesh.centre.y, -16) + std::ldexp(mesh.half_extent.y, -31) * p.y,
+                  std::ldexp(mesh.centre.z, -16) + std::ldexp(mesh.half_extent.z, -31) * p.z};
+  Point world{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& row = transform.m[i];
+    world[i] = std::ldexp(row[0], -16) * own[0] + std::ldexp(row[1], -16) * own[1] + std::ldexp(row[2], -16) * own[2] +
+               std::ldexp(row[3], -16);
+  }
+  return world;
+}
+
 class ShadowOracle {
  public:
   ShadowOracle(const zstrip::Scene& scene, const zstrip::Camera& camera, const zstrip::View& view)
@@ -136,20 +151,6 @@ class ShadowOracle {
  private:
   static Point axis(const zstrip::Vec3& v) {
     return {std::ldexp(v.x, -30), std::ldexp(v.y, -30), std::ldexp(v.z, -30)};
-  }
-
-  static Point placed(const zstrip::Mesh& mesh, const zstrip::Transform& transform, std::uint16_t index) {
-    const zstrip::Position& p = mesh.positions[index];
-    const Point own{std::ldexp(mesh.centre.x, -16) + std::ldexp(mesh.half_extent.x, -31) * p.x,
-                    std::ldexp(mesh.centre.y, -16) + std::ldexp(mesh.half_extent.y, -31) * p.y,
-                    std::ldexp(mesh.centre.z, -16) + std::ldexp(mesh.half_extent.z, -31) * p.z};
-    Point world{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto& row = transform.m[i];
-      world[i] = std::ldexp(row[0], -16) * own[0] + std::ldexp(row[1], -16) * own[1] +
-                 std::ldexp(row[2], -16) * own[2] + std::ldexp(row[3], -16);
-    }
-    return world;
   }
 
   static Ball ball(const zstrip::Transform& transform) {

@@ -17,6 +17,7 @@ namespace zstrip {
 struct Frame::Access {
   // Each has a header of its own.
   struct Checks;
+  struct Csg;
   struct DepthStage;
   struct EffectStage;
   struct Geometry;

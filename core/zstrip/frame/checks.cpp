@@ -84,6 +84,14 @@ Status Frame::Access::Checks::shadows(const Scene& scene, const Plan& plan, Effe
   return {};
 }
 
+Status Frame::Access::Checks::csg(const Scene& scene, const Plan& plan, Effects called_for, std::uint32_t cell_bytes) {
+  if (!called_for.has(effect::csg)) return {};
+  const std::uint64_t cells = std::uint64_t{plan.strip_rows} * plan.strip_columns;
+  const std::uint64_t needed =
+      detail::effect_bytes(called_for, count(scene)) + detail::csg_strip_bytes(cells, cell_bytes);
+  return plan.effect_bytes < needed ? too_small(Purpose::effects, needed, plan.effect_bytes) : Status{};
+}
+
 Status Frame::Access::Checks::strip(const Frame& frame, std::uint16_t strip, std::span<const std::byte> pixels) {
   if (const Status status = strip_number(frame, strip); !status) return status;
   return room(frame.plan_.strip_area(strip, frame.view_), frame.view_.format, pixels);

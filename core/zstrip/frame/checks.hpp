@@ -34,6 +34,9 @@ struct Frame::Access::Checks {
       const std::uint64_t needed = detail::effect_bytes(called_for, instances);
       if (plan.effect_bytes < needed) return too_small(Purpose::effects, needed, plan.effect_bytes);
     }
+    if constexpr (effects.has(effect::csg)) {
+      if (const Status status = csg(scene, plan, called_for, detail::depth_cell_bytes(effects)); !status) return status;
+    }
     if constexpr (effects.has(effect::environment)) {
       const SceneCounts counts = count(scene);
       const std::uint64_t needed = std::uint64_t{plan.mode == Mode::binned ? counts.vertices : counts.largest_meshlet} *
@@ -49,6 +52,8 @@ struct Frame::Access::Checks {
   }
   /// Of renderers with effect::shadows, whose other effects' bytes are among them.
   static Status shadows(const Scene& scene, const Plan& plan, Effects called_for);
+  /// Of renderers with effect::csg.
+  static Status csg(const Scene& scene, const Plan& plan, Effects called_for, std::uint32_t cell_bytes);
   static Status every_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                             Effects called_for, Effects effects, std::span<std::byte> arena);
 
@@ -86,6 +91,10 @@ struct Frame::Access::Checks {
     if (DepthStage::has_own_clear(effects)) return {.error = Error::depth_effects};
     if constexpr (effects.has(effect::shadows)) {
       if (frame.scene_->shadow != nullptr) return {.error = Error::shadow};
+    }
+    if constexpr (effects.has(effect::csg)) {
+      const auto operands = static_cast<std::uint32_t>(frame.scene_->csg.size());
+      if (operands != 0) return {.error = Error::csg, .needed = operands, .available = 0};
     }
     return every_area(frame, area, pixels, depths);
   }

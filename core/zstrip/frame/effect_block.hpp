@@ -28,11 +28,28 @@ static_assert(sizeof(FrameReflections) == kFrameReflectionsBytes);
 
 /// A scene with its outlines' hulls as instances behind all others, and without outlines.
 struct OutlinedScene {
-  Scene scene;
-  std::span<const Outline> outlines;  ///< the caller's
-  std::uint32_t instances;            ///< the caller's
+  Scene scene;                  ///< has none of its outlines, but says where the first is
+  std::uint32_t outline_count;  ///< the caller's
+  std::uint32_t instances;      ///< the caller's
+
+  std::span<const Outline> outlines() const { return {scene.outlines.data(), outline_count}; }
 };
 static_assert(sizeof(OutlinedScene) <= kOutlinedSceneBytes && alignof(OutlinedScene) <= kArenaAlignment);
+
+/// Of an operand of a product.
+struct CsgBounds {
+  std::uint16_t left, top, right, bottom;  ///< pixels of the picture that it can cover; nothing if it cannot be seen
+  std::uint32_t first_meshlet;             ///< among those of all instances
+  bool cut;                                ///< by the near plane, as far as its box says
+  std::uint8_t unused[3];
+};
+static_assert(sizeof(CsgBounds) == kCsgOperandBytes);
+
+struct CsgState {
+  std::uint32_t cache;  ///< where the vertices of operands are transformed
+  std::uint32_t unused;
+};
+static_assert(sizeof(CsgState) == kCsgStateBytes);
 
 /// The arena's last part. It is laid out by the effects that the scene calls for, not by those of the pipeline: a
 /// superset draws with the plan of the exact set. Parts whose effects has() denies must not be asked for.
@@ -66,6 +83,15 @@ class EffectBlock {
     const std::size_t first = shadows_at() + kShadowStateBytes;
     return {memory_ + first, bytes_ - first};
   }
+  /// No scene has shadows, too.
+  CsgState& csg() const { return *reinterpret_cast<CsgState*>(memory_ + csg_at()); }
+  CsgBounds& csg_bounds(std::size_t operand) const {
+    return reinterpret_cast<CsgBounds*>(memory_ + csg_at() + kCsgStateBytes)[operand];
+  }
+  /// What strips may use; lies behind everything else.
+  std::byte* csg_strip(std::size_t operands) const {
+    return memory_ + csg_at() + kCsgStateBytes + operands * kCsgOperandBytes;
+  }
   OutlinedScene& outlined() const { return *reinterpret_cast<OutlinedScene*>(memory_ + outlined_at()); }
 
  private:
@@ -87,6 +113,7 @@ class EffectBlock {
   std::size_t shadows_at() const {
     return rounded_up(outlined_at() + (has(effect::outlines) ? kOutlinedSceneBytes : 0));
   }
+  std::size_t csg_at() const { return shadows_at(); }
 
   std::byte* memory_;
   std::uint32_t bytes_;

@@ -112,6 +112,9 @@ Status Frame::Access::prepare_frame(Frame& frame, const Scene& scene, const Came
       return status;
     }
   }
+  if constexpr (effects.has(effect::csg)) {
+    if (called_for.has(effect::csg)) Csg::prepare<effects>(frame, camera);
+  }
   if constexpr (effects.has(method::culling | effect::statistics)) {
     Methods::count_culled<effects>(static_cast<FrameWithMethod&>(frame));
   }

@@ -14,7 +14,7 @@ template <class Visit>
 void for_each_hull(const detail::OutlinedScene& outlined, const Visit& visit) {
   const Scene& scene = outlined.scene;
   const Scene with_outlines{
-      .meshes = {}, .materials = {}, .textures = {}, .instances = {}, .lights = {}, .outlines = outlined.outlines};
+      .meshes = {}, .materials = {}, .textures = {}, .instances = {}, .lights = {}, .outlines = outlined.outlines()};
   std::uint32_t hull = outlined.instances;
   for (std::uint32_t i = 0; i < outlined.instances; ++i) {
     const Outline* const outline = outline_of(with_outlines, scene.meshes[scene.instances[i].mesh]);
@@ -48,10 +48,10 @@ void Frame::Access::add_hulls(const Frame& frame, Scene& scene, Effects called_f
     drawn[next] = drawn[i];
     drawn[next++].mesh = hull_of(*outline, drawn[i]);
   }
-  auto* const outlined = ::new (&block.outlined())
-      detail::OutlinedScene{scene, scene.outlines, static_cast<std::uint32_t>(scene.instances.size())};
+  auto* const outlined = ::new (&block.outlined()) detail::OutlinedScene{
+      scene, static_cast<std::uint32_t>(scene.outlines.size()), static_cast<std::uint32_t>(scene.instances.size())};
   outlined->scene.instances = drawn;
-  outlined->scene.outlines = {};
+  outlined->scene.outlines = scene.outlines.first(0);
   scene = outlined->scene;
 }
 

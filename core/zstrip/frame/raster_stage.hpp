@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "zstrip/frame/csg_stage.hpp"
 #include "zstrip/frame/geometry_stage.hpp"
 #include "zstrip/raster/line.hpp"
 #include "zstrip/raster/quadric.hpp"
@@ -15,7 +16,8 @@ namespace zstrip {
 struct Frame::Access::Raster {
   template <Effects effects>
   static void draw_surfaces(Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
-    // They are opaque: what blends comes after them.
+    // They are opaque: what blends comes after them. Products take what they find in the z-buffer for their own.
+    if constexpr (effects.has(effect::csg)) Csg::draw<effects>(frame, target, strip);
     if constexpr (effects.has(effect::quadrics)) draw_quadrics<effects>(frame, target);
     if constexpr (effects.has(effect::lines)) draw_lines<effects>(frame, target);
     draw_triangles<effects>(frame, target, strip);

@@ -31,6 +31,8 @@ inline constexpr std::uint32_t kFrameReflectionsBytes = 8;  // where those of th
 inline constexpr std::uint32_t kEyeFormsBytes = 68;         // what they need of an instance
 inline constexpr std::uint32_t kOutlinedSceneBytes = 208;   // the scene with outlines as instances of their own
 inline constexpr std::uint32_t kShadowStateBytes = 2656;    // the frame's shadow and tiles of its map, decoded
+inline constexpr std::uint32_t kCsgStateBytes = 8;          // of products of solids
+inline constexpr std::uint32_t kCsgOperandBytes = 16;       // and of each operand
 inline constexpr std::uint32_t kDrawOrderBytes = 16;        // an instance's place in the order of blending
 inline constexpr std::uint32_t kMostBinChunks = 0xFFFF;
 inline constexpr std::uint32_t kMostBatches = 0x7FFF;  // that bins can name; likewise triangles of a meshlet
@@ -75,13 +77,21 @@ constexpr std::uint64_t effect_bytes(Effects effects, std::uint32_t instances) {
   if (effects.has(effect::environment)) bytes += kFrameReflectionsBytes + std::uint64_t{instances} * kEyeFormsBytes;
   if (effects.has(effect::outlines)) bytes = (bytes + 7) / 8 * 8 + kOutlinedSceneBytes;
   if (effects.has(effect::shadows)) bytes = (bytes + 7) / 8 * 8 + kShadowStateBytes;
+  if (effects.has(effect::csg)) bytes = (bytes + 7) / 8 * 8 + kCsgStateBytes;
   return bytes == 0 ? 0 : bytes + sizeof(Effects);
 }
 
-/// What effects keep, and the map of shadows behind it.
+/// What effects keep, and the map of shadows or the operands of products behind it: without what strips take.
 constexpr std::uint64_t effect_bytes(Effects effects, const SceneCounts& counts) {
-  const std::uint64_t bytes = effect_bytes(effects, counts.instances);
-  return effects.has(effect::shadows) ? rounded_up(bytes) + counts.shadow_pool : bytes;
+  std::uint64_t bytes = effect_bytes(effects, counts.instances);
+  if (effects.has(effect::shadows)) bytes = rounded_up(bytes) + counts.shadow_pool;
+  if (effects.has(effect::csg)) bytes += std::uint64_t{counts.csg_operands} * kCsgOperandBytes;
+  return bytes;
+}
+
+/// Of a strip with so many cells of `cell_bytes`: two layers of depth, and a count each.
+constexpr std::uint64_t csg_strip_bytes(std::uint64_t cells, std::uint32_t cell_bytes) {
+  return cells * (2 * cell_bytes + 1);
 }
 
 /// The z-buffer of a strip of the shadow map, one row of tiles, and one row of pixels that nobody sees: begin_frame
@@ -164,6 +174,7 @@ constexpr SceneCounts count(const Scene& scene) {
     counts.shadow_pool =
         scene.shadow->pool != 0 ? scene.shadow->pool : store_bytes_worst(counts.shadow_side, counts.shadow_side);
   }
+  counts.csg_operands = static_cast<std::uint32_t>(scene.csg.size());
   return counts;
 }
 
@@ -252,6 +263,11 @@ class Planner {
         visibility_bytes(effects_, counts_.triangles, columns * sample_columns(view_), rows * sample_rows(view_)));
     plan.colour_bytes = drawn_in_place(view_) ? 0 : rounded_up(cells * kWorkingColourBytes);
     plan.effect_bytes = effect_bytes_;
+    if (effects_.has(effect::csg)) {
+      const std::uint64_t effect_bytes = effect_bytes_ + csg_strip_bytes(cells, per_cell_);
+      if (effect_bytes > kLargestArena) return {};
+      plan.effect_bytes = rounded_up(effect_bytes);
+    }
     if (binned) {
       if (meshlets > kMostBatches || counts_.longest_meshlet > kMostBatches) return {};
       const Visits visits = visits_of(counts_, view_, plan);

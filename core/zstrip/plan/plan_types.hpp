@@ -21,6 +21,7 @@ struct SceneCounts {
   std::uint32_t line_sets = 0;
   std::uint32_t shadow_side = 0;  ///< of the shadow map, in texels
   std::uint32_t shadow_pool = 0;  ///< bytes of the pool that it is compressed in
+  std::uint32_t csg_operands = 0;
 };
 
 enum class Mode : std::uint8_t {
@@ -57,7 +58,8 @@ struct Plan {
   std::uint32_t depth_bytes = 0;   ///< a cell a sample
   std::uint32_t colour_bytes = 0;  ///< RGB565 working strip; only for formats that are not drawn in place, and samples
   std::uint32_t bin_bytes = 0;
-  std::uint32_t effect_bytes = 0;      ///< what effects keep through a frame: fog, local light, drawing order
+  std::uint32_t effect_bytes = 0;      ///< what effects keep through a frame: fog, local light, drawing order,
+                                       ///< what products of solids note of a strip's pixels
   std::uint32_t visibility_bytes = 0;  ///< what a visibility method keeps: order of triangles, or bounds of depth
   /// The arena. It must be aligned to kArenaAlignment. Of a plan that `plan` returned never more than kLargestArena.
   constexpr std::uint32_t bytes() const {

@@ -161,8 +161,8 @@ struct Assembler {
       if (!box.empty() && !may_show(target, box, a, b, c)) return;
     }
     const CountedTriangle<kStatistics> counted(target, whole.left, whole.top);
-    constexpr bool kHasSmall =
-        (kDepth.format == DepthFormat::z16 || kDepth.format == DepthFormat::float16) && !kDepth.any(method::midpoint);
+    constexpr bool kHasSmall = (kDepth.format == DepthFormat::z16 || kDepth.format == DepthFormat::float16) &&
+                               !kDepth.any(method::midpoint) && !kDepth.compares_codes();
     if constexpr (shade <= Shade::gouraud && kHasSmall) {
       if ((kDepth.format == DepthFormat::float16 ? is_small_in_octave(max_x - min_x, max_y - min_y, a, b, c)
                                                  : is_small(max_x - min_x, max_y - min_y, a, b, c)) &&
@@ -487,6 +487,13 @@ struct Assembler {
       }
     }
     draw_triangles<Shade::flat, false>(target, batch, count, turned);
+  }
+
+  /// Of an operand: those that face the viewer, or those that face away.
+  static void draw_side(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles, bool away) {
+    const auto turned = [triangles, away](std::size_t i) { return away ? turned_round(triangles[i]) : triangles[i]; };
+    with_shade(batch.instance->shade,
+               [&]<Shade shade>() { draw_triangles<shade, false>(target, batch, triangles.size(), turned); });
   }
 
   static void draw(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,

@@ -19,6 +19,8 @@ enum class DepthUse : std::uint8_t {
   tested,   ///< drawn where it is nearer
   written,  ///< known to be nearer
   none,     ///< drawn; there is no z-buffer
+  matched,  ///< drawn where it is what the z-buffer holds, of an operand of a product
+  layered,  ///< not drawn: csg_layers.hpp
 };
 
 /// The part of the effects that the pixel loops ask for; a structural type, so that it can be a template argument.
@@ -32,12 +34,19 @@ struct DepthMode {
   friend constexpr bool operator==(const DepthMode&, const DepthMode&) = default;
 
   constexpr bool any(Effects method) const { return (methods & method.methods) != 0; }
+  /// Both rasterisers cover the same pixels, but only the codes of one are the same whatever a triangle's shade is.
+  constexpr bool compares_codes() const { return use == DepthUse::matched || use == DepthUse::layered; }
   constexpr DepthMode with(DepthUse other) const { return {format, state, other, methods, counted}; }
 };
 
+constexpr DepthUse depth_use(Effects effects) {
+  if (effects.has(effect::csg_layers)) return DepthUse::layered;
+  if (effects.has(effect::csg_colours)) return DepthUse::matched;
+  return effects.has(method::painter) ? DepthUse::none : DepthUse::tested;
+}
+
 constexpr DepthMode depth_mode(Effects effects) {
-  return {depth_format(effects), effects.has(effect::depth_state),
-          effects.has(method::painter) ? DepthUse::none : DepthUse::tested, effects.methods,
+  return {depth_format(effects), effects.has(effect::depth_state), depth_use(effects), effects.methods,
           effects.methods != 0 && effects.has(effect::statistics)};
 }
 
@@ -85,10 +94,17 @@ struct StripTargetWithDepth : StripTarget {
 struct StripTargetWithMethod : StripTargetWithDepth {
   MethodState* method;
 };
+/// Of the layers of products.
+struct CsgPass;
+struct StripTargetWithLayers : StripTargetWithDepth {
+  const CsgPass* pass;
+};
 template <DepthMode mode>
-using TargetFor = std::conditional_t<
-    mode.methods != 0, StripTargetWithMethod,
-    std::conditional_t<mode.format == DepthFormat::w16 || mode.state, StripTargetWithDepth, StripTarget>>;
+using TargetFor =
+    std::conditional_t<mode.use == DepthUse::layered, StripTargetWithLayers,
+                       std::conditional_t<mode.methods != 0, StripTargetWithMethod,
+                                          std::conditional_t<mode.format == DepthFormat::w16 || mode.state,
+                                                             StripTargetWithDepth, StripTarget>>>;
 
 template <DepthFormat format>
 using DepthCell = std::conditional_t<depth_bytes(format) == 4, std::uint32_t, std::uint16_t>;
@@ -210,6 +226,11 @@ class DepthRule {
     }
   }
 
+  /// Without a bias.
+  template <class Value>
+  constexpr Cell code(Value value) const {
+    return code_(value);
+  }
   /// Whether a fragment of stepped depth `value` is drawn; it is then in the cell.
   template <class Value>
   constexpr bool draws(Value value, Cell& cell) const {
@@ -240,6 +261,8 @@ class DepthRule {
     if constexpr (mode.use == DepthUse::written) {
       cell = code;
       return true;
+    } else if constexpr (mode.use == DepthUse::matched) {
+      return code == cell;
     } else if constexpr (!mode.state) {
       const bool nearer = code > cell;
       if (nearer) cell = code;

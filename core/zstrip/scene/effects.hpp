@@ -65,6 +65,9 @@ inline constexpr Effects mipmaps{std::uint64_t{1} << 26};           ///< Texture
 /// A lit material with Shading::pixel. Alone it lights no vertex: neither lighting nor gouraud goes with it.
 inline constexpr Effects pixel_shading{std::uint64_t{1} << 32};
 
+/// Scene::csg.
+inline constexpr Effects csg{std::uint64_t{1} << 33};
+
 /// Those that need a fragment of its own: instances with one of them are drawn by fill_fragments.
 inline constexpr Effects fragments = fog | alpha_test | blending | texture_alpha | bilinear | dithered_colours |
                                      texture_palettes | mipmaps | pixel_shading;
@@ -87,7 +90,12 @@ inline constexpr Effects surfaces{quadrics.bits | lines.bits};  ///< all of thes
 
 /// All that a scene and its picture can call for.
 inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | vertex_light | surfaces |
-                                     billboards | environment | outlines | shadows | dithered_format | supersampled;
+                                     billboards | environment | outlines | shadows | csg | dithered_format |
+                                     supersampled;
+
+// How the stage of products draws their operands; of no renderer and no scene.
+inline constexpr Effects csg_layers{std::uint64_t{1} << 62};   ///< DepthUse::layered
+inline constexpr Effects csg_colours{std::uint64_t{1} << 63};  ///< DepthUse::matched
 }  // namespace effect
 
 /// Ways to find what is visible other than a plain z-buffer; docs/visibility.md compares them. Never called for by a
@@ -169,17 +177,17 @@ constexpr bool depth_effects_agree(Effects effects) {
 }
 
 /// Which of these effects their methods cannot draw: other depth formats and sub-ranges, which only culling goes with;
-/// rules of a material's own, which need the scene's order and a z-buffer; surfaces where there is none; shadows where
-/// there is none or it is not exact; fragments, local light, surroundings and outlines where the host has split
-/// triangles.
+/// rules of a material's own, which need the scene's order and a z-buffer; surfaces where there is none; shadows and
+/// products of solids where there is none or it is not exact; fragments, local light, surroundings and outlines where
+/// the host has split triangles.
 constexpr Effects refused_by_methods(Effects effects) {
   if (effects.methods == 0) return {};
   const Effects own = without(Effects{0, effects.methods}, method::culling);
   Effects refused = effect::perspective_runs;
   if (own != Effects{}) refused = refused | effect::depth_formats | effect::depth_ranges;
   if (own != Effects{} && own != method::hierarchical_z) refused = refused | effect::depth_state;
-  if (own.has(method::painter)) refused = refused | effect::surfaces | effect::shadows;
-  if (own.has(method::midpoint)) refused = refused | effect::shadows;
+  if (own.has(method::painter)) refused = refused | effect::surfaces | effect::shadows | effect::csg;
+  if (own.has(method::midpoint)) refused = refused | effect::shadows | effect::csg;
   if (own.any(method::orders)) {
     refused = refused | effect::fragments | effect::vertex_light | effect::environment | effect::outlines;
   }
@@ -306,6 +314,7 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (has_depth_state(scene.materials[lines.material])) found = found | effect::depth_state;
   }
   if (scene.shadow != nullptr && found.any(effect::lighting | effect::pixel_shading)) found = found | effect::shadows;
+  if (!scene.csg.empty()) found = found | effect::csg;
   if (camera.projection == Projection::orthographic) found = found | effect::orthographic;
   return found;
 }

@@ -312,6 +312,30 @@ struct Shadow {
   std::uint32_t pool = 0;
 };
 
+/// What an operand does to its product.
+enum class CsgUse : std::uint8_t {
+  intersected,  ///< the product lies inside of it
+  subtracted,   ///< the product lies outside of it
+};
+
+inline constexpr std::uint32_t kMaxCsgOperands = 64;
+
+/// A solid of a product: constructive solid geometry on the z-buffer (effect::csg). The operands of a product lie next
+/// to each other, with its number; products have ascending numbers. A product is what all of its intersected operands
+/// have in common, of which there is at least one, less the subtracted ones; a union is several products. What is seen
+/// of it are the front faces of intersected operands, and of the subtracted ones the back faces, with their own
+/// material, lit from the other side. An instance may be in several products, and is not drawn by itself.
+///
+/// A mesh must be closed, each edge once in either direction where corners in one place count as one, and must not cut
+/// itself: a frame does not notice what is open, and shows it wrong. Material::double_sided means nothing. The material
+/// has no rules of its own for depth and is opaque; a mesh is no billboard and has no outline. What the near plane cuts
+/// open shows its inside: nothing caps it. Of what the far plane cuts as well the inside is not known.
+struct CsgOperand {
+  std::uint16_t instance = 0;  ///< index into Scene::instances
+  std::uint8_t product = 0;
+  CsgUse use = CsgUse::intersected;
+};
+
 struct Scene {
   std::span<const Mesh> meshes;
   std::span<const Material> materials;
@@ -327,6 +351,7 @@ struct Scene {
   std::span<const LineSet> lines{};                  ///< drawn in this order, after the quadrics
   std::span<const Outline> outlines{};               ///< at most 255; Mesh::outline names them
   const Shadow* shadow = nullptr;                    ///< none if null
+  std::span<const CsgOperand> csg{};                 ///< at most kMaxCsgOperands, product after product
 };
 
 /// Of the instances of this mesh; null if they have none.

@@ -26,7 +26,7 @@ static_assert(sizeof(Material) == 24 && offsetof(Material, texture) == 4 && offs
 static_assert(sizeof(bool) == 1 && sizeof(Shading) == 1 && sizeof(Camera) == 64);
 static_assert(sizeof(Instance) == 52 && offsetof(Instance, material) == 2 && offsetof(Instance, transform) == 4);
 static_assert(sizeof(void*) != 4 ||
-              (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(LineSet) == 64 && sizeof(Scene) == 96));
+              (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(LineSet) == 64 && sizeof(Scene) == 104));
 static_assert(sizeof(Track) == 8 && offsetof(Track, count) == 2 && offsetof(Track, first) == 4);
 static_assert(sizeof(Keyframe) == 36 && offsetof(Keyframe, rotation) == 4 && offsetof(Keyframe, translation) == 12 &&
               offsetof(Keyframe, scale) == 24);
@@ -43,6 +43,7 @@ static_assert(sizeof(Fog) == 20 && offsetof(Fog, mode) == 4 && offsetof(Fog, sta
               offsetof(Fog, density) == 16);
 static_assert(sizeof(Quadric) == 52 && offsetof(Quadric, transform) == 4);
 static_assert(sizeof(Outline) == 8 && offsetof(Outline, width) == 4 && offsetof(Outline, hull) == 6);
+static_assert(sizeof(CsgOperand) == 4 && offsetof(CsgOperand, product) == 2 && offsetof(CsgOperand, use) == 3);
 static_assert(sizeof(Shadow) == 12 && offsetof(Shadow, bias) == 2 && offsetof(Shadow, slope_bias) == 4 &&
               offsetof(Shadow, pool) == 8);
 static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colour) == 6);
@@ -51,7 +52,7 @@ static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colou
 constexpr std::uint32_t kVersion = 2, kKind = 3, kSize = 4, kChecksum = 8, kChecked = 12;
 constexpr std::uint32_t kMeshes = 12, kMaterials = 20, kTextures = 28, kInstances = 36, kLights = 44;
 constexpr std::uint32_t kAmbient = 52, kBackground = 56, kCamera = 60, kOutlines = 122, kLines = 123, kView = 124;
-constexpr std::uint32_t kShadow = 131;
+constexpr std::uint32_t kShadowOrCsg = 131;
 constexpr std::uint32_t kTracks = 132, kKeyframes = 140, kDuration = 148;
 constexpr std::uint32_t kFinishes = 152, kPunctualLights = 160, kFog = 168, kQuadrics = 176;
 constexpr std::uint32_t kTree = 184;
@@ -292,7 +293,12 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   read_view(reader, found.view);
   found.scene.quadrics = reader.array<Quadric>(kQuadrics);
   found.scene.outlines = reader.next_behind_header<Outline>(reader.byte(kOutlines), kOutlines);
-  found.scene.shadow = reader.next_behind_header<Shadow>(reader.flag(kShadow) ? 1 : 0, kShadow).data();
+  // No scene has both.
+  const std::uint8_t shadow_or_csg = reader.byte(kShadowOrCsg);
+  found.scene.shadow = reader.next_behind_header<Shadow>(shadow_or_csg == 1 ? 1 : 0, kShadowOrCsg).data();
+  const std::uint32_t operands = shadow_or_csg > 1 ? shadow_or_csg - 1U : 0;
+  reader.require(operands <= kMaxCsgOperands, kShadowOrCsg);
+  found.scene.csg = reader.next_behind_header<CsgOperand>(operands, kShadowOrCsg);
   const std::span lines = reader.next_behind_header<LineSetRecord>(reader.byte(kLines), kLines);
   found.tree.nodes = reader.array<BspNode>(kTree);
   found.animation = {.tracks = reader.array<Track>(kTracks),

@@ -187,6 +187,29 @@ constexpr bool valid_shadow(const Scene& scene, const Shadow& shadow) {
   return true;
 }
 
+/// A solid without holes that a z-buffer can be asked for. Indices of instances have been checked.
+constexpr bool can_be_operand(const Scene& scene, const Instance& instance) {
+  const Mesh& mesh = scene.meshes[instance.mesh];
+  const Material& material = scene.materials[instance.material];
+  return mesh.billboard == Billboard::none && mesh.outline == 0 && !has_depth_state(material) &&
+         finish_of(scene, material).alpha_mode == AlphaMode::opaque;
+}
+
+/// `i`: index of an operand.
+constexpr bool valid_csg_operand(const Scene& scene, std::size_t i) {
+  const CsgOperand& operand = scene.csg[i];
+  if (operand.instance >= scene.instances.size() || operand.use > CsgUse::subtracted ||
+      !can_be_operand(scene, scene.instances[operand.instance])) {
+    return false;
+  }
+  if (i != 0 && operand.product < scene.csg[i - 1].product) return false;
+  bool intersects = false;
+  for (const CsgOperand& other : scene.csg) {
+    if (other.product == operand.product && other.use == CsgUse::intersected) intersects = true;
+  }
+  return intersects;
+}
+
 constexpr bool valid_texture(const Texture& texture) {
   return texture.log2_width <= kLargestTextureLog2 && texture.log2_height <= kLargestTextureLog2 &&
          texture.format <= TextureFormat::palette4 &&
@@ -216,6 +239,12 @@ constexpr Status validate_instances(const Scene& scene) {
             .available = kMaxPunctualLights};
   }
   if (scene.shadow != nullptr && !detail::valid_shadow(scene, *scene.shadow)) return {.error = Error::shadow};
+  if (scene.csg.size() > kMaxCsgOperands || (scene.shadow != nullptr && !scene.csg.empty())) {
+    return {.error = Error::csg, .needed = static_cast<std::uint32_t>(scene.csg.size()), .available = kMaxCsgOperands};
+  }
+  for (std::uint32_t i = 0; i < scene.csg.size(); ++i) {
+    if (!detail::valid_csg_operand(scene, i)) return {.error = Error::csg, .needed = i};
+  }
   return {};
 }
 

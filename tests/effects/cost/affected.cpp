@@ -60,5 +60,5 @@ int main() {
          print_affected<scenes::spheres>() + print_affected<scenes::dithered>() +
          print_affected<scenes::dithered_mono>() + print_affected<scenes::lines>() +
          print_affected<scenes::billboards>() + print_affected<scenes::outlines>() + print_affected<scenes::shadows>() +
-         print_affected<scenes::samples_2>() + print_affected<scenes::samples_4>();
+         print_affected<scenes::csg>() + print_affected<scenes::samples_2>() + print_affected<scenes::samples_4>();
 }

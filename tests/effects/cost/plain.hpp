@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "../billboards_scene.hpp"
+#include "../csg_scene.hpp"
 #include "../lines_scene.hpp"
 #include "../outlines_scene.hpp"
 #include "../shadows_scene.hpp"
@@ -67,8 +68,8 @@ inline constexpr auto kKnotTexcoords = [] {
 template <const scenes::BuiltIn& built_in>
 inline constexpr bool kKeepsLight = effects_of(built_in.scene, built_in.camera).has(effect::pixel_shading);
 
-/// Without fog, finishes, punctual lights, quadrics, lines, outlines and shadows, billboards standing still, the
-/// scene's first texture for one with a palette, and texture coordinates for what mirrors its surroundings; lit at
+/// Without fog, finishes, punctual lights, quadrics, lines, outlines, shadows and products, billboards standing still,
+/// the scene's first texture for one with a palette, and texture coordinates for what mirrors its surroundings; lit at
 /// vertices, with its finishes, what was lit at pixels; all else as it is.
 template <const scenes::BuiltIn& built_in>
 struct Plain {
@@ -106,7 +107,8 @@ struct Plain {
     plain.counts.line_sets = 0;
     plain.scene.outlines = {};
     plain.scene.shadow = nullptr;
-    if constexpr (!built_in.scene.outlines.empty() || built_in.scene.shadow != nullptr)
+    plain.scene.csg = {};
+    if constexpr (!built_in.scene.outlines.empty() || built_in.scene.shadow != nullptr || !built_in.scene.csg.empty())
       plain.counts = count(plain.scene);
     return plain;
   }();
@@ -119,7 +121,8 @@ template <const scenes::BuiltIn& built_in>
 inline constexpr const scenes::BuiltIn& kChosen<built_in, true> = Plain<built_in>::kBuiltIn;
 
 inline constexpr Effects kPlainLacks = effect::fragments | effect::vertex_light | effect::surfaces |
-                                       effect::billboards | effect::environment | effect::outlines | effect::shadows;
+                                       effect::billboards | effect::environment | effect::outlines | effect::shadows |
+                                       effect::csg;
 /// The pipeline of kChosen. The plain one keeps what the effect brought along, as quadrics their textures.
 template <const scenes::BuiltIn& built_in, bool plain>
 inline constexpr Effects kEffectsOf = without(effects_of(built_in.scene, built_in.camera) |
