@@ -49,9 +49,10 @@ TEST(Knobs, DitheringIsThePicturesOwnEffect) {
 // Fragments that have effects have their exact places at every 16th pixel.
 TEST(Knobs, PlacesInTexturesAreForPixelsWithoutEffects) {
   for (const char* fragments : {"dither=on", "filter=bilinear", "filter=mipmapped"}) {
-    EXPECT_FALSE(possible(*parse_settings(std::string("perspective=1,") + fragments), {})) << fragments;
+    EXPECT_FALSE(possible(extra_effects(*parse_settings(std::string("perspective=1,") + fragments)))) << fragments;
   }
-  EXPECT_TRUE(possible(*parse_settings("perspective=1,dither=on,format=gray4"), {}));
+  EXPECT_TRUE(possible(extra_effects(*parse_settings("perspective=1,dither=on,format=gray4"))));
+  EXPECT_FALSE(possible(effect::perspective_1 | effect::pixel_shading));
 }
 
 TEST(Knobs, PresetsOfTheLibraryAreThoseOfTheCommand) {
