@@ -65,10 +65,8 @@ Observation looked_at(const TruthPicture& picture, const Staging& staged, const 
 Truth in_the_middle(const Truth& truth) {
   Truth exact;
   exact.centres = exact.snapped = truth.centres;
-  for (const TruthSample& sample : truth.centres.samples) {
-    exact.mean.push_back(sample.rgb);
-    exact.triangles.emplace_back().fill(sample.triangle);
-  }
+  exact.triangles = truth.triangles;
+  for (const TruthSample& sample : truth.centres.samples) exact.mean.push_back(sample.rgb);
   return exact;
 }
 

@@ -63,6 +63,7 @@ Result<std::vector<std::uint8_t>> png_of(const View& view, const std::vector<Pix
 
 std::string figure_text(double value) {
   if (std::isnan(value)) return "–";
+  if (std::abs(value) < 1e-7) return "0";  // what arithmetic in double leaves
   if (value == std::floor(value) && std::abs(value) < 1e6) return fmt::format("{:.0f}", value);
   return std::abs(value) >= 100 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
 }

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <fstream>
 #include <random>
+#include <set>
 
 #include "accuracy/journal.hpp"
 #include "accuracy/pareto.hpp"
+#include "accuracy/plot.hpp"
 #include "support.hpp"
 #include "zstrip/plan/quality.hpp"
 
@@ -67,6 +69,11 @@ TEST(Knobs, PresetsOfTheLibraryAreThoseOfTheCommand) {
     EXPECT_EQ(static_cast<std::uint32_t>(preset->detail_percent), detail_percent(named.settings));
   }
   EXPECT_EQ(find_quality("best"), nullptr);
+}
+
+TEST(Knobs, EachHasAColourOfItsOwn) {
+  std::set<std::string_view> colours;
+  for (const KnobInfo& knob : knobs()) EXPECT_TRUE(colours.insert(colour_of_group(knob.name)).second) << knob.name;
 }
 
 TEST(Pareto, KeepsWhatNoOtherPointBeats) {
