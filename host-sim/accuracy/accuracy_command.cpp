@@ -13,8 +13,10 @@
 
 #include "accuracy/board_cost.hpp"
 #include "accuracy/campaign.hpp"
+#include "accuracy/causes.hpp"
 #include "accuracy/page.hpp"
 #include "accuracy/plot.hpp"
+#include "accuracy/recorded.hpp"
 #include "accuracy/results.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
@@ -42,6 +44,7 @@ struct Arguments {
   bool programs = false;
   bool quiet = false;
   std::string firmware;
+  std::string replot;
   std::string output = "accuracy";
 };
 
@@ -130,8 +133,9 @@ Result<Done> list_programs(const Job& job) {
 }
 
 /// One scene on one target; its plot is written at once.
-Result<Done> measure(const AccuracyScene& scene, const CampaignOptions& options, bool quiet, const fs::path& folder,
-                     Journal& journal, std::vector<Campaign>& campaigns, std::vector<PageScene>& pages) {
+Result<Done> measure(const AccuracyScene& scene, const CampaignOptions& options, const std::vector<CauseErrors>& causes,
+                     bool quiet, const fs::path& folder, Journal& journal, std::vector<Campaign>& campaigns,
+                     std::vector<PageScene>& pages) {
   const auto start = std::chrono::steady_clock::now();
   Result<Campaign> campaign = [&] {
     Progress progress(1, !quiet, "point");
@@ -140,6 +144,7 @@ Result<Done> measure(const AccuracyScene& scene, const CampaignOptions& options,
     });
   }();
   if (!campaign) return campaign.failure();
+  campaign->causes = causes;
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   if (!quiet) write_text(stdout, summary(*campaign, took.count()));
   if (const Result<Done> written = write(folder / file_name(scene.request()), plot_file_svg(*campaign)); !written)
@@ -151,7 +156,21 @@ Result<Done> measure(const AccuracyScene& scene, const CampaignOptions& options,
   return Done{};
 }
 
+/// Plots of figures that were written down before.
+Result<Done> replot(const std::string& table, const fs::path& folder) {
+  const Result<std::vector<Campaign>> campaigns = read_recorded(table);
+  if (!campaigns) return campaigns.failure();
+  for (const Campaign& campaign : *campaigns) {
+    if (const Result<Done> written = write(folder / file_name(campaign.request), plot_file_svg(campaign)); !written)
+      return written.failure();
+  }
+  return Done{};
+}
+
 Result<Done> run(const Arguments& arguments) {
+  if (!arguments.replot.empty()) return replot(arguments.replot, arguments.output);
+  if (arguments.scenes.empty())
+    return Failure{ExitStatus::usage, "name a scene: zstrip accuracy knot -o out/accuracy; 'zstrip scenes' lists them"};
   const Result<Job> job = parse(arguments);
   if (!job) return job.failure();
   if (arguments.programs) return list_programs(*job);
@@ -172,15 +191,19 @@ Result<Done> run(const Arguments& arguments) {
   for (const AccuracyRequest& request : job->requests) {
     const auto scene = AccuracyScene::open(request);
     if (!scene) return scene.failure();
+    Result<std::vector<CauseErrors>> causes = std::vector<CauseErrors>{};
+    if (job->options.only.empty())
+      causes = errors_of(**scene, cause_cases(**scene, job->options.knobs), job->options.jobs);
+    if (!causes) return causes.failure();
     for (const std::string& target : job->targets) {
       const Result<Done> measured =
-          measure((*scene)->on(target), job->options, arguments.quiet, folder, *journal, campaigns, pages);
+          measure((*scene)->on(target), job->options, *causes, arguments.quiet, folder, *journal, campaigns, pages);
       if (!measured) return measured.failure();
     }
   }
   for (const auto& [name, text] :
-       {std::pair{"accuracy.csv", accuracy_csv(campaigns)}, std::pair{"accuracy.json", accuracy_json(campaigns)},
-        std::pair{"index.html", accuracy_page(pages)}}) {
+       {std::pair{"accuracy.csv", accuracy_csv(campaigns)}, std::pair{"causes.csv", causes_csv(campaigns)},
+        std::pair{"accuracy.json", accuracy_json(campaigns)}, std::pair{"index.html", accuracy_page(pages)}}) {
     if (const Result<Done> written = write(folder / name, text); !written) return written.failure();
   }
   if (!arguments.quiet) write_text(stdout, fmt::format("{} shows them all\n", (folder / "index.html").string()));
@@ -209,7 +232,7 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("accuracy", "Measure what accuracy costs: errors, time and memory of all settings");
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
-  command->add_option("scenes", a.scenes, "Built-in scenes, models or baked scenes")->required()->type_name("SCENE...");
+  command->add_option("scenes", a.scenes, "Built-in scenes, models or baked scenes")->type_name("SCENE...");
   command->add_option("--target", a.targets, "Whose time, separated by commas: host, or an emulated m0, m3 or m4f")
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -233,6 +256,10 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
       ->type_name("DIR");
   command->add_flag("--list-programs", a.programs,
                     "Print the names of the boards' programs that would be run, and end");
+  command
+      ->add_option("--replot", a.replot,
+                   "Measure nothing: plots of the Cortex-M3's figures in a table such as docs/accuracy.csv")
+      ->type_name("CSV");
   command->add_option("-o,--output", a.output, "Folder for page, plots, tables and points")
       ->type_name("DIR")
       ->capture_default_str();

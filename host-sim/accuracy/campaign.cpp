@@ -104,6 +104,14 @@ Respects respects_of(const AccuracyPoint& point) {
           static_cast<double>(point.cost.ram_bytes)};
 }
 
+void find_front(Campaign& campaign) {
+  std::ranges::sort(campaign.points, {}, [](const AccuracyPoint& p) { return std::pair{time_of(p), p.settings}; });
+  std::vector<Respects> respects;
+  for (const AccuracyPoint& point : campaign.points) respects.push_back(respects_of(point));
+  const std::vector<bool> front = pareto_front(respects);
+  for (std::size_t i = 0; i < front.size(); ++i) campaign.points[i].on_front = front[i];
+}
+
 std::vector<Settings> all_settings(const AccuracyScene& scene, const std::vector<Knob>& turned, const Settings& from) {
   std::vector<Settings> grown{from};
   const std::vector<Knob> useful = scene.knobs();
@@ -209,11 +217,7 @@ Result<Campaign> run_campaign(const AccuracyScene& scene, const CampaignOptions&
     const Result<Done> done = measuring.measure(more, "product", singles.size() + more.size());
     if (!done) return done.failure();
   }
-  std::ranges::sort(campaign.points, {}, [](const AccuracyPoint& p) { return std::pair{time_of(p), p.settings}; });
-  std::vector<Respects> respects;
-  for (const AccuracyPoint& point : campaign.points) respects.push_back(respects_of(point));
-  const std::vector<bool> front = pareto_front(respects);
-  for (std::size_t i = 0; i < front.size(); ++i) campaign.points[i].on_front = front[i];
+  find_front(campaign);
   return campaign;
 }
 

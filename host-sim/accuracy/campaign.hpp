@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "accuracy/causes.hpp"
 #include "accuracy/journal.hpp"
 #include "accuracy/measure.hpp"
 #include "accuracy/pareto.hpp"
@@ -24,6 +25,7 @@ struct Campaign {
   AccuracyRequest request;
   std::vector<AccuracyPoint> points;  ///< by time, the default among them
   std::size_t measured = 0;           ///< that the journal did not have
+  std::vector<CauseErrors> causes{};  ///< where the error comes from; of all targets the same
 };
 
 /// `progress(done, all)` is called from one thread at a time; `all` grows when the combinations are known.
@@ -49,6 +51,9 @@ std::vector<Settings> first_settings(const AccuracyScene& scene, const CampaignO
 /// first.
 std::vector<Settings> combinations(const AccuracyScene& scene, const std::vector<Knob>& turned,
                                    const std::vector<AccuracyPoint>& singles, std::size_t limit);
+
+/// Puts the points into the order of their time and finds which no other beats.
+void find_front(Campaign& campaign);
 
 /// Time, visible error and RAM of a point.
 Respects respects_of(const AccuracyPoint& point);

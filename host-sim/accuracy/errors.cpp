@@ -40,26 +40,11 @@ double quantile(std::vector<float> values, double part) {
 }
 
 double luma(const std::array<float, 3>& c) { return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2]; }
-std::array<float, 3> as_float(const std::array<std::uint8_t, 3>& c) {
-  return {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
-}
 
 double ratio_in_db(double squares, std::uint64_t count) {
   if (count == 0) return kNone;
   // Equal pictures: what a hundredth of a step everywhere would give.
   return 10 * std::log10(255.0 * 255.0 / std::max(squares / static_cast<double>(count), 1e-4));
-}
-
-/// A code as the number that is linear in 1/w or w, and how much the next code is more.
-struct Linear {
-  double value, step;
-};
-Linear linear_of(DepthFormat format, std::uint32_t code) {
-  if (format != DepthFormat::float16) return {static_cast<double>(code), 1};
-  const std::uint32_t exponent = code >> 13;
-  if (exponent == 0) return {(code + 0.5) * 4096, 4096};
-  const double step = std::ldexp(1.0, static_cast<int>(11 + exponent));
-  return {((0x2000 | (code & 0x1FFF)) + 0.5) * step, step};
 }
 
 /// How far the truth's place lies outside of the texel that was drawn; textures repeat.
@@ -169,7 +154,7 @@ void ErrorSum::add_surfaces(const Observation& drawn, const Truth& truth) {
     const TruthSample& sample = truth.centres.samples[i];
     if (sample.triangle == kNoTriangle || !is_drawn(i)) continue;
     if (!simplified_ && drawn.label[i] != label_of(sample.triangle)) continue;
-    points.push_back({abscissa(sample.w), linear_of(depth_.format, drawn.code[i]).value});
+    points.push_back({abscissa(sample.w), drawn.depth[i].value});
   }
   const std::optional<Line> line = line_through(points);
 
@@ -201,7 +186,7 @@ void ErrorSum::add_surfaces(const Observation& drawn, const Truth& truth) {
         }
       }
       if (!found && simplified_ && line) {
-        const double at = (linear_of(depth_.format, drawn.code[i]).value - line->offset) / line->slope;
+        const double at = (drawn.depth[i].value - line->offset) / line->slope;
         const double w = linear_in_w ? at : 1 / at;
         const double size = pixel_at_one_ * (depth_.orthographic ? 1 : sample.w);
         found = w >= nearest - size && w <= farthest + size;
@@ -215,7 +200,7 @@ void ErrorSum::add_surfaces(const Observation& drawn, const Truth& truth) {
   for (std::size_t i = 0; i < right.size(); ++i) {
     if (!right[i]) continue;
     const double w = truth.centres.samples[i].w;
-    const double wrong = linear_of(depth_.format, drawn.code[i]).value - line->offset - line->slope * abscissa(w);
+    const double wrong = drawn.depth[i].value - line->offset - line->slope * abscissa(w);
     distances_.push_back(static_cast<float>(std::abs(wrong / line->slope) * (linear_in_w ? 1 : w * w)));
   }
 }
@@ -228,9 +213,8 @@ void ErrorSum::add_depth(const Observation& drawn, const Truth& truth) {
   for (std::size_t i = 0; i < drawn.label.size(); ++i) {
     const TruthSample& sample = truth.snapped.samples[i];
     if (sample.triangle == kNoTriangle || drawn.label[i] != label_of(sample.triangle)) continue;
-    const Linear linear = linear_of(depth_.format, drawn.code[i]);
-    points.push_back({linear_in_w ? sample.w : 1 / sample.w, linear.value});
-    steps.push_back(linear.step);
+    points.push_back({linear_in_w ? sample.w : 1 / sample.w, drawn.depth[i].value});
+    steps.push_back(drawn.depth[i].step);
   }
   const std::optional<Line> line = line_through(points);
   if (!line) return;
@@ -241,8 +225,7 @@ void ErrorSum::add_depth(const Observation& drawn, const Truth& truth) {
 }
 
 void ErrorSum::add_colour(const Observation& drawn, const Truth& truth) {
-  std::vector<std::array<float, 3>> picture;
-  for (const auto& pixel : drawn.rgb) picture.push_back(as_float(pixel));
+  const std::vector<std::array<float, 3>>& picture = drawn.rgb;
   for (std::size_t i = 0; i < picture.size(); ++i) {
     const TruthSample& sample = truth.centres.samples[i];
     const bool shown = sample.triangle != kNoTriangle || drawn.label[i] != 0;
@@ -266,7 +249,7 @@ void ErrorSum::add_flicker(const Observation& first, const Truth& first_truth, c
                            const Truth& next_truth) {
   for (std::size_t i = 0; i < first.rgb.size(); ++i) {
     if (first.label[i] == 0 && next.label[i] == 0) continue;
-    const double drawn = luma(as_float(next.rgb[i])) - luma(as_float(first.rgb[i]));
+    const double drawn = luma(next.rgb[i]) - luma(first.rgb[i]);
     const double real = luma(next_truth.mean[i]) - luma(first_truth.mean[i]);
     flicker_ += std::abs(drawn - real);
     ++flicker_pixels_;

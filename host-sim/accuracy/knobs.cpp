@@ -25,10 +25,16 @@ const std::vector<KnobInfo>& table() {
        "fit",
        "which distances the depth codes span",
        {{"fitted", "those that the scene can reach in this frame"}, {"fixed", "the camera's near to its far plane"}}},
+      {Knob::reciprocal,
+       "reciprocal",
+       "how 1/w of a vertex is found",
+       {{"newton", "a quotient and a Newton step: to 2^-28"}, {"quotient", "the quotient alone: to 2^-15"}}},
       {Knob::shading,
        "shading",
        "colour within a triangle",
-       {{"gouraud", "interpolated between the vertices"}, {"flat", "that of the first vertex"}}},
+       {{"gouraud", "interpolated between the vertices"},
+        {"flat", "that of the first vertex"},
+        {"pixel", "lit at each pixel, by the normal there"}}},
       {Knob::perspective,
        "perspective",
        "pixels of a row from one exact place in the texture to the next",
@@ -174,6 +180,7 @@ Effects extra_effects(const Settings& settings) {
   if (depth == "z24") effects = effect::depth_24;
   if (depth == "z32") effects = effect::depth_32;
   if (depth == "ranges") effects = effect::depth_ranges;
+  if (settings.name_of(Knob::reciprocal) == "quotient") effects = effects | effect::coarse_reciprocal;
   const std::string_view perspective = settings.name_of(Knob::perspective);
   if (perspective == "affine") effects = effects | effect::perspective_affine;
   if (perspective == "8") effects = effects | effect::perspective_8;
@@ -223,6 +230,7 @@ std::uint32_t detail_percent(const Settings& settings) {
 std::vector<Knob> knobs_for(Effects effects, bool may_simplify, bool textured_triangles) {
   std::vector<Knob> found;
   for (const KnobInfo& knob : knobs()) {
+    if (knob.knob == Knob::reciprocal && effects.any(effect::orthographic | effect::shadows)) continue;
     if (knob.knob == Knob::shading && !effects.has(effect::gouraud)) continue;
     // Fragments with effects of their own have their places at every 16th pixel, whatever is asked for.
     if (knob.knob == Knob::perspective &&
@@ -235,14 +243,14 @@ std::vector<Knob> knobs_for(Effects effects, bool may_simplify, bool textured_tr
   return found;
 }
 
-bool possible(const Settings& settings, Effects effects) {
-  const Effects extra = extra_effects(settings);
-  if (!depth_effects_agree(effects | extra)) return false;
-  if (extra.has(effect::bins | effect::depth_ranges)) return false;
+bool possible(Effects effects) {
+  if (!depth_effects_agree(effects)) return false;
+  if (effects.has(effect::bins | effect::depth_ranges)) return false;
   // Fragments with effects have their places at every 16th pixel.
-  if (extra.any(effect::fragments) && extra.any(effect::perspective_runs)) return false;
+  if (effects.any(effect::fragments) && effects.any(effect::perspective_runs)) return false;
   // Libraries for programs that choose at run time have no pipeline with both.
-  return !(extra.any(effect::perspective_runs) && extra.any(effect::depth_formats | effect::depth_ranges));
+  return !(effects.any(effect::perspective_runs) &&
+           effects.any(effect::depth_formats | effect::depth_ranges | effect::coarse_reciprocal));
 }
 
 std::span<const NamedSettings> named_settings() {

@@ -14,8 +14,20 @@
 
 namespace zstrip::sim {
 
-enum class Knob : std::uint8_t { depth, fit, shading, perspective, filter, detail, format, dither, strips, samples };
-inline constexpr std::size_t kKnobs = 10;
+enum class Knob : std::uint8_t {
+  depth,
+  fit,
+  reciprocal,
+  shading,
+  perspective,
+  filter,
+  detail,
+  format,
+  dither,
+  strips,
+  samples
+};
+inline constexpr std::size_t kKnobs = 11;
 
 struct KnobValue {
   std::string_view name;
@@ -69,8 +81,8 @@ std::uint32_t detail_percent(const Settings& settings);
 /// Which knobs change anything of a scene that calls for `effects`; `may_simplify`: it has a mesh that is worth it;
 /// `textured_triangles`: textures are not on quadrics alone.
 std::vector<Knob> knobs_for(Effects effects, bool may_simplify, bool textured_triangles);
-/// Whether the renderer can draw so: not every pair of values goes together.
-bool possible(const Settings& settings, Effects effects);
+/// Whether the renderer can draw with all of these at once: not every pair of values goes together.
+bool possible(Effects effects);
 
 /// The presets of docs/accuracy.md by their names: tiny, balanced, exact.
 struct NamedSettings {

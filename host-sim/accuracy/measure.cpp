@@ -71,12 +71,17 @@ AccuracyScene AccuracyScene::on(std::string_view target) const {
 const Staging& AccuracyScene::first() const { return poses_->staged[0]; }
 const std::vector<std::array<float, 3>>& AccuracyScene::true_picture() const { return poses_->truths[0].mean; }
 
+std::span<const Staging> AccuracyScene::staged() const { return poses_->staged; }
+std::span<const Truth> AccuracyScene::truths() const { return poses_->truths; }
+
 Effects AccuracyScene::effects() const { return effects_of(first().scene, first().camera); }
 
 Effects AccuracyScene::effects_with(const Settings& settings) const {
-  const Effects called_for =
-      settings.name_of(Knob::shading) == "flat" ? without(effects(), effect::gouraud) : effects();
-  return called_for | extra_effects(settings);
+  Settings shading;
+  shading[Knob::shading] = settings[Knob::shading];
+  const SceneVariant variant(first().scene, shading);
+  const Staging shaded = variant.apply(first());
+  return effects_of(shaded.scene, shaded.camera) | extra_effects(settings);
 }
 
 std::vector<Knob> AccuracyScene::knobs() const {
@@ -87,7 +92,12 @@ std::vector<Knob> AccuracyScene::knobs() const {
   return knobs_for(effects(), may_simplify(scene), textured);
 }
 
-bool AccuracyScene::possible(const Settings& settings) const { return sim::possible(settings, effects()); }
+bool AccuracyScene::possible(const Settings& settings) const {
+  const Effects effects = effects_with(settings);
+  // Where nothing is lit, light at pixels is nothing else.
+  if (settings.name_of(Knob::shading) == "pixel" && !effects.has(effect::pixel_shading)) return false;
+  return sim::possible(effects);
+}
 
 Result<Errors> AccuracyScene::errors(const Settings& settings, AccuracyPictures* pictures) const {
   const Settings key = without_strips(settings);

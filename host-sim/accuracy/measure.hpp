@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -55,7 +56,7 @@ double time_of(const AccuracyPoint& point);
 
 /// Pictures of the first pose, for people.
 struct AccuracyPictures {
-  std::vector<std::array<std::uint8_t, 3>> drawn;
+  std::vector<std::array<float, 3>> drawn;
   std::vector<float> heat;
 };
 
@@ -78,6 +79,10 @@ class AccuracyScene {
   Result<Cost> cost(const Settings& settings) const;
   Result<MemoryCost> memory(const Settings& settings) const;
   const std::vector<std::array<float, 3>>& true_picture() const;
+
+  /// Two a pose, a little apart, as the scene has them; and the truth of each.
+  std::span<const Staging> staged() const;
+  std::span<const Truth> truths() const;
 
  private:
   /// What no target changes.

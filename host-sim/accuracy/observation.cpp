@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 
@@ -164,7 +165,16 @@ std::uint16_t word_at(std::span<const std::byte> pixels, std::size_t pixel) {
   return word;
 }
 
-/// Of each triangle and quadric the texture that it shows; null where none.
+}  // namespace
+
+DepthSeen depth_of(DepthFormat format, std::uint32_t code) {
+  if (format != DepthFormat::float16) return {static_cast<double>(code), 1};
+  const std::uint32_t exponent = code >> 13;
+  if (exponent == 0) return {(code + 0.5) * 4096, 4096};
+  const double step = std::ldexp(1.0, static_cast<int>(11 + exponent));
+  return {((0x2000 | (code & 0x1FFF)) + 0.5) * step, step};
+}
+
 std::vector<const Texture*> textures_of(const Scene& scene) {
   std::vector<const Texture*> found;
   for (const Instance& instance : scene.instances) {
@@ -179,8 +189,6 @@ std::vector<const Texture*> textures_of(const Scene& scene) {
   }
   return found;
 }
-
-}  // namespace
 
 Result<Drawn> draw(const Staging& staged, const View& view, Effects extra, const Budget& budget, bool with_depth) {
   const Effects effects = effects_of(staged.scene, staged.camera) | extra;
@@ -257,9 +265,12 @@ Result<Observation> observe(const Staging& staged, const View& view, const Setti
                               without(effects, effect::perspective_runs | effect::fragments), whole, true);
   if (!labels) return labels.failure();
   Observation seen;
-  seen.rgb = to_rgb(coloured, picture->pixels);
-  seen.code = std::move(labels->code);
-  for (std::size_t i = 0; i < seen.code.size(); ++i) seen.label.push_back(word_at(labels->pixels, i));
+  for (const auto& [r, g, b] : to_rgb(coloured, picture->pixels))
+    seen.rgb.push_back({static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)});
+  for (std::size_t i = 0; i < labels->code.size(); ++i) {
+    seen.depth.push_back(depth_of(depth_format(effects), labels->code[i]));
+    seen.label.push_back(word_at(labels->pixels, i));
+  }
   // Of bilinear texels there is no single one, and those of smaller textures are not the truth's.
   const Effects called_for = effects_of(staged.scene, staged.camera);
   if (!called_for.has(effect::textures) || called_for.any(effect::bilinear | effect::mipmaps)) return seen;

@@ -13,6 +13,7 @@
 #include "render/stage.hpp"
 #include "result.hpp"
 #include "zstrip/base/statistics.hpp"
+#include "zstrip/scene/depth_format.hpp"
 
 namespace zstrip::sim {
 
@@ -22,11 +23,17 @@ struct TexelSeen {
   float width = 0, height = 0;
 };
 
+/// A depth code as the number that is linear in 1/w or w, and how much the next code is more.
+struct DepthSeen {
+  double value = 0, step = 1;
+};
+DepthSeen depth_of(DepthFormat format, std::uint32_t code);
+
 struct Observation {
-  std::vector<std::array<std::uint8_t, 3>> rgb;  ///< of each pixel, row by row
-  std::vector<std::uint32_t> label;              ///< label_of() the triangle; 0: background
-  std::vector<std::uint32_t> code;               ///< depth; 0: nothing drawn
-  std::vector<TexelSeen> texel;                  ///< empty without textures, or where they are bilinear or mipmapped
+  std::vector<std::array<float, 3>> rgb;  ///< 0..255, of each pixel, row by row
+  std::vector<std::uint32_t> label;       ///< label_of() the triangle; 0: background
+  std::vector<DepthSeen> depth;           ///< of what is not background
+  std::vector<TexelSeen> texel;           ///< empty without textures, or where they are bilinear or mipmapped
 };
 
 /// Colours tell 65,535 triangles apart.
@@ -39,6 +46,9 @@ struct Drawn {
 };
 /// `effects`: beside those that the scene calls for.
 Result<Drawn> draw(const Staging& staged, const View& view, Effects effects, const Budget& budget, bool with_depth);
+
+/// Of each triangle and quadric the texture that it shows; null where none.
+std::vector<const Texture*> textures_of(const Scene& scene);
 
 /// Draws the scene, once with each triangle in a colour of its own, and once more with each texel in one; these two
 /// with one sample a pixel, because neither labels nor places have a mean. `staged` is as SceneVariant::apply left it.

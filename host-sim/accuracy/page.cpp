@@ -63,6 +63,7 @@ Result<std::vector<std::uint8_t>> png_of(const View& view, const std::vector<Pix
 
 std::string figure_text(double value) {
   if (std::isnan(value)) return "–";
+  if (std::abs(value) < 1e-7) return "0";  // what arithmetic in double leaves
   if (value == std::floor(value) && std::abs(value) < 1e6) return fmt::format("{:.0f}", value);
   return std::abs(value) >= 100 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
 }
@@ -105,6 +106,28 @@ std::string table(const PageScene& scene) {
   return html + "</tbody></table></div>\n";
 }
 
+/// Where the error comes from, at the default and with other values of the knobs that change it.
+std::string causes_table(const Campaign& campaign) {
+  if (campaign.causes.empty()) return "";
+  std::string html =
+      "<h3>Where the error comes from</h3><p>Each stage of drawing alone as coarse as the renderer's, all others "
+      "exact, "
+      "against one exact sample in the middle of each pixel; aliasing is that sample against 16.</p>\n"
+      "<div class=\"wide causes\"><table><thead><tr><th>cause</th><th>settings</th>";
+  for (const FigureInfo& figure : figures())
+    html +=
+        fmt::format("<th title=\"{}\">{}<br><small>{}</small></th>", escaped(figure.meaning), figure.name, figure.unit);
+  html += "</tr></thead><tbody>\n";
+  for (const CauseErrors& found : campaign.causes) {
+    const CauseInfo& cause = info(found.of.cause);
+    html += fmt::format("<tr data-cause=\"{}\"><th title=\"{}\">{}</th><th>{}</th>", cause.name, escaped(cause.meaning),
+                        cause.name, escaped(to_text(found.of.settings)));
+    for (const double value : found.errors.value) html += "<td>" + figure_text(value) + "</td>";
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
 std::string data_url(const std::vector<std::uint8_t>& png) { return "data:image/png;base64," + base64(png); }
 
 std::string scene_json(const PageScene& scene) {
@@ -116,6 +139,18 @@ std::string scene_json(const PageScene& scene) {
     object.back() = ',';
     text += fmt::format("{}{}\"group\":\"{}\",\"time\":{},\"front\":{}}}", i == 0 ? "" : ",", object, group_of(point),
                         time_of(point), point.on_front);
+  }
+  text += "],\"causes\":[";
+  for (std::size_t i = 0; i < scene.campaign.causes.size(); ++i) {
+    const auto& [of, errors] = scene.campaign.causes[i];
+    text += fmt::format("{}{{\"cause\":\"{}\",\"perceived\":{:.4g},\"knobs\":{{", i == 0 ? "" : ",",
+                        info(of.cause).name, errors[Figure::perceived]);
+    std::string_view comma;
+    for (const Knob knob : info(of.cause).knobs) {
+      text += fmt::format("{}\"{}\":\"{}\"", comma, info(knob).name, of.settings.name_of(knob));
+      comma = ",";
+    }
+    text += "}}";
   }
   text += "],\"truth\":\"" + data_url(scene.truth) + "\",\"pictures\":{";
   for (std::size_t i = 0; i < scene.pictures.size(); ++i) {
@@ -201,7 +236,7 @@ std::string accuracy_page(const std::vector<PageScene>& scenes) {
                         i, escaped(request.scene), request.view.width, request.view.height, time_label(scene.campaign),
                         request.frames);
     html += "<div class=\"show\"><div class=\"figure\">" + plot_svg(scene.campaign) + "</div><div class=\"detail\">" +
-            default_pictures(scene) + "</div></div>\n" + table(scene);
+            default_pictures(scene) + "</div></div>\n" + table(scene) + causes_table(scene.campaign);
     html += fmt::format("<script type=\"application/json\" class=\"data\">{}</script></section>\n", scene_json(scene));
   }
   html += "<section class=\"words\"><h2>Knobs</h2><dl>";
@@ -212,6 +247,10 @@ std::string accuracy_page(const std::vector<PageScene>& scenes) {
           fmt::format("{}<b>{}</b> {}", &value == knob.values.data() ? "" : "; ", value.name, escaped(value.meaning));
     }
     html += "</dd>";
+  }
+  html += "</dl><h2>Causes</h2><dl>";
+  for (const CauseInfo& cause : causes()) {
+    html += fmt::format("<dt>{}</dt><dd>{}</dd>", cause.name, escaped(cause.meaning));
   }
   html += "</dl><h2>Figures</h2><dl>";
   for (const FigureInfo& figure : figures()) {

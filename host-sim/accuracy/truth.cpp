@@ -1,4 +1,4 @@
-// The rasteriser in double precision.
+// From a scene to the corners and looks of its polygons, which truth_raster.hpp draws.
 #include "accuracy/truth.hpp"
 
 #include <algorithm>
@@ -7,25 +7,22 @@
 
 #include "accuracy/truth_light.hpp"
 #include "accuracy/truth_quadrics.hpp"
+#include "accuracy/truth_raster.hpp"
 #include "motion/turned_billboard.hpp"
 #include "zstrip/scene/effects.hpp"
 
 namespace zstrip::sim {
 namespace {
 
+using truth::ColourKind;
+using truth::Corner;
 using truth::dot;
 using truth::kOne16;
 using truth::kOne30;
-using truth::texel_at;
+using truth::Look;
 using truth::transformed;
 using truth::Vector;
 using truth::vector_of;
-
-/// A corner of a polygon: where it is, and how much of each corner of the triangle it is.
-struct Corner {
-  double x = 0, y = 0, w = 0;  ///< view space, w along the viewing direction
-  Vector share{};
-};
 
 Corner between(const Corner& a, const Corner& b, double t) {
   Corner c;
@@ -50,156 +47,27 @@ std::vector<Corner> cut(const std::vector<Corner>& polygon, double plane, double
   return kept;
 }
 
-/// What a triangle looks like, whatever its shape on the screen.
-struct Look {
-  std::uint32_t number = 0;
-  std::array<Vector, 3> rgb{};                ///< 0..255, of the corners
-  std::array<std::array<double, 2>, 3> uv{};  ///< texels
-  const Texture* texture = nullptr;
-  bool lit_texture = false;
-  const Scene* scene = nullptr;        ///< only where pixels are lit: `rgb` are vertex colours then
-  const Material* material = nullptr;  ///< likewise
-  std::array<Vector, 3> normal{};      ///< likewise, in the world, as long as the mesh's
-};
-
-class Rasteriser {
- public:
-  Rasteriser(const Camera& camera, const View& view, std::uint32_t scale, const Scene& scene, bool snap)
-      : orthographic_(camera.projection == Projection::orthographic), snap_(snap), fog_(scene.fog) {
-    picture_.width = view.width * scale;
-    picture_.height = view.height * scale;
-    TruthSample empty;
-    const Colour& background = scene.background;
-    empty.rgb = {static_cast<float>(background.r), static_cast<float>(background.g), static_cast<float>(background.b)};
-    picture_.samples.assign(std::size_t{picture_.width} * picture_.height, empty);
-    focal_ = camera.focal / kOne16 * picture_.height / 2.0;
-  }
-
-  void draw(const std::vector<Corner>& polygon, const Look& look, bool double_sided) {
-    for (std::size_t i = 2; i < polygon.size(); ++i) {
-      draw_triangle({project(polygon[0]), project(polygon[i - 1]), project(polygon[i])}, look, double_sided);
-    }
-  }
-
-  void draw(const truth::QuadricTruth& quadric, std::uint32_t number) {
-    for (std::uint32_t y = 0; y < picture_.height; ++y) {
-      for (std::uint32_t x = 0; x < picture_.width; ++x) {
-        const std::optional<truth::QuadricSample> seen =
-            quadric.at((x + 0.5 - picture_.width / 2.0) / picture_.height, 0.5 - (y + 0.5) / picture_.height);
-        if (seen)
-          show(picture_.samples[std::size_t{y} * picture_.width + x], number, seen->w, {seen->u, seen->v}, seen->rgb);
-      }
-    }
-  }
-  TruthPicture take() { return std::move(picture_); }
-
- private:
-  struct Point {
-    double x, y, q;  ///< picture coordinates; 1/w, or 1 without perspective
-    double w;
-    Vector share;
-  };
-
-  Point project(const Corner& c) const {
-    const double q = orthographic_ ? 1 : 1 / c.w;
-    // To nearest, halves up (docs/conventions.md).
-    const auto snapped = [&](double at) { return snap_ ? std::floor(at * 16 + 0.5) / 16 : at; };
-    return {snapped(picture_.width / 2.0 + c.x * q * focal_), snapped(picture_.height / 2.0 - c.y * q * focal_), q, c.w,
-            c.share};
-  }
-
-  static double edge(const Point& a, const Point& b, double x, double y) {
-    return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
-  }
-  /// With y downwards and a positive area: the interior lies to the right of the edge's direction.
-  static bool is_top_left(const Point& a, const Point& b) { return b.y < a.y || (b.y == a.y && b.x > a.x); }
-
-  void draw_triangle(std::array<Point, 3> p, const Look& look, bool double_sided) {
-    double area = edge(p[0], p[1], p[2].x, p[2].y);
-    // Counter-clockwise before y is turned downwards: negative here.
-    if (area > 0 && !double_sided) return;
-    if (area < 0) std::swap(p[1], p[2]), area = -area;
-    if (!(area > 0)) return;
-    const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
-    const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y});
-    const auto clamped = [](double at, std::uint32_t size) {
-      return static_cast<std::uint32_t>(std::clamp(std::floor(at), 0.0, static_cast<double>(size)));
-    };
-    const std::uint32_t x_end = clamped(right + 1, picture_.width), y_end = clamped(bottom + 1, picture_.height);
-    const std::array<bool, 3> owns{is_top_left(p[1], p[2]), is_top_left(p[2], p[0]), is_top_left(p[0], p[1])};
-    for (std::uint32_t y = clamped(top, picture_.height); y < y_end; ++y) {
-      for (std::uint32_t x = clamped(left, picture_.width); x < x_end; ++x) {
-        const double at_x = x + 0.5, at_y = y + 0.5;
-        const Vector e{edge(p[1], p[2], at_x, at_y), edge(p[2], p[0], at_x, at_y), edge(p[0], p[1], at_x, at_y)};
-        bool inside = true;
-        for (std::size_t i = 0; i < 3; ++i) inside = inside && (e[i] > 0 || (e[i] == 0 && owns[i]));
-        if (inside) shade(picture_.samples[std::size_t{y} * picture_.width + x], p, e, area, look);
-      }
-    }
-  }
-
-  void shade(TruthSample& sample, const std::array<Point, 3>& p, const Vector& e, double area, const Look& look) const {
-    double q = 0, w = 0;
-    Vector share{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double weight = e[i] / area * p[i].q;
-      q += weight;
-      w += e[i] / area * p[i].w;
-      for (std::size_t j = 0; j < 3; ++j) share[j] += weight * p[i].share[j];
-    }
-    const double distance = orthographic_ ? w : 1 / q;
-    if (is_hidden(sample, distance)) return;
-    Vector rgb{};
-    double u = 0, v = 0;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const double part = share[j] / q;
-      for (std::size_t c = 0; c < 3; ++c) rgb[c] += part * look.rgb[j][c];
-      u += part * look.uv[j][0];
-      v += part * look.uv[j][1];
-    }
-    if (look.material != nullptr) {
-      Vector normal{};
-      for (std::size_t j = 0; j < 3; ++j) {
-        for (std::size_t c = 0; c < 3; ++c) normal[c] += share[j] / q * look.normal[j][c];
-      }
-      const Vector light = truth::lit_colour(*look.scene, *look.material, normal);
-      for (std::size_t c = 0; c < 3; ++c) rgb[c] *= light[c] / 255;
-    }
-    if (look.texture != nullptr) {
-      const Vector texel = texel_at(*look.texture, u, v);
-      for (std::size_t c = 0; c < 3; ++c) rgb[c] = look.lit_texture ? rgb[c] * texel[c] / 255 : texel[c];
-    }
-    show(sample, look.number, distance, {u, v}, rgb);
-  }
-
-  /// If nothing nearer is there.
-  void show(TruthSample& sample, std::uint32_t number, double w, const std::array<double, 2>& uv, Vector rgb) const {
-    if (is_hidden(sample, w)) return;
-    if (fog_ != nullptr) {
-      const double share = truth::visible_share(*fog_, w);
-      const Vector other{double(fog_->colour.r), double(fog_->colour.g), double(fog_->colour.b)};
-      for (std::size_t c = 0; c < 3; ++c) rgb[c] = share * rgb[c] + (1 - share) * other[c];
-    }
-    sample = {number, w, static_cast<float>(uv[0]), static_cast<float>(uv[1]), {}};
-    for (std::size_t c = 0; c < 3; ++c) sample.rgb[c] = static_cast<float>(std::clamp(rgb[c], 0.0, 255.0));
-  }
-  static bool is_hidden(const TruthSample& sample, double w) { return sample.triangle != kNoTriangle && sample.w <= w; }
-
-  bool orthographic_, snap_;
-  const Fog* fog_;
-  double focal_;
-  TruthPicture picture_;
-};
-
 Vector world_normal(const Transform& transform, const Normal& n) {
   return transformed(transform, {double(n.x), double(n.y), double(n.z)}, true);
 }
 
-/// The colour of a vertex without its texture, and without light where that is its pixels'.
+/// Whether light is found at each sample: everywhere but on flat faces; where light is interpolated, as asked for.
+bool is_lit_at_samples(const Mesh& mesh, const Material& material, const Stages& stages) {
+  if (!material.lit || mesh.normals.empty()) return false;
+  return material.smooth == Shading::pixel || (material.smooth && !stages.interpolation);
+}
+
+ColourKind kind_of(const Mesh& mesh, const Material& material, bool textured) {
+  if (textured) return material.lit ? ColourKind::lit_texel : ColourKind::texel;
+  const bool varies = (material.lit && !mesh.normals.empty()) || !mesh.colours.empty();
+  return material.smooth && varies ? ColourKind::gradient : ColourKind::even;
+}
+
+/// The colour of a vertex without its texture, and without light where that is its samples'.
 Vector vertex_colour(const Scene& scene, const Transform& transform, const Mesh& mesh, const Material& material,
-                     std::uint16_t vertex) {
+                     std::uint16_t vertex, bool lit_at_samples) {
   Vector rgb{double(material.colour.r), double(material.colour.g), double(material.colour.b)};
-  if (is_lit_by_pixel(mesh, material)) {
+  if (lit_at_samples) {
     rgb = {255, 255, 255};
   } else if (material.lit && !mesh.normals.empty()) {
     rgb = truth::lit_colour(scene, material, world_normal(transform, mesh.normals[vertex]));
@@ -218,7 +86,7 @@ bool has_own_depth(const Material& m) {
 }  // namespace
 
 Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const View& view, std::uint32_t scale,
-                                bool snap) {
+                                const Stages& stages) {
   if (std::ranges::any_of(scene.materials, has_own_depth)) {
     return Failure{ExitStatus::input,
                    "the scene has materials with a depth test, write or bias of their own: what is right there depends "
@@ -234,7 +102,7 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
         "quadrics with "
         "directional light, emission, textures and fog"};
   }
-  Rasteriser rasteriser(camera, view, scale, scene, snap);
+  truth::Rasteriser rasteriser(camera, view, scale, scene, stages);
   const Vector right = vector_of(camera.right, kOne30), up = vector_of(camera.up, kOne30),
                back = vector_of(camera.back, kOne30), eye = vector_of(camera.eye, kOne16);
   std::uint32_t number = 0;
@@ -245,10 +113,13 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
     const Vector centre = vector_of(mesh.centre, kOne16), extent = vector_of(mesh.half_extent, kOne16);
     const bool textured = material.texture != kNoTexture && !mesh.texcoords.empty();
     const double texcoord_one = std::ldexp(1.0, mesh.texcoord_bits);
+    const bool lit_at_samples = is_lit_at_samples(mesh, material, stages);
+    const truth::FixedTransform fixed(mesh, transform, camera, view,
+                                      stages.transform.value_or(ReciprocalStage::newton));
     for (const Triangle& triangle : mesh.triangles) {
       const std::array<std::uint16_t, 3> index{triangle.a, triangle.b, triangle.c};
-      Look look{.number = number++, .rgb = {}, .uv = {}};
-      if (is_lit_by_pixel(mesh, material)) {
+      Look look{.number = number++, .rgb = {}, .uv = {}, .kind = kind_of(mesh, material, textured)};
+      if (lit_at_samples) {
         look.scene = &scene, look.material = &material;
         for (std::size_t i = 0; i < 3; ++i) look.normal[i] = world_normal(transform, mesh.normals[index[i]]);
       }
@@ -260,8 +131,13 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
         const Vector world = transformed(transform, local, false);
         const Vector seen{world[0] - eye[0], world[1] - eye[1], world[2] - eye[2]};
         polygon[i] = {dot(seen, right), dot(seen, up), -dot(seen, back), {}};
+        if (stages.transform) {
+          const truth::FixedVertex vertex = fixed.at(p);
+          polygon[i] = {vertex.x, vertex.y, vertex.w, {}};
+        }
         polygon[i].share[i] = 1;
-        look.rgb[i] = vertex_colour(scene, transform, mesh, material, material.smooth ? index[i] : index[0]);
+        look.rgb[i] =
+            vertex_colour(scene, transform, mesh, material, material.smooth ? index[i] : index[0], lit_at_samples);
         if (textured) {
           const Texture& texture = scene.textures[material.texture];
           look.uv[i] = {std::ldexp(mesh.texcoords[index[i]].u / texcoord_one, texture.log2_width),
@@ -275,7 +151,10 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
     }
   }
   for (const Quadric& quadric : scene.quadrics) {
-    rasteriser.draw(truth::QuadricTruth(scene, quadric, camera), number++);
+    const Material& material = scene.materials[quadric.material];
+    const ColourKind texels = material.lit ? ColourKind::lit_texel : ColourKind::texel;
+    rasteriser.draw(truth::QuadricTruth(scene, quadric, camera), number++,
+                    material.texture == kNoTexture ? ColourKind::gradient : texels);
   }
   return rasteriser.take();
 }
@@ -286,7 +165,7 @@ Result<Truth> find_truth(const Scene& scene, const Camera& camera, const View& v
   if (!centres) return centres.failure();
   const Result<TruthPicture> fine = draw_truth(scene, camera, view, kScale);
   if (!fine) return fine.failure();
-  Result<TruthPicture> snapped = draw_truth(scene, camera, view, 1, true);
+  Result<TruthPicture> snapped = draw_truth(scene, camera, view, 1, {.snapping = true});
   if (!snapped) return snapped.failure();
   Truth truth;
   truth.centres = std::move(*centres);

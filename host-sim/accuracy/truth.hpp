@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "accuracy/truth_stages.hpp"
 #include "result.hpp"
 #include "zstrip/scene/camera.hpp"
 #include "zstrip/scene/scene.hpp"
@@ -28,6 +29,7 @@ struct TruthSample {
 struct TruthPicture {
   std::uint32_t width = 0, height = 0;
   std::vector<TruthSample> samples;  ///< row by row
+  std::vector<std::uint32_t> code;   ///< likewise, where Stages::depth is there; 0: nothing drawn
   const TruthSample& at(std::uint32_t x, std::uint32_t y) const { return samples[std::size_t{y} * width + x]; }
 };
 
@@ -40,12 +42,14 @@ struct Truth {
   std::vector<std::array<std::uint32_t, 16>> triangles;  ///< of the samples
 };
 
-/// Draws `scale` x `scale` samples a pixel, each in the middle of its square. `snap`: corners on the screen are rounded
-/// to 1/16 of these. Failures: ExitStatus::input for materials
-/// with a depth test or bias of their own, whose result depends on the z-buffer's codes; for highlights, point and spot
-/// lights, alpha and bilinear texels. Quadrics have no corners: nothing of them is snapped.
+/// Draws `scale` x `scale` samples a pixel, each in the middle of its square. Surfaces that are smooth are lit at each
+/// sample by the interpolated normal, whether the material asks for that or for light at vertices; flat ones by that of
+/// their first vertex. `stages` are as coarse as the renderer's, where samples are its pixels. Failures:
+/// ExitStatus::input for materials with a depth test or bias of their own, whose result depends on the z-buffer's
+/// codes; for highlights, point and spot lights, alpha and bilinear texels. Quadrics have no corners: of them only
+/// depth and colour can be coarse.
 Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const View& view, std::uint32_t scale,
-                                bool snap = false);
+                                const Stages& stages = {});
 
 /// Both of the above.
 Result<Truth> find_truth(const Scene& scene, const Camera& camera, const View& view);

@@ -18,6 +18,10 @@ Vector normalised(const Vector& a) {
   return length == 0 ? a : Vector{a[0] / length, a[1] / length, a[2] / length};
 }
 
+Vector column(const Transform& transform, std::size_t index) {
+  return {transform.m[0][index] / kOne16, transform.m[1][index] / kOne16, transform.m[2][index] / kOne16};
+}
+
 Vector transformed(const Transform& transform, const Vector& p, bool direction) {
   Vector out{};
   for (std::size_t row = 0; row < 3; ++row) {

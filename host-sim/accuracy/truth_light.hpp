@@ -17,6 +17,8 @@ double dot(const Vector& a, const Vector& b);
 Vector cross(const Vector& a, const Vector& b);
 /// Zero stays zero.
 Vector normalised(const Vector& a);
+/// Of the matrix; the fourth is the translation.
+Vector column(const Transform& transform, std::size_t index);
 /// Without the translation if `direction`.
 Vector transformed(const Transform& transform, const Vector& p, bool direction);
 

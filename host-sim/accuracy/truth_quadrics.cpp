@@ -7,9 +7,6 @@
 namespace zstrip::sim::truth {
 namespace {
 
-Vector column(const Transform& transform, std::size_t c) {
-  return {transform.m[0][c] / kOne16, transform.m[1][c] / kOne16, transform.m[2][c] / kOne16};
-}
 Vector sum(const Vector& a, double factor, const Vector& b) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }

@@ -125,6 +125,7 @@ std::string effect_names(const Settings& settings) {
   if (depth == "z24") add("depth_24");
   if (depth == "z32") add("depth_32");
   if (depth == "ranges") add("depth_ranges");
+  if (settings.name_of(Knob::reciprocal) == "quotient") add("coarse_reciprocal");
   const std::string_view perspective = settings.name_of(Knob::perspective);
   if (perspective != "16") add(fmt::format("perspective_{}", perspective));
   if (settings.name_of(Knob::strips) == "bins16") add("bins");
@@ -269,7 +270,7 @@ std::string quality_header(const AccuracyPoint& point, const View& size) {
       "// Written by zstrip tune for {} on {}: {}.\n"
       "#pragma once\n\n"
       "#include \"zstrip/plan/plan_types.hpp\"\n#include \"zstrip/scene/effects.hpp\"\n#include "
-      "\"zstrip/scene/view.hpp\"\n\n"
+      "\"zstrip/scene/scene.hpp\"\n#include \"zstrip/scene/view.hpp\"\n\n"
       "namespace quality {{\n\n"
       "inline constexpr zstrip::View kView{{{}, {}, zstrip::PixelFormat::{}, {}, {}}};\n"
       "/// Beside what the scene calls for: Renderer<effects_of(scene, camera) | quality::kEffects>.\n"
@@ -278,7 +279,7 @@ std::string quality_header(const AccuracyPoint& point, const View& size) {
       "/// For Camera::fixed_depth_range.\n"
       "inline constexpr bool kFixedDepthRange = {};\n"
       "/// For Material::smooth of all materials.\n"
-      "inline constexpr bool kSmooth = {};\n"
+      "inline constexpr zstrip::Shading kSmooth = zstrip::Shading::{};\n"
       "/// For Finish::filter of all textured materials: TextureFilter::bilinear.\n"
       "inline constexpr bool kBilinear = {};\n"
       "/// For zstrip bake: --mipmaps on.\n"
@@ -291,9 +292,8 @@ std::string quality_header(const AccuracyPoint& point, const View& size) {
       : shown.format == PixelFormat::mono ? "mono"
                                           : "rgb565",
       shown.dither, shown.samples, effect_names(point.settings), strips.strip_rows,
-      strips.modes == Modes::binned ? "binned" : "streamed", point.settings.name_of(Knob::fit) == "fixed",
-      shading == "gouraud", filters_bilinearly(point.settings), filters_mipmaps(point.settings),
-      detail_percent(point.settings));
+      strips.modes == Modes::binned ? "binned" : "streamed", point.settings.name_of(Knob::fit) == "fixed", shading,
+      filters_bilinearly(point.settings), filters_mipmaps(point.settings), detail_percent(point.settings));
 }
 
 }  // namespace zstrip::sim

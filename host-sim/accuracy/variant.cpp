@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "import/meshlets.hpp"
 #include "zstrip/scene/effects.hpp"
@@ -37,6 +38,14 @@ std::vector<unsigned> simplified_indices(const Mesh& mesh, std::uint32_t percent
   return kept;
 }
 
+/// What smooth materials become, if anything else.
+std::optional<Shading> shading_of(const Settings& settings) {
+  const std::string_view shading = settings.name_of(Knob::shading);
+  if (shading == "flat") return Shading::flat;
+  if (shading == "pixel") return Shading::pixel;
+  return std::nullopt;
+}
+
 /// Views of `data` in place of those of `mesh`.
 Mesh with_data(Mesh mesh, const MeshData& data) {
   mesh.positions = data.positions;
@@ -60,9 +69,9 @@ SceneVariant::SceneVariant(const Scene& scene, const Settings& settings)
       meshes_(copy(scene.meshes)),
       materials_(copy(textured_.scene().materials)),
       finishes_(copy(textured_.scene().finishes)) {
-  if (settings.name_of(Knob::shading) == "flat") {
+  if (const std::optional<Shading> shading = shading_of(settings)) {
     for (Material& material : materials_) {
-      if (material.smooth == Shading::gouraud) material.smooth = Shading::flat;
+      if (material.smooth == Shading::gouraud) material.smooth = *shading;
     }
   }
   if (filters_bilinearly(settings)) filter_bilinearly();

@@ -67,6 +67,27 @@ TEST(Figures, PerspectiveAtMorePixelsIsCloserToThePlaceInTheTexture) {
   EXPECT_GT(eight, one);
 }
 
+// The truth lights at each sample: what is nearer to that is nearer to the truth.
+TEST(Figures, LightAtMorePlacesIsCloserToTheTruth) {
+  for (const char* name : {"teapot", "teapot_meshlets"}) {
+    const auto opened = scene(name);
+    const Errors flat = errors(*opened, "shading=flat"), gouraud = errors(*opened, "default");
+    const Errors pixel = errors(*opened, "shading=pixel");
+    for (const Figure figure : {Figure::colour_mean, Figure::perceived, Figure::flip, Figure::flicker}) {
+      EXPECT_GT(flat[figure], gouraud[figure]) << name;
+      EXPECT_GT(gouraud[figure], pixel[figure]) << name;
+    }
+    EXPECT_EQ(pixel[Figure::wrong_pixels], gouraud[Figure::wrong_pixels]) << name;
+  }
+}
+
+TEST(Figures, AShorterReciprocalIsFartherFromTheTruthInDepthAlone) {
+  const auto opened = scene("knot");
+  const Errors newton = errors(*opened, "default"), quotient = errors(*opened, "reciprocal=quotient");
+  EXPECT_GT(quotient[Figure::depth_codes], 5 * newton[Figure::depth_codes]);
+  EXPECT_NEAR(quotient[Figure::wrong_pixels], newton[Figure::wrong_pixels], 0.3);
+}
+
 TEST(Figures, BilinearTexelsChangeColoursAlone) {
   const auto opened = scene("room");
   const Errors nearest = errors(*opened, "default"), bilinear = errors(*opened, "filter=bilinear");

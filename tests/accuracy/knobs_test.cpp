@@ -6,9 +6,11 @@
 #include <cmath>
 #include <fstream>
 #include <random>
+#include <set>
 
 #include "accuracy/journal.hpp"
 #include "accuracy/pareto.hpp"
+#include "accuracy/plot.hpp"
 #include "support.hpp"
 #include "zstrip/plan/quality.hpp"
 
@@ -49,9 +51,10 @@ TEST(Knobs, DitheringIsThePicturesOwnEffect) {
 // Fragments that have effects have their exact places at every 16th pixel.
 TEST(Knobs, PlacesInTexturesAreForPixelsWithoutEffects) {
   for (const char* fragments : {"dither=on", "filter=bilinear", "filter=mipmapped"}) {
-    EXPECT_FALSE(possible(*parse_settings(std::string("perspective=1,") + fragments), {})) << fragments;
+    EXPECT_FALSE(possible(extra_effects(*parse_settings(std::string("perspective=1,") + fragments)))) << fragments;
   }
-  EXPECT_TRUE(possible(*parse_settings("perspective=1,dither=on,format=gray4"), {}));
+  EXPECT_TRUE(possible(extra_effects(*parse_settings("perspective=1,dither=on,format=gray4"))));
+  EXPECT_FALSE(possible(effect::perspective_1 | effect::pixel_shading));
 }
 
 TEST(Knobs, PresetsOfTheLibraryAreThoseOfTheCommand) {
@@ -66,6 +69,11 @@ TEST(Knobs, PresetsOfTheLibraryAreThoseOfTheCommand) {
     EXPECT_EQ(static_cast<std::uint32_t>(preset->detail_percent), detail_percent(named.settings));
   }
   EXPECT_EQ(find_quality("best"), nullptr);
+}
+
+TEST(Knobs, EachHasAColourOfItsOwn) {
+  std::set<std::string_view> colours;
+  for (const KnobInfo& knob : knobs()) EXPECT_TRUE(colours.insert(colour_of_group(knob.name)).second) << knob.name;
 }
 
 TEST(Pareto, KeepsWhatNoOtherPointBeats) {

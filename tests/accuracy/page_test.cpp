@@ -34,8 +34,8 @@ class Page : public test::FolderTest {
 TEST_F(Page, HoldsEverythingWithoutItsScript) {
   const auto results = nlohmann::json::parse(test::read(path("out/accuracy.json")));
   ASSERT_EQ(results.size(), 2U);
-  std::size_t points = 0;
-  for (const auto& scene : results) points += scene["points"].size();
+  std::size_t points = 0, causes = 0;
+  for (const auto& scene : results) points += scene["points"].size(), causes += scene["causes"].size();
   EXPECT_EQ(count(html_, "<circle data-point="), points);
   EXPECT_EQ(count(html_, "<tr data-point="), points);
   EXPECT_EQ(count(html_, "<code>zstrip accuracy "), points);
@@ -43,8 +43,12 @@ TEST_F(Page, HoldsEverythingWithoutItsScript) {
   EXPECT_EQ(count(html_, "class=\"recommended\""), 2U);
   // Nothing is fetched.
   EXPECT_EQ(count(html_, "(src|href)=\"?http"), 0U);
-  const std::string csv = test::read(path("out/accuracy.csv"));
-  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), points + 1);
+  EXPECT_GT(causes, 2 * 6);
+  EXPECT_EQ(count(html_, "<tr data-cause="), causes);
+  for (const auto& [file, lines] : {std::pair{"out/accuracy.csv", points}, std::pair{"out/causes.csv", causes}}) {
+    const std::string csv = test::read(path(file));
+    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), lines + 1) << file;
+  }
 }
 
 TEST_F(Page, RunsAgainWithoutMeasuring) {
@@ -75,25 +79,26 @@ addEventListener('load', async () => {
   const section = document.querySelector('section.scene');
   const shown = (selector) => [...section.querySelectorAll(selector)].filter((e) => e.style.display !== 'none').length;
   seen.circles = shown('circle[data-point]');
-  seen.rows = shown('tbody tr');
-  const row = [...section.querySelectorAll('tbody tr')].find((r) => r.dataset.group === 'perspective');
+  seen.rows = shown('tbody tr[data-point]');
+  const row = [...section.querySelectorAll('tbody tr[data-point]')].find((r) => r.dataset.group === 'perspective');
   const circle = section.querySelector(`circle[data-point="${row.dataset.point}"]`);
   circle.dispatchEvent(new PointerEvent('pointermove', { bubbles: true, pageX: 10, pageY: 10 }));
   seen.tip = document.getElementById('tip').hidden ? '' : document.getElementById('tip').textContent;
   circle.dispatchEvent(new MouseEvent('click', { bubbles: true }));
   await wait(300);
   seen.chosen = section.querySelector('.detail').dataset.shown;
+  seen.words = section.querySelector('.detail p').textContent;
   seen.canvases = [...section.querySelectorAll('.detail canvas')].map((c) => {
     const data = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
     return new Set(new Uint32Array(data.buffer)).size;
   });
   document.querySelector('label[data-filter="depth"] input').click();
-  seen.rowsWithoutDepth = shown('tbody tr');
-  seen.depthRows = [...section.querySelectorAll('tbody tr')].filter((r) => r.dataset.group === 'depth').length;
+  seen.rowsWithoutDepth = shown('tbody tr[data-point]');
+  seen.depthRows = [...section.querySelectorAll('tbody tr[data-point]')].filter((r) => r.dataset.group === 'depth').length;
   document.querySelector('label[data-filter="depth"] input').click();
   document.querySelector('label[data-filter="only the front"] input').click();
-  seen.front = shown('tbody tr');
-  seen.frontMarked = [...section.querySelectorAll('tbody tr')].filter((r) => r.dataset.front === '1').length;
+  seen.front = shown('tbody tr[data-point]');
+  seen.frontMarked = [...section.querySelectorAll('tbody tr[data-point]')].filter((r) => r.dataset.front === '1').length;
   const select = document.querySelector('nav select');
   select.value = 'texture';
   select.dispatchEvent(new Event('change'));
@@ -120,6 +125,7 @@ TEST_F(Page, ShowsPicturesOnAClickAndFilters) {
   EXPECT_EQ(seen["circles"], seen["rows"]);
   EXPECT_NE(seen["tip"].get<std::string>().find("perspective="), std::string::npos);
   EXPECT_NE(seen["chosen"].get<std::string>().find("perspective="), std::string::npos);
+  EXPECT_NE(seen["words"].get<std::string>().find("each cause alone: aliasing "), std::string::npos) << seen["words"];
   ASSERT_EQ(seen["canvases"].size(), 6U);  // picture, truth, error; and each where it is worst
   for (const auto& colours : seen["canvases"]) EXPECT_GT(colours, 4);
   EXPECT_GT(seen["depthRows"], 0);

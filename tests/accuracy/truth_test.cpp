@@ -216,7 +216,7 @@ TEST(Truth, PixelsAreLitByTheNormalThere) {
   const std::array<DirectionalLight, 1> lights{{{0, 0, 32767, {200, 200, 200, 255}}}};
   square.meshes[0].normals = normals;
   square.meshes[0].colours = {};
-  square.materials[0] = {.colour = {255, 255, 255, 255}, .smooth = Shading::pixel};
+  square.materials[0] = {.colour = {255, 255, 255, 255}, .smooth = Shading::gouraud};
   square.scene.lights = lights;
   square.scene.ambient = {20, 20, 20, 255};
   const TruthPicture picture = square.draw();
@@ -224,6 +224,12 @@ TEST(Truth, PixelsAreLitByTheNormalThere) {
     const double lean = (x + 0.5) / 8 - 1;  // of the normal's x over its z
     EXPECT_NEAR(picture.at(x, 3).rgb[0], 20 + 200 / std::sqrt(1 + lean * lean), 0.1) << x;
   }
+  // Whether the material asks for that or for light at vertices; a flat one has its first vertex' light.
+  square.materials[0].smooth = Shading::pixel;
+  EXPECT_EQ(square.draw().at(5, 3).rgb, picture.at(5, 3).rgb);
+  square.materials[0].smooth = Shading::flat;
+  EXPECT_NEAR(square.draw().at(5, 3).rgb[0], 20 + 200 / std::sqrt(2), 0.1);
+  square.materials[0].smooth = Shading::gouraud;
   // Vertex colours are multiplied with it.
   square.meshes[0].colours = square.colours;
   EXPECT_NEAR(square.draw().at(12, 14).rgb[1], picture.at(12, 14).rgb[1] * 0.6875, 1);

@@ -26,8 +26,9 @@ const scenes::BuiltIn& built_in(const std::string& name) {
 }
 
 /// The bytes of all strips in order, without those that a lower last strip leaves over.
-std::vector<std::byte> render(const Scene& scene, const Camera& camera, const View& view, std::uint16_t rows) {
-  const Effects effects = effects_of(scene, camera);
+std::vector<std::byte> render(const Scene& scene, const Camera& camera, const View& view, std::uint16_t rows,
+                              Effects extra = {}) {
+  const Effects effects = effects_of(scene, camera) | extra;
   const auto [status, plan] = zstrip::plan(count(scene), view, effects, {.strip_rows = rows});
   check(status);
   std::vector<std::uint64_t> arena((plan.bytes() + 7) / 8);
@@ -61,11 +62,11 @@ GreyPicture render_turntable_gray4(const std::string& scene, std::uint32_t frame
 }
 
 std::vector<std::uint16_t> render_turntable_rgb565(const std::string& scene, std::uint32_t frame, std::uint32_t frames,
-                                                   std::uint16_t width, std::uint16_t height) {
+                                                   std::uint16_t width, std::uint16_t height, const Quality& preset) {
   const View view{width, height, PixelFormat::rgb565_swapped};
   scenes::Staged staged;
   stage(built_in(scene), staged, frame, frames, view);
-  const std::vector<std::byte> bytes = render(staged.scene, staged.camera, view, height);
+  const std::vector<std::byte> bytes = render(staged.scene, staged.camera, view, height, preset.effects);
   std::vector<std::uint16_t> pixels;
   for (std::size_t at = 0; at < bytes.size(); at += 2) {
     pixels.push_back(static_cast<std::uint16_t>(std::to_integer<unsigned>(bytes[at]) << 8 |

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "grey_picture.hpp"
+#include "zstrip/plan/quality.hpp"
 
 namespace zstrip::boards {
 
@@ -13,9 +14,10 @@ namespace zstrip::boards {
 GreyPicture render_turntable_gray4(const std::string& scene, std::uint32_t frame, std::uint32_t frames,
                                    std::uint16_t width, std::uint16_t height);
 
-/// A frame of a built-in scene on the turntable, in RGB565, drawn in one strip.
+/// A frame of a built-in scene on the turntable, in RGB565, drawn in one strip with the effects of a preset, too.
 std::vector<std::uint16_t> render_turntable_rgb565(const std::string& scene, std::uint32_t frame, std::uint32_t frames,
-                                                   std::uint16_t width, std::uint16_t height);
+                                                   std::uint16_t width, std::uint16_t height,
+                                                   const Quality& preset = quality::balanced);
 
 /// The whole showroom with the teapot where it is in that frame, in 16 greys, drawn as one scene without layers.
 GreyPicture render_showroom_gray4(std::uint32_t frame, std::uint32_t frames, std::uint16_t width, std::uint16_t height);

@@ -17,6 +17,11 @@ std::int32_t cosine(Angle angle);
 /// floor(sqrt(value)), exact for every input.
 std::uint32_t square_root(std::uint64_t value);
 
+/// As reciprocal, to 2^-15: the division alone.
+constexpr std::int32_t coarse_reciprocal(std::uint32_t divisor) {
+  return static_cast<std::int32_t>(quotient_32(divisor >> 16) << 14);
+}
+
 /// 2^62 / divisor for a normalised divisor (2^31 <= divisor < 2^32): a result of 31 bits, 2^30 <= result < 2^31,
 /// relative error below 2^-28. One 32-bit division and one Newton step; the same bits on every target.
 constexpr std::int32_t reciprocal(std::uint32_t divisor) {

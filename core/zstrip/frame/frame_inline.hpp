@@ -82,9 +82,14 @@ Status Frame::Access::prepare_frame(Frame& frame, const Scene& scene, const Came
     if (called_for.has(effect::outlines))
       detail::extend_by_outlines(reach, effect_block(frame, scene).outlined(), camera, view);
   }
-  if (const Status status = prepare(frame, scene, camera, view, detail::fit_to(reach, camera)); !status) {
-    return status;
-  }
+  const auto fit = [&] {
+    if constexpr (effects.has(effect::coarse_reciprocal)) {
+      return detail::with_room_for_coarse(detail::fit_to(reach, camera));
+    } else {
+      return detail::fit_to(reach, camera);
+    }
+  };
+  if (const Status status = prepare(frame, scene, camera, view, fit()); !status) return status;
   if constexpr (effects.has(effect::outlines)) {
     if (called_for.has(effect::outlines)) prepare_outlines(frame, scene, camera);
   }

@@ -24,12 +24,14 @@ constexpr Superset kSupersets[] = {
     superset<kTriangles | effect::perspective_affine>(),
     superset<kTriangles | effect::perspective_8>(),
     superset<kTriangles | effect::perspective_1>(),
+    superset<kTriangles | effect::coarse_reciprocal>(),
     superset<kEverything>(),
     superset<kEverything | effect::orthographic>(),
     superset<kEverything | effect::perspective_affine>(),
     superset<kEverything | effect::perspective_8>(),
     superset<kEverything | effect::perspective_1>(),
     superset<kEverything | effect::depth_float>(),
+    superset<kWithoutShadows | effect::coarse_reciprocal>(),
     superset<kWithoutShadows | effect::depth_w16>(),
     superset<kEverything | effect::depth_24>(),
     superset<kEverything | effect::depth_24 | effect::orthographic>(),
@@ -39,8 +41,8 @@ constexpr Superset kSupersets[] = {
     superset<kWithoutShadows | effect::depth_ranges | effect::orthographic>(),
 };
 
-constexpr Effects kMustBeEqual =
-    effect::orthographic | effect::depth_formats | effect::depth_ranges | effect::perspective_runs;
+constexpr Effects kMustBeEqual = effect::orthographic | effect::depth_formats | effect::depth_ranges |
+                                 effect::perspective_runs | effect::coarse_reciprocal;
 
 }  // namespace
 

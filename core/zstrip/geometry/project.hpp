@@ -46,9 +46,18 @@ struct Reciprocal {
   std::int32_t value;  ///< 2^(62 - normalisation) / w
   int normalisation;
 };
+template <bool coarse = false>
 constexpr Reciprocal reciprocal_of(std::uint32_t w) {
   const int normalisation = std::countl_zero(w);
-  return {reciprocal(w << normalisation), normalisation};
+  return {coarse ? coarse_reciprocal(w << normalisation) : reciprocal(w << normalisation), normalisation};
+}
+
+/// A fit whose codes leave room for coarse reciprocals: 2^-14 of the distances at either end, twice their error. The
+/// distances themselves stay, so that what is clipped, too.
+constexpr DepthFit with_room_for_coarse(const DepthFit& fit) {
+  if (fit.near == 0) return fit;
+  const DepthFit wider = fit_depth(fit.near - (fit.near >> 14), fit.far + (fit.far >> 14));
+  return {fit.near, fit.far, wider.quotient_at_near - (wider.quotient_at_near >> 14), wider.offset};
 }
 
 /// Snaps the depth of a vertex in any format to odd eighths of a code, as snap_depth does for z16; z32 has no bits for
@@ -127,14 +136,14 @@ struct NarrowProjection {
 };
 
 /// Projects and snaps; false if the vertex is not narrow. `x`, `y`, `w` are the instance's linear forms at the vertex.
-template <bool orthographic, DepthFormat format = DepthFormat::z16>
+template <bool orthographic, DepthFormat format = DepthFormat::z16, bool coarse = false>
 inline bool project_narrow(const NarrowProjection<orthographic>& narrow, const CompiledInstance& instance,
                            const RasterOrigin& origin, std::int32_t x, std::int32_t y, std::int32_t w,
                            SnappedVertex& vertex) {
   if (static_cast<std::uint32_t>(w) - narrow.w_near > narrow.w_range) return false;
   Reciprocal r{0, 0};
   if constexpr (!orthographic) {
-    r = reciprocal_of(static_cast<std::uint32_t>(w));
+    r = reciprocal_of<coarse>(static_cast<std::uint32_t>(w));
     x = multiply_high(x, r.value);
     y = multiply_high(y, r.value);
   }

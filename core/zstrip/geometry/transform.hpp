@@ -16,6 +16,7 @@ bool transform_vertices_portable(const CompiledInstance& instance, const Mesh& m
                                  std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {
   constexpr bool kOrthographic = effects.has(effect::orthographic);
   constexpr DepthFormat kFormat = depth_format(effects);
+  constexpr bool kCoarse = effects.has(effect::coarse_reciprocal);
   const LinearForm fx = instance.x;
   const LinearForm fy = instance.y;
   const LinearForm fw = instance.w;
@@ -24,7 +25,8 @@ bool transform_vertices_portable(const CompiledInstance& instance, const Mesh& m
   bool all_narrow = true;
   for (std::uint32_t i = 0; i < count; ++i) {
     const Position p = positions[i];
-    if (!project_narrow<kOrthographic, kFormat>(narrow, instance, origin, fx.at(p), fy.at(p), fw.at(p), vertices[i])) {
+    if (!project_narrow<kOrthographic, kFormat, kCoarse>(narrow, instance, origin, fx.at(p), fy.at(p), fw.at(p),
+                                                         vertices[i])) {
       vertices[i] = {kNotNarrow, 0, 0};
       all_narrow = false;
     }
@@ -33,14 +35,15 @@ bool transform_vertices_portable(const CompiledInstance& instance, const Mesh& m
 }
 
 /// Cannot be inlined: the rasterisers need the stack that it takes.
-[[gnu::noinline]] inline bool transform_vertices_in_assembly(const CompiledInstance& instance, const Mesh& mesh,
-                                                             const RasterOrigin& origin, std::uint32_t first,
-                                                             std::uint32_t count, SnappedVertex* vertices) {
+template <bool coarse>
+[[gnu::noinline]] bool transform_vertices_in_assembly(const CompiledInstance& instance, const Mesh& mesh,
+                                                      const RasterOrigin& origin, std::uint32_t first,
+                                                      std::uint32_t count, SnappedVertex* vertices) {
   const Position* const positions = mesh.positions.data() + first;
   if constexpr (kHasThumb1) {
-    return transform_vertices_thumb1(HalvedTransform(instance, origin), positions, count, vertices);
+    return transform_vertices_thumb1<coarse>(HalvedTransform(instance, origin), positions, count, vertices);
   } else {
-    return transform_vertices_thumb2(NarrowTransform(instance, origin), positions, count, vertices);
+    return transform_vertices_thumb2<coarse>(NarrowTransform(instance, origin), positions, count, vertices);
   }
 }
 
@@ -50,9 +53,11 @@ bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, cons
                         std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {
   if constexpr (kHasThumb && !effects.has(effect::orthographic) && depth_format(effects) == DepthFormat::z16) {
     if (count == 0) return true;
-    return transform_vertices_in_assembly(instance, mesh, origin, first, count, vertices);
+    return transform_vertices_in_assembly<effects.has(effect::coarse_reciprocal)>(instance, mesh, origin, first, count,
+                                                                                  vertices);
   } else {
-    if constexpr (kHasSse2 && !effects.has(effect::orthographic) && depth_format(effects) == DepthFormat::z16) {
+    if constexpr (kHasSse2 && !effects.any(effect::orthographic | effect::coarse_reciprocal) &&
+                  depth_format(effects) == DepthFormat::z16) {
       if (fits_sse2(instance.w) && fits_sse2(instance.x) && fits_sse2(instance.y)) {
         return transform_vertices_sse2(instance, origin, mesh.positions.data() + first, count, vertices);
       }

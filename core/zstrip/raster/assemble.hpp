@@ -253,7 +253,8 @@ struct Assembler {
   }
 
   static RasterVertex projected(const Batch& batch, const ClipVertex& v) {
-    WidePosition p = project_wide<kOrthographic>(*batch.instance, batch.origin, v);
+    constexpr bool kCoarse = effects.has(effect::coarse_reciprocal) && !kOrthographic;
+    WidePosition p = project_wide<kOrthographic, kCoarse>(*batch.instance, batch.origin, v);
     if constexpr (kDepth.format != DepthFormat::z16) {
       p.depth = project_wide_depth<kOrthographic, kDepth.format>(*batch.instance, batch.origin, v);
     }

@@ -27,11 +27,11 @@ int run_on_lcd() {
   return 1;
 }
 
-/// `scene` on the turntable for ever; the result is main's.
-template <const scenes::BuiltIn& scene, LcdMode mode>
+/// `scene` on the turntable for ever, drawn with a preset; the result is main's.
+template <const scenes::BuiltIn& scene, LcdMode mode, const Quality& preset = quality::balanced>
 int show_on_lcd() {
   constexpr Budget kBudget{.bytes = 256 * 1024, .strip_buffers = 1};
-  return run_on_lcd<ScenePlayer<TurntableMotion<scene, kLcdView<mode>, kBudget>>, mode>();
+  return run_on_lcd<ScenePlayer<TurntableMotion<scene, kLcdView<mode>, kBudget, 64, preset>>, mode>();
 }
 
 }  // namespace zstrip::board

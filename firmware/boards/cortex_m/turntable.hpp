@@ -20,15 +20,16 @@ inline void print_member(const char* name, std::uint32_t value) {
 }
 
 /// `scene` in a picture of width x height pixels, as panels on SPI take them, in `bytes` of memory for arena and
-/// pixels: frames 0 to frames - 1 of a turn in `frames_per_turn`. The result is main's.
-template <const scenes::BuiltIn& scene, std::uint16_t width, std::uint16_t height, std::uint32_t bytes>
+/// pixels, drawn with a preset: frames 0 to frames - 1 of a turn in `frames_per_turn`. The result is main's.
+template <const scenes::BuiltIn& scene, std::uint16_t width, std::uint16_t height, std::uint32_t bytes,
+          const Quality& preset = quality::balanced>
 struct Turntable {
   static constexpr std::uint32_t kFrames = 4;
   static constexpr std::uint32_t kFramesPerTurn = 12;
   static constexpr View kView{width, height, PixelFormat::rgb565_swapped};
   // The bus of a panel is polled on boards like these: a second strip of pixels would not save any time.
   static constexpr Budget kBudget{.bytes = bytes, .split_columns = true, .strip_buffers = 1};
-  using Player = ScenePlayer<TurntableMotion<scene, kView, kBudget, kFramesPerTurn>>;
+  using Player = ScenePlayer<TurntableMotion<scene, kView, kBudget, kFramesPerTurn, preset>>;
 
   static int run() {
     print("{\"scene\": \"");

@@ -1,6 +1,7 @@
-// A built-in scene on the turntable: one of the motions that scene_player.hpp shows.
+// A built-in scene on the turntable, drawn with a preset: one of the motions that scene_player.hpp shows.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "zstrip/plan/plan.hpp"
@@ -9,24 +10,36 @@
 
 namespace zstrip::board {
 
-/// What all boards draw with (docs/accuracy.md): another preset here costs and buys what that page says.
-inline constexpr const Quality& kQuality = quality::balanced;
-static_assert(kQuality.smooth && kQuality.detail_percent == 100, "built-in scenes are in flash as they are");
-
-/// `budget` with the preset's way of drawing; how many rows a strip has is for the board's memory to say.
-constexpr Budget with_quality(Budget budget) {
-  budget.modes = kQuality.budget.modes;
+/// `budget` with the preset's way of drawing. How many rows a strip has is for the board's memory to say, unless the
+/// preset has fewer than the usual ones: then that is what it is for.
+constexpr Budget with_quality(Budget budget, const Quality& preset) {
+  budget.modes = preset.budget.modes;
+  if (preset.budget.strip_rows < quality::balanced.budget.strip_rows) budget.strip_rows = preset.budget.strip_rows;
   return budget;
 }
 
-/// Frame n of a turn in `frames_per_turn`, planned for `view` within `budget`.
-template <const scenes::BuiltIn& scene, View view, Budget budget, std::uint32_t frames_per_turn = 64>
+/// Whether a scene that is in flash as it is can be what the preset asks for: flat, and no mesh worth simplifying.
+constexpr bool suits(const scenes::BuiltIn& scene, const Quality& preset) {
+  constexpr std::size_t kWorthSimplifying = 200;  // triangles
+  if (!preset.smooth && effects_of(scene.scene, scene.camera).has(effect::gouraud)) return false;
+  if (preset.detail_percent == 100) return true;
+  for (const Mesh& mesh : scene.scene.meshes) {
+    if (mesh.triangles.size() >= kWorthSimplifying) return false;
+  }
+  return true;
+}
+
+/// Frame n of a turn in `frames_per_turn`, planned for `view` within `budget`, drawn with `preset`, one of
+/// zstrip/plan/quality.hpp (docs/accuracy.md says what each costs and buys).
+template <const scenes::BuiltIn& scene, View view, Budget budget, std::uint32_t frames_per_turn = 64,
+          const Quality& preset = quality::balanced>
 class TurntableMotion {
  public:
   static constexpr std::uint32_t kFrames = frames_per_turn;
   static constexpr View kView = view;
-  static constexpr Effects kEffects = effects_of(scene.scene, scene.camera) | kQuality.effects;
-  static constexpr PlanResult kPlanned = plan(scene.counts, kView, kEffects, with_quality(budget));
+  static constexpr Effects kEffects = effects_of(scene.scene, scene.camera) | preset.effects;
+  static_assert(suits(scene, preset), "the scene is smooth, or has meshes to simplify: bake it for this preset");
+  static constexpr PlanResult kPlanned = plan(scene.counts, kView, kEffects, with_quality(budget, preset));
   static_assert(kPlanned.status, "the scene does not fit the budget");
   static constexpr Plan kPlan = kPlanned.plan;
 

@@ -28,11 +28,11 @@ int run_on_bochs_display() {
   for (;;) asm volatile("wfi");  // the emulator ends with main, and with it the screen that has the words
 }
 
-/// `scene` on the turntable for ever; the result is main's.
-template <const scenes::BuiltIn& scene, View view>
+/// `scene` on the turntable for ever, drawn with a preset; the result is main's.
+template <const scenes::BuiltIn& scene, View view, const Quality& preset = quality::balanced>
 int show_on_bochs_display() {
   constexpr Budget kBudget{.bytes = 256 * 1024, .strip_buffers = 1};
-  return run_on_bochs_display<ScenePlayer<TurntableMotion<scene, view, kBudget>>, view>();
+  return run_on_bochs_display<ScenePlayer<TurntableMotion<scene, view, kBudget, 64, preset>>, view>();
 }
 
 }  // namespace zstrip::board

@@ -1,5 +1,5 @@
-// A room seen from inside in 128x128 pixels, in 4.8 KB.
+// A room seen from inside in 128x128 pixels, with the preset of the least memory.
 #include "cortex_m/turntable.hpp"
 #include "zstrip_scenes/room.hpp"
 
-int main() { return zstrip::board::Turntable<zstrip::scenes::room, 128, 128, 4'880>::run(); }
+int main() { return zstrip::board::Turntable<zstrip::scenes::room, 128, 128, 4'880, zstrip::quality::tiny>::run(); }

@@ -10,7 +10,7 @@ const scenes = [...document.querySelectorAll('section.scene')].map((section) => 
   const scene = JSON.parse(section.querySelector('script.data').textContent);
   scene.section = section;
   scene.circles = [...section.querySelectorAll('circle[data-point]')];
-  scene.rows = [...section.querySelectorAll('tbody tr')];
+  scene.rows = [...section.querySelectorAll('tbody tr[data-point]')];
   return scene;
 });
 
@@ -20,6 +20,12 @@ function summary(point) {
   const fps = cost.least_fps === null ? '' : `, ${number(cost.least_fps)} to ${number(cost.most_fps)} frames a second`;
   return `${time}${fps}, RAM ${number(cost.ram_bytes)} bytes\nvisible error ${number(point.errors.perceived)}, ` +
     `wrong pixels ${number(point.errors.wrong_pixels)} %, PSNR ${number(point.errors.psnr)} dB`;
+}
+
+// What each stage of drawing alone does with these settings, where that was measured.
+function causesOf(scene, point) {
+  const own = scene.causes.filter((c) => Object.keys(c.knobs).every((k) => c.knobs[k] === point.knobs[k]));
+  return own.length === 0 ? '' : '\nvisible error of each cause alone: ' + own.map((c) => `${c.cause} ${number(c.perceived)}`).join(', ');
 }
 
 function pictureOf(url) {
@@ -71,7 +77,7 @@ async function choose(scene, index) {
   const row = scene.rows.find((r) => +r.dataset.point === index);
   const detail = scene.section.querySelector('.detail');
   const title = Object.assign(document.createElement('h3'), { textContent: point.settings });
-  const words = Object.assign(document.createElement('p'), { textContent: summary(point) });
+  const words = Object.assign(document.createElement('p'), { textContent: summary(point) + causesOf(scene, point) });
   words.style.whiteSpace = 'pre-line';
   const command = Object.assign(document.createElement('p'), {});
   command.append(Object.assign(document.createElement('code'), { textContent: row.querySelector('code').textContent }));

@@ -1,0 +1,93 @@
+// Stages of drawing as coarse as the renderer's, each alone: snapped corners, the transform in fixed point, what is
+// interpolated, depth in codes, colours of the display. After docs/conventions.md and docs/numerics.md, in double
+// precision; shares no code with the renderer.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "accuracy/truth_light.hpp"
+#include "zstrip/scene/camera.hpp"
+#include "zstrip/scene/depth_format.hpp"
+#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene/view.hpp"
+
+namespace zstrip::sim {
+
+/// How 1/w of a vertex is found.
+enum class ReciprocalStage : std::uint8_t { newton, quotient };
+
+/// Which stages are coarse; without any of them the picture is exact.
+struct Stages {
+  bool snapping = false;                       ///< corners rounded to 1/16 pixel
+  std::optional<ReciprocalStage> transform{};  ///< linear forms of 32 bits, each product rounded down, and this 1/w
+  /// Light where the material says (first vertex, vertices, pixels), colours linear on the screen, depth stepped with
+  /// 16 fraction bits, places in textures exact at every so many pixels of a row (0: at the corners) and linear
+  /// between.
+  std::optional<std::uint32_t> interpolation{};
+  /// Pixels keep codes of this format. `ranges`: of sub-ranges.
+  struct Depth {
+    DepthFormat format = DepthFormat::z16;
+    bool ranges = false;
+  };
+  std::optional<Depth> depth{};
+  std::optional<View> colour{};  ///< pixels are of this format, dithered if it says so
+};
+
+namespace truth {
+
+/// Depth codes of a frame, with the range fitted to the scene unless the camera's is fixed.
+class DepthCodes {
+ public:
+  DepthCodes(const Scene& scene, const Camera& camera, const Stages::Depth& depth);
+
+  /// What codes count, not rounded; greater is nearer. Of float16 what it is a float of.
+  double linear(double w) const;
+  double distance(double linear) const;
+  std::uint32_t code(double w) const;
+
+ private:
+  DepthFormat format_;
+  bool orthographic_;
+  double near_, far_, first_, span_;
+};
+
+/// A vertex as 32 bits carry it to the screen.
+struct FixedVertex {
+  double x, y, w;  ///< view space, w along the viewing direction
+};
+
+/// An instance's transform in fixed point.
+class FixedTransform {
+ public:
+  FixedTransform(const Mesh& mesh, const Transform& transform, const Camera& camera, const View& view,
+                 ReciprocalStage reciprocal);
+  FixedVertex at(const Position& p) const;
+
+ private:
+  /// offset + sum of floor(coefficient p / 2^16), below 2^30; times 2^exponent it is a length.
+  struct Form {
+    std::array<double, 3> coefficient{};
+    double offset = 0;
+    int exponent = 0;
+    double at(const Position& p) const;
+  };
+  static Form form_of(const Vector& axis, const Mesh& mesh, const Transform& transform, const Camera& camera);
+
+  Form x_, y_, w_;
+  double mantissa_ = 1;  ///< of the pixels of a unit at distance 1: 0.5..1
+  bool orthographic_;
+  ReciprocalStage reciprocal_;
+};
+
+/// A plane through three values on the screen, stepped from the first with gradients of 16 fraction bits.
+double stepped(const std::array<std::array<double, 2>, 3>& at, const std::array<double, 3>& value, double x, double y);
+
+/// What a surface's colour was made of: it decides how it is rounded and whether it is dithered.
+enum class ColourKind : std::uint8_t { even, gradient, texel, lit_texel };
+/// A colour as a pixel of the picture shows it, 0..255 a channel.
+std::array<float, 3> shown(const View& picture, const Vector& rgb, ColourKind kind, std::uint32_t x, std::uint32_t y);
+
+}  // namespace truth
+}  // namespace zstrip::sim

@@ -1,0 +1,117 @@
+// Coarse reciprocals: how coarse, and that surfaces stay closed, codes in order and strips alike.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+
+#include "accuracy/measure.hpp"
+#include "accuracy/observation.hpp"
+#include "zstrip/base/math.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr Budget kWhole{.strip_rows = 96, .modes = Modes::streamed};
+
+std::unique_ptr<AccuracyScene> scene(const char* name) {
+  auto opened = AccuracyScene::open({.scene = name, .view = {128, 96}, .frames = 2, .firmware = ""});
+  EXPECT_TRUE(opened) << opened.failure().message;
+  return std::move(*opened);
+}
+
+TEST(CoarseReciprocal, IsRightTo15Bits) {
+  double worst = 0;
+  for (std::uint64_t divisor = std::uint64_t{1} << 31; divisor < std::uint64_t{1} << 32; divisor += 65521) {
+    const double exact = std::ldexp(1.0, 62) / static_cast<double>(divisor);
+    const double off = coarse_reciprocal(static_cast<std::uint32_t>(divisor)) / exact - 1;
+    EXPECT_GT(off, -std::ldexp(1.0, -16)) << divisor;
+    worst = std::max(worst, off);
+  }
+  EXPECT_LT(worst, std::ldexp(1.0, -15));
+  EXPECT_GT(worst, std::ldexp(1.0, -16));
+}
+
+// Corners of the floor and walls are clipped beside those that are not.
+TEST(CoarseReciprocal, LeavesNoHolesBesideWhatIsClipped) {
+  const auto room = scene("room");
+  for (const Staging& staged : room->staged()) {
+    const Result<Drawn> fine = draw(staged, {128, 96}, {}, kWhole, true);
+    const Result<Drawn> coarse = draw(staged, {128, 96}, effect::coarse_reciprocal, kWhole, true);
+    ASSERT_TRUE(fine && coarse);
+    EXPECT_NE(fine->code, coarse->code);
+    for (std::size_t i = 0; i < fine->code.size(); ++i) EXPECT_EQ(fine->code[i] == 0, coarse->code[i] == 0) << i;
+  }
+}
+
+/// Two squares at the very ends of the depth range.
+struct Ends {
+  std::array<Position, 4> positions{{{-32767, -32767, 0}, {32767, -32767, 0}, {32767, 32767, 0}, {-32767, 32767, 0}}};
+  std::array<Triangle, 2> triangles{{{0, 1, 2}, {0, 2, 3}}};
+  std::array<Material, 2> materials{
+      {{.colour = {255, 0, 0, 255}, .lit = false}, {.colour = {0, 255, 0, 255}, .lit = false}}};
+  std::array<Mesh, 1> meshes{};
+  std::array<Instance, 2> instances{};
+  Staging staged{};
+
+  Ends(Fixed distance, Fixed between) {
+    meshes[0].positions = positions;
+    meshes[0].triangles = triangles;
+    meshes[0].half_extent = {4 * kFixedOne, 4 * kFixedOne, 0};
+    // The far one is drawn last: it must not come in front.
+    instances[0].transform.m[2][3] = -distance;
+    instances[1].transform.m[2][3] = -distance - between;
+    instances[1].material = 1;
+    staged.scene.meshes = meshes;
+    staged.scene.materials = materials;
+    staged.scene.instances = instances;
+    staged.camera.eye = {0, 0, 0};
+    staged.camera.focal = 2 * kFixedOne;
+  }
+  Ends(const Ends&) = delete;
+  Ends& operator=(const Ends&) = delete;
+};
+
+// The error of the near end is 2^-15 of 1/w, which is many codes where both ends are close together.
+TEST(CoarseReciprocal, KeepsTheEndsOfTheRangeInOrder) {
+  for (int step = 0; step < 400; ++step) {
+    const Fixed distance = 4 * kFixedOne + step * 601;
+    const Ends ends(distance, distance / (2 + step % 50));
+    const Result<Drawn> drawn =
+        draw(ends.staged, {64, 48}, effect::coarse_reciprocal, {.strip_rows = 48, .modes = Modes::streamed}, true);
+    ASSERT_TRUE(drawn) << drawn.failure().message;
+    const std::uint32_t middle = drawn->code[24 * 64 + 32];
+    EXPECT_GT(middle, 60000U) << step;
+    EXPECT_LE(middle, 65534U) << step;
+    std::uint16_t word = 0;
+    std::memcpy(&word, drawn->pixels.data() + 2 * (24 * 64 + 32), 2);
+    EXPECT_EQ(word, 0xF800) << step;
+  }
+}
+
+TEST(CoarseReciprocal, IsTheSameInStripsAndBins) {
+  const auto knot = scene("knot_meshlets");
+  const Staging& staged = knot->staged()[0];
+  const Result<Drawn> whole = draw(staged, {128, 96}, effect::coarse_reciprocal, kWhole, false);
+  const Result<Drawn> strips =
+      draw(staged, {128, 96}, effect::coarse_reciprocal, {.strip_rows = 8, .modes = Modes::streamed}, false);
+  const Result<Drawn> bins = draw(staged, {128, 96}, effect::coarse_reciprocal | effect::bins,
+                                  {.strip_rows = 16, .modes = Modes::binned}, false);
+  ASSERT_TRUE(whole && strips && bins);
+  EXPECT_EQ(strips->pixels, whole->pixels);
+  EXPECT_EQ(bins->pixels, whole->pixels);
+}
+
+TEST(CoarseReciprocal, IsForZ16WithoutShadowsAlone) {
+  EXPECT_TRUE(depth_effects_agree(effect::coarse_reciprocal));
+  for (const Effects other : {effect::depth_24, effect::depth_ranges, effect::shadows}) {
+    EXPECT_FALSE(depth_effects_agree(effect::coarse_reciprocal | other));
+  }
+  EXPECT_FALSE(methods_agree(effect::coarse_reciprocal | method::hierarchical_z));
+}
+
+}  // namespace
+}  // namespace zstrip::sim
