@@ -77,6 +77,12 @@ Result<Done> run(const Arguments& arguments) {
   const Result<KeptFrames> kept =
       keep_frames(**stage, request->view, kept_format, kFramesOfTurn, arguments.static_layer);
   if (!kept) return kept.failure();
+  if (arguments.static_layer && !kept->possible) {
+    return Failure{
+        ExitStatus::usage,
+        "a static layer keeps the z-buffer, which shadows use up; leave out --static-layer, or the key shadow "
+        "of the light"};
+  }
   if (arguments.static_layer) request->budget.layer = kept->layer();
   const Result<Staging> staging = (*stage)->place(0, 1);
   if (!staging) return staging.failure();

@@ -26,7 +26,7 @@ class Keeper {
 
   const LayerBytes& worst() const { return worst_; }
 
-  /// Widens the distances of things by this frame's.
+  /// Widens the distances of things by this frame's. Keeps nothing where the frame has no plain depth.
   Status keep(const Staging& staging, Fixed& nearest, Fixed& farthest) {
     const Effects effects = effects_of(staging.scene, staging.camera) | effects_of(view_) | depth_effect(format_);
     const PlanResult planned = zstrip::plan(count(staging.scene), view_, effects, {.strip_rows = view_.height});
@@ -48,11 +48,12 @@ class Keeper {
       nearest = nearest == 0 ? frame.nearest() : std::min(nearest, frame.nearest());
       farthest = std::max(farthest, frame.farthest());
     }
-    if (const Status begun = begin(staging.camera); !begun) return begun;
+    if (const Status begun = begin(staging.camera); !begun || !has_plain_depth()) return begun;
     if (const Status drawn = renderer_.draw_strip(0, pixels); !drawn) return drawn;
     return layer_.keep(renderer_.frame(), 0, pixels);
   }
 
+  bool has_plain_depth() const { return renderer_.frame().has_plain_depth(); }
   const StaticLayer& layer() const { return layer_; }
 
  private:
@@ -82,6 +83,7 @@ Result<KeptFrames> keep_frames(Stage& stage, const View& view, DepthFormat forma
     staging->camera.fixed_depth_range = fixed_range;
     if (const Status status = keeper.keep(*staging, kept.nearest, kept.farthest); !status)
       return frame_refused("a frame cannot be kept", status);
+    if (!keeper.has_plain_depth()) kept.possible = false;
     const std::uint32_t depth = keeper.layer().depth_store().bytes_used();
     const std::uint32_t colour = keeper.layer().colour_store().bytes_used();
     depth_sum += depth;

@@ -22,6 +22,7 @@ struct KeptFrames {
   DepthFormat format = DepthFormat::z16;  ///< of the kept depth
   Fixed nearest = 0, farthest = 0;        ///< thing of all frames, 16.16; 0 if none is visible
   DepthRange codes{};                     ///< between what the codes span
+  bool possible = true;                   ///< false: shadows use up the z-buffer, and nothing below is known
   KeptBytes depth, colour;
   std::uint32_t dirty = 0;
 

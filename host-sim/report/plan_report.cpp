@@ -58,6 +58,11 @@ std::string depth_table(const DepthAdvice& depth) {
   return text + fmt::format("Needed at {}: {}.\n", length(depth.farthest), length(depth.needed));
 }
 
+/// Layers keep pixels of one sample, with their depth.
+bool has_layer(const PlanRequest& request, const PlanChoice& choice) {
+  return request.view.samples == 1 && choice.kept.possible;
+}
+
 std::string layer_table(const KeptFrames& kept) {
   std::string text = fmt::format("\nas a static layer, {} frames of a turn kept one by one\n{:>10}  {:>10}  {:>10}\n",
                                  kept.frames, "largest", "average", "any");
@@ -152,7 +157,7 @@ std::string plan_table(const std::string& scene, const PlanRequest& request, con
       request.budget.bytes == 0 ? "no limit given" : fmt::format("of {} allowed", grouped(request.budget.bytes)));
   text += curve(choice, request.view);
   if (choice.depth) text += depth_table(*choice.depth);
-  if (request.view.samples == 1) text += layer_table(choice.kept);
+  if (has_layer(request, choice)) text += layer_table(choice.kept);
   text += "Instructions: a frame on a Cortex-M3, estimated from what the first frame does; zstrip bench measures.\n";
   return text;
 }
@@ -201,7 +206,7 @@ std::string plan_json(const std::string& scene, const PlanRequest& request, cons
                    {"depth_bytes", pool(choice.kept.depth)},
                    {"colour_bytes", pool(choice.kept.colour)},
                    {"dirty_bytes", choice.kept.dirty}}}};
-  if (request.view.samples != 1) object["static_layer"] = nullptr;  // layers keep pixels of one sample
+  if (!has_layer(request, choice)) object["static_layer"] = nullptr;
   return object.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -51,8 +51,8 @@ void add_compiler_frames(CompilerFrames& frames, std::string_view ci) {
     const std::size_t digits = line.rfind("\\n", bytes) + 2;
     std::uint32_t frame = 0;
     std::from_chars(line.data() + digits, line.data() + bytes, frame);
-    std::uint32_t& known = frames[std::string(name)];
-    known = std::max(known, frame);
+    const auto [known, is_new] = frames.emplace(name, frame);
+    if (!is_new) known->second = std::min(known->second, frame);
   }
 }
 

@@ -14,7 +14,8 @@
 
 namespace zstrip::budget {
 
-/// Bytes of stack that the compiler says a function takes, by the linker's name; the largest where several have it.
+/// Bytes of stack that the compiler says a function takes, by the linker's name; the smallest where several have it, as
+/// inline functions that files compile differently, of which the linker keeps any.
 using CompilerFrames = std::map<std::string, std::uint32_t>;
 
 /// Adds what a .ci file (GCC's -fcallgraph-info=su) says. Throws std::runtime_error if a function's frame has no bound.

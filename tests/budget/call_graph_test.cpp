@@ -148,6 +148,10 @@ TEST(Budget, StackIsComparedWithTheCompilersStatement) {
   EXPECT_EQ(bound("00000040 <root>:\n      40:\tsub\tsp, #24\n", empty_program(), frames), 24U);
   EXPECT_EQ(reason("00000040 <root>:\n      40:\tsub\tsp, #20\n", empty_program(), frames),
             "root: the compiler says that it takes 24 bytes of stack, its instructions say 20");
+  add_compiler_frames(frames, "node: { title: \"root\" label: \"void root()\\nb.cpp:1:6\\n20 bytes (static)\" }\n");
+  EXPECT_EQ(bound("00000040 <root>:\n      40:\tsub\tsp, #20\n", empty_program(), frames), 20U);
+  EXPECT_EQ(reason("00000040 <root>:\n      40:\tsub\tsp, #16\n", empty_program(), frames),
+            "root: the compiler says that it takes 20 bytes of stack, its instructions say 16");
   EXPECT_THROW(add_compiler_frames(frames, "node: { title: \"f\" label: \"f\\na.cpp:1:1\\n16 bytes (dynamic)\" }\n"),
                std::runtime_error);
 }

@@ -86,6 +86,7 @@ TEST_F(Command, PlanMeasuresTheStaticLayerAndCountsItWhereItIsAskedFor) {
   EXPECT_LE(bytes.at("total"), 24 * 1024);
   EXPECT_EQ(json.at("plan").at("strip_rows").get<int>() % 8, 0);
   EXPECT_EQ(zstrip({"plan", "room", "--static-layer", "--depth-format", "z24"}).status, 2);
+  EXPECT_EQ(zstrip({"plan", ZSTRIP_SCENE_FILES "/shadows.toml", "--static-layer"}).status, 2);
   EXPECT_EQ(zstrip({"plan", "room", "--static-layer", "--format", "gray4"}).status, 2);
 }
 
@@ -151,6 +152,18 @@ TEST_F(Command, PlanNamesTheCheapestChangeThatWouldFit) {
   EXPECT_EQ(nothing.status, 5);
   EXPECT_NE(nothing.err.find("the smallest needs 1,112 bytes"), std::string::npos) << nothing.err;
   EXPECT_EQ(zstrip({"plan", "knot_meshlets", "--strip-columns", "12"}).status, 2);
+}
+
+/// Ended with an internal error, because the static layer that it looked at cannot keep the z-buffer of shadows.
+TEST_F(Command, PlanOfAnySceneFile) {
+  for (const auto& entry : std::filesystem::directory_iterator(ZSTRIP_SCENE_FILES)) {
+    if (entry.path().extension() != ".toml") continue;
+    const Outcome outcome = zstrip({"plan", entry.path().string(), "--size", "64x48", "--json"});
+    EXPECT_EQ(outcome.status, 0) << entry.path() << outcome.err;
+    if (outcome.status != 0) continue;
+    const bool shadows = entry.path().stem() == "shadows", samples = entry.path().stem() == "anti_aliasing";
+    EXPECT_EQ(nlohmann::json::parse(outcome.out).at("static_layer").is_null(), shadows || samples) << entry.path();
+  }
 }
 
 }  // namespace

@@ -182,9 +182,9 @@ constexpr bool depth_effects_agree(Effects effects) {
 }
 
 /// Which of these effects their methods cannot draw: coarse reciprocals, which bounds do not know; other depth formats
-/// and sub-ranges, which only culling goes with; rules of a material's own, which need the scene's order and a z-buffer;
-/// surfaces where there is none; shadows and products of solids where there is none or it is not exact; fragments, local
-/// light, surroundings and outlines where the host has split triangles.
+/// and sub-ranges, which only culling goes with; rules of a material's own, which need the scene's order and a
+/// z-buffer; surfaces where there is none; shadows and products of solids where there is none or it is not exact;
+/// fragments, local light, surroundings and outlines where the host has split triangles.
 constexpr Effects refused_by_methods(Effects effects) {
   if (effects.methods == 0) return {};
   const Effects own = without(Effects{0, effects.methods}, method::culling);
