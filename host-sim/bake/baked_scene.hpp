@@ -20,7 +20,8 @@ struct BakedScene {
   Camera camera;
   Animation animation;  ///< empty: nothing moves
   View view;
-  /// Those that scene and view call for, effect::bins if the plan needs it, and the visibility method.
+  /// Those that scene and view call for, effect::bins if the plan needs it, the visibility method and one of
+  /// effect::perspective_runs.
   Effects effects;
   Budget budget;  ///< with the strips of `plan`: the same plan comes out of it again
   Plan plan;

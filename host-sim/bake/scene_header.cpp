@@ -114,19 +114,25 @@ std::string literal(const Keyframe& k) {
                      k.rotation[3], literal(k.translation), literal(k.scale));
 }
 
-/// What a method of visibility is selected by.
-constexpr std::pair<const char*, Effects> kMethods[] = {
-    {"effect::depth_ranges", effect::depth_ranges},   {"method::painter", method::painter},
-    {"method::in_order", method::in_order},           {"method::bsp", method::bsp},
-    {"method::front_to_back", method::front_to_back}, {"method::hierarchical_z", method::hierarchical_z},
-    {"method::midpoint", method::midpoint},           {"method::midpoint_safe", method::midpoint_safe}};
+/// What the picture's settings choose.
+constexpr std::pair<const char*, Effects> kChosen[] = {{"effect::perspective_affine", effect::perspective_affine},
+                                                       {"effect::perspective_8", effect::perspective_8},
+                                                       {"effect::perspective_1", effect::perspective_1},
+                                                       {"effect::depth_ranges", effect::depth_ranges},
+                                                       {"method::painter", method::painter},
+                                                       {"method::in_order", method::in_order},
+                                                       {"method::bsp", method::bsp},
+                                                       {"method::front_to_back", method::front_to_back},
+                                                       {"method::hierarchical_z", method::hierarchical_z},
+                                                       {"method::midpoint", method::midpoint},
+                                                       {"method::midpoint_safe", method::midpoint_safe}};
 
 std::string literal(Effects effects) {
   std::string text;
   for (const KnownEffect& known : known_effects()) {
     if (effects.has(known.effect)) text += fmt::format("{}zstrip::effect::{}", text.empty() ? "" : " | ", known.name);
   }
-  for (const auto& [name, effect] : kMethods) {
+  for (const auto& [name, effect] : kChosen) {
     if (effects.has(effect)) text += fmt::format("{}zstrip::{}", text.empty() ? "" : " | ", name);
   }
   return text.empty() ? "zstrip::Effects{}" : text;
@@ -353,8 +359,8 @@ class Header {
         fmt::format("/// All that the scene calls for{}: the one pipeline to instantiate.\n"
                     "inline constexpr zstrip::Effects kEffects = {};",
                     baked_.effects.has(effect::bins) ? ", and bins for the plan" : "", literal(baked_.effects)));
-    const Effects beyond_scene{baked_.effects.bits & (effect::bins | effect::depth_ranges).bits,
-                               baked_.effects.methods};
+    constexpr Effects kBeyondScene = effect::bins | effect::depth_ranges | effect::perspective_runs;
+    const Effects beyond_scene{baked_.effects.bits & kBeyondScene.bits, baked_.effects.methods};
     const std::string of_view = effects_of(view) == Effects{} ? "" : " | zstrip::effects_of(kView)";
     line(fmt::format("static_assert(kEffects == (zstrip::effects_of(kScene, kCamera){}));",
                      of_view + (beyond_scene == Effects{} ? "" : " | " + literal(beyond_scene))));

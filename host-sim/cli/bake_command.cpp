@@ -114,7 +114,8 @@ Result<BakedScene> bake(const std::string& scene, const Staging& staging, const 
                    .camera = staging.camera,
                    .animation = animation,
                    .view = request.view,
-                   .effects = effects_of(staging.scene, staging.camera) | effects_of(request.view) | request.method,
+                   .effects = effects_of(staging.scene, staging.camera) | effects_of(request.view) | request.method |
+                              request.perspective,
                    .budget = request.budget,
                    .plan = *plan,
                    .tree = staging.tree};
@@ -199,6 +200,14 @@ Result<Done> run(const Arguments& arguments) {
   if (!cells) return cells.failure();
   const Result<PlanRequest> request = parse_plan(arguments.plan, arguments.scene);
   if (!request) return request.failure();
+  if (const Result<Done> checked = check_visibility(request->method | request->perspective); !checked) {
+    return checked.failure();
+  }
+  if (*kind == Kind::blob && request->perspective != Effects{}) {
+    print_warning(
+        "a blob does not keep 'perspective' of the scene file: the program that draws it has the effect, as "
+        "zstrip render --perspective");
+  }
   const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene);
   if (!model) return model.failure();
   const Result<CameraOptions> camera = parse_camera(arguments.camera, arguments.scene);

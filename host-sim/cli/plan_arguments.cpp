@@ -53,6 +53,7 @@ Result<PlanRequest> parse_plan(const PlanArguments& arguments, const std::string
   const Result<Done> memory = parse_memory(arguments.memory, *settings, request.view, request.budget);
   if (!memory) return memory.failure();
   request.depth_format = settings->depth_format.value_or(DepthFormat::z16);
+  request.perspective = settings->perspective.value_or(Effects{});
   const Result<VisibilityMethod> method =
       parse_visibility(arguments.visibility.value_or(settings->visibility.method.value_or("zbuffer")));
   if (!method) return method.failure();

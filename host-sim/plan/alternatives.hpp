@@ -30,6 +30,7 @@ struct PlanRequest {
   bool may_bin = true;  ///< else only streamed plans
   DepthFormat depth_format = DepthFormat::z16;
   std::optional<DepthNeed> depth{};  ///< then the planner chooses the format
+  Effects perspective{};             ///< one of effect::perspective_runs, for what is baked; plans are the same
   Effects method{};  ///< how visibility is found; nothing: the z-buffer. The scene is prepared for it (PreparedScene).
 };
 
