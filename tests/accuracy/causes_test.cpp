@@ -12,15 +12,11 @@
 
 #include "accuracy/measure.hpp"
 #include "accuracy/truth_stages.hpp"
+#include "opened_scene.hpp"
 
 namespace zstrip::sim {
 namespace {
 
-std::unique_ptr<AccuracyScene> scene(const char* name) {
-  auto opened = AccuracyScene::open({.scene = name, .view = {96, 72}, .frames = 1, .firmware = ""});
-  EXPECT_TRUE(opened) << opened.failure().message;
-  return std::move(*opened);
-}
 Errors errors(const AccuracyScene& scene, Cause cause, const char* settings = "default") {
   return *errors_of(scene, {cause, *parse_settings(settings)});
 }

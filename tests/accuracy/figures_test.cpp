@@ -8,15 +8,11 @@
 #include "accuracy/campaign.hpp"
 #include "accuracy/measure.hpp"
 #include "accuracy/variant.hpp"
+#include "opened_scene.hpp"
 
 namespace zstrip::sim {
 namespace {
 
-std::unique_ptr<AccuracyScene> scene(const char* name) {
-  auto opened = AccuracyScene::open({.scene = name, .view = {96, 72}, .frames = 1, .firmware = ""});
-  EXPECT_TRUE(opened) << opened.failure().message;
-  return std::move(*opened);
-}
 Errors errors(const AccuracyScene& scene, const char* settings) { return *scene.errors(*parse_settings(settings)); }
 
 // Scenes of which nothing is clipped: corners that clipping makes are snapped again, each side in its own way.

@@ -2,7 +2,6 @@
 // and baked.
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "command_fixture.hpp"
 
@@ -45,18 +44,7 @@ const std::map<std::string, Golden> kGolden{
     {"transparency", {"39b069f0"}},
 };
 
-class SceneChecksum : public Command, public testing::WithParamInterface<std::string> {
- protected:
-  /// Of the first frame.
-  std::string checksum(const std::string& scene, const std::vector<std::string>& options) const {
-    std::vector<std::string> arguments{"render", scene, "-o", "p.png", "--quiet", "--json", "-"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const Outcome outcome = zstrip(arguments);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    if (outcome.status != 0) return "";
-    return nlohmann::json::parse(outcome.out).at("frames").at(0).at("crc32").get<std::string>();
-  }
-};
+class SceneChecksum : public Command, public testing::WithParamInterface<std::string> {};
 
 std::vector<std::string> scene_files() {
   std::vector<std::string> names;

@@ -8,18 +8,7 @@
 namespace zstrip::sim::test {
 namespace {
 
-class ScenePicture : public Command {
- protected:
-  /// Of the first frame.
-  std::string checksum(const std::string& scene, const std::vector<std::string>& options) const {
-    std::vector<std::string> arguments{"render", scene, "-o", "p.png", "--quiet", "--json", "-"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const Outcome outcome = zstrip(arguments);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    if (outcome.status != 0) return "";
-    return nlohmann::json::parse(outcome.out).at("frames").at(0).at("crc32").get<std::string>();
-  }
-};
+class ScenePicture : public Command {};
 
 /// Of its 128x64 pixels in strips of any height and on any threads, also where the option says what the file does.
 TEST_F(ScenePicture, DitheredSceneHasItsChecksum) {
