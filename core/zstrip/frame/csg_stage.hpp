@@ -1,8 +1,9 @@
 // Products of solids in a strip (constructive solid geometry; Goldfeather, Molnar, Turk and Fuchs 1989), before
 // anything else is drawn into it. Of each operand the sides that may bound the product are peeled off layer by layer,
 // and what of a layer lies inside all other operands, or outside those that are subtracted, is written into the
-// z-buffer: two layers of depth and a count of a pixel are all it takes. Once that is what all products look like,
-// their operands are drawn as anything else, where they are what the z-buffer holds.
+// z-buffer: two layers of depth, a count and a mark of a pixel are all it takes. Once that is what the product looks
+// like, its operands are drawn as anything else, where they are what it has put into the z-buffer; not where another
+// product has, which a face that was cut away may cross.
 #pragma once
 
 #include <algorithm>
@@ -30,16 +31,14 @@ struct Frame::Access::Csg {
     for_each_product(frame, target.area, target.view_left, target.view_top,
                      [&](std::size_t first, std::size_t end, const Rect& area) {
                        const detail::StripTarget part = detail::part_of<Cell<effects>>(target, area);
-                       Layers<effects, kLayers<effects>>(frame, part, strip).find(first, end);
-                     });
-    for_each_product(frame, target.area, target.view_left, target.view_top,
-                     [&](std::size_t first, std::size_t end, const Rect& area) {
+                       Layers<effects, kLayers<effects>> layers(frame, part, strip);
+                       layers.find(first, end);
                        if constexpr (effects.any(method::bounded)) {
                          static_cast<FrameWithMethod&>(frame).state_.bounds.forget(area);
                        }
-                       const detail::StripTarget part = detail::part_of<Cell<effects>>(target, area);
+                       const detail::StripTarget found = layers.found();
                        for (std::size_t i = first; i < end; ++i)
-                         colour<effects, kColours<effects>>(frame, part, strip, i);
+                         colour<effects, kColours<effects>>(frame, found, strip, i);
                      });
   }
 
@@ -156,10 +155,12 @@ struct Frame::Access::Csg {
       layer_ = reinterpret_cast<Cell<effects>*>(memory);
       before_ = layer_ + cells;
       counts_ = reinterpret_cast<std::uint8_t*>(before_ + cells);
+      found_ = counts_ + cells;
     }
 
     /// Of operands `first` to `end`: where it is nearer than the z-buffer, it is there then.
     void find(std::size_t first, std::size_t end) {
+      for_each_row([&](std::int32_t at, std::int32_t columns) { std::fill_n(found_ + at, columns, 0); });
       for (std::size_t i = first; i < end; ++i) {
         if (!may_cover(frame_, i, part_)) continue;
         for_each_row([&](std::int32_t at, std::int32_t columns) { std::fill_n(before_ + at, columns, kNearest); });
@@ -170,6 +171,14 @@ struct Frame::Access::Csg {
           accept();
         }
       }
+    }
+
+    /// The part, with what has been found, and nothing else, in place of the z-buffer. Ends with the next search.
+    detail::StripTarget found() const {
+      for_each_row([&](std::int32_t at, std::int32_t columns) {
+        for (std::int32_t i = at; i < at + columns; ++i) layer_[i] = found_[i] != 0 ? depth_[i] : 0;
+      });
+      return over_layer();
     }
 
    private:
@@ -183,12 +192,16 @@ struct Frame::Access::Csg {
     }
     CsgUse use_of(std::size_t operand) const { return frame_.scene_->csg[operand].use; }
 
-    void draw_side(const detail::CsgPass& pass, const Geometry::MeshletRange& range, const detail::Batch& batch,
-                   bool away) {
+    detail::StripTarget over_layer() const {
       detail::StripTarget target = part_;
       target.depth = reinterpret_cast<std::uint16_t*>(layer_);
+      return target;
+    }
+
+    void draw_side(const detail::CsgPass& pass, const Geometry::MeshletRange& range, const detail::Batch& batch,
+                   bool away) {
       const detail::StripTargetWithLayers complete{
-          {target, Materials::depth_settings<drawing>(frame_, batch.instance->material)}, &pass};
+          {over_layer(), Materials::depth_settings<drawing>(frame_, batch.instance->material)}, &pass};
       Assembler<drawing>::draw_side(complete, batch, range.triangles, away);
     }
 
@@ -249,7 +262,7 @@ struct Frame::Access::Csg {
     void accept() {
       for_each_row([&](std::int32_t at, std::int32_t columns) {
         for (std::int32_t i = at; i < at + columns; ++i) {
-          if (layer_[i] != 0) depth_[i] = layer_[i], before_[i] = 0;
+          if (layer_[i] != 0) depth_[i] = layer_[i], before_[i] = 0, found_[i] = 1;
         }
       });
     }
@@ -259,7 +272,7 @@ struct Frame::Access::Csg {
     std::uint16_t strip_;
     Code* depth_;
     Code *layer_, *before_;
-    std::uint8_t* counts_;
+    std::uint8_t *counts_, *found_;
   };
 
   /// Draws the sides of an operand that are seen.

@@ -89,9 +89,9 @@ constexpr std::uint64_t effect_bytes(Effects effects, const SceneCounts& counts)
   return bytes;
 }
 
-/// Of a strip with so many cells of `cell_bytes`: two layers of depth, and a count each.
+/// Of a strip with so many cells of `cell_bytes`: two layers of depth, a count and a mark each.
 constexpr std::uint64_t csg_strip_bytes(std::uint64_t cells, std::uint32_t cell_bytes) {
-  return cells * (2 * cell_bytes + 1);
+  return cells * (2 * cell_bytes + 2);
 }
 
 /// The z-buffer of a strip of the shadow map, one row of tiles, and one row of pixels that nobody sees: begin_frame
