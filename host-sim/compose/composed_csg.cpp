@@ -14,6 +14,17 @@
 namespace zstrip::sim {
 namespace {
 
+/// Of an instance that cannot be one.
+const char* what_no_solid_has(const ComposedScene& scene, const Instance& instance) {
+  const Mesh& mesh = scene.meshes[instance.mesh];
+  if (mesh.billboard != Billboard::none) return "is a billboard";
+  if (mesh.outline != 0) return "has an outline";
+  if (has_depth_state(scene.materials[instance.material])) {
+    return "has a material with depth_test, depth_write or depth_bias";
+  }
+  return "has a material that is not opaque";
+}
+
 /// The instance that is called `name`, of which there is one.
 Result<std::uint16_t> solid(const SceneFile& file, const FileCsg& csg, const std::string& name,
                             std::span<const PlacedPart> placed, const ComposedScene& scene) {
@@ -30,9 +41,7 @@ Result<std::uint16_t> solid(const SceneFile& file, const FileCsg& csg, const std
   const Instance& instance = scene.instances[index];
   if (at->file->is_static) return wrong("lies in the static layer; solids are drawn with what moves");
   if (!detail::can_be_operand(scene.scene(), instance)) {
-    return wrong(
-        "has a billboard, an outline, a material that is not opaque, or one with depth_test, depth_write or "
-        "depth_bias; a solid has none of them");
+    return wrong(fmt::format("{}: solids do without", what_no_solid_has(scene, instance)));
   }
   if (const std::size_t open = open_edges(scene.meshes[instance.mesh]); open != 0) {
     return wrong(fmt::format("has {} open edges; a solid is closed: each edge is one of two triangles", open));

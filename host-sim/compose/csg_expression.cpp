@@ -13,8 +13,8 @@ namespace {
 
 using Products = std::vector<CsgProduct>;
 
-/// Far more than are drawn, because many of them may lie in others.
-constexpr std::size_t kMostProducts = 4096;
+/// Far more than are drawn, because many of them may lie in others; each is compared with all others.
+constexpr std::size_t kMostProducts = 1024;
 constexpr int kDeepest = 64;
 
 CsgUse other(CsgUse use) { return use == CsgUse::intersected ? CsgUse::subtracted : CsgUse::intersected; }
@@ -41,20 +41,26 @@ void add(Products& sum, const CsgProduct& product) {
   sum.push_back(product);
 }
 
+bool is_of_name(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
+         static_cast<unsigned char>(c) >= 0x80;
+}
+
 class Parser {
  public:
   explicit Parser(const std::string& text) : text_(text) {}
 
   std::variant<Products, std::string> run() {
     const Products products = sum(0);
-    if (wrong_.empty() && peek() != '\0') fail(fmt::format("'{}' is not expected", peek()));
+    if (wrong_.empty() && !at_end()) fail(fmt::format("{} is not expected", here()));
     if (!wrong_.empty()) return wrong_;
     std::size_t terms = 0;
     for (const CsgProduct& product : products) terms += product.size();
     if (products.empty()) return "there is nothing left of it";
     if (terms > kMaxCsgOperands) {
-      return fmt::format("multiplied out it has {} solids in {} products; there may be {} in all", terms,
-                         products.size(), kMaxCsgOperands);
+      return fmt::format("multiplied out it has {} solids in {}; there may be {} in all", terms,
+                         products.size() == 1 ? "one product" : fmt::format("{} products", products.size()),
+                         kMaxCsgOperands);
     }
     return products;
   }
@@ -89,7 +95,7 @@ class Parser {
     if (!wrong_.empty()) return {};
     if (peek() == '(') {
       ++at_;
-      if (depth == kDeepest) fail("there are too many '(' in each other");
+      if (depth == kDeepest) fail(fmt::format("there are more than {} '(' in each other", kDeepest));
       if (!wrong_.empty()) return {};
       Products inner = sum(depth + 1);
       if (wrong_.empty() && peek() != ')') fail("')' is missing");
@@ -109,8 +115,8 @@ class Parser {
       for (; is_of_name(peek_here()); ++at_) name += text_[at_];
     }
     if (name.empty()) {
-      fail(peek() == '\0' ? std::string("a name is missing at its end")
-                          : fmt::format("there is '{}' where a name is expected", peek()));
+      fail(at_end() ? std::string("a name is missing at its end")
+                    : fmt::format("there is {} where a name is expected", here()));
     }
     return {{{name, CsgUse::intersected}}};
   }
@@ -143,16 +149,21 @@ class Parser {
   void fail(const std::string& what) {
     if (wrong_.empty()) wrong_ = what;
   }
+  /// 0 at the end; a character of the text may be 0, too.
   char peek_here() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+  bool at_end() {
+    peek();
+    return at_ == text_.size();
+  }
+  /// What stands here, in words.
+  std::string here() {
+    const auto c = static_cast<unsigned char>(peek());
+    return c < 0x20 || c == 0x7F ? fmt::format("the character {}", c) : fmt::format("'{}'", peek());
+  }
   char peek() {
     while (peek_here() == ' ' || peek_here() == '\t' || peek_here() == '\n' || peek_here() == '\r') ++at_;
     return peek_here();
   }
-  static bool is_of_name(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
-           static_cast<unsigned char>(c) >= 0x80;
-  }
-
   const std::string& text_;
   std::size_t at_ = 0;
   std::string wrong_;
@@ -163,5 +174,7 @@ class Parser {
 std::variant<std::vector<CsgProduct>, std::string> products_of(const std::string& expression) {
   return Parser(expression).run();
 }
+
+bool needs_quotes(std::string_view name) { return !std::ranges::all_of(name, is_of_name); }
 
 }  // namespace zstrip::sim

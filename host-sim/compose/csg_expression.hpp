@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -22,7 +23,10 @@ using CsgProduct = std::vector<CsgTerm>;
 /// The products whose union an expression is: none that is empty whatever the solids are, none that lies in another,
 /// no name twice in one. Or what is wrong with the expression. `a & b` comes before `a - b` and `a | b`, which go from
 /// left to right; a name of other characters than letters, digits, '_' and '.' stands in ' '. At most
-/// kMaxCsgOperands names in all products.
+/// kMaxCsgOperands names in all products, at most 64 '(' in each other.
 std::variant<std::vector<CsgProduct>, std::string> products_of(const std::string& expression);
+
+/// Whether an instance's name stands in ' ' in an expression.
+bool needs_quotes(std::string_view name);
 
 }  // namespace zstrip::sim

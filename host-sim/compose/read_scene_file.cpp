@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "compose/csg_expression.hpp"
 #include "compose/scene_file.hpp"
 #include "compose/scene_tables.hpp"
 #include "compose/toml_table.hpp"
@@ -73,6 +74,12 @@ void check_csg(const FileCsg& csg, const SceneFile& scene, TomlTable& table) {
   }
   for (const CsgProduct& product : csg.products) {
     for (const CsgTerm& term : product) {
+      const auto in_quotes = std::ranges::find_if(
+          names, [&](const std::string& name) { return needs_quotes(name) && name.starts_with(term.name); });
+      if (in_quotes != names.end() && std::ranges::find(names, term.name) == names.end()) {
+        table.wrong("expression", fmt::format("'expression' names no instance '{}'; '{}' would stand in ' ' there",
+                                              term.name, *in_quotes));
+      }
       check_name(term.name, names, table, "expression", "instance");
       if (std::ranges::count(names, term.name) > 1) {
         table.wrong("expression", fmt::format("there are several instances '{}'", term.name));

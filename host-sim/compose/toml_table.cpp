@@ -33,6 +33,15 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
+/// Names of a hostile file may be as long as the file.
+std::string shortened(const std::string& name) {
+  constexpr std::size_t kMost = 80;
+  if (name.size() <= kMost) return name;
+  std::size_t end = kMost;
+  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;  // not within a character of UTF-8
+  return name.substr(0, end) + "...";
+}
+
 std::string shown(double value) { return fmt::format("{:g}", value); }
 
 std::optional<unsigned> hexadecimal(char c) {
@@ -131,7 +140,14 @@ std::optional<std::string> TomlTable::text(const char* key) {
 }
 
 std::string TomlTable::needed_text(const char* key, const char* missing) {
-  if (!has(key)) wrong(key, missing);
+  if (!has(key)) {
+    std::string message = missing;
+    for (const auto& [name, value] : table_) {
+      const std::string other(name.str());
+      if (!nearest(other, {key}).empty()) message = fmt::format("'{}' is missing, but there is '{}'", key, other);
+    }
+    wrong(key, message);
+  }
   return text(key).value_or("");
 }
 
@@ -263,7 +279,7 @@ std::vector<std::string> TomlTable::list(const char* key, std::string_view words
 void TomlTable::wrong_name(const char* key, const std::string& given, const char* what,
                            const std::vector<std::string>& names) {
   const std::string near = nearest(given, names);
-  wrong(key, fmt::format("'{}' names no {} '{}'; {}", key, what, given,
+  wrong(key, fmt::format("'{}' names no {} '{}'; {}", key, what, shortened(given),
                          !near.empty()   ? fmt::format("did you mean '{}'?", near)
                          : names.empty() ? std::string("there is none")
                                          : "there are " + listed(names)));
@@ -275,7 +291,7 @@ void TomlTable::finish() {
     if (std::ranges::find(asked_, key) != asked_.end()) continue;
     const std::string near = nearest(key, asked_);
     errors_.add(static_cast<int>(name.source().begin.line),
-                fmt::format("{} has no key '{}'; {}", title_, key,
+                fmt::format("{} has no key '{}'; {}", title_, shortened(key),
                             near.empty() ? "it may have " + listed(asked_) : fmt::format("did you mean '{}'?", near)));
   }
 }

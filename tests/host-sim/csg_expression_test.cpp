@@ -114,15 +114,22 @@ TEST(CsgExpression, SaysWhatIsWrong) {
   EXPECT_EQ(wrong_with("a b"), "'b' is not expected");
   EXPECT_EQ(wrong_with("a - + b"), "there is '+' where a name is expected");
   EXPECT_EQ(wrong_with("'a"), "the ' that ends a name is missing");
-  EXPECT_EQ(wrong_with(std::string(100, '(')), "there are too many '(' in each other");
+  EXPECT_EQ(wrong_with(std::string(100, '(')), "there are more than 64 '(' in each other");
   std::string many = "(a0 | b0)";
   for (int i = 1; i < 14; ++i) {
     for (const char* part : {" & (a", " | b"}) many += part + std::to_string(i);
     many += ')';
   }
-  EXPECT_EQ(wrong_with(many), "multiplied out it has more than 4096 products");
+  EXPECT_EQ(wrong_with(many), "multiplied out it has more than 1024 products");
   EXPECT_EQ(wrong_with("(a|b|c|d|e) & (f|g|h|i|j) & (k|l)"),
             "multiplied out it has 150 solids in 50 products; there may be 64 in all");
+}
+
+// It ended the expression.
+TEST(CsgExpression, ANulIsACharacter) {
+  using namespace std::string_literals;
+  EXPECT_EQ(wrong_with("a\0 - b"s), "the character 0 is not expected");
+  EXPECT_EQ(wrong_with("a - \0b"s), "there is the character 0 where a name is expected");
 }
 
 TEST(OpenEdges, AreThoseOfOneTriangle) {

@@ -7,9 +7,10 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "shadow_oracle.hpp"
+#include "rays.hpp"
 
 namespace oracle {
 
@@ -21,8 +22,7 @@ class CsgOracle {
       const zstrip::Mesh& mesh = scene.meshes[instance.mesh];
       std::vector<Facet> facets;
       for (const zstrip::Triangle& t : mesh.triangles) {
-        const auto corner = [&](std::uint16_t index) { return placed(mesh, instance.transform, index); };
-        facets.push_back({{corner(t.a), corner(t.b), corner(t.c)}, false, false, false});
+        facets.push_back(facet_of(mesh, instance.transform, t));
       }
       solids_.push_back(facets);
     }
@@ -37,18 +37,9 @@ class CsgOracle {
 
   /// At (x, y) pixels; nothing where that is the background. Instances that are no operands are products by themselves.
   std::optional<Seen> seen(double x, double y) const {
-    const double focal = std::ldexp(camera_.focal, -16) * view_.height / 2;
-    const double across = (x - view_.width / 2.0) / focal, down = (y - view_.height / 2.0) / focal;
-    const Point right = axis(camera_.right), up = axis(camera_.up), back = axis(camera_.back);
-    Point from{std::ldexp(camera_.eye.x, -16), std::ldexp(camera_.eye.y, -16), std::ldexp(camera_.eye.z, -16)};
-    Point along = -1.0 * back;
-    if (camera_.projection == zstrip::Projection::orthographic) {
-      from = from + across * right - down * up;
-    } else {
-      along = along + across * right - down * up;
-    }
+    const Ray ray = ray_through(camera_, view_, x, y);
     std::vector<std::vector<Crossing>> crossings;
-    for (const std::vector<Facet>& facets : solids_) crossings.push_back(crossings_of(facets, from, along));
+    for (const std::vector<Facet>& facets : solids_) crossings.push_back(crossings_of(facets, ray));
     std::optional<Seen> nearest;
     const auto consider = [&](std::size_t instance, double distance) {
       if (distance > std::ldexp(camera_.near_plane, -16) && distance < std::ldexp(camera_.far_plane, -16) &&
@@ -94,17 +85,12 @@ class CsgOracle {
     bool enters;
   };
 
-  static std::vector<Crossing> crossings_of(const std::vector<Facet>& facets, const Point& from, const Point& along) {
+  static std::vector<Crossing> crossings_of(const std::vector<Facet>& facets, const Ray& ray) {
     std::vector<Crossing> found;
     for (const Facet& facet : facets) {
-      const Point a = facet.corner[1] - facet.corner[0], b = facet.corner[2] - facet.corner[0];
-      const Point p = cross(along, b);
-      const double determinant = dot(a, p);
-      if (determinant == 0) continue;
-      const Point to = from - facet.corner[0], q = cross(to, a);
-      const double u = dot(to, p) / determinant, v = dot(along, q) / determinant;
-      if (u < 0 || v < 0 || u + v > 1) continue;
-      found.push_back({dot(b, q) / determinant, dot(facet.normal(), along) < 0});
+      if (const std::optional<double> distance = meets(facet, ray)) {
+        found.push_back({*distance, dot(facet.normal(), ray.along) < 0});
+      }
     }
     return found;
   }
@@ -121,10 +107,6 @@ class CsgOracle {
       if ((around > 0) != (operand.use == zstrip::CsgUse::intersected)) return false;
     }
     return true;
-  }
-
-  static Point axis(const zstrip::Vec3& v) {
-    return {std::ldexp(v.x, -30), std::ldexp(v.y, -30), std::ldexp(v.z, -30)};
   }
 
   const zstrip::Scene& scene_;
