@@ -15,7 +15,7 @@ using namespace zstrip::effects_cost;
 template <const scenes::BuiltIn& built_in>
 int print_affected() {
   constexpr View kPicture = kView<built_in, false>;
-  constexpr Effects kCalledFor = effects_of(kPicture);
+  constexpr Effects kCalledFor = effects_of(kPicture) | kChoice<built_in>;
   constexpr Effects kEffects = effects_of(built_in.scene, built_in.camera) | kCalledFor | effect::statistics;
   static Renderer<kEffects> renderer;
   std::uint64_t fragments = 0, vertices = 0, instances = 0;
@@ -28,7 +28,7 @@ int print_affected() {
       alone.instances = {&instance, 1};
       alone.quadrics = {};
       alone.lines = {};
-      constexpr Effects kOwn = kKeepsLight<built_in> ? effect::pixel_shading : kPlainLacks;
+      constexpr Effects kOwn = kKeepsLight<built_in> ? effect::pixel_shading : kTaken<built_in>;
       if ((effects_of(alone, staged.camera) | kCalledFor).any(kOwn)) touched.push_back(instance);
     }
     staged.scene.instances = touched;
@@ -53,11 +53,13 @@ int print_affected() {
 }  // namespace
 
 int main() {
-  return print_affected<scenes::fog>() + print_affected<scenes::emissive>() + print_affected<scenes::specular>() +
-         print_affected<scenes::punctual>() + print_affected<scenes::mask>() + print_affected<scenes::blend>() +
-         print_affected<scenes::bilinear>() + print_affected<scenes::palette>() + print_affected<scenes::mipmaps>() +
-         print_affected<scenes::environment>() + print_affected<scenes::per_pixel>() +
-         print_affected<scenes::spheres>() + print_affected<scenes::dithered>() +
+  return print_affected<scenes::lit>() + print_affected<scenes::smooth>() + print_affected<scenes::textured>() +
+         print_affected<scenes::affine>() + print_affected<scenes::every_8>() + print_affected<scenes::every_pixel>() +
+         print_affected<scenes::coarse>() + print_affected<scenes::fog>() + print_affected<scenes::emissive>() +
+         print_affected<scenes::specular>() + print_affected<scenes::punctual>() + print_affected<scenes::mask>() +
+         print_affected<scenes::blend>() + print_affected<scenes::bilinear>() + print_affected<scenes::palette>() +
+         print_affected<scenes::mipmaps>() + print_affected<scenes::environment>() +
+         print_affected<scenes::per_pixel>() + print_affected<scenes::spheres>() + print_affected<scenes::dithered>() +
          print_affected<scenes::dithered_mono>() + print_affected<scenes::lines>() +
          print_affected<scenes::billboards>() + print_affected<scenes::outlines>() + print_affected<scenes::shadows>() +
          print_affected<scenes::csg>() + print_affected<scenes::samples_2>() + print_affected<scenes::samples_4>();

@@ -9,11 +9,57 @@
 #include "../lines_scene.hpp"
 #include "../outlines_scene.hpp"
 #include "../shadows_scene.hpp"
+#include "zstrip_scenes/cube.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"
 #include "zstrip_scenes/spheres.hpp"
 
 namespace zstrip::scenes {
+
+/// Of the knot, light and what is smooth; of the cube, texels, and ways to place them.
+inline constexpr Mesh kLitKnotMesh[] = {[] {
+  Mesh mesh = kKnotMesh[0];
+  mesh.normals = kKnotNormals;
+  return mesh;
+}()};
+inline constexpr Material kLitKnotMaterial[] = {{.lit = true, .smooth = true}};
+inline constexpr BuiltIn lit = [] {
+  BuiltIn scene = knot_lit;
+  scene.name = "lit";
+  scene.scene.meshes = kLitKnotMesh;
+  scene.scene.materials = kLitKnotMaterial;
+  return scene;
+}();
+inline constexpr BuiltIn smooth = [] {
+  BuiltIn scene = knot;
+  scene.name = "smooth";
+  return scene;
+}();
+inline constexpr BuiltIn coarse = [] {
+  BuiltIn scene = knot;
+  scene.name = "coarse";
+  return scene;
+}();
+inline constexpr BuiltIn textured = [] {
+  BuiltIn scene = cube;
+  scene.name = "textured";
+  return scene;
+}();
+inline constexpr BuiltIn affine = [] {
+  BuiltIn scene = cube;
+  scene.name = "affine";
+  return scene;
+}();
+inline constexpr BuiltIn every_8 = [] {
+  BuiltIn scene = cube;
+  scene.name = "every_8";
+  return scene;
+}();
+inline constexpr BuiltIn every_pixel = [] {
+  BuiltIn scene = cube;
+  scene.name = "every_pixel";
+  return scene;
+}();
 
 /// The knot in pictures that call for an effect.
 inline constexpr BuiltIn dithered = [] {
@@ -68,9 +114,29 @@ inline constexpr auto kKnotTexcoords = [] {
 template <const scenes::BuiltIn& built_in>
 inline constexpr bool kKeepsLight = effects_of(built_in.scene, built_in.camera).has(effect::pixel_shading);
 
+/// Of scenes that lose no other effect: what materials call for, and what programs choose.
+template <const scenes::BuiltIn& built_in>
+inline constexpr Effects kBasic{};
+template <>
+inline constexpr Effects kBasic<scenes::lit> = effect::lighting;
+template <>
+inline constexpr Effects kBasic<scenes::smooth> = effect::gouraud;
+template <>
+inline constexpr Effects kBasic<scenes::textured> = effect::textures;
+template <const scenes::BuiltIn& built_in>
+inline constexpr Effects kChoice{};
+template <>
+inline constexpr Effects kChoice<scenes::coarse> = effect::coarse_reciprocal;
+template <>
+inline constexpr Effects kChoice<scenes::affine> = effect::perspective_affine;
+template <>
+inline constexpr Effects kChoice<scenes::every_8> = effect::perspective_8;
+template <>
+inline constexpr Effects kChoice<scenes::every_pixel> = effect::perspective_1;
+
 /// Without fog, finishes, punctual lights, quadrics, lines, outlines, shadows and products, billboards standing still,
 /// the scene's first texture for one with a palette, and texture coordinates for what mirrors its surroundings; lit at
-/// vertices, with its finishes, what was lit at pixels; all else as it is.
+/// vertices, with its finishes, what was lit at pixels; of kBasic what it says; all else as it is.
 template <const scenes::BuiltIn& built_in>
 struct Plain {
   static constexpr auto kMaterials = [] {
@@ -79,7 +145,10 @@ struct Plain {
       materials[i] = built_in.scene.materials[i];
       if (!kKeepsLight<built_in>) materials[i].finish = kNoFinish;
       if (materials[i].smooth == Shading::pixel) materials[i].smooth = Shading::gouraud;
+      if (kBasic<built_in>.has(effect::lighting) && materials[i].lit) materials[i].lit = false;
+      if (kBasic<built_in>.has(effect::gouraud)) materials[i].smooth = Shading::flat;
       std::uint16_t& texture = materials[i].texture;
+      if (kBasic<built_in>.has(effect::textures)) texture = kNoTexture;
       if (texture != kNoTexture && has_palette(built_in.scene.textures[texture].format)) texture = 0;
     }
     return materials;
@@ -123,12 +192,16 @@ inline constexpr const scenes::BuiltIn& kChosen<built_in, true> = Plain<built_in
 inline constexpr Effects kPlainLacks = effect::fragments | effect::vertex_light | effect::surfaces |
                                        effect::billboards | effect::environment | effect::outlines | effect::shadows |
                                        effect::csg;
+/// What the plain one has not.
+template <const scenes::BuiltIn& built_in>
+inline constexpr Effects kTaken = kKeepsLight<built_in> ? effect::fragments
+                                  : (kBasic<built_in> | kChoice<built_in>).bits != 0
+                                      ? kBasic<built_in> | kChoice<built_in>
+                                      : kPlainLacks;
 /// The pipeline of kChosen. The plain one keeps what the effect brought along, as quadrics their textures.
 template <const scenes::BuiltIn& built_in, bool plain>
-inline constexpr Effects kEffectsOf = without(effects_of(built_in.scene, built_in.camera) |
+inline constexpr Effects kEffectsOf = without(effects_of(built_in.scene, built_in.camera) | kChoice<built_in> |
                                                   effects_of(kView<built_in, plain>),
-                                              !plain                  ? Effects{}
-                                              : kKeepsLight<built_in> ? effect::fragments
-                                                                      : kPlainLacks);
+                                              plain ? kTaken<built_in> : Effects{});
 
 }  // namespace zstrip::effects_cost
