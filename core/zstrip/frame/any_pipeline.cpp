@@ -17,32 +17,33 @@ constexpr Effects kShades[] = {Effects{},
                                effect::vertex_colours | effect::gouraud,
                                kColours | effect::gouraud};
 constexpr std::size_t kMostShading = std::size(kShades) - 1;
-/// Counting slows down anyway: one pipeline counts for all shades.
-constexpr std::size_t kCounting = std::size(kShades);
-constexpr std::size_t kSets = (std::size(kShades) + 1) * 4;
+/// Counting slows down anyway, and parallel rays are seldom: one pipeline is for all shades.
+constexpr Effects kRare[] = {effect::statistics, effect::orthographic, effect::statistics | effect::orthographic};
+constexpr std::size_t kSets = (std::size(kShades) + std::size(kRare)) * 2;
 
 constexpr Effects set_at(std::size_t index) {
-  const std::size_t row = index / 4;
-  Effects effects = effect::bins | (row == kCounting ? kShades[kMostShading] | effect::statistics : kShades[row]);
-  if ((index & 1U) != 0) effects = effects | effect::textures;
-  if ((index & 2U) != 0) effects = effects | effect::orthographic;
-  return effects;
+  const std::size_t row = index / 2;
+  const Effects effects =
+      row < std::size(kShades) ? kShades[row] : kShades[kMostShading] | kRare[row - std::size(kShades)];
+  return effects | effect::bins | ((index & 1U) != 0 ? effect::textures : Effects{});
 }
 
 /// Of effects that the table knows.
 constexpr std::size_t index_of(Effects effects) {
   std::size_t row = 0;
-  if (effects.has(effect::statistics)) {
-    row = kCounting;
+  if (effects.any(effect::statistics | effect::orthographic)) {
+    row = std::size(kShades);
+    while (kRare[row - std::size(kShades)] != (effects & (effect::statistics | effect::orthographic))) ++row;
   } else {
     while (without(effects, kShades[row]).any(kColours | effect::gouraud)) ++row;
   }
-  return row * 4 + (effects.has(effect::textures) ? 1 : 0) + (effects.has(effect::orthographic) ? 2 : 0);
+  return row * 2 + (effects.has(effect::textures) ? 1 : 0);
 }
 
 constexpr bool table_has_every_set() {
   for (std::uint64_t bits = 0; bits <= effect::all.bits; ++bits) {
-    if (!set_at(index_of(Effects{bits})).has(Effects{bits})) return false;
+    const Effects effects{bits}, found = set_at(index_of(effects));
+    if (!found.has(effects) || (found & effect::orthographic) != (effects & effect::orthographic)) return false;
   }
   return true;
 }
