@@ -11,6 +11,7 @@
 #include "accuracy/measure.hpp"
 #include "accuracy/observation.hpp"
 #include "zstrip/base/math.hpp"
+#include "zstrip/geometry/project.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -90,6 +91,37 @@ TEST(CoarseReciprocal, KeepsTheEndsOfTheRangeInOrder) {
     std::memcpy(&word, drawn->pixels.data() + 2 * (24 * 64 + 32), 2);
     EXPECT_EQ(word, 0xF800) << step;
   }
+}
+
+/// The code of a vertex at distance w, which ends at 65535, in double precision: only its reciprocal is the renderer's.
+double code_of(const DepthFit& fit, double w) {
+  int exponent = 0;
+  const auto divisor = static_cast<std::uint32_t>(std::ldexp(std::frexp(w, &exponent), 32));
+  const double inverse = std::ldexp(coarse_reciprocal(divisor), -30 - exponent);
+  return (static_cast<double>(fit.quotient_at_near) * static_cast<double>(fit.near) * inverse -
+          static_cast<double>(fit.offset)) /
+         65536;
+}
+
+// The room is what keeps them there: with the fit of other reciprocals codes run over both ends, and the nearest
+// surface becomes the farthest.
+TEST(CoarseReciprocal, CodesStayWithinTheirRangeByItsRoomAlone) {
+  int below = 0, above = 0;
+  for (double near = 0.01; near < 20000; near *= 1.0173) {
+    for (double ratio = 1.004; near * ratio < 32767; ratio = 1 + (ratio - 1) * 1.37) {
+      const auto at = [](double length) { return static_cast<Distance>(std::ldexp(length, kDistanceBits)); };
+      const DepthFit narrow = fit_depth(at(near), at(near * ratio));
+      const DepthFit fit = detail::with_room_for_coarse(narrow);
+      const auto nearest = static_cast<double>(fit.near), farthest = static_cast<double>(fit.far);
+      ASSERT_LT(code_of(fit, nearest), 65535) << near << ' ' << ratio;
+      ASSERT_GE(code_of(fit, farthest), 1) << near << ' ' << ratio;
+      ASSERT_GT(code_of(fit, nearest), code_of(fit, farthest) + 32768) << near << ' ' << ratio;
+      above += code_of(narrow, nearest) >= 65535 ? 1 : 0;
+      below += code_of(narrow, farthest) < 1 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(above, 0);
+  EXPECT_GT(below, 0);
 }
 
 TEST(CoarseReciprocal, IsTheSameInStripsAndBins) {
