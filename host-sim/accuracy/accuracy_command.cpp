@@ -18,6 +18,7 @@
 #include "accuracy/plot.hpp"
 #include "accuracy/recorded.hpp"
 #include "accuracy/results.hpp"
+#include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
 #include "image/write_file.hpp"
@@ -236,7 +237,7 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
   command->add_option("--target", a.targets, "Whose time, separated by commas: host, or an emulated m0, m3 or m4f")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"host", "m0", "m3", "m4f"}))
+      ->check(one_of({"host", "m0", "m3", "m4f"}))
       ->capture_default_str();
   command->add_option("--knobs", a.knobs, "Knobs to turn, separated by commas, or all")->capture_default_str();
   command->add_option("--size", a.size, "Size of the picture")->type_name("WxH")->capture_default_str();

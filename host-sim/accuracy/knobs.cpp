@@ -2,10 +2,11 @@
 #include "accuracy/knobs.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <numeric>
-#include <optional>
+
+#include "cli/nearest_name.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -78,34 +79,15 @@ const std::vector<KnobInfo>& table() {
   return table;
 }
 
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({substituted, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
-}
-
 /// The index of `word` in `range` by its name, else a failure that lists them and names the nearest.
 template <class Range>
 Result<std::size_t> find_word(const Range& range, std::string_view word, std::string_view what) {
-  std::size_t nearest = 0, least = SIZE_MAX;
-  std::string names;
-  for (std::size_t i = 0; i < range.size(); ++i) {
-    if (range[i].name == word) return i;
-    const std::size_t d = distance(range[i].name, word);
-    if (d < least) least = d, nearest = i;
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", range[i].name);
-  }
+  std::vector<std::string_view> names;
+  for (const auto& known : range) names.push_back(known.name);
+  const auto found = std::ranges::find(names, word);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   return Failure{ExitStatus::usage, fmt::format("no {} is called '{}', the nearest is '{}'; there are {}", what, word,
-                                                range[nearest].name, names)};
+                                                nearest_name(word, names), fmt::join(names, ", "))};
 }
 
 std::vector<std::string_view> split(std::string_view text) {

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "accuracy/tune.hpp"
+#include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
 #include "image/write_file.hpp"
@@ -149,7 +150,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   Arguments& a = *arguments;
   command->add_option("scene", a.scene, "A built-in scene, a model or a baked scene")->required()->type_name("SCENE");
   command->add_option("--target", a.target, "Whose time: host, or an emulated m0, m3 or m4f")
-      ->check(CLI::IsMember({"host", "m0", "m3", "m4f"}))
+      ->check(one_of({"host", "m0", "m3", "m4f"}))
       ->capture_default_str();
   command->add_option("--size", a.size, "Size of the picture")->type_name("WxH")->capture_default_str();
   command->add_option("--format", a.format, "Pixels of the display: rgb565, gray4 or mono")

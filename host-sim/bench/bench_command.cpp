@@ -22,6 +22,7 @@
 #include "bench/stage_profile.hpp"
 #include "bench/visibility_table.hpp"
 #include "bench/workloads.hpp"
+#include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
 #include "image/write_file.hpp"
@@ -255,9 +256,9 @@ std::vector<std::string> board_names() {
   return names;
 }
 
-std::vector<std::uint32_t> sides_of_pictures() {
-  std::vector<std::uint32_t> sides;
-  for (const DynamicZPicture& picture : dynamic_z_pictures()) sides.push_back(picture.side);
+std::vector<std::string> sides_of_pictures() {
+  std::vector<std::string> sides;
+  for (const DynamicZPicture& picture : dynamic_z_pictures()) sides.push_back(std::to_string(picture.side));
   return sides;
 }
 
@@ -292,7 +293,7 @@ void add_board_options(CLI::App& command, BenchOptions& options, CLI::Option* ta
   auto* const board =
       command.add_option("--board", options.boards, "Predict frames a second of real boards, separated by commas")
           ->delimiter(',')
-          ->check(CLI::IsMember(board_names()))
+          ->check(one_of(board_names()))
           ->excludes(target)
           ->excludes("--peers");
   command.add_option("--spi-mhz", options.spi_mhz, "Clock of the display's bus instead of the board's most")
@@ -312,22 +313,22 @@ void add_bench_command(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<BenchOptions>();
   CLI::App* command = app.add_subcommand("bench", "Measure instructions, time and memory of the benchmark workloads");
   command->footer(footer());
-  auto* const table = command->add_option("--table", options->table, "Reproduce a published table instead")
-                          ->check(CLI::IsMember(tables()));
+  auto* const table =
+      command->add_option("--table", options->table, "Reproduce a published table instead")->check(one_of(tables()));
   command
       ->add_option("--picture", options->pictures, "Sides of the table's pictures, separated by commas (default: all)")
       ->delimiter(',')
-      ->check(CLI::IsMember(sides_of_pictures()))
+      ->check(one_of(sides_of_pictures()))
       ->needs(table);
   auto* const target =
       command
           ->add_option("--target", options->targets, "Where to draw, separated by commas; boards are emulated by QEMU")
           ->delimiter(',')
-          ->check(CLI::IsMember({"host", "m0", "m3", "m4f", "m7"}))
+          ->check(one_of({"host", "m0", "m3", "m4f", "m7"}))
           ->capture_default_str();
   command->add_option("--workload", options->workloads, "What to draw, separated by commas")
       ->delimiter(',')
-      ->check(CLI::IsMember(workload_names()))
+      ->check(one_of(workload_names()))
       ->capture_default_str();
   command->add_option("--size", options->size, "Size of the picture, each side 1 to 4096 (default: the workload's own)")
       ->type_name("WxH");
@@ -338,10 +339,10 @@ void add_bench_command(CLI::App& app, int& exit_code) {
                    "Pixels of a strip's row, a multiple of 8 (default: the picture's width)")
       ->type_name("N|auto");
   command->add_option("--mode", options->mode, "Transform geometry again for each strip, or once and bin it")
-      ->check(CLI::IsMember({"streamed", "binned"}))
+      ->check(one_of({"streamed", "binned"}))
       ->capture_default_str();
   command->add_option("--depth", options->depth, "How boards keep depth; all but z16 for R50 only")
-      ->check(CLI::IsMember({"z16", "state", "ranges", "float", "w16", "z24", "z32"}))
+      ->check(one_of({"z16", "state", "ranges", "float", "w16", "z24", "z32"}))
       ->capture_default_str();
   command->add_option("--ram", options->ram, "Renderer's memory at most, K and M allowed (default: no limit)")
       ->type_name("BYTES");

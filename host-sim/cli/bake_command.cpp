@@ -20,6 +20,7 @@
 #include "bake/scene_blob.hpp"
 #include "bake/scene_header.hpp"
 #include "cli/camera_arguments.hpp"
+#include "cli/one_of.hpp"
 #include "cli/output_names.hpp"
 #include "cli/plan_arguments.hpp"
 #include "cli/print.hpp"
@@ -284,13 +285,13 @@ void add_bake_command(CLI::App& app, int& exit_code) {
                    "Palettes for textures, which take fewer bytes and are drawn slower: auto, where nothing is lost; "
                    "palette8, of 256 colours, or palette4, of 16; rgb565: none (default)")
       ->option_text("FORMAT")
-      ->check(CLI::IsMember({"rgb565", "auto", "palette8", "palette4"}));
+      ->check(one_of({"rgb565", "auto", "palette8", "palette4"}));
   command
       ->add_option("--mipmaps", a.mipmaps,
                    "Smaller levels of textures, for texels that lie closer than pixels: auto, where the scene asks for "
                    "them (default); on, for all textures of instances: a third more bytes, and drawn slower; off: none")
       ->option_text("CHOICE")
-      ->check(CLI::IsMember({"auto", "on", "off"}));
+      ->check(one_of({"auto", "on", "off"}));
   command->add_option("--json", a.json, "Write the report as JSON; - is standard output")->type_name("FILE|-");
   command->add_flag("--quiet", a.quiet, "No report in words; warnings and errors remain");
   command->footer(

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <vector>
 
+#include "cli/nearest_name.hpp"
 #include "compose/perspective_runs.hpp"
 #include "report/frame_record.hpp"
 
@@ -25,6 +27,17 @@ std::optional<T> number(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   return value;
+}
+
+/// What `text` names.
+template <typename T, std::size_t size>
+Result<T> named(std::string_view option, std::string_view text, const std::pair<std::string_view, T> (&values)[size]) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, value] : values) {
+    if (text == name) return value;
+    names.push_back(name);
+  }
+  return usage(unknown_name(option, text, names));
 }
 
 }  // namespace
@@ -109,11 +122,13 @@ Result<std::array<double, 3>> parse_vector(const std::string& option, const std:
 }
 
 Result<PixelFormat> parse_format(const std::string& text) {
+  std::vector<std::string_view> names;
   for (int index = 0; index <= static_cast<int>(kLastPixelFormat); ++index) {
     const auto format = static_cast<PixelFormat>(index);
-    if (text == name(format)) return format;
+    names.emplace_back(name(format));
+    if (text == names.back()) return format;
   }
-  return bad_value("--format", text, "rgb565, rgb565_swapped, gray4, mono, rgb666, rgb444 or xrgb8888");
+  return usage(unknown_name("--format", text, names));
 }
 
 Result<DepthFormat> parse_depth_format(const std::string& text) {
@@ -122,34 +137,22 @@ Result<DepthFormat> parse_depth_format(const std::string& text) {
                                                                    {"w16", DepthFormat::w16},
                                                                    {"z24", DepthFormat::z24},
                                                                    {"z32", DepthFormat::z32}};
-  for (const auto& [name, format] : kFormats) {
-    if (text == name) return format;
-  }
-  return bad_value("--depth-format", text, "z16, float, w16, z24 or z32");
+  return named("--depth-format", text, kFormats);
 }
 
-Result<Effects> parse_perspective(const std::string& text) {
-  for (const auto& [name, effects] : kPerspectiveRuns) {
-    if (text == name) return effects;
-  }
-  return bad_value("--perspective", text, "affine, 16, 8 or 1");
-}
+Result<Effects> parse_perspective(const std::string& text) { return named("--perspective", text, kPerspectiveRuns); }
 
 Result<UpAxis> parse_up_axis(const std::string& text) {
   constexpr std::pair<std::string_view, UpAxis> kAxes[] = {{"x", UpAxis::plus_x}, {"-x", UpAxis::minus_x},
                                                            {"y", UpAxis::plus_y}, {"-y", UpAxis::minus_y},
                                                            {"z", UpAxis::plus_z}, {"-z", UpAxis::minus_z}};
-  for (const auto& [name, axis] : kAxes) {
-    if (text == name) return axis;
-  }
-  return bad_value("--up", text, "x, -x, y, -y, z or -z");
+  return named("--up", text, kAxes);
 }
 
 Result<ImageType> parse_image_type(const std::string& text) {
-  if (text == "png") return ImageType::png;
-  if (text == "ppm") return ImageType::ppm;
-  if (text == "raw") return ImageType::raw;
-  return bad_value("--image", text, "png, ppm or raw");
+  constexpr std::pair<std::string_view, ImageType> kTypes[] = {
+      {"png", ImageType::png}, {"ppm", ImageType::ppm}, {"raw", ImageType::raw}};
+  return named("--image", text, kTypes);
 }
 
 }  // namespace zstrip::sim

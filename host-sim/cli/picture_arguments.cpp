@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <tuple>
 
+#include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 #include "render/blob_stage.hpp"
 #include "render/stage.hpp"
@@ -54,7 +55,7 @@ void add_quality_options(CLI::App& command, ViewArguments& arguments) {
                   "Samples a pixel, whose mean smooths edges: 1 (default), 2 (side by side) or 4 (two by two); they "
                   "take memory and time as so many pixels")
       ->type_name("N")
-      ->check(CLI::IsMember({1, 2, 4}));
+      ->check(one_of({"1", "2", "4"}));
 }
 
 Result<View> parse_quality(const ViewArguments& arguments, const PictureSettings& settings, const View& view) {

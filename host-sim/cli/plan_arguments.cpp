@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/one_of.hpp"
 #include "visibility/methods.hpp"
 
 namespace zstrip::sim {
@@ -35,7 +36,7 @@ void add_plan_options(CLI::App& command, PlanArguments& arguments) {
       ->type_name("N|auto");
   command.add_flag("--split-columns", a.split_columns, "The display takes rectangles narrower than the picture");
   command.add_option("--mode", a.mode, "Transform geometry for each strip, once, or what is faster")
-      ->check(CLI::IsMember({"any", "streamed", "binned"}))
+      ->check(one_of({"any", "streamed", "binned"}))
       ->capture_default_str();
   command
       .add_option("--visibility", a.visibility,

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/one_of.hpp"
 #include "visibility/method_options.hpp"
 #include "visibility/methods.hpp"
 
@@ -25,7 +26,7 @@ void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
   command
       .add_option("--sort-key", a.key, "The depth by which triangles are sorted: middle (default), nearest or farthest")
       ->option_text("KEY")
-      ->check(CLI::IsMember({"middle", "nearest", "farthest"}));
+      ->check(one_of({"middle", "nearest", "farthest"}));
   command
       .add_option("--cull", a.cull,
                   "All that is left out early, separated by commas: back-faces, small, spheres (meshlets by their "

@@ -148,6 +148,10 @@ TEST_F(BadInput, Options) {
   usage("--up", {"render", "teapot", "--up", "z"});
   usage("picture.png", {"render", "teapot", "-o", "picture.png", "--frames", "2"});
   usage("--bogus", {"render", "teapot", "--bogus"});
+  usage("--samples: 'four' is no number. Known are 1, 2, 4", {"render", "teapot", "--samples", "four"});
+  usage("did you mean 4?", {"render", "teapot", "--samples", "8"});
+  usage("--mode: 'stremed' is unknown, did you mean streamed?", {"plan", "teapot", "--mode", "stremed"});
+  usage("--sort-key: 'far' is unknown", {"render", "teapot", "--sort-key", "far"});
   usage("scene", {"render"});
   usage("command", {});
   usage("frobnicate", {"frobnicate"});

@@ -1,5 +1,6 @@
 // Values of options: what is taken, and that everything else is a usage error which names the option.
 #include "cli/parse.hpp"
+#include "cli/nearest_name.hpp"
 #include "cli/output_names.hpp"
 #include "report/number.hpp"
 #include "support.hpp"
@@ -47,6 +48,26 @@ TEST(Parse, Vector) {
   for (const char* text : {"", "1,2", "1,2,3,4", "1,,3", "a,b,c", "nan,0,0", "inf,0,0", "1 2 3"}) {
     expect_usage_error(parse_vector("--eye", text), "--eye");
   }
+}
+
+void expect_text(const std::string& message, const std::string& part) {
+  EXPECT_NE(message.find(part), std::string::npos) << message;
+}
+
+TEST(Parse, WordsThatAreUnknownAreToldTheNearest) {
+  expect_text(parse_format("rgb56").failure().message, "did you mean rgb565?");
+  expect_text(parse_depth_format("z23").failure().message, "did you mean z24?");
+  expect_text(parse_perspective("afine").failure().message, "did you mean affine?");
+  expect_text(parse_image_type("pgn").failure().message, "did you mean png? Known are png, ppm, raw");
+  expect_text(parse_up_axis("-w").failure().message, "did you mean -x?");
+}
+
+TEST(Parse, NumbersThatAreUnknownAreToldTheNearest) {
+  constexpr std::string_view kSamples[] = {"1", "2", "4"};
+  EXPECT_EQ(nearest_name("16", kSamples), "4");
+  EXPECT_EQ(nearest_name("-3000000", kSamples), "1");
+  EXPECT_EQ(unknown_value("3", kSamples), "'3' is unknown, did you mean 2? Known are 1, 2, 4");
+  EXPECT_EQ(unknown_value("four", kSamples), "'four' is no number. Known are 1, 2, 4");
 }
 
 TEST(Parse, Words) {
