@@ -13,13 +13,6 @@
 namespace zstrip::sim {
 namespace {
 
-std::vector<std::string> fields(const std::string& line) {
-  std::vector<std::string> found;
-  std::istringstream stream(line);
-  for (std::string field; std::getline(stream, field, ',');) found.push_back(field);
-  return found;
-}
-
 /// Throws std::out_of_range and std::invalid_argument where a field is missing or no number.
 AccuracyPoint point_of(const std::map<std::string, std::size_t>& at, const std::vector<std::string>& row) {
   const auto field = [&](std::string_view name) { return row.at(at.at(std::string(name))); };
@@ -41,16 +34,23 @@ AccuracyPoint point_of(const std::map<std::string, std::size_t>& at, const std::
 
 }  // namespace
 
+std::vector<std::string> csv_fields(const std::string& line) {
+  std::vector<std::string> found;
+  std::istringstream stream(line);
+  for (std::string field; std::getline(stream, field, ',');) found.push_back(field);
+  return found;
+}
+
 Result<std::vector<Campaign>> read_recorded(const std::string& file) {
   std::ifstream csv(file);
   std::string line;
   if (!std::getline(csv, line)) return Failure{ExitStatus::input, fmt::format("'{}' cannot be read", file)};
   std::map<std::string, std::size_t> at;
-  const std::vector<std::string> names = fields(line);
+  const std::vector<std::string> names = csv_fields(line);
   for (std::size_t i = 0; i < names.size(); ++i) at[names[i]] = i;
   std::vector<Campaign> campaigns;
   while (std::getline(csv, line)) {
-    std::vector<std::string> row = fields(line);
+    std::vector<std::string> row = csv_fields(line);
     row.resize(names.size());
     try {
       if (row.at(at.at("m3")).empty()) continue;

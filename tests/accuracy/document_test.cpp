@@ -5,22 +5,15 @@
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "accuracy/campaign.hpp"
 #include "accuracy/causes.hpp"
+#include "accuracy/recorded.hpp"
 
 namespace zstrip::sim {
 namespace {
-
-std::vector<std::string> fields(const std::string& line) {
-  std::vector<std::string> found;
-  std::istringstream stream(line);
-  for (std::string field; std::getline(stream, field, ',');) found.push_back(field);
-  return found;
-}
 
 std::string words(const Settings& settings) {
   std::string text = to_text(settings);
@@ -39,9 +32,9 @@ Table table(const char* file = ZSTRIP_ROOT "/docs/accuracy.csv", std::size_t key
   Table read;
   std::string line;
   std::getline(csv, line);
-  read.names = fields(line);
+  read.names = csv_fields(line);
   while (std::getline(csv, line)) {
-    std::vector<std::string> row = fields(line);
+    std::vector<std::string> row = csv_fields(line);
     row.resize(read.names.size());
     std::string key = row[0];
     for (std::size_t i = 1; i < keys; ++i) key += "," + row[i];
