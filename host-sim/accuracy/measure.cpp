@@ -53,6 +53,8 @@ Result<std::unique_ptr<AccuracyScene>> AccuracyScene::open(const AccuracyRequest
       poses->stages.push_back((*stage)->copy());
       const Result<Staging> staged = poses->stages.back()->place(pose * (kTurn / request.frames) + next, kTurn);
       if (!staged) return staged.failure();
+      const Result<Done> checked = check_truth(staged->scene, staged->camera, (*stage)->origins());
+      if (!checked) return checked.failure();
       Result<Truth> truth = find_truth(staged->scene, staged->camera, request.view);
       if (!truth) return truth.failure();
       poses->staged.push_back(*staged);

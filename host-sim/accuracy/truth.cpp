@@ -1,7 +1,9 @@
 // From a scene to the corners and looks of its polygons, which truth_raster.hpp draws.
 #include "accuracy/truth.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cmath>
 #include <optional>
 
@@ -79,29 +81,37 @@ Vector vertex_colour(const Scene& scene, const Transform& transform, const Mesh&
   return rgb;
 }
 
-bool has_own_depth(const Material& m) {
-  return m.depth_test != DepthTest::nearer || !m.depth_write || m.depth_bias != 0 || m.depth_slope_bias != 0;
+/// "outlines (room.toml line 12: has an outline: 'ink', 'pencil')"
+std::string in_words(const FoundEffect& found) {
+  const std::string place = found.origin.empty() ? "" : found.origin + ": ";
+  const std::string materials =
+      found.materials.empty() ? "" : fmt::format(": '{}'", fmt::join(found.materials, "', '"));
+  return fmt::format("{} ({}{}{})", found.effect.name, place, found.effect.reason, materials);
 }
 
 }  // namespace
 
+Result<Done> check_truth(const Scene& scene, const Camera& camera, const Origins& origins) {
+  constexpr Effects kDrawn =
+      effect::all | effect::fog | effect::emissive | effect::quadrics | effect::billboards | effect::pixel_shading;
+  const Effects others = without(effects_of(scene, camera), kDrawn);
+  if (others == Effects{}) return Done{};
+  std::string list;
+  for (const FoundEffect& found : find_effects(scene, camera, others, origins)) {
+    list += fmt::format("{}{}", list.empty() ? "" : ", ", in_words(found));
+  }
+  return Failure{
+      ExitStatus::input,
+      fmt::format(
+          "no truth can be drawn of what this scene has: {}; what can be are triangles and quadrics "
+          "with directional light, emission, vertex colours, nearest texels and fog{}",
+          list,
+          others.has(effect::depth_state) ? "; what a depth test or bias shows depends on the z-buffer's codes" : "")};
+}
+
 Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const View& view, std::uint32_t scale,
                                 const Stages& stages) {
-  if (std::ranges::any_of(scene.materials, has_own_depth)) {
-    return Failure{ExitStatus::input,
-                   "the scene has materials with a depth test, write or bias of their own: what is right there depends "
-                   "on the z-buffer's codes, so that no truth can be drawn"};
-  }
-  constexpr Effects kKnown =
-      effect::all | effect::fog | effect::emissive | effect::quadrics | effect::billboards | effect::pixel_shading;
-  if (without(effects_of(scene, camera), kKnown) != Effects{}) {
-    return Failure{
-        ExitStatus::input,
-        "the scene has highlights, point or spot lights, alpha, bilinear texels, palettes, mipmaps, environments, "
-        "lines, outlines, shadows or products of solids, and the truth knows none of these: it draws triangles and "
-        "quadrics with "
-        "directional light, emission, textures and fog"};
-  }
+  if (const Result<Done> checked = check_truth(scene, camera, {}); !checked) return checked.failure();
   truth::Rasteriser rasteriser(camera, view, scale, scene, stages);
   const Vector right = vector_of(camera.right, kOne30), up = vector_of(camera.up, kOne30),
                back = vector_of(camera.back, kOne30), eye = vector_of(camera.eye, kOne16);

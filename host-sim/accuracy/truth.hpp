@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "accuracy/truth_stages.hpp"
+#include "bake/effects_found.hpp"
 #include "result.hpp"
 #include "zstrip/scene/camera.hpp"
 #include "zstrip/scene/scene.hpp"
@@ -42,12 +43,16 @@ struct Truth {
   std::vector<std::array<std::uint32_t, 16>> triangles;  ///< of the samples
 };
 
+/// ExitStatus::input for a scene of which no truth can be drawn: with materials that have a depth test or bias of their
+/// own, whose result depends on the z-buffer's codes; with highlights, point or spot lights, alpha, bilinear texels,
+/// palettes, mipmaps, environments, lines, outlines, shadows or products of solids. The message names each of them, and
+/// where it stands as far as `origins` says.
+Result<Done> check_truth(const Scene& scene, const Camera& camera, const Origins& origins);
+
 /// Draws `scale` x `scale` samples a pixel, each in the middle of its square. Surfaces that are smooth are lit at each
 /// sample by the interpolated normal, whether the material asks for that or for light at vertices; flat ones by that of
-/// their first vertex. `stages` are as coarse as the renderer's, where samples are its pixels. Failures:
-/// ExitStatus::input for materials with a depth test or bias of their own, whose result depends on the z-buffer's
-/// codes; for highlights, point and spot lights, alpha and bilinear texels. Quadrics have no corners: of them only
-/// depth and colour can be coarse.
+/// their first vertex. `stages` are as coarse as the renderer's, where samples are its pixels. Quadrics have no
+/// corners: of them only depth and colour can be coarse. Failures: those of check_truth.
 Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const View& view, std::uint32_t scale,
                                 const Stages& stages = {});
 

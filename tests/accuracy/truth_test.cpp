@@ -1,12 +1,15 @@
 // The truth on scenes whose pictures can be said without drawing them.
 #include "accuracy/truth.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
+
+#include "accuracy/measure.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -243,6 +246,17 @@ TEST(Truth, RefusesWhatItDoesNotKnow) {
   const Result<TruthPicture> picture = draw_truth(square.scene, square.camera, kView, 1);
   ASSERT_FALSE(picture);
   EXPECT_NE(picture.failure().message.find("alpha"), std::string::npos);
+}
+
+TEST(Truth, RefusesASceneByWhatItHasAndWhere) {
+  for (const std::string effect : {"outlines", "shadows", "csg", "lines"}) {
+    const std::string file = fmt::format("{}/host-sim/scenes/{}.toml", ZSTRIP_ROOT, effect);
+    const auto opened = AccuracyScene::open({.scene = file, .view = kView, .frames = 1, .firmware = ""});
+    ASSERT_FALSE(opened) << effect;
+    EXPECT_EQ(opened.failure().status, ExitStatus::input);
+    const std::string& message = opened.failure().message;
+    EXPECT_NE(message.find(fmt::format("{0} ({0}.toml line ", effect)), std::string::npos) << message;
+  }
 }
 
 TEST(Truth, RefusesMaterialsWhoseDepthIsTheirOwn) {
