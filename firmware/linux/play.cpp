@@ -46,10 +46,11 @@ std::optional<Failure> play(SceneFile& scene, AnyDisplay& display, const PlayOpt
   if (view.width * sample_columns(view) > kMaxViewSize || view.height * sample_rows(view) > kMaxViewSize) {
     view.samples = 1;  // the display has pixels enough
   }
-  const Camera camera = scene.camera(view);
-  if (options.frames_per_turn > 1 && !scene.can_turn())
-    return Failure{ExitStatus::input, "an instance of the baked scene is too far away to turn; play it with --turn 1"};
-  const Effects effects = effects_of(scene.scene(), camera) | effects_of(view) | effect::bins;
+  const Camera camera = scene.camera(view, options.frames_per_turn);
+  if (options.frames_per_turn > 1 && !scene.can_turn(camera)) {
+    return Failure{ExitStatus::input, "what turns in the baked scene is too far away for it; play it with --turn 1"};
+  }
+  const Effects effects = effects_of(scene.scene(), camera) | effects_of(view) | scene.effects() | effect::bins;
   // Controllers with several pixels a byte want areas of whole bytes, some of them in y: they get the picture in one.
   const bool whole = view.format == PixelFormat::gray4 || view.format == PixelFormat::mono;
   const Budget budget{.strip_rows = whole ? view.height : std::uint16_t{0}};
@@ -73,8 +74,8 @@ std::optional<Failure> play(SceneFile& scene, AnyDisplay& display, const PlayOpt
   const auto seconds = [start] { return std::chrono::duration<double>(StopSignals::Clock::now() - start).count(); };
   int refusals = 0;
   while ((options.frames == 0 || played.frames < options.frames) && !stop.arrived()) {
-    const Scene frame = scene.turned(played.frames, options.frames_per_turn);
-    if (const Status begun = renderer.begin_frame(frame, camera, view, plan, arena); !begun)
+    const scenes::BakedFrame frame = scene.staged(camera, played.frames, options.frames_per_turn);
+    if (const Status begun = renderer.begin_frame(frame.scene, frame.camera, view, plan, arena); !begun)
       return refused("the frame cannot begin", begun);
     const auto shown = hal::present(renderer, display, {plan.strips, plan.strip_rows, plan.strip_columns}, buffers);
     if (!shown.draw) return refused("a strip cannot be drawn", shown.draw);

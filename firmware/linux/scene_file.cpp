@@ -1,12 +1,10 @@
-// A baked scene (.zsc) read from a file, turning about the y axis.
+// A baked scene (.zsc) read from a file, animated or turning.
 #include "scene_file.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
 #include "zstrip/base/status.hpp"
-#include "zstrip_scenes/stage.hpp"
 
 namespace zstrip::panel {
 namespace {
@@ -55,24 +53,20 @@ hal::Outcome<SceneFile> SceneFile::open(const std::string& path) {
   return file;
 }
 
-Camera SceneFile::camera(const View& view) const { return scenes::fit_width(blob_.camera, blob_.view, view); }
-
-bool SceneFile::can_turn() const {
-  const auto can = [](const auto& placed) { return scenes::can_turn(placed.transform); };
-  return std::ranges::all_of(blob_.scene.instances, can) && std::ranges::all_of(blob_.scene.lines, can);
+Camera SceneFile::camera(const View& view, std::uint32_t frames) const {
+  return scenes::fit_width(blob_.camera_for(frames), blob_.view, view);
 }
 
-Scene SceneFile::turned(std::uint32_t frame, std::uint32_t frames) {
-  instances_.assign(blob_.scene.instances.begin(), blob_.scene.instances.end());
-  lines_.assign(blob_.scene.lines.begin(), blob_.scene.lines.end());
-  if (frame % frames != 0) {
-    for (Instance& instance : instances_) instance.transform = scenes::turned(instance.transform, frame, frames);
-    for (LineSet& lines : lines_) lines.transform = scenes::turned(lines.transform, frame, frames);
-  }
-  Scene scene = blob_.scene;
-  scene.instances = instances_;
-  scene.lines = lines_;
-  return scene;
+bool SceneFile::can_turn(const Camera& camera) const {
+  return scenes::can_turn({blob_.scene, camera, blob_.animation, blob_.turn});
+}
+
+scenes::BakedFrame SceneFile::staged(const Camera& camera, std::uint32_t frame, std::uint32_t frames) {
+  if (frame % frames == 0 && blob_.animation.tracks.empty()) return {blob_.scene, camera};
+  instances_.resize(blob_.scene.instances.size());
+  lines_.resize(blob_.scene.lines.size());
+  return scenes::stage({blob_.scene, camera, blob_.animation, blob_.turn}, frame, frames,
+                       {.instances = instances_, .lines = lines_});
 }
 
 }  // namespace zstrip::panel

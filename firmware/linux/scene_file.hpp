@@ -1,4 +1,4 @@
-// A baked scene (.zsc) read from a file, turning about the y axis.
+// A baked scene (.zsc) read from a file, animated or turning.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,7 @@
 
 #include "zstrip/scene/scene_blob.hpp"
 #include "zstrip_hal_linux/outcome.hpp"
+#include "zstrip_scenes/baked_stage.hpp"
 
 namespace zstrip::panel {
 
@@ -20,15 +21,19 @@ class SceneFile {
   SceneFile(SceneFile&&) = default;
 
   const Scene& scene() const { return blob_.scene; }
-  /// The blob's camera; in a picture narrower than the blob's own it shows as much from side to side.
-  Camera camera(const View& view) const;
   /// Whether the picture was baked to be dithered, and with how many samples a pixel.
   bool dithers() const { return blob_.view.dither; }
   std::uint8_t samples() const { return blob_.view.samples; }
-  /// Whether the scene can turn: none of its instances is too far away.
-  bool can_turn() const;
-  /// Frame `frame` of a full turn in `frames` frames. Valid until the next call, and as long as this object lives.
-  Scene turned(std::uint32_t frame, std::uint32_t frames);
+  /// What the picture was baked for beside that: one of kPictureEffects.
+  Effects effects() const { return blob_.effects; }
+  /// The blob's camera for `frames` frames; in a picture narrower than the blob's own it shows as much from side to
+  /// side.
+  Camera camera(const View& view, std::uint32_t frames) const;
+  /// Whether the scene can make a turn: nothing that moves for it is too far away.
+  bool can_turn(const Camera& camera) const;
+  /// Frame `frame` of `frames` that show the animation once, or else a full turn; `camera` as above. Valid until the
+  /// next call, and as long as this object lives.
+  scenes::BakedFrame staged(const Camera& camera, std::uint32_t frame, std::uint32_t frames);
 
  private:
   SceneFile() = default;

@@ -55,6 +55,8 @@ Vec3 turned_about_y(const Vec3& v, const Rotation& r) {
           fixed_multiply(v.z, r.cosine) - fixed_multiply(v.x, r.sine)};
 }
 
+bool is_near(Fixed coordinate) { return coordinate >= -kFarthestTurned && coordinate <= kFarthestTurned; }
+
 /// The longest focal length at which the model fits both the height and the width of the picture; rounds down.
 Fixed fitted_focal(const BuiltIn& built_in, const View& view) {
   const std::uint32_t across = static_cast<std::uint32_t>(built_in.focal_across) * view.width / view.height;
@@ -77,10 +79,21 @@ Transform turned(const Transform& at_rest, std::uint32_t frame, std::uint32_t fr
   return combine(about_y(rotation_by(turn(frame, frames))), at_rest);
 }
 
+Camera turned(const Camera& at_rest, std::uint32_t frame, std::uint32_t frames) {
+  const Rotation rotation = rotation_by(turn(frame, frames));
+  Camera camera = at_rest;
+  for (Vec3* vector : {&camera.right, &camera.up, &camera.back, &camera.eye}) {
+    *vector = turned_about_y(*vector, rotation);
+  }
+  return camera;
+}
+
 bool can_turn(const Transform& transform) {
   return std::all_of(std::begin(transform.m), std::end(transform.m),
-                     [](const Fixed(&row)[4]) { return row[3] >= -kFarthestTurned && row[3] <= kFarthestTurned; });
+                     [](const Fixed(&row)[4]) { return is_near(row[3]); });
 }
+
+bool can_turn(const Camera& camera) { return is_near(camera.eye.x) && is_near(camera.eye.y) && is_near(camera.eye.z); }
 
 Camera fit_width(const Camera& camera, const View& own, const View& view) {
   const std::uint64_t ratio = std::uint64_t{view.width} * own.height;
@@ -95,15 +108,9 @@ Camera fit_width(const Camera& camera, const View& own, const View& view) {
 
 void stage(const BuiltIn& built_in, Staged& staged, std::uint32_t frame, std::uint32_t frames, const View& view) {
   const bool model_turns = built_in.turns == Turns::model;
-  const Rotation rotation = rotation_by(turn(frame, frames));
-
-  staged.place(built_in, model_turns ? about_y(rotation) : Transform::identity());
-  staged.camera = built_in.camera;
+  staged.place(built_in, model_turns ? about_y(rotation_by(turn(frame, frames))) : Transform::identity());
+  staged.camera = model_turns ? built_in.camera : turned(built_in.camera, frame, frames);
   staged.camera.focal = fitted_focal(built_in, view);
-  if (model_turns) return;
-  for (Vec3* vector : {&staged.camera.right, &staged.camera.up, &staged.camera.back, &staged.camera.eye}) {
-    *vector = turned_about_y(*vector, rotation);
-  }
 }
 
 void stage_workload(const BuiltIn& built_in, Staged& staged, std::uint32_t frame) {

@@ -9,6 +9,7 @@
 #include "zstrip/scene/camera.hpp"
 #include "zstrip/scene/effects.hpp"
 #include "zstrip/scene/scene.hpp"
+#include "zstrip/scene/turn.hpp"
 #include "zstrip/scene/view.hpp"
 
 namespace zstrip::sim {
@@ -18,14 +19,15 @@ struct BakedScene {
   std::string source;  ///< what it was made of, without folders, for comments
   Scene scene;
   Camera camera;
-  Animation animation;  ///< empty: nothing moves
+  Animation animation;  ///< empty: what `turn` says moves
   View view;
-  /// Those that scene and view call for, effect::bins if the plan needs it, the visibility method and one of
-  /// effect::perspective_runs.
+  /// Those that scene and view call for, effect::bins if the plan needs it, the visibility method, and one of
+  /// effect::perspective_runs or of effect::depth_formats.
   Effects effects;
   Budget budget;  ///< with the strips of `plan`: the same plan comes out of it again
   Plan plan;
   BspTree tree{};  ///< with method::bsp
+  Turn turn{};
 };
 
 }  // namespace zstrip::sim

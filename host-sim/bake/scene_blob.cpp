@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <span>
 #include <utility>
@@ -155,10 +156,10 @@ class Writer {
     byte(camera.fixed_depth_range ? 1 : 0);
     zeros(2);
   }
-  void put(const View& view) {
+  void put(const View& view, std::uint32_t effects) {
     half_word(std::uint32_t{view.width});
     half_word(std::uint32_t{view.height});
-    byte(static_cast<std::uint8_t>(view.format));
+    byte(static_cast<std::uint8_t>(view.format) | effects << 4);
     byte(view.dither ? 1 : 0);
     byte(view.samples == 1 ? std::uint8_t{0} : view.samples);
     zeros(1);
@@ -230,6 +231,19 @@ void write_texture(Writer& writer, std::size_t at, const Texture& texture) {
   writer.byte_at(at + 11, texture.smaller_levels);
 }
 
+/// Of one of kPictureEffects.
+std::uint32_t number_of(Effects effects) {
+  return static_cast<std::uint32_t>(std::ranges::find(kPictureEffects, effects) - std::begin(kPictureEffects));
+}
+
+/// The animation's duration, or what turns without one; 0 is what blobs from before turns have.
+std::uint32_t motion_word(const SceneBlob& content) {
+  if (!content.animation.tracks.empty()) return content.animation.duration;
+  if (content.turn == Turn{} && content.turning_camera == nullptr) return 0;
+  const std::uint32_t has_turn = content.turning_camera != nullptr ? 0x81 : 0x80;
+  return content.turn.still_instances | static_cast<std::uint32_t>(content.turn.what) << 16 | has_turn << 24;
+}
+
 void write_lines(Writer& writer, std::size_t at, const LineSet& lines) {
   writer.array(at, lines.segments);
   writer.half_word_at(at + 8, lines.mesh);
@@ -262,9 +276,9 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   writer.put(scene.ambient);
   writer.put(scene.background);
   writer.put(content.camera);
-  writer.put(content.view);
+  writer.put(content.view, number_of(content.effects));
   writer.zeros(16);  // arrays of tracks and keyframes: set below
-  writer.word(content.animation.duration);
+  writer.word(motion_word(content));
   writer.zeros(40);  // more arrays: set below
 
   // Right behind the header.
@@ -277,6 +291,7 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   const std::size_t lines = writer.bytes().size();
   writer.zeros(scene.lines.size() * kLineSetRecordBytes);  // set below
   writer.byte_at(123, static_cast<std::uint8_t>(scene.lines.size()));
+  if (content.turning_camera != nullptr && content.animation.tracks.empty()) writer.put(*content.turning_camera);
 
   const std::size_t meshes = writer.reserve(12, scene.meshes.size(), kMeshBytes);
   writer.array(20, scene.materials);

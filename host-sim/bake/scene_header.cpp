@@ -118,6 +118,10 @@ std::string literal(const Keyframe& k) {
 constexpr std::pair<const char*, Effects> kChosen[] = {{"effect::perspective_affine", effect::perspective_affine},
                                                        {"effect::perspective_8", effect::perspective_8},
                                                        {"effect::perspective_1", effect::perspective_1},
+                                                       {"effect::depth_float", effect::depth_float},
+                                                       {"effect::depth_w16", effect::depth_w16},
+                                                       {"effect::depth_24", effect::depth_24},
+                                                       {"effect::depth_32", effect::depth_32},
                                                        {"effect::depth_ranges", effect::depth_ranges},
                                                        {"method::painter", method::painter},
                                                        {"method::in_order", method::in_order},
@@ -126,6 +130,16 @@ constexpr std::pair<const char*, Effects> kChosen[] = {{"effect::perspective_aff
                                                        {"method::hierarchical_z", method::hierarchical_z},
                                                        {"method::midpoint", method::midpoint},
                                                        {"method::midpoint_safe", method::midpoint_safe}};
+
+const char* name_of(Turning turning) {
+  switch (turning) {
+    case Turning::instances_and_lines: return "instances_and_lines";
+    case Turning::instances: return "instances";
+    case Turning::camera: return "camera";
+    case Turning::nothing: break;
+  }
+  return "nothing";
+}
 
 std::string literal(Effects effects) {
   std::string text;
@@ -152,7 +166,7 @@ class Header {
     comment(name_space);
     line("#pragma once\n");
     for (const char* header : {"base/status.hpp", "plan/plan.hpp", "scene/animation.hpp", "scene/camera.hpp",
-                               "scene/effects.hpp", "scene/scene.hpp", "scene/view.hpp"}) {
+                               "scene/effects.hpp", "scene/scene.hpp", "scene/turn.hpp", "scene/view.hpp"}) {
       line(fmt::format("#include \"zstrip/{}\"", header));
     }
     if (!baked_.tree.nodes.empty()) line("#include \"zstrip/scene/bsp_tree.hpp\"");
@@ -324,11 +338,14 @@ class Header {
   }
 
   void animation() {
-    line("\n/// What moves the instances; without tracks nothing does. Times in milliseconds.");
+    line("\n/// What moves the instances, if it has tracks. Times in milliseconds.");
     const std::string tracks = array("zstrip::Track", "kTracks", baked_.animation.tracks);
     const std::string keyframes = array("zstrip::Keyframe", "kKeyframes", baked_.animation.keyframes);
     line(fmt::format("inline constexpr zstrip::Animation kAnimation{{.tracks = {}, .keyframes = {}, .duration = {}}};",
                      tracks, keyframes, baked_.animation.duration));
+    line("/// What moves without one, where several frames are shown.");
+    line(fmt::format("inline constexpr zstrip::Turn kTurn{{.what = zstrip::Turning::{}, .still_instances = {}}};",
+                     name_of(baked_.turn.what), baked_.turn.still_instances));
   }
 
   void camera() {
@@ -359,7 +376,8 @@ class Header {
         fmt::format("/// All that the scene calls for{}: the one pipeline to instantiate.\n"
                     "inline constexpr zstrip::Effects kEffects = {};",
                     baked_.effects.has(effect::bins) ? ", and bins for the plan" : "", literal(baked_.effects)));
-    constexpr Effects kBeyondScene = effect::bins | effect::depth_ranges | effect::perspective_runs;
+    constexpr Effects kBeyondScene =
+        effect::bins | effect::depth_formats | effect::depth_ranges | effect::perspective_runs;
     const Effects beyond_scene{baked_.effects.bits & kBeyondScene.bits, baked_.effects.methods};
     const std::string of_view = effects_of(view) == Effects{} ? "" : " | zstrip::effects_of(kView)";
     line(fmt::format("static_assert(kEffects == (zstrip::effects_of(kScene, kCamera){}));",

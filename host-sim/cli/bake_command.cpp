@@ -105,8 +105,33 @@ Result<PreparedScene> prepare_for(const PlanRequest& request, const Arguments& a
   return PreparedScene::of(staging, request.method);
 }
 
+/// What the picture's settings choose beside the view.
+Effects picture_effects(const PlanRequest& request) { return request.perspective | depth_effect(request.depth_format); }
+
+/// Of the instances that the method has made one: they turn together or not at all.
+Turn turn_of(const Stage& stage, const PlanRequest& request, const Staging& original) {
+  Turn turn = stage.turn();
+  if (!request.method.any(method::orders) || turn.still_instances == 0 || !stage.animation().tracks.empty()) {
+    return turn;
+  }
+  if (turn.still_instances < original.scene.instances.size()) {
+    print_warning(
+        fmt::format("the baked scene stands still where zstrip render turns what is not in the static layer: "
+                    "--visibility {} makes one instance of both",
+                    visibility_name(request.method)));
+  }
+  return {.what = Turning::nothing};
+}
+
+/// Whether both show the same picture of the same scene.
+bool same(const Camera& a, const Camera& b) {
+  return a.right == b.right && a.up == b.up && a.back == b.back && a.eye == b.eye && a.focal == b.focal &&
+         a.near_plane == b.near_plane && a.far_plane == b.far_plane && a.projection == b.projection &&
+         a.fixed_depth_range == b.fixed_depth_range;
+}
+
 /// The scene at rest, planned.
-Result<BakedScene> bake(const std::string& scene, const Staging& staging, const Animation& animation,
+Result<BakedScene> bake(const std::string& scene, const Staging& staging, const Animation& animation, const Turn& turn,
                         const PlanRequest& request) {
   const Result<Plan> plan = best_plan(staging, request);
   if (!plan) return plan.failure();
@@ -116,10 +141,11 @@ Result<BakedScene> bake(const std::string& scene, const Staging& staging, const 
                    .animation = animation,
                    .view = request.view,
                    .effects = effects_of(staging.scene, staging.camera) | effects_of(request.view) | request.method |
-                              request.perspective,
+                              picture_effects(request),
                    .budget = request.budget,
                    .plan = *plan,
-                   .tree = staging.tree};
+                   .tree = staging.tree,
+                   .turn = turn};
   const bool binned = plan->mode == Mode::binned;
   if (binned) baked.effects = baked.effects | effect::bins;
   baked.budget.modes = binned ? Modes::binned : Modes::streamed;
@@ -148,12 +174,20 @@ BakeRecord describe(const Arguments& arguments, const Stage& stage, const BakedS
   return record;
 }
 
-Result<Done> write_blob(const BakedScene& baked, const std::string& output, BakeRecord& record) {
-  const Result<std::vector<std::uint8_t>> blob = to_scene_blob({.scene = baked.scene,
-                                                                .camera = baked.camera,
-                                                                .view = baked.view,
-                                                                .tree = baked.tree,
-                                                                .animation = baked.animation});
+/// `turning_camera`: for several frames.
+Result<Done> write_blob(const BakedScene& baked, const Camera& turning_camera, const std::string& output,
+                        BakeRecord& record) {
+  const Effects picture = baked.effects & (effect::perspective_runs | effect::depth_formats);
+  const bool has_other_camera = !same(turning_camera, baked.camera);
+  const Result<std::vector<std::uint8_t>> blob =
+      to_scene_blob({.scene = baked.scene,
+                     .camera = baked.camera,
+                     .view = baked.view,
+                     .tree = baked.tree,
+                     .animation = baked.animation,
+                     .turn = baked.turn,
+                     .turning_camera = has_other_camera ? &turning_camera : nullptr,
+                     .effects = picture});
   if (!blob) return Failure{blob.failure().status, fmt::format("'{}' {}", record.scene, blob.failure().message)};
   record.flash.tables = blob->size() - record.flash.arrays();
   record.lent_bytes = table_bytes(baked.scene);
@@ -201,13 +235,16 @@ Result<Done> run(const Arguments& arguments) {
   if (!cells) return cells.failure();
   const Result<PlanRequest> request = parse_plan(arguments.plan, arguments.scene);
   if (!request) return request.failure();
-  if (const Result<Done> checked = check_visibility(request->method | request->perspective); !checked) {
+  if (const Result<Done> checked =
+          check_visibility(request->method | picture_effects(*request), depth_option(std::nullopt));
+      !checked) {
     return checked.failure();
   }
-  if (*kind == Kind::blob && request->perspective != Effects{}) {
-    print_warning(
-        "a blob does not keep 'perspective' of the scene file: the program that draws it has the effect, as "
-        "zstrip render --perspective");
+  if (*kind == Kind::blob && request->method != Effects{} && !arguments.plan.visibility) {
+    print_warning(fmt::format(
+        "a blob does not keep 'visibility' of the scene file: the program that draws it chooses the method, as zstrip "
+        "render --visibility {}",
+        visibility_name(request->method)));
   }
   const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene);
   if (!model) return model.failure();
@@ -232,7 +269,8 @@ Result<Done> run(const Arguments& arguments) {
   const MipmappedScene mipmapped(at_rest.scene, mipmap_choice(arguments.mipmaps));
   const PalettedScene paletted(mipmapped.scene(), texture_choice(arguments.textures));
   at_rest.scene = paletted.scene();
-  const Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *request);
+  const Turn turn = turn_of(**stage, *request, *staging);
+  const Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), turn, *request);
   if (!baked) return baked.failure();
   BakeRecord record = describe(arguments, **stage, *baked);
   record.palettes = paletted.records();
@@ -243,8 +281,10 @@ Result<Done> run(const Arguments& arguments) {
   if (request->method != Effects{}) {
     record.method = BakedMethodRecord{request->method, prepared->splits(), baked->tree.nodes.size()};
   }
+  const Result<Camera> turning_camera = (*stage)->camera(2);
+  if (!turning_camera) return turning_camera.failure();
   const Result<Done> written =
-      *kind == Kind::blob ? write_blob(*baked, arguments.output, record)
+      *kind == Kind::blob ? write_blob(*baked, *turning_camera, arguments.output, record)
                           : write_file(arguments.output, bytes_of(to_scene_header(*baked, arguments.name_space)), "-o");
   if (!written) return written.failure();
   if (arguments.visible_sets) {

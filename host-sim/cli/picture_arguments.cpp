@@ -21,13 +21,16 @@ std::string pixels(const std::optional<std::string>& given, const std::optional<
 }
 
 PictureSettings settings_of_blob(const std::string& path) {
-  const Result<View> view = view_of_blob(path);
-  if (!view) return {};  // what is wrong with it is said when the scene is opened
+  const Result<BakedPicture> picture = picture_of_blob(path);
+  if (!picture) return {};  // what is wrong with it is said when the scene is opened
+  const View& view = picture->view;
   PictureSettings settings;
-  settings.size.emplace(view->width, view->height);
-  settings.format = view->format;
-  settings.dither = view->dither;
-  settings.samples = view->samples;
+  settings.size.emplace(view.width, view.height);
+  settings.format = view.format;
+  settings.dither = view.dither;
+  settings.samples = view.samples;
+  settings.depth_format = depth_format(picture->effects);
+  settings.perspective = picture->effects & effect::perspective_runs;
   return settings;
 }
 

@@ -6,8 +6,9 @@
 #include <utility>
 
 #include "import/read_file.hpp"
+#include "render/model_animation.hpp"
 #include "zstrip/scene/scene_blob.hpp"
-#include "zstrip_scenes/stage.hpp"
+#include "zstrip_scenes/baked_stage.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -36,7 +37,7 @@ class BlobStage : public Stage {
   BlobStage& operator=(const BlobStage&) = delete;
 
   std::span<const std::uint8_t> bytes() const { return bytes_; }
-  const View& view() const { return blob_.view; }
+  const SceneBlob& blob() const { return blob_; }
 
   Status open() {
     Status status = open_with(0);
@@ -44,49 +45,53 @@ class BlobStage : public Stage {
     return status;
   }
 
-  Result<Done> set_camera(const CameraOptions& options, const View& view) {
-    const Result<Camera> camera = options.placed()
-                                      ? place_camera(options, Units{}, radius_about_origin(blob_.scene))
-                                      : change_projection(scenes::fit_width(blob_.camera, blob_.view, view), options);
-    if (!camera) return camera.failure();
-    camera_ = *camera;
+  Result<Done> set_camera(const CameraOptions& options, const View& view, std::uint32_t frames) {
+    options_ = options;
+    view_ = view;
+    const Result<Camera> chosen = camera(frames);
+    if (!chosen) return chosen.failure();
+    camera_ = *chosen;
     return Done{};
   }
 
-  Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
-    instances_.assign(blob_.scene.instances.begin(), blob_.scene.instances.end());
-    lines_.assign(blob_.scene.lines.begin(), blob_.scene.lines.end());
-    if (!animation().tracks.empty()) {
-      pose(animation(), time_of_frame(animation(), frame, frames), instances_);
-    } else if (frame % frames != 0) {
-      for (Instance& instance : instances_) {
-        if (!scenes::can_turn(instance.transform)) {
-          return Failure{ExitStatus::input, "an instance of the baked scene is too far away to turn; render one frame"};
-        }
-        instance.transform = scenes::turned(instance.transform, frame, frames);
-      }
-      for (LineSet& lines : lines_) {
-        if (!scenes::can_turn(lines.transform)) {
-          return Failure{ExitStatus::input, "lines of the baked scene are too far away to turn; render one frame"};
-        }
-        lines.transform = scenes::turned(lines.transform, frame, frames);
-      }
+  Result<Camera> camera(std::uint32_t frames) const override {
+    if (!options_.placed()) {
+      return change_projection(scenes::fit_width(blob_.camera_for(frames), blob_.view, view_), options_);
     }
-    Scene scene = blob_.scene;
-    scene.instances = instances_;
-    scene.lines = lines_;
-    return Staging{scene, camera_, blob_.tree};
+    const std::vector<Instance> poses = all_poses(animation(), blob_.scene.instances);
+    Scene whole = blob_.scene;
+    whole.instances = poses;
+    return place_camera(options_, Units{}, radius_about_origin(whole));
+  }
+
+  Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
+    const scenes::AtRest at_rest{blob_.scene, camera_, animation(), turn()};
+    if (frame % frames == 0 && animation().tracks.empty()) return Staging{blob_.scene, camera_, blob_.tree};
+    if (!scenes::can_turn(at_rest)) {
+      return Failure{ExitStatus::input, "what turns in the baked scene is too far away for it; render one frame"};
+    }
+    instances_.resize(blob_.scene.instances.size());
+    lines_.resize(blob_.scene.lines.size());
+    const scenes::BakedFrame staged = scenes::stage(at_rest, frame, frames, {.instances = instances_, .lines = lines_});
+    return Staging{staged.scene, staged.camera, blob_.tree};
   }
 
   std::unique_ptr<Stage> copy() const override {
     auto stage = std::make_unique<BlobStage>(bytes_);
     static_cast<void>(stage->open());  // these bytes have been opened before
+    stage->options_ = options_;
+    stage->view_ = view_;
     stage->camera_ = camera_;
     return stage;
   }
 
   const std::vector<std::string>& warnings() const override { return warnings_; }
   Animation animation() const override { return blob_.animation; }
+  /// With a camera of the options nothing moves that the blob's own camera would go around.
+  Turn turn() const override {
+    if (blob_.turn.what == Turning::camera && options_.placed()) return {.what = Turning::nothing};
+    return blob_.turn;
+  }
 
  private:
   Status open_with(std::size_t memory) {
@@ -97,6 +102,8 @@ class BlobStage : public Stage {
   std::vector<std::uint8_t> bytes_;
   std::vector<std::uint64_t> memory_;
   SceneBlob blob_;
+  CameraOptions options_;
+  View view_{};
   Camera camera_;
   std::vector<Instance> instances_;
   std::vector<LineSet> lines_;
@@ -115,18 +122,18 @@ Result<std::unique_ptr<BlobStage>> open(const std::string& path) {
 
 }  // namespace
 
-Result<std::unique_ptr<Stage>> open_blob_stage(const std::string& path, const CameraOptions& options,
-                                               const View& view) {
+Result<std::unique_ptr<Stage>> open_blob_stage(const std::string& path, const CameraOptions& options, const View& view,
+                                               std::uint32_t frames) {
   Result<std::unique_ptr<BlobStage>> stage = open(path);
   if (!stage) return stage.failure();
-  if (const Result<Done> camera = (*stage)->set_camera(options, view); !camera) return camera.failure();
+  if (const Result<Done> camera = (*stage)->set_camera(options, view, frames); !camera) return camera.failure();
   return std::unique_ptr<Stage>(std::move(*stage));
 }
 
-Result<View> view_of_blob(const std::string& path) {
+Result<BakedPicture> picture_of_blob(const std::string& path) {
   const Result<std::unique_ptr<BlobStage>> stage = open(path);
   if (!stage) return stage.failure();
-  return (*stage)->view();
+  return BakedPicture{(*stage)->blob().view, (*stage)->blob().effects};
 }
 
 }  // namespace zstrip::sim

@@ -10,9 +10,14 @@ namespace zstrip::sim {
 
 /// The camera is the blob's own, unless the options place another (in the scene's units) or change its projection. In a
 /// picture narrower than the one that the blob was baked for it shows as much from side to side.
-Result<std::unique_ptr<Stage>> open_blob_stage(const std::string& path, const CameraOptions& options, const View& view);
+Result<std::unique_ptr<Stage>> open_blob_stage(const std::string& path, const CameraOptions& options, const View& view,
+                                               std::uint32_t frames);
 
-/// The picture that the blob was baked for.
-Result<View> view_of_blob(const std::string& path);
+/// The picture that a blob was baked for.
+struct BakedPicture {
+  View view;
+  Effects effects;  ///< one of kPictureEffects
+};
+Result<BakedPicture> picture_of_blob(const std::string& path);
 
 }  // namespace zstrip::sim

@@ -8,7 +8,7 @@
 #include "compose/composed_scene.hpp"
 #include "import/quantise.hpp"
 #include "render/model_animation.hpp"
-#include "zstrip_scenes/stage.hpp"
+#include "zstrip_scenes/baked_stage.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -82,83 +82,90 @@ Result<Camera> finished_camera(const SceneFile& file, const Units& units, double
 
 class ComposedStage : public Stage {
  public:
-  explicit ComposedStage(std::shared_ptr<const ComposedScene> composed)
-      : composed_(std::move(composed)), instances_(composed_->instances), scene_(composed_->scene()) {
-    scene_.instances = instances_;
-  }
+  ComposedStage(std::shared_ptr<const SceneFile> file, std::shared_ptr<const ComposedScene> composed,
+                const CameraOptions& options, const View& view)
+      : file_(std::move(file)),
+        composed_(std::move(composed)),
+        options_(options),
+        view_(view),
+        instances_(composed_->instances) {}
   ComposedStage(const ComposedStage&) = delete;
   ComposedStage& operator=(const ComposedStage&) = delete;
 
-  Result<Done> set_camera(const SceneFile& file, const CameraOptions& options, const View& view, std::uint32_t frames) {
-    Result<Camera> camera = choose_camera(file, options, view, frames);
-    if (!camera) return camera.failure();
-    camera_ = *camera;
-    if (file.camera && !options.placed() && !options.orthographic) {
-      camera_origin_ = origin_of(file.path, file.camera->projection_line);
-    }
-    // Depths of the two layers are compared.
-    camera_.fixed_depth_range = composed_->static_instances > 0;
+  Result<Done> set_camera(std::uint32_t frames) {
+    const Result<Camera> chosen = camera(frames);
+    if (!chosen) return chosen.failure();
+    camera_ = *chosen;
     return Done{};
   }
 
+  Result<Camera> camera(std::uint32_t frames) const override {
+    Result<Camera> camera = choose_camera(frames);
+    // Depths of the two layers are compared.
+    if (camera) camera->fixed_depth_range = composed_->static_instances > 0;
+    return camera;
+  }
+
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
-    if (!animation().tracks.empty()) {
-      pose(animation(), time_of_frame(animation(), frame, frames), instances_);
-      return Staging{scene_, camera_};
-    }
-    for (std::size_t i = composed_->static_instances; i < instances_.size(); ++i) {
-      instances_[i].transform = scenes::turned(composed_->instances[i].transform, frame, frames);
-    }
-    return Staging{scene_, camera_};
+    const scenes::BakedFrame staged =
+        scenes::stage({composed_->scene(), camera_, animation(), turn()}, frame, frames, {.instances = instances_});
+    return Staging{staged.scene, staged.camera};
   }
 
   std::unique_ptr<Stage> copy() const override {
-    auto stage = std::make_unique<ComposedStage>(composed_);
+    auto stage = std::make_unique<ComposedStage>(file_, composed_, options_, view_);
     stage->camera_ = camera_;
     return stage;
   }
 
   const std::vector<std::string>& warnings() const override { return composed_->warnings; }
   Animation animation() const override { return composed_->animation.view(); }
+  /// There are fewer instances than 16 bits count.
+  Turn turn() const override { return {Turning::instances, static_cast<std::uint16_t>(composed_->static_instances)}; }
   Origins origins() const override {
-    return {composed_->material_names, composed_->material_origins, camera_origin_,
-            composed_->fog_origin,     composed_->shadow_origin,    composed_->csg_origin};
+    const bool own_projection = file_->camera && !options_.placed() && !options_.orthographic;
+    return {composed_->material_names,
+            composed_->material_origins,
+            own_projection ? origin_of(file_->path, file_->camera->projection_line) : std::string(),
+            composed_->fog_origin,
+            composed_->shadow_origin,
+            composed_->csg_origin};
   }
 
  private:
-  Result<Camera> choose_camera(const SceneFile& file, const CameraOptions& options, const View& view,
-                               std::uint32_t frames) const {
-    const std::vector<Instance> poses = all_poses(animation(), instances_);
-    Scene whole = scene_;
+  Result<Camera> choose_camera(std::uint32_t frames) const {
+    const std::vector<Instance> poses = all_poses(animation(), composed_->instances);
+    Scene whole = composed_->scene();
     whole.instances = poses;
     const double radius = radius_about_origin(whole);
-    if (options.placed()) {
-      Result<Camera> camera = place_camera(options, composed_->units, radius);
-      if (camera && file.camera) {
-        const Result<Done> set = set_planes(file, composed_->units, *camera);
+    if (options_.placed()) {
+      Result<Camera> camera = place_camera(options_, composed_->units, radius);
+      if (camera && file_->camera) {
+        const Result<Done> set = set_planes(*file_, composed_->units, *camera);
         if (!set) return set.failure();
       }
       return camera;
     }
-    if (file.camera) {
-      const Result<Camera> camera = finished_camera(file, composed_->units, radius);
+    if (file_->camera) {
+      const Result<Camera> camera = finished_camera(*file_, composed_->units, radius);
       if (!camera) return camera.failure();
-      return change_projection(*camera, options);
+      return change_projection(*camera, options_);
     }
-    const double degrees = options.field_of_view.value_or(kDefaultFieldOfView);
-    return framed_camera(options,
-                         frame_scene(whole, {.aspect = static_cast<double>(view.width) / view.height,
+    const double degrees = options_.field_of_view.value_or(kDefaultFieldOfView);
+    return framed_camera(options_,
+                         frame_scene(whole, {.aspect = static_cast<double>(view_.width) / view_.height,
                                              .half_tangent = std::tan(degrees * std::numbers::pi / 360),
-                                             .orthographic = options.orthographic,
+                                             .orthographic = options_.orthographic,
                                              .whole_turn = frames > 1 && animation().tracks.empty()}),
                          radius);
   }
 
+  std::shared_ptr<const SceneFile> file_;
   std::shared_ptr<const ComposedScene> composed_;
+  CameraOptions options_;
+  View view_;
   std::vector<Instance> instances_;
-  Scene scene_;
   Camera camera_;
-  std::string camera_origin_;  ///< of its projection, if the file says it
 };
 
 }  // namespace
@@ -169,8 +176,10 @@ Result<std::unique_ptr<Stage>> open_composed_stage(const std::string& path, cons
   if (!file) return file.failure();
   Result<std::unique_ptr<const ComposedScene>> composed = compose(*file);
   if (!composed) return composed.failure();
-  auto stage = std::make_unique<ComposedStage>(std::shared_ptr<const ComposedScene>(std::move(*composed)));
-  if (const Result<Done> camera = stage->set_camera(*file, options, view, frames); !camera) return camera.failure();
+  auto stage =
+      std::make_unique<ComposedStage>(std::make_shared<const SceneFile>(*file),
+                                      std::shared_ptr<const ComposedScene>(std::move(*composed)), options, view);
+  if (const Result<Done> camera = stage->set_camera(frames); !camera) return camera.failure();
   return std::unique_ptr<Stage>(std::move(stage));
 }
 

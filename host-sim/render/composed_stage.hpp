@@ -9,7 +9,7 @@
 namespace zstrip::sim {
 
 /// The camera is the file's, or placed by the options (in the file's units), or else as near as the picture allows.
-/// Without an animation all that is not in the static layer turns about the world's y axis.
+/// Without an animation all instances that are not in the static layer turn about the world's y axis.
 Result<std::unique_ptr<Stage>> open_composed_stage(const std::string& path, const CameraOptions& options,
                                                    const View& view, std::uint32_t frames);
 

@@ -12,6 +12,7 @@
 #include "render/composed_stage.hpp"
 #include "render/model_animation.hpp"
 #include "zstrip/scene/validate.hpp"
+#include "zstrip_scenes/baked_stage.hpp"
 #include "zstrip_scenes/presentation.hpp"
 #include "zstrip_scenes/scenes.hpp"
 
@@ -59,11 +60,23 @@ class BuiltInStage : public Stage {
   }
 
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
+    const Result<Camera> at_rest = camera(frames);
+    if (!at_rest) return at_rest.failure();
     scenes::stage(built_in_, staged_, frame, frames, view_);
-    if (own_camera_) return Staging{staged_.scene, *own_camera_};
-    const Result<Camera> camera = change_projection(staged_.camera, options_);
-    if (!camera) return camera.failure();
-    return Staging{staged_.scene, *camera};
+    return Staging{staged_.scene, turn().what == Turning::camera ? scenes::turned(*at_rest, frame, frames) : *at_rest};
+  }
+
+  Result<Camera> camera(std::uint32_t frames) const override {
+    if (own_camera_) return *own_camera_;
+    scenes::Staged at_rest;
+    scenes::stage(built_in_, at_rest, 0, frames, view_);
+    return change_projection(at_rest.camera, options_);
+  }
+
+  /// With a camera of the options nothing moves that the scene's own camera would go around.
+  Turn turn() const override {
+    if (built_in_.turns == scenes::Turns::model) return {.what = Turning::instances};
+    return {.what = own_camera_ ? Turning::nothing : Turning::camera};
   }
 
   std::unique_ptr<Stage> copy() const override {
@@ -113,59 +126,62 @@ class ModelStage : public Stage {
   const Scene& scene() const { return scene_; }
 
   Result<Done> set_camera(const CameraOptions& options, const View& view, std::uint32_t frames) {
-    const double degrees = options.field_of_view.value_or(kDefaultFieldOfView);
-    const std::vector<Instance> poses = all_poses(animation(), instances_);
-    Scene whole = scene_;
-    whole.instances = poses;
-    const double radius = radius_about_origin(whole);
-    const FramingView framing{.aspect = static_cast<double>(view.width) / view.height,
-                              .half_tangent = std::tan(degrees * std::numbers::pi / 360),
-                              .orthographic = options.orthographic,
-                              .whole_turn = frames > 1 && animation().tracks.empty()};
-    if (options.name) return use_file_camera(*options.name, radius);
-    const Result<Camera> camera = options.placed() ? place_camera(options, model_->units, radius)
-                                                   : framed_camera(options, frame_scene(whole, framing), radius);
-    if (!camera) return camera.failure();
-    camera_ = *camera;
+    options_ = options;
+    view_ = view;
+    const Result<Camera> chosen = camera(frames);
+    if (!chosen) return chosen.failure();
+    camera_ = *chosen;
     return Done{};
   }
 
+  Result<Camera> camera(std::uint32_t frames) const override {
+    const double degrees = options_.field_of_view.value_or(kDefaultFieldOfView);
+    const std::vector<Instance> poses = all_poses(animation(), model_->instances);
+    Scene whole = scene_;
+    whole.instances = poses;
+    const double radius = radius_about_origin(whole);
+    const FramingView framing{.aspect = static_cast<double>(view_.width) / view_.height,
+                              .half_tangent = std::tan(degrees * std::numbers::pi / 360),
+                              .orthographic = options_.orthographic,
+                              .whole_turn = frames > 1 && animation().tracks.empty()};
+    if (options_.name) return named_camera(*options_.name, radius);
+    return options_.placed() ? place_camera(options_, model_->units, radius)
+                             : framed_camera(options_, frame_scene(whole, framing), radius);
+  }
+
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
-    if (!animation().tracks.empty()) {
-      pose(animation(), time_of_frame(animation(), frame, frames), instances_);
-      return Staging{scene_, camera_};
-    }
-    for (Instance& instance : instances_) {
-      instance.transform = scenes::turned(Transform::identity(), frame, frames);
-    }
-    return Staging{scene_, camera_};
+    Scene at_rest = scene_;
+    at_rest.instances = model_->instances;
+    const scenes::BakedFrame staged =
+        scenes::stage({at_rest, camera_, animation(), turn()}, frame, frames, {.instances = instances_});
+    return Staging{staged.scene, staged.camera};
   }
 
   std::unique_ptr<Stage> copy() const override {
     auto stage = std::make_unique<ModelStage>(model_, animation_, file_);
     stage->camera_ = camera_;
+    stage->options_ = options_;
+    stage->view_ = view_;
     return stage;
   }
 
   const std::vector<std::string>& warnings() const override { return model_->warnings; }
   Animation animation() const override { return animation_->view(); }
+  Turn turn() const override { return {}; }
   Origins origins() const override {
     return {model_->material_names, std::vector<std::string>(model_->materials.size(), file_), {}, {}};
   }
   const Model* model() const override { return model_.get(); }
 
  private:
-  Result<Done> use_file_camera(const std::string& name, double radius) {
+  Result<Camera> named_camera(const std::string& name, double radius) const {
     std::string names;
     for (const SourceCamera& source : model_->cameras) {
       if (source.name != name) {
         names += fmt::format("{}'{}'", names.empty() ? "" : ", ", source.name);
         continue;
       }
-      const Result<Camera> camera = file_camera(source, model_->units, radius);
-      if (!camera) return camera.failure();
-      camera_ = *camera;
-      return Done{};
+      return file_camera(source, model_->units, radius);
     }
     return Failure{ExitStatus::input,
                    fmt::format("there is no camera '{}' in the file; {}", name,
@@ -178,6 +194,8 @@ class ModelStage : public Stage {
   std::vector<DirectionalLight> lights_;
   std::string file_;
   Scene scene_;
+  CameraOptions options_;
+  View view_{};
   Camera camera_;
 };
 
@@ -204,7 +222,7 @@ Result<std::unique_ptr<Stage>> open_stage(const std::string& name, const ModelOp
                                                   "'zstrip scenes' lists the built-in ones",
                                                   name)};
   }
-  if (kind_of_scene(name) == SceneKind::baked) return open_blob_stage(name, options, view);
+  if (kind_of_scene(name) == SceneKind::baked) return open_blob_stage(name, options, view, frames);
   if (kind_of_scene(name) == SceneKind::composed) return open_composed_stage(name, options, view, frames);
   Result<Model> model = import_model(name, model_options.up);
   if (!model) return model.failure();

@@ -14,6 +14,7 @@
 #include "zstrip/scene/bsp_tree.hpp"
 #include "zstrip/scene/camera.hpp"
 #include "zstrip/scene/scene.hpp"
+#include "zstrip/scene/turn.hpp"
 #include "zstrip/scene/view.hpp"
 
 namespace zstrip::sim {
@@ -28,14 +29,19 @@ struct Staging {
 class Stage {
  public:
   virtual ~Stage() = default;
-  /// Frame `frame` of `frames` that show the scene's animation once, or without one a full turn.
+  /// Frame `frame` of `frames` that show the scene's animation once, or without one a full turn, with the camera for as
+  /// many frames as the stage was opened for.
   virtual Result<Staging> place(std::uint32_t frame, std::uint32_t frames) = 0;
+  /// The camera of frame 0 if the stage were opened for so many frames.
+  virtual Result<Camera> camera(std::uint32_t frames) const = 0;
   /// Another stage of the same scene, to be placed on another thread; it shares what does not move.
   virtual std::unique_ptr<Stage> copy() const = 0;
   /// What the picture lacks, one line each.
   virtual const std::vector<std::string>& warnings() const = 0;
   /// What moves the instances; without tracks where nothing does. Valid as long as the stage.
   virtual Animation animation() const { return {}; }
+  /// What moves without them.
+  virtual Turn turn() const = 0;
   /// Where what calls for effects stands, and the names of materials.
   virtual Origins origins() const { return {}; }
   /// The imported file; null for other scenes.

@@ -298,16 +298,6 @@ TEST_F(Bake, LinesAndPointsInABlobAsInTheSceneFile) {
   EXPECT_EQ(same_as_a_blob("lines", "lines", {}, 1), Json::array({"wire", "box", "x", "y", "z", "dots"}));
 }
 
-TEST_F(Bake, LinesOfABlobTurnWithIt) {
-  file(
-      "wire.toml",
-      "[[material]]\nname = 'a'\n[[lines]]\nmaterial = 'a'\nwidth = 3\nvertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0]]\n");
-  report({"bake", "wire.toml", "-o", "wire.zsc", "--size", "64x48"});
-  const Json frames = report({"render", "wire.zsc", "-o", "frames", "--frames", "4"}).at("frames");
-  EXPECT_NE(frames.at(0).at("crc32"), frames.at(1).at("crc32"));
-  EXPECT_NE(frames.at(0).at("crc32"), frames.at(2).at("crc32"));
-}
-
 TEST_F(Bake, SetsOfLinesAreCountedAmongTheTablesToLend) {
   const Json baked = report({"bake", ZSTRIP_SCENE_FILES "/lines.toml", "-o", "scene.zsc"});
   const std::string bytes = read(path("scene.zsc"));

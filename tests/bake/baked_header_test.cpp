@@ -63,15 +63,20 @@ TEST_F(BakedHeader, TurnsAsTheModelTurns) {
   alignas(4) std::array<std::byte, baked::kPlan.strip_pixel_bytes(baked::kView)> pixels{};
   for (std::uint32_t frame = 0; frame < expected.size(); ++frame) {
     std::vector<Instance> instances(std::begin(baked::kInstances), std::end(baked::kInstances));
-    if (baked::kAnimation.tracks.empty()) {
-      for (Instance& instance : instances) instance.transform = scenes::turned(instance.transform, frame, 4);
+    Camera camera = baked::kCamera;
+    if (baked::kAnimation.tracks.empty() && baked::kTurn.what == Turning::camera) {
+      camera = scenes::turned(camera, frame, 4);
+    } else if (baked::kAnimation.tracks.empty()) {
+      for (std::size_t i = baked::kTurn.still_instances; i < instances.size(); ++i) {
+        instances[i].transform = scenes::turned(instances[i].transform, frame, 4);
+      }
     } else {
       pose(baked::kAnimation, time_of_frame(baked::kAnimation, frame, 4), instances);
     }
     Scene scene = baked::kScene;
     scene.instances = instances;
-    const Status begun = renderer.begin_frame(scene, baked::kCamera, baked::kView, baked::kPlan,
-                                              std::as_writable_bytes(std::span(arena)));
+    const Status begun =
+        renderer.begin_frame(scene, camera, baked::kView, baked::kPlan, std::as_writable_bytes(std::span(arena)));
     ASSERT_TRUE(begun) << message(begun.error);
     for (std::uint16_t strip = 0; strip < baked::kPlan.strips; ++strip) {
       ASSERT_TRUE(renderer.draw_strip(strip, pixels));

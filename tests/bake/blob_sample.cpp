@@ -66,7 +66,10 @@ Bytes tree_bytes() {
   return bytes ? *bytes : Bytes{};
 }
 
-Bytes lines_bytes() {
+namespace {
+
+/// lines_bytes with what moves, and what the picture is baked for.
+Bytes bytes_with_lines(const Turn& turn, const Camera* turning_camera, Effects effects) {
   std::vector<Material> materials(std::begin(kMaterials), std::end(kMaterials));
   materials[1].finish = Material{}.finish;
   materials[1].depth_slope_bias = 0;
@@ -75,9 +78,17 @@ Bytes lines_bytes() {
   blob.scene.lines = kLines;
   blob.scene.outlines = kOutlines;
   blob.scene.shadow = &kShadow;
+  blob.turn = turn;
+  blob.turning_camera = turning_camera;
+  blob.effects = effects;
   const Result<Bytes> bytes = to_scene_blob(blob);
   EXPECT_TRUE(bytes);
   return bytes ? *bytes : Bytes{};
 }
+
+}  // namespace
+
+Bytes lines_bytes() { return bytes_with_lines({}, nullptr, {}); }
+Bytes turn_bytes() { return bytes_with_lines(kTurn, &kTurningCamera, effect::depth_24); }
 
 }  // namespace zstrip::sim::test

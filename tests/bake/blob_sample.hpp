@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -104,14 +105,24 @@ inline constexpr LineSet kLines[] = {
     {.segments = {}, .material = 1, .transform = {{{1, -2, 3, -4}, {5, 6, 7, 8}, {9, 10, 11, -70000}}}}};
 inline constexpr Outline kOutlines[] = {{.colour = {1, 2, 3, 4}, .width = 40}};
 inline constexpr Shadow kShadow{.light = 1, .log2_size = 5, .bias = 77};
+inline constexpr Turn kTurn{.what = Turning::instances, .still_instances = 2};
+inline constexpr Camera kTurningCamera{.eye = {1, -2, 300000}, .focal = 70000, .fixed_depth_range = true};
 
 SceneBlob sample();
 /// Those of sample(); with kWithPalettes for textures; with the tree of kNodes over kFourTriangles; with kLines behind
-/// kOutlines and kShadow.
+/// kOutlines and kShadow; the same with kTurn and kTurningCamera, of a picture with depth as z24.
 Bytes sample_bytes();
 Bytes palette_bytes();
 Bytes tree_bytes();
 Bytes lines_bytes();
+Bytes turn_bytes();
+
+template <class Record>
+void expect_same_bytes(std::span<const Record> actual, std::span<const Record> expected) {
+  ASSERT_EQ(actual.size(), expected.size());
+  const auto bytes = [](std::span<const Record> records) { return std::as_bytes(records); };
+  EXPECT_TRUE(std::ranges::equal(bytes(actual), bytes(expected)));
+}
 
 struct Opened {
   Exact blob, memory;

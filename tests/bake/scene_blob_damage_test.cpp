@@ -79,6 +79,7 @@ void expect_every_part_refused(const Bytes& whole) {
 
 TEST(SceneBlob, TruncatedAtEveryLengthWithATree) { expect_every_part_refused(tree_bytes()); }
 TEST(SceneBlob, TruncatedAtEveryLengthWithLines) { expect_every_part_refused(lines_bytes()); }
+TEST(SceneBlob, TruncatedAtEveryLengthWithATurn) { expect_every_part_refused(turn_bytes()); }
 TEST(SceneBlob, TruncatedAtEveryLengthWithPalettes) { expect_every_part_refused(palette_bytes()); }
 
 /// Visible sets begin like a scene, and have another version.
@@ -128,7 +129,7 @@ void draw(const SceneBlob& content, Effects method = {}) {
 
 /// Who writes a wrong value also writes its checksum.
 TEST(SceneBlob, EveryByteChangedUnderARightChecksum) {
-  for (const Bytes& whole : {sample_bytes(), tree_bytes(), palette_bytes(), lines_bytes()}) {
+  for (const Bytes& whole : {sample_bytes(), tree_bytes(), palette_bytes(), lines_bytes(), turn_bytes()}) {
     const bool has_tree = word(whole, 184) != 0;
     std::size_t refused = 0, drawn = 0;
     for (std::size_t at = 12; at < whole.size(); ++at) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "zstrip/scene/scene_blob.hpp"
 #include "zstrip/scene/validate.hpp"
 #include "zstrip/visibility/bsp_order.hpp"
+#include "zstrip_scenes/baked_stage.hpp"
 
 namespace {
 
@@ -143,6 +145,29 @@ void judge_written(const fuzz::SceneInput& input, const Scene& scene, const Open
   fuzz::require(expected.pixels == got.pixels, "the same pixels");
 }
 
+/// A frame of what moves can be drawn, or is refused; where nothing is too far away for it, as in any program.
+void judge_turn(const SceneBlob& content) {
+  fuzz::require(content.turn.still_instances <= content.scene.instances.size(), "what stands still is there");
+  const Camera& camera = content.camera_for(2);
+  fuzz::require(static_cast<bool>(usable(camera)), "a camera for several frames is usable");
+  const scenes::AtRest at_rest{content.scene, camera, content.animation, content.turn};
+  if (!scenes::can_turn(at_rest)) return;
+  std::vector<Instance> instances(content.scene.instances.size());
+  std::vector<LineSet> lines(content.scene.lines.size());
+  const scenes::BakedFrame frame = scenes::stage(at_rest, 1, 3, {.instances = instances, .lines = lines});
+  constexpr View kView{40, 30, PixelFormat::rgb565};
+  (void)fuzz::draw(frame.scene, frame.camera, kView, {.effects = effects_of(frame.scene, frame.camera), .budget = {}});
+}
+
+/// What is read is what was written.
+void judge_motion(const SceneBlob& written, const SceneBlob& read) {
+  fuzz::require(read.turn == written.turn, "the same turn");
+  fuzz::require(read.effects == written.effects, "the same effects of the picture");
+  fuzz::require((read.turning_camera == nullptr) == (written.turning_camera == nullptr), "another camera or none");
+  fuzz::require(read.camera_for(2).eye == written.camera_for(2).eye, "the same camera for several frames");
+  judge_turn(read);
+}
+
 void judge_any(const Bytes& bytes) {
   const Opened opened(bytes);
   if (!opened.status) {
@@ -154,6 +179,7 @@ void judge_any(const Bytes& bytes) {
   constexpr View kView{40, 30, PixelFormat::rgb565};
   (void)fuzz::draw(opened.content.scene, opened.content.camera, kView,
                    {.effects = effects_of(opened.content.scene, opened.content.camera), .budget = {}});
+  judge_turn(opened.content);
 }
 
 }  // namespace
@@ -182,11 +208,23 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const LinesInput lines(scene.scene(), input);
   Scene content = scene.scene();
   content.lines = lines.sets;
-  const auto written =
-      sim::to_scene_blob({.scene = content, .camera = scene.camera(), .view = scene.view(), .tree = {nodes}});
+  const Turn turn{static_cast<Turning>(input.below(4)),
+                  static_cast<std::uint16_t>(input.below(static_cast<std::uint32_t>(content.instances.size()) + 1))};
+  Camera turning_camera = scene.camera();
+  turning_camera.eye.x = input.any<std::int32_t>();
+  const SceneBlob whole{.scene = content,
+                        .camera = scene.camera(),
+                        .view = scene.view(),
+                        .tree = {nodes},
+                        .turn = turn,
+                        .turning_camera = input.below(2) == 1 ? &turning_camera : nullptr,
+                        .effects = kPictureEffects[input.below(std::size(kPictureEffects))]};
+  const auto written = sim::to_scene_blob(whole);
   fuzz::require(static_cast<bool>(written), "any scene can be written");
   if (kind == 0) {
-    judge_written(scene, content, Opened(*written));
+    const Opened opened(*written);
+    judge_written(scene, content, opened);
+    if (opened.status) judge_motion(whole, opened.content);
     return 0;
   }
   Bytes bytes = *written;

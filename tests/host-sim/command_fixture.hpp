@@ -21,14 +21,23 @@ class Command : public FolderTest {
     EXPECT_TRUE(image);
     return *image;
   }
-  /// Of the first frame that these options render; empty, and a failure, if they do not.
-  std::string checksum(const std::string& scene, const std::vector<std::string>& options) const {
-    std::vector<std::string> arguments{"render", scene, "-o", "p.png", "--quiet", "--json", "-"};
+  /// Of the frames that these options render; none, and a failure, if they do not.
+  std::vector<std::string> checksums(const std::string& scene, const std::vector<std::string>& options,
+                                     const std::string& output = "frames") const {
+    std::vector<std::string> arguments{"render", scene, "-o", output, "--quiet", "--json", "-"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     const Outcome outcome = zstrip(arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    if (outcome.status != 0) return "";
-    return nlohmann::json::parse(outcome.out).at("frames").at(0).at("crc32").get<std::string>();
+    std::vector<std::string> found;
+    if (outcome.status != 0) return found;
+    const nlohmann::json report = nlohmann::json::parse(outcome.out);
+    for (const auto& frame : report.at("frames")) found.push_back(frame.at("crc32"));
+    return found;
+  }
+  /// Of the only one.
+  std::string checksum(const std::string& scene, const std::vector<std::string>& options) const {
+    const std::vector<std::string> found = checksums(scene, options, "p.png");
+    return found.empty() ? "" : found[0];
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstring>
+#include <iterator>
 #include <new>
 
 #include "zstrip/base/crc32.hpp"
@@ -23,7 +24,11 @@ static_assert(sizeof(Material) == 24 && offsetof(Material, texture) == 4 && offs
               offsetof(Material, depth_test) == 9 && offsetof(Material, depth_write) == 10 &&
               offsetof(Material, depth_bias) == 12 && offsetof(Material, depth_slope_bias) == 16 &&
               offsetof(Material, depth_bias_clamp) == 20);
-static_assert(sizeof(bool) == 1 && sizeof(Shading) == 1 && sizeof(Camera) == 64);
+static_assert(sizeof(bool) == 1 && sizeof(Shading) == 1);
+static_assert(sizeof(Camera) == 64 && offsetof(Camera, up) == 12 && offsetof(Camera, back) == 24 &&
+              offsetof(Camera, eye) == 36 && offsetof(Camera, focal) == 48 && offsetof(Camera, near_plane) == 52 &&
+              offsetof(Camera, far_plane) == 56 && offsetof(Camera, projection) == 60 &&
+              offsetof(Camera, fixed_depth_range) == 61);
 static_assert(sizeof(Instance) == 52 && offsetof(Instance, material) == 2 && offsetof(Instance, transform) == 4);
 static_assert(sizeof(void*) != 4 ||
               (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(LineSet) == 64 && sizeof(Scene) == 104));
@@ -54,6 +59,8 @@ constexpr std::uint32_t kMeshes = 12, kMaterials = 20, kTextures = 28, kInstance
 constexpr std::uint32_t kAmbient = 52, kBackground = 56, kCamera = 60, kOutlines = 122, kLines = 123, kView = 124;
 constexpr std::uint32_t kShadowOrCsg = 131;
 constexpr std::uint32_t kTracks = 132, kKeyframes = 140, kDuration = 148;
+// In place of the duration where there are no tracks.
+constexpr std::uint32_t kStillInstances = 148, kTurning = 150, kHasTurn = 151;
 constexpr std::uint32_t kFinishes = 152, kPunctualLights = 160, kFog = 168, kQuadrics = 176;
 constexpr std::uint32_t kTree = 184;
 constexpr std::uint32_t kHeaderBytes = 192;
@@ -181,11 +188,39 @@ void read_view(Reader& reader, View& view) {
   };
   view.width = side(kView);
   view.height = side(kView + 2);
-  reader.require(reader.byte(kView + 4) <= static_cast<std::uint8_t>(kLastPixelFormat), kView + 4);
-  view.format = static_cast<PixelFormat>(reader.byte(kView + 4));
+  const unsigned format = reader.byte(kView + 4) & 0xFU;
+  reader.require(format <= static_cast<std::uint8_t>(kLastPixelFormat), kView + 4);
+  view.format = static_cast<PixelFormat>(format);
   view.dither = reader.flag(kView + 5);
   if (const std::uint8_t samples = reader.byte(kView + 6); samples != 0) view.samples = samples;
   reader.require(valid_samples(view), kView + 6);
+}
+
+Effects read_effects(Reader& reader) {
+  const std::uint32_t number = reader.byte(kView + 4) >> 4;
+  const bool known = number < std::size(kPictureEffects);
+  reader.require(known, kView + 4);
+  return known ? kPictureEffects[number] : Effects{};
+}
+
+/// The turn of a scene without tracks, and the camera for it, the last of what stands behind the header. Blobs without
+/// either may have a duration there, which means nothing.
+void read_turn(Reader& reader, SceneBlob& found) {
+  constexpr std::uint8_t kAlone = 0x80, kWithCamera = 0x81;
+  const std::uint8_t has_turn = reader.byte(kHasTurn);
+  if (!found.animation.tracks.empty() || has_turn < kAlone) return;
+  reader.require(has_turn <= kWithCamera, kHasTurn);
+  reader.require(reader.byte(kTurning) <= static_cast<std::uint8_t>(Turning::nothing), kTurning);
+  reader.require(reader.half_word(kStillInstances) <= found.scene.instances.size(), kStillInstances);
+  found.turn = {static_cast<Turning>(reader.byte(kTurning)), reader.half_word(kStillInstances)};
+  found.animation.duration = 0;
+  if (has_turn != kWithCamera) return;
+  found.turning_camera = reader.next_behind_header<Camera>(1, kHasTurn).data();
+  if (found.turning_camera == nullptr) return;
+  const std::uint32_t at = reader.offset_of(*found.turning_camera);
+  for (const std::size_t member : {offsetof(Camera, projection), offsetof(Camera, fixed_depth_range)}) {
+    (void)reader.flag(at + static_cast<std::uint32_t>(member));
+  }
 }
 
 /// A bool, a shading or a test of any other value must not even be read as one.
@@ -291,6 +326,7 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   found.scene.background = reader.colour(kBackground);
   read_camera(reader, found.camera);
   read_view(reader, found.view);
+  found.effects = read_effects(reader);
   found.scene.quadrics = reader.array<Quadric>(kQuadrics);
   found.scene.outlines = reader.next_behind_header<Outline>(reader.byte(kOutlines), kOutlines);
   // No scene has both.
@@ -304,6 +340,7 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   found.animation = {.tracks = reader.array<Track>(kTracks),
                      .keyframes = reader.array<Keyframe>(kKeyframes),
                      .duration = reader.word(kDuration)};
+  read_turn(reader, found);
   check_materials(reader, found.scene.materials);
   if (const Status status = reader.status(); !status) return status;
 
@@ -340,7 +377,7 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   if (const Status status = validate(found.scene); !status) return status;
   const auto instances = static_cast<std::uint32_t>(found.scene.instances.size());
   if (const Status status = validate(found.animation, instances); !status) return status;
-  if (!usable(found.camera)) return {.error = Error::camera};
+  if (!usable(found.camera) || !usable(found.camera_for(2))) return {.error = Error::camera};
   check_tree(reader, found.tree.nodes, found.scene);
   if (const Status status = reader.status(); !status) return status;
   opened = found;

@@ -10,7 +10,9 @@
 #include "zstrip/scene/animation.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
 #include "zstrip/scene/camera.hpp"
+#include "zstrip/scene/effects.hpp"
 #include "zstrip/scene/scene.hpp"
+#include "zstrip/scene/turn.hpp"
 #include "zstrip/scene/view.hpp"
 
 namespace zstrip {
@@ -20,6 +22,16 @@ namespace zstrip {
 inline constexpr std::uint8_t kOldestSceneBlobVersion = 3, kSceneBlobVersion = 4;
 inline constexpr std::uint32_t kSceneBlobAlignment = 4;  ///< of the blob's first byte
 
+/// What a picture may be baked for that neither scene nor view call for, in the order of a blob's numbers for it.
+inline constexpr Effects kPictureEffects[] = {{},
+                                              effect::perspective_affine,
+                                              effect::perspective_8,
+                                              effect::perspective_1,
+                                              effect::depth_float,
+                                              effect::depth_w16,
+                                              effect::depth_24,
+                                              effect::depth_32};
+
 /// What a blob holds. `scene` reads the blob and the memory lent to open_scene_blob: both must outlive it, unchanged.
 struct SceneBlob {
   Scene scene;
@@ -27,6 +39,14 @@ struct SceneBlob {
   View view;              ///< the picture for which the camera was placed
   BspTree tree{};         ///< for method::bsp, of the scene's only instance; without nodes: none was baked
   Animation animation{};  ///< of the scene's instances, which are to be copied into RAM for it; empty: nothing moves
+  Turn turn{};            ///< what moves over several frames where the animation is empty
+  const Camera* turning_camera = nullptr;  ///< instead of `camera` for such frames; null: the same. In the blob.
+  Effects effects{};                       ///< what the picture was baked for: one of kPictureEffects
+
+  /// The one for `frames` frames.
+  constexpr const Camera& camera_for(std::uint32_t frames) const {
+    return frames > 1 && turning_camera != nullptr ? *turning_camera : camera;
+  }
 };
 
 /// Bytes to lend for the tables of this many meshes, textures and sets of lines, whose pointers only the running

@@ -2,14 +2,11 @@
 // ZSTRIP_SCENE names its header.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <iterator>
 
 #include "baked_scene.hpp"
-#include "zstrip/scene/animation.hpp"
-#include "zstrip_scenes/stage.hpp"
+#include "zstrip_scenes/baked_stage.hpp"
 
 namespace zstrip::board {
 
@@ -23,26 +20,19 @@ class BakedMotion {
   static constexpr const char* name() { return "baked"; }
   /// The scene's animation in as many frames as a turn has; what has none turns.
   void move_to(std::uint32_t frame) {
-    if constexpr (!baked::kAnimation.tracks.empty()) {
-      std::copy(std::begin(baked::kInstances), std::end(baked::kInstances), instances_.begin());
-      pose(baked::kAnimation, time_of_frame(baked::kAnimation, frame, kFrames), instances_);
-    } else {
-      std::transform(std::begin(baked::kInstances), std::end(baked::kInstances), instances_.begin(),
-                     [frame](Instance instance) {
-                       instance.transform = scenes::turned(instance.transform, frame, kFrames);
-                       return instance;
-                     });
-    }
-    scene_ = baked::kScene;
-    scene_.instances = instances_;
+    staged_ = scenes::stage({baked::kScene, baked::kCamera, baked::kAnimation, baked::kTurn}, frame, kFrames,
+                            {.instances = instances_, .lines = lines_});
   }
-  const Scene& scene_now() const { return scene_; }
-  const Camera& camera_now() const { return baked::kCamera; }
+  const Scene& scene_now() const { return staged_.scene; }
+  const Camera& camera_now() const { return staged_.camera; }
 
  private:
+  static constexpr bool kMovesLines = scenes::turns_lines(baked::kAnimation, baked::kTurn);
+
   // What moves lies in RAM; everything else stays in flash.
-  std::array<Instance, std::size(baked::kInstances)> instances_;
-  Scene scene_;
+  std::array<Instance, baked::kScene.instances.size()> instances_;
+  std::array<LineSet, kMovesLines ? baked::kScene.lines.size() : 0> lines_;
+  scenes::BakedFrame staged_;
 };
 
 }  // namespace zstrip::board

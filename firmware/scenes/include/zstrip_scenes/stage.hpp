@@ -42,8 +42,13 @@ inline constexpr Fixed kFarthestTurned = 1 << 30;  // 16.16
 /// frame number. The turntable's motion, for scenes of one's own. Translations within kFarthestTurned of the origin.
 Transform turned(const Transform& at_rest, std::uint32_t frame, std::uint32_t frames);
 
+/// The camera taken about the world's y axis in the same way, around what stands still; eye within kFarthestTurned.
+Camera turned(const Camera& at_rest, std::uint32_t frame, std::uint32_t frames);
+
 /// Whether every translation of `transform` is within kFarthestTurned.
 bool can_turn(const Transform& transform);
+/// Likewise of the eye.
+bool can_turn(const Camera& camera);
 
 /// The camera of a scene that was baked for the picture `own`, for another picture: where `view` is narrower it shows
 /// as much from side to side. Rounds the focal length down.

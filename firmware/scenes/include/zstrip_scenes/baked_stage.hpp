@@ -1,0 +1,79 @@
+// Sets a baked scene in motion, one from a header or from a blob. Boards, zstrip-panel and the host command stage with
+// these functions, so that frame n is the same picture everywhere.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "zstrip/scene/animation.hpp"
+#include "zstrip/scene/camera.hpp"
+#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene/turn.hpp"
+#include "zstrip_scenes/stage.hpp"
+
+namespace zstrip::scenes {
+
+/// As it is at frame 0, and what moves it: the animation, or without tracks the turn.
+struct AtRest {
+  Scene scene;
+  Camera camera;
+  Animation animation{};
+  Turn turn{};
+};
+
+/// What must lie in RAM: nothing else moves.
+struct MovedParts {
+  std::span<Instance> instances;  ///< as many as the scene has
+  std::span<LineSet> lines{};     ///< likewise, where turns_lines
+};
+
+/// One frame, ready for begin_frame.
+struct BakedFrame {
+  Scene scene;
+  Camera camera;
+};
+
+constexpr bool turns_lines(const Animation& animation, const Turn& turn) {
+  return animation.tracks.empty() && turn.what == Turning::instances_and_lines;
+}
+
+/// Whether all that turns is near enough for it. An animation needs no such room.
+inline bool can_turn(const AtRest& baked) {
+  if (!baked.animation.tracks.empty() || baked.turn.what == Turning::nothing) return true;
+  if (baked.turn.what == Turning::camera) return can_turn(baked.camera);
+  const auto can = [](const auto& placed) { return can_turn(placed.transform); };
+  return std::ranges::all_of(baked.scene.instances.subspan(baked.turn.still_instances), can) &&
+         (!turns_lines(baked.animation, baked.turn) || std::ranges::all_of(baked.scene.lines, can));
+}
+
+/// Frame `frame` of `frames` (> 0) that show the animation once, or a full turn, which the scene can do unless it is
+/// frame 0. The scene reads `parts`.
+inline BakedFrame stage(const AtRest& baked, std::uint32_t frame, std::uint32_t frames, const MovedParts& parts) {
+  BakedFrame staged{baked.scene, baked.camera};
+  const auto lend_instances = [&] {
+    std::ranges::copy(baked.scene.instances, parts.instances.begin());
+    staged.scene.instances = parts.instances;
+  };
+  const auto turn = [&](auto& placed) { placed.transform = turned(placed.transform, frame, frames); };
+  if (!baked.animation.tracks.empty()) {
+    lend_instances();
+    pose(baked.animation, time_of_frame(baked.animation, frame, frames), parts.instances);
+    return staged;
+  }
+  if (baked.turn.what == Turning::nothing) return staged;
+  if (baked.turn.what == Turning::camera) {
+    staged.camera = turned(baked.camera, frame, frames);
+    return staged;
+  }
+  lend_instances();
+  std::ranges::for_each(parts.instances.subspan(baked.turn.still_instances), turn);
+  if (turns_lines(baked.animation, baked.turn)) {
+    std::ranges::copy(baked.scene.lines, parts.lines.begin());
+    std::ranges::for_each(parts.lines, turn);
+    staged.scene.lines = parts.lines;
+  }
+  return staged;
+}
+
+}  // namespace zstrip::scenes
