@@ -110,8 +110,15 @@ Effects picture_effects(const PlanRequest& request) { return request.perspective
 
 /// Of the instances that the method has made one: they turn together or not at all.
 Turn turn_of(const Stage& stage, const PlanRequest& request, const Staging& original) {
-  Turn turn = stage.turn();
-  if (!request.method.any(method::orders) || turn.still_instances == 0 || !stage.animation().tracks.empty()) {
+  const Turn turn = stage.turn();
+  if (!request.method.any(method::orders) || turn.what == Turning::nothing || !stage.animation().tracks.empty()) {
+    return turn;
+  }
+  if (turn.still_instances == 0) {
+    print_warning(
+        fmt::format("--visibility {} splits triangles of the scene as it stands: in later frames of a turn "
+                    "pixels along the cuts may differ from those of zstrip render, which splits them anew",
+                    visibility_name(request.method)));
     return turn;
   }
   if (turn.still_instances < original.scene.instances.size()) {
