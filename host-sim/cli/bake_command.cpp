@@ -116,8 +116,8 @@ Turn turn_of(const Stage& stage, const PlanRequest& request, const Staging& orig
   }
   if (turn.still_instances == 0) {
     print_warning(
-        fmt::format("--visibility {} splits triangles of the scene as it stands: in later frames of a turn "
-                    "pixels along the cuts may differ from those of zstrip render, which splits them anew",
+        fmt::format("--visibility {} splits and lights triangles as the scene stands: the first frame of a "
+                    "turn is that of zstrip render, in later ones the light turns with the scene",
                     visibility_name(request.method)));
     return turn;
   }

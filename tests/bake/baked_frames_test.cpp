@@ -133,8 +133,9 @@ TEST_F(BakedFrames, WhatABlobDoesNotKeepIsSaid) {
   materials.replace(materials.find("built_in = 'cube'"), 17, "file = 'cube.obj'");
   const std::string layers = scene_of(materials + kMoving + kStatic);
   EXPECT_NE(bake(layers, "scene.zsc", {"--visibility", "painter-bsp"}).find("stands still"), std::string::npos);
-  EXPECT_NE(bake(BAKE_MODELS "/house.obj", "house.zsc", {"--visibility", "painter-bsp"}).find("splits triangles"),
-            std::string::npos);
+  EXPECT_NE(
+      bake(BAKE_MODELS "/house.obj", "house.zsc", {"--visibility", "painter-bsp"}).find("splits and lights triangles"),
+      std::string::npos);
   const Words all = frames("scene.zsc", 3, {"--visibility", "painter-bsp"});
   EXPECT_EQ(all, Words(3, all.at(0)));
 }
