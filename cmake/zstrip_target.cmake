@@ -17,8 +17,9 @@ function(zstrip_configure_freestanding_target target)
 endfunction()
 
 # ZSTRIP_COMPILE_TOGETHER lists the parts, host-sim, core and tests, whose sources are compiled folder by folder. That
-# parses headers once, for builds at whose single sources nobody works: `host-sim` in host-sim/run, that and `tests` in tests/run, all where only
-# pixels and findings matter and not the code's size and speed, which change with what the optimiser sees together.
+# parses headers once, for builds at whose single sources nobody works: `host-sim` in host-sim/run, that and `tests` in
+# tests/run, all where only pixels and findings matter and not the code's size and speed, which change with what the
+# optimiser sees together.
 
 # Sources that read options and write reports take longer to compile than they will ever run: of the optimiser only -O1.
 # They must emit no inline function of the core, which the linker could take for everybody.
