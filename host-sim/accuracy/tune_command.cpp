@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <thread>
+#include <tuple>
 
 #include "accuracy/tune.hpp"
 #include "cli/one_of.hpp"
@@ -59,10 +60,10 @@ Result<Limits> parse_limits(const Arguments& arguments) {
     if (!percent) return percent.failure();
     limits.wrong_pixels = *percent;
   }
-  for (const auto& [text, limit] :
-       {std::pair{&arguments.ram, &limits.ram}, std::pair{&arguments.flash, &limits.flash}}) {
+  for (const auto& [option, text, limit] : {std::tuple{"--max-ram", &arguments.ram, &limits.ram},
+                                            std::tuple{"--max-flash", &arguments.flash, &limits.flash}}) {
     if (!*text) continue;
-    const Result<std::uint32_t> bytes = parse_bytes(**text);
+    const Result<std::uint32_t> bytes = parse_bytes(**text, option);
     if (!bytes) return bytes.failure();
     *limit = *bytes;
   }

@@ -22,6 +22,7 @@
 #include "cli/camera_arguments.hpp"
 #include "cli/one_of.hpp"
 #include "cli/output_names.hpp"
+#include "cli/picture_arguments.hpp"
 #include "cli/plan_arguments.hpp"
 #include "cli/print.hpp"
 #include "image/write_file.hpp"
@@ -226,6 +227,27 @@ Result<Done> report(const BakeRecord& record, const Arguments& arguments) {
   return Done{};
 }
 
+/// What of the scene file's visibility the output does not keep.
+Result<Done> warn_of_method(Kind kind, const std::string& scene, Effects method) {
+  const Result<PictureSettings> settings = settings_of(scene);
+  if (!settings) return settings.failure();
+  const VisibilitySettings& from = settings->visibility;
+  if (kind == Kind::blob) {
+    std::string options;
+    if (from.iterations) options += fmt::format(" --iterations {}", *from.iterations);
+    if (from.sort_key) options += fmt::format(" --sort-key {}", *from.sort_key);
+    print_warning(fmt::format(
+        "a blob does not keep 'visibility' of the scene file: the program that draws it chooses the method, as zstrip "
+        "render --visibility {}{}",
+        visibility_name(method), options));
+  } else if (from.iterations || from.sort_key) {
+    print_warning(fmt::format(
+        "a header does not keep '{}' of the scene file: the program that draws it sets that in VisibilityOptions",
+        from.iterations ? "iterations" : "sort_key"));
+  }
+  return Done{};
+}
+
 Result<Done> run(const Arguments& arguments) {
   const Result<Kind> kind = kind_of(arguments.output);
   if (!kind) return kind.failure();
@@ -247,11 +269,9 @@ Result<Done> run(const Arguments& arguments) {
       !checked) {
     return checked.failure();
   }
-  if (*kind == Kind::blob && request->method != Effects{} && !arguments.plan.visibility) {
-    print_warning(fmt::format(
-        "a blob does not keep 'visibility' of the scene file: the program that draws it chooses the method, as zstrip "
-        "render --visibility {}",
-        visibility_name(request->method)));
+  if (request->method != Effects{} && !arguments.plan.visibility) {
+    const Result<Done> warned = warn_of_method(*kind, arguments.scene, request->method);
+    if (!warned) return warned.failure();
   }
   const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene);
   if (!model) return model.failure();

@@ -58,7 +58,7 @@ Result<std::pair<std::uint16_t, std::uint16_t>> parse_size(const std::string& te
   return bad_value("--size", text, "WIDTHxHEIGHT, each from 1 to 4096, for example 320x240");
 }
 
-Result<std::uint32_t> parse_bytes(const std::string& text) {
+Result<std::uint32_t> parse_bytes(const std::string& text, std::string_view option) {
   std::string_view digits = text;
   std::uint64_t unit = 1;
   if (!digits.empty() && (digits.back() == 'K' || digits.back() == 'k')) unit = 1024;
@@ -66,7 +66,7 @@ Result<std::uint32_t> parse_bytes(const std::string& text) {
   if (unit > 1) digits.remove_suffix(1);
   const auto value = number<std::uint32_t>(digits);
   if (value && *value >= 1 && *value * unit <= 0xFFFFFFFF) return static_cast<std::uint32_t>(*value * unit);
-  return bad_value("--ram", text, "a number of bytes from 1 to 4095M, for example 20000, 20K or 1M");
+  return bad_value(option, text, "a number of bytes from 1 to 4095M, for example 20000, 20K or 1M");
 }
 
 Result<std::uint16_t> parse_strip_rows(const std::string& text) {

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <iterator>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "compose/composed_csg.hpp"
 #include "compose/composed_lights.hpp"
@@ -104,6 +107,7 @@ class Composer {
         const auto entry = std::ranges::find(file_.models, instance.model, &FileModel::name);
         const auto index = static_cast<std::size_t>(entry - file_.models.begin());
         const PlacedModel& model = models_[index];
+        if (Result<Done> checked = check_materials(instance, model); !checked) return checked;
         for (std::size_t i = 0; i < model.parts.size(); ++i) {
           placed_.push_back({&instance, &model, &model.parts[i], index, i});
           if (Result<Done> checked = check_placed(placed_.back(), file_.path); !checked) return checked;
@@ -123,6 +127,23 @@ class Composer {
     if (placed_.size() + static_cast<std::size_t>(outlines) + placed_lines_.size() + file_.lines.size() >
         kMostInstances) {
       return at_line(file_.path, 1, "the scene has more than 65,535 instances, outlines, lines and points");
+    }
+    return Done{};
+  }
+
+  Result<Done> check_materials(const FileInstance& instance, const PlacedModel& model) const {
+    for (const auto& [own, other] : instance.materials) {
+      if (std::ranges::find(model.material_names, own) != model.material_names.end()) continue;
+      std::vector<std::string> names;
+      std::ranges::copy_if(model.material_names, std::back_inserter(names),
+                           [](const auto& name) { return !name.empty(); });
+      const std::string near = nearest(own, names);
+      return at_line(
+          file_.path, instance.line,
+          fmt::format("[[instance]]: 'materials' names no material '{}' of the model '{}'; {}", own, instance.model,
+                      !near.empty()   ? fmt::format("did you mean '{}'?", near)
+                      : names.empty() ? std::string("none of its materials has a name")
+                                      : fmt::format("there are {}", fmt::join(names, ", "))));
     }
     return Done{};
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace zstrip::sim {
@@ -65,6 +66,9 @@ class Parser {
     return products;
   }
 
+  /// Of an expression that has been read.
+  const std::set<std::string>& names() const { return names_; }
+
  private:
   Products sum(int depth) {
     Products left = product(depth);
@@ -118,6 +122,7 @@ class Parser {
       fail(at_end() ? std::string("a name is missing at its end")
                     : fmt::format("there is {} where a name is expected", here()));
     }
+    names_.insert(name);
     return {{{name, CsgUse::intersected}}};
   }
 
@@ -167,12 +172,25 @@ class Parser {
   const std::string& text_;
   std::size_t at_ = 0;
   std::string wrong_;
+  std::set<std::string> names_;
 };
 
 }  // namespace
 
 std::variant<std::vector<CsgProduct>, std::string> products_of(const std::string& expression) {
   return Parser(expression).run();
+}
+
+std::vector<std::string> names_without_effect(const std::string& expression) {
+  Parser parser(expression);
+  const auto result = parser.run();
+  std::set<std::string> names = parser.names();
+  if (const auto* const products = std::get_if<Products>(&result)) {
+    for (const CsgProduct& product : *products) {
+      for (const CsgTerm& term : product) names.erase(term.name);
+    }
+  }
+  return {names.begin(), names.end()};
 }
 
 bool needs_quotes(std::string_view name) { return !std::ranges::all_of(name, is_of_name); }

@@ -26,6 +26,9 @@ using CsgProduct = std::vector<CsgTerm>;
 /// kMaxCsgOperands names in all products, at most 64 '(' in each other.
 std::variant<std::vector<CsgProduct>, std::string> products_of(const std::string& expression);
 
+/// The names that no product has, because they change nothing: b in `a | a & b`. The expression has products.
+std::vector<std::string> names_without_effect(const std::string& expression);
+
 /// Whether an instance's name stands in ' ' in an expression.
 bool needs_quotes(std::string_view name);
 

@@ -171,6 +171,9 @@ FileCsg read_csg(TomlTable& table) {
       table.wrong("expression", fmt::format("'expression' is not one: {}", *wrong));
     } else {
       csg.products = std::get<std::vector<CsgProduct>>(products);
+      for (const std::string& name : names_without_effect(expression)) {
+        table.wrong("expression", fmt::format("'expression' is the same without '{}': leave it out", name));
+      }
     }
   }
   table.finish();

@@ -95,6 +95,12 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
   scene.duration = root.number("duration", {0.001, kLongestAnimation});
   if (auto picture = root.table("picture", "[picture]")) scene.picture = read_picture(*picture);
   if (auto camera = root.table("camera", "[camera]")) scene.camera = read_camera(*camera);
+  if (scene.camera && scene.camera->orthographic &&
+      !depth_effects_agree(depth_effect(scene.picture.depth_format.value_or(DepthFormat::z16)) |
+                           effect::orthographic)) {
+    errors.add(scene.camera->projection_line,
+               "[camera]: 'depth_format' of [picture] needs a perspective camera; z16, z24 and z32 do not");
+  }
   for (TomlTable& model : root.tables("model", "[[model]]")) scene.models.push_back(read_model_table(model));
   for (TomlTable& table : root.tables("material", "[[material]]")) scene.materials.push_back(read_material(table));
   std::vector<TomlTable> instances = root.tables("instance", "[[instance]]");

@@ -128,6 +128,13 @@ TEST_F(BakedFrames, WhatABlobDoesNotKeepIsSaid) {
   EXPECT_NE(bake(scene, "scene.zsc", {}).find("does not keep 'visibility'"), std::string::npos);
   EXPECT_EQ(bake(scene, "scene.hpp", {}), "");
   EXPECT_EQ(frames("scene.zsc", 3, {"--visibility", "painter"}), frames(scene, 3, {}));
+  const std::string keyed =
+      scene_of("[picture]\nvisibility = 'painter'\nsort_key = 'farthest'\n" + kMaterials + kMoving);
+  EXPECT_NE(bake(keyed, "scene.zsc", {}).find("--visibility painter --sort-key farthest"), std::string::npos);
+  EXPECT_NE(bake(keyed, "scene.hpp", {}).find("a header does not keep 'sort_key'"), std::string::npos);
+  const std::string halves = scene_of("[picture]\nvisibility = 'midpoint'\niterations = 0\n" + kMaterials + kMoving);
+  EXPECT_NE(bake(halves, "scene.zsc", {}).find("--visibility midpoint --iterations 0"), std::string::npos);
+  EXPECT_EQ(frames("scene.zsc", 2, {"--visibility", "midpoint", "--iterations", "0"}), frames(halves, 2, {}));
   file("cube.obj", cube_obj());  // the built-in one has textures, which cannot be split
   std::string materials = kMaterials;
   materials.replace(materials.find("built_in = 'cube'"), 17, "file = 'cube.obj'");

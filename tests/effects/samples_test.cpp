@@ -164,8 +164,9 @@ TEST(Supersampling, InEveryDepthFormatAndWithMethods) {
                               effect::depth_ranges, effect::perspective_1, effect::statistics}) {
     expect_means(scenes::room, depth);
   }
-  for (const Effects method : {method::front_to_back, method::hierarchical_z, method::painter, method::midpoint_safe,
-                               method::hierarchical_z | method::culling}) {
+  for (const Effects method :
+       {method::front_to_back, method::hierarchical_z, method::painter, method::painter | method::in_order,
+        method::midpoint_safe, method::hierarchical_z | method::culling}) {
     SCOPED_TRACE(method.methods);
     expect_means(scenes::knot, method);
   }

@@ -172,6 +172,10 @@ TEST(SceneFile, ProductsOfSolids) {
   fails_with("expression = 'block -'\n", "line 11: [[csg]]: 'expression' is not one: a name is missing at its end");
   fails_with("", "[[csg]]: 'expression' is missing");
   fails_with("expression = 'block'\nexpresion = 'block'\n", "has no key 'expresion'; did you mean 'expression'?");
+  // They were drawn by themselves.
+  fails_with("expression = \"block | block & 'left drill'\"\n",
+             "line 11: [[csg]]: 'expression' is the same without 'left drill': leave it out");
+  fails_with("expression = \"block - ('left drill' - block)\"\n", "the same without 'left drill'");
   fails_with("expresion = 'block'\n", "[[csg]]: 'expression' is missing, but there is 'expresion'");
   fails_with("expression = 'block - left'\n", "names no instance 'left'; 'left drill' would stand in ' ' there");
   fails_with("expression = 'block - " + std::string(500, 'x') + "'\n", ("'" + std::string(80, 'x') + "...';").c_str());

@@ -146,6 +146,27 @@ TEST_F(ScenePicture, OfProductsOnlyClosedMeshesThatGoTogetherAreDrawn) {
   EXPECT_TRUE(has(said(closed, "[[light]]\ndirection = [0, -1, 0]\nshadow = {}\n"), "shadow of a light"));
 }
 
+// A misspelt one replaced nothing, in silence.
+TEST_F(ScenePicture, MaterialsThatTheModelDoesNotHaveAreRefused) {
+  file("m.mtl", "newmtl tiles\nKd 1 1 1\n");
+  file("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl tiles\nf 1 2 3\n");
+  const auto drawn_with = [&](const std::string& name) {
+    return zstrip({"render",
+                   file("s.toml",
+                        "[[model]]\nname = 'm'\nfile = 'm.obj'\n[[material]]\nname = 'red'\n"
+                        "[[instance]]\nmodel = 'm'\nmaterials = { '" +
+                            name + "' = 'red' }\n"),
+                   "-o", "s.png", "--size", "32x24"});
+  };
+  EXPECT_EQ(drawn_with("tiles").status, 0);
+  const auto wrong = drawn_with("tilse");
+  EXPECT_EQ(wrong.status, 4);
+  EXPECT_NE(wrong.err.find("line 6: [[instance]]: 'materials' names no material 'tilse' of the model 'm'; did you mean "
+                           "'tiles'?"),
+            std::string::npos)
+      << wrong.err;
+}
+
 TEST_F(ScenePicture, MipmapsOfAMaterialWithoutTextureAreRefused) {
   const std::string scene = file("m.toml",
                                  "[[model]]\nname = 'pot'\nbuilt_in = 'teapot'\n"

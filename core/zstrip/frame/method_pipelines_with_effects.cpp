@@ -4,13 +4,8 @@
 namespace zstrip::detail {
 
 Pipeline pipeline_of_method_with_effects(Effects own, bool orthographic) {
-  return pipeline_of_set(own, [orthographic]<Effects set>() {
-    if constexpr (set.any(method::orders)) {
-      return refusing<Error::visibility>();
-    } else {
-      return method_pipeline<everything_with<set>()>(orthographic);
-    }
-  });
+  return pipeline_of_set(
+      own, [orthographic]<Effects set>() { return method_pipeline<everything_with<set>()>(orthographic); });
 }
 
 }  // namespace zstrip::detail
