@@ -16,6 +16,11 @@
 
 namespace zstrip::scenes {
 
+constexpr BuiltIn named(BuiltIn scene, const char* name) {
+  scene.name = name;
+  return scene;
+}
+
 /// Of the knot, light and what is smooth; of the cube, texels, and ways to place them.
 inline constexpr Mesh kLitKnotMesh[] = {[] {
   Mesh mesh = kKnotMesh[0];
@@ -30,58 +35,18 @@ inline constexpr BuiltIn lit = [] {
   scene.scene.materials = kLitKnotMaterial;
   return scene;
 }();
-inline constexpr BuiltIn smooth = [] {
-  BuiltIn scene = knot;
-  scene.name = "smooth";
-  return scene;
-}();
-inline constexpr BuiltIn coarse = [] {
-  BuiltIn scene = knot;
-  scene.name = "coarse";
-  return scene;
-}();
-inline constexpr BuiltIn textured = [] {
-  BuiltIn scene = cube;
-  scene.name = "textured";
-  return scene;
-}();
-inline constexpr BuiltIn affine = [] {
-  BuiltIn scene = cube;
-  scene.name = "affine";
-  return scene;
-}();
-inline constexpr BuiltIn every_8 = [] {
-  BuiltIn scene = cube;
-  scene.name = "every_8";
-  return scene;
-}();
-inline constexpr BuiltIn every_pixel = [] {
-  BuiltIn scene = cube;
-  scene.name = "every_pixel";
-  return scene;
-}();
+inline constexpr BuiltIn smooth = named(knot, "smooth");
+inline constexpr BuiltIn coarse = named(knot, "coarse");
+inline constexpr BuiltIn textured = named(cube, "textured");
+inline constexpr BuiltIn affine = named(cube, "affine");
+inline constexpr BuiltIn every_8 = named(cube, "every_8");
+inline constexpr BuiltIn every_pixel = named(cube, "every_pixel");
 
 /// The knot in pictures that call for an effect.
-inline constexpr BuiltIn dithered = [] {
-  BuiltIn scene = knot;
-  scene.name = "dithered";
-  return scene;
-}();
-inline constexpr BuiltIn dithered_mono = [] {
-  BuiltIn scene = knot;
-  scene.name = "dithered_mono";
-  return scene;
-}();
-inline constexpr BuiltIn samples_2 = [] {
-  BuiltIn scene = knot;
-  scene.name = "samples_2";
-  return scene;
-}();
-inline constexpr BuiltIn samples_4 = [] {
-  BuiltIn scene = knot;
-  scene.name = "samples_4";
-  return scene;
-}();
+inline constexpr BuiltIn dithered = named(knot, "dithered");
+inline constexpr BuiltIn dithered_mono = named(knot, "dithered_mono");
+inline constexpr BuiltIn samples_2 = named(knot, "samples_2");
+inline constexpr BuiltIn samples_4 = named(knot, "samples_4");
 
 }  // namespace zstrip::scenes
 
