@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "import/read_file.hpp"
+#include "render/camera_stage.hpp"
 #include "render/model_animation.hpp"
 #include "zstrip/scene/scene_blob.hpp"
 #include "zstrip_scenes/baked_stage.hpp"
@@ -30,7 +31,7 @@ std::string reason(const Status& status, std::span<const std::uint8_t> bytes) {
   }
 }
 
-class BlobStage : public Stage {
+class BlobStage : public CameraStage {
  public:
   explicit BlobStage(std::vector<std::uint8_t> bytes) : bytes_(std::move(bytes)) {}
   BlobStage(const BlobStage&) = delete;
@@ -45,28 +46,19 @@ class BlobStage : public Stage {
     return status;
   }
 
-  Result<Done> set_camera(const CameraOptions& options, const View& view, std::uint32_t frames) {
-    options_ = options;
-    view_ = view;
-    const Result<Camera> chosen = camera(frames);
-    if (!chosen) return chosen.failure();
-    camera_ = *chosen;
-    return Done{};
-  }
-
   Result<Camera> camera(std::uint32_t frames) const override {
-    if (!options_.placed()) {
-      return change_projection(scenes::fit_width(blob_.camera_for(frames), blob_.view, view_), options_);
+    if (!options().placed()) {
+      return change_projection(scenes::fit_width(blob_.camera_for(frames), blob_.view, view()), options());
     }
     const std::vector<Instance> poses = all_poses(animation(), blob_.scene.instances);
     Scene whole = blob_.scene;
     whole.instances = poses;
-    return place_camera(options_, Units{}, radius_about_origin(whole));
+    return place_camera(options(), Units{}, radius_about_origin(whole));
   }
 
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
-    const scenes::AtRest at_rest{blob_.scene, camera_, animation(), turn()};
-    if (frame % frames == 0 && animation().tracks.empty()) return Staging{blob_.scene, camera_, blob_.tree};
+    const scenes::AtRest at_rest{blob_.scene, chosen_camera(), animation(), turn()};
+    if (frame % frames == 0 && animation().tracks.empty()) return Staging{blob_.scene, chosen_camera(), blob_.tree};
     if (!scenes::can_turn(at_rest)) {
       return Failure{ExitStatus::input, "what turns in the baked scene is too far away for it; render one frame"};
     }
@@ -79,9 +71,7 @@ class BlobStage : public Stage {
   std::unique_ptr<Stage> copy() const override {
     auto stage = std::make_unique<BlobStage>(bytes_);
     static_cast<void>(stage->open());  // these bytes have been opened before
-    stage->options_ = options_;
-    stage->view_ = view_;
-    stage->camera_ = camera_;
+    stage->take_camera(*this);
     return stage;
   }
 
@@ -89,7 +79,7 @@ class BlobStage : public Stage {
   Animation animation() const override { return blob_.animation; }
   /// With a camera of the options nothing moves that the blob's own camera would go around.
   Turn turn() const override {
-    if (blob_.turn.what == Turning::camera && options_.placed()) return {.what = Turning::nothing};
+    if (blob_.turn.what == Turning::camera && options().placed()) return {.what = Turning::nothing};
     return blob_.turn;
   }
 
@@ -102,9 +92,6 @@ class BlobStage : public Stage {
   std::vector<std::uint8_t> bytes_;
   std::vector<std::uint64_t> memory_;
   SceneBlob blob_;
-  CameraOptions options_;
-  View view_{};
-  Camera camera_;
   std::vector<Instance> instances_;
   std::vector<LineSet> lines_;
   std::vector<std::string> warnings_;

@@ -7,6 +7,7 @@
 
 #include "compose/composed_scene.hpp"
 #include "import/quantise.hpp"
+#include "render/camera_stage.hpp"
 #include "render/model_animation.hpp"
 #include "zstrip_scenes/baked_stage.hpp"
 
@@ -80,24 +81,12 @@ Result<Camera> finished_camera(const SceneFile& file, const Units& units, double
   return camera;
 }
 
-class ComposedStage : public Stage {
+class ComposedStage : public CameraStage {
  public:
-  ComposedStage(std::shared_ptr<const SceneFile> file, std::shared_ptr<const ComposedScene> composed,
-                const CameraOptions& options, const View& view)
-      : file_(std::move(file)),
-        composed_(std::move(composed)),
-        options_(options),
-        view_(view),
-        instances_(composed_->instances) {}
+  ComposedStage(std::shared_ptr<const SceneFile> file, std::shared_ptr<const ComposedScene> composed)
+      : file_(std::move(file)), composed_(std::move(composed)), instances_(composed_->instances) {}
   ComposedStage(const ComposedStage&) = delete;
   ComposedStage& operator=(const ComposedStage&) = delete;
-
-  Result<Done> set_camera(std::uint32_t frames) {
-    const Result<Camera> chosen = camera(frames);
-    if (!chosen) return chosen.failure();
-    camera_ = *chosen;
-    return Done{};
-  }
 
   Result<Camera> camera(std::uint32_t frames) const override {
     Result<Camera> camera = choose_camera(frames);
@@ -107,14 +96,14 @@ class ComposedStage : public Stage {
   }
 
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
-    const scenes::BakedFrame staged =
-        scenes::stage({composed_->scene(), camera_, animation(), turn()}, frame, frames, {.instances = instances_});
+    const scenes::BakedFrame staged = scenes::stage({composed_->scene(), chosen_camera(), animation(), turn()}, frame,
+                                                    frames, {.instances = instances_});
     return Staging{staged.scene, staged.camera};
   }
 
   std::unique_ptr<Stage> copy() const override {
-    auto stage = std::make_unique<ComposedStage>(file_, composed_, options_, view_);
-    stage->camera_ = camera_;
+    auto stage = std::make_unique<ComposedStage>(file_, composed_);
+    stage->take_camera(*this);
     return stage;
   }
 
@@ -123,7 +112,7 @@ class ComposedStage : public Stage {
   /// There are fewer instances than 16 bits count.
   Turn turn() const override { return {Turning::instances, static_cast<std::uint16_t>(composed_->static_instances)}; }
   Origins origins() const override {
-    const bool own_projection = file_->camera && !options_.placed() && !options_.orthographic;
+    const bool own_projection = file_->camera && !options().placed() && !options().orthographic;
     return {composed_->material_names,
             composed_->material_origins,
             own_projection ? origin_of(file_->path, file_->camera->projection_line) : std::string(),
@@ -138,8 +127,8 @@ class ComposedStage : public Stage {
     Scene whole = composed_->scene();
     whole.instances = poses;
     const double radius = radius_about_origin(whole);
-    if (options_.placed()) {
-      Result<Camera> camera = place_camera(options_, composed_->units, radius);
+    if (options().placed()) {
+      Result<Camera> camera = place_camera(options(), composed_->units, radius);
       if (camera && file_->camera) {
         const Result<Done> set = set_planes(*file_, composed_->units, *camera);
         if (!set) return set.failure();
@@ -149,23 +138,20 @@ class ComposedStage : public Stage {
     if (file_->camera) {
       const Result<Camera> camera = finished_camera(*file_, composed_->units, radius);
       if (!camera) return camera.failure();
-      return change_projection(*camera, options_);
+      return change_projection(*camera, options());
     }
-    const double degrees = options_.field_of_view.value_or(kDefaultFieldOfView);
-    return framed_camera(options_,
-                         frame_scene(whole, {.aspect = static_cast<double>(view_.width) / view_.height,
+    const double degrees = options().field_of_view.value_or(kDefaultFieldOfView);
+    return framed_camera(options(),
+                         frame_scene(whole, {.aspect = static_cast<double>(view().width) / view().height,
                                              .half_tangent = std::tan(degrees * std::numbers::pi / 360),
-                                             .orthographic = options_.orthographic,
+                                             .orthographic = options().orthographic,
                                              .whole_turn = frames > 1 && animation().tracks.empty()}),
                          radius);
   }
 
   std::shared_ptr<const SceneFile> file_;
   std::shared_ptr<const ComposedScene> composed_;
-  CameraOptions options_;
-  View view_;
   std::vector<Instance> instances_;
-  Camera camera_;
 };
 
 }  // namespace
@@ -176,10 +162,9 @@ Result<std::unique_ptr<Stage>> open_composed_stage(const std::string& path, cons
   if (!file) return file.failure();
   Result<std::unique_ptr<const ComposedScene>> composed = compose(*file);
   if (!composed) return composed.failure();
-  auto stage =
-      std::make_unique<ComposedStage>(std::make_shared<const SceneFile>(*file),
-                                      std::shared_ptr<const ComposedScene>(std::move(*composed)), options, view);
-  if (const Result<Done> camera = stage->set_camera(frames); !camera) return camera.failure();
+  auto stage = std::make_unique<ComposedStage>(std::make_shared<const SceneFile>(*file),
+                                               std::shared_ptr<const ComposedScene>(std::move(*composed)));
+  if (const Result<Done> camera = stage->set_camera(options, view, frames); !camera) return camera.failure();
   return std::unique_ptr<Stage>(std::move(stage));
 }
 

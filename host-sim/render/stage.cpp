@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "render/blob_stage.hpp"
+#include "render/camera_stage.hpp"
 #include "render/composed_stage.hpp"
 #include "render/model_animation.hpp"
 #include "zstrip/scene/validate.hpp"
@@ -97,7 +98,7 @@ class BuiltInStage : public Stage {
   std::vector<std::string> warnings_;
 };
 
-class ModelStage : public Stage {
+class ModelStage : public CameraStage {
  public:
   /// `file`: its name, for what the origins say.
   ModelStage(std::shared_ptr<const Model> model, std::shared_ptr<const FittedAnimation> animation, std::string file)
@@ -125,43 +126,32 @@ class ModelStage : public Stage {
 
   const Scene& scene() const { return scene_; }
 
-  Result<Done> set_camera(const CameraOptions& options, const View& view, std::uint32_t frames) {
-    options_ = options;
-    view_ = view;
-    const Result<Camera> chosen = camera(frames);
-    if (!chosen) return chosen.failure();
-    camera_ = *chosen;
-    return Done{};
-  }
-
   Result<Camera> camera(std::uint32_t frames) const override {
-    const double degrees = options_.field_of_view.value_or(kDefaultFieldOfView);
+    const double degrees = options().field_of_view.value_or(kDefaultFieldOfView);
     const std::vector<Instance> poses = all_poses(animation(), model_->instances);
     Scene whole = scene_;
     whole.instances = poses;
     const double radius = radius_about_origin(whole);
-    const FramingView framing{.aspect = static_cast<double>(view_.width) / view_.height,
+    const FramingView framing{.aspect = static_cast<double>(view().width) / view().height,
                               .half_tangent = std::tan(degrees * std::numbers::pi / 360),
-                              .orthographic = options_.orthographic,
+                              .orthographic = options().orthographic,
                               .whole_turn = frames > 1 && animation().tracks.empty()};
-    if (options_.name) return named_camera(*options_.name, radius);
-    return options_.placed() ? place_camera(options_, model_->units, radius)
-                             : framed_camera(options_, frame_scene(whole, framing), radius);
+    if (options().name) return named_camera(*options().name, radius);
+    return options().placed() ? place_camera(options(), model_->units, radius)
+                              : framed_camera(options(), frame_scene(whole, framing), radius);
   }
 
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
     Scene at_rest = scene_;
     at_rest.instances = model_->instances;
     const scenes::BakedFrame staged =
-        scenes::stage({at_rest, camera_, animation(), turn()}, frame, frames, {.instances = instances_});
+        scenes::stage({at_rest, chosen_camera(), animation(), turn()}, frame, frames, {.instances = instances_});
     return Staging{staged.scene, staged.camera};
   }
 
   std::unique_ptr<Stage> copy() const override {
     auto stage = std::make_unique<ModelStage>(model_, animation_, file_);
-    stage->camera_ = camera_;
-    stage->options_ = options_;
-    stage->view_ = view_;
+    stage->take_camera(*this);
     return stage;
   }
 
@@ -194,9 +184,6 @@ class ModelStage : public Stage {
   std::vector<DirectionalLight> lights_;
   std::string file_;
   Scene scene_;
-  CameraOptions options_;
-  View view_{};
-  Camera camera_;
 };
 
 }  // namespace
