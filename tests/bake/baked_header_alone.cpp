@@ -4,21 +4,29 @@
 #include <array>
 #include <cstddef>
 
+#include "baked_alone.hpp"
 #include "zstrip/frame/renderer.hpp"
 #include "zstrip/scene/validate.hpp"
 
 namespace baked_alone {
 
+constexpr Header header{baked::kScene, baked::kAnimation, baked::kTurn,   baked::kCamera,
+                        baked::kView,  baked::kEffects,   baked::kBudget, baked::kPlan};
+
 alignas(zstrip::kArenaAlignment) std::array<std::byte, baked::kPlan.bytes()> arena;
 zstrip::Renderer<baked::kEffects> renderer;
 
-/// Draws the picture; `send` gets each strip.
-zstrip::Status draw(std::span<std::byte> pixels, void (*send)(std::uint16_t strip, std::span<const std::byte> pixels)) {
+zstrip::Status draw(std::span<std::byte> pixels, Send send) {
   if (const zstrip::Status valid = validate(baked::kScene); !valid) return valid;
+  return draw_moved(baked::kScene, baked::kCamera, pixels, send);
+}
+
+zstrip::Status draw_moved(const zstrip::Scene& scene, const zstrip::Camera& camera, std::span<std::byte> pixels,
+                          Send send) {
 #ifdef BAKED_TREE
   renderer.set_visibility({.tree = &baked::kTree});
 #endif
-  const zstrip::Status begun = renderer.begin_frame(baked::kScene, baked::kCamera, baked::kView, baked::kPlan, arena);
+  const zstrip::Status begun = renderer.begin_frame(scene, camera, baked::kView, baked::kPlan, arena);
   if (!begun) return begun;
   for (std::uint16_t strip = 0; strip < baked::kPlan.strips; ++strip) {
     if (const zstrip::Status drawn = renderer.draw_strip(strip, pixels); !drawn) return drawn;

@@ -1,50 +1,55 @@
-// A baked header draws, byte for byte, what `zstrip render` draws of the scene that it was baked from.
+// A baked header draws, byte for byte, what `zstrip render` draws of the scene that it was baked from. One object file
+// for all headers: what is of a header comes from baked_alone.hpp and from baked_from.hpp.
 #include <algorithm>
-#include <array>
+#include <memory>
 
+#include "baked_alone.hpp"
+#include "baked_from.hpp"
 #include "command_report.hpp"
 #include "linked_effects.hpp"
-#include "scene.hpp"
 #include "support.hpp"
-#include "zstrip/frame/renderer.hpp"
 #include "zstrip_scenes/stage.hpp"
-
-namespace baked_alone {
-zstrip::Status draw(std::span<std::byte> pixels, void (*send)(std::uint16_t strip, std::span<const std::byte> pixels));
-}
 
 namespace zstrip::sim::test {
 namespace {
 
+using baked_alone::header;
+
 /// Puts strips, which may be narrower than the picture, into the picture.
 std::vector<std::byte> picture;
 void send(std::uint16_t strip, std::span<const std::byte> pixels) {
-  const Rect area = baked::kPlan.strip_area(strip, baked::kView);
+  const Rect area = header.plan.strip_area(strip, header.view);
   const auto bytes = [](std::int32_t columns) {
-    return static_cast<std::ptrdiff_t>(bytes_per_row(static_cast<std::uint16_t>(columns), baked::kView.format));
+    return static_cast<std::ptrdiff_t>(bytes_per_row(static_cast<std::uint16_t>(columns), header.view.format));
   };
   for (std::int32_t row = 0; row < area.height(); ++row) {
     std::copy_n(pixels.begin() + row * bytes(area.width()), bytes(area.width()),
-                picture.begin() + (area.top + row) * bytes(baked::kView.width) + bytes(area.left));
+                picture.begin() + (area.top + row) * bytes(header.view.width) + bytes(area.left));
   }
 }
 
 class BakedHeader : public FolderTest {
  protected:
   BakedHeader() {
-    picture.assign(std::size_t{bytes_per_row(baked::kView.width, baked::kView.format)} * baked::kView.height,
+    picture.assign(std::size_t{bytes_per_row(header.view.width, header.view.format)} * header.view.height,
                    std::byte{0xAA});
   }
   /// Checksums of `zstrip render`'s frames: one, or of a turntable four of a turn.
-  std::vector<std::string> rendered() { return rendered_frames(BAKED_SCENE, BAKED_OPTIONS, turntable_, path("")); }
-  bool turntable_ = !baked::kAnimation.tracks.empty() || is_turntable(BAKED_OPTIONS);  ///< it moves
+  std::vector<std::string> rendered() {
+    return rendered_frames(baked_from.scene, baked_from.options, turntable_, path(""));
+  }
+  /// For one strip, and not a byte more.
+  std::span<std::byte> pixels() { return {pixels_.get(), header.plan.strip_pixel_bytes(header.view)}; }
+  bool turntable_ = !header.animation.tracks.empty() || is_turntable(baked_from.options);  ///< it moves
+
+ private:
+  std::unique_ptr<std::byte[]> pixels_ = std::make_unique<std::byte[]>(header.plan.strip_pixel_bytes(header.view));
 };
 
 TEST_F(BakedHeader, DrawsWhatTheModelDraws) {
   const std::vector<std::string> expected = rendered();
   ASSERT_FALSE(expected.empty());
-  alignas(4) std::array<std::byte, baked::kPlan.strip_pixel_bytes(baked::kView)> pixels{};
-  const Status drawn = baked_alone::draw(pixels, send);
+  const Status drawn = baked_alone::draw(pixels(), send);
   ASSERT_TRUE(drawn) << message(drawn.error);
   EXPECT_EQ(crc32_of(picture), expected[0]);
 }
@@ -55,53 +60,42 @@ TEST_F(BakedHeader, TurnsAsTheModelTurns) {
   if (turntable_) {
     EXPECT_NE(expected[0], expected[1]);
   }
-  Renderer<baked::kEffects> renderer;
-#ifdef BAKED_TREE
-  renderer.set_visibility({.tree = &baked::kTree});
-#endif
-  std::vector<std::uint64_t> arena(baked::kPlan.bytes() / 8 + 1);
-  alignas(4) std::array<std::byte, baked::kPlan.strip_pixel_bytes(baked::kView)> pixels{};
   for (std::uint32_t frame = 0; frame < expected.size(); ++frame) {
-    std::vector<Instance> instances(std::begin(baked::kInstances), std::end(baked::kInstances));
-    Camera camera = baked::kCamera;
-    if (baked::kAnimation.tracks.empty() && baked::kTurn.what == Turning::camera) {
+    std::vector<Instance> instances(header.scene.instances.begin(), header.scene.instances.end());
+    Camera camera = header.camera;
+    if (header.animation.tracks.empty() && header.turn.what == Turning::camera) {
       camera = scenes::turned(camera, frame, 4);
-    } else if (baked::kAnimation.tracks.empty()) {
-      for (std::size_t i = baked::kTurn.still_instances; i < instances.size(); ++i) {
+    } else if (header.animation.tracks.empty()) {
+      for (std::size_t i = header.turn.still_instances; i < instances.size(); ++i) {
         instances[i].transform = scenes::turned(instances[i].transform, frame, 4);
       }
     } else {
-      pose(baked::kAnimation, time_of_frame(baked::kAnimation, frame, 4), instances);
+      pose(header.animation, time_of_frame(header.animation, frame, 4), instances);
     }
-    Scene scene = baked::kScene;
+    Scene scene = header.scene;
     scene.instances = instances;
-    const Status begun =
-        renderer.begin_frame(scene, camera, baked::kView, baked::kPlan, std::as_writable_bytes(std::span(arena)));
-    ASSERT_TRUE(begun) << message(begun.error);
-    for (std::uint16_t strip = 0; strip < baked::kPlan.strips; ++strip) {
-      ASSERT_TRUE(renderer.draw_strip(strip, pixels));
-      send(strip, pixels);
-    }
+    const Status drawn = baked_alone::draw_moved(scene, camera, pixels(), send);
+    ASSERT_TRUE(drawn) << message(drawn.error);
     EXPECT_EQ(crc32_of(picture), expected[frame]) << "frame " << frame;
   }
 }
 
 /// What `zstrip bake` chose is what the compiler finds, and within what was allowed.
 TEST_F(BakedHeader, PlanIsTheOneThatWasReported) {
-  const std::optional<PlanReport> plan = baked_plan(BAKED_SCENE, BAKED_OPTIONS, path(""));
+  const std::optional<PlanReport> plan = baked_plan(baked_from.scene, baked_from.options, path(""));
   ASSERT_TRUE(plan);
-  EXPECT_EQ(plan->arena, baked::kPlan.bytes());
-  EXPECT_EQ(plan->strip_pixels, baked::kPlan.strip_pixel_bytes(baked::kView));
-  EXPECT_EQ(plan->strips, baked::kPlan.strips);
-  EXPECT_EQ(plan->mode, baked::kPlan.mode == Mode::binned ? "binned" : "streamed");
-  if (baked::kBudget.bytes != 0) {
-    EXPECT_LE(baked::kPlan.bytes() + baked::kPlan.strip_pixel_bytes(baked::kView), baked::kBudget.bytes);
+  EXPECT_EQ(plan->arena, header.plan.bytes());
+  EXPECT_EQ(plan->strip_pixels, header.plan.strip_pixel_bytes(header.view));
+  EXPECT_EQ(plan->strips, header.plan.strips);
+  EXPECT_EQ(plan->mode, header.plan.mode == Mode::binned ? "binned" : "streamed");
+  if (header.budget.bytes != 0) {
+    EXPECT_LE(header.plan.bytes() + header.plan.strip_pixel_bytes(header.view), header.budget.bytes);
   }
 }
 
 /// This very program: of the core it links what the scene calls for.
 TEST_F(BakedHeader, LinksOnlyTheScenesEffects) {
-  expect_only(std::filesystem::read_symlink("/proc/self/exe").string(), baked::kEffects);
+  expect_only(std::filesystem::read_symlink("/proc/self/exe").string(), header.effects);
 }
 
 }  // namespace

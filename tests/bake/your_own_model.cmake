@@ -23,12 +23,11 @@ add_test(NAME BakeBoard.Build COMMAND ${CMAKE_CTEST_COMMAND}
 set_tests_properties(BakeBoard.Build PROPERTIES
   FIXTURES_REQUIRED baked_scene FIXTURES_SETUP baked_program TIMEOUT 900 LABELS board)
 
-add_executable(bake_board_test board_test.cpp ../boards/colour_picture.cpp ../boards/grey_picture.cpp
-  ../boards/qemu.cpp ${support})
-target_include_directories(bake_board_test PRIVATE ../boards ../host-sim)
-target_link_libraries(bake_board_test PRIVATE zstrip::core nlohmann_json::nlohmann_json GTest::gtest_main)
+add_executable(bake_board_test board_test.cpp)
+target_include_directories(bake_board_test PRIVATE ../host-sim)
+target_link_libraries(bake_board_test PRIVATE zstrip::core zstrip_emulator bake_command_report GTest::gtest_main)
 target_compile_definitions(bake_board_test PRIVATE
   ZSTRIP_COMMAND="$<TARGET_FILE:zstrip>" ZSTRIP_NM="${CMAKE_NM}" BAKED_MODEL="${model}" BAKED_PROGRAM="${folder}/zstrip_lm3s6965evb_scene.elf")
-zstrip_configure_target(bake_board_test)
+zstrip_configure_test(bake_board_test)
 add_dependencies(bake_board_test zstrip)
 gtest_discover_tests(bake_board_test PROPERTIES FIXTURES_REQUIRED baked_program TIMEOUT 120 LABELS board)
