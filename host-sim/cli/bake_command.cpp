@@ -31,6 +31,7 @@
 #include "report/text.hpp"
 #include "visibility/methods.hpp"
 #include "visibility/prepared_scene.hpp"
+#include "visibility/tree_stage.hpp"
 #include "visibility/visible_set_bake.hpp"
 
 namespace zstrip::sim {
@@ -89,12 +90,6 @@ Result<PreparedScene> prepare_for(const PlanRequest& request, const Arguments& a
                                  "another method",
                                  name)};
     }
-    if (arguments.turntable && request.method.has(method::in_order)) {
-      return Failure{ExitStatus::usage,
-                     fmt::format("--visibility {} orders triangles for one camera and a scene that stands still; leave "
-                                 "out --turntable, or bake with another method",
-                                 name)};
-    }
     if (arguments.visible_sets) {
       return Failure{
           ExitStatus::usage,
@@ -109,26 +104,23 @@ Result<PreparedScene> prepare_for(const PlanRequest& request, const Arguments& a
 /// What the picture's settings choose beside the view.
 Effects picture_effects(const PlanRequest& request) { return request.perspective | depth_effect(request.depth_format); }
 
-/// Of the instances that the method has made one: they turn together or not at all.
-Turn turn_of(const Stage& stage, const PlanRequest& request, const Staging& original) {
-  const Turn turn = stage.turn();
-  if (!request.method.any(method::orders) || turn.what == Turning::nothing || !stage.animation().tracks.empty()) {
-    return turn;
+/// Of the instances that the method has made one: they turn together or not at all. An order for one camera stands
+/// still.
+Result<Turn> turn_of(const Stage& stage, const PlanRequest& request, const Arguments& arguments,
+                     const Staging& original) {
+  if (!request.method.any(method::orders) || stage.turn().what == Turning::nothing) return stage.turn();
+  const bool by_tree = request.method.has(method::bsp);
+  if (by_tree) {
+    if (const std::optional<Turn> turn = turn_of_tree(stage, original.scene.instances.size())) return *turn;
   }
-  if (turn.still_instances == 0) {
-    print_warning(
-        fmt::format("--visibility {} splits and lights triangles as the scene stands: the first frame of a "
-                    "turn is that of zstrip render, in later ones the light turns with the scene",
-                    visibility_name(request.method)));
-    return turn;
+  const std::string why = fmt::format(
+      "--visibility {} {}", visibility_name(request.method),
+      by_tree ? "makes one instance of what turns and what does not" : "orders its triangles for one camera");
+  if (arguments.turntable) {
+    return Failure{ExitStatus::usage, why + "; leave out --turntable, or bake with another method"};
   }
-  if (turn.still_instances < original.scene.instances.size()) {
-    print_warning(
-        fmt::format("the baked scene stands still where zstrip render turns what is not in the static layer: "
-                    "--visibility {} makes one instance of both",
-                    visibility_name(request.method)));
-  }
-  return {.what = Turning::nothing};
+  print_warning("the baked scene stands still where zstrip render turns it: " + why);
+  return Turn{.what = Turning::nothing};
 }
 
 /// Whether both show the same picture of the same scene.
@@ -296,8 +288,9 @@ Result<Done> run(const Arguments& arguments) {
   const MipmappedScene mipmapped(at_rest.scene, mipmap_choice(arguments.mipmaps));
   const PalettedScene paletted(mipmapped.scene(), texture_choice(arguments.textures));
   at_rest.scene = paletted.scene();
-  const Turn turn = turn_of(**stage, *request, *staging);
-  const Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), turn, *request);
+  const Result<Turn> turn = turn_of(**stage, *request, arguments, *staging);
+  if (!turn) return turn.failure();
+  const Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *turn, *request);
   if (!baked) return baked.failure();
   BakeRecord record = describe(arguments, **stage, *baked);
   record.palettes = paletted.records();

@@ -30,6 +30,7 @@
 #include "visibility/drawing.hpp"
 #include "visibility/methods.hpp"
 #include "visibility/show.hpp"
+#include "visibility/tree_stage.hpp"
 #include "visibility/visible_set_file.hpp"
 
 namespace zstrip::sim {
@@ -271,6 +272,10 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
   Result<std::unique_ptr<Stage>> stage = open_stage(scene, job.model, job.camera, job.view, job.outputs.frames);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
+  if (job.outputs.frames > 1 && job.visibility.method.has(method::bsp)) {
+    stage = with_tree(std::move(*stage), job.outputs.frames);
+    if (!stage) return stage.failure();
+  }
   RunRecord run{scene, job.view, (*stage)->warnings(), std::vector<FrameRecord>(job.outputs.frames), panel_record(job)};
 
   std::optional<VisibleSetFile> sets;

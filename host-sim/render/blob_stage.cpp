@@ -8,8 +8,8 @@
 #include "import/read_file.hpp"
 #include "render/camera_stage.hpp"
 #include "render/model_animation.hpp"
+#include "render/turned_parts.hpp"
 #include "zstrip/scene/scene_blob.hpp"
-#include "zstrip_scenes/baked_stage.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -57,15 +57,7 @@ class BlobStage : public CameraStage {
   }
 
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
-    const scenes::AtRest at_rest{blob_.scene, chosen_camera(), animation(), turn()};
-    if (frame % frames == 0 && animation().tracks.empty()) return Staging{blob_.scene, chosen_camera(), blob_.tree};
-    if (!scenes::can_turn(at_rest)) {
-      return Failure{ExitStatus::input, "what turns in the baked scene is too far away for it; render one frame"};
-    }
-    instances_.resize(blob_.scene.instances.size());
-    lines_.resize(blob_.scene.lines.size());
-    const scenes::BakedFrame staged = scenes::stage(at_rest, frame, frames, {.instances = instances_, .lines = lines_});
-    return Staging{staged.scene, staged.camera, blob_.tree};
+    return parts_.place({blob_.scene, chosen_camera(), animation(), turn()}, blob_.tree, frame, frames);
   }
 
   std::unique_ptr<Stage> copy() const override {
@@ -92,8 +84,7 @@ class BlobStage : public CameraStage {
   std::vector<std::uint8_t> bytes_;
   std::vector<std::uint64_t> memory_;
   SceneBlob blob_;
-  std::vector<Instance> instances_;
-  std::vector<LineSet> lines_;
+  TurnedParts parts_;
   std::vector<std::string> warnings_;
 };
 

@@ -1,6 +1,7 @@
 // What is rendered: a built-in scene, a scene file, a model file or a baked scene, placed for each frame of a turn.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -23,7 +24,8 @@ namespace zstrip::sim {
 struct Staging {
   Scene scene;
   Camera camera;
-  BspTree tree{};  ///< of method::bsp, where one was baked for the scene
+  BspTree tree{};          ///< of method::bsp, where one was baked for the scene
+  std::size_t splits = 0;  ///< triangles that were split for it
 };
 
 class Stage {

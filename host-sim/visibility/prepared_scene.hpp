@@ -19,7 +19,7 @@ class PreparedScene {
   /// With the tree of method::bsp, which lives as long as this or `original`.
   Staging staging() const { return made_ ? Staging{made_->scene.scene(), original_.camera, made_->tree()} : original_; }
   /// Triangles that were split.
-  std::size_t splits() const { return made_ ? made_->splits : 0; }
+  std::size_t splits() const { return made_ ? made_->splits : original_.splits; }
 
  private:
   explicit PreparedScene(const Staging& original) : original_(original) {}

@@ -140,11 +140,23 @@ TEST_F(BakedFrames, WhatABlobDoesNotKeepIsSaid) {
   materials.replace(materials.find("built_in = 'cube'"), 17, "file = 'cube.obj'");
   const std::string layers = scene_of(materials + kMoving + kStatic);
   EXPECT_NE(bake(layers, "scene.zsc", {"--visibility", "painter-bsp"}).find("stands still"), std::string::npos);
-  EXPECT_NE(
-      bake(BAKE_MODELS "/house.obj", "house.zsc", {"--visibility", "painter-bsp"}).find("splits and lights triangles"),
-      std::string::npos);
   const Words all = frames("scene.zsc", 3, {"--visibility", "painter-bsp"});
   EXPECT_EQ(all, Words(3, all.at(0)));
+  EXPECT_EQ(zstrip({"bake", layers, "-o", "scene.hpp", "--visibility", "painter-bsp", "--turntable"}).status, 2);
+  EXPECT_NE(bake("random50", "order.zsc", {"--visibility", "painter-newell"}).find("stands still"), std::string::npos);
+  const Words ordered = frames("order.zsc", 3, {"--visibility", "painter-newell"});
+  EXPECT_EQ(ordered, Words(3, ordered.at(0)));
+}
+
+/// Each unbaked frame had a tree of its own, lit anew; the baked one has the first one's light in its colours.
+TEST_F(BakedFrames, TreesAreTheSceneOfTheFirstFrame) {
+  for (const char* scene : {BAKE_MODELS "/house.obj", "teapot", "random50"}) {
+    SCOPED_TRACE(scene);
+    EXPECT_EQ(bake(scene, "tree.zsc", {"--visibility", "painter-bsp"}), "");
+    const Words turning = frames(scene, 5, {"--visibility", "painter-bsp"});
+    EXPECT_NE(turning.at(0), turning.at(1));
+    EXPECT_EQ(frames("tree.zsc", 5, {"--visibility", "painter-bsp"}), turning);
+  }
 }
 
 /// Blobs from before there was a turn in them.

@@ -1,0 +1,31 @@
+// What a scene at rest moves, frame by frame, as boards do: what blobs and trees that were baked are placed with.
+#pragma once
+
+#include <vector>
+
+#include "render/stage.hpp"
+#include "zstrip_scenes/baked_stage.hpp"
+
+namespace zstrip::sim {
+
+class TurnedParts {
+ public:
+  /// Frame `frame` of `frames`, which reads these parts until the next one. A failure: something is too far away to
+  /// turn.
+  Result<Staging> place(const scenes::AtRest& at_rest, const BspTree& tree, std::uint32_t frame, std::uint32_t frames) {
+    if (frame % frames == 0 && at_rest.animation.tracks.empty()) return Staging{at_rest.scene, at_rest.camera, tree};
+    if (!scenes::can_turn(at_rest)) {
+      return Failure{ExitStatus::input, "what turns in the baked scene is too far away for it; render one frame"};
+    }
+    instances_.resize(at_rest.scene.instances.size());
+    lines_.resize(at_rest.scene.lines.size());
+    const scenes::BakedFrame staged = scenes::stage(at_rest, frame, frames, {.instances = instances_, .lines = lines_});
+    return Staging{staged.scene, staged.camera, tree};
+  }
+
+ private:
+  std::vector<Instance> instances_;
+  std::vector<LineSet> lines_;
+};
+
+}  // namespace zstrip::sim
