@@ -272,7 +272,8 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
   Result<std::unique_ptr<Stage>> stage = open_stage(scene, job.model, job.camera, job.view, job.outputs.frames);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
-  if (job.outputs.frames > 1 && job.visibility.method.has(method::bsp)) {
+  // What is wrong is judged by the scene itself.
+  if (job.outputs.frames > 1 && job.visibility.method.has(method::bsp) && job.visibility.show != Show::error) {
     stage = with_tree(std::move(*stage), job.outputs.frames);
     if (!stage) return stage.failure();
   }
