@@ -233,7 +233,8 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("accuracy", "Measure what accuracy costs: errors, time and memory of all settings");
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
-  command->add_option("scenes", a.scenes, "Built-in scenes, models or baked scenes")->type_name("SCENE...");
+  command->add_option("scenes", a.scenes, "Built-in scenes, scene files, models or baked scenes")
+      ->type_name("SCENE...");
   command->add_option("--target", a.targets, "Whose time, separated by commas: host, or an emulated m0, m3 or m4f")
       ->delimiter(',')
       ->allow_extra_args(false)

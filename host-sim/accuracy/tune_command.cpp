@@ -55,6 +55,12 @@ Result<double> parse_percent(const std::string& text) {
 
 Result<Limits> parse_limits(const Arguments& arguments) {
   Limits limits{.perceived = arguments.perceived, .frames = arguments.fps};
+  if (limits.frames && !(*limits.frames > 0)) {
+    return Failure{ExitStatus::usage, fmt::format("--min-fps {} must be more than 0", *limits.frames)};
+  }
+  if (limits.perceived && !(*limits.perceived >= 0)) {
+    return Failure{ExitStatus::usage, fmt::format("--max-perceived {} must be 0 or more", *limits.perceived)};
+  }
   if (arguments.error_pixels) {
     const Result<double> percent = parse_percent(*arguments.error_pixels);
     if (!percent) return percent.failure();
@@ -149,7 +155,9 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("tune", "Find the cheapest settings within limits of error, memory and time");
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
-  command->add_option("scene", a.scene, "A built-in scene, a model or a baked scene")->required()->type_name("SCENE");
+  command->add_option("scene", a.scene, "A built-in scene, a scene file, a model or a baked scene")
+      ->required()
+      ->type_name("SCENE");
   command->add_option("--target", a.target, "Whose time: host, or an emulated m0, m3 or m4f")
       ->check(one_of({"host", "m0", "m3", "m4f"}))
       ->capture_default_str();

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <map>
 #include <string_view>
@@ -410,9 +409,18 @@ bool is_namespace(const std::string& name) {
   const auto lower = [](char c) { return c >= 'a' && c <= 'z'; };
   if (name.empty() || !lower(name[0]) || name.back() == '_' || name.find("__") != std::string::npos) return false;
   const auto allowed = [&](char c) { return lower(c) || (c >= '0' && c <= '9') || c == '_'; };
-  constexpr std::array<std::string_view, 2> kTaken{"std", "zstrip"};
+  // Two namespaces, the keywords of C++20 (N4861, 5.11) and the other spellings of operators.
+  constexpr std::string_view kTaken =
+      " std zstrip "
+      "alignas alignof asm auto bool break case catch char char8_t char16_t char32_t class concept const consteval "
+      "constexpr constinit const_cast continue co_await co_return co_yield decltype default delete do double "
+      "dynamic_cast else enum explicit export extern false float for friend goto if inline int long mutable namespace "
+      "new noexcept nullptr operator private protected public register reinterpret_cast requires return short signed "
+      "sizeof static static_assert static_cast struct switch template this thread_local throw true try typedef typeid "
+      "typename union unsigned using virtual void volatile wchar_t while "
+      "and and_eq bitand bitor compl not not_eq or or_eq xor xor_eq ";
   return std::all_of(name.begin(), name.end(), allowed) &&
-         std::find(kTaken.begin(), kTaken.end(), name) == kTaken.end();
+         kTaken.find(fmt::format(" {} ", name)) == std::string_view::npos;
 }
 
 std::string to_scene_header(const BakedScene& baked, const std::string& name_space) {

@@ -246,7 +246,7 @@ Result<Done> run(const Arguments& arguments) {
   if (!is_namespace(arguments.name_space)) {
     return Failure{ExitStatus::usage,
                    fmt::format("--namespace '{}' must be lower case letters, digits and single underscores between "
-                               "them, and neither std nor zstrip",
+                               "them, neither std nor zstrip, and no word of C++",
                                arguments.name_space)};
   }
   if (arguments.cells && !arguments.visible_sets) {

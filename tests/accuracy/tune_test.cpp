@@ -34,6 +34,9 @@ TEST_F(TuneCommand, SaysWhichLimitCannotBeMetAndByHowMuch) {
   EXPECT_EQ(outcome.status, 5);
   EXPECT_NE(outcome.err.find("--max-ram: 1,024 bytes asked for, "), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find(" too much"), std::string::npos) << outcome.err;
+  const test::Outcome backwards = test::run(ZSTRIP_COMMAND, {"tune", "teapot", "--min-fps", "-3"}, path(""));
+  EXPECT_EQ(backwards.status, 2) << backwards.out;
+  EXPECT_NE(backwards.err.find("--min-fps -3 must be more than 0"), std::string::npos) << backwards.err;
   const test::Outcome misspelt = test::run(ZSTRIP_COMMAND, {"tune", "teapot", "--max-flash", "lots"}, path(""));
   EXPECT_EQ(misspelt.status, 2);
   EXPECT_NE(misspelt.err.find("--max-flash 'lots' must be a number of bytes"), std::string::npos) << misspelt.err;

@@ -421,6 +421,7 @@ TEST_F(Bake, Refusals) {
   expect({"bake", kHouse, "-o", "house.hpp", "--namespace", "My-House"}, 2, "--namespace");
   expect({"bake", kHouse, "-o", "house.hpp", "--namespace", "zstrip"}, 2, "--namespace");
   expect({"bake", kHouse, "-o", "house.hpp", "--namespace", "a__b"}, 2, "--namespace");
+  expect({"bake", kHouse, "-o", "house.hpp", "--namespace", "class"}, 2, "no word of C++");
   expect({"bake", "teapot", "-o", "house.hpp", "--up", "z"}, 2, "--up");
   expect({"bake", kHouse, "-o", "house.hpp", "--size", "0x0"}, 2, "--size");
   expect({"bake", "room", "-o", "room.hpp", "--textures", "palette"}, 2, "--textures");
