@@ -1,7 +1,12 @@
 // A line for each program and scene.
 #include "targets.hpp"
 
+#include <stdexcept>
 #include <string>
+#include <string_view>
+
+#include "zstrip_scenes/scenes.hpp"
+#include "zstrip_scenes/showroom.hpp"
 
 namespace zstrip::budget {
 namespace {
@@ -52,6 +57,17 @@ constexpr Target kTargets[] = {
 }  // namespace
 
 std::span<const Target> targets() { return kTargets; }
+
+Effects effects_of(const Target& target) {
+  if (const scenes::BuiltIn* const scene = scenes::find(target.scene)) return effects_of(scene->scene, scene->camera);
+  if (target.scene != std::string_view("showroom")) {
+    throw std::runtime_error(std::string("there is no scene ").append(target.scene));
+  }
+  // One pipeline for both layers.
+  const Instance teapot[] = {{.mesh = scenes::kShowroomTeapotMesh, .material = scenes::kShowroomTeapotMaterial}};
+  return effects_of(scenes::kShowroomBackground, scenes::kShowroomCamera) |
+         effects_of(scenes::showroom_scene(teapot), scenes::kShowroomCamera);
+}
 
 std::filesystem::path file_of(const Target& target, const std::filesystem::path& binaries) {
   return binaries / (std::string("zstrip_") + target.program + ".elf");

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 
+#include "zstrip/scene/effects.hpp"
 #include "zstrip/scene/view.hpp"
 
 namespace zstrip::budget {
@@ -34,6 +35,9 @@ struct Target {
 
 /// Every program that draws a scene, with every scene that it draws.
 std::span<const Target> targets();
+
+/// What its scene calls for. Throws std::runtime_error if there is no such scene.
+Effects effects_of(const Target& target);
 
 /// The program's file in the folder of all programs.
 std::filesystem::path file_of(const Target& target, const std::filesystem::path& binaries);

@@ -78,17 +78,9 @@ void measure_stack(Usage& usage, const ElfFile& elf, const std::filesystem::path
 }
 
 /// What a plan needs to know of the target's scene.
-std::pair<SceneCounts, Effects> needs_of(const Target& target) {
-  if (const scenes::BuiltIn* const scene = scenes::find(target.scene)) {
-    return {scene->counts, effects_of(scene->scene, scene->camera)};
-  }
-  if (target.scene != std::string("showroom"))
-    throw std::runtime_error(std::string("there is no scene ") + target.scene);
-  // The background, whose plan takes more of the arena than that of what moves; one pipeline for both.
-  const Instance teapot[] = {{.mesh = scenes::kShowroomTeapotMesh, .material = scenes::kShowroomTeapotMaterial}};
-  const Effects both = effects_of(scenes::kShowroomBackground, scenes::kShowroomCamera) |
-                       effects_of(scenes::showroom_scene(teapot), scenes::kShowroomCamera);
-  return {count(scenes::kShowroomBackground), both};
+SceneCounts counts_of(const Target& target) {
+  if (const scenes::BuiltIn* const scene = scenes::find(target.scene)) return scene->counts;
+  return count(scenes::kShowroomBackground);  // whose plan takes more of the arena than that of what moves
 }
 
 /// The plan of an arena of this size; whoever sized it had the same planner.
@@ -98,8 +90,7 @@ Plan plan_of(const Target& target, const BoardRun& run, std::uint32_t arena) {
     budget = {.strip_rows = static_cast<std::uint16_t>(run.strip_rows),
               .strip_columns = static_cast<std::uint16_t>(run.strip_columns)};
   }
-  const auto [counts, effects] = needs_of(target);
-  const PlanResult result = plan(counts, target.view, effects, budget);
+  const PlanResult result = plan(counts_of(target), target.view, effects_of(target), budget);
   if (!result.status || result.plan.bytes() != arena) {
     throw std::runtime_error("the board's arena has " + std::to_string(arena) + " bytes, the host plans " +
                              std::to_string(result.plan.bytes()));

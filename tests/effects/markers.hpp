@@ -1,0 +1,68 @@
+// Symbols that are an effect's own. A program that is compiled without inlining has them where it has the effect, and
+// no program has them without.
+#pragma once
+
+#include "zstrip/scene/effects.hpp"
+
+namespace effects_test {
+
+using namespace zstrip;
+
+struct Marker {
+  Effects effects;  ///< a program that has none of them has no symbol with this in its name
+  const char* symbol;
+};
+inline constexpr Marker kMarkers[] = {
+    {effect::fog, "zstrip::detail::fog_curve("},
+    {effect::fog, "zstrip::detail::visibility("},
+    {effect::fog, "zstrip::detail::power_of_half("},
+    {effect::fog, "zstrip::detail::FogPlane<"},
+    {effect::vertex_light, "zstrip::detail::locally_lit_colour<"},
+    {effect::local_light, "zstrip::detail::frame_lights("},
+    {effect::local_light, "zstrip::detail::instance_shading("},
+    {effect::local_light | effect::environment, "zstrip::detail::direction_of("},
+    {effect::punctual_lights, "zstrip::detail::attenuation("},
+    {effect::specular, "zstrip::detail::power("},
+    {effect::fragments, "zstrip::detail::fill_fragments<"},
+    {effect::fragments, "zstrip::detail::shade_fragment<"},
+    {effect::fragments, "draw_fragment_triangle"},  // whose name binutils cannot demangle
+    {effect::blending, "zstrip::Frame::Access::EffectStage::prepare_order("},
+    {effect::bilinear, "zstrip::detail::TextureSampler<false, false>::bilinear<"},
+    {effect::texture_palettes, "zstrip::detail::TextureSampler<true, false>::"},
+    {effect::mipmaps, "zstrip::detail::TextureSampler<false, true>::"},
+    {effect::mipmaps, "zstrip::detail::level_of_run("},
+    {effect::mipmaps, "::footprint_at("},
+    {effect::textures, "zstrip::detail::TextureCoordinates<"},
+    {effect::lighting, "zstrip::detail::lit_colour("},
+    {effect::quadrics, "zstrip::detail::QuadricFill<"},
+    {effect::lines, "zstrip::detail::LineFill<"},
+    {effect::lines, "zstrip::detail::clip_segment<"},
+    {effect::lines, "zstrip::Frame::Access::prepare_lines("},
+    {effect::billboards, "zstrip::Frame::Access::turn_billboards("},
+    {effect::billboards, "zstrip::detail::turned_to_viewer("},
+    {effect::environment, "zstrip::Frame::Access::EffectStage::prepare_reflections("},
+    {effect::environment, "zstrip::detail::eye_forms("},
+    {effect::environment, "zstrip::detail::MirroredPoint"},
+    {effect::pixel_shading, "zstrip::Frame::Access::EffectStage::prepare_pixel_shading("},
+    {effect::pixel_shading, "zstrip::detail::PixelLight<"},
+    {effect::pixel_shading, "zstrip::detail::lit_corner<"},
+    {effect::pixel_shading, "zstrip::detail::pixel_direction_of("},
+    {effect::outlines, "zstrip::Frame::Access::add_hulls("},
+    {effect::outlines, "zstrip::detail::make_outline("},
+    {effect::outlines, "zstrip::detail::transform_hull<"},
+    {effect::shadows, "zstrip::Frame::Access::Shadows::"},
+    {effect::shadows, "zstrip::detail::light_camera("},
+    {effect::shadows, "zstrip::detail::shadow_place("},
+    {effect::shadows, "zstrip::detail::TileStore::"},
+    {effect::csg, "zstrip::Frame::Access::Csg::"},
+    {effect::csg, "zstrip::detail::DepthMode{(zstrip::DepthFormat)0, false, (zstrip::detail::DepthUse)3"},
+    {effect::bins, "zstrip::detail::Bins::append("},
+    {effect::dithered_colours, "zstrip::detail::dithered_rgb565("},
+    {effect::dithered_colours | effect::dithered_format, "zstrip::detail::kBayer"},
+    {effect::dithered_format, "zstrip::dither_pixels("},
+    {effect::supersampled, "zstrip::Frame::Access::Samples::"},
+    {effect::supersampled, "zstrip::detail::average_samples<false>("},
+    {effect::supersampled, "zstrip::detail::camera_of_samples("},
+};
+
+}  // namespace effects_test
