@@ -32,6 +32,7 @@ constexpr KnownEffect kKnown[] = {
     {effect::outlines, "outlines", "has an outline"},
     {effect::shadows, "shadows", "the shadow of a light, and something is lit"},
     {effect::csg, "csg", "products of solids"},
+    {effect::edges, "edges", "edges are anti-aliased (--edges)"},
     {effect::pixel_shading, "pixel_shading", "lit at pixels, with normals"},
     {effect::dithered_colours, "dithered_colours", "the picture is dithered to RGB565 (--dither)"},
     {effect::dithered_format, "dithered_format", "the picture is dithered to its format (--dither)"},

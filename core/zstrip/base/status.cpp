@@ -45,6 +45,9 @@ const char* message(Error error) {
     case Error::csg:
       return "a product of solids has an operand that is not a plain solid, or nothing to intersect, or goes with a "
              "shadow, or over a static layer";
+    case Error::edges:
+      return "a set of edges is not valid, or goes with outlines, a shadow, products of solids, several samples or a "
+             "static layer";
     case Error::outline: return "an outline is not valid, has a hull without normals or is of what is not opaque";
   }
   return "unknown error";

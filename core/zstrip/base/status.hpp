@@ -56,10 +56,13 @@ enum class Error : std::uint8_t {
   shadow,          ///< a light that does not exist, a size or bias out of range, a material whose depth test asks for
                    ///< farther, casters too large or too far away for a map; or what was asked for, a static layer or a
                    ///< draw_over, is not there with shadows
-  csg,  ///< an operand that does not exist or is no plain solid (blended, masked, a billboard, with an outline
-        ///< or rules of its own for depth), a product that nothing is intersected in, products out of order,
-        ///< more than kMaxCsgOperands (`needed` = index of the operand); or what was asked for, a shadow or a
-        ///< draw_over, is not there with products (`needed` = their operands)
+  csg,    ///< an operand that does not exist or is no plain solid (blended, masked, a billboard, with an outline
+          ///< or rules of its own for depth), a product that nothing is intersected in, products out of order,
+          ///< more than kMaxCsgOperands (`needed` = index of the operand); or what was asked for, a shadow or a
+          ///< draw_over, is not there with products (`needed` = their operands)
+  edges,  ///< a set that refers to a mesh or vertex that does not exist, or not in the order of meshes (`needed` = its
+          ///< index); or what was asked for, outlines, a shadow, products of solids, several samples, a static layer or
+          ///< a draw_over, is not there with them
 };
 
 /// What memory is for. The order is that of a plan's table.

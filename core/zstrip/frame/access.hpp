@@ -19,6 +19,7 @@ struct Frame::Access {
   struct Checks;
   struct Csg;
   struct DepthStage;
+  struct Edges;
   struct EffectStage;
   struct Geometry;
   struct Materials;

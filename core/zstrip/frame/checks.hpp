@@ -37,6 +37,9 @@ struct Frame::Access::Checks {
     if constexpr (effects.has(effect::csg)) {
       if (const Status status = csg(scene, plan, called_for, detail::depth_cell_bytes(effects)); !status) return status;
     }
+    if constexpr (effects.has(effect::edges)) {
+      if (const Status status = edges(scene, view, plan, called_for); !status) return status;
+    }
     if constexpr (effects.has(effect::environment)) {
       const SceneCounts counts = count(scene);
       const std::uint64_t needed = std::uint64_t{plan.mode == Mode::binned ? counts.vertices : counts.largest_meshlet} *
@@ -54,6 +57,8 @@ struct Frame::Access::Checks {
   static Status shadows(const Scene& scene, const Plan& plan, Effects called_for);
   /// Of renderers with effect::csg.
   static Status csg(const Scene& scene, const Plan& plan, Effects called_for, std::uint32_t cell_bytes);
+  /// Of renderers with effect::edges.
+  static Status edges(const Scene& scene, const View& view, const Plan& plan, Effects called_for);
   static Status every_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                             Effects called_for, Effects effects, std::span<std::byte> arena);
 
@@ -95,6 +100,9 @@ struct Frame::Access::Checks {
     if constexpr (effects.has(effect::csg)) {
       const auto operands = static_cast<std::uint32_t>(frame.scene_->csg.size());
       if (operands != 0) return {.error = Error::csg, .needed = operands, .available = 0};
+    }
+    if constexpr (effects.has(effect::edges)) {
+      if (effect_block(frame).has(effect::edges)) return {.error = Error::edges};
     }
     return every_area(frame, area, pixels, depths);
   }

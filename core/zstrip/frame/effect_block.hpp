@@ -51,6 +51,18 @@ struct CsgState {
 };
 static_assert(sizeof(CsgState) == kCsgStateBytes);
 
+struct EdgeState {
+  std::uint32_t unused[2];
+};
+static_assert(sizeof(EdgeState) == kEdgeStateBytes);
+
+/// As many edges of an instance as there are bits.
+struct EdgeGroup {
+  std::uint32_t seen;  ///< a bit each, the first is the lowest
+  Extent extent;       ///< the strips that those can lie in
+};
+static_assert(sizeof(EdgeGroup) == kEdgeGroupBytes && kEdgesOfGroup == 32);
+
 /// The arena's last part. It is laid out by the effects that the scene calls for, not by those of the pipeline: a
 /// superset draws with the plan of the exact set. Parts whose effects has() denies must not be asked for.
 class EffectBlock {
@@ -92,6 +104,8 @@ class EffectBlock {
   std::byte* csg_strip(std::size_t operands) const {
     return memory_ + csg_at() + kCsgStateBytes + operands * kCsgOperandBytes;
   }
+  /// No scene has shadows or products, too.
+  EdgeGroup* edge_groups() const { return reinterpret_cast<EdgeGroup*>(memory_ + csg_at() + kEdgeStateBytes); }
   OutlinedScene& outlined() const { return *reinterpret_cast<OutlinedScene*>(memory_ + outlined_at()); }
 
  private:

@@ -6,6 +6,7 @@
 
 #include "zstrip/frame/bounds.hpp"
 #include "zstrip/frame/checks.hpp"
+#include "zstrip/frame/edge_stage.hpp"
 #include "zstrip/frame/effect_stage.hpp"
 #include "zstrip/frame/method_stage.hpp"
 #include "zstrip/frame/outline_stage.hpp"
@@ -120,6 +121,9 @@ Status Frame::Access::prepare_frame(Frame& frame, const Scene& scene, const Came
   if constexpr (effects.has(effect::csg)) {
     if (called_for.has(effect::csg)) Csg::prepare<effects>(frame, camera);
   }
+  if constexpr (effects.has(effect::edges)) {
+    if (called_for.has(effect::edges)) Edges::survey<effects>(frame);
+  }
   if constexpr (effects.has(method::culling | effect::statistics)) {
     Methods::count_culled<effects>(static_cast<FrameWithMethod&>(frame));
   }
@@ -146,11 +150,14 @@ Status Frame::Access::draw_strip(Frame& frame, std::uint16_t strip, std::span<st
   } else {
     if (const Status status = Checks::strip(frame, strip, pixels); !status) return status;
   }
-  const Rect area = frame.plan_.strip_area(strip, frame.view_);
+  bool has_edges = false;
+  if constexpr (effects.has(effect::edges)) has_edges = Edges::called_for(frame);
+  Rect area = frame.plan_.strip_area(strip, frame.view_);
+  if (has_edges) area = Edges::with_apron(area, frame.view_);
   const auto width = static_cast<std::uint16_t>(area.width());
   const auto rows = static_cast<std::uint16_t>(area.height());
   const bool has_samples = kSupersampled && frame.view_.samples != 1;
-  auto* const drawn = detail::drawn_in_place(frame.view_.format) && !has_samples
+  auto* const drawn = detail::drawn_in_place(frame.view_.format) && !has_samples && !has_edges
                           ? reinterpret_cast<std::uint16_t*>(pixels.data())
                           : frame.working_colour_;
   detail::StripTarget target = target_of(frame, area, drawn);
@@ -176,6 +183,13 @@ Status Frame::Access::draw_strip(Frame& frame, std::uint16_t strip, std::span<st
   if constexpr (kSupersampled) {
     if (has_samples) {
       Samples::resolve<effects>(frame, area, drawn, pixels.data());
+      frame.next_to_last_strip_ = strip + 1U;
+      return {};
+    }
+  }
+  if constexpr (effects.has(effect::edges)) {
+    if (has_edges) {
+      Edges::resolve<effects>(frame, strip, area, target, pixels.data());
       frame.next_to_last_strip_ = strip + 1U;
       return {};
     }

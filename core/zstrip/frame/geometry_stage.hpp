@@ -167,6 +167,16 @@ struct Frame::Access::Geometry {
     return true;
   }
 
+  /// Strips with an apron are drawn with what lies in that, too.
+  static Rect with_apron(const Rect& box) {
+    return box.empty() ? box : Rect{box.left - 1, box.top - 1, box.right + 1, box.bottom + 1};
+  }
+  template <Effects effects>
+  static bool has_apron(const Frame& frame) {
+    if constexpr (effects.has(effect::edges)) return effect_block(frame).has(effect::edges);
+    return false;
+  }
+
   /// Which strips the front faces of each meshlet touch.
   template <Effects effects>
   static void survey(Frame& frame) {
@@ -185,7 +195,7 @@ struct Frame::Access::Geometry {
                std::max(box.bottom, pixels.bottom)};
         return true;
       });
-      frame.extents_[number] = frame.grid_.extent_of(box);
+      frame.extents_[number] = frame.grid_.extent_of(has_apron<effects>(frame) ? with_apron(box) : box);
     });
   }
 
@@ -205,11 +215,16 @@ struct Frame::Access::Geometry {
           const auto batch = batch_for<effects>(frame, instance, range.first_vertex, retained);
           const bool all_narrow = transform<effects>(frame, batch, range, retained);
           bool listed = false;
-          room = detail::Facing<effects>::for_each(batch, range.triangles, all_narrow,
-                                                   [&](std::uint32_t triangle, const auto& covered) {
-                                                     listed = true;
-                                                     return list(frame, covered, batches, triangle);
-                                                   });
+          room = detail::Facing<effects>::for_each(
+              batch, range.triangles, all_narrow, [&](std::uint32_t triangle, const auto& covered) {
+                listed = true;
+                if constexpr (effects.has(effect::edges)) {
+                  if (has_apron<effects>(frame)) {
+                    return list_with_apron(frame, covered.box(), batches, triangle);
+                  }
+                }
+                return list(frame, covered, batches, triangle);
+              });
           if (!listed) return;
           shade<effects>(frame, batch, range, retained);
           if constexpr (effects.has(effect::shadows)) shade_in_shadow<effects>(frame, batch, range, retained);
@@ -222,6 +237,9 @@ struct Frame::Access::Geometry {
   /// Into the lists of all strips of an extent.
   static bool list(Frame& frame, const detail::Extent& extent, std::uint16_t batch, std::uint16_t triangle) {
     return list_in(frame, frame.grid_.strips_of_extent(extent), batch, triangle);
+  }
+  static bool list_with_apron(Frame& frame, const Rect& box, std::uint16_t batch, std::uint32_t triangle) {
+    return list_in(frame, frame.grid_.strips_of(with_apron(box)), batch, static_cast<std::uint16_t>(triangle));
   }
   /// Into the lists of all strips that hold pixels which a front face can cover. Inlined wherever it is called: where
   /// many pipelines share a program, the compiler would make it a call for every triangle.

@@ -5,8 +5,10 @@ namespace zstrip::detail {
 namespace {
 
 constexpr Effects kEverything = without(effect::of_scenes, effect::orthographic) | effect::statistics | effect::bins;
-/// With a depth that shadows cannot ask.
-constexpr Effects kWithoutShadows = without(kEverything, effect::shadows);
+/// With another depth than that of edges.
+constexpr Effects kWithoutEdges = without(kEverything, effect::edges);
+/// With a depth that shadows cannot ask, either.
+constexpr Effects kWithoutShadows = without(kWithoutEdges, effect::shadows);
 constexpr Effects kTriangles = without(effect::all, effect::orthographic) | effect::bins;
 
 struct Superset {
@@ -30,13 +32,13 @@ constexpr Superset kSupersets[] = {
     superset<kEverything | effect::perspective_affine>(),
     superset<kEverything | effect::perspective_8>(),
     superset<kEverything | effect::perspective_1>(),
-    superset<kEverything | effect::depth_float>(),
+    superset<kWithoutEdges | effect::depth_float>(),
     superset<kWithoutShadows | effect::coarse_reciprocal>(),
     superset<kWithoutShadows | effect::depth_w16>(),
-    superset<kEverything | effect::depth_24>(),
-    superset<kEverything | effect::depth_24 | effect::orthographic>(),
-    superset<kEverything | effect::depth_32>(),
-    superset<kEverything | effect::depth_32 | effect::orthographic>(),
+    superset<kWithoutEdges | effect::depth_24>(),
+    superset<kWithoutEdges | effect::depth_24 | effect::orthographic>(),
+    superset<kWithoutEdges | effect::depth_32>(),
+    superset<kWithoutEdges | effect::depth_32 | effect::orthographic>(),
     superset<kWithoutShadows | effect::depth_ranges>(),
     superset<kWithoutShadows | effect::depth_ranges | effect::orthographic>(),
 };

@@ -29,11 +29,14 @@ inline constexpr std::uint32_t kInstanceShadingBytes = 68;  // and what they nee
 inline constexpr std::uint32_t kTurnedInstanceBytes = 52;   // an instance that may have been turned to the viewer
 inline constexpr std::uint32_t kFrameReflectionsBytes = 8;  // where those of the frame lie
 inline constexpr std::uint32_t kEyeFormsBytes = 68;         // what they need of an instance
-inline constexpr std::uint32_t kOutlinedSceneBytes = 208;   // the scene with outlines as instances of their own
+inline constexpr std::uint32_t kOutlinedSceneBytes = 224;   // the scene with outlines as instances of their own
 inline constexpr std::uint32_t kShadowStateBytes = 2656;    // the frame's shadow and tiles of its map, decoded
 inline constexpr std::uint32_t kCsgStateBytes = 8;          // of products of solids
 inline constexpr std::uint32_t kCsgOperandBytes = 16;       // and of each operand
-inline constexpr std::uint32_t kDrawOrderBytes = 16;        // an instance's place in the order of blending
+inline constexpr std::uint32_t kEdgeStateBytes = 8;         // of edges that are anti-aliased
+inline constexpr std::uint32_t kEdgeGroupBytes = 8;         // and of a group of them
+inline constexpr std::uint32_t kEdgesOfGroup = 32;
+inline constexpr std::uint32_t kDrawOrderBytes = 16;  // an instance's place in the order of blending
 inline constexpr std::uint32_t kMostBinChunks = 0xFFFF;
 inline constexpr std::uint32_t kMostBatches = 0x7FFF;  // that bins can name; likewise triangles of a meshlet
 inline constexpr std::uint32_t kMostStrips = 0xFFFF;
@@ -78,6 +81,7 @@ constexpr std::uint64_t effect_bytes(Effects effects, std::uint32_t instances) {
   if (effects.has(effect::outlines)) bytes = (bytes + 7) / 8 * 8 + kOutlinedSceneBytes;
   if (effects.has(effect::shadows)) bytes = (bytes + 7) / 8 * 8 + kShadowStateBytes;
   if (effects.has(effect::csg)) bytes = (bytes + 7) / 8 * 8 + kCsgStateBytes;
+  if (effects.has(effect::edges)) bytes = (bytes + 7) / 8 * 8 + kEdgeStateBytes;
   return bytes == 0 ? 0 : bytes + sizeof(Effects);
 }
 
@@ -86,7 +90,19 @@ constexpr std::uint64_t effect_bytes(Effects effects, const SceneCounts& counts)
   std::uint64_t bytes = effect_bytes(effects, counts.instances);
   if (effects.has(effect::shadows)) bytes = rounded_up(bytes) + counts.shadow_pool;
   if (effects.has(effect::csg)) bytes += std::uint64_t{counts.csg_operands} * kCsgOperandBytes;
+  if (effects.has(effect::edges)) bytes = rounded_up(bytes) + std::uint64_t{counts.edge_groups} * kEdgeGroupBytes;
   return bytes;
+}
+
+/// Whether strips are drawn with an apron, a pixel more on each side that lies in the picture: edges that are blended
+/// ask their neighbours.
+constexpr bool has_apron(Effects effects, const SceneCounts& counts) {
+  return effects.has(effect::edges) && counts.edge_groups != 0;
+}
+/// Pixels of the largest strip with its apron.
+constexpr std::uint64_t cells_with_apron(std::uint32_t rows, std::uint32_t columns, const View& view) {
+  const auto wider = [](std::uint64_t side, std::uint64_t whole) { return side + 2 < whole ? side + 2 : whole; };
+  return wider(rows, view.height) * wider(columns, view.width);
 }
 
 /// Of a strip with so many cells of `cell_bytes`: two layers of depth, a count and a mark each.
@@ -103,6 +119,13 @@ constexpr std::uint32_t shadow_strip_bytes(const SceneCounts& counts) {
 /// RGB565 is drawn straight into the caller's pixels; the other formats pass through a working strip.
 constexpr bool drawn_in_place(PixelFormat format) {
   return format == PixelFormat::rgb565 || format == PixelFormat::rgb565_swapped;
+}
+
+/// A strip with its apron as it is before any edge is blended, and, where the caller's pixels are no RGB565, the
+/// strip's pixels after that.
+constexpr std::uint64_t colour_bytes_of_edges(std::uint32_t rows, std::uint32_t columns, const View& view) {
+  const std::uint64_t resolved = drawn_in_place(view.format) ? 0 : std::uint64_t{rows} * columns;
+  return (cells_with_apron(rows, columns, view) + resolved) * kWorkingColourBytes;
 }
 
 /// Samples are not: pixels are their means.
@@ -175,6 +198,11 @@ constexpr SceneCounts count(const Scene& scene) {
         scene.shadow->pool != 0 ? scene.shadow->pool : store_bytes_worst(counts.shadow_side, counts.shadow_side);
   }
   counts.csg_operands = static_cast<std::uint32_t>(scene.csg.size());
+  if (!scene.edges.empty()) {
+    for (const Instance& instance : scene.instances) {
+      add(counts.edge_groups, (edges_of(scene, instance.mesh).size() + kEdgesOfGroup - 1) / kEdgesOfGroup);
+    }
+  }
   return counts;
 }
 
@@ -262,6 +290,10 @@ class Planner {
     plan.visibility_bytes = rounded_up(
         visibility_bytes(effects_, counts_.triangles, columns * sample_columns(view_), rows * sample_rows(view_)));
     plan.colour_bytes = drawn_in_place(view_) ? 0 : rounded_up(cells * kWorkingColourBytes);
+    if (has_apron(effects_, counts_)) {
+      plan.depth_bytes = std::max(plan.depth_bytes, rounded_up(cells_with_apron(rows, columns, view_) * per_cell_));
+      plan.colour_bytes = rounded_up(colour_bytes_of_edges(rows, columns, view_));
+    }
     plan.effect_bytes = effect_bytes_;
     if (effects_.has(effect::csg)) {
       const std::uint64_t effect_bytes = effect_bytes_ + csg_strip_bytes(cells, per_cell_);
@@ -328,6 +360,10 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
             .plan = {}};
   }
   if (!methods_agree(effects)) return {.status = {.error = Error::visibility, .needed = effects.methods}, .plan = {}};
+  if (detail::has_apron(effects, counts) &&
+      (budget.layer.sum() != 0 || view.samples != 1 || !depth_effects_agree(effects))) {
+    return {.status = {.error = Error::edges}, .plan = {}};
+  }
   if (budget.layer.sum() != 0) {
     if (effects.methods != 0) return {.status = {.error = Error::visibility, .needed = effects.methods}, .plan = {}};
     if (view.format != PixelFormat::rgb565) return {.status = {.error = Error::store_range}, .plan = {}};

@@ -22,6 +22,7 @@ struct SceneCounts {
   std::uint32_t shadow_side = 0;  ///< of the shadow map, in texels
   std::uint32_t shadow_pool = 0;  ///< bytes of the pool that it is compressed in
   std::uint32_t csg_operands = 0;
+  std::uint32_t edge_groups = 0;  ///< of edges that are anti-aliased, of all instances: kEdgesOfGroup each
 };
 
 enum class Mode : std::uint8_t {
@@ -55,8 +56,9 @@ struct Plan {
   std::uint32_t instance_bytes = 0;  ///< of quadrics and sets of lines, too
   std::uint32_t extent_bytes = 0;    ///< which strips a meshlet touches; none for a single streamed strip
   std::uint32_t vertex_bytes = 0;
-  std::uint32_t depth_bytes = 0;   ///< a cell a sample
-  std::uint32_t colour_bytes = 0;  ///< RGB565 working strip; only for formats that are not drawn in place, and samples
+  std::uint32_t depth_bytes = 0;   ///< a cell a sample; with effect::edges a pixel more on each side
+  std::uint32_t colour_bytes = 0;  ///< RGB565 working strip; only for formats that are not drawn in place, samples and
+                                   ///< edges
   std::uint32_t bin_bytes = 0;
   std::uint32_t effect_bytes = 0;      ///< what effects keep through a frame: fog, local light, drawing order,
                                        ///< what products of solids note of a strip's pixels

@@ -70,6 +70,8 @@ inline constexpr Effects pixel_shading{std::uint64_t{1} << 32};
 
 /// Scene::csg.
 inline constexpr Effects csg{std::uint64_t{1} << 33};
+/// Scene::edges: anti-aliasing of edges alone. z16 without sub-ranges and coarse reciprocals, and no visibility method.
+inline constexpr Effects edges{std::uint64_t{1} << 34};
 
 /// Those that need a fragment of its own: instances with one of them are drawn by fill_fragments.
 inline constexpr Effects fragments = fog | alpha_test | blending | texture_alpha | bilinear | dithered_colours |
@@ -93,7 +95,7 @@ inline constexpr Effects surfaces{quadrics.bits | lines.bits};  ///< all of thes
 
 /// All that a scene and its picture can call for.
 inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | vertex_light | surfaces |
-                                     billboards | environment | outlines | shadows | csg | dithered_format |
+                                     billboards | environment | outlines | shadows | csg | edges | dithered_format |
                                      supersampled;
 
 // How the stage of products draws their operands; of no renderer and no scene.
@@ -171,24 +173,25 @@ constexpr bool perspective_effects_agree(Effects effects) {
 
 /// At most one format, sub-ranges only of z16, and what needs 1/w only with perspective. Shadows ask what a cell's code
 /// stands for: not with w16, whose codes are none of 1/w, nor with sub-ranges, whose codes are of several strips, nor
-/// with a coarse reciprocal, which has the codes of z16.
+/// with a coarse reciprocal, which has the codes of z16. Edges compare codes of their own with those of z16.
 constexpr bool depth_effects_agree(Effects effects) {
   const std::uint64_t format = (effects & (effect::depth_formats | effect::depth_ranges)).bits;
   const bool single = (format & (format - 1)) == 0;
   const bool has_code = !(effects.has(effect::shadows) && effects.any(effect::depth_w16 | effect::depth_ranges));
   const bool coarse_agrees = !effects.has(effect::coarse_reciprocal) || (format == 0 && !effects.has(effect::shadows));
-  return single && has_code && coarse_agrees &&
+  const bool edges_agree = !effects.has(effect::edges) || (format == 0 && !effects.has(effect::coarse_reciprocal));
+  return single && has_code && coarse_agrees && edges_agree &&
          !(effects.has(effect::orthographic) && effects.any(effect::depth_float | effect::depth_w16));
 }
 
-/// Which of these effects their methods cannot draw: coarse reciprocals, which bounds do not know; other depth formats
-/// and sub-ranges, which only culling goes with; rules of a material's own, which need the scene's order and a
+/// Which of these effects their methods cannot draw: edges; coarse reciprocals, which bounds do not know; other depth
+/// formats and sub-ranges, which only culling goes with; rules of a material's own, which need the scene's order and a
 /// z-buffer; surfaces where there is none; shadows and products of solids where there is none or it is not exact;
 /// fragments, local light, surroundings and outlines where the host has split triangles.
 constexpr Effects refused_by_methods(Effects effects) {
   if (effects.methods == 0) return {};
   const Effects own = without(Effects{0, effects.methods}, method::culling);
-  Effects refused = effect::perspective_runs | effect::coarse_reciprocal;
+  Effects refused = effect::perspective_runs | effect::coarse_reciprocal | effect::edges;
   if (own != Effects{}) refused = refused | effect::depth_formats | effect::depth_ranges;
   if (own != Effects{} && own != method::hierarchical_z) refused = refused | effect::depth_state;
   if (own.has(method::painter)) refused = refused | effect::surfaces | effect::shadows | effect::csg;
@@ -300,6 +303,7 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (has_depth_state(material)) found = found | effect::depth_state;
     if (mesh.billboard != Billboard::none) found = found | effect::billboards;
     if (outline_of(scene, mesh) != nullptr) found = found | effect::outlines;
+    if (!scene.edges.empty() && !edges_of(scene, instance.mesh).empty()) found = found | effect::edges;
     if (has_tables) found = found | effects_of_finish(scene, material, lit, textured);
   }
   if (scene.fog != nullptr && !(scene.instances.empty() && scene.quadrics.empty() && scene.lines.empty())) {

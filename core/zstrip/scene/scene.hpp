@@ -336,6 +336,25 @@ struct CsgOperand {
   CsgUse use = CsgUse::intersected;
 };
 
+inline constexpr std::uint16_t kNoFace = 0xFFFF;
+
+/// An edge of a mesh, by its ends and the third corner of each of its faces: indices into the mesh's vertices, of which
+/// only the positions count. Seen from the front a, b, left are counter-clockwise, and b, a, right. The description has
+/// two directions, (a, b, left, right) and (b, a, right, left): with a > b the edge is a crease, where shading or
+/// colour may break between two faces that are both seen.
+struct Edge {
+  std::uint16_t a, b;
+  std::uint16_t left;
+  std::uint16_t right = kNoFace;  ///< kNoFace: the mesh ends here
+};
+
+/// Edges of a mesh that are anti-aliased (effect::edges) wherever its instances are drawn. Drawn in this order; fastest
+/// where edges with the same meshlet, that of a, b and left, lie next to each other and in the meshlets' order.
+struct EdgeSet {
+  std::span<const Edge> edges;
+  std::uint16_t mesh = 0;  ///< index into Scene::meshes
+};
+
 struct Scene {
   std::span<const Mesh> meshes;
   std::span<const Material> materials;
@@ -352,11 +371,21 @@ struct Scene {
   std::span<const Outline> outlines{};               ///< at most 255; Mesh::outline names them
   const Shadow* shadow = nullptr;                    ///< none if null
   std::span<const CsgOperand> csg{};                 ///< at most kMaxCsgOperands, product after product
+  /// By ascending mesh, one a mesh at most. Not with outlines, shadows, products of solids or several samples.
+  std::span<const EdgeSet> edges{};
 };
 
 /// Of the instances of this mesh; null if they have none.
 constexpr const Outline* outline_of(const Scene& scene, const Mesh& mesh) {
   return mesh.outline != 0 && mesh.outline <= scene.outlines.size() ? &scene.outlines[mesh.outline - 1U] : nullptr;
+}
+
+/// Of the instances of this mesh.
+constexpr std::span<const Edge> edges_of(const Scene& scene, std::uint32_t mesh) {
+  for (const EdgeSet& set : scene.edges) {
+    if (set.mesh == mesh) return set.edges;
+  }
+  return {};
 }
 
 /// The mesh that is the hull of an instance with this outline; may be out of range before validate.

@@ -129,6 +129,18 @@ constexpr bool can_mirror(const Scene& scene, const Instance& instance) {
          !scene.meshes[instance.mesh].normals.empty();
 }
 
+/// `i`: index of a set.
+constexpr bool valid_edges(const Scene& scene, std::size_t i) {
+  const EdgeSet& set = scene.edges[i];
+  if (set.mesh >= scene.meshes.size() || (i != 0 && set.mesh <= scene.edges[i - 1].mesh)) return false;
+  const std::size_t vertices = scene.meshes[set.mesh].positions.size();
+  for (const Edge& edge : set.edges) {
+    if (edge.a >= vertices || edge.b >= vertices || edge.left >= vertices) return false;
+    if (edge.right != kNoFace && edge.right >= vertices) return false;
+  }
+  return true;
+}
+
 constexpr bool valid_fog(const Fog& fog) {
   return fog.mode <= FogMode::exponential_squared && fog.start >= 0 && fog.start < fog.end && fog.density >= 0;
 }
@@ -302,6 +314,9 @@ constexpr Status validate(const Scene& scene) {
   }
   for (std::uint32_t i = 0; i < scene.lines.size(); ++i) {
     if (!detail::valid_segments(scene, scene.lines[i])) return {.error = Error::lines, .needed = i};
+  }
+  for (std::uint32_t i = 0; i < scene.edges.size(); ++i) {
+    if (!detail::valid_edges(scene, i)) return {.error = Error::edges, .needed = i};
   }
   return {};
 }

@@ -1,0 +1,164 @@
+// What effect::edges adds to the stages of a frame: before the strips, which edges show and in which strips; after a
+// strip, which was drawn with an apron, the edges in it are blended.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "zstrip/frame/checks.hpp"
+#include "zstrip/frame/geometry_stage.hpp"
+#include "zstrip/raster/edge_blend.hpp"
+#include "zstrip/resolve/convert.hpp"
+#include "zstrip/resolve/dither.hpp"
+
+namespace zstrip {
+
+struct Frame::Access::Edges {
+  static bool called_for(const Frame& frame) { return effect_block(frame).has(effect::edges); }
+
+  /// A strip and a pixel more on each side that lies in the picture.
+  static Rect with_apron(const Rect& area, const View& view) {
+    return {std::max(area.left - 1, 0), std::max(area.top - 1, 0), std::min<std::int32_t>(area.right + 1, view.width),
+            std::min<std::int32_t>(area.bottom + 1, view.height)};
+  }
+
+  /// Finds out which edges show. Comes before anything else keeps vertices: they are transformed into the cache.
+  template <Effects effects>
+  static void survey(Frame& frame) {
+    frame.has_special_depth_ = true;
+    for_each_set(frame, [&](std::uint32_t instance, std::span<const Edge> edges, detail::EdgeGroup* groups) {
+      const Mesh& mesh = frame.scene_->meshes[frame.instances_[instance].mesh];
+      const detail::EdgeProjection<effects.has(effect::orthographic)> projection{frame.instances_[instance], mesh,
+                                                                                 frame.origin_};
+      CachedMeshlet<effects> cache{frame, frame.instances_[instance], mesh};
+      const auto corner = [&](std::uint32_t vertex) {
+        return cache.has(vertex) ? cache.at(vertex) : projection(vertex);
+      };
+      for (; !edges.empty(); ++groups) {
+        const std::size_t count = std::min<std::size_t>(edges.size(), kEdgesOfGroup);
+        *groups = survey_group(frame, projection, edges.first(count), cache, corner);
+        edges = edges.subspan(count);
+      }
+    });
+  }
+
+  /// `strip` was drawn: with its apron, which is `drawn`, into the working strip and `target`.
+  template <Effects effects>
+  static void resolve(Frame& frame, std::uint16_t strip, const Rect& drawn, const detail::StripTarget& target,
+                      std::byte* out) {
+    const View& view = frame.view_;
+    const Rect area = frame.plan_.strip_area(strip, view);
+    const std::uint16_t* const own = frame.working_colour_;
+    std::uint16_t* const pixels = detail::drawn_in_place(view.format)
+                                      ? reinterpret_cast<std::uint16_t*>(out)
+                                      : frame.working_colour_ + static_cast<std::size_t>(drawn.width()) *
+                                                                    static_cast<std::size_t>(drawn.height());
+    copy(own, drawn, pixels, area);
+    const std::int32_t x = frame.view_.width >> 1, y = frame.view_.height >> 1;
+    const auto to_raster = [x, y](const Rect& r) { return Rect{r.left - x, r.top - y, r.right - x, r.bottom - y}; };
+    blend<effects>(frame, strip, {to_raster(area), pixels, to_raster(drawn), own, target.area, target.depth});
+    if constexpr (effects.has(effect::dithered_format)) {
+      if (view.dither) dither_pixels(view.format, area, pixels);
+    }
+    convert_pixels(view.format, static_cast<std::uint16_t>(area.width()), static_cast<std::uint16_t>(area.height()),
+                   pixels, out);
+  }
+
+ private:
+  /// The vertices of one meshlet at a time, in the meshlets' order.
+  template <Effects effects>
+  struct CachedMeshlet {
+    Frame& frame;
+    const detail::CompiledInstance& instance;
+    const Mesh& mesh;
+    std::uint32_t next = 0, first = 0, count = 0;
+
+    bool has(std::uint32_t vertex) const { return vertex - first < count; }
+    const detail::SnappedVertex& at(std::uint32_t vertex) const { return frame.vertices_[vertex - first]; }
+
+    /// Goes on to the next meshlet that has all of these; stays where it is if none has.
+    void go_to(const Edge& edge) {
+      if (has(edge.a) && has(edge.b) && has(edge.left)) return;
+      const auto meshlets = std::max<std::uint32_t>(static_cast<std::uint32_t>(mesh.meshlets.size()), 1);
+      for (; next < meshlets; ++next) {
+        const Geometry::MeshletRange range = Geometry::meshlet_range(mesh, next);
+        const auto has_one = [&range](std::uint32_t vertex) {
+          return vertex - range.first_vertex < range.vertex_count;
+        };
+        if (!has_one(edge.a) || !has_one(edge.b) || !has_one(edge.left)) continue;
+        ++next;
+        first = range.first_vertex;
+        count = range.vertex_count;
+        detail::transform_vertices<without(effects, effect::bins)>(instance, mesh, frame.origin_, first, count,
+                                                                   frame.vertices_);
+        return;
+      }
+    }
+  };
+
+  /// Calls visit(index, edges, its groups) for each instance that can be seen and has edges.
+  template <class Visit>
+  static void for_each_set(const Frame& frame, const Visit& visit) {
+    const Scene& scene = *frame.scene_;
+    detail::EdgeGroup* groups = effect_block(frame).edge_groups();
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+      const std::span<const Edge> edges = edges_of(scene, scene.instances[i].mesh);
+      if (edges.empty()) continue;
+      if (frame.instances_[i].visible) visit(i, edges, groups);
+      groups += (edges.size() + kEdgesOfGroup - 1) / kEdgesOfGroup;
+    }
+  }
+
+  template <bool orthographic, class Cache, class Corner>
+  static detail::EdgeGroup survey_group(const Frame& frame, const detail::EdgeProjection<orthographic>& projection,
+                                        std::span<const Edge> edges, Cache& cache, const Corner& corner) {
+    detail::EdgeGroup group{0, detail::Extent::none()};
+    Rect box{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
+    std::uint32_t bit = 1;
+    for (const Edge& edge : edges) {
+      cache.go_to(edge);
+      if (detail::SeenEdge seen; see(projection, edge, corner, seen)) {
+        group.seen |= bit;
+        for (const detail::WidePosition& end : {seen.a, seen.b}) {
+          const std::int32_t x = (end.x - detail::kCentreBias) >> 4, y = (end.y - detail::kCentreBias) >> 4;
+          box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x + 1), std::max(box.bottom, y + 1)};
+        }
+      }
+      bit <<= 1;
+    }
+    if (group.seen != 0) group.extent = frame.grid_.extent_of(box);
+    return group;
+  }
+
+  static void copy(const std::uint16_t* from, const Rect& drawn, std::uint16_t* to, const Rect& area);
+
+  template <Effects effects>
+  static void blend(const Frame& frame, std::uint16_t strip, const detail::EdgeTarget& target) {
+    const std::int32_t row = strip / frame.grid_.across(), column = strip % frame.grid_.across();
+    for_each_set(frame, [&](std::uint32_t instance, std::span<const Edge> edges, const detail::EdgeGroup* groups) {
+      const detail::EdgeProjection<effects.has(effect::orthographic)> projection{
+          frame.instances_[instance], frame.scene_->meshes[frame.instances_[instance].mesh], frame.origin_};
+      for (std::size_t first = 0; first < edges.size(); first += kEdgesOfGroup, ++groups) {
+        if (groups->seen == 0 || !frame.grid_.touches(groups->extent, row, column)) continue;
+        std::size_t index = first;
+        for (std::uint32_t seen = groups->seen; seen != 0; seen >>= 1, ++index) {
+          if ((seen & 1U) != 0) blend_edge(projection, edges[index], target);
+        }
+      }
+    });
+  }
+
+  template <bool orthographic>
+  static void blend_edge(const detail::EdgeProjection<orthographic>& projection, const Edge& edge,
+                         const detail::EdgeTarget& target) {
+    detail::SeenEdge seen;
+    if (!see(projection, edge, projection, seen)) return;
+    if (seen.narrow) {
+      detail::EdgeBlend<std::int32_t>::draw(target, seen);
+    } else {
+      detail::EdgeBlend<std::int64_t>::draw(target, seen);
+    }
+  }
+};
+
+}  // namespace zstrip

@@ -1,0 +1,161 @@
+// Edges of a mesh in the picture: which of them show, where they lie, and how steeply their surface falls away.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "zstrip/geometry/lines.hpp"
+#include "zstrip/geometry/project.hpp"
+#include "zstrip/scene/scene.hpp"
+
+namespace zstrip::detail {
+
+/// An edge that shows unless something hides it.
+struct SeenEdge {
+  WidePosition a, b;
+  WidePosition third[2];  ///< a point off the edge of each face of it that is drawn
+  int faces;              ///< how many are: 1 or 2
+  bool narrow;            ///< all of these are
+};
+
+/// Twice the area of a triangle in 1/16 pixels squared, positive if it is counter-clockwise.
+template <class Int>
+constexpr Int twice_area(const WidePosition& a, const WidePosition& b, const WidePosition& c) {
+  return (Int{c.x} - a.x) * (Int{b.y} - a.y) - (Int{b.x} - a.x) * (Int{c.y} - a.y);
+}
+
+/// An instance's way to the picture, vertex by vertex.
+template <bool orthographic>
+struct EdgeProjection {
+  const CompiledInstance& instance;
+  const Mesh& mesh;
+  const RasterOrigin& origin;
+  NarrowProjection<orthographic> narrow{instance, origin};
+
+  SnappedVertex operator()(std::uint32_t vertex) const {
+    const Position& p = mesh.positions[vertex];
+    SnappedVertex snapped;
+    if (!project_narrow<orthographic>(narrow, instance, origin, instance.x.at(p), instance.y.at(p), instance.w.at(p),
+                                      snapped)) {
+      return {kNotNarrow, 0, 0};
+    }
+    return snapped;
+  }
+
+  /// Of a face that leaves the narrow range or the depth range: twice the area of what is left of it, and in `third`
+  /// its corner that lies farthest from the edge `ends`. Not inlined: what it needs of the stack is free again then.
+  [[gnu::noinline]] std::int64_t clipped_face(const std::uint16_t (&corners)[3], const SnappedSegment& ends,
+                                              WidePosition& third) const {
+    ClipPolygon clipped;
+    clipped.count = 3;
+    for (int i = 0; i < 3; ++i) {
+      const Position& p = mesh.positions[corners[i]];
+      const auto wide = [&p](const LinearForm& form) { return std::int64_t{form.at(p)} * (1 << kClipBits); };
+      clipped.vertices[i] = {wide(instance.x), wide(instance.y), wide(instance.w), 0, 0, 0, 0, 0};
+    }
+    if constexpr (orthographic) {
+      clip_orthographic(clipped, instance);
+    } else {
+      clip_perspective(clipped, instance);
+    }
+    if (clipped.count == 0) return 0;
+    std::int64_t area = 0, farthest = -1;
+    WidePosition first{}, before{};
+    for (int i = 0; i < clipped.count; ++i) {
+      const auto corner = project_clipped<orthographic, DepthFormat::z16>(instance, origin, clipped.vertices[i]);
+      if (i == 0) {
+        first = corner;
+      } else {
+        area += twice_area<std::int64_t>(first, before, corner);
+      }
+      before = corner;
+      const std::int64_t off = twice_area<std::int64_t>(ends.a, ends.b, corner);
+      if (std::max(off, -off) > farthest) farthest = std::max(off, -off), third = corner;
+    }
+    return area;
+  }
+};
+
+/// Which faces of an edge are drawn, by their areas in the picture; none where the edge does not show. Shown is what
+/// only one of two faces that face the viewer ends at, and a crease between two.
+struct ShownFaces {
+  bool left, right;
+
+  template <class Int>
+  constexpr ShownFaces(const Edge& edge, Int left_area, Int right_area, bool double_sided)
+      : left(left_area > 0), right(right_area > 0) {
+    if (edge.right == kNoFace) {
+      left = left_area > 0 || (double_sided && left_area < 0);
+      right = false;
+      return;
+    }
+    if (left != right) {
+      if (double_sided) left = left_area != 0, right = right_area != 0;
+      return;
+    }
+    left = right = edge.a > edge.b && (left || (double_sided && left_area < 0 && right_area < 0));
+  }
+  constexpr bool any() const { return left || right; }
+};
+
+/// As see(), of an edge whose faces leave the narrow range or the depth range.
+template <bool orthographic>
+[[gnu::noinline]] bool see_clipped(const EdgeProjection<orthographic>& projection, const Edge& edge, SeenEdge& seen) {
+  SnappedSegment ends;
+  const auto& positions = projection.mesh.positions;
+  if (!clip_segment<orthographic, DepthFormat::z16>(projection.instance, projection.origin, positions[edge.a],
+                                                    positions[edge.b], false, ends)) {
+    return false;
+  }
+  WidePosition third[2]{};
+  const std::int64_t left = projection.clipped_face({edge.a, edge.b, edge.left}, ends, third[0]);
+  const std::int64_t right =
+      edge.right == kNoFace ? 0 : projection.clipped_face({edge.b, edge.a, edge.right}, ends, third[1]);
+  const ShownFaces shown(edge, left, right, projection.instance.double_sided);
+  seen = {ends.a, ends.b, {shown.left ? third[0] : third[1], third[1]}, shown.left && shown.right ? 2 : 1, false};
+  return shown.any();
+}
+
+/// Whether an edge shows, and how. `corner(index)`: the SnappedVertex of a vertex, kNotNarrow if it is not narrow.
+template <bool orthographic, class Corner>
+inline bool see(const EdgeProjection<orthographic>& projection, const Edge& edge, const Corner& corner,
+                SeenEdge& seen) {
+  const auto wide = [](const SnappedVertex& v) { return WidePosition{v.x, v.y, v.depth}; };
+  const WidePosition a = wide(corner(edge.a)), b = wide(corner(edge.b)), left = wide(corner(edge.left));
+  const WidePosition right = edge.right == kNoFace ? left : wide(corner(edge.right));
+  if (a.x == kNotNarrow || b.x == kNotNarrow || left.x == kNotNarrow || right.x == kNotNarrow) {
+    return see_clipped(projection, edge, seen);
+  }
+  const ShownFaces shown(edge, twice_area<std::int32_t>(a, b, left), twice_area<std::int32_t>(b, a, right),
+                         projection.instance.double_sided);
+  if (!shown.any()) return false;
+  seen = {a, b, {shown.left ? left : right, right}, shown.left && shown.right ? 2 : 1, true};
+  return true;
+}
+
+/// How many codes a cell within a pixel of the edge may lie off the edge's own depth and still be of its surface: what
+/// the steeper of its faces falls in a pixel across the edge's longer axis, where it is narrower than a quarter of that
+/// in as much, and what all roundings are.
+template <class Int>
+std::uint32_t tolerance_of(const SeenEdge& seen) {
+  constexpr int kCodeBits = 3;  // depths are taken in eight codes, so that 32 bits are enough
+  const auto depth = [](const WidePosition& p) { return static_cast<std::int32_t>(p.depth >> (16 + kCodeBits)); };
+  const auto& [a, b] = std::pair(seen.a, seen.b);
+  const Int dx = Int{b.x} - a.x, dy = Int{b.y} - a.y;
+  const bool columns = std::max(dx, -dx) >= std::max(dy, -dy);
+  const Int length = columns ? dx : dy;
+  std::uint32_t steepest = 0;
+  for (int i = 0; i < seen.faces; ++i) {
+    const WidePosition& c = seen.third[i];
+    const Int along = columns ? Int{c.x} - a.x : Int{c.y} - a.y;
+    const Int fall = (depth(c) - depth(a)) * length - (depth(b) - depth(a)) * along;
+    const Int area = twice_area<Int>(a, b, c);
+    const Int quarter = 4 * std::max(length, -length);
+    const Int width = std::max(std::max(area, -area), quarter) >> 4;
+    const Int codes = std::max(fall, -fall) / std::max(width, Int{1});
+    steepest = std::max(steepest, static_cast<std::uint32_t>(std::min(codes, Int{0xFFFF >> kCodeBits})));
+  }
+  return (steepest << kCodeBits) + 12;
+}
+
+}  // namespace zstrip::detail
