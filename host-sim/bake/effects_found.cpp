@@ -62,7 +62,7 @@ std::vector<FoundEffect> find_effects(const Scene& scene, const Camera& camera, 
   std::vector<FoundEffect> found;
   for (const KnownEffect& known : kKnown) {
     if (!effects.has(known.effect)) continue;
-    if ((effect::dithered_colours | effect::dithered_format | effect::supersampled).has(known.effect)) {
+    if ((effect::dithered_colours | effect::dithered_format | effect::supersampled | effect::edges).has(known.effect)) {
       found.push_back({known, {}, {}});
       continue;
     }

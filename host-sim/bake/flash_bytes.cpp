@@ -13,8 +13,9 @@ constexpr std::uint64_t kSceneBytes = 96, kCameraBytes = 64;
 }  // namespace
 
 std::uint64_t table_bytes(const Scene& scene) {
-  constexpr std::uint64_t kMeshBytes = 76, kTextureBytes = 12, kLineSetBytes = 64;
-  return scene.meshes.size() * kMeshBytes + scene.textures.size() * kTextureBytes + scene.lines.size() * kLineSetBytes;
+  constexpr std::uint64_t kMeshBytes = 76, kTextureBytes = 12, kLineSetBytes = 64, kEdgeSetBytes = 12;
+  return scene.meshes.size() * kMeshBytes + scene.textures.size() * kTextureBytes + scene.lines.size() * kLineSetBytes +
+         scene.edges.size() * kEdgeSetBytes;
 }
 
 FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const BspTree& tree) {
@@ -33,6 +34,7 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const Bsp
   }
   for (const Texture& texture : scene.textures) add(bytes.texels, texture.texels);
   for (const LineSet& lines : scene.lines) bytes.tables += lines.segments.size_bytes();
+  for (const EdgeSet& set : scene.edges) bytes.tables += set.edges.size_bytes();
   bytes.tree = tree.nodes.size_bytes();
   bytes.keyframes = animation.keyframes.size_bytes() + animation.tracks.size_bytes();
   bytes.tables += table_bytes(scene) + scene.materials.size_bytes() + scene.instances.size_bytes() +

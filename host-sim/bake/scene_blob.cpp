@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t kMeshBytes = 76;
 constexpr std::size_t kTextureBytes = 12;
 constexpr std::size_t kLineSetRecordBytes = 64;
+constexpr std::size_t kEdgeSetRecordBytes = 12;
 constexpr std::size_t kMaxLineSets = 255;
 
 class Writer {
@@ -55,6 +56,9 @@ class Writer {
   }
   void put(const Segment& s) {
     for (const std::uint32_t index : {s.a, s.b}) half_word(index);
+  }
+  void put(const Edge& e) {
+    for (const std::uint32_t index : {e.a, e.b, e.left, e.right}) half_word(index);
   }
   void put(std::uint16_t texel) { half_word(std::uint32_t{texel}); }
   void put(const Meshlet& m) {
@@ -266,6 +270,10 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
     return Failure{ExitStatus::input,
                    "has more than 255 sets of lines and points, which a scene blob cannot hold; bake a header (.hpp)"};
   }
+  if (scene.edges.size() > kMaxBlobEdgeSets) {
+    return Failure{ExitStatus::input,
+                   "has edges of more than 190 meshes, which a scene blob cannot hold; bake a header (.hpp)"};
+  }
   Writer writer;
   for (const char letter : {'z', 's'}) writer.byte(static_cast<std::uint8_t>(letter));
   const bool has_palettes =
@@ -287,7 +295,11 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   if (scene.shadow != nullptr) writer.put(*scene.shadow);
   for (const CsgOperand& operand : scene.csg) writer.put(operand);
   const std::size_t operands = scene.csg.empty() ? 0 : 1 + scene.csg.size();
-  writer.byte_at(131, static_cast<std::uint8_t>(scene.shadow != nullptr ? 1 : operands));
+  const std::size_t edges = writer.bytes().size();
+  writer.zeros(scene.edges.size() * kEdgeSetRecordBytes);  // set below
+  writer.byte_at(131, static_cast<std::uint8_t>(scene.shadow != nullptr ? 1
+                                                : scene.edges.empty()   ? operands
+                                                                        : 256 - scene.edges.size()));
   const std::size_t lines = writer.bytes().size();
   writer.zeros(scene.lines.size() * kLineSetRecordBytes);  // set below
   writer.byte_at(123, static_cast<std::uint8_t>(scene.lines.size()));
@@ -311,6 +323,10 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
   }
   for (std::size_t i = 0; i < scene.lines.size(); ++i)
     write_lines(writer, lines + i * kLineSetRecordBytes, scene.lines[i]);
+  for (std::size_t i = 0; i < scene.edges.size(); ++i) {
+    writer.array(edges + i * kEdgeSetRecordBytes, scene.edges[i].edges);
+    writer.half_word_at(edges + i * kEdgeSetRecordBytes + 8, scene.edges[i].mesh);
+  }
 
   std::vector<std::uint8_t>& bytes = writer.bytes();
   if (bytes.size() > 0xFFFFFFFF) return Failure{ExitStatus::input, "takes more than 4 GB; simplify the model"};

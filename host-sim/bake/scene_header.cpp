@@ -101,6 +101,9 @@ std::string literal(const Quadric& quadric) {
   return fmt::format("{{.material = {}, .transform = {}}}", quadric.material, literal(quadric.transform));
 }
 std::string literal(const Segment& segment) { return fmt::format("{{{}, {}}}", segment.a, segment.b); }
+std::string literal(const Edge& edge) {
+  return fmt::format("{{{}, {}, {}, {}}}", edge.a, edge.b, edge.left, edge.right);
+}
 std::string literal(const DirectionalLight& light) {
   return fmt::format("{{.x = {}, .y = {}, .z = {}, .colour = {}}}", light.x, light.y, light.z, literal(light.colour));
 }
@@ -309,6 +312,7 @@ class Header {
       add("shadow", "kShadow");
     }
     if (!scene_.csg.empty()) add("csg", array("zstrip::CsgOperand", "kCsg", scene_.csg));
+    if (!scene_.edges.empty()) add("edges", edges());
     line(fmt::format(
         "\ninline constexpr zstrip::Scene kScene{{.meshes = {},\n{pad}.materials = {},\n{pad}.textures = {},\n"
         "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}{}}};",
@@ -327,6 +331,17 @@ class Header {
     }
     line(fmt::format("inline constexpr zstrip::LineSet kLines[{}] = {{\n{}}};", scene_.lines.size(), sets));
     return "kLines";
+  }
+
+  std::string edges() {
+    std::string sets;
+    for (std::size_t i = 0; i < scene_.edges.size(); ++i) {
+      const EdgeSet& set = scene_.edges[i];
+      sets += fmt::format("    {{.edges = {}, .mesh = {}}},\n",
+                          array("zstrip::Edge", fmt::format("kEdges{}", i), set.edges), set.mesh);
+    }
+    line(fmt::format("inline constexpr zstrip::EdgeSet kEdgeSets[{}] = {{\n{}}};", scene_.edges.size(), sets));
+    return "kEdgeSets";
   }
 
   void tree() {

@@ -26,6 +26,7 @@
 #include "cli/plan_arguments.hpp"
 #include "cli/print.hpp"
 #include "image/write_file.hpp"
+#include "render/edged_stage.hpp"
 #include "render/stage.hpp"
 #include "report/bake_report.hpp"
 #include "report/text.hpp"
@@ -277,7 +278,8 @@ Result<Done> run(const Arguments& arguments) {
   if (!distinct) return distinct.failure();
 
   const std::uint32_t angles = arguments.turntable ? 2 : 1;  // more than one: every angle must fit
-  const Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, *model, *camera, request->view, angles);
+  Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, *model, *camera, request->view, angles);
+  if (stage) stage = with_edges(std::move(*stage), request->edges);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   const Result<Staging> staging = (*stage)->place(0, angles);

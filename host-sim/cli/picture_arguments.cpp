@@ -59,6 +59,13 @@ void add_quality_options(CLI::App& command, ViewArguments& arguments) {
                   "take memory and time as so many pixels")
       ->type_name("N")
       ->check(one_of({"1", "2", "4"}));
+  command.add_flag_function(
+      "--edges,!--no-edges", [&arguments](std::int64_t count) { arguments.edges = count > 0; },
+      "Smooth the edges of models alone, for less time than samples (default: no)");
+}
+
+std::optional<bool> parse_edges(const ViewArguments& arguments, const PictureSettings& settings) {
+  return arguments.edges ? arguments.edges : settings.edges;
 }
 
 Result<View> parse_quality(const ViewArguments& arguments, const PictureSettings& settings, const View& view) {

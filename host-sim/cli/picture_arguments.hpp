@@ -25,14 +25,18 @@ struct ViewArguments {
   std::optional<std::string> format{};
   std::optional<bool> dither{};
   std::optional<std::uint32_t> samples{};
+  std::optional<bool> edges{};
 };
-/// --dither and --samples. `arguments` must live as long as the command.
+/// --dither, --samples and --edges. `arguments` must live as long as the command.
 void add_quality_options(CLI::App& command, ViewArguments& arguments);
 
 /// 320x240 in RGB565, not dithered, with one sample a pixel, if neither says.
 Result<View> parse_view(const ViewArguments& arguments, const PictureSettings& settings);
 /// Whether a picture of this size and format, which a panel has given, is dithered, and its samples.
 Result<View> parse_quality(const ViewArguments& arguments, const PictureSettings& settings, const View& view);
+
+/// What with_edges is to do.
+std::optional<bool> parse_edges(const ViewArguments& arguments, const PictureSettings& settings);
 
 Result<DepthFormat> parse_depth_format(const std::optional<std::string>& given, const PictureSettings& settings);
 

@@ -51,6 +51,7 @@ Result<PlanRequest> parse_plan(const PlanArguments& arguments, const std::string
   const Result<View> view = parse_view(arguments.view, *settings);
   if (!view) return view.failure();
   request.view = *view;
+  request.edges = parse_edges(arguments.view, *settings);
   const Result<Done> memory = parse_memory(arguments.memory, *settings, request.view, request.budget);
   if (!memory) return memory.failure();
   request.depth_format = settings->depth_format.value_or(DepthFormat::z16);

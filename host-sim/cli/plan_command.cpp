@@ -14,6 +14,7 @@
 #include "cli/plan_arguments.hpp"
 #include "cli/print.hpp"
 #include "plan/alternatives.hpp"
+#include "render/edged_stage.hpp"
 #include "render/stage.hpp"
 #include "report/plan_report.hpp"
 #include "report/text.hpp"
@@ -52,6 +53,9 @@ Result<PlanRequest> parse(const Arguments& arguments) {
   if (arguments.static_layer && request->view.samples != 1) {
     return Failure{ExitStatus::usage, "a static layer keeps pixels of one sample; use --samples 1"};
   }
+  if (arguments.static_layer && request->edges.value_or(false)) {
+    return Failure{ExitStatus::usage, "a static layer keeps pixels as they were drawn; use --no-edges"};
+  }
   if (arguments.static_layer && request->method != Effects{}) {
     return Failure{ExitStatus::usage,
                    fmt::format("--static-layer keeps the z-buffer of the plain method, not of --visibility {}",
@@ -69,7 +73,8 @@ Result<PlanRequest> parse(const Arguments& arguments) {
 Result<Done> run(const Arguments& arguments) {
   Result<PlanRequest> request = parse(arguments);
   if (!request) return request.failure();
-  const Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, {}, {}, request->view, 1);
+  Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, {}, {}, request->view, 1);
+  if (stage) stage = with_edges(std::move(*stage), request->edges);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   const DepthFormat kept_format =

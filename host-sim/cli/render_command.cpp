@@ -21,6 +21,7 @@
 #include "cli/print.hpp"
 #include "cli/visibility_arguments.hpp"
 #include "image/write_file.hpp"
+#include "render/edged_stage.hpp"
 #include "render/parallel.hpp"
 #include "render/render_frame.hpp"
 #include "render/stage.hpp"
@@ -63,6 +64,7 @@ struct Job {
   ModelOptions model;
   std::optional<PanelRequest> panel;
   View view;
+  std::optional<bool> edges;  ///< of with_edges
   DepthFormat depth_format = DepthFormat::z16;
   Effects perspective;
   Budget budget;
@@ -110,6 +112,7 @@ Result<Job> parse(const Arguments& arguments) {
                                       : parse_view(arguments.view, *settings);
   if (!view) return view.failure();
   job.view = *view;
+  job.edges = parse_edges(arguments.view, *settings);
   const Result<DepthFormat> depth_format = parse_depth_format(arguments.depth_format, *settings);
   if (!depth_format) return depth_format.failure();
   job.depth_format = *depth_format;
@@ -158,6 +161,10 @@ Result<Job> parse(const Arguments& arguments) {
   }
   if (job.visibility.show != Show::colour && job.view.samples != 1) {
     return usage("--show shows pixels of one sample; use --samples 1");
+  }
+  if (job.visibility.show != Show::colour) {
+    if (arguments.view.edges.value_or(false)) return usage("--show shows pixels as they were drawn; leave out --edges");
+    job.edges = false;
   }
   const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene);
   if (!model) return model.failure();
@@ -270,6 +277,7 @@ Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t f
 /// Several frames are drawn, encoded and written on all threads, one frame on each; the strips of a single frame are.
 Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool quiet) {
   Result<std::unique_ptr<Stage>> stage = open_stage(scene, job.model, job.camera, job.view, job.outputs.frames);
+  if (stage) stage = with_edges(std::move(*stage), job.edges);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   // What is wrong is judged by the scene itself.

@@ -35,6 +35,7 @@ struct PictureSettings {
   std::optional<PixelFormat> format;
   std::optional<bool> dither;
   std::optional<std::uint8_t> samples;  ///< 1, 2 or 4
+  std::optional<bool> edges;            ///< of all meshes are anti-aliased
   std::optional<DepthFormat> depth_format;
   std::optional<Effects> perspective;  ///< of effect::perspective_runs
   VisibilitySettings visibility;

@@ -72,6 +72,7 @@ PictureSettings read_picture(TomlTable& table) {
     picture.samples = static_cast<std::uint8_t>(*samples);
     if (*samples == 3) table.wrong("samples", "'samples' must be 1, 2 or 4");
   }
+  picture.edges = table.flag("edges");
   picture.depth_format = table.choice("depth_format", kDepthFormats);
   picture.perspective = table.choice("perspective", kPerspectiveRuns);
   picture.visibility = read_visibility(table);

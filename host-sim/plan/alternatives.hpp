@@ -26,8 +26,9 @@ struct Alternative {
 
 struct PlanRequest {
   View view;
-  Budget budget;        ///< bytes, rows, columns, buffers and layer as asked for
-  bool may_bin = true;  ///< else only streamed plans
+  std::optional<bool> edges{};  ///< what with_edges was told
+  Budget budget;                ///< bytes, rows, columns, buffers and layer as asked for
+  bool may_bin = true;          ///< else only streamed plans
   DepthFormat depth_format = DepthFormat::z16;
   std::optional<DepthNeed> depth{};  ///< then the planner chooses the format
   Effects perspective{};             ///< one of effect::perspective_runs, for what is baked; plans are the same

@@ -88,6 +88,12 @@ TEST_F(BakedFrames, OutlinesBillboardsAndShadowsOfWhatTurns) {
                        "[[light]]\ntype = 'directional'\ndirection = [0.5, -0.8, -0.6]\n[light.shadow]\n"));
 }
 
+TEST_F(BakedFrames, EdgesOfWhatTurnsAndWhatStands) {
+  expect_same(scene_of("[picture]\nedges = true\n" + kMaterials + kMoving + kStatic + kEllipsoid + kWire));
+  expect_same(BAKE_MODELS "/house.obj", {"--edges"});
+  expect_same(BAKE_MODELS "/house.obj", {"--edges", "--ortho"});
+}
+
 TEST_F(BakedFrames, OneFrameAndATurnHaveTheirCamerasWithoutTurntable) {
   expect_same(BAKE_MODELS "/house.obj");
   expect_same(BAKE_MODELS "/house.obj", {"--ortho"});

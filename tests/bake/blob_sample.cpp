@@ -89,6 +89,13 @@ Bytes bytes_with_lines(const Turn& turn, const Camera* turning_camera, Effects e
 }  // namespace
 
 Bytes lines_bytes() { return bytes_with_lines({}, nullptr, {}); }
+Bytes edges_bytes() {
+  SceneBlob blob = sample();
+  blob.scene.edges = kEdgeSets;
+  const Result<Bytes> bytes = to_scene_blob(blob);
+  EXPECT_TRUE(bytes);
+  return bytes ? *bytes : Bytes{};
+}
 Bytes turn_bytes() { return bytes_with_lines(kTurn, &kTurningCamera, effect::depth_24); }
 
 }  // namespace zstrip::sim::test

@@ -103,6 +103,8 @@ inline constexpr Segment kSegments[] = {{0, 1}, {1, 2}, {3, 3}};
 inline constexpr LineSet kLines[] = {
     {.segments = kSegments, .mesh = 1, .material = 1, .transform = Transform::identity(), .width = 64},
     {.segments = {}, .material = 1, .transform = {{{1, -2, 3, -4}, {5, 6, 7, 8}, {9, 10, 11, -70000}}}}};
+inline constexpr Edge kEdges[] = {{0, 1, 2}, {2, 0, 1, 3}, {1, 2, 0, 0x302}};
+inline constexpr EdgeSet kEdgeSets[] = {{.edges = std::span(kEdges).first(2), .mesh = 0}, {.edges = {}, .mesh = 1}};
 inline constexpr Outline kOutlines[] = {{.colour = {1, 2, 3, 4}, .width = 40}};
 inline constexpr Shadow kShadow{.light = 1, .log2_size = 5, .bias = 77};
 inline constexpr Turn kTurn{.what = Turning::instances, .still_instances = 2};
@@ -110,12 +112,13 @@ inline constexpr Camera kTurningCamera{.eye = {1, -2, 300000}, .focal = 70000, .
 
 SceneBlob sample();
 /// Those of sample(); with kWithPalettes for textures; with the tree of kNodes over kFourTriangles; with kLines behind
-/// kOutlines and kShadow; the same with kTurn and kTurningCamera, of a picture with depth as z24.
+/// kOutlines and kShadow; the same with kTurn and kTurningCamera, of a picture with depth as z24; with kEdgeSets.
 Bytes sample_bytes();
 Bytes palette_bytes();
 Bytes tree_bytes();
 Bytes lines_bytes();
 Bytes turn_bytes();
+Bytes edges_bytes();
 
 template <class Record>
 void expect_same_bytes(std::span<const Record> actual, std::span<const Record> expected) {

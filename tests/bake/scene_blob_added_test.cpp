@@ -226,6 +226,65 @@ TEST(SceneBlob, ShadowsStandInBytesThatWereUnused) {
   EXPECT_EQ(Opened(wrong).status.error, Error::shadow);
 }
 
+TEST(SceneBlob, EdgesStandWhereAShadowWould) {
+  const Bytes bytes = edges_bytes();
+  EXPECT_EQ(bytes[2], 3) << "the version stays";
+  EXPECT_EQ(bytes[131], 254) << "two sets less than 256";
+  EXPECT_EQ(word(bytes, 12), 192U + 2 * 12) << "then the meshes";
+  const std::uint32_t at = word(bytes, 192);
+  EXPECT_EQ(word(bytes, 196), 2U);
+  EXPECT_EQ(word(bytes, 200), 0U);
+  EXPECT_EQ(word(bytes, 204) | word(bytes, 208), 0U);
+  EXPECT_EQ(word(bytes, 212), 1U);
+  EXPECT_EQ(Bytes(bytes.begin() + at, bytes.begin() + at + 16),
+            (Bytes{0, 0, 1, 0, 2, 0, 255, 255, 2, 0, 0, 0, 1, 0, 3, 0}));
+  const std::size_t needed = scene_blob_memory(2, 2, 0, 2);
+  EXPECT_EQ(needed - scene_blob_memory(2, 2), 2 * sizeof(EdgeSet));
+  const Opened opened(bytes, needed);
+  ASSERT_TRUE(opened.status) << message(opened.status.error) << ' ' << opened.status.needed;
+  EXPECT_EQ(Opened(bytes, needed - 1).status.error, Error::blob_memory);
+  ASSERT_EQ(opened.content.scene.edges.size(), 2U);
+  expect_same_bytes(opened.content.scene.edges[0].edges, kEdgeSets[0].edges);
+  EXPECT_EQ(reinterpret_cast<const std::byte*>(opened.content.scene.edges[0].edges.data()),
+            opened.blob.bytes.get() + at);
+  EXPECT_EQ(opened.content.scene.edges[1].mesh, 1);
+  const auto with = [&bytes](std::uint32_t where, std::uint32_t value) {
+    Bytes changed = bytes;
+    put_word(changed, where, value);
+    mend(changed);
+    return Opened(changed, scene_blob_memory(2, 2, 0, 190)).status;
+  };
+  for (const std::uint32_t offset : {0U, 128U, 130U, 0xFFFFFFFCU, static_cast<std::uint32_t>(bytes.size()) - 8}) {
+    EXPECT_EQ(with(192, offset), (Status{.error = Error::blob_damaged, .needed = 192})) << offset;
+  }
+  for (const std::uint32_t count : {0x10000U, 0x20000000U, 0x20000002U, 0xFFFFFFFFU}) {
+    EXPECT_EQ(with(196, count), (Status{.error = Error::blob_damaged, .needed = 192})) << count;
+  }
+  EXPECT_EQ(with(200, 2), (Status{.error = Error::edges, .needed = 0})) << "no such mesh";
+  EXPECT_EQ(with(212, 0), (Status{.error = Error::edges, .needed = 1})) << "twice the same mesh";
+  EXPECT_EQ(with(at + 8, 0x00040002), (Status{.error = Error::edges, .needed = 0})) << "no such vertex";
+  EXPECT_EQ(with(128, 0x42000100 | bytes[128]).error, Error::blob_damaged) << "more sets than there are bytes";
+}
+
+TEST(SceneBlob, MoreSetsOfEdgesThanAByteCountsAreRefused) {
+  const std::vector<Mesh> meshes(191, kMeshes[1]);
+  std::vector<EdgeSet> sets(191);
+  for (std::uint16_t i = 0; i < sets.size(); ++i) sets[i] = {.edges = kEdges, .mesh = i};
+  SceneBlob content = sample();
+  content.scene.meshes = meshes;
+  content.scene.instances = content.scene.instances.first(1);
+  content.scene.edges = sets;
+  const Result<Bytes> refused = to_scene_blob(content);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.failure().message.find("more than 190 meshes"), std::string::npos);
+  content.scene.edges = std::span(sets).first(190);
+  const Result<Bytes> written = to_scene_blob(content);
+  ASSERT_TRUE(written);
+  EXPECT_EQ(Opened(*written, scene_blob_memory(191, 2, 0, 190)).status.error, Error::edges) << "0x302 is no vertex";
+  for (EdgeSet& set : sets) set.edges = std::span(kEdges).first(2);
+  EXPECT_EQ(Opened(*to_scene_blob(content), scene_blob_memory(191, 2, 0, 190)).content.scene.edges.size(), 190U);
+}
+
 TEST(SceneBlob, ProductsStandWhereAShadowWould) {
   SceneBlob content = sample();
   const auto instances = static_cast<std::uint16_t>(content.scene.instances.size());

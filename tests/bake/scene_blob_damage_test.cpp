@@ -79,6 +79,7 @@ void expect_every_part_refused(const Bytes& whole) {
 
 TEST(SceneBlob, TruncatedAtEveryLengthWithATree) { expect_every_part_refused(tree_bytes()); }
 TEST(SceneBlob, TruncatedAtEveryLengthWithLines) { expect_every_part_refused(lines_bytes()); }
+TEST(SceneBlob, TruncatedAtEveryLengthWithEdges) { expect_every_part_refused(edges_bytes()); }
 TEST(SceneBlob, TruncatedAtEveryLengthWithATurn) { expect_every_part_refused(turn_bytes()); }
 TEST(SceneBlob, TruncatedAtEveryLengthWithPalettes) { expect_every_part_refused(palette_bytes()); }
 
@@ -129,7 +130,8 @@ void draw(const SceneBlob& content, Effects method = {}) {
 
 /// Who writes a wrong value also writes its checksum.
 TEST(SceneBlob, EveryByteChangedUnderARightChecksum) {
-  for (const Bytes& whole : {sample_bytes(), tree_bytes(), palette_bytes(), lines_bytes(), turn_bytes()}) {
+  for (const Bytes& whole :
+       {sample_bytes(), tree_bytes(), palette_bytes(), lines_bytes(), turn_bytes(), edges_bytes()}) {
     const bool has_tree = word(whole, 184) != 0;
     std::size_t refused = 0, drawn = 0;
     for (std::size_t at = 12; at < whole.size(); ++at) {
@@ -137,7 +139,7 @@ TEST(SceneBlob, EveryByteChangedUnderARightChecksum) {
         Bytes changed = whole;
         changed[at] = static_cast<std::uint8_t>(value);
         mend(changed);
-        const Opened opened(changed, scene_blob_memory(300, 300, 255));
+        const Opened opened(changed, scene_blob_memory(300, 300, 255, 190));
         if (!opened.status) {
           ++refused;
           continue;

@@ -9,6 +9,7 @@
 
 #include "billboards_scene.hpp"
 #include "csg_scene.hpp"
+#include "edges_scene.hpp"
 #include "lines_scene.hpp"
 #include "markers.hpp"
 #include "outlines_scene.hpp"
@@ -56,6 +57,7 @@ TEST(EffectsAbsence, ProgramsHoldTheCodeOfTheirScenesEffectsAndNoOther) {
   check(scenes::outlines);
   check(scenes::shadows);
   check(scenes::csg);
+  check(scenes::edges);
   for (const scenes::BuiltIn& built_in : scenes::effect_scenes()) check(built_in);
   expect_only(folder + "knot_rgb565_dithered", scenes::knot, {64, 48, PixelFormat::rgb565, true});
   expect_only(folder + "fog_rgb565_dithered", scenes::fog, {64, 48, PixelFormat::rgb565, true});

@@ -33,6 +33,8 @@ TEST(EffectsTogether, EachOfSurfacesAlone) {
   expect_drawn_alike<effect::outlines>();
   expect_drawn_alike<effect::shadows>();
   expect_drawn_alike<effect::csg>();
+  expect_drawn_alike<effect::edges>();
+  expect_drawn_alike<effect::edges | effect::orthographic>();
   expect_drawn_alike<effect::orthographic>();
   expect_drawn_alike<effect::depth_state>();
   expect_drawn_alike<effect::supersampled>();

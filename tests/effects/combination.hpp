@@ -1,11 +1,12 @@
 // Sets of effects, and a scene that calls for exactly such a set: two boxes, one behind the other, perhaps turned to
-// the viewer, a sphere and lines, a third box with an outline, and a fourth less a fifth.
+// the viewer, a sphere and lines, a third box with an outline, and a fourth less a fifth; or edges of the first two.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
 #include "drawn.hpp"
+#include "edges_of.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 
 namespace effects_test {
@@ -109,6 +110,8 @@ struct Combination {
        .transform = {
            {{fixed(0.4), 0, 0, fixed(-0.3)}, {0, fixed(0.4), 0, fixed(0.5)}, {0, 0, fixed(0.4), fixed(0.4)}}}}};
   Segment segments[4] = {{0, 3}, {4, 9}, {12, 21}, {2, 2}};
+  std::vector<Edge> edges[2];
+  EdgeSet edge_sets[2];
   LineSet lines[1] = {{.segments = segments, .mesh = 0, .material = 2, .width = 3}};
   Camera camera = scenes::turntable_camera(4.0, 20, 2.2);
   Scene scene;
@@ -154,6 +157,13 @@ struct Combination {
     instances[3].mesh = instances[4].mesh = 3;
     if (set.has(effect::csg)) scene.csg = operands;
     if (set.has(effect::outlines)) scene.outlines = outlines;
+    if (set.has(effect::edges)) {
+      for (std::uint16_t i = 0; i < 2; ++i) {
+        edges[i] = edges_of_mesh(meshes[i], [](std::size_t first, std::size_t second) { return second - first > 1; });
+        edge_sets[i] = {edges[i], i};
+      }
+      scene.edges = edge_sets;
+    }
     scene.finishes = finishes;
     scene.background = {30, 60, 90, 255};
     if (set.has(effect::lighting)) scene.lights = scenes::kKeyLight;
@@ -182,9 +192,10 @@ void expect_drawn_alike() {
   EXPECT_EQ(draw_any(kSet | effect::bins, scene, camera, kView, {.strip_rows = 9, .modes = Modes::binned}), whole);
   // Memory is planned for what is there, and not for more.
   const Plan plan = zstrip::plan(count(scene), kView, kSet).plan;
-  EXPECT_EQ(plan.effect_bytes != 0, kSet.any(effect::fog | effect::blending | effect::local_light | effect::billboards |
-                                             effect::environment | effect::outlines | effect::shadows | effect::csg));
-  EXPECT_EQ(plan.colour_bytes, kSet.has(effect::supersampled) ? 40U * 32 * 2 * 4 : 0);
+  EXPECT_EQ(plan.effect_bytes != 0,
+            kSet.any(effect::fog | effect::blending | effect::local_light | effect::billboards | effect::environment |
+                     effect::outlines | effect::shadows | effect::csg | effect::edges));
+  EXPECT_EQ(plan.colour_bytes, 40U * 32 * 2 * (kSet.has(effect::supersampled) ? 4 : kSet.has(effect::edges) ? 1 : 0));
   EXPECT_EQ(plan.bin_bytes + plan.visibility_bytes, 0U);
 }
 

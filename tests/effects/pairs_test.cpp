@@ -41,5 +41,26 @@ TEST(EffectsTogether, ProductsOfSolidsAndEachRow) {
   }
 }
 
+/// Edges likewise, without outlines and samples, too.
+TEST(EffectsTogether, EdgesAndEachRow) {
+  for (std::size_t i = 0; i < kRows; ++i) {
+    constexpr Effects kNotWithEdges = effect::shadows | effect::outlines | effect::supersampled;
+    const Effects set = completed(without(row(i), kNotWithEdges)) | effect::edges;
+    SCOPED_TRACE(testing::Message() << std::hex << set.bits);
+    const View view{40, 32, PixelFormat::rgb565, set.has(effect::dithered_colours)};
+    const Combination combination(set);
+    const Scene& scene = combination.scene;
+    const Camera& camera = combination.camera;
+    ASSERT_TRUE(validate(scene));
+    ASSERT_EQ(effects_of(scene, camera) | effects_of(view), set);
+    const Drawn whole = draw_any(set, scene, camera, view);
+    Scene others = scene;
+    others.edges = {};
+    EXPECT_NE(draw_any(set, others, camera, view), whole);
+    EXPECT_EQ(draw_any(set, scene, camera, view, {.strip_rows = 5, .strip_columns = 16}), whole);
+    EXPECT_EQ(draw_any(set | effect::bins, scene, camera, view, {.strip_rows = 9, .modes = Modes::binned}), whole);
+  }
+}
+
 }  // namespace
 }  // namespace effects_test

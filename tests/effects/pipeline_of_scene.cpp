@@ -6,6 +6,7 @@
 
 #include "billboards_scene.hpp"
 #include "csg_scene.hpp"
+#include "edges_scene.hpp"
 #include "lines_scene.hpp"
 #include "outlines_scene.hpp"
 #include "shadows_scene.hpp"

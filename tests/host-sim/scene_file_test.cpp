@@ -253,6 +253,14 @@ TEST(SceneFile, SamplesOfAPixel) {
   EXPECT_NE(failure("[picture]\nsamples = '4'\n" + kCube), "");
 }
 
+TEST(SceneFile, EdgesAreAFlag) {
+  EXPECT_EQ(parsed(kCube).picture.edges, std::nullopt);
+  EXPECT_EQ(parsed("[picture]\nedges = true\n" + kCube).picture.edges, true);
+  EXPECT_EQ(parsed("[picture]\nedges = false\n" + kCube).picture.edges, false);
+  EXPECT_NE(failure("[picture]\nedges = 1\n" + kCube), "");
+  EXPECT_NE(failure("[picture]\nedge = true\n" + kCube).find("edges"), std::string::npos);
+}
+
 TEST(SceneFile, HowVisibilityIsFound) {
   const auto wrong = [](const std::string& line, const char* part) {
     const std::string message = failure("[picture]\n" + line + "\n" + kCube);

@@ -18,8 +18,8 @@ struct Frame::Access::Edges {
 
   /// A strip and a pixel more on each side that lies in the picture.
   static Rect with_apron(const Rect& area, const View& view) {
-    return {std::max(area.left - 1, 0), std::max(area.top - 1, 0), std::min<std::int32_t>(area.right + 1, view.width),
-            std::min<std::int32_t>(area.bottom + 1, view.height)};
+    return {std::max<std::int32_t>(area.left - 1, 0), std::max<std::int32_t>(area.top - 1, 0),
+            std::min<std::int32_t>(area.right + 1, view.width), std::min<std::int32_t>(area.bottom + 1, view.height)};
   }
 
   /// Finds out which edges show. Comes before anything else keeps vertices: they are transformed into the cache.

@@ -15,7 +15,7 @@ namespace {
 // Records of the blob that are the program's own structures, byte for byte.
 static_assert(std::endian::native == std::endian::little, "blobs are little endian and used in place");
 static_assert(sizeof(Position) == 6 && sizeof(Normal) == 4 && sizeof(Colour) == 4 && sizeof(TexCoord) == 4);
-static_assert(sizeof(Triangle) == 6 && sizeof(Segment) == 4);
+static_assert(sizeof(Triangle) == 6 && sizeof(Segment) == 4 && sizeof(Edge) == 8);
 static_assert(sizeof(Meshlet) == 20 && offsetof(Meshlet, first_vertex) == 4 && offsetof(Meshlet, vertex_count) == 6 &&
               offsetof(Meshlet, triangle_count) == 8 && offsetof(Meshlet, radius) == 10 &&
               offsetof(Meshlet, centre) == 12);
@@ -30,8 +30,8 @@ static_assert(sizeof(Camera) == 64 && offsetof(Camera, up) == 12 && offsetof(Cam
               offsetof(Camera, far_plane) == 56 && offsetof(Camera, projection) == 60 &&
               offsetof(Camera, fixed_depth_range) == 61);
 static_assert(sizeof(Instance) == 52 && offsetof(Instance, material) == 2 && offsetof(Instance, transform) == 4);
-static_assert(sizeof(void*) != 4 ||
-              (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(LineSet) == 64 && sizeof(Scene) == 104));
+static_assert(sizeof(void*) != 4 || (sizeof(Mesh) == 76 && sizeof(Texture) == 12 && sizeof(LineSet) == 64 &&
+                                     sizeof(EdgeSet) == 12 && sizeof(Scene) == 112));
 static_assert(sizeof(Track) == 8 && offsetof(Track, count) == 2 && offsetof(Track, first) == 4);
 static_assert(sizeof(Keyframe) == 36 && offsetof(Keyframe, rotation) == 4 && offsetof(Keyframe, translation) == 12 &&
               offsetof(Keyframe, scale) == 24);
@@ -57,7 +57,7 @@ static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colou
 constexpr std::uint32_t kVersion = 2, kKind = 3, kSize = 4, kChecksum = 8, kChecked = 12;
 constexpr std::uint32_t kMeshes = 12, kMaterials = 20, kTextures = 28, kInstances = 36, kLights = 44;
 constexpr std::uint32_t kAmbient = 52, kBackground = 56, kCamera = 60, kOutlines = 122, kLines = 123, kView = 124;
-constexpr std::uint32_t kShadowOrCsg = 131;
+constexpr std::uint32_t kShadowCsgOrEdges = 131;
 constexpr std::uint32_t kTracks = 132, kKeyframes = 140, kDuration = 148;
 // In place of the duration where there are no tracks.
 constexpr std::uint32_t kStillInstances = 148, kTurning = 150, kHasTurn = 151;
@@ -79,6 +79,11 @@ struct TextureRecord {
 struct LineSetRecord {
   static constexpr std::uint32_t kSegments = 0, kMesh = 8, kMaterial = 10, kTransform = 12, kWidth = 60;
   std::uint32_t words[16];
+};
+
+struct EdgeSetRecord {
+  static constexpr std::uint32_t kEdges = 0, kMesh = 8;
+  std::uint32_t words[3];
 };
 
 /// Reads values and arrays; remembers the first that is wrong.
@@ -279,6 +284,10 @@ LineSet read_lines(Reader& reader, std::uint32_t at) {
   return lines;
 }
 
+EdgeSet read_edges(Reader& reader, std::uint32_t at) {
+  return {.edges = reader.array<Edge>(at + EdgeSetRecord::kEdges), .mesh = reader.half_word(at + EdgeSetRecord::kMesh)};
+}
+
 /// Each node but the first is the child of one before it, which it names; triangles follow the nodes. `scene` is valid.
 void check_tree(Reader& reader, std::span<const BspNode> nodes, const Scene& scene) {
   if (nodes.empty()) return;
@@ -329,12 +338,14 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   found.effects = read_effects(reader);
   found.scene.quadrics = reader.array<Quadric>(kQuadrics);
   found.scene.outlines = reader.next_behind_header<Outline>(reader.byte(kOutlines), kOutlines);
-  // No scene has both.
-  const std::uint8_t shadow_or_csg = reader.byte(kShadowOrCsg);
-  found.scene.shadow = reader.next_behind_header<Shadow>(shadow_or_csg == 1 ? 1 : 0, kShadowOrCsg).data();
-  const std::uint32_t operands = shadow_or_csg > 1 ? shadow_or_csg - 1U : 0;
-  reader.require(operands <= kMaxCsgOperands, kShadowOrCsg);
-  found.scene.csg = reader.next_behind_header<CsgOperand>(operands, kShadowOrCsg);
+  // No scene has two of them.
+  const std::uint32_t shadow_csg_or_edges = reader.byte(kShadowCsgOrEdges);
+  const bool has_edges = shadow_csg_or_edges > 1 + kMaxCsgOperands;
+  found.scene.shadow = reader.next_behind_header<Shadow>(shadow_csg_or_edges == 1 ? 1 : 0, kShadowCsgOrEdges).data();
+  const std::uint32_t operands = shadow_csg_or_edges > 1 && !has_edges ? shadow_csg_or_edges - 1 : 0;
+  found.scene.csg = reader.next_behind_header<CsgOperand>(operands, kShadowCsgOrEdges);
+  const std::span edges =
+      reader.next_behind_header<EdgeSetRecord>(has_edges ? 256 - shadow_csg_or_edges : 0, kShadowCsgOrEdges);
   const std::span lines = reader.next_behind_header<LineSetRecord>(reader.byte(kLines), kLines);
   found.tree.nodes = reader.array<BspNode>(kTree);
   found.animation = {.tracks = reader.array<Track>(kTracks),
@@ -346,7 +357,7 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
 
   const std::size_t needed =
       scene_blob_memory(static_cast<std::uint32_t>(meshes.size()), static_cast<std::uint32_t>(textures.size()),
-                        static_cast<std::uint32_t>(lines.size()));
+                        static_cast<std::uint32_t>(lines.size()), static_cast<std::uint32_t>(edges.size()));
   if (memory.size() < needed) {
     const auto saturated = [](std::size_t bytes) {
       return bytes < 0xFFFFFFFF ? static_cast<std::uint32_t>(bytes) : 0xFFFFFFFFU;
@@ -370,6 +381,11 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   for (std::size_t i = 0; i < lines.size(); ++i) {
     ::new (lines_table + i) LineSet(read_lines(reader, reader.offset_of(lines[i])));
   }
+  auto* const edges_table = reinterpret_cast<EdgeSet*>(lines_table + lines.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    ::new (edges_table + i) EdgeSet(read_edges(reader, reader.offset_of(edges[i])));
+  }
+  found.scene.edges = {edges_table, edges.size()};
   found.scene.lines = {lines_table, lines.size()};
   found.scene.meshes = {mesh_table, meshes.size()};
   found.scene.textures = {texture_table, textures.size()};

@@ -49,13 +49,17 @@ struct SceneBlob {
   }
 };
 
-/// Bytes to lend for the tables of this many meshes, textures and sets of lines, whose pointers only the running
-/// program knows. Vertices, triangles, segments, texels, materials, instances, lights, keyframes and nodes of the tree
-/// are not copied.
-constexpr std::size_t scene_blob_memory(std::uint32_t meshes, std::uint32_t textures, std::uint32_t lines = 0) {
-  static_assert(alignof(Mesh) == alignof(Texture) && alignof(Mesh) == alignof(LineSet));
+inline constexpr std::uint32_t kMaxBlobEdgeSets = 190;  ///< of a blob
+
+/// Bytes to lend for the tables of this many meshes, textures, sets of lines and of edges, whose pointers only the
+/// running program knows. Vertices, triangles, segments, edges, texels, materials, instances, lights, keyframes and
+/// nodes of the tree are not copied.
+constexpr std::size_t scene_blob_memory(std::uint32_t meshes, std::uint32_t textures, std::uint32_t lines = 0,
+                                        std::uint32_t edges = 0) {
+  static_assert(alignof(Mesh) == alignof(Texture) && alignof(Mesh) == alignof(LineSet) &&
+                alignof(Mesh) == alignof(EdgeSet));
   return std::size_t{meshes} * sizeof(Mesh) + std::size_t{textures} * sizeof(Texture) +
-         std::size_t{lines} * sizeof(LineSet);
+         std::size_t{lines} * sizeof(LineSet) + std::size_t{edges} * sizeof(EdgeSet);
 }
 inline constexpr std::size_t kSceneBlobMemoryAlignment = alignof(Mesh);
 

@@ -14,7 +14,7 @@ constexpr std::size_t kSceneBytes = 0x00300000;       // to the end of the flash
 
 Renderer<kEffects> renderer;
 // Tables of up to a hundred meshes, textures and sets of lines.
-alignas(kSceneBlobMemoryAlignment) std::byte tables[scene_blob_memory(100, 100, 100)];
+alignas(kSceneBlobMemoryAlignment) std::byte tables[scene_blob_memory(100, 100, 100, 100)];
 
 PixelFormat format_of(std::string_view name) {
   if (name == "gray4") return PixelFormat::gray4;

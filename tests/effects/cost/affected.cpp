@@ -40,8 +40,11 @@ int print_affected() {
         !renderer.draw_strip(0, std::as_writable_bytes(std::span(pixels)))) {
       return 1;
     }
-    // A format is that of every pixel, and every pixel has samples.
-    fragments += kCalledFor.any(effect::dithered_format | effect::supersampled)
+    // A format is that of every pixel, and every pixel has samples; each edge is looked at.
+    std::size_t edges = 0;
+    for (const EdgeSet& set : built_in.scene.edges) edges += set.edges.size();
+    fragments += edges != 0 ? edges
+                 : kCalledFor.any(effect::dithered_format | effect::supersampled)
                      ? std::uint32_t{kWidth} * kHeight
                      : renderer.frame().statistics().fragments;
   }
@@ -62,5 +65,6 @@ int main() {
          print_affected<scenes::per_pixel>() + print_affected<scenes::spheres>() + print_affected<scenes::dithered>() +
          print_affected<scenes::dithered_mono>() + print_affected<scenes::lines>() +
          print_affected<scenes::billboards>() + print_affected<scenes::outlines>() + print_affected<scenes::shadows>() +
-         print_affected<scenes::csg>() + print_affected<scenes::samples_2>() + print_affected<scenes::samples_4>();
+         print_affected<scenes::csg>() + print_affected<scenes::edges>() + print_affected<scenes::samples_2>() +
+         print_affected<scenes::samples_4>();
 }

@@ -65,6 +65,7 @@ inline constexpr Comparison kComparisons[] = {
     {"outlines", effect::outlines},
     {"shadows", effect::shadows, effect::lighting},
     {"csg", effect::csg},
+    {"edges", effect::edges},
     {"painter", method::painter},
     {"in_order", method::in_order, method::painter, false},
     {"front_to_back", method::front_to_back},

@@ -6,6 +6,7 @@
 
 #include "../billboards_scene.hpp"
 #include "../csg_scene.hpp"
+#include "../edges_scene.hpp"
 #include "../lines_scene.hpp"
 #include "../outlines_scene.hpp"
 #include "../shadows_scene.hpp"
@@ -99,9 +100,9 @@ inline constexpr Effects kChoice<scenes::every_8> = effect::perspective_8;
 template <>
 inline constexpr Effects kChoice<scenes::every_pixel> = effect::perspective_1;
 
-/// Without fog, finishes, punctual lights, quadrics, lines, outlines, shadows and products, billboards standing still,
-/// the scene's first texture for one with a palette, and texture coordinates for what mirrors its surroundings; lit at
-/// vertices, with its finishes, what was lit at pixels; of kBasic what it says; all else as it is.
+/// Without fog, finishes, punctual lights, quadrics, lines, outlines, shadows, products and edges, billboards standing
+/// still, the scene's first texture for one with a palette, and texture coordinates for what mirrors its surroundings;
+/// lit at vertices, with its finishes, what was lit at pixels; of kBasic what it says; all else as it is.
 template <const scenes::BuiltIn& built_in>
 struct Plain {
   static constexpr auto kMaterials = [] {
@@ -142,7 +143,9 @@ struct Plain {
     plain.scene.outlines = {};
     plain.scene.shadow = nullptr;
     plain.scene.csg = {};
-    if constexpr (!built_in.scene.outlines.empty() || built_in.scene.shadow != nullptr || !built_in.scene.csg.empty())
+    plain.scene.edges = {};
+    if constexpr (!built_in.scene.outlines.empty() || built_in.scene.shadow != nullptr || !built_in.scene.csg.empty() ||
+                  !built_in.scene.edges.empty())
       plain.counts = count(plain.scene);
     return plain;
   }();
@@ -156,7 +159,7 @@ inline constexpr const scenes::BuiltIn& kChosen<built_in, true> = Plain<built_in
 
 inline constexpr Effects kPlainLacks = effect::fragments | effect::vertex_light | effect::surfaces |
                                        effect::billboards | effect::environment | effect::outlines | effect::shadows |
-                                       effect::csg;
+                                       effect::csg | effect::edges;
 /// What the plain one has not.
 template <const scenes::BuiltIn& built_in>
 inline constexpr Effects kTaken = kKeepsLight<built_in> ? effect::fragments

@@ -1,0 +1,16 @@
+// The edges of a mesh, for the renderer's anti-aliasing of edges: see Edge in zstrip/scene/scene.hpp.
+#pragma once
+
+#include <vector>
+
+#include "zstrip/scene/scene.hpp"
+
+namespace zstrip::sim {
+
+/// One for each two places that a triangle's side joins, whatever vertices lie there, with both faces; sides that more
+/// than two faces or two in the same direction share are edges of one face each. Creases where normals or colours of
+/// the two faces differ at an end, or, if `flat`, where they are not in one plane. In the order of the meshlets.
+/// Triangles without an area in the mesh's grid have none.
+std::vector<Edge> find_edges(const Mesh& mesh, bool flat);
+
+}  // namespace zstrip::sim

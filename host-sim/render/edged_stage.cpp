@@ -1,0 +1,71 @@
+// A stage with the edges of its meshes: see edged_stage.hpp.
+#include "render/edged_stage.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "import/edges.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+struct FoundEdges {
+  std::vector<std::vector<Edge>> lists;
+  std::vector<EdgeSet> sets;
+};
+
+/// A mesh is flat if any of its instances is.
+std::shared_ptr<const FoundEdges> edges_of_meshes(const Scene& scene) {
+  std::map<std::uint16_t, bool> meshes;
+  for (const Instance& instance : scene.instances) {
+    meshes[instance.mesh] |= scene.materials[instance.material].smooth == Shading::flat;
+  }
+  auto found = std::make_shared<FoundEdges>();
+  for (const auto& [mesh, flat] : meshes) {
+    std::vector<Edge> edges = find_edges(scene.meshes[mesh], flat);
+    if (edges.empty()) continue;
+    found->lists.push_back(std::move(edges));
+    found->sets.push_back({found->lists.back(), mesh});
+  }
+  return found;
+}
+
+class EdgedStage : public Stage {
+ public:
+  EdgedStage(std::unique_ptr<Stage> stage, std::shared_ptr<const FoundEdges> edges)
+      : stage_(std::move(stage)), edges_(std::move(edges)) {}
+
+  Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
+    Result<Staging> staging = stage_->place(frame, frames);
+    if (staging) staging->scene.edges = edges_->sets;
+    return staging;
+  }
+  Result<Camera> camera(std::uint32_t frames) const override { return stage_->camera(frames); }
+  std::unique_ptr<Stage> copy() const override { return std::make_unique<EdgedStage>(stage_->copy(), edges_); }
+  const std::vector<std::string>& warnings() const override { return stage_->warnings(); }
+  Animation animation() const override { return stage_->animation(); }
+  Turn turn() const override { return stage_->turn(); }
+  Origins origins() const override { return stage_->origins(); }
+  const Model* model() const override { return stage_->model(); }
+
+ private:
+  std::unique_ptr<Stage> stage_;
+  std::shared_ptr<const FoundEdges> edges_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Stage>> with_edges(std::unique_ptr<Stage> stage, std::optional<bool> edges) {
+  if (!edges) return stage;
+  std::shared_ptr<const FoundEdges> found = std::make_shared<FoundEdges>();
+  if (*edges) {
+    const Result<Staging> staging = stage->place(0, 1);
+    if (!staging) return staging.failure();
+    if (!staging->scene.edges.empty()) return stage;
+    found = edges_of_meshes(staging->scene);
+  }
+  return std::unique_ptr<Stage>(std::make_unique<EdgedStage>(std::move(stage), std::move(found)));
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,15 @@
+// A stage whose scene has the edges of all its meshes, to be anti-aliased, or none.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "render/stage.hpp"
+
+namespace zstrip::sim {
+
+/// `edges`: true adds those of all meshes that instances have to a scene without any, false takes away what a baked
+/// scene has, nothing leaves it as it is. Fails where the stage cannot be placed.
+Result<std::unique_ptr<Stage>> with_edges(std::unique_ptr<Stage> stage, std::optional<bool> edges);
+
+}  // namespace zstrip::sim

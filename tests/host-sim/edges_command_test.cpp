@@ -1,0 +1,66 @@
+// The command's anti-aliasing of edges: as an option, as a key of scene files, in plans and baked.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "command_fixture.hpp"
+
+namespace zstrip::sim::test {
+namespace {
+
+class EdgesCommand : public Command {
+ protected:
+  nlohmann::json plan_of(const std::vector<std::string>& options) {
+    std::vector<std::string> all{"plan", "knot", "--size", "160x120", "--strip-rows", "16", "--json"};
+    all.insert(all.end(), options.begin(), options.end());
+    const Outcome outcome = zstrip(all);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out);
+  }
+  std::string refusal(const std::vector<std::string>& arguments) {
+    const Outcome outcome = zstrip(arguments);
+    EXPECT_NE(outcome.status, 0);
+    return outcome.err;
+  }
+};
+
+TEST_F(EdgesCommand, AreAnOptionAndAKey) {
+  const std::string without = checksum("knot", {"--size", "80x60"});
+  const std::string with = checksum("knot", {"--size", "80x60", "--edges"});
+  EXPECT_NE(with, without);
+  EXPECT_EQ(checksum("knot", {"--size", "80x60", "--edges", "--strip-rows", "5", "--threads", "3"}), with);
+  EXPECT_EQ(checksum("knot", {"--size", "80x60", "--edges", "--ram", "24K"}), with);
+  EXPECT_EQ(checksum("knot", {"--size", "80x60", "--no-edges"}), without);
+  file("knot.toml", "[picture]\nedges = true\n[[model]]\nname = 'k'\nbuilt_in = 'knot'\n[[instance]]\nmodel = 'k'\n");
+  const std::string of_file = checksum("knot.toml", {"--size", "80x60"});
+  EXPECT_NE(of_file, checksum("knot.toml", {"--size", "80x60", "--no-edges"}));
+  ASSERT_EQ(zstrip({"bake", "knot.toml", "-o", "knot.zsc", "--size", "80x60", "--quiet"}).status, 0);
+  EXPECT_EQ(checksum("knot.zsc", {"--size", "80x60"}), of_file);
+  EXPECT_EQ(checksum("knot.zsc", {"--size", "80x60", "--edges"}), of_file);
+  EXPECT_EQ(checksum("knot.zsc", {"--size", "80x60", "--no-edges"}),
+            checksum("knot.toml", {"--size", "80x60", "--no-edges"}));
+}
+
+TEST_F(EdgesCommand, AreInThePlan) {
+  EXPECT_NE(zstrip({"plan", "knot", "--edges"}).out.find("edges"), std::string::npos);
+  EXPECT_NE(plan_of({"--edges"}), plan_of({}));
+}
+
+TEST_F(EdgesCommand, WhatDoesNotGoWithThemIsSaid) {
+  const auto says = [this](std::vector<std::string> options, const char* words) {
+    options.insert(options.begin(), {"render", "knot", "--size", "80x60", "-o", "x.png", "--edges"});
+    const std::string said = refusal(options);
+    EXPECT_NE(said.find(words), std::string::npos) << said;
+  };
+  says({"--samples", "4"}, "set of edges");
+  says({"--depth-format", "z24"}, "set of edges");
+  says({"--visibility", "painter"}, "edges");
+  says({"--visibility", "hierarchical-z"}, "edges");
+  says({"--show", "depth"}, "leave out --edges");
+  EXPECT_NE(refusal({"plan", "knot", "--edges", "--static-layer"}).find("--no-edges"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace zstrip::sim::test
