@@ -66,6 +66,13 @@ Result<Done> check_visibility(Effects effects, std::string_view depth_given) {
                                : depth_given.empty() ? "this depth format"
                                                      : depth_given)};
   }
+  if (effects.has(effect::edges) && !depth_effects_agree(effects) &&
+      depth_effects_agree(without(effects, effect::edges))) {
+    return Failure{ExitStatus::usage, fmt::format("edges go with depth as z16 only: leave out {}, or use --no-edges",
+                                                  ranges                ? "--visibility half-range"
+                                                  : depth_given.empty() ? "this depth format"
+                                                                        : depth_given)};
+  }
   if (!depth_effects_agree(effects)) {
     return Failure{ExitStatus::usage,
                    "depth as float or w16 needs a perspective camera, and this one is orthographic; take another depth "
@@ -89,7 +96,8 @@ Result<Done> check_visibility(Effects effects, std::string_view depth_given) {
   if (missing.empty()) return Failure{ExitStatus::usage, fmt::format("--visibility {} excludes another method", name)};
   std::string able;
   for (const VisibilityMethod& method : kMethods) {
-    if (!refused_by_methods(refused | method.effects).any(effect::of_scenes)) {
+    const Effects together = refused | method.effects;
+    if (depth_effects_agree(together) && !refused_by_methods(together).any(effect::of_scenes)) {
       able += fmt::format("{}{}", able.empty() ? "" : ", ", method.name);
     }
   }

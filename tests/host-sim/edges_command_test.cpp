@@ -55,7 +55,8 @@ TEST_F(EdgesCommand, WhatDoesNotGoWithThemIsSaid) {
     EXPECT_NE(said.find(words), std::string::npos) << said;
   };
   says({"--samples", "4"}, "set of edges");
-  says({"--depth-format", "z24"}, "set of edges");
+  says({"--depth-format", "z24"}, "edges go with depth as z16 only");
+  says({"--visibility", "half-range"}, "edges go with depth as z16 only");
   says({"--visibility", "painter"}, "edges");
   says({"--visibility", "hierarchical-z"}, "edges");
   says({"--show", "depth"}, "leave out --edges");

@@ -2,6 +2,7 @@
 // strip, which was drawn with an apron, the edges in it are blended.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 
@@ -31,12 +32,9 @@ struct Frame::Access::Edges {
       const detail::EdgeProjection<effects.has(effect::orthographic)> projection{frame.instances_[instance], mesh,
                                                                                  frame.origin_};
       CachedMeshlet<effects> cache{frame, frame.instances_[instance], mesh};
-      const auto corner = [&](std::uint32_t vertex) {
-        return cache.has(vertex) ? cache.at(vertex) : projection(vertex);
-      };
       for (; !edges.empty(); ++groups) {
         const std::size_t count = std::min<std::size_t>(edges.size(), kEdgesOfGroup);
-        *groups = survey_group(frame, projection, edges.first(count), cache, corner);
+        *groups = survey_group(frame, projection, edges.first(count), cache);
         edges = edges.subspan(count);
       }
     });
@@ -71,26 +69,25 @@ struct Frame::Access::Edges {
     Frame& frame;
     const detail::CompiledInstance& instance;
     const Mesh& mesh;
-    std::uint32_t next = 0, first = 0, count = 0;
+    std::uint32_t next = 0, first = 0;
+    std::uint32_t count = 0;  ///< none if some are not narrow
 
     bool has(std::uint32_t vertex) const { return vertex - first < count; }
     const detail::SnappedVertex& at(std::uint32_t vertex) const { return frame.vertices_[vertex - first]; }
 
-    /// Goes on to the next meshlet that has all of these; stays where it is if none has.
+    /// Goes on to the next meshlet that has the left face; stays where it is if none has.
     void go_to(const Edge& edge) {
       if (has(edge.a) && has(edge.b) && has(edge.left)) return;
       const auto meshlets = std::max<std::uint32_t>(static_cast<std::uint32_t>(mesh.meshlets.size()), 1);
-      for (; next < meshlets; ++next) {
-        const Geometry::MeshletRange range = Geometry::meshlet_range(mesh, next);
-        const auto has_one = [&range](std::uint32_t vertex) {
-          return vertex - range.first_vertex < range.vertex_count;
-        };
-        if (!has_one(edge.a) || !has_one(edge.b) || !has_one(edge.left)) continue;
-        ++next;
+      for (std::uint32_t i = next; i < meshlets; ++i) {
+        const Geometry::MeshletRange range = Geometry::meshlet_range(mesh, i);
+        const auto is_in = [&range](std::uint32_t v) { return v - range.first_vertex < range.vertex_count; };
+        if (!is_in(edge.a) || !is_in(edge.b) || !is_in(edge.left)) continue;
+        next = i + 1;
         first = range.first_vertex;
-        count = range.vertex_count;
-        detail::transform_vertices<without(effects, effect::bins)>(instance, mesh, frame.origin_, first, count,
-                                                                   frame.vertices_);
+        const bool all_narrow = detail::transform_vertices<without(effects, effect::bins)>(
+            instance, mesh, frame.origin_, first, range.vertex_count, frame.vertices_);
+        count = all_narrow ? range.vertex_count : 0;
         return;
       }
     }
@@ -109,25 +106,51 @@ struct Frame::Access::Edges {
     }
   }
 
-  template <bool orthographic, class Cache, class Corner>
+  template <bool orthographic, class Cache>
   static detail::EdgeGroup survey_group(const Frame& frame, const detail::EdgeProjection<orthographic>& projection,
-                                        std::span<const Edge> edges, Cache& cache, const Corner& corner) {
+                                        std::span<const Edge> edges, Cache& cache) {
     detail::EdgeGroup group{0, detail::Extent::none()};
     Rect box{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
-    std::uint32_t bit = 1;
-    for (const Edge& edge : edges) {
-      cache.go_to(edge);
-      if (detail::SeenEdge seen; see(projection, edge, corner, seen)) {
-        group.seen |= bit;
-        for (const detail::WidePosition& end : {seen.a, seen.b}) {
-          const std::int32_t x = (end.x - detail::kCentreBias) >> 4, y = (end.y - detail::kCentreBias) >> 4;
-          box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x + 1), std::max(box.bottom, y + 1)};
-        }
-      }
-      bit <<= 1;
+    const Edge* const begin = edges.data();
+    const Edge* const end = begin + edges.size();
+    for (const Edge* edge = begin;; ++edge) {
+      edge = detail::next_that_may_show(edge, end, frame.vertices_, cache.first, cache.count);
+      if (edge == end) break;
+      if (survey_edge(projection, *edge, cache, box)) group.seen |= std::uint32_t{1} << (edge - begin);
     }
     if (group.seen != 0) group.extent = frame.grid_.extent_of(box);
     return group;
+  }
+
+  /// Extends a box of pixels by one.
+  static void add(Rect& box, std::int32_t x, std::int32_t y) {
+    x = (x - detail::kCentreBias) >> 4, y = (y - detail::kCentreBias) >> 4;
+    box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x + 1), std::max(box.bottom, y + 1)};
+  }
+
+  /// Whether an edge shows; then extends `box` by its pixels.
+  template <bool orthographic, class Cache>
+  [[gnu::noinline]] static bool survey_edge(const detail::EdgeProjection<orthographic>& projection, const Edge& edge,
+                                            Cache& cache, Rect& box) {
+    cache.go_to(edge);
+    const auto corner = [&](std::uint32_t v) { return cache.has(v) ? cache.at(v) : projection(v); };
+    const bool is_border = edge.right == kNoFace;
+    const detail::SnappedVertex corners[4] = {corner(edge.a), corner(edge.b), corner(edge.left),
+                                              corner(is_border ? edge.left : edge.right)};
+    if (std::ranges::all_of(corners, [](const detail::SnappedVertex& v) { return v.x != detail::kNotNarrow; })) {
+      if (!detail::shows(edge, corners[0], corners[1], corners[2], is_border ? nullptr : &corners[3],
+                         projection.instance.double_sided)) {
+        return false;
+      }
+      add(box, corners[0].x, corners[0].y);
+      add(box, corners[1].x, corners[1].y);
+      return true;
+    }
+    detail::SeenEdge seen;
+    if (!detail::see_clipped(projection, edge, seen)) return false;
+    add(box, seen.a.x, seen.a.y);
+    add(box, seen.b.x, seen.b.y);
+    return true;
   }
 
   static void copy(const std::uint16_t* from, const Rect& drawn, std::uint16_t* to, const Rect& area);
@@ -151,8 +174,11 @@ struct Frame::Access::Edges {
   template <bool orthographic>
   static void blend_edge(const detail::EdgeProjection<orthographic>& projection, const Edge& edge,
                          const detail::EdgeTarget& target) {
+    const detail::SnappedVertex a = projection(edge.a), b = projection(edge.b);
+    const bool narrow = a.x != detail::kNotNarrow && b.x != detail::kNotNarrow;
+    if (narrow && !detail::EdgeBlend<std::int32_t>::crosses(target, a, b)) return;
     detail::SeenEdge seen;
-    if (!see(projection, edge, projection, seen)) return;
+    if (!detail::see(projection, edge, a, b, seen)) return;
     if (seen.narrow) {
       detail::EdgeBlend<std::int32_t>::draw(target, seen);
     } else {

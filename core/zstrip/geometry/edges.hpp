@@ -13,9 +13,8 @@ namespace zstrip::detail {
 /// An edge that shows unless something hides it.
 struct SeenEdge {
   WidePosition a, b;
-  WidePosition third[2];  ///< a point off the edge of each face of it that is drawn
-  int faces;              ///< how many are: 1 or 2
-  bool narrow;            ///< all of these are
+  WidePosition third;  ///< a point off the edge of a face of it that is drawn
+  bool narrow;         ///< all of these are
 };
 
 /// Twice the area of a triangle in 1/16 pixels squared, positive if it is counter-clockwise.
@@ -98,7 +97,7 @@ struct ShownFaces {
   constexpr bool any() const { return left || right; }
 };
 
-/// As see(), of an edge whose faces leave the narrow range or the depth range.
+/// As shows() and see(), of an edge whose faces leave the narrow range or the depth range.
 template <bool orthographic>
 [[gnu::noinline]] bool see_clipped(const EdgeProjection<orthographic>& projection, const Edge& edge, SeenEdge& seen) {
   SnappedSegment ends;
@@ -112,50 +111,68 @@ template <bool orthographic>
   const std::int64_t right =
       edge.right == kNoFace ? 0 : projection.clipped_face({edge.b, edge.a, edge.right}, ends, third[1]);
   const ShownFaces shown(edge, left, right, projection.instance.double_sided);
-  seen = {ends.a, ends.b, {shown.left ? third[0] : third[1], third[1]}, shown.left && shown.right ? 2 : 1, false};
+  seen = {ends.a, ends.b, third[shown.left ? 0 : 1], false};
   return shown.any();
 }
 
-/// Whether an edge shows, and how. `corner(index)`: the SnappedVertex of a vertex, kNotNarrow if it is not narrow.
-template <bool orthographic, class Corner>
-inline bool see(const EdgeProjection<orthographic>& projection, const Edge& edge, const Corner& corner,
-                SeenEdge& seen) {
-  const auto wide = [](const SnappedVertex& v) { return WidePosition{v.x, v.y, v.depth}; };
-  const WidePosition a = wide(corner(edge.a)), b = wide(corner(edge.b)), left = wide(corner(edge.left));
-  const WidePosition right = edge.right == kNoFace ? left : wide(corner(edge.right));
-  if (a.x == kNotNarrow || b.x == kNotNarrow || left.x == kNotNarrow || right.x == kNotNarrow) {
-    return see_clipped(projection, edge, seen);
+/// Whether an edge shows, by its corners, all of them narrow. `right`: of an edge with two faces.
+inline bool shows(const Edge& edge, const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& left,
+                  const SnappedVertex* right, bool double_sided) {
+  const std::int32_t dx = b.x - a.x, dy = b.y - a.y;
+  const auto area_to = [&](const SnappedVertex& c) { return (c.x - a.x) * dy - dx * (c.y - a.y); };
+  return ShownFaces(edge, area_to(left), right == nullptr ? 0 : -area_to(*right), double_sided).any();
+}
+
+/// The first edge from `edge` on that may show: the others have two faces, all corners among the `count` vertices from
+/// `first` on, all of these narrow, and do not show. Most edges do not: a loop that only looks for them.
+[[gnu::noinline]] inline const Edge* next_that_may_show(const Edge* edge, const Edge* end,
+                                                        const SnappedVertex* vertices, std::uint32_t first,
+                                                        std::uint32_t count) {
+  for (; edge != end; ++edge) {
+    const std::uint32_t a = edge->a - first, b = edge->b - first;
+    const std::uint32_t left = edge->left - first, right = edge->right - first;
+    if (a >= count || b >= count || left >= count || right >= count) return edge;
+    const std::int32_t ax = vertices[a].x, ay = vertices[a].y;
+    const std::int32_t dx = vertices[b].x - ax, dy = vertices[b].y - ay;
+    const std::int32_t of_left = (vertices[left].x - ax) * dy - (vertices[left].y - ay) * dx;
+    const std::int32_t of_right = (vertices[right].y - ay) * dx - (vertices[right].x - ax) * dy;
+    // Whether just one of them is positive, by the sign of their negatives.
+    if ((-of_left ^ -of_right) < 0 || a > b) return edge;
   }
-  const ShownFaces shown(edge, twice_area<std::int32_t>(a, b, left), twice_area<std::int32_t>(b, a, right),
-                         projection.instance.double_sided);
-  if (!shown.any()) return false;
-  seen = {a, b, {shown.left ? left : right, right}, shown.left && shown.right ? 2 : 1, true};
-  return true;
+  return edge;
+}
+
+/// How an edge shows that does, with its ends as they were projected. False if nothing of it is left.
+template <bool orthographic>
+bool see(const EdgeProjection<orthographic>& projection, const Edge& edge, const SnappedVertex& end_a,
+         const SnappedVertex& end_b, SeenEdge& seen) {
+  const auto wide = [](const SnappedVertex& v) { return WidePosition{v.x, v.y, v.depth}; };
+  if (end_a.x == kNotNarrow || end_b.x == kNotNarrow) return see_clipped(projection, edge, seen);
+  seen = {wide(end_a), wide(end_b), wide(projection(edge.left)), true};
+  if (seen.third.x == kNotNarrow) return see_clipped(projection, edge, seen);
+  if (edge.right == kNoFace || twice_area<std::int32_t>(seen.a, seen.b, seen.third) > 0) return true;
+  seen.third = wide(projection(edge.right));
+  return seen.third.x != kNotNarrow || see_clipped(projection, edge, seen);
 }
 
 /// How many codes a cell within a pixel of the edge may lie off the edge's own depth and still be of its surface: what
-/// the steeper of its faces falls in a pixel across the edge's longer axis, where it is narrower than a quarter of that
-/// in as much, and what all roundings are.
+/// its face falls in a pixel across the edge's longer axis, where it is narrower than a quarter of that in as much, and
+/// what all roundings are.
 template <class Int>
 std::uint32_t tolerance_of(const SeenEdge& seen) {
   constexpr int kCodeBits = 3;  // depths are taken in eight codes, so that 32 bits are enough
   const auto depth = [](const WidePosition& p) { return static_cast<std::int32_t>(p.depth >> (16 + kCodeBits)); };
-  const auto& [a, b] = std::pair(seen.a, seen.b);
+  const auto& [a, b, c, narrow] = seen;
   const Int dx = Int{b.x} - a.x, dy = Int{b.y} - a.y;
   const bool columns = std::max(dx, -dx) >= std::max(dy, -dy);
   const Int length = columns ? dx : dy;
-  std::uint32_t steepest = 0;
-  for (int i = 0; i < seen.faces; ++i) {
-    const WidePosition& c = seen.third[i];
-    const Int along = columns ? Int{c.x} - a.x : Int{c.y} - a.y;
-    const Int fall = (depth(c) - depth(a)) * length - (depth(b) - depth(a)) * along;
-    const Int area = twice_area<Int>(a, b, c);
-    const Int quarter = 4 * std::max(length, -length);
-    const Int width = std::max(std::max(area, -area), quarter) >> 4;
-    const Int codes = std::max(fall, -fall) / std::max(width, Int{1});
-    steepest = std::max(steepest, static_cast<std::uint32_t>(std::min(codes, Int{0xFFFF >> kCodeBits})));
-  }
-  return (steepest << kCodeBits) + 12;
+  const Int along = columns ? Int{c.x} - a.x : Int{c.y} - a.y;
+  const Int fall = (depth(c) - depth(a)) * length - (depth(b) - depth(a)) * along;
+  const Int area = twice_area<Int>(a, b, c);
+  const Int quarter = 4 * std::max(length, -length);
+  const Int width = std::max(std::max(area, -area), quarter) >> 4;
+  const Int codes = std::max(fall, -fall) / std::max(width, Int{1});
+  return (static_cast<std::uint32_t>(std::min(codes, Int{0xFFFF >> kCodeBits})) << kCodeBits) + 12;
 }
 
 }  // namespace zstrip::detail

@@ -60,6 +60,17 @@ class EdgeBlend {
     }
   }
 
+  /// False if no pixel of the strip is blended.
+  static bool crosses(const EdgeTarget& target, const SnappedVertex& a, const SnappedVertex& b) {
+    const std::int32_t dx = b.x - a.x, dy = b.y - a.y;
+    const auto within = [](std::int32_t p, std::int32_t q, std::int32_t first, std::int32_t end, std::int32_t border) {
+      return std::max(std::min(p, q) >> 4, first - border) < std::min((std::max(p, q) >> 4) + border, end + border);
+    };
+    const bool columns = std::max(dx, -dx) >= std::max(dy, -dy);
+    return within(a.x, b.x, target.area.left, target.area.right, columns ? 0 : 1) &&
+           within(a.y, b.y, target.area.top, target.area.bottom, columns ? 1 : 0);
+  }
+
  private:
   /// Fraction bits of a coordinate across the edge, and of a depth beyond 1/256 code: all that an Int has room for.
   static constexpr int kBits = sizeof(Int) == 4 ? 16 : 32;
