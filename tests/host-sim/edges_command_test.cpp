@@ -31,7 +31,7 @@ TEST_F(EdgesCommand, AreAnOptionAndAKey) {
   const std::string with = checksum("knot", {"--size", "80x60", "--edges"});
   EXPECT_NE(with, without);
   EXPECT_EQ(checksum("knot", {"--size", "80x60", "--edges", "--strip-rows", "5", "--threads", "3"}), with);
-  EXPECT_EQ(checksum("knot", {"--size", "80x60", "--edges", "--ram", "24K"}), with);
+  EXPECT_EQ(checksum("knot", {"--size", "80x60", "--edges", "--ram", "44K"}), with);
   EXPECT_EQ(checksum("knot", {"--size", "80x60", "--no-edges"}), without);
   file("knot.toml", "[picture]\nedges = true\n[[model]]\nname = 'k'\nbuilt_in = 'knot'\n[[instance]]\nmodel = 'k'\n");
   const std::string of_file = checksum("knot.toml", {"--size", "80x60"});

@@ -63,7 +63,7 @@ TEST(FoundEdges, OfASphereAreSmooth) {
   EXPECT_EQ(creases(edges), 0);
   EXPECT_EQ(borders(edges), 0);
   expect_faces(own.mesh(), edges);
-  EXPECT_GT(creases(find_edges(own.mesh(), true)), 200);
+  EXPECT_EQ(creases(find_edges(own.mesh(), true)), 252 - 6 * 12) << "the diagonals of quads, which are plane";
 }
 
 TEST(FoundEdges, ColoursThatDifferAreACrease) {
