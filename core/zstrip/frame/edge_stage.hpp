@@ -8,9 +8,9 @@
 
 #include "zstrip/frame/checks.hpp"
 #include "zstrip/frame/geometry_stage.hpp"
-#include "zstrip/raster/edge_blend.hpp"
 #include "zstrip/resolve/convert.hpp"
 #include "zstrip/resolve/dither.hpp"
+#include "zstrip/resolve/edge_blend.hpp"
 
 namespace zstrip {
 
