@@ -390,7 +390,7 @@ TEST(Edges, WhatDoesNotGoWithThemIsRefused) {
   EXPECT_EQ(plan(count(scenes::edges.scene), {80, 56}, kOwn, {.layer = layer_bytes_worst({80, 56})}).status.error,
             Error::edges);
 
-  constexpr Effects kMore =
+  static constexpr Effects kMore =
       kOwn | effect::lighting | effect::supersampled | effect::outlines | effect::shadows | effect::csg;
   const Shadow shadow{};
   const Outline outline{};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 
 #include "zstrip/geometry/edges.hpp"
 #include "zstrip/resolve/average.hpp"
@@ -112,7 +113,13 @@ class EdgeBlend {
     const Int fall = static_cast<Int>(high.depth >> 8) - static_cast<Int>(low.depth >> 8);
     const Int depth_slope = quotient(fall << kDepthBits, length);
     Int depth = depth_slope * start;
-    for (std::int32_t along = first; along < end; ++along, across += slope * 16, depth += depth_slope * 16) {
+    // Behind the last middle a depth may be beyond an Int.
+    const auto step = [](Int value, Int by) {
+      using Bits = std::make_unsigned_t<Int>;
+      return static_cast<Int>(static_cast<Bits>(value) + 16 * static_cast<Bits>(by));
+    };
+    for (std::int32_t along = first; along < end;
+         ++along, across = step(across, slope), depth = step(depth, depth_slope)) {
       const auto place = static_cast<std::int32_t>(across >> (kBits - 2));  // 1/64 pixels
       const std::int32_t pixel = place >> 6, part = place & 63;
       if (pixel < least || pixel >= beyond) continue;
