@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "import/quantise.hpp"
 #include "motion/affine.hpp"
-#include "zstrip/base/fixed.hpp"
 
 namespace zstrip::sim {
 namespace {
