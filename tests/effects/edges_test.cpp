@@ -460,6 +460,17 @@ TEST(Edges, WhatIsWrongWithASetIsFound) {
   EXPECT_EQ(validate(twice), (Status{.error = Error::edges, .needed = 1}));
 }
 
+/// From the nearest code to the farthest in a sixteenth of a pixel: what comes behind its only middle left 32 bits.
+TEST(Edges, DepthBehindAnEdgeThatIsSeenEndOnLeft32Bits) {
+  std::array<std::uint16_t, 9> pixels{}, own{}, depth{};
+  own.fill(0x7BEF);
+  pixels = own;
+  constexpr Rect kArea{0, 0, 3, 3};
+  const detail::EdgeTarget target{kArea, pixels.data(), kArea, own.data(), kArea, depth.data()};
+  detail::EdgeBlend<std::int32_t>::draw(target, {{15, 20, 0x10000}, {16, 21, 0xFFFE0000}, {40, 44, 0x10000}, true});
+  EXPECT_EQ(pixels, own);
+}
+
 TEST(Edges, EndsMayBeAnywhere) {
   // Random triangles and edges that need not be theirs, near and far, in and out of the picture: nothing may be read or
   // written beyond what is lent.
