@@ -195,7 +195,10 @@ struct Frame::Access::Geometry {
                std::max(box.bottom, pixels.bottom)};
         return true;
       });
-      frame.extents_[number] = frame.grid_.extent_of(has_apron<effects>(frame) ? with_apron(box) : box);
+      if constexpr (effects.has(effect::edges)) {
+        if (has_apron<effects>(frame)) box = with_apron(box);
+      }
+      frame.extents_[number] = frame.grid_.extent_of(box);
     });
   }
 
