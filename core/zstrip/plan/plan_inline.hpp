@@ -35,8 +35,7 @@ inline constexpr std::uint32_t kCsgStateBytes = 8;          // of products of so
 inline constexpr std::uint32_t kCsgOperandBytes = 16;       // and of each operand
 inline constexpr std::uint32_t kEdgeStateBytes = 8;         // of edges that are anti-aliased
 inline constexpr std::uint32_t kEdgeGroupBytes = 8;         // and of a group of them
-inline constexpr std::uint32_t kEdgesOfGroup = 32;
-inline constexpr std::uint32_t kDrawOrderBytes = 16;  // an instance's place in the order of blending
+inline constexpr std::uint32_t kDrawOrderBytes = 16;        // an instance's place in the order of blending
 inline constexpr std::uint32_t kMostBinChunks = 0xFFFF;
 inline constexpr std::uint32_t kMostBatches = 0x7FFF;  // that bins can name; likewise triangles of a meshlet
 inline constexpr std::uint32_t kMostStrips = 0xFFFF;
@@ -198,11 +197,7 @@ constexpr SceneCounts count(const Scene& scene) {
         scene.shadow->pool != 0 ? scene.shadow->pool : store_bytes_worst(counts.shadow_side, counts.shadow_side);
   }
   counts.csg_operands = static_cast<std::uint32_t>(scene.csg.size());
-  if (!scene.edges.empty()) {
-    for (const Instance& instance : scene.instances) {
-      add(counts.edge_groups, (edges_of(scene, instance.mesh).size() + kEdgesOfGroup - 1) / kEdgesOfGroup);
-    }
-  }
+  counts.edge_groups = edge_groups(scene);
   return counts;
 }
 

@@ -303,7 +303,6 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (has_depth_state(material)) found = found | effect::depth_state;
     if (mesh.billboard != Billboard::none) found = found | effect::billboards;
     if (outline_of(scene, mesh) != nullptr) found = found | effect::outlines;
-    if (!scene.edges.empty() && !edges_of(scene, instance.mesh).empty()) found = found | effect::edges;
     if (has_tables) found = found | effects_of_finish(scene, material, lit, textured);
   }
   if (scene.fog != nullptr && !(scene.instances.empty() && scene.quadrics.empty() && scene.lines.empty())) {
@@ -324,6 +323,7 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
   }
   if (scene.shadow != nullptr && found.any(effect::lighting | effect::pixel_shading)) found = found | effect::shadows;
   if (!scene.csg.empty()) found = found | effect::csg;
+  if (edge_groups(scene) != 0) found = found | effect::edges;
   if (camera.projection == Projection::orthographic) found = found | effect::orthographic;
   return found;
 }

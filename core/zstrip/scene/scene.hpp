@@ -388,6 +388,20 @@ constexpr std::span<const Edge> edges_of(const Scene& scene, std::uint32_t mesh)
   return {};
 }
 
+inline constexpr std::uint32_t kEdgesOfGroup = 32;
+
+/// Groups of kEdgesOfGroup edges that the instances have, together; 2^32 - 1 also stands for more. Not inlined: checks
+/// of scenes without edges ask for it in several places.
+[[gnu::noinline]] constexpr std::uint32_t edge_groups(const Scene& scene) {
+  std::uint64_t groups = 0;
+  for (const EdgeSet& set : scene.edges) {
+    for (const Instance& instance : scene.instances) {
+      if (instance.mesh == set.mesh) groups += (set.edges.size() + kEdgesOfGroup - 1) / kEdgesOfGroup;
+    }
+  }
+  return groups < 0xFFFFFFFF ? static_cast<std::uint32_t>(groups) : 0xFFFFFFFF;
+}
+
 /// The mesh that is the hull of an instance with this outline; may be out of range before validate.
 constexpr std::uint16_t hull_of(const Outline& outline, const Instance& instance) {
   return outline.hull == kOwnMesh ? instance.mesh : outline.hull;
