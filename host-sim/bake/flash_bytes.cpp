@@ -34,7 +34,7 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const Bsp
   }
   for (const Texture& texture : scene.textures) add(bytes.texels, texture.texels);
   for (const LineSet& lines : scene.lines) bytes.tables += lines.segments.size_bytes();
-  for (const EdgeSet& set : scene.edges) bytes.tables += set.edges.size_bytes();
+  for (const EdgeSet& set : scene.edges) bytes.edges += set.edges.size_bytes();
   bytes.tree = tree.nodes.size_bytes();
   bytes.keyframes = animation.keyframes.size_bytes() + animation.tracks.size_bytes();
   bytes.tables += table_bytes(scene) + scene.materials.size_bytes() + scene.instances.size_bytes() +

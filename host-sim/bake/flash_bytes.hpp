@@ -16,13 +16,14 @@ struct FlashBytes {
   std::uint64_t texcoords = 0;
   std::uint64_t triangles = 0;
   std::uint64_t meshlets = 0;
+  std::uint64_t edges = 0;
   std::uint64_t texels = 0;
   std::uint64_t keyframes = 0;  ///< and tracks
   std::uint64_t tree = 0;       ///< of method::bsp
   std::uint64_t tables = 0;     ///< meshes, materials, textures, instances, lights, camera
 
   std::uint64_t arrays() const {
-    return positions + normals + colours + texcoords + triangles + meshlets + texels + keyframes + tree;
+    return positions + normals + colours + texcoords + triangles + meshlets + edges + texels + keyframes + tree;
   }
   std::uint64_t total() const { return arrays() + tables; }
 };

@@ -279,7 +279,7 @@ Result<Done> run(const Arguments& arguments) {
 
   const std::uint32_t angles = arguments.turntable ? 2 : 1;  // more than one: every angle must fit
   Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, *model, *camera, request->view, angles);
-  if (stage) stage = with_edges(std::move(*stage), request->edges);
+  if (stage) stage = with_edges(std::move(*stage), request->edges, request->view);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   const Result<Staging> staging = (*stage)->place(0, angles);

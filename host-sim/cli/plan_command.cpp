@@ -74,7 +74,7 @@ Result<Done> run(const Arguments& arguments) {
   Result<PlanRequest> request = parse(arguments);
   if (!request) return request.failure();
   Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, {}, {}, request->view, 1);
-  if (stage) stage = with_edges(std::move(*stage), request->edges);
+  if (stage) stage = with_edges(std::move(*stage), request->edges, request->view);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   const DepthFormat kept_format =

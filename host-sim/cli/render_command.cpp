@@ -277,7 +277,7 @@ Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t f
 /// Several frames are drawn, encoded and written on all threads, one frame on each; the strips of a single frame are.
 Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool quiet) {
   Result<std::unique_ptr<Stage>> stage = open_stage(scene, job.model, job.camera, job.view, job.outputs.frames);
-  if (stage) stage = with_edges(std::move(*stage), job.edges);
+  if (stage) stage = with_edges(std::move(*stage), job.edges, job.view);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   // What is wrong is judged by the scene itself.

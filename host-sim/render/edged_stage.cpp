@@ -56,8 +56,11 @@ class EdgedStage : public Stage {
 
 }  // namespace
 
-Result<std::unique_ptr<Stage>> with_edges(std::unique_ptr<Stage> stage, std::optional<bool> edges) {
+Result<std::unique_ptr<Stage>> with_edges(std::unique_ptr<Stage> stage, std::optional<bool> edges, const View& view) {
   if (!edges) return stage;
+  if (*edges && view.samples != 1) {
+    return Failure{ExitStatus::usage, "--edges and --samples both smooth edges; leave out one of them"};
+  }
   std::shared_ptr<const FoundEdges> found = std::make_shared<FoundEdges>();
   if (*edges) {
     const Result<Staging> staging = stage->place(0, 1);

@@ -9,7 +9,8 @@
 namespace zstrip::sim {
 
 /// `edges`: true adds those of all meshes that instances have to a scene without any, false takes away what a baked
-/// scene has, nothing leaves it as it is. Fails where the stage cannot be placed.
-Result<std::unique_ptr<Stage>> with_edges(std::unique_ptr<Stage> stage, std::optional<bool> edges);
+/// scene has, nothing leaves it as it is. Fails where the stage cannot be placed, and a usage error where pictures of
+/// `view` have several samples.
+Result<std::unique_ptr<Stage>> with_edges(std::unique_ptr<Stage> stage, std::optional<bool> edges, const View& view);
 
 }  // namespace zstrip::sim

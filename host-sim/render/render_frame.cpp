@@ -85,6 +85,9 @@ Result<FrameReport> FrameRenderer::render(const Staging& original) {
   if (status.error == Error::unplannable) {
     return Failure{ExitStatus::usage, fmt::format("{}; ask for larger strips", message(status.error))};
   }
+  if (status.error == Error::edges) {
+    return Failure{ExitStatus::usage, fmt::format("{}; use --no-edges", message(status.error))};
+  }
   if (!status) return frame_refused("the picture cannot be planned", status);
   return render(staging, plan);
 }

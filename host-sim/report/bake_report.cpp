@@ -48,6 +48,7 @@ std::string flash_lines(const BakeRecord& record) {
   add(flash.texcoords, "texture coordinates", known ? off_words(accuracy.texcoord, "texels") : "");
   add(flash.triangles, "triangles", "");
   add(flash.meshlets, "meshlets", "");
+  add(flash.edges, "edges that are anti-aliased", "");
   add(flash.texels, record.palettes.empty() ? "textures, RGB565" : "textures",
       known ? "a channel " + off_words(100 * accuracy.texel, "%") : "");
   add(flash.keyframes, "keyframes of the animation", "");
@@ -159,6 +160,7 @@ std::string bake_json(const BakeRecord& record) {
                    {"texcoords", flash.texcoords},
                    {"triangles", flash.triangles},
                    {"meshlets", flash.meshlets},
+                   {"edges", flash.edges},
                    {"textures", flash.texels},
                    {"keyframes", flash.keyframes},
                    {"tree", flash.tree},

@@ -21,7 +21,7 @@ class EdgesCommand : public Command {
   }
   std::string refusal(const std::vector<std::string>& arguments) {
     const Outcome outcome = zstrip(arguments);
-    EXPECT_NE(outcome.status, 0);
+    EXPECT_EQ(outcome.status, 2);
     return outcome.err;
   }
 };
@@ -54,12 +54,14 @@ TEST_F(EdgesCommand, WhatDoesNotGoWithThemIsSaid) {
     const std::string said = refusal(options);
     EXPECT_NE(said.find(words), std::string::npos) << said;
   };
-  says({"--samples", "4"}, "set of edges");
+  says({"--samples", "4"}, "--edges and --samples both smooth edges; leave out one of them");
   says({"--depth-format", "z24"}, "edges go with depth as z16 only");
   says({"--visibility", "half-range"}, "edges go with depth as z16 only");
   says({"--visibility", "painter"}, "edges");
   says({"--visibility", "hierarchical-z"}, "edges");
   says({"--show", "depth"}, "leave out --edges");
+  ASSERT_EQ(zstrip({"bake", "knot", "--edges", "-o", "knot.zsc", "--size", "80x60", "--quiet"}).status, 0);
+  EXPECT_NE(refusal({"render", "knot.zsc", "-o", "x.png", "--samples", "2"}).find("use --no-edges"), std::string::npos);
   EXPECT_NE(refusal({"plan", "knot", "--edges", "--static-layer"}).find("--no-edges"), std::string::npos);
 }
 
