@@ -19,46 +19,40 @@ TEST(EffectsTogether, PairsOfRows5And6) {
 }
 TEST(EffectsTogether, PairsOfRow7) { expect_drawn_alike<row(7)>(); }
 
+/// A scene that calls for `set` is drawn alike in strips and in bins, and not as what `remove` leaves of it.
+template <class Remove>
+void expect_column(Effects set, const Remove& remove) {
+  SCOPED_TRACE(testing::Message() << std::hex << set.bits);
+  const View view{40, 32, PixelFormat::rgb565, set.has(effect::dithered_colours),
+                  set.has(effect::supersampled) ? kMostSamples : std::uint8_t{1}};
+  const Combination combination(set);
+  const Scene& scene = combination.scene;
+  const Camera& camera = combination.camera;
+  ASSERT_TRUE(validate(scene));
+  ASSERT_EQ(effects_of(scene, camera) | effects_of(view), set);
+  const Drawn whole = draw_any(set, scene, camera, view);
+  Scene others = scene;
+  remove(others);
+  EXPECT_NE(draw_any(set, others, camera, view), whole);
+  EXPECT_EQ(draw_any(set, scene, camera, view, {.strip_rows = 5, .strip_columns = 16}), whole);
+  EXPECT_EQ(draw_any(set | effect::bins, scene, camera, view, {.strip_rows = 9, .modes = Modes::binned}), whole);
+}
+
 /// Products of solids go with everything but shadows, so that they have a column of their own in each row.
 TEST(EffectsTogether, ProductsOfSolidsAndEachRow) {
   for (std::size_t i = 0; i < kRows; ++i) {
-    const Effects set = completed(without(row(i), effect::shadows)) | effect::csg;
-    SCOPED_TRACE(testing::Message() << std::hex << set.bits);
-    const View view{40, 32, PixelFormat::rgb565, set.has(effect::dithered_colours),
-                    set.has(effect::supersampled) ? kMostSamples : std::uint8_t{1}};
-    const Combination combination(set);
-    const Scene& scene = combination.scene;
-    const Camera& camera = combination.camera;
-    ASSERT_TRUE(validate(scene));
-    ASSERT_EQ(effects_of(scene, camera) | effects_of(view), set);
-    const Drawn whole = draw_any(set, scene, camera, view);
-    Scene others = scene;
-    others.instances = scene.instances.first(3);
-    others.csg = {};
-    EXPECT_NE(draw_any(set, others, camera, view), whole);
-    EXPECT_EQ(draw_any(set, scene, camera, view, {.strip_rows = 5, .strip_columns = 16}), whole);
-    EXPECT_EQ(draw_any(set | effect::bins, scene, camera, view, {.strip_rows = 9, .modes = Modes::binned}), whole);
+    expect_column(completed(without(row(i), effect::shadows)) | effect::csg, [](Scene& scene) {
+      scene.instances = scene.instances.first(3);
+      scene.csg = {};
+    });
   }
 }
 
 /// Edges likewise, without outlines and samples, too.
 TEST(EffectsTogether, EdgesAndEachRow) {
+  constexpr Effects kNotWithEdges = effect::shadows | effect::outlines | effect::supersampled;
   for (std::size_t i = 0; i < kRows; ++i) {
-    constexpr Effects kNotWithEdges = effect::shadows | effect::outlines | effect::supersampled;
-    const Effects set = completed(without(row(i), kNotWithEdges)) | effect::edges;
-    SCOPED_TRACE(testing::Message() << std::hex << set.bits);
-    const View view{40, 32, PixelFormat::rgb565, set.has(effect::dithered_colours)};
-    const Combination combination(set);
-    const Scene& scene = combination.scene;
-    const Camera& camera = combination.camera;
-    ASSERT_TRUE(validate(scene));
-    ASSERT_EQ(effects_of(scene, camera) | effects_of(view), set);
-    const Drawn whole = draw_any(set, scene, camera, view);
-    Scene others = scene;
-    others.edges = {};
-    EXPECT_NE(draw_any(set, others, camera, view), whole);
-    EXPECT_EQ(draw_any(set, scene, camera, view, {.strip_rows = 5, .strip_columns = 16}), whole);
-    EXPECT_EQ(draw_any(set | effect::bins, scene, camera, view, {.strip_rows = 9, .modes = Modes::binned}), whole);
+    expect_column(completed(without(row(i), kNotWithEdges)) | effect::edges, [](Scene& scene) { scene.edges = {}; });
   }
 }
 
