@@ -73,8 +73,11 @@ const std::vector<KnobInfo>& table() {
         {"bins16", "16 rows, geometry transformed once and listed by strip"}}},
       {Knob::samples,
        "samples",
-       "samples a pixel, whose mean is shown: anti-aliasing",
-       {{"1", "one, in the pixel's middle"}, {"2", "two side by side"}, {"4", "two by two"}}},
+       "anti-aliasing: samples a pixel, whose mean is shown, or edges alone",
+       {{"1", "one, in the pixel's middle"},
+        {"2", "two side by side"},
+        {"4", "two by two"},
+        {"edges", "one, and edges of meshes are blended by how much of a pixel they cover"}}},
   };
   return table;
 }
@@ -170,6 +173,7 @@ Effects extra_effects(const Settings& settings) {
   if (filters_bilinearly(settings)) effects = effects | effect::bilinear;
   if (filters_mipmaps(settings)) effects = effects | effect::mipmaps;
   if (settings.name_of(Knob::strips) == "bins16") effects = effects | effect::bins;
+  if (blends_edges(settings)) effects = effects | effect::edges;
   return effects | effects_of(picture(settings, {}));
 }
 
@@ -180,7 +184,7 @@ PixelFormat pixel_format(const Settings& settings) {
 }
 
 View picture(const Settings& settings, const View& size) {
-  constexpr std::array<std::uint8_t, 3> kSamples{1, 2, 4};
+  constexpr std::array<std::uint8_t, 4> kSamples{1, 2, 4, 1};
   return {size.width, size.height, pixel_format(settings), settings.name_of(Knob::dither) == "on",
           kSamples[settings[Knob::samples]]};
 }
@@ -203,6 +207,8 @@ bool filters_mipmaps(const Settings& settings) {
   const std::string_view filter = settings.name_of(Knob::filter);
   return filter == "mipmapped" || filter == "mipmapped_bilinear";
 }
+
+bool blends_edges(const Settings& settings) { return settings.name_of(Knob::samples) == "edges"; }
 
 std::uint32_t detail_percent(const Settings& settings) {
   constexpr std::array<std::uint32_t, 4> kPercent{100, 50, 25, 10};
@@ -228,6 +234,7 @@ std::vector<Knob> knobs_for(Effects effects, bool may_simplify, bool textured_tr
 bool possible(Effects effects) {
   if (!depth_effects_agree(effects)) return false;
   if (effects.has(effect::bins | effect::depth_ranges)) return false;
+  if (effects.has(effect::edges) && effects.any(effect::outlines | effect::shadows | effect::csg)) return false;
   // Fragments with effects have their places at every 16th pixel.
   if (effects.any(effect::fragments) && effects.any(effect::perspective_runs)) return false;
   // Libraries for programs that choose at run time have no pipeline with both.

@@ -75,6 +75,7 @@ View picture(const Settings& settings, const View& size);
 Budget budget(const Settings& settings, std::uint16_t height);
 bool filters_bilinearly(const Settings& settings);
 bool filters_mipmaps(const Settings& settings);
+bool blends_edges(const Settings& settings);
 /// Of 100, how many triangles a mesh keeps.
 std::uint32_t detail_percent(const Settings& settings);
 

@@ -51,8 +51,9 @@ Result<std::unique_ptr<AccuracyScene>> AccuracyScene::open(const AccuracyRequest
   for (std::uint32_t pose = 0; pose < request.frames; ++pose) {
     for (std::uint32_t next = 0; next < 2; ++next) {
       poses->stages.push_back((*stage)->copy());
-      const Result<Staging> staged = poses->stages.back()->place(pose * (kTurn / request.frames) + next, kTurn);
+      Result<Staging> staged = poses->stages.back()->place(pose * (kTurn / request.frames) + next, kTurn);
       if (!staged) return staged.failure();
+      staged->scene.edges = {};  // anti-aliasing is the settings' matter
       const Result<Done> checked = check_truth(staged->scene, staged->camera, (*stage)->origins());
       if (!checked) return checked.failure();
       Result<Truth> truth = find_truth(staged->scene, staged->camera, request.view);
@@ -96,6 +97,7 @@ std::vector<Knob> AccuracyScene::knobs() const {
 
 bool AccuracyScene::possible(const Settings& settings) const {
   const Effects effects = effects_with(settings);
+  if (blends_edges(settings) && first().scene.instances.empty()) return false;
   // Where nothing is lit, light at pixels is nothing else.
   if (settings.name_of(Knob::shading) == "pixel" && !effects.has(effect::pixel_shading)) return false;
   return sim::possible(effects);

@@ -40,6 +40,7 @@ struct LabelledScene {
     scene.textures = {};
     scene.finishes = {};
     scene.fog = nullptr;
+    scene.edges = {};
     scene.background = {0, 0, 0, 255};
   }
 
@@ -140,6 +141,7 @@ struct PlaceScene {
     }
     scene.finishes = {};
     scene.fog = nullptr;
+    scene.edges = {};
     scene.textures = textures;
     scene.materials = materials;
   }
@@ -260,9 +262,10 @@ Result<Observation> observe(const Staging& staged, const View& view, const Setti
 
   const Result<Drawn> picture = draw(staged, coloured, effects, whole, false);
   if (!picture) return picture.failure();
+  const Effects unblended = without(effects, effect::edges);
   const LabelledScene labelled(staged.scene);
   Result<Drawn> labels = draw({labelled.scene, staged.camera}, words,
-                              without(effects, effect::perspective_runs | effect::fragments), whole, true);
+                              without(unblended, effect::perspective_runs | effect::fragments), whole, true);
   if (!labels) return labels.failure();
   Observation seen;
   for (const auto& [r, g, b] : to_rgb(coloured, picture->pixels))
@@ -276,7 +279,7 @@ Result<Observation> observe(const Staging& staged, const View& view, const Setti
   if (!called_for.has(effect::textures) || called_for.any(effect::bilinear | effect::mipmaps)) return seen;
 
   const PlaceScene places(staged.scene);
-  const Result<Drawn> texels = draw({places.scene, staged.camera}, words, effects, whole, false);
+  const Result<Drawn> texels = draw({places.scene, staged.camera}, words, unblended, whole, false);
   if (!texels) return texels.failure();
   const std::vector<const Texture*> textures = textures_of(staged.scene);
   std::map<std::uint32_t, const Texture*> by_label;

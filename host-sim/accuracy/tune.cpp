@@ -129,6 +129,7 @@ std::string effect_names(const Settings& settings) {
   const std::string_view perspective = settings.name_of(Knob::perspective);
   if (perspective != "16") add(fmt::format("perspective_{}", perspective));
   if (settings.name_of(Knob::strips) == "bins16") add("bins");
+  if (blends_edges(settings)) add("edges");
   return names;
 }
 
@@ -284,6 +285,8 @@ std::string quality_header(const AccuracyPoint& point, const View& size) {
       "inline constexpr bool kBilinear = {};\n"
       "/// For zstrip bake: --mipmaps on.\n"
       "inline constexpr bool kMipmaps = {};\n"
+      "/// For zstrip bake: --edges.\n"
+      "inline constexpr bool kEdges = {};\n"
       "/// Of 100 triangles of the meshes how many are to stay when they are baked.\n"
       "inline constexpr int kDetailPercent = {};\n\n"
       "}}  // namespace quality\n",
@@ -293,7 +296,8 @@ std::string quality_header(const AccuracyPoint& point, const View& size) {
                                           : "rgb565",
       shown.dither, shown.samples, effect_names(point.settings), strips.strip_rows,
       strips.modes == Modes::binned ? "binned" : "streamed", point.settings.name_of(Knob::fit) == "fixed", shading,
-      filters_bilinearly(point.settings), filters_mipmaps(point.settings), detail_percent(point.settings));
+      filters_bilinearly(point.settings), filters_mipmaps(point.settings), blends_edges(point.settings),
+      detail_percent(point.settings));
 }
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Flat materials, bilinear texels, meshes simplified by meshoptimizer.
+// Flat materials, bilinear texels, meshes simplified by meshoptimizer, edges to blend.
 #include "accuracy/variant.hpp"
 
 #include <meshoptimizer.h>
@@ -75,8 +75,16 @@ SceneVariant::SceneVariant(const Scene& scene, const Settings& settings)
     }
   }
   if (filters_bilinearly(settings)) filter_bilinearly();
-  const std::uint32_t percent = detail_percent(settings);
-  if (percent == 100) return;
+  if (const std::uint32_t percent = detail_percent(settings); percent != 100) simplify(percent);
+  if (blends_edges(settings)) {
+    Scene drawn = scene;
+    drawn.meshes = meshes_;
+    drawn.materials = materials_;
+    edges_ = find_edges(drawn);
+  }
+}
+
+void SceneVariant::simplify(std::uint32_t percent) {
   for (Mesh& mesh : meshes_) {
     if (mesh.triangles.size() < kWorthSimplifying) continue;
     const std::vector<unsigned> indices = simplified_indices(mesh, percent);
@@ -110,6 +118,7 @@ Staging SceneVariant::apply(const Staging& staged) const {
   result.scene.meshes = meshes_;
   result.scene.materials = materials_;
   result.scene.finishes = finishes_;
+  result.scene.edges = edges_.sets;
   result.camera.fixed_depth_range = fixed_range_;
   return result;
 }

@@ -1,4 +1,4 @@
-// A scene as settings change it: shading, filter with its mipmaps, mesh detail, depth range.
+// A scene as settings change it: shading, filter with its mipmaps, mesh detail, edges, depth range.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 
 #include "accuracy/knobs.hpp"
 #include "bake/mipmaps.hpp"
+#include "import/edges.hpp"
 #include "import/model.hpp"
 #include "render/stage.hpp"
 
@@ -15,8 +16,8 @@ namespace zstrip::sim {
 /// Whether a mesh of the scene is large enough for fewer triangles to mean anything.
 bool may_simplify(const Scene& scene);
 
-/// Meshes and materials for settings that differ in shading, filter and detail; made once, for all poses of the scene.
-/// Views of the scene that it was made of, which must outlive it.
+/// Meshes, materials and edges for settings that differ in shading, filter, detail and anti-aliasing; made once, for
+/// all poses of the scene. Views of the scene that it was made of, which must outlive it.
 class SceneVariant {
  public:
   SceneVariant(const Scene& scene, const Settings& settings);
@@ -30,6 +31,7 @@ class SceneVariant {
  private:
   /// All that is textured, unless a quadric has it, too: it takes no finish.
   void filter_bilinearly();
+  void simplify(std::uint32_t percent);
 
   bool fixed_range_;
   MipmappedScene textured_;
@@ -37,6 +39,7 @@ class SceneVariant {
   std::vector<Mesh> meshes_;
   std::vector<Material> materials_;
   std::vector<Finish> finishes_;
+  SceneEdges edges_;
 };
 
 }  // namespace zstrip::sim

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -114,5 +115,20 @@ class EdgeFinder {
 }  // namespace
 
 std::vector<Edge> find_edges(const Mesh& mesh, bool flat) { return EdgeFinder(mesh, flat).find(); }
+
+SceneEdges find_edges(const Scene& scene) {
+  std::map<std::uint16_t, bool> meshes;
+  for (const Instance& instance : scene.instances) {
+    meshes[instance.mesh] |= scene.materials[instance.material].smooth == Shading::flat;
+  }
+  SceneEdges found;
+  for (const auto& [mesh, flat] : meshes) {
+    std::vector<Edge> edges = find_edges(scene.meshes[mesh], flat);
+    if (edges.empty()) continue;
+    found.lists.push_back(std::move(edges));
+    found.sets.push_back({found.lists.back(), mesh});
+  }
+  return found;
+}
 
 }  // namespace zstrip::sim

@@ -13,4 +13,13 @@ namespace zstrip::sim {
 /// Triangles without an area in the mesh's grid have none.
 std::vector<Edge> find_edges(const Mesh& mesh, bool flat);
 
+/// For Scene::edges; what `sets` view is in `lists`.
+struct SceneEdges {
+  std::vector<std::vector<Edge>> lists;
+  std::vector<EdgeSet> sets;
+};
+
+/// Those of all meshes that instances have. A mesh is flat if any of its instances is.
+SceneEdges find_edges(const Scene& scene);
+
 }  // namespace zstrip::sim

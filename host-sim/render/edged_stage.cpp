@@ -1,8 +1,6 @@
 // A stage with the edges of its meshes: see edged_stage.hpp.
 #include "render/edged_stage.hpp"
 
-#include <algorithm>
-#include <map>
 #include <utility>
 
 #include "import/edges.hpp"
@@ -10,30 +8,9 @@
 namespace zstrip::sim {
 namespace {
 
-struct FoundEdges {
-  std::vector<std::vector<Edge>> lists;
-  std::vector<EdgeSet> sets;
-};
-
-/// A mesh is flat if any of its instances is.
-std::shared_ptr<const FoundEdges> edges_of_meshes(const Scene& scene) {
-  std::map<std::uint16_t, bool> meshes;
-  for (const Instance& instance : scene.instances) {
-    meshes[instance.mesh] |= scene.materials[instance.material].smooth == Shading::flat;
-  }
-  auto found = std::make_shared<FoundEdges>();
-  for (const auto& [mesh, flat] : meshes) {
-    std::vector<Edge> edges = find_edges(scene.meshes[mesh], flat);
-    if (edges.empty()) continue;
-    found->lists.push_back(std::move(edges));
-    found->sets.push_back({found->lists.back(), mesh});
-  }
-  return found;
-}
-
 class EdgedStage : public Stage {
  public:
-  EdgedStage(std::unique_ptr<Stage> stage, std::shared_ptr<const FoundEdges> edges)
+  EdgedStage(std::unique_ptr<Stage> stage, std::shared_ptr<const SceneEdges> edges)
       : stage_(std::move(stage)), edges_(std::move(edges)) {}
 
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
@@ -51,7 +28,7 @@ class EdgedStage : public Stage {
 
  private:
   std::unique_ptr<Stage> stage_;
-  std::shared_ptr<const FoundEdges> edges_;
+  std::shared_ptr<const SceneEdges> edges_;
 };
 
 }  // namespace
@@ -61,12 +38,12 @@ Result<std::unique_ptr<Stage>> with_edges(std::unique_ptr<Stage> stage, std::opt
   if (*edges && view.samples != 1) {
     return Failure{ExitStatus::usage, "--edges and --samples both smooth edges; leave out one of them"};
   }
-  std::shared_ptr<const FoundEdges> found = std::make_shared<FoundEdges>();
+  auto found = std::make_shared<SceneEdges>();
   if (*edges) {
     const Result<Staging> staging = stage->place(0, 1);
     if (!staging) return staging.failure();
     if (!staging->scene.edges.empty()) return stage;
-    found = edges_of_meshes(staging->scene);
+    *found = find_edges(staging->scene);
   }
   return std::unique_ptr<Stage>(std::make_unique<EdgedStage>(std::move(stage), std::move(found)));
 }

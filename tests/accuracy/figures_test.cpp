@@ -146,6 +146,46 @@ TEST(Figures, MoreSamplesLookMoreLikeTheTruthAndTakeMoreMemory) {
   }
 }
 
+TEST(Figures, BlendedEdgesLookMoreLikeTheTruthAndTakeMoreFlash) {
+  for (const char* name : {"knot", "teapot", "cube", "terrain", "spheres"}) {
+    const auto opened = scene(name);
+    const Errors plain = errors(*opened, "default"), blended = errors(*opened, "samples=edges");
+    EXPECT_LT(blended[Figure::perceived], plain[Figure::perceived]) << name;
+    EXPECT_GT(blended[Figure::psnr_16x], plain[Figure::psnr_16x]) << name;
+    for (const Figure figure : {Figure::wrong_pixels, Figure::silhouette, Figure::depth_codes}) {
+      EXPECT_EQ(blended[figure], plain[figure]) << name;
+    }
+    const MemoryCost memory = *opened->memory(*parse_settings("samples=edges"));
+    EXPECT_GT(memory.scene_bytes, opened->memory(*parse_settings("default"))->scene_bytes) << name;
+    EXPECT_LT(memory.ram_bytes, opened->memory(*parse_settings("samples=2"))->ram_bytes) << name;
+  }
+}
+
+// Simplified meshes have other edges, flat ones have one wherever two faces meet.
+TEST(Figures, EdgesAreThoseOfTheMeshThatIsDrawn) {
+  const auto opened = scene("knot");
+  const auto edges_of = [&](const char* settings) {
+    const SceneVariant variant(opened->staged()[0].scene, *parse_settings(settings));
+    std::size_t edges = 0;
+    for (const EdgeSet& set : variant.apply(opened->staged()[0]).scene.edges) edges += set.edges.size();
+    return edges;
+  };
+  EXPECT_EQ(edges_of("default"), 0U);
+  EXPECT_GT(edges_of("samples=edges"), 2 * edges_of("samples=edges,detail=25"));
+  EXPECT_GT(edges_of("samples=edges,detail=25"), 0U);
+  EXPECT_TRUE(opened->errors(*parse_settings("samples=edges,detail=25,shading=flat,strips=bins16")));
+}
+
+// Samples and edges of the scene itself are no figure of the default: the knob says which there are.
+TEST(Figures, AntiAliasingIsTheKnobsMatter) {
+  const auto own = scene(ZSTRIP_ROOT "/host-sim/scenes/edges.toml");
+  EXPECT_FALSE(own->effects().has(effect::edges));
+  for (const char* samples : {"samples=1", "samples=2", "samples=edges"}) {
+    EXPECT_TRUE(own->errors(*parse_settings(samples))) << samples;
+  }
+  EXPECT_LT(errors(*own, "samples=edges")[Figure::perceived], errors(*own, "default")[Figure::perceived]);
+}
+
 TEST(Figures, StripsChangeNoPixel) {
   const auto opened = scene("knot_meshlets");
   const Errors standard = errors(*opened, "default");

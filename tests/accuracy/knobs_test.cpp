@@ -57,6 +57,21 @@ TEST(Knobs, PlacesInTexturesAreForPixelsWithoutEffects) {
   EXPECT_FALSE(possible(effect::perspective_1 | effect::pixel_shading));
 }
 
+// Edges compare depths of their own with codes of z16, and lie in what several samples would smooth.
+TEST(Knobs, EdgesAreBlendedInPicturesOfOneSampleWithZ16) {
+  const Settings edges = *parse_settings("samples=edges");
+  EXPECT_EQ(extra_effects(edges), effect::edges);
+  EXPECT_EQ(picture(edges, {64, 48}).samples, 1);
+  for (const char* with :
+       {"depth=float", "depth=w16", "depth=z24", "depth=z32", "depth=ranges", "reciprocal=quotient"}) {
+    EXPECT_FALSE(possible(extra_effects(*parse_settings(std::string("samples=edges,") + with)))) << with;
+  }
+  for (const char* with : {"strips=bins16", "perspective=1", "dither=on", "filter=mipmapped_bilinear", "fit=fixed"}) {
+    EXPECT_TRUE(possible(extra_effects(*parse_settings(std::string("samples=edges,") + with)))) << with;
+  }
+  EXPECT_FALSE(possible(effect::edges | effect::outlines));
+}
+
 TEST(Knobs, PresetsOfTheLibraryAreThoseOfTheCommand) {
   ASSERT_EQ(named_settings().size(), std::size(quality::all));
   for (const NamedSettings& named : named_settings()) {

@@ -13,7 +13,7 @@ constexpr std::uintptr_t kSceneAddress = 0x00100000;  // host-sim/bench/board_be
 constexpr std::size_t kSceneBytes = 0x00300000;       // to the end of the flash
 
 Renderer<kEffects> renderer;
-// Tables of up to a hundred meshes, textures and sets of lines.
+// Tables of up to a hundred meshes, textures, sets of lines and of edges.
 alignas(kSceneBlobMemoryAlignment) std::byte tables[scene_blob_memory(100, 100, 100, 100)];
 
 PixelFormat format_of(std::string_view name) {
