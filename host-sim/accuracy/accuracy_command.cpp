@@ -157,10 +157,19 @@ Result<Done> measure(const AccuracyScene& scene, const CampaignOptions& options,
   return Done{};
 }
 
+Result<Done> make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error) return Done{};
+  return Failure{ExitStatus::output, fmt::format("the folder '{}' cannot be made ({}); name another with -o",
+                                                 folder.string(), error.message())};
+}
+
 /// Plots of figures that were written down before.
 Result<Done> replot(const std::string& table, const fs::path& folder) {
   const Result<std::vector<Campaign>> campaigns = read_recorded(table);
   if (!campaigns) return campaigns.failure();
+  if (const Result<Done> made = make_folder(folder); !made) return made.failure();
   for (const Campaign& campaign : *campaigns) {
     if (const Result<Done> written = write(folder / file_name(campaign.request), plot_file_svg(campaign)); !written)
       return written.failure();
@@ -179,12 +188,7 @@ Result<Done> run(const Arguments& arguments) {
     if (const auto scene = open_small(request); !scene) return scene.failure();  // nothing is left behind
   }
   const fs::path folder = arguments.output;
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    return Failure{ExitStatus::output, fmt::format("the folder '{}' cannot be made ({}); name another with -o",
-                                                   folder.string(), error.message())};
-  }
+  if (const Result<Done> made = make_folder(folder); !made) return made.failure();
   Result<Journal> journal = Journal::open(folder / "points.jsonl");
   if (!journal) return journal.failure();
   std::vector<Campaign> campaigns;

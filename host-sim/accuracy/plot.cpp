@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kWidth = 760, kHeight = 430;
 constexpr double kLeft = 62, kRight = 20, kTop = 14, kBottom = 52;
-constexpr double kAbove = 46;  // title and legend of a file
+constexpr double kTitle = 18, kLegendLine = 20;  // title and legend of a file, above the axes
 
 struct Group {
   std::string_view name, colour;
@@ -88,23 +88,45 @@ std::string short_name(const AccuracyPoint& point) {
   return "default";
 }
 
-/// Above the axes: the scene, and coloured dots with those knobs that are turned.
-std::string head(const Campaign& campaign) {
-  std::string svg = fmt::format(
-      "<rect y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#fff\"/><text x=\"{}\" y=\"-28\" font-size=\"15\" "
-      "font-weight=\"600\" fill=\"#111\">{}</text>\n",
-      -kAbove, kWidth, kHeight + kAbove, kLeft, title_of(campaign));
+/// Of the knobs that are turned a coloured dot and a name, in as many lines as they need.
+struct Legend {
+  std::string svg;
+  int lines = 1;
+};
+Legend legend_of(const Campaign& campaign) {
+  struct Entry {
+    Group group;
+    double x;
+    int line;
+  };
+  Legend legend;
+  std::vector<Entry> entries;
   double x = kLeft + 6;
   for (const Group& group : kGroups) {
     const bool used =
         std::ranges::any_of(campaign.points, [&](const AccuracyPoint& point) { return group_of(point) == group.name; });
     if (!used) continue;
-    svg += fmt::format(
-        "<circle cx=\"{:.1f}\" cy=\"-10\" r=\"5\" fill=\"{}\"/><text x=\"{:.1f}\" y=\"-6\" fill=\"#222\">{}</text>\n",
-        x, group.colour, x + 9, group.name);
-    x += 24 + 6.6 * static_cast<double>(group.name.size());
+    const double width = 24 + 6.6 * static_cast<double>(group.name.size());
+    if (x + width > kWidth) x = kLeft + 6, ++legend.lines;
+    entries.push_back({group, x, legend.lines});
+    x += width;
   }
-  return svg;
+  for (const Entry& entry : entries) {
+    const double y = kLegendLine * (entry.line - legend.lines) - 6;
+    legend.svg += fmt::format(
+        "<circle cx=\"{:.1f}\" cy=\"{}\" r=\"5\" fill=\"{}\"/><text x=\"{:.1f}\" y=\"{}\" fill=\"#222\">{}</text>\n",
+        entry.x, y - 4, entry.group.colour, entry.x + 9, y, entry.group.name);
+  }
+  return legend;
+}
+
+/// Above the axes, `above` high: the scene and the legend.
+std::string head(const Campaign& campaign, const Legend& legend, double above) {
+  return fmt::format(
+             "<rect y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#fff\"/><text x=\"{}\" y=\"{}\" font-size=\"15\" "
+             "font-weight=\"600\" fill=\"#111\">{}</text>\n",
+             -above, kWidth, kHeight + above, kLeft, kTitle - above, title_of(campaign)) +
+         legend.svg;
 }
 
 /// The names of the default and of points that turn one knob; of points on top of each other the first that fits.
@@ -185,13 +207,14 @@ std::string plot(const Campaign& campaign, bool alone) {
   const Axis y(*std::ranges::min_element(errors), *std::ranges::max_element(errors), kHeight - kBottom, kTop);
   const double most_ram = *std::ranges::max_element(ram);
 
-  const double above = alone ? kAbove : 0;
+  const Legend legend = alone ? legend_of(campaign) : Legend{};
+  const double above = alone ? kTitle + 8 + kLegendLine * legend.lines : 0;
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 {0} {1} {2}\" width=\"{1}\" "
       "height=\"{2}\" font-family=\"system-ui, sans-serif\" font-size=\"12\" role=\"img\"><title>{3}: time against "
       "visible error</title>\n",
       -above, kWidth, kHeight + above, title_of(campaign));
-  if (alone) svg += head(campaign);
+  if (alone) svg += head(campaign, legend, above);
   svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#fff\" stroke=\"#ccc\"/>\n", kLeft,
                      kTop, kWidth - kLeft - kRight, kHeight - kTop - kBottom);
   for (const double tick : x.ticks()) {

@@ -11,6 +11,7 @@
 #include "accuracy/campaign.hpp"
 #include "accuracy/causes.hpp"
 #include "accuracy/recorded.hpp"
+#include "support.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -72,6 +73,20 @@ TEST(Document, PlotsShowTheTablesPoints) {
     std::size_t points = 0;
     while (std::getline(file, line)) points += line.starts_with("<circle data-point=") ? 1U : 0U;
     EXPECT_EQ(points, count) << scene << ": run host-sim/accuracy/document";
+  }
+}
+
+using DocumentPlots = test::FolderTest;
+
+TEST_F(DocumentPlots, AreDrawnIntoANewFolderFromTheTable) {
+  const test::Outcome outcome = test::run(
+      ZSTRIP_COMMAND, {"accuracy", "--replot", ZSTRIP_ROOT "/docs/accuracy.csv", "-o", "new/folder"}, path(""));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* scene : {"bunny", "cube", "knot", "room", "spheres", "teapot", "terrain", "wires"}) {
+    const std::string drawn = test::read(path(std::string("new/folder/") + scene + "_m3.svg"));
+    EXPECT_FALSE(drawn.empty()) << scene;
+    EXPECT_EQ(drawn, test::read(std::string(ZSTRIP_ROOT "/docs/images/accuracy-") + scene + ".svg"))
+        << scene << ": run host-sim/accuracy/document";
   }
 }
 
