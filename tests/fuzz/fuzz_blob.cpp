@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bake/scene_blob.hpp"
+#include "edges_input.hpp"
 #include "input.hpp"
 #include "picture.hpp"
 #include "require.hpp"
@@ -212,13 +213,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                   static_cast<std::uint16_t>(input.below(static_cast<std::uint32_t>(content.instances.size()) + 1))};
   Camera turning_camera = scene.camera();
   turning_camera.eye.x = input.any<std::int32_t>();
+  const std::uint32_t turns_another_camera = input.below(2);
+  const Effects picture_effects = kPictureEffects[input.below(std::size(kPictureEffects))];
+  // Last, so that older inputs keep their meaning.
+  const fuzz::EdgesInput edges(scene.scene(), input);
+  content.edges = edges.sets;
   const SceneBlob whole{.scene = content,
                         .camera = scene.camera(),
                         .view = scene.view(),
                         .tree = {nodes},
                         .turn = turn,
-                        .turning_camera = input.below(2) == 1 ? &turning_camera : nullptr,
-                        .effects = kPictureEffects[input.below(std::size(kPictureEffects))]};
+                        .turning_camera = turns_another_camera == 1 ? &turning_camera : nullptr,
+                        .effects = picture_effects};
   const auto written = sim::to_scene_blob(whole);
   fuzz::require(static_cast<bool>(written), "any scene can be written");
   if (kind == 0) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "edges_input.hpp"
 #include "input.hpp"
 #include "picture.hpp"
 #include "require.hpp"
@@ -16,8 +17,7 @@ using namespace zstrip;
 
 /// A scene that validate() refuses may still be asked about, and what begin_frame checks itself is refused there too.
 /// The rest does no harm.
-void offer_refused_scene(const fuzz::SceneInput& input, const Status& refusal) {
-  const Scene& scene = input.scene();
+void offer_refused_scene(const Scene& scene, const fuzz::SceneInput& input, const Status& refusal) {
   const std::size_t things = refusal.error == Error::mesh       ? scene.meshes.size()
                              : refusal.error == Error::texture  ? scene.textures.size()
                              : refusal.error == Error::material ? scene.materials.size()
@@ -25,6 +25,7 @@ void offer_refused_scene(const fuzz::SceneInput& input, const Status& refusal) {
                              : refusal.error == Error::outline  ? scene.outlines.size()
                              : refusal.error == Error::shadow   ? 1
                              : refusal.error == Error::csg      ? scene.csg.size()
+                             : refusal.error == Error::edges    ? scene.edges.size()
                                                                 : 0;
   if (refusal.error == Error::light) {
     fuzz::require(refusal.needed == scene.lights.size() && refusal.available == kMaxLights, "validate counts lights");
@@ -79,11 +80,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Effects more = Effects{bytes.any<std::uint8_t>()} & effect::all;
   const std::array<std::uint32_t, 5> surplus = read_surplus(bytes);
   const fuzz::SceneInput input(bytes);
-  const Scene& scene = input.scene();
+  const fuzz::EdgesInput edges(input.scene(), bytes);
+  Scene scene = input.scene();
+  scene.edges = edges.sets;
   const Camera& camera = input.camera();
   const View& view = input.view();
   if (const Status refusal = validate(scene); !refusal) {
-    offer_refused_scene(input, refusal);
+    offer_refused_scene(scene, input, refusal);
     return 0;
   }
   constexpr Effects kDepth[8] = {
