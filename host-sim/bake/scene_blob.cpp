@@ -274,6 +274,13 @@ Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
     return Failure{ExitStatus::input,
                    "has edges of more than 190 meshes, which a scene blob cannot hold; bake a header (.hpp)"};
   }
+  const int one_of_these =
+      (scene.shadow != nullptr ? 1 : 0) + (scene.csg.empty() ? 0 : 1) + (scene.edges.empty() ? 0 : 1);
+  if (one_of_these > 1) {
+    return Failure{ExitStatus::input,
+                   "has two of a shadow, products of solids and smooth edges: a scene blob holds one of them, as "
+                   "nothing draws them together"};
+  }
   Writer writer;
   for (const char letter : {'z', 's'}) writer.byte(static_cast<std::uint8_t>(letter));
   const bool has_palettes =

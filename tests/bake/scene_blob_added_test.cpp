@@ -285,6 +285,25 @@ TEST(SceneBlob, MoreSetsOfEdgesThanAByteCountsAreRefused) {
   EXPECT_EQ(Opened(*to_scene_blob(content), scene_blob_memory(191, 2, 0, 190)).content.scene.edges.size(), 190U);
 }
 
+// A byte says which of them there are: edges beside a shadow were left out without a word.
+TEST(SceneBlob, EdgesShadowsAndProductsTogetherAreRefused) {
+  constexpr CsgOperand kOperands[] = {{.instance = 0}};
+  const auto refused = [&](const Shadow* shadow, std::span<const CsgOperand> csg, std::span<const EdgeSet> edges) {
+    SceneBlob content = sample();
+    content.scene.shadow = shadow;
+    content.scene.csg = csg;
+    content.scene.edges = edges;
+    const Result<Bytes> written = to_scene_blob(content);
+    return !written && written.failure().message.find("holds one of them") != std::string::npos;
+  };
+  EXPECT_TRUE(refused(&kShadow, {}, kEdgeSets));
+  EXPECT_TRUE(refused(nullptr, kOperands, kEdgeSets));
+  EXPECT_TRUE(refused(&kShadow, kOperands, {}));
+  EXPECT_FALSE(refused(&kShadow, {}, {}));
+  EXPECT_FALSE(refused(nullptr, kOperands, {}));
+  EXPECT_FALSE(refused(nullptr, {}, kEdgeSets));
+}
+
 TEST(SceneBlob, ProductsStandWhereAShadowWould) {
   SceneBlob content = sample();
   const auto instances = static_cast<std::uint16_t>(content.scene.instances.size());
