@@ -257,8 +257,8 @@ Result<Done> run(const Arguments& arguments) {
   if (!cells) return cells.failure();
   const Result<PlanRequest> request = parse_plan(arguments.plan, arguments.scene);
   if (!request) return request.failure();
-  if (const Result<Done> checked =
-          check_visibility(request->method | picture_effects(*request), depth_option(std::nullopt));
+  if (const Result<Done> checked = check_visibility(
+          request->method | picture_effects(*request) | edge_effects(request->edges), depth_option(std::nullopt));
       !checked) {
     return checked.failure();
   }

@@ -67,6 +67,7 @@ void add_quality_options(CLI::App& command, ViewArguments& arguments) {
 std::optional<bool> parse_edges(const ViewArguments& arguments, const PictureSettings& settings) {
   return arguments.edges ? arguments.edges : settings.edges;
 }
+Effects edge_effects(const std::optional<bool>& edges) { return edges.value_or(false) ? effect::edges : Effects{}; }
 
 Result<View> parse_quality(const ViewArguments& arguments, const PictureSettings& settings, const View& view) {
   View result = view;

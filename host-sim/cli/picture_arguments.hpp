@@ -8,6 +8,7 @@
 #include "compose/scene_file.hpp"
 #include "result.hpp"
 #include "zstrip/plan/plan_types.hpp"
+#include "zstrip/scene/effects.hpp"
 #include "zstrip/scene/view.hpp"
 
 namespace CLI {
@@ -37,6 +38,8 @@ Result<View> parse_quality(const ViewArguments& arguments, const PictureSettings
 
 /// What with_edges is to do.
 std::optional<bool> parse_edges(const ViewArguments& arguments, const PictureSettings& settings);
+/// Of what with_edges is told, before the scene is known.
+Effects edge_effects(const std::optional<bool>& edges);
 
 Result<DepthFormat> parse_depth_format(const std::optional<std::string>& given, const PictureSettings& settings);
 

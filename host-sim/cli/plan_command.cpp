@@ -62,7 +62,8 @@ Result<PlanRequest> parse(const Arguments& arguments) {
                                visibility_name(request->method))};
   }
   const Result<Done> checked =
-      check_visibility(request->method | depth_effect(request->depth_format), depth_option(arguments.depth_format));
+      check_visibility(request->method | depth_effect(request->depth_format) | edge_effects(request->edges),
+                       depth_option(arguments.depth_format));
   if (!checked) return checked.failure();
   if (arguments.separation && !(std::isfinite(*arguments.separation) && *arguments.separation > 0)) {
     return Failure{ExitStatus::usage, "--separation is a length greater than 0"};

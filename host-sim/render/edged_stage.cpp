@@ -1,9 +1,13 @@
 // A stage with the edges of its meshes: see edged_stage.hpp.
 #include "render/edged_stage.hpp"
 
+#include <fmt/format.h>
+
+#include <string_view>
 #include <utility>
 
 #include "import/edges.hpp"
+#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -31,6 +35,13 @@ class EdgedStage : public Stage {
   std::shared_ptr<const SceneEdges> edges_;
 };
 
+/// What the scene has that edges do not go with; empty if nothing.
+std::string_view rival_of_edges(Effects effects) {
+  if (effects.has(effect::outlines)) return "outlines";
+  if (effects.has(effect::shadows)) return "a shadow";
+  return effects.has(effect::csg) ? "products of solids" : "";
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Stage>> with_edges(std::unique_ptr<Stage> stage, std::optional<bool> edges, const View& view) {
@@ -42,6 +53,12 @@ Result<std::unique_ptr<Stage>> with_edges(std::unique_ptr<Stage> stage, std::opt
   if (*edges) {
     const Result<Staging> staging = stage->place(0, 1);
     if (!staging) return staging.failure();
+    const std::string_view rival = rival_of_edges(effects_of(staging->scene, staging->camera));
+    if (!rival.empty()) {
+      return Failure{
+          ExitStatus::usage,
+          fmt::format("edges are not smoothed in a scene with {}; leave out 'edges = true', or use --no-edges", rival)};
+    }
     if (!staging->scene.edges.empty()) return stage;
     *found = find_edges(staging->scene);
   }

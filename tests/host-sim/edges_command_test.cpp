@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "command_fixture.hpp"
@@ -63,6 +64,42 @@ TEST_F(EdgesCommand, WhatDoesNotGoWithThemIsSaid) {
   ASSERT_EQ(zstrip({"bake", "knot", "--edges", "-o", "knot.zsc", "--size", "80x60", "--quiet"}).status, 0);
   EXPECT_NE(refusal({"render", "knot.zsc", "-o", "x.png", "--samples", "2"}).find("use --no-edges"), std::string::npos);
   EXPECT_NE(refusal({"plan", "knot", "--edges", "--static-layer"}).find("--no-edges"), std::string::npos);
+}
+
+TEST_F(EdgesCommand, BesideOutlinesShadowsAndProductsWereBakedAndAnInternalErrorOfRender) {
+  const std::string box = "[[instance]]\nname = 'a'\nmodel = 'k'\n";
+  const std::string moved = "[[instance]]\nname = 'b'\nmodel = 'k'\ntranslation = [0.3, 0.3, 0.3]\n";
+  for (const auto& [part, words] : {std::pair{box + "outline = { width = 2 }\n", "outlines"},
+                                    {box + "[[light]]\ndirection = [0, -1, 0]\nshadow = {}\n", "shadow"},
+                                    {box + moved + "[[csg]]\nexpression = 'a - b'\n", "products"}}) {
+    for (const bool is_key : {true, false}) {
+      const std::string picture = is_key ? "[picture]\nedges = true\n" : "";
+      file("s.toml", picture + "[[model]]\nname = 'k'\nbuilt_in = 'knot_lit'\n" + part);
+      for (std::vector<std::string> arguments : {std::vector<std::string>{"render", "s.toml", "-o", "x.png"},
+                                                 {"plan", "s.toml"},
+                                                 {"bake", "s.toml", "-o", "s.zsc"},
+                                                 {"bake", "s.toml", "-o", "s.hpp"}}) {
+        if (!is_key) arguments.emplace_back("--edges");
+        const std::string said = refusal(arguments);
+        EXPECT_NE(said.find(words), std::string::npos) << arguments[0] << ": " << said;
+        EXPECT_NE(said.find("--no-edges"), std::string::npos) << arguments[0] << ": " << said;
+      }
+      EXPECT_EQ(zstrip({"render", "s.toml", "-o", "x.png", "--size", "40x30", "--no-edges"}).status, 0);
+    }
+  }
+}
+
+TEST_F(EdgesCommand, BesideOtherDepthWereRefusedByBakeAndPlanWithoutSayingWhy) {
+  for (std::vector<std::string> arguments :
+       {std::vector<std::string>{"plan", "knot", "--edges", "--depth-format", "z24"},
+        {"bake", "knot.toml", "-o", "knot.hpp"},
+        {"plan", "knot.toml"}}) {
+    file("knot.toml",
+         "[picture]\nedges = true\ndepth_format = 'z24'\n[[model]]\nname = 'k'\nbuilt_in = 'knot'\n"
+         "[[instance]]\nmodel = 'k'\n");
+    const std::string said = refusal(arguments);
+    EXPECT_NE(said.find("edges go with depth as z16 only"), std::string::npos) << said;
+  }
 }
 
 }  // namespace
