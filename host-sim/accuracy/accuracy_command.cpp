@@ -117,6 +117,7 @@ Result<Done> list_programs(const Job& job) {
   for (const AccuracyRequest& request : job.requests) {
     const auto scene = open_small(request);
     if (!scene) return scene.failure();
+    if (const Result<Done> checked = check_settings(**scene, job.options); !checked) return checked.failure();
     std::vector<Settings> settings = first_settings(**scene, job.options);
     if (job.options.product && job.options.only.empty()) {
       const std::vector<Settings> all = all_settings(**scene, job.options.knobs);

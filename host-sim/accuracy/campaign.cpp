@@ -158,6 +158,16 @@ std::vector<Settings> one_at_a_time(const AccuracyScene& scene, const std::vecto
   return wanted;
 }
 
+Result<Done> check_settings(const AccuracyScene& scene, const CampaignOptions& options) {
+  for (const Settings& settings : options.only) {
+    if (agree(scene.effects_with(settings))) continue;
+    return Failure{ExitStatus::usage,
+                   fmt::format("'{}' cannot be drawn: these settings exclude each other, or what {} has",
+                               to_text(settings), scene.request().scene)};
+  }
+  return Done{};
+}
+
 std::vector<Settings> first_settings(const AccuracyScene& scene, const CampaignOptions& options) {
   if (!options.only.empty()) return options.only;
   std::vector<Settings> wanted = one_at_a_time(scene, options.knobs);
@@ -208,6 +218,7 @@ std::vector<Settings> combinations(const AccuracyScene& scene, const std::vector
 
 Result<Campaign> run_campaign(const AccuracyScene& scene, const CampaignOptions& options, Journal& journal,
                               const std::function<void(std::size_t, std::size_t)>& progress) {
+  if (const Result<Done> checked = check_settings(scene, options); !checked) return checked.failure();
   Campaign campaign{.request = scene.request(), .points = {}};
   Measuring measuring(scene, options.jobs, journal, campaign, progress);
   const std::vector<Settings> singles = first_settings(scene, options);

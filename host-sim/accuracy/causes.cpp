@@ -22,8 +22,9 @@ Stages stages_of(const CauseCase& wanted, const View& size) {
     case Cause::aliasing: break;
     case Cause::snapping: stages.snapping = true; break;
     case Cause::transform:
-      stages.transform =
-          settings.name_of(Knob::reciprocal) == "quotient" ? ReciprocalStage::quotient : ReciprocalStage::newton;
+      stages.transform = ReciprocalStage::newton;
+      if (settings.name_of(Knob::reciprocal) == "quotient") stages.transform = ReciprocalStage::quotient;
+      if (settings.name_of(Knob::reciprocal) == "table") stages.transform = ReciprocalStage::table;
       break;
     case Cause::interpolation:
       stages.interpolation = static_cast<std::uint32_t>(perspective_run(extra_effects(settings)));

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "cli/nearest_name.hpp"
 
@@ -29,7 +30,9 @@ const std::vector<KnobInfo>& table() {
       {Knob::reciprocal,
        "reciprocal",
        "how 1/w of a vertex is found",
-       {{"newton", "a quotient and a Newton step: to 2^-28"}, {"quotient", "the quotient alone: to 2^-15"}}},
+       {{"newton", "a quotient and a Newton step: to 2^-28"},
+        {"quotient", "the quotient alone: to 2^-15"},
+        {"table", "one of 256 from a table: to 2^-9"}}},
       {Knob::shading,
        "shading",
        "colour within a triangle",
@@ -128,6 +131,13 @@ Result<Settings> parse_settings(std::string_view text) {
     if (named.name == text) return named.settings;
   }
   if (text == "default") return settings;
+  if (text.find_first_of("=,") == std::string_view::npos &&
+      std::ranges::find(knobs(), text, &KnobInfo::name) == knobs().end()) {
+    std::vector<std::string_view> names{"default"};
+    for (const NamedSettings& named : named_settings()) names.push_back(named.name);
+    return Failure{ExitStatus::usage, fmt::format("{} and KNOB=VALUE,...", unknown_value(text, names))};
+  }
+  std::set<Knob> set;
   for (const std::string_view word : split(text)) {
     const std::size_t equals = word.find('=');
     const Result<std::size_t> knob = find_word(knobs(), word.substr(0, equals), "knob");
@@ -136,6 +146,9 @@ Result<Settings> parse_settings(std::string_view text) {
     const std::string_view wanted = equals == std::string_view::npos ? "" : word.substr(equals + 1);
     const Result<std::size_t> value = find_word(found.values, wanted, fmt::format("value of {}", found.name));
     if (!value) return value.failure();
+    if (!set.insert(found.knob).second) {
+      return Failure{ExitStatus::usage, fmt::format("'{}' sets {} twice", text, found.name)};
+    }
     settings[found.knob] = static_cast<std::uint8_t>(*value);
   }
   return settings;
@@ -165,7 +178,9 @@ Effects extra_effects(const Settings& settings) {
   if (depth == "z24") effects = effect::depth_24;
   if (depth == "z32") effects = effect::depth_32;
   if (depth == "ranges") effects = effect::depth_ranges;
-  if (settings.name_of(Knob::reciprocal) == "quotient") effects = effects | effect::coarse_reciprocal;
+  const std::string_view reciprocal = settings.name_of(Knob::reciprocal);
+  if (reciprocal == "quotient") effects = effects | effect::coarse_reciprocal;
+  if (reciprocal == "table") effects = effects | effect::table_reciprocal;
   const std::string_view perspective = settings.name_of(Knob::perspective);
   if (perspective == "affine") effects = effects | effect::perspective_affine;
   if (perspective == "8") effects = effects | effect::perspective_8;
@@ -231,15 +246,21 @@ std::vector<Knob> knobs_for(Effects effects, bool may_simplify, bool textured_tr
   return found;
 }
 
-bool possible(Effects effects) {
-  if (!depth_effects_agree(effects)) return false;
-  if (effects.has(effect::bins | effect::depth_ranges)) return false;
+bool agree(Effects effects) {
+  if (!depth_effects_agree(effects) || effects.has(effect::bins | effect::depth_ranges)) return false;
   if (effects.has(effect::edges) && effects.any(effect::outlines | effect::shadows | effect::csg)) return false;
+  const bool runs =
+      effects.any(effect::perspective_runs) && effects.has(effect::textures) && !effects.has(effect::orthographic);
+  // Libraries for programs that choose at run time have no pipeline with both.
+  return !(runs && effects.any(effect::depth_formats | effect::depth_ranges | effect::short_reciprocals));
+}
+
+bool possible(Effects effects) {
+  if (!agree(effects)) return false;
   // Fragments with effects have their places at every 16th pixel.
   if (effects.any(effect::fragments) && effects.any(effect::perspective_runs)) return false;
-  // Libraries for programs that choose at run time have no pipeline with both.
   return !(effects.any(effect::perspective_runs) &&
-           effects.any(effect::depth_formats | effect::depth_ranges | effect::coarse_reciprocal));
+           effects.any(effect::depth_formats | effect::depth_ranges | effect::short_reciprocals));
 }
 
 std::span<const NamedSettings> named_settings() {

@@ -83,6 +83,8 @@ std::uint32_t detail_percent(const Settings& settings);
 /// `textured_triangles`: textures are not on quadrics alone.
 std::vector<Knob> knobs_for(Effects effects, bool may_simplify, bool textured_triangles);
 /// Whether the renderer can draw with all of these at once: not every pair of values goes together.
+bool agree(Effects effects);
+/// The same, and each changes something.
 bool possible(Effects effects);
 
 /// The presets of docs/accuracy.md by their names: tiny, balanced, exact.

@@ -44,8 +44,13 @@ Reach fitted(const Scene& scene, const Camera& camera) {
   return {span.nearest * (1 - wider), span.farthest * (1 + wider)};
 }
 
-/// Of 2^31 <= divisor < 2^32: 2^62 / divisor to 2^-28 or 2^-15 of itself.
+/// Of 2^31 <= divisor < 2^32: 2^62 / divisor to 2^-28, 2^-15 or 2^-9 of itself.
 double reciprocal_of(double divisor, ReciprocalStage stage) {
+  if (stage == ReciprocalStage::table) {
+    // 16 bits of the reciprocal of the middle of 2^23 divisors.
+    const double middle = (std::floor(std::ldexp(divisor, -23)) + 0.5) * 128;
+    return std::floor(std::ldexp(1.0, 31) / middle + 0.5) * 32768;
+  }
   const double quotient = std::floor(4294967295.0 / std::floor(divisor / 65536)) * 16384;
   if (stage == ReciprocalStage::quotient) return quotient;
   // A Newton step of which upper words of products are kept.

@@ -16,7 +16,7 @@
 namespace zstrip::sim {
 
 /// How 1/w of a vertex is found.
-enum class ReciprocalStage : std::uint8_t { newton, quotient };
+enum class ReciprocalStage : std::uint8_t { newton, quotient, table };
 
 /// Which stages are coarse; without any of them the picture is exact.
 struct Stages {

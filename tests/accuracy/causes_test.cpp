@@ -62,10 +62,12 @@ TEST(Causes, TheTransformIsFarBelowASubPixelAndGrowsWithItsReciprocal) {
   for (const char* name : {"teapot", "knot"}) {
     const auto opened = scene(name);
     const Errors newton = errors(*opened, Cause::transform),
-                 quotient = errors(*opened, Cause::transform, "reciprocal=quotient");
+                 quotient = errors(*opened, Cause::transform, "reciprocal=quotient"),
+                 table = errors(*opened, Cause::transform, "reciprocal=table");
     EXPECT_LT(newton[Figure::wrong_pixels], 0.05) << name;
     EXPECT_LT(newton[Figure::depth_codes], 0.3) << name;
     EXPECT_GT(quotient[Figure::depth_codes], 5 * newton[Figure::depth_codes]) << name;
+    EXPECT_GT(table[Figure::depth_codes], 5 * quotient[Figure::depth_codes]) << name;
     EXPECT_GT(newton[Figure::depth_codes], 0) << name;
   }
 }

@@ -79,9 +79,12 @@ TEST(Figures, LightAtMorePlacesIsCloserToTheTruth) {
 
 TEST(Figures, AShorterReciprocalIsFartherFromTheTruthInDepthAlone) {
   const auto opened = scene("knot");
-  const Errors newton = errors(*opened, "default"), quotient = errors(*opened, "reciprocal=quotient");
+  const Errors newton = errors(*opened, "default"), quotient = errors(*opened, "reciprocal=quotient"),
+               table = errors(*opened, "reciprocal=table");
   EXPECT_GT(quotient[Figure::depth_codes], 5 * newton[Figure::depth_codes]);
+  EXPECT_GT(table[Figure::depth_codes], 5 * quotient[Figure::depth_codes]);
   EXPECT_NEAR(quotient[Figure::wrong_pixels], newton[Figure::wrong_pixels], 0.3);
+  EXPECT_NEAR(table[Figure::wrong_pixels], newton[Figure::wrong_pixels], 0.3);
 }
 
 TEST(Figures, BilinearTexelsChangeColoursAlone) {

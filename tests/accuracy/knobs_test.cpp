@@ -35,6 +35,8 @@ TEST(Knobs, ErrorsNameTheNearestWord) {
   EXPECT_NE(parse_settings("dept=z16").failure().message.find("nearest is 'depth'"), std::string::npos);
   EXPECT_NE(parse_settings("depth=z23").failure().message.find("nearest is 'z24'"), std::string::npos);
   EXPECT_NE(parse_settings("depth").failure().message.find("no value of depth"), std::string::npos);
+  EXPECT_NE(parse_settings("samples=edges,samples=2").failure().message.find("twice"), std::string::npos);
+  EXPECT_NE(parse_settings("exct").failure().message.find("did you mean exact?"), std::string::npos);
   EXPECT_NE(parse_knobs("strip").failure().message.find("nearest is 'strips'"), std::string::npos);
   EXPECT_EQ(parse_knobs("all")->size(), kKnobs);
   EXPECT_EQ(parse_knobs("samples,all")->size(), kKnobs);
@@ -62,8 +64,8 @@ TEST(Knobs, EdgesAreBlendedInPicturesOfOneSampleWithZ16) {
   const Settings edges = *parse_settings("samples=edges");
   EXPECT_EQ(extra_effects(edges), effect::edges);
   EXPECT_EQ(picture(edges, {64, 48}).samples, 1);
-  for (const char* with :
-       {"depth=float", "depth=w16", "depth=z24", "depth=z32", "depth=ranges", "reciprocal=quotient"}) {
+  for (const char* with : {"depth=float", "depth=w16", "depth=z24", "depth=z32", "depth=ranges", "reciprocal=quotient",
+                           "reciprocal=table"}) {
     EXPECT_FALSE(possible(extra_effects(*parse_settings(std::string("samples=edges,") + with)))) << with;
   }
   for (const char* with : {"strips=bins16", "perspective=1", "dither=on", "filter=mipmapped_bilinear", "fit=fixed"}) {

@@ -1,4 +1,4 @@
-// Coarse reciprocals: how coarse, and that surfaces stay closed, codes in order and strips alike.
+// Short reciprocals: how coarse, and that surfaces stay closed, codes in order and strips alike.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,6 +24,22 @@ std::unique_ptr<AccuracyScene> scene(const char* name) {
   return std::move(*opened);
 }
 
+// Not only 2^-9: what rounds the table's 16 bits comes on top.
+TEST(TableReciprocal, IsRightTo9Bits) {
+  double lowest = 0, highest = 0;
+  for (std::uint64_t divisor = std::uint64_t{1} << 31; divisor < std::uint64_t{1} << 32; divisor += 65521) {
+    const std::int32_t found = table_reciprocal(static_cast<std::uint32_t>(divisor));
+    EXPECT_GE(found, std::int32_t{1} << 30) << divisor;
+    const double exact = std::ldexp(1.0, 62) / static_cast<double>(divisor), off = found / exact - 1;
+    lowest = std::min(lowest, off);
+    highest = std::max(highest, off);
+  }
+  const double bound = std::ldexp(1.0, -9) + std::ldexp(1.0, -16);
+  EXPECT_LT(highest, bound);
+  EXPECT_GT(lowest, -bound);
+  EXPECT_GT(highest, std::ldexp(1.0, -10));
+}
+
 TEST(CoarseReciprocal, IsRightTo15Bits) {
   double worst = 0;
   for (std::uint64_t divisor = std::uint64_t{1} << 31; divisor < std::uint64_t{1} << 32; divisor += 65521) {
@@ -36,15 +52,28 @@ TEST(CoarseReciprocal, IsRightTo15Bits) {
   EXPECT_GT(worst, std::ldexp(1.0, -16));
 }
 
+/// With either of them.
+class ShortReciprocal : public testing::TestWithParam<bool> {
+ protected:
+  static bool by_table() { return GetParam(); }
+  static int room_bits() { return by_table() ? detail::kRoomForTable : detail::kRoomForCoarse; }
+  static Effects effects() { return by_table() ? effect::table_reciprocal : effect::coarse_reciprocal; }
+  static std::int32_t reciprocal_of(std::uint32_t divisor) {
+    return by_table() ? table_reciprocal(divisor) : coarse_reciprocal(divisor);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(, ShortReciprocal, testing::Bool(),
+                         [](const auto& tested) { return tested.param ? "Table" : "Coarse"; });
+
 // Corners of the floor and walls are clipped beside those that are not.
-TEST(CoarseReciprocal, LeavesNoHolesBesideWhatIsClipped) {
+TEST_P(ShortReciprocal, LeavesNoHolesBesideWhatIsClipped) {
   const auto room = scene("room");
   for (const Staging& staged : room->staged()) {
     const Result<Drawn> fine = draw(staged, {128, 96}, {}, kWhole, true);
-    const Result<Drawn> coarse = draw(staged, {128, 96}, effect::coarse_reciprocal, kWhole, true);
-    ASSERT_TRUE(fine && coarse);
-    EXPECT_NE(fine->code, coarse->code);
-    for (std::size_t i = 0; i < fine->code.size(); ++i) EXPECT_EQ(fine->code[i] == 0, coarse->code[i] == 0) << i;
+    const Result<Drawn> shorter = draw(staged, {128, 96}, effects(), kWhole, true);
+    ASSERT_TRUE(fine && shorter);
+    EXPECT_NE(fine->code, shorter->code);
+    for (std::size_t i = 0; i < fine->code.size(); ++i) EXPECT_EQ(fine->code[i] == 0, shorter->code[i] == 0) << i;
   }
 }
 
@@ -76,16 +105,18 @@ struct Ends {
   Ends& operator=(const Ends&) = delete;
 };
 
-// The error of the near end is 2^-15 of 1/w, which is many codes where both ends are close together.
-TEST(CoarseReciprocal, KeepsTheEndsOfTheRangeInOrder) {
+// The error of the near end is 2^-15 of 1/w or 2^-9, which is many codes where both ends are close together.
+TEST_P(ShortReciprocal, KeepsTheEndsOfTheRangeInOrder) {
   for (int step = 0; step < 400; ++step) {
     const Fixed distance = 4 * kFixedOne + step * 601;
     const Ends ends(distance, distance / (2 + step % 50));
     const Result<Drawn> drawn =
-        draw(ends.staged, {64, 48}, effect::coarse_reciprocal, {.strip_rows = 48, .modes = Modes::streamed}, true);
+        draw(ends.staged, {64, 48}, effects(), {.strip_rows = 48, .modes = Modes::streamed}, true);
     ASSERT_TRUE(drawn) << drawn.failure().message;
     const std::uint32_t middle = drawn->code[24 * 64 + 32];
-    EXPECT_GT(middle, 60000U) << step;
+    // The room at the near end and the error of a reciprocal, half of it, as parts of 1/w, of whose span codes count.
+    const double room = std::ldexp(1.0, -room_bits());
+    EXPECT_GT(middle, 65532 - 65533 * 1.5 * room * (3 + step % 50)) << step;
     EXPECT_LE(middle, 65534U) << step;
     std::uint16_t word = 0;
     std::memcpy(&word, drawn->pixels.data() + 2 * (24 * 64 + 32), 2);
@@ -94,10 +125,11 @@ TEST(CoarseReciprocal, KeepsTheEndsOfTheRangeInOrder) {
 }
 
 /// The code of a vertex at distance w, which ends at 65535, in double precision: only its reciprocal is the renderer's.
-double code_of(const DepthFit& fit, double w) {
+template <class Reciprocal>
+double code_of(const DepthFit& fit, double w, const Reciprocal& reciprocal_of) {
   int exponent = 0;
   const auto divisor = static_cast<std::uint32_t>(std::ldexp(std::frexp(w, &exponent), 32));
-  const double inverse = std::ldexp(coarse_reciprocal(divisor), -30 - exponent);
+  const double inverse = std::ldexp(reciprocal_of(divisor), -30 - exponent);
   return (static_cast<double>(fit.quotient_at_near) * static_cast<double>(fit.near) * inverse -
           static_cast<double>(fit.offset)) /
          65536;
@@ -105,44 +137,48 @@ double code_of(const DepthFit& fit, double w) {
 
 // The room is what keeps them there: with the fit of other reciprocals codes run over both ends, and the nearest
 // surface becomes the farthest.
-TEST(CoarseReciprocal, CodesStayWithinTheirRangeByItsRoomAlone) {
+TEST_P(ShortReciprocal, CodesStayWithinTheirRangeByItsRoomAlone) {
+  const double room = std::ldexp(1.0, -room_bits());
   int below = 0, above = 0;
   for (double near = 0.01; near < 20000; near *= 1.0173) {
     for (double ratio = 1.004; near * ratio < 32767; ratio = 1 + (ratio - 1) * 1.37) {
       const auto at = [](double length) { return static_cast<Distance>(std::ldexp(length, kDistanceBits)); };
       const DepthFit narrow = fit_depth(at(near), at(near * ratio));
-      const DepthFit fit = detail::with_room_for_coarse(narrow);
+      const DepthFit fit = detail::with_room(narrow, room_bits());
       const auto nearest = static_cast<double>(fit.near), farthest = static_cast<double>(fit.far);
-      ASSERT_LT(code_of(fit, nearest), 65535) << near << ' ' << ratio;
-      ASSERT_GE(code_of(fit, farthest), 1) << near << ' ' << ratio;
-      ASSERT_GT(code_of(fit, nearest), code_of(fit, farthest) + 32768) << near << ' ' << ratio;
-      above += code_of(narrow, nearest) >= 65535 ? 1 : 0;
-      below += code_of(narrow, farthest) < 1 ? 1 : 0;
+      ASSERT_LT(code_of(fit, nearest, reciprocal_of), 65535) << near << ' ' << ratio;
+      ASSERT_GE(code_of(fit, farthest, reciprocal_of), 1) << near << ' ' << ratio;
+      // Of what is thinner both errors and the room at both ends take more than half.
+      if (ratio > 1 + 5 * room) {
+        ASSERT_GT(code_of(fit, nearest, reciprocal_of), code_of(fit, farthest, reciprocal_of) + 32768)
+            << near << ' ' << ratio;
+      }
+      above += code_of(narrow, nearest, reciprocal_of) >= 65535 ? 1 : 0;
+      below += code_of(narrow, farthest, reciprocal_of) < 1 ? 1 : 0;
     }
   }
   EXPECT_GT(above, 0);
   EXPECT_GT(below, 0);
 }
 
-TEST(CoarseReciprocal, IsTheSameInStripsAndBins) {
+TEST_P(ShortReciprocal, IsTheSameInStripsAndBins) {
   const auto knot = scene("knot_meshlets");
   const Staging& staged = knot->staged()[0];
-  const Result<Drawn> whole = draw(staged, {128, 96}, effect::coarse_reciprocal, kWhole, false);
-  const Result<Drawn> strips =
-      draw(staged, {128, 96}, effect::coarse_reciprocal, {.strip_rows = 8, .modes = Modes::streamed}, false);
-  const Result<Drawn> bins = draw(staged, {128, 96}, effect::coarse_reciprocal | effect::bins,
-                                  {.strip_rows = 16, .modes = Modes::binned}, false);
+  const Result<Drawn> whole = draw(staged, {128, 96}, effects(), kWhole, false);
+  const Result<Drawn> strips = draw(staged, {128, 96}, effects(), {.strip_rows = 8, .modes = Modes::streamed}, false);
+  const Result<Drawn> bins =
+      draw(staged, {128, 96}, effects() | effect::bins, {.strip_rows = 16, .modes = Modes::binned}, false);
   ASSERT_TRUE(whole && strips && bins);
   EXPECT_EQ(strips->pixels, whole->pixels);
   EXPECT_EQ(bins->pixels, whole->pixels);
 }
 
-TEST(CoarseReciprocal, IsForZ16WithoutShadowsAlone) {
-  EXPECT_TRUE(depth_effects_agree(effect::coarse_reciprocal));
+TEST_P(ShortReciprocal, IsForZ16WithoutShadowsAlone) {
+  EXPECT_TRUE(depth_effects_agree(effects()));
   for (const Effects other : {effect::depth_24, effect::depth_ranges, effect::shadows}) {
-    EXPECT_FALSE(depth_effects_agree(effect::coarse_reciprocal | other));
+    EXPECT_FALSE(depth_effects_agree(effects() | other));
   }
-  EXPECT_FALSE(methods_agree(effect::coarse_reciprocal | method::hierarchical_z));
+  EXPECT_FALSE(methods_agree(effects() | method::hierarchical_z));
 }
 
 }  // namespace

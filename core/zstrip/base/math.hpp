@@ -22,6 +22,11 @@ constexpr std::int32_t coarse_reciprocal(std::uint32_t divisor) {
   return static_cast<std::int32_t>(quotient_32(divisor >> 16) << 14);
 }
 
+/// As reciprocal, to 2^-9: the table's value alone.
+constexpr std::int32_t table_reciprocal(std::uint32_t divisor) {
+  return detail::kReciprocalTable[(divisor >> 23) - 256] << 15;
+}
+
 /// 2^62 / divisor for a normalised divisor (2^31 <= divisor < 2^32): a result of 31 bits, 2^30 <= result < 2^31,
 /// relative error below 2^-28. One 32-bit division and one Newton step; the same bits on every target.
 constexpr std::int32_t reciprocal(std::uint32_t divisor) {

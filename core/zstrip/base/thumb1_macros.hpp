@@ -42,12 +42,12 @@
   "  adds  \\a, \\a, \\t\n"                                                           \
   ".endm\n"
 
-// zstrip_reciprocal [coarse]: of r2, not 0. r3 = reciprocal(r2 << r6), which has its uppermost bit set, or
-// coarse_reciprocal(r2 << r6). r6 before: the last one's shift, from which this one's seldom differs. r5: the table of
-// reciprocals for an index that begins at 256. Uses r0 to r5.
+// zstrip_reciprocal [kind]: of r2, not 0. r3 = reciprocal(r2 << r6), which has its uppermost bit set; of kind 1
+// coarse_reciprocal(r2 << r6), of kind 2 table_reciprocal(r2 << r6). r6 before: the last one's shift, from which this
+// one's seldom differs. r5: the table of reciprocals for an index that begins at 256. Uses r0 to r5.
 #define ZSTRIP_THUMB1_RECIPROCAL                          \
   ZSTRIP_THUMB1_MULTIPLY_HIGH                             \
-  ".macro zstrip_reciprocal coarse=0\n"                   \
+  ".macro zstrip_reciprocal kind=0\n"                     \
   "  movs  r3, r2\n"                                      \
   "  lsls  r3, r3, r6\n"                                  \
   "  bpl   .Lnormalise\\@\n"                              \
@@ -83,6 +83,12 @@
   "  adds  r6, r6, #1\n"                                  \
   "  lsls  r3, r3, #1\n"                                  \
   ".Lnormal\\@:\n"                                        \
+  ".if \\kind == 2\n"                                     \
+  "  lsrs  r4, r3, #23\n"                                 \
+  "  lsls  r4, r4, #1\n"                                  \
+  "  ldrh  r3, [r5, r4]\n"                                \
+  "  lsls  r3, r3, #15\n"                                 \
+  ".else\n"                                               \
   "  lsrs  r2, r3, #16\n"                                 \
   "  lsrs  r4, r3, #23\n"                                 \
   "  lsls  r4, r4, #1\n"                                  \
@@ -105,7 +111,7 @@
   "  adds  r4, r4, #1\n"                                  \
   ".Lquotient\\@:\n"                                      \
   "  lsls  r4, r4, #14\n"                                 \
-  ".if \\coarse\n"                                        \
+  ".if \\kind == 1\n"                                     \
   "  movs  r3, r4\n"                                      \
   ".else\n"                                               \
   "  uxth  r0, r4\n"                                      \
@@ -115,6 +121,7 @@
   "  lsls  r3, r3, #1\n"                                  \
   "  zstrip_multiply_high r3, r0, r5, r1, r2, r4, lsrs\n" \
   "  lsls  r3, r3, #1\n"                                  \
+  ".endif\n"                                              \
   ".endif\n"                                              \
   ".endm\n"
 

@@ -66,7 +66,7 @@ Pipeline pipeline_for(Effects effects) {
   if (!depth_effects_agree(effects) || !perspective_effects_agree(effects))
     return detail::refusing<Error::depth_effects>();
   // Without perspective, or without textures, all of them draw the same.
-  if (effects.has(effect::orthographic)) effects = without(effects, effect::coarse_reciprocal);
+  if (effects.has(effect::orthographic)) effects = without(effects, effect::short_reciprocals);
   if (effects.has(effect::orthographic) || !effects.has(effect::textures)) {
     effects = without(effects, effect::perspective_runs);
   }

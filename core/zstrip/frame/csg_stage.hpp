@@ -48,7 +48,7 @@ struct Frame::Access::Csg {
   /// The pipeline of layers: coverage and codes.
   template <Effects effects>
   static constexpr Effects kLayers = (effects &
-                                      (effect::orthographic | effect::depth_formats | effect::coarse_reciprocal)) |
+                                      (effect::orthographic | effect::depth_formats | effect::short_reciprocals)) |
                                      Effects{effect::csg_layers.bits};
   /// That of colours: no material of an operand has rules of its own for depth, and bounds of depth hide what is equal.
   template <Effects effects>

@@ -85,7 +85,9 @@ Status Frame::Access::prepare_frame(Frame& frame, const Scene& scene, const Came
   }
   const auto fit = [&] {
     if constexpr (effects.has(effect::coarse_reciprocal)) {
-      return detail::with_room_for_coarse(detail::fit_to(reach, camera));
+      return detail::with_room(detail::fit_to(reach, camera), detail::kRoomForCoarse);
+    } else if constexpr (effects.has(effect::table_reciprocal)) {
+      return detail::with_room(detail::fit_to(reach, camera), detail::kRoomForTable);
     } else {
       return detail::fit_to(reach, camera);
     }

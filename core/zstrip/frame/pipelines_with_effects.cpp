@@ -27,6 +27,7 @@ constexpr Superset kSupersets[] = {
     superset<kTriangles | effect::perspective_8>(),
     superset<kTriangles | effect::perspective_1>(),
     superset<kTriangles | effect::coarse_reciprocal>(),
+    superset<kTriangles | effect::table_reciprocal>(),
     superset<kEverything>(),
     superset<kEverything | effect::orthographic>(),
     superset<kEverything | effect::perspective_affine>(),
@@ -34,6 +35,7 @@ constexpr Superset kSupersets[] = {
     superset<kEverything | effect::perspective_1>(),
     superset<kWithoutEdges | effect::depth_float>(),
     superset<kWithoutShadows | effect::coarse_reciprocal>(),
+    superset<kWithoutShadows | effect::table_reciprocal>(),
     superset<kWithoutShadows | effect::depth_w16>(),
     superset<kWithoutEdges | effect::depth_24>(),
     superset<kWithoutEdges | effect::depth_24 | effect::orthographic>(),
@@ -44,7 +46,7 @@ constexpr Superset kSupersets[] = {
 };
 
 constexpr Effects kMustBeEqual = effect::orthographic | effect::depth_formats | effect::depth_ranges |
-                                 effect::perspective_runs | effect::coarse_reciprocal;
+                                 effect::perspective_runs | effect::short_reciprocals;
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 
 #include "zstrip/geometry/instance.hpp"
 #include "zstrip/scene/depth_format.hpp"
+#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::detail {
 
@@ -46,19 +47,35 @@ struct Reciprocal {
   std::int32_t value;  ///< 2^(62 - normalisation) / w
   int normalisation;
 };
-template <bool coarse = false>
+/// How the reciprocal of a vertex's w is found.
+enum class ReciprocalOf : std::uint8_t { newton, quotient, table };
+constexpr ReciprocalOf reciprocal_kind(Effects effects) {
+  if (effects.has(effect::orthographic)) return ReciprocalOf::newton;
+  if (effects.has(effect::table_reciprocal)) return ReciprocalOf::table;
+  return effects.has(effect::coarse_reciprocal) ? ReciprocalOf::quotient : ReciprocalOf::newton;
+}
+/// Of a normalised divisor, as reciprocal().
+template <ReciprocalOf kind>
+constexpr std::int32_t reciprocal_as(std::uint32_t divisor) {
+  if constexpr (kind == ReciprocalOf::table) return table_reciprocal(divisor);
+  if constexpr (kind == ReciprocalOf::quotient) return coarse_reciprocal(divisor);
+  return reciprocal(divisor);
+}
+template <ReciprocalOf kind = ReciprocalOf::newton>
 constexpr Reciprocal reciprocal_of(std::uint32_t w) {
   const int normalisation = std::countl_zero(w);
-  return {coarse ? coarse_reciprocal(w << normalisation) : reciprocal(w << normalisation), normalisation};
+  return {reciprocal_as<kind>(w << normalisation), normalisation};
 }
 
-/// A fit whose codes leave room for coarse reciprocals: 2^-14 of the distances at either end, twice their error. The
+/// A fit whose codes leave room for reciprocals that err by 2^-(bits + 1): 2^-bits of the distances at either end. The
 /// distances themselves stay, so that what is clipped, too.
-constexpr DepthFit with_room_for_coarse(const DepthFit& fit) {
+constexpr DepthFit with_room(const DepthFit& fit, int bits) {
   if (fit.near == 0) return fit;
-  const DepthFit wider = fit_depth(fit.near - (fit.near >> 14), fit.far + (fit.far >> 14));
-  return {fit.near, fit.far, wider.quotient_at_near - (wider.quotient_at_near >> 14), wider.offset};
+  const DepthFit wider = fit_depth(fit.near - (fit.near >> bits), fit.far + (fit.far >> bits));
+  return {fit.near, fit.far, wider.quotient_at_near - (wider.quotient_at_near >> bits), wider.offset};
 }
+/// For quotients alone, and for the table.
+inline constexpr int kRoomForCoarse = 14, kRoomForTable = 8;
 
 /// Snaps the depth of a vertex in any format to odd eighths of a code, as snap_depth does for z16; z32 has no bits for
 /// that. Codes start at 1.
@@ -136,14 +153,14 @@ struct NarrowProjection {
 };
 
 /// Projects and snaps; false if the vertex is not narrow. `x`, `y`, `w` are the instance's linear forms at the vertex.
-template <bool orthographic, DepthFormat format = DepthFormat::z16, bool coarse = false>
+template <bool orthographic, DepthFormat format = DepthFormat::z16, ReciprocalOf kind = ReciprocalOf::newton>
 inline bool project_narrow(const NarrowProjection<orthographic>& narrow, const CompiledInstance& instance,
                            const RasterOrigin& origin, std::int32_t x, std::int32_t y, std::int32_t w,
                            SnappedVertex& vertex) {
   if (static_cast<std::uint32_t>(w) - narrow.w_near > narrow.w_range) return false;
   Reciprocal r{0, 0};
   if constexpr (!orthographic) {
-    r = reciprocal_of<coarse>(static_cast<std::uint32_t>(w));
+    r = reciprocal_of<kind>(static_cast<std::uint32_t>(w));
     x = multiply_high(x, r.value);
     y = multiply_high(y, r.value);
   }

@@ -16,7 +16,7 @@ bool transform_vertices_portable(const CompiledInstance& instance, const Mesh& m
                                  std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {
   constexpr bool kOrthographic = effects.has(effect::orthographic);
   constexpr DepthFormat kFormat = depth_format(effects);
-  constexpr bool kCoarse = effects.has(effect::coarse_reciprocal);
+  constexpr ReciprocalOf kReciprocal = reciprocal_kind(effects);
   const LinearForm fx = instance.x;
   const LinearForm fy = instance.y;
   const LinearForm fw = instance.w;
@@ -25,8 +25,8 @@ bool transform_vertices_portable(const CompiledInstance& instance, const Mesh& m
   bool all_narrow = true;
   for (std::uint32_t i = 0; i < count; ++i) {
     const Position p = positions[i];
-    if (!project_narrow<kOrthographic, kFormat, kCoarse>(narrow, instance, origin, fx.at(p), fy.at(p), fw.at(p),
-                                                         vertices[i])) {
+    if (!project_narrow<kOrthographic, kFormat, kReciprocal>(narrow, instance, origin, fx.at(p), fy.at(p), fw.at(p),
+                                                             vertices[i])) {
       vertices[i] = {kNotNarrow, 0, 0};
       all_narrow = false;
     }
@@ -35,15 +35,15 @@ bool transform_vertices_portable(const CompiledInstance& instance, const Mesh& m
 }
 
 /// Cannot be inlined: the rasterisers need the stack that it takes.
-template <bool coarse>
+template <ReciprocalOf kind>
 [[gnu::noinline]] bool transform_vertices_in_assembly(const CompiledInstance& instance, const Mesh& mesh,
                                                       const RasterOrigin& origin, std::uint32_t first,
                                                       std::uint32_t count, SnappedVertex* vertices) {
   const Position* const positions = mesh.positions.data() + first;
   if constexpr (kHasThumb1) {
-    return transform_vertices_thumb1<coarse>(HalvedTransform(instance, origin), positions, count, vertices);
+    return transform_vertices_thumb1<kind>(HalvedTransform(instance, origin), positions, count, vertices);
   } else {
-    return transform_vertices_thumb2<coarse>(NarrowTransform(instance, origin), positions, count, vertices);
+    return transform_vertices_thumb2<kind>(NarrowTransform(instance, origin), positions, count, vertices);
   }
 }
 
@@ -53,10 +53,9 @@ bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, cons
                         std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {
   if constexpr (kHasThumb && !effects.has(effect::orthographic) && depth_format(effects) == DepthFormat::z16) {
     if (count == 0) return true;
-    return transform_vertices_in_assembly<effects.has(effect::coarse_reciprocal)>(instance, mesh, origin, first, count,
-                                                                                  vertices);
+    return transform_vertices_in_assembly<reciprocal_kind(effects)>(instance, mesh, origin, first, count, vertices);
   } else {
-    if constexpr (kHasSse2 && !effects.any(effect::orthographic | effect::coarse_reciprocal) &&
+    if constexpr (kHasSse2 && !effects.any(effect::orthographic | effect::short_reciprocals) &&
                   depth_format(effects) == DepthFormat::z16) {
       if (fits_sse2(instance.w) && fits_sse2(instance.x) && fits_sse2(instance.y)) {
         return transform_vertices_sse2(instance, origin, mesh.positions.data() + first, count, vertices);

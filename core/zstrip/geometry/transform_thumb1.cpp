@@ -20,37 +20,49 @@ static_assert(offsetof(HalvedTransform, depth_scale_low) == 108 && offsetof(Halv
 static_assert(sizeof(Position) == 6 && offsetof(Position, y) == 2 && offsetof(Position, z) == 4);
 static_assert(sizeof(SnappedVertex) == 8 && offsetof(SnappedVertex, x) == 0 && offsetof(SnappedVertex, y) == 2 &&
               offsetof(SnappedVertex, depth) == 4);
+static_assert(static_cast<int>(ReciprocalOf::quotient) == 1 && static_cast<int>(ReciprocalOf::table) == 2);
 static_assert(kNarrowLimit == 1 << 14 && kNotNarrow == -0x8000);
 static_assert(snap_depth(0xFFFFFFFF) == 0xFFFFE000 && snap_depth(0) == 0x2000);
 
 // r8 x and r9 y, r10 the next position, r11 the next vertex, r12 the normalisation of the last w, lr how many are left.
 // On the stack: 0 the transform, 4 whether all so far are narrow, 8 the table of reciprocals for an index that begins
 // at 256.
-template <bool coarse>
+template <ReciprocalOf kind>
 [[gnu::naked]] static bool transform(const HalvedTransform&, const Position*, std::uint32_t, SnappedVertex*,
                                      const std::uint16_t*);
 template <>
-[[gnu::naked]] bool transform<false>(const HalvedTransform&, const Position*, std::uint32_t, SnappedVertex*,
-                                     const std::uint16_t*) {
-  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL ".set .Ltransform_coarse, 0\n"
+[[gnu::naked]] bool transform<ReciprocalOf::newton>(const HalvedTransform&, const Position*, std::uint32_t,
+                                                    SnappedVertex*, const std::uint16_t*) {
+  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL ".set .Ltransform_reciprocal, 0\n"
 #include "zstrip/geometry/transform_thumb1.inc"
       ZSTRIP_THUMB1_PURGE_RECIPROCAL ZSTRIP_THUMB1_POP);
 }
 template <>
-[[gnu::naked]] bool transform<true>(const HalvedTransform&, const Position*, std::uint32_t, SnappedVertex*,
-                                    const std::uint16_t*) {
-  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL ".set .Ltransform_coarse, 1\n"
+[[gnu::naked]] bool transform<ReciprocalOf::quotient>(const HalvedTransform&, const Position*, std::uint32_t,
+                                                      SnappedVertex*, const std::uint16_t*) {
+  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL ".set .Ltransform_reciprocal, 1\n"
+#include "zstrip/geometry/transform_thumb1.inc"
+      ZSTRIP_THUMB1_PURGE_RECIPROCAL ZSTRIP_THUMB1_POP);
+}
+template <>
+[[gnu::naked]] bool transform<ReciprocalOf::table>(const HalvedTransform&, const Position*, std::uint32_t,
+                                                   SnappedVertex*, const std::uint16_t*) {
+  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL ".set .Ltransform_reciprocal, 2\n"
 #include "zstrip/geometry/transform_thumb1.inc"
       ZSTRIP_THUMB1_PURGE_RECIPROCAL ZSTRIP_THUMB1_POP);
 }
 
-template <bool coarse>
+template <ReciprocalOf kind>
 bool transform_vertices_thumb1(const HalvedTransform& instance, const Position* positions, std::uint32_t count,
                                SnappedVertex* vertices) {
-  return transform<coarse>(instance, positions, count, vertices, kReciprocalTable.data());
+  return transform<kind>(instance, positions, count, vertices, kReciprocalTable.data());
 }
-template bool transform_vertices_thumb1<false>(const HalvedTransform&, const Position*, std::uint32_t, SnappedVertex*);
-template bool transform_vertices_thumb1<true>(const HalvedTransform&, const Position*, std::uint32_t, SnappedVertex*);
+template bool transform_vertices_thumb1<ReciprocalOf::newton>(const HalvedTransform&, const Position*, std::uint32_t,
+                                                              SnappedVertex*);
+template bool transform_vertices_thumb1<ReciprocalOf::quotient>(const HalvedTransform&, const Position*, std::uint32_t,
+                                                                SnappedVertex*);
+template bool transform_vertices_thumb1<ReciprocalOf::table>(const HalvedTransform&, const Position*, std::uint32_t,
+                                                             SnappedVertex*);
 
 #endif
 

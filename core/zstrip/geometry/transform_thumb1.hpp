@@ -51,8 +51,8 @@ struct HalvedTransform {
         depth_offset(origin.depth_offset) {}
 };
 
-/// Writes `count` vertices, > 0. Returns whether all are narrow. `coarse`: with effect::coarse_reciprocal.
-template <bool coarse>
+/// Writes `count` vertices, > 0. Returns whether all are narrow.
+template <ReciprocalOf kind>
 bool transform_vertices_thumb1(const HalvedTransform& transform, const Position* positions, std::uint32_t count,
                                SnappedVertex* vertices);
 

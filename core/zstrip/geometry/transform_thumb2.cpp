@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "zstrip/base/division.hpp"
+
 namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB2
@@ -20,24 +22,37 @@ static_assert(offsetof(LinearForm, x) == 0 && offsetof(LinearForm, y) == 4 && of
 static_assert(sizeof(Position) == 6 && offsetof(Position, y) == 2 && offsetof(Position, z) == 4);
 static_assert(sizeof(SnappedVertex) == 8 && offsetof(SnappedVertex, x) == 0 && offsetof(SnappedVertex, y) == 2 &&
               offsetof(SnappedVertex, depth) == 4);
+static_assert(static_cast<int>(ReciprocalOf::quotient) == 1 && static_cast<int>(ReciprocalOf::table) == 2);
 static_assert(kNarrowLimit == 1 << 14 && kNotNarrow == -0x8000);
 static_assert(snap_depth(0xFFFFFFFF) == 0xFFFFE000 && snap_depth(0) == 0x2000);
 
 // r0 the transform, r1 the next position, r2 how many are left, r3 the next vertex. On the stack: whether all so far
 // are narrow. Cortex-M4's SMLAWB would spare twelve instructions of these; one form for all serves better.
 template <>
-[[gnu::naked]] bool transform_vertices_thumb2<false>(const NarrowTransform&, const Position*, std::uint32_t,
-                                                     SnappedVertex*) {
-  asm(".set .Ltransform_newton, 1\n"
+[[gnu::naked]] bool transform_vertices_thumb2<ReciprocalOf::newton>(const NarrowTransform&, const Position*,
+                                                                    std::uint32_t, SnappedVertex*) {
+  asm(".set .Ltransform_reciprocal, 0\n"
 #include "zstrip/geometry/transform_thumb2.inc"
   );
 }
 template <>
-[[gnu::naked]] bool transform_vertices_thumb2<true>(const NarrowTransform&, const Position*, std::uint32_t,
-                                                    SnappedVertex*) {
-  asm(".set .Ltransform_newton, 0\n"
+[[gnu::naked]] bool transform_vertices_thumb2<ReciprocalOf::quotient>(const NarrowTransform&, const Position*,
+                                                                      std::uint32_t, SnappedVertex*) {
+  asm(".set .Ltransform_reciprocal, 1\n"
 #include "zstrip/geometry/transform_thumb2.inc"
   );
+}
+// The same, with the table on the stack above the registers that are saved.
+[[gnu::naked]] static bool transform_by_table(const NarrowTransform&, const Position*, std::uint32_t, SnappedVertex*,
+                                              const std::uint16_t*) {
+  asm(".set .Ltransform_reciprocal, 2\n"
+#include "zstrip/geometry/transform_thumb2.inc"
+  );
+}
+template <>
+bool transform_vertices_thumb2<ReciprocalOf::table>(const NarrowTransform& transform, const Position* positions,
+                                                    std::uint32_t count, SnappedVertex* vertices) {
+  return transform_by_table(transform, positions, count, vertices, kReciprocalTable.data());
 }
 
 #endif

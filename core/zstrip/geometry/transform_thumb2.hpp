@@ -37,8 +37,8 @@ struct NarrowTransform {
         depth_offset(origin.depth_offset) {}
 };
 
-/// Writes `count` vertices, > 0. Returns whether all are narrow. `coarse`: with effect::coarse_reciprocal.
-template <bool coarse>
+/// Writes `count` vertices, > 0. Returns whether all are narrow.
+template <ReciprocalOf kind>
 bool transform_vertices_thumb2(const NarrowTransform& transform, const Position* positions, std::uint32_t count,
                                SnappedVertex* vertices);
 

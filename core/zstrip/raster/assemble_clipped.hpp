@@ -107,8 +107,7 @@ struct ClippedAssembler {
   }
 
   static RasterVertex projected(const Batch& batch, const ClipVertex& v) {
-    constexpr bool kCoarse = effects.has(effect::coarse_reciprocal) && !kOrthographic;
-    WidePosition p = project_wide<kOrthographic, kCoarse>(*batch.instance, batch.origin, v);
+    WidePosition p = project_wide<kOrthographic, reciprocal_kind(effects)>(*batch.instance, batch.origin, v);
     if constexpr (kDepth.format != DepthFormat::z16) {
       p.depth = project_wide_depth<kOrthographic, kDepth.format>(*batch.instance, batch.origin, v);
     }

@@ -48,9 +48,11 @@ inline constexpr Effects perspective_affine{std::uint64_t{1} << 40};  ///< only 
 inline constexpr Effects perspective_8{std::uint64_t{1} << 41};       ///< at every 8th pixel
 inline constexpr Effects perspective_1{std::uint64_t{1} << 42};       ///< at every pixel
 inline constexpr Effects perspective_runs{perspective_affine.bits | perspective_8.bits | perspective_1.bits};
-/// 1/w of a vertex to 2^-15, without the Newton step that makes it 2^-28: z16 with perspective only, and no shadows.
-/// Never called for by a scene.
-inline constexpr Effects coarse_reciprocal{std::uint64_t{1} << 43};
+/// How 1/w of a vertex is found; none of them is to 2^-28. z16 with perspective only, and no shadows. At most one;
+/// never called for by a scene.
+inline constexpr Effects coarse_reciprocal{std::uint64_t{1} << 43};  ///< to 2^-15, without the Newton step
+inline constexpr Effects table_reciprocal{std::uint64_t{1} << 44};   ///< to 2^-9, from a table alone
+inline constexpr Effects short_reciprocals{coarse_reciprocal.bits | table_reciprocal.bits};
 
 // Of light and of fragments. Each needs nothing of the others.
 inline constexpr Effects fog{std::uint64_t{1} << 13};              ///< Scene::fog
@@ -70,7 +72,7 @@ inline constexpr Effects pixel_shading{std::uint64_t{1} << 32};
 
 /// Scene::csg.
 inline constexpr Effects csg{std::uint64_t{1} << 33};
-/// Scene::edges: anti-aliasing of edges alone. z16 without sub-ranges and coarse reciprocals, and no visibility method.
+/// Scene::edges: anti-aliasing of edges alone. z16 without sub-ranges and short reciprocals, and no visibility method.
 inline constexpr Effects edges{std::uint64_t{1} << 34};
 
 /// Those that need a fragment of its own: instances with one of them are drawn by fill_fragments.
@@ -171,27 +173,30 @@ constexpr bool perspective_effects_agree(Effects effects) {
   return (run & (run - 1)) == 0;
 }
 
-/// At most one format, sub-ranges only of z16, and what needs 1/w only with perspective. Shadows ask what a cell's code
-/// stands for: not with w16, whose codes are none of 1/w, nor with sub-ranges, whose codes are of several strips, nor
-/// with a coarse reciprocal, which has the codes of z16. Edges compare codes of their own with those of z16.
+/// At most one format and one reciprocal, sub-ranges only of z16, and what needs 1/w only with perspective. Shadows ask
+/// what a cell's code stands for: not with w16, whose codes are none of 1/w, nor with sub-ranges, whose codes are of
+/// several strips, nor with a short reciprocal, which has the codes of z16. Edges compare codes of their own with those
+/// of z16.
 constexpr bool depth_effects_agree(Effects effects) {
   const std::uint64_t format = (effects & (effect::depth_formats | effect::depth_ranges)).bits;
   const bool single = (format & (format - 1)) == 0;
   const bool has_code = !(effects.has(effect::shadows) && effects.any(effect::depth_w16 | effect::depth_ranges));
-  const bool coarse_agrees = !effects.has(effect::coarse_reciprocal) || (format == 0 && !effects.has(effect::shadows));
-  const bool edges_agree = !effects.has(effect::edges) || (format == 0 && !effects.has(effect::coarse_reciprocal));
-  return single && has_code && coarse_agrees && edges_agree &&
+  const bool is_short = effects.any(effect::short_reciprocals);
+  const bool short_agrees =
+      !is_short || (format == 0 && !effects.has(effect::shadows) && !effects.has(effect::short_reciprocals));
+  const bool edges_agree = !effects.has(effect::edges) || (format == 0 && !is_short);
+  return single && has_code && short_agrees && edges_agree &&
          !(effects.has(effect::orthographic) && effects.any(effect::depth_float | effect::depth_w16));
 }
 
-/// Which of these effects their methods cannot draw: edges; coarse reciprocals, which bounds do not know; other depth
+/// Which of these effects their methods cannot draw: edges; short reciprocals, which bounds do not know; other depth
 /// formats and sub-ranges, which only culling goes with; rules of a material's own, which need the scene's order and a
 /// z-buffer; surfaces where there is none; shadows and products of solids where there is none or it is not exact;
 /// fragments, local light, surroundings and outlines where the host has split triangles.
 constexpr Effects refused_by_methods(Effects effects) {
   if (effects.methods == 0) return {};
   const Effects own = without(Effects{0, effects.methods}, method::culling);
-  Effects refused = effect::perspective_runs | effect::coarse_reciprocal | effect::edges;
+  Effects refused = effect::perspective_runs | effect::short_reciprocals | effect::edges;
   if (own != Effects{}) refused = refused | effect::depth_formats | effect::depth_ranges;
   if (own != Effects{} && own != method::hierarchical_z) refused = refused | effect::depth_state;
   if (own.has(method::painter)) refused = refused | effect::surfaces | effect::shadows | effect::csg;

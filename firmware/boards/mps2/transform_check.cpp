@@ -40,13 +40,13 @@ CompiledInstance instance_of(Random& random) {
 bool same(const SnappedVertex& a, const SnappedVertex& b) { return a.x == b.x && a.y == b.y && a.depth == b.depth; }
 
 /// How many vertices are narrow; nothing where assembly and C++ differ.
-template <bool coarse>
+template <Effects effects>
 std::optional<std::uint32_t> narrow_vertices(const CompiledInstance& instance, const Mesh& mesh,
                                              const RasterOrigin& origin, std::uint32_t first, std::uint32_t count) {
-  constexpr Effects kEffects = coarse ? effect::coarse_reciprocal : Effects{};
   std::array<SnappedVertex, kVertices> portable{}, assembled{};
-  const bool all = transform_vertices_portable<kEffects>(instance, mesh, origin, first, count, portable.data());
-  const bool all_too = transform_vertices_in_assembly<coarse>(instance, mesh, origin, first, count, assembled.data());
+  const bool all = transform_vertices_portable<effects>(instance, mesh, origin, first, count, portable.data());
+  const bool all_too =
+      transform_vertices_in_assembly<reciprocal_kind(effects)>(instance, mesh, origin, first, count, assembled.data());
   if (all != all_too || !std::equal(portable.begin(), portable.end(), assembled.begin(), same)) return std::nullopt;
   std::uint32_t narrow = 0;
   for (std::uint32_t i = 0; i < count; ++i) narrow += portable[i].x == kNotNarrow ? 0U : 1U;
@@ -78,8 +78,9 @@ int check_transform() {
       Mesh mesh{};
       mesh.positions = positions;
       const std::uint32_t first = number % 7, count = kVertices - first;
-      const std::optional<std::uint32_t> found = narrow_vertices<false>(instance, mesh, origin, first, count);
-      if (!found || !narrow_vertices<true>(instance, mesh, origin, first, count)) {
+      const std::optional<std::uint32_t> found = narrow_vertices<Effects{}>(instance, mesh, origin, first, count);
+      if (!found || !narrow_vertices<effect::coarse_reciprocal>(instance, mesh, origin, first, count) ||
+          !narrow_vertices<effect::table_reciprocal>(instance, mesh, origin, first, count)) {
         print("self-test: vertices of instance ");
         print_decimal(number);
         print(" differ\n");

@@ -58,10 +58,10 @@ int print_affected() {
 int main() {
   return print_affected<scenes::lit>() + print_affected<scenes::smooth>() + print_affected<scenes::textured>() +
          print_affected<scenes::affine>() + print_affected<scenes::every_8>() + print_affected<scenes::every_pixel>() +
-         print_affected<scenes::coarse>() + print_affected<scenes::fog>() + print_affected<scenes::emissive>() +
-         print_affected<scenes::specular>() + print_affected<scenes::punctual>() + print_affected<scenes::mask>() +
-         print_affected<scenes::blend>() + print_affected<scenes::bilinear>() + print_affected<scenes::palette>() +
-         print_affected<scenes::mipmaps>() + print_affected<scenes::environment>() +
+         print_affected<scenes::coarse>() + print_affected<scenes::by_table>() + print_affected<scenes::fog>() +
+         print_affected<scenes::emissive>() + print_affected<scenes::specular>() + print_affected<scenes::punctual>() +
+         print_affected<scenes::mask>() + print_affected<scenes::blend>() + print_affected<scenes::bilinear>() +
+         print_affected<scenes::palette>() + print_affected<scenes::mipmaps>() + print_affected<scenes::environment>() +
          print_affected<scenes::per_pixel>() + print_affected<scenes::spheres>() + print_affected<scenes::dithered>() +
          print_affected<scenes::dithered_mono>() + print_affected<scenes::lines>() +
          print_affected<scenes::billboards>() + print_affected<scenes::outlines>() + print_affected<scenes::shadows>() +
