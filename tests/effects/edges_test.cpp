@@ -232,6 +232,25 @@ TEST(Edges, AKnotIsNearerToATruePicture) {
   }
 }
 
+// A face narrower than a pixel lies between the crease and the outline: the crease was blended with the background, and
+// then the outline once more.
+TEST(Edges, CreasesBesideAnOutlineWereBlendedWithTheBackground) {
+  OwnMesh own = square();
+  for (const auto& [x, y, z] :
+       {std::array{-32767, 24000, 0}, {32767, 24000, 0}, {32767, 24300, -200}, {-32767, 24300, -200}}) {
+    own.positions.push_back({static_cast<std::int16_t>(x), static_cast<std::int16_t>(y), static_cast<std::int16_t>(z)});
+    own.normals.push_back({0, 100, 80, 0});
+  }
+  own.positions[2].y = own.positions[3].y = 24000;
+  own.triangles.push_back({4, 5, 6});
+  own.triangles.push_back({4, 6, 7});
+  for (const double angle : {0.03, 0.1, 0.4, 1.2, 1.7, 2.4}) {
+    World world(own, true);
+    world.add({255, 220, 90, 255}, turned_flat(angle, 1.2, 0.1, 0, 0));
+    EXPECT_LT(share_of_error<kFlatEdges>(world.scene, parallel_camera(), kSquare), 0.35) << angle;
+  }
+}
+
 TEST(Edges, WhatTheNearPlaneCutsIsBlendedToo) {
   // A floor that reaches from behind the viewer to the horizon, turned.
   for (int i = 0; i < 8; ++i) {
@@ -376,7 +395,7 @@ TEST(Edges, PlansThatAreTooSmallAreRefused) {
 TEST(Edges, WhatDoesNotGoWithThemIsRefused) {
   constexpr Effects kOwn = effects_of(scenes::edges.scene, scenes::edges.camera);
   for (const Effects other : {effect::depth_24, effect::depth_32, effect::depth_float, effect::depth_w16,
-                              effect::depth_ranges, effect::coarse_reciprocal}) {
+                              effect::depth_ranges, effect::coarse_reciprocal, effect::table_reciprocal}) {
     EXPECT_FALSE(depth_effects_agree(kOwn | other));
     EXPECT_EQ(plan(count(scenes::edges.scene), {75, 58}, kOwn | other).status.error, Error::edges);
   }
@@ -467,7 +486,12 @@ TEST(Edges, DepthBehindAnEdgeThatIsSeenEndOnLeft32Bits) {
   pixels = own;
   constexpr Rect kArea{0, 0, 3, 3};
   const detail::EdgeTarget target{kArea, pixels.data(), kArea, own.data(), kArea, depth.data()};
-  detail::EdgeBlend<std::int32_t>::draw(target, {{15, 20, 0x10000}, {16, 21, 0xFFFE0000}, {40, 44, 0x10000}, true});
+  detail::EdgeBlend<std::int32_t>::draw(target, {.a = {15, 20, 0x10000},
+                                                 .b = {16, 21, 0xFFFE0000},
+                                                 .third = {{40, 44, 0x10000}},
+                                                 .faces = 1,
+                                                 .crease = false,
+                                                 .narrow = true});
   EXPECT_EQ(pixels, own);
 }
 

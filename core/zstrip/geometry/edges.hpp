@@ -13,8 +13,10 @@ namespace zstrip::detail {
 /// An edge that shows unless something hides it.
 struct SeenEdge {
   WidePosition a, b;
-  WidePosition third;  ///< a point off the edge of a face of it that is drawn
-  bool narrow;         ///< all of these are
+  WidePosition third[2];  ///< of each face that is drawn a point off the edge
+  int faces;              ///< how many are: 1 or 2
+  bool crease;            ///< one lies on each side
+  bool narrow;            ///< all of these points are
 };
 
 /// Twice the area of a triangle in 1/16 pixels squared, positive if it is counter-clockwise.
@@ -97,6 +99,16 @@ struct ShownFaces {
   constexpr bool any() const { return left || right; }
 };
 
+/// `third`: of the left face and of the right one.
+template <class Int>
+constexpr bool show(SeenEdge& seen, const Edge& edge, Int left_area, Int right_area, bool double_sided) {
+  const ShownFaces shown(edge, left_area, right_area, double_sided);
+  if (!shown.left) seen.third[0] = seen.third[1];
+  seen.faces = shown.left && shown.right ? 2 : 1;
+  seen.crease = seen.faces == 2 && (left_area > 0) == (right_area > 0);
+  return shown.any();
+}
+
 /// As shows() and see(), of an edge whose faces leave the narrow range or the depth range.
 template <bool orthographic>
 [[gnu::noinline]] bool see_clipped(const EdgeProjection<orthographic>& projection, const Edge& edge, SeenEdge& seen) {
@@ -106,13 +118,11 @@ template <bool orthographic>
                                                     positions[edge.b], false, ends)) {
     return false;
   }
-  WidePosition third[2]{};
-  const std::int64_t left = projection.clipped_face({edge.a, edge.b, edge.left}, ends, third[0]);
+  seen = {ends.a, ends.b, {}, 0, false, false};
+  const std::int64_t left = projection.clipped_face({edge.a, edge.b, edge.left}, ends, seen.third[0]);
   const std::int64_t right =
-      edge.right == kNoFace ? 0 : projection.clipped_face({edge.b, edge.a, edge.right}, ends, third[1]);
-  const ShownFaces shown(edge, left, right, projection.instance.double_sided);
-  seen = {ends.a, ends.b, third[shown.left ? 0 : 1], false};
-  return shown.any();
+      edge.right == kNoFace ? 0 : projection.clipped_face({edge.b, edge.a, edge.right}, ends, seen.third[1]);
+  return show(seen, edge, left, right, projection.instance.double_sided);
 }
 
 /// Whether an edge shows, by its corners, all of them narrow. `right`: of an edge with two faces.
@@ -148,21 +158,24 @@ bool see(const EdgeProjection<orthographic>& projection, const Edge& edge, const
          const SnappedVertex& end_b, SeenEdge& seen) {
   const auto wide = [](const SnappedVertex& v) { return WidePosition{v.x, v.y, v.depth}; };
   if (end_a.x == kNotNarrow || end_b.x == kNotNarrow) return see_clipped(projection, edge, seen);
-  seen = {wide(end_a), wide(end_b), wide(projection(edge.left)), true};
-  if (seen.third.x == kNotNarrow) return see_clipped(projection, edge, seen);
-  if (edge.right == kNoFace || twice_area<std::int32_t>(seen.a, seen.b, seen.third) > 0) return true;
-  seen.third = wide(projection(edge.right));
-  return seen.third.x != kNotNarrow || see_clipped(projection, edge, seen);
+  seen = {wide(end_a), wide(end_b), {wide(projection(edge.left))}, 1, false, true};
+  const auto& [left, right] = seen.third;
+  if (left.x == kNotNarrow) return see_clipped(projection, edge, seen);
+  const std::int32_t left_area = twice_area<std::int32_t>(seen.a, seen.b, left);
+  const bool double_sided = projection.instance.double_sided;
+  // Of what is no crease and has only its left face drawn nobody asks for the right one.
+  if (edge.right == kNoFace || (left_area > 0 && edge.a < edge.b && !double_sided)) return true;
+  seen.third[1] = wide(projection(edge.right));
+  if (right.x == kNotNarrow) return see_clipped(projection, edge, seen);
+  return show(seen, edge, left_area, -twice_area<std::int32_t>(seen.a, seen.b, right), double_sided);
 }
 
-/// How many codes a cell within a pixel of the edge may lie off the edge's own depth and still be of its surface: what
-/// its face falls in a pixel across the edge's longer axis, where it is narrower than a quarter of that in as much, and
-/// what all roundings are.
+/// How many codes a face with the corner c falls in a pixel across the longer axis of the edge a to b; where it is
+/// narrower than a quarter of that, in as much.
 template <class Int>
-std::uint32_t tolerance_of(const SeenEdge& seen) {
+std::uint32_t fall_of(const WidePosition& a, const WidePosition& b, const WidePosition& c) {
   constexpr int kCodeBits = 3;  // depths are taken in eight codes, so that 32 bits are enough
   const auto depth = [](const WidePosition& p) { return static_cast<std::int32_t>(p.depth >> (16 + kCodeBits)); };
-  const auto& [a, b, c, narrow] = seen;
   const Int dx = Int{b.x} - a.x, dy = Int{b.y} - a.y;
   const bool columns = std::max(dx, -dx) >= std::max(dy, -dy);
   const Int length = columns ? dx : dy;
@@ -172,7 +185,16 @@ std::uint32_t tolerance_of(const SeenEdge& seen) {
   const Int quarter = 4 * std::max(length, -length);
   const Int width = std::max(std::max(area, -area), quarter) >> 4;
   const Int codes = std::max(fall, -fall) / std::max(width, Int{1});
-  return (static_cast<std::uint32_t>(std::min(codes, Int{0xFFFF >> kCodeBits})) << kCodeBits) + 12;
+  return static_cast<std::uint32_t>(std::min(codes, Int{0xFFFF >> kCodeBits})) << kCodeBits;
+}
+
+/// How many codes a cell within a pixel of the edge may lie off the edge's own depth and still be of its surface: what
+/// the steeper of its faces falls there, and what all roundings are.
+template <class Int>
+std::uint32_t tolerance_of(const SeenEdge& seen) {
+  std::uint32_t fall = fall_of<Int>(seen.a, seen.b, seen.third[0]);
+  if (seen.faces == 2) fall = std::max(fall, fall_of<Int>(seen.a, seen.b, seen.third[1]));
+  return fall + 12;
 }
 
 }  // namespace zstrip::detail

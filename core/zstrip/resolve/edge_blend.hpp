@@ -34,12 +34,25 @@ struct EdgeTarget {
     return depth[(y - depth_area.top) * depth_area.width() + (x - depth_area.left)];
   }
 
+  /// Codes that are of an edge's surface.
+  struct Surface {
+    std::int32_t tolerance;
+    bool crease;  ///< both sides of the edge are
+
+    bool has(std::uint32_t code, std::int32_t edge) const {
+      const std::int32_t off = static_cast<std::int32_t>(code) - edge;
+      return off <= tolerance && off >= -tolerance;
+    }
+  };
+
   /// Blends pixel (x, y) with (to_x, to_y) next to it, if the edge, whose code here is `edge`, is what is seen.
   void blend(std::int32_t x, std::int32_t y, std::int32_t to_x, std::int32_t to_y, std::uint32_t weight,
-             std::int32_t edge, std::int32_t tolerance) const {
+             std::int32_t edge, const Surface& surface) const {
     if (to_x < known.left || to_x >= known.right || to_y < known.top || to_y >= known.bottom) return;
-    const auto nearest = static_cast<std::int32_t>(std::max(code(x, y), code(to_x, to_y)));
-    if (nearest - edge > tolerance || edge - nearest > tolerance) return;
+    const auto [farther, nearer] = std::minmax({code(x, y), code(to_x, to_y)});
+    if (!surface.has(nearer, edge)) return;
+    // Where a face of a crease is narrower than a pixel, what lies beyond is none of it.
+    if (surface.crease && (farther == 0 || !surface.has(farther, edge))) return;
     std::uint16_t& pixel = pixels[(y - area.top) * area.width() + (x - area.left)];
     pixel = blended(pixel, own[(to_y - known.top) * known.width() + (to_x - known.left)], weight);
   }
@@ -53,11 +66,11 @@ class EdgeBlend {
  public:
   static void draw(const EdgeTarget& target, const SeenEdge& edge) {
     const Int dx = Int{edge.b.x} - edge.a.x, dy = Int{edge.b.y} - edge.a.y;
-    const auto tolerance = static_cast<std::int32_t>(tolerance_of<Int>(edge));
+    const EdgeTarget::Surface surface{static_cast<std::int32_t>(tolerance_of<Int>(edge)), edge.crease};
     if (std::max(dx, -dx) >= std::max(dy, -dy)) {
-      in_order<true>(target, {edge.a.x, edge.a.y, edge.a.depth}, {edge.b.x, edge.b.y, edge.b.depth}, tolerance);
+      in_order<true>(target, {edge.a.x, edge.a.y, edge.a.depth}, {edge.b.x, edge.b.y, edge.b.depth}, surface);
     } else {
-      in_order<false>(target, {edge.a.y, edge.a.x, edge.a.depth}, {edge.b.y, edge.b.x, edge.b.depth}, tolerance);
+      in_order<false>(target, {edge.a.y, edge.a.x, edge.a.depth}, {edge.b.y, edge.b.x, edge.b.depth}, surface);
     }
   }
 
@@ -85,11 +98,11 @@ class EdgeBlend {
 
   /// From the lower end on, so that both directions are the same.
   template <bool columns>
-  static void in_order(const EdgeTarget& target, const End& a, const End& b, std::int32_t tolerance) {
+  static void in_order(const EdgeTarget& target, const End& a, const End& b, const EdgeTarget::Surface& surface) {
     if (a.along <= b.along) {
-      walk<columns>(target, a, b, tolerance);
+      walk<columns>(target, a, b, surface);
     } else {
-      walk<columns>(target, b, a, tolerance);
+      walk<columns>(target, b, a, surface);
     }
   }
 
@@ -98,7 +111,7 @@ class EdgeBlend {
   }
 
   template <bool columns>
-  static void walk(const EdgeTarget& target, const End& low, const End& high, std::int32_t tolerance) {
+  static void walk(const EdgeTarget& target, const End& low, const End& high, const EdgeTarget::Surface& surface) {
     const Rect& area = target.area;
     // Of pixels whose middles lie between the ends; of two edges that meet only one has the middle in which they do.
     const std::int32_t first = std::max(low.along >> 4, columns ? area.left : area.top);
@@ -127,9 +140,9 @@ class EdgeBlend {
       const std::int32_t other = part < 32 ? pixel - 1 : pixel + 1;
       const auto code = static_cast<std::int32_t>(((depth >> kDepthBits) + static_cast<Int>(low.depth >> 8)) >> 8);
       if constexpr (columns) {
-        target.blend(along, pixel, along, other, weight, code, tolerance);
+        target.blend(along, pixel, along, other, weight, code, surface);
       } else {
-        target.blend(pixel, along, other, along, weight, code, tolerance);
+        target.blend(pixel, along, other, along, weight, code, surface);
       }
     }
   }
