@@ -22,6 +22,7 @@
 #include "cli/print.hpp"
 #include "cli/render_command.hpp"
 #include "cli/scenes_command.hpp"
+#include "cli/usage_error.hpp"
 #include "cli/version.hpp"
 #include "result.hpp"
 
@@ -62,9 +63,7 @@ int run(int argc, char** argv) {
     if (error.get_exit_code() == 0) {
       app.exit(error);  // --help, --version
     } else {
-      const auto chosen = app.get_subcommands();
-      const std::string command = chosen.empty() ? "zstrip" : "zstrip " + chosen.front()->get_name();
-      return print_failure({ExitStatus::usage, fmt::format("{}; see '{} --help'", error.what(), command)});
+      return print_failure({ExitStatus::usage, zstrip::sim::usage_error(app, error)});
     }
   }
   if (app.get_subcommands().empty() && app.count("--version") + app.count("--help") == 0) {

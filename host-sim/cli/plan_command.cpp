@@ -53,9 +53,6 @@ Result<PlanRequest> parse(const Arguments& arguments) {
   if (arguments.static_layer && request->view.samples != 1) {
     return Failure{ExitStatus::usage, "a static layer keeps pixels of one sample; use --samples 1"};
   }
-  if (arguments.static_layer && request->edges.value_or(false)) {
-    return Failure{ExitStatus::usage, "a static layer keeps pixels as they were drawn; use --no-edges"};
-  }
   if (arguments.static_layer && request->method != Effects{}) {
     return Failure{ExitStatus::usage,
                    fmt::format("--static-layer keeps the z-buffer of the plain method, not of --visibility {}",
@@ -78,6 +75,11 @@ Result<Done> run(const Arguments& arguments) {
   if (stage) stage = with_edges(std::move(*stage), request->edges, request->view);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
+  const Result<Staging> staging = (*stage)->place(0, 1);
+  if (!staging) return staging.failure();
+  if (arguments.static_layer && !staging->scene.edges.empty()) {
+    return Failure{ExitStatus::usage, "a static layer keeps pixels as they were drawn; use --no-edges"};
+  }
   const DepthFormat kept_format =
       depth_bytes(request->depth_format) == sizeof(std::uint16_t) ? request->depth_format : DepthFormat::z16;
   const Result<KeptFrames> kept =
@@ -90,14 +92,13 @@ Result<Done> run(const Arguments& arguments) {
         "of the light"};
   }
   if (arguments.static_layer) request->budget.layer = kept->layer();
-  const Result<Staging> staging = (*stage)->place(0, 1);
-  if (!staging) return staging.failure();
   const Result<PreparedScene> prepared = PreparedScene::of(*staging, request->method);
   if (!prepared) return prepared.failure();
   std::optional<DepthAdvice> advice;
   if (kept->nearest > 0 && !request->method.has(method::painter)) {
     advice = advise_depth(*kept, staging->camera, request->view, arguments.separation);
-    if (arguments.depth_format == kChosen) request->depth = advice->need(*kept);
+    // Edges are blended by z16 alone.
+    if (arguments.depth_format == kChosen && staging->scene.edges.empty()) request->depth = advice->need(*kept);
   }
   Result<PlanChoice> choice = choose_plan(prepared->staging(), *request);
   if (!choice) return choice.failure();

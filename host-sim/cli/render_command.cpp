@@ -162,9 +162,8 @@ Result<Job> parse(const Arguments& arguments) {
   if (job.visibility.show != Show::colour && job.view.samples != 1) {
     return usage("--show shows pixels of one sample; use --samples 1");
   }
-  if (job.visibility.show != Show::colour) {
-    if (arguments.view.edges.value_or(false)) return usage("--show shows pixels as they were drawn; leave out --edges");
-    job.edges = false;
+  if (job.visibility.show != Show::colour && arguments.view.edges.value_or(false)) {
+    return usage("--show shows pixels as they were drawn; leave out --edges");
   }
   const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene);
   if (!model) return model.failure();
@@ -277,7 +276,14 @@ Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t f
 /// Several frames are drawn, encoded and written on all threads, one frame on each; the strips of a single frame are.
 Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool quiet) {
   Result<std::unique_ptr<Stage>> stage = open_stage(scene, job.model, job.camera, job.view, job.outputs.frames);
-  if (stage) stage = with_edges(std::move(*stage), job.edges, job.view);
+  const bool shows_colours = job.visibility.show == Show::colour;
+  if (stage && !shows_colours) {
+    const Result<Staging> staging = (*stage)->place(0, job.outputs.frames);
+    if (staging && (job.edges.value_or(false) || !staging->scene.edges.empty())) {
+      print_warning("--show shows pixels as they were drawn: edges are not smoothed");
+    }
+  }
+  if (stage) stage = with_edges(std::move(*stage), shows_colours ? job.edges : false, job.view);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   // What is wrong is judged by the scene itself.

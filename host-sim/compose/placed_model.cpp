@@ -57,7 +57,7 @@ Result<PlacedModel> place_built_in(const FileModel& entry, const std::filesystem
       all += fmt::format("{}{}", all.empty() ? "" : ", ", each.name);
     }
     const std::string near = nearest(entry.built_in, names);
-    return at_line(scene, entry.line,
+    return at_line(scene, entry.built_in_line,
                    fmt::format("there is no built-in scene '{}'; {}", entry.built_in,
                                near.empty() ? "there are " + all : fmt::format("did you mean '{}'?", near)));
   }

@@ -66,6 +66,7 @@ struct FileModel {
   std::string name;
   std::filesystem::path file;  ///< relative to the scene file's folder
   std::string built_in;
+  int built_in_line = 0;
   UpAxis up = UpAxis::plus_y;
   std::optional<std::string> animation;
 };

@@ -92,6 +92,7 @@ class Collector {
   std::uint64_t not_finite_ = 0;
   std::uint64_t bad_index_ = 0;
   std::uint64_t vertex_alpha_ = 0;
+  std::uint64_t deformed_ = 0;
 };
 
 Result<Done> Collector::collect() {
@@ -130,6 +131,10 @@ Result<Done> Collector::collect() {
   if (vertex_alpha_ > 0) {
     model_.warnings.push_back(
         fmt::format("{} drawn without the alpha of its vertex colours", counted(vertex_alpha_, "mesh")));
+  }
+  if (deformed_ > 0 && scene_.mNumAnimations > 0) {
+    model_.warnings.push_back(fmt::format("{} with a skin or morph targets drawn at rest: only nodes are animated",
+                                          counted(deformed_, "mesh")));
   }
   return Done{};
 }
@@ -186,6 +191,7 @@ void Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform, std::int32
   SourceMesh& group = mesh_for(material, mesh.HasVertexColors(0), has_texcoords, mesh.HasBones() ? kNoNode : node);
 
   note_alpha(mesh, model_.materials[material]);
+  if (mesh.HasBones() || mesh.mNumAnimMeshes > 0) ++deformed_;
 
   const aiMatrix3x3 linear(transform);
   const float determinant = linear.Determinant();

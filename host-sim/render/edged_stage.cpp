@@ -45,19 +45,19 @@ std::string_view rival_of_edges(Effects effects) {
 }  // namespace
 
 Result<std::unique_ptr<Stage>> with_edges(std::unique_ptr<Stage> stage, std::optional<bool> edges, const View& view) {
-  if (!edges) return stage;
-  if (*edges && view.samples != 1) {
-    return Failure{ExitStatus::usage, "--edges and --samples both smooth edges; leave out one of them"};
+  const Result<Staging> staging = stage->place(0, 1);
+  if (!staging) return staging.failure();
+  if (edges.value_or(!staging->scene.edges.empty()) && view.samples != 1) {
+    return Failure{ExitStatus::usage,
+                   "smoothed edges and several samples exclude each other; use --no-edges, or --samples 1"};
   }
+  if (!edges) return stage;
   auto found = std::make_shared<SceneEdges>();
   if (*edges) {
-    const Result<Staging> staging = stage->place(0, 1);
-    if (!staging) return staging.failure();
     const std::string_view rival = rival_of_edges(effects_of(staging->scene, staging->camera));
     if (!rival.empty()) {
-      return Failure{
-          ExitStatus::usage,
-          fmt::format("edges are not smoothed in a scene with {}; leave out 'edges = true', or use --no-edges", rival)};
+      return Failure{ExitStatus::usage,
+                     fmt::format("edges are not smoothed in a scene with {}; use --no-edges", rival)};
     }
     if (!staging->scene.edges.empty()) return stage;
     *found = find_edges(staging->scene);

@@ -94,6 +94,11 @@ Result<Done> check_visibility(Effects effects, std::string_view depth_given) {
     missing += fmt::format("{}{} ({})", missing.empty() ? "" : ", ", known.name, known.reason);
   }
   if (missing.empty()) return Failure{ExitStatus::usage, fmt::format("--visibility {} excludes another method", name)};
+  if (without(Effects{0, effects.methods}, method::culling) == Effects{}) {
+    return Failure{
+        ExitStatus::usage,
+        fmt::format("--cull and --visible-sets do not go with what this scene has: {}; leave them out", missing)};
+  }
   std::string able;
   for (const VisibilityMethod& method : kMethods) {
     const Effects together = refused | method.effects;

@@ -104,7 +104,8 @@ TEST_F(BadInput, SceneFileWhoseModelIsMissing) {
 
 TEST_F(BadInput, SceneFileWhoseBuiltInSceneIsMisspelt) {
   file("scene.toml", "[[model]]\nname = 'a'\nbuilt_in = 'teapott'\n[[instance]]\nmodel = 'a'\n");
-  expect_failure(ExitStatus::input, "did you mean 'teapot'?", {"render", "scene.toml", "-o", "picture.png"});
+  expect_failure(ExitStatus::input, "line 3: there is no built-in scene 'teapott'; did you mean 'teapot'?",
+                 {"render", "scene.toml", "-o", "picture.png"});
 }
 
 TEST_F(BadInput, EllipsoidThatRoundsToNothing) {
@@ -155,6 +156,10 @@ TEST_F(BadInput, Options) {
   usage("scene", {"render"});
   usage("command", {});
   usage("frobnicate", {"frobnicate"});
+  usage("'rendr' is unknown, did you mean render?; see 'zstrip --help'", {"rendr", "teapot"});
+  usage("'--sise' is unknown, did you mean --size?; see 'zstrip render --help'", {"render", "teapot", "--sise", "3x3"});
+  usage("'--smaples' is unknown, did you mean --samples?", {"render", "teapot", "--smaples=4"});
+  usage("'--versoin' is unknown, did you mean --version?", {"--versoin"});
 }
 
 TEST_F(BadInput, TooLittleMemorySaysWhatWorks) {

@@ -55,15 +55,37 @@ TEST_F(EdgesCommand, WhatDoesNotGoWithThemIsSaid) {
     const std::string said = refusal(options);
     EXPECT_NE(said.find(words), std::string::npos) << said;
   };
-  says({"--samples", "4"}, "--edges and --samples both smooth edges; leave out one of them");
+  says({"--samples", "4"}, "smoothed edges and several samples exclude each other");
   says({"--depth-format", "z24"}, "edges go with depth as z16 only");
   says({"--visibility", "half-range"}, "edges go with depth as z16 only");
   says({"--visibility", "painter"}, "edges");
   says({"--visibility", "hierarchical-z"}, "edges");
   says({"--show", "depth"}, "leave out --edges");
+  says({"--cull", "none"}, "--cull and --visible-sets do not go with what this scene has: edges");
   ASSERT_EQ(zstrip({"bake", "knot", "--edges", "-o", "knot.zsc", "--size", "80x60", "--quiet"}).status, 0);
-  EXPECT_NE(refusal({"render", "knot.zsc", "-o", "x.png", "--samples", "2"}).find("use --no-edges"), std::string::npos);
+  EXPECT_NE(refusal({"render", "knot.zsc", "-o", "x.png", "--samples", "2"}).find("exclude each other; use --no-edges"),
+            std::string::npos);
   EXPECT_NE(refusal({"plan", "knot", "--edges", "--static-layer"}).find("--no-edges"), std::string::npos);
+  EXPECT_NE(refusal({"plan", "knot.zsc", "--static-layer"}).find("--no-edges"), std::string::npos);
+  EXPECT_NE(refusal({"accuracy", "cube", "--only", "samples=edges,depth=w16", "--size", "32x24", "-o", "a"})
+                .find("'depth=w16,samples=edges' cannot be drawn"),
+            std::string::npos);
+}
+
+TEST_F(EdgesCommand, WithADepthThatThePlannerChoosesWereRefused) {
+  const auto format = [this](const char* edges) {
+    return plan_of({"--depth-format", "auto", "--separation", "0.0001", edges})["depth_format"];
+  };
+  EXPECT_EQ(format("--no-edges"), "z24");
+  EXPECT_EQ(format("--edges"), "z16");
+}
+
+TEST_F(EdgesCommand, OfASceneAreLeftOutOfWhatIsShownInsteadAndItIsSaid) {
+  ASSERT_EQ(zstrip({"bake", "knot", "--edges", "-o", "knot.zsc", "--size", "80x60", "--quiet"}).status, 0);
+  const Outcome shown = zstrip({"render", "knot.zsc", "-o", "x.png", "--show", "depth"});
+  EXPECT_EQ(shown.status, 0);
+  EXPECT_NE(shown.err.find("edges are not smoothed"), std::string::npos);
+  EXPECT_EQ(zstrip({"render", "knot.zsc", "-o", "x.png"}).err.find("edges are not smoothed"), std::string::npos);
 }
 
 TEST_F(EdgesCommand, BesideOutlinesShadowsAndProductsWereBakedAndAnInternalErrorOfRender) {

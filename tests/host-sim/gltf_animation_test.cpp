@@ -64,6 +64,16 @@ class GltfAnimation : public FolderTest {
   }
 };
 
+TEST_F(GltfAnimation, ThatMorphsIsDrawnAtRestAndSaid) {
+  std::string content = swinging("translation", "LINEAR", {0, 0, 0, 0, 4, 0});
+  const std::string_view indices = "\"indices\":1";
+  content.insert(content.find(indices) + indices.size(), R"(,"targets":[{"POSITION":0}])");
+  const auto stage = opened(content);
+  ASSERT_TRUE(stage);
+  ASSERT_EQ(stage->warnings().size(), 1U);
+  EXPECT_NE(stage->warnings()[0].find("morph targets drawn at rest"), std::string::npos) << stage->warnings()[0];
+}
+
 TEST_F(GltfAnimation, TranslationIsLinear) {
   const auto stage = opened(swinging("translation", "LINEAR", {0, 0, 0, 0, 4, 0}));
   ASSERT_TRUE(stage);
