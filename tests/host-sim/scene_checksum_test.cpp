@@ -21,7 +21,7 @@ const std::map<std::string, Golden> kGolden{
     {"csg", {"765f7528"}},
     {"directional", {"2ace3470"}},
     {"dithered", {"070a1f43", "128x64"}},
-    {"edges", {"cfedbacc"}},
+    {"edges", {"42f54a73"}},
     {"emissive", {"a7bf3535"}},
     {"environment", {"768b50c2"}},
     {"fog", {"9db11e6c"}},
