@@ -68,6 +68,12 @@ Result<PlanRequest> parse(const Arguments& arguments) {
   return request;
 }
 
+Result<bool> has_edges(Stage& stage) {
+  const Result<Staging> staging = stage.place(0, 1);
+  if (!staging) return staging.failure();
+  return !staging->scene.edges.empty();
+}
+
 Result<Done> run(const Arguments& arguments) {
   Result<PlanRequest> request = parse(arguments);
   if (!request) return request.failure();
@@ -75,9 +81,9 @@ Result<Done> run(const Arguments& arguments) {
   if (stage) stage = with_edges(std::move(*stage), request->edges, request->view);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
-  const Result<Staging> staging = (*stage)->place(0, 1);
-  if (!staging) return staging.failure();
-  if (arguments.static_layer && !staging->scene.edges.empty()) {
+  const Result<bool> edged = has_edges(**stage);
+  if (!edged) return edged.failure();
+  if (arguments.static_layer && *edged) {
     return Failure{ExitStatus::usage, "a static layer keeps pixels as they were drawn; use --no-edges"};
   }
   const DepthFormat kept_format =
@@ -92,13 +98,16 @@ Result<Done> run(const Arguments& arguments) {
         "of the light"};
   }
   if (arguments.static_layer) request->budget.layer = kept->layer();
+  // After keep_frames: it turned the stage, and what is placed lives until the next frame is.
+  const Result<Staging> staging = (*stage)->place(0, 1);
+  if (!staging) return staging.failure();
   const Result<PreparedScene> prepared = PreparedScene::of(*staging, request->method);
   if (!prepared) return prepared.failure();
   std::optional<DepthAdvice> advice;
   if (kept->nearest > 0 && !request->method.has(method::painter)) {
     advice = advise_depth(*kept, staging->camera, request->view, arguments.separation);
     // Edges are blended by z16 alone.
-    if (arguments.depth_format == kChosen && staging->scene.edges.empty()) request->depth = advice->need(*kept);
+    if (arguments.depth_format == kChosen && !*edged) request->depth = advice->need(*kept);
   }
   Result<PlanChoice> choice = choose_plan(prepared->staging(), *request);
   if (!choice) return choice.failure();
