@@ -1,6 +1,8 @@
 // Chooses settings, measures what the journal lacks, finds the front.
 #include "accuracy/campaign.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
