@@ -3,18 +3,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "depth_picture.hpp"
 #include "generators.hpp"
 #include "space.hpp"
 
 namespace hard_cases {
 namespace {
 
-/// What begin_frame and the strips leave behind: pixels, and the z-buffer row by row over the whole picture.
-struct Frame2 {
-  std::vector<std::byte> pixels;
-  std::vector<std::uint16_t> depth;
-  Rect bounds;
-};
+using picture::DepthPicture;
 
 /// How to draw what must always be the same picture.
 struct Way {
@@ -25,10 +21,39 @@ struct Way {
   Effects depth{};  ///< how depth is kept
 };
 
+/// Memory between bytes that nobody may change.
+class Guarded {
+ public:
+  Guarded(std::size_t size, std::byte filled) : filled_(filled), size_(size), bytes_(size + 2 * kGuard, filled) {}
+  std::span<std::byte> span() { return std::span(bytes_).subspan(kGuard, size_); }
+  bool intact() const {
+    const auto is_filled = [&](std::byte b) { return b == filled_; };
+    return std::all_of(bytes_.begin(), bytes_.begin() + kGuard, is_filled) &&
+           std::all_of(bytes_.end() - kGuard, bytes_.end(), is_filled);
+  }
+
+ private:
+  static constexpr std::ptrdiff_t kGuard = 64;
+  static_assert(kGuard % kArenaAlignment == 0);
+  std::byte filled_;
+  std::size_t size_;
+  std::vector<std::byte> bytes_;
+};
+
+/// A renderer that draws each strip into guarded memory.
+struct GuardedRenderer : AnyRenderer {
+  using AnyRenderer::AnyRenderer;
+  Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
+    Guarded memory(pixels.size(), pixels.front());
+    const Status status = AnyRenderer::draw_strip(strip, memory.span());
+    RC_ASSERT(memory.intact());
+    std::ranges::copy(memory.span(), pixels.begin());
+    return status;
+  }
+};
+
 /// Draws strip by strip with buffers full of garbage, and checks that nothing outside arena and pixels is written.
-Frame2 draw_in_strips(const Scene& scene, const Camera& camera, const View& view, const Way& way) {
-  constexpr std::size_t kGuard = 64;
-  const std::uint8_t garbage = way.garbage;
+DepthPicture draw_in_strips(const Scene& scene, const Camera& camera, const View& view, const Way& way) {
   const Effects effects = effects_of(scene, camera) | effect::bins | way.depth;
   const PlanResult planned = plan(count(scene), view, effects, way.budget);
   RC_ASSERT(planned.status);
@@ -38,47 +63,14 @@ Frame2 draw_in_strips(const Scene& scene, const Camera& camera, const View& view
     p.bin_bytes = std::min(
         p.bin_bytes, detail::rounded_up(counts.meshlets * kBatchBytes + p.strips * kBinBytes + 2 * kBinChunkBytes));
   }
-  const auto filled = static_cast<std::byte>(garbage);
-  std::vector<std::byte> arena(p.bytes() + 2 * kGuard + kArenaAlignment, filled);
-  std::size_t start = kGuard;
-  while (reinterpret_cast<std::uintptr_t>(arena.data() + start) % kArenaAlignment != 0) ++start;
-  std::vector<std::byte> pixels(p.strip_pixel_bytes(view) + 2 * kGuard, filled);
-  AnyRenderer renderer(effects);
-  RC_ASSERT(renderer.begin_frame(scene, camera, view, p, std::span(arena).subspan(start, p.bytes())));
-  Frame2 frame;
-  const std::size_t row_bytes = bytes_per_row(view.width, view.format);
-  frame.pixels.resize(row_bytes * view.height);
-  frame.depth.resize(std::size_t{view.width} * view.height, 0);
-  frame.bounds = renderer.frame().bounds();
-  for (int i = 0; i < p.strips; ++i) {
-    const auto strip = static_cast<std::uint16_t>(way.backwards ? p.strips - 1 - i : i);
-    RC_ASSERT(renderer.draw_strip(strip, std::span(pixels).subspan(kGuard, p.strip_pixel_bytes(view))));
-    const Rect cut = p.strip_area(strip, view);
-    const std::size_t cut_bytes = bytes_per_row(static_cast<std::uint16_t>(cut.width()), view.format);
-    const std::size_t left_bytes = bytes_per_row(static_cast<std::uint16_t>(cut.left), view.format);
-    for (int y = cut.top; y < cut.bottom; ++y) {
-      std::copy_n(
-          pixels.begin() + kGuard + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y - cut.top) * cut_bytes),
-          cut_bytes,
-          frame.pixels.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * row_bytes + left_bytes));
-    }
-    if (depth_bytes(depth_format(effects)) != 2) continue;
-    const Rect area = renderer.frame().depth_area();
-    for (int y = area.top; y < area.bottom; ++y) {
-      for (int x = area.left; x < area.right; ++x) {
-        frame.depth[static_cast<std::size_t>(y * view.width + x)] =
-            renderer.frame().depth()[(y - area.top) * area.width() + x - area.left];
-      }
-    }
-  }
-  const auto untouched = [&](const std::byte* from, std::size_t size) {
-    return std::all_of(from, from + size, [&](std::byte b) { return b == filled; });
-  };
-  RC_ASSERT(untouched(arena.data(), start));
-  RC_ASSERT(untouched(arena.data() + start + p.bytes(), arena.size() - start - p.bytes()));
-  RC_ASSERT(untouched(pixels.data(), kGuard));
-  RC_ASSERT(untouched(pixels.data() + pixels.size() - kGuard, kGuard));
-  return frame;
+  Guarded arena(p.bytes(), std::byte{way.garbage});
+  GuardedRenderer renderer(effects);
+  DepthPicture drawn =
+      picture::draw_with_depth(renderer, effects, scene, camera, view, p,
+                               {.garbage = way.garbage, .last_strip_first = way.backwards, .arena = arena.span()});
+  RC_ASSERT(drawn.status);
+  RC_ASSERT(arena.intact());
+  return drawn;
 }
 
 /// A random scene: any effects, the camera outside it or among its triangles.
@@ -126,13 +118,13 @@ struct AnyScene {
 RC_GTEST_PROP(HardCases, E51_StripHeightChangesNeitherPixelNorDepth, ()) {
   AnyScene any;
   const Scene scene = any.scene();
-  const Frame2 whole = draw_in_strips(scene, any.camera, any.view, {.budget = {.modes = Modes::streamed}});
+  const DepthPicture whole = draw_in_strips(scene, any.camera, any.view, {.budget = {.modes = Modes::streamed}});
   for (const int rows : {1, 2, 3, 7, 8, 16}) {
     if (rows > any.view.height) break;
     const Way way{.budget = {.strip_rows = static_cast<std::uint16_t>(rows), .modes = Modes::streamed},
                   .garbage = static_cast<std::uint8_t>(between(0, 255)),
                   .backwards = between(0, 1) == 1};
-    const Frame2 strips = draw_in_strips(scene, any.camera, any.view, way);
+    const DepthPicture strips = draw_in_strips(scene, any.camera, any.view, way);
     RC_ASSERT((strips.pixels == whole.pixels));
     RC_ASSERT((strips.depth == whole.depth));
   }
@@ -147,7 +139,7 @@ RC_GTEST_PROP(HardCases, E51_BinsColumnsAndOverflowChangeNeitherPixelNorDepth, (
     depth = kFormats[static_cast<std::size_t>(between(0, 4))];
   }
   any.model.material.depth_bias = static_cast<decltype(any.model.material.depth_bias)>(between(0, 1) * 5);
-  const Frame2 whole =
+  const DepthPicture whole =
       draw_in_strips(scene, any.camera, any.view, {.budget = {.modes = Modes::streamed}, .depth = depth});
   const int across = (any.view.width + 7) / 8;
   for (const Modes modes : {Modes::streamed, Modes::binned}) {
@@ -163,7 +155,7 @@ RC_GTEST_PROP(HardCases, E51_BinsColumnsAndOverflowChangeNeitherPixelNorDepth, (
       RC_LOG() << "binned " << (modes == Modes::binned) << ", small bins " << small_bins << ", strips of "
                << way.budget.strip_columns << " x " << way.budget.strip_rows << " in " << any.view.width << " x "
                << any.view.height << ", format " << static_cast<int>(any.view.format) << '\n';
-      const Frame2 strips = draw_in_strips(scene, any.camera, any.view, way);
+      const DepthPicture strips = draw_in_strips(scene, any.camera, any.view, way);
       RC_ASSERT((strips.pixels == whole.pixels));
       RC_ASSERT((strips.depth == whole.depth));
     }
@@ -199,20 +191,14 @@ RC_GTEST_PROP(HardCases, E53_NothingIsLeftOfEarlierFrames, ()) {
   Scene scene = model.scene();
   const Effects effects = effects_of(scene, camera);
   const Plan p = plan(count(scene), view, effects, {.strip_rows = 16}).plan;
-  std::vector<std::uint64_t> kept(p.bytes() / 8 + 1);
-  std::vector<std::uint16_t> pixels(p.strip_pixel_bytes(view) / 2);
+  std::vector<std::byte> arena = picture::lent(p.bytes());
   AnyRenderer renderer(effects);
   for (int frame = 0; frame < 8; ++frame) {
     for (int axis = 0; axis < 3; ++axis) model.instance.transform.m[axis][3] = between(-4 * kFixedOne, 4 * kFixedOne);
     const Picture fresh = picture::render(scene, camera, view, 16);
-    RC_ASSERT(renderer.begin_frame(scene, camera, view, p, std::as_writable_bytes(std::span(kept)).first(p.bytes())));
-    std::vector<std::byte> drawn;
-    for (std::uint16_t strip = 0; strip < p.strips; ++strip) {
-      const auto bytes = std::as_writable_bytes(std::span(pixels));
-      RC_ASSERT(renderer.draw_strip(strip, bytes));
-      drawn.insert(drawn.end(), bytes.begin(), bytes.end());
-    }
-    RC_ASSERT((drawn == fresh.pixels));
+    const Picture drawn = picture::draw(renderer, scene, camera, view, p, {.arena = arena});
+    RC_ASSERT(drawn.status);
+    RC_ASSERT((drawn.pixels == fresh.pixels));
   }
 }
 

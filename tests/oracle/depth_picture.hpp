@@ -1,8 +1,8 @@
 // Whole pictures with their z-buffer, in any depth format.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "picture.hpp"
@@ -24,13 +24,35 @@ inline constexpr DepthKind kDepthKinds[] = {
     {"ranges", effect::depth_ranges, true},
 };
 
-struct DepthPicture {
-  Status status;
-  std::vector<std::byte> pixels;
+struct DepthPicture : Picture {
   std::vector<std::uint32_t> depth;  ///< a code for each pixel of the view; 0 is cleared
-  Rect bounds;
-  Statistics statistics;
 };
+
+/// Puts the codes of the strip that was drawn last where its pixels are in a picture of this width.
+inline void read_depth(const FrameWithDepthRanges& frame, Effects effects, int width,
+                       std::vector<std::uint32_t>& depth) {
+  const Rect& area = frame.depth_area();
+  const bool wide = depth_bytes(depth_format(effects)) == 4;
+  for (int y = area.top; y < area.bottom; ++y) {
+    for (int x = area.left; x < area.right; ++x) {
+      const int cell = (y - area.top) * area.width() + x - area.left;
+      const std::uint32_t code = wide ? frame.wide_depth()[cell] : frame.depth()[cell];
+      depth[static_cast<std::size_t>(y * width + x)] = code > frame.cleared_code() ? code - frame.cleared_code() : 0;
+    }
+  }
+}
+
+/// As draw() does, with the depth of each strip.
+template <class AnyKind>
+DepthPicture draw_with_depth(AnyKind& renderer, Effects effects, const Scene& scene, const Camera& camera,
+                             const View& view, const Plan& plan, const Way& way = {}) {
+  std::vector<std::uint32_t> depth(std::size_t{view.width} * view.height, 0);
+  const auto keep = [&](std::uint16_t, std::span<const std::byte>) {
+    read_depth(renderer.frame(), effects, view.width, depth);
+  };
+  Picture picture = draw(renderer, scene, camera, view, plan, way, keep);
+  return {std::move(picture), std::move(depth)};
+}
 
 /// An RGB565 pixel.
 inline int pixel_of(const DepthPicture& picture, int x, int y, int width) {
@@ -53,52 +75,20 @@ class DepthRenderer {
   /// `times`: how often each strip is drawn.
   DepthPicture draw(const Scene& scene, const Camera& camera, int times = 1) {
     const PlanResult planned = plan(count(scene), view_, effects_, {.strip_rows = strip_rows_});
-    DepthPicture picture{planned.status, {}, {}, {}, {}};
-    if (!picture.status) return picture;
-    const std::size_t words = planned.plan.bytes() / 8 + 1;
-    if (arena_.size() < words) arena_.resize(words, 0x0101010101010101ULL * garbage_);
-    picture.status = renderer_.begin_frame(scene, camera, view_, planned.plan,
-                                           std::as_writable_bytes(std::span(arena_)).first(planned.plan.bytes()));
-    if (!picture.status) return picture;
-    picture.bounds = renderer_.frame().bounds();
-    picture.depth.resize(std::size_t{view_.width} * view_.height, 0);
-    std::vector<std::uint64_t> strip(planned.plan.strip_pixel_bytes(view_) / 8 + 1, 0x0101010101010101ULL * garbage_);
-    const auto bytes = std::as_writable_bytes(std::span(strip));
-    for (std::uint16_t s = 0; s < planned.plan.strips; ++s) {
-      for (int i = 0; i < times; ++i) {
-        picture.status = renderer_.draw_strip(s, bytes);
-        if (!picture.status) return picture;
-      }
-      const int rows = std::min<int>(planned.plan.strip_rows, view_.height - s * planned.plan.strip_rows);
-      picture.pixels.insert(picture.pixels.end(), bytes.begin(),
-                            bytes.begin() + rows * static_cast<int>(bytes_per_row(view_.width, view_.format)));
-      read_depth(picture.depth);
-    }
-    picture.statistics = renderer_.frame().statistics();
-    return picture;
+    if (!planned.status) return {{planned.status, {}, {}, {}}, {}};
+    if (arena_.size() < planned.plan.bytes()) arena_.resize(planned.plan.bytes(), std::byte{garbage_});
+    return draw_with_depth(
+        renderer_, effects_, scene, camera, view_, planned.plan,
+        {.garbage = garbage_, .times = times, .arena = std::span(arena_).first(planned.plan.bytes())});
   }
 
  private:
-  void read_depth(std::vector<std::uint32_t>& depth) const {
-    const FrameWithDepthRanges& frame = renderer_.frame();
-    const Rect& area = frame.depth_area();
-    const bool wide = depth_bytes(depth_format(effects_)) == 4;
-    for (int y = area.top; y < area.bottom; ++y) {
-      for (int x = area.left; x < area.right; ++x) {
-        const int cell = (y - area.top) * area.width() + x - area.left;
-        const std::uint32_t code = wide ? frame.wide_depth()[cell] : frame.depth()[cell];
-        depth[static_cast<std::size_t>(y * view_.width + x)] =
-            code > frame.cleared_code() ? code - frame.cleared_code() : 0;
-      }
-    }
-  }
-
   Effects effects_;
   View view_;
   std::uint16_t strip_rows_;
   std::uint8_t garbage_;
   AnyRenderer renderer_;
-  std::vector<std::uint64_t> arena_;
+  std::vector<std::byte> arena_;
 };
 
 /// In the whole of one strip.

@@ -6,11 +6,10 @@
 #include <random>
 #include <vector>
 
+#include "draw.hpp"
 #include "zstrip/zstrip.hpp"
 
 namespace picture {
-
-using namespace zstrip;
 
 /// One mesh, material and instance that own their memory.
 struct Model {
@@ -70,38 +69,11 @@ inline Model random_model(unsigned seed, int triangles, int extent) {
   return model;
 }
 
-struct Picture {
-  Status status;
-  std::vector<std::byte> pixels;
-  Statistics statistics;
-  Rect bounds;
-};
-
+/// With all that the scene calls for, and its statistics.
 inline Picture render(const Scene& scene, const Camera& camera, const View& view, std::uint16_t strip_rows,
                       std::uint8_t garbage = 0xA5) {
-  const Effects effects = effects_of(scene, camera) | effect::statistics;
-  const PlanResult planned = plan(count(scene), view, effects, {.strip_rows = strip_rows});
-  if (!planned.status) return {planned.status, {}, {}, {}};
-  std::vector<std::uint64_t> words(planned.plan.bytes() / 8 + 1, 0x0101010101010101ULL * garbage);
-  const auto arena = std::as_writable_bytes(std::span(words)).first(planned.plan.bytes());
-  AnyRenderer renderer(effects);
-  Picture picture;
-  picture.status = renderer.begin_frame(scene, camera, view, planned.plan, arena);
-  if (!picture.status) return picture;
-  std::vector<std::uint16_t> strip(planned.plan.strip_pixel_bytes(view) / 2 + 1,
-                                   static_cast<std::uint16_t>(garbage * 257));
-  const std::uint32_t row = bytes_per_row(view.width, view.format);
-  for (std::uint16_t s = 0; s < planned.plan.strips; ++s) {
-    const auto bytes = std::as_writable_bytes(std::span(strip));
-    picture.status = renderer.draw_strip(s, bytes);
-    if (!picture.status) return picture;
-    const auto rows =
-        static_cast<std::uint32_t>(std::min<int>(planned.plan.strip_rows, view.height - s * planned.plan.strip_rows));
-    picture.pixels.insert(picture.pixels.end(), bytes.begin(), bytes.begin() + rows * row);
-  }
-  picture.statistics = renderer.frame().statistics();
-  picture.bounds = renderer.frame().bounds();
-  return picture;
+  return draw(effects_of(scene, camera) | effect::statistics, scene, camera, view, {.strip_rows = strip_rows},
+              {.garbage = garbage});
 }
 
 /// A square in the plane z = 0 of the given half size (16.16), cut into n x n cells of two triangles.

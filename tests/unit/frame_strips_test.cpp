@@ -10,27 +10,15 @@ namespace {
 using namespace zstrip;
 using namespace picture;
 
-struct Drawn {
-  std::vector<std::byte> pixels;
+struct Drawn : Picture {
   Mode mode;
   std::uint32_t overflows;
-  Statistics statistics;
 };
 Drawn draw_with_plan(const Scene& scene, const View& view, const Plan& p) {
   AnyRenderer renderer(effects_of(scene, Camera{}) | effect::statistics);
-  std::vector<std::uint64_t> words(p.bytes() / 8);
-  std::vector<std::byte> strip(p.strip_pixel_bytes(view));
-  Drawn drawn{};
-  EXPECT_TRUE(renderer.begin_frame(scene, Camera{}, view, p, std::as_writable_bytes(std::span(words))));
-  for (std::uint16_t i = 0; i < p.strips; ++i) {
-    EXPECT_TRUE(renderer.draw_strip(i, strip));
-    const Rect area = p.strip_area(i, view);
-    drawn.pixels.insert(drawn.pixels.end(), strip.begin(), strip.begin() + 2 * area.width() * area.height());
-  }
-  drawn.mode = renderer.frame().mode();
-  drawn.overflows = renderer.frame().bin_overflows();
-  drawn.statistics = renderer.frame().statistics();
-  return drawn;
+  Picture picture = draw(renderer, scene, Camera{}, view, p);
+  EXPECT_TRUE(picture.status);
+  return {std::move(picture), renderer.frame().mode(), renderer.frame().bin_overflows()};
 }
 
 TEST(Frame, BinsTransformOnceAndCountTheirOverflow) {

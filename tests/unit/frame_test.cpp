@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "picture.hpp"
+#include "depth_picture.hpp"
 
 namespace {
 
@@ -249,10 +249,7 @@ TEST(Frame, AnOrthographicRendererRefusesAPerspectiveCamera) {
   const Effects effects = effects_of(scene, Camera{}) | effect::orthographic;
   const View view{16, 16};
   const Plan p = plan(count(scene), view, effects).plan;
-  std::vector<std::uint64_t> words(p.bytes() / 8);
-  AnyRenderer renderer(effects);
-  EXPECT_EQ(renderer.begin_frame(scene, Camera{}, view, p, std::as_writable_bytes(std::span(words))).error,
-            Error::effect_missing);
+  EXPECT_EQ(begun(AnyRenderer(effects), scene, Camera{}, view, p).error, Error::effect_missing);
 }
 
 // Regression: a lit material on a mesh without normals and colours lost its texture in a renderer of just its effects.
@@ -285,22 +282,14 @@ TEST(Frame, DepthOfAFloorMuchLargerThanTheDepthRange) {
     camera.near_plane = c.near;
     camera.far_plane = c.far;
     const View view{32, 200};
-    const Effects effects = effects_of(scene, camera);
-    const Plan p = plan(count(scene), view, effects).plan;
-    std::vector<std::uint64_t> words(p.bytes() / 8);
-    std::vector<std::byte> pixels(p.strip_pixel_bytes(view));
-    AnyRenderer renderer(effects);
-    ASSERT_TRUE(renderer.begin_frame(scene, camera, view, p, std::as_writable_bytes(std::span(words))));
-    ASSERT_TRUE(renderer.draw_strip(0, pixels));
-    const Frame& frame = renderer.frame();
+    const DepthPicture drawn = render_depth(scene, camera, view);
+    ASSERT_TRUE(drawn.status);
     const double near = c.near / 65536.0, far = c.far / 65536.0;
     int rows = 0;
     for (int y = 101; y < view.height; ++y) {
       const double w = c.height / 65536.0 * (camera.focal / 65536.0) * 100 / (y + 0.5 - 100);
       if (w < near * 1.01 || w > far * 0.99) continue;
-      const Rect& area = frame.depth_area();
-      ASSERT_TRUE(y >= area.top && y < area.bottom);
-      const int code = frame.depth()[(y - area.top) * area.width() + 16 - area.left];
+      const std::uint32_t code = drawn.depth[static_cast<std::size_t>(y * view.width + 16)];
       const double exact = 1 + 65533 * (1 / w - 1 / far) / (1 / near - 1 / far);
       // A step of w near the camera is 4095 / 2^30 units here: w itself is that uncertain, three roundings.
       const double step = 3.0 * c.half_extent / 65536 / (1 << 30);
