@@ -192,12 +192,10 @@ TEST_F(Billboards, LongAxesAndUnknownFacingsAreRefused) {
   constexpr View kView{32, 24, PixelFormat::rgb565};
   constexpr Effects kEffects = effect::lighting | effect::gouraud | effect::billboards;
   const Plan plan = zstrip::plan(count(world.scene), kView, kEffects).plan;
-  std::vector<std::uint64_t> arena(plan.bytes() / 8 + 1);
   Renderer<kEffects> renderer;
-  const Status begun =
-      renderer.begin_frame(world.scene, camera(), kView, plan, std::as_writable_bytes(std::span(arena)));
-  EXPECT_EQ(begun.error, Error::instance);
-  EXPECT_EQ(begun.needed, 1U);
+  const Status refused = begun(renderer, world.scene, camera(), kView, plan);
+  EXPECT_EQ(refused.error, Error::instance);
+  EXPECT_EQ(refused.needed, 1U);
   std::vector<std::uint16_t> pixels(32 * 24);
   EXPECT_EQ(renderer.draw_strip(0, std::as_writable_bytes(std::span(pixels))).error, Error::not_begun);
 
@@ -212,13 +210,10 @@ TEST_F(Billboards, TakeTheBytesThatThePlanSays) {
   Plan plan = zstrip::plan(count(world.scene), kView, kEffects).plan;
   EXPECT_EQ(plan.effect_bytes, 176U) << "16 and 3 times 52, in words of 8";
   plan.effect_bytes -= 8;
-  std::vector<std::uint64_t> arena(plan.bytes() / 8 + 2);
-  Renderer<kEffects> renderer;
-  const Status begun =
-      renderer.begin_frame(world.scene, camera(), kView, plan, std::as_writable_bytes(std::span(arena)));
-  EXPECT_EQ(begun.error, Error::arena_too_small);
-  EXPECT_EQ(begun.purpose, Purpose::effects);
-  EXPECT_EQ(begun.needed, 172U);
+  const Status refused = begun(Renderer<kEffects>(), world.scene, camera(), kView, plan);
+  EXPECT_EQ(refused.error, Error::arena_too_small);
+  EXPECT_EQ(refused.purpose, Purpose::effects);
+  EXPECT_EQ(refused.needed, 172U);
 }
 
 }  // namespace

@@ -328,10 +328,7 @@ TEST(Csg, PlansHaveRoomForTheLayersOfAStrip) {
             16 + 8 + 4 * 16 + 4 * kCells * 6);
   Plan less = plan(count(scene), kCsgView, effect::csg, {}).plan;
   less.effect_bytes -= 8;
-  std::vector<std::uint64_t> arena(less.bytes() / 8 + 1);
-  Renderer<effect::csg> renderer;
-  const Status refused =
-      renderer.begin_frame(scene, world.camera, kCsgView, less, std::as_writable_bytes(std::span(arena)));
+  const Status refused = begun(Renderer<effect::csg>(), scene, world.camera, kCsgView, less);
   EXPECT_EQ(refused.error, Error::arena_too_small);
   EXPECT_EQ(refused.purpose, Purpose::effects);
 }
@@ -370,14 +367,12 @@ TEST(Csg, WhatIsDrawnOverALayerAndRenderersWithoutProductsAreRefused) {
   const Scene& scene = world.whole();
   EXPECT_EQ(effects_of(scene, world.camera), effect::csg);
   const Plan whole = plan(count(scene), kCsgView, effect::csg, {}).plan;
-  std::vector<std::uint64_t> arena(whole.bytes() / 8 + 1);
-  const auto memory = std::as_writable_bytes(std::span(arena));
+  std::vector<std::byte> arena = lent(whole.bytes());
   Renderer<effect::csg> renderer;
-  ASSERT_TRUE(renderer.begin_frame(scene, world.camera, kCsgView, whole, memory));
+  ASSERT_TRUE(renderer.begin_frame(scene, world.camera, kCsgView, whole, arena));
   std::vector<std::uint16_t> pixels(64), depth(64);
   EXPECT_EQ(renderer.draw_over({0, 0, 8, 8}, pixels, depth), (Status{.error = Error::csg, .needed = 4}));
-  Renderer<Effects{}> without_products;
-  EXPECT_EQ(without_products.begin_frame(scene, world.camera, kCsgView, whole, memory).error, Error::effect_missing);
+  EXPECT_EQ(begun(Renderer<Effects{}>(), scene, world.camera, kCsgView, whole).error, Error::effect_missing);
 }
 
 TEST(Csg, AStaticLayerKeepsProducts) {
@@ -387,20 +382,18 @@ TEST(Csg, AStaticLayerKeepsProducts) {
   const PlanResult planned =
       plan(count(scene), kCsgView, effect::csg, {.strip_rows = 96, .layer = layer_bytes_worst(kCsgView)});
   ASSERT_TRUE(planned.status);
-  std::vector<std::uint64_t> arena(planned.plan.bytes() / 8 + 1);
-  std::vector<std::uint16_t> pixels(std::size_t{128} * 96);
+  std::vector<std::byte> arena = lent(planned.plan.bytes());
   Renderer<effect::csg> renderer;
-  ASSERT_TRUE(
-      renderer.begin_frame(scene, world.camera, kCsgView, planned.plan, std::as_writable_bytes(std::span(arena))));
-  ASSERT_TRUE(renderer.draw_strip(0, std::as_writable_bytes(std::span(pixels))));
+  const picture::Picture drawn = picture::draw(renderer, scene, world.camera, kCsgView, planned.plan, {.arena = arena});
+  ASSERT_TRUE(drawn.status);
   std::vector<std::byte> depth_pool(layer_bytes_worst(kCsgView).depth), colour_pool(depth_pool.size());
   std::vector<std::uint32_t> dirty(dirty_tile_words(128, 96));
   StaticLayer layer;
   ASSERT_TRUE(layer.reset({depth_pool, colour_pool, dirty}, kCsgView));
-  ASSERT_TRUE(layer.keep(renderer.frame(), 0, std::as_bytes(std::span(pixels))));
-  std::vector<std::uint16_t> kept(pixels.size()), depth(pixels.size());
+  ASSERT_TRUE(layer.keep(renderer.frame(), 0, drawn.pixels));
+  std::vector<std::uint16_t> kept(std::size_t{128} * 96), depth(kept.size());
   ASSERT_TRUE(layer.restore({0, 0, 128, 96}, kept, depth));
-  EXPECT_EQ(kept, pixels);
+  EXPECT_EQ(kept, rgb565_of(drawn));
   const std::uint16_t background = detail::rgb565(scene.background);
   for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_EQ(depth[i] != 0, kept[i] != background) << i;
 }

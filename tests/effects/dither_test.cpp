@@ -19,25 +19,15 @@ View as_dithered(PixelFormat format) { return {kView.width, kView.height, format
 std::vector<int> levels(const scenes::Staged& staged, PixelFormat format, const Budget& budget, Effects method = {}) {
   const View view = as_dithered(format);
   const Effects effects = effects_of(staged.scene, staged.camera) | effects_of(view) | effect::bins | method;
-  const PlanResult planned = plan(count(staged.scene), view, effects, budget);
-  EXPECT_TRUE(planned.status);
-  AnyRenderer renderer(effects);
-  std::vector<std::uint64_t> arena(planned.plan.bytes() / 8 + 1);
-  EXPECT_TRUE(
-      renderer.begin_frame(staged.scene, staged.camera, view, planned.plan, std::as_writable_bytes(std::span(arena))));
-  std::vector<int> levels(std::size_t{view.width} * view.height);
-  std::vector<std::byte> strip(planned.plan.strip_pixel_bytes(view));
-  for (std::uint16_t s = 0; s < planned.plan.strips; ++s) {
-    EXPECT_TRUE(renderer.draw_strip(s, strip));
-    const Rect area = planned.plan.strip_area(s, view);
-    const int bits = format == PixelFormat::mono ? 1 : 4;
-    const auto row_bytes = static_cast<int>(bytes_per_row(static_cast<std::uint16_t>(area.width()), format));
-    for (int y = area.top; y < area.bottom; ++y) {
-      for (int x = area.left; x < area.right; ++x) {
-        const int bit = (x - area.left) * bits;
-        const auto byte = std::to_integer<int>(strip[static_cast<std::size_t>((y - area.top) * row_bytes + bit / 8)]);
-        levels[static_cast<std::size_t>(y * view.width + x)] = byte >> (8 - bits - bit % 8) & ((1 << bits) - 1);
-      }
+  const picture::Picture drawn = picture::draw(effects, staged.scene, staged.camera, view, budget);
+  EXPECT_TRUE(drawn.status);
+  const int bits = format == PixelFormat::mono ? 1 : 4;
+  const auto row_bytes = static_cast<int>(bytes_per_row(view.width, format));
+  std::vector<int> levels;
+  for (int y = 0; y < view.height; ++y) {
+    for (int bit = 0; bit < bits * view.width; bit += bits) {
+      const auto byte = std::to_integer<int>(drawn.pixels.at(static_cast<std::size_t>(y * row_bytes + bit / 8)));
+      levels.push_back(byte >> (8 - bits - bit % 8) & ((1 << bits) - 1));
     }
   }
   return levels;
@@ -211,10 +201,9 @@ TEST(Dithering, ChangedRectanglesMeetThePictureWithoutASeam) {
   constexpr Effects kEffects = kGradient | effect::dithered_colours;
   const Drawn whole = draw<kEffects>(square.scene, facing(), kSquareDithered);
   const Plan plan = zstrip::plan(count(square.scene), kSquareDithered, kEffects, {.strip_rows = 16}).plan;
-  std::vector<std::uint64_t> arena(plan.bytes() / 8 + 1);
+  std::vector<std::byte> arena = lent(plan.bytes());
   Renderer<kEffects> renderer;
-  ASSERT_TRUE(
-      renderer.begin_frame(square.scene, facing(), kSquareDithered, plan, std::as_writable_bytes(std::span(arena))));
+  ASSERT_TRUE(renderer.begin_frame(square.scene, facing(), kSquareDithered, plan, arena));
   const Rect area{13, 10, 42, 37};
   std::vector<std::uint16_t> pixels(static_cast<std::size_t>(area.width() * area.height()));
   std::vector<std::uint16_t> depth(pixels.size());

@@ -3,15 +3,17 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
+#include "../oracle/draw.hpp"
 #include "zstrip/zstrip.hpp"
 
 namespace effects_test {
 
 using namespace zstrip;
+using picture::begun;
+using picture::lent;
 
 /// RGB565, row by row, without gaps.
 struct Drawn {
@@ -27,24 +29,9 @@ struct Drawn {
 /// Strips of `plan` drawn by any renderer, put together.
 template <class AnyKind>
 Drawn drawn_by(AnyKind& renderer, const Scene& scene, const Camera& camera, const View& view, const Plan& plan) {
-  std::vector<std::uint64_t> arena(plan.bytes() / 8 + 1, 0xA5A5A5A5A5A5A5A5ULL);
-  const Status begun = renderer.begin_frame(scene, camera, view, plan, std::as_writable_bytes(std::span(arena)));
-  EXPECT_TRUE(begun) << message(begun.error) << ' ' << begun.needed;
-  Drawn drawn{view.width, view.height, {}};
-  if (!begun) return drawn;
-  drawn.pixels.resize(std::size_t{view.width} * view.height);
-  std::vector<std::uint16_t> strip(std::size_t{plan.strip_rows} * plan.strip_columns, 0xDEAD);
-  for (std::uint16_t s = 0; s < plan.strips; ++s) {
-    EXPECT_TRUE(renderer.draw_strip(s, std::as_writable_bytes(std::span(strip))));
-    const Rect area = plan.strip_area(s, view);
-    for (int y = area.top; y < area.bottom; ++y) {
-      for (int x = area.left; x < area.right; ++x) {
-        drawn.pixels[static_cast<std::size_t>(y * view.width + x)] =
-            strip[static_cast<std::size_t>((y - area.top) * area.width() + x - area.left)];
-      }
-    }
-  }
-  return drawn;
+  const picture::Picture picture = picture::draw(renderer, scene, camera, view, plan);
+  EXPECT_TRUE(picture.status) << message(picture.status.error) << ' ' << picture.status.needed;
+  return {view.width, view.height, rgb565_of(picture)};
 }
 
 /// By the pipeline of exactly `effects`.

@@ -102,10 +102,7 @@ TEST(Edges, PlansThatAreTooSmallAreRefused) {
                                         {&Plan::colour_bytes, Purpose::colour}}) {
       Plan small = planned.plan;
       small.*part -= 8;
-      std::vector<std::uint64_t> arena(planned.plan.bytes() / 8);
-      Renderer<kEffects> renderer;
-      const Status status = renderer.begin_frame(scenes::edges.scene, scenes::edges.camera, view, small,
-                                                 std::as_writable_bytes(std::span(arena)));
+      const Status status = begun(Renderer<kEffects>(), scenes::edges.scene, scenes::edges.camera, view, small);
       EXPECT_EQ(status.error, Error::arena_too_small);
       EXPECT_EQ(status.purpose, purpose);
     }
@@ -136,12 +133,8 @@ TEST(Edges, WhatDoesNotGoWithThemIsRefused) {
   const CsgOperand operand{};
   const DirectionalLight light{};
   const auto refused = [](const Scene& scene, const View& view) {
-    Plan large = plan(count(scene), view, without(kMore, effect::edges)).plan;
-    std::vector<std::uint64_t> arena(1 << 20);
-    Renderer<kMore> renderer;
-    const Status status =
-        renderer.begin_frame(scene, scenes::edges.camera, view, large, std::as_writable_bytes(std::span(arena)));
-    return status.error;
+    const Plan large = plan(count(scene), view, without(kMore, effect::edges)).plan;
+    return begun(Renderer<kMore>(), scene, scenes::edges.camera, view, large).error;
   };
   Scene scene = scenes::edges.scene;
   EXPECT_EQ(refused(scene, {75, 58, PixelFormat::rgb565, false, 4}), Error::edges);
@@ -169,10 +162,9 @@ TEST(Edges, OnlyStripsThatWereDrawnWholeAreKept) {
   constexpr Effects kEffects = effects_of(scenes::edges.scene, scenes::edges.camera);
   const View view{80, 56};
   const Plan planned = plan(count(scenes::edges.scene), view, kEffects, {.strip_rows = 8}).plan;
-  std::vector<std::uint64_t> arena(planned.bytes() / 8), memory(1 << 16);
+  std::vector<std::byte> arena = lent(planned.bytes());
   Renderer<kEffects> renderer;
-  ASSERT_TRUE(renderer.begin_frame(scenes::edges.scene, scenes::edges.camera, view, planned,
-                                   std::as_writable_bytes(std::span(arena))));
+  ASSERT_TRUE(renderer.begin_frame(scenes::edges.scene, scenes::edges.camera, view, planned, arena));
   EXPECT_FALSE(renderer.frame().has_plain_depth());
   std::vector<std::uint16_t> pixels(std::size_t{80} * 56), depth(pixels.size());
   EXPECT_EQ(renderer.draw_over({0, 0, 80, 56}, pixels, depth).error, Error::edges);

@@ -334,9 +334,7 @@ TEST_F(Environment, TakesTheBytesThatThePlanSays) {
   EXPECT_EQ(whole.vertex_bytes - without.vertex_bytes, 4 * knot);
   EXPECT_EQ(whole.effect_bytes, 160U) << "16, 8 and 2 times 68";
   const auto begun_with = [&](const Plan& plan) {
-    std::vector<std::uint64_t> arena(plan.bytes() / 8 + 2);
-    Renderer<kEffects> renderer;
-    return renderer.begin_frame(world.scene, camera(), kView, plan, std::as_writable_bytes(std::span(arena)));
+    return begun(Renderer<kEffects>(), world.scene, camera(), kView, plan);
   };
   ASSERT_TRUE(begun_with(whole));
   Plan less = whole;

@@ -146,9 +146,7 @@ TEST(EffectsFog, ARendererWithoutItRefusesTheScene) {
   Square square(kFloor);
   const Scene scene = square.scene();
   const PlanResult planned = plan(count(scene), kView, effects_of(scene, Camera{}));
-  std::vector<std::uint64_t> arena(planned.plan.bytes() / 8);
-  Renderer<Effects{}> renderer;
-  const Status status = renderer.begin_frame(scene, {}, kView, planned.plan, std::as_writable_bytes(std::span(arena)));
+  const Status status = begun(Renderer<Effects{}>(), scene, {}, kView, planned.plan);
   EXPECT_EQ(status.error, Error::effect_missing);
   EXPECT_EQ(status.needed, low_bits(effect::fog));
 }
@@ -157,9 +155,7 @@ TEST(EffectsFog, APlanWithoutRoomForItIsRefused) {
   Square square(kFloor);
   const Scene scene = square.scene();
   const PlanResult planned = plan(count(scene), kView, Effects{});
-  std::vector<std::uint64_t> arena(planned.plan.bytes() / 8 + 100);
-  Renderer<effect::fog> renderer;
-  const Status status = renderer.begin_frame(scene, {}, kView, planned.plan, std::as_writable_bytes(std::span(arena)));
+  const Status status = begun(Renderer<effect::fog>(), scene, {}, kView, planned.plan);
   EXPECT_EQ(status.error, Error::arena_too_small);
   EXPECT_EQ(status.purpose, Purpose::effects);
   EXPECT_EQ(planned.plan.effect_bytes, 0U);

@@ -383,13 +383,10 @@ TEST(Outlines, TakeTheBytesThatThePlanSays) {
   Plan plan = zstrip::plan(counts, kView, kOutlined).plan;
   EXPECT_EQ(plan.effect_bytes, 344U) << "16, two times 52 and 224";
   plan.effect_bytes -= 8;
-  std::vector<std::uint64_t> arena(plan.bytes() / 8 + 2);
-  Renderer<kOutlined> renderer;
-  const Status begun =
-      renderer.begin_frame(world.scene, camera_at(5), kView, plan, std::as_writable_bytes(std::span(arena)));
-  EXPECT_EQ(begun.error, Error::arena_too_small);
-  EXPECT_EQ(begun.purpose, Purpose::effects);
-  EXPECT_EQ(begun.needed, 344U);
+  const Status refused = begun(Renderer<kOutlined>(), world.scene, camera_at(5), kView, plan);
+  EXPECT_EQ(refused.error, Error::arena_too_small);
+  EXPECT_EQ(refused.purpose, Purpose::effects);
+  EXPECT_EQ(refused.needed, 344U);
 }
 
 TEST(Outlines, MethodsThatKnowNoHullsRefuseThem) {

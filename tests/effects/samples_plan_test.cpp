@@ -166,10 +166,9 @@ TEST(Supersampling, StaticLayersHaveOneSample) {
   EXPECT_EQ(plan(count(staged.scene), view, kEffects, {.strip_rows = 8, .layer = layer_bytes_worst(view)}).status,
             (Status{.error = Error::samples, .needed = 4}));
   const Plan planned = plan(count(staged.scene), view, kEffects, {.strip_rows = 8}).plan;
-  std::vector<std::uint64_t> arena(planned.bytes() / 8);
+  std::vector<std::byte> arena = lent(planned.bytes());
   Renderer<kEffects> renderer;
-  ASSERT_TRUE(
-      renderer.begin_frame(staged.scene, staged.camera, view, planned, std::as_writable_bytes(std::span(arena))));
+  ASSERT_TRUE(renderer.begin_frame(staged.scene, staged.camera, view, planned, arena));
   std::vector<std::uint16_t> pixels(2 * 150 * 16);
   ASSERT_TRUE(renderer.draw_strip(0, std::as_writable_bytes(std::span(pixels))));
   std::vector<std::uint16_t> depth(64);

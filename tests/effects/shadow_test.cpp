@@ -174,18 +174,16 @@ TEST(Shadows, TakeThePoolThatTheyAreGivenOrSayHowMuchTheyNeed) {
   EXPECT_EQ(worst.shadow_side, 256U);
   EXPECT_EQ(worst.shadow_pool, store_bytes_worst(256, 256));
   const Drawn drawn = draw<kShadowed>(world.scene, world.camera, kView);
-  const auto begun = [&](std::uint32_t pool) {
+  const auto begun_with = [&](std::uint32_t pool) {
     world.shadow.pool = pool;
     const Plan plan = zstrip::plan(count(world.scene), kView, kShadowed).plan;
-    std::vector<std::uint64_t> arena(plan.bytes() / 8 + 1);
-    Renderer<kShadowed> renderer;
-    return renderer.begin_frame(world.scene, world.camera, kView, plan, std::as_writable_bytes(std::span(arena)));
+    return begun(Renderer<kShadowed>(), world.scene, world.camera, kView, plan);
   };
-  Status status = begun(8);
+  Status status = begun_with(8);
   EXPECT_EQ(status.error, Error::store_full) << "no room for the index";
   EXPECT_EQ(status.purpose, Purpose::effects);
   std::uint32_t enough = 2048;
-  while (!(status = begun(enough))) {
+  while (!(status = begun_with(enough))) {
     EXPECT_EQ(status.error, Error::store_full);
     EXPECT_EQ(status.purpose, Purpose::effects);
     ASSERT_LT(enough, worst.shadow_pool);
@@ -209,10 +207,7 @@ TEST(Shadows, TakeTheBytesThatThePlanSays) {
          {&Plan::effect_bytes, &Plan::depth_bytes, &Plan::extent_bytes, &Plan::vertex_bytes}) {
       Plan plan = right;
       plan.*part -= 8;
-      std::vector<std::uint64_t> arena(right.bytes() / 8 + 1);
-      Renderer<kShadowed | effect::bins> renderer;
-      const Status status =
-          renderer.begin_frame(world.scene, world.camera, kView, plan, std::as_writable_bytes(std::span(arena)));
+      const Status status = begun(Renderer<kShadowed | effect::bins>(), world.scene, world.camera, kView, plan);
       EXPECT_EQ(status.error, Error::arena_too_small);
       EXPECT_GT(status.needed, plan.*part);
     }
@@ -251,9 +246,9 @@ TEST(Shadows, WhatCannotBeIsRefused) {
   EXPECT_EQ(plan(count(world.scene), kView, kShadowed, layer).status.error, Error::shadow);
   world.materials[1].depth_test = DepthTest::nearer;
   const Plan plan = zstrip::plan(count(world.scene), kView, kShadowed).plan;
-  std::vector<std::uint64_t> arena(plan.bytes() / 8 + 1);
+  std::vector<std::byte> arena = lent(plan.bytes());
   Renderer<kShadowed> renderer;
-  ASSERT_TRUE(renderer.begin_frame(world.scene, world.camera, kView, plan, std::as_writable_bytes(std::span(arena))));
+  ASSERT_TRUE(renderer.begin_frame(world.scene, world.camera, kView, plan, arena));
   std::vector<std::uint16_t> pixels(64), depth(64);
   EXPECT_EQ(renderer.draw_over({0, 0, 8, 8}, pixels, depth).error, Error::shadow);
   EXPECT_FALSE(renderer.frame().has_plain_depth());
@@ -269,12 +264,10 @@ TEST(Shadows, TooSmallForThePictureDrawNothing) {
   world.camera.far_plane = fixed(8000);
   world.shadow.log2_size = 10;
   const Plan plan = zstrip::plan(count(world.scene), kView, kShadowed).plan;
-  std::vector<std::uint64_t> arena(plan.bytes() / 8 + 1), pixels(plan.strip_pixel_bytes(kView) / 8 + 1);
   Renderer<kShadowed> renderer;
-  const Status begun =
-      renderer.begin_frame(world.scene, world.camera, kView, plan, std::as_writable_bytes(std::span(arena)));
-  EXPECT_EQ(begun.error, Error::shadow);
-  EXPECT_EQ(renderer.draw_strip(0, std::as_writable_bytes(std::span(pixels))).error, Error::not_begun);
+  EXPECT_EQ(begun(renderer, world.scene, world.camera, kView, plan).error, Error::shadow);
+  std::vector<std::byte> pixels = lent(plan.strip_pixel_bytes(kView));
+  EXPECT_EQ(renderer.draw_strip(0, pixels).error, Error::not_begun);
 }
 
 TEST(Shadows, OfLightFromAnywhereAndOfNothing) {
