@@ -7,9 +7,8 @@
 #include <tuple>
 #include <vector>
 
+#include "../oracle/draw.hpp"
 #include "blob_sample.hpp"
-#include "zstrip/frame/renderer.hpp"
-#include "zstrip/plan/plan.hpp"
 #include "zstrip/scene/scene_blob.hpp"
 
 namespace zstrip::sim::test {
@@ -116,16 +115,10 @@ void draw(const SceneBlob& content, Effects method = {}) {
   const Effects effects = effects_of(content.scene, content.camera) | method;
   const PlanResult planned = plan(count(content.scene), kView, effects, {.strip_rows = 16});
   if (!planned.status) return;
-  std::vector<std::uint64_t> arena(planned.plan.bytes() / 8 + 1), pixels(planned.plan.strip_pixel_bytes(kView) / 8 + 1);
   AnyRenderer renderer(effects);
   renderer.set_visibility({.tree = &content.tree});
-  if (!renderer.begin_frame(content.scene, content.camera, kView, planned.plan,
-                            std::as_writable_bytes(std::span(arena)))) {
-    return;
-  }
-  for (std::uint16_t strip = 0; strip < planned.plan.strips; ++strip) {
-    EXPECT_TRUE(renderer.draw_strip(strip, std::as_writable_bytes(std::span(pixels))));
-  }
+  const picture::Picture drawn = picture::draw(renderer, content.scene, content.camera, kView, planned.plan);
+  EXPECT_TRUE(drawn.status || drawn.pixels.empty()) << "begun, but not drawn";
 }
 
 /// Who writes a wrong value also writes its checksum.

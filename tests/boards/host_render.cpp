@@ -4,11 +4,11 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
-#include "zstrip/frame/renderer.hpp"
+#include "../oracle/draw.hpp"
 #include "zstrip_scenes/scenes.hpp"
 #include "zstrip_scenes/showroom.hpp"
 
@@ -28,22 +28,9 @@ const scenes::BuiltIn& built_in(const std::string& name) {
 /// The bytes of all strips in order, without those that a lower last strip leaves over.
 std::vector<std::byte> render(const Scene& scene, const Camera& camera, const View& view, std::uint16_t rows,
                               Effects extra = {}) {
-  const Effects effects = effects_of(scene, camera) | extra;
-  const auto [status, plan] = zstrip::plan(count(scene), view, effects, {.strip_rows = rows});
-  check(status);
-  std::vector<std::uint64_t> arena((plan.bytes() + 7) / 8);
-  std::vector<std::uint64_t> strip((plan.strip_pixel_bytes(view) + 7) / 8);
-  const auto pixels = std::as_writable_bytes(std::span(strip)).first(plan.strip_pixel_bytes(view));
-  AnyRenderer renderer(effects);
-  check(renderer.begin_frame(scene, camera, view, plan, std::as_writable_bytes(std::span(arena))));
-  std::vector<std::byte> picture;
-  const std::size_t bytes = std::size_t{view.height} * bytes_per_row(view.width, view.format);
-  for (std::uint16_t index = 0; index < plan.strips; ++index) {
-    check(renderer.draw_strip(index, pixels));
-    const auto used = pixels.first(std::min(pixels.size(), bytes - picture.size()));
-    picture.insert(picture.end(), used.begin(), used.end());
-  }
-  return picture;
+  picture::Picture drawn = picture::draw(effects_of(scene, camera) | extra, scene, camera, view, {.strip_rows = rows});
+  check(drawn.status);
+  return std::move(drawn.pixels);
 }
 
 std::uint32_t crc32_of(const std::vector<std::byte>& picture) {

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "zstrip/frame/renderer.hpp"
+#include "../oracle/draw.hpp"
 #include "zstrip_scenes/scenes.hpp"
 
 namespace zstrip::reference {
@@ -19,20 +19,9 @@ constexpr View kView{.width = 128, .height = 128};
 
 /// With the pipeline for `effects`; empty, with a failure recorded, if the renderer refuses.
 Pixels draw(const Scene& scene, const Camera& camera, Effects effects) {
-  const PlanResult planned = plan(count(scene), kView, effects);
-  std::vector<std::uint64_t> arena(planned.plan.bytes() / sizeof(std::uint64_t) + 1);
-  Pixels strip(planned.plan.strip_pixel_bytes(kView) / 2), picture;
-  AnyRenderer renderer(effects);
-  Status status = planned.status;
-  if (status)
-    status = renderer.begin_frame(scene, camera, kView, planned.plan, std::as_writable_bytes(std::span(arena)));
-  for (std::uint16_t i = 0; status && i < planned.plan.strips; ++i) {
-    status = renderer.draw_strip(i, std::as_writable_bytes(std::span(strip)));
-    picture.insert(picture.end(), strip.begin(), strip.end());
-  }
-  EXPECT_TRUE(status) << message(status.error);
-  picture.resize(std::size_t{kView.width} * kView.height);
-  return picture;
+  const picture::Picture drawn = picture::draw(effects, scene, camera, kView);
+  EXPECT_TRUE(drawn.status) << message(drawn.status.error);
+  return rgb565_of(drawn);
 }
 
 Pixels draw(const Scene& scene, const Camera& camera) { return draw(scene, camera, effects_of(scene, camera)); }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "zstrip/frame/renderer.hpp"
+#include "../oracle/draw.hpp"
 #include "zstrip_scenes/scenes.hpp"
 
 namespace zstrip::scenes_test {
@@ -20,24 +20,11 @@ constexpr std::uint16_t kStripRows = 16;  // the last strip has 10
 std::vector<std::uint16_t> draw(const scenes::BuiltIn& built_in, const scenes::Staged& staged) {
   const Effects effects = effects_of(staged.scene, staged.camera);
   const PlanResult planned = plan(built_in.counts, kView, effects, {.strip_rows = kStripRows});
-  if (!planned.status) {
-    ADD_FAILURE() << built_in.name << ": " << message(planned.status.error);
-    return {};
-  }
-  std::vector<std::uint64_t> arena(planned.plan.bytes() / sizeof(std::uint64_t) + 1, 0xA5A5A5A5A5A5A5A5);
-  std::vector<std::uint16_t> strip(planned.plan.strip_pixel_bytes(kView) / 2);
+  EXPECT_TRUE(planned.status) << built_in.name << ": " << message(planned.status.error);
   AnyRenderer renderer(effects);
-  Status status =
-      renderer.begin_frame(staged.scene, staged.camera, kView, planned.plan, std::as_writable_bytes(std::span(arena)));
-  std::vector<std::uint16_t> picture;
-  for (std::uint16_t i = 0; status && i < planned.plan.strips; ++i) {
-    std::fill(strip.begin(), strip.end(), std::uint16_t{0xA5A5});
-    status = renderer.draw_strip(i, std::as_writable_bytes(std::span(strip)));
-    picture.insert(picture.end(), strip.begin(), strip.end());
-  }
-  EXPECT_TRUE(status) << built_in.name << ": " << message(status.error);
-  picture.resize(std::size_t{kView.width} * kView.height);
-  return picture;
+  const picture::Picture drawn = picture::draw(renderer, staged.scene, staged.camera, kView, planned.plan);
+  EXPECT_TRUE(drawn.status) << built_in.name << ": " << message(drawn.status.error);
+  return rgb565_of(drawn);
 }
 
 std::vector<std::uint16_t> turntable(const char* name, std::uint32_t frame) {

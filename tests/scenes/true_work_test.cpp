@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "../oracle/draw.hpp"
 #include "geometry.hpp"
-#include "zstrip/frame/renderer.hpp"
 #include "zstrip_scenes/scenes.hpp"
 
 namespace zstrip::scenes_test {
@@ -108,17 +108,14 @@ Work counted(const scenes::BuiltIn& workload, const View& view) {
   const Effects effects = effects_of(workload.scene, workload.camera) | effect::statistics;
   const PlanResult planned = plan(count(workload.scene), view, effects);
   EXPECT_TRUE(planned.status);
-  std::vector<std::uint64_t> arena((planned.plan.bytes() + 7) / 8);
-  std::vector<std::uint64_t> pixels((planned.plan.strip_pixel_bytes(view) + 7) / 8);
   AnyRenderer renderer(effects);
   scenes::Staged staged;
   Work sum;
   for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
     stage_workload(workload, staged, frame);
-    EXPECT_TRUE(renderer.begin_frame(staged.scene, staged.camera, view, planned.plan,
-                                     std::as_writable_bytes(std::span(arena))));
-    EXPECT_TRUE(renderer.draw_strip(0, std::as_writable_bytes(std::span(pixels))));
-    const Statistics& s = renderer.frame().statistics();
+    const picture::Picture drawn = picture::draw(renderer, staged.scene, staged.camera, view, planned.plan);
+    EXPECT_TRUE(drawn.status);
+    const Statistics& s = drawn.statistics;
     sum = sum + Work{double(s.drawn), double(s.covering), double(s.fragments), double(s.depth_passes)};
   }
   return mean(sum, kFrames);

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include "zstrip/frame/renderer.hpp"
+#include "../oracle/depth_picture.hpp"
 
 namespace store_test {
 namespace {
@@ -152,21 +152,9 @@ struct Drawn {
 };
 
 Drawn draw(const Scene& scene, const Camera& camera, const View& view) {
-  const Effects effects = effects_of(scene, camera);
-  const PlanResult planned = plan(count(scene), view, effects, {.strip_rows = view.height});
-  if (!planned.status) return {};
-  std::vector<std::uint64_t> arena((planned.plan.bytes() + 7) / 8);
-  std::vector<std::uint16_t> pixels(planned.plan.strip_pixel_bytes(view) / 2);
-  AnyRenderer renderer(effects);
-  if (!renderer.begin_frame(scene, camera, view, planned.plan, std::as_writable_bytes(std::span(arena)))) return {};
-  if (!renderer.draw_strip(0, std::as_writable_bytes(std::span(pixels)))) return {};
-  std::vector<std::uint16_t> depth(std::size_t{view.width} * view.height);
-  const Rect area = renderer.frame().depth_area();
-  for (std::int32_t y = area.top; y < area.bottom; ++y) {
-    std::copy_n(renderer.frame().depth() + (y - area.top) * area.width(), area.width(),
-                depth.begin() + y * view.width + area.left);
-  }
-  return {depth, pixels};
+  const picture::DepthPicture drawn = picture::render_depth(scene, camera, view);
+  if (!drawn.status) return {};
+  return {{drawn.depth.begin(), drawn.depth.end()}, rgb565_of(drawn)};
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ namespace {
 
 using namespace zstrip;
 using namespace ray_oracle;
+using picture::begun;
 using picture::DepthPicture;
 using picture::DepthRenderer;
 
@@ -418,18 +419,12 @@ TEST(Quadric, WhatItCannotBeIsRefused) {
   EXPECT_EQ(validate(world.scene()), (Status{.error = Error::quadric, .needed = 0})) << "slope bias";
 
   world.material.depth_slope_bias = 0;
-  Renderer<Effects{}> without;
   const Scene scene = world.scene();
   Plan p = plan(count(scene), world.view, {}).plan;
-  std::vector<std::uint64_t> arena(p.bytes() / 8);
-  const auto begin = [&] {
-    return without.begin_frame(scene, world.camera, world.view, p, std::as_writable_bytes(std::span(arena)));
-  };
-  EXPECT_EQ(begin(), (Status{.error = Error::effect_missing, .needed = effect::quadrics.bits}));
-  Renderer<effect::quadrics> with;
+  EXPECT_EQ(begun(Renderer<Effects{}>(), scene, world.camera, world.view, p),
+            (Status{.error = Error::effect_missing, .needed = effect::quadrics.bits}));
   p.instance_bytes = 0;
-  EXPECT_EQ(with.begin_frame(scene, world.camera, world.view, p, std::as_writable_bytes(std::span(arena))).purpose,
-            Purpose::instances);
+  EXPECT_EQ(begun(Renderer<effect::quadrics>(), scene, world.camera, world.view, p).purpose, Purpose::instances);
 }
 
 // Any numbers: an error or a picture, but nothing undefined.

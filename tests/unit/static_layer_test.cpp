@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -70,25 +69,22 @@ class Drawn {
   Drawn(const Scene& scene, const Camera& camera, const Budget& budget, const View& view = kView)
       : renderer(effects_of(scene, camera)),
         plan(zstrip::plan(count(scene), view, effects_of(scene, camera) | effect::bins, budget).plan) {
-    arena_.resize(plan.bytes() / 8);
-    pixels.resize(plan.strip_pixel_bytes(view));
+    arena_ = picture::lent(plan.bytes());
+    pixels = picture::lent(plan.strip_pixel_bytes(view));
   }
   Status begin(const Scene& scene, const Camera& camera, const View& view = kView) {
-    return renderer.begin_frame(scene, camera, view, plan, std::as_writable_bytes(std::span(arena_)));
+    return renderer.begin_frame(scene, camera, view, plan, arena_);
   }
   AnyRenderer renderer;
   Plan plan;
   std::vector<std::byte> pixels;
 
  private:
-  std::vector<std::uint64_t> arena_;
+  std::vector<std::byte> arena_;
 };
 
 std::vector<std::uint16_t> whole_picture(const Scene& scene, const Camera& camera) {
-  const auto drawn = picture::render(scene, camera, kView, kView.height);
-  std::vector<std::uint16_t> pixels(kPixels);
-  std::memcpy(pixels.data(), drawn.pixels.data(), 2 * kPixels);
-  return pixels;
+  return rgb565_of(picture::render(scene, camera, kView, kView.height));
 }
 
 struct LayerMemory {
@@ -98,14 +94,16 @@ struct LayerMemory {
   StaticLayer::Memory all() { return {depth, colour, dirty}; }
 };
 
-void keep_background(StaticLayer& layer, const Layers& layers, const Budget& budget) {
+/// Draws the background and keeps its strips, up to the first that cannot be kept.
+Status keep_background(StaticLayer& layer, const Layers& layers) {
   const Scene scene = layers.scene(0, 1);
-  Drawn background(scene, layers.camera, budget);
-  ASSERT_TRUE(background.begin(scene, layers.camera));
-  for (std::uint16_t strip = 0; strip < background.plan.strips; ++strip) {
-    ASSERT_TRUE(background.renderer.draw_strip(strip, background.pixels));
-    ASSERT_TRUE(layer.keep(background.renderer.frame(), strip, background.pixels));
-  }
+  Drawn background(scene, layers.camera, {.strip_rows = 16});
+  Status kept;
+  const auto keep = [&](std::uint16_t strip, std::span<const std::byte> pixels) {
+    if (kept) kept = layer.keep(background.renderer.frame(), strip, pixels);
+  };
+  EXPECT_TRUE(picture::draw(background.renderer, scene, layers.camera, kView, background.plan, {}, keep).status);
+  return kept;
 }
 
 /// Draws what is dirty into `screen`; returns how many pixels that were.
@@ -135,7 +133,7 @@ TEST_P(StaticLayers, FramesAreThoseOfTheWholeScene) {
   LayerMemory memory;
   StaticLayer layer;
   ASSERT_TRUE(layer.reset(memory.all(), kView));
-  keep_background(layer, layers, {.strip_rows = 16});
+  ASSERT_TRUE(keep_background(layer, layers));
   Drawn moving(layers.scene(1, 1), layers.camera, GetParam());
   std::vector<std::uint16_t> screen(kPixels, 0xDEAD);
   for (int frame = 0; frame < 12; ++frame) {
@@ -213,14 +211,7 @@ TEST(StaticLayer, PoolsThatAreTooSmallSaySo) {
       EXPECT_EQ(status.error, Error::store_full);
       continue;
     }
-    const Scene scene = layers.scene(0, 1);
-    Drawn background(scene, layers.camera, {.strip_rows = 16});
-    ASSERT_TRUE(background.begin(scene, layers.camera));
-    Status kept;
-    for (std::uint16_t strip = 0; kept && strip < background.plan.strips; ++strip) {
-      ASSERT_TRUE(background.renderer.draw_strip(strip, background.pixels));
-      kept = layer.keep(background.renderer.frame(), strip, background.pixels);
-    }
+    const Status kept = keep_background(layer, layers);
     if (kept) ++enough;
     if (!kept) {
       EXPECT_EQ(kept.error, Error::store_full);

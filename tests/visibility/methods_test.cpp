@@ -1,4 +1,5 @@
 // Each method's picture against the judge and against the z-buffer's, streamed, binned and in strips.
+#include "../oracle/draw.hpp"
 #include "scenes.hpp"
 #include "visibility/uncounted_pipelines.hpp"
 #include "zstrip/zstrip.hpp"
@@ -167,12 +168,8 @@ TEST(Visibility, WhatAMethodCannotIsRefused) {
   // A painter without its tree, and draw_over with any method.
   const PlanResult planned = plan(count(workload.staged.scene), kView, effects | method::painter | method::bsp, {});
   ASSERT_TRUE(planned.status);
-  std::vector<std::uint64_t> arena(planned.plan.bytes() / 8 + 1);
   AnyRenderer renderer(effects | method::painter | method::bsp);
-  EXPECT_EQ(renderer
-                .begin_frame(workload.staged.scene, workload.staged.camera, kView, planned.plan,
-                             std::as_writable_bytes(std::span(arena)))
-                .error,
+  EXPECT_EQ(picture::begun(renderer, workload.staged.scene, workload.staged.camera, kView, planned.plan).error,
             Error::visibility);
   std::vector<std::byte> pixels(planned.plan.strip_pixel_bytes(kView));
   EXPECT_EQ(renderer.draw_strip(0, pixels).error, Error::not_begun);
@@ -188,10 +185,8 @@ TEST(Visibility, MemoryIsPlannedAndTooLittleIsRefused) {
   EXPECT_EQ(planned.plan.visibility_bytes, 50U * 16);
   Plan less = planned.plan;
   less.visibility_bytes -= 8;
-  std::vector<std::uint64_t> arena(planned.plan.bytes() / 8 + 1);
-  AnyRenderer renderer(effects);
-  const Status status = renderer.begin_frame(workload.staged.scene, workload.staged.camera, kView, less,
-                                             std::as_writable_bytes(std::span(arena)));
+  const Status status =
+      picture::begun(AnyRenderer(effects), workload.staged.scene, workload.staged.camera, kView, less);
   EXPECT_EQ(status.error, Error::arena_too_small);
   EXPECT_EQ(status.purpose, Purpose::sorting);
   EXPECT_EQ(status.needed, 50U * 16);
