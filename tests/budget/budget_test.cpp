@@ -1,44 +1,37 @@
-// Every program for a board, with every scene that it draws, against its budget; and the page that says what they take.
+// Every program for a board, with every scene that it draws, against docs/measured/memory.csv.
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "budget_file.hpp"
-#include "memory_page.hpp"
+#include "memory_table.hpp"
 #include "usage.hpp"
 
 namespace zstrip::budget {
 namespace {
 
 const std::filesystem::path kBinaries = ZSTRIP_FIRMWARE_BINARIES;
-const std::filesystem::path kRoot = ZSTRIP_ROOT;
-const std::filesystem::path kFolder = kRoot / "tests/budget";
-constexpr const char* kAdvice = "if it is worth it: tests/budget/update writes what it takes now";
+
+measured::Table recorded() { return measured::read_table(ZSTRIP_MEASURED "/memory.csv", memory_format()); }
 
 class ProgramBudget : public testing::Test {
  public:
   explicit ProgramBudget(const Target& target) : target_(target) {}
   void TestBody() override {
     const Usage usage = measure(target_, kBinaries);
-    const std::string over = over_budget(usage, read_budgets(kFolder / "budgets.csv"));
-    if (!over.empty()) {
-      const SymbolTable before = read_symbols(kFolder / "symbols.csv");
-      const auto known = before.find(target_.program);
-      ADD_FAILURE() << over
-                    << grown_symbols(symbol_sizes(file_of(target_, kBinaries)),
-                                     known == before.end() ? std::vector<SymbolSize>{} : known->second)
-                    << kAdvice;
+    const measured::Table table = recorded();
+    if (table.notes == std::vector{compiler_note()}) {
+      const std::string lines = complaint(table, row_of(usage));
+      EXPECT_EQ(lines, "") << "the largest of it:\n" << largest_symbols(file_of(target_, kBinaries));
     }
     if (target_.report != Report::none) {
       EXPECT_GT(usage.stack_measured, 0U);
     }
     EXPECT_LE(usage.stack_measured, usage.stack_bound) << "the bound of the stack is wrong";
     EXPECT_LE(usage.stack_bound + target_.stack_guard, usage.stack_reserved) << "the linker script gives it too little";
+    if (table.notes != std::vector{compiler_note()}) GTEST_SKIP() << "the figures are those of another compiler";
   }
 
  private:
@@ -80,21 +73,16 @@ TEST(Budget, EveryProgramHasOne) {
 TEST(Budget, NoneIsWithoutItsProgram) {
   std::set<std::pair<std::string, std::string>> known;
   for (const Target& target : targets()) known.insert({target.program, target.scene});
-  for (const auto& [key, bytes] : read_budgets(kFolder / "budgets.csv")) {
-    EXPECT_TRUE(known.contains(key)) << key.first << ", " << key.second;
+  for (const measured::Row& row : recorded().rows) {
+    EXPECT_TRUE(known.contains({row[0], row[1]})) << row[0] << ", " << row[1];
   }
 }
 
-TEST(Budget, PageHasTheseFigures) {
-  std::ifstream stream(kRoot / "docs/memory.md");
-  const std::string page(std::istreambuf_iterator<char>(stream), {});
-  const std::string compiler = compiler_version();
-  if (page.find("compiled by " + compiler + " ") == std::string::npos) {
-    GTEST_SKIP() << "docs/memory.md has the figures of another compiler than " << compiler;
-  }
-  std::vector<Usage> usages;
-  for (const Target& target : targets()) usages.push_back(measure(target, kBinaries));
-  EXPECT_EQ(page, page_with_tables(page, memory_tables(usages, compiler))) << "tests/budget/update writes them";
+TEST(Budget, NamesTheLargestSymbols) {
+  const std::string lines = largest_symbols(file_of(targets().front(), kBinaries));
+  EXPECT_NE(lines.find("  flash, "), std::string::npos) << lines;
+  EXPECT_NE(lines.find("draw_span_triangle"), std::string::npos) << lines;
+  EXPECT_NE(lines.find("  RAM, "), std::string::npos) << lines;
 }
 
 }  // namespace

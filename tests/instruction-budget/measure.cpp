@@ -17,7 +17,7 @@
 namespace zstrip::instruction_budget {
 namespace {
 
-std::uint64_t code_bytes(const BudgetRow& row, const Programs& programs) {
+std::uint64_t code_bytes(const Case& row, const Programs& programs) {
   std::string workload = row.workload;
   for (char& letter : workload) letter = static_cast<char>(std::tolower(letter));
   const auto bytes =
@@ -28,7 +28,7 @@ std::uint64_t code_bytes(const BudgetRow& row, const Programs& programs) {
 
 }  // namespace
 
-std::optional<std::uint64_t> measure(const BudgetRow& row, const Programs& programs) {
+std::optional<std::uint64_t> measure(const Case& row, const Programs& programs) {
   if (row.mode == kCode) return code_bytes(row, programs);
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / ("zstrip_" + row.name + "_" + std::to_string(getpid()) + ".json");

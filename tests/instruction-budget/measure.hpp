@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "budget_row.hpp"
+#include "instruction_table.hpp"
 
 namespace zstrip::instruction_budget {
 
@@ -16,6 +16,6 @@ struct Programs {
 
 /// Instructions a frame, or bytes of code; empty where this machine cannot count them (no valgrind, a sanitized build).
 /// Throws std::runtime_error with the command's own words if it fails.
-std::optional<std::uint64_t> measure(const BudgetRow& row, const Programs& programs);
+std::optional<std::uint64_t> measure(const Case& row, const Programs& programs);
 
 }  // namespace zstrip::instruction_budget
