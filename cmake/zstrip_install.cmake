@@ -18,5 +18,5 @@ install(FILES ${PROJECT_BINARY_DIR}/zstripConfig.cmake ${PROJECT_BINARY_DIR}/zst
   DESTINATION ${package_folder} COMPONENT zstrip_development)
 
 if(TARGET zstrip)
-  install(TARGETS zstrip RUNTIME COMPONENT zstrip_command)
+  install(TARGETS zstrip zstrip-measure RUNTIME COMPONENT zstrip_command)
 endif()

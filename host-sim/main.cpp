@@ -1,94 +1,20 @@
 // The zstrip command: reads the command line and runs one of its subcommands.
-#include <fmt/format.h>
-
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <csignal>
-#include <cstdio>
-#include <exception>
-#include <iostream>
-#include <new>
-#include <string>
 
-#ifdef ZSTRIP_BENCH_COMMAND
-#include "accuracy/accuracy_command.hpp"
-#include "accuracy/tune_command.hpp"
-#include "bench/bench_command.hpp"
-#endif
 #include "cli/bake_command.hpp"
+#include "cli/command_line.hpp"
+#include "cli/measuring_program.hpp"
 #include "cli/plan_command.hpp"
-#include "cli/print.hpp"
 #include "cli/render_command.hpp"
 #include "cli/scenes_command.hpp"
-#include "cli/usage_error.hpp"
-#include "cli/version.hpp"
-#include "result.hpp"
-
-namespace {
-
-using zstrip::sim::ExitStatus;
-using zstrip::sim::print_failure;
-
-/// A closed standard stream gets a descriptor on which writing fails. Else the next file opened, a picture perhaps,
-/// would become the stream, and messages would be written into it.
-void keep_standard_streams() {
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);  // takes the lowest free number: this one
-  }
-}
-
-int run(int argc, char** argv) {
-  CLI::App app{"zstrip renders 3D scenes as devices with kilobytes of RAM would: strip by strip, in fixed point.",
-               "zstrip"};
-  app.set_version_flag("--version", std::string("zstrip ") + zstrip::sim::kVersion);
-  app.footer(
-      "Examples:\n  zstrip scenes\n  zstrip render teapot -o out --frames 8\n\n"
-      "'zstrip COMMAND --help' tells more. Exit status: 0 done, 1 internal error, 2 command line,\n"
-      "3 environment, 4 input file, 5 too little memory allowed, 6 output cannot be written.");
-  int exit_code = 0;
-  zstrip::sim::add_render_command(app, exit_code);
-  zstrip::sim::add_plan_command(app, exit_code);
-  zstrip::sim::add_bake_command(app, exit_code);
-  zstrip::sim::add_scenes_command(app, exit_code);
-#ifdef ZSTRIP_BENCH_COMMAND
-  zstrip::sim::add_bench_command(app, exit_code);
-  zstrip::sim::add_accuracy_command(app, exit_code);
-  zstrip::sim::add_tune_command(app, exit_code);
-#endif
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {
-      app.exit(error);  // --help, --version
-    } else {
-      return print_failure({ExitStatus::usage, zstrip::sim::usage_error(app, error)});
-    }
-  }
-  if (app.get_subcommands().empty() && app.count("--version") + app.count("--help") == 0) {
-    return print_failure({ExitStatus::usage, "a command is missing; see 'zstrip --help'"});
-  }
-  // What is written late, when buffers are flushed, can fail too.
-  std::cout.flush();
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) {
-    return print_failure({ExitStatus::output, "cannot write to standard output; is the disk full?"});
-  }
-  return exit_code;
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
-  keep_standard_streams();
-  // A limit on file sizes is then an error of write(), and said like one.
-  std::signal(SIGXFSZ, SIG_IGN);
-  try {
-    return run(argc, argv);
-  } catch (const std::bad_alloc&) {
-    return print_failure(
-        {ExitStatus::environment, "this machine has too little memory for this; use a smaller model or size"});
-  } catch (const std::exception& error) {
-    return print_failure({ExitStatus::internal, fmt::format("internal error: {}", error.what())});
-  }
+  if (const auto status = zstrip::sim::run_measuring_program(argc, argv)) return *status;
+  return zstrip::sim::run_command_line(argc, argv, [](CLI::App& app, int& exit_code) {
+    zstrip::sim::add_render_command(app, exit_code);
+    zstrip::sim::add_plan_command(app, exit_code);
+    zstrip::sim::add_bake_command(app, exit_code);
+    zstrip::sim::add_scenes_command(app, exit_code);
+    zstrip::sim::add_measuring_commands(app);
+  });
 }

@@ -18,6 +18,7 @@
 #include "accuracy/plot.hpp"
 #include "accuracy/recorded.hpp"
 #include "accuracy/results.hpp"
+#include "cli/measuring_program.hpp"
 #include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
@@ -235,7 +236,7 @@ std::string footer() {
 
 void add_accuracy_command(CLI::App& app, int& exit_code) {
   CLI::App* command =
-      app.add_subcommand("accuracy", "Measure what accuracy costs: errors, time and memory of all settings");
+      app.add_subcommand(kAccuracyCommand.name, kAccuracyCommand.description);
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
   command->add_option("scenes", a.scenes, "Built-in scenes, scene files, models or baked scenes")

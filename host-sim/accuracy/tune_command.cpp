@@ -13,6 +13,7 @@
 #include <tuple>
 
 #include "accuracy/tune.hpp"
+#include "cli/measuring_program.hpp"
 #include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
@@ -152,7 +153,7 @@ Result<Done> run(const Arguments& arguments) {
 }  // namespace
 
 void add_tune_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("tune", "Find the cheapest settings within limits of error, memory and time");
+  CLI::App* command = app.add_subcommand(kTuneCommand.name, kTuneCommand.description);
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
   command->add_option("scene", a.scene, "A built-in scene, a scene file, a model or a baked scene")

@@ -22,6 +22,7 @@
 #include "bench/stage_profile.hpp"
 #include "bench/visibility_table.hpp"
 #include "bench/workloads.hpp"
+#include "cli/measuring_program.hpp"
 #include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
@@ -311,7 +312,7 @@ void add_board_options(CLI::App& command, BenchOptions& options, CLI::Option* ta
 
 void add_bench_command(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<BenchOptions>();
-  CLI::App* command = app.add_subcommand("bench", "Measure instructions, time and memory of the benchmark workloads");
+  CLI::App* command = app.add_subcommand(kBenchCommand.name, kBenchCommand.description);
   command->footer(footer());
   auto* const table =
       command->add_option("--table", options->table, "Reproduce a published table instead")->check(one_of(tables()));

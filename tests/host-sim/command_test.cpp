@@ -29,6 +29,15 @@ TEST_F(Command, HelpWithExamplesOnEveryCommand) {
   }
 }
 
+TEST_F(Command, MeasuringWithoutItsProgramSaysWhatToBuild) {
+  std::filesystem::copy_file(ZSTRIP_COMMAND, path("zstrip"));
+  for (const char* name : {"bench", "accuracy", "tune"}) {
+    const Outcome outcome = run(path("zstrip"), {name, "--help"}, path(""));
+    EXPECT_EQ(outcome.status, 3) << name;
+    EXPECT_NE(outcome.err.find("build the target zstrip-measure"), std::string::npos) << outcome.err;
+  }
+}
+
 TEST_F(Command, Version) {
   const Outcome version = zstrip({"--version"});
   EXPECT_EQ(version.status, 0);

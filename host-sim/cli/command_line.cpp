@@ -1,0 +1,78 @@
+// Parses, runs, and turns whatever goes wrong into a line and a status.
+#include "cli/command_line.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+#include "cli/print.hpp"
+#include "cli/usage_error.hpp"
+#include "cli/version.hpp"
+#include "result.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+/// A closed standard stream gets a descriptor on which writing fails. Else the next file opened, a picture perhaps,
+/// would become the stream, and messages would be written into it.
+void keep_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);  // takes the lowest free number: this one
+  }
+}
+
+int parse_and_run(int argc, char** argv, void (*add_commands)(CLI::App& app, int& exit_code)) {
+  CLI::App app{"zstrip renders 3D scenes as devices with kilobytes of RAM would: strip by strip, in fixed point.",
+               "zstrip"};
+  app.set_version_flag("--version", std::string("zstrip ") + kVersion);
+  app.footer(
+      "Examples:\n  zstrip scenes\n  zstrip render teapot -o out --frames 8\n\n"
+      "'zstrip COMMAND --help' tells more. Exit status: 0 done, 1 internal error, 2 command line,\n"
+      "3 environment, 4 input file, 5 too little memory allowed, 6 output cannot be written.");
+  int exit_code = 0;
+  add_commands(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+      app.exit(error);  // --help, --version
+    } else {
+      return print_failure({ExitStatus::usage, usage_error(app, error)});
+    }
+  }
+  if (app.get_subcommands().empty() && app.count("--version") + app.count("--help") == 0) {
+    return print_failure({ExitStatus::usage, "a command is missing; see 'zstrip --help'"});
+  }
+  // What is written late, when buffers are flushed, can fail too.
+  std::cout.flush();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) {
+    return print_failure({ExitStatus::output, "cannot write to standard output; is the disk full?"});
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv, void (*add_commands)(CLI::App& app, int& exit_code)) {
+  keep_standard_streams();
+  // A limit on file sizes is then an error of write(), and said like one.
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    return parse_and_run(argc, argv, add_commands);
+  } catch (const std::bad_alloc&) {
+    return print_failure(
+        {ExitStatus::environment, "this machine has too little memory for this; use a smaller model or size"});
+  } catch (const std::exception& error) {
+    return print_failure({ExitStatus::internal, fmt::format("internal error: {}", error.what())});
+  }
+}
+
+}  // namespace zstrip::sim

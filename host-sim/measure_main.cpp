@@ -1,0 +1,15 @@
+// zstrip-measure: the subcommands of the command that measure. The command runs it.
+#include <CLI/CLI.hpp>
+
+#include "accuracy/accuracy_command.hpp"
+#include "accuracy/tune_command.hpp"
+#include "bench/bench_command.hpp"
+#include "cli/command_line.hpp"
+
+int main(int argc, char** argv) {
+  return zstrip::sim::run_command_line(argc, argv, [](CLI::App& app, int& exit_code) {
+    zstrip::sim::add_bench_command(app, exit_code);
+    zstrip::sim::add_accuracy_command(app, exit_code);
+    zstrip::sim::add_tune_command(app, exit_code);
+  });
+}
