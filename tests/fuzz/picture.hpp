@@ -4,9 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
-#include "zstrip/frame/renderer.hpp"
+#include "../oracle/draw.hpp"
 
 namespace fuzz {
 
@@ -21,12 +20,7 @@ struct Request {
   std::array<std::uint32_t, 5> surplus{};
 };
 
-struct Picture {
-  zstrip::Status status;          ///< of plan, or else of begin_frame
-  std::vector<std::byte> pixels;  ///< all rows; empty unless status is a success
-  zstrip::Rect bounds;
-  zstrip::Statistics statistics;
-};
+using picture::Picture;
 
 /// The scene must have passed validate(). Aborts where the renderer breaks a promise about a single picture: that
 /// strips are drawn after begin_frame succeeded and never after it failed; bounds inside the view, depth codes in
