@@ -183,11 +183,12 @@ TEST_P(Mps2SelfTest, WaitOfOneCycleEnds) {
   EXPECT_EQ(status, 0);
 }
 
-/// A bus fault has its address, and says nothing of the other kind's.
+/// A bus fault has its address, and says nothing of the other kind's. Code for the Cortex-M0, which has no such
+/// registers, names no address.
 TEST_P(Mps2SelfTest, FaultsNameTheAddressThatIsValid) {
-  if (GetParam().name == std::string("m0")) GTEST_SKIP() << "it has no such registers";
   const auto [output, status] = run(GetParam(), "self_test", {"fault"});
-  EXPECT_NE(output.find(" bfar 90000000\n"), std::string::npos) << output;
+  const char* const address = GetParam().name == std::string("m0") ? "" : " bfar 90000000\n";
+  EXPECT_EQ(output.substr(std::min(output.find(" bfar"), output.size())), address) << output;
   EXPECT_EQ(output.find("mmfar"), std::string::npos) << output;
 }
 
