@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -18,6 +19,7 @@
 #include "accuracy/plot.hpp"
 #include "accuracy/recorded.hpp"
 #include "accuracy/results.hpp"
+#include "accuracy/tables.hpp"
 #include "cli/measuring_program.hpp"
 #include "cli/one_of.hpp"
 #include "cli/parse.hpp"
@@ -35,6 +37,7 @@ namespace fs = std::filesystem;
 struct Arguments {
   std::vector<std::string> scenes;
   std::vector<std::string> targets{"host"};
+  std::vector<std::string> default_targets;
   std::string knobs = "all";
   std::string size = "160x120";
   std::string up = "y";
@@ -46,14 +49,17 @@ struct Arguments {
   bool programs = false;
   bool quiet = false;
   std::string firmware;
-  std::string replot;
+  std::string recorded;
   std::string output = "accuracy";
 };
 
 struct Job {
+  struct Target {
+    std::string name;
+    CampaignOptions options;
+  };
   std::vector<AccuracyRequest> requests;  ///< one a scene, for the first target
-  std::vector<std::string> targets;
-  CampaignOptions options;
+  std::vector<Target> targets;
 };
 
 Result<Job> parse(const Arguments& arguments) {
@@ -63,18 +69,20 @@ Result<Job> parse(const Arguments& arguments) {
   if (!up) return up.failure();
   const Result<std::vector<Knob>> turned = parse_knobs(arguments.knobs);
   if (!turned) return turned.failure();
-  Job job{{},
-          arguments.targets,
-          {.knobs = *turned,
-           .only = {},
-           .jobs = arguments.jobs,
-           .product = !arguments.singles,
-           .presets = arguments.presets}};
+  CampaignOptions options{.knobs = *turned,
+                          .only = {},
+                          .jobs = arguments.jobs,
+                          .product = !arguments.singles,
+                          .presets = arguments.presets};
   for (const std::string& text : arguments.only) {
     const Result<Settings> settings = parse_settings(text);
     if (!settings) return settings.failure();
-    job.options.only.push_back(*settings);
+    options.only.push_back(*settings);
   }
+  Job job;
+  for (const std::string& target : arguments.targets) job.targets.push_back({target, options});
+  options.only = {Settings{}};
+  for (const std::string& target : arguments.default_targets) job.targets.push_back({target, options});
   for (const std::string& scene : arguments.scenes) {
     job.requests.push_back({.scene = scene,
                             .view = {size->first, size->second, PixelFormat::rgb565},
@@ -91,7 +99,7 @@ Result<Done> write(const fs::path& path, const std::string& text) {
 }
 
 std::string file_name(const AccuracyRequest& request) {
-  return fmt::format("{}_{}.svg", fs::path(request.scene).stem().string(), request.target);
+  return fmt::format("{}_{}.svg", scene_name(request), request.target);
 }
 
 std::string summary(const Campaign& campaign, double seconds) {
@@ -118,13 +126,13 @@ Result<Done> list_programs(const Job& job) {
   for (const AccuracyRequest& request : job.requests) {
     const auto scene = open_small(request);
     if (!scene) return scene.failure();
-    if (const Result<Done> checked = check_settings(**scene, job.options); !checked) return checked.failure();
-    std::vector<Settings> settings = first_settings(**scene, job.options);
-    if (job.options.product && job.options.only.empty()) {
-      const std::vector<Settings> all = all_settings(**scene, job.options.knobs);
-      settings.insert(settings.end(), all.begin(), all.end());
-    }
-    for (const std::string& target : job.targets) {
+    for (const auto& [target, options] : job.targets) {
+      if (const Result<Done> checked = check_settings(**scene, options); !checked) return checked.failure();
+      std::vector<Settings> settings = first_settings(**scene, options);
+      if (options.product && options.only.empty()) {
+        const std::vector<Settings> all = all_settings(**scene, options.knobs);
+        settings.insert(settings.end(), all.begin(), all.end());
+      }
       if (target == "host") continue;
       for (const std::string& name : programs_for((*scene)->on(target), settings)) names.insert(name);
     }
@@ -167,20 +175,24 @@ Result<Done> make_folder(const fs::path& folder) {
                                                  folder.string(), error.message())};
 }
 
-/// Plots of figures that were written down before.
-Result<Done> replot(const std::string& table, const fs::path& folder) {
-  const Result<std::vector<Campaign>> campaigns = read_recorded(table);
+/// Tables and plots of figures that were written down before, accuracy.csv and accuracy-causes.csv.
+Result<Done> retabulate(const fs::path& recorded, const fs::path& folder) {
+  const Result<RecordedTable> settings = RecordedTable::read(recorded / "accuracy.csv");
+  if (!settings) return settings.failure();
+  const Result<RecordedTable> causes = RecordedTable::read(recorded / "accuracy-causes.csv");
+  if (!causes) return causes.failure();
+  const Result<std::vector<Campaign>> campaigns = recorded_campaigns(*settings);
   if (!campaigns) return campaigns.failure();
   if (const Result<Done> made = make_folder(folder); !made) return made.failure();
   for (const Campaign& campaign : *campaigns) {
-    if (const Result<Done> written = write(folder / file_name(campaign.request), plot_file_svg(campaign)); !written)
-      return written.failure();
+    const fs::path plot = folder / fmt::format("accuracy-{}.svg", scene_name(campaign.request));
+    if (const Result<Done> written = write(plot, plot_file_svg(campaign)); !written) return written.failure();
   }
-  return Done{};
+  return write(folder / "accuracy.md", accuracy_tables(*settings, *causes));
 }
 
 Result<Done> run(const Arguments& arguments) {
-  if (!arguments.replot.empty()) return replot(arguments.replot, arguments.output);
+  if (!arguments.recorded.empty()) return retabulate(arguments.recorded, arguments.output);
   if (arguments.scenes.empty())
     return Failure{ExitStatus::usage, "name a scene: zstrip accuracy knot -o out/accuracy; 'zstrip scenes' lists them"};
   const Result<Job> job = parse(arguments);
@@ -198,13 +210,13 @@ Result<Done> run(const Arguments& arguments) {
   for (const AccuracyRequest& request : job->requests) {
     const auto scene = AccuracyScene::open(request);
     if (!scene) return scene.failure();
+    const CampaignOptions& all = job->targets.front().options;
     Result<std::vector<CauseErrors>> causes = std::vector<CauseErrors>{};
-    if (job->options.only.empty())
-      causes = errors_of(**scene, cause_cases(**scene, job->options.knobs), job->options.jobs);
+    if (all.only.empty()) causes = errors_of(**scene, cause_cases(**scene, all.knobs), all.jobs);
     if (!causes) return causes.failure();
-    for (const std::string& target : job->targets) {
+    for (const auto& [target, options] : job->targets) {
       const Result<Done> measured =
-          measure((*scene)->on(target), job->options, *causes, arguments.quiet, folder, *journal, campaigns, pages);
+          measure((*scene)->on(target), options, *causes, arguments.quiet, folder, *journal, campaigns, pages);
       if (!measured) return measured.failure();
     }
   }
@@ -235,8 +247,7 @@ std::string footer() {
 }  // namespace
 
 void add_accuracy_command(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand(kAccuracyCommand.name, kAccuracyCommand.description);
+  CLI::App* command = app.add_subcommand(kAccuracyCommand.name, kAccuracyCommand.description);
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
   command->add_option("scenes", a.scenes, "Built-in scenes, scene files, models or baked scenes")
@@ -246,6 +257,10 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
       ->allow_extra_args(false)
       ->check(one_of({"host", "m0", "m3", "m4f"}))
       ->capture_default_str();
+  command->add_option("--default-on", a.default_targets, "Targets on which only the default is measured")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(one_of({"host", "m0", "m3", "m4f"}));
   command->add_option("--knobs", a.knobs, "Knobs to turn, separated by commas, or all")->capture_default_str();
   command->add_option("--size", a.size, "Size of the picture")->type_name("WxH")->capture_default_str();
   command->add_option("--frames", a.frames, "Poses of a turn")
@@ -265,9 +280,9 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
   command->add_flag("--list-programs", a.programs,
                     "Print the names of the boards' programs that would be run, and end");
   command
-      ->add_option("--replot", a.replot,
-                   "Measure nothing: plots of the Cortex-M3's figures in a table such as docs/accuracy.csv")
-      ->type_name("CSV");
+      ->add_option("--recorded", a.recorded,
+                   "Measure nothing: tables and plots of the figures in a folder such as docs/measured")
+      ->type_name("DIR");
   command->add_option("-o,--output", a.output, "Folder for page, plots, tables and points")
       ->type_name("DIR")
       ->capture_default_str();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -22,6 +23,8 @@ constexpr std::uint32_t kTurn = 720;  // frames of a turn: two next to each othe
 constexpr int kRounds = 5;
 
 }  // namespace
+
+std::string scene_name(const AccuracyRequest& request) { return std::filesystem::path(request.scene).stem().string(); }
 
 double time_of(const AccuracyPoint& point) {
   return point.cost.instructions ? static_cast<double>(*point.cost.instructions) : point.cost.nanoseconds;

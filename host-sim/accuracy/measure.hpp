@@ -26,6 +26,9 @@ struct AccuracyRequest {
   std::string firmware;  ///< folder of the boards' programs; empty: where the build puts them
 };
 
+/// The scene as plots and tables call it: of a file its name without folder and suffix.
+std::string scene_name(const AccuracyRequest& request);
+
 /// Of one picture, means of the poses.
 struct Cost {
   double nanoseconds = 0;                         ///< on this machine, the least of some rounds; 0 on boards

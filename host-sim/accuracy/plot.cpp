@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 
 namespace zstrip::sim {
 namespace {
@@ -70,7 +69,6 @@ std::string short_number(double value) {
 double error_of(const AccuracyPoint& point) { return point.errors[Figure::perceived]; }
 
 /// The scene without folder and suffix.
-std::string title_of(const Campaign& campaign) { return std::filesystem::path(campaign.request.scene).stem().string(); }
 
 /// "flat", "strips 4"; what turns several knobs has a name if it is a preset.
 std::string short_name(const AccuracyPoint& point) {
@@ -125,7 +123,7 @@ std::string head(const Campaign& campaign, const Legend& legend, double above) {
   return fmt::format(
              "<rect y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#fff\"/><text x=\"{}\" y=\"{}\" font-size=\"15\" "
              "font-weight=\"600\" fill=\"#111\">{}</text>\n",
-             -above, kWidth, kHeight + above, kLeft, kTitle - above, title_of(campaign)) +
+             -above, kWidth, kHeight + above, kLeft, kTitle - above, scene_name(campaign.request)) +
          legend.svg;
 }
 
@@ -213,7 +211,7 @@ std::string plot(const Campaign& campaign, bool alone) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 {0} {1} {2}\" width=\"{1}\" "
       "height=\"{2}\" font-family=\"system-ui, sans-serif\" font-size=\"12\" role=\"img\"><title>{3}: time against "
       "visible error</title>\n",
-      -above, kWidth, kHeight + above, title_of(campaign));
+      -above, kWidth, kHeight + above, scene_name(campaign.request));
   if (alone) svg += head(campaign, legend, above);
   svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#fff\" stroke=\"#ccc\"/>\n", kLeft,
                      kTop, kWidth - kLeft - kRight, kHeight - kTop - kBottom);

@@ -6,16 +6,22 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
-#include <map>
 #include <sstream>
-#include <string_view>
+#include <stdexcept>
 
 namespace zstrip::sim {
 namespace {
 
-/// Throws std::out_of_range and std::invalid_argument where a field is missing or no number.
-AccuracyPoint point_of(const std::map<std::string, std::size_t>& at, const std::vector<std::string>& row) {
-  const auto field = [&](std::string_view name) { return row.at(at.at(std::string(name))); };
+RecordedTable::Row fields_of(const std::string& line) {
+  RecordedTable::Row found;
+  std::istringstream stream(line);
+  for (std::string field; std::getline(stream, field, ',');) found.push_back(field);
+  return found;
+}
+
+/// Throws std::out_of_range and std::invalid_argument where a field is no number.
+AccuracyPoint point_of(const RecordedTable& table, const RecordedTable::Row& row) {
+  const auto field = [&](std::string_view name) { return table.field(row, name); };
   AccuracyPoint point{.scene = field("scene"), .target = "m3", .settings = {}, .part = "one", .errors = {}, .cost = {}};
   std::string settings = field("settings");
   std::ranges::replace(settings, ' ', ',');
@@ -34,35 +40,48 @@ AccuracyPoint point_of(const std::map<std::string, std::size_t>& at, const std::
 
 }  // namespace
 
-std::vector<std::string> csv_fields(const std::string& line) {
-  std::vector<std::string> found;
-  std::istringstream stream(line);
-  for (std::string field; std::getline(stream, field, ',');) found.push_back(field);
-  return found;
-}
-
-Result<std::vector<Campaign>> read_recorded(const std::string& file) {
+Result<RecordedTable> RecordedTable::read(const std::string& file) {
+  RecordedTable table;
+  table.file_ = file;
   std::ifstream csv(file);
   std::string line;
   if (!std::getline(csv, line)) return Failure{ExitStatus::input, fmt::format("'{}' cannot be read", file)};
-  std::map<std::string, std::size_t> at;
-  const std::vector<std::string> names = csv_fields(line);
-  for (std::size_t i = 0; i < names.size(); ++i) at[names[i]] = i;
-  std::vector<Campaign> campaigns;
+  table.names_ = fields_of(line);
   while (std::getline(csv, line)) {
-    std::vector<std::string> row = csv_fields(line);
-    row.resize(names.size());
+    table.rows_.push_back(fields_of(line));
+    table.rows_.back().resize(table.names_.size());
+  }
+  return table;
+}
+
+std::string RecordedTable::field(const Row& row, std::string_view name) const {
+  const auto found = std::ranges::find(names_, name);
+  return found == names_.end() ? "" : row[static_cast<std::size_t>(found - names_.begin())];
+}
+
+const RecordedTable::Row* RecordedTable::find(const std::vector<std::string>& first) const {
+  const auto found = std::ranges::find_if(rows_, [&](const Row& row) {
+    return row.size() >= first.size() && std::ranges::equal(first.begin(), first.end(), row.begin(),
+                                                            row.begin() + static_cast<std::ptrdiff_t>(first.size()));
+  });
+  return found == rows_.end() ? nullptr : &*found;
+}
+
+Result<std::vector<Campaign>> recorded_campaigns(const RecordedTable& table) {
+  std::vector<Campaign> campaigns;
+  for (const RecordedTable::Row& row : table.rows()) {
+    if (table.field(row, "m3").empty()) continue;
     try {
-      if (row.at(at.at("m3")).empty()) continue;
-      AccuracyPoint point = point_of(at, row);
+      AccuracyPoint point = point_of(table, row);
       if (campaigns.empty() || campaigns.back().request.scene != point.scene) {
         campaigns.push_back(
             {.request = {.scene = point.scene, .view = {}, .target = "m3", .firmware = ""}, .points = {}});
       }
       campaigns.back().points.push_back(std::move(point));
     } catch (const std::exception& error) {
-      return Failure{ExitStatus::input, fmt::format("'{}' is no table of accuracy figures: {} in the line '{}'", file,
-                                                    error.what(), line)};
+      return Failure{ExitStatus::input,
+                     fmt::format("'{}' is no table of accuracy figures: {} in the line of {}, {}", table.file(),
+                                 error.what(), table.field(row, "scene"), table.field(row, "settings"))};
     }
   }
   for (Campaign& campaign : campaigns) find_front(campaign);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "accuracy/page.hpp"
@@ -15,62 +16,76 @@ namespace {
 
 template <class T>
 std::string field(const std::optional<T>& value) {
-  return value ? fmt::format("{}", *value) : "";
+  return value ? fmt::format(",{}", *value) : ",";
 }
 
 /// Names of files may hold commas and quotes.
-std::string csv_text(std::string_view name) {
+std::string csv_text(const std::string& name) {
+  if (name.find_first_of(",\"") == std::string::npos) return name;
   std::string text = "\"";
   for (const char c : name) text += c == '"' ? "\"\"" : std::string(1, c);
   return text + '"';
 }
 
-std::string number_field(double value) { return std::isnan(value) ? "," : fmt::format(",{:.6g}", value); }
+std::string settings_text(const Settings& settings) {
+  std::string text = to_text(settings);
+  std::ranges::replace(text, ',', ' ');
+  return text;
+}
+
+std::string names_of_figures() {
+  std::string names;
+  for (const FigureInfo& figure : figures()) names += fmt::format(",{}", figure.name);
+  return names + '\n';
+}
+
+std::string figures_text(const Errors& errors) {
+  std::string text;
+  for (const double value : errors.value) text += std::isnan(value) ? "," : fmt::format(",{:.6g}", value);
+  return text + '\n';
+}
+
+/// A scene's points with the same settings, by target.
+using SamePoints = std::map<std::string, const AccuracyPoint*>;
 
 }  // namespace
 
 std::string accuracy_csv(std::span<const Campaign> campaigns) {
-  std::string csv = "scene,target,width,height,poses,settings";
-  for (const KnobInfo& knob : knobs()) csv += fmt::format(",{}", knob.name);
-  csv += ",front,nanoseconds,instructions,least_fps,most_fps,ram_bytes,scene_bytes,program_bytes";
-  for (const FigureInfo& figure : figures()) csv += fmt::format(",{}", figure.name);
-  csv += '\n';
+  std::vector<std::string> targets;
+  std::map<std::pair<std::string, std::string>, SamePoints> rows;
   for (const Campaign& campaign : campaigns) {
-    const AccuracyRequest& request = campaign.request;
-    for (const AccuracyPoint& point : campaign.points) {
-      std::string settings = to_text(point.settings);
-      std::ranges::replace(settings, ',', ' ');
-      csv += fmt::format("{},{},{},{},{},{}", csv_text(request.scene), request.target, request.view.width,
-                         request.view.height, request.frames, settings);
-      for (const KnobInfo& knob : knobs()) csv += fmt::format(",{}", point.settings.name_of(knob.knob));
-      const Cost& cost = point.cost;
-      csv += fmt::format(",{},{:.0f},{},{},{},{},{},{}", point.on_front ? 1 : 0, cost.nanoseconds,
-                         field(cost.instructions), field(cost.least_fps), field(cost.most_fps), cost.ram_bytes,
-                         cost.scene_bytes, field(cost.program_bytes));
-      for (const double value : point.errors.value) csv += number_field(value);
-      csv += '\n';
+    const std::string& target = campaign.request.target;
+    if (std::ranges::find(targets, target) == targets.end()) targets.push_back(target);
+    for (const AccuracyPoint& point : campaign.points)
+      rows[{scene_name(campaign.request), settings_text(point.settings)}][target] = &point;
+  }
+  std::string csv = "scene,settings";
+  for (const std::string& target : targets) csv += "," + (target == "host" ? "nanoseconds" : target);
+  csv += ",ram_bytes,scene_bytes,program_bytes" + names_of_figures();
+  for (const auto& [key, points] : rows) {
+    csv += fmt::format("{},{}", csv_text(key.first), key.second);
+    for (const std::string& target : targets) {
+      const auto found = points.find(target);
+      csv += found == points.end() ? ","
+             : target == "host"    ? fmt::format(",{:.0f}", found->second->cost.nanoseconds)
+                                   : field(found->second->cost.instructions);
     }
+    const auto m3 = points.find("m3");
+    const AccuracyPoint& point = *(m3 == points.end() ? points.begin() : m3)->second;
+    csv += fmt::format(",{},{}", point.cost.ram_bytes, point.cost.scene_bytes) + field(point.cost.program_bytes) +
+           figures_text(point.errors);
   }
   return csv;
 }
 
 std::string causes_csv(std::span<const Campaign> campaigns) {
-  std::string csv = "scene,width,height,poses,cause,settings";
-  for (const FigureInfo& figure : figures()) csv += fmt::format(",{}", figure.name);
-  csv += '\n';
-  const Campaign* last = nullptr;
-  for (const Campaign& campaign : campaigns) {
-    // Of all targets of a scene the same.
-    const AccuracyRequest& request = campaign.request;
-    if (last != nullptr && last->request.scene == request.scene) continue;
-    last = &campaign;
-    for (const CauseErrors& found : campaign.causes) {
-      std::string settings = to_text(found.of.settings);
-      std::ranges::replace(settings, ',', ' ');
-      csv += fmt::format("{},{},{},{},{},{}", csv_text(request.scene), request.view.width, request.view.height,
-                         request.frames, info(found.of.cause).name, settings);
-      for (const double value : found.errors.value) csv += number_field(value);
-      csv += '\n';
+  std::string csv = "scene,cause,settings" + names_of_figures();
+  std::map<std::string, const Campaign*> scenes;  // of all targets of a scene the causes are the same
+  for (const Campaign& campaign : campaigns) scenes.try_emplace(scene_name(campaign.request), &campaign);
+  for (const auto& [scene, campaign] : scenes) {
+    for (const CauseErrors& found : campaign->causes) {
+      csv += fmt::format("{},{},{}", csv_text(scene), info(found.of.cause).name, settings_text(found.of.settings)) +
+             figures_text(found.errors);
     }
   }
   return csv;
