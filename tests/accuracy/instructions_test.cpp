@@ -1,0 +1,83 @@
+// Instructions of docs/measured/accuracy.csv against a fresh count: the default and two settings of one scene, others
+// every day; with ZSTRIP_LONG all of them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <sstream>
+
+#include "measured/table.hpp"
+#include "support.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+using measured::Row;
+using measured::Table;
+
+const std::string kBunny = "/usr/share/glmark2/models/bunny.obj";
+constexpr std::size_t kSettings = 2;  // a day, beside the default
+
+/// Of a table only the columns that are compared here.
+Table with_instructions(const std::filesystem::path& file) {
+  Table table{.part = "accuracy",
+              .columns = {{"scene"},
+                          {"settings"},
+                          {"m0", measured::kInstructions},
+                          {"m3", measured::kInstructions},
+                          {"m4f", measured::kInstructions}}};
+  std::istringstream lines(test::read(file));
+  for (std::string line; std::getline(lines, line);) {
+    Row row;
+    std::istringstream cells(line);
+    for (std::string cell; row.size() < table.columns.size() && std::getline(cells, cell, ',');) row.push_back(cell);
+    if (row[0] != "scene") table.rows.push_back(row);
+  }
+  return table;
+}
+
+std::vector<std::string> arguments_for(const Table& recorded, const std::string& folder) {
+  std::vector<std::string> arguments{"accuracy", "--target", "m0,m3", "--default-on", "m4f", "-o", folder, "--quiet"};
+  std::vector<std::string> scenes;
+  for (const Row& row : recorded.rows) {
+    if (scenes.empty() || scenes.back() != row[0]) scenes.push_back(row[0]);
+  }
+  const auto add = [&](const std::string& scene) { arguments.push_back(scene == "bunny" ? kBunny : scene); };
+  if (std::getenv("ZSTRIP_LONG") != nullptr) {
+    for (const std::string& scene : scenes) add(scene);
+    arguments.insert(arguments.end(), {"--singles", "--presets"});
+    return arguments;
+  }
+  const auto today = std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()).time_since_epoch().count();
+  const auto day = static_cast<std::size_t>(today);
+  const std::string& scene = scenes[day % scenes.size()];
+  add(scene);
+  arguments.insert(arguments.end(), {"--only", "default"});
+  std::vector<std::string> settings;
+  for (const Row& row : recorded.rows) {
+    if (row[0] == scene && row[1] != "default") settings.push_back(row[1]);
+  }
+  for (std::size_t i = 0; i < kSettings; ++i) {
+    std::string chosen = settings[(day / scenes.size() * kSettings + i) % settings.size()];
+    std::ranges::replace(chosen, ' ', ',');
+    arguments.insert(arguments.end(), {"--only", chosen});
+  }
+  return arguments;
+}
+
+using AccuracyInstructions = test::FolderTest;
+
+TEST_F(AccuracyInstructions, AreThoseOfAFreshCount) {
+  const Table recorded = with_instructions(ZSTRIP_ROOT "/docs/measured/accuracy.csv");
+  ASSERT_GT(recorded.rows.size(), 100U);
+  const test::Outcome outcome =
+      test::run(ZSTRIP_ROOT "/host-sim/run", arguments_for(recorded, path("fresh")), path(""));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Table fresh = with_instructions(path("fresh/accuracy.csv"));
+  EXPECT_GT(fresh.rows.size(), kSettings);
+  for (const Row& row : fresh.rows) EXPECT_EQ(complaint(recorded, row), "");
+}
+
+}  // namespace
+}  // namespace zstrip::sim
