@@ -9,7 +9,6 @@
 #include "render/frame_refused.hpp"
 #include "report/number.hpp"
 #include "visibility/methods.hpp"
-#include "visibility/uncounted_pipelines.hpp"
 #include "zstrip/frame/renderer.hpp"
 
 namespace zstrip::sim {
@@ -126,7 +125,7 @@ Result<TimedDrawing> TimedDrawing::prepare(const Staging& original, const Method
 }
 
 Status TimedDrawing::draw() {
-  const Pipeline pipeline = plan_.mode == Mode::binned ? pipeline_for(effects_) : uncounted_pipeline(effects_);
+  const Pipeline pipeline = pipeline_for(effects_);
   FrameWithMethod frame;
   const Staging staging = scene_.staging();
   VisibilityOptions options = request_.options;

@@ -32,7 +32,7 @@ compile() {
   local source=$1 included
   shift
   if [ -d "$source" ]; then
-    included=$(printf '#include "%s"\n' "$source"/*.cpp | if [ -n "$few" ]; then grep -v pipelines; else cat; fi)
+    included=$(printf '#include "%s"\n' "$source"/*.cpp | if [ -n "$few" ]; then grep -vE '/(any_pipeline|rows_of_[a-z]*)\.cpp"' ; else cat; fi)
   else
     included="#include \"$source\""
   fi

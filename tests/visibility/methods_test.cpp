@@ -1,7 +1,6 @@
 // Each method's picture against the judge and against the z-buffer's, streamed, binned and in strips.
 #include "../oracle/draw.hpp"
 #include "scenes.hpp"
-#include "visibility/uncounted_pipelines.hpp"
 #include "zstrip/zstrip.hpp"
 
 namespace zstrip::sim::test {
@@ -113,7 +112,7 @@ TEST(Visibility, PipelinesWithoutCountsDrawTheSame) {
                              "midpoint", "midpoint-safe"}) {
       const LookedAtFrame counted = drawn(workload.staging(), request(name, kView, 80));
       const Effects effects = of_scene | parse_visibility(std::string(name))->effects;
-      const Pipeline pipeline = uncounted_pipeline(effects);
+      const Pipeline pipeline = pipeline_for(effects);
       FrameWithMethod frame;
       std::vector<std::uint64_t> arena(counted.plan.bytes() / 8 + 1);
       std::vector<std::uint16_t> pixels(counted.pixels.size());

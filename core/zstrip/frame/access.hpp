@@ -10,6 +10,7 @@
 #include "zstrip/geometry/lines.hpp"
 #include "zstrip/geometry/quadric.hpp"
 #include "zstrip/raster/assemble.hpp"
+#include "zstrip/raster/raster_effects.hpp"
 #include "zstrip/raster/target.hpp"
 
 namespace zstrip {
@@ -28,9 +29,8 @@ struct Frame::Access {
   struct Samples;
   struct Shadows;
 
-  /// Binning does not change how triangles are drawn.
   template <Effects effects>
-  using Assembler = detail::Assembler<without(effects, effect::bins)>;
+  using Assembler = detail::Assembler<detail::raster_effects(effects)>;
 
   /// Nothing is drawn until the next frame that can begin.
   static void abandon(Frame& frame) {

@@ -85,7 +85,7 @@ struct Frame::Access::Edges {
         if (!is_in(edge.a) || !is_in(edge.b) || !is_in(edge.left)) continue;
         next = i + 1;
         first = range.first_vertex;
-        const bool all_narrow = detail::transform_vertices<without(effects, effect::bins)>(
+        const bool all_narrow = detail::transform_vertices<detail::raster_effects(effects)>(
             instance, mesh, frame.origin_, first, range.vertex_count, frame.vertices_);
         count = all_narrow ? range.vertex_count : 0;
         return;

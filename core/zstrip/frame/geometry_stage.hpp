@@ -93,7 +93,7 @@ struct Frame::Access::Geometry {
             frame.vertices_ + cache);
       }
     }
-    return detail::transform_vertices<without(effects, effect::bins)>(
+    return detail::transform_vertices<detail::raster_effects(effects)>(
         *batch.instance, *batch.mesh, frame.origin_, range.first_vertex, range.vertex_count, frame.vertices_ + cache);
   }
 
@@ -108,7 +108,7 @@ struct Frame::Access::Geometry {
         if constexpr (effects.any(effect::vertex_light)) {
           if (shade_locally<effects>(frame, batch, range, cache)) return;
         }
-        detail::shade_vertices<without(effects, effect::bins)>(*batch.instance, *batch.mesh, range.first_vertex,
+        detail::shade_vertices<effects & (effect::lighting | effect::vertex_colours)>(*batch.instance, *batch.mesh, range.first_vertex,
                                                                range.vertex_count, frame.colours_ + cache);
       }
     }

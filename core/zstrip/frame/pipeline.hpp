@@ -16,17 +16,13 @@ struct Pipeline {
   Status (*draw_over)(Frame&, const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth);
 };
 
-/// A pipeline that draws the same as one with exactly `effects`: it may have more of them, but no other depth format
-/// and projection. One of effect::perspective_runs is left out where nothing is textured or the projection is
+/// A pipeline that draws the same as one with exactly `effects`: it may have more of them, but no other depth format,
+/// projection and method. One of effect::perspective_runs is left out where nothing is textured or the projection is
 /// orthographic. Effects that do not agree, or are unknown, get one that refuses every frame with Error::depth_effects;
-/// so does one of effect::perspective_runs beside a depth format or sub-ranges. Links all of them: for hosts (library
-/// zstrip::core_any).
+/// so does one of effect::perspective_runs beside a depth format or sub-ranges. Methods that do not agree, and culling
+/// with another depth format or sub-ranges, which is left to Renderer, get Error::visibility. Links all pipelines: for
+/// hosts (library zstrip::core_any).
 Pipeline pipeline_for(Effects effects);
-
-/// The same for effects with a visibility method: one with all effects of scenes, with method::culling and with
-/// statistics. Methods that do not agree, and culling with another depth format or sub-ranges, which is left to
-/// Renderer, get one that refuses every frame with Error::visibility.
-Pipeline pipeline_of_method(Effects effects);
 
 }  // namespace zstrip
 

@@ -36,6 +36,8 @@ struct ClippedPixels {
 
 template <Effects effects>
 struct Facing {
+  using Assembler = detail::Assembler<raster_effects(effects)>;
+
   /// Calls visit(index, pixels) for each triangle that faces the viewer, until it returns false, which is then the
   /// result; `pixels` is a NarrowPixels or a ClippedPixels. `all_narrow`: no vertex of the batch needs the clipping
   /// path.
@@ -73,16 +75,16 @@ struct Facing {
       const SnappedVertex& b = vertex(triangle.b);
       const SnappedVertex& c = vertex(triangle.c);
       if constexpr (!all_narrow) {
-        if (!Assembler<effects>::is_narrow(a, b, c)) {
+        if (!Assembler::is_narrow(a, b, c)) {
           RasterPolygon polygon;
-          if (Assembler<effects>::template clip<Shade::flat>(batch, triangle, polygon) &&
+          if (Assembler::template clip<Shade::flat>(batch, triangle, polygon) &&
               !visit(index, ClippedPixels{polygon.box()})) {
             return false;
           }
           continue;
         }
       }
-      const std::int32_t area = Assembler<effects>::narrow_area(a, b, c);
+      const std::int32_t area = Assembler::narrow_area(a, b, c);
       if (area <= 0 && (area == 0 || !double_sided)) continue;
       if (!visit(index, NarrowPixels{a, b, c})) return false;
     }

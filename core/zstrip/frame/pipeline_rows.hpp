@@ -1,0 +1,49 @@
+// The table of pipelines for programs that learn the effects at run time: which effects each has, and which one draws a
+// set. There is no end of sets, so that rows are supersets.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "zstrip/frame/pipeline.hpp"
+
+namespace zstrip::detail {
+
+struct PipelineRow {
+  Effects effects;
+  Pipeline pipeline;
+};
+
+template <Effects effects>
+constexpr PipelineRow pipeline_row() {
+  return {effects, {&begin_frame<effects>, &draw_strip<effects>, &draw_over<effects>}};
+}
+template <Effects... effects>
+constexpr auto pipeline_rows() {
+  return std::array{pipeline_row<effects>()...};
+}
+
+/// Methods are equal but for culling, which a row may have beside one.
+constexpr Effects own_method(Effects effects) { return without(Effects{0, effects.methods}, method::culling); }
+
+/// Whether a pipeline of these effects draws what one with exactly `asked` does: it has all of them, and the way to
+/// keep depth, the projection, the accuracy of textures and of 1/w, and the method are the same.
+constexpr bool draws(Effects effects, Effects asked) {
+  constexpr Effects kEqual = effect::orthographic | effect::depth_formats | effect::depth_ranges |
+                             effect::perspective_runs | effect::short_reciprocals;
+  return effects.has(asked) && (effects & kEqual) == (asked & kEqual) && own_method(effects) == own_method(asked) &&
+         (effects.methods == 0) == (asked.methods == 0);
+}
+
+/// All that a row can have beside what must be equal.
+inline constexpr Effects kEverything =
+    without(effect::of_scenes, effect::orthographic) | effect::statistics | effect::bins;
+
+// The rows, those that draw fastest first. Each list is a source of its own, so that they compile side by side. Static
+// storage.
+std::span<const PipelineRow> rows_of_triangles();  ///< scenes without further effects, each way to shade for itself
+std::span<const PipelineRow> rows_of_effects();    ///< any effects
+std::span<const PipelineRow> rows_of_depth();      ///< any effects with another format or mapping of depth
+std::span<const PipelineRow> rows_of_methods();    ///< any effects with a visibility method
+
+}  // namespace zstrip::detail

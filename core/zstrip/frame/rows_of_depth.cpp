@@ -1,0 +1,24 @@
+// Pipelines with another format, range or mapping of depth, or with 1/w and texture coordinates of another accuracy.
+#include "zstrip/frame/pipeline_rows.hpp"
+
+namespace zstrip::detail {
+namespace {
+
+/// Edges compare codes of z16, shadows need what a code stands for.
+constexpr Effects kWithoutEdges = without(kEverything, effect::edges);
+constexpr Effects kWithoutShadows = without(kWithoutEdges, effect::shadows);
+
+constexpr auto kRows =
+    pipeline_rows<kEverything | effect::perspective_affine, kEverything | effect::perspective_8,
+                  kEverything | effect::perspective_1, kWithoutShadows | effect::coarse_reciprocal,
+                  kWithoutShadows | effect::table_reciprocal, kWithoutEdges | effect::depth_float,
+                  kWithoutShadows | effect::depth_w16, kWithoutEdges | effect::depth_24,
+                  kWithoutEdges | effect::depth_24 | effect::orthographic, kWithoutEdges | effect::depth_32,
+                  kWithoutEdges | effect::depth_32 | effect::orthographic, kWithoutShadows | effect::depth_ranges,
+                  kWithoutShadows | effect::depth_ranges | effect::orthographic>();
+
+}  // namespace
+
+std::span<const PipelineRow> rows_of_depth() { return kRows; }
+
+}  // namespace zstrip::detail

@@ -1,0 +1,50 @@
+// Pipelines of what most scenes are: triangles, with and without light, colours and textures. Exact sets, because one
+// that has to ask how a triangle gets its colours takes a fiftieth longer for ten thousand of them.
+#include "zstrip/frame/pipeline_rows.hpp"
+#include "zstrip/frame/visibility_stages.hpp"
+
+namespace zstrip::detail {
+namespace {
+
+constexpr Effects kAllShades =
+    effect::lighting | effect::vertex_colours | effect::gouraud | effect::textures | effect::bins;
+/// Methods count nothing here, as on a device.
+constexpr Effects kOfMethods = without(effect::all, effect::orthographic | effect::statistics);
+
+/// Layers are seldom: one way to draw them is for all shades.
+template <Effects shade>
+constexpr PipelineRow shaded() {
+  constexpr Effects kEffects = shade | effect::bins;
+  return {kEffects, {&begin_frame<kEffects>, &draw_strip<kEffects>, &draw_over<kAllShades>}};
+}
+
+constexpr PipelineRow kRows[] = {
+    shaded<Effects{}>(),
+    shaded<effect::lighting>(),
+    shaded<effect::vertex_colours>(),
+    shaded<effect::lighting | effect::vertex_colours>(),
+    shaded<effect::lighting | effect::gouraud>(),
+    shaded<effect::vertex_colours | effect::gouraud>(),
+    shaded<effect::lighting | effect::vertex_colours | effect::gouraud>(),
+    shaded<effect::textures>(),
+    shaded<effect::textures | effect::lighting>(),
+    shaded<effect::textures | effect::vertex_colours>(),
+    shaded<effect::textures | effect::lighting | effect::vertex_colours>(),
+    shaded<effect::textures | effect::lighting | effect::gouraud>(),
+    shaded<effect::textures | effect::vertex_colours | effect::gouraud>(),
+    shaded<effect::textures | effect::lighting | effect::vertex_colours | effect::gouraud>(),
+    pipeline_row<kAllShades | effect::statistics>(),
+    pipeline_row<kAllShades | effect::statistics | effect::orthographic>(),
+    pipeline_row<kOfMethods | method::painter>(),
+    pipeline_row<kOfMethods | method::front_to_back>(),
+    pipeline_row<kOfMethods | method::hierarchical_z>(),
+    pipeline_row<kOfMethods | method::front_to_back | method::hierarchical_z>(),
+    pipeline_row<kOfMethods | method::midpoint>(),
+    pipeline_row<kOfMethods | method::midpoint_safe>(),
+};
+
+}  // namespace
+
+std::span<const PipelineRow> rows_of_triangles() { return kRows; }
+
+}  // namespace zstrip::detail

@@ -1,0 +1,19 @@
+// What of a set of effects changes how triangles become pixels.
+#pragma once
+
+#include "zstrip/plan/plan_inline.hpp"
+#include "zstrip/scene/effects.hpp"
+
+namespace zstrip::detail {
+
+/// The set that the rasterisers are made for, so that pipelines which differ in other stages share their code: without
+/// what only earlier or later stages do, with vertex_colours for whatever gives vertices a colour.
+constexpr Effects raster_effects(Effects effects) {
+  constexpr Effects kOfOtherStages = effect::bins | effect::billboards | effect::csg | effect::dithered_format |
+                                     effect::edges | effect::lighting | effect::shadows | effect::supersampled |
+                                     effect::surfaces | method::front_to_back | method::orders;
+  const Effects colours = has_vertex_colours(effects) ? effect::vertex_colours : Effects{};
+  return without(effects, kOfOtherStages) | colours;
+}
+
+}  // namespace zstrip::detail
