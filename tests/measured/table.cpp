@@ -127,11 +127,10 @@ void write_table(const std::filesystem::path& file, const Table& table) {
   if (!stream) throw std::runtime_error("cannot write " + file.string());
 }
 
-std::string complaint(const Table& recorded, const Row& measured) {
+std::string differences(const Table& recorded, const Row& measured) {
   const std::string name = name_of(recorded, measured);
-  const std::string command = "tests/measure " + recorded.part + " " + measured.at(0);
   const Row* const row = recorded.find(measured);
-  if (row == nullptr) return name + ": nothing is recorded; " + command + " records it\n";
+  if (row == nullptr) return name + ": nothing is recorded\n";
   std::string lines;
   for (std::size_t i = 0; i < recorded.columns.size(); ++i) {
     const Column& column = recorded.columns[i];
@@ -142,7 +141,17 @@ std::string complaint(const Table& recorded, const Row& measured) {
     }
     lines += '\n';
   }
-  if (!lines.empty()) lines += "if it is worth it, " + command + " accepts it; say why in the commit\n";
+  return lines;
+}
+
+std::string complaint(const Table& recorded, const Row& measured) {
+  const std::string command = "tests/measure " + recorded.part + " " + measured.at(0);
+  std::string lines = differences(recorded, measured);
+  if (recorded.find(measured) == nullptr) {
+    lines += command + " records it\n";
+  } else if (!lines.empty()) {
+    lines += "if it is worth it, " + command + " accepts it; say why in the commit\n";
+  }
   return lines;
 }
 

@@ -45,7 +45,9 @@ struct Table {
 Table read_table(const std::filesystem::path& file, Table format);
 void write_table(const std::filesystem::path& file, const Table& table);
 
-/// Lines that say which figures of a row are off, by how much, and which command accepts them; empty if none is.
+/// Lines that say which figures of a row are off, and by how much; empty if none is.
+std::string differences(const Table& recorded, const Row& measured);
+/// The same, and which command accepts them.
 std::string complaint(const Table& recorded, const Row& measured);
 
 /// The recorded table with what was measured in place of what is off. Figures that agree keep their recorded value, but

@@ -54,7 +54,7 @@ TEST(Measured, ComplaintSaysWhatIsOffAndWhatAcceptsIt) {
   EXPECT_NE(complaint(table, {"one", "knot", "2000", "32", "7"}), "");
   EXPECT_NE(complaint(table, {"two", "room", "1", "8", "a"}).find("recorded 0 (+1; 1 %"), std::string::npos);
   EXPECT_EQ(complaint(table, {"two", "knot", "1", "8", "a"}),
-            "two, knot: nothing is recorded; tests/measure memory two records it\n");
+            "two, knot: nothing is recorded\ntests/measure memory two records it\n");
 }
 
 TEST(Measured, WhatAgreesKeepsItsRecordedFigure) {

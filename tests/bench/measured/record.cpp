@@ -47,20 +47,38 @@ void write_page(const std::string& part, const std::vector<BenchTable>& tables) 
   if (!page.flush()) throw std::runtime_error("cannot write the page of " + part);
 }
 
-void record(const std::string& part, const fs::path& fresh, const Choice& choice) {
+/// What is off in a table, and the command that accepts it; empty if nothing is.
+std::string compared(const std::string& part, const BenchTable& table, const fs::path& fresh) {
+  const Table recorded = read_table(kFolder / file_of(part, table), table.format);
+  const std::vector<Row> rows = table.rows(fresh);
+  std::string text;
+  for (const Row& row : rows) text += differences(recorded, row);
+  if (rows.size() != recorded.rows.size()) text += table.name + ": other rows are recorded\n";
+  if (!text.empty()) text += "if it is worth it, tests/measure " + part + " " + table.name + " accepts it\n";
+  return text;
+}
+
+void record(const std::string& part, const fs::path& fresh, Choice choice) {
+  const bool compare = std::erase(choice.rows, "--compare") != 0;
   const std::vector<BenchTable> tables = tables_of(part);
   if (tables.empty()) throw std::runtime_error("there is no part " + part);
   std::vector<std::string> names;
   for (const BenchTable& table : tables) names.push_back(table.name);
   check(choice, names);
+  std::string off;
   for (const BenchTable& table : tables) {
     if (!choice.has(table.name)) continue;
+    if (compare) {
+      off += compared(part, table, fresh);
+      continue;
+    }
     Table measured = table.format;
     measured.rows = table.rows(fresh);
     const fs::path file = kFolder / file_of(part, table);
     write_table(file, merged(recorded_or_empty(file, table.format), measured, choice.exact, true));
   }
-  write_page(part, tables);
+  if (!off.empty()) throw std::runtime_error(off);
+  if (!compare) write_page(part, tables);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 
 namespace zstrip::measured {
@@ -90,6 +91,30 @@ std::vector<Row> boards(const fs::path& fresh) {
   return rows;
 }
 
+/// Of each format of depth.
+std::vector<Row> depth(const fs::path& fresh) {
+  Pivot pivot(1, {"m3", "m0"});
+  for (const char* format : {"z16", "float", "w16", "z24", "z32", "state", "ranges"}) {
+    for (const ordered_json& of : read_json(fresh / (std::string("depth_") + format + ".json")))
+      pivot.put({format}, of.at("target"), text_of(of.at("instructions_per_frame")));
+  }
+  return pivot.rows();
+}
+
+/// Lines of CSV as they are.
+std::vector<Row> ratios(const fs::path& fresh) {
+  std::vector<Row> rows;
+  std::ifstream lines(fresh / "ratios.csv");
+  for (std::string line; std::getline(lines, line);) {
+    Row row;
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
+    rows.push_back(row);
+  }
+  if (rows.empty()) throw std::runtime_error("no ratios of the store were measured");
+  return rows;
+}
+
 std::vector<Row> store(const fs::path& fresh) {
   Pivot pivot(2, {"bytes", "decode_m0", "decode_m3", "encode_m0", "encode_m3"});
   for (const char* target : {"m0", "m3"}) {
@@ -139,6 +164,7 @@ std::vector<Row> board_visibility(const fs::path& fresh) {
 // A stage is told by how often a block of instructions runs: some hundreds may move to its neighbour.
 constexpr Tolerance kStage{.share = 0.01, .at_least = 500};
 constexpr Tolerance kModel{.share = 0.01, .at_least = 0.01};
+constexpr Tolerance kRatio{.share = 0.001, .at_least = 0.005};
 constexpr Tolerance kCell{.share = 0.01, .at_least = 0.1};
 
 std::vector<BenchTable> performance_tables() {
@@ -174,6 +200,19 @@ std::vector<BenchTable> performance_tables() {
                     {"least_fps", kModel},
                     {"most_fps", kModel}}},
        boards},
+      {"depth",
+       "Formats of depth",
+       "Instructions of a frame of R50, 320x240, the mean of frames 0 to 19, with each format and with depth states "
+       "of\n"
+       "materials (`state`) and sub-ranges (`ranges`).",
+       {.part = "performance", .columns = {{"depth"}, {"m3", kInstructions}, {"m0", kInstructions}}},
+       depth},
+      {"ratios",
+       "Ratios of the depth and colour stores",
+       "16 bits a cell of the smallest rectangle that holds the picture, by the bytes of the pool with its index: six\n"
+       "frames of 320x240, their mean and the worst. Frames 0, 10, ... 50 of the workloads; of the room its turntable.",
+       {.part = "performance", .columns = {{"content"}, {"scene"}, {"mean", kRatio}, {"worst", kRatio}}},
+       ratios},
       {"store",
        "Records of the depth and colour stores",
        "Bytes of a tile of 64 cells, instructions a cell.",
