@@ -68,8 +68,6 @@ std::string short_number(double value) {
 
 double error_of(const AccuracyPoint& point) { return point.errors[Figure::perceived]; }
 
-/// The scene without folder and suffix.
-
 /// "flat", "strips 4"; what turns several knobs has a name if it is a preset.
 std::string short_name(const AccuracyPoint& point) {
   for (const NamedSettings& named : named_settings()) {

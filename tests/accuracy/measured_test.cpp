@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,26 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
+/// Where a plot shows each setting.
+std::map<std::string, std::array<double, 2>> points_of(const std::string& svg) {
+  const std::regex circle("<circle data-point=[^>]* cx=\"([0-9.]+)\" cy=\"([0-9.]+)\"[^>]*><title>([^<]*)</title>");
+  std::map<std::string, std::array<double, 2>> points;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), circle), end; at != end; ++at)
+    points[(*at)[3]] = {std::stod((*at)[1]), std::stod((*at)[2])};
+  return points;
+}
+
+/// Whether places are those of figures on a logarithmic axis: on a line through those of the least and the greatest.
+void expect_on_axis(const std::map<double, double>& place_of, const std::string& what) {
+  const auto [least, first] = *place_of.begin();
+  const auto [greatest, last] = *place_of.rbegin();
+  EXPECT_GT(std::abs(last - first), 100) << what;
+  for (const auto& [figure, place] : place_of) {
+    const double part = std::log(figure / least) / std::log(greatest / least);
+    EXPECT_NEAR(place, first + part * (last - first), 0.2) << what << ' ' << figure;
+  }
+}
+
 using MeasuredAccuracyTables = test::FolderTest;
 
 TEST_F(MeasuredAccuracyTables, TablesAndPlotsAreDrawnFromTheRecordedFigures) {
@@ -65,7 +87,19 @@ TEST_F(MeasuredAccuracyTables, TablesAndPlotsAreDrawnFromTheRecordedFigures) {
   EXPECT_EQ(settings.size(), 8U);
   const std::string page = test::read(path("new/folder/accuracy.md"));
   for (const auto& [scene, points] : settings) {
-    EXPECT_EQ(count(test::read(path("new/folder/accuracy-" + scene + ".svg")), "<circle data-point="), points) << scene;
+    const auto shown = points_of(test::read(path("new/folder/accuracy-" + scene + ".svg")));
+    EXPECT_EQ(shown.size(), points) << scene;
+    std::map<double, double> times, errors;
+    for (const RecordedTable::Row& row : recorded.rows()) {
+      if (row[0] != scene) continue;
+      std::string named = row[1];
+      std::ranges::replace(named, ' ', ',');
+      ASSERT_TRUE(shown.contains(named)) << scene << ' ' << named;
+      times[std::stod(recorded.field(row, "m3"))] = shown.at(named)[0];
+      errors[std::stod(recorded.field(row, "perceived"))] = shown.at(named)[1];
+    }
+    expect_on_axis(times, scene + ", m3");
+    expect_on_axis(errors, scene + ", perceived");
     EXPECT_EQ(count(page, "(accuracy-" + scene + ".svg)"), 1U) << scene;
     const std::size_t begin = page.find("\n### " + scene + "\n");
     ASSERT_NE(begin, std::string::npos) << scene;

@@ -70,6 +70,16 @@ TEST_F(AccuracyCommand, NamesTheProgramsOfEachCore) {
   EXPECT_EQ(outcome.out, "zstrip_scene_m0_00000000008\nzstrip_scene_m3_00000000008\n");
 }
 
+TEST_F(AccuracyCommand, MeasuresOnlyTheDefaultOnSomeTargets) {
+  const test::Outcome outcome = test::run(
+      ZSTRIP_COMMAND,
+      {"accuracy", "--target", "m3", "--default-on", "m0", "cube", "--knobs", "depth", "--singles", "--list-programs"},
+      path(""));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(outcome.out.starts_with("zstrip_scene_m0_00000000008\nzstrip_scene_m3_00000000008\n")) << outcome.out;
+  EXPECT_EQ(std::ranges::count(outcome.out, '\n'), 1 + 6) << outcome.out;
+}
+
 // Words for a browser: what a person would do, and what is then on the page.
 constexpr const char* kDoings = R"(<script>
 addEventListener('load', async () => {
