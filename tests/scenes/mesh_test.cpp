@@ -102,10 +102,10 @@ TEST(Mesh, FrontFacesLookOutwards) {
                               std::pow(-std::sin(t) + 4 * std::sin(2 * t), 2) + std::pow(3 * std::cos(3 * t), 2));
   }
   curve *= 2 * M_PI / 10000;
-  EXPECT_NEAR(signed_volume(scenes::kKnotMesh[0]), ring * curve, 0.05 * ring * curve);
+  EXPECT_NEAR(signed_volume(scenes::kKnotMesh[0]), ring * curve, 0.01 * ring * curve);
   EXPECT_NEAR(signed_volume(scenes::kCubeMesh[0]), 8, 1e-5);
   EXPECT_NEAR(signed_volume(scenes::kRoomMeshes[0]), -40, 0.01) << "seen from inside";
-  EXPECT_NEAR(signed_volume(scenes::kTeapotMesh[0]), 3172.52 / std::pow(16.070313, 3), 1e-3) << "the source's volume";
+  EXPECT_NEAR(signed_volume(scenes::kTeapotMesh[0]), 3172.52 / std::pow(16.070313, 3), 1e-5) << "the source's volume";
 }
 
 TEST(Mesh, NormalsAgreeWithTheFaces) {

@@ -39,9 +39,9 @@ TEST(Workload, KnotIsTheFormulaInDoublePrecision) {
       worst_steps = std::max(worst_steps, steps_between(mesh, mesh.positions[vertex], c + 0.13 * normal));
 
       const Colour& colour = mesh.colours[vertex];
-      EXPECT_NEAR(colour.r, std::floor(127.5 + 127 * normal.x), 1);
-      EXPECT_NEAR(colour.g, std::floor(127.5 + 127 * normal.y), 1);
-      EXPECT_NEAR(colour.b, std::floor(127.5 + 127 * normal.z), 1);
+      EXPECT_EQ(colour.r, std::floor(127.5 + 127 * normal.x));
+      EXPECT_EQ(colour.g, std::floor(127.5 + 127 * normal.y));
+      EXPECT_EQ(colour.b, std::floor(127.5 + 127 * normal.z));
       const Point error = to_point(scenes::kKnotNormals[vertex]) - normal;
       EXPECT_LE(std::max({std::abs(error.x), std::abs(error.y), std::abs(error.z)}), 0.5001 / 127);
     }

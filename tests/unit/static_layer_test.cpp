@@ -147,7 +147,7 @@ TEST_P(StaticLayers, FramesAreThoseOfTheWholeScene) {
     if (frame == 0) {
       EXPECT_EQ(drawn, kPixels);
     } else {
-      EXPECT_LT(drawn, kPixels * 3 / 4) << frame;
+      EXPECT_LT(drawn, kPixels / 4) << frame;
     }
   }
   const Scene scene = layers.scene(1, 1);

@@ -203,7 +203,7 @@ TEST(VisibilityEffects, SubRangesDifferByTheirTwoBitsAtMost) {
     const LookedAtFrame plain = drawn(built_in.staging(), request("zbuffer", kView));
     const LookedAtFrame ranged = drawn(built_in.staging(), request("half-range", kView, 16));
     // Fog changes by a step of RGB565, and where surfaces meet another one may be nearer.
-    EXPECT_LE(differing(plain.pixels, ranged.pixels), 96 * 80 / 100) << name;
+    EXPECT_LE(differing(plain.pixels, ranged.pixels), 16) << name;
   }
 }
 
