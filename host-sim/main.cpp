@@ -1,6 +1,4 @@
 // The zstrip command: reads the command line and runs one of its subcommands.
-#include <CLI/CLI.hpp>
-
 #include "cli/bake_command.hpp"
 #include "cli/command_line.hpp"
 #include "cli/measuring_program.hpp"

@@ -1,6 +1,4 @@
 // zstrip-measure: the subcommands of the command that measure. The command runs it.
-#include <CLI/CLI.hpp>
-
 #include "accuracy/accuracy_command.hpp"
 #include "accuracy/tune_command.hpp"
 #include "bench/bench_command.hpp"

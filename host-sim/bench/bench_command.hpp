@@ -1,7 +1,9 @@
 // The subcommand `zstrip bench`.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace zstrip::sim {
 

@@ -27,7 +27,7 @@ namespace {
 constexpr const char* kChosen = "auto";
 constexpr std::uint32_t kFramesOfTurn = 8;  // enough to see the sides of a thing that turns
 
-struct Arguments {
+struct PlanCommandLine {
   std::string scene;
   PlanArguments plan;
   std::optional<std::string> depth_format;  // kChosen: by the planner
@@ -36,7 +36,7 @@ struct Arguments {
   bool json = false;
 };
 
-Result<PlanRequest> parse(const Arguments& arguments) {
+Result<PlanRequest> parse(const PlanCommandLine& arguments) {
   Result<PlanRequest> request = parse_plan(arguments.plan, arguments.scene);
   if (!request) return request.failure();
   if (arguments.depth_format == kChosen) {
@@ -74,7 +74,7 @@ Result<bool> has_edges(Stage& stage) {
   return !staging->scene.edges.empty();
 }
 
-Result<Done> run(const Arguments& arguments) {
+Result<Done> run_plan(const PlanCommandLine& arguments) {
   Result<PlanRequest> request = parse(arguments);
   if (!request) return request.failure();
   Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, {}, {}, request->view, 1);
@@ -123,8 +123,8 @@ Result<Done> run(const Arguments& arguments) {
 void add_plan_command(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("plan", "Show how much memory a picture takes, for what, and the alternatives");
-  const auto arguments = std::make_shared<Arguments>();
-  Arguments& a = *arguments;
+  const auto arguments = std::make_shared<PlanCommandLine>();
+  PlanCommandLine& a = *arguments;
   command->add_option("scene", a.scene, "A built-in scene, a model, a scene file (.toml) or a baked scene (.zsc)")
       ->required()
       ->type_name("SCENE");
@@ -149,7 +149,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
       "  zstrip plan teapot --size 240x240 --ram 64K --samples 4\n"
       "  zstrip plan room --size 128x64 --ram 32K --static-layer --separation 0.01");
   command->callback([arguments, &exit_code] {
-    const Result<Done> done = run(*arguments);
+    const Result<Done> done = run_plan(*arguments);
     exit_code = done ? static_cast<int>(ExitStatus::ok) : print_failure(done.failure());
   });
 }

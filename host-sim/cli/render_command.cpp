@@ -41,7 +41,7 @@ constexpr std::uint32_t kMaxFrames = 10000;  // four digits in the names
 constexpr unsigned kMaxThreads = 256;
 
 /// As given on the command line.
-struct Arguments {
+struct RenderCommandLine {
   std::string scene;
   std::optional<std::string> output;
   ViewArguments view;
@@ -101,7 +101,7 @@ Result<Done> fit_strips_to_panel(Job& job) {
   return Done{};
 }
 
-Result<Job> parse(const Arguments& arguments) {
+Result<Job> parse(const RenderCommandLine& arguments) {
   Job job;
   const Result<PictureSettings> settings = settings_of(arguments.scene);
   if (!settings) return settings.failure();
@@ -333,7 +333,7 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
   return run;
 }
 
-Result<Done> report(const RunRecord& run, const Arguments& arguments) {
+Result<Done> report(const RunRecord& run, const RenderCommandLine& arguments) {
   const bool json_on_stdout = arguments.json && (*arguments.json == "-" || is_standard_output(*arguments.json));
   if (arguments.json) {
     const std::string json = to_json(run);
@@ -353,7 +353,7 @@ Result<Done> report(const RunRecord& run, const Arguments& arguments) {
   return Done{};
 }
 
-int run(const Arguments& arguments) {
+int run_render(const RenderCommandLine& arguments) {
   const Result<Job> job = parse(arguments);
   if (!job) return print_failure(job.failure());
   Result<RunRecord> record = render_frames(arguments.scene, *job, arguments.quiet);
@@ -368,8 +368,8 @@ int run(const Arguments& arguments) {
 
 void add_render_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("render", "Render a built-in scene, a model or a baked scene to pictures");
-  const auto arguments = std::make_shared<Arguments>();
-  Arguments& a = *arguments;
+  const auto arguments = std::make_shared<RenderCommandLine>();
+  RenderCommandLine& a = *arguments;
   command
       ->add_option("scene", a.scene,
                    "A built-in scene, a model (.obj .gltf .glb .stl .ply .3ds .dae ...), a scene file (.toml) or a "
@@ -429,7 +429,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
       "  zstrip render teapot -o panel.png --panel st7789 --bus spi@40MHz --rotation 90\n"
       "  zstrip render teapot -o oled.png --panel ssd1306 --bus i2c@400kHz --dither\n"
       "  zstrip render teapot -o smooth.png --samples 4");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = run_render(*arguments); });
 }
 
 }  // namespace zstrip::sim

@@ -20,6 +20,8 @@ add_test(NAME BakeBoard.Build COMMAND ${CMAKE_CTEST_COMMAND}
   --build-options -DCMAKE_TOOLCHAIN_FILE=${PROJECT_SOURCE_DIR}/cmake/toolchains/arm-none-eabi.cmake
     -DZSTRIP_CPU=cortex-m3 -DCMAKE_BUILD_TYPE=Release -DZSTRIP_HOST_SIM=OFF -DZSTRIP_TESTS=OFF
     -DZSTRIP_FIRMWARE_BINARIES=${folder} -DZSTRIP_SCENE=${folder}/scene.hpp)
+zstrip_test_needs(BakeBoard.Bake zstrip)
+zstrip_test_needs(BakeBoard.Build zstrip)
 set_tests_properties(BakeBoard.Build PROPERTIES
   FIXTURES_REQUIRED baked_scene FIXTURES_SETUP baked_program TIMEOUT 900 LABELS board)
 
@@ -30,4 +32,4 @@ target_compile_definitions(bake_board_test PRIVATE
   ZSTRIP_COMMAND="$<TARGET_FILE:zstrip>" ZSTRIP_NM="${CMAKE_NM}" BAKED_MODEL="${model}" BAKED_PROGRAM="${folder}/zstrip_lm3s6965evb_scene.elf")
 zstrip_configure_test(bake_board_test)
 add_dependencies(bake_board_test zstrip)
-gtest_discover_tests(bake_board_test PROPERTIES FIXTURES_REQUIRED baked_program TIMEOUT 120 LABELS board)
+zstrip_discover_tests(bake_board_test PROPERTIES FIXTURES_REQUIRED baked_program TIMEOUT 120 LABELS board)
