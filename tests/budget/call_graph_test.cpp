@@ -11,6 +11,7 @@
 
 #include "call_graph.hpp"
 #include "elf_file.hpp"
+#include "reader_name.hpp"
 
 namespace zstrip::budget {
 namespace {
@@ -171,10 +172,12 @@ TEST(Budget, ProgramsThatAreCutShortAreErrors) {
   EXPECT_THROW(read_elf(file), std::runtime_error);
 }
 
-TEST(Budget, ShortNamesOfSymbols) {
-  EXPECT_EQ(short_name("memset"), "memset");
-  EXPECT_EQ(short_name("_ZN6zstrip6detail9bounds_ofERKNS0_16CompiledInstanceERKNS0_12RasterOriginERKNS_4ViewEb"),
+TEST(Budget, ReaderNamesOfSymbols) {
+  EXPECT_EQ(reader_name("memset"), "memset");
+  EXPECT_EQ(reader_name("_ZN6zstrip6detail9bounds_ofERKNS0_16CompiledInstanceERKNS0_12RasterOriginERKNS_4ViewEb"),
             "bounds_of");
+  EXPECT_EQ(without_arguments("TriangleDepth<(DepthFormat)1>::for_each_run<unsigned short>"),
+            "TriangleDepth::for_each_run");
 }
 
 }  // namespace

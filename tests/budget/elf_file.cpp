@@ -11,7 +11,6 @@
 #include <iterator>
 #include <memory>
 #include <stdexcept>
-#include <string_view>
 
 namespace zstrip::budget {
 namespace {
@@ -114,19 +113,6 @@ std::string demangled(const std::string& symbol) {
   const std::unique_ptr<char, void (*)(void*)> name(abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status),
                                                     std::free);
   return status == 0 ? name.get() : symbol;
-}
-
-std::string short_name(const std::string& symbol) {
-  std::string name = demangled(symbol);
-  for (const std::string_view whole : {"zstrip::detail::", "zstrip::", "(anonymous namespace)::"}) {
-    for (std::size_t at = 0; (at = name.find(whole, at)) != std::string::npos;) name.erase(at, whole.size());
-  }
-  int depth = 0;  // of template arguments, where parentheses are casts
-  for (std::size_t at = 0; at < name.size(); ++at) {
-    depth += name[at] == '<' ? 1 : name[at] == '>' ? -1 : 0;
-    if (name[at] == '(' && depth == 0 && at > 0) return name.substr(0, at);
-  }
-  return name;
 }
 
 }  // namespace zstrip::budget

@@ -37,7 +37,4 @@ ElfFile read_elf(const std::filesystem::path& file);
 /// The name as the source has it, for a symbol's; the same if it is not mangled.
 std::string demangled(const std::string& symbol);
 
-/// The same without parameters and without the namespaces that all of zstrip is in: several functions may share it.
-std::string short_name(const std::string& symbol);
-
 }  // namespace zstrip::budget

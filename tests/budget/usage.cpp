@@ -14,6 +14,7 @@
 #include "board_run.hpp"
 #include "call_graph.hpp"
 #include "elf_file.hpp"
+#include "reader_name.hpp"
 #include "zstrip_scenes/scenes.hpp"
 #include "zstrip_scenes/showroom.hpp"
 
@@ -139,7 +140,7 @@ std::vector<SymbolSize> symbol_sizes(const std::filesystem::path& program) {
   std::map<std::pair<bool, std::string>, std::uint32_t> bytes;
   std::optional<std::uint32_t> last;  // several names of one address count once
   for (const Symbol& symbol : elf.symbols) {
-    if (symbol.address != last) bytes[{in_ram(symbol), short_name(symbol.name)}] += symbol.size;
+    if (symbol.address != last) bytes[{in_ram(symbol), without_arguments(reader_name(symbol.name))}] += symbol.size;
     last = symbol.address;
   }
   std::vector<SymbolSize> sizes;

@@ -36,7 +36,7 @@ Usage measure(const Target& target, const std::filesystem::path& binaries);
 
 /// Functions or objects of one name in flash or in RAM.
 struct SymbolSize {
-  std::string name;  ///< short_name's
+  std::string name;  ///< reader_name's, without arguments
   std::uint32_t bytes;
   bool in_ram;
 };

@@ -1,48 +1,20 @@
 // Every scene file that comes with the command has its picture, by a checksum: in strips of any height, on any threads,
 // and baked.
 #include <filesystem>
-#include <map>
 
 #include "command_fixture.hpp"
+#include "measured/table.hpp"
 
 namespace zstrip::sim::test {
 namespace {
 
-struct Golden {
-  const char* checksum;
-  const char* size = "160x120";
-};
-
-const std::map<std::string, Golden> kGolden{
-    {"alpha_test", {"49752349"}},
-    {"anti_aliasing", {"51440ae5"}},
-    {"bilinear", {"e760ae50"}},
-    {"billboards", {"c44c9bf8"}},
-    {"csg", {"765f7528"}},
-    {"directional", {"2ace3470"}},
-    {"dithered", {"070a1f43", "128x64"}},
-    {"edges", {"42f54a73"}},
-    {"emissive", {"a7bf3535"}},
-    {"environment", {"768b50c2"}},
-    {"fog", {"9db11e6c"}},
-    {"fog_linear", {"618f3bd2"}},
-    {"lamp", {"5fa1a24c"}},
-    {"lines", {"f825c53d"}},
-    {"mipmaps", {"858e065e"}},
-    {"outlines", {"332f5d3a"}},
-    {"palette", {"7a55f4ee", "192x64"}},
-    {"per_pixel", {"7c2b1221"}},
-    {"perspective", {"a2e93321"}},
-    {"point", {"6996af63"}},
-    {"rooms", {"26388dc1"}},
-    {"shading", {"14b91c98"}},
-    {"shadows", {"e3e01f0c"}},
-    {"specular", {"9ed36dec"}},
-    {"spheres", {"5c454a4e"}},
-    {"spot", {"aa1dbd22"}},
-    {"table", {"844d9000"}},
-    {"transparency", {"39b069f0"}},
-};
+/// Those of this repository, by name: picture size and checksum.
+const measured::Table& recorded() {
+  static const measured::Table table = measured::read_table(
+      ZSTRIP_SCENE_CHECKSUMS,
+      {.part = "checksums", .columns = {{"scene"}, {"size", measured::kExact}, {"crc32", measured::kExact}}});
+  return table;
+}
 
 class SceneChecksum : public Command, public testing::WithParamInterface<std::string> {};
 
@@ -55,19 +27,18 @@ std::vector<std::string> scene_files() {
 }
 
 TEST_P(SceneChecksum, IsThatOfThePicture) {
-  const auto found = kGolden.find(GetParam());
-  ASSERT_NE(found, kGolden.end()) << "a scene file without a checksum";
-  const Golden& golden = found->second;
   const std::string scene = std::string(ZSTRIP_SCENE_FILES "/").append(GetParam()).append(".toml");
-  EXPECT_EQ(checksum(scene, {"--size", golden.size}), golden.checksum);
-  EXPECT_EQ(checksum(scene, {"--size", golden.size, "--strip-rows", "1"}), golden.checksum);
-  EXPECT_EQ(checksum(scene, {"--size", golden.size, "--strip-rows", "7", "--strip-columns", "24"}), golden.checksum);
-  EXPECT_EQ(checksum(scene, {"--size", golden.size, "--threads", "3", "--strip-rows", "5"}), golden.checksum);
-  EXPECT_EQ(zstrip({"bake", scene, "-o", "p.zsc", "--size", golden.size, "--quiet"}).status, 0);
-  EXPECT_EQ(checksum("p.zsc", {"--size", golden.size}), golden.checksum);
+  const measured::Row* const row = recorded().find({GetParam()});
+  ASSERT_NE(row, nullptr) << "a scene file without a checksum: give it a line of " << ZSTRIP_SCENE_CHECKSUMS;
+  const std::string size = row->at(1), golden = checksum(scene, {"--size", size});
+  EXPECT_EQ(complaint(recorded(), {GetParam(), size, golden}), "");
+  EXPECT_EQ(checksum(scene, {"--size", size, "--strip-rows", "1"}), golden);
+  EXPECT_EQ(checksum(scene, {"--size", size, "--strip-rows", "7", "--strip-columns", "24"}), golden);
+  EXPECT_EQ(checksum(scene, {"--size", size, "--threads", "3", "--strip-rows", "5"}), golden);
+  EXPECT_EQ(zstrip({"bake", scene, "-o", "p.zsc", "--size", size, "--quiet"}).status, 0);
+  EXPECT_EQ(checksum("p.zsc", {"--size", size}), golden);
   // Several frames may have another camera, and what does not move by itself turns in them, or stands still.
-  EXPECT_EQ(checksums("p.zsc", {"--size", golden.size, "--frames", "3"}),
-            checksums(scene, {"--size", golden.size, "--frames", "3"}));
+  EXPECT_EQ(checksums("p.zsc", {"--size", size, "--frames", "3"}), checksums(scene, {"--size", size, "--frames", "3"}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, SceneChecksum, testing::ValuesIn(scene_files()),

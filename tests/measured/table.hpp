@@ -19,8 +19,8 @@ inline constexpr Tolerance kExact{}, kFlash{.share = 0.01}, kInstructions{.share
 /// Whether `measured` is near enough to `recorded`. A bound that is met counts as near.
 bool agrees(double recorded, double measured, Tolerance tolerance);
 
-/// A column of words that name the row, if it has no tolerance; else of figures. What is no number, or of which nothing
-/// is recorded (an empty cell), agrees only with the same text.
+/// A column of words that name the row, if it has no tolerance; else of figures. What is exact, or no number, agrees
+/// only with the same text.
 struct Column {
   std::string name;
   std::optional<Tolerance> tolerance{};

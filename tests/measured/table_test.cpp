@@ -3,8 +3,10 @@
 
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <stdexcept>
 
+#include "measured/sample.hpp"
 #include "measured/table.hpp"
 #include "measured/update.hpp"
 
@@ -52,6 +54,7 @@ TEST(Measured, ComplaintSaysWhatIsOffAndWhatAcceptsIt) {
   EXPECT_EQ(complaint(table, {"one", "room", "1000", "64", "5 of 8x8"}),
             "one, room: strips is 5 of 8x8, recorded 4 of 8x8\n" + accept);
   EXPECT_NE(complaint(table, {"one", "knot", "2000", "32", "7"}), "");
+  EXPECT_NE(complaint(table, {"one", "knot", "2000", "32.0", ""}), "") << "checksums may look like numbers";
   EXPECT_NE(complaint(table, {"two", "room", "1", "8", "a"}).find("recorded 0 (+1; 1 %"), std::string::npos);
   EXPECT_EQ(complaint(table, {"two", "knot", "1", "8", "a"}),
             "two, knot: nothing is recorded\ntests/measure memory two records it\n");
@@ -141,6 +144,19 @@ TEST(Measured, ProgramsTakeRowsAndSayWhatIsWrong) {
             0);
   EXPECT_EQ(run({"update", "f", "a"}, [](const auto&, const Choice& choice) { check(choice, {"b"}); }), 2);
   EXPECT_EQ(run({"update", "f"}, [](const auto&, const Choice&) { throw std::runtime_error("no"); }), 1);
+}
+
+TEST(Measured, SamplesTakeTurns) {
+  const std::vector<std::string> names{"a", "b", "c", "d", "e"};
+  std::set<std::string> seen;
+  for (std::size_t day = 0; day < 3; ++day) {
+    const std::vector<std::string> some = sample(names, 2, day);
+    EXPECT_EQ(some.size(), 2U);
+    seen.insert(some.begin(), some.end());
+  }
+  EXPECT_EQ(seen.size(), names.size());
+  EXPECT_EQ(sample(names, 9, 0), names);
+  EXPECT_TRUE(sample({}, 2, 7).empty());
 }
 
 }  // namespace

@@ -1,32 +1,49 @@
-# What update and flash share: builds of this project, and programs in the emulator. Who sources it sets `build`, the
-# folder for builds. The scenes that boards have in ZSTRIP_FIRMWARE_BUILDS serve, if it is set.
+# What the scripts here share: their words, and builds of this project. Sourced under `set -euo pipefail`.
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
 root=$(cd "$here/../../.." && pwd -P)
-document=$root/docs/effects.md
-declare -A cpu=([m0]=cortex-m0 [m3]=cortex-m3 [m4f]=cortex-m4) board=([m0]=mps2-an385 [m3]=mps2-an385 [m4f]=mps2-an386)
+declare -A cpu=([m0]=cortex-m0 [m3]=cortex-m3 [m4f]=cortex-m4)
 
-# build NAME PROGRAM... -- OPTION...
-build() {
-  local folder=$build/$1 programs=()
-  shift
-  while [[ $1 != -- ]]; do programs+=("$1"); shift; done
-  shift
-  if ! { cmake -S "$here" -B "$folder" "$@" &&
-         cmake --build "$folder" --parallel 2 --target "${programs[@]}"; } >"$folder.log" 2>&1; then
-    cat "$folder.log" >&2
-    exit 1
+# take_words TOOL BUILD [--exact | --check] [ROW...]: sets whole_build, tool, build (for programs here), check, exact and
+# rows. To check without a ROW is to check those of today; ZSTRIP_LONG=1 in the environment: all.
+take_words() {
+  tool=$2/tests/effects/$1 whole_build=$2 build=$2/tests/effects/cost
+  exact=() check=false
+  shift 2
+  case "${1-}" in
+    --exact) exact=(--exact); shift ;;
+    --check) check=true; shift ;;
+  esac
+  rows=("$@")
+  mkdir -p "$build"
+  if $check && [ ${#rows[@]} -eq 0 ]; then
+    read -r -a rows <<<"$("$tool" sample 3 | paste -sd ' ')"
+    echo "today: ${rows[*]}"
   fi
 }
 
-# build_for_board MACHINE PROGRAM... -- OPTION...
-build_for_board() {
-  build "$@" -DCMAKE_BUILD_TYPE=Release -DCOST_BOARD=mps2 -DZSTRIP_CPU="${cpu[$1]}" \
-    -DCMAKE_TOOLCHAIN_FILE="$root/cmake/toolchains/arm-none-eabi.cmake" \
-    ${ZSTRIP_FIRMWARE_BUILDS:+"-DZSTRIP_SCENES_LIBRARY=$ZSTRIP_FIRMWARE_BUILDS/${cpu[$1]}/firmware/scenes/libzstrip_scenes.a"}
+# build FOLDER TARGET... -- OPTION...
+build() {
+  local folder=$1 targets=()
+  shift
+  while [[ $1 != -- ]]; do targets+=("$1"); shift; done
+  shift
+  if ! { cmake -G Ninja -S "$here" -B "$folder" -DCMAKE_BUILD_TYPE=Release "$@" &&
+         cmake --build "$folder" --parallel 2 --target "${targets[@]}"; } >"$folder.log" 2>&1; then
+    cat "$folder.log" >&2
+    return 1
+  fi
 }
 
-# emulated MACHINE PROGRAM: what it prints.
-emulated() {
-  timeout 120 qemu-system-arm -M "${board[$1]}" -display none -monitor none -audiodev none,id=none -serial stdio \
-    -semihosting-config enable=on,target=native -icount shift=0 -kernel "$build/$1/$2"
+# build_for_board FOLDER MACHINE TARGET... -- OPTION...: with the libraries of the programs for boards.
+build_for_board() {
+  local folder=$1 machine=$2 libraries=
+  shift 2
+  if grep -q '^ZSTRIP_FIRMWARE:BOOL=ON$' "$whole_build/CMakeCache.txt"; then
+    libraries=$whole_build/firmware/${cpu[$machine]}
+  fi
+  build "$folder" "$@" -DCOST_BOARD=mps2 -DZSTRIP_CPU="${cpu[$machine]}" "-DCOST_LIBRARIES=$libraries" \
+    -DCMAKE_TOOLCHAIN_FILE="$root/cmake/toolchains/arm-none-eabi.cmake"
 }
+
+# joined WORD...: with semicolons, as CMake's lists.
+joined() { local IFS=';'; echo "$*"; }

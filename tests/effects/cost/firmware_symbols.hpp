@@ -1,30 +1,17 @@
-// What two programs for boards are compared by: sections, and symbols under names that do not tell which set of effects
-// a template was made for.
+// What two programs for boards are compared by: bytes of sections, and names of symbols that do not tell which set of
+// effects a template was made for.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
-#include <utility>
 
 namespace zstrip::effects_cost {
 
-/// A symbol's name without return type, parameters, the namespaces that all of zstrip is in, and sets of effects among
-/// its template arguments. Several functions may share it: draw_strip of every set of effects, parts that the compiler
-/// has split off.
-std::string reader_name(const std::string& symbol);
-
-/// A reader_name without any template argument.
-std::string without_arguments(const std::string& reader_name);
-
-/// All in bytes.
-struct FirmwareSizes {
-  std::map<std::string, std::uint32_t> sections;
-  std::map<std::pair<std::string, std::string>, std::uint32_t> symbols;  ///< by section and reader_name
-};
-
-/// Of a linked program. Throws std::runtime_error if it is not one.
-FirmwareSizes sizes_of(const std::filesystem::path& program);
+/// Of a linked program. Both throw std::runtime_error if it is not one.
+std::map<std::string, std::uint32_t> section_bytes(const std::filesystem::path& program);
+std::set<std::string> symbol_names(const std::filesystem::path& program);  ///< as budget::reader_name says
 
 }  // namespace zstrip::effects_cost
