@@ -125,7 +125,8 @@ Result<TimedDrawing> TimedDrawing::prepare(const Staging& original, const Method
 }
 
 Status TimedDrawing::draw() {
-  const Pipeline pipeline = pipeline_for(effects_);
+  // Bins are for plans that have them; without, there is a pipeline of each method that counts nothing.
+  const Pipeline pipeline = pipeline_for(plan_.mode == Mode::binned ? effects_ : without(effects_, effect::bins));
   FrameWithMethod frame;
   const Staging staging = scene_.staging();
   VisibilityOptions options = request_.options;
