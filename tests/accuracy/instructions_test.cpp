@@ -3,10 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cstdlib>
 #include <sstream>
 
+#include "measured/sample.hpp"
 #include "measured/table.hpp"
 #include "support.hpp"
 
@@ -43,25 +42,20 @@ std::vector<std::string> arguments_for(const Table& recorded, const std::string&
   for (const Row& row : recorded.rows) {
     if (scenes.empty() || scenes.back() != row[0]) scenes.push_back(row[0]);
   }
-  const auto add = [&](const std::string& scene) { arguments.push_back(scene == "bunny" ? kBunny : scene); };
-  if (std::getenv("ZSTRIP_LONG") != nullptr) {
-    for (const std::string& scene : scenes) add(scene);
+  const std::vector<std::string> chosen = measured::sample_of_today(scenes, 1);
+  for (const std::string& scene : chosen) arguments.push_back(scene == "bunny" ? kBunny : scene);
+  if (chosen.size() == scenes.size()) {
     arguments.insert(arguments.end(), {"--singles", "--presets"});
     return arguments;
   }
-  const auto today = std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()).time_since_epoch().count();
-  const auto day = static_cast<std::size_t>(today);
-  const std::string& scene = scenes[day % scenes.size()];
-  add(scene);
-  arguments.insert(arguments.end(), {"--only", "default"});
   std::vector<std::string> settings;
   for (const Row& row : recorded.rows) {
-    if (row[0] == scene && row[1] != "default") settings.push_back(row[1]);
+    if (row[0] == chosen[0] && row[1] != "default") settings.push_back(row[1]);
   }
-  for (std::size_t i = 0; i < kSettings; ++i) {
-    std::string chosen = settings[(day / scenes.size() * kSettings + i) % settings.size()];
-    std::ranges::replace(chosen, ' ', ',');
-    arguments.insert(arguments.end(), {"--only", chosen});
+  arguments.insert(arguments.end(), {"--only", "default"});
+  for (std::string of_today : measured::sample_of_today(settings, kSettings)) {
+    std::ranges::replace(of_today, ' ', ',');
+    arguments.insert(arguments.end(), {"--only", of_today});
   }
   return arguments;
 }
