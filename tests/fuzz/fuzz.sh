@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # fuzz.sh PROGRAM CORPUS FOUND: replays the corpus, then searches for new failures. What breaks PROGRAM is kept in FOUND.
-#   ZSTRIP_FUZZ_SECONDS  how long to search. Without it 60 seconds from the stored corpus, with a fixed seed and nothing
+#   ZSTRIP_FUZZ_SECONDS  how long to search. Without it 5 seconds from the stored corpus, with a fixed seed and nothing
 #                        that depends on time or addresses: the same build tries the same inputs in the same order, and
 #                        the time only decides how many. With it the seed is another each time, what the program compares
 #                        guides the search too, and what was learnt stays in FOUND for the next time.
-#   ZSTRIP_FUZZ_RUNS     how many inputs to try instead of 60 seconds: what another machine tried until it failed.
+#   ZSTRIP_FUZZ_RUNS     how many inputs to try instead of 5 seconds: what another machine tried until it failed.
 set -euo pipefail
 program=$(readlink -f "$1") corpus=$(readlink -f "$2") found=$3
 target=$(basename "$program")
@@ -21,7 +21,7 @@ else
   learnt=$(mktemp -d)
   trap 'rm -rf "$learnt"' EXIT
   search=(-seed=1 -use_cmp=0 -reload=0)
-  if [ -n "${ZSTRIP_FUZZ_RUNS-}" ]; then search+=("-runs=$ZSTRIP_FUZZ_RUNS"); else search+=(-max_total_time=60); fi
+  if [ -n "${ZSTRIP_FUZZ_RUNS-}" ]; then search+=("-runs=$ZSTRIP_FUZZ_RUNS"); else search+=(-max_total_time=5); fi
 fi
 
 # Thousands of lines of progress are of interest only if something breaks.

@@ -4,6 +4,8 @@
 set -euo pipefail
 root=$1
 checks=$root/tests/structure
+# Of sources all are looked at.
+export ZSTRIP_LONG=1
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
 failed=0
@@ -83,6 +85,21 @@ if is_version_14 clang-format; then
   echo 'int   spaced( );' >>"$tree/core/zstrip/scene/twice.cpp"
   fails_with "./core/zstrip/scene/twice.cpp" format.sh
 fi
+
+# Two sources that compile joined, and only so.
+joined() {
+  mkdir -p "$tree"/{host-sim,build}
+  printf '#include <string>\nstd::string name() { return "a"; }\n' >"$tree/host-sim/a.cpp"
+  printf '#include <string>\nstd::string other() { return "b"; }\n' >"$tree/host-sim/b.cpp"
+  mkdir -p "$tree/build/Unity"
+  printf '#include "%s"\n' "$tree"/host-sim/{a,b}.cpp >"$tree/build/Unity/unity.cxx"
+  printf '[{\n  "directory": "%s",\n  "command": "c++ -std=c++20 -o x.dir/unity.o -c %s",\n  "file": "%s"\n}]\n' \
+    "$tree" "$tree/build/Unity/unity.cxx" "$tree/build/Unity/unity.cxx" >"$tree/build/compile_commands.json"
+}
+joined
+passes each_file.sh "$tree/build"
+sed -i 1d "$tree/host-sim/b.cpp"
+fails_with "host-sim/b.cpp does not compile by itself" each_file.sh "$tree/build"
 
 if is_version_14 clang-tidy; then
   # The tree's own description of how it is compiled.

@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# tidy.sh ROOT BUILD: clang-tidy finds nothing in the sources of core, hal and host-sim that BUILD compiles.
+# tidy.sh ROOT BUILD: clang-tidy finds nothing in the sources of core, hal and host-sim that BUILD compiles: those that
+# have changed, and a sample that the date chooses; all with ZSTRIP_LONG.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 build=$(cd "$2" && pwd -P)
+source "$(dirname "${BASH_SOURCE[0]}")/sources.sh"
 if ! clang-tidy --version 2>/dev/null | grep -q 'version 14\.'; then
   echo "clang-tidy 14 is not installed"
   exit 77
@@ -16,17 +18,10 @@ trap 'rm -rf "$work"' EXIT
 cp "$root/.clang-tidy" "$work"
 
 # Nearly all of the time goes to the headers of libraries. So sources are looked at together: those that the build compiles
-# as one (Unity) in its order, others of one folder and program in groups of eight. In: the command up to the folder of the
-# program's objects, a tab, the source. Out: N.cpp and N.command.
-sed -nE 's/^ *"command": "(.*) -c .*",?$/\1/; T file; s/ -O[0-3s]( |$)/ /g; s/( -o [^ ]*\.dir)\/[^ ]*$/\1/; p; :file; s/^ *"file": "(.*)",?$/\t\1/p' \
-    "$build/compile_commands.json" | paste -d '' - - | sed 's/\\"/"/g; s/\\\\/\\/g' |
-  awk -F '\t' -v OFS='\t' '
-    $2 !~ /\/Unity\/[^/]*$/ { print $1, $2, ""; next }
-    { while ((getline line < $2) > 0) if (match(line, /"[^"]*"/)) print $1, substr(line, RSTART + 1, RLENGTH - 2), $2
-      close($2) }' |
-  grep -P "\t$root/(core|hal|host-sim)/[^\t]*\.cpp\t" | sort -t $'\t' -s -r -k 3,3 |
+# as one in its order, others of one folder and program in groups of eight. Out: N.cpp and N.command.
+source_commands "$build" "$root"/{core,hal,host-sim} | chosen "$root" 60 | sed -E 's/ -O[0-3s]( |\t)/\1/' |
+  sort -t $'\t' -s -r -k 3,3 |
   awk -F '\t' -v work="$work" '
-    seen[$2]++ { next }
     { folder = $2; sub("/[^/]*$", "", folder); alike = $3 != "" ? $3 : $1 "\t" folder
       if (!(alike in group) || ($3 == "" && members[group[alike]] == 8)) group[alike] = ++groups
       ++members[group[alike]]
