@@ -42,6 +42,14 @@ TEST_F(TuneCommand, SaysWhichLimitCannotBeMetAndByHowMuch) {
   EXPECT_NE(misspelt.err.find("--max-flash 'lots' must be a number of bytes"), std::string::npos) << misspelt.err;
 }
 
+TEST_F(TuneCommand, EdgesBesideADepthThatTheyDoNotGoWithAreRefused) {
+  const test::Outcome outcome =
+      test::run(ZSTRIP_COMMAND, {"accuracy", "cube", "--only", "samples=edges,depth=w16", "--size", "32x24", "-o", "a"},
+                path(""));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("'depth=w16,samples=edges' cannot be drawn"), std::string::npos) << outcome.err;
+}
+
 TEST(Tune, SamplesAreForThoseWhoLimitHowItLooks) {
   const auto scene =
       AccuracyScene::open({.scene = "wires", .view = {64, 48}, .frames = 1, .target = "m3", .firmware = ""});

@@ -67,9 +67,6 @@ TEST_F(EdgesCommand, WhatDoesNotGoWithThemIsSaid) {
             std::string::npos);
   EXPECT_NE(refusal({"plan", "knot", "--edges", "--static-layer"}).find("--no-edges"), std::string::npos);
   EXPECT_NE(refusal({"plan", "knot.zsc", "--static-layer"}).find("--no-edges"), std::string::npos);
-  EXPECT_NE(refusal({"accuracy", "cube", "--only", "samples=edges,depth=w16", "--size", "32x24", "-o", "a"})
-                .find("'depth=w16,samples=edges' cannot be drawn"),
-            std::string::npos);
 }
 
 TEST_F(EdgesCommand, WithADepthThatThePlannerChoosesWereRefused) {
