@@ -108,8 +108,8 @@ struct Frame::Access::Geometry {
         if constexpr (effects.any(effect::vertex_light)) {
           if (shade_locally<effects>(frame, batch, range, cache)) return;
         }
-        detail::shade_vertices<effects & (effect::lighting | effect::vertex_colours)>(*batch.instance, *batch.mesh, range.first_vertex,
-                                                               range.vertex_count, frame.colours_ + cache);
+        detail::shade_vertices<effects&(effect::lighting | effect::vertex_colours)>(
+            *batch.instance, *batch.mesh, range.first_vertex, range.vertex_count, frame.colours_ + cache);
       }
     }
   }
