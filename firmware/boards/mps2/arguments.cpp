@@ -6,6 +6,8 @@
 namespace zstrip::bench {
 namespace {
 
+using namespace std::literals;  // words that know their length: without optimisation for speed strlen would be called
+
 /// Takes the part of `text` before `separator`, or all of it, off its front.
 std::string_view take(std::string_view& text, char separator) {
   std::size_t end = 0;  // not find(), which would need a C library
@@ -31,28 +33,28 @@ bool read_number(std::string_view digits, Number& number) {
 bool read_word(std::string_view word, Arguments& arguments) {
   std::string_view value = word;
   const std::string_view key = take(value, '=');
-  if (key == "workload") {
+  if (key == "workload"sv) {
     arguments.workload = value;
     return true;
   }
-  if (key == "depth") {
+  if (key == "depth"sv) {
     arguments.depth = value;
     return true;
   }
-  if (key == "format") {
+  if (key == "format"sv) {
     arguments.format = value;
-    return value == "rgb565" || value == "gray4" || value == "mono";
+    return value == "rgb565"sv || value == "gray4"sv || value == "mono"sv;
   }
-  if (key == "size") {
+  if (key == "size"sv) {
     const std::string_view width = take(value, 'x');
     return read_number(width, arguments.width) && read_number(value, arguments.height);
   }
-  if (key == "rows") return read_number(value, arguments.rows);
-  if (key == "columns") return read_number(value, arguments.columns);
-  if (key == "frames") return read_number(value, arguments.frames) && arguments.frames > 0;
-  if (key == "first") return read_number(value, arguments.first);
-  if (key == "buffers") return read_number(value, arguments.buffers) && arguments.buffers <= 2;
-  if (key == "ram") return read_number(value, arguments.ram);
+  if (key == "rows"sv) return read_number(value, arguments.rows);
+  if (key == "columns"sv) return read_number(value, arguments.columns);
+  if (key == "frames"sv) return read_number(value, arguments.frames) && arguments.frames > 0;
+  if (key == "first"sv) return read_number(value, arguments.first);
+  if (key == "buffers"sv) return read_number(value, arguments.buffers) && arguments.buffers <= 2;
+  if (key == "ram"sv) return read_number(value, arguments.ram);
   return false;
 }
 

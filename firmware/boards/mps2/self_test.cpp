@@ -20,6 +20,7 @@ namespace {
 
 using zstrip::board::print;
 using zstrip::board::print_decimal;
+using namespace std::literals;  // words that know their length
 
 constexpr std::size_t kSize = 64;
 using Buffer = std::array<unsigned char, kSize>;
@@ -164,18 +165,18 @@ int come_back_and_fault() {
 
 int main() {
   static std::array<char, 64> buffer;
-  const std::string_view word = zstrip::board::read_command_line(buffer).value_or("");
-  if (word == "memory") return check_memory();
-  if (word == "fault") return read_nowhere();
-  if (word == "return") return come_back();
-  if (word == "twice") return come_back_and_fault();
-  if (word == "fpu") return come_back_to_fpu();
-  if (word == "wait") return wait_one_cycle();
-  if (word == "overflow") return static_cast<int>(overflow_stack(zeroed)) | 1;
-  if (word == "small") return zstrip::board::check_small_triangles();
-  if (word == "runs") return zstrip::board::check_small_runs();
-  if (word == "transform") return zstrip::board::check_transform();
-  if (word == "texels") return zstrip::board::check_textured_runs();
+  const std::string_view word = zstrip::board::read_command_line(buffer).value_or(""sv);
+  if (word == "memory"sv) return check_memory();
+  if (word == "fault"sv) return read_nowhere();
+  if (word == "return"sv) return come_back();
+  if (word == "twice"sv) return come_back_and_fault();
+  if (word == "fpu"sv) return come_back_to_fpu();
+  if (word == "wait"sv) return wait_one_cycle();
+  if (word == "overflow"sv) return static_cast<int>(overflow_stack(zeroed)) | 1;
+  if (word == "small"sv) return zstrip::board::check_small_triangles();
+  if (word == "runs"sv) return zstrip::board::check_small_runs();
+  if (word == "transform"sv) return zstrip::board::check_transform();
+  if (word == "texels"sv) return zstrip::board::check_textured_runs();
   print("self-test: say memory, fault, return, twice, fpu, wait, overflow, small, runs, transform or texels\n");
   return 2;
 }
