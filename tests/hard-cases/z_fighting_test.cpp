@@ -222,7 +222,8 @@ TEST(HardCases, D44_PictureIsThatOfThePage) {
         continue;
       }
       const DepthRange& range = *panels[row / (kSide + kGap)][column / (kSide + kGap)];
-      greys.push_back(static_cast<char>(255 * wrong_pixels(range, distance, 0.5, separation)));
+      greys.push_back(
+          static_cast<char>(static_cast<std::uint8_t>(255 * wrong_pixels(range, distance, 0.5, separation))));
     }
   }
   // FNV-1a of the pixels of docs/images/z_fighting.png.

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "zstrip/raster/assemble.hpp"
+#include "zstrip/raster/raster_effects.hpp"
 
 namespace zstrip::detail {
 
