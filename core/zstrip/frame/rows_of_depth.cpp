@@ -8,7 +8,7 @@ namespace {
 constexpr Effects kWithoutEdges = without(kEverything, effect::edges);
 constexpr Effects kWithoutShadows = without(kWithoutEdges, effect::shadows);
 
-constexpr auto kRows =
+constexpr auto kRowsOfDepth =
     pipeline_rows<kEverything | effect::perspective_affine, kEverything | effect::perspective_8,
                   kEverything | effect::perspective_1, kWithoutShadows | effect::coarse_reciprocal,
                   kWithoutShadows | effect::table_reciprocal, kWithoutEdges | effect::depth_float,
@@ -19,6 +19,6 @@ constexpr auto kRows =
 
 }  // namespace
 
-std::span<const PipelineRow> rows_of_depth() { return kRows; }
+std::span<const PipelineRow> rows_of_depth() { return kRowsOfDepth; }
 
 }  // namespace zstrip::detail

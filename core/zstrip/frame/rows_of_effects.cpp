@@ -4,10 +4,10 @@
 namespace zstrip::detail {
 namespace {
 
-constexpr auto kRows = pipeline_rows<kEverything, kEverything | effect::orthographic>();
+constexpr auto kRowsOfEffects = pipeline_rows<kEverything, kEverything | effect::orthographic>();
 
 }  // namespace
 
-std::span<const PipelineRow> rows_of_effects() { return kRows; }
+std::span<const PipelineRow> rows_of_effects() { return kRowsOfEffects; }
 
 }  // namespace zstrip::detail

@@ -16,12 +16,13 @@ constexpr auto rows() {
 }
 
 /// The first is culling alone.
-constexpr auto kRows = rows<Effects{}, method::painter, method::painter | method::in_order,
-                            method::painter | method::bsp, method::front_to_back, method::hierarchical_z,
-                            method::front_to_back | method::hierarchical_z, method::midpoint, method::midpoint_safe>();
+constexpr auto kRowsOfMethods =
+    rows<Effects{}, method::painter, method::painter | method::in_order, method::painter | method::bsp,
+         method::front_to_back, method::hierarchical_z, method::front_to_back | method::hierarchical_z,
+         method::midpoint, method::midpoint_safe>();
 
 }  // namespace
 
-std::span<const PipelineRow> rows_of_methods() { return kRows; }
+std::span<const PipelineRow> rows_of_methods() { return kRowsOfMethods; }
 
 }  // namespace zstrip::detail

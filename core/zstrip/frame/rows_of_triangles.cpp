@@ -18,7 +18,7 @@ constexpr PipelineRow shaded() {
   return {kEffects, {&begin_frame<kEffects>, &draw_strip<kEffects>, &draw_over<kAllShades>}};
 }
 
-constexpr PipelineRow kRows[] = {
+constexpr PipelineRow kRowsOfTriangles[] = {
     shaded<Effects{}>(),
     shaded<effect::lighting>(),
     shaded<effect::vertex_colours>(),
@@ -45,6 +45,6 @@ constexpr PipelineRow kRows[] = {
 
 }  // namespace
 
-std::span<const PipelineRow> rows_of_triangles() { return kRows; }
+std::span<const PipelineRow> rows_of_triangles() { return kRowsOfTriangles; }
 
 }  // namespace zstrip::detail
