@@ -97,7 +97,7 @@ modules() { # FOLDER NAME...
   local from=$1 name file
   shift
   for name in "$@"; do
-    file=$(find "$from/lib/modules" -name "${name//_/[-_]}.ko" | head -n 1)
+    file=$(find "$from/lib/modules" -name "${name//_/[-_]}.ko" -print -quit)
     [ -n "$file" ] || { echo "the kernel has no module $name" >&2; return 1; }
     # shellcheck disable=SC2046  # names
     modules "$from" $(tr '\0' '\n' <"$file" | sed -n 's/^depends=//p' | tr , ' ')

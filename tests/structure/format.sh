@@ -2,7 +2,7 @@
 # format.sh ROOT: every C++ file is as clang-format writes it. Releases differ, so that only the one of Debian 12 judges.
 set -euo pipefail
 cd "$1"
-if ! clang-format --version 2>/dev/null | grep -q 'version 14\.'; then
+if [[ $(clang-format --version 2>/dev/null) != *'version 14.'* ]]; then
   echo "clang-format 14 is not installed"
   exit 77
 fi

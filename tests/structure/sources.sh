@@ -32,7 +32,7 @@ changed_files() {
 chosen() {
   local root=$1 most=$2 changed
   if [ -n "${ZSTRIP_LONG-}" ]; then cat; return; fi
-  changed=$(changed_files "$root" | sed -nE 's/\.hpp$/.cpp/; /\.cpp$/p' | sort -u | head -n "$most")
+  changed=$(changed_files "$root" | sed -nE 's/\.hpp$/.cpp/; /\.cpp$/p' | sort -u | sed -n "1,${most}p")
   awk -F '\t' -v root="$root/" -v changed="$changed" -v today="$(($(date +%s) / 86400 % 16))" '
     BEGIN { count = split(changed, list, "\n"); for (i = 1; i <= count; ++i) has_changed[root list[i]] = 1 }
     NR % 16 == today || $2 in has_changed'

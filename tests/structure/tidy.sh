@@ -5,7 +5,7 @@ set -euo pipefail
 root=$(cd "$1" && pwd -P)
 build=$(cd "$2" && pwd -P)
 source "$(dirname "${BASH_SOURCE[0]}")/sources.sh"
-if ! clang-tidy --version 2>/dev/null | grep -q 'version 14\.'; then
+if [[ $(clang-tidy --version 2>/dev/null) != *'version 14.'* ]]; then
   echo "clang-tidy 14 is not installed"
   exit 77
 fi
