@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # freestanding.sh ROOT [--headers | --few] COMPILER FLAGS...: compiles core and hal for a freestanding target and reads the objects:
 # they may call the four mem functions and the compiler's integer helpers, and nothing may run before main. The sources of
-# a folder are compiled together; with --headers each by itself, and each header, too; with --few without the pipelines
-# that are for hosts alone, whose code is the same for any compiler.
+# a folder are compiled together; with --few without the pipelines that are for hosts alone, whose code is the same for any
+# compiler; with --headers each source and each header by itself: those that have changed, and one of eight that the date
+# chooses; all with ZSTRIP_LONG.
 set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/sources.sh"
 root=$1
 shift
 headers='' few=''
@@ -23,7 +25,17 @@ trap 'rm -rf "$objects"' EXIT
 # The headers' templates are instantiated by the .cpp files. Without optimisation, which is quicker and folds nothing away:
 # what the sources call, the objects call. Firmware is linked without a library anyway.
 if [ -n "$headers" ]; then
-  find "$root/core/zstrip" "$root/hal/zstrip_hal" -name '*.[ch]pp' | sort >"$objects/sources"
+  find "$root/core/zstrip" "$root/hal/zstrip_hal" -name '*.[ch]pp' | sort >"$objects/all"
+  if [ -n "${ZSTRIP_LONG-}" ]; then
+    mv "$objects/all" "$objects/sources"
+  else
+    changed_files "$root" | sed "s|^|$root/|" | sort >"$objects/changed"
+    {
+      comm -12 "$objects/all" "$objects/changed"
+      awk -v today="$(($(date +%s) / 86400 % 8))" 'NR % 8 == today' "$objects/all"
+    } | sort -u >"$objects/sources"
+    few=yes
+  fi
 else
   find "$root/core/zstrip" "$root/hal/zstrip_hal" -name '*.cpp' -printf '%h\n' | sort -u >"$objects/sources"
 fi
