@@ -4,7 +4,7 @@
 #include <random>
 
 #include "drawn.hpp"
-#include "zstrip/geometry/billboard.hpp"
+#include "zstrip/effects/billboards/billboard.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"
 

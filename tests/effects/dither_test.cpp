@@ -1,6 +1,6 @@
 // Dithered pictures: in formats with fewer bits than RGB565 what their RGB565 says, and in RGB565 gradients, fog and
 // spheres by the definition, whatever the strips.
-#include "zstrip/resolve/dither.hpp"
+#include "zstrip/effects/dithering/dither.hpp"
 #include "dither_oracle.hpp"
 #include "drawn.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"

@@ -4,8 +4,8 @@
 #include <random>
 
 #include "drawn.hpp"
-#include "zstrip/frame/samples.hpp"
-#include "zstrip/geometry/environment.hpp"
+#include "zstrip/effects/environment/environment.hpp"
+#include "zstrip/effects/samples/samples.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"
 

@@ -7,8 +7,8 @@
 #include "drawn.hpp"
 #include "outlines_scene.hpp"
 #include "own_mesh.hpp"
-#include "zstrip/geometry/billboard.hpp"
-#include "zstrip/geometry/outline.hpp"
+#include "zstrip/effects/billboards/billboard.hpp"
+#include "zstrip/effects/outlines/outline.hpp"
 
 namespace effects_test {
 namespace {

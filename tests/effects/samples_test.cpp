@@ -4,7 +4,7 @@
 #include "dither_oracle.hpp"
 #include "lines_scene.hpp"
 #include "samples.hpp"
-#include "zstrip/geometry/billboard.hpp"
+#include "zstrip/effects/billboards/billboard.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/spheres.hpp"
 #include "zstrip_scenes/stage.hpp"

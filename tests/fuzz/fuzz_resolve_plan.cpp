@@ -4,8 +4,8 @@
 
 #include "input.hpp"
 #include "require.hpp"
+#include "zstrip/effects/dithering/dither.hpp"
 #include "zstrip/plan/plan.hpp"
-#include "zstrip/resolve/dither.hpp"
 #include "zstrip/resolve/resolve.hpp"
 
 namespace {

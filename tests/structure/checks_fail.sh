@@ -61,6 +61,13 @@ echo '#include "zstrip/base/fixed.hpp"' >"$tree/hal/linux/zstrip_hal_linux/spide
 fails_with "hal includes zstrip/base/fixed.hpp" includes.sh
 echo '#include "zstrip/frame/frame.hpp"' >>"$tree/core/zstrip/scene/twice.cpp"
 fails_with "scene includes zstrip/frame/frame.hpp of the later stage frame" includes.sh
+mkdir -p "$tree/core/zstrip/effects/fog"
+echo '#include "zstrip/scene/twice.hpp"' >"$tree/core/zstrip/effects/fog/fog.hpp"
+printf '#pragma once\n' >"$tree/core/zstrip/scene/twice.hpp"
+echo '#include "zstrip/effects/fog/fog.hpp"' >>"$tree/core/zstrip/scene/twice.cpp"
+passes includes.sh
+echo '#include "zstrip/frame/frame.hpp"' >>"$tree/core/zstrip/effects/fog/fog.hpp"
+fails_with "scene includes zstrip/effects/fog/fog.hpp of the later stage frame" includes.sh
 echo '#include "zstrip/base/gone.hpp"' >>"$tree/core/zstrip/scene/twice.cpp"
 fails_with "zstrip/base/gone.hpp does not exist" includes.sh
 echo '#include "fixed.hpp"' >>"$tree/core/zstrip/base/fixed.hpp"

@@ -4,7 +4,8 @@
 set -euo pipefail
 cd "$1"
 
-# In the order in which data flows; a stage may include itself and what stands before it.
+# In the order in which data flows; a stage may include itself and what stands before it. Effects are wings beside this
+# order: a file of theirs counts as of the latest stage that it reaches, so that none is a way around the rule.
 stages=(base scene store plan geometry visibility raster resolve frame)
 failed=0
 
@@ -19,27 +20,60 @@ complain() {
   failed=1
 }
 
+declare -A place included floors
+for i in "${!stages[@]}"; do place[${stages[i]}]=$i; done
+core_includes=$(includes_of core)
+while IFS=: read -r file line path; do
+  if [[ $path == zstrip/* ]]; then included[$file]+="core/$path "; fi
+done <<<"$core_includes"
+
+# floor_of FILE: sets `floor` to the place of the latest stage that a file is of, or reaches.
+floor_of() {
+  local file=$1 next highest=0 room
+  if [ -n "${floors[$file]:-}" ]; then
+    floor=${floors[$file]}
+    return
+  fi
+  room=$(cut -d/ -f3 <<<"$file")
+  if [ "$room" = effects ]; then
+    floors[$file]=0
+    for next in ${included[$file]:-}; do
+      floor_of "$next"
+      if [ "$floor" -gt "$highest" ]; then highest=$floor; fi
+    done
+  else
+    highest=${place[$room]:--1}
+  fi
+  floors[$file]=$highest
+  floor=$highest
+}
+
 while IFS=: read -r file line path; do
   from=$(cut -d/ -f3 <<<"$file")
   # The compiler's own header for its vectors, in one place.
   if [ "$file $path" = "core/zstrip/base/sse2_intrinsics.hpp emmintrin.h" ]; then continue; fi
   case "$path" in
-    zstrip/*) to=$(cut -d/ -f2 <<<"$path") ;;
+    zstrip/*) ;;
     */* | *.hpp | *.h) complain "$file:$line: core includes $path: only zstrip/... and the C++ library are allowed"; continue ;;
     *) continue ;;
   esac
+  if [ ! -e "core/$path" ]; then
+    complain "$file:$line: $path does not exist"
+    continue
+  fi
+  floor_of "core/$path"
+  if [ "$floor" -lt 0 ]; then
+    complain "$file:$line: the stage of $path is not one of: ${stages[*]}"
+    continue
+  fi
   # The one header that gives everything to applications; no stage is called so, so that none can include it.
-  if [ "$file" = core/zstrip/zstrip.hpp ]; then from=${stages[-1]}; fi
-  from_at=-1 to_at=-1
-  for i in "${!stages[@]}"; do
-    if [ "${stages[i]}" = "$from" ]; then from_at=$i; fi
-    if [ "${stages[i]}" = "$to" ]; then to_at=$i; fi
-  done
-  if [ "$from_at" -lt 0 ]; then complain "$file: the stage $from is not one of: ${stages[*]}"; fi
-  if [ "$to_at" -lt 0 ]; then complain "$file:$line: the stage of $path is not one of: ${stages[*]}"; fi
-  if [ "$to_at" -gt "$from_at" ]; then complain "$file:$line: $from includes $path of the later stage $to"; fi
-  if [ ! -e "core/$path" ]; then complain "$file:$line: $path does not exist"; fi
-done < <(includes_of core)
+  if [ "$file" = core/zstrip/zstrip.hpp ] || [ "$from" = effects ]; then continue; fi
+  if [ -z "${place[$from]:-}" ]; then
+    complain "$file: the stage $from is not one of: ${stages[*]}"
+  elif [ "$floor" -gt "${place[$from]}" ]; then
+    complain "$file:$line: $from includes $path of the later stage ${stages[floor]}"
+  fi
+done <<<"$core_includes"
 
 while IFS=: read -r file line path; do
   case "$file $path" in

@@ -7,9 +7,9 @@
 
 #include "dither_oracle.hpp"
 #include "zstrip/base/bayer.hpp"
+#include "zstrip/effects/dithering/dither.hpp"
 #include "zstrip/raster/colour.hpp"
 #include "zstrip/resolve/convert.hpp"
-#include "zstrip/resolve/dither.hpp"
 
 namespace {
 

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <span>
 
+#include "zstrip/effects/lines/lines.hpp"
+#include "zstrip/effects/quadrics/quadric.hpp"
 #include "zstrip/frame/effect_block.hpp"
 #include "zstrip/frame/frame.hpp"
-#include "zstrip/geometry/lines.hpp"
-#include "zstrip/geometry/quadric.hpp"
 #include "zstrip/raster/assemble.hpp"
 #include "zstrip/raster/raster_effects.hpp"
 #include "zstrip/raster/target.hpp"

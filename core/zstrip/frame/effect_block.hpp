@@ -4,10 +4,10 @@
 
 #include <span>
 
+#include "zstrip/effects/environment/environment.hpp"
+#include "zstrip/effects/local_light/local_light.hpp"
+#include "zstrip/effects/shadows/shadow_map.hpp"
 #include "zstrip/frame/frame.hpp"
-#include "zstrip/frame/shadow_map.hpp"
-#include "zstrip/geometry/environment.hpp"
-#include "zstrip/geometry/local_light.hpp"
 #include "zstrip/raster/fragment_settings.hpp"
 
 namespace zstrip::detail {

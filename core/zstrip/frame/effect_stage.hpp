@@ -3,9 +3,9 @@
 
 #include <span>
 
+#include "zstrip/effects/outlines/outline.hpp"
 #include "zstrip/frame/access.hpp"
 #include "zstrip/frame/effect_block.hpp"
-#include "zstrip/geometry/outline.hpp"
 
 namespace zstrip {
 

@@ -5,8 +5,8 @@
 #include <type_traits>
 
 #include "zstrip/base/statistics.hpp"
+#include "zstrip/effects/samples/samples.hpp"
 #include "zstrip/frame/depth_ranges.hpp"
-#include "zstrip/frame/samples.hpp"
 #include "zstrip/geometry/bins.hpp"
 #include "zstrip/geometry/extent.hpp"
 #include "zstrip/geometry/project.hpp"

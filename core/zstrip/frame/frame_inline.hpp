@@ -4,17 +4,17 @@
 #include <cstddef>
 #include <span>
 
+#include "zstrip/effects/dithering/dither.hpp"
+#include "zstrip/effects/edges/edge_stage.hpp"
+#include "zstrip/effects/outlines/outline_stage.hpp"
+#include "zstrip/effects/samples/sample_stage.hpp"
+#include "zstrip/effects/shadows/shadow_stage.hpp"
 #include "zstrip/frame/bounds.hpp"
 #include "zstrip/frame/checks.hpp"
-#include "zstrip/frame/edge_stage.hpp"
 #include "zstrip/frame/effect_stage.hpp"
 #include "zstrip/frame/method_stage.hpp"
-#include "zstrip/frame/outline_stage.hpp"
 #include "zstrip/frame/raster_stage.hpp"
-#include "zstrip/frame/sample_stage.hpp"
-#include "zstrip/frame/shadow_stage.hpp"
 #include "zstrip/resolve/convert.hpp"
-#include "zstrip/resolve/dither.hpp"
 #include "zstrip/resolve/resolve.hpp"
 #include "zstrip/scene/validate.hpp"
 

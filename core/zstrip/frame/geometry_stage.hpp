@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <span>
 
+#include "zstrip/effects/outlines/outline.hpp"
 #include "zstrip/frame/materials.hpp"
 #include "zstrip/frame/method_stage.hpp"
-#include "zstrip/geometry/outline.hpp"
 #include "zstrip/raster/facing.hpp"
 
 namespace zstrip {

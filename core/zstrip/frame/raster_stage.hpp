@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <span>
 
-#include "zstrip/frame/csg_stage.hpp"
+#include "zstrip/effects/csg/csg_stage.hpp"
+#include "zstrip/effects/lines/line_fill.hpp"
+#include "zstrip/effects/quadrics/quadric_fill.hpp"
+#include "zstrip/effects/quadrics/quadric_shade.hpp"
 #include "zstrip/frame/geometry_stage.hpp"
-#include "zstrip/raster/line.hpp"
-#include "zstrip/raster/quadric.hpp"
-#include "zstrip/raster/quadric_shade.hpp"
 
 namespace zstrip {
 

@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <utility>
 
-#include "zstrip/geometry/outline.hpp"
+#include "zstrip/effects/outlines/outline.hpp"
+#include "zstrip/effects/pixel_shading/lit_corners.hpp"
 #include "zstrip/geometry/transform.hpp"
 #include "zstrip/raster/assemble_clipped.hpp"
 #include "zstrip/raster/attributes.hpp"
 #include "zstrip/raster/fragment.hpp"
-#include "zstrip/raster/lit_corners.hpp"
 #include "zstrip/raster/small_run_thumb.hpp"
 #include "zstrip/raster/small_triangle.hpp"
 #include "zstrip/raster/span_triangle.hpp"

@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "zstrip/effects/outlines/outline.hpp"
+#include "zstrip/effects/pixel_shading/lit_corners.hpp"
 #include "zstrip/geometry/clip.hpp"
-#include "zstrip/geometry/outline.hpp"
 #include "zstrip/geometry/transform.hpp"
 #include "zstrip/raster/attributes.hpp"
 #include "zstrip/raster/fragment.hpp"
-#include "zstrip/raster/lit_corners.hpp"
 #include "zstrip/raster/polygon.hpp"
 #include "zstrip/raster/span_triangle.hpp"
 #include "zstrip/scene/effects.hpp"

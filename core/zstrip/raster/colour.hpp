@@ -1,4 +1,4 @@
-// RGB565: packing, and texels times light.
+// RGB565: packing, sums of pixels, and texels times light.
 #pragma once
 
 #include <cstdint>
@@ -22,6 +22,10 @@ constexpr std::uint16_t dithered_rgb565(std::uint32_t r, std::uint32_t g, std::u
   return static_cast<std::uint16_t>((dithered<5>(r, threshold) << 11) | (dithered<6>(g, threshold) << 5) |
                                     dithered<5>(b, threshold));
 }
+
+/// Green of one pixel of a pair and red and blue of the other, each with five bits above it: room for a sum of 32.
+inline constexpr std::uint32_t kSpreadChannels = 0x07E0F81F;
+inline constexpr std::uint32_t kOneInEach = (1U << 21) | (1U << 11) | 1U;
 
 /// A channel's start value for interpolation, 8.16: half a unit added, so that an error below 1/2 never wraps.
 constexpr std::int32_t channel_start(std::uint8_t channel) { return (channel << 16) | 0x8000; }

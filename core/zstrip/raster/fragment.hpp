@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "zstrip/effects/pixel_shading/pixel_light.hpp"
 #include "zstrip/geometry/light.hpp"
 #include "zstrip/raster/fragment_settings.hpp"
-#include "zstrip/raster/pixel_light.hpp"
 #include "zstrip/raster/span_triangle.hpp"
 #include "zstrip/raster/texture_sampler.hpp"
 

@@ -5,8 +5,8 @@
 #include <type_traits>
 
 #include "zstrip/base/bayer.hpp"
+#include "zstrip/effects/fog/fog.hpp"
 #include "zstrip/raster/depth_rule.hpp"
-#include "zstrip/raster/fog.hpp"
 #include "zstrip/scene/effects.hpp"
 
 namespace zstrip::detail {

@@ -1,0 +1,296 @@
+// Products of solids in a strip (constructive solid geometry; Goldfeather, Molnar, Turk and Fuchs 1989), before
+// anything else is drawn into it. Of each operand the sides that may bound the product are peeled off layer by layer,
+// and what of a layer lies inside all other operands, or outside those that are subtracted, is written into the
+// z-buffer: two layers of depth, a count and a mark of a pixel are all it takes. Once that is what the product looks
+// like, its operands are drawn as anything else, where they are what it has put into the z-buffer; not where another
+// product has, which a face that was cut away may cross.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "zstrip/effects/csg/csg_layers.hpp"
+#include "zstrip/frame/geometry_stage.hpp"
+
+namespace zstrip {
+
+struct Frame::Access::Csg {
+  /// Of a frame whose instances are prepared: operands are drawn by nobody else then.
+  template <Effects effects>
+  static void prepare(Frame& frame, const Camera& camera) {
+    prepare_operands(frame, camera);
+    if (frame.extents_ != nullptr) survey<effects>(frame);
+    hide_operands(frame);
+  }
+
+  /// `target` has been cleared.
+  template <Effects effects>
+  static void draw(Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
+    if (!effect_block(frame).has(effect::csg)) return;
+    for_each_product(frame, target.area, target.view_left, target.view_top,
+                     [&](std::size_t first, std::size_t end, const Rect& area) {
+                       const detail::StripTarget part = detail::part_of<Cell<effects>>(target, area);
+                       Layers<effects, kLayers<effects>> layers(frame, part, strip);
+                       layers.find(first, end);
+                       if constexpr (effects.any(method::bounded)) {
+                         static_cast<FrameWithMethod&>(frame).state_.bounds.forget(area);
+                       }
+                       const detail::StripTarget found = layers.found();
+                       for (std::size_t i = first; i < end; ++i)
+                         colour<effects, kColours<effects>>(frame, found, strip, i);
+                     });
+  }
+
+ private:
+  template <Effects effects>
+  using Cell = detail::DepthCell<depth_format(effects)>;
+  /// The pipeline of layers: coverage and codes.
+  template <Effects effects>
+  static constexpr Effects kLayers = (effects &
+                                      (effect::orthographic | effect::depth_formats | effect::short_reciprocals)) |
+                                     Effects{effect::csg_layers.bits};
+  /// That of colours: no material of an operand has rules of its own for depth, and bounds of depth hide what is equal.
+  template <Effects effects>
+  static constexpr Effects kColours = Effects{without(effects, effect::depth_state).bits | effect::csg_colours.bits};
+
+  static void prepare_operands(Frame& frame, const Camera& camera);
+  static void hide_operands(Frame& frame);
+  /// What light and surroundings take for the normals of an instance turns round; twice, and it is as before.
+  static void turn_normals(const Frame& frame, std::uint32_t instance);
+
+  /// Calls visit(first operand, the one after the last, pixels of `area` that it can cover) for each product that can
+  /// be seen there. `area`: of the raster, whose pixel (view_left, view_top) is the picture's first.
+  template <class Visit>
+  static void for_each_product(const Frame& frame, const Rect& area, std::int32_t view_left, std::int32_t view_top,
+                               const Visit& visit) {
+    const std::span<const CsgOperand> operands = frame.scene_->csg;
+    for (std::size_t first = 0, end = 0; first < operands.size(); first = end) {
+      Rect covered = area;
+      for (; end < operands.size() && operands[end].product == operands[first].product; ++end) {
+        if (operands[end].use != CsgUse::intersected) continue;
+        const Rect box = box_of(frame, end, view_left, view_top);
+        covered = {std::max(covered.left, box.left), std::max(covered.top, box.top), std::min(covered.right, box.right),
+                   std::min(covered.bottom, box.bottom)};
+      }
+      if (!covered.empty()) visit(first, end, covered);
+    }
+  }
+
+  static Rect box_of(const Frame& frame, std::size_t operand, std::int32_t left, std::int32_t top) {
+    const detail::CsgBounds& bounds = effect_block(frame).csg_bounds(operand);
+    return {bounds.left + left, bounds.top + top, bounds.right + left, bounds.bottom + top};
+  }
+  static bool may_cover(const Frame& frame, std::size_t operand, const detail::StripTarget& target) {
+    const Rect box = box_of(frame, operand, target.view_left, target.view_top);
+    return std::max(box.left, target.area.left) < std::min(box.right, target.area.right) &&
+           std::max(box.top, target.area.top) < std::min(box.bottom, target.area.bottom);
+  }
+
+  /// Calls visit(number, meshlet) for the meshlets of an operand.
+  template <class Visit>
+  static void for_each_meshlet(const Frame& frame, std::size_t operand, const Visit& visit) {
+    const std::uint32_t instance = frame.scene_->csg[operand].instance;
+    const Mesh& mesh = frame.scene_->meshes[frame.instances_[instance].mesh];
+    const std::uint32_t first = effect_block(frame).csg_bounds(operand).first_meshlet;
+    const std::uint32_t meshlets = mesh.meshlets.empty() ? 1 : static_cast<std::uint32_t>(mesh.meshlets.size());
+    for (std::uint32_t i = 0; i < meshlets; ++i) visit(first + i, i);
+  }
+
+  /// Calls visit(range, batch) with an operand's meshlet in the cache.
+  template <Effects effects, class Visit>
+  static void with_meshlet(Frame& frame, std::size_t operand, std::uint32_t meshlet, const Visit& visit) {
+    const std::uint32_t instance = frame.scene_->csg[operand].instance;
+    const Geometry::MeshletRange range =
+        Geometry::meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
+    const std::uint32_t cache = effect_block(frame).csg().cache;
+    const auto batch = Geometry::batch_for<effects>(frame, instance, range.first_vertex, cache);
+    Geometry::transform<effects>(frame, batch, range, cache);
+    visit(range, batch);
+  }
+
+  /// Calls visit(range, batch) for each meshlet of an operand that touches the strip.
+  template <Effects effects, class Visit>
+  static void for_each_in_strip(Frame& frame, std::size_t operand, std::uint16_t strip, const Visit& visit) {
+    const std::int32_t row = strip / frame.grid_.across(), column = strip % frame.grid_.across();
+    for_each_meshlet(frame, operand, [&](std::uint32_t number, std::uint32_t meshlet) {
+      if (frame.extents_ != nullptr && !frame.grid_.touches(frame.extents_[number], row, column)) return;
+      with_meshlet<effects>(frame, operand, meshlet, visit);
+    });
+  }
+
+  /// Which strips the triangles of operands touch, whichever way they face.
+  template <Effects effects>
+  static void survey(Frame& frame) {
+    const Rect everywhere{INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX};
+    for (std::size_t i = 0; i < frame.scene_->csg.size(); ++i) {
+      const detail::CsgBounds& bounds = effect_block(frame).csg_bounds(i);
+      if (bounds.left == bounds.right) continue;
+      for_each_meshlet(frame, i, [&](std::uint32_t number, std::uint32_t meshlet) {
+        with_meshlet<effects>(frame, i, meshlet, [&](const Geometry::MeshletRange& range, const auto& batch) {
+          Rect box{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
+          for (const detail::SnappedVertex& v : std::span(batch.vertices, range.vertex_count)) {
+            if (v.x == detail::kNotNarrow) {
+              box = everywhere;
+              break;
+            }
+            const std::int32_t x = v.x >> 4, y = v.y >> 4;
+            box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x), std::max(box.bottom, y)};
+          }
+          frame.extents_[number] = frame.grid_.extent_of(box);
+        });
+      });
+    }
+  }
+
+  /// The surface of a product in a part of a strip.
+  template <Effects effects, Effects drawing>
+  class Layers {
+   public:
+    /// `part`: of the strip, with its z-buffer.
+    Layers(Frame& frame, const detail::StripTarget& part, std::uint16_t strip)
+        : frame_(frame), part_(part), strip_(strip), depth_(part.template depth_row<Cell<effects>>(part.area.top)) {
+      const std::size_t cells = std::size_t{frame.plan_.strip_rows} * frame.plan_.strip_columns;
+      std::byte* const memory = effect_block(frame).csg_strip(frame.scene_->csg.size());
+      layer_ = reinterpret_cast<Cell<effects>*>(memory);
+      before_ = layer_ + cells;
+      counts_ = reinterpret_cast<std::uint8_t*>(before_ + cells);
+      found_ = counts_ + cells;
+    }
+
+    /// Of operands `first` to `end`: where it is nearer than the z-buffer, it is there then.
+    void find(std::size_t first, std::size_t end) {
+      for_each_row([&](std::int32_t at, std::int32_t columns) { std::fill_n(found_ + at, columns, 0); });
+      for (std::size_t i = first; i < end; ++i) {
+        if (!may_cover(frame_, i, part_)) continue;
+        for_each_row([&](std::int32_t at, std::int32_t columns) { std::fill_n(before_ + at, columns, kNearest); });
+        while (peel(i)) {
+          for (std::size_t other = first; other < end; ++other) {
+            if (other != i && !keep_inside(other)) break;
+          }
+          accept();
+        }
+      }
+    }
+
+    /// The part, with what has been found, and nothing else, in place of the z-buffer. Ends with the next search.
+    detail::StripTarget found() const {
+      for_each_row([&](std::int32_t at, std::int32_t columns) {
+        for (std::int32_t i = at; i < at + columns; ++i) layer_[i] = found_[i] != 0 ? depth_[i] : 0;
+      });
+      return over_layer();
+    }
+
+   private:
+    using Code = Cell<effects>;
+    static constexpr Code kNearest = static_cast<Code>(-1);
+
+    /// Calls visit(first cell, columns) for each row of the part, in the arrays of the strip.
+    template <class Visit>
+    void for_each_row(const Visit& visit) const {
+      for (std::int32_t row = 0; row < part_.area.height(); ++row) visit(row * part_.depth_stride, part_.area.width());
+    }
+    CsgUse use_of(std::size_t operand) const { return frame_.scene_->csg[operand].use; }
+
+    detail::StripTarget over_layer() const {
+      detail::StripTarget target = part_;
+      target.depth = reinterpret_cast<std::uint16_t*>(layer_);
+      return target;
+    }
+
+    void draw_side(const detail::CsgPass& pass, const Geometry::MeshletRange& range, const detail::Batch& batch,
+                   bool away) {
+      const detail::StripTargetWithLayers complete{
+          {over_layer(), Materials::depth_settings<drawing>(frame_, batch.instance->material)}, &pass};
+      Assembler<drawing>::draw_side(complete, batch, range.triangles, away);
+    }
+
+    /// The next layer of the sides of an operand that may bound the product, behind the one before. False if there is
+    /// none that can be seen.
+    bool peel(std::size_t operand) {
+      for_each_row([&](std::int32_t at, std::int32_t columns) { std::fill_n(layer_ + at, columns, Code{0}); });
+      const detail::CsgPass pass{.first_cell = layer_, .before = before_};
+      for_each_in_strip<effects>(frame_, operand, strip_, [&](const Geometry::MeshletRange& range, const auto& batch) {
+        draw_side(pass, range, batch, use_of(operand) == CsgUse::subtracted);
+      });
+      bool any = false;
+      for_each_row([&](std::int32_t at, std::int32_t columns) {
+        for (std::int32_t i = at; i < at + columns; ++i) {
+          if (layer_[i] <= depth_[i]) layer_[i] = 0;  // and all behind it
+          before_[i] = layer_[i];
+          any |= layer_[i] != 0;
+        }
+      });
+      return any;
+    }
+
+    /// Keeps of the layer what has the product just behind it, as far as this operand says. False if nothing is left.
+    bool keep_inside(std::size_t operand) {
+      if (may_cover(frame_, operand, part_)) {
+        count(operand);
+      } else if (use_of(operand) == CsgUse::subtracted) {
+        return true;
+      } else {
+        for_each_row([&](std::int32_t at, std::int32_t columns) { std::fill_n(counts_ + at, columns, 0); });
+      }
+      bool any = false;
+      const bool inside = use_of(operand) == CsgUse::intersected;
+      for_each_row([&](std::int32_t at, std::int32_t columns) {
+        for (std::int32_t i = at; i < at + columns; ++i) {
+          if ((static_cast<std::int8_t>(counts_[i]) > 0) != inside) layer_[i] = 0;
+          any |= layer_[i] != 0;
+        }
+      });
+      return any;
+    }
+
+    /// How often an operand lies around the points just behind the layer: by the faces behind them, and where the near
+    /// plane has not cut any off, by all others, so that the far plane may.
+    void count(std::size_t operand) {
+      for_each_row([&](std::int32_t at, std::int32_t columns) { std::fill_n(counts_ + at, columns, 0); });
+      const bool behind = effect_block(frame_).csg_bounds(operand).cut;
+      const std::uint8_t in = behind ? 0xFF : 1, out = behind ? 1 : 0xFF;
+      const detail::CsgPass front{.first_cell = layer_, .counts = counts_, .step = in, .behind = behind};
+      const detail::CsgPass back{.first_cell = layer_, .counts = counts_, .step = out, .behind = behind};
+      for_each_in_strip<effects>(frame_, operand, strip_, [&](const Geometry::MeshletRange& range, const auto& batch) {
+        draw_side(front, range, batch, false);
+        draw_side(back, range, batch, true);
+      });
+    }
+
+    /// What is left of the layer is seen, and hides all layers behind it.
+    void accept() {
+      for_each_row([&](std::int32_t at, std::int32_t columns) {
+        for (std::int32_t i = at; i < at + columns; ++i) {
+          if (layer_[i] != 0) depth_[i] = layer_[i], before_[i] = 0, found_[i] = 1;
+        }
+      });
+    }
+
+    Frame& frame_;
+    const detail::StripTarget& part_;
+    std::uint16_t strip_;
+    Code* depth_;
+    Code *layer_, *before_;
+    std::uint8_t *counts_, *found_;
+  };
+
+  /// Draws the sides of an operand that are seen.
+  template <Effects effects, Effects drawing>
+  static void colour(Frame& frame, const detail::StripTarget& part, std::uint16_t strip, std::size_t operand) {
+    if (!may_cover(frame, operand, part)) return;
+    const std::uint32_t instance = frame.scene_->csg[operand].instance;
+    const bool away = frame.scene_->csg[operand].use == CsgUse::subtracted;
+    if (away) turn_normals(frame, instance);
+    const std::uint32_t cache = effect_block(frame).csg().cache;
+    for_each_in_strip<effects>(frame, operand, strip, [&](const Geometry::MeshletRange& range, const auto& batch) {
+      Geometry::shade<effects>(frame, batch, range, cache);
+      Materials::with_settings<drawing>(frame, part, *batch.instance, [&](const auto& complete) {
+        Assembler<drawing>::draw_side(complete, batch, range.triangles, away);
+      });
+    });
+    if (away) turn_normals(frame, instance);
+  }
+};
+
+}  // namespace zstrip

@@ -1,0 +1,15 @@
+// Declared, not there: what code without lines may know of them.
+#pragma once
+
+#include "zstrip/effects/lines/lines.hpp"
+#include "zstrip/raster/depth_rule.hpp"
+#include "zstrip/raster/fragment.hpp"
+
+namespace zstrip::detail {
+
+template <Effects effects>
+struct LineShade;
+template <Effects effects>
+class LineFill;
+
+}  // namespace zstrip::detail

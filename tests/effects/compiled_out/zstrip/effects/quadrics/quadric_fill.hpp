@@ -1,0 +1,13 @@
+// Declared, not there: what code without spheres and ellipsoids may know of them.
+#pragma once
+
+#include "zstrip/effects/quadrics/quadric.hpp"
+#include "zstrip/raster/depth_rule.hpp"
+#include "zstrip/raster/span_fill.hpp"
+
+namespace zstrip::detail {
+
+template <Effects effects>
+class QuadricFill;
+
+}  // namespace zstrip::detail
