@@ -216,7 +216,7 @@ Result<Drawn> draw(const Staging& staged, const View& view, Effects extra, const
   }
   if (!with_depth) return drawn;
   drawn.code.assign(std::size_t{view.width} * view.height, 0);
-  const FrameWithDepthRanges& frame = renderer.frame();
+  const FrameWithDepthRanges frame = renderer.frame();
   const Rect& area = frame.depth_area();
   const bool wide = depth_bytes(depth_format(effects)) == 4;
   const std::uint32_t cleared = effects.has(effect::depth_ranges) ? frame.cleared_code() : 0;

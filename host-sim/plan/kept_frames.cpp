@@ -44,7 +44,7 @@ class Keeper {
       return renderer_.begin_frame(staging.scene, camera, view_, plan, std::as_writable_bytes(std::span(arena_)));
     };
     if (const Status begun = begin(fitted); !begun) return begun;
-    if (const Frame& frame = renderer_.frame(); frame.nearest() > 0 && frame.farthest() > frame.nearest()) {
+    if (const Frame frame = renderer_.frame(); frame.nearest() > 0 && frame.farthest() > frame.nearest()) {
       nearest = nearest == 0 ? frame.nearest() : std::min(nearest, frame.nearest());
       farthest = std::max(farthest, frame.farthest());
     }

@@ -36,7 +36,7 @@ std::span<std::byte> bytes_of(std::vector<std::uint64_t>& words, std::uint32_t b
 }
 
 /// Copies what a strip has left behind to its place in the frame.
-void look_at(const FrameWithMethod& frame, Effects effects, const Rect& strip, std::span<const std::byte> pixels,
+void look_at(FrameWithMethod frame, Effects effects, const Rect& strip, std::span<const std::byte> pixels,
              std::span<const std::uint8_t> overdraw, LookedAtFrame& looked) {
   const std::uint32_t width = looked.view.width;
   const auto* const colours = reinterpret_cast<const std::uint16_t*>(pixels.data());
@@ -127,11 +127,11 @@ Result<TimedDrawing> TimedDrawing::prepare(const Staging& original, const Method
 Status TimedDrawing::draw() {
   // Bins are for plans that have them; without, there is a pipeline of each method that counts nothing.
   const Pipeline pipeline = pipeline_for(plan_.mode == Mode::binned ? effects_ : without(effects_, effect::bins));
-  FrameWithMethod frame;
+  detail::MethodFrameState frame;
   const Staging staging = scene_.staging();
   VisibilityOptions options = request_.options;
   options.tree = &staging.tree;
-  frame.set_options(options);
+  frame.options = options;
   const std::span<std::byte> arena = bytes_of(arena_, plan_.bytes());
   if (const Status begun = pipeline.begin_frame(frame, staging.scene, staging.camera, request_.view, plan_, arena);
       !begun) {

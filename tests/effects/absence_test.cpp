@@ -38,7 +38,7 @@ void expect_only(const std::string& program, const scenes::BuiltIn& built_in, co
   SCOPED_TRACE(program);
   const Effects effects = effects_of(built_in.scene, built_in.camera) | effects_of(view);
   const std::string linked = symbols(program);
-  ASSERT_NE(linked.find("zstrip::Frame::Access::draw_strip"), std::string::npos) << "no symbols";
+  ASSERT_NE(linked.find("zstrip::detail::draw_strip"), std::string::npos) << "no symbols";
   // All zeros until it begins: a member with another first value would put all of it into flash.
   EXPECT_NE(linked.find(" b (anonymous namespace)::renderer\n"), std::string::npos);
   for (const Marker& marker : kMarkers) {

@@ -40,7 +40,7 @@ std::uint16_t rgb565_of(const Colour& colour) {
   return static_cast<std::uint16_t>(colour.r / 8 * 2048 + colour.g / 4 * 32 + colour.b / 8);
 }
 
-void require_sound_bounds(const Frame& frame) {
+void require_sound_bounds(Frame frame) {
   const Rect& bounds = frame.bounds();
   require(bounds.empty() || (bounds.left >= 0 && bounds.top >= 0 && bounds.right <= frame.view().width &&
                              bounds.bottom <= frame.view().height),
@@ -48,7 +48,7 @@ void require_sound_bounds(const Frame& frame) {
 }
 
 /// `pixels` of the strip drawn last, RGB565.
-void require_sound_depth(const Frame& frame, const Scene& scene, std::span<const std::byte> pixels, const Rect& strip) {
+void require_sound_depth(Frame frame, const Scene& scene, std::span<const std::byte> pixels, const Rect& strip) {
   const Rect& area = frame.depth_area();
   const std::uint16_t background = rgb565_of(scene.background);
   for (std::int32_t row = strip.top; row < strip.bottom; ++row) {
@@ -68,7 +68,7 @@ class CheckedRenderer {
  public:
   CheckedRenderer(Effects effects, std::uint8_t garbage) : renderer_(effects), garbage_(garbage) {}
 
-  const auto& frame() const { return renderer_.frame(); }
+  auto frame() const { return renderer_.frame(); }
 
   Status begin_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                      std::span<std::byte> arena) {

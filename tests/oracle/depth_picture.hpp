@@ -29,8 +29,7 @@ struct DepthPicture : Picture {
 };
 
 /// Puts the codes of the strip that was drawn last where its pixels are in a picture of this width.
-inline void read_depth(const FrameWithDepthRanges& frame, Effects effects, int width,
-                       std::vector<std::uint32_t>& depth) {
+inline void read_depth(FrameWithDepthRanges frame, Effects effects, int width, std::vector<std::uint32_t>& depth) {
   const Rect& area = frame.depth_area();
   const bool wide = depth_bytes(depth_format(effects)) == 4;
   for (int y = area.top; y < area.bottom; ++y) {

@@ -6,7 +6,7 @@ cd "$1"
 
 # In the order in which data flows; a stage may include itself and what stands before it. Effects are wings beside this
 # order: a file of theirs counts as of the latest stage that it reaches, so that none is a way around the rule.
-stages=(base scene store plan geometry visibility raster resolve frame)
+stages=(base scene store plan geometry visibility raster resolve stages frame)
 failed=0
 
 # Every quoted or angled include of the C++ files in a folder, as "file:line:path".

@@ -113,12 +113,13 @@ TEST(Visibility, PipelinesWithoutCountsDrawTheSame) {
       const LookedAtFrame counted = drawn(workload.staging(), request(name, kView, 80));
       const Effects effects = of_scene | parse_visibility(std::string(name))->effects;
       const Pipeline pipeline = pipeline_for(effects);
-      FrameWithMethod frame;
+      detail::MethodFrameState state;
+      const FrameWithMethod frame(state);
       std::vector<std::uint64_t> arena(counted.plan.bytes() / 8 + 1);
       std::vector<std::uint16_t> pixels(counted.pixels.size());
-      ASSERT_TRUE(pipeline.begin_frame(frame, workload.staged.scene, workload.staged.camera, kView, counted.plan,
+      ASSERT_TRUE(pipeline.begin_frame(state, workload.staged.scene, workload.staged.camera, kView, counted.plan,
                                        std::as_writable_bytes(std::span(arena))));
-      ASSERT_TRUE(pipeline.draw_strip(frame, 0, std::as_writable_bytes(std::span(pixels))));
+      ASSERT_TRUE(pipeline.draw_strip(state, 0, std::as_writable_bytes(std::span(pixels))));
       EXPECT_EQ(pixels, counted.pixels) << scene << ' ' << name;
       EXPECT_EQ(frame.visibility().comparisons, 0U);
       EXPECT_EQ(frame.statistics().fragments, 0U);

@@ -7,11 +7,11 @@ namespace {
 /// Refuses every frame, for effects that do not go together.
 template <Error error>
 constexpr Pipeline refusing() {
-  return {[](Frame&, const Scene&, const Camera&, const View&, const Plan&, std::span<std::byte>) {
+  return {[](detail::FrameState&, const Scene&, const Camera&, const View&, const Plan&, std::span<std::byte>) {
             return Status{.error = error};
           },
-          [](Frame&, std::uint16_t, std::span<std::byte>) { return Status{.error = Error::not_begun}; },
-          [](Frame&, const Rect&, std::span<std::uint16_t>, std::span<std::uint16_t>) {
+          [](detail::FrameState&, std::uint16_t, std::span<std::byte>) { return Status{.error = Error::not_begun}; },
+          [](detail::FrameState&, const Rect&, std::span<std::uint16_t>, std::span<std::uint16_t>) {
             return Status{.error = Error::not_begun};
           }};
 }

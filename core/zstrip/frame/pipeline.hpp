@@ -4,16 +4,19 @@
 #include <cstddef>
 #include <span>
 
-#include "zstrip/frame/frame.hpp"
+#include "zstrip/frame/frame_order.hpp"
 #include "zstrip/plan/plan.hpp"
+#include "zstrip/stages/visibility_stages.hpp"
 
 namespace zstrip {
 
-/// A pipeline with effect::depth_ranges takes a FrameWithDepthRanges only, one with a method a FrameWithMethod.
+/// A pipeline with effect::depth_ranges takes a RangedFrameState only, one with a method a MethodFrameState.
 struct Pipeline {
-  Status (*begin_frame)(Frame&, const Scene&, const Camera&, const View&, const Plan&, std::span<std::byte> arena);
-  Status (*draw_strip)(Frame&, std::uint16_t strip, std::span<std::byte> pixels);
-  Status (*draw_over)(Frame&, const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth);
+  Status (*begin_frame)(detail::FrameState&, const Scene&, const Camera&, const View&, const Plan&,
+                        std::span<std::byte> arena);
+  Status (*draw_strip)(detail::FrameState&, std::uint16_t strip, std::span<std::byte> pixels);
+  Status (*draw_over)(detail::FrameState&, const Rect& area, std::span<std::uint16_t> pixels,
+                      std::span<std::uint16_t> depth);
 };
 
 /// A pipeline that draws the same as one with exactly `effects`: it may have more of them, but no other depth format,
@@ -25,5 +28,3 @@ struct Pipeline {
 Pipeline pipeline_for(Effects effects);
 
 }  // namespace zstrip
-
-#include "zstrip/frame/frame_inline.hpp"

@@ -6,7 +6,6 @@
 
 #include "zstrip/frame/frame.hpp"
 #include "zstrip/frame/pipeline.hpp"
-#include "zstrip/frame/visibility_stages.hpp"
 
 namespace zstrip {
 
@@ -32,14 +31,14 @@ class Renderer {
   Status begin_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                      std::span<std::byte> arena) {
     // Here, where a view that is a constant needs no instruction.
-    if (!effects.has(effect::supersampled) && view.samples != 1) return detail::refuse_samples(frame_);
-    return detail::begin_frame<effects>(frame_, scene, camera, view, plan, arena);
+    if (!effects.has(effect::supersampled) && view.samples != 1) return detail::refuse_samples(state_);
+    return detail::begin_frame<effects>(state_, scene, camera, view, plan, arena);
   }
   /// Draws plan.strip_area(strip, view) of the picture into `pixels` (at most plan.strip_pixel_bytes(view), aligned to
   /// 2 for RGB565; their contents do not matter). The last strips of a row or column may be smaller. Strips may be
   /// drawn in any order, or again.
   Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
-    return detail::draw_strip<effects>(frame_, strip, pixels);
+    return detail::draw_strip<effects>(state_, strip, pixels);
   }
   /// Draws the part of the frame in `area` (pixels of the picture) over what is there: area.width() * area.height()
   /// pixels in RGB565, whatever the view's format, and as many depth codes, without gaps. For layers: depths compare
@@ -47,14 +46,15 @@ class Renderer {
   /// Error::view_size if the area is empty or leaves the picture, Error::pixels_too_small, Error::depth_effects where
   /// depth has no 16-bit cells or has sub-ranges, Error::samples where pixels have several.
   Status draw_over(const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) {
-    return detail::draw_over<effects>(frame_, area, pixels, depth);
+    return detail::draw_over<effects>(state_, area, pixels, depth);
   }
-  const FrameFor<effects>& frame() const { return frame_; }
+  /// Of what was begun last. Refers to this object.
+  FrameFor<effects> frame() const { return FrameFor<effects>(state_); }
   /// Holds from the next begin_frame on.
-  void set_visibility(const VisibilityOptions& options) requires(effects.methods != 0) { frame_.set_options(options); }
+  void set_visibility(const VisibilityOptions& options) requires(effects.methods != 0) { state_.options = options; }
 
  private:
-  FrameFor<effects> frame_;
+  detail::FrameStateFor<effects> state_;
 };
 
 /// The same for programs that learn the effects at run time: one indirect call a frame and strip.
@@ -66,22 +66,22 @@ class AnyRenderer {
       : pipeline_(pipeline_for(effects)), takes_samples_(effects.has(effect::supersampled)) {}
   Status begin_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                      std::span<std::byte> arena) {
-    if (!takes_samples_ && view.samples != 1) return detail::refuse_samples(frame_);
-    return pipeline_.begin_frame(frame_, scene, camera, view, plan, arena);
+    if (!takes_samples_ && view.samples != 1) return detail::refuse_samples(state_);
+    return pipeline_.begin_frame(state_, scene, camera, view, plan, arena);
   }
   Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
-    return pipeline_.draw_strip(frame_, strip, pixels);
+    return pipeline_.draw_strip(state_, strip, pixels);
   }
   Status draw_over(const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) {
-    return pipeline_.draw_over(frame_, area, pixels, depth);
+    return pipeline_.draw_over(state_, area, pixels, depth);
   }
-  const FrameOfSamples<FrameWithMethod>& frame() const { return frame_; }
+  FrameOfSamples<FrameWithMethod> frame() const { return FrameOfSamples<FrameWithMethod>(state_); }
   /// Holds from the next begin_frame on; without a method it says nothing.
-  void set_visibility(const VisibilityOptions& options) { frame_.set_options(options); }
+  void set_visibility(const VisibilityOptions& options) { state_.options = options; }
 
  private:
   Pipeline pipeline_;
-  FrameOfSamples<FrameWithMethod> frame_;
+  detail::MethodFrameState state_;
   bool takes_samples_;
 };
 

@@ -1,6 +1,5 @@
 // Pipelines with a visibility method and all that it does not refuse; they can count and cull.
 #include "zstrip/frame/pipeline_rows.hpp"
-#include "zstrip/frame/visibility_stages.hpp"
 
 namespace zstrip::detail {
 namespace {

@@ -29,7 +29,7 @@ bool StaticLayer::between_tiles(const Rect& area) const {
          at_tile(area.bottom, height_);
 }
 
-Status StaticLayer::keep(const Frame& frame, std::uint16_t strip, std::span<const std::byte> pixels) {
+Status StaticLayer::keep(Frame frame, std::uint16_t strip, std::span<const std::byte> pixels) {
   if (strip >= frame.plan().strips)
     return {.error = Error::strip_rows, .needed = strip, .available = frame.plan().strips};
   if (!frame.drew_last(strip)) return {.error = Error::not_begun};

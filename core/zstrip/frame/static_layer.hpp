@@ -40,7 +40,7 @@ class StaticLayer {
   /// than PixelFormat::rgb565, and if the strip does not begin and end between tiles of 8x8 (or at the picture's
   /// border); Error::pixels_too_small, Error::pixels_misaligned. Error::store_full if a pool is full: some of the
   /// strip's tiles are then new, others not; keep the whole background again with larger pools.
-  Status keep(const Frame& frame, std::uint16_t strip, std::span<const std::byte> pixels);
+  Status keep(Frame frame, std::uint16_t strip, std::span<const std::byte> pixels);
 
   /// What moves lies in `bounds` now; its tiles and those of the last call are to be drawn again.
   void move_to(const Rect& bounds);

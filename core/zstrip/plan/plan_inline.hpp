@@ -22,7 +22,8 @@ inline constexpr std::uint32_t kBatchBytes = 8;         // a transformed meshlet
 inline constexpr std::uint32_t kBinBytes = 8;           // a strip's list
 inline constexpr std::uint32_t kBinChunkBytes = 32;     // part of a list: kBinChunkEntries and a link
 inline constexpr std::uint32_t kBinChunkEntries = 15;
-inline constexpr std::uint32_t kFogBytes = 40;  // the frame's fog
+inline constexpr std::uint32_t kEffectHeaderBytes = 16;  // which effects have a part, and of how many instances
+inline constexpr std::uint32_t kFogBytes = 40;           // the frame's fog
 inline constexpr std::uint32_t kWorldLightBytes = 44;
 inline constexpr std::uint32_t kFrameLightsBytes = 192;     // lights that depend on where a vertex is, of the frame
 inline constexpr std::uint32_t kInstanceShadingBytes = 68;  // and what they need of an instance
@@ -81,7 +82,7 @@ constexpr std::uint64_t effect_bytes(Effects effects, std::uint32_t instances) {
   if (effects.has(effect::shadows)) bytes = (bytes + 7) / 8 * 8 + kShadowStateBytes;
   if (effects.has(effect::csg)) bytes = (bytes + 7) / 8 * 8 + kCsgStateBytes;
   if (effects.has(effect::edges)) bytes = (bytes + 7) / 8 * 8 + kEdgeStateBytes;
-  return bytes == 0 ? 0 : bytes + sizeof(Effects);
+  return bytes == 0 ? 0 : bytes + kEffectHeaderBytes;
 }
 
 /// What effects keep, and the map of shadows or the operands of products behind it: without what strips take.

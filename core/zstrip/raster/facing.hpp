@@ -35,9 +35,13 @@ struct ClippedPixels {
   Rect box() const { return pixels; }
 };
 
+/// What draws the triangles of a renderer with these effects.
+template <Effects effects>
+using AssemblerFor = Assembler<raster_effects(effects)>;
+
 template <Effects effects>
 struct Facing {
-  using Assembler = detail::Assembler<raster_effects(effects)>;
+  using Assembler = AssemblerFor<effects>;
 
   /// Calls visit(index, pixels) for each triangle that faces the viewer, until it returns false, which is then the
   /// result; `pixels` is a NarrowPixels or a ClippedPixels. `all_narrow`: no vertex of the batch needs the clipping

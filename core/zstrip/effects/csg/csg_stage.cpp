@@ -1,14 +1,13 @@
 // Prepares the products of solids of a frame; only renderers with effect::csg link it.
 #include "zstrip/effects/csg/csg_stage.hpp"
 
-#include "zstrip/frame/bounds.hpp"
-#include "zstrip/frame/frame_inline.hpp"
+#include "zstrip/stages/bounds.hpp"
 
-namespace zstrip {
+namespace zstrip::detail::csg {
 namespace {
 
 /// Of an instance, among those of all instances in the order of drawing.
-std::uint32_t first_meshlet(const Scene& scene, const detail::EffectBlock& block, std::uint32_t instance) {
+std::uint32_t first_meshlet(const Scene& scene, const EffectBlock& block, std::uint32_t instance) {
   const bool has_order = block.has(effect::blending);
   std::uint32_t first = 0;
   for (std::uint32_t place = 0; place < scene.instances.size(); ++place) {
@@ -22,43 +21,50 @@ std::uint32_t first_meshlet(const Scene& scene, const detail::EffectBlock& block
 
 }  // namespace
 
-void Frame::Access::Csg::prepare_operands(Frame& frame, const Camera& camera) {
-  const Scene& scene = *frame.scene_;
-  const detail::EffectBlock block = effect_block(frame);
+Status check_memory(const FrameRequest& request, std::uint32_t cell_bytes) {
+  const std::uint64_t cells = std::uint64_t{request.plan.strip_rows} * request.plan.strip_columns;
+  const std::uint64_t needed =
+      effect_bytes(request.called_for, count(request.scene)) + csg_strip_bytes(cells, cell_bytes);
+  if (request.plan.effect_bytes >= needed) return {};
+  return too_small(Purpose::effects, needed, request.plan.effect_bytes);
+}
+
+void Stage::prepare_operands(FrameState& frame, const Camera& camera) {
+  const Scene& scene = *frame.scene;
+  const EffectBlock block = effect_block(frame);
   std::uint32_t largest = 0;
   for (std::size_t i = 0; i < scene.csg.size(); ++i) {
     const std::uint32_t index = scene.csg[i].instance;
     const Mesh& mesh = scene.meshes[scene.instances[index].mesh];
     if (mesh.meshlets.empty()) largest = std::max(largest, static_cast<std::uint32_t>(mesh.positions.size()));
     for (const Meshlet& meshlet : mesh.meshlets) largest = std::max<std::uint32_t>(largest, meshlet.vertex_count);
-    detail::CsgBounds& bounds = block.csg_bounds(i) = {};
+    CsgBounds& bounds = block.csg_bounds(i) = {};
     bounds.first_meshlet = first_meshlet(scene, block, index);
-    const detail::CompiledInstance& compiled = frame.instances_[index];
+    const CompiledInstance& compiled = frame.instances[index];
     if (!compiled.visible) continue;
-    const Rect box =
-        detail::bounds_of(compiled, frame.origin_, frame.view_, camera.projection == Projection::orthographic);
+    const Rect box = bounds_of(compiled, frame.origin, frame.view, camera.projection == Projection::orthographic);
     bounds.left = static_cast<std::uint16_t>(box.left);
     bounds.top = static_cast<std::uint16_t>(box.top);
     bounds.right = static_cast<std::uint16_t>(box.right);
     bounds.bottom = static_cast<std::uint16_t>(box.bottom);
-    const detail::DistanceRange range = detail::distance_range(mesh, scene.instances[index].transform, camera);
+    const DistanceRange range = distance_range(mesh, scene.instances[index].transform, camera);
     bounds.cut = range.nearest < distance_of(camera.near_plane);
   }
   // Where bins keep all vertices, those of operands are not among them: their room is the last.
-  block.csg() = {frame.plan_.mode == Mode::binned ? count(scene).vertices - largest : 0, 0};
+  block.csg() = {frame.plan.mode == Mode::binned ? count(scene).vertices - largest : 0, 0};
 }
 
-void Frame::Access::Csg::hide_operands(Frame& frame) {
-  for (const CsgOperand& operand : frame.scene_->csg) {
-    frame.instances_[operand.instance].visible = false;
-    frame.instances_[operand.instance].double_sided = false;
+void Stage::hide_operands(FrameState& frame) {
+  for (const CsgOperand& operand : frame.scene->csg) {
+    frame.instances[operand.instance].visible = false;
+    frame.instances[operand.instance].double_sided = false;
   }
 }
 
-void Frame::Access::Csg::turn_normals(const Frame& frame, std::uint32_t instance) {
+void Stage::turn_normals(const FrameState& frame, std::uint32_t instance) {
   const auto turn = [](std::int16_t& component) { component = static_cast<std::int16_t>(-component); };
-  const detail::EffectBlock block = effect_block(frame);
-  for (detail::ObjectLight& light : frame.instances_[instance].lights) {
+  const EffectBlock block = effect_block(frame);
+  for (ObjectLight& light : frame.instances[instance].lights) {
     turn(light.x), turn(light.y), turn(light.z);
   }
   const auto turn_rows = [&turn](auto& rows) {
@@ -70,4 +76,4 @@ void Frame::Access::Csg::turn_normals(const Frame& frame, std::uint32_t instance
   if (block.has(effect::environment)) turn_rows(block.eye_forms(instance).normal);
 }
 
-}  // namespace zstrip
+}  // namespace zstrip::detail::csg

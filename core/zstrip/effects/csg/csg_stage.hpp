@@ -11,32 +11,50 @@
 #include <span>
 
 #include "zstrip/effects/csg/csg_layers.hpp"
-#include "zstrip/frame/geometry_stage.hpp"
+#include "zstrip/effects/stage.hpp"
+#include "zstrip/stages/geometry_stage.hpp"
 
-namespace zstrip {
+namespace zstrip::detail::csg {
 
-struct Frame::Access::Csg {
+/// Of a plan for a scene that has products; `cell_bytes`: of the z-buffer.
+Status check_memory(const FrameRequest& request, std::uint32_t cell_bytes);
+
+struct Stage : NoStage {
+  static constexpr Effects kEffects = effect::csg;
+
+  template <Effects effects>
+  static Status check(const FrameRequest& request) {
+    return request.called_for.has(effect::csg) ? check_memory(request, depth_cell_bytes(effects)) : Status{};
+  }
   /// Of a frame whose instances are prepared: operands are drawn by nobody else then.
   template <Effects effects>
-  static void prepare(Frame& frame, const Camera& camera) {
-    prepare_operands(frame, camera);
-    if (frame.extents_ != nullptr) survey<effects>(frame);
+  static Status prepare(FrameState& frame, const FrameRequest& request) {
+    if (!request.called_for.has(effect::csg)) return {};
+    prepare_operands(frame, request.camera);
+    if (frame.extents != nullptr) survey<effects>(frame);
     hide_operands(frame);
+    return {};
+  }
+
+  template <Effects effects>
+  static Status check_over(const FrameState& frame) {
+    const auto operands = static_cast<std::uint32_t>(frame.scene->csg.size());
+    return operands == 0 ? Status{} : Status{.error = Error::csg, .needed = operands, .available = 0};
   }
 
   /// `target` has been cleared.
   template <Effects effects>
-  static void draw(Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
+  static void draw_surfaces(FrameState& frame, const StripTarget& target, std::uint16_t strip) {
     if (!effect_block(frame).has(effect::csg)) return;
     for_each_product(frame, target.area, target.view_left, target.view_top,
                      [&](std::size_t first, std::size_t end, const Rect& area) {
-                       const detail::StripTarget part = detail::part_of<Cell<effects>>(target, area);
+                       const StripTarget part = part_of<Cell<effects>>(target, area);
                        Layers<effects, kLayers<effects>> layers(frame, part, strip);
                        layers.find(first, end);
                        if constexpr (effects.any(method::bounded)) {
-                         static_cast<FrameWithMethod&>(frame).state_.bounds.forget(area);
+                         static_cast<MethodFrameState&>(frame).state.bounds.forget(area);
                        }
-                       const detail::StripTarget found = layers.found();
+                       const StripTarget found = layers.found();
                        for (std::size_t i = first; i < end; ++i)
                          colour<effects, kColours<effects>>(frame, found, strip, i);
                      });
@@ -44,7 +62,7 @@ struct Frame::Access::Csg {
 
  private:
   template <Effects effects>
-  using Cell = detail::DepthCell<depth_format(effects)>;
+  using Cell = DepthCell<depth_format(effects)>;
   /// The pipeline of layers: coverage and codes.
   template <Effects effects>
   static constexpr Effects kLayers = (effects &
@@ -54,17 +72,17 @@ struct Frame::Access::Csg {
   template <Effects effects>
   static constexpr Effects kColours = Effects{without(effects, effect::depth_state).bits | effect::csg_colours.bits};
 
-  static void prepare_operands(Frame& frame, const Camera& camera);
-  static void hide_operands(Frame& frame);
+  static void prepare_operands(FrameState& frame, const Camera& camera);
+  static void hide_operands(FrameState& frame);
   /// What light and surroundings take for the normals of an instance turns round; twice, and it is as before.
-  static void turn_normals(const Frame& frame, std::uint32_t instance);
+  static void turn_normals(const FrameState& frame, std::uint32_t instance);
 
   /// Calls visit(first operand, the one after the last, pixels of `area` that it can cover) for each product that can
   /// be seen there. `area`: of the raster, whose pixel (view_left, view_top) is the picture's first.
   template <class Visit>
-  static void for_each_product(const Frame& frame, const Rect& area, std::int32_t view_left, std::int32_t view_top,
+  static void for_each_product(const FrameState& frame, const Rect& area, std::int32_t view_left, std::int32_t view_top,
                                const Visit& visit) {
-    const std::span<const CsgOperand> operands = frame.scene_->csg;
+    const std::span<const CsgOperand> operands = frame.scene->csg;
     for (std::size_t first = 0, end = 0; first < operands.size(); first = end) {
       Rect covered = area;
       for (; end < operands.size() && operands[end].product == operands[first].product; ++end) {
@@ -77,11 +95,11 @@ struct Frame::Access::Csg {
     }
   }
 
-  static Rect box_of(const Frame& frame, std::size_t operand, std::int32_t left, std::int32_t top) {
-    const detail::CsgBounds& bounds = effect_block(frame).csg_bounds(operand);
+  static Rect box_of(const FrameState& frame, std::size_t operand, std::int32_t left, std::int32_t top) {
+    const CsgBounds& bounds = effect_block(frame).csg_bounds(operand);
     return {bounds.left + left, bounds.top + top, bounds.right + left, bounds.bottom + top};
   }
-  static bool may_cover(const Frame& frame, std::size_t operand, const detail::StripTarget& target) {
+  static bool may_cover(const FrameState& frame, std::size_t operand, const StripTarget& target) {
     const Rect box = box_of(frame, operand, target.view_left, target.view_top);
     return std::max(box.left, target.area.left) < std::min(box.right, target.area.right) &&
            std::max(box.top, target.area.top) < std::min(box.bottom, target.area.bottom);
@@ -89,9 +107,9 @@ struct Frame::Access::Csg {
 
   /// Calls visit(number, meshlet) for the meshlets of an operand.
   template <class Visit>
-  static void for_each_meshlet(const Frame& frame, std::size_t operand, const Visit& visit) {
-    const std::uint32_t instance = frame.scene_->csg[operand].instance;
-    const Mesh& mesh = frame.scene_->meshes[frame.instances_[instance].mesh];
+  static void for_each_meshlet(const FrameState& frame, std::size_t operand, const Visit& visit) {
+    const std::uint32_t instance = frame.scene->csg[operand].instance;
+    const Mesh& mesh = frame.scene->meshes[frame.instances[instance].mesh];
     const std::uint32_t first = effect_block(frame).csg_bounds(operand).first_meshlet;
     const std::uint32_t meshlets = mesh.meshlets.empty() ? 1 : static_cast<std::uint32_t>(mesh.meshlets.size());
     for (std::uint32_t i = 0; i < meshlets; ++i) visit(first + i, i);
@@ -99,45 +117,44 @@ struct Frame::Access::Csg {
 
   /// Calls visit(range, batch) with an operand's meshlet in the cache.
   template <Effects effects, class Visit>
-  static void with_meshlet(Frame& frame, std::size_t operand, std::uint32_t meshlet, const Visit& visit) {
-    const std::uint32_t instance = frame.scene_->csg[operand].instance;
-    const Geometry::MeshletRange range =
-        Geometry::meshlet_range(frame.scene_->meshes[frame.instances_[instance].mesh], meshlet);
+  static void with_meshlet(FrameState& frame, std::size_t operand, std::uint32_t meshlet, const Visit& visit) {
+    const std::uint32_t instance = frame.scene->csg[operand].instance;
+    const MeshletRange range = meshlet_range(frame.scene->meshes[frame.instances[instance].mesh], meshlet);
     const std::uint32_t cache = effect_block(frame).csg().cache;
-    const auto batch = Geometry::batch_for<effects>(frame, instance, range.first_vertex, cache);
-    Geometry::transform<effects>(frame, batch, range, cache);
+    const auto batch = GeometryStage::batch_for<effects>(frame, instance, range.first_vertex, cache);
+    GeometryStage::transform<effects>(frame, batch, range, cache);
     visit(range, batch);
   }
 
   /// Calls visit(range, batch) for each meshlet of an operand that touches the strip.
   template <Effects effects, class Visit>
-  static void for_each_in_strip(Frame& frame, std::size_t operand, std::uint16_t strip, const Visit& visit) {
-    const std::int32_t row = strip / frame.grid_.across(), column = strip % frame.grid_.across();
+  static void for_each_in_strip(FrameState& frame, std::size_t operand, std::uint16_t strip, const Visit& visit) {
+    const std::int32_t row = strip / frame.grid.across(), column = strip % frame.grid.across();
     for_each_meshlet(frame, operand, [&](std::uint32_t number, std::uint32_t meshlet) {
-      if (frame.extents_ != nullptr && !frame.grid_.touches(frame.extents_[number], row, column)) return;
+      if (frame.extents != nullptr && !frame.grid.touches(frame.extents[number], row, column)) return;
       with_meshlet<effects>(frame, operand, meshlet, visit);
     });
   }
 
   /// Which strips the triangles of operands touch, whichever way they face.
   template <Effects effects>
-  static void survey(Frame& frame) {
+  static void survey(FrameState& frame) {
     const Rect everywhere{INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX};
-    for (std::size_t i = 0; i < frame.scene_->csg.size(); ++i) {
-      const detail::CsgBounds& bounds = effect_block(frame).csg_bounds(i);
+    for (std::size_t i = 0; i < frame.scene->csg.size(); ++i) {
+      const CsgBounds& bounds = effect_block(frame).csg_bounds(i);
       if (bounds.left == bounds.right) continue;
       for_each_meshlet(frame, i, [&](std::uint32_t number, std::uint32_t meshlet) {
-        with_meshlet<effects>(frame, i, meshlet, [&](const Geometry::MeshletRange& range, const auto& batch) {
+        with_meshlet<effects>(frame, i, meshlet, [&](const MeshletRange& range, const auto& batch) {
           Rect box{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
-          for (const detail::SnappedVertex& v : std::span(batch.vertices, range.vertex_count)) {
-            if (v.x == detail::kNotNarrow) {
+          for (const SnappedVertex& v : std::span(batch.vertices, range.vertex_count)) {
+            if (v.x == kNotNarrow) {
               box = everywhere;
               break;
             }
             const std::int32_t x = v.x >> 4, y = v.y >> 4;
             box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x), std::max(box.bottom, y)};
           }
-          frame.extents_[number] = frame.grid_.extent_of(box);
+          frame.extents[number] = frame.grid.extent_of(box);
         });
       });
     }
@@ -148,10 +165,10 @@ struct Frame::Access::Csg {
   class Layers {
    public:
     /// `part`: of the strip, with its z-buffer.
-    Layers(Frame& frame, const detail::StripTarget& part, std::uint16_t strip)
+    Layers(FrameState& frame, const StripTarget& part, std::uint16_t strip)
         : frame_(frame), part_(part), strip_(strip), depth_(part.template depth_row<Cell<effects>>(part.area.top)) {
-      const std::size_t cells = std::size_t{frame.plan_.strip_rows} * frame.plan_.strip_columns;
-      std::byte* const memory = effect_block(frame).csg_strip(frame.scene_->csg.size());
+      const std::size_t cells = std::size_t{frame.plan.strip_rows} * frame.plan.strip_columns;
+      std::byte* const memory = effect_block(frame).csg_strip(frame.scene->csg.size());
       layer_ = reinterpret_cast<Cell<effects>*>(memory);
       before_ = layer_ + cells;
       counts_ = reinterpret_cast<std::uint8_t*>(before_ + cells);
@@ -174,7 +191,7 @@ struct Frame::Access::Csg {
     }
 
     /// The part, with what has been found, and nothing else, in place of the z-buffer. Ends with the next search.
-    detail::StripTarget found() const {
+    StripTarget found() const {
       for_each_row([&](std::int32_t at, std::int32_t columns) {
         for (std::int32_t i = at; i < at + columns; ++i) layer_[i] = found_[i] != 0 ? depth_[i] : 0;
       });
@@ -190,27 +207,26 @@ struct Frame::Access::Csg {
     void for_each_row(const Visit& visit) const {
       for (std::int32_t row = 0; row < part_.area.height(); ++row) visit(row * part_.depth_stride, part_.area.width());
     }
-    CsgUse use_of(std::size_t operand) const { return frame_.scene_->csg[operand].use; }
+    CsgUse use_of(std::size_t operand) const { return frame_.scene->csg[operand].use; }
 
-    detail::StripTarget over_layer() const {
-      detail::StripTarget target = part_;
+    StripTarget over_layer() const {
+      StripTarget target = part_;
       target.depth = reinterpret_cast<std::uint16_t*>(layer_);
       return target;
     }
 
-    void draw_side(const detail::CsgPass& pass, const Geometry::MeshletRange& range, const detail::Batch& batch,
-                   bool away) {
-      const detail::StripTargetWithLayers complete{
+    void draw_side(const CsgPass& pass, const MeshletRange& range, const Batch& batch, bool away) {
+      const StripTargetWithLayers complete{
           {over_layer(), Materials::depth_settings<drawing>(frame_, batch.instance->material)}, &pass};
-      Assembler<drawing>::draw_side(complete, batch, range.triangles, away);
+      AssemblerFor<drawing>::draw_side(complete, batch, range.triangles, away);
     }
 
     /// The next layer of the sides of an operand that may bound the product, behind the one before. False if there is
     /// none that can be seen.
     bool peel(std::size_t operand) {
       for_each_row([&](std::int32_t at, std::int32_t columns) { std::fill_n(layer_ + at, columns, Code{0}); });
-      const detail::CsgPass pass{.first_cell = layer_, .before = before_};
-      for_each_in_strip<effects>(frame_, operand, strip_, [&](const Geometry::MeshletRange& range, const auto& batch) {
+      const CsgPass pass{.first_cell = layer_, .before = before_};
+      for_each_in_strip<effects>(frame_, operand, strip_, [&](const MeshletRange& range, const auto& batch) {
         draw_side(pass, range, batch, use_of(operand) == CsgUse::subtracted);
       });
       bool any = false;
@@ -250,9 +266,9 @@ struct Frame::Access::Csg {
       for_each_row([&](std::int32_t at, std::int32_t columns) { std::fill_n(counts_ + at, columns, 0); });
       const bool behind = effect_block(frame_).csg_bounds(operand).cut;
       const std::uint8_t in = behind ? 0xFF : 1, out = behind ? 1 : 0xFF;
-      const detail::CsgPass front{.first_cell = layer_, .counts = counts_, .step = in, .behind = behind};
-      const detail::CsgPass back{.first_cell = layer_, .counts = counts_, .step = out, .behind = behind};
-      for_each_in_strip<effects>(frame_, operand, strip_, [&](const Geometry::MeshletRange& range, const auto& batch) {
+      const CsgPass front{.first_cell = layer_, .counts = counts_, .step = in, .behind = behind};
+      const CsgPass back{.first_cell = layer_, .counts = counts_, .step = out, .behind = behind};
+      for_each_in_strip<effects>(frame_, operand, strip_, [&](const MeshletRange& range, const auto& batch) {
         draw_side(front, range, batch, false);
         draw_side(back, range, batch, true);
       });
@@ -267,8 +283,8 @@ struct Frame::Access::Csg {
       });
     }
 
-    Frame& frame_;
-    const detail::StripTarget& part_;
+    FrameState& frame_;
+    const StripTarget& part_;
     std::uint16_t strip_;
     Code* depth_;
     Code *layer_, *before_;
@@ -277,20 +293,20 @@ struct Frame::Access::Csg {
 
   /// Draws the sides of an operand that are seen.
   template <Effects effects, Effects drawing>
-  static void colour(Frame& frame, const detail::StripTarget& part, std::uint16_t strip, std::size_t operand) {
+  static void colour(FrameState& frame, const StripTarget& part, std::uint16_t strip, std::size_t operand) {
     if (!may_cover(frame, operand, part)) return;
-    const std::uint32_t instance = frame.scene_->csg[operand].instance;
-    const bool away = frame.scene_->csg[operand].use == CsgUse::subtracted;
+    const std::uint32_t instance = frame.scene->csg[operand].instance;
+    const bool away = frame.scene->csg[operand].use == CsgUse::subtracted;
     if (away) turn_normals(frame, instance);
     const std::uint32_t cache = effect_block(frame).csg().cache;
-    for_each_in_strip<effects>(frame, operand, strip, [&](const Geometry::MeshletRange& range, const auto& batch) {
-      Geometry::shade<effects>(frame, batch, range, cache);
+    for_each_in_strip<effects>(frame, operand, strip, [&](const MeshletRange& range, const auto& batch) {
+      GeometryStage::shade<effects>(frame, batch, range, cache);
       Materials::with_settings<drawing>(frame, part, *batch.instance, [&](const auto& complete) {
-        Assembler<drawing>::draw_side(complete, batch, range.triangles, away);
+        AssemblerFor<drawing>::draw_side(complete, batch, range.triangles, away);
       });
     });
     if (away) turn_normals(frame, instance);
   }
 };
 
-}  // namespace zstrip
+}  // namespace zstrip::detail::csg

@@ -1,24 +1,22 @@
 // The parts of anti-aliased edges that no effect changes; only renderers with effect::edges link it.
 #include "zstrip/effects/edges/edge_stage.hpp"
 
-#include "zstrip/frame/frame_inline.hpp"
+namespace zstrip::detail::edges {
 
-namespace zstrip {
-
-Status Frame::Access::Checks::edges(const Scene& scene, const View& view, const Plan& plan, Effects called_for) {
-  if (!called_for.has(effect::edges)) return {};
+Status check_request(const FrameRequest& request) {
+  const auto& [scene, camera, facing, view, plan, called_for] = request;
   if (view.samples != 1 || called_for.any(effect::outlines | effect::shadows | effect::csg)) {
     return {.error = Error::edges};
   }
-  const std::uint64_t kept = detail::effect_bytes(called_for, count(scene));
+  const std::uint64_t kept = effect_bytes(called_for, count(scene));
   if (plan.effect_bytes < kept) return too_small(Purpose::effects, kept, plan.effect_bytes);
-  const std::uint64_t cells = detail::cells_with_apron(plan.strip_rows, plan.strip_columns, view);
+  const std::uint64_t cells = cells_with_apron(plan.strip_rows, plan.strip_columns, view);
   if (plan.depth_bytes < cells * kDepthBytes) return too_small(Purpose::depth, cells * kDepthBytes, plan.depth_bytes);
-  const std::uint64_t colour = detail::colour_bytes_of_edges(plan.strip_rows, plan.strip_columns, view);
+  const std::uint64_t colour = colour_bytes_of_edges(plan.strip_rows, plan.strip_columns, view);
   return plan.colour_bytes < colour ? too_small(Purpose::colour, colour, plan.colour_bytes) : Status{};
 }
 
-void Frame::Access::Edges::copy(const std::uint16_t* from, const Rect& drawn, std::uint16_t* to, const Rect& area) {
+void Stage::copy(const std::uint16_t* from, const Rect& drawn, std::uint16_t* to, const Rect& area) {
   const auto width = static_cast<std::size_t>(area.width());
   from += (area.top - drawn.top) * drawn.width() + (area.left - drawn.left);
   for (std::int32_t row = 0; row < area.height(); ++row, from += drawn.width(), to += width) {
@@ -26,4 +24,4 @@ void Frame::Access::Edges::copy(const std::uint16_t* from, const Rect& drawn, st
   }
 }
 
-}  // namespace zstrip
+}  // namespace zstrip::detail::edges

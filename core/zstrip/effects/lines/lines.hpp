@@ -1,6 +1,9 @@
 // A set of lines prepared for one frame.
 #pragma once
 
+#include <cstddef>
+#include <span>
+
 #include "zstrip/geometry/distance.hpp"
 #include "zstrip/geometry/instance.hpp"
 
@@ -12,7 +15,12 @@ struct CompiledLines {
 };
 static_assert(sizeof(CompiledLines) <= kLineSetBytes);
 
-/// Extends a reach by each set that lies in the camera's depth range.
-void extend_by_lines(DistanceRange& reach, const Scene& scene, const Camera& camera);
+/// Behind the quadrics, in the instances' part of the arena.
+inline std::span<CompiledLines> compiled_lines(CompiledInstance* instances, const Scene& scene) {
+  auto* const first = reinterpret_cast<std::byte*>(instances);
+  return {reinterpret_cast<CompiledLines*>(first + scene.instances.size() * kInstanceBytes +
+                                           scene.quadrics.size() * kQuadricBytes),
+          scene.lines.size()};
+}
 
 }  // namespace zstrip::detail

@@ -3,15 +3,14 @@
 
 #include <new>
 
-#include "zstrip/frame/bounds.hpp"
-#include "zstrip/frame/frame_inline.hpp"
+#include "zstrip/stages/bounds.hpp"
 
-namespace zstrip {
+namespace zstrip::detail::outlines {
 namespace {
 
 /// Calls visit(index of the hull's instance, outline) for each of them, in their order.
 template <class Visit>
-void for_each_hull(const detail::OutlinedScene& outlined, const Visit& visit) {
+void for_each_hull(const OutlinedScene& outlined, const Visit& visit) {
   const Scene& scene = outlined.scene;
   const Scene with_outlines{
       .meshes = {}, .materials = {}, .textures = {}, .instances = {}, .lights = {}, .outlines = outlined.outlines()};
@@ -24,20 +23,16 @@ void for_each_hull(const detail::OutlinedScene& outlined, const Visit& visit) {
 
 }  // namespace
 
-void detail::extend_by_outlines(DistanceRange& reach, const OutlinedScene& outlined, const Camera& camera,
-                                const View& view) {
+void extend(DistanceRange& reach, const OutlinedScene& outlined, const Camera& camera, const View& view) {
   for_each_hull(outlined, [&](std::uint32_t hull, const Outline& outline) {
     const Instance& instance = outlined.scene.instances[hull];
     const DistanceRange range = distance_range(outlined.scene.meshes[instance.mesh], instance.transform, camera);
-    extend(reach, with_outline(range, outline.width, camera, view), camera);
+    detail::extend(reach, with_outline(range, outline.width, camera, view), camera);
   });
 }
 
-void Frame::Access::add_hulls(const Frame& frame, Scene& scene, Effects called_for) {
-  const SceneCounts counts = count(scene);
-  const detail::EffectBlock block{reinterpret_cast<std::byte*>(frame.batches_) + frame.plan_.bin_bytes,
-                                  frame.plan_.effect_bytes, counts.instances};
-  block.lay_out(called_for);
+void add_hulls(const FrameState& frame, Scene& scene) {
+  const EffectBlock block = effect_block(frame);
   const std::span<Instance> drawn = block.turned();
   // Turned billboards lie where they would without hulls, which is not behind this place: the last one first.
   auto next = static_cast<std::uint32_t>(scene.instances.size());
@@ -48,26 +43,26 @@ void Frame::Access::add_hulls(const Frame& frame, Scene& scene, Effects called_f
     drawn[next] = drawn[i];
     drawn[next++].mesh = hull_of(*outline, drawn[i]);
   }
-  auto* const outlined = ::new (&block.outlined()) detail::OutlinedScene{
+  auto* const outlined = ::new (&block.outlined()) OutlinedScene{
       scene, static_cast<std::uint32_t>(scene.outlines.size()), static_cast<std::uint32_t>(scene.instances.size())};
   outlined->scene.instances = drawn;
   outlined->scene.outlines = scene.outlines.first(0);
   scene = outlined->scene;
 }
 
-void Frame::Access::prepare_outlines(Frame& frame, const Scene& scene, const Camera& camera) {
+void make_outlines(FrameState& frame, const Camera& camera) {
   const bool orthographic = camera.projection == Projection::orthographic;
-  const detail::OutlinedScene& outlined = effect_block(frame, scene).outlined();
+  const OutlinedScene& outlined = effect_block(frame).outlined();
   for_each_hull(outlined, [&](std::uint32_t index, const Outline& outline) {
-    detail::CompiledInstance& hull = frame.instances_[index];
-    if (frame.fit_.near == 0 || hull.w_range == 0) return;  // not in the depth range
-    detail::make_outline(hull, outline, outlined.scene.instances[index].transform, camera, frame.view_, frame.fit_);
+    CompiledInstance& hull = frame.instances[index];
+    if (frame.fit.near == 0 || hull.w_range == 0) return;  // not in the depth range
+    make_outline(hull, outline, outlined.scene.instances[index].transform, camera, frame.view, frame.fit);
     // Normals may be longer than one.
     const std::int32_t border = hull.lights[3].x / 8 + 1;
-    const Rect box = detail::bounds_with_border(hull, border, frame.origin_, frame.view_, orthographic);
+    const Rect box = bounds_with_border(hull, border, frame.origin, frame.view, orthographic);
     hull.visible = !box.empty();
     if (hull.visible) extend_bounds(frame, box);
   });
 }
 
-}  // namespace zstrip
+}  // namespace zstrip::detail::outlines

@@ -5,74 +5,65 @@
 #include <cstddef>
 #include <span>
 
-#include "zstrip/effects/dithering/dither.hpp"
 #include "zstrip/effects/samples/average.hpp"
 #include "zstrip/effects/samples/samples.hpp"
-#include "zstrip/frame/checks.hpp"
-#include "zstrip/resolve/convert.hpp"
+#include "zstrip/effects/stage.hpp"
 
-namespace zstrip {
+namespace zstrip::detail::samples {
 
-struct Frame::Access::Samples {
-  /// Of a view with several samples. All checks of pixels come first, so that errors count pixels.
+/// Whether a view can have its samples, and a camera show them.
+Status check_view(const Camera& camera, const View& view);
+/// A plan for pixels of RGB565 has no working strip.
+Status check_colour(const View& view, const Plan& plan);
+
+/// Of a view with several samples. All checks of pixels come first, so that errors count pixels. Then the picture of
+/// samples is drawn. Its camera's axes may be halves: billboards turn to the picture's own.
+template <Effects effects>
+Status begin_frame(FrameState& frame, const FrameRequest& request, std::span<std::byte> arena) {
+  const View& view = request.view;
+  if (const Status status = check_view(request.camera, view); !status) return status;
+  if (const Status status = check_frame<effects>(request, arena); !status) return status;
+  if (const Status status = check_colour(view, request.plan); !status) return status;
+  const Camera camera = camera_of_samples(request.camera, view);
+  const View samples = view_of_samples(view);
+  const Plan plan = plan_of_samples(request.plan, view);
+  const FrameRequest drawing{request.scene, camera, request.facing, samples, plan, request.called_for};
+  if (const Status status = check_frame<effects>(drawing, arena); !status) return status;
+  const Status status = begin_checked_frame<effects>(frame, drawing, arena);
+  frame.has_special_depth = true;
+  return status;
+}
+
+struct Stage : NoStage {
+  static constexpr Effects kEffects = effect::supersampled;
+
   template <Effects effects>
-  static Status begin_frame(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
-                            std::span<std::byte> arena) {
-    abandon(frame);
-    if (const Status status = check_view(camera, view); !status) return status;
-    if (const Status status = Checks::frame<effects>(scene, camera, view, plan, effects_of(scene, camera), arena);
-        !status) {
-      return status;
-    }
-    if (const Status status = check_colour(view, plan); !status) return status;
-    const Status status = begin<effects>(frame, scene, camera, view, plan, arena);
-    frame.has_special_depth_ = true;
-    return status;
+  static bool needs_working_strip(const FrameState& frame) {
+    return frame.view.samples != 1;
   }
-
-  /// Of draw_strip.
-  static Status strip(const Frame& frame, std::uint16_t strip, std::span<const std::byte> pixels);
-
-  /// `area` of the picture of samples, which are in `samples`.
   template <Effects effects>
-  static void resolve(const Frame& frame, const Rect& area, std::uint16_t* samples, std::byte* out) {
-    const View& view = frame.view_;
-    const Rect pixels = detail::pixels_of(area, view);
-    std::uint16_t* const mean = detail::drawn_in_place(view.format) ? reinterpret_cast<std::uint16_t*>(out) : samples;
-    average<effects>(view, pixels, samples, mean);
-    if constexpr (effects.has(effect::dithered_format)) {
-      if (view.dither) dither_pixels(view.format, pixels, mean);
-    }
-    convert_pixels(view.format, static_cast<std::uint16_t>(pixels.width()), static_cast<std::uint16_t>(pixels.height()),
-                   mean, out);
+  static Status check_over(const FrameState& frame) {
+    return frame.view.samples == 1 ? Status{} : Status{.error = Error::samples, .needed = frame.view.samples};
+  }
+  /// The mean takes the place of the samples, or goes straight to the caller's pixels.
+  template <Effects effects>
+  static void resolve(const FrameState& frame, const StripTarget&, StripImage& image) {
+    const View& view = frame.view;
+    if (view.samples == 1) return;
+    const std::uint16_t* const samples = image.pixels;
+    image.area = pixels_of(image.area, view);
+    if (drawn_in_place(view.format)) image.pixels = reinterpret_cast<std::uint16_t*>(image.out);
+    average<effects>(view, image.area, samples, image.pixels);
   }
 
  private:
-  /// The picture of samples. Its camera's axes may be halves: billboards turn to the picture's own.
-  template <Effects effects>
-  static Status begin(Frame& frame, const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
-                      std::span<std::byte> arena) {
-    const Camera drawing = detail::camera_of_samples(camera, view);
-    const View samples = detail::view_of_samples(view);
-    const Plan strips = detail::plan_of_samples(plan, view);
-    if constexpr (effects.has(effect::billboards)) {
-      return Access::begin_facing<effects>(frame, scene, drawing, camera, samples, strips, arena);
-    } else {
-      return Access::begin_frame<effects>(frame, scene, drawing, samples, strips, arena);
-    }
-  }
-
-  static Status check_view(const Camera& camera, const View& view);
-  /// A plan for pixels of RGB565 has no working strip.
-  static Status check_colour(const View& view, const Plan& plan);
-
   template <Effects effects>
   static void average(const View& view, const Rect& pixels, const std::uint16_t* samples, std::uint16_t* mean) {
     if constexpr (effects.has(effect::dithered_colours)) {
-      if (dithers_colours(view)) return detail::average_samples<true>(view, pixels, samples, mean);
+      if (dithers_colours(view)) return average_samples<true>(view, pixels, samples, mean);
     }
-    detail::average_samples<false>(view, pixels, samples, mean);
+    average_samples<false>(view, pixels, samples, mean);
   }
 };
 
-}  // namespace zstrip
+}  // namespace zstrip::detail::samples

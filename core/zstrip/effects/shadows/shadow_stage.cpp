@@ -3,23 +3,38 @@
 
 #include <new>
 
-#include "zstrip/frame/frame_inline.hpp"
+namespace zstrip::detail {
 
-namespace zstrip {
-
-void detail::ShadowState::decode(DecodedTiles::Tile& tile, std::uint32_t tx, std::uint32_t ty, Status& status) {
+void ShadowState::decode(DecodedTiles::Tile& tile, std::uint32_t tx, std::uint32_t ty, Status& status) {
   tile.column = static_cast<std::uint16_t>(tx);
   tile.row = static_cast<std::uint16_t>(ty);
   const Status read = store.read_tile(tx, ty, tile.cells, kTileSide);
   if (!read && status) status = {.error = read.error, .purpose = Purpose::effects, .needed = read.needed};
 }
 
-detail::ShadowState& Frame::Access::Shadows::begin(Frame& frame, const Scene& scene, Effects called_for) {
-  // Hulls of outlines are not there yet, but the place counts them.
-  const detail::EffectBlock block{reinterpret_cast<std::byte*>(frame.batches_) + frame.plan_.bin_bytes,
-                                  frame.plan_.effect_bytes, count(scene).instances};
-  block.lay_out(called_for);
-  auto* const state = ::new (&block.shadows()) detail::ShadowState;
+}  // namespace zstrip::detail
+
+namespace zstrip::detail::shadows {
+
+Status check_memory(const FrameRequest& request) {
+  const Plan& plan = request.plan;
+  const SceneCounts counts = count(request.scene);
+  const std::uint64_t needed = effect_bytes(request.called_for, counts);
+  if (plan.effect_bytes < needed) return too_small(Purpose::effects, needed, plan.effect_bytes);
+  const std::uint64_t extents = std::uint64_t{counts.meshlets} * kExtentBytes;
+  if (plan.extent_bytes < extents) return too_small(Purpose::extents, extents, plan.extent_bytes);
+  const std::uint32_t strip = shadow_strip_bytes(counts);
+  if (plan.depth_bytes < strip) return too_small(Purpose::depth, strip, plan.depth_bytes);
+  const std::uint64_t vertices = std::uint64_t{counts.vertices} * retained_bytes_per_vertex(request.called_for);
+  if (plan.mode == Mode::binned && plan.vertex_bytes < vertices) {
+    return too_small(Purpose::vertices, vertices, plan.vertex_bytes);
+  }
+  return {};
+}
+
+ShadowState& Stage::begin(FrameState& frame, const Scene& scene) {
+  const EffectBlock block = effect_block(frame);
+  auto* const state = ::new (&block.shadows()) ShadowState;
   state->scene = scene;
   const std::size_t lights = scene.lights.size(), shadowing = scene.shadow->light;
   std::size_t next = 0;
@@ -33,83 +48,82 @@ detail::ShadowState& Frame::Access::Shadows::begin(Frame& frame, const Scene& sc
   return *state;
 }
 
-Status Frame::Access::Shadows::prepare_map(Frame& light, const Frame& frame, const Scene& casters,
-                                           const detail::LightReach& reach, detail::ShadowState& state) {
+Status Stage::prepare_map(FrameState& light, const FrameState& frame, const Scene& casters, const LightReach& reach,
+                          ShadowState& state) {
   const std::uint32_t side = std::uint32_t{1} << casters.shadow->log2_size;
   if (Status status = state.store.reset(state.pool, side, side); !status) {
     status.purpose = Purpose::effects;
     return status;
   }
-  if (const Status status = detail::light_camera(state.camera, reach, side); !status) return status;
+  if (const Status status = light_camera(state.camera, reach, side); !status) return status;
   // As many rows of tiles as the picture's z-buffer has room for, beside a row of pixels.
-  const std::uint32_t room = frame.plan_.depth_bytes / (side * kDepthBytes) - 1;
+  const std::uint32_t room = frame.plan.depth_bytes / (side * kDepthBytes) - 1;
   const std::uint32_t rows = std::min(room / kTileSide * kTileSide, side);
-  light.view_ = {static_cast<std::uint16_t>(side), static_cast<std::uint16_t>(side)};
-  light.plan_.mode = light.mode_ = Mode::streamed;
-  light.plan_.strip_rows = static_cast<std::uint16_t>(rows);
-  light.plan_.strip_columns = static_cast<std::uint16_t>(side);
-  light.plan_.strips = static_cast<std::uint16_t>((side + rows - 1) / rows);
-  light.instances_ = frame.instances_;
-  auto* const extents = reinterpret_cast<std::byte*>(frame.instances_) + frame.plan_.instance_bytes;
-  light.extents_ = light.plan_.strips > 1 ? reinterpret_cast<detail::Extent*>(extents) : nullptr;
-  light.vertices_ = frame.vertices_;
-  light.depth_ = frame.depth_;
-  light.working_colour_ = frame.depth_ + std::size_t{rows} * side;
-  state.fit = light.fit_ = detail::fit_to({0, 0}, state.camera);
-  light.origin_ = detail::raster_origin(light.view_, light.fit_, true);
+  light.view = {static_cast<std::uint16_t>(side), static_cast<std::uint16_t>(side)};
+  light.plan.mode = light.mode = Mode::streamed;
+  light.plan.strip_rows = static_cast<std::uint16_t>(rows);
+  light.plan.strip_columns = static_cast<std::uint16_t>(side);
+  light.plan.strips = static_cast<std::uint16_t>((side + rows - 1) / rows);
+  light.instances = frame.instances;
+  auto* const extents = reinterpret_cast<std::byte*>(frame.instances) + frame.plan.instance_bytes;
+  light.extents = light.plan.strips > 1 ? reinterpret_cast<Extent*>(extents) : nullptr;
+  light.vertices = frame.vertices;
+  light.depth = frame.depth;
+  light.working_colour = frame.depth + std::size_t{rows} * side;
+  state.fit = light.fit = fit_to({0, 0}, state.camera);
+  light.origin = raster_origin(light.view, light.fit, true);
   for (std::uint32_t i = 0; i < casters.instances.size(); ++i) {
-    detail::CompiledInstance& instance = light.instances_[i];
+    CompiledInstance& instance = light.instances[i];
     instance.visible = false;
     if (!casts(casters, casters.instances[i])) continue;
     if (const Status status =
-            detail::compile_instance(instance, casters, casters.instances[i], state.camera, light.view_, light.fit_);
+            compile_instance(instance, casters, casters.instances[i], state.camera, light.view, light.fit);
         !status) {
       return {.error = status.error, .needed = i};
     }
     instance.double_sided = true;
-    const Rect box = instance.visible ? detail::bounds_of(instance, light.origin_, light.view_, true) : Rect{};
+    const Rect box = instance.visible ? bounds_of(instance, light.origin, light.view, true) : Rect{};
     instance.visible = !box.empty();
     if (instance.visible) extend_bounds(light, box);
   }
   return {};
 }
 
-detail::StripTarget Frame::Access::Shadows::map_strip(Frame& light, std::uint16_t strip) {
-  const Rect cut = light.plan_.strip_area(strip, light.view_);
-  const Rect& bounds = light.bounds_;
+StripTarget Stage::map_strip(FrameState& light, std::uint16_t strip) {
+  const Rect cut = light.plan.strip_area(strip, light.view);
+  const Rect& bounds = light.bounds;
   Rect area{std::max(bounds.left, cut.left), std::max(bounds.top, cut.top), std::min(bounds.right, cut.right),
             std::min(bounds.bottom, cut.bottom)};
   if (area.empty()) area = {};
   const std::size_t cells = static_cast<std::size_t>(cut.width()) * static_cast<std::size_t>(cut.height());
-  __builtin_memset(light.depth_, 0, cells * kDepthBytes);
-  detail::StripTarget target = target_at(light, area);
-  target.depth = light.depth_ + (area.empty() ? 0 : (area.top - cut.top) * cut.width() + area.left);
+  __builtin_memset(light.depth, 0, cells * kDepthBytes);
+  StripTarget target = target_at(light, area);
+  target.depth = light.depth + (area.empty() ? 0 : (area.top - cut.top) * cut.width() + area.left);
   target.depth_stride = cut.width();
-  target.colour = light.working_colour_;  // all rows are one
+  target.colour = light.working_colour;  // all rows are one
   return target;
 }
 
-Status Frame::Access::Shadows::keep_strip(const Frame& light, std::uint16_t strip, detail::ShadowState& state) {
-  const Rect cut = light.plan_.strip_area(strip, light.view_);
+Status Stage::keep_strip(const FrameState& light, std::uint16_t strip, ShadowState& state) {
+  const Rect cut = light.plan.strip_area(strip, light.view);
   Status status =
-      state.store.write_rows({light.depth_, static_cast<std::uint32_t>(cut.width()),
-                              static_cast<std::uint32_t>(cut.top), static_cast<std::uint32_t>(cut.height())});
+      state.store.write_rows({light.depth, static_cast<std::uint32_t>(cut.width()), static_cast<std::uint32_t>(cut.top),
+                              static_cast<std::uint32_t>(cut.height())});
   if (!status) status.purpose = Purpose::effects;
   return status;
 }
 
-Status Frame::Access::Shadows::prepare_place(Frame& frame, const Camera& camera, Effects called_for,
-                                             std::uint32_t least) {
-  detail::ShadowState& state = effect_block(frame).shadows();
-  if (frame.fit_.near == 0) state.empty = true;
+Status Stage::prepare_place(FrameState& frame, const Camera& camera, Effects called_for, std::uint32_t least) {
+  ShadowState& state = effect_block(frame).shadows();
+  if (frame.fit.near == 0) state.empty = true;
   if (state.empty) return {};
-  if (frame.mode_ == Mode::binned) {
+  if (frame.mode == Mode::binned) {
     // Behind everything else of the vertices.
-    const std::size_t others = std::size_t{count(*frame.scene_).vertices} * detail::bytes_per_vertex(called_for);
-    state.colours_in_shadow = reinterpret_cast<Colour*>(reinterpret_cast<std::byte*>(frame.vertices_) + others);
+    const std::size_t others = std::size_t{count(*frame.scene).vertices} * bytes_per_vertex(called_for);
+    state.colours_in_shadow = reinterpret_cast<Colour*>(reinterpret_cast<std::byte*>(frame.vertices) + others);
   }
-  return detail::shadow_place(state.place, {state.camera, state.fit, state.store.grid().width}, camera, frame.view_,
-                              frame.fit_, frame.origin_, least);
+  return shadow_place(state.place, {state.camera, state.fit, state.store.grid().width}, camera, frame.view, frame.fit,
+                      frame.origin, least);
 }
 
-}  // namespace zstrip
+}  // namespace zstrip::detail::shadows

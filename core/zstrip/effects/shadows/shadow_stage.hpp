@@ -6,32 +6,48 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "zstrip/effects/quadrics/quadric_stage.hpp"
 #include "zstrip/effects/shadows/light_view.hpp"
-#include "zstrip/frame/bounds.hpp"
-#include "zstrip/frame/raster_stage.hpp"
+#include "zstrip/effects/stage.hpp"
+#include "zstrip/stages/bounds.hpp"
+#include "zstrip/stages/raster_stage.hpp"
 
-namespace zstrip {
+namespace zstrip::detail::shadows {
 
-struct Frame::Access::Shadows {
-  /// Draws the map of `drawn`, whose billboards are turned and which has no hulls yet, and puts the light last.
-  /// `scene`: the caller's.
+/// Whether the plan has the memory for a map, whose z-buffer is that of the strips.
+Status check_memory(const FrameRequest& request);
+
+struct Stage : NoStage {
+  static constexpr Effects kEffects = effect::shadows;
+  static constexpr bool kChangesScene = true;
+
   template <Effects effects>
-  static Status begin_frame(Frame& frame, const Scene& scene, Scene& drawn, Effects called_for) {
-    if (!called_for.has(effect::shadows)) return {};
-    frame.has_special_depth_ = true;
-    detail::ShadowState& state = begin(frame, scene, called_for);
+  static Status check(const FrameRequest& request) {
+    return request.called_for.has(effect::shadows) ? check_memory(request) : Status{};
+  }
+
+  template <Effects effects>
+  static Status check_over(const FrameState& frame) {
+    return frame.scene->shadow == nullptr ? Status{} : Status{.error = Error::shadow};
+  }
+
+  /// Draws the map, of turned billboards and without hulls, and puts the light last.
+  template <Effects effects>
+  static Status change_scene(FrameState& frame, Scene& drawn, const FrameRequest& request) {
+    if (!request.called_for.has(effect::shadows)) return {};
+    frame.has_special_depth = true;
+    ShadowState& state = begin(frame, request.scene);
     drawn.lights = state.scene.lights;
-    detail::LightReach reach(drawn.lights.back());
+    LightReach reach(drawn.lights.back());
     for (const Instance& instance : drawn.instances) {
       if (casts(drawn, instance)) {
-        reach.extend([&](const Camera& axis) {
-          return detail::distance_range(drawn.meshes[instance.mesh], instance.transform, axis);
-        });
+        reach.extend(
+            [&](const Camera& axis) { return distance_range(drawn.meshes[instance.mesh], instance.transform, axis); });
       }
     }
     if constexpr (effects.has(effect::quadrics)) {
       for (const Quadric& quadric : drawn.quadrics) {
-        reach.extend([&](const Camera& axis) { return detail::distance_range(quadric, axis); });
+        reach.extend([&](const Camera& axis) { return distance_range(quadric, axis); });
       }
     }
     state.empty = reach.empty();
@@ -41,39 +57,43 @@ struct Frame::Access::Shadows {
     return draw_map<kCasting<effects>>(frame, casters, reach, state);
   }
 
-  /// Of a frame that is otherwise prepared.
   template <Effects effects>
-  static Status prepare(Frame& frame, const Camera& camera, Effects called_for) {
-    if (!called_for.has(effect::shadows)) return {};
-    return prepare_place(frame, camera, called_for, detail::depth_of_code<depth_format(effects)>(1));
+  static void keep_scene(FrameState& frame, const FrameRequest& request) {
+    if (request.called_for.has(effect::shadows)) frame.scene = &effect_block(frame).shadows().scene;
+  }
+
+  template <Effects effects>
+  static Status prepare(FrameState& frame, const FrameRequest& request) {
+    if (!request.called_for.has(effect::shadows)) return {};
+    return prepare_place(frame, request.camera, request.called_for, depth_of_code<depth_format(effects)>(1));
   }
 
   /// `target` has been drawn with all lights.
   template <Effects effects>
-  static Status draw(Frame& frame, const detail::StripTarget& target, std::uint16_t strip) {
+  static Status finish(FrameState& frame, const StripTarget& target, std::uint16_t strip) {
     if (target.area.empty() || !effect_block(frame).has(effect::shadows)) return {};
-    detail::ShadowState& state = effect_block(frame).shadows();
+    ShadowState& state = effect_block(frame).shadows();
     if (state.empty) return {};
     Status status{};
     const Rect shadowed = find<effects>(target, state, status);
     if (!status || shadowed.empty()) return status;
-    using Cell = detail::DepthCell<depth_format(effects)>;
+    using Cell = DepthCell<depth_format(effects)>;
     // Bounds of depth begin again, of the cells that they know.
-    detail::StripTarget part = target;
+    StripTarget part = target;
     if constexpr (effects.any(method::bounded)) {
-      auto& with_bounds = static_cast<FrameWithMethod&>(frame);
-      with_bounds.state_.bounds.begin(with_bounds.depth_bounds_, target.area, target.depth);
+      auto& with_bounds = static_cast<MethodFrameState&>(frame);
+      with_bounds.state.bounds.begin(with_bounds.depth_bounds, target.area, target.depth);
     } else {
-      part = detail::part_of<Cell>(target, shadowed);
+      part = part_of<Cell>(target, shadowed);
     }
-    const Statistics counted = frame.statistics_;
-    Colour* const lit = frame.colours_;
-    if (frame.mode_ == Mode::binned) frame.colours_ = state.colours_in_shadow;
+    const Statistics counted = frame.statistics;
+    Colour* const lit = frame.colours;
+    if (frame.mode == Mode::binned) frame.colours = state.colours_in_shadow;
     leave_light<effects>(frame, -1);
-    Raster::draw_surfaces<effects>(frame, part, strip);
+    draw_scene<effects>(frame, part, strip);
     leave_light<effects>(frame, 1);
-    frame.colours_ = lit;
-    frame.statistics_ = counted;
+    frame.colours = lit;
+    frame.statistics = counted;
     return {};
   }
 
@@ -88,31 +108,30 @@ struct Frame::Access::Shadows {
   }
 
   /// The state, with the scene's lights in its order.
-  static detail::ShadowState& begin(Frame& frame, const Scene& scene, Effects called_for);
+  static ShadowState& begin(FrameState& frame, const Scene& scene);
   /// Instances of `light`, a frame of its own in the memory of `frame`, and its strips.
-  static Status prepare_map(Frame& light, const Frame& frame, const Scene& casters, const detail::LightReach& reach,
-                            detail::ShadowState& state);
-  static Status prepare_place(Frame& frame, const Camera& camera, Effects called_for, std::uint32_t least);
+  static Status prepare_map(FrameState& light, const FrameState& frame, const Scene& casters, const LightReach& reach,
+                            ShadowState& state);
+  static Status prepare_place(FrameState& frame, const Camera& camera, Effects called_for, std::uint32_t least);
   /// Its z-buffer, cleared.
-  static detail::StripTarget map_strip(Frame& light, std::uint16_t strip);
-  static Status keep_strip(const Frame& light, std::uint16_t strip, detail::ShadowState& state);
+  static StripTarget map_strip(FrameState& light, std::uint16_t strip);
+  static Status keep_strip(const FrameState& light, std::uint16_t strip, ShadowState& state);
 
   template <Effects casting>
-  static Status draw_map(const Frame& frame, const Scene& casters, const detail::LightReach& reach,
-                         detail::ShadowState& state) {
-    Frame light;
+  static Status draw_map(const FrameState& frame, const Scene& casters, const LightReach& reach, ShadowState& state) {
+    FrameState light;
     if (const Status status = prepare_map(light, frame, casters, reach, state); !status) return status;
     if constexpr (casting.has(effect::quadrics)) {
-      if (const Status status = prepare_quadrics(light, casters, state.camera); !status) return status;
+      if (const Status status = quadrics::prepare(light, casters, state.camera); !status) return status;
     }
-    divide(light, casters, light.view_);
-    light.scene_ = &casters;
-    if (light.extents_ != nullptr) Geometry::survey<casting>(light);
-    detail::DepthSettings settings;
+    divide(light, casters, light.view);
+    light.scene = &casters;
+    if (light.extents != nullptr) GeometryStage::survey<casting>(light);
+    DepthSettings settings;
     settings.bias = -std::int32_t{casters.shadow->bias};
     settings.slope_bias = -casters.shadow->slope_bias;
-    for (std::uint16_t strip = 0; strip < light.plan_.strips; ++strip) {
-      const detail::StripTarget target = map_strip(light, strip);
+    for (std::uint16_t strip = 0; strip < light.plan.strips; ++strip) {
+      const StripTarget target = map_strip(light, strip);
       if (!target.area.empty()) draw_casters<casting>(light, {target, settings}, strip);
       if (const Status status = keep_strip(light, strip, state); !status) return status;
     }
@@ -120,35 +139,34 @@ struct Frame::Access::Shadows {
   }
 
   template <Effects casting>
-  static void draw_casters(Frame& light, const detail::StripTargetWithDepth& target, std::uint16_t strip) {
+  static void draw_casters(FrameState& light, const StripTargetWithDepth& target, std::uint16_t strip) {
     if constexpr (casting.has(effect::quadrics)) {
       // Of what is closed the far side: it shadows all that the near one does, and that one never itself.
-      detail::StripTargetWithDepth unbiased{target, {}};
-      const detail::CompiledQuadric* const quadrics = quadrics_of(light, *light.scene_);
-      for (std::size_t i = 0; i < light.scene_->quadrics.size(); ++i) {
+      StripTargetWithDepth unbiased{target, {}};
+      const CompiledQuadric* const quadrics = quadrics::compiled(light, *light.scene);
+      for (std::size_t i = 0; i < light.scene->quadrics.size(); ++i) {
         if (!quadrics[i].visible) continue;
-        detail::QuadricFill<casting, detail::QuadricSide::far>::draw(
-            unbiased, quadrics[i], light.origin_.depth_offset,
+        QuadricFill<casting, QuadricSide::far>::draw(
+            unbiased, quadrics[i], light.origin.depth_offset,
             [](std::int32_t, std::int32_t, std::int32_t, std::uint32_t) { return std::uint16_t{0}; });
       }
     }
-    Geometry::for_each_meshlet<casting>(
+    GeometryStage::for_each_meshlet<casting>(
         light, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
-          if (light.extents_ != nullptr && !light.grid_.touches(light.extents_[number], strip, 0)) return;
-          const Geometry::MeshletRange range =
-              Geometry::meshlet_range(light.scene_->meshes[light.instances_[instance].mesh], meshlet);
-          const auto batch = Geometry::batch_for<casting>(light, instance, range.first_vertex, 0);
-          const bool all_narrow = Geometry::transform<casting>(light, batch, range, 0);
-          Assembler<casting>::draw(target, batch, range.triangles, all_narrow);
+          if (light.extents != nullptr && !light.grid.touches(light.extents[number], strip, 0)) return;
+          const MeshletRange range = meshlet_range(light.scene->meshes[light.instances[instance].mesh], meshlet);
+          const auto batch = GeometryStage::batch_for<casting>(light, instance, range.first_vertex, 0);
+          const bool all_narrow = GeometryStage::transform<casting>(light, batch, range, 0);
+          AssemblerFor<casting>::draw(target, batch, range.triangles, all_narrow);
         });
   }
 
   /// Sets cells of shadowed pixels to "nothing drawn" and all others to a code nearer than any; the pixels that hold
   /// all shadowed ones.
   template <Effects effects>
-  static Rect find(const detail::StripTarget& target, detail::ShadowState& state, Status& status) {
+  static Rect find(const StripTarget& target, ShadowState& state, Status& status) {
     constexpr DepthFormat kFormat = depth_format(effects);
-    using Cell = detail::DepthCell<kFormat>;
+    using Cell = DepthCell<kFormat>;
     const Rect& area = target.area;
     Rect shadowed{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
     // Blocks, which lie in few tiles of the map.
@@ -161,8 +179,8 @@ struct Frame::Access::Shadows {
           const std::uint32_t code = *cell;
           *cell = static_cast<Cell>(-1);
           if (code == 0) continue;
-          const detail::MapPoint at = state.place.template at<effects.has(effect::orthographic), kFormat>(
-              x, y, detail::depth_of_code<kFormat>(code));
+          const MapPoint at =
+              state.place.template at<effects.has(effect::orthographic), kFormat>(x, y, depth_of_code<kFormat>(code));
           if (!state.hides(at, status)) continue;
           *cell = 0;
           shadowed = {std::min(shadowed.left, x), std::min(shadowed.top, y), std::max(shadowed.right, x + 1),
@@ -175,17 +193,17 @@ struct Frame::Access::Shadows {
 
   /// -1: everything that receives is without the light; 1: as before.
   template <Effects effects>
-  static void leave_light(Frame& frame, int by) {
-    const Scene& scene = *frame.scene_;
-    for (detail::CompiledInstance& instance : std::span(frame.instances_, scene.instances.size())) {
-      if (instance.visible) detail::leave_shadowing_light(instance, scene.meshes[instance.mesh], by);
+  static void leave_light(FrameState& frame, int by) {
+    const Scene& scene = *frame.scene;
+    for (CompiledInstance& instance : std::span(frame.instances, scene.instances.size())) {
+      if (instance.visible) leave_shadowing_light(instance, scene.meshes[instance.mesh], by);
     }
     if constexpr (effects.has(effect::quadrics)) {
-      for (detail::CompiledQuadric& quadric : std::span(quadrics_of(frame, scene), scene.quadrics.size())) {
+      for (CompiledQuadric& quadric : std::span(quadrics::compiled(frame, scene), scene.quadrics.size())) {
         if (quadric.visible && quadric.lit) quadric.light_count = static_cast<std::uint8_t>(quadric.light_count + by);
       }
     }
   }
 };
 
-}  // namespace zstrip
+}  // namespace zstrip::detail::shadows

@@ -1,15 +1,14 @@
-// Declared, not there: what code without products of solids may know of them.
+// Declared, not there: what code without CSG may know of it.
 #pragma once
 
-#include "zstrip/frame/access.hpp"
+#include "zstrip/effects/stage.hpp"
 
-namespace zstrip {
+namespace zstrip::detail::csg {
 
-struct Frame::Access::Csg {
-  template <Effects effects, class... Arguments>
-  static void prepare(const Arguments&...);
-  template <Effects effects, class... Arguments>
-  static void draw(const Arguments&...);
+struct Stage : NoStage {
+  static constexpr Effects kEffects = effect::csg;
+  template <Effects effects>
+  static Status check(const FrameRequest&);
 };
 
-}  // namespace zstrip
+}  // namespace zstrip::detail::csg

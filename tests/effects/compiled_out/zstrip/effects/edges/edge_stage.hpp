@@ -1,17 +1,14 @@
 // Declared, not there: what code without edges may know of them.
 #pragma once
 
-#include "zstrip/frame/checks.hpp"
+#include "zstrip/effects/stage.hpp"
 
-namespace zstrip {
+namespace zstrip::detail::edges {
 
-struct Frame::Access::Edges {
-  static bool called_for(const Frame&);
-  static Rect with_apron(const Rect&, const View&);
+struct Stage : NoStage {
+  static constexpr Effects kEffects = effect::edges;
   template <Effects effects>
-  static void survey(Frame&);
-  template <Effects effects, class... Arguments>
-  static void resolve(const Arguments&...);
+  static Status check(const FrameRequest&);
 };
 
-}  // namespace zstrip
+}  // namespace zstrip::detail::edges

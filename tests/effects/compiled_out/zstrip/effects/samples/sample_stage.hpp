@@ -1,17 +1,17 @@
 // Declared, not there: what code without samples may know of them.
 #pragma once
 
-#include "zstrip/frame/checks.hpp"
+#include "zstrip/effects/stage.hpp"
 
-namespace zstrip {
+namespace zstrip::detail::samples {
 
-struct Frame::Access::Samples {
-  template <Effects effects, class... Arguments>
-  static Status begin_frame(const Arguments&...);
-  template <class... Arguments>
-  static Status strip(const Arguments&...);
-  template <Effects effects, class... Arguments>
-  static void resolve(const Arguments&...);
+template <Effects effects>
+Status begin_frame(FrameState& frame, const FrameRequest& request, std::span<std::byte> arena);
+
+struct Stage : NoStage {
+  static constexpr Effects kEffects = effect::supersampled;
+  template <Effects effects>
+  static Status check(const FrameRequest&);
 };
 
-}  // namespace zstrip
+}  // namespace zstrip::detail::samples

@@ -1,17 +1,14 @@
 // Declared, not there: what code without shadows may know of them.
 #pragma once
 
-#include "zstrip/frame/access.hpp"
+#include "zstrip/effects/stage.hpp"
 
-namespace zstrip {
+namespace zstrip::detail::shadows {
 
-struct Frame::Access::Shadows {
-  template <Effects effects, class... Arguments>
-  static Status begin_frame(const Arguments&...);
-  template <Effects effects, class... Arguments>
-  static Status prepare(const Arguments&...);
-  template <Effects effects, class... Arguments>
-  static Status draw(const Arguments&...);
+struct Stage : NoStage {
+  static constexpr Effects kEffects = effect::shadows;
+  template <Effects effects>
+  static Status check(const FrameRequest&);
 };
 
-}  // namespace zstrip
+}  // namespace zstrip::detail::shadows

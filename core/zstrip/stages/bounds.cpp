@@ -1,5 +1,5 @@
 // Bounds of a frame; see bounds.hpp.
-#include "zstrip/frame/bounds.hpp"
+#include "zstrip/stages/bounds.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // The checks that no effect changes.
-#include "zstrip/frame/checks.hpp"
+#include "zstrip/stages/checks.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -9,10 +9,10 @@
 #include "zstrip/scene/camera.hpp"
 #include "zstrip/scene/validate.hpp"
 
-namespace zstrip {
+namespace zstrip::detail {
 
-Status Frame::Access::Checks::every_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
-                                          Effects called_for, Effects effects, std::span<std::byte> arena) {
+Status check_request(const Scene& scene, const Camera& camera, const View& view, const Plan& plan, Effects called_for,
+                     Effects effects, std::span<std::byte> arena) {
   if (view.width < 1 || view.height < 1 || view.width > kMaxViewSize || view.height > kMaxViewSize) {
     return {.error = Error::view_size};
   }
@@ -20,22 +20,23 @@ Status Frame::Access::Checks::every_frame(const Scene& scene, const Camera& came
     return {.error = Error::strip_rows, .needed = plan.strip_rows, .available = view.height};
   }
   if (plan.strip_columns < 1 || plan.strip_columns > view.width ||
-      (plan.strip_columns != view.width && plan.strip_columns % detail::kColumnStep != 0)) {
+      (plan.strip_columns != view.width && plan.strip_columns % kColumnStep != 0)) {
     return {.error = Error::strip_columns, .needed = plan.strip_columns, .available = view.width};
   }
   const std::uint32_t strips = plan.columns_of_strips(view) * plan.rows_of_strips(view);
   if (plan.strips != strips) return {.error = Error::strip_rows, .needed = strips, .available = plan.strips};
   if (!usable(camera)) return {.error = Error::camera};
   if (const Status status = validate_instances(scene); !status) return status;
+  const bool binned = plan.mode == Mode::binned;
+  if (binned) called_for = called_for | effect::bins;
   if (const Effects missing = without(called_for, effects); missing.bits != 0)
     return {.error = Error::effect_missing, .needed = low_bits(missing)};
   // The plan must be one for this scene: a smaller one would overrun its parts of the arena.
   const SceneCounts counts = count(scene);
-  if (plan.instance_bytes < detail::instance_bytes(counts)) {
-    return too_small(Purpose::instances, detail::instance_bytes(counts), plan.instance_bytes);
+  if (plan.instance_bytes < instance_bytes(counts)) {
+    return too_small(Purpose::instances, instance_bytes(counts), plan.instance_bytes);
   }
-  const bool colours = detail::has_vertex_colours(called_for);
-  const bool binned = plan.mode == Mode::binned;
+  const bool colours = has_vertex_colours(called_for);
   if (const std::uint64_t extents = std::uint64_t{counts.meshlets} * kExtentBytes;
       (strips > 1 || binned) && plan.extent_bytes < extents) {
     return too_small(Purpose::extents, extents, plan.extent_bytes);
@@ -51,7 +52,7 @@ Status Frame::Access::Checks::every_frame(const Scene& scene, const Camera& came
   const std::uint64_t cells = std::uint64_t{plan.strip_rows} * plan.strip_columns;
   if (!effects.has(method::painter) && plan.depth_bytes < cells * kDepthBytes)
     return too_small(Purpose::depth, cells * kDepthBytes, plan.depth_bytes);
-  if (!detail::drawn_in_place(view.format) && plan.colour_bytes < cells * kWorkingColourBytes) {
+  if (!drawn_in_place(view.format) && plan.colour_bytes < cells * kWorkingColourBytes) {
     return too_small(Purpose::colour, cells * kWorkingColourBytes, plan.colour_bytes);
   }
   for (const auto& [purpose, bytes] :
@@ -59,47 +60,23 @@ Status Frame::Access::Checks::every_frame(const Scene& scene, const Camera& came
         std::pair{Purpose::vertices, plan.vertex_bytes}, std::pair{Purpose::depth, plan.depth_bytes},
         std::pair{Purpose::colour, plan.colour_bytes}, std::pair{Purpose::bins, plan.bin_bytes},
         std::pair{Purpose::effects, plan.effect_bytes},
-        std::pair{detail::visibility_purpose(effects), plan.visibility_bytes}}) {
-    if (bytes % kArenaAlignment != 0) return too_small(purpose, detail::rounded_up(bytes), bytes);
+        std::pair{visibility_purpose(effects), plan.visibility_bytes}}) {
+    if (bytes % kArenaAlignment != 0) return too_small(purpose, rounded_up(bytes), bytes);
   }
   if (arena.size() < plan.wide_bytes() || reinterpret_cast<std::uintptr_t>(arena.data()) % kArenaAlignment != 0) {
-    return too_small(detail::largest_purpose(plan), plan.bytes(), static_cast<std::uint32_t>(arena.size()));
+    return too_small(largest_purpose(plan), plan.bytes(), static_cast<std::uint32_t>(arena.size()));
   }
   return {};
 }
 
-Status Frame::Access::Checks::shadows(const Scene& scene, const Plan& plan, Effects called_for) {
-  const SceneCounts counts = count(scene);
-  const std::uint64_t needed = detail::effect_bytes(called_for, counts);
-  if (plan.effect_bytes < needed) return too_small(Purpose::effects, needed, plan.effect_bytes);
-  if (!called_for.has(effect::shadows)) return {};
-  const std::uint64_t extents = std::uint64_t{counts.meshlets} * kExtentBytes;
-  if (plan.extent_bytes < extents) return too_small(Purpose::extents, extents, plan.extent_bytes);
-  const std::uint32_t strip = detail::shadow_strip_bytes(counts);
-  if (plan.depth_bytes < strip) return too_small(Purpose::depth, strip, plan.depth_bytes);
-  const std::uint64_t vertices = std::uint64_t{counts.vertices} * detail::retained_bytes_per_vertex(called_for);
-  if (plan.mode == Mode::binned && plan.vertex_bytes < vertices) {
-    return too_small(Purpose::vertices, vertices, plan.vertex_bytes);
-  }
-  return {};
+Status check_strip(const FrameState& frame, std::uint16_t strip, std::span<const std::byte> pixels) {
+  if (const Status status = check_strip_number(frame, strip); !status) return status;
+  return check_room(frame.plan.strip_area(strip, frame.view), frame.view.format, pixels);
 }
 
-Status Frame::Access::Checks::csg(const Scene& scene, const Plan& plan, Effects called_for, std::uint32_t cell_bytes) {
-  if (!called_for.has(effect::csg)) return {};
-  const std::uint64_t cells = std::uint64_t{plan.strip_rows} * plan.strip_columns;
-  const std::uint64_t needed =
-      detail::effect_bytes(called_for, count(scene)) + detail::csg_strip_bytes(cells, cell_bytes);
-  return plan.effect_bytes < needed ? too_small(Purpose::effects, needed, plan.effect_bytes) : Status{};
-}
-
-Status Frame::Access::Checks::strip(const Frame& frame, std::uint16_t strip, std::span<const std::byte> pixels) {
-  if (const Status status = strip_number(frame, strip); !status) return status;
-  return room(frame.plan_.strip_area(strip, frame.view_), frame.view_.format, pixels);
-}
-
-Status Frame::Access::Checks::every_area(const Frame& frame, const Rect& area, std::size_t pixels, std::size_t depths) {
-  if (area.empty() || area.left < 0 || area.top < 0 || area.right > frame.view_.width ||
-      area.bottom > frame.view_.height) {
+Status check_area(const FrameState& frame, const Rect& area, std::size_t pixels, std::size_t depths) {
+  if (area.empty() || area.left < 0 || area.top < 0 || area.right > frame.view.width ||
+      area.bottom > frame.view.height) {
     return {.error = Error::view_size};
   }
   const auto cells = static_cast<std::uint32_t>(area.width() * area.height());
@@ -111,9 +88,9 @@ Status Frame::Access::Checks::every_area(const Frame& frame, const Rect& area, s
   return {};
 }
 
-Status detail::refuse_samples(Frame& frame) {
-  Frame::Access::abandon(frame);
+Status refuse_samples(FrameState& frame) {
+  abandon(frame);
   return {.error = Error::effect_missing, .needed = low_bits(effect::supersampled)};
 }
 
-}  // namespace zstrip
+}  // namespace zstrip::detail

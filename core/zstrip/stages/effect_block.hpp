@@ -7,7 +7,7 @@
 #include "zstrip/effects/environment/environment.hpp"
 #include "zstrip/effects/local_light/local_light.hpp"
 #include "zstrip/effects/shadows/shadow_map.hpp"
-#include "zstrip/frame/frame.hpp"
+#include "zstrip/geometry/extent.hpp"
 #include "zstrip/raster/fragment_settings.hpp"
 
 namespace zstrip::detail {
@@ -68,23 +68,22 @@ static_assert(sizeof(EdgeGroup) == kEdgeGroupBytes && kEdgesOfGroup == 32);
 class EffectBlock {
  public:
   /// `memory`: `bytes` of the plan, aligned to kArenaAlignment.
-  EffectBlock(std::byte* memory, std::uint32_t bytes, std::size_t instances)
-      : memory_(memory), bytes_(bytes), instances_(instances) {}
+  EffectBlock(std::byte* memory, std::uint32_t bytes) : memory_(memory), bytes_(bytes) {}
 
-  /// Comes before anything else. `bytes` are effect_bytes(called_for, instances) or more.
-  void lay_out(Effects called_for) const {
-    if (bytes_ != 0) reinterpret_cast<Effects*>(memory_)->bits = called_for.bits;
+  /// Comes before anything else. `instances`: hulls of outlines among them. `bytes` are effect_bytes of these or more.
+  void lay_out(Effects called_for, std::uint32_t instances) const {
+    if (bytes_ != 0) *reinterpret_cast<Header*>(memory_) = {called_for.bits, instances, 0};
   }
-  bool has(Effects effects) const { return bytes_ != 0 && reinterpret_cast<const Effects*>(memory_)->any(effects); }
+  bool has(Effects effects) const { return bytes_ != 0 && (header().bits & effects.bits) != 0; }
 
-  FogCurve& fog() const { return *reinterpret_cast<FogCurve*>(memory_ + sizeof(Effects)); }
-  std::span<DrawOrder> order() const { return {reinterpret_cast<DrawOrder*>(memory_ + order_at()), instances_}; }
+  FogCurve& fog() const { return *reinterpret_cast<FogCurve*>(memory_ + sizeof(Header)); }
+  std::span<DrawOrder> order() const { return {reinterpret_cast<DrawOrder*>(memory_ + order_at()), instances()}; }
   FrameLights& lights() const { return *reinterpret_cast<FrameLights*>(memory_ + lights_at()); }
   InstanceShading& shading(std::size_t instance) const {
     return reinterpret_cast<InstanceShading*>(memory_ + lights_at() + kFrameLightsBytes)[instance];
   }
   /// Only begin_frame looks at them.
-  std::span<Instance> turned() const { return {reinterpret_cast<Instance*>(memory_ + turned_at()), instances_}; }
+  std::span<Instance> turned() const { return {reinterpret_cast<Instance*>(memory_ + turned_at()), instances()}; }
   FrameReflections& reflections() const { return *reinterpret_cast<FrameReflections*>(memory_ + reflections_at()); }
   EyeForms& eye_forms(std::size_t instance) const {
     return reinterpret_cast<EyeForms*>(memory_ + reflections_at() + kFrameReflectionsBytes)[instance];
@@ -110,18 +109,18 @@ class EffectBlock {
 
  private:
   static_assert(sizeof(FogCurve) == kFogBytes && kFogBytes % kArenaAlignment == 0);
-  std::size_t order_at() const { return sizeof(Effects) + (has(effect::fog) ? kFogBytes : 0); }
-  std::size_t lights_at() const { return order_at() + (has(effect::blending) ? instances_ * kDrawOrderBytes : 0); }
+  std::size_t order_at() const { return sizeof(Header) + (has(effect::fog) ? kFogBytes : 0); }
+  std::size_t lights_at() const { return order_at() + (has(effect::blending) ? instances() * kDrawOrderBytes : 0); }
   static_assert(sizeof(Instance) == kTurnedInstanceBytes);
   std::size_t turned_at() const {
-    const std::size_t lights = kFrameLightsBytes + instances_ * kInstanceShadingBytes;
+    const std::size_t lights = kFrameLightsBytes + instances() * kInstanceShadingBytes;
     return lights_at() + (has(effect::local_light) ? lights : 0);
   }
   std::size_t reflections_at() const {
-    return turned_at() + (has(effect::billboards | effect::outlines) ? instances_ * kTurnedInstanceBytes : 0);
+    return turned_at() + (has(effect::billboards | effect::outlines) ? instances() * kTurnedInstanceBytes : 0);
   }
   std::size_t outlined_at() const {
-    const std::size_t reflections = kFrameReflectionsBytes + instances_ * kEyeFormsBytes;
+    const std::size_t reflections = kFrameReflectionsBytes + instances() * kEyeFormsBytes;
     return rounded_up(reflections_at() + (has(effect::environment) ? reflections : 0));
   }
   std::size_t shadows_at() const {
@@ -129,9 +128,16 @@ class EffectBlock {
   }
   std::size_t csg_at() const { return shadows_at(); }
 
+  struct Header {
+    std::uint64_t bits;  ///< of the effects that the scene calls for
+    std::uint32_t instances, unused;
+  };
+  static_assert(sizeof(Header) == kEffectHeaderBytes);
+  const Header& header() const { return *reinterpret_cast<const Header*>(memory_); }
+  std::size_t instances() const { return header().instances; }
+
   std::byte* memory_;
   std::uint32_t bytes_;
-  std::size_t instances_;
 };
 
 }  // namespace zstrip::detail

@@ -1,0 +1,21 @@
+// Turns the instances of billboards to the viewer, before a frame is prepared.
+#pragma once
+
+#include "zstrip/effects/stage.hpp"
+
+namespace zstrip::detail::billboards {
+
+/// Turns the scene's billboards to the camera; its instances lie in the effects' part of the arena then.
+Status turn(const FrameState& frame, Scene& scene, const Camera& camera);
+
+struct Stage : NoStage {
+  static constexpr Effects kEffects = effect::billboards;
+  static constexpr bool kChangesScene = true;
+
+  template <Effects effects>
+  static Status change_scene(const FrameState& frame, Scene& drawn, const FrameRequest& request) {
+    return request.called_for.has(effect::billboards) ? turn(frame, drawn, request.facing) : Status{};
+  }
+};
+
+}  // namespace zstrip::detail::billboards

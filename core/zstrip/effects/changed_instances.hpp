@@ -1,0 +1,16 @@
+// Instances that billboards have turned, and hulls behind them: in the arena, because they are not the caller's.
+#pragma once
+
+#include "zstrip/effects/effect.hpp"
+
+namespace zstrip::detail::changed_instances {
+
+struct Memory : AnyEffect {
+  static constexpr Effects kNeedMemory = effect::billboards | effect::outlines;
+  static constexpr std::uint32_t kInstanceBytes = 52;
+  static constexpr std::uint64_t bytes(const SceneCounts& counts) {
+    return std::uint64_t{counts.instances} * kInstanceBytes;
+  }
+};
+
+}  // namespace zstrip::detail::changed_instances

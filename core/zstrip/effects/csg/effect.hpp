@@ -1,0 +1,22 @@
+// Constructive solid geometry: solids intersected with others, or cut out of them.
+#pragma once
+
+#include "zstrip/effects/effect.hpp"
+
+namespace zstrip::detail::csg {
+
+struct Effect : AnyEffect {
+  static constexpr EffectName kNames[] = {
+      {effect::csg, "csg", "products of solids"},
+  };
+
+  static constexpr Effects kNeedMemory = effect::csg;
+  static constexpr std::uint32_t kAlignment = 8;
+  static constexpr std::uint32_t kStateBytes = 8;
+  static constexpr std::uint32_t kOperandBytes = 16;
+  static constexpr std::uint64_t bytes(const SceneCounts& counts) {
+    return kStateBytes + std::uint64_t{counts.csg_operands} * kOperandBytes;
+  }
+};
+
+}  // namespace zstrip::detail::csg

@@ -1,0 +1,22 @@
+// Anti-aliasing of edges alone.
+#pragma once
+
+#include "zstrip/effects/effect.hpp"
+
+namespace zstrip::detail::edges {
+
+struct Effect : AnyEffect {
+  static constexpr EffectName kNames[] = {
+      {effect::edges, "edges", "edges are anti-aliased (--edges)"},
+  };
+
+  static constexpr Effects kNeedMemory = effect::edges;
+  static constexpr std::uint32_t kAlignment = 8;
+  static constexpr std::uint32_t kStateBytes = 8;
+  static constexpr std::uint32_t kGroupBytes = 8;
+  static constexpr std::uint64_t bytes(const SceneCounts& counts) {
+    return kStateBytes + std::uint64_t{counts.edge_groups} * kGroupBytes;
+  }
+};
+
+}  // namespace zstrip::detail::edges

@@ -1,0 +1,25 @@
+// What the rest of zstrip needs to know of an effect. A wing's Effect replaces what is not so for it.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/plan/plan_types.hpp"
+#include "zstrip/scene/effects.hpp"
+
+namespace zstrip::detail {
+
+/// As reports and options have it.
+struct EffectName {
+  Effects effect;
+  const char* name;
+  const char* called_for_by;  ///< what in a scene or a picture calls for it
+};
+
+struct AnyEffect {
+  /// Those that keep something in the arena from begin_frame to the strips, where a scene calls for one of them.
+  static constexpr Effects kNeedMemory{};
+  static constexpr std::uint32_t kAlignment = 4;  ///< of that memory: 4 or 8
+  static constexpr std::uint64_t bytes(const SceneCounts&) { return 0; }
+};
+
+}  // namespace zstrip::detail

@@ -1,0 +1,21 @@
+// Environment maps: a texture that a surface mirrors.
+#pragma once
+
+#include "zstrip/effects/effect.hpp"
+
+namespace zstrip::detail::environment {
+
+struct Effect : AnyEffect {
+  static constexpr EffectName kNames[] = {
+      {effect::environment, "environment", "mirrors its surroundings, with normals"},
+  };
+
+  static constexpr Effects kNeedMemory = effect::environment;
+  static constexpr std::uint32_t kFrameBytes = 8;
+  static constexpr std::uint32_t kEyeFormsBytes = 68;  ///< of an instance
+  static constexpr std::uint64_t bytes(const SceneCounts& counts) {
+    return kFrameBytes + std::uint64_t{counts.instances} * kEyeFormsBytes;
+  }
+};
+
+}  // namespace zstrip::detail::environment

@@ -1,0 +1,24 @@
+// Light that depends on where a vertex is.
+#pragma once
+
+#include "zstrip/effects/effect.hpp"
+
+namespace zstrip::detail::local_light {
+
+struct Effect : AnyEffect {
+  static constexpr EffectName kNames[] = {
+      {effect::emissive, "emissive", "an emissive colour"},
+      {effect::specular, "specular", "a specular colour"},
+      {effect::punctual_lights, "punctual_lights", "lit, and there are point or spot lights"},
+  };
+
+  static constexpr Effects kNeedMemory = effect::local_light;
+  static constexpr std::uint32_t kFrameLightsBytes = 192;
+  static constexpr std::uint32_t kWorldLightBytes = 44;  ///< one of those lights
+  static constexpr std::uint32_t kShadingBytes = 68;     ///< of an instance
+  static constexpr std::uint64_t bytes(const SceneCounts& counts) {
+    return kFrameLightsBytes + std::uint64_t{counts.instances} * kShadingBytes;
+  }
+};
+
+}  // namespace zstrip::detail::local_light

@@ -1,0 +1,54 @@
+// Light that depends on where a vertex is: what a frame keeps for it, and the colours of a meshlet's vertices.
+#pragma once
+
+#include "zstrip/effects/local_light/local_light.hpp"
+#include "zstrip/effects/stage.hpp"
+#include "zstrip/geometry/meshlet_range.hpp"
+#include "zstrip/raster/attributes.hpp"
+
+namespace zstrip::detail::local_light {
+
+inline void prepare(const FrameState& frame, const Camera& camera) {
+  const Scene& scene = *frame.scene;
+  const EffectBlock block = effect_block(frame);
+  block.lights() = frame_lights(scene, camera);
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    block.shading(i) = instance_shading(scene.meshes[instance.mesh], instance.transform, camera);
+  }
+}
+
+/// False if the instance has no light beyond what all have.
+template <Effects effects>
+bool shade(FrameState& frame, const Batch& batch, const MeshletRange& range, std::uint32_t cache) {
+  const Scene& scene = *frame.scene;
+  const CompiledInstance& instance = *batch.instance;
+  const Material& material = scene.materials[instance.material];
+  if (!effects_of_finish(scene, material, instance.lit, false).any(effect::vertex_light)) return false;
+  const Finish finish = finish_of(scene, material);
+  const EffectBlock block = effect_block(frame);
+  const FrameLights* lights = nullptr;
+  const InstanceShading* shading = nullptr;
+  if (block.has(effect::local_light)) {
+    lights = &block.lights();
+    shading = &block.shading(static_cast<std::size_t>(batch.instance - frame.instances));
+  }
+  for (std::uint32_t i = 0; i < range.vertex_count; ++i) {
+    const std::uint32_t vertex = range.first_vertex + i;
+    const Colour lit = locally_lit_colour<effects>(instance, *batch.mesh, vertex, scene, lights, shading, finish);
+    frame.colours[cache + i] = with_vertex_colour<effects>(lit, instance, *batch.mesh, vertex);
+  }
+  return true;
+}
+
+struct Stage : NoStage {
+  static constexpr Effects kEffects = effect::local_light;
+
+  template <Effects effects>
+  static Status prepare(FrameState& frame, const FrameRequest& request) {
+    if (request.called_for.any(effect::local_light)) local_light::prepare(frame, request.camera);
+    return {};
+  }
+};
+
+}  // namespace zstrip::detail::local_light

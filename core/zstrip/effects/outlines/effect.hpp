@@ -1,0 +1,19 @@
+// Outlines: hulls behind what they outline.
+#pragma once
+
+#include "zstrip/effects/effect.hpp"
+
+namespace zstrip::detail::outlines {
+
+struct Effect : AnyEffect {
+  static constexpr EffectName kNames[] = {
+      {effect::outlines, "outlines", "has an outline"},
+  };
+
+  static constexpr Effects kNeedMemory = effect::outlines;
+  static constexpr std::uint32_t kAlignment = 8;
+  static constexpr std::uint32_t kSceneBytes = 224;  ///< the scene with hulls as instances of their own
+  static constexpr std::uint64_t bytes(const SceneCounts&) { return kSceneBytes; }
+};
+
+}  // namespace zstrip::detail::outlines

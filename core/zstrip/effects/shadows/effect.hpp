@@ -1,0 +1,19 @@
+// Shadows: a map that is drawn from the light.
+#pragma once
+
+#include "zstrip/effects/effect.hpp"
+
+namespace zstrip::detail::shadows {
+
+struct Effect : AnyEffect {
+  static constexpr EffectName kNames[] = {
+      {effect::shadows, "shadows", "the shadow of a light, and something is lit"},
+  };
+
+  static constexpr Effects kNeedMemory = effect::shadows;
+  static constexpr std::uint32_t kAlignment = 8;
+  static constexpr std::uint32_t kStateBytes = 2656;  ///< the frame's shadow and tiles of its map, decoded
+  static constexpr std::uint64_t bytes(const SceneCounts& counts) { return kStateBytes + counts.shadow_pool; }
+};
+
+}  // namespace zstrip::detail::shadows

@@ -1,0 +1,163 @@
+// The stages in their order: begin_frame prepares, draw_strip draws and resolves. Effects take part by the hooks of
+// their stages (effects/stage.hpp); none is named here.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "zstrip/effects/stages.hpp"
+#include "zstrip/resolve/convert.hpp"
+#include "zstrip/stages/checks.hpp"
+#include "zstrip/stages/raster_stage.hpp"
+
+namespace zstrip::detail {
+
+template <Effects effects>
+Status check_frame(const FrameRequest& request, std::span<std::byte> arena) {
+  if (const Status status =
+          check_request(request.scene, request.camera, request.view, request.plan, request.called_for, effects, arena);
+      !status) {
+    return status;
+  }
+  if (const Status status = check_own_request<effects>(request); !status) return status;
+  return Stages::until_error<effects>([&](auto stage) { return stage.template check<effects>(request); });
+}
+
+/// `scene`: what is drawn, with the arena laid out.
+template <Effects effects>
+Status prepare_frame(FrameState& frame, const Scene& scene, const FrameRequest& request, std::span<std::byte> arena) {
+  DepthStage::begin<effects>(frame);
+  DistanceRange reach = reach_of(scene, request.camera);
+  Stages::for_each<effects>([&](auto stage) { stage.template extend_reach<effects>(frame, scene, request, reach); });
+  const DepthFit fit = DepthStage::fit<effects>(reach, request.camera);
+  if (const Status status = prepare_instances(frame, scene, request.camera, request.view, fit); !status) return status;
+  if (const Status status = Stages::until_error<effects>(
+          [&](auto stage) { return stage.template prepare_geometry<effects>(frame, scene, request); });
+      !status) {
+    return status;
+  }
+  DepthStage::change_mapping<effects>(frame, scene, [&](const DepthMapping& mapping) {
+    Stages::for_each<effects>([&](auto stage) { stage.template change_mapping<effects>(frame, scene, mapping); });
+  });
+  if (const Status status = Stages::until_error<effects>(
+          [&](auto stage) { return stage.template prepare_surfaces<effects>(frame, scene, request); });
+      !status) {
+    return status;
+  }
+  divide(frame, scene, request.view);
+  if (const Status status = MethodStage::begin<effects>(frame, request.called_for, scene, arena); !status)
+    return status;
+  frame.scene = &scene;
+  if (const Status status =
+          Stages::until_error<effects>([&](auto stage) { return stage.template prepare<effects>(frame, request); });
+      !status) {
+    abandon(frame);
+    return status;
+  }
+  return RasterStage::assign_to_strips<effects>(frame, request.camera);
+}
+
+template <Effects effects>
+Status begin_checked_frame(FrameState& frame, const FrameRequest& request, std::span<std::byte> arena) {
+  start(frame, request.view, request.plan, arena);
+  frame.has_special_depth = DepthStage::has_own_clear(effects);
+  lay_out_effects<effects>(frame, request.scene, request.called_for);
+  if constexpr (!Stages::any_changes_scene<effects>()) {
+    return prepare_frame<effects>(frame, request.scene, request, arena);
+  } else {
+    Scene drawn = request.scene;
+    if (const Status status = Stages::until_error<effects>(
+            [&](auto stage) { return stage.template change_scene<effects>(frame, drawn, request); });
+        !status) {
+      return status;
+    }
+    const Status status = prepare_frame<effects>(frame, drawn, request, arena);
+    // `drawn` ends here.
+    const bool has_begun = frame.scene != nullptr;
+    frame.scene = has_begun ? &request.scene : nullptr;
+    if (has_begun) {
+      Stages::for_each<effects>([&](auto stage) { stage.template keep_scene<effects>(frame, request); });
+    }
+    return status;
+  }
+}
+
+template <Effects effects>
+void draw_scene(FrameState& frame, const StripTarget& target, std::uint16_t strip) {
+  Stages::for_each<effects>([&](auto stage) { stage.template draw_surfaces<effects>(frame, target, strip); });
+  RasterStage::draw_triangles<effects>(frame, target, strip);
+}
+
+template <Effects effects>
+Status begin_whole_frame(FrameState& frame, const Scene& scene, const Camera& camera, const View& view,
+                         const Plan& plan, std::span<std::byte> arena) {
+  abandon(frame);
+  const FrameRequest request{scene, camera, camera, view, plan, effects_of(scene, camera)};
+  if constexpr (effects.has(effect::supersampled)) {
+    if (view.samples != 1) return samples::begin_frame<effects>(frame, request, arena);
+  }
+  if (const Status status = check_frame<effects>(request, arena); !status) return status;
+  return begin_checked_frame<effects>(frame, request, arena);
+}
+
+template <Effects effects>
+Status draw_whole_strip(FrameState& frame, std::uint16_t strip, std::span<std::byte> pixels) {
+  if (const Status status = check_strip<effects>(frame, strip, pixels); !status) return status;
+  Rect area = frame.plan.strip_area(strip, frame.view);
+  bool in_place = drawn_in_place(frame.view.format);
+  Stages::for_each<effects>([&](auto stage) {
+    area = stage.template drawn_area<effects>(frame, area);
+    if (stage.template needs_working_strip<effects>(frame)) in_place = false;
+  });
+  StripImage image{area, in_place ? reinterpret_cast<std::uint16_t*>(pixels.data()) : frame.working_colour,
+                   pixels.data(), strip};
+  StripTarget target = target_of(frame, area, image.pixels);
+  DepthStage::clear<effects>(frame, target, area, image.pixels);
+  Stages::for_each<effects>([&](auto stage) { stage.template draw_background<effects>(frame, area, image.pixels); });
+  MethodStage::begin_strip<effects>(frame, target);
+  if (!target.area.empty()) draw_scene<effects>(frame, target, strip);
+  if (const Status status = Stages::until_error<effects>(
+          [&](auto stage) { return stage.template finish<effects>(frame, target, strip); });
+      !status) {
+    return status;
+  }
+  Stages::for_each<effects>([&](auto stage) { stage.template resolve<effects>(frame, target, image); });
+  convert_pixels(frame.view.format, static_cast<std::uint16_t>(image.area.width()),
+                 static_cast<std::uint16_t>(image.area.height()), image.pixels, image.out);
+  frame.next_to_last_strip = strip + 1U;
+  return {};
+}
+
+template <Effects effects>
+Status draw_whole_over(FrameState& frame, const Rect& area, std::span<std::uint16_t> pixels,
+                       std::span<std::uint16_t> depth) {
+  if (frame.scene == nullptr) return {.error = Error::not_begun};
+  if (const Status status =
+          Stages::until_error<effects>([&](auto stage) { return stage.template check_over<effects>(frame); });
+      !status) {
+    return status;
+  }
+  if (const Status status = check_area<effects>(frame, area, pixels.size(), depth.size()); !status) return status;
+  if constexpr (can_draw_over(effects)) {
+    RasterStage::for_each_part(
+        frame, area, pixels.data(), depth.data(),
+        [&](const StripTarget& target, std::uint16_t strip) { draw_scene<effects>(frame, target, strip); });
+  }
+  return {};
+}
+
+template <Effects effects>
+Status begin_frame(FrameState& frame, const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
+                   std::span<std::byte> arena) {
+  return begin_whole_frame<effects>(frame, scene, camera, view, plan, arena);
+}
+template <Effects effects>
+Status draw_strip(FrameState& frame, std::uint16_t strip, std::span<std::byte> pixels) {
+  return draw_whole_strip<effects>(frame, strip, pixels);
+}
+template <Effects effects>
+Status draw_over(FrameState& frame, const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) {
+  return draw_whole_over<effects>(frame, area, pixels, depth);
+}
+
+}  // namespace zstrip::detail

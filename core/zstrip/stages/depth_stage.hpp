@@ -1,0 +1,94 @@
+// Depth formats and sub-ranges: the mapping of a frame and the clear of a strip where they are not those of z16.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/geometry/depth_mapping.hpp"
+#include "zstrip/raster/colour.hpp"
+#include "zstrip/resolve/resolve.hpp"
+#include "zstrip/stages/bounds.hpp"
+#include "zstrip/stages/frame_parts.hpp"
+
+namespace zstrip::detail {
+
+struct DepthStage {
+  static constexpr bool has_own_clear(Effects effects) {
+    return effects.has(method::painter) || depth_bytes(depth_format(effects)) != kDepthBytes ||
+           effects.has(effect::depth_ranges);
+  }
+
+  /// The cells that sub-ranges may use, and the code that counts as cleared.
+  template <Effects effects>
+  static void begin(FrameState& frame) {
+    if constexpr (effects.has(effect::depth_ranges)) {
+      auto& ranged = static_cast<RangedFrameState&>(frame);
+      ranged.ranges.begin_frame(frame.depth, frame.plan.depth_bytes / kDepthBytes);
+      ranged.cleared_code = 0;
+    }
+  }
+
+  /// The depth range of what lies in `reach`, with room for the error of 1/w.
+  template <Effects effects>
+  static DepthFit fit(const DistanceRange& reach, const Camera& camera) {
+    if constexpr (effects.has(effect::coarse_reciprocal)) {
+      return with_room(fit_to(reach, camera), kRoomForCoarse);
+    } else if constexpr (effects.has(effect::table_reciprocal)) {
+      return with_room(fit_to(reach, camera), kRoomForTable);
+    } else {
+      return fit_to(reach, camera);
+    }
+  }
+
+  /// From that of z16, for which the frame has been prepared. Calls change(mapping) for what is not an instance.
+  template <Effects effects, class Change>
+  static void change_mapping([[maybe_unused]] FrameState& frame, [[maybe_unused]] const Scene& scene,
+                             [[maybe_unused]] const Change& change) {
+    if constexpr (effects.any(effect::depth_formats | effect::depth_ranges)) {
+      if (frame.fit.near == 0) return;  // nothing is visible
+      const DepthMapping mapping = effects.has(effect::depth_ranges) ? depth_mapping_of_ranges(frame.fit)
+                                                                     : depth_mapping(depth_format(effects), frame.fit);
+      change(mapping);
+      change_depth_mapping(mapping, effects.has(effect::orthographic), frame.fit, frame.origin,
+                           {frame.instances, scene.instances.size()});
+    }
+  }
+
+  /// The z-buffer of the target, and the strip's pixels, which are those of `area`.
+  template <Effects effects>
+  static void clear(FrameState& frame, const StripTarget& target, const Rect& area, std::uint16_t* pixels) {
+    if constexpr (has_own_clear(effects)) {
+      fill_pixels(pixels, static_cast<std::uint32_t>(area.width()) * static_cast<std::uint32_t>(area.height()),
+                  rgb565(frame.scene->background));
+      clear_depth<effects>(frame, target);
+    } else {
+      detail::clear(frame, static_cast<std::uint16_t>(area.width()), static_cast<std::uint16_t>(area.height()), pixels,
+                    target);
+    }
+  }
+
+ private:
+  /// Cells of 32 bits, and sub-ranges, where the strip gets the next one and often no clear.
+  template <Effects effects>
+  static void clear_depth(FrameState& frame, const StripTarget& target) {
+    const auto cells = static_cast<std::uint32_t>(target.area.width() * target.area.height());
+    if constexpr (effects.has(effect::depth_ranges)) {
+      if (cells == 0) return;
+      auto& ranged = static_cast<RangedFrameState&>(frame);
+      const std::uint32_t usable = ranged.ranges.next(cells);
+      __builtin_memset(frame.depth + usable, 0, std::size_t{cells - usable} * kDepthBytes);
+      const std::int64_t up =
+          (std::int64_t{ranged.ranges.cleared_code()} - ranged.cleared_code) * (1 << 16);  // 16.16 codes
+      ranged.cleared_code = ranged.ranges.cleared_code();
+      if constexpr (effects.has(effect::orthographic)) {
+        frame.origin.depth_offset += static_cast<std::uint32_t>(up);
+      } else {
+        frame.fit.offset -= up;
+        frame.origin.depth_offset = static_cast<std::uint32_t>(frame.fit.offset);
+      }
+    } else {
+      __builtin_memset(frame.depth, 0, std::size_t{cells} * depth_cell_bytes(effects));
+    }
+  }
+};
+
+}  // namespace zstrip::detail

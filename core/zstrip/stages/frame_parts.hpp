@@ -1,0 +1,65 @@
+// The parts of a frame that no effect changes: its memory, its instances, its strips, and the target of a strip.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "zstrip/raster/target.hpp"
+#include "zstrip/stages/effect_block.hpp"
+#include "zstrip/stages/frame_state.hpp"
+
+namespace zstrip::detail {
+
+/// Nothing is drawn until the next frame that can begin.
+inline void abandon(FrameState& frame) {
+  frame.scene = nullptr;
+  frame.next_to_last_strip = 0;
+}
+
+/// Of a part of the plan, in bytes.
+constexpr Status too_small(Purpose purpose, std::uint64_t needed, std::uint32_t available) {
+  return {.error = Error::arena_too_small,
+          .purpose = purpose,
+          .needed = static_cast<std::uint32_t>(needed),
+          .available = available};
+}
+
+/// By frame.plan.
+void lay_out_arena(FrameState& frame, std::span<std::byte> arena);
+/// A plan that has been checked is the frame's then, and the arena laid out; all else is as of the frame before.
+inline void start(FrameState& frame, const View& view, const Plan& plan, std::span<std::byte> arena) {
+  frame.view = view;
+  frame.plan = plan;
+  frame.mode = plan.mode;
+  frame.statistics = {};
+  lay_out_arena(frame, arena);
+}
+
+/// Compiles the instances, finds the frame's bounds.
+Status prepare_instances(FrameState& frame, const Scene& scene, const Camera& camera, const View& view,
+                         const DepthFit& fit);
+/// `box`: pixels of the picture, not empty.
+void extend_bounds(FrameState& frame, const Rect& box);
+/// Into strips, of the bounds that are now known.
+void divide(FrameState& frame, const Scene& scene, const View& view);
+
+inline EffectBlock effect_block(const FrameState& frame) {
+  return {reinterpret_cast<std::byte*>(frame.batches) + frame.plan.bin_bytes, frame.plan.effect_bytes};
+}
+/// Comes before any effect_block is asked.
+template <Effects effects>
+void lay_out_effects([[maybe_unused]] const FrameState& frame, [[maybe_unused]] const Scene& scene,
+                     [[maybe_unused]] Effects called_for) {
+  if constexpr (effect_bytes(effects, 1) != 0) effect_block(frame).lay_out(called_for, count(scene).instances);
+}
+
+/// `strip`: its pixels in the picture.
+StripTarget target_of(FrameState& frame, Rect strip, std::uint16_t* pixels);
+/// `area`: pixels of the picture inside the frame's bounds. Where they and their depth lie is left to the caller.
+StripTarget target_at(FrameState& frame, const Rect& area);
+/// The z-buffer of the target, of 16-bit cells, and the strip's pixels.
+void clear(const FrameState& frame, std::uint16_t width, std::uint16_t rows, std::uint16_t* pixels,
+           const StripTarget& target);
+
+}  // namespace zstrip::detail

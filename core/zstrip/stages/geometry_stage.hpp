@@ -1,0 +1,197 @@
+// The geometry stage: meshlets in drawing order, transformed, lit, and assigned to strips.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "zstrip/effects/edges/apron.hpp"
+#include "zstrip/effects/environment/environment_stage.hpp"
+#include "zstrip/effects/local_light/local_light_stage.hpp"
+#include "zstrip/effects/outlines/outline.hpp"
+#include "zstrip/effects/shadows/retained_shadow.hpp"
+#include "zstrip/geometry/meshlet_range.hpp"
+#include "zstrip/raster/facing.hpp"
+#include "zstrip/stages/materials.hpp"
+#include "zstrip/stages/method_stage.hpp"
+
+namespace zstrip::detail {
+
+struct GeometryStage {
+  /// Calls visit(number, instance index, meshlet index) in drawing order; numbers count the meshlets of all instances,
+  /// invisible ones too, but are called only for visible ones.
+  template <Effects effects, class Visit>
+  static void for_each_meshlet(const FrameState& frame, const Visit& visit) {
+    std::uint32_t number = 0;
+    for (std::uint32_t place = 0; place < frame.scene->instances.size(); ++place) {
+      std::uint32_t i = place;
+      if constexpr (effects.has(effect::blending)) {
+        if (const auto block = effect_block(frame); block.has(effect::blending)) i = block.order()[place].instance;
+      }
+      const Mesh& mesh = frame.scene->meshes[frame.scene->instances[i].mesh];
+      const std::uint32_t meshlets = meshlet_count(mesh);
+      if (frame.instances[i].visible) {
+        for (std::uint32_t m = 0; m < meshlets; ++m) visit(number + m, i, m);
+      }
+      number += meshlets;
+    }
+  }
+
+  /// A meshlet with its vertices at vertices_[cache] on.
+  static Batch batch_of(const FrameState& frame, std::uint32_t instance, std::uint32_t first_vertex,
+                        std::uint32_t cache) {
+    const CompiledInstance& compiled = frame.instances[instance];
+    const bool has_colours = compiled.lit || compiled.coloured;
+    return {&compiled,
+            &frame.scene->meshes[compiled.mesh],
+            frame.vertices + cache,
+            has_colours ? frame.colours + cache : nullptr,
+            first_vertex,
+            frame.origin,
+            Materials::surface_of(frame, compiled)};
+  }
+
+  /// The same, with what drawing it needs beside.
+  template <Effects effects>
+  static BatchOf<effects> batch_for(const FrameState& frame, std::uint32_t instance, std::uint32_t first_vertex,
+                                    std::uint32_t cache) {
+    if constexpr (effects.has(effect::environment)) {
+      return {batch_of(frame, instance, first_vertex, cache), environment::reflections_of(frame, instance, cache)};
+    } else {
+      return batch_of(frame, instance, first_vertex, cache);
+    }
+  }
+
+  /// False if some vertex needs the clipping path.
+  template <Effects effects>
+  static bool transform(FrameState& frame, const Batch& batch, const MeshletRange& range, std::uint32_t cache) {
+    if constexpr (effects.has(effect::statistics)) frame.statistics.vertices += range.vertex_count;
+    if constexpr (effects.has(effect::outlines)) {
+      if (is_outline(*batch.instance)) {
+        return transform_hull<effects.has(effect::orthographic), depth_format(effects)>(
+            *batch.instance, *batch.mesh, frame.origin, range.first_vertex, range.vertex_count, frame.vertices + cache);
+      }
+    }
+    return transform_vertices<raster_effects(effects)>(*batch.instance, *batch.mesh, frame.origin, range.first_vertex,
+                                                       range.vertex_count, frame.vertices + cache);
+  }
+
+  template <Effects effects>
+  static void shade(FrameState& frame, const BatchOf<effects>& batch, const MeshletRange& range, std::uint32_t cache) {
+    if constexpr (effects.has(effect::environment)) {
+      if (batch.reflections != nullptr) environment::reflect<effects.has(effect::orthographic)>(frame, batch, range);
+    }
+    if constexpr (has_vertex_colours(effects)) {
+      if (batch.colours != nullptr) {
+        if constexpr (effects.any(effect::vertex_light)) {
+          if (local_light::shade<effects>(frame, batch, range, cache)) return;
+        }
+        shade_vertices<effects&(effect::lighting | effect::vertex_colours)>(
+            *batch.instance, *batch.mesh, range.first_vertex, range.vertex_count, frame.colours + cache);
+      }
+    }
+  }
+
+  /// What bins keep of vertices in shadow beside what `shade` has given them.
+  template <Effects effects>
+  static void retain_shadow(FrameState& frame, const BatchOf<effects>& batch, const MeshletRange& range,
+                            std::uint32_t cache) {
+    if constexpr (effects.has(effect::shadows)) {
+      shadows::shade_retained(frame, batch, [&] { shade<effects>(frame, batch, range, cache); });
+    }
+  }
+
+  /// Which strips the front faces of each meshlet touch.
+  template <Effects effects>
+  static void survey(FrameState& frame) {
+    for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+      if constexpr (effects.has(method::culling)) {
+        frame.extents[number] = Extent::none();
+        if (MethodStage::is_left_out<effects>(frame, number, instance, meshlet)) return;
+      }
+      const MeshletRange range = meshlet_range(frame.scene->meshes[frame.instances[instance].mesh], meshlet);
+      const auto batch = batch_for<effects>(frame, instance, range.first_vertex, 0);
+      const bool all_narrow = transform<effects>(frame, batch, range, 0);
+      Rect box{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
+      Facing<effects>::for_each(batch, range.triangles, all_narrow, [&](std::uint32_t, const auto& covered) {
+        const Rect pixels = covered.box();
+        box = {std::min(box.left, pixels.left), std::min(box.top, pixels.top), std::max(box.right, pixels.right),
+               std::max(box.bottom, pixels.bottom)};
+        return true;
+      });
+      if constexpr (effects.has(effect::edges)) {
+        if (edges::has_apron<effects>(frame)) box = edges::box_with_apron(box);
+      }
+      frame.extents[number] = frame.grid.extent_of(box);
+    });
+  }
+
+  /// Transforms everything once and writes each front face into the lists of its strips. False if they are too small.
+  template <Effects effects>
+  static bool fill_bins(FrameState& frame) {
+    std::uint32_t retained = 0;
+    std::uint16_t batches = 0;
+    bool room = true;
+    for_each_meshlet<effects>(
+        frame, [&]([[maybe_unused]] std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+          if (!room) return;
+          if constexpr (effects.has(method::culling)) {
+            if (MethodStage::is_left_out<effects>(frame, number, instance, meshlet)) return;
+          }
+          const MeshletRange range = meshlet_range(frame.scene->meshes[frame.instances[instance].mesh], meshlet);
+          const auto batch = batch_for<effects>(frame, instance, range.first_vertex, retained);
+          const bool all_narrow = transform<effects>(frame, batch, range, retained);
+          bool listed = false;
+          room = Facing<effects>::for_each(batch, range.triangles, all_narrow,
+                                           [&](std::uint32_t triangle, const auto& covered) {
+                                             listed = true;
+                                             if constexpr (effects.has(effect::edges)) {
+                                               if (edges::has_apron<effects>(frame)) {
+                                                 return list_with_apron(frame, covered.box(), batches, triangle);
+                                               }
+                                             }
+                                             return list(frame, covered, batches, triangle);
+                                           });
+          if (!listed) return;
+          shade<effects>(frame, batch, range, retained);
+          retain_shadow<effects>(frame, batch, range, retained);
+          frame.batches[batches++] = retained_batch(instance, meshlet, retained, all_narrow);
+          retained += range.vertex_count;
+        });
+    return room;
+  }
+
+  /// Into the lists of all strips of an extent.
+  static bool list(FrameState& frame, const Extent& extent, std::uint16_t batch, std::uint16_t triangle) {
+    return list_in(frame, frame.grid.strips_of_extent(extent), batch, triangle);
+  }
+  static bool list_with_apron(FrameState& frame, const Rect& box, std::uint16_t batch, std::uint32_t triangle) {
+    return list_in(frame, frame.grid.strips_of(edges::box_with_apron(box)), batch,
+                   static_cast<std::uint16_t>(triangle));
+  }
+  /// Into the lists of all strips that hold pixels which a front face can cover. Inlined wherever it is called: where
+  /// many pipelines share a program, the compiler would make it a call for every triangle.
+  template <class Pixels>
+  [[gnu::always_inline]] static bool list(FrameState& frame, const Pixels& covered, std::uint16_t batch,
+                                          std::uint32_t triangle) {
+    const auto index = static_cast<std::uint16_t>(triangle);
+    if (frame.grid.across() != 1) return list_in(frame, frame.grid.strips_of(covered.box()), batch, index);
+    const StripGrid::Range rows = frame.grid.rows_of(covered.top(), covered.bottom());
+    for (std::int32_t row = rows.first; row < rows.end; ++row) {
+      if (!frame.bins.add(static_cast<std::uint32_t>(row), batch, index)) return false;
+    }
+    return true;
+  }
+  /// `strips`: columns and rows of strips.
+  static bool list_in(FrameState& frame, const Rect& strips, std::uint16_t batch, std::uint16_t triangle) {
+    for (std::int32_t row = strips.top; row < strips.bottom; ++row) {
+      for (std::int32_t column = strips.left; column < strips.right; ++column) {
+        const auto strip = static_cast<std::uint32_t>(row * frame.grid.across() + column);
+        if (!frame.bins.add(strip, batch, triangle)) return false;
+      }
+    }
+    return true;
+  }
+};
+
+}  // namespace zstrip::detail

@@ -1,0 +1,109 @@
+// The raster stage of a strip: the triangles of the meshlets that touch it, or of its bin.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "zstrip/stages/geometry_stage.hpp"
+#include "zstrip/stages/method_stage.hpp"
+
+namespace zstrip::detail {
+
+struct RasterStage {
+  /// Which strips what touches: by the order of a method, by bins, or by the extents of meshlets.
+  template <Effects effects>
+  static Status assign_to_strips(FrameState& frame, [[maybe_unused]] const Camera& camera) {
+    if constexpr (effects.has(effect::statistics)) frame.statistics.triangles = count(*frame.scene).triangles;
+    if constexpr (effects.has(method::culling | effect::statistics)) {
+      MethodStage::count_culled<effects>(static_cast<MethodFrameState&>(frame));
+    }
+    if constexpr (sorts_triangles(effects)) {
+      return MethodStage::order_triangles<effects>(static_cast<MethodFrameState&>(frame), camera);
+    }
+    if (frame.extents == nullptr) return {};
+    if constexpr (effects.has(effect::bins)) {
+      if (frame.mode == Mode::binned) {
+        if (GeometryStage::fill_bins<effects>(frame)) return {};
+        frame.mode = Mode::streamed;
+        ++frame.bin_overflows;
+      }
+    }
+    GeometryStage::survey<effects>(frame);
+    return {};
+  }
+
+  template <Effects effects>
+  static void draw_triangles(FrameState& frame, const StripTarget& target, std::uint16_t strip) {
+    if constexpr (effects.has(effect::bins)) {
+      if (frame.mode == Mode::binned) return draw_binned<effects>(frame, target, strip);
+    }
+    if constexpr (sorts_triangles(effects)) {
+      return MethodStage::draw_sorted<effects>(static_cast<MethodFrameState&>(frame), target, strip);
+    }
+    draw_streamed<effects>(frame, target, strip);
+  }
+
+  template <Effects effects>
+  static void draw_streamed(FrameState& frame, const StripTarget& target, std::uint16_t strip) {
+    const std::int32_t row = strip / frame.grid.across();
+    const std::int32_t column = strip % frame.grid.across();
+    const auto draw_meshlet = [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
+      if (frame.extents != nullptr && !frame.grid.touches(frame.extents[number], row, column)) return;
+      if constexpr (effects.has(method::culling)) {
+        if (MethodStage::is_left_out<effects>(frame, number, instance, meshlet)) return;
+      }
+      const MeshletRange range = meshlet_range(frame.scene->meshes[frame.instances[instance].mesh], meshlet);
+      const auto batch = GeometryStage::batch_for<effects>(frame, instance, range.first_vertex, 0);
+      const bool all_narrow = GeometryStage::transform<effects>(frame, batch, range, 0);
+      GeometryStage::shade<effects>(frame, batch, range, 0);
+      Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
+        AssemblerFor<effects>::draw(complete, batch, range.triangles, all_narrow);
+      });
+    };
+    if constexpr (effects.has(method::hierarchical_z)) {
+      MethodStage::draw_seen_first<effects>(static_cast<MethodFrameState&>(frame), target, draw_meshlet);
+    } else {
+      GeometryStage::for_each_meshlet<effects>(frame, draw_meshlet);
+    }
+  }
+
+  template <Effects effects>
+  static void draw_binned(FrameState& frame, const StripTarget& target, std::uint16_t strip) {
+    frame.bins.for_each_run(strip, [&](std::uint16_t number, const std::uint16_t* triangles, std::uint32_t count) {
+      const RetainedBatch& retained = frame.batches[number];
+      const MeshletRange range =
+          meshlet_range(frame.scene->meshes[frame.instances[retained.instance].mesh], retained.meshlet);
+      const auto batch =
+          GeometryStage::batch_for<effects>(frame, retained.instance, range.first_vertex, retained.first_vertex);
+      Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
+        AssemblerFor<effects>::draw_listed(complete, batch, range.triangles, {triangles, count}, retained.all_narrow);
+      });
+    });
+  }
+
+  /// Calls draw(target, strip) for the strips of the frame in `area`, over `pixels` and `depth`, which have no gaps.
+  template <class Draw>
+  static void for_each_part(FrameState& frame, const Rect& area, std::uint16_t* pixels, std::uint16_t* depth,
+                            const Draw& draw) {
+    const Rect strips = frame.grid.strips_of_picture(area);
+    for (std::int32_t row = strips.top; row < strips.bottom; ++row) {
+      for (std::int32_t column = strips.left; column < strips.right; ++column) {
+        const auto strip = static_cast<std::uint16_t>(row * frame.grid.across() + column);
+        const Rect cut = frame.plan.strip_area(strip, frame.view);
+        const Rect part{std::max({cut.left, area.left, frame.bounds.left}),
+                        std::max({cut.top, area.top, frame.bounds.top}),
+                        std::min({cut.right, area.right, frame.bounds.right}),
+                        std::min({cut.bottom, area.bottom, frame.bounds.bottom})};
+        StripTarget target = target_at(frame, part);
+        const std::int32_t first = (part.top - area.top) * area.width() + (part.left - area.left);
+        target.depth = depth + first;
+        target.colour = pixels + first;
+        target.depth_stride = target.colour_stride = area.width();
+        draw(target, strip);
+      }
+    }
+  }
+};
+
+}  // namespace zstrip::detail
