@@ -8,59 +8,16 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr KnownEffect kKnown[] = {
-    {effect::lighting, "lighting", "lit, with normals"},
-    {effect::gouraud, "gouraud", "smooth shading"},
-    {effect::vertex_colours, "vertex_colours", "vertex colours"},
-    {effect::textures, "textures", "a texture and texture coordinates"},
-    {effect::orthographic, "orthographic", "the camera's parallel projection"},
-    {effect::depth_state, "depth_state", "a depth test, depth write or bias of its own"},
-    {effect::fog, "fog", "the scene's fog"},
-    {effect::emissive, "emissive", "an emissive colour"},
-    {effect::specular, "specular", "a specular colour"},
-    {effect::punctual_lights, "punctual_lights", "lit, and there are point or spot lights"},
-    {effect::alpha_test, "alpha_test", "the alpha mode mask"},
-    {effect::blending, "blending", "the alpha mode blend"},
-    {effect::texture_alpha, "texture_alpha", "a texture with alpha, masked or blended"},
-    {effect::texture_palettes, "texture_palettes", "a texture with a palette"},
-    {effect::mipmaps, "mipmaps", "a texture with mipmaps, and a finish"},
-    {effect::bilinear, "bilinear", "the texture filter bilinear"},
-    {effect::quadrics, "quadrics", "spheres and ellipsoids"},
-    {effect::lines, "lines", "lines and points"},
-    {effect::billboards, "billboards", "turns with the camera"},
-    {effect::environment, "environment", "mirrors its surroundings, with normals"},
-    {effect::outlines, "outlines", "has an outline"},
-    {effect::shadows, "shadows", "the shadow of a light, and something is lit"},
-    {effect::csg, "csg", "products of solids"},
-    {effect::edges, "edges", "edges are anti-aliased (--edges)"},
-    {effect::pixel_shading, "pixel_shading", "lit at pixels, with normals"},
-    {effect::dithered_colours, "dithered_colours", "the picture is dithered to RGB565 (--dither)"},
-    {effect::dithered_format, "dithered_format", "the picture is dithered to its format (--dither)"},
-    {effect::supersampled, "supersampled", "the picture has several samples a pixel (--samples)"},
-    {effect::bins, "bins", "the plan transforms geometry only once (--mode)"},
-};
-
-/// An effect that a scene or its picture can call for and that is not known here would be missing in headers and
-/// reports.
-constexpr bool all_known() {
-  Effects known{};
-  for (const KnownEffect& each : kKnown) known = known | each.effect;
-  return known == (effect::of_scenes | effect::bins);
-}
-static_assert(all_known());
-
 std::string name_of(std::uint16_t material, std::span<const std::string> names) {
   return material < names.size() && !names[material].empty() ? names[material] : fmt::format("number {}", material);
 }
 
 }  // namespace
 
-std::span<const KnownEffect> known_effects() { return kKnown; }
-
 std::vector<FoundEffect> find_effects(const Scene& scene, const Camera& camera, Effects effects,
                                       const Origins& origins) {
   std::vector<FoundEffect> found;
-  for (const KnownEffect& known : kKnown) {
+  for (const EffectName& known : kEffectNames) {
     if (!effects.has(known.effect)) continue;
     if ((effect::dithered_colours | effect::dithered_format | effect::supersampled | effect::edges).has(known.effect)) {
       found.push_back({known, {}, {}});

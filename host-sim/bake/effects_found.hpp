@@ -6,17 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects/list.hpp"
 
 namespace zstrip::sim {
-
-/// An effect that a baked scene can have.
-struct KnownEffect {
-  Effects effect;
-  const char* name;    ///< as in the core's headers
-  const char* reason;  ///< what calls for it: "a texture and texture coordinates"
-};
-std::span<const KnownEffect> known_effects();
 
 /// Where what calls for effects stands: "room.toml line 12". Empty, or shorter than the scene: not known.
 struct Origins {
@@ -29,7 +21,7 @@ struct Origins {
 };
 
 struct FoundEffect {
-  KnownEffect effect;
+  EffectName effect;
   std::vector<std::string> materials;  ///< those that call for it, in the scene's order; empty: not a material's doing
   std::string origin;                  ///< of the first of them, or of what else calls for it; may be empty
 };

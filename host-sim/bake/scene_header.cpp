@@ -145,7 +145,7 @@ const char* name_of(Turning turning) {
 
 std::string literal(Effects effects) {
   std::string text;
-  for (const KnownEffect& known : known_effects()) {
+  for (const EffectName& known : kEffectNames) {
     if (effects.has(known.effect)) text += fmt::format("{}zstrip::effect::{}", text.empty() ? "" : " | ", known.name);
   }
   for (const auto& [name, effect] : kChosen) {

@@ -116,7 +116,7 @@ Result<Job> parse(const RenderCommandLine& arguments) {
   const Result<DepthFormat> depth_format = parse_depth_format(arguments.depth_format, *settings);
   if (!depth_format) return depth_format.failure();
   job.depth_format = *depth_format;
-  if (arguments.camera.orthographic && !depth_effects_agree(depth_effect(*depth_format) | effect::orthographic)) {
+  if (arguments.camera.orthographic && !effects_agree(depth_effect(*depth_format) | effect::orthographic)) {
     return usage("--depth-format float and w16 need a perspective camera, not --ortho");
   }
   if (arguments.perspective) {

@@ -96,8 +96,7 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
   if (auto picture = root.table("picture", "[picture]")) scene.picture = read_picture(*picture);
   if (auto camera = root.table("camera", "[camera]")) scene.camera = read_camera(*camera);
   if (scene.camera && scene.camera->orthographic &&
-      !depth_effects_agree(depth_effect(scene.picture.depth_format.value_or(DepthFormat::z16)) |
-                           effect::orthographic)) {
+      !effects_agree(depth_effect(scene.picture.depth_format.value_or(DepthFormat::z16)) | effect::orthographic)) {
     errors.add(scene.camera->projection_line,
                "[camera]: 'depth_format' of [picture] needs a perspective camera; z16, z24 and z32 do not");
   }

@@ -92,7 +92,7 @@ std::string mipmap_lines(const BakeRecord& record) {
 std::string effect_lines(const BakeRecord& record) {
   std::string text;
   for (const FoundEffect& found : record.effects) {
-    std::string why = found.effect.reason;
+    std::string why = found.effect.called_for_by;
     if (!found.materials.empty()) why += fmt::format(": material '{}'", printable(found.materials.front()));
     if (found.materials.size() > 1) why += fmt::format(" and {} more", grouped(found.materials.size() - 1));
     if (!found.origin.empty()) why += fmt::format(" in {}", printable(found.origin));
@@ -192,7 +192,7 @@ std::string bake_json(const BakeRecord& record) {
   object["effects"] = Json::array();
   for (const FoundEffect& found : record.effects) {
     object["effects"].push_back({{"name", found.effect.name},
-                                 {"reason", found.effect.reason},
+                                 {"reason", found.effect.called_for_by},
                                  {"materials", found.materials},
                                  {"origin", found.origin}});
   }

@@ -57,26 +57,16 @@ Result<Done> check_visibility(Effects effects, std::string_view depth_given) {
                                                         : fmt::format("--visibility {} goes", name),
                                                   ranges && !formats ? "--visibility half-range" : depth_given)};
   }
-  if (effects.has(effect::shadows) && !depth_effects_agree(effects) &&
-      depth_effects_agree(without(effects, effect::shadows))) {
-    return Failure{ExitStatus::usage,
-                   fmt::format("shadows ask the z-buffer, which {} does not allow; leave it out, or the key shadow of "
-                               "the light",
-                               ranges                ? "--visibility half-range"
-                               : depth_given.empty() ? "this depth format"
-                                                     : depth_given)};
-  }
-  if (effects.has(effect::edges) && !depth_effects_agree(effects) &&
-      depth_effects_agree(without(effects, effect::edges))) {
-    return Failure{ExitStatus::usage, fmt::format("edges go with depth as z16 only: leave out {}, or use --no-edges",
+  for (const Exclusion& exclusion : kExclusions) {
+    if (!effects.any(exclusion.one) || !effects.any(Effects{exclusion.other.bits, 0})) continue;
+    const auto* const named = std::ranges::find_if(
+        kEffectNames, [&](const EffectName& each) { return effects.any(each.effect & exclusion.one); });
+    return Failure{ExitStatus::usage, fmt::format("'{}' does not go with {}: {}; leave one of them out",
+                                                  named == kEffectNames.end() ? "this accuracy of 1/w" : named->name,
                                                   ranges                ? "--visibility half-range"
                                                   : depth_given.empty() ? "this depth format"
-                                                                        : depth_given)};
-  }
-  if (!depth_effects_agree(effects)) {
-    return Failure{ExitStatus::usage,
-                   "depth as float or w16 needs a perspective camera, and this one is orthographic; take another depth "
-                   "format"};
+                                                                        : depth_given,
+                                                  exclusion.why)};
   }
   if (effects.any(effect::perspective_runs) && (effects.methods != 0 || ranges || formats)) {
     return Failure{ExitStatus::usage, fmt::format("--perspective, or 'perspective' in the scene file, goes with the "
@@ -89,9 +79,9 @@ Result<Done> check_visibility(Effects effects, std::string_view depth_given) {
   if (methods_agree(effects)) return Done{};
   const Effects refused = refused_by_methods(effects);
   std::string missing;
-  for (const KnownEffect& known : known_effects()) {
+  for (const EffectName& known : kEffectNames) {
     if (!refused.has(known.effect)) continue;
-    missing += fmt::format("{}{} ({})", missing.empty() ? "" : ", ", known.name, known.reason);
+    missing += fmt::format("{}{} ({})", missing.empty() ? "" : ", ", known.name, known.called_for_by);
   }
   if (missing.empty()) return Failure{ExitStatus::usage, fmt::format("--visibility {} excludes another method", name)};
   if (without(Effects{0, effects.methods}, method::culling) == Effects{}) {
@@ -102,7 +92,7 @@ Result<Done> check_visibility(Effects effects, std::string_view depth_given) {
   std::string able;
   for (const VisibilityMethod& method : kMethods) {
     const Effects together = refused | method.effects;
-    if (depth_effects_agree(together) && !refused_by_methods(together).any(effect::of_scenes)) {
+    if (effects_agree(together) && !refused_by_methods(together).any(effect::of_scenes)) {
       able += fmt::format("{}{}", able.empty() ? "" : ", ", method.name);
     }
   }

@@ -174,9 +174,9 @@ TEST_P(ShortReciprocal, IsTheSameInStripsAndBins) {
 }
 
 TEST_P(ShortReciprocal, IsForZ16WithoutShadowsAlone) {
-  EXPECT_TRUE(depth_effects_agree(effects()));
+  EXPECT_TRUE(effects_agree(effects()));
   for (const Effects other : {effect::depth_24, effect::depth_ranges, effect::shadows}) {
-    EXPECT_FALSE(depth_effects_agree(effects() | other));
+    EXPECT_FALSE(effects_agree(effects() | other));
   }
   EXPECT_FALSE(methods_agree(effects() | method::hierarchical_z));
 }

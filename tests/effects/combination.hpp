@@ -2,6 +2,7 @@
 // the viewer, a sphere and lines, a third box with an outline, and a fourth less a fifth; or edges of the first two.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -11,27 +12,17 @@
 
 namespace effects_test {
 
-/// Everything that a set may have or not.
-inline constexpr Effects kFactors[] = {effect::lighting,         effect::gouraud,          effect::textures,
-                                       effect::orthographic,     effect::depth_state,      effect::fog,
-                                       effect::emissive,         effect::specular,         effect::texture_alpha,
-                                       effect::bilinear,         effect::punctual_lights,  effect::alpha_test,
-                                       effect::blending,         effect::vertex_colours,   effect::quadrics,
-                                       effect::dithered_colours, effect::texture_palettes, effect::lines,
-                                       effect::billboards,       effect::mipmaps,          effect::supersampled,
-                                       effect::environment,      effect::outlines,         effect::shadows,
-                                       effect::pixel_shading};
-
-static_assert(
-    [] {
-      std::uint64_t seen = 0;
-      for (const Effects factor : kFactors) {
-        if ((seen & factor.bits) != 0) return false;
-        seen |= factor.bits;
-      }
-      return true;
-    }(),
-    "two effects share a bit");
+/// Everything that a set may have or not: all effects but those that exclude many others, or are of a plan.
+inline constexpr auto kFactors = [] {
+  constexpr Effects kLeftOut = effect::csg | effect::edges | effect::dithered_format | effect::bins;
+  constexpr auto kIsFactor = [](const EffectName& each) { return !each.effect.any(kLeftOut); };
+  std::array<Effects, std::ranges::count_if(kEffectNames, kIsFactor)> factors{};
+  std::size_t count = 0;
+  for (const EffectName& each : kEffectNames) {
+    if (kIsFactor(each)) factors[count++] = each.effect;
+  }
+  return factors;
+}();
 
 /// With what its effects need to show.
 constexpr Effects completed(Effects set) {

@@ -113,7 +113,7 @@ TEST(Edges, WhatDoesNotGoWithThemIsRefused) {
   constexpr Effects kOwn = effects_of(scenes::edges.scene, scenes::edges.camera);
   for (const Effects other : {effect::depth_24, effect::depth_32, effect::depth_float, effect::depth_w16,
                               effect::depth_ranges, effect::coarse_reciprocal, effect::table_reciprocal}) {
-    EXPECT_FALSE(depth_effects_agree(kOwn | other));
+    EXPECT_FALSE(effects_agree(kOwn | other));
     EXPECT_EQ(plan(count(scenes::edges.scene), {75, 58}, kOwn | other).status.error, Error::edges);
   }
   for (const Effects way : {method::painter, method::front_to_back, method::hierarchical_z, method::midpoint,

@@ -1,5 +1,5 @@
 // In place of the pipelines that take longest to compile those that these tests draw with.
-#include "zstrip/frame/pipeline_rows.hpp"
+#include "zstrip/frame/make_rows.hpp"
 
 namespace zstrip::detail {
 namespace {

@@ -448,14 +448,13 @@ TEST_F(VisibilityCommand, WhatCannotBeIsAUsageError) {
   }
 }
 
-TEST_F(VisibilityCommand, ShadowsAskADepthThatTheyCanRead) {
+TEST_F(VisibilityCommand, ShadowsGoWithDepthThatTheyCanRead) {
   const std::string scene = ZSTRIP_SCENE_FILES "/shadows.toml";
   for (const auto& [words, named] : {std::pair{"--depth-format w16", "--depth-format"},
                                      std::pair{"--visibility half-range", "--visibility half-range"}}) {
     const Outcome refused = render("'" + scene + "' " + words + " -o '" + picture("none.png") + "'");
     EXPECT_EQ(refused.status, 2) << refused.text;
-    EXPECT_NE(refused.text.find(std::string("shadows ask the z-buffer, which ") + named), std::string::npos)
-        << refused.text;
+    EXPECT_NE(refused.text.find(std::string("'shadows' does not go with ") + named), std::string::npos) << refused.text;
   }
 }
 

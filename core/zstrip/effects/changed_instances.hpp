@@ -13,4 +13,6 @@ struct Memory : AnyEffect {
   }
 };
 
+static_assert(sizeof(Instance) == Memory::kInstanceBytes);
+
 }  // namespace zstrip::detail::changed_instances

@@ -1,4 +1,5 @@
 // Finds the pipeline for a set of effects, for programs that learn it at run time.
+#include "zstrip/effects/exclusions.hpp"
 #include "zstrip/frame/pipeline_rows.hpp"
 
 namespace zstrip {
@@ -23,7 +24,7 @@ Pipeline pipeline_for(Effects effects) {
   if (has_method && (!methods_agree(effects) || effects.any(effect::depth_formats | effect::depth_ranges))) {
     return refusing<Error::visibility>();
   }
-  if (!depth_effects_agree(effects) || !perspective_effects_agree(effects)) return refusing<Error::depth_effects>();
+  if (!effects_agree(effects)) return refusing<Error::depth_effects>();
   // Without perspective, or without textures, all of them draw the same.
   if (effects.has(effect::orthographic)) effects = without(effects, effect::short_reciprocals);
   if (effects.has(effect::orthographic) || !effects.has(effect::textures)) {

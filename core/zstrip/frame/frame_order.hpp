@@ -7,7 +7,7 @@
 
 #include "zstrip/effects/stages.hpp"
 #include "zstrip/resolve/convert.hpp"
-#include "zstrip/stages/checks.hpp"
+#include "zstrip/stages/own_checks.hpp"
 #include "zstrip/stages/raster_stage.hpp"
 
 namespace zstrip::detail {
@@ -93,9 +93,6 @@ Status begin_whole_frame(FrameState& frame, const Scene& scene, const Camera& ca
                          const Plan& plan, std::span<std::byte> arena) {
   abandon(frame);
   const FrameRequest request{scene, camera, camera, view, plan, effects_of(scene, camera)};
-  if constexpr (effects.has(effect::supersampled)) {
-    if (view.samples != 1) return samples::begin_frame<effects>(frame, request, arena);
-  }
   if (const Status status = check_frame<effects>(request, arena); !status) return status;
   return begin_checked_frame<effects>(frame, request, arena);
 }
@@ -144,20 +141,6 @@ Status draw_whole_over(FrameState& frame, const Rect& area, std::span<std::uint1
         [&](const StripTarget& target, std::uint16_t strip) { draw_scene<effects>(frame, target, strip); });
   }
   return {};
-}
-
-template <Effects effects>
-Status begin_frame(FrameState& frame, const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
-                   std::span<std::byte> arena) {
-  return begin_whole_frame<effects>(frame, scene, camera, view, plan, arena);
-}
-template <Effects effects>
-Status draw_strip(FrameState& frame, std::uint16_t strip, std::span<std::byte> pixels) {
-  return draw_whole_strip<effects>(frame, strip, pixels);
-}
-template <Effects effects>
-Status draw_over(FrameState& frame, const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) {
-  return draw_whole_over<effects>(frame, area, pixels, depth);
 }
 
 }  // namespace zstrip::detail

@@ -4,9 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "zstrip/frame/frame_order.hpp"
-#include "zstrip/plan/plan.hpp"
-#include "zstrip/stages/visibility_stages.hpp"
+#include "zstrip/stages/frame_state.hpp"
 
 namespace zstrip {
 

@@ -2,7 +2,6 @@
 // set. There is no end of sets, so that rows are supersets.
 #pragma once
 
-#include <array>
 #include <span>
 
 #include "zstrip/frame/pipeline.hpp"
@@ -13,15 +12,6 @@ struct PipelineRow {
   Effects effects;
   Pipeline pipeline;
 };
-
-template <Effects effects>
-constexpr PipelineRow pipeline_row() {
-  return {effects, {&begin_frame<effects>, &draw_strip<effects>, &draw_over<effects>}};
-}
-template <Effects... effects>
-constexpr auto pipeline_rows() {
-  return std::array{pipeline_row<effects>()...};
-}
 
 /// Methods are equal but for culling, which a row may have beside one.
 constexpr Effects own_method(Effects effects) { return without(Effects{0, effects.methods}, method::culling); }
@@ -34,10 +24,6 @@ constexpr bool draws(Effects effects, Effects asked) {
   return effects.has(asked) && (effects & kEqual) == (asked & kEqual) && own_method(effects) == own_method(asked) &&
          (effects.methods == 0) == (asked.methods == 0);
 }
-
-/// All that a row can have beside what must be equal.
-inline constexpr Effects kEverything =
-    without(effect::of_scenes, effect::orthographic) | effect::statistics | effect::bins;
 
 // The rows, those that draw fastest first. Each list is a source of its own, so that they compile side by side. Static
 // storage.

@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <span>
 
+#include "zstrip/frame/entry_points.hpp"
 #include "zstrip/frame/frame.hpp"
 #include "zstrip/frame/pipeline.hpp"
+#include "zstrip/plan/plan.hpp"
 
 namespace zstrip {
 
@@ -16,10 +18,8 @@ namespace zstrip {
 /// arenas are independent.
 template <Effects effects>
 class Renderer {
-  static_assert(depth_effects_agree(effects), "one depth format; float16 and w16 need perspective");
-  static_assert(methods_agree(effects),
-                "visibility methods that go together and can draw these effects: refused_by_methods");
-  static_assert(perspective_effects_agree(effects), "one of effect::perspective_runs");
+  static_assert(effects_agree(effects), "effects that go together: kExclusions, kAlternatives");
+  static_assert(methods_agree(effects), "visibility methods that go together and can draw these effects: kExclusions");
 
  public:
   /// Checks everything that could harm and prepares the frame. `arena`: at least plan.bytes(), aligned to

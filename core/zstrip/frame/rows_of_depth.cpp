@@ -1,5 +1,5 @@
 // Pipelines with another format, range or mapping of depth, or with 1/w and texture coordinates of another accuracy.
-#include "zstrip/frame/pipeline_rows.hpp"
+#include "zstrip/frame/make_rows.hpp"
 
 namespace zstrip::detail {
 namespace {

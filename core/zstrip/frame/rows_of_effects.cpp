@@ -1,5 +1,5 @@
 // Pipelines of scenes with any effects.
-#include "zstrip/frame/pipeline_rows.hpp"
+#include "zstrip/frame/make_rows.hpp"
 
 namespace zstrip::detail {
 namespace {

@@ -1,5 +1,6 @@
 // Pipelines with a visibility method and all that it does not refuse; they can count and cull.
-#include "zstrip/frame/pipeline_rows.hpp"
+#include "zstrip/effects/exclusions.hpp"
+#include "zstrip/frame/make_rows.hpp"
 
 namespace zstrip::detail {
 namespace {

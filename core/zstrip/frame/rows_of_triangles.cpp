@@ -1,6 +1,6 @@
 // Pipelines of what most scenes are: triangles, with and without light, colours and textures. Exact sets, because one
 // that has to ask how a triangle gets its colours takes a fiftieth longer for ten thousand of them.
-#include "zstrip/frame/pipeline_rows.hpp"
+#include "zstrip/frame/make_rows.hpp"
 
 namespace zstrip::detail {
 namespace {

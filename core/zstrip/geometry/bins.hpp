@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "zstrip/plan/plan.hpp"
+#include "zstrip/plan/record_bytes.hpp"
 
 namespace zstrip::detail {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "zstrip/base/fixed.hpp"
-#include "zstrip/plan/plan.hpp"
+#include "zstrip/plan/record_bytes.hpp"
 
 namespace zstrip::detail {
 

@@ -7,7 +7,7 @@
 #include "zstrip/base/math.hpp"
 #include "zstrip/base/status.hpp"
 #include "zstrip/geometry/depth_fit.hpp"
-#include "zstrip/plan/plan.hpp"
+#include "zstrip/plan/record_bytes.hpp"
 #include "zstrip/scene/camera.hpp"
 #include "zstrip/scene/scene.hpp"
 #include "zstrip/scene/view.hpp"

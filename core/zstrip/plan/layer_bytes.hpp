@@ -4,8 +4,7 @@
 #include <cstdint>
 
 #include "zstrip/scene/view.hpp"
-#include "zstrip/store/dirty_tiles.hpp"
-#include "zstrip/store/tile_store.hpp"
+#include "zstrip/store/store_bytes.hpp"
 
 namespace zstrip {
 

@@ -3,12 +3,11 @@
 #pragma once
 
 #include "zstrip/plan/plan_types.hpp"
+#include "zstrip/plan/scene_counts.hpp"
 #include "zstrip/scene/effects.hpp"
 #include "zstrip/scene/scene.hpp"
 
 namespace zstrip {
-
-constexpr SceneCounts count(const Scene& scene);
 
 /// Also Error::view_size, samples, strip_rows, strip_columns for shapes that cannot be, Error::effect_missing for
 /// several samples without effect::supersampled; with a static layer Error::store_range, samples and depth_effects for
@@ -21,5 +20,4 @@ constexpr std::uint64_t estimated_cost(const SceneCounts& counts, const View& vi
 
 }  // namespace zstrip
 
-#include "zstrip/plan/estimate.hpp"
-#include "zstrip/plan/plan_inline.hpp"
+#include "zstrip/plan/planner.hpp"

@@ -1,7 +1,7 @@
 // What of a set of effects changes how triangles become pixels.
 #pragma once
 
-#include "zstrip/plan/plan_inline.hpp"
+#include "zstrip/plan/record_bytes.hpp"
 #include "zstrip/scene/effects.hpp"
 
 namespace zstrip::detail {

@@ -22,6 +22,8 @@ struct Effects {
   friend constexpr bool operator==(const Effects&, const Effects&) = default;
 };
 
+// Members of these two namespaces read as values: effect::lighting.
+// NOLINTBEGIN(readability-identifier-naming)
 namespace effect {
 inline constexpr Effects lighting{1U << 0};        ///< some material is lit and there is a light or normals
 inline constexpr Effects gouraud{1U << 1};         ///< colour varies over a triangle
@@ -131,7 +133,10 @@ inline constexpr Effects sorted{0, painter.methods | front_to_back.methods};    
 inline constexpr Effects bounded{0, hierarchical_z.methods | midpoint_safe.methods};  ///< any keeps bounds of tiles
 inline constexpr Effects splitting{0, midpoint.methods | midpoint_safe.methods};      ///< any splits at centroids
 inline constexpr Effects orders{0, in_order.methods | bsp.methods};  ///< any replaces the painter's key
+inline constexpr Effects own{0, (1U << 7) - 1};                      ///< all but culling: other ways to see
+inline constexpr Effects any{0, own.methods | culling.methods};
 }  // namespace method
+// NOLINTEND(readability-identifier-naming)
 
 /// Effects as Status::needed has them: the lower 32 bits, or all ones where the lower have none.
 constexpr std::uint32_t low_bits(Effects effects) {
@@ -165,62 +170,6 @@ constexpr std::int32_t perspective_run(Effects effects) {
   if (effects.has(effect::perspective_affine)) return 0;
   if (effects.has(effect::perspective_8)) return 8;
   return effects.has(effect::perspective_1) ? 1 : 16;
-}
-
-/// At most one of them.
-constexpr bool perspective_effects_agree(Effects effects) {
-  const std::uint64_t run = (effects & effect::perspective_runs).bits;
-  return (run & (run - 1)) == 0;
-}
-
-/// At most one format and one reciprocal, sub-ranges only of z16, and what needs 1/w only with perspective. Shadows ask
-/// what a cell's code stands for: not with w16, whose codes are none of 1/w, nor with sub-ranges, whose codes are of
-/// several strips, nor with a short reciprocal, which has the codes of z16. Edges compare codes of their own with those
-/// of z16.
-constexpr bool depth_effects_agree(Effects effects) {
-  const std::uint64_t format = (effects & (effect::depth_formats | effect::depth_ranges)).bits;
-  const bool single = (format & (format - 1)) == 0;
-  const bool has_code = !(effects.has(effect::shadows) && effects.any(effect::depth_w16 | effect::depth_ranges));
-  const bool is_short = effects.any(effect::short_reciprocals);
-  const bool short_agrees =
-      !is_short || (format == 0 && !effects.has(effect::shadows) && !effects.has(effect::short_reciprocals));
-  const bool edges_agree = !effects.has(effect::edges) || (format == 0 && !is_short);
-  return single && has_code && short_agrees && edges_agree &&
-         !(effects.has(effect::orthographic) && effects.any(effect::depth_float | effect::depth_w16));
-}
-
-/// Which of these effects their methods cannot draw: edges; short reciprocals, which bounds do not know; other depth
-/// formats and sub-ranges, which only culling goes with; rules of a material's own, which need the scene's order and a
-/// z-buffer; surfaces where there is none; shadows and products of solids where there is none or it is not exact;
-/// fragments, local light, surroundings and outlines where the host has split triangles.
-constexpr Effects refused_by_methods(Effects effects) {
-  if (effects.methods == 0) return {};
-  const Effects own = without(Effects{0, effects.methods}, method::culling);
-  Effects refused = effect::perspective_runs | effect::short_reciprocals | effect::edges;
-  if (own != Effects{}) refused = refused | effect::depth_formats | effect::depth_ranges;
-  if (own != Effects{} && own != method::hierarchical_z) refused = refused | effect::depth_state;
-  if (own.has(method::painter)) refused = refused | effect::surfaces | effect::shadows | effect::csg;
-  if (own.has(method::midpoint)) refused = refused | effect::shadows | effect::csg;
-  if (own.any(method::orders)) {
-    refused = refused | effect::fragments | effect::vertex_light | effect::environment | effect::outlines;
-  }
-  return {effects.bits & refused.bits, 0};
-}
-
-/// Of the painter, hierarchical z and the two midpoints at most one; the painter has one order and cannot be sorted the
-/// other way round. No effect that refused_by_methods names, and none that is unknown.
-constexpr bool methods_agree(Effects effects) {
-  if (effects.methods == 0) return true;
-  constexpr Effects kKnown =
-      effect::of_scenes | effect::statistics | effect::bins | effect::depth_formats | effect::depth_ranges;
-  if (without(effects, kKnown).bits != 0 || refused_by_methods(effects) != Effects{}) return false;
-  const Effects own = without(Effects{0, effects.methods}, method::culling);
-  const auto single = [own](Effects set) {
-    const std::uint32_t chosen = (own & set).methods;
-    return (chosen & (chosen - 1)) == 0;
-  };
-  return single(method::painter | method::bounded | method::splitting) && single(method::sorted) &&
-         single(method::orders) && (own.has(method::painter) || !own.any(method::orders));
 }
 
 /// Whether a frame begins with a list of its triangles in order, in Purpose::sorting.

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <span>
 
+#include "zstrip/plan/record_bytes.hpp"
+#include "zstrip/plan/scene_counts.hpp"
 #include "zstrip/raster/target.hpp"
 #include "zstrip/stages/effect_block.hpp"
 #include "zstrip/stages/frame_state.hpp"
@@ -51,7 +53,7 @@ inline EffectBlock effect_block(const FrameState& frame) {
 template <Effects effects>
 void lay_out_effects([[maybe_unused]] const FrameState& frame, [[maybe_unused]] const Scene& scene,
                      [[maybe_unused]] Effects called_for) {
-  if constexpr (effect_bytes(effects, 1) != 0) effect_block(frame).lay_out(called_for, count(scene).instances);
+  if constexpr (MemoryOfEffects::has_any(effects)) effect_block(frame).lay_out(called_for, count(scene).instances);
 }
 
 /// `strip`: its pixels in the picture.

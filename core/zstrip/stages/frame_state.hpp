@@ -9,7 +9,7 @@
 #include "zstrip/geometry/bins.hpp"
 #include "zstrip/geometry/extent.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/plan/plan.hpp"
+#include "zstrip/plan/plan_types.hpp"
 #include "zstrip/scene/view.hpp"
 #include "zstrip/stages/depth_ranges.hpp"
 #include "zstrip/visibility/method_state.hpp"

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "zstrip/effects/blending/draw_order.hpp"
 #include "zstrip/effects/edges/apron.hpp"
 #include "zstrip/effects/environment/environment_stage.hpp"
 #include "zstrip/effects/local_light/local_light_stage.hpp"
@@ -26,7 +27,7 @@ struct GeometryStage {
     for (std::uint32_t place = 0; place < frame.scene->instances.size(); ++place) {
       std::uint32_t i = place;
       if constexpr (effects.has(effect::blending)) {
-        if (const auto block = effect_block(frame); block.has(effect::blending)) i = block.order()[place].instance;
+        i = blending::instance_at(frame, place);
       }
       const Mesh& mesh = frame.scene->meshes[frame.scene->instances[i].mesh];
       const std::uint32_t meshlets = meshlet_count(mesh);

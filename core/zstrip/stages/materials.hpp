@@ -3,8 +3,9 @@
 
 #include <type_traits>
 
+#include "zstrip/effects/fog/curve_of.hpp"
+#include "zstrip/effects/local_light/local_light_stage.hpp"
 #include "zstrip/raster/target.hpp"
-#include "zstrip/stages/effect_block.hpp"
 #include "zstrip/stages/frame_parts.hpp"
 
 namespace zstrip::detail {
@@ -54,7 +55,7 @@ struct Materials {
     settings.has_texture_alpha = settings.textured && finish.alpha_mode != AlphaMode::opaque &&
                                  frame.scene->textures[material.texture].format == TextureFormat::rgb565_alpha;
     if constexpr (effects.has(effect::fog)) {
-      if (frame.scene->fog != nullptr) settings.fog = &effect_block(frame).fog();
+      if (frame.scene->fog != nullptr) settings.fog = fog::curve_of(frame);
       settings.depth_offset =
           effects.has(effect::orthographic) ? std::int64_t{frame.origin.depth_offset} : frame.fit.offset;
     }
@@ -90,9 +91,8 @@ struct Materials {
     settings.colour = material.colour;
     if constexpr (effects.any(effect::local_light)) {
       if (effects_of_finish(scene, material, true, false).any(effect::local_light)) {
-        const EffectBlock block = effect_block(frame);
-        settings.lights = &block.lights();
-        settings.shading = &block.shading(static_cast<std::size_t>(&instance - frame.instances));
+        settings.lights = &local_light::lights_of(frame);
+        settings.shading = &local_light::shading_of(frame, static_cast<std::size_t>(&instance - frame.instances));
       }
     }
     return settings;

@@ -6,15 +6,9 @@
 
 #include "zstrip/base/status.hpp"
 #include "zstrip/scene/view.hpp"
-#include "zstrip/store/tile.hpp"
+#include "zstrip/store/store_bytes.hpp"
 
 namespace zstrip {
-
-/// Words of memory for the dirty tiles of a rectangle: a bit a tile, each row of tiles from a word on.
-constexpr std::uint32_t dirty_tile_words(std::uint32_t width, std::uint32_t height) {
-  const TileGrid grid{width, height};
-  return (grid.columns() + 31) / 32 * grid.rows();
-}
 
 /// A set of tiles in the caller's memory. A frame marks the rectangles of the last frame and its own, then takes
 /// rectangles of tiles until there are none: each marked tile lies in exactly one of them.

@@ -6,20 +6,9 @@
 #include <cstdint>
 #include <span>
 
-#include "zstrip/store/tile.hpp"
+#include "zstrip/store/store_bytes.hpp"
 
 namespace zstrip::detail {
-
-inline constexpr std::uint32_t kStoreHeaderBytes = 8;
-inline constexpr std::uint32_t kTilesPerGroup = 32;
-inline constexpr std::uint32_t kGroupBytes = 4;
-inline constexpr std::uint8_t kStoreVersion = 1;
-
-constexpr std::uint32_t groups(const TileGrid& grid) { return (grid.tiles() + kTilesPerGroup - 1) / kTilesPerGroup; }
-/// Header, groups, sizes: what lies before the first record.
-constexpr std::uint32_t index_bytes(const TileGrid& grid) {
-  return kStoreHeaderBytes + kGroupBytes * groups(grid) + grid.tiles();
-}
 
 /// Records lie in the order of their tiles. Between two of them is one gap, which holds all free bytes: those before it
 /// stand at the front of the pool, those after it at the end.

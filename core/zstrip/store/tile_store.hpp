@@ -11,11 +11,6 @@
 
 namespace zstrip {
 
-/// Bytes of a pool in which every rectangle of this size has room, whatever its cells hold.
-constexpr std::uint32_t store_bytes_worst(std::uint32_t width, std::uint32_t height) {
-  return detail::index_bytes({width, height}) + 2 * width * height;
-}
-
 /// Rows top .. top + rows of a store's rectangle in the caller's memory: all columns, `stride` cells from row to row.
 template <typename Cell>
 struct RowsView {

@@ -7,7 +7,8 @@
 namespace zstrip::detail::billboards {
 
 Status turn(const FrameState& frame, Scene& scene, const Camera& camera) {
-  const std::span<Instance> turned = effect_block(frame).turned().first(scene.instances.size());
+  const std::span<Instance> turned{effect_block(frame).at<changed_instances::Memory, Instance>(),
+                                   scene.instances.size()};
   for (std::uint32_t i = 0; i < turned.size(); ++i) {
     turned[i] = scene.instances[i];
     const Billboard billboard = scene.meshes[turned[i].mesh].billboard;

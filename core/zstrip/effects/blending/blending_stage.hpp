@@ -1,15 +1,15 @@
-// The order in which instances are drawn where some blend with what is behind them.
+// Puts instances in order: what is opaque first, then what blends, from far to near.
 #pragma once
 
+#include "zstrip/effects/blending/draw_order.hpp"
 #include "zstrip/effects/stage.hpp"
-#include "zstrip/geometry/distance.hpp"
 
 namespace zstrip::detail::blending {
 
 /// Opaque instances in the scene's order, then those that blend, from far to near.
 inline void prepare(const FrameState& frame, const Camera& camera) {
   const Scene& scene = *frame.scene;
-  const std::span<DrawOrder> order = effect_block(frame).order();
+  const std::span<DrawOrder> order = order_of(frame);
   const auto blends = [&scene](const Instance& instance) {
     return is_blended(scene, scene.materials[instance.material]);
   };

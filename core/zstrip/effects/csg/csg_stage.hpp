@@ -11,13 +11,11 @@
 #include <span>
 
 #include "zstrip/effects/csg/csg_layers.hpp"
+#include "zstrip/effects/csg/operands.hpp"
 #include "zstrip/effects/stage.hpp"
 #include "zstrip/stages/geometry_stage.hpp"
 
 namespace zstrip::detail::csg {
-
-/// Of a plan for a scene that has products; `cell_bytes`: of the z-buffer.
-Status check_memory(const FrameRequest& request, std::uint32_t cell_bytes);
 
 struct Stage : NoStage {
   static constexpr Effects kEffects = effect::csg;
@@ -72,11 +70,6 @@ struct Stage : NoStage {
   template <Effects effects>
   static constexpr Effects kColours = Effects{without(effects, effect::depth_state).bits | effect::csg_colours.bits};
 
-  static void prepare_operands(FrameState& frame, const Camera& camera);
-  static void hide_operands(FrameState& frame);
-  /// What light and surroundings take for the normals of an instance turns round; twice, and it is as before.
-  static void turn_normals(const FrameState& frame, std::uint32_t instance);
-
   /// Calls visit(first operand, the one after the last, pixels of `area` that it can cover) for each product that can
   /// be seen there. `area`: of the raster, whose pixel (view_left, view_top) is the picture's first.
   template <class Visit>
@@ -96,7 +89,7 @@ struct Stage : NoStage {
   }
 
   static Rect box_of(const FrameState& frame, std::size_t operand, std::int32_t left, std::int32_t top) {
-    const CsgBounds& bounds = effect_block(frame).csg_bounds(operand);
+    const CsgBounds& bounds = bounds_of(frame, operand);
     return {bounds.left + left, bounds.top + top, bounds.right + left, bounds.bottom + top};
   }
   static bool may_cover(const FrameState& frame, std::size_t operand, const StripTarget& target) {
@@ -110,7 +103,7 @@ struct Stage : NoStage {
   static void for_each_meshlet(const FrameState& frame, std::size_t operand, const Visit& visit) {
     const std::uint32_t instance = frame.scene->csg[operand].instance;
     const Mesh& mesh = frame.scene->meshes[frame.instances[instance].mesh];
-    const std::uint32_t first = effect_block(frame).csg_bounds(operand).first_meshlet;
+    const std::uint32_t first = bounds_of(frame, operand).first_meshlet;
     const std::uint32_t meshlets = mesh.meshlets.empty() ? 1 : static_cast<std::uint32_t>(mesh.meshlets.size());
     for (std::uint32_t i = 0; i < meshlets; ++i) visit(first + i, i);
   }
@@ -120,7 +113,7 @@ struct Stage : NoStage {
   static void with_meshlet(FrameState& frame, std::size_t operand, std::uint32_t meshlet, const Visit& visit) {
     const std::uint32_t instance = frame.scene->csg[operand].instance;
     const MeshletRange range = meshlet_range(frame.scene->meshes[frame.instances[instance].mesh], meshlet);
-    const std::uint32_t cache = effect_block(frame).csg().cache;
+    const std::uint32_t cache = state_of(frame).cache;
     const auto batch = GeometryStage::batch_for<effects>(frame, instance, range.first_vertex, cache);
     GeometryStage::transform<effects>(frame, batch, range, cache);
     visit(range, batch);
@@ -141,7 +134,7 @@ struct Stage : NoStage {
   static void survey(FrameState& frame) {
     const Rect everywhere{INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX};
     for (std::size_t i = 0; i < frame.scene->csg.size(); ++i) {
-      const CsgBounds& bounds = effect_block(frame).csg_bounds(i);
+      const CsgBounds& bounds = bounds_of(frame, i);
       if (bounds.left == bounds.right) continue;
       for_each_meshlet(frame, i, [&](std::uint32_t number, std::uint32_t meshlet) {
         with_meshlet<effects>(frame, i, meshlet, [&](const MeshletRange& range, const auto& batch) {
@@ -168,7 +161,7 @@ struct Stage : NoStage {
     Layers(FrameState& frame, const StripTarget& part, std::uint16_t strip)
         : frame_(frame), part_(part), strip_(strip), depth_(part.template depth_row<Cell<effects>>(part.area.top)) {
       const std::size_t cells = std::size_t{frame.plan.strip_rows} * frame.plan.strip_columns;
-      std::byte* const memory = effect_block(frame).csg_strip(frame.scene->csg.size());
+      std::byte* const memory = strip_memory(frame);
       layer_ = reinterpret_cast<Cell<effects>*>(memory);
       before_ = layer_ + cells;
       counts_ = reinterpret_cast<std::uint8_t*>(before_ + cells);
@@ -264,7 +257,7 @@ struct Stage : NoStage {
     /// plane has not cut any off, by all others, so that the far plane may.
     void count(std::size_t operand) {
       for_each_row([&](std::int32_t at, std::int32_t columns) { std::fill_n(counts_ + at, columns, 0); });
-      const bool behind = effect_block(frame_).csg_bounds(operand).cut;
+      const bool behind = bounds_of(frame_, operand).cut;
       const std::uint8_t in = behind ? 0xFF : 1, out = behind ? 1 : 0xFF;
       const CsgPass front{.first_cell = layer_, .counts = counts_, .step = in, .behind = behind};
       const CsgPass back{.first_cell = layer_, .counts = counts_, .step = out, .behind = behind};
@@ -298,7 +291,7 @@ struct Stage : NoStage {
     const std::uint32_t instance = frame.scene->csg[operand].instance;
     const bool away = frame.scene->csg[operand].use == CsgUse::subtracted;
     if (away) turn_normals(frame, instance);
-    const std::uint32_t cache = effect_block(frame).csg().cache;
+    const std::uint32_t cache = state_of(frame).cache;
     for_each_in_strip<effects>(frame, operand, strip, [&](const MeshletRange& range, const auto& batch) {
       GeometryStage::shade<effects>(frame, batch, range, cache);
       Materials::with_settings<drawing>(frame, part, *batch.instance, [&](const auto& complete) {

@@ -9,6 +9,9 @@ struct Effect : AnyEffect {
   static constexpr EffectName kNames[] = {
       {effect::csg, "csg", "products of solids"},
   };
+  static constexpr Exclusion kExclusions[] = {
+      {effect::csg, method::painter | method::midpoint, "solids are cut by a z-buffer that is exact"},
+  };
 
   static constexpr Effects kNeedMemory = effect::csg;
   static constexpr std::uint32_t kAlignment = 8;

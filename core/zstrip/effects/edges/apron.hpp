@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "zstrip/stages/frame_parts.hpp"
+#include "zstrip/effects/stage.hpp"
 
 namespace zstrip::detail::edges {
 
@@ -23,5 +23,11 @@ inline Rect strip_with_apron(const Rect& area, const View& view) {
 inline Rect box_with_apron(const Rect& box) {
   return box.empty() ? box : Rect{box.left - 1, box.top - 1, box.right + 1, box.bottom + 1};
 }
+
+/// The pixels of `area` from those of `drawn`, its strip with the apron. Both lie without gaps.
+void copy_without_apron(const std::uint16_t* from, const Rect& drawn, std::uint16_t* to, const Rect& area);
+
+/// Of a scene that has edges: whether the plan has room for aprons, and nothing is asked that does not go with them.
+Status check_request(const FrameRequest& request);
 
 }  // namespace zstrip::detail::edges

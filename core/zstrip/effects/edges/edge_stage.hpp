@@ -8,13 +8,18 @@
 
 #include "zstrip/effects/edges/apron.hpp"
 #include "zstrip/effects/edges/edge_blend.hpp"
+#include "zstrip/effects/edges/effect.hpp"
 #include "zstrip/effects/stage.hpp"
 #include "zstrip/stages/geometry_stage.hpp"
 
 namespace zstrip::detail::edges {
 
-/// Of a scene that has edges.
-Status check_request(const FrameRequest& request);
+/// As many edges of an instance as there are bits.
+struct EdgeGroup {
+  std::uint32_t seen;  ///< a bit each, the first is the lowest
+  Extent extent;       ///< the strips that those can lie in
+};
+static_assert(sizeof(EdgeGroup) == Effect::kGroupBytes && kEdgesOfGroup == 32);
 
 struct Stage : NoStage {
   static constexpr Effects kEffects = effect::edges;
@@ -51,7 +56,7 @@ struct Stage : NoStage {
         drawn_in_place(view.format)
             ? reinterpret_cast<std::uint16_t*>(image.out)
             : frame.working_colour + static_cast<std::size_t>(drawn.width()) * static_cast<std::size_t>(drawn.height());
-    copy(own, drawn, pixels, area);
+    copy_without_apron(own, drawn, pixels, area);
     const std::int32_t x = view.width >> 1, y = view.height >> 1;
     const auto to_raster = [x, y](const Rect& r) { return Rect{r.left - x, r.top - y, r.right - x, r.bottom - y}; };
     blend<effects>(frame, image.strip, {to_raster(area), pixels, to_raster(drawn), own, target.area, target.depth});
@@ -110,7 +115,7 @@ struct Stage : NoStage {
   template <class Visit>
   static void for_each_set(const FrameState& frame, const Visit& visit) {
     const Scene& scene = *frame.scene;
-    EdgeGroup* groups = effect_block(frame).edge_groups();
+    EdgeGroup* groups = effect_block(frame).at<Effect, EdgeGroup>(Effect::kStateBytes);
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
       const std::span<const Edge> edges = edges_of(scene, scene.instances[i].mesh);
       if (edges.empty()) continue;
@@ -165,8 +170,6 @@ struct Stage : NoStage {
     add(box, seen.b.x, seen.b.y);
     return true;
   }
-
-  static void copy(const std::uint16_t* from, const Rect& drawn, std::uint16_t* to, const Rect& area);
 
   template <Effects effects>
   static void blend(const FrameState& frame, std::uint16_t strip, const EdgeTarget& target) {

@@ -9,6 +9,11 @@ struct Effect : AnyEffect {
   static constexpr EffectName kNames[] = {
       {effect::edges, "edges", "edges are anti-aliased (--edges)"},
   };
+  static constexpr Exclusion kExclusions[] = {
+      {effect::edges, effect::depth_formats | effect::depth_ranges | effect::short_reciprocals,
+       "edges are compared with the codes of z16"},
+      {effect::edges, method::any, "edges need the z-buffer of all that is drawn"},
+  };
 
   static constexpr Effects kNeedMemory = effect::edges;
   static constexpr std::uint32_t kAlignment = 8;

@@ -7,7 +7,7 @@
 
 #include "zstrip/base/unit_vector.hpp"
 #include "zstrip/geometry/instance.hpp"
-#include "zstrip/plan/plan.hpp"
+#include "zstrip/plan/record_bytes.hpp"
 #include "zstrip/scene/camera.hpp"
 
 namespace zstrip::detail {
@@ -18,7 +18,6 @@ struct EyeForms {
   std::int16_t normal[3][3];  ///< rows, 1.14: object to view, without its scale
   std::int16_t unused;
 };
-static_assert(sizeof(EyeForms) == kEyeFormsBytes);
 
 EyeForms eye_forms(const Mesh& mesh, const Transform& transform, const Camera& camera);
 

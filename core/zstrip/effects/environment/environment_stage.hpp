@@ -1,16 +1,13 @@
 // Instances that mirror their surroundings: where each of their vertices does.
 #pragma once
 
-#include "zstrip/effects/environment/environment.hpp"
+#include "zstrip/effects/environment/kept.hpp"
 #include "zstrip/effects/outlines/outline.hpp"
 #include "zstrip/effects/stage.hpp"
 #include "zstrip/geometry/meshlet_range.hpp"
 #include "zstrip/raster/attributes.hpp"
 
 namespace zstrip::detail::environment {
-
-/// Before the strips. Instances that mirror get the shades of textured ones.
-void prepare(FrameState& frame, const Camera& camera, Effects called_for);
 
 /// Null if the instance does not mirror the surroundings.
 inline TexCoord* reflections_of(const FrameState& frame, std::uint32_t instance, std::uint32_t cache) {
@@ -21,12 +18,12 @@ inline TexCoord* reflections_of(const FrameState& frame, std::uint32_t instance,
     return nullptr;
   }
   auto* const vertices = reinterpret_cast<std::byte*>(frame.vertices);
-  return reinterpret_cast<TexCoord*>(vertices + effect_block(frame).reflections().first) + cache;
+  return reinterpret_cast<TexCoord*>(vertices + reflections_of(frame).first) + cache;
 }
 
 template <bool orthographic>
 void reflect(const FrameState& frame, const ReflectingBatch& batch, const MeshletRange& range) {
-  const EyeForms& forms = effect_block(frame).eye_forms(static_cast<std::size_t>(batch.instance - frame.instances));
+  const EyeForms& forms = eye_forms_of(frame, static_cast<std::size_t>(batch.instance - frame.instances));
   const TextureView& texture = batch.surface.texture;
   for (std::uint32_t i = 0; i < range.vertex_count; ++i) {
     const std::uint32_t vertex = range.first_vertex + i;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "zstrip/effects/dithering/dither.hpp"
-#include "zstrip/effects/fog/fog.hpp"
+#include "zstrip/effects/fog/curve_of.hpp"
 #include "zstrip/effects/stage.hpp"
 
 namespace zstrip::detail::fog {
@@ -13,8 +13,8 @@ struct Stage : NoStage {
   template <Effects effects>
   static Status prepare(FrameState& frame, const FrameRequest&) {
     if (frame.scene->fog != nullptr && frame.fit.near != 0) {
-      effect_block(frame).fog() = fog_curve(
-          *frame.scene->fog, distance_scale(frame.fit, effects.has(effect::orthographic), depth_span(effects)));
+      *curve_of(frame) = fog_curve(*frame.scene->fog,
+                                   distance_scale(frame.fit, effects.has(effect::orthographic), depth_span(effects)));
     }
     return {};
   }

@@ -3,16 +3,13 @@
 
 #include <span>
 
+#include "zstrip/effects/fog/curve_of.hpp"
 #include "zstrip/effects/lines/line_fill.hpp"
+#include "zstrip/effects/lines/prepared.hpp"
 #include "zstrip/effects/stage.hpp"
 #include "zstrip/stages/materials.hpp"
 
 namespace zstrip::detail::lines {
-
-/// Extends a reach by each set that lies in the camera's depth range.
-void extend(DistanceRange& reach, const Scene& scene, const Camera& camera);
-/// Compiles the sets of lines. The frame has the depth mapping of z16, whatever its format: DepthStage changes both.
-Status prepare(FrameState& frame, const Scene& scene, const Camera& camera);
 
 struct Stage : NoStage {
   static constexpr Effects kEffects = effect::lines;
@@ -43,7 +40,7 @@ struct Stage : NoStage {
       const LineSet& lines = scene.lines[i];
       LineShade<effects> shade;
       if constexpr (effects.has(effect::fog)) {
-        if (scene.fog != nullptr) shade.fog = &effect_block(frame).fog();
+        if (scene.fog != nullptr) shade.fog = fog::curve_of(frame);
         shade.depth_offset =
             effects.has(effect::orthographic) ? std::int64_t{frame.origin.depth_offset} : frame.fit.offset;
       }

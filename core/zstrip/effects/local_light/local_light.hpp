@@ -9,6 +9,7 @@
 
 #include "zstrip/base/math.hpp"
 #include "zstrip/base/unit_vector.hpp"
+#include "zstrip/effects/local_light/effect.hpp"
 #include "zstrip/geometry/instance.hpp"
 #include "zstrip/geometry/light.hpp"
 #include "zstrip/scene/effects.hpp"
@@ -44,7 +45,7 @@ struct WorldLight {
   std::uint32_t cone;         ///< 2^28 / (cosine of the inner cone - that of the outer), at most 2^28; 0: a point light
   Colour colour;
 };
-static_assert(sizeof(WorldLight) == kWorldLightBytes);
+static_assert(sizeof(WorldLight) == local_light::Effect::kWorldLightBytes);
 
 /// How much of a light arrives from `from`, the direction to it; KHR_lights_punctual.
 constexpr Gain attenuation(const WorldLight& light, const DirectionAndLength& from) {
@@ -83,7 +84,7 @@ struct InstanceShading {
   std::int16_t normal[3][3];  ///< rows, 1.14: object to world, without its scale
   std::int16_t unused;
 };
-static_assert(sizeof(InstanceShading) == kInstanceShadingBytes);
+static_assert(sizeof(InstanceShading) == local_light::Effect::kShadingBytes);
 
 /// And what it needs of the frame.
 struct FrameLights {
@@ -91,7 +92,7 @@ struct FrameLights {
   UnitVector back;  ///< 1.14: the direction to the eye of an orthographic camera
   std::uint32_t count;
 };
-static_assert(sizeof(FrameLights) == kFrameLightsBytes);
+static_assert(sizeof(FrameLights) == local_light::Effect::kFrameLightsBytes);
 
 FrameLights frame_lights(const Scene& scene, const Camera& camera);
 InstanceShading instance_shading(const Mesh& mesh, const Transform& transform, const Camera& camera);

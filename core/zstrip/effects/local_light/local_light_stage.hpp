@@ -1,7 +1,7 @@
 // Light that depends on where a vertex is: what a frame keeps for it, and the colours of a meshlet's vertices.
 #pragma once
 
-#include "zstrip/effects/local_light/local_light.hpp"
+#include "zstrip/effects/local_light/kept.hpp"
 #include "zstrip/effects/stage.hpp"
 #include "zstrip/geometry/meshlet_range.hpp"
 #include "zstrip/raster/attributes.hpp"
@@ -10,11 +10,10 @@ namespace zstrip::detail::local_light {
 
 inline void prepare(const FrameState& frame, const Camera& camera) {
   const Scene& scene = *frame.scene;
-  const EffectBlock block = effect_block(frame);
-  block.lights() = frame_lights(scene, camera);
+  lights_of(frame) = frame_lights(scene, camera);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
-    block.shading(i) = instance_shading(scene.meshes[instance.mesh], instance.transform, camera);
+    shading_of(frame, i) = instance_shading(scene.meshes[instance.mesh], instance.transform, camera);
   }
 }
 
@@ -26,12 +25,11 @@ bool shade(FrameState& frame, const Batch& batch, const MeshletRange& range, std
   const Material& material = scene.materials[instance.material];
   if (!effects_of_finish(scene, material, instance.lit, false).any(effect::vertex_light)) return false;
   const Finish finish = finish_of(scene, material);
-  const EffectBlock block = effect_block(frame);
   const FrameLights* lights = nullptr;
   const InstanceShading* shading = nullptr;
-  if (block.has(effect::local_light)) {
-    lights = &block.lights();
-    shading = &block.shading(static_cast<std::size_t>(batch.instance - frame.instances));
+  if (effect_block(frame).has(effect::local_light)) {
+    lights = &lights_of(frame);
+    shading = &shading_of(frame, static_cast<std::size_t>(batch.instance - frame.instances));
   }
   for (std::uint32_t i = 0; i < range.vertex_count; ++i) {
     const std::uint32_t vertex = range.first_vertex + i;

@@ -32,8 +32,8 @@ void extend(DistanceRange& reach, const OutlinedScene& outlined, const Camera& c
 }
 
 void add_hulls(const FrameState& frame, Scene& scene) {
-  const EffectBlock block = effect_block(frame);
-  const std::span<Instance> drawn = block.turned();
+  const std::span<Instance> drawn{effect_block(frame).at<changed_instances::Memory, Instance>(),
+                                  effect_block(frame).instances()};
   // Turned billboards lie where they would without hulls, which is not behind this place: the last one first.
   auto next = static_cast<std::uint32_t>(scene.instances.size());
   for (std::uint32_t i = next; i-- > 0;) drawn[i] = scene.instances[i];
@@ -43,7 +43,7 @@ void add_hulls(const FrameState& frame, Scene& scene) {
     drawn[next] = drawn[i];
     drawn[next++].mesh = hull_of(*outline, drawn[i]);
   }
-  auto* const outlined = ::new (&block.outlined()) OutlinedScene{
+  auto* const outlined = ::new (outlined_of(frame)) OutlinedScene{
       scene, static_cast<std::uint32_t>(scene.outlines.size()), static_cast<std::uint32_t>(scene.instances.size())};
   outlined->scene.instances = drawn;
   outlined->scene.outlines = scene.outlines.first(0);
@@ -52,7 +52,7 @@ void add_hulls(const FrameState& frame, Scene& scene) {
 
 void make_outlines(FrameState& frame, const Camera& camera) {
   const bool orthographic = camera.projection == Projection::orthographic;
-  const OutlinedScene& outlined = effect_block(frame).outlined();
+  const OutlinedScene& outlined = *outlined_of(frame);
   for_each_hull(outlined, [&](std::uint32_t index, const Outline& outline) {
     CompiledInstance& hull = frame.instances[index];
     if (frame.fit.near == 0 || hull.w_range == 0) return;  // not in the depth range

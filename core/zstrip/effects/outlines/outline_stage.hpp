@@ -1,10 +1,26 @@
 // Outlines of a frame: hulls behind what they outline, which are instances of their own.
 #pragma once
 
+#include <span>
+
+#include "zstrip/effects/outlines/effect.hpp"
 #include "zstrip/effects/outlines/outline.hpp"
 #include "zstrip/effects/stage.hpp"
 
 namespace zstrip::detail::outlines {
+
+/// A scene with its outlines' hulls as instances behind all others, and without outlines.
+struct OutlinedScene {
+  Scene scene;                  ///< has none of its outlines, but says where the first is
+  std::uint32_t outline_count;  ///< the caller's
+  std::uint32_t instances;      ///< the caller's
+
+  std::span<const Outline> outlines() const { return {scene.outlines.data(), outline_count}; }
+};
+static_assert(sizeof(OutlinedScene) <= Effect::kSceneBytes);
+
+/// Of a frame with outlines.
+inline OutlinedScene* outlined_of(const FrameState& frame) { return effect_block(frame).at<Effect, OutlinedScene>(); }
 
 /// Gives the scene its outlines' hulls as instances and takes the outlines away; all of it lies in the effects' part of
 /// the arena then.
@@ -25,12 +41,12 @@ struct Stage : NoStage {
   }
   template <Effects effects>
   static void keep_scene(FrameState& frame, const FrameRequest& request) {
-    if (request.called_for.has(effect::outlines)) frame.scene = &effect_block(frame).outlined().scene;
+    if (request.called_for.has(effect::outlines)) frame.scene = &outlined_of(frame)->scene;
   }
   template <Effects effects>
   static void extend_reach(const FrameState& frame, const Scene&, const FrameRequest& request, DistanceRange& reach) {
     if (!request.called_for.has(effect::outlines)) return;
-    extend(reach, effect_block(frame).outlined(), request.camera, request.view);
+    extend(reach, *outlined_of(frame), request.camera, request.view);
   }
   template <Effects effects>
   static Status prepare_geometry(FrameState& frame, const Scene&, const FrameRequest& request) {

@@ -1,20 +1,14 @@
 // Quadrics of a frame: prepared once, drawn into each strip before lines and triangles.
 #pragma once
 
+#include "zstrip/effects/fog/curve_of.hpp"
+#include "zstrip/effects/quadrics/prepared.hpp"
 #include "zstrip/effects/quadrics/quadric_fill.hpp"
 #include "zstrip/effects/quadrics/quadric_shade.hpp"
 #include "zstrip/effects/stage.hpp"
 #include "zstrip/stages/materials.hpp"
 
 namespace zstrip::detail::quadrics {
-
-/// Compiles the quadrics, for the depth mapping that the frame has now.
-Status prepare(FrameState& frame, const Scene& scene, const Camera& camera);
-/// Behind the instances, in their part of the arena.
-inline CompiledQuadric* compiled(const FrameState& frame, const Scene& scene) {
-  auto* const first = reinterpret_cast<std::byte*>(frame.instances);
-  return reinterpret_cast<CompiledQuadric*>(first + scene.instances.size() * kInstanceBytes);
-}
 
 struct Stage : NoStage {
   static constexpr Effects kEffects = effect::quadrics;
@@ -38,7 +32,7 @@ struct Stage : NoStage {
       if (!quadric.visible) continue;
       QuadricShade<effects> shade{quadric, Materials::texture_of(frame, quadric.material)};
       if constexpr (effects.has(effect::fog)) {
-        if (frame.scene->fog != nullptr) shade.fog = &effect_block(frame).fog();
+        if (frame.scene->fog != nullptr) shade.fog = fog::curve_of(frame);
         shade.depth_offset = kOrthographic ? offset : -offset;
       }
       if constexpr (effects.has(effect::dithered_colours)) {

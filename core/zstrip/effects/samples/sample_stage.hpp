@@ -6,15 +6,11 @@
 #include <span>
 
 #include "zstrip/effects/samples/average.hpp"
+#include "zstrip/effects/samples/checks.hpp"
 #include "zstrip/effects/samples/samples.hpp"
 #include "zstrip/effects/stage.hpp"
 
 namespace zstrip::detail::samples {
-
-/// Whether a view can have its samples, and a camera show them.
-Status check_view(const Camera& camera, const View& view);
-/// A plan for pixels of RGB565 has no working strip.
-Status check_colour(const View& view, const Plan& plan);
 
 /// Of a view with several samples. All checks of pixels come first, so that errors count pixels. Then the picture of
 /// samples is drawn. Its camera's axes may be halves: billboards turn to the picture's own.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "zstrip/effects/shadows/effect.hpp"
 #include "zstrip/effects/shadows/shadow_place.hpp"
 #include "zstrip/store/depth_store.hpp"
 
@@ -69,7 +70,7 @@ struct ShadowState {
   }
   void decode(DecodedTiles::Tile& tile, std::uint32_t tx, std::uint32_t ty, Status& status);
 };
-static_assert(sizeof(ShadowState) <= kShadowStateBytes && alignof(ShadowState) <= kArenaAlignment);
+static_assert(sizeof(ShadowState) <= shadows::Effect::kStateBytes);
 
 /// Takes the light of the shadow, which is the last one, from what was compiled of an instance that receives it (-1),
 /// or gives it back (1).

@@ -7,15 +7,11 @@
 #include <cstdint>
 
 #include "zstrip/effects/quadrics/quadric_stage.hpp"
-#include "zstrip/effects/shadows/light_view.hpp"
+#include "zstrip/effects/shadows/map_frame.hpp"
 #include "zstrip/effects/stage.hpp"
-#include "zstrip/stages/bounds.hpp"
 #include "zstrip/stages/raster_stage.hpp"
 
 namespace zstrip::detail::shadows {
-
-/// Whether the plan has the memory for a map, whose z-buffer is that of the strips.
-Status check_memory(const FrameRequest& request);
 
 struct Stage : NoStage {
   static constexpr Effects kEffects = effect::shadows;
@@ -36,7 +32,7 @@ struct Stage : NoStage {
   static Status change_scene(FrameState& frame, Scene& drawn, const FrameRequest& request) {
     if (!request.called_for.has(effect::shadows)) return {};
     frame.has_special_depth = true;
-    ShadowState& state = begin(frame, request.scene);
+    ShadowState& state = begin_state(frame, request.scene);
     drawn.lights = state.scene.lights;
     LightReach reach(drawn.lights.back());
     for (const Instance& instance : drawn.instances) {
@@ -59,7 +55,7 @@ struct Stage : NoStage {
 
   template <Effects effects>
   static void keep_scene(FrameState& frame, const FrameRequest& request) {
-    if (request.called_for.has(effect::shadows)) frame.scene = &effect_block(frame).shadows().scene;
+    if (request.called_for.has(effect::shadows)) frame.scene = &state_of(frame).scene;
   }
 
   template <Effects effects>
@@ -72,7 +68,7 @@ struct Stage : NoStage {
   template <Effects effects>
   static Status finish(FrameState& frame, const StripTarget& target, std::uint16_t strip) {
     if (target.area.empty() || !effect_block(frame).has(effect::shadows)) return {};
-    ShadowState& state = effect_block(frame).shadows();
+    ShadowState& state = state_of(frame);
     if (state.empty) return {};
     Status status{};
     const Rect shadowed = find<effects>(target, state, status);
@@ -101,21 +97,6 @@ struct Stage : NoStage {
   /// The pipeline of a map: both faces, farther by the bias.
   template <Effects effects>
   static constexpr Effects kCasting = effect::orthographic | effect::depth_state | (effects & effect::quadrics);
-
-  static bool casts(const Scene& scene, const Instance& instance) {
-    const Material& material = scene.materials[instance.material];
-    return casts_shadow(scene.meshes[instance.mesh].shadow) && material.depth_write && !is_blended(scene, material);
-  }
-
-  /// The state, with the scene's lights in its order.
-  static ShadowState& begin(FrameState& frame, const Scene& scene);
-  /// Instances of `light`, a frame of its own in the memory of `frame`, and its strips.
-  static Status prepare_map(FrameState& light, const FrameState& frame, const Scene& casters, const LightReach& reach,
-                            ShadowState& state);
-  static Status prepare_place(FrameState& frame, const Camera& camera, Effects called_for, std::uint32_t least);
-  /// Its z-buffer, cleared.
-  static StripTarget map_strip(FrameState& light, std::uint16_t strip);
-  static Status keep_strip(const FrameState& light, std::uint16_t strip, ShadowState& state);
 
   template <Effects casting>
   static Status draw_map(const FrameState& frame, const Scene& casters, const LightReach& reach, ShadowState& state) {

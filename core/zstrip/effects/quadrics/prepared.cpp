@@ -1,5 +1,5 @@
 // Prepares the quadrics of a frame; only renderers with effect::quadrics link it.
-#include "zstrip/effects/quadrics/quadric_stage.hpp"
+#include "zstrip/effects/quadrics/prepared.hpp"
 
 namespace zstrip::detail::quadrics {
 

@@ -1,7 +1,10 @@
 // Prepares the shadow of a frame and keeps the strips of its map; only renderers with effect::shadows link it.
-#include "zstrip/effects/shadows/shadow_stage.hpp"
+#include "zstrip/effects/shadows/map_frame.hpp"
 
+#include <algorithm>
 #include <new>
+
+#include "zstrip/stages/bounds.hpp"
 
 namespace zstrip::detail {
 
@@ -19,8 +22,6 @@ namespace zstrip::detail::shadows {
 Status check_memory(const FrameRequest& request) {
   const Plan& plan = request.plan;
   const SceneCounts counts = count(request.scene);
-  const std::uint64_t needed = effect_bytes(request.called_for, counts);
-  if (plan.effect_bytes < needed) return too_small(Purpose::effects, needed, plan.effect_bytes);
   const std::uint64_t extents = std::uint64_t{counts.meshlets} * kExtentBytes;
   if (plan.extent_bytes < extents) return too_small(Purpose::extents, extents, plan.extent_bytes);
   const std::uint32_t strip = shadow_strip_bytes(counts);
@@ -32,9 +33,8 @@ Status check_memory(const FrameRequest& request) {
   return {};
 }
 
-ShadowState& Stage::begin(FrameState& frame, const Scene& scene) {
-  const EffectBlock block = effect_block(frame);
-  auto* const state = ::new (&block.shadows()) ShadowState;
+ShadowState& begin_state(FrameState& frame, const Scene& scene) {
+  auto* const state = ::new (&state_of(frame)) ShadowState;
   state->scene = scene;
   const std::size_t lights = scene.lights.size(), shadowing = scene.shadow->light;
   std::size_t next = 0;
@@ -43,13 +43,14 @@ ShadowState& Stage::begin(FrameState& frame, const Scene& scene) {
   }
   state->lights[next] = scene.lights[shadowing];
   state->scene.lights = {state->lights, lights};
-  state->pool = block.shadow_pool();
+  auto* const memory = reinterpret_cast<std::byte*>(state) + Effect::kStateBytes;
+  state->pool = {memory, effect_block(frame).end()};
   state->decoded.forget();
   return *state;
 }
 
-Status Stage::prepare_map(FrameState& light, const FrameState& frame, const Scene& casters, const LightReach& reach,
-                          ShadowState& state) {
+Status prepare_map(FrameState& light, const FrameState& frame, const Scene& casters, const LightReach& reach,
+                   ShadowState& state) {
   const std::uint32_t side = std::uint32_t{1} << casters.shadow->log2_size;
   if (Status status = state.store.reset(state.pool, side, side); !status) {
     status.purpose = Purpose::effects;
@@ -89,7 +90,7 @@ Status Stage::prepare_map(FrameState& light, const FrameState& frame, const Scen
   return {};
 }
 
-StripTarget Stage::map_strip(FrameState& light, std::uint16_t strip) {
+StripTarget map_strip(FrameState& light, std::uint16_t strip) {
   const Rect cut = light.plan.strip_area(strip, light.view);
   const Rect& bounds = light.bounds;
   Rect area{std::max(bounds.left, cut.left), std::max(bounds.top, cut.top), std::min(bounds.right, cut.right),
@@ -104,7 +105,7 @@ StripTarget Stage::map_strip(FrameState& light, std::uint16_t strip) {
   return target;
 }
 
-Status Stage::keep_strip(const FrameState& light, std::uint16_t strip, ShadowState& state) {
+Status keep_strip(const FrameState& light, std::uint16_t strip, ShadowState& state) {
   const Rect cut = light.plan.strip_area(strip, light.view);
   Status status =
       state.store.write_rows({light.depth, static_cast<std::uint32_t>(cut.width()), static_cast<std::uint32_t>(cut.top),
@@ -113,8 +114,8 @@ Status Stage::keep_strip(const FrameState& light, std::uint16_t strip, ShadowSta
   return status;
 }
 
-Status Stage::prepare_place(FrameState& frame, const Camera& camera, Effects called_for, std::uint32_t least) {
-  ShadowState& state = effect_block(frame).shadows();
+Status prepare_place(FrameState& frame, const Camera& camera, Effects called_for, std::uint32_t least) {
+  ShadowState& state = state_of(frame);
   if (frame.fit.near == 0) state.empty = true;
   if (state.empty) return {};
   if (frame.mode == Mode::binned) {

@@ -1,6 +1,8 @@
 // The checks that a view with several samples adds; only renderers with effect::supersampled link it.
-#include "zstrip/effects/samples/sample_stage.hpp"
+#include "zstrip/effects/samples/checks.hpp"
 
+#include "zstrip/effects/samples/samples.hpp"
+#include "zstrip/plan/record_bytes.hpp"
 #include "zstrip/stages/checks.hpp"
 
 namespace zstrip::detail::samples {

@@ -1,5 +1,5 @@
-// The parts of anti-aliased edges that no effect changes; only renderers with effect::edges link it.
-#include "zstrip/effects/edges/edge_stage.hpp"
+// Aprons of strips; see apron.hpp. Only renderers with effect::edges link it.
+#include "zstrip/effects/edges/apron.hpp"
 
 namespace zstrip::detail::edges {
 
@@ -8,15 +8,13 @@ Status check_request(const FrameRequest& request) {
   if (view.samples != 1 || called_for.any(effect::outlines | effect::shadows | effect::csg)) {
     return {.error = Error::edges};
   }
-  const std::uint64_t kept = effect_bytes(called_for, count(scene));
-  if (plan.effect_bytes < kept) return too_small(Purpose::effects, kept, plan.effect_bytes);
   const std::uint64_t cells = cells_with_apron(plan.strip_rows, plan.strip_columns, view);
   if (plan.depth_bytes < cells * kDepthBytes) return too_small(Purpose::depth, cells * kDepthBytes, plan.depth_bytes);
   const std::uint64_t colour = colour_bytes_of_edges(plan.strip_rows, plan.strip_columns, view);
   return plan.colour_bytes < colour ? too_small(Purpose::colour, colour, plan.colour_bytes) : Status{};
 }
 
-void Stage::copy(const std::uint16_t* from, const Rect& drawn, std::uint16_t* to, const Rect& area) {
+void copy_without_apron(const std::uint16_t* from, const Rect& drawn, std::uint16_t* to, const Rect& area) {
   const auto width = static_cast<std::size_t>(area.width());
   from += (area.top - drawn.top) * drawn.width() + (area.left - drawn.left);
   for (std::int32_t row = 0; row < area.height(); ++row, from += drawn.width(), to += width) {

@@ -1,21 +1,22 @@
 // Which instances mirror the surroundings, and what their vertices need for it; only renderers with
 // effect::environment link it.
-#include "zstrip/effects/environment/environment_stage.hpp"
+#include "zstrip/effects/environment/kept.hpp"
+
+#include "zstrip/effects/outlines/outline.hpp"
 
 namespace zstrip::detail::environment {
 
 void prepare(FrameState& frame, const Camera& camera, Effects called_for) {
   const Scene& scene = *frame.scene;
-  const EffectBlock block = effect_block(frame);
   const SceneCounts counts = count(scene);
   const std::uint32_t vertices = frame.plan.mode == Mode::binned ? counts.vertices : counts.largest_meshlet;
-  block.reflections().first = vertices * (kVertexBytes + (has_vertex_colours(called_for) ? kVertexColourBytes : 0));
+  reflections_of(frame).first = vertices * (kVertexBytes + (has_vertex_colours(called_for) ? kVertexColourBytes : 0));
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     CompiledInstance& compiled = frame.instances[i];
     const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
     const Material& material = scene.materials[scene.instances[i].material];
     if (!compiled.visible || is_outline(compiled) || !mirrors_surroundings(scene, mesh, material)) continue;
-    block.eye_forms(i) = detail::eye_forms(mesh, scene.instances[i].transform, camera);
+    eye_forms_of(frame, i) = detail::eye_forms(mesh, scene.instances[i].transform, camera);
     // As if the mesh had texture coordinates.
     if (!material.lit) {
       compiled.coloured = false;

@@ -1,5 +1,5 @@
 // Prepares the sets of lines of a frame; only renderers with effect::lines link it.
-#include "zstrip/effects/lines/line_stage.hpp"
+#include "zstrip/effects/lines/prepared.hpp"
 
 #include "zstrip/stages/bounds.hpp"
 

@@ -1,0 +1,30 @@
+// The order in which instances are drawn where some blend with what is behind them.
+#pragma once
+
+#include <span>
+
+#include "zstrip/effects/blending/effect.hpp"
+#include "zstrip/geometry/distance.hpp"
+#include "zstrip/stages/frame_parts.hpp"
+
+namespace zstrip::detail::blending {
+
+/// An instance in the order of drawing.
+struct DrawOrder {
+  Distance distance;  ///< of the middle of its box from the camera's plane
+  std::uint32_t instance, unused;
+};
+static_assert(sizeof(DrawOrder) == Effect::kPlaceBytes);
+
+/// Of a frame in which something blends.
+inline std::span<DrawOrder> order_of(const FrameState& frame) {
+  const EffectBlock block = effect_block(frame);
+  return {block.at<Effect, DrawOrder>(), block.instances()};
+}
+
+/// The instance that is drawn at this place.
+inline std::uint32_t instance_at(const FrameState& frame, std::uint32_t place) {
+  return effect_block(frame).has(effect::blending) ? order_of(frame)[place].instance : place;
+}
+
+}  // namespace zstrip::detail::blending

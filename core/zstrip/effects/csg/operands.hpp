@@ -1,0 +1,44 @@
+// The operands of CSG in a frame: where each can be seen, and what their stage needs to draw them.
+#pragma once
+
+#include "zstrip/effects/csg/effect.hpp"
+#include "zstrip/effects/stage.hpp"
+
+namespace zstrip::detail::csg {
+
+/// Of an operand.
+struct CsgBounds {
+  std::uint16_t left, top, right, bottom;  ///< pixels of the picture that it can cover; nothing if it cannot be seen
+  std::uint32_t first_meshlet;             ///< among those of all instances
+  bool cut;                                ///< by the near plane, as far as its box says
+  std::uint8_t unused[3];
+};
+static_assert(sizeof(CsgBounds) == Effect::kOperandBytes);
+
+struct CsgState {
+  std::uint32_t cache;  ///< where the vertices of operands are transformed
+  std::uint32_t unused;
+};
+static_assert(sizeof(CsgState) == Effect::kStateBytes);
+
+// Of a frame with operands.
+inline CsgState& state_of(const FrameState& frame) { return *effect_block(frame).at<Effect, CsgState>(); }
+inline CsgBounds& bounds_of(const FrameState& frame, std::size_t operand) {
+  return effect_block(frame).at<Effect, CsgBounds>(Effect::kStateBytes)[operand];
+}
+/// What strips may use, behind all operands.
+inline std::byte* strip_memory(const FrameState& frame) {
+  return reinterpret_cast<std::byte*>(&bounds_of(frame, frame.scene->csg.size()));
+}
+
+/// Of a plan for a scene that has products; `cell_bytes`: of the z-buffer.
+Status check_memory(const FrameRequest& request, std::uint32_t cell_bytes);
+
+/// Before the strips.
+void prepare_operands(FrameState& frame, const Camera& camera);
+/// No other stage draws operands.
+void hide_operands(FrameState& frame);
+/// What light and environment maps take for the normals of an instance turns round; twice, and it is as before.
+void turn_normals(const FrameState& frame, std::uint32_t instance);
+
+}  // namespace zstrip::detail::csg

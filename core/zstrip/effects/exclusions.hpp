@@ -1,0 +1,75 @@
+// What does not go together: the rules from which all checks and messages are made.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+#include "zstrip/effects/list.hpp"
+
+namespace zstrip {
+
+/// Effects and methods of which no renderer has one of each side.
+inline constexpr auto kExclusions = detail::DescribedEffects::exclusions();
+
+/// Sets of which a renderer has at most one.
+inline constexpr Effects kAlternatives[] = {
+    effect::depth_formats | effect::depth_ranges,
+    effect::short_reciprocals,
+    effect::perspective_runs,
+    method::painter | method::bounded | method::splitting,
+    method::sorted,
+    method::orders,
+};
+
+namespace detail {
+
+/// Unrolled, so that no table and no text is linked with a board's program.
+template <std::size_t... i>
+constexpr Effects excluded_by(Effects effects, std::index_sequence<i...>) {
+  Effects excluded{};
+  const auto add = [&](Effects one, Effects other) {
+    if (effects.any(one)) excluded = excluded | other;
+    if (effects.any(other)) excluded = excluded | one;
+  };
+  (add(kExclusions[i].one, kExclusions[i].other), ...);
+  return excluded;
+}
+template <std::size_t... i>
+constexpr bool one_of_each(Effects effects, bool of_methods, std::index_sequence<i...>) {
+  const auto single = [](auto bits) { return (bits & (bits - 1)) == 0; };
+  return ((((kAlternatives[i].methods != 0) != of_methods) ||
+           (single((effects & kAlternatives[i]).bits) && single((effects & kAlternatives[i]).methods))) &&
+          ...);
+}
+
+/// All that cannot be together with one of these.
+constexpr Effects excluded_by(Effects effects) {
+  return excluded_by(effects, std::make_index_sequence<kExclusions.size()>());
+}
+constexpr bool one_of_each(Effects effects, bool of_methods) {
+  return one_of_each(effects, of_methods, std::make_index_sequence<std::size(kAlternatives)>());
+}
+
+}  // namespace detail
+
+/// Whether these effects go together, whatever the method.
+constexpr bool effects_agree(Effects effects) {
+  effects.methods = 0;
+  return !effects.any(detail::excluded_by(effects)) && detail::one_of_each(effects, false);
+}
+
+/// Which of these effects their methods cannot draw.
+constexpr Effects refused_by_methods(Effects effects) {
+  return {effects.bits & detail::excluded_by({0, effects.methods}).bits, 0};
+}
+
+/// Whether the methods go together, and can draw these effects, of which none is unknown. The painter alone has orders.
+constexpr bool methods_agree(Effects effects) {
+  if (effects.methods == 0) return true;
+  constexpr Effects kKnown =
+      effect::of_scenes | effect::statistics | effect::bins | effect::depth_formats | effect::depth_ranges;
+  return without(effects, kKnown | method::any) == Effects{} && refused_by_methods(effects) == Effects{} &&
+         detail::one_of_each(effects, true) && (effects.has(method::painter) || !effects.any(method::orders));
+}
+
+}  // namespace zstrip

@@ -1,0 +1,15 @@
+// What a frame keeps of light that depends on where a vertex is.
+#pragma once
+
+#include "zstrip/effects/local_light/local_light.hpp"
+#include "zstrip/stages/frame_parts.hpp"
+
+namespace zstrip::detail::local_light {
+
+// Of a frame with highlights or punctual lights.
+inline FrameLights& lights_of(const FrameState& frame) { return *effect_block(frame).at<Effect, FrameLights>(); }
+inline InstanceShading& shading_of(const FrameState& frame, std::size_t instance) {
+  return effect_block(frame).at<Effect, InstanceShading>(Effect::kFrameLightsBytes)[instance];
+}
+
+}  // namespace zstrip::detail::local_light

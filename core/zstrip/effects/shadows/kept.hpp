@@ -1,0 +1,12 @@
+// Where a frame keeps its shadow.
+#pragma once
+
+#include "zstrip/effects/shadows/shadow_map.hpp"
+#include "zstrip/stages/frame_parts.hpp"
+
+namespace zstrip::detail::shadows {
+
+/// Of a frame with shadows.
+inline ShadowState& state_of(const FrameState& frame) { return *effect_block(frame).at<Effect, ShadowState>(); }
+
+}  // namespace zstrip::detail::shadows

@@ -1,0 +1,32 @@
+// Effects that have no wing: they are in the loops of geometry and raster alone.
+#pragma once
+
+#include "zstrip/effects/effect.hpp"
+
+namespace zstrip::detail {
+
+struct EffectsWithoutWing : AnyEffect {
+  static constexpr EffectName kNames[] = {
+      {effect::lighting, "lighting", "lit, with normals"},
+      {effect::gouraud, "gouraud", "smooth shading"},
+      {effect::vertex_colours, "vertex_colours", "vertex colours"},
+      {effect::textures, "textures", "a texture and texture coordinates"},
+      {effect::orthographic, "orthographic", "the camera's parallel projection"},
+      {effect::depth_state, "depth_state", "a depth test, depth write or bias of its own"},
+      {effect::bins, "bins", "the plan transforms geometry only once (--mode)"},
+  };
+  static constexpr Exclusion kExclusions[] = {
+      {effect::orthographic, effect::depth_float | effect::depth_w16,
+       "these formats keep 1/w, which is the same everywhere without perspective"},
+      {effect::short_reciprocals, effect::depth_formats | effect::depth_ranges,
+       "only z16 has room for their error"},
+      {effect::short_reciprocals | effect::perspective_runs, method::any,
+       "methods keep bounds of exact depth"},
+      {effect::depth_formats | effect::depth_ranges, method::own,
+       "methods keep depth as z16"},
+      {effect::depth_state, without(method::own, method::hierarchical_z),
+       "a depth test of a material's own needs the scene's order and a z-buffer"},
+  };
+};
+
+}  // namespace zstrip::detail

@@ -1,0 +1,119 @@
+// Bytes of what a frame keeps in its arena, for given effects and counts.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "zstrip/plan/plan_types.hpp"
+#include "zstrip/scene/effects.hpp"
+
+namespace zstrip {
+
+/// Bytes of the renderer's own records; the stages that define them assert these sizes on every target.
+inline constexpr std::uint32_t kInstanceBytes = 160;
+inline constexpr std::uint32_t kQuadricBytes = 384;
+inline constexpr std::uint32_t kLineSetBytes = 176;
+inline constexpr std::uint32_t kVertexBytes = 8;        // snapped x, y and depth
+inline constexpr std::uint32_t kVertexColourBytes = 4;  // only with lighting or vertex colours
+inline constexpr std::uint32_t kReflectionBytes = 4;    // where a vertex mirrors the surroundings, likewise
+inline constexpr std::uint32_t kExtentBytes = 4;        // the strips that a meshlet touches
+inline constexpr std::uint32_t kBatchBytes = 8;         // a transformed meshlet, binned only
+inline constexpr std::uint32_t kBinBytes = 8;           // a strip's list
+inline constexpr std::uint32_t kBinChunkBytes = 32;     // part of a list: kBinChunkEntries and a link
+inline constexpr std::uint32_t kBinChunkEntries = 15;
+inline constexpr std::uint32_t kMostBinChunks = 0xFFFF;
+inline constexpr std::uint32_t kMostBatches = 0x7FFF;  // that bins can name; likewise triangles of a meshlet
+inline constexpr std::uint32_t kMostStrips = 0xFFFF;
+inline constexpr std::uint32_t kDepthBytes = 2;          // a cell of the z-buffer, unless depth_bytes says 4
+inline constexpr std::uint32_t kWorkingColourBytes = 2;  // RGB565
+
+namespace detail {
+/// Strips are split at whole bytes of every pixel format.
+inline constexpr std::uint32_t kColumnStep = 8;
+
+constexpr std::uint32_t rounded_up(std::uint64_t bytes) {
+  const std::uint64_t aligned = (bytes + kArenaAlignment - 1) / kArenaAlignment * kArenaAlignment;
+  return aligned > 0xFFFFFFFF ? 0xFFFFFFF8 : static_cast<std::uint32_t>(aligned);
+}
+
+/// Rows of a strip that a static layer can keep.
+constexpr std::uint16_t whole_tiles(std::uint32_t rows, std::uint16_t height) {
+  return static_cast<std::uint16_t>(std::min<std::uint32_t>((rows + kTileSide - 1) / kTileSide * kTileSide, height));
+}
+
+constexpr bool has_vertex_colours(Effects effects) { return effects.any(effect::lighting | effect::vertex_colours); }
+
+/// Of a transformed vertex.
+constexpr std::uint32_t bytes_per_vertex(Effects effects) {
+  return kVertexBytes + (has_vertex_colours(effects) ? kVertexColourBytes : 0) +
+         (effects.has(effect::environment) ? kReflectionBytes : 0);
+}
+
+/// Of one that bins keep: in shadow it has another colour.
+constexpr std::uint32_t retained_bytes_per_vertex(Effects effects) {
+  return bytes_per_vertex(effects) + (effects.has(effect::shadows) ? kVertexColourBytes : 0);
+}
+
+/// Whether strips are drawn with an apron, a pixel more on each side that lies in the picture: edges that are blended
+/// ask their neighbours.
+constexpr bool has_apron(Effects effects, const SceneCounts& counts) {
+  return effects.has(effect::edges) && counts.edge_groups != 0;
+}
+/// Pixels of the largest strip with its apron.
+constexpr std::uint64_t cells_with_apron(std::uint32_t rows, std::uint32_t columns, const View& view) {
+  const auto wider = [](std::uint64_t side, std::uint64_t whole) { return side + 2 < whole ? side + 2 : whole; };
+  return wider(rows, view.height) * wider(columns, view.width);
+}
+
+/// Of a strip with so many cells of `cell_bytes`: two layers of depth, a count and a mark each.
+constexpr std::uint64_t csg_strip_bytes(std::uint64_t cells, std::uint32_t cell_bytes) {
+  return cells * (2 * cell_bytes + 2);
+}
+
+/// The z-buffer of a strip of the shadow map, one row of tiles, and one row of pixels that nobody sees: begin_frame
+/// draws it where the picture's z-buffer will be.
+constexpr std::uint32_t shadow_strip_bytes(const SceneCounts& counts) {
+  return (kTileSide * kDepthBytes + kWorkingColourBytes) * counts.shadow_side;
+}
+
+/// RGB565 is drawn straight into the caller's pixels; the other formats pass through a working strip.
+constexpr bool drawn_in_place(PixelFormat format) {
+  return format == PixelFormat::rgb565 || format == PixelFormat::rgb565_swapped;
+}
+
+/// A strip with its apron as it is before any edge is blended, and, where the caller's pixels are no RGB565, the
+/// strip's pixels after that.
+constexpr std::uint64_t colour_bytes_of_edges(std::uint32_t rows, std::uint32_t columns, const View& view) {
+  const std::uint64_t resolved = drawn_in_place(view.format) ? 0 : std::uint64_t{rows} * columns;
+  return (cells_with_apron(rows, columns, view) + resolved) * kWorkingColourBytes;
+}
+
+/// Samples are not: pixels are their means.
+constexpr bool drawn_in_place(const View& view) { return drawn_in_place(view.format) && view.samples == 1; }
+
+/// What begin_frame compiles.
+constexpr std::uint64_t instance_bytes(const SceneCounts& counts) {
+  return std::uint64_t{counts.instances} * kInstanceBytes + std::uint64_t{counts.quadrics} * kQuadricBytes +
+         std::uint64_t{counts.line_sets} * kLineSetBytes;
+}
+
+constexpr Purpose largest_purpose(const Plan& plan, const LayerBytes& layer = {},
+                                  Purpose of_visibility = Purpose::sorting) {
+  Purpose purpose = Purpose::instances;
+  std::uint64_t most = plan.instance_bytes;
+  const auto consider = [&](Purpose candidate, std::uint64_t bytes) {
+    if (bytes > most) purpose = candidate, most = bytes;
+  };
+  consider(Purpose::extents, plan.extent_bytes);
+  consider(Purpose::vertices, plan.vertex_bytes);
+  consider(Purpose::depth, plan.depth_bytes);
+  consider(Purpose::colour, plan.colour_bytes);
+  consider(Purpose::bins, plan.bin_bytes);
+  consider(Purpose::layer, layer.sum());
+  consider(Purpose::effects, plan.effect_bytes);
+  consider(of_visibility, plan.visibility_bytes);
+  return purpose;
+}
+}  // namespace detail
+
+}  // namespace zstrip
