@@ -74,7 +74,7 @@ hal::Outcome<std::optional<hal::ScreenSize>> DisplayAddress::take_size(const std
   const std::size_t cross = value->find('x');
   const auto width = number(std::string_view(*value).substr(0, cross));
   const auto height = cross == std::string::npos ? std::nullopt : number(std::string_view(*value).substr(cross + 1));
-  if (!width || !height || *width < 1 || *height < 1 || *width > hal::kLargestScreen || *height > hal::kLargestScreen)
+  if (!width || !height || *width < 1 || *height < 1 || *width > hal::kMaxScreen || *height > hal::kMaxScreen)
     return fault(key, "must be WIDTHxHEIGHT, each 1 to 4096, not '" + *value + "'");
   return std::optional(hal::ScreenSize{static_cast<std::uint16_t>(*width), static_cast<std::uint16_t>(*height)});
 }

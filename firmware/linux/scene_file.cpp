@@ -11,7 +11,7 @@ namespace {
 
 static_assert(kSceneBlobAlignment <= alignof(std::uint64_t) && kSceneBlobMemoryAlignment <= alignof(std::uint64_t));
 
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{256} << 20;
+constexpr std::uintmax_t kMaxFile = std::uintmax_t{256} << 20;
 
 std::vector<std::uint64_t> words_for(std::size_t bytes) {
   return std::vector<std::uint64_t>((bytes + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t));
@@ -35,7 +35,7 @@ hal::Outcome<SceneFile> SceneFile::open(const std::string& path) {
   std::error_code error;
   const std::uintmax_t file_size = std::filesystem::file_size(path, error);
   if (error) return fault("cannot be read: " + error.message());
-  if (file_size > kLargestFile) return fault("is larger than 256 MB: no baked scene");
+  if (file_size > kMaxFile) return fault("is larger than 256 MB: no baked scene");
   const auto size = static_cast<std::size_t>(file_size);
   SceneFile file;
   file.bytes_ = words_for(size);

@@ -16,7 +16,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::size_t kMostCombinations = 160;
+constexpr std::size_t kMaxCombinations = 160;
 // Times on this machine differ by this much from run to run without meaning anything.
 constexpr double kNoise = 0.03;
 
@@ -226,7 +226,7 @@ Result<Campaign> run_campaign(const AccuracyScene& scene, const CampaignOptions&
   const std::vector<Settings> singles = first_settings(scene, options);
   if (const Result<Done> done = measuring.measure(singles, "one", singles.size()); !done) return done.failure();
   if (options.product && options.only.empty()) {
-    const std::vector<Settings> more = combinations(scene, options.knobs, campaign.points, kMostCombinations);
+    const std::vector<Settings> more = combinations(scene, options.knobs, campaign.points, kMaxCombinations);
     const Result<Done> done = measuring.measure(more, "product", singles.size() + more.size());
     if (!done) return done.failure();
   }

@@ -15,7 +15,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::size_t kMostTimed = 10;
+constexpr std::size_t kMaxTimed = 10;
 
 struct Candidate {
   Settings settings;
@@ -164,7 +164,7 @@ Result<Tuned> tune(const AccuracyScene& scene, const Limits& limits, std::string
     const auto turned = std::ranges::count_if(s.value, [](std::uint8_t v) { return v != 0; });
     if (turned - (s[Knob::format] != 0 ? 1 : 0) <= 1) alone.push_back(s);
   }
-  const std::size_t all = pictures.size() + alone.size() + kMostTimed;
+  const std::size_t all = pictures.size() + alone.size() + kMaxTimed;
   std::size_t done = 0;
   std::mutex mutex;
   std::map<Settings, Errors> errors;
@@ -225,7 +225,7 @@ Result<Tuned> tune(const AccuracyScene& scene, const Limits& limits, std::string
     return tuned;
   }
   std::ranges::stable_sort(fine, {}, &Candidate::expected_time);
-  if (fine.size() > kMostTimed) fine.resize(kMostTimed);
+  if (fine.size() > kMaxTimed) fine.resize(kMaxTimed);
   std::vector<Settings> wanted;
   for (const Candidate& c : fine) {
     if (!costs.contains(c.settings)) wanted.push_back(c.settings);

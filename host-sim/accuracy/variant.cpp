@@ -32,9 +32,9 @@ std::vector<unsigned> simplified_indices(const Mesh& mesh, std::uint32_t percent
   }
   const std::size_t wanted = mesh.triangles.size() * percent / 100 * 3;
   std::vector<unsigned> kept(indices.size());
-  constexpr float kLargestError = 0.1F;
+  constexpr float kMaxError = 0.1F;
   kept.resize(meshopt_simplify(kept.data(), indices.data(), indices.size(), points[0].data(), points.size(),
-                               sizeof points[0], wanted, kLargestError, 0, nullptr));
+                               sizeof points[0], wanted, kMaxError, 0, nullptr));
   return kept;
 }
 

@@ -45,7 +45,7 @@ std::string range(double low, double high, int decimals) {
 }
 
 std::string mix_text(const BoardPrediction& p) {
-  constexpr std::size_t kMostColumns = 100;
+  constexpr std::size_t kMaxColumns = 100;
   const auto frames = static_cast<double>(p.frames.size());
   std::string text = "  instructions a frame by class:\n", line;
   for (std::size_t i = 0; i < p.mix.count.size(); ++i) {
@@ -55,7 +55,7 @@ std::string mix_text(const BoardPrediction& p) {
     if (kInstructionClassNames[i] == "branch") {
       part += fmt::format(" (taken {:.0f})", static_cast<double>(p.mix.taken) / frames);
     }
-    if (line.size() + part.size() > kMostColumns) {
+    if (line.size() + part.size() > kMaxColumns) {
       text += "   " + line + '\n';
       line.clear();
     }

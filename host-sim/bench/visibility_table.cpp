@@ -109,7 +109,7 @@ std::vector<VisibilityRowCase> rows_of_table(std::string_view table) {
       for (const char* method : {"zbuffer", "hierarchical-z", "front-to-back-hierarchical-z"}) {
         rows.push_back({scene, view, method});
       }
-      for (std::uint8_t n = 0; n <= kMostIterations; ++n) rows.push_back({scene, view, "midpoint", n});
+      for (std::uint8_t n = 0; n <= kMaxIterations; ++n) rows.push_back({scene, view, "midpoint", n});
       rows.push_back({scene, view, "midpoint-safe", 2});
     }
   } else if (table == "thesis") {

@@ -19,10 +19,10 @@ void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
       ->type_name("METHOD");
   command
       .add_option("--iterations", a.iterations,
-                  fmt::format("Levels of splitting of the midpoint methods, 0 to {} (default: {})", kMostIterations,
+                  fmt::format("Levels of splitting of the midpoint methods, 0 to {} (default: {})", kMaxIterations,
                               VisibilityOptions{}.iterations))
       ->option_text("N")
-      ->check(CLI::Range(std::uint32_t{0}, std::uint32_t{kMostIterations}));
+      ->check(CLI::Range(std::uint32_t{0}, std::uint32_t{kMaxIterations}));
   command
       .add_option("--sort-key", a.key, "The depth by which triangles are sorted: middle (default), nearest or farthest")
       ->option_text("KEY")

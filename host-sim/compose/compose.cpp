@@ -24,7 +24,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::size_t kMostInstances = 65535, kMostOutlines = 255;
+constexpr std::size_t kMaxSceneInstances = 65535, kMaxOutlines = 255;
 
 /// Rounded to nearest; false if it leaves the renderer's range.
 bool to_transform(const Affine& from, Transform& to) {
@@ -125,7 +125,7 @@ class Composer {
     const auto outlines =
         std::ranges::count_if(placed_, [](const PlacedPart& p) { return p.file->outline.has_value(); });
     if (placed_.size() + static_cast<std::size_t>(outlines) + placed_lines_.size() + file_.lines.size() >
-        kMostInstances) {
+        kMaxSceneInstances) {
       return at_line(file_.path, 1, "the scene has more than 65,535 instances, outlines, lines and points");
     }
     return Done{};
@@ -227,7 +227,7 @@ class Composer {
   Result<Done> check_outline(const PlacedPart& placed, const Instance& instance) const {
     if (!placed.file->outline) return Done{};
     const auto wrong = [&](const char* what) { return at_line(file_.path, placed.file->outline->line, what); };
-    if (composed_->outlines.size() > kMostOutlines) return wrong("[instance.outline] is one of more than 255 outlines");
+    if (composed_->outlines.size() > kMaxOutlines) return wrong("[instance.outline] is one of more than 255 outlines");
     if (composed_->outlines[composed_->meshes[instance.mesh].outline - 1U].hull == kNoHull) {
       return wrong("[instance.outline]: the model has too many vertices for the hull of an outline; simplify it");
     }

@@ -12,10 +12,10 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr double kLargestFixed = 32767;
+constexpr double kMaxFixed = 32767;
 
 bool to_fixed_if_it_fits(double value, Fixed& fixed) {
-  const bool fits = std::abs(value) <= kLargestFixed;
+  const bool fits = std::abs(value) <= kMaxFixed;
   if (fits) fixed = to_fixed(value);
   return fits;
 }
@@ -91,7 +91,7 @@ Result<Done> add_fog(const SceneFile& file, ComposedScene& scene) {
   const double units = scene.units.scale;
   Fog fog{.colour = from.colour, .mode = from.mode};
   const double end = from.end * units, density = from.density / units;
-  if (!(end <= kLargestFixed && density <= kLargestFixed)) {
+  if (!(end <= kMaxFixed && density <= kMaxFixed)) {
     return at_line(file.path, from.line, "[fog]: the lengths are too great for this scene");
   }
   if (from.mode == FogMode::linear) {

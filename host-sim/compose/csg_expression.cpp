@@ -15,7 +15,7 @@ namespace {
 using Products = std::vector<CsgProduct>;
 
 /// Far more than are drawn, because many of them may lie in others; each is compared with all others.
-constexpr std::size_t kMostProducts = 1024;
+constexpr std::size_t kMaxProducts = 1024;
 constexpr int kDeepest = 64;
 
 CsgUse other(CsgUse use) { return use == CsgUse::intersected ? CsgUse::subtracted : CsgUse::intersected; }
@@ -131,7 +131,7 @@ class Parser {
     for (const CsgProduct& one : a) {
       for (const CsgProduct& of_b : b) {
         if (const std::optional<CsgProduct> product = both(one, of_b)) add(result, *product);
-        if (result.size() > kMostProducts) return result;
+        if (result.size() > kMaxProducts) return result;
       }
     }
     return result;
@@ -148,8 +148,7 @@ class Parser {
   }
 
   void check(const Products& products) {
-    if (products.size() > kMostProducts)
-      fail(fmt::format("multiplied out it has more than {} products", kMostProducts));
+    if (products.size() > kMaxProducts) fail(fmt::format("multiplied out it has more than {} products", kMaxProducts));
   }
   void fail(const std::string& what) {
     if (wrong_.empty()) wrong_ = what;

@@ -20,7 +20,7 @@ constexpr std::pair<std::string_view, FogMode> kFogModes[] = {{"linear", FogMode
 FileShadow read_shadow(TomlTable& table) {
   FileShadow shadow;
   const std::int64_t size =
-      table.integer("size", 1 << kLeastShadowLog2, 1 << kMostShadowLog2).value_or(1 << shadow.log2_size);
+      table.integer("size", 1 << kMinShadowLog2, 1 << kMaxShadowLog2).value_or(1 << shadow.log2_size);
   if ((size & (size - 1)) != 0) table.wrong("size", "'size' must be a power of two");
   shadow.log2_size = static_cast<std::uint8_t>(std::countr_zero(static_cast<std::uint64_t>(size)));
   shadow.bias = static_cast<std::uint16_t>(table.integer("bias", 0, 65535).value_or(shadow.bias));

@@ -45,7 +45,7 @@ void read_keyframes(TomlTable& table, FileInstance& instance) {
   double last = -1;
   for (TomlTable& keyframe : table.tables("keyframe", "[[instance.keyframe]]")) {
     if (!keyframe.has("time")) keyframe.wrong("time", "'time' is missing");
-    const double time = keyframe.number("time", {0, kLongestAnimation}).value_or(last + 1);
+    const double time = keyframe.number("time", {0, kMaxAnimation}).value_or(last + 1);
     if (time <= last) keyframe.wrong("time", "'time' must be greater than in the keyframe before");
     last = time;
     refuse_rotation(keyframe, instance.billboard);
@@ -126,7 +126,7 @@ FileEllipsoid read_ellipsoid(TomlTable& table) {
 }
 
 FileLines read_lines(TomlTable& table, bool are_points) {
-  constexpr std::size_t kMostVertices = 65535;
+  constexpr std::size_t kMaxVertices = 65535;
   FileLines lines;
   lines.line = table.line();
   lines.are_points = are_points;
@@ -135,7 +135,7 @@ FileLines read_lines(TomlTable& table, bool are_points) {
   lines.model = table.text("model").value_or("");
   for (const std::vector<double>& v : table.rows("vertices", 3, kLength)) lines.vertices.push_back({v[0], v[1], v[2]});
   if (table.has("model") == table.has("vertices")) table.wrong("vertices", "give either 'model' or 'vertices'");
-  if (lines.vertices.size() > kMostVertices) {
+  if (lines.vertices.size() > kMaxVertices) {
     table.wrong("vertices", "'vertices' must be 65,535 at most");
     lines.vertices.clear();
   }

@@ -16,7 +16,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::size_t kMostBytes = 16U << 20;
+constexpr std::size_t kMaxBytes = 16U << 20;
 
 /// Names of models or materials; each may be there once.
 template <typename Entry>
@@ -92,7 +92,7 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
   SceneFile scene;
   scene.ambient = root.colour("ambient");
   scene.background = root.colour("background");
-  scene.duration = root.number("duration", {0.001, kLongestAnimation});
+  scene.duration = root.number("duration", {0.001, kMaxAnimation});
   if (auto picture = root.table("picture", "[picture]")) scene.picture = read_picture(*picture);
   if (auto camera = root.table("camera", "[camera]")) scene.camera = read_camera(*camera);
   if (scene.camera && scene.camera->orthographic &&
@@ -173,7 +173,7 @@ Result<SceneFile> parse_scene_file(const std::string& text, const std::filesyste
 Result<SceneFile> read_scene_file(const std::filesystem::path& path) {
   const Result<std::vector<std::uint8_t>> bytes = read_file(path);
   if (!bytes) return Failure{ExitStatus::input, fmt::format("'{}' {}", path.string(), bytes.failure().message)};
-  if (bytes->size() > kMostBytes) {
+  if (bytes->size() > kMaxBytes) {
     return Failure{ExitStatus::input, fmt::format("'{}' is no scene file: it has more than 16 MB", path.string())};
   }
   return parse_scene_file(std::string(bytes->begin(), bytes->end()), path);

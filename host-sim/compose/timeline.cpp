@@ -9,7 +9,7 @@ namespace zstrip::sim {
 namespace {
 
 constexpr double kTurntableSeconds = 4;  // of a scene that has nothing else to say how long it takes
-constexpr std::size_t kMostModelTimes = 10000;
+constexpr std::size_t kMaxModelTimes = 10000;
 
 /// Of the instances' own keyframes.
 std::set<double> keyframe_times(const SceneFile& file) {
@@ -38,7 +38,7 @@ std::set<double> all_key_times(const SceneFile& file, std::span<const PlacedMode
   for (const PlacedModel& model : models) {
     if (model.animation == nullptr) continue;
     const std::set<double> own = key_times(*model.animation);
-    for (double begin = 0; begin < duration && times.size() < kMostModelTimes; begin += model.animation->duration) {
+    for (double begin = 0; begin < duration && times.size() < kMaxModelTimes; begin += model.animation->duration) {
       for (const double time : own) times.insert(begin + time);
     }
   }

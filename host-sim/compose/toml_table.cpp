@@ -35,9 +35,9 @@ std::string listed(const std::vector<std::string>& names) {
 
 /// Names of a hostile file may be as long as the file.
 std::string shortened(const std::string& name) {
-  constexpr std::size_t kMost = 80;
-  if (name.size() <= kMost) return name;
-  std::size_t end = kMost;
+  constexpr std::size_t kMax = 80;
+  if (name.size() <= kMax) return name;
+  std::size_t end = kMax;
   while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;  // not within a character of UTF-8
   return name.substr(0, end) + "...";
 }
@@ -73,12 +73,12 @@ std::string origin_of(const std::filesystem::path& path, int line) {
 }
 
 std::string nearest(const std::string& name, const std::vector<std::string>& names) {
-  constexpr std::size_t kLongest = 64;  // keys of a hostile file may be as long as the file
-  if (name.size() > kLongest) return {};
+  constexpr std::size_t kMax = 64;  // keys of a hostile file may be as long as the file
+  if (name.size() > kMax) return {};
   std::string best;
   std::size_t least = std::max<std::size_t>(2, name.size() / 2) + 1;
   for (const std::string& candidate : names) {
-    if (candidate.size() > kLongest) continue;
+    if (candidate.size() > kMax) continue;
     const std::size_t changes = distance(name, candidate);
     if (changes < least) least = changes, best = candidate;
   }

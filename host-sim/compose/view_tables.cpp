@@ -35,7 +35,7 @@ VisibilitySettings read_visibility(TomlTable& table) {
     table.wrong(key, fmt::format("'{}' means nothing to visibility = \"{}\"; leave it out, or choose one of: {}", key,
                                  method->name, methods));
   };
-  if (const auto iterations = table.integer("iterations", 0, kMostIterations)) {
+  if (const auto iterations = table.integer("iterations", 0, kMaxIterations)) {
     settings.iterations = static_cast<std::uint32_t>(*iterations);
     if (method && !uses_iterations(method->effects)) unused("iterations", methods_with_iterations());
   }
@@ -68,7 +68,7 @@ PictureSettings read_picture(TomlTable& table) {
   }
   picture.format = table.choice("format", kFormats);
   picture.dither = table.flag("dither");
-  if (const auto samples = table.integer("samples", 1, kMostSamples)) {
+  if (const auto samples = table.integer("samples", 1, kMaxSamples)) {
     picture.samples = static_cast<std::uint8_t>(*samples);
     if (*samples == 3) table.wrong("samples", "'samples' must be 1, 2 or 4");
   }

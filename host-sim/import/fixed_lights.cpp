@@ -48,15 +48,15 @@ Colour colour_of(const SourceLight& light, double full) {
 /// Empty if a number leaves the renderer's range, or nothing is left of the light.
 std::optional<PunctualLight> to_punctual(const Placed& placed, const Units& units, double exposure) {
   const SourceLight& light = placed.light;
-  constexpr double kMost = 32767;  // 16.16
+  constexpr double kMax = 32767;  // 16.16
   const double intensity = brightest_channel(light) * units.scale * units.scale / exposure;
-  const bool far = std::any_of(placed.at.begin(), placed.at.end(), [](double c) { return !(std::abs(c) <= kMost); });
-  if (far || !(intensity <= kMost) || to_fixed(intensity) == 0) return std::nullopt;
+  const bool far = std::any_of(placed.at.begin(), placed.at.end(), [](double c) { return !(std::abs(c) <= kMax); });
+  if (far || !(intensity <= kMax) || to_fixed(intensity) == 0) return std::nullopt;
   PunctualLight to{.colour = colour_of(light, brightest_channel(light)),
                    .position = {to_fixed(placed.at[0]), to_fixed(placed.at[1]), to_fixed(placed.at[2])},
                    .intensity = to_fixed(intensity)};
   const double range = light.range * units.scale;
-  if (range > 0 && range <= kMost) to.range = std::max<Fixed>(to_fixed(range), 1);
+  if (range > 0 && range <= kMax) to.range = std::max<Fixed>(to_fixed(range), 1);
   if (light.type == SourceLightType::point) return to;
   to.type = PunctualLightType::spot;
   to.x = component(-light.towards[0]), to.y = component(-light.towards[1]), to.z = component(-light.towards[2]);

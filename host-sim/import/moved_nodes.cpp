@@ -17,7 +17,7 @@ namespace zstrip::sim {
 namespace {
 
 /// More would take minutes to look at, each at thousands of times.
-constexpr std::size_t kMostMoved = 4096;
+constexpr std::size_t kMaxMoved = 4096;
 constexpr std::uint32_t kDeepest = 64;
 
 std::span<const aiAnimation* const> animations_of(const aiScene& scene) {
@@ -113,7 +113,7 @@ void MovedNodes::find_moved(const aiScene& scene, const aiMatrix4x4& turn, Sourc
     if (names.contains(at.node->mName.C_Str())) {
       // Vertices are kept where they are at rest: that must have a way back.
       if (!(std::abs(determinant(at.before * at_rest)) > 1e-12)) return give_up("a node has no size at rest");
-      if (model.nodes.nodes.size() >= kMostMoved || ++at.depth > kDeepest) return give_up("too many nodes move");
+      if (model.nodes.nodes.size() >= kMaxMoved || ++at.depth > kDeepest) return give_up("too many nodes move");
       const auto index = static_cast<std::int32_t>(model.nodes.nodes.size());
       model.nodes.nodes.push_back({.parent = at.mover, .before = at.before, .at_rest = at_rest});
       at.mover = index;
@@ -151,7 +151,7 @@ void MovedNodes::read_animations(const aiScene& scene, const std::filesystem::pa
     const std::set<double> times = key_times(to);
     if (times.empty() || !(*times.rbegin() > 0)) continue;
     to.duration = *times.rbegin();
-    if (to.duration > kLongestAnimation) {
+    if (to.duration > kMaxAnimation) {
       model.warnings.push_back(fmt::format("animation '{}' left out: it is longer than an hour", to.name));
       continue;
     }

@@ -10,7 +10,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::uint32_t kMostSamples = 20000;  // of one motion; longer animations are looked at less often
+constexpr std::uint32_t kMaxSamples = 20000;  // of one motion; longer animations are looked at less often
 
 /// A motion at one time: where it should be, and the keyframe that says so.
 struct Sample {
@@ -21,7 +21,7 @@ struct Sample {
 /// Milliseconds, growing: 0, the end, 60 a second, every key and the last millisecond before it.
 std::vector<std::uint32_t> sample_times(std::uint32_t duration, const std::set<double>& key_times) {
   std::set<std::uint32_t> times{0, duration};
-  const std::uint32_t count = std::min(kMostSamples / 2, duration * 60 / 1000);
+  const std::uint32_t count = std::min(kMaxSamples / 2, duration * 60 / 1000);
   for (std::uint32_t i = 1; i < count; ++i) {
     times.insert(static_cast<std::uint32_t>(std::uint64_t{duration} * i / count));
   }
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> sample_times(std::uint32_t duration, const std::set<d
     const double milliseconds = std::ceil(seconds * 1000 - 1e-6);
     if (!(milliseconds >= 1 && milliseconds <= duration)) continue;
     times.insert({static_cast<std::uint32_t>(milliseconds), static_cast<std::uint32_t>(milliseconds) - 1});
-    if (times.size() >= kMostSamples) break;
+    if (times.size() >= kMaxSamples) break;
   }
   return {times.begin(), times.end()};
 }

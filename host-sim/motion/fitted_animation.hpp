@@ -20,7 +20,7 @@ struct InstanceMotion {
   std::vector<Vector> corners;  ///< of what moves, in object space
 };
 
-inline constexpr double kLongestAnimation = 3600;  ///< seconds
+inline constexpr double kMaxAnimation = 3600;  ///< seconds
 /// How far keyframes may be off, of the scene's radius: a tenth of a pixel where that fills 320 pixels.
 inline constexpr double kAnimationTolerance = 1.0 / 1600;
 
@@ -46,7 +46,7 @@ class FittedAnimation {
   double error_ = 0;
 };
 
-/// `duration`: seconds, > 0, at most kLongestAnimation. `key_times`: where motions may bend or jump; between them they
+/// `duration`: seconds, > 0, at most kMaxAnimation. `key_times`: where motions may bend or jump; between them they
 /// are looked at 60 times a second. Every corner stays within `tolerance` (the scene's units) of its place, but for
 /// motions that shear, which no keyframe can say: error() tells. Fails (ExitStatus::input, message starts with a verb)
 /// for what leaves the renderer's range.

@@ -31,10 +31,10 @@ Transform standing(const Scene& scene, const Instance& instance, const Camera& c
   const Vector right = of_axis(camera.right), back = of_axis(camera.back), y = column(instance.transform, 1);
   std::array<Vector, 3> axes{right, of_axis(camera.up), back};
   if (billboard == Billboard::upright && length(y) > 0) {
-    constexpr double kLeast = 1.0 / 256;
+    constexpr double kMin = 1.0 / 256;
     axes[1] = scaled(y, 1 / length(y));
     axes[0] = across(right, axes[1]);
-    if (std::ranges::all_of(axes[0], [](double c) { return std::abs(c) < kLeast; }))
+    if (std::ranges::all_of(axes[0], [](double c) { return std::abs(c) < kMin; }))
       axes[0] = vector_product(axes[1], back);
     axes[0] = scaled(axes[0], 1 / length(axes[0]));
     axes[2] = vector_product(axes[0], axes[1]);

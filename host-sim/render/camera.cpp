@@ -16,7 +16,7 @@ namespace {
 constexpr double kFarthest = 10000;
 
 /// 16.16 holds no more.
-constexpr double kLargestLength = 32767;
+constexpr double kMaxLength = 32767;
 
 Failure out_of_range(const char* option) {
   return {ExitStatus::usage, std::string(option) + " is too far away: more than 10000 times the size of the model"};
@@ -44,7 +44,7 @@ Vec3 to_fixed(const std::array<double, 3>& point) {
 void set_planes(Camera& camera, double radius) {
   const double distance = distance_to_origin(camera);
   camera.near_plane = sim::to_fixed(std::max(0.9 * (distance - radius), 0.01));
-  camera.far_plane = sim::to_fixed(std::min(1.1 * (distance + radius) + 0.1, kLargestLength));
+  camera.far_plane = sim::to_fixed(std::min(1.1 * (distance + radius) + 0.1, kMaxLength));
 }
 
 }  // namespace
@@ -126,7 +126,7 @@ Result<Camera> file_camera(const SourceCamera& source, const Units& units, doubl
   if (source.orthographic) {
     camera.projection = Projection::orthographic;
     const double focal = 1 / (source.half_height * units.scale);
-    if (!(focal > 1.0 / kFixedOne && focal < kLargestLength)) return unusable("shows too much or too little");
+    if (!(focal > 1.0 / kFixedOne && focal < kMaxLength)) return unusable("shows too much or too little");
     camera.focal = sim::to_fixed(focal);
   } else if (!(source.field_of_view >= 1 && source.field_of_view <= 170)) {
     return unusable("has a field of view outside 1 to 170 degrees");

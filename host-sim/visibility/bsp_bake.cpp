@@ -17,7 +17,7 @@ constexpr std::size_t kCandidates = 24;
 constexpr std::size_t kTried = 600;
 /// What a split costs in polygons that one side has more than the other.
 constexpr double kCostOfSplit = 8;
-constexpr std::size_t kMostPieces = 65535;
+constexpr std::size_t kMaxPieces = 65535;
 
 struct TreeNode {
   SoupPlane plane;
@@ -114,10 +114,10 @@ class Builder {
       Waiting front{{}, index, &TreeNode::front}, back{{}, index, &TreeNode::back};
       divide(std::move(now.polygons), node, front.polygons, back.polygons);
       pieces += node.polygons.size() + front.polygons.size() + back.polygons.size() - before;
-      if (pieces > kMostPieces) {
+      if (pieces > kMaxPieces) {
         return Failure{ExitStatus::usage,
                        fmt::format("the planes of the tree cut {} triangles into more than {} pieces",
-                                   grouped(triangles), grouped(kMostPieces))};
+                                   grouped(triangles), grouped(kMaxPieces))};
       }
       nodes_.push_back(std::move(node));
       if (!back.polygons.empty()) waiting.push_back(std::move(back));

@@ -14,8 +14,8 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::size_t kMostPieces = 20000;
-constexpr std::size_t kMostComparisons = 50'000'000;  // the message has it in words
+constexpr std::size_t kMaxPieces = 20000;
+constexpr std::size_t kMaxComparisons = 50'000'000;  // the message has it in words
 constexpr double kApart = 1e-9;  // of projected coordinates, where half of the picture's height is about 1
 
 struct Projected {
@@ -131,10 +131,10 @@ Result<NewellOrder> newell_order(const PolygonSoup& soup, const Camera& camera) 
       // Those to come are all nearer; one that was moved to the front says nothing of the others.
       if (q->farthest <= first.nearest && !first.moved) break;
       if (q->farthest <= first.nearest) continue;
-      if (++comparisons > kMostComparisons || order.soup.polygons.size() + waiting.size() > kMostPieces) {
+      if (++comparisons > kMaxComparisons || order.soup.polygons.size() + waiting.size() > kMaxPieces) {
         return Failure{ExitStatus::usage,
                        fmt::format("to order the triangles takes more than {} pieces or 50 million comparisons",
-                                   grouped(kMostPieces))};
+                                   grouped(kMaxPieces))};
       }
       if (sorter.may_precede(first, *q)) continue;
       drawn = false;

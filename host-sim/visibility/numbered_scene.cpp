@@ -8,7 +8,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::size_t kMostTrianglesOfMesh = 65535 / 3;
+constexpr std::size_t kMaxTrianglesOfMesh = 65535 / 3;
 
 /// What becomes `pixel` in RGB565.
 Colour colour_of(std::uint16_t pixel) {
@@ -30,19 +30,19 @@ Result<NumberedScene> NumberedScene::of(const Scene& scene) {
   }
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
-    if (numbered.triangles_ + mesh.triangles.size() > kMostTriangles) {
+    if (numbered.triangles_ + mesh.triangles.size() > kMaxTriangles) {
       return Failure{ExitStatus::usage,
-                     fmt::format("a scene of more than {} triangles cannot be judged", kMostTriangles)};
+                     fmt::format("a scene of more than {} triangles cannot be judged", kMaxTriangles)};
     }
     if (mesh.meshlets.empty()) {
-      for (std::size_t first = 0; first < mesh.triangles.size(); first += kMostTrianglesOfMesh) {
-        numbered.add(mesh, instance, first, std::min(kMostTrianglesOfMesh, mesh.triangles.size() - first), {});
+      for (std::size_t first = 0; first < mesh.triangles.size(); first += kMaxTrianglesOfMesh) {
+        numbered.add(mesh, instance, first, std::min(kMaxTrianglesOfMesh, mesh.triangles.size() - first), {});
       }
     }
     for (std::size_t first = 0, end; first < mesh.meshlets.size(); first = end) {
       std::size_t triangles = 0;
       for (end = first; end < mesh.meshlets.size(); ++end) {
-        if (triangles + mesh.meshlets[end].triangle_count > kMostTrianglesOfMesh) break;
+        if (triangles + mesh.meshlets[end].triangle_count > kMaxTrianglesOfMesh) break;
         triangles += mesh.meshlets[end].triangle_count;
       }
       if (end == first) return Failure{ExitStatus::usage, "a scene with meshlets of that size cannot be judged"};

@@ -14,7 +14,7 @@ namespace zstrip::sim {
 /// meshes are cut where their vertices, three a triangle, would be more than a mesh can have.
 class NumberedScene {
  public:
-  static constexpr std::size_t kMostTriangles = 65535;
+  static constexpr std::size_t kMaxTriangles = 65535;
 
   /// A usage error if there are more triangles than colours.
   static Result<NumberedScene> of(const Scene& scene);

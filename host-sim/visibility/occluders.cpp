@@ -12,7 +12,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::size_t kMostPieces = 512;
+constexpr std::size_t kMaxPieces = 512;
 constexpr double kNothing = 1e-10;  // of an area, in square units
 
 using PlanePolygon = std::vector<PlanePoint>;
@@ -110,7 +110,7 @@ bool Occluder::cover(std::vector<PlanePoint> points) const {
     }
     left.swap(next);
     if (left.empty()) return true;
-    if (left.size() > kMostPieces) return false;
+    if (left.size() > kMaxPieces) return false;
   }
   return false;
 }

@@ -19,7 +19,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr std::size_t kMostOccluders = 256;
+constexpr std::size_t kMaxOccluders = 256;
 constexpr double kWidening = 1.0 / 256;  // of the distance: more than a sixteenth of a pixel, and room for rounding
 
 using Corners = std::array<SoupPoint, 8>;
@@ -97,7 +97,7 @@ std::vector<Part> parts_of(const Scene& scene, const std::vector<bool>& moves) {
 class Judge {
  public:
   Judge(const Scene& scene, const std::vector<bool>& moves, const Camera& camera)
-      : occluders_(occluders_of(scene, moves, kMostOccluders)), near_(camera.near_plane / 65536.0) {}
+      : occluders_(occluders_of(scene, moves, kMaxOccluders)), near_(camera.near_plane / 65536.0) {}
 
   /// Occluders that the whole cell is in front of, far enough that the near plane cuts nothing off them.
   void enter(const Corners& cell) {
@@ -224,11 +224,11 @@ Result<CellCounts> parse_cells(const std::string& text, const char* option) {
     good = good && error == std::errc{} && counts[i] > 0;
     at = next;
   }
-  if (good && at == end && std::uint64_t{counts[0]} * counts[1] * counts[2] <= kMostCells) {
+  if (good && at == end && std::uint64_t{counts[0]} * counts[1] * counts[2] <= kMaxCells) {
     return CellCounts{counts[0], counts[1], counts[2]};
   }
   return Failure{ExitStatus::usage,
-                 fmt::format("{} '{}' must be cells along x, y and z, as 8x2x8, {} at most", option, text, kMostCells)};
+                 fmt::format("{} '{}' must be cells along x, y and z, as 8x2x8, {} at most", option, text, kMaxCells)};
 }
 
 std::uint32_t visibility_checksum(const Scene& scene, const Animation& animation) {

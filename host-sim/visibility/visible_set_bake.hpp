@@ -18,11 +18,11 @@
 
 namespace zstrip::sim {
 
-/// Cells along each axis, 1 to kMostCells together.
+/// Cells along each axis, 1 to kMaxCells together.
 struct CellCounts {
   std::uint16_t across = 8, up = 2, deep = 8;
 };
-inline constexpr std::uint32_t kMostCells = 4096;
+inline constexpr std::uint32_t kMaxCells = 4096;
 
 /// "8x2x8", or a usage error that names `option`.
 Result<CellCounts> parse_cells(const std::string& text, const char* option);

@@ -27,9 +27,8 @@ ColourPicture read_ppm(const std::filesystem::path& file) {
   int width = 0, height = 0, maximum = 0;
   stream >> magic >> width >> height >> maximum;
   stream.get();
-  constexpr int kLargest = 4096;
-  if (!stream || magic != "P6" || maximum != 255 || width <= 0 || height <= 0 || width > kLargest ||
-      height > kLargest) {
+  constexpr int kMax = 4096;
+  if (!stream || magic != "P6" || maximum != 255 || width <= 0 || height <= 0 || width > kMax || height > kMax) {
     throw std::runtime_error("no PPM of 8 bits a channel: " + file.string());
   }
   ColourPicture picture{width, height, {}};

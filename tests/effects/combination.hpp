@@ -169,7 +169,7 @@ template <Effects set>
 void expect_drawn_alike() {
   constexpr Effects kSet = completed(set);
   constexpr View kView{40, 32, PixelFormat::rgb565, set.has(effect::dithered_colours),
-                       set.has(effect::supersampled) ? kMostSamples : std::uint8_t{1}};
+                       set.has(effect::supersampled) ? kMaxSamples : std::uint8_t{1}};
   SCOPED_TRACE(testing::Message() << std::hex << kSet.bits);
   Combination combination(kSet);
   const Scene& scene = combination.scene;

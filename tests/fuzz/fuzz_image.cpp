@@ -16,7 +16,7 @@ using namespace zstrip;
 using namespace zstrip::sim;
 
 /// Larger pictures are allowed, but would only slow the fuzzer down.
-constexpr std::uint64_t kMostPixels = 1U << 16;
+constexpr std::uint64_t kMaxPixels = 1U << 16;
 
 std::uint64_t big_endian(std::span<const std::uint8_t> bytes) {
   std::uint64_t value = 0;
@@ -28,11 +28,11 @@ std::uint64_t big_endian(std::span<const std::uint8_t> bytes) {
 /// of length and one of precision) in a JPEG.
 bool is_large(std::span<const std::uint8_t> file) {
   if (file.size() >= 24 && file[0] == 0x89) {
-    return big_endian(file.subspan(16, 4)) * big_endian(file.subspan(20, 4)) > kMostPixels;
+    return big_endian(file.subspan(16, 4)) * big_endian(file.subspan(20, 4)) > kMaxPixels;
   }
   for (std::size_t i = 0; i + 9 <= file.size(); ++i) {
     if (file[i] == 0xFF && file[i + 1] >= 0xC0 && file[i + 1] <= 0xCF &&
-        big_endian(file.subspan(i + 5, 2)) * big_endian(file.subspan(i + 7, 2)) > kMostPixels) {
+        big_endian(file.subspan(i + 5, 2)) * big_endian(file.subspan(i + 7, 2)) > kMaxPixels) {
       return true;
     }
   }

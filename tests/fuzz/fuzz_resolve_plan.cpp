@@ -82,12 +82,12 @@ void judge_plan(fuzz::Input& input) {
   if (cannot_bin || result.status.error == Error::unplannable) return;
   if (!result.status) {
     fuzz::require(result.status.error == Error::arena_too_small, "only memory can lack");
-    const std::uint32_t limit = budget.bytes == 0 ? kLargestArena : std::min(budget.bytes, kLargestArena);
+    const std::uint32_t limit = budget.bytes == 0 ? kMaxArena : std::min(budget.bytes, kMaxArena);
     fuzz::require(result.status.available == limit, "an error says what is there: %u, not %u", limit,
                   result.status.available);
     const std::uint64_t smallest =
         sum_of_parts(result.plan) + std::uint64_t{budget.strip_buffers} * result.plan.strip_pixel_bytes(view);
-    if (smallest > kLargestArena) return;  // refused with any budget
+    if (smallest > kMaxArena) return;  // refused with any budget
     fuzz::require(result.status.needed > limit, "what is needed is more than what is there: %u, %u",
                   result.status.needed, limit);
     const auto with_bytes = [&budget](std::uint32_t bytes) {

@@ -29,7 +29,7 @@ void judge_record(fuzz::Input& input, const detail::TileCodec& codec) {
   for (std::byte& byte : record.span()) byte = static_cast<std::byte>(input.any<std::uint8_t>());
   std::vector<std::uint16_t> cells(std::size_t{width} * height);
   if (!codec.decode(record.span(), {cells.data(), width, width, height})) return;
-  std::array<std::byte, kLargestTileRecord> again;
+  std::array<std::byte, kMaxTileRecord> again;
   const std::uint32_t size = codec.encode({cells.data(), width, width, height}, again);
   fuzz::require(size <= 2 * width * height, "a record is no longer than its cells: %u", size);
   std::vector<std::uint16_t> decoded(cells.size());

@@ -216,7 +216,7 @@ void judge_clipping(fuzz::Input& input) {
 
   const std::array<Position, 4> positions = read_positions(input, true);
   Mesh mesh;
-  const Fixed half = std::clamp(input.number(2 * kFixedOne), 1, detail::kLargestMeshLength);
+  const Fixed half = std::clamp(input.number(2 * kFixedOne), 1, detail::kMaxMeshLength);
   mesh.half_extent = {half, half, 0};
   Material material;
   material.lit = false;

@@ -14,7 +14,7 @@ namespace {
 using namespace zstrip;
 
 /// No more than this is allocated for a plan that nobody planned.
-constexpr std::uint32_t kLargestArena = 1U << 20;
+constexpr std::uint32_t kMaxArena = 1U << 20;
 
 Plan with_surplus(Plan plan, const std::array<std::uint32_t, 5>& surplus) {
   plan.instance_bytes += surplus[0];
@@ -120,8 +120,8 @@ Picture draw(const Scene& scene, const Camera& camera, const View& view, const R
   const PlanResult planned = plan(count(scene), view, request.effects, request.budget);
   if (!planned.status) return {planned.status, {}, {}, {}};
   const Plan tampered = with_surplus(planned.plan, request.surplus);
-  if (tampered.bytes() > kLargestArena) {
-    return {{.error = Error::arena_too_small, .needed = tampered.bytes(), .available = kLargestArena}, {}, {}, {}};
+  if (tampered.bytes() > kMaxArena) {
+    return {{.error = Error::arena_too_small, .needed = tampered.bytes(), .available = kMaxArena}, {}, {}, {}};
   }
   CheckedRenderer renderer(request.effects, request.garbage);
   return picture::draw(renderer, scene, camera, view, tampered,

@@ -12,9 +12,9 @@ namespace {
 
 using namespace zstrip;
 
-constexpr std::uint32_t kMostVertices = 24;
-constexpr std::uint32_t kMostTriangles = 24;
-constexpr std::uint32_t kMostPixels = 128 * 128;  // a hostile view may have any shape, not any area
+constexpr std::uint32_t kMaxVertices = 24;
+constexpr std::uint32_t kMaxInputTriangles = 24;
+constexpr std::uint32_t kMaxPixels = 128 * 128;  // a hostile view may have any shape, not any area
 
 Fixed within(Fixed value, Fixed limit) { return std::clamp(value, -limit, limit); }
 
@@ -38,7 +38,7 @@ Vec3 read_vector(Input& input, Fixed usual) {
 Transform rotation(Input& input) {
   const std::uint32_t axis = input.below(3);
   const Angle angle = input.any<std::uint16_t>();
-  const Fixed scale = within(input.number(kFixedOne), detail::kLargestScale);
+  const Fixed scale = within(input.number(kFixedOne), detail::kMaxScale);
   const auto scaled = [scale](std::int32_t unit) { return static_cast<Fixed>((std::int64_t{unit} * scale) >> 30); };
   Transform t{};
   const std::uint32_t u = (axis + 1) % 3;
@@ -141,7 +141,7 @@ void SceneInput::read_view(Input& input) {
   if (hostile_.view) {
     view_.width = input.any<std::uint16_t>();
     view_.height = input.any<std::uint16_t>();
-    if (std::uint32_t{view_.width} * view_.height > kMostPixels && view_.width <= kMaxViewSize) view_.height = 4;
+    if (std::uint32_t{view_.width} * view_.height > kMaxPixels && view_.width <= kMaxViewSize) view_.height = 4;
     budget_ = {.bytes = input.any<std::uint32_t>(), .strip_rows = input.any<std::uint16_t>()};
     budget_.strip_columns = static_cast<std::uint16_t>(budget_.bytes >> 7);
     budget_.split_columns = budget_.bytes % 2 != 0;
@@ -220,14 +220,14 @@ void SceneInput::read_material(Input& input, Material& material) const {
 }
 
 void SceneInput::read_mesh(Input& input, MeshArrays& arrays, Mesh& mesh) const {
-  arrays.positions.resize(hostile_.meshes ? input.below(kMostVertices) : 3 + input.below(kMostVertices - 3));
+  arrays.positions.resize(hostile_.meshes ? input.below(kMaxVertices) : 3 + input.below(kMaxVertices - 3));
   for (Position& p : arrays.positions) {
     p = {input.any<std::int16_t>(), input.any<std::int16_t>(), input.any<std::int16_t>()};
   }
   const auto arrays_present = input.any<std::uint8_t>();
   const auto size_of = [&](int bit) -> std::size_t {
     if (((arrays_present >> bit) & 1) == 0) return 0;
-    return hostile_.meshes && input.flag() ? input.below(kMostVertices) : arrays.positions.size();
+    return hostile_.meshes && input.flag() ? input.below(kMaxVertices) : arrays.positions.size();
   };
   arrays.normals.resize(size_of(0));
   for (Normal& n : arrays.normals) {
@@ -249,15 +249,15 @@ void SceneInput::read_mesh(Input& input, MeshArrays& arrays, Mesh& mesh) const {
   mesh.centre = read_vector(input, 0);
   mesh.half_extent = read_vector(input, kFixedOne);
   if (hostile_.meshes) return;
-  constexpr Fixed kLargest = detail::kLargestMeshLength;
-  for (Fixed* length : {&mesh.centre.x, &mesh.centre.y, &mesh.centre.z}) *length = within(*length, kLargest);
+  constexpr Fixed kMax = detail::kMaxMeshLength;
+  for (Fixed* length : {&mesh.centre.x, &mesh.centre.y, &mesh.centre.z}) *length = within(*length, kMax);
   for (Fixed* length : {&mesh.half_extent.x, &mesh.half_extent.y, &mesh.half_extent.z}) {
-    *length = std::clamp(*length, 0, kLargest);
+    *length = std::clamp(*length, 0, kMax);
   }
 }
 
 void SceneInput::read_triangles(Input& input, MeshArrays& arrays) const {
-  arrays.triangles.resize(input.below(kMostTriangles));
+  arrays.triangles.resize(input.below(kMaxInputTriangles));
   const auto vertices = static_cast<std::uint32_t>(arrays.positions.size());
   const auto index = [&] {
     return static_cast<std::uint16_t>(hostile_.meshes && input.flag() ? input.any<std::uint16_t>()
@@ -309,7 +309,7 @@ void SceneInput::read_instance(Input& input, Instance& instance) const {
     for (auto& row : instance.transform.m) {
       for (int column = 0; column < 3; ++column) {
         const Fixed value = input.number(kFixedOne);
-        row[column] = hostile_.instances ? value : within(value, detail::kLargestScale);
+        row[column] = hostile_.instances ? value : within(value, detail::kMaxScale);
       }
     }
   } else {

@@ -32,7 +32,7 @@ std::uint32_t any_depth_of() {
   if constexpr (format == DepthFormat::float16) {
     return detail::snap_depth_as<format>(std::min(bits, 0xFFF80000U) >> between(0, 14));
   } else if constexpr (format == DepthFormat::w16) {
-    const auto nearest = static_cast<std::uint32_t>(depth_judge::kLargestNearOverW);
+    const auto nearest = static_cast<std::uint32_t>(depth_judge::kMaxNearOverW);
     const std::uint32_t farthest = nearest / depth_judge::kFar + 1;
     return farthest + bits % (nearest - farthest);
   } else {
@@ -173,7 +173,7 @@ TEST(HardCases, D45_EveryFormatHasTheDocumentedMapping) {
             case DepthFormat::w16: exact = between_codes(1, 65534, (f - w) / (f - n)); break;
             case DepthFormat::float16:
               exact = static_cast<double>(
-                  depth_judge::exact_code<DepthFormat::float16>(depth_judge::kLargestNearOverW * n / w));
+                  depth_judge::exact_code<DepthFormat::float16>(depth_judge::kMaxNearOverW * n / w));
               break;
           }
           worst = std::max(worst, std::abs(code - exact));

@@ -21,7 +21,7 @@ using namespace zstrip::detail;
 /// The range in which formats with a far bound are judged, in view units.
 constexpr int kNear = 1, kFar = 50;
 /// near / w of a vertex at near.
-constexpr long double kLargestNearOverW = 4294967296.0L - 393216.0L;
+constexpr long double kMaxNearOverW = 4294967296.0L - 393216.0L;
 
 /// A depth as vertices have it (1/2^32 of all codes, or near / w in 0.32) to a code as a real number, so that a pixel's
 /// code is right within 1 of it.
@@ -38,7 +38,7 @@ long double exact_code(long double depth) {
       return exponent * 8192 + mantissa - 0.5L;
     }
     case DepthFormat::w16: {
-      const long double w = kNear * kLargestNearOverW / depth;
+      const long double w = kNear * kMaxNearOverW / depth;
       return 65534 - 65533 * (w - kNear) / (kFar - kNear);
     }
   }

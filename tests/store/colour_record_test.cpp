@@ -61,7 +61,7 @@ TEST(ColourRecord, WrongOnesAreRefused) {
 }
 
 std::vector<std::byte> encoded(const std::vector<std::uint16_t>& pixels, std::uint32_t width, std::uint32_t height) {
-  std::array<std::byte, kLargestTileRecord> record;
+  std::array<std::byte, kMaxTileRecord> record;
   const std::uint32_t size = encode_colour_tile({pixels.data(), width, width, height}, record);
   return {record.begin(), record.begin() + size};
 }

@@ -287,7 +287,7 @@ TEST(DepthRecord, WrongSizesAndOpcodesAreRefused) {
 }
 
 std::vector<std::byte> encoded(const std::vector<std::uint16_t>& cells, std::uint32_t width, std::uint32_t height) {
-  std::array<std::byte, kLargestTileRecord> record;
+  std::array<std::byte, kMaxTileRecord> record;
   const std::uint32_t size = encode_depth_tile({cells.data(), width, width, height}, record);
   return {record.begin(), record.begin() + size};
 }

@@ -15,7 +15,7 @@ int board_memcmp(const void* a, const void* b, std::size_t count);
 
 namespace {
 
-constexpr std::size_t kLongest = 53;
+constexpr std::size_t kMax = 53;
 constexpr std::size_t kOffsets = 9;
 using Buffer = std::array<std::uint8_t, 72>;
 
@@ -40,7 +40,7 @@ template <class Check>
 void for_each_trial(Check check) {
   for (std::size_t to = 0; to < kOffsets; ++to) {
     for (std::size_t from = 0; from < kOffsets; ++from) {
-      for (std::size_t count = 0; count <= kLongest; ++count) {
+      for (std::size_t count = 0; count <= kMax; ++count) {
         SCOPED_TRACE(testing::Message() << "to " << to << ", from " << from << ", count " << count);
         Trial trial{to, from, count};
         check(trial);

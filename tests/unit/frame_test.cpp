@@ -239,7 +239,7 @@ TEST(Frame, PlansThatWrapOrAreMisalignedAreRefused) {
   const SceneCounts many{.instances = 26'843'545, .triangles = 1, .vertices = 3, .largest_meshlet = 3};
   const PlanResult refused = plan(many, {4096, 4096}, effects);
   EXPECT_EQ(refused.status.error, Error::arena_too_small);
-  EXPECT_EQ(refused.status.available, kLargestArena);
+  EXPECT_EQ(refused.status.available, kMaxArena);
 }
 
 // Regression: a renderer for orthographic cameras drew perspective scenes wrongly, in silence.

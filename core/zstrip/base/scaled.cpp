@@ -20,8 +20,8 @@ Scaled::Scaled(std::int64_t value, std::int32_t exponent) {
 std::int64_t Scaled::fixed(std::int32_t fraction_bits) const {
   const std::int32_t shift = exponent_ + fraction_bits;
   if (shift <= 0 || mantissa_ == 0) return mantissa_ >> (shift > -32 && shift <= 0 ? -shift : 31);
-  constexpr std::int64_t kLargest = std::int64_t{1} << 62;
-  if (shift > 31) return mantissa_ > 0 ? kLargest : -kLargest;
+  constexpr std::int64_t kMax = std::int64_t{1} << 62;
+  if (shift > 31) return mantissa_ > 0 ? kMax : -kMax;
   return std::int64_t{mantissa_} * (std::int64_t{1} << shift);
 }
 

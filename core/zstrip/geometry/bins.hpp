@@ -35,7 +35,7 @@ class Bins {
     lists_ = reinterpret_cast<List*>(memory);
     chunks_ = reinterpret_cast<Chunk*>(memory + strips * kBinBytes);
     const std::uint32_t chunks = (bytes - strips * kBinBytes) / kBinChunkBytes;
-    capacity_ = chunks < kMostBinChunks ? chunks : kMostBinChunks;
+    capacity_ = chunks < kMaxBinChunks ? chunks : kMaxBinChunks;
     for (std::uint32_t strip = 0; strip < strips; ++strip) lists_[strip] = {kNone, kNone, kNone, kBinChunkEntries};
   }
 

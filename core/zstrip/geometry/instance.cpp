@@ -161,10 +161,10 @@ void compile_perspective_depth(CompiledInstance& compiled, const DepthFit& fit, 
   int shift = (32 - quotient_zeros) + 2;
   if (scale < 0x80000000U) scale <<= 1, --shift;
   // Shifts of more than 31 bits are not defined; w is below 2^30, so its reciprocal is normalised by 2 or more.
-  constexpr int kLargest = 33;
-  if (normalisation > kLargest) {
-    scale = normalisation - kLargest < 32 ? scale >> (normalisation - kLargest) : 0;
-    normalisation = kLargest;
+  constexpr int kMax = 33;
+  if (normalisation > kMax) {
+    scale = normalisation - kMax < 32 ? scale >> (normalisation - kMax) : 0;
+    normalisation = kMax;
   }
   compiled.depth_scale = scale;
   compiled.depth_shift = static_cast<std::uint8_t>(shift);
@@ -227,10 +227,10 @@ Status compile_instance(CompiledInstance& compiled, const Scene& scene, const In
 
   compiled.w = w.form;
   const auto in_w = [&](Distance distance) { return shifted_right(distance, w.exponent); };
-  constexpr std::int64_t kLargest = (std::int64_t{1} << 30) - 1;
+  constexpr std::int64_t kMax = (std::int64_t{1} << 30) - 1;
   // Inwards, so that no w of the range has a code outside 1..65534.
   const std::int64_t w_near = std::max<std::int64_t>(1, -in_w(-fit.near));
-  const std::int64_t w_far = in_w(fit.far) > kLargest ? kLargest : in_w(fit.far);
+  const std::int64_t w_far = in_w(fit.far) > kMax ? kMax : in_w(fit.far);
   // A depth range that is thinner than a step of w cannot be told from nothing.
   if (w_near >= w_far) return {.error = Error::instance};
   compiled.w_near = static_cast<std::uint32_t>(w_near);

@@ -35,7 +35,7 @@ enum class Modes : std::uint8_t { any, streamed, binned };
 
 /// What the caller allows. Zero means: the planner decides.
 struct Budget {
-  std::uint32_t bytes = 0;          ///< at most, for the arena, `strip_buffers` and `layer`; 0 is kLargestArena
+  std::uint32_t bytes = 0;          ///< at most, for the arena, `strip_buffers` and `layer`; 0 is kMaxArena
   std::uint16_t strip_rows = 0;     ///< rows of a strip; 0 is as many as are fastest
   std::uint16_t strip_columns = 0;  ///< pixels of a strip's row: a multiple of 8, or the view's width; 0: the width,
                                     ///< or what is fastest if `split_columns`
@@ -46,7 +46,7 @@ struct Budget {
 };
 
 inline constexpr std::uint32_t kArenaAlignment = 8;
-inline constexpr std::uint32_t kLargestArena = 0xFFFFFFF0;  ///< bytes; needs beyond it are refused
+inline constexpr std::uint32_t kMaxArena = 0xFFFFFFF0;  ///< bytes; needs beyond it are refused
 
 struct Plan {
   Mode mode = Mode::streamed;
@@ -63,10 +63,10 @@ struct Plan {
   std::uint32_t effect_bytes = 0;      ///< what effects keep through a frame: fog, local light, drawing order,
                                        ///< what products of solids note of a strip's pixels
   std::uint32_t visibility_bytes = 0;  ///< what a visibility method keeps: order of triangles, or bounds of depth
-  /// The arena. It must be aligned to kArenaAlignment. Of a plan that `plan` returned never more than kLargestArena.
+  /// The arena. It must be aligned to kArenaAlignment. Of a plan that `plan` returned never more than kMaxArena.
   constexpr std::uint32_t bytes() const {
     const std::uint64_t sum = wide_bytes();
-    return sum > kLargestArena ? kLargestArena : static_cast<std::uint32_t>(sum);
+    return sum > kMaxArena ? kMaxArena : static_cast<std::uint32_t>(sum);
   }
   /// The same without a limit, for plans from elsewhere.
   constexpr std::uint64_t wide_bytes() const {

@@ -25,7 +25,7 @@ class Planner {
         effect_bytes_(rounded_up(MemoryOfEffects::bytes(effects, counts))),
         strip_buffers_(budget.strip_buffers),
         layer_(budget.layer),
-        limit_(budget.bytes == 0 || budget.bytes > kLargestArena ? kLargestArena : budget.bytes) {}
+        limit_(budget.bytes == 0 || budget.bytes > kMaxArena ? kMaxArena : budget.bytes) {}
 
   constexpr void consider_mode(Mode mode, const Budget& budget) {
     if (budget.strip_columns != 0) {
@@ -46,7 +46,7 @@ class Planner {
     const std::uint64_t needed = all_bytes(smallest_);
     return {.status = {.error = Error::arena_too_small,
                        .purpose = largest_purpose(smallest_, layer_, visibility_purpose(effects_)),
-                       .needed = needed > kLargestArena ? kLargestArena : static_cast<std::uint32_t>(needed),
+                       .needed = needed > kMaxArena ? kMaxArena : static_cast<std::uint32_t>(needed),
                        .available = limit_},
             .plan = smallest_};
   }
@@ -57,7 +57,7 @@ class Planner {
       consider(with(mode, columns, fixed_rows));
       return;
     }
-    const std::uint32_t most_down = kMostStrips / Plan{.strip_columns = columns}.columns_of_strips(view_);
+    const std::uint32_t most_down = kMaxStrips / Plan{.strip_columns = columns}.columns_of_strips(view_);
     const Plan lowest = with(mode, columns, static_cast<std::uint16_t>((view_.height + most_down - 1) / most_down));
     consider(lowest);
     consider(with(mode, columns, view_.height));
@@ -79,10 +79,10 @@ class Planner {
     if (layer_.sum() != 0) rows = whole_tiles(rows, view_.height);
     Plan plan{.mode = mode, .strip_rows = rows, .strip_columns = columns};
     const std::uint32_t strips = plan.columns_of_strips(view_) * plan.rows_of_strips(view_);
-    if (strips > kMostStrips) return {};
+    if (strips > kMaxStrips) return {};
     plan.strips = static_cast<std::uint16_t>(strips);
     const std::uint64_t cells = std::uint64_t{rows} * columns * view_.samples;
-    if (sorts_triangles(effects_) && counts_.longest_meshlet > kMostSortedIndex) return {};
+    if (sorts_triangles(effects_) && counts_.longest_meshlet > kMaxSortedIndex) return {};
     const std::uint64_t meshlets = counts_.meshlets > counts_.instances ? counts_.meshlets : counts_.instances;
     const bool binned = mode == Mode::binned;
     plan.instance_bytes = rounded_up(detail::instance_bytes(counts_));
@@ -102,15 +102,15 @@ class Planner {
     plan.effect_bytes = effect_bytes_;
     if (effects_.has(effect::csg)) {
       const std::uint64_t effect_bytes = effect_bytes_ + csg_strip_bytes(cells, per_cell_);
-      if (effect_bytes > kLargestArena) return {};
+      if (effect_bytes > kMaxArena) return {};
       plan.effect_bytes = rounded_up(effect_bytes);
     }
     if (binned) {
-      if (meshlets > kMostBatches || counts_.longest_meshlet > kMostBatches) return {};
+      if (meshlets > kMaxBatches || counts_.longest_meshlet > kMaxBatches) return {};
       const Visits visits = visits_of(counts_, view_, plan);
       const std::uint64_t chunks = (visits.triangles + visits.meshlets) / kBinChunkEntries + strips;
       plan.bin_bytes = rounded_up(meshlets * kBatchBytes + strips * kBinBytes +
-                                  (chunks < kMostBinChunks ? chunks : kMostBinChunks) * kBinChunkBytes);
+                                  (chunks < kMaxBinChunks ? chunks : kMaxBinChunks) * kBinChunkBytes);
     }
     return plan;
   }

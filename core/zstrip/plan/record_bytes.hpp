@@ -21,9 +21,9 @@ inline constexpr std::uint32_t kBatchBytes = 8;         // a transformed meshlet
 inline constexpr std::uint32_t kBinBytes = 8;           // a strip's list
 inline constexpr std::uint32_t kBinChunkBytes = 32;     // part of a list: kBinChunkEntries and a link
 inline constexpr std::uint32_t kBinChunkEntries = 15;
-inline constexpr std::uint32_t kMostBinChunks = 0xFFFF;
-inline constexpr std::uint32_t kMostBatches = 0x7FFF;  // that bins can name; likewise triangles of a meshlet
-inline constexpr std::uint32_t kMostStrips = 0xFFFF;
+inline constexpr std::uint32_t kMaxBinChunks = 0xFFFF;
+inline constexpr std::uint32_t kMaxBatches = 0x7FFF;  // that bins can name; likewise triangles of a meshlet
+inline constexpr std::uint32_t kMaxStrips = 0xFFFF;
 inline constexpr std::uint32_t kDepthBytes = 2;          // a cell of the z-buffer, unless depth_bytes says 4
 inline constexpr std::uint32_t kWorkingColourBytes = 2;  // RGB565
 

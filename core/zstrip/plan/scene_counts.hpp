@@ -43,7 +43,7 @@ constexpr SceneCounts count(const Scene& scene) {
       add(counts.instances, 1);
     }
   }
-  if (scene.shadow != nullptr && scene.shadow->log2_size <= kMostShadowLog2) {
+  if (scene.shadow != nullptr && scene.shadow->log2_size <= kMaxShadowLog2) {
     counts.shadow_side = 1U << scene.shadow->log2_size;
     counts.shadow_pool =
         scene.shadow->pool != 0 ? scene.shadow->pool : store_bytes_worst(counts.shadow_side, counts.shadow_side);

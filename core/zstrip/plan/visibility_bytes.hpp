@@ -13,7 +13,7 @@ inline constexpr std::uint32_t kDepthTileBytes = 6;  // nearest and farthest cod
 inline constexpr std::uint32_t kDepthNodeBytes = 2;  // farthest code of 2x2 tiles or nodes
 inline constexpr std::uint32_t kDepthTileShift = 3;
 /// What triangles and meshlets are named by where they are sorted.
-inline constexpr std::uint32_t kMostSortedIndex = 0xFFFF;
+inline constexpr std::uint32_t kMaxSortedIndex = 0xFFFF;
 
 namespace detail {
 

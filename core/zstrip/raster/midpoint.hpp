@@ -49,7 +49,7 @@ class MidpointSplitter {
     nearest_ = std::max({v0.depth, v1.depth, v2.depth}) >> 16;
     farthest_ = std::min({v0.depth, v1.depth, v2.depth}) >> 16;
     // A level takes one piece and leaves three.
-    Piece waiting[2 * kMostIterations + 1];
+    Piece waiting[2 * kMaxIterations + 1];
     std::uint32_t count = 1;
     waiting[0] = {{corner(v0), corner(v1), corner(v2)}, 0};
     while (count != 0) {

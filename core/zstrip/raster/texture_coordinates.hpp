@@ -21,7 +21,7 @@ struct TexelFootprint {
   std::uint32_t texels;  ///< 24.8, a step to the right or downwards, whichever is longer; docs/conventions.md
 };
 /// The most that a footprint says: twice the largest texture.
-inline constexpr std::uint32_t kLargestFootprint = 4096U << 8;
+inline constexpr std::uint32_t kMaxFootprint = 4096U << 8;
 
 /// 1/w needs no interpolant of its own: with perspective the depth code is k / w - offset.
 template <bool orthographic>
@@ -131,7 +131,7 @@ class TextureCoordinates {
     };
     const std::uint64_t longer = std::max(step(&Plane::step_x), step(&Plane::step_y));
     const auto limited = [](std::uint64_t texels) {
-      return static_cast<std::uint32_t>(std::min(texels, std::uint64_t{kLargestFootprint}));
+      return static_cast<std::uint32_t>(std::min(texels, std::uint64_t{kMaxFootprint}));
     };
     if constexpr (orthographic) {
       return {at(there), limited(longer >> 8)};
@@ -143,7 +143,7 @@ class TextureCoordinates {
       const std::uint32_t product = multiply_high(static_cast<std::uint32_t>((longer << zeros) >> 32), squared);
       // longer * 2^zeros / 2^32, (1/q)^2 = squared * 2^(2 * normalisation - 92), 16.16 to 24.8.
       const int right = 36 + zeros - 2 * r.normalisation - shift_;
-      return {at(there), right <= 0 ? kLargestFootprint : limited(product >> (right < 31 ? right : 31))};
+      return {at(there), right <= 0 ? kMaxFootprint : limited(product >> (right < 31 ? right : 31))};
     }
   }
 

@@ -8,7 +8,7 @@
 namespace zstrip {
 namespace {
 
-constexpr Fixed kLargestScale = 255 * kFixedOne;
+constexpr Fixed kMaxScale = 255 * kFixedOne;
 
 constexpr std::int32_t dot(const Keyframe& a, const Keyframe& b) {
   std::int32_t sum = 0;  // 4.28: four products of 1.15 fit for any bits
@@ -18,7 +18,7 @@ constexpr std::int32_t dot(const Keyframe& a, const Keyframe& b) {
 
 constexpr bool in_range(const Vec3& scale) {
   for (const Fixed s : {scale.x, scale.y, scale.z}) {
-    if (s < -kLargestScale || s > kLargestScale) return false;
+    if (s < -kMaxScale || s > kMaxScale) return false;
   }
   return true;
 }

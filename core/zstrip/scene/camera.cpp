@@ -21,8 +21,8 @@ constexpr bool nearly_zero(const Wide3& v) {
 
 bool usable(const Camera& camera) {
   const auto at_most_unit = [](const Vec3& axis) {
-    constexpr std::int32_t kLargest = (std::int32_t{1} << 30) + 64;  // 2.30: rounding of a unit vector
-    const auto fits = [](std::int32_t c) { return c >= -kLargest && c <= kLargest; };
+    constexpr std::int32_t kMax = (std::int32_t{1} << 30) + 64;  // 2.30: rounding of a unit vector
+    const auto fits = [](std::int32_t c) { return c >= -kMax && c <= kMax; };
     return fits(axis.x) && fits(axis.y) && fits(axis.z);
   };
   return camera.focal > 0 && camera.near_plane > 0 && camera.far_plane > camera.near_plane &&

@@ -294,7 +294,7 @@ struct Fog {
 
 inline constexpr std::uint32_t kMaxLights = 4;
 
-inline constexpr std::uint8_t kLeastShadowLog2 = 4, kMostShadowLog2 = 10;
+inline constexpr std::uint8_t kMinShadowLog2 = 4, kMaxShadowLog2 = 10;
 
 /// The shadows of one directional light, by a map of depths as the light sees them (effect::shadows). What casts:
 /// instances that are neither blended nor without depth write, as solid whatever their texture's alpha, both faces, and
@@ -303,7 +303,7 @@ inline constexpr std::uint8_t kLeastShadowLog2 = 4, kMostShadowLog2 = 10;
 /// shadow.
 struct Shadow {
   std::uint8_t light = 0;      ///< index into Scene::lights
-  std::uint8_t log2_size = 8;  ///< of the map's side in texels, kLeastShadowLog2..kMostShadowLog2
+  std::uint8_t log2_size = 8;  ///< of the map's side in texels, kMinShadowLog2..kMaxShadowLog2
   std::uint16_t bias = 32;     ///< how much farther than it is a caster is kept, in 1/65533 of the depth of all casters
   /// And times its slope, 16.16, in texels, 0 or more: below 1 what faces the light at a slant shadows itself.
   Fixed slope_bias = kFixedOne + kFixedOne / 4;

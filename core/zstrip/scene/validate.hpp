@@ -11,9 +11,9 @@
 namespace zstrip {
 namespace detail {
 
-inline constexpr Fixed kLargestMeshLength = (Fixed{1} << 28) - 1;  // 16.16: below 4096; see docs/numerics.md
-inline constexpr Fixed kLargestScale = (Fixed{1} << 24) - 1;       // 16.16: below 256
-inline constexpr std::uint8_t kLargestTextureLog2 = 11;
+inline constexpr Fixed kMaxMeshLength = (Fixed{1} << 28) - 1;  // 16.16: below 4096; see docs/numerics.md
+inline constexpr Fixed kMaxScale = (Fixed{1} << 24) - 1;       // 16.16: below 256
+inline constexpr std::uint8_t kMaxTextureLog2 = 11;
 
 constexpr bool within(Fixed value, Fixed limit) { return value >= -limit && value <= limit; }
 
@@ -46,10 +46,10 @@ constexpr bool valid_mesh(const Mesh& mesh) {
     return false;
   }
   for (const Fixed c : {mesh.centre.x, mesh.centre.y, mesh.centre.z}) {
-    if (!within(c, kLargestMeshLength)) return false;
+    if (!within(c, kMaxMeshLength)) return false;
   }
   for (const Fixed h : {mesh.half_extent.x, mesh.half_extent.y, mesh.half_extent.z}) {
-    if (h < 0 || h > kLargestMeshLength) return false;
+    if (h < 0 || h > kMaxMeshLength) return false;
   }
   for (const Triangle& t : mesh.triangles) {
     if (t.a >= vertices || t.b >= vertices || t.c >= vertices) return false;
@@ -60,7 +60,7 @@ constexpr bool valid_mesh(const Mesh& mesh) {
 constexpr bool valid_transform(const Transform& transform) {
   for (const auto& row : transform.m) {
     for (int column = 0; column < 3; ++column) {
-      if (!within(row[column], kLargestScale)) return false;
+      if (!within(row[column], kMaxScale)) return false;
     }
   }
   return true;
@@ -71,7 +71,7 @@ constexpr bool is_turnable(const Transform& transform) {
   for (int column = 0; column < 3; ++column) {
     std::int64_t square = 0;
     for (const auto& row : transform.m) square += std::int64_t{row[column]} * row[column];
-    if (square > std::int64_t{kLargestScale} * kLargestScale) return false;
+    if (square > std::int64_t{kMaxScale} * kMaxScale) return false;
   }
   return true;
 }
@@ -189,8 +189,8 @@ constexpr bool asks_for_farther(const Material& material) {
 
 /// Of begin_frame, too: lights and materials may change between frames.
 constexpr bool valid_shadow(const Scene& scene, const Shadow& shadow) {
-  if (shadow.light >= scene.lights.size() || shadow.log2_size < kLeastShadowLog2 ||
-      shadow.log2_size > kMostShadowLog2 || shadow.slope_bias < 0) {
+  if (shadow.light >= scene.lights.size() || shadow.log2_size < kMinShadowLog2 || shadow.log2_size > kMaxShadowLog2 ||
+      shadow.slope_bias < 0) {
     return false;
   }
   for (const Material& material : scene.materials) {
@@ -223,7 +223,7 @@ constexpr bool valid_csg_operand(const Scene& scene, std::size_t i) {
 }
 
 constexpr bool valid_texture(const Texture& texture) {
-  return texture.log2_width <= kLargestTextureLog2 && texture.log2_height <= kLargestTextureLog2 &&
+  return texture.log2_width <= kMaxTextureLog2 && texture.log2_height <= kMaxTextureLog2 &&
          texture.format <= TextureFormat::palette4 &&
          (texture.smaller_levels <= texture.log2_width || texture.smaller_levels <= texture.log2_height) &&
          texture.texels.size() >= texel_words(texture);

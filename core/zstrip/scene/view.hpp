@@ -31,10 +31,10 @@ struct View {
 constexpr bool dithers_colours(const View& view) { return view.dither && !is_narrow(view.format); }
 
 inline constexpr std::uint16_t kMaxViewSize = 4096;
-inline constexpr std::uint8_t kMostSamples = 4;
+inline constexpr std::uint8_t kMaxSamples = 4;
 
 constexpr bool valid_samples(const View& view) {
-  return view.samples == 1 || view.samples == 2 || view.samples == kMostSamples;
+  return view.samples == 1 || view.samples == 2 || view.samples == kMaxSamples;
 }
 /// Samples of a pixel side by side, and one below the other.
 constexpr std::uint32_t sample_columns(const View& view) { return view.samples > 1 ? 2 : 1; }

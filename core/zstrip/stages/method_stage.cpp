@@ -17,8 +17,8 @@ Status MethodStage::begin_frame(MethodFrameState& frame, Effects effects, Effect
             .needed = static_cast<std::uint32_t>(needed),
             .available = plan.visibility_bytes};
   }
-  if (sorts_triangles(effects) && (counts.longest_meshlet > kMostSortedIndex || counts.meshlets > kMostSortedIndex ||
-                                   counts.instances > kMostSortedIndex)) {
+  if (sorts_triangles(effects) && (counts.longest_meshlet > kMaxSortedIndex || counts.meshlets > kMaxSortedIndex ||
+                                   counts.instances > kMaxSortedIndex)) {
     return {.error = Error::unplannable};
   }
   std::byte* const memory = arena.data() + (plan.bytes() - plan.visibility_bytes);
@@ -29,7 +29,7 @@ Status MethodStage::begin_frame(MethodFrameState& frame, Effects effects, Effect
   frame.counts = {};
   frame.state = {};
   frame.state.counts = effects.has(effect::statistics) ? &frame.counts : nullptr;
-  frame.state.iterations = std::min(frame.options.iterations, kMostIterations);
+  frame.state.iterations = std::min(frame.options.iterations, kMaxIterations);
   frame.state.cull_small = frame.options.cull_small;
   if (effects.has(effect::depth_state)) frame.state.keeps_order = called_for.has(effect::depth_state);
   if (effects.has(method::culling) && !frame.options.cull_back_faces) {

@@ -109,7 +109,7 @@ void MethodStage::collect_triangles(MethodFrameState& frame) {
   std::uint32_t retained = 0;
   std::uint16_t batches = 0;
   // Codes begin at 1, in 16.16: what blends has keys below them, that of one instance the same.
-  [[maybe_unused]] std::uint32_t blended_key = kMostSortedIndex;
+  [[maybe_unused]] std::uint32_t blended_key = kMaxSortedIndex;
   [[maybe_unused]] std::uint32_t blended_instance = UINT32_MAX;
   GeometryStage::for_each_meshlet<effects>(
       frame, [&]([[maybe_unused]] std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {

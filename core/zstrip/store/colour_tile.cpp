@@ -11,7 +11,7 @@
 namespace zstrip {
 namespace {
 
-constexpr std::uint32_t kMostColours = 16;
+constexpr std::uint32_t kMaxColours = 16;
 constexpr std::uint8_t kDifferences = 0x80;   // in the first byte; else it is the number of colours of a palette
 constexpr std::uint32_t kDifferenceHead = 4;  // first byte, width of blue, first pixel
 
@@ -29,8 +29,8 @@ void store(std::uint16_t value, std::uint8_t* bytes) {
 
 /// The colours of a tile in the order in which they appear.
 struct Palette {
-  std::array<std::uint16_t, kMostColours> colours{};
-  std::uint32_t count = 0;  ///< kMostColours + 1: there are more
+  std::array<std::uint16_t, kMaxColours> colours{};
+  std::uint32_t count = 0;  ///< kMaxColours + 1: there are more
 
   std::uint32_t find(std::uint16_t colour) const {
     std::uint32_t index = 0;
@@ -42,7 +42,7 @@ struct Palette {
       for (std::uint32_t x = 0; x < tile.width; ++x) {
         const std::uint16_t colour = tile.row(y)[x];
         if (find(colour) < count) continue;
-        if (count == kMostColours) {
+        if (count == kMaxColours) {
           ++count;
           return;
         }
@@ -168,8 +168,8 @@ void fill(const TileView<std::uint16_t>& tile, Pixel pixel) {
 
 bool decode_palette(const std::uint8_t* bytes, std::uint32_t size, const TileView<std::uint16_t>& tile) {
   const std::uint32_t count = *bytes;
-  if (count < 2 || count > kMostColours || palette_bytes(count, tile.area()) != size) return false;
-  std::array<std::uint16_t, kMostColours> colours{};  // indices beyond the last colour give 0
+  if (count < 2 || count > kMaxColours || palette_bytes(count, tile.area()) != size) return false;
+  std::array<std::uint16_t, kMaxColours> colours{};  // indices beyond the last colour give 0
   for (std::uint32_t i = 0; i < count; ++i) colours[i] = load(bytes + 1 + 2 * i);
   detail::CodeReader codes(bytes + 1 + 2 * count, bytes + size);
   const std::uint32_t bits = index_bits(count);
@@ -206,7 +206,7 @@ bool decode_differences(const std::uint8_t* bytes, std::uint32_t size, const Til
 }  // namespace
 
 std::uint32_t encode_colour_tile(const TileView<const std::uint16_t>& tile,
-                                 std::span<std::byte, kLargestTileRecord> record) {
+                                 std::span<std::byte, kMaxTileRecord> record) {
   auto* const bytes = reinterpret_cast<std::uint8_t*>(record.data());
   const std::uint32_t raw_bytes = 2 * tile.area();
   const Palette palette(tile);
@@ -216,7 +216,7 @@ std::uint32_t encode_colour_tile(const TileView<const std::uint16_t>& tile,
   }
   const Differences differences(tile);
   const std::uint32_t with_palette =
-      palette.count <= kMostColours ? palette_bytes(palette.count, tile.area()) : kLargestTileRecord;
+      palette.count <= kMaxColours ? palette_bytes(palette.count, tile.area()) : kMaxTileRecord;
   if (with_palette < raw_bytes && with_palette <= differences.bytes) {
     write_palette(palette, tile, bytes);
     return with_palette;
@@ -234,7 +234,7 @@ std::uint32_t encode_colour_tile(const TileView<const std::uint16_t>& tile,
 
 bool decode_colour_tile(std::span<const std::byte> record, const TileView<std::uint16_t>& tile) {
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(record.data());
-  const auto size = static_cast<std::uint32_t>(std::min<std::size_t>(record.size(), kLargestTileRecord + 1));
+  const auto size = static_cast<std::uint32_t>(std::min<std::size_t>(record.size(), kMaxTileRecord + 1));
   const std::uint32_t raw_bytes = 2 * tile.area();
   if (size == 0 || size == 2) {
     const std::uint16_t colour = size == 0 ? std::uint16_t{0} : load(bytes);

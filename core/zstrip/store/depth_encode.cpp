@@ -230,7 +230,7 @@ std::uint8_t* write_head(Opcode opcode, CoverKind kind, const Cover& cover, cons
 }  // namespace detail
 
 std::uint32_t encode_depth_tile(const TileView<const std::uint16_t>& view,
-                                std::span<std::byte, kLargestTileRecord> record) {
+                                std::span<std::byte, kMaxTileRecord> record) {
   using namespace detail;
   const CoveredCells tile = load(view);
   bool any = false;

@@ -13,7 +13,7 @@ constexpr std::int32_t kOneCode = 1 << kFraction;
 
 /// No start of the search is so far from a plane's slopes; products of less stay below 2^31.
 constexpr std::int32_t kFarOff = kOneCode * 64;
-constexpr int kMostSteps = 4;
+constexpr int kMaxSteps = 4;
 /// Spreads that no search brings below one code: most tiles that are no plane end here.
 constexpr std::int32_t kHopeless = kOneCode * 5 / 4;
 
@@ -106,7 +106,7 @@ class PlaneSearch {
   void approach(const Interval& along_x, const Interval& along_y) {
     Slopes slopes{(along_x.least + along_x.greatest) >> 1, (along_y.least + along_y.greatest) >> 1};
     if (is_whole()) slopes = least_squares();
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMaxSteps; ++step) {
       const Extremes found = extremes(slopes);
       consider(slopes, found.least, found.greatest);
       const std::int32_t dx = found.high_x - found.low_x, dy = found.high_y - found.low_y;

@@ -9,7 +9,7 @@ namespace zstrip {
 inline constexpr std::uint32_t kTileSide = 8;
 inline constexpr std::uint32_t kTileCells = kTileSide * kTileSide;
 /// Bytes. No record of a tile is longer: 16 bits a cell.
-inline constexpr std::uint32_t kLargestTileRecord = 2 * kTileCells;
+inline constexpr std::uint32_t kMaxTileRecord = 2 * kTileCells;
 
 /// The cells of one tile in the caller's memory: 1..8 columns and rows, `stride` cells from row to row.
 template <typename Cell>

@@ -6,7 +6,7 @@
 namespace zstrip::detail {
 namespace {
 
-constexpr std::uint32_t kLargestPool = 0x7FFFFFFF;  // positions and sums of them stay below 2^32
+constexpr std::uint32_t kMaxPool = 0x7FFFFFFF;  // positions and sums of them stay below 2^32
 
 /// The rows of one row of tiles that rows top..bottom - 1 touch, and whether they are all of them.
 struct RowsInTile {
@@ -30,7 +30,7 @@ Status TileReader::open(std::span<const std::byte> blob) {
   index_ = {};
   const auto byte = [&blob](std::size_t at) { return std::to_integer<std::uint32_t>(blob[at]); };
   const Status damaged{.error = Error::store_damaged, .purpose = codec_->purpose};
-  if (blob.size() < kStoreHeaderBytes || blob.size() > kLargestPool) return damaged;
+  if (blob.size() < kStoreHeaderBytes || blob.size() > kMaxPool) return damaged;
   if (byte(0) != 'z' || byte(1) != 's' || byte(2) != kStoreVersion || byte(3) != codec_->kind) return damaged;
   const TileGrid grid{byte(4) | byte(5) << 8, byte(6) | byte(7) << 8};
   if (grid.width - 1 >= kMaxViewSize || grid.height - 1 >= kMaxViewSize) return damaged;
@@ -108,7 +108,7 @@ Status TileStore::reset(std::span<std::byte> pool, std::uint32_t width, std::uin
   index_ = {};
   if (width - 1 >= kMaxViewSize || height - 1 >= kMaxViewSize) return {.error = Error::view_size};
   const TileGrid grid{width, height};
-  const auto usable = pool.first(std::min<std::size_t>(pool.size(), kLargestPool));
+  const auto usable = pool.first(std::min<std::size_t>(pool.size(), kMaxPool));
   if (usable.size() < index_bytes(grid)) {
     return {.error = Error::store_full,
             .purpose = codec_->purpose,
@@ -120,7 +120,7 @@ Status TileStore::reset(std::span<std::byte> pool, std::uint32_t width, std::uin
 }
 
 Status TileStore::write(std::uint32_t tile, const TileView<const std::uint16_t>& cells) {
-  std::array<std::byte, kLargestTileRecord> record;
+  std::array<std::byte, kMaxTileRecord> record;
   const std::uint32_t size = codec_->encode(cells, record);
   if (size > index_.gap().size() + index_.size(tile)) {
     return {.error = Error::store_full,

@@ -25,7 +25,7 @@ namespace detail {
 struct TileCodec {
   std::uint8_t kind;  ///< in the header of a pool
   Purpose purpose;    ///< in a Status
-  std::uint32_t (*encode)(const TileView<const std::uint16_t>&, std::span<std::byte, kLargestTileRecord>);
+  std::uint32_t (*encode)(const TileView<const std::uint16_t>&, std::span<std::byte, kMaxTileRecord>);
   bool (*decode)(std::span<const std::byte>, const TileView<std::uint16_t>&);
 };
 

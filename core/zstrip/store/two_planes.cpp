@@ -15,7 +15,7 @@ constexpr std::array<std::int32_t, kTileSide> kReciprocal{0, 840, 420, 280, 210,
 /// How far from the guess a cell of the first plane may lie. With more, cells of the second one spoil the fit.
 constexpr std::int32_t kNear = kScale;
 /// Cells far from both guesses with which a fit may still succeed.
-constexpr std::uint32_t kMostStrays = 8;
+constexpr std::uint32_t kMaxStrays = 8;
 
 /// The cells from one on in equal steps, as far as they can be a plane's.
 struct Run {
@@ -118,7 +118,7 @@ std::optional<TwoPlanes> fit_two_planes(const CoveredCells& tile) {
   CoveredCells part = tile;
   part.cover = near(tile, *best_outside(guesses, Cover{}));
   const Guess* const second = best_outside(guesses, part.cover);
-  if (second == nullptr || cells_outside(tile, part.cover, near(tile, *second)) > kMostStrays) return std::nullopt;
+  if (second == nullptr || cells_outside(tile, part.cover, near(tile, *second)) > kMaxStrays) return std::nullopt;
   const auto first = fit_plane(part);
   if (!first) return std::nullopt;
   TwoPlanes found{given(tile, *first), *first, {}};

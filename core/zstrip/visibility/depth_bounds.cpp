@@ -40,12 +40,12 @@ bool DepthBounds::level_hides(const Rect& nodes, int level, std::uint32_t neares
 }
 
 bool DepthBounds::hides(const Rect& box, std::uint32_t nearest, VisibilityStatistics* counts) {
-  constexpr std::int32_t kMostNodes = 16;  // of a level that is looked at in full
+  constexpr std::int32_t kMaxNodes = 16;  // of a level that is looked at in full
   int level = 0;
   Rect nodes = nodes_of(box, 0);
   while (level + 1 < levels_ && (nodes.width() > 1 || nodes.height() > 1)) nodes = nodes_of(box, ++level);
   for (;; nodes = nodes_of(box, --level)) {
-    if ((nodes.width() + 1) * (nodes.height() + 1) > kMostNodes) return false;
+    if ((nodes.width() + 1) * (nodes.height() + 1) > kMaxNodes) return false;
     if (level_hides(nodes, level, nearest, counts)) return true;
     if (level == 0) return false;
   }

@@ -75,7 +75,7 @@ class DepthBounds {
   };
   static_assert(sizeof(Tile) == kDepthTileBytes);
   static constexpr std::uint8_t kWorthReading = 64;
-  static constexpr int kMostLevels = 11;  // 4096 pixels, 512 tiles, 256 .. 1 nodes
+  static constexpr int kMaxLevels = 11;  // 4096 pixels, 512 tiles, 256 .. 1 nodes
 
   Tile& tile_at(std::int32_t x, std::int32_t y) { return tiles_[y * across_[0] + x]; }
   static void add(Tile& tile, std::uint32_t cells, std::uint32_t nearest) {
@@ -103,8 +103,8 @@ class DepthBounds {
   Rect area_{};
   const std::uint16_t* cells_ = nullptr;
   Tile* tiles_ = nullptr;
-  std::uint16_t* nodes_[kMostLevels] = {};  ///< of each level above the tiles; [0] is not used
-  std::int32_t across_[kMostLevels] = {}, down_[kMostLevels] = {};
+  std::uint16_t* nodes_[kMaxLevels] = {};  ///< of each level above the tiles; [0] is not used
+  std::int32_t across_[kMaxLevels] = {}, down_[kMaxLevels] = {};
   int levels_ = 0;
 };
 

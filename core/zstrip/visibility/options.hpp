@@ -17,7 +17,7 @@ enum class SortKey : std::uint8_t {
 
 /// Set before begin_frame; what it points to must live until the last draw_strip.
 struct VisibilityOptions {
-  /// Levels of splitting of the midpoint methods, 0..kMostIterations; more count as that.
+  /// Levels of splitting of the midpoint methods, 0..kMaxIterations; more count as that.
   std::uint8_t iterations = 2;
   SortKey key = SortKey::middle;
   /// The next three only with method::culling; without it back faces and small triangles are culled, spheres are not
@@ -41,7 +41,7 @@ struct VisibilityOptions {
   std::uint8_t* overdraw = nullptr;
 };
 
-inline constexpr std::uint8_t kMostIterations = 6;
+inline constexpr std::uint8_t kMaxIterations = 6;
 
 /// Words of VisibilityOptions::seen_before for so many meshlets, SceneCounts::meshlets.
 constexpr std::uint32_t seen_words(std::uint32_t meshlets) { return (meshlets + 31) / 32 * 2; }

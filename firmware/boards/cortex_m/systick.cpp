@@ -10,7 +10,7 @@ constexpr std::uint32_t kControl = 0xE000E010;
 constexpr std::uint32_t kReload = 0xE000E014;
 constexpr std::uint32_t kCurrent = 0xE000E018;  // any write clears it
 constexpr std::uint32_t kEnable = 1U << 0, kInterrupt = 1U << 1, kProcessorClock = 1U << 2;
-constexpr std::uint32_t kMostCycles = 1U << 24;
+constexpr std::uint32_t kMaxCycles = 1U << 24;
 
 constexpr std::uint32_t kInterruptControl = 0xE000ED04;
 constexpr std::uint32_t kTickPending = 1U << 26, kClearTick = 1U << 25;
@@ -36,7 +36,7 @@ void wait_for_systick() {
 
 void SysTickClock::wait(std::uint32_t microseconds) {
   const std::uint32_t control = register_at(kControl), reload = register_at(kReload);
-  const std::uint32_t most = kMostCycles / megahertz_;  // microseconds at a time
+  const std::uint32_t most = kMaxCycles / megahertz_;  // microseconds at a time
   while (microseconds != 0) {
     const std::uint32_t part = microseconds < most ? microseconds : most;
     count_from_now(part * megahertz_);

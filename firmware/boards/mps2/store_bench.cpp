@@ -72,7 +72,7 @@ using Results = std::array<std::array<Measured, 2>, kKinds>;
 
 void measure_tile(const zstrip::detail::TileCodec& codec, const zstrip::TileView<const std::uint16_t>& tile,
                   InstructionCounter& counter, Results& results) {
-  static std::array<std::byte, zstrip::kLargestTileRecord> record;
+  static std::array<std::byte, zstrip::kMaxTileRecord> record;
   static std::array<std::uint16_t, zstrip::kTileCells> cells;
   std::uint32_t size = 0;
   counter.reset();

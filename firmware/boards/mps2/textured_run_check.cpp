@@ -13,17 +13,17 @@ namespace {
 using namespace zstrip::detail;
 using Run = TexturedRun<false, false, std::uint32_t, DepthRule<DepthMode{}>>;
 
-constexpr std::int32_t kMostPixels = 40;  // more than a run has
-constexpr std::int32_t kMostLog2 = 5;     // of a side of the texture
+constexpr std::int32_t kMaxPixels = 40;  // more than a run has
+constexpr std::int32_t kMaxLog2 = 5;     // of a side of the texture
 
 struct Row {
-  std::array<std::uint16_t, kMostPixels + 2> depth, colour;  // a pixel more at each end, which must stay
+  std::array<std::uint16_t, kMaxPixels + 2> depth, colour;  // a pixel more at each end, which must stay
   bool operator==(const Row&) const = default;
 };
 
 /// Any walk over any texture: what the renderer asks for is among them.
 void place(Random& random, Run& run) {
-  const std::int32_t log2_width = random.below(kMostLog2 + 1), log2_height = random.below(kMostLog2 + 1);
+  const std::int32_t log2_width = random.below(kMaxLog2 + 1), log2_height = random.below(kMaxLog2 + 1);
   run.u = random.next(), run.v = random.next();
   run.step_u = random.next() >> random.below(16), run.step_v = random.next() >> random.below(16);
   run.z = random.next(), run.step_z = random.next() >> random.below(16);
@@ -69,8 +69,8 @@ bool triangles_are_equal(Random& random, const std::uint16_t* texels) {
     }
     if ((v[2].x - v[0].x) * (v[1].y - v[0].y) <= (v[1].x - v[0].x) * (v[2].y - v[0].y)) continue;
     const Surface surface{.flat_colour = 0,
-                          .texture = {texels, static_cast<std::uint8_t>(random.below(kMostLog2 + 1)),
-                                      static_cast<std::uint8_t>(random.below(kMostLog2 + 1))},
+                          .texture = {texels, static_cast<std::uint8_t>(random.below(kMaxLog2 + 1)),
+                                      static_cast<std::uint8_t>(random.below(kMaxLog2 + 1))},
                           .depth_offset = static_cast<std::int64_t>(random.next()) << random.below(8)};
     const std::int32_t left = random.below(60), top = random.below(8);
     const Rect area{left, top, left + 1 + random.below(kWidth), top + 1 + random.below(kHeight)};
@@ -96,7 +96,7 @@ int check_textured_runs() {
     return 0;
   } else {
     Random random;
-    static std::array<std::uint16_t, std::size_t{1} << (2 * kMostLog2)> texels;
+    static std::array<std::uint16_t, std::size_t{1} << (2 * kMaxLog2)> texels;
     for (std::uint16_t& texel : texels) texel = static_cast<std::uint16_t>(random.next() >> 16);
     std::uint32_t written = 0;
     for (std::uint32_t i = 0; i < 20'000; ++i) {
@@ -109,7 +109,7 @@ int check_textured_runs() {
       before = portable;
       Row assembled = portable;
       Run by_hand = run;
-      const std::int32_t length = 1 + random.below(kMostPixels);
+      const std::int32_t length = 1 + random.below(kMaxPixels);
       run.fill(portable.depth.data() + 1, portable.colour.data() + 1, length, ColourPlanes{}, nullptr);
       fill_run_thumb(by_hand, assembled.depth.data() + 1, assembled.colour.data() + 1, length);
       if (portable != assembled || run.z != by_hand.z) {

@@ -15,9 +15,9 @@ namespace zstrip::board::stm32 {
 class SpiDma {
  public:
   static constexpr std::uint32_t kSpi1 = 0x40013000;
-  static constexpr std::size_t kMostBytes = 65'535;  // its counter has 16 bits
+  static constexpr std::size_t kMaxBytes = 65'535;  // its counter has 16 bits
 
-  /// Begins to send 1 up to kMostBytes, which must lie in the SRAM at 0x20000000 or in flash: it does not reach the
+  /// Begins to send 1 up to kMaxBytes, which must lie in the SRAM at 0x20000000 or in flash: it does not reach the
   /// core-coupled memory.
   void start(std::span<const std::byte> bytes);
   /// Until everything is out of the memory. Error::timeout, or Error::bus if it reports a fault of its own; the stream
@@ -47,11 +47,11 @@ class DmaPanelBus {
   hal::Error write_data(std::span<const std::byte> bytes) {
     const hal::Error selected = select(true);
     if (selected != hal::Error::none || bytes.empty()) return deselect(selected);  // no stream ends that has no bytes
-    while (bytes.size() > SpiDma::kMostBytes) {
-      begin(bytes.first(SpiDma::kMostBytes));
+    while (bytes.size() > SpiDma::kMaxBytes) {
+      begin(bytes.first(SpiDma::kMaxBytes));
       if (const hal::Error error = dma_.finish(); error != hal::Error::none) return deselect(error);
       spi_.use_dma(false);
-      bytes = bytes.subspan(SpiDma::kMostBytes);
+      bytes = bytes.subspan(SpiDma::kMaxBytes);
     }
     begin(bytes);
     sending_ = true;

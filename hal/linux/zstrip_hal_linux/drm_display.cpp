@@ -160,7 +160,7 @@ Outcome<DrmDisplay> DrmDisplay::open(const std::string& path, const DrmOptions& 
     screen->mode = *mode;
   }
   const ScreenSize size = size_of(screen->mode);
-  if (size.width == 0 || size.height == 0 || size.width > kLargestScreen || size.height > kLargestScreen)
+  if (size.width == 0 || size.height == 0 || size.width > kMaxScreen || size.height > kMaxScreen)
     return Fault{path + ": the mode " + to_string(size) + " is too large; choose a size, one of " +
                  sizes_of(connector)};
 

@@ -26,7 +26,7 @@ std::optional<PixelLayout> layout_of(const fb_var_screeninfo& mode) {
 std::optional<VideoMemory> visible_memory(const fb_fix_screeninfo& device, const fb_var_screeninfo& mode,
                                           std::span<std::byte> memory) {
   const std::uint64_t pixel_bytes = mode.bits_per_pixel / 8;
-  if (mode.xres == 0 || mode.yres == 0 || mode.xres > kLargestScreen || mode.yres > kLargestScreen) return std::nullopt;
+  if (mode.xres == 0 || mode.yres == 0 || mode.xres > kMaxScreen || mode.yres > kMaxScreen) return std::nullopt;
   const std::uint64_t row_end = (std::uint64_t{mode.xoffset} + mode.xres) * pixel_bytes;
   const std::uint64_t rows = std::uint64_t{mode.yoffset} + mode.yres;
   if (row_end > device.line_length || rows > device.smem_len / device.line_length) return std::nullopt;

@@ -6,7 +6,7 @@
 
 namespace zstrip::hal {
 
-inline constexpr std::uint16_t kLargestScreen = 4096;  ///< pixels, each side; what zstrip::core draws
+inline constexpr std::uint16_t kMaxScreen = 4096;  ///< pixels, each side; what zstrip::core draws
 
 struct ScreenSize {
   std::uint16_t width = 0;

@@ -43,11 +43,11 @@ Transform turned_to_viewer(const Transform& transform, Billboard billboard, cons
     turn_column(transform, turned, 1, camera.up);
   } else {
     const Vec3 axis = unit(y);
-    constexpr std::int64_t kLeast = std::int64_t{1} << 22;  // 2.30: a 256th of a unit vector
+    constexpr std::int64_t kMin = std::int64_t{1} << 22;  // 2.30: a 256th of a unit vector
     const Wide3 sideways = across(camera.right, axis);
     const Wide3 instead = cross(axis, camera.back);
-    if (is_within(sideways, kLeast) && instead == Wide3{0, 0, 0}) return transform;  // a camera without axes
-    right = unit(is_within(sideways, kLeast) ? instead : sideways);
+    if (is_within(sideways, kMin) && instead == Wide3{0, 0, 0}) return transform;  // a camera without axes
+    right = unit(is_within(sideways, kMin) ? instead : sideways);
     back = unit(cross(right, axis));
   }
   turn_column(transform, turned, 0, right);

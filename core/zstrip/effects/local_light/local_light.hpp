@@ -33,7 +33,7 @@ constexpr std::uint32_t power(std::uint32_t base, std::uint32_t exponent) {
 
 /// Light that reaches a surface, 8.12: 1.0 is all of a light's colour; saturates.
 using Gain = std::uint32_t;
-inline constexpr Gain kAllOfIt = 1U << 12, kMostGain = 1U << 20;
+inline constexpr Gain kAllOfIt = 1U << 12, kMaxGain = 1U << 20;
 
 /// A punctual light of the frame.
 struct WorldLight {
@@ -56,8 +56,8 @@ constexpr Gain attenuation(const WorldLight& light, const DirectionAndLength& fr
       multiply_high(light.intensity, inverse_square);  // 4096 intensity / d^2 = product 2^-shift
   const std::int32_t shift = 2 * from.shift;
   std::uint32_t gain = shift >= 0 ? (shift < 32 ? product >> shift : 0)
-                                  : (shift > -20 && product < (kMostGain >> -shift) ? product << -shift : kMostGain);
-  gain = product == 0 ? 0 : std::min(gain, kMostGain);
+                                  : (shift > -20 && product < (kMaxGain >> -shift) ? product << -shift : kMaxGain);
+  gain = product == 0 ? 0 : std::min(gain, kMaxGain);
   if (light.range != 0) {
     const std::uint64_t distance =
         from.shift >= 0 ? std::uint64_t{from.root} << from.shift : from.root >> std::min<std::int32_t>(-from.shift, 31);

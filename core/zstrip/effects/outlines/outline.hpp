@@ -55,8 +55,8 @@ inline HullVertex hull_vertex(const CompiledInstance& instance, const Mesh& mesh
     return (part * width + kOne / 2) >> 14;
   };
   HullVertex vertex{on_screen(right, width_x), on_screen(down, width_y), 0};
-  constexpr std::int64_t kLargest = (std::int64_t{1} << 30) - 1;
-  vertex.w = static_cast<std::int32_t>(std::clamp(moved, -kLargest, kLargest));
+  constexpr std::int64_t kMax = (std::int64_t{1} << 30) - 1;
+  vertex.w = static_cast<std::int32_t>(std::clamp(moved, -kMax, kMax));
   return vertex;
 }
 

@@ -10,7 +10,7 @@ namespace zstrip::detail {
 namespace {
 
 /// What the pixel loop's shifts allow; beyond it, depth is too steep or too flat for any z-buffer.
-constexpr std::int32_t kLeastRootShift = -24, kLargestRootShift = 23;
+constexpr std::int32_t kMinRootShift = -24, kMaxRootShift = 23;
 
 /// The unit sphere's axes and centre, in the coordinates right, up, distance.
 struct ViewQuadric {
@@ -253,7 +253,7 @@ Status compile_quadric(CompiledQuadric& compiled, const Scene& scene, const Quad
                        xx.magnitude() * reach.columns * reach.columns + xy.magnitude() * reach.columns * reach.rows +
                        yy.magnitude() * reach.rows * reach.rows;
   // To 61 or 62 bits, with an even shift.
-  compiled.root_shift = std::clamp((bound.log2_bound() - 61) >> 1, kLeastRootShift, kLargestRootShift);
+  compiled.root_shift = std::clamp((bound.log2_bound() - 61) >> 1, kMinRootShift, kMaxRootShift);
   const auto scaled = [&](const Scaled& value) {
     return static_cast<std::uint64_t>(value.fixed(-2 * compiled.root_shift));
   };

@@ -12,7 +12,7 @@ Status check_view(const Camera& camera, const View& view) {
   if (samples_a_side(view) > kMaxViewSize) {
     return {.error = Error::view_size, .needed = samples_a_side(view), .available = kMaxViewSize};
   }
-  if (sample_columns(view) != sample_rows(view) && camera.focal > kLongestFocal) {
+  if (sample_columns(view) != sample_rows(view) && camera.focal > kMaxFocal) {
     return {.error = Error::camera};
   }
   return {};

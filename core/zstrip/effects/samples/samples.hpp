@@ -40,7 +40,7 @@ constexpr Rect pixels_of(const Rect& samples, const View& view) {
 }
 
 /// The longest focal length that camera_of_samples can double.
-inline constexpr Fixed kLongestFocal = INT32_MAX / 2;
+inline constexpr Fixed kMaxFocal = INT32_MAX / 2;
 
 /// What shows in the picture of samples what `camera` does in that of pixels. A focal length counts halves of the
 /// height, so that two by two samples need no other camera; two side by side have twice the length, and half of `up`.

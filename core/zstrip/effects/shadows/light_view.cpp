@@ -7,7 +7,7 @@ namespace zstrip::detail {
 namespace {
 
 constexpr int kToFixed = kDistanceBits - kFixedBits;
-constexpr std::int64_t kLargestWord = INT32_MAX;
+constexpr std::int64_t kMaxWord = INT32_MAX;
 
 Vec3 negated(const Vec3& v) { return {-v.x, -v.y, -v.z}; }
 
@@ -42,7 +42,7 @@ Status light_camera(Camera& camera, const LightReach& reach, std::uint32_t side)
   std::int64_t half_x = half_of(reach.along[0], side), half_y = half_of(reach.along[1], side);
   // Neither so small that its reciprocal has no room, nor so much smaller that its axis had no bits left.
   const std::int64_t larger = std::max<std::int64_t>(std::max(half_x, half_y), 256);
-  if (larger > kLargestWord) return failure;
+  if (larger > kMaxWord) return failure;
   half_x = std::max(half_x, std::max<std::int64_t>(larger >> 6, 256));
   half_y = std::max(half_y, std::max<std::int64_t>(larger >> 6, 256));
   const std::int64_t focal = (std::int64_t{1} << 32) / std::min(half_x, half_y) + 1;
@@ -50,7 +50,7 @@ Status light_camera(Camera& camera, const LightReach& reach, std::uint32_t side)
   const std::int64_t reach_away = ((reach.along[2].farthest - reach.along[2].nearest) >> kToFixed) + 2;
   const std::int64_t depth = std::max(reach_away, larger >> 4);
   const std::int64_t near = std::max<std::int64_t>(depth >> 4, 64);
-  if (near + depth + 8 > kLargestWord) return failure;
+  if (near + depth + 8 > kMaxWord) return failure;
 
   const auto middle = [](const DistanceRange& range) {
     return (range.nearest >> (kToFixed + 1)) + (range.farthest >> (kToFixed + 1));
@@ -58,14 +58,14 @@ Status light_camera(Camera& camera, const LightReach& reach, std::uint32_t side)
   const std::int64_t at[3] = {middle(reach.along[0]), middle(reach.along[1]),
                               near + 4 - (reach.along[2].nearest >> kToFixed)};
   for (const std::int64_t coordinate : at) {
-    if (coordinate > kLargestWord || coordinate < -kLargestWord) return failure;
+    if (coordinate > kMaxWord || coordinate < -kMaxWord) return failure;
   }
   const auto sum = [&at](std::int32_t a, std::int32_t b, std::int32_t c) {
     return (a * at[0] + b * at[1] + c * at[2]) >> 30;
   };
   const std::int64_t eye[3] = {sum(right.x, up.x, back.x), sum(right.y, up.y, back.y), sum(right.z, up.z, back.z)};
   for (const std::int64_t coordinate : eye) {
-    if (coordinate > kLargestWord || coordinate < -kLargestWord) return failure;
+    if (coordinate > kMaxWord || coordinate < -kMaxWord) return failure;
   }
   const auto share = [focal](std::int64_t half) {
     return (std::int64_t{1} << 62) / (focal * half);

@@ -114,7 +114,7 @@ class Orthographic {
 
 /// Where the depth of what casts is so small beside the picture that whole codes do not fit, some of their bits are
 /// left.
-constexpr std::int32_t kFewestCodeBits = -12;
+constexpr std::int32_t kMinCodeBits = -12;
 
 /// All three in as many bits as fit, at most 16 and 12.
 template <class Coordinate>
@@ -122,7 +122,7 @@ Status store(ShadowPlace& place, const Coordinate& column, const Coordinate& row
              const Scaled& contact) {
   place.texel_bits = std::min<std::int32_t>(std::min(column.bits(), row.bits()), 16);
   place.code_bits = std::min<std::int32_t>(code.bits(), 12);
-  if (place.texel_bits < 1 || place.code_bits < kFewestCodeBits) return {.error = Error::shadow};
+  if (place.texel_bits < 1 || place.code_bits < kMinCodeBits) return {.error = Error::shadow};
   column.store(place.column, place.texel_bits);
   row.store(place.row, place.texel_bits);
   code.store(place.code, place.code_bits);
