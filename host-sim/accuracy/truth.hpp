@@ -45,7 +45,7 @@ struct Truth {
 
 /// ExitStatus::input for a scene of which no truth can be drawn: with materials that have a depth test or bias of their
 /// own, whose result depends on the z-buffer's codes; with highlights, point or spot lights, alpha, bilinear texels,
-/// palettes, mipmaps, environments, lines, outlines, shadows or products of solids. The message names each of them, and
+/// palettes, mipmaps, environments, lines, outlines, shadows or CSG. The message names each of them, and
 /// where it stands as far as `origins` says.
 Result<Done> check_truth(const Scene& scene, const Camera& camera, const Origins& origins);
 

@@ -1,4 +1,4 @@
-// Products of solids of a composed scene; see composed_csg.hpp.
+// CSG of a composed scene; see composed_csg.hpp.
 #include "compose/composed_csg.hpp"
 
 #include <fmt/format.h>
@@ -72,7 +72,7 @@ Result<Done> add_products(const SceneFile& file, std::span<const PlacedPart> pla
   std::uint8_t number = 0;
   for (const FileCsg& csg : file.csg) {
     if (scene.shadow) {
-      return at_line(file.path, csg.line, "[[csg]]: products of solids do not go with the shadow of a light");
+      return at_line(file.path, csg.line, "[[csg]]: CSG does not go with the shadow of a light");
     }
     for (const CsgProduct& product : csg.products) {
       for (const CsgTerm& term : product) {

@@ -1,4 +1,4 @@
-// Products of solids of a composed scene: which instances they are of, and whether those can be solids.
+// CSG of a composed scene: which instances they are of, and whether those can be solids.
 #pragma once
 
 #include <cstddef>

@@ -39,7 +39,7 @@ class EdgedStage : public Stage {
 std::string_view rival_of_edges(Effects effects) {
   if (effects.has(effect::outlines)) return "outlines";
   if (effects.has(effect::shadows)) return "a shadow";
-  return effects.has(effect::csg) ? "products of solids" : "";
+  return effects.has(effect::csg) ? "CSG" : "";
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ std::array<Part, 8> parts(const Plan& plan) {
        {"colour", plan.colour_bytes, "RGB565 strip, before it becomes the panel's pixels"},
        {"bins", plan.bin_bytes, "triangles waiting for their strip"},
        {"effects", plan.effect_bytes,
-        "fog, light by place, the order of what blends, billboards, surroundings, outlines, shadows, products, edges"},
+        "fog, light by place, the order of what blends, billboards, environment maps, outlines, shadows, CSG, edges"},
        {"visibility", plan.visibility_bytes, "order of triangles, or bounds of depth"}}};
 }
 

@@ -90,7 +90,7 @@ Result<ShownFrame> draw_shown(const Staging& staging, const MethodRequest& reque
   if (show == Show::error && effects_of(staging.scene, staging.camera)
                                  .any(effect::surfaces | effect::alpha_test | effect::blending | effect::csg)) {
     return Failure{ExitStatus::usage,
-                   "--show error judges opaque triangles; the scene has spheres, ellipsoids, lines, products of solids "
+                   "--show error judges opaque triangles; the scene has spheres, ellipsoids, lines, CSG "
                    "or transparent materials"};
   }
   Result<LookedAtFrame> drawn = draw_looked_at(staging, counting);

@@ -1,4 +1,4 @@
-// Products of solids against rays in double precision, and against pictures of the same surfaces without products.
+// CSG against rays in double precision, and against pictures of the same surfaces without products.
 #include "csg_world.hpp"
 #include "zstrip/frame/static_layer.hpp"
 

@@ -38,7 +38,7 @@ void expect_column(Effects set, const Remove& remove) {
   EXPECT_EQ(draw_any(set | effect::bins, scene, camera, view, {.strip_rows = 9, .modes = Modes::binned}), whole);
 }
 
-/// Products of solids go with everything but shadows, so that they have a column of their own in each row.
+/// CSG goes with everything but shadows, so that it has a column of its own in each row.
 TEST(EffectsTogether, ProductsOfSolidsAndEachRow) {
   for (std::size_t i = 0; i < kRows; ++i) {
     expect_column(completed(without(row(i), effect::shadows)) | effect::csg, [](Scene& scene) {

@@ -1,4 +1,4 @@
-// Scene files: ellipsoids, lines, billboards, outlines, shadows, products of solids.
+// Scene files: ellipsoids, lines, billboards, outlines, shadows, CSG.
 #include <gtest/gtest.h>
 
 #include <string>

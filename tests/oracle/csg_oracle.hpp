@@ -1,4 +1,4 @@
-// What is seen of products of solids at a point of the picture, by rays in double precision against every triangle:
+// What is seen of CSG at a point of the picture, by rays in double precision against every triangle:
 // where a ray enters and leaves each operand, and the first place where it comes into a product from outside. Shares
 // nothing with the renderer but the scene.
 #pragma once

@@ -43,10 +43,10 @@ const char* message(Error error) {
       return "the shadow needs a light of the scene, a size of 2^4 to 2^10 texels, no static layer, and materials "
              "without a depth test for farther";
     case Error::csg:
-      return "a product of solids has an operand that is not a plain solid, or nothing to intersect, or goes with a "
+      return "CSG has an operand that is not a plain solid, or nothing to intersect, or goes with a "
              "shadow, or over a static layer";
     case Error::edges:
-      return "a set of edges is not valid, or goes with outlines, a shadow, products of solids, several samples or a "
+      return "a set of edges is not valid, or goes with outlines, a shadow, CSG, several samples or a "
              "static layer";
     case Error::outline: return "an outline is not valid, has a hull without normals or is of what is not opaque";
   }

@@ -61,7 +61,7 @@ enum class Error : std::uint8_t {
           ///< more than kMaxCsgOperands (`needed` = index of the operand); or what was asked for, a shadow or a
           ///< draw_over, is not there with products (`needed` = their operands)
   edges,  ///< a set that refers to a mesh or vertex that does not exist, or not in the order of meshes (`needed` = its
-          ///< index); or what was asked for, outlines, a shadow, products of solids, several samples, a static layer or
+          ///< index); or what was asked for, outlines, a shadow, CSG, several samples, a static layer or
           ///< a draw_over, is not there with them
 };
 

@@ -61,7 +61,7 @@ struct Plan {
                                    ///< edges
   std::uint32_t bin_bytes = 0;
   std::uint32_t effect_bytes = 0;      ///< what effects keep through a frame: fog, local light, drawing order,
-                                       ///< what products of solids note of a strip's pixels
+                                       ///< what CSG notes of a strip's pixels
   std::uint32_t visibility_bytes = 0;  ///< what a visibility method keeps: order of triangles, or bounds of depth
   /// The arena. It must be aligned to kArenaAlignment. Of a plan that `plan` returned never more than kMaxArena.
   constexpr std::uint32_t bytes() const {

@@ -193,8 +193,8 @@ constexpr bool is_blended(const Scene& scene, const Material& material) {
   return finish_of(scene, material).alpha_mode == AlphaMode::blend;
 }
 
-/// Whether what has this mesh and this material has the surroundings for its texture.
-constexpr bool mirrors_surroundings(const Scene& scene, const Mesh& mesh, const Material& material) {
+/// Whether the texture of what has this mesh and this material is an environment map.
+constexpr bool has_environment_map(const Scene& scene, const Mesh& mesh, const Material& material) {
   return is_environment(finish_of(scene, material).filter) && material.texture != kNoTexture && !mesh.normals.empty();
 }
 
@@ -245,7 +245,7 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     const Material& material = scene.materials[instance.material];
     const Mesh& mesh = scene.meshes[instance.mesh];
     const bool lit = material.lit && !mesh.normals.empty();
-    const bool mirrors = has_tables && mirrors_surroundings(scene, mesh, material);
+    const bool mirrors = has_tables && has_environment_map(scene, mesh, material);
     const bool textured = mirrors || (material.texture != kNoTexture && !mesh.texcoords.empty());
     const bool coloured = !mesh.colours.empty() && !(textured && !material.lit);
     const bool by_pixel = is_lit_by_pixel(mesh, material);

@@ -101,16 +101,16 @@ struct Mesh {
 enum class TextureFilter : std::uint8_t {
   nearest,   ///< the one in which the pixel's centre lies
   bilinear,  ///< the four around it, by their distance
-  /// The same, where the mirror image of the surroundings is (effect::environment), not where Mesh::texcoords say: the
+  /// Likewise of an environment map (effect::environment), by normals, not where Mesh::texcoords say: the
   /// texture is a sphere map, a picture of a mirrored ball that fills it, as seen from the eye; docs/conventions.md has
   /// the formula. The mesh needs normals, and its texture coordinates mean nothing. So a material has either a texture
-  /// of its own or surroundings, not both.
+  /// of its own or an environment map, not both.
   environment_nearest = 0x10,
   environment_bilinear = 0x11,
 };
 constexpr bool is_bilinear(TextureFilter filter) { return (static_cast<unsigned>(filter) & 1U) != 0; }
 constexpr bool is_environment(TextureFilter filter) { return (static_cast<unsigned>(filter) & 0x10U) != 0; }
-/// nearest and bilinear become those of the surroundings.
+/// nearest and bilinear become those of environment maps.
 constexpr TextureFilter of_environment(TextureFilter filter) {
   return static_cast<TextureFilter>(static_cast<unsigned>(filter) | 0x10U);
 }
@@ -371,7 +371,7 @@ struct Scene {
   std::span<const Outline> outlines{};               ///< at most 255; Mesh::outline names them
   const Shadow* shadow = nullptr;                    ///< none if null
   std::span<const CsgOperand> csg{};                 ///< at most kMaxCsgOperands, product after product
-  /// By ascending mesh, one a mesh at most. Not with outlines, shadows, products of solids or several samples.
+  /// By ascending mesh, one a mesh at most. Not with outlines, shadows, CSG or several samples.
   std::span<const EdgeSet> edges{};
 };
 

@@ -112,7 +112,7 @@ constexpr bool valid_texcoords(const Scene& scene, const Instance& instance) {
   const Material& material = scene.materials[instance.material];
   const std::uint16_t texture = material.texture;
   const Mesh& mesh = scene.meshes[instance.mesh];
-  if (texture == kNoTexture || mirrors_surroundings(scene, mesh, material)) return true;
+  if (texture == kNoTexture || has_environment_map(scene, mesh, material)) return true;
   const auto fits = [&mesh](std::int32_t coordinate, std::uint8_t log2_size) {
     const std::int64_t magnitude = coordinate < 0 ? -std::int64_t{coordinate} : coordinate;
     return magnitude << log2_size < std::int64_t{1} << (15 + mesh.texcoord_bits);
@@ -123,7 +123,7 @@ constexpr bool valid_texcoords(const Scene& scene, const Instance& instance) {
   return true;
 }
 
-/// What mirrors the surroundings needs normals.
+/// An environment map needs normals.
 constexpr bool can_mirror(const Scene& scene, const Instance& instance) {
   return !is_environment(finish_of(scene, scene.materials[instance.material]).filter) ||
          !scene.meshes[instance.mesh].normals.empty();

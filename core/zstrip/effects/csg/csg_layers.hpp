@@ -1,4 +1,4 @@
-// The layers of a product of solids: what the fragments of an operand do that is not drawn, but peeled off, or counted.
+// Layers of CSG: what the fragments of an operand do that is not drawn, but peeled off, or counted.
 #pragma once
 
 #include <cstddef>

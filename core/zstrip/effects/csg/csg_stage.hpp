@@ -1,4 +1,4 @@
-// Products of solids in a strip (constructive solid geometry; Goldfeather, Molnar, Turk and Fuchs 1989), before
+// CSG in a strip (constructive solid geometry; Goldfeather, Molnar, Turk and Fuchs 1989), before
 // anything else is drawn into it. Of each operand the sides that may bound the product are peeled off layer by layer,
 // and what of a layer lies inside all other operands, or outside those that are subtracted, is written into the
 // z-buffer: two layers of depth, a count and a mark of a pixel are all it takes. Once that is what the product looks

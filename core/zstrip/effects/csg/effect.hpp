@@ -7,7 +7,7 @@ namespace zstrip::detail::csg {
 
 struct Effect : AnyEffect {
   static constexpr EffectName kNames[] = {
-      {effect::csg, "csg", "products of solids"},
+      {effect::csg, "csg", "constructive solid geometry"},
   };
   static constexpr Exclusion kExclusions[] = {
       {effect::csg, method::painter | method::midpoint, "solids are cut by a z-buffer that is exact"},

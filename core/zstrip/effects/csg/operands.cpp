@@ -1,4 +1,4 @@
-// Prepares the products of solids of a frame; only renderers with effect::csg link it.
+// Prepares the operands of CSG of a frame; only renderers with effect::csg link it.
 #include "zstrip/effects/csg/operands.hpp"
 
 #include "zstrip/effects/blending/draw_order.hpp"

@@ -7,7 +7,7 @@ namespace zstrip::detail::environment {
 
 struct Effect : AnyEffect {
   static constexpr EffectName kNames[] = {
-      {effect::environment, "environment", "mirrors its surroundings, with normals"},
+      {effect::environment, "environment", "an environment map, with normals"},
   };
   static constexpr Exclusion kExclusions[] = {
       {effect::environment, method::orders, "the host has split triangles for their order"},

@@ -1,4 +1,4 @@
-// Composes camera, transform and bounding box for the vertices of what mirrors the surroundings. Once an instance and
+// Composes camera, transform and bounding box for the vertices of what has an environment map. Once an instance and
 // frame; 64-bit arithmetic.
 #include "zstrip/effects/environment/environment.hpp"
 

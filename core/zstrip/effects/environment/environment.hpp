@@ -1,4 +1,4 @@
-// Where a vertex mirrors the surroundings: its texture coordinates on a sphere map. docs/conventions.md has the
+// Environment maps: the texture coordinates of a vertex on a sphere map. docs/conventions.md has the
 // formula.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Instances that mirror their surroundings: where each of their vertices does.
+// Instances with an environment map: the texture coordinates of their vertices.
 #pragma once
 
 #include "zstrip/effects/environment/kept.hpp"
@@ -9,12 +9,12 @@
 
 namespace zstrip::detail::environment {
 
-/// Null if the instance does not mirror the surroundings.
+/// Null if the instance has no environment map.
 inline TexCoord* reflections_of(const FrameState& frame, std::uint32_t instance, std::uint32_t cache) {
   const Scene& scene = *frame.scene;
   const CompiledInstance& compiled = frame.instances[instance];
   if (is_outline(compiled) ||
-      !mirrors_surroundings(scene, scene.meshes[compiled.mesh], scene.materials[compiled.material])) {
+      !has_environment_map(scene, scene.meshes[compiled.mesh], scene.materials[compiled.material])) {
     return nullptr;
   }
   auto* const vertices = reinterpret_cast<std::byte*>(frame.vertices);

@@ -1,4 +1,4 @@
-// Which instances mirror the surroundings, and what their vertices need for it; only renderers with
+// Which instances have an environment map, and what their vertices need for it; only renderers with
 // effect::environment link it.
 #include "zstrip/effects/environment/kept.hpp"
 
@@ -15,7 +15,7 @@ void prepare(FrameState& frame, const Camera& camera, Effects called_for) {
     CompiledInstance& compiled = frame.instances[i];
     const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
     const Material& material = scene.materials[scene.instances[i].material];
-    if (!compiled.visible || is_outline(compiled) || !mirrors_surroundings(scene, mesh, material)) continue;
+    if (!compiled.visible || is_outline(compiled) || !has_environment_map(scene, mesh, material)) continue;
     eye_forms_of(frame, i) = detail::eye_forms(mesh, scene.instances[i].transform, camera);
     // As if the mesh had texture coordinates.
     if (!material.lit) {

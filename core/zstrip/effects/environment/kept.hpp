@@ -14,7 +14,7 @@ struct FrameReflections {
 };
 static_assert(sizeof(FrameReflections) == Effect::kFrameBytes && sizeof(EyeForms) == Effect::kEyeFormsBytes);
 
-// Of a frame in which something mirrors its surroundings.
+// Of a frame in which something has an environment map.
 inline FrameReflections& reflections_of(const FrameState& frame) {
   return *effect_block(frame).at<Effect, FrameReflections>();
 }
