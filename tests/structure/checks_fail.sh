@@ -73,6 +73,28 @@ fails_with "zstrip/base/gone.hpp does not exist" includes.sh
 echo '#include "fixed.hpp"' >>"$tree/core/zstrip/base/fixed.hpp"
 fails_with "core includes fixed.hpp" includes.sh
 
+# A wing that the lists have, one that they lack, and an order of stages that names an effect.
+wing() {
+  mkdir -p "$tree/core/zstrip/effects/fog"
+  touch "$tree/core/zstrip/effects/fog/effect.hpp" "$tree/core/zstrip/effects/fog/fog_stage.hpp"
+  printf '#include "zstrip/effects/fog/effect.hpp"\nusing All = List<fog::Effect>;\n' >"$tree/core/zstrip/effects/list.hpp"
+  echo 'using Stages = StageList<fog::Stage>;' >"$tree/core/zstrip/effects/stages.hpp"
+}
+passes wings.sh g++
+wing
+passes wings.sh g++
+mkdir "$tree/core/zstrip/effects/rain"
+fails_with "rain/ has no effect.hpp" wings.sh g++
+wing
+mkdir "$tree/core/zstrip/effects/rain"
+touch "$tree/core/zstrip/effects/rain/effect.hpp"
+fails_with "list.hpp lacks rain" wings.sh g++
+wing
+sed -i 's/fog::Stage//' "$tree/core/zstrip/effects/stages.hpp"
+fails_with "stages.hpp lacks the stage of fog" wings.sh g++
+echo 'if constexpr (effects.has(effect::fog)) return;' >"$tree/core/zstrip/frame/frame_order.hpp"
+fails_with "names an effect" wings.sh g++
+
 mkdir "$tree/misc"
 fails_with "unexpected at the top level: misc" layout.sh
 echo "# see /""home/somebody/notes" >"$tree/README.md"

@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# wings.sh ROOT COMPILER: an effect is a wing. The file that orders the stages names none; each folder of effects has a
+# descriptor and is in the lists; no source of a wing or of a stage compiles more than 64 of our headers.
+set -euo pipefail
+cd "$1"
+compiler=$2
+core=core/zstrip
+most=64
+failed=0
+complain() {
+  echo "$1"
+  failed=1
+}
+
+if grep -nE '\b(effect|method)::' $core/frame/frame_order.hpp 2>/dev/null; then
+  complain "$core/frame/frame_order.hpp names an effect: it belongs into a hook of a stage"
+fi
+
+for folder in $core/effects/*/; do
+  [ -e "$folder" ] || continue
+  wing=$(basename "$folder")
+  if [ ! -e "$folder/effect.hpp" ]; then
+    complain "$folder has no effect.hpp"
+  elif ! grep -qF "effects/$wing/effect.hpp" $core/effects/list.hpp || ! grep -qE "\b$wing::Effect\b" $core/effects/list.hpp; then
+    complain "$core/effects/list.hpp lacks $wing"
+  fi
+  for stage in "$folder"*_stage.hpp; do
+    if [ -e "$stage" ] && ! grep -qE "\b$wing::Stage\b" $core/effects/stages.hpp; then
+      complain "$core/effects/stages.hpp lacks the stage of $wing"
+    fi
+  done
+done
+
+for source in $core/effects/*/*.cpp $core/stages/*.cpp; do
+  [ -e "$source" ] || continue
+  count=$("$compiler" -std=c++20 -Icore -MM "$source" | tr ' ' '\n' | grep -c '\.hpp$') || true
+  if [ "$count" -gt "$most" ]; then complain "$source compiles $count headers, more than $most"; fi
+done
+exit "$failed"
