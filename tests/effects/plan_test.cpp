@@ -3,6 +3,7 @@
 #include "drawn.hpp"
 #include "lines_scene.hpp"
 #include "outlines_scene.hpp"
+#include "zstrip_scenes/cube.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/spheres.hpp"
 
@@ -56,6 +57,32 @@ TEST(EffectsPlan, OnlyWhatTheSceneHas) {
   expect_only_its_purposes(scenes::billboards);
   expect_only_its_purposes(scenes::outlines);
   for (const scenes::BuiltIn& built_in : scenes::effect_scenes()) expect_only_its_purposes(built_in);
+}
+
+TEST(EffectsPlan, AShadowPoolWhoseSumWrappedIn32BitsIsRefused) {
+  const SceneCounts counts{.instances = 1,
+                           .triangles = 12,
+                           .vertices = 24,
+                           .largest_meshlet = 24,
+                           .meshlets = 1,
+                           .longest_meshlet = 12,
+                           .shadow_side = 64,
+                           .shadow_pool = 0xFFFFF5A0};
+  const PlanResult result = plan(counts, kView, effect::lighting | effect::shadows);
+  EXPECT_EQ(result.status.error, Error::arena_too_small);
+  EXPECT_EQ(result.status.purpose, Purpose::effects);
+}
+
+TEST(EffectsPlan, EightBytesForEffectsHadAHeadOfSixteenWrittenIntoThem) {
+  constexpr Effects kCube = effects_of(scenes::cube.scene, scenes::cube.camera);
+  Plan plan = zstrip::plan(scenes::cube.counts, kView, kCube).plan;
+  plan.effect_bytes = 8;
+  constexpr std::uint64_t kBehind = 0x5A5A5A5A5A5A5A5A;
+  std::vector<std::uint64_t> arena(plan.bytes() / 8 + 1, kBehind);
+  Renderer<kCube | effect::fog> renderer;
+  ASSERT_TRUE(renderer.begin_frame(scenes::cube.scene, scenes::cube.camera, kView, plan,
+                                   std::as_writable_bytes(std::span(arena)).first(plan.bytes())));
+  EXPECT_EQ(arena.back(), kBehind);
 }
 
 }  // namespace

@@ -56,8 +56,9 @@ TEST_F(EdgesCommand, WhatDoesNotGoWithThemIsSaid) {
     EXPECT_NE(said.find(words), std::string::npos) << said;
   };
   says({"--samples", "4"}, "smoothed edges and several samples exclude each other");
-  says({"--depth-format", "z24"}, "'edges' does not go with ");
-  says({"--visibility", "half-range"}, "'edges' does not go with ");
+  says({"--depth-format", "z24"},
+       "'edges' does not go with --depth-format: edges are compared with the codes of z16; leave one of them out");
+  says({"--visibility", "half-range"}, "'edges' does not go with --visibility half-range: edges are compared with");
   says({"--visibility", "painter"}, "edges");
   says({"--visibility", "hierarchical-z"}, "edges");
   says({"--show", "depth"}, "leave out --edges");
@@ -85,12 +86,12 @@ TEST_F(EdgesCommand, OfASceneAreLeftOutOfWhatIsShownInsteadAndItIsSaid) {
   EXPECT_EQ(zstrip({"render", "knot.zsc", "-o", "x.png"}).err.find("edges are not smoothed"), std::string::npos);
 }
 
-TEST_F(EdgesCommand, BesideOutlinesShadowsAndProductsWereBakedAndAnInternalErrorOfRender) {
+TEST_F(EdgesCommand, BesideOutlinesShadowsAndCsgWereBakedAndAnInternalErrorOfRender) {
   const std::string box = "[[instance]]\nname = 'a'\nmodel = 'k'\n";
   const std::string moved = "[[instance]]\nname = 'b'\nmodel = 'k'\ntranslation = [0.3, 0.3, 0.3]\n";
   for (const auto& [part, words] : {std::pair{box + "outline = { width = 2 }\n", "outlines"},
                                     {box + "[[light]]\ndirection = [0, -1, 0]\nshadow = {}\n", "shadow"},
-                                    {box + moved + "[[csg]]\nexpression = 'a - b'\n", "products"}}) {
+                                    {box + moved + "[[csg]]\nexpression = 'a - b'\n", "CSG"}}) {
     for (const bool is_key : {true, false}) {
       const std::string picture = is_key ? "[picture]\nedges = true\n" : "";
       file("s.toml", picture + "[[model]]\nname = 'k'\nbuilt_in = 'knot_lit'\n" + part);

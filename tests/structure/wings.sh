@@ -33,7 +33,8 @@ done
 
 for source in $core/effects/*/*.cpp $core/stages/*.cpp; do
   [ -e "$source" ] || continue
-  count=$("$compiler" -std=c++20 -Icore -MM "$source" | tr ' ' '\n' | grep -c '\.hpp$') || true
+  headers=$("$compiler" -std=c++20 -Icore -MM "$source")
+  count=$(tr ' ' '\n' <<<"$headers" | awk '/\.hpp$/ { ++count } END { print count + 0 }')
   if [ "$count" -gt "$most" ]; then complain "$source compiles $count headers, more than $most"; fi
 done
 exit "$failed"

@@ -454,7 +454,10 @@ TEST_F(VisibilityCommand, ShadowsGoWithDepthThatTheyCanRead) {
                                      std::pair{"--visibility half-range", "--visibility half-range"}}) {
     const Outcome refused = render("'" + scene + "' " + words + " -o '" + picture("none.png") + "'");
     EXPECT_EQ(refused.status, 2) << refused.text;
-    EXPECT_NE(refused.text.find(std::string("'shadows' does not go with ") + named), std::string::npos) << refused.text;
+    EXPECT_NE(refused.text.find(std::string("'shadows' does not go with ") + named +
+                                ": a shadow is found by what a depth code stands for"),
+              std::string::npos)
+        << refused.text;
   }
 }
 

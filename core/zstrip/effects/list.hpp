@@ -47,6 +47,7 @@ struct EffectMemory {
   /// Where a part begins that is called for.
   template <class Part>
   static constexpr std::size_t offset_of(Effects called_for, std::uint32_t instances) {
+    static_assert((std::is_same_v<Part, Parts> || ...), "memory that nothing plans");
     const SceneCounts counts{.instances = instances};
     std::uint64_t end = kEffectHeaderBytes;
     bool found = false;

@@ -39,8 +39,8 @@ Status begin_checked_frame(FrameState& frame, const FrameRequest& request, std::
 template <Effects effects>
 void draw_scene(FrameState& frame, const StripTarget& target, std::uint16_t strip);
 
-/// The hooks, in the order in which a frame calls them. `effects`: of the renderer, which has one of kEffects. What the
-/// scene calls for may be less.
+/// The hooks, by what they are for: begin_frame, draw_strip, draw_over. `effects`: of the renderer, which has one of
+/// kEffects. What the scene calls for may be less.
 struct NoStage {
   /// Its hooks are called by renderers with any of these.
   static constexpr Effects kEffects{};

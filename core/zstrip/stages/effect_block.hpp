@@ -19,9 +19,9 @@ class EffectBlock {
   /// Comes before anything else. `instances`: hulls of outlines among them. `bytes` are those of MemoryOfEffects or
   /// more.
   void lay_out(Effects called_for, std::uint32_t instances) const {
-    if (bytes_ != 0) *reinterpret_cast<Header*>(memory_) = {called_for.bits, instances, 0};
+    if (bytes_ >= sizeof(Header)) *reinterpret_cast<Header*>(memory_) = {called_for.bits, instances, 0};
   }
-  bool has(Effects effects) const { return bytes_ != 0 && (header().bits & effects.bits) != 0; }
+  bool has(Effects effects) const { return bytes_ >= sizeof(Header) && (header().bits & effects.bits) != 0; }
   std::uint32_t instances() const { return header().instances; }
 
   /// The part of an effect, as an object, or the first of an array, that lies `offset` bytes behind its beginning.

@@ -29,7 +29,7 @@ constexpr Status too_small(Purpose purpose, std::uint64_t needed, std::uint32_t 
 
 /// By frame.plan.
 void lay_out_arena(FrameState& frame, std::span<std::byte> arena);
-/// A plan that has been checked is the frame's then, and the arena laid out; all else is as of the frame before.
+/// A plan that has been checked is the frame's then, the arena laid out, and nothing counted.
 inline void start(FrameState& frame, const View& view, const Plan& plan, std::span<std::byte> arena) {
   frame.view = view;
   frame.plan = plan;

@@ -13,7 +13,9 @@ struct Effect : AnyEffect {
   static constexpr Effects kNeedMemory = effect::blending;
   static constexpr std::uint32_t kAlignment = 8;
   static constexpr std::uint32_t kPlaceBytes = 16;  ///< of an instance, in the order of drawing
-  static constexpr std::uint64_t bytes(const SceneCounts& counts) { return std::uint64_t{counts.instances} * kPlaceBytes; }
+  static constexpr std::uint64_t bytes(const SceneCounts& counts) {
+    return std::uint64_t{counts.instances} * kPlaceBytes;
+  }
 };
 
 }  // namespace zstrip::detail::blending

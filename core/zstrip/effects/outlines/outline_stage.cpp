@@ -34,9 +34,9 @@ void extend(DistanceRange& reach, const OutlinedScene& outlined, const Camera& c
 void add_hulls(const FrameState& frame, Scene& scene) {
   const std::span<Instance> drawn{effect_block(frame).at<changed_instances::Memory, Instance>(),
                                   effect_block(frame).instances()};
-  // Turned billboards lie where they would without hulls, which is not behind this place: the last one first.
+  // Billboards that were turned are here already.
   auto next = static_cast<std::uint32_t>(scene.instances.size());
-  for (std::uint32_t i = next; i-- > 0;) drawn[i] = scene.instances[i];
+  for (std::uint32_t i = 0; i < next; ++i) drawn[i] = scene.instances[i];
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const Outline* const outline = outline_of(scene, scene.meshes[drawn[i].mesh]);
     if (outline == nullptr) continue;

@@ -18,7 +18,9 @@ struct Effect : AnyEffect {
   static constexpr Effects kNeedMemory = effect::shadows;
   static constexpr std::uint32_t kAlignment = 8;
   static constexpr std::uint32_t kStateBytes = 2656;  ///< the frame's shadow and tiles of its map, decoded
-  static constexpr std::uint64_t bytes(const SceneCounts& counts) { return kStateBytes + counts.shadow_pool; }
+  static constexpr std::uint64_t bytes(const SceneCounts& counts) {
+    return std::uint64_t{kStateBytes} + counts.shadow_pool;
+  }
 };
 
 }  // namespace zstrip::detail::shadows
