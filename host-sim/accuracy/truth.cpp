@@ -86,7 +86,7 @@ std::string in_words(const FoundEffect& found) {
   const std::string place = found.origin.empty() ? "" : found.origin + ": ";
   const std::string materials =
       found.materials.empty() ? "" : fmt::format(": '{}'", fmt::join(found.materials, "', '"));
-  return fmt::format("{} ({}{}{})", found.effect.name, place, found.effect.reason, materials);
+  return fmt::format("{} ({}{}{})", found.effect.name, place, found.effect.called_for_by, materials);
 }
 
 }  // namespace
