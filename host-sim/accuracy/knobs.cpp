@@ -8,6 +8,7 @@
 #include <set>
 
 #include "cli/nearest_name.hpp"
+#include "zstrip/effects/exclusions.hpp"
 
 namespace zstrip::sim {
 namespace {

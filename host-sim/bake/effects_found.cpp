@@ -1,5 +1,6 @@
 // Which effects a scene calls for, and what in it calls for each.
 #include "bake/effects_found.hpp"
+#include "zstrip/effects/exclusions.hpp"
 
 #include <fmt/format.h>
 

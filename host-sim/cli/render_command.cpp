@@ -33,6 +33,7 @@
 #include "visibility/show.hpp"
 #include "visibility/tree_stage.hpp"
 #include "visibility/visible_set_file.hpp"
+#include "zstrip/effects/exclusions.hpp"
 
 namespace zstrip::sim {
 namespace {

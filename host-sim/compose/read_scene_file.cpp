@@ -12,6 +12,7 @@
 #include "compose/toml_table.hpp"
 #include "import/read_file.hpp"
 #include "motion/fitted_animation.hpp"
+#include "zstrip/effects/exclusions.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "bake/effects_found.hpp"
+#include "zstrip/effects/exclusions.hpp"
 
 namespace zstrip::sim {
 namespace {

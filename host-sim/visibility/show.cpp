@@ -9,6 +9,7 @@
 #include "visibility/methods.hpp"
 #include "visibility/numbered_scene.hpp"
 #include "visibility/surface_judge.hpp"
+#include "zstrip/effects/exclusions.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -11,6 +11,7 @@
 #include "accuracy/measure.hpp"
 #include "accuracy/observation.hpp"
 #include "zstrip/base/math.hpp"
+#include "zstrip/effects/exclusions.hpp"
 #include "zstrip/geometry/project.hpp"
 
 namespace zstrip::sim {

@@ -8,6 +8,7 @@
 
 #include "drawn.hpp"
 #include "edges_of.hpp"
+#include "zstrip/effects/exclusions.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 
 namespace effects_test {

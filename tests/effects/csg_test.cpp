@@ -1,5 +1,6 @@
 // CSG against rays in double precision, and against pictures of the same surfaces without products.
 #include "csg_world.hpp"
+#include "zstrip/effects/exclusions.hpp"
 #include "zstrip/frame/static_layer.hpp"
 
 namespace effects_test {

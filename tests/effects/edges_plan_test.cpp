@@ -5,6 +5,7 @@
 
 #include "edges_scene.hpp"
 #include "edges_world.hpp"
+#include "zstrip/effects/exclusions.hpp"
 #include "zstrip_scenes/stage.hpp"
 
 namespace effects_test {

@@ -5,6 +5,7 @@
 
 #include "drawn.hpp"
 #include "zstrip/effects/environment/environment.hpp"
+#include "zstrip/effects/exclusions.hpp"
 #include "zstrip/effects/samples/samples.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"

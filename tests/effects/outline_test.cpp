@@ -8,6 +8,7 @@
 #include "outlines_scene.hpp"
 #include "own_mesh.hpp"
 #include "zstrip/effects/billboards/billboard.hpp"
+#include "zstrip/effects/exclusions.hpp"
 #include "zstrip/effects/outlines/outline.hpp"
 
 namespace effects_test {

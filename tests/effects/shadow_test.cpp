@@ -5,6 +5,7 @@
 #include <random>
 
 #include "shadow_world.hpp"
+#include "zstrip/effects/exclusions.hpp"
 
 namespace effects_test {
 namespace {
