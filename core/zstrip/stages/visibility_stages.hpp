@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "zstrip/stages/bounds.hpp"
 #include "zstrip/stages/raster_stage.hpp"
 #include "zstrip/visibility/bsp_order.hpp"
 

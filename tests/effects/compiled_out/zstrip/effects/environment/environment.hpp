@@ -1,12 +1,15 @@
-// Declared, not there: what code without surroundings may know of them.
+// Declared, not there: what code without environment maps may know of them.
 #pragma once
 
+#include "zstrip/effects/environment/effect.hpp"
 #include "zstrip/geometry/instance.hpp"
 #include "zstrip/scene/camera.hpp"
 
 namespace zstrip::detail {
 
-struct EyeForms {};
+struct EyeForms {
+  alignas(4) char unused[environment::Effect::kEyeFormsBytes];
+};
 struct MirroredPoint {};
 EyeForms eye_forms(const Mesh& mesh, const Transform& transform, const Camera& camera);
 template <bool orthographic>
