@@ -13,8 +13,7 @@ namespace zstrip::detail {
 /// What begin_frame was given.
 struct FrameRequest {
   const Scene& scene;
-  const Camera& camera;  ///< that draws
-  const Camera& facing;  ///< that billboards turn to: another one only where pixels have several samples
+  const Camera& camera;
   const View& view;
   const Plan& plan;
   Effects called_for;  ///< by scene and camera
@@ -32,9 +31,11 @@ struct StripImage {
 /// All checks of begin_frame.
 template <Effects effects>
 Status check_frame(const FrameRequest& request, std::span<std::byte> arena);
-/// Begins a frame whose request has passed the checks.
+/// Begins a frame whose request has passed the checks. `facing`: the camera that billboards turn to, another one than
+/// the request's only where pixels have several samples.
 template <Effects effects>
-Status begin_checked_frame(FrameState& frame, const FrameRequest& request, std::span<std::byte> arena);
+Status begin_checked_frame(FrameState& frame, const FrameRequest& request, const Camera& facing,
+                           std::span<std::byte> arena);
 /// All that is in the scene, into a strip that is cleared.
 template <Effects effects>
 void draw_scene(FrameState& frame, const StripTarget& target, std::uint16_t strip);
@@ -55,7 +56,7 @@ struct NoStage {
   static constexpr bool kChangesScene = false;
   /// Changes what is drawn: `drawn` is the caller's scene as the stages before have left it, and ends with begin_frame.
   template <Effects effects>
-  static Status change_scene(FrameState&, Scene& /*drawn*/, const FrameRequest&) {
+  static Status change_scene(FrameState&, Scene& /*drawn*/, const FrameRequest&, const Camera& /*facing*/) {
     return {};
   }
   /// After everything else of begin_frame: gives the frame a scene that lives as long as its strips.

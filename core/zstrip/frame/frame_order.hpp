@@ -58,7 +58,8 @@ Status prepare_frame(FrameState& frame, const Scene& scene, const FrameRequest& 
 }
 
 template <Effects effects>
-Status begin_checked_frame(FrameState& frame, const FrameRequest& request, std::span<std::byte> arena) {
+Status begin_checked_frame(FrameState& frame, const FrameRequest& request, [[maybe_unused]] const Camera& facing,
+                           std::span<std::byte> arena) {
   start(frame, request.view, request.plan, arena);
   frame.has_special_depth = DepthStage::has_own_clear(effects);
   lay_out_effects<effects>(frame, request.scene, request.called_for);
@@ -67,7 +68,7 @@ Status begin_checked_frame(FrameState& frame, const FrameRequest& request, std::
   } else {
     Scene drawn = request.scene;
     if (const Status status = Stages::until_error<effects>(
-            [&](auto stage) { return stage.template change_scene<effects>(frame, drawn, request); });
+            [&](auto stage) { return stage.template change_scene<effects>(frame, drawn, request, facing); });
         !status) {
       return status;
     }
@@ -92,9 +93,9 @@ template <Effects effects>
 Status begin_whole_frame(FrameState& frame, const Scene& scene, const Camera& camera, const View& view,
                          const Plan& plan, std::span<std::byte> arena) {
   abandon(frame);
-  const FrameRequest request{scene, camera, camera, view, plan, effects_of(scene, camera)};
+  const FrameRequest request{scene, camera, view, plan, effects_of(scene, camera)};
   if (const Status status = check_frame<effects>(request, arena); !status) return status;
-  return begin_checked_frame<effects>(frame, request, arena);
+  return begin_checked_frame<effects>(frame, request, camera, arena);
 }
 
 template <Effects effects>

@@ -165,7 +165,9 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
             .plan = {}};
   }
   if (!methods_agree(effects)) return {.status = {.error = Error::visibility, .needed = effects.methods}, .plan = {}};
-  if (detail::has_apron(effects, counts) && (budget.layer.sum() != 0 || view.samples != 1 || !effects_agree(effects))) {
+  constexpr Effects kWithoutEdges = detail::excluded_by(effect::edges);
+  if (detail::has_apron(effects, counts) &&
+      (budget.layer.sum() != 0 || view.samples != 1 || effects.any(kWithoutEdges))) {
     return {.status = {.error = Error::edges}, .plan = {}};
   }
   if (budget.layer.sum() != 0) {

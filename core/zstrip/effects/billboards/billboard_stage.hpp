@@ -13,8 +13,8 @@ struct Stage : NoStage {
   static constexpr bool kChangesScene = true;
 
   template <Effects effects>
-  static Status change_scene(const FrameState& frame, Scene& drawn, const FrameRequest& request) {
-    return request.called_for.has(effect::billboards) ? turn(frame, drawn, request.facing) : Status{};
+  static Status change_scene(const FrameState& frame, Scene& drawn, const FrameRequest& request, const Camera& facing) {
+    return request.called_for.has(effect::billboards) ? turn(frame, drawn, facing) : Status{};
   }
 };
 

@@ -4,7 +4,7 @@
 namespace zstrip::detail::edges {
 
 Status check_request(const FrameRequest& request) {
-  const auto& [scene, camera, facing, view, plan, called_for] = request;
+  const auto& [scene, camera, view, plan, called_for] = request;
   if (view.samples != 1 || called_for.any(effect::outlines | effect::shadows | effect::csg)) {
     return {.error = Error::edges};
   }

@@ -35,7 +35,7 @@ struct Stage : NoStage {
   static constexpr bool kChangesScene = true;
 
   template <Effects effects>
-  static Status change_scene(const FrameState& frame, Scene& drawn, const FrameRequest& request) {
+  static Status change_scene(const FrameState& frame, Scene& drawn, const FrameRequest& request, const Camera&) {
     if (request.called_for.has(effect::outlines)) add_hulls(frame, drawn);
     return {};
   }

@@ -29,7 +29,7 @@ struct Stage : NoStage {
 
   /// Draws the map, of turned billboards and without hulls, and puts the light last.
   template <Effects effects>
-  static Status change_scene(FrameState& frame, Scene& drawn, const FrameRequest& request) {
+  static Status change_scene(FrameState& frame, Scene& drawn, const FrameRequest& request, const Camera&) {
     if (!request.called_for.has(effect::shadows)) return {};
     frame.has_special_depth = true;
     ShadowState& state = begin_state(frame, request.scene);
