@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "zstrip/base/status.hpp"
+#include "zstrip/scene/blob_sections.hpp"
 
 namespace zstrip::panel {
 namespace {
@@ -22,8 +23,11 @@ std::string reason(const Status& status) {
     case Error::blob_damaged:
       return "is no whole baked scene (byte " + std::to_string(status.needed) + "); bake it again: zstrip bake";
     case Error::blob_version:
-      return "is a baked scene of version " + std::to_string(status.needed) + ", and this program reads versions " +
-             std::to_string(kOldestSceneBlobVersion) + " to " + std::to_string(status.available) + "; bake it again";
+      return "is a baked scene of version " + std::to_string(status.needed) + ", and this program reads version " +
+             std::to_string(status.available) + "; bake it again: zstrip bake MODEL -o FILE.zsc";
+    case Error::blob_section:
+      return std::string("is a baked scene with a section '") + blob_layout::name_of(status.needed).data() +
+             "' that this program does not know; it needs a newer one";
     default: return std::string("is a baked scene that cannot be drawn: ") + message(status.error) + "; bake it again";
   }
 }

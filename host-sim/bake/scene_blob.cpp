@@ -8,15 +8,12 @@
 #include <map>
 #include <span>
 #include <utility>
+#include <vector>
+
+#include "zstrip/scene/blob_sections.hpp"
 
 namespace zstrip::sim {
 namespace {
-
-constexpr std::size_t kMeshBytes = 76;
-constexpr std::size_t kTextureBytes = 12;
-constexpr std::size_t kLineSetRecordBytes = 64;
-constexpr std::size_t kEdgeSetRecordBytes = 12;
-constexpr std::size_t kMaxLineSets = 255;
 
 class Writer {
  public:
@@ -160,188 +157,238 @@ class Writer {
     byte(camera.fixed_depth_range ? 1 : 0);
     zeros(2);
   }
-  void put(const View& view, std::uint32_t effects) {
-    half_word(std::uint32_t{view.width});
-    half_word(std::uint32_t{view.height});
-    byte(static_cast<std::uint8_t>(view.format) | effects << 4);
-    byte(view.dither ? 1 : 0);
-    byte(view.samples == 1 ? std::uint8_t{0} : view.samples);
+  void put(const blob_layout::PictureRecord& picture) {
+    for (const std::uint32_t side : {picture.width, picture.height}) half_word(side);
+    for (const std::uint8_t value : {picture.format, picture.dither, picture.samples, picture.effects}) byte(value);
+  }
+  void put(const blob_layout::BaseRecord& base) {
+    put(base.ambient);
+    put(base.background);
+  }
+  void put(const blob_layout::AnimationRecord& animation) { word(animation.duration); }
+  void put(const blob_layout::TurnRecord& turn) {
+    half_word(std::uint32_t{turn.still_instances});
+    byte(turn.what);
     zeros(1);
   }
-
-  /// Writes the array here, and its offset and count at `entry`.
-  template <class Record>
-  void array(std::size_t entry, std::span<const Record> records) {
-    if (records.empty()) return;
-    const auto [known, is_new] = arrays_.try_emplace({records.data(), records.size()}, bytes_.size());
-    word_at(entry, static_cast<std::uint32_t>(known->second));
-    word_at(entry + 4, static_cast<std::uint32_t>(records.size()));
-    if (!is_new) return;  // meshes of other sizes share their vertices
-    for (const Record& record : records) put(record);
-    align();
+  void put(const blob_layout::Range& range) {
+    word(range.first);
+    word(range.count);
   }
-  /// Room for `count` records of `size` bytes, named at `entry`; where they begin.
-  std::size_t reserve(std::size_t entry, std::size_t count, std::size_t size) {
-    const std::size_t at = bytes_.size();
-    if (count > 0) {
-      word_at(entry, static_cast<std::uint32_t>(at));
-      word_at(entry + 4, static_cast<std::uint32_t>(count));
+  void put(const blob_layout::MeshRecord& mesh) {
+    for (const blob_layout::Range& range :
+         {mesh.positions, mesh.normals, mesh.colours, mesh.texcoords, mesh.triangles, mesh.meshlets}) {
+      put(range);
     }
-    zeros(count * size);
-    return at;
+    put(mesh.centre);
+    put(mesh.half_extent);
+    for (const std::uint8_t value : {mesh.texcoord_bits, mesh.billboard, mesh.outline, mesh.shadow}) byte(value);
   }
-  void word_at(std::size_t at, std::uint32_t value) {
-    for (std::size_t i = 0; i < 4; ++i) bytes_[at + i] = static_cast<std::uint8_t>(value >> 8 * i);
+  void put(const blob_layout::TextureRecord& texture) {
+    put(texture.texels);
+    for (const std::uint8_t value : {texture.log2_width, texture.log2_height, texture.format, texture.smaller_levels}) {
+      byte(value);
+    }
   }
-  void half_word_at(std::size_t at, std::uint16_t value) {
-    for (std::size_t i = 0; i < 2; ++i) bytes_[at + i] = static_cast<std::uint8_t>(value >> 8 * i);
+  void put(const blob_layout::LineRecord& lines) {
+    put(lines.segments);
+    for (const std::uint32_t index : {lines.mesh, lines.material}) half_word(index);
+    put(lines.transform);
+    byte(lines.width);
+    zeros(3);
   }
-  void byte_at(std::size_t at, std::uint8_t value) { bytes_[at] = value; }
+  void put(const blob_layout::EdgeRecord& set) {
+    put(set.edges);
+    half_word(std::uint32_t{set.mesh});
+    zeros(2);
+  }
 
-  std::vector<std::uint8_t>& bytes() { return bytes_; }
-
- private:
   void align() { zeros((kSceneBlobAlignment - bytes_.size() % kSceneBlobAlignment) % kSceneBlobAlignment); }
 
+  std::vector<std::uint8_t>& bytes() { return bytes_; }
+  const std::vector<std::uint8_t>& bytes() const { return bytes_; }
+
+ private:
   std::vector<std::uint8_t> bytes_;
-  std::map<std::pair<const void*, std::size_t>, std::size_t> arrays_;  ///< where those begin that are written
 };
 
-void write_mesh(Writer& writer, std::size_t at, const Mesh& mesh) {
-  writer.array(at, mesh.positions);
-  writer.array(at + 8, mesh.normals);
-  writer.array(at + 16, mesh.colours);
-  writer.array(at + 24, mesh.texcoords);
-  writer.array(at + 32, mesh.triangles);
-  writer.array(at + 40, mesh.meshlets);
-  std::size_t member = at + 48;
-  for (const Vec3& vector : {mesh.centre, mesh.half_extent}) {
-    for (const std::int32_t component : {vector.x, vector.y, vector.z}) {
-      writer.word_at(member, static_cast<std::uint32_t>(component));
-      member += 4;
+/// Writes the sections and remembers where each of them is, as blob_layout::for_each_section calls it.
+class SectionWriter {
+ public:
+  template <class Record>
+  void operator()(blob_layout::Tag tag, std::span<const Record> records) {
+    if (records.empty()) return;
+    const std::size_t first = content_.bytes().size();
+    for (const Record& record : records) content_.put(record);
+    table_.push_back({tag, first, content_.bytes().size() - first});
+    content_.align();
+  }
+  template <class Record>
+  void operator()(blob_layout::Tag tag, const Record* record) {
+    if (record != nullptr) (*this)(tag, std::span(record, 1));
+  }
+  template <class Record>
+  void needed(blob_layout::Tag tag, const Record* record) {
+    (*this)(tag, record);
+  }
+
+  /// The whole blob.
+  Result<std::vector<std::uint8_t>> blob() const {
+    const std::size_t head = sizeof(blob_layout::Header) + table_.size() * sizeof(blob_layout::Section);
+    const std::vector<std::uint8_t>& content = content_.bytes();
+    if (head + content.size() > 0xFFFFFFFF) {
+      return Failure{ExitStatus::input, "takes more than 4 GB; simplify the model"};
+    }
+    Writer checked;
+    checked.word(static_cast<std::uint32_t>(table_.size()));
+    for (const Entry& entry : table_) {
+      for (int shift = 24; shift >= 0; shift -= 8) checked.byte(entry.tag >> shift & 0xFF);
+      checked.word(static_cast<std::uint32_t>(head + entry.first));
+      checked.word(static_cast<std::uint32_t>(entry.bytes));
+    }
+    std::vector<std::uint8_t>& rest = checked.bytes();
+    rest.insert(rest.end(), content.begin(), content.end());
+    Writer blob;
+    for (const char letter : {'z', 's'}) blob.byte(static_cast<std::uint8_t>(letter));
+    blob.byte(kSceneBlobVersion);
+    blob.byte('s');
+    blob.word(static_cast<std::uint32_t>(blob_layout::kChecked + rest.size()));
+    blob.word(static_cast<std::uint32_t>(crc32_z(crc32_z(0, nullptr, 0), rest.data(), rest.size())));
+    blob.bytes().insert(blob.bytes().end(), rest.begin(), rest.end());
+    return std::move(blob.bytes());
+  }
+
+ private:
+  struct Entry {
+    blob_layout::Tag tag;
+    std::size_t first, bytes;
+  };
+  Writer content_;
+  std::vector<Entry> table_;
+};
+
+/// The records of one kind, those of one array after those of another.
+template <class Record>
+class Pool {
+ public:
+  blob_layout::Range add(std::span<const Record> records) {
+    if (records.empty()) return {0, 0};
+    const auto [known, is_new] = arrays_.try_emplace({records.data(), records.size()}, records_.size());
+    if (is_new) records_.insert(records_.end(), records.begin(), records.end());  // meshes of other sizes share theirs
+    return {static_cast<std::uint32_t>(known->second), static_cast<std::uint32_t>(records.size())};
+  }
+  std::span<const Record> all() const { return records_; }
+
+ private:
+  std::vector<Record> records_;
+  std::map<std::pair<const void*, std::size_t>, std::size_t> arrays_;  ///< where those begin that are there
+};
+
+/// What `records` looks at.
+struct Pools {
+  Pool<Position> positions;
+  Pool<Normal> normals;
+  Pool<Colour> colours;
+  Pool<TexCoord> texcoords;
+  Pool<Triangle> triangles;
+  Pool<Meshlet> meshlets;
+  Pool<std::uint16_t> texels;
+  Pool<Segment> segments;
+  Pool<Edge> edges;
+  std::vector<blob_layout::MeshRecord> meshes;
+  std::vector<blob_layout::TextureRecord> textures;
+  std::vector<blob_layout::LineRecord> lines;
+  std::vector<blob_layout::EdgeRecord> edge_sets;
+
+  explicit Pools(const Scene& scene) {
+    for (const Mesh& mesh : scene.meshes) {
+      meshes.push_back({.positions = positions.add(mesh.positions),
+                        .normals = normals.add(mesh.normals),
+                        .colours = colours.add(mesh.colours),
+                        .texcoords = texcoords.add(mesh.texcoords),
+                        .triangles = triangles.add(mesh.triangles),
+                        .meshlets = meshlets.add(mesh.meshlets),
+                        .centre = mesh.centre,
+                        .half_extent = mesh.half_extent,
+                        .texcoord_bits = mesh.texcoord_bits,
+                        .billboard = static_cast<std::uint8_t>(mesh.billboard),
+                        .outline = mesh.outline,
+                        .shadow = static_cast<std::uint8_t>(mesh.shadow)});
+    }
+    for (const Texture& texture : scene.textures) {
+      textures.push_back({.texels = texels.add(texture.texels),
+                          .log2_width = texture.log2_width,
+                          .log2_height = texture.log2_height,
+                          .format = static_cast<std::uint8_t>(texture.format),
+                          .smaller_levels = texture.smaller_levels});
+    }
+    for (const LineSet& set : scene.lines) {
+      lines.push_back({.segments = segments.add(set.segments),
+                       .mesh = set.mesh,
+                       .material = set.material,
+                       .transform = set.transform,
+                       .width = set.width,
+                       .unused = {}});
+    }
+    for (const EdgeSet& set : scene.edges) {
+      edge_sets.push_back({.edges = edges.add(set.edges), .mesh = set.mesh, .unused = 0});
     }
   }
-  writer.byte_at(at + 72, mesh.texcoord_bits);
-  writer.byte_at(at + 73, static_cast<std::uint8_t>(mesh.billboard));
-  writer.byte_at(at + 74, mesh.outline);
-  writer.byte_at(at + 75, static_cast<std::uint8_t>(mesh.shadow));
-}
 
-void write_texture(Writer& writer, std::size_t at, const Texture& texture) {
-  writer.array(at, texture.texels);
-  writer.byte_at(at + 8, texture.log2_width);
-  writer.byte_at(at + 9, texture.log2_height);
-  writer.byte_at(at + 10, static_cast<std::uint8_t>(texture.format));
-  writer.byte_at(at + 11, texture.smaller_levels);
-}
+  blob_layout::Records records() const {
+    blob_layout::Records all;
+    all.meshes = meshes;
+    all.textures = textures;
+    all.lines = lines;
+    all.edge_sets = edge_sets;
+    all.positions = positions.all();
+    all.normals = normals.all();
+    all.colours = colours.all();
+    all.texcoords = texcoords.all();
+    all.triangles = triangles.all();
+    all.meshlets = meshlets.all();
+    all.texels = texels.all();
+    all.segments = segments.all();
+    all.edges = edges.all();
+    return all;
+  }
+};
 
 /// Of one of kPictureEffects.
-std::uint32_t number_of(Effects effects) {
-  return static_cast<std::uint32_t>(std::ranges::find(kPictureEffects, effects) - std::begin(kPictureEffects));
-}
-
-/// The animation's duration, or what turns without one; 0 is what blobs from before turns have.
-std::uint32_t motion_word(const SceneBlob& content) {
-  if (!content.animation.tracks.empty()) return content.animation.duration;
-  if (content.turn == Turn{} && content.turning_camera == nullptr) return 0;
-  const std::uint32_t has_turn = content.turning_camera != nullptr ? 0x81 : 0x80;
-  return content.turn.still_instances | static_cast<std::uint32_t>(content.turn.what) << 16 | has_turn << 24;
-}
-
-void write_lines(Writer& writer, std::size_t at, const LineSet& lines) {
-  writer.array(at, lines.segments);
-  writer.half_word_at(at + 8, lines.mesh);
-  writer.half_word_at(at + 10, lines.material);
-  std::size_t member = at + 12;
-  for (const auto& row : lines.transform.m) {
-    for (const Fixed value : row) {
-      writer.word_at(member, static_cast<std::uint32_t>(value));
-      member += 4;
-    }
-  }
-  writer.byte_at(at + 60, lines.width);
+std::uint8_t number_of(Effects effects) {
+  return static_cast<std::uint8_t>(std::ranges::find(kPictureEffects, effects) - std::begin(kPictureEffects));
 }
 
 }  // namespace
 
 Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
-  const Scene& scene = content.scene;
-  if (scene.lines.size() > kMaxLineSets) {
-    return Failure{ExitStatus::input,
-                   "has more than 255 sets of lines and points, which a scene blob cannot hold; bake a header (.hpp)"};
+  SceneBlob written = content;
+  // What an animation moves does not turn.
+  const bool is_animated = !content.animation.tracks.empty();
+  if (is_animated) written.turning_camera = nullptr;
+  const Pools pools(content.scene);
+  blob_layout::Records records = pools.records();
+  const blob_layout::BaseRecord base{content.scene.ambient, content.scene.background};
+  const View& view = content.view;
+  const blob_layout::PictureRecord picture{.width = view.width,
+                                           .height = view.height,
+                                           .format = static_cast<std::uint8_t>(view.format),
+                                           .dither = view.dither,
+                                           .samples = view.samples,
+                                           .effects = number_of(content.effects)};
+  const blob_layout::AnimationRecord animation{content.animation.duration};
+  const blob_layout::TurnRecord turn{content.turn.still_instances, static_cast<std::uint8_t>(content.turn.what), 0};
+  records.base = &base;
+  records.camera = &content.camera;
+  records.picture = &picture;
+  if (is_animated) {
+    records.animation = &animation;
+  } else if (content.turn != Turn{}) {
+    records.turn = &turn;
   }
-  if (scene.edges.size() > kMaxBlobEdgeSets) {
-    return Failure{ExitStatus::input,
-                   "has edges of more than 190 meshes, which a scene blob cannot hold; bake a header (.hpp)"};
-  }
-  const int one_of_these =
-      (scene.shadow != nullptr ? 1 : 0) + (scene.csg.empty() ? 0 : 1) + (scene.edges.empty() ? 0 : 1);
-  if (one_of_these > 1) {
-    return Failure{ExitStatus::input,
-                   "has two of a shadow, products of solids and smooth edges: a scene blob holds one of them, as "
-                   "nothing draws them together"};
-  }
-  Writer writer;
-  for (const char letter : {'z', 's'}) writer.byte(static_cast<std::uint8_t>(letter));
-  const bool has_palettes =
-      std::ranges::any_of(scene.textures, [](const Texture& texture) { return has_palette(texture.format); });
-  writer.byte(has_palettes ? kSceneBlobVersion : kOldestSceneBlobVersion);
-  writer.byte('s');
-  writer.zeros(48);  // size, checksum and arrays: set below
-  writer.put(scene.ambient);
-  writer.put(scene.background);
-  writer.put(content.camera);
-  writer.put(content.view, number_of(content.effects));
-  writer.zeros(16);  // arrays of tracks and keyframes: set below
-  writer.word(motion_word(content));
-  writer.zeros(40);  // more arrays: set below
-
-  // Right behind the header.
-  for (const Outline& outline : scene.outlines) writer.put(outline);
-  writer.byte_at(122, static_cast<std::uint8_t>(scene.outlines.size()));
-  if (scene.shadow != nullptr) writer.put(*scene.shadow);
-  for (const CsgOperand& operand : scene.csg) writer.put(operand);
-  const std::size_t operands = scene.csg.empty() ? 0 : 1 + scene.csg.size();
-  const std::size_t edges = writer.bytes().size();
-  writer.zeros(scene.edges.size() * kEdgeSetRecordBytes);  // set below
-  writer.byte_at(131, static_cast<std::uint8_t>(scene.shadow != nullptr ? 1
-                                                : scene.edges.empty()   ? operands
-                                                                        : 256 - scene.edges.size()));
-  const std::size_t lines = writer.bytes().size();
-  writer.zeros(scene.lines.size() * kLineSetRecordBytes);  // set below
-  writer.byte_at(123, static_cast<std::uint8_t>(scene.lines.size()));
-  if (content.turning_camera != nullptr && content.animation.tracks.empty()) writer.put(*content.turning_camera);
-
-  const std::size_t meshes = writer.reserve(12, scene.meshes.size(), kMeshBytes);
-  writer.array(20, scene.materials);
-  const std::size_t textures = writer.reserve(28, scene.textures.size(), kTextureBytes);
-  writer.array(36, scene.instances);
-  writer.array(44, scene.lights);
-  writer.array(132, content.animation.tracks);
-  writer.array(140, content.animation.keyframes);
-  writer.array(152, scene.finishes);
-  writer.array(160, scene.punctual_lights);
-  if (scene.fog != nullptr) writer.array(168, std::span(scene.fog, 1));
-  writer.array(176, scene.quadrics);
-  writer.array(184, content.tree.nodes);
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) write_mesh(writer, meshes + i * kMeshBytes, scene.meshes[i]);
-  for (std::size_t i = 0; i < scene.textures.size(); ++i) {
-    write_texture(writer, textures + i * kTextureBytes, scene.textures[i]);
-  }
-  for (std::size_t i = 0; i < scene.lines.size(); ++i)
-    write_lines(writer, lines + i * kLineSetRecordBytes, scene.lines[i]);
-  for (std::size_t i = 0; i < scene.edges.size(); ++i) {
-    writer.array(edges + i * kEdgeSetRecordBytes, scene.edges[i].edges);
-    writer.half_word_at(edges + i * kEdgeSetRecordBytes + 8, scene.edges[i].mesh);
-  }
-
-  std::vector<std::uint8_t>& bytes = writer.bytes();
-  if (bytes.size() > 0xFFFFFFFF) return Failure{ExitStatus::input, "takes more than 4 GB; simplify the model"};
-  writer.word_at(4, static_cast<std::uint32_t>(bytes.size()));
-  constexpr std::size_t kChecked = 12;
-  writer.word_at(
-      8, static_cast<std::uint32_t>(crc32_z(crc32_z(0, nullptr, 0), bytes.data() + kChecked, bytes.size() - kChecked)));
-  return std::move(bytes);
+  SectionWriter sections;
+  blob_layout::for_each_section(written, records, sections);
+  return sections.blob();
 }
 
 }  // namespace zstrip::sim

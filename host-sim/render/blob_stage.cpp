@@ -9,6 +9,7 @@
 #include "render/camera_stage.hpp"
 #include "render/model_animation.hpp"
 #include "render/turned_parts.hpp"
+#include "zstrip/scene/blob_sections.hpp"
 #include "zstrip/scene/scene_blob.hpp"
 
 namespace zstrip::sim {
@@ -23,8 +24,13 @@ std::string reason(const Status& status, std::span<const std::uint8_t> bytes) {
       }
       return fmt::format("is no whole baked scene (byte {}); bake it again", status.needed);
     case Error::blob_version:
-      return fmt::format("is a baked scene of version {}, and this zstrip reads versions {} to {}; bake it again",
-                         status.needed, kOldestSceneBlobVersion, status.available);
+      return fmt::format(
+          "is a baked scene of version {}, and this zstrip reads version {}; bake it again from its model or scene "
+          "file: zstrip bake MODEL -o FILE.zsc",
+          status.needed, status.available);
+    case Error::blob_section:
+      return fmt::format("is a baked scene with a section '{}' that this zstrip does not know; take a newer zstrip",
+                         blob_layout::name_of(status.needed).data());
     default:
       return fmt::format("is a baked scene that cannot be drawn: {} (number {}); bake it again", message(status.error),
                          status.needed);

@@ -125,7 +125,8 @@ TEST_F(BakedFrames, SettingsOfThePictureAreKept) {
   for (const auto& [format, number] : {std::pair{"float", 4}, {"w16", 5}, {"z24", 6}, {"z32", 7}}) {
     const std::string picture = std::string("[picture]\ndepth_format = '") + format + "'\n";
     expect_same(scene_of(picture + kMaterials + kMoving + kStatic));
-    EXPECT_EQ(read(path("scene.zsc"))[128], number << 4);
+    const std::string bytes = read(path("scene.zsc"));
+    EXPECT_EQ(bytes[section({bytes.begin(), bytes.end()}, "PICT") + 7], number);
   }
 }
 
@@ -165,15 +166,13 @@ TEST_F(BakedFrames, TreesAreTheSceneOfTheFirstFrame) {
   }
 }
 
-/// Blobs from before there was a turn in them.
-TEST_F(BakedFrames, OlderBlobsTurnAsTheyDid) {
+TEST_F(BakedFrames, BlobsWithoutATurnTurn) {
   bake(scene_of(kMaterials + kWire), "scene.zsc", {"--size", "64x48"});
   const std::string whole = read(path("scene.zsc"));
-  Bytes bytes(whole.begin(), whole.end());
-  put_word(bytes, 148, 0);
-  mend(bytes);
-  const std::string older = file("older.zsc", {bytes.begin(), bytes.end()});
-  const Words turning = frames(older, 4, {});
+  std::vector<Piece> pieces = pieces_of({whole.begin(), whole.end()});
+  EXPECT_EQ(std::erase_if(pieces, [](const Piece& piece) { return piece.tag == "TURN"; }), 1U);
+  const Bytes bytes = blob_of(pieces);
+  const Words turning = frames(file("turns.zsc", {bytes.begin(), bytes.end()}), 4, {});
   EXPECT_NE(turning.at(0), turning.at(1));
   EXPECT_NE(turning.at(0), turning.at(2));
   const Words still = frames("scene.zsc", 4, {});
@@ -184,7 +183,7 @@ TEST_F(BakedFrames, WhatIsTooFarAwayToTurnIsSaid) {
   bake("room", "room.zsc", {"--size", "64x48"});
   const std::string whole = read(path("room.zsc"));
   Bytes bytes(whole.begin(), whole.end());
-  put_word(bytes, 96, 0x7FFFFFFF);  // the eye's x
+  put_word(bytes, section(bytes, "CAMR") + 36, 0x7FFFFFFF);  // the eye's x
   mend(bytes);
   const std::string far = file("far.zsc", {bytes.begin(), bytes.end()});
   const Outcome outcome = zstrip({"render", far, "-o", "frames", "--frames", "2"});

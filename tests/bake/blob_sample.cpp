@@ -20,6 +20,46 @@ void mend(Bytes& bytes) {
   put_word(bytes, 8, static_cast<std::uint32_t>(::crc32(0, bytes.data() + 12, static_cast<uInt>(bytes.size() - 12))));
 }
 
+std::uint32_t entry_of(const Bytes& bytes, std::string_view tag) {
+  for (std::uint32_t i = 0, at = 16; i < word(bytes, 12); ++i, at += 12) {
+    if (std::equal(tag.begin(), tag.end(), bytes.begin() + at)) return at;
+  }
+  return 0;
+}
+std::uint32_t section(const Bytes& bytes, std::string_view tag) {
+  const std::uint32_t entry = entry_of(bytes, tag);
+  return entry == 0 ? 0 : word(bytes, entry + 4);
+}
+std::uint32_t section_bytes(const Bytes& bytes, std::string_view tag) {
+  const std::uint32_t entry = entry_of(bytes, tag);
+  return entry == 0 ? 0 : word(bytes, entry + 8);
+}
+
+std::vector<Piece> pieces_of(const Bytes& bytes) {
+  std::vector<Piece> pieces;
+  for (std::uint32_t i = 0, at = 16; i < word(bytes, 12); ++i, at += 12) {
+    const auto first = bytes.begin() + word(bytes, at + 4);
+    pieces.push_back({{bytes.begin() + at, bytes.begin() + at + 4}, {first, first + word(bytes, at + 8)}});
+  }
+  return pieces;
+}
+Bytes blob_of(const std::vector<Piece>& pieces) {
+  Bytes bytes{'z', 's', 5, 's'};
+  bytes.resize(16 + 12 * pieces.size());
+  put_word(bytes, 12, static_cast<std::uint32_t>(pieces.size()));
+  std::size_t entry = 16;
+  for (const Piece& piece : pieces) {
+    std::copy(piece.tag.begin(), piece.tag.end(), bytes.begin() + static_cast<std::ptrdiff_t>(entry));
+    put_word(bytes, entry + 4, static_cast<std::uint32_t>(bytes.size()));
+    put_word(bytes, entry + 8, static_cast<std::uint32_t>(piece.content.size()));
+    entry += 12;
+    bytes.insert(bytes.end(), piece.content.begin(), piece.content.end());
+    bytes.resize((bytes.size() + 3) / 4 * 4);
+  }
+  mend(bytes);
+  return bytes;
+}
+
 SceneBlob sample() {
   SceneBlob blob{.scene = {.meshes = kMeshes,
                            .materials = kMaterials,

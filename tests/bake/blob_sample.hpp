@@ -9,6 +9,8 @@
 #include <cstring>
 #include <memory>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "bake/scene_blob.hpp"
@@ -33,6 +35,19 @@ void put_word(Bytes& bytes, std::size_t at, std::uint32_t value);
 std::uint32_t word(const Bytes& bytes, std::size_t at);
 /// Makes size and checksum right again.
 void mend(Bytes& bytes);
+
+/// Where the table of sections names this one, where it begins, and how many bytes it has; 0 if there is none.
+std::uint32_t entry_of(const Bytes& bytes, std::string_view tag);
+std::uint32_t section(const Bytes& bytes, std::string_view tag);
+std::uint32_t section_bytes(const Bytes& bytes, std::string_view tag);
+
+/// A section by itself, and a blob of such, in this order, whatever they are.
+struct Piece {
+  std::string tag;
+  Bytes content;
+};
+std::vector<Piece> pieces_of(const Bytes& bytes);
+Bytes blob_of(const std::vector<Piece>& pieces);
 
 // Two quads with everything that a mesh can have, two textures, two materials, three instances, two lights.
 inline constexpr Position kPositions[] = {
@@ -111,7 +126,7 @@ inline constexpr Turn kTurn{.what = Turning::instances, .still_instances = 2};
 inline constexpr Camera kTurningCamera{.eye = {1, -2, 300000}, .focal = 70000, .fixed_depth_range = true};
 
 SceneBlob sample();
-/// Those of sample(); with kWithPalettes for textures; with the tree of kNodes over kFourTriangles; with kLines behind
+/// Those of sample(); with kWithPalettes for textures; with the tree of kNodes over kFourTriangles; with kLines,
 /// kOutlines and kShadow; the same with kTurn and kTurningCamera, of a picture with depth as z24; with kEdgeSets.
 Bytes sample_bytes();
 Bytes palette_bytes();

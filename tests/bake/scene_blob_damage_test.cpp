@@ -16,12 +16,11 @@ namespace {
 
 TEST(SceneBlob, PalettesNeedAllTheirWords) {
   const Bytes whole = palette_bytes();
-  const std::uint32_t textures = word(whole, 28);
+  const std::uint32_t textures = section(whole, "TEXT");
   for (std::uint32_t i = 0; i < 2; ++i) {
     for (const std::uint32_t words : {0U, 1U, 15U, i == 0 ? 16U : 258U}) {
       Bytes fewer = whole;
       put_word(fewer, textures + 12 * i + 4, words);
-      if (words == 0) put_word(fewer, textures + 12 * i, 0);
       mend(fewer);
       EXPECT_EQ(Opened(fewer).status, (Status{.error = Error::texture, .needed = i})) << words;
     }
@@ -34,7 +33,7 @@ TEST(SceneBlob, PalettesNeedAllTheirWords) {
 
 TEST(SceneBlob, ATreeThatIsNoneIsDamaged) {
   const Bytes whole = tree_bytes();
-  const std::uint32_t nodes = word(whole, 184);
+  const std::uint32_t nodes = section(whole, "tree");
   const auto refused_at = [&](std::uint32_t node, std::uint32_t member, std::uint32_t value, std::uint32_t byte) {
     Bytes changed = whole;
     put_word(changed, nodes + 32 * node + member, value);
@@ -56,13 +55,10 @@ TEST(SceneBlob, ATreeThatIsNoneIsDamaged) {
   refused_at(1, kFront, 1, 32 + kFront);  // itself
   refused_at(1, kFront, 2, 32 + kFront);  // another's child
   refused_at(0, kParent, 1, kParent);
-  Bytes several = sample_bytes();  // of a scene of three instances
-  const auto at = static_cast<std::uint32_t>(several.size());
-  several.insert(several.end(), 32, 0);
-  put_word(several, 184, at);
-  put_word(several, 188, 1);
-  mend(several);
-  EXPECT_EQ(Opened(several).status, (Status{.error = Error::blob_damaged, .needed = 184}));
+  std::vector<Piece> several = pieces_of(sample_bytes());  // of a scene of three instances
+  several.push_back({"tree", Bytes(32)});
+  const Bytes of_several = blob_of(several);
+  EXPECT_EQ(Opened(of_several).status, (Status{.error = Error::blob_damaged, .needed = section(of_several, "tree")}));
 }
 
 /// Also where size and checksum agree with what is left.
@@ -125,7 +121,7 @@ void draw(const SceneBlob& content, Effects method = {}) {
 TEST(SceneBlob, EveryByteChangedUnderARightChecksum) {
   for (const Bytes& whole :
        {sample_bytes(), tree_bytes(), palette_bytes(), lines_bytes(), turn_bytes(), edges_bytes()}) {
-    const bool has_tree = word(whole, 184) != 0;
+    const bool has_tree = entry_of(whole, "tree") != 0;
     std::size_t refused = 0, drawn = 0;
     for (std::size_t at = 12; at < whole.size(); ++at) {
       for (const int value : {0x00, 0x01, 0x02, 0x7F, 0x80, 0xFF}) {
@@ -146,69 +142,113 @@ TEST(SceneBlob, EveryByteChangedUnderARightChecksum) {
   }
 }
 
-TEST(SceneBlob, ArraysBeyondTheEnd) {
-  const Bytes whole = sample_bytes();
-  const std::uint32_t meshes = word(whole, 12);
-  for (std::size_t entry :
-       {std::size_t{12}, std::size_t{20}, std::size_t{28}, std::size_t{36}, std::size_t{44}, std::size_t{132},
-        std::size_t{140}, std::size_t{152}, std::size_t{160}, std::size_t{168}, std::size_t{176}, std::size_t{184},
-        std::size_t{meshes}, std::size_t{meshes} + 8, std::size_t{meshes} + 40}) {
-    for (const std::uint32_t value :
-         {0xFFFFFFFFU, 0xFFFFFFFCU, 0x80000000U, 0x7FFFFFFCU, static_cast<std::uint32_t>(whole.size()),
-          static_cast<std::uint32_t>(whole.size()) - 4, 128U, 130U}) {
-      Bytes offset = whole;
-      put_word(offset, entry, value);
-      mend(offset);
-      EXPECT_FALSE(Opened(offset).status) << entry << ' ' << value;
-      Bytes count = whole;
-      put_word(count, entry + 4, value | 0x10000);
-      mend(count);
-      const Status status = Opened(count).status;
-      EXPECT_EQ(status.error, Error::blob_damaged) << entry << ' ' << value;
-      EXPECT_EQ(status.needed, entry);
+TEST(SceneBlob, SectionsBeyondTheEnd) {
+  for (const Bytes& whole : {sample_bytes(), tree_bytes(), lines_bytes(), edges_bytes()}) {
+    const auto with = [&whole](std::size_t at, std::uint32_t value) {
+      Bytes changed = whole;
+      put_word(changed, at, value);
+      mend(changed);
+      return Opened(changed, scene_blob_memory(2, 2, 2, 2)).status;
+    };
+    for (std::uint32_t entry = 16; entry < 16 + 12 * word(whole, 12); entry += 12) {
+      const std::uint32_t offset = word(whole, entry + 4), bytes = word(whole, entry + 8);
+      for (const std::uint32_t value :
+           {0xFFFFFFFFU, 0xFFFFFFFCU, 0x80000000U, 0x7FFFFFFCU, static_cast<std::uint32_t>(whole.size()),
+            static_cast<std::uint32_t>(whole.size()) - 4, offset - 4, offset + 1, offset + 2, offset + 4, 0U}) {
+        EXPECT_EQ(with(entry + 4, value), (Status{.error = Error::blob_damaged, .needed = entry + 4})) << value;
+      }
+      for (const std::uint32_t value :
+           {0xFFFFFFFFU, 0xFFFFFFFCU, 0x80000000U, static_cast<std::uint32_t>(whole.size()) - offset + 1,
+            static_cast<std::uint32_t>(whole.size()), 0U}) {
+        EXPECT_EQ(with(entry + 8, value), (Status{.error = Error::blob_damaged, .needed = entry + 8})) << value;
+      }
+      EXPECT_EQ(with(entry + 8, bytes + 4).error, Error::blob_damaged);
     }
   }
 }
 
-TEST(SceneBlob, SegmentsBeyondTheEnd) {
-  const Bytes whole = lines_bytes();
-  constexpr std::uint32_t kSet = 192 + 8 + 12;  // behind the header, the outline and the shadow
-  ASSERT_EQ(word(whole, kSet + 4), 3U);
-  for (const std::uint32_t value : {0U, 128U, 130U, 0xFFFFFFFCU, static_cast<std::uint32_t>(whole.size()) - 8}) {
-    Bytes changed = whole;
-    put_word(changed, kSet, value);
-    mend(changed);
-    const Opened opened(changed, scene_blob_memory(2, 2, 2));
-    EXPECT_EQ(opened.status, (Status{.error = Error::blob_damaged, .needed = kSet})) << value;
-  }
-  for (const std::uint32_t count : {0x10000U, 0x40000000U, 0x40000003U, 0xFFFFFFFFU}) {
-    Bytes changed = whole;
-    put_word(changed, kSet + 4, count);
-    mend(changed);
-    const Opened opened(changed, scene_blob_memory(2, 2, 2));
-    EXPECT_EQ(opened.status, (Status{.error = Error::blob_damaged, .needed = kSet})) << count;
+/// In records that name some of the records of another section.
+TEST(SceneBlob, RecordsThatAreNotThere) {
+  struct Case {
+    Bytes bytes;
+    const char* section;
+    std::uint32_t at;   ///< in the section
+    const char* named;  ///< section of the records
+    std::uint32_t record;
+  };
+  const Case cases[] = {{sample_bytes(), "MESH", 0, "POSI", 6},  {sample_bytes(), "MESH", 8, "NORM", 4},
+                        {sample_bytes(), "MESH", 16, "COLR", 4}, {sample_bytes(), "MESH", 24, "TEXC", 4},
+                        {sample_bytes(), "MESH", 32, "TRIA", 6}, {sample_bytes(), "MESH", 40, "MLET", 20},
+                        {sample_bytes(), "TEXT", 12, "TEXL", 2}, {lines_bytes(), "LSET", 0, "SEGM", 4},
+                        {edges_bytes(), "ESET", 0, "EDGE", 8}};
+  for (const Case& one : cases) {
+    const std::uint32_t at = section(one.bytes, one.section) + one.at;
+    const std::uint32_t all = section_bytes(one.bytes, one.named) / one.record;
+    ASSERT_GT(all, 0U) << one.named;
+    const auto with = [&](std::uint32_t first, std::uint32_t count) {
+      Bytes changed = one.bytes;
+      put_word(changed, at, first);
+      put_word(changed, at + 4, count);
+      mend(changed);
+      return Opened(changed, scene_blob_memory(2, 2, 2, 2)).status;
+    };
+    for (const auto& [first, count] : {std::pair{0U, all + 1},
+                                       {1U, all},
+                                       {all, 1U},
+                                       {all + 1, 0U},
+                                       {0xFFFFFFFFU, 1U},
+                                       {0xFFFFFFFFU, 0xFFFFFFFFU},
+                                       {1U, 0xFFFFFFFFU},
+                                       {0U, 0x80000000U},
+                                       {0x80000000U, 0x80000000U}}) {
+      EXPECT_EQ(with(first, count), (Status{.error = Error::blob_damaged, .needed = at})) << one.named << first;
+    }
+    EXPECT_NE(with(all, 0).error, Error::blob_damaged) << "none of them";
   }
 }
 
 TEST(SceneBlob, ValuesThatAreNone) {
   const Bytes whole = sample_bytes();
-  const std::size_t material = word(whole, 20);
+  const std::size_t material = section(whole, "MATL"), camera = section(whole, "CAMR"),
+                    picture = section(whole, "PICT");
   const auto error_with = [&whole](std::size_t at, std::uint8_t value) {
     Bytes changed = whole;
     changed[at] = value;
     mend(changed);
     return Opened(changed).status;
   };
-  for (const std::size_t flag : {material + 6, material + 8, material + 10, std::size_t{120}, std::size_t{121}}) {
-    EXPECT_EQ(error_with(flag, 2), (Status{.error = Error::blob_damaged, .needed = static_cast<std::uint32_t>(flag)}));
+  const auto damaged = [](std::size_t at) {
+    return Status{.error = Error::blob_damaged, .needed = static_cast<std::uint32_t>(at)};
+  };
+  for (const std::size_t flag : {material + 6, material + 8, material + 10, camera + 60, camera + 61, picture + 5}) {
+    EXPECT_EQ(error_with(flag, 2), damaged(flag));
   }
-  EXPECT_EQ(error_with(material + 7, 3).error, Error::blob_damaged);  // shading
-  EXPECT_EQ(error_with(material + 9, 8).error, Error::blob_damaged);  // depth test
-  EXPECT_EQ(error_with(128, static_cast<std::uint8_t>(kLastPixelFormat) + 1).error, Error::blob_damaged);
-  EXPECT_EQ(error_with(125, 17).error, Error::blob_damaged);  // 4416 pixels wide
+  EXPECT_EQ(error_with(material + 7, 3), damaged(material + 7));  // shading
+  EXPECT_EQ(error_with(material + 9, 8), damaged(material + 9));  // depth test
+  EXPECT_EQ(error_with(picture + 4, static_cast<std::uint8_t>(kLastPixelFormat) + 1), damaged(picture + 4));
+  EXPECT_EQ(error_with(picture + 1, 17), damaged(picture));  // 4416 pixels wide
+  for (const int samples : {0, 3, 5, 255}) {
+    EXPECT_EQ(error_with(picture + 6, static_cast<std::uint8_t>(samples)), damaged(picture + 6));
+  }
+  EXPECT_EQ(error_with(picture + 7, 8), damaged(picture + 7));
   EXPECT_EQ(error_with(3, 'd').error, Error::blob_damaged);
-  EXPECT_EQ(error_with(2, 1), (Status{.error = Error::blob_version, .needed = 1, .available = 4}));
-  EXPECT_EQ(error_with(111, 0x80).error, Error::camera);  // negative focal length
+  EXPECT_EQ(error_with(camera + 51, 0x80).error, Error::camera);  // negative focal length
+}
+
+/// All have these three bytes in one place: they are to be baked again, and never opened by chance.
+TEST(SceneBlob, OtherVersionsAreRefused) {
+  for (int version = 0; version < 256; ++version) {
+    if (version == kSceneBlobVersion) continue;
+    for (const bool mended : {false, true}) {
+      Bytes other = sample_bytes();
+      other[2] = static_cast<std::uint8_t>(version);
+      if (mended) mend(other);
+      EXPECT_EQ(Opened(other).status,
+                (Status{.error = Error::blob_version, .needed = static_cast<std::uint32_t>(version), .available = 5}));
+      other.resize(4);
+      EXPECT_EQ(Opened(other).status.error, Error::blob_version);
+    }
+  }
 }
 
 TEST(SceneBlob, LentMemory) {

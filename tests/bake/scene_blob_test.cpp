@@ -27,26 +27,32 @@ TEST(SceneBlob, ChecksumIsZlibs) {
 TEST(SceneBlob, GoldenBytes) {
   // clang-format off
   Bytes expected{
-      'z', 's', 3, 's',  0, 0, 0, 0,  0, 0, 0, 0,
-      192, 0, 0, 0, 1, 0, 0, 0,   12, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   // meshes, materials, textures
-      36, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,                                // instances, lights
-      48, 48, 48, 255,  1, 2, 3, 4,                                                     // ambient, background
-      0, 0, 0, 64, 0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 64, 0, 0, 0, 0,       // right, up
-      0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 64,   0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0,        // back, eye
-      0x68, 0xBB, 1, 0,  0x9A, 0x19, 0, 0,  0, 0, 100, 0,  1, 0, 0, 0,                  // focal, near, far; orthographic
-      64, 1, 240, 0, 1, 0, 0, 0,                                                        // 320x240, rgb565_swapped
-      0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0,                      // tracks, keyframes, duration
-      0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 0, 0,          // finishes, punctual lights, fog
-      0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 0, 0,                                  // quadrics, nodes of a tree
-      // 192: the mesh
-      88, 1, 0, 0, 3, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
-      108, 1, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
-      0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0,   12, 0, 0, 0,
-      // 268: the material
-      255, 0, 0, 255,  255, 255,  0, 1, 0, 1, 1, 255,  0, 0, 0, 0,  0, 0, 0, 0,  0, 0, 0, 0,
-      // 292: the instance
+      'z', 's', 5, 's',  0, 0, 0, 0,  0, 0, 0, 0,  8, 0, 0, 0,
+      'B', 'A', 'S', 'E',  112, 0, 0, 0,   8, 0, 0, 0,
+      'C', 'A', 'M', 'R',  120, 0, 0, 0,  64, 0, 0, 0,
+      'I', 'N', 'S', 'T',  184, 0, 0, 0,  52, 0, 0, 0,
+      'M', 'A', 'T', 'L',  236, 0, 0, 0,  24, 0, 0, 0,
+      'M', 'E', 'S', 'H',    4, 1, 0, 0,  76, 0, 0, 0,
+      'P', 'I', 'C', 'T',   80, 1, 0, 0,   8, 0, 0, 0,
+      'P', 'O', 'S', 'I',   88, 1, 0, 0,  18, 0, 0, 0,
+      'T', 'R', 'I', 'A',  108, 1, 0, 0,   6, 0, 0, 0,
+      // 112: ambient, background
+      48, 48, 48, 255,  1, 2, 3, 4,
+      // 120: the camera's right, up, back, eye, focal length, near, far; orthographic
+      0, 0, 0, 64, 0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 64, 0, 0, 0, 0,
+      0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 64,   0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0,
+      0x68, 0xBB, 1, 0,  0x9A, 0x19, 0, 0,  0, 0, 100, 0,  1, 0, 0, 0,
+      // 184: the instance
       0, 0, 0, 0,  0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0,
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0,
+      // 236: the material
+      255, 0, 0, 255,  255, 255,  0, 1, 0, 1, 1, 255,  0, 0, 0, 0,  0, 0, 0, 0,  0, 0, 0, 0,
+      // 260: the mesh: positions, normals, colours, texture coordinates, triangles, meshlets
+      0, 0, 0, 0, 3, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
+      0, 0, 0, 0, 1, 0, 0, 0,   0, 0, 0, 0, 0, 0, 0, 0,
+      0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,   0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0,   12, 0, 0, 0,
+      // 336: 320x240, rgb565_swapped, not dithered, one sample, nothing besides
+      64, 1, 240, 0,  1, 0, 1, 0,
       // 344: positions, and two bytes up to the next multiple of 4; 364: the triangle, likewise
       0, 128, 0, 0, 1, 0,  255, 127, 0, 0, 0, 0,  0, 0, 255, 127, 0, 0,  0, 0,
       0, 0, 1, 0, 2, 0,  0, 0};
@@ -173,10 +179,8 @@ TEST(SceneBlob, WhatIsWrittenIsReadInPlace) {
   EXPECT_TRUE(opened.content.view.dither);
 }
 
-TEST(SceneBlob, PalettesAreOfANewVersion) {
-  EXPECT_EQ(sample_bytes()[2], 3);
+TEST(SceneBlob, PalettesAreFormatsOfTextures) {
   Bytes bytes = palette_bytes();
-  EXPECT_EQ(bytes[2], 4);
   const Opened opened(bytes);
   ASSERT_TRUE(opened.status);
   expect_same_bytes(opened.content.scene.textures[0].texels, kWithPalettes[0].texels);
@@ -184,20 +188,17 @@ TEST(SceneBlob, PalettesAreOfANewVersion) {
   EXPECT_EQ(opened.content.scene.textures[0].format, TextureFormat::palette4);
   EXPECT_EQ(opened.content.scene.textures[1].format, TextureFormat::palette8);
 
-  const std::uint32_t format = word(bytes, 28) + 10;  // of the first texture
+  const std::uint32_t format = section(bytes, "TEXT") + 10;  // of the first texture
   EXPECT_EQ(bytes[format], 3);
-  bytes[2] = 3;
-  EXPECT_EQ(Opened(bytes).status, (Status{.error = Error::blob_damaged, .needed = format})) << "it has none";
-  bytes[2] = 4;
   bytes[format] = 4;
   mend(bytes);
   EXPECT_EQ(Opened(bytes).status, (Status{.error = Error::blob_damaged, .needed = format}));
 }
 
-TEST(SceneBlob, ATreeStandsWhereItsArraySaysAndIsReadInPlace) {
+TEST(SceneBlob, ATreeStandsInItsSectionAndIsReadInPlace) {
   const Bytes bytes = tree_bytes();
-  const std::uint32_t at = word(bytes, 184);
-  ASSERT_EQ(word(bytes, 188), 3U);
+  const std::uint32_t at = section(bytes, "tree");
+  ASSERT_EQ(section_bytes(bytes, "tree"), 3U * 32);
   const std::uint32_t expected[] = {1, 0xFFFFFFFE, 3, 0xFFFFFFFC, 0,          1, 2,  0,  5, 6, 7, 0x40000000,
                                     1, 0,          0, 0,          0xFFFFFFF8, 9, 10, 11, 3, 0, 0, 0};
   for (std::uint32_t i = 0; i < 24; ++i) EXPECT_EQ(word(bytes, at + 4 * i), expected[i]) << i;

@@ -1,4 +1,4 @@
-// Scene blobs: what turns, the camera for it, and what the picture was baked for, in bytes that older blobs leave 0.
+// Scene blobs: what turns, the camera for it, and what the picture was baked for.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,9 +13,6 @@
 namespace zstrip::sim::test {
 namespace {
 
-constexpr std::uint32_t kTurnAt = 148, kFormatAt = 128;
-constexpr std::uint32_t kCameraAt = 192 + 8 + 12 + 2 * 64;  // behind the header, an outline, the shadow, two sets
-
 class SceneBlobTurn : public testing::Test {
  protected:
   static Opened with(Bytes bytes, std::uint32_t at, std::uint8_t value) {
@@ -26,18 +23,19 @@ class SceneBlobTurn : public testing::Test {
   static Status damaged(std::uint32_t at) { return {.error = Error::blob_damaged, .needed = at}; }
 
   const Bytes bytes_ = turn_bytes();
+  const std::uint32_t turn_at_ = section(bytes_, "TURN"), camera_at_ = section(bytes_, "CAMT");
 };
 
-TEST_F(SceneBlobTurn, StandsWhereAnAnimationWouldHaveItsDuration) {
-  EXPECT_EQ(bytes_[2], 3) << "the version stays";
-  EXPECT_EQ(word(bytes_, kTurnAt), 0x81010002U);
-  EXPECT_EQ(word(bytes_, 12), kCameraAt + 64) << "then the meshes";
+TEST_F(SceneBlobTurn, IsASectionBesideThatOfItsCamera) {
+  EXPECT_EQ(word(bytes_, turn_at_), 0x00010002U);
+  EXPECT_EQ(section_bytes(bytes_, "TURN"), 4U);
+  EXPECT_EQ(section_bytes(bytes_, "CAMT"), 64U);
   const Opened opened(bytes_, scene_blob_memory(2, 2, 2));
   ASSERT_TRUE(opened.status) << message(opened.status.error) << ' ' << opened.status.needed;
   EXPECT_EQ(opened.content.turn, kTurn);
   EXPECT_EQ(opened.content.animation.duration, 0U);
   ASSERT_NE(opened.content.turning_camera, nullptr);
-  EXPECT_EQ(reinterpret_cast<const std::byte*>(opened.content.turning_camera), opened.blob.bytes.get() + kCameraAt);
+  EXPECT_EQ(reinterpret_cast<const std::byte*>(opened.content.turning_camera), opened.blob.bytes.get() + camera_at_);
   EXPECT_EQ(&opened.content.camera_for(1), &opened.content.camera);
   const Camera& turning = opened.content.camera_for(2);
   EXPECT_EQ(std::tuple(turning.right, turning.up, turning.back, turning.eye),
@@ -47,28 +45,22 @@ TEST_F(SceneBlobTurn, StandsWhereAnAnimationWouldHaveItsDuration) {
   EXPECT_TRUE(turning.fixed_depth_range);
 }
 
-TEST_F(SceneBlobTurn, OfOlderBlobsIsOfInstancesAndLines) {
-  const Bytes older = lines_bytes();
-  EXPECT_EQ(word(older, kTurnAt), 0U);
-  // Some have the duration of an animation that moves no instance.
-  for (const std::uint32_t duration : {0U, 3200U, 0x7FFFFFFFU}) {
-    Bytes bytes = older;
-    put_word(bytes, kTurnAt, duration);
-    mend(bytes);
-    const Opened opened(bytes, scene_blob_memory(2, 2, 2));
-    ASSERT_TRUE(opened.status) << duration;
-    EXPECT_EQ(opened.content.turn, Turn{});
-    EXPECT_EQ(&opened.content.camera_for(2), &opened.content.camera);
-    EXPECT_EQ(opened.content.effects, Effects{});
-  }
+TEST_F(SceneBlobTurn, WithoutItsSectionInstancesAndLinesTurn) {
+  const Bytes without = lines_bytes();
+  EXPECT_EQ(entry_of(without, "TURN") | entry_of(without, "CAMT") | entry_of(without, "ANIM"), 0U);
+  const Opened opened(without, scene_blob_memory(2, 2, 2));
+  ASSERT_TRUE(opened.status);
+  EXPECT_EQ(opened.content.turn, Turn{});
+  EXPECT_EQ(&opened.content.camera_for(2), &opened.content.camera);
+  EXPECT_EQ(opened.content.effects, Effects{});
 }
 
 TEST_F(SceneBlobTurn, NeedsNoCamera) {
   SceneBlob content = sample();
   content.turn = {.what = Turning::camera};
   const Bytes bytes = *to_scene_blob(content);
-  EXPECT_EQ(word(bytes, kTurnAt), 0x80020000U);
-  EXPECT_EQ(word(bytes, 12), 192U) << "no record behind the header";
+  EXPECT_EQ(word(bytes, section(bytes, "TURN")), 0x00020000U);
+  EXPECT_EQ(entry_of(bytes, "CAMT"), 0U);
   EXPECT_EQ(Opened(bytes).content.turn, content.turn);
 }
 
@@ -80,7 +72,10 @@ TEST_F(SceneBlobTurn, IsNotThatOfAnAnimation) {
   content.animation = {.tracks = kTracks, .keyframes = kStill, .duration = 0x81010001};
   content.turn = kTurn;
   content.turning_camera = &kTurningCamera;
-  const Opened opened(*to_scene_blob(content));
+  const Bytes bytes = *to_scene_blob(content);
+  EXPECT_EQ(section_bytes(bytes, "ANIM"), 4U);
+  EXPECT_EQ(entry_of(bytes, "TURN") | entry_of(bytes, "CAMT"), 0U);
+  const Opened opened(bytes);
   ASSERT_TRUE(opened.status);
   EXPECT_EQ(opened.content.animation.duration, 0x81010001);
   EXPECT_EQ(opened.content.turn, Turn{});
@@ -88,41 +83,21 @@ TEST_F(SceneBlobTurn, IsNotThatOfAnAnimation) {
 }
 
 TEST_F(SceneBlobTurn, ValuesThatAreNoneAreDamage) {
-  EXPECT_TRUE(with(bytes_, kTurnAt, 3).status) << "all three stand still";
-  EXPECT_EQ(with(bytes_, kTurnAt, 4).status, damaged(kTurnAt)) << "there are three";
-  EXPECT_EQ(with(bytes_, kTurnAt + 1, 1).status, damaged(kTurnAt));
-  EXPECT_TRUE(with(bytes_, kTurnAt + 2, 3).status);
+  EXPECT_TRUE(with(bytes_, turn_at_, 3).status) << "all three stand still";
+  EXPECT_EQ(with(bytes_, turn_at_, 4).status, damaged(turn_at_)) << "there are three";
+  EXPECT_EQ(with(bytes_, turn_at_ + 1, 1).status, damaged(turn_at_));
+  EXPECT_TRUE(with(bytes_, turn_at_ + 2, 3).status);
   for (const int what : {4, 128, 255}) {
-    EXPECT_EQ(with(bytes_, kTurnAt + 2, static_cast<std::uint8_t>(what)).status, damaged(kTurnAt + 2)) << what;
+    EXPECT_EQ(with(bytes_, turn_at_ + 2, static_cast<std::uint8_t>(what)).status, damaged(turn_at_ + 2)) << what;
   }
-  for (const int has : {0x82, 0xC1, 0xFF}) {
-    EXPECT_EQ(with(bytes_, kTurnAt + 3, static_cast<std::uint8_t>(has)).status, damaged(kTurnAt + 3)) << has;
-  }
-  EXPECT_EQ(with(bytes_, kTurnAt + 3, 0x80).content.turning_camera, nullptr);
-  EXPECT_EQ(with(bytes_, kCameraAt + 60, 2).status, damaged(kCameraAt + 60)) << "projection";
-  EXPECT_EQ(with(bytes_, kCameraAt + 61, 2).status, damaged(kCameraAt + 61)) << "fixed depth range";
-  EXPECT_EQ(with(bytes_, kCameraAt + 51, 0x80).status.error, Error::camera) << "negative focal length";
-  EXPECT_TRUE(with(bytes_, kCameraAt + 63, 9).status) << "unused";
-}
-
-TEST_F(SceneBlobTurn, ACameraBeyondTheEndIsDamage) {
-  const Bytes whole = sample_bytes();
-  Bytes bytes(whole.begin(), whole.begin() + 192);
-  for (const std::uint32_t array : {12U, 20U, 28U, 36U, 44U, 152U, 160U, 168U}) {
-    put_word(bytes, array, 0);
-    put_word(bytes, array + 4, 0);
-  }
-  put_word(bytes, kTurnAt, 0x81030000);
-  for (const std::size_t room : {0U, 4U, 60U, 63U}) {
-    bytes.resize(192 + room);
-    mend(bytes);
-    EXPECT_EQ(Opened(bytes).status, damaged(kTurnAt + 3)) << room;
-  }
+  EXPECT_TRUE(with(bytes_, turn_at_ + 3, 255).status) << "unused";
+  EXPECT_EQ(with(bytes_, camera_at_ + 60, 2).status, damaged(camera_at_ + 60)) << "projection";
+  EXPECT_EQ(with(bytes_, camera_at_ + 61, 2).status, damaged(camera_at_ + 61)) << "fixed depth range";
+  EXPECT_EQ(with(bytes_, camera_at_ + 51, 0x80).status.error, Error::camera) << "negative focal length";
+  EXPECT_TRUE(with(bytes_, camera_at_ + 63, 9).status) << "unused";
 }
 
 TEST(SceneBlob, WhatThePictureWasBakedForStandsBesideItsFormat) {
-  EXPECT_EQ(turn_bytes()[kFormatAt], 0x60 | 2) << "z24, gray4";
-  EXPECT_EQ(sample_bytes()[kFormatAt], 2) << "as before there was anything else";
   constexpr Effects kNumbers[] = {{},
                                   effect::perspective_affine,
                                   effect::perspective_8,
@@ -131,24 +106,23 @@ TEST(SceneBlob, WhatThePictureWasBakedForStandsBesideItsFormat) {
                                   effect::depth_w16,
                                   effect::depth_24,
                                   effect::depth_32};
+  EXPECT_EQ(turn_bytes()[section(turn_bytes(), "PICT") + 7], 6) << "z24";
   Bytes bytes = sample_bytes();
-  for (std::uint32_t number = 0; number < 16; ++number) {
-    SceneBlob content = sample();
-    if (number < std::size(kNumbers)) content.effects = kNumbers[number];
-    bytes[kFormatAt] = static_cast<std::uint8_t>(number << 4 | 2);
+  const std::uint32_t at = section(bytes, "PICT") + 7;
+  for (std::uint32_t number = 0; number < 256; ++number) {
+    bytes[at] = static_cast<std::uint8_t>(number);
     mend(bytes);
     const Opened opened(bytes);
     if (number < std::size(kNumbers)) {
+      SceneBlob content = sample();
+      content.effects = kNumbers[number];
       EXPECT_EQ(*to_scene_blob(content), bytes) << number;
       ASSERT_TRUE(opened.status) << number;
       EXPECT_EQ(opened.content.effects, kNumbers[number]);
       EXPECT_EQ(opened.content.view.format, PixelFormat::gray4);
     } else {
-      EXPECT_EQ(opened.status, (Status{.error = Error::blob_damaged, .needed = kFormatAt})) << number;
+      EXPECT_EQ(opened.status, (Status{.error = Error::blob_damaged, .needed = at})) << number;
     }
-    bytes[kFormatAt] = static_cast<std::uint8_t>(number << 4 | 7);
-    mend(bytes);
-    EXPECT_EQ(Opened(bytes).status, (Status{.error = Error::blob_damaged, .needed = kFormatAt})) << number;
   }
 }
 

@@ -28,7 +28,7 @@ const char* message(Error error) {
     case Error::store_damaged: return "the store is damaged";
     case Error::blob_alignment: return "a scene blob or the memory lent for it is not aligned";
     case Error::blob_damaged: return "the scene blob is damaged";
-    case Error::blob_version: return "the scene blob has a version that is not read here";
+    case Error::blob_version: return "the scene blob has a version that is not read here; bake it again";
     case Error::blob_memory: return "the memory lent for the scene blob is too small";
     case Error::depth_effects: return "these depth effects exclude each other or this camera";
     case Error::finish: return "a material's finish is not valid";
@@ -48,6 +48,7 @@ const char* message(Error error) {
     case Error::edges:
       return "a set of edges is not valid, or goes with outlines, a shadow, CSG, several samples or a "
              "static layer";
+    case Error::blob_section: return "the scene blob has a section that is not known here";
     case Error::outline: return "an outline is not valid, has a hull without normals or is of what is not opaque";
   }
   return "unknown error";

@@ -63,6 +63,8 @@ enum class Error : std::uint8_t {
   edges,  ///< a set that refers to a mesh or vertex that does not exist, or not in the order of meshes (`needed` = its
           ///< index); or what was asked for, outlines, a shadow, CSG, several samples, a static layer or
           ///< a draw_over, is not there with them
+  blob_section,  ///< a scene blob with a section that must be known and is not (`needed` = its tag, the first letter in
+                 ///< the highest byte): it is newer than this program
 };
 
 /// What memory is for. The order is that of a plan's table.

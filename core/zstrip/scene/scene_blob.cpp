@@ -7,6 +7,7 @@
 #include <new>
 
 #include "zstrip/base/crc32.hpp"
+#include "zstrip/scene/blob_sections.hpp"
 #include "zstrip/scene/validate.hpp"
 
 namespace zstrip {
@@ -53,101 +54,123 @@ static_assert(sizeof(Shadow) == 12 && offsetof(Shadow, bias) == 2 && offsetof(Sh
               offsetof(Shadow, pool) == 8);
 static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colour) == 6);
 
-// Where the header has what; docs/formats.md.
-constexpr std::uint32_t kVersion = 2, kKind = 3, kSize = 4, kChecksum = 8, kChecked = 12;
-constexpr std::uint32_t kMeshes = 12, kMaterials = 20, kTextures = 28, kInstances = 36, kLights = 44;
-constexpr std::uint32_t kAmbient = 52, kBackground = 56, kCamera = 60, kOutlines = 122, kLines = 123, kView = 124;
-constexpr std::uint32_t kShadowCsgOrEdges = 131;
-constexpr std::uint32_t kTracks = 132, kKeyframes = 140, kDuration = 148;
-// In place of the duration where there are no tracks.
-constexpr std::uint32_t kStillInstances = 148, kTurning = 150, kHasTurn = 151;
-constexpr std::uint32_t kFinishes = 152, kPunctualLights = 160, kFog = 168, kQuadrics = 176;
-constexpr std::uint32_t kTree = 184;
-constexpr std::uint32_t kHeaderBytes = 192;
+using blob_layout::Header;
+using blob_layout::MeshRecord;
+using blob_layout::Range;
+using blob_layout::Records;
+using blob_layout::Section;
+using blob_layout::Tag;
 
-/// Records that become structures with pointers.
-struct MeshRecord {
-  static constexpr std::uint32_t kPositions = 0, kNormals = 8, kColours = 16, kTexcoords = 24, kTriangles = 32,
-                                 kMeshlets = 40, kCentre = 48, kHalfExtent = 60, kTexcoordBits = 72, kBillboard = 73,
-                                 kOutline = 74, kShadowRole = 75;
-  std::uint32_t words[19];
-};
-struct TextureRecord {
-  static constexpr std::uint32_t kTexels = 0, kLog2Width = 8, kLog2Height = 9, kFormat = 10, kSmallerLevels = 11;
-  std::uint32_t words[3];
-};
-struct LineSetRecord {
-  static constexpr std::uint32_t kSegments = 0, kMesh = 8, kMaterial = 10, kTransform = 12, kWidth = 60;
-  std::uint32_t words[16];
-};
-
-struct EdgeSetRecord {
-  static constexpr std::uint32_t kEdges = 0, kMesh = 8;
-  std::uint32_t words[3];
-};
-
-/// Reads values and arrays; remembers the first that is wrong.
+/// Goes through the table of sections once, in the order of the list of those that are known; remembers what is wrong
+/// first.
 class Reader {
  public:
-  explicit Reader(std::span<const std::byte> blob) : blob_(blob) {}
-
-  std::uint8_t byte(std::uint32_t at) const { return std::to_integer<std::uint8_t>(blob_[at]); }
-  std::uint16_t half_word(std::uint32_t at) const { return static_cast<std::uint16_t>(byte(at) | byte(at + 1) << 8); }
-  std::uint32_t word(std::uint32_t at) const {
-    return half_word(at) | static_cast<std::uint32_t>(half_word(at + 2)) << 16;
-  }
-  Vec3 vector(std::uint32_t at) const {
-    const auto component = [&](std::uint32_t offset) { return static_cast<std::int32_t>(word(at + offset)); };
-    return {component(0), component(4), component(8)};
-  }
-  Colour colour(std::uint32_t at) const { return {byte(at), byte(at + 1), byte(at + 2), byte(at + 3)}; }
-
-  void require(bool holds, std::uint32_t at) {
-    if (!holds && !wrong_) wrong_ = true, wrong_at_ = at;
-  }
-  /// 0 or 1.
-  bool flag(std::uint32_t at) {
-    require(byte(at) <= 1, at);
-    return byte(at) == 1;
-  }
-  /// The array whose offset and count stand at `at`; empty if they are wrong.
-  template <class Record>
-  std::span<const Record> array(std::uint32_t at) {
-    const std::uint32_t offset = word(at), count = word(at + 4);
-    const auto size = static_cast<std::uint32_t>(blob_.size());
-    if (count == 0) {
-      require(offset == 0, at);
-      return {};
-    }
-    const bool inside = offset % kSceneBlobAlignment == 0 && offset >= kHeaderBytes && offset <= size &&
-                        count <= (size - offset) / sizeof(Record);
-    require(inside, at);
-    if (!inside) return {};
-    return {reinterpret_cast<const Record*>(blob_.data() + offset), count};
-  }
-  /// The next of the arrays that stand behind the header, of `count` records, which stands at `at`.
-  template <class Record>
-  std::span<const Record> next_behind_header(std::uint32_t count, std::uint32_t at) {
-    static_assert(sizeof(Record) % kSceneBlobAlignment == 0);
-    const bool inside = count <= (blob_.size() - behind_header_) / sizeof(Record);
-    require(inside, at);
-    if (count == 0 || !inside) return {};
-    const auto* const first = reinterpret_cast<const Record*>(blob_.data() + behind_header_);
-    behind_header_ += count * sizeof(Record);
-    return {first, count};
-  }
-  template <class Record>
-  std::uint32_t offset_of(const Record& record) const {
-    return static_cast<std::uint32_t>(reinterpret_cast<const std::byte*>(&record) - blob_.data());
+  /// The envelope has been checked: header and table lie inside.
+  explicit Reader(std::span<const std::byte> blob)
+      : first_(blob.data()), size_(static_cast<std::uint32_t>(blob.size())) {
+    const auto* const header = reinterpret_cast<const Header*>(first_);
+    next_ = reinterpret_cast<const Section*>(header + 1);
+    end_ = next_ + header->sections;
+    free_ = offset_of(end_);
   }
 
-  Status status() const { return wrong_ ? Status{.error = Error::blob_damaged, .needed = wrong_at_} : Status{}; }
+  void require(bool holds, const void* culprit) {
+    if (!holds) fail({.error = Error::blob_damaged, .needed = offset_of(culprit)});
+  }
+  /// 0 or 1: a bool of any other value must not even be read as one.
+  void flag(const bool& value) { require(*reinterpret_cast<const std::uint8_t*>(&value) <= 1, &value); }
+
+  /// As blob_layout::for_each_section calls it.
+  template <class Record>
+  void operator()(Tag tag, std::span<const Record>& where) {
+    static_assert(alignof(Record) <= kSceneBlobAlignment);
+    const Found found = take(tag, sizeof(Record));
+    where = {reinterpret_cast<const Record*>(found.first), found.count};
+  }
+  template <class Record>
+  void operator()(Tag tag, const Record*& where) {
+    static_assert(alignof(Record) <= kSceneBlobAlignment);
+    where = reinterpret_cast<const Record*>(take_one(tag, sizeof(Record)));
+  }
+  template <class Record>
+  void needed(Tag tag, const Record*& where) {
+    (*this)(tag, where);
+    require(where != nullptr, next_);
+  }
+  /// After the last section that is known.
+  void finish() {
+    (void)take(0xFFFFFFFF, 1);
+    require(next_ == end_, next_);
+    require(free_ == size_, first_ + free_);
+  }
+
+  /// Those of `all` that a record has; none if they are not there.
+  template <class Record>
+  std::span<const Record> some(std::span<const Record> all, const Range& range) {
+    if (!inside(range, all.size())) return {};
+    return {all.data() + range.first, range.count};
+  }
+
+  const Status& status() const { return status_; }
 
  private:
-  std::span<const std::byte> blob_;
-  std::size_t behind_header_ = kHeaderBytes;
-  bool wrong_ = false;
-  std::uint32_t wrong_at_ = 0;
+  struct Found {
+    const std::byte* first;
+    std::uint32_t count;
+  };
+
+  std::uint32_t offset_of(const void* place) const {
+    return static_cast<std::uint32_t>(static_cast<const std::byte*>(place) - first_);
+  }
+  [[gnu::noinline]] void fail(const Status& status) {
+    if (status_) status_ = status;
+  }
+  [[gnu::noinline]] bool inside(const Range& range, std::size_t count) {
+    const bool holds = range.first <= count && range.count <= count - range.first;
+    require(holds, &range);
+    return holds;
+  }
+  /// Where the next section begins, if all of it lies where it must; then the one after it is next.
+  [[gnu::noinline]] const std::byte* step() {
+    const Section& section = *next_++;
+    const bool ascends = section.tag() > last_, follows = section.offset == free_;
+    require(ascends, &section);
+    require(follows, &section.offset);
+    const bool fits = follows && section.bytes != 0 && section.bytes <= size_ - free_;
+    require(fits, &section.bytes);
+    last_ = section.tag();
+    if (!fits) return nullptr;
+    free_ = (section.offset + section.bytes + kSceneBlobAlignment - 1) & ~(kSceneBlobAlignment - 1);
+    return first_ + section.offset;
+  }
+  /// The records of this section, none if it is not there. Those before it are not known.
+  [[gnu::noinline]] Found take(Tag tag, std::uint32_t record_bytes) {
+    while (next_ != end_ && next_->tag() < tag) {
+      (void)step();
+      // One that stands there twice is no new one: step() has found that it does not ascend.
+      if (blob_layout::must_be_known(last_)) fail({.error = Error::blob_section, .needed = last_});
+    }
+    if (next_ == end_ || next_->tag() != tag) return {nullptr, 0};
+    const Section& section = *next_;
+    const std::byte* const first = step();
+    const std::uint32_t count = section.bytes / record_bytes;
+    const bool whole = count * record_bytes == section.bytes;
+    require(whole, &section.bytes);
+    return first != nullptr && whole ? Found{first, count} : Found{nullptr, 0};
+  }
+  [[gnu::noinline]] const std::byte* take_one(Tag tag, std::uint32_t record_bytes) {
+    const Found found = take(tag, record_bytes);
+    if (found.count > 1) require(false, &next_[-1].bytes);
+    return found.first;
+  }
+
+  const std::byte* first_;
+  std::uint32_t size_;
+  const Section* next_;
+  const Section* end_;
+  std::uint32_t free_;  ///< where the next section must begin
+  Tag last_ = 0;        ///< of the section before
+  Status status_;
 };
 
 /// Everything that tells whether these bytes are a whole blob of this version.
@@ -160,158 +183,116 @@ Status check_envelope(std::span<const std::byte> blob) {
   for (std::size_t i = 0; i < sizeof kMagic; ++i) {
     if (i >= blob.size() || std::to_integer<char>(blob[i]) != kMagic[i]) return damaged(i);
   }
-  if (blob.size() <= kKind) return damaged(blob.size());
-  const Reader reader(blob);
-  if (reader.byte(kKind) != 's') return damaged(kKind);
-  if (reader.byte(kVersion) < kOldestSceneBlobVersion || reader.byte(kVersion) > kSceneBlobVersion) {
-    return {.error = Error::blob_version, .needed = reader.byte(kVersion), .available = kSceneBlobVersion};
+  if (blob.size() <= offsetof(Header, kind)) return damaged(blob.size());
+  const Header& header = *reinterpret_cast<const Header*>(blob.data());
+  if (header.kind != 's') return damaged(offsetof(Header, kind));
+  if (header.version != kSceneBlobVersion) {
+    return {.error = Error::blob_version, .needed = header.version, .available = kSceneBlobVersion};
   }
-  if (blob.size() < kHeaderBytes) return damaged(blob.size());
-  if (reader.word(kSize) > blob.size()) return damaged(blob.size());
-  if (reader.word(kSize) < blob.size()) return damaged(kSize);
-  if (reader.word(kChecksum) != crc32(blob.subspan(kChecked))) return damaged(kChecksum);
+  if (blob.size() < sizeof(Header) || header.bytes > blob.size()) return damaged(blob.size());
+  if (header.bytes < blob.size() || header.bytes % kSceneBlobAlignment != 0) return damaged(offsetof(Header, bytes));
+  if (header.checksum != crc32(blob.subspan(blob_layout::kChecked))) return damaged(offsetof(Header, checksum));
+  if (header.sections > (header.bytes - sizeof(Header)) / sizeof(Section)) return damaged(offsetof(Header, sections));
   return {};
 }
 
-void read_camera(Reader& reader, Camera& camera) {
-  camera.right = reader.vector(kCamera);
-  camera.up = reader.vector(kCamera + 12);
-  camera.back = reader.vector(kCamera + 24);
-  camera.eye = reader.vector(kCamera + 36);
-  camera.focal = static_cast<Fixed>(reader.word(kCamera + 48));
-  camera.near_plane = static_cast<Fixed>(reader.word(kCamera + 52));
-  camera.far_plane = static_cast<Fixed>(reader.word(kCamera + 56));
-  camera.projection = reader.flag(kCamera + 60) ? Projection::orthographic : Projection::perspective;
-  camera.fixed_depth_range = reader.flag(kCamera + 61);
+void check_camera(Reader& reader, const Camera& camera) {
+  reader.require(camera.projection <= Projection::orthographic, &camera.projection);
+  reader.flag(camera.fixed_depth_range);
 }
 
-void read_view(Reader& reader, View& view) {
-  const auto side = [&reader](std::uint32_t at) {
-    const std::uint16_t value = reader.half_word(at);
-    reader.require(value >= 1 && value <= kMaxViewSize, at);
-    return value;
-  };
-  view.width = side(kView);
-  view.height = side(kView + 2);
-  const unsigned format = reader.byte(kView + 4) & 0xFU;
-  reader.require(format <= static_cast<std::uint8_t>(kLastPixelFormat), kView + 4);
-  view.format = static_cast<PixelFormat>(format);
-  view.dither = reader.flag(kView + 5);
-  if (const std::uint8_t samples = reader.byte(kView + 6); samples != 0) view.samples = samples;
-  reader.require(valid_samples(view), kView + 6);
-}
-
-Effects read_effects(Reader& reader) {
-  const std::uint32_t number = reader.byte(kView + 4) >> 4;
-  const bool known = number < std::size(kPictureEffects);
-  reader.require(known, kView + 4);
-  return known ? kPictureEffects[number] : Effects{};
-}
-
-/// The turn of a scene without tracks, and the camera for it, the last of what stands behind the header. Blobs without
-/// either may have a duration there, which means nothing.
-void read_turn(Reader& reader, SceneBlob& found) {
-  constexpr std::uint8_t kAlone = 0x80, kWithCamera = 0x81;
-  const std::uint8_t has_turn = reader.byte(kHasTurn);
-  if (!found.animation.tracks.empty() || has_turn < kAlone) return;
-  reader.require(has_turn <= kWithCamera, kHasTurn);
-  reader.require(reader.byte(kTurning) <= static_cast<std::uint8_t>(Turning::nothing), kTurning);
-  reader.require(reader.half_word(kStillInstances) <= found.scene.instances.size(), kStillInstances);
-  found.turn = {static_cast<Turning>(reader.byte(kTurning)), reader.half_word(kStillInstances)};
-  found.animation.duration = 0;
-  if (has_turn != kWithCamera) return;
-  found.turning_camera = reader.next_behind_header<Camera>(1, kHasTurn).data();
-  if (found.turning_camera == nullptr) return;
-  const std::uint32_t at = reader.offset_of(*found.turning_camera);
-  for (const std::size_t member : {offsetof(Camera, projection), offsetof(Camera, fixed_depth_range)}) {
-    (void)reader.flag(at + static_cast<std::uint32_t>(member));
-  }
-}
-
-/// A bool, a shading or a test of any other value must not even be read as one.
 void check_materials(Reader& reader, std::span<const Material> materials) {
   for (const Material& material : materials) {
-    const std::uint32_t at = reader.offset_of(material);
-    for (const std::size_t member :
-         {offsetof(Material, lit), offsetof(Material, double_sided), offsetof(Material, depth_write)}) {
-      (void)reader.flag(at + static_cast<std::uint32_t>(member));
-    }
-    const std::uint32_t shading = at + static_cast<std::uint32_t>(offsetof(Material, smooth));
-    reader.require(reader.byte(shading) <= Shading::pixel, shading);
-    const std::uint32_t test = at + static_cast<std::uint32_t>(offsetof(Material, depth_test));
-    reader.require(reader.byte(test) <= static_cast<std::uint8_t>(DepthTest::always), test);
+    reader.flag(material.lit);
+    reader.flag(material.double_sided);
+    reader.flag(material.depth_write);
+    reader.require(material.smooth <= Shading::pixel, &material.smooth);
+    reader.require(material.depth_test <= DepthTest::always, &material.depth_test);
   }
 }
 
-Mesh read_mesh(Reader& reader, std::uint32_t at) {
-  const std::uint32_t billboard = at + MeshRecord::kBillboard;
-  reader.require(reader.byte(billboard) <= static_cast<std::uint8_t>(Billboard::upright), billboard);
-  const std::uint32_t shadow = at + MeshRecord::kShadowRole;
-  reader.require(reader.byte(shadow) <= static_cast<std::uint8_t>(ShadowRole::none), shadow);
-  return {.positions = reader.array<Position>(at + MeshRecord::kPositions),
-          .normals = reader.array<Normal>(at + MeshRecord::kNormals),
-          .colours = reader.array<Colour>(at + MeshRecord::kColours),
-          .texcoords = reader.array<TexCoord>(at + MeshRecord::kTexcoords),
-          .triangles = reader.array<Triangle>(at + MeshRecord::kTriangles),
-          .meshlets = reader.array<Meshlet>(at + MeshRecord::kMeshlets),
-          .centre = reader.vector(at + MeshRecord::kCentre),
-          .half_extent = reader.vector(at + MeshRecord::kHalfExtent),
-          .texcoord_bits = reader.byte(at + MeshRecord::kTexcoordBits),
-          .billboard = static_cast<Billboard>(reader.byte(billboard)),
-          .outline = reader.byte(at + MeshRecord::kOutline),
-          .shadow = static_cast<ShadowRole>(reader.byte(shadow))};
-}
-
-Texture read_texture(Reader& reader, std::uint32_t at, TextureFormat last_format) {
-  const std::uint32_t format = at + TextureRecord::kFormat;
-  reader.require(reader.byte(format) <= static_cast<std::uint8_t>(last_format), format);
-  return {.texels = reader.array<std::uint16_t>(at + TextureRecord::kTexels),
-          .log2_width = reader.byte(at + TextureRecord::kLog2Width),
-          .log2_height = reader.byte(at + TextureRecord::kLog2Height),
-          .format = static_cast<TextureFormat>(reader.byte(format)),
-          .smaller_levels = reader.byte(at + TextureRecord::kSmallerLevels)};
-}
-
-LineSet read_lines(Reader& reader, std::uint32_t at) {
-  LineSet lines{.segments = reader.array<Segment>(at + LineSetRecord::kSegments),
-                .mesh = reader.half_word(at + LineSetRecord::kMesh),
-                .material = reader.half_word(at + LineSetRecord::kMaterial),
-                .width = reader.byte(at + LineSetRecord::kWidth)};
-  std::uint32_t value = at + LineSetRecord::kTransform;
-  for (auto& row : lines.transform.m) {
-    for (Fixed& number : row) number = static_cast<Fixed>(reader.word(value)), value += 4;
+void read_picture(Reader& reader, const blob_layout::PictureRecord& picture, SceneBlob& found) {
+  for (const std::uint16_t* const side : {&picture.width, &picture.height}) {
+    reader.require(*side >= 1 && *side <= kMaxViewSize, side);
   }
-  return lines;
+  reader.require(picture.format <= static_cast<std::uint8_t>(kLastPixelFormat), &picture.format);
+  reader.require(picture.dither <= 1, &picture.dither);
+  found.view = {.width = picture.width,
+                .height = picture.height,
+                .format = static_cast<PixelFormat>(picture.format),
+                .dither = picture.dither == 1,
+                .samples = picture.samples};
+  reader.require(valid_samples(found.view), &picture.samples);
+  const bool known = picture.effects < std::size(kPictureEffects);
+  reader.require(known, &picture.effects);
+  if (known) found.effects = kPictureEffects[picture.effects];
 }
 
-EdgeSet read_edges(Reader& reader, std::uint32_t at) {
-  return {.edges = reader.array<Edge>(at + EdgeSetRecord::kEdges), .mesh = reader.half_word(at + EdgeSetRecord::kMesh)};
+void read_turn(Reader& reader, const blob_layout::TurnRecord& turn, SceneBlob& found) {
+  reader.require(turn.what <= static_cast<std::uint8_t>(Turning::nothing), &turn.what);
+  reader.require(turn.still_instances <= found.scene.instances.size(), &turn.still_instances);
+  found.turn = {static_cast<Turning>(turn.what), turn.still_instances};
+}
+
+Mesh read_mesh(Reader& reader, const MeshRecord& record, const Records& all) {
+  reader.require(record.billboard <= static_cast<std::uint8_t>(Billboard::upright), &record.billboard);
+  reader.require(record.shadow <= static_cast<std::uint8_t>(ShadowRole::none), &record.shadow);
+  return {.positions = reader.some(all.positions, record.positions),
+          .normals = reader.some(all.normals, record.normals),
+          .colours = reader.some(all.colours, record.colours),
+          .texcoords = reader.some(all.texcoords, record.texcoords),
+          .triangles = reader.some(all.triangles, record.triangles),
+          .meshlets = reader.some(all.meshlets, record.meshlets),
+          .centre = record.centre,
+          .half_extent = record.half_extent,
+          .texcoord_bits = record.texcoord_bits,
+          .billboard = static_cast<Billboard>(record.billboard),
+          .outline = record.outline,
+          .shadow = static_cast<ShadowRole>(record.shadow)};
+}
+
+Texture read_texture(Reader& reader, const blob_layout::TextureRecord& record, const Records& all) {
+  reader.require(record.format <= static_cast<std::uint8_t>(TextureFormat::palette4), &record.format);
+  return {.texels = reader.some(all.texels, record.texels),
+          .log2_width = record.log2_width,
+          .log2_height = record.log2_height,
+          .format = static_cast<TextureFormat>(record.format),
+          .smaller_levels = record.smaller_levels};
+}
+
+LineSet read_lines(Reader& reader, const blob_layout::LineRecord& record, const Records& all) {
+  return {.segments = reader.some(all.segments, record.segments),
+          .mesh = record.mesh,
+          .material = record.material,
+          .transform = record.transform,
+          .width = record.width};
+}
+
+EdgeSet read_edges(Reader& reader, const blob_layout::EdgeRecord& record, const Records& all) {
+  return {.edges = reader.some(all.edges, record.edges), .mesh = record.mesh};
 }
 
 /// Each node but the first is the child of one before it, which it names; triangles follow the nodes. `scene` is valid.
 void check_tree(Reader& reader, std::span<const BspNode> nodes, const Scene& scene) {
   if (nodes.empty()) return;
-  reader.require(scene.instances.size() == 1, kTree);
+  reader.require(scene.instances.size() == 1, nodes.data());
   if (!reader.status()) return;
   const std::size_t triangles = scene.meshes[scene.instances[0].mesh].triangles.size();
   std::uint32_t first_triangle = 0;
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
     const BspNode& node = nodes[i];
-    const auto require = [&](bool holds, std::size_t member) {
-      reader.require(holds, reader.offset_of(node) + static_cast<std::uint32_t>(member));
-    };
     const auto is_child = [&](std::uint32_t child) {
       return child == 0 || (child > i && child < nodes.size() && nodes[child].parent == i);
     };
-    require(
+    reader.require(
         i == 0 ? node.first_triangle == 0 : node.first_triangle >= first_triangle && node.first_triangle <= triangles,
-        offsetof(BspNode, first_triangle));
+        &node.first_triangle);
     first_triangle = node.first_triangle;
-    require(is_child(node.front), offsetof(BspNode, front));
-    require(is_child(node.back) && (node.back == 0 || node.back != node.front), offsetof(BspNode, back));
+    reader.require(is_child(node.front), &node.front);
+    reader.require(is_child(node.back) && (node.back == 0 || node.back != node.front), &node.back);
     const bool has_parent =
         i == 0 ? node.parent == 0 : node.parent < i && (nodes[node.parent].front == i || nodes[node.parent].back == i);
-    require(has_parent, offsetof(BspNode, parent));
+    reader.require(has_parent, &node.parent);
   }
 }
 
@@ -321,40 +302,26 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   if (const Status status = check_envelope(blob); !status) return status;
   Reader reader(blob);
   SceneBlob found;
-  const std::span meshes = reader.array<MeshRecord>(kMeshes);
-  const std::span textures = reader.array<TextureRecord>(kTextures);
-  found.scene.materials = reader.array<Material>(kMaterials);
-  found.scene.instances = reader.array<Instance>(kInstances);
-  found.scene.lights = reader.array<DirectionalLight>(kLights);
-  found.scene.finishes = reader.array<Finish>(kFinishes);
-  found.scene.punctual_lights = reader.array<PunctualLight>(kPunctualLights);
-  const std::span fog = reader.array<Fog>(kFog);
-  reader.require(fog.size() <= 1, kFog);
-  if (!fog.empty()) found.scene.fog = fog.data();
-  found.scene.ambient = reader.colour(kAmbient);
-  found.scene.background = reader.colour(kBackground);
-  read_camera(reader, found.camera);
-  read_view(reader, found.view);
-  found.effects = read_effects(reader);
-  found.scene.quadrics = reader.array<Quadric>(kQuadrics);
-  found.scene.outlines = reader.next_behind_header<Outline>(reader.byte(kOutlines), kOutlines);
-  // No scene has two of them.
-  const std::uint32_t shadow_csg_or_edges = reader.byte(kShadowCsgOrEdges);
-  const bool has_edges = shadow_csg_or_edges > 1 + kMaxCsgOperands;
-  found.scene.shadow = reader.next_behind_header<Shadow>(shadow_csg_or_edges == 1 ? 1 : 0, kShadowCsgOrEdges).data();
-  const std::uint32_t operands = shadow_csg_or_edges > 1 && !has_edges ? shadow_csg_or_edges - 1 : 0;
-  found.scene.csg = reader.next_behind_header<CsgOperand>(operands, kShadowCsgOrEdges);
-  const std::span edges =
-      reader.next_behind_header<EdgeSetRecord>(has_edges ? 256 - shadow_csg_or_edges : 0, kShadowCsgOrEdges);
-  const std::span lines = reader.next_behind_header<LineSetRecord>(reader.byte(kLines), kLines);
-  found.tree.nodes = reader.array<BspNode>(kTree);
-  found.animation = {.tracks = reader.array<Track>(kTracks),
-                     .keyframes = reader.array<Keyframe>(kKeyframes),
-                     .duration = reader.word(kDuration)};
-  read_turn(reader, found);
+  Records records;
+  blob_layout::for_each_section(found, records, reader);
+  reader.finish();
+  // Without what every blob has there is nothing to look at.
+  if (!reader.status()) return reader.status();
+  check_camera(reader, *records.camera);
+  if (found.turning_camera != nullptr) check_camera(reader, *found.turning_camera);
   check_materials(reader, found.scene.materials);
-  if (const Status status = reader.status(); !status) return status;
+  read_picture(reader, *records.picture, found);
+  if (records.turn != nullptr) read_turn(reader, *records.turn, found);
+  if (!reader.status()) return reader.status();
+  found.camera = *records.camera;
+  found.scene.ambient = records.base->ambient;
+  found.scene.background = records.base->background;
+  if (records.animation != nullptr) found.animation.duration = records.animation->duration;
 
+  const std::span meshes = records.meshes;
+  const std::span textures = records.textures;
+  const std::span lines = records.lines;
+  const std::span edges = records.edge_sets;
   const std::size_t needed =
       scene_blob_memory(static_cast<std::uint32_t>(meshes.size()), static_cast<std::uint32_t>(textures.size()),
                         static_cast<std::uint32_t>(lines.size()), static_cast<std::uint32_t>(edges.size()));
@@ -368,34 +335,30 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
     return {.error = Error::blob_alignment};
   }
   auto* const mesh_table = reinterpret_cast<Mesh*>(memory.data());
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    ::new (mesh_table + i) Mesh(read_mesh(reader, reader.offset_of(meshes[i])));
-  }
-  auto* const texture_table = reinterpret_cast<Texture*>(memory.data() + meshes.size() * sizeof(Mesh));
-  const bool knows_palettes = reader.byte(kVersion) > kOldestSceneBlobVersion;
-  const TextureFormat last_format = knows_palettes ? TextureFormat::palette4 : TextureFormat::rgb565_alpha;
+  for (std::size_t i = 0; i < meshes.size(); ++i) ::new (mesh_table + i) Mesh(read_mesh(reader, meshes[i], records));
+  auto* const texture_table = reinterpret_cast<Texture*>(mesh_table + meshes.size());
   for (std::size_t i = 0; i < textures.size(); ++i) {
-    ::new (texture_table + i) Texture(read_texture(reader, reader.offset_of(textures[i]), last_format));
+    ::new (texture_table + i) Texture(read_texture(reader, textures[i], records));
   }
   auto* const lines_table = reinterpret_cast<LineSet*>(texture_table + textures.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    ::new (lines_table + i) LineSet(read_lines(reader, reader.offset_of(lines[i])));
+    ::new (lines_table + i) LineSet(read_lines(reader, lines[i], records));
   }
   auto* const edges_table = reinterpret_cast<EdgeSet*>(lines_table + lines.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    ::new (edges_table + i) EdgeSet(read_edges(reader, reader.offset_of(edges[i])));
+    ::new (edges_table + i) EdgeSet(read_edges(reader, edges[i], records));
   }
   found.scene.edges = {edges_table, edges.size()};
   found.scene.lines = {lines_table, lines.size()};
   found.scene.meshes = {mesh_table, meshes.size()};
   found.scene.textures = {texture_table, textures.size()};
-  if (const Status status = reader.status(); !status) return status;
+  if (!reader.status()) return reader.status();
   if (const Status status = validate(found.scene); !status) return status;
   const auto instances = static_cast<std::uint32_t>(found.scene.instances.size());
   if (const Status status = validate(found.animation, instances); !status) return status;
   if (!usable(found.camera) || !usable(found.camera_for(2))) return {.error = Error::camera};
   check_tree(reader, found.tree.nodes, found.scene);
-  if (const Status status = reader.status(); !status) return status;
+  if (!reader.status()) return reader.status();
   opened = found;
   return {};
 }

@@ -17,9 +17,7 @@
 
 namespace zstrip {
 
-/// The oldest version that is read and the newest, which has palettes: a blob has the oldest that can say what it
-/// holds.
-inline constexpr std::uint8_t kOldestSceneBlobVersion = 3, kSceneBlobVersion = 4;
+inline constexpr std::uint8_t kSceneBlobVersion = 5;     ///< the one that is read: others are to be baked again
 inline constexpr std::uint32_t kSceneBlobAlignment = 4;  ///< of the blob's first byte
 
 /// What a picture may be baked for that neither scene nor view call for, in the order of a blob's numbers for it.
@@ -49,8 +47,6 @@ struct SceneBlob {
   }
 };
 
-inline constexpr std::uint32_t kMaxBlobEdgeSets = 190;  ///< of a blob
-
 /// Bytes to lend for the tables of this many meshes, textures, sets of lines and of edges, whose pointers only the
 /// running program knows. Vertices, triangles, segments, edges, texels, materials, instances, lights, keyframes and
 /// nodes of the tree are not copied.
@@ -66,7 +62,8 @@ inline constexpr std::size_t kSceneBlobMemoryAlignment = alignof(Mesh);
 /// Checks all of `blob`, checksum, offsets and scene (validate) included, and then makes `opened` a view of it. On an
 /// error `opened` stays as it was. Time: linear in the blob's size. Any bytes are safe.
 /// Errors: blob_alignment; blob_damaged (`needed`: the byte that is wrong; that after the last one if some are
-/// missing); blob_version (`needed`: its version, `available`: the one that is read here); blob_memory (`needed`,
+/// missing); blob_version (`needed`: its version, `available`: the one that is read here); blob_section (`needed`: the
+/// tag of a section that must be known and is not, its first letter in the highest byte); blob_memory (`needed`,
 /// `available`: bytes of `memory`); camera; and those of validate.
 Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> memory, SceneBlob& opened);
 

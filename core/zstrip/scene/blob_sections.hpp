@@ -1,0 +1,196 @@
+// The layout of a scene blob: header, table of sections, and the one list of what lies in which section. The reader
+// (scene_blob.cpp) and the writer (host-sim/bake) both go through that list; docs/formats.md says what the bytes mean.
+// What is new gets a line in for_each_section, at its place in the alphabet: a new effect's settings are there by
+// themselves, as records of their own.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "zstrip/base/fixed.hpp"
+#include "zstrip/scene/animation.hpp"
+#include "zstrip/scene/bsp_tree.hpp"
+#include "zstrip/scene/camera.hpp"
+#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene/scene_blob.hpp"
+
+namespace zstrip::blob_layout {
+
+/// Four letters, the first in the highest byte: the order of numbers is that of the alphabet, capitals first. In a blob
+/// they stand as they are read.
+using Tag = std::uint32_t;
+
+constexpr Tag tag(const char (&letters)[5]) {
+  Tag value = 0;
+  for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<std::uint8_t>(letters[i]);
+  return value;
+}
+
+/// Whether a reader that does not know the section must refuse the blob: its tag begins with a capital letter. All
+/// others are skipped, because the picture is right without them.
+constexpr bool must_be_known(Tag tag) { return (tag & 0x20000000U) == 0; }
+
+/// The letters with a zero behind them, for messages; what cannot be printed is a question mark.
+constexpr std::array<char, 5> name_of(Tag tag) {
+  std::array<char, 5> name{};
+  for (int i = 0; i < 4; ++i) {
+    const auto letter = static_cast<char>(tag >> (24 - 8 * i) & 0xFF);
+    name[static_cast<std::size_t>(i)] = letter >= ' ' && letter <= '~' ? letter : '?';
+  }
+  return name;
+}
+
+struct Header {
+  std::uint8_t magic[2];  ///< 'z', 's'
+  std::uint8_t version;
+  std::uint8_t kind;       ///< 's'
+  std::uint32_t bytes;     ///< of the whole blob, a multiple of kSceneBlobAlignment
+  std::uint32_t checksum;  ///< CRC-32 of all bytes from kChecked on
+  std::uint32_t sections;  ///< entries of the table that follows
+};
+inline constexpr std::uint32_t kChecked = 12;
+
+/// An entry of the table. Tags ascend. The first section begins behind the table, each other one where the one before
+/// it ends, both rounded up to kSceneBlobAlignment; the last one ends the blob.
+struct Section {
+  std::uint8_t letters[4];
+  std::uint32_t offset;  ///< from the blob's first byte
+  std::uint32_t bytes;   ///< of all its records, more than 0
+
+  constexpr Tag tag() const {
+    return Tag{letters[0]} << 24 | Tag{letters[1]} << 16 | Tag{letters[2]} << 8 | Tag{letters[3]};
+  }
+};
+
+/// Some of the records of a section.
+struct Range {
+  std::uint32_t first, count;
+};
+
+// Records of what is not used as it lies.
+struct MeshRecord {
+  Range positions, normals, colours, texcoords, triangles, meshlets;
+  Vec3 centre, half_extent;
+  std::uint8_t texcoord_bits, billboard, outline, shadow;
+};
+struct TextureRecord {
+  Range texels;
+  std::uint8_t log2_width, log2_height, format, smaller_levels;
+};
+struct LineRecord {
+  Range segments;
+  std::uint16_t mesh, material;
+  Transform transform;
+  std::uint8_t width, unused[3];
+};
+struct EdgeRecord {
+  Range edges;
+  std::uint16_t mesh, unused;
+};
+struct BaseRecord {
+  Colour ambient, background;
+};
+struct PictureRecord {
+  std::uint16_t width, height;
+  std::uint8_t format, dither, samples;
+  std::uint8_t effects;  ///< index into kPictureEffects
+};
+struct AnimationRecord {
+  std::uint32_t duration;
+};
+struct TurnRecord {
+  std::uint16_t still_instances;
+  std::uint8_t what, unused;
+};
+static_assert(sizeof(Header) == 16 && sizeof(Section) == 12 && sizeof(MeshRecord) == 76 &&
+              sizeof(TextureRecord) == 12 && sizeof(LineRecord) == 64 && sizeof(EdgeRecord) == 12 &&
+              sizeof(BaseRecord) == 8 && sizeof(PictureRecord) == 8 && sizeof(TurnRecord) == 4);
+
+/// What a SceneBlob has in another form than its blob.
+struct Records {
+  std::span<const MeshRecord> meshes;
+  std::span<const TextureRecord> textures;
+  std::span<const LineRecord> lines;
+  std::span<const EdgeRecord> edge_sets;
+  // Of all meshes, textures, sets of lines and of edges.
+  std::span<const Position> positions;
+  std::span<const Normal> normals;
+  std::span<const Colour> colours;
+  std::span<const TexCoord> texcoords;
+  std::span<const Triangle> triangles;
+  std::span<const Meshlet> meshlets;
+  std::span<const std::uint16_t> texels;
+  std::span<const Segment> segments;
+  std::span<const Edge> edges;
+  const BaseRecord* base = nullptr;
+  const Camera* camera = nullptr;
+  const PictureRecord* picture = nullptr;
+  const AnimationRecord* animation = nullptr;
+  const TurnRecord* turn = nullptr;
+};
+
+/// Calls section(tag, where) for each section in the order of a blob. `where` is a span of any number of records, or a
+/// pointer to one, null for none; what every blob has is section.needed(tag, pointer).
+template <class Blob, class RecordsOfBlob, class Visitor>
+constexpr void for_each_section(Blob& blob, RecordsOfBlob& records, Visitor& section) {
+  section(tag("ANIM"), records.animation);
+  section.needed(tag("BASE"), records.base);
+  section.needed(tag("CAMR"), records.camera);
+  section(tag("CAMT"), blob.turning_camera);
+  section(tag("COLR"), records.colours);
+  section(tag("CSGO"), blob.scene.csg);
+  section(tag("EDGE"), records.edges);
+  section(tag("ESET"), records.edge_sets);
+  section(tag("FINI"), blob.scene.finishes);
+  section(tag("FOGS"), blob.scene.fog);
+  section(tag("INST"), blob.scene.instances);
+  section(tag("KEYF"), blob.animation.keyframes);
+  section(tag("LDIR"), blob.scene.lights);
+  section(tag("LPNT"), blob.scene.punctual_lights);
+  section(tag("LSET"), records.lines);
+  section(tag("MATL"), blob.scene.materials);
+  section(tag("MESH"), records.meshes);
+  section(tag("MLET"), records.meshlets);
+  section(tag("NORM"), records.normals);
+  section(tag("OUTL"), blob.scene.outlines);
+  section.needed(tag("PICT"), records.picture);
+  section(tag("POSI"), records.positions);
+  section(tag("QUAD"), blob.scene.quadrics);
+  section(tag("SEGM"), records.segments);
+  section(tag("SHAD"), blob.scene.shadow);
+  section(tag("TEXC"), records.texcoords);
+  section(tag("TEXL"), records.texels);
+  section(tag("TEXT"), records.textures);
+  section(tag("TRAK"), blob.animation.tracks);
+  section(tag("TRIA"), records.triangles);
+  section(tag("TURN"), records.turn);
+  section(tag("tree"), blob.tree.nodes);
+}
+
+/// Whether the tags that for_each_section calls it with ascend.
+struct Order {
+  Tag last = 0;
+  bool holds = true;
+  template <class Where>
+  constexpr void operator()(Tag tag, const Where&) {
+    holds = holds && tag > last;
+    last = tag;
+  }
+  template <class Where>
+  constexpr void needed(Tag tag, const Where& where) {
+    (*this)(tag, where);
+  }
+};
+
+constexpr bool is_in_order() {
+  const SceneBlob blob;
+  const Records records;
+  Order order;
+  for_each_section(blob, records, order);
+  return order.holds;
+}
+static_assert(is_in_order());
+
+}  // namespace zstrip::blob_layout
