@@ -254,7 +254,7 @@ TEST(SceneBlob, MoreSetsOfEdgesThanAByteCounts) {
 }
 
 /// They stood in one byte, which said which of them there are: edges beside a shadow were left out without a word.
-TEST(SceneBlob, EdgesAShadowAndLinesStandTogether) {
+TEST(SceneBlob, EdgesStandBesideAShadow) {
   SceneBlob content = sample();
   content.scene.shadow = &kShadow;
   content.scene.edges = kEdgeSets;
