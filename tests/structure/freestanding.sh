@@ -64,7 +64,7 @@ case "$compiler" in *arm-none-eabi-*) prefix=arm-none-eabi- ;; esac
 # Integer division, shifts, multiplication, counting bits, switch tables; never __aeabi_f*, __aeabi_d*, __aeabi_*2f.
 allowed='mem(cpy|move|set|cmp)|__aeabi_(mem(cpy|move|set|clr)[48]?|u?idiv|u?idivmod|u?ldivmod|lmul|llsl|llsr|lasr|u?lcmp)'
 allowed+='|__gnu_thumb1_case_(uqi|sqi|uhi|shi|si)|__(clz|ctz|popcount|ffs|bswap)[sd]i2|_GLOBAL_OFFSET_TABLE_'
-foreign=$(comm -13 "$objects/defined" "$objects/undefined" | grep -vxE "$allowed${few:+|_ZN6zstrip.*}" || true)
+foreign=$(comm -13 "$objects/defined" "$objects/undefined" | grep -vxE "$allowed${few:+|_ZNK?6zstrip.*}" || true)
 failed=0
 if [ -n "$foreign" ]; then
   echo "symbols that a freestanding program does not have:"
