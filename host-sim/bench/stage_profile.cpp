@@ -117,13 +117,14 @@ PipelineStage stage_of(const std::string& source, std::uint64_t executions, cons
   if (is("resolve/")) return resolve;
   if (is("geometry/light")) return shade;
   if (is("geometry/clip") || is("raster/polygon")) return clip;
-  if (is("geometry/")) {
+  const bool is_kernel = is("kernels/");
+  if (is("geometry/") || (is_kernel && source.find("/transform") != std::string::npos)) {
     // The reciprocal of 1/w serves vertices and runs of texels.
     if (executions > 4 * std::uint64_t{work.vertices}) return spans;
     return 2 * executions >= work.vertices ? transform : begin;
   }
   if (is("raster/assemble") || (is("scene/") && !once_a_frame)) return executions > drawn ? cull : setup;
-  if (is("raster/")) return executions <= drawn ? setup : 8 * executions < work.fragments ? spans : pixels;
+  if (is("raster/") || is_kernel) return executions <= drawn ? setup : 8 * executions < work.fragments ? spans : pixels;
   return is(kLibrary) ? library : begin;
 }
 

@@ -4,8 +4,8 @@
 set -euo pipefail
 cd "$1"
 
-# In the order in which data flows; a stage may include itself and what stands before it. Effects are wings beside this
-# order: a file of theirs counts as of the latest stage that it reaches, so that none is a way around the rule.
+# In the order in which data flows; a stage may include itself and what stands before it. Effects and kernels are beside
+# this order: a file of theirs counts as of the latest stage that it reaches, so that none is a way around the rule.
 stages=(base scene store plan geometry visibility raster resolve stages frame)
 failed=0
 
@@ -35,7 +35,7 @@ floor_of() {
     return
   fi
   room=$(cut -d/ -f3 <<<"$file")
-  if [ "$room" = effects ]; then
+  if [ "$room" = effects ] || [ "$room" = kernels ]; then
     floors[$file]=0
     for next in ${included[$file]:-}; do
       floor_of "$next"
@@ -51,7 +51,7 @@ floor_of() {
 while IFS=: read -r file line path; do
   from=$(cut -d/ -f3 <<<"$file")
   # The compiler's own header for its vectors, in one place.
-  if [ "$file $path" = "core/zstrip/base/sse2_intrinsics.hpp emmintrin.h" ]; then continue; fi
+  if [ "$file $path" = "core/zstrip/kernels/sse2/intrinsics.hpp emmintrin.h" ]; then continue; fi
   case "$path" in
     zstrip/*) ;;
     */* | *.hpp | *.h) complain "$file:$line: core includes $path: only zstrip/... and the C++ library are allowed"; continue ;;
@@ -67,7 +67,9 @@ while IFS=: read -r file line path; do
     continue
   fi
   # The one header that gives everything to applications; no stage is called so, so that none can include it.
-  if [ "$file" = core/zstrip/zstrip.hpp ] || [ "$from" = effects ]; then continue; fi
+  if [ "$file" = core/zstrip/zstrip.hpp ] || [ "$from" = effects ] || [ "$from" = kernels ]; then
+    continue
+  fi
   if [ -z "${place[$from]:-}" ]; then
     complain "$file: the stage $from is not one of: ${stages[*]}"
   elif [ "$floor" -gt "${place[$from]}" ]; then

@@ -7,9 +7,9 @@
 #include <random>
 #include <vector>
 
-#include "zstrip/geometry/transform.hpp"
+#include "zstrip/kernels/small_triangle.hpp"
+#include "zstrip/kernels/transform.hpp"
 #include "zstrip/raster/assemble.hpp"
-#include "zstrip/raster/small_triangle.hpp"
 #include "zstrip/raster/span_fill.hpp"
 #include "zstrip/raster/span_triangle.hpp"
 

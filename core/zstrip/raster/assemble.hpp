@@ -7,12 +7,12 @@
 
 #include "zstrip/effects/outlines/outline.hpp"
 #include "zstrip/effects/pixel_shading/lit_corners.hpp"
-#include "zstrip/geometry/transform.hpp"
+#include "zstrip/kernels/small_triangle.hpp"
+#include "zstrip/kernels/thumb/small_run.hpp"
+#include "zstrip/kernels/transform.hpp"
 #include "zstrip/raster/assemble_clipped.hpp"
 #include "zstrip/raster/attributes.hpp"
 #include "zstrip/raster/fragment.hpp"
-#include "zstrip/raster/small_run_thumb.hpp"
-#include "zstrip/raster/small_triangle.hpp"
 #include "zstrip/raster/span_triangle.hpp"
 #include "zstrip/scene/effects.hpp"
 

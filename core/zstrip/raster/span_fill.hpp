@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "zstrip/kernels/sse2/span.hpp"
+#include "zstrip/kernels/sse2/textured_run.hpp"
+#include "zstrip/kernels/thumb/textured_run.hpp"
 #include "zstrip/raster/colour.hpp"
 #include "zstrip/raster/plane.hpp"
-#include "zstrip/raster/span_sse2.hpp"
 #include "zstrip/raster/target.hpp"
 #include "zstrip/raster/texture_coordinates.hpp"
-#include "zstrip/raster/textured_run_sse2.hpp"
-#include "zstrip/raster/textured_run_thumb.hpp"
 #include "zstrip/raster/triangle_depth.hpp"
 
 namespace zstrip::detail {

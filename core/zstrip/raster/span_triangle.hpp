@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "zstrip/kernels/sse2/medium_triangle.hpp"
 #include "zstrip/raster/edge_walk.hpp"
-#include "zstrip/raster/medium_triangle_sse2.hpp"
 #include "zstrip/raster/midpoint.hpp"
 #include "zstrip/raster/span_fill.hpp"
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "zstrip/geometry/project.hpp"
+#include "zstrip/kernels/textured_run.hpp"
 #include "zstrip/raster/plane.hpp"
-#include "zstrip/raster/textured_run.hpp"
 
 namespace zstrip::detail {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "cortex_m/console.hpp"
-#include "zstrip/raster/small_triangle.hpp"
+#include "zstrip/kernels/small_triangle.hpp"
 
 namespace zstrip::board {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "cortex_m/console.hpp"
 #include "mps2/assembly_checks.hpp"
-#include "zstrip/geometry/transform.hpp"
+#include "zstrip/kernels/transform.hpp"
 
 namespace zstrip::board {
 namespace {

@@ -1,0 +1,30 @@
+// Which implementations of kernels the processor at hand takes instead of the portable ones: SSE2 on every x86-64, and
+// on x86 where it is asked for; assembly for Thumb-2 (Cortex-M3, M4, M7) and Thumb-1 (Cortex-M0, M0+), not for ARMv8-M,
+// where nothing here could try it.
+#pragma once
+
+// Macros, because neither compiler nor assembler must see what they do not know.
+#if defined(__SSE2__)
+#define ZSTRIP_HAS_SSE2 1
+#else
+#define ZSTRIP_HAS_SSE2 0
+#endif
+#if defined(__thumb2__) && (defined(__ARM_ARCH_7M__) || defined(__ARM_ARCH_7EM__))
+#define ZSTRIP_HAS_THUMB2 1
+#else
+#define ZSTRIP_HAS_THUMB2 0
+#endif
+#if defined(__ARM_ARCH_6M__)
+#define ZSTRIP_HAS_THUMB1 1
+#else
+#define ZSTRIP_HAS_THUMB1 0
+#endif
+
+namespace zstrip::detail {
+
+inline constexpr bool kHasSse2 = ZSTRIP_HAS_SSE2 == 1;
+inline constexpr bool kHasThumb1 = ZSTRIP_HAS_THUMB1 == 1;
+inline constexpr bool kHasThumb2 = ZSTRIP_HAS_THUMB2 == 1;
+inline constexpr bool kHasThumb = kHasThumb1 || kHasThumb2;  ///< every kernel in assembly is there for both
+
+}  // namespace zstrip::detail

@@ -1,0 +1,51 @@
+// A value along a row with SSE2: eight pixels at a time.
+#pragma once
+
+#include "zstrip/kernels/sse2/fragments.hpp"
+
+#if ZSTRIP_HAS_SSE2
+
+namespace zstrip::detail {
+
+/// A value of four pixels next to each other, and of the four behind them. Modulo 2^32.
+struct Interpolated {
+  __m128i first, last;
+  std::uint32_t step;  ///< a pixel
+  __m128i step_8;
+
+  Interpolated(std::uint32_t start, std::uint32_t step_x)
+      : first(stepped_words(start, step_x)),
+        last(_mm_add_epi32(first, in_all_words(4 * step_x))),
+        step(step_x),
+        step_8(in_all_words(8 * step_x)) {}
+  __m128i upper() const { return upper_halves(first, last); }
+  void next() {
+    first = _mm_add_epi32(first, step_8);
+    last = _mm_add_epi32(last, step_8);
+  }
+  void move(std::int32_t pixels) {
+    const __m128i by = in_all_words(step * static_cast<std::uint32_t>(pixels));
+    first = _mm_add_epi32(first, by);
+    last = _mm_add_epi32(last, by);
+  }
+};
+
+/// Calls draw(offset) for eight of `length` >= 8 pixels at a time, next() after each, and for what is left
+/// move(pixels), negative, and draw() for the last eight: a fragment that is drawn twice is not nearer than itself.
+template <class Draw, class Next, class Move>
+[[gnu::always_inline]] inline void for_each_eight(std::int32_t length, const Draw& draw, const Next& next,
+                                                  const Move& move) {
+  std::int32_t done = 0;
+  do {
+    draw(done);
+    done += 8;
+    next();
+  } while (done <= length - 8);
+  if (done == length) return;
+  move(length - 8 - done);
+  draw(length - 8);
+}
+
+}  // namespace zstrip::detail
+
+#endif

@@ -1,0 +1,140 @@
+// Eight texels at a time: their indices in two vectors, fetched one by one.
+#include "zstrip/kernels/sse2/textured_run.hpp"
+
+#include <bit>
+
+#include "zstrip/geometry/project.hpp"
+#include "zstrip/kernels/sse2/interpolated.hpp"
+
+#if ZSTRIP_HAS_SSE2
+
+namespace zstrip::detail {
+namespace {
+
+/// Indices of texels, below 2^16, from coordinates.
+class Texels {
+ public:
+  explicit Texels(const TexturedRunState<std::uint32_t>& run)
+      : texels_(run.texels),
+        to_column_(_mm_cvtsi32_si128(run.to_column)),
+        to_row_(_mm_cvtsi32_si128(run.to_row)),
+        row_mask_(in_all_words(run.row_mask)) {}
+
+  __m128i indices(__m128i u, __m128i v) const {
+    return _mm_add_epi32(_mm_and_si128(_mm_srl_epi32(v, to_row_), row_mask_), _mm_srl_epi32(u, to_column_));
+  }
+  __m128i four(__m128i u, __m128i v) const { return fetched<0>(_mm_setzero_si128(), indices(u, v)); }
+  __m128i eight(const Interpolated& u, const Interpolated& v) const {
+    const __m128i first = four(u.first, v.first);
+    return fetched<4>(first, indices(u.last, v.last));
+  }
+
+ private:
+  // By subscript: without the optimiser _mm_insert_epi16 is a macro, whose conversion to a half warns here.
+  using Halves [[gnu::vector_size(16)]] = std::uint16_t;
+
+  template <int lane>
+  std::uint16_t fetch(__m128i indices) const {
+    return texels_[static_cast<unsigned>(_mm_extract_epi16(indices, 2 * lane))];
+  }
+  /// Four texels in the lanes from `first` on.
+  template <int first>
+  __m128i fetched(__m128i texels, __m128i indices) const {
+    auto lanes = std::bit_cast<Halves>(texels);
+    lanes[first] = fetch<0>(indices);
+    lanes[first + 1] = fetch<1>(indices);
+    lanes[first + 2] = fetch<2>(indices);
+    lanes[first + 3] = fetch<3>(indices);
+    return std::bit_cast<__m128i>(lanes);
+  }
+
+  const std::uint16_t* texels_;
+  __m128i to_column_, to_row_, row_mask_;
+};
+
+/// TextureCoordinates::divided: u/w or v/w times w, shifted right by `right`, or left where that is negative.
+std::int32_t times_w(std::uint32_t over_w, const Reciprocal& w, int right) {
+  const std::int32_t high = multiply_high(static_cast<std::int32_t>(over_w), w.value);
+  if (right >= 0) return high >> (right < 31 ? right : 31);
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(high) << (right > -31 ? -right : 31));
+}
+
+}  // namespace
+
+void fill_runs_sse2(TexturedRunsState& state, std::uint16_t* depth, std::uint16_t* pixel, std::uint32_t count) {
+  constexpr int kLog2Run = 4;
+  const Texels texels(state);
+  Interpolated z(state.z, state.step_z);
+  std::uint32_t u_over_w = state.u_over_w, v_over_w = state.v_over_w, one_over_w = state.one_over_w;
+  auto from_u = static_cast<std::uint32_t>(state.from_u);
+  auto from_v = static_cast<std::uint32_t>(state.from_v);
+  const auto base_u = static_cast<std::uint32_t>(state.base_u);
+  const auto base_v = static_cast<std::uint32_t>(state.base_v);
+  const auto step = [](std::uint32_t from, std::uint32_t to, std::uint32_t to_fraction) {
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(to - from) >> kLog2Run) * to_fraction;
+  };
+  for (std::uint32_t left = count; left != 0; --left) {
+    u_over_w += state.u_over_w_step;
+    v_over_w += state.v_over_w_step;
+    one_over_w += state.one_over_w_step;
+    const Reciprocal w = reciprocal_of(one_over_w == 0 ? 1 : one_over_w);
+    const int right = state.right_shift - w.normalisation;
+    const std::uint32_t to_u = base_u + static_cast<std::uint32_t>(times_w(u_over_w, w, right));
+    const std::uint32_t to_v = base_v + static_cast<std::uint32_t>(times_w(v_over_w, w, right));
+    Interpolated u(from_u * state.to_fraction_u, step(from_u, to_u, state.to_fraction_u));
+    Interpolated v(from_v * state.to_fraction_v, step(from_v, to_v, state.to_fraction_v));
+    draw_fragments(InOneRow{}, depth, pixel, z.upper(), [&] { return texels.eight(u, v); });
+    u.next(), v.next(), z.next();
+    draw_fragments(InOneRow{}, depth + 8, pixel + 8, z.upper(), [&] { return texels.eight(u, v); });
+    z.next();
+    from_u = to_u, from_v = to_v;
+    depth += 16;
+    pixel += 16;
+  }
+  state.z += state.step_z * (count << kLog2Run);
+  state.u_over_w = u_over_w, state.v_over_w = v_over_w, state.one_over_w = one_over_w;
+  state.from_u = static_cast<std::int32_t>(from_u), state.from_v = static_cast<std::int32_t>(from_v);
+}
+
+void fill_run_sse2(TexturedRunState<std::uint32_t>& run, std::uint16_t* depth, std::uint16_t* pixel,
+                   std::int32_t length) {
+  const Texels texels(run);
+  if (length >= 8) {
+    Interpolated z(run.z, run.step_z), u(run.u, run.step_u), v(run.v, run.step_v);
+    for_each_eight(
+        length,
+        [&](std::int32_t at) {
+          draw_fragments(InOneRow{}, depth + at, pixel + at, z.upper(), [&] { return texels.eight(u, v); });
+        },
+        [&] { z.next(), u.next(), v.next(); },
+        [&](std::int32_t pixels) { z.move(pixels), u.move(pixels), v.move(pixels); });
+  } else if (length >= 4) {
+    // Twice, if there are more than four: the second time those at the end.
+    for (std::int32_t at = 0;;) {
+      const auto steps = static_cast<std::uint32_t>(at);
+      const __m128i z = stepped_words(run.z + run.step_z * steps, run.step_z);
+      const __m128i u = stepped_words(run.u + run.step_u * steps, run.step_u);
+      const __m128i v = stepped_words(run.v + run.step_v * steps, run.step_v);
+      draw_fragments(HalfRow{}, depth + at, pixel + at, upper_halves(z, z), [&] { return texels.four(u, v); });
+      if (at == length - 4) break;
+      at = length - 4;
+    }
+  } else {
+    std::uint32_t z = run.z, u = run.u, v = run.v;
+    for (std::int32_t i = 0; i < length; ++i) {
+      const auto code = static_cast<std::uint16_t>(z >> 16);
+      if (code > depth[i]) {
+        depth[i] = code;
+        pixel[i] = run.texels[((v >> run.to_row) & run.row_mask) + (u >> run.to_column)];
+      }
+      z += run.step_z;
+      u += run.step_u;
+      v += run.step_v;
+    }
+  }
+  run.z += run.step_z * static_cast<std::uint32_t>(length);
+}
+
+}  // namespace zstrip::detail
+
+#endif

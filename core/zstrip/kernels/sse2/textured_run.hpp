@@ -1,0 +1,22 @@
+// Runs of texels without light with SSE2: the same pixels as TexturedRun::fill and fill_textured, which a test
+// compares.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/kernels/processor.hpp"
+#include "zstrip/kernels/textured_run.hpp"
+
+namespace zstrip::detail {
+
+/// Whether a texture has no more texels than the index of a vector's lane can say, 2^16.
+inline bool fits_sse2(const TexturedRunState<std::uint32_t>& run) { return run.to_row >= 16; }
+
+/// Fills `count` > 0 whole runs, with the depth test of z16. Moves z, the place and the exact position behind them.
+void fill_runs_sse2(TexturedRunsState& state, std::uint16_t* depth, std::uint16_t* pixel, std::uint32_t count);
+
+/// `length` > 0, with the depth test of z16. Moves `run.z` to the first pixel behind the run.
+void fill_run_sse2(TexturedRunState<std::uint32_t>& run, std::uint16_t* depth, std::uint16_t* pixel,
+                   std::int32_t length);
+
+}  // namespace zstrip::detail

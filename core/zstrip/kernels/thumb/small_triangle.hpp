@@ -1,0 +1,20 @@
+// Set-up and scan of small triangles with interpolated colours, in assembly for Cortex-M: the same values as
+// small_triangle.hpp, which a test on emulated cores compares word by word.
+#pragma once
+
+#include "zstrip/geometry/project.hpp"
+#include "zstrip/kernels/processor.hpp"
+
+namespace zstrip::detail {
+
+struct SmallScan;
+
+/// Planes of edges, depth and colours from `scan.area`, `anchor_x`, `anchor_y`, `colours` and the vertices; the weights
+/// as in small_triangle.hpp.
+void set_up_small_thumb(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,
+                        const SnappedVertex& v2) asm("zstrip_set_up_small_thumb");
+
+/// scan_small_triangle<true, false> with the depth test of z16. Moves the scan's starts and rows.
+void scan_small_thumb(SmallScan& scan) asm("zstrip_scan_small_thumb");
+
+}  // namespace zstrip::detail

@@ -1,0 +1,19 @@
+// Runs of texels without light in assembly for Cortex-M: the same pixels as TexturedRun::fill and fill_textured, which
+// a test on emulated cores compares.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/kernels/processor.hpp"
+#include "zstrip/kernels/textured_run.hpp"
+
+namespace zstrip::detail {
+
+/// Fills `count` > 0 whole runs, with the depth test of z16. Moves z, the place and the exact position behind them.
+void fill_runs_thumb(TexturedRunsState& state, std::uint16_t* depth, std::uint16_t* pixel, std::uint32_t count);
+
+/// `length` 1 .. 2^20, with the depth test of z16. Moves `run.z` to the first pixel behind the run.
+void fill_run_thumb(TexturedRunState<std::uint32_t>& run, std::uint16_t* depth, std::uint16_t* pixel,
+                    std::int32_t length);
+
+}  // namespace zstrip::detail

@@ -1,0 +1,394 @@
+// The assembly behind thumb/small_triangle.hpp for Thumb-1 (Cortex-M0, M0+). Products of 32 bits are made of products
+// of halves; those of the reciprocal stay in two of the eight registers that multiply. Offsets are
+// thumb/small_layout.hpp's.
+#include "zstrip/kernels/small_triangle.hpp"
+#include "zstrip/base/division.hpp"
+#include "zstrip/kernels/thumb/small_layout.hpp"
+#include "zstrip/kernels/thumb/small_triangle.hpp"
+#include "zstrip/kernels/thumb1/macros.hpp"
+
+namespace zstrip::detail {
+
+#if ZSTRIP_HAS_THUMB1
+
+// On the stack: 0, 4 weights of vertices 1 and 2 at the anchor, 8, 12 their steps to the right, 16, 20 down, all of
+// them scaled for the colours once depth is done; 24 the depth of vertex 0, 28, 32 the differences to the others; 36
+// the table of reciprocals for an index that begins at 256.
+[[gnu::naked]] static void set_up(SmallScan&, const SnappedVertex&, const SnappedVertex&, const SnappedVertex&,
+                                  const std::uint16_t*) {
+  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_MULTIPLY_HIGH R"(
+    @ r1: a channel along the weights on the stack from \at on; its differences are r8 and r9.
+    .macro zstrip_channel_along at1 at2
+      mov   r1, r8
+      ldr   r2, [sp, #\at1]
+      muls  r1, r1, r2
+      mov   r4, r9
+      ldr   r2, [sp, #\at2]
+      muls  r4, r4, r2
+      adds  r1, r1, r4
+      zstrip_multiply_high r1, r6, r7, r2, r4, r5
+    .endm
+    @ r3: the sum of the weights at \at1 and \at2 times r1 and r3.
+    .macro zstrip_depth_along at1 at2
+      ldr   r4, [sp, #\at1]
+      muls  r4, r4, r1
+      ldr   r5, [sp, #\at2]
+      muls  r5, r5, r3
+      adds  r4, r4, r5
+    .endm
+
+    sub   sp, sp, #40
+    ldr   r4, [sp, #76]
+    movs  r5, #2
+    lsls  r5, r5, #8
+    subs  r4, r4, r5
+    str   r4, [sp, #36]
+
+    ldr   r4, [r1]
+    sxth  r5, r4                      @ vertex 0: x r5, y r4
+    asrs  r4, r4, #16
+    ldr   r6, [r2]
+    sxth  r7, r6
+    asrs  r6, r6, #16
+    subs  r6, r6, r4                  @ weight 2: right, down
+    subs  r7, r5, r7
+    str   r6, [sp, #12]
+    str   r7, [sp, #20]
+    mov   r8, r6
+    mov   r9, r7
+    ldr   r6, [r3]
+    sxth  r7, r6
+    asrs  r6, r6, #16
+    subs  r6, r4, r6                  @ weight 1
+    subs  r7, r7, r5
+    str   r6, [sp, #8]
+    str   r7, [sp, #16]
+    ldr   r1, [r1, #4]
+    ldr   r2, [r2, #4]
+    ldr   r3, [r3, #4]
+    subs  r2, r2, r1
+    subs  r3, r3, r1
+    str   r1, [sp, #24]
+    str   r2, [sp, #28]
+    str   r3, [sp, #32]
+    ldr   r1, [r0, #88]               @ from vertex 0 to the anchor's centre
+    ldr   r2, [r0, #92]
+    lsls  r1, r1, #4
+    lsls  r2, r2, #4
+    adds  r1, r1, #15
+    adds  r2, r2, #15
+    subs  r1, r1, r5
+    subs  r2, r2, r4
+    movs  r3, r1
+    muls  r3, r3, r6
+    movs  r4, r2
+    muls  r4, r4, r7
+    adds  r3, r3, r4                  @ weight 1 at the anchor
+    mov   r4, r8
+    mov   r5, r9
+    muls  r1, r1, r4
+    muls  r2, r2, r5
+    adds  r1, r1, r2                  @ weight 2
+    str   r3, [sp, #0]
+    str   r1, [sp, #4]
+
+    lsls  r2, r6, #16                 @ fields of the packed edges: weight 1
+    adds  r2, r2, r7
+    asrs  r2, r2, #31
+    adds  r2, r2, r3
+    asrs  r2, r2, #4
+    lsls  r2, r2, #11
+    mov   r8, r2
+    lsls  r2, r4, #16                 @ weight 2
+    adds  r2, r2, r5
+    asrs  r2, r2, #31
+    adds  r2, r2, r1
+    asrs  r2, r2, #4
+    add   r8, r8, r2
+    ldr   r2, [r0, #84]               @ the third one, opposite to vertex 0
+    subs  r2, r2, r3
+    subs  r2, r2, r1
+    adds  r1, r6, r4
+    rsbs  r1, r1, #0
+    adds  r3, r7, r5
+    rsbs  r3, r3, #0
+    lsls  r6, r6, #11
+    adds  r4, r4, r6
+    lsls  r6, r1, #22
+    adds  r4, r4, r6
+    str   r4, [r0, #16]
+    lsls  r7, r7, #11
+    adds  r5, r5, r7
+    lsls  r7, r3, #22
+    adds  r5, r5, r7
+    str   r5, [r0, #32]
+    lsls  r1, r1, #16
+    adds  r1, r1, r3
+    asrs  r1, r1, #31
+    adds  r2, r2, r1
+    asrs  r2, r2, #4
+    lsls  r2, r2, #22
+    add   r2, r2, r8
+    str   r2, [r0, #0]
+
+    ldr   r1, [r0, #84]               @ quotient_31_by_table(): r3
+    movs  r2, #1
+    lsls  r3, r1, #17
+    lsrs  r4, r3, #24
+    bne   .Lsetup_8
+    adds  r2, r2, #8
+    lsls  r3, r3, #8
+  .Lsetup_8:
+    lsrs  r4, r3, #28
+    bne   .Lsetup_4
+    adds  r2, r2, #4
+    lsls  r3, r3, #4
+  .Lsetup_4:
+    lsrs  r4, r3, #30
+    bne   .Lsetup_2
+    adds  r2, r2, #2
+    lsls  r3, r3, #2
+  .Lsetup_2:
+    cmp   r3, #0
+    bmi   .Lsetup_1
+    adds  r2, r2, #1
+    lsls  r3, r3, #1
+  .Lsetup_1:
+    ldr   r6, [sp, #36]
+    lsrs  r4, r3, #23
+    lsls  r4, r4, #1
+    ldrh  r4, [r6, r4]
+    movs  r5, #1
+    lsls  r5, r5, #31
+    lsrs  r3, r3, #16
+    muls  r3, r3, r4
+    subs  r3, r5, r3
+    asrs  r3, r3, #7
+    muls  r3, r3, r4
+    asrs  r3, r3, #23
+    lsls  r4, r4, #1
+    adds  r4, r4, r3
+    subs  r3, r4, #1
+    subs  r6, r2, #1
+    lsls  r3, r3, r6
+    lsrs  r4, r4, #2
+    subs  r5, r5, #1
+    movs  r6, r3
+    muls  r6, r6, r1
+    subs  r6, r5, r6
+    muls  r6, r6, r4
+    movs  r4, #30
+    subs  r4, r4, r2
+    lsrs  r6, r6, r4
+    adds  r3, r3, r6
+    movs  r6, r3
+    muls  r6, r6, r1
+    subs  r6, r5, r6
+    cmp   r6, r1
+    blo   .Lsetup_quotient
+    adds  r3, r3, #1
+  .Lsetup_quotient:
+    uxth  r6, r3
+    lsrs  r7, r3, #16
+
+    ldr   r1, [sp, #32]               @ depth a unit of weight 2, rounded: r8
+    lsls  r1, r1, #1
+    movs  r2, r1
+    muls  r2, r2, r3
+    lsrs  r2, r2, #31
+    mov   r8, r2
+    zstrip_multiply_high r1, r6, r7, r2, r4, r5
+    add   r8, r8, r1
+    ldr   r1, [sp, #28]               @ of weight 1: r1
+    lsls  r1, r1, #1
+    muls  r3, r3, r1
+    lsrs  r3, r3, #31
+    zstrip_multiply_high r1, r6, r7, r2, r4, r5
+    adds  r1, r1, r3
+    mov   r3, r8
+    zstrip_depth_along 0 4
+    ldr   r5, [sp, #24]
+    adds  r4, r4, r5
+    str   r4, [r0, #4]
+    zstrip_depth_along 8 12
+    lsls  r4, r4, #4
+    str   r4, [r0, #20]
+    zstrip_depth_along 16 20
+    lsls  r4, r4, #4
+    str   r4, [r0, #36]
+
+    add   r5, sp, #0
+    ldm   r5!, {r1-r4}
+    subs  r5, r5, #16
+    lsls  r1, r1, #9
+    lsls  r2, r2, #9
+    lsls  r3, r3, #13
+    lsls  r4, r4, #13
+    stm   r5!, {r1-r4}
+    ldm   r5!, {r1-r2}
+    subs  r5, r5, #8
+    lsls  r1, r1, #13
+    lsls  r2, r2, #13
+    stm   r5!, {r1-r2}
+    movs  r3, r0
+    adds  r3, r3, #73
+    bl    .Lsetup_channel
+    str   r1, [r0, #40]
+    mov   r1, r10
+    str   r1, [r0, #8]
+    mov   r1, r11
+    str   r1, [r0, #24]
+    subs  r3, r3, #1
+    bl    .Lsetup_channel
+    lsls  r1, r1, #16
+    str   r1, [r0, #44]
+    mov   r1, r10
+    lsls  r1, r1, #16
+    str   r1, [r0, #12]
+    mov   r1, r11
+    lsls  r1, r1, #16
+    str   r1, [r0, #28]
+    adds  r3, r3, #2
+    bl    .Lsetup_channel
+    ldr   r2, [r0, #44]
+    adds  r1, r1, r2
+    str   r1, [r0, #44]
+    ldr   r2, [r0, #12]
+    add   r2, r2, r10
+    str   r2, [r0, #12]
+    ldr   r2, [r0, #28]
+    add   r2, r2, r11
+    str   r2, [r0, #28]
+    add   sp, sp, #40
+  )" ZSTRIP_THUMB1_POP R"(
+
+    @ A channel's plane: start r10, steps r11 and r1, from the channels at r3.
+  .Lsetup_channel:
+    ldrb  r1, [r3]
+    ldrb  r2, [r3, #4]
+    ldrb  r4, [r3, #8]
+    subs  r2, r2, r1
+    subs  r4, r4, r1
+    mov   r8, r2
+    mov   r9, r4
+    lsls  r1, r1, #8
+    adds  r1, r1, #128
+    mov   r10, r1
+    zstrip_channel_along 0 4
+    add   r10, r10, r1
+    zstrip_channel_along 8 12
+    mov   r11, r1
+    zstrip_channel_along 16 20
+    bx    lr
+    .purgem zstrip_channel_along
+    .purgem zstrip_depth_along
+  )" ZSTRIP_THUMB1_PURGE_MULTIPLY_HIGH);
+}
+
+// Used: small_run.cpp calls both by their names.
+[[gnu::used]] void set_up_small_thumb(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,
+                                      const SnappedVertex& v2) {
+  set_up(scan, v0, v1, v2, kReciprocalTable.data());
+}
+
+// r1 edges, r2 their signs, r3 depth, r4 its cell, r6 columns left, r7 from a cell to its pixel, r8 green, r9 red and
+// blue, r10 to r12 the steps of depth, green, red and blue, lr of the edges. On the stack: the scan.
+[[gnu::naked, gnu::used]] void scan_small_thumb(SmallScan&) {
+  asm(ZSTRIP_THUMB1_PUSH R"(
+    push  {r0}
+    ldr   r2, .Lsmall_signs
+    ldr   r1, [r0, #16]
+    mov   lr, r1
+    ldr   r1, [r0, #20]
+    mov   r10, r1
+    ldr   r1, [r0, #24]
+    mov   r11, r1
+    ldr   r1, [r0, #28]
+    mov   r12, r1
+  .Lsmall_row:
+    ldr   r4, [r0, #8]                @ this row's starts, and the next one's
+    ldr   r5, [r0, #40]
+    mov   r8, r4
+    adds  r4, r4, r5
+    str   r4, [r0, #8]
+    ldr   r4, [r0, #12]
+    ldr   r5, [r0, #44]
+    mov   r9, r4
+    adds  r4, r4, r5
+    str   r4, [r0, #12]
+    ldr   r1, [r0]
+    ldr   r5, [r0, #32]
+    adds  r5, r5, r1
+    str   r5, [r0]
+    ldr   r3, [r0, #4]
+    ldr   r5, [r0, #36]
+    adds  r5, r5, r3
+    str   r5, [r0, #4]
+    ldr   r4, [r0, #48]
+    ldr   r5, [r0, #56]
+    lsls  r5, r5, #1
+    adds  r5, r5, r4
+    str   r5, [r0, #48]
+    ldr   r7, [r0, #52]
+    ldr   r5, [r0, #60]
+    lsls  r5, r5, #1
+    adds  r5, r5, r7
+    str   r5, [r0, #52]
+    subs  r7, r7, r4
+    ldr   r6, [r0, #64]
+  .Lsmall_skip:
+    tst   r1, r2
+    beq   .Lsmall_pixel
+    add   r1, r1, lr
+    add   r3, r3, r10
+    add   r8, r8, r11
+    add   r9, r9, r12
+    adds  r4, r4, #2
+    subs  r6, r6, #1
+    bne   .Lsmall_skip
+    b     .Lsmall_next_row
+  .Lsmall_pixel:
+    ldrh  r0, [r4]
+    lsrs  r5, r3, #16
+    cmp   r0, r5
+    bhs   .Lsmall_hidden
+    strh  r5, [r4]
+    mov   r0, r9
+    lsrs  r5, r0, #27                 @ red, the upper 5 of 8 bits of the upper half
+    lsls  r5, r5, #11
+    lsls  r0, r0, #16
+    lsrs  r0, r0, #27
+    orrs  r5, r5, r0
+    mov   r0, r8
+    lsls  r0, r0, #16
+    lsrs  r0, r0, #26
+    lsls  r0, r0, #5
+    orrs  r5, r5, r0
+    strh  r5, [r4, r7]
+  .Lsmall_hidden:
+    add   r1, r1, lr
+    add   r3, r3, r10
+    add   r8, r8, r11
+    add   r9, r9, r12
+    adds  r4, r4, #2
+    subs  r6, r6, #1
+    beq   .Lsmall_next_row
+    tst   r1, r2
+    beq   .Lsmall_pixel
+  .Lsmall_next_row:
+    ldr   r0, [sp]
+    ldr   r5, [r0, #68]
+    subs  r5, r5, #1
+    str   r5, [r0, #68]
+    bne   .Lsmall_row
+    pop   {r0}
+  )" ZSTRIP_THUMB1_POP R"(
+    .align 2
+  .Lsmall_signs:
+    .word 0x80200400
+  )");
+}
+
+#endif
+
+}  // namespace zstrip::detail

@@ -1,0 +1,204 @@
+// The assembly behind thumb/textured_run.hpp for Thumb-1 (Cortex-M0, M0+): shifts, products and addresses know eight
+// registers only, so that what is merely added or copied stands in the upper ones.
+#include <cstddef>
+
+#include "zstrip/base/division.hpp"
+#include "zstrip/kernels/thumb/textured_run.hpp"
+#include "zstrip/kernels/thumb1/macros.hpp"
+
+namespace zstrip::detail {
+
+#if ZSTRIP_HAS_THUMB1
+
+using State = TexturedRunState<std::uint32_t>;
+static_assert(offsetof(State, z) == 16 && offsetof(State, texels) == 24 && offsetof(State, row_mask) == 36);
+using Runs = TexturedRunsState;
+static_assert(sizeof(State) == 40 && sizeof(Runs) == 92);  // no gaps: the members lie in order
+
+// A pixel: depth test, texel, steps. `cell` and `to`: where its depth and its colour lie.
+// r2 depth, r4 texels, r5 and r6 shifts of u and v, r7 mask, r8 u and r9 its step, r10 v and r11 its step, r12 the step
+// of depth; lr goes to r1 before the colour is stored.
+#define ZSTRIP_TEXEL                      \
+  ".macro zstrip_texel cell:req to:req\n" \
+  "  ldrh  r0, [r3, \\cell]\n"            \
+  "  lsrs  r1, r2, #16\n"                 \
+  "  cmp   r0, r1\n"                      \
+  "  bhs   .Ltexel_behind\\@\n"           \
+  "  strh  r1, [r3, \\cell]\n"            \
+  "  mov   r0, r10\n"                     \
+  "  lsrs  r0, r0, r6\n"                  \
+  "  ands  r0, r0, r7\n"                  \
+  "  mov   r1, r8\n"                      \
+  "  lsrs  r1, r1, r5\n"                  \
+  "  adds  r0, r0, r1\n"                  \
+  "  lsls  r0, r0, #1\n"                  \
+  "  ldrh  r0, [r4, r0]\n"                \
+  "  mov   r1, lr\n"                      \
+  "  strh  r0, [r1, \\to]\n"              \
+  ".Ltexel_behind\\@:\n"                  \
+  "  add   r2, r2, r12\n"                 \
+  "  add   r8, r8, r9\n"                  \
+  "  add   r10, r10, r11\n"               \
+  ".endm\n"
+
+// On the stack: the state, the end of the cells.
+[[gnu::naked]] void fill_run_thumb(State&, std::uint16_t*, std::uint16_t*, std::int32_t) {
+  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_TEXEL R"(
+    lsls  r3, r3, #1
+    adds  r3, r3, r1
+    push  {r0, r3}
+    movs  r3, r1
+    subs  r2, r2, r1
+    mov   lr, r2                      @ from a cell of depth to its pixel
+    ldm   r0!, {r4-r7}                @ u, v, their steps
+    mov   r8, r4
+    mov   r10, r5
+    mov   r9, r6
+    mov   r11, r7
+    ldm   r0!, {r2, r4}               @ depth and its step
+    mov   r12, r4
+    ldm   r0!, {r4-r7}                @ texels, both shifts, mask
+  .Lrun_texel:
+    zstrip_texel #0, r3
+    ldr   r0, [sp, #4]
+    adds  r3, r3, #2
+    cmp   r3, r0
+    bne   .Lrun_texel
+    pop   {r0, r3}
+    str   r2, [r0, #16]
+    .purgem zstrip_texel
+  )" ZSTRIP_THUMB1_POP);
+}
+
+// Eight pixels at a time. On the stack: 0 the state, 4 how many runs are left, 8 the normalisation of the last 1/w,
+// from which the next one's seldom differs, 12 depth, 16 its cell, 20 the end of the run's cells, 24 the table of
+// reciprocals for an index that begins at 256.
+[[gnu::naked]] static void fill_runs(Runs&, std::uint16_t*, std::uint16_t*, std::uint32_t, const std::uint16_t*) {
+  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL ZSTRIP_TEXEL R"(
+    sub   sp, sp, #28
+    mov   lr, r2
+    str   r0, [sp, #0]
+    str   r3, [sp, #4]
+    movs  r2, #0
+    str   r2, [sp, #8]
+    ldr   r2, [r0, #16]
+    ldr   r3, [r0, #20]
+    str   r2, [sp, #12]
+    mov   r12, r3
+    str   r1, [sp, #16]
+    ldr   r2, [sp, #64]
+    movs  r3, #2
+    lsls  r3, r3, #8
+    subs  r2, r2, r3
+    str   r2, [sp, #24]
+  .Lruns_next:
+    ldr   r7, [sp, #0]
+    adds  r7, r7, #40
+    ldm   r7!, {r0-r2}
+    ldm   r7!, {r3-r5}
+    subs  r7, r7, #24
+    adds  r0, r0, r3                  @ u/w, v/w, 1/w at the run's end
+    adds  r1, r1, r4
+    adds  r2, r2, r5
+    stm   r7!, {r0-r2}                @ r7: behind 1/w
+    mov   r8, r0
+    mov   r10, r1
+    bne   .Lruns_divisor
+    movs  r2, #1
+  .Lruns_divisor:
+    ldr   r6, [sp, #8]
+    ldr   r5, [sp, #24]
+    zstrip_reciprocal
+    str   r6, [sp, #8]
+    uxth  r4, r3
+    lsrs  r5, r3, #16
+    mov   r0, r8
+    zstrip_multiply_high r0, r4, r5, r1, r2, r3
+    mov   r8, r0
+    mov   r0, r10
+    zstrip_multiply_high r0, r4, r5, r1, r2, r3
+    mov   r1, r8
+    ldr   r2, [r7, #36]
+    subs  r2, r2, r6
+    bpl   .Lruns_right
+    rsbs  r2, r2, #0
+    cmp   r2, #31
+    ble   .Lruns_left
+    movs  r2, #31
+  .Lruns_left:
+    lsls  r1, r1, r2
+    lsls  r0, r0, r2
+    b     .Lruns_shifted
+  .Lruns_right:
+    asrs  r1, r1, r2
+    asrs  r0, r0, r2
+  .Lruns_shifted:
+    ldr   r2, [r7, #12]               @ the exact position at the end
+    ldr   r3, [r7, #16]
+    adds  r1, r1, r2
+    adds  r0, r0, r3
+    ldr   r2, [r7, #20]               @ at the start
+    ldr   r3, [r7, #24]
+    str   r1, [r7, #20]
+    str   r0, [r7, #24]
+    subs  r1, r1, r2
+    subs  r0, r0, r3
+    asrs  r1, r1, #4
+    asrs  r0, r0, #4
+    ldr   r4, [r7, #28]               @ fractions of the texture
+    ldr   r5, [r7, #32]
+    muls  r2, r2, r4
+    muls  r1, r1, r4
+    muls  r3, r3, r5
+    muls  r0, r0, r5
+    mov   r8, r2
+    mov   r9, r1
+    mov   r10, r3
+    mov   r11, r0
+    ldr   r2, [sp, #12]
+    ldr   r3, [sp, #16]
+    movs  r0, r3
+    adds  r0, r0, #32
+    str   r0, [sp, #20]
+    subs  r7, r7, #28
+    ldm   r7, {r4-r7}                 @ texels, both shifts, mask
+  .Lruns_texels:
+    zstrip_texel #0, #0
+    zstrip_texel #2, #2
+    zstrip_texel #4, #4
+    zstrip_texel #6, #6
+    zstrip_texel #8, #8
+    zstrip_texel #10, #10
+    zstrip_texel #12, #12
+    zstrip_texel #14, #14
+    mov   r1, lr
+    adds  r1, r1, #16
+    mov   lr, r1
+    ldr   r0, [sp, #20]
+    adds  r3, r3, #16
+    cmp   r3, r0
+    beq   .Lruns_end
+    b     .Lruns_texels
+  .Lruns_end:
+    str   r2, [sp, #12]
+    str   r3, [sp, #16]
+    ldr   r0, [sp, #4]
+    subs  r0, r0, #1
+    str   r0, [sp, #4]
+    beq   .Lruns_done
+    b     .Lruns_next
+  .Lruns_done:
+    ldr   r0, [sp, #0]
+    str   r2, [r0, #16]
+    add   sp, sp, #28
+    .purgem zstrip_texel
+  )" ZSTRIP_THUMB1_PURGE_RECIPROCAL ZSTRIP_THUMB1_POP);
+}
+
+void fill_runs_thumb(Runs& state, std::uint16_t* depth, std::uint16_t* pixel, std::uint32_t count) {
+  fill_runs(state, depth, pixel, count, kReciprocalTable.data());
+}
+
+#endif
+
+}  // namespace zstrip::detail

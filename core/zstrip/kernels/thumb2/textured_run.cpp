@@ -1,0 +1,141 @@
+// The assembly behind thumb/textured_run.hpp. 15 values for 14 registers: shifts by a register look at its lowest byte
+// only, so that the bytes above count the pixels.
+#include "zstrip/kernels/thumb/textured_run.hpp"
+
+#include <cstddef>
+
+namespace zstrip::detail {
+
+#if ZSTRIP_HAS_THUMB2
+
+using State = TexturedRunState<std::uint32_t>;
+static_assert(offsetof(State, z) == 16 && offsetof(State, texels) == 24 && offsetof(State, to_column) == 28 &&
+              offsetof(State, row_mask) == 36);
+using Runs = TexturedRunsState;
+static_assert(sizeof(State) == 40 && sizeof(Runs) == 92);  // no gaps: the members lie in order
+
+// A pixel: depth test, texel, steps. Text, because the assembler's macros outside of functions get lost where the
+// linker puts the files' code in another order.
+#define ZSTRIP_TEXEL                 \
+  ".macro zstrip_texel\n"            \
+  "  ldrh  r12, [r10], #2\n"         \
+  "  cmp   r12, r4, lsr #16\n"       \
+  "  bhs   .Ltexel_behind\\@\n"      \
+  "  lsrs  r12, r4, #16\n"           \
+  "  strh  r12, [r10, #-2]\n"        \
+  "  lsr   r12, r1, r8\n"            \
+  "  and   r12, r12, r9\n"           \
+  "  lsr   lr, r0, r7\n"             \
+  "  add   r12, r12, lr\n"           \
+  "  ldrh  r12, [r6, r12, lsl #1]\n" \
+  "  strh  r12, [r10, r11]\n"        \
+  ".Ltexel_behind\\@:\n"             \
+  "  add   r4, r4, r5\n"             \
+  "  add   r0, r0, r2\n"             \
+  "  add   r1, r1, r3\n"             \
+  ".endm\n"
+
+[[gnu::naked]] void fill_run_thumb(State&, std::uint16_t*, std::uint16_t*, std::int32_t) {
+  asm(ZSTRIP_TEXEL R"(
+    push  {r0, r4-r11, lr}
+    mov   r12, r0
+    mov   r10, r1
+    sub   r11, r2, r1
+    subs  r11, r11, #2                @ from behind a cell of depth to its pixel
+    sub   lr, r3, #1
+    ldm   r12, {r0-r9}                @ u, v, their steps, depth, its step, texels, both shifts, mask
+    add   r7, r7, lr, lsl #8
+  .Lrun_texel:
+    zstrip_texel
+    subs  r7, r7, #256
+    bhs   .Lrun_texel
+    ldr   r0, [sp]
+    str   r4, [r0, #16]
+    pop   {r0, r4-r11, pc}
+    .purgem zstrip_texel
+  )");
+}
+
+// Two pixels at a time. On the stack: the state, a gap, how many runs are left.
+[[gnu::naked]] void fill_runs_thumb(TexturedRunsState&, std::uint16_t*, std::uint16_t*, std::uint32_t) {
+  asm(ZSTRIP_TEXEL R"(
+    push  {r0-r1, r3-r11, lr}
+    mov   r10, r1
+    sub   r11, r2, r1
+    subs  r11, r11, #2                @ from behind a cell of depth to its pixel
+    mov   r3, r0
+    add   r12, r0, #16
+    ldm   r12, {r4-r9}                @ depth, its step, texels, both shifts, mask
+  .Lruns_next:
+    add   r12, r3, #40
+    ldm   r12!, {r0-r2}
+    ldm   r12, {r7, r12, lr}
+    add   r0, r0, r7                  @ u/w, v/w, 1/w at the run's end
+    add   r1, r1, r12
+    strd  r0, r1, [r3, #40]
+    adds  r2, r2, lr
+    str   r2, [r3, #48]
+    it    eq
+    moveq r2, #1
+    clz   r7, r2                      @ reciprocal(): r12
+    lsl   r2, r2, r7
+    lsr   r12, r2, #16
+    mvn   lr, #0
+    udiv  r12, lr, r12
+    lsl   r12, r12, #14
+    umull lr, r2, r2, r12
+    rsb   r2, r2, #0x80000000
+    lsls  r2, r2, #1
+    umull lr, r12, r12, r2
+    lsl   r12, r12, #1
+    smull lr, r0, r0, r12
+    smull lr, r1, r1, r12
+    ldr   r2, [r3, #88]
+    subs  r7, r2, r7
+    bmi   .Lruns_left
+    asrs  r0, r0, r7
+    asrs  r1, r1, r7
+  .Lruns_shifted:
+    ldrd  r2, r12, [r3, #64]
+    add   r2, r2, r0                  @ the exact position at the end
+    add   r12, r12, r1
+    ldrd  r0, r1, [r3, #72]           @ at the start
+    strd  r2, r12, [r3, #72]
+    subs  r2, r2, r0
+    sub   r12, r12, r1
+    ldrd  r7, lr, [r3, #80]
+    asrs  r2, r2, #4
+    asr   r12, r12, #4
+    mul   r0, r7, r0                  @ fractions of the texture
+    mul   r1, lr, r1
+    mul   r2, r7, r2
+    ldr   r7, [r3, #28]
+    mul   r3, lr, r12
+    add   r7, r7, #7 << 8             @ eight times, counted above the shift's lowest byte
+  .Lruns_texel:
+    zstrip_texel
+    zstrip_texel
+    subs  r7, r7, #256
+    bhs   .Lruns_texel
+    ldr   r12, [sp, #8]
+    ldr   r3, [sp]
+    subs  r12, r12, #1
+    str   r12, [sp, #8]
+    bne   .Lruns_next
+    str   r4, [r3, #16]
+    pop   {r0-r1, r3-r11, pc}
+  .Lruns_left:
+    rsbs  r7, r7, #0
+    cmp   r7, #31
+    it    gt
+    movgt r7, #31
+    lsls  r0, r0, r7
+    lsls  r1, r1, r7
+    b     .Lruns_shifted
+    .purgem zstrip_texel
+  )");
+}
+
+#endif
+
+}  // namespace zstrip::detail

@@ -1,0 +1,45 @@
+// The loop over a meshlet's vertices in assembly for Thumb-2 (Cortex-M3, M4, M7), with perspective and z16: the same
+// vertices as portable/transform.hpp's, which a test on emulated cores compares word by word.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/geometry/project.hpp"
+#include "zstrip/kernels/processor.hpp"
+
+namespace zstrip::detail {
+
+/// What the loop reads of an instance and its projection, in the order in which it does.
+struct NarrowTransform {
+  LinearForm w;
+  std::uint32_t w_near, w_range;
+  LinearForm x, y;
+  std::int32_t shift_x, shift_y, bias_x, bias_y;  ///< NarrowProjection's
+  std::uint32_t depth_normalisation, depth_scale, depth_shift, depth_offset;
+
+  NarrowTransform(const CompiledInstance& instance, const RasterOrigin& origin)
+      : NarrowTransform(instance, origin, NarrowProjection<false>(instance, origin)) {}
+
+ private:
+  NarrowTransform(const CompiledInstance& instance, const RasterOrigin& origin, const NarrowProjection<false>& narrow)
+      : w(instance.w),
+        w_near(narrow.w_near),
+        w_range(narrow.w_range),
+        x(instance.x),
+        y(instance.y),
+        shift_x(narrow.shift_x),
+        shift_y(narrow.shift_y),
+        bias_x(narrow.bias_x),
+        bias_y(narrow.bias_y),
+        depth_normalisation(instance.depth_normalisation),
+        depth_scale(instance.depth_scale),
+        depth_shift(instance.depth_shift),
+        depth_offset(origin.depth_offset) {}
+};
+
+/// Writes `count` vertices, > 0. Returns whether all are narrow.
+template <ReciprocalOf kind>
+bool transform_vertices_thumb2(const NarrowTransform& transform, const Position* positions, std::uint32_t count,
+                               SnappedVertex* vertices);
+
+}  // namespace zstrip::detail
