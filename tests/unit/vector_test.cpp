@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "zstrip/kernels/small_triangle.hpp"
+#include "zstrip/kernels/span.hpp"
 #include "zstrip/kernels/transform.hpp"
 #include "zstrip/raster/assemble.hpp"
-#include "zstrip/raster/span_fill.hpp"
 #include "zstrip/raster/span_triangle.hpp"
 
 namespace {

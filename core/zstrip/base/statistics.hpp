@@ -15,4 +15,13 @@ struct Statistics {
   std::uint32_t depth_passes = 0;  ///< of these, the ones that were written
 };
 
+namespace detail {
+
+template <bool statistics>
+inline void count_pass(Statistics* counters) {
+  if constexpr (statistics) ++counters->depth_passes;
+}
+
+}  // namespace detail
+
 }  // namespace zstrip

@@ -1,278 +1,66 @@
-// Triangles of a few pixels: the box around the triangle is scanned with all three edge functions in one word.
-// The same pixels as the span rasteriser's, at a fraction of its set-up.
+// Kernel: triangles of a few pixels, from narrow vertices to depth and colour. Which ones: is_small.
+//
+// Vertices are 12.4 raster coordinates and 16.16 depth codes; colours are 8 bits a channel. The cells and pixels are
+// those of the span rasteriser; every implementation writes what portable/small_triangle.hpp writes, bit by bit.
+// Assembly has interpolated colours, SSE2 all; both the depth test of z16 and nothing to count.
 #pragma once
 
 #include <cstdint>
 #include <type_traits>
 
-#include "zstrip/base/math.hpp"
 #include "zstrip/geometry/project.hpp"
+#include "zstrip/kernels/portable/small_triangle.hpp"
+#include "zstrip/kernels/processor.hpp"
+#include "zstrip/kernels/small_scan.hpp"
 #include "zstrip/kernels/sse2/small_triangle.hpp"
 #include "zstrip/kernels/thumb/small_triangle.hpp"
-#include "zstrip/raster/colour.hpp"
 #include "zstrip/raster/depth_rule.hpp"
 #include "zstrip/raster/target.hpp"
+#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene/view.hpp"
 
 namespace zstrip::detail {
 
-/// Width plus height of the bounding box, in 1/16 pixels, below which a triangle is small. Then
-/// width * height <= 90 * 90 = 8100, so an edge function >> 4 is within -512..511.
-inline constexpr std::int32_t kSmallExtent = 181;
-
-/// Depth differences of small triangles stay below 8192 codes, so that 31-bit products keep the promised precision.
-inline constexpr std::uint32_t kSmallDepthDifference = 1U << 29;  // 16.16
-
-/// Three edge functions / 16 in fields of 10, 11 and 11 bits. Pixel steps are multiples of 16, so the division by 16
-/// loses nothing that a sign could show. A field that goes negative borrows from the one above; while all are >= 0
-/// there is no borrow, so "no sign bit set" is exact.
-struct PackedEdges {
-  std::uint32_t word;
-  static constexpr std::uint32_t kSigns = (1U << 31) | (1U << 21) | (1U << 10);
-
-  static constexpr std::uint32_t pack(std::int32_t a, std::int32_t b, std::int32_t c) {
-    return (static_cast<std::uint32_t>(a) << 22) + (static_cast<std::uint32_t>(b) << 11) +
-           static_cast<std::uint32_t>(c);
-  }
-  /// A field of an edge function that grows by `right` and `down`, with the fill rule: minus one unless the edge is a
-  /// left one or a horizontal top one.
-  static constexpr std::int32_t field(std::int32_t exact, std::int32_t right, std::int32_t down) {
-    return (exact + ((right * 65536 + down) >> 31)) >> 4;
-  }
-  constexpr bool inside() const { return (word & kSigns) == 0; }
-};
-
-/// The edge functions 2 -> 0 and 0 -> 1 over the triangle: the weights of vertices 1 and 2, times the area. Exact,
-/// without the fill rule. Towards right they grow by dy, towards the bottom by -dx.
-struct SmallWeights {
-  std::int32_t at_anchor[2];
-  std::int32_t right[2], down[2];  ///< a sub-pixel
-};
-
-/// A value that is linear over the triangle: its start at the anchor pixel and its steps a pixel. Modulo 2^32: on
-/// slivers the steps overflow and cancel.
-struct SmallPlane {
-  std::uint32_t start, step_x, step_y;
-
-  std::uint32_t at(std::uint32_t columns, std::uint32_t rows) const { return start + step_x * columns + step_y * rows; }
-};
-
-/// The depth plane. `from_0` are the differences to vertices 1 and 2, 14.16, below 2^29; `inverse_area` is 2^31 / area.
-inline SmallPlane small_depth(const SmallWeights& weights, std::int32_t inverse_area, std::uint32_t depth_0,
-                              std::int32_t from_0_to_1, std::int32_t from_0_to_2) {
-  // Value per unit of edge function, 16.16, rounded; every pixel's value is exactly depth_0 + k1 e1 + k2 e2.
-  const auto per_unit = [inverse_area](std::int32_t difference) {
-    return static_cast<std::uint32_t>(multiply_high_rounded(difference * 2, inverse_area));
-  };
-  const std::uint32_t k1 = per_unit(from_0_to_1);
-  const std::uint32_t k2 = per_unit(from_0_to_2);
-  const auto along = [k1, k2](const std::int32_t(&e)[2]) {
-    return k1 * static_cast<std::uint32_t>(e[0]) + k2 * static_cast<std::uint32_t>(e[1]);
-  };
-  return {depth_0 + along(weights.at_anchor), along(weights.right) << 4, along(weights.down) << 4};
-}
-
-/// Planes of colour channels in 8.8. Start and steps are rounded down: less than 1/8 unit over a small triangle.
-class SmallChannels {
- public:
-  SmallChannels(const SmallWeights& weights, std::int32_t inverse_area) : inverse_area_(inverse_area) {
-    // A channel's numerator is below 2 * 255 * 8100: times 2^9 it fits 32 bits.
-    for (int i = 0; i < 2; ++i) {
-      at_anchor_[i] = weights.at_anchor[i] * (1 << 9);
-      right_[i] = weights.right[i] * (1 << 13);
-      down_[i] = weights.down[i] * (1 << 13);
-    }
-  }
-  SmallPlane plane(std::int32_t c0, std::int32_t c1, std::int32_t c2) const {
-    const std::int32_t d1 = c1 - c0;
-    const std::int32_t d2 = c2 - c0;
-    const auto along = [&](const std::int32_t(&e)[2]) {
-      return static_cast<std::uint32_t>(multiply_high(d1 * e[0] + d2 * e[1], inverse_area_));
-    };
-    return {static_cast<std::uint32_t>(c0 * 256 + 128) + along(at_anchor_), along(right_), along(down_)};
-  }
-
- private:
-  std::int32_t inverse_area_;
-  std::int32_t at_anchor_[2], right_[2], down_[2];
-};
-
-/// All that scanning needs, in memory: set-up and scan are short only if neither holds the other's registers.
-struct SmallScan {
-  /// Whose planes: PackedEdges; depth in 16.16 codes; green in 8.8; red and blue, two 8.8 values in a word, which never
-  /// leave 0..255, see channel_start.
-  enum Value { edges, depth, green, red_blue };
-  // The members up to anchor_y stand where the assembly expects them.
-  std::uint32_t start[4], step_x[4], step_y[4];  ///< of each Value
-  std::uint16_t* depth_row;
-  std::uint16_t* colour_row;
-  std::int32_t depth_stride, colour_stride;
-  std::int32_t width, height;  ///< of the box, > 0
-  Colour colours[3];           ///< of the vertices
-  std::int32_t area;
-  std::int32_t anchor_x, anchor_y;
-  std::uint32_t first_column, first_row;  ///< of the box, from the anchor
-  std::uint16_t flat_colour;
-  Statistics* statistics;
-
-  void set(Value value, const SmallPlane& plane) {
-    start[value] = plane.start, step_x[value] = plane.step_x, step_y[value] = plane.step_y;
-  }
-  /// Byte by byte: where a word must be aligned and a colour need not be (Cortex-M0), GCC calls memcpy for a whole one.
-  void set_colour(int vertex, const Colour& colour) {
-    colours[vertex].r = colour.r, colours[vertex].g = colour.g, colours[vertex].b = colour.b;
-  }
-  std::uint32_t at(Value value, std::uint32_t column, std::uint32_t row) const {
-    return SmallPlane{start[value], step_x[value], step_y[value]}.at(column, row);
-  }
-
-  /// What a stage of the set-up has found is in memory from here on. Left alone, GCC mixes the stages and has a dozen
-  /// registers for all of their values.
-  void settle() {
-#if defined(__arm__)
-    asm volatile("" : "+m"(*this));
-#endif
-  }
-};
-
-template <bool gouraud, bool statistics, class Rule>
-[[gnu::noinline]] void scan_small_triangle(SmallScan& scan, const Rule& rule) {
-  for (std::uint32_t row = 0; row != static_cast<std::uint32_t>(scan.height); ++row) {
-    scan.settle();
-    const std::uint32_t edges_x = scan.step_x[SmallScan::edges];
-    const std::int32_t width = scan.width;
-    PackedEdges edges{scan.at(SmallScan::edges, 0, row)};
-    std::int32_t i = 0;
-    while (!edges.inside()) {
-      edges.word += edges_x;
-      if (++i == width) break;
-    }
-    if (i == width) continue;
-    const auto column = static_cast<std::uint32_t>(i);
-    std::uint32_t z = scan.at(SmallScan::depth, column, row);
-    std::uint32_t red_blue = 0, green = 0;
-    if constexpr (gouraud) {
-      red_blue = scan.at(SmallScan::red_blue, column, row);
-      green = scan.at(SmallScan::green, column, row);
-    }
-    std::uint16_t* const depth_row = scan.depth_row + static_cast<std::int32_t>(row) * scan.depth_stride;
-    std::uint16_t* const colour_row = scan.colour_row + static_cast<std::int32_t>(row) * scan.colour_stride;
-    do {
-      if constexpr (statistics) ++scan.statistics->fragments;
-      if (rule.draws(z, depth_row[i])) {
-        if constexpr (gouraud) {
-          colour_row[i] = static_cast<std::uint16_t>(((red_blue >> 16) & 0xF800U) | ((red_blue >> 11) & 0x1FU) |
-                                                     ((green >> 5) & 0x7E0U));
-        } else {
-          colour_row[i] = scan.flat_colour;
-        }
-        if constexpr (statistics) ++scan.statistics->depth_passes;
-      }
-      z += scan.step_x[SmallScan::depth];
-      red_blue += scan.step_x[SmallScan::red_blue];
-      green += scan.step_x[SmallScan::green];
-      edges.word += edges_x;
-    } while (++i != width && edges.inside());
-  }
-}
-
-/// Whether this triangle may be drawn by draw_small_triangle. Depends on the triangle alone, never on the strip.
-inline bool is_small(std::int32_t width, std::int32_t height, const SnappedVertex& a, const SnappedVertex& b,
-                     const SnappedVertex& c) {
-  // Of halves, because differences of whole depths need 33 bits.
-  const auto near_a = [&a](const SnappedVertex& v) {
-    return (a.depth >> 1) - (v.depth >> 1) + kSmallDepthDifference / 2 < kSmallDepthDifference;
-  };
-  return width + height < kSmallExtent && near_a(b) && near_a(c);
-}
-
-/// The planes, from the area, anchor and colours of the scan. `settle` after each stage.
-template <bool gouraud>
+/// Planes of edges, depth (16.16) and, where `gouraud`, colours (8.8), from the scan's area and anchor: its `start`,
+/// `step_x` and `step_y`. Assembly reads the colours of the scan, into which they are copied.
+template <bool gouraud, bool statistics>
 [[gnu::always_inline]] inline void set_up_small(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,
                                                 const SnappedVertex& v2, const Colour* const (&colours)[3]) {
-  const std::int32_t x = scan.anchor_x * 16 + kPixelCentre - v0.x;
-  const std::int32_t y = scan.anchor_y * 16 + kPixelCentre - v0.y;
-  SmallWeights weights{{}, {v0.y - v2.y, v1.y - v0.y}, {v2.x - v0.x, v0.x - v1.x}};
-  for (int i = 0; i < 2; ++i) weights.at_anchor[i] = x * weights.right[i] + y * weights.down[i];
-  const std::int32_t right_0 = -weights.right[0] - weights.right[1];
-  const std::int32_t down_0 = -weights.down[0] - weights.down[1];
-  scan.set(
-      SmallScan::edges,
-      {PackedEdges::pack(PackedEdges::field(scan.area - weights.at_anchor[0] - weights.at_anchor[1], right_0, down_0),
-                         PackedEdges::field(weights.at_anchor[0], weights.right[0], weights.down[0]),
-                         PackedEdges::field(weights.at_anchor[1], weights.right[1], weights.down[1])),
-       PackedEdges::pack(right_0, weights.right[0], weights.right[1]),
-       PackedEdges::pack(down_0, weights.down[0], weights.down[1])});
-  scan.settle();
-
-  const std::int32_t inverse_area =
-      of_any_sign(static_cast<std::int32_t>(quotient_31(static_cast<std::uint32_t>(scan.area))));
-  scan.set(SmallScan::depth,
-           small_depth(weights, inverse_area, v0.depth, static_cast<std::int32_t>(v1.depth - v0.depth),
-                       static_cast<std::int32_t>(v2.depth - v0.depth)));
-  scan.settle();
-  if constexpr (gouraud) {
-    const SmallChannels channels(weights, inverse_area);
-    scan.set(SmallScan::green, channels.plane(colours[0]->g, colours[1]->g, colours[2]->g));
-    scan.settle();
-    const SmallPlane r = channels.plane(colours[0]->r, colours[1]->r, colours[2]->r);
-    scan.set(SmallScan::red_blue, {r.start << 16, r.step_x << 16, r.step_y << 16});
-    scan.settle();
-    const SmallPlane b = channels.plane(colours[0]->b, colours[1]->b, colours[2]->b);
-    scan.start[SmallScan::red_blue] += b.start;
-    scan.step_x[SmallScan::red_blue] += b.step_x;
-    scan.step_y[SmallScan::red_blue] += b.step_y;
-  }
-}
-
-/// `area` is twice the signed area, > 0; `anchor_x`, `anchor_y` the first pixel of the triangle's whole box: all values
-/// start there, so that no rounding depends on the strip; `box` the pixels to scan, not empty, inside the target's
-/// area. `colours` of the three vertices where `gouraud`, else none. Depths are 16.16 codes.
-template <bool gouraud, bool statistics, class Rule = DepthRule<DepthMode{}>>
-void draw_small_triangle_portable(const StripTarget& target, const SnappedVertex& v0, const SnappedVertex& v1,
-                                  const SnappedVertex& v2, const Colour* const (&colours)[3], std::uint16_t flat_colour,
-                                  std::int32_t area, std::int32_t anchor_x, std::int32_t anchor_y, const Rect& box,
-                                  Rule rule = {}) {
-  SmallScan scan;
-  scan.first_column = static_cast<std::uint32_t>(box.left - anchor_x);
-  scan.first_row = static_cast<std::uint32_t>(box.top - anchor_y);
-  scan.width = box.width();
-  scan.height = box.height();
-  scan.depth_row = target.depth_row(box.top) + (box.left - target.area.left);
-  scan.colour_row = target.colour_row(box.top) + (box.left - target.area.left);
-  scan.depth_stride = target.depth_stride;
-  scan.colour_stride = target.colour_stride;
-  scan.area = area;
-  scan.anchor_x = anchor_x;
-  scan.anchor_y = anchor_y;
-  if constexpr (!gouraud) scan.flat_colour = flat_colour;
   if constexpr (kHasThumb && gouraud && !statistics) {
     for (int i = 0; i < 3; ++i) scan.set_colour(i, *colours[i]);
     set_up_small_thumb(scan, v0, v1, v2);
   } else {
-    scan.settle();
-    set_up_small<gouraud>(scan, v0, v1, v2, colours);
-  }
-
-  if ((scan.first_column | scan.first_row) != 0) {  // the strip or the picture cuts the box
-    const auto skip_to_box = [&scan](SmallScan::Value value) {
-      scan.start[value] = scan.at(value, scan.first_column, scan.first_row);
-    };
-    skip_to_box(SmallScan::edges);
-    skip_to_box(SmallScan::depth);
-    if constexpr (gouraud) {
-      skip_to_box(SmallScan::green);
-      skip_to_box(SmallScan::red_blue);
-    }
-  }
-  if constexpr (statistics) scan.statistics = target.statistics;
-  if constexpr (kHasThumb && gouraud && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>>) {
-    scan_small_thumb(scan);
-  } else {
-    scan_small_triangle<gouraud, statistics>(scan, rule);
+    PortableSmallStages::set_up<gouraud, statistics>(scan, v0, v1, v2, colours);
   }
 }
 
-/// The same. Inlined, because a call of its own would pass all of it through memory.
+/// The pixels of a scan that is set up. May move its starts and rows.
+template <bool gouraud, bool statistics, class Rule>
+[[gnu::always_inline]] inline void scan_small(SmallScan& scan, const Rule& rule) {
+  if constexpr (kHasThumb && gouraud && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>>) {
+    scan_small_thumb(scan);
+  } else {
+    PortableSmallStages::draw<gouraud, statistics>(scan, rule);
+  }
+}
+
+/// The processor's set-up and scan, for draw_small_by_scan.
+struct SmallStages {
+  template <bool gouraud, bool statistics>
+  [[gnu::always_inline]] static void set_up(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,
+                                            const SnappedVertex& v2, const Colour* const (&colours)[3]) {
+    set_up_small<gouraud, statistics>(scan, v0, v1, v2, colours);
+  }
+  template <bool gouraud, bool statistics, class Rule>
+  [[gnu::always_inline]] static void draw(SmallScan& scan, const Rule& rule) {
+    scan_small<gouraud, statistics>(scan, rule);
+  }
+};
+
+/// `area` is twice the signed area, > 0; `anchor_x`, `anchor_y` the first pixel of the triangle's whole box: all values
+/// start there, so that no rounding depends on the strip; `box` the pixels to scan, not empty, inside the target's
+/// area. `colours` of the three vertices where `gouraud`, else none. Inlined, because a call of its own would pass all
+/// of it through memory.
 template <bool gouraud, bool statistics, class Rule = DepthRule<DepthMode{}>>
 [[gnu::always_inline]] inline void draw_small_triangle(const StripTarget& target, const SnappedVertex& v0,
                                                        const SnappedVertex& v1, const SnappedVertex& v2,
@@ -287,8 +75,8 @@ template <bool gouraud, bool statistics, class Rule = DepthRule<DepthMode{}>>
       if (draw_small_flat_sse2(triangle, flat_colour)) return;
     }
   }
-  draw_small_triangle_portable<gouraud, statistics>(target, v0, v1, v2, colours, flat_colour, area, anchor_x, anchor_y,
-                                                    box, rule);
+  draw_small_by_scan<gouraud, statistics, SmallStages>(target, v0, v1, v2, colours, flat_colour, area, anchor_x,
+                                                       anchor_y, box, rule);
 }
 
 }  // namespace zstrip::detail

@@ -1,28 +1,73 @@
-// Where runs of texels stand: what the pixel loops of textures read, in C++, assembly or vectors.
+// Kernel: runs of texels, the pixels of a span between two exact texture positions.
+//
+// Texture coordinates are 0.32 of the texture, so that they wrap; exact positions 16.16 texels, modulo 2^16 texels;
+// u/w and v/w have 29 bits and a sign, 1/w has 29 bits. Depth is what the rule steps, with z16 16.16 codes. Every
+// implementation writes what portable/textured_run.hpp writes, bit by bit, and nothing beside the run. Assembly and
+// SSE2 have no light, the depth test of z16 and nothing to count.
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
+
+#include "zstrip/base/statistics.hpp"
+#include "zstrip/kernels/portable/textured_run.hpp"
+#include "zstrip/kernels/processor.hpp"
+#include "zstrip/kernels/sse2/textured_run.hpp"
+#include "zstrip/kernels/textured_run_state.hpp"
+#include "zstrip/kernels/thumb/textured_run.hpp"
+#include "zstrip/raster/depth_rule.hpp"
+#include "zstrip/raster/plane.hpp"
 
 namespace zstrip::detail {
 
-/// Where a run stands. The assembly reads the members in this order.
-template <class Value>
-struct TexturedRunState {
-  std::uint32_t u, v, step_u, step_v;  ///< 0.32
-  Value z, step_z;                     ///< a depth plane's
-  const std::uint16_t* texels;
-  std::int32_t to_column, to_row;  ///< right shifts; to_row leaves the row times the width of the texture
-  std::uint32_t row_mask;          ///< clears the bits below a row
-};
+/// Which implementation a TexturedRun of these has, if not the portable one.
+template <bool lit, bool statistics, class Value, class Rule>
+inline constexpr bool kHasThumbRuns =
+    kHasThumb && !lit && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>> &&
+    std::is_same_v<Value, std::uint32_t>;
+template <bool lit, bool statistics, class Value, class Rule>
+inline constexpr bool kHasSse2Runs =
+    kHasSse2 && !lit && !statistics && Rule::kNearerOnly && std::is_same_v<Value, std::uint32_t>;
 
-/// Where the whole runs of a span with perspective stand: 16 pixels between two exact positions.
-struct TexturedRunsState : TexturedRunState<std::uint32_t> {
-  std::uint32_t u_over_w, v_over_w, one_over_w;                 ///< at the first pixel of the next run
-  std::uint32_t u_over_w_step, v_over_w_step, one_over_w_step;  ///< a run
-  std::int32_t base_u, base_v;                                  ///< TextureCoordinates'
-  std::int32_t from_u, from_v;                                  ///< the exact position there, 16.16
-  std::uint32_t to_fraction_u, to_fraction_v;                   ///< TextureAxis'
-  std::int32_t right_shift;  ///< after the division by w, for a 1/w that is normalised by 0
-};
+/// Whether there is fill_runs.
+template <bool lit, bool statistics, class Value, class Rule>
+inline constexpr bool kHasWholeRuns =
+    kHasThumbRuns<lit, statistics, Value, Rule> || kHasSse2Runs<lit, statistics, Value, Rule>;
+
+/// Whether the implementation knows the run's texture; for fill_run and fill_runs.
+template <bool lit, bool statistics, class Value, class Rule, class State>
+bool knows_texture([[maybe_unused]] const TexturedRun<lit, statistics, Value, Rule, State>& run) {
+  if constexpr (kHasSse2Runs<lit, statistics, Value, Rule>) return fits_sse2(run);
+  return kHasWholeRuns<lit, statistics, Value, Rule>;
+}
+
+/// Fills `count` > 0 whole runs of kPerspectiveRun pixels, of a run whose texture is known. Moves z, the place and the
+/// exact position behind them.
+template <bool lit, bool statistics, class Value, class Rule>
+void fill_runs(TexturedRun<lit, statistics, Value, Rule, TexturedRunsState>& run, std::uint16_t* depth,
+               std::uint16_t* pixel, std::uint32_t count) {
+  if constexpr (kHasThumbRuns<lit, statistics, Value, Rule>) {
+    fill_runs_thumb(run, depth, pixel, count);
+  } else {
+    fill_runs_sse2(run, depth, pixel, count);
+  }
+}
+
+/// Fills `length` pixels, 1 .. 2^20. Moves z to the first pixel behind the run. `known`: knows_texture. `light` is read
+/// only where `lit`.
+template <bool lit, bool statistics, class Value, class Rule, class State>
+[[gnu::always_inline]] inline void fill_run(TexturedRun<lit, statistics, Value, Rule, State>& run,
+                                            [[maybe_unused]] bool known, typename Rule::Cell* depth,
+                                            std::uint16_t* pixel, std::int32_t length, const ColourPlanes& light,
+                                            Statistics* counters) {
+  if constexpr (kHasThumbRuns<lit, statistics, Value, Rule>) {
+    fill_run_thumb(run, depth, pixel, length);
+  } else {
+    if constexpr (kHasSse2Runs<lit, statistics, Value, Rule>) {
+      if (known) return fill_run_sse2(run, depth, pixel, length);
+    }
+    run.fill(depth, pixel, length, light, counters);
+  }
+}
 
 }  // namespace zstrip::detail

@@ -1,38 +1,25 @@
-// Transforms the vertices of a meshlet into the post-transform cache, each once.
+// Kernel: transforms the vertices of a meshlet into the post-transform cache, each once.
+//
+// Positions have 16 bits a coordinate; the instance's linear forms are 32-bit words, of whose products the upper one
+// counts. Results are 12.4 raster coordinates and 16.16 depth codes, or kNotNarrow and 0. No sum of a form overflows.
+// Every implementation writes what portable/transform.hpp writes, bit by bit. Assembly has perspective and z16, each
+// with all reciprocals; SSE2 the exact reciprocal alone, and forms whose coefficients fits_sse2 takes.
 #pragma once
 
-#include "zstrip/geometry/light.hpp"
+#include <cstdint>
+
+#include "zstrip/geometry/instance.hpp"
 #include "zstrip/geometry/project.hpp"
+#include "zstrip/kernels/portable/transform.hpp"
+#include "zstrip/kernels/processor.hpp"
 #include "zstrip/kernels/sse2/transform.hpp"
 #include "zstrip/kernels/thumb1/transform.hpp"
 #include "zstrip/kernels/thumb2/transform.hpp"
+#include "zstrip/scene/depth_format.hpp"
+#include "zstrip/scene/effects.hpp"
+#include "zstrip/scene/scene.hpp"
 
 namespace zstrip::detail {
-
-/// Writes `count` vertices from `first` on. Returns whether all of them are narrow, so that the loop over the
-/// triangles need not ask.
-template <Effects effects>
-bool transform_vertices_portable(const CompiledInstance& instance, const Mesh& mesh, const RasterOrigin& origin,
-                                 std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {
-  constexpr bool kOrthographic = effects.has(effect::orthographic);
-  constexpr DepthFormat kFormat = depth_format(effects);
-  constexpr ReciprocalOf kReciprocal = reciprocal_kind(effects);
-  const LinearForm fx = instance.x;
-  const LinearForm fy = instance.y;
-  const LinearForm fw = instance.w;
-  const NarrowProjection<kOrthographic> narrow(instance, origin);
-  const Position* positions = mesh.positions.data() + first;
-  bool all_narrow = true;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const Position p = positions[i];
-    if (!project_narrow<kOrthographic, kFormat, kReciprocal>(narrow, instance, origin, fx.at(p), fy.at(p), fw.at(p),
-                                                             vertices[i])) {
-      vertices[i] = {kNotNarrow, 0, 0};
-      all_narrow = false;
-    }
-  }
-  return all_narrow;
-}
 
 /// Cannot be inlined: the rasterisers need the stack that it takes.
 template <ReciprocalOf kind>
@@ -47,7 +34,8 @@ template <ReciprocalOf kind>
   }
 }
 
-/// The same.
+/// Writes `count` vertices from `first` on. Returns whether all of them are narrow, so that the loop over the
+/// triangles need not ask.
 template <Effects effects>
 bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, const RasterOrigin& origin,
                         std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {
@@ -63,23 +51,6 @@ bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, cons
     }
     return transform_vertices_portable<effects>(instance, mesh, origin, first, count, vertices);
   }
-}
-
-/// Whether a colour is copied as one word: without (Cortex-M0) a loop of copies is slower than the general one.
-inline constexpr bool kCopiesColours = kHasThumb2 || kHasSse2;
-
-template <Effects effects>
-void shade_vertices(const CompiledInstance& instance, const Mesh& mesh, std::uint32_t first, std::uint32_t count,
-                    Colour* colours) {
-  if constexpr (kCopiesColours && effects.has(effect::vertex_colours)) {
-    if (!(effects.has(effect::lighting) && instance.lit) && instance.coloured &&
-        instance.base == Colour{255, 255, 255, 255}) {
-      const Colour* const own = mesh.colours.data() + first;
-      for (std::uint32_t i = 0; i < count; ++i) colours[i] = own[i];
-      return;
-    }
-  }
-  for (std::uint32_t i = 0; i < count; ++i) colours[i] = vertex_colour<effects>(instance, mesh, first + i);
 }
 
 }  // namespace zstrip::detail

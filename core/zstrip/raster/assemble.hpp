@@ -7,9 +7,9 @@
 
 #include "zstrip/effects/outlines/outline.hpp"
 #include "zstrip/effects/pixel_shading/lit_corners.hpp"
+#include "zstrip/geometry/project.hpp"
+#include "zstrip/kernels/small_run.hpp"
 #include "zstrip/kernels/small_triangle.hpp"
-#include "zstrip/kernels/thumb/small_run.hpp"
-#include "zstrip/kernels/transform.hpp"
 #include "zstrip/raster/assemble_clipped.hpp"
 #include "zstrip/raster/attributes.hpp"
 #include "zstrip/raster/fragment.hpp"
@@ -210,8 +210,8 @@ struct Assembler : ClippedAssembler<effects> {
 
   /// Whether most triangles never come to draw_narrow.
   template <Shade shade, bool all_narrow>
-  static constexpr bool kSmallRuns = (kHasThumb || (kHasSse2 && all_narrow)) && shade == Shade::gouraud && !kStatistics
-                                     && std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
+  static constexpr bool kSmallRuns = (all_narrow ? kHasSmallRuns : kHasSmallRunsOfOne) && shade == Shade::gouraud &&
+                                     !kStatistics && std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
 
   static bool is_narrow(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c) {
     return a.x != kNotNarrow && b.x != kNotNarrow && c.x != kNotNarrow;
@@ -223,23 +223,18 @@ struct Assembler : ClippedAssembler<effects> {
   [[gnu::noinline]] static std::uint32_t draw_small_run(const StripTarget& target, const Batch& batch,
                                                         std::uint32_t next, std::uint32_t count,
                                                         const TriangleAt& triangle_at) {
-    if constexpr (kHasSse2) {
-      return next + draw_small_run_sse2(target, batch.vertices, batch.colours, batch.first_vertex, &triangle_at(next),
-                                        count - next);
-    } else {
-      SmallRun run(target, batch.vertices, batch.colours, batch.first_vertex);
-      if constexpr (all_narrow) return next + draw_small_run_thumb(run, &triangle_at(next), count - next);
-      const SnappedVertex* const vertices = batch.vertices;
-      const std::uint32_t first = batch.first_vertex;
-      for (; next < count; ++next) {
-        const Triangle& triangle = triangle_at(next);
-        if (!is_narrow(vertices[triangle.a - first], vertices[triangle.b - first], vertices[triangle.c - first]) ||
-            draw_small_run_thumb(run, &triangle, 1) == 0) {
-          break;
-        }
+    SmallRun run(target, batch.vertices, batch.colours, batch.first_vertex);
+    if constexpr (all_narrow) return next + detail::draw_small_run(run, &triangle_at(next), count - next);
+    const SnappedVertex* const vertices = batch.vertices;
+    const std::uint32_t first = batch.first_vertex;
+    for (; next < count; ++next) {
+      const Triangle& triangle = triangle_at(next);
+      if (!is_narrow(vertices[triangle.a - first], vertices[triangle.b - first], vertices[triangle.c - first]) ||
+          detail::draw_small_run(run, &triangle, 1) == 0) {
+        break;
       }
-      return next;
     }
+    return next;
   }
 
   template <Shade shade, bool all_narrow, class TriangleAt>

@@ -8,7 +8,7 @@
 #include "zstrip/effects/outlines/outline.hpp"
 #include "zstrip/effects/pixel_shading/lit_corners.hpp"
 #include "zstrip/geometry/clip.hpp"
-#include "zstrip/kernels/transform.hpp"
+#include "zstrip/geometry/project.hpp"
 #include "zstrip/raster/attributes.hpp"
 #include "zstrip/raster/fragment.hpp"
 #include "zstrip/raster/polygon.hpp"

@@ -1,5 +1,5 @@
 // The span loop of instances whose fragments have effects: depth test, then the stages that exist, then the write.
-// Slower than the loops of span_fill.hpp, which draw all other instances of the same scene.
+// Slower than the loops of textured_span.hpp, which draw all other instances of the same scene.
 #pragma once
 
 #include <algorithm>

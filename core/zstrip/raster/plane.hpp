@@ -32,6 +32,11 @@ struct Plane {
   }
 };
 
+/// The planes of a triangle's colours.
+struct ColourPlanes {
+  Plane r, g, b;  ///< 8.16
+};
+
 /// Fraction bits that a wide plane has beyond those of its value.
 inline constexpr int kWideBits = 20;
 

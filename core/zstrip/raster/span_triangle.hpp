@@ -8,10 +8,11 @@
 #include <type_traits>
 #include <utility>
 
-#include "zstrip/kernels/sse2/medium_triangle.hpp"
+#include "zstrip/kernels/medium_triangle.hpp"
+#include "zstrip/kernels/span.hpp"
 #include "zstrip/raster/edge_walk.hpp"
 #include "zstrip/raster/midpoint.hpp"
-#include "zstrip/raster/span_fill.hpp"
+#include "zstrip/raster/textured_span.hpp"
 
 namespace zstrip::detail {
 
@@ -226,9 +227,9 @@ void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, c
     colours = {constant(v0.r), constant(v0.g), constant(v0.b)};
   }
 
-  if constexpr (kHasSse2 && shade == Shade::flat && !statistics && mode == DepthMode{}) {
-    if (narrow && draw_medium_flat_sse2(target, v0, v1, v2, triangle.depth.plane(), triangle.anchor_x,
-                                        triangle.anchor_y, surface.flat_colour)) {
+  if constexpr (kHasMediumTriangles && shade == Shade::flat && !statistics && mode == DepthMode{}) {
+    if (narrow && draw_medium_flat(target, v0, v1, v2, triangle.depth.plane(), triangle.anchor_x, triangle.anchor_y,
+                                   surface.flat_colour)) {
       return;
     }
   }

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/kernels/textured_run.hpp"
+#include "zstrip/kernels/textured_run_state.hpp"
 #include "zstrip/raster/plane.hpp"
 
 namespace zstrip::detail {

@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include "zstrip/raster/fragment_settings.hpp"
-#include "zstrip/raster/span_fill.hpp"
+#include "zstrip/raster/textured_span.hpp"
 #include "zstrip/scene/scene.hpp"
 
 namespace zstrip::detail {

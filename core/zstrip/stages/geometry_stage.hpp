@@ -12,6 +12,8 @@
 #include "zstrip/effects/outlines/outline.hpp"
 #include "zstrip/effects/shadows/retained_shadow.hpp"
 #include "zstrip/geometry/meshlet_range.hpp"
+#include "zstrip/geometry/shade_vertices.hpp"
+#include "zstrip/kernels/transform.hpp"
 #include "zstrip/raster/facing.hpp"
 #include "zstrip/stages/materials.hpp"
 #include "zstrip/stages/method_stage.hpp"

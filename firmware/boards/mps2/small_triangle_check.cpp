@@ -92,10 +92,10 @@ int check_small_triangles() {
       by_hand.depth_row = assembled.depth.data(), by_hand.colour_row = assembled.colour.data();
 
       const Colour* const in_order[3] = {&colours[0], &colours[1], &colours[2]};
-      set_up_small<true>(scan, v[0], v[1], v[2], in_order);
+      set_up_small_portable<true>(scan, v[0], v[1], v[2], in_order);
       set_up_small_thumb(by_hand, v[0], v[1], v[2]);
       if (!same(scan, by_hand)) return differs("planes", triangle);
-      scan_small_triangle<true, false>(scan, DepthRule<DepthMode{}>{});
+      scan_small_portable<true, false>(scan, DepthRule<DepthMode{}>{});
       scan_small_thumb(by_hand);
       if (portable.depth != assembled.depth) return differs("depths", triangle);
       if (portable.colour != assembled.colour) return differs("pixels", triangle);

@@ -5,6 +5,7 @@
 
 #include "cortex_m/console.hpp"
 #include "mps2/assembly_checks.hpp"
+#include "zstrip/kernels/textured_run.hpp"
 #include "zstrip/raster/span_triangle.hpp"
 
 namespace zstrip::board {

@@ -10,6 +10,7 @@
 #include "zstrip/effects/edges/edge_blend.hpp"
 #include "zstrip/effects/edges/effect.hpp"
 #include "zstrip/effects/stage.hpp"
+#include "zstrip/kernels/transform.hpp"
 #include "zstrip/stages/geometry_stage.hpp"
 
 namespace zstrip::detail::edges {

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "zstrip/base/statistics.hpp"
 #include "zstrip/effects/fog/fogged_colour.hpp"
 #include "zstrip/effects/lines/lines.hpp"
 #include "zstrip/geometry/colour_product.hpp"
 #include "zstrip/geometry/segment.hpp"
+#include "zstrip/raster/colour.hpp"
 #include "zstrip/raster/depth_rule.hpp"
-#include "zstrip/raster/span_fill.hpp"
 
 namespace zstrip::detail {
 

@@ -6,9 +6,9 @@
 #include <type_traits>
 
 #include "zstrip/base/pixel_root.hpp"
+#include "zstrip/base/statistics.hpp"
 #include "zstrip/effects/quadrics/quadric.hpp"
 #include "zstrip/raster/depth_rule.hpp"
-#include "zstrip/raster/span_fill.hpp"
 
 namespace zstrip::detail {
 

@@ -1,6 +1,8 @@
 // The blocks of a triangle that has its plane of depth already.
 #include "zstrip/kernels/sse2/medium_triangle.hpp"
 
+#include <algorithm>
+
 #include "zstrip/kernels/sse2/blocks.hpp"
 
 #if ZSTRIP_HAS_SSE2

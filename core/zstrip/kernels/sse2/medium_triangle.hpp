@@ -1,5 +1,4 @@
-// Flat triangles of some dozen pixels a side with SSE2, with the depth test of z16: the same pixels as those of the
-// span rasteriser, which a test compares.
+// Flat triangles of some dozen pixels a side with SSE2 and the depth test of z16.
 #pragma once
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "zstrip/base/math.hpp"
-#include "zstrip/kernels/small_triangle.hpp"
+#include "zstrip/kernels/small_scan.hpp"
 #include "zstrip/kernels/sse2/blocks.hpp"
 
 #if ZSTRIP_HAS_SSE2

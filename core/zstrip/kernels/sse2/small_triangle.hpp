@@ -1,5 +1,4 @@
-// Small triangles with SSE2, with the depth test of z16: the same pixels as small_triangle.hpp's, which a test
-// compares.
+// Small triangles, and runs of them, with SSE2 and the depth test of z16.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,4 @@
-// Spans of one colour and of interpolated colours with SSE2, with the depth test of z16: the same pixels as
-// span_fill.hpp's, which a test compares.
+// Spans of one colour and of interpolated colours with SSE2 and the depth test of z16.
 #pragma once
 
 #include <cstdint>

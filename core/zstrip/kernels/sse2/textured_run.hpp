@@ -1,11 +1,10 @@
-// Runs of texels without light with SSE2: the same pixels as TexturedRun::fill and fill_textured, which a test
-// compares.
+// Runs of texels without light with SSE2.
 #pragma once
 
 #include <cstdint>
 
 #include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/textured_run.hpp"
+#include "zstrip/kernels/textured_run_state.hpp"
 
 namespace zstrip::detail {
 

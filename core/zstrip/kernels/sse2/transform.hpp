@@ -1,5 +1,4 @@
-// The loop over a meshlet's vertices with SSE2, with perspective and z16: the same vertices as
-// portable/transform.hpp's, which a test compares.
+// The transform of a meshlet's vertices with SSE2, with perspective and z16.
 #pragma once
 
 #include <cstdint>

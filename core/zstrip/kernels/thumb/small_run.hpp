@@ -1,17 +1,19 @@
-// Runs of small triangles with interpolated colours, from indices to pixels, in assembly for Cortex-M: the same pixels
-// as assemble.hpp's, which a test on emulated cores compares.
+// Runs of small triangles with interpolated colours, from indices to pixels, in assembly for Cortex-M.
 #pragma once
 
 #include <cstdint>
 
+#include "zstrip/geometry/project.hpp"
 #include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/small_triangle.hpp"
+#include "zstrip/kernels/small_scan.hpp"
+#include "zstrip/raster/target.hpp"
 #include "zstrip/scene/scene.hpp"
+#include "zstrip/scene/view.hpp"
 
 namespace zstrip::detail {
 
 /// What the triangles of a meshlet share, where the assembly expects it.
-struct SmallRun {
+struct ThumbSmallRun {
   SmallScan scan;           ///< of the triangle at hand
   std::uintptr_t vertices;  ///< where the mesh's vertex 0 would be: the cache has a run of them
   std::uintptr_t colours;   ///< likewise
@@ -20,8 +22,8 @@ struct SmallRun {
   std::uint16_t* colour;
 
   /// `vertices` and `colours` are those of mesh vertex `first_vertex` on.
-  SmallRun(const StripTarget& target, const SnappedVertex* first_of_vertices, const Colour* first_of_colours,
-           std::uint32_t first_vertex)
+  ThumbSmallRun(const StripTarget& target, const SnappedVertex* first_of_vertices, const Colour* first_of_colours,
+                std::uint32_t first_vertex)
       : vertices(reinterpret_cast<std::uintptr_t>(first_of_vertices) - first_vertex * sizeof(SnappedVertex)),
         colours(reinterpret_cast<std::uintptr_t>(first_of_colours) - first_vertex * sizeof(Colour)),
         area(target.area),
@@ -34,6 +36,6 @@ struct SmallRun {
 
 /// Culls and draws triangles of one-sided surfaces whose vertices are narrow, with the depth test of z16 and nothing to
 /// count. Stops at the first that is not small; how many triangles come before it.
-std::uint32_t draw_small_run_thumb(SmallRun& run, const Triangle* triangles, std::uint32_t count);
+std::uint32_t draw_small_run_thumb(ThumbSmallRun& run, const Triangle* triangles, std::uint32_t count);
 
 }  // namespace zstrip::detail

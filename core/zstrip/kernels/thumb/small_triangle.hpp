@@ -1,5 +1,4 @@
-// Set-up and scan of small triangles with interpolated colours, in assembly for Cortex-M: the same values as
-// small_triangle.hpp, which a test on emulated cores compares word by word.
+// Set-up and scan of small triangles with interpolated colours, in assembly for Cortex-M.
 #pragma once
 
 #include "zstrip/geometry/project.hpp"
@@ -9,12 +8,12 @@ namespace zstrip::detail {
 
 struct SmallScan;
 
-/// Planes of edges, depth and colours from `scan.area`, `anchor_x`, `anchor_y`, `colours` and the vertices; the weights
-/// as in small_triangle.hpp.
+/// Planes of edges, depth and colours from `scan.area`, `anchor_x`, `anchor_y`, `colours` and the vertices, as
+/// set_up_small_portable<true>.
 void set_up_small_thumb(SmallScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,
                         const SnappedVertex& v2) asm("zstrip_set_up_small_thumb");
 
-/// scan_small_triangle<true, false> with the depth test of z16. Moves the scan's starts and rows.
+/// scan_small_portable<true, false> with the depth test of z16. Moves the scan's starts and rows.
 void scan_small_thumb(SmallScan& scan) asm("zstrip_scan_small_thumb");
 
 }  // namespace zstrip::detail

@@ -1,11 +1,10 @@
-// Runs of texels without light in assembly for Cortex-M: the same pixels as TexturedRun::fill and fill_textured, which
-// a test on emulated cores compares.
+// Runs of texels without light in assembly for Cortex-M.
 #pragma once
 
 #include <cstdint>
 
 #include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/textured_run.hpp"
+#include "zstrip/kernels/textured_run_state.hpp"
 
 namespace zstrip::detail {
 

@@ -1,6 +1,7 @@
 // The assembly behind thumb/small_run.hpp for Thumb-1 (Cortex-M0, M0+). Offsets are
 // thumb/small_layout.hpp's.
 #include "zstrip/kernels/thumb/small_run.hpp"
+
 #include "zstrip/kernels/thumb/small_layout.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"
 
@@ -9,7 +10,7 @@ namespace zstrip::detail {
 #if ZSTRIP_HAS_THUMB1
 
 // r8 the vertices, r9 the next triangle, r10 how many are left, r11 the run. On the stack: the count.
-[[gnu::naked]] std::uint32_t draw_small_run_thumb(SmallRun&, const Triangle*, std::uint32_t) {
+[[gnu::naked]] std::uint32_t draw_small_run_thumb(ThumbSmallRun&, const Triangle*, std::uint32_t) {
   asm(ZSTRIP_THUMB1_PUSH R"(
     @ The colour of the vertex of index \index into the scan, \at behind r0; that of vertex 0 is at r7. Uses r4 and r5.
     .macro zstrip_small_colour index at

@@ -1,10 +1,11 @@
 // The assembly behind thumb/small_triangle.hpp for Thumb-1 (Cortex-M0, M0+). Products of 32 bits are made of products
 // of halves; those of the reciprocal stay in two of the eight registers that multiply. Offsets are
 // thumb/small_layout.hpp's.
-#include "zstrip/kernels/small_triangle.hpp"
-#include "zstrip/base/division.hpp"
-#include "zstrip/kernels/thumb/small_layout.hpp"
 #include "zstrip/kernels/thumb/small_triangle.hpp"
+
+#include "zstrip/base/division.hpp"
+#include "zstrip/kernels/small_scan.hpp"
+#include "zstrip/kernels/thumb/small_layout.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"
 
 namespace zstrip::detail {

@@ -10,7 +10,7 @@ namespace zstrip::detail {
 
 // r0 the run, r10 the next triangle, r11 its vertices, lr how many triangles are left; r1 to r3 the indices of a
 // triangle's vertices, then their addresses. On the stack: what was left of the count, and the count.
-[[gnu::naked]] std::uint32_t draw_small_run_thumb(SmallRun&, const Triangle*, std::uint32_t) {
+[[gnu::naked]] std::uint32_t draw_small_run_thumb(ThumbSmallRun&, const Triangle*, std::uint32_t) {
   asm(R"(
     @ Rows of the box at column r6 and row r9 of the strip; its width r8 and height r5.
     .macro zstrip_small_rows

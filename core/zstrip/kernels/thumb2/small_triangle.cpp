@@ -2,7 +2,7 @@
 // of them to the stack and back; by hand all fit. Offsets are thumb/small_layout.hpp's.
 #include "zstrip/kernels/thumb/small_triangle.hpp"
 
-#include "zstrip/kernels/small_triangle.hpp"
+#include "zstrip/kernels/small_scan.hpp"
 #include "zstrip/kernels/thumb/small_layout.hpp"
 
 namespace zstrip::detail {

@@ -1,5 +1,4 @@
-// The loop over a meshlet's vertices in assembly for Thumb-2 (Cortex-M3, M4, M7), with perspective and z16: the same
-// vertices as portable/transform.hpp's, which a test on emulated cores compares word by word.
+// The transform of a meshlet's vertices in assembly for Thumb-2 (Cortex-M3, M4, M7), with perspective and z16.
 #pragma once
 
 #include <cstdint>

@@ -3,7 +3,6 @@
 
 #include "zstrip/effects/quadrics/quadric.hpp"
 #include "zstrip/raster/depth_rule.hpp"
-#include "zstrip/raster/span_fill.hpp"
 
 namespace zstrip::detail {
 

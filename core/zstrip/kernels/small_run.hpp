@@ -1,0 +1,45 @@
+// Kernel: runs of small triangles with interpolated colours, from their indices to depth and colour, of a one-sided
+// surface whose vertices are narrow: culled, bounded, drawn as by small_triangle.hpp. With the depth test of z16 and
+// nothing to count.
+//
+// Vertices are 12.4 raster coordinates and 16.16 depth codes, no difference of two coordinates has more than 15 bits
+// and a sign; colours are 8 bits a channel. Every implementation writes what portable/small_run.hpp writes, bit by bit.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "zstrip/kernels/portable/small_run.hpp"
+#include "zstrip/kernels/processor.hpp"
+#include "zstrip/kernels/sse2/small_triangle.hpp"
+#include "zstrip/kernels/thumb/small_run.hpp"
+#include "zstrip/scene/scene.hpp"
+
+namespace zstrip::detail {
+
+/// Whether the processor has runs that are quicker than a loop over draw_small_triangle; and even runs of one.
+inline constexpr bool kHasSmallRuns = kHasThumb || kHasSse2;
+inline constexpr bool kHasSmallRunsOfOne = kHasThumb;
+
+/// What the triangles of a meshlet share; made of the target, its vertices and colours, and the index of the first.
+using SmallRun = std::conditional_t<kHasThumb, ThumbSmallRun, PortableSmallRun>;
+
+/// The processor's implementation.
+constexpr auto chosen_small_run() {
+  if constexpr (kHasThumb) {
+    return &draw_small_run_thumb;
+  } else if constexpr (kHasSse2) {
+    return [](const PortableSmallRun& run, const Triangle* triangles, std::uint32_t count) {
+      return draw_small_run_sse2(run.target, run.vertices, run.colours, run.first_vertex, triangles, count);
+    };
+  } else {
+    return &draw_small_run_portable;
+  }
+}
+
+/// Called with a SmallRun, triangles and `count`: draws `count` of them, or as many as come before one that is not
+/// small, or that the implementation leaves to others; how many these are. No function of its own: the call is the
+/// implementation's.
+inline constexpr auto draw_small_run = chosen_small_run();
+
+}  // namespace zstrip::detail

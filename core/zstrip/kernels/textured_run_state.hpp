@@ -1,0 +1,31 @@
+// What the implementations of the kernel of texels share: where runs stand.
+#pragma once
+
+#include <cstdint>
+
+namespace zstrip::detail {
+
+/// Most pixels between two exact texture positions: a whole run.
+inline constexpr std::int32_t kPerspectiveRun = 16;
+
+/// Where a run stands. The assembly reads the members in this order.
+template <class Value>
+struct TexturedRunState {
+  std::uint32_t u, v, step_u, step_v;  ///< 0.32
+  Value z, step_z;                     ///< a depth plane's
+  const std::uint16_t* texels;
+  std::int32_t to_column, to_row;  ///< right shifts; to_row leaves the row times the width of the texture
+  std::uint32_t row_mask;          ///< clears the bits below a row
+};
+
+/// Where the whole runs of a span with perspective stand: 16 pixels between two exact positions.
+struct TexturedRunsState : TexturedRunState<std::uint32_t> {
+  std::uint32_t u_over_w, v_over_w, one_over_w;                 ///< at the first pixel of the next run
+  std::uint32_t u_over_w_step, v_over_w_step, one_over_w_step;  ///< a run
+  std::int32_t base_u, base_v;                                  ///< TextureCoordinates'
+  std::int32_t from_u, from_v;                                  ///< the exact position there, 16.16
+  std::uint32_t to_fraction_u, to_fraction_v;                   ///< TextureAxis'
+  std::int32_t right_shift;  ///< after the division by w, for a 1/w that is normalised by 0
+};
+
+}  // namespace zstrip::detail
