@@ -1,19 +1,19 @@
 // Proves what the start-up code and the memory functions promise, on the board itself. The host's word says what:
 // "memory" compares memcpy, memmove, memset and memcmp with bytewise loops and checks .data and .bss; "fault" reads
 // where nothing is and "overflow" uses up the stack: both must end in a fault report; "return" and "fpu" go on after
-// one; "wait" takes a cycle of the clock;
-// "small" and "texels" compare assembly with its C++. Exit status: 0 all right, 1 something differs, 2 no such word.
+// one; "wait" takes a cycle of the clock; "kernel=" and the name of a contract of tests/kernels compares assembly with
+// its C++. Exit status: 0 all right, 1 something differs, 2 no such word.
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <string_view>
 
+#include "contracts.hpp"
 #include "cortex_m/console.hpp"
 #include "cortex_m/registers.hpp"
 #include "cortex_m/semihosting.hpp"
 #include "cortex_m/systick.hpp"
-#include "mps2/assembly_checks.hpp"
 #include "portable/fault_return.hpp"
 
 namespace {
@@ -161,6 +161,33 @@ int come_back_and_fault() {
   return read_nowhere();
 }
 
+int compare_kernel(const zstrip::kernels_test::Contract& contract) {
+  const zstrip::kernels_test::Outcome outcome = contract.compare(contract.on_boards);
+  print("self-test: ");
+  print(contract.name.data());  // a literal, as what differs
+  if (!outcome.difference.empty()) {
+    print(", case ");
+    print_decimal(outcome.number);
+    print(": ");
+    print(outcome.difference.data());
+    print(" differs\n");
+    return 1;
+  }
+  print(": ");
+  print_decimal(outcome.compared);
+  print(contract.has_own ? " are equal\n" : " by C++ alone\n");
+  return !contract.has_own || outcome.compared >= contract.least ? 0 : 1;
+}
+
+/// Exit status, as of main().
+int compare_kernel_named(std::string_view name) {
+  for (const zstrip::kernels_test::Contract& contract : zstrip::kernels_test::contracts()) {
+    if (name == contract.name) return compare_kernel(contract);
+  }
+  print("self-test: no such kernel\n");
+  return 2;
+}
+
 }  // namespace
 
 int main() {
@@ -173,10 +200,8 @@ int main() {
   if (word == "fpu"sv) return come_back_to_fpu();
   if (word == "wait"sv) return wait_one_cycle();
   if (word == "overflow"sv) return static_cast<int>(overflow_stack(zeroed)) | 1;
-  if (word == "small"sv) return zstrip::board::check_small_triangles();
-  if (word == "runs"sv) return zstrip::board::check_small_runs();
-  if (word == "transform"sv) return zstrip::board::check_transform();
-  if (word == "texels"sv) return zstrip::board::check_textured_runs();
-  print("self-test: say memory, fault, return, twice, fpu, wait, overflow, small, runs, transform or texels\n");
+  constexpr std::string_view kKernel = "kernel="sv;
+  if (word.starts_with(kKernel)) return compare_kernel_named(word.substr(kKernel.size()));
+  print("self-test: say memory, fault, return, twice, fpu, wait, overflow or kernel=NAME\n");
   return 2;
 }

@@ -1,0 +1,96 @@
+// Runs of small triangles, from indices to pixels: an implementation may stop where it likes, but what it says to have
+// drawn, it has. Then whole meshlets by the assembler, in order and by lists: once with counting, which is portable.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "contracts.hpp"
+#include "meshlet.hpp"
+#include "pictures.hpp"
+#include "random.hpp"
+#include "zstrip/kernels/small_run.hpp"
+#include "zstrip/raster/assemble.hpp"
+
+namespace zstrip::kernels_test {
+namespace {
+
+using namespace detail;
+
+constexpr Effects kOwn = effect::gouraud | effect::vertex_colours;
+constexpr Effects kPortable = kOwn | effect::statistics;
+
+template <Effects effects>
+void draw(const Meshlet& meshlet, const CompiledInstance& instance, const StripTarget& target, bool all_narrow) {
+  constexpr Mesh kMesh{};
+  const Batch batch{.instance = &instance,
+                    .mesh = &kMesh,
+                    .vertices = meshlet.vertices.data(),
+                    .colours = meshlet.colours.data(),
+                    .first_vertex = Meshlet::kFirstVertex,
+                    .origin = {},
+                    .surface = {}};
+  const std::span triangles(meshlet.triangles), half = triangles.first(Meshlet::kTriangles / 2);
+  Assembler<effects>::draw(target, batch, half, all_narrow);
+  for (std::size_t first = 0; first < Meshlet::kTriangles; first += kBinChunkEntries) {
+    const std::size_t count = std::min<std::size_t>(kBinChunkEntries, Meshlet::kTriangles - first);
+    const bool of_narrow = first % 2 == 0;  // of every second chunk
+    Assembler<effects>::draw_listed(target, batch, triangles, std::span(meshlet.listed).subspan(first, count),
+                                    of_narrow);
+  }
+}
+
+}  // namespace
+
+Outcome compare_small_runs(std::uint32_t cases) {
+  Random random(3);
+  Outcome outcome;
+  for (std::uint32_t number = 0; number < cases; ++number) {
+    const Meshlet meshlet(random, number);
+    const Pictures pictures(random, meshlet.width, meshlet.height, meshlet.code());
+    const StripTarget portable_target = pictures.portable.target(meshlet.left, meshlet.top, nullptr);
+    const StripTarget own_target = pictures.own.target(meshlet.left, meshlet.top, nullptr);
+    PortableSmallRun portable(portable_target, meshlet.vertices.data(), meshlet.colours.data(), Meshlet::kFirstVertex);
+    SmallRun own(own_target, meshlet.vertices.data(), meshlet.colours.data(), Meshlet::kFirstVertex);
+    for (std::uint32_t next = 0; next < Meshlet::kTriangles; ++next) {
+      const Triangle* const triangles = meshlet.triangles.data() + next;
+      const std::uint32_t drawn = draw_small_run(own, triangles, Meshlet::kTriangles - next);
+      if (next + drawn > Meshlet::kTriangles || draw_small_run_portable(portable, triangles, drawn) != drawn) {
+        outcome.differs("the end of a run", number);
+        return outcome;
+      }
+      next += drawn;
+      outcome.compared += drawn;
+    }
+    if (!pictures.equal()) {
+      outcome.differs("a run", number);
+      return outcome;
+    }
+  }
+  return outcome;
+}
+
+Outcome compare_meshlets(std::uint32_t cases) {
+  Random random(4);
+  Outcome outcome;
+  Statistics statistics{};
+  for (std::uint32_t number = 0; number < cases; ++number) {
+    const Meshlet meshlet(random, number);
+    const Pictures pictures(random, meshlet.width, meshlet.height, meshlet.code());
+    CompiledInstance instance{};
+    instance.shade = number / 12 % 3 == 2 ? Shade::flat : Shade::gouraud;
+    instance.coloured = true;
+    instance.double_sided = number / 5 % 5 == 0;
+    const bool all_narrow = number % 7 != 0;
+    draw<kPortable>(meshlet, instance, pictures.portable.target(meshlet.left, meshlet.top, &statistics), all_narrow);
+    draw<kOwn>(meshlet, instance, pictures.own.target(meshlet.left, meshlet.top, nullptr), all_narrow);
+    if (!pictures.equal()) {
+      outcome.differs("a meshlet", number);
+      return outcome;
+    }
+  }
+  outcome.compared = statistics.drawn;
+  return outcome;
+}
+
+}  // namespace zstrip::kernels_test
