@@ -30,7 +30,7 @@ void draw(const Meshlet& meshlet, const CompiledInstance& instance, const StripT
                     .first_vertex = Meshlet::kFirstVertex,
                     .origin = {},
                     .surface = {}};
-  const std::span triangles(meshlet.triangles), half = triangles.first(Meshlet::kTriangles / 2);
+  const std::span<const Triangle> triangles(meshlet.triangles), half = triangles.first(Meshlet::kTriangles / 2);
   Assembler<effects>::draw(target, batch, half, all_narrow);
   for (std::size_t first = 0; first < Meshlet::kTriangles; first += kBinChunkEntries) {
     const std::size_t count = std::min<std::size_t>(kBinChunkEntries, Meshlet::kTriangles - first);
