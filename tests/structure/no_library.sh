@@ -15,7 +15,7 @@ trap 'rm -rf "$work"' EXIT
 sources=$(grep -LE 'Renderer<|begin_frame|bench_run\.hpp|scene_player' "$root"/firmware/boards/{cortex_m,mps2,portable}/*.cpp)
 for source in $sources; do
   "$compiler" "$@" -std=c++20 -Os -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics \
-    -fno-tree-loop-distribute-patterns -I"$root/core" -I"$root/hal" -I"$root/firmware/boards" -I"$root/firmware/scenes/include" \
+    -fno-tree-loop-distribute-patterns -I"$root/core" -I"$root/hal" -I"$root/firmware/boards" -I"$root/firmware/scenes/include" -I"$root/tests/kernels" \
     -c "$source" -o "$work/$(basename "$source").o"
 done
 called=$("${compiler%g++}nm" -A --undefined-only "$work"/*.o | sed "s|$work/||" |
