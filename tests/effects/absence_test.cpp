@@ -13,6 +13,7 @@
 #include "lines_scene.hpp"
 #include "markers.hpp"
 #include "outlines_scene.hpp"
+#include "overlay_scene.hpp"
 #include "shadows_scene.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/spheres.hpp"
@@ -58,6 +59,7 @@ TEST(EffectsAbsence, ProgramsHoldTheCodeOfTheirScenesEffectsAndNoOther) {
   check(scenes::shadows);
   check(scenes::csg);
   check(scenes::edges);
+  check(scenes::overlay);
   for (const scenes::BuiltIn& built_in : scenes::effect_scenes()) check(built_in);
   expect_only(folder + "knot_rgb565_dithered", scenes::knot, {64, 48, PixelFormat::rgb565, true});
   expect_only(folder + "fog_rgb565_dithered", scenes::fog, {64, 48, PixelFormat::rgb565, true});

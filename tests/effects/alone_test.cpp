@@ -35,6 +35,7 @@ TEST(EffectsTogether, EachOfSurfacesAlone) {
   expect_drawn_alike<effect::csg>();
   expect_drawn_alike<effect::edges>();
   expect_drawn_alike<effect::edges | effect::orthographic>();
+  expect_drawn_alike<effect::overlay>();
   expect_drawn_alike<effect::orthographic>();
   expect_drawn_alike<effect::depth_state>();
   expect_drawn_alike<effect::supersampled>();

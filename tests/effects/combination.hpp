@@ -1,5 +1,6 @@
 // Sets of effects, and a scene that calls for exactly such a set: two boxes, one behind the other, perhaps turned to
-// the viewer, a sphere and lines, a third box with an outline, and a fourth less a fifth; or edges of the first two.
+// the viewer, a sphere and lines, a third box with an outline, and a fourth less a fifth; or edges of the first two;
+// sprites and labels over all of it.
 #pragma once
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 
 #include "drawn.hpp"
 #include "edges_of.hpp"
+#include "overlay_scene.hpp"
 #include "zstrip/effects/exclusions.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 
@@ -156,6 +158,7 @@ struct Combination {
       }
       scene.edges = edge_sets;
     }
+    if (set.has(effect::overlay)) scene.overlay = &scenes::kKnotOverlay;
     scene.finishes = finishes;
     scene.background = {30, 60, 90, 255};
     if (set.has(effect::lighting)) scene.lights = scenes::kKeyLight;

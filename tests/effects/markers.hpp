@@ -59,6 +59,8 @@ inline constexpr Marker kMarkers[] = {
     {effect::edges, "zstrip::detail::edges::Stage::"},
     {effect::edges, "zstrip::detail::EdgeBlend<"},
     {effect::edges, "zstrip::detail::blended("},
+    {effect::overlay, "zstrip::draw_overlay("},
+    {effect::overlay, "zstrip::detail::overlay::Stage::"},
     {effect::bins, "zstrip::detail::Bins::append("},
     {effect::gouraud, "zstrip::detail::draw_span_triangle<(zstrip::detail::Shade)1"},
     {effect::textures, "zstrip::detail::draw_span_triangle<(zstrip::detail::Shade)2"},

@@ -9,6 +9,7 @@
 #include "edges_scene.hpp"
 #include "lines_scene.hpp"
 #include "outlines_scene.hpp"
+#include "overlay_scene.hpp"
 #include "shadows_scene.hpp"
 #include "zstrip/zstrip.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"

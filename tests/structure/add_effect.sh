@@ -21,7 +21,8 @@ step() {
 }
 
 step scene/scene.hpp '/^struct Scene \{/,/^\};/ s/^\};/  bool negative = false;\n};/'
-step effects/outlines/effect.hpp 's/(kSceneBytes = )224/\1232/'
+step effects/outlines/effect.hpp 's/(kSceneBytes = )232/\1240/'
+step effects/shadows/effect.hpp 's/(kStateBytes = )2656/\12664/'
 step scene/effects.hpp '/^inline constexpr Effects edges\{/a inline constexpr Effects negative{std::uint64_t{1} << 39};'
 step scene/effects.hpp 's/\| csg \| edges \|/| csg | edges | negative |/'
 step scene/effects.hpp 's/^( *)if \(!scene\.csg\.empty\(\)\)/\1if (scene.negative) found = found | effect::negative;\n&/'

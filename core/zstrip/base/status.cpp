@@ -49,6 +49,8 @@ const char* message(Error error) {
       return "a set of edges is not valid, or goes with outlines, a shadow, CSG, several samples or a "
              "static layer";
     case Error::blob_section: return "the scene blob has a section that is not known here";
+    case Error::overlay:
+      return "an image, font, sprite or label of the overlay is not valid, or something is drawn over other pixels";
     case Error::outline: return "an outline is not valid, has a hull without normals or is of what is not opaque";
   }
   return "unknown error";

@@ -65,6 +65,8 @@ enum class Error : std::uint8_t {
           ///< a draw_over, is not there with them
   blob_section,  ///< a scene blob with a section that must be known and is not (`needed` = its tag, the first letter in
                  ///< the highest byte): it is newer than this program
+  overlay,  ///< a size, coverage, glyph or number of bytes that is wrong, or a sprite or label that refers to no image
+            ///< or font (`needed` = its index, `available` = its OverlayPart); or a draw_over, where there is none
 };
 
 /// What memory is for. The order is that of a plan's table.

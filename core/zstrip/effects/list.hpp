@@ -18,6 +18,7 @@
 #include "zstrip/effects/lines/effect.hpp"
 #include "zstrip/effects/local_light/effect.hpp"
 #include "zstrip/effects/outlines/effect.hpp"
+#include "zstrip/effects/overlay/effect.hpp"
 #include "zstrip/effects/pixel_shading/effect.hpp"
 #include "zstrip/effects/quadrics/effect.hpp"
 #include "zstrip/effects/samples/effect.hpp"
@@ -95,10 +96,10 @@ struct EffectList {
   }
 };
 
-using DescribedEffects =
-    EffectList<EffectsWithoutWing, fog::Effect, local_light::Effect, fragments::Effect, blending::Effect,
-               quadrics::Effect, lines::Effect, billboards::Effect, environment::Effect, outlines::Effect,
-               shadows::Effect, csg::Effect, edges::Effect, pixel_shading::Effect, dithering::Effect, samples::Effect>;
+using DescribedEffects = EffectList<EffectsWithoutWing, fog::Effect, local_light::Effect, fragments::Effect,
+                                    blending::Effect, quadrics::Effect, lines::Effect, billboards::Effect,
+                                    environment::Effect, outlines::Effect, shadows::Effect, csg::Effect, edges::Effect,
+                                    overlay::Effect, pixel_shading::Effect, dithering::Effect, samples::Effect>;
 
 }  // namespace zstrip::detail
 

@@ -12,6 +12,7 @@
 #include "zstrip/effects/lines/line_stage.hpp"
 #include "zstrip/effects/local_light/local_light_stage.hpp"
 #include "zstrip/effects/outlines/outline_stage.hpp"
+#include "zstrip/effects/overlay/overlay_stage.hpp"
 #include "zstrip/effects/pixel_shading/pixel_shading_stage.hpp"
 #include "zstrip/effects/quadrics/quadric_stage.hpp"
 #include "zstrip/effects/samples/sample_stage.hpp"
@@ -60,10 +61,10 @@ struct StageList {
 // Why this order: shadows are cast by billboards as they are turned, and not by hulls. What blends is drawn last, so
 // that its order comes before products, whose first meshlets are counted in it. Environment maps are textures when
 // it is asked which instances have fragments, and pixel light is on top of those. Products take what is in the z-buffer
-// for their own, so that they are drawn before other surfaces. Edges are blended, or samples averaged, before any
-// dithering.
+// for their own, so that they are drawn before other surfaces. Edges are blended, or samples averaged, before an
+// overlay, and that before any dithering.
 using Stages = StageList<billboards::Stage, shadows::Stage, outlines::Stage, blending::Stage, local_light::Stage,
                          environment::Stage, fog::Stage, fragments::Stage, pixel_shading::Stage, csg::Stage,
-                         quadrics::Stage, lines::Stage, edges::Stage, samples::Stage, dithering::Stage>;
+                         quadrics::Stage, lines::Stage, edges::Stage, samples::Stage, overlay::Stage, dithering::Stage>;
 
 }  // namespace zstrip::detail

@@ -10,8 +10,8 @@ namespace zstrip::detail {
 /// what only earlier or later stages do, with vertex_colours for whatever gives vertices a colour.
 constexpr Effects raster_effects(Effects effects) {
   constexpr Effects kOfOtherStages = effect::bins | effect::billboards | effect::csg | effect::dithered_format |
-                                     effect::edges | effect::lighting | effect::shadows | effect::supersampled |
-                                     effect::surfaces | method::front_to_back | method::orders;
+                                     effect::edges | effect::lighting | effect::overlay | effect::shadows |
+                                     effect::supersampled | effect::surfaces | method::front_to_back | method::orders;
   const Effects colours = has_vertex_colours(effects) ? effect::vertex_colours : Effects{};
   return without(effects, kOfOtherStages) | colours;
 }

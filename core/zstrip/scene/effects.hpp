@@ -76,6 +76,7 @@ inline constexpr Effects pixel_shading{std::uint64_t{1} << 32};
 inline constexpr Effects csg{std::uint64_t{1} << 33};
 /// Scene::edges: anti-aliasing of edges alone. z16 without sub-ranges and short reciprocals, and no visibility method.
 inline constexpr Effects edges{std::uint64_t{1} << 34};
+inline constexpr Effects overlay{std::uint64_t{1} << 35};  ///< Scene::overlay
 
 /// Those that need a fragment of its own: instances with one of them are drawn by fill_fragments.
 inline constexpr Effects fragments = fog | alpha_test | blending | texture_alpha | bilinear | dithered_colours |
@@ -99,8 +100,8 @@ inline constexpr Effects surfaces{quadrics.bits | lines.bits};  ///< all of thes
 
 /// All that a scene and its picture can call for.
 inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | vertex_light | surfaces |
-                                     billboards | environment | outlines | shadows | csg | edges | dithered_format |
-                                     supersampled;
+                                     billboards | environment | outlines | shadows | csg | edges | overlay |
+                                     dithered_format | supersampled;
 
 // How the stage of products draws their operands; of no renderer and no scene.
 inline constexpr Effects csg_layers{std::uint64_t{1} << 62};   ///< DepthUse::layered
@@ -278,6 +279,7 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
   if (scene.shadow != nullptr && found.any(effect::lighting | effect::pixel_shading)) found = found | effect::shadows;
   if (!scene.csg.empty()) found = found | effect::csg;
   if (edge_groups(scene) != 0) found = found | effect::edges;
+  if (scene.overlay != nullptr) found = found | effect::overlay;
   if (camera.projection == Projection::orthographic) found = found | effect::orthographic;
   return found;
 }

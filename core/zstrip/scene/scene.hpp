@@ -355,6 +355,8 @@ struct EdgeSet {
   std::uint16_t mesh = 0;  ///< index into Scene::meshes
 };
 
+struct Overlay;  // effects/overlay/overlay.hpp
+
 struct Scene {
   std::span<const Mesh> meshes;
   std::span<const Material> materials;
@@ -373,6 +375,7 @@ struct Scene {
   std::span<const CsgOperand> csg{};                 ///< at most kMaxCsgOperands, product after product
   /// By ascending mesh, one a mesh at most. Not with outlines, shadows, CSG or several samples.
   std::span<const EdgeSet> edges{};
+  const Overlay* overlay = nullptr;  ///< sprites and labels over the picture; none if null
 };
 
 /// Of the instances of this mesh; null if they have none.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "zstrip/base/status.hpp"
+#include "zstrip/effects/overlay/valid_overlay.hpp"
 #include "zstrip/scene/effects.hpp"
 #include "zstrip/scene/scene.hpp"
 
@@ -318,7 +319,7 @@ constexpr Status validate(const Scene& scene) {
   for (std::uint32_t i = 0; i < scene.edges.size(); ++i) {
     if (!detail::valid_edges(scene, i)) return {.error = Error::edges, .needed = i};
   }
-  return {};
+  return scene.overlay != nullptr ? validate(*scene.overlay) : Status{};
 }
 
 }  // namespace zstrip

@@ -67,6 +67,7 @@ inline constexpr Comparison kComparisons[] = {
     {"shadows", effect::shadows, effect::lighting},
     {"csg", effect::csg},
     {"edges", effect::edges},
+    {"overlay", effect::overlay},
     {"painter", method::painter},
     {"in_order", method::in_order, method::painter, false},
     {"front_to_back", method::front_to_back},

@@ -71,6 +71,7 @@ inline constexpr CostOfEffect kCosts[] = {
     cost_of<scenes::shadows>("shadows", "fragment"),
     cost_of<scenes::csg>("csg", "fragment"),
     cost_of<scenes::edges>("edges", "edge"),
+    cost_of<scenes::overlay>("overlay", "pixel"),
     cost_of<scenes::samples_2>("supersampled_2", "pixel"),
     cost_of<scenes::samples_4>("supersampled_4", "pixel"),
 };

@@ -9,6 +9,7 @@
 #include "../edges_scene.hpp"
 #include "../lines_scene.hpp"
 #include "../outlines_scene.hpp"
+#include "../overlay_scene.hpp"
 #include "../shadows_scene.hpp"
 #include "zstrip_scenes/cube.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
@@ -103,9 +104,9 @@ inline constexpr Effects kChoice<scenes::every_8> = effect::perspective_8;
 template <>
 inline constexpr Effects kChoice<scenes::every_pixel> = effect::perspective_1;
 
-/// Without fog, finishes, punctual lights, quadrics, lines, outlines, shadows, products and edges, billboards standing
-/// still, the scene's first texture for one with a palette, and texture coordinates for what mirrors its surroundings;
-/// lit at vertices, with its finishes, what was lit at pixels; of kBasic what it says; all else as it is.
+/// Without fog, finishes, punctual lights, quadrics, lines, outlines, shadows, products, edges and overlay, billboards
+/// standing still, the scene's first texture for one with a palette, and texture coordinates for what mirrors its
+/// surroundings; lit at vertices, with its finishes, what was lit at pixels; of kBasic what it says; all else as it is.
 template <const scenes::BuiltIn& built_in>
 struct Plain {
   static constexpr auto kMaterials = [] {
@@ -147,6 +148,7 @@ struct Plain {
     plain.scene.shadow = nullptr;
     plain.scene.csg = {};
     plain.scene.edges = {};
+    plain.scene.overlay = nullptr;
     if constexpr (!built_in.scene.outlines.empty() || built_in.scene.shadow != nullptr || !built_in.scene.csg.empty() ||
                   !built_in.scene.edges.empty())
       plain.counts = count(plain.scene);
@@ -162,7 +164,7 @@ inline constexpr const scenes::BuiltIn& kChosen<built_in, true> = Plain<built_in
 
 inline constexpr Effects kPlainLacks = effect::fragments | effect::vertex_light | effect::surfaces |
                                        effect::billboards | effect::environment | effect::outlines | effect::shadows |
-                                       effect::csg | effect::edges;
+                                       effect::csg | effect::edges | effect::overlay;
 /// What the plain one has not.
 template <const scenes::BuiltIn& built_in>
 inline constexpr Effects kTaken = kKeepsLight<built_in> ? effect::fragments

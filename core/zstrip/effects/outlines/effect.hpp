@@ -15,7 +15,7 @@ struct Effect : AnyEffect {
 
   static constexpr Effects kNeedMemory = effect::outlines;
   static constexpr std::uint32_t kAlignment = 8;
-  static constexpr std::uint32_t kSceneBytes = 224;  ///< the scene with hulls as instances of their own
+  static constexpr std::uint32_t kSceneBytes = 232;  ///< the scene with hulls as instances of their own
   static constexpr std::uint64_t bytes(const SceneCounts&) { return kSceneBytes; }
 };
 

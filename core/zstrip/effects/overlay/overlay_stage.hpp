@@ -1,0 +1,29 @@
+// What effect::overlay adds to the stages of a frame: a strip's finished pixels are drawn over.
+#pragma once
+
+#include "zstrip/effects/overlay/draw_overlay.hpp"
+#include "zstrip/effects/overlay/valid_overlay.hpp"
+#include "zstrip/effects/stage.hpp"
+
+namespace zstrip::detail::overlay {
+
+struct Stage : NoStage {
+  static constexpr Effects kEffects = effect::overlay;
+
+  template <Effects effects>
+  static Status check(const FrameRequest& request) {
+    const Overlay* const overlay = request.scene.overlay;
+    return overlay != nullptr ? validate_items(*overlay) : Status{};
+  }
+  /// Pixels that something else has begun are not finished here.
+  template <Effects effects>
+  static Status check_over(const FrameState& frame) {
+    return frame.scene->overlay != nullptr ? Status{.error = Error::overlay} : Status{};
+  }
+  template <Effects effects>
+  static void resolve(const FrameState& frame, const StripTarget&, StripImage& image) {
+    if (frame.scene->overlay != nullptr) draw_overlay(*frame.scene->overlay, image.area, image.pixels);
+  }
+};
+
+}  // namespace zstrip::detail::overlay
