@@ -14,6 +14,7 @@
 #include "compose/composed_lines.hpp"
 #include "compose/composed_materials.hpp"
 #include "compose/composed_meshes.hpp"
+#include "compose/composed_overlay.hpp"
 #include "compose/composed_scene.hpp"
 #include "compose/placed_part.hpp"
 #include "compose/timeline.hpp"
@@ -71,6 +72,7 @@ class Composer {
     if (const Result<Done> done = add_lights(file_, *composed_); !done) return done.failure();
     if (const Result<Done> done = add_fog(file_, *composed_); !done) return done.failure();
     if (const Result<Done> done = add_products(file_, placed_, *composed_); !done) return done.failure();
+    if (const Result<Done> done = add_overlay(file_, *composed_); !done) return done.failure();
     if (const Result<Done> done = animate(); !done) return done.failure();
     if (const Result<Done> done = check(); !done) return done.failure();
     return std::unique_ptr<const ComposedScene>(std::move(composed_));

@@ -12,6 +12,7 @@
 #include "import/model.hpp"
 #include "motion/fitted_animation.hpp"
 #include "result.hpp"
+#include "zstrip/effects/overlay/overlay.hpp"
 #include "zstrip/scene/scene.hpp"
 
 namespace zstrip::sim {
@@ -39,6 +40,11 @@ struct ComposedScene {
   std::vector<Finish> finishes;
   std::optional<Fog> fog;
   std::optional<Shadow> shadow;
+  std::vector<OverlayImage> overlay_images;
+  std::vector<Font> fonts;
+  std::vector<Sprite> sprites;
+  std::vector<Label> labels;
+  std::optional<Overlay> overlay;
   Colour ambient, background;
   std::size_t static_instances = 0;
   FittedAnimation animation;
@@ -53,7 +59,9 @@ struct ComposedScene {
   std::deque<MeshData> hulls;          ///< of meshes with outlines
   std::deque<MeshData> line_vertices;  ///< of lines that have vertices of their own
   std::deque<std::vector<Segment>> segments;
-  std::deque<std::vector<std::uint16_t>> texels;  ///< of textures that the scene file names itself
+  std::deque<std::vector<std::uint16_t>> texels;   ///< of textures and images that the scene file names itself
+  std::deque<std::vector<std::uint8_t>> coverage;  ///< of images
+  std::deque<std::string> texts;                   ///< of labels
 
   Scene scene() const {
     return {.meshes = meshes,
@@ -70,7 +78,9 @@ struct ComposedScene {
             .lines = lines,
             .outlines = outlines,
             .shadow = shadow ? &*shadow : nullptr,
-            .csg = csg};
+            .csg = csg,
+            .edges = {},
+            .overlay = overlay ? &*overlay : nullptr};
   }
 };
 

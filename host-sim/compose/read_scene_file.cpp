@@ -119,6 +119,8 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
   if (auto fog = root.table("fog", "[fog]")) scene.fog = read_fog(*fog);
   std::vector<TomlTable> lights = root.tables("light", "[[light]]");
   for (TomlTable& table : lights) scene.lights.push_back(read_light(table));
+  for (TomlTable& table : root.tables("sprite", "[[sprite]]")) scene.sprites.push_back(read_sprite(table));
+  for (TomlTable& table : root.tables("label", "[[label]]")) scene.labels.push_back(read_label(table));
   root.finish();
 
   const std::vector<std::string> models = names_of(scene.models, "model", errors);

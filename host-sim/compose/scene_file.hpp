@@ -13,6 +13,7 @@
 #include "motion/affine.hpp"
 #include "motion/node_tree.hpp"
 #include "result.hpp"
+#include "zstrip/effects/overlay/overlay.hpp"
 #include "zstrip/scene/depth_format.hpp"
 #include "zstrip/scene/effects.hpp"
 #include "zstrip/scene/scene.hpp"
@@ -188,6 +189,27 @@ struct FileCsg {
   std::vector<CsgProduct> products;
 };
 
+/// [[sprite]]
+struct FileSprite {
+  int line = 0;
+  std::filesystem::path image;  ///< relative to the scene file's folder
+  std::int16_t x = 0, y = 0;
+  Colour colour{255, 255, 255, 255};
+  std::uint8_t coverage_bits = 0;  ///< 0: the image's own colours, and its alpha
+};
+
+enum class FileFont : std::uint8_t { small, large };
+
+/// [[label]]
+struct FileLabel {
+  int line = 0;
+  std::string text;
+  std::int16_t x = 0, y = 0;
+  FileFont font = FileFont::small;
+  Alignment alignment = Alignment::left;
+  Colour colour{255, 255, 255, 255}, background{0, 0, 0, 0};
+};
+
 struct SceneFile {
   std::filesystem::path path;
   PictureSettings picture;
@@ -202,6 +224,8 @@ struct SceneFile {
   std::vector<FileCsg> csg;
   std::optional<FileFog> fog;
   std::vector<FileLight> lights;
+  std::vector<FileSprite> sprites;
+  std::vector<FileLabel> labels;
 
   /// Of a file that it names.
   std::filesystem::path beside(const std::filesystem::path& name) const { return path.parent_path() / name; }

@@ -18,5 +18,7 @@ FileLines read_lines(TomlTable& table, bool are_points);
 FileCsg read_csg(TomlTable& table);
 FileLight read_light(TomlTable& table);
 FileFog read_fog(TomlTable& table);
+FileSprite read_sprite(TomlTable& table);
+FileLabel read_label(TomlTable& table);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Scene files: ellipsoids, lines, billboards, outlines, shadows, CSG.
+// Scene files: ellipsoids, lines, billboards, outlines, shadows, CSG, sprites, labels.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -181,6 +181,40 @@ TEST(SceneFile, ProductsOfSolids) {
   fails_with("expression = 'block - " + std::string(500, 'x') + "'\n", ("'" + std::string(80, 'x') + "...';").c_str());
   fails_with("expression = 'block'\n[[instance]]\nmodel = 'cube'\nname = 'block'\n",
              "there are several instances 'block'");
+}
+
+TEST(SceneFile, SpritesAndLabels) {
+  const SceneFile file = parsed(kCube +
+                                "[[sprite]]\nimage = 'a.png'\nx = -5\ny = 300\nalpha = 9\n"
+                                "[[sprite]]\nimage = 'b.png'\ncoverage = 4\ncolour = '#102030'\n"
+                                "[[label]]\ntext = 'a\u00C4'\n"
+                                "[[label]]\ntext = 'b'\nx = 7\nfont = 'large'\nalign = 'right'\n"
+                                "background = [1, 2, 3]\nbackground_alpha = 4\n");
+  ASSERT_EQ(file.sprites.size(), 2U);
+  EXPECT_EQ(file.sprites[0].line, 6);
+  EXPECT_EQ(file.sprites[0].x, -5);
+  EXPECT_EQ(file.sprites[0].y, 300);
+  EXPECT_EQ(file.sprites[0].colour, (Colour{255, 255, 255, 9}));
+  EXPECT_EQ(file.sprites[0].coverage_bits, 0);
+  EXPECT_EQ(file.sprites[1].coverage_bits, 4);
+  EXPECT_EQ(file.sprites[1].colour, (Colour{16, 32, 48, 255}));
+  ASSERT_EQ(file.labels.size(), 2U);
+  EXPECT_EQ(file.labels[0].text, "a\u00C4");
+  EXPECT_EQ(file.labels[0].background.a, 0);
+  EXPECT_EQ(file.labels[1].font, FileFont::large);
+  EXPECT_EQ(file.labels[1].alignment, Alignment::right);
+  EXPECT_EQ(file.labels[1].background, (Colour{1, 2, 3, 4}));
+  const auto fails_with = [](const std::string& text, const char* what) {
+    EXPECT_NE(failure(kCube + text).find(what), std::string::npos) << failure(kCube + text);
+  };
+  fails_with("[[sprite]]\nx = 1\n", "line 6: [[sprite]]: 'image' is missing");
+  fails_with("[[sprite]]\nimage = 'a.png'\ncoverage = 2\n", "line 8: [[sprite]]: 'coverage' must be 1, 4 or 8 bits");
+  fails_with("[[sprite]]\nimage = 'a.png'\ncolour = '#000000'\n", "line 8: [[sprite]]: 'colour' goes with 'coverage'");
+  fails_with("[[sprite]]\nimage = 'a.png'\nx = 32768\n", "line 8: [[sprite]]: 'x' must be");
+  fails_with("[[label]]\nx = 1\n", "line 6: [[label]]: 'text' is missing");
+  fails_with("[[label]]\ntext = 'a'\nfont = 'big'\n", "'font'");
+  fails_with("[[label]]\ntext = 'a'\nalign = 'center'\n", "did you mean 'centre'?");
+  fails_with("[[label]]\ntext = '" + std::string(65536, 'a') + "'\n", "'text' must have 65,535 bytes at most");
 }
 
 }  // namespace
