@@ -57,6 +57,7 @@ Result<std::unique_ptr<AccuracyScene>> AccuracyScene::open(const AccuracyRequest
       Result<Staging> staged = poses->stages.back()->place(pose * (kTurn / request.frames) + next, kTurn);
       if (!staged) return staged.failure();
       staged->scene.edges = {};  // anti-aliasing is the settings' matter
+      staged->scene.overlay = nullptr;
       const Result<Done> checked = check_truth(staged->scene, staged->camera, (*stage)->origins());
       if (!checked) return checked.failure();
       Result<Truth> truth = find_truth(staged->scene, staged->camera, request.view);

@@ -41,6 +41,7 @@ struct LabelledScene {
     scene.finishes = {};
     scene.fog = nullptr;
     scene.edges = {};
+    scene.overlay = nullptr;
     scene.background = {0, 0, 0, 255};
   }
 

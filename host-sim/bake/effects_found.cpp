@@ -20,7 +20,9 @@ std::vector<FoundEffect> find_effects(const Scene& scene, const Camera& camera, 
   std::vector<FoundEffect> found;
   for (const EffectName& known : kEffectNames) {
     if (!effects.has(known.effect)) continue;
-    if ((effect::dithered_colours | effect::dithered_format | effect::supersampled | effect::edges).has(known.effect)) {
+    constexpr Effects kOfPicture =
+        effect::dithered_colours | effect::dithered_format | effect::supersampled | effect::edges | effect::overlay;
+    if (kOfPicture.has(known.effect)) {
       found.push_back({known, {}, {}});
       continue;
     }

@@ -4,6 +4,8 @@
 #include <set>
 #include <utility>
 
+#include "zstrip/effects/overlay/overlay.hpp"
+
 namespace zstrip::sim {
 namespace {
 
@@ -35,6 +37,21 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const Bsp
   for (const Texture& texture : scene.textures) add(bytes.texels, texture.texels);
   for (const LineSet& lines : scene.lines) bytes.tables += lines.segments.size_bytes();
   for (const EdgeSet& set : scene.edges) bytes.edges += set.edges.size_bytes();
+  if (scene.overlay != nullptr) {
+    const Overlay& over = *scene.overlay;
+    constexpr std::uint64_t kOverlayBytes = 32, kImageBytes = 24, kFontBytes = 28, kLabelBytes = 24;
+    for (const OverlayImage& image : over.images) {
+      add(bytes.texels, image.colours);
+      add(bytes.texels, image.coverage);
+    }
+    for (const Font& font : over.fonts) {
+      add(bytes.texels, font.coverage);
+      add(bytes.tables, font.glyphs);
+    }
+    for (const Label& label : over.labels) add(bytes.tables, label.text);
+    bytes.tables += kOverlayBytes + over.images.size() * kImageBytes + over.fonts.size() * kFontBytes +
+                    over.sprites.size_bytes() + over.labels.size() * kLabelBytes;
+  }
   bytes.tree = tree.nodes.size_bytes();
   bytes.keyframes = animation.keyframes.size_bytes() + animation.tracks.size_bytes();
   bytes.tables += table_bytes(scene) + scene.materials.size_bytes() + scene.instances.size_bytes() +

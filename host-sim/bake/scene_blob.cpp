@@ -362,6 +362,9 @@ std::uint8_t number_of(Effects effects) {
 }  // namespace
 
 Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
+  if (content.scene.overlay != nullptr) {
+    return Failure{ExitStatus::input, "has sprites or labels, which a scene blob cannot hold; bake a header (.hpp)"};
+  }
   SceneBlob written = content;
   // What an animation moves does not turn.
   const bool is_animated = !content.animation.tracks.empty();

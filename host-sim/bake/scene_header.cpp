@@ -13,6 +13,8 @@
 #include "report/frame_record.hpp"
 #include "report/number.hpp"
 #include "report/text.hpp"
+#include "zstrip/effects/overlay/fonts.hpp"
+#include "zstrip/effects/overlay/overlay.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -108,6 +110,22 @@ std::string literal(const DirectionalLight& light) {
   return fmt::format("{{.x = {}, .y = {}, .z = {}, .colour = {}}}", light.x, light.y, light.z, literal(light.colour));
 }
 
+std::string literal(std::uint8_t byte) { return fmt::format("0x{:02X}", byte); }
+std::string literal(const Glyph& g) {
+  return fmt::format("{{{}, {}, {}, {}, {}, {}, {}}}", g.code_point, g.offset, g.width, g.height, g.left, g.top,
+                     g.advance);
+}
+std::string literal(const Sprite& s) { return fmt::format("{{{}, {}, {}, {}}}", s.x, s.y, s.image, literal(s.colour)); }
+/// In quotes; what is not ASCII in octal digits, three of them, so that no other digit can belong to them.
+std::string quoted(std::span<const char> text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    const bool plain = c >= ' ' && c <= '~' && c != '"' && c != '\\' && c != '?';
+    result += plain ? std::string(1, c) : fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+  }
+  return result + '"';
+}
+
 std::string literal(const Track& track) {
   return fmt::format("{{.instance = {}, .count = {}, .first = {}}}", track.instance, track.count, track.first);
 }
@@ -172,6 +190,10 @@ class Header {
       line(fmt::format("#include \"zstrip/{}\"", header));
     }
     if (!baked_.tree.nodes.empty()) line("#include \"zstrip/scene/bsp_tree.hpp\"");
+    if (scene_.overlay != nullptr) {
+      line("#include \"zstrip/effects/overlay/fonts.hpp\"");
+      line("#include \"zstrip/effects/overlay/overlay.hpp\"");
+    }
     line(fmt::format("\nnamespace {} {{\n", name_space));
     data();
     scene();
@@ -313,6 +335,7 @@ class Header {
     }
     if (!scene_.csg.empty()) add("csg", array("zstrip::CsgOperand", "kCsg", scene_.csg));
     if (!scene_.edges.empty()) add("edges", edges());
+    if (scene_.overlay != nullptr) add("overlay", overlay(*scene_.overlay));
     line(fmt::format(
         "\ninline constexpr zstrip::Scene kScene{{.meshes = {},\n{pad}.materials = {},\n{pad}.textures = {},\n"
         "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}{}}};",
@@ -342,6 +365,55 @@ class Header {
     }
     line(fmt::format("inline constexpr zstrip::EdgeSet kEdgeSets[{}] = {{\n{}}};", scene_.edges.size(), sets));
     return "kEdgeSets";
+  }
+
+  std::string overlay(const Overlay& over) {
+    std::string images, fonts, labels;
+    for (std::size_t i = 0; i < over.images.size(); ++i) {
+      const OverlayImage& image = over.images[i];
+      images += fmt::format(
+          "    {{.width = {},\n     .height = {},\n     .colours = {},\n     .coverage = {},\n     .coverage_bits = "
+          "{}}},\n",
+          image.width, image.height, array("std::uint16_t", fmt::format("kImageColours{}", i), image.colours),
+          array("std::uint8_t", fmt::format("kImageCoverage{}", i), image.coverage), image.coverage_bits);
+    }
+    for (std::size_t i = 0; i < over.fonts.size(); ++i) {
+      const Font& font = over.fonts[i];
+      const auto is = [&font](const Font& own) { return font.glyphs.data() == own.glyphs.data(); };
+      if (is(kSmallFont) || is(kLargeFont)) {
+        fonts += is(kSmallFont) ? "    zstrip::kSmallFont,\n" : "    zstrip::kLargeFont,\n";
+        continue;
+      }
+      fonts += fmt::format(
+          "    {{.glyphs = {},\n     .coverage = {},\n     .coverage_bits = {},\n     .line_height = {},\n"
+          "     .baseline = {},\n     .replacement = {}}},\n",
+          array("zstrip::Glyph", fmt::format("kGlyphs{}", i), font.glyphs),
+          array("std::uint8_t", fmt::format("kFontCoverage{}", i), font.coverage), font.coverage_bits, font.line_height,
+          font.baseline, font.replacement);
+    }
+    for (std::size_t i = 0; i < over.labels.size(); ++i) {
+      const Label& label = over.labels[i];
+      line(fmt::format("inline constexpr char kText{}[] = {};", i, quoted(label.text)));
+      labels += fmt::format(
+          "    {{.text = kText{},\n     .x = {},\n     .y = {},\n     .font = {},\n     .alignment = "
+          "zstrip::Alignment{{{}}},\n     .colour = {},\n     .background = {}}},\n",
+          i, label.x, label.y, label.font, static_cast<int>(label.alignment), literal(label.colour),
+          literal(label.background));
+    }
+    const auto table = [this](const char* type, const char* name, std::size_t count, const std::string& records) {
+      if (count == 0) return std::string("{}");
+      line(fmt::format("inline constexpr zstrip::{} {}[{}] = {{\n{}}};", type, name, count, records));
+      return std::string(name);
+    };
+    const std::string all_images = table("OverlayImage", "kImages", over.images.size(), images);
+    const std::string all_fonts = table("Font", "kFonts", over.fonts.size(), fonts);
+    const std::string sprites = array("zstrip::Sprite", "kSprites", over.sprites);
+    const std::string all_labels = table("Label", "kLabels", over.labels.size(), labels);
+    line(
+        fmt::format("inline constexpr zstrip::Overlay kOverlay{{\n    .images = {}, .fonts = {}, .sprites = {}, "
+                    ".labels = {}}};",
+                    all_images, all_fonts, sprites, all_labels));
+    return "&kOverlay";
   }
 
   void tree() {
