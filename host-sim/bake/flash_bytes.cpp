@@ -15,9 +15,15 @@ constexpr std::uint64_t kSceneBytes = 116, kCameraBytes = 64;
 }  // namespace
 
 std::uint64_t table_bytes(const Scene& scene) {
+  constexpr std::uint64_t kOverlayBytes = 32, kImageBytes = 24, kFontBytes = 28, kLabelBytes = 24;
+  std::uint64_t overlay = 0;
+  if (scene.overlay != nullptr) {
+    overlay = kOverlayBytes + scene.overlay->images.size() * kImageBytes + scene.overlay->fonts.size() * kFontBytes +
+              scene.overlay->labels.size() * kLabelBytes;
+  }
   constexpr std::uint64_t kMeshBytes = 76, kTextureBytes = 12, kLineSetBytes = 64, kEdgeSetBytes = 12;
   return scene.meshes.size() * kMeshBytes + scene.textures.size() * kTextureBytes + scene.lines.size() * kLineSetBytes +
-         scene.edges.size() * kEdgeSetBytes;
+         scene.edges.size() * kEdgeSetBytes + overlay;
 }
 
 FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const BspTree& tree) {
@@ -39,7 +45,6 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const Bsp
   for (const EdgeSet& set : scene.edges) bytes.edges += set.edges.size_bytes();
   if (scene.overlay != nullptr) {
     const Overlay& over = *scene.overlay;
-    constexpr std::uint64_t kOverlayBytes = 32, kImageBytes = 24, kFontBytes = 28, kLabelBytes = 24;
     for (const OverlayImage& image : over.images) {
       add(bytes.texels, image.colours);
       add(bytes.texels, image.coverage);
@@ -49,8 +54,7 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const Bsp
       add(bytes.tables, font.glyphs);
     }
     for (const Label& label : over.labels) add(bytes.tables, label.text);
-    bytes.tables += kOverlayBytes + over.images.size() * kImageBytes + over.fonts.size() * kFontBytes +
-                    over.sprites.size_bytes() + over.labels.size() * kLabelBytes;
+    bytes.tables += over.sprites.size_bytes();
   }
   bytes.tree = tree.nodes.size_bytes();
   bytes.keyframes = animation.keyframes.size_bytes() + animation.tracks.size_bytes();

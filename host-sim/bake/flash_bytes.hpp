@@ -28,8 +28,8 @@ struct FlashBytes {
   std::uint64_t total() const { return arrays() + tables; }
 };
 
-/// The tables of meshes, textures and lines, which hold pointers, with addresses of 32 bits: what a program lends for a
-/// blob.
+/// The tables of meshes, textures, lines, edges, images, fonts and labels, which hold pointers, with addresses of 32
+/// bits: what a program lends for a blob.
 std::uint64_t table_bytes(const Scene& scene);
 
 /// As constants of a program for a processor with addresses of 32 bits, without what alignment adds.

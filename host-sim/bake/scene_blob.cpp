@@ -57,6 +57,20 @@ class Writer {
   void put(const Edge& e) {
     for (const std::uint32_t index : {e.a, e.b, e.left, e.right}) half_word(index);
   }
+  void put(std::uint8_t coverage) { byte(coverage); }
+  void put(char letter) { byte(static_cast<std::uint8_t>(letter)); }
+  void put(const Glyph& g) {
+    word(g.code_point);
+    word(g.offset);
+    for (const std::uint8_t side : {g.width, g.height}) byte(side);
+    for (const std::int16_t place : {g.left, g.top}) half_word(place);
+    half_word(std::uint32_t{g.advance});
+  }
+  void put(const Sprite& s) {
+    for (const std::int16_t place : {s.x, s.y}) half_word(place);
+    half_word(std::uint32_t{s.image});
+    put(s.colour);
+  }
   void put(std::uint16_t texel) { half_word(std::uint32_t{texel}); }
   void put(const Meshlet& m) {
     word(m.first_triangle);
@@ -203,6 +217,31 @@ class Writer {
     zeros(2);
   }
 
+  void put(const blob_layout::ImageRecord& image) {
+    put(image.colours);
+    put(image.coverage);
+    for (const std::uint32_t side : {image.width, image.height}) half_word(side);
+    byte(image.coverage_bits);
+    zeros(3);
+  }
+  void put(const blob_layout::FontRecord& font) {
+    put(font.glyphs);
+    put(font.coverage);
+    word(font.replacement);
+    for (const std::uint32_t height : {font.line_height, font.baseline}) half_word(height);
+    byte(font.coverage_bits);
+    zeros(3);
+  }
+  void put(const blob_layout::LabelRecord& label) {
+    put(label.text);
+    for (const std::int16_t place : {label.x, label.y}) half_word(place);
+    half_word(std::uint32_t{label.font});
+    byte(label.alignment);
+    zeros(1);
+    put(label.colour);
+    put(label.background);
+  }
+
   void align() { zeros((kSceneBlobAlignment - bytes_.size() % kSceneBlobAlignment) % kSceneBlobAlignment); }
 
   std::vector<std::uint8_t>& bytes() { return bytes_; }
@@ -295,10 +334,18 @@ struct Pools {
   Pool<std::uint16_t> texels;
   Pool<Segment> segments;
   Pool<Edge> edges;
+  Pool<std::uint16_t> image_colours;
+  Pool<std::uint8_t> coverage;
+  Pool<Glyph> glyphs;
+  Pool<char> text;
   std::vector<blob_layout::MeshRecord> meshes;
   std::vector<blob_layout::TextureRecord> textures;
   std::vector<blob_layout::LineRecord> lines;
   std::vector<blob_layout::EdgeRecord> edge_sets;
+  std::vector<blob_layout::ImageRecord> images;
+  std::vector<blob_layout::FontRecord> fonts;
+  std::vector<blob_layout::LabelRecord> labels;
+  std::span<const Sprite> sprites;
 
   explicit Pools(const Scene& scene) {
     for (const Mesh& mesh : scene.meshes) {
@@ -333,6 +380,38 @@ struct Pools {
     for (const EdgeSet& set : scene.edges) {
       edge_sets.push_back({.edges = edges.add(set.edges), .mesh = set.mesh, .unused = 0});
     }
+    if (scene.overlay != nullptr) add(*scene.overlay);
+  }
+
+  void add(const Overlay& overlay) {
+    for (const OverlayImage& image : overlay.images) {
+      images.push_back({.colours = image_colours.add(image.colours),
+                        .coverage = coverage.add(image.coverage),
+                        .width = image.width,
+                        .height = image.height,
+                        .coverage_bits = image.coverage_bits,
+                        .unused = {}});
+    }
+    for (const Font& font : overlay.fonts) {
+      fonts.push_back({.glyphs = glyphs.add(font.glyphs),
+                       .coverage = coverage.add(font.coverage),
+                       .replacement = font.replacement,
+                       .line_height = font.line_height,
+                       .baseline = font.baseline,
+                       .coverage_bits = font.coverage_bits,
+                       .unused = {}});
+    }
+    for (const Label& label : overlay.labels) {
+      labels.push_back({.text = text.add(label.text),
+                        .x = label.x,
+                        .y = label.y,
+                        .font = label.font,
+                        .alignment = static_cast<std::uint8_t>(label.alignment),
+                        .unused = 0,
+                        .colour = label.colour,
+                        .background = label.background});
+    }
+    sprites = overlay.sprites;
   }
 
   blob_layout::Records records() const {
@@ -350,6 +429,14 @@ struct Pools {
     all.texels = texels.all();
     all.segments = segments.all();
     all.edges = edges.all();
+    all.images = images;
+    all.fonts = fonts;
+    all.labels = labels;
+    all.sprites = sprites;
+    all.image_colours = image_colours.all();
+    all.coverage = coverage.all();
+    all.glyphs = glyphs.all();
+    all.text = text.all();
     return all;
   }
 };
@@ -362,9 +449,6 @@ std::uint8_t number_of(Effects effects) {
 }  // namespace
 
 Result<std::vector<std::uint8_t>> to_scene_blob(const SceneBlob& content) {
-  if (content.scene.overlay != nullptr) {
-    return Failure{ExitStatus::input, "has sprites or labels, which a scene blob cannot hold; bake a header (.hpp)"};
-  }
   SceneBlob written = content;
   // What an animation moves does not turn.
   const bool is_animated = !content.animation.tracks.empty();

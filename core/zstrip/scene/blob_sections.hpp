@@ -10,6 +10,7 @@
 #include <span>
 
 #include "zstrip/base/fixed.hpp"
+#include "zstrip/effects/overlay/overlay.hpp"
 #include "zstrip/scene/animation.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
 #include "zstrip/scene/camera.hpp"
@@ -89,6 +90,24 @@ struct EdgeRecord {
   Range edges;
   std::uint16_t mesh, unused;
 };
+struct ImageRecord {
+  Range colours, coverage;
+  std::uint16_t width, height;
+  std::uint8_t coverage_bits, unused[3];
+};
+struct FontRecord {
+  Range glyphs, coverage;
+  std::uint32_t replacement;
+  std::uint16_t line_height, baseline;
+  std::uint8_t coverage_bits, unused[3];
+};
+struct LabelRecord {
+  Range text;
+  std::int16_t x, y;
+  std::uint16_t font;
+  std::uint8_t alignment, unused;
+  Colour colour, background;
+};
 struct BaseRecord {
   Colour ambient, background;
 };
@@ -106,6 +125,7 @@ struct TurnRecord {
 };
 static_assert(sizeof(Header) == 16 && sizeof(Section) == 12 && sizeof(MeshRecord) == 76 &&
               sizeof(TextureRecord) == 12 && sizeof(LineRecord) == 64 && sizeof(EdgeRecord) == 12 &&
+              sizeof(ImageRecord) == 24 && sizeof(FontRecord) == 28 && sizeof(LabelRecord) == 24 &&
               sizeof(BaseRecord) == 8 && sizeof(PictureRecord) == 8 && sizeof(TurnRecord) == 4);
 
 /// What a SceneBlob has in another form than its blob.
@@ -114,7 +134,11 @@ struct Records {
   std::span<const TextureRecord> textures;
   std::span<const LineRecord> lines;
   std::span<const EdgeRecord> edge_sets;
-  // Of all meshes, textures, sets of lines and of edges.
+  std::span<const ImageRecord> images;
+  std::span<const FontRecord> fonts;
+  std::span<const LabelRecord> labels;
+  std::span<const Sprite> sprites;
+  // Of all meshes, textures, sets of lines and of edges, images, fonts and labels.
   std::span<const Position> positions;
   std::span<const Normal> normals;
   std::span<const Colour> colours;
@@ -124,6 +148,10 @@ struct Records {
   std::span<const std::uint16_t> texels;
   std::span<const Segment> segments;
   std::span<const Edge> edges;
+  std::span<const std::uint16_t> image_colours;
+  std::span<const std::uint8_t> coverage;
+  std::span<const Glyph> glyphs;
+  std::span<const char> text;
   const BaseRecord* base = nullptr;
   const Camera* camera = nullptr;
   const PictureRecord* picture = nullptr;
@@ -145,6 +173,7 @@ constexpr void for_each_section(Blob& blob, RecordsOfBlob& records, Visitor& sec
   section(tag("ESET"), records.edge_sets);
   section(tag("FINI"), blob.scene.finishes);
   section(tag("FOGS"), blob.scene.fog);
+  section(tag("GLYP"), records.glyphs);
   section(tag("INST"), blob.scene.instances);
   section(tag("KEYF"), blob.animation.keyframes);
   section(tag("LDIR"), blob.scene.lights);
@@ -154,6 +183,13 @@ constexpr void for_each_section(Blob& blob, RecordsOfBlob& records, Visitor& sec
   section(tag("MESH"), records.meshes);
   section(tag("MLET"), records.meshlets);
   section(tag("NORM"), records.normals);
+  section(tag("OCOL"), records.image_colours);
+  section(tag("OCOV"), records.coverage);
+  section(tag("OFNT"), records.fonts);
+  section(tag("OIMG"), records.images);
+  section(tag("OLAB"), records.labels);
+  section(tag("OSPR"), records.sprites);
+  section(tag("OTXT"), records.text);
   section(tag("OUTL"), blob.scene.outlines);
   section.needed(tag("PICT"), records.picture);
   section(tag("POSI"), records.positions);

@@ -52,6 +52,9 @@ static_assert(sizeof(Outline) == 8 && offsetof(Outline, width) == 4 && offsetof(
 static_assert(sizeof(CsgOperand) == 4 && offsetof(CsgOperand, product) == 2 && offsetof(CsgOperand, use) == 3);
 static_assert(sizeof(Shadow) == 12 && offsetof(Shadow, bias) == 2 && offsetof(Shadow, slope_bias) == 4 &&
               offsetof(Shadow, pool) == 8);
+static_assert(sizeof(Glyph) == 16 && offsetof(Glyph, offset) == 4 && offsetof(Glyph, width) == 8 &&
+              offsetof(Glyph, left) == 10 && offsetof(Glyph, top) == 12 && offsetof(Glyph, advance) == 14);
+static_assert(sizeof(Sprite) == 10 && offsetof(Sprite, image) == 4 && offsetof(Sprite, colour) == 6);
 static_assert(sizeof(DirectionalLight) == 10 && offsetof(DirectionalLight, colour) == 6);
 
 using blob_layout::Header;
@@ -272,6 +275,58 @@ EdgeSet read_edges(Reader& reader, const blob_layout::EdgeRecord& record, const 
   return {.edges = reader.some(all.edges, record.edges), .mesh = record.mesh};
 }
 
+OverlayImage read_image(Reader& reader, const blob_layout::ImageRecord& record, const Records& all) {
+  return {.width = record.width,
+          .height = record.height,
+          .colours = reader.some(all.image_colours, record.colours),
+          .coverage = reader.some(all.coverage, record.coverage),
+          .coverage_bits = record.coverage_bits};
+}
+
+Font read_font(Reader& reader, const blob_layout::FontRecord& record, const Records& all) {
+  return {.glyphs = reader.some(all.glyphs, record.glyphs),
+          .coverage = reader.some(all.coverage, record.coverage),
+          .coverage_bits = record.coverage_bits,
+          .line_height = record.line_height,
+          .baseline = record.baseline,
+          .replacement = record.replacement};
+}
+
+Label read_label(Reader& reader, const blob_layout::LabelRecord& record, const Records& all) {
+  return {.text = reader.some(all.text, record.text),
+          .x = record.x,
+          .y = record.y,
+          .font = record.font,
+          .alignment = static_cast<Alignment>(record.alignment),
+          .colour = record.colour,
+          .background = record.background};
+}
+
+/// A table of `count` records in `memory`, as read(i) gives them; then `memory` is what follows it.
+template <class Record, class Read>
+std::span<const Record> read_table(std::byte*& memory, std::size_t count, const Read& read) {
+  auto* const table = reinterpret_cast<Record*>(memory);
+  for (std::size_t i = 0; i < count; ++i) ::new (table + i) Record(read(i));
+  memory += count * sizeof(Record);
+  return {table, count};
+}
+
+/// Null if there is none.
+const Overlay* read_overlay(Reader& reader, const Records& all, std::byte* memory) {
+  if (all.images.empty() && all.fonts.empty()) return nullptr;
+  auto* const place = reinterpret_cast<Overlay*>(memory);
+  memory += sizeof(Overlay);
+  const auto image = [&](std::size_t i) { return read_image(reader, all.images[i], all); };
+  const auto font = [&](std::size_t i) { return read_font(reader, all.fonts[i], all); };
+  const auto label = [&](std::size_t i) { return read_label(reader, all.labels[i], all); };
+  Overlay overlay;
+  overlay.images = read_table<OverlayImage>(memory, all.images.size(), image);
+  overlay.fonts = read_table<Font>(memory, all.fonts.size(), font);
+  overlay.labels = read_table<Label>(memory, all.labels.size(), label);
+  overlay.sprites = all.sprites;
+  return ::new (place) Overlay(overlay);
+}
+
 /// Each node but the first is the child of one before it, which it names; triangles follow the nodes. `scene` is valid.
 void check_tree(Reader& reader, std::span<const BspNode> nodes, const Scene& scene) {
   if (nodes.empty()) return;
@@ -322,9 +377,11 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   const std::span textures = records.textures;
   const std::span lines = records.lines;
   const std::span edges = records.edge_sets;
-  const std::size_t needed =
-      scene_blob_memory(static_cast<std::uint32_t>(meshes.size()), static_cast<std::uint32_t>(textures.size()),
-                        static_cast<std::uint32_t>(lines.size()), static_cast<std::uint32_t>(edges.size()));
+  const std::size_t needed = scene_blob_memory(
+      static_cast<std::uint32_t>(meshes.size()), static_cast<std::uint32_t>(textures.size()),
+      static_cast<std::uint32_t>(lines.size()), static_cast<std::uint32_t>(edges.size()),
+      static_cast<std::uint32_t>(records.images.size()), static_cast<std::uint32_t>(records.fonts.size()),
+      static_cast<std::uint32_t>(records.labels.size()));
   if (memory.size() < needed) {
     const auto saturated = [](std::size_t bytes) {
       return bytes < 0xFFFFFFFF ? static_cast<std::uint32_t>(bytes) : 0xFFFFFFFFU;
@@ -348,6 +405,10 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   for (std::size_t i = 0; i < edges.size(); ++i) {
     ::new (edges_table + i) EdgeSet(read_edges(reader, edges[i], records));
   }
+  // Sprites and labels without what they are made of are damage.
+  reader.require(records.sprites.empty() || !records.images.empty(), records.sprites.data());
+  reader.require(records.labels.empty() || !records.fonts.empty(), records.labels.data());
+  found.scene.overlay = read_overlay(reader, records, reinterpret_cast<std::byte*>(edges_table + edges.size()));
   found.scene.edges = {edges_table, edges.size()};
   found.scene.lines = {lines_table, lines.size()};
   found.scene.meshes = {mesh_table, meshes.size()};

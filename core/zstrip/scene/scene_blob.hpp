@@ -7,6 +7,7 @@
 #include <span>
 
 #include "zstrip/base/status.hpp"
+#include "zstrip/effects/overlay/overlay.hpp"
 #include "zstrip/scene/animation.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
 #include "zstrip/scene/camera.hpp"
@@ -47,15 +48,21 @@ struct SceneBlob {
   }
 };
 
-/// Bytes to lend for the tables of this many meshes, textures, sets of lines and of edges, whose pointers only the
-/// running program knows. Vertices, triangles, segments, edges, texels, materials, instances, lights, keyframes and
-/// nodes of the tree are not copied.
+/// Bytes to lend for the tables of this many meshes, textures, sets of lines and of edges, images, fonts and labels,
+/// whose pointers only the running program knows. Vertices, triangles, segments, edges, texels, materials, instances,
+/// lights, keyframes, nodes of the tree, sprites, coverage, glyphs and text are not copied.
 constexpr std::size_t scene_blob_memory(std::uint32_t meshes, std::uint32_t textures, std::uint32_t lines = 0,
-                                        std::uint32_t edges = 0) {
+                                        std::uint32_t edges = 0, std::uint32_t images = 0, std::uint32_t fonts = 0,
+                                        std::uint32_t labels = 0) {
   static_assert(alignof(Mesh) == alignof(Texture) && alignof(Mesh) == alignof(LineSet) &&
-                alignof(Mesh) == alignof(EdgeSet));
+                alignof(Mesh) == alignof(EdgeSet) && alignof(Mesh) == alignof(Overlay) &&
+                alignof(Mesh) == alignof(OverlayImage) && alignof(Mesh) == alignof(Font) &&
+                alignof(Mesh) == alignof(Label));
+  const std::size_t overlay = images != 0 || fonts != 0 ? sizeof(Overlay) : 0;
   return std::size_t{meshes} * sizeof(Mesh) + std::size_t{textures} * sizeof(Texture) +
-         std::size_t{lines} * sizeof(LineSet) + std::size_t{edges} * sizeof(EdgeSet);
+         std::size_t{lines} * sizeof(LineSet) + std::size_t{edges} * sizeof(EdgeSet) + overlay +
+         std::size_t{images} * sizeof(OverlayImage) + std::size_t{fonts} * sizeof(Font) +
+         std::size_t{labels} * sizeof(Label);
 }
 inline constexpr std::size_t kSceneBlobMemoryAlignment = alignof(Mesh);
 
