@@ -1,6 +1,7 @@
 // The zstrip command: reads the command line and runs one of its subcommands.
 #include "cli/bake_command.hpp"
 #include "cli/command_line.hpp"
+#include "cli/font_command.hpp"
 #include "cli/measuring_program.hpp"
 #include "cli/plan_command.hpp"
 #include "cli/render_command.hpp"
@@ -12,6 +13,7 @@ int main(int argc, char** argv) {
     zstrip::sim::add_render_command(app, exit_code);
     zstrip::sim::add_plan_command(app, exit_code);
     zstrip::sim::add_bake_command(app, exit_code);
+    zstrip::sim::add_font_command(app, exit_code);
     zstrip::sim::add_scenes_command(app, exit_code);
     zstrip::sim::add_measuring_commands(app);
   });

@@ -1,0 +1,13 @@
+// Writes a font as a C++ header of constants.
+#pragma once
+
+#include <string>
+
+#include "zstrip/effects/overlay/overlay.hpp"
+
+namespace zstrip::sim {
+
+/// `source`: what it was made of, for a comment.
+std::string to_font_header(const Font& font, const std::string& source, const std::string& name_space);
+
+}  // namespace zstrip::sim
