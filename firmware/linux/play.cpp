@@ -5,8 +5,8 @@
 #include <new>
 #include <vector>
 
-#include "zstrip/frame/renderer.hpp"
-#include "zstrip/plan/plan.hpp"
+#include "zstrip/plan.hpp"
+#include "zstrip/renderer.hpp"
 #include "zstrip_hal/present.hpp"
 
 namespace zstrip::panel {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "zstrip/base/status.hpp"
 #include "zstrip/scene/blob_sections.hpp"
+#include "zstrip/status.hpp"
 
 namespace zstrip::panel {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "zstrip/scene/scene_blob.hpp"
+#include "zstrip/blob.hpp"
 #include "zstrip_hal_linux/outcome.hpp"
 #include "zstrip_scenes/baked_stage.hpp"
 

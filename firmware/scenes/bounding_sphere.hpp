@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 #include "zstrip_scenes/compile_time.hpp"
 
 namespace zstrip::scenes {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::scenes {
 

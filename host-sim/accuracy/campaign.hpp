@@ -18,7 +18,7 @@ struct CampaignOptions {
   std::vector<Settings> only;  ///< these settings instead, if there are any
   unsigned jobs = 1;           ///< points measured at once
   bool product = true;         ///< combinations too
-  bool presets = false;        ///< the presets of zstrip/plan/quality.hpp too
+  bool presets = false;        ///< the presets of zstrip/plan.hpp too
 };
 
 struct Campaign {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "result.hpp"
-#include "zstrip/plan/plan_types.hpp"
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/budget.hpp"
+#include "zstrip/effects.hpp"
 
 namespace zstrip::sim {
 

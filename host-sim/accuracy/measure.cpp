@@ -14,7 +14,7 @@
 #include "accuracy/observation.hpp"
 #include "accuracy/variant.hpp"
 #include "bake/scene_blob.hpp"
-#include "zstrip/plan/plan.hpp"
+#include "zstrip/plan.hpp"
 
 namespace zstrip::sim {
 namespace {

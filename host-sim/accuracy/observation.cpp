@@ -9,7 +9,7 @@
 #include <map>
 
 #include "render/frame_refused.hpp"
-#include "zstrip/frame/renderer.hpp"
+#include "zstrip/renderer.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -11,7 +11,7 @@
 #include "accuracy/truth_quadrics.hpp"
 #include "accuracy/truth_raster.hpp"
 #include "motion/turned_billboard.hpp"
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
 
 namespace zstrip::sim {
 namespace {

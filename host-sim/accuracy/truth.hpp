@@ -9,9 +9,9 @@
 #include "accuracy/truth_stages.hpp"
 #include "bake/effects_found.hpp"
 #include "result.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/scene.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::sim {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
 
 namespace zstrip::sim::truth {
 

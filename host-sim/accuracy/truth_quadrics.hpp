@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "accuracy/truth_light.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::sim::truth {
 

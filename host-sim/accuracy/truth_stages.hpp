@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "accuracy/truth_light.hpp"
-#include "zstrip/scene/camera.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/scene.hpp"
 #include "zstrip/scene/depth_format.hpp"
-#include "zstrip/scene/scene.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::sim {
 

@@ -272,8 +272,8 @@ std::string quality_header(const AccuracyPoint& point, const View& size) {
   return fmt::format(
       "// Written by zstrip tune for {} on {}: {}.\n"
       "#pragma once\n\n"
-      "#include \"zstrip/plan/plan_types.hpp\"\n#include \"zstrip/scene/effects.hpp\"\n#include "
-      "\"zstrip/scene/scene.hpp\"\n#include \"zstrip/scene/view.hpp\"\n\n"
+      "#include \"zstrip/budget.hpp\"\n#include \"zstrip/effects.hpp\"\n#include "
+      "\"zstrip/scene.hpp\"\n#include \"zstrip/view.hpp\"\n\n"
       "namespace quality {{\n\n"
       "inline constexpr zstrip::View kView{{{}, {}, zstrip::PixelFormat::{}, {}, {}}};\n"
       "/// Beside what the scene calls for: Renderer<effects_of(scene, camera) | quality::kEffects>.\n"

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "import/meshlets.hpp"
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
 
 namespace zstrip::sim {
 namespace {

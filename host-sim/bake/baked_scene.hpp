@@ -3,14 +3,14 @@
 
 #include <string>
 
-#include "zstrip/plan/plan.hpp"
-#include "zstrip/scene/animation.hpp"
+#include "zstrip/animation.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/effects.hpp"
+#include "zstrip/plan.hpp"
+#include "zstrip/scene.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/effects.hpp"
-#include "zstrip/scene/scene.hpp"
 #include "zstrip/scene/turn.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::sim {
 

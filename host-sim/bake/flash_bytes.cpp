@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "zstrip/effects/overlay/overlay.hpp"
+#include "zstrip/overlay.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "zstrip/scene/animation.hpp"
+#include "zstrip/animation.hpp"
+#include "zstrip/scene.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
-#include "zstrip/scene/scene.hpp"
 
 namespace zstrip::sim {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "image/palette.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::sim {
 

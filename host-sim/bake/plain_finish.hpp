@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::sim {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "result.hpp"
-#include "zstrip/scene/scene_blob.hpp"
+#include "zstrip/blob.hpp"
 
 namespace zstrip::sim {
 

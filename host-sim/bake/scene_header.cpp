@@ -14,7 +14,7 @@
 #include "report/number.hpp"
 #include "report/text.hpp"
 #include "zstrip/effects/overlay/fonts.hpp"
-#include "zstrip/effects/overlay/overlay.hpp"
+#include "zstrip/overlay.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -185,14 +185,14 @@ class Header {
   std::string text(const std::string& name_space) {
     comment(name_space);
     line("#pragma once\n");
-    for (const char* header : {"base/status.hpp", "plan/plan.hpp", "scene/animation.hpp", "scene/camera.hpp",
-                               "scene/effects.hpp", "scene/scene.hpp", "scene/turn.hpp", "scene/view.hpp"}) {
+    for (const char* header : {"animation.hpp", "camera.hpp", "effects.hpp", "plan.hpp", "scene.hpp", "scene/turn.hpp",
+                               "status.hpp", "view.hpp"}) {
       line(fmt::format("#include \"zstrip/{}\"", header));
     }
     if (!baked_.tree.nodes.empty()) line("#include \"zstrip/scene/bsp_tree.hpp\"");
     if (scene_.overlay != nullptr) {
       line("#include \"zstrip/effects/overlay/fonts.hpp\"");
-      line("#include \"zstrip/effects/overlay/overlay.hpp\"");
+      line("#include \"zstrip/overlay.hpp\"");
     }
     line(fmt::format("\nnamespace {} {{\n", name_space));
     data();

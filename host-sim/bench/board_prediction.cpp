@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "bench/execution_profile.hpp"
-#include "zstrip/plan/plan.hpp"
+#include "zstrip/plan.hpp"
 
 namespace zstrip::sim {
 namespace {

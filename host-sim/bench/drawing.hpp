@@ -9,7 +9,7 @@
 
 #include "bench/measurement.hpp"
 #include "result.hpp"
-#include "zstrip/frame/renderer.hpp"
+#include "zstrip/renderer.hpp"
 #include "zstrip_scenes/scenes.hpp"
 
 namespace zstrip::sim {

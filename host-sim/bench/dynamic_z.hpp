@@ -10,11 +10,11 @@
 
 #include "bench/torus_knot.hpp"
 #include "result.hpp"
-#include "zstrip/frame/renderer.hpp"
-#include "zstrip/plan/plan.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/plan.hpp"
+#include "zstrip/renderer.hpp"
+#include "zstrip/scene.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::sim {
 

@@ -9,8 +9,8 @@
 
 #include "bench/dynamic_z.hpp"
 #include "result.hpp"
-#include "zstrip/plan/plan.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/plan.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::sim {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "zstrip/plan/plan.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/plan.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::sim {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "import/model.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::sim {
 

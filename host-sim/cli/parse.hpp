@@ -11,10 +11,10 @@
 #include "image/encode.hpp"
 #include "import/source_model.hpp"
 #include "result.hpp"
-#include "zstrip/plan/plan_types.hpp"
+#include "zstrip/budget.hpp"
+#include "zstrip/effects.hpp"
 #include "zstrip/scene/depth_format.hpp"
-#include "zstrip/scene/effects.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::sim {
 

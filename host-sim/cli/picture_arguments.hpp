@@ -7,9 +7,9 @@
 
 #include "compose/scene_file.hpp"
 #include "result.hpp"
-#include "zstrip/plan/plan_types.hpp"
-#include "zstrip/scene/effects.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/budget.hpp"
+#include "zstrip/effects.hpp"
+#include "zstrip/view.hpp"
 
 namespace CLI {
 class App;

@@ -9,8 +9,8 @@
 #include "compose/scene_file.hpp"
 #include "result.hpp"
 #include "visibility/show.hpp"
-#include "zstrip/scene/effects.hpp"
-#include "zstrip/visibility/options.hpp"
+#include "zstrip/effects.hpp"
+#include "zstrip/visibility.hpp"
 
 namespace CLI {
 class App;

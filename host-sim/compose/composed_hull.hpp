@@ -1,10 +1,10 @@
-// The hull of a mesh with an outline: see Outline in zstrip/scene/scene.hpp.
+// The hull of a mesh with an outline: see Outline in zstrip/scene.hpp.
 #pragma once
 
 #include <vector>
 
 #include "import/model.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::sim {
 

@@ -6,7 +6,7 @@
 
 #include "import/model.hpp"
 #include "motion/affine.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::sim {
 

@@ -12,8 +12,8 @@
 #include "import/model.hpp"
 #include "motion/fitted_animation.hpp"
 #include "result.hpp"
-#include "zstrip/effects/overlay/overlay.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/overlay.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::sim {
 

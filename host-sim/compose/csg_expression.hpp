@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::sim {
 

@@ -1,6 +1,6 @@
 // What a scene file draws over the picture: [[sprite]] and [[label]].
 #include "compose/scene_tables.hpp"
-#include "zstrip/effects/overlay/overlay.hpp"
+#include "zstrip/overlay.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
 
 namespace zstrip::sim {
 

@@ -13,11 +13,11 @@
 #include "motion/affine.hpp"
 #include "motion/node_tree.hpp"
 #include "result.hpp"
-#include "zstrip/effects/overlay/overlay.hpp"
+#include "zstrip/effects.hpp"
+#include "zstrip/overlay.hpp"
+#include "zstrip/scene.hpp"
 #include "zstrip/scene/depth_format.hpp"
-#include "zstrip/scene/effects.hpp"
-#include "zstrip/scene/scene.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::sim {
 

@@ -15,7 +15,7 @@
 #include "compose/scene_file.hpp"
 #include "motion/affine.hpp"
 #include "result.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::sim {
 

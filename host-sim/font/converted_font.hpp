@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "result.hpp"
-#include "zstrip/effects/overlay/overlay.hpp"
+#include "zstrip/overlay.hpp"
 
 namespace zstrip::sim {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "zstrip/effects/overlay/overlay.hpp"
+#include "zstrip/overlay.hpp"
 
 namespace zstrip::sim {
 

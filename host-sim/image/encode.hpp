@@ -8,7 +8,7 @@
 
 #include "image/rgb_image.hpp"
 #include "result.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::sim {
 

@@ -1,9 +1,9 @@
-// The edges of a mesh, for the renderer's anti-aliasing of edges: see Edge in zstrip/scene/scene.hpp.
+// The edges of a mesh, for the renderer's anti-aliasing of edges: see Edge in zstrip/scene.hpp.
 #pragma once
 
 #include <vector>
 
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::sim {
 

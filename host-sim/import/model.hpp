@@ -10,7 +10,7 @@
 
 #include "import/source_model.hpp"
 #include "result.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::sim {
 

@@ -9,7 +9,7 @@
 
 #include "image/rgb_image.hpp"
 #include "motion/node_tree.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::sim {
 

@@ -9,7 +9,7 @@
 
 #include "motion/affine.hpp"
 #include "result.hpp"
-#include "zstrip/scene/animation.hpp"
+#include "zstrip/animation.hpp"
 
 namespace zstrip::sim {
 

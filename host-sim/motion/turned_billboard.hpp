@@ -1,8 +1,8 @@
 // Where instances stand before a camera, billboards turned to it, for tools that do not ask the renderer.
 #pragma once
 
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::sim {
 

@@ -8,8 +8,8 @@
 
 #include "render/render_frame.hpp"
 #include "report/number.hpp"
+#include "zstrip/effects.hpp"
 #include "zstrip/plan/estimate.hpp"
-#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::sim {
 namespace {

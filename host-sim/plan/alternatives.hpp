@@ -10,8 +10,7 @@
 #include "render/stage.hpp"
 #include "result.hpp"
 #include "zstrip/base/statistics.hpp"
-#include "zstrip/plan/plan.hpp"
-#include "zstrip/plan/plan_depth.hpp"
+#include "zstrip/plan.hpp"
 
 namespace zstrip::sim {
 

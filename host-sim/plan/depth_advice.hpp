@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "plan/kept_frames.hpp"
-#include "zstrip/plan/plan_depth.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/plan.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::sim {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "render/frame_refused.hpp"
-#include "zstrip/frame/renderer.hpp"
-#include "zstrip/frame/static_layer.hpp"
+#include "zstrip/layer.hpp"
+#include "zstrip/renderer.hpp"
 
 namespace zstrip::sim {
 namespace {

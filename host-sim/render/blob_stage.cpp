@@ -9,8 +9,8 @@
 #include "render/camera_stage.hpp"
 #include "render/model_animation.hpp"
 #include "render/turned_parts.hpp"
+#include "zstrip/blob.hpp"
 #include "zstrip/scene/blob_sections.hpp"
-#include "zstrip/scene/scene_blob.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -8,7 +8,7 @@
 #include "import/model.hpp"
 #include "render/framing.hpp"
 #include "result.hpp"
-#include "zstrip/scene/camera.hpp"
+#include "zstrip/camera.hpp"
 
 namespace zstrip::sim {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "import/edges.hpp"
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
 
 namespace zstrip::sim {
 namespace {

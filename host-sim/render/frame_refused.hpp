@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "result.hpp"
-#include "zstrip/base/status.hpp"
+#include "zstrip/status.hpp"
 
 namespace zstrip::sim {
 

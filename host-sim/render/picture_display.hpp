@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 #include "zstrip_hal/display.hpp"
 
 namespace zstrip::sim {

@@ -13,7 +13,7 @@
 #include "report/number.hpp"
 #include "visibility/methods.hpp"
 #include "visibility/prepared_scene.hpp"
-#include "zstrip/frame/renderer.hpp"
+#include "zstrip/renderer.hpp"
 #include "zstrip_hal/present.hpp"
 
 namespace zstrip::sim {

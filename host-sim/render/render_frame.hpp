@@ -11,9 +11,9 @@
 #include "render/stage.hpp"
 #include "result.hpp"
 #include "zstrip/base/statistics.hpp"
-#include "zstrip/plan/plan.hpp"
-#include "zstrip/scene/effects.hpp"
-#include "zstrip/visibility/options.hpp"
+#include "zstrip/effects.hpp"
+#include "zstrip/plan.hpp"
+#include "zstrip/visibility.hpp"
 
 namespace zstrip::sim {
 

@@ -11,12 +11,12 @@
 #include "import/model.hpp"
 #include "render/camera.hpp"
 #include "result.hpp"
-#include "zstrip/scene/animation.hpp"
+#include "zstrip/animation.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/scene.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
 #include "zstrip/scene/turn.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::sim {
 

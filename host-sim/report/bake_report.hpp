@@ -11,9 +11,9 @@
 #include "bake/mipmaps.hpp"
 #include "bake/palettes.hpp"
 #include "import/model.hpp"
-#include "zstrip/plan/plan_types.hpp"
-#include "zstrip/scene/effects.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/budget.hpp"
+#include "zstrip/effects.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::sim {
 

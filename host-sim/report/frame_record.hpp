@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/render_frame.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::sim {
 

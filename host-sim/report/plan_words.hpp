@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "zstrip/plan/plan_types.hpp"
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/budget.hpp"
+#include "zstrip/effects.hpp"
 
 namespace zstrip::sim {
 

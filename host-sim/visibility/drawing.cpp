@@ -9,7 +9,7 @@
 #include "render/frame_refused.hpp"
 #include "report/number.hpp"
 #include "visibility/methods.hpp"
-#include "zstrip/frame/renderer.hpp"
+#include "zstrip/renderer.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -10,9 +10,9 @@
 #include "result.hpp"
 #include "visibility/prepared_scene.hpp"
 #include "zstrip/base/statistics.hpp"
-#include "zstrip/plan/plan.hpp"
-#include "zstrip/scene/effects.hpp"
-#include "zstrip/visibility/options.hpp"
+#include "zstrip/effects.hpp"
+#include "zstrip/plan.hpp"
+#include "zstrip/visibility.hpp"
 
 namespace zstrip::sim {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "result.hpp"
-#include "zstrip/scene/effects.hpp"
-#include "zstrip/visibility/options.hpp"
+#include "zstrip/effects.hpp"
+#include "zstrip/visibility.hpp"
 
 namespace zstrip::sim {
 

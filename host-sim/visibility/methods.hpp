@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "result.hpp"
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
 
 namespace zstrip::sim {
 

@@ -6,7 +6,7 @@
 
 #include "result.hpp"
 #include "visibility/polygon_soup.hpp"
-#include "zstrip/scene/camera.hpp"
+#include "zstrip/camera.hpp"
 
 namespace zstrip::sim {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "result.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::sim {
 

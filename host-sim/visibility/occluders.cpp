@@ -7,7 +7,7 @@
 #include <map>
 #include <tuple>
 
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
 
 namespace zstrip::sim {
 namespace {

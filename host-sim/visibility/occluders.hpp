@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "visibility/polygon_soup.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::sim {
 

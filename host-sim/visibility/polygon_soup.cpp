@@ -10,7 +10,7 @@
 
 #include "import/meshlets.hpp"
 #include "report/number.hpp"
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "result.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::sim {
 

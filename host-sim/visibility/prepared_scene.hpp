@@ -6,7 +6,7 @@
 #include "render/stage.hpp"
 #include "result.hpp"
 #include "visibility/bsp_bake.hpp"
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
 
 namespace zstrip::sim {
 

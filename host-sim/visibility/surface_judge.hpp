@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/scene.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::sim {
 

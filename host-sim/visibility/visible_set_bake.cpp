@@ -12,8 +12,8 @@
 
 #include "visibility/occluders.hpp"
 #include "zstrip/base/crc32.hpp"
-#include "zstrip/plan/plan.hpp"
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
+#include "zstrip/plan.hpp"
 #include "zstrip/visibility/visible_sets.hpp"
 
 namespace zstrip::sim {

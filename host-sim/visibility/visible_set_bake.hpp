@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "result.hpp"
-#include "zstrip/scene/animation.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/animation.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::sim {
 

@@ -7,7 +7,7 @@
 
 #include "import/read_file.hpp"
 #include "visibility/visible_set_bake.hpp"
-#include "zstrip/plan/plan.hpp"
+#include "zstrip/plan.hpp"
 
 namespace zstrip::sim {
 

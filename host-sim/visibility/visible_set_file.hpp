@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "result.hpp"
-#include "zstrip/scene/animation.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
-#include "zstrip/visibility/visible_sets.hpp"
+#include "zstrip/animation.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/scene.hpp"
+#include "zstrip/visibility.hpp"
 
 namespace zstrip::sim {
 

@@ -12,7 +12,7 @@
 #include "accuracy/pareto.hpp"
 #include "accuracy/plot.hpp"
 #include "support.hpp"
-#include "zstrip/plan/quality.hpp"
+#include "zstrip/plan.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "blob_sample.hpp"
 #include "support.hpp"
-#include "zstrip/scene/scene_blob.hpp"
+#include "zstrip/blob.hpp"
 
 namespace zstrip::sim::test {
 namespace {

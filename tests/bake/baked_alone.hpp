@@ -5,14 +5,14 @@
 #include <cstdint>
 #include <span>
 
-#include "zstrip/base/status.hpp"
-#include "zstrip/plan/plan.hpp"
-#include "zstrip/scene/animation.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/effects.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/animation.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/effects.hpp"
+#include "zstrip/plan.hpp"
+#include "zstrip/scene.hpp"
 #include "zstrip/scene/turn.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/status.hpp"
+#include "zstrip/view.hpp"
 
 namespace baked_alone {
 

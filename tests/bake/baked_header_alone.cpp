@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "baked_alone.hpp"
-#include "zstrip/frame/renderer.hpp"
+#include "zstrip/renderer.hpp"
 #include "zstrip/scene/validate.hpp"
 
 namespace baked_alone {

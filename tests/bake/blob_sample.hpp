@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "bake/scene_blob.hpp"
-#include "zstrip/scene/scene_blob.hpp"
+#include "zstrip/blob.hpp"
 
 namespace zstrip::sim::test {
 

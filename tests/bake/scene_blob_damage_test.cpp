@@ -9,7 +9,7 @@
 
 #include "../oracle/draw.hpp"
 #include "blob_sample.hpp"
-#include "zstrip/scene/scene_blob.hpp"
+#include "zstrip/blob.hpp"
 
 namespace zstrip::sim::test {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "bake/scene_blob.hpp"
 #include "blob_sample.hpp"
+#include "zstrip/blob.hpp"
 #include "zstrip/effects/overlay/draw_overlay.hpp"
-#include "zstrip/effects/overlay/overlay.hpp"
 #include "zstrip/effects/overlay/valid_overlay.hpp"
-#include "zstrip/scene/scene_blob.hpp"
+#include "zstrip/overlay.hpp"
 
 namespace zstrip::sim::test {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "blob_sample.hpp"
+#include "zstrip/blob.hpp"
 #include "zstrip/scene/blob_sections.hpp"
-#include "zstrip/scene/scene_blob.hpp"
 
 namespace zstrip::sim::test {
 namespace {

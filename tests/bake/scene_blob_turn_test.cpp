@@ -8,7 +8,7 @@
 
 #include "bake/scene_blob.hpp"
 #include "blob_sample.hpp"
-#include "zstrip/scene/scene_blob.hpp"
+#include "zstrip/blob.hpp"
 
 namespace zstrip::sim::test {
 namespace {

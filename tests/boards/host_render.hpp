@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "grey_picture.hpp"
-#include "zstrip/plan/quality.hpp"
+#include "zstrip/plan.hpp"
 
 namespace zstrip::boards {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "guarded_memory.hpp"
-#include "zstrip/frame/renderer.hpp"
+#include "zstrip/renderer.hpp"
 #include "zstrip_scenes/scenes.hpp"
 
 namespace zstrip::budget {

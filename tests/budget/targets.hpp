@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <span>
 
-#include "zstrip/scene/effects.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/effects.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::budget {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "targets.hpp"
-#include "zstrip/plan/plan.hpp"
+#include "zstrip/plan.hpp"
 
 namespace zstrip::budget {
 

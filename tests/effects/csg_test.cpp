@@ -1,7 +1,7 @@
 // CSG against rays in double precision, and against pictures of the same surfaces without products.
 #include "csg_world.hpp"
 #include "zstrip/effects/exclusions.hpp"
-#include "zstrip/frame/static_layer.hpp"
+#include "zstrip/layer.hpp"
 
 namespace effects_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace effects_test {
 

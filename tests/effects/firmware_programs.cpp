@@ -8,7 +8,7 @@
 #include "markers.hpp"
 #include "reader_name.hpp"
 #include "targets.hpp"
-#include "zstrip/plan/quality.hpp"
+#include "zstrip/plan.hpp"
 #include "zstrip_scenes/scenes.hpp"
 
 namespace effects_test {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
 
 namespace effects_test {
 

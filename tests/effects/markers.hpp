@@ -2,7 +2,7 @@
 // no program has them without.
 #pragma once
 
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
 
 namespace effects_test {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "drawn.hpp"
-#include "zstrip/effects/overlay/overlay.hpp"
+#include "zstrip/overlay.hpp"
 
 namespace overlay_oracle {
 

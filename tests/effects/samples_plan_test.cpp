@@ -1,6 +1,6 @@
 // Several samples a pixel: what they take, what the frame says of them, and what is refused.
 #include "samples.hpp"
-#include "zstrip/frame/static_layer.hpp"
+#include "zstrip/layer.hpp"
 #include "zstrip_scenes/cube.hpp"
 #include "zstrip_scenes/knot.hpp"
 #include "zstrip_scenes/room.hpp"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "input.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace fuzz {
 

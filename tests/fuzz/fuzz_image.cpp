@@ -8,7 +8,7 @@
 #include "image/encode.hpp"
 #include "input.hpp"
 #include "require.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 
 namespace {
 

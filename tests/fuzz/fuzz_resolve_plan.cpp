@@ -5,7 +5,7 @@
 #include "input.hpp"
 #include "require.hpp"
 #include "zstrip/effects/dithering/dither.hpp"
-#include "zstrip/plan/plan.hpp"
+#include "zstrip/plan.hpp"
 #include "zstrip/resolve/resolve.hpp"
 
 namespace {

@@ -8,7 +8,7 @@
 #include "picture.hpp"
 #include "require.hpp"
 #include "scene_input.hpp"
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
 #include "zstrip/scene/validate.hpp"
 
 namespace {

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "input.hpp"
-#include "zstrip/plan/plan.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/plan.hpp"
+#include "zstrip/scene.hpp"
+#include "zstrip/view.hpp"
 
 namespace fuzz {
 

@@ -8,7 +8,7 @@
 #include "import/quantise.hpp"
 #include "render/stage.hpp"
 #include "support.hpp"
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
 
 namespace zstrip::sim::test {
 namespace {

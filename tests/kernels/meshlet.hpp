@@ -9,8 +9,8 @@
 #include "random.hpp"
 #include "zstrip/geometry/depth_fit.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/scene/scene.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/scene.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::kernels_test {
 

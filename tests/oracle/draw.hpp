@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "zstrip/frame/renderer.hpp"
-#include "zstrip/plan/plan.hpp"
+#include "zstrip/plan.hpp"
+#include "zstrip/renderer.hpp"
 
 namespace picture {
 

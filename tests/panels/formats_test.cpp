@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 #include "zstrip_hal/display.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 
 #include "render/stage.hpp"
 #include "result.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::reference {
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
 #include "zstrip/scene/validate.hpp"
 #include "zstrip_scenes/cube.hpp"
 #include "zstrip_scenes/knot.hpp"

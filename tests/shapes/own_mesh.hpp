@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::test {
 

@@ -4,8 +4,9 @@
 set -euo pipefail
 cd "$1"
 
-# In the order in which data flows; a stage may include itself and what stands before it. Effects and kernels are beside
-# this order: a file of theirs counts as of the latest stage that it reaches, so that none is a way around the rule.
+# In the order in which data flows; a stage may include itself and what stands before it. Effects, kernels and the public
+# headers are beside this order: a file of theirs counts as of the latest stage that it reaches, so that none is a way
+# around the rule.
 stages=(base scene store plan geometry visibility raster resolve stages frame)
 failed=0
 
@@ -35,7 +36,7 @@ floor_of() {
     return
   fi
   room=$(cut -d/ -f3 <<<"$file")
-  if [ "$room" = effects ] || [ "$room" = kernels ]; then
+  if [ "$room" = effects ] || [ "$room" = kernels ] || [[ $room == *.hpp ]]; then
     floors[$file]=0
     for next in ${included[$file]:-}; do
       floor_of "$next"
@@ -71,10 +72,9 @@ while IFS=: read -r file line path; do
     complain "$file:$line: the stage of $path is not one of: ${stages[*]}"
     continue
   fi
-  # The one header that gives everything to applications; no stage is called so, so that none can include it.
-  if [ "$file" = core/zstrip/zstrip.hpp ] || [ "$from" = effects ] || [ "$from" = kernels ]; then
-    continue
-  fi
+  # Only applications include the one header that gives everything.
+  if [ "$path" = zstrip/zstrip.hpp ]; then complain "$file:$line: $path is for applications"; fi
+  if [ "$from" = effects ] || [ "$from" = kernels ] || [[ $from == *.hpp ]]; then continue; fi
   if [ -z "${place[$from]:-}" ]; then
     complain "$file: the stage $from is not one of: ${stages[*]}"
   elif [ "$floor" -gt "${place[$from]}" ]; then
@@ -91,5 +91,10 @@ while IFS=: read -r file line path; do
     *" "*/* | *.hpp | *.h) complain "$file:$line: hal includes $path: only zstrip_hal/... and the C++ library are allowed" ;;
   esac
 done < <(includes_of hal)
+
+# Documents and examples show the public headers, which lie in core/zstrip itself.
+while IFS=: read -r file line text; do
+  complain "$file:$line: $text is no public header of core"
+done < <(grep -nE '^[[:space:]]*#include [<"]zstrip/.*/' README.md docs/*.md */README.md 2>/dev/null || true)
 
 exit "$failed"

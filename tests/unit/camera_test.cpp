@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "zstrip/scene/camera.hpp"
+#include "zstrip/camera.hpp"
 
 namespace {
 

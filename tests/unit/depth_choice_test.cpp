@@ -1,6 +1,6 @@
 // What each depth format is said to separate, against what the probe of the hard cases measured (docs/numerics.md).
 #include "zstrip/plan/depth_choice.hpp"
-#include "zstrip/plan/plan_depth.hpp"
+#include "zstrip/plan.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "zstrip/plan/plan.hpp"
+#include "zstrip/plan.hpp"
 
 namespace {
 

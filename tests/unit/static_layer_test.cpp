@@ -1,6 +1,6 @@
 // A static layer with things that move over it: the same pictures as if everything were drawn in every frame, and no
 // tile drawn that did not change.
-#include "zstrip/frame/static_layer.hpp"
+#include "zstrip/layer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The words for errors and purposes.
-#include "zstrip/base/status.hpp"
+#include "zstrip/status.hpp"
 
 namespace zstrip {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
-#include "zstrip/plan/plan_types.hpp"
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/budget.hpp"
+#include "zstrip/effects.hpp"
 
 namespace zstrip {
 

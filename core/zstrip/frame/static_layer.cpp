@@ -1,5 +1,5 @@
 // Keeps, marks and restores tiles; see static_layer.hpp.
-#include "zstrip/frame/static_layer.hpp"
+#include "zstrip/layer.hpp"
 
 #include <algorithm>
 

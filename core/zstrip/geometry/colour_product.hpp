@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "zstrip/scene/camera.hpp"
+#include "zstrip/camera.hpp"
 
 namespace zstrip {
 

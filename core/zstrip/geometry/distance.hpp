@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "zstrip/base/math.hpp"
+#include "zstrip/effects.hpp"
 #include "zstrip/geometry/depth_fit.hpp"
-#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::detail {
 

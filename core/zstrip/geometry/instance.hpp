@@ -5,12 +5,12 @@
 #include <cstdint>
 
 #include "zstrip/base/math.hpp"
-#include "zstrip/base/status.hpp"
+#include "zstrip/camera.hpp"
 #include "zstrip/geometry/depth_fit.hpp"
 #include "zstrip/plan/record_bytes.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/scene.hpp"
+#include "zstrip/status.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::detail {
 

@@ -1,8 +1,8 @@
 // The colour of a vertex: ambient and directional light on the material, times the vertex colour.
 #pragma once
 
+#include "zstrip/effects.hpp"
 #include "zstrip/geometry/instance.hpp"
-#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::detail {
 

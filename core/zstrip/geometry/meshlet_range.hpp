@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
 

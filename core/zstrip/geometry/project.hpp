@@ -5,9 +5,9 @@
 #include <bit>
 #include <cstdint>
 
+#include "zstrip/effects.hpp"
 #include "zstrip/geometry/instance.hpp"
 #include "zstrip/scene/depth_format.hpp"
-#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::detail {
 

@@ -3,11 +3,11 @@
 
 #include <cstdint>
 
+#include "zstrip/effects.hpp"
 #include "zstrip/geometry/instance.hpp"
 #include "zstrip/geometry/light.hpp"
 #include "zstrip/kernels/processor.hpp"
-#include "zstrip/scene/effects.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
 

@@ -13,7 +13,7 @@
 #include "zstrip/kernels/processor.hpp"
 #include "zstrip/kernels/sse2/small_triangle.hpp"
 #include "zstrip/kernels/thumb/small_run.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
 

@@ -6,7 +6,7 @@
 
 #include "zstrip/base/statistics.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
 

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "zstrip/effects.hpp"
 #include "zstrip/geometry/instance.hpp"
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/kernels/portable/transform.hpp"
@@ -15,9 +16,8 @@
 #include "zstrip/kernels/sse2/transform.hpp"
 #include "zstrip/kernels/thumb1/transform.hpp"
 #include "zstrip/kernels/thumb2/transform.hpp"
+#include "zstrip/scene.hpp"
 #include "zstrip/scene/depth_format.hpp"
-#include "zstrip/scene/effects.hpp"
-#include "zstrip/scene/scene.hpp"
 
 namespace zstrip::detail {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-#include "zstrip/scene/camera.hpp"
+#include "zstrip/camera.hpp"
 #include "zstrip/scene/depth_format.hpp"
 
 namespace zstrip {

@@ -1,7 +1,7 @@
 // What a plan costs in time, from counts alone: how often strips visit a meshlet or a triangle again.
 #pragma once
 
-#include "zstrip/plan/plan_types.hpp"
+#include "zstrip/budget.hpp"
 
 namespace zstrip {
 namespace detail {

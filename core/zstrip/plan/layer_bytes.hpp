@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "zstrip/scene/view.hpp"
 #include "zstrip/store/store_bytes.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip {
 

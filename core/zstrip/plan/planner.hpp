@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "zstrip/effects/exclusions.hpp"
+#include "zstrip/plan.hpp"
 #include "zstrip/plan/estimate.hpp"
-#include "zstrip/plan/plan.hpp"
 #include "zstrip/plan/record_bytes.hpp"
 #include "zstrip/plan/visibility_bytes.hpp"
 

@@ -1,8 +1,8 @@
 // What a plan needs to know of a scene.
 #pragma once
 
-#include "zstrip/plan/plan_types.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/budget.hpp"
+#include "zstrip/scene.hpp"
 #include "zstrip/store/store_bytes.hpp"
 
 namespace zstrip {

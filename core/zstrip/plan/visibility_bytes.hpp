@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "zstrip/base/status.hpp"
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
+#include "zstrip/status.hpp"
 
 namespace zstrip {
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "zstrip/effects.hpp"
 #include "zstrip/effects/outlines/outline.hpp"
 #include "zstrip/effects/pixel_shading/lit_corners.hpp"
 #include "zstrip/geometry/project.hpp"
@@ -14,7 +15,6 @@
 #include "zstrip/raster/attributes.hpp"
 #include "zstrip/raster/fragment.hpp"
 #include "zstrip/raster/span_triangle.hpp"
-#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::detail {
 

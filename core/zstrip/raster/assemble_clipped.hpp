@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "zstrip/effects.hpp"
 #include "zstrip/effects/outlines/outline.hpp"
 #include "zstrip/effects/pixel_shading/lit_corners.hpp"
 #include "zstrip/geometry/clip.hpp"
@@ -13,7 +14,6 @@
 #include "zstrip/raster/fragment.hpp"
 #include "zstrip/raster/polygon.hpp"
 #include "zstrip/raster/span_triangle.hpp"
-#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::detail {
 

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "zstrip/effects.hpp"
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/raster/plane.hpp"
 #include "zstrip/raster/span_triangle.hpp"
-#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::detail {
 

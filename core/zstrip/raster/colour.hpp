@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "zstrip/base/bayer.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
 

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "zstrip/effects.hpp"
 #include "zstrip/geometry/depth_mapping.hpp"
 #include "zstrip/raster/target.hpp"
 #include "zstrip/raster/wide_plane.hpp"
-#include "zstrip/scene/effects.hpp"
 #include "zstrip/visibility/method_state.hpp"
 
 namespace zstrip::detail {

@@ -5,9 +5,9 @@
 #include <type_traits>
 
 #include "zstrip/base/bayer.hpp"
+#include "zstrip/effects.hpp"
 #include "zstrip/effects/fog/fog.hpp"
 #include "zstrip/raster/depth_rule.hpp"
-#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::detail {
 

@@ -1,8 +1,8 @@
 // What of a set of effects changes how triangles become pixels.
 #pragma once
 
+#include "zstrip/effects.hpp"
 #include "zstrip/plan/record_bytes.hpp"
-#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::detail {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "zstrip/base/statistics.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::detail {
 

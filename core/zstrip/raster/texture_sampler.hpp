@@ -9,7 +9,7 @@
 
 #include "zstrip/raster/fragment_settings.hpp"
 #include "zstrip/raster/textured_span.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
 

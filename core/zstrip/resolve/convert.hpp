@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip {
 

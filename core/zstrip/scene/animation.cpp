@@ -1,5 +1,5 @@
 // Interpolates keyframes. Work once an instance and frame: products of 64 bits, one reciprocal, one division.
-#include "zstrip/scene/animation.hpp"
+#include "zstrip/animation.hpp"
 
 #include <bit>
 

@@ -9,13 +9,13 @@
 #include <cstdint>
 #include <span>
 
+#include "zstrip/animation.hpp"
 #include "zstrip/base/fixed.hpp"
-#include "zstrip/effects/overlay/overlay.hpp"
-#include "zstrip/scene/animation.hpp"
+#include "zstrip/blob.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/overlay.hpp"
+#include "zstrip/scene.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
-#include "zstrip/scene/scene_blob.hpp"
 
 namespace zstrip::blob_layout {
 

@@ -1,5 +1,5 @@
 // Camera placement: look-at, spherical coordinates, field of view.
-#include "zstrip/scene/camera.hpp"
+#include "zstrip/camera.hpp"
 
 #include "zstrip/base/direction.hpp"
 #include "zstrip/base/math.hpp"

@@ -1,5 +1,5 @@
 // Opens a blob: every count, offset and value is checked before anything looks through it.
-#include "zstrip/scene/scene_blob.hpp"
+#include "zstrip/blob.hpp"
 
 #include <bit>
 #include <cstring>

@@ -4,10 +4,10 @@
 // What passes here cannot make the renderer read or write outside the scene's and the caller's memory.
 #pragma once
 
-#include "zstrip/base/status.hpp"
+#include "zstrip/effects.hpp"
 #include "zstrip/effects/overlay/valid_overlay.hpp"
-#include "zstrip/scene/effects.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
+#include "zstrip/status.hpp"
 
 namespace zstrip {
 namespace detail {

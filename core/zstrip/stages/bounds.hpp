@@ -1,10 +1,10 @@
 // The rectangle and the depth range that a frame's scene can fill, from bounding boxes alone.
 #pragma once
 
+#include "zstrip/camera.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/scene.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::detail {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "zstrip/camera.hpp"
 #include "zstrip/resolve/convert.hpp"
 #include "zstrip/resolve/resolve.hpp"
-#include "zstrip/scene/camera.hpp"
 #include "zstrip/scene/validate.hpp"
 
 namespace zstrip::detail {

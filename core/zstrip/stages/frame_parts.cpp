@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "zstrip/camera.hpp"
 #include "zstrip/raster/colour.hpp"
 #include "zstrip/resolve/resolve.hpp"
-#include "zstrip/scene/camera.hpp"
 #include "zstrip/stages/bounds.hpp"
 
 namespace zstrip::detail {

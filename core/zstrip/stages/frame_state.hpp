@@ -6,12 +6,12 @@
 #include <type_traits>
 
 #include "zstrip/base/statistics.hpp"
+#include "zstrip/budget.hpp"
 #include "zstrip/geometry/bins.hpp"
 #include "zstrip/geometry/extent.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/plan/plan_types.hpp"
-#include "zstrip/scene/view.hpp"
 #include "zstrip/stages/depth_ranges.hpp"
+#include "zstrip/view.hpp"
 #include "zstrip/visibility/method_state.hpp"
 #include "zstrip/visibility/triangle_order.hpp"
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <span>
 
-#include "zstrip/base/status.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/status.hpp"
 #include "zstrip/store/store_bytes.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip {
 

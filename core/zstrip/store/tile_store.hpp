@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <span>
 
-#include "zstrip/base/status.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/status.hpp"
 #include "zstrip/store/tile_index.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip {
 

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "zstrip/camera.hpp"
+#include "zstrip/scene.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
 
 namespace zstrip::detail {
 

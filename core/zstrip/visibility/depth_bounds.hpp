@@ -11,8 +11,8 @@
 #include <cstdint>
 
 #include "zstrip/plan/visibility_bytes.hpp"
-#include "zstrip/scene/view.hpp"
-#include "zstrip/visibility/options.hpp"
+#include "zstrip/view.hpp"
+#include "zstrip/visibility.hpp"
 
 namespace zstrip::detail {
 

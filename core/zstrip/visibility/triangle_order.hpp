@@ -7,7 +7,7 @@
 
 #include "zstrip/geometry/extent.hpp"
 #include "zstrip/plan/visibility_bytes.hpp"
-#include "zstrip/visibility/options.hpp"
+#include "zstrip/visibility.hpp"
 
 namespace zstrip::detail {
 

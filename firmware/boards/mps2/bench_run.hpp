@@ -17,7 +17,7 @@
 #include "mps2/arguments.hpp"
 #include "mps2/instruction_counter.hpp"
 #include "portable/crc32.hpp"
-#include "zstrip/frame/renderer.hpp"
+#include "zstrip/renderer.hpp"
 #include "zstrip_scenes/stage.hpp"
 
 namespace zstrip::bench {

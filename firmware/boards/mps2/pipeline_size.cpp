@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "zstrip/frame/renderer.hpp"
+#include "zstrip/renderer.hpp"
 #include "zstrip_scenes/knot.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 // what the benchmark programs print, of one frame. A program of its own for each pipeline, so that functions are
 // compiled as they are in firmware, which has one.
 #include "mps2/bench_run.hpp"
-#include "zstrip/scene/scene_blob.hpp"
+#include "zstrip/blob.hpp"
 
 namespace {
 

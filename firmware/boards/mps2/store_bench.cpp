@@ -9,7 +9,7 @@
 #include "cortex_m/board.hpp"
 #include "cortex_m/console.hpp"
 #include "mps2/instruction_counter.hpp"
-#include "zstrip/frame/renderer.hpp"
+#include "zstrip/renderer.hpp"
 #include "zstrip/store/colour_store.hpp"
 #include "zstrip/store/depth_record.hpp"
 #include "zstrip/store/depth_store.hpp"

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "portable/failure.hpp"
-#include "zstrip/frame/renderer.hpp"
+#include "zstrip/renderer.hpp"
 #include "zstrip_hal/present.hpp"
 
 namespace zstrip::board {

@@ -4,8 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "zstrip/plan/plan.hpp"
-#include "zstrip/plan/quality.hpp"
+#include "zstrip/plan.hpp"
 #include "zstrip_scenes/stage.hpp"
 
 namespace zstrip::board {
@@ -30,7 +29,7 @@ constexpr bool suits(const scenes::BuiltIn& scene, const Quality& preset) {
 }
 
 /// Frame n of a turn in `frames_per_turn`, planned for `view` within `budget`, drawn with `preset`, one of
-/// zstrip/plan/quality.hpp (docs/accuracy.md says what each costs and buys).
+/// zstrip/plan.hpp (docs/accuracy.md says what each costs and buys).
 template <const scenes::BuiltIn& scene, View view, Budget budget, std::uint32_t frames_per_turn = 64,
           const Quality& preset = quality::balanced>
 class TurntableMotion {

@@ -1,5 +1,5 @@
 // Draws a white triangle strip by strip with both renderers and counts its pixels.
-#include <zstrip/frame/renderer.hpp>
+#include <zstrip/renderer.hpp>
 
 #include <array>
 #include <cstdio>

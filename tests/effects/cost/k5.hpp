@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
 #include "zstrip_scenes/knot.hpp"
 
 namespace zstrip::effects_cost {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "plain.hpp"
-#include "zstrip/plan/plan.hpp"
+#include "zstrip/plan.hpp"
 
 namespace zstrip::effects_cost {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "zstrip/scene/effects.hpp"
+#include "zstrip/effects.hpp"
 
 namespace zstrip::effects_cost {
 

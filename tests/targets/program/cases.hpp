@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "picture_summary.hpp"
-#include "zstrip/base/status.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/status.hpp"
+#include "zstrip/view.hpp"
 #include "zstrip_scenes/built_in.hpp"
 
 namespace zstrip::targets {

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "cases.hpp"
-#include "zstrip/frame/renderer.hpp"
+#include "zstrip/renderer.hpp"
 #include "zstrip_scenes/stage.hpp"
 
 namespace zstrip::targets {

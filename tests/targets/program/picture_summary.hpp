@@ -6,7 +6,7 @@
 #include <span>
 
 #include "portable/crc32.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::targets {
 

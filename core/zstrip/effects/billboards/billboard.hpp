@@ -1,8 +1,8 @@
 // Turns billboards to the camera.
 #pragma once
 
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
 

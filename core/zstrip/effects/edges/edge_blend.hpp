@@ -7,7 +7,7 @@
 
 #include "zstrip/effects/edges/edges.hpp"
 #include "zstrip/raster/colour.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::detail {
 

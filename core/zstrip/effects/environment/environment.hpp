@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "zstrip/base/unit_vector.hpp"
+#include "zstrip/camera.hpp"
 #include "zstrip/geometry/instance.hpp"
 #include "zstrip/plan/record_bytes.hpp"
-#include "zstrip/scene/camera.hpp"
 
 namespace zstrip::detail {
 

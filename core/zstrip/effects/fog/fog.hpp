@@ -9,7 +9,7 @@
 #include "zstrip/base/math.hpp"
 #include "zstrip/geometry/distance.hpp"
 #include "zstrip/raster/plane.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
 

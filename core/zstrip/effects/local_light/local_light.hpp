@@ -9,10 +9,10 @@
 
 #include "zstrip/base/math.hpp"
 #include "zstrip/base/unit_vector.hpp"
+#include "zstrip/effects.hpp"
 #include "zstrip/effects/local_light/effect.hpp"
 #include "zstrip/geometry/instance.hpp"
 #include "zstrip/geometry/light.hpp"
-#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::detail {
 

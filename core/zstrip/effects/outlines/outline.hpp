@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "zstrip/camera.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/scene.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::detail {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "zstrip/effects/overlay/overlay.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/overlay.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "zstrip/effects/overlay/overlay.hpp"
+#include "zstrip/overlay.hpp"
 
 namespace zstrip {
 

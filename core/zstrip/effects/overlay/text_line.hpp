@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <span>
 
-#include "zstrip/effects/overlay/overlay.hpp"
 #include "zstrip/effects/overlay/utf8.hpp"
+#include "zstrip/overlay.hpp"
 
 namespace zstrip::detail {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "zstrip/base/status.hpp"
-#include "zstrip/effects/overlay/overlay.hpp"
+#include "zstrip/overlay.hpp"
+#include "zstrip/status.hpp"
 
 namespace zstrip {
 

@@ -5,7 +5,7 @@
 
 #include "zstrip/base/bayer.hpp"
 #include "zstrip/raster/colour.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::detail {
 

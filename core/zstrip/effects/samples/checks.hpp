@@ -1,9 +1,9 @@
 // The checks that a view with several samples adds.
 #pragma once
 
-#include "zstrip/base/status.hpp"
-#include "zstrip/plan/plan_types.hpp"
-#include "zstrip/scene/camera.hpp"
+#include "zstrip/budget.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/status.hpp"
 
 namespace zstrip::detail::samples {
 

@@ -1,9 +1,9 @@
 // The picture of samples that is drawn for a view with several samples a pixel, and the way back to pixels.
 #pragma once
 
-#include "zstrip/plan/plan_types.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/budget.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::detail {
 

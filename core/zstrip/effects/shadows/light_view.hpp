@@ -1,10 +1,10 @@
 // The camera of a shadow map: how a directional light sees what casts shadows, all of it and as large as possible.
 #pragma once
 
-#include "zstrip/base/status.hpp"
+#include "zstrip/camera.hpp"
 #include "zstrip/geometry/instance.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
+#include "zstrip/status.hpp"
 
 namespace zstrip::detail {
 

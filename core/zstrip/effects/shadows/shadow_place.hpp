@@ -7,9 +7,9 @@
 #include <cstdint>
 
 #include "zstrip/base/math.hpp"
-#include "zstrip/base/status.hpp"
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/scene/depth_format.hpp"
+#include "zstrip/status.hpp"
 
 namespace zstrip::detail {
 

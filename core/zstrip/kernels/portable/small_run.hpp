@@ -10,8 +10,8 @@
 #include "zstrip/kernels/portable/small_triangle.hpp"
 #include "zstrip/kernels/small_scan.hpp"
 #include "zstrip/raster/target.hpp"
-#include "zstrip/scene/scene.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/scene.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::detail {
 

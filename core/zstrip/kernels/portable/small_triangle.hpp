@@ -9,8 +9,8 @@
 #include "zstrip/kernels/small_scan.hpp"
 #include "zstrip/raster/depth_rule.hpp"
 #include "zstrip/raster/target.hpp"
-#include "zstrip/scene/scene.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/scene.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::detail {
 

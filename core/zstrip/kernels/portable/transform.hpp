@@ -3,11 +3,11 @@
 
 #include <cstdint>
 
+#include "zstrip/effects.hpp"
 #include "zstrip/geometry/instance.hpp"
 #include "zstrip/geometry/project.hpp"
+#include "zstrip/scene.hpp"
 #include "zstrip/scene/depth_format.hpp"
-#include "zstrip/scene/effects.hpp"
-#include "zstrip/scene/scene.hpp"
 
 namespace zstrip::detail {
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <span>
 
-#include "zstrip/scene/animation.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/animation.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/scene.hpp"
 #include "zstrip/scene/turn.hpp"
 #include "zstrip_scenes/stage.hpp"
 

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "zstrip/plan/plan.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/plan.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::scenes {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/scene.hpp"
 #include "zstrip_scenes/compile_time.hpp"
 
 namespace zstrip::scenes {

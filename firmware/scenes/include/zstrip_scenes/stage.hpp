@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 #include "zstrip_scenes/built_in.hpp"
 
 namespace zstrip::scenes {

@@ -1,9 +1,9 @@
 // Declared, not there: what code without environment maps may know of them.
 #pragma once
 
+#include "zstrip/camera.hpp"
 #include "zstrip/effects/environment/effect.hpp"
 #include "zstrip/geometry/instance.hpp"
-#include "zstrip/scene/camera.hpp"
 
 namespace zstrip::detail {
 

@@ -3,7 +3,7 @@
 
 #include "zstrip/geometry/distance.hpp"
 #include "zstrip/raster/plane.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
 

@@ -1,10 +1,10 @@
 // Declared, not there: what code without highlights, punctual lights and emission may know of them.
 #pragma once
 
+#include "zstrip/camera.hpp"
+#include "zstrip/effects.hpp"
 #include "zstrip/geometry/instance.hpp"
 #include "zstrip/geometry/light.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/effects.hpp"
 
 namespace zstrip::detail {
 

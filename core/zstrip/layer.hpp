@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <span>
 
-#include "zstrip/frame/frame.hpp"
+#include "zstrip/frame.hpp"
 #include "zstrip/store/colour_store.hpp"
 #include "zstrip/store/depth_store.hpp"
 #include "zstrip/store/dirty_tiles.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "zstrip/base/fixed.hpp"
-#include "zstrip/base/status.hpp"
+#include "zstrip/status.hpp"
 
 namespace zstrip {
 

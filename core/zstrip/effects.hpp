@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-#include "zstrip/scene/camera.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/scene.hpp"
 #include "zstrip/scene/depth_format.hpp"
-#include "zstrip/scene/scene.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip {
 

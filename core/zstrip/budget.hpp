@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "zstrip/base/status.hpp"
 #include "zstrip/plan/layer_bytes.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/status.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip {
 

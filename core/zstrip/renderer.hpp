@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <span>
 
+#include "zstrip/frame.hpp"
 #include "zstrip/frame/entry_points.hpp"
-#include "zstrip/frame/frame.hpp"
 #include "zstrip/frame/pipeline.hpp"
-#include "zstrip/plan/plan.hpp"
+#include "zstrip/plan.hpp"
 
 namespace zstrip {
 

@@ -1,10 +1,14 @@
-// What an application says to a visibility method, and what it counts.
+// What an application says to a visibility method, what it counts, and potentially visible sets: for each cell of a
+// grid, the meshlets that may be seen from somewhere in it, baked on the host (`zstrip bake --visible-sets`).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
+#include "zstrip/base/fixed.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
+#include "zstrip/status.hpp"
 
 namespace zstrip {
 
@@ -63,5 +67,30 @@ struct VisibilityStatistics {
   std::uint32_t outside = 0;      ///< triangles of meshlets outside the picture by their spheres
   std::uint32_t outside_cells = 0;  ///< triangles of meshlets that the visible set leaves out
 };
+
+inline constexpr std::uint8_t kVisibleSetsVersion = 1;
+inline constexpr std::uint32_t kVisibleSetsAlignment = 4;  ///< of the first byte
+
+/// Views of bytes that must stay alive and unchanged.
+struct VisibleSets {
+  Vec3 origin{0, 0, 0};                          ///< 16.16, world: the corner of least x, y and z
+  Vec3 cell{1, 1, 1};                            ///< 16.16, > 0: the size of a cell
+  std::uint16_t across = 0, up = 0, deep = 0;    ///< cells along x, y and z
+  std::uint32_t meshlets = 0;                    ///< of all instances
+  Fixed near_plane = 0;                          ///< 16.16: cameras with a nearer one may see more
+  std::uint32_t scene_checksum = 0;              ///< of the scene that they were baked for
+  std::span<const std::uint16_t> set_of_cell{};  ///< x first, then y, then z
+  std::span<const std::uint32_t> sets{};         ///< (meshlets + 31) / 32 words each
+
+  /// For VisibilityOptions::potentially_visible of a perspective camera with this eye. Empty, so that all is drawn,
+  /// where the eye is in no cell.
+  std::span<const std::uint32_t> at(const Vec3& eye) const;
+};
+
+/// Checks all of `bytes` and makes `opened` a view of them; on an error it stays as it was. Any bytes are safe.
+/// `meshlets`: those of the scene, SceneCounts::meshlets. Errors: blob_alignment; blob_version (`needed`: its version,
+/// `available`: the one that is read); blob_damaged (`needed`: the byte that is wrong, 16 if it is for another number
+/// of meshlets, that after the last one if some are missing).
+Status open_visible_sets(std::span<const std::byte> bytes, std::uint32_t meshlets, VisibleSets& opened);
 
 }  // namespace zstrip

@@ -6,15 +6,15 @@
 #include <cstdint>
 #include <span>
 
-#include "zstrip/base/status.hpp"
-#include "zstrip/effects/overlay/overlay.hpp"
-#include "zstrip/scene/animation.hpp"
+#include "zstrip/animation.hpp"
+#include "zstrip/camera.hpp"
+#include "zstrip/effects.hpp"
+#include "zstrip/overlay.hpp"
+#include "zstrip/scene.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
-#include "zstrip/scene/camera.hpp"
-#include "zstrip/scene/effects.hpp"
-#include "zstrip/scene/scene.hpp"
 #include "zstrip/scene/turn.hpp"
-#include "zstrip/scene/view.hpp"
+#include "zstrip/status.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 
-#include "zstrip/base/status.hpp"
-#include "zstrip/scene/scene.hpp"
+#include "zstrip/scene.hpp"
+#include "zstrip/status.hpp"
 
 namespace zstrip {
 
