@@ -8,6 +8,7 @@
 
 #include "scenes.hpp"
 #include "zstrip/base/crc32.hpp"
+#include "zstrip/visibility/visible_sets.hpp"
 #include "zstrip/zstrip.hpp"
 
 namespace zstrip::sim::test {
