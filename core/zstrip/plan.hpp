@@ -71,6 +71,8 @@ struct Quality {
   int detail_percent = 100;  ///< of the triangles of a mesh, how many to keep where it is baked (meshoptimizer)
 };
 
+// They read as values: quality::exact.
+// NOLINTBEGIN(readability-identifier-naming)
 namespace quality {
 /// Least memory: strips of 4 rows, half of the triangles, flat. For boards that cannot hold more.
 inline constexpr Quality tiny{
@@ -82,6 +84,7 @@ inline constexpr Quality exact{
     .name = "exact", .effects = effect::perspective_1, .budget = {.strip_rows = 16, .modes = Modes::streamed}};
 inline constexpr const Quality* all[]{&tiny, &balanced, &exact};
 }  // namespace quality
+// NOLINTEND(readability-identifier-naming)
 
 /// The preset of this name; null if there is none.
 constexpr const Quality* find_quality(std::string_view name) {

@@ -40,6 +40,6 @@ constexpr auto chosen_small_run() {
 /// Called with a SmallRun, triangles and `count`: draws `count` of them, or as many as come before one that is not
 /// small, or that the implementation leaves to others; how many these are. No function of its own: the call is the
 /// implementation's.
-inline constexpr auto draw_small_run = chosen_small_run();
+inline constexpr auto draw_small_run = chosen_small_run();  // NOLINT(readability-identifier-naming)
 
 }  // namespace zstrip::detail

@@ -126,6 +126,8 @@ void draw(const Label& label, const Font& font, const Target& target) {
 
 }  // namespace
 
+// The pixels are written through the target.
+// NOLINTNEXTLINE(readability-non-const-parameter)
 void draw_overlay(const Overlay& overlay, const Rect& area, std::uint16_t* pixels) {
   const Target target{area, pixels};
   for (const Sprite& sprite : overlay.sprites) draw(sprite, overlay.images[sprite.image], target);
