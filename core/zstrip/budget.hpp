@@ -1,4 +1,4 @@
-// What the planner takes and gives: counts of a scene, a budget, and the plan.
+// What the planner takes and gives: counts of a scene, a budget, and the plan. Types only; comes with plan.hpp.
 #pragma once
 
 #include <cstdint>

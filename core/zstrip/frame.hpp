@@ -1,4 +1,4 @@
-// What applications may ask of a frame: a window onto the state that a renderer holds.
+// What applications may ask of a frame, Renderer::frame(): bounds, depth, statistics. Comes with renderer.hpp.
 #pragma once
 
 #include <cstdint>

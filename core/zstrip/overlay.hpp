@@ -1,4 +1,5 @@
-// What a scene draws over its picture: images, fonts, sprites and labels.
+// What a scene draws over its picture: images, fonts, sprites and labels (effect::overlay). zstrip's own fonts:
+// effects/overlay/fonts.hpp.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// The renderer that applications use: begin_frame once, draw_strip for each strip.
+// The renderer that applications use: begin_frame once, draw_strip for each strip. AnyRenderer, for effects that are
+// known at run time, needs the library zstrip::core_any.
 #pragma once
 
 #include <cstddef>

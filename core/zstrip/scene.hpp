@@ -355,7 +355,7 @@ struct EdgeSet {
   std::uint16_t mesh = 0;  ///< index into Scene::meshes
 };
 
-struct Overlay;  // effects/overlay/overlay.hpp
+struct Overlay;  // overlay.hpp
 
 struct Scene {
   std::span<const Mesh> meshes;
