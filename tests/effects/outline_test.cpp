@@ -382,12 +382,12 @@ TEST(Outlines, TakeTheBytesThatThePlanSays) {
   EXPECT_EQ(counts.triangles, 24U);
   EXPECT_EQ(count(world.plain()).instances, 1U);
   Plan plan = zstrip::plan(counts, kView, kOutlined).plan;
-  EXPECT_EQ(plan.effect_bytes, 344U) << "16, two times 52 and 224";
+  EXPECT_EQ(plan.effect_bytes, 352U) << "16, two times 52 and 232";
   plan.effect_bytes -= 8;
   const Status refused = begun(Renderer<kOutlined>(), world.scene, camera_at(5), kView, plan);
   EXPECT_EQ(refused.error, Error::arena_too_small);
   EXPECT_EQ(refused.purpose, Purpose::effects);
-  EXPECT_EQ(refused.needed, 344U);
+  EXPECT_EQ(refused.needed, 352U);
 }
 
 TEST(Outlines, MethodsThatKnowNoHullsRefuseThem) {

@@ -21,7 +21,7 @@ std::uint32_t bytes_of_effects(Effects effects, std::uint32_t instances) {
   if (effects.any(effect::local_light)) bytes += 192 + 68 * instances;
   if (effects.any(effect::billboards | effect::outlines)) bytes += 52 * instances;
   if (effects.has(effect::environment)) bytes += 8 + 68 * instances;
-  if (effects.has(effect::outlines)) bytes = (bytes + 7) / 8 * 8 + 224;
+  if (effects.has(effect::outlines)) bytes = (bytes + 7) / 8 * 8 + 232;
   return bytes == 0 ? 0 : (bytes + 16 + 7) / 8 * 8;
 }
 

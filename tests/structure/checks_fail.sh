@@ -16,7 +16,7 @@ good_tree() {
   mkdir -p "$tree"/{core/zstrip/{base,scene,frame},hal/zstrip_hal}
   printf '#pragma once\n#include <cstdint>\n' >"$tree/core/zstrip/base/fixed.hpp"
   printf '#include "zstrip/base/fixed.hpp"\nint twice(int value) { return 2 * value; }\n' >"$tree/core/zstrip/scene/twice.cpp"
-  printf '#pragma once\n' >"$tree/core/zstrip/frame.hpp"
+  printf '#pragma once\n' >"$tree/core/zstrip/frame/order.hpp"
   printf '#pragma once\n' >"$tree/hal/zstrip_hal/bus.hpp"
 }
 
@@ -59,21 +59,21 @@ fails_with "hal includes zstrip_hal_linux/spidev.hpp" includes.sh
 mkdir -p "$tree/hal/linux/zstrip_hal_linux"
 echo '#include "zstrip/base/fixed.hpp"' >"$tree/hal/linux/zstrip_hal_linux/spidev.hpp"
 fails_with "hal includes zstrip/base/fixed.hpp" includes.sh
-echo '#include "zstrip/frame.hpp"' >>"$tree/core/zstrip/scene/twice.cpp"
-fails_with "scene includes zstrip/frame.hpp of the later stage frame" includes.sh
+echo '#include "zstrip/frame/order.hpp"' >>"$tree/core/zstrip/scene/twice.cpp"
+fails_with "scene includes zstrip/frame/order.hpp of the later stage frame" includes.sh
 mkdir -p "$tree/core/zstrip/effects/fog"
 echo '#include "zstrip/scene/twice.hpp"' >"$tree/core/zstrip/effects/fog/fog.hpp"
 printf '#pragma once\n' >"$tree/core/zstrip/scene/twice.hpp"
 echo '#include "zstrip/effects/fog/fog.hpp"' >>"$tree/core/zstrip/scene/twice.cpp"
 passes includes.sh
-echo '#include "zstrip/frame.hpp"' >>"$tree/core/zstrip/effects/fog/fog.hpp"
+echo '#include "zstrip/frame/order.hpp"' >>"$tree/core/zstrip/effects/fog/fog.hpp"
 fails_with "scene includes zstrip/effects/fog/fog.hpp of the later stage frame" includes.sh
 mkdir -p "$tree/core/zstrip/kernels/sse2"
 printf '#pragma once\n' >"$tree/core/zstrip/kernels/sse2/span.hpp"
 printf '#pragma once\n#include "zstrip/kernels/sse2/span.hpp"\n' >"$tree/core/zstrip/kernels/span.hpp"
 echo '#include "zstrip/kernels/span.hpp"' >>"$tree/core/zstrip/scene/twice.cpp"
 passes includes.sh
-echo '#include "zstrip/frame.hpp"' >>"$tree/core/zstrip/kernels/span.hpp"
+echo '#include "zstrip/frame/order.hpp"' >>"$tree/core/zstrip/kernels/span.hpp"
 fails_with "scene includes zstrip/kernels/span.hpp of the later stage frame" includes.sh
 mkdir -p "$tree/core/zstrip/kernels/sse2"
 printf '#pragma once\n' >"$tree/core/zstrip/kernels/sse2/span.hpp"
