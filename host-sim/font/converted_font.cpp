@@ -86,12 +86,17 @@ class Converter {
       return Done{};
     }
     const bool mono = request_.bits == 1;
-    if (FT_Load_Glyph(face_.get(), index, mono ? FT_LOAD_TARGET_MONO : FT_LOAD_TARGET_NORMAL) != 0 ||
+    // Outlines alone: a bitmap that the font brings may have other bits a pixel.
+    const int load = FT_LOAD_NO_BITMAP | (mono ? FT_LOAD_TARGET_MONO : FT_LOAD_TARGET_NORMAL);
+    if (FT_Load_Glyph(face_.get(), index, load) != 0 ||
         FT_Render_Glyph(face_->glyph, mono ? FT_RENDER_MODE_MONO : FT_RENDER_MODE_NORMAL) != 0) {
       return wrong(fmt::format("is damaged: {} cannot be drawn", name_of_character(character)));
     }
     const FT_GlyphSlot slot = face_->glyph;
     const FT_Bitmap& bitmap = slot->bitmap;
+    if (bitmap.rows > 0 && bitmap.pixel_mode != (mono ? FT_PIXEL_MODE_MONO : FT_PIXEL_MODE_GRAY)) {
+      return wrong(fmt::format("has no outline for {}", name_of_character(character)));
+    }
     const long advance = (slot->advance.x + 32) >> 6;
     const auto within = [](long place) { return place >= -kMaxGlyphPlace && place <= kMaxGlyphPlace; };
     if (bitmap.width > 255 || bitmap.rows > 255 || !within(slot->bitmap_left) || !within(slot->bitmap_top) ||
