@@ -3,41 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <span>
-
+#include "bake/literals.hpp"
 #include "report/number.hpp"
 #include "report/text.hpp"
 
 namespace zstrip::sim {
-namespace {
-
-std::string literal(const Glyph& g) {
-  return fmt::format("{{0x{:04X}, {}, {}, {}, {}, {}, {}}}", g.code_point, g.offset, g.width, g.height, g.left, g.top,
-                     g.advance);
-}
-std::string literal(std::uint8_t byte) { return fmt::format("0x{:02X}", byte); }
-
-template <class Record>
-std::string array(const char* type, const char* name, std::span<const Record> records) {
-  if (records.empty()) return {};
-  constexpr std::size_t kWidth = 118;
-  std::string text = fmt::format("inline constexpr {} {}[{}] = {{\n   ", type, name, records.size());
-  std::size_t column = 3;
-  for (const Record& record : records) {
-    const std::string one = literal(record);
-    if (column + one.size() + 2 > kWidth && column > 3) {
-      text += "\n   ";
-      column = 3;
-    }
-    text += ' ' + one + ',';
-    column += one.size() + 2;
-  }
-  text.back() = '}';
-  return text + ";\n";
-}
-
-}  // namespace
-
 std::string to_font_header(const Font& font, const std::string& source, const std::string& name_space) {
   std::string text = fmt::format(
       "// A font for zstrip, made of {}: {}, {} a line, {}.\n"
@@ -48,8 +18,8 @@ std::string to_font_header(const Font& font, const std::string& source, const st
       printable(source), counted(font.glyphs.size(), "character"), counted(font.line_height, "pixel"),
       counted(font.glyphs.size_bytes() + font.coverage.size_bytes(), "byte"), name_space, name_space);
   text += "/// Code point, offset, width, height, left, top, advance.\n";
-  text += array("zstrip::Glyph", "kGlyphs", font.glyphs);
-  text += array("std::uint8_t", "kCoverage", font.coverage);
+  text += array_definition("zstrip::Glyph", "kGlyphs", font.glyphs);
+  if (!font.coverage.empty()) text += array_definition("std::uint8_t", "kCoverage", font.coverage);
   text += fmt::format(
       "inline constexpr zstrip::Font kFont{{.glyphs = kGlyphs,\n{pad}.coverage = {},\n{pad}.coverage_bits = {},\n"
       "{pad}.line_height = {},\n{pad}.baseline = {},\n{pad}.replacement = 0x{:04X}}};\n"

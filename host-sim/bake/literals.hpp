@@ -1,0 +1,75 @@
+// Values as C++ writes them, for headers of constants.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "zstrip/animation.hpp"
+#include "zstrip/effects.hpp"
+#include "zstrip/overlay.hpp"
+#include "zstrip/scene.hpp"
+#include "zstrip/scene/bsp_tree.hpp"
+#include "zstrip/scene/turn.hpp"
+
+namespace zstrip::sim {
+
+std::string literal(const Vec3& v);
+std::string literal(const Colour& c);
+std::string literal(const Position& p);
+std::string literal(const Normal& n);
+std::string literal(const TexCoord& t);
+std::string literal(const Triangle& t);
+std::string literal(std::uint16_t texel);
+/// The member, unless it is as it would be without; so the next two.
+std::string literal(Billboard billboard);
+std::string outline_literal(std::uint8_t outline);
+std::string literal(ShadowRole role);
+std::string literal(const Meshlet& m);
+std::string literal(const Material& m);
+std::string literal(const Finish& f);
+std::string literal(const PunctualLight& light);
+std::string literal(const Transform& transform);
+std::string literal(const Instance& instance);
+std::string literal(const Fog& fog);
+std::string literal(const Outline& outline);
+std::string literal(const CsgOperand& operand);
+std::string literal(const Shadow& shadow);
+std::string literal(const Quadric& quadric);
+std::string literal(const Segment& segment);
+std::string literal(const Edge& edge);
+std::string literal(const DirectionalLight& light);
+std::string literal(std::uint8_t byte);
+std::string literal(const Glyph& g);
+std::string literal(const Sprite& s);
+/// In quotes; what is not ASCII in octal digits.
+std::string quoted(std::span<const char> text);
+std::string literal(const Track& track);
+std::string literal(const Keyframe& k);
+std::string literal(Effects effects);
+std::string literal(const BspNode& n);
+const char* name_of(Turning turning);
+
+/// The definition of an array that is not empty, in lines of a header's width.
+template <class Record>
+std::string array_definition(const std::string& type, const std::string& name, std::span<const Record> records) {
+  constexpr std::size_t kWidth = 118;
+  std::string text = fmt::format("inline constexpr {} {}[{}] = {{\n   ", type, name, records.size());
+  std::size_t column = 3;
+  for (const Record& record : records) {
+    const std::string one = literal(record);
+    if (column + one.size() + 2 > kWidth && column > 3) {
+      text += "\n   ";
+      column = 3;
+    }
+    text += ' ' + one + ',';
+    column += one.size() + 2;
+  }
+  text.back() = '}';
+  return text + ";\n";
+}
+
+}  // namespace zstrip::sim
