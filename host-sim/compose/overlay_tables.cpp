@@ -49,6 +49,9 @@ FileLabel read_label(TomlTable& table) {
   label.font = table.choice("font", kFonts).value_or(FileFont::small);
   label.alignment = table.choice("align", kAlignments).value_or(Alignment::left);
   label.colour = read_colour(table, "colour", "alpha", {255, 255, 255, 255});
+  if (table.has("background_alpha") && !table.has("background")) {
+    table.wrong("background_alpha", "'background_alpha' goes with 'background'");
+  }
   label.background = read_colour(table, "background", "background_alpha", {0, 0, 0, 0});
   table.finish();
   return label;

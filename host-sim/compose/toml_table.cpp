@@ -134,8 +134,13 @@ std::optional<std::string> TomlTable::text(const char* key) {
   const toml::node* const node = find(key);
   if (node == nullptr) return std::nullopt;
   const auto* const given = node->as_string();
-  if (given != nullptr && !given->get().empty()) return given->get();
-  wrong(key, fmt::format("'{}' must {}", key, given != nullptr ? "not be empty" : "be a text in quotes"));
+  // What the system or the core is given would end there.
+  const bool has_zero = given != nullptr && given->get().find('\0') != std::string::npos;
+  if (given != nullptr && !given->get().empty() && !has_zero) return given->get();
+  wrong(key, fmt::format("'{}' must {}", key,
+                         has_zero           ? "not have U+0000"
+                         : given != nullptr ? "not be empty"
+                                            : "be a text in quotes"));
   return std::nullopt;
 }
 

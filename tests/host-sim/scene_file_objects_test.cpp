@@ -213,6 +213,9 @@ TEST(SceneFile, SpritesAndLabels) {
   fails_with("[[sprite]]\nimage = 'a.png'\nx = 32768\n", "line 8: [[sprite]]: 'x' must be");
   fails_with("[[label]]\nx = 1\n", "line 6: [[label]]: 'text' is missing");
   fails_with("[[label]]\ntext = 'a'\nfont = 'big'\n", "'font'");
+  fails_with("[[label]]\ntext = \"a\\u0000b\"\n", "line 7: [[label]]: 'text' must not have U+0000");
+  fails_with("[[sprite]]\nimage = \"a.png\\u0000.jpg\"\n", "line 7: [[sprite]]: 'image' must not have U+0000");
+  fails_with("[[label]]\ntext = 'a'\nbackground_alpha = 9\n", "'background_alpha' goes with 'background'");
   fails_with("[[label]]\ntext = 'a'\nalign = 'center'\n", "did you mean 'centre'?");
   fails_with("[[label]]\ntext = '" + std::string(65536, 'a') + "'\n", "'text' must have 65,535 bytes at most");
 }
