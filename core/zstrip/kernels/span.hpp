@@ -27,7 +27,7 @@ void fill_flat(const Span<typename Rule::Cell>& span, const DepthPlane& depth, c
   }
 }
 
-/// The same.
+/// As fill_flat, with a colour that varies.
 template <bool statistics, class DepthPlane, class Rule>
 void fill_gouraud(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
                   const ColourPlanes& planes, Statistics* counters) {

@@ -302,27 +302,28 @@ Label read_label(Reader& reader, const blob_layout::LabelRecord& record, const R
           .background = record.background};
 }
 
-/// A table of `count` records in `memory`, as read(i) gives them; then `memory` is what follows it.
-template <class Record, class Read>
-std::span<const Record> read_table(std::byte*& memory, std::size_t count, const Read& read) {
-  auto* const table = reinterpret_cast<Record*>(memory);
-  for (std::size_t i = 0; i < count; ++i) ::new (table + i) Record(read(i));
-  memory += count * sizeof(Record);
-  return {table, count};
+/// What these records stand for, as a table in `memory`; then `memory` is what follows it.
+template <class Object, class Record>
+std::span<const Object> read_table(std::byte*& memory, std::span<const Record> records, Reader& reader,
+                                   const Records& all, Object (*read)(Reader&, const Record&, const Records&)) {
+  auto* const table = reinterpret_cast<Object*>(memory);
+  for (std::size_t i = 0; i < records.size(); ++i) ::new (table + i) Object(read(reader, records[i], all));
+  memory += records.size() * sizeof(Object);
+  return {table, records.size()};
 }
 
 /// Null if there is none.
 const Overlay* read_overlay(Reader& reader, const Records& all, std::byte* memory) {
+  // Sprites and labels without what they are made of are damage.
+  reader.require(all.sprites.empty() || !all.images.empty(), all.sprites.data());
+  reader.require(all.labels.empty() || !all.fonts.empty(), all.labels.data());
   if (all.images.empty() && all.fonts.empty()) return nullptr;
   auto* const place = reinterpret_cast<Overlay*>(memory);
   memory += sizeof(Overlay);
-  const auto image = [&](std::size_t i) { return read_image(reader, all.images[i], all); };
-  const auto font = [&](std::size_t i) { return read_font(reader, all.fonts[i], all); };
-  const auto label = [&](std::size_t i) { return read_label(reader, all.labels[i], all); };
   Overlay overlay;
-  overlay.images = read_table<OverlayImage>(memory, all.images.size(), image);
-  overlay.fonts = read_table<Font>(memory, all.fonts.size(), font);
-  overlay.labels = read_table<Label>(memory, all.labels.size(), label);
+  overlay.images = read_table<OverlayImage>(memory, all.images, reader, all, read_image);
+  overlay.fonts = read_table<Font>(memory, all.fonts, reader, all, read_font);
+  overlay.labels = read_table<Label>(memory, all.labels, reader, all, read_label);
   overlay.sprites = all.sprites;
   return ::new (place) Overlay(overlay);
 }
@@ -373,15 +374,10 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   found.scene.background = records.base->background;
   if (records.animation != nullptr) found.animation.duration = records.animation->duration;
 
-  const std::span meshes = records.meshes;
-  const std::span textures = records.textures;
-  const std::span lines = records.lines;
-  const std::span edges = records.edge_sets;
-  const std::size_t needed = scene_blob_memory(
-      static_cast<std::uint32_t>(meshes.size()), static_cast<std::uint32_t>(textures.size()),
-      static_cast<std::uint32_t>(lines.size()), static_cast<std::uint32_t>(edges.size()),
-      static_cast<std::uint32_t>(records.images.size()), static_cast<std::uint32_t>(records.fonts.size()),
-      static_cast<std::uint32_t>(records.labels.size()));
+  const auto count = [](const auto& of) { return static_cast<std::uint32_t>(of.size()); };
+  const std::size_t needed =
+      scene_blob_memory(count(records.meshes), count(records.textures), count(records.lines), count(records.edge_sets),
+                        count(records.images), count(records.fonts), count(records.labels));
   if (memory.size() < needed) {
     const auto saturated = [](std::size_t bytes) {
       return bytes < 0xFFFFFFFF ? static_cast<std::uint32_t>(bytes) : 0xFFFFFFFFU;
@@ -391,28 +387,12 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   if (reinterpret_cast<std::uintptr_t>(memory.data()) % kSceneBlobMemoryAlignment != 0) {
     return {.error = Error::blob_alignment};
   }
-  auto* const mesh_table = reinterpret_cast<Mesh*>(memory.data());
-  for (std::size_t i = 0; i < meshes.size(); ++i) ::new (mesh_table + i) Mesh(read_mesh(reader, meshes[i], records));
-  auto* const texture_table = reinterpret_cast<Texture*>(mesh_table + meshes.size());
-  for (std::size_t i = 0; i < textures.size(); ++i) {
-    ::new (texture_table + i) Texture(read_texture(reader, textures[i], records));
-  }
-  auto* const lines_table = reinterpret_cast<LineSet*>(texture_table + textures.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    ::new (lines_table + i) LineSet(read_lines(reader, lines[i], records));
-  }
-  auto* const edges_table = reinterpret_cast<EdgeSet*>(lines_table + lines.size());
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    ::new (edges_table + i) EdgeSet(read_edges(reader, edges[i], records));
-  }
-  // Sprites and labels without what they are made of are damage.
-  reader.require(records.sprites.empty() || !records.images.empty(), records.sprites.data());
-  reader.require(records.labels.empty() || !records.fonts.empty(), records.labels.data());
-  found.scene.overlay = read_overlay(reader, records, reinterpret_cast<std::byte*>(edges_table + edges.size()));
-  found.scene.edges = {edges_table, edges.size()};
-  found.scene.lines = {lines_table, lines.size()};
-  found.scene.meshes = {mesh_table, meshes.size()};
-  found.scene.textures = {texture_table, textures.size()};
+  std::byte* tables = memory.data();
+  found.scene.meshes = read_table<Mesh>(tables, records.meshes, reader, records, read_mesh);
+  found.scene.textures = read_table<Texture>(tables, records.textures, reader, records, read_texture);
+  found.scene.lines = read_table<LineSet>(tables, records.lines, reader, records, read_lines);
+  found.scene.edges = read_table<EdgeSet>(tables, records.edge_sets, reader, records, read_edges);
+  found.scene.overlay = read_overlay(reader, records, tables);
   if (!reader.status()) return reader.status();
   if (const Status status = validate(found.scene); !status) return status;
   const auto instances = static_cast<std::uint32_t>(found.scene.instances.size());

@@ -17,7 +17,7 @@ struct GouraudSpan {
 void fill_flat_sse2(std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length, std::uint32_t z,
                     std::uint32_t step_z, std::uint16_t colour);
 
-/// The same.
+/// As fill_flat_sse2, with a colour that varies.
 void fill_gouraud_sse2(std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length, const GouraudSpan& span);
 
 }  // namespace zstrip::detail
