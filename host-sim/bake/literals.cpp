@@ -140,7 +140,7 @@ constexpr std::pair<const char*, Effects> kChosen[] = {{"effect::perspective_aff
 
 }  // namespace
 
-const char* name_of(Turning turning) {
+const char* turning_name(Turning turning) {
   switch (turning) {
     case Turning::instances_and_lines: return "instances_and_lines";
     case Turning::instances: return "instances";

@@ -51,7 +51,7 @@ std::string literal(const Track& track);
 std::string literal(const Keyframe& k);
 std::string literal(Effects effects);
 std::string literal(const BspNode& n);
-const char* name_of(Turning turning);
+const char* turning_name(Turning turning);
 
 /// The definition of an array that is not empty, in lines of a header's width.
 template <class Record>

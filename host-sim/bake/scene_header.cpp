@@ -261,7 +261,7 @@ class Header {
                      tracks, keyframes, baked_.animation.duration));
     line("/// What moves without one, where several frames are shown.");
     line(fmt::format("inline constexpr zstrip::Turn kTurn{{.what = zstrip::Turning::{}, .still_instances = {}}};",
-                     name_of(baked_.turn.what), baked_.turn.still_instances));
+                     turning_name(baked_.turn.what), baked_.turn.still_instances));
   }
 
   void camera() {
