@@ -67,6 +67,9 @@ enum class Error : std::uint8_t {
                  ///< the highest byte): it is newer than this program
   overlay,  ///< a size, coverage, glyph or number of bytes that is wrong, or a sprite or label that refers to no image
             ///< or font (`needed` = its index, `available` = its OverlayPart); or a draw_over, where there is none
+  skin,     ///< counts that differ, parents behind their children, weights that do not add up, a joint that does not
+            ///< exist or leads too far away, or a vertex that leaves the mesh's box (`needed` = index of the joint or
+            ///< vertex)
 };
 
 /// What memory is for. The order is that of a plan's table.

@@ -15,6 +15,7 @@
 #include "zstrip/renderer.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/scene/validate.hpp"
+#include "zstrip/skin.hpp"
 #include "zstrip/status.hpp"
 #include "zstrip/store/depth_store.hpp"
 #include "zstrip/view.hpp"

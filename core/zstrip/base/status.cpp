@@ -51,6 +51,7 @@ const char* message(Error error) {
     case Error::blob_section: return "the scene blob has a section that is not known here";
     case Error::overlay:
       return "an image, font, sprite or label of the overlay is not valid, or something is drawn over other pixels";
+    case Error::skin: return "a skin is not valid, or its joints move the mesh out of its box";
     case Error::outline: return "an outline is not valid, has a hull without normals or is of what is not opaque";
   }
   return "unknown error";

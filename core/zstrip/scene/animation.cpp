@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "zstrip/base/math.hpp"
+#include "zstrip/scene/keyframes.hpp"
 
 namespace zstrip {
 namespace {
@@ -31,21 +32,7 @@ std::uint32_t fraction(std::uint32_t from, std::uint32_t time, std::uint32_t to)
   return (passed << 16) / length;
 }
 
-Fixed between(Fixed a, Fixed b, std::uint32_t share) {
-  return static_cast<Fixed>(a + (((std::int64_t{b} - a) * share) >> 16));
-}
-Vec3 between(const Vec3& a, const Vec3& b, std::uint32_t share) {
-  return {between(a.x, b.x, share), between(a.y, b.y, share), between(a.z, b.z, share)};
-}
-
-/// The two keyframes around a time, and how far it is from the first to the second (0.16).
-struct Interval {
-  const Keyframe* from;
-  const Keyframe* to;
-  std::uint32_t share;
-};
-
-Interval find(std::span<const Keyframe> keyframes, std::uint32_t time) {
+detail::Interval find(std::span<const Keyframe> keyframes, std::uint32_t time) {
   std::size_t low = 0, high = keyframes.size();  // all below low are not later than time, all from high on are
   while (low < high) {
     const std::size_t middle = (low + high) / 2;
@@ -60,16 +47,11 @@ Interval find(std::span<const Keyframe> keyframes, std::uint32_t time) {
   return {&from, &keyframes[low], fraction(from.time, time, keyframes[low].time)};
 }
 
-/// The rotation's rows, 16.16, of a quaternion between two, normalised.
-void rotate(const Interval& interval, Fixed (&m)[3][3]) {
-  std::int64_t q[4];
+/// The rotation's rows, 16.16, of a quaternion that need not be of unit length.
+void rotate(const detail::Quaternion& quaternion, Fixed (&m)[3][3]) {
+  const std::int64_t q[4] = {quaternion.x, quaternion.y, quaternion.z, quaternion.w};
   std::uint32_t square = 0;  // 2.30, at least a quarter: neighbours are at most a right angle apart
-  for (int i = 0; i < 4; ++i) {
-    const std::int32_t a = interval.from->rotation[i], b = interval.to->rotation[i];
-    const auto share = static_cast<std::int32_t>(interval.share);
-    q[i] = (a << 15) + (((b - a) * std::int64_t{share}) >> 1);  // 2.30
-    square += static_cast<std::uint32_t>((q[i] * q[i]) >> 30);
-  }
+  for (const std::int64_t c : q) square += static_cast<std::uint32_t>((c * c) >> 30);
   const int zeros = std::countl_zero(square);
   const std::int64_t inverse = zstrip::reciprocal(square << zeros);  // 2^62 / (square 2^zeros)
   // 2 q_i q_j / |q|^2 in 16.16, to nearest.
@@ -86,11 +68,25 @@ void rotate(const Interval& interval, Fixed (&m)[3][3]) {
   m[2][0] = xz - yw, m[2][1] = yz + xw, m[2][2] = kFixedOne - xx - yy;
 }
 
-Transform placed(const Interval& interval) {
-  const Vec3 translation = between(interval.from->translation, interval.to->translation, interval.share);
-  const Vec3 scale = between(interval.from->scale, interval.to->scale, interval.share);
+}  // namespace
+
+namespace detail {
+
+Interval interval_at(const Animation& animation, const Track& track, std::uint32_t time) {
+  return find(animation.keyframes.subspan(track.first, track.count), time % animation.duration);
+}
+
+Quaternion between(const std::int16_t (&a)[4], const std::int16_t (&b)[4], std::uint32_t share) {
+  const auto component = [&](int i) {
+    const std::int64_t way = (std::int64_t{b[i]} - a[i]) * share;  // 1.31
+    return static_cast<std::int32_t>(a[i] * 32768 + (way >> 1));
+  };
+  return {component(0), component(1), component(2), component(3)};
+}
+
+Transform placed(const Quaternion& quaternion, const Vec3& translation, const Vec3& scale) {
   Fixed rotation[3][3];
-  rotate(interval, rotation);
+  rotate(quaternion, rotation);
   Transform transform{};
   for (int row = 0; row < 3; ++row) {
     const auto scaled = [&](int column, Fixed by) {
@@ -106,7 +102,7 @@ Transform placed(const Interval& interval) {
   return transform;
 }
 
-}  // namespace
+}  // namespace detail
 
 Status validate(const Animation& animation, std::uint32_t instances) {
   for (std::size_t i = 0; i < animation.tracks.size(); ++i) {
@@ -129,8 +125,10 @@ Status validate(const Animation& animation, std::uint32_t instances) {
 
 void pose(const Animation& animation, std::uint32_t time, std::span<Instance> instances) {
   for (const Track& track : animation.tracks) {
-    const std::span keyframes = animation.keyframes.subspan(track.first, track.count);
-    instances[track.instance].transform = placed(find(keyframes, time % animation.duration));
+    const auto [from, to, share] = detail::interval_at(animation, track, time);
+    instances[track.instance].transform = detail::placed(detail::between(from->rotation, to->rotation, share),
+                                                         detail::between(from->translation, to->translation, share),
+                                                         detail::between(from->scale, to->scale, share));
   }
 }
 

@@ -1,0 +1,248 @@
+// Moves the vertices of a mesh by its joints. Once a joint 64 bits, once a vertex products of 32 bits.
+#include "zstrip/skin.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "zstrip/base/math.hpp"
+#include "zstrip/base/unit_vector.hpp"
+#include "zstrip/scene/keyframes.hpp"
+
+namespace zstrip {
+namespace {
+
+using detail::Quaternion;
+
+/// |q|^2 in 2.30, of 1.15.
+std::uint32_t square_of(const std::int16_t (&q)[4]) {
+  std::uint32_t sum = 0;  // four products of at most 2^30 fit
+  for (const std::int32_t c : q) sum += static_cast<std::uint32_t>(c * c);
+  return sum;
+}
+
+/// To 1.15, of unit length again; of no length at all it stays as it is.
+void set_rotation(JointPose& pose, const Quaternion& q) {
+  const std::int64_t components[4] = {q.x, q.y, q.z, q.w};
+  std::uint64_t square = 0;  // 4.60
+  for (const std::int64_t c : components) square += static_cast<std::uint64_t>(c * c);
+  const auto length = static_cast<std::int64_t>(square_root(square));  // 2.30
+  if (length == 0) return;
+  for (int i = 0; i < 4; ++i) pose.rotation[i] = static_cast<std::int16_t>(components[i] * 32767 / length);
+}
+
+/// What an entry of a joint's matrix must stay below, 16.16.
+constexpr std::int64_t kMaxEntry = std::int64_t{1} << 24;
+
+/// `to` = a b, both affine, 16.16, entries of `a` below kMaxEntry. False if it leaves the range.
+bool multiply(const Transform& a, const Transform& b, Transform& to) {
+  Transform result;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      std::int64_t sum = std::int64_t{kFixedOne} / 2;  // below 3 * 2^55
+      for (int k = 0; k < 3; ++k) sum += std::int64_t{a.m[row][k]} * b.m[k][column];
+      sum >>= kFixedBits;
+      if (column == 3) sum += a.m[row][3];
+      const std::int64_t limit = column == 3 ? INT32_MAX : kMaxEntry;
+      if (sum <= -limit || sum >= limit) return false;
+      result.m[row][column] = static_cast<Fixed>(sum);
+    }
+  }
+  to = result;
+  return true;
+}
+
+Status wrong(std::size_t index) { return {.error = Error::skin, .needed = static_cast<std::uint32_t>(index)}; }
+
+/// A joint's matrix must keep every place of the mesh's box within so many boxes, 20.4: then no sum wraps.
+constexpr std::int64_t kReach = std::int64_t{8} * 32768 * 16;
+
+/// Between spaces of a mesh, and those of its positions.
+struct Grid {
+  Vec3 centre;
+  Fixed half;  ///< 16.16
+  int bits;    ///< fraction bits of a matrix' first three columns, at most 14: no row adds up to more than 2^16
+
+  /// `bind`: from the mesh as it was modelled to the mesh as the joint moves it. `to`: the same of positions, the last
+  /// column 20.4. False if a place may be led too far away.
+  bool turn(const Transform& bind, Transform& to) const {
+    const std::int64_t centres[3] = {centre.x, centre.y, centre.z};
+    Transform grid;
+    for (int row = 0; row < 3; ++row) {
+      const auto& m = bind.m[row];
+      std::int64_t moved = (std::int64_t{m[3]} - centres[row]) * kFixedOne;  // 32.32
+      std::int64_t sum = 0;
+      for (int k = 0; k < 3; ++k) {
+        moved += m[k] * centres[k];
+        sum += m[k] < 0 ? -std::int64_t{m[k]} : m[k];
+        const int shift = kFixedBits - bits;
+        grid.m[row][k] = (m[k] + (1 << (shift - 1))) >> shift;
+      }
+      const std::int64_t offset = moved * 8 / half;  // 32.32 / 16.16, in 1/32768 of a half extent: 20.4
+      if ((offset < 0 ? -offset : offset) + sum * 8 >= kReach) return false;
+      grid.m[row][3] = static_cast<std::int32_t>(offset);
+    }
+    to = grid;
+    return true;
+  }
+};
+
+/// So many that no row of the matrices adds up to more than 2^16. Entries are below kMaxEntry: no less than 6.
+int fraction_bits(std::span<const Transform> matrices) {
+  std::uint32_t largest = 0;  // 16.16, of three entries
+  for (const Transform& matrix : matrices) {
+    for (const auto& row : matrix.m) {
+      std::uint32_t sum = 0;
+      for (int k = 0; k < 3; ++k) sum += static_cast<std::uint32_t>(row[k] < 0 ? -(row[k] + 1) : row[k]) >> 2;
+      largest = std::max(largest, sum);
+    }
+  }
+  int bits = 14;
+  // Less by what the three entries lost here, and gain when they are rounded.
+  while (largest >= kFixedOne - 8U) largest >>= 1, --bits;
+  return bits;
+}
+
+/// Three sums over the joints of a vertex, with a weight's 8 fraction bits.
+struct Sum {
+  std::int32_t x = 0, y = 0, z = 0;
+};
+
+/// Calls visit(matrix, weight) for each joint of a vertex, the weights together 256.
+template <class Visit>
+void for_each_joint(const VertexJoints& vertex, std::span<const Transform> matrices, const Visit& visit) {
+  visit(matrices[vertex.joints[0]], vertex.weights[0] + 1);
+  for (int k = 1; k < 4 && vertex.weights[k] != 0; ++k) visit(matrices[vertex.joints[k]], vertex.weights[k]);
+}
+
+/// False if it leaves the box.
+bool move(const Position& from, const VertexJoints& joints, std::span<const Transform> matrices, int bits,
+          Position& to) {
+  Sum sum;  // 20.12: within kReach * 256
+  for_each_joint(joints, matrices, [&](const Transform& matrix, std::int32_t weight) {
+    const auto at = [&](const Fixed(&row)[4]) {
+      // Below 2^31, because a row's sum is below 2^16.
+      const std::int32_t turned = row[0] * from.x + row[1] * from.y + row[2] * from.z;
+      return ((turned >> (bits - 4)) + row[3]) * weight;
+    };
+    sum.x += at(matrix.m[0]);
+    sum.y += at(matrix.m[1]);
+    sum.z += at(matrix.m[2]);
+  });
+  const auto rounded = [](std::int32_t value) { return (value + (1 << 11)) >> 12; };
+  const std::int32_t x = rounded(sum.x), y = rounded(sum.y), z = rounded(sum.z);
+  const auto fits = [](std::int32_t value) { return value >= -32767 && value <= 32767; };
+  if (!fits(x) || !fits(y) || !fits(z)) return false;
+  to = {static_cast<std::int16_t>(x), static_cast<std::int16_t>(y), static_cast<std::int16_t>(z)};
+  return true;
+}
+
+/// Its direction as the joints turn it, its length as it was: hulls of outlines have longer ones.
+Normal move(const Normal& from, const VertexJoints& joints, std::span<const Transform> matrices) {
+  Sum sum;
+  for_each_joint(joints, matrices, [&](const Transform& matrix, std::int32_t weight) {
+    const auto at = [&](const Fixed(&row)[4]) {
+      // Below 2^23, and below 2^20 before the weight.
+      return ((row[0] * from.x + row[1] * from.y + row[2] * from.z) >> 4) * weight;
+    };
+    sum.x += at(matrix.m[0]);
+    sum.y += at(matrix.m[1]);
+    sum.z += at(matrix.m[2]);
+  });
+  const detail::UnitVector unit = detail::direction_of(sum.x, sum.y, sum.z).unit;
+  const auto square = static_cast<std::uint32_t>(from.x * from.x + from.y * from.y + from.z * from.z);
+  const auto length = static_cast<std::int32_t>(detail::root_of_word(square << 8));  // 8.4
+  const auto component = [length](std::int32_t c) {
+    return static_cast<std::int8_t>(std::clamp<std::int32_t>((c * length + (1 << 17)) >> 18, -128, 127));
+  };
+  return {component(unit.x), component(unit.y), component(unit.z), from.unused};
+}
+
+/// The sphere around the box of a meshlet's vertices.
+void bound(Meshlet& meshlet, std::span<const Position> positions) {
+  std::int32_t low[3] = {32767, 32767, 32767}, high[3] = {-32768, -32768, -32768};
+  const std::span vertices = positions.subspan(meshlet.first_vertex, meshlet.vertex_count);
+  for (const Position& p : vertices) {
+    const std::int32_t place[3] = {p.x, p.y, p.z};
+    for (int i = 0; i < 3; ++i) low[i] = std::min(low[i], place[i]), high[i] = std::max(high[i], place[i]);
+  }
+  const auto middle = [&](int i) { return static_cast<std::int16_t>((low[i] + high[i]) >> 1); };
+  meshlet.centre = {middle(0), middle(1), middle(2)};
+  std::uint32_t farthest = 0;  // a square: at most three of 2^30
+  for (const Position& p : vertices) {
+    const std::int32_t x = p.x - meshlet.centre.x, y = p.y - meshlet.centre.y, z = p.z - meshlet.centre.z;
+    farthest = std::max(farthest, static_cast<std::uint32_t>(x * x) + static_cast<std::uint32_t>(y * y) +
+                                      static_cast<std::uint32_t>(z * z));
+  }
+  const std::uint32_t root = detail::root_of_word(farthest);
+  meshlet.radius = static_cast<std::uint16_t>(root * root == farthest ? root : root + 1);
+}
+
+}  // namespace
+
+void pose(const Animation& animation, std::uint32_t time, std::span<JointPose> joints) {
+  for (const Track& track : animation.tracks) {
+    const auto [from, to, share] = detail::interval_at(animation, track, time);
+    JointPose& joint = joints[track.instance];
+    set_rotation(joint, detail::between(from->rotation, to->rotation, share));
+    joint.translation = detail::between(from->translation, to->translation, share);
+    joint.scale = detail::between(from->scale, to->scale, share);
+  }
+}
+
+void blend(std::span<JointPose> joints, std::span<const JointPose> others, std::uint32_t share) {
+  share = std::min<std::uint32_t>(share, 65536);
+  for (std::size_t i = 0; i < joints.size() && i < others.size(); ++i) {
+    JointPose& joint = joints[i];
+    std::int16_t other[4];
+    std::int32_t cosine = 0;  // 4.28
+    for (int k = 0; k < 4; ++k) cosine += (std::int32_t{joint.rotation[k]} * others[i].rotation[k]) >> 2;
+    for (int k = 0; k < 4; ++k) {
+      const std::int32_t c = others[i].rotation[k];
+      other[k] = static_cast<std::int16_t>(std::min<std::int32_t>(cosine < 0 ? -c : c, 32767));
+    }
+    set_rotation(joint, detail::between(joint.rotation, other, share));
+    joint.translation = detail::between(joint.translation, others[i].translation, share);
+    joint.scale = detail::between(joint.scale, others[i].scale, share);
+  }
+}
+
+Status skin_mesh(const Skin& skin, std::span<const JointPose> pose, std::span<Transform> work,
+                 const MovedVertices& moved) {
+  const Mesh& mesh = *skin.mesh;
+  const std::size_t joints = skin.joints.size(), vertices = mesh.positions.size();
+  if (pose.size() != joints || work.size() != joints || moved.positions.size() != vertices ||
+      moved.normals.size() != mesh.normals.size() || moved.meshlets.size() != mesh.meshlets.size()) {
+    return wrong(0);
+  }
+  for (std::size_t i = 0; i < joints; ++i) {
+    if (square_of(pose[i].rotation) < 1U << 28) return wrong(i);  // shorter than a half: no direction to turn in
+    const Transform own =
+        detail::placed(detail::between(pose[i].rotation, pose[i].rotation, 0), pose[i].translation, pose[i].scale);
+    const std::uint16_t parent = skin.joints[i].parent;
+    if (parent == kNoJoint) {
+      work[i] = own;
+    } else if (!multiply(work[parent], own, work[i])) {
+      return wrong(i);
+    }
+  }
+  for (std::size_t i = 0; i < joints; ++i) {
+    if (!multiply(work[i], skin.joints[i].inverse_bind, work[i])) return wrong(i);
+  }
+  const Grid grid{mesh.centre, mesh.half_extent.x, fraction_bits(work)};
+  for (std::size_t i = 0; i < joints; ++i) {
+    if (!grid.turn(work[i], work[i])) return wrong(i);
+  }
+  for (std::size_t i = 0; i < vertices; ++i) {
+    if (!move(mesh.positions[i], skin.vertices[i], work, grid.bits, moved.positions[i])) return wrong(i);
+  }
+  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+    moved.normals[i] = move(mesh.normals[i], skin.vertices[i], work);
+  }
+  for (std::size_t i = 0; i < mesh.meshlets.size(); ++i) {
+    moved.meshlets[i] = mesh.meshlets[i];
+    bound(moved.meshlets[i], moved.positions);
+  }
+  return {};
+}
+
+}  // namespace zstrip

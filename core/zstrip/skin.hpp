@@ -1,0 +1,116 @@
+// Meshes that bend: vertices moved by up to four joints of a skeleton, joints moved by keyframes. Done before a frame,
+// into a mesh in RAM that the scene draws as any other:
+//     pose(kWalk, milliseconds, joints);                      // JointPose joints[...], from kSkin.rest
+//     skin_mesh(kSkin, joints, work, {positions, normals, meshlets});
+//     renderer.begin_frame(...);
+// So every effect, method and mode draws it, and a program without skins has nothing of them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "zstrip/animation.hpp"
+#include "zstrip/scene.hpp"
+#include "zstrip/status.hpp"
+
+namespace zstrip {
+
+inline constexpr std::uint16_t kNoJoint = 0xFFFF;
+inline constexpr std::uint32_t kMaxJoints = 256;
+
+struct Joint {
+  Transform inverse_bind = Transform::identity();  ///< from the mesh's space to the joint's, as the mesh was modelled
+  std::uint16_t parent = kNoJoint;                 ///< an index below its own; kNoJoint: the mesh's space
+};
+
+/// Where a joint is as its parent sees it: scaled, then rotated, then moved.
+struct JointPose {
+  std::int16_t rotation[4]{0, 0, 0, 32767};     ///< 1.15, a quaternion of about unit length: x, y, z, w
+  Vec3 translation{0, 0, 0};                    ///< 16.16
+  Vec3 scale{kFixedOne, kFixedOne, kFixedOne};  ///< 16.16, +-255
+};
+
+/// The joints that move a vertex, the one with the largest weight first. Weights are 1/256; the first one counts one
+/// more than it says, so that all four add up to 255. Joints of weight 0 lie last and are not looked at.
+struct VertexJoints {
+  std::uint8_t joints[4]{0, 0, 0, 0};
+  std::uint8_t weights[4]{255, 0, 0, 0};
+};
+
+/// A mesh and what moves it, in flash or in a blob.
+struct Skin {
+  const Mesh* mesh = nullptr;              ///< as it was modelled. Its half extents are equal, and its box has room for
+                                           ///< every pose
+  std::span<const VertexJoints> vertices;  ///< one a vertex
+  std::span<const Joint> joints;           ///< 1..kMaxJoints
+  std::span<const JointPose> rest;         ///< one a joint: what a joint without a track has
+};
+
+/// Where a moved mesh is written, in RAM. The mesh that is drawn is Skin::mesh with these in place of its own.
+struct MovedVertices {
+  std::span<Position> positions;
+  std::span<Normal> normals;    ///< none where the mesh has none
+  std::span<Meshlet> meshlets;  ///< none where the mesh has none
+};
+
+/// The mesh to be drawn: `mesh` as it is moved.
+constexpr Mesh moved_mesh(const Mesh& mesh, const MovedVertices& moved) {
+  Mesh result = mesh;
+  result.positions = moved.positions;
+  result.normals = moved.normals;
+  result.meshlets = moved.meshlets;
+  return result;
+}
+
+/// Error::skin (`needed` = index of the joint or vertex) for counts that differ, parents that are not ahead of their
+/// children, matrices out of range, weights that do not add up, joints that do not exist, half extents that differ. Of
+/// an animation of joints validate(animation, joints) is asked.
+constexpr Status validate(const Skin& skin) {
+  const auto wrong = [](std::size_t index) {
+    return Status{.error = Error::skin, .needed = static_cast<std::uint32_t>(index)};
+  };
+  if (skin.mesh == nullptr || skin.joints.empty() || skin.joints.size() > kMaxJoints) return wrong(0);
+  const Mesh& mesh = *skin.mesh;
+  const Vec3& half = mesh.half_extent;
+  if (skin.vertices.size() != mesh.positions.size() || skin.rest.size() != skin.joints.size() || half.x <= 0 ||
+      half.x != half.y || half.x != half.z || mesh.billboard != Billboard::none) {
+    return wrong(0);
+  }
+  for (std::size_t i = 0; i < skin.joints.size(); ++i) {
+    const std::uint16_t parent = skin.joints[i].parent;
+    if (parent != kNoJoint && parent >= i) return wrong(i);
+    for (const auto& row : skin.joints[i].inverse_bind.m) {
+      for (int column = 0; column < 3; ++column) {
+        if (row[column] <= -256 * kFixedOne || row[column] >= 256 * kFixedOne) return wrong(i);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < skin.vertices.size(); ++i) {
+    const VertexJoints& vertex = skin.vertices[i];
+    std::uint32_t sum = 0;
+    for (int k = 0; k < 4; ++k) {
+      if (vertex.joints[k] >= skin.joints.size()) return wrong(i);
+      if (k > 1 && vertex.weights[k - 1] == 0 && vertex.weights[k] != 0) return wrong(i);
+      sum += vertex.weights[k];
+    }
+    if (sum != 255) return wrong(i);
+  }
+  return {};
+}
+
+/// Sets the joints that have tracks (Track::instance is the joint) to what they are `time` milliseconds after the
+/// start; any time. `joints`: as many as in validate. The same bits on every target.
+void pose(const Animation& animation, std::uint32_t time, std::span<JointPose> joints);
+
+/// Moves `joints` towards `others`, as many: by `share` of 65536. Rotations along the shorter arc, all else linearly.
+void blend(std::span<JointPose> joints, std::span<const JointPose> others, std::uint32_t share);
+
+/// Writes the mesh as its joints move it: positions, normals of the length that they had, and meshlets with the
+/// spheres that hold them now. `work`: one a joint; holds nothing that is needed afterwards. What has passed
+/// validate(skin) and validate(animation, joints) is safe. Error::skin where the mesh leaves its box (`needed` = the
+/// vertex), a joint leads too far away (`needed` = the joint), or a span has another size (`needed` = 0); `moved` then
+/// holds some of both poses. Time: a vertex takes some 40 products for each of its joints.
+Status skin_mesh(const Skin& skin, std::span<const JointPose> pose, std::span<Transform> work,
+                 const MovedVertices& moved);
+
+}  // namespace zstrip
