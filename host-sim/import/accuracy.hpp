@@ -11,7 +11,7 @@ namespace zstrip::sim {
 
 /// Positions and normals of `fixed`, whose vertices are those of `source`, in the same order.
 void note_vertices(Accuracy& worst, const SourceMesh& source, const MeshData& fixed, const Units& units,
-                   const Vec3& half_extent);
+                   const Vec3& centre, const Vec3& half_extent);
 
 /// Texture coordinates with so many fraction bits, in texels of `texture`.
 void note_texcoords(Accuracy& worst, const SourceMesh& source, const MeshData& fixed, int bits,

@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "import/source_model.hpp"
 #include "result.hpp"
 #include "zstrip/scene.hpp"
+#include "zstrip/skin.hpp"
 
 namespace zstrip::sim {
 
@@ -36,6 +38,21 @@ struct MeshData {
   std::vector<TexCoord> texcoords;
   std::vector<Triangle> triangles;
   std::vector<Meshlet> meshlets;
+  std::vector<VertexJoints> joints;  ///< of a skin, else empty
+};
+
+/// A mesh of Model::meshes that joints move.
+struct ModelSkin {
+  std::size_t mesh = 0;  ///< index into Model::meshes, where it stands as it is at rest
+  Mesh bind;             ///< as it was modelled
+  std::span<const VertexJoints> vertices;
+};
+
+/// A joint of Model::joints, of the model's scene units.
+struct ModelJoint {
+  std::size_t parent = kNoSourceJoint;
+  std::int32_t node = kNoNode;  ///< of Model::tree; none: it stays where its parent is
+  double reach = 0;             ///< the farthest from it that a vertex is which it moves, itself or by other joints
 };
 
 /// All meshes lie in one common bounding box around the origin, whose longest side goes from -1 to 1, so that borders
@@ -56,6 +73,10 @@ class Model {
   std::vector<Instance> instances;  ///< one for each mesh, untransformed
   std::vector<std::int32_t> nodes;  ///< of each instance: the one of `tree` that moves it, or kNoNode
   NodeTree tree;                    ///< of the file, in its units
+  std::vector<ModelSkin> skins;
+  std::vector<Joint> joints;            ///< of all skins
+  std::vector<JointPose> rest;          ///< of each joint
+  std::vector<ModelJoint> joint_nodes;  ///< of each joint
   std::vector<DirectionalLight> lights;
   std::vector<PunctualLight> punctual_lights;
   std::vector<Finish> finishes;

@@ -27,14 +27,6 @@ std::span<const aiNodeAnim* const> channels_of(const aiAnimation& animation) {
   return {animation.mChannels, animation.mNumChannels};
 }
 
-Affine to_affine(const aiMatrix4x4& from) {
-  Affine to;
-  to.m = {{{from.a1, from.a2, from.a3, from.a4},
-           {from.b1, from.b2, from.b3, from.b4},
-           {from.c1, from.c2, from.c3, from.c4}}};
-  return to;
-}
-
 Vector value_of(const aiVectorKey& key) { return {key.mValue.x, key.mValue.y, key.mValue.z}; }
 Quaternion value_of(const aiQuatKey& key) { return {key.mValue.x, key.mValue.y, key.mValue.z, key.mValue.w}; }
 
@@ -75,6 +67,14 @@ std::size_t interpolate(const std::vector<NodeInterpolation>& known, const std::
 }
 
 }  // namespace
+
+Affine to_affine(const aiMatrix4x4& from) {
+  Affine to;
+  to.m = {{{from.a1, from.a2, from.a3, from.a4},
+           {from.b1, from.b2, from.b3, from.b4},
+           {from.c1, from.c2, from.c3, from.c4}}};
+  return to;
+}
 
 MovedNodes::MovedNodes(const aiScene& scene, const aiMatrix4x4& turn, const std::filesystem::path& file,
                        SourceModel& model) {

@@ -11,6 +11,8 @@
 
 namespace zstrip::sim {
 
+Affine to_affine(const aiMatrix4x4& from);
+
 class MovedNodes {
  public:
   /// Fills `model.nodes`, and adds warnings for what of the animations is left out. `turn` comes after all nodes.

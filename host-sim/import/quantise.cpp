@@ -14,6 +14,7 @@
 #include "import/accuracy.hpp"
 #include "import/fixed_lights.hpp"
 #include "import/meshlets.hpp"
+#include "import/quantised_skins.hpp"
 #include "report/number.hpp"
 
 namespace zstrip::sim {
@@ -22,12 +23,14 @@ namespace {
 /// The common bounding box of the scene, and the way into its grid.
 struct Grid {
   Units units;
+  Vec3 centre{};       // 16.16
   Vec3 half_extent{};  // 16.16
 
   Position position(const std::array<float, 3>& from) const {
+    const std::array<Fixed, 3> centres{centre.x, centre.y, centre.z};
     const auto coordinate = [&](std::size_t axis, Fixed half) {
       if (half == 0) return std::int16_t{0};
-      const double scene = (double{from[axis]} - units.origin[axis]) * units.scale;
+      const double scene = (double{from[axis]} - units.origin[axis]) * units.scale - from_fixed(centres[axis]);
       const double steps = std::round(scene * kFixedOne / half * 32768);  // 1.15 of the half extent
       return static_cast<std::int16_t>(std::clamp(steps, -32767.0, 32767.0));
     };
@@ -64,6 +67,24 @@ Grid fit_grid(const SourceModel& source) {
   return grid;
 }
 
+/// Of a mesh with a skin: all poses, with a margin, the same along all axes.
+Grid grid_of_skin(const SourceModel& source, const SourceMesh& mesh, const Grid& whole) {
+  constexpr double kMargin = 1.02;
+  const SourceBox box = box_of_poses(source, mesh);
+  Grid grid{whole.units, {}, {}};
+  double largest = 0;
+  std::array<double, 3> centre{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    centre[axis] = ((box.low[axis] + box.high[axis]) / 2 - whole.units.origin[axis]) * whole.units.scale;
+    largest = std::max(largest, (box.high[axis] - box.low[axis]) / 2 * whole.units.scale);
+  }
+  const auto fixed = [](double value) { return to_fixed(std::clamp(value, -4094.0, 4094.0)); };
+  grid.centre = {fixed(centre[0]), fixed(centre[1]), fixed(centre[2])};
+  const Fixed half = fixed(largest * kMargin);
+  grid.half_extent = {half, half, half};
+  return grid;
+}
+
 Normal to_normal(const std::array<float, 3>& from) {
   const auto component = [](float value) {
     return static_cast<std::int8_t>(std::lround(127 * std::clamp(value, -1.0F, 1.0F)));  // 1.7
@@ -86,6 +107,10 @@ MeshData to_mesh_data(const SourceMesh& source, int texcoord_bits, const Grid& g
     data.normals.push_back(to_normal(vertex.normal));
     if (source.has_colours) data.colours.push_back({vertex.colour[0], vertex.colour[1], vertex.colour[2], 255});
     if (source.has_texcoords) data.texcoords.push_back(to_texcoord(vertex.texcoord, texcoord_bits));
+    if (!source.has_skin) continue;
+    VertexJoints& moved = data.joints.emplace_back();
+    std::ranges::copy(vertex.joints, moved.joints);
+    std::ranges::copy(vertex.weights, moved.weights);
   }
   return data;
 }
@@ -137,14 +162,14 @@ void append_alpha(const RgbImage& image, std::vector<std::uint16_t>& words) { ap
 Fixed to_fixed(double value) { return static_cast<Fixed>(std::llround(value * kFixedOne)); }
 
 Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>& traits) {
-  const Grid grid = fit_grid(source);
+  const Grid common = fit_grid(source);
   Model model;
-  model.accuracy.size = 2 / grid.units.scale;
-  model.units = grid.units;
+  model.accuracy.size = 2 / common.units.scale;
+  model.units = common.units;
   model.warnings = source.warnings;
   model.cameras = source.cameras;
   model.tree = source.nodes;
-  set_lights(source.lights, grid.units, model);
+  set_lights(source.lights, common.units, model);
   const std::vector<bool> used_alpha = find_used_alpha(source);
   std::uint64_t plain = 0;
 
@@ -175,8 +200,9 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
 
     model.material_names.push_back(from.name);
 
+    const Grid grid = mesh.has_skin ? grid_of_skin(source, mesh, common) : common;
     const MeshData whole = to_mesh_data(mesh, traits[i].texcoord_bits, grid);
-    note_vertices(model.accuracy, mesh, whole, grid.units, grid.half_extent);
+    note_vertices(model.accuracy, mesh, whole, grid.units, grid.centre, grid.half_extent);
     if (is_textured(mesh, from)) {
       note_texcoords(model.accuracy, mesh, whole, traits[i].texcoord_bits, source.textures[from.texture]);
     }
@@ -188,16 +214,20 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
       model.instances.push_back({.mesh = static_cast<std::uint16_t>(model.meshes.size()),
                                  .material = static_cast<std::uint16_t>(material_index)});
       model.nodes.push_back(mesh.node);
+      if (mesh.has_skin) model.skins.push_back({model.meshes.size(), {}, data.joints});
       model.meshes.push_back({.positions = data.positions,
                               .normals = data.normals,
                               .colours = data.colours,
                               .texcoords = data.texcoords,
                               .triangles = data.triangles,
                               .meshlets = data.meshlets,
+                              .centre = grid.centre,
                               .half_extent = grid.half_extent,
                               .texcoord_bits = static_cast<std::uint8_t>(traits[i].texcoord_bits)});
+      if (mesh.has_skin) model.skins.back().bind = model.meshes.back();
     }
   }
+  if (const Result<Done> done = set_joints(source, model); !done) return done.failure();
   if (plain > 0) {
     model.warnings.push_back(
         fmt::format("{} drawn without emission and alpha: more than 255 kinds of these", counted(plain, "mesh")));

@@ -15,6 +15,7 @@
 #include <tuple>
 #include <utility>
 
+#include "import/bones.hpp"
 #include "import/crash_guard.hpp"
 #include "import/lights_and_cameras.hpp"
 #include "import/materials.hpp"
@@ -67,13 +68,19 @@ class Collector {
  public:
   Collector(const aiScene& scene, const aiMatrix4x4& turn, const MaterialReader& materials, const MovedNodes& moved,
             Texcoords texcoords, SourceModel& model)
-      : scene_(scene), turn_(turn), materials_(materials), moved_(moved), texcoords_(texcoords), model_(model) {}
+      : scene_(scene),
+        turn_(turn),
+        materials_(materials),
+        moved_(moved),
+        texcoords_(texcoords),
+        model_(model),
+        bones_(scene, turn, moved, model) {}
 
   Result<Done> collect();
 
  private:
-  void add(const aiMesh& mesh, const aiMatrix4x4& transform, std::int32_t node);
-  SourceMesh& mesh_for(std::uint32_t material, bool has_colours, bool has_texcoords, std::int32_t node);
+  void add(const aiMesh& mesh, const aiMatrix4x4& transform, const aiNode& on);
+  SourceMesh& mesh_for(std::uint32_t material, bool has_colours, bool has_texcoords, std::int32_t node, bool has_skin);
   void note_alpha(const aiMesh& mesh, const SourceMaterial& material);
   SourceVertex vertex(const aiMesh& mesh, unsigned index, const aiMatrix4x4& transform,
                       const aiMatrix3x3& normal_transform, const SourceMesh& group);
@@ -84,8 +91,9 @@ class Collector {
   const MovedNodes& moved_;
   Texcoords texcoords_;
   SourceModel& model_;
-  /// By material, colours, texture coordinates, node; and a number where meshes must stay apart.
-  std::map<std::tuple<std::uint32_t, bool, bool, std::int32_t, std::uint32_t>, std::size_t> groups_;
+  BoneReader bones_;
+  /// By material, colours, texture coordinates, node, skin; and a number where meshes must stay apart.
+  std::map<std::tuple<std::uint32_t, bool, bool, std::int32_t, bool, std::uint32_t>, std::size_t> groups_;
   std::uint64_t vertices_ = 0;
   std::uint64_t triangles_seen_ = 0;
   std::uint64_t triangles_kept_ = 0;
@@ -103,7 +111,7 @@ Result<Done> Collector::collect() {
     open.pop_back();
     for (const unsigned index : std::span(node->mMeshes, node->mNumMeshes)) {
       if (index >= scene_.mNumMeshes) continue;
-      add(*scene_.mMeshes[index], transform, moved_.mover_of(*node));
+      add(*scene_.mMeshes[index], transform, *node);
       if (triangles_seen_ > kMaxTriangles || vertices_ > 3 * kMaxTriangles) {
         return Failure{ExitStatus::input, fmt::format("has more than {} triangles; simplify the model", kMaxTriangles)};
       }
@@ -133,22 +141,25 @@ Result<Done> Collector::collect() {
         fmt::format("{} drawn without the alpha of its vertex colours", counted(vertex_alpha_, "mesh")));
   }
   if (deformed_ > 0 && scene_.mNumAnimations > 0) {
-    model_.warnings.push_back(fmt::format("{} with a skin or morph targets drawn at rest: only nodes are animated",
+    model_.warnings.push_back(fmt::format("{} with morph targets drawn at rest: only nodes and skins are animated",
                                           counted(deformed_, "mesh")));
   }
+  bones_.warn();
   return Done{};
 }
 
 /// What blends is sorted by instances, so that each stays one.
-SourceMesh& Collector::mesh_for(std::uint32_t material, bool has_colours, bool has_texcoords, std::int32_t node) {
+SourceMesh& Collector::mesh_for(std::uint32_t material, bool has_colours, bool has_texcoords, std::int32_t node,
+                                bool has_skin) {
   const bool blends = model_.materials[material].alpha_mode == AlphaMode::blend;
   const auto apart = static_cast<std::uint32_t>(blends ? model_.meshes.size() + 1 : 0);
   const auto [at, is_new] =
-      groups_.try_emplace({material, has_colours, has_texcoords, node, apart}, model_.meshes.size());
+      groups_.try_emplace({material, has_colours, has_texcoords, node, has_skin, apart}, model_.meshes.size());
   if (is_new) {
     SourceMesh& mesh = model_.meshes.emplace_back();
     mesh.material = material;
     mesh.node = node;
+    mesh.has_skin = has_skin;
     mesh.has_colours = has_colours;
     mesh.has_texcoords = has_texcoords;
   }
@@ -181,28 +192,39 @@ void Collector::note_alpha(const aiMesh& mesh, const SourceMaterial& material) {
     ++vertex_alpha_;
 }
 
-void Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform, std::int32_t node) {
+void Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform, const aiNode& on) {
   if ((mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) == 0 || !mesh.HasPositions()) return;
   const std::uint32_t material = mesh.mMaterialIndex;
   if (material >= model_.materials.size()) return;
   const unsigned set = materials_.texcoord_set(material);
   const bool wants_texcoords = texcoords_ == Texcoords::all || model_.materials[material].texture != kNoSourceTexture;
   const bool has_texcoords = wants_texcoords && set < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(set);
-  SourceMesh& group = mesh_for(material, mesh.HasVertexColors(0), has_texcoords, mesh.HasBones() ? kNoNode : node);
+  const MeshBones bones = bones_.read(mesh, transform, on);
+  SourceMesh& group = mesh_for(material, mesh.HasVertexColors(0), has_texcoords,
+                               mesh.HasBones() ? kNoNode : moved_.mover_of(on), !bones.joints.empty());
 
   note_alpha(mesh, model_.materials[material]);
-  if (mesh.HasBones() || mesh.mNumAnimMeshes > 0) ++deformed_;
+  if (mesh.mNumAnimMeshes > 0) ++deformed_;
 
-  const aiMatrix3x3 linear(transform);
-  const float determinant = linear.Determinant();
-  const bool mirrored = determinant < 0;
-  aiMatrix3x3 normal_transform = linear;
-  if (determinant != 0) normal_transform.Inverse().Transpose();
+  const auto of_normals = [](const aiMatrix4x4& of_positions) {
+    aiMatrix3x3 linear(of_positions);
+    if (linear.Determinant() != 0) linear.Inverse().Transpose();
+    return linear;
+  };
+  const aiMatrix3x3 normal_transform = of_normals(bones.modelled);
+  const bool mirrored = aiMatrix3x3(bones.modelled).Determinant() < 0;
 
   const auto first = static_cast<std::uint32_t>(group.vertices.size());
   vertices_ += mesh.mNumVertices;
   for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-    group.vertices.push_back(vertex(mesh, i, transform, normal_transform, group));
+    if (!bones.at_rest.empty()) {
+      group.vertices.push_back(vertex(mesh, i, bones.at_rest[i], of_normals(bones.at_rest[i]), group));
+      continue;
+    }
+    group.vertices.push_back(vertex(mesh, i, bones.modelled, normal_transform, group));
+    if (bones.joints.empty()) continue;
+    group.vertices.back().joints = bones.joints[i].joints;
+    group.vertices.back().weights = bones.joints[i].weights;
   }
   for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
     if (face.mNumIndices != 3) continue;

@@ -19,17 +19,30 @@ struct SourceVertex {
   std::array<float, 3> normal{};    ///< unit, or zero: to be generated
   std::array<float, 2> texcoord{};  ///< v grows downwards
   std::array<std::uint8_t, 4> colour{255, 255, 255, 255};
+  std::array<std::uint8_t, 4> joints{};   ///< of a skin, as VertexJoints has them
+  std::array<std::uint8_t, 4> weights{};  ///< likewise
   friend bool operator==(const SourceVertex&, const SourceVertex&) = default;
 };
-static_assert(sizeof(SourceVertex) == 36);
+static_assert(sizeof(SourceVertex) == 44);
 
 struct SourceMesh {
   std::uint32_t material = 0;   ///< index into SourceModel::materials
   std::int32_t node = kNoNode;  ///< of SourceModel::nodes, which moves it; vertices are where they are at rest
   bool has_colours = false;
   bool has_texcoords = false;
+  bool has_skin = false;  ///< joints move it: vertices are where they were modelled
   std::vector<SourceVertex> vertices;
   std::vector<std::uint32_t> indices;  ///< three a triangle, counter-clockwise seen from the front
+};
+
+inline constexpr std::size_t kNoSourceJoint = static_cast<std::size_t>(-1);
+
+/// What moves vertices of skins: a node that moves, or what hangs on one.
+struct SourceJoint {
+  std::size_t parent = kNoSourceJoint;  ///< an index below its own; none: the file's coordinates
+  std::int32_t node = kNoNode;          ///< of SourceModel::nodes; none: it stays where its parent is
+  Affine inverse_bind;                  ///< from where vertices were modelled to the joint's coordinates
+  bool has_vertices = false;
 };
 
 inline constexpr std::uint32_t kNoSourceTexture = 0xFFFFFFFF;
@@ -82,6 +95,7 @@ struct SourceModel {
   std::vector<SourceLight> lights;
   std::vector<SourceCamera> cameras;
   NodeTree nodes;                     ///< those that move, all with an inverse at rest
+  std::vector<SourceJoint> joints;    ///< of all skins, at most 256
   std::vector<std::string> warnings;  ///< what the picture will lack, one line each
 };
 

@@ -47,7 +47,7 @@ const NodeCurves* curves_of(const NodeAnimation& animation, std::int32_t node) {
 
 const Node& node_at(const NodeTree& tree, std::int32_t index) { return tree.nodes[static_cast<std::size_t>(index)]; }
 
-Affine local(const Node& node, const NodeCurves* curves, double seconds) {
+Affine placed(const Node& node, const NodeCurves* curves, double seconds) {
   if (curves == nullptr) return node.at_rest;
   Placement placement = to_placement(node.at_rest);
   if (!curves->translation.times.empty()) placement.translation = sample(curves->translation, seconds);
@@ -64,7 +64,7 @@ Quaternion sample(const Curve<Quaternion>& curve, double seconds) { return sampl
 Affine NodeTree::at_rest(std::int32_t node) const {
   Affine world;
   for (; node != kNoNode; node = node_at(*this, node).parent) {
-    world = node_at(*this, node).before * node_at(*this, node).at_rest * world;
+    world = local(nullptr, node, 0) * world;
   }
   return world;
 }
@@ -72,10 +72,14 @@ Affine NodeTree::at_rest(std::int32_t node) const {
 Affine NodeTree::at(const NodeAnimation& animation, std::int32_t node, double seconds) const {
   Affine world;
   for (; node != kNoNode; node = node_at(*this, node).parent) {
-    const Node& placed = node_at(*this, node);
-    world = placed.before * local(placed, curves_of(animation, node), seconds) * world;
+    world = local(&animation, node, seconds) * world;
   }
   return world;
+}
+
+Affine NodeTree::local(const NodeAnimation* animation, std::int32_t node, double seconds) const {
+  const Node& at = node_at(*this, node);
+  return at.before * placed(at, animation == nullptr ? nullptr : curves_of(*animation, node), seconds);
 }
 
 bool NodeTree::moves(const NodeAnimation& animation, std::int32_t node) const {

@@ -53,6 +53,8 @@ struct NodeTree {
   /// From the node to the file's coordinates, at rest, or `seconds` after an animation's start.
   Affine at_rest(std::int32_t node) const;
   Affine at(const NodeAnimation& animation, std::int32_t node, double seconds) const;
+  /// From the node to its parent's coordinates, likewise; at rest without an animation.
+  Affine local(const NodeAnimation* animation, std::int32_t node, double seconds) const;
   /// Whether this animation moves the node, itself or an ancestor.
   bool moves(const NodeAnimation& animation, std::int32_t node) const;
 };

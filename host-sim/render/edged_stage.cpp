@@ -26,6 +26,7 @@ class EdgedStage : public Stage {
   std::unique_ptr<Stage> copy() const override { return std::make_unique<EdgedStage>(stage_->copy(), edges_); }
   const std::vector<std::string>& warnings() const override { return stage_->warnings(); }
   Animation animation() const override { return stage_->animation(); }
+  bool bends() const override { return stage_->bends(); }
   Turn turn() const override { return stage_->turn(); }
   Origins origins() const override { return stage_->origins(); }
   const Model* model() const override { return stage_->model(); }

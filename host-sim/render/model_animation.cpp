@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "import/quantise.hpp"
+#include "import/quantised_skins.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -67,6 +68,25 @@ Result<FittedAnimation> fit_model_animation(const Model& model, const NodeAnimat
          .corners = corners_of(model.meshes[model.instances[i].mesh])});
   }
   return fit_animation(motions, animation.duration, key_times(animation), kAnimationTolerance);
+}
+
+Result<FittedAnimation> fit_joint_animation(const Model& model, const NodeAnimation& animation) {
+  constexpr double kLongestChain = 4;  // of joints whose errors add up
+  std::vector<InstanceMotion> motions;
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const ModelJoint& joint = model.joint_nodes[i];
+    if (std::ranges::find(animation.moved, joint.node, &NodeCurves::node) == animation.moved.end()) continue;
+    std::vector<Vector> corners;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const auto side = [&](unsigned axis) { return (corner >> axis & 1) != 0 ? joint.reach : -joint.reach; };
+      corners.push_back({side(0), side(1), side(2)});
+    }
+    motions.push_back(
+        {.instance = static_cast<std::uint16_t>(i),
+         .at = [&model, &animation, i](double seconds) { return local_of(model, i, &animation, seconds); },
+         .corners = std::move(corners)});
+  }
+  return fit_animation(motions, animation.duration, key_times(animation), kAnimationTolerance / kLongestChain);
 }
 
 std::vector<Instance> all_poses(const Animation& animation, std::span<const Instance> instances) {

@@ -23,6 +23,9 @@ std::vector<Vector> corners_of(const Mesh& mesh);
 /// In the model's scene units. The failure's message starts with a verb.
 Result<FittedAnimation> fit_model_animation(const Model& model, const NodeAnimation& animation);
 
+/// Of the model's joints: tracks name these. Likewise.
+Result<FittedAnimation> fit_joint_animation(const Model& model, const NodeAnimation& animation);
+
 /// The instances as they are at many times of the animation, one after the other: what a camera must see of it. Without
 /// tracks, those given.
 std::vector<Instance> all_poses(const Animation& animation, std::span<const Instance> instances);

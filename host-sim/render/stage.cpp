@@ -12,6 +12,7 @@
 #include "render/camera_stage.hpp"
 #include "render/composed_stage.hpp"
 #include "render/model_animation.hpp"
+#include "render/skinned_meshes.hpp"
 #include "zstrip/scene/validate.hpp"
 #include "zstrip_scenes/baked_stage.hpp"
 #include "zstrip_scenes/presentation.hpp"
@@ -34,16 +35,25 @@ Result<Done> check(const Scene& scene, const std::string& name) {
                                                    name, message(status.error), status.needed)};
 }
 
+/// An animation of a file, of its instances and of its joints.
+struct ModelMotion {
+  FittedAnimation instances, joints;
+};
+
 /// The file's animation of this name, or its first.
-Result<FittedAnimation> animation_of(const Model& model, const std::optional<std::string>& name,
-                                     const std::string& file) {
+Result<ModelMotion> motion_of(const Model& model, const std::optional<std::string>& name, const std::string& file) {
   const Result<const NodeAnimation*> chosen = find_animation(model, name);
   if (!chosen) return chosen.failure();
-  if (*chosen == nullptr) return FittedAnimation();
-  Result<FittedAnimation> fitted = fit_model_animation(model, **chosen);
-  if (fitted) return fitted;
-  return Failure{fitted.failure().status, fmt::format("'{}': the animation '{}' {}; choose another with --animation",
-                                                      file, (*chosen)->name, fitted.failure().message)};
+  if (*chosen == nullptr) return ModelMotion();
+  const auto named = [&](const Failure& failure) {
+    return Failure{failure.status, fmt::format("'{}': the animation '{}' {}; choose another with --animation", file,
+                                               (*chosen)->name, failure.message)};
+  };
+  Result<FittedAnimation> instances = fit_model_animation(model, **chosen);
+  if (!instances) return named(instances.failure());
+  Result<FittedAnimation> joints = fit_joint_animation(model, **chosen);
+  if (!joints) return named(joints.failure());
+  return ModelMotion{std::move(*instances), std::move(*joints)};
 }
 
 class BuiltInStage : public Stage {
@@ -101,9 +111,10 @@ class BuiltInStage : public Stage {
 class ModelStage : public CameraStage {
  public:
   /// `file`: its name, for what the origins say.
-  ModelStage(std::shared_ptr<const Model> model, std::shared_ptr<const FittedAnimation> animation, std::string file)
+  ModelStage(std::shared_ptr<const Model> model, std::shared_ptr<const ModelMotion> motion, std::string file)
       : model_(std::move(model)),
-        animation_(std::move(animation)),
+        motion_(std::move(motion)),
+        skins_(*model_, motion_->joints.view()),
         instances_(model_->instances),
         lights_(model_->lights),
         file_(std::move(file)) {
@@ -129,35 +140,43 @@ class ModelStage : public CameraStage {
   Result<Camera> camera(std::uint32_t frames) const override {
     const double degrees = options().field_of_view.value_or(kDefaultFieldOfView);
     const std::vector<Instance> poses = all_poses(animation(), model_->instances);
+    SkinnedMeshes skins(*model_, motion_->joints.view());
+    const Result<std::span<const Mesh>> posed = skins.all_poses();
+    if (!posed) return posed.failure();
     Scene whole = scene_;
     whole.instances = poses;
+    whole.meshes = *posed;
     const double radius = radius_about_origin(whole);
     const FramingView framing{.aspect = static_cast<double>(view().width) / view().height,
                               .half_tangent = std::tan(degrees * std::numbers::pi / 360),
                               .orthographic = options().orthographic,
-                              .whole_turn = frames > 1 && animation().tracks.empty()};
+                              .whole_turn = frames > 1 && animation().tracks.empty() && !bends()};
     if (options().name) return named_camera(*options().name, radius);
     return options().placed() ? place_camera(options(), model_->units, radius)
                               : framed_camera(options(), frame_scene(whole, framing), radius);
   }
 
   Result<Staging> place(std::uint32_t frame, std::uint32_t frames) override {
+    const Result<std::span<const Mesh>> meshes = skins_.at(frame, frames);
+    if (!meshes) return meshes.failure();
     Scene at_rest = scene_;
     at_rest.instances = model_->instances;
+    at_rest.meshes = *meshes;
     const scenes::BakedFrame staged =
         scenes::stage({at_rest, chosen_camera(), animation(), turn()}, frame, frames, {.instances = instances_});
     return Staging{staged.scene, staged.camera};
   }
 
   std::unique_ptr<Stage> copy() const override {
-    auto stage = std::make_unique<ModelStage>(model_, animation_, file_);
+    auto stage = std::make_unique<ModelStage>(model_, motion_, file_);
     stage->take_camera(*this);
     return stage;
   }
 
   const std::vector<std::string>& warnings() const override { return model_->warnings; }
-  Animation animation() const override { return animation_->view(); }
-  Turn turn() const override { return {}; }
+  Animation animation() const override { return motion_->instances.view(); }
+  bool bends() const override { return skins_.moves(); }
+  Turn turn() const override { return bends() ? Turn{.what = Turning::nothing} : Turn{}; }
   Origins origins() const override {
     return {model_->material_names, std::vector<std::string>(model_->materials.size(), file_), {}, {}};
   }
@@ -179,7 +198,8 @@ class ModelStage : public CameraStage {
   }
 
   std::shared_ptr<const Model> model_;
-  std::shared_ptr<const FittedAnimation> animation_;
+  std::shared_ptr<const ModelMotion> motion_;
+  SkinnedMeshes skins_;
   std::vector<Instance> instances_;
   std::vector<DirectionalLight> lights_;
   std::string file_;
@@ -213,10 +233,10 @@ Result<std::unique_ptr<Stage>> open_stage(const std::string& name, const ModelOp
   if (kind_of_scene(name) == SceneKind::composed) return open_composed_stage(name, options, view, frames);
   Result<Model> model = import_model(name, model_options.up);
   if (!model) return model.failure();
-  Result<FittedAnimation> animation = animation_of(*model, model_options.animation, name);
-  if (!animation) return animation.failure();
+  Result<ModelMotion> motion = motion_of(*model, model_options.animation, name);
+  if (!motion) return motion.failure();
   auto stage = std::make_unique<ModelStage>(std::make_shared<const Model>(std::move(*model)),
-                                            std::make_shared<const FittedAnimation>(std::move(*animation)),
+                                            std::make_shared<const ModelMotion>(std::move(*motion)),
                                             std::filesystem::path(name).filename().string());
   if (const Result<Done> checked = check(stage->scene(), name); !checked) return checked.failure();
   if (const Result<Done> camera = stage->set_camera(options, view, frames); !camera) return camera.failure();

@@ -42,6 +42,8 @@ class Stage {
   virtual const std::vector<std::string>& warnings() const = 0;
   /// What moves the instances; without tracks where nothing does. Valid as long as the stage.
   virtual Animation animation() const { return {}; }
+  /// Whether meshes differ from frame to frame.
+  virtual bool bends() const { return false; }
   /// What moves without them.
   virtual Turn turn() const = 0;
   /// Where what calls for effects stands, and the names of materials.

@@ -37,7 +37,7 @@ class TreeStage : public Stage {
 }  // namespace
 
 std::optional<Turn> turn_of_tree(const Stage& stage, std::size_t instances) {
-  if (!stage.animation().tracks.empty()) return std::nullopt;
+  if (!stage.animation().tracks.empty() || stage.bends()) return std::nullopt;
   const Turn turn = stage.turn();
   if (turn.what == Turning::nothing || turn.what == Turning::camera) return turn;
   if (turn.still_instances == 0) return Turn{.what = Turning::instances};

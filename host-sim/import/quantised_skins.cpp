@@ -1,0 +1,182 @@
+// Skins in fixed point: the box that holds a mesh in every pose, the joints, and the mesh as it is at rest.
+#include "import/quantised_skins.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "import/quantise.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::array<double, 3> kHighest{-std::numeric_limits<double>::infinity(),
+                                         -std::numeric_limits<double>::infinity(),
+                                         -std::numeric_limits<double>::infinity()};
+constexpr std::array<double, 3> kLowest{-kHighest[0], -kHighest[1], -kHighest[2]};
+
+void include(SourceBox& box, const Vector& point) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.low[axis] = std::min(box.low[axis], point[axis]);
+    box.high[axis] = std::max(box.high[axis], point[axis]);
+  }
+}
+
+template <class Visit>
+void for_each_corner(const SourceBox& box, const Visit& visit) {
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const auto side = [&](std::size_t axis) { return (corner >> axis & 1) != 0 ? box.high[axis] : box.low[axis]; };
+    visit(Vector{side(0), side(1), side(2)});
+  }
+}
+
+/// In the joints' coordinates, of those of this mesh that have vertices; others are empty.
+std::vector<SourceBox> boxes_of_joints(const SourceModel& source, const SourceMesh& mesh) {
+  std::vector<SourceBox> boxes(source.joints.size(), {kLowest, kHighest});
+  for (const SourceVertex& vertex : mesh.vertices) {
+    const Vector place{double{vertex.position[0]}, double{vertex.position[1]}, double{vertex.position[2]}};
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (k > 0 && vertex.weights[k] == 0) break;
+      const std::size_t joint = vertex.joints[k];
+      include(boxes[joint], source.joints[joint].inverse_bind * place);
+    }
+  }
+  return boxes;
+}
+
+bool is_empty(const SourceBox& box) { return box.low[0] > box.high[0]; }
+
+/// Of all joints, to the file's coordinates.
+std::vector<Affine> places_of(const SourceModel& source, const NodeAnimation* animation, double seconds) {
+  std::vector<Affine> places;
+  for (const SourceJoint& joint : source.joints) {
+    const Affine parent = joint.parent == kNoSourceJoint ? Affine{} : places[joint.parent];
+    places.push_back(joint.node == kNoNode ? parent : parent * source.nodes.local(animation, joint.node, seconds));
+  }
+  return places;
+}
+
+std::int16_t to_15_bits(double value) { return static_cast<std::int16_t>(std::lround(32767 * value)); }
+
+/// False if it is out of range.
+bool to_joint_pose(const Affine& local, JointPose& pose) {
+  const Placement placement = to_placement(local);
+  const auto within = [](const Vector& v, double limit) {
+    return std::ranges::all_of(v, [limit](double c) { return std::abs(c) <= limit; });
+  };
+  if (!within(placement.translation, 32767) || !within(placement.scale, 255)) return false;
+  for (std::size_t i = 0; i < 4; ++i) pose.rotation[i] = to_15_bits(placement.rotation[i]);
+  const auto fixed = [](const Vector& v) { return Vec3{to_fixed(v[0]), to_fixed(v[1]), to_fixed(v[2])}; };
+  pose.translation = fixed(placement.translation);
+  pose.scale = fixed(placement.scale);
+  return true;
+}
+
+bool to_transform(const Affine& from, Transform& to) {
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 4; ++column) {
+      const double value = from.m[row][column];
+      if (!(std::abs(value) < (column == 3 ? 32767 : 255))) return false;
+      to.m[row][column] = to_fixed(value);
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+SourceBox box_of_poses(const SourceModel& source, const SourceMesh& mesh) {
+  SourceBox box{kLowest, kHighest};
+  for (const SourceVertex& vertex : mesh.vertices) {
+    include(box, {double{vertex.position[0]}, double{vertex.position[1]}, double{vertex.position[2]}});
+  }
+  const std::vector<SourceBox> boxes = boxes_of_joints(source, mesh);
+  const auto include_pose = [&](const NodeAnimation* animation, double seconds) {
+    const std::vector<Affine> places = places_of(source, animation, seconds);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if (!is_empty(boxes[i]))
+        for_each_corner(boxes[i], [&](const Vector& corner) { include(box, places[i] * corner); });
+    }
+  };
+  include_pose(nullptr, 0);
+  for (const NodeAnimation& animation : source.nodes.animations) {
+    std::set<double> times = key_times(animation);
+    constexpr double kMostSamples = 20000;
+    const double count = std::min(kMostSamples, std::ceil(animation.duration * 60));
+    for (double i = 0; i <= count; ++i) times.insert(animation.duration * i / count);
+    for (const double seconds : times) include_pose(&animation, seconds);
+  }
+  return box;
+}
+
+Affine local_of(const Model& model, std::size_t joint, const NodeAnimation* animation, double seconds) {
+  const ModelJoint& at = model.joint_nodes[joint];
+  Affine local = at.node == kNoNode ? Affine{} : model.tree.local(animation, at.node, seconds);
+  for (std::size_t row = 0; row < 3; ++row) {
+    double& moved = local.m[row][3];
+    if (at.parent == kNoSourceJoint) moved -= model.units.origin[row];
+    moved *= model.units.scale;
+  }
+  return local;
+}
+
+Result<Done> set_joints(const SourceModel& source, Model& model) {
+  if (model.skins.empty()) return Done{};
+  const auto out_of_range = [] {
+    return Failure{ExitStatus::input, "has joints that are too far away, or too large or small beside what they move"};
+  };
+  for (const SourceJoint& joint : source.joints) model.joint_nodes.push_back({joint.parent, joint.node, 0});
+  for (std::size_t i = 0; i < source.joints.size(); ++i) {
+    const SourceJoint& from = source.joints[i];
+    JointPose pose;
+    if (!to_joint_pose(local_of(model, i, nullptr, 0), pose)) return out_of_range();
+    model.rest.push_back(pose);
+    // Both sides in scene units: the scale stays outside, the origin comes back first.
+    Affine bind = from.inverse_bind;
+    const Vector moved =
+        from.inverse_bind * Vector{model.units.origin[0], model.units.origin[1], model.units.origin[2]};
+    for (std::size_t row = 0; row < 3; ++row) bind.m[row][3] = moved[row] * model.units.scale;
+    Joint joint;
+    if (from.parent != kNoSourceJoint) joint.parent = static_cast<std::uint16_t>(from.parent);
+    if (from.has_vertices && !to_transform(bind, joint.inverse_bind)) return out_of_range();
+    model.joints.push_back(joint);
+  }
+  // How far each reaches, at rest: own vertices, and those that its children move.
+  for (const SourceMesh& mesh : source.meshes) {
+    if (!mesh.has_skin) continue;
+    const std::vector<SourceBox> boxes = boxes_of_joints(source, mesh);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if (is_empty(boxes[i])) continue;
+      for_each_corner(boxes[i], [&](Vector corner) {
+        for (std::size_t joint = i; joint != kNoSourceJoint; joint = source.joints[joint].parent) {
+          double& reach = model.joint_nodes[joint].reach;
+          reach = std::max(reach, std::hypot(corner[0], corner[1], corner[2]) * model.units.scale);
+          if (source.joints[joint].node != kNoNode) {
+            corner = source.nodes.local(nullptr, source.joints[joint].node, 0) * corner;
+          }
+        }
+      });
+    }
+  }
+  std::vector<Transform> work(model.joints.size());
+  for (ModelSkin& skin : model.skins) {
+    MeshData& drawn = model.mesh_data.emplace_back();
+    drawn.positions.resize(skin.bind.positions.size());
+    drawn.normals.resize(skin.bind.normals.size());
+    drawn.meshlets.resize(skin.bind.meshlets.size());
+    const MovedVertices moved{drawn.positions, drawn.normals, drawn.meshlets};
+    const Skin of_core{&skin.bind, skin.vertices, model.joints, model.rest};
+    Status status = validate(of_core);
+    if (status) status = skin_mesh(of_core, model.rest, work, moved);
+    if (!status) {
+      return Failure{ExitStatus::input, fmt::format("has a skin that cannot be drawn: {}", message(status.error))};
+    }
+    model.meshes[skin.mesh] = moved_mesh(skin.bind, moved);
+  }
+  return Done{};
+}
+
+}  // namespace zstrip::sim
