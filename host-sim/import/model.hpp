@@ -52,6 +52,7 @@ struct ModelSkin {
 struct ModelJoint {
   std::size_t parent = kNoSourceJoint;
   std::int32_t node = kNoNode;  ///< of Model::tree; none: it stays where its parent is
+  double size = 1;              ///< of its coordinates, in the file's: they are as long as the scene's at rest
   double reach = 0;             ///< the farthest from it that a vertex is which it moves, itself or by other joints
 };
 

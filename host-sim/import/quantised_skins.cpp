@@ -114,11 +114,13 @@ SourceBox box_of_poses(const SourceModel& source, const SourceMesh& mesh) {
 
 Affine local_of(const Model& model, std::size_t joint, const NodeAnimation* animation, double seconds) {
   const ModelJoint& at = model.joint_nodes[joint];
+  const double size = at.parent == kNoSourceJoint ? 1 : model.joint_nodes[at.parent].size;
   Affine local = at.node == kNoNode ? Affine{} : model.tree.local(animation, at.node, seconds);
   for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) local.m[row][column] *= size / at.size;
     double& moved = local.m[row][3];
     if (at.parent == kNoSourceJoint) moved -= model.units.origin[row];
-    moved *= model.units.scale;
+    moved *= size * model.units.scale;
   }
   return local;
 }
@@ -128,7 +130,12 @@ Result<Done> set_joints(const SourceModel& source, Model& model) {
   const auto out_of_range = [] {
     return Failure{ExitStatus::input, "has joints that are too far away, or too large or small beside what they move"};
   };
-  for (const SourceJoint& joint : source.joints) model.joint_nodes.push_back({joint.parent, joint.node, 0});
+  // An armature's own scale, often a hundredth, would leave few bits of a matrix.
+  const std::vector<Affine> at_rest = places_of(source, nullptr, 0);
+  for (std::size_t i = 0; i < source.joints.size(); ++i) {
+    const double size = std::cbrt(std::abs(determinant(at_rest[i])));
+    model.joint_nodes.push_back({.parent = source.joints[i].parent, .node = source.joints[i].node, .size = size});
+  }
   for (std::size_t i = 0; i < source.joints.size(); ++i) {
     const SourceJoint& from = source.joints[i];
     JointPose pose;
@@ -138,7 +145,11 @@ Result<Done> set_joints(const SourceModel& source, Model& model) {
     Affine bind = from.inverse_bind;
     const Vector moved =
         from.inverse_bind * Vector{model.units.origin[0], model.units.origin[1], model.units.origin[2]};
-    for (std::size_t row = 0; row < 3; ++row) bind.m[row][3] = moved[row] * model.units.scale;
+    const double size = model.joint_nodes[i].size;
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t column = 0; column < 3; ++column) bind.m[row][column] *= size;
+      bind.m[row][3] = moved[row] * size * model.units.scale;
+    }
     Joint joint;
     if (from.parent != kNoSourceJoint) joint.parent = static_cast<std::uint16_t>(from.parent);
     if (from.has_vertices && !to_transform(bind, joint.inverse_bind)) return out_of_range();
@@ -153,7 +164,8 @@ Result<Done> set_joints(const SourceModel& source, Model& model) {
       for_each_corner(boxes[i], [&](Vector corner) {
         for (std::size_t joint = i; joint != kNoSourceJoint; joint = source.joints[joint].parent) {
           double& reach = model.joint_nodes[joint].reach;
-          reach = std::max(reach, std::hypot(corner[0], corner[1], corner[2]) * model.units.scale);
+          const double size = model.joint_nodes[joint].size * model.units.scale;
+          reach = std::max(reach, std::hypot(corner[0], corner[1], corner[2]) * size);
           if (source.joints[joint].node != kNoNode) {
             corner = source.nodes.local(nullptr, source.joints[joint].node, 0) * corner;
           }

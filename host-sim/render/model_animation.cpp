@@ -71,11 +71,14 @@ Result<FittedAnimation> fit_model_animation(const Model& model, const NodeAnimat
 }
 
 Result<FittedAnimation> fit_joint_animation(const Model& model, const NodeAnimation& animation) {
-  constexpr double kLongestChain = 4;  // of joints whose errors add up
+  std::size_t longest = 1;  // of chains of joints, whose errors add up
   std::vector<InstanceMotion> motions;
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const ModelJoint& joint = model.joint_nodes[i];
     if (std::ranges::find(animation.moved, joint.node, &NodeCurves::node) == animation.moved.end()) continue;
+    std::size_t chain = 1;
+    for (std::size_t at = joint.parent; at != kNoSourceJoint; at = model.joint_nodes[at].parent) ++chain;
+    longest = std::max(longest, chain);
     std::vector<Vector> corners;
     for (unsigned corner = 0; corner < 8; ++corner) {
       const auto side = [&](unsigned axis) { return (corner >> axis & 1) != 0 ? joint.reach : -joint.reach; };
@@ -86,7 +89,8 @@ Result<FittedAnimation> fit_joint_animation(const Model& model, const NodeAnimat
          .at = [&model, &animation, i](double seconds) { return local_of(model, i, &animation, seconds); },
          .corners = std::move(corners)});
   }
-  return fit_animation(motions, animation.duration, key_times(animation), kAnimationTolerance / kLongestChain);
+  return fit_animation(motions, animation.duration, key_times(animation),
+                       kAnimationTolerance / static_cast<double>(longest));
 }
 
 std::vector<Instance> all_poses(const Animation& animation, std::span<const Instance> instances) {
