@@ -38,7 +38,7 @@ struct MeshData {
   std::vector<TexCoord> texcoords;
   std::vector<Triangle> triangles;
   std::vector<Meshlet> meshlets;
-  std::vector<VertexJoints> joints;  ///< of a skin, else empty
+  std::vector<VertexJoints> joints{};  ///< of a skin, else empty
 };
 
 /// A mesh of Model::meshes that joints move.

@@ -222,6 +222,30 @@ TEST_F(Command, TexturesOutsideAndInsideTheModel) {
   EXPECT_GT(colours.size(), 20U) << "a picture of a texture has many colours";
 }
 
+/// Strips, bins, visibility by spheres of meshlets that move, threads: every way to draw a skin shows the one picture.
+TEST_F(Command, ASkinIsTheSamePictureHoweverItIsDrawn) {
+  const std::string figure = ZSTRIP_SCENE_FILES "/figure/figure.gltf";
+  const auto rendered = [&](const std::string& folder, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"render", figure, "-o", folder, "--size", "120x160", "--frames", "3", "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = zstrip(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    std::vector<decltype(picture("").rgb)> frames;
+    for (const char* name : {"/frame_0000.png", "/frame_0001.png", "/frame_0002.png"}) {
+      frames.push_back(picture(folder + name).rgb);
+    }
+    return frames;
+  };
+  const auto whole = rendered("whole", {});
+  EXPECT_NE(whole[0], whole[1]);
+  EXPECT_EQ(rendered("strips", {"--strip-rows", "8"}), whole);
+  EXPECT_EQ(rendered("small", {"--ram", "12K"}), whole);
+  EXPECT_EQ(rendered("one", {"--threads", "1", "--strip-rows", "40"}), whole);
+  EXPECT_EQ(rendered("near", {"--visibility", "front-to-back-hierarchical-z", "--cull", "back-faces,small,spheres"}),
+            whole);
+  EXPECT_NE(rendered("wave", {"--animation", "wave"}), whole);
+}
+
 TEST_F(Command, ExamplesOfHelpWork) {
   int run = 0;
   for (const std::vector<std::string>& help : std::vector<std::vector<std::string>>{{"--help"}, {"render", "--help"}}) {
