@@ -13,6 +13,7 @@ struct Marker {
   const char* symbol;
 };
 inline constexpr Marker kMarkers[] = {
+    {{}, "zstrip::skin_mesh("},  // no effect of a renderer: of no program here
     {effect::fog, "zstrip::detail::fog_curve("},
     {effect::fog, "zstrip::detail::visibility("},
     {effect::fog, "zstrip::detail::power_of_half("},
