@@ -8,6 +8,7 @@
 #include "import/read_file.hpp"
 #include "visibility/visible_set_bake.hpp"
 #include "zstrip/plan.hpp"
+#include "zstrip/visibility/visible_sets.hpp"
 
 namespace zstrip::sim {
 
