@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # freestanding.sh ROOT [--headers | --few] COMPILER FLAGS...: compiles core and hal for a freestanding target and reads the objects:
 # they may call the four mem functions and the compiler's integer helpers, and nothing may run before main. The sources of
-# a folder are compiled together; with --few without the pipelines that are for hosts alone, whose code is the same for any
-# compiler; with --headers each source and each header by itself: those that have changed, and one of eight that the date
+# a folder are compiled together; without the pipelines that are for hosts alone but for one day of eight and with
+# ZSTRIP_LONG, with --few always: their code is the same for any compiler; with --headers each source and each header by itself: those that have changed, and one of eight that the date
 # chooses; all with ZSTRIP_LONG.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/sources.sh"
@@ -37,6 +37,7 @@ if [ -n "$headers" ]; then
     few=yes
   fi
 else
+  if [ -z "${ZSTRIP_LONG-}" ] && [ "$(($(date +%s) / 86400 % 8))" != 0 ]; then few=yes; fi
   find "$root/core/zstrip" "$root/hal/zstrip_hal" -name '*.cpp' -printf '%h\n' | sort -u >"$objects/sources"
 fi
 # compile SOURCE-OR-FOLDER COMPILER FLAGS...
@@ -44,7 +45,7 @@ compile() {
   local source=$1 included
   shift
   if [ -d "$source" ]; then
-    included=$(printf '#include "%s"\n' "$source"/*.cpp | if [ -n "$few" ]; then grep -vE '/(any_pipeline|rows_of_[a-z]*)\.cpp"' ; else cat; fi)
+    included=$(printf '#include "%s"\n' "$source"/*.cpp | grep -vE "/(no_seldom_rows${few:+|any_pipeline|rows_of_[a-z]*})\.cpp\"")
   else
     included="#include \"$source\""
   fi
