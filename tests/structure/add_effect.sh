@@ -28,7 +28,9 @@ step effects.hpp 's/\| csg \| edges \|/| csg | edges | negative |/'
 step effects.hpp 's/^( *)if \(!scene\.csg\.empty\(\)\)/\1if (scene.negative) found = found | effect::negative;\n&/'
 cp -r "$here/negative" effects/
 step effects/list.hpp 's|^#include "zstrip/effects/outlines/effect.hpp"|#include "zstrip/effects/negative/effect.hpp"\n&|'
-step effects/list.hpp 's/\bsamples::Effect>/samples::Effect, negative::Effect>/; s/\bedges::Effect>/edges::Effect, negative::Effect>/'
+step effects/list.hpp 's/\bsamples::Effect>/samples::Effect, negative::Effect>/'
+step effects/memory.hpp 's|^#include "zstrip/effects/outlines/effect.hpp"|#include "zstrip/effects/negative/effect.hpp"\n&|'
+step effects/memory.hpp 's/\bedges::Effect>/edges::Effect, negative::Effect>/'
 step effects/stages.hpp 's|^#include "zstrip/effects/outlines/|#include "zstrip/effects/negative/negative_stage.hpp"\n&|'
 step effects/stages.hpp 's/\bdithering::Stage>/negative::Stage, dithering::Stage>/'
 

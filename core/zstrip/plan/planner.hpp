@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "zstrip/effects/exclusions.hpp"
+#include "zstrip/effects/memory.hpp"
 #include "zstrip/plan.hpp"
 #include "zstrip/plan/estimate.hpp"
 #include "zstrip/plan/record_bytes.hpp"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "zstrip/effects/list.hpp"
+#include "zstrip/effects/memory.hpp"
 
 namespace zstrip::detail {
 

@@ -1,0 +1,68 @@
+// How the parts of the arena lie behind each other in which effects keep something through a frame.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "zstrip/effects/blending/effect.hpp"
+#include "zstrip/effects/changed_instances.hpp"
+#include "zstrip/effects/csg/effect.hpp"
+#include "zstrip/effects/edges/effect.hpp"
+#include "zstrip/effects/environment/effect.hpp"
+#include "zstrip/effects/fog/effect.hpp"
+#include "zstrip/effects/local_light/effect.hpp"
+#include "zstrip/effects/outlines/effect.hpp"
+#include "zstrip/effects/shadows/effect.hpp"
+
+namespace zstrip::detail {
+
+/// Ahead of all parts: which of them there are, and of how many instances.
+inline constexpr std::uint32_t kEffectHeaderBytes = 16;
+
+/// The last parts may count something else than instances; of these no scene has two.
+template <class... Parts>
+struct EffectMemory {
+  /// Whether effects among these have any memory.
+  static constexpr bool has_any(Effects effects) { return effects.any((Parts::kNeedMemory | ...)); }
+
+  /// Of all parts, and what is ahead of them. `called_for`: no other than `possible`, for which alone there is code.
+  template <Effects possible = (Parts::kNeedMemory | ...)>
+  static constexpr std::uint64_t bytes(Effects called_for, const SceneCounts& counts) {
+    if (!has_any(called_for)) return 0;
+    std::uint64_t end = kEffectHeaderBytes;
+    (add_possible<possible, Parts>(end, called_for, counts), ...);
+    return end;
+  }
+
+  /// Where a part begins that is called for.
+  template <class Part>
+  static constexpr std::size_t offset_of(Effects called_for, std::uint32_t instances) {
+    static_assert((std::is_same_v<Part, Parts> || ...), "memory that nothing plans");
+    const SceneCounts counts{.instances = instances};
+    std::uint64_t end = kEffectHeaderBytes;
+    bool found = false;
+    ((found = found || std::is_same_v<Part, Parts>, found ? void() : add<Parts>(end, called_for, counts)), ...);
+    return static_cast<std::size_t>(aligned<Part>(end));
+  }
+
+ private:
+  template <class Part>
+  static constexpr std::uint64_t aligned(std::uint64_t offset) {
+    return (offset + Part::kAlignment - 1) / Part::kAlignment * Part::kAlignment;
+  }
+  template <Effects possible, class Part>
+  static constexpr void add_possible(std::uint64_t& end, Effects called_for, const SceneCounts& counts) {
+    if constexpr (possible.any(Part::kNeedMemory)) add<Part>(end, called_for, counts);
+  }
+  template <class Part>
+  static constexpr void add(std::uint64_t& end, Effects called_for, const SceneCounts& counts) {
+    if (called_for.any(Part::kNeedMemory)) end = aligned<Part>(end) + Part::bytes(counts);
+  }
+};
+
+using MemoryOfEffects =
+    EffectMemory<fog::Effect, blending::Effect, local_light::Effect, changed_instances::Memory, environment::Effect,
+                 outlines::Effect, shadows::Effect, csg::Effect, edges::Effect>;
+
+}  // namespace zstrip::detail
