@@ -1,8 +1,12 @@
 // What is baked: a scene as it stands, the picture that it was placed for, and the plan of that picture.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <span>
 #include <string>
 
+#include "import/model.hpp"
 #include "zstrip/animation.hpp"
 #include "zstrip/camera.hpp"
 #include "zstrip/effects.hpp"
@@ -13,6 +17,20 @@
 #include "zstrip/view.hpp"
 
 namespace zstrip::sim {
+
+/// Meshes of the scene that joints move.
+struct BakedSkins {
+  std::span<const ModelSkin> meshes;  ///< empty: nothing bends
+  std::span<const Joint> joints;      ///< of all of them
+  std::span<const JointPose> rest;
+  Animation animation;  ///< of the joints
+
+  /// The mesh as it was modelled, where it is one of these, else null.
+  const ModelSkin* find(std::size_t mesh) const {
+    const auto found = std::ranges::find(meshes, mesh, &ModelSkin::mesh);
+    return found == meshes.end() ? nullptr : &*found;
+  }
+};
 
 /// Passes validate(); its views must outlive it.
 struct BakedScene {
@@ -28,6 +46,7 @@ struct BakedScene {
   Plan plan;
   BspTree tree{};  ///< with method::bsp
   Turn turn{};
+  BakedSkins skins{};
 };
 
 }  // namespace zstrip::sim

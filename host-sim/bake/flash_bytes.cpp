@@ -1,4 +1,4 @@
-// What a scene takes of the flash, by kind.
+// What a scene takes of the flash, by kind, and its skins of the RAM.
 #include "bake/flash_bytes.hpp"
 
 #include <set>
@@ -10,7 +10,7 @@ namespace zstrip::sim {
 namespace {
 
 // With addresses of 32 bits; core/zstrip/scene/scene_blob.cpp asserts them on such targets.
-constexpr std::uint64_t kSceneBytes = 116, kCameraBytes = 64;
+constexpr std::uint64_t kSceneBytes = 116, kCameraBytes = 64, kMeshBytes = 76;
 
 }  // namespace
 
@@ -21,18 +21,20 @@ std::uint64_t table_bytes(const Scene& scene) {
     overlay = kOverlayBytes + scene.overlay->images.size() * kImageBytes + scene.overlay->fonts.size() * kFontBytes +
               scene.overlay->labels.size() * kLabelBytes;
   }
-  constexpr std::uint64_t kMeshBytes = 76, kTextureBytes = 12, kLineSetBytes = 64, kEdgeSetBytes = 12;
+  constexpr std::uint64_t kTextureBytes = 12, kLineSetBytes = 64, kEdgeSetBytes = 12;
   return scene.meshes.size() * kMeshBytes + scene.textures.size() * kTextureBytes + scene.lines.size() * kLineSetBytes +
          scene.edges.size() * kEdgeSetBytes + overlay;
 }
 
-FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const BspTree& tree) {
+FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const BspTree& tree, const BakedSkins& skins) {
   FlashBytes bytes;
   std::set<std::pair<const void*, std::size_t>> seen;  // meshes may share arrays
   const auto add = [&seen](std::uint64_t& sum, const auto& records) {
     if (seen.insert({records.data(), records.size()}).second) sum += records.size_bytes();
   };
-  for (const Mesh& mesh : scene.meshes) {
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    const ModelSkin* const skin = skins.find(i);
+    const Mesh& mesh = skin == nullptr ? scene.meshes[i] : skin->bind;
     add(bytes.positions, mesh.positions);
     add(bytes.normals, mesh.normals);
     add(bytes.colours, mesh.colours);
@@ -57,13 +59,29 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const Bsp
     bytes.tables += over.sprites.size_bytes();
   }
   bytes.tree = tree.nodes.size_bytes();
-  bytes.keyframes = animation.keyframes.size_bytes() + animation.tracks.size_bytes();
+  bytes.joints = skins.joints.size_bytes() + skins.rest.size_bytes();
+  for (const ModelSkin& skin : skins.meshes) add(bytes.joints, skin.vertices);
+  bytes.keyframes = animation.keyframes.size_bytes() + animation.tracks.size_bytes() +
+                    skins.animation.keyframes.size_bytes() + skins.animation.tracks.size_bytes();
+  if (!skins.meshes.empty()) {
+    constexpr std::uint64_t kSkinBytes = 28, kMovedBytes = 24;
+    bytes.tables += scene.meshes.size() * kMeshBytes + skins.meshes.size() * (kSkinBytes + kMovedBytes);
+  }
   bytes.tables += table_bytes(scene) + scene.materials.size_bytes() + scene.instances.size_bytes() +
                   scene.quadrics.size_bytes() + scene.lights.size_bytes() + scene.finishes.size_bytes() +
                   scene.outlines.size_bytes() + scene.csg.size_bytes() + scene.punctual_lights.size_bytes() +
                   (scene.fog != nullptr ? sizeof(Fog) : 0) + (scene.shadow != nullptr ? sizeof(Shadow) : 0) +
                   kSceneBytes + kCameraBytes;
   return bytes;
+}
+
+SkinRam skin_ram(const BakedSkins& skins) {
+  SkinRam ram{.joints = skins.joints.size() * (sizeof(JointPose) + sizeof(Transform))};
+  for (const ModelSkin& skin : skins.meshes) {
+    ram.vertices +=
+        skin.bind.positions.size_bytes() + skin.bind.normals.size_bytes() + skin.bind.meshlets.size_bytes();
+  }
+  return ram;
 }
 
 }  // namespace zstrip::sim

@@ -165,5 +165,20 @@ std::string literal(const BspNode& n) {
   return fmt::format("{{{}, {}, {}, {}, {}, {}, {}, {}}}", n.x, n.y, n.z, n.distance, n.first_triangle, n.front, n.back,
                      n.parent);
 }
+std::string literal(const VertexJoints& vertex) {
+  const auto four = [](const std::uint8_t (&bytes)[4]) {
+    return fmt::format("{{{}, {}, {}, {}}}", bytes[0], bytes[1], bytes[2], bytes[3]);
+  };
+  return fmt::format("{{{}, {}}}", four(vertex.joints), four(vertex.weights));
+}
+std::string literal(const Joint& joint) {
+  const std::string parent = joint.parent == kNoJoint ? "zstrip::kNoJoint" : fmt::format("{}", joint.parent);
+  return fmt::format("{{{}, {}}}", literal(joint.inverse_bind), parent);
+}
+std::string literal(const JointPose& pose) {
+  const auto& q = pose.rotation;
+  return fmt::format("{{{{{}, {}, {}, {}}}, {}, {}}}", q[0], q[1], q[2], q[3], literal(pose.translation),
+                     literal(pose.scale));
+}
 
 }  // namespace zstrip::sim

@@ -14,6 +14,7 @@
 #include "zstrip/scene.hpp"
 #include "zstrip/scene/bsp_tree.hpp"
 #include "zstrip/scene/turn.hpp"
+#include "zstrip/skin.hpp"
 
 namespace zstrip::sim {
 
@@ -51,6 +52,9 @@ std::string literal(const Track& track);
 std::string literal(const Keyframe& k);
 std::string literal(Effects effects);
 std::string literal(const BspNode& n);
+std::string literal(const VertexJoints& vertex);
+std::string literal(const Joint& joint);
+std::string literal(const JointPose& pose);
 const char* turning_name(Turning turning);
 
 /// The definition of an array that is not empty, in lines of a header's width.

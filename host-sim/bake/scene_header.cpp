@@ -20,18 +20,24 @@
 namespace zstrip::sim {
 namespace {
 
+/// Vertices of a skin that the compiler checks: with more, Clang gives up at its limit of steps. The import has checked
+/// them all.
+constexpr std::size_t kMostChecked = 8192;
+
 /// Builds the text; knows the names that it has given.
 class Header {
  public:
-  explicit Header(const BakedScene& baked) : baked_(baked), scene_(baked.scene) {}
+  explicit Header(const BakedScene& baked) : baked_(baked), scene_(baked.scene), skins_(baked.skins) {}
 
   std::string text(const std::string& name_space) {
     comment(name_space);
     line("#pragma once\n");
+    if (bends()) line("#include <algorithm>\n#include <cstdint>\n");
     for (const char* header : {"animation.hpp", "camera.hpp", "effects.hpp", "plan.hpp", "scene.hpp", "scene/turn.hpp",
                                "status.hpp", "view.hpp"}) {
       line(fmt::format("#include \"zstrip/{}\"", header));
     }
+    if (bends()) line("#include \"zstrip/skin.hpp\"");
     if (!baked_.tree.nodes.empty()) line("#include \"zstrip/scene/bsp_tree.hpp\"");
     if (scene_.overlay != nullptr) {
       line("#include \"zstrip/effects/overlay/fonts.hpp\"");
@@ -42,6 +48,7 @@ class Header {
     scene();
     tree();
     animation();
+    joint_animation();
     camera();
     plan();
     line(fmt::format("\n}}  // namespace {}", name_space));
@@ -53,6 +60,8 @@ class Header {
     text_ += text;
     text_ += '\n';
   }
+
+  bool bends() const { return !skins_.meshes.empty(); }
 
   void comment(const std::string& name_space) {
     const SceneCounts counts = count(scene_);
@@ -66,10 +75,11 @@ class Header {
          {"#include \"zstrip/zstrip.hpp\"",
           "alignas(zstrip::kArenaAlignment) std::array<std::byte, @kPlan.bytes()> arena;",
           "alignas(4) std::array<std::byte, @kPlan.strip_pixel_bytes(@kView)> pixels;",
-          "zstrip::Renderer<@kEffects> renderer;", "",
+          "zstrip::Renderer<@kEffects> renderer;", "", bends() ? "@pose_skins(milliseconds);" : nullptr,
           "renderer.begin_frame(@kScene, @kCamera, @kView, @kPlan, arena);",
           "for (std::uint16_t strip = 0; strip < @kPlan.strips; ++strip) {", "  renderer.draw_strip(strip, pixels);",
           "  // @kPlan.strip_area(strip, @kView) of the picture is in `pixels`: send it to the display.", "}"}) {
+      if (usage == nullptr) continue;
       std::string text = usage;
       for (std::size_t at = 0; (at = text.find('@')) != std::string::npos;) text.replace(at, 1, name_space + "::");
       line(text.empty() ? "//" : "//     " + text);
@@ -81,6 +91,10 @@ class Header {
           "painter-newell,");
       line("// for this camera only: with another one, or moved, they hide each other wrongly. Bake again for that.");
       return;
+    }
+    if (bends()) {
+      line("// pose_skins moves the vertices that joints move, in RAM: before its first call there are only zeros. It");
+      line("// returns a Status, too.");
     }
     line(
         "// begin_frame and draw_strip return a Status: look at it. To move the scene, copy kInstances into RAM, "
@@ -105,7 +119,8 @@ class Header {
 
   void data() {
     for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
-      const Mesh& mesh = scene_.meshes[i];
+      const ModelSkin* const skin = skins_.find(i);
+      const Mesh& mesh = skin == nullptr ? scene_.meshes[i] : skin->bind;
       const auto name = [i](const char* what) { return fmt::format("k{}{}", what, i); };
       meshes_ += "    {.positions = " + array("zstrip::Position", name("Positions"), mesh.positions);
       meshes_ += ",\n     .normals = " + array("zstrip::Normal", name("Normals"), mesh.normals);
@@ -132,7 +147,10 @@ class Header {
 
   void scene() {
     std::string meshes = "{}", textures = "{}";
-    if (!meshes_.empty()) {
+    if (bends()) {
+      meshes = "kMeshes";
+      skins();
+    } else if (!meshes_.empty()) {
       meshes = "kMeshes";
       line(fmt::format("\ninline constexpr zstrip::Mesh kMeshes[{}] = {{\n{}}};", scene_.meshes.size(), meshes_));
     }
@@ -171,6 +189,79 @@ class Header {
         "{pad}.instances = {},\n{pad}.lights = {},\n{pad}.ambient = {},\n{pad}.background = {}{}}};",
         meshes, materials, textures, instances, lights, literal(scene_.ambient), literal(scene_.background), more,
         fmt::arg("pad", "                                      ")));
+  }
+
+  /// The mesh table, and what moves some of it.
+  void skins() {
+    line(
+        fmt::format("\n/// The meshes as they were modelled, and what moves some of them.\n"
+                    "inline constexpr zstrip::Mesh kBindMeshes[{}] = {{\n{}}};",
+                    scene_.meshes.size(), meshes_));
+    array("zstrip::Joint", "kJoints", skins_.joints);
+    array("zstrip::JointPose", "kJointRest", skins_.rest);
+    std::string skins, checks, arrays, moved, meshes;
+    for (std::size_t i = 0; i < skins_.meshes.size(); ++i) {
+      const ModelSkin& skin = skins_.meshes[i];
+      const std::string vertices = array("zstrip::VertexJoints", fmt::format("kVertexJoints{}", i), skin.vertices);
+      skins += fmt::format(
+          "    {{.mesh = &kBindMeshes[{}], .vertices = {}, .joints = kJoints, .rest = kJointRest}},\n", skin.mesh,
+          vertices);
+      if (skin.vertices.size() <= kMostChecked) {
+        checks += fmt::format("static_assert(zstrip::validate(kSkins[{}]));\n", i);
+      }
+      const auto in_ram = [&](const char* type, const char* name, std::size_t count) {
+        if (count == 0) return std::string("{}");
+        arrays += fmt::format("inline zstrip::{} {}{}[{}];\n", type, name, i, count);
+        return fmt::format("{}{}", name, i);
+      };
+      moved += "    {.positions = " + in_ram("Position", "moved_positions", skin.bind.positions.size());
+      moved += ", .normals = " + in_ram("Normal", "moved_normals", skin.bind.normals.size());
+      moved += ", .meshlets = " + in_ram("Meshlet", "moved_meshlets", skin.bind.meshlets.size()) + "},\n";
+    }
+    for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
+      const ModelSkin* const skin = skins_.find(i);
+      meshes += skin == nullptr ? fmt::format("    kBindMeshes[{}],\n", i)
+                                : fmt::format("    zstrip::moved_mesh(kBindMeshes[{}], kMoved[{}]),\n", i,
+                                              skin - skins_.meshes.data());
+    }
+    text_ += fmt::format("inline constexpr zstrip::Skin kSkins[{0}] = {{\n{1}}};\n{2}", skins_.meshes.size(), skins,
+                         checks);
+    text_ += fmt::format(
+        "/// Where they are moved to: RAM, which holds zeros before the first pose_skins.\n{1}"
+        "inline constexpr zstrip::MovedVertices kMoved[{0}] = {{\n{2}}};\n\n"
+        "/// The meshes that are drawn.\ninline constexpr zstrip::Mesh kMeshes[{3}] = {{\n{4}}};\n",
+        skins_.meshes.size(), arrays, moved, scene_.meshes.size(), meshes);
+  }
+
+  void joint_animation() {
+    if (!bends()) return;
+    line("\n/// What moves the joints: its tracks' `instance` is a joint. As long as kAnimation.");
+    const std::string tracks = array("zstrip::Track", "kJointTracks", skins_.animation.tracks);
+    const std::string keyframes = array("zstrip::Keyframe", "kJointKeyframes", skins_.animation.keyframes);
+    line(fmt::format(
+        "inline constexpr zstrip::Animation kJointAnimation{{.tracks = {}, .keyframes = {}, .duration = {}}};", tracks,
+        keyframes, skins_.animation.duration));
+    // What JointPose has by default is not all zeros, and would take as much flash again.
+    std::string zeros;
+    for (std::size_t i = 0; i < skins_.joints.size(); ++i) {
+      constexpr std::size_t kInALine = 8;
+      zeros += i == 0 ? "{{}, {}, {}}" : i % kInALine == 0 ? ",\n    {{}, {}, {}}" : ", {{}, {}, {}}";
+    }
+    text_ += fmt::format(
+        "inline zstrip::JointPose joint_poses[{0}] = {{\n    {1}}};\n"
+        "inline zstrip::Transform joint_work[{0}];\n"
+        "/// Moves what joints move to where it is so many milliseconds after the animation's start, any time. Before\n"
+        "/// begin_frame.\n"
+        "inline zstrip::Status pose_skins(std::uint32_t milliseconds) {{\n"
+        "  std::ranges::copy(kJointRest, joint_poses);\n"
+        "  zstrip::pose(kJointAnimation, milliseconds, joint_poses);\n"
+        "  for (std::uint32_t i = 0; i < {2}; ++i) {{\n"
+        "    const zstrip::Status moved = zstrip::skin_mesh(kSkins[i], joint_poses, joint_work, kMoved[i]);\n"
+        "    if (!moved) return moved;\n"
+        "  }}\n"
+        "  return {{}};\n"
+        "}}\n",
+        skins_.joints.size(), zeros, skins_.meshes.size());
   }
 
   std::string lines() {
@@ -298,7 +389,17 @@ class Header {
     const std::string of_view = effects_of(view) == Effects{} ? "" : " | zstrip::effects_of(kView)";
     line(fmt::format("static_assert(kEffects == (zstrip::effects_of(kScene, kCamera){}));",
                      of_view + (beyond_scene == Effects{} ? "" : " | " + literal(beyond_scene))));
-    line("inline constexpr zstrip::SceneCounts kCounts = zstrip::count(kScene);");
+    if (bends()) {
+      line(
+          "/// The scene as it was modelled, which the compiler can count and validate.\n"
+          "inline constexpr zstrip::Scene kBindScene = [] {\n"
+          "  zstrip::Scene scene = kScene;\n"
+          "  scene.meshes = kBindMeshes;\n"
+          "  return scene;\n"
+          "}();");
+    }
+    line(fmt::format("inline constexpr zstrip::SceneCounts kCounts = zstrip::count({});",
+                     bends() ? "kBindScene" : "kScene"));
     line(fmt::format(
         "/// What --ram and the other options allowed, and the strips that were chosen for it: {} of arena and {} for\n"
         "/// each of {}.\n"
@@ -316,6 +417,7 @@ class Header {
 
   const BakedScene& baked_;
   const Scene& scene_;
+  const BakedSkins& skins_;
   std::string text_, meshes_, textures_;
   std::map<std::pair<const void*, std::size_t>, std::string> arrays_;  ///< names of those that stand there
 };

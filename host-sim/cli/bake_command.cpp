@@ -80,12 +80,29 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-/// What a method makes of the scene is for what stands still.
+/// Of the skins that the output moves: none of a blob.
+BakedSkins skins_of(Kind kind, const Stage& stage) {
+  const Model* const model = stage.model();
+  if (!stage.bends() || model == nullptr) return {};
+  if (kind == Kind::blob) {
+    print_warning(
+        "a blob has no skins: what joints move stands still in it as at frame 0; a header (-o FILE.hpp) moves it");
+    return {};
+  }
+  return {model->skins, model->joints, model->rest, stage.joint_animation()};
+}
+
+/// What a method makes of the scene, and visible sets, are for what stands still.
 Result<PreparedScene> prepare_for(const PlanRequest& request, const Arguments& arguments, const Staging& staging,
-                                  const Animation& animation) {
+                                  const Animation& animation, const BakedSkins& skins) {
+  if (arguments.visible_sets && !skins.meshes.empty()) {
+    return Failure{ExitStatus::usage,
+                   "--visible-sets are of meshlets that keep their shape, and here joints move their vertices; leave "
+                   "it out"};
+  }
   if (request.method.any(method::orders)) {
     const std::string_view name = visibility_name(request.method);
-    if (!animation.tracks.empty()) {
+    if (!animation.tracks.empty() || !skins.meshes.empty()) {
       return Failure{ExitStatus::usage,
                      fmt::format("--visibility {} orders triangles that stand still, and here some move; bake with "
                                  "another method",
@@ -133,7 +150,7 @@ bool same(const Camera& a, const Camera& b) {
 
 /// The scene at rest, planned.
 Result<BakedScene> bake(const std::string& scene, const Staging& staging, const Animation& animation, const Turn& turn,
-                        const PlanRequest& request) {
+                        const BakedSkins& skins, const PlanRequest& request) {
   const Result<Plan> plan = best_plan(staging, request);
   if (!plan) return plan.failure();
   BakedScene baked{.source = std::filesystem::path(scene).filename().string(),
@@ -146,7 +163,8 @@ Result<BakedScene> bake(const std::string& scene, const Staging& staging, const 
                    .budget = request.budget,
                    .plan = *plan,
                    .tree = staging.tree,
-                   .turn = turn};
+                   .turn = turn,
+                   .skins = skins};
   const bool binned = plan->mode == Mode::binned;
   if (binned) baked.effects = baked.effects | effect::bins;
   baked.budget.modes = binned ? Modes::binned : Modes::streamed;
@@ -164,13 +182,14 @@ BakeRecord describe(const Arguments& arguments, const Stage& stage, const BakedS
                     .view = baked.view,
                     .materials = baked.scene.materials.size(),
                     .counts = count(baked.scene),
-                    .flash = flash_bytes(baked.scene, baked.animation, baked.tree),
+                    .flash = flash_bytes(baked.scene, baked.animation, baked.tree, baked.skins),
                     .accuracy = {},
                     .effects = find_effects(baked.scene, baked.camera, baked.effects, origins),
                     .plan = baked.plan,
                     .strip_buffers = baked.budget.strip_buffers,
                     .lent_bytes = {},
-                    .warnings = stage.warnings()};
+                    .warnings = stage.warnings(),
+                    .skin_ram = skin_ram(baked.skins)};
   if (model != nullptr) record.accuracy = model->accuracy;
   return record;
 }
@@ -284,7 +303,8 @@ Result<Done> run(const Arguments& arguments) {
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   const Result<Staging> staging = (*stage)->place(0, angles);
   if (!staging) return staging.failure();
-  const Result<PreparedScene> prepared = prepare_for(*request, arguments, *staging, (*stage)->animation());
+  const BakedSkins skins = skins_of(*kind, **stage);
+  const Result<PreparedScene> prepared = prepare_for(*request, arguments, *staging, (*stage)->animation(), skins);
   if (!prepared) return prepared.failure();
   Staging at_rest = prepared->staging();
   const MipmappedScene mipmapped(at_rest.scene, mipmap_choice(arguments.mipmaps));
@@ -292,7 +312,7 @@ Result<Done> run(const Arguments& arguments) {
   at_rest.scene = paletted.scene();
   const Result<Turn> turn = turn_of(**stage, *request, arguments, *staging);
   if (!turn) return turn.failure();
-  const Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *turn, *request);
+  const Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *turn, skins, *request);
   if (!baked) return baked.failure();
   BakeRecord record = describe(arguments, **stage, *baked);
   record.palettes = paletted.records();

@@ -27,6 +27,7 @@ class EdgedStage : public Stage {
   const std::vector<std::string>& warnings() const override { return stage_->warnings(); }
   Animation animation() const override { return stage_->animation(); }
   bool bends() const override { return stage_->bends(); }
+  Animation joint_animation() const override { return stage_->joint_animation(); }
   Turn turn() const override { return stage_->turn(); }
   Origins origins() const override { return stage_->origins(); }
   const Model* model() const override { return stage_->model(); }

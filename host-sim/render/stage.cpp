@@ -176,6 +176,7 @@ class ModelStage : public CameraStage {
   const std::vector<std::string>& warnings() const override { return model_->warnings; }
   Animation animation() const override { return motion_->instances.view(); }
   bool bends() const override { return skins_.moves(); }
+  Animation joint_animation() const override { return motion_->joints.view(); }
   Turn turn() const override { return bends() ? Turn{.what = Turning::nothing} : Turn{}; }
   Origins origins() const override {
     return {model_->material_names, std::vector<std::string>(model_->materials.size(), file_), {}, {}};

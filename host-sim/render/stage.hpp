@@ -44,6 +44,8 @@ class Stage {
   virtual Animation animation() const { return {}; }
   /// Whether meshes differ from frame to frame.
   virtual bool bends() const { return false; }
+  /// What moves the joints of model()'s skins, if so. Likewise.
+  virtual Animation joint_animation() const { return {}; }
   /// What moves without them.
   virtual Turn turn() const = 0;
   /// Where what calls for effects stands, and the names of materials.

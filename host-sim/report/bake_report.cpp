@@ -51,6 +51,7 @@ std::string flash_lines(const BakeRecord& record) {
   add(flash.edges, "edges that are anti-aliased", "");
   add(flash.texels, record.palettes.empty() ? "textures, RGB565" : "textures",
       known ? "a channel " + off_words(100 * accuracy.texel, "%") : "");
+  add(flash.joints, "joints, and what each moves of a vertex", "");
   add(flash.keyframes, "keyframes of the animation", "");
   add(flash.tree, "tree of painter-bsp", counted(record.method.value_or(BakedMethodRecord{}).nodes, "node"));
   add(flash.tables, "tables of meshes, materials, textures, instances and lights, camera", "");
@@ -117,6 +118,10 @@ std::string bake_summary(const BakeRecord& record) {
                       shape(record.plan, record.view));
   text += fmt::format("  RAM        {}{}\n", memory(record.plan, record.plan.strip_pixel_bytes(record.view), method),
                       record.strip_buffers == 2 ? ", twice" : "");
+  if (record.skin_ram.vertices > 0) {
+    text += fmt::format("             and {} for the vertices that joints move, {} for the joints\n",
+                        counted(record.skin_ram.vertices, "byte"), grouped(record.skin_ram.joints));
+  }
   if (record.method) {
     text += fmt::format("  visibility {}; {}\n", visibility_words(record.plan, method),
                         record.method->splits == 0 ? "no triangle was cut"
@@ -162,6 +167,7 @@ std::string bake_json(const BakeRecord& record) {
                    {"meshlets", flash.meshlets},
                    {"edges", flash.edges},
                    {"textures", flash.texels},
+                   {"joints", flash.joints},
                    {"keyframes", flash.keyframes},
                    {"tree", flash.tree},
                    {"tables", flash.tables},
@@ -207,6 +213,10 @@ std::string bake_json(const BakeRecord& record) {
                     {"strip_columns", plan.strip_columns},
                     {"strip_buffers", record.strip_buffers},
                     {"ram_bytes", bytes}};
+  if (record.skin_ram.vertices > 0) {
+    object["plan"]["ram_bytes"]["moved_vertices"] = record.skin_ram.vertices;
+    object["plan"]["ram_bytes"]["joints"] = record.skin_ram.joints;
+  }
   if (record.lent_bytes) object["plan"]["ram_bytes"]["lent_tables"] = *record.lent_bytes;
   if (const auto& method = record.method) {
     object["visibility"] = {

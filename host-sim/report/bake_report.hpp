@@ -45,6 +45,7 @@ struct BakeRecord {
   std::uint8_t strip_buffers = 1;
   std::optional<std::uint64_t> lent_bytes;  ///< of a blob: memory that a program with 32-bit addresses lends for it
   std::vector<std::string> warnings;
+  SkinRam skin_ram{};
   std::optional<BakedMethodRecord> method{};
   std::optional<VisibleSetRecord> visible_sets{};
   std::vector<PaletteRecord> palettes{};  ///< of the textures that have got one

@@ -10,6 +10,14 @@
 
 namespace zstrip::board {
 
+/// What is found where the header has no skins.
+namespace without_skins {
+template <class Time>
+constexpr Status pose_skins(Time) {
+  return {};
+}
+}  // namespace without_skins
+
 class BakedMotion {
  public:
   static constexpr std::uint32_t kFrames = 64;
@@ -19,9 +27,12 @@ class BakedMotion {
 
   static constexpr const char* name() { return "baked"; }
   /// The scene's animation in as many frames as a turn has; what has none turns.
-  void move_to(std::uint32_t frame) {
+  Status move_to(std::uint32_t frame) {
     staged_ = scenes::stage({baked::kScene, baked::kCamera, baked::kAnimation, baked::kTurn}, frame, kFrames,
                             {.instances = instances_, .lines = lines_});
+    using namespace without_skins;
+    using namespace baked;
+    return pose_skins(time_of_frame(kAnimation, frame, kFrames));
   }
   const Scene& scene_now() const { return staged_.scene; }
   const Camera& camera_now() const { return staged_.camera; }

@@ -30,7 +30,7 @@ class ScenePlayer {
         panel.height() != kView.height) {
       return {"display", "its size or format is not that of the plan"};
     }
-    motion.move_to(frame);
+    if (const Status moved = motion.move_to(frame); !moved) return {"moving the scene", message(moved.error)};
     if (const Status begun = renderer.begin_frame(motion.scene_now(), motion.camera_now(), kView, kPlan, arena);
         !begun) {
       return {"begin of the frame", message(begun.error)};

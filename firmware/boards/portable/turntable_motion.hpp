@@ -43,7 +43,10 @@ class TurntableMotion {
   static constexpr Plan kPlan = kPlanned.plan;
 
   static constexpr const char* name() { return scene.name; }
-  void move_to(std::uint32_t frame) { stage(scene, staged_, frame, frames_per_turn, kView); }
+  Status move_to(std::uint32_t frame) {
+    stage(scene, staged_, frame, frames_per_turn, kView);
+    return {};
+  }
   const Scene& scene_now() const { return staged_.scene; }
   const Camera& camera_now() const { return staged_.camera; }
 
