@@ -78,8 +78,7 @@ FlashBytes flash_bytes(const Scene& scene, const Animation& animation, const Bsp
 SkinRam skin_ram(const BakedSkins& skins) {
   SkinRam ram{.joints = skins.joints.size() * (sizeof(JointPose) + sizeof(Transform))};
   for (const ModelSkin& skin : skins.meshes) {
-    ram.vertices +=
-        skin.bind.positions.size_bytes() + skin.bind.normals.size_bytes() + skin.bind.meshlets.size_bytes();
+    ram.vertices += skin.bind.positions.size_bytes() + skin.bind.normals.size_bytes() + skin.bind.meshlets.size_bytes();
   }
   return ram;
 }

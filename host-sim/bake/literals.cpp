@@ -166,7 +166,7 @@ std::string literal(const BspNode& n) {
                      n.parent);
 }
 std::string literal(const VertexJoints& vertex) {
-  const auto four = [](const std::uint8_t (&bytes)[4]) {
+  const auto four = [](const std::uint8_t(&bytes)[4]) {
     return fmt::format("{{{}, {}, {}, {}}}", bytes[0], bytes[1], bytes[2], bytes[3]);
   };
   return fmt::format("{{{}, {}}}", four(vertex.joints), four(vertex.weights));

@@ -34,10 +34,9 @@ class Header {
     line("#pragma once\n");
     if (bends()) line("#include <algorithm>\n#include <cstdint>\n");
     for (const char* header : {"animation.hpp", "camera.hpp", "effects.hpp", "plan.hpp", "scene.hpp", "scene/turn.hpp",
-                               "status.hpp", "view.hpp"}) {
-      line(fmt::format("#include \"zstrip/{}\"", header));
+                               bends() ? "skin.hpp" : nullptr, "status.hpp", "view.hpp"}) {
+      if (header != nullptr) line(fmt::format("#include \"zstrip/{}\"", header));
     }
-    if (bends()) line("#include \"zstrip/skin.hpp\"");
     if (!baked_.tree.nodes.empty()) line("#include \"zstrip/scene/bsp_tree.hpp\"");
     if (scene_.overlay != nullptr) {
       line("#include \"zstrip/effects/overlay/fonts.hpp\"");
@@ -93,8 +92,10 @@ class Header {
       return;
     }
     if (bends()) {
-      line("// pose_skins moves the vertices that joints move, in RAM: before its first call there are only zeros. It");
-      line("// returns a Status, too.");
+      line(
+          "// pose_skins writes the vertices that joints move, in RAM: before its first call they are zeros, and "
+          "nothing of");
+      line("// them is drawn. It returns a Status, too.");
     }
     line(
         "// begin_frame and draw_strip return a Status: look at it. To move the scene, copy kInstances into RAM, "
@@ -203,9 +204,8 @@ class Header {
     for (std::size_t i = 0; i < skins_.meshes.size(); ++i) {
       const ModelSkin& skin = skins_.meshes[i];
       const std::string vertices = array("zstrip::VertexJoints", fmt::format("kVertexJoints{}", i), skin.vertices);
-      skins += fmt::format(
-          "    {{.mesh = &kBindMeshes[{}], .vertices = {}, .joints = kJoints, .rest = kJointRest}},\n", skin.mesh,
-          vertices);
+      skins += fmt::format("    {{.mesh = &kBindMeshes[{}], .vertices = {}, .joints = kJoints, .rest = kJointRest}},\n",
+                           skin.mesh, vertices);
       if (skin.vertices.size() <= kMostChecked) {
         checks += fmt::format("static_assert(zstrip::validate(kSkins[{}]));\n", i);
       }
@@ -224,10 +224,10 @@ class Header {
                                 : fmt::format("    zstrip::moved_mesh(kBindMeshes[{}], kMoved[{}]),\n", i,
                                               skin - skins_.meshes.data());
     }
-    text_ += fmt::format("inline constexpr zstrip::Skin kSkins[{0}] = {{\n{1}}};\n{2}", skins_.meshes.size(), skins,
-                         checks);
+    text_ +=
+        fmt::format("inline constexpr zstrip::Skin kSkins[{0}] = {{\n{1}}};\n{2}", skins_.meshes.size(), skins, checks);
     text_ += fmt::format(
-        "/// Where they are moved to: RAM, which holds zeros before the first pose_skins.\n{1}"
+        "/// Where they are moved to: RAM. It holds zeros before the first pose_skins, not the rest pose.\n{1}"
         "inline constexpr zstrip::MovedVertices kMoved[{0}] = {{\n{2}}};\n\n"
         "/// The meshes that are drawn.\ninline constexpr zstrip::Mesh kMeshes[{3}] = {{\n{4}}};\n",
         skins_.meshes.size(), arrays, moved, scene_.meshes.size(), meshes);

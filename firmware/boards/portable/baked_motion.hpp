@@ -8,15 +8,15 @@
 #include "baked_scene.hpp"
 #include "zstrip_scenes/baked_stage.hpp"
 
-namespace zstrip::board {
-
-/// What is found where the header has no skins.
-namespace without_skins {
+/// What is found where the header has no skins: beside its namespace, because an inner one would hide it.
+namespace baked_without_skins {
 template <class Time>
-constexpr Status pose_skins(Time) {
+constexpr zstrip::Status pose_skins(Time) {
   return {};
 }
-}  // namespace without_skins
+}  // namespace baked_without_skins
+
+namespace zstrip::board {
 
 class BakedMotion {
  public:
@@ -30,7 +30,7 @@ class BakedMotion {
   Status move_to(std::uint32_t frame) {
     staged_ = scenes::stage({baked::kScene, baked::kCamera, baked::kAnimation, baked::kTurn}, frame, kFrames,
                             {.instances = instances_, .lines = lines_});
-    using namespace without_skins;
+    using namespace baked_without_skins;
     using namespace baked;
     return pose_skins(time_of_frame(kAnimation, frame, kFrames));
   }
