@@ -100,6 +100,26 @@ TEST_F(Bake, BuiltInScenesCanBeBaked) {
   EXPECT_EQ(crcs("room.zsc", {}, 1), crcs("room", {}, 1));
 }
 
+/// What cannot move a skin says so, or refuses what would be wrong.
+TEST_F(Bake, SkinsStandStillInBlobsAndHaveNoOrderOfTriangles) {
+  const std::string figure = ZSTRIP_SCENE_FILES "/figure/figure.gltf";
+  const Outcome blob = run(ZSTRIP_COMMAND, {"bake", figure, "-o", "figure.zsc", "--quiet"}, path(""));
+  EXPECT_EQ(blob.status, 0);
+  EXPECT_NE(blob.err.find("a blob has no skins"), std::string::npos) << blob.err;
+  EXPECT_EQ(crcs("figure.zsc", {}, 1), crcs(figure, {"--frames", "8"}, 8)[0]);
+  const Outcome header = run(ZSTRIP_COMMAND, {"bake", figure, "-o", "figure.hpp", "--quiet"}, path(""));
+  EXPECT_EQ(header.status, 0);
+  EXPECT_EQ(header.err, "");
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--visibility", "painter-bsp"}, {"--visible-sets", "figure.zvs"}}) {
+    std::vector<std::string> arguments{"bake", figure, "-o", "refused.hpp", "--quiet"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome refused = run(ZSTRIP_COMMAND, arguments, path(""));
+    EXPECT_EQ(refused.status, 2) << refused.err;
+    EXPECT_NE(refused.err.find("move"), std::string::npos) << refused.err;
+  }
+}
+
 /// A narrower picture shows as much from side to side, a wider one as much from top to bottom.
 TEST_F(Bake, BlobInPicturesOfOtherShapes) {
   report({"bake", kHouse, "-o", "house.zsc", "--size", "200x100"});

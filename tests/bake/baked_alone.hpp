@@ -26,6 +26,8 @@ struct Header {
   zstrip::Effects effects;
   const zstrip::Budget& budget;
   const zstrip::Plan& plan;
+  const zstrip::Animation* joint_animation;                  ///< null without skins
+  zstrip::Status (*pose_skins)(std::uint32_t milliseconds);  ///< does nothing without
 };
 extern const Header header;
 

@@ -10,13 +10,22 @@
 
 namespace baked_alone {
 
-constexpr Header header{baked::kScene, baked::kAnimation, baked::kTurn,   baked::kCamera,
-                        baked::kView,  baked::kEffects,   baked::kBudget, baked::kPlan};
+#ifdef BAKED_SKINS
+constexpr const zstrip::Animation* kJoints = &baked::kJointAnimation;
+zstrip::Status pose_skins(std::uint32_t milliseconds) { return baked::pose_skins(milliseconds); }
+#else
+constexpr const zstrip::Animation* kJoints = nullptr;
+zstrip::Status pose_skins(std::uint32_t /*milliseconds*/) { return {}; }
+#endif
+
+constexpr Header header{baked::kScene,   baked::kAnimation, baked::kTurn, baked::kCamera, baked::kView,
+                        baked::kEffects, baked::kBudget,    baked::kPlan, kJoints,        pose_skins};
 
 alignas(zstrip::kArenaAlignment) std::array<std::byte, baked::kPlan.bytes()> arena;
 zstrip::Renderer<baked::kEffects> renderer;
 
 zstrip::Status draw(std::span<std::byte> pixels, Send send) {
+  if (const zstrip::Status moved = pose_skins(0); !moved) return moved;
   if (const zstrip::Status valid = validate(baked::kScene); !valid) return valid;
   return draw_moved(baked::kScene, baked::kCamera, pixels, send);
 }

@@ -40,7 +40,8 @@ class BakedHeader : public FolderTest {
   }
   /// For one strip, and not a byte more.
   std::span<std::byte> pixels() { return {pixels_.get(), header.plan.strip_pixel_bytes(header.view)}; }
-  bool turntable_ = !header.animation.tracks.empty() || is_turntable(baked_from.options);  ///< it moves
+  bool turntable_ = !header.animation.tracks.empty() || header.joint_animation != nullptr ||
+                    is_turntable(baked_from.options);  ///< it moves
 
  private:
   std::unique_ptr<std::byte[]> pixels_ = std::make_unique<std::byte[]>(header.plan.strip_pixel_bytes(header.view));
@@ -65,12 +66,16 @@ TEST_F(BakedHeader, TurnsAsTheModelTurns) {
     Camera camera = header.camera;
     if (header.animation.tracks.empty() && header.turn.what == Turning::camera) {
       camera = scenes::turned(camera, frame, 4);
-    } else if (header.animation.tracks.empty()) {
+    } else if (header.animation.tracks.empty() && header.turn.what != Turning::nothing) {
       for (std::size_t i = header.turn.still_instances; i < instances.size(); ++i) {
         instances[i].transform = scenes::turned(instances[i].transform, frame, 4);
       }
-    } else {
+    } else if (!header.animation.tracks.empty()) {
       pose(header.animation, time_of_frame(header.animation, frame, 4), instances);
+    }
+    if (header.joint_animation != nullptr) {
+      const Status moved = header.pose_skins(time_of_frame(*header.joint_animation, frame, 4));
+      ASSERT_TRUE(moved) << message(moved.error);
     }
     Scene scene = header.scene;
     scene.instances = instances;
