@@ -10,17 +10,21 @@
 namespace zstrip::sim::test {
 namespace {
 
-class BakeBoard : public FolderTest {};
+class BakeBoard : public FolderTest {
+ protected:
+  /// Eight frames of `program` are those of `zstrip render` of the model, all different.
+  void expect_moves(const std::string& model, const std::string& program);
+};
 
-TEST_F(BakeBoard, OledShowsTheModelTurning) {
+void BakeBoard::expect_moves(const std::string& model, const std::string& program) {
   constexpr int kFramesPerTurn = 64, kScreenScale = 4;
   const Outcome rendered = run(ZSTRIP_COMMAND,
-                               {"render", BAKED_MODEL, "-o", "frames", "--size", "128x64", "--format", "gray4",
-                                "--image", "raw", "--frames", std::to_string(kFramesPerTurn), "--quiet"},
+                               {"render", model, "-o", "frames", "--size", "128x64", "--format", "gray4", "--image",
+                                "raw", "--frames", std::to_string(kFramesPerTurn), "--quiet"},
                                path(""));
   ASSERT_EQ(rendered.status, 0) << rendered.err;
 
-  boards::Qemu board({.machine = "lm3s6965evb", .program = BAKED_PROGRAM});
+  boards::Qemu board({.machine = "lm3s6965evb", .program = program});
   board.write_console("p");
   std::set<std::string> pictures;
   for (int step = 0; step < 8; ++step) {
@@ -36,8 +40,13 @@ TEST_F(BakeBoard, OledShowsTheModelTurning) {
     pictures.insert(expected);
     board.write_console("n");
   }
-  EXPECT_EQ(pictures.size(), 8U) << "it does not turn";
+  EXPECT_EQ(pictures.size(), 8U) << "it does not move";
 }
+
+TEST_F(BakeBoard, OledShowsTheModelTurning) { expect_moves(BAKED_MODEL, BAKED_PROGRAM); }
+
+/// A board's player that did not move the skin drew nothing, and no error.
+TEST_F(BakeBoard, OledShowsASkinThatMoves) { expect_moves(BENDING_MODEL, BENDING_PROGRAM); }
 
 /// The house is lit and smooth, nothing more: of all other effects the program holds nothing.
 TEST_F(BakeBoard, ProgramLinksOnlyTheScenesEffects) { expect_only(BAKED_PROGRAM, effect::lighting | effect::gouraud); }

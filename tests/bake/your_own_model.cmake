@@ -25,11 +25,27 @@ zstrip_test_needs(BakeBoard.Build zstrip)
 set_tests_properties(BakeBoard.Build PROPERTIES
   FIXTURES_REQUIRED baked_scene FIXTURES_SETUP baked_program TIMEOUT 900 LABELS board)
 
+# Once more with a model that bends, in the same build.
+set(figure ${PROJECT_SOURCE_DIR}/host-sim/scenes/figure/figure.gltf)
+set(bending ${folder}/bending)
+file(MAKE_DIRECTORY ${bending})
+add_test(NAME BakeBoard.BakeSkin COMMAND zstrip bake ${figure} -o ${bending}/scene.hpp ${view} --ram 24K)
+zstrip_test_needs(BakeBoard.BakeSkin zstrip)
+set_tests_properties(BakeBoard.BakeSkin PROPERTIES FIXTURES_SETUP baked_skin LABELS board)
+add_test(NAME BakeBoard.BuildSkin COMMAND ${CMAKE_CTEST_COMMAND}
+  --build-and-test ${PROJECT_SOURCE_DIR} ${folder}/build
+  --build-generator ${CMAKE_GENERATOR} --build-noclean --build-target zstrip_lm3s6965evb_scene
+  --build-options -DZSTRIP_FIRMWARE_BINARIES=${bending} -DZSTRIP_SCENE=${bending}/scene.hpp)
+zstrip_test_needs(BakeBoard.BuildSkin zstrip)
+set_tests_properties(BakeBoard.BuildSkin PROPERTIES DEPENDS BakeBoard.Build
+  FIXTURES_REQUIRED "baked_program;baked_skin" FIXTURES_SETUP bending_program TIMEOUT 900 LABELS board)
+
 add_executable(bake_board_test board_test.cpp)
 target_include_directories(bake_board_test PRIVATE ../host-sim)
 target_link_libraries(bake_board_test PRIVATE zstrip::core zstrip_emulator bake_command_report GTest::gtest_main)
 target_compile_definitions(bake_board_test PRIVATE
-  ZSTRIP_COMMAND="$<TARGET_FILE:zstrip>" ZSTRIP_NM="${CMAKE_NM}" BAKED_MODEL="${model}" BAKED_PROGRAM="${folder}/zstrip_lm3s6965evb_scene.elf")
+  ZSTRIP_COMMAND="$<TARGET_FILE:zstrip>" ZSTRIP_NM="${CMAKE_NM}" BAKED_MODEL="${model}" BAKED_PROGRAM="${folder}/zstrip_lm3s6965evb_scene.elf"
+  BENDING_MODEL="${figure}" BENDING_PROGRAM="${bending}/zstrip_lm3s6965evb_scene.elf")
 zstrip_configure_test(bake_board_test)
 add_dependencies(bake_board_test zstrip)
-zstrip_discover_tests(bake_board_test PROPERTIES FIXTURES_REQUIRED baked_program TIMEOUT 120 LABELS board)
+zstrip_discover_tests(bake_board_test PROPERTIES FIXTURES_REQUIRED "baked_program;bending_program" TIMEOUT 120 LABELS board)
