@@ -106,7 +106,7 @@ TEST_F(Bake, SkinsStandStillInBlobsAndHaveNoOrderOfTriangles) {
   const Outcome blob = run(ZSTRIP_COMMAND, {"bake", figure, "-o", "figure.zsc", "--quiet"}, path(""));
   EXPECT_EQ(blob.status, 0);
   EXPECT_NE(blob.err.find("a blob has no skins"), std::string::npos) << blob.err;
-  EXPECT_EQ(crcs("figure.zsc", {}, 1), crcs(figure, {"--frames", "8"}, 8)[0]);
+  EXPECT_EQ(crcs("figure.zsc", {}, 1), crcs(figure, {}, 1));
   const Outcome header = run(ZSTRIP_COMMAND, {"bake", figure, "-o", "figure.hpp", "--quiet"}, path(""));
   EXPECT_EQ(header.status, 0);
   EXPECT_EQ(header.err, "");
