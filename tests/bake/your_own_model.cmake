@@ -38,7 +38,7 @@ add_test(NAME BakeBoard.BuildSkin COMMAND ${CMAKE_CTEST_COMMAND}
   --build-options -DZSTRIP_FIRMWARE_BINARIES=${bending} -DZSTRIP_SCENE=${bending}/scene.hpp)
 zstrip_test_needs(BakeBoard.BuildSkin zstrip)
 set_tests_properties(BakeBoard.BuildSkin PROPERTIES DEPENDS BakeBoard.Build
-  FIXTURES_REQUIRED "baked_program;baked_skin" FIXTURES_SETUP bending_program TIMEOUT 900 LABELS board)
+  FIXTURES_REQUIRED baked_skin FIXTURES_SETUP baked_program TIMEOUT 900 LABELS board)
 
 add_executable(bake_board_test board_test.cpp)
 target_include_directories(bake_board_test PRIVATE ../host-sim)
@@ -48,4 +48,4 @@ target_compile_definitions(bake_board_test PRIVATE
   BENDING_MODEL="${figure}" BENDING_PROGRAM="${bending}/zstrip_lm3s6965evb_scene.elf")
 zstrip_configure_test(bake_board_test)
 add_dependencies(bake_board_test zstrip)
-zstrip_discover_tests(bake_board_test PROPERTIES FIXTURES_REQUIRED "baked_program;bending_program" TIMEOUT 120 LABELS board)
+zstrip_discover_tests(bake_board_test PROPERTIES FIXTURES_REQUIRED baked_program TIMEOUT 120 LABELS board)
