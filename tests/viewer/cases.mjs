@@ -1,0 +1,130 @@
+// Which files are drawn, and of each what is compared.
+import {copyFileSync, mkdirSync, readdirSync, statSync} from 'node:fs';
+import {basename, extname, join} from 'node:path';
+
+import {kGenerated} from './generated.mjs';
+import {copyNeighbours, readGltf, whitened, withoutLight, writeGltf} from './gltf.mjs';
+import {kKeyDirection, kLights} from './lights.mjs';
+
+/** Cases whose light is looked at as the file says it; of assimp's files it is looked at with all white. */
+const kLit = /^(light-.*|no-material|nested|no-normals|sphere)$/;
+/** What glows or is lit fully: colours of a lit material. */
+const kBright = /^(emissive|facing-light)-/;
+/** A step of red and blue in RGB565; green has half of it. */
+const kStep = 8;
+/** What blends is cut to RGB565 twice; colours are multiplied as the screen shows them, not in proportion to light. */
+const kTwoSteps = /-blend|-x-|^facing-light/;
+/** All others of the generated files are flat things, which are best seen from the front. */
+const kSolid = /^(sphere|nested|no-normals|light-|move-|texture-tilted)/;
+
+const kPoseTimes = [1 / 4, 2 / 4, 3 / 4];
+const kFromAside = [0.6, 0.5, 1];
+
+/** Where the camera is, seen from the middle of a generated file. */
+function directionTo(name) {
+  if (name.startsWith('facing-light-')) return kKeyDirection;
+  return kSolid.test(name) ? kFromAside : [0, 0, 1];
+}
+
+function filesBelow(folder) {
+  return readdirSync(folder).sort().flatMap((name) => {
+    const path = join(folder, name);
+    if (statSync(path).isDirectory()) return filesBelow(path);
+    return ['.gltf', '.glb'].includes(extname(name)) ? [path] : [];
+  });
+}
+
+/** Files by a short name: their own, or their folder's where several have the same. */
+function named(paths) {
+  const stem = (path) => basename(path, extname(path));
+  return paths.map((path) => {
+    const isOnly = paths.filter((other) => stem(other) === stem(path)).length === 1;
+    return {name: isOnly ? stem(path) : basename(join(path, '..')), path};
+  });
+}
+
+/** What a file is, as far as it can be told; a damaged one is nothing. */
+function jsonOf(path) {
+  try {
+    return readGltf(path).json;
+  } catch {
+    return {};
+  }
+}
+
+/** Writes a changed copy of a file beside its neighbours. Null where it is too damaged to be changed. */
+function changedCopy(from, to, change) {
+  try {
+    const gltf = readGltf(from);
+    change(gltf.json);
+    writeGltf(to, gltf);
+    return to;
+  } catch {
+    return null;
+  }
+}
+
+function jobsOf(source, path, name) {
+  const json = jsonOf(path);
+  const generated = source === 'generated';
+  const degrees = 30, size = [256, 256], step = kTwoSteps.test(name) ? 2 * kStep : kStep;
+  const base = {
+    case: name,
+    source,
+    degrees,
+    size,
+    step,
+    time: 0,
+    lights: [],
+    lambert: false,
+    linear: false,
+    from: generated ? directionTo(name) : kFromAside,
+  };
+  const job = (aspect, file, more = {}) => ({...base, aspect, file, id: `${name} ${aspect}`, ...more});
+  const jobs = [job('silhouette', path)];
+  const copy = (what, change) => changedCopy(path, path.replace(/\.(\w+)$/, `.${what}.$1`), change);
+  if (kBright.test(name)) {
+    jobs.push(job('colour', path, {lambert: true, lights: kLights.none}));
+  } else {
+    const unlit = copy('unlit', withoutLight);
+    if (unlit) jobs.push(job('colour', unlit));
+  }
+  if (generated ? kLit.test(name) : true) {
+    const lit = generated ? path : copy('white', whitened);
+    const lights = json.extensions?.KHR_lights_punctual ? kLights.own : kLights.none;
+    if (lit) jobs.push(job('light', lit, {lambert: true, linear: true, lights}));
+  }
+  if (Array.isArray(json.animations) && json.animations.length > 0) {
+    for (const time of kPoseTimes) jobs.push(job('pose', path, {time, id: `${name} pose ${time}`}));
+  }
+  if (generated && json.cameras) {
+    for (const {name: camera, camera: index} of json.nodes) {
+      if (index === undefined) continue;
+      jobs.push(job('camera', path, {camera, size: [240, 160], id: `${name} camera ${camera}`}));
+    }
+  }
+  return jobs;
+}
+
+/**
+ * All pictures that are to be drawn, in the order of cases. Copies all files into the folder `work`/models. A case's
+ * first job is the file as it is.
+ */
+export function makeJobs(models, work) {
+  const folder = join(work, 'models');
+  const jobs = [];
+  for (const {name, path} of named(filesBelow(models))) {
+    const own = join(folder, name);
+    copyNeighbours(path, own);
+    const to = join(own, basename(path));
+    copyFileSync(path, to);
+    jobs.push(...jobsOf('assimp-testmodels', to, name));
+  }
+  for (const [name, make] of Object.entries(kGenerated)) {
+    const path = join(folder, name, `${name}.gltf`);
+    mkdirSync(join(folder, name), {recursive: true});
+    writeGltf(path, {json: make()});
+    jobs.push(...jobsOf('generated', path, name));
+  }
+  return jobs;
+}
