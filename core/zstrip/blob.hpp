@@ -1,5 +1,5 @@
 // A baked scene as one piece of bytes (`zstrip bake MODEL -o scene.zsc`), used where it lies: in flash, in a file in
-// memory. docs/formats.md says what each byte means.
+// memory. The format is in docs/formats.md.
 #pragma once
 
 #include <cstddef>
@@ -49,7 +49,7 @@ struct SceneBlob {
 };
 
 /// Bytes to lend for the tables of this many meshes, textures, sets of lines and of edges, images, fonts and labels,
-/// whose pointers only the running program knows. Vertices, triangles, segments, edges, texels, materials, instances,
+/// whose pointers exist only at run time. Vertices, triangles, segments, edges, texels, materials, instances,
 /// lights, keyframes, nodes of the tree, sprites, coverage, glyphs and text are not copied.
 constexpr std::size_t scene_blob_memory(std::uint32_t meshes, std::uint32_t textures, std::uint32_t lines = 0,
                                         std::uint32_t edges = 0, std::uint32_t images = 0, std::uint32_t fonts = 0,

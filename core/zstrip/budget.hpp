@@ -97,7 +97,7 @@ struct Plan {
   }
 };
 
-/// `status` says whether `plan` is valid: then it is the one of least estimated_cost that fits. If not, what is missing
+/// If `status` is ok, `plan` is valid: then it is the one of least estimated_cost that fits. If not, what is missing
 /// (Error::arena_too_small with the bytes that the smallest possible plan needs, the limit, and the purpose that takes
 /// the most of them), and `plan` is that smallest one. (With Modes::binned alone: the smallest of those that were
 /// tried.)

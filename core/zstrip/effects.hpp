@@ -44,7 +44,7 @@ inline constexpr Effects depth_ranges{1U << 11};
 inline constexpr Effects depth_formats{depth_float.bits | depth_w16.bits | depth_24.bits | depth_32.bits};
 /// Can carry out plans of Mode::binned; never called for by a scene. Sub-ranges cannot be binned.
 inline constexpr Effects bins{1U << 12};
-/// How often the pixels of a textured row get their exact place in the texture, with perspective; linear between. None
+/// How often the pixels of a textured row get exact texture coordinates, with perspective; linear between. None
 /// of them is every 16th pixel, as where fragments have effects. At most one; never called for by a scene.
 inline constexpr Effects perspective_affine{std::uint64_t{1} << 40};  ///< only at the triangle's corners
 inline constexpr Effects perspective_8{std::uint64_t{1} << 41};       ///< at every 8th pixel
@@ -103,13 +103,13 @@ inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fr
                                      billboards | environment | outlines | shadows | csg | edges | overlay |
                                      dithered_format | supersampled;
 
-// How the stage of products draws their operands; of no renderer and no scene.
+// How the CSG stage draws operands; of no renderer and no scene.
 inline constexpr Effects csg_layers{std::uint64_t{1} << 62};   ///< DepthUse::layered
 inline constexpr Effects csg_colours{std::uint64_t{1} << 63};  ///< DepthUse::matched
 }  // namespace effect
 
 /// Ways to find what is visible other than a plain z-buffer; docs/visibility.md compares them. Never called for by a
-/// scene. They keep depth as z16; refused_by_methods says which effects of scenes each cannot draw.
+/// scene. They keep depth as z16; refused_by_methods has the effects of scenes that each cannot draw.
 namespace method {
 /// Triangles from far to near, without depth memory: wrong where no order is right. Takes Purpose::sorting.
 inline constexpr Effects painter{0, 1U << 0};
@@ -123,11 +123,11 @@ inline constexpr Effects midpoint{0, 1U << 3};
 /// Likewise, but samples are confirmed by bounds of tiles, or pixels are tested: the z-buffer's pixels. Takes
 /// Purpose::depth_bounds.
 inline constexpr Effects midpoint_safe{0, 1U << 4};
-/// With the painter: triangles in the scene's own order, which somebody else has made right. Takes no memory.
+/// With the painter: triangles in the scene's own order, which the caller has sorted. Takes no memory.
 inline constexpr Effects in_order{0, 1U << 5};
 /// With the painter: the order of a tree that was baked, VisibilityOptions::tree.
 inline constexpr Effects bsp{0, 1U << 6};
-/// Culling as VisibilityOptions says, and counted. Goes with every method, and alone with the z-buffer.
+/// Culling as set in VisibilityOptions, and counted. Goes with every method, and alone with the z-buffer.
 inline constexpr Effects culling{0, 1U << 7};
 
 inline constexpr Effects sorted{0, painter.methods | front_to_back.methods};          ///< any of these sorts
@@ -166,7 +166,7 @@ constexpr Effects depth_effect(DepthFormat format) {
   return {};
 }
 
-/// Pixels from one exact place in the texture to the next, a power of two; 0: only the corners are exact.
+/// Pixels from one pair of exact texture coordinates to the next, a power of two; 0: only the corners are exact.
 constexpr std::int32_t perspective_run(Effects effects) {
   if (effects.has(effect::perspective_affine)) return 0;
   if (effects.has(effect::perspective_8)) return 8;

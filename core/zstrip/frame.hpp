@@ -1,4 +1,4 @@
-// What applications may ask of a frame, Renderer::frame(): bounds, depth, statistics. Comes with renderer.hpp.
+// What applications may read of a frame, Renderer::frame(): bounds, depth, statistics. Comes with renderer.hpp.
 #pragma once
 
 #include <cstdint>
@@ -76,7 +76,7 @@ class FrameWithMethod : public FrameWithDepthRanges {
 };
 
 /// The frame of a renderer with effect::supersampled. Within, all is of the picture of samples; only what is named here
-/// is of pixels. So with several samples depth(), depth_area() and what else says pixels means samples, statistics()
+/// is of pixels. So with several samples depth(), depth_area() and all other pixels are samples, statistics()
 /// counts them, and has_plain_depth() is false.
 template <class Base>
 class FrameOfSamples : public Base {

@@ -22,14 +22,14 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
 /// once with triangles of one size, half of them facing away. For comparing plans; docs/memory.md has measurements.
 constexpr std::uint64_t estimated_cost(const SceneCounts& counts, const View& view, const Plan& plan);
 
-/// What a picture asks of its depth; no counts of a scene tell.
+/// What a picture needs of its depth; not known from a scene's counts.
 struct DepthNeed {
   DepthRange range;          ///< between which depth is kept
   Fixed farthest;            ///< where the last surfaces are, 16.16: in the range
   std::uint64_t separation;  ///< what lies this far behind something else is to be sorted; view units, 32.32
 };
 
-/// A plan and the effects that it is for: those that were asked for, and what selects the depth format.
+/// A plan and the effects that it is for: those requested, and what selects the depth format.
 struct PlanWithDepth {
   Status status;  ///< as of PlanResult
   Plan plan;
@@ -59,7 +59,7 @@ constexpr PlanWithDepth plan(const SceneCounts& counts, const View& view, Effect
   return narrow.status ? narrow : best;
 }
 
-// Presets: what to add to a scene's effects, to its budget and to its camera. docs/accuracy.md says what each costs and
+// Presets: what to add to a scene's effects, to its budget and to its camera. docs/accuracy.md has what each costs and
 // buys.
 
 /// Renderer<effects_of(scene, camera) | quality.effects>, plan(..., quality.budget).
@@ -77,7 +77,7 @@ namespace quality {
 /// Least memory: strips of 4 rows, half of the triangles, flat. For boards that cannot hold more.
 inline constexpr Quality tiny{
     .name = "tiny", .budget = {.strip_rows = 4, .modes = Modes::streamed}, .smooth = false, .detail_percent = 50};
-/// What the renderer does where nothing is asked for, in strips of 16 rows.
+/// The renderer's defaults, in strips of 16 rows.
 inline constexpr Quality balanced{.name = "balanced", .budget = {.strip_rows = 16, .modes = Modes::streamed}};
 /// Closest to the truth: each pixel of a texture in its exact place. Meant for scenes seen with perspective.
 inline constexpr Quality exact{

@@ -77,7 +77,7 @@ class AnyRenderer {
     return pipeline_.draw_over(state_, area, pixels, depth);
   }
   FrameOfSamples<FrameWithMethod> frame() const { return FrameOfSamples<FrameWithMethod>(state_); }
-  /// Holds from the next begin_frame on; without a method it says nothing.
+  /// Holds from the next begin_frame on; without a method it has no effect.
   void set_visibility(const VisibilityOptions& options) { state_.options = options; }
 
  private:

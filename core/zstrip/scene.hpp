@@ -25,7 +25,7 @@ struct Colour {
   friend constexpr bool operator==(const Colour&, const Colour&) = default;
 };
 
-/// Texture coordinates; Mesh::texcoord_bits says how many fraction bits, 1.0 is the whole texture. v grows downwards
+/// Texture coordinates with Mesh::texcoord_bits fraction bits; 1.0 is the whole texture. v grows downwards
 /// (as in glTF).
 struct TexCoord {
   std::int16_t u, v;
@@ -49,9 +49,9 @@ struct Meshlet {
 
 /// Whether a mesh's instances turn with the camera.
 enum class Billboard : std::uint8_t {
-  none,     ///< no: they stand as their transform says
+  none,     ///< no: they stand as in their transform
   viewer,   ///< x to the picture's right, y up, z against the viewing direction; only lengths and place are theirs
-  upright,  ///< y as the transform says; x as far to the right as that allows
+  upright,  ///< y as in the transform; x as far to the right as that allows
 };
 
 inline constexpr std::uint16_t kOwnMesh = 0xFFFF;
@@ -60,7 +60,7 @@ inline constexpr std::uint16_t kMaxOutlineWidth = 256;  ///< 1/16 pixels
 /// A line around an instance's picture, as wide at any distance: the far side of a hull around it, drawn in one colour
 /// after what is opaque. The hull is a mesh whose vertices are moved along their normals, so that it must be closed:
 /// vertices in one place have one normal. Where edges are to keep their width, normals may be longer than one: with v
-/// the vertex' and n those of the faces around it, v . n = 1. docs/conventions.md says where a vertex moves.
+/// the vertex' and n those of the faces around it, v . n = 1. Where a vertex moves: docs/conventions.md.
 struct Outline {
   Colour colour{0, 0, 0, 255};
   std::uint16_t width = 32;       ///< 1/16 pixels, 1..kMaxOutlineWidth
@@ -101,7 +101,7 @@ struct Mesh {
 enum class TextureFilter : std::uint8_t {
   nearest,   ///< the one in which the pixel's centre lies
   bilinear,  ///< the four around it, by their distance
-  /// Likewise of an environment map (effect::environment), by normals, not where Mesh::texcoords say: the
+  /// Likewise of an environment map (effect::environment), by normals instead of Mesh::texcoords: the
   /// texture is a sphere map, a picture of a mirrored ball that fills it, as seen from the eye; docs/conventions.md has
   /// the formula. The mesh needs normals, and its texture coordinates mean nothing. So a material has either a texture
   /// of its own or an environment map, not both.
@@ -123,14 +123,14 @@ enum class TextureFormat : std::uint8_t {
 };
 
 /// Whether texels are indices of a palette. Every index has its colour: nothing to check, nothing to overrun. Such a
-/// texture is for materials with a finish (which may be Finish{}): those without do not even ask. Not for quadrics.
+/// texture is for materials with a finish (which may be Finish{}): those without have no test for it. Not for quadrics.
 constexpr bool has_palette(TextureFormat format) { return format >= TextureFormat::palette8; }
 /// Bits of an index; with a palette only.
 constexpr std::uint32_t index_bits(TextureFormat format) { return format == TextureFormat::palette8 ? 8 : 4; }
 
 /// Row-major RGB565 texels, the first row is v = 0. Sides are powers of two, 1..2048.
 struct Texture {
-  std::span<const std::uint16_t> texels;  ///< words as `format` says, level after level
+  std::span<const std::uint16_t> texels;  ///< words in `format`, level after level
   std::uint8_t log2_width = 0;
   std::uint8_t log2_height = 0;
   TextureFormat format = TextureFormat::rgb565;
@@ -240,7 +240,7 @@ struct Segment {
 
 inline constexpr std::uint8_t kMaxLineWidth = 64;
 
-/// Lines and points, as many pixels wide at any distance; docs/conventions.md says which pixels. Drawn after the
+/// Lines and points, as many pixels wide at any distance; which pixels: docs/conventions.md. Drawn after the
 /// quadrics, before the instances, into the same z-buffer, so that what is nearer hides them. Of one colour each: the
 /// material's, times that of the vertex Segment::a where the mesh has colours. They have no surface: Material::lit,
 /// smooth and double_sided mean nothing to them; a texture, a finish or a slope bias is refused. A constant bias of a
@@ -299,7 +299,7 @@ inline constexpr std::uint8_t kMinShadowLog2 = 4, kMaxShadowLog2 = 10;
 /// The shadows of one directional light, by a map of depths as the light sees them (effect::shadows). What casts:
 /// instances that are neither blended nor without depth write, as solid whatever their texture's alpha, both faces, and
 /// quadrics. What receives: instances, quadrics. In shadow the light's term is missing, all else stays. Every
-/// material's depth test must be one that asks for nearer, equal or both. docs/conventions.md says which pixels are in
+/// material's depth test must be one that passes nearer, equal or both. docs/conventions.md defines which pixels are in
 /// shadow.
 struct Shadow {
   std::uint8_t light = 0;      ///< index into Scene::lights
@@ -314,8 +314,8 @@ struct Shadow {
 
 /// What an operand does to its product.
 enum class CsgUse : std::uint8_t {
-  intersected,  ///< the product lies inside of it
-  subtracted,   ///< the product lies outside of it
+  intersected,  ///< the result lies inside it
+  subtracted,   ///< the result lies outside it
 };
 
 inline constexpr std::uint32_t kMaxCsgOperands = 64;
@@ -394,7 +394,7 @@ constexpr std::span<const Edge> edges_of(const Scene& scene, std::uint32_t mesh)
 inline constexpr std::uint32_t kEdgesOfGroup = 32;
 
 /// Groups of kEdgesOfGroup edges that the instances have, together; 2^32 - 1 also stands for more. Not inlined: checks
-/// of scenes without edges ask for it in several places.
+/// of scenes without edges call it in several places.
 [[gnu::noinline]] constexpr std::uint32_t edge_groups(const Scene& scene) {
   std::uint64_t groups = 0;
   for (const EdgeSet& set : scene.edges) {

@@ -30,8 +30,8 @@ struct JointPose {
   Vec3 scale{kFixedOne, kFixedOne, kFixedOne};  ///< 16.16, +-255
 };
 
-/// The joints that move a vertex, the one with the largest weight first. Weights are 1/256; the first one counts one
-/// more than it says, so that all four add up to 255. Joints of weight 0 lie last and are not looked at.
+/// The joints that move a vertex, the one with the largest weight first. Weights are 1/256; the first one counts 1/256
+/// more than its value, so that all four add up to 255. Joints of weight 0 lie last and are not looked at.
 struct VertexJoints {
   std::uint8_t joints[4]{0, 0, 0, 0};
   std::uint8_t weights[4]{255, 0, 0, 0};
@@ -64,7 +64,7 @@ constexpr Mesh moved_mesh(const Mesh& mesh, const MovedVertices& moved) {
 
 /// Error::skin (`needed` = index of the joint or vertex) for counts that differ, parents that are not ahead of their
 /// children, matrices out of range, weights that do not add up, joints that do not exist, half extents that differ. Of
-/// an animation of joints validate(animation, joints) is asked.
+/// an animation of joints use validate(animation, joints).
 constexpr Status validate(const Skin& skin) {
   const auto wrong = [](std::size_t index) {
     return Status{.error = Error::skin, .needed = static_cast<std::uint32_t>(index)};

@@ -7,7 +7,7 @@ namespace zstrip {
 
 enum class Error : std::uint8_t {
   none,
-  arena_too_small,    ///< `needed`, `available` in bytes; `purpose` says for what
+  arena_too_small,    ///< `needed`, `available` in bytes; `purpose`: for what
   pixels_too_small,   ///< the caller's strip buffer; `needed`, `available` in bytes
   pixels_misaligned,  ///< RGB565 pixels must lie at an even address
   view_size,          ///< width or height outside 1..4096; with several samples a pixel, those of a row or column
@@ -38,7 +38,7 @@ enum class Error : std::uint8_t {
   depth_effects,   ///< two depth formats at once, sub-ranges of one that has none, or one that needs a perspective
                    ///< camera and is to draw an orthographic one
   fog,             ///< not 0 <= start < end, a negative density, or no mode
-  quadric,         ///< refers to a material that does not exist or asks for what quadrics do not have (a slope bias, a
+  quadric,         ///< refers to a material that does not exist or needs what quadrics do not have (a slope bias, a
                    ///< finish, punctual lights, alpha in its texture), or a transform that is out of
                    ///< range or has no inverse (`needed` = index of the quadric)
   animation,       ///< a track that names no instance or keyframes, or keyframes out of range (`needed` = its index)
@@ -46,22 +46,22 @@ enum class Error : std::uint8_t {
   punctual_light,  ///< a negative intensity or range, or cones that are none (`needed` = its index)
   visibility,      ///< visibility methods that exclude each other or a depth effect, a draw_over with one, or without
                    ///< the tree that it needs (`needed` = the methods)
-  lines,           ///< refer to a mesh, vertex or material that does not exist or ask for what lines do not have (a
+  lines,           ///< refer to a mesh, vertex or material that does not exist or need what lines do not have (a
                    ///< texture, a finish, a slope bias), a transform or a width out of range, or a mesh too large
                    ///< beside the depth range (`needed` = index of the set)
-  samples,         ///< View::samples is none of 1, 2, 4, or what was asked for, a static layer or a draw_over, is not
+  samples,         ///< View::samples is none of 1, 2, 4, or what was requested, a static layer or a draw_over, is not
                    ///< there with several (`needed` = View::samples)
   outline,         ///< a width out of range, a hull that does not exist or has no normals, or an instance that has it
                    ///< and a mask or blends; more than 255 (`needed` = its index)
-  shadow,          ///< a light that does not exist, a size or bias out of range, a material whose depth test asks for
-                   ///< farther, casters too large or too far away for a map; or what was asked for, a static layer or a
+  shadow,          ///< a light that does not exist, a size or bias out of range, a material whose depth test passes
+                   ///< farther, casters too large or too far away for a map; or what was requested, a static layer or a
                    ///< draw_over, is not there with shadows
   csg,    ///< an operand that does not exist or is no plain solid (blended, masked, a billboard, with an outline
           ///< or rules of its own for depth), a product that nothing is intersected in, products out of order,
-          ///< more than kMaxCsgOperands (`needed` = index of the operand); or what was asked for, a shadow or a
+          ///< more than kMaxCsgOperands (`needed` = index of the operand); or what was requested, a shadow or a
           ///< draw_over, is not there with products (`needed` = their operands)
   edges,  ///< a set that refers to a mesh or vertex that does not exist, or not in the order of meshes (`needed` = its
-          ///< index); or what was asked for, outlines, a shadow, CSG, several samples, a static layer or
+          ///< index); or what was requested, outlines, a shadow, CSG, several samples, a static layer or
           ///< a draw_over, is not there with them
   blob_section,  ///< a scene blob with a section that must be known and is not (`needed` = its tag, the first letter in
                  ///< the highest byte): it is newer than this program

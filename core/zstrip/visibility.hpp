@@ -1,4 +1,4 @@
-// What an application says to a visibility method, what it counts, and potentially visible sets: for each cell of a
+// An application's options for a visibility method, what it counts, and potentially visible sets: for each cell of a
 // grid, the meshlets that may be seen from somewhere in it, baked on the host (`zstrip bake --visible-sets`).
 #pragma once
 
@@ -25,7 +25,7 @@ struct VisibilityOptions {
   std::uint8_t iterations = 2;
   SortKey key = SortKey::middle;
   /// The next three only with method::culling; without it back faces and small triangles are culled, spheres are not
-  /// looked at.
+  /// used.
   bool cull_back_faces = true;
   bool cull_small = true;        ///< triangles whose box has no pixel centre
   bool cull_by_spheres = false;  ///< meshlets whose bounding sphere, Meshlet::centre and radius, is outside the picture
@@ -33,7 +33,7 @@ struct VisibilityOptions {
   /// camera is; meshlets beyond the last word are drawn. Empty: all are.
   std::span<const std::uint32_t> potentially_visible{};
   /// With method::culling and hierarchical_z, of streamed plans: two halves of a bit a meshlet likewise, seen_words(n)
-  /// in all, kept from frame to frame by whoever draws. draw_strip sets bits of the second half, for meshlets that no
+  /// in all, kept from frame to frame by the caller. draw_strip sets bits of the second half, for meshlets that no
   /// bound hides; begin_frame makes it the first half. Those of the first half are drawn first, so that the others find
   /// a z-buffer to be hidden by (temporal coherence). Any contents are right.
   std::span<std::uint32_t> seen_before{};

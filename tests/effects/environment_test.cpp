@@ -1,4 +1,4 @@
-// What mirrors its surroundings: where on the sphere map a vertex lies, against the definition in floating point; and
+// Environment maps: where on the sphere map a vertex lies, against the definition in floating point; and
 // that a picture of it is the picture of a mesh whose texture coordinates somebody has worked out.
 #include <cmath>
 #include <random>
@@ -218,7 +218,7 @@ struct World {
   }
   World& operator=(const World&) = delete;
 
-  /// The same, with texture coordinates where the camera sees the surroundings.
+  /// The same, with texture coordinates where the camera sees the environment.
   World by_hand(const Camera& camera) const {
     World made(*this);
     for (std::size_t i = 0; i < 2; ++i) {

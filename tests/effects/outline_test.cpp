@@ -271,7 +271,7 @@ TEST(Outlines, OfWhatTurnsWithTheCameraTurnToo) {
 }
 
 // Its hull mirrored them, too.
-TEST(Outlines, OfWhatMirrorsItsSurroundingsHaveTheirOwnColour) {
+TEST(Outlines, OfReflectiveMaterialsHaveTheirOwnColour) {
   constexpr Effects kMirroring = kOutlined | effect::environment | effect::textures;
   World world(sphere(32, 64), 4);
   const Camera camera = camera_at(5);

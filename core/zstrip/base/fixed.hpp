@@ -83,7 +83,7 @@ constexpr std::int32_t multiply_by_half(std::int32_t a, std::int16_t b) {
   return multiply_high(a, std::int32_t{b} << 16);
 }
 
-/// The same value, of which the compiler no longer knows that it is not negative. GCC would multiply it as an unsigned
+/// The same value, but the compiler can no longer infer that it is not negative. GCC would multiply it as an unsigned
 /// word and correct the sign, three instructions for one on a Cortex-M3.
 inline std::int32_t of_any_sign(std::int32_t value) {
   asm("" : "+r"(value));

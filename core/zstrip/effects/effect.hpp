@@ -1,4 +1,4 @@
-// What the rest of zstrip needs to know of an effect. A wing's Effect replaces what is not so for it.
+// What the rest of zstrip needs of an effect. A wing's Effect replaces what is not so for it.
 #pragma once
 
 #include <array>

@@ -59,8 +59,8 @@ struct StageList {
 };
 
 // Why this order: shadows are cast by billboards as they are turned, and not by hulls. What blends is drawn last, so
-// that its order comes before products, whose first meshlets are counted in it. Environment maps are textures when
-// it is asked which instances have fragments, and pixel light is on top of those. Products take what is in the z-buffer
+// that its order comes before CSG, whose first meshlets are counted in it. Environment maps are textures when
+// instances with fragments are determined, and pixel light is on top of those. CSG takes what is in the z-buffer
 // for their own, so that they are drawn before other surfaces. Edges are blended, or samples averaged, before an
 // overlay, and that before any dithering.
 using Stages = StageList<billboards::Stage, shadows::Stage, outlines::Stage, blending::Stage, local_light::Stage,

@@ -16,13 +16,13 @@ struct PipelineRow {
 /// Methods are equal but for culling, which a row may have beside one.
 constexpr Effects own_method(Effects effects) { return without(Effects{0, effects.methods}, method::culling); }
 
-/// Whether a pipeline of these effects draws what one with exactly `asked` does: it has all of them, and the way to
+/// Whether a pipeline of these effects draws what one with exactly `wanted` does: it has all of them, and the way to
 /// keep depth, the projection, the accuracy of textures and of 1/w, and the method are the same.
-constexpr bool draws(Effects effects, Effects asked) {
+constexpr bool draws(Effects effects, Effects wanted) {
   constexpr Effects kEqual = effect::orthographic | effect::depth_formats | effect::depth_ranges |
                              effect::perspective_runs | effect::short_reciprocals;
-  return effects.has(asked) && (effects & kEqual) == (asked & kEqual) && own_method(effects) == own_method(asked) &&
-         (effects.methods == 0) == (asked.methods == 0);
+  return effects.has(wanted) && (effects & kEqual) == (wanted & kEqual) && own_method(effects) == own_method(wanted) &&
+         (effects.methods == 0) == (wanted.methods == 0);
 }
 
 // The rows, those that draw fastest first. Each list is a source of its own, so that they compile side by side. Static

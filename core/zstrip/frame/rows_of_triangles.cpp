@@ -1,5 +1,5 @@
 // Pipelines of what most scenes are: triangles, with and without light, colours and textures. Exact sets, because one
-// that has to ask how a triangle gets its colours takes a fiftieth longer for ten thousand of them.
+// that tests how a triangle gets its colours takes a fiftieth longer for ten thousand of them.
 #include "zstrip/frame/make_rows.hpp"
 
 namespace zstrip::detail {

@@ -25,7 +25,7 @@ struct LinearForm {
   }
 };
 
-/// How the light and the material shade this instance. Chosen once a frame, so that no triangle asks again.
+/// How the light and the material shade this instance. Chosen once a frame, not once a triangle.
 /// `fragments` is added to one of the others where fragments have effects: see fill_fragments; `lit_fragments`, which
 /// has it in it, where they are lit, too.
 enum class Shade : std::uint8_t {

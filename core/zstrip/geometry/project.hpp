@@ -123,7 +123,7 @@ constexpr std::uint32_t project_depth(const CompiledInstance& instance, const Ra
   }
 }
 
-/// What project_narrow asks of an instance, once for all of its vertices.
+/// What project_narrow needs of an instance, once for all of its vertices.
 template <bool orthographic>
 struct NarrowProjection {
   std::uint32_t w_near, w_range;  ///< where a vertex may be narrow

@@ -1,9 +1,9 @@
 // Which implementations of kernels the processor at hand takes instead of the portable ones: SSE2 on every x86-64, and
-// on x86 where it is asked for; assembly for Thumb-2 (Cortex-M3, M4, M7) and Thumb-1 (Cortex-M0, M0+), not for ARMv8-M,
+// on x86 where it is enabled; assembly for Thumb-2 (Cortex-M3, M4, M7) and Thumb-1 (Cortex-M0, M0+), not for ARMv8-M,
 // where nothing here could try it.
 #pragma once
 
-// Macros, because neither compiler nor assembler must see what they do not know.
+// Macros, because neither compiler nor assembler must see what they do not support.
 #if defined(__SSE2__)
 #define ZSTRIP_HAS_SSE2 1
 #else

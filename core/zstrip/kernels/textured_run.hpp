@@ -34,7 +34,7 @@ template <bool lit, bool statistics, class Value, class Rule>
 inline constexpr bool kHasWholeRuns =
     kHasThumbRuns<lit, statistics, Value, Rule> || kHasSse2Runs<lit, statistics, Value, Rule>;
 
-/// Whether the implementation knows the run's texture; for fill_run and fill_runs.
+/// Whether the implementation supports the run's texture; for fill_run and fill_runs.
 template <bool lit, bool statistics, class Value, class Rule, class State>
 bool knows_texture([[maybe_unused]] const TexturedRun<lit, statistics, Value, Rule, State>& run) {
   if constexpr (kHasSse2Runs<lit, statistics, Value, Rule>) return fits_sse2(run);

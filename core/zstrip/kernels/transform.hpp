@@ -35,7 +35,7 @@ template <ReciprocalOf kind>
 }
 
 /// Writes `count` vertices from `first` on. Returns whether all of them are narrow, so that the loop over the
-/// triangles need not ask.
+/// triangles need no test.
 template <Effects effects>
 bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, const RasterOrigin& origin,
                         std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {

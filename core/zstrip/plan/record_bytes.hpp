@@ -24,7 +24,7 @@ inline constexpr std::uint32_t kBinChunkEntries = 15;
 inline constexpr std::uint32_t kMaxBinChunks = 0xFFFF;
 inline constexpr std::uint32_t kMaxBatches = 0x7FFF;  // that bins can name; likewise triangles of a meshlet
 inline constexpr std::uint32_t kMaxStrips = 0xFFFF;
-inline constexpr std::uint32_t kDepthBytes = 2;          // a cell of the z-buffer, unless depth_bytes says 4
+inline constexpr std::uint32_t kDepthBytes = 2;          // a cell of the z-buffer, unless depth_bytes is 4
 inline constexpr std::uint32_t kWorkingColourBytes = 2;  // RGB565
 
 namespace detail {
@@ -55,7 +55,7 @@ constexpr std::uint32_t retained_bytes_per_vertex(Effects effects) {
 }
 
 /// Whether strips are drawn with an apron, a pixel more on each side that lies in the picture: edges that are blended
-/// ask their neighbours.
+/// read their neighbours.
 constexpr bool has_apron(Effects effects, const SceneCounts& counts) {
   return effects.has(effect::edges) && counts.edge_groups != 0;
 }
@@ -70,7 +70,7 @@ constexpr std::uint64_t csg_strip_bytes(std::uint64_t cells, std::uint32_t cell_
   return cells * (2 * cell_bytes + 2);
 }
 
-/// The z-buffer of a strip of the shadow map, one row of tiles, and one row of pixels that nobody sees: begin_frame
+/// The z-buffer of a strip of the shadow map, one row of tiles, and one row of pixels that is never shown: begin_frame
 /// draws it where the picture's z-buffer will be.
 constexpr std::uint32_t shadow_strip_bytes(const SceneCounts& counts) {
   return (kTileSide * kDepthBytes + kWorkingColourBytes) * counts.shadow_side;

@@ -71,7 +71,7 @@ struct Assembler : ClippedAssembler<effects> {
     return std::max(std::max(a.depth, b.depth), c.depth) >> 16;
   }
 
-  /// Whether bounds of depth say something about fragments in this strip.
+  /// Whether bounds of depth apply to fragments in this strip.
   static bool has_bounds([[maybe_unused]] const StripTarget& target) {
     if constexpr (kDepth.any(method::bounded) && kDepth.state) return is_plain(target.settings);
     return kDepth.any(method::bounded);
@@ -217,8 +217,8 @@ struct Assembler : ClippedAssembler<effects> {
     return a.x != kNotNarrow && b.x != kNotNarrow && c.x != kNotNarrow;
   }
 
-  /// Draws triangles of a one-sided surface from `next` on, up to the first that is not small or not narrow, and says
-  /// which that is. Cannot be inlined: the others need the stack that a run takes.
+  /// Draws triangles of a one-sided surface from `next` on, up to the first that is not small or not narrow, and
+  /// returns its index. Cannot be inlined: the others need the stack that a run takes.
   template <bool all_narrow, class TriangleAt>
   [[gnu::noinline]] static std::uint32_t draw_small_run(const StripTarget& target, const Batch& batch,
                                                         std::uint32_t next, std::uint32_t count,

@@ -1,4 +1,4 @@
-// What a triangle's vertices carry beside place and depth: colours and texture coordinates, as far as its shade asks.
+// Attributes of a triangle's vertices beside place and depth: colours and texture coordinates, if its shade has them.
 #pragma once
 
 #include <cstdint>

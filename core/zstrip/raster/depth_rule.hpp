@@ -19,11 +19,11 @@ enum class DepthUse : std::uint8_t {
   tested,   ///< drawn where it is nearer
   written,  ///< known to be nearer
   none,     ///< drawn; there is no z-buffer
-  matched,  ///< drawn where it is what the z-buffer holds, of an operand of a product
+  matched,  ///< drawn where it is what the z-buffer holds, of a CSG operand
   layered,  ///< not drawn: csg_layers.hpp
 };
 
-/// The part of the effects that the pixel loops ask for; a structural type, so that it can be a template argument.
+/// The part of the effects that the pixel loops test; a structural type, so that it can be a template argument.
 struct DepthMode {
   DepthFormat format = DepthFormat::z16;
   bool state = false;  ///< test, write and bias are the material's
@@ -70,7 +70,7 @@ constexpr LinearMapping linear_mapping(const DepthFit& fit) {
           (codes >> 31) + 65534 * 256 + 128};
 }
 
-/// What the depth modes other than the default need to know, once for each meshlet.
+/// What the depth modes other than the default need, once for each meshlet.
 struct DepthSettings {
   DepthTest test = DepthTest::nearer;
   bool write = true;
@@ -94,7 +94,7 @@ struct StripTargetWithDepth : StripTarget {
 struct StripTargetWithMethod : StripTargetWithDepth {
   MethodState* method;
 };
-/// Of the layers of products.
+/// Of the layers of CSG.
 struct CsgPass;
 struct StripTargetWithLayers : StripTargetWithDepth {
   const CsgPass* pass;
@@ -284,7 +284,7 @@ class DepthRule {
       if constexpr (mode.use == DepthUse::written) ++counts.untested;
     }
   }
-  /// The cell's address says which pixel it is.
+  /// The cell's address identifies the pixel.
   constexpr void count_write([[maybe_unused]] const Cell& cell) const {
     if constexpr (mode.counted) {
       ++counted_.method->counts->writes;

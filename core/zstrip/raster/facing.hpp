@@ -10,8 +10,8 @@
 
 namespace zstrip::detail {
 
-/// Raster pixels that a triangle of narrow vertices can cover. Worked out when asked for: bins of whole rows never ask
-/// for columns.
+/// Raster pixels that a triangle of narrow vertices can cover. Computed on demand: bins of whole rows never use
+/// columns.
 struct NarrowPixels {
   const SnappedVertex &a, &b, &c;
 

@@ -80,7 +80,7 @@ struct TargetOfEffects {
 template <Effects effects>
 using TargetOf = typename TargetOfEffects<effects>::Type;
 
-/// Where the pixel that columns and rows count from lies in the picture, as far as a threshold asks.
+/// Where the pixel that columns and rows count from lies in the picture, as far as a threshold needs it.
 struct DitherAnchor {
   std::int32_t column = 0, row = 0;
   bool dithered = false;

@@ -1,6 +1,6 @@
 // Midpoint subdivision: a triangle is split at its centroid into three, again and again, and each piece is drawn or
 // rejected by the depths of its vertices and its centroid against the z-buffer ("improving z-buffering", see
-// docs/visibility.md). Pieces have the whole triangle's planes: only who is asked for which pixels is decided here.
+// docs/visibility.md). Pieces have the whole triangle's planes: only which piece covers which pixels is decided here.
 #pragma once
 
 #include <algorithm>

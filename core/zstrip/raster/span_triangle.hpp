@@ -72,7 +72,7 @@ class WholeSpans {
     middle_is_right_ = signed_area(*sorted_[0], *sorted_[1], *sorted_[2]) < 0;
   }
 
-  /// First pixel and the one after the last, of a row that the triangle covers; not above the row that was asked for
+  /// First pixel and the one after the last, of a row that the triangle covers; not above the row of the call
   /// before.
   std::pair<std::int32_t, std::int32_t> at(std::int32_t row) {
     const std::int32_t half = row < sorted_[1]->y >> 4 ? 0 : 1;
@@ -98,7 +98,7 @@ class WholeSpans {
   EdgeWalk<Integer> long_, short_;
 };
 
-/// Calls draw(run) for the parts of a span that the method does not know to be hidden.
+/// Calls draw(run) for the parts of a span that the method has not found hidden.
 template <DepthMode mode, class Depth, class Draw>
 void for_each_shown_run(const TargetFor<mode>& target, const Depth& depth, std::int32_t row, std::int32_t left,
                         const Span<std::uint16_t>& span, const Draw& draw) {
@@ -116,7 +116,7 @@ void for_each_shown_run(const TargetFor<mode>& target, const Depth& depth, std::
       });
 }
 
-/// Calls draw(piece, use) for the pieces of a triangle that the method does not know to be hidden.
+/// Calls draw(piece, use) for the pieces of a triangle that the method has not found hidden.
 template <DepthMode mode, class Draw>
 void for_each_midpoint_piece(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
                              const RasterVertex& v2, const Draw& draw) {
@@ -141,7 +141,7 @@ struct SpanTriangle {
         rule(target, v0, v1, v2, area) {}
 
   /// Calls fill(run, depth plane, rule) for all runs in the strip that may be seen. Pieces of midpoint subdivision only
-  /// say which pixels are drawn how: everything else is the whole triangle's. `in_runs`: fill counts pixels from the
+  /// decide which pixels are drawn how: everything else is the whole triangle's. `in_runs`: fill counts pixels from the
   /// left end of the whole span.
   template <bool statistics, bool in_runs, class Fill>
   void walk(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2,
@@ -168,7 +168,7 @@ struct SpanTriangle {
     }
   }
 
-  struct Unsplit {};  ///< instead of WholeSpans: the part is the whole, or nobody asks
+  struct Unsplit {};  ///< instead of WholeSpans: the part is the whole, or it is not used
 
   /// The same of a part of the triangle.
   template <bool statistics, class Rule, class Whole, class Fill>

@@ -20,7 +20,7 @@ struct TexelFootprint {
   TexelPosition position;
   std::uint32_t texels;  ///< 24.8, a step to the right or downwards, whichever is longer; docs/conventions.md
 };
-/// The most that a footprint says: twice the largest texture.
+/// The largest footprint: twice the largest texture.
 inline constexpr std::uint32_t kMaxFootprint = 4096U << 8;
 
 /// 1/w needs no interpolant of its own: with perspective the depth code is k / w - offset.

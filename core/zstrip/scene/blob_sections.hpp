@@ -1,5 +1,5 @@
 // The layout of a scene blob: header, table of sections, and the one list of what lies in which section. The reader
-// (scene_blob.cpp) and the writer (host-sim/bake) both go through that list; docs/formats.md says what the bytes mean.
+// (scene_blob.cpp) and the writer (host-sim/bake) both go through that list; the format is in docs/formats.md.
 // What is new gets a line in for_each_section, at its place in the alphabet: a new effect's settings are there by
 // themselves, as records of their own.
 #pragma once

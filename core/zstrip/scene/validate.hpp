@@ -82,7 +82,7 @@ constexpr bool valid_instance(const Scene& scene, const Instance& instance) {
          valid_transform(instance.transform);
 }
 
-/// Quadrics have no finish, and only directional lights reach them: what asks for more is refused, not drawn without.
+/// Quadrics have no finish, and only directional lights reach them: a material that needs more is refused.
 constexpr bool valid_quadric(const Scene& scene, const Quadric& quadric) {
   if (quadric.material >= scene.materials.size() || !valid_transform(quadric.transform)) return false;
   const Material& material = scene.materials[quadric.material];
@@ -200,7 +200,7 @@ constexpr bool valid_shadow(const Scene& scene, const Shadow& shadow) {
   return true;
 }
 
-/// A solid without holes that a z-buffer can be asked for. Indices of instances have been checked.
+/// A solid without holes whose surface a z-buffer can hold. Indices of instances have been checked.
 constexpr bool can_be_operand(const Scene& scene, const Instance& instance) {
   const Mesh& mesh = scene.meshes[instance.mesh];
   const Material& material = scene.materials[instance.material];

@@ -11,7 +11,7 @@ namespace zstrip::detail {
 /// Distances of all instances that reach into the camera's depth range; kNoReach if there is none.
 DistanceRange reach_of(const Scene& scene, const Camera& camera);
 
-/// Fitted to what lies in front of the camera, or to the camera's range if it says so; near == 0 for kNoReach.
+/// Fitted to what lies in front of the camera, or to the camera's range if that is fixed; near == 0 for kNoReach.
 DepthFit fit_to(const DistanceRange& reach, const Camera& camera);
 
 /// Picture pixels that the instance's bounding box can cover, cut to the view.

@@ -14,7 +14,7 @@ namespace zstrip::detail {
 class DepthRanges {
  public:
   DepthRanges() = default;
-  /// A copy would be a second writer of the same cells: it knows nothing of them.
+  /// A copy would be a second writer of the same cells: it starts without any.
   DepthRanges(const DepthRanges&) {}
   DepthRanges& operator=(const DepthRanges& other) {
     if (this != &other) cells_ = nullptr;

@@ -10,7 +10,7 @@
 namespace zstrip::detail {
 
 /// It is laid out by the effects that the scene calls for, not by those of the pipeline: a superset draws with the plan
-/// of the exact set. Parts whose effects has() denies must not be asked for.
+/// of the exact set. Only parts whose effects has() confirms may be used.
 class EffectBlock {
  public:
   /// `memory`: `bytes` of the plan, aligned to kArenaAlignment.

@@ -64,7 +64,7 @@ using FrameStateFor =
     std::conditional_t<effects.methods != 0, MethodFrameState,
                        std::conditional_t<effects.has(effect::depth_ranges), RangedFrameState, FrameState>>;
 
-/// What a renderer without effect::supersampled says to a view with several samples a pixel. The frame draws nothing
+/// The error of a renderer without effect::supersampled for a view with several samples. The frame draws nothing
 /// until the next that can begin.
 Status refuse_samples(FrameState& frame);
 

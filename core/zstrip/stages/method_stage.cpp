@@ -45,7 +45,7 @@ Status MethodStage::begin_frame(MethodFrameState& frame, Effects effects, Effect
 }
 
 void MethodStage::begin_strip(MethodFrameState& frame, Effects effects, StripTarget& target) {
-  // Without depth memory the pixel's own address says which one it is; nothing is read or written through it.
+  // Without depth memory the pixel's own address identifies it; nothing is read or written through it.
   if (effects.has(method::painter)) target.depth = target.colour;
   const auto cells = static_cast<std::uint32_t>(target.area.width() * target.area.height());
   frame.state.first_cell = target.depth;

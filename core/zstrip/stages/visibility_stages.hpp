@@ -74,21 +74,22 @@ void MethodStage::draw_seen_first(MethodFrameState& frame, const StripTarget& ta
                                                draw(number, instance, meshlet);
                                              });
   }
-  std::uint32_t asked = UINT32_MAX;  // the instance that `hidden` is of
+  std::uint32_t tested = UINT32_MAX;  // the instance that `hidden` is of
   bool hidden = false;
   GeometryStage::for_each_meshlet<effects>(
       frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t index) {
         const Mesh& mesh = frame.scene->meshes[frame.instances[instance].mesh];
         const bool drawn = is_drawn_first(number, instance);
         const bool may_be_hidden = !effects.has(effect::depth_state) || !has_depth_state(material_of(instance));
-        if (instance != asked && !drawn) {
-          asked = instance;
+        if (instance != tested && !drawn) {
+          tested = instance;
           hidden = may_be_hidden && is_hidden<effects>(frame, target, instance, nullptr);
           if (hidden && effects.has(effect::statistics)) ++frame.counts.instances;
         }
         const Meshlet* const meshlet = mesh.meshlets.empty() ? nullptr : &mesh.meshlets[index];
-        const bool all_hidden = (instance == asked && hidden) || (meshlet != nullptr && may_be_hidden &&
-                                                                  is_hidden<effects>(frame, target, instance, meshlet));
+        const bool all_hidden =
+            (instance == tested && hidden) ||
+            (meshlet != nullptr && may_be_hidden && is_hidden<effects>(frame, target, instance, meshlet));
         if (!drawn) {
           if (!all_hidden) {
             draw(number, instance, index);
@@ -237,7 +238,7 @@ void MethodStage::draw_sorted(MethodFrameState& frame, const StripTarget& target
   }
 }
 
-/// A pass over all triangles that only counts which culling would leave them out, in the order in which they ask.
+/// A pass over all triangles that only counts which culling would leave them out, in the order of the tests.
 template <Effects effects>
 void MethodStage::count_culled(MethodFrameState& frame) {
   VisibilityStatistics& counts = frame.counts;

@@ -59,7 +59,7 @@ class CodeReader {
   std::uint32_t missing_ = 0;    ///< bytes beyond the end
 };
 
-/// The caller knows beforehand that the codes fit.
+/// Precondition: the codes fit.
 class CodeWriter {
  public:
   explicit CodeWriter(std::uint8_t* next) : next_(next) {}

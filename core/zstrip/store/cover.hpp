@@ -32,10 +32,10 @@ constexpr std::uint32_t cover_bytes(CoverKind kind, std::uint32_t height) {
 /// The low `width` bits.
 constexpr std::uint8_t whole_row(std::uint32_t width) { return static_cast<std::uint8_t>((1U << width) - 1); }
 
-/// The cheapest kind that can say `cover`. A row counts as leading or trailing when it is empty or full, too.
+/// The cheapest kind that can encode `cover`. A row counts as leading or trailing when it is empty or full, too.
 CoverKind cover_kind(const Cover& cover, std::uint32_t width, std::uint32_t height);
 
-/// Writes cover_bytes(kind, height) bytes; `kind` must be able to say `cover`.
+/// Writes cover_bytes(kind, height) bytes; `kind` must be able to encode `cover`.
 void write_cover(CoverKind kind, const Cover& cover, std::uint32_t width, std::uint32_t height, std::uint8_t* bytes);
 
 /// Reads cover_bytes(kind, height) bytes. Whatever they hold, no bit beyond `width` or `height` comes out

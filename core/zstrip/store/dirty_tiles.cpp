@@ -62,8 +62,8 @@ std::uint32_t DirtyTiles::find(std::uint32_t tx, std::uint32_t ty, bool marked) 
   const std::uint32_t columns = grid_.columns();
   while (tx < columns) {
     const std::uint32_t word = words_[ty * words_per_row() + tx / 32];
-    const std::uint32_t wanted = (marked ? word : ~word) >> tx % 32;
-    if (wanted != 0) return std::min(tx + static_cast<std::uint32_t>(std::countr_zero(wanted)), columns);
+    const std::uint32_t candidates = (marked ? word : ~word) >> tx % 32;
+    if (candidates != 0) return std::min(tx + static_cast<std::uint32_t>(std::countr_zero(candidates)), columns);
     tx = (tx / 32 + 1) * 32;
   }
   return columns;

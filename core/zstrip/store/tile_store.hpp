@@ -39,7 +39,7 @@ class TileReader {
   Status read_tile(std::uint32_t tx, std::uint32_t ty, std::uint16_t* cells, std::uint32_t stride) const;
   /// The same for whole rows; cheapest where they are whole tiles. Stops at the first damaged tile.
   Status read_rows(const RowsView<std::uint16_t>& rows) const;
-  /// Whether each tile's record lies where the index says, none overlaps another, and each can be decoded.
+  /// Whether each tile's record lies where the index has it, none overlaps another, and each can be decoded.
   Status validate() const;
 
  protected:

@@ -2,8 +2,8 @@
 // for certain, without a look at every cell (Greene, Kass and Miller, "Hierarchical Z-Buffer Visibility", 1993).
 //
 // Depth in the z-buffer only grows, greater is nearer, unless a material has a test of its own: then what it touches is
-// forgotten. So a farthest depth that was true stays a bound; it is found again, lazily, when somebody asks for a tile
-// that as many fragments have been drawn into since as it has cells.
+// forgotten. So a farthest depth that was true stays a bound; it is found again, lazily, when a tile is tested
+// into which as many fragments have been drawn since as it has cells.
 #pragma once
 
 #include <algorithm>

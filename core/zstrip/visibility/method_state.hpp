@@ -1,4 +1,4 @@
-// What a visibility method knows while a strip is drawn: where stages and pixel loops find it.
+// The state of a visibility method while a strip is drawn: where stages and pixel loops find it.
 #pragma once
 
 #include <cstdint>

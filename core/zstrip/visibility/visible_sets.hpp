@@ -1,4 +1,4 @@
-// The bytes of baked visible sets, which are read in place; docs/formats.md says what each means.
+// The bytes of baked visible sets, which are read in place; the format is in docs/formats.md.
 #pragma once
 
 #include <cstddef>

@@ -69,7 +69,7 @@ template <bool plain>
 inline constexpr View kView<scenes::samples_4, plain>{kWidth, kHeight, PixelFormat::rgb565, false, plain ? 1 : 4};
 inline constexpr std::uint32_t kFrames = 4, kFramesPerTurn = 36;
 
-/// What a knot gets in place of surroundings: about as many texels as it mirrors of them.
+/// What a knot gets in place of an environment map: about as many texels as it mirrors of it.
 inline constexpr auto kKnotTexcoords = [] {
   std::array<TexCoord, scenes::kKnotVertices> texcoords{};
   for (std::size_t i = 0; i < texcoords.size(); ++i) {
@@ -105,8 +105,9 @@ template <>
 inline constexpr Effects kChoice<scenes::every_pixel> = effect::perspective_1;
 
 /// Without fog, finishes, punctual lights, quadrics, lines, outlines, shadows, products, edges and overlay, billboards
-/// standing still, the scene's first texture for one with a palette, and texture coordinates for what mirrors its
-/// surroundings; lit at vertices, with its finishes, what was lit at pixels; of kBasic what it says; all else as it is.
+/// standing still, the scene's first texture for one with a palette, and texture coordinates for environment
+/// maps; lit at vertices, with its finishes, what was lit at pixels; of kBasic what it says; all else as
+/// it is.
 template <const scenes::BuiltIn& built_in>
 struct Plain {
   static constexpr auto kMaterials = [] {

@@ -24,7 +24,7 @@ struct Stage : NoStage {
   static Status check(const FrameRequest& request) {
     return request.called_for.has(effect::csg) ? check_memory(request, depth_cell_bytes(effects)) : Status{};
   }
-  /// Of a frame whose instances are prepared: operands are drawn by nobody else then.
+  /// Of a frame whose instances are prepared: no other stage draws operands then.
   template <Effects effects>
   static Status prepare(FrameState& frame, const FrameRequest& request) {
     if (!request.called_for.has(effect::csg)) return {};
@@ -233,7 +233,7 @@ struct Stage : NoStage {
       return any;
     }
 
-    /// Keeps of the layer what has the product just behind it, as far as this operand says. False if nothing is left.
+    /// Keeps the pixels of the layer that this operand does not exclude from the product. False if none is left.
     bool keep_inside(std::size_t operand) {
       if (may_cover(frame_, operand, part_)) {
         count(operand);

@@ -10,7 +10,7 @@ namespace zstrip::detail::csg {
 struct CsgBounds {
   std::uint16_t left, top, right, bottom;  ///< pixels of the picture that it can cover; nothing if it cannot be seen
   std::uint32_t first_meshlet;             ///< among those of all instances
-  bool cut;                                ///< by the near plane, as far as its box says
+  bool cut;                                ///< by the near plane; conservative, from its bounding box
   std::uint8_t unused[3];
 };
 static_assert(sizeof(CsgBounds) == Effect::kOperandBytes);
@@ -31,7 +31,7 @@ inline std::byte* strip_memory(const FrameState& frame) {
   return reinterpret_cast<std::byte*>(&bounds_of(frame, frame.scene->csg.size()));
 }
 
-/// Of a plan for a scene that has products; `cell_bytes`: of the z-buffer.
+/// Of a plan for a scene that has CSG; `cell_bytes`: of the z-buffer.
 Status check_memory(const FrameRequest& request, std::uint32_t cell_bytes);
 
 /// Before the strips.

@@ -27,7 +27,7 @@ inline Rect box_with_apron(const Rect& box) {
 /// The pixels of `area` from those of `drawn`, its strip with the apron. Both lie without gaps.
 void copy_without_apron(const std::uint16_t* from, const Rect& drawn, std::uint16_t* to, const Rect& area);
 
-/// Of a scene that has edges: whether the plan has room for aprons, and nothing is asked that does not go with them.
+/// For a scene with edges: whether the plan has room for aprons, and nothing else in use excludes edges.
 Status check_request(const FrameRequest& request);
 
 }  // namespace zstrip::detail::edges

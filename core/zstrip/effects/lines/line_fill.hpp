@@ -14,16 +14,16 @@
 
 namespace zstrip::detail {
 
-/// Samples of a pixel: a line is as wide as its pixels say. Where they are side by side, samples are not square.
+/// Samples of a pixel: widths of lines count pixels. Where they are side by side, samples are not square.
 struct SampleGrid {
   std::int32_t columns = 1, rows = 1;
 };
 
-/// The colour of one line's pixels; the effects say which of its members are looked at.
+/// The colour of one line's pixels; which of its members are used depends on the effects.
 template <Effects effects>
 struct LineShade {
   Colour colour{};                ///< the line's
-  std::uint16_t pixel = 0;        ///< the same
+  std::uint16_t pixel = 0;        ///< `colour` in RGB565
   const FogCurve* fog = nullptr;  ///< only with effect::fog
   std::int64_t depth_offset = 0;  ///< of distance_at
   [[no_unique_address]] MemberIf<effects, effect::dithered_colours, DitherAnchor> dither{};

@@ -11,7 +11,7 @@ namespace zstrip::detail::outlines {
 
 /// A scene with its outlines' hulls as instances behind all others, and without outlines.
 struct OutlinedScene {
-  Scene scene;                  ///< has none of its outlines, but says where the first is
+  Scene scene;                  ///< without its outlines, but with the index of the first one
   std::uint32_t outline_count;  ///< the caller's
   std::uint32_t instances;      ///< the caller's
 

@@ -82,7 +82,7 @@ class PixelLight {
   void add_local(LightSum& total, std::int32_t columns, std::int32_t rows, const UnitVector& normal,
                  const PixelLightSettings& settings) const {
     const bool shines = effects.has(effect::specular) && !is_black(settings.finish.specular);
-    // With perspective whatever is as long as it likes points to the eye.
+    // With perspective the vector to the eye may have any length.
     UnitVector to_eye = settings.lights->back;
     if constexpr (!kOrthographic) {
       if (shines) {

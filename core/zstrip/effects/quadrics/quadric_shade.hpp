@@ -59,7 +59,7 @@ inline std::uint16_t texel_at(const TextureView& texture, const QuadricNormal& d
   return texture.texels[((row < last_row ? row : last_row) << texture.log2_width) + column];
 }
 
-/// Colours of one quadric's pixels; the effects say which of its members are looked at.
+/// Colours of one quadric's pixels; which of its members are used depends on the effects.
 template <Effects effects>
 struct QuadricShade {
   const CompiledQuadric& quadric;

@@ -7,7 +7,7 @@
 
 namespace zstrip::detail {
 
-/// Its pixels are the samples. View::samples stays, and says how many of them a pixel of the display has.
+/// Its pixels are the samples. View::samples stays: the number of samples of a pixel of the display.
 constexpr View view_of_samples(View view) {
   view.width = static_cast<std::uint16_t>(view.width * sample_columns(view));
   view.height = static_cast<std::uint16_t>(view.height * sample_rows(view));

@@ -10,7 +10,7 @@
 
 namespace zstrip::detail {
 
-/// Tiles that were asked for last, by column and row of tiles modulo kSide.
+/// Tiles that were read last, by column and row of tiles modulo kSide.
 struct DecodedTiles {
   static constexpr std::uint32_t kSide = 4;
   struct Tile {
@@ -38,14 +38,14 @@ struct ShadowState {
   Colour* colours_in_shadow = nullptr;  ///< binned only: of the vertices that are kept
   DecodedTiles decoded;
 
-  /// The map's code at a texel inside it. The store must be whole: else a status that says so, once, in `status`.
+  /// The map's code at a texel inside it. The store must be whole: else an error, once, in `status`.
   std::uint32_t code_at(std::uint32_t column, std::uint32_t row, Status& status) {
     const std::uint32_t tx = column / kTileSide, ty = row / kTileSide;
     DecodedTiles::Tile& tile = decoded.tiles[ty % DecodedTiles::kSide][tx % DecodedTiles::kSide];
     if (tile.column != tx || tile.row != ty) decode(tile, tx, ty, status);
     return tile.cells[row % kTileSide * kTileSide + column % kTileSide];
   }
-  /// Whether what casts lies between a point and the light. Where it is far from the point the nearest texel says so;
+  /// Whether what casts lies between a point and the light. Where it is far from the point the nearest texel decides;
   /// where it is close, and may be the point's own surface, all four around it must: of a plane, or of whatever bulges
   /// towards the light, one of them is not nearer than the point between them.
   bool hides(const MapPoint& at, Status& status) {

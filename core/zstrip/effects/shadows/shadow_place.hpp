@@ -1,5 +1,5 @@
 // From a pixel of the picture and the depth in its cell to the place in the shadow map, without the triangle that drew
-// it: what a pixel shows lies on its ray, and the depth says where.
+// it: what a pixel shows lies on its ray, at the distance that the depth gives.
 #pragma once
 
 #include <algorithm>

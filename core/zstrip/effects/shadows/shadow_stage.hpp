@@ -1,6 +1,6 @@
 // Shadows: before a frame the map, drawn from the light by the stages that draw the picture; after a strip what its
-// shadowed pixels look like without the light. A strip is drawn once with all lights, and where the map says that some
-// of its pixels are in shadow, once more without that one: all others then have a depth nearer than any.
+// shadowed pixels look like without the light. A strip is drawn once with all lights, and where the map has some
+// of its pixels in shadow, once more without that one: all others then have a depth nearer than any.
 #pragma once
 
 #include <algorithm>
@@ -74,7 +74,7 @@ struct Stage : NoStage {
     const Rect shadowed = find<effects>(target, state, status);
     if (!status || shadowed.empty()) return status;
     using Cell = DepthCell<depth_format(effects)>;
-    // Bounds of depth begin again, of the cells that they know.
+    // Bounds of depth begin again, of the cells that they cover.
     StripTarget part = target;
     if constexpr (effects.any(method::bounded)) {
       auto& with_bounds = static_cast<MethodFrameState&>(frame);

@@ -164,7 +164,7 @@ struct Blocks {
   [[gnu::always_inline]] void draw_column(const EdgeBlock (&e)[3], __m128i upper, __m128i z_step_y,
                                           const ChannelBlock (&channels)[3], __m128i flat, std::uint16_t* depth,
                                           std::uint16_t* pixel) const {
-    // Copies: stores of lanes may change any memory, as far as compilers know.
+    // Copies: compilers must assume that stores of lanes change any memory.
     const InTwoRows cells{target.depth_stride};
     const InTwoRows pixels{target.colour_stride};
     const __m128i z_down = _mm_add_epi32(z_step_y, z_step_y);

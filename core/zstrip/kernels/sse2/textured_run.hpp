@@ -8,7 +8,7 @@
 
 namespace zstrip::detail {
 
-/// Whether a texture has no more texels than the index of a vector's lane can say, 2^16.
+/// Whether a texture has no more texels than the index of a vector's lane can address, 2^16.
 inline bool fits_sse2(const TexturedRunState<std::uint32_t>& run) { return run.to_row >= 16; }
 
 /// Fills `count` > 0 whole runs, with the depth test of z16. Moves z, the place and the exact position behind them.

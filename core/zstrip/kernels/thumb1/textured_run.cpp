@@ -1,4 +1,4 @@
-// The assembly behind thumb/textured_run.hpp for Thumb-1 (Cortex-M0, M0+): shifts, products and addresses know eight
+// The assembly behind thumb/textured_run.hpp for Thumb-1 (Cortex-M0, M0+): shifts, products and addresses have eight
 // registers only, so that what is merely added or copied stands in the upper ones.
 #include <cstddef>
 
