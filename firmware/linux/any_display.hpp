@@ -8,8 +8,8 @@
 
 namespace zstrip::panel {
 
-/// As hal::Display says. When the object ends the display is left defined: a screen as it was before, a panel black and
-/// asleep, its backlight off.
+/// Functions as in hal::Display. When the object ends the display is left defined: a screen as it was before, a panel
+/// black and asleep, its backlight off.
 class AnyDisplay {
  public:
   AnyDisplay() = default;

@@ -46,7 +46,7 @@ hal::Outcome<DisplayAddress> DisplayAddress::parse(const std::string& text) {
     std::optional<std::string> value;
     if (equals != std::string::npos) value = part.substr(equals + 1);
     if (!address.values_.emplace(part.substr(0, equals), value).second)
-      return hal::Fault{"'" + text + "' says " + part.substr(0, equals) + " twice"};
+      return hal::Fault{"'" + text + "' has " + part.substr(0, equals) + " twice"};
   }
   return address;
 }

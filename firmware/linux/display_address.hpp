@@ -35,7 +35,7 @@ class DisplayAddress {
                                                          std::uint32_t most);
   /// A key without a value, or with the values "yes" and "no".
   hal::Outcome<bool> take_flag(const std::string& key, bool unless_given = false);
-  /// A fault that names a key that nobody took, if there is one.
+  /// A fault that names an unknown key, if there is one.
   std::optional<hal::Fault> untaken() const;
 
   hal::Fault fault(const std::string& key, const std::string& what) const;

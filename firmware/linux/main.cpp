@@ -30,7 +30,7 @@ constexpr const char* kFooter = R"(Displays, KIND:[DEVICE,]KEY=VALUE,...:
   st7789: ili9341: st7735: ssd1351: ssd1306: ssd0323:  panels on SPI; docs/linux.md has all keys
     spidev=/dev/spidev0.0,speed=HZ  or bit by bit  clock=LINE,data=LINE[,select=LINE][,miso=LINE]
     dc=LINE[,reset=LINE][,backlight=LINE]
-    id  asks st7789, ili9341 and st7735 who they are before anything is sent, where they have a wire to answer
+    id  reads the id of st7789, ili9341 and st7735 before anything is sent, where they have a wire to answer
   ssd1306:i2c=/dev/i2c-1[,address=0x3D][,reset=LINE]   on I2C, at 0x3c unless told
 A LINE is CHIP:OFFSET (gpiochip0:25) or the line's name.
 

@@ -37,7 +37,7 @@ class Panel final : public DisplayAdapter<Panel<Driver, Bus>> {
         backlight_(std::move(backlight)),
         driver_(make(bus_, clock_, config)) {}
   ~Panel() override {
-    // Dark first. What fails now has nobody to be told.
+    // Dark first. Errors of a destructor cannot be reported.
     static_cast<void>(backlight_.set(false));
     if (!is_stranger_) static_cast<void>(driver_.sleep());
   }
@@ -76,12 +76,12 @@ std::string in_hex(std::uint32_t id) {
   return text;
 }
 
-/// After Error::wrong_id: who is there, and what to do.
+/// After Error::wrong_id: which controller answers, and what to do.
 template <class Driver>
-std::string who_answers(Driver& driver, const hal::DcsConfig& config) {
+std::string what_answers(Driver& driver, const hal::DcsConfig& config) {
   std::uint32_t found = 0;
   if (const hal::Error error = driver.read_id(found); error != hal::Error::none)
-    return std::string("the panel cannot be asked for its id: ") + hal::message(error);
+    return std::string("the panel's id cannot be read: ") + hal::message(error);
   if (found == 0 || found == 0xFFFFFF) {
     return "the panel does not answer: its id reads " + in_hex(found) + ", not " + in_hex(config.id) +
            "; check its supply and the wire from its data output, or leave id out where there is none";
@@ -116,7 +116,7 @@ Opened start(const PanelWiring& wiring, std::uint32_t usual_hertz, const Config&
                                                                std::move(open->backlight), config);
         const hal::Error error = panel->start();
         if constexpr (requires(std::uint32_t id) { panel->display().read_id(id); }) {
-          if (error == hal::Error::wrong_id) return Failure{ExitStatus::device, who_answers(panel->display(), config)};
+          if (error == hal::Error::wrong_id) return Failure{ExitStatus::device, what_answers(panel->display(), config)};
         }
         if (error != hal::Error::none) {
           const ExitStatus status = error == hal::Error::configuration ? ExitStatus::usage : ExitStatus::output;
@@ -226,7 +226,7 @@ Opened open_panel(DisplayAddress& address) {
     if (kind == "ili9341") return start<Ili9341>(*wiring, 10'000'000, *config);
     return start<St7735>(*wiring, 15'000'000, *config);
   }
-  if (address.take("id")) return usage(address.fault("id", "cannot be asked for: this controller has none"));
+  if (address.take("id")) return usage(address.fault("id", "cannot be read: this controller has none"));
   const Outcome<hal::Orientation> orientation = take_orientation(address);
   if (!orientation) return usage(orientation.fault());
   if (const auto untaken = address.untaken()) return usage(*untaken);

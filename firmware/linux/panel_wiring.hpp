@@ -1,4 +1,4 @@
-// How a panel is wired to a Linux machine, as an address says it: the bus, D/C, reset and backlight.
+// How a panel is wired to a Linux machine, as given in an address: the bus, D/C, reset and backlight.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ using BitBangedBus = hal::BitBangedSpi<hal::GpioPin, hal::GpioPin, hal::GpioPin,
 
 /// Lines and bus, opened; a line that is not wired is a pin without a line.
 struct OpenWiring {
-  /// `usual_hertz`: spidev's clock unless the wiring says another. Faults name line and device, and what to do.
+  /// `usual_hertz`: spidev's clock unless the wiring has another. Faults name line and device, and what to do.
   static hal::Outcome<OpenWiring> open(const PanelWiring& wiring, std::uint32_t usual_hertz);
 
   std::variant<hal::SpidevBus, BitBangedBus, hal::I2cdevBus> bus;

@@ -51,7 +51,7 @@ std::optional<Failure> play(SceneFile& scene, AnyDisplay& display, const PlayOpt
     return Failure{ExitStatus::input, "what turns in the baked scene is too far away for it; play it with --turn 1"};
   }
   const Effects effects = effects_of(scene.scene(), camera) | effects_of(view) | scene.effects() | effect::bins;
-  // Controllers with several pixels a byte want areas of whole bytes, some of them in y: they get the picture in one.
+  // Controllers with several pixels a byte need areas of whole bytes, some of them in y: they get the picture in one.
   const bool whole = view.format == PixelFormat::gray4 || view.format == PixelFormat::mono;
   const Budget budget{.strip_rows = whole ? view.height : std::uint16_t{0}};
   const auto [planned, plan] = zstrip::plan(count(scene.scene()), view, effects, budget);

@@ -1,4 +1,4 @@
-// Plays a scene on a display: frame after frame until enough of them were shown or a signal asks to stop.
+// Plays a scene on a display: frame after frame until enough of them were shown or a signal ends the program.
 #pragma once
 
 #include <cstdint>

@@ -15,7 +15,7 @@ namespace zstrip::panel {
 
 class SceneFile {
  public:
-  /// Reads and checks all of the file. Faults say what to do: bake it again, mostly.
+  /// Reads and checks all of the file. Faults name what to do: bake it again, mostly.
   static hal::Outcome<SceneFile> open(const std::string& path);
 
   SceneFile(SceneFile&&) = default;

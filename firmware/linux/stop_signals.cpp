@@ -1,4 +1,4 @@
-// The signals that ask the program to end.
+// The signals that end the program.
 #include "stop_signals.hpp"
 
 #include <poll.h>

@@ -1,4 +1,4 @@
-// The signals that ask the program to end: SIGINT, SIGTERM, SIGHUP, and the others that would end it without a word.
+// The signals that end the program: SIGINT, SIGTERM, SIGHUP, and the others that would end it without a word.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// The list of the effects' scenes, the lattice, tiles with a palette, a floor with mipmaps, and surroundings.
+// The list of the effects' scenes, the lattice, tiles with a palette, a floor with mipmaps, and an environment map.
 #include "zstrip_scenes/effect_scenes.hpp"
 
 namespace zstrip::scenes {
@@ -69,7 +69,7 @@ consteval std::uint16_t mixed(const Colour& from, const Colour& to, std::int32_t
 }
 
 /// What a ball of radius 31 mirrors of a sky that is blue overhead and of a floor that is dark far away.
-consteval std::array<std::uint16_t, 1024> surroundings() {
+consteval std::array<std::uint16_t, 1024> environment_map() {
   std::array<std::uint16_t, 1024> result{};
   for (std::int32_t i = 0; i < 1024; ++i) {
     const std::int32_t x = 2 * (i % 32) - 31, y = 31 - 2 * (i / 32), square = 31 * 31 - x * x - y * y;
@@ -165,7 +165,7 @@ constexpr std::array<Position, kBallVertices> kBallPositions = ball_positions();
 constexpr std::array<Normal, kBallVertices> kBallNormals = ball_normals();
 constexpr std::array<Triangle, kBallTriangleCount> kBallTriangles = ball_triangles();
 
-constexpr std::array<std::uint16_t, 1024> kSurroundingsTexels = surroundings();
+constexpr std::array<std::uint16_t, 1024> kEnvironmentTexels = environment_map();
 
 constexpr std::array<std::uint16_t, 256 + 64 + 16 + 4 + 1> kChequerTexels = chequer();
 constexpr std::array<Position, 4> kFloorPositions = {

@@ -58,9 +58,9 @@ constexpr bool contains(std::uint16_t width, std::uint16_t height, const Area& a
 ///   - wait() returns when nothing is under way, with the error of that write. Called when idle, it returns at once.
 ///   - end_frame() makes the frame complete; nothing may be under way.
 /// Only what was written changes: a frame may write no more than the rectangles in which the picture differs from the
-/// one before. A display whose memory has several pixels a byte may ask that areas begin and end at whole bytes, in x
-/// or in y: Error::alignment otherwise; its documentation says so. After an error of write() or wait() the display is
-/// idle, what it shows of this frame is undefined, and a new frame may begin, which shows right whatever it writes.
+/// one before. A display whose memory has several pixels a byte may need areas that begin and end at whole bytes, in x
+/// or in y: Error::alignment otherwise; its documentation states that. After an error of write() or wait() the display
+/// is idle, what it shows of this frame is undefined, and a new frame may begin, which shows right whatever it writes.
 /// end_frame() is called after an error too. One thread, or one interrupt level, at a time. The display refers to its
 /// bus, which must outlive it.
 template <class T>

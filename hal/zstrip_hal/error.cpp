@@ -13,7 +13,7 @@ const char* message(Error error) {
     case Error::strip_layout: return "the strips do not cover the display exactly";
     case Error::bus: return "the bus reports a fault";
     case Error::pin: return "an output line cannot be set";
-    case Error::configuration: return "the display's controller cannot do what its configuration asks for";
+    case Error::configuration: return "the display's controller cannot do what its configuration needs";
     case Error::framebuffer: return "the picture does not fit its memory";
     case Error::flip: return "the last page flip did not happen";
     case Error::wrong_id: return "another controller answers, or none";

@@ -12,12 +12,12 @@ enum class [[nodiscard]] Error : std::uint8_t{
     alignment,         ///< the area does not begin and end at whole bytes, which the panel needs
     pixels_too_small,  ///< fewer bytes than the area needs
     strip_layout,      ///< the strips do not cover the display exactly
-    bus,               ///< the bus reports a fault: nobody acknowledges, a transfer was refused or broke off
+    bus,               ///< the bus reports a fault: no device acknowledges, a transfer was refused or broke off
     pin,               ///< a line cannot be set
-    configuration,     ///< the display's configuration asks for what its controller cannot do
+    configuration,     ///< the display's configuration needs what its controller cannot do
     framebuffer,       ///< the picture does not fit its memory, or its rows overlap
     flip,      ///< the screen has not shown the picture that it was given last, in the time that its driver states
-    wrong_id,  ///< the controller says that it is another one, or nobody answers
+    wrong_id,  ///< the controller reports another id, or none answers
 };
 
 /// A short English phrase without a full stop, in static storage.

@@ -14,8 +14,8 @@ namespace zstrip::hal {
 
 /// A controller of I2C. begin() sends the start condition and the address with the bit to write, send() bytes of the
 /// same transfer, end() the stop condition, also after an error. Bytes have been sent, each acknowledged, when a
-/// function returns. Error::bus if nobody acknowledges or the lines are held; Error::timeout by the driver's own
-/// measure.
+/// function returns. Error::bus if no device acknowledges or the lines are held; Error::timeout by the driver's own
+/// limit.
 template <class T>
 concept I2cWriter = requires(T& i2c, std::uint8_t address, std::span<const std::byte> bytes) {
   { i2c.begin(address) } -> std::same_as<Error>;
@@ -35,7 +35,7 @@ class I2cCommandDataBus {
   Error wait() { return Error::none; }
 
  private:
-  /// The control byte: bit 6 is D/C; bit 7 low says that no other control byte follows.
+  /// The control byte: bit 6 is D/C; bit 7 low: no other control byte follows.
   Error write(std::byte control, std::span<const std::byte> bytes) {
     Error error = i2c_.begin(address_);
     if (error == Error::none) error = i2c_.send(std::span(&control, 1));

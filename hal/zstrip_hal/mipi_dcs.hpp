@@ -1,5 +1,5 @@
 // Panels whose controller follows MIPI's Display Command Set, as those for SPI of Sitronix and Ilitek do: what they
-// have in common. st7789.hpp, ili9341.hpp and st7735.hpp say what each has of its own.
+// have in common. What each has of its own is in st7789.hpp, ili9341.hpp and st7735.hpp.
 //
 // A command is one byte with D/C low, its parameters follow with D/C high. A command ends the one before it, whole or
 // not, so that whatever went wrong, the next window starts clean.
@@ -34,12 +34,12 @@ struct DcsConfig {
   bool rows_reversed = false;                        ///< the glass is wired from the bottom to the top
   bool bgr = false;                                  ///< its subpixels are blue, green, red
   bool inverted = false;                             ///< it shows colours inverted, as most IPS panels do
-  /// Commands that the maker of the module asks for (voltages, gamma), sent before the panel wakes up: the command, the
+  /// Commands that the module's data sheet requires (voltages, gamma), sent before the panel wakes up: the command, the
   /// number of its parameters, its parameters; then the next command. Must outlive the display.
   std::span<const std::byte> module_commands{};
   /// Which controller start() must find: the id that it answers with, its three bytes from the highest down, as kId of
-  /// each controller; modules may have another one of their maker's. Below 0xFFFFFF, which is also read where nobody
-  /// answers. 0: it is not asked. So it is unless told, because many modules have no wire for answers.
+  /// each controller; modules may have another one of their maker's. Below 0xFFFFFF, which is also read without
+  /// an answer. 0, the default: it is not read, because many modules have no wire for answers.
   std::uint32_t id = 0;
 };
 
@@ -49,7 +49,7 @@ constexpr DcsConfig turned(DcsConfig module, Rotation by) {
   return module;
 }
 
-/// What a driver says about a controller:
+/// What a driver defines for a controller:
 ///   - kColumns, kRows: of its memory, with the glass upright
 ///   - pixel_format(format): COLMOD's parameter, 0 for a format that it has not
 ///   - kSettings: commands for every module, as DcsConfig::module_commands
@@ -81,9 +81,9 @@ class DcsPanel {
   /// Resets the controller by command, sets it up, blackens the glass and switches it on; takes a quarter of a second
   /// and the time for a frame's bytes. May be repeated after an error, best after reset_panel() (output_pin.hpp).
   /// Error::configuration for a glass that is larger than the controller's memory, a format that it has not,
-  /// module_commands that end amid a command, an id to be asked for on a bus that cannot read, or one that is none;
+  /// module_commands that end amid a command, an id on a bus that cannot read, or one that is none;
   /// nothing was sent then. Error::wrong_id where the configuration has another id than the controller: nothing but the
-  /// question was sent.
+  /// command that reads it was sent.
   Error start() {
     if (!valid()) return Error::configuration;
     Error error = checked_id();
@@ -119,8 +119,8 @@ class DcsPanel {
   Error wait() { return bus_.wait(); }
   Error end_frame() { return Error::none; }
 
-  /// What the controller answers when it is asked who it is, as DcsConfig::id; also before start(), from 5 ms after a
-  /// reset on. All ones or all zeros: nobody answers, or no wire comes back. Nothing may be under way.
+  /// The controller's answer to the command that reads its id, as DcsConfig::id; also before start(), from 5 ms after a
+  /// reset on. All ones or all zeros: no controller answers, or no wire comes back. Nothing may be under way.
   Error read_id(std::uint32_t& id) requires ReadableBus<Bus> {
     std::array<std::byte, 3> answer{};
     const Error error = Controller::read_id(bus_, answer);

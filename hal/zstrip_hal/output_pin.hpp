@@ -23,7 +23,7 @@ struct NoPin {
 static_assert(OutputPin<NoPin>);
 
 /// Resets a panel by its reset line, which is low while active: before the driver's start(), and again where a panel
-/// does not answer or shows garbage. Takes 140 ms. The times suit every controller here: the longest asks for 10 us
+/// does not answer or shows garbage. Takes 140 ms. The times suit every controller here: the longest need 10 us
 /// low, and for 120 ms until a command if it was awake (ST7789, ILI9341, ST7735: RESX timing).
 template <OutputPin Pin, Clock Time>
 Error reset_panel(Pin& reset, Time& clock) {

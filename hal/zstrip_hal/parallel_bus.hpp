@@ -64,7 +64,7 @@ class ParallelBus {
 
  private:
   Error write(std::span<const std::byte> bytes, bool data) {
-    // After an error it may be low: it rises while nobody is selected.
+    // After an error it may be low: it rises while no device is selected.
     Error error = strobe_.set(true);
     if (error == Error::none) error = data_command_.set(data);
     if (error == Error::none) error = select_.set(false);

@@ -26,7 +26,7 @@ struct StripLayout {
   std::uint16_t columns = 0;
 };
 
-/// Where strips are drawn: each buffer holds rows * bytes_per_row(columns) bytes, aligned as the renderer asks. While
+/// Where strips are drawn: each buffer holds rows * bytes_per_row(columns) bytes, aligned as the renderer needs. While
 /// one is being sent, the other is drawn. With `second` empty one buffer does for both, and drawing waits for the
 /// transfer: right for buses without DMA.
 struct StripBuffers {
@@ -91,7 +91,7 @@ auto present(Renderer& renderer, Panel& display, const StripLayout& layout, cons
     std::swap(drawing, sending);
   }
 
-  // The display must be idle before anybody touches the buffers, whatever happened; the first error is the one
+  // The display must be idle before the buffers are touched, whatever happened; the first error is the one
   // reported.
   const Error last_transfer = display.wait();
   const Error end = display.end_frame();

@@ -298,7 +298,7 @@ TEST_F(Bake, PalettesThatLoseNothingChangeNoPixel) {
 
 TEST_F(Bake, BillboardsTurnInABlobAsInTheSceneFile) { same_as_a_blob("billboards", "billboards", {}, 5); }
 
-TEST_F(Bake, SurroundingsAreMirroredFromABlobAsFromTheSceneFile) {
+TEST_F(Bake, EnvironmentMapsAreDrawnFromABlobAsFromTheSceneFile) {
   EXPECT_EQ(same_as_a_blob("environment", "environment", {"--turntable"}, 5),
             Json::array({"chrome", "lacquer", "gold"}));
 }

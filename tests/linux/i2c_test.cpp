@@ -79,7 +79,7 @@ TEST_F(LinuxI2c, Ssd1306) {
   };
   guest.run("chmod 755 /; echo user:x:1000:1000::/:/bin/sh >/etc/passwd");
   for (const Refusal& refusal :
-       {Refusal{"i2c=/dev/i2c-0,address=0x3d", "/dev/i2c-0: nobody answers at the address 0x3d; check wires"},
+       {Refusal{"i2c=/dev/i2c-0,address=0x3d", "/dev/i2c-0: no device answers at the address 0x3d; check wires"},
         {"i2c=/dev/i2c-9", "/dev/i2c-9 cannot be opened: there is no such device; enable I2C"},
         {"i2c=/dev/null", "/dev/null is not an I2C bus"}}) {
     const Guest::Answer answer =

@@ -106,9 +106,9 @@ TEST_F(LinuxMockedFramebuffer, TheFormerModeComesBackWhenTheDisplayEnds) {
 
 TEST_F(LinuxMockedFramebuffer, ADriverThatKeepsTheDepthGetsItsFormerSizeBack) {
   driver_.kept_depth = 24;
-  EXPECT_EQ(
-      refused(16),
-      "/dev/fb0 does not take 32x16 with 16 bits a pixel, although it says so; it has 32x16 with 24 bits a pixel");
+  EXPECT_EQ(refused(16),
+            "/dev/fb0 does not take 32x16 with 16 bits a pixel, although it reports success; it has 32x16 with 24 bits "
+            "a pixel");
 }
 
 TEST_F(LinuxMockedFramebuffer, NoTrueColourIsRefusedWithTheOtherDepthsAndTheFormerModeComesBack) {
@@ -122,7 +122,7 @@ TEST_F(LinuxMockedFramebuffer, NoTrueColourIsRefusedWithTheOtherDepthsAndTheForm
 
 TEST_F(LinuxMockedFramebuffer, MemoryThatIsNotThereBringsTheFormerModeBack) {
   driver_.memory = 0;
-  EXPECT_EQ(refused(16), "/dev/fb0 says that it has no memory");
+  EXPECT_EQ(refused(16), "/dev/fb0 reports that it has no memory");
   driver_.memory = 32;
   EXPECT_NE(refused(16).find("lies beyond its memory"), std::string::npos);
   driver_.memory_error = EIO;

@@ -153,8 +153,8 @@ TEST_F(LinuxMockedI2c, LongWritesAreSplitAndEachHasItsControlByte) {
 
 TEST_F(LinuxMockedI2c, RefusalsNameTheAddressAndTheRemedy) {
   EXPECT_EQ(open(0x3C).fault().message,
-            "/dev/i2c-1: nobody answers at the address 0x3c; check wires, supply and address (i2cdetect -y lists who "
-            "answers)");
+            "/dev/i2c-1: no device answers at the address 0x3c; check wires, supply and address (i2cdetect -y lists "
+            "what answers)");
   i2c_.is_taken = true;
   EXPECT_EQ(
       open().fault().message,
@@ -168,7 +168,7 @@ TEST_F(LinuxMockedI2c, RefusalsNameTheAddressAndTheRemedy) {
   for (const int error : {ENXIO, EREMOTEIO, EIO, ETIMEDOUT}) {
     i2c_.transfers_until_failure = 0;
     i2c_.error = error;
-    EXPECT_NE(open().fault().message.find("nobody answers at the address 0x3d"), std::string::npos) << error;
+    EXPECT_NE(open().fault().message.find("no device answers at the address 0x3d"), std::string::npos) << error;
   }
   i2c_.transfers_until_failure = 0;
   i2c_.error = EAGAIN;

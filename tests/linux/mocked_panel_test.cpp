@@ -88,7 +88,7 @@ TEST_F(LinuxMockedPanel, NobodyAnswers) {
                               ", not 85 85 52; check its supply and the wire from its data output, or leave id out "
                               "where there is none");
     EXPECT_TRUE(spi_.messages.empty());
-    EXPECT_EQ(open_on_spidev("").words, "") << "who does not ask needs no wire";
+    EXPECT_EQ(open_on_spidev("").words, "") << "without id no wire is needed";
   }
 }
 
@@ -111,7 +111,7 @@ TEST_F(LinuxMockedPanel, IdsThatAreNone) {
   for (const char* kind : {"ssd1351", "ssd1306", "ssd0323"}) {
     const Said said = open(std::string(kind) + ":spidev=/dev/spidev0.0,dc=0:3,id");
     EXPECT_EQ(said.status, ExitStatus::usage);
-    EXPECT_EQ(said.words, std::string("--display ") + kind + ": id cannot be asked for: this controller has none");
+    EXPECT_EQ(said.words, std::string("--display ") + kind + ": id cannot be read: this controller has none");
   }
 }
 

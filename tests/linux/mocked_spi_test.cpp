@@ -111,7 +111,7 @@ TEST_F(LinuxMockedSpi, APanelIsAskedWhoItIs) {
     spi_.floating = level;
     spi_.messages.clear();
     EXPECT_EQ(display.start(), Error::wrong_id) << level;
-    EXPECT_LE(spi_.messages.size(), 6U) << "a start sequence was sent to nobody";
+    EXPECT_LE(spi_.messages.size(), 6U) << "a start sequence was sent, although none answers";
   }
   sim::DcsModel st7789(sim::kSt7789Part, {.width = 4, .height = 4});
   st7789.elapse(std::chrono::seconds(1));

@@ -150,7 +150,7 @@ TEST(PanelModel, DcsAnswers) {
   lines.wait(120ms);
   EXPECT_EQ(answer_of(panel, 0x04, 1, 3), (std::vector<int>{0x85, 0x85, 0x52}));
   EXPECT_EQ(answer_of(panel, 0x04, 0, 3), (std::vector<int>{0x42, 0xC2, 0xA9})) << "a dummy clock comes first";
-  EXPECT_EQ(answer_of(panel, 0x04, 1, 4), (std::vector<int>{0x85, 0x85, 0x52, 0xFF})) << "then nobody drives the line";
+  EXPECT_EQ(answer_of(panel, 0x04, 1, 4), (std::vector<int>{0x85, 0x85, 0x52, 0xFF})) << "then the line is not driven";
   EXPECT_EQ(answer_of(panel, 0xDA, 0, 1), std::vector<int>{0x85});
   EXPECT_EQ(answer_of(panel, 0xDB, 0, 1), std::vector<int>{0x85});
   EXPECT_EQ(answer_of(panel, 0xDC, 0, 1), std::vector<int>{0x52});

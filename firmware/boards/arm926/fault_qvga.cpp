@@ -1,4 +1,4 @@
-// Faults, for tests: on the LCD and the console it says so.
+// Faults, for tests: shown on the LCD and the console.
 #include "arm926/show.hpp"
 #include "portable/faulting_player.hpp"
 

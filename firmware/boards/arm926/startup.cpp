@@ -18,7 +18,7 @@ void exception_handler();
 [[gnu::used]] void report_exception(std::uint32_t return_address, std::uint32_t mode);
 
 [[gnu::used, gnu::aligned(8)]] char fault_stack[1024];
-[[gnu::used]] std::uint32_t fault_return[10];  // r4 to r11, sp and lr of who called mark_fault_return()
+[[gnu::used]] std::uint32_t fault_return[10];  // r4 to r11, sp and lr of mark_fault_return()'s caller
 }
 
 namespace {

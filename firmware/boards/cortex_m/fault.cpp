@@ -1,5 +1,5 @@
-// Faults and unexpected interrupts: says on the console what happened and where, then goes back to who has marked a
-// place for that, the first time, or halts.
+// Faults and unexpected interrupts: reports on the console what happened and where, then returns to the place that
+// mark_fault_return() has marked, the first time, or halts.
 #include <cstdint>
 
 #include "cortex_m/board.hpp"
@@ -17,7 +17,7 @@ constexpr std::uint32_t kThumb = 1;  // of an address in lr, not of one in a fra
 // The report runs on a stack of its own, because the program's may be full.
 extern "C" {
 [[gnu::used, gnu::aligned(8)]] char fault_stack[176];
-/// r4 to r11, sp and lr of who called mark_fault_return(). FPU registers are not kept: afterwards they hold anything.
+/// r4 to r11, sp and lr of mark_fault_return()'s caller. FPU registers are not kept: afterwards they hold anything.
 [[gnu::used]] std::uint32_t fault_return[kReturnWords];
 void fault_handler();
 [[gnu::used]] void report_fault(const std::uint32_t* stacked, std::uint32_t exception);

@@ -19,7 +19,7 @@ constexpr int kPolls = 20'000;                                  // at least five
 
 std::uint32_t status() { return register_at(chip::kSsi0 + chip::kSsiStatus); }
 
-/// The receiver runs along with the transmitter; nobody wants what it gets. No more than its FIFO holds: one that is
+/// The receiver runs along with the transmitter; what it gets is unused. No more than its FIFO holds: one that is
 /// never empty must not keep the program here.
 void drain_receiver() {
   constexpr int kFifo = 8;

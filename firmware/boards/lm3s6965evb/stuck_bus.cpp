@@ -1,8 +1,8 @@
 // What becomes of a board whose bus gets stuck or whose program faults, for tests. The teapot, whose bus does amid a
-// frame what the console asks for: 't', its controller is off for one transfer; 'd', from then on; 'h', it never
+// frame what the console's byte selects: 't', its controller is off for one transfer; 'd', from then on; 'h', it never
 // returns; 'f', it faults; 'o', it takes more stack than there is; 'g', it faults and never returns afterwards; 's', it
 // faults, and again when the panic is to be shown. What can must end in a panic that shows, everything in a reset by
-// the watchdog, and the program asks again.
+// the watchdog, and the program reads the next byte.
 #include "cortex_m/registers.hpp"
 #include "lm3s6965evb/chip.hpp"
 #include "lm3s6965evb/show.hpp"

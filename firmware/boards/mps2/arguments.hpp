@@ -1,4 +1,4 @@
-// The words that say what the benchmark runs: "workload=K5 depth=z16 size=320x240 rows=16 columns=64
+// The words that select what the benchmark runs: "workload=K5 depth=z16 size=320x240 rows=16 columns=64
 // frames=2 first=0 buffers=2 ram=65536".
 #pragma once
 

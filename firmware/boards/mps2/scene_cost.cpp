@@ -21,7 +21,7 @@ PixelFormat format_of(std::string_view name) {
   return name == "mono" ? PixelFormat::mono : PixelFormat::rgb565;
 }
 
-/// Bytes 4 to 7 of a blob say how long it is.
+/// Bytes 4 to 7 of a blob hold its length.
 std::span<const std::byte> blob() {
   const auto* const bytes = reinterpret_cast<const std::byte*>(kSceneAddress);
   std::uint32_t size = 0;

@@ -1,4 +1,4 @@
-// Proves what the start-up code and the memory functions promise, on the board itself. The host's word says what:
+// Proves what the start-up code and the memory functions promise, on the board itself. The host's word selects what:
 // "memory" compares memcpy, memmove, memset and memcmp with bytewise loops and checks .data and .bss; "fault" reads
 // where nothing is and "overflow" uses up the stack: both must end in a fault report; "return" and "fpu" go on after
 // one; "wait" takes a cycle of the clock; "kernel=" and the name of a contract of tests/kernels compares assembly with

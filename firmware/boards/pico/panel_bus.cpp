@@ -20,7 +20,7 @@ Error wait_for(std::uint32_t mask, std::uint32_t value) {
   return Error::timeout;
 }
 
-/// The receiver runs along with the transmitter; nobody wants what it gets.
+/// The receiver runs along with the transmitter; what it gets is unused.
 void drain_receiver() {
   constexpr int kFifo = 8;
   for (int word = 0; word < kFifo && (register_at(kSpi0 + kSpiStatus) & kSpiReceiveNotEmpty) != 0; ++word) {
@@ -37,7 +37,7 @@ void configure_spi() {
   register_at(kSpi0 + kSpiControl1) = 2;   // on, as master
 }
 
-// The channel says that it has stopped by clearing the bit (2.5.5.3), and is no longer busy.
+// A channel that has stopped clears the bit (2.5.5.3), and is no longer busy.
 bool stop_dma() {
   register_at(kDmaAbort) = 1U << 0;
   for (std::uint32_t poll = 0; poll < kPolls; ++poll) {

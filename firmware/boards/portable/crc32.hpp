@@ -19,7 +19,7 @@ class Crc32 {
     }
   }
   std::uint32_t value() const { return ~state_; }
-  std::uint32_t state() const { return state_; }  ///< not inverted, for those who reckon with CRCs
+  std::uint32_t state() const { return state_; }  ///< not inverted, for computing with CRCs
 
  private:
   static constexpr std::array<std::uint32_t, 256> kTable = [] {

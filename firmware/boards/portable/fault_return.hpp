@@ -1,4 +1,4 @@
-// From a fault of the processor back to the program that it broke off, so that it can say so on its panel. Each
+// From a fault of the processor back to the program that it broke off, which then shows it on its panel. Each
 // processor's start-up code defines mark_fault_return().
 #pragma once
 
@@ -10,7 +10,7 @@ namespace zstrip::board {
 
 /// False now. When a fault comes, and has been reported on the console, the same call returns true: everything that was
 /// called since then is gone, and the caller must not have returned. That happens once: a second fault is reported,
-/// too, and halts the board, whose watchdog then starts it again. Nothing may be waited for that wants an interrupt (no
+/// too, and halts the board, whose watchdog then starts it again. Nothing may be waited for that needs an interrupt (no
 /// clock), which leaves polled buses and those with DMA.
 extern "C" [[gnu::returns_twice]] bool mark_fault_return();
 

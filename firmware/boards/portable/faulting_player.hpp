@@ -1,4 +1,4 @@
-// Faults instead of showing anything, for tests of what a board says then.
+// Faults instead of showing anything, for tests of what a board reports then.
 #pragma once
 
 #include <cstdint>

@@ -32,7 +32,7 @@ class HostControl {
   }
 
  private:
-  /// True if the host asks for the next frame.
+  /// True if the host requests the next frame.
   bool take_command() {
     char command = 0;
     if (!take_character(command)) return false;

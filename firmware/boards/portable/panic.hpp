@@ -1,4 +1,4 @@
-// The end of a program that cannot go on: it says why, on the console and on the panel as far as that still works.
+// The end of a program that cannot go on: it shows why, on the console and on the panel as far as that still works.
 #pragma once
 
 #include <array>

@@ -9,15 +9,15 @@
 
 namespace zstrip::board {
 
-/// `budget` with the preset's way of drawing. How many rows a strip has is for the board's memory to say, unless the
-/// preset has fewer than the usual ones: then that is what it is for.
+/// `budget` with the preset's way of drawing. How many rows a strip has depends on the board's memory, unless the
+/// preset has fewer than the usual ones: then few rows are its purpose.
 constexpr Budget with_quality(Budget budget, const Quality& preset) {
   budget.modes = preset.budget.modes;
   if (preset.budget.strip_rows < quality::balanced.budget.strip_rows) budget.strip_rows = preset.budget.strip_rows;
   return budget;
 }
 
-/// Whether a scene that is in flash as it is can be what the preset asks for: flat, and no mesh worth simplifying.
+/// Whether a scene that is in flash as it is suits the preset: flat, and no mesh worth simplifying.
 constexpr bool suits(const scenes::BuiltIn& scene, const Quality& preset) {
   constexpr std::size_t kWorthSimplifying = 200;  // triangles
   if (!preset.smooth && effects_of(scene.scene, scene.camera).has(effect::gouraud)) return false;
@@ -29,7 +29,7 @@ constexpr bool suits(const scenes::BuiltIn& scene, const Quality& preset) {
 }
 
 /// Frame n of a turn in `frames_per_turn`, planned for `view` within `budget`, drawn with `preset`, one of
-/// zstrip/plan.hpp (docs/accuracy.md says what each costs and buys).
+/// zstrip/plan.hpp (what each costs and buys: docs/accuracy.md).
 template <const scenes::BuiltIn& scene, View view, Budget budget, std::uint32_t frames_per_turn = 64,
           const Quality& preset = quality::balanced>
 class TurntableMotion {

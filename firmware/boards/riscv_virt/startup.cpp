@@ -18,7 +18,7 @@ void trap_handler();
 [[gnu::used]] void report_trap(std::uint32_t cause, std::uint32_t address, std::uint32_t value);
 
 [[gnu::used, gnu::aligned(16)]] char fault_stack[1024];
-[[gnu::used]] std::uint32_t fault_return[14];  // ra, sp and s0 to s11 of who called mark_fault_return()
+[[gnu::used]] std::uint32_t fault_return[14];  // ra, sp and s0 to s11 of mark_fault_return()'s caller
 }
 
 namespace {

@@ -23,7 +23,7 @@ bool off() {
 void SpiDma::start(std::span<const std::byte> bytes) {
   register_at(kDmaConfig3) = 0;
   polls_left_ = 0;
-  if (!off()) return;  // finish() says so
+  if (!off()) return;  // finish() reports it
   register_at(kDmaClearLow) = kDmaAllFlags3;
   register_at(kDmaPeripheral3) = kSpi1 + kSpiData;
   register_at(kDmaMemory3) = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(bytes.data()));

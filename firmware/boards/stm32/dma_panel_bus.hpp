@@ -67,7 +67,7 @@ class DmaPanelBus {
   }
 
  private:
-  /// The stream first, then who asks it for bytes; and off in the other order (RM0090, 10.3.17).
+  /// The stream first, then the SPI that requests bytes; and off in the other order (RM0090, 10.3.17).
   void begin(std::span<const std::byte> bytes) {
     dma_.start(bytes);
     spi_.use_dma(true);

@@ -21,7 +21,7 @@ void set_field(std::uint32_t address, unsigned index, unsigned bits, std::uint32
 }
 
 /// The oscillator's megahertz by M is 1 MHz; times N = 320, by P = 2. Not the 168 MHz that the chip allows: of these no
-/// divider makes the 10 MHz of an ILI9341. Q is USB's, which nobody uses: its output must not be above 48 MHz.
+/// divider makes the 10 MHz of an ILI9341. Q is USB's, which is unused: its output must not be above 48 MHz.
 bool use_crystal(std::uint32_t crystal_megahertz) {
   constexpr std::uint32_t kN = 320U << kPllNShift, kPBy2 = 0U << kPllPShift, kQ = 7U << kPllQShift;
   register_at(kClockControl) = register_at(kClockControl) | kHseOn;

@@ -30,7 +30,7 @@ struct DrmOptions {
 
 struct DrmScreen;  // the card, the CRTC and what was on it before
 
-/// Takes RGB565. A frame appears whole, at a vertical blank. end_frame() asks for that and returns; the next one waits
+/// Takes RGB565. A frame appears whole, at a vertical blank. end_frame() requests that and returns; the next one waits
 /// until it has happened, at most kFlipTimeout milliseconds (Error::flip, and again in the next frame if it still has
 /// not). Error::bus: the driver refuses the flip, as when another program has taken the screen.
 /// The pixels are kept in the processor's own memory, too: a frame may write only what changes, and no buffer of the

@@ -40,7 +40,7 @@ std::string in_words(const fb_var_screeninfo& mode) {
          " bits a pixel";
 }
 
-/// What is left to ask for, as the command's keys.
+/// The options that are left, as the command's keys.
 std::string other_depths(const fb_var_screeninfo& mode) {
   std::string keys;
   for (const std::uint32_t depth : {16U, 24U, 32U}) {
@@ -51,7 +51,7 @@ std::string other_depths(const fb_var_screeninfo& mode) {
   return keys;
 }
 
-/// Sets what `options` ask for and reads back what the driver then really has.
+/// Sets `options` and reads back what the driver then really has.
 std::optional<Fault> change_mode(int file, const std::string& path, const FramebufferOptions& options,
                                  fb_var_screeninfo& mode) {
   fb_var_screeninfo wanted = mode;
@@ -71,8 +71,8 @@ std::optional<Fault> change_mode(int file, const std::string& path, const Frameb
   if (const int unread = device_control(file, FBIOGET_VSCREENINFO, &mode); unread != 0)
     return device_fault(DeviceKind::framebuffer, path, "tell its mode", unread);
   if (is_wanted()) return std::nullopt;
-  return Fault{path + " does not take " + in_words(wanted) + (error == 0 ? ", although it says so" : "") + "; it has " +
-               in_words(mode)};
+  return Fault{path + " does not take " + in_words(wanted) + (error == 0 ? ", although it reports success" : "") +
+               "; it has " + in_words(mode)};
 }
 
 }  // namespace
@@ -101,12 +101,12 @@ Outcome<FramebufferDisplay> FramebufferDisplay::open(const std::string& path, co
   // The memory begins somewhere in its first page.
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   const std::size_t start = device.smem_start & (page - 1);
-  if (device.smem_len == 0 || device.line_length == 0) return Fault{path + " says that it has no memory"};
+  if (device.smem_len == 0 || device.line_length == 0) return Fault{path + " reports that it has no memory"};
   Mapping mapping(number, (start + device.smem_len + page - 1) / page * page, 0);
   if (mapping.bytes().empty()) return device_fault(DeviceKind::framebuffer, path, "be mapped", errno);
   const std::span<std::byte> device_memory = mapping.bytes().subspan(start, device.smem_len);
   const std::optional<VideoMemory> memory = visible_memory(device, mode, device_memory);
-  if (!memory) return Fault{path + " says that its picture lies beyond its memory, or is larger than 4096x4096"};
+  if (!memory) return Fault{path + " reports that its picture lies beyond its memory, or is larger than 4096x4096"};
 
   device_control(
       number, FBIOBLANK,
@@ -141,7 +141,7 @@ void FramebufferDisplay::blacken() {
 }
 
 Error FramebufferDisplay::end_frame() {
-  // Deferred I/O: fsync passes the written pages on. Drivers that scan the memory out know no fsync (EINVAL).
+  // Deferred I/O: fsync passes the written pages on. Drivers that scan the memory out have no fsync (EINVAL).
   if (fsync(file_.get()) != 0 && errno == EIO) return Error::bus;
   return Error::none;
 }

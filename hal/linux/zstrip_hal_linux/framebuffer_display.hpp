@@ -45,7 +45,7 @@ class FramebufferFile {
 /// the mode that it had before.
 class FramebufferDisplay {
  public:
-  /// The driver's present mode, or another. What counts is what the driver says afterwards that it has: many
+  /// The driver's present mode, or another. What counts is the mode that is read back afterwards: many drivers
   /// report success and change nothing. (Framebuffers on top of DRM take any smaller size: the picture is in the upper
   /// left corner then, on black.) Errors: the device is missing, no permission, it is no framebuffer, its pixels
   /// are a palette or planes, the driver does not take the mode, its description of its memory makes no sense. It has

@@ -1,4 +1,4 @@
-// Finds lines by name or chip and offset, requests them, and says who has them if they are busy.
+// Finds lines by name or chip and offset, requests them, and names the user of those that are busy.
 #include "zstrip_hal_linux/gpio.hpp"
 
 #include <algorithm>

@@ -32,8 +32,8 @@ Outcome<GpioLine> find_gpio_line(const std::string& text);
 class GpioPin {
  public:
   GpioPin() = default;
-  /// Starts at `level`. Errors: those of the chip: missing, no permission, no such line, a line that is busy (and who
-  /// has it).
+  /// Starts at `level`. Errors: those of the chip: missing, no permission, no such line, a line that is busy (and its
+  /// user).
   static Outcome<GpioPin> request(const GpioLine& line, bool level);
 
   /// No system call if the line has that level. Error: pin.

@@ -10,7 +10,7 @@ namespace zstrip::hal::gpio {
 
 struct LineInfo {
   std::string name;      ///< empty: it has none
-  std::string consumer;  ///< who uses it, in words of its own; may be empty
+  std::string consumer;  ///< the program that uses it, by its own name; may be empty
   bool used = false;
 };
 

@@ -10,7 +10,7 @@ namespace zstrip::hal {
 /// Of the console that is shown.
 enum class ConsoleMode : std::uint8_t { text, graphics, none };
 
-/// ConsoleMode::none also if it may not be asked.
+/// ConsoleMode::none also without the permission to read it.
 ConsoleMode console_mode();
 
 /// The console is in graphics mode (KD_GRAPHICS: it draws nothing, no cursor blinks) as long as this object lives, and

@@ -20,7 +20,7 @@ std::string in_hex(std::uint8_t address) {
   return text;
 }
 
-/// What drivers of controllers say when an address is not acknowledged, each its own.
+/// The errors of controllers' drivers when an address is not acknowledged; drivers differ.
 bool is_refusal(int error) { return error == ENXIO || error == EREMOTEIO || error == EIO || error == ETIMEDOUT; }
 
 }  // namespace
@@ -42,8 +42,8 @@ Outcome<I2cdevBus> I2cdevBus::open(const std::string& path, std::uint8_t address
   I2cdevBus bus(std::move(*file), address);
   bus.message_ = {std::byte{0}};
   if (const int error = bus.transfer(); is_refusal(error)) {
-    return Fault{path + ": nobody answers at the address " + in_hex(address) +
-                 "; check wires, supply and address (i2cdetect -y lists who answers)"};
+    return Fault{path + ": no device answers at the address " + in_hex(address) +
+                 "; check wires, supply and address (i2cdetect -y lists what answers)"};
   } else if (error != 0) {
     return device_fault(kKind, path, "talk to the address " + in_hex(address), error);
   }

@@ -15,14 +15,14 @@ namespace zstrip::hal {
 
 /// Commands and data are told apart by the control byte of zstrip_hal/i2c.hpp, in transfers (I2C_RDWR) of at most
 /// kMessageBytes. Everything has been sent when a function returns: wait() has nothing to do. How fast the bus is, is
-/// the kernel's: the device tree says it, 100 kHz if it does not. Errors: bus (nobody acknowledges, another master,
+/// the kernel's: as in the device tree, 100 kHz by default. Errors: bus (no device acknowledges, another master,
 /// anything else that the kernel refuses), timeout (the kernel's, if its driver has one).
 class I2cdevBus {
  public:
   static constexpr std::size_t kMessageBytes = 4096;  ///< i2c-dev takes 8192
 
   /// `address` has 7 bits. Errors: no such device, no permission, a controller that has no plain I2C, an address that a
-  /// driver of the kernel has, or at which nobody answers: it is sent a control byte without anything behind it.
+  /// driver of the kernel has, or at which no device answers: a control byte without anything behind it is sent to it.
   static Outcome<I2cdevBus> open(const std::string& path, std::uint8_t address);
 
   Error write_command(std::span<const std::byte> bytes) { return write(std::byte{0x00}, bytes); }

@@ -1,4 +1,4 @@
-// Either a value or the reason why there is none, in words for whoever sits at the machine.
+// Either a value or the reason why there is none, in words for the machine's user.
 #pragma once
 
 #include <string>

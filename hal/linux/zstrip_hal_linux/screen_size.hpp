@@ -1,4 +1,4 @@
-// The size of a screen that a user asks for.
+// The size of a screen that a user selects.
 #pragma once
 
 #include <cstdint>

@@ -45,7 +45,7 @@ class PixelWriter {
   static std::optional<PixelWriter> create(const PixelLayout& layout);
 
   /// The first 2 * area.width * area.height bytes of `pixels` (PixelFormat::rgb565) go to `area` of `memory`.
-  /// Errors: area, pixels_too_small; also where `memory` is smaller than it says.
+  /// Errors: area, pixels_too_small; also where `memory` is smaller than its sizes need.
   Error write(const VideoMemory& memory, const Area& area, std::span<const std::byte> pixels) const;
 
  private:

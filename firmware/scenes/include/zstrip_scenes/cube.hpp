@@ -17,7 +17,7 @@ extern const std::array<TexCoord, 24> kCubeTexcoords;
 extern const std::array<Triangle, 12> kCubeTriangles;
 extern const std::array<std::uint16_t, 1U << (2 * kCubeTextureLog2)> kCubeTexels;
 
-/// The cube as scenes that light it want it; the workload has no normals.
+/// The cube for scenes that light it; the workload has no normals.
 inline constexpr Mesh kLitCube{.positions = kCubePositions,
                                .normals = kCubeNormals,
                                .colours = {},

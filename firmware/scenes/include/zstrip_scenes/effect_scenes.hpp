@@ -27,7 +27,7 @@ consteval BuiltIn effect_scene(const char* name, const char* description, const 
           .focal_across = fixed(focal)};
 }
 
-// Light knows no other scale than a uniform one: what is flat is unlit.
+// Light needs a uniform scale: what is flattened is unlit.
 inline constexpr Material kFogMaterials[] = {{.texture = 1},
                                              {.colour = {225, 105, 70, 255}, .lit = true, .smooth = false},
                                              {.colour = {80, 150, 220, 255}, .lit = true, .smooth = false}};
@@ -231,20 +231,20 @@ inline constexpr BuiltIn mipmaps =
                  count(kMipmapScene), 3.0, 12, 2.0);
 
 /// A mirrored ball, 32 x 32: sky, a window in it, and a floor.
-extern const std::array<std::uint16_t, 1024> kSurroundingsTexels;
-inline constexpr Texture kSurroundings[] = {{kSurroundingsTexels, 5, 5}};
+extern const std::array<std::uint16_t, 1024> kEnvironmentTexels;
+inline constexpr Texture kEnvironmentMap[] = {{kEnvironmentTexels, 5, 5}};
 inline constexpr Finish kChromeFinish[] = {{.filter = TextureFilter::environment_nearest}};
 inline constexpr Material kChromeMaterials[] = {{.colour = {190, 192, 196, 255}, .lit = true, .smooth = true},
                                                 {.texture = 0, .lit = false, .smooth = true, .finish = 0}};
 inline constexpr Scene kEnvironmentScene{.meshes = kKnotLitMesh,
                                          .materials = kChromeMaterials,
-                                         .textures = kSurroundings,
+                                         .textures = kEnvironmentMap,
                                          .instances = kPairInstances,
                                          .lights = kKeyLight,
                                          .ambient = kAmbient,
                                          .finishes = kChromeFinish};
 inline constexpr BuiltIn environment =
-    pair_of_knots("environment", "two knots, of which the right one mirrors its surroundings", kEnvironmentScene);
+    pair_of_knots("environment", "two knots, of which the right one has an environment map", kEnvironmentScene);
 
 /// A ball of few triangles: each edge of an octahedron cut in four, its corners moved out to a sphere.
 inline constexpr std::size_t kBallVertices = 66, kBallTriangleCount = 128;

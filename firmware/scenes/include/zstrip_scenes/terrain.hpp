@@ -1,5 +1,5 @@
 // Hills to the horizon, in 36 meshlets: 240 units from side to side, seen by a camera whose near plane is 0.1 units
-// away. What a z-buffer resolves far away is what this scene asks.
+// away. It tests what a z-buffer resolves far away.
 #pragma once
 
 #include <array>
