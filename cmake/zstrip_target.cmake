@@ -17,7 +17,7 @@ function(zstrip_configure_freestanding_target target)
 endfunction()
 
 # ZSTRIP_COMPILE_TOGETHER lists the parts, host-sim, core and tests, whose sources are compiled folder by folder. That
-# parses headers once, for builds at whose single sources nobody works: `host-sim` in host-sim/run, that and `tests` in
+# parses headers once, for builds whose single sources do not change: `host-sim` in host-sim/run, that and `tests` in
 # tests/run, all where only pixels and findings matter and not the code's size and speed, which change with what the
 # optimiser sees together.
 

@@ -1,5 +1,5 @@
 # For compilers that come without C++ headers: those of the Arm compiler, whose freestanding part fits every target.
-# Sets zstrip_libstdcxx_flags. Asks the compiler where they are: it knows them by its own release.
+# Sets zstrip_libstdcxx_flags. The compiler reports where they are, by its own release.
 find_program(ZSTRIP_ARM_COMPILER arm-none-eabi-g++)
 if(NOT ZSTRIP_ARM_COMPILER)
   message(FATAL_ERROR "The C++ headers are those of arm-none-eabi-g++, which is not installed")

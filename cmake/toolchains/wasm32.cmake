@@ -4,7 +4,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/libstdcxx_headers.cmake)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
 set(CMAKE_CXX_COMPILER clang++)
 set(CMAKE_CXX_COMPILER_TARGET wasm32)
-# Newlib's headers know the byte order of the processors that they were made for, not this one's.
+# Newlib's headers have the byte order of the processors that they were made for, not this one's.
 set(CMAKE_CXX_FLAGS_INIT "-D__IEEE_LITTLE_ENDIAN -ffunction-sections -fdata-sections${zstrip_libstdcxx_flags}")
 # The host calls what the program exports; nothing is called main. All members of the libraries, of which the linker
 # keeps what is used, because GNU ar makes no index for these objects.

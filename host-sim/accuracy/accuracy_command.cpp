@@ -120,7 +120,7 @@ Result<std::unique_ptr<AccuracyScene>> open_small(AccuracyRequest request) {
   return AccuracyScene::open(request);
 }
 
-/// The boards' programs that the job will ask for, one name a line: host-sim/run builds them.
+/// The boards' programs that the job will need, one name a line: host-sim/run builds them.
 Result<Done> list_programs(const Job& job) {
   std::set<std::string> names;
   for (const AccuracyRequest& request : job.requests) {

@@ -65,7 +65,7 @@ Result<Done> measure_on_board(const AccuracyRequest& request, const std::vector<
                          .frames = 1,
                          .program = board_program_name(request.target, effects),
                          .scene_file = file.path()};
-    // Strips as asked for; whether they fit the board is a question of its own.
+    // Strips as given; whether they fit the board is tested elsewhere.
     if (fits && cost.ram_bytes <= board.ram_bytes - kReservedRam) {
       const Result<BoardPrediction> predicted = predict(board, bench_case, request.firmware);
       if (predicted) {

@@ -44,7 +44,7 @@ std::vector<Settings> one_at_a_time(const AccuracyScene& scene, const std::vecto
 
 /// A usage error if options.only has settings that exclude each other in this scene.
 Result<Done> check_settings(const AccuracyScene& scene, const CampaignOptions& options);
-/// What is measured before combinations: options.only, or one knob at a time and, if asked for, the presets as far as
+/// What is measured before combinations: options.only, or one knob at a time and, on request, the presets as far as
 /// their knobs change anything of the scene. Each once.
 std::vector<Settings> first_settings(const AccuracyScene& scene, const CampaignOptions& options);
 

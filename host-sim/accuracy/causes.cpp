@@ -80,7 +80,7 @@ const std::vector<CauseInfo>& causes() {
       {Cause::transform, "transform", "positions and 1/w in fixed point of 32 bits", {Knob::reciprocal}},
       {Cause::interpolation,
        "interpolation",
-       "light found at vertices, colours linear on the screen, places in textures exact at every 16th pixel, depth "
+       "light found at vertices, colours linear on the screen, texture coordinates exact at every 16th pixel, depth "
        "stepped with 16 fraction bits",
        {Knob::shading, Knob::perspective}},
       {Cause::depth, "depth", "pixels keep codes of the z-buffer's format", {Knob::depth, Knob::fit}},

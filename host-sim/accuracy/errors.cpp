@@ -1,4 +1,4 @@
-// Surfaces, silhouettes, depth, place in the texture, colour, flicker.
+// Surfaces, silhouettes, depth, texture coordinates, colour, flicker.
 #include "accuracy/errors.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ constexpr std::array<FigureInfo, kFigures> kInfo{{
      "depth against the planes through snapped corners: interpolation and format alone; 99.9 % of pixels below"},
     {"depth_view", "units",
      "depth against the truth, snapping included, in the scene's lengths; 99.9 % of pixels below"},
-    {"texture", "texels", "place in the texture, 99.9 % of pixels below"},
+    {"texture", "texels", "texture coordinates, 99.9 % of pixels below"},
     {"colour_mean", "of 255", "mean of the channels"},
     {"colour_p999", "of 255", "99.9 % of the channels below"},
     {"colour_worst", "of 255", "the worst channel"},
@@ -146,7 +146,7 @@ void ErrorSum::add_surfaces(const Observation& drawn, const Truth& truth) {
   std::vector<bool> right(drawn.label.size(), false);
   const auto is_drawn = [&](std::size_t i) { return drawn.label[i] != 0; };
 
-  // Distances of what was drawn are read with the scale of the codes, which right pixels tell.
+  // Distances of what was drawn are read with the scale of the codes, which follows from right pixels.
   std::vector<std::array<double, 2>> points;
   const bool linear_in_w = depth_.orthographic || depth_.format == DepthFormat::w16;
   const auto abscissa = [&](double w) { return linear_in_w ? w : 1 / w; };

@@ -39,7 +39,7 @@ struct FigureInfo {
 };
 std::span<const FigureInfo> figures();
 
-/// NaN where a figure has no meaning: the place in the texture of a scene without textures.
+/// NaN where a figure has no meaning: texture coordinates of a scene without textures.
 struct Errors {
   std::array<double, kFigures> value{};
   double operator[](Figure figure) const { return value[static_cast<std::size_t>(figure)]; }

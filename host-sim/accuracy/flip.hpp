@@ -1,4 +1,4 @@
-// LDR-FLIP: how different two pictures look to somebody who flips between them in one place (Andersson, Nilsson,
+// LDR-FLIP: how different two pictures look to a viewer who flips between them in one place (Andersson, Nilsson,
 // Akenine-Moeller, Oskarsson, Astrom, Fairchild: "FLIP: A Difference Evaluator for Alternating Images", HPG 2020).
 #pragma once
 

@@ -42,7 +42,7 @@ const std::vector<KnobInfo>& table() {
         {"pixel", "lit at each pixel, by the normal there"}}},
       {Knob::perspective,
        "perspective",
-       "pixels of a row from one exact place in the texture to the next",
+       "pixels of a row from one pair of exact texture coordinates to the next",
        {{"16", "every 16th pixel"},
         {"affine", "only the triangle's corners"},
         {"8", "every 8th pixel"},
@@ -236,7 +236,7 @@ std::vector<Knob> knobs_for(Effects effects, bool may_simplify, bool textured_tr
   for (const KnobInfo& knob : knobs()) {
     if (knob.knob == Knob::reciprocal && effects.any(effect::orthographic | effect::shadows)) continue;
     if (knob.knob == Knob::shading && !effects.has(effect::gouraud)) continue;
-    // Fragments with effects of their own have their places at every 16th pixel, whatever is asked for.
+    // Fragments with effects of their own have exact texture coordinates at every 16th pixel, whatever is set.
     if (knob.knob == Knob::perspective &&
         (!textured_triangles || effects.has(effect::orthographic) || effects.any(effect::fragments)))
       continue;

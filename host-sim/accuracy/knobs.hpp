@@ -69,7 +69,7 @@ Result<std::vector<Knob>> parse_knobs(std::string_view text);
 /// What the settings are to the renderer.
 Effects extra_effects(const Settings& settings);  ///< beside those that the scene calls for
 PixelFormat pixel_format(const Settings& settings);
-/// The picture of this size, in the settings' format, dithered and with samples as they say.
+/// The picture of this size, in the settings' format, dithered and with samples as in the settings.
 View picture(const Settings& settings, const View& size);
 /// Of the strips of a picture of `height` rows.
 Budget budget(const Settings& settings, std::uint16_t height);

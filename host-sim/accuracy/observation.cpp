@@ -1,4 +1,4 @@
-// Draws scenes whose colours say what is where.
+// Draws scenes whose colours encode what is where.
 #include "accuracy/observation.hpp"
 
 #include <fmt/format.h>
@@ -115,7 +115,7 @@ struct LabelledScene {
   }
 };
 
-/// The scene with textures whose texels say where they are: their numbers, or where there are more than 65,536 the
+/// The scene with textures whose texels encode where they are: their numbers, or where there are more than 65,536 the
 /// upper 8 bits of row and column.
 struct PlaceScene {
   std::deque<std::vector<std::uint16_t>> texels;

@@ -42,7 +42,7 @@ constexpr std::uint32_t label_of(std::uint32_t triangle) { return triangle % 655
 /// Pixels as `zstrip render` would draw them, and where that needs it with other memory.
 struct Drawn {
   std::vector<std::byte> pixels;
-  std::vector<std::uint32_t> code;  ///< only if asked for
+  std::vector<std::uint32_t> code;  ///< only on request
 };
 /// `effects`: beside those that the scene calls for.
 Result<Drawn> draw(const Staging& staged, const View& view, Effects effects, const Budget& budget, bool with_depth);

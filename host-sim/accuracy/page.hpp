@@ -20,7 +20,7 @@ struct PageScene {
   std::vector<PointPictures> pictures;
 };
 
-/// Draws the pictures of points that people will ask for: those with one knob turned and those on the front.
+/// Draws the pictures of points that matter most: those with one knob turned and those on the front.
 Result<PageScene> with_pictures(const AccuracyScene& scene, Campaign campaign, unsigned jobs);
 
 /// What one types to measure this point again.

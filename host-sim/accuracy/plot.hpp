@@ -11,7 +11,7 @@ namespace zstrip::sim {
 
 /// The colour group of a point: "default", the name of the knob that it turns, "several".
 std::string group_of(const AccuracyPoint& point);
-/// #rrggbb, told apart by people who see few colours, too.
+/// #rrggbb, also distinguishable with impaired colour vision.
 std::string_view colour_of_group(std::string_view group);
 
 /// The settings for a campaign's scene: of the front the fastest point that looks no worse than the default by more

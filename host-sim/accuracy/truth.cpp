@@ -53,7 +53,7 @@ Vector world_normal(const Transform& transform, const Normal& n) {
   return transformed(transform, {double(n.x), double(n.y), double(n.z)}, true);
 }
 
-/// Whether light is found at each sample: everywhere but on flat faces; where light is interpolated, as asked for.
+/// Whether light is found at each sample: everywhere but on flat faces; where light is interpolated, as in `stages`.
 bool is_lit_at_samples(const Mesh& mesh, const Material& material, const Stages& stages) {
   if (!material.lit || mesh.normals.empty()) return false;
   return material.smooth == Shading::pixel || (material.smooth && !stages.interpolation);

@@ -1,4 +1,4 @@
-// What a scene looks like, in double precision: every surface where the scene says it is, the nearest one visible,
+// What a scene looks like, in double precision: every surface at its exact place, the nearest one visible,
 // colours and texture coordinates correct in perspective. Shares no code with the renderer.
 #pragma once
 
@@ -46,11 +46,11 @@ struct Truth {
 /// ExitStatus::input for a scene of which no truth can be drawn: with materials that have a depth test or bias of their
 /// own, whose result depends on the z-buffer's codes; with highlights, point or spot lights, alpha, bilinear texels,
 /// palettes, mipmaps, environments, lines, outlines, shadows or CSG. The message names each of them, and
-/// where it stands as far as `origins` says.
+/// where it stands as far as `origins` has it.
 Result<Done> check_truth(const Scene& scene, const Camera& camera, const Origins& origins);
 
 /// Draws `scale` x `scale` samples a pixel, each in the middle of its square. Surfaces that are smooth are lit at each
-/// sample by the interpolated normal, whether the material asks for that or for light at vertices; flat ones by that of
+/// sample by the interpolated normal, also if the material has light at vertices; flat ones by that of
 /// their first vertex. `stages` are as coarse as the renderer's, where samples are its pixels. Quadrics have no
 /// corners: of them only depth and colour can be coarse. Failures: those of check_truth.
 Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const View& view, std::uint32_t scale,

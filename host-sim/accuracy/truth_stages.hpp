@@ -22,8 +22,8 @@ enum class ReciprocalStage : std::uint8_t { newton, quotient, table };
 struct Stages {
   bool snapping = false;                       ///< corners rounded to 1/16 pixel
   std::optional<ReciprocalStage> transform{};  ///< linear forms of 32 bits, each product rounded down, and this 1/w
-  /// Light where the material says (first vertex, vertices, pixels), colours linear on the screen, depth stepped with
-  /// 16 fraction bits, places in textures exact at every so many pixels of a row (0: at the corners) and linear
+  /// Light where the material has it (first vertex, vertices, pixels), colours linear on the screen, depth stepped with
+  /// 16 fraction bits, texture coordinates exact at every so many pixels of a row (0: at the corners) and linear
   /// between.
   std::optional<std::uint32_t> interpolation{};
   /// Pixels keep codes of this format. `ranges`: of sub-ranges.
@@ -32,7 +32,7 @@ struct Stages {
     bool ranges = false;
   };
   std::optional<Depth> depth{};
-  std::optional<View> colour{};  ///< pixels are of this format, dithered if it says so
+  std::optional<View> colour{};  ///< pixels are of this format, dithered if it is
 };
 
 namespace truth {

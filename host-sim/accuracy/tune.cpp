@@ -37,7 +37,7 @@ Checks checked(const Candidate& c, const Limits& limits) {
 }
 
 /// All that is a matter of choice: the display's format is not. More samples a pixel and dithering cost, and never make
-/// surfaces more right: they are for those who limit how wrong it may look.
+/// surfaces more right: they are for limits on how wrong it may look.
 std::vector<Knob> choices(const AccuracyScene& scene, const Limits& limits) {
   std::vector<Knob> knobs = scene.knobs();
   std::erase_if(knobs, [&](Knob knob) {

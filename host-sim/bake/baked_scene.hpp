@@ -37,7 +37,7 @@ struct BakedScene {
   std::string source;  ///< what it was made of, without folders, for comments
   Scene scene;
   Camera camera;
-  Animation animation;  ///< empty: what `turn` says moves
+  Animation animation;  ///< empty: what `turn` selects moves
   View view;
   /// Those that scene and view call for, effect::bins if the plan needs it, the visibility method, and one of
   /// effect::perspective_runs or of effect::depth_formats.

@@ -27,7 +27,7 @@ struct FoundEffect {
 };
 
 /// Those of `effects`, which are effects_of(scene, camera), effects_of(view) and perhaps effect::bins. Materials are
-/// those of the instances for which effects_of, asked for each alone, finds the effect, so that no rule stands here
+/// those of the instances for which effects_of, called for each alone, finds the effect, so that no rule stands here
 /// twice. Materials without a name are called by their number.
 std::vector<FoundEffect> find_effects(const Scene& scene, const Camera& camera, Effects effects,
                                       const Origins& origins);

@@ -11,7 +11,7 @@ namespace zstrip::sim {
 
 /// Which textures have smaller levels.
 enum class MipmapChoice {
-  automatic,  ///< those for which the scene asks
+  automatic,  ///< those that the scene selects
   on,         ///< all that an instance has and that are larger than one texel
   off,        ///< none
 };

@@ -1,4 +1,4 @@
-// Writes a scene as a blob that open_scene_blob uses in place; docs/formats.md says what each byte means.
+// Writes a scene as a blob that open_scene_blob uses in place; the format is in docs/formats.md.
 #pragma once
 
 #include <cstdint>

@@ -22,9 +22,9 @@ namespace {
 
 /// Vertices of a skin that the compiler checks: with more, Clang gives up at its limit of steps. The import has checked
 /// them all.
-constexpr std::size_t kMostChecked = 8192;
+constexpr std::size_t kMaxChecked = 8192;
 
-/// Builds the text; knows the names that it has given.
+/// Builds the text; keeps the names that are used.
 class Header {
  public:
   explicit Header(const BakedScene& baked) : baked_(baked), scene_(baked.scene), skins_(baked.skins) {}
@@ -206,7 +206,7 @@ class Header {
       const std::string vertices = array("zstrip::VertexJoints", fmt::format("kVertexJoints{}", i), skin.vertices);
       skins += fmt::format("    {{.mesh = &kBindMeshes[{}], .vertices = {}, .joints = kJoints, .rest = kJointRest}},\n",
                            skin.mesh, vertices);
-      if (skin.vertices.size() <= kMostChecked) {
+      if (skin.vertices.size() <= kMaxChecked) {
         checks += fmt::format("static_assert(zstrip::validate(kSkins[{}]));\n", i);
       }
       const auto in_ram = [&](const char* type, const char* name, std::size_t count) {
@@ -339,7 +339,7 @@ class Header {
 
   void tree() {
     if (baked_.tree.nodes.empty()) return;
-    line("\n/// The order of the triangles for every eye, which begin_frame wants.");
+    line("\n/// The order of the triangles for every eye, which begin_frame needs.");
     array("zstrip::BspNode", "kNodes", baked_.tree.nodes);
     line("inline constexpr zstrip::BspTree kTree{.nodes = kNodes};");
   }

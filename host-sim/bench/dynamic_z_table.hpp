@@ -29,7 +29,7 @@ struct DynamicZRow {
   double nanoseconds = 0;                       ///< of one frame, least of several
 };
 
-/// All rows of these pictures, in the order of kDepthMemories. Takes seconds for each; says on stderr how far it is.
+/// All rows of these pictures, in the order of kDepthMemories. Takes seconds for each; shows on stderr how far it is.
 Result<std::vector<DynamicZRow>> measure_dynamic_z(std::span<const DynamicZPicture> pictures);
 
 /// Draws a row `draws` times, measuring nothing: what runs under valgrind.

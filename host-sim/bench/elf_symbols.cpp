@@ -51,7 +51,7 @@ Result<std::vector<ElfFunction>> elf_functions(const std::filesystem::path& prog
       if (!read_record(file, table.sh_offset + at, symbol)) return unreadable;
       if (ELF32_ST_TYPE(symbol.st_info) != STT_FUNC || symbol.st_size == 0) continue;
       functions.push_back({text_at(file, std::uint64_t{names.sh_offset} + symbol.st_name), symbol.st_value & ~1U,
-                           symbol.st_size});  // the lowest bit of a function's address says that it is Thumb code
+                           symbol.st_size});  // the lowest bit of a function's address marks Thumb code
     }
   }
   if (functions.empty()) return unreadable;

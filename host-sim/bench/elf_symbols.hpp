@@ -11,7 +11,7 @@
 namespace zstrip::sim {
 
 struct ElfFunction {
-  std::string name;       ///< as the linker knows it
+  std::string name;       ///< mangled
   std::uint32_t address;  ///< of its first instruction
   std::uint32_t bytes;
 };

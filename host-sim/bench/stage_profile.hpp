@@ -40,9 +40,9 @@ struct StageProfile {
   std::map<std::string, std::uint64_t> by_source;  ///< file of core/zstrip, or what else it is
 };
 
-/// Runs the case on its board under the counting plugin and asks arm-none-eabi-addr2line for sources: the program must
-/// be compiled with -g, as host-sim/bench/stages does. Fails with ExitStatus::environment where something of these is
-/// missing.
+/// Runs the case on its board under the counting plugin and finds sources with arm-none-eabi-addr2line: the program
+/// must be compiled with -g, as host-sim/bench/stages does. Fails with ExitStatus::environment where something of these
+/// is missing.
 Result<StageProfile> profile_stages(const BenchCase& bench_case, const std::string& firmware);
 
 /// For people: stages with their share, and what that is for each vertex, triangle or fragment; then the sources.

@@ -45,7 +45,7 @@ std::span<const std::string_view> visibility_tables();
 /// The rows of a table in their order.
 std::vector<VisibilityRowCase> rows_of_table(std::string_view table);
 
-/// Takes up to a minute; says on stderr how far it is. Instructions, counted by valgrind, only of `thesis`.
+/// Takes up to a minute; shows on stderr how far it is. Instructions, counted by valgrind, only of `thesis`.
 Result<std::vector<VisibilityRow>> measure_visibility(std::string_view table);
 /// One row without instructions.
 Result<VisibilityRow> measure_visibility_row(const VisibilityRowCase& row_case, std::uint32_t rounds);

@@ -13,7 +13,7 @@ struct Workload {
   std::string_view name;         ///< "K5", "CT", "R50" or "R10k"
   std::string_view scene;        ///< name of the built-in scene
   std::string_view description;  ///< one phrase
-  std::uint16_t width, height;   ///< in pixels, unless --size says otherwise
+  std::uint16_t width, height;   ///< in pixels, unless --size is given
 
   /// Never null: a test looks every one up.
   const scenes::BuiltIn* built_in() const { return scenes::find(scene); }

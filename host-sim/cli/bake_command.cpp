@@ -370,7 +370,7 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       ->check(one_of({"rgb565", "auto", "palette8", "palette4"}));
   command
       ->add_option("--mipmaps", a.mipmaps,
-                   "Smaller levels of textures, for texels that lie closer than pixels: auto, where the scene asks for "
+                   "Smaller levels of textures, for texels that lie closer than pixels: auto, where the scene has "
                    "them (default); on, for all textures of instances: a third more bytes, and drawn slower; off: none")
       ->option_text("CHOICE")
       ->check(one_of({"auto", "on", "off"}));

@@ -33,7 +33,7 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments);
 /// `scene`: --camera is a usage error for those that are no model files.
 Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::string& scene);
 
-/// --up and --animation. Usage errors for scenes that are no model files: those say such things themselves.
+/// --up and --animation. Usage errors for scenes that are no model files: those set such things themselves.
 Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::string& scene);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// What the two programs of the command share: parsing, exit statuses, and what every failure says.
+// What the two programs of the command share: parsing, exit statuses, and the message of every failure.
 #pragma once
 
 namespace CLI {

@@ -72,12 +72,12 @@ Result<FontRequest> parse_font(const FontArguments& arguments) {
 
 /// Of what the file lacks.
 std::string list_of_missing(const std::vector<std::uint32_t>& characters) {
-  constexpr std::size_t kMost = 8;
+  constexpr std::size_t kMaxNamed = 8;
   std::string list;
-  for (std::size_t i = 0; i < std::min(characters.size(), kMost); ++i) {
+  for (std::size_t i = 0; i < std::min(characters.size(), kMaxNamed); ++i) {
     list += (i == 0 ? "" : ", ") + name_of_character(characters[i]);
   }
-  if (characters.size() > kMost) list += fmt::format(" and {} more", grouped(characters.size() - kMost));
+  if (characters.size() > kMaxNamed) list += fmt::format(" and {} more", grouped(characters.size() - kMaxNamed));
   return list;
 }
 

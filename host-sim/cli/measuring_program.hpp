@@ -1,5 +1,5 @@
-// The subcommands that measure are a program of their own, zstrip-measure, beside the command: who renders, plans and
-// bakes does not have to build it.
+// The subcommands that measure are a program of their own, zstrip-measure, beside the command: rendering, planning and
+// baking do not need it.
 #pragma once
 
 #include <array>

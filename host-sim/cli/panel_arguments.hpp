@@ -1,4 +1,4 @@
-// The options that ask for the picture on a simulated panel.
+// The options for the picture on a simulated panel.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ struct PanelArguments {
 /// Adds the options; `arguments` must live as long as the command.
 void add_panel_options(CLI::App& command, PanelArguments& arguments);
 
-/// Nothing if no panel is asked for. `size` and `format` are those of --size and --format, if given.
+/// Nothing without --panel. `size` and `format` are those of --size and --format, if given.
 Result<std::optional<PanelRequest>> parse_panel(const PanelArguments& arguments, const std::optional<std::string>& size,
                                                 const std::optional<std::string>& format);
 

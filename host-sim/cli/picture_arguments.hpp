@@ -31,7 +31,7 @@ struct ViewArguments {
 /// --dither, --samples and --edges. `arguments` must live as long as the command.
 void add_quality_options(CLI::App& command, ViewArguments& arguments);
 
-/// 320x240 in RGB565, not dithered, with one sample a pixel, if neither says.
+/// 320x240 in RGB565, not dithered, with one sample a pixel, by default.
 Result<View> parse_view(const ViewArguments& arguments, const PictureSettings& settings);
 /// Whether a picture of this size and format, which a panel has given, is dithered, and its samples.
 Result<View> parse_quality(const ViewArguments& arguments, const PictureSettings& settings, const View& view);

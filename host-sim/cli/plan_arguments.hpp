@@ -1,4 +1,4 @@
-// The options that say what a picture is and what memory it may take, shared by the commands that plan.
+// The options for what a picture is and what memory it may take, shared by the commands that plan.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct PlanArguments {
 /// Adds the options; `arguments` must live as long as the command.
 void add_plan_options(CLI::App& command, PlanArguments& arguments);
 
-/// What the options leave open, the scene says if it is a scene file.
+/// What the options leave open is as in the scene, if it is a scene file.
 Result<PlanRequest> parse_plan(const PlanArguments& arguments, const std::string& scene);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// What the command says on stderr.
+// What the command writes to stderr.
 #include "cli/print.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What the command says on stderr, always one line starting with "zstrip: ".
+// What the command writes to stderr, always one line starting with "zstrip: ".
 #pragma once
 
 #include <string_view>

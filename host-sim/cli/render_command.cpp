@@ -74,7 +74,7 @@ struct Job {
   OutputNames outputs;
   unsigned threads = 1;
 
-  /// What is asked for beside scene, view and method.
+  /// Options beside scene, view and method.
   Effects effects() const { return depth_effect(depth_format) | perspective; }
 };
 

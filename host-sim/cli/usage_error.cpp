@@ -26,7 +26,7 @@ std::vector<std::string> names_of_options(const CLI::App& app) {
   return names;
 }
 
-/// Of what nobody took the first unknown option, or else the unknown command; empty if it is neither.
+/// Of what was not parsed the first unknown option, or else the unknown command; empty if it is neither.
 std::string unknown(const CLI::App& app, const CLI::App& chosen) {
   const std::vector<std::string> left = app.remaining(true);
   const auto option = std::ranges::find_if(left, [](std::string_view word) { return word.starts_with("--"); });

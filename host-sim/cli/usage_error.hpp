@@ -1,4 +1,4 @@
-// What is wrong with a command line that cannot be parsed, in words that say what to type instead.
+// What is wrong with a command line that cannot be parsed, and what to type instead.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,7 +6,7 @@
 
 namespace zstrip::sim {
 
-/// One line: of unknown options and commands the nearest known one, else what `error` says; then where help is.
+/// One line: of unknown options and commands the nearest known one, else the message of `error`; then where help is.
 /// `app`: the one that threw `error`.
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error);
 

@@ -1,4 +1,4 @@
-// The options that say how visibility is found, and what of it is shown.
+// The options for how visibility is found, and what of it is shown.
 #include "cli/visibility_arguments.hpp"
 
 #include <fmt/format.h>

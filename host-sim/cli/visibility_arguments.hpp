@@ -1,4 +1,4 @@
-// The options that say how visibility is found, and what of it is shown.
+// The options for how visibility is found, and what of it is shown.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ struct VisibilityRequest {
 /// Adds the options; `arguments` must live as long as the command.
 void add_visibility_options(CLI::App& command, VisibilityArguments& arguments);
 
-/// `settings`: the scene file's, each of which counts where the command line says nothing.
+/// `settings`: the scene file's, each of which counts where the command line has none.
 Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments, const VisibilitySettings& settings);
 
 }  // namespace zstrip::sim

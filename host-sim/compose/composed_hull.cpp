@@ -41,7 +41,7 @@ struct Corner {
   }
 };
 
-/// Least squares of v . n = 1, with a little pull to the mean direction, which decides along what no face says.
+/// Least squares of v . n = 1, with a little pull to the mean direction, which decides what no face determines.
 Vector mitre(const Corner& corner) {
   const double mean_length = length(corner.sum);
   if (!(mean_length > 1e-9)) return {0, 0, 0};  // faces back to back

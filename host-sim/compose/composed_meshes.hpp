@@ -1,4 +1,4 @@
-// The meshes of a composed scene: each once for each size that it is wanted in.
+// The meshes of a composed scene: each once for each size that it has in the scene.
 #pragma once
 
 #include <array>

@@ -8,8 +8,8 @@
 
 namespace zstrip::sim {
 
-/// Pixels from one exact place in the texture to the next; between them it is linear. `affine`: only at the triangle's
-/// corners. No effect: 16.
+/// Pixels from one pair of exact texture coordinates to the next, linear between them. `affine`: only at the
+/// triangle's corners. No effect: 16.
 inline constexpr std::pair<std::string_view, Effects> kPerspectiveRuns[] = {{"affine", effect::perspective_affine},
                                                                             {"16", Effects{}},
                                                                             {"8", effect::perspective_8},

@@ -1,4 +1,4 @@
-// A scene file as a whole: syntax, the tables that it has, and what they say of each other.
+// A scene file as a whole: syntax, the tables that it has, and their references to each other.
 #include <toml++/toml.h>
 
 #include <fmt/format.h>

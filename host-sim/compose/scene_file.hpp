@@ -1,4 +1,4 @@
-// What a scene file (.toml) says, before anything that it names is looked at. docs/scenes.md has every key.
+// The contents of a scene file (.toml), before anything that it names is read. docs/scenes.md has every key.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@
 
 namespace zstrip::sim {
 
-/// The keys of [picture] that say how visibility is found: names as on the command line.
+/// The keys of [picture] for how visibility is found: names as on the command line.
 struct VisibilitySettings {
   std::optional<std::string> method{};
   std::optional<std::uint32_t> iterations{};
@@ -72,7 +72,7 @@ struct FileModel {
   std::optional<std::string> animation;
 };
 
-/// [[material]]: what is set replaces what the model's material says.
+/// [[material]]: what is set replaces what the model's material has.
 struct FileMaterial {
   int line = 0;
   std::string name;

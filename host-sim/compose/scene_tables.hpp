@@ -1,4 +1,4 @@
-// The tables of a scene file, each with its own keys; docs/scenes.md describes them. A reader asks for all keys of its
+// The tables of a scene file, each with its own keys; docs/scenes.md describes them. A reader reads all keys of its
 // table and finishes it; what is wrong goes to the table's errors.
 #pragma once
 

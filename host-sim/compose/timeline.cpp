@@ -8,7 +8,7 @@
 namespace zstrip::sim {
 namespace {
 
-constexpr double kTurntableSeconds = 4;  // of a scene that has nothing else to say how long it takes
+constexpr double kTurntableSeconds = 4;  // of a scene that has nothing else to set its length
 constexpr std::size_t kMaxModelTimes = 10000;
 
 /// Of the instances' own keyframes.

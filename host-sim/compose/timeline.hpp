@@ -8,7 +8,7 @@
 
 namespace zstrip::sim {
 
-/// Seconds: what the file says, or else its longest animation.
+/// Seconds: as in the file, or else its longest animation.
 double duration_of(const SceneFile& file, std::span<const PlacedPart> placed);
 
 /// When motions may bend or jump. `models`: of file.models.

@@ -95,7 +95,7 @@ int TomlTable::line_of(std::string_view key) const {
 }
 
 const toml::node* TomlTable::find(const char* key) {
-  if (std::ranges::find(asked_, key) == asked_.end()) asked_.emplace_back(key);
+  if (std::ranges::find(read_, key) == read_.end()) read_.emplace_back(key);
   return table_.get(key);
 }
 
@@ -293,11 +293,11 @@ void TomlTable::wrong_name(const char* key, const std::string& given, const char
 void TomlTable::finish() {
   for (const auto& [name, value] : table_) {
     const std::string key(name.str());
-    if (std::ranges::find(asked_, key) != asked_.end()) continue;
-    const std::string near = nearest(key, asked_);
+    if (std::ranges::find(read_, key) != read_.end()) continue;
+    const std::string near = nearest(key, read_);
     errors_.add(static_cast<int>(name.source().begin.line),
                 fmt::format("{} has no key '{}'; {}", title_, shortened(key),
-                            near.empty() ? "it may have " + listed(asked_) : fmt::format("did you mean '{}'?", near)));
+                            near.empty() ? "it may have " + listed(read_) : fmt::format("did you mean '{}'?", near)));
   }
 }
 

@@ -1,4 +1,4 @@
-// A table of a .toml file, read with checks: the keys that are asked for are those that it may have.
+// A table of a .toml file, read with checks: the keys that are read are those that it may have.
 #pragma once
 
 #include <toml++/toml.h>
@@ -39,7 +39,7 @@ struct Limits {
   double high = 0;
 };
 
-/// After the last key has been asked for, finish() reports those that nobody asked for. Values that are missing, of the
+/// After the last key has been read, finish() reports those that were not read. Values that are missing, of the
 /// wrong type or out of range come out empty; the latter two are errors.
 class TomlTable {
  public:
@@ -89,7 +89,7 @@ class TomlTable {
   std::vector<TomlTable> tables(const char* key, const std::string& title);
   /// Pairs of a key and a text, any keys.
   std::vector<std::pair<std::string, std::string>> texts(const char* key);
-  /// A list of texts, not empty if it is there; `words` says in the message which.
+  /// A list of texts, not empty if it is there; `words` names them in the message.
   std::vector<std::string> list(const char* key, std::string_view words);
 
   /// Says what is wrong with the value of a key: "... must be ...".
@@ -105,7 +105,7 @@ class TomlTable {
   const toml::table& table_;
   std::string title_;
   TomlErrors& errors_;
-  std::vector<std::string> asked_;
+  std::vector<std::string> read_;
 };
 
 }  // namespace zstrip::sim

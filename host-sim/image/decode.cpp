@@ -25,7 +25,7 @@ Failure damaged(const char* kind, const char* reason) {
   return {ExitStatus::input, fmt::format("is not a whole {} picture ({})", kind, reason)};
 }
 
-/// Whether the file says of some pixels that they are transparent.
+/// Whether the file has transparent pixels.
 bool has_alpha(spng_ctx& png, const spng_ihdr& header) {
   spng_trns key{};
   return header.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA || header.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA ||

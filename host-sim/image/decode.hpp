@@ -9,7 +9,7 @@
 
 namespace zstrip::sim {
 
-/// Largest side that is read; a hostile file must not ask for gigabytes.
+/// Largest side that is read; a hostile file must not take gigabytes.
 inline constexpr std::uint32_t kMaxImageSide = 16384;
 
 /// Alpha is dropped. A damaged or truncated file is a failure whose message starts with a verb ("is not a PNG or ...").

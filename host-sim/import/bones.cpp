@@ -88,7 +88,7 @@ VertexBones BoneReader::strongest(const std::vector<Influence>& influences, cons
   }
   double sum = 0;
   for (const auto& [weight, joint] : sorted) sum += weight;
-  // 256 in all; what rounding leaves over is the first one's, which counts one more than it says.
+  // 256 in all; what rounding leaves over is the first one's, which counts one more than its value.
   VertexBones vertex;
   int left = 256;
   for (std::size_t k = 1; k < sorted.size(); ++k) {

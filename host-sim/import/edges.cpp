@@ -41,7 +41,7 @@ class EdgeFinder {
       const Side& side = sides[first];
       if (end - first == 2 && side.forwards != sides[first + 1].forwards) {
         const Side& other = sides[first + 1];
-        // The direction says whether it is a crease.
+        // The direction encodes whether it is a crease.
         Edge edge{side.a, side.b, side.third, other.third};
         if ((edge.a > edge.b) != is_crease(side, other)) edge = {edge.b, edge.a, edge.right, edge.left};
         found.emplace_back(side.triangle, edge);

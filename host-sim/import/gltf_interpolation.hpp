@@ -1,4 +1,4 @@
-// How a glTF 2.0 file interpolates its animations, which Assimp does not say.
+// How a glTF 2.0 file interpolates its animations, which Assimp does not report.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ struct NodeInterpolation {
   Interpolation scale = Interpolation::linear;
 };
 
-/// Of each animation, in the file's order; fewer, or none, where the file does not say or is damaged.
+/// Of each animation, in the file's order; fewer, or none, where the file has none or is damaged.
 std::vector<std::vector<NodeInterpolation>> read_interpolations(const std::filesystem::path& path);
 
 }  // namespace zstrip::sim

@@ -17,7 +17,7 @@ namespace zstrip::sim {
 
 namespace {
 
-/// Halves textures until their sides are at most those given, and says so.
+/// Halves textures until their sides are at most those given, with a warning.
 void lower_textures(SourceModel& source, const std::vector<TextureSides>& sides) {
   std::size_t lowered = 0;
   std::string largest_change;
@@ -66,7 +66,7 @@ Result<Model> import_model(const std::filesystem::path& path, UpAxis up, Texcoor
     weld(mesh);
     if (!mesh.has_texcoords) continue;
     if (material.texture == kNoSourceTexture) {
-      constexpr int kLog2Side = 8;  // of a texture that nobody knows yet
+      constexpr int kLog2Side = 8;  // of a texture that is not read yet
       trait.texcoord_bits = fit_texcoords(mesh, kLog2Side, clamped);
       weld(mesh);
       continue;

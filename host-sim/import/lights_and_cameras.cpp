@@ -1,4 +1,4 @@
-// What lights a file's scene and looks at it: Assimp's lights and cameras as those of the source model.
+// Lights and cameras of a file's scene: Assimp's as those of the source model.
 #include "import/lights_and_cameras.hpp"
 
 #include <assimp/version.h>

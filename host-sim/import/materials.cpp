@@ -35,8 +35,8 @@ Result<RgbImage> decode_embedded(const aiTexture& texture) {
   return image;
 }
 
-/// `path`, or the file of its folder whose name differs only in upper and lower case: other systems do not tell these
-/// apart. Of several the first in the alphabet, so that every run takes the same.
+/// `path`, or the file of its folder whose name differs only in upper and lower case: other systems do not distinguish
+/// them. Of several the first in the alphabet, so that every run takes the same.
 std::filesystem::path find_in_any_case(const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::exists(path, ignored)) return path;

@@ -22,7 +22,7 @@ struct Units {
   double scale = 1;
 };
 
-/// The most that becoming fixed point has moved anything away from what the file says.
+/// The most that becoming fixed point has moved anything away from the file's values.
 struct Accuracy {
   double size = 0;      ///< longest side of the bounding box, the file's units
   double position = 0;  ///< of a vertex, the file's units

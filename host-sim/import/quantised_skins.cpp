@@ -104,8 +104,8 @@ SourceBox box_of_poses(const SourceModel& source, const SourceMesh& mesh) {
   include_pose(nullptr, 0);
   for (const NodeAnimation& animation : source.nodes.animations) {
     std::set<double> times = key_times(animation);
-    constexpr double kMostSamples = 20000;
-    const double count = std::min(kMostSamples, std::ceil(animation.duration * 60));
+    constexpr double kMaxSampledTimes = 20000;
+    const double count = std::min(kMaxSampledTimes, std::ceil(animation.duration * 60));
     for (double i = 0; i <= count; ++i) times.insert(animation.duration * i / count);
     for (const double seconds : times) include_pose(&animation, seconds);
   }

@@ -1,4 +1,4 @@
-// Reads a model file of any format that Assimp knows.
+// Reads a model file of any format that Assimp reads.
 #include "import/read_model.hpp"
 
 #include <assimp/postprocess.h>

@@ -1,4 +1,4 @@
-// Reads a model file of any format that Assimp knows.
+// Reads a model file of any format that Assimp reads.
 #pragma once
 
 #include <chrono>
@@ -17,7 +17,7 @@ inline constexpr std::uint64_t kMaxTriangles = 10'000'000;
 constexpr std::chrono::seconds reading_limit(std::uint64_t file_bytes) {
   return std::chrono::seconds{20 + 2 * static_cast<std::int64_t>(file_bytes >> 20)};
 }
-/// And memory: others ask for more and more of it.
+/// And memory: others take more and more of it.
 constexpr std::uint64_t reading_memory(std::uint64_t file_bytes) { return (std::uint64_t{4} << 30) + 64 * file_bytes; }
 
 /// All meshes of all nodes in the file's coordinates, turned so that `up` becomes +y, grouped by material. Every

@@ -57,10 +57,10 @@ struct SourceMaterial {
   std::uint32_t texture = kNoSourceTexture;  ///< index into SourceModel::textures
   bool lit = true;
   bool smooth = true;
-  std::optional<bool> double_sided;  ///< empty: the file does not say
+  std::optional<bool> double_sided;  ///< empty: not in the file
 };
 
-/// Texture coordinates of materials without a texture: left out, or kept for a texture that somebody else brings.
+/// Texture coordinates of materials without a texture: left out, or kept for a texture from elsewhere.
 enum class Texcoords : std::uint8_t { of_textures, all };
 
 /// The axis of a model that shall point upwards. Formats disagree, and files do not always follow their format.

@@ -1,4 +1,4 @@
-// Maps of space in floating point: what models and scene files say about where things are, before fixed point.
+// Maps of space in floating point: where things are in models and scene files, before fixed point.
 #pragma once
 
 #include <array>

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kMaxSamples = 20000;  // of one motion; longer animations are looked at less often
 
-/// A motion at one time: where it should be, and the keyframe that says so.
+/// A motion at one time: where it should be, and the keyframe for it.
 struct Sample {
   Affine wanted;
   Keyframe keyframe{};

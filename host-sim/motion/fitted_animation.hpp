@@ -48,8 +48,8 @@ class FittedAnimation {
 
 /// `duration`: seconds, > 0, at most kMaxAnimation. `key_times`: where motions may bend or jump; between them they
 /// are looked at 60 times a second. Every corner stays within `tolerance` (the scene's units) of its place, but for
-/// motions that shear, which no keyframe can say: error() tells. Fails (ExitStatus::input, message starts with a verb)
-/// for what leaves the renderer's range.
+/// motions that shear, which no keyframe can represent: error() has the distance. Fails (ExitStatus::input, message
+/// starts with a verb) for what leaves the renderer's range.
 Result<FittedAnimation> fit_animation(std::span<const InstanceMotion> motions, double duration,
                                       const std::set<double>& key_times, double tolerance);
 

@@ -1,4 +1,4 @@
-// The nodes of a model that its animations move, as the file says.
+// The nodes of a model that its animations move, as in the file.
 #pragma once
 
 #include <cstddef>

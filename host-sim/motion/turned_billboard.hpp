@@ -1,4 +1,4 @@
-// Where instances stand before a camera, billboards turned to it, for tools that do not ask the renderer.
+// Where instances stand before a camera, billboards turned to it, for tools without a renderer.
 #pragma once
 
 #include "zstrip/camera.hpp"

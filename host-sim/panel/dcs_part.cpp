@@ -1,5 +1,5 @@
-// Command tables (names in the comments are the data sheets') and timing. Of the commands that read only those that say
-// who the controller is are here.
+// Command tables (names in the comments are the data sheets') and timing. Of the commands that read only those of
+// the controller's id are here.
 #include "panel/dcs_part.hpp"
 
 #include <algorithm>
@@ -82,7 +82,7 @@ constexpr DcsAnswer kSt7789Answers[] = {
     {0x04, 1, 3, {0x85, 0x85, 0x52}}, {0xDA, 0, 1, {0x85}}, {0xDB, 0, 1, {0x85}}, {0xDC, 0, 1, {0x52}}};
 constexpr DcsAnswer kSt7735Answers[] = {
     {0x04, 1, 3, {0x7C, 0x89, 0xF0}}, {0xDA, 0, 1, {0x7C}}, {0xDB, 0, 1, {0x89}}, {0xDC, 0, 1, {0xF0}}};
-// RDDID as parts answer that nobody has programmed. ID4 is 00h, 93h, 41h behind an unused parameter, one at a time.
+// RDDID of parts whose id was never programmed. ID4 is 00h, 93h, 41h behind an unused parameter, one at a time.
 constexpr DcsAnswer kIli9341Answers[] = {
     {0x04, 1, 3, {}}, {0xDA, 0, 1, {}}, {0xDB, 0, 1, {}}, {0xDC, 0, 1, {}}, {0xD3, 0, 3, {0x00, 0x93, 0x41}}};
 

@@ -1,4 +1,4 @@
-// What the data sheets of the controllers with MIPI's command set say where they differ.
+// The data sheets of the controllers with MIPI's command set, where they differ.
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ struct DcsPart {
   std::span<const DcsCommand> own_commands;  ///< beyond the user commands that all have
   std::span<const DcsAnswer> answers;
   std::chrono::nanoseconds shortest_read_cycle;  ///< of the serial clock
-  bool has_read_index;                           ///< D9h says which byte of ID4, D3h, the next reading gives
+  bool has_read_index;                           ///< D9h selects the byte of ID4, D3h, that the next reading gives
 };
 
 extern const DcsPart kSt7789Part;

@@ -16,13 +16,13 @@ void PanelModel::receive(Wire wire, std::span<const std::byte> bytes) {
 
 void PanelModel::clocked_at(Nanoseconds cycle) {
   if (cycle >= shortest_cycle()) return;
-  complain(fmt::format("the bus sends a bit in {} ns, the controller's data sheet asks for at least {} ns",
+  complain(fmt::format("the bus sends a bit in {} ns, the controller's data sheet requires at least {} ns",
                        cycle.count(), shortest_cycle().count()));
 }
 
 std::vector<bool> PanelModel::ask(std::uint8_t command, std::size_t bits, Nanoseconds cycle) {
   if (cycle < shortest_read_cycle()) {
-    complain(fmt::format("the bus reads a bit in {} ns, the controller's data sheet asks for at least {} ns",
+    complain(fmt::format("the bus reads a bit in {} ns, the controller's data sheet requires at least {} ns",
                          cycle.count(), shortest_read_cycle().count()));
   }
   std::vector<bool> levels;

@@ -39,7 +39,7 @@ class PanelModel {
   Nanoseconds now() const { return now_; }
   /// Bytes arrive, at the time of now().
   void receive(Wire wire, std::span<const std::byte> bytes);
-  /// One bit's time on the bus, to be told once: complains where the data sheet asks for more.
+  /// One bit's time on the bus, to be set once: complains where the data sheet requires more.
   void clocked_at(Nanoseconds cycle);
   /// A command arrives, and the clock runs on for so many bits, of `cycle` each: the levels of the panel's data output.
   /// What it does not drive is high.

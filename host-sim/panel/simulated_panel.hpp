@@ -1,4 +1,4 @@
-// A whole panel to draw on: the driver of hal, a bus with a speed, and the model that says what is seen.
+// A whole panel to draw on: the driver of hal, a bus with a speed, and the model that has what is seen.
 #pragma once
 
 #include <cstdint>

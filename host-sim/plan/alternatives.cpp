@@ -72,9 +72,9 @@ class Planning {
   Effects effects_;
 };
 
-/// The least that has to be changed of what was asked for, one option after the other until something fits.
-std::string cheapest_change(const Planning& planning, const Budget& asked, const View& view) {
-  Budget changed = asked;
+/// The least that has to be changed of what was given, one option after the other until something fits.
+std::string cheapest_change(const Planning& planning, const Budget& given, const View& view) {
+  Budget changed = given;
   std::string words;
   const auto fits_with = [&](const char* option) {
     if (!words.empty()) words += ' ';

@@ -26,7 +26,7 @@ struct Alternative {
 struct PlanRequest {
   View view;
   std::optional<bool> edges{};  ///< what with_edges was told
-  Budget budget;                ///< bytes, rows, columns, buffers and layer as asked for
+  Budget budget;                ///< bytes, rows, columns, buffers and layer as given
   bool may_bin = true;          ///< else only streamed plans
   DepthFormat depth_format = DepthFormat::z16;
   std::optional<DepthNeed> depth{};  ///< then the planner chooses the format

@@ -22,7 +22,7 @@ struct DepthAdvice {
   std::vector<FormatSeparation> formats;
   DepthFormat advised = DepthFormat::z16;
 
-  /// What the planner asks; `kept`: what the advice is for.
+  /// What the planner needs; `kept`: what the advice is for.
   DepthNeed need(const KeptFrames& kept) const;
 };
 

@@ -39,7 +39,7 @@ Result<Camera> place_camera(const CameraOptions& options, const Units& units, do
 /// A camera of the file. In pictures of any shape it shows as much from top to bottom.
 Result<Camera> file_camera(const SourceCamera& source, const Units& units, double radius);
 
-/// A camera as `framing` says, tilted by kTilt.
+/// A camera with this `framing`, tilted by kTilt.
 Result<Camera> framed_camera(const CameraOptions& options, const Framing& framing, double radius);
 
 /// In the scene's units.

@@ -19,7 +19,7 @@ double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
 /// Of any vector but zero.
 Vector unit(const Vector& v) { return {v[0] / length(v), v[1] / length(v), v[2] / length(v)}; }
 
-/// What [camera] says, in the file's units.
+/// The values of [camera], in the file's units.
 Result<Camera> camera_of(const FileCamera& from, const Units& units, double radius) {
   const double degrees = from.field_of_view.value_or(kDefaultFieldOfView);
   if (from.radius) {
@@ -49,7 +49,7 @@ std::optional<Fixed> scaled(double length, double scale) {
   return static_cast<Fixed>(std::llround(fixed));
 }
 
-/// Those that the file says, whatever place the camera has.
+/// Those of the file, whatever place the camera has.
 Result<Done> set_planes(const SceneFile& file, const Units& units, Camera& camera) {
   const auto set = [&](const std::optional<double>& length, Fixed& to) {
     if (!length) return true;

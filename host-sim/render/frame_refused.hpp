@@ -1,4 +1,4 @@
-// What a status of the renderer means to whoever asked for the picture.
+// What a status of the renderer means in terms of the command line.
 #pragma once
 
 #include <string_view>

@@ -73,13 +73,13 @@ Result<FrameReport> FrameRenderer::render(const Staging& original) {
   if (!prepared) return prepared.failure();
   const Staging staging = prepared->staging();
   const Effects effects =
-      effects_of(staging.scene, staging.camera) | effects_of(view_) | asked_ | effect::bins | method_;
+      effects_of(staging.scene, staging.camera) | effects_of(view_) | added_ | effect::bins | method_;
   if (const Result<Done> checked = check_visibility(effects); !checked) return checked.failure();
   Budget budget = budget_;
   if (temporal_) budget.modes = Modes::streamed;
   const auto [status, plan] = zstrip::plan(count(staging.scene), view_, effects, budget);
   if (status.error == Error::arena_too_small) {
-    // A panel may want a number of rows.
+    // A panel may need a number of rows.
     return too_little_memory(status, staging.scene, view_, effects, budget_, panel_ == nullptr);
   }
   if (status.error == Error::unplannable) {
@@ -165,7 +165,7 @@ Result<Done> FrameRenderer::draw_on_threads(const Staging& staging, const Effect
 
 Result<FrameReport> FrameRenderer::render(const Staging& staging, const Plan& plan) {
   const Effects effects =
-      effects_of(staging.scene, staging.camera) | effects_of(view_) | asked_ | effect::statistics | method_;
+      effects_of(staging.scene, staging.camera) | effects_of(view_) | added_ | effect::statistics | method_;
   FrameReport report;
   report.plan = plan;
   report.method = method_;

@@ -37,9 +37,9 @@ std::uint32_t checksum(std::span<const std::byte> pixels);
 /// together, each with a renderer, an arena and a strip of pixels of its own: the same pixels and statistics.
 class FrameRenderer {
  public:
-  /// `asked`: effects that neither scene nor view calls for, a depth format and one of effect::perspective_runs.
-  FrameRenderer(const View& view, const Budget& budget, Effects asked = {}, unsigned threads = 1)
-      : view_(view), budget_(budget), asked_(asked), display_(view), memory_(threads) {}
+  /// `added`: effects that neither scene nor view calls for, a depth format and one of effect::perspective_runs.
+  FrameRenderer(const View& view, const Budget& budget, Effects added = {}, unsigned threads = 1)
+      : view_(view), budget_(budget), added_(added), display_(view), memory_(threads) {}
 
   /// Another method than the z-buffer, from the next frame on; it draws on one thread. `temporal`: what was seen is
   /// kept for the next frame (VisibilityOptions::seen_before), and plans are streamed.
@@ -47,7 +47,7 @@ class FrameRenderer {
     method_ = method, options_ = options, temporal_ = temporal;
   }
 
-  /// Plans and draws. Failures: ExitStatus::budget says how many bytes are missing, for what, and how many are enough.
+  /// Plans and draws. Failures: ExitStatus::budget, with the bytes that are missing, for what, and how many are enough.
   Result<FrameReport> render(const Staging& staging);
   /// Draws with a plan that fits the scene and the view.
   Result<FrameReport> render(const Staging& staging, const Plan& plan);
@@ -66,7 +66,7 @@ class FrameRenderer {
 
   View view_;
   Budget budget_;
-  Effects asked_;
+  Effects added_;
   Effects method_;
   VisibilityOptions options_;
   bool temporal_ = false;

@@ -22,7 +22,7 @@ class SkinnedMeshes {
   /// The meshes of the model, skins as they are at frame `frame` of `frames` that show the animation once. Valid until
   /// the next call.
   Result<std::span<const Mesh>> at(std::uint32_t frame, std::uint32_t frames);
-  /// Meshes that have the positions of many frames, for whoever must see all of them. Likewise.
+  /// Meshes that have the positions of many frames, for what depends on all of them. Valid likewise.
   Result<std::span<const Mesh>> all_poses();
 
  private:

@@ -110,7 +110,7 @@ class BuiltInStage : public Stage {
 
 class ModelStage : public CameraStage {
  public:
-  /// `file`: its name, for what the origins say.
+  /// `file`: its name, for the origins.
   ModelStage(std::shared_ptr<const Model> model, std::shared_ptr<const ModelMotion> motion, std::string file)
       : model_(std::move(model)),
         motion_(std::move(motion)),

@@ -21,7 +21,7 @@ struct FrameRecord {
   std::string file;
   FrameReport report;
   BusUse bus{};                          ///< where there is a panel
-  std::optional<std::uint32_t> wrong{};  ///< pixels that the judge of visibility finds wrong, where it was asked
+  std::optional<std::uint32_t> wrong{};  ///< pixels that the judge of visibility finds wrong, where it was used
 };
 
 /// The panel of a run, in words.

@@ -100,7 +100,7 @@ std::string curve(const PlanChoice& choice, const View& view) {
                         millions(point.instructions), std::string(length, '#'),
                         point.total_bytes == chosen.total_bytes ? "  <- this plan" : "");
   }
-  // The planner knows counts only; what the frame did may say otherwise.
+  // The planner has counts only; what the frame did may differ.
   const Alternative* best = &chosen;
   for (const Alternative& point : points) {
     if (point.total_bytes < chosen.total_bytes && point.instructions < best->instructions) best = &point;

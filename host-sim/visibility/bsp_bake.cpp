@@ -158,7 +158,7 @@ class Builder {
   std::size_t splits_ = 0;
 };
 
-/// The plane in the mesh's bounding box, where the renderer asks for the eye's side.
+/// The plane in the mesh's bounding box, where the renderer tests the eye's side.
 BspNode in_box(const SoupPlane& plane, const Mesh& mesh) {
   const SoupPoint centre{mesh.centre.x / 65536.0, mesh.centre.y / 65536.0, mesh.centre.z / 65536.0};
   SoupPoint n{plane.normal.x * mesh.half_extent.x, plane.normal.y * mesh.half_extent.y,

@@ -33,8 +33,8 @@ struct CullChoice {
 /// For help texts.
 inline constexpr std::string_view kCullWords = "back-faces, small, spheres, temporal";
 
-/// The list takes the place of the usual one; an empty list is the usual one, "none" stands alone. A usage error says
-/// what is wrong with a list, without naming who has given it.
+/// The list takes the place of the usual one; an empty list is the usual one, "none" stands alone. A usage error has
+/// what is wrong with a list, without naming its option or key.
 Result<CullChoice> parse_cull(std::span<const std::string> words);
 
 std::optional<SortKey> known_sort_key(std::string_view word);

@@ -64,7 +64,7 @@ class Sorter {
     return p.right <= q.left + kApart || q.right <= p.left + kApart || p.top <= q.bottom + kApart ||
            q.top <= p.bottom + kApart || lies(p, q.plane, -1) || lies(q, p.plane, 1) || !overlap(p, q);
   }
-  /// The two tests that say the same of planes with p and q exchanged.
+  /// The two tests that are equal for planes with p and q exchanged.
   bool may_follow(const Item& p, const Item& q) const { return lies(q, p.plane, -1) || lies(p, q.plane, 1); }
 
  private:
@@ -128,7 +128,7 @@ Result<NewellOrder> newell_order(const PolygonSoup& soup, const Camera& camera) 
     Item& first = waiting.front();
     bool drawn = true;
     for (auto q = std::next(waiting.begin()); q != waiting.end(); ++q) {
-      // Those to come are all nearer; one that was moved to the front says nothing of the others.
+      // Those to come are all nearer; one that was moved to the front has no relation to the others.
       if (q->farthest <= first.nearest && !first.moved) break;
       if (q->farthest <= first.nearest) continue;
       if (++comparisons > kMaxComparisons || order.soup.polygons.size() + waiting.size() > kMaxPieces) {

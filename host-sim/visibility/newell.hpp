@@ -1,5 +1,5 @@
 // Puts polygons in the painter's order for one camera, and splits what has none (Newell, Newell and Sancha, "A Solution
-// to the Hidden Surface Problem", 1972). On the host: how many pieces there will be no plan could say.
+// to the Hidden Surface Problem", 1972). On the host: no plan could bound the number of pieces.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A scene whose triangles have colours of their own, so that a picture says which triangle is seen at each pixel.
+// A scene whose triangles have colours of their own, so that a picture shows which triangle is seen at each pixel.
 #pragma once
 
 #include <cstddef>

@@ -53,7 +53,7 @@ struct PolygonSoup {
   Colour background{};
 };
 
-/// A usage error for what colours at corners cannot say: textures.
+/// A usage error for what colours at corners cannot represent: textures.
 Result<PolygonSoup> soup_of(const Scene& scene);
 
 /// One instance of one mesh, in meshlets, that owns its memory; triangles in the order of the polygons. Moving it keeps

@@ -87,7 +87,7 @@ Result<ShownFrame> draw_shown(const Staging& staging, const MethodRequest& reque
     return Failure{ExitStatus::usage,
                    "--show tiles needs --visibility hierarchical-z, front-to-back-hierarchical-z or midpoint-safe"};
   }
-  // The judge knows triangles only, and takes each for opaque.
+  // The judge has triangles only, and takes each for opaque.
   if (show == Show::error && effects_of(staging.scene, staging.camera)
                                  .any(effect::surfaces | effect::alpha_test | effect::blending | effect::csg)) {
     return Failure{ExitStatus::usage,

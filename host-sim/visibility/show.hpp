@@ -14,7 +14,7 @@ enum class Show : std::uint8_t {
   colour,    ///< what is visible
   depth,     ///< the z-buffer as a grey picture: near is light, nothing is black
   overdraw,  ///< how often each pixel was written: black, blue, green, yellow, red, white for 0 to 5 and more
-  tiles,     ///< the farthest depth that the method knows of each 8x8 tile, as depth is shown
+  tiles,     ///< the method's farthest depth of each 8x8 tile, as depth is shown
   error,     ///< the picture in grey; red where another surface is nearer, or nothing should be
 };
 

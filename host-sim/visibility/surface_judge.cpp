@@ -1,4 +1,4 @@
-// Sets up every triangle in double precision and asks it at pixels.
+// Sets up every triangle in double precision and evaluates it at pixels.
 #include "visibility/surface_judge.hpp"
 
 #include <algorithm>

@@ -32,7 +32,7 @@ TEST(Figures, SurfacesAreTheTruthsButAtSomeEdges) {
   }
 }
 
-// Nothing of a sphere is snapped: every pixel is right, and so is its place in the texture.
+// Nothing of a sphere is snapped: every pixel is right, and so are its texture coordinates.
 TEST(Figures, SpheresAreTheTruths) {
   const Errors spheres = errors(*scene("spheres"), "default");
   EXPECT_EQ(spheres[Figure::wrong_surface], 0);

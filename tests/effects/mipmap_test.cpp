@@ -77,7 +77,7 @@ struct Place {
   double u, v;  ///< texels of the largest level
 };
 
-/// Where a ray through a point of the picture meets the plane of the triangle, as a place in the texture.
+/// Where a ray through a point of the picture meets the plane of the triangle, in texture coordinates.
 class Oracle {
  public:
   Oracle(const TexturedTriangle& subject, const Camera& camera)

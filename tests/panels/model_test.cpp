@@ -161,7 +161,7 @@ TEST(PanelModel, DcsAnswers) {
   panel.ask(0x04, 25, 149ns);
   EXPECT_EQ(
       panel.complaints(),
-      std::vector<std::string>{"the bus reads a bit in 149 ns, the controller's data sheet asks for at least 150 ns"});
+      std::vector<std::string>{"the bus reads a bit in 149 ns, the controller's data sheet requires at least 150 ns"});
   panel.forgive();
   lines.command({0x01});
   answer_of(panel, 0x04, 1, 3);

@@ -1,5 +1,5 @@
 // OpenGL in software: vertices in a buffer, RGB565 and a 16-bit z-buffer. Which of Mesa's renderers draws, its
-// environment says (GALLIUM_DRIVER).
+// environment selects (GALLIUM_DRIVER).
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
