@@ -174,11 +174,8 @@ Result<SceneFile> parse_scene_file(const std::string& text, const std::filesyste
 }
 
 Result<SceneFile> read_scene_file(const std::filesystem::path& path) {
-  const Result<std::vector<std::uint8_t>> bytes = read_file(path);
+  const Result<std::vector<std::uint8_t>> bytes = read_file(path, kMaxBytes);
   if (!bytes) return Failure{ExitStatus::input, fmt::format("'{}' {}", path.string(), bytes.failure().message)};
-  if (bytes->size() > kMaxBytes) {
-    return Failure{ExitStatus::input, fmt::format("'{}' is no scene file: it has more than 16 MB", path.string())};
-  }
   return parse_scene_file(std::string(bytes->begin(), bytes->end()), path);
 }
 

@@ -62,7 +62,7 @@ class Converter {
   }
 
   Result<Done> open() {
-    Result<std::vector<std::uint8_t>> bytes = read_file(request_.file);
+    Result<std::vector<std::uint8_t>> bytes = read_file(request_.file, kMaxFontBytes);
     if (!bytes) return wrong(bytes.failure().message);
     bytes_ = std::move(*bytes);
     FT_Library library = nullptr;

@@ -1,6 +1,7 @@
 // A font with outlines (TrueType, OpenType), converted to glyphs of pixels by FreeType.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -11,6 +12,7 @@
 
 namespace zstrip::sim {
 
+inline constexpr std::size_t kMaxFontBytes = std::size_t{64} << 20;  ///< of a font file; larger ones are refused
 inline constexpr std::uint32_t kMinFontSize = 4, kMaxFontSize = 200;
 
 struct FontRequest {

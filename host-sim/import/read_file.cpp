@@ -1,6 +1,8 @@
 // Reads whole input files; only regular ones, so that a name like /dev/zero or a FIFO never blocks.
 #include "import/read_file.hpp"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <fstream>
 #include <iterator>
@@ -21,19 +23,20 @@ Result<Done> check_readable(const std::filesystem::path& path) {
   return Done{};
 }
 
-Result<std::vector<std::uint8_t>> read_file(const std::filesystem::path& path) {
+Result<std::vector<std::uint8_t>> read_file(const std::filesystem::path& path, std::size_t limit) {
   const Result<Done> readable = check_readable(path);
   if (!readable) return readable.failure();
   // Not by stream iterators: their buffer throws where the system reports an error.
   std::ifstream file(path, std::ios::binary);
   std::vector<std::uint8_t> bytes;
   constexpr std::size_t kBlock = 65536;
-  while (file) {
+  while (file && bytes.size() <= limit) {
     const std::size_t before = bytes.size();
     bytes.resize(before + kBlock);
     file.read(reinterpret_cast<char*>(bytes.data() + before), kBlock);
     bytes.resize(before + static_cast<std::size_t>(file.gcount()));
   }
+  if (bytes.size() > limit) return Failure{ExitStatus::input, fmt::format("has more than {} MB", limit >> 20)};
   if (file.bad()) return Failure{ExitStatus::input, "cannot be read to its end"};
   return bytes;
 }

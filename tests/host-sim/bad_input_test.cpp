@@ -44,6 +44,12 @@ TEST_F(BadInput, Fifo) {
   expect_bad_file("pipe.obj");
 }
 
+TEST_F(BadInput, SceneFileOfMoreThan16Megabytes) {
+  file("large.toml", "");
+  std::filesystem::resize_file(path("large.toml"), (16U << 20) + 1);
+  expect_failure(ExitStatus::input, "large.toml' has more than 16 MB", {"render", "large.toml", "-o", "picture.png"});
+}
+
 TEST_F(BadInput, EmptyFile) {
   for (const char* name : {"a.obj", "a.gltf", "a.glb", "a.stl", "a.ply", "a.3ds", "a.dae"}) {
     file(name, "");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <utility>
@@ -104,6 +105,19 @@ TEST(Font, IsTheSameInTheHeader) {
   EXPECT_EQ(own.line_height, header.line_height);
   EXPECT_EQ(own.baseline, header.baseline);
   EXPECT_EQ(own.replacement, header.replacement);
+}
+
+class FontFiles : public FolderTest {};
+
+// A font file was read to its end, whatever its size.
+TEST_F(FontFiles, OfMoreThan64MegabytesAreRefused) {
+  file("large.ttf", "");
+  std::filesystem::resize_file(path("large.ttf"), kMaxFontBytes + 1);
+  const Result<ConvertedFont> refused =
+      convert_font({.file = path("large.ttf"), .characters = {'A'}, .replacement = {}});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.failure().status, ExitStatus::input);
+  EXPECT_EQ(refused.failure().message, "'" + path("large.ttf") + "' has more than 64 MB");
 }
 
 class FontCommand : public FolderTest {
