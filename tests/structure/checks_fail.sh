@@ -111,6 +111,16 @@ fails_with "unexpected at the top level: misc" layout.sh
 echo "# see /""home/somebody/notes" >"$tree/README.md"
 fails_with "paths of one machine" layout.sh
 
+passes words.sh
+echo "/// Nobody reads it." >>"$tree/hal/zstrip_hal/bus.hpp"
+fails_with "not a term of the field" words.sh
+echo 'inline constexpr int kMostBytes = 1;' >>"$tree/core/zstrip/base/fixed.hpp"
+fails_with "limits begin with kMax or kMin" words.sh
+printf '%119d\n```\n%120d\n```\n| %120d |\n' 0 0 0 >"$tree/README.md"
+passes words.sh
+printf '%120d\n' 0 >"$tree/README.md"
+fails_with "prose that reaches column 120" words.sh
+
 echo 'int* take() { return new int; }' >>"$tree/core/zstrip/scene/twice.cpp"
 fails_with "_Znwm" freestanding.sh g++
 echo 'volatile int seed;
