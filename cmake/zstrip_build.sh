@@ -85,17 +85,42 @@ zstrip_install_packages() {
   touch "$stamp"
 }
 
-# Runs a command with its output in the log, which is shown if the command fails. Silent for a second, so that a build
-# with nothing to do says nothing.
+# Shows what is being done, until it is ended. After a second, so that a build with nothing to do prints nothing; then
+# ninja's last [n/m]: on a terminal on one line, else every 30 seconds, in CI every 5 minutes.
+zstrip_progress() {
+  local what=$1 seconds=0 every=30 step last= on_line=
+  if [ -n "${CI-}" ]; then every=300; fi
+  every=${ZSTRIP_PROGRESS_SECONDS:-$every}
+  trap 'if [ -n "$on_line" ]; then echo >&2; fi; exit 0' TERM
+  while true; do
+    sleep 1 </dev/null >/dev/null 2>&1 &
+    wait $!
+    # Background jobs ignore an interrupt that ends the caller.
+    kill -0 $$ 2>/dev/null || exit 0
+    seconds=$((seconds + 1))
+    step=$(tail -c 20000 "$zstrip_log" | sed -n 's|^\(\[[0-9]*/[0-9]*\]\).*|\1 |p' | tail -n 1) || step=
+    if [ -t 2 ]; then
+      printf '\r\033[K%.79s' "zstrip: $step$what" >&2
+      on_line=yes
+    elif [ "$seconds" -eq 1 ]; then
+      zstrip_say "$what"
+    elif [ $((seconds % every)) -eq 0 ] && [ "$step" != "$last" ]; then
+      zstrip_say "$step$what"
+      last=$step
+    fi
+  done
+}
+
+# Runs a command with its output in the log, which is shown if the command fails.
 zstrip_quietly() {
-  local what=$1 notice status=0
+  local what=$1 progress status=0
   shift
   : >"$zstrip_log"
-  { sleep 1 </dev/null >/dev/null 2>&1; zstrip_say "$what"; } 9>&- &
-  notice=$!
+  zstrip_progress "$what" 9>&- &
+  progress=$!
   "$@" </dev/null >>"$zstrip_log" 2>&1 9>&- || status=$?
-  kill "$notice" 2>/dev/null || true
-  wait "$notice" 2>/dev/null || true
+  kill "$progress" 2>/dev/null || true
+  wait "$progress" 2>/dev/null || true
   if [ "$status" -ne 0 ]; then
     tail -n 60 "$zstrip_log" >&2
     zstrip_say "failed: $what; the whole log is $zstrip_log"
