@@ -78,6 +78,7 @@ function jobsOf(source, path, name) {
     lights: [],
     lambert: false,
     linear: false,
+    blends: Array.isArray(json.materials) && json.materials.some(({alphaMode}) => alphaMode === 'BLEND'),
     from: generated ? directionTo(name) : kFromAside,
   };
   const job = (aspect, file, more = {}) => ({...base, aspect, file, id: `${name} ${aspect}`, ...more});

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
 import {coloursApart, dilate, erode, silhouettesApart, tilesApart, toRgb565} from './compare.mjs';
-import {surprises} from './expected.mjs';
+import {differs, surprises} from './expected.mjs';
 
 const kSide = 16;
 const kArea = {
@@ -72,4 +72,14 @@ test('a difference that is not listed is a surprise, and so is a listed one that
   assert.equal(surprises(rows, listed('a', 'b'), 'pose').length, 1);
   assert.equal(surprises(rows, listed('a', 'gone'), 'pose').length, 1);
   assert.deepEqual(surprises(rows, listed(), 'light'), []);
+});
+
+test('colours may be apart in a share of the pixels, and must be of enough of them', () => {
+  const row = (value, pixels, tiles = 0) => ({aspect: 'colour', value, pixels, tiles, step: 8});
+  assert.ok(!differs(row(200, 10000)));
+  assert.ok(differs(row(201, 10000)));
+  assert.ok(!differs(row(0, 10000, 12)));
+  assert.ok(differs(row(0, 10000, 12.1)));
+  assert.ok(differs(row(0, 999)));
+  assert.ok(differs({aspect: 'pose', value: 1}));
 });

@@ -122,9 +122,8 @@ export async function drawAll(options) {
     if (three.error || own.error) return [row(job.aspect, Infinity, {three: three.error, zstrip: own.error})];
     if (isOutline) {
       // What blends leaves no depth.
-      const colours = await zstrip.draw(job, placed);
-      const coloured = maskOf(colours.pixels, [0, 1, 2]);
-      const mask = maskOf(own.pixels, [0, 1, 2]).map((covered, i) => covered | coloured[i]);
+      const coloured = job.blends ? maskOf((await zstrip.draw(job, placed)).pixels, [0, 1, 2]) : null;
+      const mask = maskOf(own.pixels, [0, 1, 2]).map((covered, i) => covered | (coloured?.[i] ?? 0));
       const theirs = maskOf(three.pixels, [3]);
       if (isFirst) masks.set(job.case, mask.map((covered, i) => covered & theirs[i]));
       const apart = silhouettesApart(mask, theirs, area);

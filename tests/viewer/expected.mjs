@@ -17,9 +17,13 @@ export const kAspects = Object.keys(kShares);
 
 const keyOf = ({case: name, aspect}) => `${name} ${aspect}`;
 
+/** Colours of fewer pixels say nothing. */
+const kFewestPixels = 1000;
+
 /** Whether a measured row is more than what its aspect allows. */
 export function differs(row) {
   const {value, pixels = 0, tiles = 0, step = 0} = row;
+  if (row.pixels !== undefined && row.pixels < kFewestPixels) return true;
   return value > kShares[row.aspect] * pixels || tiles > kTileSteps * step;
 }
 
@@ -50,7 +54,8 @@ function wordsOf(row) {
   }
   if (row.zstrip || row.three) return row.zstrip || row.three;
   const tiles = row.tiles === undefined ? '' : `, tiles by ${row.tiles.toFixed(1)} of 255`;
-  return `${row.value} pixels${row.id ? ` in '${row.id}'` : ''}${tiles}`;
+  return `${row.value} pixels${row.pixels === undefined ? '' : ` of ${row.pixels}`}${row.id ? ` in '${row.id}'` : ''}${
+      tiles}`;
 }
 
 /** A line for each difference that is not expected, and for each that is expected and not there. */

@@ -341,8 +341,9 @@ export const kGenerated = {
   'transform-rotation': () =>
       transformed({rotation: Math.PI / 2}, {rotation: Math.PI / 6}, {rotation: -1, scale: [0.5, 0.5]}),
   'transform-all': () => transformed(
-      {offset: [0.25, 0.25], rotation: 0.5, scale: [1.5, 0.75]}, {offset: [0.5, 0], scale: [0.5, 1]},
+      {offset: [0.25, 0.25], rotation: 0.5, scale: [1.5, 1.5]}, {offset: [0.5, 0], scale: [0.5, 1]},
       {offset: [0, 0.5], rotation: Math.PI}),
+  'transform-uneven': () => transformed({rotation: 0.5, scale: [1.5, 0.75]}),
   'wrap-repeat': () => wrapping(kRepeat, kRepeat),
   'wrap-mirror': () => wrapping(kMirror, kMirror),
   'wrap-clamp': () => wrapping(kClamp, kClamp),

@@ -62,7 +62,7 @@ function measuredIn(work) { return worstOf(JSON.parse(readFileSync(join(work, 'm
 function check(aspect, work) {
   const found = surprises(measuredIn(work), readExpected(join(kHere, 'expected.csv')), aspect);
   for (const line of found) console.log(line);
-  if (found.length > 0) console.log(`pictures, three.js left, zstrip in the middle, red where apart: ${join(work, 'pairs')}`);
+  if (found.length > 0) console.log(`three.js, zstrip, and red where they are apart: ${join(work, 'pairs')}`);
   return found.length > 0 ? 1 : 0;
 }
 
