@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -12,35 +14,19 @@
 namespace zstrip::sim {
 namespace {
 
-using Products = std::vector<CsgProduct>;
+/// Of a solid, by its number in Parser::names(): twice the number, and 1 more where it is subtracted.
+using Term = std::size_t;
+using Product = std::vector<Term>;
+using Products = std::vector<Product>;
 
-/// Far more than are drawn, because many of them may lie in others; each is compared with all others.
+/// Far more than are drawn, because many of them may lie in others.
 constexpr std::size_t kMaxProducts = 1024;
+/// Terms that are looked at. Each product is compared with all others, so that a short text could take minutes.
+constexpr std::uint64_t kMaxSteps = 2'000'000;
 constexpr int kDeepest = 64;
 
-CsgUse other(CsgUse use) { return use == CsgUse::intersected ? CsgUse::subtracted : CsgUse::intersected; }
-
-bool has(const CsgProduct& product, const CsgTerm& term) { return std::ranges::find(product, term) != product.end(); }
-
-/// Both together; nothing where that is empty.
-std::optional<CsgProduct> both(const CsgProduct& a, const CsgProduct& b) {
-  CsgProduct product = a;
-  for (const CsgTerm& term : b) {
-    if (has(product, {term.name, other(term.use)})) return {};
-    if (!has(product, term)) product.push_back(term);
-  }
-  return product;
-}
-
-/// Adds a product, unless it lies in one that is there; those that lie in it go.
-void add(Products& sum, const CsgProduct& product) {
-  const auto lies_in = [](const CsgProduct& inner, const CsgProduct& outer) {
-    return std::ranges::all_of(outer, [&inner](const CsgTerm& term) { return has(inner, term); });
-  };
-  if (std::ranges::any_of(sum, [&](const CsgProduct& known) { return lies_in(product, known); })) return;
-  std::erase_if(sum, [&](const CsgProduct& known) { return lies_in(known, product); });
-  sum.push_back(product);
-}
+Term other(Term term) { return term ^ 1; }
+bool is_subtracted(Term term) { return term % 2 != 0; }
 
 bool is_of_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
@@ -51,23 +37,30 @@ class Parser {
  public:
   explicit Parser(const std::string& text) : text_(text) {}
 
-  std::variant<Products, std::string> run() {
+  std::variant<std::vector<CsgProduct>, std::string> run() {
     const Products products = sum(0);
     if (wrong_.empty() && !at_end()) fail(fmt::format("{} is not expected", here()));
     if (!wrong_.empty()) return wrong_;
     std::size_t terms = 0;
-    for (const CsgProduct& product : products) terms += product.size();
+    for (const Product& product : products) terms += product.size();
     if (products.empty()) return "there is nothing left of it";
     if (terms > kMaxCsgOperands) {
       return fmt::format("multiplied out it has {} solids in {}; there may be {} in all", terms,
                          products.size() == 1 ? "one product" : fmt::format("{} products", products.size()),
                          kMaxCsgOperands);
     }
-    return products;
+    std::vector<CsgProduct> named;
+    for (const Product& product : products) {
+      CsgProduct& to = named.emplace_back();
+      for (const Term term : product) {
+        to.push_back({names_[term / 2], is_subtracted(term) ? CsgUse::subtracted : CsgUse::intersected});
+      }
+    }
+    return named;
   }
 
-  /// Of an expression that has been read.
-  const std::set<std::string>& names() const { return names_; }
+  /// Of an expression that has been read, each once.
+  const std::vector<std::string>& names() const { return names_; }
 
  private:
   Products sum(int depth) {
@@ -76,11 +69,13 @@ class Parser {
       const bool unites = text_[at_++] == '|';
       const Products right = product(depth);
       if (unites) {
-        for (const CsgProduct& one : right) add(left, one);
+        for (const Product& one : right) {
+          add(left, one);
+          if (!check(left)) break;
+        }
       } else {
         left = less(left, right);
       }
-      check(left);
     }
     return left;
   }
@@ -90,7 +85,6 @@ class Parser {
     while (wrong_.empty() && peek() == '&') {
       ++at_;
       left = common(left, operand(depth));
-      check(left);
     }
     return left;
   }
@@ -122,33 +116,63 @@ class Parser {
       fail(at_end() ? std::string("a name is missing at its end")
                     : fmt::format("there is {} where a name is expected", here()));
     }
-    names_.insert(name);
-    return {{{name, CsgUse::intersected}}};
+    const auto [known, is_new] = numbers_.try_emplace(name, names_.size());
+    if (is_new) names_.push_back(name);
+    return Products{Product{2 * known->second}};
   }
 
-  static Products common(const Products& a, const Products& b) {
+  bool has(const Product& product, Term term) {
+    steps_ += product.size();
+    return std::ranges::find(product, term) != product.end();
+  }
+  bool lies_in(const Product& inner, const Product& outer) {
+    return std::ranges::all_of(outer, [&](Term term) { return has(inner, term); });
+  }
+
+  /// Both together; nothing where that is empty.
+  std::optional<Product> both(const Product& a, const Product& b) {
+    steps_ += a.size();
+    Product product = a;
+    for (const Term term : b) {
+      if (has(product, other(term))) return {};
+      if (!has(product, term)) product.push_back(term);
+    }
+    return product;
+  }
+
+  /// Adds a product, unless it lies in one that is there; those that lie in it go.
+  void add(Products& sum, const Product& product) {
+    if (std::ranges::any_of(sum, [&](const Product& known) { return lies_in(product, known); })) return;
+    std::erase_if(sum, [&](const Product& known) { return lies_in(known, product); });
+    sum.push_back(product);
+  }
+
+  Products common(const Products& a, const Products& b) {
     Products result;
-    for (const CsgProduct& one : a) {
-      for (const CsgProduct& of_b : b) {
-        if (const std::optional<CsgProduct> product = both(one, of_b)) add(result, *product);
-        if (result.size() > kMaxProducts) return result;
+    for (const Product& one : a) {
+      for (const Product& of_b : b) {
+        if (const std::optional<Product> product = both(one, of_b)) add(result, *product);
+        if (!check(result)) return {};
       }
     }
     return result;
   }
 
   /// What is outside of a product is outside of one of its solids.
-  static Products less(Products a, const Products& b) {
-    for (const CsgProduct& product : b) {
+  Products less(Products a, const Products& b) {
+    for (const Product& product : b) {
       Products outside;
-      for (const CsgTerm& term : product) outside.push_back({{term.name, other(term.use)}});
+      for (const Term term : product) outside.push_back({other(term)});
       a = common(a, outside);
     }
     return a;
   }
 
-  void check(const Products& products) {
+  /// Whether to go on.
+  bool check(const Products& products) {
     if (products.size() > kMaxProducts) fail(fmt::format("multiplied out it has more than {} products", kMaxProducts));
+    if (steps_ > kMaxSteps) fail("it is too long when it is multiplied out; make several [[csg]] of it");
+    return wrong_.empty();
   }
   void fail(const std::string& what) {
     if (wrong_.empty()) wrong_ = what;
@@ -171,7 +195,9 @@ class Parser {
   const std::string& text_;
   std::size_t at_ = 0;
   std::string wrong_;
-  std::set<std::string> names_;
+  std::vector<std::string> names_;
+  std::map<std::string, std::size_t> numbers_;  ///< of names_
+  std::uint64_t steps_ = 0;
 };
 
 }  // namespace
@@ -183,8 +209,8 @@ std::variant<std::vector<CsgProduct>, std::string> products_of(const std::string
 std::vector<std::string> names_without_effect(const std::string& expression) {
   Parser parser(expression);
   const auto result = parser.run();
-  std::set<std::string> names = parser.names();
-  if (const auto* const products = std::get_if<Products>(&result)) {
+  std::set<std::string> names(parser.names().begin(), parser.names().end());
+  if (const auto* const products = std::get_if<std::vector<CsgProduct>>(&result)) {
     for (const CsgProduct& product : *products) {
       for (const CsgTerm& term : product) names.erase(term.name);
     }

@@ -23,7 +23,8 @@ using CsgProduct = std::vector<CsgTerm>;
 /// The products whose union an expression is: none that is empty whatever the solids are, none that lies in another,
 /// no name twice in one. Or what is wrong with the expression. `a & b` comes before `a - b` and `a | b`, which go from
 /// left to right; a name of other characters than letters, digits, '_' and '.' stands in ' '. At most
-/// kMaxCsgOperands names in all products, at most 64 '(' in each other.
+/// kMaxCsgOperands names in all products, at most 64 '(' in each other. What would take long to multiply out is wrong,
+/// too.
 std::variant<std::vector<CsgProduct>, std::string> products_of(const std::string& expression);
 
 /// The names that no product has, because they change nothing: b in `a | a & b`. The expression has products.

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "compose/csg_expression.hpp"
 #include "compose/scene_file.hpp"
 #include "compose/scene_tables.hpp"
+#include "compose/toml_key_depth.hpp"
 #include "compose/toml_table.hpp"
 #include "import/read_file.hpp"
 #include "motion/fitted_animation.hpp"
@@ -115,6 +117,12 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
     }
   }
   std::vector<TomlTable> csg_tables = root.tables("csg", "[[csg]]");
+  if (csg_tables.size() > kMaxCsgOperands) {
+    errors.add(csg_tables[kMaxCsgOperands].line(),
+               fmt::format("more than {} [[csg]]; all of them together have {} solids at most", kMaxCsgOperands,
+                           kMaxCsgOperands));
+    csg_tables.clear();
+  }
   for (TomlTable& table : csg_tables) scene.csg.push_back(read_csg(table));
   if (auto fog = root.table("fog", "[fog]")) scene.fog = read_fog(*fog);
   std::vector<TomlTable> lights = root.tables("light", "[[light]]");
@@ -159,6 +167,9 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
 }  // namespace
 
 Result<SceneFile> parse_scene_file(const std::string& text, const std::filesystem::path& path) {
+  if (const std::optional<int> deep = line_of_deep_key(text)) {
+    return at_line(path, *deep, fmt::format("a key has more than {} names with dots between them", kMaxKeyNames));
+  }
   toml::table document;
   try {
     document = toml::parse(text);

@@ -1,7 +1,9 @@
 // Expressions of solids: the products that they become are judged by truth tables of the expressions themselves.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <random>
 #include <set>
@@ -115,14 +117,31 @@ TEST(CsgExpression, SaysWhatIsWrong) {
   EXPECT_EQ(wrong_with("a - + b"), "there is '+' where a name is expected");
   EXPECT_EQ(wrong_with("'a"), "the ' that ends a name is missing");
   EXPECT_EQ(wrong_with(std::string(100, '(')), "there are more than 64 '(' in each other");
-  std::string many = "(a0 | b0)";
-  for (int i = 1; i < 14; ++i) {
-    for (const char* part : {" & (a", " | b"}) many += part + std::to_string(i);
-    many += ')';
-  }
+  std::string many = "a0";
+  for (int i = 1; i < 1025; ++i) many += "|a" + std::to_string(i);
   EXPECT_EQ(wrong_with(many), "multiplied out it has more than 1024 products");
   EXPECT_EQ(wrong_with("(a|b|c|d|e) & (f|g|h|i|j) & (k|l)"),
             "multiplied out it has 150 solids in 50 products; there may be 64 in all");
+}
+
+/// They took seconds to minutes.
+TEST(CsgExpression, WhatTakesLongToMultiplyOutIsRefusedAtOnce) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto joined = [](const char* sign, int count, auto part) {
+    std::string text = part(0);
+    for (int i = 1; i < count; ++i) text.append(sign).append(part(i));
+    return text;
+  };
+  const auto pair = [](int i) { return fmt::format("(a{0} | b{0})", i); };
+  const auto name = [](int i) { return fmt::format("c{}", i); };
+  const std::string sums = joined(" & ", 10, pair);  // 1024 products
+  const std::string names = joined(" & ", 5000, name);
+  const std::string wide = "(" + joined(" & ", 500, name) + ") & (" + joined(" | ", 400, pair) + ")";
+  for (const std::string& text : {sums, "d - (" + sums + ")", "(" + sums + ") - (" + sums + ")", names, wide}) {
+    EXPECT_EQ(wrong_with(text), "it is too long when it is multiplied out; make several [[csg]] of it")
+        << text.substr(0, 60);
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
 }
 
 // It ended the expression.

@@ -154,6 +154,13 @@ TEST(SceneFile, Shadows) {
   fails_with(kCube + "shadow = 'recieves'\n", "receives");
 }
 
+/// Each was multiplied out, however many there were.
+TEST(SceneFile, MoreProductsThanCanBeDrawnAreNotReadAtAll) {
+  std::string text = kCube + "name = 'a'\n";
+  for (int i = 0; i < 65; ++i) text += "[[csg]]\nexpression = '('\n";
+  EXPECT_EQ(failure(text), "'scene.toml' line 135: more than 64 [[csg]]; all of them together have 64 solids at most");
+}
+
 TEST(SceneFile, ProductsOfSolids) {
   const std::string solids =
       "[[model]]\nname = 'cube'\nbuilt_in = 'cube'\n"

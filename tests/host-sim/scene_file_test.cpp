@@ -91,6 +91,28 @@ TEST(SceneFile, EveryTable) {
   EXPECT_EQ(file.lights[0].colour, (Colour{100, 50, 0, 255}));
 }
 
+/// Each was a stack overflow in the reader of TOML.
+TEST(SceneFile, KeysOfThousandsOfNamesAreRefusedWithTheirLine) {
+  std::string deep = "a";
+  for (int i = 0; i < 40000; ++i) deep += i % 2 == 0 ? ".a" : " . \"a\"";
+  const std::string expected = "'scene.toml' line 3: a key has more than 16 names with dots between them";
+  for (const std::string& key : {deep + " = 1", "[" + deep + "]", "[[" + deep + "]]", "a = {" + deep + " = 1}"}) {
+    EXPECT_EQ(failure("\nduration = 2 # no key\n" + key + "\n"), expected);
+  }
+  // Behind texts that end in quotes of their own.
+  EXPECT_EQ(failure("a = \"\"\"\n\"\"\"\"\"\nb." + deep + " = ''\n"), expected);
+  EXPECT_EQ(failure("a = '''\n''''\nb." + deep + " = ''\n"), expected);
+}
+
+TEST(SceneFile, DotsOfTextsAndCommentsAreNoKeys) {
+  const std::string dots(100, '.');
+  const std::string comment = "# " + dots + " '\n";
+  EXPECT_EQ(parsed(comment + "[[model]]\nname = '" + dots + "'\nbuilt_in = \"\"\"\ncu\\\n  be\"\"\"\n" +
+                   "[[instance]]\nmodel = \"" + dots + "\"\nrotation = [1.5, 2.5, 3.5]\n")
+                .instances.size(),
+            1U);
+}
+
 TEST(SceneFile, ShadingHasThreeNames) {
   const auto shading_of = [](const char* line) {
     const std::string text = std::string("[[material]]\nname = 'a'\n").append(line).append("\n");
