@@ -8,8 +8,11 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
+#include <iostream>
 #include <map>
+#include <memory>
 #include <span>
+#include <streambuf>
 #include <string>
 #include <system_error>
 #include <tuple>
@@ -19,6 +22,7 @@
 #include "import/crash_guard.hpp"
 #include "import/lights_and_cameras.hpp"
 #include "import/materials.hpp"
+#include "import/model_files.hpp"
 #include "import/moved_nodes.hpp"
 #include "import/read_file.hpp"
 #include "report/number.hpp"
@@ -62,6 +66,22 @@ bool has_area(const SourceVertex& a, const SourceVertex& b, const SourceVertex& 
   }
   return ab[1] * ac[2] != ab[2] * ac[1] || ab[2] * ac[0] != ab[0] * ac[2] || ab[0] * ac[1] != ab[1] * ac[0];
 }
+
+/// While it lives, what is written to std::cout and std::cerr is lost: some of Assimp's readers write there, and
+/// failures of the command are one line.
+class SilentStreams {
+ public:
+  SilentStreams() : out_(std::cout.rdbuf(nullptr)), err_(std::cerr.rdbuf(nullptr)) {}
+  ~SilentStreams() {
+    std::cout.rdbuf(out_);
+    std::cerr.rdbuf(err_);
+  }
+  SilentStreams(const SilentStreams&) = delete;
+  SilentStreams& operator=(const SilentStreams&) = delete;
+
+ private:
+  std::streambuf *out_, *err_;
+};
 
 /// Walks the nodes and collects their meshes, transformed.
 class Collector {
@@ -267,11 +287,17 @@ Result<SourceModel> read_model(const std::filesystem::path& path, UpAxis up, Tex
   const std::chrono::seconds limit = reading_limit(bytes);
   const std::string shown = printable(path.string());
   CrashGuard guard(
-      fmt::format("zstrip: '{}' crashed the model reader: the file is damaged; export it again", shown),
+      fmt::format(
+          "zstrip: '{}' crashed the model reader: it is damaged, or not as the reader expects it; export it again",
+          shown),
       fmt::format("zstrip: '{}' is not read after {} s: the file is damaged, or too intricate; export it again", shown,
                   limit.count()),
       limit, reading_memory(bytes));
-  const aiScene* scene = importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_TransformUVCoords);
+  importer.SetIOHandler(std::make_unique<ModelFiles>().release());  // which it owns
+  const aiScene* const scene = [&] {
+    const SilentStreams silent;
+    return importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_TransformUVCoords);
+  }();
   if (scene == nullptr) {
     std::string reason = importer.GetErrorString();
     std::replace(reason.begin(), reason.end(), '\n', ' ');

@@ -280,6 +280,16 @@ TEST_F(BadInput, TooLittleForWholeMeshesNamesMeshlets) {
   expect_failure(ExitStatus::budget, "1 byte of RAM", {"render", "knot", "--ram", "1"});
 }
 
+/// The reader of OpenGEX wrote a line of its own.
+TEST_F(BadInput, OneLineWhateverTheReaderSays) {
+  const std::filesystem::path models = ASSIMP_MODELS;
+  if (models.empty()) GTEST_SKIP() << "package assimp-testmodels is not installed";
+  expect_bad_file(models / "OpenGEX/empty_camera.ogex");
+  // Its only face has three corners on a line.
+  expect_failure(ExitStatus::input, "none with finite corners and an area",
+                 {"render", models / "OBJ/number_formats.obj"});
+}
+
 TEST_F(BadInput, PlyThatNeverEnds) {
   // Cut off in its header: Assimp waits for the rest for ever.
   file("endless.ply",

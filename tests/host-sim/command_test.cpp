@@ -222,6 +222,25 @@ TEST_F(Command, TexturesOutsideAndInsideTheModel) {
   EXPECT_GT(colours.size(), 20U) << "a picture of a texture has many colours";
 }
 
+/// Were refused as damaged or empty.
+TEST_F(Command, ModelsInUtf16AndRawWithGroups) {
+  const std::filesystem::path models = ASSIMP_MODELS;
+  if (models.empty()) GTEST_SKIP() << "package assimp-testmodels is not installed";
+  const auto render = [&](const std::string& model) {
+    const Outcome outcome = zstrip({"render", (models / model).string(), "-o", "p.png", "--quiet"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_GT(painted(picture("p.png")), 1000U) << model;
+    return picture("p.png").rgb;
+  };
+  const auto cubes = render("ASE/ThreeCubesGreen.ASE");
+  EXPECT_EQ(render("ASE/ThreeCubesGreen_UTF16LE.ASE"), cubes);
+  EXPECT_EQ(render("ASE/ThreeCubesGreen_UTF16BE.ASE"), cubes);
+  for (const char* model : {"AC/SphereWithLight_UTF16LE.ac", "Collada/cube_UTF16LE.dae", "OBJ/box_UTF16BE.obj",
+                            "RAW/WithColor.raw", "RAW/WithTexture.raw", "RAW/Wuson.raw"}) {
+    render(model);
+  }
+}
+
 /// Strips, bins, visibility by spheres of meshlets that move, threads: every way to draw a skin shows the one picture.
 TEST_F(Command, ASkinIsTheSamePictureHoweverItIsDrawn) {
   const std::string figure = ZSTRIP_SCENE_FILES "/figure/figure.gltf";

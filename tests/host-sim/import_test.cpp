@@ -11,6 +11,7 @@
 #include "image/encode.hpp"
 #include "import/crash_guard.hpp"
 #include "import/model.hpp"
+#include "import/model_files.hpp"
 #include "import/quantise.hpp"
 #include "import/read_model.hpp"
 #include "support.hpp"
@@ -293,6 +294,43 @@ TEST_F(Import, OneLeftOutIsSingular) {
   const Model one = model(file("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\nf 1 2 4\n"));
   ASSERT_EQ(one.warnings.size(), 1U);
   EXPECT_EQ(one.warnings[0].rfind("1 triangle left out", 0), 0U) << one.warnings[0];
+}
+
+std::string utf16(std::u16string_view text, bool big_endian) {
+  std::string bytes = big_endian ? "\xFE\xFF" : "\xFF\xFE";
+  for (const char16_t unit : text) {
+    const char high = static_cast<char>(unit >> 8), low = static_cast<char>(unit & 255);
+    bytes += big_endian ? high : low;
+    bytes += big_endian ? low : high;
+  }
+  return bytes;
+}
+
+/// Models in UTF-16 were refused as damaged, or as without triangles.
+TEST_F(Import, TextsInUtf16AreThoseInUtf8) {
+  const Model expected = model(file("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  for (const bool big_endian : {false, true}) {
+    file("m.mtl", utf16(u"newmtl r\u00F6t\u20AC\U0001F600\nKd 1 0 0\n", big_endian));
+    const Model read = model(file("m.obj", utf16(u"mtllib m.mtl\nusemtl r\u00F6t\u20AC\U0001F600\r\nv 0 0 0\nv 1 0 0\n"
+                                                 u"v 0 1 0\nf 1 2 3\n",
+                                                 big_endian)));
+    ASSERT_EQ(read.meshes.size(), 1U);
+    EXPECT_EQ(triangles(read), triangles(expected));
+    EXPECT_EQ(read.material_names[read.instances[0].material], "r\u00F6t\u20AC\U0001F600");
+    EXPECT_EQ(read.materials[read.instances[0].material].colour.r, 255);
+    EXPECT_TRUE(read.warnings.empty());
+  }
+  EXPECT_EQ(as_utf8(std::string("\xFF\xFE\x00\xD8\x41\x00\x42", 7)), "\uFFFDA") << "half a pair, half a unit";
+  EXPECT_EQ(as_utf8("\xFF"), "\xFF");
+}
+
+/// Of several groups one was read, and pointers to nothing followed.
+TEST_F(Import, GroupsOfRaw) {
+  const Model model = this->model(file("groups.RAW",
+                                       "First\n1 0 0 0 0 0 0 1 0 1 0 0\n1 0 0 0 0 3 0 1 3 1 0 3\n\n"
+                                       "Second one\n0 0 1 3 0 0 0 4 0 1 3 0\n\t+0 0 1 3 3 0 0 4 3 1 3 3"));
+  EXPECT_EQ(triangles(model).size(), 4U);
+  EXPECT_TRUE(model.warnings.empty());
 }
 
 using CrashGuardDeathTest = Import;

@@ -1,0 +1,103 @@
+// Puts right what Assimp 5.2 reads wrongly, before it reads.
+#include "import/model_files.hpp"
+
+#include <assimp/MemoryIOWrapper.h>
+#include <assimp/IOStream.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::string_view kLittleEndian = "\xFF\xFE", kBigEndian = "\xFE\xFF";
+constexpr char32_t kNoCharacter = 0xFFFD;
+
+bool is_utf16(std::string_view text) { return text.starts_with(kLittleEndian) || text.starts_with(kBigEndian); }
+
+void append(std::string& to, char32_t c) {
+  const auto byte = [&to](char32_t value) { to += static_cast<char>(value); };
+  if (c < 0x80) {
+    byte(c);
+  } else if (c < 0x800) {
+    byte(0xC0 | c >> 6);
+    byte(0x80 | (c & 63));
+  } else if (c < 0x10000) {
+    byte(0xE0 | c >> 12);
+    byte(0x80 | (c >> 6 & 63));
+    byte(0x80 | (c & 63));
+  } else {
+    byte(0xF0 | c >> 18);
+    byte(0x80 | (c >> 12 & 63));
+    byte(0x80 | (c >> 6 & 63));
+    byte(0x80 | (c & 63));
+  }
+}
+
+/// Lines that begin with something else than a number are names of groups.
+std::string without_groups(std::string_view raw) {
+  std::string text;
+  while (!raw.empty()) {
+    const std::size_t end = std::min(raw.find('\n'), raw.size() - 1) + 1;
+    const std::string_view line = raw.substr(0, end);
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first != std::string_view::npos && std::string_view("0123456789+-").find(line[first]) != std::string_view::npos)
+      text += line;
+    raw.remove_prefix(end);
+  }
+  return text;
+}
+
+bool is_raw(const char* file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return extension == ".raw";
+}
+
+std::string rest_of(Assimp::IOStream& stream) {
+  std::string bytes(stream.FileSize() - stream.Tell(), '\0');
+  bytes.resize(bytes.empty() ? 0 : stream.Read(bytes.data(), 1, bytes.size()));
+  return bytes;
+}
+
+}  // namespace
+
+std::string as_utf8(std::string_view text) {
+  if (!is_utf16(text)) return std::string(text);
+  const bool swapped = text.starts_with(kBigEndian);
+  const auto unit_at = [&](std::size_t at) -> char32_t {
+    const auto first = static_cast<std::uint8_t>(text[at]), second = static_cast<std::uint8_t>(text[at + 1]);
+    return swapped ? first << 8 | second : second << 8 | first;
+  };
+  std::string utf8;
+  for (std::size_t at = 2; at + 1 < text.size(); at += 2) {
+    char32_t c = unit_at(at);
+    const char32_t low = at + 3 < text.size() ? unit_at(at + 2) : 0;
+    if (c >= 0xD800 && c < 0xDC00 && low >= 0xDC00 && low < 0xE000) {
+      c = 0x10000 + ((c - 0xD800) << 10) + (low - 0xDC00);
+      at += 2;
+    }
+    append(utf8, c >= 0xD800 && c < 0xE000 ? kNoCharacter : c);
+  }
+  return utf8;
+}
+
+Assimp::IOStream* ModelFiles::Open(const char* file, const char* mode) {
+  std::unique_ptr<Assimp::IOStream> stream(DefaultIOSystem::Open(file, mode));
+  if (!stream) return nullptr;
+  std::string begin(2, '\0');
+  begin.resize(stream->Read(begin.data(), 1, begin.size()));
+  stream->Seek(0, aiOrigin_SET);
+  if (!is_utf16(begin) && !is_raw(file)) return stream.release();
+  std::string text = as_utf8(rest_of(*stream));
+  if (is_raw(file)) text = without_groups(text);
+  auto bytes = std::make_unique<std::uint8_t[]>(text.size());
+  std::ranges::copy(text, bytes.get());
+  return new Assimp::MemoryIOStream(bytes.release(), text.size(), true);
+}
+
+}  // namespace zstrip::sim
