@@ -3,18 +3,32 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 namespace zstrip::sim {
 namespace {
 
-std::optional<ImageType> type_of_extension(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
-  if (extension == ".png") return ImageType::png;
-  if (extension == ".ppm" || extension == ".pgm") return ImageType::ppm;
-  if (extension == ".raw") return ImageType::raw;
-  return std::nullopt;
+constexpr std::pair<std::string_view, ImageType> kEndings[] = {
+    {".png", ImageType::png}, {".apng", ImageType::apng}, {".jpg", ImageType::jpeg}, {".jpeg", ImageType::jpeg},
+    {".ppm", ImageType::ppm}, {".pgm", ImageType::ppm},   {".raw", ImageType::raw}};
+
+std::string lower(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+std::optional<ImageType> type_of_ending(const std::string& ending) {
+  const auto* const known = std::ranges::find(kEndings, lower(ending), &std::pair<std::string_view, ImageType>::first);
+  return known == std::end(kEndings) ? std::nullopt : std::optional(known->second);
+}
+
+/// That of a file, as ".txt" is, and not the end of a folder's name such as "v1.2".
+bool is_of_files(const std::string& ending) {
+  return ending.size() > 1 && lower(ending)[1] >= 'a' && lower(ending)[1] <= 'z';
 }
 
 /// One path for all names of a file, also of one that does not exist yet.
@@ -48,19 +62,29 @@ Result<OutputNames> name_outputs(const std::string& scene, const std::optional<s
   }
   if (output) {
     names.path = *output;
-    const auto by_name = type_of_extension(names.path);
+    const std::string ending = names.path.extension().string();
+    const auto by_name = type_of_ending(ending);
     const std::filesystem::file_status status = std::filesystem::status(names.path, ignored);
-    names.folder = std::filesystem::is_directory(status) || (!std::filesystem::exists(status) && !by_name);
+    const bool is_there = std::filesystem::exists(status);
+    names.folder = std::filesystem::is_directory(status) || (!is_there && !by_name);
+    // A file of another kind is not written over, unless its type is given.
+    if (!by_name && is_of_files(ending) && (!is_there || (std::filesystem::is_regular_file(status) && !type))) {
+      return Failure{ExitStatus::usage,
+                     fmt::format("-o '{0}': '{1}' is no picture type; files end in .png, .apng (all frames in one), "
+                                 ".jpg, .ppm, .pgm or .raw, and '{0}/' is a folder",
+                                 *output, ending)};
+    }
     if (!names.folder && by_name && type && *by_name != *type) {
       return Failure{ExitStatus::usage,
                      fmt::format("-o '{}' and --image name different picture types; give one of them", *output)};
     }
     names.type = type.value_or(names.folder ? ImageType::png : by_name.value_or(ImageType::png));
-    names.frames = frames.value_or(names.folder ? folder_frames : 1);
-    if (!names.folder && names.frames > 1) {
-      return Failure{
-          ExitStatus::usage,
-          fmt::format("-o '{}' is one file and cannot take {} frames; name a folder instead", *output, names.frames)};
+    names.frames = frames.value_or(names.folder || names.is_animated() ? folder_frames : 1);
+    if (!names.folder && !names.is_animated() && names.frames > 1) {
+      return Failure{ExitStatus::usage,
+                     fmt::format("-o '{}' is one picture and cannot take {} frames; name a folder, or a file that "
+                                 "ends in .apng",
+                                 *output, names.frames)};
     }
     return names;
   }
@@ -102,7 +126,8 @@ Result<Done> check_distinct(const OutputNames& outputs, const std::optional<std:
 
   // Of a folder's files only the names differ.
   const std::filesystem::path place = outputs.folder ? resolved(outputs.path) : "";
-  for (std::uint32_t frame = 0; frame < outputs.frames; ++frame) {
+  const std::uint32_t files = outputs.folder ? outputs.frames : 1;
+  for (std::uint32_t frame = 0; frame < files; ++frame) {
     const std::filesystem::path name = outputs.file(frame);
     if (!outputs.folder && is_device(name)) continue;
     const std::filesystem::path picture = outputs.folder ? place / name.filename() : resolved(name);

@@ -18,15 +18,18 @@ struct OutputNames {
   std::uint32_t frames = 1;
   PixelFormat format = PixelFormat::rgb565;
 
+  /// Whether `path` is one file with all frames.
+  bool is_animated() const { return !folder && type == ImageType::apng; }
   /// The file of a frame: `path` itself, or frame_0000.png and so on in it.
   std::filesystem::path file(std::uint32_t frame) const;
 };
 
 inline constexpr std::uint32_t kFolderFrames = 8;
 
-/// `output` is what -o gave. It names a file if it ends in .png, .ppm, .pgm or .raw, or is a file or device already;
-/// else a folder. Without it: SCENE.png for one frame, a folder SCENE for more, both in the current folder.
-/// Frames, where not given: 1 into a file, `folder_frames` into a folder.
+/// `output` is what -o gave. It names a file if it ends in .png, .apng, .jpg, .jpeg, .ppm, .pgm or .raw, or is a file
+/// or device already; else a folder, which has no other ending unless it is there or a '/' follows. Without it:
+/// SCENE.png for one frame, a folder SCENE for more, both in the current folder. Frames, where not given: 1 into a
+/// picture, `folder_frames` into a folder or an animation.
 Result<OutputNames> name_outputs(const std::string& scene, const std::optional<std::string>& output,
                                  std::optional<std::uint32_t> frames, std::optional<ImageType> type, PixelFormat format,
                                  std::uint32_t folder_frames = kFolderFrames);

@@ -151,7 +151,7 @@ Result<UpAxis> parse_up_axis(const std::string& text) {
 
 Result<ImageType> parse_image_type(const std::string& text) {
   constexpr std::pair<std::string_view, ImageType> kTypes[] = {
-      {"png", ImageType::png}, {"ppm", ImageType::ppm}, {"raw", ImageType::raw}};
+      {"png", ImageType::png}, {"jpeg", ImageType::jpeg}, {"ppm", ImageType::ppm}, {"raw", ImageType::raw}};
   return named("--image", text, kTypes);
 }
 

@@ -20,6 +20,7 @@
 #include "cli/picture_arguments.hpp"
 #include "cli/print.hpp"
 #include "cli/visibility_arguments.hpp"
+#include "image/animated_png.hpp"
 #include "image/write_file.hpp"
 #include "render/edged_stage.hpp"
 #include "render/parallel.hpp"
@@ -134,12 +135,6 @@ Result<Job> parse(const RenderCommandLine& arguments) {
   if (job.panel) {
     if (const Result<Done> fitted = fit_strips_to_panel(job); !fitted) return fitted.failure();
   }
-  if (arguments.frames && (*arguments.frames < 1 || *arguments.frames > kMaxFrames)) {
-    return usage(fmt::format("--frames must be 1 to {}", kMaxFrames));
-  }
-  if (arguments.threads && (*arguments.threads < 1 || *arguments.threads > kMaxThreads)) {
-    return usage(fmt::format("--threads must be 1 to {}", kMaxThreads));
-  }
   job.threads =
       arguments.threads ? *arguments.threads : std::clamp(std::thread::hardware_concurrency(), 1U, kMaxThreads);
   std::optional<ImageType> type;
@@ -210,6 +205,15 @@ std::optional<PanelRecord> panel_record(const Job& job) {
                      90 * static_cast<int>(job.panel->orientation.rotation), job.panel->orientation.mirrored};
 }
 
+/// Of all frames: the scene's animation, or else a turn, which has no time of its own.
+std::uint32_t milliseconds_of(const Stage& stage) {
+  constexpr std::uint32_t kTurn = 4000;
+  for (const Animation& animation : {stage.animation(), stage.joint_animation()}) {
+    if (!animation.tracks.empty()) return animation.duration;
+  }
+  return kTurn;
+}
+
 /// What a thread has for itself: a stage to place, a renderer with its memory.
 struct Worker {
   std::unique_ptr<Stage> stage;
@@ -226,9 +230,11 @@ Result<std::unique_ptr<SimulatedPanel>> start_panel(const PanelRequest& request)
   return panel;
 }
 
-/// The file's bytes: what the strips are, or what is seen on the panel.
-Result<std::vector<std::uint8_t>> encode_picture(const Worker& worker, const Job& job,
-                                                 std::span<const std::byte> pixels) {
+/// The bytes of a file.
+using Picture = std::vector<std::uint8_t>;
+
+/// What the strips are, or what is seen on the panel.
+Result<Picture> encode_picture(const Worker& worker, const Job& job, std::span<const std::byte> pixels) {
   if (!worker.panel) return encode(job.outputs.type, job.view, pixels);
   if (const std::string dark = worker.panel->model().darkness(); !dark.empty()) {
     return Failure{ExitStatus::internal, "the panel shows nothing: " + dark};
@@ -236,7 +242,8 @@ Result<std::vector<std::uint8_t>> encode_picture(const Worker& worker, const Job
   return encode(job.outputs.type, worker.panel->model().seen());
 }
 
-Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t frame) {
+/// `kept`: of an animation's frames, which become a file together.
+Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t frame, std::vector<Picture>& kept) {
   const Result<Staging> staging = worker.stage->place(frame, job.outputs.frames);
   if (!staging) return staging.failure();
   const auto bus_use = [&worker] {
@@ -261,13 +268,17 @@ Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t f
     if (!*shown) return shown->failure();
     pixels = std::as_bytes(std::span((*shown)->pixels));
   }
-  const Result<std::vector<std::uint8_t>> picture = encode_picture(worker, job, pixels);
+  Result<Picture> picture = encode_picture(worker, job, pixels);
   if (!picture) return picture.failure();
   if (frame == 0) {
     if (const Result<Done> prepared = prepare(job.outputs); !prepared) return prepared.failure();
   }
   const std::filesystem::path file = job.outputs.file(frame);
-  if (const Result<Done> written = write_file(file, *picture, "-o"); !written) return written.failure();
+  if (job.outputs.is_animated()) {
+    kept[frame] = std::move(*picture);
+  } else if (const Result<Done> written = write_file(file, *picture, "-o"); !written) {
+    return written.failure();
+  }
   FrameRecord record{file.string(), *report, {after.bytes - before.bytes, after.nanoseconds - before.nanoseconds}, {}};
   if (shown) record.report.crc32 = checksum(pixels);
   if (job.visibility.show == Show::error) record.wrong = (*shown)->wrong;
@@ -316,8 +327,9 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
   Progress progress(job.outputs.frames, !quiet);
   std::mutex mutex;  // of the progress
   std::uint32_t done = 0;
+  std::vector<Picture> kept(job.outputs.is_animated() ? job.outputs.frames : 0);
   const auto draw = [&](unsigned thread, std::uint32_t frame) {
-    Result<FrameRecord> record = render_frame(workers[thread], job, frame);
+    Result<FrameRecord> record = render_frame(workers[thread], job, frame, kept);
     if (!record) return Result<Done>(record.failure());
     run.frames[frame] = std::move(*record);
     const std::scoped_lock lock(mutex);
@@ -329,6 +341,10 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
   const Result<Done> others = for_each_on_threads(
       job.outputs.frames - 1, threads, [&](unsigned thread, std::uint32_t index) { return draw(thread, index + 1); });
   if (!others) return others.failure();
+  if (job.outputs.is_animated()) {
+    const Picture animation = animated_png(kept, milliseconds_of(**stage));
+    if (const Result<Done> written = write_file(job.outputs.path, animation, "-o"); !written) return written.failure();
+  }
   // All workers' panels are alike.
   if (workers.front().panel) warn_of_complaints(workers.front().panel->model(), run);
   return run;
@@ -377,7 +393,10 @@ void add_render_command(CLI::App& app, int& exit_code) {
                    "baked scene (.zsc)")
       ->required()
       ->type_name("SCENE");
-  command->add_option("-o,--output", a.output, "A folder for the frames, or one file (default: SCENE.png here)")
+  command
+      ->add_option("-o,--output", a.output,
+                   "A folder for the frames, or one file: .png .jpg .ppm .pgm .raw, .apng with all "
+                   "frames (default: SCENE.png here)")
       ->type_name("DIR|FILE");
   command
       ->add_option(
@@ -385,11 +404,15 @@ void add_render_command(CLI::App& app, int& exit_code) {
           "Size of the picture, each side 1 to 4096 (default: 320x240, the panel's, or what the scene was baked for)")
       ->type_name("WxH");
   command
-      ->add_option("--frames", a.frames,
-                   "Frames of the animation, or of a full turn (default: 1 into a file, 8 into a folder)")
-      ->type_name("N");
+      ->add_option(
+          "--frames", a.frames,
+          "Frames of the animation, or of a full turn, 1 to 10000 (default: 1 into a picture, 8 into a folder or "
+          ".apng)")
+      ->option_text("N")
+      ->check(CLI::Range(1U, kMaxFrames));
   command->add_option("--threads", a.threads, "Threads that draw, the same pixels with any (default: one a core)")
-      ->type_name("N");
+      ->option_text("N")
+      ->check(CLI::Range(1U, kMaxThreads));
   command->add_option("--ram", a.ram, "Renderer's memory at most, K and M allowed (default: no limit)")
       ->type_name("BYTES");
   command->add_option("--strip-rows", a.strip_rows, "Rows of a strip (default: auto, as many as fit)")
@@ -413,7 +436,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
           "Textures are exact at every pixel (1), every 8th or 16th of a row (16 is the default), or only at a "
           "triangle's corners (affine)")
       ->type_name("RUN");
-  command->add_option("--image", a.image, "Picture files: png (default), ppm or raw")->type_name("TYPE");
+  command->add_option("--image", a.image, "Picture files: png (default), jpeg, ppm or raw")->type_name("TYPE");
   add_panel_options(*command, a.panel);
   add_camera_options(*command, a.camera);
   add_visibility_options(*command, a.visibility);
@@ -423,6 +446,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  zstrip render teapot\n"
       "  zstrip render teapot -o out/teapot --frames 64\n"
+      "  zstrip render teapot -o turn.apng --frames 64\n"
       "  zstrip render bunny.obj -o bunny.png --size 640x480 --orbit 0.3,45,70\n"
       "  zstrip render knot_meshlets --ram 20K --json -\n"
       "  zstrip render random50 --visibility painter --show error\n"

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <spng.h>
+#include <turbojpeg.h>
 
 #include <array>
 #include <cstdlib>
@@ -98,6 +99,21 @@ Result<std::vector<std::uint8_t>> encode_png(const View& view, std::span<const s
   return std::vector<std::uint8_t>(first, first + bytes);
 }
 
+Result<std::vector<std::uint8_t>> encode_jpeg(const View& view, std::span<const std::byte> pixels) {
+  constexpr int kQuality = 90;
+  const bool grey = is_grey(view.format);
+  const std::vector<std::uint8_t> content = grey ? to_grey8(view, pixels) : to_rgb8(view, pixels);
+  const std::unique_ptr<void, decltype(&tjDestroy)> jpeg(tjInitCompress(), &tjDestroy);
+  if (!jpeg) return Failure{ExitStatus::environment, "no memory to write a JPEG"};
+  unsigned char* data = nullptr;
+  unsigned long bytes = 0;
+  const int error = tjCompress2(jpeg.get(), content.data(), view.width, 0, view.height, grey ? TJPF_GRAY : TJPF_RGB,
+                                &data, &bytes, grey ? TJSAMP_GRAY : TJSAMP_444, kQuality, 0);
+  const std::unique_ptr<unsigned char, decltype(&tjFree)> file(data, &tjFree);
+  if (error != 0) return Failure{ExitStatus::internal, fmt::format("JPEG writer: {}", tjGetErrorStr2(jpeg.get()))};
+  return std::vector<std::uint8_t>(data, data + bytes);
+}
+
 std::vector<std::uint8_t> encode_ppm(const View& view, std::span<const std::byte> pixels) {
   const std::string header = fmt::format("P{}\n{} {}\n255\n", is_grey(view.format) ? 5 : 6, view.width, view.height);
   const std::vector<std::uint8_t> content = is_grey(view.format) ? to_grey8(view, pixels) : to_rgb8(view, pixels);
@@ -111,6 +127,8 @@ std::vector<std::uint8_t> encode_ppm(const View& view, std::span<const std::byte
 const char* file_extension(ImageType type, PixelFormat format) {
   switch (type) {
     case ImageType::png: return ".png";
+    case ImageType::apng: return ".apng";
+    case ImageType::jpeg: return ".jpg";
     case ImageType::ppm: return is_grey(format) ? ".pgm" : ".ppm";
     case ImageType::raw: return ".raw";
   }
@@ -119,7 +137,9 @@ const char* file_extension(ImageType type, PixelFormat format) {
 
 Result<std::vector<std::uint8_t>> encode(ImageType type, const View& view, std::span<const std::byte> pixels) {
   switch (type) {
-    case ImageType::png: return encode_png(view, pixels);
+    case ImageType::png:
+    case ImageType::apng: return encode_png(view, pixels);
+    case ImageType::jpeg: return encode_jpeg(view, pixels);
     case ImageType::ppm: return encode_ppm(view, pixels);
     case ImageType::raw: return bytes_of(pixels);
   }

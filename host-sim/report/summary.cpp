@@ -85,7 +85,7 @@ std::string summary(const RunRecord& run) {
   }
   text += fmt::format("  time       {:.2f} ms a frame\n", milliseconds);
   if (run.panel) text += fmt::format("  panel      {}\n", panel(run));
-  text += run.frames.size() == 1
+  text += run.frames.front().file == run.frames.back().file
               ? fmt::format("  written    {}\n", run.frames.front().file)
               : fmt::format("  written    {} to {}\n", run.frames.front().file, run.frames.back().file);
   return text;

@@ -58,7 +58,7 @@ TEST(Parse, WordsThatAreUnknownAreToldTheNearest) {
   expect_text(parse_format("rgb56").failure().message, "did you mean rgb565?");
   expect_text(parse_depth_format("z23").failure().message, "did you mean z24?");
   expect_text(parse_perspective("afine").failure().message, "did you mean affine?");
-  expect_text(parse_image_type("pgn").failure().message, "did you mean png? Known are png, ppm, raw");
+  expect_text(parse_image_type("pgn").failure().message, "did you mean png? Known are png, jpeg, ppm, raw");
   expect_text(parse_up_axis("-w").failure().message, "did you mean -x?");
 }
 
@@ -129,6 +129,24 @@ TEST_F(OutputNamesTest, FilesAndFolders) {
   EXPECT_FALSE(name(file("plain", "")).folder);
   expect_usage_error(name_outputs("cat", path("a.png"), 2, {}, PixelFormat::rgb565), "-o");
   expect_usage_error(name_outputs("cat", path("a.png"), {}, ImageType::raw, PixelFormat::rgb565), "--image");
+  EXPECT_EQ(name(path("a.JPG")).type, ImageType::jpeg);
+  EXPECT_EQ(name(path("a.apng")).frames, 8U);
+  EXPECT_EQ(name(path("a.apng"), 3).file(2), path("a.apng"));
+}
+
+/// They became folders of that name.
+TEST_F(OutputNamesTest, EndingsThatAreNoPictureTypeAreRefused) {
+  const auto named = [](const std::string& output, std::optional<ImageType> type = {}) {
+    return name_outputs("cat", output, {}, type, PixelFormat::rgb565);
+  };
+  for (const char* output : {"x.txt", "x.gif", "x.pgn", "folder/x.png.txt"}) {
+    expect_usage_error(named(path(output)), "is no picture type; files end in .png, .apng");
+  }
+  expect_usage_error(named(file("there.txt", "mine")), "'.txt'");
+  EXPECT_FALSE(named(file("there.txt", "mine"), ImageType::png)->folder);
+  for (const char* output : {"x.txt/", "v1.2", ".hidden", "x."}) EXPECT_TRUE(named(path(output))->folder) << output;
+  std::filesystem::create_directory(path("folder.txt"));
+  EXPECT_TRUE(named(path("folder.txt"))->folder);
 }
 
 }  // namespace
