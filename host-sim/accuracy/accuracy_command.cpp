@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <set>
+#include <stdexcept>
 #include <thread>
 
 #include "accuracy/board_cost.hpp"
@@ -177,9 +178,10 @@ Result<Done> make_folder(const fs::path& folder) {
 
 /// Tables and plots of figures that were written down before, accuracy.csv and accuracy-causes.csv.
 Result<Done> retabulate(const fs::path& recorded, const fs::path& folder) {
-  const Result<RecordedTable> settings = RecordedTable::read(recorded / "accuracy.csv");
+  const Result<RecordedTable> settings = RecordedTable::read(recorded / "accuracy.csv", {"scene", "settings"});
   if (!settings) return settings.failure();
-  const Result<RecordedTable> causes = RecordedTable::read(recorded / "accuracy-causes.csv");
+  const Result<RecordedTable> causes =
+      RecordedTable::read(recorded / "accuracy-causes.csv", {"scene", "cause", "settings"});
   if (!causes) return causes.failure();
   const Result<std::vector<Campaign>> campaigns = recorded_campaigns(*settings);
   if (!campaigns) return campaigns.failure();
@@ -188,7 +190,12 @@ Result<Done> retabulate(const fs::path& recorded, const fs::path& folder) {
     const fs::path plot = folder / fmt::format("accuracy-{}.svg", scene_name(campaign.request));
     if (const Result<Done> written = write(plot, plot_file_svg(campaign)); !written) return written.failure();
   }
-  return write(folder / "accuracy.md", accuracy_tables(*settings, *causes));
+  try {
+    return write(folder / "accuracy.md", accuracy_tables(*settings, *causes));
+  } catch (const std::logic_error& error) {  // std::stod's
+    return Failure{ExitStatus::input, fmt::format("'{}' or '{}' has a field that is no number ({})", settings->file(),
+                                                  causes->file(), error.what())};
+  }
 }
 
 Result<Done> run(const Arguments& arguments) {

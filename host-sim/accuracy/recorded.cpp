@@ -2,10 +2,12 @@
 #include "accuracy/recorded.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <ranges>
 #include <sstream>
 #include <stdexcept>
 
@@ -40,13 +42,18 @@ AccuracyPoint point_of(const RecordedTable& table, const RecordedTable::Row& row
 
 }  // namespace
 
-Result<RecordedTable> RecordedTable::read(const std::string& file) {
+Result<RecordedTable> RecordedTable::read(const std::string& file, const std::vector<std::string>& first) {
   RecordedTable table;
   table.file_ = file;
   std::ifstream csv(file);
   std::string line;
   if (!std::getline(csv, line)) return Failure{ExitStatus::input, fmt::format("'{}' cannot be read", file)};
   table.names_ = fields_of(line);
+  if (!std::ranges::equal(table.names_ | std::views::take(first.size()), first)) {
+    return Failure{ExitStatus::input,
+                   fmt::format("'{}' is no table of accuracy figures: its columns do not begin with {}", file,
+                               fmt::join(first, ", "))};
+  }
   while (std::getline(csv, line)) {
     table.rows_.push_back(fields_of(line));
     table.rows_.back().resize(table.names_.size());

@@ -15,8 +15,8 @@ namespace zstrip::sim {
 class RecordedTable {
  public:
   using Row = std::vector<std::string>;
-  /// Failure: ExitStatus::input for a file that cannot be read.
-  static Result<RecordedTable> read(const std::string& file);
+  /// Its first columns are `first`. Failures: ExitStatus::input for a file that cannot be read, or without these.
+  static Result<RecordedTable> read(const std::string& file, const std::vector<std::string>& first);
 
   const std::string& file() const { return file_; }
   const std::vector<std::string>& names() const { return names_; }

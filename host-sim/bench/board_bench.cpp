@@ -110,7 +110,8 @@ Result<fs::path> board_program(const BenchCase& bench_case, const std::string& f
   }
   const std::string own = fmt::format("zstrip_bench_{}{}", program_infix(bench_case), bench_case.target);
   const fs::path program = folder / ((bench_case.program.empty() ? own : bench_case.program) + ".elf");
-  if (!fs::exists(program)) {
+  std::error_code ignored;
+  if (!fs::exists(program, ignored)) {
     return Failure{ExitStatus::environment,
                    fmt::format("{} is not there: build the boards' programs (tests/run does, or cmake --build --preset "
                                "host --target firmware), or name their folder with --firmware",

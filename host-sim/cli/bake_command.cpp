@@ -303,6 +303,12 @@ Result<Done> run(const Arguments& arguments) {
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   const Result<Staging> staging = (*stage)->place(0, angles);
   if (!staging) return staging.failure();
+  if (const Result<Done> checked =
+          check_visibility(effects_of(staging->scene, staging->camera) | request->method | picture_effects(*request),
+                           depth_option(std::nullopt));
+      !checked) {
+    return checked.failure();
+  }
   const BakedSkins skins = skins_of(*kind, **stage);
   const Result<PreparedScene> prepared = prepare_for(*request, arguments, *staging, (*stage)->animation(), skins);
   if (!prepared) return prepared.failure();

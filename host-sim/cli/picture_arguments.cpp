@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <system_error>
 #include <tuple>
 
 #include "cli/one_of.hpp"
@@ -37,7 +38,8 @@ PictureSettings settings_of_blob(const std::string& path) {
 }  // namespace
 
 Result<PictureSettings> settings_of(const std::string& scene) {
-  if (!std::filesystem::exists(scene)) return PictureSettings{};
+  std::error_code ignored;  // what is wrong with a path is said when the scene is opened
+  if (!std::filesystem::exists(scene, ignored)) return PictureSettings{};
   if (kind_of_scene(scene) == SceneKind::baked) return settings_of_blob(scene);
   if (kind_of_scene(scene) != SceneKind::composed) return PictureSettings{};
   const Result<SceneFile> file = read_scene_file(scene);

@@ -68,10 +68,11 @@ Result<PlanRequest> parse(const PlanCommandLine& arguments) {
   return request;
 }
 
-Result<bool> has_edges(Stage& stage) {
+/// Of the scene with all that is asked for.
+Result<Effects> all_effects(Stage& stage, const PlanRequest& request) {
   const Result<Staging> staging = stage.place(0, 1);
   if (!staging) return staging.failure();
-  return !staging->scene.edges.empty();
+  return effects_of(staging->scene, staging->camera) | request.method | depth_effect(request.depth_format);
 }
 
 Result<Done> run_plan(const PlanCommandLine& arguments) {
@@ -81,9 +82,12 @@ Result<Done> run_plan(const PlanCommandLine& arguments) {
   if (stage) stage = with_edges(std::move(*stage), request->edges, request->view);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
-  const Result<bool> edged = has_edges(**stage);
-  if (!edged) return edged.failure();
-  if (arguments.static_layer && *edged) {
+  const Result<Effects> effects = all_effects(**stage, *request);
+  if (!effects) return effects.failure();
+  const Result<Done> checked = check_visibility(*effects, depth_option(arguments.depth_format));
+  if (!checked) return checked.failure();
+  const bool edged = effects->has(effect::edges);
+  if (arguments.static_layer && edged) {
     return Failure{ExitStatus::usage, "a static layer keeps pixels as they were drawn; use --no-edges"};
   }
   const DepthFormat kept_format =
@@ -107,7 +111,7 @@ Result<Done> run_plan(const PlanCommandLine& arguments) {
   if (kept->nearest > 0 && !request->method.has(method::painter)) {
     advice = advise_depth(*kept, staging->camera, request->view, arguments.separation);
     // Edges are blended by z16 alone.
-    if (arguments.depth_format == kChosen && !*edged) request->depth = advice->need(*kept);
+    if (arguments.depth_format == kChosen && !edged) request->depth = advice->need(*kept);
   }
   Result<PlanChoice> choice = choose_plan(prepared->staging(), *request);
   if (!choice) return choice.failure();

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -68,6 +69,7 @@ struct Job {
   View view;
   std::optional<bool> edges;  ///< of with_edges
   DepthFormat depth_format = DepthFormat::z16;
+  std::string_view depth_given;  ///< what has chosen it, for messages
   Effects perspective;
   Budget budget;
   CameraOptions camera;
@@ -118,6 +120,7 @@ Result<Job> parse(const RenderCommandLine& arguments) {
   const Result<DepthFormat> depth_format = parse_depth_format(arguments.depth_format, *settings);
   if (!depth_format) return depth_format.failure();
   job.depth_format = *depth_format;
+  job.depth_given = depth_option(arguments.depth_format);
   if (arguments.camera.orthographic && !effects_agree(depth_effect(*depth_format) | effect::orthographic)) {
     return usage("--depth-format float and w16 need a perspective camera, not --ortho");
   }
@@ -146,8 +149,7 @@ Result<Job> parse(const RenderCommandLine& arguments) {
   const Result<VisibilityRequest> visibility = parse_visibility(arguments.visibility, settings->visibility);
   if (!visibility) return visibility.failure();
   job.visibility = *visibility;
-  const Result<Done> checked =
-      check_visibility(job.effects() | job.visibility.method, depth_option(arguments.depth_format));
+  const Result<Done> checked = check_visibility(job.effects() | job.visibility.method, job.depth_given);
   if (!checked) return checked.failure();
   if (job.visibility.show != Show::colour && job.panel) {
     return usage("--show and --panel exclude each other: a panel shows colours");
@@ -246,6 +248,10 @@ Result<Picture> encode_picture(const Worker& worker, const Job& job, std::span<c
 Result<FrameRecord> render_frame(Worker& worker, const Job& job, std::uint32_t frame, std::vector<Picture>& kept) {
   const Result<Staging> staging = worker.stage->place(frame, job.outputs.frames);
   if (!staging) return staging.failure();
+  const Result<Done> checked = check_visibility(
+      effects_of(staging->scene, staging->camera) | effects_of(job.view) | job.effects() | job.visibility.method,
+      job.depth_given);
+  if (!checked) return checked.failure();
   const auto bus_use = [&worker] {
     return worker.panel ? BusUse{worker.panel->bus().bytes(), worker.panel->bus().busy().count()} : BusUse{};
   };

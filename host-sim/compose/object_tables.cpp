@@ -67,10 +67,11 @@ FileModel read_model_table(TomlTable& table) {
   model.name = table.needed_text("name", "'name' is missing; instances refer to it");
   model.file = table.text("file").value_or("");
   model.built_in = table.text("built_in").value_or("");
-  model.built_in_line = table.line_of("built_in");
+  model.file_line = table.line_of(table.has("file") ? "file" : "built_in");
   if (table.has("file") == table.has("built_in")) table.wrong("file", "give either 'file' or 'built_in'");
   model.up = table.choice("up", kAxes).value_or(UpAxis::plus_y);
   model.animation = table.text("animation");
+  model.animation_line = table.line_of("animation");
   for (const char* key : {"up", "animation"}) {
     if (table.has("built_in") && table.has(key)) table.wrong(key, fmt::format("'{}' goes with 'file'", key));
   }

@@ -30,7 +30,7 @@ Affine PlacedModel::placed(const ModelPart& part, double seconds) const {
 
 Result<PlacedModel> place_model(const FileModel& entry, const Model& model, const std::filesystem::path& scene) {
   const Result<const NodeAnimation*> animation = find_animation(model, entry.animation);
-  if (!animation) return at_line(scene, entry.line, animation.failure().message);
+  if (!animation) return at_line(scene, entry.animation_line, animation.failure().message);
   PlacedModel placed{.parts = {},
                      .materials = model.materials,
                      .textures = model.textures,
@@ -57,7 +57,7 @@ Result<PlacedModel> place_built_in(const FileModel& entry, const std::filesystem
       all += fmt::format("{}{}", all.empty() ? "" : ", ", each.name);
     }
     const std::string near = nearest(entry.built_in, names);
-    return at_line(scene, entry.built_in_line,
+    return at_line(scene, entry.file_line,
                    fmt::format("there is no built-in scene '{}'; {}", entry.built_in,
                                near.empty() ? "there are " + all : fmt::format("did you mean '{}'?", near)));
   }

@@ -67,9 +67,10 @@ struct FileModel {
   std::string name;
   std::filesystem::path file;  ///< relative to the scene file's folder
   std::string built_in;
-  int built_in_line = 0;
+  int file_line = 0;  ///< of whichever is set
   UpAxis up = UpAxis::plus_y;
   std::optional<std::string> animation;
+  int animation_line = 0;
 };
 
 /// [[material]]: what is set replaces what the model's material has.

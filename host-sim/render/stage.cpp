@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "compose/scene_file.hpp"
 #include "render/blob_stage.hpp"
 #include "render/camera_stage.hpp"
 #include "render/composed_stage.hpp"
@@ -54,6 +55,12 @@ Result<ModelMotion> motion_of(const Model& model, const std::optional<std::strin
   Result<FittedAnimation> joints = fit_joint_animation(model, **chosen);
   if (!joints) return named(joints.failure());
   return ModelMotion{std::move(*instances), std::move(*joints)};
+}
+
+std::vector<std::string> names_of_built_in() {
+  std::vector<std::string> names;
+  for (const scenes::BuiltIn& each : scenes::built_in()) names.emplace_back(each.name);
+  return names;
 }
 
 class BuiltInStage : public Stage {
@@ -224,11 +231,14 @@ Result<std::unique_ptr<Stage>> open_stage(const std::string& name, const ModelOp
     if (const Result<Done> camera = stage->set_camera(options); !camera) return camera.failure();
     return std::unique_ptr<Stage>(std::move(stage));
   }
+  // What else is wrong with a path is said by what reads it.
   std::error_code ignored;
-  if (!std::filesystem::exists(name, ignored)) {
-    return Failure{ExitStatus::input, fmt::format("there is no file '{}', and no built-in scene of that name; "
-                                                  "'zstrip scenes' lists the built-in ones",
-                                                  name)};
+  if (std::filesystem::status(name, ignored).type() == std::filesystem::file_type::not_found) {
+    const std::string near = std::filesystem::path(name).has_extension() ? "" : nearest(name, names_of_built_in());
+    return Failure{ExitStatus::input,
+                   fmt::format("there is no file '{}', and no built-in scene of that name; {}'zstrip scenes' lists the "
+                               "built-in ones",
+                               name, near.empty() ? "" : fmt::format("did you mean '{}'? ", near))};
   }
   if (kind_of_scene(name) == SceneKind::baked) return open_blob_stage(name, options, view, frames);
   if (kind_of_scene(name) == SceneKind::composed) return open_composed_stage(name, options, view, frames);

@@ -29,7 +29,8 @@ Result<VisibilityMethod> parse_visibility(const std::string& name);
 std::string_view visibility_name(Effects effects);
 
 /// `effects` of scene, depth format and method together: a usage error names the method, each effect that it cannot
-/// draw, and the methods that can. `depth_given` names in messages what has chosen the depth format.
-Result<Done> check_visibility(Effects effects, std::string_view depth_given = "--depth-format");
+/// draw, and the methods that can. `depth_given` names in messages what has chosen the depth format, where it is known.
+Result<Done> check_visibility(
+    Effects effects, std::string_view depth_given = "the depth format (--depth-format, or the scene file's key)");
 
 }  // namespace zstrip::sim

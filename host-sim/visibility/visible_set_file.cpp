@@ -14,8 +14,11 @@ namespace zstrip::sim {
 
 Result<VisibleSetFile> VisibleSetFile::read(const std::string& path) {
   const auto bytes = read_file(path);
-  if (!bytes)
-    return Failure{bytes.failure().status, fmt::format("--visible-sets '{}' {}", path, bytes.failure().message)};
+  if (!bytes) {
+    return Failure{bytes.failure().status,
+                   fmt::format("--visible-sets '{}' {}; 'zstrip bake' of this scene with --visible-sets writes it",
+                               path, bytes.failure().message)};
+  }
   VisibleSetFile file;
   file.path_ = path;
   file.bytes_ = bytes->size();

@@ -26,7 +26,7 @@ std::string words(const Settings& settings) {
 }
 
 RecordedTable table(const std::string& name) {
-  return *RecordedTable::read(std::string(kFolder) + "/" + name + ".csv");
+  return *RecordedTable::read(std::string(kFolder) + "/" + name + ".csv", {"scene"});
 }
 
 std::string accepted_by(const std::string& scene) {
@@ -107,6 +107,23 @@ TEST_F(MeasuredAccuracyTables, TablesAndPlotsAreDrawnFromTheRecordedFigures) {
     EXPECT_EQ(count(section, "\n| "), points + 1) << scene << ": a line a setting, and the headings";
     EXPECT_EQ(count(page, "\n| " + scene + " | `balanced` |"), 1U) << scene;
   }
+}
+
+/// Became empty tables, or an internal error with the name of a function.
+TEST_F(MeasuredAccuracyTables, FilesThatAreNoTablesAreRefused) {
+  const auto expect_refused = [&](const std::string& settings, const std::string& causes, const std::string& mention) {
+    file("accuracy.csv", settings);
+    file("accuracy-causes.csv", causes);
+    const test::Outcome outcome = test::run(ZSTRIP_COMMAND, {"accuracy", "--recorded", "."}, path(""));
+    EXPECT_EQ(outcome.status, 4) << outcome.err;
+    EXPECT_NE(outcome.err.find(mention), std::string::npos) << outcome.err;
+  };
+  const std::string settings = "scene,settings,perceived\ncube,default,1\n";
+  const std::string causes = "scene,cause,settings,perceived\ncube,depth,default,";
+  expect_refused("# A title\n", causes + "1\n", "accuracy.csv' is no table of accuracy figures");
+  expect_refused("", causes + "1\n", "accuracy.csv' cannot be read");
+  expect_refused(settings, "scene\ncube\n", "accuracy-causes.csv' is no table of accuracy figures");
+  expect_refused(settings, causes + "much\n", "has a field that is no number");
 }
 
 TEST(MeasuredAccuracy, ErrorsAndMemoryAreThoseOfAFreshRun) {

@@ -50,6 +50,25 @@ TEST_F(BadInput, SceneFileOfMoreThan16Megabytes) {
   expect_failure(ExitStatus::input, "large.toml' has more than 16 MB", {"render", "large.toml", "-o", "picture.png"});
 }
 
+/// Were internal errors.
+TEST_F(BadInput, PathsThatLeadNowhere) {
+  file("plain", "no folder");
+  std::filesystem::create_symlink("two", path("one"));
+  std::filesystem::create_symlink("one", path("two"));
+  const std::string long_name(300, 'n');
+  for (const char* ending : {".obj", ".toml", ".zsc"}) {
+    expect_bad_file("plain/model" + std::string(ending));
+    expect_bad_file("one/model" + std::string(ending));
+    expect_bad_file(long_name + ending);
+    expect_failure(ExitStatus::input, "one/model", {"plan", "one/model" + std::string(ending)});
+    expect_failure(ExitStatus::input, "one/model", {"bake", "one/model" + std::string(ending), "-o", "scene.zsc"});
+  }
+  expect_failure(ExitStatus::input, "levels of symbolic links", {"render", "one/model.obj"});
+  file("scene.toml", "[[model]]\nname = 'a'\nfile = 'one/model.obj'\n[[instance]]\nmodel = 'a'\n");
+  expect_failure(ExitStatus::input, "line 3: 'one/model.obj' cannot be read", {"render", "scene.toml"});
+  expect_failure(ExitStatus::input, "one/sets", {"render", "cube", "--visible-sets", "one/sets", "-o", "a.png"});
+}
+
 TEST_F(BadInput, EmptyFile) {
   for (const char* name : {"a.obj", "a.gltf", "a.glb", "a.stl", "a.ply", "a.3ds", "a.dae"}) {
     file(name, "");
@@ -103,9 +122,16 @@ TEST_F(BadInput, NameWithControlCharacters) {
   expect_failure(ExitStatus::input, "bad??name", {"render", "bad\n\x1Bname"});
 }
 
+TEST_F(BadInput, MisspeltBuiltInSceneIsToldTheNearest) {
+  expect_failure(ExitStatus::input,
+                 "there is no file 'tepot', and no built-in scene of that name; did you mean 'teapot'?",
+                 {"render", "tepot"});
+  expect_failure(ExitStatus::input, "of that name; 'zstrip scenes' lists", {"render", "tepot.obj"});
+}
+
 TEST_F(BadInput, SceneFileWhoseModelIsMissing) {
   file("scene.toml", "[[model]]\nname = 'a'\nfile = 'gone.obj'\n[[instance]]\nmodel = 'a'\n");
-  expect_failure(ExitStatus::input, "'scene.toml' line 1: ", {"render", "scene.toml", "-o", "picture.png"});
+  expect_failure(ExitStatus::input, "'scene.toml' line 3: ", {"render", "scene.toml", "-o", "picture.png"});
 }
 
 TEST_F(BadInput, SceneFileWhoseBuiltInSceneIsMisspelt) {
@@ -146,6 +172,10 @@ TEST_F(BadInput, Options) {
   usage("--image", {"render", "teapot", "--image", "gif"});
   usage("--frames", {"render", "teapot", "--frames", "0"});
   usage("--frames", {"render", "teapot", "--frames", "many"});
+  usage("not in range 1 to 10000", {"render", "teapot", "--frames", "-1"});
+  usage("not in range 1 to 10000", {"render", "teapot", "--frames", "99999999999"});
+  usage("not in range 1 to 256", {"render", "teapot", "--threads", "-1"});
+  usage("'.txt' is no picture type", {"render", "teapot", "-o", "x.txt"});
   usage("--eye", {"render", "teapot", "--eye", "1,2"});
   usage("--eye", {"render", "teapot", "--eye", "0,0,3", "--orbit", "3,0,90"});
   usage("--eye", {"render", "teapot", "--eye", "0,0,0"});
@@ -179,6 +209,29 @@ TEST_F(BadInput, TooLittleMemorySaysWhatWorks) {
   EXPECT_EQ(
       run(ZSTRIP_COMMAND, {"render", "teapot", "--ram", std::to_string(smallest), "-o", "a.png"}, path("")).status, 0);
   expect_failure(ExitStatus::budget, "RAM", {"render", "teapot", "--ram", std::to_string(smallest - 1), "-o", "b.png"});
+}
+
+/// The option was blamed, which was not given; plan's error had no words, and bake wrote what no board draws.
+TEST_F(BadInput, DepthFormatOfASceneFileThatDoesNotGoWithAShadow) {
+  const auto scene = [](const std::string& picture) {
+    return picture +
+           "[[model]]\nname = 'a'\nbuilt_in = 'knot_lit'\n[[instance]]\nmodel = 'a'\n"
+           "[[light]]\ndirection = [1, -1, 0]\nshadow = { size = 256 }\n";
+  };
+  file("own.toml", scene("[picture]\ndepth_format = 'w16'\n"));
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"render", "own.toml"}, {"plan", "own.toml"}, {"bake", "own.toml", "-o", "scene.hpp"}}) {
+    expect_failure(ExitStatus::usage, "'shadows' does not go with 'depth_format' in the scene file", arguments);
+  }
+  file("asked.toml", scene(""));
+  expect_failure(ExitStatus::usage,
+                 "'shadows' does not go with --depth-format:", {"render", "asked.toml", "--depth-format", "w16"});
+}
+
+TEST_F(BadInput, MissingVisibleSetsSayWhatWritesThem) {
+  expect_failure(ExitStatus::input,
+                 "'gone.zpv' does not exist; 'zstrip bake' of this scene with --visible-sets writes it",
+                 {"render", "cube", "--visible-sets", "gone.zpv", "-o", "picture.png"});
 }
 
 /// Was an internal error with two numbers.
