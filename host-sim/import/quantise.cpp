@@ -67,6 +67,24 @@ Grid fit_grid(const SourceModel& source) {
   return grid;
 }
 
+/// Of a mesh that blends: the box of its own vertices, by whose distance the renderer sorts it.
+Grid grid_of_own(const SourceMesh& mesh, const Grid& whole) {
+  std::array<Fixed, 3> centres{}, halves{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const SourceVertex& vertex : mesh.vertices) {
+      const double place = (double{vertex.position[axis]} - whole.units.origin[axis]) * whole.units.scale;
+      low = std::min(low, place);
+      high = std::max(high, place);
+    }
+    centres[axis] = to_fixed((low + high) / 2);
+    // Rounded up, and a step more for the centre's rounding, so that the outermost vertex stays within 32767 steps.
+    const double half = std::ceil((high - low) / 2 * 32768 / 32767 * kFixedOne);
+    if (half > 0) halves[axis] = static_cast<Fixed>(half) + 1;  // 16.16
+  }
+  return {whole.units, {centres[0], centres[1], centres[2]}, {halves[0], halves[1], halves[2]}};
+}
+
 /// Of a mesh with a skin: all poses, with a margin, the same along all axes.
 Grid grid_of_skin(const SourceModel& source, const SourceMesh& mesh, const Grid& whole) {
   constexpr double kMargin = 1.02;
@@ -200,7 +218,10 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
 
     model.material_names.push_back(from.name);
 
-    const Grid grid = mesh.has_skin ? grid_of_skin(source, mesh, common) : common;
+    const bool blends = from.alpha_mode == AlphaMode::blend;
+    const Grid grid = mesh.has_skin                      ? grid_of_skin(source, mesh, common)
+                      : blends && !mesh.vertices.empty() ? grid_of_own(mesh, common)
+                                                         : common;
     const MeshData whole = to_mesh_data(mesh, traits[i].texcoord_bits, grid);
     note_vertices(model.accuracy, mesh, whole, grid.units, grid.centre, grid.half_extent);
     if (is_textured(mesh, from)) {

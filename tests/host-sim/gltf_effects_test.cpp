@@ -124,6 +124,23 @@ TEST_F(GltfEffects, BlendedNodesStayApart) {
   EXPECT_EQ(model({.materials = {"{}"}, .nodes = three}).instances.size(), 1U);
 }
 
+/// With one box for all of them they were drawn in the file's order.
+TEST_F(GltfEffects, BlendedNodesHaveBoxesOfTheirOwn) {
+  const char* const glass_json = R"({"alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorFactor":[1,0,0,0.5]}})";
+  const std::vector<std::string> nodes{R"({"mesh":0,"translation":[0,0,2]})", R"({"mesh":0})",
+                                       R"({"mesh":0,"translation":[0.5,0,1],"scale":[0.3,0.3,1]})"};
+  const Model glass = model({.materials = {glass_json}, .nodes = nodes});
+  ASSERT_EQ(glass.meshes.size(), 3U);
+  EXPECT_EQ(glass.meshes[0].centre.z, kFixedOne);
+  EXPECT_EQ(glass.meshes[1].centre.z, -kFixedOne);
+  EXPECT_EQ(glass.meshes[2].centre.z, 0);
+  EXPECT_EQ(glass.meshes[2].centre.x, kFixedOne / 2);
+  EXPECT_EQ(glass.meshes[2].half_extent.z, 0);
+  for (const Mesh& mesh : glass.meshes) {
+    for (const Position& position : mesh.positions) EXPECT_GE(std::abs(position.x), 32760);
+  }
+}
+
 TEST_F(GltfEffects, UnlitAndDoubleSided) {
   const Model imported =
       model({.materials = {R"({"extensions":{"KHR_materials_unlit":{}},"emissiveFactor":[1,1,1],"doubleSided":true})"},
