@@ -98,11 +98,12 @@ function jobsOf(source, path, name) {
   if (Array.isArray(json.animations) && json.animations.length > 0) {
     for (const time of kPoseTimes) jobs.push(job('pose', path, {time, id: `${name} pose ${time}`}));
   }
-  if (generated && json.cameras) {
-    for (const {name: camera, camera: index} of json.nodes) {
-      if (index === undefined) continue;
-      jobs.push(job('camera', path, {camera, size: [240, 160], id: `${name} camera ${camera}`}));
-    }
+  if (json.cameras) {
+    json.nodes.forEach(({name: called, camera: index}, node) => {
+      if (index === undefined) return;
+      const camera = {index, name: called ?? `nodes[${node}]`};
+      jobs.push(job('camera', path, {camera, size: [240, 160], id: `${name} camera ${camera.name}`}));
+    });
   }
   return jobs;
 }

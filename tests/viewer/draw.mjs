@@ -47,7 +47,7 @@ class Zstrip {
     const frame = Math.round(job.time * kFrames);
     const camera = job.camera === undefined ?
         ['--eye', placed.eye.join(','), '--look-at', placed.target.join(','), '--fov', String(job.degrees)] :
-        ['--camera', job.camera];
+        ['--camera', job.camera.name];
     const words = [
       'render', job.file, '-o', folder, '--frames', String(frame === 0 ? 1 : kFrames), '--image', 'raw', '--size',
       job.size.join('x'), '--threads', '1', '--quiet', ...camera, ...(show ? ['--show', show] : [])

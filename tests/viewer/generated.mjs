@@ -1,18 +1,12 @@
 // glTF files of one feature each, made of numbers.
-import {Builder, kFloat, kShort, kUbyte, kUshort} from './gltf_builder.mjs';
+import {about, build, kFloat, kShort, kUbyte, kUshort} from './gltf_builder.mjs';
 import {kKeyDirection} from './lights.mjs';
+import {kMovingFiles} from './moving_files.mjs';
 import {fieldsPng, greyFields, paletteFields, rgbFields} from './test_pictures.mjs';
 
 const kUnlit = {
   extensions: {KHR_materials_unlit: {}}
 };
-
-/** A file, made by `make(builder)`. */
-function build(make) {
-  const builder = new Builder();
-  make(builder);
-  return builder.finish();
-}
 
 /** A textured square whose sampler wraps so, seen two and a half times each way. */
 function wrapping(wrapS, wrapT) {
@@ -36,16 +30,35 @@ function pictured(png) { return build((b) => b.square(b.material({texture: b.tex
 
 const kCorners = [1, 0.1, 0.05, 0.1, 1, 0.1, 0.05, 0.1, 1, 1, 1, 0.2];
 
-/** Colours at the corners of a square. */
-function vertexColours(material, {bytes = false, alpha = false} = {}) {
+/** Colours at the corners of a square; `even`: the same at all. */
+function vertexColours(material, {type = kFloat, alpha = false, even = false} = {}) {
   return build((b) => {
-    let values =
-        alpha ? [0, 1, 2, 3].flatMap((i) => [...kCorners.slice(3 * i, 3 * i + 3), 0.25 + 0.25 * i]) : kCorners;
-    if (bytes) values = values.map((value) => Math.round(255 * value));
-    const colours =
-        b.accessor(values, alpha ? 'VEC4' : 'VEC3', bytes ? kUbyte : kFloat, bytes ? {normalized: true} : {});
+    const full = {[kFloat]: 1, [kUbyte]: 255, [kUshort]: 65535}[type];
+    const colour = (i) => (even ? [0.3, 0.8, 0.5] : kCorners.slice(3 * i, 3 * i + 3));
+    const corner = (i) => (alpha ? [...colour(i), even ? 0.6 : 0.25 + 0.25 * i] : colour(i));
+    const values = [0, 1, 2, 3].flatMap(corner).map((value) => (full === 1 ? value : Math.round(full * value)));
+    const colours = b.accessor(values, alpha ? 'VEC4' : 'VEC3', type, full === 1 ? {} : {normalized: true});
     b.square(b.material(material(b)), {attributes: {COLOR_0: colours}});
     if (alpha) b.square(b.material({colour: [0.1, 0.4, 0.1], ...kUnlit}), {at: [0, 0, -0.5], side: 2.5});
+  });
+}
+
+/** Squares that overlap and blend, the nearest first in the file. */
+function overlapping() {
+  return build((b) => {
+    const blends = (colour) => b.material({colour, ...kBlend, ...kUnlit});
+    b.square(blends([0.8, 0.1, 0.1, 0.5]), {at: [0.6, 0.3, 0.4]});
+    b.square(blends([0.1, 0.8, 0.1, 0.5]));
+    b.square(blends([0.1, 0.1, 0.8, 0.7]), {at: [-0.3, -0.5, -0.4]});
+    b.square(b.material({colour: [0.5, 0.5, 0.4], ...kUnlit}), {at: [0, 0, -1], side: 3});
+  });
+}
+
+/** A mesh of two nodes. */
+function shared() {
+  return build((b) => {
+    const mesh = b.json.nodes[b.cube(b.material(), {rotation: about([0, 1, 0], 20)})].mesh;
+    b.root({mesh, translation: [3, 1, 0], scale: [0.5, 1, 1]});
   });
 }
 
@@ -68,100 +81,6 @@ function sides() {
     b.square(both, {at: [2.5, 2.5, 0], back: true});
     b.square(single, {at: [5, 0, 0], node: {scale: [-1, 1, 1]}});
     b.square(single, {at: [5, 2.5, 0], back: true, node: {scale: [-1, 1, 1]}});
-  });
-}
-
-/** An animation of a cube beside one that stands still. `curves`: target path, interpolation, times, values. */
-function moving(curves) {
-  return build((b) => {
-    const material = b.material({colour: [0.8, 0.5, 0.2]});
-    b.cube(material, {translation: [-3, 0, 0], scale: [0.5, 0.5, 0.5]});
-    const node = b.cube(material, {translation: [0, 0, 0]});
-    b.cube(material, {translation: [3, 2, 0], scale: [0.5, 0.5, 0.5]});
-    const widths = {rotation: 'VEC4', weights: 'SCALAR'};
-    const samplers = curves.map(([path, interpolation, times, values]) => ({
-                                  interpolation,
-                                  input: b.accessor(times, 'SCALAR'),
-                                  output: b.accessor(values, widths[path] ?? 'VEC3'),
-                                }));
-    const channels = curves.map(([path], sampler) => ({sampler, target: {node, path}}));
-    b.add('animations', {name: 'Move', samplers, channels});
-  });
-}
-
-const about = (axis, degrees) => {
-  const half = (degrees * Math.PI) / 360;
-  return [...axis.map((c) => c * Math.sin(half)), Math.cos(half)];
-};
-
-/** A cube on an arm that turns, and turns itself by more than half a turn in three steps. */
-function swinging() {
-  return build((b) => {
-    const material = b.material();
-    const hand = b.cube(material, {translation: [3, 0, 0], scale: [0.5, 1, 0.25]});
-    const arm = b.cube(material, {scale: [1, 1, 1], children: [hand]});
-    b.json.scenes[0].nodes = [arm];
-    b.cube(material, {translation: [-3, 2, 0]});
-    const input = b.accessor([0, 1, 2], 'SCALAR');
-    const turns = (axis, ...degrees) => ({
-      input,
-      output: b.accessor(degrees.flatMap((each) => about(axis, each)), 'VEC4'),
-    });
-    const samplers = [turns([0, 1, 0], 0, 90, 180), turns([0, 0, 1], 0, 120, 240)];
-    const channels = [arm, hand].map((node, sampler) => ({sampler, target: {node, path: 'rotation'}}));
-    b.add('animations', {samplers, channels});
-  });
-}
-
-/** A bar of two joints that bends; `scale`: of the node above them. */
-function bending(scale = 1) {
-  return build((b) => {
-    const places = [], indices = [], joints = [], weights = [], kRows = 9;
-    for (let i = 0; i < kRows; ++i) {
-      const y = (4 * i) / (kRows - 1), share = Math.min(Math.max((y - 1) / 2, 0), 1);
-      for (const [x, z] of [[-0.5, 0.5], [0.5, 0.5], [0.5, -0.5], [-0.5, -0.5]]) {
-        places.push(x, y, z);
-        joints.push(0, 1, 0, 0);
-        weights.push(1 - share, share, 0, 0);
-      }
-      if (i === 0) continue;
-      for (let k = 0; k < 4; ++k) {
-        const low = 4 * (i - 1), a = low + k, c = low + ((k + 1) % 4);
-        indices.push(a, c, c + 4, a, c + 4, a + 4);
-      }
-    }
-    const attributes = {
-      POSITION: b.accessor(places, 'VEC3'),
-      JOINTS_0: b.accessor(joints, 'VEC4', kUbyte),
-      WEIGHTS_0: b.accessor(weights, 'VEC4'),
-    };
-    const material = b.material({colour: [0.3, 0.7, 0.3], doubleSided: true});
-    const mesh =
-        b.add('meshes', {primitives: [{attributes, indices: b.accessor(indices, 'SCALAR', kUshort), material}]});
-    const tip = b.add('nodes', {translation: [0, 2, 0]});
-    const foot = b.add('nodes', {children: [tip]});
-    b.root({children: [foot], scale: [scale, scale, scale], rotation: about([0, 1, 0], scale === 1 ? 0 : 40)});
-    const at = (y) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -y, 0, 1];
-    const inverseBindMatrices = b.accessor([...at(0), ...at(2)], 'MAT4');
-    b.root({mesh, skin: b.add('skins', {joints: [foot, tip], inverseBindMatrices})});
-    const input = b.accessor([0, 1, 2], 'SCALAR');
-    const output = b.accessor([0, 60, -30].flatMap((degrees) => about([0, 0, 1], degrees)), 'VEC4');
-    b.add(
-        'animations', {samplers: [{input, output}], channels: [{sampler: 0, target: {node: tip, path: 'rotation'}}]});
-  });
-}
-
-/** A square whose corners a morph target moves; `animated` by its weight, else by a weight of the mesh. */
-function morphed(animated) {
-  return build((b) => {
-    const attributes = {POSITION: b.accessor([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0], 'VEC3')};
-    const targets = [{POSITION: b.accessor([0, 0, 0, 0, 0, 0, 1, 1, 0, -1, 0.5, 0], 'VEC3')}];
-    const primitive =
-        {attributes, targets, indices: b.accessor([0, 1, 2, 0, 2, 3], 'SCALAR', kUshort), material: b.material()};
-    const node = b.root({mesh: b.add('meshes', {primitives: [primitive], ...(animated ? {} : {weights: [1]})})});
-    if (!animated) return;
-    const input = b.accessor([0, 1], 'SCALAR'), output = b.accessor([0, 1], 'SCALAR');
-    b.add('animations', {samplers: [{input, output}], channels: [{sampler: 0, target: {node, path: 'weights'}}]});
   });
 }
 
@@ -344,12 +263,21 @@ export const kGenerated = {
       {offset: [0.25, 0.25], rotation: 0.5, scale: [1.5, 1.5]}, {offset: [0.5, 0], scale: [0.5, 1]},
       {offset: [0, 0.5], rotation: Math.PI}),
   'transform-uneven': () => transformed({rotation: 0.5, scale: [1.5, 0.75]}),
+  'transform-texcoord': () => build((b) => {
+    const material =
+        b.material({texture: b.texture(fieldsPng()), transform: {texCoord: 1, offset: [0.25, 0]}, ...kUnlit});
+    const TEXCOORD_0 = b.accessor([0, 1, 1, 1, 1, 0, 0, 0], 'VEC2');
+    const TEXCOORD_1 = b.accessor([0.5, 1, 1, 1, 1, 0.5, 0.5, 0.5], 'VEC2');
+    b.square(material, {attributes: {TEXCOORD_0, TEXCOORD_1}});
+  }),
   'wrap-repeat': () => wrapping(kRepeat, kRepeat),
   'wrap-mirror': () => wrapping(kMirror, kMirror),
   'wrap-clamp': () => wrapping(kClamp, kClamp),
   'wrap-mixed': () => wrapping(kMirror, kClamp),
   'vertex-colours': () => vertexColours(() => kUnlit),
-  'vertex-colours-bytes': () => vertexColours(() => kUnlit, {bytes: true}),
+  'vertex-colours-bytes': () => vertexColours(() => kUnlit, {type: kUbyte}),
+  'vertex-colours-even': () => vertexColours(() => ({colour: [0.6, 1, 0.4], ...kUnlit}), {even: true, type: kUshort}),
+  'vertex-alpha-even-blend': () => vertexColours(() => ({...kBlend, ...kUnlit}), {even: true, alpha: true}),
   'vertex-colours-x-factor': () => vertexColours(() => ({colour: [0.5, 1, 0.4], ...kUnlit})),
   'vertex-colours-x-texture': () =>
       vertexColours((b) => ({texture: b.texture(fieldsPng()), colour: [0.9, 0.6, 0.8], ...kUnlit})),
@@ -365,6 +293,7 @@ export const kGenerated = {
   'alpha-blend-factor': () => before(() => ({colour: [0.9, 0.2, 0.2, 0.4], ...kBlend, ...kUnlit})),
   'alpha-blend-texture': () =>
       before((b) => ({texture: b.texture(fieldsPng(8, 8, steps)), colour: [1, 1, 1, 0.8], ...kBlend, ...kUnlit})),
+  'alpha-blend-order': overlapping,
   'mask-alone': () =>
       build((b) => b.square(b.material({texture: b.texture(fieldsPng(8, 8, steps)), ...kMask, ...kUnlit}))),
   'facing-light-factor': () => facingLight(() => ({colour: [0.7, 0.2, 0.4]})),
@@ -394,22 +323,11 @@ export const kGenerated = {
   'light-point': () => lit({type: 'point', intensity: 9 * kFull}, {translation: [0, 0, 3]}),
   'light-spot': () =>
       lit({type: 'spot', intensity: 9 * kFull, spot: {innerConeAngle: 0.1, outerConeAngle: 0.3}},
-          {translation: [0, 0, 3]}, (b) => b.sphere(b.material())),
-  'move-linear': () => moving([
-    ['translation', 'LINEAR', [0, 1, 2], [0, 0, 0, 0, 2, 0, 2, 2, 0]],
-    ['rotation', 'LINEAR', [0, 2], [...about([0, 1, 0], 0), ...about([0, 1, 0], 150)]],
-    ['scale', 'LINEAR', [0, 2], [1, 1, 1, 0.5, 0.5, 0.5]]
-  ]),
-  'move-step': () => moving([['translation', 'STEP', [0, 0.7, 1.2, 2], [0, 0, 0, 0, 2, 0, 1, 0, 0, 2, 2, 0]]]),
-  'move-spline': () => moving([[
-    'translation', 'CUBICSPLINE', [0, 1, 2],
-    [0, 0, 0, 0, 0, 0, 6, 0, 0, 0, 0, 0, 0, 2, 0, -6, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0]
-  ]]),
-  'move-late': () => moving([['translation', 'LINEAR', [1, 2], [0, 0, 0, 2, 2, 0]]]),
-  'move-arm': swinging,
-  bending: () => bending(),
-  'bending-scaled': () => bending(0.02),
-  'morph-weights': () => morphed(false),
-  'morph-animated': () => morphed(true),
+          {translation: [0, 0, 3]}),
+  'light-spot-inside': () =>
+      lit({type: 'spot', intensity: 9 * kFull, spot: {innerConeAngle: 0.5, outerConeAngle: 0.6}},
+          {translation: [0, 0, 3]}),
+  'shared-mesh': shared,
   cameras: seen,
+  ...kMovingFiles,
 };

@@ -159,3 +159,16 @@ export class Builder {
     return this.json;
   }
 }
+
+/** A file, made by `make(builder)`. */
+export function build(make) {
+  const builder = new Builder();
+  make(builder);
+  return builder.finish();
+}
+
+/** The quaternion of a turn about an axis of length 1. */
+export const about = (axis, degrees) => {
+  const half = (degrees * Math.PI) / 360;
+  return [...axis.map((c) => c * Math.sin(half)), Math.cos(half)];
+};

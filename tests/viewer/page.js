@@ -55,8 +55,8 @@ function placeCamera(job, object) {
 
 function cameraOf(job, gltf, aspect) {
   if (job.camera !== undefined) {
-    const camera = gltf.cameras.find((each) => each.name === job.camera);
-    if (!camera) throw new Error(`no camera ${job.camera}`);
+    const camera = gltf.cameras[job.camera.index];
+    if (!camera) throw new Error(`no camera ${job.camera.index}`);
     camera.aspect = aspect;
     camera.left = -camera.top * aspect;
     camera.right = camera.top * aspect;
