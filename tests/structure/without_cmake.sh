@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# without_cmake.sh ROOT: the commands of docs/porting.md that build zstrip without CMake, run as they are, with the
+# README's program as main.cpp: what they make is whole, and draws.
+set -euo pipefail
+root=$(cd "$1" && pwd -P)
+command -v arm-none-eabi-g++ >/dev/null || { echo "arm-none-eabi-g++ is not installed"; exit 77; }
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# block_after MARKER FILE: the block of code behind a comment of the page.
+block_after() {
+  awk -v marker="<!-- $1 -->" '$0 == marker { found = 1; next }
+    found && /^```/ { if (inside) exit; inside = 1; next }
+    inside { print }' "$2"
+}
+block_after "tests/structure/without_cmake.sh runs this" "$root/docs/porting.md" >"$scratch/commands"
+block_after "tests/consumer compiles and runs this" "$root/README.md" >"$scratch/main.cpp"
+[ "$(grep -c 'g++' "$scratch/commands")" -eq 4 ] || { echo "docs/porting.md has no commands without CMake"; exit 1; }
+
+ln -s "$root" "$scratch/zstrip"
+cd "$scratch"
+bash -euo pipefail commands
+./main
+# What zstrip_m3.o lacks is the C library's or the compiler's.
+missing=$(arm-none-eabi-nm -u zstrip_m3.o | awk '{ print $2 }' | grep -vE '^(mem(cpy|move|set|cmp)|__aeabi_.*|__clzsi2|__popcountsi2)$' || true)
+[ -z "$missing" ] || { echo "zstrip_m3.o lacks $missing"; exit 1; }
+# What main_m3.o needs of zstrip is there.
+arm-none-eabi-nm -u main_m3.o | awk '$2 ~ /6zstrip/ { print $2 }' | sort -u >needed
+arm-none-eabi-nm --defined-only zstrip_m3.o | awk '{ print $3 }' | sort -u >defined
+missing=$(comm -23 needed defined)
+[ -z "$missing" ] || { echo "main_m3.o needs what zstrip_m3.o lacks: $missing"; exit 1; }
+[ -s needed ] || { echo "main_m3.o needs nothing of zstrip"; exit 1; }
