@@ -2,18 +2,34 @@
 // pixels each time, and an error, never a picture, for what is refused.
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <vector>
 
 #include "edges_input.hpp"
 #include "input.hpp"
+#include "overlay_input.hpp"
 #include "picture.hpp"
 #include "require.hpp"
 #include "scene_input.hpp"
+#include "skin_input.hpp"
 #include "zstrip/effects.hpp"
+#include "zstrip/effects/overlay/draw_overlay.hpp"
 #include "zstrip/scene/validate.hpp"
 
 namespace {
 
 using namespace zstrip;
+
+/// How many of `part`, an OverlayPart, there are.
+std::size_t overlay_things(const Overlay& overlay, std::uint32_t part) {
+  switch (static_cast<OverlayPart>(part)) {
+    case OverlayPart::image: return overlay.images.size();
+    case OverlayPart::font: return overlay.fonts.size();
+    case OverlayPart::sprite: return overlay.sprites.size();
+    case OverlayPart::label: return overlay.labels.size();
+  }
+  return 0;
+}
 
 /// A scene that validate() refuses may still be asked about, and what begin_frame checks itself is refused there too.
 /// The rest does no harm.
@@ -26,6 +42,7 @@ void offer_refused_scene(const Scene& scene, const fuzz::SceneInput& input, cons
                              : refusal.error == Error::shadow   ? 1
                              : refusal.error == Error::csg      ? scene.csg.size()
                              : refusal.error == Error::edges    ? scene.edges.size()
+                             : refusal.error == Error::overlay  ? overlay_things(*scene.overlay, refusal.available)
                                                                 : 0;
   if (refusal.error == Error::light) {
     fuzz::require(refusal.needed == scene.lights.size() && refusal.available == kMaxLights, "validate counts lights");
@@ -62,6 +79,21 @@ void require_same(const fuzz::Picture& expected, const fuzz::Picture& got, const
   }
 }
 
+/// In RGB565 an overlay is what draw_overlay draws over the picture without it.
+void judge_overlay(const Scene& scene, const fuzz::SceneInput& input, Effects effects, const fuzz::Picture& whole) {
+  const View& view = input.view();
+  if (scene.overlay == nullptr || view.format != PixelFormat::rgb565 || !whole.status) return;
+  Scene bare = scene;
+  bare.overlay = nullptr;
+  fuzz::Picture expected =
+      fuzz::draw(bare, input.camera(), view, {.effects = without(effects, effect::overlay), .budget = {}});
+  std::vector<std::uint16_t> pixels(expected.pixels.size() / 2);
+  if (!pixels.empty()) std::memcpy(pixels.data(), expected.pixels.data(), expected.pixels.size());
+  draw_overlay(*scene.overlay, {0, 0, view.width, view.height}, pixels.data());
+  if (!pixels.empty()) std::memcpy(expected.pixels.data(), pixels.data(), expected.pixels.size());
+  require_same(expected, whole, "an overlay");
+}
+
 /// Mostly none.
 std::array<std::uint32_t, 5> read_surplus(fuzz::Input& bytes) {
   std::array<std::uint32_t, 5> surplus{};
@@ -83,17 +115,23 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const fuzz::EdgesInput edges(input.scene(), bytes);
   Scene scene = input.scene();
   scene.edges = edges.sets;
+  // What is new comes last, so that older inputs keep their meaning.
+  const fuzz::OverlayInput overlay(bytes);
+  scene.overlay = overlay.overlay();
   const Camera& camera = input.camera();
   const View& view = input.view();
   if (const Status refusal = validate(scene); !refusal) {
     offer_refused_scene(scene, input, refusal);
     return 0;
   }
+  const fuzz::SkinInput skin(scene, bytes);
+  scene.meshes = skin.meshes();
   constexpr Effects kDepth[8] = {
       {}, {}, {}, {}, effect::depth_float, effect::depth_w16, effect::depth_24, effect::depth_32};
   const Effects effects = effects_of(scene, camera) | kDepth[garbage / 32];
   const fuzz::Picture whole = fuzz::draw(scene, camera, view, {.effects = effects, .budget = {}});
   fuzz::require(whole.status.error != Error::arena_too_small, "an unlimited budget is enough");
+  judge_overlay(scene, input, effects, whole);
 
   const fuzz::Picture strips = fuzz::draw(scene, camera, view,
                                           {.effects = effects | effect::bins,

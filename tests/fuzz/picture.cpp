@@ -96,7 +96,7 @@ class CheckedRenderer {
     require(all_equal(pixels, garbage_), "a refused strip leaves the pixels alone");
     const Status status = renderer_.draw_strip(strip, pixels);
     require(static_cast<bool>(status), "after begin_frame every strip can be drawn: %s", message(status.error));
-    if (view.format == PixelFormat::rgb565 && frame().has_plain_depth())
+    if (view.format == PixelFormat::rgb565 && frame().has_plain_depth() && scene_->overlay == nullptr)
       require_sound_depth(frame(), *scene_, pixels, area);
     return status;
   }
