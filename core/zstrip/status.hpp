@@ -10,8 +10,8 @@ enum class Error : std::uint8_t {
   arena_too_small,    ///< `needed`, `available` in bytes; `purpose`: for what
   pixels_too_small,   ///< the caller's strip buffer; `needed`, `available` in bytes
   pixels_misaligned,  ///< RGB565 pixels must lie at an even address
-  view_size,          ///< width or height outside 1..4096; with several samples a pixel, those of a row or column
-                      ///< (`needed` = given, `available` = limit)
+  view_size,   ///< width or height outside 1..4096, or a format that does not exist; with several samples a pixel,
+               ///< those of a row or column (`needed` = given, `available` = limit)
   strip_rows,  ///< more strip rows than the picture has, a strip index out of range, or rows that end within tiles of a
                ///< static layer (`needed` = given, `available` = limit)
   strip_columns,   ///< neither a multiple of 8 nor the picture's width (`needed` = given, `available` = the width)

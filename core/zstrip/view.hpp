@@ -33,6 +33,11 @@ constexpr bool dithers_colours(const View& view) { return view.dither && !is_nar
 inline constexpr std::uint16_t kMaxViewSize = 4096;
 inline constexpr std::uint8_t kMaxSamples = 4;
 
+/// Of one sample a pixel.
+constexpr bool valid_size_and_format(const View& view) {
+  return view.width >= 1 && view.height >= 1 && view.width <= kMaxViewSize && view.height <= kMaxViewSize &&
+         view.format <= kLastPixelFormat;
+}
 constexpr bool valid_samples(const View& view) {
   return view.samples == 1 || view.samples == 2 || view.samples == kMaxSamples;
 }

@@ -52,7 +52,7 @@ void require_sound(const Plan& plan, const SceneCounts& counts, const View& view
 void judge_plan(fuzz::Input& input) {
   const auto number = [&input](std::int32_t usual) { return static_cast<std::uint32_t>(input.number(usual)); };
   SceneCounts counts{number(1), number(100), number(100), number(64)};
-  const View view{input.any<std::uint16_t>(), input.any<std::uint16_t>(), static_cast<PixelFormat>(input.below(7))};
+  const View view{input.any<std::uint16_t>(), input.any<std::uint16_t>(), static_cast<PixelFormat>(input.below(8))};
   const Effects shading = Effects{input.any<std::uint8_t>()} & effect::all;
   const Effects effects = shading | (input.flag() ? effect::bins : Effects{});
   Budget budget{.bytes = number(0), .strip_rows = static_cast<std::uint16_t>(input.number(0))};
@@ -67,8 +67,9 @@ void judge_plan(fuzz::Input& input) {
   budget.modes = static_cast<Modes>(input.below(3));
 
   const PlanResult result = plan(counts, view, effects, budget);
-  const bool possible = view.width >= 1 && view.width <= 4096 && view.height >= 1 && view.height <= 4096;
-  fuzz::require(possible != (result.status.error == Error::view_size), "sizes of 1 to 4096 and no others");
+  const bool possible = view.width >= 1 && view.width <= 4096 && view.height >= 1 && view.height <= 4096 &&
+                        view.format <= PixelFormat::xrgb8888;
+  fuzz::require(possible != (result.status.error == Error::view_size), "sizes of 1 to 4096, formats, and no others");
   if (!possible) return;
   fuzz::require((budget.strip_rows > view.height) == (result.status.error == Error::strip_rows),
                 "as many rows as the picture has and no more");

@@ -193,6 +193,25 @@ TEST(Frame, EveryMistakeHasItsError) {
   EXPECT_TRUE(renderer.draw_strip(3, strip));
 }
 
+/// It passed, and draw_strip wrote three bytes a pixel where two had been asked for.
+TEST(Frame, AFormatThatDoesNotExistIsRefused) {
+  Model model = random_model(5, 4, 9000);
+  const Scene scene = model.scene();
+  View view{16, 16, PixelFormat::xrgb8888};
+  const Effects effects = effects_of(scene, Camera{});
+  const Plan planned = plan(count(scene), view, effects, {}).plan;
+  std::vector<std::uint64_t> words(planned.bytes() / 8);
+  const auto arena = std::as_writable_bytes(std::span(words));
+  AnyRenderer renderer(effects);
+  ASSERT_TRUE(renderer.begin_frame(scene, Camera{}, view, planned, arena));
+  for (const int format : {static_cast<int>(kLastPixelFormat) + 1, 255}) {
+    view.format = static_cast<PixelFormat>(format);
+    EXPECT_EQ(renderer.begin_frame(scene, Camera{}, view, planned, arena).error, Error::view_size);
+    std::byte pixels[1];
+    EXPECT_EQ(renderer.draw_strip(0, pixels).error, Error::not_begun);
+  }
+}
+
 TEST(Validate, FindsEveryBadIndex) {
   Model model = random_model(6, 4, 9000);
   ASSERT_TRUE(validate(model.scene()));

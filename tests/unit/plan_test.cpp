@@ -136,6 +136,13 @@ TEST(Plan, ImpossibleSizesAreRefused) {
   EXPECT_TRUE(plan(kCounts, View{1, 1}, {}).status);
 }
 
+/// A format that does not exist was planned with two bytes a pixel, and drawn with three.
+TEST(Plan, FormatsThatDoNotExistAreRefused) {
+  for (const int format : {static_cast<int>(kLastPixelFormat) + 1, 255}) {
+    EXPECT_EQ(plan(kCounts, View{8, 8, static_cast<PixelFormat>(format)}, {}).status.error, Error::view_size);
+  }
+}
+
 TEST(Plan, AStaticLayerTakesItsShareOfTheBudget) {
   constexpr View kTall{.width = 240, .height = 236, .format = PixelFormat::rgb565};
   constexpr LayerBytes kLayer = layer_bytes(kTall, 20'000, 30'000);

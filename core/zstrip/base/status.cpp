@@ -9,7 +9,7 @@ const char* message(Error error) {
     case Error::arena_too_small: return "the arena is too small";
     case Error::pixels_too_small: return "the pixel buffer of a strip is too small";
     case Error::pixels_misaligned: return "the pixel buffer must lie at an even address";
-    case Error::view_size: return "the picture's width and height must be 1 to 4096 samples";
+    case Error::view_size: return "a picture has 1 to 4096 samples a side and a known format";
     case Error::strip_rows: return "the strip does not exist in this picture";
     case Error::strip_columns: return "a strip's columns must be a multiple of 8 or the picture's width";
     case Error::unplannable: return "there would be too many strips, or there are too many meshlets for bins";

@@ -146,9 +146,7 @@ class Planner {
 }  // namespace detail
 
 constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects effects, const Budget& budget) {
-  if (view.width < 1 || view.height < 1 || view.width > kMaxViewSize || view.height > kMaxViewSize) {
-    return {.status = {.error = Error::view_size}, .plan = {}};
-  }
+  if (!valid_size_and_format(view)) return {.status = {.error = Error::view_size}, .plan = {}};
   if (!valid_samples(view)) return {.status = {.error = Error::samples, .needed = view.samples}, .plan = {}};
   if (samples_a_side(view) > kMaxViewSize) {
     return {.status = {.error = Error::view_size, .needed = samples_a_side(view), .available = kMaxViewSize},

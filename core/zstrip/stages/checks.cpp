@@ -13,9 +13,7 @@ namespace zstrip::detail {
 
 Status check_request(const Scene& scene, const Camera& camera, const View& view, const Plan& plan, Effects called_for,
                      Effects effects, std::span<std::byte> arena) {
-  if (view.width < 1 || view.height < 1 || view.width > kMaxViewSize || view.height > kMaxViewSize) {
-    return {.error = Error::view_size};
-  }
+  if (!valid_size_and_format(view)) return {.error = Error::view_size};
   if (plan.strip_rows < 1 || plan.strip_rows > view.height) {
     return {.error = Error::strip_rows, .needed = plan.strip_rows, .available = view.height};
   }
