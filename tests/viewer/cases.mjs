@@ -10,7 +10,7 @@ import {kKeyDirection, kLights} from './lights.mjs';
 const kLit = /^(light-.*|no-material|nested|no-normals|sphere)$/;
 /** What glows or is lit fully: colours of a lit material. */
 const kBright = /^(emissive|facing-light)-/;
-/** The largest step of red and blue in RGB565, to which texels are rounded and all else is cut; green has half of it. */
+/** The largest step of red and blue in RGB565; green has half of it. Texels are rounded to it, all else is cut. */
 const kStep = 9;
 /** What blends is cut to RGB565 twice; colours are multiplied as the screen shows them, not in proportion to light. */
 const kTwoSteps = /-blend|-x-|^facing-light/;

@@ -1,8 +1,7 @@
 // Shows a page to headless Chromium. A server on the loopback address gives it files and takes what it sends back.
 import {spawn} from 'node:child_process';
-import {createReadStream, existsSync, mkdtempSync, rmSync, statSync} from 'node:fs';
+import {createReadStream, existsSync, rmSync, statSync} from 'node:fs';
 import {createServer} from 'node:http';
-import {tmpdir} from 'node:os';
 import {extname, join, normalize} from 'node:path';
 
 const kTypes = {
@@ -45,11 +44,12 @@ function serveFile(path, response) {
 }
 
 /**
- * Opens /page/page.html. `folders`: what lies below the first part of a URL's path. `onPost(path, body, information)`
- * is called for each POST; the header x-information, JSON, is what the page says of the body. Ends when the page posts
- * to /done, and fails when it posts to /failed, when Chromium ends before, or after `seconds`.
+ * Opens /page/page.html. `profile`: a folder for Chromium, emptied before and after. `folders`: what lies below the
+ * first part of a URL's path. `onPost(path, body, information)` is called for each POST, and the next one does not
+ * wait for it; the header x-information, JSON, is what the page says of the body. Ends when the page posts to /done,
+ * and fails when it posts to /failed, when Chromium ends before, or after `seconds`.
  */
-export async function showPage({chromium, folders, onPost, seconds}) {
+export async function showPage({chromium, profile, folders, onPost, seconds}) {
   let finish;
   const finished = new Promise((resolve, reject) => (finish = {resolve, reject}));
   const server = createServer(async (request, response) => {
@@ -59,11 +59,8 @@ export async function showPage({chromium, folders, onPost, seconds}) {
       response.end();
       if (path === '/done') return finish.resolve();
       if (path === '/failed') return finish.reject(new Error(`the page failed: ${body}`));
-      try {
-        await onPost(path, body, JSON.parse(decodeURIComponent(request.headers['x-information'] ?? 'null')));
-      } catch (error) {
-        finish.reject(error);
-      }
+      Promise.resolve(onPost(path, body, JSON.parse(decodeURIComponent(request.headers['x-information'] ?? 'null'))))
+          .catch(finish.reject);
       return;
     }
     const [, first, ...rest] = path.split('/');
@@ -72,12 +69,17 @@ export async function showPage({chromium, folders, onPost, seconds}) {
     serveFile(join(folders[first], below), response);
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
-  const profile = mkdtempSync(join(tmpdir(), 'zstrip-viewer-'));
+  rmSync(profile, {recursive: true, force: true});
   const browser = spawn(
       chromium,
       [...kOptions, `--user-data-dir=${profile}`, `http://127.0.0.1:${server.address().port}/page/page.html`],
       {stdio: ['ignore', 'ignore', 'pipe']},
   );
+  // Chromium must not outlive a test that is ended.
+  const end = () => browser.kill();
+  const endAll = () => process.exit(1);
+  process.once('exit', end);
+  for (const signal of ['SIGINT', 'SIGTERM']) process.once(signal, endAll);
   let words = '';
   browser.stderr.on('data', (data) => (words = (words + data).slice(-4000)));
   browser.on('error', (error) => finish.reject(error));
@@ -89,6 +91,8 @@ export async function showPage({chromium, folders, onPost, seconds}) {
     await finished;
   } finally {
     clearTimeout(timer);
+    process.off('exit', end);
+    for (const signal of ['SIGINT', 'SIGTERM']) process.off(signal, endAll);
     browser.kill();
     await ended;
     server.closeAllConnections();

@@ -15,10 +15,16 @@ const kSeconds = 400;
 /** Of frames, the one that shows a part of the animation. */
 const kFrames = 4;
 
+/** The exit status of `zstrip` for a file that it refuses. */
+const kRefused = 4;
+
+/** What the program says; `error`, if it refuses the file. It fails if it ends in any other way. */
 function run(program, words) {
-  return new Promise((resolve) => {
-    execFile(program, words, {timeout: 60000}, (error, _, words) => {
-      resolve(error ? {error: words.trim() || String(error.code ?? error.signal)} : {warnings: words.trim()});
+  return new Promise((resolve, reject) => {
+    execFile(program, words, {timeout: 60000}, (error, _, said) => {
+      if (!error) return resolve({warnings: said.trim()});
+      if (error.code === kRefused) return resolve({error: said.trim()});
+      reject(new Error(`${program} ${words.join(' ')} ended with ${error.code ?? error.signal}: ${said}`));
     });
   });
 }
@@ -93,12 +99,14 @@ export async function drawAll(options) {
   let queue = Promise.resolve();
   await showPage({
     chromium: options.chromium,
+    profile: join(options.work, 'profile'),
     folders: {page: dirname(fileURLToPath(import.meta.url)), three: options.three, files: options.work},
     seconds: kSeconds,
     onPost: (_, body, information) => {
       const job = jobs.find((each) => each.id === information.id);
       seen.set(job.id, true);
       queue = queue.then(async () => rows.push(await measure(job, {...information, pixels: new Uint8Array(body)})));
+      return queue;
     },
   });
   await queue;

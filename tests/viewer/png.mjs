@@ -1,10 +1,8 @@
 // PNG files of 8 bits a channel, as small as the format allows: pictures to look at, and textures of the models.
-import {crc32, deflateSync} from 'node:zlib';
+import {deflateSync} from 'node:zlib';
 
-const crc = crc32 ?? ownCrc;
-
-/** CRC-32 of PNG and zlib, where node has none. */
-function ownCrc(bytes) {
+/** CRC-32 of PNG and zlib. */
+function crc(bytes) {
   let value = 0xffffffff;
   for (const byte of bytes) {
     value ^= byte;
@@ -18,7 +16,7 @@ function chunk(type, data) {
   const whole = Buffer.alloc(body.length + 8);
   whole.writeUInt32BE(data.length, 0);
   body.copy(whole, 4);
-  whole.writeUInt32BE(crc(body) >>> 0, body.length + 4);
+  whole.writeUInt32BE(crc(body), body.length + 4);
   return whole;
 }
 
