@@ -10,7 +10,7 @@ import {coloursApart, erode, silhouettesApart, tilesApart, toRgb565} from './com
 import {encodePng} from './png.mjs';
 
 /** Far more than it takes: other tests may have both processors. */
-const kSeconds = 400;
+const kSeconds = 1500;
 
 /** Of frames, the one that shows a part of the animation. */
 const kFrames = 4;
@@ -21,7 +21,7 @@ const kRefused = 4;
 /** What the program says; `error`, if it refuses the file. It fails if it ends in any other way. */
 function run(program, words) {
   return new Promise((resolve, reject) => {
-    execFile(program, words, {timeout: 60000}, (error, _, said) => {
+    execFile(program, words, {timeout: 300000}, (error, _, said) => {
       if (!error) return resolve({warnings: said.trim()});
       if (error.code === kRefused) return resolve({error: said.trim()});
       reject(new Error(`${program} ${words.join(' ')} ended with ${error.code ?? error.signal}: ${said}`));
