@@ -9,6 +9,7 @@
 #include "zstrip/frame/entry_points.hpp"
 #include "zstrip/frame/pipeline.hpp"
 #include "zstrip/plan.hpp"
+#include "zstrip/scene/validate.hpp"  // before begin_frame
 
 namespace zstrip {
 

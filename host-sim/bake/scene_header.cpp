@@ -14,7 +14,6 @@
 #include "report/frame_record.hpp"
 #include "report/number.hpp"
 #include "report/text.hpp"
-#include "zstrip/effects/overlay/fonts.hpp"
 #include "zstrip/overlay.hpp"
 
 namespace zstrip::sim {
@@ -38,10 +37,7 @@ class Header {
       if (header != nullptr) line(fmt::format("#include \"zstrip/{}\"", header));
     }
     if (!baked_.tree.nodes.empty()) line("#include \"zstrip/scene/bsp_tree.hpp\"");
-    if (scene_.overlay != nullptr) {
-      line("#include \"zstrip/effects/overlay/fonts.hpp\"");
-      line("#include \"zstrip/overlay.hpp\"");
-    }
+    if (scene_.overlay != nullptr) line("#include \"zstrip/overlay.hpp\"");
     line(fmt::format("\nnamespace {} {{\n", name_space));
     data();
     scene();

@@ -11,7 +11,7 @@
 #include "image/decode.hpp"
 #include "import/quantise.hpp"
 #include "import/read_file.hpp"
-#include "zstrip/effects/overlay/fonts.hpp"
+#include "zstrip/overlay.hpp"
 
 namespace zstrip::sim {
 namespace {

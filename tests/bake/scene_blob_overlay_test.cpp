@@ -10,7 +10,6 @@
 #include "bake/scene_blob.hpp"
 #include "blob_sample.hpp"
 #include "zstrip/blob.hpp"
-#include "zstrip/effects/overlay/draw_overlay.hpp"
 #include "zstrip/effects/overlay/valid_overlay.hpp"
 #include "zstrip/overlay.hpp"
 

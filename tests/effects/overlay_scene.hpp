@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "zstrip/effects/overlay/fonts.hpp"
+#include "zstrip/overlay.hpp"
 #include "zstrip_scenes/knot.hpp"
 
 namespace zstrip::scenes {

@@ -1,6 +1,6 @@
 // Overlays against an oracle: every format, clipped at every side, in strips of any size, over samples, edges and
 // dithering; text of any bytes; and what is refused.
-#include "zstrip/effects/overlay/draw_overlay.hpp"
+#include "zstrip/overlay.hpp"
 
 #include <cstring>
 #include <random>

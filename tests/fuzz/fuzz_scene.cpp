@@ -13,7 +13,7 @@
 #include "scene_input.hpp"
 #include "skin_input.hpp"
 #include "zstrip/effects.hpp"
-#include "zstrip/effects/overlay/draw_overlay.hpp"
+#include "zstrip/overlay.hpp"
 #include "zstrip/scene/validate.hpp"
 
 namespace {

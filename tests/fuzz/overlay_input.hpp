@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "input.hpp"
-#include "zstrip/effects/overlay/fonts.hpp"
 #include "zstrip/effects/overlay/valid_overlay.hpp"
 #include "zstrip/overlay.hpp"
 

@@ -84,6 +84,9 @@ fails_with "zstrip/base/gone.hpp does not exist" includes.sh
 echo '#include "fixed.hpp"' >>"$tree/core/zstrip/base/fixed.hpp"
 fails_with "core includes fixed.hpp" includes.sh
 
+printf '#pragma once\n#include "zstrip/base/fixed.hpp"\n' >"$tree/core/zstrip/zstrip.hpp"
+fails_with "is no public header of core" includes.sh
+
 # A wing that the lists have, one that they lack, and an order of stages that names an effect.
 wing() {
   mkdir -p "$tree/core/zstrip/effects/fog"

@@ -1,5 +1,5 @@
 // Sprites, backgrounds and glyphs: each is a rectangle, clipped and blended row by row.
-#include "zstrip/effects/overlay/draw_overlay.hpp"
+#include "zstrip/overlay.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // The letters of the two fonts, as rows to be read, and the tables that are made of them.
-#include "zstrip/effects/overlay/fonts.hpp"
+#include "zstrip/overlay.hpp"
 
 #include <utility>
 

@@ -1,9 +1,9 @@
 // What effect::overlay adds to the stages of a frame: a strip's finished pixels are drawn over.
 #pragma once
 
-#include "zstrip/effects/overlay/draw_overlay.hpp"
 #include "zstrip/effects/overlay/valid_overlay.hpp"
 #include "zstrip/effects/stage.hpp"
+#include "zstrip/overlay.hpp"
 
 namespace zstrip::detail::overlay {
 
