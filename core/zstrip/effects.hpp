@@ -78,6 +78,22 @@ inline constexpr Effects csg{std::uint64_t{1} << 33};
 inline constexpr Effects edges{std::uint64_t{1} << 34};
 inline constexpr Effects overlay{std::uint64_t{1} << 35};  ///< Scene::overlay
 
+// How triangles get their colours, and of which sides: one for each way in which some instance does. A renderer without
+// any of them draws all ways that its other effects allow.
+inline constexpr Effects shade_flat{std::uint64_t{1} << 45};              ///< one colour for each triangle
+inline constexpr Effects shade_gouraud{std::uint64_t{1} << 46};           ///< colours of vertices
+inline constexpr Effects shade_textured{std::uint64_t{1} << 47};          ///< texels as they are
+inline constexpr Effects shade_textured_flat{std::uint64_t{1} << 48};     ///< texels times one colour
+inline constexpr Effects shade_textured_gouraud{std::uint64_t{1} << 49};  ///< texels times colours of vertices
+inline constexpr Effects shade_fragments{std::uint64_t{1} << 50};         ///< fragment by fragment
+inline constexpr Effects two_sided{std::uint64_t{1} << 51};               ///< some material shows its back faces
+inline constexpr Effects shades{std::uint64_t{127} << 45};                ///< all of these
+
+/// Nothing is clipped: every instance's box stays between the camera's planes, with some room, and within a thousand
+/// pixels of the picture's centre; each frame is checked, Error::clipping. Never called for by a scene: a turntable
+/// that turns in front of the camera has it.
+inline constexpr Effects unclipped{std::uint64_t{1} << 52};
+
 /// Those that need a fragment of its own: instances with one of them are drawn by fill_fragments.
 inline constexpr Effects fragments = fog | alpha_test | blending | texture_alpha | bilinear | dithered_colours |
                                      texture_palettes | mipmaps | pixel_shading;
@@ -206,6 +222,21 @@ constexpr bool is_lit_by_pixel(const Mesh& mesh, const Material& material) {
 
 constexpr bool is_black(const Colour& colour) { return colour.r == 0 && colour.g == 0 && colour.b == 0; }
 
+/// The shade of an instance that is not drawn fragment by fragment.
+constexpr Effects shade_effect(bool textured, bool lit, bool varies) {
+  if (!textured) return varies ? effect::shade_gouraud : effect::shade_flat;
+  if (!lit) return effect::shade_textured;
+  return varies ? effect::shade_textured_gouraud : effect::shade_textured_flat;
+}
+
+constexpr Effects without_shades(Effects effects) { return without(effects, effect::shades); }
+
+/// What a renderer with `effects` lacks of those that are called for.
+constexpr Effects missing_effects(Effects called_for, Effects effects) {
+  const Effects missing = without(called_for, effects);
+  return effects.any(effect::shades) ? missing : without_shades(missing);
+}
+
 /// What an instance's light and fragments call for, beyond the effects of materials without finish.
 constexpr Effects effects_of_finish(const Scene& scene, const Material& material, bool lit, bool textured) {
   Effects found{};
@@ -237,7 +268,7 @@ constexpr Effects effects_of(const View& view) {
   return view.dither ? samples | effect::dithered_format : samples;
 }
 
-/// Exactly what drawing this scene with this camera needs. constexpr for baked scenes.
+/// Exactly what drawing this scene with this camera needs, shades included. constexpr for baked scenes.
 constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
   Effects found{};
   const bool has_tables = !scene.finishes.empty() || !scene.punctual_lights.empty();
@@ -254,11 +285,16 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (coloured) found = found | effect::vertex_colours;
     if (textured) found = found | effect::textures;
     if (mirrors) found = found | effect::environment;
-    if (material.smooth && !by_pixel && (lit || coloured)) found = found | effect::gouraud;
+    const bool varies = material.smooth && !by_pixel && (lit || coloured);
+    if (varies) found = found | effect::gouraud;
+    if (material.double_sided) found = found | effect::two_sided;
     if (has_depth_state(material)) found = found | effect::depth_state;
     if (mesh.billboard != Billboard::none) found = found | effect::billboards;
-    if (outline_of(scene, mesh) != nullptr) found = found | effect::outlines;
-    if (has_tables) found = found | effects_of_finish(scene, material, lit, textured);
+    // A hull has one colour, and is drawn as what it outlines where that is drawn fragment by fragment.
+    if (outline_of(scene, mesh) != nullptr) found = found | effect::outlines | effect::shade_flat;
+    const Effects finish = has_tables ? effects_of_finish(scene, material, lit, textured) : Effects{};
+    const bool by_fragment = scene.fog != nullptr || by_pixel || finish.any(effect::fragments);
+    found = found | finish | (by_fragment ? effect::shade_fragments : shade_effect(textured, lit, varies));
   }
   if (scene.fog != nullptr && !(scene.instances.empty() && scene.quadrics.empty() && scene.lines.empty())) {
     found = found | effect::fog;

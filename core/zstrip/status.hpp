@@ -65,11 +65,13 @@ enum class Error : std::uint8_t {
           ///< a draw_over, is not there with them
   blob_section,  ///< a scene blob with a section that must be known and is not (`needed` = its tag, the first letter in
                  ///< the highest byte): it is newer than this program
-  overlay,  ///< a size, coverage, glyph or number of bytes that is wrong, or a sprite or label that refers to no image
-            ///< or font (`needed` = its index, `available` = its OverlayPart); or a draw_over, where there is none
-  skin,     ///< counts that differ, parents behind their children, weights that do not add up, a joint that does not
-            ///< exist or leads too far away, or a vertex that leaves the mesh's box (`needed` = index of the joint or
-            ///< vertex)
+  overlay,   ///< a size, coverage, glyph or number of bytes that is wrong, or a sprite or label that refers to no image
+             ///< or font (`needed` = its index, `available` = its OverlayPart); or a draw_over, where there is none
+  skin,      ///< counts that differ, parents behind their children, weights that do not add up, a joint that does not
+             ///< exist or leads too far away, or a vertex that leaves the mesh's box (`needed` = index of the joint or
+             ///< vertex)
+  clipping,  ///< an instance whose box comes near the near plane, or lies more than a thousand pixels beside the
+             ///< picture's centre, in a renderer with effect::unclipped (`needed` = its index)
 };
 
 /// What memory is for. The order is that of a plan's table.

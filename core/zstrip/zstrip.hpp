@@ -5,6 +5,7 @@
 #include "zstrip/blob.hpp"
 #include "zstrip/camera.hpp"
 #include "zstrip/effects.hpp"
+#include "zstrip/fixed_renderer.hpp"
 #include "zstrip/layer.hpp"
 #include "zstrip/overlay.hpp"
 #include "zstrip/plan.hpp"

@@ -44,7 +44,7 @@ std::string_view board_of(std::string_view target) {
 }
 
 std::string board_program_name(std::string_view target, Effects effects) {
-  return fmt::format("zstrip_scene_{}_{:011x}", target, effects.bits);
+  return fmt::format("zstrip_scene_{}_{:014x}", target, effects.bits);
 }
 
 Result<Done> measure_on_board(const AccuracyRequest& request, const std::vector<Staging>& staged, const View& view,

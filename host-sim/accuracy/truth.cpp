@@ -92,8 +92,8 @@ std::string in_words(const FoundEffect& found) {
 }  // namespace
 
 Result<Done> check_truth(const Scene& scene, const Camera& camera, const Origins& origins) {
-  constexpr Effects kDrawn =
-      effect::all | effect::fog | effect::emissive | effect::quadrics | effect::billboards | effect::pixel_shading;
+  constexpr Effects kDrawn = effect::all | effect::shades | effect::fog | effect::emissive | effect::quadrics |
+                             effect::billboards | effect::pixel_shading;
   const Effects others = without(effects_of(scene, camera), kDrawn);
   if (others == Effects{}) return Done{};
   std::string list;

@@ -121,22 +121,30 @@ std::string literal(const Keyframe& k) {
 
 namespace {
 
-/// What the picture's settings choose.
-constexpr std::pair<const char*, Effects> kChosen[] = {{"effect::perspective_affine", effect::perspective_affine},
-                                                       {"effect::perspective_8", effect::perspective_8},
-                                                       {"effect::perspective_1", effect::perspective_1},
-                                                       {"effect::depth_float", effect::depth_float},
-                                                       {"effect::depth_w16", effect::depth_w16},
-                                                       {"effect::depth_24", effect::depth_24},
-                                                       {"effect::depth_32", effect::depth_32},
-                                                       {"effect::depth_ranges", effect::depth_ranges},
-                                                       {"method::painter", method::painter},
-                                                       {"method::in_order", method::in_order},
-                                                       {"method::bsp", method::bsp},
-                                                       {"method::front_to_back", method::front_to_back},
-                                                       {"method::hierarchical_z", method::hierarchical_z},
-                                                       {"method::midpoint", method::midpoint},
-                                                       {"method::midpoint_safe", method::midpoint_safe}};
+/// Shades, and what the picture's settings choose.
+constexpr std::pair<const char*, Effects> kChosen[] = {
+    {"effect::shade_flat", effect::shade_flat},
+    {"effect::shade_gouraud", effect::shade_gouraud},
+    {"effect::shade_textured", effect::shade_textured},
+    {"effect::shade_textured_flat", effect::shade_textured_flat},
+    {"effect::shade_textured_gouraud", effect::shade_textured_gouraud},
+    {"effect::shade_fragments", effect::shade_fragments},
+    {"effect::two_sided", effect::two_sided},
+    {"effect::perspective_affine", effect::perspective_affine},
+    {"effect::perspective_8", effect::perspective_8},
+    {"effect::perspective_1", effect::perspective_1},
+    {"effect::depth_float", effect::depth_float},
+    {"effect::depth_w16", effect::depth_w16},
+    {"effect::depth_24", effect::depth_24},
+    {"effect::depth_32", effect::depth_32},
+    {"effect::depth_ranges", effect::depth_ranges},
+    {"method::painter", method::painter},
+    {"method::in_order", method::in_order},
+    {"method::bsp", method::bsp},
+    {"method::front_to_back", method::front_to_back},
+    {"method::hierarchical_z", method::hierarchical_z},
+    {"method::midpoint", method::midpoint},
+    {"method::midpoint_safe", method::midpoint_safe}};
 
 }  // namespace
 

@@ -49,7 +49,9 @@ TEST_F(BakeBoard, OledShowsTheModelTurning) { expect_moves(BAKED_MODEL, BAKED_PR
 TEST_F(BakeBoard, OledShowsASkinThatMoves) { expect_moves(BENDING_MODEL, BENDING_PROGRAM); }
 
 /// The house is lit and smooth, nothing more: of all other effects the program holds nothing.
-TEST_F(BakeBoard, ProgramLinksOnlyTheScenesEffects) { expect_only(BAKED_PROGRAM, effect::lighting | effect::gouraud); }
+TEST_F(BakeBoard, ProgramLinksOnlyTheScenesEffects) {
+  expect_only(BAKED_PROGRAM, effect::lighting | effect::gouraud | effect::shade_gouraud);
+}
 
 }  // namespace
 }  // namespace zstrip::sim::test

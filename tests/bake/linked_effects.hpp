@@ -58,14 +58,11 @@ inline void expect_only(const std::string& program, Effects effects) {
         << program << ' ' << made_for.bits;
   }
   constexpr int kFlat = 0, kGouraud = 1, kTextured = 2, kTexturedFlat = 3, kTexturedGouraud = 4;
-  const bool gouraud = effects.has(effect::gouraud), textures = effects.has(effect::textures);
-  EXPECT_TRUE(linked.shades.contains(kFlat)) << program;
-  EXPECT_EQ(linked.shades.contains(kGouraud), gouraud) << program;
-  EXPECT_EQ(linked.shades.contains(kTextured), textures) << program;
-  EXPECT_EQ(linked.shades.contains(kTexturedGouraud), textures && gouraud) << program;
-  if (!textures) {
-    EXPECT_FALSE(linked.shades.contains(kTexturedFlat)) << program;
-  }
+  EXPECT_EQ(linked.shades.contains(kFlat), effects.has(effect::shade_flat)) << program;
+  EXPECT_EQ(linked.shades.contains(kGouraud), effects.has(effect::shade_gouraud)) << program;
+  EXPECT_EQ(linked.shades.contains(kTextured), effects.has(effect::shade_textured)) << program;
+  EXPECT_EQ(linked.shades.contains(kTexturedFlat), effects.has(effect::shade_textured_flat)) << program;
+  EXPECT_EQ(linked.shades.contains(kTexturedGouraud), effects.has(effect::shade_textured_gouraud)) << program;
   EXPECT_EQ(linked.bins, effects.has(effect::bins)) << program;
 }
 

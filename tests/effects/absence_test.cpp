@@ -37,7 +37,10 @@ std::string symbols(const std::string& program) {
 
 void expect_only(const std::string& program, const scenes::BuiltIn& built_in, const View& view = {}) {
   SCOPED_TRACE(program);
-  const Effects effects = effects_of(built_in.scene, built_in.camera) | effects_of(view);
+  Effects effects = effects_of(built_in.scene, built_in.camera) | effects_of(view);
+  constexpr Effects kTextured =
+      effect::shade_textured | effect::shade_textured_flat | effect::shade_textured_gouraud | effect::shade_fragments;
+  if (!effects.any(kTextured)) effects = without(effects, effect::textures);  // those of quadrics are other code
   const std::string linked = symbols(program);
   ASSERT_NE(linked.find("zstrip::detail::draw_strip"), std::string::npos) << "no symbols";
   // All zeros until it begins: a member with another first value would put all of it into flash.
@@ -66,6 +69,37 @@ TEST(EffectsAbsence, ProgramsHoldTheCodeOfTheirScenesEffectsAndNoOther) {
   expect_only(folder + "knot_mono_dithered", scenes::knot, {64, 48, PixelFormat::mono, true});
   expect_only(folder + "knot_rgb565_4", scenes::knot, {64, 48, PixelFormat::rgb565, false, 4});
   expect_only(folder + "knot_mono_2", scenes::knot, {64, 48, PixelFormat::mono, false, 2});
+}
+
+TEST(EffectsAbsence, AFixedRendererWithoutClippingIsOnlyWhatItsFramesNeed) {
+  const std::string linked = symbols(ZSTRIP_PIPELINES "/zstrip_fixed_pipeline");
+  ASSERT_NE(linked.find("zstrip::detail::draw_fixed_strip"), std::string::npos) << "no symbols";
+  EXPECT_NE(linked.find(" b (anonymous namespace)::renderer\n"), std::string::npos) << "no flash for its memory";
+  for (const char* other : {
+           "clip_perspective",
+           "TriangleClipper",
+           "RasterPolygon",
+           "project_wide",  // clipping
+           "walk_spans<long",
+           "WholeSpans<",  // edges in 64 bits
+           "validate",
+           "check_request",
+           "check_room",
+           "zstrip::effects_of",
+           "zstrip::count(",  // checks
+           "resolve_mono",
+           "resolve_gray4",
+           "resolve_wide",
+           "convert_pixels",
+           "luma(",  // other formats
+           "object_light",
+           "compile_instance<true",
+           "shade_vertices",  // no light, one projection
+           "draw_span_triangle<(zstrip::detail::Shade)0",
+           "draw_span_triangle<(zstrip::detail::Shade)1",  // other shades
+       }) {
+    EXPECT_EQ(linked.find(other), std::string::npos) << other;
+  }
 }
 
 }  // namespace

@@ -366,7 +366,7 @@ TEST(Csg, WhatIsDrawnOverALayerAndRenderersWithoutProductsAreRefused) {
   CsgWorld world;
   make_part(world);
   const Scene& scene = world.whole();
-  EXPECT_EQ(effects_of(scene, world.camera), effect::csg);
+  EXPECT_EQ(without_shades(effects_of(scene, world.camera)), effect::csg);
   const Plan whole = plan(count(scene), kCsgView, effect::csg, {}).plan;
   std::vector<std::byte> arena = lent(whole.bytes());
   Renderer<effect::csg> renderer;

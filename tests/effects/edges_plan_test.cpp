@@ -128,7 +128,7 @@ TEST(Edges, WhatDoesNotGoWithThemIsRefused) {
             Error::edges);
 
   static constexpr Effects kMore =
-      kOwn | effect::lighting | effect::supersampled | effect::outlines | effect::shadows | effect::csg;
+      without_shades(kOwn) | effect::lighting | effect::supersampled | effect::outlines | effect::shadows | effect::csg;
   const Shadow shadow{};
   const Outline outline{};
   const CsgOperand operand{};

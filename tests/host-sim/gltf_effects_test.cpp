@@ -25,7 +25,7 @@ class GltfEffects : public FolderTest {
     const auto stage = open_stage(file("model.gltf", gltf.text()), {}, {}, {64, 48}, 1);
     EXPECT_TRUE(stage) << stage.failure().message;
     const Result<Staging> staging = (*stage)->place(0, 1);
-    return effects_of(staging->scene, staging->camera);
+    return without_shades(effects_of(staging->scene, staging->camera));
   }
   /// The finish of the only material.
   static Finish finish(const Model& model) {

@@ -23,16 +23,28 @@ namespace zstrip::scenes {
 namespace {
 
 // What a board with a single scene writes: all of it is known to the compiler.
-static_assert(effects_of(teapot.scene, teapot.camera) == (effect::lighting | effect::gouraud));
-static_assert(effects_of(knot.scene, knot.camera) == (effect::vertex_colours | effect::gouraud));
-static_assert(effects_of(knot_flat.scene, knot.camera) == effect::vertex_colours);
-static_assert(effects_of(knot_textured.scene, knot.camera) == (effect::lighting | effect::textures | effect::gouraud));
-static_assert(effects_of(cube.scene, cube.camera) == effect::textures);
-static_assert(effects_of(random50.scene, random50.camera) == effect::vertex_colours);
-static_assert(effects_of(room.scene, room.camera) == (effect::lighting | effect::textures));
-static_assert(effects_of(spheres.scene, spheres.camera) == (effect::quadrics | effect::lighting | effect::textures));
-static_assert(effects_of(wires.scene, wires.camera) == (effect::lighting | effect::gouraud));
-static_assert(effects_of(terrain.scene, terrain.camera) == (effect::vertex_colours | effect::gouraud));
+static_assert(without_shades(effects_of(teapot.scene, teapot.camera)) == (effect::lighting | effect::gouraud));
+static_assert(without_shades(effects_of(knot.scene, knot.camera)) == (effect::vertex_colours | effect::gouraud));
+static_assert(without_shades(effects_of(knot_flat.scene, knot.camera)) == effect::vertex_colours);
+static_assert(without_shades(effects_of(knot_textured.scene, knot.camera)) ==
+              (effect::lighting | effect::textures | effect::gouraud));
+static_assert(without_shades(effects_of(cube.scene, cube.camera)) == effect::textures);
+static_assert(without_shades(effects_of(random50.scene, random50.camera)) == effect::vertex_colours);
+static_assert(without_shades(effects_of(room.scene, room.camera)) == (effect::lighting | effect::textures));
+static_assert(without_shades(effects_of(spheres.scene, spheres.camera)) ==
+              (effect::quadrics | effect::lighting | effect::textures));
+static_assert(without_shades(effects_of(wires.scene, wires.camera)) == (effect::lighting | effect::gouraud));
+static_assert(without_shades(effects_of(terrain.scene, terrain.camera)) == (effect::vertex_colours | effect::gouraud));
+constexpr Effects shades_of(const BuiltIn& built_in) {
+  return effects_of(built_in.scene, built_in.camera) & effect::shades;
+}
+static_assert(shades_of(teapot) == effect::shade_gouraud);
+static_assert(shades_of(knot_flat) == effect::shade_flat);
+static_assert(shades_of(knot_textured) == effect::shade_textured_gouraud);
+static_assert(shades_of(cube) == effect::shade_textured);
+static_assert(shades_of(room) == (effect::shade_flat | effect::shade_textured_flat));
+static_assert(shades_of(random50) == (effect::shade_flat | effect::two_sided));
+static_assert(shades_of(spheres) == effect::shade_flat);
 static_assert(plan(teapot_meshlets.counts, {.width = 128, .height = 64},
                    effects_of(teapot_meshlets.scene, teapot_meshlets.camera))
                   .status);

@@ -243,7 +243,7 @@ TEST(Lines, TakeMemoryOnlyWhereThereAreAny) {
   EXPECT_EQ(bytes(), kLineSetBytes);
   scene.lines = {};
   EXPECT_EQ(bytes(), 0U);
-  EXPECT_EQ(effects_of(scene, world.camera), effect::orthographic);
+  EXPECT_EQ(without_shades(effects_of(scene, world.camera)), effect::orthographic);
 }
 
 }  // namespace

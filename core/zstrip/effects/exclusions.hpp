@@ -66,8 +66,8 @@ constexpr Effects refused_by_methods(Effects effects) {
 /// Whether the methods go together, and can draw these effects, of which none is unknown. The painter alone has orders.
 constexpr bool methods_agree(Effects effects) {
   if (effects.methods == 0) return true;
-  constexpr Effects kKnown =
-      effect::of_scenes | effect::statistics | effect::bins | effect::depth_formats | effect::depth_ranges;
+  constexpr Effects kKnown = effect::of_scenes | effect::shades | effect::statistics | effect::bins |
+                             effect::depth_formats | effect::depth_ranges;
   return without(effects, kKnown | method::any) == Effects{} && refused_by_methods(effects) == Effects{} &&
          detail::one_of_each(effects, true) && (effects.has(method::painter) || !effects.any(method::orders));
 }

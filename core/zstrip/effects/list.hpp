@@ -21,6 +21,7 @@
 #include "zstrip/effects/quadrics/effect.hpp"
 #include "zstrip/effects/samples/effect.hpp"
 #include "zstrip/effects/shadows/effect.hpp"
+#include "zstrip/effects/unclipped/effect.hpp"
 #include "zstrip/effects/without_wing.hpp"
 
 namespace zstrip::detail {
@@ -46,10 +47,11 @@ struct EffectList {
   }
 };
 
-using DescribedEffects = EffectList<EffectsWithoutWing, fog::Effect, local_light::Effect, fragments::Effect,
-                                    blending::Effect, quadrics::Effect, lines::Effect, billboards::Effect,
-                                    environment::Effect, outlines::Effect, shadows::Effect, csg::Effect, edges::Effect,
-                                    overlay::Effect, pixel_shading::Effect, dithering::Effect, samples::Effect>;
+using DescribedEffects =
+    EffectList<EffectsWithoutWing, fog::Effect, local_light::Effect, fragments::Effect, blending::Effect,
+               quadrics::Effect, lines::Effect, billboards::Effect, environment::Effect, outlines::Effect,
+               shadows::Effect, csg::Effect, edges::Effect, overlay::Effect, pixel_shading::Effect, dithering::Effect,
+               unclipped::Effect, samples::Effect>;
 
 }  // namespace zstrip::detail
 
@@ -65,7 +67,7 @@ static_assert(
         if (named.any(each.effect)) return false;
         named = named | each.effect;
       }
-      return named == (effect::of_scenes | effect::bins);
+      return named == (effect::of_scenes | effect::bins | effect::unclipped);
     }(),
     "an effect without a name, or with two");
 

@@ -16,6 +16,7 @@ struct FrameRequest {
   const Camera& camera;
   const View& view;
   const Plan& plan;
+  SceneCounts counts;  ///< of the scene
   Effects called_for;  ///< by scene and camera
 };
 

@@ -20,6 +20,7 @@ constexpr Pipeline refusing() {
 }  // namespace
 
 Pipeline pipeline_for(Effects effects) {
+  effects = without(effects, effect::shades | effect::unclipped);  // the rows have all shades, and clip
   const bool has_method = effects.methods != 0;
   if (has_method && (!methods_agree(effects) || effects.any(effect::depth_formats | effect::depth_ranges))) {
     return refusing<Error::visibility>();

@@ -14,7 +14,8 @@ Status begin_frame(FrameState& frame, const Scene& scene, const Camera& camera, 
   if constexpr (effects.has(effect::supersampled)) {
     if (view.samples != 1) {
       abandon(frame);
-      return samples::begin_frame<effects>(frame, {scene, camera, view, plan, effects_of(scene, camera)}, arena);
+      return samples::begin_frame<effects>(frame, {scene, camera, view, plan, count(scene), effects_of(scene, camera)},
+                                           arena);
     }
   }
   return begin_whole_frame<effects>(frame, scene, camera, view, plan, arena);

@@ -14,8 +14,8 @@ namespace zstrip::detail {
 
 template <Effects effects>
 Status check_frame(const FrameRequest& request, std::span<std::byte> arena) {
-  if (const Status status =
-          check_request(request.scene, request.camera, request.view, request.plan, request.called_for, effects, arena);
+  if (const Status status = check_request(request.scene, request.counts, request.camera, request.view, request.plan,
+                                          request.called_for, effects, arena);
       !status) {
     return status;
   }
@@ -23,14 +23,18 @@ Status check_frame(const FrameRequest& request, std::span<std::byte> arena) {
   return Stages::until_error<effects>([&](auto stage) { return stage.template check<effects>(request); });
 }
 
-/// `scene`: what is drawn, with the arena laid out.
+/// `scene`: what is drawn, with the arena laid out. `counts`: of it.
 template <Effects effects>
-Status prepare_frame(FrameState& frame, const Scene& scene, const FrameRequest& request, std::span<std::byte> arena) {
+Status prepare_frame(FrameState& frame, const Scene& scene, const SceneCounts& counts, const FrameRequest& request,
+                     std::span<std::byte> arena) {
   DepthStage::begin<effects>(frame);
   DistanceRange reach = reach_of(scene, request.camera);
   Stages::for_each<effects>([&](auto stage) { stage.template extend_reach<effects>(frame, scene, request, reach); });
   const DepthFit fit = DepthStage::fit<effects>(reach, request.camera);
-  if (const Status status = prepare_instances(frame, scene, request.camera, request.view, fit); !status) return status;
+  if (const Status status = prepare_instances<effects>(frame, scene, counts, request.camera, request.view, fit);
+      !status) {
+    return status;
+  }
   if (const Status status = Stages::until_error<effects>(
           [&](auto stage) { return stage.template prepare_geometry<effects>(frame, scene, request); });
       !status) {
@@ -44,7 +48,7 @@ Status prepare_frame(FrameState& frame, const Scene& scene, const FrameRequest& 
       !status) {
     return status;
   }
-  divide(frame, scene, request.view);
+  divide(frame, counts, request.view);
   if (const Status status = MethodStage::begin<effects>(frame, request.called_for, scene, arena); !status)
     return status;
   frame.scene = &scene;
@@ -64,7 +68,7 @@ Status begin_checked_frame(FrameState& frame, const FrameRequest& request, [[may
   frame.has_special_depth = DepthStage::has_own_clear(effects);
   lay_out_effects<effects>(frame, request.scene, request.called_for);
   if constexpr (!Stages::any_changes_scene<effects>()) {
-    return prepare_frame<effects>(frame, request.scene, request, arena);
+    return prepare_frame<effects>(frame, request.scene, request.counts, request, arena);
   } else {
     Scene drawn = request.scene;
     if (const Status status = Stages::until_error<effects>(
@@ -72,7 +76,7 @@ Status begin_checked_frame(FrameState& frame, const FrameRequest& request, [[may
         !status) {
       return status;
     }
-    const Status status = prepare_frame<effects>(frame, drawn, request, arena);
+    const Status status = prepare_frame<effects>(frame, drawn, count(drawn), request, arena);
     // `drawn` ends here.
     const bool has_begun = frame.scene != nullptr;
     frame.scene = has_begun ? &request.scene : nullptr;
@@ -93,22 +97,21 @@ template <Effects effects>
 Status begin_whole_frame(FrameState& frame, const Scene& scene, const Camera& camera, const View& view,
                          const Plan& plan, std::span<std::byte> arena) {
   abandon(frame);
-  const FrameRequest request{scene, camera, view, plan, effects_of(scene, camera)};
+  const FrameRequest request{scene, camera, view, plan, count(scene), effects_of(scene, camera)};
   if (const Status status = check_frame<effects>(request, arena); !status) return status;
   return begin_checked_frame<effects>(frame, request, camera, arena);
 }
 
-template <Effects effects>
-Status draw_whole_strip(FrameState& frame, std::uint16_t strip, std::span<std::byte> pixels) {
-  if (const Status status = check_strip<effects>(frame, strip, pixels); !status) return status;
+/// `pixels` has room for the strip; `convert`: from RGB565 to the format of the view, as convert_pixels.
+template <Effects effects, class Convert>
+Status draw_checked_strip(FrameState& frame, std::uint16_t strip, std::byte* pixels, const Convert& convert) {
   Rect area = frame.plan.strip_area(strip, frame.view);
   bool in_place = drawn_in_place(frame.view.format);
   Stages::for_each<effects>([&](auto stage) {
     area = stage.template drawn_area<effects>(frame, area);
     if (stage.template needs_working_strip<effects>(frame)) in_place = false;
   });
-  StripImage image{area, in_place ? reinterpret_cast<std::uint16_t*>(pixels.data()) : frame.working_colour,
-                   pixels.data(), strip};
+  StripImage image{area, in_place ? reinterpret_cast<std::uint16_t*>(pixels) : frame.working_colour, pixels, strip};
   StripTarget target = target_of(frame, area, image.pixels);
   DepthStage::clear<effects>(frame, target, area, image.pixels);
   Stages::for_each<effects>([&](auto stage) { stage.template draw_background<effects>(frame, area, image.pixels); });
@@ -120,10 +123,21 @@ Status draw_whole_strip(FrameState& frame, std::uint16_t strip, std::span<std::b
     return status;
   }
   Stages::for_each<effects>([&](auto stage) { stage.template resolve<effects>(frame, target, image); });
-  convert_pixels(frame.view.format, static_cast<std::uint16_t>(image.area.width()),
-                 static_cast<std::uint16_t>(image.area.height()), image.pixels, image.out);
+  convert(frame.view.format, static_cast<std::uint16_t>(image.area.width()),
+          static_cast<std::uint16_t>(image.area.height()), image.pixels, image.out);
   frame.next_to_last_strip = strip + 1U;
   return {};
+}
+
+template <Effects effects>
+Status draw_whole_strip(FrameState& frame, std::uint16_t strip, std::span<std::byte> pixels) {
+  if (const Status status = check_strip<effects>(frame, strip, pixels); !status) return status;
+  // A function itself would be called through a pointer, of which stack bounds are not known.
+  return draw_checked_strip<effects>(
+      frame, strip, pixels.data(),
+      [](PixelFormat format, std::uint16_t width, std::uint16_t rows, std::uint16_t* drawn, std::byte* out) {
+        convert_pixels(format, width, rows, drawn, out);
+      });
 }
 
 template <Effects effects>

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "zstrip/base/division.hpp"
 #include "zstrip/camera.hpp"
 
 namespace zstrip {
@@ -43,8 +44,9 @@ constexpr DepthFit fit_depth(Distance near, Distance far) {
   std::int64_t denominator = far - near;
   while (numerator >= std::int64_t{1} << 40) numerator >>= 1, denominator >>= 1;
   if (denominator == 0) denominator = 1;
-  const std::int64_t ratio = (numerator << 23) / denominator;  // 9.23, at most 257
-  const std::int64_t quotient_at_far = (ratio * 65533) >> 7;   // 16.16 codes
+  const auto ratio = static_cast<std::int64_t>(  // 9.23, at most 257
+      seldom_quotient(static_cast<std::uint64_t>(numerator) << 23, static_cast<std::uint64_t>(denominator)));
+  const std::int64_t quotient_at_far = (ratio * 65533) >> 7;  // 16.16 codes
   return {near, far, quotient_at_far + kDepthSpan, quotient_at_far - kDepthOfFar};
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "zstrip/base/direction.hpp"
+#include "zstrip/base/division.hpp"
 #include "zstrip/geometry/colour_product.hpp"
 
 namespace zstrip::detail {
@@ -101,13 +102,19 @@ ObjectLight object_light(const DirectionalLight& light, const Transform& transfo
   const std::uint64_t square =
       static_cast<std::uint64_t>(turned[0] * turned[0] + turned[1] * turned[1] + turned[2] * turned[2]);
   const std::int64_t length = square_root(square);
-  const auto component = [length](std::int64_t c) { return static_cast<std::int16_t>(c * 32767 / length); };  // 1.15
+  const auto component = [length](std::int64_t c) {  // 1.15, towards zero
+    const std::uint64_t quotient =
+        seldom_quotient(static_cast<std::uint64_t>(magnitude(c)) * 32767, static_cast<std::uint64_t>(length));
+    return static_cast<std::int16_t>(c < 0 ? -static_cast<std::int32_t>(quotient)
+                                           : static_cast<std::int32_t>(quotient));
+  };
   result.x = component(turned[0]);
   result.y = component(turned[1]);
   result.z = component(turned[2]);
   return result;
 }
 
+template <bool lights>
 void compile_shading(CompiledInstance& compiled, const Scene& scene, const Instance& instance) {
   const Mesh& mesh = scene.meshes[instance.mesh];
   const Material& material = scene.materials[instance.material];
@@ -117,9 +124,11 @@ void compile_shading(CompiledInstance& compiled, const Scene& scene, const Insta
   compiled.double_sided = material.double_sided;
   compiled.base = material.colour;
   compiled.ambient = product(scene.ambient, material.colour);
-  compiled.light_count = compiled.lit ? static_cast<std::uint8_t>(scene.lights.size()) : std::uint8_t{0};
-  for (int i = 0; i < compiled.light_count; ++i) {
-    compiled.lights[i] = object_light(scene.lights[static_cast<std::size_t>(i)], instance.transform, material.colour);
+  if constexpr (lights) {
+    compiled.light_count = compiled.lit ? static_cast<std::uint8_t>(scene.lights.size()) : std::uint8_t{0};
+    for (int i = 0; i < compiled.light_count; ++i) {
+      compiled.lights[i] = object_light(scene.lights[static_cast<std::size_t>(i)], instance.transform, material.colour);
+    }
   }
   const bool varies = material.smooth && (compiled.lit || compiled.coloured);
   if (!textured) {
@@ -174,7 +183,8 @@ void compile_perspective_depth(CompiledInstance& compiled, const DepthFit& fit, 
 void compile_orthographic_depth(CompiledInstance& compiled) {
   const int normalisation = std::countl_zero(compiled.w_range);
   const std::uint64_t range = std::uint64_t{compiled.w_range} << normalisation;
-  compiled.depth_scale = static_cast<std::uint32_t>((static_cast<std::uint64_t>(kDepthSpan) << 31) / range);
+  compiled.depth_scale =
+      static_cast<std::uint32_t>(seldom_quotient(static_cast<std::uint64_t>(kDepthSpan) << 31, range));
   compiled.depth_shift = 1;
   compiled.depth_normalisation = static_cast<std::uint8_t>(normalisation);
 }
@@ -187,21 +197,21 @@ DistanceRange distance_range(const Mesh& mesh, const Transform& transform, const
   return {row.offset - reach, row.offset + reach};
 }
 
+template <bool orthographic, bool lights>
 Status compile_instance(CompiledInstance& compiled, const Scene& scene, const Instance& instance, const Camera& camera,
                         const View& view, const DepthFit& fit) {
   const Mesh& mesh = scene.meshes[instance.mesh];
-  const bool orthographic = camera.projection == Projection::orthographic;
   compiled = {};
   compiled.mesh = instance.mesh;
   compiled.material = instance.material;
-  compile_shading(compiled, scene, instance);
+  compile_shading<lights>(compiled, scene, instance);
 
   const DistanceRange range = distance_range(mesh, instance.transform, camera);
   compiled.visible = range.farthest >= fit.near && range.nearest <= fit.far;
   if (!compiled.visible) return {};
 
   Normalised w = normalise(distance_row(mesh, instance.transform, camera));
-  if (orthographic) {
+  if constexpr (orthographic) {
     // Depth is linear in w: one scale for all instances, so that far fits as well.
     const int exponent_of_far = 34 - std::countl_zero(static_cast<std::uint64_t>(fit.far));
     if (exponent_of_far > w.exponent) {
@@ -226,7 +236,7 @@ Status compile_instance(CompiledInstance& compiled, const Scene& scene, const In
   if (!status_x || !status_y) return {.error = Error::instance};
 
   compiled.w = w.form;
-  const auto in_w = [&](Distance distance) { return shifted_right(distance, w.exponent); };
+  const auto in_w = [exponent = w.exponent](Distance distance) { return shifted_right(distance, exponent); };
   constexpr std::int64_t kMax = (std::int64_t{1} << 30) - 1;
   // Inwards, so that no w of the range has a code outside 1..65534.
   const std::int64_t w_near = std::max<std::int64_t>(1, -in_w(-fit.near));
@@ -235,12 +245,21 @@ Status compile_instance(CompiledInstance& compiled, const Scene& scene, const In
   if (w_near >= w_far) return {.error = Error::instance};
   compiled.w_near = static_cast<std::uint32_t>(w_near);
   compiled.w_range = static_cast<std::uint32_t>(w_far - w_near);
-  if (orthographic) {
+  if constexpr (orthographic) {
     compile_orthographic_depth(compiled);
   } else {
     compile_perspective_depth(compiled, fit, w.exponent);
   }
   return {};
 }
+
+template Status compile_instance<false, false>(CompiledInstance&, const Scene&, const Instance&, const Camera&,
+                                               const View&, const DepthFit&);
+template Status compile_instance<false, true>(CompiledInstance&, const Scene&, const Instance&, const Camera&,
+                                              const View&, const DepthFit&);
+template Status compile_instance<true, false>(CompiledInstance&, const Scene&, const Instance&, const Camera&,
+                                              const View&, const DepthFit&);
+template Status compile_instance<true, true>(CompiledInstance&, const Scene&, const Instance&, const Camera&,
+                                             const View&, const DepthFit&);
 
 }  // namespace zstrip::detail

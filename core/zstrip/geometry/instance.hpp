@@ -88,8 +88,17 @@ constexpr void extend(DistanceRange& reach, const DistanceRange& range, const Ca
 }
 
 /// Error::instance if its picture would be more than 2^26 pixels wide, or if its box is so large beside the depth
-/// range of the frame that all of it would be one step of w.
+/// range of the frame that all of it would be one step of w. `orthographic`: the camera's projection; `lights`: whether
+/// anything may be lit.
+template <bool orthographic, bool lights>
 Status compile_instance(CompiledInstance& compiled, const Scene& scene, const Instance& instance, const Camera& camera,
                         const View& view, const DepthFit& fit);
+/// For any camera.
+inline Status compile_instance(CompiledInstance& compiled, const Scene& scene, const Instance& instance,
+                               const Camera& camera, const View& view, const DepthFit& fit) {
+  return camera.projection == Projection::orthographic
+             ? compile_instance<true, true>(compiled, scene, instance, camera, view, fit)
+             : compile_instance<false, true>(compiled, scene, instance, camera, view, fit);
+}
 
 }  // namespace zstrip::detail

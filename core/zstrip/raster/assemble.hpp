@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include "zstrip/effects.hpp"
@@ -30,6 +31,15 @@ struct Assembler : ClippedAssembler<effects> {
   using Clipped::kOrthographic;
   using Clipped::kStatistics;
   using Clipped::kTextures;
+  static constexpr bool kUnclipped = effects.has(effect::unclipped);
+  /// True; without clipping a type that says so, and paths for triangles that are not narrow are no code.
+  static constexpr auto always_narrow() {
+    if constexpr (kUnclipped) {
+      return std::true_type{};
+    } else {
+      return true;
+    }
+  }
 
   /// The vertex with 16.16 codes: what small triangles take.
   static decltype(auto) in_codes(const SnappedVertex& v) {
@@ -47,6 +57,14 @@ struct Assembler : ClippedAssembler<effects> {
     const std::uint32_t octave = float16_octave(a.depth);
     return float16_octave(b.depth) == octave && float16_octave(c.depth) == octave &&
            is_small(width, height, in_codes(a), in_codes(b), in_codes(c));
+  }
+
+  /// Methods may show both sides of anything.
+  static constexpr bool kTwoSided =
+      !effects.any(effect::shades) || effects.has(effect::two_sided) || effects.methods != 0;
+  static bool shows_both_sides([[maybe_unused]] const Batch& batch) {
+    if constexpr (!kTwoSided) return false;
+    return batch.instance->double_sided;
   }
 
   /// Least and greatest; of whole words, or every comparison extends halfwords.
@@ -94,7 +112,7 @@ struct Assembler : ClippedAssembler<effects> {
     const SnappedVertex* first = batch.vertices + (ia - batch.first_vertex);
     const SnappedVertex* second = batch.vertices + (ib - batch.first_vertex);
     const SnappedVertex* third = batch.vertices + (ic - batch.first_vertex);
-    Clipped::rotate_to_first([](const SnappedVertex* v) { return v->y * 65536 + v->x; }, first, second, third);
+    rotate_to_first([](const SnappedVertex* v) { return v->y * 65536 + v->x; }, first, second, third);
     const SnappedVertex& a = *first;
     const SnappedVertex& b = *second;
     const SnappedVertex& c = *third;
@@ -118,7 +136,9 @@ struct Assembler : ClippedAssembler<effects> {
     const CountedTriangle<kStatistics> counted(target, whole.left, whole.top);
     constexpr bool kHasSmall = (kDepth.format == DepthFormat::z16 || kDepth.format == DepthFormat::float16) &&
                                !kDepth.any(method::midpoint) && !kDepth.compares_codes();
-    if constexpr (shade <= Shade::gouraud && kHasSmall) {
+    // What a run of small triangles has left is not small.
+    constexpr bool kInRuns = kSmallRuns<shade, true> && kUnclipped && !kTwoSided;
+    if constexpr (shade <= Shade::gouraud && kHasSmall && !kInRuns) {
       if ((kDepth.format == DepthFormat::float16 ? is_small_in_octave(max_x - min_x, max_y - min_y, a, b, c)
                                                  : is_small(max_x - min_x, max_y - min_y, a, b, c)) &&
           (!kDepth.any(method::culling) || !box.empty())) {
@@ -171,7 +191,7 @@ struct Assembler : ClippedAssembler<effects> {
         }
       }
     }
-    Clipped::template draw_spans<shade>(target, v, surface, true);
+    Clipped::template draw_spans<shade>(target, v, surface, always_narrow());
   }
 
   /// Twice the signed area, positive for front faces; differences of narrow coordinates are below 2^15, so 31 bits
@@ -187,13 +207,13 @@ struct Assembler : ClippedAssembler<effects> {
                              const TriangleAt& triangle_at) {
     const SnappedVertex* const vertices = batch.vertices;
     const std::uint32_t first = batch.first_vertex;
-    const bool double_sided = batch.instance->double_sided;
+    const bool double_sided = shows_both_sides(batch);
     for (std::size_t i = 0; i < count; ++i) {
       const Triangle& triangle = triangle_at(i);
       const SnappedVertex& a = vertices[triangle.a - first];
       const SnappedVertex& b = vertices[triangle.b - first];
       const SnappedVertex& c = vertices[triangle.c - first];
-      if constexpr (!all_narrow) {
+      if constexpr (!all_narrow && !kUnclipped) {
         if (!is_narrow(a, b, c)) {
           Clipped::template draw_clipped<shade>(target, batch, triangle);
           continue;
@@ -213,7 +233,9 @@ struct Assembler : ClippedAssembler<effects> {
   static constexpr bool kSmallRuns = (all_narrow ? kHasSmallRuns : kHasSmallRunsOfOne) && shade == Shade::gouraud &&
                                      !kStatistics && std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
 
-  static bool is_narrow(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c) {
+  static bool is_narrow([[maybe_unused]] const SnappedVertex& a, [[maybe_unused]] const SnappedVertex& b,
+                        [[maybe_unused]] const SnappedVertex& c) {
+    if constexpr (kUnclipped) return true;
     return a.x != kNotNarrow && b.x != kNotNarrow && c.x != kNotNarrow;
   }
 
@@ -249,7 +271,7 @@ struct Assembler : ClippedAssembler<effects> {
       const SnappedVertex& c = batch.vertices[triangle.c - batch.first_vertex];
       if (all_narrow || is_narrow(a, b, c)) {
         draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c, narrow_area(a, b, c));
-      } else {
+      } else if constexpr (!kUnclipped) {
         Clipped::template draw_clipped<shade>(target, batch, triangle);
       }
     }
@@ -260,7 +282,7 @@ struct Assembler : ClippedAssembler<effects> {
   static void draw_run(const StripTarget& target, const Batch& batch, std::size_t count,
                        const TriangleAt& triangle_at) {
     if constexpr (kSmallRuns<shade, all_narrow>) {
-      if (!batch.instance->double_sided) {
+      if (!shows_both_sides(batch)) {
         return draw_small_runs<shade, all_narrow>(target, batch, static_cast<std::uint32_t>(count), triangle_at);
       }
     }
@@ -272,32 +294,44 @@ struct Assembler : ClippedAssembler<effects> {
                           bool all_narrow) {
     const Triangle* const first = triangles.data();
     const auto in_order = [first](std::size_t i) -> const Triangle& { return first[i]; };
-    if (all_narrow) {
+    if (all_narrow || kUnclipped) {
       draw_run<shade, true>(target, batch, triangles.size(), in_order);
     } else {
       draw_triangles<shade, false>(target, batch, triangles.size(), in_order);
     }
   }
 
-  /// Calls draw.operator()<shade>() for the instance's shade. One decision for a whole meshlet; shades that the effects
-  /// exclude are not instantiated.
+  /// Whether some instance may have this shade.
+  static constexpr bool has_shade(Shade shade) {
+    constexpr bool kAll = !effects.any(effect::shades);
+    constexpr bool kGouraud = effects.has(effect::gouraud);
+    switch (shade) {
+      case Shade::flat: return kAll || effects.has(effect::shade_flat);
+      case Shade::gouraud: return kGouraud && (kAll || effects.has(effect::shade_gouraud));
+      case Shade::textured: return kTextures && (kAll || effects.has(effect::shade_textured));
+      case Shade::textured_flat: return kTextures && (kAll || effects.has(effect::shade_textured_flat));
+      case Shade::textured_gouraud:
+        return kTextures && kGouraud && (kAll || effects.has(effect::shade_textured_gouraud));
+      default:  // the view alone calls for dithered colours
+        return effects.any(effect::fragments) &&
+               (kAll || effects.any(effect::shade_fragments | effect::dithered_colours));
+    }
+  }
+
+  /// Calls draw.operator()<shade>() for the instance's shade. One decision for a whole meshlet; shades that no instance
+  /// has are not instantiated, and the last one is not asked for.
   template <class Draw>
   static void with_shade(Shade shade, const Draw& draw) {
-    constexpr bool kGouraud = effects.has(effect::gouraud);
-    if constexpr (effects.any(effect::fragments)) {
-      if (shade >= Shade::fragments) return draw.template operator()<Shade::fragments>();
+    try_shades<Shade::fragments, Shade::textured, Shade::textured_flat, Shade::textured_gouraud, Shade::gouraud,
+               Shade::flat>(shade < Shade::fragments ? shade : Shade::fragments, draw);
+  }
+  template <Shade first, Shade... others, class Draw>
+  static void try_shades(Shade shade, const Draw& draw) {
+    constexpr bool kIsLast = !(has_shade(others) || ...);
+    if constexpr (has_shade(first)) {
+      if (kIsLast || shade == first) return draw.template operator()<first>();
     }
-    if constexpr (kTextures) {
-      if (shade == Shade::textured) return draw.template operator()<Shade::textured>();
-      if (shade == Shade::textured_flat) return draw.template operator()<Shade::textured_flat>();
-      if constexpr (kGouraud) {
-        if (shade == Shade::textured_gouraud) return draw.template operator()<Shade::textured_gouraud>();
-      }
-    }
-    if constexpr (kGouraud) {
-      if (shade == Shade::gouraud) return draw.template operator()<Shade::gouraud>();
-    }
-    draw.template operator()<Shade::flat>();
+    if constexpr (!kIsLast) try_shades<others...>(shade, draw);
   }
 
   /// `triangles`, `count` of them, of an outline: those that face away.
@@ -305,7 +339,7 @@ struct Assembler : ClippedAssembler<effects> {
   [[gnu::noinline]] static void draw_hull(const StripTarget& target, const Batch& batch, std::size_t count,
                                           const TriangleAt& triangle_at) {
     const auto turned = [&triangle_at](std::size_t i) { return turned_round(triangle_at(i)); };
-    if constexpr (effects.any(effect::fragments)) {
+    if constexpr (has_shade(Shade::fragments)) {
       if (batch.instance->shade >= Shade::fragments) {
         return draw_triangles<Shade::fragments, false>(target, batch, count, turned);
       }
@@ -342,7 +376,7 @@ struct Assembler : ClippedAssembler<effects> {
     }
     with_shade(batch.instance->shade, [&]<Shade shade>() {
       if constexpr (kSmallRuns<shade, true>) {
-        if (all_narrow && !batch.instance->double_sided) {
+        if ((all_narrow || kUnclipped) && !shows_both_sides(batch)) {
           return draw_listed_small<shade>(target, batch, triangles, listed);
         }
       }

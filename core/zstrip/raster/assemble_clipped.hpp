@@ -1,4 +1,4 @@
-// Triangles that leave the narrow range or the depth range: transformed again in full width, clipped, drawn in parts.
+// Triangles that leave the narrow range or the depth range: clipped, and drawn in parts.
 #pragma once
 
 #include <algorithm>
@@ -6,11 +6,9 @@
 #include <type_traits>
 
 #include "zstrip/effects.hpp"
-#include "zstrip/effects/outlines/outline.hpp"
 #include "zstrip/effects/pixel_shading/lit_corners.hpp"
-#include "zstrip/geometry/clip.hpp"
-#include "zstrip/geometry/project.hpp"
 #include "zstrip/raster/attributes.hpp"
+#include "zstrip/raster/clip_triangle.hpp"
 #include "zstrip/raster/fragment.hpp"
 #include "zstrip/raster/polygon.hpp"
 #include "zstrip/raster/span_triangle.hpp"
@@ -60,22 +58,10 @@ struct ClippedAssembler {
   template <Shade shade>
   static constexpr bool kMayBeLit = effects.has(effect::pixel_shading) && shade == Shade::fragments;
 
-  /// Planes start at vertex a and round there. Rotated so that the vertex of least order becomes a, a triangle has the
-  /// same depths and colours whichever of its vertices comes first.
-  template <class Order, class Corner>
-  static void rotate_to_first(const Order& order, Corner& ia, Corner& ib, Corner& ic) {
-    const auto a = order(ia), b = order(ib), c = order(ic);
-    const Corner first = ia;
-    if (b < a && b < c) {
-      ia = ib, ib = ic, ic = first;
-    } else if (c < a) {
-      ia = ic, ic = ib, ib = first;
-    }
-  }
-
-  template <Shade shade, class Target>
+  /// `narrow`: whether all coordinates are within kNarrowLimit, a bool or std::true_type.
+  template <Shade shade, class Target, class Narrow>
   static void draw_spans(const Target& target, const RasterVertex (&v)[3], const SurfaceOf<shade>& surface,
-                         bool narrow) {
+                         Narrow narrow) {
     if constexpr (shade == Shade::fragments) {
       draw_fragment_triangle<effects>(target, v[0], v[1], v[2], surface, narrow);
     } else {
@@ -84,58 +70,14 @@ struct ClippedAssembler {
     }
   }
 
-  static ClipVertex clip_vertex(const Batch& batch, std::uint32_t index) {
-    const Position& p = batch.mesh->positions[index];
-    const auto wide = [&p](const LinearForm& form) { return std::int64_t{form.at(p)} * (1 << kClipBits); };
-    ClipVertex vertex{wide(batch.instance->x), wide(batch.instance->y), wide(batch.instance->w), 0, 0, 0, 0, 0};
-    if constexpr (effects.has(effect::outlines)) {
-      if (is_outline(*batch.instance)) {
-        const HullVertex moved = hull_vertex<kOrthographic>(*batch.instance, *batch.mesh, index);
-        vertex.w = std::int64_t{moved.w} * (1 << kClipBits);
-        vertex.u = moved.right, vertex.v = moved.down;
-      }
-    }
-    return vertex;
-  }
-
-  /// Along the viewing direction, in the instance's own scale.
-  static std::int32_t distance_of(const Batch& batch, std::uint32_t index) {
-    if constexpr (effects.has(effect::outlines)) {
-      if (is_outline(*batch.instance)) return hull_vertex<kOrthographic>(*batch.instance, *batch.mesh, index).w;
-    }
-    return batch.instance->w.at(batch.mesh->positions[index]);
-  }
-
-  static RasterVertex projected(const Batch& batch, const ClipVertex& v) {
-    WidePosition p = project_wide<kOrthographic, reciprocal_kind(effects)>(*batch.instance, batch.origin, v);
-    if constexpr (kDepth.format != DepthFormat::z16) {
-      p.depth = project_wide_depth<kOrthographic, kDepth.format>(*batch.instance, batch.origin, v);
-    }
-    if constexpr (effects.has(effect::outlines)) {
-      // Not beyond the guard band: both neighbours stop there.
-      const auto moved = [](std::int32_t from, std::int32_t by) {
-        constexpr std::int32_t kGuard = std::int32_t{1} << kGuardBits;
-        return std::clamp(from + by, -kGuard, kGuard);
-      };
-      if (is_outline(*batch.instance)) return {moved(p.x, v.u), moved(p.y, v.v), p.depth, v.r, v.g, v.b, 0, 0};
-    }
-    return {p.x, p.y, p.depth, v.r, v.g, v.b, v.u, v.v};
-  }
-
-  /// The path for triangles that leave the narrow range or the depth range: transforms its vertices again, in full
-  /// width. False if nothing of it faces the viewer.
+  /// Cannot be inlined: drawing the polygon needs the stack that it takes. Only what the shade reads of vertices is its
+  /// own.
   template <Shade shade>
   [[gnu::noinline]] static bool clip(const Batch& batch, const Triangle& triangle, RasterPolygon& polygon) {
     ClipPolygon clipped;
-    clipped.count = 3;
-    std::uint32_t indices[3] = {triangle.a, triangle.b, triangle.c};
-    const auto by_position = [&batch](std::uint32_t index) {
-      const Position& p = batch.mesh->positions[index];
-      return std::int64_t{p.x} * (std::int64_t{1} << 32) + std::int64_t{p.y} * 65536 + p.z;
-    };
-    rotate_to_first(by_position, indices[0], indices[1], indices[2]);
+    std::uint32_t indices[3];
+    ClipperFor<effects>::begin(batch, triangle, clipped, indices);
     for (int i = 0; i < 3; ++i) {
-      clipped.vertices[i] = clip_vertex(batch, indices[i]);
       Attributes::template load<shade>(batch, indices[i], clipped.vertices[i]);
       if constexpr (kMayBeLit<shade>) {
         if (has_lit_fragments(batch.instance->shade)) {
@@ -143,13 +85,7 @@ struct ClippedAssembler {
         }
       }
     }
-    if constexpr (kOrthographic) {
-      clip_orthographic(clipped, *batch.instance);
-    } else {
-      clip_perspective(clipped, *batch.instance);
-    }
-    for (int i = 0; i < clipped.count; ++i) polygon.append(projected(batch, clipped.vertices[i]));
-    return polygon.face_front(batch.instance->double_sided);
+    return ClipperFor<effects>::finish(batch, clipped, polygon);
   }
 
   /// Of a triangle of a clipped one.

@@ -56,8 +56,10 @@ struct Facing {
         return for_each<false>(batch, triangles, turned, visit);
       }
     }
-    return all_narrow ? for_each<true>(batch, triangles, in_order, visit)
-                      : for_each<false>(batch, triangles, in_order, visit);
+    if constexpr (!Assembler::kUnclipped) {
+      if (!all_narrow) return for_each<false>(batch, triangles, in_order, visit);
+    }
+    return for_each<true>(batch, triangles, in_order, visit);
   }
 
  private:
@@ -71,7 +73,7 @@ struct Facing {
       return *reinterpret_cast<const SnappedVertex*>(  // NOLINT(performance-no-int-to-ptr)
           vertices + index * sizeof(SnappedVertex));
     };
-    const bool double_sided = batch.instance->double_sided;
+    const bool double_sided = Assembler::shows_both_sides(batch);
     std::uint32_t i = 0;
     for (const Triangle& listed : triangles) {
       const Triangle& triangle = turn(listed);
@@ -82,8 +84,7 @@ struct Facing {
       if constexpr (!all_narrow) {
         if (!Assembler::is_narrow(a, b, c)) {
           RasterPolygon polygon;
-          if (Assembler::template clip<Shade::flat>(batch, triangle, polygon) &&
-              !visit(index, ClippedPixels{polygon.box()})) {
+          if (ClipperFor<effects>::clip(batch, triangle, polygon) && !visit(index, ClippedPixels{polygon.box()})) {
             return false;
           }
           continue;

@@ -270,9 +270,9 @@ void fill_fragments(const Span<typename Rule::Cell>& span, const DepthPlane& dep
 }
 
 /// Draws a counter-clockwise triangle of an instance whose fragments have effects. `narrow`: as draw_span_triangle.
-template <Effects effects>
+template <Effects effects, class Narrow>
 void draw_fragment_triangle(const TargetOf<effects>& target, const RasterVertex& v0, const RasterVertex& v1,
-                            const RasterVertex& v2, const FragmentSurface<effects>& surface, bool narrow) {
+                            const RasterVertex& v2, const FragmentSurface<effects>& surface, Narrow narrow) {
   constexpr DepthMode kMode = depth_mode(effects);
   const SpanTriangle<kMode> triangle(target, v0, v1, v2);
   const RasterVertex* const vertices[3] = {&v0, &v1, &v2};

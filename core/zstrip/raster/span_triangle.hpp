@@ -143,9 +143,9 @@ struct SpanTriangle {
   /// Calls fill(run, depth plane, rule) for all runs in the strip that may be seen. Pieces of midpoint subdivision only
   /// decide which pixels are drawn how: everything else is the whole triangle's. `in_runs`: fill counts pixels from the
   /// left end of the whole span.
-  template <bool statistics, bool in_runs, class Fill>
+  template <bool statistics, bool in_runs, class Narrow, class Fill>
   void walk(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2,
-            bool narrow, const Fill& fill) const {
+            Narrow narrow, const Fill& fill) const {
     if constexpr (mode.any(method::splitting)) {
       const DepthRule<mode.with(DepthUse::written)> writing(target, v0, v1, v2, area);
       for_each_midpoint_piece<mode>(target, v0, v1, v2, [&](const RasterVertex(&part)[3], DepthUse use) {
@@ -171,9 +171,9 @@ struct SpanTriangle {
   struct Unsplit {};  ///< instead of WholeSpans: the part is the whole, or it is not used
 
   /// The same of a part of the triangle.
-  template <bool statistics, class Rule, class Whole, class Fill>
+  template <bool statistics, class Narrow, class Rule, class Whole, class Fill>
   void walk_part(const TargetFor<mode>& target, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
-                 bool narrow, const Rule& how, [[maybe_unused]] Whole whole, const Fill& fill) const {
+                 Narrow narrow, const Rule& how, [[maybe_unused]] Whole whole, const Fill& fill) const {
     using Cell = typename Rule::Cell;
     const auto fill_run = [&](const Span<Cell>& run, const auto& plane) { fill(run, plane, how); };
     const auto fill_row = [&](std::int32_t row, std::int32_t left, std::int32_t right, std::int32_t whole_left,
@@ -194,11 +194,10 @@ struct SpanTriangle {
         depth.for_each_run(span, fill_run);
       }
     };
-    if (narrow) {
-      walk_spans<std::int32_t>(target, a, b, c, fill_row);
-    } else {
-      walk_spans<std::int64_t>(target, a, b, c, fill_row);
+    if constexpr (!std::is_same_v<Narrow, std::true_type>) {
+      if (!narrow) return walk_spans<std::int64_t>(target, a, b, c, fill_row);
     }
+    walk_spans<std::int32_t>(target, a, b, c, fill_row);
   }
 
   std::int64_t area;
@@ -208,11 +207,12 @@ struct SpanTriangle {
   DepthRule<mode> rule;
 };
 
-/// Draws a counter-clockwise triangle. `narrow`: all coordinates within kNarrowLimit; only speed depends on it.
-/// `perspective`: that of zstrip::perspective_run().
-template <Shade shade, bool orthographic, bool statistics, DepthMode mode = DepthMode{}, std::int32_t perspective = 16>
+/// Draws a counter-clockwise triangle. `narrow`: all coordinates within kNarrowLimit, a bool or std::true_type; only
+/// speed depends on it. `perspective`: that of zstrip::perspective_run().
+template <Shade shade, bool orthographic, bool statistics, DepthMode mode = DepthMode{}, std::int32_t perspective = 16,
+          class Narrow = bool>
 void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
-                        const RasterVertex& v2, const Surface& surface, bool narrow) {
+                        const RasterVertex& v2, const Surface& surface, Narrow narrow) {
   const SpanTriangle<mode> triangle(target, v0, v1, v2);
   const auto plane = [&](auto member) {
     const auto value = [&](const RasterVertex& v) { return std::int64_t{v.*member}; };

@@ -122,4 +122,27 @@ inline void swap_bytes(std::uint16_t* pixels, std::uint32_t count) {
   if (count != 0) *pixels = static_cast<std::uint16_t>((*pixels << 8) | (*pixels >> 8));
 }
 
+/// convert_pixels. Inlined, so that where the compiler knows the format no other is linked.
+[[gnu::always_inline]] inline void convert_rows(PixelFormat format, std::uint16_t width, std::uint16_t rows,
+                                                std::uint16_t* pixels, std::byte* out) {
+  if (format == PixelFormat::rgb565) return;
+  if (format == PixelFormat::rgb565_swapped) {
+    swap_bytes(pixels, std::uint32_t{rows} * width);
+    return;
+  }
+  for (std::uint32_t y = 0; y < rows; ++y) {
+    const std::uint16_t* const row = pixels + y * width;
+    std::byte* const out_row = out + y * bytes_per_row(width, format);
+    if (format == PixelFormat::gray4) {
+      resolve_gray4(row, width, out_row);
+    } else if (format == PixelFormat::mono) {
+      resolve_mono(row, width, out_row);
+    } else if (format == PixelFormat::rgb444) {
+      resolve_rgb444(row, width, out_row);
+    } else {
+      resolve_wide(row, width, format == PixelFormat::xrgb8888, out_row);
+    }
+  }
+}
+
 }  // namespace zstrip::detail

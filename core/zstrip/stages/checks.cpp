@@ -11,8 +11,8 @@
 
 namespace zstrip::detail {
 
-Status check_request(const Scene& scene, const Camera& camera, const View& view, const Plan& plan, Effects called_for,
-                     Effects effects, std::span<std::byte> arena) {
+Status check_request(const Scene& scene, const SceneCounts& counts, const Camera& camera, const View& view,
+                     const Plan& plan, Effects called_for, Effects effects, std::span<std::byte> arena) {
   if (!valid_size_and_format(view)) return {.error = Error::view_size};
   if (plan.strip_rows < 1 || plan.strip_rows > view.height) {
     return {.error = Error::strip_rows, .needed = plan.strip_rows, .available = view.height};
@@ -27,10 +27,9 @@ Status check_request(const Scene& scene, const Camera& camera, const View& view,
   if (const Status status = validate_instances(scene); !status) return status;
   const bool binned = plan.mode == Mode::binned;
   if (binned) called_for = called_for | effect::bins;
-  if (const Effects missing = without(called_for, effects); missing.bits != 0)
+  if (const Effects missing = missing_effects(called_for, effects); missing.bits != 0)
     return {.error = Error::effect_missing, .needed = low_bits(missing)};
   // The plan must be one for this scene: a smaller one would overrun its parts of the arena.
-  const SceneCounts counts = count(scene);
   if (plan.instance_bytes < instance_bytes(counts)) {
     return too_small(Purpose::instances, instance_bytes(counts), plan.instance_bytes);
   }

@@ -10,8 +10,8 @@
 namespace zstrip::detail {
 
 /// Of begin_frame, for a renderer with `effects`; not the index arrays, which validate() has seen.
-Status check_request(const Scene& scene, const Camera& camera, const View& view, const Plan& plan, Effects called_for,
-                     Effects effects, std::span<std::byte> arena);
+Status check_request(const Scene& scene, const SceneCounts& counts, const Camera& camera, const View& view,
+                     const Plan& plan, Effects called_for, Effects effects, std::span<std::byte> arena);
 /// Of draw_strip.
 Status check_strip(const FrameState& frame, std::uint16_t strip, std::span<const std::byte> pixels);
 /// Where the frame is one of samples, and `pixels` those of the display.

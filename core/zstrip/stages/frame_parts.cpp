@@ -27,35 +27,24 @@ void lay_out_arena(FrameState& frame, std::span<std::byte> arena) {
   frame.batches = reinterpret_cast<RetainedBatch*>(take(frame.plan.bin_bytes));
 }
 
-Status prepare_instances(FrameState& frame, const Scene& scene, const Camera& camera, const View& view,
-                         const DepthFit& fit) {
-  const bool orthographic = camera.projection == Projection::orthographic;
-  const SceneCounts counts = count(scene);
+void begin_instances(FrameState& frame, const SceneCounts& counts, const Camera& camera, const View& view,
+                     const DepthFit& fit) {
   const bool binned = frame.plan.mode == Mode::binned;
   frame.colours = reinterpret_cast<Colour*>(frame.vertices + (binned ? counts.vertices : counts.largest_meshlet));
   frame.bounds = {};
   frame.depth_area = {};
   frame.fit = fit;
-  frame.origin = raster_origin(view, frame.fit, orthographic);
-  const bool nothing = frame.fit.near == 0;
-  for (std::uint32_t i = 0; i < counts.instances; ++i) {
-    CompiledInstance& instance = frame.instances[i];
-    if (nothing) {
-      instance.visible = false;
-      continue;
-    }
-    if (const Status status = compile_instance(instance, scene, scene.instances[i], camera, view, frame.fit); !status) {
-      return {.error = status.error, .needed = i};
-    }
-    if (!instance.visible) continue;
-    const Rect box = bounds_of(instance, frame.origin, view, orthographic);
-    if (box.empty()) {
-      instance.visible = false;
-      continue;
-    }
+  frame.origin = raster_origin(view, frame.fit, camera.projection == Projection::orthographic);
+}
+
+void bound_instance(FrameState& frame, CompiledInstance& instance, const Camera& camera, const View& view) {
+  if (!instance.visible) return;
+  const Rect box = bounds_of(instance, frame.origin, view, camera.projection == Projection::orthographic);
+  if (box.empty()) {
+    instance.visible = false;
+  } else {
     extend_bounds(frame, box);
   }
-  return {};
 }
 
 void extend_bounds(FrameState& frame, const Rect& box) {
@@ -65,10 +54,9 @@ void extend_bounds(FrameState& frame, const Rect& box) {
                                     std::max(all.right, box.right), std::max(all.bottom, box.bottom)};
 }
 
-void divide(FrameState& frame, const Scene& scene, const View& view) {
+void divide(FrameState& frame, const SceneCounts& counts, const View& view) {
   frame.grid = StripGrid(frame.plan, view, frame.bounds);
   if (frame.plan.mode == Mode::binned) {
-    const SceneCounts counts = count(scene);
     const std::uint32_t batch_bytes = counts.meshlets * kBatchBytes;
     frame.bins = Bins(reinterpret_cast<std::byte*>(frame.batches) + batch_bytes, frame.plan.bin_bytes - batch_bytes,
                       frame.plan.strips);

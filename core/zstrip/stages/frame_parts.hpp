@@ -38,13 +38,35 @@ inline void start(FrameState& frame, const View& view, const Plan& plan, std::sp
   lay_out_arena(frame, arena);
 }
 
+/// What is known of the frame before its instances. `counts`: of the scene that is drawn.
+void begin_instances(FrameState& frame, const SceneCounts& counts, const Camera& camera, const View& view,
+                     const DepthFit& fit);
+/// Of an instance that is compiled: whether it can be seen, and the frame's bounds.
+void bound_instance(FrameState& frame, CompiledInstance& instance, const Camera& camera, const View& view);
 /// Compiles the instances, finds the frame's bounds.
-Status prepare_instances(FrameState& frame, const Scene& scene, const Camera& camera, const View& view,
-                         const DepthFit& fit);
+template <Effects effects>
+Status prepare_instances(FrameState& frame, const Scene& scene, const SceneCounts& counts, const Camera& camera,
+                         const View& view, const DepthFit& fit) {
+  constexpr bool kOrthographic = effects.has(effect::orthographic);
+  constexpr bool kLights = effects.any(effect::lighting | effect::pixel_shading);
+  begin_instances(frame, counts, camera, view, fit);
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    CompiledInstance& instance = frame.instances[i];
+    instance.visible = false;
+    if (frame.fit.near == 0) continue;  // nothing is in the depth range
+    if (const Status status =
+            compile_instance<kOrthographic, kLights>(instance, scene, scene.instances[i], camera, view, frame.fit);
+        !status) {
+      return {.error = status.error, .needed = i};
+    }
+    bound_instance(frame, instance, camera, view);
+  }
+  return {};
+}
 /// `box`: pixels of the picture, not empty.
 void extend_bounds(FrameState& frame, const Rect& box);
 /// Into strips, of the bounds that are now known.
-void divide(FrameState& frame, const Scene& scene, const View& view);
+void divide(FrameState& frame, const SceneCounts& counts, const View& view);
 
 inline EffectBlock effect_block(const FrameState& frame) {
   return {reinterpret_cast<std::byte*>(frame.batches) + frame.plan.bin_bytes, frame.plan.effect_bytes};

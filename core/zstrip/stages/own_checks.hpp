@@ -23,7 +23,7 @@ Status check_own_request(const FrameRequest& request) {
     if (plan.mode == Mode::binned) return {.error = Error::depth_effects};
   }
   if constexpr (MemoryOfEffects::has_any(effects)) {
-    const std::uint64_t needed = MemoryOfEffects::bytes<effects>(request.called_for, count(request.scene));
+    const std::uint64_t needed = MemoryOfEffects::bytes<effects>(request.called_for, request.counts);
     if (plan.effect_bytes < needed) return too_small(Purpose::effects, needed, plan.effect_bytes);
   }
   if constexpr (depth_bytes(depth_format(effects)) != kDepthBytes) {

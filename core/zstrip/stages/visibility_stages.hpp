@@ -129,7 +129,7 @@ void MethodStage::collect_triangles(MethodFrameState& frame) {
           const SnappedVertex& v = batch.vertices[index - range.first_vertex];
           if (v.x != kNotNarrow) return v.depth;
           const std::int32_t nearest = static_cast<std::int32_t>(compiled.w_near);
-          const std::int32_t w = std::clamp(AssemblerFor<effects>::distance_of(batch, index), nearest,
+          const std::int32_t w = std::clamp(ClipperFor<effects>::distance_of(batch, index), nearest,
                                             nearest + static_cast<std::int32_t>(compiled.w_range));
           const Reciprocal r = kOrthographic ? Reciprocal{0, 0} : reciprocal_of(static_cast<std::uint32_t>(w));
           return project_depth<kOrthographic>(compiled, frame.origin, w, r);

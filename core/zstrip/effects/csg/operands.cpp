@@ -25,7 +25,7 @@ std::uint32_t first_meshlet(const FrameState& frame, std::uint32_t instance) {
 Status check_memory(const FrameRequest& request, std::uint32_t cell_bytes) {
   const std::uint64_t cells = std::uint64_t{request.plan.strip_rows} * request.plan.strip_columns;
   const std::uint64_t needed =
-      MemoryOfEffects::bytes(request.called_for, count(request.scene)) + csg_strip_bytes(cells, cell_bytes);
+      MemoryOfEffects::bytes(request.called_for, request.counts) + csg_strip_bytes(cells, cell_bytes);
   if (request.plan.effect_bytes >= needed) return {};
   return too_small(Purpose::effects, needed, request.plan.effect_bytes);
 }

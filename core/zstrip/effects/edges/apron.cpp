@@ -4,8 +4,9 @@
 namespace zstrip::detail::edges {
 
 Status check_request(const FrameRequest& request) {
-  const auto& [scene, camera, view, plan, called_for] = request;
-  if (view.samples != 1 || called_for.any(effect::outlines | effect::shadows | effect::csg)) {
+  const View& view = request.view;
+  const Plan& plan = request.plan;
+  if (view.samples != 1 || request.called_for.any(effect::outlines | effect::shadows | effect::csg)) {
     return {.error = Error::edges};
   }
   const std::uint64_t cells = cells_with_apron(plan.strip_rows, plan.strip_columns, view);

@@ -38,7 +38,7 @@ struct Stage : NoStage {
 
   template <Effects effects>
   static Status check(const FrameRequest& request) {
-    const SceneCounts counts = count(request.scene);
+    const SceneCounts& counts = request.counts;
     const std::uint64_t vertices = request.plan.mode == Mode::binned ? counts.vertices : counts.largest_meshlet;
     const std::uint64_t needed = vertices * bytes_per_vertex(request.called_for);
     if (request.plan.vertex_bytes >= needed) return {};

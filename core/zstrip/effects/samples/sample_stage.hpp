@@ -23,7 +23,7 @@ Status begin_frame(FrameState& frame, const FrameRequest& request, std::span<std
   const Camera camera = camera_of_samples(request.camera, view);
   const View samples = view_of_samples(view);
   const Plan plan = plan_of_samples(request.plan, view);
-  const FrameRequest drawing{request.scene, camera, samples, plan, request.called_for};
+  const FrameRequest drawing{request.scene, camera, samples, plan, request.counts, request.called_for};
   if (const Status status = check_frame<effects>(drawing, arena); !status) return status;
   const Status status = begin_checked_frame<effects>(frame, drawing, request.camera, arena);
   frame.has_special_depth = true;

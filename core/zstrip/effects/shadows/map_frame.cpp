@@ -21,7 +21,7 @@ namespace zstrip::detail::shadows {
 
 Status check_memory(const FrameRequest& request) {
   const Plan& plan = request.plan;
-  const SceneCounts counts = count(request.scene);
+  const SceneCounts& counts = request.counts;
   const std::uint64_t extents = std::uint64_t{counts.meshlets} * kExtentBytes;
   if (plan.extent_bytes < extents) return too_small(Purpose::extents, extents, plan.extent_bytes);
   const std::uint32_t strip = shadow_strip_bytes(counts);

@@ -105,7 +105,7 @@ struct Stage : NoStage {
     if constexpr (casting.has(effect::quadrics)) {
       if (const Status status = quadrics::prepare(light, casters, state.camera); !status) return status;
     }
-    divide(light, casters, light.view);
+    divide(light, count(casters), light.view);
     light.scene = &casters;
     if (light.extents != nullptr) GeometryStage::survey<casting>(light);
     DepthSettings settings;

@@ -135,7 +135,7 @@ std::uint32_t draw_small_run_sse2(const StripTarget& target, const SnappedVertex
     const Rect box{std::max(min_x >> 4, strip.left), std::max(min_y >> 4, strip.top), std::min(max_x >> 4, strip.right),
                    std::min(max_y >> 4, strip.bottom)};
     if (box.empty()) continue;
-    // ClippedAssembler::rotate_to_first: by y, then x.
+    // rotate_to_first: by y, then x.
     const std::int32_t order_a = order_of(at_a), order_b = order_of(at_b), order_c = order_of(at_c);
     const std::uint32_t first = a;
     if (order_b < order_a && order_b < order_c) {

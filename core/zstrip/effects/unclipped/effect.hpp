@@ -1,0 +1,19 @@
+// A promise: no triangle reaches the near plane or leaves the narrow range, so that nothing is clipped.
+#pragma once
+
+#include "zstrip/effects/effect.hpp"
+
+namespace zstrip::detail::unclipped {
+
+struct Effect : AnyEffect {
+  static constexpr EffectName kNames[] = {
+      {effect::unclipped, "unclipped", "nothing comes near the camera: no clipping (a turntable)"},
+  };
+  static constexpr Exclusion kExclusions[] = {
+      {effect::unclipped, effect::outlines, "hulls reach beyond the boxes of their instances"},
+      {effect::unclipped, effect::edges | effect::shadows, "both look at triangles beyond the picture"},
+      {effect::unclipped, method::any, "methods split triangles, or look at boxes of their own"},
+  };
+};
+
+}  // namespace zstrip::detail::unclipped

@@ -1,0 +1,24 @@
+// Renderers without clipping: a frame is refused where the box of an instance might call for it.
+#pragma once
+
+#include "zstrip/effects/stage.hpp"
+#include "zstrip/effects/unclipped/narrow_box.hpp"
+
+namespace zstrip::detail::unclipped {
+
+struct Stage : NoStage {
+  static constexpr Effects kEffects = effect::unclipped;
+
+  template <Effects effects>
+  static Status prepare_geometry(FrameState& frame, const Scene& scene, const FrameRequest&) {
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+      const CompiledInstance& instance = frame.instances[i];
+      if (instance.visible && !is_box_narrow<effects.has(effect::orthographic)>(instance, frame.origin)) {
+        return {.error = Error::clipping, .needed = static_cast<std::uint32_t>(i)};
+      }
+    }
+    return {};
+  }
+};
+
+}  // namespace zstrip::detail::unclipped

@@ -1,0 +1,63 @@
+// FixedRenderer: a renderer of one scene and one picture, both constants. What the compiler has checked is not checked
+// again, and the memory of the plan is part of it: the least flash, and the shortest program.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "zstrip/frame.hpp"
+#include "zstrip/frame/fixed_frame.hpp"
+#include "zstrip/plan.hpp"
+#include "zstrip/scene/validate.hpp"
+
+namespace zstrip {
+
+/// Draws `scene`, whose meshes, materials and instances are constants, in the size and format of `view`; only the
+/// camera moves. `more`: effects beside those that scene and view call for, effect::unclipped or effect::bins.
+///     constexpr zstrip::View kView{128, 96, zstrip::PixelFormat::rgb565_swapped};
+///     zstrip::FixedRenderer<kScene, kView, zstrip::Budget{.bytes = 2048}> renderer;
+/// The plan is made by the compiler, within `budget`; its arena is in the object, kPlan.bytes() of it. Errors that a
+/// Renderer returns for scene, view, plan and memory end the compilation. validate(scene), which reads every index, is
+/// left to a static_assert of the program. `counts` is given where meshlets are not visible to the compiler. Not safe
+/// for two threads at once; separate objects are independent.
+template <const Scene& scene, const View& view, Budget budget = Budget{}, Effects more = Effects{},
+          Projection projection = Projection::perspective, SceneCounts counts = count(scene)>
+class FixedRenderer {
+ public:
+  static constexpr Effects kEffects = effects_of(scene, Camera{.projection = projection}) | effects_of(view) | more;
+
+ private:
+  static constexpr PlanResult kPlanned = zstrip::plan(counts, view, kEffects, budget);
+  static_assert(kPlanned.status, "no plan for this scene, view and budget: zstrip plan says what is missing");
+  static_assert(validate_instances(scene), "the scene is not valid: zstrip::validate says what is wrong");
+  static_assert(effects_agree(kEffects), "effects that go together: kExclusions, kAlternatives");
+  static_assert(kEffects.methods == 0 && !kEffects.any(effect::depth_ranges | effect::supersampled),
+                "visibility methods, sub-ranges of depth and samples need a Renderer");
+
+ public:
+  static constexpr Plan kPlan = kPlanned.plan;
+  static constexpr std::uint32_t kStripBytes = kPlan.strip_pixel_bytes(view);
+
+  /// Prepares a frame seen by `camera`. Error::camera if it is not usable or has another projection; Error::instance
+  /// for an instance that is too large beside its distance, Error::clipping with effect::unclipped. Nothing is drawn
+  /// then until the next success.
+  Status begin_frame(const Camera& camera) {
+    return detail::begin_fixed_frame<kEffects>(state_, {scene, camera, view, kPlan, counts, kCalledFor}, arena_);
+  }
+  /// Draws kPlan.strip_area(strip, view) of the picture into `pixels`, which lie at an even address; their contents do
+  /// not matter. The last strips of a row or column may be smaller. Strips may be drawn in any order, or again.
+  Status draw_strip(std::uint16_t strip, std::span<std::byte, kStripBytes> pixels) {
+    return detail::draw_fixed_strip<kEffects, view.format>(state_, strip, kPlan.strips, pixels.data());
+  }
+  /// Of what was begun last. Refers to this object.
+  FrameFor<kEffects> frame() const { return FrameFor<kEffects>(state_); }
+
+ private:
+  static constexpr Effects kCalledFor = effects_of(scene, Camera{.projection = projection});
+
+  detail::FrameStateFor<kEffects> state_;
+  alignas(kArenaAlignment) std::byte arena_[kPlan.bytes()] = {};  // all zeros: no flash
+};
+
+}  // namespace zstrip

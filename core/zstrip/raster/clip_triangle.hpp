@@ -1,0 +1,116 @@
+// A triangle of a meshlet, transformed again in full width and clipped: the polygon that is left of it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "zstrip/effects.hpp"
+#include "zstrip/effects/outlines/outline.hpp"
+#include "zstrip/geometry/clip.hpp"
+#include "zstrip/geometry/project.hpp"
+#include "zstrip/raster/attributes.hpp"
+#include "zstrip/raster/polygon.hpp"
+
+namespace zstrip::detail {
+
+/// Planes start at vertex a and round there. Rotated so that the vertex of least order becomes a, a triangle has the
+/// same depths and colours whichever of its vertices comes first.
+template <class Order, class Corner>
+void rotate_to_first(const Order& order, Corner& ia, Corner& ib, Corner& ic) {
+  const auto a = order(ia), b = order(ib), c = order(ic);
+  const Corner first = ia;
+  if (b < a && b < c) {
+    ia = ib, ib = ic, ic = first;
+  } else if (c < a) {
+    ia = ic, ic = ib, ib = first;
+  }
+}
+
+/// What of a set of effects changes how a triangle is clipped. TriangleClipper is made for these, so that pipelines
+/// and shades share its code.
+constexpr Effects clip_effects(Effects effects) {
+  return effects & (effect::orthographic | effect::depth_formats | effect::short_reciprocals | effect::outlines);
+}
+
+template <Effects effects>
+struct TriangleClipper {
+  static_assert(effects == clip_effects(effects));
+  static constexpr bool kOrthographic = effects.has(effect::orthographic);
+
+  /// The corners in full width, and which vertices of the mesh they are. Colours and texture coordinates are zeros.
+  [[gnu::noinline]] static void begin(const Batch& batch, const Triangle& triangle, ClipPolygon& clipped,
+                                      std::uint32_t (&indices)[3]) {
+    clipped.count = 3;
+    indices[0] = triangle.a, indices[1] = triangle.b, indices[2] = triangle.c;
+    const auto by_position = [&batch](std::uint32_t index) {
+      const Position& p = batch.mesh->positions[index];
+      return std::int64_t{p.x} * (std::int64_t{1} << 32) + std::int64_t{p.y} * 65536 + p.z;
+    };
+    rotate_to_first(by_position, indices[0], indices[1], indices[2]);
+    for (int i = 0; i < 3; ++i) clipped.vertices[i] = vertex_of(batch, indices[i]);
+  }
+
+  /// The polygon of what is left of the triangle; false if nothing of it faces the viewer.
+  [[gnu::noinline]] static bool finish(const Batch& batch, ClipPolygon& clipped, RasterPolygon& polygon) {
+    if constexpr (kOrthographic) {
+      clip_orthographic(clipped, *batch.instance);
+    } else {
+      clip_perspective(clipped, *batch.instance);
+    }
+    for (int i = 0; i < clipped.count; ++i) polygon.append(projected(batch, clipped.vertices[i]));
+    return polygon.face_front(batch.instance->double_sided);
+  }
+
+  /// All of it, without colours and texture coordinates.
+  [[gnu::noinline]] static bool clip(const Batch& batch, const Triangle& triangle, RasterPolygon& polygon) {
+    ClipPolygon clipped;
+    std::uint32_t indices[3];
+    begin(batch, triangle, clipped, indices);
+    return finish(batch, clipped, polygon);
+  }
+
+  /// Along the viewing direction, in the instance's own scale.
+  static std::int32_t distance_of(const Batch& batch, std::uint32_t index) {
+    if constexpr (effects.has(effect::outlines)) {
+      if (is_outline(*batch.instance)) return hull_vertex<kOrthographic>(*batch.instance, *batch.mesh, index).w;
+    }
+    return batch.instance->w.at(batch.mesh->positions[index]);
+  }
+
+ private:
+  static ClipVertex vertex_of(const Batch& batch, std::uint32_t index) {
+    const Position& p = batch.mesh->positions[index];
+    const auto wide = [&p](const LinearForm& form) { return std::int64_t{form.at(p)} * (1 << kClipBits); };
+    ClipVertex vertex{wide(batch.instance->x), wide(batch.instance->y), wide(batch.instance->w), 0, 0, 0, 0, 0};
+    if constexpr (effects.has(effect::outlines)) {
+      if (is_outline(*batch.instance)) {
+        const HullVertex moved = hull_vertex<kOrthographic>(*batch.instance, *batch.mesh, index);
+        vertex.w = std::int64_t{moved.w} * (1 << kClipBits);
+        vertex.u = moved.right, vertex.v = moved.down;
+      }
+    }
+    return vertex;
+  }
+
+  static RasterVertex projected(const Batch& batch, const ClipVertex& v) {
+    WidePosition p = project_wide<kOrthographic, reciprocal_kind(effects)>(*batch.instance, batch.origin, v);
+    if constexpr (depth_format(effects) != DepthFormat::z16) {
+      p.depth = project_wide_depth<kOrthographic, depth_format(effects)>(*batch.instance, batch.origin, v);
+    }
+    if constexpr (effects.has(effect::outlines)) {
+      // Not beyond the guard band: both neighbours stop there.
+      const auto moved = [](std::int32_t from, std::int32_t by) {
+        constexpr std::int32_t kGuard = std::int32_t{1} << kGuardBits;
+        return std::clamp(from + by, -kGuard, kGuard);
+      };
+      if (is_outline(*batch.instance)) return {moved(p.x, v.u), moved(p.y, v.v), p.depth, v.r, v.g, v.b, 0, 0};
+    }
+    return {p.x, p.y, p.depth, v.r, v.g, v.b, v.u, v.v};
+  }
+};
+
+/// Of a renderer with these effects.
+template <Effects effects>
+using ClipperFor = TriangleClipper<clip_effects(effects)>;
+
+}  // namespace zstrip::detail
