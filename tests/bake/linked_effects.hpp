@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support.hpp"
+#include "zstrip/raster/clip_triangle.hpp"
 #include "zstrip/raster/raster_effects.hpp"
 
 namespace zstrip::sim::test {
@@ -34,7 +35,7 @@ inline LinkedEffects linked_effects(const std::string& program) {
     linked.pipelines.push_back(
         {std::stoull(match[1]), match[2].matched ? static_cast<std::uint32_t>(std::stoul(match[2])) : 0});
   });
-  for_each(R"(\(zstrip::detail::Shade\)([0-9]))",
+  for_each(R"((?:spans|triangle|polygon|clipped|triangles|narrow)<\(zstrip::detail::Shade\)([0-9]))",
            [&linked](const std::smatch& match) { linked.shades.insert(std::stoi(match[1])); });
   linked.bins = outcome.out.find("zstrip::detail::Bins::append") != std::string::npos;
   return linked;
@@ -54,7 +55,8 @@ inline void expect_only(const std::string& program, Effects effects) {
     }
     // Rasterisers and vertices are made for what they ask for.
     const Effects colours = effect::lighting | effect::vertex_colours;
-    EXPECT_TRUE(made_for == effects || made_for == detail::raster_effects(effects) || made_for == (effects & colours))
+    EXPECT_TRUE(made_for == effects || made_for == detail::raster_effects(effects) ||
+                made_for == detail::clip_effects(effects) || made_for == (effects & colours))
         << program << ' ' << made_for.bits;
   }
   constexpr int kFlat = 0, kGouraud = 1, kTextured = 2, kTexturedFlat = 3, kTexturedGouraud = 4;

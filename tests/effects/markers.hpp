@@ -64,7 +64,7 @@ inline constexpr Marker kMarkers[] = {
     {effect::overlay, "zstrip::detail::overlay::Stage::"},
     {effect::bins, "zstrip::detail::Bins::append("},
     {effect::shade_flat | effect::shadows | effect::csg, "zstrip::detail::draw_span_triangle<(zstrip::detail::Shade)0"},
-    {effect::shade_gouraud, "zstrip::detail::draw_span_triangle<(zstrip::detail::Shade)1"},
+    {effect::gouraud, "zstrip::detail::draw_span_triangle<(zstrip::detail::Shade)1"},
     {effect::shade_textured, "zstrip::detail::draw_span_triangle<(zstrip::detail::Shade)2"},
     {effect::shade_textured_flat, "zstrip::detail::draw_span_triangle<(zstrip::detail::Shade)3"},
     {effect::shade_textured_gouraud, "zstrip::detail::draw_span_triangle<(zstrip::detail::Shade)4"},

@@ -11,7 +11,8 @@
 
 namespace zstrip::effects_cost {
 
-inline constexpr Effects kK5 = effects_of(scenes::knot.scene, scenes::knot.camera);
+/// With all shades, so that programs differ in the effect alone.
+inline constexpr Effects kK5 = without_shades(effects_of(scenes::knot.scene, scenes::knot.camera));
 
 /// K5 with an effect, and the same without it.
 struct Comparison {
