@@ -1,4 +1,5 @@
-// The import, step by step: read, normals, sides, texture coordinates, weld, quantise.
+// The import, step by step: read, textures as the renderer can show them, normals, sides, texture coordinates, weld,
+// quantise.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,11 +7,15 @@
 #include <utility>
 
 #include "image/resample.hpp"
+#include "import/emission.hpp"
 #include "import/model.hpp"
 #include "import/quantise.hpp"
 #include "import/read_model.hpp"
+#include "import/shown_texels.hpp"
+#include "import/sides.hpp"
 #include "import/surface.hpp"
 #include "import/texcoords.hpp"
+#include "import/wraps.hpp"
 #include "report/number.hpp"
 
 namespace zstrip::sim {
@@ -42,17 +47,21 @@ void lower_textures(SourceModel& source, const std::vector<TextureSides>& sides)
 
 }  // namespace
 
-Result<Model> import_model(const std::filesystem::path& path, UpAxis up, Texcoords texcoords) {
+Result<Model> import_model(const std::filesystem::path& path, UpAxis up, Texcoords texcoords, BackFaces back_faces) {
   Result<SourceModel> read = read_model(path, up, texcoords);
   if (!read) return read.failure();
   SourceModel& source = *read;
   const auto named = [&path](const std::string& message) {
     return Failure{ExitStatus::input, fmt::format("'{}' {}", path.string(), message)};
   };
-  if (source.meshes.size() > kMaxMeshes) return named(kTooManyMeshes);
 
+  show_emission(source);
+  show_wraps(source);
+  multiply_unlit_texels(source);
   generate_missing_normals(source);
-  const std::vector<bool> closed_outside = find_closed_outsides(source);
+  std::vector<bool> closed_outside = find_closed_outsides(source);
+  if (back_faces == BackFaces::lit_alike) split_sides(source, closed_outside);
+  if (source.meshes.size() > kMaxMeshes) return named(kTooManyMeshes);
   for (RgbImage& texture : source.textures) texture = resample_to_power_of_two(std::move(texture));
 
   std::vector<MeshTraits> traits;

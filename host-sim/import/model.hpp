@@ -88,8 +88,14 @@ class Model {
   std::vector<std::string> warnings;  ///< what the picture will lack, one line each
 };
 
+/// How back faces of double-sided materials are lit.
+enum class BackFaces : std::uint8_t {
+  lit_alike,  ///< as front faces: they are meshes of their own
+  as_front,   ///< by the normals of the front; what is drawn with other materials stays one mesh
+};
+
 /// Reads, repairs and quantises a model file. The failure's message is whole: it names the file.
 Result<Model> import_model(const std::filesystem::path& path, UpAxis up = UpAxis::plus_y,
-                           Texcoords texcoords = Texcoords::of_textures);
+                           Texcoords texcoords = Texcoords::of_textures, BackFaces back_faces = BackFaces::lit_alike);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Reads a model file of any format that Assimp reads.
+// Reads a model file: glTF 2.0, or any other format that Assimp reads.
 #pragma once
 
 #include <chrono>

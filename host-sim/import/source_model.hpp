@@ -47,14 +47,19 @@ struct SourceJoint {
 
 inline constexpr std::uint32_t kNoSourceTexture = 0xFFFFFFFF;
 
+/// What a texture shows beyond its borders, along one axis.
+enum class TextureWrap : std::uint8_t { repeat, clamp, mirror };
+
 struct SourceMaterial {
   std::string name;  ///< the file's, for messages; may be empty
   std::array<std::uint8_t, 3> colour{255, 255, 255};
   std::array<std::uint8_t, 3> emissive{};
   AlphaMode alpha_mode = AlphaMode::opaque;
-  std::uint8_t alpha = 255;                  ///< of the colour; 255 where alpha does nothing
-  std::uint8_t alpha_cutoff = 128;           ///< of what is masked
-  std::uint32_t texture = kNoSourceTexture;  ///< index into SourceModel::textures
+  std::uint8_t alpha = 255;                           ///< of the colour; 255 where alpha does nothing
+  std::uint8_t alpha_cutoff = 128;                    ///< of what is masked
+  std::uint32_t texture = kNoSourceTexture;           ///< index into SourceModel::textures
+  std::uint32_t emissive_texture = kNoSourceTexture;  ///< times `emissive`, where `texture` is; index likewise
+  std::array<TextureWrap, 2> wrap{TextureWrap::repeat, TextureWrap::repeat};  ///< of u and v
   bool lit = true;
   bool smooth = true;
   std::optional<bool> double_sided;  ///< empty: not in the file
@@ -79,7 +84,8 @@ struct SourceLight {
 
 /// A camera of the file, for pictures of any shape.
 struct SourceCamera {
-  std::string name;
+  std::string name;                         ///< of its node, or its own
+  std::string other_name{};                 ///< its own, where its node has one, too
   std::array<double, 3> eye{};              ///< the file's units
   std::array<double, 3> towards{0, 0, -1};  ///< unit vector, where it looks
   std::array<double, 3> up{0, 1, 0};        ///< a hint, any length
@@ -92,6 +98,7 @@ struct SourceModel {
   std::vector<SourceMesh> meshes;
   std::vector<SourceMaterial> materials;
   std::vector<RgbImage> textures;
+  std::vector<std::string> texture_names;  ///< one for each texture, for messages
   std::vector<SourceLight> lights;
   std::vector<SourceCamera> cameras;
   NodeTree nodes;                     ///< those that move, all with an inverse at rest

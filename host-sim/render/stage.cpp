@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -192,14 +193,12 @@ class ModelStage : public CameraStage {
 
  private:
   Result<Camera> named_camera(const std::string& name, double radius) const {
+    const std::vector<SourceCamera>& cameras = model_->cameras;
+    auto found = std::ranges::find(cameras, name, &SourceCamera::name);
+    if (found == cameras.end() && !name.empty()) found = std::ranges::find(cameras, name, &SourceCamera::other_name);
+    if (found != cameras.end()) return file_camera(*found, model_->units, radius);
     std::string names;
-    for (const SourceCamera& source : model_->cameras) {
-      if (source.name != name) {
-        names += fmt::format("{}'{}'", names.empty() ? "" : ", ", source.name);
-        continue;
-      }
-      return file_camera(source, model_->units, radius);
-    }
+    for (const SourceCamera& source : cameras) names += fmt::format("{}'{}'", names.empty() ? "" : ", ", source.name);
     return Failure{ExitStatus::input,
                    fmt::format("there is no camera '{}' in the file; {}", name,
                                names.empty() ? "it has none, or is no glTF 2.0" : "it has " + names)};

@@ -91,4 +91,50 @@ std::string GltfFile::text() const {
          data_uri("application/octet-stream", buffer) + "}]}";
 }
 
+std::size_t GltfData::add(const std::string& bytes, const std::string& what, const std::string& of_view) {
+  const std::string comma = count_ == 0 ? "" : ",";
+  bytes_.resize((bytes_.size() + 3) / 4 * 4);
+  views_ += comma + R"({"buffer":0,"byteOffset":)" + std::to_string(bytes_.size()) + R"(,"byteLength":)" +
+            std::to_string(bytes.size()) + of_view + "}";
+  accessors_ += comma + R"({"bufferView":)" + std::to_string(count_) + "," + what + "}";
+  bytes_ += bytes;
+  return count_++;
+}
+
+std::size_t GltfData::add_floats(const std::vector<float>& values, const std::string& type) {
+  const std::size_t components = type == "SCALAR" ? 1 : type == "MAT4" ? 16 : static_cast<std::size_t>(type[3] - '0');
+  return add(floats(values), R"("componentType":5126,"count":)" + std::to_string(values.size() / components) +
+                                 R"(,"type":")" + type + '"');
+}
+
+std::size_t GltfData::add_indices(const std::vector<std::uint16_t>& values) {
+  std::string bytes;
+  for (const std::uint16_t value : values) bytes += {static_cast<char>(value & 0xFF), static_cast<char>(value >> 8)};
+  return add(bytes, R"("componentType":5123,"count":)" + std::to_string(values.size()) + R"(,"type":"SCALAR")");
+}
+
+std::string GltfData::json(const std::string& uri) const {
+  return R"("accessors":[)" + accessors_ + R"(],"bufferViews":[)" + views_ + R"(],"buffers":[{"byteLength":)" +
+         std::to_string(bytes_.size()) + uri + "}]";
+}
+
+std::string GltfData::json() const { return json("," + data_uri("application/octet-stream", bytes_)); }
+
+std::string gltf_of(const std::string& members) {
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],)" + members + "}";
+}
+
+std::string glb_of(const std::string& json, const std::string& binary) {
+  const auto word = [](std::size_t value) {
+    std::string bytes;
+    for (unsigned i = 0; i < 4; ++i) bytes += static_cast<char>(value >> 8 * i & 0xFF);
+    return bytes;
+  };
+  std::string text = json, data = binary;
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  data.resize((data.size() + 3) / 4 * 4);
+  const std::string chunks = word(text.size()) + "JSON" + text + word(data.size()) + std::string("BIN\0", 4) + data;
+  return "glTF" + word(2) + word(12 + chunks.size()) + chunks;
+}
+
 }  // namespace zstrip::sim::test

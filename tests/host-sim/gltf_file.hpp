@@ -1,6 +1,7 @@
 // glTF 2.0 files made to measure, whole in their text: squares with any materials, in any nodes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -24,5 +25,31 @@ struct GltfFile {
 
   std::string text() const;
 };
+
+/// Accessors of a file, and the bytes behind them: one buffer, a view for each accessor.
+class GltfData {
+ public:
+  /// `what`: of the accessor, without its view ("\"componentType\":5126,..."). `of_view`: with a comma in front.
+  /// Returns the accessor's index.
+  std::size_t add(const std::string& bytes, const std::string& what, const std::string& of_view = "");
+  /// Of floats, with their count ("VEC3").
+  std::size_t add_floats(const std::vector<float>& values, const std::string& type);
+  /// Of unsigned shorts, one each.
+  std::size_t add_indices(const std::vector<std::uint16_t>& values);
+  const std::string& bytes() const { return bytes_; }
+  /// `"accessors":[...],"bufferViews":[...],"buffers":[...]`; `uri`: of the buffer, with a comma in front; without, its
+  /// own bytes.
+  std::string json(const std::string& uri) const;
+  std::string json() const;
+
+ private:
+  std::string bytes_, views_, accessors_;
+  std::size_t count_ = 0;
+};
+
+/// A whole file of one root node: asset, scene, and `members` ("\"nodes\":[...],..."), with commas between them.
+std::string gltf_of(const std::string& members);
+/// The same as a .glb; `binary`: its second chunk.
+std::string glb_of(const std::string& json, const std::string& binary);
 
 }  // namespace zstrip::sim::test

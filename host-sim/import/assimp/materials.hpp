@@ -22,13 +22,9 @@ class MaterialReader {
 
   /// The texture coordinate set that the material's texture uses.
   unsigned texcoord_set(unsigned material) const { return texcoord_sets_[material]; }
-  /// Whether the file's colours are linear light (glTF) and not screen values.
-  bool linear_colours() const { return linear_colours_; }
 
  private:
   SourceMaterial read(const aiMaterial& from, unsigned& texcoord_set);
-  /// Emission and alpha, as glTF 2.0 has them. `texture`: the name of the material's own.
-  void read_effects(const aiMaterial& from, const aiString& texture, SourceMaterial& to);
   std::uint32_t read_texture(const std::string& name);
 
   const aiScene& scene_;
@@ -36,10 +32,6 @@ class MaterialReader {
   SourceModel& model_;
   std::map<std::string, std::uint32_t> known_textures_;  ///< by name; also those that failed
   std::vector<unsigned> texcoord_sets_;
-  bool linear_colours_ = false;
 };
-
-/// A channel 0..1 as 0..255, out-of-range and NaN clamped; `linear` channels get the sRGB curve.
-std::uint8_t to_screen_channel(double value, bool linear);
 
 }  // namespace zstrip::sim

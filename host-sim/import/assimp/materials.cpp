@@ -1,0 +1,109 @@
+// Assimp's materials and textures as source materials and decoded pictures.
+#include "import/assimp/materials.hpp"
+
+#include <assimp/material.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "image/decode.hpp"
+#include "import/find_file.hpp"
+#include "import/read_file.hpp"
+#include "import/screen_channel.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+/// What a file without materials is drawn with; Assimp's own default is darker.
+constexpr std::array<std::uint8_t, 3> kDefaultColour{204, 204, 204};
+
+Result<RgbImage> decode_embedded(const aiTexture& texture) {
+  if (texture.mHeight == 0) {  // a whole picture file of mWidth bytes
+    return decode_image({reinterpret_cast<const std::uint8_t*>(texture.pcData), texture.mWidth});
+  }
+  if (texture.mWidth == 0 || texture.mWidth > kMaxImageSide || texture.mHeight > kMaxImageSide) {
+    return Failure{ExitStatus::input, "has a size out of range"};
+  }
+  RgbImage image{texture.mWidth, texture.mHeight, {}};
+  for (const aiTexel& texel : std::span(texture.pcData, std::size_t{texture.mWidth} * texture.mHeight)) {
+    image.rgb.insert(image.rgb.end(), {texel.r, texel.g, texel.b});
+  }
+  return image;
+}
+
+}  // namespace
+
+MaterialReader::MaterialReader(const aiScene& scene, std::filesystem::path folder, SourceModel& model)
+    : scene_(scene), folder_(std::move(folder)), model_(model) {}
+
+void MaterialReader::read_all() {
+  for (const aiMaterial* material : std::span(scene_.mMaterials, scene_.mNumMaterials)) {
+    unsigned texcoord_set = 0;
+    model_.materials.push_back(read(*material, texcoord_set));
+    texcoord_sets_.push_back(texcoord_set);
+  }
+}
+
+SourceMaterial MaterialReader::read(const aiMaterial& from, unsigned& texcoord_set) {
+  SourceMaterial to;
+  to.colour = kDefaultColour;
+  aiString name;
+  const bool is_default = from.Get(AI_MATKEY_NAME, name) == AI_SUCCESS && name == aiString(AI_DEFAULT_MATERIAL_NAME);
+  if (!is_default) to.name = name.C_Str();
+  aiColor4D colour(1, 1, 1, 1);
+  if (!is_default && (from.Get(AI_MATKEY_BASE_COLOR, colour) == AI_SUCCESS ||
+                      from.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS)) {
+    to.colour = {to_screen_channel(colour.r, false), to_screen_channel(colour.g, false),
+                 to_screen_channel(colour.b, false)};
+  }
+  int shading = 0;
+  if (from.Get(AI_MATKEY_SHADING_MODEL, shading) == AI_SUCCESS) {
+    to.lit = shading != aiShadingMode_Unlit;
+    to.smooth = shading != aiShadingMode_Flat;
+  }
+  int two_sided = 0;
+  if (from.Get(AI_MATKEY_TWOSIDED, two_sided) == AI_SUCCESS) to.double_sided = two_sided != 0;
+
+  aiString texture;
+  for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
+    if (from.Get(AI_MATKEY_TEXTURE(type, 0), texture) != AI_SUCCESS || texture.length == 0) continue;
+    to.texture = read_texture(texture.C_Str());
+    int set = 0;
+    if (from.Get(AI_MATKEY_UVWSRC(type, 0), set) == AI_SUCCESS && set >= 0) texcoord_set = static_cast<unsigned>(set);
+    break;
+  }
+  // Exporters write black, or nothing, beside a texture that is to be seen as it is.
+  const bool textured = to.texture != kNoSourceTexture;
+  if (textured && (is_default || to.colour == std::array<std::uint8_t, 3>{0, 0, 0})) to.colour = {255, 255, 255};
+  return to;
+}
+
+std::uint32_t MaterialReader::read_texture(const std::string& name) {
+  const auto known = known_textures_.find(name);
+  if (known != known_textures_.end()) return known->second;
+  std::string title = name;
+  Result<RgbImage> image = [&]() -> Result<RgbImage> {
+    if (const aiTexture* embedded = scene_.GetEmbeddedTexture(name.c_str())) return decode_embedded(*embedded);
+    const std::filesystem::path path = find_file(folder_, name);
+    title = path.string();
+    const Result<std::vector<std::uint8_t>> file = read_file(path);
+    if (!file) return file.failure();
+    return decode_image(*file);
+  }();
+  std::uint32_t index = kNoSourceTexture;
+  if (image) {
+    index = static_cast<std::uint32_t>(model_.textures.size());
+    model_.textures.push_back(std::move(*image));
+    model_.texture_names.push_back(title);
+  } else {
+    model_.warnings.push_back(
+        fmt::format("texture '{}' {}; what uses it is drawn without", title, image.failure().message));
+  }
+  known_textures_.emplace(name, index);
+  return index;
+}
+
+}  // namespace zstrip::sim

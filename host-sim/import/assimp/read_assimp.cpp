@@ -1,0 +1,200 @@
+// Reads a model file of any format that Assimp knows.
+#include "import/assimp/read_assimp.hpp"
+
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <span>
+#include <streambuf>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "import/assimp/bones.hpp"
+#include "import/assimp/lights.hpp"
+#include "import/assimp/materials.hpp"
+#include "import/mesh_groups.hpp"
+#include "import/model_files.hpp"
+#include "import/screen_channel.hpp"
+#include "import/turn_up.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+/// Adding zero turns -0 into 0, so that equal vertices are equal bytes.
+std::array<float, 3> components(const aiVector3D& v) { return {v.x + 0.0F, v.y + 0.0F, v.z + 0.0F}; }
+
+/// Unit length, or zero where there is no direction.
+aiVector3D direction(const aiVector3D& v) {
+  const float length = v.Length();
+  return std::isfinite(length) && length > 1e-20F ? v / length : aiVector3D();
+}
+
+aiMatrix4x4 to_matrix(const Affine& from) {
+  const auto at = [&](std::size_t row, std::size_t column) { return static_cast<float>(from.m[row][column]); };
+  return {at(0, 0), at(0, 1), at(0, 2), at(0, 3), at(1, 0), at(1, 1), at(1, 2), at(1, 3),
+          at(2, 0), at(2, 1), at(2, 2), at(2, 3), 0,        0,        0,        1};
+}
+
+aiMatrix3x3 map_of_normals(const aiMatrix4x4& of_positions) {
+  aiMatrix3x3 linear(of_positions);
+  if (linear.Determinant() != 0) linear.Inverse().Transpose();
+  return linear;
+}
+
+/// While it lives, what is written to std::cout and std::cerr is lost: some of Assimp's readers write there, and
+/// failures of the command are one line.
+class SilentStreams {
+ public:
+  SilentStreams() : out_(std::cout.rdbuf(nullptr)), err_(std::cerr.rdbuf(nullptr)) {}
+  ~SilentStreams() {
+    std::cout.rdbuf(out_);
+    std::cerr.rdbuf(err_);
+  }
+  SilentStreams(const SilentStreams&) = delete;
+  SilentStreams& operator=(const SilentStreams&) = delete;
+
+ private:
+  std::streambuf *out_, *err_;
+};
+
+/// Walks the nodes and collects their meshes, transformed.
+class Collector {
+ public:
+  Collector(const aiScene& scene, const aiMatrix4x4& turn, const MaterialReader& materials, Texcoords texcoords,
+            SourceModel& model)
+      : scene_(scene), turn_(turn), materials_(materials), texcoords_(texcoords), model_(model), groups_(model) {}
+
+  Result<Done> collect();
+
+ private:
+  Result<Done> add(const aiMesh& mesh, const aiMatrix4x4& transform);
+  SourceVertex vertex(const aiMesh& mesh, unsigned index, const aiMatrix4x4& transform,
+                      const aiMatrix3x3& normal_transform, const SourcePrimitive& to) const;
+
+  const aiScene& scene_;
+  const aiMatrix4x4& turn_;
+  const MaterialReader& materials_;
+  Texcoords texcoords_;
+  SourceModel& model_;
+  MeshGroups groups_;
+};
+
+Result<Done> Collector::collect() {
+  std::vector<std::pair<const aiNode*, aiMatrix4x4>> open;
+  if (scene_.mRootNode != nullptr) open.emplace_back(scene_.mRootNode, turn_ * scene_.mRootNode->mTransformation);
+  while (!open.empty()) {
+    const auto [node, transform] = open.back();
+    open.pop_back();
+    for (const unsigned index : std::span(node->mMeshes, node->mNumMeshes)) {
+      if (index >= scene_.mNumMeshes) continue;
+      if (const Result<Done> added = add(*scene_.mMeshes[index], transform); !added) return added;
+    }
+    // In reverse, so that children come off the stack in the file's order.
+    for (unsigned child = node->mNumChildren; child-- > 0;) {
+      open.emplace_back(node->mChildren[child], transform * node->mChildren[child]->mTransformation);
+    }
+  }
+  return groups_.finish();
+}
+
+SourceVertex Collector::vertex(const aiMesh& mesh, unsigned index, const aiMatrix4x4& transform,
+                               const aiMatrix3x3& normal_transform, const SourcePrimitive& to) const {
+  SourceVertex vertex;
+  vertex.position = components(transform * mesh.mVertices[index]);
+  if (mesh.HasNormals()) vertex.normal = components(direction(normal_transform * mesh.mNormals[index]));
+  if (to.has_colours) {
+    const aiColor4D& colour = mesh.mColors[0][index];
+    vertex.colour = {to_screen_channel(colour.r, false), to_screen_channel(colour.g, false),
+                     to_screen_channel(colour.b, false), 255};
+  }
+  if (to.has_texcoords) {
+    const aiVector3D& texcoord = mesh.mTextureCoords[materials_.texcoord_set(mesh.mMaterialIndex)][index];
+    // Assimp's v grows upwards.
+    if (std::isfinite(texcoord.x) && std::isfinite(texcoord.y)) {
+      vertex.texcoord = {texcoord.x + 0.0F, 1.0F - texcoord.y};
+    }
+  }
+  return vertex;
+}
+
+Result<Done> Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform) {
+  std::uint64_t lines = 0, points = 0;
+  for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
+    if (face.mNumIndices == 1) ++points;
+    if (face.mNumIndices == 2) ++lines;
+  }
+  groups_.note_lines(lines);
+  groups_.note_points(points);
+  if ((mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) == 0 || !mesh.HasPositions()) return Done{};
+  SourcePrimitive to;
+  to.material = mesh.mMaterialIndex;
+  if (to.material >= model_.materials.size()) return Done{};
+  const unsigned set = materials_.texcoord_set(to.material);
+  const bool wants_texcoords =
+      texcoords_ == Texcoords::all || model_.materials[to.material].texture != kNoSourceTexture;
+  to.has_colours = mesh.HasVertexColors(0);
+  to.has_texcoords = wants_texcoords && set < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(set);
+  to.morphs = mesh.mNumAnimMeshes > 0 && scene_.mNumAnimations > 0;
+  to.mirrored = aiMatrix3x3(transform).Determinant() < 0;
+  const std::vector<aiMatrix4x4> at_rest = bones_at_rest(scene_, turn_, mesh, transform);
+  const aiMatrix3x3 normal_transform = map_of_normals(transform);
+  to.vertices.reserve(mesh.mNumVertices);
+  for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+    to.vertices.push_back(at_rest.empty() ? vertex(mesh, i, transform, normal_transform, to)
+                                          : vertex(mesh, i, at_rest[i], map_of_normals(at_rest[i]), to));
+  }
+  for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
+    if (face.mNumIndices == 3) to.indices.insert(to.indices.end(), face.mIndices, face.mIndices + 3);
+  }
+  return groups_.add(to);
+}
+
+/// Vertex colours stand for the material's colour and are not multiplied with it.
+void colour_by_vertices(SourceModel& model) {
+  for (SourceMesh& mesh : model.meshes) {
+    if (!mesh.has_colours) continue;
+    SourceMaterial white = model.materials[mesh.material];
+    white.colour = {255, 255, 255};
+    mesh.material = static_cast<std::uint32_t>(model.materials.size());
+    model.materials.push_back(white);
+  }
+}
+
+}  // namespace
+
+Result<SourceModel> read_assimp(const std::filesystem::path& path, UpAxis up, Texcoords texcoords,
+                                const std::function<void()>& parsed) {
+  Assimp::Importer importer;
+  importer.SetIOHandler(std::make_unique<ModelFiles>().release());  // which it owns
+  const aiScene* const scene = [&] {
+    const SilentStreams silent;
+    return importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_TransformUVCoords);
+  }();
+  if (scene == nullptr) {
+    std::string reason = importer.GetErrorString();
+    std::replace(reason.begin(), reason.end(), '\n', ' ');
+    return Failure{ExitStatus::input,
+                   fmt::format("is no readable model ({}); export it again, for example as .glb", reason)};
+  }
+  parsed();
+  SourceModel model;
+  const aiMatrix4x4 turn = to_matrix(turn_up(up));
+  MaterialReader materials(*scene, path.parent_path(), model);
+  materials.read_all();
+  if (const Result<Done> collected = Collector(*scene, turn, materials, texcoords, model).collect(); !collected) {
+    return collected.failure();
+  }
+  colour_by_vertices(model);
+  read_lights(*scene, turn, model);
+  return model;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,162 @@
+// Animations of a glTF file: curves of its nodes.
+#include "import/gltf/animations.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "import/gltf/document.hpp"
+#include "motion/fitted_animation.hpp"
+#include "report/text.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+/// A channel's node and path; none where it has no node of the file.
+struct Target {
+  std::size_t node;
+  std::string path;
+};
+
+std::optional<Target> target_of(const GltfJson& channel, std::size_t nodes) {
+  const GltfJson& target = member(channel, "target");
+  const std::optional<std::size_t> node = index_in(target, "node");
+  if (!node || *node >= nodes) return std::nullopt;
+  return Target{*node, text_in(target, "path")};
+}
+
+template <class Visit>
+void for_each_channel(const GltfJson& json, const Visit& visit) {
+  for (std::size_t i = 0; i < count_of(json, "animations"); ++i) {
+    const GltfJson& animation = element(member(json, "animations"), i);
+    for (std::size_t k = 0; k < count_of(animation, "channels"); ++k) {
+      if (const auto target = target_of(element(member(animation, "channels"), k), count_of(json, "nodes"))) {
+        visit(*target);
+      }
+    }
+  }
+}
+
+bool is_usable(const Vector& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
+bool is_usable(const Quaternion& q) {
+  const double square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+  return std::isfinite(square) && square > 1e-6;
+}
+bool is_finite(const Vector& v) { return is_usable(v); }
+bool is_finite(const Quaternion& q) {
+  return std::isfinite(q[0]) && std::isfinite(q[1]) && std::isfinite(q[2]) && std::isfinite(q[3]);
+}
+
+template <typename Value>
+Value value_at(const GltfValues<float>& values, std::size_t index) {
+  Value value{};
+  for (std::size_t i = 0; i < value.size(); ++i) value[i] = double{values.at(index)[i]};
+  return value;
+}
+
+/// Keys that are no numbers, or not later than the one before, are left out.
+template <typename Value>
+Result<Curve<Value>> read_curve(const GltfJson& sampler, GltfAccessors& accessors) {
+  const std::optional<std::size_t> input = index_in(sampler, "input"), output = index_in(sampler, "output");
+  if (!input || !output) return gltf_damaged("a sampler of an animation lacks its accessors");
+  const Result<GltfValues<float>> times = accessors.floats(*input);
+  if (!times) return times.failure();
+  const Result<GltfValues<float>> values = accessors.floats(*output);
+  if (!values) return values.failure();
+  const std::string word = text_in(sampler, "interpolation");
+  Curve<Value> curve;
+  if (word == "STEP") curve.interpolation = Interpolation::step;
+  if (word == "CUBICSPLINE") curve.interpolation = Interpolation::cubic_spline;
+  const bool spline = curve.interpolation == Interpolation::cubic_spline;
+  const std::size_t keys = times->count(), each = spline ? 3 : 1;
+  if (times->components != 1 || values->components != Value{}.size() || values->count() < each * keys) {
+    return gltf_damaged("a sampler of an animation has too few values");
+  }
+  for (std::size_t i = 0; i < keys; ++i) {
+    const double time = double{times->numbers[i]};
+    const Value value = value_at<Value>(*values, each * i + each / 2);
+    if (!std::isfinite(time) || !is_usable(value) || (!curve.times.empty() && time <= curve.times.back())) continue;
+    curve.times.push_back(time);
+    curve.values.push_back(value);
+    if (!spline) continue;
+    const auto slope = [&](std::size_t at) {
+      const Value found = value_at<Value>(*values, at);
+      return is_finite(found) ? found : Value{};
+    };
+    curve.slopes_in.push_back(slope(3 * i));
+    curve.slopes_out.push_back(slope(3 * i + 2));
+  }
+  return curve;
+}
+
+template <typename Value>
+Result<Done> set_curve(const GltfJson& sampler, GltfAccessors& accessors, Curve<Value>& curve) {
+  Result<Curve<Value>> read = read_curve<Value>(sampler, accessors);
+  if (!read) return read.failure();
+  curve = std::move(*read);
+  return Done{};
+}
+
+Result<NodeAnimation> read_animation(const GltfJson& from, GltfAccessors& accessors, const GltfNodes& nodes) {
+  NodeAnimation animation;
+  animation.name = text_in(from, "name");
+  std::map<std::size_t, NodeCurves> moved;
+  for (std::size_t k = 0; k < count_of(from, "channels"); ++k) {
+    const GltfJson& channel = element(member(from, "channels"), k);
+    const std::optional<Target> target = target_of(channel, nodes.size());
+    if (!target || nodes.mover_of(target->node) == kNoNode) continue;
+    const GltfJson& sampler =
+        element(member(from, "samplers"), index_in(channel, "sampler").value_or(static_cast<std::size_t>(-1)));
+    Result<Done> done = Done{};
+    if (target->path == "translation") done = set_curve(sampler, accessors, moved[target->node].translation);
+    if (target->path == "rotation") done = set_curve(sampler, accessors, moved[target->node].rotation);
+    if (target->path == "scale") done = set_curve(sampler, accessors, moved[target->node].scale);
+    if (!done) return done.failure();
+  }
+  for (auto& [node, curves] : moved) {
+    curves.node = nodes.mover_of(node);
+    animation.moved.push_back(std::move(curves));
+  }
+  return animation;
+}
+
+}  // namespace
+
+std::set<std::size_t> nodes_of_animations(const GltfJson& json) {
+  std::set<std::size_t> nodes;
+  for_each_channel(json, [&](const Target& target) {
+    if (target.path == "translation" || target.path == "rotation" || target.path == "scale") nodes.insert(target.node);
+  });
+  return nodes;
+}
+
+bool animations_morph(const GltfJson& json) {
+  bool found = false;
+  for_each_channel(json, [&](const Target& target) { found = found || target.path == "weights"; });
+  return found;
+}
+
+Result<Done> read_gltf_animations(const GltfJson& json, GltfAccessors& accessors, const GltfNodes& nodes,
+                                  SourceModel& model) {
+  if (model.nodes.nodes.empty()) return Done{};
+  for (std::size_t i = 0; i < count_of(json, "animations"); ++i) {
+    Result<NodeAnimation> read = read_animation(element(member(json, "animations"), i), accessors, nodes);
+    if (!read) return read.failure();
+    const std::set<double> times = key_times(*read);
+    if (times.empty() || !(*times.rbegin() > 0)) continue;
+    read->duration = *times.rbegin();
+    if (read->duration > kMaxAnimation) {
+      model.warnings.push_back(
+          fmt::format("animation '{}' left out: it is longer than an hour", printable(read->name)));
+      continue;
+    }
+    model.nodes.animations.push_back(std::move(*read));
+  }
+  return Done{};
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,82 @@
+// A glTF file's two parts. Of a .glb: a header of 12 bytes (magic, version, length), then chunks (length, type, data).
+#include "import/gltf/document.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::size_t kHeaderBytes = 12, kChunkBytes = 8;
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
+
+std::uint32_t word_at(std::span<const std::uint8_t> bytes, std::size_t at) {
+  std::uint32_t word = 0;
+  for (std::size_t i = 0; i < 4; ++i) word |= std::uint32_t{bytes[at + i]} << 8 * i;
+  return word;
+}
+
+bool is_binary(std::span<const std::uint8_t> file) {
+  constexpr std::string_view kMagic = "glTF";
+  return file.size() >= kHeaderBytes && std::equal(kMagic.begin(), kMagic.end(), file.begin());
+}
+
+/// The next chunk of this type or any other; takes it off `rest`.
+Result<std::pair<std::uint32_t, std::span<const std::uint8_t>>> take_chunk(std::span<const std::uint8_t>& rest) {
+  if (rest.size() < kChunkBytes) return gltf_damaged("the file ends in the header of a chunk");
+  const std::size_t length = word_at(rest, 0);
+  const std::uint32_t type = word_at(rest, 4);
+  rest = rest.subspan(kChunkBytes);
+  if (length > rest.size()) return gltf_damaged("the file ends in the middle of a chunk");
+  const std::span<const std::uint8_t> data = rest.first(length);
+  rest = rest.subspan(std::min(rest.size(), (length + 3) / 4 * 4));
+  return std::pair{type, data};
+}
+
+Result<Done> parse_json(std::span<const std::uint8_t> text, GltfDocument& document) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.size() >= 3 && std::equal(text.begin(), text.begin() + 3, kByteOrderMark.begin(),
+                                     [](std::uint8_t a, char b) { return a == static_cast<std::uint8_t>(b); })) {
+    text = text.subspan(3);
+  }
+  document.json = GltfJson::parse(text.begin(), text.end(), nullptr, false);
+  if (!document.json.is_object()) return gltf_damaged("it holds no JSON object");
+  const std::string version = text_in(member(document.json, "asset"), "version");
+  if (version.empty()) return gltf_damaged("asset.version is missing");
+  document.version = version[0] >= '0' && version[0] <= '9' ? version[0] - '0' : 0;
+  return Done{};
+}
+
+}  // namespace
+
+Failure gltf_damaged(std::string reason) { return {ExitStatus::input, std::move(reason)}; }
+
+Failure unreadable_model(const std::string& reason) {
+  return {ExitStatus::input, fmt::format("is no readable model ({}); export it again, for example as .glb", reason)};
+}
+
+Result<GltfDocument> parse_gltf(std::span<const std::uint8_t> file) {
+  GltfDocument document;
+  if (!is_binary(file)) {
+    if (const Result<Done> parsed = parse_json(file, document); !parsed) return parsed.failure();
+    return document;
+  }
+  document.version = static_cast<int>(std::min<std::uint32_t>(word_at(file, 4), 9));
+  if (document.version != 2) return document;
+  std::span<const std::uint8_t> rest = file.subspan(kHeaderBytes);
+  const auto first = take_chunk(rest);
+  if (!first) return first.failure();
+  if (first->first != kJsonChunk) return gltf_damaged("its first chunk is not JSON");
+  if (const Result<Done> parsed = parse_json(first->second, document); !parsed) return parsed.failure();
+  while (!rest.empty() && !document.binary) {
+    const auto chunk = take_chunk(rest);
+    if (!chunk) return chunk.failure();
+    if (chunk->first == kBinaryChunk) document.binary.emplace(chunk->second.begin(), chunk->second.end());
+  }
+  return document;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,88 @@
+// Extensions of a glTF file.
+#include "import/gltf/extensions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+
+#include "report/text.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::array<std::string_view, 9> kRead{"EXT_meshopt_compression",
+                                                "KHR_draco_mesh_compression",
+                                                "KHR_lights_punctual",
+                                                "KHR_materials_emissive_strength",
+                                                "KHR_materials_pbrSpecularGlossiness",
+                                                "KHR_materials_unlit",
+                                                "KHR_mesh_quantization",
+                                                "KHR_texture_transform",
+                                                "KHR_xmp_json_ld"};
+
+/// Of glTF 1.0; files that say so have materials besides.
+constexpr std::string_view kTechnique = "KHR_technique_webgl";
+
+/// What is missing in the picture without it.
+struct Lacking {
+  std::string_view extension, what;
+};
+constexpr std::array<Lacking, 16> kLacking{{
+    {"EXT_lights_image_based", "light of an environment"},
+    {"EXT_mesh_gpu_instancing", "copies of meshes"},
+    {"EXT_texture_webp", "pictures in WebP"},
+    {"KHR_animation_pointer", "animations of materials, lights and cameras"},
+    {"KHR_materials_anisotropy", "brushed highlights"},
+    {"KHR_materials_clearcoat", "coats of varnish"},
+    {"KHR_materials_dispersion", "colours of a prism"},
+    {"KHR_materials_ior", "strength of highlights"},
+    {"KHR_materials_iridescence", "colours of thin films"},
+    {"KHR_materials_sheen", "sheen of cloth"},
+    {"KHR_materials_specular", "strength and colour of highlights"},
+    {"KHR_materials_transmission", "light through surfaces"},
+    {"KHR_materials_variants", "other variants of materials"},
+    {"KHR_materials_volume", "depth of glass"},
+    {kTechnique, "shaders of its own"},
+    {"KHR_texture_basisu", "pictures in KTX 2"},
+}};
+
+std::set<std::string> names_in(const GltfJson& json, const char* key) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < count_of(json, key); ++i) {
+    const GltfJson& name = element(member(json, key), i);
+    if (name.is_string()) names.insert(name.get<std::string>());
+  }
+  return names;
+}
+
+std::string lacking_of(const std::string& extension) {
+  const auto* const known = std::ranges::find(kLacking, extension, &Lacking::extension);
+  return known == kLacking.end() ? "not known" : std::string(known->what);
+}
+
+}  // namespace
+
+Result<Done> check_gltf_extensions(const GltfJson& json, std::vector<std::string>& warnings) {
+  const auto is_read = [](const std::string& name) { return std::ranges::find(kRead, name) != kRead.end(); };
+  std::string required, used;
+  const auto append = [](std::string& list, const std::string& name) {
+    list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", printable(name), lacking_of(name));
+  };
+  for (const std::string& name : names_in(json, "extensionsRequired")) {
+    if (!is_read(name) && name != kTechnique) append(required, name);
+  }
+  if (!required.empty()) {
+    return Failure{ExitStatus::input,
+                   fmt::format("requires what zstrip does not read: {}; export it without", required)};
+  }
+  for (const std::string& name : names_in(json, "extensionsUsed")) {
+    if (!is_read(name)) append(used, name);
+  }
+  if (!used.empty()) warnings.push_back(fmt::format("drawn without: {}", used));
+  return Done{};
+}
+
+}  // namespace zstrip::sim

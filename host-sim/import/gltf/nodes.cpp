@@ -1,0 +1,137 @@
+// The nodes of a glTF file.
+#include "import/gltf/nodes.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "import/gltf/document.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+/// More would take minutes to look at, each at thousands of times.
+constexpr std::size_t kMaxMoved = 4096;
+constexpr std::uint32_t kDeepestMoved = 64;
+
+Affine local_of_node(const GltfJson& node) {
+  if (member(node, "matrix").is_array()) {
+    return affine_of_columns(numbers_in<16>(node, "matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}));
+  }
+  Placement placement{.translation = numbers_in<3>(node, "translation", {0, 0, 0}),
+                      .rotation = numbers_in<4>(node, "rotation", {0, 0, 0, 1}),
+                      .scale = numbers_in<3>(node, "scale", {1, 1, 1})};
+  const Quaternion& q = placement.rotation;
+  const double square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+  if (!(std::isfinite(square) && square > 1e-12)) placement.rotation = {0, 0, 0, 1};
+  return to_affine(placement);
+}
+
+}  // namespace
+
+Affine affine_of_columns(const std::array<double, 16>& columns) {
+  Affine affine;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 4; ++column) affine.m[row][column] = columns[4 * column + row];
+  }
+  return affine;
+}
+
+Result<GltfNodes> GltfNodes::read(const GltfJson& json, const Affine& turn) {
+  GltfNodes read;
+  const GltfJson& nodes = member(json, "nodes");
+  read.nodes_.resize(count_of(json, "nodes"));
+  for (std::size_t i = 0; i < read.nodes_.size(); ++i) {
+    const GltfJson& node = element(nodes, i);
+    read.nodes_[i].local = local_of_node(node);
+    const GltfJson& children = member(node, "children");
+    for (std::size_t k = 0; k < count_of(node, "children"); ++k) {
+      const std::optional<std::size_t> child = to_index(element(children, k));
+      if (!child || *child >= read.nodes_.size()) {
+        return gltf_damaged(fmt::format("node {} has a child that does not exist", i));
+      }
+      std::optional<std::size_t>& parent = read.nodes_[*child].parent;
+      if (parent || *child == i) return gltf_damaged(fmt::format("node {} has two parents", *child));
+      parent = i;
+      read.nodes_[i].children.push_back(*child);
+    }
+  }
+  // Without scenes all roots are shown; without a default the first scene.
+  if (count_of(json, "scenes") > 0) {
+    const GltfJson& scene = element(member(json, "scenes"), index_in(json, "scene").value_or(0));
+    const GltfJson& roots = member(scene, "nodes");
+    for (std::size_t k = 0; k < count_of(scene, "nodes"); ++k) {
+      const std::optional<std::size_t> root = to_index(element(roots, k));
+      if (!root || *root >= read.nodes_.size()) return gltf_damaged("its scene has a node that does not exist");
+      if (read.nodes_[*root].parent) return gltf_damaged(fmt::format("node {} has two parents", *root));
+      read.roots_.push_back(*root);
+    }
+  } else {
+    for (std::size_t i = 0; i < read.nodes_.size(); ++i) {
+      if (!read.nodes_[i].parent) read.roots_.push_back(i);
+    }
+  }
+  // Joints may hang outside of the scene: these have places, too. Nodes in a circle are under no root.
+  std::vector<bool> seen(read.nodes_.size());
+  const auto walk = [&](std::size_t root, bool in_scene) {
+    std::vector<std::size_t> open{root};
+    while (!open.empty()) {
+      const std::size_t at = open.back();
+      open.pop_back();
+      if (seen[at]) continue;
+      seen[at] = true;
+      Place& place = read.nodes_[at];
+      place.world = (place.parent ? read.nodes_[*place.parent].world : turn) * place.local;
+      if (in_scene) read.in_scene_.push_back(at);
+      // In reverse, so that children come off the stack in the file's order.
+      open.insert(open.end(), place.children.rbegin(), place.children.rend());
+    }
+  };
+  for (const std::size_t root : read.roots_) walk(root, true);
+  for (std::size_t i = 0; i < read.nodes_.size(); ++i) {
+    if (!read.nodes_[i].parent) walk(i, false);
+  }
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (!seen[i]) return gltf_damaged(fmt::format("node {} is its own ancestor", i));
+  }
+  return read;
+}
+
+void GltfNodes::set_moved(const std::set<std::size_t>& moved, const Affine& turn, SourceModel& model) {
+  /// What is known of a node before it is looked at.
+  struct Open {
+    std::size_t node;
+    std::int32_t mover;
+    Affine before;
+    std::uint32_t depth;
+  };
+  const auto give_up = [&](const char* why) {
+    model.warnings.push_back(fmt::format("animations left out: {}", why));
+    model.nodes = {};
+    for (Place& place : nodes_) place.mover = kNoNode;
+  };
+  std::vector<Open> open;
+  for (auto root = roots_.rbegin(); root != roots_.rend(); ++root) open.push_back({*root, kNoNode, turn, 0});
+  while (!open.empty()) {
+    Open at = open.back();
+    open.pop_back();
+    Place& place = nodes_[at.node];
+    if (moved.contains(at.node)) {
+      // Vertices are kept where they are at rest: that must have a way back.
+      if (!(std::abs(determinant(at.before * place.local)) > 1e-12)) return give_up("a node has no size at rest");
+      if (model.nodes.nodes.size() >= kMaxMoved || ++at.depth > kDeepestMoved) return give_up("too many nodes move");
+      const auto index = static_cast<std::int32_t>(model.nodes.nodes.size());
+      model.nodes.nodes.push_back({.parent = at.mover, .before = at.before, .at_rest = place.local});
+      at.mover = index;
+      at.before = {};
+    } else {
+      at.before = at.before * place.local;
+    }
+    place.mover = at.mover;
+    for (auto child = place.children.rbegin(); child != place.children.rend(); ++child) {
+      open.push_back({*child, at.mover, at.before, at.depth});
+    }
+  }
+}
+
+}  // namespace zstrip::sim

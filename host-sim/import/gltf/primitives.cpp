@@ -1,0 +1,217 @@
+// Primitives of a glTF file's meshes.
+#include "import/gltf/primitives.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "import/gltf/animations.hpp"
+#include "import/gltf/document.hpp"
+#include "import/screen_channel.hpp"
+#include "report/number.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+/// How indices make triangles.
+enum class Mode : std::size_t { points, lines, line_loop, line_strip, triangles, triangle_strip, triangle_fan };
+
+/// Three a triangle, all wound as the first one.
+std::vector<std::uint32_t> as_triangles(const std::vector<std::uint32_t>& from, Mode mode) {
+  std::vector<std::uint32_t> triangles;
+  if (mode == Mode::triangles) {
+    triangles = from;
+    triangles.resize(from.size() / 3 * 3);
+    return triangles;
+  }
+  for (std::size_t i = 0; i + 2 < from.size(); ++i) {
+    if (mode == Mode::triangle_fan) {
+      triangles.insert(triangles.end(), {from[0], from[i + 1], from[i + 2]});
+    } else if (i % 2 == 0) {
+      triangles.insert(triangles.end(), {from[i], from[i + 1], from[i + 2]});
+    } else {
+      triangles.insert(triangles.end(), {from[i], from[i + 2], from[i + 1]});
+    }
+  }
+  return triangles;
+}
+
+/// Of normals: the inverse transposed; as it is where there is none.
+Affine map_of_normals(const Affine& of_positions) {
+  if (determinant(of_positions) == 0) return of_positions;
+  const Affine back = inverse(of_positions);
+  Affine map;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) map.m[row][column] = back.m[column][row];
+  }
+  return map;
+}
+
+/// Adding zero turns -0 into 0, so that equal vertices are equal bytes.
+std::array<float, 3> as_floats(const Vector& v) {
+  return {static_cast<float>(v[0]) + 0.0F, static_cast<float>(v[1]) + 0.0F, static_cast<float>(v[2]) + 0.0F};
+}
+
+/// Of length 1; zero where there is no direction.
+std::array<float, 3> turned_normal(const Affine& map, const float* normal) {
+  Affine linear = map;
+  for (auto& row : linear.m) row[3] = 0;
+  const Vector v = linear * Vector{double{normal[0]}, double{normal[1]}, double{normal[2]}};
+  const double length = std::hypot(v[0], v[1], v[2]);
+  if (!std::isfinite(length) || !(length > 1e-20)) return {};
+  return as_floats({v[0] / length, v[1] / length, v[2] / length});
+}
+
+}  // namespace
+
+GltfPrimitives::GltfPrimitives(const GltfJson& json, GltfBuffers& buffers, GltfAccessors& accessors,
+                               const GltfNodes& nodes, const GltfMaterials& materials, Texcoords texcoords,
+                               SourceModel& model)
+    : json_(json),
+      buffers_(buffers),
+      accessors_(accessors),
+      nodes_(nodes),
+      materials_(materials),
+      texcoords_(texcoords),
+      model_(model),
+      skins_(json, accessors, nodes, model),
+      groups_(model),
+      animations_morph_(animations_morph(json)) {}
+
+Result<Done> GltfPrimitives::read_all() {
+  for (const std::size_t node : nodes_.in_scene()) {
+    const std::optional<std::size_t> index = index_in(element(member(json_, "nodes"), node), "mesh");
+    if (!index) continue;
+    if (*index >= count_of(json_, "meshes")) return unreadable_model(fmt::format("there is no mesh {}", *index));
+    const GltfJson& mesh = element(member(json_, "meshes"), *index);
+    for (std::size_t k = 0; k < count_of(mesh, "primitives"); ++k) {
+      const Result<SourcePrimitive> read = read_primitive(mesh, element(member(mesh, "primitives"), k), node);
+      if (!read) return unreadable_model(read.failure().message);
+      if (read->vertices.empty()) continue;
+      if (const Result<Done> added = groups_.add(*read); !added) return added.failure();
+    }
+  }
+  if (const Result<Done> finished = groups_.finish(); !finished) return finished.failure();
+  if (no_texcoords_ > 0) {
+    model_.warnings.push_back(
+        fmt::format("{} drawn without a texture: they lack its texture coordinates", counted(no_texcoords_, "mesh")));
+  }
+  skins_.warn();
+  return Done{};
+}
+
+Result<GltfPrimitives::Vertices> GltfPrimitives::read_vertices(const GltfJson& primitive,
+                                                               const GltfAttributes& attributes) {
+  Vertices read;
+  const auto set = [&](const std::string& name, std::size_t least, GltfValues<float>& values) -> Result<Done> {
+    Result<GltfValues<float>> found = attributes.floats(name, read.positions.count(), least);
+    if (!found) return found.failure();
+    values = std::move(*found);
+    return Done{};
+  };
+  if (const Result<Done> done = set("POSITION", 3, read.positions); !done) return done.failure();
+  if (const Result<Done> done = set("NORMAL", 3, read.normals); !done) return done.failure();
+  if (const Result<Done> done = set("COLOR_0", 3, read.colours); !done) return done.failure();
+  const std::uint32_t material = materials_.material_of(primitive);
+  const SourceMaterial& shown = model_.materials[material];
+  const bool textured = shown.texture != kNoSourceTexture || shown.emissive_texture != kNoSourceTexture;
+  if (!textured && texcoords_ != Texcoords::all) return read;
+  const std::string name = fmt::format("TEXCOORD_{}", materials_.texcoords_of(material).set);
+  if (const Result<Done> done = set(name, 2, read.texcoords); !done) return done.failure();
+  if (textured && read.texcoords.count() == 0) ++no_texcoords_;
+  return read;
+}
+
+Result<Done> GltfPrimitives::add_morphs(const GltfJson& mesh, const GltfJson& primitive, std::size_t node,
+                                        Vertices& vertices) {
+  const GltfJson& own = member(element(member(json_, "nodes"), node), "weights");
+  const GltfJson& weights = own.is_array() ? own : member(mesh, "weights");
+  const GltfJson& targets = member(primitive, "targets");
+  for (std::size_t k = 0; k < count_of(primitive, "targets"); ++k) {
+    const double weight = to_number(element(weights, k), 0);
+    if (weight == 0) continue;
+    const auto add = [&](const char* name, GltfValues<float>& to) -> Result<Done> {
+      const std::optional<std::size_t> accessor = index_in(element(targets, k), name);
+      if (!accessor || to.count() == 0) return Done{};
+      const Result<GltfValues<float>> moved = fitting_floats(accessors_, *accessor, name, to.count(), 3);
+      if (!moved) return moved.failure();
+      for (std::size_t i = 0; i < to.count(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          float& value = to.numbers[i * to.components + c];
+          value = static_cast<float>(double{value} + weight * double{moved->at(i)[c]});
+        }
+      }
+      return Done{};
+    };
+    if (const Result<Done> done = add("POSITION", vertices.positions); !done) return done;
+    if (const Result<Done> done = add("NORMAL", vertices.normals); !done) return done;
+  }
+  return Done{};
+}
+
+Result<SourcePrimitive> GltfPrimitives::read_primitive(const GltfJson& mesh, const GltfJson& primitive,
+                                                       std::size_t node) {
+  const std::size_t number = index_in(primitive, "mode").value_or(4);
+  if (number > 6) return gltf_damaged(fmt::format("a mesh has the mode {}", number));
+  const auto mode = static_cast<Mode>(number);
+  const Result<GltfAttributes> attributes = GltfAttributes::open(primitive, accessors_, buffers_);
+  if (!attributes) return attributes.failure();
+  Result<Vertices> from = read_vertices(primitive, *attributes);
+  if (!from) return from.failure();
+  if (const Result<Done> done = add_morphs(mesh, primitive, node, *from); !done) return done.failure();
+  const std::size_t vertices = from->positions.count();
+  const Result<std::vector<std::uint32_t>> indices = attributes->indices(vertices);
+  if (!indices) return indices.failure();
+  if (mode == Mode::points) groups_.note_points(indices->size());
+  if (mode == Mode::lines) groups_.note_lines(indices->size() / 2);
+  if (mode == Mode::line_loop) groups_.note_lines(indices->size());
+  if (mode == Mode::line_strip) groups_.note_lines(std::max(indices->size(), std::size_t{1}) - 1);
+  SourcePrimitive to;
+  if (mode < Mode::triangles || vertices == 0) return to;
+
+  to.has_colours = from->colours.count() > 0;
+  to.has_texcoords = from->texcoords.count() > 0;
+  to.material = materials_.material_of(primitive);
+  to.indices = as_triangles(*indices, mode);
+  const Result<SkinnedPrimitive> skin = skins_.read(*attributes, vertices, node);
+  if (!skin) return skin.failure();
+  to.has_skin = !skin->joints.empty();
+  to.node = to.has_skin || !skin->at_rest.empty() ? kNoNode : nodes_.mover_of(node);
+  to.mirrored = determinant(skin->modelled) < 0;
+  to.morphs = animations_morph_ && count_of(primitive, "targets") > 0;
+  const bool alpha_counts = model_.materials[to.material].alpha_mode != AlphaMode::opaque;
+  const GltfTexcoords& texcoords = materials_.texcoords_of(to.material);
+  const Affine normals_as_modelled = map_of_normals(skin->modelled);
+  to.vertices.resize(vertices);
+  for (std::size_t i = 0; i < vertices; ++i) {
+    SourceVertex& vertex = to.vertices[i];
+    const bool at_rest = !skin->at_rest.empty();
+    const Affine& place = at_rest ? skin->at_rest[i] : skin->modelled;
+    const float* const position = from->positions.at(i);
+    vertex.position = as_floats(place * Vector{double{position[0]}, double{position[1]}, double{position[2]}});
+    if (from->normals.count() > 0) {
+      vertex.normal = turned_normal(at_rest ? map_of_normals(place) : normals_as_modelled, from->normals.at(i));
+    }
+    if (to.has_colours) {
+      const float* const colour = from->colours.at(i);
+      for (std::size_t c = 0; c < 3; ++c) vertex.colour[c] = to_screen_channel(double{colour[c]}, true);
+      if (alpha_counts && from->colours.components == 4 && colour[3] < 1) to.vertex_alpha = true;
+    }
+    if (to.has_texcoords) {
+      const float* const texcoord = from->texcoords.at(i);
+      const std::array<float, 2> on = texcoords.on_texture(double{texcoord[0]}, double{texcoord[1]});
+      if (std::isfinite(on[0]) && std::isfinite(on[1])) vertex.texcoord = on;
+    }
+    if (!to.has_skin) continue;
+    vertex.joints = skin->joints[i].joints;
+    vertex.weights = skin->joints[i].weights;
+  }
+  return to;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,52 @@
+// Primitives of a glTF file's meshes: vertices and triangles, placed in the file's coordinates.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "import/gltf/accessors.hpp"
+#include "import/gltf/attributes.hpp"
+#include "import/gltf/buffers.hpp"
+#include "import/gltf/json.hpp"
+#include "import/gltf/materials.hpp"
+#include "import/gltf/nodes.hpp"
+#include "import/gltf/skins.hpp"
+#include "import/mesh_groups.hpp"
+#include "import/source_model.hpp"
+#include "result.hpp"
+
+namespace zstrip::sim {
+
+class GltfPrimitives {
+ public:
+  GltfPrimitives(const GltfJson& json, GltfBuffers& buffers, GltfAccessors& accessors, const GltfNodes& nodes,
+                 const GltfMaterials& materials, Texcoords texcoords, SourceModel& model);
+
+  /// All of the scene's nodes. The failure's message starts with a verb.
+  Result<Done> read_all();
+
+ private:
+  /// The numbers of a primitive's vertices, as the file has them.
+  struct Vertices {
+    GltfValues<float> positions, normals, colours, texcoords;
+  };
+
+  /// Empty: nothing to draw. The failure's message is a reason, as those below.
+  Result<SourcePrimitive> read_primitive(const GltfJson& mesh, const GltfJson& primitive, std::size_t node);
+  Result<Vertices> read_vertices(const GltfJson& primitive, const GltfAttributes& attributes);
+  Result<Done> add_morphs(const GltfJson& mesh, const GltfJson& primitive, std::size_t node, Vertices& vertices);
+
+  const GltfJson& json_;
+  GltfBuffers& buffers_;
+  GltfAccessors& accessors_;
+  const GltfNodes& nodes_;
+  const GltfMaterials& materials_;
+  Texcoords texcoords_;
+  SourceModel& model_;
+  GltfSkins skins_;
+  MeshGroups groups_;
+  bool animations_morph_ = false;
+  std::uint64_t no_texcoords_ = 0;  ///< primitives whose texture has no texture coordinates
+};
+
+}  // namespace zstrip::sim

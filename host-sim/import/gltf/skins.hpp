@@ -1,0 +1,68 @@
+// Skins of a glTF file as joints: which of them move a vertex, and from where.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "import/gltf/accessors.hpp"
+#include "import/gltf/attributes.hpp"
+#include "import/gltf/json.hpp"
+#include "import/gltf/nodes.hpp"
+#include "import/source_model.hpp"
+#include "result.hpp"
+
+namespace zstrip::sim {
+
+/// As SourceVertex has them.
+struct SkinnedVertex {
+  std::array<std::uint8_t, 4> joints{}, weights{};
+};
+
+/// What becomes of a primitive's vertices.
+struct SkinnedPrimitive {
+  Affine modelled;                      ///< from the mesh's coordinates to where vertices are kept
+  std::vector<SkinnedVertex> joints{};  ///< one a vertex, where joints move it; else empty
+  std::vector<Affine> at_rest{};        ///< one a vertex, instead of `modelled`, where a skin stands still
+};
+
+class GltfSkins {
+ public:
+  GltfSkins(const GltfJson& json, GltfAccessors& accessors, const GltfNodes& nodes, SourceModel& model)
+      : json_(json), accessors_(accessors), nodes_(nodes), model_(model) {}
+
+  /// Of a primitive of `vertices` on this node. Adds to the model's joints. What has no skin stays where its node is.
+  /// The failure's message is a reason.
+  Result<SkinnedPrimitive> read(const GltfAttributes& primitive, std::size_t vertices, std::size_t node);
+
+  /// Adds warnings for what has been left out.
+  void warn() const;
+
+ private:
+  /// A vertex' joint by its place in Binds.
+  struct Influence {
+    std::size_t bind;
+    double weight;
+  };
+  /// A skin's joints, and behind them the node of its mesh, for what no joint moves.
+  struct Binds {
+    std::vector<std::size_t> nodes;
+    std::vector<Affine> inverse_binds;
+  };
+
+  Result<Binds> read_binds(const GltfJson& skin, std::size_t node);
+  static Result<std::vector<std::vector<Influence>>> read_influences(const GltfAttributes& primitive,
+                                                                     std::size_t vertices, std::size_t binds);
+  std::size_t joint_of_node(std::int32_t node);
+  std::size_t joint_with(std::size_t node, const Affine& inverse_bind, const Affine& modelled);
+  SkinnedVertex strongest(const std::vector<Influence>& influences, const std::vector<std::size_t>& joints);
+
+  const GltfJson& json_;
+  GltfAccessors& accessors_;
+  const GltfNodes& nodes_;
+  SourceModel& model_;
+  std::uint64_t weakened_ = 0;  ///< vertices that more than four joints move
+  std::uint64_t still_ = 0;     ///< meshes that need too many joints
+};
+
+}  // namespace zstrip::sim

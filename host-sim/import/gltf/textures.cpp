@@ -1,0 +1,114 @@
+// Textures of a glTF file.
+#include "import/gltf/textures.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "image/decode.hpp"
+#include "import/gltf/data_uri.hpp"
+#include "report/text.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::size_t kClampToEdge = 33071, kMirroredRepeat = 33648;
+/// Formats that are not read; a texture that has nothing else is left out by name.
+constexpr std::array kOtherPictures{"KHR_texture_basisu", "EXT_texture_webp", "EXT_texture_avif", "MSFT_texture_dds"};
+
+TextureWrap wrap_of(const GltfJson& sampler, const char* key) {
+  switch (index_in(sampler, key).value_or(0)) {
+    case kClampToEdge: return TextureWrap::clamp;
+    case kMirroredRepeat: return TextureWrap::mirror;
+    default: return TextureWrap::repeat;
+  }
+}
+
+/// Scaled, then turned (counter-clockwise where v grows downwards), then moved.
+GltfTexcoords texcoords_of(const GltfJson& use) {
+  GltfTexcoords texcoords;
+  texcoords.set = index_in(use, "texCoord").value_or(0);
+  const GltfJson& transform = extension(use, "KHR_texture_transform");
+  if (!transform.is_object()) return texcoords;
+  texcoords.set = index_in(transform, "texCoord").value_or(texcoords.set);
+  const auto offset = numbers_in<2>(transform, "offset", {0, 0}), scale = numbers_in<2>(transform, "scale", {1, 1});
+  const double angle = number_in(transform, "rotation", 0);
+  const double c = std::cos(angle), s = std::sin(angle);
+  texcoords.rows = {{{c * scale[0], s * scale[1], offset[0]}, {-s * scale[0], c * scale[1], offset[1]}}};
+  return texcoords;
+}
+
+}  // namespace
+
+std::array<float, 2> GltfTexcoords::on_texture(double u, double v) const {
+  const auto along = [&](const std::array<double, 3>& row) {
+    return static_cast<float>(row[0] * u + row[1] * v + row[2]) + 0.0F;
+  };
+  return {along(rows[0]), along(rows[1])};
+}
+
+std::optional<GltfTextureUse> GltfTextures::use_of(const GltfJson& material, const char* key) const {
+  const GltfJson& from = member(material, key);
+  const std::optional<std::size_t> texture = index_in(from, "index");
+  if (!texture) return std::nullopt;
+  const GltfJson& json = element(member(document_.json, "textures"), *texture);
+  GltfTextureUse use{.texture = *texture, .texcoords = texcoords_of(from)};
+  if (const std::optional<std::size_t> index = index_in(json, "sampler")) {
+    const GltfJson& sampler = element(member(document_.json, "samplers"), *index);
+    use.wrap = {wrap_of(sampler, "wrapS"), wrap_of(sampler, "wrapT")};
+  }
+  return use;
+}
+
+Result<RgbImage> GltfTextures::decode(const GltfJson& image) const {
+  if (const std::optional<std::size_t> view = index_in(image, "bufferView")) {
+    const Result<GltfBuffers::View> bytes = buffers_.view(*view);
+    if (!bytes) return Failure{ExitStatus::input, fmt::format("cannot be read: {}", bytes.failure().message)};
+    return decode_image(bytes->bytes);
+  }
+  const std::string uri = text_in(image, "uri");
+  if (uri.empty()) return Failure{ExitStatus::input, "has no picture"};
+  const Result<std::vector<std::uint8_t>> bytes = buffers_.read_uri(uri);
+  if (!bytes) return bytes.failure();
+  return decode_image(*bytes);
+}
+
+std::uint32_t GltfTextures::read(std::size_t texture) {
+  const GltfJson& json = element(member(document_.json, "textures"), texture);
+  const std::optional<std::size_t> source = index_in(json, "source");
+  const auto warn = [this](const std::string& name, const std::string& reason) {
+    model_.warnings.push_back(fmt::format("texture '{}' {}; what uses it is drawn without", printable(name), reason));
+  };
+  if (!source) {
+    std::string reason = "has no picture";
+    for (const char* format : kOtherPictures) {
+      if (extension(json, format).is_object()) reason = fmt::format("is of {}, which is not read", format);
+    }
+    const std::string name = text_in(json, "name");
+    warn(name.empty() ? fmt::format("textures[{}]", texture) : name, reason);
+    return kNoSourceTexture;
+  }
+  const auto known = known_.find(*source);
+  if (known != known_.end()) return known->second;
+  const GltfJson& image = element(member(document_.json, "images"), *source);
+  const std::string uri = text_in(image, "uri");
+  std::string name = text_in(image, "name");
+  if (name.empty()) name = text_in(json, "name");
+  if (name.empty() && !uri.empty() && !is_data_uri(uri)) name = uri;
+  if (name.empty()) name = fmt::format("images[{}]", *source);
+  Result<RgbImage> decoded = decode(image);
+  std::uint32_t index = kNoSourceTexture;
+  if (decoded) {
+    index = static_cast<std::uint32_t>(model_.textures.size());
+    model_.textures.push_back(std::move(*decoded));
+    model_.texture_names.push_back(std::move(name));
+  } else {
+    warn(name, decoded.failure().message);
+  }
+  known_.emplace(*source, index);
+  return index;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,116 @@
+// Gathers what a reader finds of a file's surfaces into the meshes of a source model.
+#include "import/mesh_groups.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "import/read_model.hpp"
+#include "report/number.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+bool is_finite(const SourceVertex& vertex) {
+  return std::ranges::all_of(vertex.position, [](float c) { return std::isfinite(c); });
+}
+
+bool has_area(const SourceVertex& a, const SourceVertex& b, const SourceVertex& c) {
+  std::array<double, 3> ab{};
+  std::array<double, 3> ac{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    ab[i] = double{b.position[i]} - double{a.position[i]};
+    ac[i] = double{c.position[i]} - double{a.position[i]};
+  }
+  return ab[1] * ac[2] != ab[2] * ac[1] || ab[2] * ac[0] != ab[0] * ac[2] || ab[0] * ac[1] != ab[1] * ac[0];
+}
+
+}  // namespace
+
+/// What blends is sorted by instances, so that each stays one.
+SourceMesh& MeshGroups::mesh_for(const SourcePrimitive& primitive) {
+  const bool blends = model_.materials[primitive.material].alpha_mode == AlphaMode::blend;
+  const auto apart = static_cast<std::uint32_t>(blends ? model_.meshes.size() + 1 : 0);
+  const auto [at, is_new] = groups_.try_emplace(
+      {primitive.material, primitive.has_colours, primitive.has_texcoords, primitive.node, primitive.has_skin, apart},
+      model_.meshes.size());
+  if (is_new) {
+    SourceMesh& mesh = model_.meshes.emplace_back();
+    mesh.material = primitive.material;
+    mesh.node = primitive.node;
+    mesh.has_skin = primitive.has_skin;
+    mesh.has_colours = primitive.has_colours;
+    mesh.has_texcoords = primitive.has_texcoords;
+  }
+  return model_.meshes[at->second];
+}
+
+Result<Done> MeshGroups::add(const SourcePrimitive& primitive) {
+  triangles_seen_ += primitive.indices.size() / 3;
+  vertices_ += primitive.vertices.size();
+  if (triangles_seen_ > kMaxTriangles || vertices_ > 3 * kMaxTriangles) {
+    return Failure{ExitStatus::input, fmt::format("has more than {} triangles; simplify the model", kMaxTriangles)};
+  }
+  if (primitive.vertex_alpha) ++vertex_alpha_;
+  if (primitive.morphs) ++morphs_;
+  SourceMesh& group = mesh_for(primitive);
+  const auto first = static_cast<std::uint32_t>(group.vertices.size());
+  group.vertices.insert(group.vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
+  for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+    const std::uint32_t a = primitive.indices[i];
+    std::uint32_t b = primitive.indices[i + 1], c = primitive.indices[i + 2];
+    if (std::max({a, b, c}) >= primitive.vertices.size()) {
+      ++bad_index_;
+      continue;
+    }
+    const SourceVertex &va = primitive.vertices[a], &vb = primitive.vertices[b], &vc = primitive.vertices[c];
+    if (!is_finite(va) || !is_finite(vb) || !is_finite(vc)) {
+      ++not_finite_;
+      continue;
+    }
+    if (!has_area(va, vb, vc)) continue;
+    if (primitive.mirrored) std::swap(b, c);
+    ++triangles_kept_;
+    group.indices.insert(group.indices.end(), {first + a, first + b, first + c});
+  }
+  return Done{};
+}
+
+Result<Done> MeshGroups::finish() {
+  if (triangles_kept_ == 0 && triangles_seen_ > 0) {
+    return Failure{ExitStatus::input,
+                   "has no drawable triangle: none with finite corners and an area; repair the model"};
+  }
+  if (triangles_kept_ == 0) {
+    return Failure{ExitStatus::input, "has no triangles, only points, lines or nothing; export it as a surface"};
+  }
+  if (not_finite_ > 0) {
+    model_.warnings.push_back(
+        fmt::format("{} left out: corners not finite (NaN or infinite)", counted(not_finite_, "triangle")));
+  }
+  if (bad_index_ > 0) {
+    model_.warnings.push_back(
+        fmt::format("{} left out: with vertices that do not exist", counted(bad_index_, "triangle")));
+  }
+  const auto warn_of = [this](std::uint64_t count, const char* what) {
+    if (count == 0) return;
+    model_.warnings.push_back(fmt::format("{} left out: only triangles of models are drawn", counted(count, what)));
+  };
+  warn_of(lines_, "line");
+  warn_of(points_, "point");
+  if (vertex_alpha_ > 0) {
+    model_.warnings.push_back(
+        fmt::format("{} drawn without the alpha of its vertex colours", counted(vertex_alpha_, "mesh")));
+  }
+  if (morphs_ > 0) {
+    model_.warnings.push_back(fmt::format("{} with morph targets drawn at rest: only nodes and skins are animated",
+                                          counted(morphs_, "mesh")));
+  }
+  std::erase_if(model_.meshes, [](const SourceMesh& mesh) { return mesh.indices.empty(); });
+  return Done{};
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,57 @@
+// Surfaces that are seen from both sides.
+#include "import/sides.hpp"
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+namespace zstrip::sim {
+namespace {
+
+/// What only emits looks the same from everywhere.
+bool is_shaded(const SourceMaterial& material) {
+  return material.lit && material.colour != std::array<std::uint8_t, 3>{};
+}
+
+SourceMesh back_of(const SourceMesh& front) {
+  SourceMesh back = front;
+  for (SourceVertex& vertex : back.vertices) {
+    for (float& component : vertex.normal) component = 0.0F - component;
+  }
+  for (std::size_t i = 0; i + 2 < back.indices.size(); i += 3) std::swap(back.indices[i + 1], back.indices[i + 2]);
+  return back;
+}
+
+}  // namespace
+
+void split_sides(SourceModel& model, std::vector<bool>& closed_outside) {
+  std::map<std::uint32_t, std::uint32_t> single_sided;  // by material
+  std::vector<SourceMesh> meshes;
+  std::vector<bool> closed;
+  for (std::size_t i = 0; i < model.meshes.size(); ++i) {
+    SourceMesh& mesh = model.meshes[i];
+    const SourceMaterial& material = model.materials[mesh.material];
+    const bool shows_both = material.double_sided.value_or(false);
+    const bool hidden = closed_outside[i] && material.alpha_mode == AlphaMode::opaque;
+    if (shows_both && !hidden && is_shaded(material)) {
+      const auto [at, is_new] =
+          single_sided.try_emplace(mesh.material, static_cast<std::uint32_t>(model.materials.size()));
+      if (is_new) {
+        SourceMaterial one = material;
+        one.double_sided = false;
+        model.materials.push_back(std::move(one));
+      }
+      mesh.material = at->second;
+      // Of what blends the back first: it lies behind.
+      meshes.push_back(back_of(mesh));
+      closed.push_back(false);
+    }
+    meshes.push_back(std::move(mesh));
+    closed.push_back(closed_outside[i]);
+  }
+  model.meshes = std::move(meshes);
+  closed_outside = std::move(closed);
+}
+
+}  // namespace zstrip::sim
