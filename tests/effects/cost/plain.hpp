@@ -172,10 +172,11 @@ inline constexpr Effects kTaken = kKeepsLight<built_in> ? effect::fragments
                                   : (kBasic<built_in> | kChoice<built_in>).bits != 0
                                       ? kBasic<built_in> | kChoice<built_in>
                                       : kPlainLacks;
-/// The pipeline of kChosen. The plain one keeps what the effect brought along, as quadrics their textures.
+/// The pipeline of kChosen. The plain one keeps what the effect brought along, as quadrics their textures. Both have
+/// all shades, so that they differ in the effect alone.
 template <const scenes::BuiltIn& built_in, bool plain>
-inline constexpr Effects kEffectsOf = without(effects_of(built_in.scene, built_in.camera) | kChoice<built_in> |
-                                                  effects_of(kView<built_in, plain>),
+inline constexpr Effects kEffectsOf = without(without_shades(effects_of(built_in.scene, built_in.camera)) |
+                                                  kChoice<built_in> | effects_of(kView<built_in, plain>),
                                               plain ? kTaken<built_in> : Effects{});
 
 }  // namespace zstrip::effects_cost
