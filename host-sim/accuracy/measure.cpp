@@ -88,7 +88,8 @@ Effects AccuracyScene::effects_with(const Settings& settings) const {
   shading[Knob::shading] = settings[Knob::shading];
   const SceneVariant variant(first().scene, shading);
   const Staging shaded = variant.apply(first());
-  return effects_of(shaded.scene, shaded.camera) | extra_effects(settings);
+  // All shades: settings change how triangles are drawn.
+  return without_shades(effects_of(shaded.scene, shaded.camera)) | extra_effects(settings);
 }
 
 std::vector<Knob> AccuracyScene::knobs() const {
