@@ -49,7 +49,7 @@ Result<RecordedTable> RecordedTable::read(const std::string& file, const std::ve
   std::string line;
   if (!std::getline(csv, line)) return Failure{ExitStatus::input, fmt::format("'{}' cannot be read", file)};
   table.names_ = fields_of(line);
-  if (!std::ranges::equal(table.names_ | std::views::take(first.size()), first)) {
+  if (table.names_.size() < first.size() || !std::equal(first.begin(), first.end(), table.names_.begin())) {
     return Failure{ExitStatus::input,
                    fmt::format("'{}' is no table of accuracy figures: its columns do not begin with {}", file,
                                fmt::join(first, ", "))};

@@ -24,7 +24,8 @@ void put(Bytes& to, std::uint32_t value, int bytes) {
 }
 
 std::uint32_t number_at(std::span<const std::uint8_t> from, std::size_t at) {
-  return std::uint32_t{from[at]} << 24 | from[at + 1U] << 16 | from[at + 2U] << 8 | from[at + 3U];
+  return std::uint32_t{from[at]} << 24 | std::uint32_t{from[at + 1U]} << 16 | std::uint32_t{from[at + 2U]} << 8 |
+         from[at + 3U];
 }
 
 void put_chunk(Bytes& to, std::string_view type, std::span<const std::uint8_t> content) {

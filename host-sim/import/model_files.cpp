@@ -70,7 +70,8 @@ std::string as_utf8(std::string_view text) {
   if (!is_utf16(text)) return std::string(text);
   const bool swapped = text.starts_with(kBigEndian);
   const auto unit_at = [&](std::size_t at) -> char32_t {
-    const auto first = static_cast<std::uint8_t>(text[at]), second = static_cast<std::uint8_t>(text[at + 1]);
+    const char32_t first = static_cast<std::uint8_t>(text[at]);
+    const char32_t second = static_cast<std::uint8_t>(text[at + 1]);
     return swapped ? first << 8 | second : second << 8 | first;
   };
   std::string utf8;
