@@ -61,8 +61,8 @@ constexpr std::uint32_t quotient_31(std::uint32_t divisor) {
   return 0x7FFFFFFFU / divisor;
 }
 
-/// numerator / divisor, for divisor > 0. For what is divided once a frame: where there is no instruction for it, the
-/// compiler's own division of 64 bits takes 700 bytes.
+/// numerator / divisor, for divisor > 0. For what is divided once a frame or a light of an instance: where there is no
+/// instruction for it, the compiler's own division of 64 bits takes 700 bytes.
 [[gnu::noinline]] constexpr std::uint64_t seldom_quotient(std::uint64_t numerator, std::uint64_t divisor) {
   if constexpr (sizeof(void*) == sizeof(std::uint64_t)) return numerator / divisor;
   std::uint64_t quotient = 0;

@@ -319,7 +319,7 @@ struct Assembler : ClippedAssembler<effects> {
   }
 
   /// Calls draw.operator()<shade>() for the instance's shade. One decision for a whole meshlet; shades that no instance
-  /// has are not instantiated, and the last one is not asked for.
+  /// has are not instantiated, and the last one needs no comparison.
   template <class Draw>
   static void with_shade(Shade shade, const Draw& draw) {
     try_shades<Shade::fragments, Shade::textured, Shade::textured_flat, Shade::textured_gouraud, Shade::gouraud,

@@ -5,7 +5,7 @@
 
 namespace zstrip::detail::unclipped {
 
-/// True: project_narrow takes every position, with any reciprocal. What it asks of x, y and w is linear in the
+/// True: project_narrow takes every position, with any reciprocal. Its limits for x, y and w are linear in the
 /// position, so that corners decide for the box.
 template <bool orthographic>
 bool is_box_narrow(const CompiledInstance& instance, const RasterOrigin& origin);
