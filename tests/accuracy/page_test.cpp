@@ -67,7 +67,7 @@ TEST_F(AccuracyCommand, NamesTheProgramsOfEachCore) {
   const test::Outcome outcome = test::run(
       ZSTRIP_COMMAND, {"accuracy", "--target", "host,m0,m3", "cube", "--only", "default", "--list-programs"}, path(""));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(outcome.out, "zstrip_scene_m0_00000000008\nzstrip_scene_m3_00000000008\n");
+  EXPECT_EQ(outcome.out, "zstrip_scene_m0_00000000000008\nzstrip_scene_m3_00000000000008\n");
 }
 
 TEST_F(AccuracyCommand, MeasuresOnlyTheDefaultOnSomeTargets) {
@@ -76,7 +76,8 @@ TEST_F(AccuracyCommand, MeasuresOnlyTheDefaultOnSomeTargets) {
       {"accuracy", "--target", "m3", "--default-on", "m0", "cube", "--knobs", "depth", "--singles", "--list-programs"},
       path(""));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_TRUE(outcome.out.starts_with("zstrip_scene_m0_00000000008\nzstrip_scene_m3_00000000008\n")) << outcome.out;
+  EXPECT_TRUE(outcome.out.starts_with("zstrip_scene_m0_00000000000008\nzstrip_scene_m3_00000000000008\n"))
+      << outcome.out;
   EXPECT_EQ(std::ranges::count(outcome.out, '\n'), 1 + 6) << outcome.out;
 }
 

@@ -48,9 +48,10 @@ TEST_F(BakeBoard, OledShowsTheModelTurning) { expect_moves(BAKED_MODEL, BAKED_PR
 /// A board's player that did not move the skin drew nothing, and no error.
 TEST_F(BakeBoard, OledShowsASkinThatMoves) { expect_moves(BENDING_MODEL, BENDING_PROGRAM); }
 
-/// The house is lit and smooth, nothing more: of all other effects the program holds nothing.
+/// The house is lit and smooth, and its door has no back, so that both sides are seen: of all other effects the program
+/// holds nothing.
 TEST_F(BakeBoard, ProgramLinksOnlyTheScenesEffects) {
-  expect_only(BAKED_PROGRAM, effect::lighting | effect::gouraud | effect::shade_gouraud);
+  expect_only(BAKED_PROGRAM, effect::lighting | effect::gouraud | effect::shade_gouraud | effect::two_sided);
 }
 
 }  // namespace

@@ -44,7 +44,10 @@ Result<Done> parse_json(std::span<const std::uint8_t> text, GltfDocument& docume
   }
   document.json = GltfJson::parse(text.begin(), text.end(), nullptr, false);
   if (!document.json.is_object()) return gltf_damaged("it holds no JSON object");
-  const std::string version = text_in(member(document.json, "asset"), "version");
+  const GltfJson& asset = member(document.json, "asset");
+  // Files of glTF 1.0 may have a number.
+  const GltfJson& number = member(asset, "version");
+  const std::string version = number.is_number() ? number.dump() : text_in(asset, "version");
   if (version.empty()) return gltf_damaged("asset.version is missing");
   document.version = version[0] >= '0' && version[0] <= '9' ? version[0] - '0' : 0;
   return Done{};
