@@ -39,14 +39,15 @@ struct BakedScene {
   Camera camera;
   Animation animation;  ///< empty: what `turn` selects moves
   View view;
-  /// Those that scene and view call for, effect::bins if the plan needs it, the visibility method, and one of
-  /// effect::perspective_runs or of effect::depth_formats.
+  /// Those that scene and view call for, effect::bins if the plan needs it, the visibility method, one of
+  /// effect::perspective_runs or of effect::depth_formats, and effect::unclipped.
   Effects effects;
   Budget budget;  ///< with the strips of `plan`: the same plan comes out of it again
   Plan plan;
   BspTree tree{};  ///< with method::bsp
   Turn turn{};
   BakedSkins skins{};
+  std::string unclipped_where{};  ///< with effect::unclipped: the poses for which that was checked, in words
 };
 
 }  // namespace zstrip::sim

@@ -57,6 +57,7 @@ class Header {
   }
 
   bool bends() const { return !skins_.meshes.empty(); }
+  bool is_unclipped() const { return baked_.effects.has(effect::unclipped); }
 
   void comment(const std::string& name_space) {
     const SceneCounts counts = count(scene_);
@@ -97,6 +98,7 @@ class Header {
         "// begin_frame and draw_strip return a Status: look at it. To move the scene, copy kInstances into RAM, "
         "change");
     line("// the transforms there, and begin the frame with a copy of kScene whose `instances` are yours.");
+    if (is_unclipped()) line("// Motions other than the one that was baked may need clipping: see kEffects.");
     if (!baked_.tree.nodes.empty()) {
       line(fmt::format("// Before begin_frame: renderer.set_visibility({{.tree = &{}::kTree}});", name_space));
     }
@@ -375,12 +377,21 @@ class Header {
         fmt::format("\n/// The picture that camera and plan are for{}.\n"
                     "inline constexpr zstrip::View kView{{{}, {}, zstrip::PixelFormat::{}{}}};",
                     words, view.width, view.height, name(view.format), settings));
-    line(
-        fmt::format("/// All that the scene calls for{}: the one pipeline to instantiate.\n"
-                    "inline constexpr zstrip::Effects kEffects = {};",
-                    baked_.effects.has(effect::bins) ? ", and bins for the plan" : "", literal(baked_.effects)));
+    line(fmt::format("/// All that the scene calls for{}: the one pipeline to instantiate.",
+                     baked_.effects.has(effect::bins) ? ", and bins for the plan" : ""));
+    if (is_unclipped()) {
+      line(fmt::format(
+          "/// No clipping is linked. It was checked that the box of no instance crosses the near or the far "
+          "plane, or leaves the\n"
+          "/// thousand pixels around the picture's centre, {}.\n"
+          "/// A frame in which one does, because the program moves camera or instances otherwise, is "
+          "Error::clipping: for that,\n"
+          "/// bake with --clipping on.",
+          baked_.unclipped_where));
+    }
+    line(fmt::format("inline constexpr zstrip::Effects kEffects = {};", literal(baked_.effects)));
     constexpr Effects kBeyondScene =
-        effect::bins | effect::depth_formats | effect::depth_ranges | effect::perspective_runs;
+        effect::bins | effect::depth_formats | effect::depth_ranges | effect::perspective_runs | effect::unclipped;
     const Effects beyond_scene{baked_.effects.bits & kBeyondScene.bits, baked_.effects.methods};
     const std::string of_view = effects_of(view) == Effects{} ? "" : " | zstrip::effects_of(kView)";
     line(fmt::format("static_assert(kEffects == (zstrip::effects_of(kScene, kCamera){}));",

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bake/baked_scene.hpp"
+#include "bake/clipping.hpp"
 #include "bake/effects_found.hpp"
 #include "bake/flash_bytes.hpp"
 #include "bake/mipmaps.hpp"
@@ -50,6 +51,7 @@ struct Arguments {
   std::optional<std::string> cells;
   std::string textures = "rgb565";
   std::string mipmaps = "auto";
+  std::string clipping = "auto";
   std::optional<std::string> json;
   bool quiet = false;
 };
@@ -171,6 +173,17 @@ Result<BakedScene> bake(const std::string& scene, const Staging& staging, const 
   baked.budget.strip_rows = plan->strip_rows;
   baked.budget.strip_columns = plan->strip_columns;
   return baked;
+}
+
+/// Of a header: leaves out what its motion does not need, if that is asked for.
+ClippingRecord choose_clipping(const Arguments& arguments, BakedScene& baked) {
+  if (arguments.clipping == "on") return {.where = {}, .why = "--clipping on"};
+  ClippingRecord clipping = find_clipping(baked, arguments.turntable);
+  if (clipping.left_out) {
+    baked.effects = baked.effects | effect::unclipped;
+    baked.unclipped_where = clipping.where;
+  }
+  return clipping;
 }
 
 BakeRecord describe(const Arguments& arguments, const Stage& stage, const BakedScene& baked) {
@@ -318,9 +331,12 @@ Result<Done> run(const Arguments& arguments) {
   at_rest.scene = paletted.scene();
   const Result<Turn> turn = turn_of(**stage, *request, arguments, *staging);
   if (!turn) return turn.failure();
-  const Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *turn, skins, *request);
+  Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *turn, skins, *request);
   if (!baked) return baked.failure();
+  std::optional<ClippingRecord> clipping;
+  if (*kind == Kind::header) clipping = choose_clipping(arguments, *baked);
   BakeRecord record = describe(arguments, **stage, *baked);
+  record.clipping = std::move(clipping);
   record.palettes = paletted.records();
   record.mipmaps = mipmap_records(at_rest.scene);
   if (arguments.textures == "rgb565") {
@@ -380,6 +396,12 @@ void add_bake_command(CLI::App& app, int& exit_code) {
                    "them (default); on, for all textures of instances: a third more bytes, and drawn slower; off: none")
       ->option_text("CHOICE")
       ->check(one_of({"auto", "on", "off"}));
+  command
+      ->add_option("--clipping", a.clipping,
+                   "Code that clips triangles: auto, none in a header whose motion, a turn with --turntable or its "
+                   "animation, never needs it (default); on, for programs that move camera or instances otherwise")
+      ->option_text("CHOICE")
+      ->check(one_of({"auto", "on"}));
   command->add_option("--json", a.json, "Write the report as JSON; - is standard output")->type_name("FILE|-");
   command->add_flag("--quiet", a.quiet, "No report in words; warnings and errors remain");
   command->footer(

@@ -102,6 +102,13 @@ std::string effect_lines(const BakeRecord& record) {
   return text.empty() ? "  effects    none\n" : text;
 }
 
+std::string clipping_line(const BakeRecord& record) {
+  if (!record.clipping) return "";
+  if (!record.clipping->left_out) return fmt::format("  clipping   stays: {}\n", record.clipping->why);
+  return fmt::format("  clipping   left out: no instance comes near a plane of the camera {}\n",
+                     record.clipping->where);
+}
+
 }  // namespace
 
 std::string bake_summary(const BakeRecord& record) {
@@ -114,6 +121,7 @@ std::string bake_summary(const BakeRecord& record) {
   text += palette_lines(record);
   text += mipmap_lines(record);
   text += effect_lines(record);
+  text += clipping_line(record);
   text += fmt::format("  picture    {}x{}, {}; {}\n", record.view.width, record.view.height, format_words(record.view),
                       shape(record.plan, record.view));
   text += fmt::format("  RAM        {}{}\n", memory(record.plan, record.plan.strip_pixel_bytes(record.view), method),
@@ -201,6 +209,10 @@ std::string bake_json(const BakeRecord& record) {
                                  {"reason", found.effect.called_for_by},
                                  {"materials", found.materials},
                                  {"origin", found.origin}});
+  }
+  object["clipping"] = nullptr;
+  if (const auto& clipping = record.clipping) {
+    object["clipping"] = {{"left_out", clipping->left_out}, {"poses", clipping->poses}, {"why", clipping->why}};
   }
   Json bytes;
   for (const auto& [purpose, size] : by_purpose(plan)) bytes[name(purpose)] = size;

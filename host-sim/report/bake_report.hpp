@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bake/clipping.hpp"
 #include "bake/effects_found.hpp"
 #include "bake/flash_bytes.hpp"
 #include "bake/mipmaps.hpp"
@@ -50,7 +51,8 @@ struct BakeRecord {
   std::optional<VisibleSetRecord> visible_sets{};
   std::vector<PaletteRecord> palettes{};  ///< of the textures that have got one
   std::vector<MipmapRecord> mipmaps{};
-  std::uint64_t palettes_would_save = 0;  ///< bytes of texels, without loss
+  std::uint64_t palettes_would_save = 0;     ///< bytes of texels, without loss
+  std::optional<ClippingRecord> clipping{};  ///< of a header
 };
 
 /// For a person.

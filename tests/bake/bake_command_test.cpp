@@ -270,6 +270,65 @@ TEST_F(Bake, EffectsAndWhy) {
   EXPECT_NE(effects("room", {}).find("textures[\"number 0\",\"number 1\"]"), std::string::npos);
 }
 
+/// What a header's kEffects say of clipping, and why.
+class BakeClipping : public Bake {
+ protected:
+  /// The report on clipping. It agrees with the header.
+  Json clipping(const std::string& scene, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"bake", scene, "-o", "scene.hpp"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Json baked = report(arguments);
+    const bool in_header = read(path("scene.hpp")).find(" | zstrip::effect::unclipped") != std::string::npos;
+    const bool in_effects = baked.at("effects").dump().find("\"unclipped\"") != std::string::npos;
+    EXPECT_EQ(in_header, baked.at("clipping").at("left_out")) << scene;
+    EXPECT_EQ(in_effects, baked.at("clipping").at("left_out")) << scene;
+    return baked.at("clipping");
+  }
+  std::string why(const std::string& scene, const std::vector<std::string>& options) {
+    const Json found = clipping(scene, options);
+    EXPECT_FALSE(found.at("left_out")) << scene;
+    return found.at("why");
+  }
+  int poses(const std::string& scene, const std::vector<std::string>& options) {
+    const Json found = clipping(scene, options);
+    EXPECT_TRUE(found.at("left_out")) << scene << ": " << found.at("why");
+    return found.at("poses");
+  }
+};
+
+TEST_F(BakeClipping, IsLeftOutWhereTheWholeMotionIsInFrontOfTheCamera) {
+  EXPECT_EQ(poses(kHouse, {"--turntable"}), 65536) << "an angle has 16 bits";
+  EXPECT_EQ(poses(kHouse, {"--turntable", "--samples", "4", "--mode", "binned"}), 65536);
+  EXPECT_EQ(poses(ZSTRIP_SCENE_FILES "/table.toml", {}), 6000) << "the milliseconds of its animation";
+  EXPECT_NE(read(path("scene.hpp")).find("in any of the 6,000 milliseconds of the animation.\n"), std::string::npos);
+  // Many instances are checked in fewer poses, boards' among them.
+  std::string crowd;
+  for (int i = 0; i < 100; ++i) crowd += "usemtl m" + std::to_string(i) + '\n' + kTriangleObj;
+  EXPECT_EQ(poses(file("crowd.obj", crowd), {"--turntable"}), 32768);
+}
+
+TEST_F(BakeClipping, StaysWhereSomethingComesTooNear) {
+  EXPECT_EQ(why(kHouse, {"--turntable", "--orbit", "2,30,60"}),
+            "instance 0 crosses the near plane in frame 11 of 64 of a turn");
+  EXPECT_EQ(why("room", {"--turntable"}), "instance 0 crosses the near plane in frame 0 of 64 of a turn");
+  EXPECT_EQ(why(ZSTRIP_SCENE_FILES "/perspective.toml", {"--turntable"}),
+            "instance 0 leaves the thousand pixels around the picture's centre in frame 6 of 64 of a turn");
+  const Outcome words = zstrip({"bake", kHouse, "-o", "scene.hpp", "--turntable", "--orbit", "2,30,60"});
+  EXPECT_NE(words.out.find("  clipping   stays: instance 0 crosses the near plane in frame 11 of 64 of a turn\n"),
+            std::string::npos)
+      << words.out;
+}
+
+TEST_F(BakeClipping, StaysWhereItIsAskedForOrNothingIsKnown) {
+  EXPECT_EQ(why(kHouse, {"--turntable", "--clipping", "on"}), "--clipping on");
+  EXPECT_EQ(why(kHouse, {}), "without --turntable it is not known how the scene moves");
+  EXPECT_EQ(why(ZSTRIP_SCENE_FILES "/outlines.toml", {"--turntable"}),
+            "outlines need it: hulls reach beyond the boxes of their instances");
+  EXPECT_EQ(report({"bake", kHouse, "-o", "scene.zsc", "--turntable"}).at("clipping"), nullptr)
+      << "of a blob the program decides";
+  EXPECT_EQ(zstrip({"bake", kHouse, "-o", "scene.hpp", "--clipping", "off"}).status, 2);
+}
+
 /// The room's walls have 3 colours in 256 texels, its box more than 16 in 4096.
 TEST_F(Bake, PalettesThatLoseNothingChangeNoPixel) {
   const Json plain = report({"bake", "room", "-o", "plain.zsc"});

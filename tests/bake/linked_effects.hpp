@@ -19,6 +19,7 @@ struct LinkedEffects {
   std::vector<Effects> pipelines;  ///< that templates were made for
   std::set<int> shades;            ///< values of detail::Shade that rasterisers were made for
   bool bins = false;
+  bool clips = false;
 };
 
 inline LinkedEffects linked_effects(const std::string& program) {
@@ -37,11 +38,12 @@ inline LinkedEffects linked_effects(const std::string& program) {
   });
   for_each(R"((?:spans|triangle|polygon|clipped|triangles|narrow)<\(zstrip::detail::Shade\)([0-9]))",
            [&linked](const std::smatch& match) { linked.shades.insert(std::stoi(match[1])); });
+  linked.clips = outcome.out.find("zstrip::detail::TriangleClipper<") != std::string::npos;
   linked.bins = outcome.out.find("zstrip::detail::Bins::append") != std::string::npos;
   return linked;
 }
 
-/// One pipeline, rasterisers and bins exactly as `effects` call for.
+/// One pipeline, rasterisers, clipper and bins exactly as `effects` call for.
 inline void expect_only(const std::string& program, Effects effects) {
   const LinkedEffects linked = linked_effects(program);
   ASSERT_FALSE(linked.pipelines.empty()) << program << " has no symbols";
@@ -66,6 +68,7 @@ inline void expect_only(const std::string& program, Effects effects) {
   EXPECT_EQ(linked.shades.contains(kTexturedFlat), effects.has(effect::shade_textured_flat)) << program;
   EXPECT_EQ(linked.shades.contains(kTexturedGouraud), effects.has(effect::shade_textured_gouraud)) << program;
   EXPECT_EQ(linked.bins, effects.has(effect::bins)) << program;
+  EXPECT_EQ(linked.clips, !effects.has(effect::unclipped)) << program;
 }
 
 }  // namespace zstrip::sim::test
