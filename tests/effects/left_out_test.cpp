@@ -21,6 +21,7 @@
 #include "zstrip_scenes/knot_meshlets.hpp"
 #include "zstrip_scenes/room.hpp"
 #include "zstrip_scenes/spheres.hpp"
+#include "zstrip_scenes/stage.hpp"
 #include "zstrip_scenes/teapot.hpp"
 
 namespace left_out_test {
@@ -137,6 +138,35 @@ TEST(LeftOut, ARendererOfExactlyTheScenesShadesDrawsEachEffect) {
     expect_exact<scenes::spheres>(view);
     expect_exact<scenes::overlay>(view);
   }
+}
+
+/// Frames of the turntable, with and without clipping.
+template <const scenes::BuiltIn& built_in>
+void expect_same_turn() {
+  constexpr Effects kEffects = effects_of(built_in.scene, built_in.camera) | effect::unclipped;
+  static Renderer<kEffects> renderer;
+  constexpr std::uint32_t kFrames = 5;
+  const PlanResult planned = plan(built_in.counts, kSmall, kEffects, {.strip_rows = 16});
+  ASSERT_TRUE(planned.status);
+  for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
+    scenes::Staged staged;
+    scenes::stage(built_in, staged, frame, kFrames, kSmall);
+    const picture::Picture drawn = picture::draw(renderer, staged.scene, staged.camera, kSmall, planned.plan);
+    ASSERT_TRUE(drawn.status) << built_in.name << ": " << message(drawn.status.error);
+    EXPECT_TRUE(drawn.pixels == picture::draw(kEffects, staged.scene, staged.camera, kSmall).pixels)
+        << built_in.name << ' ' << frame;
+  }
+}
+
+TEST(LeftOut, ARendererWithoutClippingDrawsWhatEffectsMakeOfInstances) {
+  expect_same_turn<scenes::blend>();
+  expect_same_turn<scenes::environment>();
+  expect_same_turn<scenes::per_pixel>();
+  expect_same_turn<scenes::lines>();
+  expect_same_turn<scenes::billboards>();
+  expect_same_turn<scenes::csg>();
+  expect_same_turn<scenes::spheres>();
+  expect_same_turn<scenes::overlay>();
 }
 
 TEST(LeftOut, AFrameThatWouldBeClippedIsRefused) {
