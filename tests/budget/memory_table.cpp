@@ -53,7 +53,7 @@ measured::Row row_of(const Usage& usage) {
   return row;
 }
 
-std::string compiler_note() {
+std::string compiler_note(const std::string& options) {
   constexpr const char* kCompiler = "arm-none-eabi-g++";
   FILE* const pipe = popen((std::string(kCompiler) + " -dumpfullversion").c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error(std::string("cannot run ") + kCompiler);
@@ -61,7 +61,7 @@ std::string compiler_note() {
   const std::size_t count = std::fread(buffer.data(), 1, buffer.size() - 1, pipe);
   if (pclose(pipe) != 0) throw std::runtime_error(std::string("failed: ") + kCompiler);
   const std::string version(buffer.data(), count);
-  return std::string("compiled by ") + kCompiler + " " + version.substr(0, version.find('\n')) + " with -O2";
+  return std::string("compiled by ") + kCompiler + " " + version.substr(0, version.find('\n')) + " with " + options;
 }
 
 std::string largest_symbols(const std::filesystem::path& program) {

@@ -15,8 +15,8 @@ measured::Table memory_format();
 /// What a program takes.
 measured::Row row_of(const Usage& usage);
 
-/// What the figures hold for: the compiler of this build's programs, by name and version.
-std::string compiler_note();
+/// What the figures hold for: the compiler of this build's programs, by name and version, and how it optimises.
+std::string compiler_note(const std::string& options = "-O2");
 
 /// Lines with the largest functions and tables of a program, to see what has grown.
 std::string largest_symbols(const std::filesystem::path& program);

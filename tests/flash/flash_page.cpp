@@ -1,0 +1,100 @@
+// Writes docs/measured/flash.md: the programs, then the groups of two of them.
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "programs.hpp"
+
+namespace zstrip::flash {
+namespace {
+
+constexpr const char* kGroupedMachine = "m3";
+constexpr const char* kGroupedPrograms[] = {"k5_unclipped", "k5", "k5_run_time", "ct"};
+
+/// With a comma before each three digits.
+std::string grouped(std::string digits) {
+  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, 1, ',');
+  return digits;
+}
+
+std::string cell(const measured::Table& table, const char* program, const char* machine, const char* preset,
+                 const char* column) {
+  const measured::Row* const row = table.find({program, machine, preset});
+  if (row == nullptr) throw std::runtime_error(std::string("there is no row of ") + program + ", " + machine);
+  const auto found = std::ranges::find(table.columns, column, &measured::Column::name);
+  return grouped(row->at(static_cast<std::size_t>(found - table.columns.begin())));
+}
+
+void write_programs(std::ostringstream& page, const measured::Table& table) {
+  page << "| Program | Scene | Renderer ";
+  for (const Machine& machine : kMachines) {
+    for (const Preset& preset : kPresets) page << "| " << machine.processor << ", " << preset.options << ' ';
+  }
+  page << "|\n|---|---|---|--:|--:|--:|--:|\n";
+  for (const Program& program : kPrograms) {
+    page << "| `" << program.name << "` | " << program.scene << " | " << program.renderer;
+    for (const Machine& machine : kMachines) {
+      for (const Preset& preset : kPresets) {
+        page << " | " << cell(table, program.name, machine.name, preset.name, "bytes");
+      }
+    }
+    page << " |\n";
+  }
+}
+
+void write_groups(std::ostringstream& page, const measured::Table& table) {
+  std::string line = "|---|";
+  page << "| Group ";
+  for (const char* const name : kGroupedPrograms) {
+    for (const Preset& preset : kPresets) {
+      page << "| `" << name << "`, " << preset.options << ' ';
+      line += "--:|";
+    }
+  }
+  page << "|\n" << line << '\n';
+  for (const GroupName& group : kGroups) {
+    std::string cells;
+    bool is_empty = true;
+    for (const char* const program : kGroupedPrograms) {
+      for (const Preset& preset : kPresets) {
+        const std::string bytes = cell(table, program, kGroupedMachine, preset.name, group.column);
+        is_empty = is_empty && bytes == "0";
+        cells += " | " + bytes;
+      }
+    }
+    if (!is_empty) page << "| " << group.words << cells << " |\n";
+  }
+}
+
+}  // namespace
+
+std::string flash_page(const measured::Table& table) {
+  std::ostringstream page;
+  page << "# Flash of minimal programs, measured\n\n"
+          "Bytes of code and constants without the scene's tables. [flash.csv](flash.csv) has the same figures and\n"
+          "those of all groups; `tests/measure flash` writes both.\n\n";
+  for (const std::string& note : table.notes) page << "- " << note << '\n';
+  page << "- K5 and CT: 320x240 pixels in RGB565, strips of 8 rows, the camera learned at run time\n"
+          "- README: its program as it stands, which prints the message of an error\n"
+          "- `unclipped`: `effect::unclipped`, for what does not come near the camera\n"
+          "- `Renderer`: scene, picture and plan are learned and checked at run time\n\n";
+  write_programs(page, table);
+  page << "\n**Counted**: all of a linked program that lies in flash: code and `main`, constants, texts, values that\n"
+          "variables begin with, `memcpy`, `memmove` and `memset`, libgcc, padding. Linked with `--gc-sections`.\n\n"
+          "**Not counted**: the scene's tables (vertices, triangles, texels, materials, the program's constants that\n"
+          "name them; column `tables` of the CSV); start-up code, vector table and driver, which the programs do not\n"
+          "have; what prints, in place of which is an empty function; RAM, stack.\n\n"
+          "## What takes them\n"
+          "On a Cortex-M3:\n\n";
+  write_groups(page, table);
+  page << "\nGroups are those of a function's name (`tests/flash/groups.cpp`). What the compiler inlines counts for "
+          "its\n"
+          "caller: with link time optimisation most of what is called once is in `main`, set-up of instances above\n"
+          "all, and in a function of spans is its arithmetic. So a group says where to look, and the difference\n"
+          "between two programs what a feature takes: clipping is more than its group. A figure within its tolerance\n"
+          "keeps its recorded value, so that groups add up to their program only nearly.\n";
+  return page.str();
+}
+
+}  // namespace zstrip::flash
