@@ -12,7 +12,9 @@ namespace fs = std::filesystem;
 
 Weight weight_of(const std::string& program, const fs::path& build, const std::string& machine,
                  const std::string& preset) {
-  return weigh(budget::read_elf(build / (machine + "_" + preset) / program));
+  const fs::path file = build / (machine + "_" + preset) / program;
+  const budget::ElfFile elf = budget::read_elf(file);
+  return weigh(elf, read_inlined(file, elf));
 }
 
 std::vector<measured::Row> measure(const std::string& program, const fs::path& build,

@@ -88,12 +88,18 @@ std::string flash_page(const measured::Table& table) {
           "## What takes them\n"
           "On a Cortex-M3:\n\n";
   write_groups(page, table);
-  page << "\nGroups are those of a function's name (`tests/flash/groups.cpp`). What the compiler inlines counts for "
-          "its\n"
-          "caller: with link time optimisation most of what is called once is in `main`, set-up of instances above\n"
-          "all, and in a function of spans is its arithmetic. So a group says where to look, and the difference\n"
-          "between two programs what a feature takes: clipping is more than its group. A figure within its tolerance\n"
-          "keeps its recorded value, so that groups add up to their program only nearly.\n";
+  page
+      << "\nGroups are those of functions by name (`tests/flash/groups.cpp`). What the compiler has inlined counts for "
+         "the\n"
+         "function that it is of, as its debug information says, not for its caller; arithmetic and `std` count for "
+         "who\n"
+         "calls them, unless they are calls. Link time optimisation makes this less sure: code of two functions that "
+         "is\n"
+         "merged, or moved out of a loop, is one of the two. So a group says where to look, and the difference of two\n"
+         "programs what a feature takes: without clipping the spans of large triangles and 64-bit division go as "
+         "well.\n"
+         "A figure within its tolerance keeps its recorded value, so that groups add up to their program only "
+         "nearly.\n";
   return page.str();
 }
 

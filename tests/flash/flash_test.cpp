@@ -25,6 +25,7 @@ TEST(FlashGroups, FollowFromNames) {
   EXPECT_EQ(group_of("_ZN6zstrip11divide_longEym"), Group::library);
   EXPECT_EQ(group_of("zstrip_scan_small_thumb"), Group::small_triangles);
   EXPECT_EQ(group_of("_ZN6zstrip8validateERKNS_5SceneE"), Group::checks);
+  EXPECT_EQ(group_of("_ZSt11countl_zeroImEiT_"), Group::library) << "not a check that counts";
   EXPECT_EQ(group_of("something_new"), Group::rest);
 }
 
@@ -48,7 +49,7 @@ TEST(FlashWeight, CountsEachByteOnce) {
                      {"_ZN6zstrip6scenes6kTableE", 48, 24, false},
                      {"_ZN6zstrip6detail8kInverseE", 72, 8, false},
                      {"variable", 80, 1000, false}};
-  const Weight weight = weigh(program);
+  const Weight weight = weigh(program, {});
   EXPECT_EQ(weight.of(Group::frame), 12U);
   EXPECT_EQ(weight.of(Group::library), 8U + 8U);
   EXPECT_EQ(weight.of(Group::texts), 7U);
@@ -58,6 +59,23 @@ TEST(FlashWeight, CountsEachByteOnce) {
   const std::string lines = complaint_of_rest("it", weight);
   EXPECT_NE(lines.find("it: more than a tenth"), std::string::npos) << lines;
   EXPECT_NE(lines.find("16 bytes: new_name"), std::string::npos) << lines;
+}
+
+TEST(FlashWeight, InlinedCodeIsOfTheFunctionThatItIsOf) {
+  budget::ElfFile program;
+  program.sections = {section(".text", 0x100, 12)};
+  program.symbols = {{"main", 0x100, 12, true}};
+  const Inlined inlined = parse_inlined(
+      "0x00000100\n_ZN6zstrip10reciprocalEm\nmath.hpp:3\n_ZN6zstrip6detail8crossingEv\nclip.cpp:5\nmain\nmain.cpp:1\n"
+      "0x00000102\n_ZN6zstrip6detail8crossingEv\nclip.cpp:6\nmain\nmain.cpp:1\n"
+      "0x00000104\n_ZN6zstrip10reciprocalEm\nmath.hpp:3\nmain\nmain.cpp:2\n"
+      "0x00000106\n??\n??:0\n"
+      "0x00000108\nmain\nmain.cpp:3\n");
+  EXPECT_FALSE(inlined.contains(0x106));
+  const Weight weight = weigh(program, inlined);
+  EXPECT_EQ(weight.of(Group::clipping), 4U);
+  EXPECT_EQ(weight.of(Group::frame), 8U) << "of which 2 are arithmetic, 2 unknown and 2 not even asked for";
+  EXPECT_EQ(weight.bytes(), 12U);
 }
 
 TEST(FlashWeight, ATenthThatFitsNoPatternIsAllowed) {

@@ -18,6 +18,7 @@ struct Pattern {
 
 /// The first that fits counts: what is special comes before what is general.
 constexpr Pattern kPatterns[] = {
+    {"std", Group::library},
     {"message", Group::texts},
 
     {"unclipped", Group::set_up},
@@ -30,7 +31,6 @@ constexpr Pattern kPatterns[] = {
     {"RasterPolygon", Group::clipping},
     {"TriangleParts", Group::clipping},
     {"winding_number", Group::clipping},
-    {"signed_area", Group::clipping},
 
     {"validate", Group::checks},
     {"valid_", Group::checks},
@@ -63,6 +63,7 @@ constexpr Pattern kPatterns[] = {
     {"SpanTriangle", Group::spans},
     {"PlaneSetup", Group::spans},
     {"EdgeWalk", Group::spans},
+    {"signed_area", Group::spans},
     {"TextureCoordinates", Group::spans},
     {"fill_", Group::spans},
     {"Assembler", Group::spans},
@@ -94,7 +95,6 @@ constexpr Pattern kPatterns[] = {
     {"copy_upwards", Group::library},
     {"puts", Group::library},
     {"printf", Group::library},
-    {"std", Group::library},
     {"__", Group::library},
 
     {"main", Group::frame},

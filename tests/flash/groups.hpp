@@ -1,4 +1,4 @@
-// What code and constants of a program are for, by the names of their symbols: the one table of patterns.
+// What code and constants of a program are for, by the names of functions and objects: the one table of patterns.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +39,7 @@ inline constexpr GroupName kGroups[] = {
     {"rest", "the rest"},
 };
 
-/// `name` is what the linker calls a symbol. No pattern: Group::rest.
+/// `name` is what the linker calls a function or object. No pattern: Group::rest.
 Group group_of(const std::string& name);
 
 /// Whether an object is a table of the scene, which is not counted; else it is a constant of the renderer.

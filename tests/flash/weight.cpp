@@ -10,7 +10,8 @@
 namespace zstrip::flash {
 namespace {
 
-constexpr const char* kTexts = ".texts";  // project/flash.ld
+constexpr const char* kTexts = ".texts";   // project/flash.ld
+constexpr std::uint32_t kInstruction = 2;  // bytes of the shortest
 
 void add(Weight& weight, Group group, const std::string& name, std::uint32_t bytes) {
   if (bytes == 0) return;
@@ -18,7 +19,20 @@ void add(Weight& weight, Group group, const std::string& name, std::uint32_t byt
   if (group == Group::rest) weight.rest[name] += bytes;
 }
 
-void weigh_section(Weight& weight, const budget::Section& section, const std::vector<budget::Symbol>& symbols) {
+/// Of the innermost function that says more than that it calculates or calls others; else of the symbol.
+Group group_at(std::uint32_t address, const budget::Symbol& symbol, const Inlined& inlined) {
+  const auto found = inlined.find(address);
+  if (found != inlined.end()) {
+    for (const std::string& name : found->second) {
+      const Group group = group_of(name);
+      if (group != Group::rest && group != Group::library && group != Group::frame) return group;
+    }
+  }
+  return group_of(symbol.name);
+}
+
+void weigh_section(Weight& weight, const budget::Section& section, const std::vector<budget::Symbol>& symbols,
+                   const Inlined& inlined) {
   const auto size = static_cast<std::uint32_t>(section.bytes.size());
   if (section.name == kTexts) {
     add(weight, Group::texts, section.name, size);
@@ -35,7 +49,12 @@ void weigh_section(Weight& weight, const budget::Section& section, const std::ve
     if (!symbol.is_function && is_table(symbol.name)) {
       weight.tables += bytes;
     } else {
-      add(weight, group_of(symbol.name), budget::without_arguments(budget::reader_name(symbol.name)), bytes);
+      const std::string name = budget::without_arguments(budget::reader_name(symbol.name));
+      for (std::uint32_t at = end - bytes; at < end;) {
+        const std::uint32_t step = symbol.is_function ? std::min(kInstruction, end - at) : bytes;
+        add(weight, group_at(section.address + at, symbol, inlined), name, step);
+        at += step;
+      }
     }
     done = std::max(done, end);
   }
@@ -46,9 +65,9 @@ void weigh_section(Weight& weight, const budget::Section& section, const std::ve
 
 std::uint32_t Weight::bytes() const { return std::accumulate(groups.begin(), groups.end(), std::uint32_t{0}); }
 
-Weight weigh(const budget::ElfFile& program) {
+Weight weigh(const budget::ElfFile& program, const Inlined& inlined) {
   Weight weight;
-  for (const budget::Section& section : program.sections) weigh_section(weight, section, program.symbols);
+  for (const budget::Section& section : program.sections) weigh_section(weight, section, program.symbols, inlined);
   return weight;
 }
 

@@ -8,6 +8,7 @@
 
 #include "elf_file.hpp"
 #include "groups.hpp"
+#include "inlined.hpp"
 
 namespace zstrip::flash {
 
@@ -21,8 +22,9 @@ struct Weight {
   std::uint32_t bytes() const;  ///< of all groups
 };
 
-/// Each byte of what is in flash counts once: for the first symbol of its address. Texts have a section of their own.
-Weight weigh(const budget::ElfFile& program);
+/// Each byte of what is in flash counts once: for the first symbol of its address, or what is inlined there. Texts have
+/// a section of their own.
+Weight weigh(const budget::ElfFile& program, const Inlined& inlined);
 
 /// Lines with what is in Group::rest if that is more than a tenth: the table of patterns lacks names then. Else empty.
 std::string complaint_of_rest(const std::string& program, const Weight& weight);
