@@ -2,6 +2,8 @@
 // recorded table is whole.
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -97,6 +99,13 @@ TEST(FlashTable, HasEveryProgram) {
       }
     }
   }
+}
+
+TEST(FlashTable, PageIsWrittenFromIt) {
+  std::ifstream stream(ZSTRIP_MEASURED "/flash.md");
+  const std::string page{std::istreambuf_iterator<char>(stream), {}};
+  EXPECT_EQ(page, flash_page(measured::read_table(ZSTRIP_MEASURED "/flash.csv", flash_format())))
+      << "tests/measure flash writes both";
 }
 
 }  // namespace
