@@ -5,7 +5,7 @@ namespace zstrip::flash {
 namespace {
 
 /// The sum is the figure; between groups the optimiser moves code at any change.
-constexpr measured::Tolerance kGroup{.share = 0.05, .at_least = 128};
+constexpr measured::Tolerance kGroup{.share = 0.05, .at_least = 256};
 
 }  // namespace
 
