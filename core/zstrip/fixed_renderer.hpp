@@ -2,6 +2,7 @@
 // again, and the memory of the plan is part of it: the least flash, and the shortest program.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,7 +15,8 @@
 namespace zstrip {
 
 /// Draws `scene`, whose meshes, materials and instances are constants, in the size and format of `view`; only the
-/// camera moves. `more`: effects beside those that scene and view call for, effect::unclipped or effect::bins.
+/// camera moves, and instances where a Moving has them. `more`: effects beside those that scene and view call for,
+/// effect::unclipped or effect::bins.
 ///     constexpr zstrip::View kView{128, 96, zstrip::PixelFormat::rgb565_swapped};
 ///     zstrip::FixedRenderer<kScene, kView, zstrip::Budget{.bytes = 2048}> renderer;
 /// The plan is made by the compiler, within `budget`; its arena is in the object, kPlan.bytes() of it. Errors that a
@@ -39,11 +41,42 @@ class FixedRenderer {
   static constexpr Plan kPlan = kPlanned.plan;
   static constexpr std::uint32_t kStripBytes = kPlan.strip_pixel_bytes(view);
 
+  /// The scene with its instances in RAM, where they move. Refers to itself: it stays where it is.
+  class Moving {
+   public:
+    constexpr Moving() : scene_(scene) {
+      for (std::size_t i = 0; i < instances_.size(); ++i) instances_[i] = scene.instances[i];
+      scene_.instances = instances_;
+    }
+    Moving(const Moving&) = delete;
+    Moving& operator=(const Moving&) = delete;
+    /// Those of the scene, to change their transforms.
+    constexpr std::span<Instance> instances() { return instances_; }
+
+   private:
+    friend FixedRenderer;
+    Scene scene_;
+    std::array<Instance, scene.instances.size()> instances_{};
+  };
+
   /// Prepares a frame seen by `camera`. Error::camera if it is not usable or has another projection; Error::instance
   /// for an instance that is too large beside its distance, Error::clipping with effect::unclipped. Nothing is drawn
   /// then until the next success.
   Status begin_frame(const Camera& camera) {
     return detail::begin_fixed_frame<kEffects>(state_, {scene, camera, view, kPlan, counts, kCalledFor}, arena_);
+  }
+  /// Likewise, with the instances where `moving` has them, which stays unchanged until the last draw_strip.
+  /// Error::instance also for a transform that validate_instances refuses, and another mesh or material.
+  Status begin_frame(const Camera& camera, const Moving& moving) {
+    detail::abandon(state_);
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+      const Instance &moved = moving.instances_[i], &known = scene.instances[i];
+      if (moved.mesh != known.mesh || moved.material != known.material || !detail::valid_transform(moved.transform)) {
+        return {.error = Error::instance, .needed = static_cast<std::uint32_t>(i)};
+      }
+    }
+    return detail::begin_fixed_frame<kEffects>(state_, {moving.scene_, camera, view, kPlan, counts, kCalledFor},
+                                               arena_);
   }
   /// Draws kPlan.strip_area(strip, view) of the picture into `pixels`, which lie at an even address; their contents do
   /// not matter. The last strips of a row or column may be smaller. Strips may be drawn in any order, or again.

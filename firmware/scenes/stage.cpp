@@ -57,12 +57,6 @@ Vec3 turned_about_y(const Vec3& v, const Rotation& r) {
 
 bool is_near(Fixed coordinate) { return coordinate >= -kFarthestTurned && coordinate <= kFarthestTurned; }
 
-/// The longest focal length at which the model fits both the height and the width of the picture; rounds down.
-Fixed fitted_focal(const BuiltIn& built_in, const View& view) {
-  const std::uint32_t across = static_cast<std::uint32_t>(built_in.focal_across) * view.width / view.height;
-  return static_cast<Fixed>(std::min(static_cast<std::uint32_t>(built_in.camera.focal), across));
-}
-
 }  // namespace
 
 void Staged::place(const BuiltIn& built_in, const Transform& motion) {
@@ -109,8 +103,8 @@ Camera fit_width(const Camera& camera, const View& own, const View& view) {
 void stage(const BuiltIn& built_in, Staged& staged, std::uint32_t frame, std::uint32_t frames, const View& view) {
   const bool model_turns = built_in.turns == Turns::model;
   staged.place(built_in, model_turns ? about_y(rotation_by(turn(frame, frames))) : Transform::identity());
-  staged.camera = model_turns ? built_in.camera : turned(built_in.camera, frame, frames);
-  staged.camera.focal = fitted_focal(built_in, view);
+  const Camera camera = fitted_camera(built_in, view);
+  staged.camera = model_turns ? camera : turned(camera, frame, frames);
 }
 
 void stage_workload(const BuiltIn& built_in, Staged& staged, std::uint32_t frame) {

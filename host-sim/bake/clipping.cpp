@@ -151,9 +151,10 @@ std::optional<std::string> refused_in(const BakedScene& baked, const Motion& mot
       const Status begun =
           renderer->begin_frame(scene, camera, baked.view, planned.plan, std::as_writable_bytes(std::span(memory)));
       if (begun) continue;
-      const std::string when = fmt::format("in frame {} of {} of {}", grouped(frame), grouped(frames), motion.name);
-      if (begun.error != Error::clipping) return fmt::format("{} {}", message(begun.error), when);
-      return fmt::format("instance {} {} {}", grouped(begun.needed),
+      const std::string when =
+          frames == 1 ? "" : fmt::format(" in frame {} of {} of {}", grouped(frame), grouped(frames), motion.name);
+      if (begun.error != Error::clipping) return fmt::format("{}{}", message(begun.error), when);
+      return fmt::format("instance {} {}{}", grouped(begun.needed),
                          crossing(scene, scene.instances[begun.needed], camera), when);
     }
   }
@@ -185,7 +186,7 @@ ClippingRecord find_clipping(const BakedScene& baked, bool turntable) {
                                        poses == duration ? "milliseconds" : "frames")});
   }
   // Joints move vertices within the boxes of their meshes.
-  if (!baked.skins.meshes.empty()) return checked(baked, {1, "what stands still", "wherever its joints move"});
+  if (!baked.skins.meshes.empty()) return checked(baked, {1, "", "wherever its joints move"});
   if (!turntable) return stays("without --turntable it is not known how the scene moves");
   if (baked.turn.what == Turning::nothing) return stays("nothing turns, so that a program would move the camera");
   const std::uint32_t poses = affordable(kPosesOfTurn, instances);

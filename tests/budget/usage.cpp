@@ -84,7 +84,7 @@ SceneCounts counts_of(const Target& target) {
   return count(scenes::kShowroomBackground);  // whose plan takes more of the arena than that of what moves
 }
 
-/// The plan of an arena of this size; whoever sized it had the same planner.
+/// The plan of an arena of this size; whoever sized it had the same planner. 0: the size is not known.
 Plan plan_of(const Target& target, const BoardRun& run, std::uint32_t arena) {
   Budget budget{.bytes = arena, .strip_rows = target.strip_rows, .strip_columns = target.strip_columns};
   if (run.strip_rows != 0) {
@@ -92,11 +92,23 @@ Plan plan_of(const Target& target, const BoardRun& run, std::uint32_t arena) {
               .strip_columns = static_cast<std::uint16_t>(run.strip_columns)};
   }
   const PlanResult result = plan(counts_of(target), target.view, effects_of(target), budget);
-  if (!result.status || result.plan.bytes() != arena) {
+  if (!result.status || (arena != 0 && result.plan.bytes() != arena)) {
     throw std::runtime_error("the board's arena has " + std::to_string(arena) + " bytes, the host plans " +
                              std::to_string(result.plan.bytes()));
   }
   return result.plan;
+}
+
+/// The plan of a program whose arena is a part of its FixedRenderer.
+Plan fixed_plan(const Target& target, const BoardRun& run, const ElfFile& elf) {
+  const Plan plan = plan_of(target, run, 0);
+  const std::uint32_t renderer = variable_bytes(elf, "renderer");
+  constexpr std::uint32_t kMostState = 512;  // beside the arena
+  if (renderer < plan.bytes() || renderer > plan.bytes() + kMostState) {
+    throw std::runtime_error("the board's renderer has " + std::to_string(renderer) +
+                             " bytes with its arena, for which the host plans " + std::to_string(plan.bytes()));
+  }
+  return plan;
 }
 
 }  // namespace
@@ -110,20 +122,22 @@ Usage measure(const Target& target, const std::filesystem::path& binaries) {
   usage.initial_data = elf.size_of(".data");
   const BoardRun run = run_on_board(target, program, section(elf, ".stack"));
   usage.stack_measured = run.stack;
-  std::uint32_t lent = variable_bytes(elf, "arena") + variable_bytes(elf, "pixels");
+  std::uint32_t lent = 0;
   if (target.report == Report::bench) {
     lent = variable_bytes(elf, "memory");  // for whatever the words ask for
-    usage.arena = run.arena;
     usage.pixels = run.pixels;
+    usage.plan = plan_of(target, run, run.arena);
   } else {
-    usage.arena = variable_bytes(elf, "arena");
+    const std::uint32_t arena = variable_bytes(elf, "arena");
     usage.pixels = variable_bytes(elf, "pixels");
+    usage.plan = arena != 0 ? plan_of(target, run, arena) : fixed_plan(target, run, elf);
+    lent = usage.plan.bytes() + usage.pixels;
   }
+  usage.arena = usage.plan.bytes();
   if (run.arena != 0 && (run.arena != usage.arena || run.pixels != usage.pixels)) {
     throw std::runtime_error("the program reports another arena or strip than it has variables for");
   }
   usage.statics = elf.size_of(".data") + elf.size_of(".bss") - lent;
-  usage.plan = plan_of(target, run, usage.arena);
   measure_stack(usage, elf, program);
   return usage;
 }

@@ -2,6 +2,7 @@
 // compiler knows. With and without, pictures are equal; what is missing and called for is an error.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <vector>
 
@@ -43,10 +44,10 @@ Camera seen_from(double distance, double angle) {
   return camera;
 }
 
-/// As picture::draw, whose memory this renderer has itself.
+/// As picture::draw, whose memory this renderer has itself. `begun`: of its begin_frame.
 template <class Fixed>
-picture::Picture draw_fixed(Fixed& renderer, const Camera& camera, const View& view) {
-  picture::Picture drawn{.status = renderer.begin_frame(camera), .pixels = {}, .statistics = {}, .bounds = {}};
+picture::Picture draw_begun(Fixed& renderer, const Status& begun, const View& view) {
+  picture::Picture drawn{.status = begun, .pixels = {}, .statistics = {}, .bounds = {}};
   if (!drawn.status) return drawn;
   const Plan& plan = renderer.kPlan;
   EXPECT_EQ(plan.columns_of_strips(view), 1);
@@ -59,6 +60,11 @@ picture::Picture draw_fixed(Fixed& renderer, const Camera& camera, const View& v
   EXPECT_EQ(renderer.draw_strip(plan.strips, pixels).error, Error::strip_rows);
   drawn.bounds = renderer.frame().bounds();
   return drawn;
+}
+
+template <class Fixed>
+picture::Picture draw_fixed(Fixed& renderer, const Camera& camera, const View& view) {
+  return draw_begun(renderer, renderer.begin_frame(camera), view);
 }
 
 template <const Scene& scene, const View& view, Effects more = Effects{}, SceneCounts counts = count(scene)>
@@ -167,6 +173,62 @@ TEST(LeftOut, ARendererWithoutClippingDrawsWhatEffectsMakeOfInstances) {
   expect_same_turn<scenes::csg>();
   expect_same_turn<scenes::spheres>();
   expect_same_turn<scenes::overlay>();
+}
+
+/// Instances in RAM, moved as the turntable moves them, are drawn as any renderer draws them.
+template <const Scene& scene, Effects more>
+void expect_moving(const scenes::BuiltIn& built_in) {
+  using Fixed = FixedRenderer<scene, kSmall, Budget{.strip_rows = 8}, more>;
+  static Fixed renderer;
+  static typename Fixed::Moving moving;
+  for (const std::uint32_t frame : {0U, 3U, 4U}) {
+    scenes::Staged staged;
+    scenes::stage(built_in, staged, frame, 7, kSmall);
+    std::ranges::copy(staged.scene.instances, moving.instances().begin());
+    const picture::Picture drawn = draw_begun(renderer, renderer.begin_frame(staged.camera, moving), kSmall);
+    ASSERT_TRUE(drawn.status) << built_in.name << ": " << message(drawn.status.error);
+    const Effects effects = effects_of(scene, staged.camera) | more;
+    EXPECT_TRUE(drawn.pixels == picture::draw(effects, staged.scene, staged.camera, kSmall).pixels)
+        << built_in.name << ' ' << frame;
+  }
+}
+
+constexpr Scene kBlend = scenes::blend.scene;
+constexpr Scene kCsg = scenes::csg.scene;
+constexpr Scene kBillboards = scenes::billboards.scene;
+constexpr Scene kSpheres = scenes::spheres.scene;
+
+TEST(LeftOut, AFixedRendererDrawsInstancesThatMove) {
+  expect_moving<kKnot, effect::unclipped>(scenes::knot);
+  expect_moving<kCube, Effects{}>(scenes::cube);
+  expect_moving<kBlend, Effects{}>(scenes::blend);
+  expect_moving<kCsg, effect::unclipped>(scenes::csg);
+  expect_moving<kBillboards, Effects{}>(scenes::billboards);
+  expect_moving<kSpheres, effect::unclipped>(scenes::spheres);
+}
+
+TEST(LeftOut, InstancesThatMoveKeepMeshAndMaterial) {
+  using Fixed = FixedRenderer<kRoom, kSmall, Budget{.strip_rows = 8}>;
+  static Fixed renderer;
+  static Fixed::Moving moving;
+  const Camera camera = seen_from(0.5, 0);
+  alignas(2) std::byte pixels[Fixed::kStripBytes];
+  const auto expect_refused = [&](const auto& change) {
+    EXPECT_TRUE(renderer.begin_frame(camera, moving));
+    Instance& instance = moving.instances()[2];
+    const Instance before = instance;
+    change(instance);
+    const Status status = renderer.begin_frame(camera, moving);
+    EXPECT_EQ(status.error, Error::instance);
+    EXPECT_EQ(status.needed, 2U);
+    EXPECT_EQ(renderer.draw_strip(0, pixels).error, Error::not_begun) << "nothing of the frame before";
+    instance = before;
+  };
+  expect_refused([](Instance& instance) { instance.mesh = 0; });
+  expect_refused([](Instance& instance) { instance.material = 1; });
+  expect_refused([](Instance& instance) { instance.transform.m[1][1] = 256 * kFixedOne; });
+  EXPECT_TRUE(renderer.begin_frame(camera, moving));
+  EXPECT_TRUE(renderer.draw_strip(0, pixels));
 }
 
 TEST(LeftOut, AFrameThatWouldBeClippedIsRefused) {

@@ -3,9 +3,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <type_traits>
 
 #include "baked_scene.hpp"
+#include "zstrip/fixed_renderer.hpp"
+#include "zstrip/renderer.hpp"
 #include "zstrip_scenes/baked_stage.hpp"
 
 /// What is found where the header has no skins: beside its namespace, because an inner one would hide it.
@@ -18,32 +23,72 @@ constexpr zstrip::Status pose_skins(Time) {
 
 namespace zstrip::board {
 
+/// What a renderer of constants draws: all but what turns lines, and what it leaves to Renderer.
+inline constexpr bool kBakedIsFixed =
+    !(scenes::turns_lines(baked::kAnimation, baked::kTurn) && !baked::kScene.lines.empty()) &&
+    baked::kEffects.methods == 0 && !baked::kEffects.any(effect::depth_ranges | effect::supersampled);
+
+// Templates, so that the one which is not chosen is nothing.
+
+/// Scene and picture are constants; instances are in RAM.
+template <const Scene& scene>
+struct FixedBakedScene {
+  using Drawing =
+      FixedRenderer<scene, baked::kView, baked::kBudget, without(baked::kEffects, effects_of(scene, baked::kCamera)),
+                    baked::kCamera.projection, baked::kCounts>;
+  static scenes::MovedParts parts() { return {.instances = moving.instances()}; }
+  static Status begin_frame(const scenes::BakedFrame& staged) { return renderer.begin_frame(staged.camera, moving); }
+  static Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
+    return renderer.draw_strip(strip, pixels.template first<Drawing::kStripBytes>());
+  }
+
+ private:
+  static inline constinit typename Drawing::Moving moving{};
+  static inline constinit Drawing renderer{};
+};
+
+/// What moves lies in RAM; everything else stays in flash.
+template <const Scene& scene>
+struct AnyBakedScene {
+  static scenes::MovedParts parts() { return {.instances = instances, .lines = lines}; }
+  static Status begin_frame(const scenes::BakedFrame& staged) {
+    return renderer.begin_frame(staged.scene, staged.camera, baked::kView, baked::kPlan, arena);
+  }
+  static Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
+    return renderer.draw_strip(strip, pixels);
+  }
+
+ private:
+  static constexpr bool kMovesLines = scenes::turns_lines(baked::kAnimation, baked::kTurn);
+  static inline constinit std::array<Instance, scene.instances.size()> instances{};
+  static inline constinit std::array<LineSet, kMovesLines ? scene.lines.size() : 0> lines{};
+  alignas(kArenaAlignment) static inline constinit std::array<std::byte, baked::kPlan.bytes()> arena{};
+  static inline constinit Renderer<baked::kEffects> renderer{};
+};
+
 class BakedMotion {
  public:
   static constexpr std::uint32_t kFrames = 64;
   static constexpr View kView = baked::kView;
-  static constexpr Effects kEffects = baked::kEffects;
   static constexpr Plan kPlan = baked::kPlan;
 
   static constexpr const char* name() { return "baked"; }
   /// The scene's animation in as many frames as a turn has; what has none turns.
-  Status move_to(std::uint32_t frame) {
-    staged_ = scenes::stage({baked::kScene, baked::kCamera, baked::kAnimation, baked::kTurn}, frame, kFrames,
-                            {.instances = instances_, .lines = lines_});
+  static Status move_to(std::uint32_t frame) {
+    staged =
+        scenes::stage({baked::kScene, baked::kCamera, baked::kAnimation, baked::kTurn}, frame, kFrames, Baked::parts());
     using namespace baked_without_skins;
     using namespace baked;
     return pose_skins(time_of_frame(kAnimation, frame, kFrames));
   }
-  const Scene& scene_now() const { return staged_.scene; }
-  const Camera& camera_now() const { return staged_.camera; }
+  static Status begin_frame() { return Baked::begin_frame(staged); }
+  static Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
+    return Baked::draw_strip(strip, pixels);
+  }
 
  private:
-  static constexpr bool kMovesLines = scenes::turns_lines(baked::kAnimation, baked::kTurn);
-
-  // What moves lies in RAM; everything else stays in flash.
-  std::array<Instance, baked::kScene.instances.size()> instances_;
-  std::array<LineSet, kMovesLines ? baked::kScene.lines.size() : 0> lines_;
-  scenes::BakedFrame staged_;
+  using Baked = std::conditional_t<kBakedIsFixed, FixedBakedScene<baked::kScene>, AnyBakedScene<baked::kScene>>;
+  static inline constinit scenes::BakedFrame staged{};
 };
 
 }  // namespace zstrip::board

@@ -1,4 +1,4 @@
-// Shows frames of a moving scene on a display: the renderer, all its memory, and one call a frame.
+// Shows frames of a moving scene on a display: memory for strips, and one call a frame.
 #pragma once
 
 #include <array>
@@ -6,13 +6,14 @@
 #include <cstdint>
 
 #include "portable/failure.hpp"
-#include "zstrip/renderer.hpp"
+#include "zstrip/plan.hpp"
+#include "zstrip/status.hpp"
 #include "zstrip_hal/present.hpp"
 
 namespace zstrip::board {
 
-/// `Motion`: turntable_motion.hpp or baked_motion.hpp. With two strip buffers drawing overlaps a transfer: of use only
-/// with a bus that sends by itself.
+/// `Motion`: turntable_motion.hpp or baked_motion.hpp, the scene and the renderer that draws it. With two strip buffers
+/// drawing overlaps a transfer: of use only with a bus that sends by itself.
 template <class Motion, unsigned strip_buffers = 1>
 class ScenePlayer {
   static_assert(strip_buffers == 1 || strip_buffers == 2);
@@ -30,12 +31,10 @@ class ScenePlayer {
         panel.height() != kView.height) {
       return {"display", "its size or format is not that of the plan"};
     }
-    if (const Status moved = motion.move_to(frame); !moved) return {"moving the scene", message(moved.error)};
-    if (const Status begun = renderer.begin_frame(motion.scene_now(), motion.camera_now(), kView, kPlan, arena);
-        !begun) {
-      return {"begin of the frame", message(begun.error)};
-    }
-    const auto shown = hal::present(renderer, panel, {kPlan.strips, kPlan.strip_rows, kPlan.strip_columns}, buffers());
+    if (const Status moved = Motion::move_to(frame); !moved) return {"moving the scene", message(moved.error)};
+    if (const Status begun = Motion::begin_frame(); !begun) return {"begin of the frame", message(begun.error)};
+    Motion motion;
+    const auto shown = hal::present(motion, panel, {kPlan.strips, kPlan.strip_rows, kPlan.strip_columns}, buffers());
     if (!shown.draw) return {"drawing", message(shown.draw.error)};
     if (shown.display != hal::Error::none) return {"display", hal::message(shown.display)};
     return {};
@@ -49,11 +48,8 @@ class ScenePlayer {
   }
 
   static constexpr std::uint32_t kBufferBytes = (kStripBytes + 3) & ~3U;
-  alignas(kArenaAlignment) static inline constinit std::array<std::byte, kPlan.bytes()> arena{};
   alignas(
       4) static inline constinit std::array<std::byte, strip_buffers == 1 ? kStripBytes : 2 * kBufferBytes> pixels{};
-  static inline constinit Renderer<Motion::kEffects> renderer{};
-  static inline constinit Motion motion{};
 };
 
 }  // namespace zstrip::board

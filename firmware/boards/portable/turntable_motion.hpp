@@ -3,8 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
+#include "zstrip/effects/exclusions.hpp"
+#include "zstrip/fixed_renderer.hpp"
 #include "zstrip/plan.hpp"
+#include "zstrip_scenes/in_front.hpp"
 #include "zstrip_scenes/stage.hpp"
 
 namespace zstrip::board {
@@ -28,30 +32,60 @@ constexpr bool suits(const scenes::BuiltIn& scene, const Quality& preset) {
   return true;
 }
 
+/// The effects of the preset, and effect::unclipped where the scene stays in front of the camera: all frames of the
+/// turn are drawn.
+template <const scenes::BuiltIn& scene, View view, const Quality& preset>
+constexpr Effects effects_beside() {
+  constexpr bool kInFront = scenes::stays_in_front(scene, view);
+  const Effects unclipped = preset.effects | effect::unclipped;
+  return kInFront && effects_agree(effects_of(scene.scene, scene.camera) | unclipped) ? unclipped : preset.effects;
+}
+
+template <const scenes::BuiltIn& built_in>
+inline constexpr Scene kSceneOf = built_in.scene;
+
 /// Frame n of a turn in `frames_per_turn`, planned for `view` within `budget`, drawn with `preset`, one of
-/// zstrip/plan.hpp (what each costs and buys: docs/accuracy.md).
-template <const scenes::BuiltIn& scene, View view, Budget budget, std::uint32_t frames_per_turn = 64,
+/// zstrip/plan.hpp (what each costs and buys: docs/accuracy.md). Scene and picture are constants, what is turned is in
+/// RAM: instances, or the camera.
+template <const scenes::BuiltIn& built_in, View view, Budget budget, std::uint32_t frames_per_turn = 64,
           const Quality& preset = quality::balanced>
 class TurntableMotion {
  public:
   static constexpr std::uint32_t kFrames = frames_per_turn;
   static constexpr View kView = view;
-  static constexpr Effects kEffects = effects_of(scene.scene, scene.camera) | preset.effects;
-  static_assert(suits(scene, preset), "the scene is smooth, or has meshes to simplify: bake it for this preset");
-  static constexpr PlanResult kPlanned = plan(scene.counts, kView, kEffects, with_quality(budget, preset));
-  static_assert(kPlanned.status, "the scene does not fit the budget");
-  static constexpr Plan kPlan = kPlanned.plan;
+  static_assert(suits(built_in, preset), "the scene is smooth, or has meshes to simplify: bake it for this preset");
+  using Drawing = FixedRenderer<kSceneOf<built_in>, kView, with_quality(budget, preset),
+                                effects_beside<built_in, view, preset>(), Projection::perspective, built_in.counts>;
+  static constexpr Plan kPlan = Drawing::kPlan;
 
-  static constexpr const char* name() { return scene.name; }
-  Status move_to(std::uint32_t frame) {
-    stage(scene, staged_, frame, frames_per_turn, kView);
+  static constexpr const char* name() { return built_in.name; }
+  static Status move_to(std::uint32_t frame) {
+    if constexpr (built_in.turns == scenes::Turns::camera) {
+      camera = scenes::turned(scenes::fitted_camera(built_in, kView), frame, frames_per_turn);
+    } else {
+      for (std::size_t i = 0; i < built_in.scene.instances.size(); ++i) {
+        moving.instances()[i].transform = scenes::turned(built_in.scene.instances[i].transform, frame, frames_per_turn);
+      }
+    }
     return {};
   }
-  const Scene& scene_now() const { return staged_.scene; }
-  const Camera& camera_now() const { return staged_.camera; }
+  static Status begin_frame() {
+    if constexpr (built_in.turns == scenes::Turns::camera) {
+      return renderer.begin_frame(camera);
+    } else {
+      static constexpr Camera kCamera = scenes::fitted_camera(built_in, kView);
+      return renderer.begin_frame(kCamera, moving);
+    }
+  }
+  static Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
+    return renderer.draw_strip(strip, pixels.template first<Drawing::kStripBytes>());
+  }
 
- private:
-  scenes::Staged staged_;
+ protected:
+  // Only one of the first two is used, and linked.
+  static inline constinit Camera camera{};
+  static inline constinit typename Drawing::Moving moving{};
+  static inline constinit Drawing renderer{};
 };
 
 }  // namespace zstrip::board

@@ -2,6 +2,7 @@
 // integers, so that frame n is the same picture everywhere.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -29,6 +30,14 @@ class Staged {
 
   std::array<Instance, kMaxInstances> instances_;
 };
+
+/// The turntable's camera as at frame 0, fitted to the picture as stage() says; rounds the focal length down.
+constexpr Camera fitted_camera(const BuiltIn& built_in, const View& view) {
+  Camera camera = built_in.camera;
+  const std::uint32_t across = static_cast<std::uint32_t>(built_in.focal_across) * view.width / view.height;
+  camera.focal = static_cast<Fixed>(std::min(static_cast<std::uint32_t>(camera.focal), across));
+  return camera;
+}
 
 /// The turntable: frame `frame` of one full turn in `frames` frames (0 counts as 1), any frame number. The camera
 /// stands slightly above; its focal length is fitted to the ratio of `view`'s width to its height (1..4096 each), so
