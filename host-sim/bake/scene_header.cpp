@@ -32,8 +32,9 @@ class Header {
     comment(name_space);
     line("#pragma once\n");
     if (bends()) line("#include <algorithm>\n#include <cstdint>\n");
-    for (const char* header : {"animation.hpp", "camera.hpp", "effects.hpp", "plan.hpp", "scene.hpp", "scene/turn.hpp",
-                               bends() ? "skin.hpp" : nullptr, "status.hpp", "view.hpp"}) {
+    for (const char* header :
+         {"animation.hpp", "camera.hpp", "effects.hpp", is_fixed() ? "fixed_renderer.hpp" : nullptr, "plan.hpp",
+          "scene.hpp", "scene/turn.hpp", bends() ? "skin.hpp" : nullptr, "status.hpp", "view.hpp"}) {
       if (header != nullptr) line(fmt::format("#include \"zstrip/{}\"", header));
     }
     if (!baked_.tree.nodes.empty()) line("#include \"zstrip/scene/bsp_tree.hpp\"");
@@ -58,6 +59,10 @@ class Header {
 
   bool bends() const { return !skins_.meshes.empty(); }
   bool is_unclipped() const { return baked_.effects.has(effect::unclipped); }
+  /// Whether a FixedRenderer draws it.
+  bool is_fixed() const {
+    return baked_.effects.methods == 0 && !baked_.effects.any(effect::depth_ranges | effect::supersampled);
+  }
 
   void comment(const std::string& name_space) {
     const SceneCounts counts = count(scene_);
@@ -67,18 +72,28 @@ class Header {
     line(fmt::format("// Written by `zstrip bake`: bake again rather than edit. Placed for {}x{} pixels, {}.",
                      baked_.view.width, baked_.view.height, name(baked_.view.format)));
     line("//");
-    for (const char* usage :
-         {"#include \"zstrip/zstrip.hpp\"",
-          "alignas(zstrip::kArenaAlignment) std::array<std::byte, @kPlan.bytes()> arena;",
-          "alignas(4) std::array<std::byte, @kPlan.strip_pixel_bytes(@kView)> pixels;",
-          "zstrip::Renderer<@kEffects> renderer;", "", bends() ? "@pose_skins(milliseconds);" : nullptr,
-          "renderer.begin_frame(@kScene, @kCamera, @kView, @kPlan, arena);",
-          "for (std::uint16_t strip = 0; strip < @kPlan.strips; ++strip) {", "  renderer.draw_strip(strip, pixels);",
-          "  // @kPlan.strip_area(strip, @kView) of the picture is in `pixels`: send it to the display.", "}"}) {
-      if (usage == nullptr) continue;
-      std::string text = usage;
-      for (std::size_t at = 0; (at = text.find('@')) != std::string::npos;) text.replace(at, 1, name_space + "::");
-      line(text.empty() ? "//" : "//     " + text);
+    constexpr const char* kFixed[] = {
+        "#include \"zstrip/zstrip.hpp\"", "alignas(4) std::array<std::byte, @FixedRenderer::kStripBytes> pixels;",
+        "@FixedRenderer renderer;  // its arena is in it", "", "renderer.begin_frame(@kCamera);"};
+    constexpr const char* kAny[] = {"#include \"zstrip/zstrip.hpp\"",
+                                    "alignas(zstrip::kArenaAlignment) std::array<std::byte, @kPlan.bytes()> arena;",
+                                    "alignas(4) std::array<std::byte, @kPlan.strip_pixel_bytes(@kView)> pixels;",
+                                    "zstrip::Renderer<@kEffects> renderer;",
+                                    "",
+                                    "renderer.begin_frame(@kScene, @kCamera, @kView, @kPlan, arena);"};
+    constexpr const char* kStrips[] = {
+        "for (std::uint16_t strip = 0; strip < @kPlan.strips; ++strip) {", "  renderer.draw_strip(strip, pixels);",
+        "  // @kPlan.strip_area(strip, @kView) of the picture is in `pixels`: send it to the display.", "}"};
+    for (const std::span<const char* const> part :
+         {is_fixed() ? std::span<const char* const>(kFixed) : std::span<const char* const>(kAny),
+          std::span<const char* const>(kStrips)}) {
+      for (std::string text : part) {
+        for (std::size_t at = 0; (at = text.find('@')) != std::string::npos;) text.replace(at, 1, name_space + "::");
+        if (bends() && text.starts_with("renderer.begin_frame")) {
+          line(fmt::format("//     {}::pose_skins(milliseconds);", name_space));
+        }
+        line(text.empty() ? "//" : "//     " + text);
+      }
     }
     line("//");
     if (baked_.effects.has(method::in_order)) {
@@ -94,10 +109,17 @@ class Header {
           "nothing of");
       line("// them is drawn. It returns a Status, too.");
     }
-    line(
-        "// begin_frame and draw_strip return a Status: look at it. To move the scene, copy kInstances into RAM, "
-        "change");
-    line("// the transforms there, and begin the frame with a copy of kScene whose `instances` are yours.");
+    if (is_fixed()) {
+      line("// begin_frame and draw_strip return a Status: look at it. To move the scene, change the transforms of");
+      line(fmt::format(
+          "// `{}::FixedRenderer::Moving moving`, its instances(), and begin the frame with kCamera, moving.",
+          name_space));
+    } else {
+      line(
+          "// begin_frame and draw_strip return a Status: look at it. To move the scene, copy kInstances into RAM, "
+          "change");
+      line("// the transforms there, and begin the frame with a copy of kScene whose `instances` are yours.");
+    }
     if (is_unclipped()) line("// Motions other than the one that was baked may need clipping: see kEffects.");
     if (!baked_.tree.nodes.empty()) {
       line(fmt::format("// Before begin_frame: renderer.set_visibility({{.tree = &{}::kTree}});", name_space));
@@ -353,6 +375,10 @@ class Header {
                      turning_name(baked_.turn.what), baked_.turn.still_instances));
   }
 
+  const char* projection_name() const {
+    return baked_.camera.projection == Projection::orthographic ? "orthographic" : "perspective";
+  }
+
   void camera() {
     const Camera& c = baked_.camera;
     line(fmt::format(
@@ -360,8 +386,7 @@ class Header {
         "{pad}.eye = {},  // 16.16, as all below\n{pad}.focal = {},\n{pad}.near_plane = {},\n{pad}.far_plane = {},\n"
         "{pad}.projection = zstrip::Projection::{},\n{pad}.fixed_depth_range = {}}};",
         literal(c.right), literal(c.up), literal(c.back), literal(c.eye), c.focal, c.near_plane, c.far_plane,
-        c.projection == Projection::orthographic ? "orthographic" : "perspective", c.fixed_depth_range,
-        fmt::arg("pad", "                                        ")));
+        projection_name(), c.fixed_depth_range, fmt::arg("pad", "                                        ")));
   }
 
   void plan() {
@@ -420,6 +445,12 @@ class Header {
         "inline constexpr zstrip::PlanResult kPlanned = zstrip::plan(kCounts, kView, kEffects, kBudget);\n"
         "static_assert(kPlanned.status, \"the picture does not fit the bytes of kBudget\");\n"
         "inline constexpr zstrip::Plan kPlan = kPlanned.plan;");
+    if (!is_fixed()) return;
+    line(fmt::format(
+        "/// Draws kScene in kView: scene, picture and plan are constants, which the compiler has checked.\n"
+        "using FixedRenderer = zstrip::FixedRenderer<kScene, kView, kBudget, {},\n"
+        "                                            zstrip::Projection::{}, kCounts>;",
+        literal(beyond_scene), projection_name()));
   }
 
   const BakedScene& baked_;

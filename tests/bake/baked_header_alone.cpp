@@ -1,6 +1,7 @@
 // What firmware does with a baked header: nothing but the core is included, everything is known to the compiler.
 #include "scene.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -21,24 +22,46 @@ zstrip::Status pose_skins(std::uint32_t /*milliseconds*/) { return {}; }
 constexpr Header header{baked::kScene,   baked::kAnimation, baked::kTurn, baked::kCamera, baked::kView,
                         baked::kEffects, baked::kBudget,    baked::kPlan, kJoints,        pose_skins};
 
-alignas(zstrip::kArenaAlignment) std::array<std::byte, baked::kPlan.bytes()> arena;
-zstrip::Renderer<baked::kEffects> renderer;
-
 zstrip::Status draw(std::span<std::byte> pixels, Send send) {
   if (const zstrip::Status moved = pose_skins(0); !moved) return moved;
   if (const zstrip::Status valid = validate(baked::kScene); !valid) return valid;
   return draw_moved(baked::kScene, baked::kCamera, pixels, send);
 }
 
-zstrip::Status draw_moved(const zstrip::Scene& scene, const zstrip::Camera& camera, std::span<std::byte> pixels,
-                          Send send) {
+#ifdef BAKED_CHECKED
+alignas(zstrip::kArenaAlignment) std::array<std::byte, baked::kPlan.bytes()> arena;
+zstrip::Renderer<baked::kEffects> renderer;
+
+zstrip::Status begin(const zstrip::Scene& scene, const zstrip::Camera& camera) {
 #ifdef BAKED_TREE
   renderer.set_visibility({.tree = &baked::kTree});
 #endif
-  const zstrip::Status begun = renderer.begin_frame(scene, camera, baked::kView, baked::kPlan, arena);
+  return renderer.begin_frame(scene, camera, baked::kView, baked::kPlan, arena);
+}
+zstrip::Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
+  return renderer.draw_strip(strip, pixels);
+}
+#else
+baked::FixedRenderer renderer;
+baked::FixedRenderer::Moving moving;
+static_assert(baked::FixedRenderer::kEffects == baked::kEffects);
+static_assert(baked::FixedRenderer::kPlan.bytes() == baked::kPlan.bytes());
+
+zstrip::Status begin(const zstrip::Scene& scene, const zstrip::Camera& camera) {
+  std::ranges::copy(scene.instances, moving.instances().begin());
+  return renderer.begin_frame(camera, moving);
+}
+zstrip::Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
+  return renderer.draw_strip(strip, pixels.first<baked::FixedRenderer::kStripBytes>());
+}
+#endif
+
+zstrip::Status draw_moved(const zstrip::Scene& scene, const zstrip::Camera& camera, std::span<std::byte> pixels,
+                          Send send) {
+  const zstrip::Status begun = begin(scene, camera);
   if (!begun) return begun;
   for (std::uint16_t strip = 0; strip < baked::kPlan.strips; ++strip) {
-    if (const zstrip::Status drawn = renderer.draw_strip(strip, pixels); !drawn) return drawn;
+    if (const zstrip::Status drawn = draw_strip(strip, pixels); !drawn) return drawn;
     send(strip, pixels);
   }
   return {};
