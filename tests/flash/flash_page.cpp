@@ -12,6 +12,28 @@ namespace {
 constexpr const char* kGroupedMachine = "m3";
 constexpr const char* kGroupedPrograms[] = {"k5_unclipped", "k5", "k5_run_time", "ct"};
 
+constexpr const char* kCounted = R"(
+**Counted**: all of a linked program that lies in flash: code and `main`, constants, texts, values that variables begin
+with, `memcpy`, `memmove` and `memset`, libgcc, padding. Linked with `--gc-sections`.
+
+**Not counted**: the scene's tables (vertices, triangles, texels, materials, the program's constants that name them;
+column `tables` of the CSV); start-up code, vector table and driver, which the programs do not have; what prints, in
+place of which is an empty function; RAM, stack.
+
+## What takes them
+On a Cortex-M3:
+
+)";
+
+constexpr const char* kGroupsExplained = R"(
+Groups are those of functions by name (`tests/flash/groups.cpp`). What the compiler has inlined counts for the function
+that it is of, as its debug information says, not for its caller; inlined arithmetic counts for what needs it. With -O2
+a function of the core that is no template counts as a whole. Link time optimisation makes this less sure: code of two
+functions that is merged is one of the two. So a group says where to look, and the difference of two programs what a
+feature takes: clipping brings spans in 64 bits and a division from libgcc along. A figure within its tolerance keeps
+its recorded value, so that groups add up to their program only nearly.
+)";
+
 /// With a comma before each three digits.
 std::string grouped(std::string digits) {
   for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, 1, ',');
@@ -80,26 +102,9 @@ std::string flash_page(const measured::Table& table) {
           "- `unclipped`: `effect::unclipped`, for what does not come near the camera\n"
           "- `Renderer`: scene, picture and plan are learned and checked at run time\n\n";
   write_programs(page, table);
-  page << "\n**Counted**: all of a linked program that lies in flash: code and `main`, constants, texts, values that\n"
-          "variables begin with, `memcpy`, `memmove` and `memset`, libgcc, padding. Linked with `--gc-sections`.\n\n"
-          "**Not counted**: the scene's tables (vertices, triangles, texels, materials, the program's constants that\n"
-          "name them; column `tables` of the CSV); start-up code, vector table and driver, which the programs do not\n"
-          "have; what prints, in place of which is an empty function; RAM, stack.\n\n"
-          "## What takes them\n"
-          "On a Cortex-M3:\n\n";
+  page << kCounted;
   write_groups(page, table);
-  page
-      << "\nGroups are those of functions by name (`tests/flash/groups.cpp`). What the compiler has inlined counts for "
-         "the\n"
-         "function that it is of, as its debug information says, not for its caller; arithmetic and `std` count for "
-         "who\n"
-         "calls them, unless they are calls. Link time optimisation makes this less sure: code of two functions that "
-         "is\n"
-         "merged, or moved out of a loop, is one of the two. So a group says where to look, and the difference of two\n"
-         "programs what a feature takes: without clipping the spans of large triangles and 64-bit division go as "
-         "well.\n"
-         "A figure within its tolerance keeps its recorded value, so that groups add up to their program only "
-         "nearly.\n";
+  page << kGroupsExplained;
   return page.str();
 }
 
