@@ -63,6 +63,7 @@ constexpr Pattern kPatterns[] = {
     {"SpanTriangle", Group::spans},
     {"PlaneSetup", Group::spans},
     {"EdgeWalk", Group::spans},
+    {"floor_of", Group::spans},
     {"signed_area", Group::spans},
     {"TextureCoordinates", Group::spans},
     {"fill_", Group::spans},
@@ -85,7 +86,8 @@ constexpr Pattern kPatterns[] = {
     {"sine", Group::set_up},
     {"cosine", Group::set_up},
 
-    {"divide_long", Group::library},
+    {"divide_", Group::library},
+    {"quotient", Group::library},
     {"seldom_quotient", Group::library},
     {"multiply_high", Group::library},
     {"reciprocal", Group::library},
