@@ -81,8 +81,8 @@ TEST(EffectsAbsence, AFixedRendererWithoutClippingIsOnlyWhatItsFramesNeed) {
            "TriangleClipper",
            "RasterPolygon",
            "project_wide",  // clipping
-           "walk_spans<long",
-           "WholeSpans<",  // edges in 64 bits
+           "EdgeWalk::wide",
+           "divide_long",  // edges in 64 bits
            "validate",
            "check_request",
            "check_room",

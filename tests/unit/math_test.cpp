@@ -55,6 +55,31 @@ TEST(Division, ByTableIsTheQuotient) {
   }
 }
 
+/// What processors of 32 bits do instead of their compiler's division of 64 bits.
+TEST(Division, ByDigitsAndByBitsAreTheQuotient) {
+  const auto check = [](std::uint64_t numerator, std::uint32_t divisor) {
+    const QuotientAndRest by_digits = detail::divide_by_digits(numerator, divisor);
+    ASSERT_EQ(by_digits.quotient, numerator / divisor) << numerator << " / " << divisor;
+    ASSERT_EQ(by_digits.rest, numerator % divisor) << numerator << " / " << divisor;
+  };
+  std::mt19937_64 random(4);
+  const auto any = [&random](int most_bits) { return random() >> (64 - 1 - random() % most_bits); };
+  for (int i = 0; i < 1000000; ++i) {
+    const auto divisor = static_cast<std::uint32_t>(std::max<std::uint64_t>(1, any(32)));
+    const auto quotient = static_cast<std::uint32_t>(any(32));
+    // Both ends of a quotient, and anything between.
+    check(std::uint64_t{quotient} * divisor, divisor);
+    check(std::uint64_t{quotient} * divisor + divisor - 1, divisor);
+    check(std::uint64_t{quotient} * divisor + random() % divisor, divisor);
+    const std::uint64_t numerator = any(64);
+    const std::uint64_t wide_divisor = std::max<std::uint64_t>(1, any(64));
+    ASSERT_EQ(detail::quotient_by_bits(numerator, wide_divisor), numerator / wide_divisor) << numerator;
+  }
+  for (const std::uint32_t divisor : {1U, 2U, 0x7FFFU, 0x8000U, 0xFFFFU, 0x10000U, 0x80000000U, 0xFFFFFFFFU}) {
+    check(0, divisor), check(std::uint64_t{divisor} * 0xFFFFFFFFU + divisor - 1, divisor);
+  }
+}
+
 TEST(Multiplication, InHalvesIsThatOf64Bits) {
   std::mt19937 random(7);
   constexpr std::int32_t kEdges[] = {0,      1,       -1,       0x7FFF,    -0x8000,   0x8000,

@@ -61,19 +61,69 @@ constexpr std::uint32_t quotient_31(std::uint32_t divisor) {
   return 0x7FFFFFFFU / divisor;
 }
 
-/// numerator / divisor, for divisor > 0. For what is divided once a frame or a light of an instance: where there is no
-/// instruction for it, the compiler's own division of 64 bits takes 700 bytes.
-[[gnu::noinline]] constexpr std::uint64_t seldom_quotient(std::uint64_t numerator, std::uint64_t divisor) {
-  if constexpr (sizeof(void*) == sizeof(std::uint64_t)) return numerator / divisor;
+namespace detail {
+
+/// Whether the processor divides 64 bits. Elsewhere the compiler's own function for it takes 700 bytes.
+inline constexpr bool kDivides64 = sizeof(void*) == sizeof(std::uint64_t);
+
+/// As seldom_quotient: one bit of the quotient after the other.
+constexpr std::uint64_t quotient_by_bits(std::uint64_t numerator, std::uint64_t divisor) {
+  int bit = std::countl_zero(divisor) - std::countl_zero(numerator);  // the first that may be set
+  if (bit < 0) return 0;
+  divisor <<= bit;
   std::uint64_t quotient = 0;
-  std::uint64_t rest = 0;
-  for (int bit = 63; bit >= 0; --bit) {
-    const bool is_above = (rest >> 63) != 0;  // of any divisor, once it is doubled
-    rest = (rest << 1) | ((numerator >> bit) & 1);
+  for (; bit >= 0; --bit) {
     quotient <<= 1;
-    if (is_above || rest >= divisor) rest -= divisor, quotient |= 1;
+    if (numerator >= divisor) numerator -= divisor, quotient |= 1;
+    divisor >>= 1;
   }
   return quotient;
+}
+
+}  // namespace detail
+
+/// numerator / divisor, for divisor > 0. For what is divided once a frame or a light of an instance.
+[[gnu::noinline]] constexpr std::uint64_t seldom_quotient(std::uint64_t numerator, std::uint64_t divisor) {
+  if constexpr (detail::kDivides64) return numerator / divisor;
+  return detail::quotient_by_bits(numerator, divisor);
+}
+
+struct QuotientAndRest {
+  std::uint32_t quotient, rest;
+};
+
+namespace detail {
+
+/// As divide_long: two digits of 16 bits (Knuth, The Art of Computer Programming, volume 2, algorithm 4.3.1 D).
+constexpr QuotientAndRest divide_by_digits(std::uint64_t numerator, std::uint32_t divisor) {
+  const int shift = std::countl_zero(divisor);
+  divisor <<= shift, numerator <<= shift;
+  const std::uint32_t reciprocal = quotient_32(divisor >> 16);  // 2^32 / the divisor's upper half
+  auto rest = static_cast<std::uint32_t>(numerator >> 32);
+  auto low = static_cast<std::uint32_t>(numerator);
+  std::uint32_t quotient = 0;
+  for (int i = 0; i < 2; ++i) {
+    const std::uint64_t dividend = (std::uint64_t{rest} << 16) | (low >> 16);
+    // Two too many at most, because the divisor's lower half is left out; or two too few, by the reciprocal.
+    auto digit = static_cast<std::uint32_t>((std::uint64_t{rest} * reciprocal) >> 32);
+    std::uint64_t product = std::uint64_t{digit} * divisor;
+    while (product > dividend) product -= divisor, --digit;
+    while (dividend - product >= divisor) product += divisor, ++digit;
+    rest = static_cast<std::uint32_t>(dividend - product);
+    low <<= 16;
+    quotient = (quotient << 16) + digit;
+  }
+  return {quotient, rest >> shift};
+}
+
+}  // namespace detail
+
+/// Of a quotient below 2^32, for divisor > 0. For what is divided once an edge.
+[[gnu::noinline]] constexpr QuotientAndRest divide_long(std::uint64_t numerator, std::uint32_t divisor) {
+  if constexpr (detail::kDivides64) {
+    return {static_cast<std::uint32_t>(numerator / divisor), static_cast<std::uint32_t>(numerator % divisor)};
+  }
+  return detail::divide_by_digits(numerator, divisor);
 }
 
 }  // namespace zstrip

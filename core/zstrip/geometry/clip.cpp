@@ -2,18 +2,27 @@
 #include "zstrip/geometry/clip.hpp"
 
 #include <algorithm>
+#include <iterator>
+
+#include "zstrip/base/division.hpp"
 
 namespace zstrip::detail {
 namespace {
 
-/// Signed distance to a plane of the clip volume, >= 0 inside. The planes of the guard band leave out as many fraction
-/// bits as they must for a*x + b*y + c*w + d to be below 2^58.
-struct Plane {
-  std::int64_t x, y, w, offset;
-  int bits;  ///< fraction bits of the vertex that do not count
+using Place = std::int64_t ClipVertex::*;
+using Varying = std::int32_t ClipVertex::*;
+constexpr Place kPlaces[] = {&ClipVertex::x, &ClipVertex::y, &ClipVertex::w};
+constexpr Varying kVaryings[] = {&ClipVertex::r, &ClipVertex::g, &ClipVertex::b, &ClipVertex::u, &ClipVertex::v};
 
-  std::int64_t at(const ClipVertex& v) const {
-    return x * (v.x >> bits) + y * (v.y >> bits) + w * (v.w >> bits) + offset;
+/// A plane of the clip volume. The planes of the guard band leave out as many fraction bits as they must for the
+/// distance to be below 2^58.
+struct Plane {
+  Place along;
+  std::int64_t scale, w, d;  ///< signed distance scale * along + w * w + d, >= 0 inside
+  int bits;                  ///< fraction bits of the vertex that do not count
+
+  [[gnu::noinline]] std::int64_t at(const ClipVertex& v) const {
+    return scale * (v.*along >> bits) + w * (v.w >> bits) + d;
   }
 };
 
@@ -23,113 +32,111 @@ static_assert(30 + kClipBits + 1 <= 47);
 /// A fraction 0..1 with 62 bits: the crossing of an edge that runs from far before to far behind the camera has a
 /// small w, which needs them.
 struct Fraction {
-  std::int64_t high, low;  // (high + low / 2^31) / 2^31
+  std::uint32_t high, low;  // (high + low / 2^31) / 2^31
 
   /// numerator / denominator, 0 <= numerator <= denominator > 0.
-  static Fraction of(std::uint64_t numerator, std::uint64_t denominator) {
+  Fraction(std::uint64_t numerator, std::uint64_t denominator) {
     const int surplus = 32 - std::countl_zero(denominator);
     if (surplus > 0) numerator >>= surplus, denominator >>= surplus;
-    const std::uint64_t first = numerator << 31;
-    const std::uint64_t second = (first % denominator) << 31;
-    return {static_cast<std::int64_t>(first / denominator), static_cast<std::int64_t>(second / denominator)};
+    const auto divisor = static_cast<std::uint32_t>(denominator);
+    const QuotientAndRest first = divide_long(numerator << 31, divisor);
+    high = first.quotient;
+    low = divide_long(std::uint64_t{first.rest} << 31, divisor).quotient;
   }
   /// value * fraction for |value| < 2^47.
-  std::int64_t of(std::int64_t value) const { return scaled(value, high) + (scaled(value, low) >> 31); }
+  [[gnu::noinline]] std::int64_t of(std::int64_t value) const {
+    return scaled(value, high) + (scaled(value, low) >> 31);
+  }
 
  private:
-  static std::int64_t scaled(std::int64_t value, std::int64_t factor) {
-    return (((value >> 16) * factor) >> 15) + (((value & 0xFFFF) * factor) >> 31);
+  static std::int64_t scaled(std::int64_t value, std::uint32_t factor) {
+    return (((value >> 16) * std::int64_t{factor}) >> 15) + (((value & 0xFFFF) * std::int64_t{factor}) >> 31);
   }
 };
 
 /// The point where the edge crosses the plane. Always computed from the inner vertex, so that both neighbours agree.
 ClipVertex crossing(const ClipVertex& inner, const ClipVertex& outer, std::int64_t inside, std::int64_t outside) {
   // inside >= 0 > outside
-  const Fraction fraction =
-      Fraction::of(static_cast<std::uint64_t>(inside),
-                   static_cast<std::uint64_t>(inside) + (~static_cast<std::uint64_t>(outside) + 1));
-  const auto wide = [&](std::int64_t from, std::int64_t to) { return from + fraction.of(to - from); };
-  const auto narrow = [&](std::int32_t from, std::int32_t to) {
-    return static_cast<std::int32_t>(from + fraction.of(std::int64_t{to} - from));
-  };
-  return {wide(inner.x, outer.x),   wide(inner.y, outer.y),   wide(inner.w, outer.w),   narrow(inner.r, outer.r),
-          narrow(inner.g, outer.g), narrow(inner.b, outer.b), narrow(inner.u, outer.u), narrow(inner.v, outer.v)};
+  const Fraction fraction(static_cast<std::uint64_t>(inside),
+                          static_cast<std::uint64_t>(inside) - static_cast<std::uint64_t>(outside));
+  ClipVertex made;
+  for (const Place place : kPlaces) {
+    made.*place = inner.*place + fraction.of(outer.*place - inner.*place);
+  }
+  for (const Varying varying : kVaryings) {
+    made.*varying =
+        static_cast<std::int32_t>(inner.*varying + fraction.of(std::int64_t{outer.*varying} - inner.*varying));
+  }
+  return made;
 }
 
-/// In place, so that the stack holds one polygon: it is moved to the end of its memory and read from there, while what
-/// is kept is written from the beginning on. A cut convex polygon grows by one vertex at most; where rounding has made
-/// it concave it may grow by more, and there is room for that.
+/// In place, so that the stack holds one polygon: it is moved to the end of its memory and read from there, with its
+/// first vertex once more after its last, while what is kept is written from the beginning on. A cut convex polygon
+/// grows by one vertex at most; where rounding has made it concave it may grow by more. There is room for that: an
+/// edge leaves two vertices at most, kMaxPolygon in all, and they end before what is still to be read.
 void clip_against(ClipPolygon& polygon, const Plane& plane) {
-  const int count = polygon.count;
-  if (count == 0) return;
-  constexpr int kRoom = static_cast<int>(sizeof polygon.vertices / sizeof polygon.vertices[0]);
-  ClipVertex* const source = polygon.vertices + (kRoom - count);
-  for (int i = count; i-- > 0;) source[i] = polygon.vertices[i];
-  const ClipVertex first = source[0];
-  const std::int64_t at_first = plane.at(first);
-  ClipVertex a = first;
-  std::int64_t at_a = at_first;
-  int kept = 0;
-  for (int i = 0; i < count; ++i) {
-    const bool last = i + 1 == count;
-    const ClipVertex b = last ? first : source[i + 1];
-    const std::int64_t at_b = last ? at_first : plane.at(b);
-    // What has not been read must not be overwritten.
-    const int limit = last ? kMaxPolygon : std::min(kMaxPolygon, kRoom - count + i + 2);
-    if (at_a >= 0 && kept < limit) polygon.vertices[kept++] = a;
-    if ((at_a < 0) != (at_b < 0) && kept < limit) {
-      polygon.vertices[kept++] = at_a >= 0 ? crossing(a, b, at_a, at_b) : crossing(b, a, at_b, at_a);
-    }
-    a = b;
+  if (polygon.count == 0) return;
+  ClipVertex* const end = std::end(polygon.vertices) - 1;
+  ClipVertex* a = end;
+  for (int i = polygon.count; i-- > 0;) *--a = polygon.vertices[i];
+  *end = *a;
+  polygon.count = 0;
+  const auto keep = [&polygon](const ClipVertex& vertex) {
+    if (polygon.count < kMaxPolygon) polygon.vertices[polygon.count++] = vertex;
+  };
+  for (std::int64_t at_a = plane.at(*a); a != end; ++a) {
+    const std::int64_t at_b = plane.at(a[1]);
+    if (at_a >= 0) keep(*a);
+    if ((at_a ^ at_b) < 0) keep(at_a >= 0 ? crossing(a[0], a[1], at_a, at_b) : crossing(a[1], a[0], at_b, at_a));
     at_a = at_b;
   }
-  polygon.count = kept;
+}
+
+/// Against two planes that face each other, `plane` and the one of -scale and `far`.
+void clip_between(ClipPolygon& polygon, Plane plane, std::int64_t far) {
+  clip_against(polygon, plane);
+  plane.scale = -plane.scale, plane.d = far;
+  clip_against(polygon, plane);
 }
 
 /// Near and far first: behind them the guard band's planes are meaningless.
 void clip_depth(ClipPolygon& polygon, const CompiledInstance& instance) {
   const std::int64_t near = std::int64_t{instance.w_near} << kClipBits;
   const std::int64_t far = near + (std::int64_t{instance.w_range} << kClipBits);
-  clip_against(polygon, {0, 0, 1, -near, 0});
-  clip_against(polygon, {0, 0, -1, far, 0});
+  clip_between(polygon, {&ClipVertex::w, 1, 0, -near, 0}, far);
   // The crossing rounds: put the new vertices exactly into the range.
   for (int i = 0; i < polygon.count; ++i) {
     std::int64_t& w = polygon.vertices[i].w;
-    if (w < near) w = near;
-    if (w > far) w = far;
+    w = std::clamp(w, near, far);
   }
+}
+
+/// |along| / w * 2^(30 - shift) <= 2^kGuardBits  <=>  |along| * 2^(30 - shift) <= w * 2^kGuardBits; 0 <= shift <= 31.
+void clip_guard_band(ClipPolygon& polygon, Place along, std::int32_t shift) {
+  const int exponent = kGuardBits - 30 + shift;
+  // w * 2^exponent is below 2^(46 - bits + exponent): 2^57.
+  const int bits = std::max(0, exponent - 11);
+  const auto power = [](int of_two) { return std::int64_t{1} << std::max(0, of_two); };
+  clip_between(polygon, {along, power(-exponent), power(exponent), 0, bits}, 0);
 }
 
 }  // namespace
 
 void clip_perspective(ClipPolygon& polygon, const CompiledInstance& instance) {
   clip_depth(polygon, instance);
-  // |x| / w * 2^(30 - shift) <= 2^kGuardBits  <=>  |x| * 2^(30 - shift) <= w * 2^kGuardBits; 0 <= shift <= 31.
-  struct Scales {
-    std::int64_t coordinate, w;
-    int bits;  ///< w * 2^exponent is below 2^(46 - bits + exponent): 2^57
-  };
-  const auto guard = [](std::int32_t shift) {
-    const int exponent = kGuardBits - 30 + shift;
-    return exponent >= 0 ? Scales{1, std::int64_t{1} << exponent, std::max(0, exponent - 11)}
-                         : Scales{std::int64_t{1} << -exponent, 1, 0};
-  };
-  const Scales x = guard(instance.shift_x);
-  const Scales y = guard(instance.shift_y);
-  clip_against(polygon, {x.coordinate, 0, x.w, 0, x.bits});
-  clip_against(polygon, {-x.coordinate, 0, x.w, 0, x.bits});
-  clip_against(polygon, {0, y.coordinate, y.w, 0, y.bits});
-  clip_against(polygon, {0, -y.coordinate, y.w, 0, y.bits});
+  clip_guard_band(polygon, &ClipVertex::x, instance.shift_x);
+  clip_guard_band(polygon, &ClipVertex::y, instance.shift_y);
 }
 
 void clip_orthographic(ClipPolygon& polygon, const CompiledInstance& instance) {
   clip_depth(polygon, instance);
   // |x| * 2^-shift <= 2^kGuardBits.
-  const auto guard = [](std::int32_t shift) { return std::int64_t{1} << (kGuardBits + shift); };
-  clip_against(polygon, {1, 0, 0, guard(instance.shift_x), kClipBits});
-  clip_against(polygon, {-1, 0, 0, guard(instance.shift_x), kClipBits});
-  clip_against(polygon, {0, 1, 0, guard(instance.shift_y), kClipBits});
-  clip_against(polygon, {0, -1, 0, guard(instance.shift_y), kClipBits});
+  const auto guard = [&polygon](Place along, std::int32_t shift) {
+    const std::int64_t limit = std::int64_t{1} << (kGuardBits + shift);
+    clip_between(polygon, {along, 1, 0, limit, kClipBits}, limit);
+  };
+  guard(&ClipVertex::x, instance.shift_x);
+  guard(&ClipVertex::y, instance.shift_y);
 }
 
 template <bool orthographic, ReciprocalOf kind>

@@ -22,7 +22,7 @@ inline constexpr int kMaxPolygon = 9;
 
 /// The vertices, and room in which clipping moves them aside.
 struct ClipPolygon {
-  ClipVertex vertices[kMaxPolygon + 3];
+  ClipVertex vertices[kMaxPolygon + 5];
   int count;  ///< at most kMaxPolygon
 };
 

@@ -59,9 +59,7 @@ struct Assembler : ClippedAssembler<effects> {
            is_small(width, height, in_codes(a), in_codes(b), in_codes(c));
   }
 
-  /// Methods may show both sides of anything.
-  static constexpr bool kTwoSided =
-      !effects.any(effect::shades) || effects.has(effect::two_sided) || effects.methods != 0;
+  static constexpr bool kTwoSided = detail::shows_both_sides(effects);
   static bool shows_both_sides([[maybe_unused]] const Batch& batch) {
     if constexpr (!kTwoSided) return false;
     return batch.instance->double_sided;

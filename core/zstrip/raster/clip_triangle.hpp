@@ -10,6 +10,7 @@
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/raster/attributes.hpp"
 #include "zstrip/raster/polygon.hpp"
+#include "zstrip/raster/raster_effects.hpp"
 
 namespace zstrip::detail {
 
@@ -29,12 +30,14 @@ void rotate_to_first(const Order& order, Corner& ia, Corner& ib, Corner& ic) {
 /// What of a set of effects changes how a triangle is clipped. TriangleClipper is made for these, so that pipelines
 /// and shades share its code.
 constexpr Effects clip_effects(Effects effects) {
-  return effects & (effect::orthographic | effect::depth_formats | effect::short_reciprocals | effect::outlines);
+  const Effects sides = shows_both_sides(effects) ? effect::two_sided : Effects{};
+  return sides |
+         (effects & (effect::orthographic | effect::depth_formats | effect::short_reciprocals | effect::outlines));
 }
 
 template <Effects effects>
 struct TriangleClipper {
-  static_assert(effects == clip_effects(effects));
+  static_assert(without(effects, effect::two_sided) == without(clip_effects(effects), effect::two_sided));
   static constexpr bool kOrthographic = effects.has(effect::orthographic);
 
   /// The corners in full width, and which vertices of the mesh they are. Colours and texture coordinates are zeros.
@@ -47,7 +50,7 @@ struct TriangleClipper {
       return std::int64_t{p.x} * (std::int64_t{1} << 32) + std::int64_t{p.y} * 65536 + p.z;
     };
     rotate_to_first(by_position, indices[0], indices[1], indices[2]);
-    for (int i = 0; i < 3; ++i) clipped.vertices[i] = vertex_of(batch, indices[i]);
+    for (int i = 0; i < 3; ++i) set_vertex(batch, indices[i], clipped.vertices[i]);
   }
 
   /// The polygon of what is left of the triangle; false if nothing of it faces the viewer.
@@ -58,7 +61,7 @@ struct TriangleClipper {
       clip_perspective(clipped, *batch.instance);
     }
     for (int i = 0; i < clipped.count; ++i) polygon.append(projected(batch, clipped.vertices[i]));
-    return polygon.face_front(batch.instance->double_sided);
+    return polygon.face_front(effects.has(effect::two_sided) && batch.instance->double_sided);
   }
 
   /// All of it, without colours and texture coordinates.
@@ -78,10 +81,11 @@ struct TriangleClipper {
   }
 
  private:
-  static ClipVertex vertex_of(const Batch& batch, std::uint32_t index) {
+  static void set_vertex(const Batch& batch, std::uint32_t index, ClipVertex& vertex) {
     const Position& p = batch.mesh->positions[index];
     const auto wide = [&p](const LinearForm& form) { return std::int64_t{form.at(p)} * (1 << kClipBits); };
-    ClipVertex vertex{wide(batch.instance->x), wide(batch.instance->y), wide(batch.instance->w), 0, 0, 0, 0, 0};
+    vertex = {};
+    vertex.x = wide(batch.instance->x), vertex.y = wide(batch.instance->y), vertex.w = wide(batch.instance->w);
     if constexpr (effects.has(effect::outlines)) {
       if (is_outline(*batch.instance)) {
         const HullVertex moved = hull_vertex<kOrthographic>(*batch.instance, *batch.mesh, index);
@@ -89,7 +93,6 @@ struct TriangleClipper {
         vertex.u = moved.right, vertex.v = moved.down;
       }
     }
-    return vertex;
   }
 
   static RasterVertex projected(const Batch& batch, const ClipVertex& v) {

@@ -8,33 +8,33 @@
 
 namespace zstrip::detail {
 
-// A product of two differences of wide coordinates, twice, and the denominator to round up.
-static_assert(2 * (kGuardBits + 1) + 1 < 62);
-
-/// Integer is int32_t for narrow coordinates, int64_t for wide ones: the same pixels, proven by the ranges in
-/// docs/numerics.md. `pixel` is the first pixel whose centre is not left of the edge, so a span [left.pixel,
-/// right.pixel) obeys the top-left rule by itself.
-template <class Integer>
+/// `pixel` is the first pixel whose centre is not left of the edge, so a span [left.pixel, right.pixel) obeys the
+/// top-left rule by itself.
 class EdgeWalk {
  public:
   EdgeWalk() = default;
-  /// The edge from (x0, y0) down to (x1, y1), y0 < y1, at the pixel row `row`, whose centre lies in y0 .. y1.
+  /// The edge from (x0, y0) down to (x1, y1), y0 < y1, at the pixel row `row`, whose centre lies in y0 .. y1. `narrow`:
+  /// whether the coordinates are, a bool or std::true_type; the pixels do not depend on it (docs/numerics.md).
   // Where many pipelines share a file, GCC would call it: up to 2 % of R10k on the host.
-  [[gnu::always_inline]] EdgeWalk(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,
-                                  std::int32_t row) {
-    const Integer dx = Integer{x1} - x0;
-    const Integer dy = Integer{y1} - y0;
-    denominator_ = dy * 16;
+  template <class Narrow>
+  [[gnu::always_inline]] EdgeWalk(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row,
+                                  Narrow narrow) {
+    if constexpr (!std::is_same_v<Narrow, std::true_type>) {
+      if (!narrow) {
+        *this = wide(x0, y0, x1, y1, row);
+        return;
+      }
+    }
+    const std::int32_t dx = x1 - x0;
+    const std::int32_t dy = y1 - y0;
     // pixel = ceil(((x0 - centre) dy + (row centre - y0) dx) / (16 dy))
-    const Integer numerator = (Integer{x0} - kPixelCentre) * dy + (Integer{row} * 16 + kPixelCentre - y0) * dx;
-    Integer pixel_of_start{};
-    divide(numerator + denominator_ - 1, denominator_, pixel_of_start, remainder_);
-    pixel = static_cast<std::int32_t>(pixel_of_start);
-    Integer step_pixels{};
-    Integer rest{};
-    divide(dx, dy, step_pixels, rest);
-    step_ = static_cast<std::int32_t>(step_pixels);
-    step_remainder_ = rest * 16;
+    const std::int32_t numerator = (x0 - kPixelCentre) * dy + (row * 16 + kPixelCentre - y0) * dx;
+    std::int32_t rest = 0;
+    denominator_ = static_cast<std::uint32_t>(dy) * 16;
+    divide(numerator + dy * 16 - 1, dy * 16, pixel, rest);
+    remainder_ = static_cast<std::uint32_t>(rest);
+    divide(dx, dy, step_, rest);
+    step_remainder_ = static_cast<std::uint32_t>(rest) * 16;
   }
   void next_row() {
     pixel += step_;
@@ -48,7 +48,11 @@ class EdgeWalk {
   std::int32_t pixel = 0;
 
  private:
-  static void divide(Integer numerator, Integer denominator, Integer& quotient, Integer& remainder) {
+  /// Returned, not made in place: an edge whose address is known would be stepped in memory.
+  static EdgeWalk wide(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row);
+
+  static void divide(std::int32_t numerator, std::int32_t denominator, std::int32_t& quotient,
+                     std::int32_t& remainder) {
     quotient = numerator / denominator;
     remainder = numerator - quotient * denominator;
     if (remainder < 0) {
@@ -58,7 +62,7 @@ class EdgeWalk {
   }
 
   std::int32_t step_ = 0;
-  Integer remainder_ = 0, step_remainder_ = 0, denominator_ = 1;
+  std::uint32_t remainder_ = 0, step_remainder_ = 0, denominator_ = 1;  ///< below 2^31, of wide edges too
 };
 
 }  // namespace zstrip::detail

@@ -13,7 +13,7 @@ int winding_number(const RasterVertex* vertices, int count, std::int32_t column,
     const int turns = upper->y < lower->y ? 1 : -1;  // counter-clockwise: the edges on the left go down
     if (turns < 0) std::swap(upper, lower);
     if (row < upper->y >> 4 || row >= lower->y >> 4) continue;
-    const std::int32_t first = EdgeWalk<std::int64_t>(upper->x, upper->y, lower->x, lower->y, row).pixel;
+    const std::int32_t first = EdgeWalk(upper->x, upper->y, lower->x, lower->y, row, false).pixel;
     if (first <= column) {
       winding += turns;
     } else {
@@ -23,22 +23,44 @@ int winding_number(const RasterVertex* vertices, int count, std::int32_t column,
   return winding;
 }
 
-bool RasterPolygon::face_front(bool double_sided) {
-  bool turns_left = false;
-  bool turns_right = false;
+Rect RasterPolygon::box(const RasterVertex* vertices, int count) {
+  Rect box{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
+  for (int i = 0; i < count; ++i) {
+    const std::int32_t x = vertices[i].x >> 4;
+    const std::int32_t y = vertices[i].y >> 4;
+    box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x), std::max(box.bottom, y)};
+  }
+  return box;
+}
+
+std::int64_t RasterPolygon::area_at(int i) const {
+  return signed_area(vertices_[before(i)], vertices_[i], vertices_[after(i)]);
+}
+
+void RasterPolygon::erase(int i) {
+  for (--count_; i < count_; ++i) vertices_[i] = vertices_[i + 1];
+}
+
+RasterPolygon::Turns RasterPolygon::drop_straight() {
+  Turns turns{};
   for (int i = 0; i < count_;) {
     const std::int64_t area = area_at(i);
     if (area == 0) {  // straight on, or there and back again: its neighbours' corners become others
       erase(i);
-      turns_left = turns_right = false;
+      turns = {};
       i = 0;
       continue;
     }
-    (area > 0 ? turns_left : turns_right) = true;
+    (area > 0 ? turns.left : turns.right) = true;
     ++i;
   }
-  convex_ = turns_left != turns_right;
-  if (!double_sided || !turns_right) return turns_left;
+  convex_ = turns.left != turns.right;
+  return turns;
+}
+
+bool RasterPolygon::face_viewer() {
+  const Turns turns = drop_straight();
+  if (!turns.right) return turns.left;
   std::int64_t area = 0;
   for (int i = 1; i + 1 < count_; ++i) area += signed_area(vertices_[0], vertices_[i], vertices_[i + 1]);
   if (area < 0) std::reverse(vertices_ + 1, vertices_ + count_);
@@ -64,10 +86,9 @@ bool RasterPolygon::cut_triangle(RasterVertex (&corner)[3]) {
 
 TriangleParts::TriangleParts(const RasterPolygon& rest, const RasterVertex (&corner)[3], const Rect& area)
     : rest_(rest), corner_(corner) {
-  const auto [min_x, max_x] = std::minmax({corner[0].x, corner[1].x, corner[2].x});
-  const auto [min_y, max_y] = std::minmax({corner[0].y, corner[1].y, corner[2].y});
-  area_ = {std::max(area.left, min_x >> 4), std::max(area.top, min_y >> 4), std::min(area.right, max_x >> 4),
-           std::min(area.bottom, max_y >> 4)};
+  const Rect box = RasterPolygon::box(corner, 3);
+  area_ = {std::max(area.left, box.left), std::max(area.top, box.top), std::min(area.right, box.right),
+           std::min(area.bottom, box.bottom)};
   if (area_.empty()) area_.bottom = area_.top;
   column_ = area_.left;
 }

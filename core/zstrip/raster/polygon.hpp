@@ -25,20 +25,12 @@ class RasterPolygon {
   void append(const RasterVertex& vertex) { vertices_[count_++] = vertex; }
 
   /// The pixels that it can cover; an empty rectangle of less than three vertices.
-  Rect box() const {
-    if (count_ < 3) return {};
-    Rect box{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
-    for (int i = 0; i < count_; ++i) {
-      const std::int32_t x = vertices_[i].x >> 4;
-      const std::int32_t y = vertices_[i].y >> 4;
-      box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x), std::max(box.bottom, y)};
-    }
-    return box;
-  }
+  Rect box() const { return count_ < 3 ? Rect{} : box(vertices_, count_); }
+  static Rect box(const RasterVertex* vertices, int count);
 
   /// Drops vertices that the outline does not need; with `double_sided` makes the winding counter-clockwise. False if
   /// there is nothing to draw.
-  bool face_front(bool double_sided);
+  bool face_front(bool double_sided) { return double_sided ? face_viewer() : drop_straight().left; }
 
   /// Whether no triangle that is cut off covers more than the polygon; since face_front().
   bool is_convex() const { return convex_; }
@@ -54,11 +46,14 @@ class RasterPolygon {
  private:
   int before(int i) const { return i == 0 ? count_ - 1 : i - 1; }
   int after(int i) const { return i + 1 == count_ ? 0 : i + 1; }
-  std::int64_t area_at(int i) const { return signed_area(vertices_[before(i)], vertices_[i], vertices_[after(i)]); }
-  void erase(int i) {
-    std::copy(vertices_ + i + 1, vertices_ + count_, vertices_ + i);
-    --count_;
-  }
+  std::int64_t area_at(int i) const;
+  void erase(int i);
+  struct Turns {
+    bool left, right;
+  };
+  /// Drops vertices that the outline does not need; which turns it makes.
+  Turns drop_straight();
+  bool face_viewer();
 
   RasterVertex vertices_[kMaxPolygon];
   int count_ = 0;

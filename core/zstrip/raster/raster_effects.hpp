@@ -16,4 +16,9 @@ constexpr Effects raster_effects(Effects effects) {
   return without(effects, kOfOtherStages) | colours;
 }
 
+/// Whether some instance may show its back faces. Methods may show both sides of anything.
+constexpr bool shows_both_sides(Effects effects) {
+  return !effects.any(effect::shades) || effects.has(effect::two_sided) || effects.methods != 0;
+}
+
 }  // namespace zstrip::detail

@@ -31,9 +31,9 @@ struct Surface {
   if (middle->y < top->y) std::swap(middle, top);
 }
 
-template <class Integer, class FillSpan>
+template <class Narrow, class FillSpan>
 void walk_spans(const StripTarget& target, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
-                const FillSpan& fill) {
+                Narrow narrow, const FillSpan& fill) {
   const RasterVertex* top = &a;
   const RasterVertex* middle = &b;
   const RasterVertex* bottom = &c;
@@ -44,13 +44,13 @@ void walk_spans(const StripTarget& target, const RasterVertex& a, const RasterVe
   if (row >= end) return;
   // The middle vertex is right of the long edge if the area of top, bottom, middle is positive (y down).
   const bool middle_is_right = signed_area(*top, *middle, *bottom) < 0;
-  EdgeWalk<Integer> long_edge(top->x, top->y, bottom->x, bottom->y, row);
+  EdgeWalk long_edge(top->x, top->y, bottom->x, bottom->y, row, narrow);
   for (int half = 0; half < 2; ++half) {
     const RasterVertex& from = half == 0 ? *top : *middle;
     const RasterVertex& to = half == 0 ? *middle : *bottom;
     const std::int32_t half_end = std::min(to.y >> 4, end);
     if (row >= half_end) continue;
-    EdgeWalk<Integer> short_edge(from.x, from.y, to.x, to.y, row);
+    EdgeWalk short_edge(from.x, from.y, to.x, to.y, row, narrow);
     for (; row < half_end; ++row) {
       const std::int32_t whole_left = middle_is_right ? long_edge.pixel : short_edge.pixel;
       const std::int32_t whole_right = middle_is_right ? short_edge.pixel : long_edge.pixel;
@@ -64,10 +64,11 @@ void walk_spans(const StripTarget& target, const RasterVertex& a, const RasterVe
 }
 
 /// The spans of a whole triangle in the rows of a piece of it, from above to below.
-template <class Integer>
+template <class Narrow>
 class WholeSpans {
  public:
-  WholeSpans(const RasterVertex& a, const RasterVertex& b, const RasterVertex& c) : sorted_{&a, &b, &c} {
+  WholeSpans(const RasterVertex& a, const RasterVertex& b, const RasterVertex& c, Narrow narrow)
+      : sorted_{&a, &b, &c}, narrow_(narrow) {
     sort_by_row(sorted_[0], sorted_[1], sorted_[2]);
     middle_is_right_ = signed_area(*sorted_[0], *sorted_[1], *sorted_[2]) < 0;
   }
@@ -87,15 +88,16 @@ class WholeSpans {
   }
 
  private:
-  EdgeWalk<Integer> walk(std::int32_t from, std::int32_t to, std::int32_t row) const {
+  EdgeWalk walk(std::int32_t from, std::int32_t to, std::int32_t row) const {
     const RasterVertex &a = *sorted_[from], &b = *sorted_[to];
-    return EdgeWalk<Integer>(a.x, a.y, b.x, b.y, row);
+    return EdgeWalk(a.x, a.y, b.x, b.y, row, narrow_);
   }
 
   const RasterVertex* sorted_[3];
   bool middle_is_right_;
   std::int32_t half_ = -1, row_ = 0;
-  EdgeWalk<Integer> long_, short_;
+  EdgeWalk long_, short_;
+  [[no_unique_address]] Narrow narrow_;
 };
 
 /// Calls draw(run) for the parts of a span that the method has not found hidden.
@@ -157,10 +159,8 @@ struct SpanTriangle {
         };
         if constexpr (!in_runs) {
           walk_with(Unsplit{});
-        } else if (narrow) {
-          walk_with(WholeSpans<std::int32_t>(v0, v1, v2));
         } else {
-          walk_with(WholeSpans<std::int64_t>(v0, v1, v2));
+          walk_with(WholeSpans(v0, v1, v2, narrow));
         }
       });
     } else {
@@ -194,10 +194,7 @@ struct SpanTriangle {
         depth.for_each_run(span, fill_run);
       }
     };
-    if constexpr (!std::is_same_v<Narrow, std::true_type>) {
-      if (!narrow) return walk_spans<std::int64_t>(target, a, b, c, fill_row);
-    }
-    walk_spans<std::int32_t>(target, a, b, c, fill_row);
+    walk_spans(target, a, b, c, narrow, fill_row);
   }
 
   std::int64_t area;
