@@ -63,7 +63,7 @@ TEST(Division, ByDigitsAndByBitsAreTheQuotient) {
     ASSERT_EQ(by_digits.rest, numerator % divisor) << numerator << " / " << divisor;
   };
   std::mt19937_64 random(4);
-  const auto any = [&random](int most_bits) { return random() >> (64 - 1 - random() % most_bits); };
+  const auto any = [&random](std::uint64_t most_bits) { return random() >> (63 - random() % most_bits); };
   for (int i = 0; i < 1000000; ++i) {
     const auto divisor = static_cast<std::uint32_t>(std::max<std::uint64_t>(1, any(32)));
     const auto quotient = static_cast<std::uint32_t>(any(32));
