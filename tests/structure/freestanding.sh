@@ -40,17 +40,19 @@ else
   if [ -z "${ZSTRIP_LONG-}" ] && [ "$(($(date +%s) / 86400 % 8))" != 0 ]; then few=yes; fi
   find "$root/core/zstrip" "$root/hal/zstrip_hal" -name '*.cpp' -printf '%h\n' | sort -u >"$objects/sources"
 fi
-# compile SOURCE-OR-FOLDER COMPILER FLAGS...
+# compile SOURCE-OR-FOLDER COMPILER FLAGS...: a header alone makes no code, it is only read.
 compile() {
-  local source=$1 included
+  local source=$1 included output=()
   shift
+  output=(-o "$objects/$(tr / _ <<<"${source#"$root"/}").o" -c)
+  case $source in *.hpp) output=(-fsyntax-only) ;; esac
   if [ -d "$source" ]; then
     included=$(printf '#include "%s"\n' "$source"/*.cpp | grep -vE "/(no_seldom_rows${few:+|any_pipeline|rows_of_[a-z]*})\.cpp\"")
   else
     included="#include \"$source\""
   fi
   "$@" -std=c++20 -O0 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wall -Wextra -Werror \
-    -I"$root/core" -I"$root/hal" -o "$objects/$(tr / _ <<<"${source#"$root"/}").o" -c -x c++ - <<<"$included"
+    -I"$root/core" -I"$root/hal" "${output[@]}" -x c++ - <<<"$included"
 }
 export root objects few
 export -f compile
