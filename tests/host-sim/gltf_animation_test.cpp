@@ -12,10 +12,11 @@ namespace {
 
 /// A square of side 2 in a node at rest, and another in a child of the node "arm", which the animation "swing" moves:
 /// two keys, at 0 and 2 seconds, of `path`, `values` floats each.
-std::string swinging(const std::string& path, const std::string& interpolation, const std::vector<float>& values) {
+std::string swinging(const std::string& path, const std::string& interpolation, const std::vector<float>& values,
+                     const std::vector<float>& key_times = {0, 2}) {
   const std::string corners = floats({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0});
   const std::string triangles("\0\0\1\0\2\0\0\0\2\0\3\0", 12);
-  const std::string times = floats({0, 2});
+  const std::string times = floats(key_times);
   const std::string keys = floats(values);
   const std::string buffer = corners + triangles + times + keys;
   const auto view = [](std::size_t at, std::size_t size) {
@@ -76,6 +77,29 @@ TEST_F(GltfAnimation, ThatMorphsIsDrawnAtRestAndSaid) {
   ASSERT_TRUE(stage);
   ASSERT_EQ(stage->warnings().size(), 1U);
   EXPECT_NE(stage->warnings()[0].find("morph targets drawn at rest"), std::string::npos) << stage->warnings()[0];
+}
+
+TEST_F(GltfAnimation, KeysThatAreLeftOutAreSaid) {
+  const float nan = std::nanf("");
+  for (const std::vector<float>& times : {std::vector<float>{2, 0}, {2, 2}, {nan, 2}}) {
+    const auto stage = opened(swinging("translation", "LINEAR", {0, 0, 0, 0, 4, 0}, times));
+    ASSERT_TRUE(stage);
+    ASSERT_EQ(stage->warnings().size(), 1U);
+    EXPECT_EQ(stage->warnings()[0], "animation 'swing': 1 key left out, no number or not later than the one before");
+  }
+  EXPECT_TRUE(opened(swinging("translation", "LINEAR", {0, 0, 0, 0, 4, 0}))->warnings().empty());
+}
+
+TEST_F(GltfAnimation, OfNodesAndInterpolationsThatDoNotExistIsDamaged) {
+  const auto reason = [this](const std::string& content) {
+    const auto stage = open_stage(file("model.gltf", content), {}, {}, {320, 240}, 8);
+    return stage ? "" : stage.failure().message;
+  };
+  const std::string bends = swinging("translation", "BEND", {0, 0, 0, 0, 4, 0});
+  EXPECT_NE(reason(bends).find("an interpolation that does not exist"), std::string::npos);
+  std::string nowhere = swinging("translation", "LINEAR", {0, 0, 0, 0, 4, 0});
+  nowhere.replace(nowhere.find("\"node\":1"), 8, "\"node\":9");
+  EXPECT_NE(reason(nowhere).find("a node that does not exist"), std::string::npos);
 }
 
 TEST_F(GltfAnimation, TranslationIsLinear) {

@@ -19,6 +19,8 @@ struct Eel {
   static constexpr std::size_t kRings = 17, kJoints = 9;
   static constexpr double kSeconds = 2, kBend = 0.3, kScale = 0.01;
   bool animated = true;
+  float first_weight = 1;  ///< of the first corner and its joint
+  float first_bind = 1;    ///< a factor of x in the first joint's matrix
 
   static std::array<double, 3> corner(std::size_t ring, std::size_t side) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(side) / 3;
@@ -60,6 +62,7 @@ std::string Eel::gltf() const {
       for (const double c : corner(ring, side)) positions.push_back(static_cast<float>(c));
       const auto [joint, share] = weights(ring);
       weight_values.insert(weight_values.end(), {static_cast<float>(1 - share), static_cast<float>(share), 0, 0});
+      if (ring + side == 0) weight_values[0] = first_weight;
       joint_bytes += {static_cast<char>(joint), static_cast<char>(std::min(joint + 1, kJoints - 1)), 0, 0};
       if (ring + 1 == kRings) continue;
       const std::size_t a = 3 * ring + side, b = 3 * ring + (side + 1) % 3;
@@ -76,6 +79,7 @@ std::string Eel::gltf() const {
   for (std::size_t i = 0; i < kJoints; ++i) {
     binds.insert(binds.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -200 * static_cast<float>(i), 0, 0, 1});
   }
+  binds[0] = first_bind;
   add(floats(binds), R"("componentType":5126,"count":)" + json_of(kJoints) + R"(,"type":"MAT4")");
   add(floats(times), R"("componentType":5126,"count":2,"type":"SCALAR","min":[0],"max":[2])");
   std::string samplers, channels, nodes, joints;
@@ -205,6 +209,22 @@ TEST_F(GltfSkin, WithoutAnAnimationStandsWhereItsJointsAre) {
   const Result<Staging> staging = stage->place(0, 1);
   ASSERT_TRUE(staging);
   EXPECT_LT(farthest(corners(*stage, staging->scene), 0), kTolerance);
+}
+
+TEST_F(GltfSkin, WeightsAndMatricesThatAreLeftOutAreSaid) {
+  const float nan = std::nanf("");
+  for (const float weight : {-0.5F, nan, HUGE_VALF}) {
+    const auto stage = opened({.first_weight = weight});
+    ASSERT_TRUE(stage);
+    ASSERT_EQ(stage->warnings().size(), 1U) << weight;
+    EXPECT_EQ(stage->warnings()[0], "1 corner of skins: weights left out that are negative or not finite");
+  }
+  for (const float factor : {0.0F, nan}) {  // two rings have the first joint
+    const auto stage = opened({.first_bind = factor});
+    ASSERT_TRUE(stage);
+    ASSERT_EQ(stage->warnings().size(), 1U) << factor;
+    EXPECT_EQ(stage->warnings()[0], "6 corners of skins: joints left out whose matrix has no inverse");
+  }
 }
 
 /// The camera of all frames has every frame inside.

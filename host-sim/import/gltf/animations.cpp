@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "import/gltf/document.hpp"
 #include "motion/fitted_animation.hpp"
+#include "report/number.hpp"
 #include "report/text.hpp"
 
 namespace zstrip::sim {
@@ -58,9 +60,9 @@ Value value_at(const GltfValues<float>& values, std::size_t index) {
   return value;
 }
 
-/// Keys that are no numbers, or not later than the one before, are left out.
+/// Keys that are no numbers, or not later than the one before, are left out and counted.
 template <typename Value>
-Result<Curve<Value>> read_curve(const GltfJson& sampler, GltfAccessors& accessors) {
+Result<Curve<Value>> read_curve(const GltfJson& sampler, GltfAccessors& accessors, std::uint64_t& left_out) {
   const std::optional<std::size_t> input = index_in(sampler, "input"), output = index_in(sampler, "output");
   if (!input || !output) return gltf_damaged("a sampler of an animation lacks its accessors");
   const Result<GltfValues<float>> times = accessors.floats(*input);
@@ -68,6 +70,9 @@ Result<Curve<Value>> read_curve(const GltfJson& sampler, GltfAccessors& accessor
   const Result<GltfValues<float>> values = accessors.floats(*output);
   if (!values) return values.failure();
   const std::string word = text_in(sampler, "interpolation");
+  if (!word.empty() && word != "LINEAR" && word != "STEP" && word != "CUBICSPLINE") {
+    return gltf_damaged("a sampler of an animation has an interpolation that does not exist");
+  }
   Curve<Value> curve;
   if (word == "STEP") curve.interpolation = Interpolation::step;
   if (word == "CUBICSPLINE") curve.interpolation = Interpolation::cubic_spline;
@@ -79,7 +84,10 @@ Result<Curve<Value>> read_curve(const GltfJson& sampler, GltfAccessors& accessor
   for (std::size_t i = 0; i < keys; ++i) {
     const double time = double{times->numbers[i]};
     const Value value = value_at<Value>(*values, each * i + each / 2);
-    if (!std::isfinite(time) || !is_usable(value) || (!curve.times.empty() && time <= curve.times.back())) continue;
+    if (!std::isfinite(time) || !is_usable(value) || (!curve.times.empty() && time <= curve.times.back())) {
+      ++left_out;
+      continue;
+    }
     curve.times.push_back(time);
     curve.values.push_back(value);
     if (!spline) continue;
@@ -94,27 +102,31 @@ Result<Curve<Value>> read_curve(const GltfJson& sampler, GltfAccessors& accessor
 }
 
 template <typename Value>
-Result<Done> set_curve(const GltfJson& sampler, GltfAccessors& accessors, Curve<Value>& curve) {
-  Result<Curve<Value>> read = read_curve<Value>(sampler, accessors);
+Result<Done> set_curve(const GltfJson& sampler, GltfAccessors& accessors, Curve<Value>& curve,
+                       std::uint64_t& left_out) {
+  Result<Curve<Value>> read = read_curve<Value>(sampler, accessors, left_out);
   if (!read) return read.failure();
   curve = std::move(*read);
   return Done{};
 }
 
-Result<NodeAnimation> read_animation(const GltfJson& from, GltfAccessors& accessors, const GltfNodes& nodes) {
+Result<NodeAnimation> read_animation(const GltfJson& from, GltfAccessors& accessors, const GltfNodes& nodes,
+                                     std::uint64_t& left_out) {
   NodeAnimation animation;
   animation.name = text_in(from, "name");
   std::map<std::size_t, NodeCurves> moved;
   for (std::size_t k = 0; k < count_of(from, "channels"); ++k) {
     const GltfJson& channel = element(member(from, "channels"), k);
+    const std::optional<std::size_t> node = index_in(member(channel, "target"), "node");
+    if (node && *node >= nodes.size()) return gltf_damaged("an animation moves a node that does not exist");
     const std::optional<Target> target = target_of(channel, nodes.size());
     if (!target || nodes.mover_of(target->node) == kNoNode) continue;
     const GltfJson& sampler =
         element(member(from, "samplers"), index_in(channel, "sampler").value_or(static_cast<std::size_t>(-1)));
     Result<Done> done = Done{};
-    if (target->path == "translation") done = set_curve(sampler, accessors, moved[target->node].translation);
-    if (target->path == "rotation") done = set_curve(sampler, accessors, moved[target->node].rotation);
-    if (target->path == "scale") done = set_curve(sampler, accessors, moved[target->node].scale);
+    if (target->path == "translation") done = set_curve(sampler, accessors, moved[target->node].translation, left_out);
+    if (target->path == "rotation") done = set_curve(sampler, accessors, moved[target->node].rotation, left_out);
+    if (target->path == "scale") done = set_curve(sampler, accessors, moved[target->node].scale, left_out);
     if (!done) return done.failure();
   }
   for (auto& [node, curves] : moved) {
@@ -142,10 +154,14 @@ bool animations_morph(const GltfJson& json) {
 
 Result<Done> read_gltf_animations(const GltfJson& json, GltfAccessors& accessors, const GltfNodes& nodes,
                                   SourceModel& model) {
-  if (model.nodes.nodes.empty()) return Done{};
   for (std::size_t i = 0; i < count_of(json, "animations"); ++i) {
-    Result<NodeAnimation> read = read_animation(element(member(json, "animations"), i), accessors, nodes);
+    std::uint64_t left_out = 0;
+    Result<NodeAnimation> read = read_animation(element(member(json, "animations"), i), accessors, nodes, left_out);
     if (!read) return read.failure();
+    if (left_out > 0) {
+      model.warnings.push_back(fmt::format("animation '{}': {} left out, no number or not later than the one before",
+                                           printable(read->name), counted(left_out, "key")));
+    }
     const std::set<double> times = key_times(*read);
     if (times.empty() || !(*times.rbegin() > 0)) continue;
     read->duration = *times.rbegin();

@@ -72,6 +72,7 @@ Result<std::vector<std::vector<GltfSkins::Influence>>> GltfSkins::read_influence
                                                                                   std::size_t vertices,
                                                                                   std::size_t binds) {
   std::vector<std::vector<Influence>> influences(vertices);
+  std::vector<bool> unweighted(vertices);
   for (std::size_t set = 0;; ++set) {
     const std::string of_joints = fmt::format("JOINTS_{}", set), of_weights = fmt::format("WEIGHTS_{}", set);
     if (!primitive.has(of_joints) || !primitive.has(of_weights)) break;
@@ -82,6 +83,7 @@ Result<std::vector<std::vector<GltfSkins::Influence>>> GltfSkins::read_influence
     for (std::size_t i = 0; i < vertices; ++i) {
       for (std::size_t k = 0; k < 4; ++k) {
         const double weight = double{weights->at(i)[k]};
+        if (!(weight >= 0) || !std::isfinite(weight)) unweighted[i] = true;
         if (!(weight > 0) || !std::isfinite(weight)) continue;
         const std::size_t joint = joints->at(i)[k];
         if (joint + 1 >= binds) return gltf_damaged("a mesh has a joint that its skin lacks");
@@ -89,6 +91,7 @@ Result<std::vector<std::vector<GltfSkins::Influence>>> GltfSkins::read_influence
       }
     }
   }
+  unweighted_ += static_cast<std::uint64_t>(std::ranges::count(unweighted, true));
   return influences;
 }
 
@@ -163,7 +166,7 @@ Result<SkinnedPrimitive> GltfSkins::read(const GltfAttributes& primitive, std::s
   std::vector<bool> usable(own);
   for (std::size_t i = 0; i < own; ++i) usable[i] = has_inverse(to_file(i));
   for (std::vector<Influence>& each : *influences) {
-    std::erase_if(each, [&](const Influence& influence) { return !usable[influence.bind]; });
+    if (std::erase_if(each, [&](const Influence& influence) { return !usable[influence.bind]; }) > 0) ++unmoved_;
     if (each.empty()) each.push_back({own, 1});
   }
   const bool moves = std::any_of(binds->nodes.begin(), binds->nodes.end() - 1,
@@ -198,6 +201,14 @@ Result<SkinnedPrimitive> GltfSkins::read(const GltfAttributes& primitive, std::s
 }
 
 void GltfSkins::warn() const {
+  if (unweighted_ > 0) {
+    model_.warnings.push_back(
+        fmt::format("{} of skins: weights left out that are negative or not finite", counted(unweighted_, "corner")));
+  }
+  if (unmoved_ > 0) {
+    model_.warnings.push_back(
+        fmt::format("{} of skins: joints left out whose matrix has no inverse", counted(unmoved_, "corner")));
+  }
   if (weakened_ > 0) {
     model_.warnings.push_back(
         fmt::format("{} moved by the strongest four of their joints", counted(weakened_, "corner")));

@@ -51,8 +51,8 @@ class GltfSkins {
   };
 
   Result<Binds> read_binds(const GltfJson& skin, std::size_t node);
-  static Result<std::vector<std::vector<Influence>>> read_influences(const GltfAttributes& primitive,
-                                                                     std::size_t vertices, std::size_t binds);
+  Result<std::vector<std::vector<Influence>>> read_influences(const GltfAttributes& primitive, std::size_t vertices,
+                                                              std::size_t binds);
   std::size_t joint_of_node(std::int32_t node);
   std::size_t joint_with(std::size_t node, const Affine& inverse_bind, const Affine& modelled);
   SkinnedVertex strongest(const std::vector<Influence>& influences, const std::vector<std::size_t>& joints);
@@ -61,8 +61,10 @@ class GltfSkins {
   GltfAccessors& accessors_;
   const GltfNodes& nodes_;
   SourceModel& model_;
-  std::uint64_t weakened_ = 0;  ///< vertices that more than four joints move
-  std::uint64_t still_ = 0;     ///< meshes that need too many joints
+  std::uint64_t unweighted_ = 0;  ///< vertices with a weight that is negative or no number
+  std::uint64_t unmoved_ = 0;     ///< vertices of a joint whose matrix has no way back
+  std::uint64_t weakened_ = 0;    ///< vertices that more than four joints move
+  std::uint64_t still_ = 0;       ///< meshes that need too many joints
 };
 
 }  // namespace zstrip::sim
