@@ -3,11 +3,17 @@
 #include "zstrip/kernels/thumb/small_run.hpp"
 
 #include "zstrip/kernels/thumb/small_layout.hpp"
+#include "zstrip/kernels/thumb/small_triangle.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"
 
 namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
+
+// What the assembly calls. With link time optimisation the linker takes from an archive only what C++ names; no program
+// keeps these.
+[[gnu::used]] static constexpr auto* kSetUp = &set_up_small_thumb;
+[[gnu::used]] static constexpr auto* kScan = &scan_small_thumb;
 
 // r8 the vertices, r9 the next triangle, r10 how many are left, r11 the run. On the stack: the count.
 [[gnu::naked]] std::uint32_t draw_small_run_thumb(ThumbSmallRun&, const Triangle*, std::uint32_t) {

@@ -3,10 +3,16 @@
 #include "zstrip/kernels/thumb/small_run.hpp"
 
 #include "zstrip/kernels/thumb/small_layout.hpp"
+#include "zstrip/kernels/thumb/small_triangle.hpp"
 
 namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB2
+
+// What the assembly calls. With link time optimisation the linker takes from an archive only what C++ names; no program
+// keeps these.
+[[gnu::used]] static constexpr auto* kSetUp = &set_up_small_thumb;
+[[gnu::used]] static constexpr auto* kScan = &scan_small_thumb;
 
 // r0 the run, r10 the next triangle, r11 its vertices, lr how many triangles are left; r1 to r3 the indices of a
 // triangle's vertices, then their addresses. On the stack: what was left of the count, and the count.
