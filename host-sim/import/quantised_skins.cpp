@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "import/quantise.hpp"
 
@@ -86,6 +88,23 @@ bool to_transform(const Affine& from, Transform& to) {
   return true;
 }
 
+/// Whether some joint turns or changes its size between two poses by so much that the way between is not near both.
+bool are_far_apart(const std::vector<Affine>& from, const std::vector<Affine>& to) {
+  constexpr double kFar = 0.35;  // a turn by 20 degrees
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      double square = 0, change = 0;
+      for (std::size_t row = 0; row < 3; ++row) {
+        const double a = from[i].m[row][column], b = to[i].m[row][column];
+        square += a * a;
+        change += (b - a) * (b - a);
+      }
+      if (change > kFar * kFar * square) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 SourceBox box_of_poses(const SourceModel& source, const SourceMesh& mesh) {
@@ -100,6 +119,7 @@ SourceBox box_of_poses(const SourceModel& source, const SourceMesh& mesh) {
       if (!is_empty(boxes[i]))
         for_each_corner(boxes[i], [&](const Vector& corner) { include(box, places[i] * corner); });
     }
+    return places;
   };
   include_pose(nullptr, 0);
   for (const NodeAnimation& animation : source.nodes.animations) {
@@ -107,7 +127,17 @@ SourceBox box_of_poses(const SourceModel& source, const SourceMesh& mesh) {
     constexpr double kMaxSampledTimes = 20000;
     const double count = std::min(kMaxSampledTimes, std::ceil(animation.duration * 60));
     for (double i = 0; i <= count; ++i) times.insert(animation.duration * i / count);
-    for (const double seconds : times) include_pose(&animation, seconds);
+    double before = 0;
+    std::vector<Affine> last;
+    for (const double seconds : times) {
+      std::vector<Affine> places = include_pose(&animation, seconds);
+      constexpr int kSteps = 16;  // of half a turn at most, from one key to the next
+      if (!last.empty() && are_far_apart(last, places)) {
+        for (int i = 1; i < kSteps; ++i) include_pose(&animation, before + (seconds - before) * i / kSteps);
+      }
+      before = seconds;
+      last = std::move(places);
+    }
   }
   return box;
 }

@@ -227,6 +227,45 @@ TEST_F(GltfSkin, WeightsAndMatricesThatAreLeftOutAreSaid) {
   }
 }
 
+/// A needle along x whose joint turns by 340 degrees about z in a tenth of a second, by three keys.
+std::string fast_needle() {
+  const std::string corners = floats({0, 0, 0, 1, 0, 0, 0, 0.001F, 0}), joints(12, '\0');
+  const std::string weights = floats({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}), triangle("\0\0\1\0\2\0\0\0", 8);
+  const std::string times = floats({0, 0.05F, 0.1F});
+  const auto sine = [](double degrees) { return static_cast<float>(std::sin(degrees * std::numbers::pi / 180)); };
+  const std::string turns = floats({0, 0, 0, 1, 0, 0, sine(85), sine(5), 0, 0, sine(170), sine(-80)});
+  std::string buffer, views, accessors;
+  const auto add = [&](const std::string& bytes, const std::string& what) {
+    const std::string comma = views.empty() ? "" : ",";
+    accessors += comma + R"({"bufferView":)" + json_of(static_cast<std::size_t>(std::ranges::count(views, '{'))) + what;
+    views += comma + R"({"buffer":0,"byteOffset":)" + json_of(buffer.size()) + R"(,"byteLength":)" +
+             json_of(bytes.size()) + "}";
+    buffer += bytes;
+  };
+  add(corners, R"(,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,0.001,0]})");
+  add(joints, R"(,"componentType":5121,"count":3,"type":"VEC4"})");
+  add(weights, R"(,"componentType":5126,"count":3,"type":"VEC4"})");
+  add(triangle, R"(,"componentType":5123,"count":3,"type":"SCALAR"})");
+  add(times, R"(,"componentType":5126,"count":3,"type":"SCALAR","min":[0],"max":[0.1]})");
+  add(turns, R"(,"componentType":5126,"count":3,"type":"VEC4"})");
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0,"skin":0},{}],)"
+         R"("skins":[{"joints":[1]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2},)"
+         R"("indices":3}]}],"animations":[{"channels":[{"sampler":0,"target":{"node":1,"path":"rotation"}}],)"
+         R"("samplers":[{"input":4,"output":5}]}],"accessors":[)" +
+         accessors + R"(],"bufferViews":[)" + views + R"(],"buffers":[{"byteLength":)" + json_of(buffer.size()) +
+         R"(,"uri":"data:application/octet-stream;base64,)" + base64(buffer) + "\"}]}";
+}
+
+TEST_F(GltfSkin, FastTurnsStayInTheirBox) {
+  const Result<std::unique_ptr<Stage>> stage = open_stage(file("needle.gltf", fast_needle()), {}, {}, {320, 240}, 100);
+  ASSERT_TRUE(stage) << stage.failure().message;
+  ASSERT_TRUE((*stage)->bends());
+  for (std::uint32_t frame = 0; frame < 100; ++frame) {
+    const Result<Staging> staging = (*stage)->place(frame, 100);
+    ASSERT_TRUE(staging) << staging.failure().message;
+  }
+}
+
 /// The camera of all frames has every frame inside.
 TEST_F(GltfSkin, EveryFrameIsInThePicture) {
   const auto stage = opened({});
