@@ -32,11 +32,11 @@ double to_number(const GltfJson& json, double otherwise);
 std::optional<std::size_t> to_index(const GltfJson& json);
 
 /// A member that is an array of so many finite numbers.
-template <std::size_t kCount>
-std::array<double, kCount> numbers_in(const GltfJson& json, const char* key, std::array<double, kCount> otherwise) {
+template <std::size_t count>
+std::array<double, count> numbers_in(const GltfJson& json, const char* key, std::array<double, count> otherwise) {
   const GltfJson& array = member(json, key);
-  if (!array.is_array() || array.size() != kCount) return otherwise;
-  for (std::size_t i = 0; i < kCount; ++i) otherwise[i] = to_number(array[i], otherwise[i]);
+  if (!array.is_array() || array.size() != count) return otherwise;
+  for (std::size_t i = 0; i < count; ++i) otherwise[i] = to_number(array[i], otherwise[i]);
   return otherwise;
 }
 
