@@ -57,10 +57,12 @@ inline void expect_only(const std::string& program, Effects effects) {
     }
     // Rasterisers and vertices are made for what they ask for. A FixedRenderer is named by what no scene calls for.
     const Effects colours = effect::lighting | effect::vertex_colours;
+    // Of operands of CSG both sides are drawn, so that they are clipped for both.
+    const Effects sides = effects.has(effect::csg) ? effect::two_sided : Effects{};
     constexpr Effects kMore = effect::unclipped | effect::bins | effect::depth_formats | effect::perspective_runs;
     EXPECT_TRUE(made_for == effects || made_for == detail::raster_effects(effects) ||
-                made_for == detail::clip_effects(effects) || made_for == (effects & colours) ||
-                made_for == (effects & kMore))
+                made_for == detail::clip_effects(effects) || made_for == (detail::clip_effects(effects) | sides) ||
+                made_for == (effects & colours) || made_for == (effects & kMore))
         << program << ' ' << made_for.bits;
   }
   constexpr int kFlat = 0, kGouraud = 1, kTextured = 2, kTexturedFlat = 3, kTexturedGouraud = 4;

@@ -82,7 +82,7 @@ TEST(Budget, NoneIsWithoutItsProgram) {
 TEST(Budget, NamesTheLargestSymbols) {
   const std::string lines = largest_symbols(file_of(targets().front(), kBinaries));
   EXPECT_NE(lines.find("  flash, "), std::string::npos) << lines;
-  EXPECT_NE(lines.find("draw_span_triangle"), std::string::npos) << lines;
+  EXPECT_NE(lines.find("draw_narrow_spans"), std::string::npos) << lines;
   EXPECT_NE(lines.find("  RAM, "), std::string::npos) << lines;
 }
 
