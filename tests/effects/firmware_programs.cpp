@@ -9,6 +9,7 @@
 #include "reader_name.hpp"
 #include "targets.hpp"
 #include "zstrip/plan.hpp"
+#include "zstrip_scenes/in_front.hpp"
 #include "zstrip_scenes/scenes.hpp"
 
 namespace effects_test {
@@ -24,13 +25,13 @@ struct Other {
   Effects chosen{};
 };
 const std::vector<Other> kOthers = {
-    {"my_board_", {"teapot_meshlets"}},
-    {"lm3s6965evb_stuck_bus", {"teapot"}},
+    {"my_board_", {"teapot_meshlets"}, effect::unclipped},
+    {"lm3s6965evb_stuck_bus", {"teapot"}, effect::unclipped},
     {"lm3s6965evb_display_test", {}},
-    {"riscv_virt_teapot", {"teapot"}},
+    {"riscv_virt_teapot", {"teapot"}, effect::unclipped},
     {"riscv_virt_room", {"room"}, quality::exact.effects},
     {"riscv_virt_fault", {}},
-    {"versatilepb_teapot_qvga", {"teapot"}},
+    {"versatilepb_teapot_qvga", {"teapot"}, effect::unclipped},
     {"versatilepb_room_vga", {"room"}, quality::exact.effects},
     {"versatilepb_fault_qvga", {}},
     {"pipeline_k5_", {"knot"}},
@@ -51,6 +52,9 @@ Effects effects_of_program(const std::string& name) {
   for (const budget::Target& target : budget::targets()) {
     if (name != target.program) continue;
     effects = effects | budget::effects_of(target);
+    // What turns in front of the camera is drawn without clipping.
+    const scenes::BuiltIn* const turned = target.report == budget::Report::bench ? nullptr : scenes::find(target.scene);
+    if (turned != nullptr && scenes::stays_in_front(*turned, target.view)) effects = effects | effect::unclipped;
     known = true;
   }
   for (const Other& other : kOthers) {
