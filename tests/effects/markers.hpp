@@ -65,6 +65,7 @@ inline constexpr Marker kMarkers[] = {
     {effect::bins, "zstrip::detail::Bins::append("},
     {effect::shade_flat | effect::shadows | effect::csg, "zstrip::detail::draw_span_triangle<(zstrip::detail::Shade)0"},
     {effect::gouraud, "zstrip::detail::draw_span_triangle<(zstrip::detail::Shade)1"},
+    {effect::gouraud, "::draw_narrow_spans<(zstrip::detail::Shade)1"},  // where the one above is inlined
     {effect::shade_textured, "zstrip::detail::draw_span_triangle<(zstrip::detail::Shade)2"},
     {effect::shade_textured_flat, "zstrip::detail::draw_span_triangle<(zstrip::detail::Shade)3"},
     {effect::shade_textured_gouraud, "zstrip::detail::draw_span_triangle<(zstrip::detail::Shade)4"},
