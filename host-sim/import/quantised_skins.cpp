@@ -114,7 +114,7 @@ SourceBox box_of_poses(const SourceModel& source, const SourceMesh& mesh) {
   }
   const std::vector<SourceBox> boxes = boxes_of_joints(source, mesh);
   const auto include_pose = [&](const NodeAnimation* animation, double seconds) {
-    const std::vector<Affine> places = places_of(source, animation, seconds);
+    std::vector<Affine> places = places_of(source, animation, seconds);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       if (!is_empty(boxes[i]))
         for_each_corner(boxes[i], [&](const Vector& corner) { include(box, places[i] * corner); });

@@ -152,8 +152,10 @@ Result<Done> replace_elements(GltfBuffers& buffers, const GltfJson& sparse, Layo
     return gltf_damaged(fmt::format("{} is sparse in a way that does not fit it", name));
   }
   Layout indices{.bytes = {}, .component = *component, .shape = {}};
-  if (const Result<Done> done = place(buffers, member(sparse, "indices"), count, name, indices); !done) return done;
-  if (const Result<Done> done = place(buffers, member(sparse, "values"), count, name, layout); !done) return done;
+  if (const Result<Done> done = place(buffers, member(sparse, "indices"), count, name, indices); !done)
+    return done.failure();
+  if (const Result<Done> done = place(buffers, member(sparse, "values"), count, name, layout); !done)
+    return done.failure();
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t index = indices.number<std::uint32_t>(i, 0, 0);
     if (index >= values.count()) return gltf_damaged(fmt::format("{} lists an element that it does not have", name));

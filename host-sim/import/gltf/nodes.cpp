@@ -111,7 +111,7 @@ void GltfNodes::set_moved(const std::set<std::size_t>& moved, const Affine& turn
     for (Place& place : nodes_) place.mover = kNoNode;
   };
   std::vector<Open> open;
-  for (auto root = roots_.rbegin(); root != roots_.rend(); ++root) open.push_back({*root, kNoNode, turn, 0});
+  for (std::size_t i = roots_.size(); i-- > 0;) open.push_back({roots_[i], kNoNode, turn, 0});
   while (!open.empty()) {
     Open at = open.back();
     open.pop_back();
@@ -128,8 +128,8 @@ void GltfNodes::set_moved(const std::set<std::size_t>& moved, const Affine& turn
       at.before = at.before * place.local;
     }
     place.mover = at.mover;
-    for (auto child = place.children.rbegin(); child != place.children.rend(); ++child) {
-      open.push_back({*child, at.mover, at.before, at.depth});
+    for (std::size_t i = place.children.size(); i-- > 0;) {
+      open.push_back({place.children[i], at.mover, at.before, at.depth});
     }
   }
 }

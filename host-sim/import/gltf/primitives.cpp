@@ -148,8 +148,8 @@ Result<Done> GltfPrimitives::add_morphs(const GltfJson& mesh, const GltfJson& pr
       }
       return Done{};
     };
-    if (const Result<Done> done = add("POSITION", vertices.positions); !done) return done;
-    if (const Result<Done> done = add("NORMAL", vertices.normals); !done) return done;
+    if (const Result<Done> done = add("POSITION", vertices.positions); !done) return done.failure();
+    if (const Result<Done> done = add("NORMAL", vertices.normals); !done) return done.failure();
   }
   return Done{};
 }
