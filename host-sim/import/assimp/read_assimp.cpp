@@ -95,7 +95,7 @@ Result<Done> Collector::collect() {
     open.pop_back();
     for (const unsigned index : std::span(node->mMeshes, node->mNumMeshes)) {
       if (index >= scene_.mNumMeshes) continue;
-      if (const Result<Done> added = add(*scene_.mMeshes[index], transform); !added) return added;
+      if (const Result<Done> added = add(*scene_.mMeshes[index], transform); !added) return added.failure();
     }
     // In reverse, so that children come off the stack in the file's order.
     for (unsigned child = node->mNumChildren; child-- > 0;) {
