@@ -2,8 +2,6 @@
 #include "usage.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -15,6 +13,7 @@
 #include "call_graph.hpp"
 #include "elf_file.hpp"
 #include "reader_name.hpp"
+#include "tool_output.hpp"
 #include "zstrip_scenes/scenes.hpp"
 #include "zstrip_scenes/showroom.hpp"
 
@@ -22,14 +21,7 @@ namespace zstrip::budget {
 namespace {
 
 std::string disassembly_of(const std::filesystem::path& program) {
-  const std::string command = "arm-none-eabi-objdump -d --no-show-raw-insn '" + program.string() + "'";
-  FILE* const pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
-  std::string text;
-  std::array<char, 65536> buffer;
-  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), count);
-  if (pclose(pipe) != 0) throw std::runtime_error("failed: " + command);
-  return text;
+  return output_of("arm-none-eabi-objdump -d --no-show-raw-insn '" + program.string() + "'");
 }
 
 std::string contents(const std::filesystem::path& file) {

@@ -1,13 +1,13 @@
 // Asks addr2line.
 #include "inlined.hpp"
 
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <ios>
 #include <sstream>
 #include <stdexcept>
+
+#include "tool_output.hpp"
 
 namespace zstrip::flash {
 namespace {
@@ -26,14 +26,8 @@ Inlined read_inlined(const std::filesystem::path& program, const budget::ElfFile
   }
   addresses.close();
   if (!addresses) throw std::runtime_error("cannot write " + list);
-  const std::string command = "arm-none-eabi-addr2line -a -i -f -e '" + program.string() + "' <'" + list + "'";
-  FILE* const pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
-  std::string text;
-  std::array<char, 65536> buffer;
-  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), count);
-  if (pclose(pipe) != 0) throw std::runtime_error("failed: " + command);
-  return parse_inlined(text);
+  return parse_inlined(
+      budget::output_of("arm-none-eabi-addr2line -a -i -f -e '" + program.string() + "' <'" + list + "'"));
 }
 
 Inlined parse_inlined(const std::string& text) {

@@ -20,7 +20,8 @@ struct ClipVertex {
 /// Three corners and one more for each of the six planes.
 inline constexpr int kMaxPolygon = 9;
 
-/// The vertices, and room in which clipping moves them aside.
+/// The vertices, and room in which clipping moves them aside, the first one once more behind the last. Of nine, the
+/// i-th is read at 4 + i; before, 2 i at most are written, none from kMaxPolygon on.
 struct ClipPolygon {
   ClipVertex vertices[kMaxPolygon + 5];
   int count;  ///< at most kMaxPolygon
