@@ -35,13 +35,16 @@ std::string literal(const Material& m) {
   if (m.texture != kNoTexture) text += fmt::format(", .texture = {}", m.texture);
   const char* const smooth = m.smooth == Shading::pixel ? "zstrip::Shading::pixel" : m.smooth ? "true" : "false";
   text += fmt::format(", .lit = {}, .smooth = {}, .double_sided = {}", m.lit, smooth, m.double_sided);
+  // In the order of the declaration, as C++ wants designators.
   if (has_depth_state(m)) {
-    text += fmt::format(
-        ", .depth_test = zstrip::DepthTest{{{}}}, .depth_write = {}, .depth_bias = {}, .depth_slope_bias = {}, "
-        ".depth_bias_clamp = {}",
-        static_cast<int>(m.depth_test), m.depth_write, m.depth_bias, m.depth_slope_bias, m.depth_bias_clamp);
+    text += fmt::format(", .depth_test = zstrip::DepthTest{{{}}}, .depth_write = {}", static_cast<int>(m.depth_test),
+                        m.depth_write);
   }
   if (m.finish != kNoFinish) text += fmt::format(", .finish = {}", m.finish);
+  if (has_depth_state(m)) {
+    text += fmt::format(", .depth_bias = {}, .depth_slope_bias = {}, .depth_bias_clamp = {}", m.depth_bias,
+                        m.depth_slope_bias, m.depth_bias_clamp);
+  }
   return text + '}';
 }
 std::string literal(const Finish& f) {
