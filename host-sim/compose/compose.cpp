@@ -94,6 +94,11 @@ class Composer {
       for (const std::string& warning : composed_->models.back().warnings) {
         composed_->warnings.push_back(fmt::format("model '{}': {}", entry.name, warning));
       }
+      if (!composed_->models.back().lines.empty()) {
+        composed_->warnings.push_back(fmt::format(
+            "model '{}': its lines and points are left out; those of a scene file stand in [[lines]] and [[points]]",
+            entry.name));
+      }
       if (!composed_->models.back().skins.empty()) {
         composed_->warnings.push_back(fmt::format(
             "model '{}': its skin stands as it is at rest; zstrip render and bake of the model itself move it",

@@ -50,12 +50,20 @@ SourceMesh& MeshGroups::mesh_for(const SourcePrimitive& primitive) {
 
 Result<Done> MeshGroups::add(const SourcePrimitive& primitive) {
   triangles_seen_ += primitive.indices.size() / 3;
+  segments_seen_ += primitive.segments.size() / 2;
   vertices_ += primitive.vertices.size();
-  if (triangles_seen_ > kMaxTriangles || vertices_ > 3 * kMaxTriangles) {
-    return Failure{ExitStatus::input, fmt::format("has more than {} triangles; simplify the model", kMaxTriangles)};
+  if (triangles_seen_ + segments_seen_ > kMaxTriangles || vertices_ > 3 * kMaxTriangles) {
+    return Failure{ExitStatus::input,
+                   fmt::format("has more than {} triangles, lines and points; simplify the model", kMaxTriangles)};
   }
   if (primitive.vertex_alpha) ++vertex_alpha_;
   if (primitive.morphs) ++morphs_;
+  if (!primitive.indices.empty()) add_triangles(primitive);
+  if (!primitive.segments.empty()) add_segments(primitive);
+  return Done{};
+}
+
+void MeshGroups::add_triangles(const SourcePrimitive& primitive) {
   SourceMesh& group = mesh_for(primitive);
   const auto first = static_cast<std::uint32_t>(group.vertices.size());
   group.vertices.insert(group.vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
@@ -73,43 +81,57 @@ Result<Done> MeshGroups::add(const SourcePrimitive& primitive) {
     }
     if (!has_area(va, vb, vc)) continue;
     if (primitive.mirrored) std::swap(b, c);
-    ++triangles_kept_;
+    ++kept_;
     group.indices.insert(group.indices.end(), {first + a, first + b, first + c});
   }
-  return Done{};
+}
+
+void MeshGroups::add_segments(const SourcePrimitive& primitive) {
+  if (primitive.has_skin) {
+    bent_segments_ += primitive.segments.size() / 2;
+    return;
+  }
+  const auto [at, is_new] =
+      line_groups_.try_emplace({primitive.material, primitive.has_colours, primitive.node}, model_.lines.size());
+  if (is_new) {
+    SourceLines& lines = model_.lines.emplace_back();
+    lines.material = primitive.material;
+    lines.node = primitive.node;
+    lines.has_colours = primitive.has_colours;
+  }
+  SourceLines& group = model_.lines[at->second];
+  const auto first = static_cast<std::uint32_t>(group.vertices.size());
+  group.vertices.insert(group.vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
+  for (std::size_t i = 0; i + 1 < primitive.segments.size(); i += 2) {
+    const std::uint32_t a = primitive.segments[i], b = primitive.segments[i + 1];
+    const std::size_t count = primitive.vertices.size();
+    if (a >= count || b >= count || !is_finite(primitive.vertices[a]) || !is_finite(primitive.vertices[b])) {
+      ++bad_segments_;
+      continue;
+    }
+    ++kept_;
+    group.indices.insert(group.indices.end(), {first + a, first + b});
+  }
 }
 
 Result<Done> MeshGroups::finish() {
-  if (triangles_kept_ == 0 && triangles_seen_ > 0) {
+  if (kept_ == 0 && triangles_seen_ + segments_seen_ > 0) {
     return Failure{ExitStatus::input,
-                   "has no drawable triangle: none with finite corners and an area; repair the model"};
+                   "has no drawable triangle, line or point: none with finite corners and, of triangles, an area; "
+                   "repair the model"};
   }
-  if (triangles_kept_ == 0) {
-    return Failure{ExitStatus::input, "has no triangles, only points, lines or nothing; export it as a surface"};
-  }
-  if (not_finite_ > 0) {
-    model_.warnings.push_back(
-        fmt::format("{} left out: corners not finite (NaN or infinite)", counted(not_finite_, "triangle")));
-  }
-  if (bad_index_ > 0) {
-    model_.warnings.push_back(
-        fmt::format("{} left out: with vertices that do not exist", counted(bad_index_, "triangle")));
-  }
-  const auto warn_of = [this](std::uint64_t count, const char* what) {
-    if (count == 0) return;
-    model_.warnings.push_back(fmt::format("{} left out: only triangles of models are drawn", counted(count, what)));
+  if (kept_ == 0) return Failure{ExitStatus::input, "has no triangles, lines or points; export it as a surface"};
+  const auto warn_of = [this](std::uint64_t count, const char* what, const char* words) {
+    if (count > 0) model_.warnings.push_back(fmt::format("{} {}", counted(count, what), words));
   };
-  warn_of(lines_, "line");
-  warn_of(points_, "point");
-  if (vertex_alpha_ > 0) {
-    model_.warnings.push_back(
-        fmt::format("{} drawn without the alpha of its vertex colours", counted(vertex_alpha_, "mesh")));
-  }
-  if (morphs_ > 0) {
-    model_.warnings.push_back(fmt::format("{} with morph targets drawn at rest: only nodes and skins are animated",
-                                          counted(morphs_, "mesh")));
-  }
+  warn_of(not_finite_, "triangle", "left out: corners not finite (NaN or infinite)");
+  warn_of(bad_index_, "triangle", "left out: with vertices that do not exist");
+  warn_of(bad_segments_, "line", "left out: with vertices that do not exist, or are not finite");
+  warn_of(bent_segments_, "line", "left out: skins bend triangles only");
+  warn_of(vertex_alpha_, "mesh", "drawn without the alpha of its vertex colours");
+  warn_of(morphs_, "mesh", "with morph targets drawn at rest: only nodes and skins are animated");
   std::erase_if(model_.meshes, [](const SourceMesh& mesh) { return mesh.indices.empty(); });
+  std::erase_if(model_.lines, [](const SourceLines& lines) { return lines.indices.empty(); });
   return Done{};
 }
 

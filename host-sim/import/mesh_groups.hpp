@@ -11,7 +11,7 @@
 
 namespace zstrip::sim {
 
-/// Triangles of one material as a reader finds them; vertices are where SourceMesh has them.
+/// Triangles, lines and points of one material as a reader finds them; vertices are where SourceMesh has them.
 struct SourcePrimitive {
   std::uint32_t material = 0;   ///< index into SourceModel::materials
   std::int32_t node = kNoNode;  ///< as SourceMesh::node
@@ -20,7 +20,8 @@ struct SourcePrimitive {
   bool vertex_alpha = false;  ///< some vertex colours are transparent
   bool morphs = false;        ///< an animation would change its shape
   std::vector<SourceVertex> vertices;
-  std::vector<std::uint32_t> indices;  ///< three a triangle; any numbers
+  std::vector<std::uint32_t> indices;   ///< three a triangle; any numbers
+  std::vector<std::uint32_t> segments;  ///< two a line, twice the same for a point; any numbers
 };
 
 class MeshGroups {
@@ -29,27 +30,29 @@ class MeshGroups {
 
   /// Adds to the mesh of its kind what of it can be drawn. Fails beyond kMaxTriangles; the message starts with a verb.
   Result<Done> add(const SourcePrimitive& primitive);
-  /// What is left out.
-  void note_lines(std::uint64_t count) { lines_ += count; }
-  void note_points(std::uint64_t count) { points_ += count; }
   /// Fails where nothing can be drawn; else adds warnings for what has been left out.
   Result<Done> finish();
 
  private:
   SourceMesh& mesh_for(const SourcePrimitive& primitive);
+  void add_triangles(const SourcePrimitive& primitive);
+  void add_segments(const SourcePrimitive& primitive);
 
   SourceModel& model_;
   /// By material, colours, texture coordinates, node, skin; and a number where meshes must stay apart.
   std::map<std::tuple<std::uint32_t, bool, bool, std::int32_t, bool, std::uint32_t>, std::size_t> groups_;
+  /// Of lines: by material, colours, node.
+  std::map<std::tuple<std::uint32_t, bool, std::int32_t>, std::size_t> line_groups_;
   std::uint64_t vertices_ = 0;
   std::uint64_t triangles_seen_ = 0;
-  std::uint64_t triangles_kept_ = 0;
+  std::uint64_t segments_seen_ = 0;
+  std::uint64_t kept_ = 0;  ///< triangles and segments
   std::uint64_t not_finite_ = 0;
   std::uint64_t bad_index_ = 0;
   std::uint64_t vertex_alpha_ = 0;
   std::uint64_t morphs_ = 0;
-  std::uint64_t lines_ = 0;
-  std::uint64_t points_ = 0;
+  std::uint64_t bent_segments_ = 0;
+  std::uint64_t bad_segments_ = 0;
 };
 
 }  // namespace zstrip::sim

@@ -68,10 +68,12 @@ class Model {
 
   std::deque<MeshData> mesh_data;
   std::deque<std::vector<std::uint16_t>> texels;
+  std::deque<std::vector<Segment>> segments;
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
   std::vector<Texture> textures;
-  std::vector<Instance> instances;  ///< one for each mesh, untransformed
+  std::vector<Instance> instances;  ///< one for each mesh of triangles, untransformed
+  std::vector<LineSet> lines;       ///< untransformed
   std::vector<std::int32_t> nodes;  ///< of each instance: the one of `tree` that moves it, or kNoNode
   NodeTree tree;                    ///< of the file, in its units
   std::vector<ModelSkin> skins;

@@ -35,6 +35,15 @@ struct SourceMesh {
   std::vector<std::uint32_t> indices;  ///< three a triangle, counter-clockwise seen from the front
 };
 
+/// Lines and points, which have no surface: they are as wide at any distance.
+struct SourceLines {
+  std::uint32_t material = 0;   ///< index into SourceModel::materials
+  std::int32_t node = kNoNode;  ///< as SourceMesh::node
+  bool has_colours = false;
+  std::vector<SourceVertex> vertices;  ///< of which positions and colours count
+  std::vector<std::uint32_t> indices;  ///< two a line; twice the same is a point
+};
+
 inline constexpr std::size_t kNoSourceJoint = static_cast<std::size_t>(-1);
 
 /// What moves vertices of skins: a node that moves, or what hangs on one.
@@ -96,6 +105,7 @@ struct SourceCamera {
 
 struct SourceModel {
   std::vector<SourceMesh> meshes;
+  std::vector<SourceLines> lines;
   std::vector<SourceMaterial> materials;
   std::vector<RgbImage> textures;
   std::vector<std::string> texture_names;  ///< one for each texture, for messages

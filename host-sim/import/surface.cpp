@@ -147,6 +147,7 @@ void generate_missing_normals(SourceModel& model) {
 }
 
 std::vector<bool> find_closed_outsides(const SourceModel& model) {
+  if (model.meshes.empty()) return {};
   const Corners corners = join_positions(model);
   const std::size_t triangles = corners.position.size() / 3;
 

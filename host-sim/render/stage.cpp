@@ -124,6 +124,7 @@ class ModelStage : public CameraStage {
         motion_(std::move(motion)),
         skins_(*model_, motion_->joints.view()),
         instances_(model_->instances),
+        lines_(model_->lines),
         lights_(model_->lights),
         file_(std::move(file)) {
     if (lights_.empty() && model_->punctual_lights.empty()) {
@@ -138,7 +139,8 @@ class ModelStage : public CameraStage {
               .lights = lights_,
               .ambient = scenes::kAmbient,
               .finishes = model_->finishes,
-              .punctual_lights = model_->punctual_lights};
+              .punctual_lights = model_->punctual_lights,
+              .lines = model_->lines};
   }
   ModelStage(const ModelStage&) = delete;
   ModelStage& operator=(const ModelStage&) = delete;
@@ -170,8 +172,8 @@ class ModelStage : public CameraStage {
     Scene at_rest = scene_;
     at_rest.instances = model_->instances;
     at_rest.meshes = *meshes;
-    const scenes::BakedFrame staged =
-        scenes::stage({at_rest, chosen_camera(), animation(), turn()}, frame, frames, {.instances = instances_});
+    const scenes::BakedFrame staged = scenes::stage({at_rest, chosen_camera(), animation(), turn()}, frame, frames,
+                                                    {.instances = instances_, .lines = lines_});
     return Staging{staged.scene, staged.camera};
   }
 
@@ -208,6 +210,7 @@ class ModelStage : public CameraStage {
   std::shared_ptr<const ModelMotion> motion_;
   SkinnedMeshes skins_;
   std::vector<Instance> instances_;
+  std::vector<LineSet> lines_;
   std::vector<DirectionalLight> lights_;
   std::string file_;
   Scene scene_;

@@ -64,6 +64,12 @@ function changedCopy(from, to, change) {
   }
 }
 
+/** Lines and points have no inside whose colour could be compared. */
+function hasOnlyLines({meshes = []}) {
+  const primitives = Object.values(meshes).flatMap((mesh) => mesh.primitives ?? []);
+  return primitives.length > 0 && primitives.every(({mode = 4}) => mode < 4);
+}
+
 function jobsOf(source, path, name) {
   const json = jsonOf(path);
   const generated = source === 'generated';
@@ -83,6 +89,7 @@ function jobsOf(source, path, name) {
   };
   const job = (aspect, file, more = {}) => ({...base, aspect, file, id: `${name} ${aspect}`, ...more});
   const jobs = [job('silhouette', path)];
+  if (hasOnlyLines(json)) return jobs;
   const copy = (what, change) => changedCopy(path, path.replace(/\.(\w+)$/, `.${what}.$1`), change);
   if (kBright.test(name)) {
     jobs.push(job('colour', path, {lambert: true, lights: kLights.none}));

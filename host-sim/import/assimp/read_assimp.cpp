@@ -126,14 +126,7 @@ SourceVertex Collector::vertex(const aiMesh& mesh, unsigned index, const aiMatri
 }
 
 Result<Done> Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform) {
-  std::uint64_t lines = 0, points = 0;
-  for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
-    if (face.mNumIndices == 1) ++points;
-    if (face.mNumIndices == 2) ++lines;
-  }
-  groups_.note_lines(lines);
-  groups_.note_points(points);
-  if ((mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) == 0 || !mesh.HasPositions()) return Done{};
+  if (!mesh.HasPositions()) return Done{};
   SourcePrimitive to;
   to.material = mesh.mMaterialIndex;
   if (to.material >= model_.materials.size()) return Done{};
@@ -152,20 +145,29 @@ Result<Done> Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform) {
                                           : vertex(mesh, i, at_rest[i], map_of_normals(at_rest[i]), to));
   }
   for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
+    if (face.mNumIndices == 0) continue;
+    const unsigned* const last = face.mIndices + face.mNumIndices - 1;
     if (face.mNumIndices == 3) to.indices.insert(to.indices.end(), face.mIndices, face.mIndices + 3);
+    if (face.mNumIndices < 3) to.segments.insert(to.segments.end(), {*face.mIndices, *last});
+  }
+  // A cloud of points, as scanners write them.
+  for (unsigned i = 0; mesh.mNumFaces == 0 && i < mesh.mNumVertices; ++i) {
+    to.segments.insert(to.segments.end(), {i, i});
   }
   return groups_.add(to);
 }
 
 /// Vertex colours stand for the material's colour and are not multiplied with it.
 void colour_by_vertices(SourceModel& model) {
-  for (SourceMesh& mesh : model.meshes) {
-    if (!mesh.has_colours) continue;
-    SourceMaterial white = model.materials[mesh.material];
+  const auto set_white = [&model](auto& coloured) {
+    if (!coloured.has_colours) return;
+    SourceMaterial white = model.materials[coloured.material];
     white.colour = {255, 255, 255};
-    mesh.material = static_cast<std::uint32_t>(model.materials.size());
+    coloured.material = static_cast<std::uint32_t>(model.materials.size());
     model.materials.push_back(white);
-  }
+  };
+  std::ranges::for_each(model.meshes, set_white);
+  std::ranges::for_each(model.lines, set_white);
 }
 
 }  // namespace

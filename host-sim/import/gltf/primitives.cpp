@@ -67,6 +67,26 @@ std::array<float, 3> turned_normal(const Affine& map, const float* normal) {
   return as_floats({v[0] / length, v[1] / length, v[2] / length});
 }
 
+/// Two a line, twice the same for a point.
+std::vector<std::uint32_t> as_segments(const std::vector<std::uint32_t>& from, Mode mode) {
+  std::vector<std::uint32_t> segments;
+  if (mode == Mode::lines) {
+    segments = from;
+    segments.resize(from.size() / 2 * 2);
+    return segments;
+  }
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (mode == Mode::points) {
+      segments.insert(segments.end(), {from[i], from[i]});
+    } else if (i + 1 < from.size()) {
+      segments.insert(segments.end(), {from[i], from[i + 1]});
+    } else if (mode == Mode::line_loop && from.size() > 1) {
+      segments.insert(segments.end(), {from[i], from[0]});
+    }
+  }
+  return segments;
+}
+
 }  // namespace
 
 GltfPrimitives::GltfPrimitives(const GltfJson& json, GltfBuffers& buffers, GltfAccessors& accessors,
@@ -167,17 +187,17 @@ Result<SourcePrimitive> GltfPrimitives::read_primitive(const GltfJson& mesh, con
   const std::size_t vertices = from->positions.count();
   const Result<std::vector<std::uint32_t>> indices = attributes->indices(vertices);
   if (!indices) return indices.failure();
-  if (mode == Mode::points) groups_.note_points(indices->size());
-  if (mode == Mode::lines) groups_.note_lines(indices->size() / 2);
-  if (mode == Mode::line_loop) groups_.note_lines(indices->size());
-  if (mode == Mode::line_strip) groups_.note_lines(std::max(indices->size(), std::size_t{1}) - 1);
   SourcePrimitive to;
-  if (mode < Mode::triangles || vertices == 0) return to;
+  if (vertices == 0) return to;
 
   to.has_colours = from->colours.count() > 0;
   to.has_texcoords = from->texcoords.count() > 0;
   to.material = materials_.material_of(primitive);
-  to.indices = as_triangles(*indices, mode);
+  if (mode < Mode::triangles) {
+    to.segments = as_segments(*indices, mode);
+  } else {
+    to.indices = as_triangles(*indices, mode);
+  }
   const Result<SkinnedPrimitive> skin = skins_.read(*attributes, vertices, node);
   if (!skin) return skin.failure();
   to.has_skin = !skin->joints.empty();

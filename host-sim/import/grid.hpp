@@ -1,0 +1,28 @@
+// The box that a mesh's positions count in: 16 bits along each axis.
+#pragma once
+
+#include <array>
+
+#include "import/model.hpp"
+#include "import/source_model.hpp"
+
+namespace zstrip::sim {
+
+/// A box, and the way into its steps.
+struct Grid {
+  Units units;
+  Vec3 centre{};       // 16.16
+  Vec3 half_extent{};  // 16.16
+
+  /// `from`: in the file's units.
+  Position position(const std::array<float, 3>& from) const;
+};
+
+/// The common bounding box of the model, of which borders that meshes share stay identical.
+Grid fit_grid(const SourceModel& source);
+/// Of a mesh that blends: the box of its own vertices, by whose distance the renderer sorts it.
+Grid grid_of_own(const SourceMesh& mesh, const Grid& whole);
+/// Of a mesh with a skin: all poses, with a margin, the same along all axes.
+Grid grid_of_skin(const SourceModel& source, const SourceMesh& mesh, const Grid& whole);
+
+}  // namespace zstrip::sim

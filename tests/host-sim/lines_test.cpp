@@ -1,0 +1,147 @@
+// Lines and points of model files: which vertices they join, and that pictures have them beside triangles and alone.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "gltf_file.hpp"
+#include "import/model.hpp"
+#include "import/quantise.hpp"
+#include "render/render_frame.hpp"
+#include "render/stage.hpp"
+#include "support.hpp"
+
+namespace zstrip::sim::test {
+namespace {
+
+using Ends = std::array<int, 2>;
+
+class ModelLines : public FolderTest {
+ protected:
+  Model model(const std::string& path) const {
+    Result<Model> imported = import_model(path);
+    EXPECT_TRUE(imported) << imported.failure().message;
+    return imported ? std::move(*imported) : Model();
+  }
+  /// Corners of a square in the plane z = 0, drawn with a mode of glTF.
+  std::string square(int mode, const std::vector<std::uint16_t>& indices,
+                     const std::vector<float>& colours = {}) const {
+    GltfData data;
+    data.add_floats({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, "VEC3");
+    data.add_indices(indices);
+    if (!colours.empty()) data.add_floats(colours, "VEC3");
+    return file("square.gltf",
+                gltf_of(fmt::format(R"("nodes":[{{"mesh":0}}],"materials":[{{"pbrMetallicRoughness":)"
+                                    R"({{"baseColorFactor":[1,0,0,1]}}}}],"meshes":[{{"primitives":[{{"mode":{},)"
+                                    R"("material":0,"indices":1,"attributes":{{"POSITION":0{}}}}}]}}],{})",
+                                    mode, colours.empty() ? "" : R"(,"COLOR_0":2)", data.json())));
+  }
+  /// Which corners of the square each segment joins, by their positions.
+  static std::vector<Ends> joined(const Model& model) {
+    std::vector<Ends> ends;
+    for (const LineSet& lines : model.lines) {
+      const Mesh& mesh = model.meshes[lines.mesh];
+      const auto corner = [&](std::uint16_t index) {
+        const Position& p = mesh.positions[index];
+        return p.y < 0 ? (p.x < 0 ? 0 : 1) : (p.x < 0 ? 3 : 2);
+      };
+      for (const Segment& segment : lines.segments) ends.push_back({corner(segment.a), corner(segment.b)});
+    }
+    return ends;
+  }
+  /// How many pixels of the picture are not black, and the colour of one of them.
+  struct Seen {
+    std::size_t pixels = 0;
+    std::uint16_t colour = 0;
+  };
+  Seen seen(const std::string& path) const {
+    const View view{64, 64};
+    const auto stage = open_stage(
+        path, {}, {.eye = std::array<double, 3>{0, 0, 6}, .look_at = std::array<double, 3>{0, 0, 0}}, view, 1);
+    EXPECT_TRUE(stage) << stage.failure().message;
+    if (!stage) return {};
+    const Result<Staging> staging = (*stage)->place(0, 1);
+    FrameRenderer renderer(view, Budget{});
+    const auto report = renderer.render(*staging);
+    EXPECT_TRUE(report) << report.failure().message;
+    Seen seen;
+    for (std::size_t i = 0; i < 64 * 64; ++i) {
+      const auto byte = [&](std::size_t k) { return std::to_integer<unsigned>(renderer.pixels()[2 * i + k]); };
+      const unsigned word = byte(0) | byte(1) << 8;
+      if (word == 0) continue;
+      ++seen.pixels;
+      seen.colour = static_cast<std::uint16_t>(word);
+    }
+    return seen;
+  }
+};
+
+TEST_F(ModelLines, EachModeOfGltf) {
+  EXPECT_EQ(joined(model(square(0, {2, 0}))), (std::vector<Ends>{{2, 2}, {0, 0}}));
+  EXPECT_EQ(joined(model(square(1, {0, 1, 2, 3, 1}))), (std::vector<Ends>{{0, 1}, {2, 3}}));
+  EXPECT_EQ(joined(model(square(2, {0, 1, 2}))), (std::vector<Ends>{{0, 1}, {1, 2}, {2, 0}}));
+  EXPECT_EQ(joined(model(square(3, {0, 1, 2}))), (std::vector<Ends>{{0, 1}, {1, 2}}));
+}
+
+TEST_F(ModelLines, HaveTheColourOfMaterialAndVertices) {
+  const Model plain = model(square(2, {0, 1, 2, 3}));
+  ASSERT_EQ(plain.lines.size(), 1U);
+  EXPECT_EQ(plain.materials[plain.lines[0].material].colour, (Colour{255, 0, 0, 255}));
+  EXPECT_TRUE(plain.meshes[plain.lines[0].mesh].colours.empty());
+  const Model coloured = model(square(2, {0, 1, 2, 3}, {1, 1, 1, 0, 1, 0, 0, 1, 0, 0, 1, 0}));
+  ASSERT_EQ(coloured.lines.size(), 1U);
+  EXPECT_EQ(coloured.meshes[coloured.lines[0].mesh].colours[1], (Colour{0, 255, 0, 255}));
+}
+
+TEST_F(ModelLines, AreDrawn) {
+  const Seen outline = seen(square(2, {0, 1, 2, 3}));
+  EXPECT_EQ(outline.colour, 0xF800);
+  EXPECT_GT(outline.pixels, 4U * 15);
+  const Seen points = seen(square(0, {0, 1, 2, 3}));
+  EXPECT_EQ(points.pixels, 4U);
+}
+
+TEST_F(ModelLines, OfOtherFormatsBesideTriangles) {
+  const std::string obj = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3\n";
+  const std::string path = file("both.obj", obj + "l 3 4 1\np 4\n");
+  const Model both = model(path);
+  EXPECT_EQ(both.instances.size(), 1U);
+  std::vector<Ends> ends = joined(both);
+  std::ranges::sort(ends);
+  EXPECT_EQ(ends, (std::vector<Ends>{{2, 3}, {3, 0}, {3, 3}}));
+  EXPECT_TRUE(both.warnings.empty());
+  EXPECT_GT(seen(path).pixels, seen(file("alone.obj", obj)).pixels + 20);
+}
+
+TEST_F(ModelLines, DamagedOnesAreLeftOut) {
+  const Model damaged = model(square(1, {0, 1, 2, 9}));
+  EXPECT_EQ(joined(damaged), (std::vector<Ends>{{0, 1}}));
+  ASSERT_EQ(damaged.warnings.size(), 1U);
+  EXPECT_EQ(damaged.warnings[0], "1 line left out: with vertices that do not exist, or are not finite");
+}
+
+TEST_F(ModelLines, MoreVerticesThanIndicesReachAreSeveralSets) {
+  std::string obj;
+  constexpr int kPoints = 70'000;
+  for (int i = 0; i < kPoints; ++i) obj += fmt::format("v {} {} {}\n", i % 50, i / 50 % 50, i / 2500);
+  obj += "p";
+  for (int i = 1; i <= kPoints; ++i) obj += fmt::format(" {}", i);
+  const Model many = model(file("many.obj", obj + "\n"));
+  ASSERT_EQ(many.lines.size(), 2U);
+  EXPECT_EQ(many.lines[0].segments.size() + many.lines[1].segments.size(), std::size_t{kPoints});
+  for (const LineSet& lines : many.lines) {
+    for (const Segment& segment : lines.segments) {
+      ASSERT_LT(segment.a, many.meshes[lines.mesh].positions.size());
+      ASSERT_EQ(segment.a, segment.b);
+    }
+  }
+}
+
+TEST_F(ModelLines, ASinglePointHasNoSize) {
+  const Result<Model> point = import_model(square(0, {1}));
+  EXPECT_TRUE(point) << point.failure().message;
+}
+
+}  // namespace
+}  // namespace zstrip::sim::test
