@@ -60,6 +60,15 @@ class StripGrid {
         {pixels.left - centre_x_, pixels.top - centre_y_, pixels.right - centre_x_, pixels.bottom - centre_y_});
   }
   std::int32_t across() const { return across_; }
+  struct Place {
+    std::int32_t row, column;
+  };
+  /// Unsigned, so that no division of signed numbers is linked.
+  Place place_of(std::uint16_t strip) const {
+    const auto across = static_cast<std::uint32_t>(across_);
+    const std::uint32_t row = strip / across;
+    return {static_cast<std::int32_t>(row), static_cast<std::int32_t>(strip - row * across)};
+  }
 
   Extent extent_of(const Rect& box) const {
     const Rect strips = strips_of(box);
@@ -79,9 +88,9 @@ class StripGrid {
             end(extent.last_column, column_shift_, across_),
             end(extent.last_row, row_shift_, strip(bounds_.bottom - 1, inverse_rows_) + 1)};
   }
-  bool touches(const Extent& extent, std::int32_t strip_row, std::int32_t strip_column) const {
-    const std::int32_t row = strip_row >> row_shift_;
-    const std::int32_t column = strip_column >> column_shift_;
+  bool touches(const Extent& extent, const Place& strip) const {
+    const std::int32_t row = strip.row >> row_shift_;
+    const std::int32_t column = strip.column >> column_shift_;
     return row >= extent.first_row && row <= extent.last_row && column >= extent.first_column &&
            column <= extent.last_column;
   }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "zstrip/base/division.hpp"
 #include "zstrip/geometry/project.hpp"
 
 namespace zstrip::detail {
@@ -51,13 +52,25 @@ class EdgeWalk {
   /// Returned, not made in place: an edge whose address is known would be stepped in memory.
   static EdgeWalk wide(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row);
 
+  /// Rounds down; the remainder is not negative.
   static void divide(std::int32_t numerator, std::int32_t denominator, std::int32_t& quotient,
                      std::int32_t& remainder) {
-    quotient = numerator / denominator;
-    remainder = numerator - quotient * denominator;
-    if (remainder < 0) {
-      remainder += denominator;
-      --quotient;
+    if constexpr (kDivides) {
+      quotient = numerator / denominator;
+      remainder = numerator - quotient * denominator;
+      if (remainder < 0) {
+        remainder += denominator;
+        --quotient;
+      }
+    } else {
+      // Unsigned, so that no division of signed numbers is linked. floor(-(n + 1) / d) = -(floor(n / d) + 1)
+      const std::uint32_t sign = numerator < 0 ? ~std::uint32_t{0} : 0;
+      const auto magnitude = static_cast<std::uint32_t>(numerator) ^ sign;
+      const auto divisor = static_cast<std::uint32_t>(denominator);
+      const std::uint32_t whole = magnitude / divisor;
+      const std::uint32_t rest = magnitude - whole * divisor;
+      quotient = static_cast<std::int32_t>(whole ^ sign);
+      remainder = static_cast<std::int32_t>(sign != 0 ? divisor - 1 - rest : rest);
     }
   }
 

@@ -46,10 +46,9 @@ struct RasterStage {
 
   template <Effects effects>
   static void draw_streamed(FrameState& frame, const StripTarget& target, std::uint16_t strip) {
-    const std::int32_t row = strip / frame.grid.across();
-    const std::int32_t column = strip % frame.grid.across();
+    const StripGrid::Place place = frame.grid.place_of(strip);
     const auto draw_meshlet = [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
-      if (frame.extents != nullptr && !frame.grid.touches(frame.extents[number], row, column)) return;
+      if (frame.extents != nullptr && !frame.grid.touches(frame.extents[number], place)) return;
       if constexpr (effects.has(method::culling)) {
         if (MethodStage::is_left_out<effects>(frame, number, instance, meshlet)) return;
       }

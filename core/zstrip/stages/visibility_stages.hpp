@@ -218,10 +218,9 @@ Status MethodStage::order_triangles(MethodFrameState& frame, const Camera& camer
 /// Transforms the vertices of each triangle again: neighbours in the order rarely share any.
 template <Effects effects>
 void MethodStage::draw_sorted(MethodFrameState& frame, const StripTarget& target, std::uint16_t strip) {
-  const std::int32_t row = strip / frame.grid.across();
-  const std::int32_t column = strip % frame.grid.across();
+  const StripGrid::Place place = frame.grid.place_of(strip);
   for (const SortedTriangle& sorted : std::span(frame.sorted, frame.sorted_count)) {
-    if (!frame.grid.touches(sorted.extent, row, column)) continue;
+    if (!frame.grid.touches(sorted.extent, place)) continue;
     const MeshletRange range =
         meshlet_range(frame.scene->meshes[frame.instances[sorted.instance].mesh], sorted.meshlet);
     const auto batch = GeometryStage::batch_for<effects>(frame, sorted.instance, range.first_vertex, 0);

@@ -122,9 +122,9 @@ struct Stage : NoStage {
   /// Calls visit(range, batch) for each meshlet of an operand that touches the strip.
   template <Effects effects, class Visit>
   static void for_each_in_strip(FrameState& frame, std::size_t operand, std::uint16_t strip, const Visit& visit) {
-    const std::int32_t row = strip / frame.grid.across(), column = strip % frame.grid.across();
+    const StripGrid::Place place = frame.grid.place_of(strip);
     for_each_meshlet(frame, operand, [&](std::uint32_t number, std::uint32_t meshlet) {
-      if (frame.extents != nullptr && !frame.grid.touches(frame.extents[number], row, column)) return;
+      if (frame.extents != nullptr && !frame.grid.touches(frame.extents[number], place)) return;
       with_meshlet<effects>(frame, operand, meshlet, visit);
     });
   }

@@ -174,12 +174,12 @@ struct Stage : NoStage {
 
   template <Effects effects>
   static void blend(const FrameState& frame, std::uint16_t strip, const EdgeTarget& target) {
-    const std::int32_t row = strip / frame.grid.across(), column = strip % frame.grid.across();
+    const StripGrid::Place place = frame.grid.place_of(strip);
     for_each_set(frame, [&](std::uint32_t instance, std::span<const Edge> edges, const EdgeGroup* groups) {
       const EdgeProjection<effects.has(effect::orthographic)> projection{
           frame.instances[instance], frame.scene->meshes[frame.instances[instance].mesh], frame.origin};
       for (std::size_t first = 0; first < edges.size(); first += kEdgesOfGroup, ++groups) {
-        if (groups->seen == 0 || !frame.grid.touches(groups->extent, row, column)) continue;
+        if (groups->seen == 0 || !frame.grid.touches(groups->extent, place)) continue;
         std::size_t index = first;
         for (std::uint32_t seen = groups->seen; seen != 0; seen >>= 1, ++index) {
           if ((seen & 1U) != 0) blend_edge(projection, edges[index], target);

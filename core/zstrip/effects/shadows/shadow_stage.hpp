@@ -134,7 +134,8 @@ struct Stage : NoStage {
     }
     GeometryStage::for_each_meshlet<casting>(
         light, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
-          if (light.extents != nullptr && !light.grid.touches(light.extents[number], strip, 0)) return;
+          if (light.extents != nullptr && !light.grid.touches(light.extents[number], light.grid.place_of(strip)))
+            return;
           const MeshletRange range = meshlet_range(light.scene->meshes[light.instances[instance].mesh], meshlet);
           const auto batch = GeometryStage::batch_for<casting>(light, instance, range.first_vertex, 0);
           const bool all_narrow = GeometryStage::transform<casting>(light, batch, range, 0);
