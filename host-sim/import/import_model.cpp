@@ -59,8 +59,8 @@ Result<Model> import_model(const std::filesystem::path& path, UpAxis up, Texcoor
   show_wraps(source);
   multiply_unlit_texels(source);
   generate_missing_normals(source);
-  std::vector<bool> closed_outside = find_closed_outsides(source);
-  if (back_faces == BackFaces::lit_alike) split_sides(source, closed_outside);
+  std::vector<Outside> outsides = find_outsides(source);
+  if (back_faces == BackFaces::lit_alike) split_sides(source, outsides);
   if (source.meshes.size() > kMaxMeshes) return named(kTooManyMeshes);
   for (RgbImage& texture : source.textures) texture = resample_to_power_of_two(std::move(texture));
 
@@ -71,7 +71,7 @@ Result<Model> import_model(const std::filesystem::path& path, UpAxis up, Texcoor
     SourceMesh& mesh = source.meshes[i];
     const SourceMaterial& material = source.materials[mesh.material];
     MeshTraits& trait = traits.emplace_back();
-    trait.double_sided = material.double_sided.value_or(!closed_outside[i]);
+    trait.double_sided = material.double_sided.value_or(!outsides[i].is_closed);
     weld(mesh);
     if (!mesh.has_texcoords) continue;
     if (material.texture == kNoSourceTexture) {

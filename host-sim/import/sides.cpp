@@ -25,15 +25,15 @@ SourceMesh back_of(const SourceMesh& front) {
 
 }  // namespace
 
-void split_sides(SourceModel& model, std::vector<bool>& closed_outside) {
+void split_sides(SourceModel& model, std::vector<Outside>& outsides) {
   std::map<std::uint32_t, std::uint32_t> single_sided;  // by material
   std::vector<SourceMesh> meshes;
-  std::vector<bool> closed;
+  std::vector<Outside> seen;
   for (std::size_t i = 0; i < model.meshes.size(); ++i) {
     SourceMesh& mesh = model.meshes[i];
     const SourceMaterial& material = model.materials[mesh.material];
-    const bool shows_both = material.double_sided.value_or(false);
-    const bool hidden = closed_outside[i] && material.alpha_mode == AlphaMode::opaque;
+    const bool shows_both = material.double_sided.value_or(outsides[i].opening >= kLeastOpening);
+    const bool hidden = outsides[i].is_closed && material.alpha_mode == AlphaMode::opaque;
     if (shows_both && !hidden && is_shaded(material)) {
       const auto [at, is_new] =
           single_sided.try_emplace(mesh.material, static_cast<std::uint32_t>(model.materials.size()));
@@ -45,13 +45,13 @@ void split_sides(SourceModel& model, std::vector<bool>& closed_outside) {
       mesh.material = at->second;
       // Of what blends the back first: it lies behind.
       meshes.push_back(back_of(mesh));
-      closed.push_back(false);
+      seen.push_back({});
     }
     meshes.push_back(std::move(mesh));
-    closed.push_back(closed_outside[i]);
+    seen.push_back(outsides[i]);
   }
   model.meshes = std::move(meshes);
-  closed_outside = std::move(closed);
+  outsides = std::move(seen);
 }
 
 }  // namespace zstrip::sim

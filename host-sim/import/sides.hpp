@@ -4,12 +4,17 @@
 #include <vector>
 
 #include "import/source_model.hpp"
+#include "import/surface.hpp"
 
 namespace zstrip::sim {
 
-/// Gives lit meshes of which the file says that they are double-sided a second mesh for their back faces, with normals
-/// that face the other way, and makes both single-sided. Not those whose back faces are out of sight: opaque closed
-/// bodies, by `closed_outside`, which gets an entry for each new mesh.
-void split_sides(SourceModel& model, std::vector<bool>& closed_outside);
+/// What a file says nothing of is double-sided where its openings are at least this share of its area: less of its
+/// back faces is hardly seen, and not worth twice the triangles.
+inline constexpr double kLeastOpening = 1.0 / 16;
+
+/// Gives lit meshes that are double-sided a second mesh for their back faces, with normals that face the other way, and
+/// makes both single-sided. Not those whose back faces are out of sight: opaque closed bodies. `outsides`: of each
+/// mesh; gets an entry for each new one.
+void split_sides(SourceModel& model, std::vector<Outside>& outsides);
 
 }  // namespace zstrip::sim

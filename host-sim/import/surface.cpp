@@ -21,6 +21,7 @@ Vector difference(const std::array<float, 3>& a, const std::array<float, 3>& b) 
 Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
+Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
 /// Scaled by the largest component first: squares of tiny edges would vanish.
@@ -50,6 +51,20 @@ Corners join_positions(const SourceModel& model) {
                                   points.data(), points.size(), sizeof points[0]));
   return corners;
 }
+
+/// Disjoint sets of numbers (union-find with path halving).
+class Sets {
+ public:
+  explicit Sets(std::uint32_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
+  std::uint32_t of(std::uint32_t number) {
+    while (parent_[number] != number) number = parent_[number] = parent_[parent_[number]];
+    return number;
+  }
+  void join(std::uint32_t one, std::uint32_t other) { parent_[of(one)] = of(other); }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
 
 /// For each position, the corners that lie on it.
 struct Fans {
@@ -146,22 +161,15 @@ void generate_missing_normals(SourceModel& model) {
   }
 }
 
-std::vector<bool> find_closed_outsides(const SourceModel& model) {
+std::vector<Outside> find_outsides(const SourceModel& model) {
   if (model.meshes.empty()) return {};
   const Corners corners = join_positions(model);
   const std::size_t triangles = corners.position.size() / 3;
 
-  // Bodies: sets of positions that triangles connect (union-find with path halving).
-  std::vector<std::uint32_t> parent(corners.positions);
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto body_of = [&](std::uint32_t position) {
-    while (parent[position] != position) position = parent[position] = parent[parent[position]];
-    return position;
-  };
+  // Bodies: positions that triangles connect.
+  Sets bodies(corners.positions);
   for (std::size_t t = 0; t < triangles; ++t) {
-    for (std::size_t k = 1; k < 3; ++k) {
-      parent[body_of(corners.position[3 * t + k])] = body_of(corners.position[3 * t]);
-    }
+    for (std::size_t k = 1; k < 3; ++k) bodies.join(corners.position[3 * t + k], corners.position[3 * t]);
   }
 
   struct Edge {
@@ -170,7 +178,9 @@ std::vector<bool> find_closed_outsides(const SourceModel& model) {
   };
   std::vector<Edge> edges;
   edges.reserve(corners.position.size());
+  std::vector<Vector> place(corners.positions);   // from one vertex of the model
   std::vector<double> volume(corners.positions);  // six times the signed volume of a body
+  std::vector<double> area(corners.positions);    // twice that of a body
   std::size_t t = 0;
   const std::array<float, 3> origin = model.meshes[0].vertices[model.meshes[0].indices[0]].position;
   for (const SourceMesh& mesh : model.meshes) {
@@ -180,35 +190,55 @@ std::vector<bool> find_closed_outsides(const SourceModel& model) {
         const std::uint32_t from = at[k];
         const std::uint32_t to = at[(k + 1) % 3];
         edges.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1});
+        place[from] = difference(mesh.vertices[mesh.indices[i + k]].position, origin);
       }
-      const auto corner = [&](std::size_t k) {
-        return difference(mesh.vertices[mesh.indices[i + k]].position, origin);
-      };
-      volume[body_of(at[0])] += dot(corner(0), cross(corner(1), corner(2)));
+      const Vector &a = place[at[0]], &b = place[at[1]], &c = place[at[2]];
+      volume[bodies.of(at[0])] += dot(a, cross(b, c));
+      area[bodies.of(at[0])] += length(cross(minus(b, a), minus(c, a)));
     }
   }
   std::sort(edges.begin(), edges.end(),
             [](const Edge& a, const Edge& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
   std::vector<bool> is_open(corners.positions);  // by body
+  std::vector<Edge> rims;                        // used more often in one direction, by `direction`
   for (std::size_t i = 0; i < edges.size();) {
     int balance = 0;
     const Edge& edge = edges[i];
     for (; i < edges.size() && edges[i].low == edge.low && edges[i].high == edge.high; ++i)
       balance += edges[i].direction;
-    if (balance != 0) is_open[body_of(edge.low)] = true;
+    if (balance == 0) continue;
+    is_open[bodies.of(edge.low)] = true;
+    rims.push_back({edge.low, edge.high, balance});
   }
 
-  std::vector<bool> outside;
+  // An opening is what a rim encloses: half the sum of a x b along it. Rims of two ends of a tube count both.
+  Sets openings(corners.positions);
+  for (const Edge& edge : rims) openings.join(edge.low, edge.high);
+  std::map<std::uint32_t, Vector> enclosed;
+  for (const Edge& edge : rims) {
+    Vector& sum = enclosed[openings.of(edge.low)];
+    const Vector across = cross(place[edge.low], place[edge.high]);
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += edge.direction * across[k];
+  }
+  std::vector<double> opening(corners.positions);  // twice that of all openings of a body
+  for (const auto& [rim, sum] : enclosed) opening[bodies.of(rim)] += length(sum);
+
+  std::vector<Outside> outsides;
   t = 0;
   for (const SourceMesh& mesh : model.meshes) {
-    bool all = true;
+    Outside& outside = outsides.emplace_back(Outside{.is_closed = true});
+    double whole = 0, open = 0;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3, ++t) {
-      const std::uint32_t body = body_of(corners.position[3 * t]);
-      all = all && !is_open[body] && volume[body] > 0;
+      const std::uint32_t* at = &corners.position[3 * t];
+      const std::uint32_t body = bodies.of(at[0]);
+      outside.is_closed = outside.is_closed && !is_open[body] && volume[body] > 0;
+      const double own = length(cross(minus(place[at[1]], place[at[0]]), minus(place[at[2]], place[at[0]])));
+      whole += own;
+      if (area[body] > 0) open += own * std::min(opening[body] / area[body], 1.0);
     }
-    outside.push_back(all);
+    if (whole > 0) outside.opening = open / whole;
   }
-  return outside;
+  return outsides;
 }
 
 void weld(SourceMesh& mesh) {

@@ -23,7 +23,7 @@ namespace {
 class Import : public FolderTest {
  protected:
   Model model(const std::string& path, UpAxis up = UpAxis::plus_y, Texcoords texcoords = Texcoords::of_textures) const {
-    Result<Model> imported = import_model(path, up, texcoords);
+    Result<Model> imported = import_model(path, up, texcoords, BackFaces::as_front);
     EXPECT_TRUE(imported) << imported.failure().message;
     const Scene scene{.meshes = imported->meshes,
                       .materials = imported->materials,
@@ -183,6 +183,22 @@ TEST_F(Import, TrianglesThatAreNotFiniteAreCounted) {
 TEST_F(Import, NothingLeftIsAnError) {
   EXPECT_NE(failure(file("n.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")).find("finite"), std::string::npos);
   EXPECT_NE(failure(file("d.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")).find("area"), std::string::npos);
+}
+
+TEST_F(Import, OpenSurfacesOfFilesWithoutSidesHaveBacksOfTheirOwn) {
+  const std::string sheet = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n";
+  const Result<Model> both = import_model(file("sheet.obj", sheet));
+  ASSERT_TRUE(both);
+  ASSERT_EQ(both->instances.size(), 2U);
+  for (const Instance& instance : both->instances) EXPECT_FALSE(both->materials[instance.material].double_sided);
+  EXPECT_EQ(both->meshes[0].normals[0].z, -127);
+  EXPECT_EQ(both->meshes[1].normals[0].z, 127);
+  // A small hole shows too little of the inside.
+  const std::string sphere = sphere_obj(16, 16);
+  const Result<Model> holed = import_model(file("holed.obj", sphere.substr(0, sphere.rfind("f "))));
+  ASSERT_TRUE(holed);
+  ASSERT_EQ(holed->instances.size(), 1U);
+  EXPECT_TRUE(holed->materials[0].double_sided);
 }
 
 TEST_F(Import, ExtremeCoordinates) {

@@ -69,21 +69,36 @@ TEST_F(Surface, ManyFacesAtOnePointTakeNoSquareTime) {
 }
 
 TEST_F(Surface, ClosedOutside) {
-  EXPECT_EQ(find_closed_outsides(model(cube_obj())), std::vector<bool>{true});
-  EXPECT_EQ(find_closed_outsides(model(sphere_obj(8, 6))), std::vector<bool>{true});
+  for (const std::string& body : {cube_obj(), sphere_obj(8, 6)}) {
+    EXPECT_EQ(find_outsides(model(body)), std::vector<Outside>{{.is_closed = true}});
+  }
 }
 
 TEST_F(Surface, AMissingFaceOpensTheCube) {
   const std::string cube = cube_obj();
-  const std::string open = cube.substr(0, cube.rfind("f "));
-  EXPECT_EQ(find_closed_outsides(model(open)), std::vector<bool>{false});
+  const Outside open = find_outsides(model(cube.substr(0, cube.rfind("f "))))[0];
+  EXPECT_FALSE(open.is_closed);
+  EXPECT_NEAR(open.opening, 1.0 / 5, 1e-9);
 }
 
 TEST_F(Surface, InsideOutIsNotOutside) {
   std::string cube = cube_obj();
   std::string inside_out = cube.substr(0, cube.find("f "));
   inside_out += "f 1 2 3 4\nf 8 7 6 5\nf 5 6 2 1\nf 7 8 4 3\nf 6 7 3 2\nf 8 5 1 4\n";
-  EXPECT_EQ(find_closed_outsides(model(inside_out)), std::vector<bool>{false});
+  EXPECT_EQ(find_outsides(model(inside_out)), std::vector<Outside>{{.is_closed = false}});
+}
+
+TEST_F(Surface, OpeningsOfSheetsTubesAndOfABodyBesideASheet) {
+  const auto opening = [&](const std::string& obj) { return find_outsides(model(obj))[0].opening; };
+  const std::string sheet = "v 5 0 0\nv 6 0 0\nv 6 1 0\nv 5 1 0\nf -4 -3 -2 -1\n";
+  EXPECT_NEAR(opening(sheet), 1, 1e-9);
+  // A cube without two faces that lie opposite each other: openings on both ends, 8 of 16.
+  const std::string cube = cube_obj();
+  std::string tube = cube.substr(0, cube.find("f "));
+  tube += "f 5 6 2 1\nf 7 8 4 3\nf 6 7 3 2\nf 8 5 1 4\n";
+  EXPECT_NEAR(opening(tube), 0.5, 1e-9);
+  // The sheet is 1 of 25 parts of the area.
+  EXPECT_NEAR(opening(cube + sheet), 1.0 / 25, 1e-6);
 }
 
 TEST_F(Surface, FilesWithNormalsKeepThem) {
