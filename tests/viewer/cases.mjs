@@ -1,6 +1,7 @@
 // Which files are drawn, and of each what is compared.
 import {copyFileSync, mkdirSync, readdirSync, statSync} from 'node:fs';
-import {basename, extname, join} from 'node:path';
+import {basename, dirname, extname, join} from 'node:path';
+import {fileURLToPath} from 'node:url';
 
 import {kGenerated} from './generated.mjs';
 import {copyNeighbours, readGltf, whitened, withoutLight, writeGltf} from './gltf.mjs';
@@ -115,6 +116,15 @@ function jobsOf(source, path, name) {
   return jobs;
 }
 
+/** Copies a file with what lies beside it into a folder of its name. */
+function copied(path, folder, name) {
+  const own = join(folder, name);
+  copyNeighbours(path, own);
+  const to = join(own, basename(path));
+  copyFileSync(path, to);
+  return to;
+}
+
 /**
  * All pictures that are to be drawn, in the order of cases. Copies all files into the folder `work`/models. A case's
  * first job is the file as it is.
@@ -123,11 +133,11 @@ export function makeJobs(models, work) {
   const folder = join(work, 'models');
   const jobs = [];
   for (const {name, path} of named(filesBelow(models))) {
-    const own = join(folder, name);
-    copyNeighbours(path, own);
-    const to = join(own, basename(path));
-    copyFileSync(path, to);
-    jobs.push(...jobsOf('assimp-testmodels', to, name));
+    jobs.push(...jobsOf('assimp-testmodels', copied(path, folder, name), name));
+  }
+  for (const path of filesBelow(join(dirname(fileURLToPath(import.meta.url)), 'blender'))) {
+    const name = `blender-${basename(path, '.glb')}`;
+    jobs.push(...jobsOf('blender', copied(path, folder, name), name));
   }
   for (const [name, make] of Object.entries(kGenerated)) {
     const path = join(folder, name, `${name}.gltf`);

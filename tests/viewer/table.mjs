@@ -2,10 +2,11 @@
 import {differs, kAspects} from './expected.mjs';
 
 const kHead = [
-  'Written by `tests/measure viewer`. The files of Debian\'s package assimp-testmodels and files of one feature each,',
-  'drawn by `zstrip render` and by three.js in Chromium with the same cameras. A test fails where they differ and',
-  'this page does not say so, and where it says so and they do not. Both take nearest texels. zstrip has no',
-  'reflections: three.js draws diffuse materials, with the lights that `zstrip render` has.',
+  'Written by `tests/measure viewer`. The files of Debian\'s package assimp-testmodels, files that Blender has exported',
+  '(`tests/viewer/blender/make.py`) and files of one feature each, drawn by `zstrip render` and by three.js in Chromium',
+  'with the same cameras. A test fails where they differ and this page does not say so, and where it says so and they',
+  'do not. Both take nearest texels. zstrip has no reflections: three.js draws diffuse materials, with the lights that',
+  '`zstrip render` has.',
 ];
 
 const kCompared = [
@@ -64,6 +65,7 @@ export function tableOf(rows, expected) {
     ...kCompared,
     '',
     ...section('Files of assimp-testmodels', 'assimp-testmodels'),
+    ...section('Files that Blender wrote', 'blender'),
     ...section('Files of one feature', 'generated'),
     '## What differs, and why',
     ...[...reasons].flatMap(([reason, names]) => wrap(`- ${reason}: ${names.join(', ')}`)),
