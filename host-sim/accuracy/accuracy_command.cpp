@@ -41,7 +41,7 @@ struct Arguments {
   std::vector<std::string> default_targets;
   std::string knobs = "all";
   std::string size = "160x120";
-  std::string up = "y";
+  std::optional<std::string> up;
   std::vector<std::string> only;
   std::uint32_t frames = 2;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
@@ -66,7 +66,7 @@ struct Job {
 Result<Job> parse(const Arguments& arguments) {
   const auto size = parse_size(arguments.size);
   if (!size) return size.failure();
-  const Result<UpAxis> up = parse_up_axis(arguments.up);
+  const Result<std::optional<UpAxis>> up = parse_up_axis(arguments.up);
   if (!up) return up.failure();
   const Result<std::vector<Knob>> turned = parse_knobs(arguments.knobs);
   if (!turned) return turned.failure();
@@ -281,7 +281,7 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
       ->type_name("SETTINGS");
   command->add_flag("--singles", a.singles, "One knob at a time, no combinations");
   command->add_flag("--presets", a.presets, "The presets tiny, balanced and exact, too");
-  command->add_option("--up", a.up, "Axis that points upwards in a model file")->type_name("AXIS");
+  command->add_option("--up", a.up, "Axis that points upwards in a model file; else as its format says")->type_name("AXIS");
   command->add_option("--firmware", a.firmware, "Folder of the boards' programs, if not where the build puts them")
       ->type_name("DIR");
   command->add_flag("--list-programs", a.programs,

@@ -20,7 +20,7 @@ namespace zstrip::sim {
 struct AccuracyRequest {
   std::string scene;
   View view;  ///< its format is the settings'
-  UpAxis up = UpAxis::plus_y;
+  std::optional<UpAxis> up{};
   std::uint32_t frames = 2;  ///< poses of a turn
   std::string target = "host";
   std::string firmware;  ///< folder of the boards' programs; empty: where the build puts them

@@ -31,7 +31,7 @@ struct Arguments {
   std::string scene;
   std::string target = "host";
   std::string size = "320x240";
-  std::string up = "y";
+  std::optional<std::string> up;
   std::string format = "rgb565";
   std::optional<std::string> error_pixels, ram, flash;
   std::optional<double> perceived, fps;
@@ -96,7 +96,7 @@ std::string report(const Tuned& tuned) {
 Result<Done> run(const Arguments& arguments) {
   const auto size = parse_size(arguments.size);
   if (!size) return size.failure();
-  const Result<UpAxis> up = parse_up_axis(arguments.up);
+  const Result<std::optional<UpAxis>> up = parse_up_axis(arguments.up);
   if (!up) return up.failure();
   const Result<Limits> limits = parse_limits(arguments);
   if (!limits) return limits.failure();
@@ -182,7 +182,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command->add_option("--jobs", a.jobs, "Settings measured at once (default: one a core)")
       ->type_name("N")
       ->check(CLI::Range(1U, 256U));
-  command->add_option("--up", a.up, "Axis that points upwards in a model file")->type_name("AXIS");
+  command->add_option("--up", a.up, "Axis that points upwards in a model file; else as its format says")->type_name("AXIS");
   command->add_option("--firmware", a.firmware, "Folder of the boards' programs, if not where the build puts them")
       ->type_name("DIR");
   command

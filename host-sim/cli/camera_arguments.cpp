@@ -12,8 +12,7 @@
 namespace zstrip::sim {
 void add_camera_options(CLI::App& command, CameraArguments& arguments) {
   CameraArguments& a = arguments;
-  command
-      .add_option("--up", a.up, "A model's axis that points upwards: x, -x, y (default), -y, z, -z; some .3ds need -z")
+  command.add_option("--up", a.up, "A model's axis that points upwards: x, -x, y, -y, z, -z; else as its format says")
       ->type_name("AXIS");
   command.add_option("--animation", a.animation, "An animation of a glTF 2.0 file, by its name (default: the first)")
       ->type_name("NAME");
@@ -67,12 +66,9 @@ Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::
 }
 
 Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::string& scene) {
-  ModelOptions options{.animation = arguments.animation};
-  if (arguments.up) {
-    const Result<UpAxis> up = parse_up_axis(*arguments.up);
-    if (!up) return up.failure();
-    options.up = *up;
-  }
+  const Result<std::optional<UpAxis>> up = parse_up_axis(arguments.up);
+  if (!up) return up.failure();
+  const ModelOptions options{.up = *up, .animation = arguments.animation};
   if (kind_of_scene(scene) == SceneKind::model || (!arguments.up && !arguments.animation)) return options;
   const char* const option = arguments.up ? "--up" : "--animation";
   switch (kind_of_scene(scene)) {

@@ -142,11 +142,14 @@ Result<DepthFormat> parse_depth_format(const std::string& text) {
 
 Result<Effects> parse_perspective(const std::string& text) { return named("--perspective", text, kPerspectiveRuns); }
 
-Result<UpAxis> parse_up_axis(const std::string& text) {
+Result<std::optional<UpAxis>> parse_up_axis(const std::optional<std::string>& text) {
+  if (!text) return std::optional<UpAxis>();
   constexpr std::pair<std::string_view, UpAxis> kAxes[] = {{"x", UpAxis::plus_x}, {"-x", UpAxis::minus_x},
                                                            {"y", UpAxis::plus_y}, {"-y", UpAxis::minus_y},
                                                            {"z", UpAxis::plus_z}, {"-z", UpAxis::minus_z}};
-  return named("--up", text, kAxes);
+  const Result<UpAxis> axis = named("--up", *text, kAxes);
+  if (!axis) return axis.failure();
+  return std::optional<UpAxis>(*axis);
 }
 
 Result<ImageType> parse_image_type(const std::string& text) {

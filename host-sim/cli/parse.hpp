@@ -44,8 +44,8 @@ Result<DepthFormat> parse_depth_format(const std::string& text);
 /// One of effect::perspective_runs, or nothing for runs of 16.
 Result<Effects> parse_perspective(const std::string& text);
 Result<PixelFormat> parse_format(const std::string& text);
-/// "x", "-x", "y", ...
-Result<UpAxis> parse_up_axis(const std::string& text);
+/// "x", "-x", "y", ...; empty: none was given.
+Result<std::optional<UpAxis>> parse_up_axis(const std::optional<std::string>& text);
 Result<ImageType> parse_image_type(const std::string& text);
 
 }  // namespace zstrip::sim

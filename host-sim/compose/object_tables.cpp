@@ -69,7 +69,7 @@ FileModel read_model_table(TomlTable& table) {
   model.built_in = table.text("built_in").value_or("");
   model.file_line = table.line_of(table.has("file") ? "file" : "built_in");
   if (table.has("file") == table.has("built_in")) table.wrong("file", "give either 'file' or 'built_in'");
-  model.up = table.choice("up", kAxes).value_or(UpAxis::plus_y);
+  model.up = table.choice("up", kAxes);
   model.animation = table.text("animation");
   model.animation_line = table.line_of("animation");
   for (const char* key : {"up", "animation"}) {

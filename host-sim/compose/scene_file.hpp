@@ -67,8 +67,8 @@ struct FileModel {
   std::string name;
   std::filesystem::path file;  ///< relative to the scene file's folder
   std::string built_in;
-  int file_line = 0;  ///< of whichever is set
-  UpAxis up = UpAxis::plus_y;
+  int file_line = 0;         ///< of whichever is set
+  std::optional<UpAxis> up{};  ///< empty: as the format says
   std::optional<std::string> animation;
   int animation_line = 0;
 };

@@ -47,7 +47,8 @@ void lower_textures(SourceModel& source, const std::vector<TextureSides>& sides)
 
 }  // namespace
 
-Result<Model> import_model(const std::filesystem::path& path, UpAxis up, Texcoords texcoords, BackFaces back_faces) {
+Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
+                           BackFaces back_faces) {
   Result<SourceModel> read = read_model(path, up, texcoords);
   if (!read) return read.failure();
   SourceModel& source = *read;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -96,8 +97,9 @@ enum class BackFaces : std::uint8_t {
   as_front,   ///< by the normals of the front; what is drawn with other materials stays one mesh
 };
 
-/// Reads, repairs and quantises a model file. The failure's message is whole: it names the file.
-Result<Model> import_model(const std::filesystem::path& path, UpAxis up = UpAxis::plus_y,
+/// Reads, repairs and quantises a model file. `up`: the axis that points upwards; empty: as the format says. The
+/// failure's message is whole: it names the file.
+Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAxis> up = {},
                            Texcoords texcoords = Texcoords::of_textures, BackFaces back_faces = BackFaces::lit_alike);
 
 }  // namespace zstrip::sim

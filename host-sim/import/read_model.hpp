@@ -23,7 +23,7 @@ constexpr std::uint64_t reading_memory(std::uint64_t file_bytes) { return (std::
 /// All meshes of all nodes in the file's coordinates, turned so that `up` becomes +y, grouped by material. Every
 /// triangle is finite, has three different corners, an area, and indices that exist; what is left out is counted in the
 /// warnings. At least one triangle.
-Result<SourceModel> read_model(const std::filesystem::path& path, UpAxis up,
+Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<UpAxis> up,
                                Texcoords texcoords = Texcoords::of_textures);
 
 }  // namespace zstrip::sim

@@ -61,7 +61,7 @@ SceneKind kind_of_scene(const std::string& name);
 
 /// How a model file is read.
 struct ModelOptions {
-  UpAxis up = UpAxis::plus_y;              ///< the axis that points upwards
+  std::optional<UpAxis> up{};              ///< the axis that points upwards; empty: as the format says
   std::optional<std::string> animation{};  ///< its name; empty: the first, if there is one
 };
 

@@ -1,4 +1,6 @@
 // The whole import: what comes out is a scene that the renderer takes, and the same surface as in the file.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -22,7 +24,8 @@ namespace {
 
 class Import : public FolderTest {
  protected:
-  Model model(const std::string& path, UpAxis up = UpAxis::plus_y, Texcoords texcoords = Texcoords::of_textures) const {
+  Model model(const std::string& path, std::optional<UpAxis> up = {},
+              Texcoords texcoords = Texcoords::of_textures) const {
     Result<Model> imported = import_model(path, up, texcoords, BackFaces::as_front);
     EXPECT_TRUE(imported) << imported.failure().message;
     const Scene scene{.meshes = imported->meshes,
@@ -107,6 +110,39 @@ TEST_F(Import, UpAxes) {
     EXPECT_NEAR(extreme, tip_y, 1);
     EXPECT_FALSE(turned.materials[0].double_sided) << "a mirrored tetrahedron would be inside out";
   }
+}
+
+/// A triangle of side 2 at z = 0 and 1, as FBX with an axis that points upwards: 0 x, 1 y, 2 z.
+std::string fbx(int up, int sign) {
+  return fmt::format(
+      "; FBX 7.3.0 project file\nFBXHeaderExtension:  {{\n\tFBXHeaderVersion: 1003\n\tFBXVersion: 7300\n}}\n"
+      "GlobalSettings:  {{\n\tVersion: 1000\n\tProperties70:  {{\n"
+      "\t\tP: \"UpAxis\", \"int\", \"Integer\", \"\",{}\n\t\tP: \"UpAxisSign\", \"int\", \"Integer\", "
+      "\"\",{}\n\t}}\n}}\n"
+      "Objects:  {{\n\tGeometry: 1, \"Geometry::\", \"Mesh\" {{\n\t\tVertices: *9 {{\n\t\t\ta: "
+      "0,0,0,2,0,0,0,0,1\n\t\t}}\n"
+      "\t\tPolygonVertexIndex: *3 {{\n\t\t\ta: 0,1,-3\n\t\t}}\n\t\tGeometryVersion: 124\n\t}}\n"
+      "\tModel: 2, \"Model::\", \"Mesh\" {{\n\t\tVersion: 232\n\t}}\n}}\n"
+      "Connections:  {{\n\tC: \"OO\",2,0\n\tC: \"OO\",1,2\n}}\n",
+      up, sign);
+}
+
+TEST_F(Import, FormatsSayWhichAxisPointsUpwards) {
+  // The tip is above the base along z.
+  const std::string stl =
+      "solid s\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 0 1\nendloop\nendfacet\nendsolid "
+      "s\n";
+  const std::string off = "OFF\n3 1 0\n0 0 0\n2 0 0\n0 0 1\n3 0 1 2\n";
+  const auto is_upright = [](const Model& one) {
+    const Mesh& mesh = one.meshes[0];
+    return mesh.half_extent.y > 0 && mesh.half_extent.z == 0;
+  };
+  EXPECT_TRUE(is_upright(model(file("one.stl", stl))));
+  EXPECT_TRUE(is_upright(model(file("two.STL", stl))));
+  EXPECT_FALSE(is_upright(model(file("three.stl", stl), UpAxis::plus_y))) << "what is asked for counts";
+  EXPECT_FALSE(is_upright(model(file("one.off", off)))) << "it says nothing of axes";
+  EXPECT_TRUE(is_upright(model(file("z.fbx", fbx(2, 1)))));
+  EXPECT_FALSE(is_upright(model(file("y.fbx", fbx(1, 1)))));
 }
 
 TEST_F(Import, MoreVerticesThanSixteenBits) {

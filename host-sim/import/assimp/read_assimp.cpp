@@ -20,6 +20,7 @@
 #include "import/assimp/bones.hpp"
 #include "import/assimp/lights.hpp"
 #include "import/assimp/materials.hpp"
+#include "import/assimp/up_axis.hpp"
 #include "import/mesh_groups.hpp"
 #include "import/model_files.hpp"
 #include "import/screen_channel.hpp"
@@ -172,7 +173,7 @@ void colour_by_vertices(SourceModel& model) {
 
 }  // namespace
 
-Result<SourceModel> read_assimp(const std::filesystem::path& path, UpAxis up, Texcoords texcoords,
+Result<SourceModel> read_assimp(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
                                 const std::function<void()>& parsed) {
   Assimp::Importer importer;
   importer.SetIOHandler(std::make_unique<ModelFiles>().release());  // which it owns
@@ -188,7 +189,7 @@ Result<SourceModel> read_assimp(const std::filesystem::path& path, UpAxis up, Te
   }
   parsed();
   SourceModel model;
-  const aiMatrix4x4 turn = to_matrix(turn_up(up));
+  const aiMatrix4x4 turn = to_matrix(turn_up(up.value_or(up_of_format(*scene, path))));
   MaterialReader materials(*scene, path.parent_path(), model);
   materials.read_all();
   if (const Result<Done> collected = Collector(*scene, turn, materials, texcoords, model).collect(); !collected) {

@@ -11,7 +11,7 @@ namespace zstrip::sim {
 
 /// What read_model promises of a model. `parsed` is called once Assimp has done its part. The failure's message starts
 /// with a verb.
-Result<SourceModel> read_assimp(const std::filesystem::path& path, UpAxis up, Texcoords texcoords,
+Result<SourceModel> read_assimp(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
                                 const std::function<void()>& parsed);
 
 }  // namespace zstrip::sim
