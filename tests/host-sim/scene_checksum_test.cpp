@@ -1,5 +1,6 @@
 // Every scene file that comes with the command has its picture, by a checksum: in strips of any height, on any threads,
 // and baked.
+#include <algorithm>
 #include <filesystem>
 
 #include "command_fixture.hpp"
@@ -8,7 +9,7 @@
 namespace zstrip::sim::test {
 namespace {
 
-/// Those of this repository, by name: picture size and checksum.
+/// Those of this repository, by name and folder: picture size and checksum.
 const measured::Table& recorded() {
   static const measured::Table table = measured::read_table(
       ZSTRIP_SCENE_CHECKSUMS,
@@ -20,8 +21,9 @@ class SceneChecksum : public Command, public testing::WithParamInterface<std::st
 
 std::vector<std::string> scene_files() {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(ZSTRIP_SCENE_FILES)) {
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(ZSTRIP_SCENE_FILES)) {
+    if (entry.path().extension() != ".toml") continue;
+    names.push_back(entry.path().lexically_relative(ZSTRIP_SCENE_FILES).replace_extension().string());
   }
   return names;
 }
@@ -42,7 +44,11 @@ TEST_P(SceneChecksum, IsThatOfThePicture) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, SceneChecksum, testing::ValuesIn(scene_files()),
-                         [](const testing::TestParamInfo<std::string>& name) { return name.param; });
+                         [](const testing::TestParamInfo<std::string>& scene) {
+                           std::string name = scene.param;  // "gallery/chess"
+                           std::replace(name.begin(), name.end(), '/', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace zstrip::sim::test

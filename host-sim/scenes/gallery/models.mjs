@@ -1,0 +1,144 @@
+// From shapes to model files: normals, the light that corners lose to what stands around them, binary glTF.
+import fs from 'node:fs';
+
+import {add, cross, dot, minus, random, times, unit} from './shapes.mjs';
+
+const key = (values) => values.map((v) => Math.round(v * 1e4)).join();
+const normalOf = ({points: [p, q, r]}) => cross(minus(q, p), minus(r, p));
+
+// Vertices with normals: faces that meet at less than `crease` degrees are smooth.
+export function welded(faces, crease = 40) {
+  const limit = Math.cos(crease * Math.PI / 180), around = new Map();
+  const flat = faces.map((f) => ({...f, normal: normalOf(f)}));
+  for (const f of flat) {
+    for (const p of f.points) around.set(key(p), [...(around.get(key(p)) ?? []), f]);
+  }
+  const vertices = [], triangles = [], known = new Map();
+  for (const f of flat) {
+    triangles.push(f.points.map((p, i) => {
+      const near = around.get(key(p)).filter((g) => dot(unit(g.normal), unit(f.normal)) >= limit);
+      const normal = unit(near.reduce((sum, g) => add(sum, unit(g.normal)), [0, 0, 0]));
+      const own = `${key(p)} ${key(times(normal, 0.01))} ${key(f.colours[i])} ${key(f.texcoords[i])}`;
+      if (!known.has(own)) {
+        known.set(own, vertices.length);
+        vertices.push({position: p, normal, colour: f.colours[i], texcoord: f.texcoords[i]});
+      }
+      return known.get(own);
+    }));
+  }
+  return {vertices, triangles};
+}
+
+export const joined = (a, b) => ({
+  vertices: [...a.vertices, ...b.vertices],
+  triangles: [...a.triangles, ...b.triangles.map((t) => t.map((i) => i + a.vertices.length))],
+});
+
+function hit(from, along, triangle, reach) {
+  const [p, q, r] = triangle, e = minus(q, p), f = minus(r, p), h = cross(along, f), det = dot(e, h);
+  if (Math.abs(det) < 1e-12) return false;
+  const s = minus(from, p), u = dot(s, h) / det;
+  if (u < 0 || u > 1) return false;
+  const k = cross(s, e), v = dot(along, k) / det;
+  if (v < 0 || u + v > 1) return false;
+  const t = dot(f, k) / det;
+  return t > 1e-3 * reach && t < reach;
+}
+
+// Darkens vertices by the share of the sky, within `reach`, that faces of `others` and of the mesh itself hide; `dark`
+// is what the deepest corner keeps of its colour.
+export function occluded(mesh, {others = [], reach = 1, rays = 48, dark = [0.3, 0.3, 0.4]} = {}) {
+  const blockers =
+      [...mesh.triangles.map((t) => t.map((i) => mesh.vertices[i].position)), ...others.map((f) => f.points)];
+  const shares = new Map();
+  const share = ({position, normal}) => {
+    const at = key([...position, ...normal]);
+    if (shares.has(at)) return shares.get(at);
+    const near = blockers.filter(
+        (b) => b.some((p, i) => Math.hypot(...minus(p, position)) < reach + Math.hypot(...minus(p, b[(i + 1) % 3]))));
+    const from = add(position, times(normal, 0.004 * reach));
+    const side = unit(cross(normal, Math.abs(normal[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0])), other = cross(side, normal);
+    let open = 0;
+    for (let ray = 0; ray < rays; ++ray) {
+      const r = Math.sqrt((ray + 0.5) / rays), turn = 2.39996 * ray + random(3);
+      const along = add(
+          times(normal, Math.sqrt(1 - r * r)), add(times(side, r * Math.cos(turn)), times(other, r * Math.sin(turn))));
+      if (!near.some((b) => hit(from, along, b, reach))) ++open;
+    }
+    shares.set(at, open / rays);
+    return open / rays;
+  };
+  for (const v of mesh.vertices) {
+    const open = share(v);
+    v.colour = v.colour.map((c, i) => c * (dark[i] + (1 - dark[i]) * open));
+  }
+  return mesh;
+}
+
+const BYTE = 5120, SHORT = 5123, FLOAT = 5126;
+
+// Writes a binary glTF file. parts: {material name: mesh of welded()}; one node. Texture coordinates only where wanted.
+export function writeModel(file, parts, {texcoords = false} = {}) {
+  const chunks = [], bufferViews = [], accessors = [];
+  let size = 0, triangles = 0, vertices = 0;
+  const put = (buffer, accessor, byteStride) => {
+    bufferViews.push({buffer: 0, byteOffset: size, byteLength: buffer.length, ...(byteStride && {byteStride})});
+    chunks.push(Buffer.concat([buffer, Buffer.alloc((4 - buffer.length % 4) % 4)]));
+    size += chunks.at(-1).length;
+    accessors.push({bufferView: bufferViews.length - 1, ...accessor});
+    return accessors.length - 1;
+  };
+  const floats = (rows) => Buffer.from(new Float32Array(rows.flat()).buffer);
+  const linear = (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
+  const names = Object.keys(parts);
+  const primitives = names.map((name, material) => {
+    const mesh = parts[name], count = mesh.vertices.length, places = mesh.vertices.map((v) => v.position);
+    const bound = (f) => [0, 1, 2].map((i) => Math.fround(f(...places.map((p) => p[i]))));
+    vertices += count;
+    triangles += mesh.triangles.length;
+    const attributes = {
+      POSITION:
+          put(floats(places), {componentType: FLOAT, count, type: 'VEC3', min: bound(Math.min), max: bound(Math.max)}),
+      NORMAL:
+          put(Buffer.from(mesh.vertices.flatMap((v) => [...v.normal.map((n) => Math.round(127 * n)), 0])),
+              {componentType: BYTE, normalized: true, count, type: 'VEC3'}, 4),
+    };
+    if (mesh.vertices.some((v) => v.colour.some((c) => c < 254.5))) {
+      const colours = mesh.vertices.flatMap(
+          (v) => [...v.colour.map((c) => Math.round(65535 * linear(Math.min(c, 255) / 255))), 65535]);
+      attributes.COLOR_0 = put(
+          Buffer.from(new Uint16Array(colours).buffer), {componentType: SHORT, normalized: true, count, type: 'VEC4'});
+    }
+    if (texcoords) {
+      attributes.TEXCOORD_0 =
+          put(floats(mesh.vertices.map((v) => v.texcoord)), {componentType: FLOAT, count, type: 'VEC2'});
+    }
+    const indices =
+        put(Buffer.from(new Uint16Array(mesh.triangles.flat()).buffer),
+            {componentType: SHORT, count: 3 * mesh.triangles.length, type: 'SCALAR'});
+    return {attributes, indices, material};
+  });
+  const text = JSON.stringify({
+    asset: {version: '2.0', copyright: 'public domain'},
+    extensionsUsed: ['KHR_mesh_quantization'],
+    extensionsRequired: ['KHR_mesh_quantization'],
+    scene: 0,
+    scenes: [{nodes: [0]}],
+    nodes: [{mesh: 0}],
+    meshes: [{primitives}],
+    materials: names.map((name) => ({name, pbrMetallicRoughness: {metallicFactor: 0}})),
+    accessors,
+    bufferViews,
+    buffers: [{byteLength: size}],
+  });
+  const json = Buffer.from(text + ' '.repeat((4 - Buffer.byteLength(text) % 4) % 4));
+  const head = (length, type) => Buffer.from(new Uint32Array([length, type]).buffer);
+  fs.writeFileSync(file, Buffer.concat([
+    Buffer.from(new Uint32Array([0x46546c67, 2, 28 + json.length + size]).buffer),
+    head(json.length, 0x4e4f534a),
+    json,
+    head(size, 0x004e4942),
+    ...chunks,
+  ]));
+  console.log(`${file}: ${triangles} triangles, ${vertices} vertices`);
+}
