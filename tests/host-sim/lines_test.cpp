@@ -106,7 +106,7 @@ TEST_F(ModelLines, OfOtherFormatsBesideTriangles) {
   const std::string obj = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3\n";
   const std::string path = file("both.obj", obj + "l 3 4 1\np 4\n");
   const Model both = model(path);
-  EXPECT_EQ(both.instances.size(), 1U);
+  EXPECT_EQ(both.instances.size(), 2U);  // both sides
   std::vector<Ends> ends = joined(both);
   std::ranges::sort(ends);
   EXPECT_EQ(ends, (std::vector<Ends>{{2, 3}, {3, 0}, {3, 3}}));
