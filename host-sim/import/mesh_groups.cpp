@@ -128,7 +128,7 @@ Result<Done> MeshGroups::finish() {
   warn_of(bad_index_, "triangle", "left out: with vertices that do not exist");
   warn_of(bad_segments_, "line", "left out: with vertices that do not exist, or are not finite");
   warn_of(bent_segments_, "line", "left out: skins bend triangles only");
-  warn_of(vertex_alpha_, "mesh", "drawn without the alpha of its vertex colours");
+  warn_of(vertex_alpha_, "mesh", "drawn without the alpha of its vertex colours, which differs");
   warn_of(morphs_, "mesh", "with morph targets drawn at rest: only nodes and skins are animated");
   std::erase_if(model_.meshes, [](const SourceMesh& mesh) { return mesh.indices.empty(); });
   std::erase_if(model_.lines, [](const SourceLines& lines) { return lines.indices.empty(); });

@@ -17,7 +17,7 @@ struct SourcePrimitive {
   std::int32_t node = kNoNode;  ///< as SourceMesh::node
   bool has_colours = false, has_texcoords = false, has_skin = false;
   bool mirrored = false;      ///< a node turned it inside out: triangles are turned back
-  bool vertex_alpha = false;  ///< some vertex colours are transparent
+  bool vertex_alpha = false;  ///< of vertex colours differs, and would count
   bool morphs = false;        ///< an animation would change its shape
   std::vector<SourceVertex> vertices;
   std::vector<std::uint32_t> indices;   ///< three a triangle; any numbers

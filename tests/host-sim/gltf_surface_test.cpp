@@ -190,6 +190,26 @@ TEST_F(GltfSurface, ATextureThatCannotBeReadIsNamed) {
 }
 
 /// The back was 49 where the front was 165.
+TEST_F(GltfSurface, AlphaThatAllVerticesHaveIsTheMaterials) {
+  const auto alpha_of = [&](const char* mode, const std::vector<float>& alphas) {
+    GltfData data;
+    data.add_floats({-1, -1, 0, 1, -1, 0, 1, 1, 0}, "VEC3");
+    std::vector<float> colours;
+    for (const float alpha : alphas) colours.insert(colours.end(), {1, 1, 1, alpha});
+    data.add_floats(colours, "VEC4");
+    const Model found = model(
+        gltf_of(R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"material":0,"attributes":{"POSITION":0,)"
+                R"("COLOR_0":1}}]}],"materials":[{"alphaMode":")" +
+                std::string(mode) + R"(","pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.8]}}],)" + data.json()));
+    const bool warned = !found.warnings.empty();
+    return std::pair(int{found.materials[found.instances[0].material].colour.a}, warned);
+  };
+  EXPECT_EQ(alpha_of("BLEND", {0.5F, 0.5F, 0.5F}), std::pair(102, false));
+  EXPECT_EQ(alpha_of("MASK", {0.5F, 0.5F, 0.5F}), std::pair(102, false));
+  EXPECT_EQ(alpha_of("BLEND", {0.5F, 0.5F, 1}), std::pair(204, true));
+  EXPECT_EQ(alpha_of("OPAQUE", {0.5F, 0.5F, 1}), std::pair(255, false));
+}
+
 TEST_F(GltfSurface, BothSidesAreLitAlike) {
   GltfData data;
   data.add_floats({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, "VEC3");

@@ -174,6 +174,26 @@ Result<Done> GltfPrimitives::add_morphs(const GltfJson& mesh, const GltfJson& pr
   return Done{};
 }
 
+/// The alpha that all vertices have is the material's.
+void GltfPrimitives::set_alpha(const GltfValues<float>& colours, SourcePrimitive& to) {
+  if (colours.components != 4 || model_.materials[to.material].alpha_mode == AlphaMode::opaque) return;
+  const std::uint8_t alpha = to_screen_channel(double{colours.at(0)[3]}, false);
+  for (std::size_t i = 1; i < colours.count(); ++i) {
+    if (to_screen_channel(double{colours.at(i)[3]}, false) == alpha) continue;
+    to.vertex_alpha = true;
+    return;
+  }
+  if (alpha == 255) return;
+  const auto [at, is_new] =
+      with_alpha_.try_emplace({to.material, alpha}, static_cast<std::uint32_t>(model_.materials.size()));
+  if (is_new) {
+    SourceMaterial own = model_.materials[to.material];
+    own.alpha = static_cast<std::uint8_t>((own.alpha * alpha + 127) / 255);
+    model_.materials.push_back(std::move(own));
+  }
+  to.material = at->second;
+}
+
 Result<SourcePrimitive> GltfPrimitives::read_primitive(const GltfJson& mesh, const GltfJson& primitive,
                                                        std::size_t node) {
   const std::size_t number = index_in(primitive, "mode").value_or(4);
@@ -204,8 +224,8 @@ Result<SourcePrimitive> GltfPrimitives::read_primitive(const GltfJson& mesh, con
   to.node = to.has_skin || !skin->at_rest.empty() ? kNoNode : nodes_.mover_of(node);
   to.mirrored = determinant(skin->modelled) < 0;
   to.morphs = animations_morph_ && count_of(primitive, "targets") > 0;
-  const bool alpha_counts = model_.materials[to.material].alpha_mode != AlphaMode::opaque;
-  const GltfTexcoords& texcoords = materials_.texcoords_of(to.material);
+  const GltfTexcoords texcoords = materials_.texcoords_of(to.material);
+  set_alpha(from->colours, to);
   const Affine normals_as_modelled = map_of_normals(skin->modelled);
   to.vertices.resize(vertices);
   for (std::size_t i = 0; i < vertices; ++i) {
@@ -220,7 +240,6 @@ Result<SourcePrimitive> GltfPrimitives::read_primitive(const GltfJson& mesh, con
     if (to.has_colours) {
       const float* const colour = from->colours.at(i);
       for (std::size_t c = 0; c < 3; ++c) vertex.colour[c] = to_screen_channel(double{colour[c]}, true);
-      if (alpha_counts && from->colours.components == 4 && colour[3] < 1) to.vertex_alpha = true;
     }
     if (to.has_texcoords) {
       const float* const texcoord = from->texcoords.at(i);

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <utility>
 
 #include "import/gltf/accessors.hpp"
 #include "import/gltf/attributes.hpp"
@@ -32,6 +34,7 @@ class GltfPrimitives {
   };
 
   /// Empty: nothing to draw. The failure's message is a reason, as those below.
+  void set_alpha(const GltfValues<float>& colours, SourcePrimitive& to);
   Result<SourcePrimitive> read_primitive(const GltfJson& mesh, const GltfJson& primitive, std::size_t node);
   Result<Vertices> read_vertices(const GltfJson& primitive, const GltfAttributes& attributes);
   Result<Done> add_morphs(const GltfJson& mesh, const GltfJson& primitive, std::size_t node, Vertices& vertices);
@@ -45,6 +48,8 @@ class GltfPrimitives {
   SourceModel& model_;
   GltfSkins skins_;
   MeshGroups groups_;
+  /// Materials with the alpha of vertices, by the file's material and that alpha.
+  std::map<std::pair<std::uint32_t, std::uint8_t>, std::uint32_t> with_alpha_;
   bool animations_morph_ = false;
   std::uint64_t no_texcoords_ = 0;  ///< primitives whose texture has no texture coordinates
 };
