@@ -10,7 +10,7 @@ const kTrack = 2.3;  // radius of the track's middle
 const onTrack = (faces, degrees, y = 0) =>
     placed(placed(faces, {turn: [0, 90, 0], at: [0, y, kTrack]}), {turn: [0, degrees, 0]});
 
-// Of what stands somewhere nobody sees the lower side.
+// Without the lower side, which stands on something.
 const block = (size, colour, place) => placed(box(size, colour), place).filter((f) => {
   const [low, high] = [Math.min, Math.max].map((m) => m(...f.points.map((p) => p[1])));
   return high - low > 1e-6 || high > place.at[1];

@@ -1,0 +1,40 @@
+// Each scene of docs/gallery.md fits: tables so small that with the code of its effects they stay below 64 KB of flash
+// (which the page has, measured), arena and strip within the memory that it is planned for.
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+#include "support.hpp"
+
+namespace zstrip::sim::test {
+namespace {
+
+class Gallery : public FolderTest {};
+
+/// Bytes: what the effects' code leaves of 64 KB. Shadows take most of it.
+constexpr std::size_t kTables = 36'500, kTablesBesideShadows = 13'500, kRam = std::size_t{22} * 1024;
+
+TEST_F(Gallery, ScenesFitIntoTheMemoryThatThePageSays) {
+  std::size_t scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(ZSTRIP_SCENE_FILES "/gallery")) {
+    if (entry.path().extension() != ".toml") continue;
+    ++scenes;
+    const std::string scene = entry.path().string();
+    const Outcome baked = run(ZSTRIP_COMMAND,
+                              {"bake", scene, "-o", "scene.hpp", "--size", "240x240", "--format", "rgb565_swapped",
+                               "--ram", std::to_string(kRam), "--quiet", "--json", "-"},
+                              path(""));
+    ASSERT_EQ(baked.status, 0) << baked.err;
+    const auto report = nlohmann::json::parse(baked.out);
+    const auto& ram = report.at("plan").at("ram_bytes");
+    const bool shadows = baked.out.find("\"shadows\"") != std::string::npos;
+    EXPECT_LE(report.at("flash_bytes").at("total"), shadows ? kTablesBesideShadows : kTables) << scene;
+    EXPECT_LE(ram.at("arena").get<std::size_t>() + ram.at("strip_pixels").get<std::size_t>(), kRam) << scene;
+  }
+  EXPECT_EQ(scenes, 6U);
+}
+
+}  // namespace
+}  // namespace zstrip::sim::test
