@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "compose/scene_file.hpp"
+#include "import/lit_pixels.hpp"
 #include "render/blob_stage.hpp"
 #include "render/camera_stage.hpp"
 #include "render/composed_stage.hpp"
@@ -246,6 +247,7 @@ Result<std::unique_ptr<Stage>> open_stage(const std::string& name, const ModelOp
   if (kind_of_scene(name) == SceneKind::composed) return open_composed_stage(name, options, view, frames);
   Result<Model> model = import_model(name, model_options.up);
   if (!model) return model.failure();
+  light_at_pixels(*model);
   Result<ModelMotion> motion = motion_of(*model, model_options.animation, name);
   if (!motion) return motion.failure();
   auto stage = std::make_unique<ModelStage>(std::make_shared<const Model>(std::move(*model)),

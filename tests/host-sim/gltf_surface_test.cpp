@@ -29,10 +29,10 @@ class GltfSurface : public FolderTest {
     return read ? std::move(*read) : SourceModel();
   }
   /// The colour in the middle of a picture, seen from here.
-  Rgb seen(const std::string& content, const std::array<double, 3>& eye) const {
+  Rgb seen(const std::string& content, const std::array<double, 3>& eye,
+           const std::array<double, 3>& look_at = {}) const {
     const View view{64, 48};
-    const auto stage =
-        open_stage(file("model.gltf", content), {}, {.eye = eye, .look_at = std::array<double, 3>{0, 0, 0}}, view, 1);
+    const auto stage = open_stage(file("model.gltf", content), {}, {.eye = eye, .look_at = look_at}, view, 1);
     EXPECT_TRUE(stage) << stage.failure().message;
     if (!stage) return {};
     const Result<Staging> staging = (*stage)->place(0, 1);
@@ -190,6 +190,45 @@ TEST_F(GltfSurface, ATextureThatCannotBeReadIsNamed) {
 }
 
 /// The back was 49 where the front was 165.
+/// A wall of two triangles, a lamp before its middle: the picture against the light's definition, in double.
+TEST_F(GltfSurface, ALampBeforeALargeWallLightsItsMiddle) {
+  GltfData data;
+  data.add_floats({-2, -2, 0, 2, -2, 0, 2, 2, 0, -2, 2, 0}, "VEC3");
+  data.add_floats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
+  data.add_indices({0, 1, 2, 0, 2, 3});
+  // Three dim ones besides, so that no room is left for the light that is added to a file's own.
+  const auto wall = [&](double distance) {
+    return gltf_of(R"("nodes":[{"mesh":0,"children":[1,2,3,4,5]},{"translation":[0,0,)" + std::to_string(distance) +
+                   R"(],"extensions":{"KHR_lights_punctual":{"light":0}}})" +
+                   [] {
+                     std::string suns;
+                     for (int i = 0; i < 4; ++i) {
+                       suns += R"(,{"rotation":[0,1,0,0],"extensions":{"KHR_lights_punctual":{"light":1}}})";
+                     }
+                     return suns;
+                   }() +
+                   R"(],"extensions":{"KHR_lights_punctual":{"lights":[{"type":"point","intensity":1},)"
+                   R"({"type":"directional","intensity":1e-6}]}},"meshes":[{"primitives":[{"indices":2,)"
+                   R"("attributes":{"POSITION":0,"NORMAL":1}}]}],)" +
+                   data.json());
+  };
+  const std::string near = wall(2);
+  EXPECT_EQ(model(near).materials[0].smooth, Shading::gouraud) << "scene files have lights of their own";
+  for (double x = -1.5; x <= 1.5; x += 0.5) {
+    for (double y = -1; y <= 1; y += 0.5) {
+      const double squared = x * x + y * y + 4;
+      const double lamp = 4 / squared * 2 / std::sqrt(squared);  // full light at distance 2
+      const int wanted = static_cast<int>(std::lround(255 * std::min(1.0, lamp + 48.0 / 255)));
+      expect_near(seen(near, {x, y, 5}, {x, y, 0}), {wanted, wanted, wanted});
+    }
+  }
+  // Far away a lamp lights the wall alike: nothing calls for light at pixels.
+  const auto stage = open_stage(file("far.gltf", wall(20)), {}, {}, {64, 48}, 1);
+  ASSERT_TRUE(stage);
+  const Result<Staging> staging = (*stage)->place(0, 1);
+  EXPECT_EQ(staging->scene.materials[0].smooth, Shading::gouraud);
+}
+
 TEST_F(GltfSurface, AlphaThatAllVerticesHaveIsTheMaterials) {
   const auto alpha_of = [&](const char* mode, const std::vector<float>& alphas) {
     GltfData data;
