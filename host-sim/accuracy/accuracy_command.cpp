@@ -281,7 +281,8 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
       ->type_name("SETTINGS");
   command->add_flag("--singles", a.singles, "One knob at a time, no combinations");
   command->add_flag("--presets", a.presets, "The presets tiny, balanced and exact, too");
-  command->add_option("--up", a.up, "Axis that points upwards in a model file; else as its format says")->type_name("AXIS");
+  command->add_option("--up", a.up, "Axis that points upwards in a model file; else as its format says")
+      ->type_name("AXIS");
   command->add_option("--firmware", a.firmware, "Folder of the boards' programs, if not where the build puts them")
       ->type_name("DIR");
   command->add_flag("--list-programs", a.programs,

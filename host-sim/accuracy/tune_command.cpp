@@ -182,7 +182,8 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command->add_option("--jobs", a.jobs, "Settings measured at once (default: one a core)")
       ->type_name("N")
       ->check(CLI::Range(1U, 256U));
-  command->add_option("--up", a.up, "Axis that points upwards in a model file; else as its format says")->type_name("AXIS");
+  command->add_option("--up", a.up, "Axis that points upwards in a model file; else as its format says")
+      ->type_name("AXIS");
   command->add_option("--firmware", a.firmware, "Folder of the boards' programs, if not where the build puts them")
       ->type_name("DIR");
   command

@@ -67,7 +67,7 @@ struct FileModel {
   std::string name;
   std::filesystem::path file;  ///< relative to the scene file's folder
   std::string built_in;
-  int file_line = 0;         ///< of whichever is set
+  int file_line = 0;           ///< of whichever is set
   std::optional<UpAxis> up{};  ///< empty: as the format says
   std::optional<std::string> animation;
   int animation_line = 0;

@@ -32,7 +32,7 @@ void split_sides(SourceModel& model, std::vector<Outside>& outsides) {
   for (std::size_t i = 0; i < model.meshes.size(); ++i) {
     SourceMesh& mesh = model.meshes[i];
     const SourceMaterial& material = model.materials[mesh.material];
-    const bool shows_both = material.double_sided.value_or(outsides[i].opening >= kLeastOpening);
+    const bool shows_both = material.double_sided.value_or(outsides[i].opening >= kMinOpening);
     const bool hidden = outsides[i].is_closed && material.alpha_mode == AlphaMode::opaque;
     if (shows_both && !hidden && is_shaded(material)) {
       const auto [at, is_new] =
