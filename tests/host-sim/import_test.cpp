@@ -315,6 +315,19 @@ TEST_F(Import, TexturesAreLoweredUntilTheirRepeatsFit) {
   }
 }
 
+TEST_F(Import, BordersOfTexturesOfOtherFormats) {
+  png("a.png", 4, 4, 0x1234);
+  file("q.mtl", "newmtl r\nmap_Kd a.png\nnewmtl c\nmap_Kd -clamp on a.png\n");
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
+  const Result<SourceModel> read =
+      read_model(file("q.obj", "mtllib q.mtl\n" + corners + "usemtl r\nf 1/1 2/2 3/3\nusemtl c\nf 1/1 2/2 3/3\n"), {});
+  ASSERT_TRUE(read);
+  std::map<std::string, std::array<TextureWrap, 2>> wraps;
+  for (const SourceMaterial& material : read->materials) wraps[material.name] = material.wrap;
+  EXPECT_EQ(wraps["r"], (std::array{TextureWrap::repeat, TextureWrap::repeat}));
+  EXPECT_EQ(wraps["c"], (std::array{TextureWrap::clamp, TextureWrap::clamp}));
+}
+
 TEST_F(Import, TexturesInOtherCase) {
   png("test.png", 4, 4, 0xF800);
   for (const char* name : {"TEST.PNG", "Test.png", "C:\\Pictures\\TEST.png"}) {

@@ -34,6 +34,14 @@ Result<RgbImage> decode_embedded(const aiTexture& texture) {
   return image;
 }
 
+/// Decals end at their border; the nearest that there is clamps.
+TextureWrap wrap_of(const aiMaterial& from, const char* key, unsigned type, unsigned index) {
+  int mode = aiTextureMapMode_Wrap;
+  if (from.Get(key, type, index, mode) != AI_SUCCESS) return TextureWrap::repeat;
+  if (mode == aiTextureMapMode_Mirror) return TextureWrap::mirror;
+  return mode == aiTextureMapMode_Wrap ? TextureWrap::repeat : TextureWrap::clamp;
+}
+
 }  // namespace
 
 MaterialReader::MaterialReader(const aiScene& scene, std::filesystem::path folder, SourceModel& model)
@@ -71,6 +79,7 @@ SourceMaterial MaterialReader::read(const aiMaterial& from, unsigned& texcoord_s
   for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
     if (from.Get(AI_MATKEY_TEXTURE(type, 0), texture) != AI_SUCCESS || texture.length == 0) continue;
     to.texture = read_texture(texture.C_Str());
+    to.wrap = {wrap_of(from, AI_MATKEY_MAPPINGMODE_U(type, 0)), wrap_of(from, AI_MATKEY_MAPPINGMODE_V(type, 0))};
     int set = 0;
     if (from.Get(AI_MATKEY_UVWSRC(type, 0), set) == AI_SUCCESS && set >= 0) texcoord_set = static_cast<unsigned>(set);
     break;
