@@ -25,7 +25,7 @@ Colour read_colour(TomlTable& table, const char* key, const char* alpha, const C
 FileSprite read_sprite(TomlTable& table) {
   FileSprite sprite;
   sprite.line = table.line();
-  sprite.image = table.needed_text("image", "'image' is missing: a PNG or JPEG");
+  sprite.image = table.needed_text("image", "'image' is missing: a PNG, JPEG, WebP, BMP or TGA");
   sprite.x = read_place(table, "x");
   sprite.y = read_place(table, "y");
   sprite.colour = read_colour(table, "colour", "alpha", {255, 255, 255, 255});

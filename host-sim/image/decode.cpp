@@ -1,4 +1,4 @@
-// Reads PNG (libspng) and JPEG (libjpeg-turbo), told apart by their first bytes.
+// Reads pictures, told apart by their first bytes; here PNG (libspng) and JPEG (libjpeg-turbo).
 #include "image/decode.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "image/decoders.hpp"
+
 namespace zstrip::sim {
 namespace {
 
@@ -21,10 +23,6 @@ bool starts_with(std::span<const std::uint8_t> file, std::span<const std::uint8_
   return file.size() >= signature.size() && std::equal(signature.begin(), signature.end(), file.begin());
 }
 
-Failure damaged(const char* kind, const char* reason) {
-  return {ExitStatus::input, fmt::format("is not a whole {} picture ({})", kind, reason)};
-}
-
 /// Whether the file has transparent pixels.
 bool has_alpha(spng_ctx& png, const spng_ihdr& header) {
   spng_trns key{};
@@ -32,8 +30,52 @@ bool has_alpha(spng_ctx& png, const spng_ihdr& header) {
          spng_get_trns(&png, &key) == 0;
 }
 
-/// Of four bytes a pixel; without alpha where no pixel has any.
-RgbImage split_alpha(std::uint32_t width, std::uint32_t height, const std::vector<std::uint8_t>& rgba) {
+Result<RgbImage> decode_png(std::span<const std::uint8_t> file) {
+  const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> png(spng_ctx_new(0), &spng_ctx_free);
+  if (!png) return damaged_picture("PNG", "no memory");
+  spng_set_image_limits(png.get(), kMaxImageSide, kMaxImageSide);
+  spng_ihdr header{};
+  std::size_t bytes = 0;
+  int error = spng_set_png_buffer(png.get(), file.data(), file.size());
+  if (error == 0) error = spng_get_ihdr(png.get(), &header);
+  const bool alpha = error == 0 && has_alpha(*png, header);
+  const spng_format format = alpha ? SPNG_FMT_RGBA8 : SPNG_FMT_RGB8;
+  if (error == 0) error = spng_decoded_image_size(png.get(), format, &bytes);
+  if (error != 0) return damaged_picture("PNG", spng_strerror(error));
+  std::vector<std::uint8_t> pixels(bytes);
+  error = spng_decode_image(png.get(), pixels.data(), bytes, format, alpha ? SPNG_DECODE_TRNS : 0);
+  if (error != 0) return damaged_picture("PNG", spng_strerror(error));
+  if (alpha) return split_alpha(header.width, header.height, pixels);
+  return RgbImage{header.width, header.height, std::move(pixels)};
+}
+
+Result<RgbImage> decode_jpeg(std::span<const std::uint8_t> file) {
+  const std::unique_ptr<void, decltype(&tjDestroy)> jpeg(tjInitDecompress(), &tjDestroy);
+  if (!jpeg) return damaged_picture("JPEG", "no memory");
+  int width = 0;
+  int height = 0;
+  int subsampling = 0;
+  int colour_space = 0;
+  if (tjDecompressHeader3(jpeg.get(), file.data(), file.size(), &width, &height, &subsampling, &colour_space) != 0) {
+    return damaged_picture("JPEG", tjGetErrorStr2(jpeg.get()));
+  }
+  const int limit = static_cast<int>(kMaxImageSide);
+  if (width < 1 || height < 1 || width > limit || height > limit) return damaged_picture("JPEG", "size out of range");
+  RgbImage image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), {}};
+  image.rgb.resize(3 * std::size_t{image.width} * image.height);
+  if (tjDecompress2(jpeg.get(), file.data(), file.size(), image.rgb.data(), width, 0, height, TJPF_RGB, 0) != 0) {
+    return damaged_picture("JPEG", tjGetErrorStr2(jpeg.get()));
+  }
+  return image;
+}
+
+}  // namespace
+
+Failure damaged_picture(const char* kind, const char* reason) {
+  return {ExitStatus::input, fmt::format("is not a whole {} picture ({})", kind, reason)};
+}
+
+RgbImage split_alpha(std::uint32_t width, std::uint32_t height, std::span<const std::uint8_t> rgba) {
   RgbImage image{width, height, {}};
   image.rgb.reserve(rgba.size() / 4 * 3);
   image.alpha.reserve(rgba.size() / 4);
@@ -46,51 +88,13 @@ RgbImage split_alpha(std::uint32_t width, std::uint32_t height, const std::vecto
   return image;
 }
 
-Result<RgbImage> decode_png(std::span<const std::uint8_t> file) {
-  const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> png(spng_ctx_new(0), &spng_ctx_free);
-  if (!png) return damaged("PNG", "no memory");
-  spng_set_image_limits(png.get(), kMaxImageSide, kMaxImageSide);
-  spng_ihdr header{};
-  std::size_t bytes = 0;
-  int error = spng_set_png_buffer(png.get(), file.data(), file.size());
-  if (error == 0) error = spng_get_ihdr(png.get(), &header);
-  const bool alpha = error == 0 && has_alpha(*png, header);
-  const spng_format format = alpha ? SPNG_FMT_RGBA8 : SPNG_FMT_RGB8;
-  if (error == 0) error = spng_decoded_image_size(png.get(), format, &bytes);
-  if (error != 0) return damaged("PNG", spng_strerror(error));
-  std::vector<std::uint8_t> pixels(bytes);
-  error = spng_decode_image(png.get(), pixels.data(), bytes, format, alpha ? SPNG_DECODE_TRNS : 0);
-  if (error != 0) return damaged("PNG", spng_strerror(error));
-  if (alpha) return split_alpha(header.width, header.height, pixels);
-  return RgbImage{header.width, header.height, std::move(pixels)};
-}
-
-Result<RgbImage> decode_jpeg(std::span<const std::uint8_t> file) {
-  const std::unique_ptr<void, decltype(&tjDestroy)> jpeg(tjInitDecompress(), &tjDestroy);
-  if (!jpeg) return damaged("JPEG", "no memory");
-  int width = 0;
-  int height = 0;
-  int subsampling = 0;
-  int colour_space = 0;
-  if (tjDecompressHeader3(jpeg.get(), file.data(), file.size(), &width, &height, &subsampling, &colour_space) != 0) {
-    return damaged("JPEG", tjGetErrorStr2(jpeg.get()));
-  }
-  const int limit = static_cast<int>(kMaxImageSide);
-  if (width < 1 || height < 1 || width > limit || height > limit) return damaged("JPEG", "size out of range");
-  RgbImage image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), {}};
-  image.rgb.resize(3 * std::size_t{image.width} * image.height);
-  if (tjDecompress2(jpeg.get(), file.data(), file.size(), image.rgb.data(), width, 0, height, TJPF_RGB, 0) != 0) {
-    return damaged("JPEG", tjGetErrorStr2(jpeg.get()));
-  }
-  return image;
-}
-
-}  // namespace
-
 Result<RgbImage> decode_image(std::span<const std::uint8_t> file) {
   if (starts_with(file, kPngSignature)) return decode_png(file);
   if (starts_with(file, kJpegSignature)) return decode_jpeg(file);
-  return Failure{ExitStatus::input, "is neither PNG nor JPEG"};
+  if (is_webp(file)) return decode_webp(file);
+  if (is_bitmap(file)) return decode_bitmap_or_targa(file, "BMP");
+  if (is_targa(file)) return decode_bitmap_or_targa(file, "TGA");
+  return Failure{ExitStatus::input, "is no picture in PNG, JPEG, WebP, BMP or TGA"};
 }
 
 }  // namespace zstrip::sim

@@ -1,4 +1,4 @@
-// Reads PNG (libspng) and JPEG (libjpeg-turbo), told apart by their first bytes.
+// Reads PNG, JPEG, WebP, BMP and TGA, told apart by their first bytes.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace zstrip::sim {
 /// Largest side that is read; a hostile file must not take gigabytes.
 inline constexpr std::uint32_t kMaxImageSide = 16384;
 
-/// Alpha is dropped. A damaged or truncated file is a failure whose message starts with a verb ("is not a PNG or ...").
+/// A damaged or truncated file is a failure whose message starts with a verb ("is not a whole PNG picture ...").
 Result<RgbImage> decode_image(std::span<const std::uint8_t> file);
 
 }  // namespace zstrip::sim

@@ -1,4 +1,6 @@
 // Picture files: any bytes decode to a whole picture or to a failure; any pixels encode to a PNG that decodes to them.
+#include <webp/decode.h>
+
 #include <array>
 #include <cstring>
 #include <span>
@@ -25,10 +27,14 @@ std::uint64_t big_endian(std::span<const std::uint8_t> bytes) {
 }
 
 /// Whether the file states such a size: at its fixed place in a PNG, behind a frame marker (FF C0 to FF CF, two bytes
-/// of length and one of precision) in a JPEG.
+/// of length and one of precision) in a JPEG. BMP and TGA are no larger than their bytes allow.
 bool is_large(std::span<const std::uint8_t> file) {
   if (file.size() >= 24 && file[0] == 0x89) {
     return big_endian(file.subspan(16, 4)) * big_endian(file.subspan(20, 4)) > kMaxPixels;
+  }
+  int width = 0, height = 0;
+  if (WebPGetInfo(file.data(), file.size(), &width, &height) != 0) {
+    return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > kMaxPixels;
   }
   for (std::size_t i = 0; i + 9 <= file.size(); ++i) {
     if (file[i] == 0xFF && file[i + 1] >= 0xC0 && file[i + 1] <= 0xCF &&

@@ -1,4 +1,6 @@
 // What glTF 2.0 says of surfaces, one feature a file: colours times texels, transforms and borders of textures, sides.
+#include <webp/encode.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -182,11 +184,23 @@ TEST_F(GltfSurface, EmissionThatAloneIsSeenHasItsTexture) {
   EXPECT_NE(lit.warnings[0].find("material 'lamp' drawn with its emission lit"), std::string::npos) << lit.warnings[0];
 }
 
+TEST_F(GltfSurface, PicturesInWebp) {
+  std::uint8_t* out = nullptr;
+  const std::uint8_t brick[] = {200, 100, 50};
+  const std::size_t size = WebPEncodeLosslessRGB(brick, 1, 1, 3, &out);
+  std::string text = square("{" + kUnlit + R"(,"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})", kWhole,
+                            std::string(reinterpret_cast<const char*>(out), size));
+  WebPFree(out);
+  const std::string source = R"("source":0)";
+  text.replace(text.find(source), source.size(), R"("extensions":{"EXT_texture_webp":{"source":0}})");
+  expect_near(seen(text, kInFront), {200, 100, 50});
+}
+
 /// It was named `*0`.
 TEST_F(GltfSurface, ATextureThatCannotBeReadIsNamed) {
   const Model plain = model(square(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})", kWhole, "nothing"));
   ASSERT_EQ(plain.warnings.size(), 1U);
-  EXPECT_EQ(plain.warnings[0].rfind("texture 'tiles' is neither PNG nor JPEG", 0), 0U) << plain.warnings[0];
+  EXPECT_EQ(plain.warnings[0].rfind("texture 'tiles' is no picture in PNG", 0), 0U) << plain.warnings[0];
 }
 
 /// The back was 49 where the front was 165.

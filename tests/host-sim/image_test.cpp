@@ -1,5 +1,6 @@
 // Pictures: what is written can be read back, what is damaged is refused, and no file is ever half there.
 #include <turbojpeg.h>
+#include <webp/encode.h>
 
 #include <cstdlib>
 #include <string>
@@ -127,6 +128,74 @@ TEST(Decode, JpegAndItsTruncation) {
   EXPECT_EQ(image->height, 10U);
   for (const std::uint8_t value : image->rgb) EXPECT_NEAR(value, 200, 2);
   EXPECT_FALSE(decode_image(std::span(file).first(file.size() / 2)));
+}
+
+/// 3x2 pixels: red, green, blue; white, black, grey. What else is read of them is in `alpha`.
+const std::vector<std::uint8_t> kSixPixels{255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255, 0, 0, 0, 128, 128, 128};
+
+/// Every shorter file is refused, and the whole one is these pixels.
+void expect_whole_only(const std::vector<std::uint8_t>& file, const std::vector<std::uint8_t>& alpha = {}) {
+  const Result<RgbImage> image = decode_image(file);
+  ASSERT_TRUE(image) << image.failure().message;
+  EXPECT_EQ(image->width, 3U);
+  EXPECT_EQ(image->height, 2U);
+  EXPECT_EQ(image->rgb, kSixPixels);
+  EXPECT_EQ(image->alpha, alpha);
+  for (std::size_t length = 0; length < file.size(); ++length) {
+    EXPECT_FALSE(decode_image({file.data(), length})) << length;
+  }
+}
+
+TEST(Decode, Targa) {
+  // From the bottom up, blue first: that is the format's default.
+  const std::vector<std::uint8_t> head{0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0, 2, 0, 24, 0};
+  std::vector<std::uint8_t> plain = head;
+  plain.insert(plain.end(), {255, 255, 255, 0, 0, 0, 128, 128, 128, 0, 0, 255, 0, 255, 0, 255, 0, 0});
+  expect_whole_only(plain);
+  // With alpha, from the top down.
+  std::vector<std::uint8_t> alpha = head;
+  alpha[16] = 32, alpha[17] = 0x28;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::uint8_t* const pixel = &kSixPixels[3 * i];
+    alpha.insert(alpha.end(), {pixel[2], pixel[1], pixel[0], static_cast<std::uint8_t>(40 * i)});
+  }
+  expect_whole_only(alpha, {0, 40, 80, 120, 160, 200});
+  // A run of six and nothing else.
+  std::vector<std::uint8_t> runs = head;
+  runs[2] = 10;
+  runs.insert(runs.end(), {0x85, 30, 20, 10});
+  const Result<RgbImage> one = decode_image(runs);
+  ASSERT_TRUE(one) << one.failure().message;
+  EXPECT_EQ(one->rgb,
+            (std::vector<std::uint8_t>{10, 20, 30, 10, 20, 30, 10, 20, 30, 10, 20, 30, 10, 20, 30, 10, 20, 30}));
+  // A small file that claims to be large.
+  runs[13] = runs[15] = 0x30;
+  EXPECT_FALSE(decode_image(runs));
+}
+
+TEST(Decode, Bitmap) {
+  std::vector<std::uint8_t> file{'B', 'M', 78, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0, 40, 0, 0,  0,
+                                 3,   0,   0,  0, 2, 0, 0, 0, 1, 0, 24, 0, 0, 0, 0,  0, 24, 0,
+                                 0,   0,   0,  0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0,  0, 0,  0};
+  file.insert(file.end(), {255, 255, 255, 0, 0, 0, 128, 128, 128, 0, 0, 0, 0, 0, 255, 0, 255, 0, 255, 0, 0, 0, 0, 0});
+  expect_whole_only(file);
+}
+
+TEST(Decode, Webp) {
+  const auto encoded = [](const std::vector<std::uint8_t>& pixels, bool alpha) {
+    std::uint8_t* out = nullptr;
+    const std::size_t size = alpha ? WebPEncodeLosslessRGBA(pixels.data(), 3, 2, 12, &out)
+                                   : WebPEncodeLosslessRGB(pixels.data(), 3, 2, 9, &out);
+    std::vector<std::uint8_t> file(out, out + size);
+    WebPFree(out);
+    return file;
+  };
+  expect_whole_only(encoded(kSixPixels, false));
+  std::vector<std::uint8_t> rgba;
+  for (std::size_t i = 0; i < 6; ++i) {
+    rgba.insert(rgba.end(), {kSixPixels[3 * i], kSixPixels[3 * i + 1], kSixPixels[3 * i + 2], 200});
+  }
+  expect_whole_only(encoded(rgba, true), std::vector<std::uint8_t>(6, 200));
 }
 
 TEST(Decode, OtherBytesAreRefused) {

@@ -14,11 +14,17 @@ namespace zstrip::sim {
 namespace {
 
 /// Two of them change highlights alone, and those of files are not drawn, whatever they say.
-constexpr std::array<std::string_view, 11> kRead{"EXT_meshopt_compression", "KHR_draco_mesh_compression",
-                                                 "KHR_lights_punctual",     "KHR_materials_emissive_strength",
-                                                 "KHR_materials_ior",       "KHR_materials_pbrSpecularGlossiness",
-                                                 "KHR_materials_specular",  "KHR_materials_unlit",
-                                                 "KHR_mesh_quantization",   "KHR_texture_transform",
+constexpr std::array<std::string_view, 12> kRead{"EXT_meshopt_compression",
+                                                 "EXT_texture_webp",
+                                                 "KHR_draco_mesh_compression",
+                                                 "KHR_lights_punctual",
+                                                 "KHR_materials_emissive_strength",
+                                                 "KHR_materials_ior",
+                                                 "KHR_materials_pbrSpecularGlossiness",
+                                                 "KHR_materials_specular",
+                                                 "KHR_materials_unlit",
+                                                 "KHR_mesh_quantization",
+                                                 "KHR_texture_transform",
                                                  "KHR_xmp_json_ld"};
 
 /// Of glTF 1.0; files that say so have materials besides.
@@ -28,10 +34,9 @@ constexpr std::string_view kTechnique = "KHR_technique_webgl";
 struct Lacking {
   std::string_view extension, what;
 };
-constexpr std::array<Lacking, 14> kLacking{{
+constexpr std::array<Lacking, 13> kLacking{{
     {"EXT_lights_image_based", "light of an environment"},
     {"EXT_mesh_gpu_instancing", "copies of meshes"},
-    {"EXT_texture_webp", "pictures in WebP"},
     {"KHR_animation_pointer", "animations of materials, lights and cameras"},
     {"KHR_materials_anisotropy", "brushed highlights"},
     {"KHR_materials_clearcoat", "coats of varnish"},

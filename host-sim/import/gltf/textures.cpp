@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kClampToEdge = 33071, kMirroredRepeat = 33648;
 /// Formats that are not read; a texture that has nothing else is left out by name.
-constexpr std::array kOtherPictures{"KHR_texture_basisu", "EXT_texture_webp", "EXT_texture_avif", "MSFT_texture_dds"};
+constexpr std::array kOtherPictures{"KHR_texture_basisu", "EXT_texture_avif", "MSFT_texture_dds"};
 
 TextureWrap wrap_of(const GltfJson& sampler, const char* key) {
   switch (index_in(sampler, key).value_or(0)) {
@@ -77,7 +77,8 @@ Result<RgbImage> GltfTextures::decode(const GltfJson& image) const {
 
 std::uint32_t GltfTextures::read(std::size_t texture) {
   const GltfJson& json = element(member(document_.json, "textures"), texture);
-  const std::optional<std::size_t> source = index_in(json, "source");
+  std::optional<std::size_t> source = index_in(extension(json, "EXT_texture_webp"), "source");
+  if (!source) source = index_in(json, "source");
   const auto warn = [this](const std::string& name, const std::string& reason) {
     model_.warnings.push_back(fmt::format("texture '{}' {}; what uses it is drawn without", printable(name), reason));
   };

@@ -1,0 +1,59 @@
+// Reads BMP and TGA (stb_image), and nothing else of what stb_image reads: what stands in the first bytes decides
+// before.
+#include <stb_image.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <memory>
+
+#include "image/decode.hpp"
+#include "image/decoders.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+/// What a whole file has at least: stb_image reads zeros beyond the end of one that is cut off.
+std::uint64_t least_bytes(std::span<const std::uint8_t> file, std::uint64_t columns, std::uint64_t rows) {
+  if (!is_bitmap(file)) {
+    const bool in_runs = file[2] > 8;
+    const std::uint64_t bytes_of_pixel = (file[16] + 7U) / 8;
+    // A run has up to 128 pixels: its length, and one pixel.
+    if (in_runs) return 18 + (columns * rows + 127) / 128 * (1 + bytes_of_pixel);
+    return 18 + columns * rows * bytes_of_pixel;
+  }
+  const auto word = [&](std::size_t at) { return file[at] | static_cast<std::uint32_t>(file[at + 1]) << 8; };
+  const bool is_old = word(14) == 12;  // OS/2's header
+  const std::uint64_t bits = file.size() < 30 || is_old ? word(24) : word(28);
+  return (word(10) | static_cast<std::uint64_t>(word(12)) << 16) + (columns * bits + 31) / 32 * 4 * rows;
+}
+
+}  // namespace
+
+bool is_bitmap(std::span<const std::uint8_t> file) { return file.size() >= 26 && file[0] == 'B' && file[1] == 'M'; }
+
+bool is_targa(std::span<const std::uint8_t> file) {
+  constexpr std::array<std::uint8_t, 6> kTypes{1, 2, 3, 9, 10, 11};  // palette, colour, grey; the same in runs
+  constexpr std::array<std::uint8_t, 5> kBits{8, 15, 16, 24, 32};
+  return file.size() >= 18 && file[1] <= 1 && std::ranges::find(kTypes, file[2]) != kTypes.end() &&
+         std::ranges::find(kBits, file[16]) != kBits.end();
+}
+
+Result<RgbImage> decode_bitmap_or_targa(std::span<const std::uint8_t> file, const char* kind) {
+  int width = 0, height = 0, channels = 0;
+  const bool fits = file.size() <= std::size_t{std::numeric_limits<int>::max()};
+  const int size = fits ? static_cast<int>(file.size()) : 0;
+  if (stbi_info_from_memory(file.data(), size, &width, &height, &channels) == 0) {
+    return damaged_picture(kind, "its header is damaged");
+  }
+  constexpr int kLimit = static_cast<int>(kMaxImageSide);
+  if (width < 1 || height < 1 || width > kLimit || height > kLimit) return damaged_picture(kind, "size out of range");
+  const auto columns = static_cast<std::uint32_t>(width), rows = static_cast<std::uint32_t>(height);
+  if (file.size() < least_bytes(file, columns, rows)) return damaged_picture(kind, "it is cut off");
+  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
+      stbi_load_from_memory(file.data(), size, &width, &height, &channels, 4), &stbi_image_free);
+  if (!pixels) return damaged_picture(kind, "it is damaged, or of a kind that is seldom");
+  return split_alpha(columns, rows, {pixels.get(), std::size_t{4} * columns * rows});
+}
+
+}  // namespace zstrip::sim
