@@ -33,7 +33,10 @@ Grid fit_grid(const SourceModel& source) {
     }
   };
   for (const SourceMesh& mesh : source.meshes) std::ranges::for_each(mesh.vertices, include);
-  for (const SourceLines& lines : source.lines) std::ranges::for_each(lines.vertices, include);
+  // Vertices that no line uses may be anywhere, and not finite.
+  for (const SourceLines& lines : source.lines) {
+    for (const std::uint32_t index : lines.indices) include(lines.vertices[index]);
+  }
   Grid grid;
   double largest = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {

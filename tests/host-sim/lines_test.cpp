@@ -115,10 +115,19 @@ TEST_F(ModelLines, OfOtherFormatsBesideTriangles) {
 }
 
 TEST_F(ModelLines, DamagedOnesAreLeftOut) {
-  const Model damaged = model(square(1, {0, 1, 2, 9}));
-  EXPECT_EQ(joined(damaged), (std::vector<Ends>{{0, 1}}));
+  const Model damaged = model(square(1, {0, 2, 3, 9}));
+  EXPECT_EQ(joined(damaged), (std::vector<Ends>{{0, 2}}));
   ASSERT_EQ(damaged.warnings.size(), 1U);
   EXPECT_EQ(damaged.warnings[0], "1 line left out: with vertices that do not exist, or are not finite");
+}
+
+/// An unused vertex was counted for the box: one that is not finite left nothing of the model.
+TEST_F(ModelLines, UnusedVerticesDoNotCountForTheBox) {
+  const Model damaged = model(file("inf.obj", "v -1 0 0\nv 1 0 0\nv inf 0 0\nl 1 2\nl 2 3\n"));
+  ASSERT_EQ(damaged.lines.size(), 1U);
+  EXPECT_EQ(damaged.units.scale, 1);
+  const Model part = model(square(1, {0, 1}));
+  EXPECT_EQ(part.units.origin, (std::array<double, 3>{0, -1, 0}));
 }
 
 TEST_F(ModelLines, MoreVerticesThanIndicesReachAreSeveralSets) {
@@ -139,8 +148,9 @@ TEST_F(ModelLines, MoreVerticesThanIndicesReachAreSeveralSets) {
 }
 
 TEST_F(ModelLines, ASinglePointHasNoSize) {
-  const Result<Model> point = import_model(square(0, {1}));
-  EXPECT_TRUE(point) << point.failure().message;
+  const Model point = model(square(0, {1}));
+  EXPECT_EQ(point.units.scale, 1);
+  EXPECT_EQ(point.units.origin, (std::array<double, 3>{1, -1, 0}));
 }
 
 }  // namespace
