@@ -63,8 +63,9 @@ constexpr Mesh moved_mesh(const Mesh& mesh, const MovedVertices& moved) {
 }
 
 /// Error::skin (`needed` = index of the joint or vertex) for counts that differ, parents that are not ahead of their
-/// children, matrices out of range, weights that do not add up, joints that do not exist, half extents that differ. Of
-/// an animation of joints use validate(animation, joints).
+/// children, matrices out of range, scales at rest out of range and rotations shorter than a half, weights that do not
+/// add up, joints that do not exist, half extents that differ. Of an animation of joints use validate(animation,
+/// joints).
 constexpr Status validate(const Skin& skin) {
   const auto wrong = [](std::size_t index) {
     return Status{.error = Error::skin, .needed = static_cast<std::uint32_t>(index)};
@@ -84,6 +85,13 @@ constexpr Status validate(const Skin& skin) {
         if (row[column] <= -256 * kFixedOne || row[column] >= 256 * kFixedOne) return wrong(i);
       }
     }
+    const JointPose& rest = skin.rest[i];
+    for (const Fixed scale : {rest.scale.x, rest.scale.y, rest.scale.z}) {
+      if (scale < -255 * kFixedOne || scale > 255 * kFixedOne) return wrong(i);
+    }
+    std::int64_t square = 0;  // 2.30
+    for (const std::int64_t c : rest.rotation) square += c * c;
+    if (square < 1 << 28) return wrong(i);
   }
   for (std::size_t i = 0; i < skin.vertices.size(); ++i) {
     const VertexJoints& vertex = skin.vertices[i];

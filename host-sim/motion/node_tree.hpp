@@ -30,6 +30,7 @@ struct Node {
   std::int32_t parent = kNoNode;  ///< the nearest ancestor that is moved too: a smaller index
   Affine before;                  ///< from where the node is placed to the parent, or to the file's coordinates
   Affine at_rest;                 ///< where the file places it, in these
+  std::string name{};             ///< the file's, or "node" and its number there; for messages
 };
 
 /// What moves one node; what is empty stays as it is at rest.

@@ -3,15 +3,30 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
+#include "report/text.hpp"
+
 namespace zstrip::sim {
 namespace {
 
 constexpr std::uint32_t kFramesSeen = 24;
 
+/// By the name of its node, or of what it hangs on.
+std::string name_of(const Model& model, std::size_t joint) {
+  std::size_t at = joint;
+  while (model.joint_nodes[at].node == kNoNode && model.joint_nodes[at].parent != kNoSourceJoint) {
+    at = model.joint_nodes[at].parent;
+  }
+  const std::int32_t node = model.joint_nodes[at].node;
+  if (node == kNoNode) return fmt::format("joint {}", joint);
+  return fmt::format("joint '{}'", printable(model.tree.nodes[static_cast<std::size_t>(node)].name));
+}
+
 }  // namespace
 
-SkinnedMeshes::SkinnedMeshes(const Model& model, const Animation& joints)
-    : model_(model), joints_(joints), meshes_(model.meshes), work_(model.joints.size()) {
+SkinnedMeshes::SkinnedMeshes(const Model& model, const Animation& joints, std::string file)
+    : model_(model), joints_(joints), file_(std::move(file)), meshes_(model.meshes), work_(model.joints.size()) {
   for (const ModelSkin& skin : model.skins) {
     MeshData& moved = moved_.emplace_back();
     moved.positions.resize(skin.bind.positions.size());
@@ -23,18 +38,31 @@ SkinnedMeshes::SkinnedMeshes(const Model& model, const Animation& joints)
 Result<std::span<const Mesh>> SkinnedMeshes::at(std::uint32_t frame, std::uint32_t frames) {
   if (!moves()) return std::span<const Mesh>(model_.meshes);
   pose_ = model_.rest;
-  pose(joints_, time_of_frame(joints_, frame, frames), pose_);
+  const std::uint32_t milliseconds = time_of_frame(joints_, frame, frames);
+  pose(joints_, milliseconds, pose_);
   for (std::size_t i = 0; i < moved_.size(); ++i) {
     const ModelSkin& skin = model_.skins[i];
     const MovedVertices moved{moved_[i].positions, moved_[i].normals, moved_[i].meshlets};
     const Status status = skin_mesh({&skin.bind, skin.vertices, model_.joints, model_.rest}, pose_, work_, moved);
     if (!status) {
-      return Failure{ExitStatus::input, fmt::format("frame {}: {} (number {}); the animation moves it too far", frame,
-                                                    message(status.error), status.needed)};
+      return Failure{ExitStatus::input, fmt::format("'{}': {} ms after its start the animation moves {}", file_,
+                                                    milliseconds, too_far(skin, status))};
     }
     meshes_[skin.mesh] = moved_mesh(skin.bind, moved);
   }
   return std::span<const Mesh>(meshes_);
+}
+
+std::string SkinnedMeshes::too_far(const ModelSkin& skin, const Status& status) {
+  // A mesh without vertices fails only by its joints.
+  Mesh nothing = skin.bind;
+  nothing.positions = {};
+  nothing.normals = {};
+  nothing.meshlets = {};
+  const bool by_joint = !skin_mesh({&nothing, {}, model_.joints, model_.rest}, pose_, work_, {});
+  if (by_joint) return fmt::format("{} too far", name_of(model_, status.needed));
+  return fmt::format("vertex {} out of the box of its mesh, most of all by {}", status.needed,
+                     name_of(model_, skin.vertices[status.needed].joints[0]));
 }
 
 Result<std::span<const Mesh>> SkinnedMeshes::all_poses() {

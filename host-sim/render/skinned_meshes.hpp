@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "import/model.hpp"
@@ -12,10 +13,11 @@
 
 namespace zstrip::sim {
 
-/// Owns what it moves. `model` and `joints`, an animation of the model's joints, outlive it.
+/// Owns what it moves. `model` and `joints`, an animation of the model's joints, outlive it. `file`: the model's, for
+/// messages.
 class SkinnedMeshes {
  public:
-  SkinnedMeshes(const Model& model, const Animation& joints);
+  SkinnedMeshes(const Model& model, const Animation& joints, std::string file);
 
   /// Whether frames differ.
   bool moves() const { return !joints_.tracks.empty() && !model_.skins.empty(); }
@@ -26,8 +28,12 @@ class SkinnedMeshes {
   Result<std::span<const Mesh>> all_poses();
 
  private:
+  /// What the animation moves too far, of a skin that could not be posed.
+  std::string too_far(const ModelSkin& skin, const Status& status);
+
   const Model& model_;
   Animation joints_;
+  std::string file_;
   std::vector<Mesh> meshes_;
   std::vector<MeshData> moved_;  ///< of each skin
   std::vector<std::vector<Position>> all_;

@@ -123,7 +123,7 @@ class ModelStage : public CameraStage {
   ModelStage(std::shared_ptr<const Model> model, std::shared_ptr<const ModelMotion> motion, std::string file)
       : model_(std::move(model)),
         motion_(std::move(motion)),
-        skins_(*model_, motion_->joints.view()),
+        skins_(*model_, motion_->joints.view(), file),
         instances_(model_->instances),
         lines_(model_->lines),
         lights_(model_->lights),
@@ -151,7 +151,7 @@ class ModelStage : public CameraStage {
   Result<Camera> camera(std::uint32_t frames) const override {
     const double degrees = options().field_of_view.value_or(kDefaultFieldOfView);
     const std::vector<Instance> poses = all_poses(animation(), model_->instances);
-    SkinnedMeshes skins(*model_, motion_->joints.view());
+    SkinnedMeshes skins(*model_, motion_->joints.view(), file_);
     const Result<std::span<const Mesh>> posed = skins.all_poses();
     if (!posed) return posed.failure();
     Scene whole = scene_;

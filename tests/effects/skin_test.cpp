@@ -377,6 +377,35 @@ TEST(Skins, WhatLeavesTheBoxOrTheRangeIsAnError) {
   EXPECT_TRUE(refused([](Creature& o) { o.skin.mesh = nullptr; }));
 }
 
+/// skin_mesh multiplies them in 64 bits without looking.
+TEST(Skins, RestOutOfRangeIsRefused) {
+  Random random(7);
+  Creature c = creature(random, 1);
+  connect(c);
+  ASSERT_TRUE(validate(c.skin));
+  const auto refused = [&](auto change) {
+    Creature other = c;
+    connect(other);
+    change(other.rest.back());
+    const Status status = validate(other.skin);
+    return status.error == Error::skin && status.needed == other.rest.size() - 1;
+  };
+  EXPECT_FALSE(refused([](JointPose& r) { r.scale = {255 * kFixedOne, -255 * kFixedOne, 0}; }));
+  EXPECT_FALSE(refused([](JointPose& r) { r.translation = {INT32_MAX, INT32_MIN, 0}; }));
+  for (const Fixed scale : {255 * kFixedOne + 1, -255 * kFixedOne - 1, INT32_MAX, INT32_MIN}) {
+    EXPECT_TRUE(refused([&](JointPose& r) { r.scale.x = scale; })) << scale;
+    EXPECT_TRUE(refused([&](JointPose& r) { r.scale.y = scale; })) << scale;
+    EXPECT_TRUE(refused([&](JointPose& r) { r.scale.z = scale; })) << scale;
+  }
+  const auto turned = [&](std::int16_t x, std::int16_t w) {
+    return refused([&](JointPose& r) { r.rotation[0] = x, r.rotation[1] = 0, r.rotation[2] = 0, r.rotation[3] = w; });
+  };
+  EXPECT_TRUE(turned(0, 0));
+  EXPECT_TRUE(turned(0, 16383));
+  EXPECT_FALSE(turned(0, 16384));
+  EXPECT_FALSE(turned(-32768, -32768));
+}
+
 /// No input makes a sum wrap: run under sanitizers.
 TEST(Skins, AnyPoseIsMovedOrRefused) {
   Random random(5);

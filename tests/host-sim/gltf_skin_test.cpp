@@ -227,6 +227,13 @@ TEST_F(GltfSkin, WeightsAndMatricesThatAreLeftOutAreSaid) {
   }
 }
 
+TEST_F(GltfSkin, CornersWhoseWeightsAreAllZeroWereSilent) {
+  const auto stage = opened({.first_weight = 0});
+  ASSERT_TRUE(stage);
+  ASSERT_EQ(stage->warnings().size(), 1U);
+  EXPECT_EQ(stage->warnings()[0], "1 corner of skins: all weights are zero, so that no joint moves it");
+}
+
 /// A needle along x whose joint turns by 340 degrees about z in a tenth of a second, by three keys.
 std::string fast_needle() {
   const std::string corners = floats({0, 0, 0, 1, 0, 0, 0, 0.001F, 0}), joints(12, '\0');
@@ -263,6 +270,40 @@ TEST_F(GltfSkin, FastTurnsStayInTheirBox) {
   for (std::uint32_t frame = 0; frame < 100; ++frame) {
     const Result<Staging> staging = (*stage)->place(frame, 100);
     ASSERT_TRUE(staging) << staging.failure().message;
+  }
+}
+
+/// A triangle whose one joint leaps away and back within 1/60 s, by a spline between two keys at the same place.
+std::string leap(const std::string& name) {
+  GltfData data;
+  const std::size_t corners = data.add_floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
+  const std::size_t joints = data.add(std::string(12, '\0'), R"("componentType":5121,"count":3,"type":"VEC4")");
+  const std::size_t weights = data.add_floats({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4");
+  const std::size_t indices = data.add_indices({0, 1, 2});
+  const std::size_t times = data.add_floats({0, 0.016F, 1}, "SCALAR");
+  const std::size_t places =
+      data.add_floats({0, 0, 0, 0, 0, 0, 2000, 0, 0, -2000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC3");
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0,"skin":0},{)" + name +
+         R"(}],"skins":[{"joints":[1]}],"meshes":[{"primitives":[{"attributes":{"POSITION":)" + json_of(corners) +
+         R"(,"JOINTS_0":)" + json_of(joints) + R"(,"WEIGHTS_0":)" + json_of(weights) + R"(},"indices":)" +
+         json_of(indices) +
+         R"(}]}],"animations":[{"channels":[{"sampler":0,"target":{"node":1,"path":"translation"}}],"samplers":[{)"
+         R"("interpolation":"CUBICSPLINE","input":)" +
+         json_of(times) + R"(,"output":)" + json_of(places) + "}]}]," + data.json() + "}";
+}
+
+TEST_F(GltfSkin, AMessageOfASkinThatLeavesItsBoxNamedNeitherFileNorJoint) {
+  for (const auto& [name, said] :
+       {std::pair(R"("name":"left\u001b hand")", "joint 'left? hand'"), std::pair("", "joint 'node 1'")}) {
+    const Result<std::unique_ptr<Stage>> stage =
+        open_stage(file("leap.gltf", leap(name)), {}, {.eye = {{0, 0, 9}}}, {320, 240}, 1000);
+    ASSERT_TRUE(stage) << stage.failure().message;
+    const Result<Staging> staging = (*stage)->place(8, 1000);
+    ASSERT_FALSE(staging);
+    EXPECT_EQ(staging.failure().status, ExitStatus::input);
+    for (const std::string& part : {std::string("leap.gltf': 8 ms after"), std::string(said)}) {
+      EXPECT_NE(staging.failure().message.find(part), std::string::npos) << staging.failure().message;
+    }
   }
 }
 

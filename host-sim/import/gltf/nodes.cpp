@@ -44,6 +44,8 @@ Result<GltfNodes> GltfNodes::read(const GltfJson& json, const Affine& turn) {
   for (std::size_t i = 0; i < read.nodes_.size(); ++i) {
     const GltfJson& node = element(nodes, i);
     read.nodes_[i].local = local_of_node(node);
+    read.nodes_[i].name = text_in(node, "name");
+    if (read.nodes_[i].name.empty()) read.nodes_[i].name = fmt::format("node {}", i);
     const GltfJson& children = member(node, "children");
     for (std::size_t k = 0; k < count_of(node, "children"); ++k) {
       const std::optional<std::size_t> child = to_index(element(children, k));
@@ -121,7 +123,8 @@ void GltfNodes::set_moved(const std::set<std::size_t>& moved, const Affine& turn
       if (!(std::abs(determinant(at.before * place.local)) > 1e-12)) return give_up("a node has no size at rest");
       if (model.nodes.nodes.size() >= kMaxMoved || ++at.depth > kDeepestMoved) return give_up("too many nodes move");
       const auto index = static_cast<std::int32_t>(model.nodes.nodes.size());
-      model.nodes.nodes.push_back({.parent = at.mover, .before = at.before, .at_rest = place.local});
+      model.nodes.nodes.push_back(
+          {.parent = at.mover, .before = at.before, .at_rest = place.local, .name = place.name});
       at.mover = index;
       at.before = {};
     } else {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "import/gltf/json.hpp"
@@ -38,6 +39,7 @@ class GltfNodes {
     std::int32_t mover = kNoNode;
     std::vector<std::size_t> children;
     std::optional<std::size_t> parent;
+    std::string name;
   };
   std::vector<Place> nodes_;
   std::vector<std::size_t> roots_;

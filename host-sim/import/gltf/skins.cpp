@@ -91,7 +91,13 @@ Result<std::vector<std::vector<GltfSkins::Influence>>> GltfSkins::read_influence
       }
     }
   }
-  unweighted_ += static_cast<std::uint64_t>(std::ranges::count(unweighted, true));
+  for (std::size_t i = 0; i < vertices; ++i) {
+    if (unweighted[i]) {
+      ++unweighted_;
+    } else if (influences[i].empty()) {
+      ++weightless_;
+    }
+  }
   return influences;
 }
 
@@ -204,6 +210,10 @@ void GltfSkins::warn() const {
   if (unweighted_ > 0) {
     model_.warnings.push_back(
         fmt::format("{} of skins: weights left out that are negative or not finite", counted(unweighted_, "corner")));
+  }
+  if (weightless_ > 0) {
+    model_.warnings.push_back(fmt::format("{} of skins: all weights are zero, so that no joint moves {}",
+                                          counted(weightless_, "corner"), weightless_ == 1 ? "it" : "them"));
   }
   if (unmoved_ > 0) {
     model_.warnings.push_back(

@@ -62,6 +62,7 @@ class GltfSkins {
   const GltfNodes& nodes_;
   SourceModel& model_;
   std::uint64_t unweighted_ = 0;  ///< vertices with a weight that is negative or no number
+  std::uint64_t weightless_ = 0;  ///< vertices whose weights are all zero
   std::uint64_t unmoved_ = 0;     ///< vertices of a joint whose matrix has no way back
   std::uint64_t weakened_ = 0;    ///< vertices that more than four joints move
   std::uint64_t still_ = 0;       ///< meshes that need too many joints
