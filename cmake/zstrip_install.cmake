@@ -17,6 +17,14 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/zstripConfigVersion.cmake
 install(FILES ${PROJECT_BINARY_DIR}/zstripConfig.cmake ${PROJECT_BINARY_DIR}/zstripConfigVersion.cmake
   DESTINATION ${package_folder} COMPONENT zstrip_development)
 
+# zstrip as a library for Arduino, PlatformIO, ESP-IDF and Zephyr: packages/zstrip and archives of it.
+find_program(ZSTRIP_BASH bash)
+mark_as_advanced(ZSTRIP_BASH)
+if(ZSTRIP_BASH)
+  add_custom_target(package_sources VERBATIM
+    COMMAND ${ZSTRIP_BASH} ${CMAKE_CURRENT_LIST_DIR}/zstrip_package_sources.sh ${PROJECT_BINARY_DIR}/packages)
+endif()
+
 if(TARGET zstrip)
   install(TARGETS zstrip zstrip-measure RUNTIME COMPONENT zstrip_command)
 endif()

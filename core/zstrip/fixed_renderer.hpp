@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -82,6 +83,15 @@ class FixedRenderer {
   /// not matter. The last strips of a row or column may be smaller. Strips may be drawn in any order, or again.
   Status draw_strip(std::uint16_t strip, std::span<std::byte, kStripBytes> pixels) {
     return detail::draw_fixed_strip<kEffects, view.format>(state_, strip, kPlan.strips, pixels.data());
+  }
+  /// The same for a size that the compiler does not see, as zstrip_hal/present.hpp gives it: Error::pixels_too_small.
+  Status draw_strip(std::uint16_t strip, std::same_as<std::span<std::byte>> auto pixels) {
+    if (pixels.size() < kStripBytes) {
+      return {.error = Error::pixels_too_small,
+              .needed = kStripBytes,
+              .available = static_cast<std::uint32_t>(pixels.size())};
+    }
+    return draw_strip(strip, pixels.template first<kStripBytes>());
   }
   /// Of what was begun last. Refers to this object.
   FrameFor<kEffects> frame() const { return FrameFor<kEffects>(state_); }

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "zstrip/base/language.hpp"
+
 namespace zstrip {
 
 enum class Error : std::uint8_t {

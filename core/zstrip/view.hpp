@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "zstrip/base/language.hpp"
+
 namespace zstrip {
 
 /// The bytes of each: docs/conventions.md, "Picture formats". zstrip_hal has the same names in the same order.

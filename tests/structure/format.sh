@@ -7,7 +7,7 @@ if [[ $(clang-format --version 2>/dev/null) != *'version 14.'* ]]; then
   exit 77
 fi
 if findings=$(find . -path ./.git -prune -o -path './build*' -prune -o \
-  -type f \( -name '*.hpp' -o -name '*.cpp' -o -name '*.h' -o -name '*.c' \) -print0 |
+  -type f \( -name '*.hpp' -o -name '*.cpp' -o -name '*.h' -o -name '*.c' -o -name '*.ino' \) -print0 |
   xargs -0 -r -P 2 -n 32 clang-format --dry-run --Werror 2>&1); then
   exit 0
 fi

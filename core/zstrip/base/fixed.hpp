@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "zstrip/base/language.hpp"
+
 namespace zstrip {
 
 /// A length, direction or scale in 16.16.

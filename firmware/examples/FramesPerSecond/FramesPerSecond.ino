@@ -1,0 +1,78 @@
+// Text over the picture: how many frames were shown in the last second. 20 KB of RAM.
+#include <SPI.h>
+#include <zstrip.h>
+#include <zstrip_arduino.h>
+
+// The panel's pins beside SPI's clock and data. A module without a select pin: kSelect -1, and .mode = SPI_MODE3 below.
+constexpr int kDataCommand = 8, kReset = 9, kSelect = 10;
+constexpr std::uint32_t kHertz = 15'000'000;  // the data sheet's limit; modules are commonly run at 40'000'000
+
+constexpr zstrip::Position kPositions[]{
+    {0, 32767, 0}, {-32767, -32767, 32767}, {32767, -32767, 32767}, {32767, -32767, -32767}, {-32767, -32767, -32767}};
+constexpr zstrip::Colour kColours[]{
+    {255, 255, 255, 255}, {255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {255, 255, 0, 255}};
+constexpr zstrip::Triangle kTriangles[]{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {1, 4, 3}, {1, 3, 2}};
+constexpr zstrip::Mesh kMeshes[]{{.positions = kPositions,
+                                  .normals = {},
+                                  .colours = kColours,
+                                  .texcoords = {},
+                                  .triangles = kTriangles,
+                                  .meshlets = {}}};
+constexpr zstrip::Material kMaterials[]{{.lit = false}};
+constexpr zstrip::Instance kInstances[]{{.mesh = 0, .material = 0}};
+
+// The label is in RAM, because its text changes between frames; it ends at a byte of 0.
+char text[16] = "fps ...";
+zstrip::Label labels[]{{.text = text, .x = 8, .y = 8, .colour = {255, 224, 64, 255}, .background = {0, 0, 64, 255}}};
+constexpr zstrip::Font kFonts[]{zstrip::kLargeFont};
+constexpr zstrip::Overlay kOverlay{.fonts = kFonts, .labels = labels};
+constexpr zstrip::Scene kScene{.meshes = kMeshes,
+                               .materials = kMaterials,
+                               .textures = {},
+                               .instances = kInstances,
+                               .lights = {},
+                               .overlay = &kOverlay};
+
+constexpr zstrip::View kView{240, 240, zstrip::PixelFormat::rgb565_swapped};
+constexpr zstrip::Budget kBudget{.bytes = 20 * 1024, .strip_buffers = 1};
+zstrip::FixedRenderer<kScene, kView, kBudget, zstrip::effect::unclipped> renderer;
+alignas(4) std::byte pixels[renderer.kStripBytes];
+
+zstrip::arduino::Clock waiting;
+zstrip::arduino::SpiBus bus(SPI, {.data_command = kDataCommand, .select = kSelect}, kHertz);
+zstrip::hal::St7789 panel(bus, waiting);
+
+void setup() {
+  Serial.begin(115200);
+  bus.start();
+  zstrip::arduino::Pin reset(kReset);
+  (void)zstrip::hal::reset_panel(reset, waiting);
+  const zstrip::hal::Error error = panel.start();
+  if (error != zstrip::hal::Error::none) Serial.println(zstrip::hal::message(error));
+}
+
+void count_frame() {
+  static unsigned long second_began = millis();
+  static int frames = 0;
+  ++frames;
+  if (millis() - second_began < 1000) return;
+  itoa(frames, text + 4, 10);
+  second_began = millis();
+  frames = 0;
+}
+
+void loop() {
+  static zstrip::Angle turn = 0;  // 65536 is a full one
+  zstrip::Camera camera;
+  if (!zstrip::orbit(camera, {0, 0, 0}, 4 << 16, turn, 65536 * 3 / 16)) return;
+  turn += 512;
+  const zstrip::Status begun = renderer.begin_frame(camera);
+  if (!begun) {
+    Serial.println(zstrip::message(begun.error));
+    return;
+  }
+  const auto shown =
+      zstrip::hal::present(renderer, panel, {renderer.kPlan.strips, renderer.kPlan.strip_rows}, {pixels, {}});
+  if (!shown) Serial.println(zstrip::hal::message(shown.display));
+  count_frame();
+}

@@ -1,0 +1,32 @@
+// What a sketch includes: everything of zstrip. Arduino finds a library by a header of this kind.
+#pragma once
+
+#include "zstrip/base/language.hpp"
+
+// Arduino.h has macros of these names on some boards, the C++ library and zstrip have functions.
+#pragma push_macro("abs")
+#pragma push_macro("max")
+#pragma push_macro("min")
+#pragma push_macro("round")
+#undef abs
+#undef max
+#undef min
+#undef round
+
+#include "zstrip/zstrip.hpp"
+#include "zstrip_hal/bit_banged_i2c.hpp"
+#include "zstrip_hal/bit_banged_spi.hpp"
+#include "zstrip_hal/i2c.hpp"
+#include "zstrip_hal/ili9341.hpp"
+#include "zstrip_hal/parallel_bus.hpp"
+#include "zstrip_hal/present.hpp"
+#include "zstrip_hal/ssd0323.hpp"
+#include "zstrip_hal/ssd1306.hpp"
+#include "zstrip_hal/ssd1351.hpp"
+#include "zstrip_hal/st7735.hpp"
+#include "zstrip_hal/st7789.hpp"
+
+#pragma pop_macro("round")
+#pragma pop_macro("min")
+#pragma pop_macro("max")
+#pragma pop_macro("abs")
