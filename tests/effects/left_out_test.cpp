@@ -231,6 +231,21 @@ TEST(LeftOut, InstancesThatMoveKeepMeshAndMaterial) {
   EXPECT_TRUE(renderer.draw_strip(0, pixels));
 }
 
+TEST(LeftOut, AFixedRendererTakesPixelsOfAnySizeThatSuffices) {
+  static FixedRenderer<kCube, kSmall, Budget{.strip_rows = 8}> renderer;
+  constexpr std::uint32_t kBytes = renderer.kStripBytes;
+  ASSERT_TRUE(renderer.begin_frame(seen_from(4, 0)));
+  alignas(2) std::array<std::byte, kBytes> known{};
+  alignas(2) std::array<std::byte, kBytes + 2> larger{};
+  for (std::uint16_t strip = 0; strip < renderer.kPlan.strips; ++strip) {
+    ASSERT_TRUE(renderer.draw_strip(strip, known));
+    ASSERT_TRUE(renderer.draw_strip(strip, std::span<std::byte>(larger)));
+    EXPECT_TRUE(std::equal(known.begin(), known.end(), larger.begin())) << strip;
+    EXPECT_EQ(renderer.draw_strip(strip, std::span<std::byte>(known).first(kBytes - 1)),
+              (Status{.error = Error::pixels_too_small, .needed = kBytes, .available = kBytes - 1}));
+  }
+}
+
 TEST(LeftOut, AFrameThatWouldBeClippedIsRefused) {
   static FixedRenderer<kCube, kSmall, Budget{.strip_rows = 8}, effect::unclipped> renderer;
   int refused = 0;
