@@ -16,6 +16,8 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments) {
       ->type_name("AXIS");
   command.add_option("--animation", a.animation, "An animation of a glTF 2.0 file, by its name (default: the first)")
       ->type_name("NAME");
+  command.add_flag("--highlights", a.highlights,
+                   "Highlights of a glTF 2.0 file's materials, by their roughness and metal (default: none)");
   command.add_option("--camera", a.camera, "A camera of a glTF 2.0 file, by its name")->type_name("NAME");
   command.add_option("--eye", a.eye, "Where the camera is, in the model's units")->type_name("X,Y,Z");
   command.add_option("--look-at", a.look_at, "What it looks at (default: the model's centre)")->type_name("X,Y,Z");
@@ -68,15 +70,19 @@ Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::
 Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::string& scene) {
   const Result<std::optional<UpAxis>> up = parse_up_axis(arguments.up);
   if (!up) return up.failure();
-  const ModelOptions options{.up = *up, .animation = arguments.animation};
-  if (kind_of_scene(scene) == SceneKind::model || (!arguments.up && !arguments.animation)) return options;
-  const char* const option = arguments.up ? "--up" : "--animation";
+  const ModelOptions options{.up = *up,
+                             .animation = arguments.animation,
+                             .highlights = arguments.highlights ? Highlights::of_materials : Highlights::none};
+  const bool given = arguments.up || arguments.animation || arguments.highlights;
+  if (kind_of_scene(scene) == SceneKind::model || !given) return options;
+  const char* const option = arguments.up ? "--up" : arguments.animation ? "--animation" : "--highlights";
   switch (kind_of_scene(scene)) {
     case SceneKind::built_in:
       return usage(fmt::format("{} is for model files; '{}' is a built-in scene", option, scene));
     case SceneKind::baked: return usage(fmt::format("{} is for model files; '{}' is a baked scene", option, scene));
     case SceneKind::composed:
-      return usage(fmt::format("{} is for model files; '{}' says it itself, in [[model]]", option, scene));
+      return usage(fmt::format("{} is for model files; '{}' says it itself, in {}", option, scene,
+                               arguments.up || arguments.animation ? "[[model]]" : "[[material]]"));
     case SceneKind::model: break;
   }
   return options;

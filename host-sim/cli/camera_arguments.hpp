@@ -19,6 +19,7 @@ namespace zstrip::sim {
 struct CameraArguments {
   std::optional<std::string> up;
   std::optional<std::string> animation;
+  bool highlights = false;
   std::optional<std::string> camera;
   std::optional<std::string> eye;
   std::optional<std::string> look_at;
@@ -33,7 +34,8 @@ void add_camera_options(CLI::App& command, CameraArguments& arguments);
 /// `scene`: --camera is a usage error for those that are no model files.
 Result<CameraOptions> parse_camera(const CameraArguments& arguments, const std::string& scene);
 
-/// --up and --animation. Usage errors for scenes that are no model files: those set such things themselves.
+/// --up, --animation and --highlights. Usage errors for scenes that are no model files: those set such things
+/// themselves.
 Result<ModelOptions> parse_model(const CameraArguments& arguments, const std::string& scene);
 
 }  // namespace zstrip::sim

@@ -48,8 +48,8 @@ void lower_textures(SourceModel& source, const std::vector<TextureSides>& sides)
 }  // namespace
 
 Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
-                           BackFaces back_faces) {
-  Result<SourceModel> read = read_model(path, up, texcoords);
+                           BackFaces back_faces, Highlights highlights) {
+  Result<SourceModel> read = read_model(path, up, texcoords, highlights);
   if (!read) return read.failure();
   SourceModel& source = *read;
   const auto named = [&path](const std::string& message) {

@@ -100,6 +100,7 @@ enum class BackFaces : std::uint8_t {
 /// Reads, repairs and quantises a model file. `up`: the axis that points upwards; empty: as the format says. The
 /// failure's message is whole: it names the file.
 Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAxis> up = {},
-                           Texcoords texcoords = Texcoords::of_textures, BackFaces back_faces = BackFaces::lit_alike);
+                           Texcoords texcoords = Texcoords::of_textures, BackFaces back_faces = BackFaces::lit_alike,
+                           Highlights highlights = Highlights::none);
 
 }  // namespace zstrip::sim

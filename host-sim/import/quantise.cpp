@@ -70,6 +70,10 @@ std::vector<bool> find_used_alpha(const SourceModel& source) {
 /// Gives the material what few have, if the file's has any of it. False if the table is full.
 bool set_finish(const SourceMaterial& from, Material& to, std::vector<Finish>& finishes) {
   Finish finish{.emissive = {from.emissive[0], from.emissive[1], from.emissive[2], 255}, .alpha_mode = from.alpha_mode};
+  if (from.specular != std::array<std::uint8_t, 3>{}) {
+    finish.specular = {from.specular[0], from.specular[1], from.specular[2], 255};
+    finish.shininess = from.shininess;
+  }
   if (from.alpha_mode == AlphaMode::mask) finish.alpha_cutoff = from.alpha_cutoff;
   if (finish == Finish{}) return true;
   const auto known = std::find(finishes.begin(), finishes.end(), finish);

@@ -38,7 +38,7 @@ ReadUri reader_beside(const std::filesystem::path& folder) {
 
 /// Files of glTF 1.0, which is another format, are left to Assimp.
 Result<SourceModel> read_any(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
-                             CrashGuard& guard) {
+                             Highlights highlights, CrashGuard& guard) {
   const auto parsed = [&guard] { guard.lift_limits(); };
   if (!is_named_gltf(path)) return read_assimp(path, up, texcoords, parsed);
   const Result<std::vector<std::uint8_t>> bytes = read_file(path);
@@ -48,7 +48,8 @@ Result<SourceModel> read_any(const std::filesystem::path& path, std::optional<Up
   if (document->version == 1) return read_assimp(path, up, texcoords, parsed);
   if (document->version != 2) return unreadable_model("it is of a version of glTF that is not known");
   try {
-    return read_gltf(*document, reader_beside(path.parent_path()), turn_up(up.value_or(UpAxis::plus_y)), texcoords);
+    return read_gltf(*document, reader_beside(path.parent_path()), turn_up(up.value_or(UpAxis::plus_y)), texcoords,
+                     highlights);
   } catch (const std::bad_alloc&) {
     return unreadable_model("it asks for more memory than a file of its size may");
   }
@@ -56,7 +57,8 @@ Result<SourceModel> read_any(const std::filesystem::path& path, std::optional<Up
 
 }  // namespace
 
-Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords) {
+Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
+                               Highlights highlights) {
   const auto named = [&](const std::string& message) {
     return Failure{ExitStatus::input, fmt::format("'{}' {}", path.string(), message)};
   };
@@ -73,7 +75,7 @@ Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<
       fmt::format("zstrip: '{}' is not read after {} s: the file is damaged, or too intricate; export it again", shown,
                   limit.count()),
       limit, reading_memory(bytes));
-  Result<SourceModel> model = read_any(path, up, texcoords, guard);
+  Result<SourceModel> model = read_any(path, up, texcoords, highlights, guard);
   if (!model) return named(model.failure().message);
   return model;
 }

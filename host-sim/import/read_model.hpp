@@ -24,6 +24,6 @@ constexpr std::uint64_t reading_memory(std::uint64_t file_bytes) { return (std::
 /// triangle is finite, has three different corners, an area, and indices that exist; what is left out is counted in the
 /// warnings. At least one triangle.
 Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<UpAxis> up,
-                               Texcoords texcoords = Texcoords::of_textures);
+                               Texcoords texcoords = Texcoords::of_textures, Highlights highlights = Highlights::none);
 
 }  // namespace zstrip::sim

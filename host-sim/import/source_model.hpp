@@ -63,6 +63,8 @@ struct SourceMaterial {
   std::string name;  ///< the file's, for messages; may be empty
   std::array<std::uint8_t, 3> colour{255, 255, 255};
   std::array<std::uint8_t, 3> emissive{};
+  std::array<std::uint8_t, 3> specular{};  ///< colour of highlights, black: none
+  std::uint8_t shininess = 32;             ///< their exponent
   AlphaMode alpha_mode = AlphaMode::opaque;
   std::uint8_t alpha = 255;                           ///< of the colour; 255 where alpha does nothing
   std::uint8_t alpha_cutoff = 128;                    ///< of what is masked
@@ -76,6 +78,9 @@ struct SourceMaterial {
 
 /// Texture coordinates of materials without a texture: left out, or kept for a texture from elsewhere.
 enum class Texcoords : std::uint8_t { of_textures, all };
+
+/// Highlights of materials: left out, for they cost time at each vertex or pixel, or as the file says.
+enum class Highlights : std::uint8_t { none, of_materials };
 
 /// The axis of a model that shall point upwards. Formats disagree, and files do not always follow their format.
 enum class UpAxis : std::uint8_t { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };

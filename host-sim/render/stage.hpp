@@ -63,6 +63,7 @@ SceneKind kind_of_scene(const std::string& name);
 struct ModelOptions {
   std::optional<UpAxis> up{};              ///< the axis that points upwards; empty: as the format says
   std::optional<std::string> animation{};  ///< its name; empty: the first, if there is one
+  Highlights highlights = Highlights::none;
 };
 
 /// `name` as in kind_of_scene. `frames`: a model's camera shows it at every angle of a turn if there are more than one.

@@ -111,27 +111,27 @@ std::string Eel::gltf() const {
          R"(,"uri":"data:application/octet-stream;base64,)" + base64(buffer) + "\"}]}";
 }
 
-using Point = std::array<double, 3>;
+using Place = std::array<double, 3>;
 
 /// Where a corner is `share` of the way through the animation, in the file's coordinates: in its joint, out through all
 /// joints before that one, through the armature.
-Point expected(std::size_t ring, std::size_t side, double share) {
+Place expected(std::size_t ring, std::size_t side, double share) {
   const auto through = [&](std::size_t joint) {
-    Point p = Eel::corner(ring, side);
+    Place p = Eel::corner(ring, side);
     p[0] -= 200 * static_cast<double>(joint);
     for (std::size_t i = joint + 1; i-- > 0;) {
       const double a = Eel::angle(i, share), s = std::sin(a), c = std::cos(a);
-      p = Eel::about_y(i) ? Point{c * p[0] + s * p[2], p[1], -s * p[0] + c * p[2]}
-                          : Point{c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
+      p = Eel::about_y(i) ? Place{c * p[0] + s * p[2], p[1], -s * p[0] + c * p[2]}
+                          : Place{c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
       if (i != 0) p[0] += 200;
     }
     // About x, twice the angle whose half has sine 0.6 and cosine 0.8.
     const double s = 0.96, c = 0.28;
-    return Point{Eel::kScale * p[0], Eel::kScale * (c * p[1] - s * p[2]), Eel::kScale * (s * p[1] + c * p[2])};
+    return Place{Eel::kScale * p[0], Eel::kScale * (c * p[1] - s * p[2]), Eel::kScale * (s * p[1] + c * p[2])};
   };
   const auto [joint, next] = Eel::weights(ring);
-  const Point a = through(joint), b = through(std::min(joint + 1, Eel::kJoints - 1));
-  Point mixed{};
+  const Place a = through(joint), b = through(std::min(joint + 1, Eel::kJoints - 1));
+  Place mixed{};
   for (std::size_t axis = 0; axis < 3; ++axis) mixed[axis] = a[axis] * (1 - next) + b[axis] * next;
   return mixed;
 }
@@ -143,16 +143,16 @@ class GltfSkin : public FolderTest {
     EXPECT_TRUE(stage) << stage.failure().message;
     return stage ? std::move(*stage) : nullptr;
   }
-  static std::vector<Point> corners(Stage& stage, const Scene& scene) {
+  static std::vector<Place> corners(Stage& stage, const Scene& scene) {
     const Units& units = stage.model()->units;
-    std::vector<Point> all;
+    std::vector<Place> all;
     for (const Instance& instance : scene.instances) {
       const Mesh& mesh = scene.meshes[instance.mesh];
       for (const Position& p : mesh.positions) {
         const std::array<Fixed, 3> centre{mesh.centre.x, mesh.centre.y, mesh.centre.z},
             half{mesh.half_extent.x, mesh.half_extent.y, mesh.half_extent.z};
         const std::array<std::int16_t, 3> steps{p.x, p.y, p.z};
-        Point& to = all.emplace_back();
+        Place& to = all.emplace_back();
         for (std::size_t axis = 0; axis < 3; ++axis) {
           const double scene_units = from_fixed(centre[axis]) + from_fixed(half[axis]) * steps[axis] / 32768;
           to[axis] = scene_units / units.scale + units.origin[axis];
@@ -162,16 +162,16 @@ class GltfSkin : public FolderTest {
     return all;
   }
   /// The farthest that a corner of the eel is from the nearest vertex, and a vertex from the nearest corner.
-  static double farthest(const std::vector<Point>& found, double share) {
-    std::vector<Point> wanted;
+  static double farthest(const std::vector<Place>& found, double share) {
+    std::vector<Place> wanted;
     for (std::size_t ring = 0; ring < Eel::kRings; ++ring) {
       for (std::size_t side = 0; side < 3; ++side) wanted.push_back(expected(ring, side, share));
     }
-    const auto away = [](const std::vector<Point>& from, const std::vector<Point>& to) {
+    const auto away = [](const std::vector<Place>& from, const std::vector<Place>& to) {
       double most = 0;
-      for (const Point& a : from) {
+      for (const Place& a : from) {
         double least = 1e9;
-        for (const Point& b : to) least = std::min(least, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+        for (const Place& b : to) least = std::min(least, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
         most = std::max(most, least);
       }
       return most;
@@ -181,7 +181,7 @@ class GltfSkin : public FolderTest {
 };
 
 /// A tenth of a pixel where 16 units of length fill 320 pixels, and what rounding adds.
-constexpr double kTolerance = 0.006;
+constexpr double kCornerTolerance = 0.006;
 
 TEST_F(GltfSkin, CornersAreWhereTheirJointsTakeThem) {
   const auto stage = opened({});
@@ -192,13 +192,13 @@ TEST_F(GltfSkin, CornersAreWhereTheirJointsTakeThem) {
   for (std::uint32_t frame = 0; frame < 8; ++frame) {
     const Result<Staging> staging = stage->place(frame, 8);
     ASSERT_TRUE(staging) << staging.failure().message;
-    EXPECT_LT(farthest(corners(*stage, staging->scene), frame / 8.0), kTolerance) << frame;
+    EXPECT_LT(farthest(corners(*stage, staging->scene), frame / 8.0), kCornerTolerance) << frame;
   }
   const auto second = stage->copy();
   const Result<Staging> here = stage->place(1, 8), there = second->place(6, 8);
   ASSERT_TRUE(here && there);
-  EXPECT_LT(farthest(corners(*stage, here->scene), 1 / 8.0), kTolerance) << "a copy has its own vertices";
-  EXPECT_LT(farthest(corners(*second, there->scene), 6 / 8.0), kTolerance);
+  EXPECT_LT(farthest(corners(*stage, here->scene), 1 / 8.0), kCornerTolerance) << "a copy has its own vertices";
+  EXPECT_LT(farthest(corners(*second, there->scene), 6 / 8.0), kCornerTolerance);
 }
 
 TEST_F(GltfSkin, WithoutAnAnimationStandsWhereItsJointsAre) {
@@ -208,7 +208,7 @@ TEST_F(GltfSkin, WithoutAnAnimationStandsWhereItsJointsAre) {
   EXPECT_TRUE(stage->model()->skins.empty());
   const Result<Staging> staging = stage->place(0, 1);
   ASSERT_TRUE(staging);
-  EXPECT_LT(farthest(corners(*stage, staging->scene), 0), kTolerance);
+  EXPECT_LT(farthest(corners(*stage, staging->scene), 0), kCornerTolerance);
 }
 
 TEST_F(GltfSkin, WeightsAndMatricesThatAreLeftOutAreSaid) {

@@ -13,7 +13,7 @@
 namespace zstrip::sim {
 namespace {
 
-/// Two of them change highlights alone, and those of files are not drawn, whatever they say.
+/// Two of them change highlights alone, which are drawn where they are asked for.
 constexpr std::array<std::string_view, 12> kRead{"EXT_meshopt_compression",
                                                  "EXT_texture_webp",
                                                  "KHR_draco_mesh_compression",

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "import/gltf/highlights.hpp"
 #include "import/screen_channel.hpp"
 #include "report/text.hpp"
 
@@ -63,6 +64,7 @@ SourceMaterial GltfMaterials::read(const GltfJson& from, GltfTexcoords& texcoord
   const auto factor = numbers_in<4>(base, is_older ? "diffuseFactor" : "baseColorFactor", {1, 1, 1, 1});
   to.colour = on_screen(factor[0], factor[1], factor[2]);
   read_alpha(from, factor[3], to);
+  if (highlights_ == Highlights::of_materials && to.lit && !is_older) read_highlight(from, to);
   const std::optional<GltfTextureUse> texture =
       textures_.use_of(base, is_older ? "diffuseTexture" : "baseColorTexture");
   texcoords = read_textures(texture, to.lit ? read_emission(from, texture, to) : std::nullopt, to);
@@ -79,6 +81,16 @@ std::optional<GltfTextureUse> GltfMaterials::read_emission(const GltfJson& from,
   std::optional<GltfTextureUse> own = textures_.use_of(from, "emissiveTexture");
   if (own == texture) own.reset();
   return own;
+}
+
+void GltfMaterials::read_highlight(const GltfJson& from, SourceMaterial& to) const {
+  GltfRoughness roughness;
+  const auto texture = textures_.use_of(member(from, "pbrMetallicRoughness"), "metallicRoughnessTexture");
+  if (texture) {
+    const std::array<double, 3> mean = textures_.mean_of(texture->texture);
+    roughness = {.roughness = mean[1], .metallic = mean[2]};
+  }
+  set_highlight(from, roughness, to);
 }
 
 GltfTexcoords GltfMaterials::read_textures(const std::optional<GltfTextureUse>& texture,

@@ -13,8 +13,8 @@ namespace zstrip::sim {
 
 class GltfMaterials {
  public:
-  GltfMaterials(const GltfJson& json, GltfTextures& textures, SourceModel& model)
-      : json_(json), textures_(textures), model_(model) {}
+  GltfMaterials(const GltfJson& json, GltfTextures& textures, Highlights highlights, SourceModel& model)
+      : json_(json), textures_(textures), highlights_(highlights), model_(model) {}
 
   /// Fills `model.materials`: the file's in order, then that of what has none.
   void read_all();
@@ -28,12 +28,14 @@ class GltfMaterials {
   /// Sets the emission's colour. Returns its texture, if it has one of its own.
   std::optional<GltfTextureUse> read_emission(const GltfJson& from, const std::optional<GltfTextureUse>& texture,
                                               SourceMaterial& to) const;
+  void read_highlight(const GltfJson& from, SourceMaterial& to) const;
   /// Reads both textures where they can be shown together, else what can be.
   GltfTexcoords read_textures(const std::optional<GltfTextureUse>& texture, std::optional<GltfTextureUse> emission,
                               SourceMaterial& to);
 
   const GltfJson& json_;
   GltfTextures& textures_;
+  Highlights highlights_;
   SourceModel& model_;
   std::vector<GltfTexcoords> texcoords_;
 };

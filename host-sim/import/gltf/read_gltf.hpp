@@ -10,6 +10,6 @@ namespace zstrip::sim {
 
 /// `turn` comes after all nodes. What read_model promises of a model. The failure's message starts with a verb.
 Result<SourceModel> read_gltf(const GltfDocument& document, const ReadUri& read_uri, const Affine& turn,
-                              Texcoords texcoords);
+                              Texcoords texcoords, Highlights highlights = Highlights::none);
 
 }  // namespace zstrip::sim

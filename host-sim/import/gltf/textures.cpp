@@ -75,10 +75,27 @@ Result<RgbImage> GltfTextures::decode(const GltfJson& image) const {
   return decode_image(*bytes);
 }
 
+std::optional<std::size_t> GltfTextures::image_of(const GltfJson& texture) const {
+  const std::optional<std::size_t> webp = index_in(extension(texture, "EXT_texture_webp"), "source");
+  return webp ? webp : index_in(texture, "source");
+}
+
+std::array<double, 3> GltfTextures::mean_of(std::size_t texture) const {
+  std::array<double, 3> mean{1, 1, 1};
+  const std::optional<std::size_t> source = image_of(element(member(document_.json, "textures"), texture));
+  if (!source) return mean;
+  const Result<RgbImage> image = decode(element(member(document_.json, "images"), *source));
+  if (!image || image->rgb.empty()) return mean;
+  std::array<std::uint64_t, 3> sum{};
+  for (std::size_t i = 0; i < image->rgb.size(); ++i) sum[i % 3] += image->rgb[i];
+  const std::size_t texels = image->rgb.size() / 3;
+  for (std::size_t c = 0; c < 3; ++c) mean[c] = static_cast<double>(sum[c]) / (255 * static_cast<double>(texels));
+  return mean;
+}
+
 std::uint32_t GltfTextures::read(std::size_t texture) {
   const GltfJson& json = element(member(document_.json, "textures"), texture);
-  std::optional<std::size_t> source = index_in(extension(json, "EXT_texture_webp"), "source");
-  if (!source) source = index_in(json, "source");
+  const std::optional<std::size_t> source = image_of(json);
   const auto warn = [this](const std::string& name, const std::string& reason) {
     model_.warnings.push_back(fmt::format("texture '{}' {}; what uses it is drawn without", printable(name), reason));
   };

@@ -41,8 +41,11 @@ class GltfTextures {
   std::optional<GltfTextureUse> use_of(const GltfJson& material, const char* key) const;
   /// Index into SourceModel::textures; kNoSourceTexture, with a warning, where it cannot be read.
   std::uint32_t read(std::size_t texture);
+  /// Of all its texels, 0..1 a channel; all ones where it cannot be read. The model does not keep it.
+  std::array<double, 3> mean_of(std::size_t texture) const;
 
  private:
+  std::optional<std::size_t> image_of(const GltfJson& texture) const;
   Result<RgbImage> decode(const GltfJson& image) const;
 
   const GltfDocument& document_;

@@ -33,12 +33,17 @@ constexpr std::array kLitTexture{Field{"index", Type::whole}, Field{"texCoord", 
                                  Field{"scale", Type::number}, Field{"strength", Type::number}};
 constexpr std::array kBase{Field{"metallicFactor", Type::number}, Field{"roughnessFactor", Type::number},
                            Field{"baseColorFactor", Type::numbers, 4},
-                           Field{"baseColorTexture", Type::object, 0, kTextureUse}};
+                           Field{"baseColorTexture", Type::object, 0, kTextureUse},
+                           Field{"metallicRoughnessTexture", Type::object, 0, kTextureUse}};
 constexpr std::array kDiffuse{Field{"diffuseFactor", Type::numbers, 4},
                               Field{"diffuseTexture", Type::object, 0, kTextureUse}};
 constexpr std::array kStrength{Field{"emissiveStrength", Type::number}};
+constexpr std::array kIor{Field{"ior", Type::number}};
+constexpr std::array kSpecular{Field{"specularFactor", Type::number}, Field{"specularColorFactor", Type::numbers, 3}};
 constexpr std::array<Field, 0> kNoMembers{};
 constexpr std::array kMaterialExtensions{Field{"KHR_materials_emissive_strength", Type::object, 0, kStrength},
+                                         Field{"KHR_materials_ior", Type::object, 0, kIor},
+                                         Field{"KHR_materials_specular", Type::object, 0, kSpecular},
                                          Field{"KHR_materials_pbrSpecularGlossiness", Type::object, 0, kDiffuse},
                                          Field{"KHR_materials_unlit", Type::object, 0, kNoMembers}};
 constexpr std::array kMaterial{Field{"name", Type::text},
