@@ -1,4 +1,5 @@
-# Installs the libraries and headers so that find_package(zstrip) gives zstrip::core, zstrip::core_any and zstrip::hal.
+# Installs the libraries and headers so that find_package(zstrip) gives zstrip::core, zstrip::core_any and zstrip::hal,
+# and pkg-config zstrip and zstrip-any; makes packages of them.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -17,6 +18,12 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/zstripConfigVersion.cmake
 install(FILES ${PROJECT_BINARY_DIR}/zstripConfig.cmake ${PROJECT_BINARY_DIR}/zstripConfigVersion.cmake
   DESTINATION ${package_folder} COMPONENT zstrip_development)
 
+file(RELATIVE_PATH zstrip_prefix_from_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+foreach(name zstrip zstrip-any)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/${name}.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT zstrip_development)
+endforeach()
+
 # zstrip as a library for Arduino, PlatformIO, ESP-IDF and Zephyr: packages/zstrip and archives of it.
 find_program(ZSTRIP_BASH bash)
 mark_as_advanced(ZSTRIP_BASH)
@@ -27,4 +34,7 @@ endif()
 
 if(TARGET zstrip)
   install(TARGETS zstrip zstrip-measure RUNTIME COMPONENT zstrip_command)
+endif()
+if(PROJECT_IS_TOP_LEVEL)
+  include(${CMAKE_CURRENT_LIST_DIR}/zstrip_debian.cmake)
 endif()

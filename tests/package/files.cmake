@@ -75,6 +75,11 @@ foreach(found ${arduino_version} ${platformio_version} ${idf_version})
   endif()
 endforeach()
 
+file(STRINGS ${PACKAGE}/CHANGELOG.md heading REGEX "^## \\[${VERSION}\\] - [0-9-]+$")
+if(NOT heading)
+  complain("CHANGELOG.md has no section of version ${VERSION}")
+endif()
+
 # What was to be replaced, is.
 file(GLOB_RECURSE files ${PACKAGE}/*)
 foreach(file IN LISTS files)

@@ -1,0 +1,26 @@
+# Packages for Debian, by `cpack -G DEB` in the build folder: libzstrip-dev has libraries and headers, zstrip the command,
+# if it is built. They are written to packages/.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME zstrip)
+set(CPACK_PACKAGE_VENDOR "the zstrip authors")
+set(CPACK_PACKAGE_CONTACT "the zstrip authors")
+set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL zstrip_development)
+install(FILES LICENSE DESTINATION share/doc/libzstrip-dev RENAME copyright COMPONENT zstrip_development)
+if(TARGET zstrip)
+  list(APPEND CPACK_COMPONENTS_ALL zstrip_command)
+  install(FILES LICENSE DESTINATION share/doc/zstrip RENAME copyright COMPONENT zstrip_command)
+endif()
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_ZSTRIP_DEVELOPMENT_PACKAGE_NAME libzstrip-dev)
+set(CPACK_DEBIAN_ZSTRIP_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_ZSTRIP_COMMAND_PACKAGE_NAME zstrip)
+set(CPACK_DEBIAN_ZSTRIP_COMMAND_PACKAGE_SECTION graphics)
+# Which libraries the command needs; by dpkg-shlibdeps, of the package dpkg-dev.
+set(CPACK_DEBIAN_ZSTRIP_COMMAND_PACKAGE_SHLIBDEPS ON)
+include(CPack)
+cpack_add_component(zstrip_development DESCRIPTION "Libraries and headers of zstrip, ${PROJECT_DESCRIPTION}")
+cpack_add_component(zstrip_command DESCRIPTION "The command zstrip: converts, plans and shows scenes for zstrip")
