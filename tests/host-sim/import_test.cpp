@@ -145,6 +145,21 @@ TEST_F(Import, FormatsSayWhichAxisPointsUpwards) {
   EXPECT_FALSE(is_upright(model(file("y.fbx", fbx(1, 1)))));
 }
 
+/// The triangle's base has two corners along x, its tip is above one of them along z.
+TEST_F(Import, FbxSaysWhichEndOfItsAxisPointsUpwards) {
+  const auto above = [&](int up, int sign) {
+    const Model one = model(file("one.fbx", fbx(up, sign)));
+    int above = 0, below = 0;
+    for (const Position& p : one.meshes[0].positions) ++(p.y > 0 ? above : below);
+    EXPECT_EQ(above + below, 3);
+    return above;
+  };
+  EXPECT_EQ(above(2, 1), 1) << "the tip";
+  EXPECT_EQ(above(2, -1), 2) << "the base";
+  EXPECT_EQ(above(0, 1), 1) << "the corner along x";
+  EXPECT_EQ(above(0, -1), 2);
+}
+
 TEST_F(Import, MoreVerticesThanSixteenBits) {
   const std::string obj = sphere_obj(400, 250);
   const std::string path = file("sphere.obj", obj);

@@ -121,6 +121,52 @@ TEST_F(ModelLines, DamagedOnesAreLeftOut) {
   EXPECT_EQ(damaged.warnings[0], "1 line left out: with vertices that do not exist, or are not finite");
 }
 
+/// A triangle and two lines with `attributes`, on node 0, which an animation moves.
+std::string triangle_and_lines(const std::string& node, const std::string& attributes, const std::string& skins) {
+  GltfData data;
+  data.add_floats({-1, -1, 0, 1, -1, 0, 1, 1, 0}, "VEC3");
+  data.add_indices({0, 1, 2, 0});
+  data.add(std::string(12, '\0'), R"("componentType":5121,"count":3,"type":"VEC4")");
+  data.add_floats({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4");
+  data.add_floats({0, 1}, "SCALAR");
+  data.add_floats({0, 0, 0, 1, 0, 0}, "VEC3");
+  const std::string primitive = R"("attributes":{"POSITION":0)" + attributes + "}";
+  return gltf_of(R"("nodes":[{)" + node + R"(},{}],"meshes":[{"primitives":[{)" + primitive +
+                 R"(},{"mode":1,"indices":1,)" + primitive + R"(}]}],)" + skins +
+                 R"("animations":[{"channels":[{"sampler":0,"target":{"node":)" + (skins.empty() ? "0" : "1") +
+                 R"(,"path":"translation"}}],"samplers":[{"input":4,"output":5}]}],)" + data.json());
+}
+
+TEST_F(ModelLines, OfSkinsAreLeftOutAndSaid) {
+  const Model bent =
+      model(file("bent.gltf", triangle_and_lines(R"("mesh":0,"skin":0)", R"(,"JOINTS_0":2,"WEIGHTS_0":3)",
+                                                 R"("skins":[{"joints":[1]}],)")));
+  EXPECT_EQ(bent.skins.size(), 1U);
+  EXPECT_TRUE(bent.lines.empty());
+  EXPECT_EQ(bent.warnings, std::vector<std::string>{"2 lines left out: skins bend triangles only"});
+}
+
+TEST_F(ModelLines, OfMovingNodesStandAtRestAndThatIsSaid) {
+  const Model moved = model(file("moved.gltf", triangle_and_lines(R"("mesh":0)", "", "")));
+  EXPECT_EQ(moved.lines.size(), 1U);
+  EXPECT_EQ(moved.tree.animations.size(), 1U);
+  EXPECT_EQ(moved.warnings, std::vector<std::string>{"2 lines drawn at rest: animations move triangles only"});
+}
+
+TEST_F(ModelLines, OfModelsOfSceneFilesAreLeftOutAndSaid) {
+  file("both.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\nl 1 3\n");
+  const std::string scene =
+      file("scene.toml", "[[model]]\nname = 'plate'\nfile = 'both.obj'\n[[instance]]\nmodel = 'plate'\n");
+  const auto stage = open_stage(scene, {}, {}, {64, 64}, 1);
+  ASSERT_TRUE(stage) << stage.failure().message;
+  EXPECT_EQ((*stage)->warnings(),
+            std::vector<std::string>{"model 'plate': its lines and points are left out; those of a scene file stand in "
+                                     "[[lines]] and [[points]]"});
+  const Result<Staging> staging = (*stage)->place(0, 1);
+  ASSERT_TRUE(staging);
+  EXPECT_TRUE(staging->scene.lines.empty());
+}
+
 /// An unused vertex was counted for the box: one that is not finite left nothing of the model.
 TEST_F(ModelLines, UnusedVerticesDoNotCountForTheBox) {
   const Model damaged = model(file("inf.obj", "v -1 0 0\nv 1 0 0\nv inf 0 0\nl 1 2\nl 2 3\n"));
