@@ -31,14 +31,14 @@ constexpr zstrip::Budget kBudget{.bytes = 20 * 1024, .strip_buffers = 1};
 zstrip::FixedRenderer<kScene, kView, kBudget, zstrip::effect::unclipped> renderer;
 alignas(4) std::byte pixels[renderer.kStripBytes];
 
-zstrip::arduino::Clock waiting;
-zstrip::arduino::SpiBus bus(SPI, {.data_command = kDataCommand, .select = kSelect}, kHertz);
+zstrip::hal::ArduinoClock waiting;
+zstrip::hal::ArduinoSpi bus(SPI, {.data_command = kDataCommand, .select = kSelect}, kHertz);
 zstrip::hal::St7789 panel(bus, waiting);
 
 void setup() {
   Serial.begin(115200);
   bus.start();
-  zstrip::arduino::Pin reset(kReset);
+  zstrip::hal::ArduinoPin reset(kReset);
   (void)zstrip::hal::reset_panel(reset, waiting);
   const zstrip::hal::Error error = panel.start();
   if (error != zstrip::hal::Error::none) Serial.println(zstrip::hal::message(error));

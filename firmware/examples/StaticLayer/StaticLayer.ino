@@ -56,8 +56,8 @@ std::byte depth_pool[kDepthPool], colour_pool[kColourPool];
 std::uint32_t dirty[zstrip::dirty_tile_words(kView.width, kView.height)];
 std::uint16_t pixels[16 * kView.width], depth[16 * kView.width];
 
-zstrip::arduino::Clock waiting;
-zstrip::arduino::SpiBus bus(SPI, {.data_command = kDataCommand, .select = kSelect}, kHertz);
+zstrip::hal::ArduinoClock waiting;
+zstrip::hal::ArduinoSpi bus(SPI, {.data_command = kDataCommand, .select = kSelect}, kHertz);
 zstrip::hal::St7789 panel(bus, waiting);
 
 void stop_on(const zstrip::Status& status) {
@@ -69,7 +69,7 @@ void stop_on(const zstrip::Status& status) {
 void setup() {
   Serial.begin(115200);
   bus.start();
-  zstrip::arduino::Pin reset(kReset);
+  zstrip::hal::ArduinoPin reset(kReset);
   (void)zstrip::hal::reset_panel(reset, waiting);
   const zstrip::hal::Error error = panel.start();
   if (error != zstrip::hal::Error::none) Serial.println(zstrip::hal::message(error));

@@ -57,7 +57,7 @@ class DmaBus {
     SPI.endTransaction();
     return error;
   }
-  zstrip::arduino::SpiBus commands_{SPI, {.data_command = kDataCommand, .select = kSelect}, kHertz};
+  zstrip::hal::ArduinoSpi<decltype(SPI)> commands_{SPI, {.data_command = kDataCommand, .select = kSelect}, kHertz};
   bool sending_ = false;
 };
 
@@ -67,14 +67,14 @@ zstrip::FixedRenderer<kScene, kView, kBudget, zstrip::effect::unclipped> rendere
 alignas(4) std::byte first_pixels[renderer.kStripBytes];
 alignas(4) std::byte second_pixels[renderer.kStripBytes];
 
-zstrip::arduino::Clock waiting;
+zstrip::hal::ArduinoClock waiting;
 DmaBus bus;
 zstrip::hal::St7789 panel(bus, waiting);
 
 void setup() {
   Serial.begin(115200);
   bus.start();
-  zstrip::arduino::Pin reset(kReset);
+  zstrip::hal::ArduinoPin reset(kReset);
   (void)zstrip::hal::reset_panel(reset, waiting);
   const zstrip::hal::Error error = panel.start();
   if (error != zstrip::hal::Error::none) Serial.println(zstrip::hal::message(error));

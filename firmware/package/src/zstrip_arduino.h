@@ -6,36 +6,37 @@
 
 #include "zstrip.h"
 
-namespace zstrip::arduino {
+namespace zstrip::hal {
 
-struct Clock {
+struct ArduinoClock {
   void wait(std::uint32_t microseconds) { delay((microseconds + 999) / 1000); }
 };
 
 /// An output, by Arduino's number.
-class Pin {
+class ArduinoPin {
  public:
-  explicit Pin(int number) : number_(number) { pinMode(number_, OUTPUT); }
-  hal::Error set(bool high) {
+  explicit ArduinoPin(int number) : number_(number) { pinMode(number_, OUTPUT); }
+  Error set(bool high) {
     digitalWrite(number_, high ? HIGH : LOW);
-    return hal::Error::none;
+    return Error::none;
   }
 
  private:
   int number_;
 };
 
-struct SpiPins {
+struct ArduinoSpiPins {
   int data_command;                      ///< high for data
   int select = -1;                       ///< low selects; -1: the panel is always selected
   decltype(SPI_MODE0) mode = SPI_MODE0;  ///< SPI_MODE3 for most modules without a select pin
 };
 
 /// A panel on the controller of SPI: CommandDataBus of zstrip_hal/bus.hpp. Everything has been sent when a function
-/// returns; no core reports errors of it.
-class SpiBus {
+/// returns; no core reports errors of it. Cores name the class of SPI differently.
+template <class Spi>
+class ArduinoSpi {
  public:
-  SpiBus(SPIClass& spi, const SpiPins& pins, std::uint32_t hertz)
+  ArduinoSpi(Spi& spi, const ArduinoSpiPins& pins, std::uint32_t hertz)
       : spi_(spi), pins_(pins), settings_(hertz, MSBFIRST, pins.mode) {}
 
   /// To be called once, before anything else.
@@ -48,13 +49,13 @@ class SpiBus {
     spi_.begin();
   }
 
-  hal::Error write_command(std::span<const std::byte> bytes) { return write(bytes, false); }
-  hal::Error write_data(std::span<const std::byte> bytes) { return write(bytes, true); }
-  hal::Error wait() { return hal::Error::none; }
+  Error write_command(std::span<const std::byte> bytes) { return write(bytes, false); }
+  Error write_data(std::span<const std::byte> bytes) { return write(bytes, true); }
+  Error wait() { return Error::none; }
 
  private:
   /// SPI.transfer() puts what it receives over what it sends, and this must not change: it goes by way of a copy.
-  hal::Error write(std::span<const std::byte> bytes, bool data) {
+  Error write(std::span<const std::byte> bytes, bool data) {
     spi_.beginTransaction(settings_);
     digitalWrite(pins_.data_command, data ? HIGH : LOW);
     if (pins_.select >= 0) digitalWrite(pins_.select, LOW);
@@ -67,12 +68,12 @@ class SpiBus {
     }
     if (pins_.select >= 0) digitalWrite(pins_.select, HIGH);
     spi_.endTransaction();
-    return hal::Error::none;
+    return Error::none;
   }
 
-  SPIClass& spi_;
-  SpiPins pins_;
+  Spi& spi_;
+  ArduinoSpiPins pins_;
   SPISettings settings_;
 };
 
-}  // namespace zstrip::arduino
+}  // namespace zstrip::hal

@@ -108,18 +108,18 @@ size_t SerialPort::println(const char* text) {
   return std::strlen(text);
 }
 
-SPIClass SPI;
-void SPIClass::begin() {}
-void SPIClass::beginTransaction(SPISettings settings) { board().begin_transaction(settings.hertz); }
-void SPIClass::transfer(void* bytes, size_t count) {
+TestSpi SPI;
+void TestSpi::begin() {}
+void TestSpi::beginTransaction(SPISettings settings) { board().begin_transaction(settings.hertz); }
+void TestSpi::transfer(void* bytes, size_t count) {
   const std::span all(static_cast<std::byte*>(bytes), count);
   board().send(all);
   std::fill(all.begin(), all.end(), std::byte{0xA5});  // what comes back
 }
-void SPIClass::endTransaction() { board().end_transaction(); }
-bool SPIClass::transferAsync(const void* send, void*, size_t count) {
+void TestSpi::endTransaction() { board().end_transaction(); }
+bool TestSpi::transferAsync(const void* send, void*, size_t count) {
   board().start_sending({static_cast<const std::byte*>(send), count});
   return true;
 }
-bool SPIClass::finishedAsync() { return board().has_sent(); }
-void SPIClass::abortAsync() {}
+bool TestSpi::finishedAsync() { return board().has_sent(); }
+void TestSpi::abortAsync() {}

@@ -1,5 +1,6 @@
-// The part of Arduino's interface that sketches here use: with types of its own for levels, as newer cores have it, and
-// the macros that older cores have. Implemented for a board without anything, and by tests.
+// The part of Arduino's interface that sketches here use: with types of its own for levels, as newer cores have it, or
+// with numbers (TEST_OLD_CORE), and the macros that older cores have. Implemented for a board without anything, and by
+// tests.
 #pragma once
 
 #include <math.h>
@@ -37,9 +38,21 @@
 #define B10 2
 #define B11 3
 
+#ifdef TEST_OLD_CORE
+#define LOW 0x0
+#define HIGH 0x1
+#define INPUT 0x0
+#define OUTPUT 0x1
+#define LSBFIRST 0
+#define MSBFIRST 1
+typedef uint8_t PinStatus;
+typedef uint8_t PinMode;
+typedef uint8_t BitOrder;
+#else
 typedef enum { LOW = 0, HIGH = 1 } PinStatus;
 typedef enum { INPUT = 0, OUTPUT = 1 } PinMode;
 typedef enum { LSBFIRST = 0, MSBFIRST = 1 } BitOrder;
+#endif
 typedef bool boolean;
 typedef uint8_t byte;
 typedef uint16_t word;

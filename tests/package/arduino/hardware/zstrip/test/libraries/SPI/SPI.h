@@ -3,14 +3,21 @@
 
 #include <Arduino.h>
 
+#ifdef TEST_OLD_CORE
+#define SPI_MODE0 0x00
+#define SPI_MODE3 0x03
+typedef uint8_t SPIMode;
+#else
 typedef enum { SPI_MODE0 = 0, SPI_MODE3 = 3 } SPIMode;
+#endif
 
 struct SPISettings {
   SPISettings(uint32_t clock, BitOrder, SPIMode) : hertz(clock) {}
   uint32_t hertz;
 };
 
-class SPIClass {
+// Cores have different names for it.
+class TestSpi {
  public:
   void begin();
   void beginTransaction(SPISettings settings);
@@ -21,4 +28,4 @@ class SPIClass {
   bool finishedAsync();
   void abortAsync();
 };
-extern SPIClass SPI;
+extern TestSpi SPI;

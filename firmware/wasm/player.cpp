@@ -1,0 +1,149 @@
+// A baked scene (.zsc) drawn in WebAssembly, for a page or Node.js: one scene for each instance of the module.
+// zstrip.mjs is the other side and the interface; it calls the functions in their order, and knows nothing of memory
+// but addresses.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <span>
+
+#include "zstrip/blob.hpp"
+#include "zstrip/frame/pipeline_rows.hpp"
+#include "zstrip/plan.hpp"
+#include "zstrip/renderer.hpp"
+#include "zstrip_scenes/baked_stage.hpp"
+
+extern "C" std::byte __heap_base;  // the linker's: where memory is free from
+
+namespace zstrip {
+
+/// Of the faster pipelines for scenes with few effects none: those for all effects draw the same, and a page has to
+/// load less.
+std::span<const detail::PipelineRow> detail::rows_of_triangles() { return {}; }
+
+namespace {
+
+constexpr std::size_t kPage = 65536;
+constexpr std::size_t kAlignment = 8;
+
+std::byte* next_free = &__heap_base;
+
+/// Memory for as long as the instance lives, in whole words of 8 bytes; nullptr if there is none.
+std::byte* reserve(std::size_t bytes) {
+  const std::size_t first = (reinterpret_cast<std::size_t>(next_free) + kAlignment - 1) / kAlignment * kAlignment;
+  const std::size_t have = __builtin_wasm_memory_size(0) * kPage;
+  if (bytes > SIZE_MAX - kPage - first) return nullptr;
+  if (first + bytes > have) {
+    const std::size_t pages = (first + bytes - have + kPage - 1) / kPage;
+    if (__builtin_wasm_memory_grow(0, pages) == SIZE_MAX) return nullptr;
+  }
+  next_free = reinterpret_cast<std::byte*>(first + bytes);
+  return reinterpret_cast<std::byte*>(first);
+}
+
+/// Room for `count` objects; empty if there is none.
+template <class T>
+std::span<T> room_for(std::size_t count) {
+  if (count > SIZE_MAX / sizeof(T)) return {};
+  auto* first = reinterpret_cast<T*>(reserve(count * sizeof(T)));
+  return first == nullptr ? std::span<T>() : std::span(first, count);
+}
+
+SceneBlob blob;
+View view;
+Plan planned;
+Camera camera;
+std::uint32_t frames = 1;
+scenes::BakedFrame staged;  // is read until its last strip is drawn
+std::span<Instance> instances;
+std::span<LineSet> lines;
+std::span<std::byte> arena, strip_pixels;
+std::span<std::uint8_t> picture;  // red, green, blue, alpha
+AnyRenderer* renderer = nullptr;
+alignas(AnyRenderer) std::byte renderer_memory[sizeof(AnyRenderer)];
+
+/// Of RGB565, as panels show it.
+void put_pixel(std::uint8_t* to, unsigned pixel) {
+  const unsigned red = pixel >> 11, green = pixel >> 5 & 63U, blue = pixel & 31U;
+  to[0] = static_cast<std::uint8_t>(red << 3 | red >> 2);
+  to[1] = static_cast<std::uint8_t>(green << 2 | green >> 4);
+  to[2] = static_cast<std::uint8_t>(blue << 3 | blue >> 2);
+  to[3] = 255;
+}
+
+Status begin(std::uint32_t frame) {
+  const scenes::AtRest baked{blob.scene, camera, blob.animation, blob.turn};
+  staged = {blob.scene, camera};
+  if (frame % frames != 0 || !blob.animation.tracks.empty()) {
+    staged = scenes::stage(baked, frame, frames, {.instances = instances, .lines = lines});
+  }
+  return renderer->begin_frame(staged.scene, staged.camera, view, planned, arena);
+}
+
+}  // namespace
+}  // namespace zstrip
+
+using namespace zstrip;
+
+// Status numbers are zstrip::Error's; words() has each in words. -1: no memory.
+extern "C" {
+
+[[clang::export_name("reserve")]] std::byte* zstrip_reserve(std::size_t bytes) { return reserve(bytes); }
+
+[[clang::export_name("words")]] const char* zstrip_words(int status) {
+  return status < 0 ? "no memory" : message(static_cast<Error>(status));
+}
+
+/// The bytes of a .zsc, which stay where they are.
+[[clang::export_name("open")]] int zstrip_open(const std::byte* bytes, std::size_t size) {
+  const std::span file(bytes, size);
+  Status status = open_scene_blob(file, {}, blob);
+  if (status.error == Error::blob_memory) {
+    const std::span<std::byte> tables = room_for<std::byte>(status.needed);
+    if (tables.empty()) return -1;
+    status = open_scene_blob(file, tables, blob);
+  }
+  return static_cast<int>(status.error);
+}
+[[clang::export_name("own_width")]] int zstrip_own_width() { return blob.view.width; }
+[[clang::export_name("own_height")]] int zstrip_own_height() { return blob.view.height; }
+
+/// The picture's size, and how many frames show the animation or a turn, at least 1.
+[[clang::export_name("prepare")]] int zstrip_prepare(std::uint16_t width, std::uint16_t height,
+                                                     std::uint32_t count_of) {
+  view = {width, height, PixelFormat::rgb565, blob.view.dither, blob.view.samples};
+  frames = count_of;
+  camera = scenes::fit_width(blob.camera_for(frames), blob.view, view);
+  if (!scenes::can_turn({blob.scene, camera, blob.animation, blob.turn})) return static_cast<int>(Error::instance);
+  const Effects effects = effects_of(blob.scene, camera) | effects_of(view) | blob.effects | effect::bins;
+  const PlanResult result = plan(count(blob.scene), view, effects);
+  if (!result.status) return static_cast<int>(result.status.error);
+  planned = result.plan;
+  instances = room_for<Instance>(blob.scene.instances.size());
+  lines = room_for<LineSet>(blob.scene.lines.size());
+  arena = room_for<std::byte>(planned.bytes());
+  strip_pixels = room_for<std::byte>(planned.strip_pixel_bytes(view));
+  picture = room_for<std::uint8_t>(std::size_t{4} * width * height);
+  if (picture.empty() || strip_pixels.empty() || arena.size() < planned.bytes()) return -1;
+  renderer = new (renderer_memory) AnyRenderer(effects);
+  return static_cast<int>(begin(0).error);  // an effect that is not here is noticed now
+}
+
+/// Draws frame `frame` into picture().
+[[clang::export_name("draw")]] int zstrip_draw(std::uint32_t frame) {
+  if (renderer == nullptr) return static_cast<int>(Error::not_begun);
+  Status status = begin(frame);
+  for (std::uint16_t strip = 0; status && strip < planned.strips; ++strip) {
+    status = renderer->draw_strip(strip, strip_pixels);
+    if (!status) break;
+    const Rect area = planned.strip_area(strip, view);
+    const auto* pixel = reinterpret_cast<const std::uint16_t*>(strip_pixels.data());
+    for (std::int32_t y = area.top; y < area.bottom; ++y) {
+      std::uint8_t* to = picture.data() + 4 * (y * view.width + area.left);
+      for (std::int32_t x = area.left; x < area.right; ++x, to += 4) put_pixel(to, *pixel++);
+    }
+  }
+  return static_cast<int>(status.error);
+}
+[[clang::export_name("picture")]] const std::uint8_t* zstrip_picture() { return picture.data(); }
+}

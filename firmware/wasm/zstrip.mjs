@@ -1,0 +1,58 @@
+// Draws baked scenes (.zsc, `zstrip bake MODEL -o scene.zsc`) in a page or in Node.js, with the pixels that a device shows.
+//     const zstrip = await load();
+//     const scene = zstrip.open(bytes, { width: 240, height: 240, frames: 60 });
+//     context.putImageData(new ImageData(scene.draw(0), scene.width, scene.height), 0, 0);
+
+// What WebAssembly.compile takes: beside this file, fetched by pages and read by Node.js.
+const bytesOfModule = async () => {
+  const place = new URL('zstrip.wasm', import.meta.url);
+  if (place.protocol === 'file:') return (await import('node:fs/promises')).readFile(place);
+  const response = await fetch(place);
+  if (!response.ok) throw new Error(`zstrip.wasm: ${response.status} ${response.statusText}`);
+  return response.arrayBuffer();
+};
+
+// One scene, with memory of its own. Errors are thrown, in words.
+class Scene {
+  #wasm;
+  #picture;
+
+  constructor(module, bytes, { width, height, frames = 1 }) {
+    this.#wasm = new WebAssembly.Instance(module).exports;
+    const wasm = this.#wasm;
+    const blob = wasm.reserve(bytes.byteLength);
+    if (blob === 0) throw new Error('zstrip: no memory');
+    const view = ArrayBuffer.isView(bytes) ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength) : new Uint8Array(bytes);
+    new Uint8Array(wasm.memory.buffer, blob, view.length).set(view);
+    this.#check(wasm.open(blob, view.length));
+    this.width = width ?? wasm.own_width();
+    this.height = height ?? wasm.own_height();
+    this.frames = frames;
+    for (const [name, most] of [['width', 4096], ['height', 4096], ['frames', 0xffffffff]]) {
+      if (!Number.isInteger(this[name]) || this[name] < 1 || this[name] > most) {
+        throw new RangeError(`zstrip: ${name} is ${this[name]}, not a whole number from 1 to ${most}`);
+      }
+    }
+    this.#check(wasm.prepare(this.width, this.height, frames));
+    this.#picture = wasm.picture();
+  }
+
+  // Frame `frame` of `frames`, which show the animation once, or else a full turn: red, green, blue and alpha of each pixel.
+  // Valid until the next call.
+  draw(frame) {
+    this.#check(this.#wasm.draw(frame));
+    return new Uint8ClampedArray(this.#wasm.memory.buffer, this.#picture, 4 * this.width * this.height);
+  }
+
+  #check(status) {
+    if (status === 0) return;
+    const words = new Uint8Array(this.#wasm.memory.buffer, this.#wasm.words(status));
+    throw new Error(`zstrip: ${new TextDecoder().decode(words.slice(0, words.indexOf(0)))}`);
+  }
+}
+
+// `module`: a WebAssembly.Module of zstrip.wasm, where a bundler has it elsewhere.
+export const load = async (module) => {
+  const compiled = module ?? (await WebAssembly.compile(await bytesOfModule()));
+  return { open: (bytes, options = {}) => new Scene(compiled, bytes, options) };
+};

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# compilers.sh ROOT COMPILER: what compilers say of the package's headers. With an older language every header that an
+# application includes ends with one error that says what to do; sketches compile for older cores (TEST_OLD_CORE), too.
+set -euo pipefail
+cd "$1"
+compiler=$2
+core=tests/package/arduino/hardware/zstrip/test
+includes=(-Icore -Ihal -Ifirmware/package/src -I$core/cores/test -I$core/libraries/SPI)
+failed=0
+
+for language in gnu++11 c++17; do
+  for header in core/zstrip/*.hpp firmware/package/src/zstrip.h firmware/package/src/zstrip_arduino.h; do
+    said=$("$compiler" -std=$language "${includes[@]}" -fsyntax-only -x c++ "$header" 2>&1) || true
+    if [ "$(grep -c 'error: #error zstrip needs C++20' <<<"$said")" -ne 1 ] || [ "$(grep -c 'error:' <<<"$said")" -ne 2 ]; then
+      printf 'as %s %s does not end with one error that says what to do:\n%s\n' "$language" "$header" "$(head -n 5 <<<"$said")"
+      failed=1
+    fi
+  done
+done
+
+for sketch in firmware/examples/{HelloPyramid/HelloPyramid,TwoBuffersDma/TwoBuffersDma}.ino; do
+  "$compiler" -std=gnu++20 -Wall -Wextra -Werror -DTEST_OLD_CORE "${includes[@]}" -include Arduino.h -fsyntax-only \
+    -x c++ "$sketch" || failed=1
+done
+exit "$failed"

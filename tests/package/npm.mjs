@@ -1,0 +1,34 @@
+// npm.mjs SCENE FRAMES...: the package `zstrip`, found as Node.js finds packages, draws the scene SCENE (.zsc) as the command
+// has: each of FRAMES is a picture in RGB565, low byte first. What is no scene is an error in words. Without FRAMES the
+// scene must be refused.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { load } from 'zstrip';
+
+const [file, ...frames] = process.argv.slice(2);
+const zstrip = await load();
+const bytes = readFileSync(file);
+if (frames.length === 0) {
+  assert.throws(() => zstrip.open(bytes), /^Error: zstrip: [a-z]/);
+  process.exit();
+}
+const scene = zstrip.open(bytes, { width: 160, height: 120, frames: frames.length });
+
+frames.forEach((name, frame) => {
+  const expected = readFileSync(name);
+  const drawn = scene.draw(frame);
+  assert.equal(drawn.length, 2 * expected.length);
+  for (let i = 0; i < expected.length / 2; ++i) {
+    const [red, green, blue, alpha] = drawn.subarray(4 * i, 4 * i + 4);
+    const pixel = ((red >> 3) << 11) | ((green >> 2) << 5) | (blue >> 3);
+    assert.equal(pixel, expected.readUInt16LE(2 * i), `${name}: pixel ${i % 160}, ${Math.floor(i / 160)}`);
+    assert.equal(alpha, 255);
+    assert.equal(red & 7, red >> 5);  // white is 255
+  }
+});
+
+const own = zstrip.open(bytes);
+assert(own.width > 0 && own.height > 0 && own.draw(0).length === 4 * own.width * own.height);
+assert.throws(() => zstrip.open(bytes.subarray(0, 100)), /^Error: zstrip: .*damaged/);
+assert.throws(() => zstrip.open(bytes, { width: 5000 }), RangeError);
+assert.throws(() => zstrip.open(bytes, { frames: 0 }), RangeError);
