@@ -1,6 +1,6 @@
 // Draws baked scenes (.zsc, `zstrip bake MODEL -o scene.zsc`) in a page or in Node.js, with the pixels that a device shows.
 //     const zstrip = await load();
-//     const scene = zstrip.open(bytes, { width: 240, height: 240, frames: 60 });
+//     const scene = await zstrip.open(bytes, { width: 240, height: 240, frames: 60 });
 //     context.putImageData(new ImageData(scene.draw(0), scene.width, scene.height), 0, 0);
 
 // What WebAssembly.compile takes: beside this file, fetched by pages and read by Node.js.
@@ -17,9 +17,9 @@ class Scene {
   #wasm;
   #picture;
 
-  constructor(module, bytes, { width, height, frames = 1 }) {
-    this.#wasm = new WebAssembly.Instance(module).exports;
-    const wasm = this.#wasm;
+  // `wasm`: what an instance of the module exports, which no other scene has.
+  constructor(wasm, bytes, { width, height, frames = 1 }) {
+    this.#wasm = wasm;
     const blob = wasm.reserve(bytes.byteLength);
     if (blob === 0) throw new Error('zstrip: no memory');
     const view = ArrayBuffer.isView(bytes) ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength) : new Uint8Array(bytes);
@@ -54,5 +54,7 @@ class Scene {
 // `module`: a WebAssembly.Module of zstrip.wasm, where a bundler has it elsewhere.
 export const load = async (module) => {
   const compiled = module ?? (await WebAssembly.compile(await bytesOfModule()));
-  return { open: (bytes, options = {}) => new Scene(compiled, bytes, options) };
+  // Pages may not make a large instance while they wait.
+  const open = async (bytes, options = {}) => new Scene((await WebAssembly.instantiate(compiled)).exports, bytes, options);
+  return { open };
 };

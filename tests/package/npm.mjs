@@ -9,10 +9,10 @@ const [file, ...frames] = process.argv.slice(2);
 const zstrip = await load();
 const bytes = readFileSync(file);
 if (frames.length === 0) {
-  assert.throws(() => zstrip.open(bytes), /^Error: zstrip: [a-z]/);
+  await assert.rejects(zstrip.open(bytes), /^Error: zstrip: [a-z]/);
   process.exit();
 }
-const scene = zstrip.open(bytes, { width: 160, height: 120, frames: frames.length });
+const scene = await zstrip.open(bytes, { width: 160, height: 120, frames: frames.length });
 
 frames.forEach((name, frame) => {
   const expected = readFileSync(name);
@@ -27,8 +27,8 @@ frames.forEach((name, frame) => {
   }
 });
 
-const own = zstrip.open(bytes);
+const own = await zstrip.open(bytes);
 assert(own.width > 0 && own.height > 0 && own.draw(0).length === 4 * own.width * own.height);
-assert.throws(() => zstrip.open(bytes.subarray(0, 100)), /^Error: zstrip: .*damaged/);
-assert.throws(() => zstrip.open(bytes, { width: 5000 }), RangeError);
-assert.throws(() => zstrip.open(bytes, { frames: 0 }), RangeError);
+await assert.rejects(zstrip.open(bytes.subarray(0, 100)), /^Error: zstrip: .*damaged/);
+await assert.rejects(zstrip.open(bytes, { width: 5000 }), RangeError);
+await assert.rejects(zstrip.open(bytes, { frames: 0 }), RangeError);

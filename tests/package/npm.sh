@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# npm.sh ROOT SCRATCH ZSTRIP: the package for pages is built, taken in by Node.js and draws what the command draws.
+# npm.sh ROOT SCRATCH ZSTRIP: the package for pages is built, taken in by Node.js and by a page in Chromium, if there is one,
+# and draws what the command draws.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 zstrip=$3
@@ -23,4 +24,8 @@ for scene in knot room "$root"/host-sim/scenes/{fog,overlay,shading,csg}.toml; d
 done
 "$zstrip" bake "$root/host-sim/scenes/perspective.toml" -o scenes/refused.zsc --quiet
 node npm.mjs scenes/refused.zsc || { echo "a scene that cannot be drawn is not refused"; exit 1; }
+if command -v chromium >/dev/null; then
+  node "$root/tests/package/page_test.mjs" chromium "$scratch" "$(find "$scratch/scenes/room" -name '*.raw' | sort | head -n 1)" ||
+    { echo "a page shows another picture"; exit 1; }
+fi
 echo "zstrip.wasm: $(stat -c %s package/zstrip.wasm) bytes"
