@@ -28,6 +28,7 @@
 #include "cli/print.hpp"
 #include "image/write_file.hpp"
 #include "render/edged_stage.hpp"
+#include "render/shadow_pool.hpp"
 #include "render/stage.hpp"
 #include "report/bake_report.hpp"
 #include "report/text.hpp"
@@ -314,6 +315,7 @@ Result<Done> run(const Arguments& arguments) {
   if (stage) stage = with_edges(std::move(*stage), request->edges, request->view);
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
+  if (const Result<Done> fits = check_shadow_pool(**stage, request->view); !fits) return fits.failure();
   const Result<Staging> staging = (*stage)->place(0, angles);
   if (!staging) return staging.failure();
   if (const Result<Done> checked =

@@ -179,6 +179,25 @@ TEST_F(Bake, Refusals) {
   EXPECT_EQ(files(), std::vector<std::string>{"model.zsc"}) << "nothing is left behind";
 }
 
+/// Was a header whose frames were Error::store_full.
+TEST_F(Bake, AShadowsPoolThatIsTooSmallIsRefused) {
+  const auto scene = [this](const char* name, int pool) {
+    std::string text = read(ZSTRIP_SCENE_FILES "/shadows.toml");
+    const std::string before = "pool = 24000";
+    EXPECT_NE(text.find(before), std::string::npos);
+    text.replace(text.find(before), before.size(), "pool = " + std::to_string(pool));
+    text.replace(text.find("models/"), 0, ZSTRIP_SCENE_FILES "/");
+    return file(name, text);
+  };
+  for (const char* output : {"scene.hpp", "scene.zsc"}) {
+    const Outcome small = zstrip({"bake", scene("small.toml", 2000), "-o", output});
+    EXPECT_EQ(small.status, 5);
+    EXPECT_NE(small.err.find("does not fit into its pool of 2,000 bytes"), std::string::npos) << small.err;
+    EXPECT_FALSE(std::filesystem::exists(path(output)));
+    EXPECT_EQ(zstrip({"bake", scene("enough.toml", 24000), "-o", output}).status, 0);
+  }
+}
+
 TEST_F(Bake, DamagedBlobsAreInputErrors) {
   report({"bake", kHouseModel, "-o", "house.zsc"});
   const std::string whole = read(path("house.zsc"));
