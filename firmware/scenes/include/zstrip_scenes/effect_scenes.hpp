@@ -32,7 +32,7 @@ inline constexpr Material kFogMaterials[] = {{.texture = 1},
                                              {.colour = {225, 105, 70, 255}, .lit = true, .smooth = false},
                                              {.colour = {80, 150, 220, 255}, .lit = true, .smooth = false}};
 inline constexpr Instance kFogInstances[] = {
-    block(0, 1.6, 0.1, 4.0, 0, -1.0, -2.6), block(1, 0.45, 0.45, 0.45, -0.8, -0.45, 0.4),
+    block(0, 1.6, 0.005, 4.4, 0, -0.905, -2.2), block(1, 0.45, 0.45, 0.45, -0.8, -0.45, 0.4),
     block(2, 0.45, 0.45, 0.45, 0.8, -0.45, -1.8), block(1, 0.45, 0.45, 0.45, -0.8, -0.45, -4.2)};
 inline constexpr Fog kFog{.colour = {150, 165, 180, 255}, .mode = FogMode::exponential_squared, .density = fixed(0.16)};
 inline constexpr Scene kFogScene{.meshes = kRoomMeshes,

@@ -40,10 +40,8 @@ consteval Instance box(std::uint16_t material, double size, double x, double z, 
           .transform = {
               {{cosine, 0, sine, fixed(x)}, {0, fixed(size), 0, fixed(size - 1.25)}, {-sine, 0, cosine, fixed(z)}}}};
 }
-inline constexpr Instance kRoomInstances[] = {{.mesh = 0, .material = 0},
-                                              box(1, 0.45, -0.35, -0.3, 20),
-                                              box(2, 0.3, 0.6, 0.25, 50),
-                                              box(3, 0.2, -0.25, 0.7, -15)};
+inline constexpr Instance kRoomInstances[] = {
+    {.mesh = 0, .material = 0}, box(1, 0.45, -0.35, -0.3, 20), box(2, 0.3, 0.7, 0.0, 50), box(3, 0.2, -1.05, 0.2, -15)};
 /// From above, a little from the corner: every wall and the floor get a light of their own.
 inline constexpr DirectionalLight kRoomLights[] = {light_from(0.35, 0.8, 0.55, {150, 150, 150, 255}),
                                                    light_from(-0.6, 0.3, -0.4, {70, 75, 90, 255})};
