@@ -149,10 +149,10 @@ TEST_F(Import, FormatsSayWhichAxisPointsUpwards) {
 TEST_F(Import, FbxSaysWhichEndOfItsAxisPointsUpwards) {
   const auto above = [&](int up, int sign) {
     const Model one = model(file("one.fbx", fbx(up, sign)));
-    int above = 0, below = 0;
-    for (const Position& p : one.meshes[0].positions) ++(p.y > 0 ? above : below);
-    EXPECT_EQ(above + below, 3);
-    return above;
+    int upper = 0, lower = 0;
+    for (const Position& p : one.meshes[0].positions) ++(p.y > 0 ? upper : lower);
+    EXPECT_EQ(upper + lower, 3);
+    return upper;
   };
   EXPECT_EQ(above(2, 1), 1) << "the tip";
   EXPECT_EQ(above(2, -1), 2) << "the base";
