@@ -1,0 +1,309 @@
+// What a player does that no pipeline has a part in: memory, the plan, motion, the camera, text.
+#include "zstrip_player/player.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <new>
+
+#include "zstrip/base/math.hpp"
+#include "zstrip_player/words.hpp"
+
+namespace zstrip {
+namespace {
+
+constexpr std::size_t kAlignment = kArenaAlignment;
+static_assert(kSceneBlobMemoryAlignment <= kAlignment && alignof(Instance) <= kAlignment &&
+              alignof(Font) <= kAlignment);
+
+constexpr std::uint64_t in_whole_words(std::uint64_t bytes) {
+  return (bytes + kAlignment - 1) / kAlignment * kAlignment;
+}
+constexpr std::uint32_t saturated(std::uint64_t value) {
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(value, std::numeric_limits<std::uint32_t>::max()));
+}
+
+/// A vector of 2.30 or 16.16 along two axes, by a rotation in 2.30.
+Vec3 combined(const Vec3& one, std::int32_t by, const Vec3& other, std::int32_t by_other) {
+  const auto sum = [by, by_other](std::int32_t a, std::int32_t b) {
+    constexpr std::int64_t kHalf = 1 << 29;
+    return static_cast<std::int32_t>((std::int64_t{a} * by + std::int64_t{b} * by_other + kHalf) >> 30);
+  };
+  return {sum(one.x, other.x), sum(one.y, other.y), sum(one.z, other.z)};
+}
+
+/// From the eye along the camera's axis to where it is closest to the world's y axis, or to the origin if it is nearly
+/// upright; 16.16, >= 0.
+std::int64_t distance_to_y(const Camera& camera) {
+  const auto along = [](std::int32_t a, std::int32_t b) { return (std::int64_t{a} * b) >> 30; };
+  const std::int64_t level = along(camera.eye.x, camera.back.x) + along(camera.eye.z, camera.back.z);
+  const std::int64_t square = along(camera.back.x, camera.back.x) + along(camera.back.z, camera.back.z);  // 2.30
+  constexpr std::int64_t kUpright = (std::int64_t{1} << 30) / 64;
+  const std::int64_t distance =
+      square > kUpright ? level * (std::int64_t{1} << 30) / square : level + along(camera.eye.y, camera.back.y);
+  return std::clamp<std::int64_t>(distance, 0, std::numeric_limits<Fixed>::max());
+}
+
+Vec3 about_y(const Vec3& v, std::int32_t sine, std::int32_t cosine) {
+  const Vec3 turned = combined({v.x, 0, v.z}, cosine, {v.z, 0, -v.x}, sine);
+  return {turned.x, v.y, turned.z};
+}
+
+}  // namespace
+
+bool Player::fail(Fault fault, const Status& status) {
+  fault_ = fault;
+  status_ = status;
+  return false;
+}
+
+/// From the first aligned byte on that is not used.
+std::span<std::byte> Player::left() const {
+  const auto address = reinterpret_cast<std::uintptr_t>(memory_.data());
+  const std::size_t first = used_ + (kAlignment - address % kAlignment) % kAlignment;
+  return first < memory_.size() ? memory_.subspan(first) : std::span<std::byte>();
+}
+
+/// Empty if there is too little.
+std::span<std::byte> Player::take(std::uint64_t bytes) {
+  const std::span<std::byte> all = left();
+  if (bytes > all.size()) return {};
+  used_ += std::min<std::size_t>(static_cast<std::size_t>(in_whole_words(bytes)), all.size());
+  return all.first(static_cast<std::size_t>(bytes));
+}
+
+template <class T>
+bool Player::take_table(std::size_t count, std::span<T>& table, Fault fault) {
+  const std::uint64_t bytes = std::uint64_t{count} * sizeof(T);
+  const std::size_t available = left().size();
+  std::byte* const place = take(bytes).data();
+  if (count > 0 && place == nullptr) {
+    return fail(fault,
+                {.error = Error::arena_too_small, .needed = saturated(bytes), .available = saturated(available)});
+  }
+  for (std::size_t i = 0; i < count; ++i) ::new (place + i * sizeof(T)) T;
+  table = {reinterpret_cast<T*>(place), count};
+  return true;
+}
+
+bool Player::open(const void* blob, std::size_t size) {
+  is_open_ = is_fitted_ = has_clock_ = false;
+  used_ = used_open_ = time_ = 0;
+  fault_ = Fault::none;
+  const std::span<std::byte> free = left();
+  const Status opened = open_scene_blob({static_cast<const std::byte*>(blob), size}, free, baked_);
+  if (opened.error == Error::blob_memory) return fail(Fault::scene_memory, opened);
+  if (!opened) return fail(Fault::scene, opened);
+  const auto count = [](const auto& table) { return static_cast<std::uint32_t>(table.size()); };
+  const Scene& scene = baked_.scene;
+  const Overlay overlay = scene.overlay != nullptr ? *scene.overlay : Overlay{};
+  take(scene_blob_memory(count(scene.meshes), count(scene.textures), count(scene.lines), count(scene.edges),
+                         count(overlay.images), count(overlay.fonts), count(overlay.labels)));
+  used_open_ = used_;
+  is_open_ = true;
+  return true;
+}
+
+bool Player::open(const scenes::AtRest& scene, const View& baked_for) {
+  is_fitted_ = has_clock_ = false;
+  used_ = used_open_ = time_ = 0;
+  fault_ = Fault::none;
+  baked_ = {.scene = scene.scene,
+            .camera = scene.camera,
+            .view = baked_for,
+            .animation = scene.animation,
+            .turn = scene.turn};
+  is_open_ = true;
+  return true;
+}
+
+bool Player::plan_strips(const FitOptions& options, std::uint16_t row_step) {
+  const std::span<std::byte> free = left();
+  // Arena and strips begin at whole words.
+  const std::uint32_t gaps = static_cast<std::uint32_t>(kAlignment) * (options.strip_buffers + 1U);
+  Budget budget{.bytes = free.size() > gaps ? std::min(saturated(free.size() - gaps), kMaxArena) : 1,
+                .split_columns = options.split_columns,
+                .strip_buffers = options.strip_buffers};
+  const SceneCounts counts = count(baked_.scene);
+  PlanResult planned = zstrip::plan(counts, view_, drawn_with_.effects, budget);
+  if (row_step > 1 && planned.plan.strip_rows % row_step != 0) {
+    const int rows = std::max<int>(row_step, planned.plan.strip_rows / row_step * row_step);
+    budget.strip_rows = static_cast<std::uint16_t>(std::min<int>(rows, view_.height));
+    planned = zstrip::plan(counts, view_, drawn_with_.effects, budget);
+  }
+  if (!planned.status) {
+    if (planned.status.error == Error::arena_too_small) {
+      planned.status.needed = saturated(std::uint64_t{planned.status.needed} + gaps);
+      planned.status.available = saturated(free.size());
+    }
+    return fail(Fault::plan, planned.status);
+  }
+  plan_ = planned.plan;
+  arena_ = take(plan_.bytes());
+  strips_[0] = take(plan_.strip_pixel_bytes(view_));
+  strips_[1] = options.strip_buffers > 1 ? take(plan_.strip_pixel_bytes(view_)) : std::span<std::byte>();
+  return true;
+}
+
+bool Player::fit(std::uint16_t width, std::uint16_t height, PixelFormat format, const FitOptions& options,
+                 std::uint16_t row_step) {
+  is_fitted_ = false;
+  used_ = used_open_;
+  fault_ = Fault::none;
+  if (!is_open_) return fail(Fault::not_open);
+  view_ = {width, height, format, baked_.view.dither, baked_.view.samples};
+  if (!valid_size_and_format(view_)) return fail(Fault::plan, {.error = Error::view_size});
+  if (view_.width * sample_columns(view_) > kMaxViewSize || view_.height * sample_rows(view_) > kMaxViewSize) {
+    view_.samples = 1;  // the display has pixels enough
+  }
+  camera_ = scenes::fit_width(baked_.camera_for(2), baked_.view, view_);
+  const Effects called_for = effects_of(baked_.scene, camera_) | effects_of(view_) | baked_.effects;
+  drawn_with_ = choose_(called_for);
+  missing_ = missing_effects(called_for, drawn_with_.effects);
+  if (missing_ != Effects{}) return fail(Fault::effects);
+
+  const bool has_tracks = !baked_.animation.tracks.empty();
+  const bool turns_instances =
+      baked_.turn.what == Turning::instances || baked_.turn.what == Turning::instances_and_lines;
+  const bool turns_lines = scenes::turns_lines(baked_.animation, baked_.turn);
+  if (!take_table(has_tracks || turns_instances ? baked_.scene.instances.size() : 0, instances_,
+                  Fault::motion_memory) ||
+      !take_table(turns_lines ? baked_.scene.lines.size() : 0, lines_, Fault::motion_memory)) {
+    return false;
+  }
+  fonts_ = {};
+  labels_ = {};
+  if (drawn_with_.effects.has(effect::overlay)) {
+    const Overlay own = baked_.scene.overlay != nullptr ? *baked_.scene.overlay : Overlay{};
+    if (!take_table(own.fonts.size() + 1, fonts_, Fault::text_memory) ||
+        !take_table(own.labels.size() + 1, labels_, Fault::text_memory)) {
+      return false;
+    }
+  }
+  can_turn_ = scenes::can_turn({baked_.scene, camera_, baked_.animation, baked_.turn});
+  if (!plan_strips(options, row_step)) return false;
+  state_ = {};
+  is_fitted_ = true;
+  is_fitted_ = begin();  // what a frame is refused for is noticed now
+  return is_fitted_;
+}
+
+std::uint32_t Player::period() const {
+  return baked_.animation.tracks.empty() ? kTurnTime : std::max<std::uint32_t>(baked_.animation.duration, 1);
+}
+
+void Player::play(std::uint32_t now) {
+  if (!has_clock_) {
+    now_ = second_began_ = now;
+    frames_ = 0;
+  }
+  const std::uint32_t passed = now - now_;
+  now_ = now;
+  const std::uint32_t whole = period();
+  if (!held_) time_ = static_cast<std::uint32_t>((std::uint64_t{time_} + passed) % whole);
+  const std::uint32_t counted = now - second_began_;
+  if (has_rate_ && (!has_clock_ || counted >= 1000)) {
+    detail::Words words(text_, text_size_);
+    if (has_clock_) {
+      words << (frames_ * 1000U + counted / 2) / counted << " fps";
+    } else {
+      words << "- fps";
+    }
+  }
+  if (counted >= 1000) {
+    second_began_ = now;
+    frames_ = 0;
+  }
+  has_clock_ = true;
+}
+
+void Player::show_text(const char* text, bool with_rate, const Font& font) {
+  std::size_t size = 0;
+  for (; size < kMaxText && text[size] != 0; ++size) text_[size] = text[size];
+  text_[size] = 0;
+  text_size_ = static_cast<std::uint8_t>(size);
+  has_rate_ = with_rate;
+  has_clock_ = has_clock_ && !with_rate;  // counting begins anew
+  font_ = font;
+}
+
+/// The fitted camera, taken around and zoomed as was asked for.
+Camera Player::placed_camera() const {
+  Camera camera = camera_;
+  const std::int64_t focal = std::int64_t{camera.focal} * zoom_ / 100;
+  camera.focal = static_cast<Fixed>(std::clamp<std::int64_t>(focal, 1, std::numeric_limits<Fixed>::max()));
+  if (right_ == 0 && up_ == 0) return camera;
+  const std::int64_t distance = distance_to_y(camera);
+  const auto shifted = [distance](std::int32_t from, std::int32_t axis, int sign) {
+    const std::int64_t at = from + sign * ((distance * axis) >> 30);
+    return static_cast<std::int32_t>(
+        std::clamp<std::int64_t>(at, std::numeric_limits<Fixed>::min(), std::numeric_limits<Fixed>::max()));
+  };
+  const auto moved = [&shifted](const Vec3& from, const Vec3& axis, int sign) {
+    return Vec3{shifted(from.x, axis.x, sign), shifted(from.y, axis.y, sign), shifted(from.z, axis.z, sign)};
+  };
+  const Vec3 target = moved(camera.eye, camera.back, -1);
+  const Vec3 back = combined(camera.back, cosine(up_), camera.up, sine(up_));
+  const Vec3 up = combined(camera.up, cosine(up_), camera.back, -sine(up_));
+  camera.back = about_y(back, sine(right_), cosine(right_));
+  camera.up = about_y(up, sine(right_), cosine(right_));
+  camera.right = about_y(camera.right, sine(right_), cosine(right_));
+  camera.eye = moved(target, camera.back, 1);
+  return camera;
+}
+
+/// The text, behind all that the scene has over its picture.
+void Player::add_text() {
+  const Overlay own = baked_.scene.overlay != nullptr ? *baked_.scene.overlay : Overlay{};
+  const std::size_t fonts = std::min(own.fonts.size(), fonts_.size() - 1);
+  const std::size_t labels = std::min(own.labels.size(), labels_.size() - 1);
+  std::copy_n(own.fonts.begin(), fonts, fonts_.begin());
+  std::copy_n(own.labels.begin(), labels, labels_.begin());
+  fonts_[fonts] = font_;
+  labels_[labels] = {
+      .text = text_, .x = 2, .y = 2, .font = static_cast<std::uint16_t>(fonts), .background = {0, 0, 0, 255}};
+  overlay_ = {own.images, fonts_.first(fonts + 1), own.sprites, labels_.first(labels + 1)};
+  staged_.scene.overlay = &overlay_;
+}
+
+bool Player::stage() {
+  const Camera camera = placed_camera();
+  staged_ = {baked_.scene, camera};
+  const bool has_tracks = !baked_.animation.tracks.empty();
+  if (time_ != 0 || has_tracks) {
+    const bool camera_turns = !has_tracks && baked_.turn.what == Turning::camera;
+    if (!can_turn_ || (camera_turns && !scenes::can_turn(camera))) return fail(Fault::turn);
+    staged_ = scenes::stage({baked_.scene, camera, baked_.animation, baked_.turn}, time_, period(),
+                            {.instances = instances_, .lines = lines_});
+  }
+  if (text_[0] == 0) return true;
+  missing_ = effect::overlay;
+  if (labels_.empty()) return fail(Fault::effects);
+  add_text();
+  return true;
+}
+
+bool Player::begin() {
+  fault_ = Fault::none;
+  if (!is_open_) return fail(Fault::not_open);
+  if (!is_fitted_) return fail(Fault::not_fitted);
+  if (!stage()) return false;
+  const Status begun = drawn_with_.pipeline.begin_frame(state_, staged_.scene, staged_.camera, view_, plan_, arena_);
+  return begun || fail(Fault::frame, begun);
+}
+
+bool Player::begin_on(std::uint16_t width, std::uint16_t height, PixelFormat format) {
+  if (is_fitted_ && (width != view_.width || height != view_.height || format != view_.format)) {
+    return fail(Fault::other_display);
+  }
+  return begin();
+}
+
+bool Player::end(const Status& drawn, hal::Error shown) {
+  display_error_ = shown;
+  if (!drawn) return fail(Fault::strip, drawn);
+  if (shown != hal::Error::none) return fail(Fault::display);
+  ++frames_;
+  return true;
+}
+
+}  // namespace zstrip

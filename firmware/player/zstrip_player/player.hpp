@@ -1,0 +1,197 @@
+// A baked scene on a display in four calls: open, fit, play, draw. The exact interface is zstrip/zstrip.hpp, of which
+// this one is made.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "zstrip/blob.hpp"
+#include "zstrip/frame/entry_points.hpp"
+#include "zstrip/frame/pipeline.hpp"
+#include "zstrip/overlay.hpp"
+#include "zstrip/plan.hpp"
+#include "zstrip_hal/present.hpp"
+#include "zstrip_scenes/baked_stage.hpp"
+
+namespace zstrip {
+
+/// A pipeline, and the effects that it has been asked for.
+struct DrawnWith {
+  Effects effects;
+  Pipeline pipeline;
+};
+
+/// The one that draws what a scene and its picture call for.
+using ChoosePipeline = DrawnWith (*)(Effects called_for);
+
+/// This pipeline and no other, whatever is called for: on a board, kEffects of the baked header. With effect::overlay
+/// the player can show text. any_player.hpp has the other choice.
+template <Effects effects>
+DrawnWith drawn_with(Effects) {
+  return {effects, {&detail::begin_frame<effects>, &detail::draw_strip<effects>, nullptr}};
+}
+
+struct FitOptions {
+  std::uint8_t strip_buffers = 1;  ///< 1 or 2; two for displays that send one while another is drawn
+  bool split_columns = false;      ///< strips may be narrower than the picture
+};
+
+/// What goes wrong makes a call return false, and error() says what; the next call may try again.
+/// `memory` holds all that is not a constant: tables of a blob, what moves, the arena, strips of pixels. It must
+/// outlive the player; any address will do.
+class Player {
+ public:
+  constexpr Player(std::span<std::byte> memory, ChoosePipeline choose) : memory_(memory), choose_(choose) {}
+  Player(const Player&) = delete;
+  Player& operator=(const Player&) = delete;
+
+  /// 1. A scene blob (`zstrip bake MODEL -o scene.zsc`), used where it lies, at a multiple of 4. Any bytes are safe.
+  bool open(const void* blob, std::size_t size);
+  /// Or the constants of a baked header:
+  ///     open({baked::kScene, baked::kCamera, baked::kAnimation, baked::kTurn}, baked::kView)
+  bool open(const scenes::AtRest& scene, const View& baked_for);
+
+  /// 2. Fits the camera to the display, the plan to the memory. Again: for another display.
+  template <hal::Display Panel>
+  bool fit(const Panel& panel, const FitOptions& options = {}) {
+    std::uint16_t row_step = 1;
+    if constexpr (requires { Panel::kRowStep; }) row_step = Panel::kRowStep;
+    return fit(panel.width(), panel.height(), static_cast<PixelFormat>(panel.format()), options, row_step);
+  }
+  /// Strips have a multiple of `row_step` rows.
+  bool fit(std::uint16_t width, std::uint16_t height, PixelFormat format, const FitOptions& options = {},
+           std::uint16_t row_step = 1);
+
+  /// 3. What time it is, in milliseconds of a clock of the caller's. From the first call on the animation of the scene
+  /// runs, or a turn in kTurnTime where it has none, and frames are counted for show_text.
+  void play(std::uint32_t now);
+  static constexpr std::uint32_t kTurnTime = 8192;
+  /// Lets the motion stand, or go on.
+  void hold(bool held) { held_ = held; }
+  /// Sets the motion to a time, in milliseconds from its beginning.
+  void seek(std::uint32_t time) { time_ = time % period(); }
+  std::uint32_t time() const { return time_; }
+
+  /// Takes the camera around the point of its axis that is closest to the world's y axis: to the right, and up. 65536
+  /// is a full turn; 0, 0 is where it was baked.
+  void orbit(Angle right, Angle up) { right_ = right, up_ = up; }
+  /// Enlarges the picture by its focal length. 100 is as baked.
+  void zoom(std::uint16_t percent) { zoom_ = percent; }
+
+  /// In the upper left corner, from the next frame on: the first 24 bytes of `text`, and the frames that were drawn in
+  /// the last second. Needs effect::overlay.
+  void show_text(const char* text, bool with_rate = false, const Font& font = kSmallFont);
+
+  /// 4. Draws a frame, on a display like the one that was fitted.
+  template <hal::Display Panel>
+  bool draw(Panel& panel) {
+    if (!begin_on(panel.width(), panel.height(), static_cast<PixelFormat>(panel.format()))) return false;
+    Strips strips{*this};
+    const auto shown =
+        hal::present(strips, panel, {plan_.strips, plan_.strip_rows, plan_.strip_columns}, {strip(0), strip(1)});
+    return end(shown.draw, shown.display);
+  }
+  /// Or hands each strip to `take(area, pixels)`, which returns false to end the frame.
+  template <class Take>
+  bool draw_strips(Take&& take) {
+    if (!begin()) return false;
+    for (std::uint16_t i = 0; i < plan_.strips; ++i) {
+      const Rect area = plan_.strip_area(i, view_);
+      const auto width = static_cast<std::uint16_t>(area.width());
+      const std::span<std::byte> pixels =
+          strip(0).first(static_cast<std::size_t>(area.height()) * bytes_per_row(width, view_.format));
+      if (const Status drawn = draw_strip(i, strip(0)); !drawn) return end(drawn, {});
+      if (!take(area, std::span<const std::byte>(pixels))) return fail(Fault::not_taken);
+    }
+    return end({}, {});
+  }
+
+  /// What was wrong with the last call that returned a bool, in words, until error() is called again; "" if nothing
+  /// was. All words take 7 KB of flash, where this is called.
+  const char* error();
+
+  const View& view() const { return view_; }
+  const Plan& plan() const { return plan_; }
+
+ private:
+  enum class Fault : std::uint8_t {
+    none,
+    not_open,
+    not_fitted,
+    scene,
+    scene_memory,
+    motion_memory,
+    text_memory,
+    effects,
+    plan,
+    turn,
+    frame,
+    strip,
+    other_display,
+    display,
+    not_taken,
+  };
+  struct Strips {
+    Player& player;
+    Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) { return player.draw_strip(strip, pixels); }
+  };
+
+  Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
+    return drawn_with_.pipeline.draw_strip(state_, strip, pixels);
+  }
+  std::span<std::byte> strip(std::size_t i) const { return strips_[i]; }
+  std::uint32_t period() const;
+  bool fail(Fault fault, const Status& status = {});
+  std::span<std::byte> left() const;
+  std::span<std::byte> take(std::uint64_t bytes);
+  template <class T>
+  bool take_table(std::size_t count, std::span<T>& table, Fault fault);
+  bool plan_strips(const FitOptions& options, std::uint16_t row_step);
+  Camera placed_camera() const;
+  bool stage();
+  void add_text();
+  bool begin();
+  bool begin_on(std::uint16_t width, std::uint16_t height, PixelFormat format);
+  bool end(const Status& drawn, hal::Error shown);
+
+  std::span<std::byte> memory_;
+  ChoosePipeline choose_;
+  std::size_t used_ = 0;       ///< of memory_, from its start
+  std::size_t used_open_ = 0;  ///< likewise, by what is open
+  SceneBlob baked_{};          ///< what is open
+  bool is_open_ = false, is_fitted_ = false, can_turn_ = false;
+
+  DrawnWith drawn_with_{};
+  detail::MethodFrameState state_{};
+  View view_{};
+  Plan plan_{};
+  Camera camera_{};  ///< the baked one, fitted
+  std::span<std::byte> arena_{}, strips_[2]{};
+  std::span<Instance> instances_{};
+  std::span<LineSet> lines_{};
+  scenes::BakedFrame staged_{};
+
+  std::uint32_t time_ = 0, now_ = 0, second_began_ = 0;
+  bool has_clock_ = false, held_ = false;
+  std::uint16_t frames_ = 0;  ///< since second_began_
+  Angle right_ = 0, up_ = 0;
+  std::uint16_t zoom_ = 100;
+
+  std::span<Font> fonts_{};  ///< the scene's and one more; likewise
+  std::span<Label> labels_{};
+  Overlay overlay_{};
+  Font font_{};
+  static constexpr std::size_t kMaxText = 24;
+  char text_[kMaxText + 16]{};
+  std::uint8_t text_size_ = 0;  ///< without the rate
+  bool has_rate_ = false;
+
+  Fault fault_ = Fault::none;
+  hal::Error display_error_ = hal::Error::none;
+  Status status_{};
+  Effects missing_{};
+  char words_[160]{};
+};
+
+}  // namespace zstrip

@@ -1,0 +1,58 @@
+// The interface for C is the player: a program in C, and the pictures that it makes.
+#include "baked.hpp"
+#include "c_program.h"
+#include "zstrip_player/c_pipeline.hpp"
+
+namespace zstrip::test {
+namespace {
+
+constexpr zstrip_pipeline kAnyPipeline{drawn_with_any};
+constexpr zstrip_pipeline kTeapotPipeline{
+    drawn_with<effect::lighting | effect::gouraud | effect::shade_gouraud | effect::overlay>};
+
+TEST(CPlayer, DrawsWhatARendererDraws) {
+  Blob blob = blob_of("teapot_meshlets");
+  const Font fonts[] = {kSmallFont};
+  const Label labels[] = {{.text = std::span("C - fps"), .x = 2, .y = 2, .background = {0, 0, 0, 255}}};
+  const Overlay overlay{.fonts = fonts, .labels = labels};
+  const Screen screen(120, 90, hal::PixelFormat::rgb565);
+  for (const zstrip_pipeline* pipeline : {&kAnyPipeline, &kTeapotPipeline}) {
+    for (const std::size_t beyond : {0U, 5U}) {
+      Memory memory(20'000, beyond);
+      std::vector<unsigned char> pixels(120 * 90 * 2);
+      picture shown{pixels.data(), 120, 90, 0};
+      const std::span<std::byte> room = memory.span();
+      EXPECT_STREQ(show(&shown, blob.data(), blob.size(), room.data(), room.size(), pipeline, 333), "");
+      EXPECT_GT(shown.strips, 1);
+      const std::vector<std::byte> expected = drawn_directly(blob, screen, {.time = 333, .overlay = &overlay});
+      EXPECT_TRUE(std::ranges::equal(std::as_bytes(std::span(pixels)), expected));
+    }
+  }
+}
+
+TEST(CPlayer, SaysWhatIsWrong) {
+  Blob blob = blob_of("teapot_meshlets");
+  std::vector<unsigned char> pixels(120 * 90 * 2);
+  picture shown{pixels.data(), 120, 90, 0};
+  int before = 0;
+  for (std::size_t size = 0; size < 8'000; size += 250) {
+    Memory memory(size);
+    const std::string words = show(&shown, blob.data(), blob.size(), memory.span().data(), size, &kAnyPipeline, 0);
+    const int now = words == "no room for the player"                                   ? 0
+                    : words.find(" bytes of memory are missing: ") != std::string::npos ? 1
+                                                                                        : 2;
+    EXPECT_TRUE(now == before || now == before + 1) << size << ": " << words;
+    if (now == 2) {
+      EXPECT_EQ(words, "");
+    }
+    before = now;
+  }
+  EXPECT_EQ(before, 2);
+  Memory memory(20'000);
+  EXPECT_STREQ(show(&shown, blob.data(), 20, memory.span().data(), memory.span().size(), &kAnyPipeline, 0),
+               "these bytes are no whole scene: byte 20 is wrong; bake it again");
+  EXPECT_STREQ(show(&shown, blob.data(), 20, nullptr, 0, &kAnyPipeline, 0), "no room for the player");
+}
+
+}  // namespace
+}  // namespace zstrip::test

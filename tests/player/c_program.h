@@ -1,0 +1,24 @@
+/* What a program in C does with zstrip_player.h. */
+#ifndef C_PROGRAM_H
+#define C_PROGRAM_H
+
+#include <zstrip_player.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+  unsigned char* pixels; /* RGB565 */
+  uint16_t width, height;
+  int strips;
+} picture;
+
+/* Draws the scene as it is after so many milliseconds, with a text; the words of the error, or "". */
+const char* show(picture* to, const void* scene, size_t scene_bytes, void* memory, size_t memory_bytes,
+                 const zstrip_pipeline* pipeline, uint32_t milliseconds);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
