@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# baked_scene.sh ROOT ZSTRIP: the model of the sketch YourModel is what its first lines say: baked from the repository's.
+# baked_scene.sh ROOT ZSTRIP: the models of sketches are what their first lines say: baked from the repository's.
 set -euo pipefail
-sketch=$1/firmware/examples/YourModel
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-options=$(sed -nE 's|^//   host-sim/run bake MODEL -o scene.hpp ||p' "$sketch/YourModel.ino")
-model=$(sed -nE 's|.*(host-sim/scenes/models/[a-z]*\.obj).*|\1|p' "$sketch/YourModel.ino")
-# shellcheck disable=SC2086  # options are words
-"$2" bake "$1/$model" -o "$scratch/scene.hpp" $options --quiet
-cmp "$scratch/scene.hpp" "$sketch/scene.hpp"
+for name in YourModel Player; do
+  sketch=$1/firmware/examples/$name
+  options=$(sed -nE 's|^//   host-sim/run bake MODEL -o scene.hpp ||p' "$sketch/$name.ino")
+  model=$(sed -nE 's|.*(host-sim/scenes/models/[a-z]*\.obj).*|\1|p' "$sketch/$name.ino")
+  # shellcheck disable=SC2086  # options are words
+  "$2" bake "$1/$model" -o "$scratch/scene.hpp" $options --quiet
+  cmp "$scratch/scene.hpp" "$sketch/scene.hpp"
+done

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$1"
 compiler=$2
 core=tests/package/arduino/hardware/zstrip/test
-includes=(-Icore -Ihal -Ifirmware/package/src -I$core/cores/test -I$core/libraries/SPI)
+includes=(-Icore -Ihal -Ifirmware/player -Ifirmware/scenes/include -Ifirmware/package/src -I$core/cores/test -I$core/libraries/SPI)
 failed=0
 
 for language in gnu++11 c++17; do

@@ -9,7 +9,7 @@ trap 'rm -rf "$scratch"' EXIT
 mkdir "$scratch/copy"
 cp -R "$root"/{CMakeLists.txt,CHANGELOG.md,LICENSE,cmake,core,hal} "$scratch/copy"
 mkdir "$scratch/copy/firmware"
-cp -R "$root"/firmware/{package,examples} "$scratch/copy/firmware"
+cp -R "$root"/firmware/{package,examples,player,scenes} "$scratch/copy/firmware"
 bash "$root/cmake/zstrip_package_sources.sh" "$scratch/first"
 (umask 077 && cd / && TZ=Asia/Tokyo LC_ALL=C.UTF-8 bash "$scratch/copy/cmake/zstrip_package_sources.sh" "$scratch/second")
 

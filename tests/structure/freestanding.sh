@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# freestanding.sh ROOT [--headers | --few] COMPILER FLAGS...: compiles core and hal for a freestanding target and reads the objects:
+# freestanding.sh ROOT [--headers | --few] COMPILER FLAGS...: compiles core, hal and player for a freestanding target and reads the objects:
 # they may call the four mem functions and the compiler's integer helpers, and nothing may run before main. The sources of
 # a folder are compiled together; without the pipelines that are for hosts alone but for one day of eight and with
 # ZSTRIP_LONG, with --few always: their code is the same for any compiler; with --headers each source and each header by itself: those that have changed, and one of eight that the date
@@ -25,7 +25,7 @@ trap 'rm -rf "$objects"' EXIT
 # The headers' templates are instantiated by the .cpp files. Without optimisation, which is quicker and folds nothing away:
 # what the sources call, the objects call. Firmware is linked without a library anyway.
 if [ -n "$headers" ]; then
-  find "$root/core/zstrip" "$root/hal/zstrip_hal" -name '*.[ch]pp' | sort >"$objects/all"
+  find "$root/core/zstrip" "$root/hal/zstrip_hal" "$root/firmware/player/zstrip_player" -name '*.[ch]pp' | sort >"$objects/all"
   if [ -n "${ZSTRIP_LONG-}" ]; then
     mv "$objects/all" "$objects/sources"
   else
@@ -38,7 +38,7 @@ if [ -n "$headers" ]; then
   fi
 else
   if [ -z "${ZSTRIP_LONG-}" ] && [ "$(($(date +%s) / 86400 % 8))" != 0 ]; then few=yes; fi
-  find "$root/core/zstrip" "$root/hal/zstrip_hal" -name '*.cpp' -printf '%h\n' | sort -u >"$objects/sources"
+  find "$root/core/zstrip" "$root/hal/zstrip_hal" "$root/firmware/player/zstrip_player" -name '*.cpp' -printf '%h\n' | sort -u >"$objects/sources"
 fi
 # compile SOURCE-OR-FOLDER COMPILER FLAGS...: a header alone makes no code, it is only read.
 compile() {
@@ -52,7 +52,7 @@ compile() {
     included="#include \"$source\""
   fi
   "$@" -std=c++20 -O0 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wall -Wextra -Werror \
-    -I"$root/core" -I"$root/hal" "${output[@]}" -x c++ - <<<"$included"
+    -I"$root/core" -I"$root/hal" -I"$root/firmware/player" -I"$root/firmware/scenes/include" "${output[@]}" -x c++ - <<<"$included"
 }
 export root objects few
 export -f compile
@@ -67,6 +67,7 @@ case "$compiler" in *arm-none-eabi-*) prefix=arm-none-eabi- ;; esac
 # Integer division, shifts, multiplication, counting bits, switch tables; never __aeabi_f*, __aeabi_d*, __aeabi_*2f.
 allowed='mem(cpy|move|set|cmp)|__aeabi_(mem(cpy|move|set|clr)[48]?|u?idiv|u?idivmod|u?ldivmod|lmul|llsl|llsr|lasr|u?lcmp)'
 allowed+='|__gnu_thumb1_case_(uqi|sqi|uhi|shi|si)|__(clz|ctz|popcount|ffs|bswap)[sd]i2|_GLOBAL_OFFSET_TABLE_'
+allowed+='|_ZN6zstrip6scenes.*'  # the turntable, for the player
 foreign=$(comm -13 "$objects/defined" "$objects/undefined" | grep -vxE "$allowed${few:+|_ZNK?6zstrip.*}" || true)
 failed=0
 if [ -n "$foreign" ]; then

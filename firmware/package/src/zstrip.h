@@ -25,6 +25,7 @@
 #include "zstrip_hal/ssd1351.hpp"
 #include "zstrip_hal/st7735.hpp"
 #include "zstrip_hal/st7789.hpp"
+#include "zstrip_player/player.hpp"
 
 #pragma pop_macro("round")
 #pragma pop_macro("min")
