@@ -72,6 +72,19 @@ constexpr std::uint32_t multiply_high(std::uint32_t a, std::uint32_t b) {
   if constexpr (!kMultipliesLong) return multiply_high_in_halves(a, b);
   return static_cast<std::uint32_t>((std::uint64_t{a} * b) >> 32);
 }
+/// The whole product.
+constexpr std::uint64_t long_product(std::uint32_t a, std::uint32_t b) {
+  if constexpr (!kMultipliesLong) return (std::uint64_t{multiply_high_in_halves(a, b)} << 32) | (a * b);
+  return std::uint64_t{a} * b;
+}
+constexpr std::int64_t long_product(std::int32_t a, std::int32_t b) {
+  if constexpr (!kMultipliesLong) {
+    const auto low = static_cast<std::uint32_t>(a) * static_cast<std::uint32_t>(b);
+    return static_cast<std::int64_t>(
+        (std::uint64_t{static_cast<std::uint32_t>(multiply_high_in_halves(a, b))} << 32) | low);
+  }
+  return std::int64_t{a} * b;
+}
 /// Rounded to nearest, halves up. |a * b| < 2^62.
 constexpr std::int32_t multiply_high_rounded(std::int32_t a, std::int32_t b) {
   if constexpr (!kMultipliesLong) return multiply_high_rounded_in_halves(a, b);

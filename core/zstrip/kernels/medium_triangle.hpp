@@ -1,30 +1,40 @@
-// Kernel: flat triangles of some dozen pixels a side, instead of their spans.
+// Kernel: triangles of some dozen pixels a side, of one colour or of interpolated ones, instead of their spans.
 //
-// Vertices are narrow 12.4 raster coordinates, depth is a plane of 16.16 codes. An implementation writes what the span
-// rasteriser (raster/span_triangle.hpp), which is the portable one, writes, bit by bit. With the depth test of z16 and
-// nothing to count.
+// Vertices are narrow 12.4 raster coordinates and 16.16 depth codes, the first one the highest, then the leftmost;
+// colours are 8 bits a channel. An implementation writes what the span rasteriser (raster/span_triangle.hpp), which is
+// the portable one, writes, bit by bit. With the depth test of z16 and nothing to count.
 #pragma once
 
 #include <cstdint>
 
+#include "zstrip/geometry/project.hpp"
+#include "zstrip/kernels/medium_scan.hpp"
+#include "zstrip/kernels/portable/medium_triangle.hpp"
 #include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/sse2/medium_triangle.hpp"
-#include "zstrip/raster/plane.hpp"
-#include "zstrip/raster/target.hpp"
+#include "zstrip/kernels/thumb/medium_triangle.hpp"
+#include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
 
-/// Whether any triangle is drawn by draw_medium_flat.
-inline constexpr bool kHasMediumTriangles = kHasSse2;
+/// Where words are of 32 bits those of a plane in 64 are what a triangle takes longest for. Not for the least flash.
+inline constexpr bool kHasMediumTriangles = sizeof(void*) == 4 && !kForSize;
 
-/// A counter-clockwise triangle. False, and nothing drawn, if it is left to its spans.
-inline bool draw_medium_flat(const StripTarget& target, const RasterVertex& v0, const RasterVertex& v1,
-                             const RasterVertex& v2, const Plane& depth, std::int32_t anchor_x, std::int32_t anchor_y,
-                             std::uint16_t colour) {
-  if constexpr (kHasSse2) {
-    return draw_medium_flat_sse2(target, v0, v1, v2, depth, anchor_x, anchor_y, colour);
+/// The planes of a triangle that fits_words, by the scan's area, anchor and colours. False: a channel is too steep.
+inline bool set_up_medium(MediumScan& scan, const SnappedVertex& v0, const SnappedVertex& v1, const SnappedVertex& v2) {
+  if constexpr (kHasThumb2) {
+    return set_up_medium_thumb(scan, v0, v1, v2);
   } else {
-    return false;
+    return set_up_medium_portable(scan, v0, v1, v2);
+  }
+}
+
+/// Draws a triangle, or returns false: it is left to its spans. `colours` of the three vertices where `gouraud`.
+template <bool gouraud>
+bool draw_medium(const MediumTriangle& triangle, const Colour* const (&colours)[3], std::uint16_t flat_colour) {
+  if constexpr (gouraud) {
+    return draw_medium_gouraud_portable(triangle, colours);
+  } else {
+    return draw_medium_flat_portable(triangle, flat_colour);
   }
 }
 

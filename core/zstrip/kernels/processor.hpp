@@ -20,8 +20,15 @@
 #define ZSTRIP_HAS_THUMB1 0
 #endif
 
+#if defined(__OPTIMIZE_SIZE__)
+#define ZSTRIP_FOR_SIZE 1
+#else
+#define ZSTRIP_FOR_SIZE 0
+#endif
+
 namespace zstrip::detail {
 
+inline constexpr bool kForSize = ZSTRIP_FOR_SIZE == 1;  ///< second ways to draw, that are only quicker, are no code
 inline constexpr bool kHasSse2 = ZSTRIP_HAS_SSE2 == 1;
 inline constexpr bool kHasThumb1 = ZSTRIP_HAS_THUMB1 == 1;
 inline constexpr bool kHasThumb2 = ZSTRIP_HAS_THUMB2 == 1;

@@ -10,6 +10,7 @@
 #include "zstrip/effects/outlines/outline.hpp"
 #include "zstrip/effects/pixel_shading/lit_corners.hpp"
 #include "zstrip/geometry/project.hpp"
+#include "zstrip/kernels/medium_triangle.hpp"
 #include "zstrip/kernels/small_run.hpp"
 #include "zstrip/kernels/small_triangle.hpp"
 #include "zstrip/raster/assemble_clipped.hpp"
@@ -134,8 +135,16 @@ struct Assembler : ClippedAssembler<effects> {
     const CountedTriangle<kStatistics> counted(target, whole.left, whole.top);
     constexpr bool kHasSmall = (kDepth.format == DepthFormat::z16 || kDepth.format == DepthFormat::float16) &&
                                !kDepth.any(method::midpoint) && !kDepth.compares_codes();
-    // What a run of small triangles has left is not small.
+    // What a run of small triangles has left is not small, nor medium.
     constexpr bool kInRuns = kSmallRuns<shade, true> && kUnclipped && !kTwoSided;
+    constexpr bool kGouraud = shade == Shade::gouraud;
+    [[maybe_unused]] const Colour* colours[3] = {nullptr, nullptr, nullptr};
+    if constexpr (kGouraud) {
+      colours[0] = batch.colours + (&a - batch.vertices);
+      colours[1] = batch.colours + (&b - batch.vertices);
+      colours[2] = batch.colours + (&c - batch.vertices);
+    }
+    [[maybe_unused]] const std::uint16_t flat_colour = Attributes::template flat_colour<shade>(batch, provoking);
     if constexpr (shade <= Shade::gouraud && kHasSmall && !kInRuns) {
       if ((kDepth.format == DepthFormat::float16 ? is_small_in_octave(max_x - min_x, max_y - min_y, a, b, c)
                                                  : is_small(max_x - min_x, max_y - min_y, a, b, c)) &&
@@ -147,22 +156,22 @@ struct Assembler : ClippedAssembler<effects> {
             target.method->bounds.forget(box);
           }
         }
-        constexpr bool kGouraud = shade == Shade::gouraud;
-        const Colour* colours[3] = {nullptr, nullptr, nullptr};
-        if constexpr (kGouraud) {
-          colours[0] = batch.colours + (&a - batch.vertices);
-          colours[1] = batch.colours + (&b - batch.vertices);
-          colours[2] = batch.colours + (&c - batch.vertices);
-        }
-        draw_small_triangle<kGouraud, kStatistics>(target, in_codes(a), in_codes(b), in_codes(c), colours,
-                                                   Attributes::template flat_colour<shade>(batch, provoking), area,
-                                                   whole.left, whole.top, box,
+        draw_small_triangle<kGouraud, kStatistics>(target, in_codes(a), in_codes(b), in_codes(c), colours, flat_colour,
+                                                   area, whole.left, whole.top, box,
                                                    DepthRule<kDepth>(target, a, b, c, area));
         return;
       }
     }
+    if constexpr (kHasMedium<shade> && !kInRuns) {
+      if (draw_medium<kGouraud>({target, a, b, c, area}, colours, flat_colour)) return;
+    }
     draw_narrow_spans<shade>(target, batch, provoking, a, b, c);
   }
+
+  /// Whether triangles larger than small ones are drawn by draw_medium.
+  template <Shade shade>
+  static constexpr bool kHasMedium = kHasMediumTriangles&& shade <= Shade::gouraud && !kStatistics &&
+                                     std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
 
   /// Cannot be inlined: small triangles keep the registers that it would take.
   template <Shade shade>

@@ -35,8 +35,8 @@ EdgeWalk EdgeWalk::wide(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::
   const Floor start = floor_of(numerator + denominator - 1, denominator);
   const Floor step = floor_of(dx, dy);
   EdgeWalk edge;
-  edge.pixel = start.quotient, edge.step_ = step.quotient;
-  edge.remainder_ = start.rest, edge.step_remainder_ = step.rest * 16, edge.denominator_ = denominator;
+  edge.pixel = start.quotient, edge.step = step.quotient;
+  edge.remainder = start.rest, edge.remainder_step = step.rest * 16, edge.denominator = denominator;
   return edge;
 }
 

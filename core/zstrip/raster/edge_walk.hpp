@@ -11,8 +11,7 @@ namespace zstrip::detail {
 
 /// `pixel` is the first pixel whose centre is not left of the edge, so a span [left.pixel, right.pixel) obeys the
 /// top-left rule by itself.
-class EdgeWalk {
- public:
+struct EdgeWalk {
   EdgeWalk() = default;
   /// The edge from (x0, y0) down to (x1, y1), y0 < y1, at the pixel row `row`, whose centre lies in y0 .. y1. `narrow`:
   /// whether the coordinates are, a bool or std::true_type; the pixels do not depend on it (docs/numerics.md).
@@ -31,51 +30,50 @@ class EdgeWalk {
     // pixel = ceil(((x0 - centre) dy + (row centre - y0) dx) / (16 dy))
     const std::int32_t numerator = (x0 - kPixelCentre) * dy + (row * 16 + kPixelCentre - y0) * dx;
     std::int32_t rest = 0;
-    denominator_ = static_cast<std::uint32_t>(dy) * 16;
+    denominator = static_cast<std::uint32_t>(dy) * 16;
     divide(numerator + dy * 16 - 1, dy * 16, pixel, rest);
-    remainder_ = static_cast<std::uint32_t>(rest);
-    divide(dx, dy, step_, rest);
-    step_remainder_ = static_cast<std::uint32_t>(rest) * 16;
+    remainder = static_cast<std::uint32_t>(rest);
+    divide(dx, dy, step, rest);
+    remainder_step = static_cast<std::uint32_t>(rest) * 16;
   }
   void next_row() {
-    pixel += step_;
-    remainder_ += step_remainder_;
-    if (remainder_ >= denominator_) {
-      remainder_ -= denominator_;
+    pixel += step;
+    remainder += remainder_step;
+    if (remainder >= denominator) {
+      remainder -= denominator;
       ++pixel;
     }
   }
 
   std::int32_t pixel = 0;
+  std::uint32_t remainder = 0;  ///< this and those below less than 2^31, of wide edges too
+  std::int32_t step = 0;
+  std::uint32_t remainder_step = 0, denominator = 1;
 
  private:
   /// Returned, not made in place: an edge whose address is known would be stepped in memory.
   static EdgeWalk wide(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row);
 
   /// Rounds down; the remainder is not negative.
-  static void divide(std::int32_t numerator, std::int32_t denominator, std::int32_t& quotient,
-                     std::int32_t& remainder) {
+  static void divide(std::int32_t numerator, std::int32_t by, std::int32_t& quotient, std::int32_t& rest) {
     if constexpr (kDivides) {
-      quotient = numerator / denominator;
-      remainder = numerator - quotient * denominator;
-      if (remainder < 0) {
-        remainder += denominator;
+      quotient = numerator / by;
+      rest = numerator - quotient * by;
+      if (rest < 0) {
+        rest += by;
         --quotient;
       }
     } else {
       // Unsigned, so that no division of signed numbers is linked. floor(-(n + 1) / d) = -(floor(n / d) + 1)
       const std::uint32_t sign = numerator < 0 ? ~std::uint32_t{0} : 0;
       const auto magnitude = static_cast<std::uint32_t>(numerator) ^ sign;
-      const auto divisor = static_cast<std::uint32_t>(denominator);
+      const auto divisor = static_cast<std::uint32_t>(by);
       const std::uint32_t whole = magnitude / divisor;
-      const std::uint32_t rest = magnitude - whole * divisor;
+      const std::uint32_t left = magnitude - whole * divisor;
       quotient = static_cast<std::int32_t>(whole ^ sign);
-      remainder = static_cast<std::int32_t>(sign != 0 ? divisor - 1 - rest : rest);
+      rest = static_cast<std::int32_t>(sign != 0 ? divisor - 1 - left : left);
     }
   }
-
-  std::int32_t step_ = 0;
-  std::uint32_t remainder_ = 0, step_remainder_ = 0, denominator_ = 1;  ///< below 2^31, of wide edges too
 };
 
 }  // namespace zstrip::detail

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "zstrip/kernels/medium_triangle.hpp"
+#include "zstrip/kernels/sse2/medium_triangle.hpp"
 #include "zstrip/kernels/span.hpp"
 #include "zstrip/raster/edge_walk.hpp"
 #include "zstrip/raster/midpoint.hpp"
@@ -224,8 +224,8 @@ void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, c
     colours = {constant(v0.r), constant(v0.g), constant(v0.b)};
   }
 
-  if constexpr (kHasMediumTriangles && shade == Shade::flat && !statistics && mode == DepthMode{}) {
-    if (narrow && draw_medium_flat(target, v0, v1, v2, triangle.depth.plane(), triangle.anchor_x, triangle.anchor_y,
+  if constexpr (kHasSse2 && shade == Shade::flat && !statistics && mode == DepthMode{}) {
+    if (narrow && draw_medium_flat_sse2(target, v0, v1, v2, triangle.depth.plane(), triangle.anchor_x, triangle.anchor_y,
                                    surface.flat_colour)) {
       return;
     }

@@ -20,6 +20,7 @@ struct ThumbSmallRun {
   Rect area;                ///< of the strip
   std::uint16_t* depth;     ///< the cell of the area's upper left corner
   std::uint16_t* colour;
+  const StripTarget* strip;
 
   /// `vertices` and `colours` are those of mesh vertex `first_vertex` on.
   ThumbSmallRun(const StripTarget& target, const SnappedVertex* first_of_vertices, const Colour* first_of_colours,
@@ -28,14 +29,15 @@ struct ThumbSmallRun {
         colours(reinterpret_cast<std::uintptr_t>(first_of_colours) - first_vertex * sizeof(Colour)),
         area(target.area),
         depth(target.depth),
-        colour(target.colour) {
+        colour(target.colour),
+        strip(&target) {
     scan.depth_stride = target.depth_stride;
     scan.colour_stride = target.colour_stride;
   }
 };
 
 /// Culls and draws triangles of one-sided surfaces whose vertices are narrow, with the depth test of z16 and nothing to
-/// count. Stops at the first that is not small; how many triangles come before it.
+/// count. Stops at the first that is neither small nor medium; how many triangles come before it.
 std::uint32_t draw_small_run_thumb(ThumbSmallRun& run, const Triangle* triangles, std::uint32_t count);
 
 }  // namespace zstrip::detail

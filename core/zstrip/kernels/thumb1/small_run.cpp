@@ -2,6 +2,7 @@
 // thumb/small_layout.hpp's.
 #include "zstrip/kernels/thumb/small_run.hpp"
 
+#include "zstrip/kernels/thumb/medium_triangle.hpp"
 #include "zstrip/kernels/thumb/small_layout.hpp"
 #include "zstrip/kernels/thumb/small_triangle.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"
@@ -14,6 +15,7 @@ namespace zstrip::detail {
 // keeps these.
 [[gnu::used]] static constexpr auto* kSetUp = &set_up_small_thumb;
 [[gnu::used]] static constexpr auto* kScan = &scan_small_thumb;
+[[gnu::used]] static constexpr auto* kMedium = &draw_medium_of_run;
 
 // r8 the vertices, r9 the next triangle, r10 how many are left, r11 the run. On the stack: the count.
 [[gnu::naked]] std::uint32_t draw_small_run_thumb(ThumbSmallRun&, const Triangle*, std::uint32_t) {
@@ -175,7 +177,7 @@ namespace zstrip::detail {
     adds  r1, r1, r2
     cmp   r1, #181
     blt   .Lsmall_run_small
-    add   sp, sp, #12
+    pop   {r1-r3}
     b     .Lsmall_run_stop
   .Lsmall_run_small:
     asrs  r0, r0, #4                  @ to pixels
@@ -269,6 +271,12 @@ namespace zstrip::detail {
     bl    zstrip_scan_small_thumb
     b     .Lsmall_run_next
   .Lsmall_run_stop:
+    mov   r0, r11
+    bl    zstrip_draw_medium_of_run
+    cmp   r0, #0
+    beq   .Lsmall_run_leave
+    b     .Lsmall_run_next
+  .Lsmall_run_leave:
     pop   {r0}
     mov   r1, r10
     subs  r0, r0, r1

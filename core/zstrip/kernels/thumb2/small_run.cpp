@@ -2,6 +2,7 @@
 // of a vertex in one word, it takes half of what GCC makes of the C++. Offsets are thumb/small_layout.hpp's.
 #include "zstrip/kernels/thumb/small_run.hpp"
 
+#include "zstrip/kernels/thumb/medium_triangle.hpp"
 #include "zstrip/kernels/thumb/small_layout.hpp"
 #include "zstrip/kernels/thumb/small_triangle.hpp"
 
@@ -13,6 +14,7 @@ namespace zstrip::detail {
 // keeps these.
 [[gnu::used]] static constexpr auto* kSetUp = &set_up_small_thumb;
 [[gnu::used]] static constexpr auto* kScan = &scan_small_thumb;
+[[gnu::used]] static constexpr auto* kMedium = &draw_medium_of_run;
 
 // r0 the run, r10 the next triangle, r11 its vertices, lr how many triangles are left; r1 to r3 the indices of a
 // triangle's vertices, then their addresses. On the stack: what was left of the count, and the count.
@@ -197,6 +199,11 @@ namespace zstrip::detail {
     b     .Lsmall_run_done
 
   .Lsmall_run_stop:
+    mov   r4, r0
+    bl    zstrip_draw_medium_of_run
+    cmp   r0, #0
+    mov   r0, r4
+    bne   .Lsmall_run_done
     ldr   lr, [sp]
   .Lsmall_run_end:
     ldr   r0, [sp, #4]

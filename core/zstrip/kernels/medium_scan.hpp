@@ -1,0 +1,53 @@
+// What the implementations of the kernel of medium triangles for processors of 32 bits share: the triangle,
+// and the values that a scan of its rows steps.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/geometry/project.hpp"
+#include "zstrip/raster/edge_walk.hpp"
+#include "zstrip/raster/target.hpp"
+#include "zstrip/scene.hpp"
+
+namespace zstrip::detail {
+
+/// A narrow triangle, its first vertex the highest, then the leftmost.
+struct MediumTriangle {
+  const StripTarget& target;
+  const SnappedVertex &v0, &v1, &v2;
+  std::int32_t area;  ///< twice the signed area, > 0
+};
+
+/// Whether words of 32 bits suffice for the planes of a triangle, but for channels that change steeply: where the
+/// longer side of its box, of `width` and `height`, is its base it is a quarter of a pixel high, and its vertices'
+/// depths are within half of the range.
+inline bool fits_words(const MediumTriangle& t, std::int32_t width, std::int32_t height) {
+  // Of halves, because differences of whole depths need 33 bits.
+  const auto near_first = [&t](const SnappedVertex& v) {
+    return static_cast<std::int32_t>((t.v0.depth >> 1) - (v.depth >> 1) + (std::uint32_t{1} << 30));
+  };
+  return (width < height ? height : width) <= t.area >> 2 && t.area >> 25 == 0 &&
+         (near_first(t.v1) | near_first(t.v2)) >= 0;
+}
+
+/// All that scanning needs, in memory: set-up and scan are short only if neither holds the other's registers.
+struct MediumScan {
+  /// Whose planes: depth in 16.16 codes, channels in 8.16.
+  enum Value { depth, red, green, blue };
+  // The members stand where the assembly expects them.
+  EdgeWalk left, right;        ///< at the next row, pixels from the anchor's column; remainders less the denominator
+  std::uint16_t* depth_row;    ///< of the next row, the anchor's column
+  std::uint16_t* colour_row;   ///< likewise
+  std::int32_t depth_stride;   ///< bytes
+  std::int32_t colour_stride;  ///< bytes
+  std::uint32_t start[4];      ///< of each Value, where the rows are
+  std::uint32_t step_y[4];     ///< a row
+  std::uint32_t step_x[4];     ///< a pixel
+  std::uint16_t flat_colour;   ///< where there are no channels
+  bool has_channels;
+  std::int32_t area;                ///< twice the signed area
+  std::int32_t anchor_x, anchor_y;  ///< a pixel near the triangle
+  Colour colours[3];                ///< of the vertices, where there are channels
+};
+
+}  // namespace zstrip::detail

@@ -1,0 +1,276 @@
+// The assembly behind thumb/medium_triangle.hpp: a row of a triangle with all its values in registers.
+#include "zstrip/kernels/thumb/medium_triangle.hpp"
+
+#include <cstddef>
+
+#include "zstrip/kernels/medium_scan.hpp"
+
+namespace zstrip::detail {
+
+#if ZSTRIP_HAS_THUMB2
+
+static_assert(offsetof(MediumScan, left) == 0 && offsetof(MediumScan, right) == 20);
+static_assert(offsetof(EdgeWalk, pixel) == 0 && offsetof(EdgeWalk, remainder) == 4 && offsetof(EdgeWalk, step) == 8 &&
+              offsetof(EdgeWalk, remainder_step) == 12 && offsetof(EdgeWalk, denominator) == 16);
+static_assert(offsetof(MediumScan, depth_row) == 40 && offsetof(MediumScan, colour_row) == 44);
+static_assert(offsetof(MediumScan, depth_stride) == 48 && offsetof(MediumScan, colour_stride) == 52);
+static_assert(offsetof(MediumScan, start) == 56 && offsetof(MediumScan, step_y) == 72 &&
+              offsetof(MediumScan, step_x) == 88);
+static_assert(MediumScan::depth == 0 && MediumScan::red == 1 && MediumScan::green == 2 && MediumScan::blue == 3);
+
+static_assert(offsetof(MediumScan, flat_colour) == 104 && offsetof(MediumScan, has_channels) == 106 &&
+              offsetof(MediumScan, area) == 108 && offsetof(MediumScan, anchor_x) == 112 &&
+              offsetof(MediumScan, anchor_y) == 116 && offsetof(MediumScan, colours) == 120);
+
+[[gnu::naked]] bool set_up_medium_thumb(MediumScan&, const SnappedVertex&, const SnappedVertex&, const SnappedVertex&) {
+  asm(R"(
+    @ A channel's plane, of value \to, from the colours' byte at offset \at of the scan. Needs the mantissa of 1 / area in
+    @ r4, the shifted weights of vertices 1 and 2: right r11 and r9, down r10 and r8, and the way to the anchor in r12
+    @ and lr. Collects in r7 what is beyond 32 bits.
+    .macro zstrip_medium_channel at, to
+      ldrb  r1, [r0, #\at]
+      ldrb  r2, [r0, #\at + 4]
+      ldrb  r3, [r0, #\at + 8]
+      subs  r2, r2, r1
+      subs  r3, r3, r1
+      mul   r5, r2, r11
+      mla   r5, r3, r9, r5
+      smull r5, r6, r5, r4
+      lsrs  r5, r5, #27
+      orr   r5, r5, r6, lsl #5
+      add   r6, r6, #0x04000000
+      orrs  r7, r7, r6
+      asrs  r6, r5, #8                @ the carry is the bit that rounds
+      adc   r6, r6, #0
+      str   r6, [r0, #88 + 4 * \to]
+      smull r5, r6, r5, r12
+      mul   r2, r2, r10
+      mla   r2, r3, r8, r2
+      smull r2, r3, r2, r4
+      lsrs  r2, r2, #27
+      orr   r2, r2, r3, lsl #5
+      add   r3, r3, #0x04000000
+      orrs  r7, r7, r3
+      asrs  r3, r2, #8
+      adc   r3, r3, #0
+      str   r3, [r0, #72 + 4 * \to]
+      smlal r5, r6, r2, lr
+      lsrs  r5, r5, #12
+      orr   r5, r5, r6, lsl #20
+      add   r5, r5, r1, lsl #16
+      add   r5, r5, #0x8000
+      str   r5, [r0, #56 + 4 * \to]
+    .endm
+    @ A step of depth in r7 and r5, from its product with the area in r6 and r5; stored at offset \at. Then r6 and r5
+    @ are the step times \way.
+    .macro zstrip_medium_depth at, way
+      umull r7, r5, r5, r4
+      movs  r7, #0
+      smlal r5, r7, r6, r4
+      lsrs  r5, r5, #11
+      orr   r5, r5, r7, lsl #21
+      asrs  r7, r7, #11
+      lsrs  r6, r5, #8                @ the carry is the bit that rounds
+      orr   r6, r6, r7, lsl #24
+      adc   r6, r6, #0
+      str   r6, [r0, #\at]
+      add   r7, r7, r5, lsr #31       @ the lower word counts with its sign
+      mul   r7, r7, \way
+      smull r5, r6, r5, \way
+      add   r6, r6, r7
+    .endm
+
+    push  {r4-r11, lr}
+    ldr   r4, [r0, #108]              @ area
+    clz   r5, r4
+    lsls  r4, r4, r5
+    lsrs  r6, r4, #16                 @ as reciprocal()
+    mvn   r7, #0
+    udiv  r6, r7, r6
+    lsls  r6, r6, #14
+    umull r7, lr, r4, r6
+    rsb   lr, lr, #0x80000000
+    lsl   lr, lr, #1
+    umull r7, r4, r6, lr
+    lsls  r4, r4, #1
+    subs  r5, r5, #7
+    ldrsh r6, [r1]
+    ldrsh r7, [r1, #2]
+    ldrsh r8, [r2]
+    ldrsh r9, [r2, #2]
+    ldrsh r10, [r3]
+    ldrsh r11, [r3, #2]
+    ldrd  r12, lr, [r0, #112]         @ anchor
+    rsb   r12, r6, r12, lsl #4
+    rsb   lr, r7, lr, lsl #4
+    add   r12, r12, #15               @ from vertex 0 to the anchor's centre
+    add   lr, lr, #15
+    sub   r10, r10, r6                @ weights of vertices 1 and 2: down,
+    sub   r8, r6, r8
+    sub   r11, r7, r11                @ and to the right
+    sub   r9, r9, r7
+    lsl   r10, r10, r5
+    lsl   r8, r8, r5
+    lsl   r11, r11, r5
+    lsl   r9, r9, r5
+
+    ldr   r1, [r1, #4]
+    ldr   r2, [r2, #4]
+    ldr   r3, [r3, #4]
+    subs  r2, r2, r1
+    subs  r3, r3, r1
+    smull r5, r6, r2, r11
+    smlal r5, r6, r3, r9
+    zstrip_medium_depth 88, r12
+    push  {r5, r6}
+    smull r5, r6, r2, r10
+    smlal r5, r6, r3, r8
+    zstrip_medium_depth 72, lr
+    pop   {r2, r3}
+    adds  r5, r5, r2
+    adc   r6, r6, r3
+    lsrs  r5, r5, #12
+    orr   r5, r5, r6, lsl #20
+    add   r1, r1, r5
+    str   r1, [r0, #56]
+    ldrb  r1, [r0, #106]
+    movs  r7, #0
+    cmp   r1, #0
+    beq   .Lmedium_planes_set
+    zstrip_medium_channel 120, 1
+    zstrip_medium_channel 121, 2
+    zstrip_medium_channel 122, 3
+  .Lmedium_planes_set:
+    lsrs  r0, r7, #27
+    ite   eq
+    moveq r0, #1
+    movne r0, #0
+    pop   {r4-r11, pc}
+    .purgem zstrip_medium_channel
+    .purgem zstrip_medium_depth
+  )");
+}
+
+// zstrip_medium_edges: moves both edges a row down. The row's first column in lr, how many columns in r12. Takes r1 to
+// r10. Text in each function, as in thumb1/macros.hpp.
+#define ZSTRIP_MEDIUM_EDGES      \
+  ".macro zstrip_medium_edges\n" \
+  "  ldm   r0, {r1-r10}\n"       \
+  "  mov   lr, r1\n"             \
+  "  sub   r12, r6, r1\n"        \
+  "  adds  r2, r2, r4\n"         \
+  "  adc   r1, r1, r3\n"         \
+  "  it    cs\n"                 \
+  "  subcs r2, r2, r5\n"         \
+  "  strd  r1, r2, [r0]\n"       \
+  "  adds  r7, r7, r9\n"         \
+  "  adc   r6, r6, r8\n"         \
+  "  it    cs\n"                 \
+  "  subcs r7, r7, r10\n"        \
+  "  strd  r6, r7, [r0, #20]\n"  \
+  ".endm\n"
+
+[[gnu::naked]] void scan_medium_gouraud_thumb(MediumScan&, std::int32_t) {
+  asm(ZSTRIP_MEDIUM_EDGES R"(
+    push  {r1, r4-r11, lr}
+  .Lmedium_row:
+    zstrip_medium_edges
+    add   r3, r0, #40
+    ldm   r3!, {r1, r2, r4-r11}       @ rows, strides, starts, of the steps down two
+    add   r4, r4, r1
+    add   r5, r5, r2
+    strd  r4, r5, [r0, #40]
+    ldrd  r4, r5, [r0, #80]
+    add   r10, r10, r6                @ the next row's starts
+    add   r11, r11, r7
+    add   r4, r4, r8
+    add   r5, r5, r9
+    strd  r10, r11, [r0, #56]
+    strd  r4, r5, [r0, #64]
+    cmp   r12, #0
+    ble   .Lmedium_next_row
+    add   r1, r1, lr, lsl #1
+    add   r2, r2, lr, lsl #1
+    add   r3, r0, #88
+    ldm   r3, {r4, r5, r10, r11}      @ steps to the right
+    mla   r6, r4, lr, r6
+    mla   r7, r5, lr, r7
+    mla   r8, r10, lr, r8
+    mla   r9, r11, lr, r9
+    subs  r2, r2, r1
+    subs  r2, r2, #2                  @ from behind a cell of depth to its pixel
+  .Lmedium_pixel:
+    ldrh  r3, [r1], #2
+    cmp   r3, r6, lsr #16
+    bhs   .Lmedium_hidden
+    lsrs  r3, r6, #16
+    strh  r3, [r1, #-2]
+    lsrs  r3, r7, #19
+    lsr   lr, r8, #18
+    orr   r3, lr, r3, lsl #6
+    lsr   lr, r9, #19
+    orr   r3, lr, r3, lsl #5
+    strh  r3, [r1, r2]
+  .Lmedium_hidden:
+    add   r6, r6, r4
+    add   r7, r7, r5
+    add   r8, r8, r10
+    add   r9, r9, r11
+    subs  r12, r12, #1
+    bne   .Lmedium_pixel
+  .Lmedium_next_row:
+    ldr   r3, [sp]
+    subs  r3, r3, #1
+    str   r3, [sp]
+    bne   .Lmedium_row
+    pop   {r1, r4-r11, pc}
+    .purgem zstrip_medium_edges
+  )");
+}
+
+[[gnu::naked]] void scan_medium_flat_thumb(MediumScan&, std::int32_t) {
+  asm(ZSTRIP_MEDIUM_EDGES R"(
+    push  {r4-r11, lr}
+    mov   r11, r1
+  .Lmedium_flat_row:
+    zstrip_medium_edges
+    ldrd  r1, r2, [r0, #40]           @ rows and strides
+    ldrd  r3, r4, [r0, #48]
+    add   r3, r3, r1
+    add   r4, r4, r2
+    strd  r3, r4, [r0, #40]
+    ldr   r4, [r0, #56]
+    ldr   r3, [r0, #72]
+    add   r3, r3, r4
+    str   r3, [r0, #56]
+    cmp   r12, #0
+    ble   .Lmedium_flat_next_row
+    ldr   r5, [r0, #88]
+    ldrh  r6, [r0, #104]
+    mla   r4, r5, lr, r4
+    add   r1, r1, lr, lsl #1
+    add   r2, r2, lr, lsl #1
+    subs  r2, r2, r1
+    subs  r2, r2, #2                  @ from behind a cell of depth to its pixel
+  .Lmedium_flat_pixel:
+    ldrh  r3, [r1], #2
+    cmp   r3, r4, lsr #16
+    bhs   .Lmedium_flat_hidden
+    lsrs  r3, r4, #16
+    strh  r3, [r1, #-2]
+    strh  r6, [r1, r2]
+  .Lmedium_flat_hidden:
+    add   r4, r4, r5
+    subs  r12, r12, #1
+    bne   .Lmedium_flat_pixel
+  .Lmedium_flat_next_row:
+    subs  r11, r11, #1
+    bne   .Lmedium_flat_row
+    pop   {r4-r11, pc}
+    .purgem zstrip_medium_edges
+  )");
+}
+
+#endif
+
+}  // namespace zstrip::detail

@@ -1,0 +1,136 @@
+// Medium triangles against the span rasteriser: their planes, then whole ones in strips that cut them above and below.
+// Anywhere in the narrow range, boxes of all sizes, slivers among them, depths and colours that change by little and by
+// all.
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "contracts.hpp"
+#include "pictures.hpp"
+#include "random.hpp"
+#include "zstrip/kernels/medium_triangle.hpp"
+#include "zstrip/raster/clip_triangle.hpp"
+#include "zstrip/raster/span_triangle.hpp"
+
+namespace zstrip::kernels_test {
+namespace {
+
+using namespace detail;
+
+struct Medium {
+  SnappedVertex v[3];
+  Colour colours[3];
+  RasterVertex raster[3];  ///< the same for spans
+  std::int32_t area;
+  std::int32_t width, height;  ///< of its box, in 1/16 pixels
+  Rect box;
+};
+
+/// False if nothing is to be drawn. No side of the box is longer than `extent`, in 1/16 pixels.
+bool make(Random& random, std::int32_t extent, Medium& medium) {
+  auto& v = medium.v;
+  const std::int32_t width = random.between(1, extent), height = random.between(1, extent);
+  const std::int32_t left = random.within(16'000 - extent), top = random.within(16'000 - extent);
+  const std::uint32_t depth = random.word(), range = std::uint32_t{1} << random.between(8, 31);
+  const bool grey = random.below(3) == 0;
+  for (int i = 0; i < 3; ++i) {
+    v[i].x = static_cast<std::int16_t>(left + random.between(0, width));
+    v[i].y = static_cast<std::int16_t>(top + random.between(0, height));
+    v[i].depth = depth + random.word() % range;
+    medium.colours[i] = grey ? Colour{static_cast<std::uint8_t>(128 + i), 128, 127, 255} : random.colour();
+  }
+  medium.area = (v[2].x - v[0].x) * (v[1].y - v[0].y) - (v[1].x - v[0].x) * (v[2].y - v[0].y);
+  if (medium.area < 0) {
+    std::swap(v[1], v[2]);
+    medium.area = -medium.area;
+  }
+  const SnappedVertex *a = &v[0], *b = &v[1], *c = &v[2];
+  rotate_to_first([](const SnappedVertex* vertex) { return vertex->y * 65536 + vertex->x; }, a, b, c);
+  const SnappedVertex rotated[3] = {*a, *b, *c};
+  std::copy_n(rotated, 3, v);
+  for (int i = 0; i < 3; ++i) {
+    RasterVertex& vertex = medium.raster[i];
+    vertex = {};
+    vertex.x = v[i].x, vertex.y = v[i].y, vertex.depth = v[i].depth;
+    vertex.r = channel_start(medium.colours[i].r);
+    vertex.g = channel_start(medium.colours[i].g);
+    vertex.b = channel_start(medium.colours[i].b);
+  }
+  const auto [min_x, max_x] = std::minmax<std::int32_t>({v[0].x, v[1].x, v[2].x});
+  const auto [min_y, max_y] = std::minmax<std::int32_t>({v[0].y, v[1].y, v[2].y});
+  medium.width = max_x - min_x, medium.height = max_y - min_y;
+  medium.box = {min_x >> 4, min_y >> 4, max_x >> 4, max_y >> 4};
+  return medium.area != 0 && !medium.box.empty();
+}
+
+bool equal(const Plane& plane, const MediumScan& scan, MediumScan::Value value) {
+  return plane.start == scan.start[value] && plane.step_x == scan.step_x[value] && plane.step_y == scan.step_y[value];
+}
+
+bool planes_differ(Random& random, std::uint32_t number, Outcome& outcome) {
+  Medium m;
+  const Picture nowhere({portable_depth, portable_colour}, 1, 1, false);
+  if (!make(random, 1 << random.between(4, 13), m)) return false;
+  if (!fits_words({nowhere.target(0, 0, nullptr), m.v[0], m.v[1], m.v[2], m.area}, m.width, m.height)) return false;
+  MediumScan scan{};
+  scan.area = m.area, scan.anchor_x = m.box.left, scan.anchor_y = m.box.top - random.below(2) * random.within(100);
+  scan.has_channels = true;
+  std::copy_n(m.colours, 3, scan.colours);
+  if (!set_up_medium(scan, m.v[0], m.v[1], m.v[2])) return false;
+  const RasterVertex(&v)[3] = m.raster;
+  const PlaneSetup setup(v[0], v[1], v[2], m.area, scan.anchor_x, scan.anchor_y);
+  const auto plane = [&](auto member) {
+    const auto value = [&](int i) { return std::int64_t{v[i].*member}; };
+    return setup.plane(value(0), value(1) - value(0), value(2) - value(0));
+  };
+  ++outcome.compared;
+  const bool same = equal(plane(&RasterVertex::depth), scan, MediumScan::depth) &&
+                    equal(plane(&RasterVertex::r), scan, MediumScan::red) &&
+                    equal(plane(&RasterVertex::g), scan, MediumScan::green) &&
+                    equal(plane(&RasterVertex::b), scan, MediumScan::blue);
+  return !same && outcome.differs("the planes of a medium triangle", number);
+}
+
+template <Shade shade>
+bool differ(Random& random, std::uint32_t number, Outcome& outcome) {
+  Medium m;
+  if (!make(random, random.between(2, 900), m)) return false;
+  const std::int32_t left = m.box.left - random.below(3), width = m.box.right - left + random.below(3);
+  const std::int32_t top = m.box.top + random.between(-8, 8);
+  const std::int32_t height =
+      random.between(1, std::min<std::int32_t>(70, static_cast<std::int32_t>(kMaxCells) / width));
+  const Pictures pictures(random, width, height, m.v[0].depth >> 16);
+  constexpr std::uint16_t kFlat = 0x1234;
+  const Colour* const colours[3] = {&m.colours[0], &m.colours[1], &m.colours[2]};
+  const StripTarget own = pictures.own.target(left, top, nullptr);
+  const MediumTriangle triangle{own, m.v[0], m.v[1], m.v[2], m.area};
+  if (!draw_medium<shade == Shade::gouraud>(triangle, colours, kFlat)) return false;
+  Statistics statistics{};
+  draw_span_triangle<shade, false, true>(pictures.portable.target(left, top, &statistics), m.raster[0], m.raster[1],
+                                         m.raster[2], {.flat_colour = kFlat, .texture = {}, .depth_offset = 0}, true);
+  outcome.compared += statistics.depth_passes != 0 ? 1U : 0U;
+  return !pictures.equal() && outcome.differs("a medium triangle", number);
+}
+
+}  // namespace
+
+Outcome compare_medium_triangles(std::uint32_t cases) {
+  Random random(8);
+  Outcome outcome;
+  for (std::uint32_t number = 0; number < cases; ++number) {
+    switch (number % 4) {
+      case 0:
+      case 1:
+        if (planes_differ(random, number, outcome)) return outcome;
+        break;
+      case 2:
+        if (differ<Shade::gouraud>(random, number, outcome)) return outcome;
+        break;
+      default:
+        if (differ<Shade::flat>(random, number, outcome)) return outcome;
+    }
+  }
+  return outcome;
+}
+
+}  // namespace zstrip::kernels_test
