@@ -1,5 +1,5 @@
-// Runs of texels: any walk over any texture, of any length; and whole runs between exact positions. What the renderer
-// asks for is among them.
+// Runs of texels: any walk over any texture, of any length, as they are and in one light; and whole runs between exact
+// positions. What the renderer asks for is among them.
 #include <cstdint>
 #include <type_traits>
 
@@ -15,8 +15,9 @@ namespace {
 
 using namespace detail;
 using Rule = DepthRule<DepthMode{}>;
-using Run = TexturedRun<false, false, std::uint32_t, Rule>;
-using Runs = TexturedRun<false, false, std::uint32_t, Rule, TexturedRunsState>;
+using Run = TexturedRun<TexelLight::none, false, std::uint32_t, Rule>;
+using LitRun = TexturedRun<TexelLight::flat, false, std::uint32_t, Rule>;
+using Runs = TexturedRun<TexelLight::none, false, std::uint32_t, Rule, TexturedRunsState>;
 
 constexpr std::int32_t kMaxPixels = 40;  // more than a run has
 constexpr std::int32_t kMaxRuns = 5;
@@ -43,12 +44,15 @@ void begin(Random& random, AnyRun& run) {
   }
 }
 
+template <class AnyRun>
 bool runs_differ(Random& random, std::uint32_t number, Outcome& outcome) {
-  Run portable;
+  AnyRun portable;
   begin(random, portable);
+  const auto factor = [&random] { return light_factor(random.word() >> 8); };
+  portable.r = factor(), portable.g = factor(), portable.b = factor();
   const std::int32_t length = random.between(1, kMaxPixels), start = random.below(9);
   const Pictures pictures(random, start + length, 1, portable.z >> 16);
-  Run own = portable;
+  AnyRun own = portable;
   portable.fill(pictures.portable.depth() + start, pictures.portable.colour() + start, length, ColourPlanes{}, nullptr);
   fill_run(own, knows_texture(own), pictures.own.depth() + start, pictures.own.colour() + start, length, ColourPlanes{},
            nullptr);
@@ -71,7 +75,7 @@ void go_on(Random& random, Runs& run, std::int32_t count) {
 }
 
 bool whole_runs_differ(Random& random, std::uint32_t number, Outcome& outcome) {
-  if constexpr (kHasWholeRuns<false, false, std::uint32_t, Rule>) {
+  if constexpr (kHasWholeRuns<TexelLight::none, false, std::uint32_t, Rule>) {
     Runs portable;
     begin(random, portable);
     if (!knows_texture(portable)) return false;
@@ -100,7 +104,10 @@ Outcome compare_textured_runs(std::uint32_t cases) {
   fill_texels(random);
   Outcome outcome;
   for (std::uint32_t number = 0; number < cases; ++number) {
-    if (number % 4 == 3 ? whole_runs_differ(random, number, outcome) : runs_differ(random, number, outcome)) break;
+    const bool differ = number % 4 == 3   ? whole_runs_differ(random, number, outcome)
+                        : number % 4 == 2 ? runs_differ<LitRun>(random, number, outcome)
+                                          : runs_differ<Run>(random, number, outcome);
+    if (differ) break;
   }
   return outcome;
 }

@@ -3,7 +3,7 @@
 // Texture coordinates are 0.32 of the texture, so that they wrap; exact positions 16.16 texels, modulo 2^16 texels;
 // u/w and v/w have 29 bits and a sign, 1/w has 29 bits. Depth is what the rule steps, with z16 16.16 codes. Every
 // implementation writes what portable/textured_run.hpp writes, bit by bit, and nothing beside the run. Assembly and
-// SSE2 have no light, the depth test of z16 and nothing to count.
+// SSE2 have no light, Thumb-2 also a flat one, the depth test of z16 and nothing to count.
 #pragma once
 
 #include <cstdint>
@@ -21,21 +21,25 @@
 namespace zstrip::detail {
 
 /// Which implementation a TexturedRun of these has, if not the portable one.
-template <bool lit, bool statistics, class Value, class Rule>
+template <TexelLight lit, bool statistics, class Value, class Rule>
 inline constexpr bool kHasThumbRuns =
-    kHasThumb && !lit && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>> &&
+    kHasThumb&& lit == TexelLight::none && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>> &&
     std::is_same_v<Value, std::uint32_t>;
-template <bool lit, bool statistics, class Value, class Rule>
+template <TexelLight lit, bool statistics, class Value, class Rule>
+inline constexpr bool kHasThumbLitRuns =
+    kHasThumb2&& lit == TexelLight::flat && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>> &&
+    std::is_same_v<Value, std::uint32_t>;
+template <TexelLight lit, bool statistics, class Value, class Rule>
 inline constexpr bool kHasSse2Runs =
-    kHasSse2 && !lit && !statistics && Rule::kNearerOnly && std::is_same_v<Value, std::uint32_t>;
+    kHasSse2&& lit == TexelLight::none && !statistics && Rule::kNearerOnly && std::is_same_v<Value, std::uint32_t>;
 
 /// Whether there is fill_runs.
-template <bool lit, bool statistics, class Value, class Rule>
+template <TexelLight lit, bool statistics, class Value, class Rule>
 inline constexpr bool kHasWholeRuns =
     kHasThumbRuns<lit, statistics, Value, Rule> || kHasSse2Runs<lit, statistics, Value, Rule>;
 
 /// Whether the implementation supports the run's texture; for fill_run and fill_runs.
-template <bool lit, bool statistics, class Value, class Rule, class State>
+template <TexelLight lit, bool statistics, class Value, class Rule, class State>
 bool knows_texture([[maybe_unused]] const TexturedRun<lit, statistics, Value, Rule, State>& run) {
   if constexpr (kHasSse2Runs<lit, statistics, Value, Rule>) return fits_sse2(run);
   return kHasWholeRuns<lit, statistics, Value, Rule>;
@@ -43,7 +47,7 @@ bool knows_texture([[maybe_unused]] const TexturedRun<lit, statistics, Value, Ru
 
 /// Fills `count` > 0 whole runs of kPerspectiveRun pixels, of a run whose texture is known. Moves z, the place and the
 /// exact position behind them.
-template <bool lit, bool statistics, class Value, class Rule>
+template <TexelLight lit, bool statistics, class Value, class Rule>
 void fill_runs(TexturedRun<lit, statistics, Value, Rule, TexturedRunsState>& run, std::uint16_t* depth,
                std::uint16_t* pixel, std::uint32_t count) {
   if constexpr (kHasThumbRuns<lit, statistics, Value, Rule>) {
@@ -54,14 +58,16 @@ void fill_runs(TexturedRun<lit, statistics, Value, Rule, TexturedRunsState>& run
 }
 
 /// Fills `length` pixels, 1 .. 2^20. Moves z to the first pixel behind the run. `known`: knows_texture. `light` is read
-/// only where `lit`.
-template <bool lit, bool statistics, class Value, class Rule, class State>
+/// only where it is smooth.
+template <TexelLight lit, bool statistics, class Value, class Rule, class State>
 [[gnu::always_inline]] inline void fill_run(TexturedRun<lit, statistics, Value, Rule, State>& run,
                                             [[maybe_unused]] bool known, typename Rule::Cell* depth,
                                             std::uint16_t* pixel, std::int32_t length, const ColourPlanes& light,
                                             Statistics* counters) {
   if constexpr (kHasThumbRuns<lit, statistics, Value, Rule>) {
     fill_run_thumb(run, depth, pixel, length);
+  } else if constexpr (kHasThumbLitRuns<lit, statistics, Value, Rule>) {
+    fill_lit_run_thumb(run, depth, pixel, length);
   } else {
     if constexpr (kHasSse2Runs<lit, statistics, Value, Rule>) {
       if (known) return fill_run_sse2(run, depth, pixel, length);

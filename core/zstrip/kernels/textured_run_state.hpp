@@ -5,6 +5,9 @@
 
 namespace zstrip::detail {
 
+/// What texels are multiplied by: nothing, one colour, or interpolated colours.
+enum class TexelLight : std::uint8_t { none, flat, smooth };
+
 /// Most pixels between two exact texture positions: a whole run.
 inline constexpr std::int32_t kPerspectiveRun = 16;
 
@@ -16,6 +19,12 @@ struct TexturedRunState {
   const std::uint16_t* texels;
   std::int32_t to_column, to_row;  ///< right shifts; to_row leaves the row times the width of the texture
   std::uint32_t row_mask;          ///< clears the bits below a row
+};
+
+/// A run of texels that may be lit.
+template <class State>
+struct LitRunState : State {
+  std::uint32_t r, g, b;  ///< the light's: light_factor where it is flat, 8.16 where it is smooth
 };
 
 /// Where the whole runs of a span with perspective stand: 16 pixels between two exact positions.

@@ -30,17 +30,24 @@ inline constexpr std::uint32_t kOneInEach = (1U << 21) | (1U << 11) | 1U;
 /// A channel's start value for interpolation, 8.16: half a unit added, so that an error below 1/2 never wraps.
 constexpr std::int32_t channel_start(std::uint8_t channel) { return (channel << 16) | 0x8000; }
 
+/// The factor, 0 .. 256, of a light channel in 8.16.
+constexpr std::uint32_t light_factor(std::uint32_t channel) {
+  const std::uint32_t whole = channel >> 16;
+  return whole + (whole >> 7);
+}
+
+/// Texel times light, of factors.
+constexpr std::uint16_t multiplied(std::uint16_t texel, std::uint32_t r, std::uint32_t g, std::uint32_t b) {
+  // Rounded to nearest: a texel has 5 or 6 bits, rounding down would darken it by half a step.
+  const std::uint32_t red = ((texel >> 11) * r + 128) >> 8;
+  const std::uint32_t green = (((texel >> 5) & 0x3FU) * g + 128) >> 8;
+  const std::uint32_t blue = ((texel & 0x1FU) * b + 128) >> 8;
+  return static_cast<std::uint16_t>((red << 11) | (green << 5) | blue);
+}
+
 /// Texel times light; light channels in 8.16.
 constexpr std::uint16_t modulated(std::uint16_t texel, std::uint32_t r, std::uint32_t g, std::uint32_t b) {
-  const auto factor = [](std::uint32_t channel) {  // 0..255 to 0..256
-    const std::uint32_t whole = channel >> 16;
-    return whole + (whole >> 7);
-  };
-  // Rounded to nearest: a texel has 5 or 6 bits, rounding down would darken it by half a step.
-  const std::uint32_t red = ((texel >> 11) * factor(r) + 128) >> 8;
-  const std::uint32_t green = (((texel >> 5) & 0x3FU) * factor(g) + 128) >> 8;
-  const std::uint32_t blue = ((texel & 0x1FU) * factor(b) + 128) >> 8;
-  return static_cast<std::uint16_t>((red << 11) | (green << 5) | blue);
+  return multiplied(texel, light_factor(r), light_factor(g), light_factor(b));
 }
 
 }  // namespace zstrip::detail

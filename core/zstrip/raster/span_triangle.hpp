@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "zstrip/kernels/sse2/medium_triangle.hpp"
 #include "zstrip/kernels/span.hpp"
+#include "zstrip/kernels/sse2/medium_triangle.hpp"
 #include "zstrip/raster/edge_walk.hpp"
 #include "zstrip/raster/midpoint.hpp"
 #include "zstrip/raster/textured_span.hpp"
@@ -225,8 +225,8 @@ void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, c
   }
 
   if constexpr (kHasSse2 && shade == Shade::flat && !statistics && mode == DepthMode{}) {
-    if (narrow && draw_medium_flat_sse2(target, v0, v1, v2, triangle.depth.plane(), triangle.anchor_x, triangle.anchor_y,
-                                   surface.flat_colour)) {
+    if (narrow && draw_medium_flat_sse2(target, v0, v1, v2, triangle.depth.plane(), triangle.anchor_x,
+                                        triangle.anchor_y, surface.flat_colour)) {
       return;
     }
   }
@@ -247,7 +247,9 @@ void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, c
     constexpr bool kAffine = orthographic || perspective == 0;
     constexpr int kLog2Run = perspective == 0 ? 4 : std::countr_zero(static_cast<std::uint32_t>(perspective));
     const TextureCoordinates<kAffine> coordinates(triangle.setup, vertices, surface.depth_offset);
-    constexpr bool kLit = shade != Shade::textured;
+    constexpr TexelLight kLit = shade == Shade::textured        ? TexelLight::none
+                                : shade == Shade::textured_flat ? TexelLight::flat
+                                                                : TexelLight::smooth;
     walk([&](const Span<Cell>& run, const auto& z, const auto& how) {
       fill_textured<kAffine, kLog2Run, kLit, statistics>(run, z, how, surface.texture, coordinates, colours,
                                                          target.statistics);

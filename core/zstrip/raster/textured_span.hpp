@@ -36,8 +36,8 @@ constexpr std::int32_t difference(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
 
-/// `light` is read only where `lit`. `log2_run`: of the pixels between two exact positions, 0 .. 4.
-template <bool affine, int log2_run, bool lit, bool statistics, class DepthPlane, class Rule>
+/// `light` is read only where texels are lit. `log2_run`: of the pixels between two exact positions, 0 .. 4.
+template <bool affine, int log2_run, TexelLight lit, bool statistics, class DepthPlane, class Rule>
 void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
                    const TextureView& texture, const TextureCoordinates<affine>& coordinates, const ColourPlanes& light,
                    Statistics* counters) {
@@ -57,7 +57,9 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
   const int row_bits = texture.log2_height + texture.log2_width;
   run.to_row = row_bits == 0 ? 31 : 32 - row_bits;
   run.row_mask = ~((std::uint32_t{1} << texture.log2_width) - 1);
-  if constexpr (lit) {
+  if constexpr (lit == TexelLight::flat) {
+    run.r = light_factor(light.r.start), run.g = light_factor(light.g.start), run.b = light_factor(light.b.start);
+  } else if constexpr (lit == TexelLight::smooth) {
     run.r = light.r.at(span.columns, span.rows);
     run.g = light.g.at(span.columns, span.rows);
     run.b = light.b.at(span.columns, span.rows);

@@ -15,9 +15,8 @@ namespace zstrip::detail {
 
 /// The pixels between two exact texture positions: fill_run in C++. Not inlined: the loop needs every register of a
 /// Cortex-M.
-template <bool lit, bool statistics, class Value, class Rule, class State = TexturedRunState<Value>>
-struct TexturedRun : State {
-  std::uint32_t r, g, b;  ///< 8.16, only where `lit`
+template <TexelLight lit, bool statistics, class Value, class Rule, class State = TexturedRunState<Value>>
+struct TexturedRun : LitRunState<State> {
   [[no_unique_address]] Rule rule;
 
   [[gnu::noinline]] void fill(typename Rule::Cell* depth, std::uint16_t* pixel, std::int32_t length,
@@ -26,14 +25,17 @@ struct TexturedRun : State {
     const std::uint32_t du = this->step_u, dv = this->step_v, mask = this->row_mask;
     const Value dz = this->step_z;
     const std::int32_t shift_u = this->to_column, shift_v = this->to_row;
+    std::uint32_t red = this->r, green = this->g, blue = this->b;
     std::uint32_t at_u = this->u, at_v = this->v;
     Value at_z = this->z;
     std::uint16_t* const end = pixel + length;
     do {
       if (rule.draws(at_z, *depth)) {
         const std::uint16_t texel = t[((at_v >> shift_v) & mask) + (at_u >> shift_u)];
-        if constexpr (lit) {
-          *pixel = modulated(texel, r, g, b);
+        if constexpr (lit == TexelLight::smooth) {
+          *pixel = modulated(texel, red, green, blue);
+        } else if constexpr (lit == TexelLight::flat) {
+          *pixel = multiplied(texel, red, green, blue);
         } else {
           *pixel = texel;
         }
@@ -43,13 +45,14 @@ struct TexturedRun : State {
       at_z += dz;
       at_u += du;
       at_v += dv;
-      if constexpr (lit) {
-        r += light.r.step_x;
-        g += light.g.step_x;
-        b += light.b.step_x;
+      if constexpr (lit == TexelLight::smooth) {
+        red += light.r.step_x;
+        green += light.g.step_x;
+        blue += light.b.step_x;
       }
     } while (++pixel != end);
     this->z = at_z;
+    if constexpr (lit == TexelLight::smooth) this->r = red, this->g = green, this->b = blue;
   }
 };
 

@@ -11,6 +11,8 @@ namespace zstrip::detail {
 using State = TexturedRunState<std::uint32_t>;
 static_assert(offsetof(State, z) == 16 && offsetof(State, texels) == 24 && offsetof(State, to_column) == 28 &&
               offsetof(State, row_mask) == 36);
+using Lit = LitRunState<State>;
+static_assert(sizeof(State) == 40 && sizeof(Lit) == 52);
 using Runs = TexturedRunsState;
 static_assert(sizeof(State) == 40 && sizeof(Runs) == 92);  // no gaps: the members lie in order
 
@@ -133,6 +135,58 @@ static_assert(sizeof(State) == 40 && sizeof(Runs) == 92);  // no gaps: the membe
     lsls  r1, r1, r7
     b     .Lruns_shifted
     .purgem zstrip_texel
+  )");
+}
+
+// The mask of rows, the shift to them, the light and the step of z stay in memory.
+[[gnu::naked]] void fill_lit_run_thumb(Lit&, std::uint16_t*, std::uint16_t*, std::int32_t) {
+  asm(R"(
+    push  {r4-r11, lr}
+    ldr   r11, [r0, #28]
+    subs  r3, r3, #1
+    orr   r3, r11, r3, lsl #8         @ pixels left, counted above the shift's lowest byte
+    ldm   r0, {r4-r8}                 @ u and v, their steps, z
+    ldr   r10, [r0, #24]
+    subs  r2, r2, r1
+    subs  r2, r2, #2                  @ from behind a cell of depth to its pixel
+  .Llit_texel:
+    ldrh  r12, [r1], #2
+    cmp   r12, r8, lsr #16
+    bhs   .Llit_behind
+    lsr   r12, r8, #16
+    strh  r12, [r1, #-2]
+    ldrd  r11, r12, [r0, #32]
+    lsr   r11, r5, r11
+    and   r11, r11, r12
+    lsr   r12, r4, r3
+    add   r11, r11, r12
+    ldrh  lr, [r10, r11, lsl #1]
+    ldrd  r11, r12, [r0, #40]         @ red and green
+    lsr   r9, lr, #11
+    mul   r11, r9, r11
+    ubfx  r9, lr, #5, #6
+    mul   r12, r9, r12
+    ldr   r9, [r0, #48]
+    and   lr, lr, #31
+    mul   lr, r9, lr
+    add   r12, r12, #128
+    add   lr, lr, r11, lsl #16        @ products of 13 bits
+    add   lr, lr, #0x00800080
+    lsr   r12, r12, #8
+    lsr   r11, lr, #24
+    ubfx  lr, lr, #8, #5
+    orr   r12, r12, r11, lsl #6
+    orr   r12, lr, r12, lsl #5
+    strh  r12, [r1, r2]
+  .Llit_behind:
+    ldr   r9, [r0, #20]
+    add   r4, r4, r6
+    add   r5, r5, r7
+    add   r8, r8, r9
+    subs  r3, r3, #256
+    bhs   .Llit_texel
+    str   r8, [r0, #16]
+    pop   {r4-r11, pc}
   )");
 }
 
