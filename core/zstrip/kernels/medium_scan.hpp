@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "zstrip/geometry/project.hpp"
+#include "zstrip/kernels/processor.hpp"
 #include "zstrip/raster/edge_walk.hpp"
 #include "zstrip/raster/target.hpp"
 #include "zstrip/scene.hpp"
@@ -48,6 +49,17 @@ struct MediumScan {
   std::int32_t area;                ///< twice the signed area
   std::int32_t anchor_x, anchor_y;  ///< a pixel near the triangle
   Colour colours[3];                ///< of the vertices, where there are channels
+
+  void set_colours(const Colour* const* of_vertices) {
+    for (int i = 0; i < 3; ++i) {
+      // Where a word must be aligned and a colour need not be, GCC calls memcpy for a whole one.
+      if constexpr (kHasThumb1) {
+        colours[i].r = of_vertices[i]->r, colours[i].g = of_vertices[i]->g, colours[i].b = of_vertices[i]->b;
+      } else {
+        colours[i] = *of_vertices[i];
+      }
+    }
+  }
 };
 
 }  // namespace zstrip::detail

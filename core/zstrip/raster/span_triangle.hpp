@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "zstrip/kernels/span.hpp"
-#include "zstrip/kernels/sse2/medium_triangle.hpp"
 #include "zstrip/raster/edge_walk.hpp"
 #include "zstrip/raster/midpoint.hpp"
 #include "zstrip/raster/textured_span.hpp"
@@ -224,12 +223,6 @@ void draw_span_triangle(const TargetFor<mode>& target, const RasterVertex& v0, c
     colours = {constant(v0.r), constant(v0.g), constant(v0.b)};
   }
 
-  if constexpr (kHasSse2 && shade == Shade::flat && !statistics && mode == DepthMode{}) {
-    if (narrow && draw_medium_flat_sse2(target, v0, v1, v2, triangle.depth.plane(), triangle.anchor_x,
-                                        triangle.anchor_y, surface.flat_colour)) {
-      return;
-    }
-  }
   using Cell = typename DepthRule<mode>::Cell;
   const auto walk = [&](const auto& fill) {
     triangle.template walk<statistics, (shade >= Shade::textured)>(target, v0, v1, v2, narrow, fill);

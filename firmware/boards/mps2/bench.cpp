@@ -4,6 +4,8 @@
 #include "zstrip_scenes/knot.hpp"
 #include "zstrip_scenes/knot_meshlets.hpp"
 #include "zstrip_scenes/random.hpp"
+#include "zstrip_scenes/room.hpp"
+#include "zstrip_scenes/teapot.hpp"
 
 int main() {
   using namespace zstrip;
@@ -11,6 +13,8 @@ int main() {
                                             {"K5M", "z16", bench::run<scenes::knot_meshlets>},
                                             {"CT", "z16", bench::run<scenes::cube>},
                                             {"R50", "z16", bench::run<scenes::random50>},
-                                            {"R10k", "z16", bench::run<scenes::random10k>}};
+                                            {"R10k", "z16", bench::run<scenes::random10k>},
+                                            {"teapot", "z16", bench::run<scenes::teapot>},
+                                            {"room", "z16", bench::run<scenes::room>}};
   return bench::run_bench(kWorkloads);
 }

@@ -21,8 +21,10 @@ namespace {
 
 template <bool gouraud>
 void scan_rows(MediumScan& scan, std::int32_t count) {
-  if constexpr (kHasThumb2) {
-    gouraud ? scan_medium_gouraud_thumb(scan, count) : scan_medium_flat_thumb(scan, count);
+  if constexpr (kHasThumb && gouraud) {
+    scan_medium_gouraud_thumb(scan, count);
+  } else if constexpr (kHasThumb2) {
+    scan_medium_flat_thumb(scan, count);
   } else {
     scan_medium_rows<gouraud>(scan, count);
   }
@@ -49,7 +51,7 @@ bool draw(const MediumTriangle& t, [[maybe_unused]] const Colour* const* colours
   scan.area = t.area, scan.anchor_x = anchor_x, scan.anchor_y = anchor_y;
   scan.has_channels = gouraud;
   if constexpr (gouraud) {
-    for (int i = 0; i < 3; ++i) scan.colours[i] = *colours[i];
+    scan.set_colours(colours);
   } else {
     scan.flat_colour = flat_colour;
   }

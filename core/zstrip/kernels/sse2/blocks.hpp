@@ -111,9 +111,58 @@ struct EdgeBlock {
   }
 };
 
-/// A channel in 8.8, and its steps a pixel.
+// What colours the pixels of blocks: a column() of them has the colour() of one and goes down to the next.
+
+/// Pixels of one colour.
+struct OneColour {
+  __m128i pixels;
+
+  const OneColour& column() const { return *this; }
+  void move_right() {}
+  __m128i colour() const { return pixels; }
+  void go_down() const {}
+};
+
+/// A channel in 8.8 in the pixels of a block, and its steps a pixel.
 struct ChannelBlock {
   __m128i value, step_x, step_y;
+
+  void move_right() { value = _mm_add_epi16(value, _mm_slli_epi16(step_x, 2)); }
+  void go_down() { value = _mm_add_epi16(value, _mm_slli_epi16(step_y, 1)); }
+};
+struct ChannelBlocks {
+  ChannelBlock r, g, b;
+
+  ChannelBlocks column() const { return *this; }
+  void move_right() { r.move_right(), g.move_right(), b.move_right(); }
+  __m128i colour() const { return rgb565_of_halves(r.value, g.value, b.value); }
+  void go_down() { r.go_down(), g.go_down(), b.go_down(); }
+};
+
+/// A value of 32 bits in the pixels of a block, and its steps a pixel.
+struct WordBlock {
+  __m128i upper, lower, step_x, step_y;
+
+  WordBlock(std::uint32_t start, std::uint32_t right, std::uint32_t down)
+      : upper(stepped_words(start, right)), step_x(in_all_words(right)), step_y(in_all_words(down)) {
+    lower = _mm_add_epi32(upper, step_y);
+  }
+  /// Their upper halves.
+  __m128i halves() const { return upper_halves(upper, lower); }
+  void move_right() { move(_mm_slli_epi32(step_x, 2)); }
+  void go_down() { move(_mm_add_epi32(step_y, step_y)); }
+
+ private:
+  void move(__m128i by) { upper = _mm_add_epi32(upper, by), lower = _mm_add_epi32(lower, by); }
+};
+/// Channels in 16.16.
+struct WordChannels {
+  WordBlock r, g, b;
+
+  WordChannels column() const { return *this; }
+  void move_right() { r.move_right(), g.move_right(), b.move_right(); }
+  __m128i colour() const { return rgb565_of_halves(r.halves(), g.halves(), b.halves()); }
+  void go_down() { r.go_down(), g.go_down(), b.go_down(); }
 };
 
 /// The blocks of a triangle's box in a strip. They may go beyond the box, where the triangle covers nothing, but not
@@ -132,27 +181,24 @@ struct Blocks {
 
   bool fit() const { return left >= target.area.left && top >= target.area.top; }
 
-  /// `exact`: Edges::at(left, top); `z`: depths of the first four pixels; `channels` are read only where `gouraud`.
-  template <bool gouraud>
+  /// `exact`: Edges::at(left, top); `z`: depths of the first four pixels; `colours` of the first block.
+  template <class Colours>
   [[gnu::always_inline]] void draw(const Edges& edges, __m128i exact, __m128i z, __m128i z_step_x, __m128i z_step_y,
-                                   ChannelBlock (&channels)[3], std::uint16_t flat_colour) const {
+                                   Colours colours) const {
     const __m128i fields = edges.fields(exact);
     EdgeBlock e[3] = {EdgeBlock::of<0>(fields, edges.steps), EdgeBlock::of<1>(fields, edges.steps),
                       EdgeBlock::of<2>(fields, edges.steps)};
     std::uint16_t* depth = target.depth_row(top) + (left - target.area.left);
     std::uint16_t* pixel = target.colour_row(top) + (left - target.area.left);
-    const __m128i flat = in_all_halves(flat_colour);
     // Alone, a column's values need not be kept: most small triangles have one.
-    if (across == 1) return draw_column<gouraud>(e, z, z_step_y, channels, flat, depth, pixel);
+    if (across == 1) return draw_column(e, z, z_step_y, colours, depth, pixel);
     for (std::int32_t column = across;;) {
-      draw_column<gouraud>(e, z, z_step_y, channels, flat, depth, pixel);
+      draw_column(e, z, z_step_y, colours, depth, pixel);
       if (--column == 0) return;
       e[0].move_right<0>(edges.steps);
       e[1].move_right<1>(edges.steps);
       e[2].move_right<2>(edges.steps);
-      if constexpr (gouraud) {
-        for (ChannelBlock& c : channels) c.value = _mm_add_epi16(c.value, _mm_slli_epi16(c.step_x, 2));
-      }
+      colours.move_right();
       z = _mm_add_epi32(z, _mm_slli_epi32(z_step_x, 2));
       depth += kBlockColumns;
       pixel += kBlockColumns;
@@ -160,26 +206,22 @@ struct Blocks {
   }
 
  private:
-  template <bool gouraud>
+  template <class Colours>
   [[gnu::always_inline]] void draw_column(const EdgeBlock (&e)[3], __m128i upper, __m128i z_step_y,
-                                          const ChannelBlock (&channels)[3], __m128i flat, std::uint16_t* depth,
-                                          std::uint16_t* pixel) const {
+                                          const Colours& colours, std::uint16_t* depth, std::uint16_t* pixel) const {
     // Copies: compilers must assume that stores of lanes change any memory.
     const InTwoRows cells{target.depth_stride};
     const InTwoRows pixels{target.colour_stride};
     const __m128i z_down = _mm_add_epi32(z_step_y, z_step_y);
     __m128i e0 = e[0].value, e1 = e[1].value, e2 = e[2].value;
     __m128i lower = _mm_add_epi32(upper, z_step_y);
-    __m128i r{}, g{}, b{};
-    if constexpr (gouraud) r = channels[0].value, g = channels[1].value, b = channels[2].value;
+    auto column = colours.column();
     for (std::int32_t row = down;;) {
       const __m128i outside = _mm_srai_epi16(_mm_or_si128(_mm_or_si128(e0, e1), e2), 15);
       if (_mm_movemask_epi8(outside) != 0xFFFF) {
         // Code 0 is nearer than no cell.
-        draw_fragments(cells, pixels, depth, pixel, _mm_andnot_si128(outside, upper_halves(upper, lower)), [&] {
-          if constexpr (gouraud) return rgb565_of_halves(r, g, b);
-          return flat;
-        });
+        draw_fragments(cells, pixels, depth, pixel, _mm_andnot_si128(outside, upper_halves(upper, lower)),
+                       [&] { return column.colour(); });
       }
       if (--row == 0) return;
       e0 = _mm_add_epi16(e0, e[0].down);
@@ -187,11 +229,7 @@ struct Blocks {
       e2 = _mm_add_epi16(e2, e[2].down);
       upper = _mm_add_epi32(upper, z_down);
       lower = _mm_add_epi32(lower, z_down);
-      if constexpr (gouraud) {
-        r = _mm_add_epi16(r, _mm_slli_epi16(channels[0].step_y, 1));
-        g = _mm_add_epi16(g, _mm_slli_epi16(channels[1].step_y, 1));
-        b = _mm_add_epi16(b, _mm_slli_epi16(channels[2].step_y, 1));
-      }
+      column.go_down();
       depth += cells.stride * kBlockRows;
       pixel += pixels.stride * kBlockRows;
     }

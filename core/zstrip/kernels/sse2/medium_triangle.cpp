@@ -1,8 +1,9 @@
-// The blocks of a triangle that has its plane of depth already.
+// Medium triangles in blocks, by the planes of portable/medium_triangle.hpp.
 #include "zstrip/kernels/sse2/medium_triangle.hpp"
 
 #include <algorithm>
 
+#include "zstrip/kernels/portable/medium_triangle.hpp"
 #include "zstrip/kernels/sse2/blocks.hpp"
 
 #if ZSTRIP_HAS_SSE2
@@ -11,24 +12,54 @@ namespace zstrip::detail {
 
 using namespace blocks;
 
-bool draw_medium_flat_sse2(const StripTarget& target, const RasterVertex& v0, const RasterVertex& v1,
-                           const RasterVertex& v2, const Plane& depth, std::int32_t anchor_x, std::int32_t anchor_y,
-                           std::uint16_t colour) {
-  const auto [min_x, max_x] = std::minmax({v0.x, v1.x, v2.x});
-  const auto [min_y, max_y] = std::minmax({v0.y, v1.y, v2.y});
-  if (max_x - min_x + max_y - min_y >= kMediumExtent) return false;
-  const Rect& strip = target.area;
+namespace {
+
+template <bool gouraud>
+[[gnu::always_inline]] inline bool draw(const MediumTriangle& t, const Colour* const* colours,
+                                        std::uint16_t flat_colour) {
+  const auto [min_x, max_x] = std::minmax<std::int32_t>({t.v0.x, t.v1.x, t.v2.x});
+  const std::int32_t min_y = t.v0.y, max_y = std::max(t.v1.y, t.v2.y);
+  const std::int32_t width = max_x - min_x, height = max_y - min_y;
+  if (width + height >= kMediumExtent || !fits_words(t, width, height)) return false;
+  const Rect& strip = t.target.area;
   const Rect box{std::max(min_x >> 4, strip.left), std::max(min_y >> 4, strip.top), std::min(max_x >> 4, strip.right),
                  std::min(max_y >> 4, strip.bottom)};
   if (box.empty()) return true;
-  const Blocks blocks(target, box);
+  const Blocks blocks(t.target, box);
   if (!blocks.fit()) return false;
-  const Edges edges(v0, v1, v2);
-  const __m128i z = stepped_words(depth.at(blocks.left - anchor_x, blocks.top - anchor_y), depth.step_x);
-  ChannelBlock no_channels[3];
-  blocks.draw<false>(edges, edges.at(blocks.left, blocks.top), z, in_all_words(depth.step_x),
-                     in_all_words(depth.step_y), no_channels, colour);
+
+  MediumScan scan;
+  scan.area = t.area;
+  scan.anchor_x = std::max(min_x >> 4, t.target.view_left), scan.anchor_y = std::max(min_y >> 4, t.target.view_top);
+  scan.has_channels = gouraud;
+  if constexpr (gouraud) scan.set_colours(colours);
+  if (!set_up_medium_portable(scan, t.v0, t.v1, t.v2)) return false;
+  const std::int32_t columns = blocks.left - scan.anchor_x, rows = blocks.top - scan.anchor_y;
+  const auto block = [&](MediumScan::Value value, int shift) {
+    const Plane plane{scan.start[value], scan.step_x[value], scan.step_y[value]};
+    return WordBlock(plane.at(columns, rows) << shift, plane.step_x << shift, plane.step_y << shift);
+  };
+  const Edges edges(t.v0, t.v1, t.v2);
+  const __m128i exact = edges.at(blocks.left, blocks.top);
+  const WordBlock z = block(MediumScan::depth, 0);
+  if constexpr (gouraud) {
+    // 16.16, so that all that counts of a channel is in the upper half.
+    blocks.draw(edges, exact, z.upper, z.step_x, z.step_y,
+                WordChannels{block(MediumScan::red, 8), block(MediumScan::green, 8), block(MediumScan::blue, 8)});
+  } else {
+    blocks.draw(edges, exact, z.upper, z.step_x, z.step_y, OneColour{in_all_halves(flat_colour)});
+  }
   return true;
+}
+
+}  // namespace
+
+bool draw_medium_flat_sse2(const MediumTriangle& triangle, std::uint16_t colour) {
+  return draw<false>(triangle, nullptr, colour);
+}
+
+bool draw_medium_gouraud_sse2(const MediumTriangle& triangle, const Colour* const (&colours)[3]) {
+  return draw<true>(triangle, colours, 0);
 }
 
 }  // namespace zstrip::detail

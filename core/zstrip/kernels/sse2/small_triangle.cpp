@@ -6,6 +6,7 @@
 #include "zstrip/base/math.hpp"
 #include "zstrip/kernels/small_scan.hpp"
 #include "zstrip/kernels/sse2/blocks.hpp"
+#include "zstrip/kernels/sse2/medium_triangle.hpp"
 
 #if ZSTRIP_HAS_SSE2
 
@@ -49,15 +50,15 @@ __m128i depth_plane(__m128i weights, std::uint32_t per_unit_1, std::uint32_t per
 }
 
 /// SmallChannels' planes.
-[[gnu::always_inline]] inline void set_channels(ChannelBlock (&channels)[3], __m128i weights, std::int32_t inverse_area,
-                                                const Colour* const (&colours)[3], std::int32_t first_column,
-                                                std::int32_t first_row) {
+[[gnu::always_inline]] inline ChannelBlocks channel_blocks(__m128i weights, std::int32_t inverse_area,
+                                                           const Colour* const (&colours)[3], std::int32_t first_column,
+                                                           std::int32_t first_row) {
   const __m128i first = channels_of(*colours[0]);
   const __m128i differences = _mm_unpacklo_epi16(_mm_sub_epi16(channels_of(*colours[1]), first),
                                                  _mm_sub_epi16(channels_of(*colours[2]), first));
   const __m128i at_vertex = _mm_add_epi16(_mm_slli_epi16(first, 8), in_all_halves(128));
   const __m128i inverse = in_all_words(static_cast<std::uint32_t>(inverse_area));
-  const auto set = [&](ChannelBlock& channel, __m128i difference, __m128i start) {
+  const auto channel = [&](__m128i difference, __m128i start) {
     const __m128i plane = multiply_high_by_positive(_mm_slli_epi32(_mm_madd_epi16(weights, difference), 9), inverse);
     const __m128i step_x = half_in_all<0>(plane);
     const __m128i step_y = half_in_all<2>(plane);
@@ -66,11 +67,11 @@ __m128i depth_plane(__m128i weights, std::uint32_t per_unit_1, std::uint32_t per
       start = _mm_add_epi16(start, _mm_add_epi16(_mm_mullo_epi16(step_x, in_all_halves(first_column)),
                                                  _mm_mullo_epi16(step_y, in_all_halves(first_row))));
     }
-    channel = {stepped_halves(start, step_x, step_y), step_x, step_y};
+    return ChannelBlock{stepped_halves(start, step_x, step_y), step_x, step_y};
   };
-  set(channels[0], word_in_all<0>(differences), half_in_all<0>(at_vertex));
-  set(channels[1], word_in_all<1>(differences), half_in_all<1>(at_vertex));
-  set(channels[2], word_in_all<2>(differences), half_in_all<2>(at_vertex));
+  return {channel(word_in_all<0>(differences), half_in_all<0>(at_vertex)),
+          channel(word_in_all<1>(differences), half_in_all<1>(at_vertex)),
+          channel(word_in_all<2>(differences), half_in_all<2>(at_vertex))};
 }
 
 template <bool gouraud>
@@ -100,9 +101,12 @@ template <bool gouraud>
     z = _mm_add_epi32(
         z, in_all_words(sx * static_cast<std::uint32_t>(first_column) + sy * static_cast<std::uint32_t>(first_row)));
   }
-  ChannelBlock channels[3];
-  if constexpr (gouraud) set_channels(channels, weights, inverse_area, colours, first_column, first_row);
-  blocks.draw<gouraud>(edges, exact, z, step_x, step_y, channels, flat_colour);
+  if constexpr (gouraud) {
+    blocks.draw(edges, exact, z, step_x, step_y,
+                channel_blocks(weights, inverse_area, colours, first_column, first_row));
+  } else {
+    blocks.draw(edges, exact, z, step_x, step_y, OneColour{in_all_halves(flat_colour)});
+  }
   return true;
 }
 
@@ -143,10 +147,11 @@ std::uint32_t draw_small_run_sse2(const StripTarget& target, const SnappedVertex
     } else if (order_c < order_a) {
       a = c, c = b, b = first;
     }
-    if (!is_small(max_x - min_x, max_y - min_y, vertices[a], vertices[b], vertices[c])) return i;
     const Colour* const of_vertices[3] = {colours + a, colours + b, colours + c};
-    if (!draw<true>({target, vertices[a], vertices[b], vertices[c], area, min_x >> 4, min_y >> 4, box}, of_vertices,
-                    0)) {
+    if (!is_small(max_x - min_x, max_y - min_y, vertices[a], vertices[b], vertices[c])) {
+      if (!draw_medium_gouraud_sse2({target, vertices[a], vertices[b], vertices[c], area}, of_vertices)) return i;
+    } else if (!draw<true>({target, vertices[a], vertices[b], vertices[c], area, min_x >> 4, min_y >> 4, box},
+                           of_vertices, 0)) {
       return i;
     }
   }

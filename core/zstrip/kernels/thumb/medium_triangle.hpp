@@ -15,11 +15,12 @@ struct ThumbSmallRun;
 bool draw_medium_of_run(const ThumbSmallRun& run, const SnappedVertex& v0, const SnappedVertex& v1,
                         const SnappedVertex& v2) asm("zstrip_draw_medium_of_run");
 
-/// set_up_medium_portable.
+/// set_up_medium_portable. For Thumb-2.
 bool set_up_medium_thumb(MediumScan& scan, const SnappedVertex& v0, const SnappedVertex& v1, const SnappedVertex& v2);
 
-/// scan_medium_rows<true> and <false>.
+/// scan_medium_rows<true>.
 void scan_medium_gouraud_thumb(MediumScan& scan, std::int32_t count);
+/// scan_medium_rows<false>. For Thumb-2.
 void scan_medium_flat_thumb(MediumScan& scan, std::int32_t count);
 
 }  // namespace zstrip::detail

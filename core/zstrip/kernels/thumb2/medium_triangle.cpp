@@ -1,26 +1,12 @@
 // The assembly behind thumb/medium_triangle.hpp: a row of a triangle with all its values in registers.
 #include "zstrip/kernels/thumb/medium_triangle.hpp"
 
-#include <cstddef>
-
 #include "zstrip/kernels/medium_scan.hpp"
+#include "zstrip/kernels/thumb/medium_layout.hpp"
 
 namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB2
-
-static_assert(offsetof(MediumScan, left) == 0 && offsetof(MediumScan, right) == 20);
-static_assert(offsetof(EdgeWalk, pixel) == 0 && offsetof(EdgeWalk, remainder) == 4 && offsetof(EdgeWalk, step) == 8 &&
-              offsetof(EdgeWalk, remainder_step) == 12 && offsetof(EdgeWalk, denominator) == 16);
-static_assert(offsetof(MediumScan, depth_row) == 40 && offsetof(MediumScan, colour_row) == 44);
-static_assert(offsetof(MediumScan, depth_stride) == 48 && offsetof(MediumScan, colour_stride) == 52);
-static_assert(offsetof(MediumScan, start) == 56 && offsetof(MediumScan, step_y) == 72 &&
-              offsetof(MediumScan, step_x) == 88);
-static_assert(MediumScan::depth == 0 && MediumScan::red == 1 && MediumScan::green == 2 && MediumScan::blue == 3);
-
-static_assert(offsetof(MediumScan, flat_colour) == 104 && offsetof(MediumScan, has_channels) == 106 &&
-              offsetof(MediumScan, area) == 108 && offsetof(MediumScan, anchor_x) == 112 &&
-              offsetof(MediumScan, anchor_y) == 116 && offsetof(MediumScan, colours) == 120);
 
 [[gnu::naked]] bool set_up_medium_thumb(MediumScan&, const SnappedVertex&, const SnappedVertex&, const SnappedVertex&) {
   asm(R"(

@@ -1,0 +1,120 @@
+// The assembly behind thumb/medium_triangle.hpp: rows of a triangle, its values in the low registers, their steps in
+// the high ones.
+#include "zstrip/kernels/thumb/medium_triangle.hpp"
+
+#include "zstrip/kernels/medium_scan.hpp"
+#include "zstrip/kernels/thumb/medium_layout.hpp"
+#include "zstrip/kernels/thumb1/macros.hpp"
+
+namespace zstrip::detail {
+
+#if ZSTRIP_HAS_THUMB1
+
+// On the stack: the scan, the rows left, the row's first cell.
+[[gnu::naked]] void scan_medium_gouraud_thumb(MediumScan&, std::int32_t) {
+  asm(ZSTRIP_THUMB1_PUSH R"(
+    @ Moves the edge at offset \at of the scan in r0 a row down, and r6 behind it. Its pixel before in r1. Uses r2 to r5.
+    .macro zstrip_medium_edge at
+      ldmia r6!, {r1-r5}              @ pixel, remainder, step, its remainder, denominator
+      adds  r2, r2, r4                @ a carry: one more pixel
+      bcc   .Lmedium_edge_\at
+      subs  r2, r2, r5
+      adds  r3, r3, #1
+    .Lmedium_edge_\at:
+      adds  r3, r3, r1
+      str   r3, [r0, #\at]
+      str   r2, [r0, #\at + 4]
+    .endm
+    @ The start in \value a row down, for value number \number; starts at r1, steps at r3. Uses r0.
+    .macro zstrip_medium_down value number
+      ldr   r0, [r3, #4 * \number]
+      adds  r0, r0, \value
+      str   r0, [r1, #4 * \number]
+    .endm
+    @ Its step to the right into \step; the start moved by r2 columns. Steps at r3. Uses r1.
+    .macro zstrip_medium_right value step number
+      ldr   r1, [r3, #16 + 4 * \number]
+      mov   \step, r1
+      muls  r1, r2, r1
+      adds  \value, \value, r1
+    .endm
+
+    push  {r0-r2}
+  .Lmedium_row:
+    movs  r6, r0
+    zstrip_medium_edge 0
+    movs  r7, r1
+    zstrip_medium_edge 20
+    mov   r12, r1
+    ldmia r6!, {r1-r4}                @ rows and strides
+    adds  r3, r3, r1
+    adds  r4, r4, r2
+    str   r3, [r0, #40]
+    str   r4, [r0, #44]
+    lsls  r3, r7, #1
+    adds  r1, r1, r3
+    adds  r2, r2, r3
+    subs  r2, r2, r1
+    mov   r3, r12
+    mov   r12, r2                     @ from a cell to its pixel
+    subs  r3, r3, r7
+    lsls  r3, r3, #1
+    adds  r3, r3, r1
+    mov   lr, r3                      @ behind the last cell
+    str   r1, [sp, #8]
+    movs  r2, r7
+    movs  r1, r6
+    movs  r3, r6
+    ldmia r3!, {r4-r7}
+    zstrip_medium_down r4 0
+    zstrip_medium_down r5 1
+    zstrip_medium_down r6 2
+    zstrip_medium_down r7 3
+    ldr   r0, [sp, #8]
+    cmp   r0, lr
+    bhs   .Lmedium_next_row
+    zstrip_medium_right r4 r8 0
+    zstrip_medium_right r5 r9 1
+    zstrip_medium_right r6 r10 2
+    zstrip_medium_right r7 r11 3
+  .Lmedium_pixel:
+    lsrs  r1, r4, #16
+    ldrh  r2, [r0]
+    cmp   r2, r1
+    bhs   .Lmedium_hidden
+    strh  r1, [r0]
+    lsrs  r1, r5, #19
+    lsls  r1, r1, #6
+    lsrs  r2, r6, #18
+    orrs  r1, r1, r2
+    lsls  r1, r1, #5
+    lsrs  r2, r7, #19
+    orrs  r1, r1, r2
+    mov   r2, r12
+    strh  r1, [r0, r2]
+  .Lmedium_hidden:
+    add   r4, r4, r8
+    add   r5, r5, r9
+    add   r6, r6, r10
+    add   r7, r7, r11
+    adds  r0, r0, #2
+    cmp   r0, lr
+    bne   .Lmedium_pixel
+  .Lmedium_next_row:
+    ldr   r0, [sp, #4]
+    subs  r0, r0, #1
+    beq   .Lmedium_end
+    str   r0, [sp, #4]
+    ldr   r0, [sp]
+    b     .Lmedium_row
+  .Lmedium_end:
+    add   sp, sp, #12
+    .purgem zstrip_medium_edge
+    .purgem zstrip_medium_down
+    .purgem zstrip_medium_right
+  )" ZSTRIP_THUMB1_POP);
+}
+
+#endif
+
+}  // namespace zstrip::detail
