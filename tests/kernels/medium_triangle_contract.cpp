@@ -8,6 +8,7 @@
 #include "contracts.hpp"
 #include "pictures.hpp"
 #include "random.hpp"
+#include "raster_vertex.hpp"
 #include "zstrip/kernels/medium_triangle.hpp"
 #include "zstrip/raster/clip_triangle.hpp"
 #include "zstrip/raster/span_triangle.hpp"
@@ -48,14 +49,7 @@ bool make(Random& random, std::int32_t extent, Medium& medium) {
   rotate_to_first([](const SnappedVertex* vertex) { return vertex->y * 65536 + vertex->x; }, a, b, c);
   const SnappedVertex rotated[3] = {*a, *b, *c};
   std::copy_n(rotated, 3, v);
-  for (int i = 0; i < 3; ++i) {
-    RasterVertex& vertex = medium.raster[i];
-    vertex = {};
-    vertex.x = v[i].x, vertex.y = v[i].y, vertex.depth = v[i].depth;
-    vertex.r = channel_start(medium.colours[i].r);
-    vertex.g = channel_start(medium.colours[i].g);
-    vertex.b = channel_start(medium.colours[i].b);
-  }
+  for (int i = 0; i < 3; ++i) medium.raster[i] = raster_vertex(v[i], medium.colours[i]);
   const auto [min_x, max_x] = std::minmax<std::int32_t>({v[0].x, v[1].x, v[2].x});
   const auto [min_y, max_y] = std::minmax<std::int32_t>({v[0].y, v[1].y, v[2].y});
   medium.width = max_x - min_x, medium.height = max_y - min_y;

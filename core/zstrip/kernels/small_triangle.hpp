@@ -2,7 +2,7 @@
 //
 // Vertices are 12.4 raster coordinates and 16.16 depth codes; colours are 8 bits a channel. The cells and pixels are
 // those of the span rasteriser; every implementation writes what portable/small_triangle.hpp writes, bit by bit.
-// Assembly has interpolated colours, SSE2 all; both the depth test of z16 and nothing to count.
+// Thumb-1 has interpolated colours, Thumb-2 and SSE2 all; with the depth test of z16 and nothing to count.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +37,11 @@ template <bool gouraud, bool statistics>
 /// The pixels of a scan that is set up. May move its starts and rows.
 template <bool gouraud, bool statistics, class Rule>
 [[gnu::always_inline]] inline void scan_small(SmallScan& scan, const Rule& rule) {
-  if constexpr (kHasThumb && gouraud && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>>) {
+  constexpr bool kHasRule = !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>>;
+  if constexpr (kHasThumb && gouraud && kHasRule) {
     scan_small_thumb(scan);
+  } else if constexpr (kHasThumb2 && kHasRule) {
+    scan_small_flat_thumb(scan);
   } else {
     PortableSmallStages::draw<gouraud, statistics>(scan, rule);
   }

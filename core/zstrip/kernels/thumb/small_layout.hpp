@@ -27,7 +27,8 @@ static_assert(kPixelCentre == 15);
 static_assert(PackedEdges::kSigns == 0x80200400U);
 
 static_assert(offsetof(ThumbSmallRun, scan) == 0);
-static_assert(offsetof(SmallScan, first_column) == 96 && offsetof(SmallScan, first_row) == 100);
+static_assert(offsetof(SmallScan, first_column) == 96 && offsetof(SmallScan, first_row) == 100 &&
+              offsetof(SmallScan, flat_colour) == 104);
 static_assert(offsetof(ThumbSmallRun, vertices) == 112 && offsetof(ThumbSmallRun, colours) == 116);
 static_assert(offsetof(ThumbSmallRun, area) == 120 && offsetof(Rect, left) == 0 && offsetof(Rect, top) == 4 &&
               offsetof(Rect, right) == 8 && offsetof(Rect, bottom) == 12);

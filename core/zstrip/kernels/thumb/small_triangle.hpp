@@ -1,4 +1,4 @@
-// Set-up and scan of small triangles with interpolated colours, in assembly for Cortex-M.
+// Set-up and scan of small triangles, in assembly for Cortex-M.
 #pragma once
 
 #include "zstrip/geometry/project.hpp"
@@ -15,5 +15,7 @@ void set_up_small_thumb(SmallScan& scan, const SnappedVertex& v0, const SnappedV
 
 /// scan_small_portable<true, false> with the depth test of z16. Moves the scan's starts and rows.
 void scan_small_thumb(SmallScan& scan) asm("zstrip_scan_small_thumb");
+/// The same of one colour, scan_small_portable<false, false>. For Thumb-2.
+void scan_small_flat_thumb(SmallScan& scan);
 
 }  // namespace zstrip::detail

@@ -200,6 +200,61 @@ namespace zstrip::detail {
   )");
 }
 
+[[gnu::naked]] void scan_small_flat_thumb(SmallScan&) {
+  asm(R"(
+    push  {r4-r11, lr}
+    movw  lr, #0x0400                 @ the signs of the packed edges
+    movt  lr, #0x8020
+    ldrd  r3, r4, [r0, #16]           @ steps to the right: edges and depth
+    ldrd  r5, r6, [r0, #48]
+    ldrh  r7, [r0, #104]
+  .Lflat_row:
+    ldrd  r1, r2, [r0]                @ this row's starts
+    ldrd  r9, r10, [r0, #32]
+    add   r9, r9, r1
+    add   r10, r10, r2
+    strd  r9, r10, [r0]               @ the next row's starts
+    ldr   r11, [r0, #64]
+    mov   r8, r11                     @ columns left
+  .Lflat_skip:
+    tst   r1, lr
+    beq   .Lflat_first
+    add   r1, r1, r3
+    subs  r8, r8, #1
+    bne   .Lflat_skip
+    b     .Lflat_next_row
+  .Lflat_first:
+    sub   r11, r11, r8                @ the first covered column
+    mla   r2, r4, r11, r2
+    add   r12, r5, r11, lsl #1
+    sub   r10, r6, r5
+    subs  r10, r10, #2                @ from behind a cell of depth to its pixel
+  .Lflat_pixel:
+    ldrh  r9, [r12], #2
+    cmp   r9, r2, lsr #16
+    bhs   .Lflat_hidden
+    lsr   r9, r2, #16
+    strh  r9, [r12, #-2]
+    strh  r7, [r12, r10]
+  .Lflat_hidden:
+    add   r1, r1, r3
+    add   r2, r2, r4
+    subs  r8, r8, #1
+    beq   .Lflat_next_row
+    tst   r1, lr
+    beq   .Lflat_pixel
+  .Lflat_next_row:
+    ldrd  r9, r10, [r0, #56]
+    ldr   r11, [r0, #68]
+    add   r5, r5, r9, lsl #1
+    add   r6, r6, r10, lsl #1
+    subs  r11, r11, #1
+    str   r11, [r0, #68]
+    bne   .Lflat_row
+    pop   {r4-r11, pc}
+  )");
+}
+
 #endif
 
 }  // namespace zstrip::detail
