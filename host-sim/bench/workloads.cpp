@@ -13,6 +13,8 @@ constexpr std::array kWorkloads{
     Workload{"CT", "cube", "a textured cube that fills the picture: fill rate", 320, 240},
     Workload{"R50", "random50", "50 large flat triangles, no culling", 640, 480},
     Workload{"R10k", "random10k", "10000 small flat triangles, no culling", 640, 480},
+    Workload{"teapot", "teapot", "the Utah teapot, lit: medium Gouraud triangles", 320, 240},
+    Workload{"room", "room", "a lit, textured room that the camera stands in", 320, 240},
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace zstrip::sim {
 
 struct Workload {
-  std::string_view name;         ///< "K5", "CT", "R50" or "R10k"
+  std::string_view name;         ///< as "K5"
   std::string_view scene;        ///< name of the built-in scene
   std::string_view description;  ///< one phrase
   std::uint16_t width, height;   ///< in pixels, unless --size is given
