@@ -1,6 +1,6 @@
 // Which implementations of kernels the processor at hand takes instead of the portable ones: SSE2 on every x86-64, and
-// on x86 where it is enabled; assembly for Thumb-2 (Cortex-M3, M4, M7) and Thumb-1 (Cortex-M0, M0+), not for ARMv8-M,
-// where nothing here could try it.
+// on x86 where it is enabled; assembly for Thumb-2 (Cortex-M3, M4, M7, M33) and Thumb-1 (Cortex-M0, M0+), not for
+// the Cortex-M23, which no emulator here has.
 #pragma once
 
 // Macros, because neither compiler nor assembler must see what they do not support.
@@ -9,7 +9,8 @@
 #else
 #define ZSTRIP_HAS_SSE2 0
 #endif
-#if defined(__thumb2__) && (defined(__ARM_ARCH_7M__) || defined(__ARM_ARCH_7EM__))
+#if defined(__thumb2__) && (defined(__ARM_ARCH_7M__) || defined(__ARM_ARCH_7EM__) || defined(__ARM_ARCH_8M_MAIN__) || \
+                            defined(__ARM_ARCH_8_1M_MAIN__))
 #define ZSTRIP_HAS_THUMB2 1
 #else
 #define ZSTRIP_HAS_THUMB2 0

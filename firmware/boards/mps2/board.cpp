@@ -7,7 +7,11 @@
 namespace zstrip::board {
 namespace {
 
-constexpr std::uint32_t kUart0 = 0x40004000;  // offset 0 is the data register
+#if defined(__ARM_ARCH_8M_MAIN__)
+constexpr std::uint32_t kUart0 = 0x50200000;  // of AN505, secure; offset 0 is the data register
+#else
+constexpr std::uint32_t kUart0 = 0x40004000;  // of AN385, AN386 and AN500
+#endif
 constexpr std::uint32_t kUartState = 0x004;
 constexpr std::uint32_t kUartControl = 0x008;
 constexpr std::uint32_t kUartBaudDivider = 0x010;

@@ -6,7 +6,11 @@
 namespace zstrip::board {
 namespace {
 
-constexpr std::uint32_t kTimer0 = 0x40000000;  // offset 0 is the control register
+#if defined(__ARM_ARCH_8M_MAIN__)
+constexpr std::uint32_t kTimer0 = 0x50000000;  // of AN505, secure; offset 0 is the control register
+#else
+constexpr std::uint32_t kTimer0 = 0x40000000;
+#endif
 constexpr std::uint32_t kTimerValue = 0x004;
 constexpr std::uint32_t kTimerReload = 0x008;
 
