@@ -13,15 +13,24 @@
 namespace zstrip::sim {
 namespace {
 
-/// What a whole file has at least: stb_image reads zeros beyond the end of one that is cut off.
-std::uint64_t least_bytes(std::span<const std::uint8_t> file, std::uint64_t columns, std::uint64_t rows) {
-  if (!is_bitmap(file)) {
-    const bool in_runs = file[2] > 8;
-    const std::uint64_t bytes_of_pixel = (file[16] + 7U) / 8;
-    // A run has up to 128 pixels: its length, and one pixel.
-    if (in_runs) return 18 + (columns * rows + 127) / 128 * (1 + bytes_of_pixel);
-    return 18 + columns * rows * bytes_of_pixel;
+/// Where the pixels of a whole TGA file end.
+std::uint64_t end_of_targa(std::span<const std::uint8_t> file, std::uint64_t pixels) {
+  const std::uint64_t bytes_of_pixel = (file[16] + 7U) / 8;
+  const std::uint64_t colours = file[1] == 0 ? 0 : file[5] | static_cast<std::uint64_t>(file[6]) << 8;
+  std::uint64_t at = 18U + file[0] + colours * ((file[7] + 7U) / 8);
+  if (file[2] <= 8) return at + pixels * bytes_of_pixel;
+  // Runs: a length, then one pixel or as many.
+  while (pixels != 0 && at < file.size()) {
+    const std::uint64_t length = (file[at] & 0x7FU) + 1;
+    at += 1 + ((file[at] & 0x80) != 0 ? 1 : length) * bytes_of_pixel;
+    pixels -= std::min(pixels, length);
   }
+  return pixels == 0 ? at : file.size() + 1;
+}
+
+/// What a whole file has at least: stb_image reads what it finds beyond the end of one that is cut off.
+std::uint64_t least_bytes(std::span<const std::uint8_t> file, std::uint64_t columns, std::uint64_t rows) {
+  if (!is_bitmap(file)) return end_of_targa(file, columns * rows);
   const auto word = [&](std::size_t at) { return file[at] | static_cast<std::uint32_t>(file[at + 1]) << 8; };
   const bool is_old = word(14) == 12;  // OS/2's header
   const std::uint64_t bits = file.size() < 30 || is_old ? word(24) : word(28);
@@ -47,6 +56,7 @@ Result<RgbImage> decode_bitmap_or_targa(std::span<const std::uint8_t> file, cons
     return damaged_picture(kind, "its header is damaged");
   }
   constexpr int kLimit = static_cast<int>(kMaxImageSide);
+  if (height < 0 && height >= -kLimit) height = -height;  // a BMP from the top down
   if (width < 1 || height < 1 || width > kLimit || height > kLimit) return damaged_picture(kind, "size out of range");
   const auto columns = static_cast<std::uint32_t>(width), rows = static_cast<std::uint32_t>(height);
   if (file.size() < least_bytes(file, columns, rows)) return damaged_picture(kind, "it is cut off");

@@ -49,7 +49,7 @@ const Node& node_at(const NodeTree& tree, std::int32_t index) { return tree.node
 
 Affine placed(const Node& node, const NodeCurves* curves, double seconds) {
   if (curves == nullptr) return node.at_rest;
-  Placement placement = to_placement(node.at_rest);
+  Placement placement = node.parts ? *node.parts : to_placement(node.at_rest);
   if (!curves->translation.times.empty()) placement.translation = sample(curves->translation, seconds);
   if (!curves->rotation.times.empty()) placement.rotation = sample(curves->rotation, seconds);
   if (!curves->scale.times.empty()) placement.scale = sample(curves->scale, seconds);

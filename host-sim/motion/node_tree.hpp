@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,10 +28,11 @@ inline constexpr std::int32_t kNoNode = -1;
 
 /// A node that some animation moves; all others are part of what is below or above them.
 struct Node {
-  std::int32_t parent = kNoNode;  ///< the nearest ancestor that is moved too: a smaller index
-  Affine before;                  ///< from where the node is placed to the parent, or to the file's coordinates
-  Affine at_rest;                 ///< where the file places it, in these
-  std::string name{};             ///< the file's, or "node" and its number there; for messages
+  std::int32_t parent = kNoNode;     ///< the nearest ancestor that is moved too: a smaller index
+  Affine before;                     ///< from where the node is placed to the parent, or to the file's coordinates
+  Affine at_rest;                    ///< where the file places it, in these
+  std::optional<Placement> parts{};  ///< likewise, as the file says it: a matrix does not tell which axis is mirrored
+  std::string name{};                ///< the file's, or "node" and its number there; for messages
 };
 
 /// What moves one node; what is empty stays as it is at rest.

@@ -124,6 +124,20 @@ TEST_F(GltfAnimation, RotationCarriesChildren) {
   }
 }
 
+/// A matrix alone would be split into another mirror and a half turn, which the keys then replace.
+TEST_F(GltfAnimation, KeysOfAMirroredNodeKeepItsMirror) {
+  std::string content = swinging("rotation", "LINEAR", {0, 0, 0, 1, 0, 0, std::sqrt(0.5F), std::sqrt(0.5F)});
+  const std::string_view arm = R"("name":"arm",)";
+  content.insert(content.find(arm) + arm.size(), R"("scale":[-1,1,1],)");
+  const auto stage = opened(content);
+  ASSERT_TRUE(stage);
+  for (std::uint32_t frame = 0; frame < 8; ++frame) {
+    const double angle = std::numbers::pi / 2 * frame / 8;
+    EXPECT_NEAR(hand(*stage, frame)[0], 3 * std::cos(angle), 5e-3) << frame;
+    EXPECT_NEAR(hand(*stage, frame)[1], 3 * std::sin(angle), 5e-3) << frame;
+  }
+}
+
 TEST_F(GltfAnimation, ScaleGrows) {
   const auto stage = opened(swinging("scale", "LINEAR", {1, 1, 1, 2, 2, 2}));
   ASSERT_TRUE(stage);

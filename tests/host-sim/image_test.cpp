@@ -168,6 +168,17 @@ TEST(Decode, Targa) {
   ASSERT_TRUE(one) << one.failure().message;
   EXPECT_EQ(one->rgb,
             (std::vector<std::uint8_t>{10, 20, 30, 10, 20, 30, 10, 20, 30, 10, 20, 30, 10, 20, 30, 10, 20, 30}));
+  // Cut off in its palette, its text, or its runs.
+  std::vector<std::uint8_t> text = runs;
+  text[0] = 255;
+  EXPECT_FALSE(decode_image(text));
+  std::vector<std::uint8_t> short_runs = runs;
+  short_runs[18] = 0x84;
+  EXPECT_FALSE(decode_image(short_runs));
+  std::vector<std::uint8_t> palette = head;
+  palette[1] = palette[2] = 1, palette[5] = 200, palette[7] = 24, palette[16] = 8;
+  palette.insert(palette.end(), 30, 0);
+  EXPECT_FALSE(decode_image(palette));
   // A small file that claims to be large.
   runs[13] = runs[15] = 0x30;
   EXPECT_FALSE(decode_image(runs));
@@ -178,6 +189,15 @@ TEST(Decode, Bitmap) {
                                  3,   0,   0,  0, 2, 0, 0, 0, 1, 0, 24, 0, 0, 0, 0,  0, 24, 0,
                                  0,   0,   0,  0, 0, 0, 0, 0, 0, 0, 0,  0, 0, 0, 0,  0, 0,  0};
   file.insert(file.end(), {255, 255, 255, 0, 0, 0, 128, 128, 128, 0, 0, 0, 0, 0, 255, 0, 255, 0, 255, 0, 0, 0, 0, 0});
+  expect_whole_only(file);
+}
+
+/// A negative height says that the first row is the highest.
+TEST(Decode, BitmapFromTheTopDown) {
+  std::vector<std::uint8_t> file{'B', 'M', 78, 0, 0,    0,    0,    0,    0, 0, 54, 0, 0, 0, 40, 0, 0,  0,
+                                 3,   0,   0,  0, 0xFE, 0xFF, 0xFF, 0xFF, 1, 0, 24, 0, 0, 0, 0,  0, 24, 0,
+                                 0,   0,   0,  0, 0,    0,    0,    0,    0, 0, 0,  0, 0, 0, 0,  0, 0,  0};
+  file.insert(file.end(), {0, 0, 255, 0, 255, 0, 255, 0, 0, 0, 0, 0, 255, 255, 255, 0, 0, 0, 128, 128, 128, 0, 0, 0});
   expect_whole_only(file);
 }
 

@@ -14,17 +14,16 @@ namespace {
 constexpr std::size_t kMaxMoved = 4096;
 constexpr std::uint32_t kDeepestMoved = 64;
 
-Affine local_of_node(const GltfJson& node) {
-  if (member(node, "matrix").is_array()) {
-    return affine_of_columns(numbers_in<16>(node, "matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}));
-  }
+/// Empty where it has a matrix.
+std::optional<Placement> parts_of_node(const GltfJson& node) {
+  if (member(node, "matrix").is_array()) return {};
   Placement placement{.translation = numbers_in<3>(node, "translation", {0, 0, 0}),
                       .rotation = numbers_in<4>(node, "rotation", {0, 0, 0, 1}),
                       .scale = numbers_in<3>(node, "scale", {1, 1, 1})};
   const Quaternion& q = placement.rotation;
   const double square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
   if (!(std::isfinite(square) && square > 1e-12)) placement.rotation = {0, 0, 0, 1};
-  return to_affine(placement);
+  return placement;
 }
 
 }  // namespace
@@ -43,7 +42,11 @@ Result<GltfNodes> GltfNodes::read(const GltfJson& json, const Affine& turn) {
   read.nodes_.resize(count_of(json, "nodes"));
   for (std::size_t i = 0; i < read.nodes_.size(); ++i) {
     const GltfJson& node = element(nodes, i);
-    read.nodes_[i].local = local_of_node(node);
+    read.nodes_[i].parts = parts_of_node(node);
+    read.nodes_[i].local =
+        read.nodes_[i].parts
+            ? to_affine(*read.nodes_[i].parts)
+            : affine_of_columns(numbers_in<16>(node, "matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}));
     read.nodes_[i].name = text_in(node, "name");
     if (read.nodes_[i].name.empty()) read.nodes_[i].name = fmt::format("node {}", i);
     const GltfJson& children = member(node, "children");
@@ -124,7 +127,7 @@ void GltfNodes::set_moved(const std::set<std::size_t>& moved, const Affine& turn
       if (model.nodes.nodes.size() >= kMaxMoved || ++at.depth > kDeepestMoved) return give_up("too many nodes move");
       const auto index = static_cast<std::int32_t>(model.nodes.nodes.size());
       model.nodes.nodes.push_back(
-          {.parent = at.mover, .before = at.before, .at_rest = place.local, .name = place.name});
+          {.parent = at.mover, .before = at.before, .at_rest = place.local, .parts = place.parts, .name = place.name});
       at.mover = index;
       at.before = {};
     } else {

@@ -36,6 +36,7 @@ class GltfNodes {
  private:
   struct Place {
     Affine local, world;
+    std::optional<Placement> parts;  ///< of `local`, unless the file has a matrix
     std::int32_t mover = kNoNode;
     std::vector<std::size_t> children;
     std::optional<std::size_t> parent;
