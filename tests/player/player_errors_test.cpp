@@ -139,6 +139,22 @@ TEST(PlayerErrors, OfClipping) {
   EXPECT_TRUE(player.draw(lit.screen.display)) << player.error();
 }
 
+TEST(PlayerErrors, OfConstantsThatAreNoScene) {
+  Lit lit;
+  SceneBlob opened;
+  Memory tables(1 << 16);
+  ASSERT_TRUE(open_scene_blob(lit.blob.memory.span(), tables.span(), opened));
+  std::vector<Instance> instances(opened.scene.instances.begin(), opened.scene.instances.end());
+  instances[0].mesh = 77;
+  Scene wrong = opened.scene;
+  wrong.instances = instances;
+  ASSERT_TRUE(lit.player.open({wrong, opened.camera}, opened.view));
+  EXPECT_FALSE(lit.player.fit(lit.screen.display));
+  EXPECT_EQ(std::string(lit.player.error()), std::string("the frame cannot begin: ") + message(Error::instance));
+  EXPECT_FALSE(lit.player.draw(lit.screen.display));
+  EXPECT_STREQ(lit.player.error(), "no display is fitted: fit() comes before draw()");
+}
+
 TEST(PlayerErrors, OfWhatTurnsFarAway) {
   Lit lit;
   SceneBlob opened;

@@ -93,6 +93,20 @@ TEST(Player, TakesTheConstantsOfAHeader) {
   EXPECT_EQ(screen.pixels, drawn_directly(blob, screen, {.time = 77}));
 }
 
+TEST(Player, HasOneBufferOrTwo) {
+  Blob blob = blob_of("teapot_meshlets");
+  Screen screen(160, 120, hal::PixelFormat::rgb565);
+  for (int buffers = 0; buffers < 5; ++buffers) {
+    Memory memory(30'000);
+    Player player(memory.span(), drawn_with_any);
+    ASSERT_TRUE(player.open(blob.data(), blob.size())) << player.error();
+    const FitOptions options{.strip_buffers = static_cast<std::uint8_t>(buffers), .split_columns = buffers % 2 == 1};
+    ASSERT_TRUE(player.fit(screen.display, options)) << player.error();
+    ASSERT_TRUE(player.draw(screen.display)) << player.error();
+    EXPECT_EQ(screen.pixels, drawn_directly(blob, screen)) << buffers;
+  }
+}
+
 TEST(Player, HandsOutStrips) {
   Blob blob = blob_of("teapot_meshlets");
   Screen screen(160, 120, hal::PixelFormat::rgb565);

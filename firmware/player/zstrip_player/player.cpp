@@ -15,6 +15,14 @@ constexpr std::size_t kAlignment = kArenaAlignment;
 static_assert(kSceneBlobMemoryAlignment <= kAlignment && alignof(Instance) <= kAlignment &&
               alignof(Font) <= kAlignment);
 
+static_assert(static_cast<int>(hal::PixelFormat::rgb565) == static_cast<int>(PixelFormat::rgb565) &&
+              static_cast<int>(hal::PixelFormat::rgb565_swapped) == static_cast<int>(PixelFormat::rgb565_swapped) &&
+              static_cast<int>(hal::PixelFormat::gray4) == static_cast<int>(PixelFormat::gray4) &&
+              static_cast<int>(hal::PixelFormat::mono) == static_cast<int>(PixelFormat::mono) &&
+              static_cast<int>(hal::PixelFormat::rgb666) == static_cast<int>(PixelFormat::rgb666) &&
+              static_cast<int>(hal::PixelFormat::rgb444) == static_cast<int>(PixelFormat::rgb444) &&
+              static_cast<int>(hal::PixelFormat::xrgb8888) == static_cast<int>(PixelFormat::xrgb8888));
+
 constexpr std::uint64_t in_whole_words(std::uint64_t bytes) {
   return (bytes + kAlignment - 1) / kAlignment * kAlignment;
 }
@@ -104,7 +112,7 @@ bool Player::open(const void* blob, std::size_t size) {
 }
 
 bool Player::open(const scenes::AtRest& scene, const View& baked_for) {
-  is_fitted_ = has_clock_ = false;
+  is_open_ = is_fitted_ = has_clock_ = false;
   used_ = used_open_ = time_ = 0;
   fault_ = Fault::none;
   baked_ = {.scene = scene.scene,
@@ -118,11 +126,12 @@ bool Player::open(const scenes::AtRest& scene, const View& baked_for) {
 
 bool Player::plan_strips(const FitOptions& options, std::uint16_t row_step) {
   const std::span<std::byte> free = left();
+  const std::uint8_t buffers = options.strip_buffers > 1 ? 2 : 1;
   // Arena and strips begin at whole words.
-  const std::uint32_t gaps = static_cast<std::uint32_t>(kAlignment) * (options.strip_buffers + 1U);
+  const std::uint32_t gaps = static_cast<std::uint32_t>(kAlignment) * (buffers + 1U);
   Budget budget{.bytes = free.size() > gaps ? std::min(saturated(free.size() - gaps), kMaxArena) : 1,
                 .split_columns = options.split_columns,
-                .strip_buffers = options.strip_buffers};
+                .strip_buffers = buffers};
   const SceneCounts counts = count(baked_.scene);
   PlanResult planned = zstrip::plan(counts, view_, drawn_with_.effects, budget);
   if (row_step > 1 && planned.plan.strip_rows % row_step != 0) {
@@ -140,7 +149,7 @@ bool Player::plan_strips(const FitOptions& options, std::uint16_t row_step) {
   plan_ = planned.plan;
   arena_ = take(plan_.bytes());
   strips_[0] = take(plan_.strip_pixel_bytes(view_));
-  strips_[1] = options.strip_buffers > 1 ? take(plan_.strip_pixel_bytes(view_)) : std::span<std::byte>();
+  strips_[1] = buffers > 1 ? take(plan_.strip_pixel_bytes(view_)) : std::span<std::byte>();
   return true;
 }
 

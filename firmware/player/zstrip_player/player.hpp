@@ -48,7 +48,7 @@ class Player {
 
   /// 1. A scene blob (`zstrip bake MODEL -o scene.zsc`), used where it lies, at a multiple of 4. Any bytes are safe.
   bool open(const void* blob, std::size_t size);
-  /// Or the constants of a baked header:
+  /// Or the constants of a baked header; of others, the animation has passed validate():
   ///     open({baked::kScene, baked::kCamera, baked::kAnimation, baked::kTurn}, baked::kView)
   bool open(const scenes::AtRest& scene, const View& baked_for);
 
