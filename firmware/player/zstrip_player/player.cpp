@@ -153,9 +153,9 @@ bool Player::plan_strips(const FitOptions& options, std::uint16_t row_step) {
   return true;
 }
 
-bool Player::fit(std::uint16_t width, std::uint16_t height, PixelFormat format, const FitOptions& options,
-                 std::uint16_t row_step) {
-  is_fitted_ = false;
+/// All of fit() but its frame, so that what this takes of the stack is not beneath that.
+bool Player::prepare(std::uint16_t width, std::uint16_t height, PixelFormat format, const FitOptions& options,
+                     std::uint16_t row_step) {
   used_ = used_open_;
   fault_ = Fault::none;
   if (!is_open_) return fail(Fault::not_open);
@@ -189,9 +189,14 @@ bool Player::fit(std::uint16_t width, std::uint16_t height, PixelFormat format, 
     }
   }
   can_turn_ = scenes::can_turn({baked_.scene, camera_, baked_.animation, baked_.turn});
-  if (!plan_strips(options, row_step)) return false;
   state_ = {};
-  is_fitted_ = true;
+  return plan_strips(options, row_step);
+}
+
+bool Player::fit(std::uint16_t width, std::uint16_t height, PixelFormat format, const FitOptions& options,
+                 std::uint16_t row_step) {
+  is_fitted_ = prepare(width, height, format, options, row_step);
+  if (!is_fitted_) return false;
   is_fitted_ = begin();  // what a frame is refused for is noticed now
   return is_fitted_;
 }

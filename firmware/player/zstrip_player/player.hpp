@@ -147,6 +147,8 @@ class Player {
   std::span<std::byte> take(std::uint64_t bytes);
   template <class T>
   bool take_table(std::size_t count, std::span<T>& table, Fault fault);
+  bool prepare(std::uint16_t width, std::uint16_t height, PixelFormat format, const FitOptions& options,
+               std::uint16_t row_step);
   bool plan_strips(const FitOptions& options, std::uint16_t row_step);
   Camera placed_camera() const;
   bool stage();
