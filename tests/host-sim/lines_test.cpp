@@ -139,8 +139,8 @@ std::string triangle_and_lines(const std::string& node, const std::string& attri
 
 TEST_F(ModelLines, OfSkinsAreLeftOutAndSaid) {
   const Model bent =
-      model(file("bent.gltf", triangle_and_lines(R"("mesh":0,"skin":0)", R"(,"JOINTS_0":2,"WEIGHTS_0":3)",
-                                                 R"("skins":[{"joints":[1]}],)")));
+      model(file("bent.gltf", triangle_and_lines(R"("mesh":0,"skin":0,"children":[1])",
+                                                 R"(,"JOINTS_0":2,"WEIGHTS_0":3)", R"("skins":[{"joints":[1]}],)")));
   EXPECT_EQ(bent.skins.size(), 1U);
   EXPECT_TRUE(bent.lines.empty());
   EXPECT_EQ(bent.warnings, std::vector<std::string>{"2 lines left out: skins bend triangles only"});

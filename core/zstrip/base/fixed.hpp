@@ -80,8 +80,8 @@ constexpr std::uint64_t long_product(std::uint32_t a, std::uint32_t b) {
 constexpr std::int64_t long_product(std::int32_t a, std::int32_t b) {
   if constexpr (!kMultipliesLong) {
     const auto low = static_cast<std::uint32_t>(a) * static_cast<std::uint32_t>(b);
-    return static_cast<std::int64_t>(
-        (std::uint64_t{static_cast<std::uint32_t>(multiply_high_in_halves(a, b))} << 32) | low);
+    return static_cast<std::int64_t>((std::uint64_t{static_cast<std::uint32_t>(multiply_high_in_halves(a, b))} << 32) |
+                                     low);
   }
   return std::int64_t{a} * b;
 }
