@@ -22,6 +22,9 @@ namespace zstrip::test {
 
 inline constexpr const char* kScenes[] = {"teapot_meshlets", "fog", "overlay", "csg", "lines", "robot", "room"};
 
+/// What `teapot_meshlets` calls for.
+inline constexpr Effects kTeapot = effect::lighting | effect::gouraud | effect::shade_gouraud;
+
 /// Bytes at an address that is a multiple of 8, so many beyond it.
 class Memory {
  public:

@@ -4,8 +4,6 @@
 namespace zstrip::test {
 namespace {
 
-constexpr Effects kTeapot = effect::lighting | effect::gouraud | effect::shade_gouraud;
-
 struct Lit {
   Blob blob = blob_of("teapot_meshlets");
   Screen screen{120, 90, hal::PixelFormat::rgb565};

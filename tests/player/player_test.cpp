@@ -65,7 +65,6 @@ TEST(Player, DrawsEveryFormat) {
 }
 
 TEST(Player, DrawsWithThePipelineOfAScene) {
-  constexpr Effects kTeapot = effect::lighting | effect::gouraud | effect::shade_gouraud;
   Blob blob = blob_of("teapot_meshlets");
   Screen screen(160, 120, hal::PixelFormat::rgb565);
   for (const std::uint8_t buffers : {std::uint8_t{1}, std::uint8_t{2}}) {
