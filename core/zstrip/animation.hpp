@@ -28,10 +28,11 @@ struct Track {
   std::uint32_t first;     ///< index into Animation::keyframes
 };
 
+/// Motion of a scene's instances, which begins again when it ends. A view of tables in flash or in a blob.
 struct Animation {
-  std::span<const Track> tracks;  ///< empty: nothing moves
-  std::span<const Keyframe> keyframes;
-  std::uint32_t duration = 0;  ///< milliseconds, > 0 if there are tracks; begins again after it
+  std::span<const Track> tracks;        ///< empty: nothing moves
+  std::span<const Keyframe> keyframes;  ///< of all tracks
+  std::uint32_t duration = 0;           ///< milliseconds, > 0 if there are tracks; begins again after it
 };
 
 /// Error::animation (`needed` = index of the track) for what does not exist, times that do not grow, quaternions that

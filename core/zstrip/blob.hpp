@@ -33,8 +33,8 @@ inline constexpr Effects kPictureEffects[] = {{},
 
 /// What a blob holds. `scene` reads the blob and the memory lent to open_scene_blob: both must outlive it, unchanged.
 struct SceneBlob {
-  Scene scene;
-  Camera camera;
+  Scene scene;            ///< has passed validate()
+  Camera camera;          ///< from which it was baked
   View view;              ///< the picture for which the camera was placed
   BspTree tree{};         ///< for method::bsp, of the scene's only instance; without nodes: none was baked
   Animation animation{};  ///< of the scene's instances, which are to be copied into RAM for it; empty: nothing moves
@@ -64,6 +64,7 @@ constexpr std::size_t scene_blob_memory(std::uint32_t meshes, std::uint32_t text
          std::size_t{images} * sizeof(OverlayImage) + std::size_t{fonts} * sizeof(Font) +
          std::size_t{labels} * sizeof(Label);
 }
+/// Of the memory that is lent to open_scene_blob.
 inline constexpr std::size_t kSceneBlobMemoryAlignment = alignof(Mesh);
 
 /// Checks all of `blob`, checksum, offsets and scene (validate) included, and then makes `opened` a view of it. On an

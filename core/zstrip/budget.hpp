@@ -11,27 +11,32 @@ namespace zstrip {
 
 /// What a plan needs to know of a scene. 0xFFFFFFFF: that many or more. An outline counts as an instance of its hull.
 struct SceneCounts {
-  std::uint32_t instances = 0;
+  std::uint32_t instances = 0;        ///< and outlines
   std::uint32_t triangles = 0;        ///< of all instances
   std::uint32_t vertices = 0;         ///< of all meshlets of all instances: shared ones count in each
   std::uint32_t largest_meshlet = 0;  ///< most vertices that one meshlet uses
   std::uint32_t meshlets = 0;         ///< of all instances; a mesh without any counts as one
   std::uint32_t longest_meshlet = 0;  ///< most triangles in one meshlet
-  std::uint32_t quadrics = 0;
-  std::uint32_t line_sets = 0;
-  std::uint32_t shadow_side = 0;  ///< of the shadow map, in texels
-  std::uint32_t shadow_pool = 0;  ///< bytes of the pool that it is compressed in
-  std::uint32_t csg_operands = 0;
-  std::uint32_t edge_groups = 0;  ///< of edges that are anti-aliased, of all instances: kEdgesOfGroup each
+  std::uint32_t quadrics = 0;         ///< of Scene::quadrics
+  std::uint32_t line_sets = 0;        ///< of Scene::lines
+  std::uint32_t shadow_side = 0;      ///< of the shadow map, in texels
+  std::uint32_t shadow_pool = 0;      ///< bytes of the pool that it is compressed in
+  std::uint32_t csg_operands = 0;     ///< of Scene::csg
+  std::uint32_t edge_groups = 0;      ///< of edges that are anti-aliased, of all instances: kEdgesOfGroup each
 };
 
+/// How geometry gets into the strips.
 enum class Mode : std::uint8_t {
   streamed,  ///< strips transform the meshlets that touch them again: least memory
   binned,    ///< geometry is transformed once, triangles wait in a list for each strip: least time
 };
 
 /// Which modes the planner may choose from; `any` is both where the effects have effect::bins.
-enum class Modes : std::uint8_t { any, streamed, binned };
+enum class Modes : std::uint8_t {
+  any,       ///< the faster one that fits
+  streamed,  ///< Mode::streamed alone
+  binned,    ///< Mode::binned alone; needs effect::bins
+};
 
 /// What the caller allows. Zero means: the planner decides.
 struct Budget {
@@ -41,27 +46,29 @@ struct Budget {
                                     ///< or what is fastest if `split_columns`
   bool split_columns = false;       ///< the display takes rectangles that are narrower than the picture
   std::uint8_t strip_buffers = 0;   ///< buffers of strip_pixel_bytes() that `bytes` has to hold, too: 0 .. 2
-  Modes modes = Modes::any;
+  Modes modes = Modes::any;         ///< without effect::bins all plans are streamed
   LayerBytes layer{};  ///< of a static layer that keeps this picture: its strips then begin and end between tiles
 };
 
-inline constexpr std::uint32_t kArenaAlignment = 8;
+inline constexpr std::uint32_t kArenaAlignment = 8;     ///< bytes
 inline constexpr std::uint32_t kMaxArena = 0xFFFFFFF0;  ///< bytes; needs beyond it are refused
 
+/// How a picture is cut into strips, and the bytes of the arena by purpose. Good for any frame of a scene with the same
+/// counts.
 struct Plan {
-  Mode mode = Mode::streamed;
-  std::uint16_t strip_rows = 0;
+  Mode mode = Mode::streamed;        ///< how geometry gets into the strips
+  std::uint16_t strip_rows = 0;      ///< pixels; the last strips of a column may have fewer
   std::uint16_t strip_columns = 0;   ///< the view's width where strips are not split
   std::uint16_t strips = 0;          ///< row by row, from left to right
   std::uint32_t instance_bytes = 0;  ///< of quadrics and sets of lines, too
   std::uint32_t extent_bytes = 0;    ///< which strips a meshlet touches; none for a single streamed strip
-  std::uint32_t vertex_bytes = 0;
-  std::uint32_t depth_bytes = 0;   ///< a cell a sample; with effect::edges a pixel more on each side
+  std::uint32_t vertex_bytes = 0;    ///< transformed vertices: of a meshlet, or of all where they are binned
+  std::uint32_t depth_bytes = 0;     ///< a cell a sample; with effect::edges a pixel more on each side
   std::uint32_t colour_bytes = 0;  ///< RGB565 working strip; only for formats that are not drawn in place, samples and
                                    ///< edges
-  std::uint32_t bin_bytes = 0;
-  std::uint32_t effect_bytes = 0;      ///< what effects keep through a frame: fog, local light, drawing order,
-                                       ///< what CSG notes of a strip's pixels
+  std::uint32_t bin_bytes = 0;     ///< lists of triangles, one a strip; none where streamed
+  std::uint32_t effect_bytes = 0;  ///< what effects keep through a frame: fog, local light, drawing order,
+                                   ///< what CSG notes of a strip's pixels
   std::uint32_t visibility_bytes = 0;  ///< what a visibility method keeps: order of triangles, or bounds of depth
   /// The arena. It must be aligned to kArenaAlignment. Of a plan that `plan` returned never more than kMaxArena.
   constexpr std::uint32_t bytes() const {
@@ -77,10 +84,11 @@ struct Plan {
   constexpr std::uint32_t strip_pixel_bytes(const View& view) const {
     return strip_rows * bytes_per_row(strip_columns, view.format);
   }
-  /// Strips side by side, and one below the other.
+  /// Strips side by side.
   constexpr std::uint32_t columns_of_strips(const View& view) const {
     return (std::uint32_t{view.width} + strip_columns - 1U) / strip_columns;
   }
+  /// Strips one below the other.
   constexpr std::uint32_t rows_of_strips(const View& view) const {
     return (std::uint32_t{view.height} + strip_rows - 1U) / strip_rows;
   }
@@ -102,8 +110,8 @@ struct Plan {
 /// the most of them), and `plan` is that smallest one. (With Modes::binned alone: the smallest of those that were
 /// tried.)
 struct PlanResult {
-  Status status;
-  Plan plan;
+  Status status;  ///< Error::none: the plan fits the budget
+  Plan plan;      ///< of least estimated_cost, or the smallest possible one
 };
 
 }  // namespace zstrip

@@ -6,8 +6,13 @@
 
 namespace zstrip {
 
-enum class Projection : std::uint8_t { perspective, orthographic };
+/// How points become pixels.
+enum class Projection : std::uint8_t {
+  perspective,   ///< what is farther is smaller
+  orthographic,  ///< as large at any distance; calls for effect::orthographic
+};
 
+/// Where the picture is taken from, and what of space is in it. look_at and orbit set the axes.
 struct Camera {
   Vec3 right{1 << 30, 0, 0};      ///< 2.30, unit, in world space
   Vec3 up{0, 1 << 30, 0};         ///< 2.30, unit
@@ -15,10 +20,10 @@ struct Camera {
   Vec3 eye{0, 0, 3 * kFixedOne};  ///< 16.16, world
   /// 16.16. Perspective: cotangent of half the vertical field of view. Orthographic: 1 / (half the height of the view
   /// in world units).
-  Fixed focal = 113512;               // 16.16: cot(30 degrees)
-  Fixed near_plane = 6554;            ///< 16.16, > 0
-  Fixed far_plane = 100 * kFixedOne;  ///< 16.16, > near_plane
-  Projection projection = Projection::perspective;
+  Fixed focal = 113512;                             // 16.16: cot(30 degrees)
+  Fixed near_plane = 6554;                          ///< 16.16, > 0
+  Fixed far_plane = 100 * kFixedOne;                ///< 16.16, > near_plane
+  Projection projection = Projection::perspective;  ///< what `focal` means
   /// Depth codes span near_plane..far_plane in every frame, so that depths of different frames can be compared. Else
   /// they are fitted to what each frame's scene can reach, which resolves more.
   bool fixed_depth_range = false;

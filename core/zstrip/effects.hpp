@@ -14,16 +14,22 @@ namespace zstrip {
 struct Effects {
   std::uint64_t bits = 0;     ///< namespace effect
   std::uint32_t methods = 0;  ///< namespace method: how visibility is found; none is the z-buffer
+  /// Whether all of `other` are in it.
   constexpr bool has(Effects other) const { return (*this & other) == other; }
+  /// Whether at least one of `other` is in it.
   constexpr bool any(Effects other) const { return (*this & other) != Effects{}; }
+  /// Those of either.
   friend constexpr Effects operator|(Effects a, Effects b) { return {a.bits | b.bits, a.methods | b.methods}; }
+  /// Those of both.
   friend constexpr Effects operator&(Effects a, Effects b) { return {a.bits & b.bits, a.methods & b.methods}; }
+  /// Those of `a` that are not in `b`.
   friend constexpr Effects without(Effects a, Effects b) { return {a.bits & ~b.bits, a.methods & ~b.methods}; }
   friend constexpr bool operator==(const Effects&, const Effects&) = default;
 };
 
 // Members of these two namespaces read as values: effect::lighting.
 // NOLINTBEGIN(readability-identifier-naming)
+/// The effects, each a set of one.
 namespace effect {
 inline constexpr Effects lighting{1U << 0};        ///< some material is lit and there is a light or normals
 inline constexpr Effects gouraud{1U << 1};         ///< colour varies over a triangle
@@ -41,6 +47,7 @@ inline constexpr Effects depth_24{1U << 9};     ///< DepthFormat::z24
 inline constexpr Effects depth_32{1U << 10};    ///< DepthFormat::z32
 /// z16 in sub-ranges that save clears; see Renderer::begin_frame. Never called for by a scene.
 inline constexpr Effects depth_ranges{1U << 11};
+/// All that select a format of depth: at most one of them.
 inline constexpr Effects depth_formats{depth_float.bits | depth_w16.bits | depth_24.bits | depth_32.bits};
 /// Can carry out plans of Mode::binned; never called for by a scene. Sub-ranges cannot be binned.
 inline constexpr Effects bins{1U << 12};
@@ -49,11 +56,13 @@ inline constexpr Effects bins{1U << 12};
 inline constexpr Effects perspective_affine{std::uint64_t{1} << 40};  ///< only at the triangle's corners
 inline constexpr Effects perspective_8{std::uint64_t{1} << 41};       ///< at every 8th pixel
 inline constexpr Effects perspective_1{std::uint64_t{1} << 42};       ///< at every pixel
+/// All of these.
 inline constexpr Effects perspective_runs{perspective_affine.bits | perspective_8.bits | perspective_1.bits};
 /// How 1/w of a vertex is found; none of them is to 2^-28. z16 with perspective only, and no shadows. At most one;
 /// never called for by a scene.
 inline constexpr Effects coarse_reciprocal{std::uint64_t{1} << 43};  ///< to 2^-15, without the Newton step
 inline constexpr Effects table_reciprocal{std::uint64_t{1} << 44};   ///< to 2^-9, from a table alone
+/// All of these.
 inline constexpr Effects short_reciprocals{coarse_reciprocal.bits | table_reciprocal.bits};
 
 // Of light and of fragments. Each needs nothing of the others.
@@ -151,7 +160,7 @@ inline constexpr Effects bounded{0, hierarchical_z.methods | midpoint_safe.metho
 inline constexpr Effects splitting{0, midpoint.methods | midpoint_safe.methods};      ///< any splits at centroids
 inline constexpr Effects orders{0, in_order.methods | bsp.methods};  ///< any replaces the painter's key
 inline constexpr Effects own{0, (1U << 7) - 1};                      ///< all but culling: other ways to see
-inline constexpr Effects any{0, own.methods | culling.methods};
+inline constexpr Effects any{0, own.methods | culling.methods};      ///< all
 }  // namespace method
 // NOLINTEND(readability-identifier-naming)
 
@@ -220,6 +229,7 @@ constexpr bool is_lit_by_pixel(const Mesh& mesh, const Material& material) {
   return material.smooth == Shading::pixel && material.lit && !mesh.normals.empty();
 }
 
+/// Whether it adds nothing; alpha means nothing.
 constexpr bool is_black(const Colour& colour) { return colour.r == 0 && colour.g == 0 && colour.b == 0; }
 
 /// The shade of an instance that is not drawn fragment by fragment.
@@ -229,6 +239,7 @@ constexpr Effects shade_effect(bool textured, bool lit, bool varies) {
   return varies ? effect::shade_textured_gouraud : effect::shade_textured_flat;
 }
 
+/// The effects but for effect::shades.
 constexpr Effects without_shades(Effects effects) { return without(effects, effect::shades); }
 
 /// What a renderer with `effects` lacks of those that are called for.

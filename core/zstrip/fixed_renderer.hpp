@@ -28,6 +28,7 @@ template <const Scene& scene, const View& view, Budget budget = Budget{}, Effect
           Projection projection = Projection::perspective, SceneCounts counts = count(scene)>
 class FixedRenderer {
  public:
+  /// What the pipeline is made for.
   static constexpr Effects kEffects = effects_of(scene, Camera{.projection = projection}) | effects_of(view) | more;
 
  private:
@@ -39,7 +40,9 @@ class FixedRenderer {
                 "visibility methods, sub-ranges of depth and samples need a Renderer");
 
  public:
+  /// The strips, and what the arena holds.
   static constexpr Plan kPlan = kPlanned.plan;
+  /// Bytes of the largest strip: the size of the pixel buffer.
   static constexpr std::uint32_t kStripBytes = kPlan.strip_pixel_bytes(view);
 
   /// The scene with its instances in RAM, where they move. Refers to itself: it stays where it is.

@@ -55,7 +55,9 @@ class StaticLayer {
   /// Error::store_range if it is not of whole tiles, Error::pixels_too_small, or a store's error.
   Status restore(const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) const;
 
+  /// To see how full it is.
   const DepthStore& depth_store() const { return depth_; }
+  /// To see how full it is.
   const ColourStore& colour_store() const { return colour_; }
 
  private:

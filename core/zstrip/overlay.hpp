@@ -12,7 +12,7 @@
 
 namespace zstrip {
 
-inline constexpr std::uint16_t kMaxImageSize = 4096;
+inline constexpr std::uint16_t kMaxImageSize = 4096;  ///< pixels
 
 /// A picture with colours, with coverage, or with both. Coverage is how much of a pixel is covered: of 1, 4 or 8 bits,
 /// the left pixel in the highest ones; every row starts at a byte, as in PixelFormat::mono and gray4.
@@ -25,7 +25,7 @@ struct OverlayImage {
 
 /// An image, with its upper left corner at a pixel of the picture. What lies outside the picture is not drawn.
 struct Sprite {
-  std::int16_t x = 0, y = 0;
+  std::int16_t x = 0, y = 0;          ///< pixels of the picture, to the right and down; may lie outside
   std::uint16_t image = 0;            ///< index into Overlay::images
   Colour colour{255, 255, 255, 255};  ///< of an image without colours; alpha: of any image, 255 is opaque
 };
@@ -33,6 +33,7 @@ struct Sprite {
 /// The largest distances and sizes of glyphs, in pixels.
 inline constexpr std::int16_t kMaxGlyphPlace = 1024;
 
+/// The shape of a character.
 struct Glyph {
   std::uint32_t code_point = 0;        ///< of Unicode
   std::uint32_t offset = 0;            ///< of its first byte in Font::coverage
@@ -52,28 +53,32 @@ struct Font {
 };
 
 /// What of a line of text lies at Label::x.
-enum class Alignment : std::uint8_t { left, centre, right };
+enum class Alignment : std::uint8_t {
+  left,    ///< its first pixel
+  centre,  ///< its middle
+  right,   ///< the pixel behind its last one
+};
 
-inline constexpr std::uint16_t kMaxLabelBytes = 0xFFFF;
+inline constexpr std::uint16_t kMaxLabelBytes = 0xFFFF;  ///< of Label::text
 
 /// Text in UTF-8. A byte that begins no valid character is shown as Font::replacement.
 struct Label {
-  std::span<const char> text{};  ///< ends at a byte of 0, or with the span; '\n' begins the next line
-  std::int16_t x = 0, y = 0;     ///< pixel of the picture; y: the first line's upper border
-  std::uint16_t font = 0;        ///< index into Overlay::fonts
-  Alignment alignment = Alignment::left;
-  Colour colour{255, 255, 255, 255};  ///< alpha: 255 is opaque
-  Colour background{0, 0, 0, 0};      ///< of each line, as wide as its text, below the text; alpha 0: none
+  std::span<const char> text{};           ///< ends at a byte of 0, or with the span; '\n' begins the next line
+  std::int16_t x = 0, y = 0;              ///< pixel of the picture; y: the first line's upper border
+  std::uint16_t font = 0;                 ///< index into Overlay::fonts
+  Alignment alignment = Alignment::left;  ///< of each line
+  Colour colour{255, 255, 255, 255};      ///< alpha: 255 is opaque
+  Colour background{0, 0, 0, 0};          ///< of each line, as wide as its text, below the text; alpha 0: none
 };
 
 /// Drawn in this order, sprites before labels, into the finished pixels (docs/conventions.md, "Overlay"). Sprites and
 /// labels may change between frames, and text, too: begin_frame looks at them again. From there to the last strip
 /// nothing may change.
 struct Overlay {
-  std::span<const OverlayImage> images{};
-  std::span<const Font> fonts{};
-  std::span<const Sprite> sprites{};
-  std::span<const Label> labels{};
+  std::span<const OverlayImage> images{};  ///< in flash or in RAM, as the rest
+  std::span<const Font> fonts{};           ///< kSmallFont, kLargeFont, or of `zstrip font`
+  std::span<const Sprite> sprites{};       ///< later ones over earlier ones
+  std::span<const Label> labels{};         ///< later ones over earlier ones
 };
 
 // ASCII in cells of 6x8 pixels, and the same letters smoothed in 12x16. What a program does not use takes no flash:

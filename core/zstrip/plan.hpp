@@ -31,9 +31,9 @@ struct DepthNeed {
 
 /// A plan and the effects that it is for: those requested, and what selects the depth format.
 struct PlanWithDepth {
-  Status status;  ///< as of PlanResult
-  Plan plan;
-  Effects effects;
+  Status status;    ///< as of PlanResult
+  Plan plan;        ///< as of PlanResult
+  Effects effects;  ///< for the Renderer
 };
 
 /// As `plan` above, with the format of cheapest_depth_format in place of any that `effects` has; or with w16, on most
@@ -64,7 +64,7 @@ constexpr PlanWithDepth plan(const SceneCounts& counts, const View& view, Effect
 
 /// Renderer<effects_of(scene, camera) | quality.effects>, plan(..., quality.budget).
 struct Quality {
-  std::string_view name;
+  std::string_view name;     ///< for find_quality
   Effects effects{};         ///< beside those that the scene calls for
   Budget budget{};           ///< rows of a strip; set `bytes` and the rest as the board has it
   bool smooth = true;        ///< for Material::smooth of all materials: false is flat shading
@@ -73,6 +73,7 @@ struct Quality {
 
 // They read as values: quality::exact.
 // NOLINTBEGIN(readability-identifier-naming)
+/// The presets.
 namespace quality {
 /// Least memory: strips of 4 rows, half of the triangles, flat. For boards that cannot hold more.
 inline constexpr Quality tiny{
@@ -82,6 +83,7 @@ inline constexpr Quality balanced{.name = "balanced", .budget = {.strip_rows = 1
 /// Closest to the truth: each pixel of a texture in its exact place. Meant for scenes seen with perspective.
 inline constexpr Quality exact{
     .name = "exact", .effects = effect::perspective_1, .budget = {.strip_rows = 16, .modes = Modes::streamed}};
+/// From the least memory to the best picture.
 inline constexpr const Quality* all[]{&tiny, &balanced, &exact};
 }  // namespace quality
 // NOLINTEND(readability-identifier-naming)

@@ -66,17 +66,21 @@ class AnyRenderer {
   /// the same.
   explicit AnyRenderer(Effects effects)
       : pipeline_(pipeline_for(effects)), takes_samples_(effects.has(effect::supersampled)) {}
+  /// As Renderer::begin_frame.
   Status begin_frame(const Scene& scene, const Camera& camera, const View& view, const Plan& plan,
                      std::span<std::byte> arena) {
     if (!takes_samples_ && view.samples != 1) return detail::refuse_samples(state_);
     return pipeline_.begin_frame(state_, scene, camera, view, plan, arena);
   }
+  /// As Renderer::draw_strip.
   Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) {
     return pipeline_.draw_strip(state_, strip, pixels);
   }
+  /// As Renderer::draw_over.
   Status draw_over(const Rect& area, std::span<std::uint16_t> pixels, std::span<std::uint16_t> depth) {
     return pipeline_.draw_over(state_, area, pixels, depth);
   }
+  /// Of what was begun last. Refers to this object.
   FrameOfSamples<FrameWithMethod> frame() const { return FrameOfSamples<FrameWithMethod>(state_); }
   /// Holds from the next begin_frame on; without a method it has no effect.
   void set_visibility(const VisibilityOptions& options) { state_.options = options; }

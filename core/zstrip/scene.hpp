@@ -11,40 +11,39 @@ namespace zstrip {
 
 /// A vertex inside its mesh's bounding box: centre + half_extent * position / 32768. -32767..32767.
 struct Position {
-  std::int16_t x, y, z;
+  std::int16_t x, y, z;  ///< in 1/32768 of the half extent
 };
 
-/// A unit vector, 1.7. `unused` keeps a normal on one word; any value.
+/// A unit vector, 1.7. `unused` keeps a normal on one word.
 struct Normal {
-  std::int8_t x, y, z, unused;
+  std::int8_t x, y, z, unused;  ///< 1.7; `unused`: any value
 };
 
 /// 0..255 a channel.
 struct Colour {
-  std::uint8_t r, g, b, a;
+  std::uint8_t r, g, b, a;  ///< red, green, blue, alpha: 255 is full, or opaque
   friend constexpr bool operator==(const Colour&, const Colour&) = default;
 };
 
 /// Texture coordinates with Mesh::texcoord_bits fraction bits; 1.0 is the whole texture. v grows downwards
 /// (as in glTF).
 struct TexCoord {
-  std::int16_t u, v;
+  std::int16_t u, v;  ///< to the right, and down; beyond 0..1 textures repeat
 };
 
 /// Indices into the mesh's vertices; counter-clockwise seen from the front.
 struct Triangle {
-  std::uint16_t a, b, c;
+  std::uint16_t a, b, c;  ///< each below the number of Mesh::positions
 };
 
 /// A run of triangles that use only a run of vertices: the unit of culling and of streaming.
-/// `radius` is in units of the position grid of the mesh's *largest* half extent, rounded up.
 struct Meshlet {
-  std::uint32_t first_triangle;
-  std::uint16_t first_vertex;
-  std::uint16_t vertex_count;
-  std::uint16_t triangle_count;
-  std::uint16_t radius;
-  Position centre;
+  std::uint32_t first_triangle;  ///< index into Mesh::triangles
+  std::uint16_t first_vertex;    ///< index into Mesh::positions
+  std::uint16_t vertex_count;    ///< of the run: the triangles use no other vertices
+  std::uint16_t triangle_count;  ///< of the run, which goes on where the meshlet before ends
+  std::uint16_t radius;  ///< of a sphere around all vertices: 1/32768 of the mesh's largest half extent, rounded up
+  Position centre;       ///< of that sphere
 };
 
 /// Whether a mesh's instances turn with the camera.
@@ -54,7 +53,7 @@ enum class Billboard : std::uint8_t {
   upright,  ///< y as in the transform; x as far to the right as that allows
 };
 
-inline constexpr std::uint16_t kOwnMesh = 0xFFFF;
+inline constexpr std::uint16_t kOwnMesh = 0xFFFF;       ///< for Outline::hull
 inline constexpr std::uint16_t kMaxOutlineWidth = 256;  ///< 1/16 pixels
 
 /// A line around an instance's picture, as wide at any distance: the far side of a hull around it, drawn in one colour
@@ -62,7 +61,7 @@ inline constexpr std::uint16_t kMaxOutlineWidth = 256;  ///< 1/16 pixels
 /// vertices in one place have one normal. Where edges are to keep their width, normals may be longer than one: with v
 /// the vertex' and n those of the faces around it, v . n = 1. Where a vertex moves: docs/conventions.md.
 struct Outline {
-  Colour colour{0, 0, 0, 255};
+  Colour colour{0, 0, 0, 255};    ///< alpha means nothing
   std::uint16_t width = 32;       ///< 1/16 pixels, 1..kMaxOutlineWidth
   std::uint16_t hull = kOwnMesh;  ///< index into Scene::meshes, of a mesh with normals, or kOwnMesh: the instance's
 };
@@ -70,26 +69,29 @@ struct Outline {
 /// What a mesh' instances have to do with Scene::shadow. What only receives (a floor) leaves the map's texels to what
 /// casts.
 enum class ShadowRole : std::uint8_t {
-  casts_and_receives,
-  only_receives,
-  only_casts,  ///< it is lit as without shadows
-  none,
+  casts_and_receives,  ///< the default
+  only_receives,       ///< no shadow of its own: a floor
+  only_casts,          ///< it is lit as without shadows
+  none,                ///< as without a shadow in the scene
 };
+/// Whether its instances are drawn into the map.
 constexpr bool casts_shadow(ShadowRole role) {
   return role == ShadowRole::casts_and_receives || role == ShadowRole::only_casts;
 }
+/// Whether its instances are darkened by the map.
 constexpr bool receives_shadow(ShadowRole role) {
   return role == ShadowRole::casts_and_receives || role == ShadowRole::only_receives;
 }
 
+/// Vertices and triangles that instances share; only views of the caller's tables.
 struct Mesh {
   std::span<const Position> positions;  ///< 1..65535 vertices
   std::span<const Normal> normals;      ///< one a vertex, or empty: unlit
   std::span<const Colour> colours;      ///< one a vertex, or empty: the material's colour
   std::span<const TexCoord> texcoords;  ///< one a vertex, or empty: untextured
-  std::span<const Triangle> triangles;
-  std::span<const Meshlet> meshlets;  ///< covers all triangles in order, or empty: the mesh is one meshlet
-  Vec3 centre{0, 0, 0};               ///< 16.16, of the bounding box; +-4095
+  std::span<const Triangle> triangles;  ///< in the order in which they are drawn
+  std::span<const Meshlet> meshlets;    ///< covers all triangles in order, or empty: the mesh is one meshlet
+  Vec3 centre{0, 0, 0};                 ///< 16.16, of the bounding box; +-4095
   Vec3 half_extent{kFixedOne, kFixedOne, kFixedOne};  ///< 16.16, 0..4095
   std::uint8_t texcoord_bits = 12;                    ///< 4..15
   Billboard billboard = Billboard::none;              ///< anything else makes its instances billboards
@@ -108,13 +110,16 @@ enum class TextureFilter : std::uint8_t {
   environment_nearest = 0x10,
   environment_bilinear = 0x11,
 };
+/// Whether texels are mixed, of a texture or an environment map.
 constexpr bool is_bilinear(TextureFilter filter) { return (static_cast<unsigned>(filter) & 1U) != 0; }
+/// Whether the texture is an environment map.
 constexpr bool is_environment(TextureFilter filter) { return (static_cast<unsigned>(filter) & 0x10U) != 0; }
 /// nearest and bilinear become those of environment maps.
 constexpr TextureFilter of_environment(TextureFilter filter) {
   return static_cast<TextureFilter>(static_cast<unsigned>(filter) | 0x10U);
 }
 
+/// How texels lie in Texture::texels, in words of 16 bits.
 enum class TextureFormat : std::uint8_t {
   rgb565,        ///< one texel each
   rgb565_alpha,  ///< the same, and after all texels an alpha for each: 8 bits, two in a word, the first in the low half
@@ -130,10 +135,10 @@ constexpr std::uint32_t index_bits(TextureFormat format) { return format == Text
 
 /// Row-major RGB565 texels, the first row is v = 0. Sides are powers of two, 1..2048.
 struct Texture {
-  std::span<const std::uint16_t> texels;  ///< words in `format`, level after level
-  std::uint8_t log2_width = 0;
-  std::uint8_t log2_height = 0;
-  TextureFormat format = TextureFormat::rgb565;
+  std::span<const std::uint16_t> texels;         ///< words in `format`, level after level
+  std::uint8_t log2_width = 0;                   ///< 0..11
+  std::uint8_t log2_height = 0;                  ///< 0..11
+  TextureFormat format = TextureFormat::rgb565;  ///< of all levels
   /// Smaller pictures of the same (mipmaps) that follow, each with half the sides of the one before, rounded down, at
   /// least 1; with its palette, and its alpha behind its texels. Down to 1 texel at most. They are for materials with a
   /// finish (which may be Finish{}): all others, and quadrics, are drawn with the first picture.
@@ -152,7 +157,7 @@ constexpr std::size_t level_words(TextureFormat format, std::uint32_t log2_texel
   return texels;
 }
 
-inline constexpr std::uint16_t kNoTexture = 0xFFFF;
+inline constexpr std::uint16_t kNoTexture = 0xFFFF;  ///< for Material::texture
 
 /// Which fragments are drawn, by where they lie against what the z-buffer holds there: nearer, equal and farther are
 /// one bit each. A cleared cell is farther than every fragment.
@@ -180,27 +185,32 @@ struct Finish {
   Colour emissive{0, 0, 0, 255};  ///< added to the light of a lit material; texels are multiplied with the sum
   Colour specular{0, 0, 0, 255};  ///< colour of highlights (Blinn-Phong) on a lit material
   std::uint8_t shininess = 32;    ///< their exponent; the greater, the smaller they are
-  AlphaMode alpha_mode = AlphaMode::opaque;
-  std::uint8_t alpha_cutoff = 128;  ///< 0..255
-  TextureFilter filter = TextureFilter::nearest;
+  AlphaMode alpha_mode = AlphaMode::opaque;       ///< anything else calls for an effect
+  std::uint8_t alpha_cutoff = 128;                ///< 0..255; of AlphaMode::mask
+  TextureFilter filter = TextureFilter::nearest;  ///< of the material's texture
   friend constexpr bool operator==(const Finish&, const Finish&) = default;
 };
 
-inline constexpr std::uint8_t kNoFinish = 0xFF;
+inline constexpr std::uint8_t kNoFinish = 0xFF;  ///< for Material::finish
 
 /// How light and vertex colours vary over a triangle. A bool is one of the first two.
 struct Shading {
+  /// Where light is computed, and what lies between.
   enum Kind : std::uint8_t {
     flat,     ///< false: the first vertex decides
     gouraud,  ///< true: lit at the vertices, linear between
     pixel,    ///< lit at each pixel, by the normal that is interpolated there (effect::pixel_shading); unlit as gouraud
   };
-  Kind kind;
+  Kind kind;  ///< the value
+  /// Not explicit: a Kind is written where a Shading is wanted.
   constexpr Shading(Kind how) : kind(how) {}
+  /// Likewise for a bool: gouraud or flat.
   constexpr Shading(bool smooth) : kind(smooth ? gouraud : flat) {}
+  /// To compare it with a Kind; true unless flat.
   constexpr operator Kind() const { return kind; }
 };
 
+/// How a surface looks, and how it treats depth.
 struct Material {
   Colour colour{255, 255, 255,
                 255};  ///< multiplied with vertex colours and light; not with texels of an unlit material
@@ -216,6 +226,7 @@ struct Material {
   std::int32_t depth_bias_clamp = 0;  ///< codes: the sum of both at most (positive), at least (negative), any (0)
 };
 
+/// A mesh with a material at a place. Its transform may change between frames.
 struct Instance {
   std::uint16_t mesh = 0;                       ///< index into Scene::meshes
   std::uint16_t material = 0;                   ///< index into Scene::materials
@@ -235,10 +246,10 @@ struct Quadric {
 
 /// A line between two vertices, or a point where both are the same one.
 struct Segment {
-  std::uint16_t a, b;
+  std::uint16_t a, b;  ///< indices into the mesh's vertices
 };
 
-inline constexpr std::uint8_t kMaxLineWidth = 64;
+inline constexpr std::uint8_t kMaxLineWidth = 64;  ///< pixels
 
 /// Lines and points, as many pixels wide at any distance; which pixels: docs/conventions.md. Drawn after the
 /// quadrics, before the instances, into the same z-buffer, so that what is nearer hides them. Of one colour each: the
@@ -253,29 +264,34 @@ struct LineSet {
   std::uint8_t width = 1;                       ///< pixels, 1..kMaxLineWidth
 };
 
+/// A light that is infinitely far away.
 struct DirectionalLight {
   std::int16_t x = 0, y = 0, z = 32767;  ///< 1.15, unit vector *towards* the light, in world space
-  Colour colour{255, 255, 255, 255};
+  Colour colour{255, 255, 255, 255};     ///< alpha means nothing
 };
 
-enum class PunctualLightType : std::uint8_t { point, spot };
+/// The shape of a light at a point.
+enum class PunctualLightType : std::uint8_t {
+  point,  ///< into all directions
+  spot,   ///< within a cone
+};
 
 /// A light at a point (as KHR_lights_punctual of glTF). At distance d (units of length) `intensity` / d^2 of its colour
 /// arrives, up to 256 times; with a range that times 1 - (d / range)^4, none beyond it. Of a spot that times
 /// ((c - cosine_outer) / (cosine_inner - cosine_outer))^2, c the cosine of the angle off its direction, within 0..1.
 struct PunctualLight {
-  PunctualLightType type = PunctualLightType::point;
-  Colour colour{255, 255, 255, 255};
-  Vec3 position{0, 0, 0};                 ///< 16.16, world
-  Fixed intensity = kFixedOne;            ///< 16.16, >= 0
-  Fixed range = 0;                        ///< 16.16; 0: no end
-  std::int16_t x = 0, y = 0, z = -32767;  ///< 1.15, unit vector in which a spot shines, world
-  std::int16_t cosine_inner = 32767;      ///< 1.15, of half the angle that is fully lit
-  std::int16_t cosine_outer = 23170;      ///< 1.15, of half the angle that is lit; 0 <= outer < inner
-  std::uint16_t unused = 0;
+  PunctualLightType type = PunctualLightType::point;  ///< only a spot has a direction and cosines
+  Colour colour{255, 255, 255, 255};                  ///< alpha means nothing
+  Vec3 position{0, 0, 0};                             ///< 16.16, world
+  Fixed intensity = kFixedOne;                        ///< 16.16, >= 0
+  Fixed range = 0;                                    ///< 16.16; 0: no end
+  std::int16_t x = 0, y = 0, z = -32767;              ///< 1.15, unit vector in which a spot shines, world
+  std::int16_t cosine_inner = 32767;                  ///< 1.15, of half the angle that is fully lit
+  std::int16_t cosine_outer = 23170;                  ///< 1.15, of half the angle that is lit; 0 <= outer < inner
+  std::uint16_t unused = 0;                           ///< any value
 };
 
-inline constexpr std::uint32_t kMaxPunctualLights = 4;
+inline constexpr std::uint32_t kMaxPunctualLights = 4;  ///< of a scene
 
 /// How what is seen fades into a colour with its distance w from the camera's plane (along the viewing direction).
 enum class FogMode : std::uint8_t {
@@ -284,17 +300,18 @@ enum class FogMode : std::uint8_t {
   exponential_squared,  ///< visible: e^-(density w)^2
 };
 
+/// Fog of one colour, by the distance along the viewing direction.
 struct Fog {
   Colour colour{128, 128, 128, 255};  ///< the background is not fogged: give Scene::background the same colour
-  FogMode mode = FogMode::linear;
-  Fixed start = 0;                ///< 16.16, 0 <= start < end; linear
-  Fixed end = 100 * kFixedOne;    ///< 16.16
-  Fixed density = kFixedOne / 8;  ///< 16.16 a unit of length, >= 0; the exponential modes
+  FogMode mode = FogMode::linear;     ///< which of the members below count
+  Fixed start = 0;                    ///< 16.16, 0 <= start < end; linear
+  Fixed end = 100 * kFixedOne;        ///< 16.16
+  Fixed density = kFixedOne / 8;      ///< 16.16 a unit of length, >= 0; the exponential modes
 };
 
-inline constexpr std::uint32_t kMaxLights = 4;
+inline constexpr std::uint32_t kMaxLights = 4;  ///< directional lights of a scene
 
-inline constexpr std::uint8_t kMinShadowLog2 = 4, kMaxShadowLog2 = 10;
+inline constexpr std::uint8_t kMinShadowLog2 = 4, kMaxShadowLog2 = 10;  ///< limits of Shadow::log2_size
 
 /// The shadows of one directional light, by a map of depths as the light sees them (effect::shadows). What casts:
 /// instances that are neither blended nor without depth write, as solid whatever their texture's alpha, both faces, and
@@ -318,7 +335,7 @@ enum class CsgUse : std::uint8_t {
   subtracted,   ///< the result lies outside it
 };
 
-inline constexpr std::uint32_t kMaxCsgOperands = 64;
+inline constexpr std::uint32_t kMaxCsgOperands = 64;  ///< of a scene
 
 /// A solid of a product: constructive solid geometry on the z-buffer (effect::csg). The operands of a product lie next
 /// to each other, with its number; products have ascending numbers. A product is what all of its intersected operands
@@ -331,40 +348,41 @@ inline constexpr std::uint32_t kMaxCsgOperands = 64;
 /// has no rules of its own for depth and is opaque; a mesh is no billboard and has no outline. What the near plane cuts
 /// open shows its inside: nothing caps it. Of what the far plane cuts as well the inside is not known.
 struct CsgOperand {
-  std::uint16_t instance = 0;  ///< index into Scene::instances
-  std::uint8_t product = 0;
-  CsgUse use = CsgUse::intersected;
+  std::uint16_t instance = 0;        ///< index into Scene::instances
+  std::uint8_t product = 0;          ///< its number
+  CsgUse use = CsgUse::intersected;  ///< at least one of a product is intersected
 };
 
-inline constexpr std::uint16_t kNoFace = 0xFFFF;
+inline constexpr std::uint16_t kNoFace = 0xFFFF;  ///< for Edge::right
 
 /// An edge of a mesh, by its ends and the third corner of each of its faces: indices into the mesh's vertices, of which
 /// only the positions count. Seen from the front a, b, left are counter-clockwise, and b, a, right. The description has
 /// two directions, (a, b, left, right) and (b, a, right, left): with a > b the edge is a crease, where shading or
 /// colour may break between two faces that are both seen.
 struct Edge {
-  std::uint16_t a, b;
-  std::uint16_t left;
+  std::uint16_t a, b;             ///< the ends
+  std::uint16_t left;             ///< third corner of the face on the left
   std::uint16_t right = kNoFace;  ///< kNoFace: the mesh ends here
 };
 
 /// Edges of a mesh that are anti-aliased (effect::edges) wherever its instances are drawn. Drawn in this order; fastest
 /// where edges with the same meshlet, that of a, b and left, lie next to each other and in the meshlets' order.
 struct EdgeSet {
-  std::span<const Edge> edges;
-  std::uint16_t mesh = 0;  ///< index into Scene::meshes
+  std::span<const Edge> edges;  ///< any number
+  std::uint16_t mesh = 0;       ///< index into Scene::meshes
 };
 
 struct Overlay;  // overlay.hpp
 
+/// All that a frame draws. Only views: the tables are the caller's, in flash or in RAM.
 struct Scene {
-  std::span<const Mesh> meshes;
-  std::span<const Material> materials;
-  std::span<const Texture> textures;
-  std::span<const Instance> instances;       ///< drawn in this order
-  std::span<const DirectionalLight> lights;  ///< at most kMaxLights
-  Colour ambient{48, 48, 48, 255};
-  Colour background{0, 0, 0, 255};
+  std::span<const Mesh> meshes;                      ///< Instance::mesh names them
+  std::span<const Material> materials;               ///< Instance::material names them
+  std::span<const Texture> textures;                 ///< Material::texture names them
+  std::span<const Instance> instances;               ///< drawn in this order
+  std::span<const DirectionalLight> lights;          ///< at most kMaxLights
+  Colour ambient{48, 48, 48, 255};                   ///< light from everywhere; alpha means nothing
+  Colour background{0, 0, 0, 255};                   ///< of pixels that nothing covers; alpha means nothing
   const Fog* fog = nullptr;                          ///< none if null
   std::span<const Finish> finishes{};                ///< at most 255
   std::span<const PunctualLight> punctual_lights{};  ///< at most kMaxPunctualLights
@@ -391,7 +409,7 @@ constexpr std::span<const Edge> edges_of(const Scene& scene, std::uint32_t mesh)
   return {};
 }
 
-inline constexpr std::uint32_t kEdgesOfGroup = 32;
+inline constexpr std::uint32_t kEdgesOfGroup = 32;  ///< whose frame keeps what is known of them together
 
 /// Groups of kEdgesOfGroup edges that the instances have, together; 2^32 - 1 also stands for more. Not inlined: checks
 /// of scenes without edges call it in several places.

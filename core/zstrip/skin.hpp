@@ -15,9 +15,10 @@
 
 namespace zstrip {
 
-inline constexpr std::uint16_t kNoJoint = 0xFFFF;
-inline constexpr std::uint32_t kMaxJoints = 256;
+inline constexpr std::uint16_t kNoJoint = 0xFFFF;  ///< for Joint::parent
+inline constexpr std::uint32_t kMaxJoints = 256;   ///< of a skin
 
+/// A joint of the skeleton: what does not move.
 struct Joint {
   Transform inverse_bind = Transform::identity();  ///< from the mesh's space to the joint's, as the mesh was modelled
   std::uint16_t parent = kNoJoint;                 ///< an index below its own; kNoJoint: the mesh's space
@@ -33,8 +34,8 @@ struct JointPose {
 /// The joints that move a vertex, the one with the largest weight first. Weights are 1/256; the first one counts 1/256
 /// more than its value, so that all four add up to 255. Joints of weight 0 lie last and are not looked at.
 struct VertexJoints {
-  std::uint8_t joints[4]{0, 0, 0, 0};
-  std::uint8_t weights[4]{255, 0, 0, 0};
+  std::uint8_t joints[4]{0, 0, 0, 0};     ///< indices into Skin::joints
+  std::uint8_t weights[4]{255, 0, 0, 0};  ///< add up to 255
 };
 
 /// A mesh and what moves it, in flash or in a blob.
@@ -48,9 +49,9 @@ struct Skin {
 
 /// Where a moved mesh is written, in RAM. The mesh that is drawn is Skin::mesh with these in place of its own.
 struct MovedVertices {
-  std::span<Position> positions;
-  std::span<Normal> normals;    ///< none where the mesh has none
-  std::span<Meshlet> meshlets;  ///< none where the mesh has none
+  std::span<Position> positions;  ///< as many as the mesh has
+  std::span<Normal> normals;      ///< none where the mesh has none
+  std::span<Meshlet> meshlets;    ///< none where the mesh has none
 };
 
 /// The mesh to be drawn: `mesh` as it is moved.

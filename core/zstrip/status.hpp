@@ -7,8 +7,9 @@
 
 namespace zstrip {
 
+/// What is wrong. In brackets what Status::needed and Status::available then hold.
 enum class Error : std::uint8_t {
-  none,
+  none,               ///< success
   arena_too_small,    ///< `needed`, `available` in bytes; `purpose`: for what
   pixels_too_small,   ///< the caller's strip buffer; `needed`, `available` in bytes
   pixels_misaligned,  ///< RGB565 pixels must lie at an even address
@@ -78,32 +79,34 @@ enum class Error : std::uint8_t {
 
 /// What memory is for. The order is that of a plan's table.
 enum class Purpose : std::uint8_t {
-  none,
-  instances,
-  extents,
-  vertices,
-  depth,
-  colour,
-  bins,
-  layer,
-  effects,
-  sorting,
-  depth_bounds
+  none,         ///< not about memory
+  instances,    ///< transforms of instances, quadrics and sets of lines
+  extents,      ///< which strips each meshlet touches
+  vertices,     ///< of one meshlet, or of all where they are binned
+  depth,        ///< of a strip
+  colour,       ///< a strip in RGB565, where it is not drawn in place
+  bins,         ///< triangles that wait for their strips
+  layer,        ///< a static layer
+  effects,      ///< what effects keep through a frame
+  sorting,      ///< the order of triangles, of some visibility methods
+  depth_bounds  ///< of tiles, of some visibility methods
 };
 
 /// `error == Error::none` is success; converts to true then. [[nodiscard]]: nothing fails in silence.
 struct [[nodiscard]] Status {
-  Error error = Error::none;
-  Purpose purpose = Purpose::none;
-  std::uint32_t needed = 0;
-  std::uint32_t available = 0;
+  Error error = Error::none;        ///< what is wrong
+  Purpose purpose = Purpose::none;  ///< what memory was for, where some is missing
+  std::uint32_t needed = 0;         ///< see Error
+  std::uint32_t available = 0;      ///< see Error
 
+  /// Whether all is well.
   constexpr explicit operator bool() const { return error == Error::none; }
   friend constexpr bool operator==(const Status&, const Status&) = default;
 };
 
 /// A short English phrase without a full stop, in static storage.
 const char* message(Error error);
+/// One word, in static storage.
 const char* name(Purpose purpose);
 
 }  // namespace zstrip

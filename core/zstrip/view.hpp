@@ -8,7 +8,16 @@
 namespace zstrip {
 
 /// The bytes of each: docs/conventions.md, "Picture formats". zstrip_hal has the same names in the same order.
-enum class PixelFormat : std::uint8_t { rgb565, rgb565_swapped, gray4, mono, rgb666, rgb444, xrgb8888 };
+enum class PixelFormat : std::uint8_t {
+  rgb565,          ///< two bytes, the low one first
+  rgb565_swapped,  ///< two bytes, the high one first: most panels on SPI
+  gray4,           ///< 16 greys, two pixels a byte
+  mono,            ///< one bit, eight pixels a byte
+  rgb666,          ///< three bytes
+  rgb444,          ///< 12 bits, two pixels in three bytes
+  xrgb8888,        ///< four bytes: framebuffers of Linux
+};
+/// For checks of values from elsewhere.
 inline constexpr PixelFormat kLastPixelFormat = PixelFormat::xrgb8888;
 
 /// Whether it has fewer bits than RGB565, in which strips are drawn.
@@ -16,10 +25,11 @@ constexpr bool is_narrow(PixelFormat format) {
   return format == PixelFormat::gray4 || format == PixelFormat::mono || format == PixelFormat::rgb444;
 }
 
+/// Size and format of the picture.
 struct View {
-  std::uint16_t width = 0;   ///< 1..4096
-  std::uint16_t height = 0;  ///< 1..4096
-  PixelFormat format = PixelFormat::rgb565;
+  std::uint16_t width = 0;                   ///< 1..4096
+  std::uint16_t height = 0;                  ///< 1..4096
+  PixelFormat format = PixelFormat::rgb565;  ///< of the strips that draw_strip gives
   /// Where colours get fewer bits (docs/conventions.md, "Dithering"). Renderers with effects_of(view) do it; for others
   /// it is not there, and costs nothing.
   bool dither = false;
@@ -32,19 +42,21 @@ struct View {
 /// Whether gradients, fog and spheres are dithered as they are drawn; in narrow formats pixels are, afterwards.
 constexpr bool dithers_colours(const View& view) { return view.dither && !is_narrow(view.format); }
 
-inline constexpr std::uint16_t kMaxViewSize = 4096;
-inline constexpr std::uint8_t kMaxSamples = 4;
+inline constexpr std::uint16_t kMaxViewSize = 4096;  ///< samples in a row or column
+inline constexpr std::uint8_t kMaxSamples = 4;       ///< of a pixel
 
 /// Of one sample a pixel.
 constexpr bool valid_size_and_format(const View& view) {
   return view.width >= 1 && view.height >= 1 && view.width <= kMaxViewSize && view.height <= kMaxViewSize &&
          view.format <= kLastPixelFormat;
 }
+/// Whether View::samples is a number that exists.
 constexpr bool valid_samples(const View& view) {
   return view.samples == 1 || view.samples == 2 || view.samples == kMaxSamples;
 }
-/// Samples of a pixel side by side, and one below the other.
+/// Samples of a pixel side by side.
 constexpr std::uint32_t sample_columns(const View& view) { return view.samples > 1 ? 2 : 1; }
+/// And one below the other.
 constexpr std::uint32_t sample_rows(const View& view) { return view.samples > 2 ? 2 : 1; }
 /// In the picture's longer row or column; at most kMaxViewSize.
 constexpr std::uint32_t samples_a_side(const View& view) {
@@ -66,9 +78,12 @@ constexpr std::uint32_t bytes_per_row(std::uint16_t width, PixelFormat format) {
 
 /// Pixels x in [left, right), y in [top, bottom).
 struct Rect {
-  std::int32_t left = 0, top = 0, right = 0, bottom = 0;
+  std::int32_t left = 0, top = 0, right = 0, bottom = 0;  ///< pixels; those at right and bottom are outside
+  /// Pixels.
   constexpr std::int32_t width() const { return right - left; }
+  /// Pixels.
   constexpr std::int32_t height() const { return bottom - top; }
+  /// Whether no pixel is in it.
   constexpr bool empty() const { return right <= left || bottom <= top; }
   friend constexpr bool operator==(const Rect&, const Rect&) = default;
 };

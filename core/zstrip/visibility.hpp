@@ -23,7 +23,7 @@ enum class SortKey : std::uint8_t {
 struct VisibilityOptions {
   /// Levels of splitting of the midpoint methods, 0..kMaxIterations; more count as that.
   std::uint8_t iterations = 2;
-  SortKey key = SortKey::middle;
+  SortKey key = SortKey::middle;  ///< of painter and front_to_back
   /// The next three only with method::culling; without it back faces and small triangles are culled, spheres are not
   /// used.
   bool cull_back_faces = true;
@@ -45,7 +45,7 @@ struct VisibilityOptions {
   std::uint8_t* overdraw = nullptr;
 };
 
-inline constexpr std::uint8_t kMaxIterations = 6;
+inline constexpr std::uint8_t kMaxIterations = 6;  ///< of VisibilityOptions::iterations
 
 /// Words of VisibilityOptions::seen_before for so many meshlets, SceneCounts::meshlets.
 constexpr std::uint32_t seen_words(std::uint32_t meshlets) { return (meshlets + 31) / 32 * 2; }
@@ -68,7 +68,7 @@ struct VisibilityStatistics {
   std::uint32_t outside_cells = 0;  ///< triangles of meshlets that the visible set leaves out
 };
 
-inline constexpr std::uint8_t kVisibleSetsVersion = 1;
+inline constexpr std::uint8_t kVisibleSetsVersion = 1;     ///< the one that is read
 inline constexpr std::uint32_t kVisibleSetsAlignment = 4;  ///< of the first byte
 
 /// Views of bytes that must stay alive and unchanged.
