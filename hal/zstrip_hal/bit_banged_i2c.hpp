@@ -17,6 +17,7 @@ namespace zstrip::hal {
 template <OpenDrainPin ClockPin, OpenDrainPin DataPin, Clock Time>
 class BitBangedI2c {
  public:
+  /// Pins are copied or moved in.
   constexpr BitBangedI2c(ClockPin clock_pin, DataPin data_pin, Time& clock)
       : scl_(std::move(clock_pin)), sda_(std::move(data_pin)), clock_(clock) {}
 
@@ -31,6 +32,7 @@ class BitBangedI2c {
     return error == Error::none && !high ? Error::bus : error;
   }
 
+  /// As I2cWriter states; Error::timeout after 1 ms of a clock line that a device holds.
   Error begin(std::uint8_t address) {
     Error error = sda_.release();
     if (error == Error::none) error = rise();
@@ -43,6 +45,7 @@ class BitBangedI2c {
     return error == Error::none ? send_byte(static_cast<std::uint32_t>(address) << 1) : error;  // bit 0 low: to write
   }
 
+  /// As I2cWriter states.
   Error send(std::span<const std::byte> bytes) {
     for (const std::byte byte : bytes) {
       if (const Error error = send_byte(std::to_integer<std::uint32_t>(byte)); error != Error::none) return error;
@@ -50,6 +53,7 @@ class BitBangedI2c {
     return Error::none;
   }
 
+  /// As I2cWriter states.
   Error end() {
     Error error = fall();
     if (error == Error::none) error = sda_.pull_low();

@@ -24,6 +24,7 @@ template <OutputPin ClockPin, OutputPin DataPin, OutputPin DataCommandPin, Outpu
           class AnswerPin = NoPin>
 class BitBangedSpi {
  public:
+  /// Pins are copied or moved in.
   constexpr BitBangedSpi(ClockPin clock, DataPin data, DataCommandPin data_command, SelectPin select = {},
                          AnswerPin answer = {})
       : clock_(std::move(clock)),
@@ -39,10 +40,14 @@ class BitBangedSpi {
     return data_command_.set(false);
   }
 
+  /// @{
+  /// As the concept CommandDataBus states; everything has been sent when it returns.
   Error write_command(std::span<const std::byte> bytes) { return write(bytes, false); }
   Error write_data(std::span<const std::byte> bytes) { return write(bytes, true); }
   Error wait() { return Error::none; }
+  /// @}
 
+  /// As ReadableBus states.
   Error read(std::byte command, unsigned dummy_clocks, std::span<std::byte> answer) requires InputPin<AnswerPin> {
     Error error = data_command_.set(false);
     if (error == Error::none) error = select_.set(false);

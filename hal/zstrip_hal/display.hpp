@@ -27,10 +27,10 @@ enum class PixelFormat : std::uint8_t {
 
 /// Pixels x in [left, left + width), y in [top, top + height); the origin is the upper left corner.
 struct Area {
-  std::uint16_t left = 0;
-  std::uint16_t top = 0;
-  std::uint16_t width = 0;
-  std::uint16_t height = 0;
+  std::uint16_t left = 0;    ///< pixels, from the picture's left border
+  std::uint16_t top = 0;     ///< pixels, from its upper border
+  std::uint16_t width = 0;   ///< pixels
+  std::uint16_t height = 0;  ///< pixels
   friend constexpr bool operator==(const Area&, const Area&) = default;
 };
 

@@ -5,8 +5,9 @@
 
 namespace zstrip::hal {
 
+/// What went wrong on the way to a display.
 enum class [[nodiscard]] Error : std::uint8_t{
-    none,
+    none,              ///< success
     timeout,           ///< the bus or the panel did not get ready in the time that its driver states
     area,              ///< an empty area, or one that reaches beyond the display
     alignment,         ///< the area does not begin and end at whole bytes, which the panel needs

@@ -13,10 +13,10 @@ namespace zstrip::hal {
 
 /// Where the rows of a picture are, and how its pixels lie there.
 struct FramebufferLayout {
-  std::uint16_t width = 0;   ///< pixels
-  std::uint16_t height = 0;  ///< pixels
-  PixelFormat format = PixelFormat::rgb565;
-  std::uint32_t stride = 0;  ///< bytes from one row to the next; 0: rows without gaps
+  std::uint16_t width = 0;                   ///< pixels
+  std::uint16_t height = 0;                  ///< pixels
+  PixelFormat format = PixelFormat::rgb565;  ///< of the memory, and so of what is written
+  std::uint32_t stride = 0;                  ///< bytes from one row to the next; 0: rows without gaps
 };
 
 /// Rectangles are copied, so that write() has ended when it returns, and what is sent is seen at once: one picture,
@@ -26,11 +26,14 @@ struct FramebufferLayout {
 /// picture's right edge.
 class Framebuffer {
  public:
+  /// Looks at the memory when a frame begins.
   constexpr Framebuffer(std::span<std::byte> memory, const FramebufferLayout& layout)
       : memory_(memory),
         layout_(layout),
         stride_(layout.stride != 0 ? layout.stride : bytes_per_row(layout.width, layout.format)) {}
 
+  /// @{
+  /// As the concept Display states.
   constexpr std::uint16_t width() const { return layout_.width; }
   constexpr std::uint16_t height() const { return layout_.height; }
   constexpr PixelFormat format() const { return layout_.format; }
@@ -56,6 +59,7 @@ class Framebuffer {
 
   constexpr Error wait() { return Error::none; }
   constexpr Error end_frame() { return Error::none; }
+  /// @}
 
  private:
   constexpr bool fits() const {

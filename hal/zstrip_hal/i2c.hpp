@@ -30,9 +30,12 @@ class I2cCommandDataBus {
   /// `address` has 7 bits: an SSD1306's is 0x3C or 0x3D, by the level of its pin D/C.
   constexpr I2cCommandDataBus(Writer& i2c, std::uint8_t address) : i2c_(i2c), address_(address) {}
 
+  /// @{
+  /// As the concept CommandDataBus states; everything has been sent when it returns.
   Error write_command(std::span<const std::byte> bytes) { return write(std::byte{0x00}, bytes); }
   Error write_data(std::span<const std::byte> bytes) { return write(std::byte{0x40}, bytes); }
   Error wait() { return Error::none; }
+  /// @}
 
  private:
   /// The control byte: bit 6 is D/C; bit 7 low: no other control byte follows.

@@ -11,7 +11,10 @@
 
 namespace zstrip::hal {
 
+/// The controller of 240x320 pixels, 16 or 18 bits each.
 struct Ili9341Controller {
+  /// @{
+  /// As DcsController states.
   static constexpr std::uint16_t kColumns = 240;
   static constexpr std::uint16_t kRows = 320;
   static constexpr bool kHasBrightness = true;
@@ -48,14 +51,17 @@ struct Ili9341Controller {
       default: return 0;
     }
   }
+  /// @}
 };
 
 /// The usual module of 2.2 to 3.2 inches, upright.
 inline constexpr DcsConfig kIli9341Module240x320{.width = 240, .height = 320, .columns_reversed = true, .bgr = true};
 
+/// A panel with the controller ILI9341. `bus` and `clock` must outlive it.
 template <CommandDataBus Bus, Clock Time>
 class Ili9341 : public DcsPanel<Ili9341Controller, Bus, Time> {
  public:
+  /// Sends nothing: start() does.
   constexpr Ili9341(Bus& bus, Time& clock, const DcsConfig& config = kIli9341Module240x320)
       : DcsPanel<Ili9341Controller, Bus, Time>(bus, clock, config) {}
 };

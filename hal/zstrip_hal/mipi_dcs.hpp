@@ -27,8 +27,8 @@ struct DcsConfig {
   std::uint16_t width = 0;          ///< of the glass, 1 up to the controller's columns
   std::uint16_t height = 0;         ///< of the glass, 1 up to the controller's rows
   std::uint16_t column_offset = 0;  ///< of the glass in the controller's memory, where the latter is larger
-  std::uint16_t row_offset = 0;
-  Orientation orientation{};
+  std::uint16_t row_offset = 0;     ///< likewise
+  Orientation orientation{};        ///< of the picture on the glass
   PixelFormat format = PixelFormat::rgb565_swapped;  ///< or rgb666; or rgb444, where the controller has it
   bool columns_reversed = false;                     ///< the glass is wired from the right to the left
   bool rows_reversed = false;                        ///< the glass is wired from the bottom to the top
@@ -76,6 +76,7 @@ Error read_display_id(Bus& bus, std::span<std::byte, 3> id) {
 template <DcsController Controller, CommandDataBus Bus, Clock Time>
 class DcsPanel {
  public:
+  /// Sends nothing: start() does.
   constexpr DcsPanel(Bus& bus, Time& clock, const DcsConfig& config) : bus_(bus), clock_(clock), config_(config) {}
 
   /// Resets the controller by command, sets it up, blackens the glass and switches it on; takes a quarter of a second
@@ -103,11 +104,16 @@ class DcsPanel {
     return error;
   }
 
+  /// As the concept Display states.
   constexpr std::uint16_t width() const { return is_sideways(config_.orientation) ? config_.height : config_.width; }
+  /// As the concept Display states.
   constexpr std::uint16_t height() const { return is_sideways(config_.orientation) ? config_.width : config_.height; }
+  /// As the concept Display states.
   constexpr PixelFormat format() const { return config_.format; }
 
+  /// As the concept Display states.
   Error begin_frame() { return Error::none; }
+  /// As the concept Display states.
   Error write(const Area& area, std::span<const std::byte> pixels) {
     if (!contains(width(), height(), area)) return Error::area;
     if (config_.format == PixelFormat::rgb444 && area.width % 2 != 0) return Error::alignment;
@@ -116,7 +122,9 @@ class DcsPanel {
     if (const Error error = set_window(area); error != Error::none) return error;
     return bus_.write_data(pixels.first(bytes));
   }
+  /// As the concept Display states.
   Error wait() { return bus_.wait(); }
+  /// As the concept Display states.
   Error end_frame() { return Error::none; }
 
   /// The controller's answer to the command that reads its id, as DcsConfig::id; also before start(), from 5 ms after a

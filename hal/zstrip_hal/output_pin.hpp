@@ -18,6 +18,7 @@ concept OutputPin = std::movable<T> && requires(T& pin, bool high) {
 
 /// Stands for a line that is not wired, or wired to a fixed level.
 struct NoPin {
+  /// Nothing happens.
   constexpr Error set(bool /*high*/) const { return Error::none; }
 };
 static_assert(OutputPin<NoPin>);

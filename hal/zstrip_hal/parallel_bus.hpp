@@ -26,7 +26,9 @@ concept DataLines = std::movable<T> && requires(T& lines, std::uint8_t byte) {
 template <OutputPin Pin>
 class EightPins {
  public:
+  /// Pins are copied or moved in.
   explicit constexpr EightPins(std::array<Pin, 8> pins) : pins_(std::move(pins)) {}
+  /// One pin after the other, D0 first; stops at the first error.
   Error set(std::uint8_t byte) {
     for (std::size_t i = 0; i < pins_.size(); ++i) {
       if (const Error error = pins_[i].set((byte >> i & 1U) != 0); error != Error::none) return error;
@@ -45,6 +47,7 @@ class EightPins {
 template <DataLines Lines, OutputPin WritePin, OutputPin DataCommandPin, OutputPin SelectPin = NoPin>
 class ParallelBus {
  public:
+  /// Pins are copied or moved in.
   constexpr ParallelBus(Lines data, WritePin strobe, DataCommandPin data_command, SelectPin select = {})
       : data_(std::move(data)),
         strobe_(std::move(strobe)),
@@ -58,9 +61,12 @@ class ParallelBus {
     return data_command_.set(false);
   }
 
+  /// @{
+  /// As the concept CommandDataBus states; everything has been sent when it returns.
   Error write_command(std::span<const std::byte> bytes) { return write(bytes, false); }
   Error write_data(std::span<const std::byte> bytes) { return write(bytes, true); }
   Error wait() { return Error::none; }
+  /// @}
 
  private:
   Error write(std::span<const std::byte> bytes, bool data) {

@@ -11,6 +11,7 @@
 
 namespace zstrip::hal {
 
+/// Two pieces of 32 bytes, which take turns.
 class Piecewise {
  public:
   /// Sends byte_at(0), byte_at(1) ... byte_at(count - 1) as data. Nothing may be under way; the last piece may be, when

@@ -21,26 +21,27 @@ concept StripRenderer = requires(T& renderer, std::uint16_t strip, std::span<std
 /// `count` strips of `rows` rows and `columns` pixels, from the left to the right of the display, then from its top to
 /// its bottom; the last ones of a row or column may be smaller. `columns` 0: the display's width.
 struct StripLayout {
-  std::uint16_t count = 0;
-  std::uint16_t rows = 0;
-  std::uint16_t columns = 0;
+  std::uint16_t count = 0;    ///< Plan::strips
+  std::uint16_t rows = 0;     ///< pixels, Plan::strip_rows
+  std::uint16_t columns = 0;  ///< pixels, Plan::strip_columns
 };
 
 /// Where strips are drawn: each buffer holds rows * bytes_per_row(columns) bytes, aligned as the renderer needs. While
 /// one is being sent, the other is drawn. With `second` empty one buffer does for both, and drawing waits for the
 /// transfer: right for buses without DMA.
 struct StripBuffers {
-  std::span<std::byte> first;
-  std::span<std::byte> second;
+  std::span<std::byte> first;   ///< always needed
+  std::span<std::byte> second;  ///< as large as the first one, or empty
 };
 
 /// Success if both sides succeeded; else the first error, and the strip at which it was noticed. (A display may report
 /// a failed transfer one strip later.)
 template <class DrawStatus>
 struct [[nodiscard]] PresentResult {
-  DrawStatus draw{};
-  Error display = Error::none;
-  std::uint16_t strip = 0;
+  DrawStatus draw{};            ///< of the renderer
+  Error display = Error::none;  ///< of the display
+  std::uint16_t strip = 0;      ///< at which an error was noticed, from 0
+  /// Whether both succeeded.
   constexpr explicit operator bool() const { return static_cast<bool>(draw) && display == Error::none; }
 };
 

@@ -21,11 +21,11 @@ namespace zstrip::hal {
 struct Ssd0323Config {
   std::uint8_t contrast = 0x3A;        ///< 0..127
   std::uint8_t display_offset = 0x4C;  ///< 0..79: the COM line of the first row, in the direction of the scan
-  Orientation orientation{};
-  bool columns_reversed = false;  ///< the glass is wired from the right to the left
-  bool rows_reversed = true;      ///< and from the bottom to the top
-  bool com_split = true;          ///< odd rows on one side of the glass, even ones on the other
-  bool dc_dc_converter = true;    ///< the panel's supply comes from the controller's converter
+  Orientation orientation{};           ///< of the picture on the glass
+  bool columns_reversed = false;       ///< the glass is wired from the right to the left
+  bool rows_reversed = true;           ///< and from the bottom to the top
+  bool com_split = true;               ///< odd rows on one side of the glass, even ones on the other
+  bool dc_dc_converter = true;         ///< the panel's supply comes from the controller's converter
 };
 
 /// A display that shows what is written at once. Its memory has two pixels a byte, side by side on the upright glass:
@@ -35,10 +35,11 @@ template <CommandDataBus Bus>
 class Ssd0323 {
  public:
   static constexpr std::uint16_t kWidth = 128;  ///< of the upright glass
-  static constexpr std::uint16_t kHeight = 64;
+  static constexpr std::uint16_t kHeight = 64;  ///< of the upright glass
   static constexpr std::uint16_t kRowStep =
       2;  ///< rows of a strip are a multiple of this, where the picture is sideways
 
+  /// Sends nothing: start() does.
   explicit constexpr Ssd0323(Bus& bus, const Ssd0323Config& config = {}) : bus_(bus), config_(config) {}
 
   /// Sets the controller up, blackens its memory and switches the panel on. To be called once, after the reset line
@@ -50,6 +51,8 @@ class Ssd0323 {
     return wake();
   }
 
+  /// @{
+  /// As the concept Display states.
   constexpr std::uint16_t width() const { return is_sideways(config_.orientation) ? kHeight : kWidth; }
   constexpr std::uint16_t height() const { return is_sideways(config_.orientation) ? kWidth : kHeight; }
   constexpr PixelFormat format() const { return PixelFormat::gray4; }
@@ -77,9 +80,11 @@ class Ssd0323 {
 
   Error wait() { return noted(bus_.wait()); }
   Error end_frame() { return Error::none; }
+  /// @}
 
   /// Dark, nearly without current; the memory stays, and may be written.
   Error sleep() { return command(std::array{std::byte{0xAE}}); }
+  /// Shows the memory again.
   Error wake() { return command(std::array{std::byte{0xAF}}); }
   /// Contrast: 0..255, in steps of two. Nothing may be under way.
   Error set_brightness(std::uint8_t level) {

@@ -26,12 +26,12 @@ struct Ssd1306Config {
   std::uint8_t width = 128;        ///< of the upright glass, 1..128
   std::uint8_t height = 64;        ///< of the upright glass, 16..64, a multiple of 8
   std::uint8_t column_offset = 0;  ///< of the glass in the memory's 128 columns, from where they begin: 32 for 64x48
-  Orientation orientation{};
-  bool columns_reversed = true;  ///< wired from the right to the left
-  bool rows_reversed = true;     ///< wired from the bottom to the top
-  bool com_alternating = true;   ///< odd rows on one side of the glass, even ones on the other
-  bool charge_pump = true;       ///< the panel's supply comes from the controller; else from outside
-  std::uint8_t brightness = 0xCF;
+  Orientation orientation{};       ///< of the picture on the glass
+  bool columns_reversed = true;    ///< wired from the right to the left
+  bool rows_reversed = true;       ///< wired from the bottom to the top
+  bool com_alternating = true;     ///< odd rows on one side of the glass, even ones on the other
+  bool charge_pump = true;         ///< the panel's supply comes from the controller; else from outside
+  std::uint8_t brightness = 0xCF;  ///< contrast, 0..255
 };
 
 /// A display that shows what is written at once. Areas begin and end at multiples of eight rows (sideways:
@@ -40,10 +40,11 @@ struct Ssd1306Config {
 template <CommandDataBus Bus>
 class Ssd1306 {
  public:
-  static constexpr std::uint16_t kColumns = 128;
-  static constexpr std::uint16_t kRows = 64;
-  static constexpr std::uint16_t kRowStep = 8;
+  static constexpr std::uint16_t kColumns = 128;  ///< of the controller
+  static constexpr std::uint16_t kRows = 64;      ///< of the controller
+  static constexpr std::uint16_t kRowStep = 8;    ///< rows of a strip are a multiple of this
 
+  /// Sends nothing: start() does.
   explicit constexpr Ssd1306(Bus& bus, const Ssd1306Config& config = {}) : bus_(bus), config_(config) {}
 
   /// Sets the controller up, blackens the glass and switches it on; to be called after reset_panel() (output_pin.hpp),
@@ -76,6 +77,8 @@ class Ssd1306 {
     return error;
   }
 
+  /// @{
+  /// As the concept Display states.
   constexpr std::uint16_t width() const { return is_sideways(config_.orientation) ? config_.height : config_.width; }
   constexpr std::uint16_t height() const { return is_sideways(config_.orientation) ? config_.width : config_.height; }
   constexpr PixelFormat format() const { return PixelFormat::mono; }
@@ -102,9 +105,11 @@ class Ssd1306 {
   }
   Error wait() { return noted(bus_.wait()); }
   Error end_frame() { return Error::none; }
+  /// @}
 
   /// Dark and nearly without current; the memory stays, and may be written.
   Error sleep() { return command(0xAE); }
+  /// Shows the memory again.
   Error wake() { return command(0xAF); }
   /// Contrast, 0..255. Nothing may be under way.
   Error set_brightness(std::uint8_t level) {

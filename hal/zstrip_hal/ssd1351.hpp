@@ -19,8 +19,8 @@ namespace zstrip::hal {
 
 /// How the glass is wired, and how the picture lies on it. The defaults suit the usual modules of 128x128.
 struct Ssd1351Config {
-  std::uint16_t height = 128;  ///< rows of the upright glass, 16..128; it has 128 columns
-  Orientation orientation{};
+  std::uint16_t height = 128;     ///< rows of the upright glass, 16..128; it has 128 columns
+  Orientation orientation{};      ///< of the picture on the glass
   bool columns_reversed = false;  ///< wired from the right to the left
   bool rows_reversed = true;      ///< wired from the bottom to the top
   bool bgr = true;                ///< subpixels in the order C, B, A
@@ -31,9 +31,10 @@ struct Ssd1351Config {
 template <CommandDataBus Bus>
 class Ssd1351 {
  public:
-  static constexpr std::uint16_t kColumns = 128;
-  static constexpr std::uint16_t kRows = 128;
+  static constexpr std::uint16_t kColumns = 128;  ///< of the controller
+  static constexpr std::uint16_t kRows = 128;     ///< of the controller
 
+  /// Sends nothing: start() does.
   explicit constexpr Ssd1351(Bus& bus, const Ssd1351Config& config = {}) : bus_(bus), config_(config) {}
 
   /// Sets the controller up, blackens the glass and switches it on; to be called after reset_panel() (output_pin.hpp).
@@ -51,6 +52,8 @@ class Ssd1351 {
     return error;
   }
 
+  /// @{
+  /// As the concept Display states.
   constexpr std::uint16_t width() const { return is_sideways(config_.orientation) ? config_.height : kColumns; }
   constexpr std::uint16_t height() const { return is_sideways(config_.orientation) ? kColumns : config_.height; }
   constexpr PixelFormat format() const { return PixelFormat::rgb565_swapped; }
@@ -65,9 +68,11 @@ class Ssd1351 {
   }
   Error wait() { return bus_.wait(); }
   Error end_frame() { return Error::none; }
+  /// @}
 
   /// Dark and nearly without current; the memory stays, and may be written.
   Error sleep() { return send_command(bus_, std::byte{0xAE}); }
+  /// Shows the memory again.
   Error wake() { return send_command(bus_, std::byte{0xAF}); }
   /// Master current: 0..255, in steps of 16. Nothing may be under way.
   Error set_brightness(std::uint8_t level) { return send_command(bus_, std::byte{0xC7}, level >> 4); }

@@ -12,6 +12,8 @@ namespace zstrip::hal {
 
 /// Its pins GM1 and GM0 are 00: the memory has 132x162 pixels.
 struct St7735Controller {
+  /// @{
+  /// As DcsController states.
   static constexpr std::uint16_t kColumns = 132;
   static constexpr std::uint16_t kRows = 162;
   static constexpr bool kHasBrightness = false;
@@ -45,12 +47,16 @@ struct St7735Controller {
       default: return 0;
     }
   }
+  /// @}
 };
 
 /// GM1 and GM0 are 11: 128x160, without offsets.
 struct St7735Gm11Controller : St7735Controller {
+  /// @{
+  /// As DcsController states.
   static constexpr std::uint16_t kColumns = 128;
   static constexpr std::uint16_t kRows = 160;
+  /// @}
 };
 
 /// 128x160 in the middle of 132x162 ("green tab"). Modules of 128x128 have row_offset 3 and bgr, those of 80x160
@@ -58,9 +64,11 @@ struct St7735Gm11Controller : St7735Controller {
 inline constexpr DcsConfig kSt7735Module128x160{
     .width = 128, .height = 160, .column_offset = 2, .row_offset = 1, .columns_reversed = true, .rows_reversed = true};
 
+/// A panel with the controller ST7735. `bus` and `clock` must outlive it.
 template <CommandDataBus Bus, Clock Time, DcsController Controller = St7735Controller>
 class St7735 : public DcsPanel<Controller, Bus, Time> {
  public:
+  /// Sends nothing: start() does.
   constexpr St7735(Bus& bus, Time& clock, const DcsConfig& config = kSt7735Module128x160)
       : DcsPanel<Controller, Bus, Time>(bus, clock, config) {}
 };

@@ -10,7 +10,10 @@
 
 namespace zstrip::hal {
 
+/// The controller of 240x320 pixels, 12, 16 or 18 bits each.
 struct St7789Controller {
+  /// @{
+  /// As DcsController states.
   static constexpr std::uint16_t kColumns = 240;
   static constexpr std::uint16_t kRows = 320;
   static constexpr bool kHasBrightness = true;
@@ -30,15 +33,18 @@ struct St7789Controller {
       default: return 0;
     }
   }
+  /// @}
 };
 
 /// The usual module of 240x240: IPS, the glass in the first 240 rows of the memory. For 240x320 set `height`; 135x240
 /// has column_offset 52 and row_offset 40, 170x320 column_offset 35.
 inline constexpr DcsConfig kSt7789Module240x240{.width = 240, .height = 240, .inverted = true};
 
+/// A panel with the controller ST7789. `bus` and `clock` must outlive it.
 template <CommandDataBus Bus, Clock Time>
 class St7789 : public DcsPanel<St7789Controller, Bus, Time> {
  public:
+  /// Sends nothing: start() does.
   constexpr St7789(Bus& bus, Time& clock, const DcsConfig& config = kSt7789Module240x240)
       : DcsPanel<St7789Controller, Bus, Time>(bus, clock, config) {}
 };

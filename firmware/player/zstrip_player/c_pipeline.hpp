@@ -9,6 +9,7 @@
 #include "zstrip_player.h"
 #include "zstrip_player/player.hpp"
 
+/// What zstrip_player_in gets from C++; as long as the player lives.
 struct zstrip_pipeline {
-  zstrip::ChoosePipeline choose;
+  zstrip::ChoosePipeline choose;  ///< zstrip::drawn_with
 };

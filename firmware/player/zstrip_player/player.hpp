@@ -18,8 +18,8 @@ namespace zstrip {
 
 /// A pipeline, and the effects that it has been asked for.
 struct DrawnWith {
-  Effects effects;
-  Pipeline pipeline;
+  Effects effects;    ///< asked for, and what the pipeline has of its own
+  Pipeline pipeline;  ///< its functions
 };
 
 /// The one that draws what a scene and its picture call for.
@@ -32,6 +32,7 @@ DrawnWith drawn_with(Effects) {
   return {effects, {&detail::begin_frame<effects>, &detail::draw_strip<effects>, nullptr}};
 }
 
+/// What of a display its size and format do not say.
 struct FitOptions {
   std::uint8_t strip_buffers = 1;  ///< 1 or 2; two for displays that send one while another is drawn
   bool split_columns = false;      ///< strips may be narrower than the picture
@@ -42,6 +43,7 @@ struct FitOptions {
 /// outlive the player; any address will do.
 class Player {
  public:
+  /// Looks at nothing before the first call.
   constexpr Player(std::span<std::byte> memory, ChoosePipeline choose) : memory_(memory), choose_(choose) {}
   Player(const Player&) = delete;
   Player& operator=(const Player&) = delete;
@@ -66,11 +68,12 @@ class Player {
   /// 3. What time it is, in milliseconds of a clock of the caller's. From the first call on the animation of the scene
   /// runs, or a turn in kTurnTime where it has none, and frames are counted for show_text.
   void play(std::uint32_t now);
-  static constexpr std::uint32_t kTurnTime = 8192;
+  static constexpr std::uint32_t kTurnTime = 8192;  ///< milliseconds
   /// Lets the motion stand, or go on.
   void hold(bool held) { held_ = held; }
   /// Sets the motion to a time, in milliseconds from its beginning.
   void seek(std::uint32_t time) { time_ = time % period(); }
+  /// Milliseconds from the motion's beginning, less than it takes.
   std::uint32_t time() const { return time_; }
 
   /// Takes the camera around the point of its axis that is closest to the world's y axis: to the right, and up. 65536
@@ -111,7 +114,9 @@ class Player {
   /// was. All words take 7 KB of flash, where this is called.
   const char* error();
 
+  /// Of the picture that was fitted last.
   const View& view() const { return view_; }
+  /// Of the picture that was fitted last.
   const Plan& plan() const { return plan_; }
 
  private:
