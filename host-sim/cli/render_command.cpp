@@ -24,6 +24,7 @@
 #include "image/animated_png.hpp"
 #include "image/write_file.hpp"
 #include "render/edged_stage.hpp"
+#include "render/empty_picture.hpp"
 #include "render/parallel.hpp"
 #include "render/render_frame.hpp"
 #include "render/stage.hpp"
@@ -181,16 +182,29 @@ Result<Job> parse(const RenderCommandLine& arguments) {
   return job;
 }
 
-/// An empty picture looks like a mistake of the renderer; most often the camera is to blame.
-void warn_if_nothing_drawn(RunRecord& run) {
-  if (std::any_of(run.frames.begin(), run.frames.end(),
-                  [](const FrameRecord& frame) { return frame.report.statistics.fragments > 0; })) {
-    return;
+/// Why nothing of the scene is seen, or next to nothing of a model; empty: it is seen.
+std::string words_of_emptiness(Stage& stage, const Job& job, const RunRecord& run) {
+  const std::string too_small = job.camera.placed() ? "" : why_too_small(stage, job.view);
+  const bool drawn =
+      std::ranges::any_of(run.frames, [](const FrameRecord& frame) { return frame.report.statistics.fragments > 0; });
+  if (!too_small.empty()) return (drawn ? "most of the model is not seen: " : "no pixel was drawn: ") + too_small;
+  if (!drawn) {
+    return fmt::format("no pixel was drawn: the camera does not see the scene; check --eye, --orbit, --look-at{}",
+                       kind_of_scene(run.scene) == SceneKind::model ? ", --up" : "");
   }
-  std::string options = "--eye, --orbit, --look-at";
-  if (kind_of_scene(run.scene) == SceneKind::model) options += ", --up";
-  run.warnings.push_back("no pixel was drawn: the camera does not see the scene; check " + options);
-  print_warning(run.warnings.back());
+  const std::uint32_t first = run.frames.front().report.crc32;
+  const bool all_alike =
+      std::ranges::all_of(run.frames, [first](const FrameRecord& frame) { return frame.report.crc32 == first; });
+  if (!all_alike || job.visibility.show != Show::colour || !is_background(stage, job.view, first)) return {};
+  return "nothing is seen in the picture: " + why_unseen(stage);
+}
+
+/// An empty picture looks like a mistake of the renderer.
+void warn_if_empty(Stage& stage, const Job& job, RunRecord& run) {
+  std::string warning = words_of_emptiness(stage, job, run);
+  if (warning.empty()) return;
+  print_warning(warning);
+  run.warnings.push_back(std::move(warning));
 }
 
 /// What the real panel might not take, the bus's clock above all.
@@ -353,6 +367,7 @@ Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool q
   }
   // All workers' panels are alike.
   if (workers.front().panel) warn_of_complaints(workers.front().panel->model(), run);
+  warn_if_empty(**stage, job, run);
   return run;
 }
 
@@ -381,7 +396,6 @@ int run_render(const RenderCommandLine& arguments) {
   if (!job) return print_failure(job.failure());
   Result<RunRecord> record = render_frames(arguments.scene, *job, arguments.quiet);
   if (!record) return print_failure(record.failure());
-  warn_if_nothing_drawn(*record);
   const Result<Done> reported = report(*record, arguments);
   if (!reported) return print_failure(reported.failure());
   return static_cast<int>(ExitStatus::ok);

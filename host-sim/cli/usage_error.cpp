@@ -28,11 +28,14 @@ std::vector<std::string> names_of_options(const CLI::App& app) {
 
 /// Of what was not parsed the first unknown option, or else the unknown command; empty if it is neither.
 std::string unknown(const CLI::App& app, const CLI::App& chosen) {
-  const std::vector<std::string> left = app.remaining(true);
+  std::vector<std::string> left = app.remaining(true);
+  std::erase(left, "--");
   const auto option = std::ranges::find_if(left, [](std::string_view word) { return word.starts_with("--"); });
   if (option == left.end() && (&chosen != &app || left.empty())) return {};
   const std::string word = option == left.end() ? left.front() : option->substr(0, option->find('='));
   const std::vector<std::string> names = option == left.end() ? names_of_commands(app) : names_of_options(chosen);
+  if (std::ranges::find(names, word) != names.end())
+    return fmt::format("'{}' stands behind '--', the end of all options", word);
   const std::vector<std::string_view> known(names.begin(), names.end());
   return fmt::format("'{}' is unknown, did you mean {}?", word, nearest_name(word, known));
 }

@@ -207,8 +207,23 @@ class Composer {
       const Vector& radii = ellipsoid.placement.scale;
       radius = std::max(radius, std::hypot(at[0], at[1], at[2]) + std::max({radii[0], radii[1], radii[2]}));
     }
+    if (radius == 0) {
+      if (const Result<Done> done = check_has_triangles(); !done) return done.failure();
+    }
     if (!(radius > 0) || !std::isfinite(radius)) return at_line(file_.path, 1, "the scene is a single point");
     composed_->units.scale = kComposedRadius / radius;
+    return Done{};
+  }
+
+  /// Of models alone that have lines and points nothing is placed.
+  Result<Done> check_has_triangles() const {
+    for (std::size_t i = 0; i < models_.size(); ++i) {
+      if (!models_[i].parts.empty()) continue;
+      return at_line(file_.path, file_.models[i].file_line,
+                     fmt::format("model '{}' has only lines and points, which are left out, and nothing else is in the "
+                                 "scene; give it triangles, or write the lines into [[lines]]",
+                                 file_.models[i].name));
+    }
     return Done{};
   }
 

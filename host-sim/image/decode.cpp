@@ -12,12 +12,16 @@
 #include <vector>
 
 #include "image/decoders.hpp"
+#include "report/number.hpp"
 
 namespace zstrip::sim {
 namespace {
 
 constexpr std::array<std::uint8_t, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 constexpr std::array<std::uint8_t, 3> kJpegSignature{0xFF, 0xD8, 0xFF};
+
+/// Of a side, by the format.
+constexpr std::uint32_t kMaxSideOfPng = 0x7FFFFFFF;
 
 bool starts_with(std::span<const std::uint8_t> file, std::span<const std::uint8_t> signature) {
   return file.size() >= signature.size() && std::equal(signature.begin(), signature.end(), file.begin());
@@ -33,11 +37,14 @@ bool has_alpha(spng_ctx& png, const spng_ihdr& header) {
 Result<RgbImage> decode_png(std::span<const std::uint8_t> file) {
   const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> png(spng_ctx_new(0), &spng_ctx_free);
   if (!png) return damaged_picture("PNG", "no memory");
-  spng_set_image_limits(png.get(), kMaxImageSide, kMaxImageSide);
+  spng_set_image_limits(png.get(), kMaxSideOfPng, kMaxSideOfPng);
   spng_ihdr header{};
   std::size_t bytes = 0;
   int error = spng_set_png_buffer(png.get(), file.data(), file.size());
   if (error == 0) error = spng_get_ihdr(png.get(), &header);
+  if (error == 0) {
+    if (const Result<Done> done = check_image_size(header.width, header.height); !done) return done.failure();
+  }
   const bool alpha = error == 0 && has_alpha(*png, header);
   const spng_format format = alpha ? SPNG_FMT_RGBA8 : SPNG_FMT_RGB8;
   if (error == 0) error = spng_decoded_image_size(png.get(), format, &bytes);
@@ -59,9 +66,9 @@ Result<RgbImage> decode_jpeg(std::span<const std::uint8_t> file) {
   if (tjDecompressHeader3(jpeg.get(), file.data(), file.size(), &width, &height, &subsampling, &colour_space) != 0) {
     return damaged_picture("JPEG", tjGetErrorStr2(jpeg.get()));
   }
-  const int limit = static_cast<int>(kMaxImageSide);
-  if (width < 1 || height < 1 || width > limit || height > limit) return damaged_picture("JPEG", "size out of range");
+  if (width < 1 || height < 1) return damaged_picture("JPEG", "it has no pixels");
   RgbImage image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), {}};
+  if (const Result<Done> done = check_image_size(image.width, image.height); !done) return done.failure();
   image.rgb.resize(3 * std::size_t{image.width} * image.height);
   if (tjDecompress2(jpeg.get(), file.data(), file.size(), image.rgb.data(), width, 0, height, TJPF_RGB, 0) != 0) {
     return damaged_picture("JPEG", tjGetErrorStr2(jpeg.get()));
@@ -73,6 +80,14 @@ Result<RgbImage> decode_jpeg(std::span<const std::uint8_t> file) {
 
 Failure damaged_picture(const char* kind, const char* reason) {
   return {ExitStatus::input, fmt::format("is not a whole {} picture ({})", kind, reason)};
+}
+
+Result<Done> check_image_size(std::uint32_t width, std::uint32_t height) {
+  if (width <= kMaxImageSide && height <= kMaxImageSide && std::uint64_t{width} * height <= kMaxImagePixels)
+    return Done{};
+  return Failure{ExitStatus::input,
+                 fmt::format("is too large: {}x{} pixels; at most {} a side and {} together are read", width, height,
+                             grouped(kMaxImageSide), grouped(kMaxImagePixels))};
 }
 
 RgbImage split_alpha(std::uint32_t width, std::uint32_t height, std::span<const std::uint8_t> rgba) {

@@ -9,8 +9,11 @@
 
 namespace zstrip::sim {
 
-/// Largest side that is read; a hostile file must not take gigabytes.
-inline constexpr std::uint32_t kMaxImageSide = 16384;
+/// What is read at most; a hostile file must not take gigabytes, nor minutes.
+inline constexpr std::uint32_t kMaxImageSide = 16384, kMaxImagePixels = 8192 * 8192;
+
+/// Fails where a picture is too large to be read. The message starts with a verb.
+Result<Done> check_image_size(std::uint32_t width, std::uint32_t height);
 
 /// A damaged or truncated file is a failure whose message starts with a verb ("is not a whole PNG picture ...").
 Result<RgbImage> decode_image(std::span<const std::uint8_t> file);

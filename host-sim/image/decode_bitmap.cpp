@@ -55,10 +55,10 @@ Result<RgbImage> decode_bitmap_or_targa(std::span<const std::uint8_t> file, cons
   if (stbi_info_from_memory(file.data(), size, &width, &height, &channels) == 0) {
     return damaged_picture(kind, "its header is damaged");
   }
-  constexpr int kLimit = static_cast<int>(kMaxImageSide);
-  if (height < 0 && height >= -kLimit) height = -height;  // a BMP from the top down
-  if (width < 1 || height < 1 || width > kLimit || height > kLimit) return damaged_picture(kind, "size out of range");
+  if (height < 0 && height > std::numeric_limits<int>::min()) height = -height;  // a BMP from the top down
+  if (width < 1 || height < 1) return damaged_picture(kind, "it has no pixels");
   const auto columns = static_cast<std::uint32_t>(width), rows = static_cast<std::uint32_t>(height);
+  if (const Result<Done> done = check_image_size(columns, rows); !done) return done.failure();
   if (file.size() < least_bytes(file, columns, rows)) return damaged_picture(kind, "it is cut off");
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
       stbi_load_from_memory(file.data(), size, &width, &height, &channels, 4), &stbi_image_free);

@@ -83,7 +83,10 @@ Result<Done> write_file(const std::filesystem::path& path, std::span<const std::
   std::filesystem::path target = std::filesystem::canonical(path, ignored);
   if (target.empty()) target = path;
   const SignalPause pause;
-  std::string temporary = (target.parent_path() / fmt::format(".{}.XXXXXX", target.filename().string())).string();
+  // A name may have 255 bytes, and so may this one.
+  constexpr std::size_t kLongest = 240;
+  const std::string name = target.filename().string().substr(0, kLongest);
+  std::string temporary = (target.parent_path() / fmt::format(".{}.XXXXXX", name)).string();
   const int file = ::mkostemp(temporary.data(), O_CLOEXEC);
   if (file < 0) return cannot_write(path, errno, option);
   int reason = ::fchmod(file, default_mode()) != 0 ? errno : 0;

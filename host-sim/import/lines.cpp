@@ -34,6 +34,12 @@ struct Part {
   }
 };
 
+/// Whether triangles of the material look otherwise than in its plain colour.
+bool is_more_than_plain(const SourceMaterial& material) {
+  const bool transparent = material.alpha_mode != AlphaMode::opaque && material.alpha != 255;
+  return transparent || material.texture != kNoSourceTexture || material.emissive != std::array<std::uint8_t, 3>{};
+}
+
 void add_part(Part& part, std::size_t material, const Grid& grid, Model& model) {
   const MeshData& data = model.mesh_data.emplace_back(std::move(part.vertices));
   const std::vector<Segment>& segments = model.segments.emplace_back(std::move(part.segments));
@@ -54,13 +60,14 @@ void add_part(Part& part, std::size_t material, const Grid& grid, Model& model) 
 }  // namespace
 
 Result<Done> add_lines(const SourceModel& source, const Grid& grid, Model& model) {
-  std::uint64_t moving = 0;
+  std::uint64_t moving = 0, plain = 0;
   for (const SourceLines& lines : source.lines) {
     const SourceMaterial& from = source.materials[lines.material];
     const std::size_t material = model.materials.size();
     model.materials.push_back({.colour = {from.colour[0], from.colour[1], from.colour[2], 255}, .lit = false});
     model.material_names.push_back(from.name);
     if (lines.node != kNoNode) moving += lines.indices.size() / 2;
+    if (is_more_than_plain(from)) plain += lines.indices.size() / 2;
     Part part;
     for (std::size_t i = 0; i < lines.indices.size(); i += 2) {
       if (!part.has_room_for_a_line()) add_part(part, material, grid, model);
@@ -77,6 +84,10 @@ Result<Done> add_lines(const SourceModel& source, const Grid& grid, Model& model
   }
   if (moving > 0) {
     model.warnings.push_back(fmt::format("{} drawn at rest: animations move triangles only", counted(moving, "line")));
+  }
+  if (plain > 0) {
+    model.warnings.push_back(fmt::format(
+        "{} drawn in plain colours: textures, emission and alpha are of triangles only", counted(plain, "line")));
   }
   return Done{};
 }

@@ -58,6 +58,7 @@ Result<Done> MeshGroups::add(const SourcePrimitive& primitive) {
   }
   if (primitive.vertex_alpha) ++vertex_alpha_;
   if (primitive.morphs) ++morphs_;
+  bad_texcoords_ += primitive.bad_texcoords;
   if (!primitive.indices.empty()) add_triangles(primitive);
   if (!primitive.segments.empty()) add_segments(primitive);
   return Done{};
@@ -128,6 +129,7 @@ Result<Done> MeshGroups::finish() {
   warn_of(bad_index_, "triangle", "left out: with vertices that do not exist");
   warn_of(bad_segments_, "line", "left out: with vertices that do not exist, or are not finite");
   warn_of(bent_segments_, "line", "left out: skins bend triangles only");
+  warn_of(bad_texcoords_, "texture coordinate", "not finite (NaN or infinite): drawn as 0");
   warn_of(vertex_alpha_, "mesh", "drawn without the alpha of its vertex colours, which differs");
   warn_of(morphs_, "mesh", "with morph targets drawn at rest: only nodes and skins are animated");
   std::erase_if(model_.meshes, [](const SourceMesh& mesh) { return mesh.indices.empty(); });

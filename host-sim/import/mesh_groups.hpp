@@ -16,9 +16,10 @@ struct SourcePrimitive {
   std::uint32_t material = 0;   ///< index into SourceModel::materials
   std::int32_t node = kNoNode;  ///< as SourceMesh::node
   bool has_colours = false, has_texcoords = false, has_skin = false;
-  bool mirrored = false;      ///< a node turned it inside out: triangles are turned back
-  bool vertex_alpha = false;  ///< of vertex colours differs, and would count
-  bool morphs = false;        ///< an animation would change its shape
+  bool mirrored = false;            ///< a node turned it inside out: triangles are turned back
+  bool vertex_alpha = false;        ///< of vertex colours differs, and would count
+  bool morphs = false;              ///< an animation would change its shape
+  std::uint64_t bad_texcoords = 0;  ///< vertices whose texture coordinates are not finite, and became 0
   std::vector<SourceVertex> vertices;
   std::vector<std::uint32_t> indices;   ///< three a triangle; any numbers
   std::vector<std::uint32_t> segments;  ///< two a line, twice the same for a point; any numbers
@@ -51,6 +52,7 @@ class MeshGroups {
   std::uint64_t bad_index_ = 0;
   std::uint64_t vertex_alpha_ = 0;
   std::uint64_t morphs_ = 0;
+  std::uint64_t bad_texcoords_ = 0;
   std::uint64_t bent_segments_ = 0;
   std::uint64_t bad_segments_ = 0;
 };

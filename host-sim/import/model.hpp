@@ -88,6 +88,7 @@ class Model {
   std::vector<SourceCamera> cameras;        ///< of the file, in its units
   Units units;
   Accuracy accuracy;
+  double outlying = 1;                ///< as outlying_of()
   std::vector<std::string> warnings;  ///< what the picture will lack, one line each
 };
 

@@ -89,7 +89,10 @@ std::string as_utf8(std::string_view text) {
 
 Assimp::IOStream* ModelFiles::Open(const char* file, const char* mode) {
   std::unique_ptr<Assimp::IOStream> stream(DefaultIOSystem::Open(file, mode));
-  if (!stream) return nullptr;
+  if (!stream) {
+    not_opened_.emplace_back(file);
+    return nullptr;
+  }
   std::string begin(2, '\0');
   begin.resize(stream->Read(begin.data(), 1, begin.size()));
   stream->Seek(0, aiOrigin_SET);

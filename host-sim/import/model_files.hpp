@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace zstrip::sim {
 
@@ -15,8 +16,13 @@ std::string as_utf8(std::string_view text);
 /// byte alone. Of RAW, names of groups are left out: of several groups its reader keeps one, and pointers to nothing.
 class ModelFiles : public Assimp::DefaultIOSystem {
  public:
+  /// `not_opened`: is added to.
+  explicit ModelFiles(std::vector<std::string>& not_opened) : not_opened_(not_opened) {}
   using Assimp::DefaultIOSystem::Open;
   Assimp::IOStream* Open(const char* file, const char* mode) override;
+
+ private:
+  std::vector<std::string>& not_opened_;
 };
 
 }  // namespace zstrip::sim

@@ -16,6 +16,7 @@
 #include "import/grid.hpp"
 #include "import/lines.hpp"
 #include "import/meshlets.hpp"
+#include "import/outlying.hpp"
 #include "import/quantised_skins.hpp"
 #include "report/number.hpp"
 
@@ -107,6 +108,7 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
   Model model;
   model.accuracy.size = 2 / common.units.scale;
   model.units = common.units;
+  model.outlying = outlying_of(source);
   model.warnings = source.warnings;
   model.cameras = source.cameras;
   model.tree = source.nodes;

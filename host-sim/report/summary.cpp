@@ -6,6 +6,7 @@
 #include "report/frame_record.hpp"
 #include "report/number.hpp"
 #include "report/plan_words.hpp"
+#include "report/text.hpp"
 #include "visibility/methods.hpp"
 
 namespace zstrip::sim {
@@ -59,7 +60,7 @@ std::string summary(const RunRecord& run) {
   for (const FrameRecord& frame : run.frames) nanoseconds += frame.report.nanoseconds;
   const double milliseconds = 1e-6 * static_cast<double>(nanoseconds) / static_cast<double>(run.frames.size());
 
-  std::string text = fmt::format("{}: {} of {}x{}, {}\n", run.scene, counted(run.frames.size(), "frame"),
+  std::string text = fmt::format("{}: {} of {}x{}, {}\n", printable(run.scene), counted(run.frames.size(), "frame"),
                                  run.view.width, run.view.height, format_words(run.view));
   text += fmt::format("  triangles  {}, of which drawn {}\n", grouped(first.statistics.triangles),
                       range(run, [](const FrameReport& report) { return report.statistics.drawn; }));
@@ -86,8 +87,9 @@ std::string summary(const RunRecord& run) {
   text += fmt::format("  time       {:.2f} ms a frame\n", milliseconds);
   if (run.panel) text += fmt::format("  panel      {}\n", panel(run));
   text += run.frames.front().file == run.frames.back().file
-              ? fmt::format("  written    {}\n", run.frames.front().file)
-              : fmt::format("  written    {} to {}\n", run.frames.front().file, run.frames.back().file);
+              ? fmt::format("  written    {}\n", printable(run.frames.front().file))
+              : fmt::format("  written    {} to {}\n", printable(run.frames.front().file),
+                            printable(run.frames.back().file));
   return text;
 }
 

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <ctime>
@@ -119,6 +120,35 @@ TEST_F(BadInput, NameWithControlCharacters) {
   expect_failure(ExitStatus::input, "bad??name", {"render", "bad\n\x1Bname"});
 }
 
+/// They went to the terminal as they were; other letters still do.
+TEST_F(BadInput, NameThatTurnsText) {
+  for (const char* turn : {"\u202A", "\u202E", "\u2066", "\u2069", "\u200E", "\u200F", "\u061C", "\u2028", "\u2029",
+                           "\u0085", "\u009B", "\x9B"}) {
+    expect_failure(ExitStatus::input, "bad?gpj", {"render", std::string("bad") + turn + "gpj"});
+  }
+  for (const char* name : {"größe", "日本", "🙂", "e\u0301", "שלום", "\xE2", "\xFF"}) {
+    expect_failure(ExitStatus::input, name, {"render", name});
+  }
+  const Outcome summary = run(ZSTRIP_COMMAND, {"render", "cube", "-o", "a\u202Egnp.png"}, path(""));
+  EXPECT_NE(summary.out.find("written    a?gnp.png"), std::string::npos) << summary.out;
+}
+
+/// One of 80,000 corners took 24 s.
+TEST_F(BadInput, FaceOfTooManyCorners) {
+  std::string vertices, face = "f";
+  constexpr int kCorners = 80'000;
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 6.283185307 * i / kCorners;
+    vertices += "v " + std::to_string(std::cos(angle)) + ' ' + std::to_string(std::sin(angle)) + " 0\n";
+    face += ' ' + std::to_string(i + 1);
+  }
+  file("face.obj", vertices + face + '\n');
+  const auto begin = std::chrono::steady_clock::now();
+  expect_failure(ExitStatus::input, "'face.obj' has a face of 80,000 corners; at most 5,000 are read",
+                 {"render", "face.obj", "-o", "a.png"});
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds{10});
+}
+
 TEST_F(BadInput, MisspeltBuiltInSceneIsToldTheNearest) {
   expect_failure(ExitStatus::input,
                  "there is no file 'tepot', and no built-in scene of that name; did you mean 'teapot'?",
@@ -193,6 +223,8 @@ TEST_F(BadInput, Options) {
   usage("'rendr' is unknown, did you mean render?; see 'zstrip --help'", {"rendr", "teapot"});
   usage("'--sise' is unknown, did you mean --size?; see 'zstrip render --help'", {"render", "teapot", "--sise", "3x3"});
   usage("'--smaples' is unknown, did you mean --samples?", {"render", "teapot", "--smaples=4"});
+  usage("'--size' stands behind '--', the end of all options", {"render", "teapot", "--", "--size", "3x3"});
+  usage("'--size' stands behind '--', the end of all options", {"render", "--", "teapot", "--size", "3x3"});
   usage("'--versoin' is unknown, did you mean --version?", {"--versoin"});
 }
 

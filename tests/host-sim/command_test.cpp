@@ -304,6 +304,13 @@ TEST_F(Command, ExamplesOfHelpWork) {
   EXPECT_GE(run, 5);
 }
 
+TEST_F(Command, TwoDashesEndTheOptions) {
+  file("-odd.obj", kTriangleObj);
+  EXPECT_EQ(zstrip({"render", "-o", "odd.png", "--quiet", "--", "-odd.obj"}).status, 0);
+  EXPECT_EQ(zstrip({"render", "cube", "-o", "cube.png", "--quiet", "--"}).status, 0);
+  EXPECT_EQ(files(), (std::vector<std::string>{"-odd.obj", "cube.png", "odd.png"}));
+}
+
 TEST_F(Command, NothingDrawnIsAWarning) {
   const Outcome outcome =
       zstrip({"render", "teapot", "--eye", "0,0,4", "--look-at", "0,0,8", "--quiet", "--json", "-"});

@@ -105,6 +105,23 @@ TEST_F(GltfHighlights, TextureOfRoughnessCountsByItsMean) {
   EXPECT_EQ(found.specular, (Colour{100, 100, 100, 255}));
 }
 
+/// It counted as white without a word.
+TEST_F(GltfHighlights, MissingTextureOfRoughnessIsSaid) {
+  const std::string textured =
+      R"({"pbrMetallicRoughness":{"roughnessFactor":0.4,"metallicRoughnessTexture":{"index":0}}})";
+  const GltfFile gltf{{textured, textured}, {R"({"mesh":0})", R"({"mesh":1})"}, "nothing"};
+  const auto warnings = [&](Highlights highlights) {
+    const Result<Model> model =
+        import_model(file("model.gltf", gltf.text()), {}, Texcoords::of_textures, BackFaces::lit_alike, highlights);
+    EXPECT_TRUE(model) << model.failure().message;
+    return model ? model->warnings : std::vector<std::string>();
+  };
+  EXPECT_EQ(warnings(Highlights::of_materials),
+            std::vector<std::string>{"texture 'images[0]' is no picture in PNG, JPEG, WebP, BMP or TGA; highlights are "
+                                     "drawn without"});
+  EXPECT_TRUE(warnings(Highlights::none).empty());
+}
+
 TEST_F(GltfHighlights, PictureCallsForThem) {
   const GltfFile gltf{.materials = {Surface{.roughness = 0.4}.json()}, .nodes = {R"({"mesh":0})"}};
   const std::string path = file("model.gltf", gltf.text());

@@ -1,9 +1,11 @@
 // What glTF 2.0 says of surfaces, one feature a file: colours times texels, transforms and borders of textures, sides.
+#include <fmt/format.h>
 #include <webp/encode.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "gltf_file.hpp"
@@ -120,6 +122,37 @@ TEST_F(GltfSurface, TextureTransform) {
   expect_at(corner(quarter, 3), 0, 0);
   expect_at(corner(quarter, 1), 1, -1);
   expect_at(corner(quarter + R"(,"scale":[3,2],"offset":[0.5,0])", 1), 2.5F, -3);
+}
+
+/// Floats of that size have no fractions: the texture became one texel.
+TEST_F(GltfSurface, FarOffsetsKeepTheirFractions) {
+  const auto at = [&](double offset, const std::string& sampler) {
+    const std::string material = fmt::format(
+        R"({{"pbrMetallicRoughness":{{"baseColorTexture":{{"index":0,"extensions":{{"KHR_texture_transform":)"
+        R"({{"offset":[{0:.17g},{0:.17g}]}}}}}}}}}})",
+        offset);
+    return source(square(material, kWhole, kBrick, sampler)).meshes[0].vertices[3].texcoord;
+  };
+  for (const char* sampler : {"{}", R"({"wrapS":33648,"wrapT":33648})"}) {
+    for (const double textures : {1e8, -1e8, 1e12, 18.0, -18.0}) {
+      for (const float part : at(textures + 0.25, sampler)) {
+        EXPECT_EQ(std::remainder(part - 0.25F, 2.0F), 0) << textures;
+        EXPECT_LE(std::abs(part), 16.25F) << textures;
+      }
+    }
+    EXPECT_EQ(std::fmod(at(1e20, sampler)[0], 2), 0);
+  }
+  // What is clamped does not repeat.
+  EXPECT_EQ(at(1e8, R"({"wrapS":33071,"wrapT":33071})")[0], 1e8F);
+}
+
+/// They became 0 without a word.
+TEST_F(GltfSurface, TextureCoordinatesThatAreNoNumbersAreSaid) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::string textured = R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})";
+  EXPECT_EQ(model(square(textured, {0, 1, nan, 1, 1, nan, 0, 0}, kBrick)).warnings,
+            std::vector<std::string>{"2 texture coordinates not finite (NaN or infinite): drawn as 0"});
+  EXPECT_TRUE(model(square("{}", {0, 1, nan, 1, 1, nan, 0, 0}, kBrick)).warnings.empty());
 }
 
 TEST_F(GltfSurface, SecondSetOfTextureCoordinates) {

@@ -9,6 +9,7 @@
 #include "image/encode.hpp"
 #include "image/resample.hpp"
 #include "image/write_file.hpp"
+#include "render/render_frame.hpp"
 #include "support.hpp"
 
 namespace zstrip::sim::test {
@@ -146,6 +147,41 @@ void expect_whole_only(const std::vector<std::uint8_t>& file, const std::vector<
   }
 }
 
+/// 65535x1 was "not whole", and 16384x8192 took ten seconds and a gigabyte.
+TEST(Decode, TooManyPixelsAreSaidByTheHeaderAlone) {
+  const auto png = [](std::uint32_t width, std::uint32_t height) {
+    std::vector<std::uint8_t> file{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n', 0, 0, 0, 13, 'I', 'H', 'D', 'R'};
+    const auto append = [&file](std::uint32_t value) {
+      for (int shift = 24; shift >= 0; shift -= 8) file.push_back(static_cast<std::uint8_t>(value >> shift));
+    };
+    append(width), append(height);
+    file.insert(file.end(), {8, 6, 0, 0, 0});
+    append(checksum(std::as_bytes(std::span(file).subspan(12))));
+    return file;
+  };
+  const auto targa = [](unsigned width, unsigned height) {
+    const auto byte = [](unsigned value) { return static_cast<std::uint8_t>(value & 255); };
+    return std::vector<std::uint8_t>{
+        0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, byte(width), byte(width >> 8), byte(height), byte(height >> 8), 24, 0};
+  };
+  const struct {
+    std::vector<std::uint8_t> file;
+    std::string words;
+  } cases[] = {{png(65535, 1), "is too large: 65535x1 pixels; at most 16,384 a side and 67,108,864 together are read"},
+               {png(1, 0x7FFFFFFF), "is too large: 1x2147483647 pixels"},
+               {png(16384, 8192), "is too large: 16384x8192 pixels"},
+               {png(16384, 4096), "is not a whole PNG picture"},
+               {png(8192, 8192), "is not a whole PNG picture"},
+               {targa(65535, 1), "is too large: 65535x1 pixels"},
+               {targa(16384, 4097), "is too large: 16384x4097 pixels"},
+               {targa(16384, 4096), "is not a whole TGA picture (it is cut off)"}};
+  for (const auto& [file, words] : cases) {
+    const Result<RgbImage> image = decode_image(file);
+    ASSERT_FALSE(image);
+    EXPECT_EQ(image.failure().message.rfind(words, 0), 0U) << image.failure().message;
+  }
+}
+
 TEST(Decode, Targa) {
   // From the bottom up, blue first: that is the format's default.
   const std::vector<std::uint8_t> head{0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0, 2, 0, 24, 0};
@@ -265,6 +301,17 @@ TEST_F(WriteFile, ReplacesAndLeavesNothingElse) {
   ASSERT_TRUE(write_file(path("a"), content(), "-o"));
   EXPECT_EQ(read(path("a")), "new");
   EXPECT_EQ(files(), std::vector<std::string>{"a"});
+}
+
+/// The temporary name was longer than a name may be.
+TEST_F(WriteFile, NamesOfAnyLengthThatTheSystemTakes) {
+  const std::string longest(255, 'n');
+  ASSERT_TRUE(write_file(path(longest), content(), "-o"));
+  EXPECT_EQ(files(), std::vector<std::string>{longest});
+  const auto longer = write_file(path(longest + 'n'), content(), "-o");
+  ASSERT_FALSE(longer);
+  EXPECT_NE(longer.failure().message.find("File name too long"), std::string::npos) << longer.failure().message;
+  EXPECT_EQ(files(), std::vector<std::string>{longest});
 }
 
 TEST_F(WriteFile, WritesThroughLinks) {

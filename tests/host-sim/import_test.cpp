@@ -295,6 +295,36 @@ TEST_F(Import, MissingAndDamagedTexturesAreWarnings) {
   }
 }
 
+/// Assimp's readers leave these out without a word.
+TEST_F(Import, WhatReadersLeaveOutIsSaid) {
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\n";
+  const std::string corners = "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  png("whole.png", 16, 16, 0x1234);
+  file("m.mtl", "newmtl a\nmap_Kd whole.png\n");
+  const struct {
+    std::string name, content, words;  // without words no warning
+  } cases[] = {
+      {"a.obj", "mtllib gone.mtl\nusemtl a\n" + triangle,
+       "gone.mtl' cannot be opened; what uses them is drawn without"},
+      {"b.OBJ", "mtllib gone.mtl\nusemtl a\n" + triangle,
+       "gone.mtl' cannot be opened; what uses them is drawn without"},
+      {"c.obj", triangle, ""},
+      {"d.obj", "mtllib m.mtl\nusemtl a\n" + triangle, ""},
+      {"e.ply", ply + corners, ""},
+      {"f.ply", ply + "element edge 2\nproperty int vertex1\nproperty int vertex2\n" + corners + "0 1\n1 2\n",
+       "2 edges left out: edges of PLY are not read; write faces"},
+  };
+  for (const auto& [name, content, words] : cases) {
+    const Model read = model(file(name, content));
+    ASSERT_EQ(read.warnings.size(), words.empty() ? 0U : 1U) << name;
+    const std::string said = words.empty() ? "" : read.warnings[0];
+    EXPECT_NE(said.find(words), std::string::npos) << said;
+  }
+}
+
 TEST_F(Import, VertexColoursReplaceTheMaterial) {
   const Model coloured = model(file("c.ply",
                                     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"

@@ -167,6 +167,45 @@ TEST_F(ModelLines, OfModelsOfSceneFilesAreLeftOutAndSaid) {
   EXPECT_TRUE(staging->scene.lines.empty());
 }
 
+/// It was "the scene is a single point", of no model.
+TEST_F(ModelLines, OfSceneFilesWithNothingElseNameTheModel) {
+  square(3, {0, 1, 2});
+  const std::string model = "[[model]]\nname = 'wire'\nfile = 'square.gltf'\n";
+  for (const char* use :
+       {"[[instance]]\nmodel = 'wire'\n", "[[material]]\nname = 'm'\n[[lines]]\nmaterial = 'm'\nmodel = 'wire'\n"}) {
+    const auto stage = open_stage(file("scene.toml", model + use), {}, {}, {64, 64}, 1);
+    ASSERT_FALSE(stage);
+    EXPECT_EQ(stage.failure().status, ExitStatus::input);
+    EXPECT_NE(stage.failure().message.find("line 3: model 'wire' has only lines and points, which are left out"),
+              std::string::npos)
+        << stage.failure().message;
+  }
+}
+
+/// Alpha, emission and textures of lines were left out without a word.
+TEST_F(ModelLines, ArePlainAndThatIsSaid) {
+  const std::string texture = R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0}})";
+  const std::string faint = R"("pbrMetallicRoughness":{"baseColorFactor":[1,0,0,0.3]})";
+  const struct {
+    std::string material;
+    bool is_plain;
+  } cases[] = {{R"({"alphaMode":"BLEND",)" + faint + "}", false},
+               {R"({"alphaMode":"MASK",)" + faint + "}", false},
+               {R"({"emissiveFactor":[0,1,0]})", false},
+               {"{" + texture + "}", false},
+               {"{" + faint + "}", true},
+               {R"({"alphaMode":"BLEND"})", true}};
+  for (const auto& [material, is_plain] : cases) {
+    std::string text = GltfFile{{material}, {R"({"mesh":0})"}, rgba_png(1, 1, {9, 9, 9, 255})}.text();
+    const std::string indices = R"("indices":3)";
+    text.replace(text.find(indices), indices.size(), indices + R"(,"mode":1)");
+    const Model lines = model(file("lines.gltf", text));
+    const std::vector<std::string> said{
+        "3 lines drawn in plain colours: textures, emission and alpha are of triangles only"};
+    EXPECT_EQ(lines.warnings, is_plain ? std::vector<std::string>() : said) << material;
+  }
+}
+
 /// An unused vertex was counted for the box: one that is not finite left nothing of the model.
 TEST_F(ModelLines, UnusedVerticesDoNotCountForTheBox) {
   const Model damaged = model(file("inf.obj", "v -1 0 0\nv 1 0 0\nv inf 0 0\nl 1 2\nl 2 3\n"));

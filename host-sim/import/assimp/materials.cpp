@@ -24,9 +24,8 @@ Result<RgbImage> decode_embedded(const aiTexture& texture) {
   if (texture.mHeight == 0) {  // a whole picture file of mWidth bytes
     return decode_image({reinterpret_cast<const std::uint8_t*>(texture.pcData), texture.mWidth});
   }
-  if (texture.mWidth == 0 || texture.mWidth > kMaxImageSide || texture.mHeight > kMaxImageSide) {
-    return Failure{ExitStatus::input, "has a size out of range"};
-  }
+  if (texture.mWidth == 0) return Failure{ExitStatus::input, "has no pixels"};
+  if (const Result<Done> fits = check_image_size(texture.mWidth, texture.mHeight); !fits) return fits.failure();
   RgbImage image{texture.mWidth, texture.mHeight, {}};
   for (const aiTexel& texel : std::span(texture.pcData, std::size_t{texture.mWidth} * texture.mHeight)) {
     image.rgb.insert(image.rgb.end(), {texel.r, texel.g, texel.b});

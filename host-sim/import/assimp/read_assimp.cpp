@@ -20,11 +20,13 @@
 #include "import/assimp/bones.hpp"
 #include "import/assimp/lights.hpp"
 #include "import/assimp/materials.hpp"
+#include "import/assimp/unread.hpp"
 #include "import/assimp/up_axis.hpp"
 #include "import/mesh_groups.hpp"
 #include "import/model_files.hpp"
 #include "import/screen_channel.hpp"
 #include "import/turn_up.hpp"
+#include "report/number.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -65,6 +67,17 @@ class SilentStreams {
  private:
   std::streambuf *out_, *err_;
 };
+
+/// Of a face: Assimp's triangulation takes a time that grows faster than their square.
+constexpr unsigned kMaxCorners = 5'000;
+
+unsigned most_corners(const aiScene& scene) {
+  unsigned most = 0;
+  for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
+    for (const aiFace& face : std::span(mesh->mFaces, mesh->mNumFaces)) most = std::max(most, face.mNumIndices);
+  }
+  return most;
+}
 
 /// Walks the nodes and collects their meshes, transformed.
 class Collector {
@@ -145,6 +158,11 @@ Result<Done> Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform) {
     to.vertices.push_back(at_rest.empty() ? vertex(mesh, i, transform, normal_transform, to)
                                           : vertex(mesh, i, at_rest[i], map_of_normals(at_rest[i]), to));
   }
+  if (to.has_texcoords) {
+    const std::span texcoords(mesh.mTextureCoords[set], mesh.mNumVertices);
+    to.bad_texcoords = static_cast<std::uint64_t>(std::ranges::count_if(
+        texcoords, [](const aiVector3D& at) { return !std::isfinite(at.x) || !std::isfinite(at.y); }));
+  }
   for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
     if (face.mNumIndices == 0) continue;
     const unsigned* const last = face.mIndices + face.mNumIndices - 1;
@@ -175,12 +193,21 @@ void colour_by_vertices(SourceModel& model) {
 
 Result<SourceModel> read_assimp(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
                                 const std::function<void()>& parsed) {
+  std::vector<std::string> not_opened;
   Assimp::Importer importer;
-  importer.SetIOHandler(std::make_unique<ModelFiles>().release());  // which it owns
-  const aiScene* const scene = [&] {
-    const SilentStreams silent;
-    return importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_TransformUVCoords);
-  }();
+  importer.SetIOHandler(std::make_unique<ModelFiles>(not_opened).release());  // which it owns
+  const SilentStreams silent;
+  const aiScene* scene = importer.ReadFile(path.string(), 0);
+  if (scene != nullptr) {
+    const unsigned corners = most_corners(*scene);
+    if (corners > kMaxCorners) {
+      return Failure{ExitStatus::input,
+                     fmt::format("has a face of {} corners; at most {} are read: cut it into smaller "
+                                 "ones",
+                                 grouped(corners), grouped(kMaxCorners))};
+    }
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_TransformUVCoords);
+  }
   if (scene == nullptr) {
     std::string reason = importer.GetErrorString();
     std::replace(reason.begin(), reason.end(), '\n', ' ');
@@ -197,6 +224,7 @@ Result<SourceModel> read_assimp(const std::filesystem::path& path, std::optional
   }
   colour_by_vertices(model);
   read_lights(*scene, turn, model);
+  warn_of_unread(path, not_opened, model);
   return model;
 }
 

@@ -244,7 +244,11 @@ Result<SourcePrimitive> GltfPrimitives::read_primitive(const GltfJson& mesh, con
     if (to.has_texcoords) {
       const float* const texcoord = from->texcoords.at(i);
       const std::array<float, 2> on = texcoords.on_texture(double{texcoord[0]}, double{texcoord[1]});
-      if (std::isfinite(on[0]) && std::isfinite(on[1])) vertex.texcoord = on;
+      if (std::isfinite(on[0]) && std::isfinite(on[1])) {
+        vertex.texcoord = on;
+      } else {
+        ++to.bad_texcoords;
+      }
     }
     if (!to.has_skin) continue;
     vertex.joints = skin->joints[i].joints;

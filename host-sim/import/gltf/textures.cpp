@@ -14,6 +14,8 @@
 namespace zstrip::sim {
 namespace {
 
+/// A larger offset loses texels where coordinates become floats. What repeats looks the same two textures on.
+constexpr double kFarOffset = 16;
 constexpr std::size_t kClampToEdge = 33071, kMirroredRepeat = 33648;
 /// Formats that are not read; a texture that has nothing else is left out by name.
 constexpr std::array kOtherPictures{"KHR_texture_basisu", "EXT_texture_avif", "MSFT_texture_dds"};
@@ -59,6 +61,10 @@ std::optional<GltfTextureUse> GltfTextures::use_of(const GltfJson& material, con
     const GltfJson& sampler = element(member(document_.json, "samplers"), *index);
     use.wrap = {wrap_of(sampler, "wrapS"), wrap_of(sampler, "wrapT")};
   }
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    double& offset = use.texcoords.rows[axis][2];
+    if (use.wrap[axis] != TextureWrap::clamp && std::abs(offset) > kFarOffset) offset = std::fmod(offset, 2);
+  }
   return use;
 }
 
@@ -80,52 +86,64 @@ std::optional<std::size_t> GltfTextures::image_of(const GltfJson& texture) const
   return webp ? webp : index_in(texture, "source");
 }
 
-std::array<double, 3> GltfTextures::mean_of(std::size_t texture) const {
-  std::array<double, 3> mean{1, 1, 1};
-  const std::optional<std::size_t> source = image_of(element(member(document_.json, "textures"), texture));
-  if (!source) return mean;
-  const Result<RgbImage> image = decode(element(member(document_.json, "images"), *source));
-  if (!image || image->rgb.empty()) return mean;
+std::string GltfTextures::name_of(std::size_t texture) const {
+  const GltfJson& json = element(member(document_.json, "textures"), texture);
+  const std::optional<std::size_t> source = image_of(json);
+  const GltfJson& image = source ? element(member(document_.json, "images"), *source) : json;
+  const std::string uri = text_in(image, "uri");
+  std::string name = text_in(image, "name");
+  if (name.empty()) name = text_in(json, "name");
+  if (name.empty() && !uri.empty() && !is_data_uri(uri)) name = uri;
+  if (!name.empty()) return printable(name);
+  return source ? fmt::format("images[{}]", *source) : fmt::format("textures[{}]", texture);
+}
+
+Result<RgbImage> GltfTextures::image(std::size_t texture) const {
+  const GltfJson& json = element(member(document_.json, "textures"), texture);
+  if (const std::optional<std::size_t> source = image_of(json)) {
+    return decode(element(member(document_.json, "images"), *source));
+  }
+  for (const char* format : kOtherPictures) {
+    if (!extension(json, format).is_object()) continue;
+    return Failure{ExitStatus::input, fmt::format("is of {}, which is not read", format)};
+  }
+  return Failure{ExitStatus::input, "has no picture"};
+}
+
+std::array<double, 3> GltfTextures::mean_of(std::size_t texture) {
+  const auto [at, is_new] = means_.try_emplace(texture, std::array<double, 3>{1, 1, 1});
+  std::array<double, 3>& mean = at->second;
+  if (!is_new) return mean;
+  const Result<RgbImage> picture = image(texture);
+  if (!picture) {
+    model_.warnings.push_back(fmt::format("texture '{}' {}; highlights are drawn without", name_of(texture),
+                                          printable(picture.failure().message)));
+    return mean;
+  }
   std::array<std::uint64_t, 3> sum{};
-  for (std::size_t i = 0; i < image->rgb.size(); ++i) sum[i % 3] += image->rgb[i];
-  const std::size_t texels = image->rgb.size() / 3;
+  for (std::size_t i = 0; i < picture->rgb.size(); ++i) sum[i % 3] += picture->rgb[i];
+  const std::size_t texels = picture->rgb.size() / 3;
   for (std::size_t c = 0; c < 3; ++c) mean[c] = static_cast<double>(sum[c]) / (255 * static_cast<double>(texels));
   return mean;
 }
 
 std::uint32_t GltfTextures::read(std::size_t texture) {
-  const GltfJson& json = element(member(document_.json, "textures"), texture);
-  const std::optional<std::size_t> source = image_of(json);
-  const auto warn = [this](const std::string& name, const std::string& reason) {
-    model_.warnings.push_back(fmt::format("texture '{}' {}; what uses it is drawn without", printable(name), reason));
-  };
-  if (!source) {
-    std::string reason = "has no picture";
-    for (const char* format : kOtherPictures) {
-      if (extension(json, format).is_object()) reason = fmt::format("is of {}, which is not read", format);
-    }
-    const std::string name = text_in(json, "name");
-    warn(name.empty() ? fmt::format("textures[{}]", texture) : name, reason);
-    return kNoSourceTexture;
-  }
-  const auto known = known_.find(*source);
+  // Those without an image are told apart by themselves.
+  const std::optional<std::size_t> source = image_of(element(member(document_.json, "textures"), texture));
+  const std::pair key(source.has_value(), source.value_or(texture));
+  const auto known = known_.find(key);
   if (known != known_.end()) return known->second;
-  const GltfJson& image = element(member(document_.json, "images"), *source);
-  const std::string uri = text_in(image, "uri");
-  std::string name = text_in(image, "name");
-  if (name.empty()) name = text_in(json, "name");
-  if (name.empty() && !uri.empty() && !is_data_uri(uri)) name = uri;
-  if (name.empty()) name = fmt::format("images[{}]", *source);
-  Result<RgbImage> decoded = decode(image);
+  Result<RgbImage> decoded = image(texture);
   std::uint32_t index = kNoSourceTexture;
   if (decoded) {
     index = static_cast<std::uint32_t>(model_.textures.size());
     model_.textures.push_back(std::move(*decoded));
-    model_.texture_names.push_back(std::move(name));
+    model_.texture_names.push_back(name_of(texture));
   } else {
-    warn(name, decoded.failure().message);
+    model_.warnings.push_back(
+        fmt::format("texture '{}' {}; what uses it is drawn without", name_of(texture), decoded.failure().message));
   }
-  known_.emplace(*source, index);
+  known_.emplace(key, index);
   return index;
 }
 

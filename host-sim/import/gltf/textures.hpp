@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "import/gltf/buffers.hpp"
 #include "import/gltf/json.hpp"
@@ -41,17 +42,22 @@ class GltfTextures {
   std::optional<GltfTextureUse> use_of(const GltfJson& material, const char* key) const;
   /// Index into SourceModel::textures; kNoSourceTexture, with a warning, where it cannot be read.
   std::uint32_t read(std::size_t texture);
-  /// Of all its texels, 0..1 a channel; all ones where it cannot be read. The model does not keep it.
-  std::array<double, 3> mean_of(std::size_t texture) const;
+  /// Of all its texels, 0..1 a channel; all ones, with a warning, where it cannot be read. The model does not keep it.
+  std::array<double, 3> mean_of(std::size_t texture);
 
  private:
   std::optional<std::size_t> image_of(const GltfJson& texture) const;
   Result<RgbImage> decode(const GltfJson& image) const;
+  Result<RgbImage> image(std::size_t texture) const;
+  /// The image's, its own or its file's, for messages.
+  std::string name_of(std::size_t texture) const;
 
   const GltfDocument& document_;
   GltfBuffers& buffers_;
   SourceModel& model_;
-  std::map<std::size_t, std::uint32_t> known_;  ///< by image; also those that failed
+  /// By image, or texture where there is none (false); also those that failed.
+  std::map<std::pair<bool, std::size_t>, std::uint32_t> known_;
+  std::map<std::size_t, std::array<double, 3>> means_;  ///< by texture; likewise
 };
 
 }  // namespace zstrip::sim

@@ -1,0 +1,54 @@
+// What Assimp leaves out of files without a word.
+#include "import/assimp/unread.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <fstream>
+#include <sstream>
+
+#include "report/number.hpp"
+#include "report/text.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+std::string ending_of(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+/// As the header of a PLY file says.
+std::uint64_t edges_of_ply(const std::filesystem::path& path) {
+  constexpr int kMaxLines = 1000;
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  for (int i = 0; i < kMaxLines && std::getline(file, line) && !line.starts_with("end_header"); ++i) {
+    std::istringstream words(line);
+    std::string element, name;
+    std::uint64_t count = 0;
+    if (words >> element >> name >> count && element == "element" && name == "edge") return count;
+  }
+  return 0;
+}
+
+}  // namespace
+
+void warn_of_unread(const std::filesystem::path& path, const std::vector<std::string>& not_opened, SourceModel& model) {
+  const std::string ending = ending_of(path);
+  if (ending == ".obj" && !not_opened.empty()) {
+    // What follows is a guess of Assimp's.
+    model.warnings.push_back(
+        fmt::format("materials '{}' cannot be opened; what uses them is drawn without", printable(not_opened.front())));
+  }
+  const std::uint64_t edges = ending == ".ply" ? edges_of_ply(path) : 0;
+  if (edges > 0) {
+    model.warnings.push_back(
+        fmt::format("{} left out: edges of PLY are not read; write faces", counted(edges, "edge")));
+  }
+}
+
+}  // namespace zstrip::sim

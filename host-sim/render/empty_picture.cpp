@@ -1,0 +1,85 @@
+// Why pictures show nothing of their scene.
+#include "render/empty_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "render/render_frame.hpp"
+#include "report/number.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+std::uint32_t highest_alpha(const Texture& texture) {
+  if (texture.format != TextureFormat::rgb565_alpha) return 255;
+  const std::size_t texels = std::size_t{1} << (texture.log2_width + texture.log2_height);
+  unsigned highest = 0;
+  for (const unsigned pair : texture.texels.subspan(texels, (texels + 1) / 2)) {
+    highest = std::max({highest, pair & 0xFFU, pair >> 8});
+  }
+  return highest;
+}
+
+/// What hides all of a material; null: it can be seen.
+const char* what_hides(const Scene& scene, const Material& material) {
+  if (material.finish >= scene.finishes.size()) return nullptr;
+  const Finish& finish = scene.finishes[material.finish];
+  const std::uint32_t of_texture =
+      material.texture < scene.textures.size() ? highest_alpha(scene.textures[material.texture]) : 255;
+  const std::uint32_t alpha = (material.colour.a * of_texture + 127) / 255;
+  if (finish.alpha_mode == AlphaMode::blend && alpha == 0) return "is 0";
+  return finish.alpha_mode == AlphaMode::mask && alpha < finish.alpha_cutoff ? "is below its cutoff" : nullptr;
+}
+
+}  // namespace
+
+bool is_background(Stage& stage, const View& view, std::uint32_t crc32) {
+  Result<Staging> staging = stage.place(0, 1);
+  if (!staging) return false;
+  Scene& scene = staging->scene;
+  scene.instances = {};
+  scene.quadrics = {};
+  scene.lines = {};
+  scene.csg = {};
+  scene.edges = {};
+  scene.shadow = nullptr;
+  staging->tree = {};
+  const Result<FrameReport> empty = FrameRenderer(view, Budget{}).render(*staging);
+  return empty && empty->crc32 == crc32;
+}
+
+std::string why_unseen(Stage& stage) {
+  const std::string colours = "all that is drawn has the colour of the background";
+  const Result<Staging> staging = stage.place(0, 1);
+  if (!staging || !staging->scene.lines.empty()) return colours;
+  const Scene& scene = staging->scene;
+  std::set<std::uint16_t> materials;
+  for (const Instance& instance : scene.instances) materials.insert(instance.material);
+  for (const Quadric& quadric : scene.quadrics) materials.insert(quadric.material);
+  const char* hidden = nullptr;
+  for (const std::uint16_t material : materials) {
+    hidden = what_hides(scene, scene.materials[material]);
+    if (hidden == nullptr) return colours;
+  }
+  if (hidden == nullptr) return colours;
+  if (materials.size() > 1) return fmt::format("the alpha of all {} materials hides them", materials.size());
+  const std::vector<std::string> names = stage.origins().material_names;
+  const std::uint16_t only = *materials.begin();
+  const std::string name = only < names.size() ? names[only] : "";
+  return fmt::format("the alpha of {} {}", name.empty() ? "its material" : fmt::format("material '{}'", name), hidden);
+}
+
+std::string why_too_small(const Stage& stage, const View& view) {
+  const Model* const model = stage.model();
+  if (model == nullptr || model->outlying < std::max(view.width, view.height)) return {};
+  const std::string times =
+      model->outlying < 1e12 ? grouped(static_cast<std::uint64_t>(model->outlying)) : std::string("a trillion or more");
+  return fmt::format("the model is {} times as long as where most of it lies; take out what lies far away", times);
+}
+
+}  // namespace zstrip::sim
