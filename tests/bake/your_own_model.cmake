@@ -1,4 +1,4 @@
-# The README's section "Your own model", done: baked, built into a board's program, run in the emulator, the picture on
+# "Your own model on a board" of docs/try.md, done: baked, built into a board's program, run in the emulator, the picture on
 # its display compared with `zstrip render`.
 find_program(ZSTRIP_QEMU_ARM qemu-system-arm)
 if(NOT ZSTRIP_FIRMWARE OR NOT ZSTRIP_QEMU_ARM)

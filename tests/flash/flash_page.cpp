@@ -98,7 +98,7 @@ std::string flash_page(const measured::Table& table) {
           "those of all groups; `tests/measure flash` writes both.\n\n";
   for (const std::string& note : table.notes) page << "- " << note << '\n';
   page << "- K5 and CT: 320x240 pixels in RGB565, strips of 8 rows, the camera learned at run time\n"
-          "- README: its program as it stands\n"
+          "- pyramid: the program of docs/program.md as it stands\n"
           "- `unclipped`: `effect::unclipped`, for what does not come near the camera\n"
           "- `Renderer`: scene, picture and plan are learned and checked at run time\n\n";
   write_programs(page, table);

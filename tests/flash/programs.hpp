@@ -20,7 +20,7 @@ inline constexpr Program kPrograms[] = {
     {"ct_unclipped", "CT", "`FixedRenderer`, `unclipped`"},
     {"ct", "CT", "`FixedRenderer`"},
     {"ct_run_time", "CT", "`Renderer`"},
-    {"pyramid", "README", "`FixedRenderer`, `unclipped`"},
+    {"pyramid", "pyramid", "`FixedRenderer`, `unclipped`"},
 };
 
 struct Preset {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # debian.sh ROOT BUILD VERSION COMPILER: the packages for Debian hold what they must, and programs are built against them by
-# pkg-config, unpacked into a root of its own: the README's, and one with AnyRenderer.
+# pkg-config, unpacked into a root of its own: that of docs/program.md, and one with AnyRenderer.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 build=$2 version=$3 compiler=$4
@@ -30,7 +30,7 @@ $0 == "<!-- tests/consumer compiles and runs this -->" { found = 1; next }
 found && /^```/ { if (inside) exit; inside = 1; next }
 inside { print }
 AWK
-awk -f "$scratch/pages.awk" "$root/README.md" >"$scratch/readme.cpp"
+awk -f "$scratch/pages.awk" "$root/docs/program.md" >"$scratch/pyramid.cpp"
 PKG_CONFIG_LIBDIR=$(find "$system" -type d -name pkgconfig)
 export PKG_CONFIG_LIBDIR
 # program NAME SOURCE MODULE
@@ -39,7 +39,7 @@ program() {
   read -r -a flags <<<"$(pkg-config --cflags --libs "$3")"
   "$compiler" -std=c++20 -O1 "$2" "${flags[@]}" -o "$scratch/$1" && "$scratch/$1" || complain "$1 is not built or does not run"
 }
-program readme "$scratch/readme.cpp" zstrip
+program pyramid "$scratch/pyramid.cpp" zstrip
 program any "$root/tests/consumer/project/triangle.cpp" zstrip-any
 pkg-config --exact-version "$version" zstrip || complain "zstrip.pc is of another version"
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# readme_commands.sh ROOT ZSTRIP: every command in a ```sh block of the README, and each that host-sim/run proposes, is
-# run, in a copy of the sources. So that nothing is compiled a second time, ZSTRIP stands for the command that they build,
-# and cmake only plans its builds: of what it plans, EachFile and Consumer compile the rest. Left to other tests: installing
-# (Consumer), the board's program in the emulator (BakeBoard), and tests/run, which has run this.
+# readme_commands.sh ROOT ZSTRIP: every command in a ```sh block of the README, of docs/try.md, docs/program.md and
+# "Plain CMake" in docs/contributing.md, and each that host-sim/run proposes, is run, in a copy of the sources. So that
+# nothing is compiled a second time, ZSTRIP stands for the command that they build, and cmake only plans its builds: of
+# what it plans, EachFile and Consumer compile the rest. Left to other tests: installing (Consumer), the board's program
+# in the emulator (BakeBoard), and tests/run, which has run this.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 zstrip=$(readlink -f "$2")
@@ -50,9 +51,20 @@ run_lines() {
   done
 }
 
-page=README.md
-run_lines < <(awk '/^```/ { inside = ($0 ~ /^```(sh|bash|console)$/) ; next } inside { sub(/^\$ /, ""); print }' README.md)
-[ "$ran" -gt 10 ] || { echo "README.md holds no \`\`\`sh blocks with commands"; failed=1; }
+# run_page LEAST PAGE [SECTION]: all commands of a page, or of a section of it; at least so many.
+run_page() {
+  local before=$ran
+  page=$2
+  run_lines < <(awk -v section="${3-}" '
+    /^## / { here = $0 == "## " section }
+    /^```/ { inside = ($0 ~ /^```(sh|bash|console)$/); next }
+    inside && (section == "" || here) { sub(/^\$ /, ""); print }' "$2")
+  [ $((ran - before)) -ge "$1" ] || { echo "$page ${3-} holds fewer commands than $1"; failed=1; }
+}
+run_page 1 README.md
+run_page 10 docs/try.md
+run_page 4 docs/program.md
+run_page 2 docs/contributing.md "Plain CMake"
 # "  $0 COMMAND   what it does"
 page=host-sim/run
 proposed=$ran

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # without_cmake.sh ROOT: the commands of docs/porting.md that build zstrip without CMake, run as they are, with the
-# README's program as main.cpp: what they make is whole, and draws.
+# program of docs/program.md as main.cpp: what they make is whole, and draws.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 command -v arm-none-eabi-g++ >/dev/null || { echo "arm-none-eabi-g++ is not installed"; exit 77; }
@@ -14,7 +14,7 @@ block_after() {
     inside { print }' "$2"
 }
 block_after "tests/structure/without_cmake.sh runs this" "$root/docs/porting.md" >"$scratch/commands"
-block_after "tests/consumer compiles and runs this" "$root/README.md" >"$scratch/main.cpp"
+block_after "tests/consumer compiles and runs this" "$root/docs/program.md" >"$scratch/main.cpp"
 [ "$(grep -c 'g++' "$scratch/commands")" -eq 4 ] || { echo "docs/porting.md has no commands without CMake"; exit 1; }
 
 ln -s "$root" "$scratch/zstrip"
