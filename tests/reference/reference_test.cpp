@@ -131,8 +131,9 @@ std::vector<Case> cases() {
       {"knot_textured", {}, "knot_textured", {0, 4}, kLitTexture},
       {"cube", {}, "cube", {0, 1, 4, 9}, with_exact(kCopied, 0.85), kSteepDrift},
       {"cube_orthographic", {}, "cube", {1}, with_exact(kCopied, 0.97), 0, true},
-      // Nearly all of frame 9 has lit texels: its mean is theirs, not one with that of plain boxes.
-      {"room", {}, "room", {0, 1, 4, 9}, {.excess = kLitTexture.excess, .mean = 1.9, .exact = 0.98}, kSteepDrift},
+      {"room", {}, "room", {0, 1, 4}, with_exact(kLitTexture, 0.98), kSteepDrift},
+      // Frames 7 to 11 show lit texels nearly everywhere, 1.85 to 2.03: a mean of theirs alone, not with plain boxes.
+      {"room", {}, "room", {9}, {.excess = kLitTexture.excess, .mean = 1.9, .exact = 0.98}, kSteepDrift},
       {"random50", {}, "random50", {0, 1}, kNeedles},
       {"random10k", {}, "random10k", {0, 1, 4}, kTinyTriangles},
       {"bunny", glmark2, "bunny.obj", {0, 7}, kLit},
