@@ -13,7 +13,7 @@ failed=0
 good_tree() {
   rm -rf "${tree:?}"/*
   cp "$root/.clang-format" "$root/.clang-tidy" "$tree"
-  mkdir -p "$tree"/{core/zstrip/{base,scene,frame},hal/zstrip_hal}
+  mkdir -p "$tree"/{core/zstrip/{base,scene,frame},hal/zstrip_hal,firmware/player/zstrip_player}
   printf '#pragma once\n#include <cstdint>\n' >"$tree/core/zstrip/base/fixed.hpp"
   printf '#include "zstrip/base/fixed.hpp"\nint twice(int value) { return 2 * value; }\n' >"$tree/core/zstrip/scene/twice.cpp"
   printf '#pragma once\n' >"$tree/core/zstrip/frame/order.hpp"
