@@ -1,13 +1,13 @@
-# The made-up board of docs/porting.md, as somebody who follows the page has it: each block of code behind a comment with a
+# The made-up board of docs/new-board.md, as somebody who follows the page has it: each block of code behind a comment with a
 # file's name becomes that file. Sets ZSTRIP_BOARD_FOLDER, so that the build makes its programs, too.
-set(porting_page ${PROJECT_SOURCE_DIR}/docs/porting.md)
+set(porting_page ${PROJECT_SOURCE_DIR}/docs/new-board.md)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${porting_page})
 file(READ ${porting_page} porting_text)
 set(porting_folder ${PROJECT_BINARY_DIR}/firmware/my_board)
 foreach(name memory.ld board.cpp checksums.cpp pacing.cpp show.cpp CMakeLists.txt)
   string(FIND "${porting_text}" "<!-- my_board/${name} -->\n```" begin)
   if(begin EQUAL -1)
-    message(FATAL_ERROR "docs/porting.md has no my_board/${name}")
+    message(FATAL_ERROR "docs/new-board.md has no my_board/${name}")
   endif()
   string(SUBSTRING "${porting_text}" ${begin} -1 block)
   string(FIND "${block}" "```" fence)

@@ -1,4 +1,4 @@
-// The made-up board of docs/porting.md, whose files the build has taken out of that page: it draws what another board
+// The made-up board of docs/new-board.md, whose files the build has taken out of that page: it draws what another board
 // with the same chip draws. What its panel gets is in panel_boards_test.cpp.
 #include <gtest/gtest.h>
 
