@@ -2,7 +2,8 @@
 """gather_pages.py ROOT PAGES: copies the repository's Markdown, and the files that it links to, to the folder PAGES.
 
 The folders stay as they are, so that relative links stay right. GitHub begins a list without an empty line before it
-and nests lists by two spaces; Python's Markdown wants the line, and four spaces.
+and nests lists by two spaces; Python's Markdown wants the line, and four spaces. In tables GitHub wants a backslash
+before a bar in code; Python's Markdown shows it.
 """
 import pathlib
 import re
@@ -13,6 +14,7 @@ import urllib.parse
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 LIST_ITEM = re.compile(r"( *)(?:[-*] |\d+\. )")
 FENCE = re.compile(r" *```")
+CODE = re.compile(r"`[^`]*`")
 
 
 def is_source(path):
@@ -27,7 +29,7 @@ def without_code(text):
         if FENCE.match(line):
             inside = not inside
         elif not inside:
-            yield re.sub(r"`[^`]*`", "", line)
+            yield CODE.sub("", line)
 
 
 def linked_files(page, text):
@@ -49,6 +51,8 @@ def for_python_markdown(text):
         before = lines[-1] if lines else ""
         if item and not item[1] and before and not before.startswith(" ") and not LIST_ITEM.match(before):
             lines.append("")
+        if not inside and line.startswith("|"):
+            line = CODE.sub(lambda code: code[0].replace(r"\|", "|"), line)
         lines.append(("  " if item and item[1] == "  " else "") + line)
     return "\n".join(lines) + "\n"
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# checks_fail.sh ROOT: check_links.py finds each thing that it looks for, and the site's build ends with an error where a
-# page links to a missing one or a header has a name without a comment.
+# checks_fail.sh ROOT: check_links.py finds each thing that it looks for, the site's build ends with an error where a page
+# links to a missing one or a header has a name without a comment, and pages are gathered as they are meant.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 check=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/check_links.py
@@ -52,4 +52,19 @@ sed -i 's|int side;|int side;  ///< pixels|' core/zstrip/square.hpp
 docs/site/build_api api || { echo "complains about a good header"; failed=1; }
 printf '# A page\n[another](missing.md)\n' >README.md
 fails_with "'missing.md' which is not found" docs/site/build site
+
+# Lists and tables as Python's Markdown wants them; code stays as it is.
+printf '%s\n' 'Text' '- item' '  - nested' '| `a\|b` | c \| d |' '```' 'text' '- `a\|b`' '```' >README.md
+docs/site/gather_pages.py . pages
+diff pages/README.md - <<'EOF' || { echo "gathers another page"; failed=1; }
+Text
+
+- item
+    - nested
+| `a|b` | c \| d |
+```
+text
+- `a\|b`
+```
+EOF
 exit "$failed"
