@@ -20,8 +20,13 @@ namespace zstrip::hal {
 /// What a graphics card has to offer: one line of words for each connector.
 Outcome<std::vector<std::string>> drm_connectors(const std::string& path);
 
-enum class DrmFormat : std::uint8_t { rgb565, xrgb8888 };
+/// Of the card's buffers.
+enum class DrmFormat : std::uint8_t {
+  rgb565,    ///< two bytes a pixel
+  xrgb8888,  ///< four bytes a pixel
+};
 
+/// What is shown where.
 struct DrmOptions {
   std::string connector;            ///< as in "HDMI-A-1"; empty: the first one with a screen
   std::optional<ScreenSize> size;   ///< one of the screen's modes; none: the one that it prefers
@@ -37,25 +42,30 @@ struct DrmScreen;  // the card, the CRTC and what was on it before
 /// card, slow to read, is ever read. When the object ends the CRTC shows what it showed before.
 class DrmDisplay {
  public:
-  static constexpr int kFlipTimeout = 1000;  // ms
+  static constexpr int kFlipTimeout = 1000;  ///< ms
 
   /// Errors: the device is missing, no permission, another program shows pictures, no such connector or size, no
   /// screen connected, a driver without dumb buffers or with neither of the formats.
   static Outcome<DrmDisplay> open(const std::string& path, const DrmOptions& options = {});
 
+  /// The screen goes along.
   DrmDisplay(DrmDisplay&&) noexcept;
   DrmDisplay& operator=(DrmDisplay&&) = delete;
   ~DrmDisplay();
 
+  /// @{
+  /// As the concept Display states.
   std::uint16_t width() const { return size_.width; }
   std::uint16_t height() const { return size_.height; }
   PixelFormat format() const { return PixelFormat::rgb565; }
+  /// Of the card's buffers.
   DrmFormat card_format() const { return card_format_; }
 
   Error begin_frame() { return Error::none; }
   Error write(const Area& area, std::span<const std::byte> pixels);
   Error wait() { return Error::none; }
   Error end_frame();
+  /// @}
 
  private:
   /// Of a row: the pixels that a buffer of the card does not have yet. Empty where right <= left.

@@ -17,6 +17,7 @@
 
 namespace zstrip::hal {
 
+/// The mode that is asked for.
 struct FramebufferOptions {
   std::optional<ScreenSize> size;      ///< none: as it is
   std::optional<std::uint32_t> depth;  ///< bits a pixel, 16, 24 or 32; none: as it is
@@ -25,13 +26,17 @@ struct FramebufferOptions {
 /// A framebuffer's file, and the mode that it had: set again when the object ends, so on every way out.
 class FramebufferFile {
  public:
+  /// Takes the file.
   FramebufferFile(FileDescriptor file, const fb_var_screeninfo& former_mode)
       : file_(std::move(file)), former_mode_(former_mode) {}
+  /// The other one sets nothing any more.
   FramebufferFile(FramebufferFile&&) = default;
   FramebufferFile& operator=(FramebufferFile&&) = delete;
   ~FramebufferFile();
 
+  /// The file's number.
   int get() const { return file_.get(); }
+  /// Whether it is open.
   explicit operator bool() const { return static_cast<bool>(file_); }
 
  private:
@@ -52,10 +57,13 @@ class FramebufferDisplay {
   /// its former mode then.
   static Outcome<FramebufferDisplay> open(const std::string& path, const FramebufferOptions& options = {});
 
+  /// The screen goes along.
   FramebufferDisplay(FramebufferDisplay&&) = default;
   FramebufferDisplay& operator=(FramebufferDisplay&&) = delete;
   ~FramebufferDisplay();
 
+  /// @{
+  /// As the concept Display states.
   std::uint16_t width() const { return memory_.width; }
   std::uint16_t height() const { return memory_.height; }
   PixelFormat format() const { return PixelFormat::rgb565; }
@@ -64,6 +72,7 @@ class FramebufferDisplay {
   Error begin_frame() { return Error::none; }
   Error write(const Area& area, std::span<const std::byte> pixels) { return writer_.write(memory_, area, pixels); }
   Error wait() { return Error::none; }
+  /// @}
   /// Drivers that watch which pages were written pass them on now, not some time later.
   Error end_frame();
 

@@ -15,8 +15,8 @@ namespace zstrip::hal {
 
 /// A line of a chip.
 struct GpioLine {
-  std::string chip;  ///< the path of its device
-  unsigned offset = 0;
+  std::string chip;     ///< the path of its device
+  unsigned offset = 0;  ///< of the line in its chip
   friend bool operator==(const GpioLine&, const GpioLine&) = default;
 };
 

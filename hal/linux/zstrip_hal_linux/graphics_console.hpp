@@ -8,7 +8,11 @@
 namespace zstrip::hal {
 
 /// Of the console that is shown.
-enum class ConsoleMode : std::uint8_t { text, graphics, none };
+enum class ConsoleMode : std::uint8_t {
+  text,      ///< it draws
+  graphics,  ///< it draws nothing
+  none,      ///< there is none
+};
 
 /// ConsoleMode::none also without the permission to read it.
 ConsoleMode console_mode();
@@ -25,6 +29,7 @@ class GraphicsConsole {
 
   /// Nothing: leaves the console alone.
   GraphicsConsole() = default;
+  /// The other one leaves the console alone.
   GraphicsConsole(GraphicsConsole&&) = default;
   GraphicsConsole& operator=(GraphicsConsole&&) = delete;
   ~GraphicsConsole();

@@ -25,9 +25,12 @@ class I2cdevBus {
   /// driver of the kernel has, or at which no device answers: a control byte without anything behind it is sent to it.
   static Outcome<I2cdevBus> open(const std::string& path, std::uint8_t address);
 
+  /// @{
+  /// As the concept CommandDataBus states.
   Error write_command(std::span<const std::byte> bytes) { return write(std::byte{0x00}, bytes); }
   Error write_data(std::span<const std::byte> bytes) { return write(std::byte{0x40}, bytes); }
   Error wait() { return Error::none; }
+  /// @}
 
  private:
   I2cdevBus(FileDescriptor file, std::uint8_t address) : file_(std::move(file)), address_(address) {}

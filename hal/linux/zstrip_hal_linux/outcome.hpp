@@ -9,20 +9,28 @@ namespace zstrip::hal {
 
 /// `message` is one line without a full stop: the thing, what is wrong with it, what to do.
 struct Fault {
-  std::string message;
+  std::string message;  ///< to be shown to a user
 };
 
+/// A value, or why there is none.
 template <class T>
 class [[nodiscard]] Outcome {
  public:
-  Outcome(T value) : content_(std::move(value)) {}      // NOLINT(google-explicit-constructor): `return value;`
+  /// Success.
+  Outcome(T value) : content_(std::move(value)) {}  // NOLINT(google-explicit-constructor): `return value;`
+  /// No value.
   Outcome(Fault fault) : content_(std::move(fault)) {}  // NOLINT(google-explicit-constructor)
 
+  /// Whether there is a value.
   explicit operator bool() const { return std::holds_alternative<T>(content_); }
+  /// @{
+  /// The value, which must be there.
   T& operator*() { return std::get<T>(content_); }
   const T& operator*() const { return std::get<T>(content_); }
   T* operator->() { return &std::get<T>(content_); }
   const T* operator->() const { return &std::get<T>(content_); }
+  /// @}
+  /// Why there is none, which must be so.
   const Fault& fault() const { return std::get<Fault>(content_); }
 
  private:

@@ -9,7 +9,9 @@
 
 namespace zstrip::hal {
 
+/// For panels' drivers in a process.
 struct SleepingClock {
+  /// At least so long.
   void wait(std::uint32_t microseconds) { std::this_thread::sleep_for(std::chrono::microseconds(microseconds)); }
 };
 

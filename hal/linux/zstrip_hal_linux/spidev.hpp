@@ -24,9 +24,13 @@ class SpidevBus {
   /// Mode 0, 8 bits, at most `hertz`: read back, for drivers that accept what they cannot do.
   static Outcome<SpidevBus> open(const std::string& path, std::uint32_t hertz, GpioPin data_command);
 
+  /// @{
+  /// As the concept CommandDataBus states.
   Error write_command(std::span<const std::byte> bytes) { return write(bytes, false); }
   Error write_data(std::span<const std::byte> bytes) { return write(bytes, true); }
   Error wait() { return Error::none; }
+  /// @}
+  /// As the concept ReadableBus states.
   Error read(std::byte command, unsigned dummy_clocks, std::span<std::byte> answer);
 
  private:
