@@ -34,10 +34,11 @@ index.html: missing.html leads nowhere
 index.html: other.html#here: the page has no such place
 EOF
 
-# A repository of one page and one header, with the rest of its folders empty.
-mkdir -p "$scratch/tree"/{core/zstrip,docs,firmware/player/zstrip_player,hal/zstrip_hal}
+# A repository of one page and one header, with the rest of its folders and files empty.
+mkdir -p "$scratch/tree"/{core/zstrip,docs,firmware/player/zstrip_player,hal/linux/zstrip_hal_linux,hal/zstrip_hal}
 cp -r "$root/docs/site" "$scratch/tree/docs"
 cd "$scratch/tree"
+sed -n 's/^INPUT += //p' docs/site/Doxyfile | xargs touch
 # fails_with WORDS COMMAND...: the command fails, and says so.
 fails_with() {
   local output
