@@ -1,0 +1,59 @@
+// The options for what is drawn and how, shared by the commands that draw pictures of a scene.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cli/camera_arguments.hpp"
+#include "cli/panel_arguments.hpp"
+#include "cli/picture_arguments.hpp"
+#include "cli/visibility_arguments.hpp"
+#include "panel/simulated_panel.hpp"
+#include "result.hpp"
+#include "zstrip/budget.hpp"
+#include "zstrip/effects.hpp"
+#include "zstrip/view.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace zstrip::sim {
+
+/// As given on the command line.
+struct DrawingArguments {
+  std::string scene;
+  ViewArguments view;
+  MemoryArguments memory;
+  std::optional<std::string> depth_format;
+  std::optional<std::string> perspective;
+  PanelArguments panel;
+  CameraArguments camera;
+  VisibilityArguments visibility;
+};
+
+/// What they ask for.
+struct Drawing {
+  ModelOptions model;
+  std::optional<PanelRequest> panel;
+  View view;
+  std::optional<bool> edges;  ///< of with_edges
+  DepthFormat depth_format = DepthFormat::z16;
+  std::string_view depth_given;  ///< what has chosen it, for messages
+  Effects perspective;
+  Budget budget;
+  CameraOptions camera;
+  VisibilityRequest visibility;
+
+  /// Options beside scene, view and method.
+  Effects effects() const { return depth_effect(depth_format) | perspective; }
+};
+
+/// Adds the scene and the options; `arguments` must live as long as the command.
+void add_drawing_options(CLI::App& command, DrawingArguments& arguments);
+
+/// What the options leave open is as `settings` have it, those of the scene file.
+Result<Drawing> parse_drawing(const DrawingArguments& arguments, const PictureSettings& settings);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,105 @@
+// Draws the frames of a scene as the options ask, on one thread.
+#include "cli/scene_drawer.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "cli/print.hpp"
+#include "render/edged_stage.hpp"
+#include "visibility/drawing.hpp"
+#include "visibility/methods.hpp"
+#include "visibility/tree_stage.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+Result<std::unique_ptr<SimulatedPanel>> start_panel(const PanelRequest& request) {
+  std::unique_ptr<SimulatedPanel> panel = open_panel(request);
+  if (const hal::Error error = panel->start(); error != hal::Error::none) {
+    return Failure{ExitStatus::internal, fmt::format("the panel does not start: {}", hal::message(error))};
+  }
+  return panel;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Stage>> open_scene(const std::string& scene, const Drawing& drawing, std::uint32_t frames) {
+  Result<std::unique_ptr<Stage>> stage = open_stage(scene, drawing.model, drawing.camera, drawing.view, frames);
+  const bool shows_colours = drawing.visibility.show == Show::colour;
+  if (stage && !shows_colours) {
+    const Result<Staging> staging = (*stage)->place(0, frames);
+    if (staging && (drawing.edges.value_or(false) || !staging->scene.edges.empty())) {
+      print_warning("--show shows pixels as they were drawn: edges are not smoothed");
+    }
+  }
+  if (stage) stage = with_edges(std::move(*stage), shows_colours ? drawing.edges : false, drawing.view);
+  if (!stage) return stage;
+  for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
+  // What is wrong is judged by the scene itself.
+  if (frames > 1 && drawing.visibility.method.has(method::bsp) && drawing.visibility.show != Show::error) {
+    stage = with_tree(std::move(*stage), frames);
+  }
+  return stage;
+}
+
+SceneDrawer::SceneDrawer(const Drawing& drawing, std::unique_ptr<Stage> stage, const VisibleSetFile* sets,
+                         unsigned strip_threads)
+    : drawing_(&drawing),
+      stage_(std::move(stage)),
+      sets_(sets),
+      renderer_(drawing.view, drawing.budget, drawing.effects(), strip_threads) {}
+
+Result<SceneDrawer> SceneDrawer::open(const Drawing& drawing, std::unique_ptr<Stage> stage, const VisibleSetFile* sets,
+                                      unsigned strip_threads) {
+  SceneDrawer drawer(drawing, std::move(stage), sets, strip_threads);
+  if (drawing.panel) {
+    Result<std::unique_ptr<SimulatedPanel>> panel = start_panel(*drawing.panel);
+    if (!panel) return panel.failure();
+    drawer.panel_ = std::move(*panel);
+    drawer.renderer_.show_on(*drawer.panel_);
+  }
+  return drawer;
+}
+
+Result<DrawnFrame> SceneDrawer::draw(const Staging& staging, Show show) {
+  const VisibilityRequest& request = drawing_->visibility;
+  const Result<Done> checked = check_visibility(
+      effects_of(staging.scene, staging.camera) | effects_of(drawing_->view) | drawing_->effects() | request.method,
+      drawing_->depth_given);
+  if (!checked) return checked.failure();
+  VisibilityOptions visibility = request.options;
+  if (sets_ != nullptr) {
+    const auto visible = sets_->at(staging.scene, staging.camera, stage_->animation());
+    if (!visible) return visible.failure();
+    visibility.potentially_visible = *visible;
+  }
+  renderer_.set_visibility(request.method, visibility, request.temporal);
+  const auto bus_use = [this] {
+    return panel_ ? BusUse{panel_->bus().bytes(), panel_->bus().busy().count()} : BusUse{};
+  };
+  const BusUse before = bus_use();
+  const Result<FrameReport> report = renderer_.render(staging);
+  if (!report) return report.failure();
+  const BusUse after = bus_use();
+  DrawnFrame drawn{
+      *report, {after.bytes - before.bytes, after.nanoseconds - before.nanoseconds}, renderer_.pixels(), std::nullopt};
+  if (show == Show::colour) return drawn;
+  Result<ShownFrame> shown =
+      draw_shown(staging, {drawing_->view, drawing_->budget, drawing_->effects() | request.method, visibility}, show);
+  if (!shown) return shown.failure();
+  drawn.shown = std::move(*shown);
+  drawn.pixels = std::as_bytes(std::span(drawn.shown->pixels));
+  drawn.report.crc32 = checksum(drawn.pixels);
+  return drawn;
+}
+
+Result<std::vector<std::uint8_t>> SceneDrawer::encoded(ImageType type, std::span<const std::byte> pixels) const {
+  if (!panel_) return encode(type, drawing_->view, pixels);
+  if (const std::string dark = panel_->model().darkness(); !dark.empty()) {
+    return Failure{ExitStatus::internal, "the panel shows nothing: " + dark};
+  }
+  return encode(type, panel_->model().seen());
+}
+
+}  // namespace zstrip::sim
