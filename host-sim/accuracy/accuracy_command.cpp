@@ -21,7 +21,7 @@
 #include "accuracy/recorded.hpp"
 #include "accuracy/results.hpp"
 #include "accuracy/tables.hpp"
-#include "cli/measuring_program.hpp"
+#include "cli/sibling_program.hpp"
 #include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"

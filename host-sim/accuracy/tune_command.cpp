@@ -13,7 +13,7 @@
 #include <tuple>
 
 #include "accuracy/tune.hpp"
-#include "cli/measuring_program.hpp"
+#include "cli/sibling_program.hpp"
 #include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"

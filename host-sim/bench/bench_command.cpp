@@ -23,7 +23,7 @@
 #include "bench/stage_profile.hpp"
 #include "bench/visibility_table.hpp"
 #include "bench/workloads.hpp"
-#include "cli/measuring_program.hpp"
+#include "cli/sibling_program.hpp"
 #include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"

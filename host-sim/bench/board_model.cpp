@@ -17,7 +17,8 @@ constexpr std::array kBoards{
                .flash = {.description = "flash without wait states", .wait_states = 0, .cache = {.line_bytes = 4}},
                .ram_bytes = 16 * 1024,
                .spi_mhz = 8,
-               .dma = false},
+               .dma = false,
+               .cycles_per_estimate = 4.3},
     // RP2040 data sheet: XIP cache of 16 KB, 2 ways, 8 bytes a line; SPI up to half of 125 MHz. A line from quad flash
     // in
     // continuous read mode: 8 clocks of address, 4 idle, 16 of data, at half the core's clock.
@@ -31,7 +32,8 @@ constexpr std::array kBoards{
                          .cache = {.line_bytes = 8, .code_lines = 2048, .code_ways = 2, .shared = true}},
                .ram_bytes = 264 * 1024,
                .spi_mhz = 62.5,
-               .dma = true},
+               .dma = true,
+               .cycles_per_estimate = 3.3},
     // STM32F103 data sheet and flash programming manual: 2 wait states above 48 MHz, a prefetch buffer of two lines of
     // 64
     // bits; SPI up to 18 MHz.
@@ -46,7 +48,8 @@ constexpr std::array kBoards{
                          .prefetch = true},
                .ram_bytes = 20 * 1024,
                .spi_mhz = 18,
-               .dma = true},
+               .dma = true,
+               .cycles_per_estimate = 2.5},
     // STM32F411 data sheet and reference manual: 3 wait states at 100 MHz; the accelerator keeps 64 lines of code and 8
     // of
     // data, 128 bits each, replaces the least recently used one, and prefetches; SPI1 up to 50 MHz.
@@ -62,7 +65,8 @@ constexpr std::array kBoards{
                   .prefetch = true},
         .ram_bytes = 128 * 1024,
         .spi_mhz = 50,
-        .dma = true},
+        .dma = true,
+        .cycles_per_estimate = 2.0},
 };
 
 }  // namespace

@@ -19,6 +19,10 @@ struct BoardModel {
   std::uint32_t ram_bytes;
   double spi_mhz;  ///< most that the chip drives a display with
   bool dma;        ///< the bus sends while the core draws; else the core waits
+  /// Of the core, for each instruction that `zstrip plan` estimates for a Cortex-M3: the predicted cycles of K5M and CT
+  /// (docs/measured/performance.md, "Boards") by those estimates, the mean of both. For a first look: half as much and
+  /// half more are found.
+  double cycles_per_estimate;
 };
 
 /// RAM that arena and pixels cannot have: the renderer, other statics and the stack, rounded up from docs/memory.md.

@@ -24,13 +24,13 @@ namespace zstrip::sim {
 /// As given on the command line.
 struct DrawingArguments {
   std::string scene;
-  ViewArguments view;
-  MemoryArguments memory;
-  std::optional<std::string> depth_format;
-  std::optional<std::string> perspective;
-  PanelArguments panel;
-  CameraArguments camera;
-  VisibilityArguments visibility;
+  ViewArguments view{};
+  MemoryArguments memory{};
+  std::optional<std::string> depth_format{};
+  std::optional<std::string> perspective{};
+  PanelArguments panel{};
+  CameraArguments camera{};
+  VisibilityArguments visibility{};
 };
 
 /// What they ask for.

@@ -46,16 +46,9 @@ Result<Bus> parse_bus(const std::string& text, const PanelKind& kind) {
   bus.cycle = bus.kind == BusKind::spi ? kind.fastest_spi : kind.fastest_i2c;
   if (at == std::string::npos) return bus;
 
-  const std::string_view speed = std::string_view(text).substr(at + 1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(speed.data(), speed.data() + speed.size(), value);
-  const std::string_view unit = speed.substr(static_cast<std::size_t>(end - speed.data()));
-  const double factor = unit == "MHz" ? 1e6 : unit == "kHz" ? 1e3 : unit == "Hz" ? 1 : 0;
-  const double hertz = error == std::errc{} ? value * factor : 0;
-  if (!(hertz >= 1e3 && hertz <= 1e9)) {
-    return usage(fmt::format("--bus '{}' must have a speed of 1kHz to 1000MHz, for example spi@40MHz", text));
-  }
-  bus.cycle = Nanoseconds(std::llround(1e9 / hertz));
+  const Result<double> hertz = parse_bus_hertz(text);
+  if (!hertz) return hertz.failure();
+  bus.cycle = Nanoseconds(std::llround(1e9 / *hertz));
   return bus;
 }
 
@@ -151,6 +144,18 @@ Result<std::optional<PanelRequest>> parse_panel(const PanelArguments& arguments,
     return usage(fmt::format("--format rgb444 needs an even width (or rotation {})", sideways ? "0, 180" : "90, 270"));
   }
   return std::optional<PanelRequest>{request};
+}
+
+Result<double> parse_bus_hertz(const std::string& text) {
+  const std::size_t at = text.find('@');
+  const std::string_view speed = at == std::string::npos ? std::string_view{} : std::string_view(text).substr(at + 1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(speed.data(), speed.data() + speed.size(), value);
+  const std::string_view unit = speed.substr(static_cast<std::size_t>(end - speed.data()));
+  const double factor = unit == "MHz" ? 1e6 : unit == "kHz" ? 1e3 : unit == "Hz" ? 1 : 0;
+  const double hertz = error == std::errc{} ? value * factor : 0;
+  if (hertz >= 1e3 && hertz <= 1e9) return hertz;
+  return usage(fmt::format("--bus '{}' must have a speed of 1kHz to 1000MHz, for example spi@40MHz", text));
 }
 
 std::string bus_words(const PanelRequest& request) {

@@ -28,6 +28,9 @@ void add_panel_options(CLI::App& command, PanelArguments& arguments);
 Result<std::optional<PanelRequest>> parse_panel(const PanelArguments& arguments, const std::optional<std::string>& size,
                                                 const std::optional<std::string>& format);
 
+/// The clock in "spi@40MHz".
+Result<double> parse_bus_hertz(const std::string& text);
+
 /// "SPI at 40 MHz".
 std::string bus_words(const PanelRequest& request);
 

@@ -119,15 +119,6 @@ std::optional<PanelRecord> panel_record(const std::optional<PanelRequest>& panel
                      panel->orientation.mirrored};
 }
 
-/// Of all frames: the scene's animation, or else a turn, which has no time of its own.
-std::uint32_t milliseconds_of(const Stage& stage) {
-  constexpr std::uint32_t kTurn = 4000;
-  for (const Animation& animation : {stage.animation(), stage.joint_animation()}) {
-    if (!animation.tracks.empty()) return animation.duration;
-  }
-  return kTurn;
-}
-
 /// The bytes of a file.
 using Picture = std::vector<std::uint8_t>;
 

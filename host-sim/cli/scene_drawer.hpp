@@ -39,6 +39,7 @@ class SceneDrawer {
                                   unsigned strip_threads);
 
   Stage& stage() { return *stage_; }
+  const Stage& stage() const { return *stage_; }
   const SimulatedPanel* panel() const { return panel_.get(); }
 
   /// What stage().place() gave, perhaps with another camera.

@@ -5,71 +5,14 @@
 #include <spng.h>
 #include <turbojpeg.h>
 
-#include <array>
 #include <cstdlib>
 #include <memory>
 #include <string>
 
+#include "image/to_rgb.hpp"
+
 namespace zstrip::sim {
 namespace {
-
-bool is_grey(PixelFormat format) { return format == PixelFormat::gray4 || format == PixelFormat::mono; }
-
-using Rgb8 = std::array<std::uint8_t, 3>;
-
-/// A channel of `bits` bits, widened by repeating its upper bits: the largest becomes 255.
-std::uint8_t widened(unsigned channel, unsigned bits) {
-  return static_cast<std::uint8_t>(channel << (8 - bits) | channel >> (2 * bits - 8));
-}
-
-/// Pixel x of a row in a colour format.
-Rgb8 colour_at(std::span<const std::byte> row, std::size_t x, PixelFormat format) {
-  const auto byte = [row](std::size_t i) { return std::to_integer<unsigned>(row[i]); };
-  const auto from_565 = [](unsigned pixel) {
-    return Rgb8{widened(pixel >> 11, 5), widened(pixel >> 5 & 63, 6), widened(pixel & 31, 5)};
-  };
-  const auto nibble = [&byte, x](std::size_t i) {
-    return byte((3 * x + i) / 2) >> ((3 * x + i) % 2 == 0 ? 4 : 0) & 15;
-  };
-  const std::size_t i = x * bytes_per_row(1, format);
-  switch (format) {
-    case PixelFormat::rgb565_swapped: return from_565(byte(i) << 8 | byte(i + 1));
-    case PixelFormat::rgb666:
-      return {widened(byte(i) >> 2, 6), widened(byte(i + 1) >> 2, 6), widened(byte(i + 2) >> 2, 6)};
-    case PixelFormat::rgb444: return {widened(nibble(0), 4), widened(nibble(1), 4), widened(nibble(2), 4)};
-    case PixelFormat::xrgb8888: return {widened(byte(i + 2), 8), widened(byte(i + 1), 8), widened(byte(i), 8)};
-    default: return from_565(byte(i) | byte(i + 1) << 8);
-  }
-}
-
-std::vector<std::uint8_t> to_rgb8(const View& view, std::span<const std::byte> pixels) {
-  const std::size_t row_bytes = bytes_per_row(view.width, view.format);
-  std::vector<std::uint8_t> rgb;
-  rgb.reserve(std::size_t{view.width} * view.height * 3);
-  for (std::size_t y = 0; y < view.height; ++y) {
-    for (std::size_t x = 0; x < view.width; ++x) {
-      const Rgb8 colour = colour_at(pixels.subspan(y * row_bytes, row_bytes), x, view.format);
-      rgb.insert(rgb.end(), colour.begin(), colour.end());
-    }
-  }
-  return rgb;
-}
-
-std::vector<std::uint8_t> to_grey8(const View& view, std::span<const std::byte> pixels) {
-  const std::size_t row_bytes = bytes_per_row(view.width, view.format);
-  const unsigned bits = view.format == PixelFormat::gray4 ? 4 : 1;
-  const unsigned white = (1U << bits) - 1;
-  std::vector<std::uint8_t> grey;
-  grey.reserve(std::size_t{view.width} * view.height);
-  for (std::size_t y = 0; y < view.height; ++y) {
-    for (unsigned x = 0; x < view.width; ++x) {
-      const unsigned byte = std::to_integer<unsigned>(pixels[y * row_bytes + x * bits / 8]);
-      const unsigned shift = 8 - bits - x * bits % 8;  // the left pixel is in the high bits
-      grey.push_back(static_cast<std::uint8_t>((byte >> shift & white) * 255 / white));
-    }
-  }
-  return grey;
-}
 
 std::vector<std::uint8_t> bytes_of(std::span<const std::byte> pixels) {
   const auto* first = reinterpret_cast<const std::uint8_t*>(pixels.data());
@@ -83,7 +26,7 @@ Result<std::vector<std::uint8_t>> encode_png(const View& view, std::span<const s
   header.color_type = is_grey(view.format) ? SPNG_COLOR_TYPE_GRAYSCALE : SPNG_COLOR_TYPE_TRUECOLOR;
   header.bit_depth = view.format == PixelFormat::gray4 ? 4 : view.format == PixelFormat::mono ? 1 : 8;
   // PNG packs grey pixels of 4 and 1 bits as gray4 and mono do.
-  const std::vector<std::uint8_t> content = is_grey(view.format) ? bytes_of(pixels) : to_rgb8(view, pixels);
+  const std::vector<std::uint8_t> content = is_grey(view.format) ? bytes_of(pixels) : to_rgb(view, pixels).rgb;
 
   const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> png(spng_ctx_new(SPNG_CTX_ENCODER), &spng_ctx_free);
   if (!png) return Failure{ExitStatus::environment, "no memory to write a PNG"};
@@ -102,7 +45,7 @@ Result<std::vector<std::uint8_t>> encode_png(const View& view, std::span<const s
 Result<std::vector<std::uint8_t>> encode_jpeg(const View& view, std::span<const std::byte> pixels) {
   constexpr int kQuality = 90;
   const bool grey = is_grey(view.format);
-  const std::vector<std::uint8_t> content = grey ? to_grey8(view, pixels) : to_rgb8(view, pixels);
+  const std::vector<std::uint8_t> content = grey ? to_grey(view, pixels) : to_rgb(view, pixels).rgb;
   const std::unique_ptr<void, decltype(&tjDestroy)> jpeg(tjInitCompress(), &tjDestroy);
   if (!jpeg) return Failure{ExitStatus::environment, "no memory to write a JPEG"};
   unsigned char* data = nullptr;
@@ -116,7 +59,7 @@ Result<std::vector<std::uint8_t>> encode_jpeg(const View& view, std::span<const 
 
 std::vector<std::uint8_t> encode_ppm(const View& view, std::span<const std::byte> pixels) {
   const std::string header = fmt::format("P{}\n{} {}\n255\n", is_grey(view.format) ? 5 : 6, view.width, view.height);
-  const std::vector<std::uint8_t> content = is_grey(view.format) ? to_grey8(view, pixels) : to_rgb8(view, pixels);
+  const std::vector<std::uint8_t> content = is_grey(view.format) ? to_grey(view, pixels) : to_rgb(view, pixels).rgb;
   std::vector<std::uint8_t> file(header.begin(), header.end());
   file.insert(file.end(), content.begin(), content.end());
   return file;

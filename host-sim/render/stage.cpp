@@ -219,6 +219,14 @@ class ModelStage : public CameraStage {
 
 }  // namespace
 
+std::uint32_t milliseconds_of(const Stage& stage) {
+  constexpr std::uint32_t kTurn = 4000;
+  for (const Animation& animation : {stage.animation(), stage.joint_animation()}) {
+    if (!animation.tracks.empty()) return animation.duration;
+  }
+  return kTurn;
+}
+
 SceneKind kind_of_scene(const std::string& name) {
   if (scenes::find(name) != nullptr) return SceneKind::built_in;
   const std::filesystem::path extension = std::filesystem::path(name).extension();

@@ -54,6 +54,9 @@ class Stage {
   virtual const Model* model() const { return nullptr; }
 };
 
+/// Of all frames: the scene's animation, or else a turn, which has no time of its own.
+std::uint32_t milliseconds_of(const Stage& stage);
+
 enum class SceneKind : std::uint8_t { built_in, baked, composed, model };
 
 /// By the name alone: that of a built-in scene, a path that ends in .zsc, one that ends in .toml, any other path.

@@ -1,0 +1,38 @@
+// Finds a program beside this one and becomes it.
+#include "cli/sibling_program.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include "cli/print.hpp"
+#include "result.hpp"
+
+namespace zstrip::sim {
+
+void add_sibling_commands(CLI::App& app) {
+  for (const SiblingCommand& command : kSiblingCommands) app.add_subcommand(command.name, command.description);
+}
+
+std::optional<int> run_sibling_program(int argc, char** argv) {
+  if (argc < 2) return std::nullopt;
+  const auto is_named = [&](const SiblingCommand& command) { return std::string_view(argv[1]) == command.name; };
+  const auto* const found = std::ranges::find_if(kSiblingCommands, is_named);
+  if (found == kSiblingCommands.end()) return std::nullopt;
+  std::error_code error;
+  const std::filesystem::path program =
+      std::filesystem::read_symlink("/proc/self/exe", error).replace_filename(found->program);
+  ::execv(program.c_str(), argv);
+  return print_failure(
+      {ExitStatus::environment, fmt::format("cannot run {}: {}; 'zstrip {}' needs it: {}", program.string(),
+                                            std::strerror(errno), argv[1], found->how)});
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,283 @@
+// The life of the window: what a person does changes what is drawn, time changes what is shown.
+#include "view/view_loop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "cli/print.hpp"
+#include "image/animated_png.hpp"
+#include "image/rgb_png.hpp"
+#include "image/write_file.hpp"
+#include "report/text.hpp"
+#include "view/watched_files.hpp"
+#include "view/window_picture.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint32_t kMaxScale = 8;
+constexpr std::uint32_t kWideEnough = 960;  // the window is not made larger unasked
+constexpr double kDegreesOfPixel = 0.4;     // of a drag
+constexpr std::uint32_t kTick = 15;         // milliseconds between two looks at the time
+constexpr auto kWatchEvery = std::chrono::milliseconds(300);
+
+double seconds(Clock::duration time) { return std::chrono::duration<double>(time).count(); }
+
+/// The first of SCENE-1, SCENE-2 and so on that is no file here yet.
+std::filesystem::path free_name(const std::string& scene, std::string_view ending) {
+  const std::string stem = std::filesystem::path(scene).stem().string();
+  for (int number = 1;; ++number) {
+    std::filesystem::path name = fmt::format("{}-{}{}", stem, number, ending);
+    std::error_code error;
+    if (!std::filesystem::exists(name, error)) return name;
+  }
+}
+
+class ViewLoop {
+ public:
+  ViewLoop(Viewer& viewer, Window& window, const std::string& scene, const ViewLoopOptions& options)
+      : viewer_(viewer), window_(window), scene_(scene), options_(options), files_(scene) {}
+
+  Result<Done> run();
+
+ private:
+  void take(const Input& input);
+  void press(const std::string& key);
+  Result<Done> draw();
+  Result<Done> show();
+  void play(Clock::time_point now);
+  void look_at_files(Clock::time_point now);
+  void save(const std::filesystem::path& name, const Result<std::vector<std::uint8_t>>& file);
+  void save_animation();
+  double board_seconds() const { return viewed_.times.empty() ? 0 : viewed_.times.back().send_end; }
+
+  Viewer& viewer_;
+  Window& window_;
+  const std::string& scene_;
+  ViewLoopOptions options_;
+  WatchedFiles files_;
+  Clock::time_point looked_{};
+
+  bool open_ = true;
+  bool changed_ = true;  // the frame must be drawn
+  bool stale_ = true;    // the window does not show it
+  bool marks_ = false, text_ = true, playing_ = false;
+  ViewedFrame viewed_{};
+  RgbImage shown_{};  // what has arrived at the display of a board
+  std::size_t arrived_ = 0;
+  std::size_t drawing_ = SIZE_MAX;
+  Clock::time_point begun_{};
+};
+
+struct Key {
+  std::string_view name;
+  std::string_view does;
+};
+constexpr std::array kKeys{
+    Key{"drag, wheel", "turn the scene, come closer or go away; c: the scene's own camera"},
+    Key{"Right, Left", "the next frame, the one before; Space: play"},
+    Key{"w, d, o", "wireframe, depth, how often pixels are drawn; again: colours"},
+    Key{"b, t", "the strips' borders, the text below"},
+    Key{"+, -", "larger, smaller"},
+    Key{"s, S, a", "a picture as zstrip render writes it, one of the window, all frames as an animation"},
+    Key{"r, q", "read the scene again, quit"},
+};
+
+Result<Done> ViewLoop::draw() {
+  Result<ViewedFrame> viewed = viewer_.draw();
+  if (!viewed) return viewed.failure();
+  viewed_ = std::move(*viewed);
+  const bool at_once = viewed_.times.empty() || viewed_.strips.empty() || shown_.width != viewed_.picture.width ||
+                       shown_.height != viewed_.picture.height;
+  if (at_once) shown_ = viewed_.picture;
+  arrived_ = at_once ? viewed_.strips.size() : 0;
+  begun_ = Clock::now();
+  changed_ = false, stale_ = true;
+  return Done{};
+}
+
+/// Strips arrive as late as the board sends them.
+void copy_rows(const RgbImage& from, const Rect& area, RgbImage& to) {
+  for (std::int32_t y = area.top; y < area.bottom; ++y) {
+    const auto at = static_cast<std::ptrdiff_t>(
+        3 * (static_cast<std::size_t>(y) * from.width + static_cast<std::size_t>(area.left)));
+    std::copy_n(from.rgb.begin() + at, 3 * area.width(), to.rgb.begin() + at);
+  }
+}
+
+Result<Done> ViewLoop::show() {
+  const double now = seconds(Clock::now() - begun_);
+  for (; arrived_ < viewed_.strips.size() && viewed_.times[arrived_].send_end <= now; ++arrived_) {
+    copy_rows(viewed_.picture, viewed_.strips[arrived_], shown_);
+    stale_ = true;
+  }
+  const auto is_drawn = [now](const StripTimes& strip) { return strip.draw_begin <= now && now < strip.draw_end; };
+  const auto drawing = std::ranges::find_if(viewed_.times, is_drawn);
+  const std::size_t lit =
+      drawing == viewed_.times.end() ? SIZE_MAX : static_cast<std::size_t>(drawing - viewed_.times.begin());
+  stale_ = stale_ || (marks_ && lit != drawing_);
+  drawing_ = lit;
+  if (!stale_) return Done{};
+  stale_ = false;
+  const StripMarks marks{marks_ ? std::span<const Rect>(viewed_.strips) : std::span<const Rect>{}, drawing_};
+  const std::uint32_t fitting = std::clamp(kWideEnough / std::max(shown_.width, 1U), 1U, kMaxScale);
+  if (options_.scale == 0) options_.scale = fitting;
+  return window_.show(
+      window_picture(shown_, options_.scale, marks,
+                     text_ ? std::span<const std::string>(viewed_.text) : std::span<const std::string>{}));
+}
+
+void ViewLoop::play(Clock::time_point now) {
+  const double frame = static_cast<double>(viewer_.milliseconds()) / 1e3 / viewer_.frames();
+  const double passed = seconds(now - begun_);
+  if (!playing_ || passed < std::max(frame, board_seconds())) return;
+  // What a slow board has no time for is left out.
+  viewer_.step(std::max<std::int64_t>(1, std::llround(passed / frame)));
+  changed_ = true;
+}
+
+void ViewLoop::look_at_files(Clock::time_point now) {
+  if (!options_.watch || now - looked_ < kWatchEvery) return;
+  looked_ = now;
+  if (files_.changed()) press("r");
+}
+
+void ViewLoop::save(const std::filesystem::path& name, const Result<std::vector<std::uint8_t>>& file) {
+  if (!file) {
+    print_failure(file.failure());
+  } else if (const Result<Done> written = write_file(name, *file, "the folder in which zstrip view is started");
+             !written) {
+    print_failure(written.failure());
+  } else {
+    write_text(stdout, name.string() + "\n");
+    std::fflush(stdout);
+  }
+}
+
+void ViewLoop::save_animation() {
+  std::vector<std::vector<std::uint8_t>> frames;
+  for (std::uint32_t frame = 0; frame < viewer_.frames(); ++frame) {
+    window_.set_title(fmt::format("zstrip: saving frame {} of {}", frame + 1, viewer_.frames()));
+    viewer_.step(frame == 0 ? -static_cast<std::int64_t>(viewer_.frame()) : 1);
+    Result<ViewedFrame> viewed = viewer_.draw();
+    if (!viewed) {
+      print_failure(viewed.failure());
+      return;
+    }
+    frames.push_back(std::move(viewed->png));
+  }
+  window_.set_title("zstrip: " + scene_);
+  save(free_name(scene_, ".apng"), animated_png(frames, viewer_.milliseconds()));
+  changed_ = true;
+}
+
+void ViewLoop::press(const std::string& key) {
+  const auto look = [this](Look as) {
+    viewer_.toggle(as);
+    changed_ = true;
+  };
+  const auto scale = [this](std::uint32_t to) {
+    options_.scale = std::clamp(to, 1U, kMaxScale);
+    stale_ = true;
+  };
+  if (key == "q" || key == "Escape") open_ = false;
+  if (key == "Right") viewer_.step(1), changed_ = true;
+  if (key == "Left") viewer_.step(-1), changed_ = true;
+  if (key == "Space") playing_ = !playing_, begun_ = Clock::now();
+  if (key == "c") viewer_.reset_camera(), changed_ = true;
+  if (key == "w") look(Look::wireframe);
+  if (key == "d") look(Look::depth);
+  if (key == "o") look(Look::overdraw);
+  if (key == "b") marks_ = !marks_, stale_ = true;
+  if (key == "t") text_ = !text_, stale_ = true;
+  if (key == "+" || key == "=" || key == "Keypad +") scale(options_.scale + 1);
+  if (key == "-" || key == "Keypad -") scale(options_.scale - 1);
+  if (key == "s") save(free_name(scene_, ".png"), viewed_.png);
+  if (key == "S") {
+    const Result<RgbImage> window = window_.shown();
+    save(free_name(scene_, ".png"), window ? encode_rgb_png(*window) : window.failure());
+  }
+  if (key == "a") save_animation();
+  if (key == "r") {
+    const Result<Done> loaded = viewer_.reload();
+    if (!loaded) print_failure(loaded.failure());
+    files_ = WatchedFiles(scene_);
+    changed_ = true;
+  }
+}
+
+void ViewLoop::take(const Input& input) {
+  switch (input.kind) {
+    case Input::Kind::key: press(input.key); break;
+    case Input::Kind::drag:
+      viewer_.turn(input.x * kDegreesOfPixel, input.y * kDegreesOfPixel);
+      changed_ = true;
+      break;
+    case Input::Kind::wheel:
+      viewer_.zoom(input.y);
+      changed_ = true;
+      break;
+    case Input::Kind::exposed: stale_ = true; break;
+    case Input::Kind::closed: open_ = false; break;
+  }
+}
+
+Result<Done> ViewLoop::run() {
+  auto next = options_.inputs.begin();
+  std::optional<Input> key;  // was pressed before the picture was drawn that it is for
+  bool first = true;
+  while (open_) {
+    if (changed_) {
+      const Result<Done> drawn = draw();
+      if (!drawn && first) return drawn.failure();
+      if (!drawn) {
+        print_failure(drawn.failure());
+        changed_ = playing_ = false;
+      }
+      first = false;
+    }
+    if (const Result<Done> shown = show(); !shown) return shown.failure();
+    if (key) {
+      take(*std::exchange(key, std::nullopt));
+      continue;
+    }
+    const bool arriving = arrived_ < viewed_.strips.size();
+    if (next != options_.inputs.end() && !arriving) window_.inject(*next++);
+    // A drag is many small ones, which count together; a key means the picture that is there.
+    std::optional<Input> input = window_.wait(kTick);
+    for (; input && input->kind != Input::Kind::key; input = window_.wait(0)) take(*input);
+    if (input && changed_) {
+      key = input;
+    } else if (input) {
+      take(*input);
+    }
+    play(Clock::now());
+    look_at_files(Clock::now());
+  }
+  return Done{};
+}
+
+}  // namespace
+
+std::string view_keys() {
+  std::string text = "Mouse and keys:\n";
+  for (const Key& key : kKeys) text += fmt::format("  {:<12} {}\n", key.name, key.does);
+  return text;
+}
+
+Result<Done> run_view_loop(Viewer& viewer, Window& window, const std::string& scene, const ViewLoopOptions& options) {
+  return ViewLoop(viewer, window, scene, options).run();
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,196 @@
+// A scene as somebody looks at it: which frame, from where, as what, and what a device would take for it.
+#include "view/viewer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bake/flash_bytes.hpp"
+#include "bench/board_prediction.hpp"
+#include "image/to_rgb.hpp"
+#include "plan/alternatives.hpp"
+#include "report/number.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr double kZoomStep = 1.1;
+constexpr double kClosest = 0.05, kFarthest = 20;
+
+const char* name_of(Look look) {
+  switch (look) {
+    case Look::wireframe: return "wireframe";
+    case Look::depth: return "depth";
+    case Look::overdraw: return "overdraw";
+    default: return "colours";
+  }
+}
+
+/// Whether a pixel of the picture is the same pixel of the panel.
+bool lies_upright(const std::optional<PanelRequest>& panel) {
+  return !panel || (panel->orientation.rotation == hal::Rotation::none && !panel->orientation.mirrored);
+}
+
+struct BoardTime {
+  double draw, send;  // seconds, of the whole frame
+};
+
+/// The clock in one place: the estimate's instructions, and the bytes that the panel takes.
+BoardTime time_on(const BoardModel& board, double bus_mhz, std::uint64_t instructions, std::uint64_t bytes) {
+  return {static_cast<double>(instructions) * board.cycles_per_estimate / (board.core_mhz * 1e6),
+          static_cast<double>(8 * bytes) / (bus_mhz * 1e6)};
+}
+
+/// Every strip takes the share of the frame that it has of its rows.
+std::vector<StripTimes> times_on(const BoardModel& board, const BoardTime& frame, const std::vector<Rect>& strips) {
+  std::vector<StripWork> works;
+  std::int64_t pixels = 0;
+  const auto pixels_of = [](const Rect& area) { return std::int64_t{area.width()} * area.height(); };
+  for (const Rect& area : strips) pixels += pixels_of(area);
+  for (const Rect& area : strips) {
+    const double share = static_cast<double>(pixels_of(area)) / static_cast<double>(pixels);
+    works.push_back({frame.draw * share, frame.send * share});
+  }
+  return strip_timeline(0, works, board.dma);
+}
+
+std::vector<Rect> strips_of(const Plan& plan, const View& view) {
+  std::vector<Rect> strips;
+  for (std::uint16_t strip = 0; strip < plan.strips; ++strip) strips.push_back(plan.strip_area(strip, view));
+  return strips;
+}
+
+/// Window commands and pixels.
+std::uint64_t bytes_on_bus(const std::vector<Rect>& strips, const View& view) {
+  std::uint64_t bytes = 0;
+  for (const Rect& area : strips) {
+    bytes += kWindowBytes + std::uint64_t{bytes_per_row(static_cast<std::uint16_t>(area.width()), view.format)} *
+                                static_cast<std::uint64_t>(area.height());
+  }
+  return bytes;
+}
+
+}  // namespace
+
+Result<Viewer> Viewer::open(const ViewRequest& request) {
+  Viewer viewer(request);
+  if (const Result<Done> loaded = viewer.reload(); !loaded) return loaded.failure();
+  return viewer;
+}
+
+Result<Done> Viewer::reload() {
+  const std::string& scene = request_.drawing.scene;
+  const Result<PictureSettings> settings = settings_of(scene);
+  if (!settings) return settings.failure();
+  Result<Drawing> parsed = parse_drawing(request_.drawing, *settings);
+  if (!parsed) return parsed.failure();
+  auto drawing = std::make_unique<Drawing>(std::move(*parsed));
+  Result<std::unique_ptr<Stage>> stage = open_scene(scene, *drawing, request_.frames);
+  if (!stage) return stage.failure();
+  std::unique_ptr<VisibleSetFile> sets;
+  if (!drawing->visibility.sets.empty()) {
+    Result<VisibleSetFile> read = VisibleSetFile::read(drawing->visibility.sets);
+    if (!read) return read.failure();
+    sets = std::make_unique<VisibleSetFile>(std::move(*read));
+  }
+  Result<SceneDrawer> drawer = SceneDrawer::open(*drawing, std::move(*stage), sets.get(), 1);
+  if (!drawer) return drawer.failure();
+  drawer_.reset();
+  drawing_ = std::move(drawing);
+  sets_ = std::move(sets);
+  drawer_.emplace(std::move(*drawer));
+  return Done{};
+}
+
+Show Viewer::shown_as() const {
+  switch (look_) {
+    case Look::colour: return drawing_->visibility.show;
+    case Look::wireframe: return Show::colour;
+    case Look::depth: return Show::depth;
+    case Look::overdraw: return Show::overdraw;
+  }
+  return Show::colour;
+}
+
+void Viewer::step(std::int64_t frames) {
+  const std::int64_t all = request_.frames;
+  frame_ = static_cast<std::uint32_t>(((frame_ + frames) % all + all) % all);
+}
+
+void Viewer::turn(double yaw, double pitch) {
+  orbiting_.yaw = std::remainder(orbiting_.yaw + yaw, 360.0);
+  orbiting_.pitch = std::clamp(orbiting_.pitch + pitch, -180.0, 180.0);
+}
+
+void Viewer::zoom(double steps) {
+  orbiting_.distance = std::clamp(orbiting_.distance * std::pow(kZoomStep, -steps), kClosest, kFarthest);
+}
+
+Result<ViewedFrame> Viewer::draw() {
+  Result<Staging> staging = drawer_->stage().place(frame_, request_.frames);
+  if (!staging) return staging.failure();
+  staging->camera = orbited(staging->camera, orbiting_);
+  // What a device takes is told of the scene, also where its wires are shown.
+  Result<DrawnFrame> drawn = drawer_->draw(*staging, shown_as());
+  if (!drawn) return drawn.failure();
+  const FrameReport report = drawn->report;
+  if (look_ == Look::wireframe) drawn = drawer_->draw(wireframe_.of(*staging), Show::colour);
+  if (!drawn) return drawn.failure();
+  Result<std::vector<std::uint8_t>> png = drawer_->encoded(ImageType::png, drawn->pixels);
+  if (!png) return png.failure();
+
+  const SimulatedPanel* panel = drawer_->panel();
+  ViewedFrame viewed{.picture = panel != nullptr ? panel->model().seen() : to_rgb(drawing_->view, drawn->pixels),
+                     .png = std::move(*png),
+                     .report = report,
+                     .strips = strips_of(report.plan, drawing_->view),
+                     .times = {},
+                     .text = {}};
+  const std::uint64_t instructions =
+      estimated_instructions(count(staging->scene), viewed.report.statistics, drawing_->view, viewed.report.plan);
+  if (request_.board != nullptr) {
+    const BoardTime time =
+        time_on(*request_.board, request_.bus_mhz, instructions, bytes_on_bus(viewed.strips, drawing_->view));
+    viewed.times = times_on(*request_.board, time, viewed.strips);
+  }
+  viewed.text = text(*staging, viewed, instructions);
+  if (!lies_upright(drawing_->panel)) viewed.strips.clear();
+  return viewed;
+}
+
+std::vector<std::string> Viewer::text(const Staging& staging, const ViewedFrame& viewed,
+                                      std::uint64_t instructions) const {
+  const FrameReport& report = viewed.report;
+  const View& view = drawing_->view;
+  const FlashBytes flash = flash_bytes(staging.scene, drawer_->stage().animation(), staging.tree);
+  std::vector<std::string> lines{
+      fmt::format("{}x{} {} {}  {} of {}", view.width, view.height, name(view.format), name_of(look_), frame_ + 1,
+                  request_.frames),
+      fmt::format("RAM {} in {} of {} rows", counted(report.plan.bytes() + report.strip_pixel_bytes, "byte"),
+                  counted(report.plan.strips, "strip"), report.plan.strip_rows),
+      fmt::format("flash {} of scene", counted(flash.total(), "byte")),
+      fmt::format("{}, {} drawn, {}", counted(report.statistics.triangles, "triangle"),
+                  grouped(report.statistics.drawn), counted(report.statistics.fragments, "fragment"))};
+  const std::uint64_t bytes = bytes_on_bus(viewed.strips, view);
+  const auto seconds_of = [&](const BoardTime& time, const BoardModel& board) {
+    return times_on(board, time, viewed.strips).back().send_end;
+  };
+  if (const BoardModel* const board = request_.board) {
+    const BoardTime time = time_on(*board, request_.bus_mhz, instructions, bytes);
+    lines.push_back(fmt::format("{}: {:.0f} ms drawn, {:.0f} sent: about {:.1f}/s", board->name, 1e3 * time.draw,
+                                1e3 * time.send, 1 / seconds_of(time, *board)));
+    return lines;
+  }
+  std::vector<std::string> boards;
+  for (const BoardModel& board : board_models()) {
+    const BoardTime time = time_on(board, board.spi_mhz, instructions, bytes);
+    boards.push_back(fmt::format("{} {:.1f}", board.name, 1 / seconds_of(time, board)));
+  }
+  lines.push_back(fmt::format("about/s: {}", fmt::join(boards, ", ")));
+  return lines;
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,82 @@
+// A scene as somebody looks at it: which frame, from where, as what, and what a device would take for it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/board_model.hpp"
+#include "bench/strip_timeline.hpp"
+#include "cli/drawing_arguments.hpp"
+#include "cli/scene_drawer.hpp"
+#include "image/rgb_image.hpp"
+#include "result.hpp"
+#include "view/orbiting.hpp"
+#include "view/wireframe.hpp"
+
+namespace zstrip::sim {
+
+enum class Look : std::uint8_t { colour, wireframe, depth, overdraw };
+
+/// What the window is to show.
+struct ViewRequest {
+  DrawingArguments drawing;
+  std::uint32_t frames = 64;          ///< of the animation, or of a turn
+  const BoardModel* board = nullptr;  ///< whose speed is shown; or none
+  double bus_mhz = 0;                 ///< of that board's SPI
+};
+
+/// A frame, and how a device would come to it.
+struct ViewedFrame {
+  RgbImage picture;
+  std::vector<std::uint8_t> png;  ///< the file that `zstrip render` writes
+  FrameReport report;
+  std::vector<Rect> strips;       ///< in the picture's pixels; empty on a panel that turns or mirrors them
+  std::vector<StripTimes> times;  ///< of each strip; only with a board
+  std::vector<std::string> text;  ///< lines for people
+};
+
+/// Not thread-safe.
+class Viewer {
+ public:
+  /// Reads the scene. Failures as of `zstrip render`.
+  static Result<Viewer> open(const ViewRequest& request);
+  /// Reads the scene again; after a failure the old one is still there.
+  Result<Done> reload();
+
+  /// By so many frames, around the end.
+  void step(std::int64_t frames);
+  /// Degrees about the scene, as Orbiting has them.
+  void turn(double yaw, double pitch);
+  /// Positive: closer.
+  void zoom(double steps);
+  /// Back to the scene's own camera.
+  void reset_camera() { orbiting_ = {}; }
+  /// `look`, or colour if that is how it is looked at.
+  void toggle(Look look) { look_ = look_ == look ? Look::colour : look; }
+
+  std::uint32_t frame() const { return frame_; }
+  std::uint32_t frames() const { return request_.frames; }
+  /// Of the animation, or of a turn.
+  std::uint32_t milliseconds() const { return milliseconds_of(drawer_->stage()); }
+
+  Result<ViewedFrame> draw();
+
+ private:
+  Show shown_as() const;
+  explicit Viewer(const ViewRequest& request) : request_(request) {}
+  std::vector<std::string> text(const Staging& staging, const ViewedFrame& viewed, std::uint64_t instructions) const;
+
+  ViewRequest request_;
+  std::unique_ptr<Drawing> drawing_;  // stays where it is: the drawer refers to it
+  std::unique_ptr<VisibleSetFile> sets_;
+  std::optional<SceneDrawer> drawer_;
+  Wireframe wireframe_;
+  std::uint32_t frame_ = 0;
+  Orbiting orbiting_;
+  Look look_ = Look::colour;
+};
+
+}  // namespace zstrip::sim

@@ -1,0 +1,144 @@
+// The window, without a display: what it shows is what `zstrip render` writes.
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include "command_fixture.hpp"
+#include "view/view_loop.hpp"
+
+namespace zstrip::sim::test {
+namespace {
+
+class ViewCommand : public Command {
+ protected:
+  ViewCommand() { ::setenv("SDL_VIDEODRIVER", "dummy", 1); }
+  Outcome view(const std::string& scene, const std::string& keys, std::vector<std::string> options = {}) const {
+    options.insert(options.begin(), {"view", scene, "--press", keys});
+    return zstrip(options);
+  }
+};
+
+TEST_F(ViewCommand, ShowsWhatRenderWrites) {
+  const struct {
+    std::string scene, stem;
+    std::vector<std::string> options;
+  } cases[] = {
+      {"teapot", "teapot", {"--size", "64x48", "--ram", "12K"}},
+      {"teapot", "teapot", {"--size", "64x48", "--format", "mono", "--dither"}},
+      {"cube", "cube", {"--panel", "st7789", "--rotation", "90"}},
+      {"room", "room", {"--size", "70x50", "--samples", "4"}},
+      {std::string(ZSTRIP_SCENE_FILES) + "/overlay.toml", "overlay", {"--size", "80x60"}},
+      {"teapot", "teapot", {"--size", "64x48", "--board", "pico", "--bus", "spi@40MHz", "--strip-rows", "16"}},
+      {"knot", "knot", {"--size", "64x48", "--show", "depth"}},
+  };
+  for (const auto& [scene, stem, options] : cases) {
+    for (const std::string& name : files()) std::filesystem::remove_all(path(name));
+    std::vector<std::string> viewed = options;
+    viewed.insert(viewed.end(), {"--frames", "6", "--scale", "3"});
+    const Outcome outcome = view(scene, "s,right,s,S,q", viewed);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, stem + "-1.png\n" + stem + "-2.png\n" + stem + "-3.png\n");
+    std::vector<std::string> rendered{"render", scene, "-o", "frames/", "--frames", "6", "--quiet"};
+    for (std::size_t i = 0; i < options.size(); ++i) {
+      if (options[i] == "--board" || options[i] == "--bus")
+        ++i;
+      else
+        rendered.push_back(options[i]);
+    }
+    ASSERT_EQ(zstrip(rendered).status, 0);
+    EXPECT_TRUE(read(path(stem + "-1.png")) == read(path("frames/frame_0000.png")));
+    EXPECT_TRUE(read(path(stem + "-2.png")) == read(path("frames/frame_0001.png")));
+    EXPECT_TRUE(read(path(stem + "-1.png")) != read(path(stem + "-2.png"))) << scene;
+    const RgbImage window = picture(stem + "-3.png"), frame = picture(stem + "-2.png");
+    std::uint32_t different = 0;
+    for (std::uint32_t y = 0; y < 3 * frame.height; ++y) {
+      for (std::uint32_t x = 0; x < 3 * frame.width; ++x) {
+        different += !std::equal(window.pixel(x, y), window.pixel(x, y) + 3, frame.pixel(x / 3, y / 3));
+      }
+    }
+    EXPECT_EQ(different, 0U) << scene;
+  }
+}
+
+TEST_F(ViewCommand, KeysAndTheMouseChangeWhatIsSeenAndBack) {
+  const std::vector<std::string> options{"--size", "64x48", "--frames", "5"};
+  const Outcome outcome =
+      view("teapot", "s,drag=60:20,s,wheel=3,s,c,s,w,s,w,s,d,s,o,s,o,s,left,s,right,s,b,s,b,space,space,c,+,-,t,t,a,q",
+           options);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto shot = [&](int number) { return read(path("teapot-" + std::to_string(number) + ".png")); };
+  // Of its kind each is another picture; those of equal views are equal.
+  const std::string first = shot(1);
+  for (const int same : {4, 6, 9, 11, 12}) EXPECT_TRUE(shot(same) == first) << same;
+  for (const int other : {2, 3, 5, 7, 8, 10}) EXPECT_TRUE(shot(other) != first) << other;
+  EXPECT_TRUE(shot(2) != shot(3));
+  EXPECT_TRUE(shot(7) != shot(8));
+  ASSERT_EQ(zstrip({"render", "teapot", "-o", "all.apng", "--frames", "5", "--size", "64x48", "--quiet"}).status, 0);
+  EXPECT_TRUE(read(path("teapot-1.apng")) == read(path("all.apng")));
+}
+
+/// A person saves the model in another program.
+TEST_F(ViewCommand, ASceneThatIsSavedIsReadAgain) {
+  const std::string name = file("a.obj", kTriangleObj);
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(path(""));
+  Result<Viewer> viewer = Viewer::open({.drawing = {.scene = name, .view = {.size = "32x24"}}, .frames = 1});
+  ASSERT_TRUE(viewer);
+  Result<Window> window = Window::open("test");
+  ASSERT_TRUE(window) << window.failure().message;
+  std::thread person([&] {
+    const auto shot = [&](int number) { return path("a-" + std::to_string(number) + ".png"); };
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    const auto press = [&](const char* key) { window->inject(*parse_input(key)); };
+    int shots = 0;
+    const auto take = [&] {
+      press("s");
+      ++shots;
+      while (!std::filesystem::exists(shot(shots)) && std::chrono::steady_clock::now() < deadline) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+    };
+    take();
+    file("a.obj", "not a model");
+    std::filesystem::last_write_time(name, std::filesystem::last_write_time(name) + std::chrono::seconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    take();
+    EXPECT_TRUE(read(shot(2)) == read(shot(1))) << "the last picture stays";
+    file("a.obj", "v 0 0 0\nv 1 0 0\nv 0 5 0\nf 1 2 3\n");
+    std::filesystem::last_write_time(name, std::filesystem::last_write_time(name) + std::chrono::seconds(9));
+    do {
+      take();
+    } while (read(shot(shots)) == read(shot(1)) && std::chrono::steady_clock::now() < deadline);
+    press("q");
+  });
+  ::testing::internal::CaptureStdout();
+  const Result<Done> done = run_view_loop(*viewer, *window, name, {});
+  person.join();
+  ::testing::internal::GetCapturedStdout();
+  std::filesystem::current_path(before);
+  ASSERT_TRUE(done) << done.failure().message;
+  ASSERT_EQ(zstrip({"render", "a.obj", "-o", "r.png", "--size", "32x24", "--quiet"}).status, 0);
+  int last = 1;
+  while (std::filesystem::exists(path("a-" + std::to_string(last + 1) + ".png"))) ++last;
+  EXPECT_TRUE(read(path("a-" + std::to_string(last) + ".png")) == read(path("r.png")));
+}
+
+TEST_F(ViewCommand, SaysWhatIsWrong) {
+  const auto says = [&](const Outcome& outcome, int status, const std::string& words) {
+    EXPECT_EQ(outcome.status, status);
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+  };
+  says(view("tepot", "q"), 4, "teapot");
+  says(view("teapot", "q,jump"), 2, "--press 'jump'");
+  says(view("teapot", "q", {"--board", "pica"}), 2, "pico");
+  says(view("teapot", "q", {"--board", "pico", "--bus", "spi@fast"}), 2, "spi@40MHz");
+  says(view("teapot", "q", {"--bus", "spi@40MHz"}), 2, "--panel");
+  says(view("teapot", "q", {"--frames", "0"}), 2, "--frames");
+  says(view("teapot", "q", {"--ram", "100"}), 5, "bytes");
+  ::setenv("SDL_VIDEODRIVER", "nothing", 1);
+  says(view("teapot", "q"), 3, "SDL_VIDEODRIVER=dummy");
+}
+
+}  // namespace
+}  // namespace zstrip::sim::test
