@@ -2,10 +2,10 @@
 #include "cli/bake_command.hpp"
 #include "cli/command_line.hpp"
 #include "cli/font_command.hpp"
-#include "cli/sibling_program.hpp"
 #include "cli/plan_command.hpp"
 #include "cli/render_command.hpp"
 #include "cli/scenes_command.hpp"
+#include "cli/sibling_program.hpp"
 
 int main(int argc, char** argv) {
   if (const auto status = zstrip::sim::run_sibling_program(argc, argv)) return *status;

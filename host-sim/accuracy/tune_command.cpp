@@ -13,10 +13,10 @@
 #include <tuple>
 
 #include "accuracy/tune.hpp"
-#include "cli/sibling_program.hpp"
 #include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
+#include "cli/sibling_program.hpp"
 #include "image/write_file.hpp"
 #include "report/number.hpp"
 #include "report/progress.hpp"

@@ -1,4 +1,4 @@
-// A scene as somebody looks at it: which frame, from where, as what, and what a device would take for it.
+// What is looked at: which frame, from where, as what, and what a device would take for it.
 #include "view/viewer.hpp"
 
 #include <fmt/format.h>

@@ -34,7 +34,7 @@ exec $(command -v cmake) \"\$@\""
 puts ctest "exec $(command -v ctest) \"\$@\" -N"
 puts qemu-system-arm "case \"\$*\" in *'-kernel build/m3/'*) exit 0 ;; esac
 exec $(command -v qemu-system-arm) \"\$@\""
-export PATH=$scratch/bin:$PATH HOME=$scratch/home
+export PATH=$scratch/bin:$PATH HOME=$scratch/home SDL_VIDEODRIVER=dummy
 
 # Command lines of a page on standard input.
 run_lines() {
@@ -43,6 +43,8 @@ run_lines() {
     line=${line%%#*}
     if [ -z "${line// /}" ] || [[ $line = ./tests/run* ]]; then continue; fi
     if [ ! -e model.glb ]; then line=${line//model.glb/model.obj}; fi
+    # A window that is closed at once.
+    if [[ $line = *run\ view\ * ]]; then line+=" --press q"; fi
     ran=$((ran + 1))
     if ! output=$(bash -c "$line" </dev/null 2>&1); then
       echo "$page: $line: $(tail -n 20 <<<"$output")"
