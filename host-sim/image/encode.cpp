@@ -26,7 +26,7 @@ Result<std::vector<std::uint8_t>> encode_png(const View& view, std::span<const s
   header.color_type = is_grey(view.format) ? SPNG_COLOR_TYPE_GRAYSCALE : SPNG_COLOR_TYPE_TRUECOLOR;
   header.bit_depth = view.format == PixelFormat::gray4 ? 4 : view.format == PixelFormat::mono ? 1 : 8;
   // PNG packs grey pixels of 4 and 1 bits as gray4 and mono do.
-  const std::vector<std::uint8_t> content = is_grey(view.format) ? bytes_of(pixels) : to_rgb(view, pixels).rgb;
+  const std::vector<std::uint8_t> content = is_grey(view.format) ? bytes_of(pixels) : rgb_image_of(view, pixels).rgb;
 
   const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> png(spng_ctx_new(SPNG_CTX_ENCODER), &spng_ctx_free);
   if (!png) return Failure{ExitStatus::environment, "no memory to write a PNG"};
@@ -45,7 +45,7 @@ Result<std::vector<std::uint8_t>> encode_png(const View& view, std::span<const s
 Result<std::vector<std::uint8_t>> encode_jpeg(const View& view, std::span<const std::byte> pixels) {
   constexpr int kQuality = 90;
   const bool grey = is_grey(view.format);
-  const std::vector<std::uint8_t> content = grey ? to_grey(view, pixels) : to_rgb(view, pixels).rgb;
+  const std::vector<std::uint8_t> content = grey ? grey_pixels_of(view, pixels) : rgb_image_of(view, pixels).rgb;
   const std::unique_ptr<void, decltype(&tjDestroy)> jpeg(tjInitCompress(), &tjDestroy);
   if (!jpeg) return Failure{ExitStatus::environment, "no memory to write a JPEG"};
   unsigned char* data = nullptr;
@@ -59,7 +59,8 @@ Result<std::vector<std::uint8_t>> encode_jpeg(const View& view, std::span<const 
 
 std::vector<std::uint8_t> encode_ppm(const View& view, std::span<const std::byte> pixels) {
   const std::string header = fmt::format("P{}\n{} {}\n255\n", is_grey(view.format) ? 5 : 6, view.width, view.height);
-  const std::vector<std::uint8_t> content = is_grey(view.format) ? to_grey(view, pixels) : to_rgb(view, pixels).rgb;
+  const std::vector<std::uint8_t> content =
+      is_grey(view.format) ? grey_pixels_of(view, pixels) : rgb_image_of(view, pixels).rgb;
   std::vector<std::uint8_t> file(header.begin(), header.end());
   file.insert(file.end(), content.begin(), content.end());
   return file;

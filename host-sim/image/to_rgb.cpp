@@ -37,7 +37,7 @@ Rgb8 colour_at(std::span<const std::byte> row, std::size_t x, PixelFormat format
 
 bool is_grey(PixelFormat format) { return format == PixelFormat::gray4 || format == PixelFormat::mono; }
 
-std::vector<std::uint8_t> to_grey(const View& view, std::span<const std::byte> pixels) {
+std::vector<std::uint8_t> grey_pixels_of(const View& view, std::span<const std::byte> pixels) {
   const std::size_t row_bytes = bytes_per_row(view.width, view.format);
   const unsigned bits = view.format == PixelFormat::gray4 ? 4 : 1;
   const unsigned white = (1U << bits) - 1;
@@ -53,11 +53,11 @@ std::vector<std::uint8_t> to_grey(const View& view, std::span<const std::byte> p
   return grey;
 }
 
-RgbImage to_rgb(const View& view, std::span<const std::byte> pixels) {
+RgbImage rgb_image_of(const View& view, std::span<const std::byte> pixels) {
   RgbImage image{.width = view.width, .height = view.height, .rgb = {}};
   image.rgb.reserve(std::size_t{view.width} * view.height * 3);
   if (is_grey(view.format)) {
-    for (const std::uint8_t grey : to_grey(view, pixels)) image.rgb.insert(image.rgb.end(), 3, grey);
+    for (const std::uint8_t grey : grey_pixels_of(view, pixels)) image.rgb.insert(image.rgb.end(), 3, grey);
     return image;
   }
   const std::size_t row_bytes = bytes_per_row(view.width, view.format);

@@ -15,8 +15,8 @@ namespace zstrip::sim {
 bool is_grey(PixelFormat format);
 
 /// `pixels` are all rows of the view, bytes_per_row each. The largest value of a channel becomes 255.
-RgbImage to_rgb(const View& view, std::span<const std::byte> pixels);
+RgbImage rgb_image_of(const View& view, std::span<const std::byte> pixels);
 /// One byte a pixel, of views in gray4 or mono.
-std::vector<std::uint8_t> to_grey(const View& view, std::span<const std::byte> pixels);
+std::vector<std::uint8_t> grey_pixels_of(const View& view, std::span<const std::byte> pixels);
 
 }  // namespace zstrip::sim

@@ -40,8 +40,8 @@ RgbImage text_picture(std::span<const std::string> text, std::uint32_t width) {
   const Overlay overlay{.fonts = {&kLargeFont, 1}, .labels = labels};
   std::vector<std::uint16_t> pixels(std::size_t{width} * height);
   draw_overlay(overlay, {0, 0, static_cast<std::int32_t>(width), static_cast<std::int32_t>(height)}, pixels.data());
-  return to_rgb({static_cast<std::uint16_t>(width), static_cast<std::uint16_t>(height), PixelFormat::rgb565},
-                std::as_bytes(std::span(pixels)));
+  return rgb_image_of({static_cast<std::uint16_t>(width), static_cast<std::uint16_t>(height), PixelFormat::rgb565},
+                      std::as_bytes(std::span(pixels)));
 }
 
 }  // namespace
