@@ -18,7 +18,7 @@ constexpr std::array kBoards{
                .ram_bytes = 16 * 1024,
                .spi_mhz = 8,
                .dma = false,
-               .cycles_per_estimate = 4.3},
+               .cycles_per_estimate = 2.9},
     // RP2040 data sheet: XIP cache of 16 KB, 2 ways, 8 bytes a line; SPI up to half of 125 MHz. A line from quad flash
     // in
     // continuous read mode: 8 clocks of address, 4 idle, 16 of data, at half the core's clock.
@@ -33,7 +33,7 @@ constexpr std::array kBoards{
                .ram_bytes = 264 * 1024,
                .spi_mhz = 62.5,
                .dma = true,
-               .cycles_per_estimate = 3.3},
+               .cycles_per_estimate = 3.0},
     // STM32F103 data sheet and flash programming manual: 2 wait states above 48 MHz, a prefetch buffer of two lines of
     // 64
     // bits; SPI up to 18 MHz.
@@ -49,7 +49,7 @@ constexpr std::array kBoards{
                .ram_bytes = 20 * 1024,
                .spi_mhz = 18,
                .dma = true,
-               .cycles_per_estimate = 2.5},
+               .cycles_per_estimate = 1.65},
     // STM32F411 data sheet and reference manual: 3 wait states at 100 MHz; the accelerator keeps 64 lines of code and 8
     // of
     // data, 128 bits each, replaces the least recently used one, and prefetches; SPI1 up to 50 MHz.
@@ -66,7 +66,7 @@ constexpr std::array kBoards{
         .ram_bytes = 128 * 1024,
         .spi_mhz = 50,
         .dma = true,
-        .cycles_per_estimate = 2.0},
+        .cycles_per_estimate = 1.5},
 };
 
 }  // namespace

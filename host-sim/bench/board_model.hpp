@@ -20,8 +20,8 @@ struct BoardModel {
   double spi_mhz;  ///< most that the chip drives a display with
   bool dma;        ///< the bus sends while the core draws; else the core waits
   /// Of the core, for each instruction that `zstrip plan` estimates for a Cortex-M3: the predicted cycles of K5M and CT
-  /// (docs/measured/performance.md, "Boards") by those estimates, the mean of both. For a first look: half as much and
-  /// half more are found.
+  /// (docs/measured/performance.md, "Boards") by the instructions that a Cortex-M3 counts for such plans, the mean of
+  /// both, which are up to a quarter apart from it.
   double cycles_per_estimate;
 };
 

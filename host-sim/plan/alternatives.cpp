@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plan/estimate.hpp"
 #include "render/render_frame.hpp"
 #include "report/number.hpp"
 #include "zstrip/effects.hpp"
-#include "zstrip/plan/estimate.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -47,7 +47,7 @@ class Planning {
     const Statistics& done = report->statistics;
     return Alternative{.plan = plan,
                        .total_bytes = total_bytes(plan),
-                       .instructions = estimated_instructions(counts_, done, request_.view, plan),
+                       .instructions = estimated_instructions(counts_, effects_, done, request_.view, plan),
                        .statistics = done,
                        .overflowed = report->mode != plan.mode};
   }
@@ -112,19 +112,6 @@ Result<Plan> best_plan(const Planning& planning, const PlanRequest& request) {
 }
 
 }  // namespace
-
-std::uint64_t estimated_instructions(const SceneCounts& counts, const Statistics& done, const View& view,
-                                     const Plan& plan) {
-  using namespace zstrip::detail;
-  const std::uint64_t pixels = std::uint64_t{view.width} * view.height;
-  const std::uint64_t averaged = view.samples == 1 ? 0 : pixels;
-  const std::uint64_t average = counts.vertices == 0 ? 0 : 256 * std::uint64_t{counts.triangles} / counts.vertices;
-  const std::uint64_t culled = done.vertices * average >> 8;  // triangles come with their vertices
-  return done.vertices * kCostOfVertex + culled * kCostOfCulling + done.covering * kCostOfSetup +
-         (plan.mode == Mode::binned ? done.covering * kCostOfBinning : 0) + done.fragments * kCostOfFragment +
-         pixels * view.samples * kCostOfClearing + averaged * kCostOfAveraging +
-         std::uint64_t{plan.strips} * kCostOfMeshlet;
-}
 
 Result<Plan> best_plan(const Staging& staging, const PlanRequest& request) {
   return best_plan(Planning(staging, request), request);

@@ -43,10 +43,6 @@ struct PlanChoice {
   std::optional<DepthAdvice> depth;  ///< none if nothing is visible
 };
 
-/// Of a Cortex-M3, as estimated_cost, but from what a frame of the scene did.
-std::uint64_t estimated_instructions(const SceneCounts& counts, const Statistics& done, const View& view,
-                                     const Plan& plan);
-
 /// The plan of least estimated cost. Failures as of choose_plan.
 Result<Plan> best_plan(const Staging& staging, const PlanRequest& request);
 

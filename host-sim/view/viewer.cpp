@@ -11,7 +11,7 @@
 #include "bake/flash_bytes.hpp"
 #include "bench/board_prediction.hpp"
 #include "image/to_rgb.hpp"
-#include "plan/alternatives.hpp"
+#include "plan/estimate.hpp"
 #include "report/number.hpp"
 
 namespace zstrip::sim {
@@ -143,14 +143,15 @@ Result<ViewedFrame> Viewer::draw() {
   if (!png) return png.failure();
 
   const SimulatedPanel* panel = drawer_->panel();
-  ViewedFrame viewed{.picture = panel != nullptr ? panel->model().seen() : to_rgb(drawing_->view, drawn->pixels),
+  ViewedFrame viewed{.picture = panel != nullptr ? panel->model().seen() : rgb_image_of(drawing_->view, drawn->pixels),
                      .png = std::move(*png),
                      .report = report,
                      .strips = strips_of(report.plan, drawing_->view),
                      .times = {},
                      .text = {}};
   const std::uint64_t instructions =
-      estimated_instructions(count(staging->scene), viewed.report.statistics, drawing_->view, viewed.report.plan);
+      estimated_instructions(count(staging->scene), effects_of(staging->scene, staging->camera),
+                             viewed.report.statistics, drawing_->view, viewed.report.plan);
   if (request_.board != nullptr) {
     const BoardTime time =
         time_on(*request_.board, request_.bus_mhz, instructions, bytes_on_bus(viewed.strips, drawing_->view));
