@@ -21,6 +21,9 @@ rm zstrip/src/zstrip_player/any_player.hpp
 mkdir zstrip/src/zstrip_scenes
 cp "$root"/firmware/scenes/stage.cpp "$root"/firmware/scenes/include/zstrip_scenes/{stage,baked_stage,built_in}.hpp zstrip/src/zstrip_scenes
 cp -R "$root/firmware/examples" zstrip/examples
+# Sketches only; and of the adapters those for what takes the package in.
+mv zstrip/examples/adapters zstrip/adapters
+rm zstrip/adapters/{pico_spi_dma,sdl2_texture}.hpp
 cp "$root/LICENSE" "$root/CHANGELOG.md" zstrip
 find zstrip -name '.*' -delete
 # Every pipeline, for programs on hosts.

@@ -1,0 +1,75 @@
+// zstrip on esp_lcd of ESP-IDF 5.0 or later, by DMA: panels on SPI, or on an 8080 bus.
+// Needs the component esp_lcd, an IO handle and a panel handle that was reset, initialised and switched on. The strip
+// buffers must be memory that DMA reaches: internal RAM, aligned to 4.
+// Format: rgb565_swapped. The bus sends the bytes as they lie in memory (an 8080 bus: swap_color_bytes is not set).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <esp_lcd_panel_io.h>
+#include <esp_lcd_panel_ops.h>
+#include <freertos/FreeRTOS.h>
+#include <freertos/semphr.h>
+#include <zstrip_hal/display.hpp>
+
+namespace adapters {
+
+class EspLcd {
+ public:
+  using Error = zstrip::hal::Error;
+  static constexpr auto kFormat = zstrip::hal::PixelFormat::rgb565_swapped;
+
+  EspLcd(esp_lcd_panel_io_handle_t io, esp_lcd_panel_handle_t panel, std::uint16_t width, std::uint16_t height)
+      : io_(io), panel_(panel), width_(width), height_(height) {}
+  EspLcd(const EspLcd&) = delete;  // the callback has its address
+  EspLcd& operator=(const EspLcd&) = delete;
+
+  /// Once, before the first frame. Takes the callback of the IO handle. Error::bus: it is refused.
+  Error start() {
+    sent_ = xSemaphoreCreateBinaryStatic(&storage_);
+    const esp_lcd_panel_io_callbacks_t callbacks{.on_color_trans_done = &has_sent};
+    if (esp_lcd_panel_io_register_event_callbacks(io_, &callbacks, this) != ESP_OK) sent_ = nullptr;
+    return sent_ != nullptr ? Error::none : Error::bus;
+  }
+
+  std::uint16_t width() const { return width_; }
+  std::uint16_t height() const { return height_; }
+  zstrip::hal::PixelFormat format() const { return kFormat; }
+
+  /// After a time-out the transfer goes on, as nothing stops it: there is no new frame before it has ended.
+  Error begin_frame() { return sent_ != nullptr ? wait() : Error::bus; }
+  Error write(const zstrip::hal::Area& area, std::span<const std::byte> pixels) {
+    if (!contains(width_, height_, area)) return Error::area;
+    if (pixels.size() < bytes_per_row(area.width, kFormat) * area.height) return Error::pixels_too_small;
+    sending_ = esp_lcd_panel_draw_bitmap(panel_, area.left, area.top, area.left + area.width, area.top + area.height,
+                                         pixels.data()) == ESP_OK;
+    return sending_ ? Error::none : Error::bus;
+  }
+  Error wait() {
+    constexpr std::uint32_t kTimeout = 1000;  // ms
+    if (!sending_) return Error::none;
+    if (xSemaphoreTake(sent_, pdMS_TO_TICKS(kTimeout)) != pdTRUE) return Error::timeout;
+    sending_ = false;
+    return Error::none;
+  }
+  Error end_frame() { return Error::none; }
+
+ private:
+  static bool has_sent(esp_lcd_panel_io_handle_t, esp_lcd_panel_io_event_data_t*, void* self) {
+    BaseType_t woken = pdFALSE;
+    xSemaphoreGiveFromISR(static_cast<EspLcd*>(self)->sent_, &woken);
+    return woken == pdTRUE;
+  }
+
+  esp_lcd_panel_io_handle_t io_;
+  esp_lcd_panel_handle_t panel_;
+  std::uint16_t width_, height_;
+  StaticSemaphore_t storage_{};
+  SemaphoreHandle_t sent_ = nullptr;
+  bool sending_ = false;
+};
+static_assert(zstrip::hal::Display<EspLcd>);
+
+}  // namespace adapters

@@ -1,0 +1,58 @@
+// zstrip on LovyanGFX 1.2 (and M5GFX, which has the same interface), by DMA where the library has it for the bus.
+// Needs a class LGFX for the board, derived from lgfx::LGFX_Device, with 16 bits a pixel: start() calls its init().
+// Format: rgb565_swapped, the library's swap565_t, which it sends without converting it.
+#pragma once
+
+#include <zstrip.h>
+#include <LovyanGFX.hpp>
+
+namespace adapters {
+
+class LovyanGfx {
+ public:
+  using Error = zstrip::hal::Error;
+  static constexpr auto kFormat = zstrip::hal::PixelFormat::rgb565_swapped;
+
+  /// `device` must outlive it.
+  explicit LovyanGfx(lgfx::LGFX_Device& device) : device_(device) {}
+
+  /// Once, before setRotation() and the first frame. Error::bus: the library finds no panel.
+  Error start() {
+    started_ = device_.init();
+    if (started_) device_.initDMA();
+    return started_ ? Error::none : Error::bus;
+  }
+
+  std::uint16_t width() const { return static_cast<std::uint16_t>(device_.width()); }
+  std::uint16_t height() const { return static_cast<std::uint16_t>(device_.height()); }
+  zstrip::hal::PixelFormat format() const { return kFormat; }
+
+  Error begin_frame() {
+    if (!started_) return Error::bus;
+    device_.startWrite();  // without it the library ends each transfer before it returns
+    return Error::none;
+  }
+  Error write(const zstrip::hal::Area& area, std::span<const std::byte> pixels) {
+    if (!contains(width(), height(), area)) return Error::area;
+    if (pixels.size() < bytes_per_row(area.width, kFormat) * area.height) return Error::pixels_too_small;
+    const auto* image = reinterpret_cast<const lgfx::swap565_t*>(pixels.data());
+    device_.pushImageDMA(area.left, area.top, area.width, area.height, image);
+    return Error::none;
+  }
+  /// The library knows neither errors of a transfer nor a time-out.
+  Error wait() {
+    device_.waitDMA();
+    return Error::none;
+  }
+  Error end_frame() {
+    device_.endWrite();
+    return Error::none;
+  }
+
+ private:
+  lgfx::LGFX_Device& device_;
+  bool started_ = false;
+};
+static_assert(zstrip::hal::Display<LovyanGfx>);
+
+}  // namespace adapters

@@ -1,0 +1,20 @@
+// Of Zephyr 4.4: the names that the adapter calls.
+#pragma once
+
+#include <cstdint>
+
+#include "zephyr/device.h"
+
+enum display_pixel_format { PIXEL_FORMAT_RGB_888 = 1, PIXEL_FORMAT_RGB_565 = 16, PIXEL_FORMAT_RGB_565X = 32 };
+struct display_capabilities {
+  std::uint16_t x_resolution, y_resolution;
+  display_pixel_format current_pixel_format;
+};
+struct display_buffer_descriptor {
+  std::uint32_t buf_size;
+  std::uint16_t width, height, pitch;
+  bool frame_incomplete;
+};
+void display_get_capabilities(const struct device* dev, struct display_capabilities* capabilities);
+int display_write(const struct device* dev, std::uint16_t x, std::uint16_t y,
+                  const struct display_buffer_descriptor* descriptor, const void* buffer);
