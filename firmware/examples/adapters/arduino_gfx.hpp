@@ -1,5 +1,5 @@
-// zstrip on Arduino_GFX 1.4 or later ("GFX Library for Arduino" of moononournation). Not by DMA that goes on: every bus
-// of the library has sent the pixels when a call returns, so that one strip buffer is enough.
+// zstrip on Arduino_GFX 1.4 or later ("GFX Library for Arduino" of moononournation). Its buses have sent the pixels
+// when a call returns, also those that use DMA, so that one strip buffer is enough.
 // Needs an object of a panel's class, or an Arduino_Canvas, that was not started: start() calls its begin().
 // Format: rgb565_swapped, which the library calls big endian.
 #pragma once

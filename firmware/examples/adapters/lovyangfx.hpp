@@ -1,4 +1,4 @@
-// zstrip on LovyanGFX 1.2 (and M5GFX, which has the same interface), by DMA where the library has it for the bus.
+// zstrip on LovyanGFX 1.2, by DMA where the library has it for the bus. M5GFX is the same, with its header M5GFX.h.
 // Needs a class LGFX for the board, derived from lgfx::LGFX_Device, with 16 bits a pixel: start() calls its init().
 // Format: rgb565_swapped, the library's swap565_t, which it sends without converting it.
 #pragma once

@@ -1,6 +1,6 @@
 // zstrip on the Raspberry Pi Pico SDK 1.5 or 2, by DMA: a bus for zstrip's own drivers of panels, here ST7789.
-// Needs hardware_spi, hardware_dma, hardware_gpio and pico_time; the program calls spi_init() (8 bits, mode 0), gives
-// the pins of clock and data to the SPI and makes the other two outputs. Hertz are the panel's data sheet's.
+// Needs the libraries pico_stdlib, hardware_spi and hardware_dma. The program calls spi_init() with the panel's hertz,
+// gives the pins of clock and data to the SPI, and makes the other two outputs.
 // Format: rgb565_swapped. The DMA counts bytes, as they lie in memory.
 #pragma once
 

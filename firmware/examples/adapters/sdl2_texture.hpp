@@ -1,4 +1,4 @@
-// zstrip in a window of SDL 2.0.18 or later, on hosts: strips are rows of a texture. They are copied, without DMA.
+// zstrip in a window of SDL 2, on hosts: strips are rows of a texture. They are copied, without DMA.
 // Needs a renderer of the program (SDL_CreateRenderer()); the picture fills what the renderer draws to.
 // Format: rgb565, words of the processor (rgb565_swapped where it has the high byte first).
 #pragma once

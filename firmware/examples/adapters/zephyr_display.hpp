@@ -1,8 +1,9 @@
 // zstrip on the display interface of Zephyr 4.4 or later. Drivers have taken the pixels when a call returns, so that
-// one strip buffer is enough. Needs CONFIG_DISPLAY and a device, as DEVICE_DT_GET(DT_CHOSEN(zephyr_display)); the
-// program calls display_blanking_off(). Format: what the driver has set: PIXEL_FORMAT_RGB_565 is rgb565,
-// PIXEL_FORMAT_RGB_565X is rgb565_swapped. Before 4.4 the second one has another name, and drivers of panels on SPI
-// report the first one although they take the second.
+// one strip buffer is enough.
+// Needs CONFIG_DISPLAY and a device, as DEVICE_DT_GET(DT_CHOSEN(zephyr_display)). The program calls
+// display_blanking_off().
+// Format: what the driver reports. PIXEL_FORMAT_RGB_565 is rgb565, PIXEL_FORMAT_RGB_565X is rgb565_swapped. Before 4.4
+// the first one had the high byte first, and the second one another name.
 #pragma once
 
 #include <cstddef>
