@@ -37,21 +37,38 @@ double distance_to_pivot(const Camera& camera, const Vector& back) {
   return to_origin > 2 * near_plane ? to_origin : std::sqrt(near_plane * far_plane);
 }
 
+Vector pivot_of(const Camera& camera, const Vector& back, double distance) {
+  Vector pivot = from_fixed(camera.eye, kFixedOne);
+  for (std::size_t i = 0; i < 3; ++i) pivot[i] -= distance * back[i];
+  return pivot;
+}
+
 }  // namespace
 
-Camera orbited(const Camera& camera, const Orbiting& by) {
-  if (by.yaw == 0 && by.pitch == 0 && by.distance == 1) return camera;
+Orbiting within_limits(const Camera& camera, Orbiting by) {
+  const Vector back = from_fixed(camera.back, kAxisOne);
+  const double elevation = std::asin(std::clamp(back[1], -1.0, 1.0)) * 180 / std::numbers::pi;
+  const double steepest = std::max(kSteepest, std::abs(elevation));
+  by.pitch = std::clamp(elevation + by.pitch, -steepest, steepest) - elevation;
+  // The eye stays where coordinates reach in every direction.
+  const double distance = distance_to_pivot(camera, back);
+  double room = kFurthestEye;
+  for (const double coordinate : pivot_of(camera, back, distance)) {
+    room = std::min(room, kFurthestEye - std::abs(coordinate));
+  }
+  if (by.distance > 1) by.distance = std::max(1.0, std::min(by.distance, room / distance));
+  return by;
+}
+
+Camera orbited(const Camera& camera, const Orbiting& unlimited) {
+  if (unlimited.yaw == 0 && unlimited.pitch == 0 && unlimited.distance == 1) return camera;
+  const Orbiting by = within_limits(camera, unlimited);
   const Vector right = from_fixed(camera.right, kAxisOne), up = from_fixed(camera.up, kAxisOne),
                back = from_fixed(camera.back, kAxisOne);
   const double distance = distance_to_pivot(camera, back);
-  Vector pivot = from_fixed(camera.eye, kFixedOne);
-  for (std::size_t i = 0; i < 3; ++i) pivot[i] -= distance * back[i];
-
-  const double elevation = std::asin(std::clamp(back[1], -1.0, 1.0)) * 180 / std::numbers::pi;
-  const double steepest = std::max(kSteepest, std::abs(elevation));
-  const double pitch = std::clamp(elevation + by.pitch, -steepest, steepest) - elevation;
+  const Vector pivot = pivot_of(camera, back, distance);
   // About the camera's own axis first: it lies level unless the scene's camera is tilted.
-  const Affine turn = rotation(about_axis({0, 1, 0}, -by.yaw)) * rotation(about_axis(right, -pitch));
+  const Affine turn = rotation(about_axis({0, 1, 0}, -by.yaw)) * rotation(about_axis(right, -by.pitch));
 
   Camera moved = camera;
   moved.right = to_axis(turn * right);

@@ -11,6 +11,9 @@ struct Orbiting {
   double distance = 1;  ///< from what the camera looks at, as a multiple
 };
 
+/// The same pitch and distance as far as orbited() follows them: a drag back then moves the camera at once.
+Orbiting within_limits(const Camera& camera, Orbiting by);
+
 /// `camera` moved around the point of its axis that is nearest to the world's origin, or, where it stands there itself,
 /// a point before it. It never looks steeper than 89 degrees up or down because of `by`. Unmoved it is `camera` itself.
 Camera orbited(const Camera& camera, const Orbiting& by);

@@ -19,6 +19,7 @@
 #include "cli/sibling_program.hpp"
 #include "view/view_loop.hpp"
 #include "view/viewer.hpp"
+#include "view/watched_files.hpp"
 #include "view/window.hpp"
 
 namespace zstrip::sim {
@@ -53,7 +54,10 @@ Result<ViewRequest> parse(const ViewCommandLine& arguments) {
   const Result<double> hertz = parse_bus_hertz(*bus);
   if (!hertz) return hertz.failure();
   request.bus_mhz = *hertz / 1e6;
-  if (!request.drawing.panel.panel) bus.reset();
+  if (!request.drawing.panel.panel) {
+    if (!bus->starts_with("spi@")) return usage(fmt::format("--bus '{}': the bus of a board is SPI, spi@40MHz", *bus));
+    bus.reset();
+  }
   return request;
 }
 
@@ -73,11 +77,12 @@ Result<Done> view(const ViewCommandLine& arguments) {
   if (!request) return request.failure();
   Result<std::vector<Input>> inputs = parse_inputs(arguments.press);
   if (!inputs) return inputs.failure();
+  WatchedFiles files(arguments.drawing.scene);
   Result<Viewer> viewer = Viewer::open(*request);
   if (!viewer) return viewer.failure();
   Result<Window> window = Window::open("zstrip: " + arguments.drawing.scene);
   if (!window) return window.failure();
-  return run_view_loop(*viewer, *window, arguments.drawing.scene,
+  return run_view_loop(*viewer, *window, arguments.drawing.scene, std::move(files),
                        {.scale = arguments.scale, .watch = !arguments.no_watch, .inputs = std::move(*inputs)});
 }
 

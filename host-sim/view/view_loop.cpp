@@ -27,9 +27,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t kMaxScale = 8;
-constexpr std::uint32_t kWideEnough = 960;  // the window is not made larger unasked
-constexpr double kDegreesOfPixel = 0.4;     // of a drag
-constexpr std::uint32_t kTick = 15;         // milliseconds between two looks at the time
+constexpr std::uint32_t kWideEnough = 960, kHighEnough = 720;  // the window is not made larger unasked
+constexpr std::uint32_t kMaxSide = 4096;                       // nor than this when asked
+constexpr double kDegreesOfPixel = 0.4;                        // of a drag
+constexpr std::uint32_t kTick = 15;                            // milliseconds between two looks at the time
 constexpr auto kWatchEvery = std::chrono::milliseconds(300);
 
 double seconds(Clock::duration time) { return std::chrono::duration<double>(time).count(); }
@@ -46,8 +47,8 @@ std::filesystem::path free_name(const std::string& scene, std::string_view endin
 
 class ViewLoop {
  public:
-  ViewLoop(Viewer& viewer, Window& window, const std::string& scene, const ViewLoopOptions& options)
-      : viewer_(viewer), window_(window), scene_(scene), options_(options), files_(scene) {}
+  ViewLoop(Viewer& viewer, Window& window, const std::string& scene, WatchedFiles files, const ViewLoopOptions& options)
+      : viewer_(viewer), window_(window), scene_(scene), files_(std::move(files)), options_(options) {}
 
   Result<Done> run();
 
@@ -57,16 +58,18 @@ class ViewLoop {
   Result<Done> draw();
   Result<Done> show();
   void play(Clock::time_point now);
+  void reload();
   void look_at_files(Clock::time_point now);
   void save(const std::filesystem::path& name, const Result<std::vector<std::uint8_t>>& file);
   void save_animation();
-  double board_seconds() const { return viewed_.times.empty() ? 0 : viewed_.times.back().send_end; }
+  /// Whether strips are still under way from a board.
+  bool arriving() const { return arrived_ < viewed_.strips.size(); }
 
   Viewer& viewer_;
   Window& window_;
   const std::string& scene_;
-  ViewLoopOptions options_;
   WatchedFiles files_;
+  ViewLoopOptions options_;
   Clock::time_point looked_{};
 
   bool open_ = true;
@@ -77,8 +80,12 @@ class ViewLoop {
   RgbImage shown_{};  // what has arrived at the display of a board
   std::size_t arrived_ = 0;
   std::size_t drawing_ = SIZE_MAX;
-  Clock::time_point begun_{};
+  Clock::time_point begun_{}, stepped_{};
 };
+
+bool closes(const Input& input) {
+  return input.kind == Input::Kind::closed || input.key == "q" || input.key == "Escape";
+}
 
 struct Key {
   std::string_view name;
@@ -96,6 +103,11 @@ constexpr std::array kKeys{
 
 Result<Done> ViewLoop::draw() {
   Result<ViewedFrame> viewed = viewer_.draw();
+  if (!viewed && viewer_.look() != Look::colour) {
+    print_failure(viewed.failure());
+    viewer_.toggle(viewer_.look());
+    viewed = viewer_.draw();
+  }
   if (!viewed) return viewed.failure();
   viewed_ = std::move(*viewed);
   const bool at_once = viewed_.times.empty() || viewed_.strips.empty() || shown_.width != viewed_.picture.width ||
@@ -131,8 +143,11 @@ Result<Done> ViewLoop::show() {
   if (!stale_) return Done{};
   stale_ = false;
   const StripMarks marks{marks_ ? std::span<const Rect>(viewed_.strips) : std::span<const Rect>{}, drawing_};
-  const std::uint32_t fitting = std::clamp(kWideEnough / std::max(shown_.width, 1U), 1U, kMaxScale);
-  if (options_.scale == 0) options_.scale = fitting;
+  if (options_.scale == 0) {
+    options_.scale = std::min(kWideEnough / std::max(shown_.width, 1U), kHighEnough / std::max(shown_.height, 1U));
+  }
+  const std::uint32_t largest = kMaxSide / std::max({shown_.width, shown_.height, 1U});
+  options_.scale = std::clamp(options_.scale, 1U, std::clamp(largest, 1U, kMaxScale));
   return window_.show(
       window_picture(shown_, options_.scale, marks,
                      text_ ? std::span<const std::string>(viewed_.text) : std::span<const std::string>{}));
@@ -140,24 +155,24 @@ Result<Done> ViewLoop::show() {
 
 void ViewLoop::play(Clock::time_point now) {
   const double frame = static_cast<double>(viewer_.milliseconds()) / 1e3 / viewer_.frames();
-  const double passed = seconds(now - begun_);
-  if (!playing_ || passed < std::max(frame, board_seconds())) return;
+  const double passed = seconds(now - stepped_);
+  if (!playing_ || arriving() || passed < frame) return;
   // What a slow board has no time for is left out.
   viewer_.step(std::max<std::int64_t>(1, std::llround(passed / frame)));
+  stepped_ = now;
   changed_ = true;
 }
 
 void ViewLoop::look_at_files(Clock::time_point now) {
   if (!options_.watch || now - looked_ < kWatchEvery) return;
   looked_ = now;
-  if (files_.changed()) press("r");
+  if (files_.changed()) reload();
 }
 
 void ViewLoop::save(const std::filesystem::path& name, const Result<std::vector<std::uint8_t>>& file) {
   if (!file) {
     print_failure(file.failure());
-  } else if (const Result<Done> written = write_file(name, *file, "the folder in which zstrip view is started");
-             !written) {
+  } else if (const Result<Done> written = write_file(name, *file, "cd"); !written) {
     print_failure(written.failure());
   } else {
     write_text(stdout, name.string() + "\n");
@@ -166,19 +181,26 @@ void ViewLoop::save(const std::filesystem::path& name, const Result<std::vector<
 }
 
 void ViewLoop::save_animation() {
-  std::vector<std::vector<std::uint8_t>> frames;
-  for (std::uint32_t frame = 0; frame < viewer_.frames(); ++frame) {
-    window_.set_title(fmt::format("zstrip: saving frame {} of {}", frame + 1, viewer_.frames()));
-    viewer_.step(frame == 0 ? -static_cast<std::int64_t>(viewer_.frame()) : 1);
+  const std::int64_t frame = viewer_.frame(), frames = viewer_.frames();
+  std::vector<std::vector<std::uint8_t>> files;
+  viewer_.step(-frame);
+  Result<Done> drawn = Done{};
+  for (std::int64_t i = 0; i < frames && drawn; ++i, viewer_.step(1)) {
+    window_.set_title(fmt::format("zstrip: saving frame {} of {}", i + 1, frames));
     Result<ViewedFrame> viewed = viewer_.draw();
-    if (!viewed) {
-      print_failure(viewed.failure());
-      return;
+    if (viewed) {
+      files.push_back(std::move(viewed->png));
+    } else {
+      drawn = viewed.failure();
     }
-    frames.push_back(std::move(viewed->png));
   }
+  viewer_.step(frame - viewer_.frame());
   window_.set_title("zstrip: " + scene_);
-  save(free_name(scene_, ".apng"), animated_png(frames, viewer_.milliseconds()));
+  if (drawn) {
+    save(free_name(scene_, ".apng"), animated_png(files, viewer_.milliseconds()));
+  } else {
+    print_failure(drawn.failure());
+  }
   changed_ = true;
 }
 
@@ -188,13 +210,13 @@ void ViewLoop::press(const std::string& key) {
     changed_ = true;
   };
   const auto scale = [this](std::uint32_t to) {
-    options_.scale = std::clamp(to, 1U, kMaxScale);
+    options_.scale = std::max(to, 1U);
     stale_ = true;
   };
-  if (key == "q" || key == "Escape") open_ = false;
+  if (closes({.kind = Input::Kind::key, .key = key})) open_ = false;
   if (key == "Right") viewer_.step(1), changed_ = true;
   if (key == "Left") viewer_.step(-1), changed_ = true;
-  if (key == "Space") playing_ = !playing_, begun_ = Clock::now();
+  if (key == "Space") playing_ = !playing_, stepped_ = Clock::now();
   if (key == "c") viewer_.reset_camera(), changed_ = true;
   if (key == "w") look(Look::wireframe);
   if (key == "d") look(Look::depth);
@@ -209,12 +231,17 @@ void ViewLoop::press(const std::string& key) {
     save(free_name(scene_, ".png"), window ? encode_rgb_png(*window) : window.failure());
   }
   if (key == "a") save_animation();
-  if (key == "r") {
-    const Result<Done> loaded = viewer_.reload();
-    if (!loaded) print_failure(loaded.failure());
-    files_ = WatchedFiles(scene_);
-    changed_ = true;
+  if (key == "r") reload();
+}
+
+void ViewLoop::reload() {
+  WatchedFiles files(scene_);
+  if (const Result<Done> loaded = viewer_.reload(); !loaded) {
+    print_failure(loaded.failure());
+    return;
   }
+  files_ = std::move(files);
+  changed_ = true;
 }
 
 void ViewLoop::take(const Input& input) {
@@ -238,7 +265,8 @@ Result<Done> ViewLoop::run() {
   std::optional<Input> key;  // was pressed before the picture was drawn that it is for
   bool first = true;
   while (open_) {
-    if (changed_) {
+    // What is under way arrives before the next picture is drawn.
+    if (changed_ && !arriving()) {
       const Result<Done> drawn = draw();
       if (!drawn && first) return drawn.failure();
       if (!drawn) {
@@ -248,16 +276,15 @@ Result<Done> ViewLoop::run() {
       first = false;
     }
     if (const Result<Done> shown = show(); !shown) return shown.failure();
-    if (key) {
+    if (key && !changed_) {
       take(*std::exchange(key, std::nullopt));
       continue;
     }
-    const bool arriving = arrived_ < viewed_.strips.size();
-    if (next != options_.inputs.end() && !arriving) window_.inject(*next++);
+    if (next != options_.inputs.end() && (!arriving() || closes(*next))) window_.inject(*next++);
     // A drag is many small ones, which count together; a key means the picture that is there.
     std::optional<Input> input = window_.wait(kTick);
     for (; input && input->kind != Input::Kind::key; input = window_.wait(0)) take(*input);
-    if (input && changed_) {
+    if (input && changed_ && !closes(*input)) {
       key = input;
     } else if (input) {
       take(*input);
@@ -276,8 +303,9 @@ std::string view_keys() {
   return text;
 }
 
-Result<Done> run_view_loop(Viewer& viewer, Window& window, const std::string& scene, const ViewLoopOptions& options) {
-  return ViewLoop(viewer, window, scene, options).run();
+Result<Done> run_view_loop(Viewer& viewer, Window& window, const std::string& scene, WatchedFiles files,
+                           const ViewLoopOptions& options) {
+  return ViewLoop(viewer, window, scene, std::move(files), options).run();
 }
 
 }  // namespace zstrip::sim

@@ -7,6 +7,7 @@
 
 #include "result.hpp"
 #include "view/viewer.hpp"
+#include "view/watched_files.hpp"
 #include "view/window.hpp"
 
 namespace zstrip::sim {
@@ -20,8 +21,9 @@ struct ViewLoopOptions {
 /// The keys, one line each, for help.
 std::string view_keys();
 
-/// Until the window is closed. Fails where the first frame cannot be drawn; later failures are printed, and the last
-/// picture stays.
-Result<Done> run_view_loop(Viewer& viewer, Window& window, const std::string& scene, const ViewLoopOptions& options);
+/// Until the window is closed. `files`: of the scene, made before `viewer` read it. Fails where the first frame cannot
+/// be drawn; later failures are printed, and the last picture stays.
+Result<Done> run_view_loop(Viewer& viewer, Window& window, const std::string& scene, WatchedFiles files,
+                           const ViewLoopOptions& options);
 
 }  // namespace zstrip::sim

@@ -10,6 +10,7 @@
 
 #include "bake/flash_bytes.hpp"
 #include "bench/board_prediction.hpp"
+#include "image/encode.hpp"
 #include "image/to_rgb.hpp"
 #include "plan/estimate.hpp"
 #include "report/number.hpp"
@@ -19,15 +20,6 @@ namespace {
 
 constexpr double kZoomStep = 1.1;
 constexpr double kClosest = 0.05, kFarthest = 20;
-
-const char* name_of(Look look) {
-  switch (look) {
-    case Look::wireframe: return "wireframe";
-    case Look::depth: return "depth";
-    case Look::overdraw: return "overdraw";
-    default: return "colours";
-  }
-}
 
 /// Whether a pixel of the picture is the same pixel of the panel.
 bool lies_upright(const std::optional<PanelRequest>& panel) {
@@ -105,16 +97,6 @@ Result<Done> Viewer::reload() {
   return Done{};
 }
 
-Show Viewer::shown_as() const {
-  switch (look_) {
-    case Look::colour: return drawing_->visibility.show;
-    case Look::wireframe: return Show::colour;
-    case Look::depth: return Show::depth;
-    case Look::overdraw: return Show::overdraw;
-  }
-  return Show::colour;
-}
-
 void Viewer::step(std::int64_t frames) {
   const std::int64_t all = request_.frames;
   frame_ = static_cast<std::uint32_t>(((frame_ + frames) % all + all) % all);
@@ -122,7 +104,7 @@ void Viewer::step(std::int64_t frames) {
 
 void Viewer::turn(double yaw, double pitch) {
   orbiting_.yaw = std::remainder(orbiting_.yaw + yaw, 360.0);
-  orbiting_.pitch = std::clamp(orbiting_.pitch + pitch, -180.0, 180.0);
+  orbiting_.pitch += pitch;
 }
 
 void Viewer::zoom(double steps) {
@@ -132,12 +114,9 @@ void Viewer::zoom(double steps) {
 Result<ViewedFrame> Viewer::draw() {
   Result<Staging> staging = drawer_->stage().place(frame_, request_.frames);
   if (!staging) return staging.failure();
+  orbiting_ = within_limits(staging->camera, orbiting_);
   staging->camera = orbited(staging->camera, orbiting_);
-  // What a device takes is told of the scene, also where its wires are shown.
-  Result<DrawnFrame> drawn = drawer_->draw(*staging, shown_as());
-  if (!drawn) return drawn.failure();
-  const FrameReport report = drawn->report;
-  if (look_ == Look::wireframe) drawn = drawer_->draw(wireframe_.of(*staging), Show::colour);
+  const Result<DrawnFrame> drawn = drawer_->draw(*staging, drawing_->visibility.show);
   if (!drawn) return drawn.failure();
   Result<std::vector<std::uint8_t>> png = drawer_->encoded(ImageType::png, drawn->pixels);
   if (!png) return png.failure();
@@ -145,8 +124,8 @@ Result<ViewedFrame> Viewer::draw() {
   const SimulatedPanel* panel = drawer_->panel();
   ViewedFrame viewed{.picture = panel != nullptr ? panel->model().seen() : rgb_image_of(drawing_->view, drawn->pixels),
                      .png = std::move(*png),
-                     .report = report,
-                     .strips = strips_of(report.plan, drawing_->view),
+                     .report = drawn->report,
+                     .strips = strips_of(drawn->report.plan, drawing_->view),
                      .times = {},
                      .text = {}};
   const std::uint64_t instructions =
@@ -158,7 +137,17 @@ Result<ViewedFrame> Viewer::draw() {
     viewed.times = times_on(*request_.board, time, viewed.strips);
   }
   viewed.text = text(*staging, viewed, instructions);
-  if (!lies_upright(drawing_->panel)) viewed.strips.clear();
+  if (look_ != Look::colour) {
+    // What a device takes is told of the scene.
+    const Result<LookPicture> look = draw_look(*staging, look_, drawing_->view);
+    if (!look) return look.failure();
+    Result<std::vector<std::uint8_t>> file = encode(ImageType::png, look->view, look->pixels);
+    if (!file) return file.failure();
+    viewed.picture = rgb_image_of(look->view, look->pixels);
+    viewed.png = std::move(*file);
+  } else if (!lies_upright(drawing_->panel)) {
+    viewed.strips.clear();
+  }
   return viewed;
 }
 
@@ -170,8 +159,8 @@ std::vector<std::string> Viewer::text(const Staging& staging, const ViewedFrame&
   std::vector<std::string> lines{
       fmt::format("{}x{} {} {}  {} of {}", view.width, view.height, name(view.format), name_of(look_), frame_ + 1,
                   request_.frames),
-      fmt::format("RAM {} in {} of {} rows", counted(report.plan.bytes() + report.strip_pixel_bytes, "byte"),
-                  counted(report.plan.strips, "strip"), report.plan.strip_rows),
+      fmt::format("RAM {} in {} of {}x{}", counted(report.plan.bytes() + report.strip_pixel_bytes, "byte"),
+                  counted(report.plan.strips, "strip"), report.plan.strip_columns, report.plan.strip_rows),
       fmt::format("flash {} of scene", counted(flash.total(), "byte")),
       fmt::format("{}, {} drawn, {}", counted(report.statistics.triangles, "triangle"),
                   grouped(report.statistics.drawn), counted(report.statistics.fragments, "fragment"))};
@@ -181,16 +170,16 @@ std::vector<std::string> Viewer::text(const Staging& staging, const ViewedFrame&
   };
   if (const BoardModel* const board = request_.board) {
     const BoardTime time = time_on(*board, request_.bus_mhz, instructions, bytes);
-    lines.push_back(fmt::format("{}: {:.0f} ms drawn, {:.0f} sent: about {:.1f}/s", board->name, 1e3 * time.draw,
+    lines.push_back(fmt::format("{}: {:.0f} ms drawn, {:.0f} sent: about {:.3g}/s", board->name, 1e3 * time.draw,
                                 1e3 * time.send, 1 / seconds_of(time, *board)));
     return lines;
   }
   std::vector<std::string> boards;
   for (const BoardModel& board : board_models()) {
     const BoardTime time = time_on(board, board.spi_mhz, instructions, bytes);
-    boards.push_back(fmt::format("{} {:.1f}", board.name, 1 / seconds_of(time, board)));
+    boards.push_back(fmt::format("{} {:.3g}", board.name, 1 / seconds_of(time, board)));
   }
-  lines.push_back(fmt::format("about/s: {}", fmt::join(boards, ", ")));
+  lines.push_back(fmt::format("about/s: {}", fmt::join(boards, " ")));
   return lines;
 }
 

@@ -13,12 +13,10 @@
 #include "cli/scene_drawer.hpp"
 #include "image/rgb_image.hpp"
 #include "result.hpp"
+#include "view/look.hpp"
 #include "view/orbiting.hpp"
-#include "view/wireframe.hpp"
 
 namespace zstrip::sim {
-
-enum class Look : std::uint8_t { colour, wireframe, depth, overdraw };
 
 /// What the window is to show.
 struct ViewRequest {
@@ -55,6 +53,7 @@ class Viewer {
   /// Back to the scene's own camera.
   void reset_camera() { orbiting_ = {}; }
   /// `look`, or colour if that is how it is looked at.
+  Look look() const { return look_; }
   void toggle(Look look) { look_ = look_ == look ? Look::colour : look; }
 
   std::uint32_t frame() const { return frame_; }
@@ -65,7 +64,6 @@ class Viewer {
   Result<ViewedFrame> draw();
 
  private:
-  Show shown_as() const;
   explicit Viewer(const ViewRequest& request) : request_(request) {}
   std::vector<std::string> text(const Staging& staging, const ViewedFrame& viewed, std::uint64_t instructions) const;
 
@@ -73,7 +71,6 @@ class Viewer {
   std::unique_ptr<Drawing> drawing_;  // stays where it is: the drawer refers to it
   std::unique_ptr<VisibleSetFile> sets_;
   std::optional<SceneDrawer> drawer_;
-  Wireframe wireframe_;
   std::uint32_t frame_ = 0;
   Orbiting orbiting_;
   Look look_ = Look::colour;

@@ -53,8 +53,9 @@ WatchedFiles::WatchedFiles(const std::string& scene) {
     const fs::path path = std::move(searched.back());
     searched.pop_back();
     std::error_code error;
-    const fs::file_time_type time = fs::last_write_time(path, error);
-    if (error || !times_.emplace(path.lexically_normal(), time).second) continue;
+    fs::file_time_type time = fs::last_write_time(path, error);
+    if (error) time = fs::file_time_type::min();  // it may come back
+    if (!times_.emplace(path.lexically_normal(), time).second) continue;
     const std::string bytes = bytes_of(path);
     const auto named = std::stable_partition(others.begin(), others.end(),
                                              [&](const fs::path& other) { return !names(bytes, other); });

@@ -9,7 +9,7 @@ namespace zstrip::sim {
 
 /// The scene's file and those beside it or in folders below that it names, and that those name, as a glTF file does its
 /// buffers and an OBJ file its materials and those their textures: all whose name stands in the bytes of a watched one.
-/// A built-in scene has none.
+/// A built-in scene has none. To be made before the scene is read: what is saved meanwhile has changed.
 class WatchedFiles {
  public:
   explicit WatchedFiles(const std::string& scene);

@@ -12,7 +12,7 @@
 namespace zstrip::sim {
 
 /// The smallest width in which the lines of text are whole.
-inline constexpr std::uint32_t kTextWidth = 640;
+inline constexpr std::uint32_t kTextWidth = 720;
 
 /// Pixels of the border of a strip, in the picture's pixels: those of its first row and column.
 struct StripMarks {

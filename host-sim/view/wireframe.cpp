@@ -1,30 +1,29 @@
-// A scene of which only the edges of its triangles are drawn.
+// A scene whose instances are drawn as the edges of their triangles.
 #include "view/wireframe.hpp"
 
 #include "compose/composed_lines.hpp"
 
 namespace zstrip::sim {
-namespace {
-
-constexpr Material kWire{.lit = false};
-
-}  // namespace
 
 Staging Wireframe::of(const Staging& staging) {
   const Scene& scene = staging.scene;
+  materials_.assign(scene.materials.begin(), scene.materials.end());
+  materials_.push_back({.lit = false});
+  const auto wire = static_cast<std::uint16_t>(materials_.size() - 1);
   edges_.assign(scene.meshes.size(), {});
-  lines_.clear();
+  lines_.assign(scene.lines.begin(), scene.lines.end());
   for (const Instance& instance : scene.instances) {
     std::vector<Segment>& edges = edges_[instance.mesh];
     if (edges.empty()) edges = edges_of(scene.meshes[instance.mesh]);
-    lines_.push_back({.segments = edges, .mesh = instance.mesh, .transform = instance.transform});
+    lines_.push_back({.segments = edges, .mesh = instance.mesh, .material = wire, .transform = instance.transform});
   }
-  Scene wires;
-  wires.meshes = scene.meshes;
-  wires.materials = {&kWire, 1};
-  wires.outlines = scene.outlines;
+  Scene wires = scene;
+  wires.materials = materials_;
   wires.lines = lines_;
-  wires.overlay = scene.overlay;
+  wires.instances = {};
+  wires.edges = {};
+  wires.csg = {};
+  wires.shadow = nullptr;
   return {.scene = wires, .camera = staging.camera};
 }
 

@@ -1,4 +1,4 @@
-// A scene of which only the edges of its triangles are drawn.
+// A scene whose instances are drawn as the edges of their triangles.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,12 @@ namespace zstrip::sim {
 
 class Wireframe {
  public:
-  /// The edges of all instances, white on black; labels and sprites stay. Views this object and what `staging` views;
-  /// until the next call.
+  /// Edges are white, or have the colours of their vertices. Spheres, lines, labels and sprites stay as they are. Views
+  /// this object and what `staging` views; until the next call.
   Staging of(const Staging& staging);
 
  private:
+  std::vector<Material> materials_;
   std::vector<std::vector<Segment>> edges_;  ///< by mesh; empty: nothing has it
   std::vector<LineSet> lines_;
 };

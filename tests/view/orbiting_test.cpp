@@ -55,6 +55,21 @@ TEST(ViewOrbiting, TheEyeIsOnASphereAroundTheSceneAndLooksAtItsCentre) {
   }
 }
 
+/// A drag back did nothing until it had undone all of the drag.
+TEST(ViewOrbiting, WhatIsBeyondTheLimitsIsNotKept) {
+  const Camera camera = camera_at(7, 20);
+  EXPECT_NEAR(within_limits(camera, {.pitch = 400}).pitch, 69, 0.01);
+  EXPECT_NEAR(within_limits(camera, {.pitch = -400}).pitch, -109, 0.01);
+  EXPECT_EQ(within_limits(camera, {.yaw = 3, .pitch = 5, .distance = 2}).pitch, 5);
+}
+
+/// Each coordinate was cut off alone, which turned the view.
+TEST(ViewOrbiting, TheEyeOfALargeSceneStaysInRange) {
+  const Camera near = camera_at(20000, 20), far = orbited(near, {.distance = 20});
+  EXPECT_NEAR(static_cast<double>(far.eye.y) / far.eye.z, std::tan(radians(20)), 1e-4);
+  EXPECT_GT(far.eye.z, near.eye.z);
+}
+
 TEST(ViewOrbiting, AnOrthographicCameraShowsMoreFromFarther) {
   Camera camera = camera_at(7, 20);
   camera.projection = Projection::orthographic;

@@ -77,6 +77,37 @@ TEST_F(ViewCommand, KeysAndTheMouseChangeWhatIsSeenAndBack) {
   EXPECT_TRUE(read(path("teapot-1.apng")) == read(path("all.apng")));
 }
 
+/// They wrote beyond pictures of one sample in rgb565, failed for methods that keep no depth, and stayed on.
+TEST_F(ViewCommand, LooksAreThoseOfAPlainPicture) {
+  const auto rendered = [&](const std::string& what) {
+    EXPECT_EQ(zstrip({"render", "knot", "-o", what + ".png", "--size", "64x48", "--show", what, "--quiet"}).status, 0);
+    return read(path(what + ".png"));
+  };
+  const std::string depth = rendered("depth"), overdraw = rendered("overdraw");
+  for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{{"--samples", "4"},
+                                                                                       {"--samples", "2"},
+                                                                                       {"--format", "mono"},
+                                                                                       {"--format", "rgb444"},
+                                                                                       {"--format", "xrgb8888"},
+                                                                                       {"--edges"},
+                                                                                       {"--visibility", "painter"},
+                                                                                       {"--visibility", "half-range"},
+                                                                                       {"--depth-format", "z24"}}) {
+    for (const std::string& name : files()) std::filesystem::remove_all(path(name));
+    std::vector<std::string> all{"--frames", "1", "--size", "64x48"};
+    all.insert(all.end(), options.begin(), options.end());
+    const Outcome outcome = view("knot", "s,d,s,o,s,w,s,w,s,q", all);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_TRUE(read(path("knot-2.png")) == depth) << options[0] << options.back();
+    EXPECT_TRUE(read(path("knot-3.png")) == overdraw) << options[0] << options.back();
+    EXPECT_TRUE(read(path("knot-5.png")) == read(path("knot-1.png")));
+  }
+  const Outcome panel = view("knot", "d,S,o,w,q", {"--panel", "st7789", "--rotation", "90", "--frames", "2"});
+  EXPECT_EQ(panel.status, 0);
+  EXPECT_EQ(panel.err, "");
+}
+
 /// A person saves the model in another program.
 TEST_F(ViewCommand, ASceneThatIsSavedIsReadAgain) {
   const std::string name = file("a.obj", kTriangleObj);
@@ -112,7 +143,7 @@ TEST_F(ViewCommand, ASceneThatIsSavedIsReadAgain) {
     press("q");
   });
   ::testing::internal::CaptureStdout();
-  const Result<Done> done = run_view_loop(*viewer, *window, name, {});
+  const Result<Done> done = run_view_loop(*viewer, *window, name, WatchedFiles(name), {});
   person.join();
   ::testing::internal::GetCapturedStdout();
   std::filesystem::current_path(before);
@@ -134,6 +165,7 @@ TEST_F(ViewCommand, SaysWhatIsWrong) {
   says(view("teapot", "q", {"--board", "pica"}), 2, "pico");
   says(view("teapot", "q", {"--board", "pico", "--bus", "spi@fast"}), 2, "spi@40MHz");
   says(view("teapot", "q", {"--bus", "spi@40MHz"}), 2, "--panel");
+  says(view("teapot", "q", {"--board", "pico", "--bus", "i2c@400kHz"}), 2, "SPI");
   says(view("teapot", "q", {"--frames", "0"}), 2, "--frames");
   says(view("teapot", "q", {"--ram", "100"}), 5, "bytes");
   ::setenv("SDL_VIDEODRIVER", "nothing", 1);

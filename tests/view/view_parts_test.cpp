@@ -52,7 +52,11 @@ TEST_F(ViewWatchedFiles, AFileThatIsBeingReplacedChangesWhenItIsBack) {
 
 TEST_F(ViewWatchedFiles, NeedNotBeThere) {
   EXPECT_FALSE(WatchedFiles("teapot").changed());
-  EXPECT_FALSE(WatchedFiles(path("missing.obj")).changed());
+  WatchedFiles files(path("missing.obj"));
+  EXPECT_FALSE(files.changed());
+  file("missing.obj", kTriangleObj);
+  EXPECT_TRUE(files.changed());
+  EXPECT_FALSE(files.changed());
 }
 
 TEST(ViewWindowPicture, EnlargesPixelsAndMarksStrips) {
@@ -100,7 +104,9 @@ TEST(ViewWireframe, HasEveryEdgeOfEveryInstance) {
     ASSERT_TRUE(staging);
     Wireframe wireframe;
     const std::span<const Instance> instances = staging->scene.instances;
-    const std::span<const LineSet> lines = wireframe.of(*staging).scene.lines;
+    const Scene wires = wireframe.of(*staging).scene;
+    const std::span<const LineSet> lines = wires.lines;
+    EXPECT_TRUE(wires.instances.empty());
     ASSERT_FALSE(instances.empty());
     ASSERT_EQ(lines.size(), instances.size());
     for (std::size_t i = 0; i < lines.size(); ++i) {
