@@ -5,6 +5,7 @@
 #include <cmath>
 #include <deque>
 #include <iterator>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,6 +67,9 @@ class Composer {
     for (const FileEllipsoid& ellipsoid : file_.ellipsoids) {
       if (const Result<Done> done = add(ellipsoid); !done) return done.failure();
     }
+    for (const auto& [segments, placed] : model_lines_) {
+      if (const Result<Done> done = add(segments, placed); !done) return done.failure();
+    }
     for (const FileLines& lines : file_.lines) {
       if (const Result<Done> done = add(lines); !done) return done.failure();
     }
@@ -93,11 +97,6 @@ class Composer {
       composed_->models.push_back(std::move(*model));
       for (const std::string& warning : composed_->models.back().warnings) {
         composed_->warnings.push_back(fmt::format("model '{}': {}", entry.name, warning));
-      }
-      if (!composed_->models.back().lines.empty()) {
-        composed_->warnings.push_back(fmt::format(
-            "model '{}': its lines and points are left out; those of a scene file stand in [[lines]] and [[points]]",
-            entry.name));
       }
       if (!composed_->models.back().skins.empty()) {
         composed_->warnings.push_back(fmt::format(
@@ -127,6 +126,7 @@ class Composer {
             placed_.back().part = &billboard_parts_.emplace_back(around_origin(model.parts[i]));
           }
         }
+        if (Result<Done> done = place_lines(instance, model, index); !done) return done;
       }
       if (is_static) composed_->static_instances = placed_.size();
     }
@@ -136,7 +136,8 @@ class Composer {
     }
     const auto outlines =
         std::ranges::count_if(placed_, [](const PlacedPart& p) { return p.file->outline.has_value(); });
-    if (placed_.size() + static_cast<std::size_t>(outlines) + placed_lines_.size() + file_.lines.size() >
+    if (placed_.size() + static_cast<std::size_t>(outlines) + placed_lines_.size() + model_lines_.size() +
+            file_.lines.size() >
         kMaxSceneInstances) {
       return at_line(file_.path, 1, "the scene has more than 65,535 instances, outlines, lines and points");
     }
@@ -180,6 +181,28 @@ class Composer {
     return Done{};
   }
 
+  /// A model's own lines and points, in its own colours.
+  Result<Done> place_lines(const FileInstance& file, const PlacedModel& model, std::size_t index) {
+    if (model.lines.empty()) return Done{};
+    if (file.moves() || file.is_static || file.billboard != Billboard::none) {
+      composed_->warnings.push_back(fmt::format(
+          "model '{}': its lines and points are left out where an instance of it moves, turns to the camera "
+          "or is static",
+          file.model));
+      return Done{};
+    }
+    FileInstance& instance = line_instances_.emplace_back();
+    instance.line = file.line;
+    instance.placement = file.placement;
+    for (std::size_t i = 0; i < model.lines.size(); ++i) {
+      // Meshes are told apart by their model and number.
+      const PlacedPart part{&instance, &model, &model.lines[i].part, index, model.parts.size() + i};
+      if (Result<Done> checked = check_placed(part, file_.path); !checked) return checked;
+      model_lines_.emplace_back(model.lines[i].segments, part);
+    }
+    return Done{};
+  }
+
   /// The scene's units: everything within kComposedRadius, whenever it is looked at.
   Result<Done> set_scale() {
     constexpr int kLooks = 64;
@@ -198,6 +221,7 @@ class Composer {
     };
     for (const PlacedPart& placed : placed_) include_part(placed);
     for (const auto& [lines, placed] : placed_lines_) include_part(placed);
+    for (const auto& [segments, placed] : model_lines_) include_part(placed);
     for (const FileLines& lines : file_.lines) {
       const Affine at = to_affine(lines.placement);
       for (const Vector& vertex : lines.vertices) include(at * vertex);
@@ -215,14 +239,15 @@ class Composer {
     return Done{};
   }
 
-  /// Of models alone that have lines and points nothing is placed.
+  /// [[lines]] of a model that has none but its own have nothing to join.
   Result<Done> check_has_triangles() const {
     for (std::size_t i = 0; i < models_.size(); ++i) {
       if (!models_[i].parts.empty()) continue;
-      return at_line(file_.path, file_.models[i].file_line,
-                     fmt::format("model '{}' has only lines and points, which are left out, and nothing else is in the "
-                                 "scene; give it triangles, or write the lines into [[lines]]",
-                                 file_.models[i].name));
+      return at_line(
+          file_.path, file_.models[i].file_line,
+          fmt::format("model '{}' has only lines and points, which an [[instance]] of it draws; nothing else "
+                      "is in the scene",
+                      file_.models[i].name));
     }
     return Done{};
   }
@@ -282,6 +307,26 @@ class Composer {
     return Done{};
   }
 
+  /// Of what does not move, whose mesh has its size: to the scene.
+  Affine still(const PlacedPart& placed, const Vector& scale) const {
+    const double units = composed_->units.scale;
+    return scaling({units, units, units}) * placed.at(0, duration_) *
+           scaling({1 / scale[0], 1 / scale[1], 1 / scale[2]});
+  }
+
+  Result<Done> add(std::span<const Segment> segments, const PlacedPart& placed) {
+    const Result<std::uint16_t> material = materials_.index_of(placed);
+    if (!material) return material.failure();
+    const Vector scale = meshes_.scale_of(placed);
+    LineSet set{.segments = segments, .mesh = meshes_.index_of(placed, scale), .material = *material};
+    if (!to_transform(still(placed, scale), set.transform)) {
+      return at_line(file_.path, placed.file->line,
+                     "[[instance]] has lines that are too far away, or too large or small beside the others");
+    }
+    composed_->lines.push_back(set);
+    return Done{};
+  }
+
   Result<Done> add(const FileLines& lines) {
     const auto own = std::ranges::find(file_.materials, lines.material, &FileMaterial::name);
     const Result<std::uint16_t> material = materials_.index_of(*own);
@@ -306,9 +351,8 @@ class Composer {
     for (const auto& [file, placed] : placed_lines_) {
       if (file != &lines) continue;
       const Vector scale = meshes_.scale_of(placed);
-      const Affine unscaled = scaling({1 / scale[0], 1 / scale[1], 1 / scale[2]});
       Transform transform;
-      if (!to_transform(scaling({units, units, units}) * placed.at(0, duration_) * unscaled, transform)) {
+      if (!to_transform(still(placed, scale), transform)) {
         return at_line(file_.path, lines.line,
                        fmt::format("{} are too far away, or too large or small beside the others", lines.title()));
       }
@@ -351,6 +395,7 @@ class Composer {
   std::deque<ModelPart> billboard_parts_;
   std::deque<FileInstance> line_instances_;  ///< what would place the models that lines are of
   std::vector<std::pair<const FileLines*, PlacedPart>> placed_lines_;
+  std::vector<std::pair<std::span<const Segment>, PlacedPart>> model_lines_;
   std::vector<InstanceMotion> motions_;
   double duration_ = 0;
 };

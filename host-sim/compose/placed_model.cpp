@@ -44,6 +44,9 @@ Result<PlacedModel> place_model(const FileModel& entry, const Model& model, cons
     const Instance& instance = model.instances[i];
     placed.parts.push_back({model.meshes[instance.mesh], instance.material, to_file, model.nodes[i]});
   }
+  for (const LineSet& set : model.lines) {
+    placed.lines.push_back({{model.meshes[set.mesh], set.material, to_file, kNoNode}, set.segments});
+  }
   return placed;
 }
 

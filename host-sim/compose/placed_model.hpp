@@ -20,9 +20,16 @@ struct ModelPart {
   std::int32_t node = kNoNode;
 };
 
+/// Lines or points of a model, which are no edges of triangles. They stand still.
+struct LinePart {
+  ModelPart part;  ///< its mesh has vertices alone
+  std::span<const Segment> segments;
+};
+
 /// Views the Model that it was made of, or a built-in scene.
 struct PlacedModel {
   std::vector<ModelPart> parts;
+  std::vector<LinePart> lines{};
   std::span<const Material> materials;
   std::span<const Texture> textures;
   std::span<const Finish> finishes;

@@ -153,33 +153,69 @@ TEST_F(ModelLines, OfMovingNodesStandAtRestAndThatIsSaid) {
   EXPECT_EQ(moved.warnings, std::vector<std::string>{"2 lines drawn at rest: animations move triangles only"});
 }
 
-TEST_F(ModelLines, OfModelsOfSceneFilesAreLeftOutAndSaid) {
-  file("both.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\nl 1 3\n");
-  const std::string scene =
-      file("scene.toml", "[[model]]\nname = 'plate'\nfile = 'both.obj'\n[[instance]]\nmodel = 'plate'\n");
-  const auto stage = open_stage(scene, {}, {}, {64, 64}, 1);
+/// They were left out.
+TEST_F(ModelLines, OfModelsOfSceneFilesStandWhereTheirInstanceDoes) {
+  file("both.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -3 0 2\nf 1 2 3\nl 1 4 2\n");
+  const std::string model = "[[model]]\nname = 'plate'\nfile = 'both.obj'\n";
+  const std::string still =
+      "[[instance]]\nmodel = 'plate'\ntranslation = [2, 0, 0]\nscale = [2, 2, 2]\n"
+      "rotation = [0, 90, 0]\n";
+  const auto stage = open_stage(file("scene.toml", model + still), {}, {}, {64, 64}, 1);
   ASSERT_TRUE(stage) << stage.failure().message;
-  EXPECT_EQ((*stage)->warnings(),
-            std::vector<std::string>{"model 'plate': its lines and points are left out; those of a scene file stand in "
-                                     "[[lines]] and [[points]]"});
+  EXPECT_EQ((*stage)->warnings(), std::vector<std::string>{});
   const Result<Staging> staging = (*stage)->place(0, 1);
   ASSERT_TRUE(staging);
-  EXPECT_TRUE(staging->scene.lines.empty());
+  const Scene& scene = staging->scene;
+  ASSERT_EQ(scene.lines.size(), 1U);
+  const LineSet& set = scene.lines[0];
+  ASSERT_EQ(set.segments.size(), 2U);
+  // Both ends of the second line, and the triangle's second corner, by the transforms of the scene.
+  const auto at = [&](const Transform& transform, const Mesh& mesh, std::uint16_t vertex) {
+    const Position& p = mesh.positions[vertex];
+    const double q[3] = {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
+    const double half[3] = {mesh.half_extent.x / 65536.0, mesh.half_extent.y / 65536.0, mesh.half_extent.z / 65536.0};
+    const double centre[3] = {mesh.centre.x / 65536.0, mesh.centre.y / 65536.0, mesh.centre.z / 65536.0};
+    Vector result{};
+    for (std::size_t row = 0; row < 3; ++row) {
+      result[row] = transform.m[row][3] / 65536.0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        result[row] += transform.m[row][i] / 65536.0 * (centre[i] + half[i] * q[i] / 32767);
+      }
+    }
+    return result;
+  };
+  const Mesh& lines = scene.meshes[set.mesh];
+  const Vector far_end = at(set.transform, lines, set.segments[0].b),
+               near_end = at(set.transform, lines, set.segments[1].b);
+  // x and z change places and signs by the turn: (-3, 0, 2) becomes 2 * (2, 0, 3), (1, -1, 0) becomes 2 * (0, -1, -1).
+  const double units = (far_end[0] - near_end[0]) / 4;
+  EXPECT_GT(units, 0);
+  EXPECT_NEAR(far_end[2] - near_end[2], 8 * units, 0.01);
+  EXPECT_NEAR(far_end[1] - near_end[1], 2 * units, 0.01);
+  EXPECT_NEAR(near_end[0], 2 * units, 0.01) << "moved";
+
+  for (const std::string moved : {"turntable = { turns = 1 }\n", "layer = 'static'\n"}) {
+    const auto without = open_stage(file("scene.toml", model + still + moved), {}, {}, {64, 64}, 1);
+    ASSERT_TRUE(without) << without.failure().message;
+    EXPECT_EQ(
+        (*without)->warnings(),
+        std::vector<std::string>{"model 'plate': its lines and points are left out where an instance of it moves, "
+                                 "turns to the camera or is static"});
+  }
 }
 
 /// It was "the scene is a single point", of no model.
 TEST_F(ModelLines, OfSceneFilesWithNothingElseNameTheModel) {
   square(3, {0, 1, 2});
   const std::string model = "[[model]]\nname = 'wire'\nfile = 'square.gltf'\n";
-  for (const char* use :
-       {"[[instance]]\nmodel = 'wire'\n", "[[material]]\nname = 'm'\n[[lines]]\nmaterial = 'm'\nmodel = 'wire'\n"}) {
-    const auto stage = open_stage(file("scene.toml", model + use), {}, {}, {64, 64}, 1);
-    ASSERT_FALSE(stage);
-    EXPECT_EQ(stage.failure().status, ExitStatus::input);
-    EXPECT_NE(stage.failure().message.find("line 3: model 'wire' has only lines and points, which are left out"),
-              std::string::npos)
-        << stage.failure().message;
-  }
+  EXPECT_TRUE(open_stage(file("scene.toml", model + "[[instance]]\nmodel = 'wire'\n"), {}, {}, {64, 64}, 1));
+  const char* const use = "[[material]]\nname = 'm'\n[[lines]]\nmaterial = 'm'\nmodel = 'wire'\n";
+  const auto stage = open_stage(file("scene.toml", model + use), {}, {}, {64, 64}, 1);
+  ASSERT_FALSE(stage);
+  EXPECT_EQ(stage.failure().status, ExitStatus::input);
+  EXPECT_NE(stage.failure().message.find("line 3: model 'wire' has only lines and points, which an [[instance]]"),
+            std::string::npos)
+      << stage.failure().message;
 }
 
 /// Alpha, emission and textures of lines were left out without a word.
