@@ -1,5 +1,5 @@
-// The Pico's program as files, which no emulator here runs: the second boot stage's checksum, and the .uf2 file against
-// the .elf file.
+// The Pico's program as files, without running it as tests/pico does: the second boot stage's checksum, and the .uf2
+// file against the .elf file.
 #include <gtest/gtest.h>
 #include <unistd.h>
 #include <zlib.h>

@@ -3,10 +3,11 @@
 //   node viewer.mjs check ASPECT WORK                  whether what differs is what expected.csv lists
 //   node viewer.mjs table WORK FILE [--write]          whether FILE is the table of what differs; writes it
 // Exit status: 0 yes, 1 no, 2 wrong words, 77 something is not to be had here; WORK/missing says what.
-import {execFileSync} from 'node:child_process';
-import {copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {existsSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
+
+import {fetchPackage, Missing} from '../npm_package.mjs';
 
 import {drawAll} from './draw.mjs';
 import {kAspects, readExpected, surprises, worstOf} from './expected.mjs';
@@ -15,33 +16,13 @@ import {tableOf} from './table.mjs';
 const kHere = dirname(fileURLToPath(import.meta.url));
 const kSkipped = 77;
 
-class Missing extends Error {}
-
-/** The folder of three.js of the pinned version, which npm fetches once. */
-function fetchThree(work) {
-  const wanted = JSON.parse(readFileSync(join(kHere, 'package.json'))).dependencies.three;
-  const folder = join(work, 'node_modules', 'three');
-  const there = join(folder, 'package.json');
-  if (existsSync(there) && JSON.parse(readFileSync(there)).version === wanted) return folder;
-  for (const name of ['package.json', 'package-lock.json']) copyFileSync(join(kHere, name), join(work, name));
-  const words = ['ci', '--ignore-scripts', '--no-audit', '--no-fund', '--fetch-retries=1', '--fetch-timeout=30000'];
-  try {
-    execFileSync('npm', words, {cwd: work, stdio: ['ignore', 'ignore', 'pipe'], timeout: 120000});
-  } catch (error) {
-    if (error.code === 'ENOENT') throw new Missing('npm is not installed');
-    throw new Missing(
-        `npm cannot fetch three ${wanted}: ${String(error.stderr || error.message).trim().split('\n')[0]}`);
-  }
-  return folder;
-}
-
 async function draw(work, zstrip, chromium, models) {
   mkdirSync(work, {recursive: true});
   for (const name of ['missing', 'measured.json']) rmSync(join(work, name), {force: true});
   try {
     if (!existsSync(chromium)) throw new Missing('chromium is not installed');
     if (!existsSync(models)) throw new Missing('assimp-testmodels is not installed');
-    const rows = await drawAll({zstrip, chromium, models, three: fetchThree(work), work});
+    const rows = await drawAll({zstrip, chromium, models, three: fetchPackage(kHere, work), work});
     writeFileSync(join(work, 'measured.json'), JSON.stringify(rows, null, 1));
     console.log(`${rows.length} comparisons`);
     return 0;

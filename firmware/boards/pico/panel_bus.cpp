@@ -72,13 +72,12 @@ void PanelBus::start() {
   clear_bits(kReset, kSubsystems);
   for (std::uint32_t poll = 0; poll < kPolls && (register_at(kResetDone) & kSubsystems) != kSubsystems; ++poll) {
   }
-  PanelSelect::make_output();
-  PanelDataCommand::make_output();
-  PanelReset::make_output();
-  PanelLight::make_output();
+  PanelSelect::make_output(true);
+  PanelDataCommand::make_output(false);
+  PanelReset::make_output(true);
+  PanelLight::make_output(false);
   register_at(pin_control(18)) = kFunctionSpi;
   register_at(pin_control(19)) = kFunctionSpi;
-  [[maybe_unused]] const Error cannot_fail = PanelSelect().set(true);
   configure_spi();
 }
 

@@ -15,8 +15,9 @@ struct Pin {
     register_at(high ? chip::kPinsSet : chip::kPinsClear) = 1U << number;
     return hal::Error::none;
   }
-  static void make_output() {
-    register_at(chip::kPinsClear) = 1U << number;
+  /// With this level from the beginning: a line that falls and rises again at once is a pulse.
+  static void make_output(bool high) {
+    register_at(high ? chip::kPinsSet : chip::kPinsClear) = 1U << number;
     register_at(chip::kPinsEnableOutput) = 1U << number;
     register_at(chip::pin_control(number)) = chip::kFunctionSio;
   }

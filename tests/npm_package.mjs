@@ -1,0 +1,26 @@
+// A package of Node.js that tests need, fetched by npm once, in the version that is pinned.
+import {execFileSync} from 'node:child_process';
+import {copyFileSync, existsSync, mkdirSync, readFileSync} from 'node:fs';
+import {join} from 'node:path';
+
+/** Something is not to be had on this machine. */
+export class Missing extends Error {}
+
+/** The folder, below `work`, of the one package that package.json and package-lock.json in `from` name. */
+export function fetchPackage(from, work) {
+  const [[name, wanted]] = Object.entries(JSON.parse(readFileSync(join(from, 'package.json'))).dependencies);
+  const folder = join(work, 'node_modules', name);
+  const there = join(folder, 'package.json');
+  if (existsSync(there) && JSON.parse(readFileSync(there)).version === wanted) return folder;
+  mkdirSync(work, {recursive: true});
+  for (const file of ['package.json', 'package-lock.json']) copyFileSync(join(from, file), join(work, file));
+  const words = ['ci', '--ignore-scripts', '--no-audit', '--no-fund', '--fetch-retries=1', '--fetch-timeout=30000'];
+  try {
+    execFileSync('npm', words, {cwd: work, stdio: ['ignore', 'ignore', 'pipe'], timeout: 120000});
+  } catch (error) {
+    if (error.code === 'ENOENT') throw new Missing('npm is not installed');
+    throw new Missing(
+        `npm cannot fetch ${name} ${wanted}: ${String(error.stderr || error.message).trim().split('\n')[0]}`);
+  }
+  return folder;
+}
