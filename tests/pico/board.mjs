@@ -74,6 +74,9 @@ export class Board {
     this.burst = [];
   }
 
+  /** Calls `then` after this time. */
+  in(seconds, then) { this.chip.emulator.clock.createAlarm(then).schedule(seconds * 1e9); }
+
   /** From now on no byte is sent, `how` long: 'until off' is until the SPI is switched off, or for ever. */
   stick(how = 'for ever') {
     this.stuck = how;

@@ -49,14 +49,20 @@ export class Chip {
     emulator.clock.tick(emulator.core.executeInstruction() * 1e9 / emulator.clkSys);
   }
 
-  /** Until it is ended. With interrupts masked, too, one that is pending ends WFI: the emulator sleeps on. */
+  /**
+   * Until it is ended. With interrupts masked, too, one that is pending ends WFI: the emulator sleeps on. A loop of
+   * nothing but WFI then spins; its time passes at once.
+   */
   run() {
     const {clock, core} = this.emulator;
+    let at = 0, cycles = 0;  // of the last WFI
     while (!this.ended) {
       if (!core.waiting) {
         this.step();
       } else if (core.pendingSystick || (core.pendingInterrupts & core.enabledInterrupts) !== 0) {
         core.waiting = false;
+        if (core.PC === at && core.cycles - cycles <= 4) clock.tick(clock.nanosToNextAlarm);
+        [at, cycles] = [core.PC, core.cycles];
       } else {
         clock.tick(clock.nanosToNextAlarm);
       }

@@ -91,6 +91,16 @@ export const kMutations = [
   {says: 'the backlight is off', at: kPins + 0x14, to: unless(1 << 22)},
 ];
 
+let panicked = false;
+
+/** Of what a bus that is stuck, `how` long, ends in. */
+export const kStuckMutations = [
+  {how: 'for ever', says: 'not the watchdog after 8', at: kWatchdog, to: unless(1 << 30)},
+  {how: 'for ever', says: 'not the watchdog after 8', at: kWatchdog + 4, to: always(2 * 7e6)},
+  {how: 'until off', says: 'words: ', at: kUart, to: (value) => { panicked = true; return value; },
+    and: [{at: kDma, to: (value) => panicked ? value + 2 : value}]},
+];
+
 const asList = (reads) => reads === undefined ? [] : Array.isArray(reads[0]) ? reads : [reads];
 
 /** A chip's option `mutate`. */

@@ -1,9 +1,9 @@
-// The Pico's panel: reads what its lines carried (board.mjs) and shows it to the model of the ST7789. Every picture has
-// to be the host's: the black glass that is switched on, then frame after frame of the teapot; at the end words.
+// The Pico's panel: reads what its lines carried (board.mjs) and shows it to the model of the ST7789. Every picture
+// has to be the host's: the black glass that is switched on, then frame after frame of the teapot; at the end words.
 //   zstrip_pico_panel [--pictures FOLDER] [--words WORDS] < LINES
-// Lines are "NANOSECONDS WORD VALUE": reset, select, data, light and a level; cycle, the nanoseconds of a bit; bytes in
-// hexadecimal; stuck, after which the bus gives up. Prints what is wrong, a line each, then "N pictures". Exit status:
-// 0 nothing is wrong, 1 something is, 2 not such lines.
+// Lines are "NANOSECONDS WORD VALUE": reset, select, data, light and a level; cycle, the nanoseconds of a bit; bytes
+// in hexadecimal; stuck, after which the bus gives up. Prints what is wrong, a line each, then "N pictures".
+// Exit status: 0 nothing is wrong, 1 something is, 2 not such lines.
 #include <algorithm>
 #include <chrono>
 #include <cstddef>

@@ -2,7 +2,7 @@
 //   node pico.mjs fetch WORK                        the emulator, into the folder WORK
 //   node pico.mjs frames WORK UF2 PANEL             frames of the teapot are those of the host
 //   node pico.mjs mutations WORK UF2 PANEL          each mistake is found, and each check finds one
-//   node pico.mjs stuck WORK UF2 PANEL              a stuck bus ends in a panic and a reset
+//   node pico.mjs stuck WORK UF2 PANEL              a bus that gets stuck ends in a panic and a reset
 // PANEL is the program of panel.cpp. Exit status: 0 yes, 1 no, 2 wrong words, 77 something is not to be had here.
 import {spawnSync} from 'node:child_process';
 import {existsSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
@@ -13,7 +13,7 @@ import {fetchPackage, Missing} from '../npm_package.mjs';
 
 import {Board} from './board.mjs';
 import {crc} from './boot_rom.mjs';
-import {kMutations, mutationOf} from './mutations.mjs';
+import {kMutations, kStuckMutations, mutationOf} from './mutations.mjs';
 import {flashOf} from './uf2.mjs';
 
 const kHere = dirname(fileURLToPath(import.meta.url));
@@ -96,9 +96,46 @@ function mutations({library, flash, panel}) {
   return verdict([...wrong, ...[...unproven].map((place) => `no mutation proves the check at ${place}`)]);
 }
 
+const kPanic = 'panic: display: the bus did not get ready in time';
+const kStuck = {
+  'until off': {said: `${kPanic}\n`, shown: ['--words', kPanic]},
+  'for ever': {said: `${kPanic}\npanic on the display: the bus did not get ready in time\n`, shown: []},
+};
+
+/** What is wrong if the bus gets stuck while frame 1 is sent, until the program switches it off or for ever. */
+function wrongWhenStuck({library, flash, panel}, how, mutation) {
+  const {said, shown} = kStuck[how];
+  const board = new Board(library, flash, kFrameBytes, {mutate: mutation && mutationOf(mutation)}), {chip} = board;
+  board.onFrame = (frame) => { if (frame === 1) board.in(0.05, () => board.stick(how)); };
+  chip.endIn(20, 'time');
+  chip.run();
+  const seconds = (chip.nanos - board.frames[1]) / 1e9;
+  const wrong = [...chip.complaints, ...shownOn(panel, board, ...shown).slice(0, -1)];
+  if (board.console !== said) wrong.push(`the console says ${board.console}`);
+  if (chip.ended !== 'watchdog' || Math.abs(seconds - 8) > 0.1)
+    wrong.push(`${chip.ended} after ${seconds} s, not the watchdog after 8`);
+  if (wrong.length > 0) return wrong;
+  // RAM and crystal are as they were.
+  const again = new Board(library, flash, kFrameBytes, {memory: chip.emulator.sram});
+  again.onFrame = (frame) => { if (frame === 1) again.chip.end('frame'); };
+  again.chip.endIn(2, 'time');
+  again.chip.run();
+  const after = shownOn(panel, again);
+  return after.join() === '2 pictures' ? [] : [`after the reset ${[...again.chip.complaints, ...after]}`];
+}
+
+function stuck(given) {
+  const wrong = Object.keys(kStuck).flatMap((how) => wrongWhenStuck(given, how).map((line) => `${how}: ${line}`));
+  for (const {how, says, ...mutation} of kStuckMutations) {
+    const said = wrongWhenStuck(given, how, mutation);
+    if (!said.some((line) => line.includes(says))) wrong.push(`not found: ${says}; said: ${said.join('; ')}`);
+  }
+  return verdict(wrong);
+}
+
 async function main([command, work, ...words]) {
   if (command === 'fetch' && work && words.length === 0) return fetchEmulator(work);
-  const run = {frames, mutations}[command];
+  const run = {frames, mutations, stuck}[command];
   if (!run || words.length !== 2) {
     console.error('pico.mjs: wrong words; its first lines say which there are');
     return 2;
