@@ -33,7 +33,7 @@ constexpr Target kTargets[] = {
     {"Netduino Plus 2", "netduinoplus2_show", "netduinoplus2", "teapot", "", kLandscape, Report::frames, kGuard, 60,
      320, 5},
     {"STM32F4 Discovery", "stm32f4discovery_show", nullptr, "teapot", "", kLandscape, Report::none, kGuard, 48, 320},
-    {"Raspberry Pi Pico", "pico_show", nullptr, "teapot", "", kMicrobit, Report::none, kNoGuard, 80, 240},
+    {"Raspberry Pi Pico", "pico_show", nullptr, "teapot", "", kMicrobit, Report::recorded, kNoGuard, 80, 240},
     {"EK-LM3S6965", "lm3s6965evb_teapot", "lm3s6965evb", "teapot", "", kOled, Report::frames, kGuard, 64, 128},
     {"EK-LM3S6965", "lm3s6965evb_layers", "lm3s6965evb", "showroom", "", kPanel, Report::frames, kGuard, 16},
     {"MPS2, Cortex-M0", "bench_m0", "mps2-an385", "knot", "K5", kBench, Report::bench, kNoGuard},

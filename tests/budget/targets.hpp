@@ -15,6 +15,7 @@ enum class Report : std::uint8_t {
   turntable,  ///< a line of JSON on the console, then it waits for ever
   bench,      ///< a line of JSON on the console, then it ends; takes words
   none,       ///< there is no emulator for it
+  recorded,   ///< it runs in the emulator of tests/pico alone, which records the stack in docs/measured/pico.csv
   frames,     ///< the number of each frame on the console, one at a time if asked to
 };
 

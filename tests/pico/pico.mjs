@@ -2,6 +2,7 @@
 //   node pico.mjs fetch WORK                        the emulator, into the folder WORK
 //   node pico.mjs frames WORK UF2 PANEL             frames of the teapot are those of the host
 //   node pico.mjs mutations WORK UF2 PANEL          each mistake is found, and each check finds one
+//   node pico.mjs figures WORK UF2                  a line of docs/measured/pico.csv
 //   node pico.mjs stuck WORK UF2 PANEL              a bus that gets stuck ends in a panic and a reset
 // PANEL is the program of panel.cpp. Exit status: 0 yes, 1 no, 2 wrong words, 77 something is not to be had here.
 import {spawnSync} from 'node:child_process';
@@ -13,6 +14,7 @@ import {fetchPackage, Missing} from '../npm_package.mjs';
 
 import {Board} from './board.mjs';
 import {crc} from './boot_rom.mjs';
+import {Counters, stackBytes} from './figures.mjs';
 import {kMutations, kStuckMutations, mutationOf} from './mutations.mjs';
 import {flashOf} from './uf2.mjs';
 
@@ -133,10 +135,27 @@ function stuck(given) {
   return verdict(wrong);
 }
 
+/** Prints them as a line of docs/measured/pico.csv: the mean of two frames, and the stack. */
+function figures({library, flash}) {
+  const kFrames = 2, kStackTop = new DataView(flash.buffer).getUint32(0x100, true) - 0x20000000;
+  const board = new Board(library, flash, kFrameBytes), {chip} = board;
+  const counters = new Counters(chip), reached = [];
+  board.onFrame = (frame) => {
+    reached.push(counters.now());
+    if (frame === kFrames) chip.end('frames');
+  };
+  chip.endIn(1 + kFrames, 'time');
+  chip.run();
+  if (chip.ended !== 'frames') return verdict([`ended by ${chip.ended}`, ...chip.complaints]);
+  const means = reached[0].map((first, column) => Math.round((reached[kFrames][column] - first) / kFrames));
+  console.log(['pico_show', 'teapot', ...means, stackBytes(chip, kStackTop)].join());
+  return 0;
+}
+
 async function main([command, work, ...words]) {
   if (command === 'fetch' && work && words.length === 0) return fetchEmulator(work);
-  const run = {frames, mutations, stuck}[command];
-  if (!run || words.length !== 2) {
+  const run = {frames, mutations, stuck, figures}[command];
+  if (!run || words.length !== (run === figures ? 1 : 2)) {
     console.error('pico.mjs: wrong words; its first lines say which there are');
     return 2;
   }
