@@ -46,12 +46,15 @@ TEST(Resolve, Rgb444EndsOddRowsWithADarkNibbleAndWritesNoMore) {
   }
 }
 
-TEST(Resolve, SwapsBytesOfOddCounts) {
-  for (std::uint32_t count = 0; count < 6; ++count) {
-    std::vector<std::uint16_t> pixels(count + 1, 0x1234);
-    detail::swap_bytes(pixels.data(), count);
-    for (std::uint32_t i = 0; i < count; ++i) EXPECT_EQ(pixels[i], 0x3412);
-    EXPECT_EQ(pixels[count], 0x1234);
+TEST(Resolve, SwapsBytesOfOddCountsAtOddPixels) {
+  for (std::uint32_t first = 0; first < 2; ++first) {
+    for (std::uint32_t count = 0; count < 6; ++count) {
+      std::vector<std::uint16_t> pixels(first + count + 1, 0x1234);
+      detail::swap_bytes(pixels.data() + first, count);
+      for (std::uint32_t i = 0; i < pixels.size(); ++i) {
+        EXPECT_EQ(pixels[i], i >= first && i < first + count ? 0x3412 : 0x1234) << first << ' ' << count << ' ' << i;
+      }
+    }
   }
 }
 
