@@ -13,14 +13,23 @@
 
 namespace zstrip {
 
+struct Work;
+
 /// Also Error::view_size, samples, strip_rows, strip_columns for shapes that cannot be, Error::effect_missing for
 /// several samples without effect::supersampled; with a static layer Error::store_range, samples and depth_effects for
 /// what StaticLayer::keep refuses.
 constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects effects, const Budget& budget = {});
 
 /// What a frame is thought to cost with a plan, in instructions of a Cortex-M3: a scene is assumed to fill the view
-/// once with triangles of one size, half of them facing away. For comparing plans; docs/memory.md has measurements.
-constexpr std::uint64_t estimated_cost(const SceneCounts& counts, const View& view, const Plan& plan);
+/// once with triangles of one size, half of them facing away if no material shows both sides. For comparing plans;
+/// docs/memory.md has measurements.
+constexpr std::uint64_t estimated_cost(const SceneCounts& counts, Effects effects, const View& view, const Plan& plan);
+
+/// The same of begin_frame and all strips of a frame that did this `work`. Fitted to the workloads of `zstrip bench` in
+/// strips of 8 to 480 rows, 97 % of which are within 15 % (docs/performance.md, "Estimates"); effects that none of them
+/// has are not in it, but for samples.
+constexpr std::uint64_t estimated_cost(const SceneCounts& counts, Effects effects, const View& view, const Plan& plan,
+                                       const Work& work);
 
 /// What a picture needs of its depth; not known from a scene's counts.
 struct DepthNeed {

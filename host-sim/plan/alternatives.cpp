@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plan/estimate.hpp"
 #include "render/render_frame.hpp"
 #include "report/number.hpp"
 #include "zstrip/effects.hpp"
@@ -47,7 +46,7 @@ class Planning {
     const Statistics& done = report->statistics;
     return Alternative{.plan = plan,
                        .total_bytes = total_bytes(plan),
-                       .instructions = estimated_instructions(counts_, effects_, done, request_.view, plan),
+                       .instructions = estimated_cost(counts_, effects_, request_.view, plan, work_of(done)),
                        .statistics = done,
                        .overflowed = report->mode != plan.mode};
   }

@@ -12,7 +12,6 @@
 #include "bench/board_prediction.hpp"
 #include "image/encode.hpp"
 #include "image/to_rgb.hpp"
-#include "plan/estimate.hpp"
 #include "report/number.hpp"
 
 namespace zstrip::sim {
@@ -129,8 +128,8 @@ Result<ViewedFrame> Viewer::draw() {
                      .times = {},
                      .text = {}};
   const std::uint64_t instructions =
-      estimated_instructions(count(staging->scene), effects_of(staging->scene, staging->camera),
-                             viewed.report.statistics, drawing_->view, viewed.report.plan);
+      estimated_cost(count(staging->scene), effects_of(staging->scene, staging->camera), drawing_->view,
+                     viewed.report.plan, work_of(viewed.report.statistics));
   if (request_.board != nullptr) {
     const BoardTime time =
         time_on(*request_.board, request_.bus_mhz, instructions, bytes_on_bus(viewed.strips, drawing_->view));

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "bench/workloads.hpp"
-#include "plan/estimate.hpp"
 #include "render/render_frame.hpp"
 
 namespace zstrip::sim {
@@ -55,7 +54,7 @@ double estimated(const Row& row) {
     EXPECT_TRUE(planned.status);
     const Result<FrameReport> report = renderer.render({.scene = staged.scene, .camera = staged.camera}, planned.plan);
     if (!report) return 0;
-    sum += static_cast<double>(estimated_instructions(counts, effects, report->statistics, view, report->plan));
+    sum += static_cast<double>(estimated_cost(counts, effects, view, report->plan, work_of(report->statistics)));
   }
   return sum / row.frames;
 }

@@ -216,7 +216,7 @@ TEST(Budget, PlanOfEveryBudget) {
         const auto [status, plan] = each.plan({.bytes = bytes, .split_columns = split});
         if (status) {
           ASSERT_LE(plan.bytes(), bytes);
-          const std::uint64_t cost = estimated_cost(each.built_in.counts, each.view, plan);
+          const std::uint64_t cost = estimated_cost(each.built_in.counts, each.effects, each.view, plan);
           ASSERT_LE(cost, least_cost) << "more memory, slower: " << bytes;
           if (cost == least_cost) continue;
           least_cost = cost;

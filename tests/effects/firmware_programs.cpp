@@ -36,7 +36,7 @@ const std::vector<Other> kOthers = {
     {"versatilepb_fault_qvga", {}},
     {"pipeline_k5_", {"knot"}},
     {"bench_m", {"teapot", "room"}},
-    {"bench_bins_", {"knot", "cube", "random50", "random10k"}, effect::bins},
+    {"bench_bins_", {"knot", "cube", "random50", "random10k", "teapot", "room"}, effect::bins},
     {"bench_depth_", {"random50"}, effect::depth_state | effect::depth_ranges | effect::depth_formats},
     {"bench_visibility_",
      {"knot", "cube", "room", "knot_textured"},

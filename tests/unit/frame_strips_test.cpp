@@ -40,6 +40,23 @@ TEST(Frame, BinsTransformOnceAndCountTheirOverflow) {
   EXPECT_EQ(overflowed.statistics.drawn, binned.statistics.drawn);
 }
 
+/// Regression: bins were planned for half of the triangles though all of them could face, and overflowed.
+TEST(Frame, BinsHoldTrianglesThatShowBothSides) {
+  Model model = random_model(11, 300, 2000);
+  model.material.double_sided = true;
+  const Scene scene = model.scene();
+  const View view{64, 64};
+  const Effects effects = effects_of(scene, Camera{}) | effect::bins;
+  ASSERT_TRUE(effects.has(effect::two_sided));
+  const Budget budget{.strip_rows = 32, .modes = Modes::binned};
+  const Drawn both = draw_with_plan(scene, view, plan(count(scene), view, effects, budget).plan);
+  EXPECT_EQ(both.overflows, 0U);
+  const Effects of_one_side{effects.bits & ~effect::two_sided.bits};
+  const Drawn half = draw_with_plan(scene, view, plan(count(scene), view, of_one_side, budget).plan);
+  EXPECT_EQ(half.overflows, 1U);
+  EXPECT_EQ(half.pixels, both.pixels);
+}
+
 TEST(Frame, StripsVisitOnlyTheMeshletsThatTouchThem) {
   // Four meshlets in a column, a quarter of the picture each.
   Model model;

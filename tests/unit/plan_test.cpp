@@ -64,14 +64,15 @@ TEST(Plan, MoreMemoryNeverCostsMoreTime) {
     std::uint64_t previous = UINT64_MAX;
     bool binned = false, split_used = false;
     for (std::uint32_t bytes = 2000; bytes < 200000; bytes += 97) {
-      const PlanResult result = plan(kMany, kView, effect::lighting | effect::bins,
-                                     {.bytes = bytes, .split_columns = split, .strip_buffers = 2});
+      constexpr Effects kEffects = effect::lighting | effect::bins;
+      const PlanResult result =
+          plan(kMany, kView, kEffects, {.bytes = bytes, .split_columns = split, .strip_buffers = 2});
       if (!result.status) {
         ASSERT_EQ(previous, UINT64_MAX) << "less memory was enough: " << bytes;
         continue;
       }
       ASSERT_LE(result.plan.bytes() + 2 * result.plan.strip_pixel_bytes(kView), bytes);
-      const std::uint64_t cost = estimated_cost(kMany, kView, result.plan);
+      const std::uint64_t cost = estimated_cost(kMany, kEffects, kView, result.plan);
       ASSERT_LE(cost, previous) << bytes;
       previous = cost;
       binned |= result.plan.mode == Mode::binned;

@@ -1,20 +1,28 @@
-// What a plan costs in time, from counts alone: how often strips visit a meshlet or a triangle again.
+// What a frame takes on a Cortex-M3, from what it does; and what it is expected to do with a plan, from counts alone.
 #pragma once
 
+#include "zstrip/base/statistics.hpp"
 #include "zstrip/budget.hpp"
+#include "zstrip/effects.hpp"
 
 namespace zstrip {
 namespace detail {
 
-/// Instructions on a Cortex-M3, rounded from counts of the knot in different strips.
-inline constexpr std::uint64_t kCostOfVertex = 70;
-inline constexpr std::uint64_t kCostOfCulling = 25;  // a triangle, facing either way
-inline constexpr std::uint64_t kCostOfBinning = 90;  // a triangle in a strip's list
-inline constexpr std::uint64_t kCostOfSetup = 400;   // a triangle in a strip
-inline constexpr std::uint64_t kCostOfFragment = 22;
-inline constexpr std::uint64_t kCostOfClearing = 3;    // a pixel
+/// Instructions, by least squares of relative errors over 144 frames of the workloads.
+inline constexpr std::uint64_t kCostOfVertex = 100;
+inline constexpr std::uint64_t kCostOfLighting = 27;   // a vertex
+inline constexpr std::uint64_t kCostOfCulling = 58;    // a triangle, each time that its vertices are transformed
+inline constexpr std::uint64_t kCostOfBinning = 63;    // a triangle, once
+inline constexpr std::uint64_t kCostOfBin = 33;        // a triangle in a strip's list
+inline constexpr std::uint64_t kCostOfSetup = 56;      // a triangle in a strip
+inline constexpr std::uint64_t kCostOfRow = 134;       // of such a triangle, as rows_of has them
 inline constexpr std::uint64_t kCostOfAveraging = 16;  // a pixel of several samples
-inline constexpr std::uint64_t kCostOfMeshlet = 150;
+inline constexpr std::uint64_t kCostOfMeshlet = 169;   // in each strip
+/// Eighths of an instruction.
+inline constexpr std::uint64_t kCostOfPixel = 15;      // of a triangle, beyond what its row takes
+inline constexpr std::uint64_t kCostOfTexel = 146;     // a pixel with texels as they are
+inline constexpr std::uint64_t kCostOfLitTexel = 321;  // a pixel with lit texels
+inline constexpr std::uint64_t kCostOfClearing = 12;   // a pixel or sample
 
 constexpr std::uint32_t rough_square_root(std::uint64_t value) {
   std::uint64_t root = 0;
@@ -24,48 +32,90 @@ constexpr std::uint32_t rough_square_root(std::uint64_t value) {
   return static_cast<std::uint32_t>(root);
 }
 
-/// Strips that a square of `side` pixels touches on average, 24.8.
-constexpr std::uint64_t strips_touched(std::uint32_t side, const View& view, const Plan& plan) {
-  const auto along = [side](std::uint32_t length, std::uint32_t whole) {
-    return length >= whole ? std::uint64_t{256} : 256 + (std::uint64_t{side} << 8) / length;
-  };
-  return along(plan.strip_rows, view.height) * along(plan.strip_columns, view.width) >> 8;
-}
-
-/// Entries that the facing half of the triangles and meshlets makes in the lists of all strips.
-struct Visits {
-  std::uint64_t meshlets, triangles;
-};
-constexpr Visits visits_of(const SceneCounts& counts, const View& view, const Plan& plan) {
-  const std::uint64_t meshlets = counts.meshlets > 1 ? counts.meshlets : 1;
-  const std::uint64_t triangles = counts.triangles > 1 ? counts.triangles : 1;
-  const std::uint64_t pixels = std::uint64_t{view.width} * view.height;
-  const std::uint64_t facing_meshlets = (meshlets + 1) / 2;
-  const std::uint64_t facing_triangles = (triangles + 1) / 2;
-  return {facing_meshlets * strips_touched(rough_square_root(pixels / facing_meshlets), view, plan) >> 8,
-          // A triangle is half of its box.
-          facing_triangles * strips_touched(rough_square_root(2 * pixels / facing_triangles), view, plan) >> 8};
+/// Of triangles in strips: a triangle's rows grow as the root of its pixels.
+constexpr std::uint64_t rows_of(std::uint64_t covering, std::uint64_t fragments) {
+  return std::uint64_t{rough_square_root(covering << 8)} * rough_square_root(fragments << 8) >> 8;
 }
 
 }  // namespace detail
 
-constexpr std::uint64_t estimated_cost(const SceneCounts& counts, const View& view, const Plan& plan) {
-  using namespace detail;
-  if (plan.strips == 0) return UINT64_MAX;  // no plan
-  const Visits visits = visits_of(counts, view, plan);
-  const std::uint64_t meshlets = counts.meshlets > 1 ? counts.meshlets : 1;
-  const std::uint64_t pass =
-      counts.vertices * kCostOfVertex + counts.triangles * kCostOfCulling + meshlets * kCostOfMeshlet;
-  std::uint64_t geometry = pass;
-  if (plan.mode == Mode::binned) {
-    geometry += visits.triangles * kCostOfBinning;
-  } else if (plan.strips > 1) {
-    geometry += pass / meshlets * visits.meshlets;
+/// What a frame does: counted, or expected.
+struct Work {
+  std::uint64_t vertices = 0;   ///< transformed, each time
+  std::uint64_t covering = 0;   ///< triangles that are set up, in each strip
+  std::uint64_t fragments = 0;  ///< of all triangles
+  std::uint64_t rows = 0;       ///< of triangles, in each strip
+};
+constexpr Work work_of(const Statistics& done) {
+  return {done.vertices, done.covering, done.fragments, detail::rows_of(done.covering, done.fragments)};
+}
+
+namespace detail {
+
+/// Triangles or meshlets that face the camera, as squares that fill the view once.
+struct FacingParts {
+  std::uint64_t count;
+  std::uint64_t across, down;  ///< strips that one touches on average, side by side and one below the other, 24.8
+  constexpr std::uint64_t visits() const { return count * (across * down >> 8) >> 8; }
+};
+
+/// Of `all`, which are 1 / `boxes` of their boxes, half face; all if some material shows its back faces.
+constexpr FacingParts facing_parts(std::uint32_t all, std::uint32_t boxes, Effects effects, const View& view,
+                                   const Plan& plan) {
+  const std::uint64_t count = all < 2 ? 1 : effects.has(effect::two_sided) ? all : (std::uint64_t{all} + 1) / 2;
+  const std::uint64_t side = rough_square_root(std::uint64_t{view.width} * view.height * boxes / count);
+  const auto touched = [side](std::uint64_t length, std::uint64_t strips) {
+    const std::uint64_t on_average = 256 + (side << 8) / length;
+    return on_average < strips << 8 ? on_average : strips << 8;
+  };
+  return {count, touched(plan.strip_columns, plan.columns_of_strips(view)),
+          touched(plan.strip_rows, plan.rows_of_strips(view))};
+}
+constexpr FacingParts facing_meshlets(const SceneCounts& counts, Effects effects, const View& view, const Plan& plan) {
+  return facing_parts(counts.meshlets, 1, effects, view, plan);
+}
+constexpr FacingParts facing_triangles(const SceneCounts& counts, Effects effects, const View& view, const Plan& plan) {
+  return facing_parts(counts.triangles, 2, effects, view, plan);
+}
+
+constexpr Work expected_work(const SceneCounts& counts, Effects effects, const View& view, const Plan& plan) {
+  const FacingParts triangles = facing_triangles(counts, effects, view, plan);
+  Work work{.vertices = counts.vertices,
+            .covering = triangles.visits(),
+            .fragments = std::uint64_t{view.width} * view.height * view.samples};
+  // Each strip beside another has the rows again.
+  work.rows = rows_of(triangles.count * triangles.down >> 8, work.fragments) * triangles.across >> 8;
+  if (plan.mode == Mode::streamed && plan.strips > 1) {
+    const std::uint64_t visits = facing_meshlets(counts, effects, view, plan).visits();
+    work.vertices += counts.vertices * ((visits << 8) / (counts.meshlets > 1 ? counts.meshlets : 1)) >> 8;
   }
-  return geometry + visits.triangles * kCostOfSetup +
-         std::uint64_t{view.width} * view.height * view.samples * (kCostOfFragment + kCostOfClearing) +
-         (view.samples == 1 ? 0 : std::uint64_t{view.width} * view.height * kCostOfAveraging) +
-         std::uint64_t{plan.strips} * kCostOfMeshlet;
+  return work;
+}
+
+}  // namespace detail
+
+constexpr std::uint64_t estimated_cost(const SceneCounts& counts, Effects effects, const View& view, const Plan& plan,
+                                       const Work& work) {
+  using namespace detail;
+  const std::uint64_t pixels = std::uint64_t{view.width} * view.height;
+  // Triangles come with their vertices.
+  const std::uint64_t passes = (work.vertices << 8) / (counts.vertices > 1 ? counts.vertices : 1);  // 24.8
+  const std::uint64_t culled = counts.triangles * passes >> 8;
+  const std::uint64_t pixel = !effects.has(effect::textures)  ? kCostOfPixel
+                              : effects.has(effect::lighting) ? kCostOfLitTexel
+                                                              : kCostOfTexel;
+  std::uint64_t cost = work.vertices * kCostOfVertex + culled * kCostOfCulling + work.covering * kCostOfSetup +
+                       work.rows * kCostOfRow + (work.fragments * pixel + pixels * view.samples * kCostOfClearing) / 8 +
+                       std::uint64_t{counts.meshlets} * plan.strips * kCostOfMeshlet;
+  if (effects.has(effect::lighting)) cost += work.vertices * kCostOfLighting;
+  if (plan.mode == Mode::binned) cost += culled * kCostOfBinning + work.covering * kCostOfBin;
+  if (view.samples != 1) cost += pixels * kCostOfAveraging;
+  return cost;
+}
+
+constexpr std::uint64_t estimated_cost(const SceneCounts& counts, Effects effects, const View& view, const Plan& plan) {
+  if (plan.strips == 0) return UINT64_MAX;  // no plan
+  return estimated_cost(counts, effects, view, plan, detail::expected_work(counts, effects, view, plan));
 }
 
 }  // namespace zstrip

@@ -44,10 +44,9 @@ class Planner {
   constexpr PlanResult result() const {
     if (best_.strips != 0) return {.status = {}, .plan = best_};
     if (smallest_.strips == 0) return {.status = {.error = Error::unplannable}, .plan = {}};
-    const std::uint64_t needed = all_bytes(smallest_);
     return {.status = {.error = Error::arena_too_small,
                        .purpose = largest_purpose(smallest_, layer_, visibility_purpose(effects_)),
-                       .needed = needed > kMaxArena ? kMaxArena : static_cast<std::uint32_t>(needed),
+                       .needed = smallest_bytes_ > kMaxArena ? kMaxArena : static_cast<std::uint32_t>(smallest_bytes_),
                        .available = limit_},
             .plan = smallest_};
   }
@@ -70,9 +69,7 @@ class Planner {
     const std::uint64_t whole_depth = std::uint64_t{per_cell_} * view_.samples * columns * view_.height;
     const std::uint64_t at_least = whole_depth / (limit_ - fixed);
     for (std::uint64_t down = at_least > 2 ? at_least : 2; down < view_.height; ++down) {
-      const Plan plan = with(mode, columns, static_cast<std::uint16_t>((view_.height + down - 1) / down));
-      consider(plan);
-      if (fits(plan)) return;
+      if (consider(with(mode, columns, static_cast<std::uint16_t>((view_.height + down - 1) / down)))) return;
     }
   }
 
@@ -108,8 +105,9 @@ class Planner {
     }
     if (binned) {
       if (meshlets > kMaxBatches || counts_.longest_meshlet > kMaxBatches) return {};
-      const Visits visits = visits_of(counts_, view_, plan);
-      const std::uint64_t chunks = (visits.triangles + visits.meshlets) / kBinChunkEntries + strips;
+      const std::uint64_t entries = facing_triangles(counts_, effects_, view_, plan).visits() +
+                                    facing_meshlets(counts_, effects_, view_, plan).visits();
+      const std::uint64_t chunks = entries / kBinChunkEntries + strips;
       plan.bin_bytes = rounded_up(meshlets * kBatchBytes + strips * kBinBytes +
                                   (chunks < kMaxBinChunks ? chunks : kMaxBinChunks) * kBinChunkBytes);
     }
@@ -119,17 +117,23 @@ class Planner {
   constexpr std::uint64_t all_bytes(const Plan& plan) const {
     return plan.wide_bytes() + std::uint64_t{strip_buffers_} * plan.strip_pixel_bytes(view_) + layer_.sum();
   }
-  constexpr bool fits(const Plan& plan) const { return plan.strips != 0 && all_bytes(plan) <= limit_; }
 
-  constexpr void consider(const Plan& plan) {
-    if (plan.strips == 0) return;
-    if (smallest_.strips == 0 || all_bytes(plan) < all_bytes(smallest_)) smallest_ = plan;
-    if (!fits(plan)) return;
-    const std::uint64_t cost = estimated_cost(counts_, view_, plan);
-    if (best_.strips == 0 || cost < best_cost_ || (cost == best_cost_ && all_bytes(plan) < all_bytes(best_))) {
+  /// Whether it fits. Inlined, there would be four of it.
+  [[gnu::noinline]] constexpr bool consider(const Plan& plan) {
+    if (plan.strips == 0) return false;
+    const std::uint64_t bytes = all_bytes(plan);
+    if (bytes < smallest_bytes_) {
+      smallest_ = plan;
+      smallest_bytes_ = bytes;
+    }
+    if (bytes > limit_) return false;
+    const std::uint64_t cost = estimated_cost(counts_, effects_, view_, plan);
+    if (cost < best_cost_ || (cost == best_cost_ && bytes < best_bytes_)) {
       best_ = plan;
+      best_bytes_ = bytes;
       best_cost_ = cost;
     }
+    return true;
   }
 
   const SceneCounts& counts_;
@@ -140,7 +144,7 @@ class Planner {
   LayerBytes layer_;
   std::uint32_t limit_;
   Plan best_{}, smallest_{};
-  std::uint64_t best_cost_ = 0;
+  std::uint64_t best_bytes_ = 0, best_cost_ = UINT64_MAX, smallest_bytes_ = UINT64_MAX;
 };
 
 }  // namespace detail

@@ -5,6 +5,8 @@
 #include "zstrip_scenes/knot.hpp"
 #include "zstrip_scenes/knot_meshlets.hpp"
 #include "zstrip_scenes/random.hpp"
+#include "zstrip_scenes/room.hpp"
+#include "zstrip_scenes/teapot.hpp"
 
 int main() {
   using namespace zstrip;
@@ -12,6 +14,8 @@ int main() {
                                             {"K5M", "z16", bench::run<scenes::knot_meshlets, effect::bins>},
                                             {"CT", "z16", bench::run<scenes::cube, effect::bins>},
                                             {"R50", "z16", bench::run<scenes::random50, effect::bins>},
-                                            {"R10k", "z16", bench::run<scenes::random10k, effect::bins>}};
+                                            {"R10k", "z16", bench::run<scenes::random10k, effect::bins>},
+                                            {"teapot", "z16", bench::run<scenes::teapot, effect::bins>},
+                                            {"room", "z16", bench::run<scenes::room, effect::bins>}};
   return bench::run_bench(kWorkloads);
 }
