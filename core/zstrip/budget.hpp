@@ -35,7 +35,7 @@ enum class Mode : std::uint8_t {
 enum class Modes : std::uint8_t {
   any,       ///< the faster one that fits
   streamed,  ///< Mode::streamed alone
-  binned,    ///< Mode::binned alone; needs effect::bins
+  binned,    ///< Mode::binned alone where there are several strips; needs effect::bins
 };
 
 /// What the caller allows. Zero means: the planner decides.

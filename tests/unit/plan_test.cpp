@@ -109,13 +109,26 @@ TEST(Plan, ColumnsThatSplitBytesAreRefused) {
 
 TEST(Plan, BinningNeedsItsEffectAndIndicesThatFit) {
   EXPECT_EQ(plan(kCounts, kView, {}, {.modes = Modes::binned}).status.error, Error::effect_missing);
-  EXPECT_EQ(plan(kCounts, kView, effect::bins, {.modes = Modes::binned}).plan.mode, Mode::binned);
+  EXPECT_EQ(plan(kCounts, kView, effect::bins, {.strip_rows = 8, .modes = Modes::binned}).plan.mode, Mode::binned);
   SceneCounts many = kCounts;
   many.meshlets = 0x8000;
-  EXPECT_EQ(plan(many, kView, effect::bins, {.modes = Modes::binned}).status.error, Error::unplannable);
+  EXPECT_EQ(plan(many, kView, effect::bins, {.strip_rows = 8, .modes = Modes::binned}).status.error,
+            Error::unplannable);
   EXPECT_EQ(plan(many, kView, effect::bins, {.strip_rows = 8}).plan.mode, Mode::streamed);
   EXPECT_EQ(plan(kCounts, View{4096, 4096}, {}, {.strip_rows = 1, .strip_columns = 8}).status.error,
             Error::unplannable);
+}
+
+/// Regression: bins of a single strip took memory and a pass over all triangles for nothing, and could overflow.
+TEST(Plan, ASingleStripIsNeverBinned) {
+  for (const std::uint16_t rows : std::array<std::uint16_t, 2>{0, 240}) {
+    const Plan asked = plan(kCounts, kView, effect::bins, {.strip_rows = rows, .modes = Modes::binned}).plan;
+    const Plan streamed = plan(kCounts, kView, effect::bins, {.strip_rows = rows, .modes = Modes::streamed}).plan;
+    EXPECT_EQ(asked.strips, 1);
+    EXPECT_EQ(asked.mode, Mode::streamed);
+    EXPECT_EQ(asked.bytes(), streamed.bytes());
+    EXPECT_EQ(asked.bin_bytes, 0U);
+  }
 }
 
 TEST(Plan, GivenRowsAreKeptOrRefused) {

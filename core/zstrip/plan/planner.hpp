@@ -75,14 +75,15 @@ class Planner {
 
   constexpr Plan with(Mode mode, std::uint16_t columns, std::uint16_t rows) const {
     if (layer_.sum() != 0) rows = whole_tiles(rows, view_.height);
-    Plan plan{.mode = mode, .strip_rows = rows, .strip_columns = columns};
+    Plan plan{.strip_rows = rows, .strip_columns = columns};
     const std::uint32_t strips = plan.columns_of_strips(view_) * plan.rows_of_strips(view_);
     if (strips > kMaxStrips) return {};
     plan.strips = static_cast<std::uint16_t>(strips);
+    if (strips > 1) plan.mode = mode;  // a single strip has nothing to list
     const std::uint64_t cells = std::uint64_t{rows} * columns * view_.samples;
     if (sorts_triangles(effects_) && counts_.longest_meshlet > kMaxSortedIndex) return {};
     const std::uint64_t meshlets = counts_.meshlets > counts_.instances ? counts_.meshlets : counts_.instances;
-    const bool binned = mode == Mode::binned;
+    const bool binned = plan.mode == Mode::binned;
     plan.instance_bytes = rounded_up(detail::instance_bytes(counts_));
     const bool shadows = effects_.has(effect::shadows);
     plan.extent_bytes = strips > 1 || binned || shadows ? rounded_up(meshlets * kExtentBytes) : 0;
