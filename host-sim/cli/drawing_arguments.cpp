@@ -67,10 +67,6 @@ void add_drawing_options(CLI::App& command, DrawingArguments& arguments) {
       .add_option("--strip-columns", a.memory.strip_columns,
                   "Pixels of a strip's row, a multiple of 8 (default: auto, the picture's width)")
       ->type_name("N|auto");
-  command
-      .add_option("--format", a.view.format,
-                  "Pixels: rgb565 (default), rgb565_swapped, gray4, mono, rgb666, rgb444, xrgb8888")
-      ->type_name("FORMAT");
   add_quality_options(command, a.view);
   command
       .add_option("--depth-format", a.depth_format,

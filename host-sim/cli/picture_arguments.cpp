@@ -52,6 +52,10 @@ Result<PictureSettings> settings_of(const std::string& scene) {
 }
 
 void add_quality_options(CLI::App& command, ViewArguments& arguments) {
+  command
+      .add_option("--format", arguments.format,
+                  "Pixels: rgb565 (default), rgb565_swapped, gray4, mono, rgb666, rgb444, xrgb8888")
+      ->type_name("FORMAT");
   command.add_flag_function(
       "--dither,!--no-dither", [&arguments](std::int64_t count) { arguments.dither = count > 0; },
       "Hide the steps between colours in a pattern, where they get fewer bits (default: no)");

@@ -28,7 +28,7 @@ struct ViewArguments {
   std::optional<std::uint32_t> samples{};
   std::optional<bool> edges{};
 };
-/// --dither, --samples and --edges. `arguments` must live as long as the command.
+/// --format, --dither, --samples and --edges. `arguments` must live as long as the command.
 void add_quality_options(CLI::App& command, ViewArguments& arguments);
 
 /// 320x240 in RGB565, not dithered, with one sample a pixel, by default.

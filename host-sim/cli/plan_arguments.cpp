@@ -16,10 +16,6 @@ void add_plan_options(CLI::App& command, PlanArguments& arguments) {
       .add_option("--size", a.view.size,
                   "Size of the picture, each side 1 to 4096 (default: 320x240, or what the scene was baked for)")
       ->type_name("WxH");
-  command
-      .add_option("--format", a.view.format,
-                  "Pixels: rgb565 (default), rgb565_swapped, gray4, mono, rgb666, rgb444, xrgb8888")
-      ->type_name("FORMAT");
   add_quality_options(command, a.view);
   command
       .add_option("--ram", a.memory.ram,

@@ -16,7 +16,7 @@ std::string grouped(std::uint64_t value) {
 std::string counted(std::uint64_t value, std::string_view thing) {
   std::string text = grouped(value) + ' ';
   text += thing;
-  if (value != 1) text += 's';
+  if (value != 1) text += thing.ends_with("sh") ? "es" : "s";
   return text;
 }
 

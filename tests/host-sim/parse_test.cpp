@@ -110,6 +110,7 @@ TEST(Counted, OneAndMore) {
   EXPECT_EQ(counted(0, "byte"), "0 bytes");
   EXPECT_EQ(counted(1, "byte"), "1 byte");
   EXPECT_EQ(counted(2345, "byte"), "2,345 bytes");
+  EXPECT_EQ(counted(2, "mesh"), "2 meshes");
 }
 
 class OutputNamesTest : public FolderTest {};
