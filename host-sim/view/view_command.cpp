@@ -2,21 +2,17 @@
 #include "view/view_command.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "bench/board_model.hpp"
-#include "cli/nearest_name.hpp"
-#include "cli/parse.hpp"
 #include "cli/print.hpp"
 #include "cli/sibling_program.hpp"
+#include "view/view_arguments.hpp"
 #include "view/view_loop.hpp"
 #include "view/viewer.hpp"
 #include "view/watched_files.hpp"
@@ -26,40 +22,11 @@ namespace zstrip::sim {
 namespace {
 
 struct ViewCommandLine {
-  DrawingArguments drawing;
-  std::uint32_t frames = 64;
-  std::optional<std::string> board;
+  ViewOptions options;
   std::uint32_t scale = 0;
   bool no_watch = false;
   std::string press;
 };
-
-Result<const BoardModel*> parse_board(const std::string& text) {
-  if (const BoardModel* const board = find_board(text)) return board;
-  std::vector<std::string_view> names;
-  for (const BoardModel& board : board_models()) names.push_back(board.name);
-  return usage(unknown_name("--board", text, names));
-}
-
-Result<ViewRequest> parse(const ViewCommandLine& arguments) {
-  ViewRequest request{.drawing = arguments.drawing, .frames = arguments.frames};
-  if (!arguments.board) return request;
-  const Result<const BoardModel*> board = parse_board(*arguments.board);
-  if (!board) return board.failure();
-  request.board = *board;
-  request.bus_mhz = (*board)->spi_mhz;
-  // A panel has a bus of its own; without one it is the board's.
-  std::optional<std::string>& bus = request.drawing.panel.bus;
-  if (!bus) return request;
-  const Result<double> hertz = parse_bus_hertz(*bus);
-  if (!hertz) return hertz.failure();
-  request.bus_mhz = *hertz / 1e6;
-  if (!request.drawing.panel.panel) {
-    if (!bus->starts_with("spi@")) return usage(fmt::format("--bus '{}': the bus of a board is SPI, spi@40MHz", *bus));
-    bus.reset();
-  }
-  return request;
-}
 
 Result<std::vector<Input>> parse_inputs(const std::string& words) {
   std::vector<Input> inputs;
@@ -73,16 +40,17 @@ Result<std::vector<Input>> parse_inputs(const std::string& words) {
 }
 
 Result<Done> view(const ViewCommandLine& arguments) {
-  const Result<ViewRequest> request = parse(arguments);
+  const Result<ViewRequest> request = parse_view_request(arguments.options);
   if (!request) return request.failure();
   Result<std::vector<Input>> inputs = parse_inputs(arguments.press);
   if (!inputs) return inputs.failure();
-  WatchedFiles files(arguments.drawing.scene);
+  const std::string& scene = arguments.options.drawing.scene;
+  WatchedFiles files(scene);
   Result<Viewer> viewer = Viewer::open(*request);
   if (!viewer) return viewer.failure();
-  Result<Window> window = Window::open("zstrip: " + arguments.drawing.scene);
+  Result<Window> window = Window::open("zstrip: " + scene);
   if (!window) return window.failure();
-  return run_view_loop(*viewer, *window, arguments.drawing.scene, std::move(files),
+  return run_view_loop(*viewer, *window, scene, std::move(files),
                        {.scale = arguments.scale, .watch = !arguments.no_watch, .inputs = std::move(*inputs)});
 }
 
@@ -92,16 +60,7 @@ void add_view_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(kViewCommand.name, kViewCommand.description);
   const auto arguments = std::make_shared<ViewCommandLine>();
   ViewCommandLine& a = *arguments;
-  add_drawing_options(*command, a.drawing);
-  command->add_option("--frames", a.frames, "Frames of the animation, or of a full turn, 1 to 10000 (default: 64)")
-      ->option_text("N")
-      ->check(CLI::Range(1U, 10000U));
-  std::vector<std::string_view> boards;
-  for (const BoardModel& board : board_models()) boards.push_back(board.name);
-  command
-      ->add_option("--board", a.board,
-                   fmt::format("As slow as this board is about: {}; --bus is then its bus", fmt::join(boards, ", ")))
-      ->type_name("NAME");
+  add_view_options(*command, a.options);
   command->add_option("--scale", a.scale, "The window's pixels for one of the picture, 1 to 8 (default: as fits)")
       ->option_text("N")
       ->check(CLI::Range(1U, 8U));

@@ -29,12 +29,6 @@ struct BoardTime {
   double draw, send;  // seconds, of the whole frame
 };
 
-/// The clock in one place: the estimate's instructions, and the bytes that the panel takes.
-BoardTime time_on(const BoardModel& board, double bus_mhz, std::uint64_t instructions, std::uint64_t bytes) {
-  return {static_cast<double>(instructions) * board.cycles_per_estimate / (board.core_mhz * 1e6),
-          static_cast<double>(8 * bytes) / (bus_mhz * 1e6)};
-}
-
 /// Every strip takes the share of the frame that it has of its rows.
 std::vector<StripTimes> times_on(const BoardModel& board, const BoardTime& frame, const std::vector<Rect>& strips) {
   std::vector<StripWork> works;
@@ -62,6 +56,12 @@ std::uint64_t bytes_on_bus(const std::vector<Rect>& strips, const View& view) {
                                 static_cast<std::uint64_t>(area.height());
   }
   return bytes;
+}
+
+/// The clock in one place: the estimate's instructions, and the bytes that the panel takes.
+BoardTime time_on(const BoardModel& board, double bus_mhz, const ViewedFrame& viewed, const View& view) {
+  return {static_cast<double>(viewed.instructions) * board.cycles_per_estimate / (board.core_mhz * 1e6),
+          static_cast<double>(8 * bytes_on_bus(viewed.strips, view)) / (bus_mhz * 1e6)};
 }
 
 }  // namespace
@@ -126,16 +126,19 @@ Result<ViewedFrame> Viewer::draw() {
                      .report = drawn->report,
                      .strips = strips_of(drawn->report.plan, drawing_->view),
                      .times = {},
+                     .rates = {},
                      .text = {}};
-  const std::uint64_t instructions =
-      estimated_cost(count(staging->scene), effects_of(staging->scene, staging->camera), drawing_->view,
-                     viewed.report.plan, work_of(viewed.report.statistics));
-  if (request_.board != nullptr) {
-    const BoardTime time =
-        time_on(*request_.board, request_.bus_mhz, instructions, bytes_on_bus(viewed.strips, drawing_->view));
-    viewed.times = times_on(*request_.board, time, viewed.strips);
+  viewed.flash_bytes = flash_bytes(staging->scene, drawer_->stage().animation(), staging->tree).total();
+  viewed.instructions = estimated_cost(count(staging->scene), effects_of(staging->scene, staging->camera),
+                                       drawing_->view, viewed.report.plan, work_of(viewed.report.statistics));
+  const auto timeline = [&](const BoardModel& board, double bus_mhz) {
+    return times_on(board, time_on(board, bus_mhz, viewed, drawing_->view), viewed.strips);
+  };
+  if (request_.board != nullptr) viewed.times = timeline(*request_.board, request_.bus_mhz);
+  for (const BoardModel& board : board_models()) {
+    viewed.rates.push_back({board.name, 1 / timeline(board, board.spi_mhz).back().send_end});
   }
-  viewed.text = text(*staging, viewed, instructions);
+  viewed.text = text(viewed);
   if (look_ != Look::colour) {
     // What a device takes is told of the scene.
     const Result<LookPicture> look = draw_look(*staging, look_, drawing_->view);
@@ -150,34 +153,25 @@ Result<ViewedFrame> Viewer::draw() {
   return viewed;
 }
 
-std::vector<std::string> Viewer::text(const Staging& staging, const ViewedFrame& viewed,
-                                      std::uint64_t instructions) const {
+std::vector<std::string> Viewer::text(const ViewedFrame& viewed) const {
   const FrameReport& report = viewed.report;
   const View& view = drawing_->view;
-  const FlashBytes flash = flash_bytes(staging.scene, drawer_->stage().animation(), staging.tree);
   std::vector<std::string> lines{
       fmt::format("{}x{} {} {}  {} of {}", view.width, view.height, name(view.format), name_of(look_), frame_ + 1,
                   request_.frames),
       fmt::format("RAM {} in {} of {}x{}", counted(report.plan.bytes() + report.strip_pixel_bytes, "byte"),
                   counted(report.plan.strips, "strip"), report.plan.strip_columns, report.plan.strip_rows),
-      fmt::format("flash {} of scene", counted(flash.total(), "byte")),
+      fmt::format("flash {} of scene", counted(viewed.flash_bytes, "byte")),
       fmt::format("{}, {} drawn, {}", counted(report.statistics.triangles, "triangle"),
                   grouped(report.statistics.drawn), counted(report.statistics.fragments, "fragment"))};
-  const std::uint64_t bytes = bytes_on_bus(viewed.strips, view);
-  const auto seconds_of = [&](const BoardTime& time, const BoardModel& board) {
-    return times_on(board, time, viewed.strips).back().send_end;
-  };
   if (const BoardModel* const board = request_.board) {
-    const BoardTime time = time_on(*board, request_.bus_mhz, instructions, bytes);
+    const BoardTime time = time_on(*board, request_.bus_mhz, viewed, view);
     lines.push_back(fmt::format("{}: {:.0f} ms drawn, {:.0f} sent: about {:.3g}/s", board->name, 1e3 * time.draw,
-                                1e3 * time.send, 1 / seconds_of(time, *board)));
+                                1e3 * time.send, 1 / viewed.times.back().send_end));
     return lines;
   }
   std::vector<std::string> boards;
-  for (const BoardModel& board : board_models()) {
-    const BoardTime time = time_on(board, board.spi_mhz, instructions, bytes);
-    boards.push_back(fmt::format("{} {:.3g}", board.name, 1 / seconds_of(time, board)));
-  }
+  for (const BoardRate& rate : viewed.rates) boards.push_back(fmt::format("{} {:.3g}", rate.board, rate.frames));
   lines.push_back(fmt::format("about/s: {}", fmt::join(boards, " ")));
   return lines;
 }

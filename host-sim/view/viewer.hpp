@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/board_model.hpp"
@@ -26,14 +27,23 @@ struct ViewRequest {
   double bus_mhz = 0;                 ///< of that board's SPI
 };
 
+/// About how many frames a board shows in a second, by its own bus.
+struct BoardRate {
+  std::string_view board;
+  double frames;
+};
+
 /// A frame, and how a device would come to it.
 struct ViewedFrame {
   RgbImage picture;
   std::vector<std::uint8_t> png;  ///< the file that `zstrip render` writes
   FrameReport report;
-  std::vector<Rect> strips;       ///< in the picture's pixels; empty on a panel that turns or mirrors them
-  std::vector<StripTimes> times;  ///< of each strip; only with a board
-  std::vector<std::string> text;  ///< lines for people
+  std::vector<Rect> strips;        ///< in the picture's pixels; empty on a panel that turns or mirrors them
+  std::vector<StripTimes> times;   ///< of each strip; only with a board
+  std::uint64_t flash_bytes = 0;   ///< of the scene, without the program
+  std::uint64_t instructions = 0;  ///< about, on a Cortex-M3
+  std::vector<BoardRate> rates;    ///< of all boards
+  std::vector<std::string> text;   ///< lines for people
 };
 
 /// Not thread-safe.
@@ -65,7 +75,7 @@ class Viewer {
 
  private:
   explicit Viewer(const ViewRequest& request) : request_(request) {}
-  std::vector<std::string> text(const Staging& staging, const ViewedFrame& viewed, std::uint64_t instructions) const;
+  std::vector<std::string> text(const ViewedFrame& viewed) const;
 
   ViewRequest request_;
   std::unique_ptr<Drawing> drawing_;  // stays where it is: the drawer refers to it

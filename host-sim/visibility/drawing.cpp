@@ -42,7 +42,7 @@ void look_at(FrameWithMethod frame, Effects effects, const Rect& strip, std::spa
   const auto* const colours = reinterpret_cast<const std::uint16_t*>(pixels.data());
   for (std::int32_t y = strip.top; y < strip.bottom; ++y) {
     std::copy_n(colours + std::ptrdiff_t{y - strip.top} * strip.width(), strip.width(),
-                looked.pixels.begin() + static_cast<std::ptrdiff_t>(y * std::ptrdiff_t{width} + strip.left));
+                looked.pixels.begin() + y * static_cast<std::ptrdiff_t>(width) + strip.left);
   }
   const Rect& area = frame.depth_area();
   const bool wide = depth_bytes(depth_format(effects)) == 4;

@@ -1,0 +1,64 @@
+// The options that say what is viewed: those of drawing, of how many frames there are, and of a board.
+#include "view/view_arguments.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <string_view>
+#include <vector>
+
+#include "bench/board_model.hpp"
+#include "cli/nearest_name.hpp"
+#include "cli/parse.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+std::vector<std::string_view> names_of_boards() {
+  std::vector<std::string_view> names;
+  for (const BoardModel& board : board_models()) names.push_back(board.name);
+  return names;
+}
+
+Result<const BoardModel*> parse_board(const std::string& text) {
+  if (const BoardModel* const board = find_board(text)) return board;
+  return usage(unknown_name("--board", text, names_of_boards()));
+}
+
+}  // namespace
+
+void add_view_options(CLI::App& command, ViewOptions& options) {
+  add_drawing_options(command, options.drawing);
+  command
+      .add_option("--frames", options.frames, "Frames of the animation, or of a full turn, 1 to 10000 (default: 64)")
+      ->option_text("N")
+      ->check(CLI::Range(1U, 10000U));
+  command
+      .add_option(
+          "--board", options.board,
+          fmt::format("As slow as this board is about: {}; --bus is then its bus", fmt::join(names_of_boards(), ", ")))
+      ->type_name("NAME");
+}
+
+Result<ViewRequest> parse_view_request(const ViewOptions& options) {
+  ViewRequest request{.drawing = options.drawing, .frames = options.frames};
+  if (!options.board) return request;
+  const Result<const BoardModel*> board = parse_board(*options.board);
+  if (!board) return board.failure();
+  request.board = *board;
+  request.bus_mhz = (*board)->spi_mhz;
+  // A panel has a bus of its own; without one it is the board's.
+  std::optional<std::string>& bus = request.drawing.panel.bus;
+  if (!bus) return request;
+  const Result<double> hertz = parse_bus_hertz(*bus);
+  if (!hertz) return hertz.failure();
+  request.bus_mhz = *hertz / 1e6;
+  if (!request.drawing.panel.panel) {
+    if (!bus->starts_with("spi@")) return usage(fmt::format("--bus '{}': the bus of a board is SPI, spi@40MHz", *bus));
+    bus.reset();
+  }
+  return request;
+}
+
+}  // namespace zstrip::sim
