@@ -1,0 +1,61 @@
+// Gathers the page with the example scenes in a folder that any server of files can show:
+//     node gather_page.mjs FOLDER MODULE...     (MODULE: what was linked, .mjs and .wasm)
+import {copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {basename, dirname, join, relative} from 'node:path';
+import {fileURLToPath} from 'node:url';
+
+const kHere = dirname(fileURLToPath(import.meta.url));
+const kScenes = join(kHere, '../scenes');
+const kFigure = 'figure/figure.gltf';
+const kBuiltIn = {
+  teapot: 'the Utah teapot',
+  knot: 'a knot of 5,120 triangles',
+  room: 'a textured room',
+  terrain: 'hills to the horizon',
+  wires: 'a globe of thin wires',
+  spheres: 'spheres, pixel by pixel',
+  punctual: 'knots in the light of a point and a spot'
+};
+
+/** The files that a scene file or a model names, with what those name. Names without a file are left to the command. */
+function withNamed(path) {
+  const kNames = {
+    '.toml': /^\s*(?:file|image|texture|environment)\s*=\s*"([^"]+)"/gm,
+    '.obj': /^mtllib\s+(\S+)/gm,
+    '.mtl': /^map_\w+\s+(\S+)/gm,
+    '.gltf': /"uri"\s*:\s*"(?!data:)([^"]+)"/g,
+  };
+  const names = kNames[path.slice(path.lastIndexOf('.'))];
+  if (!names) return [path];
+  const named = [...readFileSync(path, 'utf8').matchAll(names)].map((match) => join(dirname(path), match[1]));
+  return [path, ...named.filter(existsSync).flatMap(withNamed)];
+}
+
+/** A scene file's first line says what it shows. */
+function example(path) {
+  const scene = relative(kScenes, path);
+  const [, words] = /^#\s*(.+)$/m.exec(readFileSync(path, 'utf8'));
+  const title = words.split(/[:.]/)[0];
+  const files = [...new Set(withNamed(path))].map((file) => relative(kScenes, file));
+  return {scene, title: `${basename(scene, '.toml')}: ${title[0].toLowerCase()}${title.slice(1)}`, files};
+}
+
+const tomls = (folder) => readdirSync(folder).filter((name) => name.endsWith('.toml')).sort().map((name) => join(folder, name));
+
+const [folder, ...modules] = process.argv.slice(2);
+rmSync(folder, {recursive: true, force: true});
+mkdirSync(folder, {recursive: true});
+const examples = [
+  ...Object.entries(kBuiltIn).map(([scene, words]) => ({scene, title: `${scene}: ${words}`})),
+  ...tomls(join(kScenes, 'gallery')).map(example),
+  ...tomls(kScenes).map(example),
+  {scene: kFigure, title: 'figure: it walks, by a skin', files: [kFigure]},
+];
+for (const path of new Set(examples.flatMap(({files}) => files ?? []))) {
+  const target = join(folder, 'examples', path);
+  mkdirSync(dirname(target), {recursive: true});
+  copyFileSync(join(kScenes, path), target);
+}
+writeFileSync(join(folder, 'examples.json'), JSON.stringify(examples));
+for (const name of readdirSync(join(kHere, 'page'))) copyFileSync(join(kHere, 'page', name), join(folder, name));
+for (const path of modules) copyFileSync(path, join(folder, basename(path)));

@@ -1,0 +1,41 @@
+// What a page does without: meshes that Draco has compressed and the workload R10k, which are refused, threads, and
+// signals: a trap ends the module, and the page says so.
+#include "play/left_out.hpp"
+#include "import/crash_guard.hpp"
+#include "import/gltf/draco_meshes.hpp"
+#include "render/parallel.hpp"
+#include "zstrip_scenes/random.hpp"
+
+namespace zstrip::scenes {
+
+// 370 KB at random, which no compression makes smaller.
+const TriangleSoup<10000> kRandom10k{};
+const std::array<Meshlet, kRandom10kMeshlets> kRandom10kMeshletTable{};
+
+}  // namespace zstrip::scenes
+
+namespace zstrip::sim {
+
+std::optional<Failure> left_out(std::string_view word) {
+  if (!word.starts_with("random10k")) return std::nullopt;
+  return Failure{ExitStatus::usage,
+                 "the scenes random10k, for measuring, are too large for a page; the command has them"};
+}
+
+Result<DracoMesh> decode_draco(const GltfJson&, std::span<const std::uint8_t>) {
+  return Failure{ExitStatus::input, "a page does not read what Draco has compressed; the command does"};
+}
+
+CrashGuard::CrashGuard(const std::string&, const std::string&, std::chrono::seconds, std::uint64_t) {}
+CrashGuard::~CrashGuard() = default;
+void CrashGuard::lift_limits() {}
+
+Result<Done> for_each_on_threads(std::uint32_t count, unsigned,
+                                 const std::function<Result<Done>(unsigned thread, std::uint32_t index)>& work) {
+  for (std::uint32_t index = 0; index < count; ++index) {
+    if (const Result<Done> done = work(0, index); !done) return done.failure();
+  }
+  return Done{};
+}
+
+}  // namespace zstrip::sim

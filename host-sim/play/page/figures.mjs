@@ -1,0 +1,38 @@
+// The tables beside the picture: memory by its purpose, work, and about how fast boards are.
+const kPurposes = {
+  instances: 'placed instances',
+  extents: 'extents',
+  vertices: 'vertices',
+  depth: 'depth',
+  colour: 'colour',
+  bins: 'lists of the strips',
+  effects: 'effects',
+  strip_pixels: 'pixels of the strips'
+};
+
+// Rows of a name, a number or text, and whether it is a sum.
+function fill(id, rows) {
+  document.getElementById(id).tBodies[0].replaceChildren(...rows.map(([name, value, isTotal]) => {
+    const row = document.createElement('tr');
+    row.className = isTotal ? 'total' : '';
+    const head = document.createElement('th');
+    head.scope = 'row';
+    head.textContent = name;
+    const cell = document.createElement('td');
+    cell.textContent = typeof value === 'number' ? value.toLocaleString('en') : value;
+    row.append(head, cell);
+    return row;
+  }));
+}
+
+// Of a frame, as worker.mjs has drawn it.
+export function showFigures(figures) {
+  const purposes = Object.entries(figures.ram_bytes).filter(([, bytes]) => bytes !== 0);
+  const total = purposes.reduce((sum, [, bytes]) => sum + bytes, 0);
+  fill('memory', [...purposes.map(([name, bytes]) => [kPurposes[name], bytes]), ['together', total, true]]);
+  fill('work', [
+    ['triangles', figures.triangles], ['of these drawn', figures.drawn], ['fragments', figures.fragments],
+    ['instructions of a Cortex-M3, about', figures.m3_instructions], ['flash of the scene, bytes', figures.flash_bytes]
+  ]);
+  fill('boards', Object.entries(figures.rates).map(([board, rate]) => [board, rate.toPrecision(3)]));
+}

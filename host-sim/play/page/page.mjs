@@ -1,0 +1,301 @@
+// The playground: controls and what is dropped decide what the worker draws, and a link holds them all.
+import {call} from './calls.mjs';
+import {showFigures} from './figures.mjs';
+import {chosenFiles, droppedFiles, sceneAmong, sceneEndings} from './files.mjs';
+import {showPicture} from './picture.mjs';
+import {commandLineOf, kSettings, kStartView, linkOf, optionsOf, settingsOf} from './settings.mjs';
+
+const kDegreesOfPixel = 0.4;
+const kDegreesOfKey = 5;
+// What the smaller module refuses so, the larger one may draw.
+const kInternalError = 1;
+
+const element = (id) => document.getElementById(id);
+const canvas = element('canvas');
+
+let {settings, view} = settingsOf(location.hash);
+let opened = {frames: 64, milliseconds: 4000};
+let drawn;  // by the worker, and its figures
+let figures;
+let playing = false;
+let examples = [];
+
+// ---- what is said ----
+function say(text, messages = []) {
+  element('status').textContent = text;
+  element('status').classList.remove('failed');
+  element('messages').replaceChildren(...[...new Set(messages)].map((message) => {
+    const item = document.createElement('li');
+    item.textContent = message;
+    return item;
+  }));
+}
+
+function fail(error) {
+  say(error.message, (error.messages ?? []).filter((message) => message !== error.message));
+  element('status').classList.add('failed');
+  document.body.dataset.state = 'failed';
+}
+
+// ---- drawing ----
+// One thing after the other; of what is asked for meanwhile only the last counts.
+let busy = false;
+let wanted;
+async function update(what) {
+  wanted = wanted === 'open' ? 'open' : what;
+  if (busy) return;
+  busy = true;
+  document.body.dataset.state = 'drawing';
+  try {
+    while (wanted) {
+      const now = wanted;
+      wanted = undefined;
+      await (now === 'open' ? openAndDraw() : draw());
+    }
+    document.body.dataset.state = 'drawn';
+  } catch (error) {
+    wanted = undefined;
+    setPlaying(false);
+    fail(error);
+  }
+  busy = false;
+}
+
+let messages = [];
+async function openAndDraw() {
+  say('Loading …');
+  const scene = await fetchExample();
+  const request = {scene, options: optionsOf(settings)};
+  const attempt = async () => {
+    opened = await call('open', request);
+    messages = opened.messages;
+    element('frame-number').max = opened.frames - 1;
+    view.frame = Math.min(view.frame, opened.frames - 1);
+    await draw();
+  };
+  try {
+    await attempt();
+  } catch (error) {
+    if (error.status !== kInternalError) throw error;
+    say('Loading what draws this …');
+    await call('loadAll');
+    await attempt();
+  }
+}
+
+async function draw() {
+  drawn = await call('draw', view);
+  figures = drawn.figures;
+  showPicture(drawn, element('borders').checked);
+  say(`${figures.width}x${figures.height}, frame ${figures.frame + 1} of ${opened.frames}, ` +
+      `drawn in ${figures.strips.length || 'turned'} ${figures.strips.length === 1 ? 'strip' : 'strips'}`,
+      [...messages, ...figures.messages]);
+  tell();
+  history.replaceState(null, '', linkOf(settings, view));
+  element('link').value = location.href;
+}
+
+function tell() {
+  showFigures(figures);
+  const choice = element('setting-board');
+  if (choice.options.length === 1) {
+    for (const board of Object.keys(figures.rates)) choice.append(new Option(board, board));
+    choice.value = settings.board ?? '';
+  }
+  element('command').textContent = [
+    commandLineOf('view', settings), commandLineOf('bake', settings, ['-o', 'scene.hpp', '--turntable'])
+  ].join('\n');
+}
+
+// ---- scenes ----
+// Examples are fetched when they are chosen first.
+async function fetchExample() {
+  const example = examples.find(({scene}) => scene === settings.scene);
+  if (!example || !example.files || example.fetched) return settings.scene;
+  const files = await Promise.all(example.files.map(async (path) => {
+    const response = await fetch(`examples/${path}`);
+    if (!response.ok) throw new Error(`examples/${path}: ${response.status} ${response.statusText}`);
+    return {path, bytes: new Uint8Array(await response.arrayBuffer())};
+  }));
+  await call('addFiles', files);
+  example.fetched = true;
+  return settings.scene;
+}
+
+async function addFiles(reading) {
+  try {
+    const files = await reading;
+    if (files.length === 0) return;
+    const scene = sceneAmong(files);
+    if (!scene) throw new Error(`none of these files is a scene: ${sceneEndings()}`);
+    await call('addFiles', files);
+    choose(scene);
+  } catch (error) {
+    fail(error);
+  }
+}
+
+function choose(scene) {
+  settings.scene = scene;
+  view = {...kStartView};
+  showChoice();
+  update('open');
+}
+
+function showChoice() {
+  const select = element('example');
+  if (![...select.options].some(({value}) => value === settings.scene)) {
+    select.append(new Option(settings.scene, settings.scene));
+  }
+  select.value = settings.scene;
+  element('look').value = view.look;
+  element('frame-number').value = view.frame;
+}
+
+// ---- controls ----
+function addSetting({name, label, kind, choices, hint, pattern}) {
+  const text = document.createElement('label');
+  text.htmlFor = `setting-${name}`;
+  text.textContent = label;
+  const control = document.createElement(kind === 'choice' ? 'select' : 'input');
+  control.id = `setting-${name}`;
+  if (kind === 'choice') {
+    for (const choice of choices) control.append(new Option(choice || 'as is', choice));
+    if (settings[name] && !choices.includes(settings[name])) control.append(new Option(settings[name], settings[name]));
+  }
+  if (kind === 'flag') {
+    control.type = 'checkbox';
+    control.checked = Boolean(settings[name]);
+  } else {
+    control.value = settings[name] ?? '';
+  }
+  if (kind === 'text') [control.placeholder, control.pattern] = [hint, pattern];
+  control.addEventListener('change', () => {
+    if (!control.checkValidity()) return;
+    settings[name] = kind === 'flag' ? (control.checked ? 'yes' : '') : control.value.trim();
+    update('open');
+  });
+  element('settings').append(text, control);
+}
+
+function setPlaying(on) {
+  playing = on;
+  element('play').setAttribute('aria-pressed', String(on));
+  element('play').textContent = on ? 'Stop' : 'Play';
+  if (on) requestAnimationFrame(play);
+}
+
+let stepped = 0;
+function play(now) {
+  if (!playing) return;
+  const duration = opened.milliseconds / opened.frames;
+  if (!busy && now - stepped >= duration) {
+    const frames = stepped === 0 ? 1 : Math.max(1, Math.round((now - stepped) / duration));
+    view.frame = (view.frame + frames) % opened.frames;
+    element('frame-number').value = view.frame;
+    stepped = now;
+    update('draw');
+  }
+  requestAnimationFrame(play);
+}
+
+function turn(yaw, pitch) {
+  view.yaw += yaw;
+  view.pitch += pitch;
+  update('draw');
+}
+function zoom(steps) {
+  view.zoom += steps;
+  update('draw');
+}
+
+const kKeys = {
+  ArrowLeft: () => turn(-kDegreesOfKey, 0),
+  ArrowRight: () => turn(kDegreesOfKey, 0),
+  ArrowUp: () => turn(0, -kDegreesOfKey),
+  ArrowDown: () => turn(0, kDegreesOfKey),
+  '+': () => zoom(1),
+  '-': () => zoom(-1),
+};
+
+function listen() {
+  element('settings').addEventListener('submit', (event) => event.preventDefault());
+  canvas.addEventListener('pointerdown', (event) => canvas.setPointerCapture(event.pointerId));
+  canvas.addEventListener('pointermove', (event) => {
+    if (event.buttons !== 0) turn(event.movementX * kDegreesOfPixel, event.movementY * kDegreesOfPixel);
+  });
+  canvas.addEventListener('wheel', (event) => {
+    event.preventDefault();
+    zoom(-Math.sign(event.deltaY));
+  }, {passive: false});
+  canvas.addEventListener('keydown', (event) => {
+    if (!(event.key in kKeys)) return;
+    event.preventDefault();
+    kKeys[event.key]();
+  });
+  element('frame-number').addEventListener('input', ({target}) => {
+    view.frame = Number(target.value);
+    update('draw');
+  });
+  element('look').addEventListener('change', ({target}) => {
+    view.look = Number(target.value);
+    update('draw');
+  });
+  element('borders').addEventListener('change', () => drawn && showPicture(drawn, element('borders').checked));
+  element('play').addEventListener('click', () => setPlaying(!playing));
+  element('reset').addEventListener('click', () => {
+    Object.assign(view, {yaw: 0, pitch: 0, zoom: 0});
+    update('draw');
+  });
+  element('example').addEventListener('change', ({target}) => choose(target.value));
+  element('files').addEventListener('change', ({target}) => addFiles(chosenFiles(target)));
+  element('copy').addEventListener('click', () => navigator.clipboard.writeText(location.href));
+  for (const name of ['dragover', 'dragleave', 'drop']) {
+    document.addEventListener(name, (event) => {
+      event.preventDefault();
+      element('drop').classList.toggle('over', name === 'dragover');
+    });
+  }
+  document.addEventListener('drop', ({dataTransfer}) => addFiles(droppedFiles(dataTransfer)));
+  element('downloads').addEventListener('click', ({target}) => target.dataset.file && download(target.dataset.file));
+  window.addEventListener('hashchange', () => {
+    ({settings, view} = settingsOf(location.hash));
+    element('settings').replaceChildren();
+    kSettings.forEach(addSetting);
+    showChoice();
+    update('open');
+  });
+}
+
+async function download(name) {
+  try {
+    const bytes = name === 'picture.png' ? await call('png') : await baked(name);
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(new Blob([bytes]));
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+    say(`${name}: ${bytes.length.toLocaleString('en')} bytes`);
+  } catch (error) {
+    fail(error);
+  }
+}
+
+// What `zstrip bake` writes; of the settings those that it has.
+async function baked(name) {
+  const kBaked = ['size', 'format', 'dither', 'samples', 'edges', 'ram', 'strip-rows', 'visibility'];
+  const options = optionsOf(Object.fromEntries(kBaked.map((key) => [key, settings[key]])));
+  const {files} = await call('run', {words: ['bake', settings.scene, '-o', name, '--turntable', '--quiet', ...options], names: [name]});
+  return files[0].bytes;
+}
+
+async function start() {
+  const response = await fetch('examples.json');
+  examples = response.ok ? await response.json() : [{scene: 'teapot', title: 'teapot'}];
+  for (const {scene, title} of examples) element('example').append(new Option(title, scene));
+  kSettings.forEach(addSetting);
+  showChoice();
+  listen();
+  update('open');
+}
+start().catch(fail);

@@ -1,0 +1,44 @@
+// The picture, whose strips come as late as a board sends them, and their borders above it.
+const canvas = document.getElementById('canvas');
+const marks = document.getElementById('marks');
+let arrival = 0;
+
+function mark(strips, lit) {
+  const context = marks.getContext('2d');
+  context.clearRect(0, 0, marks.width, marks.height);
+  strips.forEach(({left, top, right, bottom}, i) => {
+    context.fillStyle = '#ffd54f55';
+    if (i === lit) context.fillRect(left, top, right - left, bottom - top);
+    context.strokeStyle = '#ff6f00';
+    context.strokeRect(left + 0.5, top + 0.5, right - left - 1, bottom - top - 1);
+  });
+}
+
+// What worker.mjs has drawn. Strips with times are shown when these have come; `borders`: around each strip.
+export function showPicture({figures, pixels}, borders) {
+  cancelAnimationFrame(arrival);
+  const {width, height, strips} = figures;
+  const image = new ImageData(new Uint8ClampedArray(pixels), width, height);
+  if (canvas.width !== width || canvas.height !== height) {
+    for (const each of [canvas, marks]) [each.width, each.height] = [width, height];
+  }
+  const context = canvas.getContext('2d');
+  const marked = borders ? strips : [];
+  if (!strips.some((strip) => 'send_end' in strip)) {
+    context.putImageData(image, 0, 0);
+    mark(marked, -1);
+    return;
+  }
+  const begun = performance.now();
+  let arrived = 0;
+  const step = () => {
+    const now = (performance.now() - begun) / 1000;
+    for (; arrived < strips.length && strips[arrived].send_end <= now; ++arrived) {
+      const {left, top, right, bottom} = strips[arrived];
+      context.putImageData(image, 0, 0, left, top, right - left, bottom - top);
+    }
+    mark(marked, strips.findIndex((strip) => strip.draw_begin <= now && now < strip.draw_end));
+    if (arrived < strips.length) arrival = requestAnimationFrame(step);
+  };
+  step();
+}

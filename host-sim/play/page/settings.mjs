@@ -1,0 +1,103 @@
+// What can be chosen, as the options of the command, as controls of the page and as a link.
+
+// The first choice is the command's own, for which no option is given. `kind`: choice, flag or text.
+export const kSettings = [
+  {name: 'size', label: 'Size', option: '--size', kind: 'text', hint: '240x240', pattern: '[0-9]+x[0-9]+'},
+  {
+    name: 'format',
+    label: 'Pixels',
+    option: '--format',
+    kind: 'choice',
+    choices: ['', 'rgb565', 'rgb565_swapped', 'rgb666', 'rgb444', 'xrgb8888', 'gray4', 'mono']
+  },
+  {name: 'dither', label: 'Dithering', option: '--dither', kind: 'flag'},
+  {name: 'ram', label: 'RAM at most', option: '--ram', kind: 'text', hint: '20K', pattern: '[0-9]+[KM]?'},
+  {name: 'strip-rows', label: 'Rows of a strip', option: '--strip-rows', kind: 'text', hint: 'auto', pattern: '[0-9]+|auto'},
+  {name: 'samples', label: 'Samples a pixel', option: '--samples', kind: 'choice', choices: ['', '2', '4']},
+  {name: 'edges', label: 'Smooth edges', option: '--edges', kind: 'flag'},
+  {
+    name: 'depth-format',
+    label: 'Depth',
+    option: '--depth-format',
+    kind: 'choice',
+    choices: ['', 'float', 'w16', 'z24', 'z32']
+  },
+  {name: 'perspective', label: 'Textures exact every', option: '--perspective', kind: 'choice', choices: ['', '1', '8', 'affine']},
+  {
+    name: 'visibility',
+    label: 'Visibility',
+    option: '--visibility',
+    kind: 'choice',
+    choices: [
+      '', 'painter', 'painter-newell', 'painter-bsp', 'half-range', 'front-to-back', 'hierarchical-z',
+      'front-to-back-hierarchical-z', 'midpoint', 'midpoint-safe'
+    ]
+  },
+  {
+    name: 'panel',
+    label: 'Panel',
+    option: '--panel',
+    kind: 'choice',
+    choices: ['', 'st7789', 'ili9341', 'st7735', 'ssd1351', 'ssd1306', 'ssd0323']
+  },
+  {name: 'rotation', label: 'Turned on the panel', option: '--rotation', kind: 'choice', choices: ['', '90', '180', '270']},
+  {name: 'board', label: 'As fast as', option: '--board', kind: 'choice', choices: ['']},
+  {name: 'frames', label: 'Frames', option: '--frames', kind: 'text', hint: '64', pattern: '[0-9]+'},
+];
+
+// How it is looked at, which the scene need not be read again for: `look` as zstrip_look has it.
+export const kLooks = ['colours', 'wireframe', 'depth', 'overdraw'];
+export const kStartView = {look: 0, frame: 0, yaw: 0, pitch: 0, zoom: 0};
+const kStart = {scene: 'teapot', size: '240x240'};
+
+const isDigitsOf = (value) => /^-?[0-9]+(\.[0-9]+)?$/.test(value);
+
+// The options of `zstrip view`.
+export function optionsOf(settings) {
+  const options = [];
+  for (const {name, option, kind} of kSettings) {
+    if (!settings[name]) continue;
+    options.push(option);
+    if (kind !== 'flag') options.push(settings[name]);
+  }
+  return options;
+}
+
+// For a command line, which has no page.
+export function commandLineOf(command, settings, extra = []) {
+  const words = ['zstrip', command, settings.scene, ...extra, ...optionsOf(settings).filter((word, i, all) => {
+    const option = word.startsWith('--') ? word : all[i - 1];
+    return command === 'view' || (option !== '--board' && option !== '--frames');
+  })];
+  return words.map((word) => (/^[\w.,:=+/-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`)).join(' ');
+}
+
+// What a link says after its #; settings and view that are as at the start are left out.
+export function linkOf(settings, view) {
+  const pairs = [['scene', settings.scene ?? '']];
+  for (const {name} of kSettings) {
+    if ((settings[name] ?? '') !== (kStart[name] ?? '')) pairs.push([name, settings[name] ?? '']);
+  }
+  for (const [name, start] of Object.entries(kStartView)) {
+    if (view[name] !== start) pairs.push([name, String(Math.round(view[name] * 100) / 100)]);
+  }
+  return '#' + new URLSearchParams(pairs);
+}
+
+// Whatever a link has that is not known is left out; the command judges values.
+export function settingsOf(link) {
+  const given = new URLSearchParams(link.replace(/^#/, ''));
+  const settings = {...kStart};
+  const view = {...kStartView};
+  if (given.get('scene')) settings.scene = given.get('scene');
+  for (const {name} of kSettings) {
+    if (given.has(name)) settings[name] = given.get(name);
+  }
+  for (const name of Object.keys(view)) {
+    const value = given.get(name);
+    if (value !== null && isDigitsOf(value)) view[name] = Number(value);
+  }
+  if (!(view.look in kLooks)) view.look = 0;
+  view.frame = Math.max(0, Math.floor(view.frame));
+  return {settings, view};
+}

@@ -1,0 +1,57 @@
+// Draws beside the page, which stays quick meanwhile. Calls come as {id, name, values} and are answered in their order.
+import {Drawing} from './drawing.mjs';
+
+// A smaller module has the pipelines that most scenes call for; the other one has them all.
+const kModules = {common: './zstrip.mjs', all: './zstrip-all.mjs'};
+
+let drawing;
+let loaded;
+let files = [];
+let shown = 0;
+
+async function load(kind) {
+  if (loaded === kind || loaded === 'all') return;
+  drawing = await Drawing.load((await import(kModules[kind])).default);
+  drawing.addFiles(files);
+  loaded = kind;
+}
+
+const calls = {
+  async addFiles(added) {
+    files = [...files, ...added];
+    drawing?.addFiles(added);
+  },
+  async open({scene, options, view}) {
+    await load('common');
+    const opened = await drawing.open(scene, options);
+    shown = 0;
+    return opened;
+  },
+  async draw(view) {
+    const drawn = await drawing.draw(view, shown);
+    shown = drawn.figures.frame;
+    return drawn;
+  },
+  async loadAll() {
+    await load('all');
+  },
+  async png() {
+    return drawing.png();
+  },
+  async run({words, names}) {
+    await load('common');
+    return drawing.run(words, names);
+  },
+};
+
+let last = Promise.resolve();
+self.onmessage = ({data: {id, name, values}}) => {
+  last = last.then(async () => {
+    try {
+      const result = await calls[name](values);
+      self.postMessage({id, result}, result?.pixels ? [result.pixels.buffer] : []);
+    } catch (error) {
+      self.postMessage({id, error: {message: error.message, status: error.status ?? 1, messages: error.messages ?? []}});
+    }
+  });
+};

@@ -1,0 +1,168 @@
+// What the page calls: the command, and the viewer without a window. One scene is open at a time.
+#include <emscripten.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/bake_command.hpp"
+#include "cli/command_line.hpp"
+#include "cli/plan_command.hpp"
+#include "cli/print.hpp"
+#include "cli/render_command.hpp"
+#include "cli/scenes_command.hpp"
+#include "cli/usage_error.hpp"
+#include "play/left_out.hpp"
+#include "report/frame_record.hpp"
+#include "view/view_arguments.hpp"
+#include "view/viewer.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::optional<Viewer> viewer;
+ViewedFrame viewed;
+std::vector<std::uint8_t> rgba;
+std::string answer;
+
+/// Valid until the next answer.
+const char* answered(const Json& json) {
+  answer = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return answer.c_str();
+}
+
+const char* answered(const Failure& failure) {
+  return answered(Json{{"error", failure.message}, {"status", static_cast<int>(failure.status)}});
+}
+
+Result<ViewRequest> parse(const std::string& words) {
+  ViewOptions options;
+  CLI::App app{"", "zstrip"};
+  add_view_options(app, options);
+  std::vector<std::string> arguments;
+  std::istringstream lines(words);
+  for (std::string word; std::getline(lines, word);) arguments.insert(arguments.begin(), word);
+  try {
+    app.parse(arguments);
+  } catch (const CLI::ParseError& error) {
+    return Failure{ExitStatus::usage, usage_error(app, error)};
+  }
+  if (const std::optional<Failure> failure = left_out(options.drawing.scene)) return *failure;
+  return parse_view_request(options);
+}
+
+/// As ImageData has them: red, green, blue, and no transparency.
+void convert_pixels(const RgbImage& picture) {
+  rgba.resize(picture.rgb.size() / 3 * 4);
+  for (std::size_t from = 0, to = 0; from < picture.rgb.size(); from += 3, to += 4) {
+    for (std::size_t i = 0; i < 3; ++i) rgba[to + i] = picture.rgb[from + i];
+    rgba[to + 3] = 255;
+  }
+}
+
+Json strips_of_frame() {
+  Json strips = Json::array();
+  for (std::size_t i = 0; i < viewed.strips.size(); ++i) {
+    const Rect& area = viewed.strips[i];
+    Json strip{{"left", area.left}, {"top", area.top}, {"right", area.right}, {"bottom", area.bottom}};
+    if (i < viewed.times.size()) {
+      strip["draw_begin"] = viewed.times[i].draw_begin;
+      strip["draw_end"] = viewed.times[i].draw_end;
+      strip["send_end"] = viewed.times[i].send_end;
+    }
+    strips.push_back(strip);
+  }
+  return strips;
+}
+
+Json rates_of_frame() {
+  Json rates = Json::object();
+  for (const BoardRate& rate : viewed.rates) rates[std::string(rate.board)] = rate.frames;
+  return rates;
+}
+
+}  // namespace
+
+extern "C" {
+
+/// `words`: the scene and the options of `zstrip view`, one a line. All answers are JSON: what was asked for, or
+/// {"error", "status"}.
+EMSCRIPTEN_KEEPALIVE const char* zstrip_open(const char* words) {
+  viewer.reset();
+  const Result<ViewRequest> request = parse(words);
+  if (!request) return answered(request.failure());
+  Result<Viewer> opened = Viewer::open(*request);
+  if (!opened) return answered(opened.failure());
+  viewer.emplace(std::move(*opened));
+  return answered(Json{{"frames", viewer->frames()}, {"milliseconds", viewer->milliseconds()}});
+}
+
+EMSCRIPTEN_KEEPALIVE void zstrip_turn(double yaw, double pitch) { viewer->turn(yaw, pitch); }
+EMSCRIPTEN_KEEPALIVE void zstrip_zoom(double steps) { viewer->zoom(steps); }
+EMSCRIPTEN_KEEPALIVE void zstrip_reset_camera() { viewer->reset_camera(); }
+EMSCRIPTEN_KEEPALIVE void zstrip_step(int frames) { viewer->step(frames); }
+/// 0 to 3: colours, wireframe, depth, overdraw.
+EMSCRIPTEN_KEEPALIVE void zstrip_look(int look) {
+  if (viewer->look() != static_cast<Look>(look)) viewer->toggle(static_cast<Look>(look));
+}
+
+/// The frame's figures.
+EMSCRIPTEN_KEEPALIVE const char* zstrip_draw() {
+  Result<ViewedFrame> drawn = viewer->draw();
+  if (!drawn) return answered(drawn.failure());
+  viewed = std::move(*drawn);
+  convert_pixels(viewed.picture);
+  const FrameReport& report = viewed.report;
+  const Plan& plan = report.plan;
+  return answered(Json{
+      {"width", viewed.picture.width},
+      {"height", viewed.picture.height},
+      {"frame", viewer->frame()},
+      {"mode", name(report.mode)},
+      {"strips", strips_of_frame()},
+      {"ram_bytes",
+       {{"instances", plan.instance_bytes},
+        {"extents", plan.extent_bytes},
+        {"vertices", plan.vertex_bytes},
+        {"depth", plan.depth_bytes},
+        {"colour", plan.colour_bytes},
+        {"bins", plan.bin_bytes},
+        {"effects", plan.effect_bytes},
+        {"strip_pixels", report.strip_pixel_bytes}}},
+      {"flash_bytes", viewed.flash_bytes},
+      {"triangles", report.statistics.triangles},
+      {"drawn", report.statistics.drawn},
+      {"fragments", report.statistics.fragments},
+      {"m3_instructions", viewed.instructions},
+      {"rates", rates_of_frame()},
+      {"text", viewed.text},
+  });
+}
+
+/// Of the frame that was drawn last: four bytes a pixel, or the file that `zstrip render` writes.
+EMSCRIPTEN_KEEPALIVE const std::uint8_t* zstrip_pixels() { return rgba.data(); }
+EMSCRIPTEN_KEEPALIVE const std::uint8_t* zstrip_png() { return viewed.png.data(); }
+EMSCRIPTEN_KEEPALIVE std::size_t zstrip_png_bytes() { return viewed.png.size(); }
+
+}  // extern "C"
+
+}  // namespace zstrip::sim
+
+/// The command, for what it writes: pictures, headers and blobs, plans.
+int main(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    if (const auto failure = zstrip::sim::left_out(argv[i])) return zstrip::sim::print_failure(*failure);
+  }
+  return zstrip::sim::run_command_line(argc, argv, [](CLI::App& app, int& exit_code) {
+    zstrip::sim::add_render_command(app, exit_code);
+    zstrip::sim::add_plan_command(app, exit_code);
+    zstrip::sim::add_bake_command(app, exit_code);
+    zstrip::sim::add_scenes_command(app, exit_code);
+  });
+}

@@ -1,0 +1,116 @@
+// The modules of the playground in Node.js: pictures and files are those of the command, byte for byte.
+//     node --test module_test.mjs     (environment: ZSTRIP the command, ZSTRIP_PAGE the page's folder)
+import assert from 'node:assert/strict';
+import {readFileSync, readdirSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {join} from 'node:path';
+import {test} from 'node:test';
+import {gzipSync} from 'node:zlib';
+
+import {Command} from './command.mjs';
+
+const page = process.env.ZSTRIP_PAGE;
+// Emscripten's code for Node.js takes both from scripts that are no modules.
+globalThis.require = createRequire(import.meta.url);
+globalThis.__dirname = page;
+const {Drawing} = await import(join(page, 'drawing.mjs'));
+const examples = JSON.parse(readFileSync(join(page, 'examples.json'), 'utf8'));
+const command = new Command(process.env.ZSTRIP, join(page, 'examples'));
+
+const load = async (name) => {
+  const wasmBinary = readFileSync(join(page, name.replace(/mjs$/, 'wasm')));
+  const drawing = await Drawing.load((await import(join(page, name))).default, {wasmBinary});
+  for (const {files} of examples) {
+    drawing.addFiles((files ?? []).map((path) => ({path, bytes: readFileSync(join(page, 'examples', path))})));
+  }
+  return drawing;
+};
+
+// Frame 0 of one frame is what `zstrip render` draws.
+const pngOf = async (drawing, scene, options) => {
+  await drawing.open(scene, [...options, '--frames', '1']);
+  await drawing.draw();
+  return Buffer.from(drawing.png());
+};
+
+const kOptions = [
+  ['--size', '240x240'],
+  ['--size', '128x64', '--format', 'gray4', '--dither'],
+  ['--size', '160x120', '--samples', '4', '--ram', '64K'],
+  ['--size', '160x120', '--edges'],
+  ['--panel', 'ssd1306', '--dither'],
+];
+const kSeldom = [
+  ['--depth-format', 'float'],
+  ['--visibility', 'painter'],
+  ['--visibility', 'midpoint'],
+  ['--perspective', 'affine'],
+];
+
+test('all examples are drawn as the command draws them', async () => {
+  const drawing = await load('zstrip-all.mjs');
+  for (const {scene} of examples) {
+    const options = ['--size', '200x160'];
+    assert.ok((await pngOf(drawing, scene, options)).equals(command.writes('render', scene, 'a.png', options)), scene);
+  }
+});
+
+test('all options draw as those of the command', async () => {
+  const drawing = await load('zstrip-all.mjs');
+  for (const options of [...kOptions, ...kSeldom]) {
+    for (const scene of ['teapot', 'room']) {
+      const expected = command.writes('render', scene, 'a.png', options);
+      assert.ok((await pngOf(drawing, scene, options)).equals(expected), `${scene} ${options.join(' ')}`);
+    }
+  }
+});
+
+test('the smaller module draws what scenes mostly call for, and refuses the rest', async () => {
+  const drawing = await load('zstrip.mjs');
+  for (const options of kOptions) {
+    const expected = command.writes('render', 'room', 'a.png', options);
+    assert.ok((await pngOf(drawing, 'room', options)).equals(expected), options.join(' '));
+  }
+  for (const options of kSeldom.slice(0, 2)) {
+    // Internal, to which the page answers with the larger module.
+    await assert.rejects(pngOf(drawing, 'room', options), (error) => error.status === 1);
+  }
+});
+
+test('headers and blobs are those of zstrip bake', async () => {
+  const drawing = await load('zstrip.mjs');
+  for (const scene of ['teapot', 'fog.toml', 'gallery/chess.toml']) {
+    for (const name of ['scene.hpp', 'scene.zsc']) {
+      const words = ['bake', scene, '-o', name, '--turntable', '--quiet', '--size', '240x240', '--ram', '40K'];
+      const {files: [file]} = await drawing.run(words, [name]);
+      const expected = command.writes('bake', scene, name, ['--turntable', '--size', '240x240', '--ram', '40K']);
+      assert.ok(Buffer.from(file.bytes).equals(expected), `${scene} ${name}`);
+    }
+  }
+});
+
+test('what is wrong is said, and the next scene is drawn', async () => {
+  const drawing = await load('zstrip.mjs');
+  const refused = async (scene, options, status, words) => assert.rejects(
+    pngOf(drawing, scene, options), (error) => error.status === status && words.test(error.message));
+  await refused('teapot', ['--format', 'rgb56'], 2, /did you mean rgb565/);
+  await refused('teapot', ['--ram', '1K'], 5, /bytes missing/);
+  await refused('random10k', [], 2, /too large for a page/);
+  await refused('nowhere.glb', [], 4, /nowhere\.glb/);
+  drawing.addFiles([
+    {path: 'broken.glb', bytes: new TextEncoder().encode('glTF, or not')},
+    {path: 'broken.toml', bytes: new TextEncoder().encode('[camera\n')},
+    {path: '../../escaped.obj', bytes: new TextEncoder().encode('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n')},
+  ]);
+  await refused('broken.glb', [], 4, /broken\.glb/);
+  await refused('broken.toml', [], 4, /broken\.toml/);
+  assert.ok((await pngOf(drawing, 'escaped.obj', [])).length > 100);
+  assert.ok((await pngOf(drawing, 'teapot', [])).equals(command.writes('render', 'teapot', 'a.png')));
+});
+
+test('the page with its first scene is small', () => {
+  const first = readdirSync(page).filter((name) => !name.startsWith('zstrip-all') && name !== 'examples');
+  const bytes = first.reduce((sum, name) => sum + gzipSync(readFileSync(join(page, name)), {level: 9}).length, 0);
+  console.log(`${bytes} bytes gzipped`);
+  assert.ok(bytes <= 1.5 * 1024 * 1024, `${bytes} bytes gzipped`);
+});

@@ -1,0 +1,169 @@
+// The playground in headless Chromium, by mouse, keys and dropped files: what is shown is what the command draws.
+//     node --test page_test.mjs
+// Environment: ZSTRIP the command, ZSTRIP_PAGE the page's folder, ZSTRIP_SERVE serve.mjs, ZSTRIP_CHROMIUM,
+// ZSTRIP_WORK a folder for what is written; with ZSTRIP_SCREENSHOTS also pictures of the page in three widths.
+import assert from 'node:assert/strict';
+import {existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+
+import {Chromium} from './chromium.mjs';
+import {Command} from './command.mjs';
+
+const {ZSTRIP, ZSTRIP_PAGE, ZSTRIP_SERVE, ZSTRIP_CHROMIUM, ZSTRIP_WORK, ZSTRIP_SCREENSHOTS} = process.env;
+const kPatience = 60;  // seconds
+const command = new Command(ZSTRIP, join(ZSTRIP_PAGE, 'examples'));
+let browser, server, address;
+
+before(async () => {
+  rmSync(ZSTRIP_WORK, {recursive: true, force: true});
+  mkdirSync(join(ZSTRIP_WORK, 'downloads'), {recursive: true});
+  server = await (await import(ZSTRIP_SERVE)).serve(ZSTRIP_PAGE);
+  address = `http://127.0.0.1:${server.address().port}/`;
+  browser = new Chromium(ZSTRIP_CHROMIUM, join(ZSTRIP_WORK, 'profile'));
+  await browser.open(`${address}#scene=teapot&size=200x160`);
+  await drawn();
+});
+after(async () => {
+  await browser.close();
+  server.closeAllConnections();
+  server.close();
+});
+
+const drawn = async (state = 'drawn') => browser.until(`document.body?.dataset.state === '${state}'`, kPatience,
+  `the page is not ${state}: ${await browser.evaluate('document.getElementById("status")?.textContent')}`);
+
+// {width, height, rgb} of the canvas.
+async function canvas() {
+  const {width, height, text} = await browser.evaluate(`(() => {
+    const canvas = document.getElementById('canvas');
+    const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    let text = '';
+    for (let i = 0; i < data.length; i += 4) text += String.fromCharCode(data[i], data[i + 1], data[i + 2]);
+    return {width: canvas.width, height: canvas.height, text: btoa(text)};
+  })()`);
+  return {width, height, rgb: Buffer.from(text, 'base64')};
+}
+
+// A model is framed for one picture or for a turn: here the page has one frame.
+async function shows(scene, options) {
+  const shown = await canvas();
+  const expected = command.draws(scene, options);
+  assert.deepEqual([shown.width, shown.height], [expected.width, expected.height]);
+  assert.ok(shown.rgb.equals(expected.rgb), `${scene} ${options.join(' ')}`);
+}
+
+async function set(name, value) {
+  const at = `#setting-${name}`;
+  await browser.evaluate(`document.body.dataset.state = 'asked'`);
+  if (await browser.evaluate(`document.querySelector('${at}').type === 'checkbox'`)) return browser.click(at);
+  if (await browser.evaluate(`document.querySelector('${at}').tagName === 'SELECT'`)) {
+    // A list of the system, which a page cannot see: as keys choose in it.
+    return browser.evaluate(`(() => {
+      const select = document.querySelector('${at}');
+      select.value = '${value}';
+      select.dispatchEvent(new Event('change', {bubbles: true}));
+    })()`);
+  }
+  await browser.click(at);
+  await browser.evaluate(`document.querySelector('${at}').select()`);
+  await browser.type(value);
+  await browser.press('Enter', 13, '\r');
+}
+
+const text = (selector) => browser.evaluate(`document.querySelector('${selector}').textContent`);
+const download = async (name) => {
+  const folder = join(ZSTRIP_WORK, 'downloads');
+  await browser.call('Browser.setDownloadBehavior', {behavior: 'allow', downloadPath: folder});
+  await browser.click(`[data-file="${name}"]`);
+  const path = join(folder, name);
+  for (let i = 0; i < 500 && !(existsSync(path) && statSync(path).size > 0); ++i) {
+    await new Promise((resolve) => setTimeout(resolve, 20));
+  }
+  return readFileSync(path);
+};
+
+test('the first picture is the command\'s', () => shows('teapot', ['--size', '200x160']));
+
+test('settings are those of the command', async () => {
+  await set('size', '128x64');
+  await drawn();
+  await set('format', 'gray4');
+  await drawn();
+  await set('dither');
+  await drawn();
+  await shows('teapot', ['--size', '128x64', '--format', 'gray4', '--dither']);
+  // The larger module is loaded for it.
+  await set('depth-format', 'float');
+  await drawn();
+  await shows('teapot', ['--size', '128x64', '--format', 'gray4', '--dither', '--depth-format', 'float']);
+});
+
+test('a value that is wrong is said, and the old picture stays', async () => {
+  await set('ram', '1K');
+  await drawn('failed');
+  assert.match(await text('#status'), /bytes missing/);
+  await set('ram', '');
+  await drawn();
+});
+
+test('the link holds settings and view', async () => {
+  await browser.call('Page.navigate', {url: `${address}#scene=gallery/robot.toml&size=160x120&frame=8&yaw=30`});
+  await browser.evaluate(`document.body.dataset.state = 'old'`);
+  await browser.call('Page.reload');
+  await drawn();
+  assert.match(await text('#status'), /160x120, frame 9 of/);
+  const link = await browser.evaluate('location.hash');
+  const before = await canvas();
+  await browser.drag('#canvas', 40, 0);
+  await browser.until(`location.hash.includes('yaw=46')`, kPatience, 'the drag turns nothing');
+  assert.notDeepEqual((await canvas()).rgb, before.rgb);
+  await browser.evaluate(`location.hash = ${JSON.stringify(link)}`);
+  await browser.until(`location.hash.includes('yaw=30')`, kPatience, 'the link is not taken');
+  await drawn();
+  assert.ok((await canvas()).rgb.equals(before.rgb));
+});
+
+test('keys turn the scene', async () => {
+  await browser.evaluate(`document.getElementById('canvas').focus()`);
+  await browser.press('ArrowRight', 39);
+  await browser.until(`location.hash.includes('yaw=35')`, kPatience, 'the key turns nothing');
+});
+
+test('dropped files are drawn, with those beside them', async () => {
+  await set('frames', '1');
+  await drawn();
+  await browser.evaluate(`document.body.dataset.state = 'asked'`);
+  const models = join(ZSTRIP_PAGE, 'examples/models');
+  await browser.drop('#drop', ['floor.obj', 'floor.mtl', 'tiles.png'].map((name) => join(models, name)));
+  await drawn();
+  await shows('models/floor.obj', ['--size', '160x120']);
+});
+
+test('downloads are the command\'s files', async () => {
+  assert.ok((await download('picture.png')).equals(command.writes('render', 'models/floor.obj', 'p.png', ['--size', '160x120'])));
+  for (const name of ['scene.zsc', 'scene.hpp']) {
+    const expected = command.writes('bake', 'models/floor.obj', name, ['--size', '160x120', '--turntable']);
+    // The header names the file that it was made of.
+    const strip = (bytes) => bytes.toString('latin1').replaceAll('models/floor.obj', 'floor.obj');
+    assert.equal(strip(await download(name)), strip(expected), name);
+  }
+});
+
+test('the page is legible in three widths', async () => {
+  for (const width of [380, 800, 1280]) {
+    await browser.call('Emulation.setDeviceMetricsOverride', {width, height: 900, deviceScaleFactor: 1, mobile: width < 500});
+    assert.equal(await browser.evaluate('document.documentElement.scrollWidth'), width, 'it scrolls sideways');
+    const unnamed = await browser.evaluate(`[...document.querySelectorAll('input, select, button')].filter(
+      (each) => !(each.labels?.length || each.textContent || each.ariaLabel)).map((each) => each.id)`);
+    assert.deepEqual(unnamed, [], 'a control has no label');
+    if (!ZSTRIP_SCREENSHOTS) continue;
+    for (const scheme of ['light', 'dark']) {
+      await browser.call('Emulation.setEmulatedMedia', {features: [{name: 'prefers-color-scheme', value: scheme}]});
+      const {data} = await browser.call('Page.captureScreenshot', {format: 'png', captureBeyondViewport: true});
+      writeFileSync(join(ZSTRIP_WORK, `page-${width}-${scheme}.png`), Buffer.from(data, 'base64'));
+    }
+  }
+});
+
+test('nothing went wrong in silence', () => assert.deepEqual(browser.errors, []));
