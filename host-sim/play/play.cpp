@@ -18,6 +18,7 @@
 #include "cli/usage_error.hpp"
 #include "play/left_out.hpp"
 #include "report/frame_record.hpp"
+#include "report/ram_json.hpp"
 #include "view/view_arguments.hpp"
 #include "view/viewer.hpp"
 
@@ -119,22 +120,13 @@ EMSCRIPTEN_KEEPALIVE const char* zstrip_draw() {
   viewed = std::move(*drawn);
   convert_pixels(viewed.picture);
   const FrameReport& report = viewed.report;
-  const Plan& plan = report.plan;
   return answered(Json{
       {"width", viewed.picture.width},
       {"height", viewed.picture.height},
       {"frame", viewer->frame()},
       {"mode", name(report.mode)},
       {"strips", strips_of_frame()},
-      {"ram_bytes",
-       {{"instances", plan.instance_bytes},
-        {"extents", plan.extent_bytes},
-        {"vertices", plan.vertex_bytes},
-        {"depth", plan.depth_bytes},
-        {"colour", plan.colour_bytes},
-        {"bins", plan.bin_bytes},
-        {"effects", plan.effect_bytes},
-        {"strip_pixels", report.strip_pixel_bytes}}},
+      {"ram_bytes", ram_bytes(report)},
       {"flash_bytes", viewed.flash_bytes},
       {"triangles", report.statistics.triangles},
       {"drawn", report.statistics.drawn},

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "report/frame_record.hpp"
+#include "report/ram_json.hpp"
 #include "visibility/methods.hpp"
 
 namespace zstrip::sim {
@@ -26,16 +27,7 @@ Json to_object(std::size_t index, const FrameRecord& frame, bool has_panel) {
       {"strips", plan.strips},
       {"strip_rows", plan.strip_rows},
       {"strip_columns", plan.strip_columns},
-      {"ram_bytes",
-       {{"instances", plan.instance_bytes},
-        {"extents", plan.extent_bytes},
-        {"vertices", plan.vertex_bytes},
-        {"depth", plan.depth_bytes},
-        {"colour", plan.colour_bytes},
-        {"bins", plan.bin_bytes},
-        {"effects", plan.effect_bytes},
-        {"arena", plan.bytes()},
-        {"strip_pixels", report.strip_pixel_bytes}}},
+      {"ram_bytes", ram_bytes(report)},
       {"bounds", {{"left", bounds.left}, {"top", bounds.top}, {"right", bounds.right}, {"bottom", bounds.bottom}}},
       {"statistics",
        {{"triangles", statistics.triangles},
@@ -69,6 +61,14 @@ Json to_object(std::size_t index, const FrameRecord& frame, bool has_panel) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json ram_bytes(const FrameReport& report) {
+  const Plan& plan = report.plan;
+  return {
+      {"instances", plan.instance_bytes}, {"extents", plan.extent_bytes}, {"vertices", plan.vertex_bytes},
+      {"depth", plan.depth_bytes},        {"colour", plan.colour_bytes},  {"bins", plan.bin_bytes},
+      {"effects", plan.effect_bytes},     {"arena", plan.bytes()},        {"strip_pixels", report.strip_pixel_bytes}};
+}
 
 const char* name(PixelFormat format) {
   switch (format) {

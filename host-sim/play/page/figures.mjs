@@ -27,7 +27,7 @@ function fill(id, rows) {
 
 // Of a frame, as worker.mjs has drawn it.
 export function showFigures(figures) {
-  const purposes = Object.entries(figures.ram_bytes).filter(([, bytes]) => bytes !== 0);
+  const purposes = Object.entries(figures.ram_bytes).filter(([name, bytes]) => name in kPurposes && bytes !== 0);
   const total = purposes.reduce((sum, [, bytes]) => sum + bytes, 0);
   fill('memory', [...purposes.map(([name, bytes]) => [kPurposes[name], bytes]), ['together', total, true]]);
   fill('work', [
