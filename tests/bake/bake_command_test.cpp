@@ -118,7 +118,8 @@ TEST_F(Bake, EffectsAndWhy) {
     return text;
   };
   EXPECT_EQ(effects(kHouseModel, {}), "lighting[\"walls\",\"roof\",\"wood\"]\ngouraud[\"walls\",\"roof\",\"wood\"]\n");
-  EXPECT_EQ(effects("triangle", {"--mode", "binned"}), "gouraud[\"number 0\"]\nvertex_colours[\"number 0\"]\nbins[]\n");
+  EXPECT_EQ(effects("triangle", {"--mode", "binned", "--strip-rows", "16"}),
+            "gouraud[\"number 0\"]\nvertex_colours[\"number 0\"]\nbins[]\n");
   EXPECT_NE(effects(kColoursModel, {"--ortho"}).find("vertex_colours"), std::string::npos);
   EXPECT_NE(effects(kColoursModel, {"--ortho"}).find("orthographic[]"), std::string::npos);
   EXPECT_NE(effects("room", {}).find("textures[\"number 0\",\"number 1\"]"), std::string::npos);
