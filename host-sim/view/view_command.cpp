@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/parse.hpp"
 #include "cli/print.hpp"
 #include "cli/sibling_program.hpp"
 #include "view/view_arguments.hpp"
