@@ -54,7 +54,7 @@ bool is_background(Stage& stage, const View& view, std::uint32_t crc32) {
 }
 
 std::string why_unseen(Stage& stage) {
-  const std::string colours = "all that is drawn has the colour of the background";
+  std::string colours = "all that is drawn has the colour of the background";
   const Result<Staging> staging = stage.place(0, 1);
   if (!staging || !staging->scene.lines.empty()) return colours;
   const Scene& scene = staging->scene;
