@@ -25,7 +25,7 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
 /// docs/memory.md has measurements.
 constexpr std::uint64_t estimated_cost(const SceneCounts& counts, Effects effects, const View& view, const Plan& plan);
 
-/// The same of begin_frame and all strips of a frame that did this `work`. Fitted to the workloads of `zstrip bench` in
+/// What begin_frame and all strips of a frame cost that did this `work`. Fitted to the workloads of `zstrip bench` in
 /// strips of 8 to 480 rows, 97 % of which are within 15 % (docs/performance.md, "Estimates"); effects that none of them
 /// has are not in it, but for samples.
 constexpr std::uint64_t estimated_cost(const SceneCounts& counts, Effects effects, const View& view, const Plan& plan,
