@@ -104,17 +104,26 @@ EMSCRIPTEN_KEEPALIVE const char* zstrip_open(const char* words) {
   return answered(Json{{"frames", viewer->frames()}, {"milliseconds", viewer->milliseconds()}});
 }
 
-EMSCRIPTEN_KEEPALIVE void zstrip_turn(double yaw, double pitch) { viewer->turn(yaw, pitch); }
-EMSCRIPTEN_KEEPALIVE void zstrip_zoom(double steps) { viewer->zoom(steps); }
-EMSCRIPTEN_KEEPALIVE void zstrip_reset_camera() { viewer->reset_camera(); }
-EMSCRIPTEN_KEEPALIVE void zstrip_step(int frames) { viewer->step(frames); }
+EMSCRIPTEN_KEEPALIVE void zstrip_turn(double yaw, double pitch) {
+  if (viewer) viewer->turn(yaw, pitch);
+}
+EMSCRIPTEN_KEEPALIVE void zstrip_zoom(double steps) {
+  if (viewer) viewer->zoom(steps);
+}
+EMSCRIPTEN_KEEPALIVE void zstrip_reset_camera() {
+  if (viewer) viewer->reset_camera();
+}
+EMSCRIPTEN_KEEPALIVE void zstrip_step(int frames) {
+  if (viewer) viewer->step(frames);
+}
 /// 0 to 3: colours, wireframe, depth, overdraw.
 EMSCRIPTEN_KEEPALIVE void zstrip_look(int look) {
-  if (viewer->look() != static_cast<Look>(look)) viewer->toggle(static_cast<Look>(look));
+  if (viewer && viewer->look() != static_cast<Look>(look)) viewer->toggle(static_cast<Look>(look));
 }
 
 /// The frame's figures.
 EMSCRIPTEN_KEEPALIVE const char* zstrip_draw() {
+  if (!viewer) return answered(Failure{ExitStatus::usage, "no scene is open"});
   Result<ViewedFrame> drawn = viewer->draw();
   if (!drawn) return answered(drawn.failure());
   viewed = std::move(*drawn);

@@ -108,6 +108,14 @@ test('what is wrong is said, and the next scene is drawn', async () => {
   assert.ok((await pngOf(drawing, 'teapot', [])).equals(command.writes('render', 'teapot', 'a.png')));
 });
 
+test('zstrip bake takes the command line that the page shows', async () => {
+  const {commandLineOf, kSettings} = await import(join(page, 'settings.mjs'));
+  const all = Object.fromEntries(kSettings.map(({name, kind, choices, hint}) => [name, kind === 'choice' ? choices[1] : hint ?? 'yes']));
+  const [, , scene, ...options] = commandLineOf('bake', {...all, ram: '200K', scene: 'teapot', edges: '', visibility: ''}).split(' ');
+  assert.ok(options.includes('--dither') && !options.includes('--panel'));
+  assert.ok(command.writes('bake', scene, 'scene.zsc', options).length > 1000);
+});
+
 test('the page with its first scene is small', () => {
   const first = readdirSync(page).filter((name) => !name.startsWith('zstrip-all') && name !== 'examples');
   const bytes = first.reduce((sum, name) => sum + gzipSync(readFileSync(join(page, name)), {level: 9}).length, 0);

@@ -103,6 +103,9 @@ test('a value that is wrong is said, and the old picture stays', async () => {
   await set('ram', '1K');
   await drawn('failed');
   assert.match(await text('#status'), /bytes missing/);
+  // Nothing is open: turning what is not there changes nothing.
+  await browser.drag('#canvas', 40, 0);
+  assert.match(await text('#status'), /bytes missing/);
   await set('ram', '');
   await drawn();
 });

@@ -17,6 +17,7 @@ let {settings, view} = settingsOf(location.hash);
 let opened = {frames: 64, milliseconds: 4000};
 let drawn;  // by the worker, and its figures
 let figures;
+let isOpen = false;
 let playing = false;
 let examples = [];
 
@@ -42,6 +43,7 @@ function fail(error) {
 let busy = false;
 let wanted;
 async function update(what) {
+  if (what === 'draw' && !isOpen) return;  // what went wrong stays said
   wanted = wanted === 'open' ? 'open' : what;
   if (busy) return;
   busy = true;
@@ -63,11 +65,13 @@ async function update(what) {
 
 let messages = [];
 async function openAndDraw() {
+  isOpen = false;
   say('Loading …');
   const scene = await fetchExample();
   const request = {scene, options: optionsOf(settings)};
   const attempt = async () => {
     opened = await call('open', request);
+    isOpen = true;
     messages = opened.messages;
     element('frame-number').max = opened.frames - 1;
     view.frame = Math.min(view.frame, opened.frames - 1);
@@ -98,9 +102,8 @@ async function draw() {
 function tell() {
   showFigures(figures);
   const choice = element('setting-board');
-  if (choice.options.length === 1) {
-    for (const board of Object.keys(figures.rates)) choice.append(new Option(board, board));
-    choice.value = settings.board ?? '';
+  for (const board of Object.keys(figures.rates)) {
+    if (![...choice.options].some(({value}) => value === board)) choice.append(new Option(board, board));
   }
   element('command').textContent = [
     commandLineOf('view', settings), commandLineOf('bake', settings, ['-o', 'scene.hpp', '--turntable'])
@@ -281,17 +284,16 @@ async function download(name) {
   }
 }
 
-// What `zstrip bake` writes; of the settings those that it has.
+// What `zstrip bake` writes.
 async function baked(name) {
-  const kBaked = ['size', 'format', 'dither', 'samples', 'edges', 'ram', 'strip-rows', 'visibility'];
-  const options = optionsOf(Object.fromEntries(kBaked.map((key) => [key, settings[key]])));
+  const options = optionsOf(settings, 'bake');
   const {files} = await call('run', {words: ['bake', settings.scene, '-o', name, '--turntable', '--quiet', ...options], names: [name]});
   return files[0].bytes;
 }
 
 async function start() {
   const response = await fetch('examples.json');
-  examples = response.ok ? await response.json() : [{scene: 'teapot', title: 'teapot'}];
+  examples = await response.json();
   for (const {scene, title} of examples) element('example').append(new Option(title, scene));
   kSettings.forEach(addSetting);
   showChoice();

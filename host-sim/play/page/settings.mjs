@@ -1,20 +1,21 @@
 // What can be chosen, as the options of the command, as controls of the page and as a link.
 
-// The first choice is the command's own, for which no option is given. `kind`: choice, flag or text.
+// The first choice is the command's own, for which no option is given. `kind`: choice, flag or text;
+// `isBaked`: `zstrip bake` has it, too.
 export const kSettings = [
-  {name: 'size', label: 'Size', option: '--size', kind: 'text', hint: '240x240', pattern: '[0-9]+x[0-9]+'},
+  {name: 'size', label: 'Size', option: '--size', isBaked: true, kind: 'text', hint: '240x240', pattern: '[0-9]+x[0-9]+'},
   {
     name: 'format',
     label: 'Pixels',
-    option: '--format',
+    option: '--format', isBaked: true,
     kind: 'choice',
     choices: ['', 'rgb565', 'rgb565_swapped', 'rgb666', 'rgb444', 'xrgb8888', 'gray4', 'mono']
   },
-  {name: 'dither', label: 'Dithering', option: '--dither', kind: 'flag'},
-  {name: 'ram', label: 'RAM at most', option: '--ram', kind: 'text', hint: '20K', pattern: '[0-9]+[KM]?'},
-  {name: 'strip-rows', label: 'Rows of a strip', option: '--strip-rows', kind: 'text', hint: 'auto', pattern: '[0-9]+|auto'},
-  {name: 'samples', label: 'Samples a pixel', option: '--samples', kind: 'choice', choices: ['', '2', '4']},
-  {name: 'edges', label: 'Smooth edges', option: '--edges', kind: 'flag'},
+  {name: 'dither', label: 'Dithering', option: '--dither', isBaked: true, kind: 'flag'},
+  {name: 'ram', label: 'RAM at most', option: '--ram', isBaked: true, kind: 'text', hint: '20K', pattern: '[0-9]+[KM]?'},
+  {name: 'strip-rows', label: 'Rows of a strip', option: '--strip-rows', isBaked: true, kind: 'text', hint: 'auto', pattern: '[0-9]+|auto'},
+  {name: 'samples', label: 'Samples a pixel', option: '--samples', isBaked: true, kind: 'choice', choices: ['', '2', '4']},
+  {name: 'edges', label: 'Smooth edges', option: '--edges', isBaked: true, kind: 'flag'},
   {
     name: 'depth-format',
     label: 'Depth',
@@ -26,7 +27,7 @@ export const kSettings = [
   {
     name: 'visibility',
     label: 'Visibility',
-    option: '--visibility',
+    option: '--visibility', isBaked: true,
     kind: 'choice',
     choices: [
       '', 'painter', 'painter-newell', 'painter-bsp', 'half-range', 'front-to-back', 'hierarchical-z',
@@ -52,23 +53,20 @@ const kStart = {scene: 'teapot', size: '240x240'};
 
 const isDigitsOf = (value) => /^-?[0-9]+(\.[0-9]+)?$/.test(value);
 
-// The options of `zstrip view`.
-export function optionsOf(settings) {
+// The options of `zstrip view`; with `command` 'bake' those that `zstrip bake` has.
+export function optionsOf(settings, command = 'view') {
   const options = [];
-  for (const {name, option, kind} of kSettings) {
-    if (!settings[name]) continue;
+  for (const {name, option, kind, isBaked} of kSettings) {
+    if (!settings[name] || (command === 'bake' && !isBaked)) continue;
     options.push(option);
     if (kind !== 'flag') options.push(settings[name]);
   }
   return options;
 }
 
-// For a command line, which has no page.
+// For a shell. `extra`: options that are no settings.
 export function commandLineOf(command, settings, extra = []) {
-  const words = ['zstrip', command, settings.scene, ...extra, ...optionsOf(settings).filter((word, i, all) => {
-    const option = word.startsWith('--') ? word : all[i - 1];
-    return command === 'view' || (option !== '--board' && option !== '--frames');
-  })];
+  const words = ['zstrip', command, settings.scene, ...extra, ...optionsOf(settings, command)];
   return words.map((word) => (/^[\w.,:=+/-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`)).join(' ');
 }
 

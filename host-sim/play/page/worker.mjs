@@ -21,7 +21,7 @@ const calls = {
     files = [...files, ...added];
     drawing?.addFiles(added);
   },
-  async open({scene, options, view}) {
+  async open({scene, options}) {
     await load('common');
     const opened = await drawing.open(scene, options);
     shown = 0;
