@@ -1,6 +1,6 @@
 // A package of Node.js that tests need, fetched by npm once, in the version that is pinned.
 import {execFileSync} from 'node:child_process';
-import {copyFileSync, existsSync, mkdirSync, readFileSync} from 'node:fs';
+import {copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 
 /** Something is not to be had on this machine. */
@@ -23,4 +23,18 @@ export function fetchPackage(from, work) {
         `npm cannot fetch ${name} ${wanted}: ${String(error.stderr || error.message).trim().split('\n')[0]}`);
   }
   return folder;
+}
+
+/** ctest's status of a test that is skipped, and why it is, as skipMissing has kept it in `work`. */
+const kSkipped = 77;
+export function skip(work) {
+  console.log(`skipped: ${readFileSync(join(work, 'missing'), 'utf8')}`);
+  return kSkipped;
+}
+
+/** For this test and those after it. Errors that are not of Missing are thrown again. */
+export function skipMissing(error, work) {
+  if (!(error instanceof Missing)) throw error;
+  writeFileSync(join(work, 'missing'), error.message);
+  return skip(work);
 }

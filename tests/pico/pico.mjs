@@ -6,11 +6,11 @@
 //   node pico.mjs stuck WORK UF2 PANEL              a bus that gets stuck ends in a panic and a reset
 // PANEL is the program of panel.cpp. Exit status: 0 yes, 1 no, 2 wrong words, 77 something is not to be had here.
 import {spawnSync} from 'node:child_process';
-import {existsSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {existsSync, mkdirSync, readFileSync, rmSync} from 'node:fs';
 import {basename, dirname, join} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
 
-import {fetchPackage, Missing} from '../npm_package.mjs';
+import {fetchPackage, skip, skipMissing} from '../npm_package.mjs';
 
 import {Board} from './board.mjs';
 import {crc} from './boot_rom.mjs';
@@ -19,7 +19,6 @@ import {kMutations, kStuckMutations, mutationOf} from './mutations.mjs';
 import {flashOf} from './uf2.mjs';
 
 const kHere = dirname(fileURLToPath(import.meta.url));
-const kSkipped = 77;
 const kFrameBytes = 240 * 240 * 2;
 
 function fetchEmulator(work) {
@@ -29,15 +28,8 @@ function fetchEmulator(work) {
     fetchPackage(kHere, work);
     return 0;
   } catch (error) {
-    if (!(error instanceof Missing)) throw error;
-    writeFileSync(join(work, 'missing'), error.message);
-    return skip(work);
+    return skipMissing(error, work);
   }
-}
-
-function skip(work) {
-  console.log(`skipped: ${readFileSync(join(work, 'missing'), 'utf8')}`);
-  return kSkipped;
 }
 
 /** What the panel's model says of the lines, each a string. */

@@ -7,14 +7,13 @@ import {existsSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:f
 import {dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
-import {fetchPackage, Missing} from '../npm_package.mjs';
+import {fetchPackage, Missing, skip, skipMissing} from '../npm_package.mjs';
 
 import {drawAll} from './draw.mjs';
 import {kAspects, readExpected, surprises, worstOf} from './expected.mjs';
 import {tableOf} from './table.mjs';
 
 const kHere = dirname(fileURLToPath(import.meta.url));
-const kSkipped = 77;
 
 async function draw(work, zstrip, chromium, models) {
   mkdirSync(work, {recursive: true});
@@ -27,15 +26,8 @@ async function draw(work, zstrip, chromium, models) {
     console.log(`${rows.length} comparisons`);
     return 0;
   } catch (error) {
-    if (!(error instanceof Missing)) throw error;
-    writeFileSync(join(work, 'missing'), error.message);
-    return skip(work);
+    return skipMissing(error, work);
   }
-}
-
-function skip(work) {
-  console.log(`skipped: ${readFileSync(join(work, 'missing'), 'utf8')}`);
-  return kSkipped;
 }
 
 function measuredIn(work) { return worstOf(JSON.parse(readFileSync(join(work, 'measured.json')))); }
