@@ -16,7 +16,12 @@ const kTypes = {
 /** The server, which listens; a port of 0 is any. */
 export function serve(folder, port = 0) {
   const server = createServer((request, response) => {
-    let path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname));
+    let path;
+    try {
+      path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname));
+    } catch {
+      return response.writeHead(400).end('no address\n');
+    }
     if (path.endsWith('/')) path += 'index.html';
     const file = join(folder, path);
     if (!statSync(file, {throwIfNoEntry: false})?.isFile()) return response.writeHead(404).end('not here\n');
