@@ -29,6 +29,7 @@ constexpr std::uint16_t glyph(char character) {
     case '.': return 000002;
     case ',': return 000024;
     case ':': return 002020;
+    case ';': return 002024;
     case '-': return 000700;
     case '\'': return 022000;
     default: return 061202;  // a question mark
@@ -80,7 +81,7 @@ Error write_cells(Panel& panel, std::string_view text) {
 
 /// Fills the display with `text`, in capitals, from the upper left corner, line by line as wide as the display; what
 /// does not fit is not shown, a remainder of the display narrower than 8 or lower than 16 pixels keeps what it has.
-/// Shows letters, digits, space and .,:-' and anything else as a question mark. The first error ends it.
+/// Shows letters, digits, space and .,:;-' and anything else as a question mark. The first error ends it.
 template <Display Panel>
 Error show_message(Panel& panel, std::string_view text) {
   if (const Error error = panel.begin_frame(); error != Error::none) return error;

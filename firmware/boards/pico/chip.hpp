@@ -14,7 +14,8 @@ inline void clear_bits(std::uint32_t address, std::uint32_t bits) { register_at(
 // 2.14, subsystem resets
 inline constexpr std::uint32_t kReset = 0x4000C000, kResetDone = 0x4000C008;
 inline constexpr std::uint32_t kResetDma = 1U << 2, kResetIoBank0 = 1U << 5, kResetPadsBank0 = 1U << 8;
-inline constexpr std::uint32_t kResetPllSys = 1U << 12, kResetSpi0 = 1U << 16, kResetUart0 = 1U << 22;
+inline constexpr std::uint32_t kResetPllSys = 1U << 12, kResetSpi0 = 1U << 16, kResetTimer = 1U << 21;
+inline constexpr std::uint32_t kResetUart0 = 1U << 22;
 
 // 2.16, crystal oscillator
 inline constexpr std::uint32_t kCrystalControl = 0x40024000, kCrystalStatus = 0x40024004;
@@ -39,6 +40,9 @@ inline constexpr std::uint32_t kWatchdogResets = 0x40010008;
 inline constexpr std::uint32_t kAllButOscillators = 0x1FFFC;
 inline constexpr std::uint32_t kWatchdogControl = 0x40058000, kWatchdogLoad = 0x40058004, kWatchdogTick = 0x4005802C;
 inline constexpr std::uint32_t kWatchdogEnable = 1U << 30, kTickEnable = 1U << 9;
+
+// 4.6, timer: microseconds of the watchdog's tick. Reading the lower word keeps the upper one that belongs to it.
+inline constexpr std::uint32_t kTimerUpper = 0x40054008, kTimerLower = 0x4005400C;
 
 // 2.19, GPIO; 2.3.1, single-cycle IO
 constexpr std::uint32_t pin_control(unsigned pin) { return 0x40014004U + 8U * pin; }

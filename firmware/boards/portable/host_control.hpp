@@ -12,6 +12,7 @@ namespace zstrip::board {
 
 class HostControl {
  public:
+  bool paused() const { return paused_; }
   /// After a frame was shown: returns when the next one may be drawn, which is at once unless the host has paused.
   void frame_shown(std::uint32_t frame, std::uint32_t pixels = 0) {
     bool next = take_command();

@@ -8,17 +8,25 @@
 
 namespace zstrip::board {
 
-/// Starts the watchdog and the panel, and shows the scene for ever; the result is main's.
+/// Starts the watchdog and the panel, and shows the scene for ever; the result is main's. A player that is no scene of
+/// constants has a loop of its own and longer words.
 template <class Player, class Panel>
 int run_on_panel(Panel& panel) {
   start_pacing();
+  constexpr bool kHasLoop = requires { Player::show_for_ever(panel); };
   Failure failure;
   if (const hal::Error error = panel.start(); error != hal::Error::none) {
     failure = {"start of the display", hal::message(error)};
+  } else if constexpr (kHasLoop) {
+    failure = Player::show_for_ever(panel);
   } else {
     failure = show_scene<Player>(panel);
   }
-  panic(panel, failure);
+  if constexpr (kHasLoop) {
+    panic<Player::kMaxWords>(panel, failure);
+  } else {
+    panic(panel, failure);
+  }
   return 1;
 }
 

@@ -12,12 +12,12 @@ namespace zstrip::board {
 
 /// After any failure, also amid a write: what is under way ends first. Waits for the bus only, at most for three of its
 /// time-outs; a bus that never returns is the watchdog's. Afterwards the caller ends the program without feeding it:
-/// the board starts again, where it has one.
-template <hal::Display Panel>
+/// the board starts again, where it has one. The panel shows the first `max_words` characters.
+template <std::size_t max_words = 96, hal::Display Panel>
 void panic(Panel& panel, const Failure& failure) {
   print("panic: ");
   print(failure);
-  std::array<char, 96> text{};
+  std::array<char, max_words> text{};
   std::size_t size = 0;
   for (const char* part : std::array{"panic: ", failure.doing, ": ", failure.error}) {
     while (*part != '\0' && size < text.size()) text[size++] = *part++;

@@ -75,6 +75,8 @@ class Player {
   void seek(std::uint32_t time) { time_ = time % period(); }
   /// Milliseconds from the motion's beginning, less than it takes.
   std::uint32_t time() const { return time_; }
+  /// Milliseconds that the motion of what is open takes, at least 1.
+  std::uint32_t period() const;
 
   /// Takes the camera around the point of its axis that is closest to the world's y axis: to the right, and up. 65536
   /// is a full turn; 0, 0 is where it was baked.
@@ -146,7 +148,6 @@ class Player {
     return drawn_with_.pipeline.draw_strip(state_, strip, pixels);
   }
   std::span<std::byte> strip(std::size_t i) const { return strips_[i]; }
-  std::uint32_t period() const;
   bool fail(Fault fault, const Status& status = {});
   std::span<std::byte> left() const;
   std::span<std::byte> take(std::uint64_t bytes);
