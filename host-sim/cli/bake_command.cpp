@@ -18,6 +18,7 @@
 #include "bake/flash_bytes.hpp"
 #include "bake/mipmaps.hpp"
 #include "bake/palettes.hpp"
+#include "bake/pico_scene.hpp"
 #include "bake/scene_blob.hpp"
 #include "bake/scene_header.hpp"
 #include "cli/camera_arguments.hpp"
@@ -53,6 +54,7 @@ struct Arguments {
   std::string textures = "rgb565";
   std::string mipmaps = "auto";
   std::string clipping = "auto";
+  std::optional<std::string> program;
   std::optional<std::string> json;
   bool quiet = false;
 };
@@ -69,14 +71,29 @@ MipmapChoice mipmap_choice(const std::string& word) {
   return word == "off" ? MipmapChoice::off : MipmapChoice::automatic;
 }
 
-enum class Kind { header, blob };
+enum class Kind { header, blob, pico };
 
 Result<Kind> kind_of(const std::string& output) {
   const std::string extension = std::filesystem::path(output).extension().string();
   if (extension == ".hpp" || extension == ".h") return Kind::header;
   if (extension == ".zsc") return Kind::blob;
-  return Failure{ExitStatus::usage,
-                 fmt::format("-o '{}' must end in .hpp (C++ constants) or .zsc (a blob used in place)", output)};
+  if (extension == ".uf2") return Kind::pico;
+  return Failure{
+      ExitStatus::usage,
+      fmt::format("-o '{}' must end in .hpp (C++ constants), .zsc (a blob used in place) or .uf2 (a blob for "
+                  "the Raspberry Pi Pico)",
+                  output)};
+}
+
+/// What the options leave open is as the program for the Pico draws, which plans by itself.
+PlanArguments plan_arguments(const Arguments& arguments, Kind kind) {
+  PlanArguments plan = arguments.plan;
+  if (kind != Kind::pico) return plan;
+  if (!plan.view.size) plan.view.size = fmt::format("{0}x{0}", pico::kPanelSide);
+  if (!plan.view.format) plan.view.format = "rgb565_swapped";
+  plan.strip_buffers = 2;
+  plan.mode = "any";
+  return plan;
 }
 
 std::span<const std::uint8_t> bytes_of(const std::string& text) {
@@ -87,7 +104,7 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
 BakedSkins skins_of(Kind kind, const Stage& stage) {
   const Model* const model = stage.model();
   if (!stage.bends() || model == nullptr) return {};
-  if (kind == Kind::blob) {
+  if (kind != Kind::header) {
     print_warning(
         "a blob has no skins: what joints move stands still in it as at frame 0; a header (-o FILE.hpp) moves it");
     return {};
@@ -209,11 +226,10 @@ BakeRecord describe(const Arguments& arguments, const Stage& stage, const BakedS
 }
 
 /// `turning_camera`: for several frames.
-Result<Done> write_blob(const BakedScene& baked, const Camera& turning_camera, const std::string& output,
-                        BakeRecord& record) {
+Result<std::vector<std::uint8_t>> make_blob(const BakedScene& baked, const Camera& turning_camera, BakeRecord& record) {
   const Effects picture = baked.effects & (effect::perspective_runs | effect::depth_formats);
   const bool has_other_camera = !same(turning_camera, baked.camera);
-  const Result<std::vector<std::uint8_t>> blob =
+  Result<std::vector<std::uint8_t>> blob =
       to_scene_blob({.scene = baked.scene,
                      .camera = baked.camera,
                      .view = baked.view,
@@ -225,7 +241,22 @@ Result<Done> write_blob(const BakedScene& baked, const Camera& turning_camera, c
   if (!blob) return Failure{blob.failure().status, fmt::format("'{}' {}", record.scene, blob.failure().message)};
   record.flash.tables = blob->size() - record.flash.arrays();
   record.lent_bytes = table_bytes(baked.scene);
-  return write_file(output, *blob, "-o");
+  return blob;
+}
+
+/// `program`: that a file for the Pico has besides.
+Result<std::vector<std::uint8_t>> make_output(const Arguments& arguments, Kind kind, const BakedScene& baked,
+                                              const Camera& turning_camera, const pico::Pages& program,
+                                              BakeRecord& record) {
+  if (kind == Kind::header) {
+    const std::string text = to_scene_header(baked, arguments.name_space);
+    return std::vector<std::uint8_t>(text.begin(), text.end());
+  }
+  Result<std::vector<std::uint8_t>> blob = make_blob(baked, turning_camera, record);
+  if (!blob || kind == Kind::blob) return blob;
+  Result<std::vector<std::uint8_t>> file = to_pico_file(*blob, program);
+  if (!file) return Failure{file.failure().status, fmt::format("'{}' {}", record.scene, file.failure().message)};
+  return file;
 }
 
 Result<VisibleSetRecord> write_sets(const std::string& output, const Staging& staging, const Animation& animation,
@@ -258,7 +289,7 @@ Result<Done> warn_of_method(Kind kind, const std::string& scene, Effects method)
   const Result<PictureSettings> settings = settings_of(scene);
   if (!settings) return settings.failure();
   const VisibilitySettings& from = settings->visibility;
-  if (kind == Kind::blob) {
+  if (kind != Kind::header) {
     std::string options;
     if (from.iterations) options += fmt::format(" --iterations {}", *from.iterations);
     if (from.sort_key) options += fmt::format(" --sort-key {}", *from.sort_key);
@@ -288,7 +319,10 @@ Result<Done> run(const Arguments& arguments) {
   }
   const Result<CellCounts> cells = parse_cells(arguments.cells.value_or("8x2x8"), "--cells");
   if (!cells) return cells.failure();
-  const Result<PlanRequest> request = parse_plan(arguments.plan, arguments.scene);
+  if (arguments.program && *kind != Kind::pico) {
+    return Failure{ExitStatus::usage, "--with is the program of a file for the Raspberry Pi Pico: -o FILE.uf2"};
+  }
+  Result<PlanRequest> request = parse_plan(plan_arguments(arguments, *kind), arguments.scene);
   if (!request) return request.failure();
   if (const Result<Done> checked = check_visibility(
           request->method | picture_effects(*request) | edge_effects(request->edges), depth_option(std::nullopt));
@@ -309,6 +343,17 @@ Result<Done> run(const Arguments& arguments) {
   const Result<Done> distinct =
       check_distinct(outputs, arguments.json, built_in ? "" : arguments.scene, arguments.visible_sets);
   if (!distinct) return distinct.failure();
+  pico::Pages program;
+  if (arguments.program) {
+    const Result<pico::Pages> read = read_pico_program(*arguments.program);
+    if (!read) return read.failure();
+    program = *read;
+    std::error_code ignored;  // what is not there is not the same
+    if (std::filesystem::equivalent(*arguments.program, arguments.output, ignored)) {
+      return Failure{ExitStatus::usage,
+                     fmt::format("-o '{}' is the file of --with; name another one", arguments.output)};
+    }
+  }
 
   const std::uint32_t angles = arguments.turntable ? 2 : 1;  // more than one: every angle must fit
   Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, *model, *camera, request->view, angles);
@@ -324,6 +369,10 @@ Result<Done> run(const Arguments& arguments) {
       !checked) {
     return checked.failure();
   }
+  if (*kind == Kind::pico) {
+    const Result<Done> drawn = check_for_pico(effects_of(staging->scene, staging->camera) | picture_effects(*request));
+    if (!drawn) return drawn.failure();
+  }
   const BakedSkins skins = skins_of(*kind, **stage);
   const Result<PreparedScene> prepared = prepare_for(*request, arguments, *staging, (*stage)->animation(), skins);
   if (!prepared) return prepared.failure();
@@ -333,6 +382,10 @@ Result<Done> run(const Arguments& arguments) {
   at_rest.scene = paletted.scene();
   const Result<Turn> turn = turn_of(**stage, *request, arguments, *staging);
   if (!turn) return turn.failure();
+  if (*kind == Kind::pico) {
+    const std::uint32_t left = pico_budget(at_rest.scene, (*stage)->animation(), *turn);
+    if (request->budget.bytes == 0 || request->budget.bytes > left) request->budget.bytes = left;
+  }
   Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *turn, skins, *request);
   if (!baked) return baked.failure();
   std::optional<ClippingRecord> clipping;
@@ -349,9 +402,10 @@ Result<Done> run(const Arguments& arguments) {
   }
   const Result<Camera> turning_camera = (*stage)->camera(2);
   if (!turning_camera) return turning_camera.failure();
-  const Result<Done> written =
-      *kind == Kind::blob ? write_blob(*baked, *turning_camera, arguments.output, record)
-                          : write_file(arguments.output, bytes_of(to_scene_header(*baked, arguments.name_space)), "-o");
+  const Result<std::vector<std::uint8_t>> output =
+      make_output(arguments, *kind, *baked, *turning_camera, program, record);
+  if (!output) return output.failure();
+  const Result<Done> written = write_file(arguments.output, *output, "-o");
   if (!written) return written.failure();
   if (arguments.visible_sets) {
     Result<VisibleSetRecord> sets = write_sets(*arguments.visible_sets, *staging, (*stage)->animation(), *cells);
@@ -372,7 +426,11 @@ void add_bake_command(CLI::App& app, int& exit_code) {
                    "A model (.obj .gltf .glb .stl .ply .3ds .dae ...), a scene file (.toml), a built-in or baked scene")
       ->required()
       ->type_name("SCENE");
-  command->add_option("-o,--output", a.output, "The file to write: .hpp for C++ constants, .zsc for a blob")
+  command
+      ->add_option(
+          "-o,--output", a.output,
+          "The file to write: .hpp for C++ constants, .zsc for a blob, .uf2 for a blob that a Raspberry Pi Pico takes "
+          "beside zstrip_pico_player.uf2")
       ->required()
       ->type_name("FILE");
   add_plan_options(*command, a.plan);
@@ -404,6 +462,8 @@ void add_bake_command(CLI::App& app, int& exit_code) {
                    "animation, never needs it (default); on, for programs that move camera or instances otherwise")
       ->option_text("CHOICE")
       ->check(one_of({"auto", "on"}));
+  command->add_option("--with", a.program, "Into a .uf2 file, too: the program that shows it, zstrip_pico_player.uf2")
+      ->type_name("FILE");
   command->add_option("--json", a.json, "Write the report as JSON; - is standard output")->type_name("FILE|-");
   command->add_flag("--quiet", a.quiet, "No report in words; warnings and errors remain");
   command->footer(
@@ -412,6 +472,8 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       "  zstrip bake model.glb -o scene.hpp --size 240x240 --format rgb565_swapped --ram 14K --split-columns "
       "--turntable\n"
       "  zstrip bake model.obj -o scene.zsc --size 320x240\n"
+      "  zstrip bake model.glb -o model.uf2\n"
+      "  zstrip bake model.glb -o pico.uf2 --with zstrip_pico_player.uf2\n"
       "  zstrip bake house.obj -o house.zsc --visibility painter-bsp\n"
       "  zstrip bake house.glb -o house.hpp --textures auto\n"
       "  zstrip bake house.glb -o house.zsc --mipmaps on\n"

@@ -1,0 +1,88 @@
+// Puts the scene where firmware/boards/pico/show_baked.cpp looks for it, and knows what that program has for it.
+#include "bake/pico_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "bake/flash_bytes.hpp"
+#include "bake/uf2_file.hpp"
+#include "import/read_file.hpp"
+#include "zstrip/blob.hpp"
+#include "zstrip/budget.hpp"
+#include "zstrip_scenes/baked_stage.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+constexpr std::string_view kReads = pico::kReads;
+static_assert(kReads.find(static_cast<char>('0' + kSceneBlobVersion)) != std::string_view::npos);
+
+/// Whether the program has the words in which it says what it reads, and from where.
+bool reads_scenes(const pico::Pages& program) {
+  std::vector<std::uint8_t> bytes;
+  for (const auto& [address, page] : program) bytes.insert(bytes.end(), page.begin(), page.end());
+  return std::ranges::search(bytes, kReads).size() == kReads.size();
+}
+
+}  // namespace
+
+Result<pico::Pages> read_pico_program(const std::string& path) {
+  const auto failed = [&path](const Failure& failure) {
+    return Failure{failure.status, fmt::format("--with '{}' {}", path, failure.message)};
+  };
+  const Result<std::vector<std::uint8_t>> file = read_file(path, std::size_t{16} << 20);
+  if (!file) return failed(file.failure());
+  Result<pico::Pages> program = read_uf2(*file);
+  if (!program) return failed(program.failure());
+  if (program->lower_bound(pico::kScene) != program->end()) {
+    return failed({ExitStatus::input,
+                   fmt::format("fills the flash from {:08x} on, where the scene goes; take the program without a scene",
+                               pico::kScene)});
+  }
+  if (!program->contains(pico::kFlash) || !reads_scenes(*program)) {
+    return failed({ExitStatus::input, fmt::format("is not the program that shows a {}; take zstrip_pico_player.uf2 of "
+                                                  "the same release as this command",
+                                                  kReads)});
+  }
+  return program;
+}
+
+Result<std::vector<std::uint8_t>> to_pico_file(std::span<const std::uint8_t> blob, const pico::Pages& program) {
+  if (blob.size() > pico::kSceneBytes) {
+    return Failure{ExitStatus::budget,
+                   fmt::format("takes {} bytes, and the Pico's flash has {} for a scene; take fewer triangles or "
+                               "smaller textures, or --textures palette8",
+                               blob.size(), pico::kSceneBytes)};
+  }
+  pico::Pages pages = program;
+  for (std::size_t at = 0; at < blob.size(); at += pico::kPage) {
+    pico::Page& page = pages[pico::kScene + static_cast<std::uint32_t>(at)];
+    page.fill(0xFF);
+    std::ranges::copy(blob.subspan(at, std::min<std::size_t>(pico::kPage, blob.size() - at)), page.begin());
+  }
+  return pico::to_uf2(pages);
+}
+
+std::uint32_t pico_budget(const Scene& scene, const Animation& animation, const Turn& turn) {
+  // As zstrip::Player takes it; each piece begins at a multiple of kArenaAlignment.
+  constexpr std::uint64_t kPieces = 8, kLineSet = 64;  // which has a pointer: 64 bytes on the board
+  std::uint64_t kept = table_bytes(scene) + kPieces * kArenaAlignment;
+  if (!animation.tracks.empty() || turn.what == Turning::instances || turn.what == Turning::instances_and_lines) {
+    kept += scene.instances.size() * sizeof(Instance);
+  }
+  if (scenes::turns_lines(animation, turn)) kept += scene.lines.size() * kLineSet;
+  return kept < pico::kPlayerMemory ? static_cast<std::uint32_t>(pico::kPlayerMemory - kept) : 1;
+}
+
+Result<Done> check_for_pico(Effects effects) {
+  const bool has_runs =
+      effects.any(effect::perspective_runs) && effects.has(effect::textures) && !effects.has(effect::orthographic);
+  if (!has_runs && !effects.any(effect::depth_formats)) return Done{};
+  return Failure{ExitStatus::usage, fmt::format("the program for the Pico draws {}; leave '{}' out of the scene file",
+                                                has_runs ? "textures with the usual accuracy" : "with depth as z16",
+                                                has_runs ? "perspective" : "depth_format")};
+}
+
+}  // namespace zstrip::sim

@@ -1,0 +1,173 @@
+// .uf2 files for the Pico: what the command writes is what the boot loader takes, and files that it reads may hold
+// anything.
+#include <array>
+#include <filesystem>
+
+#include "bake/pico_scene.hpp"
+#include "bake/uf2_file.hpp"
+#include "bake_fixture.hpp"
+
+namespace zstrip::sim::test {
+namespace {
+
+using pico::Page;
+using pico::Pages;
+using Bytes = std::vector<std::uint8_t>;
+
+Page page_of(std::uint8_t value) {
+  Page page;
+  page.fill(value);
+  return page;
+}
+
+/// What read_uf2 says of a file of three pages in whose block `block` the word at `at` is another one.
+std::string said_of(std::size_t block, std::size_t at, std::uint32_t value) {
+  Bytes file = pico::to_uf2({{pico::kFlash, page_of(1)},
+                             {pico::kFlash + pico::kPage, page_of(2)},
+                             {pico::kFlash + 2 * pico::kPage, page_of(3)}});
+  for (std::size_t i = 0; i < 4; ++i) {
+    file[block * pico::kBlock + at + i] = static_cast<std::uint8_t>(value >> (8 * i));
+  }
+  const Result<Pages> read = read_uf2(file);
+  return read ? "" : read.failure().message;
+}
+
+TEST(Uf2, ReadsWhatItWrites) {
+  const Pages pages{{pico::kFlash, page_of(1)}, {pico::kFlash + pico::kPage, page_of(2)}};
+  const Result<Pages> read = read_uf2(pico::to_uf2(pages));
+  ASSERT_TRUE(read) << read.failure().message;
+  EXPECT_EQ(*read, pages);
+}
+
+// Erratum RP2040-E14: else the loader erases a sector at the wrong time.
+TEST(Uf2, SectorsAreWholeBeforeAGap) {
+  const std::uint32_t far = pico::kFlash + 5 * pico::kSector;
+  const Pages pages{{pico::kFlash + pico::kPage, page_of(1)}, {far + pico::kPage, page_of(2)}};
+  const Result<Pages> read = read_uf2(pico::to_uf2(pages));
+  ASSERT_TRUE(read) << read.failure().message;
+  ASSERT_EQ(read->size(), pico::kSector / pico::kPage + 2);
+  std::uint32_t number = 0;
+  for (const auto& [address, page] : *read) {
+    const std::uint32_t expected =
+        number < 16 ? pico::kFlash + number * pico::kPage : far + (number - 16) * pico::kPage;
+    EXPECT_EQ(address, expected);
+    EXPECT_EQ(page, pages.contains(address) ? pages.at(address) : page_of(0xFF));
+    ++number;
+  }
+}
+
+TEST(Uf2, RefusesWhatIsNoFileForThePico) {
+  const auto expect = [](std::size_t block, std::size_t at, std::uint32_t value, const char* words) {
+    const std::string said = said_of(block, at, value);
+    EXPECT_NE(said.find(words), std::string::npos) << at << ": " << said;
+  };
+  ASSERT_EQ(said_of(1, 20, 1), "");  // as it was
+  expect(1, 0, 0x0A324656, "block 1 does not begin and end as one");
+  expect(2, 4, 0, "block 2 does not begin and end as one");
+  expect(0, 508, 0, "block 0 does not begin and end as one");
+  expect(1, 8, 0x2001, "block 1 is not for the RP2040");       // not main flash
+  expect(1, 28, 0xE48BFF57, "block 1 is not for the RP2040");  // another family
+  expect(1, 20, 2, "block 1 says that it is 2 of 3, and there are 3");
+  expect(1, 24, 4, "block 1 says that it is 1 of 4, and there are 3");
+  expect(1, 16, 476, "block 1 has 476 bytes");
+  expect(1, 12, 0x10000101, "address 10000101");
+  expect(1, 12, 0x20000000, "address 20000000");
+  expect(1, 12, 0x0FFFFF00, "address 0fffff00");
+  expect(1, 12, 0x10200000, "address 10200000");
+  expect(1, 12, 0x10000000, "as one before it does");
+  EXPECT_FALSE(read_uf2({}));
+  Bytes cut = pico::to_uf2({{pico::kFlash, page_of(1)}});
+  cut.pop_back();
+  EXPECT_FALSE(read_uf2(cut));
+}
+
+TEST(PicoFile, HasNoSceneThatIsLargerThanItsPlace) {
+  Bytes blob(pico::kSceneBytes);
+  EXPECT_TRUE(to_pico_file(blob, {}));
+  blob.resize(blob.size() + 4);
+  const Result<Bytes> refused = to_pico_file(blob, {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.failure().status, ExitStatus::budget);
+}
+
+class BakePico : public Bake {
+ protected:
+  Pages pages(const std::string& name) {
+    const std::string file = read(path(name));
+    const Result<Pages> found = read_uf2({reinterpret_cast<const std::uint8_t*>(file.data()), file.size()});
+    EXPECT_TRUE(found) << found.failure().message;
+    return found ? *found : Pages{};
+  }
+  std::string file_of(const Pages& content, const std::string& name) {
+    const Bytes bytes = pico::to_uf2(content);
+    return file(name, std::string(bytes.begin(), bytes.end()));
+  }
+  /// What only looks like one: it says what it reads.
+  static Pages program() {
+    Page page = page_of(0x11);
+    std::ranges::copy(std::string_view(pico::kReads), page.begin() + 100);
+    return {{pico::kFlash, page_of(0x22)}, {pico::kFlash + pico::kPage, page}};
+  }
+};
+
+TEST_F(BakePico, FileHasTheBlobAtItsPlaceAloneOrBesideAProgram) {
+  const std::vector<std::string> picture{"--size", "240x240", "--format", "rgb565_swapped"};
+  std::vector<std::string> bake{"bake", kHouseModel, "-o", "house.zsc"};
+  bake.insert(bake.end(), picture.begin(), picture.end());
+  report(bake);
+  const std::string blob = read(path("house.zsc"));
+  const Json baked = report({"bake", kHouseModel, "-o", "house.uf2"});
+  EXPECT_LE(baked.at("plan").at("ram_bytes").at("arena").get<std::uint32_t>(), pico::kPlayerMemory);
+  report({"bake", kHouseModel, "-o", "both.uf2", "--with", file_of(program(), "program.uf2")});
+
+  const Pages alone = pages("house.uf2"), both = pages("both.uf2");
+  ASSERT_EQ(alone.size(), (blob.size() + pico::kPage - 1) / pico::kPage);
+  std::string content;
+  for (const auto& [address, page] : alone) {
+    EXPECT_EQ(address, pico::kScene + content.size());
+    content.append(page.begin(), page.end());
+    EXPECT_EQ(both.at(address), page);
+  }
+  EXPECT_EQ(content.substr(0, blob.size()), blob);
+  for (const auto& [address, page] : program()) EXPECT_EQ(both.at(address), page);
+  EXPECT_EQ(both.size(), alone.size() + pico::kSector / pico::kPage);
+}
+
+TEST_F(BakePico, ProgramsThatWouldNotShowItAreRefused) {
+  const auto refused = [this](const std::string& output, const std::string& with, int status, const char* words) {
+    const Outcome outcome = zstrip({"bake", kHouseModel, "-o", output, "--with", with});
+    EXPECT_EQ(outcome.status, status);
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(path(output)));
+  };
+  const std::string good = file_of(program(), "program.uf2");
+  refused("house.zsc", good, 2, "--with is the program of a file for the Raspberry Pi Pico");
+  refused("x.uf2", "nothing.uf2", 4, "does not exist");
+  refused("x.uf2", file("text.uf2", "text"), 4, "is no .uf2 file");
+  refused("x.uf2", file_of({{pico::kFlash, page_of(1)}}, "other.uf2"), 4, "is not the program");
+  Pages without_boot_stage = program();
+  without_boot_stage.erase(pico::kFlash);
+  without_boot_stage[pico::kFlash + pico::kSector] = program().rbegin()->second;
+  without_boot_stage.erase(pico::kFlash + pico::kPage);
+  refused("x.uf2", file_of(without_boot_stage, "no_boot.uf2"), 4, "is not the program");
+  Pages with_scene = program();
+  with_scene[pico::kScene] = page_of(0);
+  refused("x.uf2", file_of(with_scene, "scene.uf2"), 4, "where the scene goes");
+  const Outcome over = zstrip({"bake", kHouseModel, "-o", "program.uf2", "--with", "program.uf2"});
+  EXPECT_EQ(over.status, 2);
+  EXPECT_EQ(pages("program.uf2"), program());
+}
+
+TEST_F(BakePico, WhatTheProgramCannotDrawIsSaidWhenItIsBaked) {
+  const std::string scene = "[picture]\ndepth_format = \"w16\"\n[[model]]\nname = \"house\"\nfile = \"" + kHouseModel +
+                            "\"\n[[instance]]\nmodel = \"house\"\n";
+  const Outcome depth = zstrip({"bake", file("w16.toml", scene), "-o", "x.uf2"});
+  EXPECT_EQ(depth.status, 2);
+  EXPECT_NE(depth.err.find("leave 'depth_format' out"), std::string::npos) << depth.err;
+  const Outcome large = zstrip({"bake", "random10k", "-o", "x.uf2"});
+  EXPECT_EQ(large.status, 5);
+  EXPECT_FALSE(std::filesystem::exists(path("x.uf2")));
+}
+
+}  // namespace
+}  // namespace zstrip::sim::test
