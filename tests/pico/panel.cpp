@@ -1,9 +1,10 @@
 // The Pico's panel: reads what its lines carried (board.mjs) and shows it to the model of the ST7789. Every picture
 // has to be the host's: the black glass that is switched on, then frame after frame of the teapot; at the end words.
-//   zstrip_pico_panel [--pictures FOLDER] [--words WORDS] < LINES
-// Lines are "NANOSECONDS WORD VALUE": reset, select, data, light and a level; cycle, the nanoseconds of a bit; bytes
-// in hexadecimal; stuck, after which the bus gives up. Prints what is wrong, a line each, then "N pictures".
-// Exit status: 0 nothing is wrong, 1 something is, 2 not such lines.
+//   zstrip_pico_panel [--pictures FOLDER] [--words WORDS] [--frame PPM|-]... < LINES
+// With --frame frame n is to be the picture in the nth file, or anything for -, and there are no more frames than
+// these. Lines are "NANOSECONDS WORD VALUE": reset, select, data, light and a level; cycle, the nanoseconds of a bit;
+// bytes in hexadecimal; stuck, after which the bus gives up. Prints what is wrong, a line each, then "N pictures". Exit
+// status: 0 nothing is wrong, 1 something is, 2 not such lines.
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -52,9 +53,23 @@ std::vector<std::uint16_t> picture_of_words(const std::string& words) {
   return pixels;
 }
 
+/// A file of `zstrip render`.
+std::vector<std::uint16_t> picture_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string kind;
+  std::uint32_t width = 0, height = 0, white = 0;
+  sim::RgbImage image{.width = kSide, .height = kSide, .rgb = std::vector<std::uint8_t>(3 * kPixels)};
+  file >> kind >> width >> height >> white;
+  if (kind != "P6" || width != kSide || height != kSide || white != 255 || file.get() != '\n' ||
+      !file.read(reinterpret_cast<char*>(image.rgb.data()), static_cast<std::streamsize>(image.rgb.size()))) {
+    throw std::runtime_error("no picture of the panel's size: " + path);
+  }
+  return pixels_of(image);
+}
+
 class Panel {
  public:
-  explicit Panel(std::string folder) : folder_(std::move(folder)) {}
+  Panel(std::string folder, std::vector<std::string> frames) : folder_(std::move(folder)), frames_(std::move(frames)) {}
 
   void take(std::uint64_t nanoseconds, const std::string& word, const std::string& value) {
     model_.elapse(sim::Nanoseconds(nanoseconds) - model_.now());
@@ -135,8 +150,19 @@ class Panel {
   void end_picture() {
     if (pictures_++ == 0) return;
     const std::uint32_t frame = pictures_ - 2;
+    if (!frames_.empty()) return expect_file(frame);
     expect(render_turntable_rgb565("teapot", frame % kFramesPerTurn, kFramesPerTurn, kSide, kSide),
            "frame " + std::to_string(frame));
+  }
+
+  void expect_file(std::uint32_t frame) {
+    if (frame >= frames_.size()) return say("one frame too many");
+    if (frames_[frame] != "-") {
+      expect(picture_of_file(frames_[frame]), "frame " + std::to_string(frame));
+    } else if (pixels_of(model_.seen()) == before_) {
+      say("frame " + std::to_string(frame) + " is that before it");
+    }
+    before_ = pixels_of(model_.seen());
   }
 
   void expect(const std::vector<std::uint16_t>& pixels, const std::string& name) {
@@ -165,19 +191,22 @@ class Panel {
   std::size_t window_bytes_ = 0, shown_ = 0;
   std::uint32_t pictures_ = 0;
   std::string folder_;
+  std::vector<std::string> frames_;  // files; empty: those of the teapot
+  std::vector<std::uint16_t> before_ = std::vector<std::uint16_t>(kPixels);
   std::vector<std::string> wrong_;
 };
 
 int run(const std::vector<std::string>& arguments) {
   std::string folder, words;
+  std::vector<std::string> frames;
   for (std::size_t i = 0; i < arguments.size(); i += 2) {
-    const bool is_folder = arguments[i] == "--pictures";
-    if (i + 1 == arguments.size() || (!is_folder && arguments[i] != "--words")) {
+    const bool is_folder = arguments[i] == "--pictures", is_frame = arguments[i] == "--frame";
+    if (i + 1 == arguments.size() || (!is_folder && !is_frame && arguments[i] != "--words")) {
       throw std::runtime_error("wrong words: " + arguments[i]);
     }
-    (is_folder ? folder : words) = arguments[i + 1];
+    (is_folder ? folder : is_frame ? frames.emplace_back() : words) = arguments[i + 1];
   }
-  Panel panel(folder);
+  Panel panel(folder, frames);
   std::string line;
   while (std::getline(std::cin, line)) {
     std::istringstream words_of_line(line);

@@ -4,7 +4,9 @@
 //   node pico.mjs mutations WORK UF2 PANEL          each mistake is found, and each check finds one
 //   node pico.mjs figures WORK UF2                  a line of docs/measured/pico.csv
 //   node pico.mjs stuck WORK UF2 PANEL              a bus that gets stuck ends in a panic and a reset
-// PANEL is the program of panel.cpp. Exit status: 0 yes, 1 no, 2 wrong words, 77 something is not to be had here.
+//   node pico.mjs baked WORK UF2 PANEL ZSTRIP SCENE...  the player shows what the command bakes and draws
+//   node pico.mjs refused WORK UF2 PANEL ZSTRIP     what the player cannot show it says
+// PANEL is the program of panel.cpp, ZSTRIP the command; UF2 has the teapot, or the player for baked scenes. Exit status: 0 yes, 1 no, 2 wrong words, 77 something is not to be had here.
 import {spawnSync} from 'node:child_process';
 import {existsSync, mkdirSync, readFileSync, rmSync} from 'node:fs';
 import {basename, dirname, join} from 'node:path';
@@ -20,6 +22,7 @@ import {flashOf} from './uf2.mjs';
 
 const kHere = dirname(fileURLToPath(import.meta.url));
 const kFrameBytes = 240 * 240 * 2;
+const kScene = 1 << 20;  // from the flash's beginning: docs/formats.md
 
 function fetchEmulator(work) {
   mkdirSync(work, {recursive: true});
@@ -144,17 +147,99 @@ function figures({library, flash}) {
   return 0;
 }
 
+/** `run(...words)` is the command; `file(name)` is one in an empty folder. */
+function commandOf(zstrip, folder) {
+  rmSync(folder, {recursive: true, force: true});
+  mkdirSync(folder, {recursive: true});
+  return {
+    file: (name) => join(folder, name),
+    run(...words) {
+      const {status, stderr} = spawnSync(zstrip, [...words, '--quiet'], {cwd: folder, encoding: 'utf8'});
+      if (status !== 0) throw new Error(`zstrip ${words.join(' ')}: ${stderr}`);
+    },
+  };
+}
+
+const kSteps = 64;  // of the motion, where a host steps through it
+
+/**
+ * Frame 0, one in real time, and two steps, of a scene that is baked for the player; what is wrong. The files for the
+ * loader, one with both or one after the other, fill the flash alike.
+ */
+function wrongWhenBaked({library, uf2, panel, zstrip, work}, scene) {
+  const {run, file} = commandOf(zstrip, join(work, 'baked'));
+  const picture = ['--size', '240x240', '--format', 'rgb565_swapped'];
+  run('bake', scene, '-o', 'both.uf2', '--samples', '1', '--with', uf2);
+  run('bake', scene, '-o', 'scene.uf2', '--samples', '1');
+  run('bake', scene, '-o', 'scene.zsc', '--samples', '1', ...picture);
+  run('render', 'scene.zsc', '-o', 'frames', '--frames', `${kSteps}`, '--image', 'ppm', ...picture);
+  const flash = flashOf(file('both.uf2'));
+  if (Buffer.compare(flash, flashOf(file('both.uf2'), uf2, file('scene.uf2'))) !== 0) return ['the flash differs'];
+
+  const board = new Board(library, flash, kFrameBytes), {chip} = board;
+  const type = (keys) => [...keys].forEach((key) => chip.emulator.uart[0].feedByte(key.charCodeAt(0)));
+  board.onFrame = (frame) => {
+    if (frame === 2) type('pn');
+    if (frame === 3) type('n');
+    if (frame === 4) chip.end('frames');
+  };
+  chip.endIn(20, 'time');
+  chip.run();
+  const said = board.console.split('\n').slice(0, -1).map((line) => Number(/^frame (\d+)$/.exec(line)?.[1]));
+  const [first] = said, wrong = [...chip.complaints];
+  if (said.length !== 2 || !(first >= 0) || said[1] !== first + 1) wrong.push(`the console says ${board.console}`);
+  const fileOf = (step) => file(`frames/frame_${String(step % kSteps).padStart(4, '0')}.ppm`);
+  const expected = [fileOf(0), '-', fileOf(first + 1), fileOf(first + 2)];
+  const shown = shownOn(panel, board, ...expected.flatMap((name) => ['--frame', name]));
+  if (shown.pop() !== '5 pictures') wrong.push(`not 4 frames: ended by ${chip.ended}`);
+  return [...wrong, ...shown];
+}
+
+function baked(given) {
+  return verdict(given.scenes.flatMap((scene) => wrongWhenBaked(given, scene).map((line) => `${scene}: ${line}`)));
+}
+
+/** A scene blob as the flash behind the program has it; nothing for none. */
+function wrongWhenRefused({library, flash, panel}, blob, says) {
+  const filled = flash.slice();
+  if (blob) filled.set(blob, kScene);
+  const board = new Board(library, filled, kFrameBytes);
+  board.chip.endIn(20, 'time');
+  board.chip.run();
+  const said = board.console.trimEnd();
+  const shown = shownOn(panel, board, '--frame', '-', '--words', said).slice(0, -1), wrong = [...board.chip.complaints, ...shown];
+  if (!says.test(said)) wrong.push(`the console says ${said}`);
+  if (board.chip.ended !== 'watchdog') wrong.push(`ended by ${board.chip.ended}`);
+  return wrong;
+}
+
+function refused(given) {
+  const {run, file} = commandOf(given.zstrip, join(given.work, 'refused'));
+  run('bake', 'cube', '-o', 'cube.zsc');
+  run('bake', 'random10k', '-o', 'large.zsc');
+  const damaged = readFileSync(file('cube.zsc'));
+  damaged[damaged.length - 1] ^= 1;
+  return verdict([
+    ['no scene', undefined, /^panic: scene: no scene of version \d+ at 10100000 in the flash\. zstrip bake MODEL /],
+    ['damaged', damaged, /^panic: scene: these bytes are no whole scene: byte \d+ is wrong; bake it again$/],
+    ['large', readFileSync(file('large.zsc')),
+      /^panic: scene: \d+ bytes of memory are missing: the picture takes at least \d+, \d+ are left; most are for /],
+  ].flatMap(([name, blob, says]) => wrongWhenRefused(given, blob, says).map((line) => `${name}: ${line}`)));
+}
+
 async function main([command, work, ...words]) {
   if (command === 'fetch' && work && words.length === 0) return fetchEmulator(work);
-  const run = {frames, mutations, stuck, figures}[command];
-  if (!run || words.length !== (run === figures ? 1 : 2)) {
+  const run = {frames, mutations, stuck, figures, baked, refused}[command];
+  const count = new Map([[figures, 1], [refused, 3]]).get(run) ?? 2;
+  if (!run || (run === baked ? words.length < 4 : words.length !== count)) {
     console.error('pico.mjs: wrong words; its first lines say which there are');
     return 2;
   }
   if (existsSync(join(work, 'missing'))) return skip(work);
   const emulator = join(work, 'node_modules', 'rp2040js', 'dist', 'esm', 'index.js');
   const library = await import(pathToFileURL(emulator));
-  return run({library, work, flash: flashOf(words[0]), panel: words[1]});
+  const [uf2, panel, zstrip, ...scenes] = words;
+  return run({library, work, flash: flashOf(uf2), uf2, panel, zstrip, scenes});
 }
 
 process.exitCode = await main(process.argv.slice(2));
