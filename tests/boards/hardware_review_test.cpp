@@ -40,6 +40,7 @@ constexpr std::uint32_t bit(unsigned number) { return 1U << number; }
 namespace rp2040 {
 constexpr std::uint32_t kClocks = 0x40008000, kResets = 0x4000C000, kPsm = 0x40010000, kXosc = 0x40024000;
 constexpr std::uint32_t kPllSys = 0x40028000, kWatchdog = 0x40058000, kSio = 0xD0000000, kDma = 0x50000000;
+constexpr std::uint32_t kTimer = 0x40054000;
 }  // namespace rp2040
 
 constexpr Fact kPico[] = {
@@ -50,6 +51,7 @@ constexpr Fact kPico[] = {
     FACT(chip, kResetPadsBank0, bit(8), "RESETS_RESET_PADS_BANK0_BITS"),
     FACT(chip, kResetPllSys, bit(12), "RESETS_RESET_PLL_SYS_BITS"),
     FACT(chip, kResetSpi0, bit(16), "RESETS_RESET_SPI0_BITS"),
+    FACT(chip, kResetTimer, bit(21), "RESETS_RESET_TIMER_BITS"),
     FACT(chip, kResetUart0, bit(22), "RESETS_RESET_UART0_BITS"),
     FACT(chip, kCrystalControl, rp2040::kXosc + 0x0, "XOSC_CTRL_OFFSET"),
     FACT(chip, kCrystalStatus, rp2040::kXosc + 0x4, "XOSC_STATUS_OFFSET"),
@@ -81,6 +83,8 @@ constexpr Fact kPico[] = {
     FACT(chip, kWatchdogTick, rp2040::kWatchdog + 0x2C, "WATCHDOG_TICK_OFFSET"),
     FACT(chip, kWatchdogEnable, bit(30), "WATCHDOG_CTRL_ENABLE_BITS"),
     FACT(chip, kTickEnable, bit(9), "WATCHDOG_TICK_ENABLE_BITS"),
+    FACT(chip, kTimerUpper, rp2040::kTimer + 0x8, "TIMER_TIMEHR_OFFSET"),
+    FACT(chip, kTimerLower, rp2040::kTimer + 0xC, "TIMER_TIMELR_OFFSET"),
     FACT(chip, kFunctionSpi, 1, "IO_BANK0_GPIO0_CTRL_FUNCSEL_VALUE_SPI0_RX"),
     FACT(chip, kFunctionUart, 2, "IO_BANK0_GPIO0_CTRL_FUNCSEL_VALUE_UART0_TX"),
     FACT(chip, kFunctionSio, 5, "IO_BANK0_GPIO0_CTRL_FUNCSEL_VALUE_SIO_0"),
