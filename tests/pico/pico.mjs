@@ -2,7 +2,7 @@
 //   node pico.mjs fetch WORK                        the emulator, into the folder WORK
 //   node pico.mjs frames WORK UF2 PANEL             frames of the teapot are those of the host
 //   node pico.mjs mutations WORK UF2 PANEL          each mistake is found, and each check finds one
-//   node pico.mjs figures WORK UF2                  a line of docs/measured/pico.csv
+//   node pico.mjs figures WORK UF2 [ZSTRIP SCENE]   a line of docs/measured/pico.csv; with the player of a scene
 //   node pico.mjs stuck WORK UF2 PANEL              a bus that gets stuck ends in a panic and a reset
 //   node pico.mjs baked WORK UF2 PANEL ZSTRIP SCENE...  the player shows what the command bakes and draws
 //   node pico.mjs refused WORK UF2 PANEL ZSTRIP     what the player cannot show it says
@@ -131,8 +131,16 @@ function stuck(given) {
 }
 
 /** Prints them as a line of docs/measured/pico.csv: the mean of two frames, and the stack. */
-function figures({library, flash}) {
-  const kFrames = 2, kStackTop = new DataView(flash.buffer).getUint32(0x100, true) - 0x20000000;
+function figures({library, uf2, work, flash, zstrip, scene}) {
+  const name = basename(uf2, '.uf2').replace('zstrip_', '');
+  if (scene) {
+    const {run, file} = commandOf(zstrip, join(work, 'figures'));
+    run('bake', scene, '-o', 'both.uf2', '--samples', '1', '--with', uf2);
+    flash = flashOf(file('both.uf2'));
+  }
+  // The player opens the scene before its first frame.
+  const kFirst = scene ? 1 : 0, kFrames = kFirst + 2;
+  const kStackTop = new DataView(flash.buffer).getUint32(0x100, true) - 0x20000000;
   const board = new Board(library, flash, kFrameBytes), {chip} = board;
   const counters = new Counters(chip), reached = [];
   board.onFrame = (frame) => {
@@ -142,8 +150,8 @@ function figures({library, flash}) {
   chip.endIn(1 + kFrames, 'time');
   chip.run();
   if (chip.ended !== 'frames') return verdict([`ended by ${chip.ended}`, ...chip.complaints]);
-  const means = reached[0].map((first, column) => Math.round((reached[kFrames][column] - first) / kFrames));
-  console.log(['pico_show', 'teapot', ...means, stackBytes(chip, kStackTop)].join());
+  const means = reached[kFirst].map((first, column) => Math.round((reached[kFrames][column] - first) / 2));
+  console.log([name, scene ? basename(scene, '.toml') : 'teapot', ...means, stackBytes(chip, kStackTop)].join());
   return 0;
 }
 
@@ -230,16 +238,19 @@ function refused(given) {
 async function main([command, work, ...words]) {
   if (command === 'fetch' && work && words.length === 0) return fetchEmulator(work);
   const run = {frames, mutations, stuck, figures, baked, refused}[command];
-  const count = new Map([[figures, 1], [refused, 3]]).get(run) ?? 2;
-  if (!run || (run === baked ? words.length < 4 : words.length !== count)) {
+  const right = (count) => run === figures ? count === 1 || count === 3 : run === baked ? count > 3 :
+      count === (run === refused ? 3 : 2);
+  if (!run || !right(words.length)) {
     console.error('pico.mjs: wrong words; its first lines say which there are');
     return 2;
   }
   if (existsSync(join(work, 'missing'))) return skip(work);
   const emulator = join(work, 'node_modules', 'rp2040js', 'dist', 'esm', 'index.js');
   const library = await import(pathToFileURL(emulator));
-  const [uf2, panel, zstrip, ...scenes] = words;
-  return run({library, work, flash: flashOf(uf2), uf2, panel, zstrip, scenes});
+  const [uf2] = words, flash = flashOf(uf2);
+  if (run === figures) return run({library, work, uf2, flash, zstrip: words[1], scene: words[2]});
+  const [, panel, zstrip, ...scenes] = words;
+  return run({library, work, uf2, flash, panel, zstrip, scenes});
 }
 
 process.exitCode = await main(process.argv.slice(2));

@@ -1,7 +1,7 @@
 // Records what pico.mjs has measured in docs/measured/pico.csv and writes the page of it; or compares.
-//   zstrip_pico_record write LINE [--exact]
-//   zstrip_pico_record check LINE
-// LINE is a row of the table. Exit status: 0 yes, 1 no, 2 wrong words.
+//   zstrip_pico_record write|add LINE... [--exact]
+//   zstrip_pico_record check LINE...
+// LINE is a row of the table; `write` has all of them. Exit status: 0 yes, 1 no, 2 wrong words.
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -52,12 +52,15 @@ void write_page(const measured::Table& table) {
     write_line(page, "**together**", cycles);
     write_line(page, "not in it: reads of the flash, by one line", misses * kSerialMiss);
     write_line(page, "not in it: reads of the flash, by four lines", misses * kQuadMiss);
-    page << "\nThe emulator counts no time for the flash: that is " << row[4]
-         << " misses of a cache of 16 KB, two ways, 8 bytes a line.\nBy one line, as the second boot stage reads, each "
-            "takes 256 cycles or more; by four lines, as\n`zstrip bench --board pico` assumes, 56. Some of it passes "
-            "while the panel is waited for.\nThe deepest stack was "
-         << row[5] << " bytes.\n";
+    page << "\nReads of the flash are " << row[4] << " misses of its cache. The deepest stack was " << row[5]
+         << " bytes.\n";
   }
+  page
+      << "\n`zstrip_pico_show` has its scene as constants, `zstrip_pico_player` any scene that `zstrip bake` has put "
+         "into the\nflash: here with one sample a pixel. The emulator counts no time for the flash. Its cache has 16 "
+         "KB, two ways,\n8 bytes a line. By one line, as the second boot stage reads, a miss takes 256 cycles or more; "
+         "by four lines, as\n`zstrip bench --board pico` assumes, 56. Some of it passes while the panel is waited "
+         "for.\n";
   if (!page.flush()) throw std::runtime_error("cannot write the page");
 }
 
@@ -65,18 +68,20 @@ int run(const std::vector<std::string>& words) {
   const measured::Table format = pico::figures_format();
   measured::Table fresh = format;
   fresh.notes = {budget::compiler_note()};
-  fresh.rows = {row_of(words.at(1))};
+  const bool is_exact = words.back() == "--exact";
+  for (std::size_t i = 1; i < words.size() - (is_exact ? 1 : 0); ++i) fresh.rows.push_back(row_of(words[i]));
   const measured::Table recorded = measured::recorded_or_empty(pico::kFiguresFile, format);
   if (words[0] == "check") {
     if (recorded.notes != fresh.notes) {
       std::cout << "the figures are those of another compiler\n";
       return 77;
     }
-    const std::string lines = measured::complaint(recorded, fresh.rows[0]);
+    std::string lines;
+    for (const measured::Row& row : fresh.rows) lines += measured::complaint(recorded, row);
     std::cout << lines;
     return lines.empty() ? 0 : 1;
   }
-  const measured::Table merged = measured::merged(recorded, fresh, words.back() == "--exact", true);
+  const measured::Table merged = measured::merged(recorded, fresh, is_exact, words[0] == "write");
   measured::write_table(pico::kFiguresFile, merged);
   write_page(merged);
   return 0;
@@ -86,7 +91,7 @@ int run(const std::vector<std::string>& words) {
 
 int main(int count, char** words) {
   const std::vector<std::string> given(words + 1, words + count);
-  if (given.size() < 2 || (given[0] != "check" && given[0] != "write")) {
+  if (given.size() < 2 || (given[0] != "check" && given[0] != "write" && given[0] != "add")) {
     std::cerr << "zstrip_pico_record: wrong words; its first lines say which there are\n";
     return 2;
   }
