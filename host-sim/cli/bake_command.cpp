@@ -385,6 +385,9 @@ Result<Done> run(const Arguments& arguments) {
   if (*kind == Kind::pico) {
     const std::uint32_t left = pico_budget(at_rest.scene, (*stage)->animation(), *turn);
     if (request->budget.bytes == 0 || request->budget.bytes > left) request->budget.bytes = left;
+    PlanRequest usual = *request;
+    usual.budget.strip_rows = pico::kStripRows;
+    if (request->budget.strip_rows == 0 && best_plan(at_rest, usual)) *request = usual;
   }
   Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *turn, skins, *request);
   if (!baked) return baked.failure();

@@ -106,6 +106,28 @@ TEST(Player, HasOneBufferOrTwo) {
   }
 }
 
+TEST(Player, HasTheRowsOfItsOptionsWhereTheyFit) {
+  Blob blob = blob_of("teapot_meshlets");
+  Screen screen(160, 120, hal::PixelFormat::rgb565);
+  const FitOptions options{.strip_rows = 40};
+  const std::size_t least = least_memory(blob, screen);
+  for (const auto& [memory_size, fits] : {std::pair{kMuch, true}, {least, false}}) {
+    Memory memory(memory_size);
+    Player player(memory.span(), drawn_with_any);
+    ASSERT_TRUE(player.open(blob.data(), blob.size())) << player.error();
+    ASSERT_TRUE(player.fit(screen.display, options)) << player.error();
+    EXPECT_EQ(player.plan().strip_rows == 40, fits);
+    ASSERT_TRUE(player.draw(screen.display)) << player.error();
+    EXPECT_EQ(screen.pixels, drawn_directly(blob, screen));
+  }
+  EXPECT_EQ(least_memory(blob, screen, options), least);
+  // More rows than the picture has are all of them.
+  Memory memory(kMuch);
+  Player player(memory.span(), drawn_with_any);
+  ASSERT_TRUE(player.open(blob.data(), blob.size()) && player.fit(screen.display, {.strip_rows = 500}));
+  EXPECT_EQ(player.plan().strips, 1);
+}
+
 TEST(Player, HandsOutStrips) {
   Blob blob = blob_of("teapot_meshlets");
   Screen screen(160, 120, hal::PixelFormat::rgb565);

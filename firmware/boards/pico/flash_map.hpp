@@ -1,5 +1,5 @@
-// What lies where in a Pico's flash when a baked scene is beside the program that shows it. Of the program, of `zstrip
-// bake` and of what makes .uf2 files.
+// What lies where in a Pico's flash when a baked scene is beside the program that shows it, and what that program has
+// for it. Of the program, of `zstrip bake` and of what makes .uf2 files.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +20,10 @@ inline constexpr std::uint32_t kPlayerMemory = 248 * 1024;
 
 /// Of the panel, which the scene is baked for.
 inline constexpr std::uint16_t kPanelSide = 240;
+
+/// Of a strip, where a plan with them fits: three strips, so that the bus has little to do before the first one is
+/// drawn and after the last one. More of them make scenes of many triangles slower.
+inline constexpr std::uint16_t kStripRows = 80;
 
 /// What the program shows where there is no scene. `zstrip bake` knows by kReads, which is part of it, that a program
 /// reads scenes of this version from this place.

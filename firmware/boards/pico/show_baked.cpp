@@ -53,7 +53,9 @@ class BakedShow {
     if (mark_fault_return()) return {"fault", FaultWords::all()};
     const auto* const scene = reinterpret_cast<const void*>(pico::kScene);
     if (std::memcmp(scene, "zs", 2) != 0) return {"scene", pico::kNoScene};
-    if (!player.open(scene, scene_bytes(scene)) || !player.fit(panel, {.strip_buffers = 2})) return said();
+    if (!player.open(scene, scene_bytes(scene)) ||
+        !player.fit(panel, {.strip_buffers = 2, .strip_rows = pico::kStripRows}))
+      return said();
     start_timer();
     player.play(milliseconds());
     HostControl control;

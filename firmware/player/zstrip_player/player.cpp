@@ -130,10 +130,15 @@ bool Player::plan_strips(const FitOptions& options, std::uint16_t row_step) {
   // Arena and strips begin at whole words.
   const std::uint32_t gaps = static_cast<std::uint32_t>(kAlignment) * (buffers + 1U);
   Budget budget{.bytes = free.size() > gaps ? std::min(saturated(free.size() - gaps), kMaxArena) : 1,
+                .strip_rows = std::min(options.strip_rows, view_.height),
                 .split_columns = options.split_columns,
                 .strip_buffers = buffers};
   const SceneCounts counts = count(baked_.scene);
   PlanResult planned = zstrip::plan(counts, view_, drawn_with_.effects, budget);
+  if (!planned.status && budget.strip_rows != 0) {
+    budget.strip_rows = 0;
+    planned = zstrip::plan(counts, view_, drawn_with_.effects, budget);
+  }
   if (row_step > 1 && planned.plan.strip_rows % row_step != 0) {
     const int rows = std::max<int>(row_step, planned.plan.strip_rows / row_step * row_step);
     budget.strip_rows = static_cast<std::uint16_t>(std::min<int>(rows, view_.height));

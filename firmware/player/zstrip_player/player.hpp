@@ -36,6 +36,9 @@ DrawnWith drawn_with(Effects) {
 struct FitOptions {
   std::uint8_t strip_buffers = 1;  ///< 1 or 2; two for displays that send one while another is drawn
   bool split_columns = false;      ///< strips may be narrower than the picture
+  /// Rows of a strip, where a plan with them fits; 0: as the planner decides. With two buffers more strips than are
+  /// fastest to draw leave less for the bus to do after the last one is drawn, and before the first one.
+  std::uint16_t strip_rows = 0;
 };
 
 /// What goes wrong makes a call return false, and error() says what; the next call may try again.
