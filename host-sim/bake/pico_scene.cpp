@@ -23,7 +23,7 @@ static_assert(kReads.find(static_cast<char>('0' + kSceneBlobVersion)) != std::st
 bool reads_scenes(const pico::Pages& program) {
   std::vector<std::uint8_t> bytes;
   for (const auto& [address, page] : program) bytes.insert(bytes.end(), page.begin(), page.end());
-  return std::ranges::search(bytes, kReads).size() == kReads.size();
+  return std::search(bytes.begin(), bytes.end(), kReads.begin(), kReads.end()) != bytes.end();
 }
 
 }  // namespace
