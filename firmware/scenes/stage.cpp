@@ -108,6 +108,11 @@ void stage(const BuiltIn& built_in, Staged& staged, std::uint32_t frame, std::ui
 }
 
 void stage_workload(const BuiltIn& built_in, Staged& staged, std::uint32_t frame) {
+  if (built_in.pose != nullptr) {
+    staged.place(built_in, Transform::identity());
+    staged.camera = built_in.camera;
+    return;
+  }
   const auto about_y_angle = static_cast<Angle>((frame * kWorkloadStep) >> 16);
   const auto about_x_angle = static_cast<Angle>((frame * kWorkloadHalfStep) >> 16);
   staged.place(built_in, combine(about_x(rotation_by(about_x_angle)), about_y(rotation_by(about_y_angle))));

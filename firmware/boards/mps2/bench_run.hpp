@@ -1,7 +1,8 @@
 // What the benchmark programs share: a program lists its workloads and calls run_bench. Runs frames of the workload
 // that the words of the command line choose and prints, as one line of JSON, how many instructions each took and a
-// checksum of its pixels. Begin of the frame, clearing, drawing and resolving are counted; preparing the scene, the
-// checksum and the printing are not. Exit status: 0 done, 2 the words are wrong, 5 too little memory, 1 anything else.
+// checksum of its pixels. Posing what moves in RAM, begin of the frame, clearing, drawing and resolving are counted;
+// preparing the scene, the checksum and the printing are not. Exit status: 0 done, 2 the words are wrong, 5 too little
+// memory, 1 anything else.
 #pragma once
 
 #include <array>
@@ -60,16 +61,19 @@ struct FrameResult {
   std::uint32_t crc32 = 0;
 };
 
+/// `pose`: of the scene, null if it has none.
 template <class Renderer>
 FrameResult run_frame(Renderer& renderer, const zstrip::scenes::Staged& staged, const zstrip::View& view,
-                      const zstrip::Plan& plan, InstructionCounter& counter) {
+                      const zstrip::Plan& plan, InstructionCounter& counter, Status (*pose)(std::uint32_t) = nullptr,
+                      std::uint32_t frame = 0) {
   const std::span<std::byte> arena(memory, plan.bytes());
   const std::span<std::byte> pixels(memory + plan.bytes(), plan.strip_pixel_bytes(view));
   zstrip::board::Crc32 crc;
 
   counter.reset();
   counter.resume();
-  zstrip::Status status = renderer.begin_frame(staged.scene, staged.camera, view, plan, arena);
+  zstrip::Status status = pose != nullptr ? pose(frame) : zstrip::Status{};
+  if (status) status = renderer.begin_frame(staged.scene, staged.camera, view, plan, arena);
   counter.pause();
   for (std::uint16_t strip = 0; status && strip < plan.strips; ++strip) {
     counter.resume();
@@ -120,11 +124,12 @@ int run(const Arguments& arguments) {
 
   InstructionCounter counter;
   print_configuration(arguments, plan, view);
+  print_member("pose_bytes", built_in.pose_bytes);
   print(", \"frames\": [");
   std::uint64_t total = 0;
   for (std::uint32_t frame = 0; frame < arguments.frames; ++frame) {
     stage_workload(built_in, staged, arguments.first + frame);
-    const FrameResult result = run_frame(renderer, staged, view, plan, counter);
+    const FrameResult result = run_frame(renderer, staged, view, plan, counter, built_in.pose, arguments.first + frame);
     if (!result.status) {
       print("\n");
       return report(result.status);

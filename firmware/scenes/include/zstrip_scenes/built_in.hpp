@@ -6,6 +6,7 @@
 #include "zstrip/camera.hpp"
 #include "zstrip/plan.hpp"
 #include "zstrip/scene.hpp"
+#include "zstrip/status.hpp"
 
 namespace zstrip::scenes {
 
@@ -33,6 +34,10 @@ struct BuiltIn {
   Turns turns = Turns::model;
   /// 16.16. The workload's camera stands at (0, 0, workload_distance).
   Fixed workload_distance = 3 * kFixedOne;
+  /// Writes what the scene reads in RAM as it is in this frame, which is part of drawing it; null: all of it is in
+  /// flash. The workload is this motion then, seen by `camera`. Until the first call the scene is at rest.
+  Status (*pose)(std::uint32_t frame) = nullptr;
+  std::uint32_t pose_bytes = 0;  ///< of that RAM
 };
 
 /// The counts of a scene of one instance of `mesh`. If it has meshlets: most vertices and triangles of one.

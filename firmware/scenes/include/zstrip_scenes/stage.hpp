@@ -65,7 +65,7 @@ Camera fit_width(const Camera& camera, const View& own, const View& view);
 
 /// The motion of the benchmarks: vertical field of view 60 degrees, near 0.1, far 100, camera on +z looking at
 /// -z, the model turned by a about y, then by a/2 about x, with a = 0.1 radians a frame. Angles are kept in 0.32
-/// turns and wrap: any frame number.
+/// turns and wrap: any frame number. A scene with BuiltIn::pose stands still, in front of its own camera.
 void stage_workload(const BuiltIn& built_in, Staged& staged, std::uint32_t frame);
 
 }  // namespace zstrip::scenes
