@@ -103,6 +103,8 @@ inline constexpr Effects shades{std::uint64_t{127} << 45};                ///< a
 /// that turns in front of the camera has it.
 inline constexpr Effects unclipped{std::uint64_t{1} << 52};
 
+inline constexpr Effects skins{std::uint64_t{1} << 53};  ///< Mesh::skinning
+
 /// Those that need a fragment of its own: instances with one of them are drawn by fill_fragments.
 inline constexpr Effects fragments = fog | alpha_test | blending | texture_alpha | bilinear | dithered_colours |
                                      texture_palettes | mipmaps | pixel_shading;
@@ -125,7 +127,7 @@ inline constexpr Effects surfaces{quadrics.bits | lines.bits};  ///< all of thes
 
 /// All that a scene and its picture can call for.
 inline constexpr Effects of_scenes = without(all, statistics) | depth_state | fragments | vertex_light | surfaces |
-                                     billboards | environment | outlines | shadows | csg | edges | overlay |
+                                     billboards | environment | outlines | shadows | csg | edges | overlay | skins |
                                      dithered_format | supersampled;
 
 // How the CSG stage draws operands; of no renderer and no scene.
@@ -301,6 +303,7 @@ constexpr Effects effects_of(const Scene& scene, const Camera& camera) {
     if (material.double_sided) found = found | effect::two_sided;
     if (has_depth_state(material)) found = found | effect::depth_state;
     if (mesh.billboard != Billboard::none) found = found | effect::billboards;
+    if (mesh.skinning != nullptr) found = found | effect::skins;
     // A hull has one colour, and is drawn as what it outlines where that is drawn fragment by fragment.
     if (outline_of(scene, mesh) != nullptr) found = found | effect::outlines | effect::shade_flat;
     const Effects finish = has_tables ? effects_of_finish(scene, material, lit, textured) : Effects{};

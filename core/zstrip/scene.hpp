@@ -83,6 +83,8 @@ constexpr bool receives_shadow(ShadowRole role) {
   return role == ShadowRole::casts_and_receives || role == ShadowRole::only_receives;
 }
 
+struct Skinning;  // skin.hpp
+
 /// Vertices and triangles that instances share; only views of the caller's tables.
 struct Mesh {
   std::span<const Position> positions;  ///< 1..65535 vertices
@@ -97,6 +99,7 @@ struct Mesh {
   Billboard billboard = Billboard::none;              ///< anything else makes its instances billboards
   std::uint8_t outline = 0;  ///< 1 + index into Scene::outlines: all its instances have it, and are opaque; 0: none
   ShadowRole shadow = ShadowRole::casts_and_receives;  ///< only looked at where the scene has a shadow
+  Skinning* skinning = nullptr;  ///< moves the vertices while they are drawn; null: they stay as they are
 };
 
 /// How a texel is chosen.

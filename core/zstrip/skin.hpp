@@ -3,7 +3,10 @@
 //     pose(kWalk, milliseconds, joints);                      // JointPose joints[...], from kSkin.rest
 //     skin_mesh(kSkin, joints, work, {positions, normals, meshlets});
 //     renderer.begin_frame(...);
-// So every effect, method and mode draws it, and a program without skins has nothing of them.
+// So every effect, method and mode draws it, and a program without skins has nothing of them. Or while a frame is
+// drawn, a meshlet at a time, each time that one is drawn: RAM for one meshlet, and more time (effect::skins):
+//     pose_skin(skinning, joints);                            // Mesh::skinning = &skinning
+//     renderer.begin_frame(...);
 #pragma once
 
 #include <cstdint>
@@ -63,6 +66,17 @@ constexpr Mesh moved_mesh(const Mesh& mesh, const MovedVertices& moved) {
   return result;
 }
 
+/// A skin that is moved while its mesh is drawn: Mesh::skinning of `skin`'s mesh or of a copy. In RAM, where renderers
+/// write; two that draw at the same time need two. Until the first pose_skin the mesh is drawn as it was modelled.
+struct Skinning {
+  const Skin* skin = nullptr;      ///< outlives it
+  std::span<Transform> matrices;   ///< one a joint
+  std::span<Position> positions;   ///< as many as the mesh's largest meshlet
+  std::span<Normal> normals;       ///< likewise; none where the mesh has none
+  std::int32_t fraction_bits = 0;  ///< of `matrices`, pose_skin's; 0: there are none yet
+  Mesh moved{};                    ///< the renderer's
+};
+
 /// Error::skin (`needed` = index of the joint or vertex) for counts that differ, parents that are not ahead of their
 /// children, matrices out of range, scales at rest out of range and rotations shorter than a half, weights that do not
 /// add up, joints that do not exist, half extents that differ. Of an animation of joints use validate(animation,
@@ -121,5 +135,10 @@ void blend(std::span<JointPose> joints, std::span<const JointPose> others, std::
 /// holds some of both poses. Time: a vertex takes some 40 products for each of its joints.
 Status skin_mesh(const Skin& skin, std::span<const JointPose> pose, std::span<Transform> work,
                  const MovedVertices& moved);
+
+/// Makes the matrices of `skinning`, before the frame that shows them. The vertices of that frame are those of
+/// skin_mesh, but one outside of the box comes to lie on its side: nothing is known of vertices here. Error::skin
+/// where a joint leads too far away (`needed` = the joint) or a span has another size (`needed` = 0).
+Status pose_skin(Skinning& skinning, std::span<const JointPose> pose);
 
 }  // namespace zstrip

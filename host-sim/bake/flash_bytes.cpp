@@ -10,7 +10,7 @@ namespace zstrip::sim {
 namespace {
 
 // With addresses of 32 bits; core/zstrip/scene/scene_blob.cpp asserts them on such targets.
-constexpr std::uint64_t kSceneBytes = 116, kCameraBytes = 64, kMeshBytes = 76;
+constexpr std::uint64_t kSceneBytes = 116, kCameraBytes = 64, kMeshBytes = 80;
 
 }  // namespace
 

@@ -1,9 +1,12 @@
-// Unit vectors of 15 bits, quick enough for work once a vertex: whole words, one root of 16 steps and one division.
+// Unit vectors of 15 bits, quick enough for work once a vertex: whole words, one root and one division.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
+
+#include "zstrip/base/division.hpp"
 
 namespace zstrip::detail {
 
@@ -16,15 +19,53 @@ constexpr std::int32_t dot(const UnitVector& a, const UnitVector& b) {  // 3.28:
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// floor(sqrt(value)) of a whole word: 16 steps.
-constexpr std::uint32_t root_of_word(std::uint32_t value) {
-  std::uint32_t root = 0;
-  for (std::uint32_t bit = 1U << 30; bit != 0; bit >>= 2) {
-    const std::uint32_t trial = root + bit;
-    root >>= 1;
-    if (value >= trial) value -= trial, root += bit;
+/// For words from 2^30 on in steps of 2^26, at the middle of each step.
+struct RootEstimate {
+  std::uint16_t root;
+  std::uint16_t inverse;  ///< 2^30 / root
+};
+inline constexpr auto kRootTable = [] {
+  std::array<RootEstimate, 48> table{};
+  for (std::uint32_t i = 0; i < table.size(); ++i) {
+    const std::uint32_t middle = ((i + 16) << 26) + (1U << 25);
+    std::uint32_t root = 1U << 15;
+    while (root * root < middle) ++root;
+    table[i] = {static_cast<std::uint16_t>(root), static_cast<std::uint16_t>((1U << 30) / root)};
   }
-  return root;
+  return table;
+}();
+
+/// floor(sqrt(value)) of a whole word: an estimate from a table, two of Newton's steps with its reciprocal, and what is
+/// left is one at most.
+constexpr std::uint32_t root_of_word(std::uint32_t value) {
+  if (value == 0) return 0;
+  const int pairs = std::countl_zero(value) >> 1;
+  const std::uint32_t v = value << (2 * pairs);
+  const RootEstimate estimate = kRootTable[(v >> 26) - 16];
+  const auto inverse = static_cast<std::int32_t>(estimate.inverse);
+  std::uint32_t root = estimate.root;
+  const auto error = [&] { return static_cast<std::int32_t>(v - root * root); };
+  // Of up to 26 bits, then of 20. Twice: off by 5 at most, then by less than one and what was rounded down.
+  root += static_cast<std::uint32_t>(((error() >> 10) * inverse) >> 21);
+  root += static_cast<std::uint32_t>(((error() >> 5) * inverse) >> 26);
+  if (root > 0xFFFF) root = 0xFFFF;
+  const std::int32_t left = error();
+  if (left < 0) {
+    --root;
+  } else if (left > static_cast<std::int32_t>(2 * root)) {
+    ++root;
+  }
+  return root >> pairs;
+}
+
+/// floor(2^30 / root) for 2^14 <= root < 2^16.
+constexpr std::uint32_t inverse_of_root(std::uint32_t root) {
+  if constexpr (kDivides) return (1U << 30) / root;
+  const std::uint32_t doublings = root < 1U << 15 ? 1 : 0;
+  const std::uint32_t divisor = root << doublings;
+  // Of all divisors this one alone has another quotient of 2^32 than of 2^32 - 1.
+  if (divisor == 1U << 15) return 1U << (15 + doublings);
+  return quotient_32(divisor) >> (2 - doublings);
 }
 
 /// A vector as a direction and a length: |vector| = root * 2^shift.
@@ -49,7 +90,7 @@ constexpr DirectionAndLength direction_of(std::int32_t x, std::int32_t y, std::i
       std::max<std::uint32_t>(root_of_word(static_cast<std::uint32_t>(sx * sx) + static_cast<std::uint32_t>(sy * sy) +
                                            static_cast<std::uint32_t>(sz * sz)),
                               1U << 14);
-  const std::uint32_t inverse = (1U << 30) / root;
+  const std::uint32_t inverse = inverse_of_root(root);
   const auto unit = [inverse](std::int32_t v) { return (v * static_cast<std::int32_t>(inverse)) >> 16; };  // 1.14
   return {{unit(sx), unit(sy), unit(sz)}, root, inverse, shift};
 }

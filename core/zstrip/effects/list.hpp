@@ -21,6 +21,7 @@
 #include "zstrip/effects/quadrics/effect.hpp"
 #include "zstrip/effects/samples/effect.hpp"
 #include "zstrip/effects/shadows/effect.hpp"
+#include "zstrip/effects/skins/effect.hpp"
 #include "zstrip/effects/unclipped/effect.hpp"
 #include "zstrip/effects/without_wing.hpp"
 
@@ -51,7 +52,7 @@ using DescribedEffects =
     EffectList<EffectsWithoutWing, fog::Effect, local_light::Effect, fragments::Effect, blending::Effect,
                quadrics::Effect, lines::Effect, billboards::Effect, environment::Effect, outlines::Effect,
                shadows::Effect, csg::Effect, edges::Effect, overlay::Effect, pixel_shading::Effect, dithering::Effect,
-               unclipped::Effect, samples::Effect>;
+               unclipped::Effect, skins::Effect, samples::Effect>;
 
 }  // namespace zstrip::detail
 

@@ -17,6 +17,7 @@
 #include "zstrip/effects/quadrics/quadric_stage.hpp"
 #include "zstrip/effects/samples/sample_stage.hpp"
 #include "zstrip/effects/shadows/shadow_stage.hpp"
+#include "zstrip/effects/skins/skin_stage.hpp"
 #include "zstrip/effects/unclipped/unclipped_stage.hpp"
 
 namespace zstrip::detail {
@@ -64,9 +65,9 @@ struct StageList {
 // instances with fragments are determined, and pixel light is on top of those. CSG takes what is in the z-buffer
 // for their own, so that they are drawn before other surfaces. Edges are blended, or samples averaged, before an
 // overlay, and that before any dithering.
-using Stages =
-    StageList<billboards::Stage, shadows::Stage, outlines::Stage, blending::Stage, local_light::Stage,
-              environment::Stage, fog::Stage, fragments::Stage, pixel_shading::Stage, csg::Stage, quadrics::Stage,
-              lines::Stage, edges::Stage, samples::Stage, overlay::Stage, unclipped::Stage, dithering::Stage>;
+using Stages = StageList<billboards::Stage, shadows::Stage, outlines::Stage, blending::Stage, local_light::Stage,
+                         environment::Stage, fog::Stage, fragments::Stage, pixel_shading::Stage, csg::Stage,
+                         quadrics::Stage, lines::Stage, edges::Stage, samples::Stage, overlay::Stage, unclipped::Stage,
+                         skins::Stage, dithering::Stage>;
 
 }  // namespace zstrip::detail

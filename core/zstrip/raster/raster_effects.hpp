@@ -11,7 +11,8 @@ namespace zstrip::detail {
 constexpr Effects raster_effects(Effects effects) {
   constexpr Effects kOfOtherStages = effect::bins | effect::billboards | effect::csg | effect::dithered_format |
                                      effect::edges | effect::lighting | effect::overlay | effect::shadows |
-                                     effect::supersampled | effect::surfaces | method::front_to_back | method::orders;
+                                     effect::skins | effect::supersampled | effect::surfaces | method::front_to_back |
+                                     method::orders;
   const Effects colours = has_vertex_colours(effects) ? effect::vertex_colours : Effects{};
   return without(effects, kOfOtherStages) | colours;
 }

@@ -1,4 +1,4 @@
-// Moves the vertices of a mesh by its joints. Once a joint 64 bits, once a vertex products of 32 bits.
+// Moves the joints of a skin, in 64 bits, and the vertices of a whole mesh by them.
 #include "zstrip/skin.hpp"
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include "zstrip/base/math.hpp"
 #include "zstrip/base/unit_vector.hpp"
 #include "zstrip/scene/keyframes.hpp"
+#include "zstrip/scene/move_vertices.hpp"
 
 namespace zstrip {
 namespace {
@@ -102,61 +103,6 @@ int fraction_bits(std::span<const Transform> matrices) {
   return bits;
 }
 
-/// Three sums over the joints of a vertex, with a weight's 8 fraction bits.
-struct Sum {
-  std::int32_t x = 0, y = 0, z = 0;
-};
-
-/// Calls visit(matrix, weight) for each joint of a vertex, the weights together 256.
-template <class Visit>
-void for_each_joint(const VertexJoints& vertex, std::span<const Transform> matrices, const Visit& visit) {
-  visit(matrices[vertex.joints[0]], vertex.weights[0] + 1);
-  for (int k = 1; k < 4 && vertex.weights[k] != 0; ++k) visit(matrices[vertex.joints[k]], vertex.weights[k]);
-}
-
-/// False if it leaves the box.
-bool move(const Position& from, const VertexJoints& joints, std::span<const Transform> matrices, int bits,
-          Position& to) {
-  Sum sum;  // 20.12: within kReach * 256
-  for_each_joint(joints, matrices, [&](const Transform& matrix, std::int32_t weight) {
-    const auto at = [&](const Fixed(&row)[4]) {
-      // Below 2^31, because a row's sum is below 2^16.
-      const std::int32_t turned = row[0] * from.x + row[1] * from.y + row[2] * from.z;
-      return ((turned >> (bits - 4)) + row[3]) * weight;
-    };
-    sum.x += at(matrix.m[0]);
-    sum.y += at(matrix.m[1]);
-    sum.z += at(matrix.m[2]);
-  });
-  const auto rounded = [](std::int32_t value) { return (value + (1 << 11)) >> 12; };
-  const std::int32_t x = rounded(sum.x), y = rounded(sum.y), z = rounded(sum.z);
-  const auto fits = [](std::int32_t value) { return value >= -32767 && value <= 32767; };
-  if (!fits(x) || !fits(y) || !fits(z)) return false;
-  to = {static_cast<std::int16_t>(x), static_cast<std::int16_t>(y), static_cast<std::int16_t>(z)};
-  return true;
-}
-
-/// Its direction as the joints turn it, its length as it was: hulls of outlines have longer ones.
-Normal move(const Normal& from, const VertexJoints& joints, std::span<const Transform> matrices) {
-  Sum sum;
-  for_each_joint(joints, matrices, [&](const Transform& matrix, std::int32_t weight) {
-    const auto at = [&](const Fixed(&row)[4]) {
-      // Below 2^23, and below 2^20 before the weight.
-      return ((row[0] * from.x + row[1] * from.y + row[2] * from.z) >> 4) * weight;
-    };
-    sum.x += at(matrix.m[0]);
-    sum.y += at(matrix.m[1]);
-    sum.z += at(matrix.m[2]);
-  });
-  const detail::UnitVector unit = detail::direction_of(sum.x, sum.y, sum.z).unit;
-  const auto square = static_cast<std::uint32_t>(from.x * from.x + from.y * from.y + from.z * from.z);
-  const auto length = static_cast<std::int32_t>(detail::root_of_word(square << 8));  // 8.4
-  const auto component = [length](std::int32_t c) {
-    return static_cast<std::int8_t>(std::clamp<std::int32_t>((c * length + (1 << 17)) >> 18, -128, 127));
-  };
-  return {component(unit.x), component(unit.y), component(unit.z), from.unused};
-}
-
 /// The sphere around the box of a meshlet's vertices.
 void bound(Meshlet& meshlet, std::span<const Position> positions) {
   std::int32_t low[3] = {32767, 32767, 32767}, high[3] = {-32768, -32768, -32768};
@@ -175,6 +121,33 @@ void bound(Meshlet& meshlet, std::span<const Position> positions) {
   }
   const std::uint32_t root = detail::root_of_word(farthest);
   meshlet.radius = static_cast<std::uint16_t>(root * root == farthest ? root : root + 1);
+}
+
+/// The joints' matrices of a pose, as move_positions and move_normals take them.
+Status make_matrices(const Skin& skin, std::span<const JointPose> pose, std::span<Transform> work, int& bits) {
+  const Mesh& mesh = *skin.mesh;
+  const std::size_t joints = skin.joints.size();
+  if (pose.size() != joints || work.size() != joints || skin.vertices.size() != mesh.positions.size()) return wrong(0);
+  for (std::size_t i = 0; i < joints; ++i) {
+    if (square_of(pose[i].rotation) < 1U << 28) return wrong(i);  // shorter than a half: no direction to turn in
+    const Transform own =
+        detail::placed(detail::between(pose[i].rotation, pose[i].rotation, 0), pose[i].translation, pose[i].scale);
+    const std::uint16_t parent = skin.joints[i].parent;
+    if (parent == kNoJoint) {
+      work[i] = own;
+    } else if (!multiply(work[parent], own, work[i])) {
+      return wrong(i);
+    }
+  }
+  for (std::size_t i = 0; i < joints; ++i) {
+    if (!multiply(work[i], skin.joints[i].inverse_bind, work[i])) return wrong(i);
+  }
+  bits = fraction_bits(work);
+  const Grid grid{mesh.centre, mesh.half_extent.x, bits};
+  for (std::size_t i = 0; i < joints; ++i) {
+    if (!grid.turn(work[i], work[i])) return wrong(i);
+  }
+  return {};
 }
 
 }  // namespace
@@ -209,40 +182,28 @@ void blend(std::span<JointPose> joints, std::span<const JointPose> others, std::
 Status skin_mesh(const Skin& skin, std::span<const JointPose> pose, std::span<Transform> work,
                  const MovedVertices& moved) {
   const Mesh& mesh = *skin.mesh;
-  const std::size_t joints = skin.joints.size(), vertices = mesh.positions.size();
-  if (pose.size() != joints || work.size() != joints || moved.positions.size() != vertices ||
-      moved.normals.size() != mesh.normals.size() || moved.meshlets.size() != mesh.meshlets.size()) {
+  if (moved.positions.size() != mesh.positions.size() || moved.normals.size() != mesh.normals.size() ||
+      moved.meshlets.size() != mesh.meshlets.size()) {
     return wrong(0);
   }
-  for (std::size_t i = 0; i < joints; ++i) {
-    if (square_of(pose[i].rotation) < 1U << 28) return wrong(i);  // shorter than a half: no direction to turn in
-    const Transform own =
-        detail::placed(detail::between(pose[i].rotation, pose[i].rotation, 0), pose[i].translation, pose[i].scale);
-    const std::uint16_t parent = skin.joints[i].parent;
-    if (parent == kNoJoint) {
-      work[i] = own;
-    } else if (!multiply(work[parent], own, work[i])) {
-      return wrong(i);
-    }
-  }
-  for (std::size_t i = 0; i < joints; ++i) {
-    if (!multiply(work[i], skin.joints[i].inverse_bind, work[i])) return wrong(i);
-  }
-  const Grid grid{mesh.centre, mesh.half_extent.x, fraction_bits(work)};
-  for (std::size_t i = 0; i < joints; ++i) {
-    if (!grid.turn(work[i], work[i])) return wrong(i);
-  }
-  for (std::size_t i = 0; i < vertices; ++i) {
-    if (!move(mesh.positions[i], skin.vertices[i], work, grid.bits, moved.positions[i])) return wrong(i);
-  }
-  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-    moved.normals[i] = move(mesh.normals[i], skin.vertices[i], work);
-  }
+  int bits = 0;
+  if (const Status status = make_matrices(skin, pose, work, bits); !status) return status;
+  const detail::JointMatrices matrices{work.data(), bits};
+  const std::size_t outside = detail::move_positions(mesh.positions, skin.vertices, matrices, moved.positions);
+  if (outside != mesh.positions.size()) return wrong(outside);
+  detail::move_normals(mesh.normals, skin.vertices, matrices, moved.normals);
   for (std::size_t i = 0; i < mesh.meshlets.size(); ++i) {
     moved.meshlets[i] = mesh.meshlets[i];
     bound(moved.meshlets[i], moved.positions);
   }
   return {};
+}
+
+Status pose_skin(Skinning& skinning, std::span<const JointPose> pose) {
+  int bits = 0;
+  const Status status = make_matrices(*skinning.skin, pose, skinning.matrices, bits);
+  skinning.fraction_bits = status ? bits : 0;
+  return status;
 }
 
 }  // namespace zstrip

@@ -11,6 +11,7 @@
 #include "zstrip/effects/local_light/local_light_stage.hpp"
 #include "zstrip/effects/outlines/outline.hpp"
 #include "zstrip/effects/shadows/retained_shadow.hpp"
+#include "zstrip/effects/skins/move_meshlet.hpp"
 #include "zstrip/geometry/meshlet_range.hpp"
 #include "zstrip/geometry/shade_vertices.hpp"
 #include "zstrip/kernels/transform.hpp"
@@ -41,12 +42,13 @@ struct GeometryStage {
   }
 
   /// A meshlet with its vertices at vertices_[cache] on.
+  template <Effects effects>
   static Batch batch_of(const FrameState& frame, std::uint32_t instance, std::uint32_t first_vertex,
                         std::uint32_t cache) {
     const CompiledInstance& compiled = frame.instances[instance];
     const bool has_colours = compiled.lit || compiled.coloured;
     return {&compiled,
-            &frame.scene->meshes[compiled.mesh],
+            &mesh_of<effects>(frame.scene->meshes[compiled.mesh], first_vertex),
             frame.vertices + cache,
             has_colours ? frame.colours + cache : nullptr,
             first_vertex,
@@ -54,14 +56,21 @@ struct GeometryStage {
             Materials::surface_of(frame, compiled)};
   }
 
+  template <Effects effects>
+  static const Mesh& mesh_of(const Mesh& mesh, [[maybe_unused]] std::uint32_t first_vertex) {
+    if constexpr (effects.has(effect::skins)) return skins::begin_meshlet(mesh, first_vertex);
+    return mesh;
+  }
+
   /// The same, with what drawing it needs beside.
   template <Effects effects>
   static BatchOf<effects> batch_for(const FrameState& frame, std::uint32_t instance, std::uint32_t first_vertex,
                                     std::uint32_t cache) {
     if constexpr (effects.has(effect::environment)) {
-      return {batch_of(frame, instance, first_vertex, cache), environment::reflections_of(frame, instance, cache)};
+      return {batch_of<effects>(frame, instance, first_vertex, cache),
+              environment::reflections_of(frame, instance, cache)};
     } else {
-      return batch_of(frame, instance, first_vertex, cache);
+      return batch_of<effects>(frame, instance, first_vertex, cache);
     }
   }
 
@@ -69,6 +78,7 @@ struct GeometryStage {
   template <Effects effects>
   static bool transform(FrameState& frame, const Batch& batch, const MeshletRange& range, std::uint32_t cache) {
     if constexpr (effects.has(effect::statistics)) frame.statistics.vertices += range.vertex_count;
+    move<effects>(batch, range);
     if constexpr (effects.has(effect::outlines)) {
       if (is_outline(*batch.instance)) {
         return transform_hull<effects.has(effect::orthographic), depth_format(effects)>(
@@ -79,8 +89,20 @@ struct GeometryStage {
                                                        range.vertex_count, frame.vertices + cache);
   }
 
+  /// Where it is a skin: its positions, and its normals where they say where vertices are, or are read later.
+  template <Effects effects>
+  static void move([[maybe_unused]] const Batch& batch, [[maybe_unused]] const MeshletRange& range) {
+    if constexpr (effects.has(effect::skins)) {
+      skins::move_positions(*batch.mesh, range);
+      if constexpr (effects.any(effect::outlines | effect::pixel_shading)) skins::move_normals(*batch.mesh, range);
+    }
+  }
+
   template <Effects effects>
   static void shade(FrameState& frame, const BatchOf<effects>& batch, const MeshletRange& range, std::uint32_t cache) {
+    if constexpr (effects.has(effect::skins) && !effects.any(effect::outlines | effect::pixel_shading)) {
+      skins::move_normals(*batch.mesh, range);
+    }
     if constexpr (effects.has(effect::environment)) {
       if (batch.reflections != nullptr) environment::reflect<effects.has(effect::orthographic)>(frame, batch, range);
     }

@@ -102,7 +102,7 @@ Status pose_character(std::uint32_t frame) {
   CharacterInRam& moved = character_in_ram;
   moved.joints = kCharacterRest;
   pose(kCharacterWalk, frame * kCharacterFrameTime, moved.joints);
-  return skin_mesh(kCharacterSkin, moved.joints, moved.work, {moved.positions, moved.normals, moved.meshlets});
+  return pose_skin(moved.skinning, moved.joints);
 }
 
 }  // namespace zstrip::scenes

@@ -96,7 +96,8 @@ struct Stage : NoStage {
  private:
   /// The pipeline of a map: both faces, farther by the bias.
   template <Effects effects>
-  static constexpr Effects kCasting = effect::orthographic | effect::depth_state | (effects & effect::quadrics);
+  static constexpr Effects kCasting = effect::orthographic | effect::depth_state |
+                                      (effects & (effect::quadrics | effect::skins));
 
   template <Effects casting>
   static Status draw_map(const FrameState& frame, const Scene& casters, const LightReach& reach, ShadowState& state) {

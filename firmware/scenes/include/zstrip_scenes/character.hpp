@@ -54,20 +54,23 @@ inline constexpr Skin kCharacterSkin{.mesh = &kCharacterBindMesh[0],
 inline constexpr Animation kCharacterWalk{
     .tracks = kCharacterTracks, .keyframes = kCharacterKeyframes, .duration = kCharacterStride};
 
-/// What moves, in RAM.
+/// What moves, in RAM: the joints, and vertices of one meshlet at a time.
 struct CharacterInRam {
-  std::array<Position, kCharacterVertices> positions;
-  std::array<Normal, kCharacterVertices> normals;
-  std::array<Meshlet, kCharacterMeshletCount> meshlets;
   std::array<JointPose, kCharacterJoints> joints;
-  std::array<Transform, kCharacterJoints> work;
+  std::array<Transform, kCharacterJoints> matrices;
+  std::array<Position, kCharacterMeshletVertices> positions;
+  std::array<Normal, kCharacterMeshletVertices> normals;
+  Skinning skinning{.skin = &kCharacterSkin, .matrices = matrices, .positions = positions, .normals = normals};
 };
 extern CharacterInRam character_in_ram;
 /// Poses the figure as it is in this frame, 25 a second.
 Status pose_character(std::uint32_t frame);
 
-inline constexpr Mesh kCharacterMesh[] = {moved_mesh(
-    kCharacterBindMesh[0], {character_in_ram.positions, character_in_ram.normals, character_in_ram.meshlets})};
+inline constexpr Mesh kCharacterMesh[] = {[] {
+  Mesh mesh = kCharacterBindMesh[0];
+  mesh.skinning = &character_in_ram.skinning;
+  return mesh;
+}()};
 inline constexpr Material kCharacterMaterial[] = {{.texture = 0, .lit = true, .smooth = true}};
 inline constexpr Texture kCharacterTexture[] = {{kCharacterTexels, kCharacterTextureLog2, kCharacterTextureLog2}};
 /// Turned half to the side.

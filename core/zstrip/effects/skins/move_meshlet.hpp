@@ -1,0 +1,18 @@
+// A meshlet of a skin, moved into the RAM of its Skinning.
+#pragma once
+
+#include "zstrip/geometry/meshlet_range.hpp"
+#include "zstrip/scene.hpp"
+
+namespace zstrip::detail::skins {
+
+/// The mesh with the vertices from `first_vertex` on where move_positions and move_normals write them; `mesh` itself
+/// where it has no skin that has been posed. Until the next call for this skin.
+const Mesh& begin_meshlet(const Mesh& mesh, std::uint32_t first_vertex);
+
+// Of a mesh that begin_meshlet has returned, and of no other vertices than those of its meshlet. Where that is not a
+// skin's they do nothing.
+void move_positions(const Mesh& mesh, const MeshletRange& range);
+void move_normals(const Mesh& mesh, const MeshletRange& range);
+
+}  // namespace zstrip::detail::skins

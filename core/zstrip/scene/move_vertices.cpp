@@ -1,0 +1,93 @@
+// Products of 32 bits. A vertex of one joint, which most are, needs no weights: the same bits.
+#include "zstrip/scene/move_vertices.hpp"
+
+#include <algorithm>
+
+#include "zstrip/base/unit_vector.hpp"
+
+namespace zstrip::detail {
+namespace {
+
+struct Sum {
+  std::int32_t x, y, z;
+};
+
+/// Over the joints of a vertex, `at_row`(row of a matrix) times the weights, which are together 256.
+template <class AtRow>
+Sum weighted(const VertexJoints& vertex, const Transform* matrices, const AtRow& at_row) {
+  Sum sum{0, 0, 0};
+  std::int32_t weight = vertex.weights[0] + 1;
+  for (int k = 0;;) {
+    const Transform& matrix = matrices[vertex.joints[k]];
+    sum.x += at_row(matrix.m[0]) * weight;
+    sum.y += at_row(matrix.m[1]) * weight;
+    sum.z += at_row(matrix.m[2]) * weight;
+    if (++k == 4 || vertex.weights[k] == 0) return sum;
+    weight = vertex.weights[k];
+  }
+}
+
+constexpr bool fits(std::int32_t value) { return static_cast<std::uint32_t>(value + 32767) <= 2 * 32767; }
+constexpr std::int16_t limited(std::int32_t value) {
+  return static_cast<std::int16_t>(std::clamp<std::int32_t>(value, -32767, 32767));
+}
+
+}  // namespace
+
+std::size_t move_positions(std::span<const Position> from, std::span<const VertexJoints> vertices,
+                           const JointMatrices& matrices, std::span<Position> to) {
+  const std::size_t count = from.size();
+  const int shift = matrices.fraction_bits - 4;
+  std::size_t outside = count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Position p = from[i];
+    const VertexJoints& vertex = vertices[i];
+    const auto at_row = [&p, shift](const Fixed(&row)[4]) {
+      // Below 2^31, because a row's sum is below 2^16.
+      return ((row[0] * p.x + row[1] * p.y + row[2] * p.z) >> shift) + row[3];  // 20.4
+    };
+    Sum moved;
+    if (vertex.weights[1] == 0) {
+      const Transform& matrix = matrices.of_joint[vertex.joints[0]];
+      moved = {(at_row(matrix.m[0]) + 8) >> 4, (at_row(matrix.m[1]) + 8) >> 4, (at_row(matrix.m[2]) + 8) >> 4};
+    } else {
+      const Sum sum = weighted(vertex, matrices.of_joint, at_row);  // 20.12
+      const auto rounded = [](std::int32_t value) { return (value + (1 << 11)) >> 12; };
+      moved = {rounded(sum.x), rounded(sum.y), rounded(sum.z)};
+    }
+    if (!fits(moved.x) || !fits(moved.y) || !fits(moved.z)) {
+      outside = std::min(outside, i);
+      moved = {limited(moved.x), limited(moved.y), limited(moved.z)};
+    }
+    to[i] = {static_cast<std::int16_t>(moved.x), static_cast<std::int16_t>(moved.y),
+             static_cast<std::int16_t>(moved.z)};
+  }
+  return outside;
+}
+
+void move_normals(std::span<const Normal> from, std::span<const VertexJoints> vertices, const JointMatrices& matrices,
+                  std::span<Normal> to) {
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const Normal n = from[i];
+    const VertexJoints& vertex = vertices[i];
+    const auto at_row = [&n](const Fixed(&row)[4]) {
+      return (row[0] * n.x + row[1] * n.y + row[2] * n.z) >> 4;  // below 2^23, and below 2^20 before the weight
+    };
+    Sum sum;
+    if (vertex.weights[1] == 0) {
+      const Transform& matrix = matrices.of_joint[vertex.joints[0]];
+      sum = {at_row(matrix.m[0]), at_row(matrix.m[1]), at_row(matrix.m[2])};
+    } else {
+      sum = weighted(vertex, matrices.of_joint, at_row);
+    }
+    const UnitVector unit = direction_of(sum.x, sum.y, sum.z).unit;
+    const auto square = static_cast<std::uint32_t>(n.x * n.x + n.y * n.y + n.z * n.z);
+    const auto length = static_cast<std::int32_t>(root_of_word(square << 8));  // 8.4
+    const auto component = [length](std::int32_t c) {
+      return static_cast<std::int8_t>(std::clamp<std::int32_t>((c * length + (1 << 17)) >> 18, -128, 127));
+    };
+    to[i] = {component(unit.x), component(unit.y), component(unit.z), n.unused};
+  }
+}
+
+}  // namespace zstrip::detail
