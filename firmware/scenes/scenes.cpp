@@ -1,6 +1,7 @@
 // The catalogue: every built-in scene under its name.
 #include "zstrip_scenes/scenes.hpp"
 
+#include "zstrip_scenes/character.hpp"
 #include "zstrip_scenes/cube.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"
@@ -20,6 +21,9 @@ namespace {
 constexpr BuiltIn kBuiltIn[] = {
     triangle, cube, room,      spheres,  random50,      teapot,        teapot_meshlets, wires,
     terrain,  knot, knot_flat, knot_lit, knot_meshlets, knot_textured, random10k,       random10k_meshlets};
+
+/// What bends has its own RAM, one for all: not a scene of the turntable and of scene files.
+constexpr BuiltIn kBending[] = {character};
 
 constexpr bool all_fit_staged() {
   for (const BuiltIn& scene : kBuiltIn) {
@@ -43,7 +47,7 @@ bool equal(std::string_view name, const char* other) {
 std::span<const BuiltIn> built_in() { return kBuiltIn; }
 
 const BuiltIn* find(std::string_view name) {
-  for (const std::span<const BuiltIn> scenes : {built_in(), effect_scenes()}) {
+  for (const std::span<const BuiltIn> scenes : {built_in(), effect_scenes(), std::span<const BuiltIn>(kBending)}) {
     for (const BuiltIn& scene : scenes) {
       if (equal(name, scene.name)) return &scene;
     }

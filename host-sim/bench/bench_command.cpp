@@ -333,7 +333,7 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       command
           ->add_option("--target", options->targets, "Where to draw, separated by commas; boards are emulated by QEMU")
           ->delimiter(',')
-          ->check(one_of({"host", "m0", "m3", "m4f", "m7"}))
+          ->check(one_of({"host", "m0", "m3", "m4f", "m7", "rv32"}))
           ->capture_default_str();
   command->add_option("--workload", options->workloads, "What to draw, separated by commas")
       ->delimiter(',')

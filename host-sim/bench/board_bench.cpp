@@ -28,6 +28,7 @@ constexpr int kBoardBudget = 5;                      // bench.cpp's exit status 
 const char* machine(std::string_view target) {
   if (target == "m4f") return "mps2-an386";
   if (target == "m7") return "mps2-an500";
+  if (target == "rv32") return "virt";
   return "mps2-an385";
 }
 
@@ -49,9 +50,12 @@ std::vector<std::string> emulator_command(const BenchCase& bench_case, const fs:
   if (bench_case.view.format != PixelFormat::rgb565) {
     words += bench_case.view.format == PixelFormat::gray4 ? ",arg=format=gray4" : ",arg=format=mono";
   }
-  std::vector<std::string> command{"qemu-system-arm",
+  const bool is_riscv = bench_case.target == "rv32";
+  std::vector<std::string> command{is_riscv ? "qemu-system-riscv32" : "qemu-system-arm",
                                    "-M",
                                    machine(bench_case.target),
+                                   "-bios",
+                                   "none",
                                    "-icount",
                                    "shift=0",
                                    "-display",
@@ -82,13 +86,14 @@ std::optional<std::uint32_t> hexadecimal(const std::string& text) {
 // Throws nlohmann::json::exception for a member that is missing or of another type.
 std::optional<Measurement> read_line(const BenchCase& bench_case, const std::string& line) {
   const nlohmann::json object = nlohmann::json::parse(line);
-  Measurement row{
-      .bench_case = bench_case,
-      .mode = object.at("mode") == "binned" ? Mode::binned : Mode::streamed,
-      .strip_rows = object.at("strip_rows").get<std::uint16_t>(),
-      .strip_columns = object.at("strip_columns").get<std::uint16_t>(),
-      .ram_bytes = object.at("arena_bytes").get<std::uint64_t>() + object.at("strip_pixel_bytes").get<std::uint64_t>(),
-      .instructions_per_frame = object.at("instructions_per_frame").get<std::uint64_t>()};
+  Measurement row{.bench_case = bench_case,
+                  .mode = object.at("mode") == "binned" ? Mode::binned : Mode::streamed,
+                  .strip_rows = object.at("strip_rows").get<std::uint16_t>(),
+                  .strip_columns = object.at("strip_columns").get<std::uint16_t>(),
+                  .ram_bytes = object.at("arena_bytes").get<std::uint64_t>() +
+                               object.at("strip_pixel_bytes").get<std::uint64_t>() +
+                               object.value("pose_bytes", std::uint64_t{0}),
+                  .instructions_per_frame = object.at("instructions_per_frame").get<std::uint64_t>()};
   for (const nlohmann::json& frame : object.at("frames")) {
     const std::optional<std::uint32_t> sum = hexadecimal(frame.at("crc32").get<std::string>());
     if (!sum) return std::nullopt;

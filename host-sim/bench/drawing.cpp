@@ -38,7 +38,10 @@ Drawing::Drawing(const BenchCase& bench_case, const scenes::BuiltIn& built_in, E
       arena_((plan.bytes() + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t)),
       pixels_(plan.strip_pixel_bytes(bench_case.view)) {}
 
-void Drawing::stage(std::uint32_t frame) { scenes::stage_workload(*built_in_, *staged_, frame); }
+void Drawing::stage(std::uint32_t frame) {
+  frame_ = frame;
+  scenes::stage_workload(*built_in_, *staged_, frame);
+}
 
 std::size_t Drawing::strip_bytes(std::uint16_t strip) const {
   const Rect area = plan_.strip_area(strip, view_);

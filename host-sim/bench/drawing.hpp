@@ -24,6 +24,7 @@ class Drawing {
   /// Draws the staged frame: what is measured. `after_strip` is called with the pixels of each strip.
   template <typename AfterStrip>
   Status draw(AfterStrip after_strip) {
+    if (const Status posed = built_in_->pose != nullptr ? built_in_->pose(frame_) : Status{}; !posed) return posed;
     if (const Status begun = renderer_.begin_frame(staged_->scene, staged_->camera, view_, plan_, arena()); !begun) {
       return begun;
     }
@@ -38,8 +39,8 @@ class Drawing {
   }
 
   const Plan& plan() const { return plan_; }
-  /// Arena and one strip of pixels.
-  std::uint64_t ram_bytes() const { return std::uint64_t{plan_.bytes()} + pixels_.size(); }
+  /// Arena, one strip of pixels, and what the scene keeps of a pose.
+  std::uint64_t ram_bytes() const { return std::uint64_t{plan_.bytes()} + pixels_.size() + built_in_->pose_bytes; }
 
  private:
   Drawing(const BenchCase& bench_case, const scenes::BuiltIn& built_in, Effects effects, const Plan& plan);
@@ -48,6 +49,7 @@ class Drawing {
 
   const scenes::BuiltIn* built_in_;
   std::unique_ptr<scenes::Staged> staged_;
+  std::uint32_t frame_ = 0;
   View view_;
   Plan plan_;
   AnyRenderer renderer_;

@@ -13,8 +13,8 @@ namespace zstrip::sim {
 
 /// What the caller of `zstrip bench` chose for one row.
 struct BenchCase {
-  std::string workload;  ///< "K5", "K5M", "CT", "R50" or "R10k"
-  std::string target;    ///< "host", "m0", "m3", "m4f" or "m7"
+  std::string workload;  ///< as in workloads.cpp
+  std::string target;    ///< "host", "m0", "m3", "m4f", "m7" or "rv32"
   View view;
   Budget budget;              ///< zeros: the planner decides
   std::string depth = "z16";  ///< how depth is kept; anything else on boards only, of R50: see firmware/README.md
@@ -28,7 +28,7 @@ struct Measurement {
   Mode mode = Mode::streamed;
   std::uint16_t strip_rows = 0;
   std::uint16_t strip_columns = 0;
-  std::uint64_t ram_bytes = 0;                            ///< arena and one strip of pixels
+  std::uint64_t ram_bytes = 0;                            ///< arena, one strip of pixels, what is posed
   std::optional<std::uint64_t> flash_bytes{};             ///< of the whole program; boards only
   std::optional<double> nanoseconds_per_frame{};          ///< host only: emulated time is not time
   std::optional<std::uint64_t> instructions_per_frame{};  ///< absent where nothing could count them

@@ -15,6 +15,7 @@ constexpr std::array kWorkloads{
     Workload{"R50", "random50", "50 large flat triangles, no culling", 640, 480},
     Workload{"R10k", "random10k", "10000 small flat triangles, no culling", 640, 480},
     Workload{"teapot", "teapot", "the Utah teapot, lit: medium Gouraud triangles", 320, 240},
+    Workload{"character", "character", "a figure with a skeleton, textured and lit, moved in each frame", 240, 320},
     Workload{"room", "room", "a lit, textured room that the camera stands in", 320, 240},
 };
 

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "bench/board_bench.hpp"
 #include "bench/workloads.hpp"
@@ -81,7 +83,15 @@ TEST_P(Choice, IsNearTheBestOfItsBudget) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Plan, Choice, testing::ValuesIn(workloads().begin(), workloads().end()),
+/// Estimates do not know what moving vertices costs.
+std::vector<Workload> estimated_workloads() {
+  std::vector<Workload> all;
+  std::ranges::copy_if(workloads(), std::back_inserter(all),
+                       [](const Workload& each) { return each.built_in()->pose == nullptr; });
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Plan, Choice, testing::ValuesIn(estimated_workloads()),
                          [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Sets of effects, and a scene that calls for exactly such a set: two boxes, one behind the other, perhaps turned to
 // the viewer, a sphere and lines, a third box with an outline, and a fourth less a fifth; or edges of the first two;
-// sprites and labels over all of it.
+// sprites and labels over all of it. As a skin each of the first two is smaller and turned.
 #pragma once
 
 #include <algorithm>
@@ -107,6 +107,16 @@ struct Combination {
   std::vector<Edge> edges[2];
   EdgeSet edge_sets[2];
   LineSet lines[1] = {{.segments = segments, .mesh = 0, .material = 2, .width = 3}};
+  static constexpr std::size_t kCorners = 24;
+  VertexJoints corner_joints[kCorners];
+  Joint joints[1];
+  JointPose pose[1] = {{.rotation = {9000, 12000, 0, 29000}, .scale = {fixed(0.55), fixed(0.55), fixed(0.55)}}};
+  Transform matrices[1];
+  Position moved_positions[kCorners];
+  Normal moved_normals[kCorners];
+  Mesh bind = scenes::kRoomMeshes[1];
+  Skin skin{&bind, corner_joints, joints, pose};
+  Skinning skinning{.skin = &skin, .matrices = matrices, .positions = moved_positions, .normals = moved_normals};
   Camera camera = scenes::turntable_camera(4.0, 20, 2.2);
   Scene scene;
 
@@ -137,6 +147,10 @@ struct Combination {
     }
     materials[2] = {.colour = {240, 220, 40, 255}, .lit = false};
     if (set.has(effect::vertex_colours)) meshes[1].colours = kBoxColours;
+    if (set.has(effect::skins)) {
+      EXPECT_TRUE(validate(skin) && pose_skin(skinning, pose));
+      meshes[1].skinning = &skinning;
+    }
     if (set.has(effect::billboards)) meshes[0].billboard = Billboard::upright, meshes[1].billboard = Billboard::viewer;
     if (set.has(effect::quadrics)) scene.quadrics = quadrics;
     if (set.has(effect::lines)) scene.lines = lines;
@@ -166,6 +180,14 @@ struct Combination {
     if (set.has(effect::punctual_lights)) scene.punctual_lights = scenes::kPunctualLights;
     if (set.has(effect::fog)) scene.fog = &scenes::kFog;
   }
+
+  /// Draws no skin any more, but what skin_mesh makes of it.
+  void move_before() {
+    const MovedVertices moved{moved_positions, moved_normals, {}};
+    EXPECT_TRUE(skin_mesh(skin, pose, matrices, moved));
+    meshes[1] = moved_mesh(meshes[1], moved);
+    meshes[1].skinning = nullptr;
+  }
 };
 
 /// Draws completed(set) by its own pipeline, whole and in strips, and by the host's.
@@ -185,6 +207,11 @@ void expect_drawn_alike() {
   EXPECT_EQ(draw<kSet>(scene, camera, kView, {.strip_rows = 5, .strip_columns = 16}), whole);
   EXPECT_EQ(draw_any(kSet, scene, camera, kView, {.strip_rows = 9}), whole);
   EXPECT_EQ(draw_any(kSet | effect::bins, scene, camera, kView, {.strip_rows = 9, .modes = Modes::binned}), whole);
+  if constexpr (kSet.has(effect::skins)) {
+    Combination before(kSet);
+    before.move_before();
+    EXPECT_EQ(draw_any(without(kSet, effect::skins), before.scene, camera, kView, {.strip_rows = 9}), whole);
+  }
   // Memory is planned for what is there, and not for more.
   const Plan plan = zstrip::plan(count(scene), kView, kSet).plan;
   EXPECT_EQ(plan.effect_bytes != 0,

@@ -48,9 +48,9 @@ TEST(EffectsTogether, ProductsOfSolidsAndEachRow) {
   }
 }
 
-/// Edges likewise, without outlines and samples, too.
+/// Edges likewise, without outlines, samples and skins, too.
 TEST(EffectsTogether, EdgesAndEachRow) {
-  constexpr Effects kNotWithEdges = effect::shadows | effect::outlines | effect::supersampled;
+  constexpr Effects kNotWithEdges = effect::shadows | effect::outlines | effect::supersampled | effect::skins;
   for (std::size_t i = 0; i < kRows; ++i) {
     expect_column(completed(without(row(i), kNotWithEdges)) | effect::edges, [](Scene& scene) { scene.edges = {}; });
   }

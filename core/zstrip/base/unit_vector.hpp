@@ -59,13 +59,14 @@ constexpr std::uint32_t root_of_word(std::uint32_t value) {
 }
 
 /// floor(2^30 / root) for 2^14 <= root < 2^16.
+template <bool divides = kDivides>
 constexpr std::uint32_t inverse_of_root(std::uint32_t root) {
-  if constexpr (kDivides) return (1U << 30) / root;
+  if constexpr (divides) return (1U << 30) / root;
   const std::uint32_t doublings = root < 1U << 15 ? 1 : 0;
   const std::uint32_t divisor = root << doublings;
   // Of all divisors this one alone has another quotient of 2^32 than of 2^32 - 1.
   if (divisor == 1U << 15) return 1U << (15 + doublings);
-  return quotient_32(divisor) >> (2 - doublings);
+  return quotient_32_by_table(divisor) >> (2 - doublings);
 }
 
 /// A vector as a direction and a length: |vector| = root * 2^shift.

@@ -183,7 +183,7 @@ class TextureCoordinates {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
   }
 
-  Plane u_over_w_{}, v_over_w_{}, one_over_w_{};
+  Plane u_over_w_, v_over_w_, one_over_w_;  // no zeros first: on a Cortex-M0 three calls for each triangle
   std::int32_t base_u_ = 0, base_v_ = 0;
   int shift_ = 0;
 };

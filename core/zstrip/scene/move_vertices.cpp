@@ -15,14 +15,13 @@ struct Sum {
 /// Over the joints of a vertex, `at_row`(row of a matrix) times the weights, which are together 256.
 template <class AtRow>
 Sum weighted(const VertexJoints& vertex, const Transform* matrices, const AtRow& at_row) {
-  Sum sum{0, 0, 0};
-  std::int32_t weight = vertex.weights[0] + 1;
+  std::int32_t x = 0, y = 0, z = 0, weight = vertex.weights[0] + 1;
   for (int k = 0;;) {
     const Transform& matrix = matrices[vertex.joints[k]];
-    sum.x += at_row(matrix.m[0]) * weight;
-    sum.y += at_row(matrix.m[1]) * weight;
-    sum.z += at_row(matrix.m[2]) * weight;
-    if (++k == 4 || vertex.weights[k] == 0) return sum;
+    x += at_row(matrix.m[0]) * weight;
+    y += at_row(matrix.m[1]) * weight;
+    z += at_row(matrix.m[2]) * weight;
+    if (++k == 4 || vertex.weights[k] == 0) return {x, y, z};
     weight = vertex.weights[k];
   }
 }
@@ -40,11 +39,12 @@ std::size_t move_positions(std::span<const Position> from, std::span<const Verte
   const int shift = matrices.fraction_bits - 4;
   std::size_t outside = count;
   for (std::size_t i = 0; i < count; ++i) {
-    const Position p = from[i];
+    // Part by part: a Cortex-M0 calls memcpy for the whole of it.
+    const std::int32_t x = from[i].x, y = from[i].y, z = from[i].z;
     const VertexJoints& vertex = vertices[i];
-    const auto at_row = [&p, shift](const Fixed(&row)[4]) {
+    const auto at_row = [x, y, z, shift](const Fixed(&row)[4]) {
       // Below 2^31, because a row's sum is below 2^16.
-      return ((row[0] * p.x + row[1] * p.y + row[2] * p.z) >> shift) + row[3];  // 20.4
+      return ((row[0] * x + row[1] * y + row[2] * z) >> shift) + row[3];  // 20.4
     };
     Sum moved;
     if (vertex.weights[1] == 0) {
@@ -59,8 +59,9 @@ std::size_t move_positions(std::span<const Position> from, std::span<const Verte
       outside = std::min(outside, i);
       moved = {limited(moved.x), limited(moved.y), limited(moved.z)};
     }
-    to[i] = {static_cast<std::int16_t>(moved.x), static_cast<std::int16_t>(moved.y),
-             static_cast<std::int16_t>(moved.z)};
+    to[i].x = static_cast<std::int16_t>(moved.x);
+    to[i].y = static_cast<std::int16_t>(moved.y);
+    to[i].z = static_cast<std::int16_t>(moved.z);
   }
   return outside;
 }
@@ -68,10 +69,10 @@ std::size_t move_positions(std::span<const Position> from, std::span<const Verte
 void move_normals(std::span<const Normal> from, std::span<const VertexJoints> vertices, const JointMatrices& matrices,
                   std::span<Normal> to) {
   for (std::size_t i = 0; i < from.size(); ++i) {
-    const Normal n = from[i];
+    const std::int32_t x = from[i].x, y = from[i].y, z = from[i].z;
     const VertexJoints& vertex = vertices[i];
-    const auto at_row = [&n](const Fixed(&row)[4]) {
-      return (row[0] * n.x + row[1] * n.y + row[2] * n.z) >> 4;  // below 2^23, and below 2^20 before the weight
+    const auto at_row = [x, y, z](const Fixed(&row)[4]) {
+      return (row[0] * x + row[1] * y + row[2] * z) >> 4;  // below 2^23, and below 2^20 before the weight
     };
     Sum sum;
     if (vertex.weights[1] == 0) {
@@ -81,12 +82,13 @@ void move_normals(std::span<const Normal> from, std::span<const VertexJoints> ve
       sum = weighted(vertex, matrices.of_joint, at_row);
     }
     const UnitVector unit = direction_of(sum.x, sum.y, sum.z).unit;
-    const auto square = static_cast<std::uint32_t>(n.x * n.x + n.y * n.y + n.z * n.z);
+    const auto square = static_cast<std::uint32_t>(x * x + y * y + z * z);
     const auto length = static_cast<std::int32_t>(root_of_word(square << 8));  // 8.4
     const auto component = [length](std::int32_t c) {
       return static_cast<std::int8_t>(std::clamp<std::int32_t>((c * length + (1 << 17)) >> 18, -128, 127));
     };
-    to[i] = {component(unit.x), component(unit.y), component(unit.z), n.unused};
+    to[i].x = component(unit.x), to[i].y = component(unit.y), to[i].z = component(unit.z);
+    to[i].unused = from[i].unused;
   }
 }
 

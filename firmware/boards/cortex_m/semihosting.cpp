@@ -1,4 +1,5 @@
-// Arm semihosting (specification: Arm 2014, "Semihosting for AArch32 and AArch64"), the calls used here.
+// Arm semihosting (specification: Arm 2014, "Semihosting for AArch32 and AArch64"), the calls used here. RISC-V has the
+// same calls behind three instructions ("RISC-V Semihosting", version 0.4), which must not be compressed.
 #include "cortex_m/semihosting.hpp"
 
 #include <cstdint>
@@ -9,9 +10,25 @@ namespace {
 enum class Operation : std::uint32_t { get_command_line = 0x15, exit_extended = 0x20 };
 
 std::uint32_t call(Operation operation, void* block) {
+#if defined(__riscv)
+  register std::uint32_t result asm("a0") = static_cast<std::uint32_t>(operation);
+  register void* argument asm("a1") = block;
+  asm volatile(
+      ".option push\n\t"
+      ".option norvc\n\t"
+      ".balign 16\n\t"
+      "slli x0, x0, 0x1f\n\t"
+      "ebreak\n\t"
+      "srai x0, x0, 7\n\t"
+      ".option pop"
+      : "+r"(result)
+      : "r"(argument)
+      : "memory");
+#else
   register std::uint32_t result asm("r0") = static_cast<std::uint32_t>(operation);
   register void* argument asm("r1") = block;
   asm volatile("bkpt 0xab" : "+r"(result) : "r"(argument) : "memory");
+#endif
   return result;
 }
 

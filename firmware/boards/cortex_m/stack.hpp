@@ -14,7 +14,11 @@ inline constexpr std::uint32_t kStackPaint = 0xDEADBEEF;
 /// Paints everything below the caller's frame. Always inlined: a frame of its own would lie in the painted part.
 [[gnu::always_inline]] inline void paint_stack() {
   std::uint32_t* end;
+#if defined(__riscv)
+  asm volatile("mv %0, sp" : "=r"(end));
+#else
   asm volatile("mov %0, sp" : "=r"(end));
+#endif
   for (volatile std::uint32_t* word = stack_bottom; word != end; ++word) *word = kStackPaint;
 }
 

@@ -169,7 +169,8 @@ inline int run_bench(std::span<const Workload> workloads) {
     print("bench: cannot read the word '");
     print(arguments.wrong_word);
     print(
-        "'; usage: [workload=K5|K5M|CT|R50|R10k|teapot|room] [depth=FORMAT] [size=WxH] [rows=N] [columns=N] "
+        "'; usage: [workload=K5|K5M|CT|R50|R10k|teapot|room|K5T|character] [depth=FORMAT] [size=WxH] [rows=N] "
+        "[columns=N] "
         "[frames=N] [first=N] [buffers=N] [ram=BYTES]\n");
     return kUsage;
   }

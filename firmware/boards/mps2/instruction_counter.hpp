@@ -1,5 +1,6 @@
 // Counts executed instructions with CMSDK timer 0, in an emulator that lets every instruction take one nanosecond
-// (QEMU's -icount shift=0). The timer counts down at 25 MHz: one tick is 40 instructions.
+// (QEMU's -icount shift=0). The timer counts down at 25 MHz: one tick is 40 instructions. On riscv_virt the processor
+// counts them itself: a tick is one.
 #pragma once
 
 #include <cstdint>

@@ -97,12 +97,15 @@ constexpr std::array<std::uint16_t, kCharacterTexelCount> kCharacterTexels = cha
 static_assert(validate(kCharacterSkin));
 
 constinit CharacterInRam character_in_ram{};
+constinit Skinning character_skinning{.skin = &kCharacterSkin,
+                                      .matrices = character_in_ram.matrices,
+                                      .positions = character_in_ram.positions,
+                                      .normals = character_in_ram.normals};
 
 Status pose_character(std::uint32_t frame) {
-  CharacterInRam& moved = character_in_ram;
-  moved.joints = kCharacterRest;
-  pose(kCharacterWalk, frame * kCharacterFrameTime, moved.joints);
-  return pose_skin(moved.skinning, moved.joints);
+  character_in_ram.joints = kCharacterRest;
+  pose(kCharacterWalk, frame * kCharacterFrameTime, character_in_ram.joints);
+  return pose_skin(character_skinning, character_in_ram.joints);
 }
 
 }  // namespace zstrip::scenes

@@ -3,6 +3,7 @@
 #include "cases.hpp"
 
 #include "draw_case.hpp"
+#include "zstrip_scenes/character.hpp"
 #include "zstrip_scenes/cube.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"
@@ -60,6 +61,7 @@ constexpr Case kSingleCases[] = {
     {kKnot, Motion::workload, {96, 72, PixelFormat::rgb565}, 16, 7, 2},
     {kCube, Motion::workload, {96, 72, PixelFormat::rgb565}, 16, 7, 2},
     {kRandom50, Motion::workload, {96, 72, PixelFormat::rgb565}, 16, 7, 2},
+    {&kSubject<scenes::character>, Motion::workload, {60, 80, PixelFormat::rgb565}, 16, 7, 3},
     {kRandom10kMeshlets, Motion::workload, {96, 72, PixelFormat::rgb565}, 16, 7, 1},
     {kRoom, Motion::turntable, kWide, 5, 77, 1},
     {kTeapot, Motion::turntable, kTall, 33, 77, 1},

@@ -45,6 +45,9 @@ Status draw_case(const Case& frames, PictureSummary& summary) {
       stage(built_in, staged, frame, kFramesPerTurn, view);
     } else {
       stage_workload(built_in, staged, frame);
+      if constexpr (built_in.pose != nullptr) {
+        if (const Status posed = built_in.pose(frame); !posed) return posed;
+      }
     }
     if (const Status begun = renderer.begin_frame(staged.scene, staged.camera, view, plan, arena); !begun) return begun;
     for (std::uint16_t strip = 0; strip < plan.strips; ++strip) {

@@ -60,15 +60,15 @@ struct CharacterInRam {
   std::array<Transform, kCharacterJoints> matrices;
   std::array<Position, kCharacterMeshletVertices> positions;
   std::array<Normal, kCharacterMeshletVertices> normals;
-  Skinning skinning{.skin = &kCharacterSkin, .matrices = matrices, .positions = positions, .normals = normals};
 };
 extern CharacterInRam character_in_ram;
+extern Skinning character_skinning;
 /// Poses the figure as it is in this frame, 25 a second.
 Status pose_character(std::uint32_t frame);
 
 inline constexpr Mesh kCharacterMesh[] = {[] {
   Mesh mesh = kCharacterBindMesh[0];
-  mesh.skinning = &character_in_ram.skinning;
+  mesh.skinning = &character_skinning;
   return mesh;
 }()};
 inline constexpr Material kCharacterMaterial[] = {{.texture = 0, .lit = true, .smooth = true}};
@@ -92,6 +92,6 @@ inline constexpr BuiltIn character{
     .camera = turntable_camera(4.0, 10, 4.05),
     .focal_across = fixed(5.45),
     .pose = pose_character,
-    .pose_bytes = sizeof(CharacterInRam)};
+    .pose_bytes = sizeof(CharacterInRam) + sizeof(Skinning)};
 
 }  // namespace zstrip::scenes
