@@ -30,7 +30,7 @@ Case case_of(const measured::Row& row);
 /// The row with another figure.
 measured::Row with_figure(measured::Row row, std::uint64_t figure);
 
-/// What the programs of this build are compiled with: a note for the host and one for boards.
+/// What the programs of this build are compiled with: notes for the host, for boards, and for RISC-V.
 std::vector<std::string> compiler_notes();
 
 /// Whether the figure of a row of the table may be compared with what this build's programs take.
