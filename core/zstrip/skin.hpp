@@ -72,7 +72,7 @@ struct Skinning {
   const Skin* skin = nullptr;      ///< outlives it
   std::span<Transform> matrices;   ///< one a joint
   std::span<Position> positions;   ///< as many as the mesh's largest meshlet
-  std::span<Normal> normals;       ///< likewise; none where the mesh has none
+  std::span<Normal> normals{};     ///< likewise; none where the mesh has none
   std::int32_t fraction_bits = 0;  ///< of `matrices`, pose_skin's; 0: there are none yet
   Mesh moved{};                    ///< the renderer's
 };

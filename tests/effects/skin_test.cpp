@@ -559,7 +559,8 @@ TEST(Skins, AFrameRefusesWhatCannotBeMovedWhileItIsDrawn) {
               .textures = {},
               .instances = {&instance, 1},
               .lights = {&light, 1}};
-  constexpr Effects kEffects = effect::lighting | effect::skins | effect::lines | effect::csg | effect::edges;
+  constexpr Effects kEffects =
+      effect::lighting | effect::gouraud | effect::skins | effect::lines | effect::csg | effect::edges;
   constexpr View kView{32, 24, PixelFormat::rgb565};
   const auto error = [&] {
     const auto [status, plan] = zstrip::plan(count(scene), kView, effects_of(scene, {}));
