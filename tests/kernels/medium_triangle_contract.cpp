@@ -98,7 +98,7 @@ bool differ(Random& random, std::uint32_t number, Outcome& outcome) {
   const Colour* const colours[3] = {&m.colours[0], &m.colours[1], &m.colours[2]};
   const StripTarget own = pictures.own.target(left, top, nullptr);
   const MediumTriangle triangle{own, m.v[0], m.v[1], m.v[2], m.area};
-  // Where SSE2 draws, the C++ for words of 32 bits in every second case.
+  // Where vectors draw, the C++ for words of 32 bits in every second case.
   const auto drawn = [&](bool by_words) {
     if (!by_words) return draw_medium<shade == Shade::gouraud>(triangle, colours, kFlat);
     if constexpr (shade == Shade::gouraud) return draw_medium_gouraud_portable(triangle, colours);

@@ -1,55 +1,42 @@
 // Eight texels at a time: their indices in two vectors, fetched one by one.
-#include "zstrip/kernels/sse2/textured_run.hpp"
-
-#include <bit>
+#include "zstrip/kernels/vector/textured_run.hpp"
 
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/kernels/sse2/interpolated.hpp"
+#include "zstrip/kernels/vector/interpolated.hpp"
 
-#if ZSTRIP_HAS_SSE2
+#if ZSTRIP_HAS_VECTORS
 
 namespace zstrip::detail {
+using namespace vectors;
+
 namespace {
 
 /// Indices of texels, below 2^16, from coordinates.
 class Texels {
  public:
   explicit Texels(const TexturedRunState<std::uint32_t>& run)
-      : texels_(run.texels),
-        to_column_(_mm_cvtsi32_si128(run.to_column)),
-        to_row_(_mm_cvtsi32_si128(run.to_row)),
-        row_mask_(in_all_words(run.row_mask)) {}
+      : texels_(run.texels), to_column_(run.to_column), to_row_(run.to_row), row_mask_(in_all_words(run.row_mask)) {}
 
-  __m128i indices(__m128i u, __m128i v) const {
-    return _mm_add_epi32(_mm_and_si128(_mm_srl_epi32(v, to_row_), row_mask_), _mm_srl_epi32(u, to_column_));
-  }
-  __m128i four(__m128i u, __m128i v) const { return fetched<0>(_mm_setzero_si128(), indices(u, v)); }
-  __m128i eight(const Interpolated& u, const Interpolated& v) const {
-    const __m128i first = four(u.first, v.first);
-    return fetched<4>(first, indices(u.last, v.last));
+  Halves four(Words u, Words v) const { return fetched<0>(Halves{}, indices(u, v)); }
+  Halves eight(const Interpolated& u, const Interpolated& v) const {
+    return fetched<4>(four(u.first, v.first), indices(u.last, v.last));
   }
 
  private:
-  // By subscript: without the optimiser _mm_insert_epi16 is a macro, whose conversion to a half warns here.
-  using Halves [[gnu::vector_size(16)]] = std::uint16_t;
-
-  template <int lane>
-  std::uint16_t fetch(__m128i indices) const {
-    return texels_[static_cast<unsigned>(_mm_extract_epi16(indices, 2 * lane))];
-  }
+  Halves indices(Words u, Words v) const { return as_halves(((v >> to_row_) & row_mask_) + (u >> to_column_)); }
   /// Four texels in the lanes from `first` on.
   template <int first>
-  __m128i fetched(__m128i texels, __m128i indices) const {
-    auto lanes = std::bit_cast<Halves>(texels);
-    lanes[first] = fetch<0>(indices);
-    lanes[first + 1] = fetch<1>(indices);
-    lanes[first + 2] = fetch<2>(indices);
-    lanes[first + 3] = fetch<3>(indices);
-    return std::bit_cast<__m128i>(lanes);
+  Halves fetched(Halves texels, Halves indices) const {
+    texels[first] = texels_[indices[0]];
+    texels[first + 1] = texels_[indices[2]];
+    texels[first + 2] = texels_[indices[4]];
+    texels[first + 3] = texels_[indices[6]];
+    return texels;
   }
 
   const std::uint16_t* texels_;
-  __m128i to_column_, to_row_, row_mask_;
+  int to_column_, to_row_;
+  Words row_mask_;
 };
 
 /// TextureCoordinates::divided: u/w or v/w times w, shifted right by `right`, or left where that is negative.
@@ -61,7 +48,7 @@ std::int32_t times_w(std::uint32_t over_w, const Reciprocal& w, int right) {
 
 }  // namespace
 
-void fill_runs_sse2(TexturedRunsState& state, std::uint16_t* depth, std::uint16_t* pixel, std::uint32_t count) {
+void fill_runs_vector(TexturedRunsState& state, std::uint16_t* depth, std::uint16_t* pixel, std::uint32_t count) {
   constexpr int kLog2Run = 4;
   const Texels texels(state);
   Interpolated z(state.z, state.step_z);
@@ -96,8 +83,8 @@ void fill_runs_sse2(TexturedRunsState& state, std::uint16_t* depth, std::uint16_
   state.from_u = static_cast<std::int32_t>(from_u), state.from_v = static_cast<std::int32_t>(from_v);
 }
 
-void fill_run_sse2(TexturedRunState<std::uint32_t>& run, std::uint16_t* depth, std::uint16_t* pixel,
-                   std::int32_t length) {
+void fill_run_vector(TexturedRunState<std::uint32_t>& run, std::uint16_t* depth, std::uint16_t* pixel,
+                     std::int32_t length) {
   const Texels texels(run);
   if (length >= 8) {
     Interpolated z(run.z, run.step_z), u(run.u, run.step_u), v(run.v, run.step_v);
@@ -112,9 +99,9 @@ void fill_run_sse2(TexturedRunState<std::uint32_t>& run, std::uint16_t* depth, s
     // Twice, if there are more than four: the second time those at the end.
     for (std::int32_t at = 0;;) {
       const auto steps = static_cast<std::uint32_t>(at);
-      const __m128i z = stepped_words(run.z + run.step_z * steps, run.step_z);
-      const __m128i u = stepped_words(run.u + run.step_u * steps, run.step_u);
-      const __m128i v = stepped_words(run.v + run.step_v * steps, run.step_v);
+      const Words z = stepped_words(run.z + run.step_z * steps, run.step_z);
+      const Words u = stepped_words(run.u + run.step_u * steps, run.step_u);
+      const Words v = stepped_words(run.v + run.step_v * steps, run.step_v);
       draw_fragments(HalfRow{}, depth + at, pixel + at, upper_halves(z, z), [&] { return texels.four(u, v); });
       if (at == length - 4) break;
       at = length - 4;
