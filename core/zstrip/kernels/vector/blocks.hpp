@@ -61,11 +61,11 @@ struct EdgeBlock {
 
   template <int edge>
   static EdgeBlock of(Words fields, Halves steps) {
-    return {stepped_edge<edge>(fields, steps), high_half_in_all<edge>(steps) << 1};
+    return {stepped_edge<edge>(fields, steps), high_half_in_all<edge, 1>(steps)};
   }
   template <int edge>
   void move_right(Halves steps) {
-    value += low_half_in_all<edge>(steps) << 2;
+    value += low_half_in_all<edge, 2>(steps);
   }
 };
 
@@ -81,12 +81,12 @@ struct OneColour {
   void go_down() const {}
 };
 
-/// A channel in 8.8 in the pixels of a block, and its steps a pixel.
+/// A channel in 8.8 in the pixels of a block, and its steps to the blocks beside and below.
 struct ChannelBlock {
-  Halves value, step_x, step_y;
+  Halves value, right, down;
 
-  void move_right() { value += step_x << 2; }
-  void go_down() { value += step_y << 1; }
+  void move_right() { value += right; }
+  void go_down() { value += down; }
 };
 struct ChannelBlocks {
   ChannelBlock r, g, b;

@@ -37,6 +37,7 @@ inline Halves load_4_and_4(const std::uint16_t* at, const std::uint16_t* upper_a
 }
 inline void store_upper_4(std::uint16_t* at, Halves values) { vst1_u16(at, vget_high_u16(as_u16(values))); }
 
+inline Words in_first_word(std::uint32_t value) { return as_words(vcombine_u32(vcreate_u32(value), vdup_n_u32(0))); }
 inline Halves bytes_of(std::uint32_t word) { return as_halves(vmovl_u8(vcreate_u8(word))); }
 
 template <int word>
@@ -51,13 +52,17 @@ Halves half_in_all(Halves values) {
   if constexpr (half < 4) return as_halves(vdupq_lane_u16(vget_low_u16(v), half & 3));
   return as_halves(vdupq_lane_u16(vget_high_u16(v), half & 3));
 }
-template <int word>
-Halves low_half_in_all(Halves values) {
-  return half_in_all<2 * word>(values);
+template <int half, int shift>
+Halves half_in_all(Halves values) {
+  return half_in_all<half>(values << shift);
 }
-template <int word>
+template <int word, int shift>
+Halves low_half_in_all(Halves values) {
+  return half_in_all<2 * word, shift>(values);
+}
+template <int word, int shift>
 Halves high_half_in_all(Halves values) {
-  return half_in_all<2 * word + 1>(values);
+  return half_in_all<2 * word + 1, shift>(values);
 }
 inline Words first_words(Words a, Words b, Words c) {
   const uint32x2_t a_b = vzip_u32(vget_low_u32(as_u32(a)), vget_low_u32(as_u32(b))).val[0];
@@ -74,7 +79,10 @@ inline Halves upper_halves(Words first_four, Words last_four) {
 }
 
 inline Words multiples_0_to_3(Words step) { return step * Words{0, 1, 2, 3}; }
-inline Halves saturated_difference(Halves a, Halves b) { return as_halves(vqsubq_u16(as_u16(a), as_u16(b))); }
+inline Halves unsigned_max(Halves a, Halves b) { return as_halves(vmaxq_u16(as_u16(a), as_u16(b))); }
+inline Halves rgb565_of_halves(Halves r, Halves g, Halves b) {
+  return as_halves(vsriq_n_u16(vsriq_n_u16(as_u16(r), as_u16(g), 5), as_u16(b), 11));
+}
 inline Halves signed_min(Halves a, Halves b) { return as_halves(vminq_s16(as_s16(a), as_s16(b))); }
 inline Halves signed_max(Halves a, Halves b) { return as_halves(vmaxq_s16(as_s16(a), as_s16(b))); }
 inline Halves chosen(Halves mask, Halves a, Halves b) {
@@ -96,6 +104,10 @@ inline Words sums_of_products(Halves a, Halves b) {
                                vpadd_s32(vget_low_s32(high), vget_high_s32(high))));
 #endif
 }
+inline std::int32_t sum_of_products(Halves a, Halves b) {
+  const int32x2_t both = vget_low_s32(vmull_s16(vget_low_s16(as_s16(a)), vget_low_s16(as_s16(b))));
+  return vget_lane_s32(vpadd_s32(both, both), 0);
+}
 inline Words lower_then_upper(Halves pairs) {
   return as_words(vsraq_n_s32(vshlq_n_s32(as_s32(pairs), 16), as_s32(pairs), 16));
 }
@@ -107,8 +119,8 @@ Words upper_products(Words a, Words b) {
 
 template <int edge>
 Halves stepped_edge(Words starts, Halves steps) {
-  return half_in_all<2 * edge>(as_halves(starts)) + half_in_all<2 * edge>(steps) * Halves{0, 1, 2, 3, 0, 1, 2, 3} +
-         half_in_all<2 * edge + 1>(steps) * Halves{0, 0, 0, 0, 1, 1, 1, 1};
+  return stepped_halves(half_in_all<2 * edge>(as_halves(starts)), half_in_all<2 * edge>(steps),
+                        half_in_all<2 * edge + 1>(steps));
 }
 
 class Weights {

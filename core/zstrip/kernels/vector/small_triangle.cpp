@@ -40,7 +40,7 @@ std::int32_t order_of(Words place) { return static_cast<std::int32_t>(place[0] ^
     if ((first_column | first_row) != 0) {
       start += step_x * in_all_halves(first_column) + step_y * in_all_halves(first_row);
     }
-    return ChannelBlock{stepped_halves(start, step_x, step_y), step_x, step_y};
+    return ChannelBlock{stepped_halves(start, step_x, step_y), half_in_all<0, 2>(plane), half_in_all<2, 1>(plane)};
   };
   return {channel(weights.sum<0>(differences), half_in_all<0>(at_vertex)),
           channel(weights.sum<1>(differences), half_in_all<1>(at_vertex)),
@@ -101,7 +101,7 @@ std::uint32_t draw_small_run_vector(const StripTarget& target, const SnappedVert
     // Assembler::narrow_area.
     const Halves a_halves = as_halves(at_a), b_halves = as_halves(at_b), c_halves = as_halves(at_c);
     const Halves to_b = swapped_in_pairs(b_halves - a_halves) * in_all_pairs(1, -1);
-    const auto area = static_cast<std::int32_t>(sums_of_products(c_halves - a_halves, to_b)[0]);
+    const std::int32_t area = sum_of_products(c_halves - a_halves, to_b);
     if (area <= 0) continue;
     const Words least = as_words(signed_min(signed_min(a_halves, b_halves), c_halves));
     const Words greatest = as_words(signed_max(signed_max(a_halves, b_halves), c_halves));

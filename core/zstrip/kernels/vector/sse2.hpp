@@ -42,6 +42,8 @@ inline void store_upper_4(std::uint16_t* at, Halves values) {
   _mm_storeh_pi(reinterpret_cast<__m64*>(at), _mm_castsi128_ps(as_sse2(values)));
 }
 
+/// The others are any.
+inline Words in_first_word(std::uint32_t value) { return Words{value, 0, 0, 0}; }
 /// A colour's channels.
 inline Halves bytes_of(std::uint32_t word) {
   return as_halves(_mm_unpacklo_epi8(as_sse2(in_first_word(word)), _mm_setzero_si128()));
@@ -59,16 +61,21 @@ Halves half_in_all(Halves values) {
     return as_halves(word_in_all<2>(as_words(_mm_shufflehi_epi16(as_sse2(values), (half & 3) * 0x55))));
   }
 }
-/// Of a word's two halves the lower, or the upper one.
-template <int word>
+/// Shifted left.
+template <int half, int shift>
+Halves half_in_all(Halves values) {
+  return half_in_all<half>(values) << shift;
+}
+/// The same of a word's lower or upper half.
+template <int word, int shift>
 Halves low_half_in_all(Halves values) {
   const __m128i pairs = as_sse2(word_in_all<word>(as_words(values)));
-  return as_halves(_mm_shufflehi_epi16(_mm_shufflelo_epi16(pairs, 0xA0), 0xA0));
+  return as_halves(_mm_shufflehi_epi16(_mm_shufflelo_epi16(pairs, 0xA0), 0xA0)) << shift;
 }
-template <int word>
+template <int word, int shift>
 Halves high_half_in_all(Halves values) {
   const __m128i pairs = as_sse2(word_in_all<word>(as_words(values)));
-  return as_halves(_mm_shufflehi_epi16(_mm_shufflelo_epi16(pairs, 0xF5), 0xF5));
+  return as_halves(_mm_shufflehi_epi16(_mm_shufflelo_epi16(pairs, 0xF5), 0xF5)) << shift;
 }
 /// The first words of three; the fourth one is any.
 inline Words first_words(Words a, Words b, Words c) {
@@ -88,8 +95,11 @@ inline Halves upper_halves(Words first_four, Words last_four) {
 inline Words multiples_0_to_3(Words step) {
   return (step & Words{0, 0xFFFFFFFF, 0, 0xFFFFFFFF}) + ((step + step) & Words{0, 0, 0xFFFFFFFF, 0xFFFFFFFF});
 }
-/// a - b, or 0 where b is greater.
-inline Halves saturated_difference(Halves a, Halves b) { return as_halves(_mm_subs_epu16(as_sse2(a), as_sse2(b))); }
+inline Halves unsigned_max(Halves a, Halves b) { return as_halves(_mm_subs_epu16(as_sse2(a), as_sse2(b))) + b; }
+/// RGB565 of channels in 8.8.
+inline Halves rgb565_of_halves(Halves r, Halves g, Halves b) {
+  return ((r & in_all_halves(0xF800)) | ((g >> 5) & in_all_halves(0x07E0))) | (b >> 11);
+}
 inline Halves signed_min(Halves a, Halves b) { return as_halves(_mm_min_epi16(as_sse2(a), as_sse2(b))); }
 inline Halves signed_max(Halves a, Halves b) { return as_halves(_mm_max_epi16(as_sse2(a), as_sse2(b))); }
 /// `a` where the mask is set, else `b`.
@@ -101,6 +111,8 @@ inline bool any_clear(Halves mask) { return _mm_movemask_epi8(as_sse2(mask)) != 
 
 /// Signed: products of the lower halves of words, plus those of the upper ones.
 inline Words sums_of_products(Halves a, Halves b) { return as_words(_mm_madd_epi16(as_sse2(a), as_sse2(b))); }
+/// Of the first word.
+inline std::int32_t sum_of_products(Halves a, Halves b) { return static_cast<std::int32_t>(sums_of_products(a, b)[0]); }
 /// Of pairs: less than 0 where the lower half is, or where that is 0 and the upper half is.
 inline Words lower_then_upper(Halves pairs) { return sums_of_products(pairs, in_all_pairs(1 << 14, 1)); }
 /// floor((a << shift) * b / 2^32), a signed, 0 <= b < 2^31.

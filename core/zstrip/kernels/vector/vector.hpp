@@ -27,8 +27,6 @@ inline Halves in_all_halves(std::int32_t value) {
   return Halves{half, half, half, half, half, half, half, half};
 }
 inline Words in_all_words(std::uint32_t value) { return Words{value, value, value, value}; }
-/// The others are 0.
-inline Words in_first_word(std::uint32_t value) { return Words{value, 0, 0, 0}; }
 
 inline std::uint32_t pair_of(std::int32_t low, std::int32_t high) {
   return (static_cast<std::uint32_t>(high) << 16) | (static_cast<std::uint32_t>(low) & 0xFFFF);
@@ -45,6 +43,11 @@ inline Words arithmetically_right(Words values, int by) {
   return as_words(__builtin_bit_cast(Signed, values) >> by);
 }
 
+/// A value in the pixels of a block of four columns and two rows, from its steps a pixel.
+inline Halves stepped_halves(Halves start, Halves step_x, Halves step_y) {
+  return start + step_x * Halves{0, 1, 2, 3, 0, 1, 2, 3} + step_y * Halves{0, 0, 0, 0, 1, 1, 1, 1};
+}
+
 }  // namespace zstrip::detail::vectors
 
 #if ZSTRIP_HAS_SSE2
@@ -58,12 +61,6 @@ namespace zstrip::detail::vectors {
 /// start, start + step, start + 2 step, start + 3 step.
 inline Words stepped_words(std::uint32_t start, std::uint32_t step) {
   return in_all_words(start) + multiples_0_to_3(in_all_words(step));
-}
-
-/// A value in the pixels of a block of four columns and two rows, from its steps a pixel.
-inline Halves stepped_halves(Halves start, Halves step_x, Halves step_y) {
-  return start +
-         (step_x * Halves{0, 1, 2, 3, 0, 1, 2, 3} + (step_y & Halves{0, 0, 0, 0, 0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF}));
 }
 
 }  // namespace zstrip::detail::vectors
