@@ -3,7 +3,7 @@
 // Texture coordinates are 0.32 of the texture, so that they wrap; exact positions 16.16 texels, modulo 2^16 texels;
 // u/w and v/w have 29 bits and a sign, 1/w has 29 bits. Depth is what the rule steps, with z16 16.16 codes. Every
 // implementation writes what portable/textured_run.hpp writes, bit by bit, and nothing beside the run. Assembly and
-// vectors have no light, Thumb-2 also a flat one, the depth test of z16 and nothing to count.
+// vectors have no light, vectors and Thumb-2 also a flat one, the depth test of z16 and nothing to count.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ inline constexpr bool kHasThumbLitRuns =
     std::is_same_v<Value, std::uint32_t>;
 template <TexelLight lit, bool statistics, class Value, class Rule>
 inline constexpr bool kHasVectorRuns =
-    kHasVectors&& lit == TexelLight::none && !statistics && Rule::kNearerOnly && std::is_same_v<Value, std::uint32_t>;
+    kHasVectors&& lit != TexelLight::smooth && !statistics && Rule::kNearerOnly && std::is_same_v<Value, std::uint32_t>;
 
 /// Whether there is fill_runs.
 template <TexelLight lit, bool statistics, class Value, class Rule>
@@ -52,6 +52,8 @@ void fill_runs(TexturedRun<lit, statistics, Value, Rule, TexturedRunsState>& run
                std::uint16_t* pixel, std::uint32_t count) {
   if constexpr (kHasThumbRuns<lit, statistics, Value, Rule>) {
     fill_runs_thumb(run, depth, pixel, count);
+  } else if constexpr (lit == TexelLight::flat) {
+    fill_lit_runs_vector(run, {run.r, run.g, run.b}, depth, pixel, count);
   } else {
     fill_runs_vector(run, depth, pixel, count);
   }
@@ -70,7 +72,11 @@ template <TexelLight lit, bool statistics, class Value, class Rule, class State>
     fill_lit_run_thumb(run, depth, pixel, length);
   } else {
     if constexpr (kHasVectorRuns<lit, statistics, Value, Rule>) {
-      if (known) return fill_run_vector(run, depth, pixel, length);
+      if constexpr (lit == TexelLight::flat) {
+        if (known) return fill_lit_run_vector(run, {run.r, run.g, run.b}, depth, pixel, length);
+      } else {
+        if (known) return fill_run_vector(run, depth, pixel, length);
+      }
     }
     run.fill(depth, pixel, length, light, counters);
   }

@@ -1,13 +1,15 @@
-// What vectors need beside operators, with NEON: what sse2.hpp defines. Included by vector.hpp alone.
+// What kernels in vectors need beside operators, with NEON: the functions that sse2.hpp describes.
 #pragma once
-
-#include <arm_neon.h>
 
 #include <cstdint>
 
 #include "zstrip/geometry/instance.hpp"
-#include "zstrip/kernels/vector/vector.hpp"
+#include "zstrip/kernels/vector/types.hpp"
 #include "zstrip/scene.hpp"
+
+#if ZSTRIP_HAS_NEON
+
+#include <arm_neon.h>
 
 namespace zstrip::detail::vectors {
 
@@ -172,3 +174,5 @@ class LinearForms {
 };
 
 }  // namespace zstrip::detail::vectors
+
+#endif

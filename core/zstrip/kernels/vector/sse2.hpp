@@ -1,11 +1,13 @@
-// What vectors need beside operators, with SSE2. Included by vector.hpp alone.
+// What kernels in vectors need beside operators, with SSE2. neon.hpp has the same functions.
 #pragma once
 
 #include <cstdint>
 
 #include "zstrip/geometry/instance.hpp"
-#include "zstrip/kernels/vector/vector.hpp"
+#include "zstrip/kernels/vector/types.hpp"
 #include "zstrip/scene.hpp"
+
+#if ZSTRIP_HAS_SSE2
 
 // GCC's header includes <stdlib.h> for aligned allocation, which nothing here needs.
 #if !defined(_MM_MALLOC_H_INCLUDED)
@@ -202,3 +204,5 @@ class LinearForms {
 };
 
 }  // namespace zstrip::detail::vectors
+
+#endif

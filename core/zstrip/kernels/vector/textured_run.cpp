@@ -3,6 +3,7 @@
 
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/kernels/vector/interpolated.hpp"
+#include "zstrip/raster/colour.hpp"
 
 #if ZSTRIP_HAS_VECTORS
 
@@ -46,9 +47,31 @@ std::int32_t times_w(std::uint32_t over_w, const Reciprocal& w, int right) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(high) << (right > -31 ? -right : 31));
 }
 
-}  // namespace
+/// Texels as they are.
+struct Unlit {
+  template <class Texels>
+  Texels operator()(Texels texels) const {
+    return texels;
+  }
+};
 
-void fill_runs_vector(TexturedRunsState& state, std::uint16_t* depth, std::uint16_t* pixel, std::uint32_t count) {
+/// Texels times a light.
+struct Lit {
+  OneLight by;
+
+  std::uint16_t operator()(std::uint16_t texel) const { return multiplied(texel, by.r, by.g, by.b); }
+  Halves operator()(Halves texels) const {
+    const auto lit = [](Halves channel, std::uint32_t factor) {
+      return (channel * in_all_halves(static_cast<std::int32_t>(factor)) + in_all_halves(128)) >> 8;
+    };
+    const Halves green = (texels >> 5) & in_all_halves(0x3F), blue = texels & in_all_halves(0x1F);
+    return (lit(texels >> 11, by.r) << 11) | (lit(green, by.g) << 5) | lit(blue, by.b);
+  }
+};
+
+template <class Light>
+[[gnu::always_inline]] inline void fill_runs(TexturedRunsState& state, const Light& light, std::uint16_t* depth,
+                                             std::uint16_t* pixel, std::uint32_t count) {
   constexpr int kLog2Run = 4;
   const Texels texels(state);
   Interpolated z(state.z, state.step_z);
@@ -70,9 +93,9 @@ void fill_runs_vector(TexturedRunsState& state, std::uint16_t* depth, std::uint1
     const std::uint32_t to_v = base_v + static_cast<std::uint32_t>(times_w(v_over_w, w, right));
     Interpolated u(from_u * state.to_fraction_u, step(from_u, to_u, state.to_fraction_u));
     Interpolated v(from_v * state.to_fraction_v, step(from_v, to_v, state.to_fraction_v));
-    draw_fragments(InOneRow{}, depth, pixel, z.upper(), [&] { return texels.eight(u, v); });
+    draw_fragments(InOneRow{}, depth, pixel, z.upper(), [&] { return light(texels.eight(u, v)); });
     u.next(), v.next(), z.next();
-    draw_fragments(InOneRow{}, depth + 8, pixel + 8, z.upper(), [&] { return texels.eight(u, v); });
+    draw_fragments(InOneRow{}, depth + 8, pixel + 8, z.upper(), [&] { return light(texels.eight(u, v)); });
     z.next();
     from_u = to_u, from_v = to_v;
     depth += 16;
@@ -83,15 +106,16 @@ void fill_runs_vector(TexturedRunsState& state, std::uint16_t* depth, std::uint1
   state.from_u = static_cast<std::int32_t>(from_u), state.from_v = static_cast<std::int32_t>(from_v);
 }
 
-void fill_run_vector(TexturedRunState<std::uint32_t>& run, std::uint16_t* depth, std::uint16_t* pixel,
-                     std::int32_t length) {
+template <class Light>
+[[gnu::always_inline]] inline void fill_run(TexturedRunState<std::uint32_t>& run, const Light& light,
+                                            std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length) {
   const Texels texels(run);
   if (length >= 8) {
     Interpolated z(run.z, run.step_z), u(run.u, run.step_u), v(run.v, run.step_v);
     for_each_eight(
         length,
         [&](std::int32_t at) {
-          draw_fragments(InOneRow{}, depth + at, pixel + at, z.upper(), [&] { return texels.eight(u, v); });
+          draw_fragments(InOneRow{}, depth + at, pixel + at, z.upper(), [&] { return light(texels.eight(u, v)); });
         },
         [&] { z.next(), u.next(), v.next(); },
         [&](std::int32_t pixels) { z.move(pixels), u.move(pixels), v.move(pixels); });
@@ -102,7 +126,7 @@ void fill_run_vector(TexturedRunState<std::uint32_t>& run, std::uint16_t* depth,
       const Words z = stepped_words(run.z + run.step_z * steps, run.step_z);
       const Words u = stepped_words(run.u + run.step_u * steps, run.step_u);
       const Words v = stepped_words(run.v + run.step_v * steps, run.step_v);
-      draw_fragments(HalfRow{}, depth + at, pixel + at, upper_halves(z, z), [&] { return texels.four(u, v); });
+      draw_fragments(HalfRow{}, depth + at, pixel + at, upper_halves(z, z), [&] { return light(texels.four(u, v)); });
       if (at == length - 4) break;
       at = length - 4;
     }
@@ -112,7 +136,7 @@ void fill_run_vector(TexturedRunState<std::uint32_t>& run, std::uint16_t* depth,
       const auto code = static_cast<std::uint16_t>(z >> 16);
       if (code > depth[i]) {
         depth[i] = code;
-        pixel[i] = run.texels[((v >> run.to_row) & run.row_mask) + (u >> run.to_column)];
+        pixel[i] = light(run.texels[((v >> run.to_row) & run.row_mask) + (u >> run.to_column)]);
       }
       z += run.step_z;
       u += run.step_u;
@@ -120,6 +144,25 @@ void fill_run_vector(TexturedRunState<std::uint32_t>& run, std::uint16_t* depth,
     }
   }
   run.z += run.step_z * static_cast<std::uint32_t>(length);
+}
+
+}  // namespace
+
+void fill_runs_vector(TexturedRunsState& state, std::uint16_t* depth, std::uint16_t* pixel, std::uint32_t count) {
+  fill_runs(state, Unlit{}, depth, pixel, count);
+}
+void fill_lit_runs_vector(TexturedRunsState& state, const OneLight& light, std::uint16_t* depth, std::uint16_t* pixel,
+                          std::uint32_t count) {
+  fill_runs(state, Lit{light}, depth, pixel, count);
+}
+
+void fill_run_vector(TexturedRunState<std::uint32_t>& run, std::uint16_t* depth, std::uint16_t* pixel,
+                     std::int32_t length) {
+  fill_run(run, Unlit{}, depth, pixel, length);
+}
+void fill_lit_run_vector(TexturedRunState<std::uint32_t>& run, const OneLight& light, std::uint16_t* depth,
+                         std::uint16_t* pixel, std::int32_t length) {
+  fill_run(run, Lit{light}, depth, pixel, length);
 }
 
 }  // namespace zstrip::detail
