@@ -26,6 +26,40 @@ struct StripLayout {
   std::uint16_t columns = 0;  ///< pixels, Plan::strip_columns
 };
 
+/// Where the strips of a layout lie on a display.
+class StripAreas {
+ public:
+  /// `width`, `height`: the display's.
+  constexpr StripAreas(const StripLayout& layout, std::uint16_t width, std::uint16_t height)
+      : count_(layout.count),
+        rows_(layout.rows),
+        columns_(layout.columns == 0 ? width : layout.columns),
+        width_(width),
+        height_(height) {}
+
+  /// Whether they cover the display exactly. If not, nothing else may be asked.
+  constexpr bool cover() const {
+    return rows_ != 0 && rows_ <= height_ && columns_ != 0 && columns_ <= width_ &&
+           count_ == across() * parts(height_, rows_);
+  }
+  /// The most bytes that a strip takes.
+  constexpr std::uint32_t bytes(PixelFormat format) const { return rows_ * bytes_per_row(columns_, format); }
+  constexpr Area area(std::uint16_t strip) const {
+    const auto left = static_cast<std::uint16_t>(strip % across() * columns_);
+    const auto top = static_cast<std::uint16_t>(strip / across() * rows_);
+    return {left, top, part(width_, left, columns_), part(height_, top, rows_)};
+  }
+
+ private:
+  static constexpr std::uint32_t parts(std::uint32_t whole, std::uint32_t part) { return (whole + part - 1) / part; }
+  static constexpr std::uint16_t part(std::uint16_t whole, std::uint16_t first, std::uint16_t length) {
+    return static_cast<std::uint16_t>(whole - first < length ? whole - first : length);
+  }
+  constexpr std::uint32_t across() const { return parts(width_, columns_); }
+
+  std::uint16_t count_, rows_, columns_, width_, height_;
+};
+
 /// Where strips are drawn: each buffer holds rows * bytes_per_row(columns) bytes, aligned as the renderer needs. While
 /// one is being sent, the other is drawn. With `second` empty one buffer does for both, and drawing waits for the
 /// transfer: right for buses without DMA.
@@ -53,17 +87,12 @@ auto present(Renderer& renderer, Panel& display, const StripLayout& layout, cons
   using DrawStatus = decltype(renderer.draw_strip(std::uint16_t{}, std::span<std::byte>{}));
   PresentResult<DrawStatus> result;
 
-  const std::uint16_t width = display.width();
-  const std::uint16_t height = display.height();
-  const std::uint16_t columns = layout.columns == 0 ? width : layout.columns;
-  const auto parts = [](std::uint32_t whole, std::uint32_t part) { return (whole + part - 1) / part; };
-  if (layout.rows == 0 || layout.rows > height || columns == 0 || columns > width ||
-      layout.count != parts(width, columns) * parts(height, layout.rows)) {
+  const StripAreas areas(layout, display.width(), display.height());
+  if (!areas.cover()) {
     result.display = Error::strip_layout;
     return result;
   }
-  const std::uint32_t across = parts(width, columns);
-  const std::uint32_t strip_bytes = layout.rows * bytes_per_row(columns, display.format());
+  const std::uint32_t strip_bytes = areas.bytes(display.format());
   const bool alternate = !buffers.second.empty();
   if (buffers.first.size() < strip_bytes || (alternate && buffers.second.size() < strip_bytes)) {
     result.display = Error::pixels_too_small;
@@ -82,12 +111,7 @@ auto present(Renderer& renderer, Panel& display, const StripLayout& layout, cons
     if (!result) break;
     result.display = display.wait();
     if (!result) break;
-    const auto left = static_cast<std::uint16_t>(strip % across * columns);
-    const auto top = static_cast<std::uint16_t>(strip / across * layout.rows);
-    const auto part = [](std::uint16_t whole, std::uint16_t first, std::uint16_t length) {
-      return static_cast<std::uint16_t>(whole - first < length ? whole - first : length);
-    };
-    const Area area{left, top, part(width, left, columns), part(height, top, layout.rows)};
+    const Area area = areas.area(strip);
     result.display = display.write(area, drawing.first(area.height * bytes_per_row(area.width, display.format())));
     std::swap(drawing, sending);
   }

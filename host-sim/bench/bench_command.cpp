@@ -54,6 +54,7 @@ struct BenchOptions {
   std::optional<double> spi_mhz;    ///< instead of the board's own
   std::optional<double> core_mhz;
   std::optional<std::uint32_t> wait_states;
+  std::uint32_t cores = 1;              ///< of such a board
   std::string table;                    ///< empty: the workloads; else the table to reproduce instead
   std::vector<std::uint32_t> pictures;  ///< of the table; empty: all
   std::uint32_t draw_each = 0;          ///< not 0: run by instruction_count.cpp
@@ -179,10 +180,13 @@ Result<Done> run_predictions(const BenchOptions& options) {
     board.spi_mhz = options.spi_mhz.value_or(board.spi_mhz);
     board.core_mhz = options.core_mhz.value_or(board.core_mhz);
     board.flash.wait_states = options.wait_states.value_or(board.flash.wait_states);
+    if (options.cores > board.cores) {
+      return Failure{ExitStatus::usage, fmt::format("--cores {}: {} has one", options.cores, name)};
+    }
     const Result<std::vector<BenchCase>> cases = cases_for(options, std::string(board.target));
     if (!cases) return cases.failure();
     for (const BenchCase& bench_case : *cases) {
-      Result<BoardPrediction> prediction = predict(board, bench_case, options.firmware);
+      Result<BoardPrediction> prediction = predict(board, bench_case, options.cores, options.firmware);
       if (!prediction) return prediction.failure();
       text += prediction_text(*prediction);
       predictions.push_back(std::move(*prediction));
@@ -303,6 +307,9 @@ void add_board_options(CLI::App& command, BenchOptions& options, CLI::Option* ta
       ->needs(board);
   command.add_option("--core-mhz", options.core_mhz, "Clock of the core instead of the board's own")
       ->check(CLI::Range(0.01, 10000.0))
+      ->needs(board);
+  command.add_option("--cores", options.cores, "How many cores draw, each every other strip")
+      ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{2}))
       ->needs(board);
   command.add_option("--wait-states", options.wait_states, "Of the flash instead of the board's own")
       ->check(CLI::Range(std::uint32_t{0}, std::uint32_t{1000}))

@@ -23,7 +23,7 @@ constexpr std::array kBoards{
     // in
     // continuous read mode: 8 clocks of address, 4 idle, 16 of data, at half the core's clock.
     BoardModel{.name = "pico",
-               .description = "Raspberry Pi Pico, RP2040, one core of two",
+               .description = "Raspberry Pi Pico, RP2040",
                .core = "m0+",
                .target = "m0",
                .core_mhz = 125,
@@ -33,6 +33,7 @@ constexpr std::array kBoards{
                .ram_bytes = 264 * 1024,
                .spi_mhz = 62.5,
                .dma = true,
+               .cores = 2,
                .cycles_per_estimate = 3.0},
     // STM32F103 data sheet and flash programming manual: 2 wait states above 48 MHz, a prefetch buffer of two lines of
     // 64

@@ -17,8 +17,9 @@ struct BoardModel {
   double core_mhz;
   Flash flash;
   std::uint32_t ram_bytes;
-  double spi_mhz;  ///< most that the chip drives a display with
-  bool dma;        ///< the bus sends while the core draws; else the core waits
+  double spi_mhz;           ///< most that the chip drives a display with
+  bool dma;                 ///< the bus sends while the core draws; else the core waits
+  std::uint32_t cores = 1;  ///< that are alike; one of them draws unless more are asked for
   /// Of the core, for each instruction that `zstrip plan` estimates for a Cortex-M3: the predicted cycles of K5M and CT
   /// (docs/measured/performance.md, "Boards") by the instructions that a Cortex-M3 counts for such plans, the mean of
   /// both, which are up to a quarter apart from it.

@@ -31,10 +31,12 @@ Cycles cycles_of(const ProfiledCase& profiled, const ExecutedRegion& region, con
 
 }  // namespace
 
-Result<BoardPrediction> predict(const BoardModel& board, const BenchCase& bench_case, const std::string& firmware) {
+Result<BoardPrediction> predict(const BoardModel& board, const BenchCase& bench_case, std::uint32_t cores,
+                                const std::string& firmware) {
   BenchCase on_board = bench_case;
   on_board.target = board.target;
-  if (on_board.budget.bytes == 0) on_board.budget.bytes = board.ram_bytes - kReservedRam;
+  // Of two cores each has half: three buffers of pixels are less than two times two.
+  if (on_board.budget.bytes == 0) on_board.budget.bytes = (board.ram_bytes - kReservedRam) / cores;
   on_board.budget.strip_buffers = board.dma ? 2 : 1;
   const Result<ProfiledCase> profiled = profile_on_board(on_board, board.flash.cache, firmware);
   if (!profiled) return profiled.failure();
@@ -50,7 +52,8 @@ Result<BoardPrediction> predict(const BoardModel& board, const BenchCase& bench_
     return Failure{ExitStatus::internal, fmt::format("{} regions were counted in {} frames of {} strips",
                                                      regions.size(), on_board.frames, strips)};
   }
-  BoardPrediction prediction{.board = board, .measurement = measured, .mix{}, .core{}, .flash{}, .frames{}};
+  BoardPrediction prediction{
+      .board = board, .cores = cores, .measurement = measured, .mix{}, .core{}, .flash{}, .frames{}};
   auto region = regions.begin();
   for (std::uint32_t i = 0; i < on_board.frames; ++i) {
     PredictedFrame frame;
@@ -64,16 +67,26 @@ Result<BoardPrediction> predict(const BoardModel& board, const BenchCase& bench_
   return prediction;
 }
 
-std::vector<StripTimes> timeline(const BoardModel& board, const PredictedFrame& frame, bool slow) {
+namespace {
+
+std::vector<StripTimes> timeline(const BoardPrediction& prediction, const PredictedFrame& frame, bool slow) {
+  const BoardModel& board = prediction.board;
   const auto seconds = [&](const Cycles& cycles) { return (slow ? cycles.high : cycles.low) / (board.core_mhz * 1e6); };
   std::vector<StripWork> work;
   for (std::size_t i = 0; i < frame.strips.size(); ++i) work.push_back({seconds(frame.strips[i]), frame.sending[i]});
+  if (prediction.cores == 2) return two_core_timeline(seconds(frame.begin), work);
   return strip_timeline(seconds(frame.begin), work, board.dma);
+}
+
+}  // namespace
+
+std::vector<StripTimes> slowest_timeline(const BoardPrediction& prediction) {
+  return timeline(prediction, prediction.frames.front(), true);
 }
 
 double frame_seconds(const BoardPrediction& prediction, bool slow) {
   double sum = 0;
-  for (const PredictedFrame& frame : prediction.frames) sum += timeline(prediction.board, frame, slow).back().send_end;
+  for (const PredictedFrame& frame : prediction.frames) sum += timeline(prediction, frame, slow).back().send_end;
   return sum / static_cast<double>(prediction.frames.size());
 }
 

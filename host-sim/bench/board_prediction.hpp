@@ -25,6 +25,7 @@ struct PredictedFrame {
 
 struct BoardPrediction {
   BoardModel board;
+  std::uint32_t cores = 1;  ///< that draw
   Measurement measurement;
   InstructionMix mix;              ///< of all frames
   std::uint64_t instructions = 0;  ///< likewise
@@ -32,12 +33,14 @@ struct BoardPrediction {
   std::vector<PredictedFrame> frames;
 };
 
-/// The case's target and budget are the board's own: arena and two strips of pixels (one without DMA) in its RAM.
+/// The case's target and budget are the board's own: arena and two strips of pixels (one without DMA) in its RAM; with
+/// two cores an arena more and three strips. `cores`: that draw, up to the board's, with DMA.
 /// `bench_case` brings workload, view, frames, strip rows and mode. Failures as those of profile_on_board().
-Result<BoardPrediction> predict(const BoardModel& board, const BenchCase& bench_case, const std::string& firmware);
+Result<BoardPrediction> predict(const BoardModel& board, const BenchCase& bench_case, std::uint32_t cores,
+                                const std::string& firmware);
 
-/// The frame drawn as slowly as the model allows, or as fast.
-std::vector<StripTimes> timeline(const BoardModel& board, const PredictedFrame& frame, bool slow);
+/// The first frame, drawn as slowly as the model allows.
+std::vector<StripTimes> slowest_timeline(const BoardPrediction& prediction);
 /// Of all frames, the time of a picture from begin_frame to the end of its last transfer; seconds, a mean.
 double frame_seconds(const BoardPrediction& prediction, bool slow);
 

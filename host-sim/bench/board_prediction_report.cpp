@@ -13,11 +13,11 @@ namespace {
 
 constexpr int kTimelineColumns = 72;
 
-/// Arena and all buffers of a strip's pixels.
+/// Arenas and all buffers of a strip's pixels.
 std::uint64_t ram_bytes(const BoardPrediction& p) {
   const Measurement& m = p.measurement;
   const std::uint64_t strip = m.strip_rows * bytes_per_row(m.strip_columns, m.bench_case.view.format);
-  return m.ram_bytes + (p.board.dma ? strip : 0);  // one is in the measurement
+  return p.cores * m.ram_bytes + (p.board.dma ? strip : 0);  // one is in the measurement
 }
 
 double milliseconds(double seconds) { return 1e3 * seconds; }
@@ -34,7 +34,8 @@ std::string assumptions(const BoardPrediction& p) {
       board.spi_mhz,
       board.dma ? "DMA sends one strip while the next is drawn" : "no DMA: the core waits for each strip",
       kWindowBytes);
-  text += "  not in it: interrupts, preparing the next frame, DMA and core taking turns at the RAM\n";
+  text += fmt::format("  not in it: interrupts, preparing the next frame, {} taking turns at the RAM{}\n",
+                      p.cores == 1 ? "DMA and core" : "DMA and both cores", p.cores == 1 ? "" : " and the flash");
   return text;
 }
 
@@ -75,7 +76,7 @@ void draw_bar(std::string& line, double begin, double end, double scale, char ma
 }
 
 std::string timeline_text(const BoardPrediction& p) {
-  const std::vector<StripTimes> times = timeline(p.board, p.frames.front(), true);
+  const std::vector<StripTimes> times = slowest_timeline(p);
   const double scale = kTimelineColumns / times.back().send_end;
   std::string text =
       fmt::format("  first frame at its slowest; # draws, = sends, a column is {:.2f} ms\n", 1e3 / scale);
@@ -103,8 +104,8 @@ std::string prediction_text(const BoardPrediction& p) {
   double bus = 0;
   for (const double seconds : p.frames.front().sending) bus += seconds;
   const double cycles_a_ms = 1e3 * p.board.core_mhz * frames;  // of all frames, for one of each
-  std::string text = fmt::format("{} on {} ({}): {} frames a second predicted\n", m.bench_case.workload, p.board.name,
-                                 p.board.description, range(1 / slow, 1 / fast, 1));
+  std::string text = fmt::format("{} on {} ({}{}): {} frames a second predicted\n", m.bench_case.workload, p.board.name,
+                                 p.board.description, p.cores == 2 ? ", both cores" : "", range(1 / slow, 1 / fast, 1));
   text += fmt::format("  picture: {}x{} RGB565, {} strips of {} rows, {}; arena and pixels {} of {} bytes of RAM\n",
                       m.bench_case.view.width, m.bench_case.view.height, p.frames.front().strips.size(), m.strip_rows,
                       name(m.mode), ram_bytes(p), p.board.ram_bytes);
@@ -132,7 +133,7 @@ std::string prediction_json(std::span<const BoardPrediction> predictions) {
     }
     mix["branch_taken"] = static_cast<double>(p.mix.taken) / frames;
     Json strips = Json::array();
-    for (const StripTimes& t : timeline(p.board, p.frames.front(), true)) {
+    for (const StripTimes& t : slowest_timeline(p)) {
       strips.push_back(
           {{"draw_ms", {1e3 * t.draw_begin, 1e3 * t.draw_end}}, {"send_ms", {1e3 * t.send_begin, 1e3 * t.send_end}}});
     }
@@ -149,6 +150,7 @@ std::string prediction_json(std::span<const BoardPrediction> predictions) {
                     {"ram_bytes", ram_bytes(p)},
                     {"assumptions",
                      {{"core", p.board.core},
+                      {"cores", p.cores},
                       {"timings", find_core(p.board.core)->source},
                       {"core_mhz", p.board.core_mhz},
                       {"flash", p.board.flash.description},

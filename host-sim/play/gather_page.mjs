@@ -20,7 +20,7 @@ const kBuiltIn = {
 /** The files that a scene file or a model names, with what those name. Names without a file are left to the command. */
 function withNamed(path) {
   const kNames = {
-    '.toml': /^\s*(?:file|image|texture|environment)\s*=\s*"([^"]+)"/gm,
+    '.toml': /(?:^|[{,])\s*(?:file|image|texture|environment)\s*=\s*"([^"]+)"/gm,
     '.obj': /^mtllib\s+(\S+)/gm,
     '.mtl': /^map_\w+\s+(\S+)/gm,
     '.gltf': /"uri"\s*:\s*"(?!data:)([^"]+)"/g,

@@ -41,7 +41,7 @@ json bench_rows(std::vector<std::string> options) {
 }
 
 TEST(Workloads, AllNameABuiltInScene) {
-  ASSERT_EQ(workloads().size(), 7U);
+  ASSERT_EQ(workloads().size(), 8U);
   for (const Workload& workload : workloads()) EXPECT_NE(workload.built_in(), nullptr) << workload.name;
   EXPECT_EQ(find_workload("knot"), nullptr);
 }

@@ -34,6 +34,7 @@ std::span<const Contract> contracts();
 Outcome compare_transforms(std::uint32_t cases);
 Outcome compare_small_triangles(std::uint32_t cases);
 Outcome compare_medium_triangles(std::uint32_t cases);
+Outcome compare_medium_textured(std::uint32_t cases);
 Outcome compare_small_runs(std::uint32_t cases);
 Outcome compare_meshlets(std::uint32_t cases);
 Outcome compare_spans(std::uint32_t cases);

@@ -1,6 +1,6 @@
 // Medium triangles against the span rasteriser: their planes, then whole ones in strips that cut them above and below.
 // Anywhere in the narrow range, boxes of all sizes, slivers among them, depths and colours that change by little and by
-// all.
+// all. Textured ones with texture coordinates and distances of all sizes, in each light.
 #include <algorithm>
 #include <cstdint>
 #include <utility>
@@ -9,6 +9,8 @@
 #include "pictures.hpp"
 #include "random.hpp"
 #include "raster_vertex.hpp"
+#include "textures.hpp"
+#include "zstrip/kernels/medium_textured.hpp"
 #include "zstrip/kernels/medium_triangle.hpp"
 #include "zstrip/raster/clip_triangle.hpp"
 #include "zstrip/raster/span_triangle.hpp"
@@ -85,18 +87,26 @@ bool planes_differ(Random& random, std::uint32_t number, Outcome& outcome) {
   return !same && outcome.differs("the planes of a medium triangle", number);
 }
 
+/// A strip that cuts a triangle above and below.
+struct Cut {
+  std::int32_t left, top, width, height;
+
+  Cut(Random& random, const Rect& box)
+      : left(box.left - random.below(3)),
+        top(box.top + random.between(-8, 8)),
+        width(box.right - left + random.below(3)),
+        height(random.between(1, std::min<std::int32_t>(70, static_cast<std::int32_t>(kMaxCells) / width))) {}
+};
+
 template <Shade shade>
 bool differ(Random& random, std::uint32_t number, Outcome& outcome) {
   Medium m;
   if (!make(random, random.between(2, 900), m)) return false;
-  const std::int32_t left = m.box.left - random.below(3), width = m.box.right - left + random.below(3);
-  const std::int32_t top = m.box.top + random.between(-8, 8);
-  const std::int32_t height =
-      random.between(1, std::min<std::int32_t>(70, static_cast<std::int32_t>(kMaxCells) / width));
-  const Pictures pictures(random, width, height, m.v[0].depth >> 16);
+  const Cut strip(random, m.box);
+  const Pictures pictures(random, strip.width, strip.height, m.v[0].depth >> 16);
   constexpr std::uint16_t kFlat = 0x1234;
   const Colour* const colours[3] = {&m.colours[0], &m.colours[1], &m.colours[2]};
-  const StripTarget own = pictures.own.target(left, top, nullptr);
+  const StripTarget own = pictures.own.target(strip.left, strip.top, nullptr);
   const MediumTriangle triangle{own, m.v[0], m.v[1], m.v[2], m.area};
   // Where vectors draw, the C++ for words of 32 bits in every second case.
   const auto drawn = [&](bool by_words) {
@@ -106,10 +116,58 @@ bool differ(Random& random, std::uint32_t number, Outcome& outcome) {
   };
   if (!drawn(number % 8 < 4)) return false;
   Statistics statistics{};
-  draw_span_triangle<shade, false, true>(pictures.portable.target(left, top, &statistics), m.raster[0], m.raster[1],
-                                         m.raster[2], {.flat_colour = kFlat, .texture = {}, .depth_offset = 0}, true);
+  draw_span_triangle<shade, false, true>(pictures.portable.target(strip.left, strip.top, &statistics), m.raster[0],
+                                         m.raster[1], m.raster[2],
+                                         {.flat_colour = kFlat, .texture = {}, .depth_offset = 0}, true);
   outcome.compared += statistics.depth_passes != 0 ? 1U : 0U;
   return !pictures.equal() && outcome.differs("a medium triangle", number);
+}
+
+template <TexelLight lit, std::int32_t perspective = kPerspectiveRun>
+bool textured_differ(Random& random, std::uint32_t number, Outcome& outcome) {
+  Medium m;
+  if (!make(random, random.between(2, 260), m)) return false;
+  const int less = random.below(24);
+  TexturedVertex corners[3];
+  for (int i = 0; i < 3; ++i) {
+    corners[i] = {m.v[i].depth, static_cast<std::int32_t>(random.word()) >> less,
+                  static_cast<std::int32_t>(random.word()) >> less};
+    m.raster[i].u = corners[i].u, m.raster[i].v = corners[i].v;
+  }
+  // Up to 2^17 texels: more than vectors know.
+  const auto side = [&random](std::int32_t most) { return static_cast<std::uint8_t>(random.below(most + 1)); };
+  const TextureView texture{texels.data(), side(kMaxLog2Width), side(kMaxLog2Height)};
+  const std::int64_t depth_offset = static_cast<std::int64_t>(random.word()) << random.below(8);
+  const Cut strip(random, m.box);
+  const Pictures pictures(random, strip.width, strip.height, m.v[0].depth >> 16);
+
+  const StripTarget own = pictures.own.target(strip.left, strip.top, nullptr);
+  const TexturedVertex* const vertices[3] = {&corners[0], &corners[1], &corners[2]};
+  const Colour* const colours[3] = {&m.colours[0], &m.colours[1], &m.colours[2]};
+  if (!draw_medium_textured<lit, perspective == 0>({own, m.v[0], m.v[1], m.v[2], m.area},
+                                                   {vertices, colours, texture, depth_offset})) {
+    return false;
+  }
+  constexpr Shade kShade = lit == TexelLight::none   ? Shade::textured
+                           : lit == TexelLight::flat ? Shade::textured_flat
+                                                     : Shade::textured_gouraud;
+  Statistics statistics{};
+  draw_span_triangle<kShade, false, true, DepthMode{}, perspective>(
+      pictures.portable.target(strip.left, strip.top, &statistics), m.raster[0], m.raster[1], m.raster[2],
+      {.flat_colour = 0, .texture = texture, .depth_offset = depth_offset}, true);
+  outcome.compared += statistics.depth_passes != 0 ? 1U : 0U;
+  return !pictures.equal() && outcome.differs("a medium textured triangle", number);
+}
+
+bool any_textured_differ(Random& random, std::uint32_t number, Outcome& outcome) {
+  switch (number % 6) {
+    case 0: return textured_differ<TexelLight::none>(random, number, outcome);
+    case 1: return textured_differ<TexelLight::flat>(random, number, outcome);
+    case 2: return textured_differ<TexelLight::none, 0>(random, number, outcome);
+    case 3: return textured_differ<TexelLight::flat, 0>(random, number, outcome);
+    case 4: return textured_differ<TexelLight::smooth, 0>(random, number, outcome);
+    default: return textured_differ<TexelLight::smooth>(random, number, outcome);
+  }
 }
 
 }  // namespace
@@ -129,6 +187,16 @@ Outcome compare_medium_triangles(std::uint32_t cases) {
       default:
         if (differ<Shade::flat>(random, number, outcome)) return outcome;
     }
+  }
+  return outcome;
+}
+
+Outcome compare_medium_textured(std::uint32_t cases) {
+  Random random(9);
+  fill_texels(random);
+  Outcome outcome;
+  for (std::uint32_t number = 0; number < cases; ++number) {
+    if (any_textured_differ(random, number, outcome)) break;
   }
   return outcome;
 }

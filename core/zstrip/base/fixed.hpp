@@ -85,6 +85,7 @@ constexpr std::int64_t long_product(std::int32_t a, std::int32_t b) {
   }
   return std::int64_t{a} * b;
 }
+constexpr std::int64_t long_product(std::int64_t a, std::int64_t b) { return a * b; }
 /// Rounded to nearest, halves up. |a * b| < 2^62.
 constexpr std::int32_t multiply_high_rounded(std::int32_t a, std::int32_t b) {
   if constexpr (!kMultipliesLong) return multiply_high_rounded_in_halves(a, b);

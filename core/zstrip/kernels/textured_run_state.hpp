@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "zstrip/raster/target.hpp"
+
 namespace zstrip::detail {
 
 /// What texels are multiplied by: nothing, one colour, or interpolated colours.
@@ -10,6 +12,18 @@ enum class TexelLight : std::uint8_t { none, flat, smooth };
 
 /// Most pixels between two exact texture positions: a whole run.
 inline constexpr std::int32_t kPerspectiveRun = 16;
+
+/// A texture coordinate as a fraction of the texture in 0.32: wrapping is what unsigned integers do. A side of one
+/// texel has no fraction: it stays 0.
+struct TextureAxis {
+  std::uint32_t to_fraction;  ///< factor, from 16.16 texels
+  std::int32_t to_index;      ///< right shift
+
+  explicit TextureAxis(std::uint8_t log2_size)
+      : to_fraction(log2_size == 0 ? 0 : std::uint32_t{1} << (16 - log2_size)),
+        to_index(log2_size == 0 ? 31 : 32 - log2_size) {}
+  std::uint32_t fraction(std::int32_t texels) const { return static_cast<std::uint32_t>(texels) * to_fraction; }
+};
 
 /// Where a run stands. The assembly reads the members in this order.
 template <class Value>
@@ -19,6 +33,14 @@ struct TexturedRunState {
   const std::uint16_t* texels;
   std::int32_t to_column, to_row;  ///< right shifts; to_row leaves the row times the width of the texture
   std::uint32_t row_mask;          ///< clears the bits below a row
+
+  void set_texture(const TextureView& texture) {
+    texels = texture.texels;
+    to_column = TextureAxis(texture.log2_width).to_index;
+    const int row_bits = texture.log2_height + texture.log2_width;
+    to_row = row_bits == 0 ? 31 : 32 - row_bits;
+    row_mask = ~((std::uint32_t{1} << texture.log2_width) - 1);
+  }
 };
 
 /// A run of texels that may be lit.

@@ -8,13 +8,14 @@
 namespace zstrip {
 namespace detail {
 
-/// Instructions, by least squares of relative errors over 144 frames of the workloads.
+/// Instructions, by least squares of relative errors over 190 frames of the workloads.
 inline constexpr std::uint64_t kCostOfVertex = 100;
 inline constexpr std::uint64_t kCostOfLighting = 27;   // a vertex
 inline constexpr std::uint64_t kCostOfCulling = 58;    // a triangle, each time that its vertices are transformed
 inline constexpr std::uint64_t kCostOfBinning = 63;    // a triangle, once
 inline constexpr std::uint64_t kCostOfBin = 33;        // a triangle in a strip's list
 inline constexpr std::uint64_t kCostOfSetup = 56;      // a triangle in a strip
+inline constexpr std::uint64_t kCostOfTexture = 1450;  // a triangle in a strip, beyond that
 inline constexpr std::uint64_t kCostOfRow = 134;       // of such a triangle, as rows_of has them
 inline constexpr std::uint64_t kCostOfAveraging = 16;  // a pixel of several samples
 inline constexpr std::uint64_t kCostOfMeshlet = 169;   // in each strip
@@ -108,6 +109,7 @@ constexpr std::uint64_t estimated_cost(const SceneCounts& counts, Effects effect
                        work.rows * kCostOfRow + (work.fragments * pixel + pixels * view.samples * kCostOfClearing) / 8 +
                        std::uint64_t{counts.meshlets} * plan.strips * kCostOfMeshlet;
   if (effects.has(effect::lighting)) cost += work.vertices * kCostOfLighting;
+  if (effects.has(effect::textures)) cost += work.covering * kCostOfTexture;
   if (plan.mode == Mode::binned) cost += culled * kCostOfBinning + work.covering * kCostOfBin;
   if (view.samples != 1) cost += pixels * kCostOfAveraging;
   return cost;

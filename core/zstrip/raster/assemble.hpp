@@ -10,6 +10,7 @@
 #include "zstrip/effects/outlines/outline.hpp"
 #include "zstrip/effects/pixel_shading/lit_corners.hpp"
 #include "zstrip/geometry/project.hpp"
+#include "zstrip/kernels/medium_textured.hpp"
 #include "zstrip/kernels/medium_triangle.hpp"
 #include "zstrip/kernels/small_run.hpp"
 #include "zstrip/kernels/small_triangle.hpp"
@@ -165,7 +166,40 @@ struct Assembler : ClippedAssembler<effects> {
     if constexpr (kHasMedium<shade> && !kInRuns) {
       if (draw_medium<kGouraud>({target, a, b, c, area}, colours, flat_colour)) return;
     }
+    if constexpr (kHasMediumTexturedOf<shade>) {
+      if (draw_medium_with_texture<shade>(target, batch, provoking, {&a, &b, &c}, area)) return;
+    }
     draw_narrow_spans<shade>(target, batch, provoking, a, b, c);
+  }
+
+  template <Shade shade>
+  static constexpr bool kHasMediumTexturedOf =
+      kHasMediumTextured&& kTextures&& shade >= Shade::textured&& shade <= Shade::textured_gouraud && !kStatistics &&
+      (Clipped::kPerspective == 0 || Clipped::kPerspective == kPerspectiveRun) &&
+      std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
+
+  /// Cannot be inlined: the stack of what it calls.
+  template <Shade shade>
+  [[gnu::noinline]] static bool draw_medium_with_texture(const StripTarget& target, const Batch& batch,
+                                                         const Triangle& provoking,
+                                                         const SnappedVertex* const (&snapped)[3], std::int32_t area) {
+    TexturedVertex vertices[3];
+    const TexturedVertex* const corners[3] = {&vertices[0], &vertices[1], &vertices[2]};
+    const Colour* colours[3] = {};
+    for (int i = 0; i < 3; ++i) {
+      const auto index = static_cast<std::uint32_t>(snapped[i] - batch.vertices) + batch.first_vertex;
+      vertices[i].depth = snapped[i]->depth;
+      Attributes::load_texture_coordinates(batch, index, vertices[i]);
+      if constexpr (shade == Shade::textured_gouraud) colours[i] = &Attributes::colour_of(batch, index);
+    }
+    if constexpr (shade == Shade::textured_flat) colours[0] = &Attributes::colour_of(batch, provoking.a);
+    constexpr TexelLight kLit = shade == Shade::textured        ? TexelLight::none
+                                : shade == Shade::textured_flat ? TexelLight::flat
+                                                                : TexelLight::smooth;
+    return draw_medium_textured < kLit,
+           kOrthographic ||
+               Clipped::kPerspective == 0 > ({target, *snapped[0], *snapped[1], *snapped[2], area},
+                                             {corners, colours, batch.surface.texture, batch.surface.depth_offset});
   }
 
   /// Whether triangles larger than small ones are drawn by draw_medium.

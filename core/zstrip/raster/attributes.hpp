@@ -54,19 +54,21 @@ struct VertexAttributes {
       set_colour(vertex, white ? Colour{255, 255, 255, 255} : colour_of(batch, index));
       if (!kTextures || kind < Shade::textured) return;
     }
-    if constexpr (shade >= Shade::textured && kTextures) {
-      if constexpr (effects.has(effect::environment)) {
-        if (batch.reflections != nullptr) {
-          const TexCoord& t = batch.reflections[index - batch.first_vertex];
-          vertex.u = texels(t.u, batch.surface.texture.log2_width, 15);
-          vertex.v = texels(t.v, batch.surface.texture.log2_height, 15);
-          return;
-        }
+    if constexpr (shade >= Shade::textured && kTextures) load_texture_coordinates(batch, index, vertex);
+  }
+  template <class Vertex>
+  static void load_texture_coordinates(const Batch& batch, std::uint32_t index, Vertex& vertex) {
+    if constexpr (effects.has(effect::environment)) {
+      if (batch.reflections != nullptr) {
+        const TexCoord& t = batch.reflections[index - batch.first_vertex];
+        vertex.u = texels(t.u, batch.surface.texture.log2_width, 15);
+        vertex.v = texels(t.v, batch.surface.texture.log2_height, 15);
+        return;
       }
-      const TexCoord& t = batch.mesh->texcoords[index];
-      vertex.u = texels(t.u, batch.surface.texture.log2_width, batch.mesh->texcoord_bits);
-      vertex.v = texels(t.v, batch.surface.texture.log2_height, batch.mesh->texcoord_bits);
     }
+    const TexCoord& t = batch.mesh->texcoords[index];
+    vertex.u = texels(t.u, batch.surface.texture.log2_width, batch.mesh->texcoord_bits);
+    vertex.v = texels(t.v, batch.surface.texture.log2_height, batch.mesh->texcoord_bits);
   }
 
   /// A flat triangle has the colour of its first vertex, whatever clipping and culling do to the order.
@@ -87,19 +89,19 @@ struct VertexAttributes {
     for (RasterVertex& vertex : vertices) set_colour(vertex, colour_of(batch, provoking.a));
   }
 
+  static const Colour& colour_of(const Batch& batch, std::uint32_t index) {
+    if constexpr (kColours) {
+      if (batch.colours != nullptr) return batch.colours[index - batch.first_vertex];
+    }
+    return batch.instance->base;
+  }
+
  private:
   template <class Vertex>
   static void set_colour(Vertex& vertex, const Colour& colour) {
     vertex.r = channel_start(colour.r);
     vertex.g = channel_start(colour.g);
     vertex.b = channel_start(colour.b);
-  }
-
-  static Colour colour_of(const Batch& batch, std::uint32_t index) {
-    if constexpr (kColours) {
-      if (batch.colours != nullptr) return batch.colours[index - batch.first_vertex];
-    }
-    return batch.instance->base;
   }
 };
 

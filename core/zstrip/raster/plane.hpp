@@ -55,6 +55,7 @@ struct WidePlane {
 /// What all planes of one triangle share.
 class PlaneSetup {
  public:
+  using Value = std::int64_t;
   /// `area` is twice the signed area of the triangle (> 0); the anchor is a pixel, the picture's nearest to the
   /// triangle.
   PlaneSetup(const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2, std::int64_t area,

@@ -32,13 +32,14 @@ struct CornerInverses {
   }
 };
 
-/// A vector times 1/w over a triangle, scaled to 30 bits.
+/// A vector times 1/w over a triangle, scaled to 30 bits; with rounded steps, half a unit for each of 4096 columns and
+/// rows, below 2^30 + 2^12.
 class SpacePlanes {
  public:
   SpacePlanes() = default;
   template <bool orthographic>
   SpacePlanes(const PlaneSetup& setup, const Vector3 (&corner)[3], const CornerInverses<orthographic>& inverses) {
-    std::int64_t x[3], y[3], z[3];  // below 2^60
+    std::int64_t x[3], y[3], z[3];  // below 2^60: 31 bits times 29
     std::uint64_t bits = 1;
     for (int i = 0; i < 3; ++i) {
       x[i] = corner[i].x * inverses.q[i];

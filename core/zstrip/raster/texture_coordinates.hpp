@@ -28,43 +28,61 @@ template <bool orthographic>
 class TextureCoordinates {
  public:
   TextureCoordinates() = default;
-  /// `depth_offset` is DepthFit::offset.
-  TextureCoordinates(const PlaneSetup& setup, const RasterVertex* const (&v)[3], std::int64_t depth_offset) {
+  /// `depth_offset` is DepthFit::offset. `planes`: a PlaneSetup, or where fits_words() MediumPlanes, in words of 32
+  /// bits.
+  template <class Planes, class Vertex>
+  TextureCoordinates(const Planes& planes, const Vertex* const (&v)[3], std::int64_t depth_offset) {
+    using Value = typename Planes::Value;
     // Relative to whole texels near vertex 0: small numbers keep their precision.
     base_u_ = v[0]->u & ~0xFFFF;
     base_v_ = v[0]->v & ~0xFFFF;
-    const auto relative = [](std::int32_t value, std::int32_t base) { return std::int64_t{value} - base; };  // 17.16
-    std::int64_t u[3];
-    std::int64_t w[3];
-    for (int i = 0; i < 3; ++i) {
-      u[i] = relative(v[i]->u, base_u_);
-      w[i] = relative(v[i]->v, base_v_);
+    Value u[3], w[3];
+    for (int i = 0; i < 3; ++i) {  // 17.16
+      u[i] = Value{v[i]->u} - base_u_;
+      w[i] = Value{v[i]->v} - base_v_;
     }
     if constexpr (orthographic) {
-      u_over_w_ = setup.plane(u[0], u[1] - u[0], u[2] - u[0]);
-      v_over_w_ = setup.plane(w[0], w[1] - w[0], w[2] - w[0]);
+      u_over_w_ = planes.plane(u[0], u[1] - u[0], u[2] - u[0]);
+      v_over_w_ = planes.plane(w[0], w[1] - w[0], w[2] - w[0]);
       return;
     }
     // 1/w scaled to at most 29 bits.
-    std::int64_t q[3];
+    std::int64_t inverse[3];
     std::int64_t bits = 0;
-    for (int i = 0; i < 3; ++i) bits |= q[i] = std::int64_t{v[i]->depth} + depth_offset;
+    for (int i = 0; i < 3; ++i) bits |= inverse[i] = std::int64_t{v[i]->depth} + depth_offset;
     const int surplus = 35 - std::countl_zero(static_cast<std::uint64_t>(bits));
-    for (std::int64_t& value : q) value = surplus >= 0 ? value >> surplus : value << -surplus;
-    one_over_w_ = setup.plane(q[0], q[1] - q[0], q[2] - q[0]);
+    Value q[3];
+    if (surplus >= 0) {
+      for (int i = 0; i < 3; ++i) q[i] = static_cast<Value>(inverse[i] >> surplus);
+    } else {
+      for (int i = 0; i < 3; ++i) q[i] = static_cast<Value>(static_cast<std::uint32_t>(inverse[i]) << -surplus);
+    }
+    one_over_w_ = planes.plane(q[0], q[1] - q[0], q[2] - q[0]);
     // u/w to 29 bits and a sign; below 2^33 * 2^29.
     std::uint64_t largest = 1;
+    std::int64_t u_by_w[3], w_by_w[3];
+    const auto magnitude = [](std::int64_t value) { return static_cast<std::uint64_t>(value < 0 ? -value : value); };
     for (int i = 0; i < 3; ++i) {
-      u[i] *= q[i];
-      w[i] *= q[i];
-      largest |=
-          static_cast<std::uint64_t>(u[i] < 0 ? -u[i] : u[i]) | static_cast<std::uint64_t>(w[i] < 0 ? -w[i] : w[i]);
+      u_by_w[i] = long_product(u[i], q[i]);
+      w_by_w[i] = long_product(w[i], q[i]);
+      largest |= magnitude(u_by_w[i]) | magnitude(w_by_w[i]);
     }
     shift_ = 35 - std::countl_zero(largest);
     if (shift_ < 0) shift_ = 0;
-    for (int i = 0; i < 3; ++i) u[i] >>= shift_, w[i] >>= shift_;
-    u_over_w_ = setup.plane(u[0], u[1] - u[0], u[2] - u[0]);
-    v_over_w_ = setup.plane(w[0], w[1] - w[0], w[2] - w[0]);
+    for (int i = 0; i < 3; ++i) {
+      u[i] = static_cast<Value>(u_by_w[i] >> shift_), w[i] = static_cast<Value>(w_by_w[i] >> shift_);
+    }
+    u_over_w_ = planes.plane(u[0], u[1] - u[0], u[2] - u[0]);
+    v_over_w_ = planes.plane(w[0], w[1] - w[0], w[2] - w[0]);
+  }
+  /// Whether the vertices' texture coordinates are near enough to each other for words of 32 bits.
+  template <class Vertex>
+  static bool fits_words(const Vertex* const (&v)[3]) {
+    // Of halves, because differences of whole ones need 33 bits.
+    const auto near = [](std::int32_t a, std::int32_t b) {
+      return (static_cast<std::uint32_t>((a >> 1) - (b >> 1)) + (std::uint32_t{1} << 29)) >> 30 == 0;
+    };
+    return near(v[1]->u, v[0]->u) && near(v[2]->u, v[0]->u) && near(v[1]->v, v[0]->v) && near(v[2]->v, v[0]->v);
   }
 
   /// u/w, v/w and 1/w at a pixel of a row.

@@ -72,6 +72,7 @@ class TextureSampler {
   std::uint16_t nearest_word(std::uint32_t u, std::uint32_t v) const { return word(nearest_index(u, v)); }
 
   /// The mean of the four texels whose centres lie around the point, by their distance in 1/256; rounded to nearest.
+  /// Sums are below 2^24 + 2^15.
   template <bool alpha>
   FragmentColour bilinear(std::uint32_t u, std::uint32_t v, bool has_alpha) const {
     const Between x(u, log2_width_), y(v, log2_height_);

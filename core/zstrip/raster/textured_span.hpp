@@ -19,18 +19,6 @@ namespace zstrip::detail {
 inline constexpr std::int32_t kInverse[kPerspectiveRun] = {0,    65536, 32768, 21845, 16384, 13107, 10922, 9362,
                                                            8192, 7281,  6553,  5957,  5461,  5041,  4681,  4369};
 
-/// A texture coordinate as a fraction of the texture in 0.32: wrapping is what unsigned integers do. A side of one
-/// texel has no fraction: it stays 0.
-struct TextureAxis {
-  std::uint32_t to_fraction;  ///< factor, from 16.16 texels
-  std::int32_t to_index;      ///< right shift
-
-  explicit TextureAxis(std::uint8_t log2_size)
-      : to_fraction(log2_size == 0 ? 0 : std::uint32_t{1} << (16 - log2_size)),
-        to_index(log2_size == 0 ? 31 : 32 - log2_size) {}
-  std::uint32_t fraction(std::int32_t texels) const { return static_cast<std::uint32_t>(texels) * to_fraction; }
-};
-
 /// a - b, modulo 2^32.
 constexpr std::int32_t difference(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
@@ -52,11 +40,7 @@ void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& dept
   run.rule = rule;
   run.z = depth.at(span.columns, span.rows);
   run.step_z = depth.step_x;
-  run.texels = texture.texels;
-  run.to_column = axis_u.to_index;
-  const int row_bits = texture.log2_height + texture.log2_width;
-  run.to_row = row_bits == 0 ? 31 : 32 - row_bits;
-  run.row_mask = ~((std::uint32_t{1} << texture.log2_width) - 1);
+  run.set_texture(texture);
   if constexpr (lit == TexelLight::flat) {
     run.r = light_factor(light.r.start), run.g = light_factor(light.g.start), run.b = light_factor(light.b.start);
   } else if constexpr (lit == TexelLight::smooth) {

@@ -13,6 +13,6 @@ int main() {
       {"K5", "z16", bench::run<scenes::knot>},        {"K5M", "z16", bench::run<scenes::knot_meshlets>},
       {"CT", "z16", bench::run<scenes::cube>},        {"R50", "z16", bench::run<scenes::random50>},
       {"R10k", "z16", bench::run<scenes::random10k>}, {"teapot", "z16", bench::run<scenes::teapot>},
-      {"room", "z16", bench::run<scenes::room>}};
+      {"room", "z16", bench::run<scenes::room>},      {"K5T", "z16", bench::run<scenes::knot_textured>}};
   return bench::run_bench(kWorkloads);
 }

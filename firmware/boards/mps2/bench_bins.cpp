@@ -13,6 +13,7 @@ int main() {
   constexpr bench::Workload kWorkloads[] = {{"K5", "z16", bench::run<scenes::knot, effect::bins>},
                                             {"K5M", "z16", bench::run<scenes::knot_meshlets, effect::bins>},
                                             {"CT", "z16", bench::run<scenes::cube, effect::bins>},
+                                            {"K5T", "z16", bench::run<scenes::knot_textured, effect::bins>},
                                             {"R50", "z16", bench::run<scenes::random50, effect::bins>},
                                             {"R10k", "z16", bench::run<scenes::random10k, effect::bins>},
                                             {"teapot", "z16", bench::run<scenes::teapot, effect::bins>},

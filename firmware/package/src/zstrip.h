@@ -20,6 +20,7 @@
 #include "zstrip_hal/ili9341.hpp"
 #include "zstrip_hal/parallel_bus.hpp"
 #include "zstrip_hal/present.hpp"
+#include "zstrip_hal/second_core.hpp"
 #include "zstrip_hal/ssd0323.hpp"
 #include "zstrip_hal/ssd1306.hpp"
 #include "zstrip_hal/ssd1351.hpp"

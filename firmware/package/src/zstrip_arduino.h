@@ -9,7 +9,13 @@
 namespace zstrip::hal {
 
 struct ArduinoClock {
-  void wait(std::uint32_t microseconds) { delay((microseconds + 999) / 1000); }
+  void wait(std::uint32_t microseconds) {
+    if (microseconds < 1000) {
+      delayMicroseconds(microseconds + 1);  // some boards count to one too few
+    } else {
+      delay((microseconds + 999) / 1000);
+    }
+  }
 };
 
 /// An output, by Arduino's number.

@@ -79,11 +79,16 @@ std::vector<Row> peers(const fs::path& fresh) {
 
 std::vector<Row> boards(const fs::path& fresh) {
   std::vector<Row> rows;
-  for (const ordered_json& of : read_json(fresh / "boards.json")) {
+  std::vector<ordered_json> predictions;
+  for (const char* file : {"boards.json", "boards_two_cores.json"}) {
+    for (const ordered_json& of : read_json(fresh / file)) predictions.push_back(of);
+  }
+  for (const ordered_json& of : predictions) {
+    const std::string cores = of.at("assumptions").at("cores") == 2 ? " (2 cores)" : "";
     const auto megacycles = [&](const char* name, std::size_t i) {
       return decimal(of.at(name).at(i).get<double>() / 1e6, 3);
     };
-    rows.push_back({of.at("workload"), of.at("board"), text_of(of.at("config").at("strips")),
+    rows.push_back({of.at("workload"), of.at("board").get<std::string>() + cores, text_of(of.at("config").at("strips")),
                     text_of(of.at("ram_bytes")), megacycles("core_cycles_per_frame", 0),
                     megacycles("core_cycles_per_frame", 1), decimal(of.at("frames_per_second").at(0), 2),
                     decimal(of.at("frames_per_second").at(1), 2)});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <thread>
 
 #include <Arduino.h>
 #include <SPI.h>
@@ -95,6 +96,11 @@ void pinMode(pin_size_t pin, PinMode mode) {
 }
 void digitalWrite(pin_size_t pin, PinStatus level) { board().set_pin(pin, level == HIGH); }
 void delay(unsigned long milliseconds) { board().pass_time(std::chrono::milliseconds(milliseconds)); }
+void delayMicroseconds(unsigned int microseconds) {
+  // In truth, too: a sketch may wait for the second core's thread.
+  std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
+  board().pass_time(std::chrono::microseconds(microseconds));
+}
 unsigned long millis() { return board().milliseconds(); }
 extern "C" char* itoa(int value, char* text, int) {
   std::sprintf(text, "%d", value);

@@ -8,11 +8,13 @@
 #undef min
 #undef round
 
+#include <atomic>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <memory>
 #include <string_view>
+#include <thread>
 
 #include "board.hpp"
 #include "image/rgb_png.hpp"
@@ -40,10 +42,19 @@ Bytes png_pixels(const Bytes& png) {
 
 }  // namespace
 
+/// Only sketches for two cores have it.
+[[gnu::weak]] void loop1();
+
 int main(int count, char** words) {
   if (count < 2) return 2;
+  std::atomic<bool> stops = false;
+  std::thread second_core([&stops] {
+    while (loop1 != nullptr && !stops.load()) loop1();
+  });
   setup();
   for (int turn = 0; turn < 20; ++turn) loop();
+  stops = true;
+  second_core.join();
 
   const std::string fault = package::board().fault();
   if (!fault.empty()) {

@@ -87,6 +87,8 @@ class EdgeBlend {
 
  private:
   /// Fraction bits of a coordinate across the edge, and of a depth beyond 1/256 code: all that an Int has room for.
+  /// A slope, at most 1, is rounded: over the 2^15 sub-pixels of a narrow edge the place errs by 1/4 sub-pixel, the
+  /// depth by a code. The place stays between the ends, within 2^30, or 2^57 of wide ones.
   static constexpr int kBits = sizeof(Int) == 4 ? 16 : 32;
   static constexpr int kDepthBits = sizeof(Int) == 4 ? 6 : 30;
 

@@ -19,7 +19,8 @@ struct SeenEdge {
   bool narrow;            ///< all of these points are
 };
 
-/// Twice the area of a triangle in 1/16 pixels squared, positive if it is counter-clockwise.
+/// Twice the area of a triangle in 1/16 pixels squared, positive if it is counter-clockwise. Narrow: differences of 15
+/// bits and a sign, products of 30, their sum of 31; else below 2^54.
 template <class Int>
 constexpr Int twice_area(const WidePosition& a, const WidePosition& b, const WidePosition& c) {
   return (Int{c.x} - a.x) * (Int{b.y} - a.y) - (Int{b.x} - a.x) * (Int{c.y} - a.y);
@@ -174,7 +175,8 @@ bool see(const EdgeProjection<orthographic>& projection, const Edge& edge, const
 /// narrower than a quarter of that, in as much.
 template <class Int>
 std::uint32_t fall_of(const WidePosition& a, const WidePosition& b, const WidePosition& c) {
-  constexpr int kCodeBits = 3;  // depths are taken in eight codes, so that 32 bits are enough
+  // Depths are taken in eight codes, so that 32 bits are enough: 13 of depth times 15 of length, the sum within 2^30.
+  constexpr int kCodeBits = 3;
   const auto depth = [](const WidePosition& p) { return static_cast<std::int32_t>(p.depth >> (16 + kCodeBits)); };
   const Int dx = Int{b.x} - a.x, dy = Int{b.y} - a.y;
   const bool columns = std::max(dx, -dx) >= std::max(dy, -dy);

@@ -32,7 +32,7 @@ struct MirroredPoint {
 template <bool orthographic>
 constexpr MirroredPoint mirrored_point(const EyeForms& forms, const Position& position, const Normal& normal,
                                        bool double_sided) {
-  const auto turned = [&](int row) {  // 1.7 times 1.14
+  const auto turned = [&](int row) {  // 1.7 times 1.14, three products: below 2^23
     return normal.x * forms.normal[row][0] + normal.y * forms.normal[row][1] + normal.z * forms.normal[row][2];
   };
   const UnitVector n = direction_of(turned(0), turned(1), turned(2)).unit;
@@ -43,7 +43,7 @@ constexpr MirroredPoint mirrored_point(const EyeForms& forms, const Position& po
     const UnitVector eye =
         direction_of(forms.x.at(position), forms.y.at(position), std::max<std::int32_t>(forms.z.at(position), 0)).unit;
     towards = dot(n, eye) >> 14;
-    const std::int32_t share = (towards + n.z) * (1 << 14) / ((1 << 14) + eye.z);  // 2.14
+    const std::int32_t share = (towards + n.z) * (1 << 14) / ((1 << 14) + eye.z);  // 2.14, because eye.z >= 0
     point.x -= (eye.x * share) >> 14;
     point.y -= (eye.y * share) >> 14;
   }

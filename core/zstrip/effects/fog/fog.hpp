@@ -58,7 +58,7 @@ constexpr std::uint32_t power_of_half(std::uint64_t exponent) {
 
 /// How much of what is `distance` away (16.16, >= 0) is visible: 0..65536.
 constexpr std::int32_t visibility(const FogCurve& fog, Fixed distance) {
-  const auto w = static_cast<std::uint64_t>(distance);
+  const auto w = static_cast<std::uint64_t>(distance);  // times the density below 2^63: 2^31 * 2^31 * 1.44
   switch (fog.mode) {
     case FogMode::linear: {
       const std::int64_t left = std::clamp<std::int64_t>(std::int64_t{fog.end} - distance, 0, fog.range);

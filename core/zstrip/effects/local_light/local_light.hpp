@@ -97,7 +97,7 @@ static_assert(sizeof(FrameLights) == local_light::Effect::kFrameLightsBytes);
 FrameLights frame_lights(const Scene& scene, const Camera& camera);
 InstanceShading instance_shading(const Mesh& mesh, const Transform& transform, const Camera& camera);
 
-/// Sum of light on a vertex, 0..255 a channel and beyond.
+/// Sum of light on a vertex, 0..255 a channel and beyond. A light adds less than 2^16 + 1: a product below 2^28 + 2^11.
 struct LightSum {
   std::uint32_t r, g, b;
   constexpr void add(const Colour& colour, Gain gain) {

@@ -32,6 +32,7 @@ template <bool orthographic>
 inline HullVertex hull_vertex(const CompiledInstance& instance, const Mesh& mesh, std::uint32_t index) {
   constexpr std::int32_t kOne = 1 << 14;
   const Normal& n = mesh.normals[index];
+  // Below 2^14.9, because three components may be 128: the sum of two squares is below 2^30.5.
   const auto along = [&n](const ObjectLight& axis) { return (n.x * axis.x + n.y * axis.y + n.z * axis.z) >> 7; };
   const std::int32_t right = along(instance.lights[0]), down = along(instance.lights[1]);
   // A silhouette's normal is shorter in the picture where it is seen from the side. Moved in space by as much less, it

@@ -54,7 +54,7 @@ void set_corner(Vertex& vertex, int corner) {
   vertex.b = corner == 2 ? kWholeCorner : 0;
 }
 
-/// What a clipped vertex has of something of the corners.
+/// What a clipped vertex has of something of the corners: three terms of 30 and 31 bits, below 2^62.
 inline std::int32_t mixed_by(const RasterVertex& vertex, std::int32_t a, std::int32_t b, std::int32_t c) {
   return static_cast<std::int32_t>(
       (std::int64_t{a} * vertex.r + std::int64_t{b} * vertex.g + std::int64_t{c} * vertex.b) >> 30);

@@ -11,7 +11,8 @@ namespace zstrip::detail {
 
 using SamplePair [[gnu::may_alias]] = std::uint32_t;
 
-/// Sums of the channels of two samples side by side, spread.
+/// Sums of the channels of two samples side by side, spread. Of four samples, with what rounds them, green takes 8 bits
+/// (4 * 63 + 3), red and blue 7.
 constexpr std::uint32_t sum_of_pair(std::uint32_t pair) {
   return (pair & kSpreadChannels) + (((pair >> 16) | (pair << 16)) & kSpreadChannels);
 }

@@ -22,6 +22,7 @@ bool draw_medium_flat_portable(const MediumTriangle& triangle, std::uint16_t col
 /// power of two is a constant, because the triangle's sides are shifted by the zeros first.
 class MediumPlanes {
  public:
+  using Value = std::int32_t;
   /// `area` is twice the signed area; the anchor is a pixel near the triangle.
   MediumPlanes(const SnappedVertex& v0, const SnappedVertex& v1, const SnappedVertex& v2, std::int32_t area,
                std::int32_t anchor_x, std::int32_t anchor_y) {
@@ -59,11 +60,16 @@ class MediumPlanes {
   bool has_steep() const { return beyond_ >> 27 != 0; }
 
   Plane depth(std::uint32_t depth_0, std::uint32_t depth_1, std::uint32_t depth_2) const {
-    const auto d1 = static_cast<std::int32_t>(depth_1 - depth_0), d2 = static_cast<std::int32_t>(depth_2 - depth_0);
+    return plane(static_cast<std::int32_t>(depth_0), static_cast<std::int32_t>(depth_1 - depth_0),
+                 static_cast<std::int32_t>(depth_2 - depth_0));
+  }
+
+  /// As PlaneSetup::plane(). Not inlined: three textured ones would be.
+  [[gnu::noinline]] Plane plane(std::int32_t value_0, std::int32_t d1, std::int32_t d2) const {
     // 31 + 23 bits, twice; a step has up to 41.
     const auto step = [this](std::int64_t along) {
       const std::uint64_t low = long_product(static_cast<std::uint32_t>(along), static_cast<std::uint32_t>(mantissa_));
-      const std::int64_t high = long_product(static_cast<std::int32_t>(along >> 32), mantissa_);
+      const std::int64_t high = long_product(of_any_sign(static_cast<std::int32_t>(along >> 32)), mantissa_);
       return (high + static_cast<std::int64_t>(low >> 32)) >> 11;
     };
     const auto step_x = static_cast<std::uint64_t>(step(long_product(d1, dy1_) + long_product(d2, dy2_)));
@@ -75,8 +81,8 @@ class MediumPlanes {
              (std::uint64_t{high * static_cast<std::uint32_t>(pixels)} << 32);
     };
     const std::uint64_t to_anchor = times(step_x, offset_x_) + times(step_y, offset_y_);
-    return {depth_0 + static_cast<std::uint32_t>(to_anchor >> 12), static_cast<std::uint32_t>((step_x + 128) >> 8),
-            static_cast<std::uint32_t>((step_y + 128) >> 8)};
+    return {static_cast<std::uint32_t>(value_0) + static_cast<std::uint32_t>(to_anchor >> 12),
+            static_cast<std::uint32_t>((step_x + 128) >> 8), static_cast<std::uint32_t>((step_y + 128) >> 8)};
   }
 
  private:

@@ -61,7 +61,9 @@ typedef uint8_t pin_size_t;
 
 void pinMode(pin_size_t pin, PinMode mode);
 void digitalWrite(pin_size_t pin, PinStatus level);
+void loop1();  ///< of sketches for two cores
 void delay(unsigned long milliseconds);
+void delayMicroseconds(unsigned int microseconds);
 unsigned long millis();
 extern "C" char* itoa(int value, char* text, int base);
 

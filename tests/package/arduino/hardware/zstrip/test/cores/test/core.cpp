@@ -12,6 +12,10 @@ void delay(unsigned long milliseconds) {
   for (const unsigned long start = millis(); millis() - start < milliseconds;) {
   }
 }
+void delayMicroseconds(unsigned int microseconds) {
+  for (const uint32_t start = register_at(0x204); register_at(0x204) - start < microseconds;) {
+  }
+}
 
 SerialPort Serial;
 void SerialPort::begin(unsigned long baud) { register_at(0x300) = baud; }

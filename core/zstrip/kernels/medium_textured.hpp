@@ -1,0 +1,39 @@
+// Kernel: textured triangles of at most 16 pixels between their sides, instead of their spans. Each row is one run of
+// texels, and all planes fit words of 32 bits.
+//
+// Vertices are as those of medium_triangle.hpp. An implementation writes what the span rasteriser writes, bit by bit.
+// With the depth test of z16 and nothing to count.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/kernels/medium_scan.hpp"
+#include "zstrip/kernels/processor.hpp"
+#include "zstrip/kernels/textured_run_state.hpp"
+#include "zstrip/raster/target.hpp"
+#include "zstrip/scene.hpp"
+
+namespace zstrip::detail {
+
+/// Where words have 32 bits planes of 64 are what a small textured triangle takes longest for. Not for the least flash.
+inline constexpr bool kHasMediumTextured = sizeof(void*) == 4 && !kForSize;
+
+/// What texels need of a vertex.
+struct TexturedVertex {
+  std::uint32_t depth;  ///< 16.16 codes
+  std::int32_t u, v;    ///< texels, 16.16
+};
+
+/// The texture of a medium triangle, and its light.
+struct MediumTexture {
+  const TexturedVertex* const (&vertices)[3];
+  const Colour* const (&colours)[3];  ///< not read where nothing lights the texels; of the first where light is flat
+  const TextureView& texture;
+  std::int64_t depth_offset;  ///< DepthFit::offset
+};
+
+/// Draws a triangle, or returns false: it is left to its spans. `affine`: nothing is divided by w.
+template <TexelLight lit, bool affine>
+bool draw_medium_textured(const MediumTriangle& triangle, const MediumTexture& surface);
+
+}  // namespace zstrip::detail
