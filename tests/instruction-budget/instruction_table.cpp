@@ -37,19 +37,19 @@ measured::Row with_figure(measured::Row row, std::uint64_t figure) {
 }
 
 std::vector<std::string> compiler_notes() {
-  const auto version_of = [](const std::string& compiler) {
+  const auto with_version = [](const std::string& compiler) {
     const auto version = sim::run_program({compiler, "-dumpfullversion"}, std::chrono::seconds{30});
     const bool known = version && version->exit_status == 0;
     return compiler + " " + (known ? version->text.substr(0, version->text.find('\n')) : "");
   };
-  return {"compiled for the host by g++ " __VERSION__, "compiled for boards by " + version_of("arm-none-eabi-g++"),
-          "compiled for RISC-V by " + version_of("riscv64-unknown-elf-g++")};
+  return {"compiled for the host by g++ " __VERSION__, "compiled for boards by " + with_version("arm-none-eabi-g++"),
+          "compiled for RISC-V by " + with_version("riscv64-unknown-elf-g++"),
+          "compiled for aarch64 by " + with_version("aarch64-linux-gnu-g++")};
 }
 
 bool compiled_like(const measured::Table& table, const Case& row) {
-  return std::ranges::find(table.notes, compiler_notes()[row.target == "host"   ? 0
-                                                         : row.target == "rv32" ? 2
-                                                                                : 1]) != table.notes.end();
+  const std::size_t of_target = row.target == "host" ? 0 : row.target == "rv32" ? 2 : row.target == kAarch64 ? 3 : 1;
+  return std::ranges::find(table.notes, compiler_notes()[of_target]) != table.notes.end();
 }
 
 }  // namespace zstrip::instruction_budget

@@ -14,6 +14,9 @@ namespace zstrip::instruction_budget {
 /// target.
 inline constexpr std::string_view kCode = "code";
 
+/// A row with this target is about a program for Linux, which QEMU's user mode runs.
+inline constexpr std::string_view kAarch64 = "aarch64";
+
 /// What a row asks for. The words of a case are those of `zstrip bench`.
 struct Case {
   std::string name;  ///< of the test: InstructionBudget.name
@@ -30,7 +33,7 @@ Case case_of(const measured::Row& row);
 /// The row with another figure.
 measured::Row with_figure(measured::Row row, std::uint64_t figure);
 
-/// What the programs of this build are compiled with: notes for the host, for boards, and for RISC-V.
+/// What the programs of this build are compiled with: notes for the host, for boards, for RISC-V and for AArch64.
 std::vector<std::string> compiler_notes();
 
 /// Whether the figure of a row of the table may be compared with what this build's programs take.

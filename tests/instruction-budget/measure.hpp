@@ -1,4 +1,4 @@
-// Runs `zstrip bench` for one row.
+// Runs `zstrip bench` for one row, or a program for AArch64.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,8 @@ struct Programs {
   std::filesystem::path firmware;  ///< the folder of the programs for boards
 };
 
-/// Instructions a frame, or bytes of code; empty where this machine cannot count them (no valgrind, a sanitized build).
+/// Instructions a frame, or bytes of code; empty where this machine cannot count them (no valgrind, a sanitized build,
+/// no compiler for AArch64).
 /// Throws std::runtime_error with the command's own words if it fails.
 std::optional<std::uint64_t> measure(const Case& row, const Programs& programs);
 

@@ -9,15 +9,15 @@ namespace zstrip::kernels_test {
 std::span<const Contract> contracts() {
   using namespace detail;
   static constexpr Contract kContracts[] = {
-      {"transform", kHasThumb || kHasSse2, compare_transforms, 40'000, 2'000, 10'000},
-      {"small", kHasThumb || kHasSse2, compare_small_triangles, 120'000, 40'000, 10'000},
+      {"transform", kHasThumb || kHasVectors, compare_transforms, 40'000, 2'000, 10'000},
+      {"small", kHasThumb || kHasVectors, compare_small_triangles, 120'000, 40'000, 10'000},
       {"medium", kHasMediumTriangles, compare_medium_triangles, 80'000, 10'000, 4'000},
       {"medium-texels", true, compare_medium_textured, 60'000, 8'000, 1'000},
-      {"runs", kHasThumb || kHasSse2, compare_small_runs, 12'000, 600, 10'000},
-      {"meshlets", kHasThumb || kHasSse2, compare_meshlets, 30'000, 900, 10'000},
-      {"spans", kHasSse2, compare_spans, 400, 40, 10'000},
-      {"texels", kHasThumb || kHasSse2, compare_textured_runs, 80'000, 28'000, 10'000},
-      {"triangles", kHasThumb || kHasSse2, compare_span_triangles, 63'000, 36'000, 4'000},
+      {"runs", kHasThumb || kHasVectors, compare_small_runs, 12'000, 600, 10'000},
+      {"meshlets", kHasThumb || kHasVectors, compare_meshlets, 30'000, 900, 10'000},
+      {"spans", kHasVectors, compare_spans, 400, 40, 10'000},
+      {"texels", kHasThumb || kHasVectors, compare_textured_runs, 80'000, 28'000, 10'000},
+      {"triangles", kHasThumb || kHasVectors, compare_span_triangles, 63'000, 36'000, 4'000},
   };
   return kContracts;
 }

@@ -108,7 +108,7 @@ bool differ(Random& random, std::uint32_t number, Outcome& outcome) {
   const Colour* const colours[3] = {&m.colours[0], &m.colours[1], &m.colours[2]};
   const StripTarget own = pictures.own.target(strip.left, strip.top, nullptr);
   const MediumTriangle triangle{own, m.v[0], m.v[1], m.v[2], m.area};
-  // Where SSE2 draws, the C++ for words of 32 bits in every second case.
+  // Where vectors draw, the C++ for words of 32 bits in every second case.
   const auto drawn = [&](bool by_words) {
     if (!by_words) return draw_medium<shade == Shade::gouraud>(triangle, colours, kFlat);
     if constexpr (shade == Shade::gouraud) return draw_medium_gouraud_portable(triangle, colours);
@@ -134,8 +134,9 @@ bool textured_differ(Random& random, std::uint32_t number, Outcome& outcome) {
                   static_cast<std::int32_t>(random.word()) >> less};
     m.raster[i].u = corners[i].u, m.raster[i].v = corners[i].v;
   }
-  const auto side = [&random] { return static_cast<std::uint8_t>(random.below(6)); };
-  const TextureView texture{texels.data(), side(), side()};
+  // Up to 2^17 texels: more than vectors know.
+  const auto side = [&random](std::int32_t most) { return static_cast<std::uint8_t>(random.below(most + 1)); };
+  const TextureView texture{texels.data(), side(kMaxLog2Width), side(kMaxLog2Height)};
   const std::int64_t depth_offset = static_cast<std::int64_t>(random.word()) << random.below(8);
   const Cut strip(random, m.box);
   const Pictures pictures(random, strip.width, strip.height, m.v[0].depth >> 16);

@@ -101,7 +101,7 @@ bool long_textured_differ(Random& random, std::uint32_t number, Outcome& outcome
 }
 
 bool one_differs(Random& random, std::uint32_t number, Outcome& outcome) {
-  if (!kHasSse2 && number % 9 < 5) return false;  // assembly has texels alone
+  if (!kHasVectors && number % 9 < 5) return false;  // assembly has texels alone
   if (number % 9 < 3) {
     Case of = compact_case(random);
     return differ<Shade::flat>(random, of, {.flat_colour = 0x5678, .texture = {}, .depth_offset = 0}, number, outcome);

@@ -17,7 +17,8 @@ using namespace detail;
 using Rule = DepthRule<DepthMode{}>;
 using Run = TexturedRun<TexelLight::none, false, std::uint32_t, Rule>;
 using LitRun = TexturedRun<TexelLight::flat, false, std::uint32_t, Rule>;
-using Runs = TexturedRun<TexelLight::none, false, std::uint32_t, Rule, TexturedRunsState>;
+template <TexelLight lit>
+using Runs = TexturedRun<lit, false, std::uint32_t, Rule, TexturedRunsState>;
 
 constexpr std::int32_t kMaxPixels = 40;  // more than a run has
 constexpr std::int32_t kMaxRuns = 5;
@@ -29,6 +30,8 @@ void begin(Random& random, AnyRun& run) {
   const bool large = random.below(4) == 0;
   const std::int32_t log2_width = random.between(0, large ? kMaxLog2Width : 5);
   const std::int32_t log2_height = random.between(0, large ? kMaxLog2Height : 5);
+  const auto factor = [&random] { return light_factor(random.word() >> 8); };
+  run.r = factor(), run.g = factor(), run.b = factor();
   run.texels = texels.data();
   run.to_column = TextureAxis(static_cast<std::uint8_t>(log2_width)).to_index;
   run.to_row = log2_width + log2_height == 0 ? 31 : 32 - log2_width - log2_height;
@@ -38,7 +41,7 @@ void begin(Random& random, AnyRun& run) {
   run.step_u = random.word() >> random.below(16), run.step_v = random.word() >> random.below(16);
   if (log2_width == 0) run.u = run.step_u = 0;
   if (log2_height == 0) run.v = run.step_v = 0;
-  if constexpr (std::is_same_v<AnyRun, Runs>) {
+  if constexpr (std::is_base_of_v<TexturedRunsState, AnyRun>) {
     run.to_fraction_u = TextureAxis(static_cast<std::uint8_t>(log2_width)).to_fraction;
     run.to_fraction_v = TextureAxis(static_cast<std::uint8_t>(log2_height)).to_fraction;
   }
@@ -48,8 +51,6 @@ template <class AnyRun>
 bool runs_differ(Random& random, std::uint32_t number, Outcome& outcome) {
   AnyRun portable;
   begin(random, portable);
-  const auto factor = [&random] { return light_factor(random.word() >> 8); };
-  portable.r = factor(), portable.g = factor(), portable.b = factor();
   const std::int32_t length = random.between(1, kMaxPixels), start = random.below(9);
   const Pictures pictures(random, start + length, 1, portable.z >> 16);
   AnyRun own = portable;
@@ -61,7 +62,7 @@ bool runs_differ(Random& random, std::uint32_t number, Outcome& outcome) {
 }
 
 /// Where a span with perspective goes on: 1/w stays positive.
-void go_on(Random& random, Runs& run, std::int32_t count) {
+void go_on(Random& random, TexturedRunsState& run, std::int32_t count) {
   run.one_over_w = (random.word() >> random.between(3, 20)) | 0x100;
   const auto most = static_cast<std::int32_t>(run.one_over_w / static_cast<std::uint32_t>(count + 1));
   run.one_over_w_step = static_cast<std::uint32_t>(random.between(-most, most));
@@ -74,15 +75,16 @@ void go_on(Random& random, Runs& run, std::int32_t count) {
   run.right_shift = random.between(-3, 30);
 }
 
+template <TexelLight lit>
 bool whole_runs_differ(Random& random, std::uint32_t number, Outcome& outcome) {
-  if constexpr (kHasWholeRuns<TexelLight::none, false, std::uint32_t, Rule>) {
-    Runs portable;
+  if constexpr (kHasWholeRuns<lit, false, std::uint32_t, Rule>) {
+    Runs<lit> portable;
     begin(random, portable);
     if (!knows_texture(portable)) return false;
     const std::int32_t count = random.between(1, kMaxRuns), start = random.below(9);
     go_on(random, portable, count);
     const Pictures pictures(random, start + count * kPerspectiveRun, 1, portable.z >> 16);
-    Runs own = portable;
+    Runs<lit> own = portable;
     fill_runs_portable(portable, pictures.portable.depth() + start, pictures.portable.colour() + start,
                        static_cast<std::uint32_t>(count));
     fill_runs(own, pictures.own.depth() + start, pictures.own.colour() + start, static_cast<std::uint32_t>(count));
@@ -104,7 +106,8 @@ Outcome compare_textured_runs(std::uint32_t cases) {
   fill_texels(random);
   Outcome outcome;
   for (std::uint32_t number = 0; number < cases; ++number) {
-    const bool differ = number % 4 == 3   ? whole_runs_differ(random, number, outcome)
+    const bool differ = number % 8 == 3   ? whole_runs_differ<TexelLight::none>(random, number, outcome)
+                        : number % 8 == 7 ? whole_runs_differ<TexelLight::flat>(random, number, outcome)
                         : number % 4 == 2 ? runs_differ<LitRun>(random, number, outcome)
                                           : runs_differ<Run>(random, number, outcome);
     if (differ) break;

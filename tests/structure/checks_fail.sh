@@ -68,16 +68,16 @@ echo '#include "zstrip/effects/fog/fog.hpp"' >>"$tree/core/zstrip/scene/twice.cp
 passes includes.sh
 echo '#include "zstrip/frame/order.hpp"' >>"$tree/core/zstrip/effects/fog/fog.hpp"
 fails_with "scene includes zstrip/effects/fog/fog.hpp of the later stage frame" includes.sh
-mkdir -p "$tree/core/zstrip/kernels/sse2"
-printf '#pragma once\n' >"$tree/core/zstrip/kernels/sse2/span.hpp"
-printf '#pragma once\n#include "zstrip/kernels/sse2/span.hpp"\n' >"$tree/core/zstrip/kernels/span.hpp"
+mkdir -p "$tree/core/zstrip/kernels/vector"
+printf '#pragma once\n' >"$tree/core/zstrip/kernels/vector/span.hpp"
+printf '#pragma once\n#include "zstrip/kernels/vector/span.hpp"\n' >"$tree/core/zstrip/kernels/span.hpp"
 echo '#include "zstrip/kernels/span.hpp"' >>"$tree/core/zstrip/scene/twice.cpp"
 passes includes.sh
 echo '#include "zstrip/frame/order.hpp"' >>"$tree/core/zstrip/kernels/span.hpp"
 fails_with "scene includes zstrip/kernels/span.hpp of the later stage frame" includes.sh
-mkdir -p "$tree/core/zstrip/kernels/sse2"
-printf '#pragma once\n' >"$tree/core/zstrip/kernels/sse2/span.hpp"
-echo '#include "zstrip/kernels/sse2/span.hpp"' >>"$tree/core/zstrip/scene/twice.cpp"
+mkdir -p "$tree/core/zstrip/kernels/vector"
+printf '#pragma once\n' >"$tree/core/zstrip/kernels/vector/span.hpp"
+echo '#include "zstrip/kernels/vector/span.hpp"' >>"$tree/core/zstrip/scene/twice.cpp"
 fails_with "which only kernels do" includes.sh
 echo '#include "zstrip/base/gone.hpp"' >>"$tree/core/zstrip/scene/twice.cpp"
 fails_with "zstrip/base/gone.hpp does not exist" includes.sh

@@ -12,7 +12,7 @@
 namespace zstrip::detail {
 
 /// Whether a colour is copied as one word: without (Cortex-M0) a loop of copies is slower than the general one.
-inline constexpr bool kCopiesColours = kHasThumb2 || kHasSse2;
+inline constexpr bool kCopiesColours = kHasThumb2 || kHasVectors;
 
 template <Effects effects>
 void shade_vertices(const CompiledInstance& instance, const Mesh& mesh, std::uint32_t first, std::uint32_t count,

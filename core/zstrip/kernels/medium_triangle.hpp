@@ -11,15 +11,15 @@
 #include "zstrip/kernels/medium_scan.hpp"
 #include "zstrip/kernels/portable/medium_triangle.hpp"
 #include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/sse2/medium_triangle.hpp"
 #include "zstrip/kernels/thumb/medium_triangle.hpp"
+#include "zstrip/kernels/vector/medium_triangle.hpp"
 #include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
 
-/// Where words have 32 bits a plane of 64 is what a triangle takes longest for; SSE2 draws eight pixels at once. Not
+/// Where words have 32 bits a plane of 64 is what a triangle takes longest for; vectors have eight pixels at once. Not
 /// for the least flash.
-inline constexpr bool kHasMediumTriangles = kHasSse2 || (sizeof(void*) == 4 && !kForSize);
+inline constexpr bool kHasMediumTriangles = kHasVectors || (sizeof(void*) == 4 && !kForSize);
 
 /// The planes of a triangle that fits_words, by the scan's area, anchor and colours. False: a channel is too steep.
 inline bool set_up_medium(MediumScan& scan, const SnappedVertex& v0, const SnappedVertex& v1, const SnappedVertex& v2) {
@@ -33,9 +33,9 @@ inline bool set_up_medium(MediumScan& scan, const SnappedVertex& v0, const Snapp
 /// Draws a triangle, or returns false: it is left to its spans. `colours` of the three vertices where `gouraud`.
 template <bool gouraud>
 bool draw_medium(const MediumTriangle& triangle, const Colour* const (&colours)[3], std::uint16_t flat_colour) {
-  if constexpr (kHasSse2) {
-    if constexpr (gouraud) return draw_medium_gouraud_sse2(triangle, colours);
-    return draw_medium_flat_sse2(triangle, flat_colour);
+  if constexpr (kHasVectors) {
+    if constexpr (gouraud) return draw_medium_gouraud_vector(triangle, colours);
+    return draw_medium_flat_vector(triangle, flat_colour);
   } else {
     if constexpr (gouraud) return draw_medium_gouraud_portable(triangle, colours);
     return draw_medium_flat_portable(triangle, flat_colour);

@@ -11,14 +11,14 @@
 
 #include "zstrip/kernels/portable/small_run.hpp"
 #include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/sse2/small_triangle.hpp"
 #include "zstrip/kernels/thumb/small_run.hpp"
+#include "zstrip/kernels/vector/small_triangle.hpp"
 #include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
 
 /// Whether the processor has runs that are quicker than a loop over draw_small_triangle; and even runs of one.
-inline constexpr bool kHasSmallRuns = kHasThumb || kHasSse2;
+inline constexpr bool kHasSmallRuns = kHasThumb || kHasVectors;
 inline constexpr bool kHasSmallRunsOfOne = kHasThumb;
 
 /// What the triangles of a meshlet share; made of the target, its vertices and colours, and the index of the first.
@@ -28,9 +28,9 @@ using SmallRun = std::conditional_t<kHasThumb, ThumbSmallRun, PortableSmallRun>;
 constexpr auto chosen_small_run() {
   if constexpr (kHasThumb) {
     return &draw_small_run_thumb;
-  } else if constexpr (kHasSse2) {
+  } else if constexpr (kHasVectors) {
     return [](const PortableSmallRun& run, const Triangle* triangles, std::uint32_t count) {
-      return draw_small_run_sse2(run.target, run.vertices, run.colours, run.first_vertex, triangles, count);
+      return draw_small_run_vector(run.target, run.vertices, run.colours, run.first_vertex, triangles, count);
     };
   } else {
     return &draw_small_run_portable;

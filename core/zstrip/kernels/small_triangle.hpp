@@ -2,7 +2,7 @@
 //
 // Vertices are 12.4 raster coordinates and 16.16 depth codes; colours are 8 bits a channel. The cells and pixels are
 // those of the span rasteriser; every implementation writes what portable/small_triangle.hpp writes, bit by bit.
-// Thumb-1 has interpolated colours, Thumb-2 and SSE2 all; with the depth test of z16 and nothing to count.
+// Thumb-1 has interpolated colours, Thumb-2 and vectors all; with the depth test of z16 and nothing to count.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 #include "zstrip/kernels/portable/small_triangle.hpp"
 #include "zstrip/kernels/processor.hpp"
 #include "zstrip/kernels/small_scan.hpp"
-#include "zstrip/kernels/sse2/small_triangle.hpp"
 #include "zstrip/kernels/thumb/small_triangle.hpp"
+#include "zstrip/kernels/vector/small_triangle.hpp"
 #include "zstrip/raster/depth_rule.hpp"
 #include "zstrip/raster/target.hpp"
 #include "zstrip/scene.hpp"
@@ -70,12 +70,12 @@ template <bool gouraud, bool statistics, class Rule = DepthRule<DepthMode{}>>
                                                        const Colour* const (&colours)[3], std::uint16_t flat_colour,
                                                        std::int32_t area, std::int32_t anchor_x, std::int32_t anchor_y,
                                                        const Rect& box, Rule rule = {}) {
-  if constexpr (kHasSse2 && !statistics && Rule::kNearerOnly) {
+  if constexpr (kHasVectors && !statistics && Rule::kNearerOnly) {
     const SmallTriangle triangle{target, v0, v1, v2, area, anchor_x, anchor_y, box};
     if constexpr (gouraud) {
-      if (draw_small_gouraud_sse2(triangle, colours)) return;
+      if (draw_small_gouraud_vector(triangle, colours)) return;
     } else {
-      if (draw_small_flat_sse2(triangle, flat_colour)) return;
+      if (draw_small_flat_vector(triangle, flat_colour)) return;
     }
   }
   draw_small_by_scan<gouraud, statistics, SmallStages>(target, v0, v1, v2, colours, flat_colour, area, anchor_x,

@@ -2,7 +2,7 @@
 //
 // Depth is what the rule steps, with z16 16.16 codes; colours are 8.16, which stay within 0 .. 255 over the span; all
 // steps are modulo 2^32. Every implementation writes what portable/span.hpp writes, bit by bit, and nothing beside the
-// span. SSE2 has the depth test of z16, with nothing to count.
+// span. Vectors have the depth test of z16, with nothing to count.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include "zstrip/base/statistics.hpp"
 #include "zstrip/kernels/portable/span.hpp"
 #include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/sse2/span.hpp"
+#include "zstrip/kernels/vector/span.hpp"
 #include "zstrip/raster/plane.hpp"
 #include "zstrip/raster/triangle_depth.hpp"
 
@@ -20,8 +20,8 @@ namespace zstrip::detail {
 template <bool statistics, class DepthPlane, class Rule>
 void fill_flat(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule, std::uint16_t colour,
                Statistics* counters) {
-  if constexpr (kHasSse2 && !statistics && Rule::kNearerOnly) {
-    fill_flat_sse2(span.depth, span.colour, span.length, depth.at(span.columns, span.rows), depth.step_x, colour);
+  if constexpr (kHasVectors && !statistics && Rule::kNearerOnly) {
+    fill_flat_vector(span.depth, span.colour, span.length, depth.at(span.columns, span.rows), depth.step_x, colour);
   } else {
     fill_flat_portable<statistics>(span, depth, rule, colour, counters);
   }
@@ -31,11 +31,11 @@ void fill_flat(const Span<typename Rule::Cell>& span, const DepthPlane& depth, c
 template <bool statistics, class DepthPlane, class Rule>
 void fill_gouraud(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,
                   const ColourPlanes& planes, Statistics* counters) {
-  if constexpr (kHasSse2 && !statistics && Rule::kNearerOnly) {
+  if constexpr (kHasVectors && !statistics && Rule::kNearerOnly) {
     const auto start = [&span](const Plane& plane) { return plane.at(span.columns, span.rows); };
-    fill_gouraud_sse2(span.depth, span.colour, span.length,
-                      {start(depth), start(planes.r), start(planes.g), start(planes.b), depth.step_x, planes.r.step_x,
-                       planes.g.step_x, planes.b.step_x});
+    fill_gouraud_vector(span.depth, span.colour, span.length,
+                        {start(depth), start(planes.r), start(planes.g), start(planes.b), depth.step_x, planes.r.step_x,
+                         planes.g.step_x, planes.b.step_x});
   } else {
     fill_gouraud_portable<statistics>(span, depth, rule, planes, counters);
   }

@@ -3,7 +3,7 @@
 // Texture coordinates are 0.32 of the texture, so that they wrap; exact positions 16.16 texels, modulo 2^16 texels;
 // u/w and v/w have 29 bits and a sign, 1/w has 29 bits. Depth is what the rule steps, with z16 16.16 codes. Every
 // implementation writes what portable/textured_run.hpp writes, bit by bit, and nothing beside the run. Assembly and
-// SSE2 have no light, Thumb-2 also a flat one, the depth test of z16 and nothing to count.
+// vectors have no light, vectors and Thumb-2 also a flat one, the depth test of z16 and nothing to count.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@
 #include "zstrip/base/statistics.hpp"
 #include "zstrip/kernels/portable/textured_run.hpp"
 #include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/sse2/textured_run.hpp"
 #include "zstrip/kernels/textured_run_state.hpp"
 #include "zstrip/kernels/thumb/textured_run.hpp"
+#include "zstrip/kernels/vector/textured_run.hpp"
 #include "zstrip/raster/depth_rule.hpp"
 #include "zstrip/raster/plane.hpp"
 
@@ -30,18 +30,18 @@ inline constexpr bool kHasThumbLitRuns =
     kHasThumb2&& lit == TexelLight::flat && !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>> &&
     std::is_same_v<Value, std::uint32_t>;
 template <TexelLight lit, bool statistics, class Value, class Rule>
-inline constexpr bool kHasSse2Runs =
-    kHasSse2&& lit == TexelLight::none && !statistics && Rule::kNearerOnly && std::is_same_v<Value, std::uint32_t>;
+inline constexpr bool kHasVectorRuns =
+    kHasVectors&& lit != TexelLight::smooth && !statistics && Rule::kNearerOnly && std::is_same_v<Value, std::uint32_t>;
 
 /// Whether there is fill_runs.
 template <TexelLight lit, bool statistics, class Value, class Rule>
 inline constexpr bool kHasWholeRuns =
-    kHasThumbRuns<lit, statistics, Value, Rule> || kHasSse2Runs<lit, statistics, Value, Rule>;
+    kHasThumbRuns<lit, statistics, Value, Rule> || kHasVectorRuns<lit, statistics, Value, Rule>;
 
 /// Whether the implementation supports the run's texture; for fill_run and fill_runs.
 template <TexelLight lit, bool statistics, class Value, class Rule, class State>
 bool knows_texture([[maybe_unused]] const TexturedRun<lit, statistics, Value, Rule, State>& run) {
-  if constexpr (kHasSse2Runs<lit, statistics, Value, Rule>) return fits_sse2(run);
+  if constexpr (kHasVectorRuns<lit, statistics, Value, Rule>) return fits_vector(run);
   return kHasWholeRuns<lit, statistics, Value, Rule>;
 }
 
@@ -52,8 +52,10 @@ void fill_runs(TexturedRun<lit, statistics, Value, Rule, TexturedRunsState>& run
                std::uint16_t* pixel, std::uint32_t count) {
   if constexpr (kHasThumbRuns<lit, statistics, Value, Rule>) {
     fill_runs_thumb(run, depth, pixel, count);
+  } else if constexpr (lit == TexelLight::flat) {
+    fill_lit_runs_vector(run, {run.r, run.g, run.b}, depth, pixel, count);
   } else {
-    fill_runs_sse2(run, depth, pixel, count);
+    fill_runs_vector(run, depth, pixel, count);
   }
 }
 
@@ -69,8 +71,12 @@ template <TexelLight lit, bool statistics, class Value, class Rule, class State>
   } else if constexpr (kHasThumbLitRuns<lit, statistics, Value, Rule>) {
     fill_lit_run_thumb(run, depth, pixel, length);
   } else {
-    if constexpr (kHasSse2Runs<lit, statistics, Value, Rule>) {
-      if (known) return fill_run_sse2(run, depth, pixel, length);
+    if constexpr (kHasVectorRuns<lit, statistics, Value, Rule>) {
+      if constexpr (lit == TexelLight::flat) {
+        if (known) return fill_lit_run_vector(run, {run.r, run.g, run.b}, depth, pixel, length);
+      } else {
+        if (known) return fill_run_vector(run, depth, pixel, length);
+      }
     }
     run.fill(depth, pixel, length, light, counters);
   }

@@ -3,7 +3,7 @@
 // Positions have 16 bits a coordinate; the instance's linear forms are 32-bit words, of whose products the upper one
 // counts. Results are 12.4 raster coordinates and 16.16 depth codes, or kNotNarrow and 0. No sum of a form overflows.
 // Every implementation writes what portable/transform.hpp writes, bit by bit. Assembly has perspective and z16, each
-// with all reciprocals; SSE2 the exact reciprocal alone, and forms whose coefficients fits_sse2 takes.
+// with all reciprocals; vectors the exact reciprocal alone, and forms whose coefficients fits_vector takes.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/kernels/portable/transform.hpp"
 #include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/sse2/transform.hpp"
 #include "zstrip/kernels/thumb1/transform.hpp"
 #include "zstrip/kernels/thumb2/transform.hpp"
+#include "zstrip/kernels/vector/transform.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/scene/depth_format.hpp"
 
@@ -43,10 +43,10 @@ bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, cons
     if (count == 0) return true;
     return transform_vertices_in_assembly<reciprocal_kind(effects)>(instance, mesh, origin, first, count, vertices);
   } else {
-    if constexpr (kHasSse2 && !effects.any(effect::orthographic | effect::short_reciprocals) &&
+    if constexpr (kHasVectors && !effects.any(effect::orthographic | effect::short_reciprocals) &&
                   depth_format(effects) == DepthFormat::z16) {
-      if (fits_sse2(instance.w) && fits_sse2(instance.x) && fits_sse2(instance.y)) {
-        return transform_vertices_sse2(instance, origin, mesh.positions.data() + first, count, vertices);
+      if (fits_vector(instance.w) && fits_vector(instance.x) && fits_vector(instance.y)) {
+        return transform_vertices_vector(instance, origin, mesh.positions.data() + first, count, vertices);
       }
     }
     return transform_vertices_portable<effects>(instance, mesh, origin, first, count, vertices);

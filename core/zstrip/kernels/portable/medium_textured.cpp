@@ -116,7 +116,7 @@ class TexturedRows {
     if constexpr (lit == TexelLight::smooth) {
       fill_smooth(depth, pixel, length, light_.r.at(column, row), light_.g.at(column, row), light_.b.at(column, row));
     } else {
-      fill_run(run_, true, depth, pixel, length, light_, nullptr);
+      fill_run(run_, knows_texture(run_), depth, pixel, length, light_, nullptr);
     }
   }
 

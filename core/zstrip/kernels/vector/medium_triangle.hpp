@@ -1,4 +1,4 @@
-// Triangles of some dozen pixels a side with SSE2 and the depth test of z16.
+// Triangles of some dozen pixels a side in vectors, with the depth test of z16.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace zstrip::detail {
 inline constexpr std::int32_t kMediumExtent = 640;
 
 /// draw_medium. False, and nothing drawn, also where there is no room for whole blocks of 4 x 2 pixels in the strip.
-bool draw_medium_flat_sse2(const MediumTriangle& triangle, std::uint16_t colour);
-bool draw_medium_gouraud_sse2(const MediumTriangle& triangle, const Colour* const (&colours)[3]);
+bool draw_medium_flat_vector(const MediumTriangle& triangle, std::uint16_t colour);
+bool draw_medium_gouraud_vector(const MediumTriangle& triangle, const Colour* const (&colours)[3]);
 
 }  // namespace zstrip::detail

@@ -1,32 +1,32 @@
-// A value along a row with SSE2: eight pixels at a time.
+// A value along a row: eight pixels at a time.
 #pragma once
 
-#include "zstrip/kernels/sse2/fragments.hpp"
+#include "zstrip/kernels/vector/fragments.hpp"
 
-#if ZSTRIP_HAS_SSE2
+#if ZSTRIP_HAS_VECTORS
 
-namespace zstrip::detail {
+namespace zstrip::detail::vectors {
 
 /// A value of four pixels next to each other, and of the four behind them. Modulo 2^32.
 struct Interpolated {
-  __m128i first, last;
+  Words first, last;
   std::uint32_t step;  ///< a pixel
-  __m128i step_8;
+  Words step_8;
 
   Interpolated(std::uint32_t start, std::uint32_t step_x)
       : first(stepped_words(start, step_x)),
-        last(_mm_add_epi32(first, in_all_words(4 * step_x))),
+        last(first + in_all_words(4 * step_x)),
         step(step_x),
         step_8(in_all_words(8 * step_x)) {}
-  __m128i upper() const { return upper_halves(first, last); }
+  Halves upper() const { return upper_halves(first, last); }
   void next() {
-    first = _mm_add_epi32(first, step_8);
-    last = _mm_add_epi32(last, step_8);
+    first += step_8;
+    last += step_8;
   }
   void move(std::int32_t pixels) {
-    const __m128i by = in_all_words(step * static_cast<std::uint32_t>(pixels));
-    first = _mm_add_epi32(first, by);
-    last = _mm_add_epi32(last, by);
+    const Words by = in_all_words(step * static_cast<std::uint32_t>(pixels));
+    first += by;
+    last += by;
   }
 };
 
@@ -46,6 +46,6 @@ template <class Draw, class Next, class Move>
   draw(length - 8);
 }
 
-}  // namespace zstrip::detail
+}  // namespace zstrip::detail::vectors
 
 #endif

@@ -1,16 +1,18 @@
 // Flat and Gouraud spans, eight pixels at a time.
-#include "zstrip/kernels/sse2/span.hpp"
+#include "zstrip/kernels/vector/span.hpp"
 
-#include "zstrip/kernels/sse2/interpolated.hpp"
+#include "zstrip/kernels/vector/interpolated.hpp"
 #include "zstrip/raster/colour.hpp"
 
-#if ZSTRIP_HAS_SSE2
+#if ZSTRIP_HAS_VECTORS
 
 namespace zstrip::detail {
 
-void fill_flat_sse2(std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length, std::uint32_t z,
-                    std::uint32_t step_z, std::uint16_t colour) {
-  const __m128i colours = _mm_set1_epi16(static_cast<std::int16_t>(colour));
+using namespace vectors;
+
+void fill_flat_vector(std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length, std::uint32_t z,
+                      std::uint32_t step_z, std::uint16_t colour) {
+  const Halves colours = in_all_halves(colour);
   const auto one_colour = [&] { return colours; };
   if (length >= 8) {
     Interpolated depths(z, step_z);
@@ -21,11 +23,11 @@ void fill_flat_sse2(std::uint16_t* depth, std::uint16_t* pixel, std::int32_t len
     return;
   }
   if (length >= 4) {
-    const __m128i first = stepped_words(z, step_z);
+    const Words first = stepped_words(z, step_z);
     draw_fragments(HalfRow{}, depth, pixel, upper_halves(first, first), one_colour);
     const std::int32_t rest = length - 4;
     if (rest == 0) return;
-    const __m128i last = _mm_add_epi32(first, in_all_words(step_z * static_cast<std::uint32_t>(rest)));
+    const Words last = first + in_all_words(step_z * static_cast<std::uint32_t>(rest));
     draw_fragments(HalfRow{}, depth + rest, pixel + rest, upper_halves(last, last), one_colour);
     return;
   }
@@ -41,7 +43,7 @@ void fill_flat_sse2(std::uint16_t* depth, std::uint16_t* pixel, std::int32_t len
   } while (--length != 0);
 }
 
-void fill_gouraud_sse2(std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length, const GouraudSpan& span) {
+void fill_gouraud_vector(std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length, const GouraudSpan& span) {
   if (length >= 8) {
     Interpolated z(span.z, span.step_z);
     // 16.16, so that all that counts of a channel is in the upper half.

@@ -1,4 +1,4 @@
-// Small triangles, and runs of them, with SSE2 and the depth test of z16.
+// Small triangles, and runs of them, in vectors, with the depth test of z16.
 #pragma once
 
 #include <cstdint>
@@ -20,14 +20,14 @@ struct SmallTriangle {
 };
 
 /// False, and nothing drawn, if there is no room for whole blocks of 4 x 2 pixels in the strip.
-bool draw_small_flat_sse2(const SmallTriangle& triangle, std::uint16_t colour);
+bool draw_small_flat_vector(const SmallTriangle& triangle, std::uint16_t colour);
 /// The same with interpolated colours.
-bool draw_small_gouraud_sse2(const SmallTriangle& triangle, const Colour* const (&colours)[3]);
+bool draw_small_gouraud_vector(const SmallTriangle& triangle, const Colour* const (&colours)[3]);
 
 /// Culls and draws triangles of one-sided surfaces with interpolated colours, whose vertices are narrow. Stops at the
 /// first that is not small, or has no room; how many triangles come before it. `vertices` and `colours` are those of
 /// mesh vertex `first_vertex` on.
-std::uint32_t draw_small_run_sse2(const StripTarget& target, const SnappedVertex* vertices, const Colour* colours,
-                                  std::uint32_t first_vertex, const Triangle* triangles, std::uint32_t count);
+std::uint32_t draw_small_run_vector(const StripTarget& target, const SnappedVertex* vertices, const Colour* colours,
+                                    std::uint32_t first_vertex, const Triangle* triangles, std::uint32_t count);
 
 }  // namespace zstrip::detail

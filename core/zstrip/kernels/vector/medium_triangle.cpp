@@ -1,16 +1,16 @@
 // Medium triangles in blocks, by the planes of portable/medium_triangle.hpp.
-#include "zstrip/kernels/sse2/medium_triangle.hpp"
+#include "zstrip/kernels/vector/medium_triangle.hpp"
 
 #include <algorithm>
 
 #include "zstrip/kernels/portable/medium_triangle.hpp"
-#include "zstrip/kernels/sse2/blocks.hpp"
+#include "zstrip/kernels/vector/blocks.hpp"
 
-#if ZSTRIP_HAS_SSE2
+#if ZSTRIP_HAS_VECTORS
 
 namespace zstrip::detail {
 
-using namespace blocks;
+using namespace vectors;
 
 namespace {
 
@@ -40,7 +40,7 @@ template <bool gouraud>
     return WordBlock(plane.at(columns, rows) << shift, plane.step_x << shift, plane.step_y << shift);
   };
   const Edges edges(t.v0, t.v1, t.v2);
-  const __m128i exact = edges.at(blocks.left, blocks.top);
+  const Words exact = edges.at(blocks.left, blocks.top);
   const WordBlock z = block(MediumScan::depth, 0);
   if constexpr (gouraud) {
     // 16.16, so that all that counts of a channel is in the upper half.
@@ -54,11 +54,11 @@ template <bool gouraud>
 
 }  // namespace
 
-bool draw_medium_flat_sse2(const MediumTriangle& triangle, std::uint16_t colour) {
+bool draw_medium_flat_vector(const MediumTriangle& triangle, std::uint16_t colour) {
   return draw<false>(triangle, nullptr, colour);
 }
 
-bool draw_medium_gouraud_sse2(const MediumTriangle& triangle, const Colour* const (&colours)[3]) {
+bool draw_medium_gouraud_vector(const MediumTriangle& triangle, const Colour* const (&colours)[3]) {
   return draw<true>(triangle, colours, 0);
 }
 

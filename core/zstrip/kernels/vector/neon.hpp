@@ -1,0 +1,178 @@
+// What kernels in vectors need beside operators, with NEON: the functions that sse2.hpp describes.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/geometry/instance.hpp"
+#include "zstrip/kernels/vector/types.hpp"
+#include "zstrip/scene.hpp"
+
+#if ZSTRIP_HAS_NEON
+
+#include <arm_neon.h>
+
+namespace zstrip::detail::vectors {
+
+template <class Vector>
+int16x8_t as_s16(Vector vector) {
+  return __builtin_bit_cast(int16x8_t, vector);
+}
+template <class Vector>
+uint16x8_t as_u16(Vector vector) {
+  return __builtin_bit_cast(uint16x8_t, vector);
+}
+template <class Vector>
+int32x4_t as_s32(Vector vector) {
+  return __builtin_bit_cast(int32x4_t, vector);
+}
+template <class Vector>
+uint32x4_t as_u32(Vector vector) {
+  return __builtin_bit_cast(uint32x4_t, vector);
+}
+
+inline Halves load_8(const std::uint16_t* at) { return as_halves(vld1q_u16(at)); }
+inline void store_8(std::uint16_t* at, Halves values) { vst1q_u16(at, as_u16(values)); }
+inline Halves load_4(const std::uint16_t* at) { return as_halves(vcombine_u16(vld1_u16(at), vdup_n_u16(0))); }
+inline void store_4(std::uint16_t* at, Halves values) { vst1_u16(at, vget_low_u16(as_u16(values))); }
+inline Halves load_4_and_4(const std::uint16_t* at, const std::uint16_t* upper_at) {
+  return as_halves(vcombine_u16(vld1_u16(at), vld1_u16(upper_at)));
+}
+inline void store_upper_4(std::uint16_t* at, Halves values) { vst1_u16(at, vget_high_u16(as_u16(values))); }
+
+inline Words in_first_word(std::uint32_t value) { return as_words(vcombine_u32(vcreate_u32(value), vdup_n_u32(0))); }
+inline Halves bytes_of(std::uint32_t word) { return as_halves(vmovl_u8(vcreate_u8(word))); }
+
+template <int word>
+Words word_in_all(Words values) {
+  const uint32x4_t v = as_u32(values);
+  if constexpr (word < 2) return as_words(vdupq_lane_u32(vget_low_u32(v), word));
+  return as_words(vdupq_lane_u32(vget_high_u32(v), word & 1));
+}
+template <int half>
+Halves half_in_all(Halves values) {
+  const uint16x8_t v = as_u16(values);
+  if constexpr (half < 4) return as_halves(vdupq_lane_u16(vget_low_u16(v), half & 3));
+  return as_halves(vdupq_lane_u16(vget_high_u16(v), half & 3));
+}
+template <int half, int shift>
+Halves half_in_all(Halves values) {
+  return half_in_all<half>(values << shift);
+}
+template <int word, int shift>
+Halves low_half_in_all(Halves values) {
+  return half_in_all<2 * word, shift>(values);
+}
+template <int word, int shift>
+Halves high_half_in_all(Halves values) {
+  return half_in_all<2 * word + 1, shift>(values);
+}
+inline Words first_words(Words a, Words b, Words c) {
+  const uint32x2_t a_b = vzip_u32(vget_low_u32(as_u32(a)), vget_low_u32(as_u32(b))).val[0];
+  return as_words(vcombine_u32(a_b, vdup_lane_u32(vget_low_u32(as_u32(c)), 0)));
+}
+inline Words rotated(Words three) { return as_words(vextq_u32(as_u32(three), as_u32(three), 3)); }
+inline Halves swapped_in_pairs(Halves values) { return as_halves(vrev32q_u16(as_u16(values))); }
+inline Halves upper_halves(Words first_four, Words last_four) {
+#if defined(__aarch64__)
+  return as_halves(vuzp2q_u16(as_u16(first_four), as_u16(last_four)));
+#else
+  return as_halves(vcombine_u16(vshrn_n_u32(as_u32(first_four), 16), vshrn_n_u32(as_u32(last_four), 16)));
+#endif
+}
+
+inline Words multiples_0_to_3(Words step) { return step * Words{0, 1, 2, 3}; }
+inline Halves unsigned_max(Halves a, Halves b) { return as_halves(vmaxq_u16(as_u16(a), as_u16(b))); }
+inline Halves rgb565_of_halves(Halves r, Halves g, Halves b) {
+  return as_halves(vsriq_n_u16(vsriq_n_u16(as_u16(r), as_u16(g), 5), as_u16(b), 11));
+}
+inline Halves signed_min(Halves a, Halves b) { return as_halves(vminq_s16(as_s16(a), as_s16(b))); }
+inline Halves signed_max(Halves a, Halves b) { return as_halves(vmaxq_s16(as_s16(a), as_s16(b))); }
+inline Halves chosen(Halves mask, Halves a, Halves b) {
+  return as_halves(vbslq_u16(as_u16(mask), as_u16(a), as_u16(b)));
+}
+/// One byte of each half in a long word.
+inline bool any_clear(Halves mask) {
+  const uint8x8_t bytes = vmovn_u16(as_u16(mask));
+  return vget_lane_u64(vreinterpret_u64_u8(bytes), 0) != ~std::uint64_t{0};
+}
+
+inline Words sums_of_products(Halves a, Halves b) {
+  const int32x4_t low = vmull_s16(vget_low_s16(as_s16(a)), vget_low_s16(as_s16(b)));
+  const int32x4_t high = vmull_s16(vget_high_s16(as_s16(a)), vget_high_s16(as_s16(b)));
+#if defined(__aarch64__)
+  return as_words(vpaddq_s32(low, high));
+#else
+  return as_words(vcombine_s32(vpadd_s32(vget_low_s32(low), vget_high_s32(low)),
+                               vpadd_s32(vget_low_s32(high), vget_high_s32(high))));
+#endif
+}
+inline std::int32_t sum_of_products(Halves a, Halves b) {
+  const int32x2_t both = vget_low_s32(vmull_s16(vget_low_s16(as_s16(a)), vget_low_s16(as_s16(b))));
+  return vget_lane_s32(vpadd_s32(both, both), 0);
+}
+inline Words lower_then_upper(Halves pairs) {
+  return as_words(vsraq_n_s32(vshlq_n_s32(as_s32(pairs), 16), as_s32(pairs), 16));
+}
+template <int shift>
+Words upper_products(Words a, Words b) {
+  // The instruction doubles.
+  return as_words(vqdmulhq_s32(as_s32(a << (shift - 1)), as_s32(b)));
+}
+
+template <int edge>
+Halves stepped_edge(Words starts, Halves steps) {
+  return stepped_halves(half_in_all<2 * edge>(as_halves(starts)), half_in_all<2 * edge>(steps),
+                        half_in_all<2 * edge + 1>(steps));
+}
+
+class Weights {
+ public:
+  Weights(Halves edge_steps, Words at_anchor) {
+    const int32x4_t steps = vshll_n_s16(vget_low_s16(as_s16(edge_steps)), 4);
+    const int32x4_t starts = as_s32(at_anchor);
+    of_1_ = as_words(vcombine_s32(vget_low_s32(steps), vget_low_s32(starts)));
+    of_2_ = as_words(vextq_s32(steps, vextq_s32(starts, starts, 1), 2));
+  }
+  Words sum(std::uint32_t of_1, std::uint32_t of_2) const {
+    return as_words(vmlaq_n_u32(vmulq_n_u32(as_u32(of_1_), of_1), as_u32(of_2_), of_2));
+  }
+
+  struct Factors {
+    int32x4_t of_1, of_2;
+    Factors(Halves first, Halves second)
+        : of_1(vmovl_s16(vget_low_s16(as_s16(first)))), of_2(vmovl_s16(vget_low_s16(as_s16(second)))) {}
+  };
+  template <int half>
+  Words sum(const Factors& factors) const {
+    return of_1_ * word_in_all<half>(as_words(factors.of_1)) + of_2_ * word_in_all<half>(as_words(factors.of_2));
+  }
+
+ private:
+  Words of_1_, of_2_;
+};
+
+/// The instruction doubles products: floor(a p / 2^16) is the upper word of 2 a 2^15 p.
+class LinearForms {
+ public:
+  LinearForms(const LinearForm& first, const LinearForm& second, const LinearForm& third)
+      : x_{first.x, second.x, third.x, 0},
+        y_{first.y, second.y, third.y, 0},
+        z_{first.z, second.z, third.z, 0},
+        offset_{first.offset, second.offset, third.offset, 0} {}
+
+  Words at(const Position& p) const {
+    std::uint32_t both;
+    __builtin_memcpy(&both, &p, sizeof both);
+    const int32x4_t position = vshll_n_s16(vset_lane_s16(p.z, vcreate_s16(both), 2), 15);
+    const int32x2_t xy = vget_low_s32(position);
+    const int32x4_t sum = vaddq_s32(vaddq_s32(offset_, vqdmulhq_lane_s32(x_, xy, 0)), vqdmulhq_lane_s32(y_, xy, 1));
+    return as_words(vaddq_s32(sum, vqdmulhq_lane_s32(z_, vget_high_s32(position), 0)));
+  }
+
+ private:
+  int32x4_t x_, y_, z_, offset_;
+};
+
+}  // namespace zstrip::detail::vectors
+
+#endif

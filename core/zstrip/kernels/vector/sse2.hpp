@@ -1,0 +1,208 @@
+// What kernels in vectors need beside operators, with SSE2. neon.hpp has the same functions.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/geometry/instance.hpp"
+#include "zstrip/kernels/vector/types.hpp"
+#include "zstrip/scene.hpp"
+
+#if ZSTRIP_HAS_SSE2
+
+// GCC's header includes <stdlib.h> for aligned allocation, which nothing here needs.
+#if !defined(_MM_MALLOC_H_INCLUDED)
+#define _MM_MALLOC_H_INCLUDED  // NOLINT(bugprone-reserved-identifier)
+#endif
+#include <emmintrin.h>
+
+namespace zstrip::detail::vectors {
+
+template <class Vector>
+__m128i as_sse2(Vector vector) {
+  return __builtin_bit_cast(__m128i, vector);
+}
+
+inline Halves load_8(const std::uint16_t* at) {
+  return as_halves(_mm_loadu_si128(reinterpret_cast<const __m128i*>(at)));
+}
+inline void store_8(std::uint16_t* at, Halves values) {
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(at), as_sse2(values));
+}
+/// Four, and none in the upper lanes.
+inline Halves load_4(const std::uint16_t* at) {
+  return as_halves(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(at)));
+}
+inline void store_4(std::uint16_t* at, Halves values) {
+  _mm_storel_epi64(reinterpret_cast<__m128i*>(at), as_sse2(values));
+}
+/// Twice four.
+inline Halves load_4_and_4(const std::uint16_t* at, const std::uint16_t* upper_at) {
+  const __m128 lower = _mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(at)));
+  return as_halves(_mm_loadh_pi(lower, reinterpret_cast<const __m64*>(upper_at)));
+}
+inline void store_upper_4(std::uint16_t* at, Halves values) {
+  _mm_storeh_pi(reinterpret_cast<__m64*>(at), _mm_castsi128_ps(as_sse2(values)));
+}
+
+/// The others are any.
+inline Words in_first_word(std::uint32_t value) { return Words{value, 0, 0, 0}; }
+/// A colour's channels.
+inline Halves bytes_of(std::uint32_t word) {
+  return as_halves(_mm_unpacklo_epi8(as_sse2(in_first_word(word)), _mm_setzero_si128()));
+}
+
+template <int word>
+Words word_in_all(Words values) {
+  return as_words(_mm_shuffle_epi32(as_sse2(values), word * 0x55));
+}
+template <int half>
+Halves half_in_all(Halves values) {
+  if constexpr (half < 4) {
+    return as_halves(word_in_all<0>(as_words(_mm_shufflelo_epi16(as_sse2(values), half * 0x55))));
+  } else {
+    return as_halves(word_in_all<2>(as_words(_mm_shufflehi_epi16(as_sse2(values), (half & 3) * 0x55))));
+  }
+}
+/// Shifted left.
+template <int half, int shift>
+Halves half_in_all(Halves values) {
+  return half_in_all<half>(values) << shift;
+}
+/// The same of a word's lower or upper half.
+template <int word, int shift>
+Halves low_half_in_all(Halves values) {
+  const __m128i pairs = as_sse2(word_in_all<word>(as_words(values)));
+  return as_halves(_mm_shufflehi_epi16(_mm_shufflelo_epi16(pairs, 0xA0), 0xA0)) << shift;
+}
+template <int word, int shift>
+Halves high_half_in_all(Halves values) {
+  const __m128i pairs = as_sse2(word_in_all<word>(as_words(values)));
+  return as_halves(_mm_shufflehi_epi16(_mm_shufflelo_epi16(pairs, 0xF5), 0xF5)) << shift;
+}
+/// The first words of three; the fourth one is any.
+inline Words first_words(Words a, Words b, Words c) {
+  return as_words(_mm_unpacklo_epi64(_mm_unpacklo_epi32(as_sse2(a), as_sse2(b)), as_sse2(c)));
+}
+/// Of first_words the third, first and second.
+inline Words rotated(Words three) { return as_words(_mm_shuffle_epi32(as_sse2(three), _MM_SHUFFLE(3, 1, 0, 2))); }
+inline Halves swapped_in_pairs(Halves values) {
+  return as_halves(_mm_shufflehi_epi16(_mm_shufflelo_epi16(as_sse2(values), 0xB1), 0xB1));
+}
+/// The upper halves of eight words.
+inline Halves upper_halves(Words first_four, Words last_four) {
+  return as_halves(_mm_packs_epi32(_mm_srai_epi32(as_sse2(first_four), 16), _mm_srai_epi32(as_sse2(last_four), 16)));
+}
+
+/// 0, 1, 2 and 3 times what all words are.
+inline Words multiples_0_to_3(Words step) {
+  return (step & Words{0, 0xFFFFFFFF, 0, 0xFFFFFFFF}) + ((step + step) & Words{0, 0, 0xFFFFFFFF, 0xFFFFFFFF});
+}
+inline Halves unsigned_max(Halves a, Halves b) { return as_halves(_mm_subs_epu16(as_sse2(a), as_sse2(b))) + b; }
+/// RGB565 of channels in 8.8.
+inline Halves rgb565_of_halves(Halves r, Halves g, Halves b) {
+  return ((r & in_all_halves(0xF800)) | ((g >> 5) & in_all_halves(0x07E0))) | (b >> 11);
+}
+inline Halves signed_min(Halves a, Halves b) { return as_halves(_mm_min_epi16(as_sse2(a), as_sse2(b))); }
+inline Halves signed_max(Halves a, Halves b) { return as_halves(_mm_max_epi16(as_sse2(a), as_sse2(b))); }
+/// `a` where the mask is set, else `b`.
+inline Halves chosen(Halves mask, Halves a, Halves b) {
+  return (mask & a) | as_halves(_mm_andnot_si128(as_sse2(mask), as_sse2(b)));
+}
+/// Whether a half of the mask is clear.
+inline bool any_clear(Halves mask) { return _mm_movemask_epi8(as_sse2(mask)) != 0xFFFF; }
+
+/// Signed: products of the lower halves of words, plus those of the upper ones.
+inline Words sums_of_products(Halves a, Halves b) { return as_words(_mm_madd_epi16(as_sse2(a), as_sse2(b))); }
+/// Of the first word.
+inline std::int32_t sum_of_products(Halves a, Halves b) { return static_cast<std::int32_t>(sums_of_products(a, b)[0]); }
+/// Of pairs: less than 0 where the lower half is, or where that is 0 and the upper half is.
+inline Words lower_then_upper(Halves pairs) { return sums_of_products(pairs, in_all_pairs(1 << 14, 1)); }
+/// floor((a << shift) * b / 2^32), a signed, 0 <= b < 2^31.
+template <int shift>
+Words upper_products(Words a, Words b) {
+  const __m128i factors = as_sse2(a << shift), others = as_sse2(b);
+  const __m128i even = _mm_srli_epi64(_mm_mul_epu32(factors, others), 32);
+  const __m128i odd = _mm_and_si128(_mm_mul_epu32(_mm_srli_epi64(factors, 32), others), _mm_set_epi32(-1, 0, -1, 0));
+  // As an unsigned factor a negative one counts 2^32 more.
+  return as_words(_mm_sub_epi32(_mm_or_si128(even, odd), _mm_and_si128(_mm_srai_epi32(factors, 31), others)));
+}
+
+/// stepped_halves of an edge function that fits a half: from its word, and its steps in a pair.
+template <int edge>
+Halves stepped_edge(Words starts, Halves steps) {
+  const __m128i pairs = as_sse2(word_in_all<edge>(as_words(steps)));
+  const __m128i start = as_sse2(word_in_all<edge>(starts));
+  const __m128i upper = _mm_madd_epi16(pairs, _mm_set_epi16(0, 3, 0, 2, 0, 1, 0, 0));
+  const __m128i lower = _mm_madd_epi16(pairs, _mm_set_epi16(1, 3, 1, 2, 1, 1, 1, 0));
+  return as_halves(_mm_packs_epi32(_mm_add_epi32(upper, start), _mm_add_epi32(lower, start)));
+}
+
+/// What vertices 1 and 2 weigh: in words 0 and 1 a pixel to the right and down, in word 2 at the anchor.
+class Weights {
+ public:
+  /// From Edges: steps of 16 x 180 at most, and 8100 at the anchor.
+  Weights(Halves edge_steps, Words at_anchor) {
+    const __m128i steps = _mm_shufflelo_epi16(as_sse2(edge_steps), _MM_SHUFFLE(3, 1, 2, 0));
+    const __m128i starts = as_sse2(at_anchor);
+    pairs_ = as_halves(_mm_unpacklo_epi64(_mm_slli_epi16(steps, 4), _mm_packs_epi32(starts, starts)));
+  }
+  /// Modulo 2^32.
+  Words sum(std::uint32_t of_1, std::uint32_t of_2) const {
+    const Halves both = as_halves(_mm_unpacklo_epi16(as_sse2(in_first_word(of_1)), as_sse2(in_first_word(of_2))));
+    // Both halves as signed factors: a lower one from 2^15 on counts 2^16 less.
+    const Halves low = as_halves(word_in_all<0>(as_words(both)));
+    const Halves high = as_halves(word_in_all<1>(as_words(both))) - arithmetically_right(low, 15);
+    return sums_of_products(pairs_, low) + (sums_of_products(pairs_, high) << 16);
+  }
+
+  /// Signed halves of two vectors.
+  struct Factors {
+    Halves pairs;
+    Factors(Halves of_1, Halves of_2) : pairs(as_halves(_mm_unpacklo_epi16(as_sse2(of_1), as_sse2(of_2)))) {}
+  };
+  template <int half>
+  Words sum(const Factors& factors) const {
+    return sums_of_products(pairs_, as_halves(word_in_all<half>(as_words(factors.pairs))));
+  }
+
+ private:
+  Halves pairs_;
+};
+
+/// LinearForm::at of three that fits_vector, a word each. A coefficient a is 2^16 high + low, both signed, so that
+/// floor(a p / 2^16) is high p + floor(low p / 2^16).
+class LinearForms {
+ public:
+  LinearForms(const LinearForm& first, const LinearForm& second, const LinearForm& third) {
+    const auto each = [&](const auto& word_of) { return Words{word_of(first), word_of(second), word_of(third), 0}; };
+    offset_ = each([](const LinearForm& f) { return static_cast<std::uint32_t>(f.offset); });
+    high_xy_ = as_halves(each([](const LinearForm& f) { return pair_of(high(f.x), high(f.y)); }));
+    high_z_ = as_halves(each([](const LinearForm& f) { return pair_of(high(f.z), 0); }));
+    low_xy_ = as_halves(each([](const LinearForm& f) { return pair_of(f.x, f.y); }));
+    low_z_ = as_halves(each([](const LinearForm& f) { return pair_of(f.z, 0); }));
+  }
+
+  Words at(const Position& p) const {
+    std::uint32_t both;
+    __builtin_memcpy(&both, &p, sizeof both);
+    const Halves xy = as_halves(in_all_words(both));
+    const Halves z = as_halves(in_all_words(static_cast<std::uint16_t>(p.z)));
+    const auto rest = [](Halves a, Halves b) {
+      return sums_of_products(as_halves(_mm_mulhi_epi16(as_sse2(a), as_sse2(b))), in_all_halves(1));
+    };
+    const Words whole = sums_of_products(xy, high_xy_) + sums_of_products(z, high_z_);
+    return offset_ + (whole + (rest(xy, low_xy_) + rest(z, low_z_)));
+  }
+
+ private:
+  static constexpr std::int32_t high(std::int32_t value) {
+    return static_cast<std::int32_t>((std::int64_t{value} + 0x8000) >> 16);
+  }
+
+  Words offset_;
+  Halves high_xy_, high_z_, low_xy_, low_z_;
+};
+
+}  // namespace zstrip::detail::vectors
+
+#endif
