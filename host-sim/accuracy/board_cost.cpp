@@ -67,7 +67,7 @@ Result<Done> measure_on_board(const AccuracyRequest& request, const std::vector<
                          .scene_file = file.path()};
     // Strips as given; whether they fit the board is tested elsewhere.
     if (fits && cost.ram_bytes <= board.ram_bytes - kReservedRam) {
-      const Result<BoardPrediction> predicted = predict(board, bench_case, request.firmware);
+      const Result<BoardPrediction> predicted = predict(board, bench_case, 1, request.firmware);
       if (predicted) {
         instructions += predicted->instructions;
         slow += frame_seconds(*predicted, true);

@@ -18,6 +18,15 @@ namespace {
   edge = EdgeWalk(from.x, from.y, to.x, to.y, row, std::true_type{});
 }
 
+/// Those of texture coordinates are three, of which one alone is to be code.
+class TexturePlanes : public MediumPlanes {
+ public:
+  using MediumPlanes::MediumPlanes;
+  [[gnu::noinline]] Plane plane(std::int32_t value_0, std::int32_t d1, std::int32_t d2) const {
+    return MediumPlanes::plane(value_0, d1, d2);
+  }
+};
+
 /// The rows of a triangle in a strip, whose sides it does not cross.
 class TriangleRows {
  public:
@@ -75,7 +84,7 @@ class TexturedRows {
   /// Cannot be inlined: the edges would be without registers. For a triangle that fits_words.
   [[gnu::noinline]] TexturedRows(const MediumTriangle& t, const MediumTexture& surface, std::int32_t anchor_x,
                                  std::int32_t anchor_y) {
-    MediumPlanes planes(t.v0, t.v1, t.v2, t.area, anchor_x, anchor_y);
+    TexturePlanes planes(t.v0, t.v1, t.v2, t.area, anchor_x, anchor_y);
     depth_ = planes.depth(t.v0.depth, t.v1.depth, t.v2.depth);
     coordinates_ = TextureCoordinates<affine>(planes, surface.vertices, surface.depth_offset);
     fraction_u_ = TextureAxis(surface.texture.log2_width).to_fraction;

@@ -64,8 +64,8 @@ class MediumPlanes {
                  static_cast<std::int32_t>(depth_2 - depth_0));
   }
 
-  /// As PlaneSetup::plane(). Not inlined: three textured ones would be.
-  [[gnu::noinline]] Plane plane(std::int32_t value_0, std::int32_t d1, std::int32_t d2) const {
+  /// As PlaneSetup::plane().
+  Plane plane(std::int32_t value_0, std::int32_t d1, std::int32_t d2) const {
     // 31 + 23 bits, twice; a step has up to 41.
     const auto step = [this](std::int64_t along) {
       const std::uint64_t low = long_product(static_cast<std::uint32_t>(along), static_cast<std::uint32_t>(mantissa_));
