@@ -15,6 +15,7 @@
 #include "outlines_scene.hpp"
 #include "overlay_scene.hpp"
 #include "shadows_scene.hpp"
+#include "zstrip_scenes/character.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/spheres.hpp"
 
@@ -64,6 +65,7 @@ TEST(EffectsAbsence, ProgramsHoldTheCodeOfTheirScenesEffectsAndNoOther) {
   check(scenes::csg);
   check(scenes::edges);
   check(scenes::overlay);
+  check(scenes::character);
   for (const scenes::BuiltIn& built_in : scenes::effect_scenes()) check(built_in);
   expect_only(folder + "knot_rgb565_dithered", scenes::knot, {64, 48, PixelFormat::rgb565, true});
   expect_only(folder + "fog_rgb565_dithered", scenes::fog, {64, 48, PixelFormat::rgb565, true});

@@ -12,6 +12,7 @@
 #include "overlay_scene.hpp"
 #include "shadows_scene.hpp"
 #include "zstrip/zstrip.hpp"
+#include "zstrip_scenes/character.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/spheres.hpp"
 

@@ -68,6 +68,13 @@ consteval std::array<JointPose, kCharacterJoints> rest() {
   return result;
 }
 
+/// Zeros, so that they take no flash; written before they are read.
+consteval std::array<JointPose, kCharacterJoints> no_poses() {
+  std::array<JointPose, kCharacterJoints> result{};
+  for (JointPose& pose : result) pose = {.rotation = {0, 0, 0, 0}, .translation = {0, 0, 0}, .scale = {0, 0, 0}};
+  return result;
+}
+
 /// Every triangle's front is outside: on the side of its corners' normals.
 consteval bool fronts_are_outside() {
   for (const Triangle& t : kCut.triangles) {
@@ -96,7 +103,7 @@ constexpr std::array<std::uint16_t, kCharacterTexelCount> kCharacterTexels = cha
 
 static_assert(validate(kCharacterSkin));
 
-constinit CharacterInRam character_in_ram{};
+constinit CharacterInRam character_in_ram{.joints = no_poses(), .matrices = {}, .positions = {}, .normals = {}};
 constinit Skinning character_skinning{.skin = &kCharacterSkin,
                                       .matrices = character_in_ram.matrices,
                                       .positions = character_in_ram.positions,
