@@ -21,7 +21,7 @@ inline constexpr Marker kMarkers[] = {
     {effect::vertex_light, "zstrip::detail::locally_lit_colour<"},
     {effect::local_light, "zstrip::detail::frame_lights("},
     {effect::local_light, "zstrip::detail::instance_shading("},
-    {effect::local_light | effect::environment | effect::skins, "zstrip::detail::direction_of("},
+    {effect::local_light | effect::environment, "zstrip::detail::direction_of("},
     {effect::punctual_lights, "zstrip::detail::attenuation("},
     {effect::specular, "zstrip::detail::power("},
     {effect::fragments, "zstrip::detail::fill_fragments<"},

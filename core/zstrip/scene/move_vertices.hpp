@@ -16,6 +16,9 @@ struct JointMatrices {
   int fraction_bits;  ///< 6..14
 };
 
+/// The joints' matrices of a pose, into `work`. Errors as of skin_mesh.
+Status make_matrices(const Skin& skin, std::span<const JointPose> pose, std::span<Transform> work, int& fraction_bits);
+
 /// Writes as many as `from` has; what would leave the box stays on its side. Returns the first of these; from.size():
 /// there is none.
 std::size_t move_positions(std::span<const Position> from, std::span<const VertexJoints> vertices,

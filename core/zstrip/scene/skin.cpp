@@ -1,4 +1,4 @@
-// Moves the joints of a skin, in 64 bits, and the vertices of a whole mesh by them.
+// Moves the joints of a skin, in 64 bits.
 #include "zstrip/skin.hpp"
 
 #include <algorithm>
@@ -103,28 +103,9 @@ int fraction_bits(std::span<const Transform> matrices) {
   return bits;
 }
 
-/// The sphere around the box of a meshlet's vertices.
-void bound(Meshlet& meshlet, std::span<const Position> positions) {
-  std::int32_t low[3] = {32767, 32767, 32767}, high[3] = {-32768, -32768, -32768};
-  const std::span vertices = positions.subspan(meshlet.first_vertex, meshlet.vertex_count);
-  for (const Position& p : vertices) {
-    const std::int32_t place[3] = {p.x, p.y, p.z};
-    for (int i = 0; i < 3; ++i) low[i] = std::min(low[i], place[i]), high[i] = std::max(high[i], place[i]);
-  }
-  const auto middle = [&](int i) { return static_cast<std::int16_t>((low[i] + high[i]) >> 1); };
-  meshlet.centre = {middle(0), middle(1), middle(2)};
-  std::uint32_t farthest = 0;  // a square: at most three of 2^30
-  for (const Position& p : vertices) {
-    const std::int32_t x = p.x - meshlet.centre.x, y = p.y - meshlet.centre.y, z = p.z - meshlet.centre.z;
-    farthest = std::max(farthest, static_cast<std::uint32_t>(x * x) + static_cast<std::uint32_t>(y * y) +
-                                      static_cast<std::uint32_t>(z * z));
-  }
-  const std::uint32_t root = detail::root_of_word(farthest);
-  meshlet.radius = static_cast<std::uint16_t>(root * root == farthest ? root : root + 1);
-}
+}  // namespace
 
-/// The joints' matrices of a pose, as move_positions and move_normals take them.
-Status make_matrices(const Skin& skin, std::span<const JointPose> pose, std::span<Transform> work, int& bits) {
+Status detail::make_matrices(const Skin& skin, std::span<const JointPose> pose, std::span<Transform> work, int& bits) {
   const Mesh& mesh = *skin.mesh;
   const std::size_t joints = skin.joints.size();
   if (pose.size() != joints || work.size() != joints || skin.vertices.size() != mesh.positions.size()) return wrong(0);
@@ -149,8 +130,6 @@ Status make_matrices(const Skin& skin, std::span<const JointPose> pose, std::spa
   }
   return {};
 }
-
-}  // namespace
 
 void pose(const Animation& animation, std::uint32_t time, std::span<JointPose> joints) {
   for (const Track& track : animation.tracks) {
@@ -179,29 +158,9 @@ void blend(std::span<JointPose> joints, std::span<const JointPose> others, std::
   }
 }
 
-Status skin_mesh(const Skin& skin, std::span<const JointPose> pose, std::span<Transform> work,
-                 const MovedVertices& moved) {
-  const Mesh& mesh = *skin.mesh;
-  if (moved.positions.size() != mesh.positions.size() || moved.normals.size() != mesh.normals.size() ||
-      moved.meshlets.size() != mesh.meshlets.size()) {
-    return wrong(0);
-  }
-  int bits = 0;
-  if (const Status status = make_matrices(skin, pose, work, bits); !status) return status;
-  const detail::JointMatrices matrices{work.data(), bits};
-  const std::size_t outside = detail::move_positions(mesh.positions, skin.vertices, matrices, moved.positions);
-  if (outside != mesh.positions.size()) return wrong(outside);
-  detail::move_normals(mesh.normals, skin.vertices, matrices, moved.normals);
-  for (std::size_t i = 0; i < mesh.meshlets.size(); ++i) {
-    moved.meshlets[i] = mesh.meshlets[i];
-    bound(moved.meshlets[i], moved.positions);
-  }
-  return {};
-}
-
 Status pose_skin(Skinning& skinning, std::span<const JointPose> pose) {
   int bits = 0;
-  const Status status = make_matrices(*skinning.skin, pose, skinning.matrices, bits);
+  const Status status = detail::make_matrices(*skinning.skin, pose, skinning.matrices, bits);
   skinning.fraction_bits = status ? bits : 0;
   return status;
 }
