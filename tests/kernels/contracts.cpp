@@ -12,7 +12,7 @@ std::span<const Contract> contracts() {
       {"transform", kHasThumb || kHasVectors, compare_transforms, 40'000, 2'000, 10'000},
       {"small", kHasThumb || kHasVectors, compare_small_triangles, 120'000, 40'000, 10'000},
       {"medium", kHasMediumTriangles, compare_medium_triangles, 80'000, 10'000, 4'000},
-      {"medium-texels", true, compare_medium_textured, 60'000, 8'000, 1'000},
+      {"textured", true, compare_medium_textured, 60'000, 8'000, 1'000},
       {"runs", kHasThumb || kHasVectors, compare_small_runs, 12'000, 600, 10'000},
       {"meshlets", kHasThumb || kHasVectors, compare_meshlets, 30'000, 900, 10'000},
       {"spans", kHasVectors, compare_spans, 400, 40, 10'000},
