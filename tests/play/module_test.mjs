@@ -14,12 +14,15 @@ const page = process.env.ZSTRIP_PAGE;
 globalThis.require = createRequire(import.meta.url);
 globalThis.__dirname = page;
 const {Drawing} = await import(join(page, 'drawing.mjs'));
-const examples = JSON.parse(readFileSync(join(page, 'examples.json'), 'utf8'));
+const {examples, hasProgram} = JSON.parse(readFileSync(join(page, 'contents.json'), 'utf8'));
+const {bakeWordsOf, commandLineOf, kPicoProgram, kSettings} = await import(join(page, 'settings.mjs'));
 const command = new Command(process.env.ZSTRIP, join(page, 'examples'));
 
 const load = async (name) => {
   const wasmBinary = readFileSync(join(page, name.replace(/mjs$/, 'wasm')));
-  const drawing = await Drawing.load((await import(join(page, name))).default, {wasmBinary});
+  // Else Node.js ends with the status of a command that was refused.
+  const quit = (status, exit) => { throw exit; };
+  const drawing = await Drawing.load((await import(join(page, name))).default, {wasmBinary, quit});
   for (const {files} of examples) {
     drawing.addFiles((files ?? []).map((path) => ({path, bytes: readFileSync(join(page, 'examples', path))})));
   }
@@ -89,6 +92,30 @@ test('headers and blobs are those of zstrip bake', async () => {
   }
 });
 
+// What the page asks for, and `options`, those of the line that porting.md has.
+const checkPicoFile = async (drawing, scene, name, options) => {
+  const settings = {scene, size: '128x64', format: 'gray4', ram: '40K', 'strip-rows': '5'};
+  const {files: [file]} = await drawing.run([...bakeWordsOf(settings, name), '--quiet'], [name]);
+  assert.ok(Buffer.from(file.bytes).equals(command.writes('bake', scene, name, options)), `${scene} ${name}`);
+};
+
+test('files for the Pico are those of zstrip bake, whatever size is chosen', async () => {
+  const drawing = await load('zstrip.mjs');
+  for (const scene of ['teapot', 'fog.toml', 'gallery/watch.toml']) {
+    await checkPicoFile(drawing, scene, 'scene.uf2', []);
+  }
+  await assert.rejects(
+    drawing.run(bakeWordsOf({scene: 'perspective.toml'}, 'scene.uf2'), ['scene.uf2']),
+    /leave 'perspective' out of the scene file/);
+});
+
+test('with the program, too', {skip: !hasProgram && `the page has no ${kPicoProgram}`}, async () => {
+  const drawing = await load('zstrip.mjs');
+  const program = join(page, kPicoProgram);
+  drawing.addFiles([{path: kPicoProgram, bytes: readFileSync(program)}]);
+  await checkPicoFile(drawing, 'teapot', 'both.uf2', ['--with', program]);
+});
+
 test('what is wrong is said, and the next scene is drawn', async () => {
   const drawing = await load('zstrip.mjs');
   const refused = async (scene, options, status, words) => assert.rejects(
@@ -109,15 +136,16 @@ test('what is wrong is said, and the next scene is drawn', async () => {
 });
 
 test('zstrip bake takes the command line that the page shows', async () => {
-  const {commandLineOf, kSettings} = await import(join(page, 'settings.mjs'));
   const all = Object.fromEntries(kSettings.map(({name, kind, choices, hint}) => [name, kind === 'choice' ? choices[1] : hint ?? 'yes']));
-  const [, , scene, ...options] = commandLineOf('bake', {...all, ram: '200K', scene: 'teapot', edges: '', visibility: ''}).split(' ');
+  const settings = {...all, ram: '200K', scene: 'teapot', edges: '', visibility: ''};
+  const [, , scene, , , ...options] = commandLineOf(bakeWordsOf(settings, 'scene.zsc')).split(' ');
   assert.ok(options.includes('--dither') && !options.includes('--panel'));
   assert.ok(command.writes('bake', scene, 'scene.zsc', options).length > 1000);
 });
 
 test('the page with its first scene is small', () => {
-  const first = readdirSync(page).filter((name) => !name.startsWith('zstrip-all') && name !== 'examples');
+  const later = /^(zstrip-all\..*|examples|zstrip_pico_player\.uf2)$/;
+  const first = readdirSync(page).filter((name) => !later.test(name));
   const bytes = first.reduce((sum, name) => sum + gzipSync(readFileSync(join(page, name)), {level: 9}).length, 0);
   console.log(`${bytes} bytes gzipped`);
   assert.ok(bytes <= 1.5 * 1024 * 1024, `${bytes} bytes gzipped`);

@@ -153,6 +153,16 @@ test('downloads are the command\'s files', async () => {
   }
 });
 
+test('files for the Pico are of the boot loader\'s kind', async () => {
+  const {hasProgram} = JSON.parse(readFileSync(join(ZSTRIP_PAGE, 'contents.json'), 'utf8'));
+  assert.equal(await browser.evaluate(`document.querySelector('[data-file="both.uf2"]').hidden`), !hasProgram);
+  for (const name of ['scene.uf2', ...(hasProgram ? ['both.uf2'] : [])]) {
+    const file = await download(name);
+    assert.equal(file.toString('latin1', 0, 4), 'UF2\n', name);
+    assert.equal(file.length % 512, 0, name);
+  }
+});
+
 test('the page is legible in three widths', async () => {
   for (const width of [380, 800, 1280]) {
     await browser.call('Emulation.setDeviceMetricsOverride', {width, height: 900, deviceScaleFactor: 1, mobile: width < 500});

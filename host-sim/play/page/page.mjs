@@ -3,7 +3,9 @@ import {call} from './calls.mjs';
 import {showFigures} from './figures.mjs';
 import {chosenFiles, droppedFiles, sceneAmong, sceneEndings} from './files.mjs';
 import {showPicture} from './picture.mjs';
-import {commandLineOf, kSettings, kStartView, linkOf, optionsOf, settingsOf} from './settings.mjs';
+import {
+  bakeWordsOf, commandLineOf, kPicoProgram, kSettings, kStartView, linkOf, optionsOf, settingsOf
+} from './settings.mjs';
 
 const kDegreesOfPixel = 0.4;
 const kDegreesOfKey = 5;
@@ -106,20 +108,24 @@ function tell() {
     if (![...choice.options].some(({value}) => value === board)) choice.append(new Option(board, board));
   }
   element('command').textContent = [
-    commandLineOf('view', settings), commandLineOf('bake', settings, ['-o', 'scene.hpp', '--turntable'])
-  ].join('\n');
+    ['view', settings.scene, ...optionsOf(settings)],
+    bakeWordsOf(settings, 'scene.hpp'),
+    bakeWordsOf(settings, 'scene.uf2'),
+  ].map(commandLineOf).join('\n');
 }
 
 // ---- scenes ----
+async function fetched(address, path) {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`${address}: ${response.status} ${response.statusText}`);
+  return {path, bytes: new Uint8Array(await response.arrayBuffer())};
+}
+
 // Examples are fetched when they are chosen first.
 async function fetchExample() {
   const example = examples.find(({scene}) => scene === settings.scene);
   if (!example || !example.files || example.fetched) return settings.scene;
-  const files = await Promise.all(example.files.map(async (path) => {
-    const response = await fetch(`examples/${path}`);
-    if (!response.ok) throw new Error(`examples/${path}: ${response.status} ${response.statusText}`);
-    return {path, bytes: new Uint8Array(await response.arrayBuffer())};
-  }));
+  const files = await Promise.all(example.files.map((path) => fetched(`examples/${path}`, path)));
   await call('addFiles', files);
   example.fetched = true;
   return settings.scene;
@@ -272,13 +278,13 @@ function listen() {
 
 async function download(name) {
   try {
-    const bytes = name === 'picture.png' ? await call('png') : await baked(name);
+    const {bytes, messages} = name === 'picture.png' ? {bytes: await call('png')} : await baked(name);
     const link = document.createElement('a');
     link.href = URL.createObjectURL(new Blob([bytes]));
     link.download = name;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-    say(`${name}: ${bytes.length.toLocaleString('en')} bytes`);
+    say(`${name}: ${bytes.length.toLocaleString('en')} bytes`, messages);
   } catch (error) {
     fail(error);
   }
@@ -286,14 +292,17 @@ async function download(name) {
 
 // What `zstrip bake` writes.
 async function baked(name) {
-  const options = optionsOf(settings, 'bake');
-  const {files} = await call('run', {words: ['bake', settings.scene, '-o', name, '--turntable', '--quiet', ...options], names: [name]});
-  return files[0].bytes;
+  const words = bakeWordsOf(settings, name);
+  if (words.includes(kPicoProgram)) await call('addFiles', [await fetched(kPicoProgram, kPicoProgram)]);
+  const {files, messages} = await call('run', {words: [...words, '--quiet'], names: [name]});
+  return {bytes: files[0].bytes, messages};
 }
 
 async function start() {
-  const response = await fetch('examples.json');
-  examples = await response.json();
+  const response = await fetch('contents.json');
+  const contents = await response.json();
+  examples = contents.examples;
+  for (const each of document.querySelectorAll('.with-program')) each.hidden = !contents.hasProgram;
   for (const {scene, title} of examples) element('example').append(new Option(title, scene));
   kSettings.forEach(addSetting);
   showChoice();

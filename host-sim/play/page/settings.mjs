@@ -51,6 +51,10 @@ export const kLooks = ['colours', 'wireframe', 'depth', 'overdraw'];
 export const kStartView = {look: 0, frame: 0, yaw: 0, pitch: 0, zoom: 0};
 const kStart = {scene: 'teapot', size: '240x240'};
 
+// The file for the Pico that has the program that shows it, too, and that program's file.
+const kBoth = 'both.uf2';
+export const kPicoProgram = 'zstrip_pico_player.uf2';
+
 const isDigitsOf = (value) => /^-?[0-9]+(\.[0-9]+)?$/.test(value);
 
 // The options of `zstrip view`; with `command` 'bake' those that `zstrip bake` has.
@@ -64,10 +68,17 @@ export function optionsOf(settings, command = 'view') {
   return options;
 }
 
-// For a shell. `extra`: options that are no settings.
-export function commandLineOf(command, settings, extra = []) {
-  const words = ['zstrip', command, settings.scene, ...extra, ...optionsOf(settings, command)];
-  return words.map((word) => (/^[\w.,:=+/-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`)).join(' ');
+// The words after `zstrip` that write the file `name`. A Pico's panel and memory are the command's own, not settings.
+export function bakeWordsOf(settings, name) {
+  const words = ['bake', settings.scene, '-o', name];
+  if (!name.endsWith('.uf2')) return [...words, '--turntable', ...optionsOf(settings, 'bake')];
+  if (name === kBoth) words.push('--with', kPicoProgram);
+  return [...words, ...optionsOf({...settings, size: '', format: '', ram: '', 'strip-rows': ''}, 'bake')];
+}
+
+// For a shell.
+export function commandLineOf(words) {
+  return ['zstrip', ...words].map((word) => (/^[\w.,:=+/-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`)).join(' ');
 }
 
 // What a link says after its #; settings and view that are as at the start are left out.
