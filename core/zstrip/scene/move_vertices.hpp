@@ -16,6 +16,11 @@ struct JointMatrices {
   int fraction_bits;  ///< 6..14
 };
 
+/// What is wrong with the joint or the vertex of this index.
+constexpr Status wrong_skin(std::size_t index) {
+  return {.error = Error::skin, .needed = static_cast<std::uint32_t>(index)};
+}
+
 /// The joints' matrices of a pose, into `work`. Errors as of skin_mesh.
 Status make_matrices(const Skin& skin, std::span<const JointPose> pose, std::span<Transform> work, int& fraction_bits);
 

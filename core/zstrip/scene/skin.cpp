@@ -52,8 +52,6 @@ bool multiply(const Transform& a, const Transform& b, Transform& to) {
   return true;
 }
 
-Status wrong(std::size_t index) { return {.error = Error::skin, .needed = static_cast<std::uint32_t>(index)}; }
-
 /// A joint's matrix must keep every place of the mesh's box within so many boxes, 20.4: then no sum wraps.
 constexpr std::int64_t kReach = std::int64_t{8} * 32768 * 16;
 
@@ -108,25 +106,27 @@ int fraction_bits(std::span<const Transform> matrices) {
 Status detail::make_matrices(const Skin& skin, std::span<const JointPose> pose, std::span<Transform> work, int& bits) {
   const Mesh& mesh = *skin.mesh;
   const std::size_t joints = skin.joints.size();
-  if (pose.size() != joints || work.size() != joints || skin.vertices.size() != mesh.positions.size()) return wrong(0);
+  if (pose.size() != joints || work.size() != joints || skin.vertices.size() != mesh.positions.size())
+    return detail::wrong_skin(0);
   for (std::size_t i = 0; i < joints; ++i) {
-    if (square_of(pose[i].rotation) < 1U << 28) return wrong(i);  // shorter than a half: no direction to turn in
+    if (square_of(pose[i].rotation) < 1U << 28)
+      return detail::wrong_skin(i);  // shorter than a half: no direction to turn in
     const Transform own =
         detail::placed(detail::between(pose[i].rotation, pose[i].rotation, 0), pose[i].translation, pose[i].scale);
     const std::uint16_t parent = skin.joints[i].parent;
     if (parent == kNoJoint) {
       work[i] = own;
     } else if (!multiply(work[parent], own, work[i])) {
-      return wrong(i);
+      return detail::wrong_skin(i);
     }
   }
   for (std::size_t i = 0; i < joints; ++i) {
-    if (!multiply(work[i], skin.joints[i].inverse_bind, work[i])) return wrong(i);
+    if (!multiply(work[i], skin.joints[i].inverse_bind, work[i])) return detail::wrong_skin(i);
   }
   bits = fraction_bits(work);
   const Grid grid{mesh.centre, mesh.half_extent.x, bits};
   for (std::size_t i = 0; i < joints; ++i) {
-    if (!grid.turn(work[i], work[i])) return wrong(i);
+    if (!grid.turn(work[i], work[i])) return detail::wrong_skin(i);
   }
   return {};
 }

@@ -9,8 +9,6 @@
 namespace zstrip {
 namespace {
 
-Status wrong(std::size_t index) { return {.error = Error::skin, .needed = static_cast<std::uint32_t>(index)}; }
-
 /// The sphere around the box of a meshlet's vertices.
 void bound(Meshlet& meshlet, std::span<const Position> positions) {
   std::int32_t low[3] = {32767, 32767, 32767}, high[3] = {-32768, -32768, -32768};
@@ -38,13 +36,13 @@ Status skin_mesh(const Skin& skin, std::span<const JointPose> pose, std::span<Tr
   const Mesh& mesh = *skin.mesh;
   if (moved.positions.size() != mesh.positions.size() || moved.normals.size() != mesh.normals.size() ||
       moved.meshlets.size() != mesh.meshlets.size()) {
-    return wrong(0);
+    return detail::wrong_skin(0);
   }
   int bits = 0;
   if (const Status status = detail::make_matrices(skin, pose, work, bits); !status) return status;
   const detail::JointMatrices matrices{work.data(), bits};
   const std::size_t outside = detail::move_positions(mesh.positions, skin.vertices, matrices, moved.positions);
-  if (outside != mesh.positions.size()) return wrong(outside);
+  if (outside != mesh.positions.size()) return detail::wrong_skin(outside);
   detail::move_normals(mesh.normals, skin.vertices, matrices, moved.normals);
   for (std::size_t i = 0; i < mesh.meshlets.size(); ++i) {
     moved.meshlets[i] = mesh.meshlets[i];
