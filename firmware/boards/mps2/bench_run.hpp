@@ -61,18 +61,17 @@ struct FrameResult {
   std::uint32_t crc32 = 0;
 };
 
-/// `pose`: of the scene, null if it has none.
-template <class Renderer>
+/// `pose`: called first, and counted.
+template <class Renderer, class Pose>
 FrameResult run_frame(Renderer& renderer, const zstrip::scenes::Staged& staged, const zstrip::View& view,
-                      const zstrip::Plan& plan, InstructionCounter& counter, Status (*pose)(std::uint32_t) = nullptr,
-                      std::uint32_t frame = 0) {
+                      const zstrip::Plan& plan, InstructionCounter& counter, const Pose& pose) {
   const std::span<std::byte> arena(memory, plan.bytes());
   const std::span<std::byte> pixels(memory + plan.bytes(), plan.strip_pixel_bytes(view));
   zstrip::board::Crc32 crc;
 
   counter.reset();
   counter.resume();
-  zstrip::Status status = pose != nullptr ? pose(frame) : zstrip::Status{};
+  zstrip::Status status = pose();
   if (status) status = renderer.begin_frame(staged.scene, staged.camera, view, plan, arena);
   counter.pause();
   for (std::uint16_t strip = 0; status && strip < plan.strips; ++strip) {
@@ -129,7 +128,12 @@ int run(const Arguments& arguments) {
   std::uint64_t total = 0;
   for (std::uint32_t frame = 0; frame < arguments.frames; ++frame) {
     stage_workload(built_in, staged, arguments.first + frame);
-    const FrameResult result = run_frame(renderer, staged, view, plan, counter, built_in.pose, arguments.first + frame);
+    // Not by its address: the analysis of stacks would have every function of this type called.
+    const auto pose = [number = arguments.first + frame] {
+      if constexpr (built_in.pose != nullptr) return built_in.pose(number);
+      return zstrip::Status{};
+    };
+    const FrameResult result = run_frame(renderer, staged, view, plan, counter, pose);
     if (!result.status) {
       print("\n");
       return report(result.status);

@@ -50,7 +50,7 @@ int run(const bench::Arguments& arguments) {
   staged.scene = opened.scene;
   staged.camera = opened.camera;
   bench::InstructionCounter counter;
-  const bench::FrameResult result = bench::run_frame(renderer, staged, view, plan, counter);
+  const bench::FrameResult result = bench::run_frame(renderer, staged, view, plan, counter, [] { return Status{}; });
   if (!result.status) {
     bench::print("\n");
     return bench::report(result.status);
