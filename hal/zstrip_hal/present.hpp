@@ -44,6 +44,7 @@ class StripAreas {
   }
   /// The most bytes that a strip takes.
   constexpr std::uint32_t bytes(PixelFormat format) const { return rows_ * bytes_per_row(columns_, format); }
+  /// Pixels of the display.
   constexpr Area area(std::uint16_t strip) const {
     const auto left = static_cast<std::uint16_t>(strip % across() * columns_);
     const auto top = static_cast<std::uint16_t>(strip / across() * rows_);

@@ -23,6 +23,7 @@ namespace zstrip::hal {
 template <StripRenderer Renderer>
 class SecondCore {
  public:
+  /// Of the renderer.
   using DrawStatus = decltype(std::declval<Renderer&>().draw_strip(std::uint16_t{}, std::span<std::byte>{}));
 
   /// `renderer`: drawn with by the second core alone. It must outlive this object.

@@ -172,7 +172,9 @@ Result<FrameReport> FrameRenderer::render(const Staging& staging, const Plan& pl
   report.strip_pixel_bytes = plan.strip_pixel_bytes(view_);
 
   const auto start = std::chrono::steady_clock::now();
-  const bool alone = memory_.size() == 1 || plan.strips == 1 || panel_ != nullptr || method_.methods != 0;
+  // Renderers that move a skin write where it says.
+  const bool alone = memory_.size() == 1 || plan.strips == 1 || panel_ != nullptr || method_.methods != 0 ||
+                     effects.has(effect::skins);
   const Result<Done> drawn = alone ? draw(staging, effects, report) : draw_on_threads(staging, effects, report);
   const auto end = std::chrono::steady_clock::now();
   if (!drawn) return drawn.failure();

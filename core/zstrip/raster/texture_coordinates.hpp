@@ -55,7 +55,7 @@ class TextureCoordinates {
     if (surplus >= 0) {
       for (int i = 0; i < 3; ++i) q[i] = static_cast<Value>(inverse[i] >> surplus);
     } else {
-      for (int i = 0; i < 3; ++i) q[i] = static_cast<Value>(static_cast<std::uint32_t>(inverse[i]) << -surplus);
+      for (int i = 0; i < 3; ++i) q[i] = static_cast<Value>(inverse[i]) << -surplus;
     }
     one_over_w_ = planes.plane(q[0], q[1] - q[0], q[2] - q[0]);
     // u/w to 29 bits and a sign; below 2^33 * 2^29.

@@ -25,6 +25,7 @@ bool has_sizes_of(const Skinning& skinning, const Mesh& mesh) {
 template <class Vertex>
 std::span<const Vertex> as_if_whole(std::span<Vertex> part, std::uint32_t first_vertex, std::size_t whole) {
   const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(part.data()) - first_vertex * sizeof(Vertex);
+  // Not by a pointer before the array, which would be undefined. NOLINTNEXTLINE(performance-no-int-to-ptr)
   return {reinterpret_cast<const Vertex*>(address), whole};
 }
 
