@@ -37,7 +37,7 @@ const std::vector<Other> kOthers = {
     {"pipeline_k5_", {"knot"}},
     {"bench_m", {"teapot", "room", "knot_textured", "character"}},
     {"bench_rv32", {"knot", "cube", "knot_textured", "character"}},
-    {"bench_bins_", {"knot", "cube", "random50", "random10k", "teapot", "room"}, effect::bins},
+    {"bench_bins_", {"knot", "cube", "random50", "random10k", "teapot", "room", "knot_textured"}, effect::bins},
     {"bench_depth_", {"random50"}, effect::depth_state | effect::depth_ranges | effect::depth_formats},
     {"bench_visibility_",
      {"knot", "cube", "room", "knot_textured"},
@@ -46,7 +46,7 @@ const std::vector<Other> kOthers = {
 };
 
 /// The first calls functions of stages by themselves, without a scene; the others draw a scene that somebody has baked.
-constexpr std::string_view kSkipped[] = {"self_test_", "scene_", "lm3s6965evb_scene"};
+constexpr std::string_view kSkipped[] = {"self_test_", "scene_", "lm3s6965evb_scene", "pico_player"};
 
 Effects effects_of_program(const std::string& name) {
   Effects effects{};

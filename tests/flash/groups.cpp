@@ -59,6 +59,12 @@ constexpr Pattern kPatterns[] = {
     {"set_up", Group::small_triangles},
 
     {"draw_span", Group::spans},
+    {"draw_medium_textured", Group::spans},
+    {"set_edge", Group::spans},
+    {"TriangleRows", Group::spans},
+    {"TexturedRows", Group::spans},
+    {"TexturePlanes", Group::spans},
+    {"MediumPlanes", Group::spans},
     {"walk_", Group::spans},
     {"SpanTriangle", Group::spans},
     {"PlaneSetup", Group::spans},
