@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "zstrip_hal/clock.hpp"
 #include "zstrip_hal/display.hpp"
@@ -29,46 +30,61 @@ class SecondCore {
   /// `renderer`: drawn with by the second core alone. It must outlive this object.
   explicit constexpr SecondCore(Renderer& renderer) : renderer_(renderer) {}
 
-  /// On the second core, again and again: draws the strip that is asked for. False: none is; the core may sleep until
-  /// the first one wakes it (SEV and WFE), or go on with what else it does.
+  /// On the second core, again and again: does what it is asked for. False: nothing; the core may sleep until the first
+  /// one wakes it (SEV and WFE), or go on with what else it does.
   bool serve() {
     const std::uint32_t asked = asked_.load(std::memory_order_acquire);
     if (asked == done_.load(std::memory_order_relaxed)) return false;
-    status_ = renderer_.draw_strip(strip_, pixels_);
+    status_ = work_ != nullptr ? run_(work_) : renderer_.draw_strip(strip_, pixels_);
     done_.store(asked, std::memory_order_release);
     return true;
   }
 
-  /// On the first core: has a strip drawn. `pixels` are the second core's until is_done().
-  void ask(std::uint16_t strip, std::span<std::byte> pixels) {
-    strip_ = strip, pixels_ = pixels;
+  /// On the first core: has `work()` done, which returns a status: the beginning of a frame by the second core's
+  /// renderer. It must live until is_done(), or until the present() that follows has returned.
+  template <class Work>
+  void start(const Work& work) {
+    work_ = &work;
+    run_ = [](const void* what) -> DrawStatus { return (*static_cast<const Work*>(what))(); };
     asked_.store(asked_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
   }
-  /// On the first core: whether all that was asked for is drawn.
+  /// On the first core: has a strip drawn. `pixels` are the second core's until is_done().
+  void ask(std::uint16_t strip, std::span<std::byte> pixels) {
+    work_ = nullptr, strip_ = strip, pixels_ = pixels;
+    asked_.store(asked_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+  }
+  /// On the first core: whether all that was asked for is done.
   bool is_done() const { return done_.load(std::memory_order_acquire) == asked_.load(std::memory_order_relaxed); }
-  /// On the first core, when it is done: how drawing went.
+  /// On the first core, when it is done: how it went.
   const DrawStatus& status() const { return status_; }
+  /// On the first core, when it is done: how the last start() went; success if there was none since this was called.
+  DrawStatus take_start() {
+    if (std::exchange(work_, nullptr) == nullptr) return {};
+    return status_;
+  }
 
  private:
   Renderer& renderer_;
+  const void* work_ = nullptr;  ///< null: a strip
+  DrawStatus (*run_)(const void*) = nullptr;
   std::uint16_t strip_ = 0;
   std::span<std::byte> pixels_;
   DrawStatus status_{};
-  std::atomic<std::uint32_t> asked_ = 0;  ///< how many strips; written by the first core
-  std::atomic<std::uint32_t> done_ = 0;   ///< how many of them; written by the second core
+  std::atomic<std::uint32_t> asked_ = 0;  ///< how often; written by the first core
+  std::atomic<std::uint32_t> done_ = 0;   ///< how often it did; written by the second core
 };
 
 /// Three buffers as those of StripBuffers: two are drawn into while one is sent.
 using TwoCoreBuffers = std::array<std::span<std::byte>, 3>;
 
-/// How long a strip may take on the second core, microseconds.
+/// How long a strip, or the beginning of a frame, may take on the second core, microseconds.
 inline constexpr std::uint32_t kMaxStripMicroseconds = 1'000'000;
 
-/// present() on two cores. Both renderers have begun the same frame, with the same plan; `renderer` is the first
-/// core's. Also with an error it returns only when the second core has drawn what it was asked for, but for
-/// Error::second_core: then it did not within kMaxStripMicroseconds, and its buffer, its renderer and `second` stay its
-/// own until is_done().
-/// Display errors of its own: strip_layout, pixels_too_small, second_core.
+/// present() on two cores. `renderer` is the first core's. Both have begun the same frame, with the same plan; the
+/// second one may still be doing so, by SecondCore::start(): its error is one of drawing. Also with an error it returns
+/// only when the second core has drawn what it was asked for, but for Error::second_core: then it did not within
+/// kMaxStripMicroseconds, and its buffer, its renderer and `second` stay its own until is_done(). Display errors of its
+/// own: strip_layout, pixels_too_small, second_core.
 template <StripRenderer Renderer, Display Panel, Clock Time>
 auto present(Renderer& renderer, SecondCore<Renderer>& second, Panel& display, const StripLayout& layout,
              const TwoCoreBuffers& buffers, Time& clock) {
@@ -86,13 +102,6 @@ auto present(Renderer& renderer, SecondCore<Renderer>& second, Panel& display, c
       return result;
     }
   }
-  if (!second.is_done()) {
-    result.display = Error::second_core;
-    return result;
-  }
-  result.display = display.begin_frame();
-  if (result.display != Error::none) return result;
-
   const auto wait_for_second = [&] {
     constexpr std::uint32_t kStep = 2;
     for (std::uint32_t waited = 0; !second.is_done(); waited += kStep) {
@@ -101,6 +110,15 @@ auto present(Renderer& renderer, SecondCore<Renderer>& second, Panel& display, c
     }
     return true;
   };
+  if (!wait_for_second()) {
+    result.display = Error::second_core;
+    return result;
+  }
+  result.draw = second.take_start();
+  if (!result) return result;
+  result.display = display.begin_frame();
+  if (result.display != Error::none) return result;
+
   const auto send = [&](std::uint16_t strip) {
     result.strip = strip;
     result.display = display.wait();

@@ -23,7 +23,7 @@ std::vector<StripTimes> strip_timeline(double begin, std::span<const StripWork> 
 
 std::vector<StripTimes> two_core_timeline(double begin, std::span<const StripWork> strips) {
   std::vector<StripTimes> times;
-  double free_cores = 2 * begin, free_bus = 0;
+  double free_cores = begin, free_bus = 0;
   for (std::size_t first = 0; first < strips.size(); first += 2) {
     double both_drawn = free_cores;
     for (std::size_t strip = first; strip < std::min(first + 2, strips.size()); ++strip) {

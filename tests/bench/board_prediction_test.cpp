@@ -127,12 +127,12 @@ TEST(StripTimeline, TwoCoresDrawPairs) {
   const std::vector<StripWork> strips{{3, 5}, {4, 5}, {9, 5}};
   const auto times = two_core_timeline(1, strips);
   ASSERT_EQ(times.size(), 3U);
-  EXPECT_DOUBLE_EQ(times[0].draw_begin, 2);
-  EXPECT_DOUBLE_EQ(times[1].draw_begin, 2);
-  EXPECT_DOUBLE_EQ(times[0].send_begin, 5);
-  EXPECT_DOUBLE_EQ(times[1].send_begin, 10);  // it is drawn before, but the bus is busy
-  EXPECT_DOUBLE_EQ(times[2].draw_begin, 10);  // of three buffers two hold what is not yet sent until then
-  EXPECT_DOUBLE_EQ(times[2].send_end, 10 + 9 + 5);
+  EXPECT_DOUBLE_EQ(times[0].draw_begin, 1);
+  EXPECT_DOUBLE_EQ(times[1].draw_begin, 1);
+  EXPECT_DOUBLE_EQ(times[0].send_begin, 4);
+  EXPECT_DOUBLE_EQ(times[1].send_begin, 9);  // it is drawn before, but the bus is busy
+  EXPECT_DOUBLE_EQ(times[2].draw_begin, 9);  // of three buffers two hold what is not yet sent until then
+  EXPECT_DOUBLE_EQ(times[2].send_end, 9 + 9 + 5);
   // Where the bus is quick a frame takes half as long.
   const std::vector<StripWork> slow(8, {10, 1});
   EXPECT_DOUBLE_EQ(two_core_timeline(0, slow).back().send_end, 4 * (10 + 1) + 1);

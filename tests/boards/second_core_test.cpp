@@ -158,6 +158,25 @@ TEST(SecondCore, ACoreThatDoesNotAnswerIsAnErrorOfItsStrip) {
   EXPECT_FALSE(outcome.in_frame);
 }
 
+TEST(SecondCore, WhatCannotBeginIsAnErrorOfDrawingOnce) {
+  FailingStep never;
+  NumberedStrips own{never}, other{never};
+  LateDisplay display{never};
+  SecondCore second(other);
+  std::array<std::byte, 64> memory[3];
+  Turn clock{&second};
+  const auto shown = [&] {
+    return present(own, second, display, kLayouts[1], {memory[0], memory[1], memory[2]}, clock);
+  };
+  const auto fails = [] { return DrawStatus{true}; };
+  second.start(fails);
+  const auto refused = shown();
+  EXPECT_TRUE(refused.draw.failed);
+  EXPECT_EQ(refused.display, Error::none);
+  EXPECT_TRUE(display.areas.empty());
+  EXPECT_TRUE(shown());
+}
+
 TEST(SecondCore, WhatDoesNotFitIsRefused) {
   FailingStep never;
   EXPECT_EQ(present_in_turns(never, {.count = 2, .rows = 4}).result.display, Error::strip_layout);
@@ -206,7 +225,12 @@ TEST(SecondCore, ThreadsDrawThePixelsOfOneCore) {
   scenes::Staged staged;
   for (std::uint32_t frame = 0; frame < 12; ++frame) {
     scenes::stage(kScene, staged, frame, 12);
-    ASSERT_TRUE(other.begin_frame(staged.scene, staged.camera, kView, kPlan, arenas[1]));
+    const auto begin = [&] { return other.begin_frame(staged.scene, staged.camera, kView, kPlan, arenas[1]); };
+    if (frame % 2 == 0) {
+      second.start(begin);
+    } else {
+      ASSERT_TRUE(begin());
+    }
     ASSERT_TRUE(own.begin_frame(staged.scene, staged.camera, kView, kPlan, arenas[0]));
     Framebuffer one, two;
     EXPECT_TRUE(present(own, one, {kPlan.strips, kPlan.strip_rows, kPlan.strip_columns}, {pixels[0], {}}));

@@ -52,17 +52,18 @@ void loop() {
   zstrip::Camera camera;
   if (!zstrip::orbit(camera, {0, 0, 0}, 4 << 16, turn, 65536 * 3 / 16)) return;
   turn += 512;
-  // The second core draws only what present() asks it for, so that this one may begin both frames.
-  for (Renderer* each : {&renderer, &renderer_of_second}) {
-    const zstrip::Status begun = each->begin_frame(camera);
-    if (!begun) {
-      Serial.println(zstrip::message(begun.error));
-      return;
-    }
+  // Each core begins the frame with its own renderer, both at once.
+  const auto begin = [&camera] { return renderer_of_second.begin_frame(camera); };
+  second.start(begin);
+  const zstrip::Status begun = renderer.begin_frame(camera);
+  if (!begun) {
+    Serial.println(zstrip::message(begun.error));
+    while (!second.is_done()) delay(1);
+    return;
   }
   const auto shown = zstrip::hal::present(renderer, second, panel, {Renderer::kPlan.strips, Renderer::kPlan.strip_rows},
                                           {pixels[0], pixels[1], pixels[2]}, waiting);
-  if (!shown) Serial.println(zstrip::hal::message(shown.display));
+  if (!shown) Serial.println(shown.draw ? zstrip::hal::message(shown.display) : zstrip::message(shown.draw.error));
 }
 
 void loop1() { second.serve(); }
