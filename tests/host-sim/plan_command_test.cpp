@@ -162,7 +162,7 @@ TEST_F(Command, PlanOfAnySceneFile) {
     EXPECT_EQ(outcome.status, 0) << entry.path() << outcome.err;
     if (outcome.status != 0) continue;
     const std::string name = entry.path().stem();
-    const bool shadows = name == "shadows", samples = name == "anti_aliasing" || name == "overlay",
+    const bool shadows = name == "shadows" || name == "first", samples = name == "anti_aliasing" || name == "overlay",
                edges = name == "edges";
     EXPECT_EQ(nlohmann::json::parse(outcome.out).at("static_layer").is_null(), shadows || samples || edges)
         << entry.path();
