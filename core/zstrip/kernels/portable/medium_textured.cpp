@@ -111,7 +111,7 @@ class TexturedRows {
   void draw(std::int32_t column, std::int32_t row, std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length) {
     const auto place = coordinates_.place(column, row);
     const TexelPosition from = coordinates_.at(place);
-    run_.u = static_cast<std::uint32_t>(from.u) * fraction_u_,
+    run_.u = static_cast<std::uint32_t>(from.u) * fraction_u_;
     run_.v = static_cast<std::uint32_t>(from.v) * fraction_v_;
     if (length > 1) {
       const TexelPosition to = coordinates_.at(coordinates_.right_of(place, length - 1));
