@@ -1,4 +1,4 @@
-// An RGB565 panel for the example of docs/porting.md: takes its bytes from "DMA" late, as a board does, and judges at
+// An RGB565 panel for the example of docs/displays.md: takes its bytes from "DMA" late, as a board does, and judges at
 // the end of the program what has arrived.
 #include <array>
 #include <cstdint>
