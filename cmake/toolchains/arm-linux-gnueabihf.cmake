@@ -1,5 +1,5 @@
 # Debian's cross compiler for armhf: Linux machines with an ARMv7 processor and up. CMAKE_FIND_ROOT_PATH is a folder with
-# the target's libgpiod-dev, libdrm-dev and libcli11-dev (dpkg-deb -x); firmware/README.md has the commands.
+# the target's libgpiod-dev, libdrm-dev and libcli11-dev (dpkg-deb -x); docs/linux.md has the commands.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR arm)
 set(CMAKE_CXX_COMPILER arm-linux-gnueabihf-g++)

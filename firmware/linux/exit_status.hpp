@@ -1,4 +1,4 @@
-// What zstrip-panel ends with; documented in firmware/README.md, the same numbers as the host command's.
+// What zstrip-panel ends with; documented in docs/linux.md, the same numbers as the host command's.
 #pragma once
 
 #include <string>
