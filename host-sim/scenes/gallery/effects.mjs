@@ -50,6 +50,14 @@ const kEffects = {
   shadows: {scene: 'shadows.toml', turn: 18},
   csg: {scene: 'csg.toml', turn: 18},
   lines: {scene: 'lines.toml', turn: 16, size: '200x150', samples: 1, colours: 8, orbit: [5.6, 28, 68]},
+  directional: {scene: 'directional.toml', swing: 4},
+  point: {scene: 'point.toml', swing: 4},
+  spot: {scene: 'spot.toml', swing: 4},
+  lamp: {scene: 'lamp.toml', swing: 4},
+  fog_linear: {scene: 'fog_linear.toml', swing: 4},
+  table: {scene: 'table.toml', turn: 18},
+  rooms: {scene: 'rooms.toml', turn: 18},
+  first_turns: {scene: 'first.toml', swing: 3, size: '200x150'},
 };
 
 function read(file) {
