@@ -86,6 +86,12 @@ constexpr std::int64_t long_product(std::int32_t a, std::int32_t b) {
   return std::int64_t{a} * b;
 }
 constexpr std::int64_t long_product(std::int64_t a, std::int64_t b) { return a * b; }
+/// floor(value / 2^shift), 0 <= shift < 32, where it fits a word. A shift of two words is one of any width otherwise.
+constexpr std::int32_t shifted_to_word(std::int64_t value, int shift) {
+  if constexpr (sizeof(void*) == 8) return static_cast<std::int32_t>(value >> shift);
+  const auto high = static_cast<std::uint32_t>(value >> 32);
+  return static_cast<std::int32_t>((high << 1 << (31 - shift)) | (static_cast<std::uint32_t>(value) >> shift));
+}
 /// Rounded to nearest, halves up. |a * b| < 2^62.
 constexpr std::int32_t multiply_high_rounded(std::int32_t a, std::int32_t b) {
   if constexpr (!kMultipliesLong) return multiply_high_rounded_in_halves(a, b);

@@ -6,25 +6,21 @@
 #include "zstrip/effects.hpp"
 #include "zstrip/geometry/instance.hpp"
 #include "zstrip/geometry/light.hpp"
-#include "zstrip/kernels/processor.hpp"
 #include "zstrip/scene.hpp"
 
 namespace zstrip::detail {
 
-/// Whether a colour is copied as one word: without (Cortex-M0) a loop of copies is slower than the general one.
-inline constexpr bool kCopiesColours = kHasThumb2 || kHasVectors;
+/// Whether nothing lights or tints the colours of the instance's mesh: they are read where they are.
+template <Effects effects>
+bool has_colours_of_mesh(const CompiledInstance& instance) {
+  if constexpr (!effects.has(effect::vertex_colours) || effects.any(effect::vertex_light)) return false;
+  return !(effects.has(effect::lighting) && instance.lit) && instance.coloured &&
+         instance.base == Colour{255, 255, 255, 255};
+}
 
 template <Effects effects>
 void shade_vertices(const CompiledInstance& instance, const Mesh& mesh, std::uint32_t first, std::uint32_t count,
                     Colour* colours) {
-  if constexpr (kCopiesColours && effects.has(effect::vertex_colours)) {
-    if (!(effects.has(effect::lighting) && instance.lit) && instance.coloured &&
-        instance.base == Colour{255, 255, 255, 255}) {
-      const Colour* const own = mesh.colours.data() + first;
-      for (std::uint32_t i = 0; i < count; ++i) colours[i] = own[i];
-      return;
-    }
-  }
   for (std::uint32_t i = 0; i < count; ++i) colours[i] = vertex_colour<effects>(instance, mesh, first + i);
 }
 

@@ -2,6 +2,7 @@
 // and the values that a scan of its rows steps.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "zstrip/geometry/project.hpp"
@@ -31,25 +32,55 @@ inline bool fits_words(const MediumTriangle& t, std::int32_t width, std::int32_t
          (near_first(t.v1) | near_first(t.v2)) >= 0;
 }
 
-/// All that scanning needs, in memory: set-up and scan are short only if neither holds the other's registers.
-struct MediumScan {
-  /// Whose planes: depth in 16.16 codes, channels in 8.16.
-  enum Value { depth, red, green, blue };
-  // The members stand where the assembly expects them.
+/// The rows of a triangle, on their way down. The members stand where the assembly expects them.
+struct MediumRows {
   EdgeWalk left, right;        ///< at the next row, pixels from the anchor's column; remainders less the denominator
   std::uint16_t* depth_row;    ///< of the next row, the anchor's column
   std::uint16_t* colour_row;   ///< likewise
   std::int32_t depth_stride;   ///< bytes
   std::int32_t colour_stride;  ///< bytes
-  std::uint32_t start[4];      ///< of each Value, where the rows are
-  std::uint32_t step_y[4];     ///< a row
-  std::uint32_t step_x[4];     ///< a pixel
-  std::uint16_t flat_colour;   ///< where there are no channels
+
+  void set_target(const StripTarget& target, std::int32_t row, std::int32_t anchor_x) {
+    depth_row = target.depth_row(row) + (anchor_x - target.area.left);
+    colour_row = target.colour_row(row) + (anchor_x - target.area.left);
+    depth_stride = target.depth_stride * 2;
+    colour_stride = target.colour_stride * 2;
+  }
+  void go_down() {
+    go_down(left), go_down(right);
+    depth_row = below(depth_row, depth_stride);
+    colour_row = below(colour_row, colour_stride);
+  }
+
+ private:
+  static void go_down(EdgeWalk& edge) {
+    edge.remainder += edge.remainder_step;
+    const bool carry = edge.remainder < edge.remainder_step;
+    edge.pixel += edge.step + (carry ? 1 : 0);
+    if (carry) edge.remainder -= edge.denominator;
+  }
+  static std::uint16_t* below(std::uint16_t* row, std::int32_t bytes) {
+    return reinterpret_cast<std::uint16_t*>(reinterpret_cast<std::byte*>(row) + bytes);
+  }
+};
+
+/// All that scanning needs, in memory: set-up and scan are short only if neither holds the other's registers.
+struct MediumScan {
+  /// Whose planes: depth in 16.16 codes, channels in 8.16.
+  enum Value { depth, red, green, blue };
+  MediumRows rows;            // The members stand where the assembly expects them.
+  std::uint32_t start[4];     ///< of each Value, where the rows are
+  std::uint32_t step_y[4];    ///< a row
+  std::uint32_t step_x[4];    ///< a pixel
+  std::uint16_t flat_colour;  ///< where there are no channels
   bool has_channels;
   std::int32_t area;                ///< twice the signed area
   std::int32_t anchor_x, anchor_y;  ///< a pixel near the triangle
   Colour colours[3];                ///< of the vertices, where there are channels
 
+  std::uint32_t at(Value value, std::int32_t column) const {
+    return start[value] + step_x[value] * static_cast<std::uint32_t>(column);
+  }
   void set_colours(const Colour* const* of_vertices) {
     for (int i = 0; i < 3; ++i) {
       // Where a word must be aligned and a colour need not be, GCC calls memcpy for a whole one.

@@ -7,6 +7,7 @@
 
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/kernels/textured_run_state.hpp"
+#include "zstrip/kernels/textured_scan.hpp"
 #include "zstrip/raster/plane.hpp"
 
 namespace zstrip::detail {
@@ -36,48 +37,41 @@ class TextureCoordinates {
     // Relative to whole texels near vertex 0: small numbers keep their precision.
     base_u_ = v[0]->u & ~0xFFFF;
     base_v_ = v[0]->v & ~0xFFFF;
-    Value u[3], w[3];
-    for (int i = 0; i < 3; ++i) {  // 17.16
-      u[i] = Value{v[i]->u} - base_u_;
-      w[i] = Value{v[i]->v} - base_v_;
-    }
+    const Value u0 = Value{v[0]->u} - base_u_, u1 = Value{v[1]->u} - base_u_, u2 = Value{v[2]->u} - base_u_;  // 17.16
+    const Value v0 = Value{v[0]->v} - base_v_, v1 = Value{v[1]->v} - base_v_, v2 = Value{v[2]->v} - base_v_;
     if constexpr (orthographic) {
-      u_over_w_ = planes.plane(u[0], u[1] - u[0], u[2] - u[0]);
-      v_over_w_ = planes.plane(w[0], w[1] - w[0], w[2] - w[0]);
+      u_over_w_ = planes.plane(u0, u1 - u0, u2 - u0);
+      v_over_w_ = planes.plane(v0, v1 - v0, v2 - v0);
       return;
     }
     // 1/w scaled to at most 29 bits.
-    std::int64_t inverse[3];
-    std::int64_t bits = 0;
-    for (int i = 0; i < 3; ++i) bits |= inverse[i] = std::int64_t{v[i]->depth} + depth_offset;
-    const int surplus = 35 - std::countl_zero(static_cast<std::uint64_t>(bits));
-    Value q[3];
-    if (surplus >= 0) {
-      for (int i = 0; i < 3; ++i) q[i] = static_cast<Value>(inverse[i] >> surplus);
-    } else {
-      for (int i = 0; i < 3; ++i) q[i] = static_cast<Value>(inverse[i]) << -surplus;
-    }
-    one_over_w_ = planes.plane(q[0], q[1] - q[0], q[2] - q[0]);
+    const std::int64_t inverse0 = std::int64_t{v[0]->depth} + depth_offset;
+    const std::int64_t inverse1 = std::int64_t{v[1]->depth} + depth_offset;
+    const std::int64_t inverse2 = std::int64_t{v[2]->depth} + depth_offset;
+    const int surplus = 35 - std::countl_zero(static_cast<std::uint64_t>(inverse0 | inverse1 | inverse2));
+    const auto scaled = [surplus](std::int64_t inverse) {
+      return surplus >= 0 ? shifted<Value>(inverse, surplus) : static_cast<Value>(inverse) << -surplus;
+    };
+    const Value q0 = scaled(inverse0), q1 = scaled(inverse1), q2 = scaled(inverse2);
+    one_over_w_ = planes.plane(q0, q1 - q0, q2 - q0);
     // u/w to 29 bits and a sign; below 2^33 * 2^29.
-    std::uint64_t largest = 1;
-    std::int64_t u_by_w[3], w_by_w[3];
-    const auto magnitude = [](std::int64_t value) { return static_cast<std::uint64_t>(value < 0 ? -value : value); };
-    for (int i = 0; i < 3; ++i) {
-      u_by_w[i] = long_product(u[i], q[i]);
-      w_by_w[i] = long_product(w[i], q[i]);
-      largest |= magnitude(u_by_w[i]) | magnitude(w_by_w[i]);
-    }
-    shift_ = 35 - std::countl_zero(largest);
-    if (shift_ < 0) shift_ = 0;
-    for (int i = 0; i < 3; ++i) {
-      u[i] = static_cast<Value>(u_by_w[i] >> shift_), w[i] = static_cast<Value>(w_by_w[i] >> shift_);
-    }
-    u_over_w_ = planes.plane(u[0], u[1] - u[0], u[2] - u[0]);
-    v_over_w_ = planes.plane(w[0], w[1] - w[0], w[2] - w[0]);
+    const std::int64_t u0_by_w = long_product(u0, q0), v0_by_w = long_product(v0, q0);
+    const std::int64_t u1_by_w = long_product(u1, q1), v1_by_w = long_product(v1, q1);
+    const std::int64_t u2_by_w = long_product(u2, q2), v2_by_w = long_product(v2, q2);
+    shift_ = std::max(0, 35 - std::countl_zero(magnitude(u0_by_w) | magnitude(v0_by_w) | magnitude(u1_by_w) |
+                                               magnitude(v1_by_w) | magnitude(u2_by_w) | magnitude(v2_by_w)));
+    const auto plane = [&planes, this](std::int64_t at0, std::int64_t at1, std::int64_t at2) {
+      const Value first = shifted<Value>(at0, shift_);
+      return planes.plane(first, shifted<Value>(at1, shift_) - first, shifted<Value>(at2, shift_) - first);
+    };
+    u_over_w_ = plane(u0_by_w, u1_by_w, u2_by_w);
+    v_over_w_ = plane(v0_by_w, v1_by_w, v2_by_w);
   }
-  /// Whether the vertices' texture coordinates are near enough to each other for words of 32 bits.
+  /// Whether the vertices' texture coordinates are near enough to each other for words of 32 bits, and their 1/w has
+  /// less than 60: nothing is shifted by 32 or more then.
   template <class Vertex>
-  static bool fits_words(const Vertex* const (&v)[3]) {
+  static bool fits_words(const Vertex* const (&v)[3], std::int64_t depth_offset) {
+    if (static_cast<std::uint32_t>(depth_offset >> 32) >> 27 != 0) return false;
     // Of halves, because differences of whole ones need 33 bits.
     const auto near = [](std::int32_t a, std::int32_t b) {
       return (static_cast<std::uint32_t>((a >> 1) - (b >> 1)) + (std::uint32_t{1} << 29)) >> 30 == 0;
@@ -114,16 +108,31 @@ class TextureCoordinates {
     state.right_shift = 30 - shift_;
   }
 
+  /// The planes of a triangle's rows.
+  void start_rows(TexturedScan& scan) const {
+    scan.set(TexturedScan::u_over_w, u_over_w_);
+    scan.set(TexturedScan::v_over_w, v_over_w_);
+    if constexpr (!orthographic) scan.set(TexturedScan::one_over_w, one_over_w_);
+    scan.base_u = base_u_, scan.base_v = base_v_;
+    scan.right_shift = 30 - shift_;
+  }
+
   /// Exact position at a covered pixel.
   // Where many pipelines share a file, GCC would call it: 2 % of CT on the host.
   [[gnu::always_inline]] TexelPosition at(const Place& place) const {
+    return position(place, base_u_, base_v_, 30 - shift_);
+  }
+  /// The same of a TexturedScan's values.
+  [[gnu::always_inline]] static TexelPosition position(const Place& place, std::int32_t base_u, std::int32_t base_v,
+                                                       std::int32_t right_shift) {
     const auto u = static_cast<std::int32_t>(place.u_over_w);
     const auto v = static_cast<std::int32_t>(place.v_over_w);
     if constexpr (orthographic) {
-      return {wrapping_sum(u, base_u_), wrapping_sum(v, base_v_)};
+      return {wrapping_sum(u, base_u), wrapping_sum(v, base_v)};
     } else {
       const Reciprocal r = inverse(place);
-      return {wrapping_sum(divided(u, r), base_u_), wrapping_sum(divided(v, r), base_v_)};
+      const std::int32_t right = right_shift - r.normalisation;  // 1/q = r * 2^(normalisation - 62)
+      return {wrapping_sum(divided(u, r, right), base_u), wrapping_sum(divided(v, r, right), base_v)};
     }
   }
   [[gnu::always_inline]] TexelPosition at(std::int32_t columns, std::int32_t rows) const {
@@ -166,16 +175,20 @@ class TextureCoordinates {
   }
 
  private:
+  template <class Value>
+  static Value shifted(std::int64_t value, int shift) {
+    if constexpr (sizeof(Value) == sizeof(std::int32_t)) return shifted_to_word(value, shift);
+    return static_cast<Value>(value >> shift);
+  }
+  static std::uint64_t magnitude(std::int64_t value) { return static_cast<std::uint64_t>(value < 0 ? -value : value); }
   /// The longer side of the right angle and half of the shorter one: up to an eighth more than the hypotenuse.
   static std::uint64_t length(std::int64_t a, std::int64_t b) {
-    const auto magnitude = [](std::int64_t value) { return static_cast<std::uint64_t>(value < 0 ? -value : value); };
     const std::uint64_t x = magnitude(a), y = magnitude(b);
     return std::max(x, y) + std::min(x, y) / 2;
   }
   static Reciprocal inverse(const Place& place) { return reciprocal_of(place.one_over_w == 0 ? 1 : place.one_over_w); }
-  std::int32_t divided(std::int32_t value, const Reciprocal& r) const {
+  static std::int32_t divided(std::int32_t value, const Reciprocal& r, std::int32_t right) {
     const std::int32_t high = multiply_high(value, r.value);
-    const int right = 30 - r.normalisation - shift_;  // 1/q = r * 2^(normalisation - 62)
     if (right >= 0) return high >> (right < 31 ? right : 31);
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(high) << (right > -31 ? -right : 31));
   }

@@ -46,14 +46,12 @@ struct GeometryStage {
   static Batch batch_of(const FrameState& frame, std::uint32_t instance, std::uint32_t first_vertex,
                         std::uint32_t cache) {
     const CompiledInstance& compiled = frame.instances[instance];
+    const Mesh& mesh = frame.scene->meshes[compiled.mesh];
     const bool has_colours = compiled.lit || compiled.coloured;
-    return {&compiled,
-            &mesh_of<effects>(frame.scene->meshes[compiled.mesh], first_vertex),
-            frame.vertices + cache,
-            has_colours ? frame.colours + cache : nullptr,
-            first_vertex,
-            frame.origin,
-            Materials::surface_of(frame, compiled)};
+    const Colour* colours = has_colours ? frame.colours + cache : nullptr;
+    if (has_colours_of_mesh<effects>(compiled)) colours = mesh.colours.data() + first_vertex;
+    return {&compiled,    &mesh_of<effects>(mesh, first_vertex), frame.vertices + cache, colours, first_vertex,
+            frame.origin, Materials::surface_of(frame, compiled)};
   }
 
   template <Effects effects>
@@ -107,7 +105,7 @@ struct GeometryStage {
       if (batch.reflections != nullptr) environment::reflect<effects.has(effect::orthographic)>(frame, batch, range);
     }
     if constexpr (has_vertex_colours(effects)) {
-      if (batch.colours != nullptr) {
+      if (batch.colours != nullptr && !has_colours_of_mesh<effects>(*batch.instance)) {
         if constexpr (effects.any(effect::vertex_light)) {
           if (local_light::shade<effects>(frame, batch, range, cache)) return;
         }

@@ -6,17 +6,15 @@
 #include <type_traits>
 
 #include "zstrip/kernels/medium_triangle.hpp"
-#include "zstrip/raster/edge_walk.hpp"
+#include "zstrip/kernels/textured_scan.hpp"
+#include "zstrip/kernels/thumb/medium_textured.hpp"
 #include "zstrip/raster/texture_coordinates.hpp"
 #include "zstrip/raster/textured_span.hpp"
 
 namespace zstrip::detail {
 namespace {
 
-/// From one vertex down to another.
-[[gnu::noinline]] void set_edge(EdgeWalk& edge, const SnappedVertex& from, const SnappedVertex& to, std::int32_t row) {
-  edge = EdgeWalk(from.x, from.y, to.x, to.y, row, std::true_type{});
-}
+using RunState = LitRunState<TexturedRunState<std::uint32_t>>;
 
 /// Those of texture coordinates are three, of which one alone is to be code.
 class TexturePlanes : public MediumPlanes {
@@ -27,158 +25,209 @@ class TexturePlanes : public MediumPlanes {
   }
 };
 
-/// The rows of a triangle in a strip, whose sides it does not cross.
-class TriangleRows {
- public:
-  explicit TriangleRows(const MediumTriangle& t)
-      : triangle_(t),
-        // From the first vertex, the highest, the second lies to the left.
-        middle_is_left_(t.v1.y < t.v2.y),
-        row(std::max<std::int32_t>(t.v0.y >> 4, t.target.area.top)),
-        middle_(std::min(t.v1.y, t.v2.y) >> 4),
-        end_(std::min<std::int32_t>(std::max(t.v1.y, t.v2.y) >> 4, t.target.area.bottom)) {
-    if (row >= end_) return;
-    const bool has_upper = row < middle_;
-    if (has_upper || !middle_is_left_) set_edge(left, t.v0, t.v1, row);
-    if (has_upper || middle_is_left_) set_edge(right, t.v0, t.v2, row);
-    if (!has_upper) set_lower_edge();
+/// Planes of texture coordinates that fit words, and the texture.
+template <bool affine>
+[[gnu::noinline]] void set_up_texture(TexturedScan& textured, RunState& run, const TexturePlanes& planes,
+                                      const MediumTexture& surface) {
+  TextureCoordinates<affine>(planes, surface.vertices, surface.depth_offset).start_rows(textured);
+  textured.to_fraction_u = TextureAxis(surface.texture.log2_width).to_fraction;
+  textured.to_fraction_v = TextureAxis(surface.texture.log2_height).to_fraction;
+  run.set_texture(surface.texture);
+  run.step_z = textured.scan.step_x[MediumScan::depth];
+}
+
+using DepthTest = DepthRule<DepthMode{}>;
+template <TexelLight lit>
+using Run = TexturedRun<lit, false, std::uint32_t, DepthTest>;
+
+/// As TexturedRun::fill, for rows of a few pixels: what that keeps for the next run is not stored.
+void fill_smooth(const Run<TexelLight::smooth>& run, const MediumScan& scan, std::uint16_t* depth, std::uint16_t* pixel,
+                 std::int32_t length) {
+  std::uint32_t z = run.z, u = run.u, v = run.v, r = run.r, g = run.g, b = run.b;
+  for (;;) {
+    if (run.rule.draws(z, *depth)) {
+      *pixel = modulated(run.texels[((v >> run.to_row) & run.row_mask) + (u >> run.to_column)], r, g, b);
+    }
+    if (--length == 0) return;
+    ++depth, ++pixel;
+    z += run.step_z, u += run.step_u, v += run.step_v;
+    r += scan.step_x[MediumScan::red], g += scan.step_x[MediumScan::green], b += scan.step_x[MediumScan::blue];
+  }
+}
+
+/// `length` > 0 pixels of the next row from `column` on, counted from the anchor's.
+template <TexelLight lit, bool affine>
+void draw_row(const TexturedScan& textured, Run<lit>& run, std::int32_t column, std::int32_t length) {
+  using Coordinates = TextureCoordinates<affine>;
+  const auto position = [&textured](std::int32_t at) {
+    typename Coordinates::Place place{textured.at(TexturedScan::u_over_w, at), textured.at(TexturedScan::v_over_w, at),
+                                      0};
+    if constexpr (!affine) place.one_over_w = textured.at(TexturedScan::one_over_w, at);
+    return Coordinates::position(place, textured.base_u, textured.base_v, textured.right_shift);
+  };
+  const TexelPosition from = position(column);
+  run.u = static_cast<std::uint32_t>(from.u) * textured.to_fraction_u;
+  run.v = static_cast<std::uint32_t>(from.v) * textured.to_fraction_v;
+  if (length > 1) {
+    const TexelPosition to = position(column + length - 1);
+    const std::int32_t inverse = kInverse[length - 1];
+    const auto step = [inverse](std::int32_t from_here, std::int32_t to_there) {
+      return static_cast<std::uint32_t>(long_product(difference(to_there, from_here), inverse) >> 16);
+    };
+    run.step_u = step(from.u, to.u) * textured.to_fraction_u;
+    run.step_v = step(from.v, to.v) * textured.to_fraction_v;
+  }
+  const MediumScan& scan = textured.scan;
+  run.z = textured.at(MediumScan::depth, column);
+  std::uint16_t* const depth = scan.rows.depth_row + column;
+  std::uint16_t* const pixel = scan.rows.colour_row + column;
+  if constexpr (lit == TexelLight::smooth) {
+    run.r = textured.at(MediumScan::red, column);
+    run.g = textured.at(MediumScan::green, column);
+    run.b = textured.at(MediumScan::blue, column);
+    fill_smooth(run, scan, depth, pixel, length);
+  } else {
+    fill_run(run, knows_texture(run), depth, pixel, length, ColourPlanes{}, nullptr);
+  }
+}
+
+/// `count` > 0 rows. Not inlined: it needs all registers.
+template <TexelLight lit, bool affine>
+[[gnu::noinline]] void scan_rows(TexturedScan& textured, Run<lit>& run, std::int32_t count) {
+  MediumScan& scan = textured.scan;
+  do {
+    const std::int32_t column = scan.rows.left.pixel, length = scan.rows.right.pixel - column;
+    if (length > 0) draw_row<lit, affine>(textured, run, column, length);
+    scan.rows.go_down();
+    ++textured.row;
+  } while (--count != 0);
+}
+
+/// From one vertex down to another.
+[[gnu::noinline]] void set_edge(EdgeWalk& edge, const SnappedVertex& from, const SnappedVertex& to, std::int32_t row,
+                                std::int32_t anchor_x) {
+  edge = EdgeWalk(from.x, from.y, to.x, to.y, row, std::true_type{});
+  edge.pixel -= anchor_x;
+  edge.remainder -= edge.denominator;
+}
+
+/// The rows of a triangle in a strip whose sides it does not cross, in two parts: down to the middle vertex, and from
+/// there on.
+struct TriangleRows {
+  MediumRows& edges;
+  std::int32_t anchor_x, anchor_y;
+  std::int32_t width, height;  ///< of the triangle, 12.4
+  std::int32_t row, count;     ///< the next one, and how many the part has left
+  std::int32_t middle, end;
+  bool middle_is_left;
+
+  explicit TriangleRows(MediumRows& of_scan) : edges(of_scan) {}
+
+  /// False: it is left to its spans.
+  bool begin(const MediumTriangle& t) {
+    const StripTarget& target = t.target;
+    const auto [min_x, max_x] = std::minmax<std::int32_t>({t.v0.x, t.v1.x, t.v2.x});
+    const std::int32_t bottom = std::max(t.v1.y, t.v2.y);
+    anchor_x = min_x >> 4, anchor_y = std::max<std::int32_t>(t.v0.y >> 4, target.view_top);
+    const std::int32_t right_side = max_x >> 4;
+    if (right_side - anchor_x > kPerspectiveRun || anchor_x < target.area.left || right_side > target.area.right) {
+      return false;
+    }
+    width = max_x - min_x, height = bottom - t.v0.y;
+    // From the first vertex, the highest, the second lies to the left.
+    middle_is_left = t.v1.y < t.v2.y;
+    row = std::max<std::int32_t>(t.v0.y >> 4, target.area.top);
+    end = std::min<std::int32_t>(bottom >> 4, target.area.bottom);
+    middle = std::min<std::int32_t>(std::min(t.v1.y, t.v2.y) >> 4, end);
+    count = middle - row;
+    if (row >= end) return true;
+    edges.set_target(target, row, anchor_x);
+    if (count > 0 || !middle_is_left) set_edge(edges.left, t.v0, t.v1, row, anchor_x);
+    if (count > 0 || middle_is_left) set_edge(edges.right, t.v0, t.v2, row, anchor_x);
+    if (count <= 0) begin_lower(t);
+    return true;
   }
 
-  /// Goes down to a row with pixels, if it is in none. False: there is none.
-  bool to_covered() {
-    while (row < end_) {
-      if (left.pixel < right.pixel) return true;
-      go_down();
+  /// Whether there are rows left: those of the lower part after those of the upper one.
+  bool has_more(const MediumTriangle& t) {
+    if (row >= end) return false;
+    if (count == 0) begin_lower(t);
+    return true;
+  }
+
+  /// Whether a row is left that has pixels; goes down to it.
+  bool has_pixels(const MediumTriangle& t) {
+    while (has_more(t)) {
+      for (; count != 0; ++row, --count) {
+        if (edges.left.pixel < edges.right.pixel) return true;
+        edges.go_down();
+      }
     }
     return false;
   }
-  void go_down() {
-    left.next_row(), right.next_row();
-    if (++row == middle_ && row < end_) set_lower_edge();
-  }
 
  private:
-  void set_lower_edge() {
-    if (middle_is_left_) {
-      set_edge(left, triangle_.v1, triangle_.v2, row);
+  void begin_lower(const MediumTriangle& t) {
+    if (middle_is_left) {
+      set_edge(edges.left, t.v1, t.v2, row, anchor_x);
     } else {
-      set_edge(right, triangle_.v2, triangle_.v1, row);
+      set_edge(edges.right, t.v2, t.v1, row, anchor_x);
     }
+    count = end - row;
   }
-
-  const MediumTriangle& triangle_;
-  bool middle_is_left_;
-
- public:
-  std::int32_t row;
-  EdgeWalk left, right;
-
- private:
-  std::int32_t middle_, end_;
 };
 
-/// The planes of a triangle and its texture, for its rows.
-template <TexelLight lit, bool affine>
-class TexturedRows {
- public:
-  /// Cannot be inlined: the edges would be without registers. For a triangle that fits_words.
-  [[gnu::noinline]] TexturedRows(const MediumTriangle& t, const MediumTexture& surface, std::int32_t anchor_x,
-                                 std::int32_t anchor_y) {
-    TexturePlanes planes(t.v0, t.v1, t.v2, t.area, anchor_x, anchor_y);
-    depth_ = planes.depth(t.v0.depth, t.v1.depth, t.v2.depth);
-    coordinates_ = TextureCoordinates<affine>(planes, surface.vertices, surface.depth_offset);
-    fraction_u_ = TextureAxis(surface.texture.log2_width).to_fraction;
-    fraction_v_ = TextureAxis(surface.texture.log2_height).to_fraction;
-    run_.set_texture(surface.texture);
-    run_.step_z = depth_.step_x;
-    const auto& c = surface.colours;
-    if constexpr (lit == TexelLight::flat) {
-      run_.r = light_factor(static_cast<std::uint32_t>(channel_start(c[0]->r)));
-      run_.g = light_factor(static_cast<std::uint32_t>(channel_start(c[0]->g)));
-      run_.b = light_factor(static_cast<std::uint32_t>(channel_start(c[0]->b)));
-    } else if constexpr (lit == TexelLight::smooth) {
-      light_.r = planes.channel(c[0]->r, c[1]->r, c[2]->r);
-      light_.g = planes.channel(c[0]->g, c[1]->g, c[2]->g);
-      light_.b = planes.channel(c[0]->b, c[1]->b, c[2]->b);
-    }
-    has_steep_light_ = planes.has_steep();
+enum class Prepared : std::uint8_t { nothing, rows, left_to_spans };
+
+/// What all lights share, so that it is code once.
+template <bool affine>
+[[gnu::noinline]] Prepared prepare(TexturedScan& textured, TriangleRows& rows, RunState& run, TexelLight lit,
+                                   const MediumTriangle& t, const MediumTexture& surface) {
+  if (!rows.begin(t)) return Prepared::left_to_spans;
+  // Planes are most of the work, and many a triangle covers no pixel.
+  if (!rows.has_pixels(t)) return Prepared::nothing;
+  if (!fits_words(t, rows.width, rows.height) ||
+      !TextureCoordinates<affine>::fits_words(surface.vertices, surface.depth_offset)) {
+    return Prepared::left_to_spans;
   }
-
-  /// Whether the light changes too much for words.
-  bool has_steep_light() const { return lit == TexelLight::smooth && has_steep_light_; }
-
-  /// `length` > 0 pixels of a row. Columns and rows count from the anchor.
-  void draw(std::int32_t column, std::int32_t row, std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length) {
-    const auto place = coordinates_.place(column, row);
-    const TexelPosition from = coordinates_.at(place);
-    run_.u = static_cast<std::uint32_t>(from.u) * fraction_u_;
-    run_.v = static_cast<std::uint32_t>(from.v) * fraction_v_;
-    if (length > 1) {
-      const TexelPosition to = coordinates_.at(coordinates_.right_of(place, length - 1));
-      const std::int32_t inverse = kInverse[length - 1];
-      const auto step = [inverse](std::int32_t from_here, std::int32_t to_there) {
-        return static_cast<std::uint32_t>(long_product(difference(to_there, from_here), inverse) >> 16);
-      };
-      run_.step_u = step(from.u, to.u) * fraction_u_, run_.step_v = step(from.v, to.v) * fraction_v_;
-    }
-    run_.z = depth_.at(column, row);
-    if constexpr (lit == TexelLight::smooth) {
-      fill_smooth(depth, pixel, length, light_.r.at(column, row), light_.g.at(column, row), light_.b.at(column, row));
-    } else {
-      fill_run(run_, knows_texture(run_), depth, pixel, length, light_, nullptr);
-    }
+  MediumScan& scan = textured.scan;
+  scan.area = t.area, scan.anchor_x = rows.anchor_x, scan.anchor_y = rows.anchor_y;
+  scan.has_channels = lit == TexelLight::smooth;
+  if (scan.has_channels) scan.set_colours(surface.colours);
+  TexturePlanes planes(t.v0, t.v1, t.v2, t.area, rows.anchor_x, rows.anchor_y);
+  if constexpr (kHasThumb2) {
+    if (!set_up_medium_thumb(scan, t.v0, t.v1, t.v2)) return Prepared::left_to_spans;
+  } else {
+    if (!set_up_medium_portable(scan, planes, t.v0, t.v1, t.v2)) return Prepared::left_to_spans;
   }
-
- private:
-  /// As TexturedRun::fill, for rows of a few pixels: what that keeps for the next run is not stored.
-  void fill_smooth(std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length, std::uint32_t r, std::uint32_t g,
-                   std::uint32_t b) {
-    for (;;) {
-      if (run_.rule.draws(run_.z, *depth)) {
-        *pixel =
-            modulated(run_.texels[((run_.v >> run_.to_row) & run_.row_mask) + (run_.u >> run_.to_column)], r, g, b);
-      }
-      if (--length == 0) return;
-      ++depth, ++pixel;
-      run_.z += run_.step_z, run_.u += run_.step_u, run_.v += run_.step_v;
-      r += light_.r.step_x, g += light_.g.step_x, b += light_.b.step_x;
-    }
+  textured.row = rows.row - rows.anchor_y;
+  set_up_texture<affine>(textured, run, planes, surface);
+  if (lit == TexelLight::flat) {
+    const Colour& light = *surface.colours[0];
+    run.r = light_factor(static_cast<std::uint32_t>(channel_start(light.r)));
+    run.g = light_factor(static_cast<std::uint32_t>(channel_start(light.g)));
+    run.b = light_factor(static_cast<std::uint32_t>(channel_start(light.b)));
   }
-
-  Plane depth_;
-  TextureCoordinates<affine> coordinates_;
-  ColourPlanes light_;  ///< where it is smooth
-  bool has_steep_light_;
-  std::uint32_t fraction_u_, fraction_v_;
-  TexturedRun<lit, false, std::uint32_t, DepthRule<DepthMode{}>> run_;
-};
+  return Prepared::rows;
+}
 
 }  // namespace
 
 template <TexelLight lit, bool affine>
 bool draw_medium_textured(const MediumTriangle& t, const MediumTexture& surface) {
-  const StripTarget& target = t.target;
-  const auto [min_x, max_x] = std::minmax<std::int32_t>({t.v0.x, t.v1.x, t.v2.x});
-  const std::int32_t anchor_x = min_x >> 4, right_side = max_x >> 4;
-  const std::int32_t anchor_y = std::max<std::int32_t>(t.v0.y >> 4, target.view_top);
-  if (right_side - anchor_x > kPerspectiveRun || anchor_x < target.area.left || right_side > target.area.right) {
-    return false;
-  }
-  TriangleRows rows(t);
-  // Planes are most of the work, and many a triangle covers no pixel.
-  if (!rows.to_covered()) return true;
-  if (!fits_words(t, max_x - min_x, std::max(t.v1.y, t.v2.y) - t.v0.y) ||
-      !TextureCoordinates<affine>::fits_words(surface.vertices)) {
-    return false;
-  }
-  TexturedRows<lit, affine> texels(t, surface, anchor_x, anchor_y);
-  if (texels.has_steep_light()) return false;
+  TexturedScan textured;
+  TriangleRows rows(textured.scan.rows);
+  Run<lit> run;
+  const Prepared prepared = prepare<affine>(textured, rows, run, lit, t, surface);
+  if (prepared != Prepared::rows) return prepared == Prepared::nothing;
   do {
-    const std::int32_t column = rows.left.pixel - target.area.left;
-    texels.draw(rows.left.pixel - anchor_x, rows.row - anchor_y, target.depth_row(rows.row) + column,
-                target.colour_row(rows.row) + column, rows.right.pixel - rows.left.pixel);
-    rows.go_down();
-  } while (rows.to_covered());
+    if constexpr (kHasThumb2 && lit == TexelLight::smooth && !affine) {
+      scan_textured_rows_thumb(textured, run, rows.count, kInverse);
+    } else {
+      scan_rows<lit, affine>(textured, run, rows.count);
+    }
+    rows.row += rows.count, rows.count = 0;
+  } while (rows.has_more(t));
   return true;
 }
 

@@ -61,23 +61,20 @@ bool draw(const MediumTriangle& t, [[maybe_unused]] const Colour* const* colours
       scan.start[i] += scan.step_y[i] * static_cast<std::uint32_t>(row - anchor_y);
     }
   }
-  scan.depth_row = target.depth_row(row) + (anchor_x - target.area.left);
-  scan.colour_row = target.colour_row(row) + (anchor_x - target.area.left);
-  scan.depth_stride = target.depth_stride * 2;
-  scan.colour_stride = target.colour_stride * 2;
+  scan.rows.set_target(target, row, anchor_x);
   // The first vertex is the highest; from it the second lies to the left.
   const bool has_upper = row < middle;
-  if (has_upper || !middle_is_left) set_edge(scan.left, a, b, row, anchor_x);
-  if (has_upper || middle_is_left) set_edge(scan.right, a, c, row, anchor_x);
+  if (has_upper || !middle_is_left) set_edge(scan.rows.left, a, b, row, anchor_x);
+  if (has_upper || middle_is_left) set_edge(scan.rows.right, a, c, row, anchor_x);
   if (has_upper) {
     scan_rows<gouraud>(scan, middle - row);
     if (middle == end) return true;
     row = middle;
   }
   if (middle_is_left) {
-    set_edge(scan.left, b, c, row, anchor_x);
+    set_edge(scan.rows.left, b, c, row, anchor_x);
   } else {
-    set_edge(scan.right, c, b, row, anchor_x);
+    set_edge(scan.rows.right, c, b, row, anchor_x);
   }
   scan_rows<gouraud>(scan, end - row);
   return true;

@@ -93,12 +93,11 @@ class MediumPlanes {
 };
 
 /// The planes of a triangle, by the scan's area, anchor and colours. False: a channel is too steep.
-inline bool set_up_medium_portable(MediumScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,
-                                   const SnappedVertex& v2) {
+inline bool set_up_medium_portable(MediumScan& scan, MediumPlanes& planes, const SnappedVertex& v0,
+                                   const SnappedVertex& v1, const SnappedVertex& v2) {
   const auto set = [&scan](MediumScan::Value value, const Plane& plane) {
     scan.start[value] = plane.start, scan.step_x[value] = plane.step_x, scan.step_y[value] = plane.step_y;
   };
-  MediumPlanes planes(v0, v1, v2, scan.area, scan.anchor_x, scan.anchor_y);
   set(MediumScan::depth, planes.depth(v0.depth, v1.depth, v2.depth));
   if (!scan.has_channels) return true;
   const auto& c = scan.colours;
@@ -107,18 +106,22 @@ inline bool set_up_medium_portable(MediumScan& scan, const SnappedVertex& v0, co
   set(MediumScan::blue, planes.channel(c[0].b, c[1].b, c[2].b));
   return !planes.has_steep();
 }
+inline bool set_up_medium_portable(MediumScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,
+                                   const SnappedVertex& v2) {
+  MediumPlanes planes(v0, v1, v2, scan.area, scan.anchor_x, scan.anchor_y);
+  return set_up_medium_portable(scan, planes, v0, v1, v2);
+}
 
 /// A row's pixels, `length` > 0 of them from `column` on, counted from the anchor's.
 template <bool gouraud>
 void scan_medium_row(const MediumScan& scan, std::int32_t column, std::int32_t length) {
-  const auto at_column = [&](MediumScan::Value value) {
-    return scan.start[value] + scan.step_x[value] * static_cast<std::uint32_t>(column);
-  };
-  std::uint32_t z = at_column(MediumScan::depth), r = 0, g = 0, b = 0;
-  if constexpr (gouraud)
-    r = at_column(MediumScan::red), g = at_column(MediumScan::green), b = at_column(MediumScan::blue);
-  std::uint16_t* cell = scan.depth_row + column;
-  std::uint16_t* pixel = scan.colour_row + column;
+  std::uint32_t z = scan.at(MediumScan::depth, column), r = 0, g = 0, b = 0;
+  if constexpr (gouraud) {
+    r = scan.at(MediumScan::red, column), g = scan.at(MediumScan::green, column);
+    b = scan.at(MediumScan::blue, column);
+  }
+  std::uint16_t* cell = scan.rows.depth_row + column;
+  std::uint16_t* pixel = scan.rows.colour_row + column;
   do {
     const auto code = static_cast<std::uint16_t>(z >> 16);
     if (*cell < code) {
@@ -138,21 +141,10 @@ void scan_medium_row(const MediumScan& scan, std::int32_t column, std::int32_t l
 /// `count` > 0 rows. Moves the scan to the one below.
 template <bool gouraud>
 void scan_medium_rows(MediumScan& scan, std::int32_t count) {
-  const auto go_down = [](EdgeWalk& edge) {
-    edge.remainder += edge.remainder_step;
-    const bool carry = edge.remainder < edge.remainder_step;
-    edge.pixel += edge.step + (carry ? 1 : 0);
-    if (carry) edge.remainder -= edge.denominator;
-  };
-  const auto below = [](std::uint16_t* row, std::int32_t bytes) {
-    return reinterpret_cast<std::uint16_t*>(reinterpret_cast<std::byte*>(row) + bytes);
-  };
   do {
-    const std::int32_t column = scan.left.pixel, length = scan.right.pixel - column;
+    const std::int32_t column = scan.rows.left.pixel, length = scan.rows.right.pixel - column;
     if (length > 0) scan_medium_row<gouraud>(scan, column, length);
-    go_down(scan.left), go_down(scan.right);
-    scan.depth_row = below(scan.depth_row, scan.depth_stride);
-    scan.colour_row = below(scan.colour_row, scan.colour_stride);
+    scan.rows.go_down();
     for (int i = 0; i < (gouraud ? 4 : 1); ++i) scan.start[i] += scan.step_y[i];
   } while (--count != 0);
 }

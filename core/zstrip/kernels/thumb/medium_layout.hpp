@@ -10,11 +10,11 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1 || ZSTRIP_HAS_THUMB2
 
-static_assert(offsetof(MediumScan, left) == 0 && offsetof(MediumScan, right) == 20);
+static_assert(offsetof(MediumScan, rows) == 0 && offsetof(MediumRows, left) == 0 && offsetof(MediumRows, right) == 20);
 static_assert(offsetof(EdgeWalk, pixel) == 0 && offsetof(EdgeWalk, remainder) == 4 && offsetof(EdgeWalk, step) == 8 &&
               offsetof(EdgeWalk, remainder_step) == 12 && offsetof(EdgeWalk, denominator) == 16);
-static_assert(offsetof(MediumScan, depth_row) == 40 && offsetof(MediumScan, colour_row) == 44);
-static_assert(offsetof(MediumScan, depth_stride) == 48 && offsetof(MediumScan, colour_stride) == 52);
+static_assert(offsetof(MediumRows, depth_row) == 40 && offsetof(MediumRows, colour_row) == 44);
+static_assert(offsetof(MediumRows, depth_stride) == 48 && offsetof(MediumRows, colour_stride) == 52);
 static_assert(offsetof(MediumScan, start) == 56 && offsetof(MediumScan, step_y) == 72 &&
               offsetof(MediumScan, step_x) == 88);
 static_assert(MediumScan::depth == 0 && MediumScan::red == 1 && MediumScan::green == 2 && MediumScan::blue == 3);
