@@ -23,6 +23,7 @@ struct SceneCounts {
   std::uint32_t shadow_pool = 0;      ///< bytes of the pool that it is compressed in
   std::uint32_t csg_operands = 0;     ///< of Scene::csg
   std::uint32_t edge_groups = 0;      ///< of edges that are anti-aliased, of all instances: kEdgesOfGroup each
+  bool colours_in_place = false;      ///< nothing lights or tints colours of vertices: they are read from the meshes
 };
 
 /// How geometry gets into the strips.

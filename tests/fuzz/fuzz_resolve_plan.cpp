@@ -22,7 +22,7 @@ void require_enough(const Plan& plan, const SceneCounts& counts, const View& vie
   const std::uint64_t cells = std::uint64_t{plan.strip_rows} * plan.strip_columns;
   const bool binned = plan.mode == Mode::binned;
   const std::uint64_t meshlets = std::max(counts.meshlets, counts.instances);
-  const bool coloured = effects.any(effect::lighting | effect::vertex_colours);
+  const bool coloured = effects.any(effect::lighting | effect::vertex_colours) && !counts.colours_in_place;
   const bool panel = view.format != PixelFormat::rgb565 && view.format != PixelFormat::rgb565_swapped;
   fuzz::require(plan.instance_bytes >= std::uint64_t{counts.instances} * kInstanceBytes, "room for every instance");
   fuzz::require(
@@ -65,6 +65,7 @@ void judge_plan(fuzz::Input& input) {
   budget.split_columns = input.flag();
   budget.strip_buffers = static_cast<std::uint8_t>(input.below(3));
   budget.modes = static_cast<Modes>(input.below(3));
+  counts.colours_in_place = input.flag();
 
   const PlanResult result = plan(counts, view, effects, budget);
   const bool possible = view.width >= 1 && view.width <= 4096 && view.height >= 1 && view.height <= 4096 &&

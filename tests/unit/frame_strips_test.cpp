@@ -112,11 +112,42 @@ TEST(Frame, PlansOfOtherScenesAreRefused) {
   EXPECT_EQ(without_bins.begin_frame(scene, Camera{}, view, good, arena).error, Error::effect_missing);
 }
 
+TEST(Frame, ColoursThatNothingChangesTakeNoMemory) {
+  Model model = random_model(14, 60, 9000);
+  model.texels.clear();
+  model.material.lit = false;
+  const Scene scene = model.scene();
+  const View view{64, 64};
+  const Effects effects = effects_of(scene, Camera{}) | effect::bins;
+  ASSERT_TRUE(effects.has(effect::vertex_colours));
+  SceneCounts in_memory = count(scene);
+  in_memory.colours_in_place = false;
+  for (const Modes modes : {Modes::streamed, Modes::binned}) {
+    const Budget budget{.strip_rows = 16, .modes = modes};
+    const Plan in_place = plan(count(scene), view, effects, budget).plan;
+    const Plan copied = plan(in_memory, view, effects, budget).plan;
+    EXPECT_EQ(in_place.vertex_bytes * 12, copied.vertex_bytes * 8);
+    EXPECT_EQ(draw_with_plan(scene, view, in_place).pixels, draw_with_plan(scene, view, copied).pixels);
+
+    // A tint makes colours that need memory: of this plan it is refused.
+    Model tinted = model;
+    tinted.material.colour = {255, 200, 255, 255};
+    std::vector<std::uint64_t> words(copied.bytes() / 8);
+    AnyRenderer renderer(effects);
+    const Status status =
+        renderer.begin_frame(tinted.scene(), Camera{}, view, in_place, std::as_writable_bytes(std::span(words)));
+    EXPECT_EQ(status.error, Error::arena_too_small);
+    EXPECT_EQ(status.purpose, Purpose::vertices);
+    EXPECT_TRUE(draw_with_plan(tinted.scene(), view, copied).status);
+  }
+}
+
 // Regression: meshlets may share vertices, which bins keep once for each; the plan counted them once, and memory beyond
 // the vertices was overwritten.
 TEST(Frame, BinsHaveRoomForVerticesThatMeshletsShare) {
   Model model = random_model(13, 22, 20000);
   model.texels.clear();
+  model.material.colour = {255, 255, 254, 255};  // or colours would be read in place
   model.triangles.resize(400, {0, 1, 2});
   model.positions[0] = {-20000, -20000, 0};
   model.positions[1] = {20000, -20000, 0};

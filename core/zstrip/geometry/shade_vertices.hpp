@@ -13,7 +13,7 @@ namespace zstrip::detail {
 /// Whether nothing lights or tints the colours of the instance's mesh: they are read where they are.
 template <Effects effects>
 bool has_colours_of_mesh(const CompiledInstance& instance) {
-  if constexpr (!effects.has(effect::vertex_colours) || effects.any(effect::vertex_light)) return false;
+  if constexpr (!effects.has(effect::vertex_colours)) return false;
   return !(effects.has(effect::lighting) && instance.lit) && instance.coloured &&
          instance.base == Colour{255, 255, 255, 255};
 }

@@ -20,7 +20,7 @@ class Planner {
   constexpr Planner(const SceneCounts& counts, const View& view, Effects effects, const Budget& budget)
       : counts_(counts),
         view_(view),
-        per_vertex_(bytes_per_vertex(effects)),
+        per_vertex_(bytes_per_vertex(effects, counts)),
         per_cell_(depth_cell_bytes(effects)),
         effects_(effects),
         effect_bytes_(rounded_up(MemoryOfEffects::bytes(effects, counts))),
@@ -87,8 +87,9 @@ class Planner {
     plan.instance_bytes = rounded_up(detail::instance_bytes(counts_));
     const bool shadows = effects_.has(effect::shadows);
     plan.extent_bytes = strips > 1 || binned || shadows ? rounded_up(meshlets * kExtentBytes) : 0;
-    plan.vertex_bytes = rounded_up(binned ? std::uint64_t{counts_.vertices} * retained_bytes_per_vertex(effects_)
-                                          : std::uint64_t{counts_.largest_meshlet} * per_vertex_);
+    plan.vertex_bytes =
+        rounded_up(binned ? std::uint64_t{counts_.vertices} * retained_bytes_per_vertex(effects_, counts_)
+                          : std::uint64_t{counts_.largest_meshlet} * per_vertex_);
     plan.depth_bytes = rounded_up(cells * per_cell_);
     if (shadows) plan.depth_bytes = std::max(plan.depth_bytes, shadow_strip_bytes(counts_));
     plan.visibility_bytes = rounded_up(

@@ -43,15 +43,17 @@ constexpr std::uint16_t whole_tiles(std::uint32_t rows, std::uint16_t height) {
 
 constexpr bool has_vertex_colours(Effects effects) { return effects.any(effect::lighting | effect::vertex_colours); }
 
-/// Of a transformed vertex.
-constexpr std::uint32_t bytes_per_vertex(Effects effects) {
-  return kVertexBytes + (has_vertex_colours(effects) ? kVertexColourBytes : 0) +
-         (effects.has(effect::environment) ? kReflectionBytes : 0);
+/// Of a transformed vertex, without what it reflects.
+constexpr std::uint32_t coloured_bytes_per_vertex(Effects effects, const SceneCounts& counts) {
+  return kVertexBytes + (has_vertex_colours(effects) && !counts.colours_in_place ? kVertexColourBytes : 0);
+}
+constexpr std::uint32_t bytes_per_vertex(Effects effects, const SceneCounts& counts) {
+  return coloured_bytes_per_vertex(effects, counts) + (effects.has(effect::environment) ? kReflectionBytes : 0);
 }
 
 /// Of one that bins keep: in shadow it has another colour.
-constexpr std::uint32_t retained_bytes_per_vertex(Effects effects) {
-  return bytes_per_vertex(effects) + (effects.has(effect::shadows) ? kVertexColourBytes : 0);
+constexpr std::uint32_t retained_bytes_per_vertex(Effects effects, const SceneCounts& counts) {
+  return bytes_per_vertex(effects, counts) + (effects.has(effect::shadows) ? kVertexColourBytes : 0);
 }
 
 /// Whether strips are drawn with an apron, a pixel more on each side that lies in the picture: edges that are blended

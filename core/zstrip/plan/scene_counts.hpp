@@ -7,6 +7,19 @@
 
 namespace zstrip {
 
+namespace detail {
+
+/// Whether the vertices of an instance have colours that the mesh does not have: it is lit, or its material tints them.
+constexpr bool makes_colours(const Scene& scene, const Instance& instance) {
+  if (instance.mesh >= scene.meshes.size() || instance.material >= scene.materials.size()) return true;
+  const Mesh& mesh = scene.meshes[instance.mesh];
+  const Material& material = scene.materials[instance.material];
+  if (material.lit && !mesh.normals.empty()) return true;
+  return !mesh.colours.empty() && material.colour != Colour{255, 255, 255, 255};
+}
+
+}  // namespace detail
+
 constexpr SceneCounts count(const Scene& scene) {
   SceneCounts counts{.instances = static_cast<std::uint32_t>(scene.instances.size()),
                      .quadrics = static_cast<std::uint32_t>(scene.quadrics.size()),
@@ -47,6 +60,10 @@ constexpr SceneCounts count(const Scene& scene) {
     counts.shadow_side = 1U << scene.shadow->log2_size;
     counts.shadow_pool =
         scene.shadow->pool != 0 ? scene.shadow->pool : store_bytes_worst(counts.shadow_side, counts.shadow_side);
+  }
+  counts.colours_in_place = scene.outlines.empty();
+  for (const Instance& instance : scene.instances) {
+    if (detail::makes_colours(scene, instance)) counts.colours_in_place = false;
   }
   counts.csg_operands = static_cast<std::uint32_t>(scene.csg.size());
   counts.edge_groups = edge_groups(scene);

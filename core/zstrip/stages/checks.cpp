@@ -33,7 +33,6 @@ Status check_request(const Scene& scene, const SceneCounts& counts, const Camera
   if (plan.instance_bytes < instance_bytes(counts)) {
     return too_small(Purpose::instances, instance_bytes(counts), plan.instance_bytes);
   }
-  const bool colours = has_vertex_colours(called_for);
   if (const std::uint64_t extents = std::uint64_t{counts.meshlets} * kExtentBytes;
       (strips > 1 || binned) && plan.extent_bytes < extents) {
     return too_small(Purpose::extents, extents, plan.extent_bytes);
@@ -43,8 +42,8 @@ Status check_request(const Scene& scene, const SceneCounts& counts, const Camera
     const std::uint64_t lists = std::uint64_t{counts.meshlets} * kBatchBytes + std::uint64_t{strips} * kBinBytes;
     if (plan.bin_bytes < lists) return too_small(Purpose::bins, lists, plan.bin_bytes);
   }
-  const std::uint64_t vertices = std::uint64_t{binned ? counts.vertices : counts.largest_meshlet} *
-                                 (kVertexBytes + (colours ? kVertexColourBytes : 0));
+  const std::uint64_t vertices =
+      std::uint64_t{binned ? counts.vertices : counts.largest_meshlet} * coloured_bytes_per_vertex(called_for, counts);
   if (plan.vertex_bytes < vertices) return too_small(Purpose::vertices, vertices, plan.vertex_bytes);
   const std::uint64_t cells = std::uint64_t{plan.strip_rows} * plan.strip_columns;
   if (!effects.has(method::painter) && plan.depth_bytes < cells * kDepthBytes)

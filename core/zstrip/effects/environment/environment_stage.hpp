@@ -40,7 +40,7 @@ struct Stage : NoStage {
   static Status check(const FrameRequest& request) {
     const SceneCounts& counts = request.counts;
     const std::uint64_t vertices = request.plan.mode == Mode::binned ? counts.vertices : counts.largest_meshlet;
-    const std::uint64_t needed = vertices * bytes_per_vertex(request.called_for);
+    const std::uint64_t needed = vertices * bytes_per_vertex(request.called_for, counts);
     if (request.plan.vertex_bytes >= needed) return {};
     return too_small(Purpose::vertices, needed, request.plan.vertex_bytes);
   }

@@ -10,7 +10,7 @@ void prepare(FrameState& frame, const Camera& camera, Effects called_for) {
   const Scene& scene = *frame.scene;
   const SceneCounts counts = count(scene);
   const std::uint32_t vertices = frame.plan.mode == Mode::binned ? counts.vertices : counts.largest_meshlet;
-  reflections_of(frame).first = vertices * (kVertexBytes + (has_vertex_colours(called_for) ? kVertexColourBytes : 0));
+  reflections_of(frame).first = vertices * coloured_bytes_per_vertex(called_for, counts);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     CompiledInstance& compiled = frame.instances[i];
     const Mesh& mesh = scene.meshes[scene.instances[i].mesh];

@@ -26,7 +26,7 @@ Status check_memory(const FrameRequest& request) {
   if (plan.extent_bytes < extents) return too_small(Purpose::extents, extents, plan.extent_bytes);
   const std::uint32_t strip = shadow_strip_bytes(counts);
   if (plan.depth_bytes < strip) return too_small(Purpose::depth, strip, plan.depth_bytes);
-  const std::uint64_t vertices = std::uint64_t{counts.vertices} * retained_bytes_per_vertex(request.called_for);
+  const std::uint64_t vertices = std::uint64_t{counts.vertices} * retained_bytes_per_vertex(request.called_for, counts);
   if (plan.mode == Mode::binned && plan.vertex_bytes < vertices) {
     return too_small(Purpose::vertices, vertices, plan.vertex_bytes);
   }
@@ -120,7 +120,8 @@ Status prepare_place(FrameState& frame, const Camera& camera, Effects called_for
   if (state.empty) return {};
   if (frame.mode == Mode::binned) {
     // Behind everything else of the vertices.
-    const std::size_t others = std::size_t{count(*frame.scene).vertices} * bytes_per_vertex(called_for);
+    const SceneCounts counts = count(*frame.scene);
+    const std::size_t others = std::size_t{counts.vertices} * bytes_per_vertex(called_for, counts);
     state.colours_in_shadow = reinterpret_cast<Colour*>(reinterpret_cast<std::byte*>(frame.vertices) + others);
   }
   return shadow_place(state.place, {state.camera, state.fit, state.store.grid().width}, camera, frame.view, frame.fit,
