@@ -61,7 +61,7 @@ constexpr bool contains(std::uint16_t width, std::uint16_t height, const Area& a
 /// one before. A display whose memory has several pixels a byte may need areas that begin and end at whole bytes, in x
 /// or in y: Error::alignment otherwise; its documentation states that. After an error of write() or wait() the display
 /// is idle, what it shows of this frame is undefined, and a new frame may begin, which shows right whatever it writes.
-/// end_frame() is called after an error too. One thread, or one interrupt level, at a time. The display refers to its
+/// end_frame() is called after an error too. One thread, core, or interrupt level, at a time. The display refers to its
 /// bus, which must outlive it.
 template <class T>
 concept Display = requires(T& display, const T& view, const Area& area, std::span<const std::byte> pixels) {

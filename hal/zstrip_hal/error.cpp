@@ -17,7 +17,7 @@ const char* message(Error error) {
     case Error::framebuffer: return "the picture does not fit its memory";
     case Error::flip: return "the last page flip did not happen";
     case Error::wrong_id: return "another controller answers, or none";
-    case Error::second_core: return "the second core did not draw its strip in time";
+    case Error::second_core: return "the second core did not answer in time";
   }
   return "unknown error";
 }

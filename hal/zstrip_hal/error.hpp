@@ -19,7 +19,7 @@ enum class [[nodiscard]] Error : std::uint8_t{
     framebuffer,       ///< the picture does not fit its memory, or its rows overlap
     flip,         ///< the screen has not shown the picture that it was given last, in the time that its driver states
     wrong_id,     ///< the controller reports another id, or none answers
-    second_core,  ///< the second core did not draw a strip in time
+    second_core,  ///< the second core kept the first one waiting
 };
 
 /// A short English phrase without a full stop, in static storage.

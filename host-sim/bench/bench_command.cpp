@@ -308,7 +308,7 @@ void add_board_options(CLI::App& command, BenchOptions& options, CLI::Option* ta
   command.add_option("--core-mhz", options.core_mhz, "Clock of the core instead of the board's own")
       ->check(CLI::Range(0.01, 10000.0))
       ->needs(board);
-  command.add_option("--cores", options.cores, "How many cores draw, each every other strip")
+  command.add_option("--cores", options.cores, "How many cores draw, each the next strip when it is free")
       ->check(CLI::Range(std::uint32_t{1}, std::uint32_t{2}))
       ->needs(board);
   command.add_option("--wait-states", options.wait_states, "Of the flash instead of the board's own")

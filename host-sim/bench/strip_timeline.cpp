@@ -1,7 +1,9 @@
-// One pass over the strips, or over pairs of them.
+// One pass over the strips; with two cores, from one end of a task to the next.
 #include "bench/strip_timeline.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
 namespace zstrip::sim {
 
@@ -21,25 +23,87 @@ std::vector<StripTimes> strip_timeline(double begin, std::span<const StripWork> 
   return times;
 }
 
-std::vector<StripTimes> two_core_timeline(double begin, std::span<const StripWork> strips) {
-  std::vector<StripTimes> times;
-  double free_cores = begin, free_bus = 0;
-  for (std::size_t first = 0; first < strips.size(); first += 2) {
-    double both_drawn = free_cores;
-    for (std::size_t strip = first; strip < std::min(first + 2, strips.size()); ++strip) {
-      StripTimes t;
-      t.draw_begin = free_cores;
-      t.draw_end = t.draw_begin + strips[strip].draw;
-      both_drawn = std::max(both_drawn, t.draw_end);
-      // The first of a pair is sent while the second core draws on.
-      t.send_begin = std::max(strip == first ? t.draw_end : both_drawn, free_bus);
-      t.send_end = t.send_begin + strips[strip].send;
-      free_bus = t.send_end;
-      times.push_back(t);
+namespace {
+
+/// Of hal/zstrip_hal/shared_strips.hpp, with times in place of work.
+class TwoCores {
+ public:
+  TwoCores(double begin, std::span<const StripWork> strips)
+      : strips_(strips), times_(strips.size()), is_drawn_(strips.size()), now_(begin), bus_end_(begin) {}
+
+  std::vector<StripTimes> run() {
+    for (;;) {
+      for (Core& core : cores_) {
+        while (core.task == Task::none && take(core)) {
+          if (core.end <= now_) finish(core);
+        }
+      }
+      Core* next = nullptr;
+      for (Core& core : cores_) {
+        if (core.task != Task::none && (next == nullptr || core.end < next->end)) next = &core;
+      }
+      if (next == nullptr) return std::move(times_);
+      now_ = next->end;
+      finish(*next);
     }
-    free_cores = times.back().send_begin;
   }
-  return times;
+
+ private:
+  enum class Task : std::uint8_t { none, draw, send, wait };
+  struct Core {
+    Task task = Task::none;
+    std::size_t strip = 0;
+    double end = 0;
+  };
+  static constexpr std::size_t kBuffers = 3;
+
+  /// False: it waits for the other core.
+  bool take(Core& core) {
+    if (written_ < next_ && is_drawn_[written_] && !is_display_used_) {
+      is_display_used_ = true;
+      core = {Task::send, written_, std::max(now_, bus_end_)};
+    } else if (next_ < strips_.size() && next_ < free_ + kBuffers) {
+      times_[next_].draw_begin = now_;
+      times_[next_].draw_end = now_ + strips_[next_].draw;
+      core = {Task::draw, next_, times_[next_].draw_end};
+      ++next_;
+    } else if (next_ < strips_.size() && free_ < written_ && !is_display_used_) {
+      is_display_used_ = true;
+      core = {Task::wait, written_, std::max(now_, bus_end_)};
+    } else {
+      return false;
+    }
+    return true;
+  }
+  void finish(Core& core) {
+    if (core.task == Task::draw) {
+      is_drawn_[core.strip] = true;
+    } else {
+      is_display_used_ = false;
+      free_ = core.strip;
+    }
+    if (core.task == Task::send) {
+      bus_end_ = now_ + strips_[core.strip].send;
+      times_[core.strip].send_begin = now_;
+      times_[core.strip].send_end = bus_end_;
+      ++written_;
+    }
+    core.task = Task::none;
+  }
+
+  std::span<const StripWork> strips_;
+  std::vector<StripTimes> times_;
+  std::vector<bool> is_drawn_;
+  double now_, bus_end_;
+  Core cores_[2];
+  std::size_t next_ = 0, written_ = 0, free_ = 0;
+  bool is_display_used_ = false;
+};
+
+}  // namespace
+
+std::vector<StripTimes> two_core_timeline(double begin, std::span<const StripWork> strips) {
+  return TwoCores(begin, strips).run();
 }
 
 }  // namespace zstrip::sim

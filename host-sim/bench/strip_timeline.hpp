@@ -22,8 +22,8 @@ struct StripTimes {
 /// transfer waits for the one before it, and the next strip is drawn when a transfer has begun.
 std::vector<StripTimes> strip_timeline(double begin, std::span<const StripWork> strips, bool overlap);
 
-/// The same in the order of hal/zstrip_hal/second_core.hpp: the cores draw a pair of strips at once, and each begins
-/// its renderer's frame.
+/// The same by hal/zstrip_hal/second_core.hpp: each core begins its renderer's frame, takes the next strip when it is
+/// free, and sends what is drawn, in order. Of three buffers.
 std::vector<StripTimes> two_core_timeline(double begin, std::span<const StripWork> strips);
 
 }  // namespace zstrip::sim

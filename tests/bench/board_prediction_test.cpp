@@ -123,19 +123,36 @@ TEST(StripTimeline, OneBufferTakesTurnsTwoOverlap) {
   EXPECT_DOUBLE_EQ(overlapped[2].send_end, 9 + 9 + 5);
 }
 
-TEST(StripTimeline, TwoCoresDrawPairs) {
+TEST(StripTimeline, TwoCoresTakeStripsWhenTheyAreFree) {
   const std::vector<StripWork> strips{{3, 5}, {4, 5}, {9, 5}};
   const auto times = two_core_timeline(1, strips);
   ASSERT_EQ(times.size(), 3U);
   EXPECT_DOUBLE_EQ(times[0].draw_begin, 1);
   EXPECT_DOUBLE_EQ(times[1].draw_begin, 1);
   EXPECT_DOUBLE_EQ(times[0].send_begin, 4);
-  EXPECT_DOUBLE_EQ(times[1].send_begin, 9);  // it is drawn before, but the bus is busy
-  EXPECT_DOUBLE_EQ(times[2].draw_begin, 9);  // of three buffers two hold what is not yet sent until then
-  EXPECT_DOUBLE_EQ(times[2].send_end, 9 + 9 + 5);
+  EXPECT_DOUBLE_EQ(times[2].draw_begin, 4);  // by the first core; the second one waits for the bus
+  EXPECT_DOUBLE_EQ(times[1].send_begin, 9);
+  EXPECT_DOUBLE_EQ(times[2].send_begin, 14);
+  EXPECT_DOUBLE_EQ(times[2].send_end, 19);
   // Where the bus is quick a frame takes half as long.
   const std::vector<StripWork> slow(8, {10, 1});
-  EXPECT_DOUBLE_EQ(two_core_timeline(0, slow).back().send_end, 4 * (10 + 1) + 1);
+  EXPECT_DOUBLE_EQ(two_core_timeline(0, slow).back().send_end, 4 * 10 + 2);
+}
+
+TEST(StripTimeline, TwoCoresShareStripsOfUnequalWork) {
+  // While one draws the second strip, the other one draws two; of three buffers none is free for a fifth.
+  const std::vector<StripWork> strips{{1, 1}, {20, 1}, {8, 1}, {8, 1}, {5, 1}};
+  const auto times = two_core_timeline(0, strips);
+  EXPECT_DOUBLE_EQ(times[2].draw_begin, 1);
+  EXPECT_DOUBLE_EQ(times[3].draw_begin, 9);
+  EXPECT_DOUBLE_EQ(times[1].send_begin, 20);
+  EXPECT_DOUBLE_EQ(times[2].send_begin, 21);
+  EXPECT_DOUBLE_EQ(times[4].draw_begin, 21);
+  EXPECT_DOUBLE_EQ(times[3].send_begin, 22);
+  EXPECT_DOUBLE_EQ(times[4].send_begin, 26);
+  // A bus that is slower than two cores is never idle.
+  const std::vector<StripWork> bound(10, {10, 9});
+  EXPECT_DOUBLE_EQ(two_core_timeline(0, bound).back().send_end, 10 + 10 * 9);
 }
 
 TEST(ExecutionProfile, RefusesWhatThePluginDoesNotWrite) {

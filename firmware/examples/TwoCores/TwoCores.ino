@@ -1,5 +1,5 @@
-// Both cores of a Raspberry Pi Pico draw, each every other strip; the first one sends them all. For the core of Earle
-// Philhower, which runs loop1() on the second core; elsewhere start a task there that calls second.serve() for ever.
+// Both cores of a Raspberry Pi Pico draw, each the next strip when it is free. For the core of Earle Philhower, which
+// runs loop1() on the second core; elsewhere start a task there that calls second.serve() for ever.
 // 60 KB of RAM.
 #include <SPI.h>
 #include <zstrip.h>

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace zstrip::measured {
 namespace {
@@ -79,19 +80,21 @@ std::vector<Row> peers(const fs::path& fresh) {
 
 std::vector<Row> boards(const fs::path& fresh) {
   std::vector<Row> rows;
-  std::vector<ordered_json> predictions;
-  for (const char* file : {"boards.json", "boards_two_cores.json"}) {
-    for (const ordered_json& of : read_json(fresh / file)) predictions.push_back(of);
-  }
-  for (const ordered_json& of : predictions) {
-    const std::string cores = of.at("assumptions").at("cores") == 2 ? " (2 cores)" : "";
+  const auto add = [&rows](const ordered_json& of, const std::string& how) {
     const auto megacycles = [&](const char* name, std::size_t i) {
       return decimal(of.at(name).at(i).get<double>() / 1e6, 3);
     };
-    rows.push_back({of.at("workload"), of.at("board").get<std::string>() + cores, text_of(of.at("config").at("strips")),
+    rows.push_back({of.at("workload"), of.at("board").get<std::string>() + how, text_of(of.at("config").at("strips")),
                     text_of(of.at("ram_bytes")), megacycles("core_cycles_per_frame", 0),
                     megacycles("core_cycles_per_frame", 1), decimal(of.at("frames_per_second").at(0), 2),
                     decimal(of.at("frames_per_second").at(1), 2)});
+  };
+  const std::pair<const char*, const char*> files[] = {{"boards.json", ""},
+                                                       {"boards_two_cores.json", " (2 cores)"},
+                                                       {"boards_40_rows.json", " at 40 rows"},
+                                                       {"boards_two_cores_40_rows.json", " at 40 rows (2 cores)"}};
+  for (const auto& [file, how] : files) {
+    for (const ordered_json& of : read_json(fresh / file)) add(of, how);
   }
   return rows;
 }
@@ -194,7 +197,7 @@ std::vector<BenchTable> performance_tables() {
       {"boards",
        "Boards",
        "Predicted: 320x240 in RGB565, the mean of frames 0 to 5. Millions of cycles of the core a frame, and frames a\n"
-       "second, each least and most.",
+       "second, each least and most. Strips are as high as the planner chooses, or 40 rows.",
        {.part = "performance",
         .columns = {{"workload"},
                     {"board"},
