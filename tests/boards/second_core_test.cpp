@@ -15,6 +15,8 @@
 
 #include "late_display.hpp"
 #include "zstrip/renderer.hpp"
+#include "zstrip/skin.hpp"
+#include "zstrip_scenes/character.hpp"
 #include "zstrip_scenes/knot_meshlets.hpp"
 #include "zstrip_scenes/stage.hpp"
 
@@ -516,6 +518,58 @@ TEST(SecondCore, ThreadsDrawThePixelsOfOneCore) {
     EXPECT_TRUE(present(own, second, two, {kPlan.strips, kPlan.strip_rows, kPlan.strip_columns},
                         {pixels[0], pixels[1], pixels[2]}, clock));
     EXPECT_EQ(one.bytes, two.bytes) << "frame " << frame;
+  }
+}
+
+/// A core's own: a renderer with its arena, and of the character a mesh with what moves it.
+struct CharacterOfOneCore {
+  static constexpr View kView{Framebuffer::kColumns, Framebuffer::kRows, zstrip::PixelFormat::rgb565};
+  static constexpr Effects kEffects = effects_of(scenes::character.scene, scenes::character.camera);
+  static constexpr Plan kPlan = plan(scenes::character.counts, kView, kEffects, {.strip_rows = 5}).plan;
+
+  Status begin(std::uint32_t frame) {
+    ram.joints = scenes::kCharacterRest;
+    pose(scenes::kCharacterWalk, frame * scenes::kCharacterFrameTime, ram.joints);
+    const Status posed = pose_skin(skinning, ram.joints);
+    if (!posed) return posed;
+    scene.meshes = {&mesh, 1};
+    return renderer.begin_frame(scene, scenes::character.camera, kView, kPlan, arena);
+  }
+
+  scenes::CharacterInRam ram{};
+  Skinning skinning{
+      .skin = &scenes::kCharacterSkin, .matrices = ram.matrices, .positions = ram.positions, .normals = ram.normals};
+  Mesh mesh = [this] {
+    Mesh moving = scenes::kCharacterBindMesh[0];
+    moving.skinning = &skinning;
+    return moving;
+  }();
+  Scene scene = scenes::character.scene;
+  Renderer<kEffects> renderer;
+  alignas(kArenaAlignment) std::array<std::byte, kPlan.bytes()> arena{};
+};
+
+TEST(SecondCore, ThreadsDrawAMovingSkinAsOneCoreDoes) {
+  using Own = CharacterOfOneCore;
+  static Own alone, first, other;
+  static_assert(Own::kEffects.any(effect::skins));
+  constexpr StripLayout kLayout{Own::kPlan.strips, Own::kPlan.strip_rows, Own::kPlan.strip_columns};
+  alignas(4) static std::array<std::byte, Own::kPlan.strip_pixel_bytes(Own::kView)> pixels[3];
+  SecondCore second(other.renderer);
+  const Thread thread(second);
+  Sleep clock;
+  std::vector<std::byte> before;
+  for (std::uint32_t frame = 0; frame < 25; ++frame) {
+    Framebuffer one, two;
+    ASSERT_TRUE(alone.begin(frame));
+    ASSERT_TRUE(present(alone.renderer, one, kLayout, {pixels[0], {}}));
+    const auto begin = [&] { return other.begin(frame); };
+    second.start(begin);
+    ASSERT_TRUE(first.begin(frame));
+    ASSERT_TRUE(present(first.renderer, second, two, kLayout, {pixels[0], pixels[1], pixels[2]}, clock));
+    EXPECT_EQ(one.bytes, two.bytes) << "frame " << frame;
+    EXPECT_NE(one.bytes, before) << "frame " << frame;
+    before = one.bytes;
   }
 }
 
