@@ -17,7 +17,8 @@ namespace zstrip::hal {
 enum class Core : std::uint8_t { first, second };
 
 /// Mutual exclusion of two cores by loads and stores alone, all that a Cortex-M0 has: G. L. Peterson, "Myths about the
-/// mutual exclusion problem", 1981. To be held for a few instructions, while the other core may wait in a loop.
+/// mutual exclusion problem", 1981. To be held for a few instructions, while the other core may wait in a loop: threads
+/// that share a core would waste each other's time.
 class TwoCoreLock {
  public:
   /// Waits until the other core has unlocked.
