@@ -283,21 +283,25 @@ TEST(SecondCore, OneThatKeepsAStripIsAnErrorOfThatAndGoesOnLater) {
 }
 
 TEST(SecondCore, OneThatIsSlowWithEachStripIsWaitedFor) {
-  /// Takes 0.6 s of the clock's time.
+  /// Its time passes while the second core draws, and stands still when that is late.
   struct CountingClock {
-    std::atomic<std::uint32_t> waits = 0;
-    void wait(std::uint32_t) { ++waits; }
+    std::atomic<std::uint32_t> waits_left = 0;
+    void wait(std::uint32_t) {
+      if (waits_left > 0) {
+        --waits_left;
+      } else {
+        std::this_thread::sleep_for(std::chrono::microseconds(50));
+      }
+    }
   } clock;
   struct Slow {
     CountingClock* clock;
     std::uint32_t waits;
     std::atomic<bool>* is_taken;
     DrawStatus draw_strip(std::uint16_t, std::span<std::byte>) {
-      if (waits == 0) {
-        while (!is_taken->load()) std::this_thread::yield();
-      }
-      is_taken->store(true);
-      for (const std::uint32_t begin = clock->waits; clock->waits - begin < waits;) std::this_thread::yield();
+      clock->waits_left += waits;
+      if (waits > 0) is_taken->store(true);
+      while (!is_taken->load() || (waits > 0 && clock->waits_left > 0)) std::this_thread::yield();
       return {};
     }
   };
