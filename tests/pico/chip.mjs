@@ -1,5 +1,6 @@
 // An RP2040 in rp2040js, as strict as the chip where the emulator is not: what the chip would not take is a complaint,
 // and ends the run. Traps of the emulator that are corrected here stand where they are.
+import {replaceFlashInterface} from './flash_interface.mjs';
 import {addRules} from './rules.mjs';
 import {replaceSystick} from './systick.mjs';
 
@@ -29,6 +30,7 @@ export class Chip {
     for (const pin of emulator.gpio) pin.padValue = 0x56;  // 2.19.6.3
     this.rules = addRules(this, memory !== undefined);
     replaceSystick(emulator, this.complain);
+    this.checkFlashInterface = replaceFlashInterface(this, memory !== undefined);
     const write = core.writeUint32.bind(core);
     core.writeUint32 = (address, value) => {
       if (address >>> 0 < 0x18000000) this.complain(`flash: a write to ${(address >>> 0).toString(16)}`);

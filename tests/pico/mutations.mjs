@@ -7,6 +7,7 @@
 const kReset = 0x4000c000, kSetBits = 0x2000, kClearBits = 0x3000, kDone = 0x4000c008;
 const kCrystal = 0x40024000, kClocks = 0x40008000, kPll = 0x40028000, kUart = 0x40034000, kSpi = 0x4003c000;
 const kDma = 0x50000000, kSsi = 0x18000000, kPins = 0xd0000000, kWatchdog = 0x40058000, kSystick = 0xe000e000;
+const kFlashPads = 0x40020000;
 const pin = (number) => 0x40014004 + 8 * number;
 const pad = (number) => 0x4001c004 + 4 * number;
 
@@ -14,6 +15,11 @@ const always = (value) => () => value;
 const without = (bits) => (value) => value & ~bits;
 const unless = (bits) => (value) => value === bits ? undefined : value;
 const lost = () => undefined;
+/** Another value from the write of this number on. */
+const from = (number, other) => {
+  let count = 0;
+  return (value) => ++count < number ? value : other;
+};
 
 /** The second boot stage with other code, and the checksum of that. */
 const stage = (code) => (flash, crc) => {
@@ -24,10 +30,20 @@ const stage = (code) => (flash, crc) => {
 export const kMutations = [
   {says: 'checksum of the second stage', flash: (flash) => { flash[10] ^= 1; }},
   {says: 'the second stage does not end', flash: stage([0xfe, 0xe7])},
-  {says: 'flash: its interface is off', at: kSsi + 0x08, to: always(0)},
-  {says: 'flash: the interface does not read', at: kSsi, to: always(31 << 16)},
-  {says: 'flash: the command is not 03h', at: kSsi + 0xf4, to: always(0x03 << 24 | 2 << 8 | 8 << 2)},
-  {says: 'flash: its clock is too fast', at: kSsi + 0x14, to: always(2)},
+  {says: 'flash: a command while its interface is off', at: kSsi + 0x08, to: always(0)},
+  {says: 'flash: its interface is set up while it is on', at: kSsi + 0x08, to: always(1)},
+  {says: 'flash: its interface is off', at: kSsi + 0x08, to: from(6, 0)},
+  {says: 'flash: the interface does not send bytes', at: kSsi, to: unless(7 << 16)},
+  {says: 'flash: a command while it writes its status', reads: [kSsi + 0x60, 0]},
+  {says: 'flash: it does not allow four lines', at: kSsi + 0x60, to: unless(0x06)},
+  {says: 'flash: it does not allow four lines', reads: [kSsi + 0x28, 4]},
+  {says: 'flash: no read by four lines has said', at: kSsi + 0xf4, to: always(0xa0002022)},
+  {says: 'flash: the interface does not read a word', at: kSsi + 0x04, to: always(1)},
+  {says: 'flash: reads are not an address', at: kSsi + 0xf4, to: from(2, 0xa0001822)},
+  {says: 'flash: its clock is too fast', at: kSsi + 0x14, to: always(1)},
+  {says: 'flash: its data are sampled too early', at: kSsi + 0xf0, to: lost},
+  {says: 'flash: the clock\'s pad is not fast', at: kFlashPads + 0x04, to: without(1)},
+  {says: 'flash: a data pad has a Schmitt trigger', at: kFlashPads + 0x10, to: lost},
   {says: 'the vector table is not', at: kSystick + 0xd08, to: always(0x10000000)},
   {says: 'flash: a write to 10000200', at: kReset + kClearBits, also: [[0x10000200, 0]]},
 

@@ -66,7 +66,7 @@ function frames({library, flash, panel, work}) {
 /** Where the sources complain, each "FILE:LINE". */
 function placesOfChecks() {
   const places = [];
-  for (const file of ['board.mjs', 'boot_rom.mjs', 'chip.mjs', 'rules.mjs', 'systick.mjs']) {
+  for (const file of ['board.mjs', 'boot_rom.mjs', 'chip.mjs', 'flash_interface.mjs', 'rules.mjs', 'systick.mjs']) {
     readFileSync(join(kHere, file), 'utf8').split('\n').forEach((line, index) => {
       if (/complain\(['`]/.test(line)) places.push(`${file}:${index + 1}`);
     });

@@ -33,8 +33,12 @@ function resetRules({emulator, complain}) {
   const {clock} = emulator, block = emulator.peripherals[0x4000c];
   const released = kBlocks.map(() => 0);
   const bitOf = (name) => kBlocks.findIndex(([block]) => block === name);
-  // The ROM has taken the pins of the flash out of it.
-  block.reset = 0x1ffffff & ~(1 << bitOf('io_qspi') | 1 << bitOf('pads_qspi'));
+  block.reset = 0x1ffffff;
+  // The ROM has taken the pins of the flash out of it long ago.
+  for (const bit of [bitOf('io_qspi'), bitOf('pads_qspi')]) {
+    block.reset &= ~(1 << bit);
+    released[bit] = -kReadyNanos;
+  }
   const needsClock = (name) => /spi\d|uart/.test(name) && !/qspi/.test(name);
   const inReset = (bit) => (block.reset >>> bit & 1) !== 0;
   const ready = (bit) => !inReset(bit) && clock.nanos >= released[bit] + kReadyNanos &&
