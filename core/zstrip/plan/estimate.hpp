@@ -11,11 +11,12 @@ namespace detail {
 /// Instructions, by least squares of relative errors over 190 frames of the workloads.
 inline constexpr std::uint64_t kCostOfVertex = 100;
 inline constexpr std::uint64_t kCostOfLighting = 27;   // a vertex
+inline constexpr std::uint64_t kCostOfSkin = 200;      // a vertex that joints move, normal included
 inline constexpr std::uint64_t kCostOfCulling = 58;    // a triangle, each time that its vertices are transformed
 inline constexpr std::uint64_t kCostOfBinning = 63;    // a triangle, once
 inline constexpr std::uint64_t kCostOfBin = 33;        // a triangle in a strip's list
 inline constexpr std::uint64_t kCostOfSetup = 56;      // a triangle in a strip
-inline constexpr std::uint64_t kCostOfTexture = 1450;  // a triangle in a strip, beyond that
+inline constexpr std::uint64_t kCostOfTexture = 1210;  // a triangle in a strip, beyond that
 inline constexpr std::uint64_t kCostOfRow = 134;       // of such a triangle, as rows_of has them
 inline constexpr std::uint64_t kCostOfAveraging = 16;  // a pixel of several samples
 inline constexpr std::uint64_t kCostOfMeshlet = 169;   // in each strip
@@ -109,6 +110,7 @@ constexpr std::uint64_t estimated_cost(const SceneCounts& counts, Effects effect
                        work.rows * kCostOfRow + (work.fragments * pixel + pixels * view.samples * kCostOfClearing) / 8 +
                        std::uint64_t{counts.meshlets} * plan.strips * kCostOfMeshlet;
   if (effects.has(effect::lighting)) cost += work.vertices * kCostOfLighting;
+  if (effects.has(effect::skins)) cost += work.vertices * kCostOfSkin;
   if (effects.has(effect::textures)) cost += work.covering * kCostOfTexture;
   if (plan.mode == Mode::binned) cost += culled * kCostOfBinning + work.covering * kCostOfBin;
   if (view.samples != 1) cost += pixels * kCostOfAveraging;
