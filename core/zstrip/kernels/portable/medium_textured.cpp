@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <type_traits>
 
 #include "zstrip/kernels/medium_triangle.hpp"
 #include "zstrip/kernels/textured_scan.hpp"
@@ -103,14 +102,6 @@ template <TexelLight lit, bool affine>
   } while (--count != 0);
 }
 
-/// From one vertex down to another.
-[[gnu::noinline]] void set_edge(EdgeWalk& edge, const SnappedVertex& from, const SnappedVertex& to, std::int32_t row,
-                                std::int32_t anchor_x) {
-  edge = EdgeWalk(from.x, from.y, to.x, to.y, row, std::true_type{});
-  edge.pixel -= anchor_x;
-  edge.remainder -= edge.denominator;
-}
-
 /// The rows of a triangle in a strip whose sides it does not cross, in two parts: down to the middle vertex, and from
 /// there on.
 struct TriangleRows {
@@ -142,8 +133,8 @@ struct TriangleRows {
     count = middle - row;
     if (row >= end) return true;
     edges.set_target(target, row, anchor_x);
-    if (count > 0 || !middle_is_left) set_edge(edges.left, t.v0, t.v1, row, anchor_x);
-    if (count > 0 || middle_is_left) set_edge(edges.right, t.v0, t.v2, row, anchor_x);
+    if (count > 0 || !middle_is_left) set_medium_edge(edges.left, t.v0, t.v1, row, anchor_x);
+    if (count > 0 || middle_is_left) set_medium_edge(edges.right, t.v0, t.v2, row, anchor_x);
     if (count <= 0) begin_lower(t);
     return true;
   }
@@ -169,9 +160,9 @@ struct TriangleRows {
  private:
   void begin_lower(const MediumTriangle& t) {
     if (middle_is_left) {
-      set_edge(edges.left, t.v1, t.v2, row, anchor_x);
+      set_medium_edge(edges.left, t.v1, t.v2, row, anchor_x);
     } else {
-      set_edge(edges.right, t.v2, t.v1, row, anchor_x);
+      set_medium_edge(edges.right, t.v2, t.v1, row, anchor_x);
     }
     count = end - row;
   }

@@ -11,14 +11,6 @@
 namespace zstrip::detail {
 namespace {
 
-/// From one vertex down to another.
-[[gnu::noinline]] void set_edge(EdgeWalk& edge, const SnappedVertex& from, const SnappedVertex& to, std::int32_t row,
-                                std::int32_t anchor_x) {
-  edge = EdgeWalk(from.x, from.y, to.x, to.y, row, std::true_type{});
-  edge.pixel -= anchor_x;
-  edge.remainder -= edge.denominator;
-}
-
 template <bool gouraud>
 void scan_rows(MediumScan& scan, std::int32_t count) {
   if constexpr (kHasThumb && gouraud) {
@@ -64,23 +56,30 @@ bool draw(const MediumTriangle& t, [[maybe_unused]] const Colour* const* colours
   scan.rows.set_target(target, row, anchor_x);
   // The first vertex is the highest; from it the second lies to the left.
   const bool has_upper = row < middle;
-  if (has_upper || !middle_is_left) set_edge(scan.rows.left, a, b, row, anchor_x);
-  if (has_upper || middle_is_left) set_edge(scan.rows.right, a, c, row, anchor_x);
+  if (has_upper || !middle_is_left) set_medium_edge(scan.rows.left, a, b, row, anchor_x);
+  if (has_upper || middle_is_left) set_medium_edge(scan.rows.right, a, c, row, anchor_x);
   if (has_upper) {
     scan_rows<gouraud>(scan, middle - row);
     if (middle == end) return true;
     row = middle;
   }
   if (middle_is_left) {
-    set_edge(scan.rows.left, b, c, row, anchor_x);
+    set_medium_edge(scan.rows.left, b, c, row, anchor_x);
   } else {
-    set_edge(scan.rows.right, c, b, row, anchor_x);
+    set_medium_edge(scan.rows.right, c, b, row, anchor_x);
   }
   scan_rows<gouraud>(scan, end - row);
   return true;
 }
 
 }  // namespace
+
+void set_medium_edge(EdgeWalk& edge, const SnappedVertex& from, const SnappedVertex& to, std::int32_t row,
+                     std::int32_t anchor_x) {
+  edge = EdgeWalk(from.x, from.y, to.x, to.y, row, std::true_type{});
+  edge.pixel -= anchor_x;
+  edge.remainder -= edge.denominator;
+}
 
 bool draw_medium_gouraud_portable(const MediumTriangle& triangle, const Colour* const (&colours)[3]) {
   return draw<true>(triangle, colours, 0);

@@ -17,6 +17,10 @@ namespace zstrip::detail {
 bool draw_medium_gouraud_portable(const MediumTriangle& triangle, const Colour* const (&colours)[3]);
 bool draw_medium_flat_portable(const MediumTriangle& triangle, std::uint16_t colour);
 
+/// The edge from one vertex down to another, at a row, for MediumRows.
+[[gnu::noinline]] void set_medium_edge(EdgeWalk& edge, const SnappedVertex& from, const SnappedVertex& to,
+                                       std::int32_t row, std::int32_t anchor_x);
+
 /// The planes of a medium triangle: those of PlaneSetup, bit by bit. There a step is
 /// floor(along * mantissa / 2^(50 - zeros)), in units of 2^-24 for channels and depths of 16 fraction bits; here the
 /// power of two is a constant, because the triangle's sides are shifted by the zeros first.
