@@ -28,6 +28,7 @@ constexpr int kBoardBudget = 5;                      // bench.cpp's exit status 
 const char* machine(std::string_view target) {
   if (target == "m4f") return "mps2-an386";
   if (target == "m7") return "mps2-an500";
+  if (target == "m33") return "mps2-an505";
   if (target == "rv32") return "virt";
   return "mps2-an385";
 }

@@ -1,4 +1,4 @@
-// What nobody has seen run: each register and bit that the Pico's and the STM32F4's firmware names, against the makers'
+// What nobody has seen run: each register and bit that the Picos' and the STM32F4's firmware names, against the makers'
 // headers, put together here from block, offset and bit as they stand there; and the page that lists them.
 #include <gtest/gtest.h>
 
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "pico/chip.hpp"
+#include "pico2/rp2350.hpp"
 #include "stm32/f4_registers.hpp"
 #include "stm32/spi.hpp"
 #include "stm32/usart.hpp"
@@ -44,55 +45,144 @@ constexpr std::uint32_t kTimer = 0x40054000;
 }  // namespace rp2040
 
 constexpr Fact kPico[] = {
-    FACT(chip, kReset, rp2040::kResets + 0x0, "RESETS_RESET_OFFSET"),
-    FACT(chip, kResetDone, rp2040::kResets + 0x8, "RESETS_RESET_DONE_OFFSET"),
-    FACT(chip, kResetDma, bit(2), "RESETS_RESET_DMA_BITS"),
-    FACT(chip, kResetIoBank0, bit(5), "RESETS_RESET_IO_BANK0_BITS"),
-    FACT(chip, kResetPadsBank0, bit(8), "RESETS_RESET_PADS_BANK0_BITS"),
-    FACT(chip, kResetPllSys, bit(12), "RESETS_RESET_PLL_SYS_BITS"),
-    FACT(chip, kResetSpi0, bit(16), "RESETS_RESET_SPI0_BITS"),
-    FACT(chip, kResetTimer, bit(21), "RESETS_RESET_TIMER_BITS"),
-    FACT(chip, kResetUart0, bit(22), "RESETS_RESET_UART0_BITS"),
-    FACT(chip, kCrystalControl, rp2040::kXosc + 0x0, "XOSC_CTRL_OFFSET"),
-    FACT(chip, kCrystalStatus, rp2040::kXosc + 0x4, "XOSC_STATUS_OFFSET"),
-    FACT(chip, kCrystalStartup, rp2040::kXosc + 0xC, "XOSC_STARTUP_OFFSET"),
-    FACT(chip, kCrystalEnable, 0xFABU * bit(12) + 0xAA0U,
+    FACT(rp2040, kReset, rp2040::kResets + 0x0, "RESETS_RESET_OFFSET"),
+    FACT(rp2040, kResetDone, rp2040::kResets + 0x8, "RESETS_RESET_DONE_OFFSET"),
+    FACT(rp2040, kResetDma, bit(2), "RESETS_RESET_DMA_BITS"),
+    FACT(rp2040, kResetIoBank0, bit(5), "RESETS_RESET_IO_BANK0_BITS"),
+    FACT(rp2040, kResetPadsBank0, bit(8), "RESETS_RESET_PADS_BANK0_BITS"),
+    FACT(rp2040, kResetPllSys, bit(12), "RESETS_RESET_PLL_SYS_BITS"),
+    FACT(rp2040, kResetSpi0, bit(16), "RESETS_RESET_SPI0_BITS"),
+    FACT(rp2040, kResetTimer, bit(21), "RESETS_RESET_TIMER_BITS"),
+    FACT(rp2040, kResetUart0, bit(22), "RESETS_RESET_UART0_BITS"),
+    FACT(rp2040, kCrystalControl, rp2040::kXosc + 0x0, "XOSC_CTRL_OFFSET"),
+    FACT(rp2040, kCrystalStatus, rp2040::kXosc + 0x4, "XOSC_STATUS_OFFSET"),
+    FACT(rp2040, kCrystalStartup, rp2040::kXosc + 0xC, "XOSC_STARTUP_OFFSET"),
+    FACT(rp2040, kCrystalEnable, 0xFABU * bit(12) + 0xAA0U,
          "XOSC_CTRL_ENABLE_VALUE_ENABLE at 12, XOSC_CTRL_FREQ_RANGE_VALUE_1_15MHZ"),
-    FACT(chip, kCrystalStable, bit(31), "XOSC_STATUS_STABLE_BITS"),
-    FACT(chip, kReferenceControl, rp2040::kClocks + 0x30, "CLOCKS_CLK_REF_CTRL_OFFSET"),
-    FACT(chip, kReferenceSelected, rp2040::kClocks + 0x38, "CLOCKS_CLK_REF_SELECTED_OFFSET"),
-    FACT(chip, kReferenceFromCrystal, 2, "CLOCKS_CLK_REF_CTRL_SRC_VALUE_XOSC_CLKSRC"),
-    FACT(chip, kSystemControl, rp2040::kClocks + 0x3C, "CLOCKS_CLK_SYS_CTRL_OFFSET"),
-    FACT(chip, kSystemSelected, rp2040::kClocks + 0x44, "CLOCKS_CLK_SYS_SELECTED_OFFSET"),
-    FACT(chip, kSystemFromAuxiliary, 1, "CLOCKS_CLK_SYS_CTRL_SRC_VALUE_CLKSRC_CLK_SYS_AUX"),
-    FACT(chip, kPeripheralControl, rp2040::kClocks + 0x48, "CLOCKS_CLK_PERI_CTRL_OFFSET"),
-    FACT(chip, kPeripheralEnable, bit(11), "CLOCKS_CLK_PERI_CTRL_ENABLE_BITS"),
-    FACT(chip, kPllControl, rp2040::kPllSys + 0x0, "PLL_CS_OFFSET"),
-    FACT(chip, kPllPower, rp2040::kPllSys + 0x4, "PLL_PWR_OFFSET"),
-    FACT(chip, kPllFeedback, rp2040::kPllSys + 0x8, "PLL_FBDIV_INT_OFFSET"),
-    FACT(chip, kPllPostDividers, rp2040::kPllSys + 0xC, "PLL_PRIM_OFFSET"),
-    FACT(chip, kPllLocked, bit(31), "PLL_CS_LOCK_BITS"),
-    FACT(chip, kPllPowerDown, bit(0), "PLL_PWR_PD_BITS"),
-    FACT(chip, kPllPostDividersDown, bit(3), "PLL_PWR_POSTDIVPD_BITS"),
-    FACT(chip, kPllVcoDown, bit(5), "PLL_PWR_VCOPD_BITS"),
-    FACT(chip, kWatchdogResets, rp2040::kPsm + 0x8, "PSM_WDSEL_OFFSET"),
-    FACT(chip, kAllButOscillators, 0x1FFFF - bit(0) - bit(1),
+    FACT(rp2040, kCrystalStable, bit(31), "XOSC_STATUS_STABLE_BITS"),
+    FACT(rp2040, kReferenceControl, rp2040::kClocks + 0x30, "CLOCKS_CLK_REF_CTRL_OFFSET"),
+    FACT(rp2040, kReferenceSelected, rp2040::kClocks + 0x38, "CLOCKS_CLK_REF_SELECTED_OFFSET"),
+    FACT(rp2040, kReferenceFromCrystal, 2, "CLOCKS_CLK_REF_CTRL_SRC_VALUE_XOSC_CLKSRC"),
+    FACT(rp2040, kSystemControl, rp2040::kClocks + 0x3C, "CLOCKS_CLK_SYS_CTRL_OFFSET"),
+    FACT(rp2040, kSystemSelected, rp2040::kClocks + 0x44, "CLOCKS_CLK_SYS_SELECTED_OFFSET"),
+    FACT(rp2040, kSystemFromAuxiliary, 1, "CLOCKS_CLK_SYS_CTRL_SRC_VALUE_CLKSRC_CLK_SYS_AUX"),
+    FACT(rp2040, kPeripheralControl, rp2040::kClocks + 0x48, "CLOCKS_CLK_PERI_CTRL_OFFSET"),
+    FACT(rp2040, kPeripheralEnable, bit(11), "CLOCKS_CLK_PERI_CTRL_ENABLE_BITS"),
+    FACT(rp2040, kPllControl, rp2040::kPllSys + 0x0, "PLL_CS_OFFSET"),
+    FACT(rp2040, kPllPower, rp2040::kPllSys + 0x4, "PLL_PWR_OFFSET"),
+    FACT(rp2040, kPllFeedback, rp2040::kPllSys + 0x8, "PLL_FBDIV_INT_OFFSET"),
+    FACT(rp2040, kPllPostDividers, rp2040::kPllSys + 0xC, "PLL_PRIM_OFFSET"),
+    FACT(rp2040, kPllLocked, bit(31), "PLL_CS_LOCK_BITS"),
+    FACT(rp2040, kPllPowerDown, bit(0), "PLL_PWR_PD_BITS"),
+    FACT(rp2040, kPllPostDividersDown, bit(3), "PLL_PWR_POSTDIVPD_BITS"),
+    FACT(rp2040, kPllVcoDown, bit(5), "PLL_PWR_VCOPD_BITS"),
+    FACT(rp2040, kWatchdogResets, rp2040::kPsm + 0x8, "PSM_WDSEL_OFFSET"),
+    FACT(rp2040, kAllButOscillators, 0x1FFFF - bit(0) - bit(1),
          "PSM_WDSEL_BITS without PSM_WDSEL_ROSC_BITS and PSM_WDSEL_XOSC_BITS"),
-    FACT(chip, kWatchdogControl, rp2040::kWatchdog + 0x0, "WATCHDOG_CTRL_OFFSET"),
-    FACT(chip, kWatchdogLoad, rp2040::kWatchdog + 0x4, "WATCHDOG_LOAD_OFFSET"),
-    FACT(chip, kWatchdogTick, rp2040::kWatchdog + 0x2C, "WATCHDOG_TICK_OFFSET"),
-    FACT(chip, kWatchdogEnable, bit(30), "WATCHDOG_CTRL_ENABLE_BITS"),
-    FACT(chip, kTickEnable, bit(9), "WATCHDOG_TICK_ENABLE_BITS"),
-    FACT(chip, kTimerUpper, rp2040::kTimer + 0x8, "TIMER_TIMEHR_OFFSET"),
-    FACT(chip, kTimerLower, rp2040::kTimer + 0xC, "TIMER_TIMELR_OFFSET"),
-    FACT(chip, kFunctionSpi, 1, "IO_BANK0_GPIO0_CTRL_FUNCSEL_VALUE_SPI0_RX"),
-    FACT(chip, kFunctionUart, 2, "IO_BANK0_GPIO0_CTRL_FUNCSEL_VALUE_UART0_TX"),
-    FACT(chip, kFunctionSio, 5, "IO_BANK0_GPIO0_CTRL_FUNCSEL_VALUE_SIO_0"),
-    FACT(chip, kPinsSet, rp2040::kSio + 0x14, "SIO_GPIO_OUT_SET_OFFSET"),
-    FACT(chip, kPinsClear, rp2040::kSio + 0x18, "SIO_GPIO_OUT_CLR_OFFSET"),
-    FACT(chip, kPinsEnableOutput, rp2040::kSio + 0x24, "SIO_GPIO_OE_SET_OFFSET"),
-    FACT(chip, kUart0, 0x40034000, "UART0_BASE"),
-    FACT(chip, kSpi0, 0x4003C000, "SPI0_BASE"),
+    FACT(rp2040, kWatchdogControl, rp2040::kWatchdog + 0x0, "WATCHDOG_CTRL_OFFSET"),
+    FACT(rp2040, kWatchdogLoad, rp2040::kWatchdog + 0x4, "WATCHDOG_LOAD_OFFSET"),
+    FACT(rp2040, kWatchdogTick, rp2040::kWatchdog + 0x2C, "WATCHDOG_TICK_OFFSET"),
+    FACT(rp2040, kWatchdogEnable, bit(30), "WATCHDOG_CTRL_ENABLE_BITS"),
+    FACT(rp2040, kTickEnable, bit(9), "WATCHDOG_TICK_ENABLE_BITS"),
+    FACT(rp2040, kTimerUpper, rp2040::kTimer + 0x8, "TIMER_TIMEHR_OFFSET"),
+    FACT(rp2040, kTimerLower, rp2040::kTimer + 0xC, "TIMER_TIMELR_OFFSET"),
+    FACT(rp2040, kFunctionSpi, 1, "IO_BANK0_GPIO0_CTRL_FUNCSEL_VALUE_SPI0_RX"),
+    FACT(rp2040, kFunctionUart, 2, "IO_BANK0_GPIO0_CTRL_FUNCSEL_VALUE_UART0_TX"),
+    FACT(rp2040, kFunctionSio, 5, "IO_BANK0_GPIO0_CTRL_FUNCSEL_VALUE_SIO_0"),
+    FACT(rp2040, kPinsSet, rp2040::kSio + 0x14, "SIO_GPIO_OUT_SET_OFFSET"),
+    FACT(rp2040, kPinsClear, rp2040::kSio + 0x18, "SIO_GPIO_OUT_CLR_OFFSET"),
+    FACT(rp2040, kPinsEnableOutput, rp2040::kSio + 0x24, "SIO_GPIO_OE_SET_OFFSET"),
+    FACT(rp2040, kUart0, 0x40034000, "UART0_BASE"),
+    FACT(rp2040, kSpi0, 0x4003C000, "SPI0_BASE"),
+    FACT(rp2040, kDmaRead, rp2040::kDma + 0x0, "DMA_CH0_READ_ADDR_OFFSET"),
+    FACT(rp2040, kDmaWrite, rp2040::kDma + 0x4, "DMA_CH0_WRITE_ADDR_OFFSET"),
+    FACT(rp2040, kDmaCount, rp2040::kDma + 0x8, "DMA_CH0_TRANS_COUNT_OFFSET"),
+    FACT(rp2040, kDmaControl, rp2040::kDma + 0xC, "DMA_CH0_CTRL_TRIG_OFFSET"),
+    FACT(rp2040, kDmaEnable, bit(0), "DMA_CH0_CTRL_TRIG_EN_BITS"),
+    FACT(rp2040, kDmaIncrementRead, bit(4), "DMA_CH0_CTRL_TRIG_INCR_READ_BITS"),
+    FACT(rp2040, kDmaAtSpi0Pace, 16 * bit(15), "DREQ_SPI0_TX at DMA_CH0_CTRL_TRIG_TREQ_SEL_LSB"),
+    FACT(rp2040, kDmaBusy, bit(24), "DMA_CH0_CTRL_TRIG_BUSY_BITS"),
+    FACT(rp2040, kDmaFaults, bit(29) + bit(30),
+         "DMA_CH0_CTRL_TRIG_WRITE_ERROR_BITS, DMA_CH0_CTRL_TRIG_READ_ERROR_BITS"),
+    FACT(rp2040, kDmaAbort, rp2040::kDma + 0x444, "DMA_CHAN_ABORT_OFFSET"),
+};
+
+// pico-sdk, src/rp2350/hardware_regs/include/hardware/regs, likewise.
+namespace rp2350 {
+constexpr std::uint32_t kClocks = 0x40010000, kResets = 0x40020000, kPsm = 0x40018000, kXosc = 0x40048000;
+constexpr std::uint32_t kPllSys = 0x40050000, kWatchdog = 0x400D8000, kTicks = 0x40108000, kSio = 0xD0000000;
+constexpr std::uint32_t kDma = 0x50000000;
+}  // namespace rp2350
+
+constexpr Fact kPico2[] = {
+    FACT(rp2350, kReset, rp2350::kResets + 0x0, "RESETS_RESET_OFFSET"),
+    FACT(rp2350, kResetDone, rp2350::kResets + 0x8, "RESETS_RESET_DONE_OFFSET"),
+    FACT(rp2350, kResetDma, bit(2), "RESETS_RESET_DMA_BITS"),
+    FACT(rp2350, kResetIoBank0, bit(6), "RESETS_RESET_IO_BANK0_BITS"),
+    FACT(rp2350, kResetPadsBank0, bit(9), "RESETS_RESET_PADS_BANK0_BITS"),
+    FACT(rp2350, kResetPllSys, bit(14), "RESETS_RESET_PLL_SYS_BITS"),
+    FACT(rp2350, kResetSpi0, bit(18), "RESETS_RESET_SPI0_BITS"),
+    FACT(rp2350, kResetUart0, bit(26), "RESETS_RESET_UART0_BITS"),
+    FACT(rp2350, kCrystalControl, rp2350::kXosc + 0x0, "XOSC_CTRL_OFFSET"),
+    FACT(rp2350, kCrystalStatus, rp2350::kXosc + 0x4, "XOSC_STATUS_OFFSET"),
+    FACT(rp2350, kCrystalStartup, rp2350::kXosc + 0xC, "XOSC_STARTUP_OFFSET"),
+    FACT(rp2350, kCrystalEnable, 0xFABU * bit(12) + 0xAA0U,
+         "XOSC_CTRL_ENABLE_VALUE_ENABLE at 12, XOSC_CTRL_FREQ_RANGE_VALUE_1_15MHZ"),
+    FACT(rp2350, kCrystalStable, bit(31), "XOSC_STATUS_STABLE_BITS"),
+    FACT(rp2350, kReferenceControl, rp2350::kClocks + 0x30, "CLOCKS_CLK_REF_CTRL_OFFSET"),
+    FACT(rp2350, kReferenceSelected, rp2350::kClocks + 0x38, "CLOCKS_CLK_REF_SELECTED_OFFSET"),
+    FACT(rp2350, kReferenceFromCrystal, 2, "CLOCKS_CLK_REF_CTRL_SRC_VALUE_XOSC_CLKSRC"),
+    FACT(rp2350, kSystemControl, rp2350::kClocks + 0x3C, "CLOCKS_CLK_SYS_CTRL_OFFSET"),
+    FACT(rp2350, kSystemSelected, rp2350::kClocks + 0x44, "CLOCKS_CLK_SYS_SELECTED_OFFSET"),
+    FACT(rp2350, kSystemFromAuxiliary, 1, "CLOCKS_CLK_SYS_CTRL_SRC_VALUE_CLKSRC_CLK_SYS_AUX"),
+    FACT(rp2350, kPeripheralControl, rp2350::kClocks + 0x48, "CLOCKS_CLK_PERI_CTRL_OFFSET"),
+    FACT(rp2350, kPeripheralEnable, bit(11), "CLOCKS_CLK_PERI_CTRL_ENABLE_BITS"),
+    FACT(rp2350, kPllControl, rp2350::kPllSys + 0x0, "PLL_CS_OFFSET"),
+    FACT(rp2350, kPllPower, rp2350::kPllSys + 0x4, "PLL_PWR_OFFSET"),
+    FACT(rp2350, kPllFeedback, rp2350::kPllSys + 0x8, "PLL_FBDIV_INT_OFFSET"),
+    FACT(rp2350, kPllPostDividers, rp2350::kPllSys + 0xC, "PLL_PRIM_OFFSET"),
+    FACT(rp2350, kPllLocked, bit(31), "PLL_CS_LOCK_BITS"),
+    FACT(rp2350, kPllPowerDown, bit(0), "PLL_PWR_PD_BITS"),
+    FACT(rp2350, kPllPostDividersDown, bit(3), "PLL_PWR_POSTDIVPD_BITS"),
+    FACT(rp2350, kPllVcoDown, bit(5), "PLL_PWR_VCOPD_BITS"),
+    FACT(rp2350, kWatchdogResets, rp2350::kPsm + 0x8, "PSM_WDSEL_OFFSET"),
+    FACT(rp2350, kAllButOscillators, 0x1FFFFFF - bit(2) - bit(3),
+         "PSM_WDSEL_BITS without PSM_WDSEL_ROSC_BITS and PSM_WDSEL_XOSC_BITS"),
+    FACT(rp2350, kWatchdogControl, rp2350::kWatchdog + 0x0, "WATCHDOG_CTRL_OFFSET"),
+    FACT(rp2350, kWatchdogLoad, rp2350::kWatchdog + 0x4, "WATCHDOG_LOAD_OFFSET"),
+    FACT(rp2350, kWatchdogEnable, bit(30), "WATCHDOG_CTRL_ENABLE_BITS"),
+    FACT(rp2350, kWatchdogTick, rp2350::kTicks + 0x30, "TICKS_WATCHDOG_CTRL_OFFSET"),
+    FACT(rp2350, kWatchdogTickCycles, rp2350::kTicks + 0x34, "TICKS_WATCHDOG_CYCLES_OFFSET"),
+    FACT(rp2350, kTickEnable, bit(0), "TICKS_WATCHDOG_CTRL_ENABLE_BITS"),
+    FACT(rp2350, kFunctionSpi, 1, "GPIO_FUNC_SPI"),
+    FACT(rp2350, kFunctionUart, 2, "GPIO_FUNC_UART"),
+    FACT(rp2350, kFunctionSio, 5, "GPIO_FUNC_SIO"),
+    FACT(rp2350, kPadSchmitt, bit(1), "PADS_BANK0_GPIO0_SCHMITT_BITS"),
+    FACT(rp2350, kPadPullDown, bit(2), "PADS_BANK0_GPIO0_PDE_BITS"),
+    FACT(rp2350, kPadPullUp, bit(3), "PADS_BANK0_GPIO0_PUE_BITS"),
+    FACT(rp2350, kPad4Milliamperes, 1 * bit(4), "PADS_BANK0_GPIO0_DRIVE_VALUE_4MA at PADS_BANK0_GPIO0_DRIVE_LSB"),
+    FACT(rp2350, kPadInput, bit(6), "PADS_BANK0_GPIO0_IE_BITS"),
+    FACT(rp2350, kPinsSet, rp2350::kSio + 0x18, "SIO_GPIO_OUT_SET_OFFSET"),
+    FACT(rp2350, kPinsClear, rp2350::kSio + 0x20, "SIO_GPIO_OUT_CLR_OFFSET"),
+    FACT(rp2350, kPinsEnableOutput, rp2350::kSio + 0x38, "SIO_GPIO_OE_SET_OFFSET"),
+    FACT(rp2350, kUart0, 0x40070000, "UART0_BASE"),
+    FACT(rp2350, kSpi0, 0x40080000, "SPI0_BASE"),
+    FACT(rp2350, kDmaRead, rp2350::kDma + 0x0, "DMA_CH0_READ_ADDR_OFFSET"),
+    FACT(rp2350, kDmaWrite, rp2350::kDma + 0x4, "DMA_CH0_WRITE_ADDR_OFFSET"),
+    FACT(rp2350, kDmaCount, rp2350::kDma + 0x8, "DMA_CH0_TRANS_COUNT_OFFSET"),
+    FACT(rp2350, kDmaControl, rp2350::kDma + 0xC, "DMA_CH0_CTRL_TRIG_OFFSET"),
+    FACT(rp2350, kDmaControlOnly, rp2350::kDma + 0x10, "DMA_CH0_AL1_CTRL_OFFSET"),
+    FACT(rp2350, kDmaEnable, bit(0), "DMA_CH0_CTRL_TRIG_EN_BITS"),
+    FACT(rp2350, kDmaIncrementRead, bit(4), "DMA_CH0_CTRL_TRIG_INCR_READ_BITS"),
+    FACT(rp2350, kDmaAtSpi0Pace, 24 * bit(17), "DREQ_SPI0_TX at DMA_CH0_CTRL_TRIG_TREQ_SEL_LSB"),
+    FACT(rp2350, kDmaBusy, bit(26), "DMA_CH0_CTRL_TRIG_BUSY_BITS"),
+    FACT(rp2350, kDmaFaults, bit(29) + bit(30),
+         "DMA_CH0_CTRL_TRIG_WRITE_ERROR_BITS, DMA_CH0_CTRL_TRIG_READ_ERROR_BITS"),
+    FACT(rp2350, kDmaAbort, rp2350::kDma + 0x464, "DMA_CHAN_ABORT_OFFSET"),
+};
+
+// Both chips' SPI is Arm's PL022.
+constexpr Fact kPicos[] = {
     FACT(chip, kSpiControl0, 0x0, "SPI_SSPCR0_OFFSET"),
     FACT(chip, kSpiControl1, 0x4, "SPI_SSPCR1_OFFSET"),
     FACT(chip, kSpiData, 0x8, "SPI_SSPDR_OFFSET"),
@@ -103,16 +193,6 @@ constexpr Fact kPico[] = {
     FACT(chip, kSpiTransmitNotFull, bit(1), "SPI_SSPSR_TNF_BITS"),
     FACT(chip, kSpiReceiveNotEmpty, bit(2), "SPI_SSPSR_RNE_BITS"),
     FACT(chip, kSpiBusy, bit(4), "SPI_SSPSR_BSY_BITS"),
-    FACT(chip, kDmaRead, rp2040::kDma + 0x0, "DMA_CH0_READ_ADDR_OFFSET"),
-    FACT(chip, kDmaWrite, rp2040::kDma + 0x4, "DMA_CH0_WRITE_ADDR_OFFSET"),
-    FACT(chip, kDmaCount, rp2040::kDma + 0x8, "DMA_CH0_TRANS_COUNT_OFFSET"),
-    FACT(chip, kDmaControl, rp2040::kDma + 0xC, "DMA_CH0_CTRL_TRIG_OFFSET"),
-    FACT(chip, kDmaEnable, bit(0), "DMA_CH0_CTRL_TRIG_EN_BITS"),
-    FACT(chip, kDmaIncrementRead, bit(4), "DMA_CH0_CTRL_TRIG_INCR_READ_BITS"),
-    FACT(chip, kDmaAtSpi0Pace, 16 * bit(15), "DREQ_SPI0_TX at DMA_CH0_CTRL_TRIG_TREQ_SEL_LSB"),
-    FACT(chip, kDmaBusy, bit(24), "DMA_CH0_CTRL_TRIG_BUSY_BITS"),
-    FACT(chip, kDmaFaults, bit(29) + bit(30), "DMA_CH0_CTRL_TRIG_WRITE_ERROR_BITS, DMA_CH0_CTRL_TRIG_READ_ERROR_BITS"),
-    FACT(chip, kDmaAbort, rp2040::kDma + 0x444, "DMA_CHAN_ABORT_OFFSET"),
 };
 
 // cmsis_device_f4, Include/stm32f407xx.h: blocks, structures and bits.
@@ -200,7 +280,8 @@ constexpr Fact kStm32Shared[] = {
 
 std::vector<Fact> all_facts() {
   std::vector<Fact> facts;
-  for (const std::span<const Fact> table : {std::span<const Fact>(kPico), {kStm32f4}, {kStm32Shared}})
+  for (const std::span<const Fact> table :
+       {std::span<const Fact>(kPico), {kPico2}, {kPicos}, {kStm32f4}, {kStm32Shared}})
     facts.insert(facts.end(), table.begin(), table.end());
   return facts;
 }
@@ -213,7 +294,9 @@ std::string contents(const std::filesystem::path& file) {
 
 TEST(BoardReview, ConstantsAreTheMakers) {
   for (const Fact& fact : all_facts()) EXPECT_EQ(fact.ours, fact.makers) << fact.name << ": " << fact.symbols;
-  EXPECT_EQ(board::chip::pin_control(19), 0x40014000 + 0x9C) << "IO_BANK0_GPIO19_CTRL_OFFSET";
+  EXPECT_EQ(board::rp2040::pin_control(19), 0x40014000 + 0x9C) << "IO_BANK0_GPIO19_CTRL_OFFSET";
+  EXPECT_EQ(board::rp2350::pin_control(19), 0x40028000 + 0x9C) << "IO_BANK0_GPIO19_CTRL_OFFSET";
+  EXPECT_EQ(board::rp2350::pad(19), 0x40038000 + 0x50) << "PADS_BANK0_GPIO19_OFFSET";
   EXPECT_EQ(board::stm32::gpio_f4('A'), stm32f4::kAhb1) << "GPIOA_BASE";
   EXPECT_EQ(board::stm32::gpio_f4('E'), stm32f4::kAhb1 + 0x1000) << "GPIOE_BASE";
   using Usart2 = board::stm32::Usart<stm32f4::kApb1 + 0x4400>;
@@ -226,7 +309,9 @@ TEST(BoardReview, ConstantsAreTheMakers) {
 // None is forgotten: a new one is looked up, and written here and in the table.
 TEST(BoardReview, EveryConstantOfTheHeadersIsThere) {
   std::map<std::string, std::set<std::string>> known;
-  for (const Fact& fact : kPico) known["firmware/boards/pico/chip.hpp"].insert(fact.name);
+  for (const Fact& fact : kPico) known["firmware/boards/pico/rp2040.hpp"].insert(fact.name);
+  for (const Fact& fact : kPico2) known["firmware/boards/pico2/rp2350.hpp"].insert(fact.name);
+  for (const Fact& fact : kPicos) known["firmware/boards/pico/chip.hpp"].insert(fact.name);
   for (const Fact& fact : kStm32f4) known["firmware/boards/stm32/f4_registers.hpp"].insert(fact.name);
   static const std::regex constant("\\b(k[A-Z][A-Za-z0-9]*) = ");
   for (const auto& [file, names] : known) {

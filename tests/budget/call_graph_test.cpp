@@ -75,6 +75,7 @@ TEST(Budget, StackThatIsNotUnderstoodIsAnError) {
   EXPECT_NE(reason("00000040 <root>:\n      40:\tadd\tsp, ip\n").find("unknown amount"), std::string::npos);
   EXPECT_NE(reason("00000040 <root>:\n      40:\tpush\t{r4-r7}\n").find("no list"), std::string::npos);
   EXPECT_NE(reason("00000040 <root>:\n      40:\tmsr\tMSP, r0\n").find("unknown way"), std::string::npos);
+  EXPECT_EQ(bound("00000040 <root>:\n      40:\tpush\t{lr}\n      42:\tmsr\tMSPLIM, r3\n"), 4U);
   // In a function that is never reached it does not matter.
   EXPECT_EQ(
       bound(

@@ -34,6 +34,7 @@ constexpr Target kTargets[] = {
      320, 5},
     {"STM32F4 Discovery", "stm32f4discovery_show", nullptr, "teapot", "", kLandscape, Report::none, kGuard, 48, 320},
     {"Raspberry Pi Pico", "pico_show", nullptr, "teapot", "", kMicrobit, Report::recorded, kNoGuard, 80, 240},
+    {"Raspberry Pi Pico 2", "pico2_show", nullptr, "teapot", "", kMicrobit, Report::none, kGuard, 80, 240},
     {"EK-LM3S6965", "lm3s6965evb_teapot", "lm3s6965evb", "teapot", "", kOled, Report::frames, kGuard, 64, 128},
     {"EK-LM3S6965", "lm3s6965evb_layers", "lm3s6965evb", "showroom", "", kPanel, Report::frames, kGuard, 16},
     {"MPS2, Cortex-M0", "bench_m0", "mps2-an385", "knot", "K5", kBench, Report::bench, kNoGuard},
@@ -52,6 +53,10 @@ constexpr Target kTargets[] = {
     {"MPS2, Cortex-M7", "bench_m7", "mps2-an500", "cube", "CT", kBench, Report::bench, kGuard},
     {"MPS2, Cortex-M7", "bench_m7", "mps2-an500", "random50", "R50", kBench, Report::bench, kGuard},
     {"MPS2, Cortex-M7", "bench_m7", "mps2-an500", "random10k", "R10k", kBench, Report::bench, kGuard},
+    {"MPS2, Cortex-M33", "bench_m33", "mps2-an505", "knot", "K5", kBench, Report::bench, kGuard},
+    {"MPS2, Cortex-M33", "bench_m33", "mps2-an505", "cube", "CT", kBench, Report::bench, kGuard},
+    {"MPS2, Cortex-M33", "bench_m33", "mps2-an505", "random50", "R50", kBench, Report::bench, kGuard},
+    {"MPS2, Cortex-M33", "bench_m33", "mps2-an505", "random10k", "R10k", kBench, Report::bench, kGuard},
 };
 
 }  // namespace

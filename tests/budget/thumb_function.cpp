@@ -88,7 +88,7 @@ std::uint32_t lowers_by(const ThumbFunction& function, std::size_t at, const Elf
       (mnemonic.starts_with("stmdb") && operands.starts_with("sp!"))) {
     return register_bytes(function, function.instructions[at]);
   }
-  if (mnemonic.starts_with("msr")) {
+  if (mnemonic.starts_with("msr") && !operands.starts_with("MSPLIM,")) {
     fail(function, function.instructions[at], "the stack pointer may change in an unknown way");
   }
   static const std::regex written("^sp(,|$)"), stored_before("\\[sp, #-[0-9]+\\]!");

@@ -12,6 +12,16 @@ namespace {
 constexpr int kFaultStatus = 70;
 enum : std::uint32_t { kReturnAddress = 9, kReturnWords };
 constexpr std::uint32_t kThumb = 1;  // of an address in lr, not of one in a frame
+
+/// Whether an exception's frame lies in the stack, above its guard, and no limit of the stack was met.
+bool has_frame(const std::uint32_t* stacked) {
+  using namespace zstrip::board;
+#if __ARM_ARCH_8M_MAIN__
+  constexpr std::uint32_t kCfsr = 0xE000ED28, kStackOverflow = 1U << 20;
+  if ((register_at(kCfsr) & kStackOverflow) != 0) return false;
+#endif
+  return stacked >= stack_bottom + kStackGuardBytes / 4 && stacked + 8 <= stack_top;
+}
 }  // namespace
 
 // The report runs on a stack of its own, because the program's may be full.
@@ -87,7 +97,7 @@ void report_fault(const std::uint32_t* stacked, std::uint32_t exception) {
   std::uint32_t decimal = exception;  // a digit every four bits
   for (std::uint32_t rest = exception; rest >= 10; rest -= 10) decimal += 16 - 10;
   FaultWords::add("exception ", decimal, exception < 10 ? 4 : 8);
-  if (stacked >= stack_bottom + kStackGuardBytes / 4 && stacked + 8 <= stack_top) {
+  if (has_frame(stacked)) {
     FaultWords::add(" pc ", stacked[6], 32);
     FaultWords::add(" lr ", stacked[5], 32);
   } else {
@@ -95,7 +105,7 @@ void report_fault(const std::uint32_t* stacked, std::uint32_t exception) {
   }
   print("fault: ");
   print(FaultWords::all());
-#if __ARM_ARCH_7M__ || __ARM_ARCH_7EM__
+#if __ARM_ARCH_7M__ || __ARM_ARCH_7EM__ || __ARM_ARCH_8M_MAIN__
   constexpr std::uint32_t kCfsr = 0xE000ED28, kMmfarValid = 1U << 7, kBfarValid = 1U << 15;
   const std::uint32_t cause = register_at(kCfsr);
   print(" cfsr ");

@@ -26,7 +26,7 @@ inline constexpr std::uint32_t kStackPaint = 0xDEADBEEF;
 inline constexpr std::uint32_t kStackGuardBytes = 256;
 
 /// Makes the bottom of the stack read-only with the memory protection unit, where the processor has one: a write there
-/// faults. (Below it the RAM ends, but not every bus reports that.)
+/// faults. (Below it the RAM ends, but not every bus reports that.) On Armv8-M the stack pointer has a limit instead.
 inline void guard_stack() {
 #if __ARM_ARCH_7M__ || __ARM_ARCH_7EM__
   constexpr std::uint32_t kControl = 0xE000ED94, kNumber = 0xE000ED98, kBase = 0xE000ED9C, kAttributes = 0xE000EDA0;
@@ -38,6 +38,8 @@ inline void guard_stack() {
   constexpr std::uint32_t kDefaultMapElsewhere = 1U << 2;
   register_at(kControl) = kDefaultMapElsewhere | kEnable;
   asm volatile("dsb\n\tisb" ::: "memory");
+#elif __ARM_ARCH_8M_MAIN__
+  asm volatile("msr msplim, %0" : : "r"(stack_bottom + kStackGuardBytes / 4));
 #endif
 }
 

@@ -1,20 +1,25 @@
 // Counts executed instructions with CMSDK timer 0, in an emulator that lets every instruction take one nanosecond
-// (QEMU's -icount shift=0). The timer counts down at 25 MHz: one tick is 40 instructions. On riscv_virt the processor
-// counts them itself: a tick is one.
+// (QEMU's -icount shift=0). The timer counts down at 25 MHz: one tick is 40 instructions; with the image AN505 at 20
+// MHz. On riscv_virt the processor counts them itself: a tick is one.
 #pragma once
 
 #include <cstdint>
 
 namespace zstrip::board {
 
+#if defined(__ARM_ARCH_8M_MAIN__)
+inline constexpr std::uint32_t kInstructionsPerTick = 50;
+#else
 inline constexpr std::uint32_t kInstructionsPerTick = 40;
+#endif
 
 /// Starts the timer. False if a loop of known length does not take the ticks that it must (1 in 10,000 allowed):
 /// then this is no such emulator, or it does not count instructions.
 bool start_instruction_counter();
 
 /// Sums up the ticks of the regions between resume() and pause(). What an empty region takes is measured on
-/// construction and subtracted from each; the sum over n regions is exact to about 40 * sqrt(n) instructions.
+/// construction and subtracted from each; the sum over n regions is exact to about kInstructionsPerTick * sqrt(n)
+/// instructions.
 class InstructionCounter {
  public:
   InstructionCounter();

@@ -1,5 +1,5 @@
-// Raspberry Pi Pico: clocks from its crystal of 12 MHz, console, frame clock and watchdog. Source: RP2040 data sheet,
-// chapters in chip.hpp.
+// Raspberry Pi Pico and Pico 2: clocks from the crystal of 12 MHz, console, frame clock and watchdog. Source: data
+// sheets of the chips, chapters in rp2040.hpp and rp2350.hpp.
 #include "cortex_m/board.hpp"
 
 #include "cortex_m/pl011.hpp"
@@ -28,15 +28,20 @@ void leave_reset(std::uint32_t subsystems) {
   wait_until(kResetDone, subsystems);
 }
 
-// 12 MHz * 125 = 1500 MHz, by 6 and by 2: 125 MHz. The order is that of 2.18.2.
+// 12 MHz * 125 = 1500 MHz, by 2 and by 6 or 5: 125 or 150 MHz. The order is that of 2.18.2 of the RP2040's.
+constexpr std::uint32_t kFeedback = 125, kSecondDivider = 2;
+constexpr std::uint32_t kFirstDivider = 12'000'000 * kFeedback / kSecondDivider / kHertz;
+static_assert(kHertz * kFirstDivider * kSecondDivider == 12'000'000 * kFeedback);
+static_assert(kFirstDivider <= 7 && kFirstDivider >= kSecondDivider);
+
 void start_pll() {
   set_bits(kReset, kResetPllSys);
   leave_reset(kResetPllSys);
   register_at(kPllControl) = 1;  // the reference is not divided
-  register_at(kPllFeedback) = 125;
+  register_at(kPllFeedback) = kFeedback;
   clear_bits(kPllPower, kPllPowerDown | kPllVcoDown);
   wait_until(kPllControl, kPllLocked);
-  register_at(kPllPostDividers) = 6U << 16 | 2U << 12;
+  register_at(kPllPostDividers) = kFirstDivider << 16 | kSecondDivider << 12;
   clear_bits(kPllPower, kPllPostDividersDown);
 }
 
@@ -57,15 +62,18 @@ void start_clocks() {
   register_at(kPeripheralControl) = kPeripheralEnable;
 }
 
-// 115200 baud at 125 MHz: 125e6 / (16 * 115200) = 67 + 52/64.
+// 115200 baud: kHertz / (16 * 115200), in 64ths.
+constexpr std::uint32_t kBaudDivisor = kHertz / (16 * 115200 / 64);
+
 void start_uart() {
   register_at(pin_control(0)) = kFunctionUart;
   register_at(pin_control(1)) = kFunctionUart;
-  Uart::start(67, 52);
+  connect_output(0);
+  connect_input(1);
+  Uart::start(kBaudDivisor / 64, kBaudDivisor % 64);
 }
 
-// It counts down by two a microsecond (RP2040-E1), so that 24 bits are 8.3 s.
-constexpr std::uint32_t kWatchdogTime = 2 * 8'000'000;
+constexpr std::uint32_t kWatchdogTime = 8 * watchdog_counts_per_second();
 static_assert(kWatchdogTime < 1U << 24);
 
 }  // namespace
@@ -87,7 +95,7 @@ void halt(int) {
 
 void start_pacing() {
   start_systick(kHertz, 30);
-  register_at(kWatchdogTick) = kTickEnable | 12;  // a tick each microsecond, of the crystal
+  start_ticks();
   register_at(kWatchdogControl) = 0;
   register_at(kWatchdogResets) = kAllButOscillators;
   register_at(kWatchdogLoad) = kWatchdogTime;

@@ -11,7 +11,8 @@ using namespace chip;
 using hal::Error;
 
 constexpr std::uint32_t kPolls = 20'000;
-constexpr std::uint32_t kPollsPerByte = 32;  // at least 5 cycles each; a byte takes 80
+constexpr std::uint32_t kBitCycles = kHertz / 12'500'000;
+constexpr std::uint32_t kPollsPerByte = 32;  // at least 5 cycles each; a byte takes 80 or 96
 
 Error wait_for(std::uint32_t mask, std::uint32_t value) {
   for (std::uint32_t poll = 0; poll < kPolls; ++poll) {
@@ -32,13 +33,14 @@ void drain_receiver() {
 void configure_spi() {
   register_at(kSpi0 + kSpiControl1) = 0;
   register_at(kSpi0 + kSpiDma) = 0;
-  register_at(kSpi0 + kSpiPrescale) = 10;  // 125 MHz / 10
-  register_at(kSpi0 + kSpiControl0) = 7;   // 8 bits, mode 0
-  register_at(kSpi0 + kSpiControl1) = 2;   // on, as master
+  register_at(kSpi0 + kSpiPrescale) = kBitCycles;
+  register_at(kSpi0 + kSpiControl0) = 7;  // 8 bits, mode 0
+  register_at(kSpi0 + kSpiControl1) = 2;  // on, as master
 }
 
 // A channel that has stopped clears the bit (2.5.5.3), and is no longer busy.
 bool stop_dma() {
+  disable_dma();
   register_at(kDmaAbort) = 1U << 0;
   for (std::uint32_t poll = 0; poll < kPolls; ++poll) {
     if ((register_at(kDmaAbort) & 1U) == 0 && (register_at(kDmaControl) & kDmaBusy) == 0) return true;
@@ -78,6 +80,8 @@ void PanelBus::start() {
   PanelLight::make_output(false);
   register_at(pin_control(18)) = kFunctionSpi;
   register_at(pin_control(19)) = kFunctionSpi;
+  connect_output(18);
+  connect_output(19);
   configure_spi();
 }
 

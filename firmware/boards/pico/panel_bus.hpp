@@ -1,4 +1,4 @@
-// A panel on SPI0 of the RP2040; data goes by DMA while the processor draws.
+// A panel on SPI0 of the RP2040 or RP2350; data goes by DMA while the processor draws.
 #pragma once
 
 #include <cstddef>

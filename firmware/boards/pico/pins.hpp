@@ -1,4 +1,4 @@
-// What is wired where on the Raspberry Pi Pico, by the numbers GPn on its pinout.
+// What is wired where on the Raspberry Pi Pico and Pico 2, by the numbers GPn on their pinouts.
 #pragma once
 
 #include "pico/chip.hpp"
@@ -6,7 +6,7 @@
 
 namespace zstrip::board {
 
-inline constexpr std::uint32_t kHertz = 125'000'000;
+inline constexpr std::uint32_t kHertz = chip::hertz();
 
 /// A pin that was made an output.
 template <unsigned number>
@@ -20,6 +20,7 @@ struct Pin {
     register_at(high ? chip::kPinsSet : chip::kPinsClear) = 1U << number;
     register_at(chip::kPinsEnableOutput) = 1U << number;
     register_at(chip::pin_control(number)) = chip::kFunctionSio;
+    chip::connect_output(number);
   }
 };
 

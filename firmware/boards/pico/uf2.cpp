@@ -1,5 +1,5 @@
-// uf2 ELF UF2: a program for the RP2040's flash as the file that is copied to the board when it shows up as a drive.
-// Runs on the machine that builds. Format of ELF: Tool Interface Standard 1.2.
+// uf2 CHIP ELF UF2: a program for the flash of a Pico (rp2040) or Pico 2 (rp2350) as the file that is copied to the
+// board when it shows up as a drive. Runs on the machine that builds. Format of ELF: Tool Interface Standard 1.2.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -24,8 +24,21 @@ std::uint32_t number(const std::vector<std::uint8_t>& file, std::uint64_t at, un
   return value;
 }
 
+struct Chip {
+  std::string name;
+  std::uint32_t family;
+  std::uint32_t flash_bytes;
+};
+
+Chip chip_named(const std::string& name) {
+  for (const Chip& chip : {Chip{"rp2040", kRp2040, kFlashBytes}, Chip{"rp2350", kRp2350, 4 << 20}}) {
+    if (chip.name == name) return chip;
+  }
+  throw std::runtime_error("no chip " + name + ", but rp2040 and rp2350");
+}
+
 /// What the program headers load into flash, in whole pages; gaps are zeros.
-Pages flash_pages(const std::vector<std::uint8_t>& file) {
+Pages flash_pages(const std::vector<std::uint8_t>& file, std::uint32_t flash_bytes) {
   constexpr std::array<std::uint8_t, 6> kElf32LittleEndian{0x7F, 'E', 'L', 'F', 1, 1};
   if (file.size() < 52 || !std::equal(kElf32LittleEndian.begin(), kElf32LittleEndian.end(), file.begin())) {
     throw std::runtime_error("no 32-bit little-endian ELF file");
@@ -38,7 +51,7 @@ Pages flash_pages(const std::vector<std::uint8_t>& file) {
     const std::uint32_t offset = number(file, header + 4, 4), address = number(file, header + 12, 4);
     const std::uint32_t size = number(file, header + 16, 4);
     if (number(file, header, 4) != kLoad || size == 0) continue;
-    if (address < kFlash || address - kFlash > kFlashBytes || size > kFlashBytes - (address - kFlash)) {
+    if (address < kFlash || address - kFlash > flash_bytes || size > flash_bytes - (address - kFlash)) {
       throw std::runtime_error("the program is loaded to other memory than the flash");
     }
     for (std::uint32_t byte = 0; byte < size; ++byte) {
@@ -53,21 +66,22 @@ Pages flash_pages(const std::vector<std::uint8_t>& file) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count != 3) {
-    std::cerr << "usage: uf2 ELF UF2\n";
+  if (count != 4) {
+    std::cerr << "usage: uf2 CHIP ELF UF2\n";
     return 2;
   }
   try {
-    std::ifstream elf(arguments[1], std::ios::binary);
+    const Chip chip = chip_named(arguments[1]);
+    std::ifstream elf(arguments[2], std::ios::binary);
     if (!elf) throw std::runtime_error("cannot be read");
     const std::vector<std::uint8_t> file(std::istreambuf_iterator<char>(elf), {});
-    const std::vector<std::uint8_t> blocks = to_uf2(flash_pages(file));
-    std::ofstream uf2(arguments[2], std::ios::binary);
+    const std::vector<std::uint8_t> blocks = to_uf2(flash_pages(file, chip.flash_bytes), chip.family);
+    std::ofstream uf2(arguments[3], std::ios::binary);
     uf2.write(reinterpret_cast<const char*>(blocks.data()), static_cast<std::streamsize>(blocks.size()));
     uf2.close();
-    if (!uf2) throw std::runtime_error(std::string("cannot write ") + arguments[2]);
+    if (!uf2) throw std::runtime_error(std::string("cannot write ") + arguments[3]);
   } catch (const std::exception& error) {
-    std::cerr << "uf2: " << arguments[1] << ": " << error.what() << '\n';
+    std::cerr << "uf2: " << arguments[2] << ": " << error.what() << '\n';
     return 1;
   }
 }

@@ -1,0 +1,31 @@
+// What the RP2350's boot ROM looks for in the first 4 KB of the flash: that this is a program for its Cortex-M33, and
+// where the vector table lies, with stack and entry. It sets up the flash itself: there is no second boot stage.
+// Source: RP2350 data sheet, 5.9 (metadata block details).
+#include <cstdint>
+
+// Set by the linker script; only its address means something.
+extern "C" const std::uint32_t vector_table[];
+
+namespace {
+
+constexpr std::uint32_t kBegin = 0xFFFFDED3, kEnd = 0xAB123579;
+
+// An item begins with its type and how many words it has; what follows is its own.
+constexpr std::uint32_t item(std::uint32_t type, std::uint32_t words, std::uint32_t value) {
+  return value << 16 | words << 8 | type;
+}
+constexpr std::uint32_t kExecutable = 1, kSecure = 2U << 4, kArm = 0U << 8, kRp2350 = 1U << 12;
+
+struct ImageDefinition {
+  std::uint32_t begin = kBegin;
+  std::uint32_t image_type = item(0x42, 1, kExecutable | kSecure | kArm | kRp2350);
+  std::uint32_t vector_table_item = item(0x03, 2, 0);
+  const std::uint32_t* vector_table_address = vector_table;
+  std::uint32_t last = 3U << 8 | 0xFF;  // the words of all items
+  std::uint32_t next_block = 0;         // from here: this is the only one
+  std::uint32_t end = kEnd;
+};
+
+[[gnu::section(".image_definition"), gnu::used]] constinit const ImageDefinition image_definition;
+
+}  // namespace
