@@ -35,6 +35,22 @@ constexpr std::array kBoards{
                .dma = true,
                .cores = 2,
                .cycles_per_estimate = 3.0},
+    // RP2350 data sheet: XIP cache of 16 KB, 2 ways, 8 bytes a line; SPI up to half of 150 MHz. A line by the quad
+    // reads that the boot ROM sets up: 8 clocks of command, 6 of address, 2 of mode, 4 idle, 16 of data, at a third of
+    // the core's clock.
+    BoardModel{.name = "pico2",
+               .description = "Raspberry Pi Pico 2, RP2350",
+               .core = "m33",
+               .target = "m33",
+               .core_mhz = 150,
+               .flash = {.description = "quad SPI flash behind a cache of 16 KB",
+                         .wait_states = 108,
+                         .cache = {.line_bytes = 8, .code_lines = 2048, .code_ways = 2, .shared = true}},
+               .ram_bytes = 520 * 1024,
+               .spi_mhz = 75,
+               .dma = true,
+               .cores = 2,
+               .cycles_per_estimate = 1.4},
     // STM32F103 data sheet and flash programming manual: 2 wait states above 48 MHz, a prefetch buffer of two lines of
     // 64
     // bits; SPI up to 18 MHz.

@@ -13,7 +13,7 @@ struct BoardModel {
   std::string_view name;         ///< on the command line
   std::string_view description;  ///< board and chip
   std::string_view core;         ///< of find_core()
-  std::string_view target;       ///< whose programs run on it: "m0", "m3", "m4f"
+  std::string_view target;       ///< whose programs run on it: "m0", "m3", "m4f", "m33"
   double core_mhz;
   Flash flash;
   std::uint32_t ram_bytes;

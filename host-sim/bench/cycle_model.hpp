@@ -23,7 +23,7 @@ constexpr Cycles operator*(double times, const Cycles& cycles) { return {times *
 
 /// Of one core, in cycles without wait states.
 struct CoreTimings {
-  std::string_view core;                                                        ///< "m0", "m0+", "m3" or "m4"
+  std::string_view core;                                                        ///< "m0", "m0+", "m3", "m4" or "m33"
   std::string_view name;                                                        ///< as Arm spells it
   std::string_view source;                                                      ///< the manual, and the table of it
   Cycles multiply, accumulate{}, long_multiply{}, long_accumulate{}, divide{};  ///< zeros: it has none
@@ -33,6 +33,7 @@ struct CoreTimings {
   Cycles not_taken, taken;  ///< B with a condition
   Cycles call, branch_register;
   Cycles pc_load_extra;  ///< what loading the program counter takes beside the load
+  Cycles complex{1, 1};  ///< ClassifiedInstruction::complex
 };
 
 /// Null if none is known.

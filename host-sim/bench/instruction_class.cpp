@@ -2,6 +2,7 @@
 #include "bench/instruction_class.hpp"
 
 #include <algorithm>
+#include <charconv>
 
 namespace zstrip::sim {
 namespace {
@@ -49,6 +50,28 @@ ClassifiedInstruction transfer(std::string_view mnemonic, std::string_view opera
   return {loads ? load : store, 1, loads && operands.starts_with("pc,")};
 }
 
+/// The number behind `begin` in the operands, decimal or hexadecimal; 0 if there is none.
+std::uint32_t number_behind(std::string_view operands, std::string_view begin) {
+  const std::size_t at = operands.find(begin);
+  if (at == std::string_view::npos) return 0;
+  std::string_view digits = operands.substr(at + begin.size());
+  const bool hexadecimal = digits.starts_with("0x");
+  if (hexadecimal) digits.remove_prefix(2);
+  std::uint32_t value = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), value, hexadecimal ? 16 : 10);
+  return value;
+}
+
+bool is_complex(std::string_view mnemonic, std::string_view operands) {
+  for (const std::string_view shift : {", lsr #", ", asr #", ", ror #", ", rrx"}) {
+    if (operands.find(shift) != std::string_view::npos) return true;
+  }
+  if (number_behind(operands, ", lsl #") > 3) return true;
+  constexpr std::uint32_t kPlain = 255;
+  const bool moves = mnemonic.starts_with("mov") || mnemonic == "addw" || mnemonic == "subw";
+  return !moves && number_behind(operands, ", #") > kPlain;
+}
+
 }  // namespace
 
 ClassifiedInstruction classify(std::string_view text) {
@@ -69,7 +92,7 @@ ClassifiedInstruction classify(std::string_view text) {
   for (const std::string_view name : {"ldr", "ldm", "pop", "str", "stm", "push"}) {
     if (mnemonic.starts_with(name)) return transfer(mnemonic, operands);
   }
-  return {};
+  return {.complex = is_complex(mnemonic, operands)};
 }
 
 }  // namespace zstrip::sim

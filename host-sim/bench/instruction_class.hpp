@@ -41,6 +41,9 @@ struct ClassifiedInstruction {
   InstructionClass kind = InstructionClass::other;
   std::uint32_t words = 0;  ///< registers that a multiple transfer moves
   bool loads_pc = false;    ///< a load that also branches: POP {..., pc}, LDR pc, TBB
+  /// An `other` with an operand that is shifted, but not left by 1 to 3, or with an immediate of more than 8 bits that
+  /// it does not move: a Cortex-M33's results of them come late.
+  bool complex = false;
 };
 
 /// `text`: a Thumb instruction as QEMU disassembles it, "ldrh.w r3, [r2, #4]".

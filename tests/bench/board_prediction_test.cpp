@@ -51,6 +51,15 @@ TEST(InstructionClass, MnemonicsOfThumb) {
   EXPECT_TRUE(classify("pop {r4, pc}").loads_pc);
   EXPECT_FALSE(classify("pop {r4, r5}").loads_pc);
   EXPECT_TRUE(classify("ldr.w pc, [sp], #4").loads_pc);
+  for (const std::string_view text : {"add.w r0, r1, r2, lsr #4", "ands.w r0, r1, r2, lsl #4", "sub.w r0, r1, #0x1000",
+                                      "cmp.w r0, r1, asr #31", "bic r0, r1, #256"}) {
+    EXPECT_TRUE(classify(text).complex) << text;
+  }
+  for (const std::string_view text :
+       {"add.w r0, r1, r2, lsl #3", "movw r0, #0x1234", "mov.w r0, #0x1000", "lsrs r0, r1, #4", "addw r0, r1, #0x234",
+        "ubfx r0, r1, #4, #8", "cmp r0, #255"}) {
+    EXPECT_FALSE(classify(text).complex) << text;
+  }
 }
 
 TEST(FlashCache, KeepsTheLinesUsedLast) {
@@ -106,7 +115,8 @@ TEST(CycleModel, FlashWaits) {
 TEST(CycleModel, EveryBoardHasATimedCoreAndAProgram) {
   for (const BoardModel& board : board_models()) {
     EXPECT_NE(find_core(board.core), nullptr) << board.name;
-    EXPECT_TRUE(board.target == "m0" || board.target == "m3" || board.target == "m4f") << board.name;
+    EXPECT_TRUE(board.target == "m0" || board.target == "m3" || board.target == "m4f" || board.target == "m33")
+        << board.name;
     EXPECT_GT(board.ram_bytes, kReservedRam) << board.name;
   }
 }
