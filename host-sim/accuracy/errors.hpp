@@ -83,10 +83,4 @@ class ErrorSum {
   std::vector<float> heat_;
 };
 
-/// How different two pictures look: CIELAB after what the eye does not resolve at 67 pixels a degree is smoothed away;
-/// for each pixel |dL| + |dab|, 0 .. about 200. 1 is just noticeable.
-std::vector<float> perceived_difference(std::uint32_t width, std::uint32_t height,
-                                        std::span<const std::array<float, 3>> a,
-                                        std::span<const std::array<float, 3>> b);
-
 }  // namespace zstrip::sim

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "accuracy/heat_map.hpp"
 #include "accuracy/page_files.hpp"
 #include "accuracy/plot.hpp"
 #include "image/rgb_png.hpp"
@@ -43,13 +44,6 @@ std::string escaped(std::string_view text) {
     }
   }
   return out;
-}
-
-/// Black over red and yellow to white, at 20 units of CIELAB.
-std::array<std::uint8_t, 3> heat_colour(float difference) {
-  const float t = std::min(std::sqrt(difference / 20), 1.0F) * 3;
-  const auto part = [&](float from) { return static_cast<std::uint8_t>(255 * std::clamp(t - from, 0.0F, 1.0F)); };
-  return {part(0), part(1), part(2)};
 }
 
 template <class Pixel, class ToRgb>

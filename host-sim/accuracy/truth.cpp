@@ -89,6 +89,27 @@ std::string in_words(const FoundEffect& found) {
   return fmt::format("{} ({}{}{})", found.effect.name, place, found.effect.called_for_by, materials);
 }
 
+constexpr std::uint32_t kScale = 4;
+
+/// Of the 16 samples of a pixel.
+const TruthSample& sample_of(const TruthPicture& fine, std::uint32_t x, std::uint32_t y, std::uint32_t i) {
+  return fine.at(kScale * x + i % kScale, kScale * y + i / kScale);
+}
+
+MeanPicture mean_of(const TruthPicture& fine, const View& view) {
+  MeanPicture mean;
+  for (std::uint32_t y = 0; y < view.height; ++y) {
+    for (std::uint32_t x = 0; x < view.width; ++x) {
+      std::array<float, 3> sum{};
+      for (std::uint32_t i = 0; i < 16; ++i) {
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += sample_of(fine, x, y, i).rgb[c] / 16;
+      }
+      mean.push_back(sum);
+    }
+  }
+  return mean;
+}
+
 }  // namespace
 
 Result<Done> check_truth(const Scene& scene, const Camera& camera, const Origins& origins) {
@@ -169,8 +190,13 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
   return rasteriser.take();
 }
 
+Result<MeanPicture> draw_mean(const Scene& scene, const Camera& camera, const View& view) {
+  const Result<TruthPicture> fine = draw_truth(scene, camera, view, kScale);
+  if (!fine) return fine.failure();
+  return mean_of(*fine, view);
+}
+
 Result<Truth> find_truth(const Scene& scene, const Camera& camera, const View& view) {
-  constexpr std::uint32_t kScale = 4;
   Result<TruthPicture> centres = draw_truth(scene, camera, view, 1);
   if (!centres) return centres.failure();
   const Result<TruthPicture> fine = draw_truth(scene, camera, view, kScale);
@@ -180,16 +206,11 @@ Result<Truth> find_truth(const Scene& scene, const Camera& camera, const View& v
   Truth truth;
   truth.centres = std::move(*centres);
   truth.snapped = std::move(*snapped);
+  truth.mean = mean_of(*fine, view);
   for (std::uint32_t y = 0; y < view.height; ++y) {
     for (std::uint32_t x = 0; x < view.width; ++x) {
-      std::array<float, 3> sum{};
       std::array<std::uint32_t, 16> seen{};
-      for (std::uint32_t i = 0; i < 16; ++i) {
-        const TruthSample& sample = fine->at(kScale * x + i % kScale, kScale * y + i / kScale);
-        for (std::size_t c = 0; c < 3; ++c) sum[c] += sample.rgb[c] / 16;
-        seen[i] = sample.triangle;
-      }
-      truth.mean.push_back(sum);
+      for (std::uint32_t i = 0; i < 16; ++i) seen[i] = sample_of(*fine, x, y, i).triangle;
       truth.triangles.push_back(seen);
     }
   }

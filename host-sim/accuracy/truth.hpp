@@ -34,12 +34,15 @@ struct TruthPicture {
   const TruthSample& at(std::uint32_t x, std::uint32_t y) const { return samples[std::size_t{y} * width + x]; }
 };
 
+/// The mean of 16 samples of each pixel, 0..255, row by row.
+using MeanPicture = std::vector<std::array<float, 3>>;
+
 /// What a pixel shows and what it would show with an infinite number of samples, of which there are 16.
 struct Truth {
   TruthPicture
       snapped;  ///< as `centres`, of corners rounded to 1/16 pixel: what a renderer with these can draw at best
   TruthPicture centres;                                  ///< at the middle of each pixel
-  std::vector<std::array<float, 3>> mean;                ///< of 16 samples of each pixel, 0..255
+  MeanPicture mean;                                      ///< what it would show
   std::vector<std::array<std::uint32_t, 16>> triangles;  ///< of the samples
 };
 
@@ -56,7 +59,10 @@ Result<Done> check_truth(const Scene& scene, const Camera& camera, const Origins
 Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const View& view, std::uint32_t scale,
                                 const Stages& stages = {});
 
-/// Both of the above.
+/// The mean alone. Failures: those of check_truth.
+Result<MeanPicture> draw_mean(const Scene& scene, const Camera& camera, const View& view);
+
+/// All of the above.
 Result<Truth> find_truth(const Scene& scene, const Camera& camera, const View& view);
 
 }  // namespace zstrip::sim

@@ -38,6 +38,7 @@ Result<Done> fit_strips_to_panel(Drawing& drawing) {
 Result<Done> check_show(const Drawing& drawing, const DrawingArguments& arguments) {
   if (drawing.visibility.show == Show::colour) return Done{};
   if (drawing.panel) return usage("--show and --panel exclude each other: a panel shows colours");
+  if (shows_the_picture(drawing.visibility.show)) return Done{};
   if (drawing.view.format != PixelFormat::rgb565) return usage("--show makes RGB565 pictures; leave out --format");
   if (drawing.view.samples != 1) return usage("--show shows pixels of one sample; use --samples 1");
   if (arguments.view.edges.value_or(false)) return usage("--show shows pixels as they were drawn; leave out --edges");

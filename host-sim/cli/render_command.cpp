@@ -51,8 +51,11 @@ struct Job {
   unsigned threads = 1;
 };
 
-/// Of the picture that is written: the panel's glass, or the strips.
-PixelFormat shown_format(const Drawing& drawing) { return drawing.panel ? PixelFormat::xrgb8888 : drawing.view.format; }
+/// Of the picture that is written: the panel's glass, the strips, or what --show makes.
+PixelFormat shown_format(const Drawing& drawing) {
+  if (drawing.visibility.show != Show::colour) return PixelFormat::rgb565;
+  return drawing.panel ? PixelFormat::xrgb8888 : drawing.view.format;
+}
 
 Result<Job> parse(const RenderCommandLine& arguments) {
   const std::string& scene = arguments.drawing.scene;
@@ -128,7 +131,7 @@ Result<FrameRecord> render_frame(SceneDrawer& drawer, const Job& job, std::uint3
   if (!staging) return staging.failure();
   const Result<DrawnFrame> drawn = drawer.draw(*staging, job.drawing.visibility.show);
   if (!drawn) return drawn.failure();
-  Result<Picture> picture = drawer.encoded(job.outputs.type, drawn->pixels);
+  Result<Picture> picture = drawer.encoded(job.outputs.type, *drawn);
   if (!picture) return picture.failure();
   if (frame == 0) {
     if (const Result<Done> prepared = prepare(job.outputs); !prepared) return prepared.failure();
@@ -139,7 +142,8 @@ Result<FrameRecord> render_frame(SceneDrawer& drawer, const Job& job, std::uint3
   } else if (const Result<Done> written = write_file(file, *picture, "-o"); !written) {
     return written.failure();
   }
-  FrameRecord record{file.string(), drawn->report, drawn->bus, {}};
+  FrameRecord record{file.string(), drawn->report, drawn->bus, {}, {}};
+  if (drawn->heat) record.heat = drawn->heat->figures;
   if (job.drawing.visibility.show == Show::error) record.wrong = drawn->shown->wrong;
   return record;
 }

@@ -26,14 +26,14 @@ Result<std::unique_ptr<SimulatedPanel>> start_panel(const PanelRequest& request)
 
 Result<std::unique_ptr<Stage>> open_scene(const std::string& scene, const Drawing& drawing, std::uint32_t frames) {
   Result<std::unique_ptr<Stage>> stage = open_stage(scene, drawing.model, drawing.camera, drawing.view, frames);
-  const bool shows_colours = drawing.visibility.show == Show::colour;
-  if (stage && !shows_colours) {
+  const bool shows_picture = shows_the_picture(drawing.visibility.show);
+  if (stage && !shows_picture) {
     const Result<Staging> staging = (*stage)->place(0, frames);
     if (staging && (drawing.edges.value_or(false) || !staging->scene.edges.empty())) {
       print_warning("--show shows pixels as they were drawn: edges are not smoothed");
     }
   }
-  if (stage) stage = with_edges(std::move(*stage), shows_colours ? drawing.edges : false, drawing.view);
+  if (stage) stage = with_edges(std::move(*stage), shows_picture ? drawing.edges : false, drawing.view);
   if (!stage) return stage;
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   // What is wrong is judged by the scene itself.
@@ -62,7 +62,9 @@ Result<SceneDrawer> SceneDrawer::open(const Drawing& drawing, std::unique_ptr<St
   return drawer;
 }
 
-Result<DrawnFrame> SceneDrawer::draw(const Staging& staging, Show show) {
+Result<DrawnFrame> SceneDrawer::draw(const Staging& placed, Show show) {
+  Staging staging = placed;
+  if (show == Show::accuracy) staging.scene.overlay = nullptr;
   const VisibilityRequest& request = drawing_->visibility;
   const Result<Done> checked = check_visibility(
       effects_of(staging.scene, staging.camera) | effects_of(drawing_->view) | drawing_->effects() | request.method,
@@ -82,9 +84,21 @@ Result<DrawnFrame> SceneDrawer::draw(const Staging& staging, Show show) {
   const Result<FrameReport> report = renderer_.render(staging);
   if (!report) return report.failure();
   const BusUse after = bus_use();
-  DrawnFrame drawn{
-      *report, {after.bytes - before.bytes, after.nanoseconds - before.nanoseconds}, renderer_.pixels(), std::nullopt};
+  DrawnFrame drawn{*report,
+                   {after.bytes - before.bytes, after.nanoseconds - before.nanoseconds},
+                   drawing_->view,
+                   renderer_.pixels(),
+                   std::nullopt};
   if (show == Show::colour) return drawn;
+  drawn.view = View{drawing_->view.width, drawing_->view.height};
+  if (show == Show::accuracy) {
+    Result<HeatMap> heat = draw_heat_map(staging, stage_->origins(), drawing_->view, renderer_.pixels());
+    if (!heat) return heat.failure();
+    drawn.heat = std::move(*heat);
+    drawn.pixels = std::as_bytes(std::span(drawn.heat->pixels));
+    drawn.report.crc32 = checksum(drawn.pixels);
+    return drawn;
+  }
   Result<ShownFrame> shown =
       draw_shown(staging, {drawing_->view, drawing_->budget, drawing_->effects() | request.method, visibility}, show);
   if (!shown) return shown.failure();
@@ -94,8 +108,8 @@ Result<DrawnFrame> SceneDrawer::draw(const Staging& staging, Show show) {
   return drawn;
 }
 
-Result<std::vector<std::uint8_t>> SceneDrawer::encoded(ImageType type, std::span<const std::byte> pixels) const {
-  if (!panel_) return encode(type, drawing_->view, pixels);
+Result<std::vector<std::uint8_t>> SceneDrawer::encoded(ImageType type, const DrawnFrame& drawn) const {
+  if (!panel_ || drawn.shown || drawn.heat) return encode(type, drawn.view, drawn.pixels);
   if (const std::string dark = panel_->model().darkness(); !dark.empty()) {
     return Failure{ExitStatus::internal, "the panel shows nothing: " + dark};
   }

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 
+#include "accuracy/heat_map.hpp"
 #include "cli/drawing_arguments.hpp"
 #include "image/encode.hpp"
 #include "panel/simulated_panel.hpp"
@@ -28,8 +29,10 @@ Result<std::unique_ptr<Stage>> open_scene(const std::string& scene, const Drawin
 struct DrawnFrame {
   FrameReport report;
   BusUse bus;
-  std::span<const std::byte> pixels;  ///< of the strips, or those of `shown`
-  std::optional<ShownFrame> shown;    ///< of another Show than colour
+  View view;                          ///< of `pixels`
+  std::span<const std::byte> pixels;  ///< of the strips, or those of another Show
+  std::optional<ShownFrame> shown;    ///< of another Show than colour and accuracy
+  std::optional<HeatMap> heat = {};   ///< of Show::accuracy
 };
 
 class SceneDrawer {
@@ -44,8 +47,8 @@ class SceneDrawer {
 
   /// What stage().place() gave, perhaps with another camera.
   Result<DrawnFrame> draw(const Staging& staging, Show show);
-  /// Of `pixels`, the strips' or, with a panel, what is seen on its glass. Fails where the glass is dark.
-  Result<std::vector<std::uint8_t>> encoded(ImageType type, std::span<const std::byte> pixels) const;
+  /// Of its pixels or, with a panel and colours, what is seen on its glass. Fails where the glass is dark.
+  Result<std::vector<std::uint8_t>> encoded(ImageType type, const DrawnFrame& drawn) const;
 
  private:
   SceneDrawer(const Drawing& drawing, std::unique_ptr<Stage> stage, const VisibleSetFile* sets, unsigned strip_threads);

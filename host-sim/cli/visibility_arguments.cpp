@@ -38,7 +38,8 @@ void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
       .add_option("--visible-sets", a.sets,
                   "Leave out the meshlets that cannot be seen from the camera's cell, by a file of zstrip bake")
       ->type_name("FILE");
-  command.add_option("--show", a.show, "Instead of the picture: depth, overdraw, tiles or error")->type_name("WHAT");
+  command.add_option("--show", a.show, "Instead of the picture: depth, overdraw, tiles, error or accuracy")
+      ->type_name("WHAT");
 }
 
 Result<VisibilityRequest> parse_visibility(const VisibilityArguments& arguments, const VisibilitySettings& settings) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "accuracy/heat_map.hpp"
 #include "render/render_frame.hpp"
 #include "zstrip/view.hpp"
 
@@ -22,6 +23,7 @@ struct FrameRecord {
   FrameReport report;
   BusUse bus{};                          ///< where there is a panel
   std::optional<std::uint32_t> wrong{};  ///< pixels that the judge of visibility finds wrong, where it was used
+  std::optional<HeatFigures> heat{};     ///< against the truth, where that was drawn
 };
 
 /// The panel of a run, in words.

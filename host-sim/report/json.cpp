@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "report/frame_record.hpp"
+#include "report/heat_json.hpp"
 #include "report/ram_json.hpp"
 #include "visibility/methods.hpp"
 
@@ -39,6 +40,7 @@ Json to_object(std::size_t index, const FrameRecord& frame, bool has_panel) {
         {"depth_passes", statistics.depth_passes}}}};
   if (has_panel) object["bus"] = {{"bytes", frame.bus.bytes}, {"time_ns", frame.bus.nanoseconds}};
   if (frame.wrong) object["wrong_pixels"] = *frame.wrong;
+  if (frame.heat) object["accuracy"] = heat_json(*frame.heat);
   if (report.method.methods == 0) return object;
   const VisibilityStatistics& counts = report.visibility;
   object["ram_bytes"]["visibility"] = plan.visibility_bytes;
@@ -61,6 +63,14 @@ Json to_object(std::size_t index, const FrameRecord& frame, bool has_panel) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json heat_json(const HeatFigures& figures) {
+  return {{"mean", figures.mean},
+          {"worst", figures.worst},
+          {"worst_x", figures.worst_x},
+          {"worst_y", figures.worst_y},
+          {"seen_percent", figures.seen_percent}};
+}
 
 nlohmann::ordered_json ram_bytes(const FrameReport& report) {
   const Plan& plan = report.plan;

@@ -48,6 +48,13 @@ std::string bounds(const RunRecord& run) {
                      all.width(), all.height());
 }
 
+/// Of the frame with the worst pixel.
+std::string heat_words(const RunRecord& run) {
+  const FrameRecord& worst = *std::ranges::max_element(
+      run.frames, {}, [](const FrameRecord& frame) { return frame.heat ? frame.heat->worst : 0; });
+  return in_words(*worst.heat);
+}
+
 }  // namespace
 
 std::string summary(const RunRecord& run) {
@@ -84,6 +91,7 @@ std::string summary(const RunRecord& run) {
     for (const FrameRecord& frame : run.frames) wrong += frame.wrong.value_or(0);
     text += fmt::format("  wrong      {}\n", counted(wrong, "pixel"));
   }
+  if (run.frames.front().heat) text += fmt::format("  differs    {}\n", heat_words(run));
   text += fmt::format("  time       {:.2f} ms a frame\n", milliseconds);
   if (run.panel) text += fmt::format("  panel      {}\n", panel(run));
   text += run.frames.front().file == run.frames.back().file

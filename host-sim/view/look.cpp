@@ -20,6 +20,7 @@ const char* name_of(Look look) {
     case Look::wireframe: return "wireframe";
     case Look::depth: return "depth";
     case Look::overdraw: return "overdraw";
+    case Look::accuracy: return "accuracy";
   }
   return "";
 }

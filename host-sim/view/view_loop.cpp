@@ -95,6 +95,7 @@ constexpr std::array kKeys{
     Key{"drag, wheel", "turn the scene, come closer or go away; c: the scene's own camera"},
     Key{"Right, Left", "the next frame, the one before; Space: play"},
     Key{"w, d, o", "wireframe, depth, how often pixels are drawn; again: colours"},
+    Key{"h", "a heat map: how different each pixel looks from the truth; again: colours"},
     Key{"b, t", "the strips' borders, the text below"},
     Key{"+, -", "larger, smaller"},
     Key{"s, S, a", "a picture as zstrip render writes it, one of the window, all frames as an animation"},
@@ -221,6 +222,7 @@ void ViewLoop::press(const std::string& key) {
   if (key == "w") look(Look::wireframe);
   if (key == "d") look(Look::depth);
   if (key == "o") look(Look::overdraw);
+  if (key == "h") look(Look::accuracy);
   if (key == "b") marks_ = !marks_, stale_ = true;
   if (key == "t") text_ = !text_, stale_ = true;
   if (key == "+" || key == "=" || key == "Keypad +") scale(options_.scale + 1);

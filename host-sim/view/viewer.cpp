@@ -117,7 +117,7 @@ Result<ViewedFrame> Viewer::draw() {
   staging->camera = orbited(staging->camera, orbiting_);
   const Result<DrawnFrame> drawn = drawer_->draw(*staging, drawing_->visibility.show);
   if (!drawn) return drawn.failure();
-  Result<std::vector<std::uint8_t>> png = drawer_->encoded(ImageType::png, drawn->pixels);
+  Result<std::vector<std::uint8_t>> png = drawer_->encoded(ImageType::png, *drawn);
   if (!png) return png.failure();
 
   const SimulatedPanel* panel = drawer_->panel();
@@ -127,6 +127,7 @@ Result<ViewedFrame> Viewer::draw() {
                      .strips = strips_of(drawn->report.plan, drawing_->view),
                      .times = {},
                      .rates = {},
+                     .heat = {},
                      .text = {}};
   viewed.flash_bytes = flash_bytes(staging->scene, drawer_->stage().animation(), staging->tree).total();
   viewed.instructions = estimated_cost(count(staging->scene), effects_of(staging->scene, staging->camera),
@@ -139,7 +140,16 @@ Result<ViewedFrame> Viewer::draw() {
     viewed.rates.push_back({board.name, 1 / timeline(board, board.spi_mhz).back().send_end});
   }
   viewed.text = text(viewed);
-  if (look_ != Look::colour) {
+  if (look_ == Look::accuracy) {
+    const Result<DrawnFrame> compared = drawer_->draw(*staging, Show::accuracy);
+    if (!compared) return compared.failure();
+    Result<std::vector<std::uint8_t>> file = drawer_->encoded(ImageType::png, *compared);
+    if (!file) return file.failure();
+    viewed.picture = rgb_image_of(compared->view, compared->pixels);
+    viewed.png = std::move(*file);
+    viewed.heat = compared->heat->figures;
+    viewed.text.push_back(in_words(*viewed.heat));
+  } else if (look_ != Look::colour) {
     // What a device takes is told of the scene.
     const Result<LookPicture> look = draw_look(*staging, look_, drawing_->view);
     if (!look) return look.failure();

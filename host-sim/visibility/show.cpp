@@ -68,7 +68,9 @@ Result<Show> parse_show(const std::string& name) {
   if (name == "overdraw") return Show::overdraw;
   if (name == "tiles") return Show::tiles;
   if (name == "error") return Show::error;
-  return Failure{ExitStatus::usage, fmt::format("--show '{}' is not one of: depth, overdraw, tiles, error", name)};
+  if (name == "accuracy") return Show::accuracy;
+  return Failure{ExitStatus::usage,
+                 fmt::format("--show '{}' is not one of: depth, overdraw, tiles, error, accuracy", name)};
 }
 
 Result<ShownFrame> draw_shown(const Staging& staging, const MethodRequest& request, Show show) {
@@ -98,7 +100,8 @@ Result<ShownFrame> draw_shown(const Staging& staging, const MethodRequest& reque
   if (!drawn) return drawn.failure();
   ShownFrame shown{std::move(*drawn), {}, 0};
   switch (show) {
-    case Show::colour: shown.pixels = shown.frame.pixels; break;
+    case Show::colour:
+    case Show::accuracy: shown.pixels = shown.frame.pixels; break;
     case Show::depth: shown.pixels = greys_of(shown.frame.depth); break;
     case Show::overdraw: shown.pixels = colours_of(shown.frame.overdraw); break;
     case Show::tiles: shown.pixels = greys_of(shown.frame.tiles); break;

@@ -7,6 +7,7 @@
 
 #include "accuracy/campaign.hpp"
 #include "accuracy/measure.hpp"
+#include "accuracy/perceived.hpp"
 #include "accuracy/variant.hpp"
 #include "opened_scene.hpp"
 

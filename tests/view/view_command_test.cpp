@@ -108,6 +108,30 @@ TEST_F(ViewCommand, LooksAreThoseOfAPlainPicture) {
   EXPECT_EQ(panel.err, "");
 }
 
+TEST_F(ViewCommand, TheHeatMapIsOfThePictureAsItIs) {
+  for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{
+           {}, {"--samples", "4"}, {"--format", "gray4", "--dither"}, {"--edges"}, {"--visibility", "painter"}}) {
+    for (const std::string& name : files()) std::filesystem::remove_all(path(name));
+    std::vector<std::string> rendered{"render", "knot",   "-o",       "heat.png", "--size",
+                                      "64x48",  "--show", "accuracy", "--quiet"};
+    std::vector<std::string> all{"--frames", "1", "--size", "64x48"};
+    rendered.insert(rendered.end(), options.begin(), options.end());
+    all.insert(all.end(), options.begin(), options.end());
+    ASSERT_EQ(zstrip(rendered).status, 0);
+    const Outcome outcome = view("knot", "s,h,s,h,s,q", all);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_TRUE(read(path("knot-2.png")) == read(path("heat.png"))) << (options.empty() ? "" : options[0]);
+    EXPECT_TRUE(read(path("knot-2.png")) != read(path("knot-1.png")));
+    EXPECT_TRUE(read(path("knot-3.png")) == read(path("knot-1.png")));
+  }
+  EXPECT_EQ(view("knot", "h,S,q", {"--panel", "st7789", "--rotation", "90", "--frames", "2"}).err, "");
+  // What has no truth keeps its colours.
+  const Outcome lit = view(std::string(ZSTRIP_SCENE_FILES) + "/point.toml", "s,h,s,q", {"--size", "64x48"});
+  EXPECT_EQ(lit.status, 0);
+  EXPECT_NE(lit.err.find("no truth can be drawn"), std::string::npos) << lit.err;
+  EXPECT_TRUE(read(path("point-2.png")) == read(path("point-1.png")));
+}
+
 /// A person saves the model in another program.
 TEST_F(ViewCommand, ASceneThatIsSavedIsReadAgain) {
   const std::string name = file("a.obj", kTriangleObj);

@@ -87,7 +87,7 @@ TEST_F(VisibilityCommand, HierarchicalZWritesTheSameFile) {
 
 TEST_F(VisibilityCommand, ShowsWhatItIsAskedFor) {
   std::string last;
-  for (const char* show : {"depth", "overdraw", "tiles", "error"}) {
+  for (const char* show : {"depth", "overdraw", "tiles", "error", "accuracy"}) {
     const std::string file = picture(std::string(show) + ".png");
     const Outcome shown =
         render(std::string("random50 --size 96x80 --visibility hierarchical-z --show ") + show + " -o '" + file + "'");
@@ -112,7 +112,8 @@ std::string crc32_words(const std::string& bytes) {
 
 /// It was that of the picture without --show.
 TEST_F(VisibilityCommand, TheChecksumIsOfWhatIsShown) {
-  for (const char* show : {"", "--show depth ", "--show overdraw ", "--show tiles ", "--show error "}) {
+  for (const char* show :
+       {"", "--show depth ", "--show overdraw ", "--show tiles ", "--show error ", "--show accuracy "}) {
     const std::string file = picture("shown.raw");
     const Outcome shown = render(std::string("random50 --size 96x80 --image raw --visibility hierarchical-z ") + show +
                                  "--json - -o '" + file + "'");
@@ -133,6 +134,38 @@ TEST_F(VisibilityCommand, TransparencyGoesWithWhatCanAndIsRefusedByNameElsewhere
   const Outcome refused = render(words + picture("none.raw") + "' --visibility painter-bsp");
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.text.find("--visibility painter-bsp cannot draw what this scene has: blending"), std::string::npos)
+      << refused.text;
+}
+
+/// Of the report of `zstrip render --show accuracy`.
+double accuracy_of(const std::string& text, const std::string& key) {
+  const std::size_t at = text.find("\"" + key + "\": ", text.find("\"accuracy\""));
+  return at == std::string::npos ? -1 : std::stod(text.substr(at + key.size() + 4));
+}
+
+TEST_F(VisibilityCommand, TheHeatMapKnowsWhatMakesThePictureMoreLikeTheTruth) {
+  const auto report = [this](const std::string& words) {
+    const Outcome shown = render(words + " --show accuracy --json - --quiet -o '" + picture("heat.png") + "'");
+    EXPECT_EQ(shown.status, 0) << shown.text;
+    return shown.text;
+  };
+  const std::string plain = report("knot --size 96x80"), sampled = report("knot --size 96x80 --samples 4"),
+                    edged = report("knot --size 96x80 --edges"), mono = report("knot --size 96x80 --format mono");
+  EXPECT_GT(accuracy_of(plain, "worst"), accuracy_of(plain, "mean"));
+  EXPECT_GT(accuracy_of(plain, "seen_percent"), 0);
+  EXPECT_LT(accuracy_of(sampled, "mean"), 0.8 * accuracy_of(plain, "mean"));
+  EXPECT_LT(accuracy_of(edged, "mean"), 0.9 * accuracy_of(plain, "mean"));
+  EXPECT_GT(accuracy_of(mono, "mean"), 2 * accuracy_of(plain, "mean"));
+  // The painter's wrong pixels are seen.
+  const std::string cycle = std::string("'") + MODELS + "/cycle.obj' --size 96x96 --ortho --visibility ";
+  const std::string painter = report(cycle + "painter"), right = report(cycle + "zbuffer");
+  EXPECT_GT(accuracy_of(painter, "mean"), 1.5 * accuracy_of(right, "mean"));
+  EXPECT_GT(accuracy_of(painter, "worst"), 2 * accuracy_of(right, "worst"));
+  const Outcome refused =
+      render(std::string("'") + ZSTRIP_SCENE_FILES + "/point.toml' --show accuracy -o '" + picture("none.png") + "'");
+  EXPECT_EQ(refused.status, 4) << refused.text;
+  EXPECT_NE(refused.text.find("no truth can be drawn of what this scene has: punctual_lights (point.toml line"),
+            std::string::npos)
       << refused.text;
 }
 
@@ -441,7 +474,8 @@ TEST_F(VisibilityCommand, WhatCannotBeIsAUsageError) {
   for (const char* words :
        {"teapot --visibility best", "teapot --visibility painter --show depth", "teapot --show tiles",
         "teapot --show what", "teapot --iterations 7", "teapot --visibility painter --depth-format float",
-        "teapot --cull none,small", "cube --visibility painter-bsp", "teapot --show depth --format mono"}) {
+        "teapot --cull none,small", "cube --visibility painter-bsp", "teapot --show depth --format mono",
+        "teapot --show accuracy --panel st7789"}) {
     const Outcome refused = render(std::string(words) + " -o '" + picture("none.png") + "'");
     EXPECT_EQ(refused.status, 2) << words << ": " << refused.text;
     EXPECT_FALSE(std::filesystem::exists(picture("none.png"))) << words;
