@@ -19,6 +19,7 @@
 #include "bake/mipmaps.hpp"
 #include "bake/palettes.hpp"
 #include "bake/pico_scene.hpp"
+#include "bake/program_text.hpp"
 #include "bake/scene_blob.hpp"
 #include "bake/scene_header.hpp"
 #include "cli/camera_arguments.hpp"
@@ -71,18 +72,24 @@ MipmapChoice mipmap_choice(const std::string& word) {
   return word == "off" ? MipmapChoice::off : MipmapChoice::automatic;
 }
 
-enum class Kind { header, blob, pico };
+enum class Kind { header, sketch, program, blob, pico };
+
+/// Constants, or a program that includes them.
+bool is_source(Kind kind) { return kind == Kind::header || kind == Kind::sketch || kind == Kind::program; }
 
 Result<Kind> kind_of(const std::string& output) {
   const std::string extension = std::filesystem::path(output).extension().string();
   if (extension == ".hpp" || extension == ".h") return Kind::header;
+  if (extension == ".ino") return Kind::sketch;
+  if (extension == ".cpp") return Kind::program;
   if (extension == ".zsc") return Kind::blob;
   if (extension == ".uf2") return Kind::pico;
   return Failure{
       ExitStatus::usage,
-      fmt::format("-o '{}' must end in .hpp (C++ constants), .zsc (a blob used in place) or .uf2 (a blob for "
-                  "the Raspberry Pi Pico)",
-                  output)};
+      fmt::format(
+          "-o '{}' must end in .hpp (C++ constants), .ino or .cpp (a sketch or a program that shows them), .zsc "
+          "(a blob used in place) or .uf2 (a blob for the Raspberry Pi Pico)",
+          output)};
 }
 
 /// What the options leave open is as the program for the Pico draws, which plans by itself.
@@ -104,7 +111,7 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
 BakedSkins skins_of(Kind kind, const Stage& stage) {
   const Model* const model = stage.model();
   if (!stage.bends() || model == nullptr) return {};
-  if (kind != Kind::header) {
+  if (!is_source(kind)) {
     print_warning(
         "a blob has no skins: what joints move stands still in it as at frame 0; a header (-o FILE.hpp) moves it");
     return {};
@@ -248,8 +255,10 @@ Result<std::vector<std::uint8_t>> make_blob(const BakedScene& baked, const Camer
 Result<std::vector<std::uint8_t>> make_output(const Arguments& arguments, Kind kind, const BakedScene& baked,
                                               const Camera& turning_camera, const pico::Pages& program,
                                               BakeRecord& record) {
-  if (kind == Kind::header) {
-    const std::string text = to_scene_header(baked, arguments.name_space);
+  if (is_source(kind)) {
+    const std::string text = kind == Kind::header   ? to_scene_header(baked, arguments.name_space)
+                             : kind == Kind::sketch ? to_sketch(baked, arguments.name_space)
+                                                    : to_program(baked, arguments.name_space);
     return std::vector<std::uint8_t>(text.begin(), text.end());
   }
   Result<std::vector<std::uint8_t>> blob = make_blob(baked, turning_camera, record);
@@ -289,7 +298,7 @@ Result<Done> warn_of_method(Kind kind, const std::string& scene, Effects method)
   const Result<PictureSettings> settings = settings_of(scene);
   if (!settings) return settings.failure();
   const VisibilitySettings& from = settings->visibility;
-  if (kind != Kind::header) {
+  if (!is_source(kind)) {
     std::string options;
     if (from.iterations) options += fmt::format(" --iterations {}", *from.iterations);
     if (from.sort_key) options += fmt::format(" --sort-key {}", *from.sort_key);
@@ -391,8 +400,12 @@ Result<Done> run(const Arguments& arguments) {
   }
   Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *turn, skins, *request);
   if (!baked) return baked.failure();
+  if (*kind == Kind::sketch || *kind == Kind::program) {
+    const Result<Done> drawn = *kind == Kind::sketch ? check_for_sketch(*baked) : check_for_program(*baked);
+    if (!drawn) return drawn.failure();
+  }
   std::optional<ClippingRecord> clipping;
-  if (*kind == Kind::header) clipping = choose_clipping(arguments, *baked);
+  if (is_source(*kind)) clipping = choose_clipping(arguments, *baked);
   BakeRecord record = describe(arguments, **stage, *baked);
   record.clipping = std::move(clipping);
   record.palettes = paletted.records();
@@ -432,7 +445,8 @@ void add_bake_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "-o,--output", a.output,
-          "The file to write: .hpp for C++ constants, .zsc for a blob, .uf2 for a blob that a Raspberry Pi Pico takes "
+          "The file to write: .hpp for C++ constants, .ino for a sketch for Arduino that shows them on an ST7789, .cpp "
+          "for a program that draws them, .zsc for a blob, .uf2 for a blob that a Raspberry Pi Pico takes "
           "beside zstrip_pico_player.uf2")
       ->required()
       ->type_name("FILE");
@@ -473,6 +487,8 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  zstrip bake model.glb -o scene.hpp --size 128x64 --format gray4 --ram 40K\n"
       "  zstrip bake model.glb -o scene.hpp --size 240x240 --format rgb565_swapped --ram 14K --split-columns "
+      "--turntable\n"
+      "  zstrip bake model.glb -o model.ino --size 240x240 --format rgb565_swapped --ram 14K --split-columns "
       "--turntable\n"
       "  zstrip bake model.obj -o scene.zsc --size 320x240\n"
       "  zstrip bake model.glb -o model.uf2\n"

@@ -149,9 +149,38 @@ TEST_F(Bake, SummaryInWords) {
 }
 
 TEST_F(Bake, SameSceneSameBytes) {
-  for (const char* name : {"a.zsc", "b.zsc", "a.hpp", "b.hpp"}) report({"bake", kHouseModel, "-o", name});
-  EXPECT_EQ(read(path("a.zsc")), read(path("b.zsc")));
-  EXPECT_EQ(read(path("a.hpp")), read(path("b.hpp")));
+  for (const char* ending : {".zsc", ".hpp", ".ino", ".cpp"}) {
+    for (const char* name : {"a", "b"})
+      report({"bake", kHouseModel, "-o", name + std::string(ending), "--size", "240x240"});
+    EXPECT_EQ(read(path("a" + std::string(ending))), read(path("b" + std::string(ending)))) << ending;
+  }
+}
+
+/// What of the options the text of a program says; the rest are constants of its header.
+TEST_F(Bake, ProgramsHaveThePanelTheNamespaceAndTheSkin) {
+  const auto text = [this](const std::string& scene, const std::string& name, std::vector<std::string> options) {
+    options.insert(options.begin(), {"bake", scene, "-o", name, "--quiet"});
+    const Outcome outcome = zstrip(options);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return read(path(name));
+  };
+  const auto has = [](const std::string& whole, const std::string& part) {
+    EXPECT_NE(whole.find(part), std::string::npos) << part << "\n" << whole;
+  };
+  has(text(kHouseModel, "a.ino", {"--size", "240x240"}), "kPanel{.width = 240, .height = 240, .inverted = true};");
+  const std::string sideways =
+      text(kHouseModel, "b.ino", {"--size", "320x170", "--format", "rgb444", "--namespace", "house"});
+  has(sideways, "kPanel{.width = 170, .height = 320, .column_offset = 35,\n");
+  has(sideways, "    .orientation = {.rotation = zstrip::hal::Rotation::by_90},\n");
+  has(sideways, "    .format = zstrip::hal::PixelFormat::rgb444, .inverted = true};");
+  has(sideways, "player.open({house::kScene, house::kCamera");
+  EXPECT_EQ(sideways.find("baked::"), std::string::npos);
+  const std::string figure = ZSTRIP_SCENE_FILES "/figure/figure.gltf";
+  for (const char* name : {"c.ino", "c.cpp"})
+    has(text(figure, name, {"--size", "240x240"}), "baked::pose_skins(player.time())");
+  // What is between @ in a file's name is no namespace.
+  has(text(file("a@b.obj", read(kHouseModel)), "d.cpp", {}), "// a@b.obj in 320x240 pixels, rgb565.");
 }
 
 TEST_F(Bake, Refusals) {
@@ -169,6 +198,10 @@ TEST_F(Bake, Refusals) {
   expect({"bake", kHouseModel, "-o", "house.hpp", "--namespace", "a__b"}, 2, "--namespace");
   expect({"bake", kHouseModel, "-o", "house.hpp", "--namespace", "class"}, 2, "no word of C++");
   expect({"bake", "teapot", "-o", "house.hpp", "--up", "z"}, 2, "--up");
+  expect({"bake", kHouseModel, "-o", "house.ino", "--size", "241x321"}, 2, "ST7789");
+  expect({"bake", kHouseModel, "-o", "house.ino", "--size", "128x64", "--format", "mono"}, 2, "rgb565_swapped");
+  expect({"bake", kHouseModel, "-o", "house.ino", "--visibility", "painter"}, 2, "no --visibility painter");
+  expect({"bake", kHouseModel, "-o", "main.cpp", "--visibility", "painter"}, 2, "no --visibility painter");
   expect({"bake", kHouseModel, "-o", "house.hpp", "--size", "0x0"}, 2, "--size");
   expect({"bake", "room", "-o", "room.hpp", "--textures", "palette"}, 2, "--textures");
   expect({"bake", "none.obj", "-o", "house.hpp"}, 4, "none.obj");

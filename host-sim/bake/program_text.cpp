@@ -1,0 +1,207 @@
+// Programs that show a baked scene by zstrip::Player. What is a constant of the header is named, not repeated.
+#include "bake/program_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "panel/simulated_panel.hpp"
+#include "report/frame_record.hpp"
+#include "report/text.hpp"
+#include "visibility/methods.hpp"
+#include "zstrip_hal/st7789.hpp"
+
+namespace zstrip::sim {
+namespace {
+
+using Panel = hal::St7789Controller;
+
+/// With @ for the header's namespace.
+std::string with_namespace(std::string text, const std::string& name_space) {
+  for (std::size_t at = 0; (at = text.find('@', at)) != std::string::npos;) {
+    text.replace(at, 1, name_space);
+    at += name_space.size();
+  }
+  return text;
+}
+
+bool bends(const BakedScene& baked) { return !baked.skins.meshes.empty(); }
+
+std::string first_line(const BakedScene& baked) {
+  return fmt::format("// {} in {}x{} pixels, {}.", printable(baked.source), baked.view.width, baked.view.height,
+                     format_words(baked.view));
+}
+
+/// The scene's memory.
+constexpr std::string_view kPlayer =
+    R"(constexpr zstrip::FitOptions kOptions{.strip_buffers = @::kBudget.strip_buffers > 1 ? 2 : 1,
+                                      .split_columns = @::kBudget.split_columns,
+                                      .strip_rows = @::kPlan.strip_rows};
+// The arena and the strips of the header's plan, which --ram makes smaller, what moves, and the gaps between.
+std::byte memory[@::kPlan.bytes() + kOptions.strip_buffers * @::kPlan.strip_pixel_bytes(@::kView) +
+                 @::kScene.instances.size_bytes() + @::kScene.lines.size_bytes())";
+/// Of what is over the picture, with room for a text of the player's.
+constexpr std::string_view kOverlayTables =
+    R"( +
+                 (@::kOverlay.fonts.size() + 1) * sizeof(zstrip::Font) +
+                 (@::kOverlay.labels.size() + 1) * sizeof(zstrip::Label))";
+
+std::string player(const BakedScene& baked) {
+  std::string text(kPlayer);
+  if (baked.scene.overlay != nullptr) text += kOverlayTables;
+  return text + " + 96];\nzstrip::Player player(memory, zstrip::drawn_with<@::kEffects>);\n";
+}
+
+/// The panel turned, where the picture is wider than it.
+bool lies_sideways(const View& view) { return view.width > Panel::kColumns; }
+
+/// The driver's configuration of the panel, as it lies.
+std::string panel_config(const View& view) {
+  const bool sideways = lies_sideways(view);
+  const std::uint16_t width = sideways ? view.height : view.width, height = sideways ? view.width : view.height;
+  std::string config = fmt::format(".width = {}, .height = {},", width, height);
+  const auto is_panel = [](const PanelKind& kind) { return std::string_view(kind.name) == "st7789"; };
+  for (const PanelModule& module : std::ranges::find_if(panel_kinds(), is_panel)->modules) {
+    if (module.width != width || module.height != height) continue;
+    if (module.column_offset != 0) config += fmt::format(" .column_offset = {},", module.column_offset);
+    if (module.row_offset != 0) config += fmt::format(" .row_offset = {},", module.row_offset);
+  }
+  if (sideways) config += "\n    .orientation = {.rotation = zstrip::hal::Rotation::by_90},";
+  if (view.format == PixelFormat::rgb666 || view.format == PixelFormat::rgb444) {
+    config += fmt::format("\n    .format = zstrip::hal::PixelFormat::{},", name(view.format));
+  }
+  return "{" + config + " .inverted = true}";
+}
+
+}  // namespace
+
+Result<Done> check_for_program(const BakedScene& baked) {
+  if (baked.effects.methods == 0) return Done{};
+  return Failure{
+      ExitStatus::usage,
+      fmt::format("zstrip::Player, by which programs and sketches draw, has no --visibility {}; leave it out",
+                  visibility_name(baked.effects))};
+}
+
+Result<Done> check_for_sketch(const BakedScene& baked) {
+  const View& view = baked.view;
+  const bool fits = (view.width <= Panel::kColumns && view.height <= Panel::kRows) ||
+                    (view.width <= Panel::kRows && view.height <= Panel::kColumns);
+  if (!fits) {
+    return Failure{ExitStatus::usage, fmt::format("--size {}x{}: a sketch is for an ST7789, which has {}x{} pixels at "
+                                                  "most; choose its size, as 240x240",
+                                                  view.width, view.height, Panel::kColumns, Panel::kRows)};
+  }
+  // Words of RGB565 come as its bytes, the high one first.
+  if (view.format != PixelFormat::rgb565 && Panel::pixel_format(static_cast<hal::PixelFormat>(view.format)) == 0) {
+    return Failure{ExitStatus::usage,
+                   fmt::format("--format {}: a sketch is for an ST7789, which takes rgb565_swapped, rgb666 or rgb444",
+                               name(view.format))};
+  }
+  return check_for_program(baked);
+}
+
+std::string to_sketch(const BakedScene& baked, const std::string& name_space) {
+  // Before fit(), too, which counts what the skin has.
+  const std::string pose =
+      bends(baked) ? "  if (!@::pose_skins(player.time())) Serial.println(\"the skin is not posed\");\n" : "";
+  std::string text = R"( A sketch for Arduino with an ST7789, written by `zstrip bake`.
+// It lies in a folder of its own name. scene.hpp is beside it: the same command with -o scene.hpp.
+#include <zstrip.h>
+#include <zstrip_arduino.h>
+
+#include "scene.hpp"
+
+// The panel's pins beside SPI's clock and data. A module without a select pin: kSelect -1, and .mode = SPI_MODE3 below.
+constexpr int kDataCommand = 8, kReset = 9, kSelect = 10;
+constexpr std::uint32_t kHertz = 15'000'000;  // the data sheet's limit; modules are commonly run at 40'000'000
+
+)";
+  text += player(baked);
+  text += R"(zstrip::hal::ArduinoClock waiting;
+zstrip::hal::ArduinoSpi bus(SPI, {.data_command = kDataCommand, .select = kSelect}, kHertz);
+constexpr zstrip::hal::DcsConfig kPanel)";
+  text += panel_config(baked.view);
+  text += R"(;
+zstrip::hal::St7789 panel(bus, waiting, kPanel);
+
+void setup() {
+  Serial.begin(115200);
+  bus.start();
+  zstrip::hal::ArduinoPin reset(kReset);
+  (void)zstrip::hal::reset_panel(reset, waiting);
+  if (panel.start() != zstrip::hal::Error::none) Serial.println("the panel does not start");
+  const bool opened = player.open({@::kScene, @::kCamera, @::kAnimation, @::kTurn}, @::kView);
+)";
+  text += pose;
+  text += R"(  if (!opened || !player.fit(panel, kOptions)) Serial.println(player.error());
+}
+
+void loop() {
+  player.play(millis());
+)";
+  text += pose;
+  text += R"(  if (!player.draw(panel)) Serial.println(player.error());
+}
+)";
+  return first_line(baked) + with_namespace(text, name_space);
+}
+
+std::string to_program(const BakedScene& baked, const std::string& name_space) {
+  std::string text = R"( Written by `zstrip bake`.
+//     scene FILE [MILLISECONDS]    writes the picture at that time: its bytes, as `zstrip render --image raw` does
+// scene.hpp is beside it: the same command with -o scene.hpp. CMakeLists.txt, zstrip's repository in its folder zstrip:
+//     cmake_minimum_required(VERSION 3.22)
+//     project(scene LANGUAGES CXX)
+//     set(CMAKE_BUILD_TYPE Release)
+//     add_subdirectory(zstrip)
+//     add_executable(scene main.cpp)
+//     target_link_libraries(scene PRIVATE zstrip::player)
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+
+#include "scene.hpp"
+#include "zstrip_player/player.hpp"
+
+)";
+  text += player(baked);
+  text += R"(
+// In place of a display: your own send() copies a strip to one.
+constexpr std::size_t kRowBytes = zstrip::bytes_per_row(@::kView.width, @::kView.format);
+std::byte picture[kRowBytes * @::kView.height];
+
+bool send(const zstrip::Rect& area, std::span<const std::byte> pixels) {
+  const std::size_t left = zstrip::bytes_per_row(static_cast<std::uint16_t>(area.left), @::kView.format);
+  const std::size_t width = zstrip::bytes_per_row(static_cast<std::uint16_t>(area.width()), @::kView.format);
+  for (auto row = static_cast<std::size_t>(area.top); !pixels.empty(); ++row, pixels = pixels.subspan(width)) {
+    std::copy_n(pixels.begin(), width, picture + row * kRowBytes + left);
+  }
+  return true;
+}
+
+int main(int count, char** words) {
+  if (count < 2) return 2;
+  const bool opened = player.open({@::kScene, @::kCamera, @::kAnimation, @::kTurn}, @::kView);
+  // In a loop each frame begins with player.play(now), in milliseconds of a clock.
+  if (count > 2) player.seek(static_cast<std::uint32_t>(std::strtoul(words[2], nullptr, 10)));
+)";
+  if (bends(baked)) text += "  if (!@::pose_skins(player.time())) return 1;\n";
+  text += R"(  const bool fits = opened && player.fit(@::kView.width, @::kView.height, @::kView.format, kOptions);
+  if (!fits || !player.draw_strips(send)) {
+    std::fprintf(stderr, "%s\n", player.error());
+    return 1;
+  }
+  std::FILE* const file = std::fopen(words[1], "wb");
+  const bool written = file != nullptr && std::fwrite(picture, sizeof picture, 1, file) == 1;
+  return file != nullptr && std::fclose(file) == 0 && written ? 0 : 1;
+}
+)";
+  return first_line(baked) + with_namespace(text, name_space);
+}
+
+}  // namespace zstrip::sim
