@@ -18,6 +18,7 @@
 #include "cli/usage_error.hpp"
 #include "play/left_out.hpp"
 #include "report/frame_record.hpp"
+#include "report/heat_json.hpp"
 #include "report/ram_json.hpp"
 #include "view/view_arguments.hpp"
 #include "view/viewer.hpp"
@@ -88,6 +89,19 @@ Json rates_of_frame() {
   return rates;
 }
 
+/// Nothing but where the frame was compared with the truth. `key`: some differences and their colours.
+Json accuracy_of_frame() {
+  if (!viewed.heat) return nullptr;
+  Json key = Json::array();
+  for (const float difference : {0, 1, 2, 5, 10, 20}) {
+    const auto [r, g, b] = heat_colour(difference);
+    key.push_back({difference, fmt::format("#{:02x}{:02x}{:02x}", r, g, b)});
+  }
+  Json accuracy = heat_json(*viewed.heat);
+  accuracy["key"] = key;
+  return accuracy;
+}
+
 }  // namespace
 
 extern "C" {
@@ -116,7 +130,7 @@ EMSCRIPTEN_KEEPALIVE void zstrip_reset_camera() {
 EMSCRIPTEN_KEEPALIVE void zstrip_step(int frames) {
   if (viewer) viewer->step(frames);
 }
-/// 0 to 3: colours, wireframe, depth, overdraw.
+/// 0 to 4: colours, wireframe, depth, overdraw, accuracy.
 EMSCRIPTEN_KEEPALIVE void zstrip_look(int look) {
   if (viewer && viewer->look() != static_cast<Look>(look)) viewer->toggle(static_cast<Look>(look));
 }
@@ -142,6 +156,7 @@ EMSCRIPTEN_KEEPALIVE const char* zstrip_draw() {
       {"fragments", report.statistics.fragments},
       {"m3_instructions", viewed.instructions},
       {"rates", rates_of_frame()},
+      {"accuracy", accuracy_of_frame()},
       {"text", viewed.text},
   });
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# arduino_builder.sh ROOT SCRATCH: arduino-builder takes the package in and builds sketches of it, for a board package of
-# the tests' own, for Cortex-M0+: the first one and one that the date chooses; all with ZSTRIP_LONG. With C++17 one error
-# says what to do.
+# arduino_builder.sh ROOT SCRATCH [ZSTRIP]: arduino-builder takes the package in and builds sketches of it, and that of
+# `zstrip bake`, for a board package of the tests' own, for Cortex-M0+: the first one and one that the date chooses; all
+# with ZSTRIP_LONG. With C++17 one error says what to do.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 here=$root/tests/package
@@ -13,6 +13,13 @@ mkdir -p "$2/libraries"
 scratch=$(cd "$2" && pwd -P)
 bash "$root/cmake/zstrip_package_sources.sh" "$scratch"
 mv "$scratch/zstrip" "$scratch/libraries"
+if [ -n "${3-}" ]; then
+  baked=$scratch/libraries/zstrip/examples/Baked
+  mkdir "$baked"
+  for name in scene.hpp Baked.ino; do
+    "$3" bake teapot -o "$baked/$name" --size 240x240 --format rgb565_swapped --ram 14K --split-columns --turntable --quiet
+  done
+fi
 
 # build SKETCH OPTION...
 build() {

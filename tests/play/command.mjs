@@ -25,6 +25,17 @@ export class Command {
     }
   }
 
+  /** How different the picture that `zstrip render` draws is from the truth. */
+  compares(scene, options = []) {
+    const folder = mkdtempSync(join(tmpdir(), 'zstrip-'));
+    try {
+      const words = ['render', scene, '-o', join(folder, 'a.png'), '--show', 'accuracy', '--quiet', '--json', '-', ...options];
+      return JSON.parse(execFileSync(this.#zstrip, words, {cwd: this.#scenes, stdio: 'pipe'})).frames[0].accuracy;
+    } finally {
+      rmSync(folder, {recursive: true});
+    }
+  }
+
   /** {width, height, rgb}: the picture that `zstrip render` draws. */
   draws(scene, options = []) {
     const file = this.writes('render', scene, 'picture.ppm', options);

@@ -15,7 +15,7 @@ globalThis.require = createRequire(import.meta.url);
 globalThis.__dirname = page;
 const {Drawing} = await import(join(page, 'drawing.mjs'));
 const {examples, hasProgram} = JSON.parse(readFileSync(join(page, 'contents.json'), 'utf8'));
-const {bakeWordsOf, commandLineOf, kPicoProgram, kSettings} = await import(join(page, 'settings.mjs'));
+const {bakeWordsOf, commandLineOf, kLooks, kPicoProgram, kSettings} = await import(join(page, 'settings.mjs'));
 const command = new Command(process.env.ZSTRIP, join(page, 'examples'));
 
 const load = async (name) => {
@@ -80,10 +80,38 @@ test('the smaller module draws what scenes mostly call for, and refuses the rest
   }
 });
 
-test('headers and blobs are those of zstrip bake', async () => {
+test('the heat map is that of zstrip render --show accuracy', async () => {
+  const drawing = await load('zstrip.mjs');
+  const cases = [
+    ['teapot', ['--size', '120x90']],
+    ['room', ['--size', '120x90', '--format', 'gray4', '--dither']],
+    ['spheres.toml', ['--size', '96x96', '--samples', '4']],
+    ['fog.toml', ['--size', '120x90', '--edges', '--format', 'xrgb8888']],
+    ['figure/figure.gltf', ['--size', '60x90', '--ram', '20K']],
+  ];
+  for (const [scene, options] of cases) {
+    await drawing.open(scene, [...options, '--frames', '1']);
+    const {figures, pixels} = await drawing.draw({look: kLooks.indexOf('accuracy')});
+    const expected = command.writes('render', scene, 'a.png', ['--show', 'accuracy', ...options]);
+    assert.ok(Buffer.from(drawing.png()).equals(expected), scene);
+    const {key, ...compared} = figures.accuracy;
+    assert.deepEqual(compared, command.compares(scene, options), scene);
+    assert.ok(compared.worst > compared.mean && compared.mean > 0 && compared.seen_percent > 0, scene);
+    // A key begins with black and ends with white, and the worst pixel is as bright as any.
+    assert.deepEqual([key[0], key.at(-1)], [[0, '#000000'], [20, '#ffffff']]);
+    const brightness = (i) => pixels[4 * i] + pixels[4 * i + 1] + pixels[4 * i + 2];
+    const worst = brightness(compared.worst_y * figures.width + compared.worst_x);
+    for (let i = 0; i < figures.width * figures.height; ++i) assert.ok(brightness(i) <= worst, scene);
+    assert.equal((await drawing.draw()).figures.accuracy, null);
+  }
+  await drawing.open('gallery/chess.toml', []);
+  await assert.rejects(drawing.draw({look: 4}), (error) => error.status === 4 && /no truth can be drawn/.test(error.message));
+});
+
+test('headers, programs and blobs are those of zstrip bake', async () => {
   const drawing = await load('zstrip.mjs');
   for (const scene of ['teapot', 'fog.toml', 'gallery/chess.toml']) {
-    for (const name of ['scene.hpp', 'scene.zsc']) {
+    for (const name of ['scene.hpp', 'scene.ino', 'main.cpp', 'scene.zsc']) {
       const words = ['bake', scene, '-o', name, '--turntable', '--quiet', '--size', '240x240', '--ram', '40K'];
       const {files: [file]} = await drawing.run(words, [name]);
       const expected = command.writes('bake', scene, name, ['--turntable', '--size', '240x240', '--ram', '40K']);

@@ -25,6 +25,26 @@ function fill(id, rows) {
   }));
 }
 
+const inUnits = (difference) => difference.toPrecision(3);
+
+// Only of a frame that was compared with the truth.
+function showAccuracy(accuracy) {
+  document.getElementById('accuracy').hidden = !accuracy;
+  if (!accuracy) return;
+  document.getElementById('accuracy-key').replaceChildren(...accuracy.key.map(([difference, colour], i) => {
+    const item = document.createElement('li');
+    const swatch = document.createElement('span');
+    swatch.style.background = colour;
+    item.append(swatch, i + 1 < accuracy.key.length ? difference : `${difference} or more`);
+    return item;
+  }));
+  fill('accuracy-figures', [
+    ['worst pixel', `${inUnits(accuracy.worst)} at ${accuracy.worst_x}, ${accuracy.worst_y}`],
+    ['pixels that are seen to differ', `${accuracy.seen_percent.toFixed(1)} %`],
+    ['mean', inUnits(accuracy.mean)]
+  ]);
+}
+
 // Of a frame, as worker.mjs has drawn it.
 export function showFigures(figures) {
   const purposes = Object.entries(figures.ram_bytes).filter(([name, bytes]) => name in kPurposes && bytes !== 0);
@@ -34,5 +54,6 @@ export function showFigures(figures) {
     ['triangles', figures.triangles], ['of these drawn', figures.drawn], ['fragments', figures.fragments],
     ['instructions of a Cortex-M3, about', figures.m3_instructions], ['flash of the scene, bytes', figures.flash_bytes]
   ]);
+  showAccuracy(figures.accuracy);
   fill('boards', Object.entries(figures.rates).map(([board, rate]) => [board, rate.toPrecision(3)]));
 }

@@ -12,6 +12,9 @@ const kDegreesOfKey = 5;
 // What the smaller module refuses so, the larger one may draw.
 const kInternalError = 1;
 
+// A mark on the page's time line.
+const kFirstPicture = 'first-picture';
+
 const element = (id) => document.getElementById(id);
 const canvas = element('canvas');
 
@@ -89,13 +92,27 @@ async function openAndDraw() {
   }
 }
 
+// Of a scene that cannot be looked at so there are the colours, and why.
+async function drawnOrColours() {
+  try {
+    return {drawn: await call('draw', view), refused: []};
+  } catch (error) {
+    if (view.look === 0 || error.status === kInternalError) throw error;
+    view.look = 0;
+    element('look').value = 0;
+    return {drawn: await call('draw', view), refused: [error.message]};
+  }
+}
+
 async function draw() {
-  drawn = await call('draw', view);
+  let refused;
+  ({drawn, refused} = await drawnOrColours());
   figures = drawn.figures;
   showPicture(drawn, element('borders').checked);
+  if (performance.getEntriesByName(kFirstPicture).length === 0) performance.mark(kFirstPicture);
   say(`${figures.width}x${figures.height}, frame ${figures.frame + 1} of ${opened.frames}, ` +
       `drawn in ${figures.strips.length || 'turned'} ${figures.strips.length === 1 ? 'strip' : 'strips'}`,
-      [...messages, ...figures.messages]);
+      [...refused, ...messages, ...figures.messages]);
   tell();
   history.replaceState(null, '', linkOf(settings, view));
   element('link').value = location.href;
@@ -109,8 +126,7 @@ function tell() {
   }
   element('command').textContent = [
     ['view', settings.scene, ...optionsOf(settings)],
-    bakeWordsOf(settings, 'scene.hpp'),
-    bakeWordsOf(settings, 'scene.uf2'),
+    ...['scene.hpp', 'scene.ino', 'main.cpp', 'scene.uf2'].map((name) => bakeWordsOf(settings, name)),
   ].map(commandLineOf).join('\n');
 }
 

@@ -47,7 +47,7 @@ export const kSettings = [
 ];
 
 // How it is looked at, which the scene need not be read again for: `look` as zstrip_look has it.
-export const kLooks = ['colours', 'wireframe', 'depth', 'overdraw'];
+export const kLooks = ['colours', 'wireframe', 'depth', 'overdraw', 'accuracy'];
 export const kStartView = {look: 0, frame: 0, yaw: 0, pitch: 0, zoom: 0};
 const kStart = {scene: 'teapot', size: '240x240'};
 
