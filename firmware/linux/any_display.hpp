@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "zstrip_hal/display.hpp"
@@ -24,6 +25,9 @@ class AnyDisplay {
   virtual hal::Error write(const hal::Area& area, std::span<const std::byte> pixels) = 0;
   virtual hal::Error wait() = 0;
   virtual hal::Error end_frame() = 0;
+  /// Whether the display's user has closed it, to be asked some times a second while the display lives. None: no user
+  /// can.
+  virtual std::function<bool()> is_closed() { return {}; }
 };
 
 static_assert(hal::Display<AnyDisplay>);

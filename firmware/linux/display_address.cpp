@@ -1,6 +1,7 @@
 // What a user writes to name a display: KIND:KEY=VALUE,...
 #include "display_address.hpp"
 
+#include <cctype>
 #include <charconv>
 
 namespace zstrip::panel {
@@ -41,6 +42,12 @@ hal::Outcome<DisplayAddress> DisplayAddress::parse(const std::string& text) {
     if (part.empty() || equals == 0) return hal::Fault{"'" + text + "' has a comma without a KEY=VALUE"};
     if (first && part.find('/') < equals) {
       address.device_ = part;
+      continue;
+    }
+    if (first && equals == std::string::npos && std::isdigit(static_cast<unsigned char>(part[0])) != 0) {
+      const std::size_t at = part.find('@');
+      address.values_.emplace("size", part.substr(0, at));
+      if (at != std::string::npos) address.values_.emplace("scale", part.substr(at + 1));
       continue;
     }
     std::optional<std::string> value;

@@ -6,7 +6,7 @@
 namespace zstrip::panel {
 
 enum class ExitStatus : int {
-  ok = 0,        ///< all frames were shown, or a signal ended the program
+  ok = 0,        ///< all frames were shown, or a signal or a closed window ended the program
   internal = 1,  ///< a bug
   usage = 2,     ///< the command line
   device = 3,    ///< a device that is missing, busy or not permitted

@@ -27,6 +27,7 @@ struct Arguments {
 constexpr const char* kFooter = R"(Displays, KIND:[DEVICE,]KEY=VALUE,...:
   fbdev:/dev/fb0          size=WxH, depth=16|24|32
   drm:/dev/dri/card0      size=WxH, connector=NAME (as --list shows), format=rgb565|xrgb8888
+  sdl:WxH@SCALE           a window of the desktop; without WxH as large as the scene was baked, SCALE 1 to 8
   st7789: ili9341: st7735: ssd1351: ssd1306: ssd0323:  panels on SPI; docs/linux.md has all keys
     spidev=/dev/spidev0.0,speed=HZ  or bit by bit  clock=LINE,data=LINE[,select=LINE][,miso=LINE]
     dc=LINE[,reset=LINE][,backlight=LINE]
@@ -34,8 +35,9 @@ constexpr const char* kFooter = R"(Displays, KIND:[DEVICE,]KEY=VALUE,...:
   ssd1306:i2c=/dev/i2c-1[,address=0x3D][,reset=LINE]   on I2C, at 0x3c unless told
 A LINE is CHIP:OFFSET (gpiochip0:25) or the line's name.
 
-Exit status: 0 shown or stopped by a signal (SIGINT, SIGTERM, SIGHUP and others); 1 bug; 2 command line; 3 device
-missing, busy or not permitted; 4 scene; 5 too little memory; 6 the display or standard output failed.)";
+Exit status: 0 shown, or stopped by a signal (SIGINT, SIGTERM, SIGHUP and others) or a closed window; 1 bug;
+2 command line; 3 device missing, busy or not permitted; 4 scene; 5 too little memory; 6 the display or standard output
+failed.)";
 
 int fail(const Failure& failure) {
   std::fprintf(stderr, "zstrip-panel: %s\n", failure.message.c_str());
@@ -51,9 +53,10 @@ int say(const std::string& words) {
 int run(const Arguments& arguments, zstrip::panel::StopSignals& stop) {
   auto scene = zstrip::panel::SceneFile::open(arguments.scene);
   if (!scene) return fail({ExitStatus::input, scene.fault().message});
-  auto opened = zstrip::panel::open_display(arguments.display);
+  auto opened = zstrip::panel::open_display(arguments.display, scene->size());
   if (const Failure* failure = std::get_if<Failure>(&opened)) return fail(*failure);
   zstrip::panel::AnyDisplay& display = *std::get<zstrip::panel::DisplayPointer>(opened);
+  stop.watch(display.is_closed());
 
   zstrip::panel::Played played;
   if (const auto failure = zstrip::panel::play(*scene, display, arguments.play, stop, played)) return fail(*failure);

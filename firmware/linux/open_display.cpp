@@ -1,10 +1,11 @@
-// Opens the display that an address names: screens here, panels in open_panel.cpp.
+// Opens the display that an address names: screens here, panels in open_panel.cpp, windows in open_window.cpp.
 #include "open_display.hpp"
 
 #include <cstdio>
 #include <utility>
 
 #include "open_panel.hpp"
+#include "open_window.hpp"
 #include "zstrip_hal_linux/drm_display.hpp"
 #include "zstrip_hal_linux/framebuffer_display.hpp"
 #include "zstrip_hal_linux/graphics_console.hpp"
@@ -77,11 +78,13 @@ std::variant<DisplayPointer, Failure> open_card(DisplayAddress& address) {
 
 }  // namespace
 
-std::variant<DisplayPointer, Failure> open_display(const std::string& text) {
-  Outcome<DisplayAddress> address = DisplayAddress::parse(text);
+std::variant<DisplayPointer, Failure> open_display(const std::string& text, const hal::ScreenSize& picture) {
+  // A window needs no more words: the colon may stand alone.
+  Outcome<DisplayAddress> address = DisplayAddress::parse(text == "sdl:" ? "sdl" : text);
   if (!address) return usage(address.fault());
   if (address->kind() == "fbdev") return open_framebuffer(*address);
   if (address->kind() == "drm") return open_card(*address);
+  if (address->kind() == "sdl") return open_window(*address, picture);
   return open_panel(*address);
 }
 

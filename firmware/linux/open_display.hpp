@@ -14,6 +14,7 @@ namespace zstrip::panel {
 using DisplayPointer = std::unique_ptr<AnyDisplay>;
 
 /// A display that was started and shows black. Failures: usage, device, output (a panel that cannot be started).
-std::variant<DisplayPointer, Failure> open_display(const std::string& address);
+/// `picture`: the size of a window, unless the address has one.
+std::variant<DisplayPointer, Failure> open_display(const std::string& address, const hal::ScreenSize& picture);
 
 }  // namespace zstrip::panel

@@ -205,7 +205,7 @@ Opened open_panel(DisplayAddress& address) {
   const std::string& kind = address.kind();
   const bool is_dcs = kind == "st7789" || kind == "ili9341" || kind == "st7735";
   if (!is_dcs && kind != "ssd1351" && kind != "ssd1306" && kind != "ssd0323")
-    return usage({"there is no display '" + kind + "'; there are fbdev drm " + panel_kinds()});
+    return usage({"there is no display '" + kind + "'; there are fbdev drm sdl " + panel_kinds()});
   const Outcome<PanelWiring> wiring = PanelWiring::take(address);
   if (!wiring) return usage(wiring.fault());
 

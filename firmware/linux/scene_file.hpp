@@ -9,6 +9,7 @@
 
 #include "zstrip/blob.hpp"
 #include "zstrip_hal_linux/outcome.hpp"
+#include "zstrip_hal_linux/screen_size.hpp"
 #include "zstrip_scenes/baked_stage.hpp"
 
 namespace zstrip::panel {
@@ -21,6 +22,8 @@ class SceneFile {
   SceneFile(SceneFile&&) = default;
 
   const Scene& scene() const { return blob_.scene; }
+  /// Of the picture that it was baked for.
+  hal::ScreenSize size() const { return {blob_.view.width, blob_.view.height}; }
   /// Whether the picture was baked to be dithered, and with how many samples a pixel.
   bool dithers() const { return blob_.view.dither; }
   std::uint8_t samples() const { return blob_.view.samples; }

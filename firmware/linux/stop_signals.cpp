@@ -37,9 +37,9 @@ StopSignals::StopSignals() {
 bool StopSignals::arrived_before(Clock::time_point deadline) {
   while (!arrived_) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    constexpr long long kMax = 60'000;  // at a time
+    const long long most = ended_ ? kWatchEvery.count() : 60'000;  // at a time
     pollfd waiting{file_.get(), POLLIN, 0};
-    arrived_ = poll(&waiting, 1, static_cast<int>(std::clamp<long long>(left, 0, kMax))) > 0;
+    arrived_ = poll(&waiting, 1, static_cast<int>(std::clamp<long long>(left, 0, most))) > 0 || (ended_ && ended_());
     if (!arrived_ && Clock::now() >= deadline) break;
   }
   return arrived_;

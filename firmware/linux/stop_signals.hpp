@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
+#include <utility>
 
 #include "zstrip_hal_linux/file_descriptor.hpp"
 
@@ -15,6 +17,11 @@ class StopSignals {
 
   StopSignals();
 
+  /// Something else that counts as a signal when it is true. It is asked by every function below, and every
+  /// kWatchEvery as long as one waits. None: nothing is.
+  void watch(std::function<bool()> ended) { ended_ = std::move(ended); }
+  static constexpr std::chrono::milliseconds kWatchEvery{15};
+
   /// Whether one has arrived.
   bool arrived() { return arrived_before(Clock::now()); }
   /// Returns true as soon as one has arrived, false at `deadline`.
@@ -24,6 +31,7 @@ class StopSignals {
 
  private:
   hal::FileDescriptor file_;
+  std::function<bool()> ended_;
   bool arrived_ = false;
 };
 

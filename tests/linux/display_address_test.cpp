@@ -33,13 +33,21 @@ TEST(LinuxDisplayAddress, DeviceAndKeys) {
   ASSERT_TRUE(bare);
   EXPECT_EQ(bare->kind(), "drm");
   EXPECT_TRUE(**bare->take_size("size") == (hal::ScreenSize{1, 1}));
+  auto window = DisplayAddress::parse("sdl:320x240@2,mirror");
+  ASSERT_TRUE(window);
+  EXPECT_EQ(window->device(), "");
+  EXPECT_TRUE(**window->take_size("size") == (hal::ScreenSize{320, 240}));
+  EXPECT_EQ(**window->take_number("scale", 1, 8), 2U);
+  EXPECT_TRUE(*window->take_flag("mirror"));
+  EXPECT_FALSE(window->untaken());
   EXPECT_TRUE(DisplayAddress::parse("fbdev"));
   EXPECT_TRUE(DisplayAddress::parse(""));
 }
 
 TEST(LinuxDisplayAddress, WhatIsNone) {
-  for (const char* text : {"drm:,size=1x1", "drm:size=1x1,,format=rgb565", "drm:=5", "drm:size=1x1,size=2x2",
-                           "drm:", "drm,", "drm:size=1x1,", "drm:/dev/dri/card0,", "drm:,"}) {
+  for (const char* text :
+       {"drm:,size=1x1", "drm:size=1x1,,format=rgb565", "drm:=5", "drm:size=1x1,size=2x2", "sdl:1x1,size=2x2",
+        "sdl:1x1@2,scale=2", "drm:", "drm,", "drm:size=1x1,", "drm:/dev/dri/card0,", "drm:,"}) {
     EXPECT_FALSE(DisplayAddress::parse(text)) << text;
   }
   for (const char* size : {"", "x", "1x", "x1", "0x1", "1x4097", "1x1x1", "-1x1", " 1x1", "99999999999x1"}) {

@@ -30,7 +30,7 @@ class LinuxMockedPanel : public testing::Test {
     std::string words;
   };
   static Said open(const std::string& display) {
-    const auto opened = panel::open_display(display);
+    const auto opened = panel::open_display(display, {});
     if (const Failure* failure = std::get_if<Failure>(&opened)) return {failure->status, failure->message};
     return {};
   }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 
 namespace zstrip::panel {
@@ -44,6 +45,17 @@ TEST(LinuxStopSignals, WhatWouldEndTheProgramWithoutAWordAsksItToStop) {
     }
   }
 }
+
+[[noreturn]] void watch() {
+  StopSignals stop;
+  int asked = 0;
+  stop.watch([&asked] { return ++asked == 3; });
+  const bool arrived = stop.arrived_before(StopSignals::Clock::now() + std::chrono::minutes(1));
+  stop.watch({});
+  _exit(arrived && asked == 3 && stop.arrived() ? kStopped : kWentOn);
+}
+
+TEST(LinuxStopSignals, WhatIsWatchedCountsAsOne) { EXPECT_EXIT(watch(), testing::ExitedWithCode(kStopped), ""); }
 
 TEST(LinuxStopSignals, HangUpThatNohupIgnoresStaysIgnored) {
   std::signal(SIGHUP, SIG_IGN);

@@ -1,0 +1,56 @@
+// A window of the desktop, Wayland or X11, as a display. A library of its own: zstrip::hal_linux_sdl needs SDL 2.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "zstrip_hal/display.hpp"
+#include "zstrip_hal_linux/outcome.hpp"
+#include "zstrip_hal_linux/screen_size.hpp"
+
+namespace zstrip::hal {
+
+/// Takes RGB565; each pixel is a square of `scale` pixels in the window, with the colour that an XRGB8888 screen gets.
+/// A frame appears whole; end_frame() returns about once for each refresh of the screen. A frame may write only what
+/// changes. All functions belong to the thread that opened the window. Error::bus: the desktop refuses a picture.
+class SdlDisplay {
+ public:
+  static constexpr std::uint16_t kMaxScale = 8;  ///< pixels of the window for one of the picture, each way
+
+  /// Black at first. `size` * `scale` is at most kMaxScreen, each side. Faults: no desktop, or one without memory for
+  /// this size.
+  static Outcome<SdlDisplay> open(const std::string& title, const ScreenSize& size, std::uint16_t scale);
+
+  /// @{
+  /// As the concept Display states.
+  std::uint16_t width() const { return size_.width; }
+  std::uint16_t height() const { return size_.height; }
+  PixelFormat format() const { return PixelFormat::rgb565; }
+
+  Error begin_frame() { return Error::none; }
+  Error write(const Area& area, std::span<const std::byte> pixels);
+  Error wait() { return Error::none; }
+  Error end_frame();
+  /// @}
+  /// Whether the user has closed the window. To be called some times a second: it answers the desktop, which else takes
+  /// the program for dead, and shows the picture again where another window covered it.
+  bool is_closed();
+
+ private:
+  struct Parts;
+  struct Close {
+    void operator()(Parts* parts) const;
+  };
+  SdlDisplay(std::unique_ptr<Parts, Close> parts, const ScreenSize& size) : parts_(std::move(parts)), size_(size) {}
+
+  std::unique_ptr<Parts, Close> parts_;
+  ScreenSize size_;
+};
+
+static_assert(Display<SdlDisplay>);
+
+}  // namespace zstrip::hal

@@ -1,0 +1,167 @@
+// zstrip-panel in a window: on a desktop of X11 without a screen, and on SDL's driver that writes what it would show.
+#include <SDL.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include "../host-sim/support.hpp"
+#include "colour_picture.hpp"
+#include "started_program.hpp"
+#include "x11_desktop.hpp"
+
+namespace zstrip::linux_window {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Each pixel a square.
+boards::ColourPicture enlarged(const boards::ColourPicture& picture, int scale) {
+  boards::ColourPicture result{picture.width * scale, picture.height * scale, {}};
+  for (int y = 0; y < result.height; ++y) {
+    for (int x = 0; x < result.width; ++x) result.pixels.push_back(picture.at(x / scale, y / scale));
+  }
+  return result;
+}
+
+boards::ColourPicture read_bmp(const std::string& path) {
+  SDL_Surface* const file = SDL_LoadBMP(path.c_str());
+  if (file == nullptr) throw std::runtime_error("no BMP: " + path);
+  SDL_Surface* const surface = SDL_ConvertSurfaceFormat(file, SDL_PIXELFORMAT_RGB24, 0);
+  boards::ColourPicture picture{surface->w, surface->h, {}};
+  for (int y = 0; y < surface->h; ++y) {
+    const auto* row = static_cast<const std::uint8_t*>(surface->pixels) + y * surface->pitch;
+    for (int x = 0; x < surface->w; ++x, row += 3) picture.pixels.push_back({row[0], row[1], row[2]});
+  }
+  SDL_FreeSurface(surface);
+  SDL_FreeSurface(file);
+  return picture;
+}
+
+class LinuxWindow : public sim::test::FolderTest {
+ protected:
+  static constexpr const char* kTitle = "zstrip-panel";
+
+  LinuxWindow() {
+    EXPECT_EQ(run(ZSTRIP_COMMAND, {"bake", "teapot", "--turntable", "--size", "64x48", "--quiet", "-o", "scene.zsc"}),
+              "");
+    EXPECT_EQ(
+        run(ZSTRIP_COMMAND, {"render", "scene.zsc", "--frames", "5", "--image", "ppm", "--quiet", "-o", "frames"}), "");
+  }
+  /// What it says on standard error, and its status unless that is 0.
+  std::string run(const std::string& program, const std::vector<std::string>& arguments) const {
+    const sim::test::Outcome outcome = sim::test::run(program, arguments, path(""));
+    return outcome.err + (outcome.status == 0 ? "" : "status " + std::to_string(outcome.status));
+  }
+  std::vector<std::string> panel(const std::string& display, std::vector<std::string> more) const {
+    std::vector<std::string> words{ZSTRIP_PANEL, path("scene.zsc"), "--turn", "5", "--display", display};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  /// Frame `frame` of five.
+  boards::ColourPicture rendered(int frame, int scale) const {
+    return enlarged(boards::read_ppm(path("frames/frame_000" + std::to_string(frame) + ".ppm")), scale);
+  }
+};
+
+class LinuxWindowX11 : public LinuxWindow {
+ protected:
+  void SetUp() override {
+    if (std::system("command -v Xvfb >/dev/null") != 0) GTEST_SKIP() << "Xvfb is not installed";
+    desktop_ = std::make_unique<X11Desktop>();
+  }
+  std::vector<std::string> on_desktop() const { return {desktop_->variable(), "SDL_VIDEODRIVER=x11"}; }
+  /// Empty if the desktop shows the picture soon. Windows are shown some time after they are drawn.
+  std::string differs(const boards::ColourPicture& expected) const {
+    const auto deadline = std::chrono::steady_clock::now() + 10s;
+    for (;;) {
+      std::string difference = boards::difference(expected, desktop_->seen(kTitle));
+      if (difference.empty() || std::chrono::steady_clock::now() > deadline) return difference;
+      std::this_thread::sleep_for(20ms);
+    }
+  }
+
+  std::unique_ptr<X11Desktop> desktop_;
+};
+
+TEST_F(LinuxWindowX11, ShowsTheRenderedPictureUntilItIsClosed) {
+  StartedProgram program(panel("sdl:64x48@3", {"--frames", "3", "--hold"}), on_desktop());
+  EXPECT_EQ(program.read_line().substr(0, 18), "3 frames of 64x48 ");
+  EXPECT_EQ(differs(rendered(2, 3)), "");
+  desktop_->cover_and_uncover(kTitle);
+  EXPECT_EQ(differs(rendered(2, 3)), "") << "after another window was over it";
+  desktop_->close(kTitle);
+  EXPECT_EQ(program.wait(), 0);
+}
+
+TEST_F(LinuxWindowX11, ClosingEndsAPlayWithoutAnEnd) {
+  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--fps", "0.05"}}) {
+    StartedProgram program(panel("sdl:", more), on_desktop());
+    EXPECT_EQ(desktop_->seen(kTitle).width, 64) << "as large as the scene was baked";
+    desktop_->close(kTitle);
+    EXPECT_EQ(program.wait(), 0);
+  }
+}
+
+TEST_F(LinuxWindowX11, SignalsEndIt) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    StartedProgram program(panel("sdl,scale=2", {}), on_desktop());
+    EXPECT_EQ(desktop_->seen(kTitle).height, 96);
+    program.send(signal);
+    EXPECT_EQ(program.wait(), 0);
+  }
+}
+
+TEST_F(LinuxWindowX11, ADesktopThatEndsEndsItToo) {
+  StartedProgram program(panel("sdl:", {"--quiet"}), on_desktop());
+  EXPECT_EQ(desktop_->seen(kTitle).width, 64);
+  desktop_.reset();
+  EXPECT_EQ(program.wait(), 1) << "Xlib's own end of a program";
+}
+
+TEST_F(LinuxWindow, EveryFrameIsWhatRenderWrites) {
+  ::setenv("SDL_VIDEODRIVER", "dummy", 1);
+  ::setenv("SDL_VIDEO_DUMMY_SAVE_FRAMES", "1", 1);
+  EXPECT_EQ(run("/usr/bin/env", panel("sdl:64x48@2", {"--frames", "5", "--quiet"})), "");
+  for (int frame = 0; frame < 5; ++frame) {
+    // The first picture is the black one of the beginning.
+    const std::string file = path("SDL_window1-0000000" + std::to_string(frame + 2) + ".bmp");
+    EXPECT_EQ(boards::difference(rendered(frame, 2), read_bmp(file)), "") << "frame " << frame;
+  }
+}
+
+TEST_F(LinuxWindow, NotFasterThanTheScreen) {
+  ::setenv("SDL_VIDEODRIVER", "dummy", 1);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(run("/usr/bin/env", panel("sdl:", {"--frames", "31", "--quiet"})), "");
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  EXPECT_GE(took.count(), 0.45) << "30 times a sixtieth of a second";
+}
+
+TEST_F(LinuxWindow, WhatIsRefused) {
+  ::setenv("SDL_VIDEODRIVER", "dummy", 1);
+  const auto said = [this](const std::string& display) { return run("/usr/bin/env", panel(display, {"--frames=1"})); };
+  EXPECT_EQ(said("sdl:64x48@9"), "zstrip-panel: --display sdl: scale must be a number from 1 to 8, not '9'\nstatus 2");
+  EXPECT_EQ(said("sdl:4096x48@2"),
+            "zstrip-panel: --display sdl: scale makes a window of more than 4096 pixels a side\nstatus 2");
+  EXPECT_EQ(said("sdl:64x@2"),
+            "zstrip-panel: --display sdl: size must be WIDTHxHEIGHT, each 1 to 4096, not '64x'\nstatus 2");
+  EXPECT_EQ(said("sdl:64x48,depth=16"), "zstrip-panel: --display sdl: depth is not known there; see --help\nstatus 2");
+  ::setenv("SDL_VIDEODRIVER", "x11", 1);
+  ::setenv("DISPLAY", ":4000", 1);
+  EXPECT_EQ(said("sdl:"),
+            "zstrip-panel: no window can be opened: x11 not available; WAYLAND_DISPLAY or DISPLAY must name a desktop "
+            "of this user\nstatus 3");
+  // SDL goes on without a desktop; a user would see nothing.
+  ::unsetenv("SDL_VIDEODRIVER");
+  ::unsetenv("DISPLAY");
+  ::unsetenv("WAYLAND_DISPLAY");
+  ::setenv("XDG_RUNTIME_DIR", path("").c_str(), 1);
+  const std::string words = said("sdl:");
+  EXPECT_NE(words.find("WAYLAND_DISPLAY or DISPLAY must name a desktop of this user\nstatus 3"), std::string::npos)
+      << words;
+}
+
+}  // namespace
+}  // namespace zstrip::linux_window
