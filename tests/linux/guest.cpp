@@ -41,7 +41,7 @@ boards::Qemu::Options emulator_of(const Guest::Options& options) {
   if (is_board) {
     emulator.devices.insert(emulator.devices.end(), {"-dtb", (folder / "sabrelite.dtb").string()});
   } else if (is_arm) {
-    const std::string tree = (folder / "tree.dtb").string();
+    const std::string tree = (folder / (options.tree + ".dtb")).string();
     emulator.devices.insert(emulator.devices.end(), {"-cpu", "cortex-a15", "-dtb", tree});
   }
   emulator.devices.insert(emulator.devices.end(), options.devices.begin(), options.devices.end());

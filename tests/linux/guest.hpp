@@ -23,6 +23,7 @@ class Guest {
  public:
   struct Options {
     Machine machine = Machine::amd64;
+    std::string tree = "panels";         ///< the device tree's name, of armhf
     std::string modules{};               ///< of the kernel, with commas
     std::vector<std::string> devices{};  ///< more words of the emulator's command line
   };

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # guest.sh ROOT FOLDER PANEL: real Debian kernels with zstrip-panel as machines for QEMU, in FOLDER/amd64 and FOLDER/armhf:
-# `kernel`, `initrd`, for armhf `tree.dtb` (the emulator's device tree, and panels on its GPIO chip) and `sabrelite.dtb` (the
-# kernel's own of a board with I2C). PANEL is the host's
+# `kernel`, `initrd`, for armhf `panels.dtb` and `stuck-bus.dtb` (the emulator's device tree, and what panels.dtsi and
+# stuck_bus.dtsi have on its GPIO chip) and `sabrelite.dtb` (the kernel's own of a board with I2C). PANEL is the host's
 # program; those for armhf are built here, zstrip-panel and, with libgpiod 2 of Debian 13, zstrip-panel-gpiod2.
 # Downloads are kept in FOLDER/downloads. Where the packages cannot be had FOLDER/missing says why, and the status is 77;
 # where only those of Debian 13 cannot, FOLDER/missing-gpiod2 does, and the machines are made without the second program.
@@ -152,17 +152,22 @@ if [ ! -e missing-gpiod2 ]; then link_with_gpiod2; fi
 pack armhf armhf/build/firmware/linux/zstrip-panel virtio_pci virtio_gpu i2c_imx i2c_dev
 cp armhf/packages/usr/lib/linux-image-*/imx6q-sabrelite.dtb armhf/sabrelite.dtb
 
-# Panels on the only GPIO chip of the machine: SPI by spi-gpio, lines with names. The chip's power button goes.
-qemu-system-arm -M virt,highmem=off,dumpdtb=armhf/machine.dtb -cpu cortex-a15 -m 256 -display none >/dev/null 2>&1
-dtc -q -I dtb -O dts armhf/machine.dtb | awk -v panels="$scripts/panels.dtsi" '
+# The machine's device tree with what a file of ours has on its only GPIO chip, whose power button goes. Its lines read low
+# unless they are driven: on buses of I2C both lines are stuck.
+tree() { # NAME PARTS
+  dtc -q -I dtb -O dts armhf/machine.dtb | awk -v parts="$scripts/$2" '
   /^\tgpio-keys \{/ { skipping = 1 }
   !skipping { print }
   skipping && /^\t\};/ { skipping = 0 }
   /^\tpl061@/ { print "\t\tgpio-line-names = \"SCLK\", \"MOSI\", \"CS\", \"DC\", \"RESET\", \"BACKLIGHT\", \"\", \"\";"; in_chip = 1 }
   in_chip && /phandle/ { chip = $3; gsub(/[<>;]/, "", chip); in_chip = 0 }
-  END { print "/ {"; while ((getline line < panels) > 0) { gsub(/CHIP/, chip, line); print line }; print "};" }
-' >armhf/tree.dts
-dtc -q -I dts -O dtb -o armhf/tree.dtb armhf/tree.dts
+  END { print "/ {"; while ((getline line < parts) > 0) { gsub(/CHIP/, chip, line); print line }; print "};" }
+' >"armhf/$1.dts"
+  dtc -q -I dts -O dtb -o "armhf/$1.dtb" "armhf/$1.dts"
+}
+qemu-system-arm -M virt,highmem=off,dumpdtb=armhf/machine.dtb -cpu cortex-a15 -m 256 -display none >/dev/null 2>&1
+tree panels panels.dtsi  # SPI by spi-gpio, lines with names
+tree stuck-bus stuck_bus.dtsi
 
 unpack amd64/packages busybox-static:amd64/bookworm "$amd64_kernel:amd64"
 pack amd64 "$panel" cirrus cirrusfb bochs

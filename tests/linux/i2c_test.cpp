@@ -121,5 +121,19 @@ TEST_F(LinuxI2c, Ssd1306) {
   EXPECT_EQ(testing::PrintToString(panel.complaints()), "{}");
 }
 
+// A device, or a short circuit, holds SCL low. The kernel's driver notices it within its 100 ms a try.
+TEST(LinuxI2cStuck, SclThatIsHeldLowIsSaidSoon) {
+  if (const std::string why = missing(Machine::armhf); !why.empty()) GTEST_SKIP() << why;
+  Guest guest({.machine = Machine::armhf, .tree = "stuck-bus", .modules = "i2c_dev"});
+  const Guest::Answer answer = guest.run("time zstrip-panel /scene.zsc --display ssd1306:i2c=/dev/i2c-0");
+  EXPECT_EQ(answer.status, 3) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "/dev/i2c-0: no device answers at the address 0x3c; check wires")) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "that nothing holds SCL or SDA low")) << answer.text;
+  const std::size_t real = answer.text.find("real\t0m ");
+  ASSERT_NE(real, std::string::npos) << answer.text;
+  EXPECT_GE(std::stod(answer.text.substr(real + 8)), 0.1) << "the kernel waited for the line";
+  EXPECT_LE(std::stod(answer.text.substr(real + 8)), 3.0);
+}
+
 }  // namespace
 }  // namespace zstrip::linux_guest

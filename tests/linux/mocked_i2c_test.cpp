@@ -3,11 +3,15 @@
 #include <linux/i2c-dev.h>
 #include <linux/i2c.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "mocked_devices.hpp"
@@ -31,6 +35,9 @@ struct MockedI2c {
   bool is_taken = false;  ///< a driver of the kernel has the address
   int error = EREMOTEIO;
   int transfers_until_failure = -1;
+  std::chrono::milliseconds timeout = std::chrono::minutes(1);  ///< until it is set: longer than a test may take
+  int timeout_error = 0;
+  bool hangs = false;  ///< a device holds SCL low
   std::vector<std::vector<std::uint8_t>> transfers;
 
   int control(unsigned long request, void* argument) {
@@ -39,10 +46,18 @@ struct MockedI2c {
       return 0;
     }
     if (request == I2C_SLAVE) return is_taken ? EBUSY : 0;
+    if (request == I2C_TIMEOUT) {
+      timeout = std::chrono::milliseconds(10) * reinterpret_cast<std::uintptr_t>(argument);
+      return timeout_error;
+    }
     if (request != I2C_RDWR) return ENOTTY;
     const auto& data = *static_cast<i2c_rdwr_ioctl_data*>(argument);
     if (data.nmsgs != 1 || data.msgs[0].flags != 0 || data.msgs[0].len > 8192) return EINVAL;
     if (data.msgs[0].addr != kAddress) return ENXIO;
+    if (hangs) {
+      std::this_thread::sleep_for(timeout);
+      return ETIMEDOUT;
+    }
     if (transfers_until_failure-- == 0) return error;
     transfers.emplace_back(data.msgs[0].buf, data.msgs[0].buf + data.msgs[0].len);
     return 0;
@@ -151,10 +166,37 @@ TEST_F(LinuxMockedI2c, LongWritesAreSplitAndEachHasItsControlByte) {
   EXPECT_EQ(bus->write_command(command), Error::timeout);
 }
 
+// A user who pulls the wires waits for a second at each frame, not for ever, and the picture comes back.
+TEST_F(LinuxMockedI2c, ABusThatHangsTakesATimeOutAndTheNextFrameIsRight) {
+  const panels::Picture picture = panels::noise(128, 64, PixelFormat::mono, random_);
+  auto bus = open();
+  ASSERT_TRUE(bus);
+  hal::Ssd1306 display(*bus);
+  ASSERT_EQ(display.start(), Error::none);
+  ASSERT_EQ(show(display, picture), Error::none);
+  EXPECT_EQ(i2c_.timeout.count(), I2cdevBus::kTimeout);
+  i2c_.timeout = std::min(i2c_.timeout, std::chrono::milliseconds(1500));
+  i2c_.hangs = true;
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(show(display, panels::noise(128, 64, PixelFormat::mono, random_)), Error::timeout);
+  const std::chrono::duration<double, std::milli> waited = std::chrono::steady_clock::now() - start;
+  EXPECT_GE(waited.count(), I2cdevBus::kTimeout);
+  EXPECT_LT(waited.count(), 2 * I2cdevBus::kTimeout) << "the frame is given up at its first transfer";
+  i2c_.hangs = false;
+  EXPECT_EQ(show(display, picture), Error::none);
+  expect_shown(picture);
+
+  i2c_.hangs = true;
+  EXPECT_NE(open().fault().message.find("no device answers at the address 0x3d"), std::string::npos);
+  i2c_ = {};
+  i2c_.timeout_error = EINVAL;
+  EXPECT_EQ(open().fault().message, "/dev/i2c-1 cannot be given a time-out: Invalid argument");
+}
+
 TEST_F(LinuxMockedI2c, RefusalsNameTheAddressAndTheRemedy) {
   EXPECT_EQ(open(0x3C).fault().message,
             "/dev/i2c-1: no device answers at the address 0x3c; check wires, supply and address (i2cdetect -y lists "
-            "what answers)");
+            "what answers), and that nothing holds SCL or SDA low");
   i2c_.is_taken = true;
   EXPECT_EQ(
       open().fault().message,

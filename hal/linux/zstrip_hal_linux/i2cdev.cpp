@@ -3,7 +3,6 @@
 
 #include <linux/i2c-dev.h>
 #include <linux/i2c.h>
-#include <sys/ioctl.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -20,8 +19,14 @@ std::string in_hex(std::uint8_t address) {
   return text;
 }
 
-/// The errors of controllers' drivers when an address is not acknowledged; drivers differ.
+/// The errors of controllers' drivers when an address is not acknowledged; drivers differ. Some have none of these for
+/// a line that is held low, either.
 bool is_refusal(int error) { return error == ENXIO || error == EREMOTEIO || error == EIO || error == ETIMEDOUT; }
+
+/// A system call whose argument is a number.
+int control(int file, unsigned long request, unsigned long argument) {
+  return device_control(file, request, reinterpret_cast<void*>(argument));
+}
 
 }  // namespace
 
@@ -34,16 +39,20 @@ Outcome<I2cdevBus> I2cdevBus::open(const std::string& path, std::uint8_t address
   if ((functions & I2C_FUNC_I2C) == 0)
     return Fault{path + " is a controller for SMBus, which cannot send pictures; use another bus"};
   // Asked for the address alone, so that a driver that has it is noticed: transfers have their own.
-  if (ioctl(file->get(), I2C_SLAVE, static_cast<unsigned long>(address)) < 0) {
-    if (errno != EBUSY) return device_fault(kKind, path, "talk to the address " + in_hex(address), errno);
+  if (const int error = control(file->get(), I2C_SLAVE, address); error != 0) {
+    if (error != EBUSY) return device_fault(kKind, path, "talk to the address " + in_hex(address), error);
     return Fault{path + ": the address " + in_hex(address) +
                  " is busy; a driver of the kernel has the panel: take its node out of the device tree"};
   }
+  constexpr unsigned kUnit = 10;  // ms
+  if (const int error = control(file->get(), I2C_TIMEOUT, kTimeout / kUnit); error != 0)
+    return device_fault(kKind, path, "be given a time-out", error);
   I2cdevBus bus(std::move(*file), address);
   bus.message_ = {std::byte{0}};
   if (const int error = bus.transfer(); is_refusal(error)) {
     return Fault{path + ": no device answers at the address " + in_hex(address) +
-                 "; check wires, supply and address (i2cdetect -y lists what answers)"};
+                 "; check wires, supply and address (i2cdetect -y lists what answers), and that nothing holds SCL or "
+                 "SDA low"};
   } else if (error != 0) {
     return device_fault(kKind, path, "talk to the address " + in_hex(address), error);
   }

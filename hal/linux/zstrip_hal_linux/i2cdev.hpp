@@ -16,13 +16,19 @@ namespace zstrip::hal {
 /// Commands and data are told apart by the control byte of zstrip_hal/i2c.hpp, in transfers (I2C_RDWR) of at most
 /// kMessageBytes. Everything has been sent when a function returns: wait() has nothing to do. How fast the bus is, is
 /// the kernel's: as in the device tree, 100 kHz by default. Errors: bus (no device acknowledges, another master,
-/// anything else that the kernel refuses), timeout (the kernel's, if its driver has one).
+/// anything else that the kernel refuses), timeout (a transfer that does not end, as where SCL is held low).
+///
+/// The kernel's driver gives a transfer kTimeout. Most drivers keep to it; those of bit-banged buses and of i.MX have
+/// shorter ones of their own. The kernel keeps the setting for the whole controller, also after the program's end: it
+/// is what it starts with where its driver says nothing else.
 class I2cdevBus {
  public:
   static constexpr std::size_t kMessageBytes = 4096;  ///< i2c-dev takes 8192
+  static constexpr unsigned kTimeout = 1000;          ///< ms; kMessageBytes take 370 at 100 kHz
 
   /// `address` has 7 bits. Errors: no such device, no permission, a controller that has no plain I2C, an address that a
-  /// driver of the kernel has, or at which no device answers: a control byte without anything behind it is sent to it.
+  /// driver of the kernel has, or at which no device answers in time: a control byte without anything behind it is sent
+  /// to it.
   static Outcome<I2cdevBus> open(const std::string& path, std::uint8_t address);
 
   /// @{
