@@ -2,13 +2,16 @@
 #include "open_display.hpp"
 
 #include <cstdio>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "open_panel.hpp"
 #include "open_window.hpp"
 #include "zstrip_hal_linux/drm_display.hpp"
 #include "zstrip_hal_linux/framebuffer_display.hpp"
 #include "zstrip_hal_linux/graphics_console.hpp"
+#include "zstrip_hal_linux/mirrored_displays.hpp"
 
 namespace zstrip::panel {
 namespace {
@@ -40,12 +43,19 @@ hal::GraphicsConsole take_console() {
 }
 
 /// The console goes first: it remembers the mode that it finds, and sets it when it comes back.
-template <class Shown, class Options>
-std::variant<DisplayPointer, Failure> open_screen(const std::string& path, const Options& options) {
+template <class Open>
+std::variant<DisplayPointer, Failure> open_screen(Open open) {
   hal::GraphicsConsole console = take_console();
-  Outcome<Shown> shown = Shown::open(path, options);
+  auto shown = open();
   if (!shown) return device(shown.fault());
+  using Shown = std::remove_reference_t<decltype(*shown)>;
   return std::make_unique<Screen<Shown>>(std::move(console), std::move(*shown));
+}
+
+Outcome<hal::MirroredDisplays<hal::DrmDisplay>> open_all(const std::string& path, const hal::DrmOptions& options) {
+  Outcome<std::vector<hal::DrmDisplay>> displays = hal::DrmDisplay::open_all(path, options);
+  if (!displays) return displays.fault();
+  return hal::MirroredDisplays(std::move(*displays));
 }
 
 std::variant<DisplayPointer, Failure> open_framebuffer(DisplayAddress& address) {
@@ -55,8 +65,9 @@ std::variant<DisplayPointer, Failure> open_framebuffer(DisplayAddress& address) 
   if (!depth) return usage(depth.fault());
   if (depth->value_or(16) % 8 != 0) return usage(address.fault("depth", "is 16, 24 or 32"));
   if (const auto untaken = address.untaken()) return usage(*untaken);
-  return open_screen<hal::FramebufferDisplay>(address.device().empty() ? "/dev/fb0" : address.device(),
-                                              hal::FramebufferOptions{*size, *depth});
+  const std::string path = address.device().empty() ? "/dev/fb0" : address.device();
+  const hal::FramebufferOptions options{*size, *depth};
+  return open_screen([&] { return hal::FramebufferDisplay::open(path, options); });
 }
 
 std::variant<DisplayPointer, Failure> open_card(DisplayAddress& address) {
@@ -73,7 +84,9 @@ std::variant<DisplayPointer, Failure> open_card(DisplayAddress& address) {
     options.format = *format == "rgb565" ? hal::DrmFormat::rgb565 : hal::DrmFormat::xrgb8888;
   }
   if (const auto untaken = address.untaken()) return usage(*untaken);
-  return open_screen<hal::DrmDisplay>(address.device().empty() ? "/dev/dri/card0" : address.device(), options);
+  const std::string path = address.device().empty() ? "/dev/dri/card0" : address.device();
+  if (options.connector == "all") return open_screen([&] { return open_all(path, options); });
+  return open_screen([&] { return hal::DrmDisplay::open(path, options); });
 }
 
 }  // namespace

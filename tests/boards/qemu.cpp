@@ -242,15 +242,21 @@ std::vector<std::byte> Qemu::memory(std::uint32_t address, std::uint32_t size) {
   return bytes;
 }
 
-std::filesystem::path Qemu::screenshot() {
+std::filesystem::path Qemu::screenshot(const nlohmann::json& which) {
   if (monitor_ < 0) connect_monitor(Clock::now() + kPatience);
   const std::filesystem::path file = folder_ / "screen.ppm";
-  command({{"execute", "screendump"}, {"arguments", {{"filename", file.string()}}}});
+  nlohmann::json arguments = which;
+  arguments["filename"] = file.string();
+  command({{"execute", "screendump"}, {"arguments", arguments}});
   return file;
 }
 
-GreyPicture Qemu::screen(int scale) { return read_scaled_ppm(screenshot(), scale); }
+GreyPicture Qemu::screen(int scale) { return read_scaled_ppm(screenshot(nlohmann::json::object()), scale); }
 
-ColourPicture Qemu::colour_screen() { return read_ppm(screenshot()); }
+ColourPicture Qemu::colour_screen() { return read_ppm(screenshot(nlohmann::json::object())); }
+
+ColourPicture Qemu::colour_screen(const std::string& device, int head) {
+  return read_ppm(screenshot({{"device", device}, {"head", head}}));
+}
 
 }  // namespace zstrip::boards

@@ -60,6 +60,8 @@ class Qemu {
   /// What the board's display shows now, each of its pixels `scale` x `scale` on the emulator's screen.
   GreyPicture screen(int scale);
   ColourPicture colour_screen();
+  /// Of a graphics card with several screens: `head` of the device with this id.
+  ColourPicture colour_screen(const std::string& device, int head);
 
   /// The next whole line of the trace, without its end; nothing if there is none yet.
   std::optional<std::string> poll_trace_line();
@@ -72,7 +74,7 @@ class Qemu {
 
  private:
   using Deadline = std::chrono::steady_clock::time_point;
-  std::filesystem::path screenshot();
+  std::filesystem::path screenshot(const nlohmann::json& which);
   void connect_monitor(Deadline deadline);
   nlohmann::json read_monitor(Deadline deadline);
   nlohmann::json command(const nlohmann::json& request);

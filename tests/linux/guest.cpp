@@ -37,7 +37,7 @@ boards::Qemu::Options emulator_of(const Guest::Options& options) {
                       (folder / "initrd").string(),
                       "-append",
                       "quiet loglevel=1 panic=-1 console=" + console + " zstrip.console=" + console +
-                          " zstrip.modules=" + options.modules};
+                          " zstrip.modules=" + options.modules + " " + options.kernel};
   if (is_board) {
     emulator.devices.insert(emulator.devices.end(), {"-dtb", (folder / "sabrelite.dtb").string()});
   } else if (is_arm) {
@@ -86,9 +86,17 @@ Guest::Answer Guest::answer(const std::string& last) {
 }
 
 std::string Guest::screen_differs(const boards::ColourPicture& expected) {
+  return differs(expected, [this] { return emulator_.colour_screen(); });
+}
+
+std::string Guest::head_differs(int head, const boards::ColourPicture& expected) {
+  return differs(expected, [this, head] { return emulator_.colour_screen("card", head); });
+}
+
+std::string Guest::differs(const boards::ColourPicture& expected, const std::function<boards::ColourPicture()>& seen) {
   const auto deadline = std::chrono::steady_clock::now() + 20s;
   for (;;) {
-    std::string difference = boards::difference(expected, emulator_.colour_screen());
+    std::string difference = boards::difference(expected, seen());
     if (difference.empty() || std::chrono::steady_clock::now() > deadline) return difference;
     std::this_thread::sleep_for(50ms);
   }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ class Guest {
     Machine machine = Machine::amd64;
     std::string tree = "panels";         ///< the device tree's name, of armhf
     std::string modules{};               ///< of the kernel, with commas
+    std::string kernel{};                ///< more words of the kernel's command line
     std::vector<std::string> devices{};  ///< more words of the emulator's command line
   };
   /// Returns when the machine has started. All functions throw std::runtime_error when it does not do its part in time.
@@ -38,9 +40,12 @@ class Guest {
   /// Empty if the screen shows the picture, or does so soon: drivers pass on what was written some time later. Else the
   /// difference.
   std::string screen_differs(const boards::ColourPicture& expected);
+  /// Of one of several: `head` of the emulator's device "card".
+  std::string head_differs(int head, const boards::ColourPicture& expected);
 
  private:
   Answer answer(const std::string& last);
+  std::string differs(const boards::ColourPicture& expected, const std::function<boards::ColourPicture()>& seen);
 
   boards::Qemu emulator_;
 };

@@ -10,11 +10,13 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "mocked_devices.hpp"
 #include "zstrip_hal_linux/drm_display.hpp"
+#include "zstrip_hal_linux/mirrored_displays.hpp"
 
 namespace zstrip::linux_mock {
 namespace {
@@ -32,11 +34,15 @@ constexpr std::uint32_t kOther = 1000;  // added to each of these: those of a se
 struct MockedCard {
   std::uint32_t crtcs = 1;
   bool two_screens = false;
-  std::uint32_t set_crtc = 0;        ///< the last one that was given a picture
-  std::uint32_t buffers = 0;         ///< made so far
-  std::uint32_t shown = 0;           ///< the framebuffer on the screen
-  std::uint32_t asked = 0;           ///< by a flip that was not answered
-  std::uint64_t flip_user_data = 0;  ///< of that flip
+  std::uint16_t second_width = kWidth;  ///< of the second screen
+  std::uint32_t set_crtc = 0;           ///< the last one that was given a picture
+  std::uint32_t buffers = 0;            ///< made so far
+  struct Flip {
+    std::uint32_t framebuffer = 0;
+    std::uint64_t user_data = 0;
+  };
+  std::map<std::uint32_t, std::uint32_t> shown;  ///< CRTC: the framebuffer on its screen
+  std::map<std::uint32_t, Flip> asked;           ///< CRTC: a flip that was not answered
   int flip_error = 0;
 
   static void put(std::uint64_t to, std::uint32_t value, std::uint32_t count = 1) {
@@ -64,7 +70,7 @@ struct MockedCard {
         auto& connector = *static_cast<drm_mode_get_connector*>(argument);
         if (connector.modes_ptr != 0 && connector.count_modes >= 1) {
           drm_mode_modeinfo mode{};
-          mode.hdisplay = kWidth;
+          mode.hdisplay = connector.connector_id != kConnector ? second_width : kWidth;
           mode.vdisplay = kHeight;
           std::memcpy(reinterpret_cast<void*>(connector.modes_ptr), &mode, sizeof mode);
         }
@@ -85,8 +91,8 @@ struct MockedCard {
       case DRM_IOCTL_AUTH_MAGIC: return EINVAL;  // and not EACCES: the caller is the card's master
       case DRM_IOCTL_MODE_GETCRTC: return 0;
       case DRM_IOCTL_MODE_SETCRTC:
-        shown = static_cast<drm_mode_crtc*>(argument)->fb_id;
         set_crtc = static_cast<drm_mode_crtc*>(argument)->crtc_id;
+        shown[set_crtc] = static_cast<drm_mode_crtc*>(argument)->fb_id;
         return 0;
       case DRM_IOCTL_MODE_CREATE_DUMB: {
         auto& buffer = *static_cast<drm_mode_create_dumb*>(argument);
@@ -108,10 +114,8 @@ struct MockedCard {
       case DRM_IOCTL_MODE_PAGE_FLIP: {
         const auto& flip = *static_cast<drm_mode_crtc_page_flip*>(argument);
         if (flip_error != 0) return flip_error;
-        if (asked != 0) return EBUSY;  // as kernels do
-        asked = flip.fb_id;
-        flip_user_data = flip.user_data;
-        return 0;
+        // Kernels refuse a second one.
+        return asked.emplace(flip.crtc_id, Flip{flip.fb_id, flip.user_data}).second ? 0 : EBUSY;
       }
       case DRM_IOCTL_MODE_RMFB:
       case DRM_IOCTL_MODE_DESTROY_DUMB: return 0;
@@ -125,19 +129,22 @@ class LinuxMockedDrm : public testing::Test {
   LinuxMockedDrm() {
     devices_.add(
         "drm", "dri/card0", 226, 0, [this](auto request, void* argument) { return card_.control(request, argument); },
-        2 * kBuffer);
+        4 * kBuffer);
     file_ = devices_.file("dri/card0");
   }
 
   /// The card opened, and its file read to the end of its memory: behind that are events.
   hal::Outcome<DrmDisplay> open() {
     auto display = DrmDisplay::open("/dev/dri/card0");
+    go_to_events();
+    return display;
+  }
+  void go_to_events() const {
     for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
       std::error_code gone;
       if (std::filesystem::read_symlink(entry.path(), gone) == file_)
         ::lseek(std::stoi(entry.path().filename()), 0, SEEK_END);
     }
-    return display;
   }
 
   void send_event(std::uint32_t type, std::uint64_t user_data) const {
@@ -148,24 +155,25 @@ class LinuxMockedDrm : public testing::Test {
     std::ofstream(file_, std::ios::app | std::ios::binary).write(reinterpret_cast<const char*>(&event), sizeof event);
   }
   /// The flip happens.
-  void flip() {
-    ASSERT_NE(card_.asked, 0U);
-    card_.shown = card_.asked;
-    card_.asked = 0;
-    send_event(DRM_EVENT_FLIP_COMPLETE, card_.flip_user_data);
+  void flip(std::uint32_t crtc = kCrtc) {
+    const auto asked = card_.asked.extract(crtc);
+    ASSERT_FALSE(asked.empty());
+    card_.shown[crtc] = asked.mapped().framebuffer;
+    send_event(DRM_EVENT_FLIP_COMPLETE, asked.mapped().user_data);
   }
 
   /// What the screen shows.
-  std::vector<std::uint16_t> screen() const {
+  std::vector<std::uint16_t> screen(std::uint32_t crtc = kCrtc) const {
     std::vector<std::uint16_t> pixels(std::size_t{kWidth} * kHeight);
     std::ifstream stream(file_, std::ios::binary);
-    stream.seekg(static_cast<std::streamoff>((card_.shown - kFirstBuffer - 1) * kBuffer));
+    stream.seekg(static_cast<std::streamoff>((card_.shown.at(crtc) - kFirstBuffer - 1) * kBuffer));
     stream.read(reinterpret_cast<char*>(pixels.data()), static_cast<std::streamsize>(pixels.size() * 2));
     return pixels;
   }
 
   /// A frame that changes one row.
-  static Error show_row(DrmDisplay& display, std::uint16_t row, std::uint16_t colour) {
+  template <class Display>
+  static Error show_row(Display& display, std::uint16_t row, std::uint16_t colour) {
     std::array<std::uint16_t, kWidth> pixels{};
     pixels.fill(colour);
     if (const Error error = display.begin_frame(); error != Error::none) return error;
@@ -236,6 +244,48 @@ TEST_F(LinuxMockedDrm, ACrtcThatDrivesAnotherScreenIsLeftAlone) {
   const auto display = open();
   ASSERT_TRUE(display) << display.fault().message;
   EXPECT_EQ(card_.set_crtc, kCrtc + kOther);
+}
+
+TEST_F(LinuxMockedDrm, ScreensOfOneCardFlipEachInItsTime) {
+  constexpr std::uint32_t kFirst = kCrtc + kOther, kSecond = kCrtc;
+  card_.two_screens = true;
+  card_.crtcs = 2;
+  auto displays = DrmDisplay::open_all("/dev/dri/card0");
+  ASSERT_TRUE(displays) << displays.fault().message;
+  ASSERT_EQ(displays->size(), 2U);
+  go_to_events();
+  {
+    hal::MirroredDisplays both(std::move(*displays));
+    EXPECT_EQ(both.width(), kWidth);
+    EXPECT_EQ(show_row(both, 0, 0x1111), Error::none);
+    flip(kSecond);
+    flip(kFirst);
+    EXPECT_EQ(show_row(both, 1, 0x2222), Error::none);
+    for (const std::uint32_t crtc : {kFirst, kSecond}) EXPECT_EQ(screen(crtc), rows({0x1111, 0, 0, 0})) << crtc;
+
+    // The first one's flip does not come. The second screen goes on.
+    flip(kSecond);
+    EXPECT_EQ(show_row(both, 2, 0x3333), Error::flip);
+    flip(kSecond);
+    EXPECT_EQ(screen(kSecond), rows({0x1111, 0x2222, 0x3333, 0}));
+    EXPECT_EQ(screen(kFirst), rows({0x1111, 0, 0, 0}));
+    flip(kFirst);
+    EXPECT_EQ(show_row(both, 3, 0x4444), Error::none);
+    flip(kSecond);
+    // That of the first one never comes.
+  }
+  EXPECT_EQ(card_.shown.at(kFirst), 0U) << "dark as before";
+}
+
+TEST_F(LinuxMockedDrm, ScreensWithoutASizeInCommonAreNamed) {
+  card_.two_screens = true;
+  card_.crtcs = 2;
+  card_.second_width = kWidth - 1;
+  const auto displays = DrmDisplay::open_all("/dev/dri/card0");
+  ASSERT_FALSE(displays);
+  EXPECT_EQ(displays.fault().message,
+            "/dev/dri/card0: the screens have no size in common (Unknown-0: 8x4; Unknown-0: 7x4); choose a connector");
+  EXPECT_EQ(card_.set_crtc, 0U);
 }
 
 }  // namespace

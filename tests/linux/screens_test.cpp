@@ -135,5 +135,38 @@ TEST_F(LinuxScreensArmhf, VirtioGpu) {
   expect_shown_and_undone(guest, "drm", 2, 640, 480);
 }
 
+// A card with three connectors. The emulator has a screen at the first; the kernel is told that one is at the second.
+TEST_F(LinuxScreensArmhf, HeadsOfOneCard) {
+  Guest guest({.machine = Machine::armhf,
+               .modules = "virtio_pci,virtio_gpu",
+               .kernel = "video=Virtual-2:e",
+               .devices = {"-device", "virtio-gpu-pci,id=card,max_outputs=3,xres=800,yres=600"}});
+  const std::string list = guest.run("zstrip-panel --list").text;
+  EXPECT_TRUE(contains(list, "connector=Virtual-1: 800x600, ")) << list;
+  EXPECT_TRUE(contains(list, "connector=Virtual-2: ")) << list;
+  EXPECT_TRUE(contains(list, "connector=Virtual-3: no screen\n")) << list;
+  expect_refused(guest, "drm,connector=HDMI-A-1", 3,
+                 "/dev/dri/card0 has no connector HDMI-A-1, only Virtual-1, Virtual-2, Virtual-3 (no screen)");
+  expect_refused(guest, "drm,connector=Virtual-3", 3, "/dev/dri/card0: no screen is connected to Virtual-3");
+  expect_refused(guest, "drm,connector=all,size=641x480", 3, "the screen at Virtual-1 has no mode of 641x480");
+
+  const auto expect_heads = [&guest, &list](const std::string& keys, int frames, int width, int height, int first,
+                                            int last) {
+    SCOPED_TRACE(keys);
+    const Guest::Answer shown =
+        guest.run("shows /scene.zsc --display drm," + keys + " --frames " + std::to_string(frames));
+    EXPECT_TRUE(contains(shown.text, std::to_string(frames) + " frames of " + size_text(width, height))) << shown.text;
+    const boards::ColourPicture expected = host_frame(frames - 1, width, height);
+    for (int head = first; head <= last; ++head) EXPECT_EQ(guest.head_differs(head, expected), "") << "head " << head;
+    EXPECT_EQ(guest.run("ends INT").status, 0);
+    expect_text_console(guest, true);
+    EXPECT_EQ(guest.run("zstrip-panel --list").text, list);
+  };
+  expect_heads("connector=Virtual-2,size=1024x768", 2, 1024, 768, 1, 1);
+  expect_heads("connector=Virtual-1,size=640x480", 3, 640, 480, 0, 0);
+  expect_heads("connector=all,size=640x480", 5, 640, 480, 0, 1);
+  expect_heads("connector=all", 4, 800, 600, 0, 1);
+}
+
 }  // namespace
 }  // namespace zstrip::linux_guest

@@ -79,6 +79,11 @@ std::uint32_t crtc_for(int card, const drmModeRes& resources, const drmModeConne
   return 0;
 }
 
+/// "VGA-1: 1024x768, 800x600".
+std::string line_of(const drmModeConnector& connector) {
+  return name_of(connector) + ": " + (is_usable(connector) ? sizes_of(connector) : "no screen");
+}
+
 Outcome<DrmResources> resources_of(int card, const std::string& path) {
   DrmResources resources(drmModeGetResources(card));
   if (resources == nullptr)
@@ -86,20 +91,53 @@ Outcome<DrmResources> resources_of(int card, const std::string& path) {
   return resources;
 }
 
+/// Those with a screen, in the card's order; not none.
+Outcome<std::vector<DrmConnector>> usable_connectors(std::vector<DrmConnector> connectors, const std::string& path) {
+  std::string found;
+  for (const DrmConnector& connector : connectors) found += (found.empty() ? "" : ", ") + name_of(*connector);
+  if (found.empty()) return Fault{path + " has no connector for a screen"};
+  std::erase_if(connectors, [](const DrmConnector& connector) { return !is_usable(*connector); });
+  if (connectors.empty()) return Fault{path + ": no screen is connected to " + found};
+  return connectors;
+}
+
 Outcome<DrmConnector> choose_connector(std::vector<DrmConnector> connectors, const std::string& path,
                                        const std::string& wanted) {
+  if (wanted.empty()) {
+    Outcome<std::vector<DrmConnector>> usable = usable_connectors(std::move(connectors), path);
+    if (!usable) return usable.fault();
+    return std::move(usable->front());
+  }
   std::string found;
   for (DrmConnector& connector : connectors) {
     const std::string name = name_of(*connector);
-    if (wanted.empty() ? is_usable(*connector) : name == wanted) {
+    if (name == wanted) {
       if (!is_usable(*connector)) return Fault{std::string(path).append(": no screen is connected to ").append(name)};
       return std::move(connector);
     }
-    found += (found.empty() ? "" : ", ") + name;
+    found += (found.empty() ? "" : ", ") + name + (is_usable(*connector) ? "" : " (no screen)");
   }
   if (found.empty()) return Fault{path + " has no connector for a screen"};
-  if (wanted.empty()) return Fault{path + ": no screen is connected to " + found};
   return Fault{path + " has no connector " + wanted + ", only " + found};
+}
+
+const drmModeModeInfo* mode_of(const drmModeConnector& connector, const ScreenSize& size) {
+  const std::span<const drmModeModeInfo> modes = modes_of(connector);
+  const auto mode = std::ranges::find(modes, size, size_of);
+  return mode != modes.end() ? &*mode : nullptr;
+}
+
+/// Of the first screen's sizes the first one that all have, the one that it prefers before all others.
+std::optional<ScreenSize> common_size(const std::vector<DrmConnector>& connectors) {
+  const auto is_common = [&connectors](const drmModeModeInfo& mode) {
+    return std::ranges::all_of(
+        connectors, [&mode](const DrmConnector& connector) { return mode_of(*connector, size_of(mode)) != nullptr; });
+  };
+  const std::span<const drmModeModeInfo> modes = modes_of(*connectors.front());
+  if (is_common(preferred_mode(modes))) return size_of(preferred_mode(modes));
+  const auto common = std::ranges::find_if(modes, is_common);
+  if (common == modes.end()) return std::nullopt;
+  return size_of(*common);
 }
 
 std::vector<DrmFormat> formats_to_try(int card, const std::optional<DrmFormat>& wanted) {
@@ -113,47 +151,93 @@ std::vector<DrmFormat> formats_to_try(int card, const std::optional<DrmFormat>& 
 int start_in(DrmScreen& screen, DrmFormat format) {
   for (DumbBuffer& buffer : screen.buffers) {
     buffer = {};
-    if (const int error = DumbBuffer::create(screen.card.get(), size_of(screen.mode), format, buffer); error != 0)
+    if (const int error = DumbBuffer::create(screen.card->get(), size_of(screen.mode), format, buffer); error != 0)
       return error;
   }
   return screen.show(screen.buffers[0]);
 }
 
+struct Card {
+  std::shared_ptr<const FileDescriptor> file;
+  DrmResources resources;
+};
+
+Outcome<Card> open_card(const std::string& path) {
+  Outcome<FileDescriptor> file = open_device(kGraphicsCard, path);
+  if (!file) return file.fault();
+  Outcome<DrmResources> resources = resources_of(file->get(), path);
+  if (!resources) return resources.fault();
+  return Card{std::make_shared<const FileDescriptor>(std::move(*file)), std::move(*resources)};
+}
+
+/// A card that can show pictures.
+Outcome<Card> open_screens(const std::string& path) {
+  Outcome<Card> card = open_card(path);
+  if (!card) return card;
+  std::uint64_t has_dumb_buffers = 0;
+  if (drmGetCap(card->file->get(), DRM_CAP_DUMB_BUFFER, &has_dumb_buffers) != 0 || has_dumb_buffers == 0)
+    return Fault{path + " has no dumb buffers; use its framebuffer (fbdev:/dev/fb0) if it has one"};
+  return card;
+}
+
 }  // namespace
 
+struct DrmHead {
+  const std::string& path;
+  std::shared_ptr<const FileDescriptor> card;
+  const drmModeRes& resources;
+  const drmModeConnector& connector;
+};
+
 Outcome<std::vector<std::string>> drm_connectors(const std::string& path) {
-  const Outcome<FileDescriptor> card = open_device(kGraphicsCard, path);
+  const Outcome<Card> card = open_card(path);
   if (!card) return card.fault();
-  const Outcome<DrmResources> resources = resources_of(card->get(), path);
-  if (!resources) return resources.fault();
   std::vector<std::string> lines;
-  for (const DrmConnector& connector : connectors_of(card->get(), **resources)) {
-    lines.push_back(name_of(*connector) + ": " +
-                    (is_usable(*connector) ? sizes_of(*connector) : std::string("no screen")));
-  }
+  for (const DrmConnector& connector : connectors_of(card->file->get(), *card->resources))
+    lines.push_back(line_of(*connector));
   return lines;
 }
 
 Outcome<DrmDisplay> DrmDisplay::open(const std::string& path, const DrmOptions& options) {
-  Outcome<FileDescriptor> card = open_device(kGraphicsCard, path);
+  Outcome<Card> card = open_screens(path);
   if (!card) return card.fault();
-  const int number = card->get();
-  Outcome<DrmResources> resources = resources_of(number, path);
-  if (!resources) return resources.fault();
-  std::uint64_t has_dumb_buffers = 0;
-  if (drmGetCap(number, DRM_CAP_DUMB_BUFFER, &has_dumb_buffers) != 0 || has_dumb_buffers == 0)
-    return Fault{path + " has no dumb buffers; use its framebuffer (fbdev:/dev/fb0) if it has one"};
-  Outcome<DrmConnector> chosen = choose_connector(connectors_of(number, **resources), path, options.connector);
+  const Outcome<DrmConnector> chosen =
+      choose_connector(connectors_of(card->file->get(), *card->resources), path, options.connector);
   if (!chosen) return chosen.fault();
-  const drmModeConnector& connector = **chosen;
+  return start({path, card->file, *card->resources, **chosen}, options);
+}
 
+Outcome<std::vector<DrmDisplay>> DrmDisplay::open_all(const std::string& path, const DrmOptions& options) {
+  const Outcome<Card> card = open_screens(path);
+  if (!card) return card.fault();
+  const auto connectors = usable_connectors(connectors_of(card->file->get(), *card->resources), path);
+  if (!connectors) return connectors.fault();
+  DrmOptions common = options;
+  if (!common.size) common.size = common_size(*connectors);
+  if (!common.size) {
+    std::string sizes;
+    for (const DrmConnector& connector : *connectors) sizes += (sizes.empty() ? "" : "; ") + line_of(*connector);
+    return Fault{path + ": the screens have no size in common (" + sizes + "); choose a connector"};
+  }
+  std::vector<DrmDisplay> displays;
+  for (const DrmConnector& connector : *connectors) {
+    // One file for all: the right to show pictures is the file's. Each reads the others' flips, too, and passes them
+    // on.
+    Outcome<DrmDisplay> display = start({path, card->file, *card->resources, *connector}, common);
+    if (!display) return display.fault();
+    displays.push_back(std::move(*display));
+  }
+  return displays;
+}
+
+Outcome<DrmDisplay> DrmDisplay::start(const DrmHead& head, const DrmOptions& options) {
+  const auto& [path, card, resources, connector] = head;
+  const int number = card->get();
   auto screen = std::make_unique<DrmScreen>();
-  const std::span<const drmModeModeInfo> modes = modes_of(connector);
-  screen->mode = preferred_mode(modes);
+  screen->mode = preferred_mode(modes_of(connector));
   if (options.size) {
-    const auto mode = std::ranges::find_if(
-        modes, [&options](const drmModeModeInfo& candidate) { return size_of(candidate) == *options.size; });
-    if (mode == modes.end()) {
+    const drmModeModeInfo* const mode = mode_of(connector, *options.size);
+    if (mode == nullptr) {
       return Fault{path + ": the screen at " + name_of(connector) + " has no mode of " + to_string(*options.size) +
                    ", only " + sizes_of(connector)};
     }
@@ -164,7 +248,7 @@ Outcome<DrmDisplay> DrmDisplay::open(const std::string& path, const DrmOptions& 
     return Fault{path + ": the mode " + to_string(size) + " is too large; choose a size, one of " +
                  sizes_of(connector)};
 
-  const std::uint32_t crtc = crtc_for(number, **resources, connector);
+  const std::uint32_t crtc = crtc_for(number, resources, connector);
   if (crtc == 0)
     return Fault{path + " has no CRTC left for " + name_of(connector) + ": the other screens take all of them"};
   if (drmIsMaster(number) == 0) return device_fault(kGraphicsCard, path, "show pictures", EBUSY);
@@ -172,7 +256,7 @@ Outcome<DrmDisplay> DrmDisplay::open(const std::string& path, const DrmOptions& 
   screen->connector = connector.connector_id;
   screen->former.reset(drmModeGetCrtc(number, crtc));
   screen->crtc = crtc;
-  screen->card = std::move(*card);
+  screen->card = card;
   int error = 0;
   for (const DrmFormat format : formats_to_try(number, options.format)) {
     error = start_in(*screen, format);

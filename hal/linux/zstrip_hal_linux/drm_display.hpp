@@ -17,6 +17,9 @@
 
 namespace zstrip::hal {
 
+struct DrmHead;    // a connector, and the card's file
+struct DrmScreen;  // the card, the CRTC and what was on it before
+
 /// What a graphics card has to offer: one line of words for each connector.
 Outcome<std::vector<std::string>> drm_connectors(const std::string& path);
 
@@ -33,8 +36,6 @@ struct DrmOptions {
   std::optional<DrmFormat> format;  ///< none: what the driver prefers, or else the other
 };
 
-struct DrmScreen;  // the card, the CRTC and what was on it before
-
 /// Takes RGB565. A frame appears whole, at a vertical blank. end_frame() requests that and returns; the next one waits
 /// until it has happened, at most kFlipTimeout milliseconds (Error::flip, and again in the next frame if it still has
 /// not). Error::bus: the driver refuses the flip, as when another program has taken the screen.
@@ -47,6 +48,9 @@ class DrmDisplay {
   /// Errors: the device is missing, no permission, another program shows pictures, no such connector or size, no
   /// screen connected, a driver without dumb buffers or with neither of the formats.
   static Outcome<DrmDisplay> open(const std::string& path, const DrmOptions& options = {});
+  /// Every connector with a screen, all in the size of the options, or else in the first size of the first screen that
+  /// all have. Errors: as above; the screens have no size in common. `options.connector` counts for nothing.
+  static Outcome<std::vector<DrmDisplay>> open_all(const std::string& path, const DrmOptions& options = {});
 
   /// The screen goes along.
   DrmDisplay(DrmDisplay&&) noexcept;
@@ -76,6 +80,7 @@ class DrmDisplay {
 
   DrmDisplay(std::unique_ptr<DrmScreen> screen, const ScreenSize& size, DrmFormat card_format,
              const PixelWriter& writer);
+  static Outcome<DrmDisplay> start(const DrmHead& head, const DrmOptions& options);
   Error bring_up_to_date(std::size_t buffer);
 
   std::unique_ptr<DrmScreen> screen_;

@@ -50,24 +50,26 @@ DumbBuffer::~DumbBuffer() {
 }
 
 DrmScreen::~DrmScreen() {
-  // A flip that is still to come would show a buffer that is gone.
-  static_cast<void>(wait_for_flip(DrmDisplay::kFlipTimeout));
+  if (!card) return;
+  // A flip that is still to come would show a buffer that is gone. One that does not come in time may be read later, by
+  // another screen of the same file.
+  if (wait_for_flip(DrmDisplay::kFlipTimeout) != Error::none) static_cast<void>(flipping.release());
   if (former != nullptr && former->mode_valid != 0) {
-    drmModeSetCrtc(card.get(), crtc, former->buffer_id, former->x, former->y, &connector, 1, &former->mode);
+    drmModeSetCrtc(card->get(), crtc, former->buffer_id, former->x, former->y, &connector, 1, &former->mode);
   } else if (crtc != 0) {
-    drmModeSetCrtc(card.get(), crtc, 0, 0, 0, nullptr, 0, nullptr);
+    drmModeSetCrtc(card->get(), crtc, 0, 0, 0, nullptr, 0, nullptr);
   }
   buffers = {};  // before the card is closed
 }
 
 int DrmScreen::show(DumbBuffer& buffer) {
-  return drmModeSetCrtc(card.get(), crtc, buffer.framebuffer(), 0, 0, &connector, 1, &mode) == 0 ? 0 : errno;
+  return drmModeSetCrtc(card->get(), crtc, buffer.framebuffer(), 0, 0, &connector, 1, &mode) == 0 ? 0 : errno;
 }
 
 Error DrmScreen::flip() {
-  if (drmModePageFlip(card.get(), crtc, buffers[back].framebuffer(), DRM_MODE_PAGE_FLIP_EVENT, this) != 0)
+  if (drmModePageFlip(card->get(), crtc, buffers[back].framebuffer(), DRM_MODE_PAGE_FLIP_EVENT, flipping.get()) != 0)
     return Error::bus;
-  flipping = true;
+  *flipping = true;
   back = 1 - back;
   return Error::none;
 }
@@ -77,17 +79,17 @@ Error DrmScreen::wait_for_flip(int milliseconds) {
   const auto deadline = Clock::now() + std::chrono::milliseconds(milliseconds);
   drmEventContext events{};
   events.version = 2;
-  events.page_flip_handler = [](int, unsigned, unsigned, unsigned, void* screen) {
-    static_cast<DrmScreen*>(screen)->flipping = false;
+  events.page_flip_handler = [](int, unsigned, unsigned, unsigned, void* of_screen) {
+    *static_cast<bool*>(of_screen) = false;
   };
   // Not as long as there is something to read: that may be other events, or nothing.
-  for (bool in_time = true; flipping; in_time = Clock::now() < deadline) {
+  for (bool in_time = true; *flipping; in_time = Clock::now() < deadline) {
     if (!in_time) return Error::flip;
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    pollfd waiting{card.get(), POLLIN, 0};
+    pollfd waiting{card->get(), POLLIN, 0};
     const int ready = poll(&waiting, 1, left > 0 ? static_cast<int>(left) : 0);
     if (ready < 0 && errno != EINTR) return Error::bus;
-    if (ready > 0 && drmHandleEvent(card.get(), &events) != 0) return Error::bus;
+    if (ready > 0 && drmHandleEvent(card->get(), &events) != 0) return Error::bus;
   }
   return Error::none;
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 #include "zstrip_hal_linux/device.hpp"
 #include "zstrip_hal_linux/drm_display.hpp"
@@ -50,14 +51,14 @@ struct DrmScreen {
   /// Until no flip is under way.
   Error wait_for_flip(int milliseconds);
 
-  FileDescriptor card;
+  std::shared_ptr<const FileDescriptor> card;  ///< of all screens that are shown at once
   std::uint32_t connector = 0;
   std::uint32_t crtc = 0;
   drmModeModeInfo mode{};
   DrmCrtc former;
   std::array<DumbBuffer, 2> buffers;
   std::size_t back = 1;  ///< the buffer that is not shown; while a flip is under way: that will not be
-  bool flipping = false;
+  std::unique_ptr<bool> flipping = std::make_unique<bool>(false);  ///< a flip is under way
 };
 
 }  // namespace zstrip::hal

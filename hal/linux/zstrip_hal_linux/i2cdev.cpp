@@ -3,6 +3,7 @@
 
 #include <linux/i2c-dev.h>
 #include <linux/i2c.h>
+#include <sys/ioctl.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -25,7 +26,7 @@ bool is_refusal(int error) { return error == ENXIO || error == EREMOTEIO || erro
 
 /// A system call whose argument is a number.
 int control(int file, unsigned long request, unsigned long argument) {
-  return device_control(file, request, reinterpret_cast<void*>(argument));
+  return ioctl(file, request, argument) < 0 ? errno : 0;
 }
 
 }  // namespace

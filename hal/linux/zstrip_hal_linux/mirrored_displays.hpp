@@ -1,0 +1,55 @@
+// The same picture on several displays.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "zstrip_hal/display.hpp"
+
+namespace zstrip::hal {
+
+/// Of one size and format, at least one. A display that fails keeps no picture from the others: the first error is
+/// returned when all had their turn.
+template <Display Shown>
+class MirroredDisplays {
+ public:
+  explicit MirroredDisplays(std::vector<Shown> displays) : displays_(std::move(displays)) {}
+
+  /// @{
+  /// As the concept Display states.
+  std::uint16_t width() const { return displays_.front().width(); }
+  std::uint16_t height() const { return displays_.front().height(); }
+  PixelFormat format() const { return displays_.front().format(); }
+
+  Error begin_frame() {
+    return on_all([](Shown& display) { return display.begin_frame(); });
+  }
+  Error write(const Area& area, std::span<const std::byte> pixels) {
+    return on_all([&](Shown& display) { return display.write(area, pixels); });
+  }
+  Error wait() {
+    return on_all([](Shown& display) { return display.wait(); });
+  }
+  Error end_frame() {
+    return on_all([](Shown& display) { return display.end_frame(); });
+  }
+  /// @}
+
+ private:
+  template <class Function>
+  Error on_all(Function function) {
+    Error first = Error::none;
+    for (Shown& display : displays_) {
+      const Error error = function(display);
+      if (first == Error::none) first = error;
+    }
+    return first;
+  }
+
+  std::vector<Shown> displays_;
+};
+
+}  // namespace zstrip::hal
