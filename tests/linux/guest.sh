@@ -149,7 +149,7 @@ link_with_gpiod2() {
     armhf/development/usr/$libraries/libdrm.a armhf2/development/usr/$libraries/libgpiod.a
 }
 if [ ! -e missing-gpiod2 ]; then link_with_gpiod2; fi
-pack armhf armhf/build/firmware/linux/zstrip-panel virtio_pci virtio_gpu i2c_imx i2c_dev
+pack armhf armhf/build/firmware/linux/zstrip-panel virtio_pci virtio_gpu i2c_imx i2c_dev gpio_mxc spi_imx
 cp armhf/packages/usr/lib/linux-image-*/imx6q-sabrelite.dtb armhf/sabrelite.dtb
 
 # The machine's device tree with what a file of ours has on its only GPIO chip, whose power button goes. Its lines read low

@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "guest.hpp"
 #include "panel/dcs_model.hpp"
@@ -89,6 +93,77 @@ class LinuxSpi : public testing::Test {
 TEST_F(LinuxSpi, Spidev) {
   expect_shown_and_put_to_rest(std::string("st7789:spidev=/dev/spidev0.0,speed=1M") + kPanel,
                                {.clock = 0, .data = 1, .data_command = 3, .select = 2, .reset = 4});
+}
+
+// spidev takes few names of a device tree by itself, its own not among them; any other one by hand.
+TEST_F(LinuxSpi, SpidevIsBoundToDevicesOfAnyName) {
+  Guest guest(traced());
+  EXPECT_EQ(guest.run("ls /dev/spidev*").text, "/dev/spidev0.0\n");
+  for (const auto& [device, name] : {std::pair("0.1", "spidev"), {"0.2", "sitronix,st7789v"}}) {
+    const std::string of_device = std::string("/sys/bus/spi/devices/spi") + device;
+    EXPECT_EQ(guest.run("tr '\\0' '\\n' <" + of_device + "/of_node/compatible").text, std::string(name) + "\n");
+    const std::string display =
+        std::string("zstrip-panel /scene.zsc --frames 1 --display st7789:spidev=/dev/spidev") + device + kPanel;
+    EXPECT_TRUE(contains(guest.run(display).text, "there is no such device; enable SPI and spidev for this")) << device;
+    guest.run("echo spidev >" + of_device + "/driver_override");
+    EXPECT_EQ(guest.run(std::string("echo spi") + device + " >/sys/bus/spi/drivers/spidev/bind").status, 0) << device;
+    const Guest::Answer shown = guest.run(display);
+    EXPECT_EQ(shown.status, 0) << shown.text;
+    EXPECT_TRUE(contains(shown.text, "1 frames of 64x48")) << shown.text;
+  }
+}
+
+/// What arrived at the flash memory of the machine between two edges of its chip select.
+std::vector<std::vector<std::uint8_t>> flash_transfers(const std::filesystem::path& trace) {
+  std::ifstream stream(trace);
+  std::vector<std::vector<std::uint8_t>> transfers;
+  for (std::string line; std::getline(stream, line);) {
+    if (contains(line, "] select")) transfers.emplace_back();
+    const std::size_t sent = line.find(" tx 0x");
+    if (sent == std::string::npos) continue;
+    if (transfers.empty()) throw std::runtime_error("bytes without chip select: " + line);
+    transfers.back().push_back(static_cast<std::uint8_t>(std::stoul(line.substr(sent + 6), nullptr, 16)));
+  }
+  return transfers;
+}
+
+// A controller of SPI and a chip select of a board's own device tree, whose flash memory is in a panel's place: it
+// keeps no picture and knows no such id, but what arrives there is traced.
+TEST_F(LinuxSpi, ControllerOfABoard) {
+  if (const std::string why = missing(Machine::sabrelite); !why.empty()) GTEST_SKIP() << why;
+  Guest guest({.machine = Machine::sabrelite,
+               .modules = "gpio_mxc,spi_imx",
+               .devices = {"-trace", "m25p80_transfer", "-trace", "m25p80_select", "-D", trace().string()}});
+  guest.run("echo spidev >/sys/bus/spi/devices/spi0.0/driver_override");
+  ASSERT_EQ(guest.run("echo spi0.0 >/sys/bus/spi/drivers/spidev/bind").status, 0);
+  const std::string panel =
+      "zstrip-panel /scene.zsc --frames 1 --display st7789:spidev=/dev/spidev0.0,dc=4:0,size=64x48";
+  const Guest::Answer asked = guest.run(panel + ",id");
+  EXPECT_EQ(asked.status, 3);
+  EXPECT_TRUE(contains(asked.text, "the panel does not answer: its id reads 00 00 00, not 85 85 52")) << asked.text;
+  // A bit comes before the answer of three bytes.
+  const std::vector<std::uint8_t> question{0x04, 0, 0, 0, 0};
+  const auto questions = flash_transfers(trace());
+  ASSERT_FALSE(questions.empty());
+  for (const auto& transfer : questions) EXPECT_EQ(transfer, question) << "and nothing is sent to a stranger";
+
+  const Guest::Answer shown = guest.run(panel);
+  EXPECT_EQ(shown.status, 0) << shown.text;
+  const boards::ColourPicture picture = host_frame(0, kWidth, kHeight);
+  std::vector<std::uint8_t> expected, arrived;
+  for (const auto& [red, green, blue] : picture.pixels) {
+    const unsigned pixel = red >> 3U << 11U | green >> 2U << 5U | blue >> 3U;
+    expected.push_back(static_cast<std::uint8_t>(pixel >> 8U));
+    expected.push_back(static_cast<std::uint8_t>(pixel));
+  }
+  constexpr std::size_t kLongest = 16;  // of commands and their parameters
+  for (const auto& transfer : flash_transfers(trace())) {
+    EXPECT_LE(transfer.size(), 4096U) << "what spidev takes";
+    if (transfer.size() > kLongest) arrived.insert(arrived.end(), transfer.begin(), transfer.end());
+  }
+  ASSERT_GE(arrived.size(), expected.size());
+  arrived.erase(arrived.begin(), arrived.end() - static_cast<std::ptrdiff_t>(expected.size()));  // the black one
+  EXPECT_TRUE(arrived == expected);
 }
 
 TEST_F(LinuxSpi, SpidevWithLibgpiod2) {
