@@ -1,9 +1,11 @@
 // zstrip-panel in a window: on a desktop of X11 without a screen, and on SDL's driver that writes what it would show.
 #include <SDL.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <thread>
 
 #include "../host-sim/support.hpp"
@@ -118,6 +120,56 @@ TEST_F(LinuxWindowX11, ADesktopThatEndsEndsItToo) {
   EXPECT_EQ(desktop_->seen(kTitle).width, 64);
   desktop_.reset();
   EXPECT_EQ(program.wait(), 1) << "Xlib's own end of a program";
+}
+
+/// Somewhere in it, pixel for pixel.
+bool contains(const boards::ColourPicture& screen, const boards::ColourPicture& part) {
+  for (int top = 0; top + part.height <= screen.height; ++top) {
+    for (int left = 0; left + part.width <= screen.width; ++left) {
+      int row = 0;
+      while (row < part.height &&
+             std::equal(&part.at(0, row), &part.at(0, row) + part.width, &screen.at(left, top + row)))
+        ++row;
+      if (row == part.height) return true;
+    }
+  }
+  return false;
+}
+
+// Weston draws its desktop into a window of X11.
+class LinuxWindowWayland : public LinuxWindowX11 {
+ protected:
+  void SetUp() override {
+    if (std::system("command -v weston >/dev/null") != 0) GTEST_SKIP() << "weston is not installed";
+    LinuxWindowX11::SetUp();
+    if (IsSkipped()) return;
+    const std::vector<std::string> words{
+        "weston",      "--backend=x11-backend.so", "--use-pixman", "--no-config", "--width=640", "--height=480",
+        "--socket=way"};
+    weston_ = std::make_unique<StartedProgram>(words, std::vector{desktop_->variable(), folder_variable()});
+    for (int tries = 0; tries < 200 && !std::filesystem::exists(path("way")); ++tries)
+      std::this_thread::sleep_for(50ms);
+  }
+  std::string folder_variable() const { return "XDG_RUNTIME_DIR=" + path(""); }
+
+  std::unique_ptr<StartedProgram> weston_;
+};
+
+TEST_F(LinuxWindowWayland, ShowsTheRenderedPictureUntilASignal) {
+  StartedProgram program(panel("sdl:64x48@3", {"--frames", "3", "--hold"}),
+                         {folder_variable(), "WAYLAND_DISPLAY=way", "SDL_VIDEODRIVER=wayland"});
+  EXPECT_EQ(program.read_line().substr(0, 18), "3 frames of 64x48 ");
+  const boards::ColourPicture expected = rendered(2, 3);
+  const auto deadline = std::chrono::steady_clock::now() + 30s;
+  bool is_seen = false;
+  while (!is_seen && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(50ms);
+    is_seen = contains(desktop_->seen(""), expected);
+  }
+  EXPECT_TRUE(is_seen);
+  EXPECT_FALSE(contains(desktop_->seen(""), rendered(1, 3)));
+  program.send(SIGINT);
+  EXPECT_EQ(program.wait(), 0);
 }
 
 TEST_F(LinuxWindow, EveryFrameIsWhatRenderWrites) {

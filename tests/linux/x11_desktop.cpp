@@ -21,6 +21,7 @@ struct X11Desktop::Parts {
   StartedProgram server{{"Xvfb", "-displayfd", "1", "-screen", "0", "800x600x24", "-nolisten", "tcp"}, {}};
   std::string name = ":" + server.read_line();
   Display* display = XOpenDisplay(name.c_str());
+  int corner = 0;
 
   Parts() {
     if (display == nullptr) throw std::runtime_error("no display " + name);
@@ -59,9 +60,12 @@ X11Desktop::~X11Desktop() = default;
 std::string X11Desktop::variable() const { return "DISPLAY=" + parts_->name; }
 
 boards::ColourPicture X11Desktop::seen(const std::string& title) {
-  const Window window = parts_->window(title);
+  const Window root = DefaultRootWindow(parts_->display), window = title.empty() ? root : parts_->window(title);
   XWindowAttributes attributes{};
   XGetWindowAttributes(parts_->display, window, &attributes);
+  // Somewhere else each time, so that it moves for a desktop that has just begun to watch it.
+  parts_->corner = 1 - parts_->corner;
+  XWarpPointer(parts_->display, 0, root, 0, 0, 0, 0, parts_->corner, 0);
   const int width = attributes.width, height = attributes.height;
   XImage* const image = XGetImage(parts_->display, window, 0, 0, static_cast<unsigned>(width),
                                   static_cast<unsigned>(height), AllPlanes, ZPixmap);

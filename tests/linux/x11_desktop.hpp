@@ -16,7 +16,8 @@ class X11Desktop {
 
   /// DISPLAY=...
   std::string variable() const;
-  /// What is seen of the window with this title.
+  /// What is seen of the window with this title; without one of all of the screen. The pointer goes to its corner, not
+  /// to be seen on a picture.
   boards::ColourPicture seen(const std::string& title);
   /// Lays a window over that one, and takes it away.
   void cover_and_uncover(const std::string& title);
