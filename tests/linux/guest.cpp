@@ -18,15 +18,18 @@ using namespace std::chrono_literals;
 const std::filesystem::path kGuests = ZSTRIP_GUESTS;
 constexpr auto kPatience = 240s;  // a kernel starts in some seconds, if it is alone
 
-std::filesystem::path folder_of(Machine machine) { return kGuests / (machine == Machine::amd64 ? "amd64" : "armhf"); }
+std::filesystem::path folder_of(Machine machine) {
+  return kGuests / (machine == Machine::amd64 ? "amd64" : machine == Machine::arm64 ? "arm64" : "armhf");
+}
 
 boards::Qemu::Options emulator_of(const Guest::Options& options) {
-  const bool is_arm = options.machine != Machine::amd64, is_board = options.machine == Machine::sabrelite;
+  const bool is_arm = options.machine != Machine::amd64, is_board = options.machine == Machine::sabrelite,
+             is_64 = options.machine == Machine::arm64;
   const std::filesystem::path folder = folder_of(options.machine);
   const std::string console = is_board ? "ttymxc1" : is_arm ? "ttyAMA0" : "ttyS0";
   boards::Qemu::Options emulator;
-  emulator.emulator = is_arm ? "qemu-system-arm" : "qemu-system-x86_64";
-  emulator.machine = is_board ? "sabrelite" : is_arm ? "virt,highmem=off" : "pc";
+  emulator.emulator = is_64 ? "qemu-system-aarch64" : is_arm ? "qemu-system-arm" : "qemu-system-x86_64";
+  emulator.machine = is_board ? "sabrelite" : is_64 ? "virt" : is_arm ? "virt,highmem=off" : "pc";
   emulator.serial_port = is_board ? 1 : 0;
   emulator.program = folder / "kernel";
   emulator.devices = {"-nodefaults",
@@ -42,7 +45,7 @@ boards::Qemu::Options emulator_of(const Guest::Options& options) {
     emulator.devices.insert(emulator.devices.end(), {"-dtb", (folder / "sabrelite.dtb").string()});
   } else if (is_arm) {
     const std::string tree = (folder / (options.tree + ".dtb")).string();
-    emulator.devices.insert(emulator.devices.end(), {"-cpu", "cortex-a15", "-dtb", tree});
+    emulator.devices.insert(emulator.devices.end(), {"-cpu", is_64 ? "cortex-a53" : "cortex-a15", "-dtb", tree});
   }
   emulator.devices.insert(emulator.devices.end(), options.devices.begin(), options.devices.end());
   return emulator;

@@ -13,7 +13,7 @@
 
 namespace zstrip::linux_guest {
 
-enum class Machine : std::uint8_t { amd64, armhf, sabrelite };  // sabrelite: with the kernel for armhf
+enum class Machine : std::uint8_t { amd64, armhf, arm64, sabrelite };  // sabrelite: with the kernel for armhf
 
 /// Why there is no such machine, for a test to be skipped; empty if there is one.
 std::string missing(Machine machine);
@@ -24,7 +24,7 @@ class Guest {
  public:
   struct Options {
     Machine machine = Machine::amd64;
-    std::string tree = "panels";         ///< the device tree's name, of armhf
+    std::string tree = "panels";         ///< the device tree's name, of armhf and arm64
     std::string modules{};               ///< of the kernel, with commas
     std::string kernel{};                ///< more words of the kernel's command line
     std::vector<std::string> devices{};  ///< more words of the emulator's command line

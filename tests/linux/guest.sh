@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# guest.sh ROOT FOLDER PANEL: real Debian kernels with zstrip-panel as machines for QEMU, in FOLDER/amd64 and FOLDER/armhf:
-# `kernel`, `initrd`, for armhf `panels.dtb` and `stuck-bus.dtb` (the emulator's device tree, and what panels.dtsi and
-# stuck_bus.dtsi have on its GPIO chip) and `sabrelite.dtb` (the kernel's own of a board with I2C). PANEL is the host's
-# program; those for armhf are built here, zstrip-panel and, with libgpiod 2 of Debian 13, zstrip-panel-gpiod2.
+# guest.sh ROOT FOLDER PANEL: real Debian kernels with zstrip-panel as machines for QEMU, in FOLDER/{amd64,armhf,arm64}:
+# `kernel`, `initrd`, for Arm `panels.dtb`, for armhf also `stuck-bus.dtb` (the emulator's device tree, and what
+# panels.dtsi and stuck_bus.dtsi have on its GPIO chip) and `sabrelite.dtb` (the kernel's own of a board with I2C). PANEL
+# is the host's program; those for Arm are built here, zstrip-panel and, for armhf with libgpiod 2 of Debian 13,
+# zstrip-panel-gpiod2, for arm64 also zstrip-kernels (tests/targets).
 # Downloads are kept in FOLDER/downloads. Where the packages cannot be had FOLDER/missing says why, and the status is 77;
 # where only those of Debian 13 cannot, FOLDER/missing-gpiod2 does, and the machines are made without the second program.
 set -euo pipefail
@@ -18,7 +19,8 @@ give_up() {
   exit 77
 }
 
-for tool in apt-get dpkg-deb cpio dtc qemu-system-arm qemu-system-x86_64 arm-linux-gnueabihf-g++; do
+for tool in apt-get dpkg-deb cpio dtc qemu-system-arm qemu-system-aarch64 qemu-system-x86_64 \
+  arm-linux-gnueabihf-g++ aarch64-linux-gnu-g++; do
   command -v "$tool" >/dev/null || give_up "$tool is not installed"
 done
 
@@ -30,7 +32,8 @@ mirror=$(apt-get indextargets 'Created-By: Packages' --format '$(REPO_URI) $(REL
 apt=$folder/apt
 apt_options=(-o "Dir::State=$apt/state" -o "Dir::State::status=$apt/status" -o "Dir::State::Lists=$apt/lists"
   -o "Dir::Cache=$apt/cache" -o Dir::Etc::SourceList=/dev/null -o "Dir::Etc::SourceParts=$apt/sources"
-  -o APT::Architecture=armhf -o APT::Architectures::=armhf -o APT::Architectures::=amd64 -o APT::Sandbox::User=root)
+  -o APT::Architecture=armhf -o APT::Architectures::=armhf -o APT::Architectures::=amd64 -o APT::Architectures::=arm64
+  -o APT::Sandbox::User=root)
 
 # add_index RELEASE ARCHITECTURE...: to those that are there.
 add_index() {
@@ -63,20 +66,23 @@ kernel_of() {
     found && /^Depends:/ { sub(/,.*/, ""); print $2; exit }'
 }
 
-armhf_packages="busybox-static:armhf/bookworm libgpiod-dev:armhf/bookworm libdrm-dev:armhf/bookworm
-  libcli11-dev/bookworm" gpiod2=libgpiod-dev:armhf/trixie
-names=downloads/names
+gpiod2=libgpiod-dev:armhf/trixie
+names=downloads/kernels
 if [ ! -s "$names" ]; then
   rm -rf "$apt/sources"
-  add_index bookworm armhf amd64 || give_up "Debian's index for armhf cannot be downloaded: $(tail -n 1 "$apt/log")"
-  armhf_kernel=$(kernel_of linux-image-armmp:armhf) amd64_kernel=$(kernel_of linux-image-amd64:amd64)
-  [ -n "$armhf_kernel" ] && [ -n "$amd64_kernel" ] || give_up "the index of $mirror has no kernel 6.1"
-  for package in $armhf_packages busybox-static:amd64/bookworm "$armhf_kernel:armhf" "$amd64_kernel:amd64"; do
+  add_index bookworm armhf amd64 arm64 || give_up "Debian's index for Arm cannot be downloaded: $(tail -n 1 "$apt/log")"
+  kernels=()
+  for package in linux-image-armmp:armhf linux-image-arm64:arm64 linux-image-amd64:amd64; do
+    kernels+=("$(kernel_of $package)")
+    [ -n "${kernels[-1]}" ] || give_up "the index of $mirror has no kernel 6.1 for ${package#*:}"
+  done
+  for package in libcli11-dev/bookworm {busybox-static,libgpiod-dev,libdrm-dev}:{armhf,arm64}/bookworm \
+    busybox-static:amd64/bookworm "${kernels[0]}:armhf" "${kernels[1]}:arm64" "${kernels[2]}:amd64"; do
     fetch "$package" >/dev/null || exit
   done
-  echo "$armhf_kernel $amd64_kernel" >"$names"
+  echo "${kernels[@]}" >"$names"
 fi
-read -r armhf_kernel amd64_kernel <"$names"
+read -r armhf_kernel arm64_kernel amd64_kernel <"$names"
 # Mirrors serve halves of a release for hours while they copy it: that of another one shall not take the machines away.
 if ! [ -s "downloads/${gpiod2//[:\/]/_}.deb" ] && ! { add_index trixie armhf && (fetch "$gpiod2") >/dev/null; }; then
   rm -f missing
@@ -118,23 +124,27 @@ pack() { # ARCHITECTURE PROGRAM MODULE...: FOLDER/ARCHITECTURE/{kernel,initrd}
     while read -r file; do cp -n "$file" "$tree/modules"; done <"$tree/modules/$module"
     sed -i 's|.*/||' "$tree/modules/$module"
   done
-  if [ "$arch" = armhf ] && [ ! -e missing-gpiod2 ]; then cp armhf2/zstrip-panel "$tree/bin/zstrip-panel-gpiod2"; fi
+  if [ -d "$arch/more" ]; then cp "$arch/more"/* "$tree/bin"; fi
   cp "$folder/scene.zsc" "$tree"
   install -m 755 "$scripts/guest_init.sh" "$tree/init"
   (cd "$tree" && find . | LC_ALL=C sort | cpio --quiet -o -H newc) | gzip -1 >"$arch/initrd"
   cp "$arch"/packages/boot/vmlinuz-* "$arch/kernel"
 }
 
-# armhf: everything linked statically, without optimisation, which draws the same and compiles in a fifth of the time; and
+# Everything linked statically, without optimisation, which draws the same and compiles in a fifth of the time; and
 # without the pipelines that the scene does not ask for.
-unpack armhf/packages busybox-static:armhf/bookworm "$armhf_kernel:armhf"
-unpack armhf/development libgpiod-dev:armhf/bookworm libdrm-dev:armhf/bookworm libcli11-dev/bookworm
-build=(cmake -S "$root" -B armhf/build -G Ninja "-DCMAKE_TOOLCHAIN_FILE=$root/cmake/toolchains/arm-linux-gnueabihf.cmake"
-  "-DCMAKE_FIND_ROOT_PATH=$folder/armhf/development" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O0
-  -DCMAKE_EXE_LINKER_FLAGS=-static -DZSTRIP_HOST_SIM=OFF -DZSTRIP_TESTS=OFF -DZSTRIP_FIRMWARE=OFF -DZSTRIP_INSTALL=OFF
-  -DZSTRIP_LINUX=ON -DZSTRIP_COMPILE_TOGETHER=core -DZSTRIP_SELDOM_PIPELINES=OFF)
-{ "${build[@]}" && nice cmake --build armhf/build --target zstrip-panel; } >armhf/build.log 2>&1 ||
-  { tail -n 40 armhf/build.log; exit 1; }
+build_panel() { # ARCHITECTURE TOOLCHAIN KERNEL: FOLDER/ARCHITECTURE/panel
+  unpack "$1/packages" "busybox-static:$1/bookworm" "$3:$1"
+  unpack "$1/development" "libgpiod-dev:$1/bookworm" "libdrm-dev:$1/bookworm" libcli11-dev/bookworm
+  local build=(cmake -S "$root" -B "$1/build" -G Ninja "-DCMAKE_TOOLCHAIN_FILE=$root/cmake/toolchains/$2.cmake"
+    "-DCMAKE_FIND_ROOT_PATH=$folder/$1/development" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O0
+    -DCMAKE_EXE_LINKER_FLAGS=-static -DZSTRIP_HOST_SIM=OFF -DZSTRIP_TESTS=OFF -DZSTRIP_FIRMWARE=OFF -DZSTRIP_INSTALL=OFF
+    -DZSTRIP_LINUX=ON -DZSTRIP_COMPILE_TOGETHER=core -DZSTRIP_SELDOM_PIPELINES=OFF)
+  { "${build[@]}" && nice cmake --build "$1/build" --target zstrip-panel; } >"$1/build.log" 2>&1 ||
+    { tail -n 40 "$1/build.log"; exit 1; }
+  cp "$1/build/firmware/linux/zstrip-panel" "$1/panel"
+}
+build_panel armhf arm-linux-gnueabihf "$armhf_kernel"
 
 # All but one file is the same with libgpiod 2, so that it is only linked again.
 link_with_gpiod2() {
@@ -144,30 +154,42 @@ link_with_gpiod2() {
     -I"$root/hal/linux" -isystem armhf2/development/usr/include \
     -c "$root/hal/linux/zstrip_hal_linux/gpio_libgpiod2.cpp" -o armhf2/gpio.o
   mapfile -t objects < <(find "$objects" -name '*.o')
-  arm-linux-gnueabihf-g++ -static -o armhf2/zstrip-panel "${objects[@]}" armhf2/gpio.o \
+  mkdir -p armhf/more
+  arm-linux-gnueabihf-g++ -static -o armhf/more/zstrip-panel-gpiod2 "${objects[@]}" armhf2/gpio.o \
     armhf/build/{hal/linux/libzstrip_hal_linux,core/libzstrip_core_any,core/libzstrip_core,hal/libzstrip_hal}.a \
     armhf/development/usr/$libraries/libdrm.a armhf2/development/usr/$libraries/libgpiod.a
 }
+rm -rf armhf/more
 if [ ! -e missing-gpiod2 ]; then link_with_gpiod2; fi
-pack armhf armhf/build/firmware/linux/zstrip-panel virtio_pci virtio_gpu i2c_imx i2c_dev gpio_mxc spi_imx
+pack armhf armhf/panel virtio_pci virtio_gpu i2c_imx i2c_dev gpio_mxc spi_imx
 cp armhf/packages/usr/lib/linux-image-*/imx6q-sabrelite.dtb armhf/sabrelite.dtb
 
 # The machine's device tree with what a file of ours has on its only GPIO chip, whose power button goes. Its lines read low
 # unless they are driven: on buses of I2C both lines are stuck.
-tree() { # NAME PARTS
-  dtc -q -I dtb -O dts armhf/machine.dtb | awk -v parts="$scripts/$2" '
+tree() { # ARCHITECTURE NAME PARTS
+  dtc -q -I dtb -O dts "$1/machine.dtb" | awk -v parts="$scripts/$3" '
   /^\tgpio-keys \{/ { skipping = 1 }
   !skipping { print }
   skipping && /^\t\};/ { skipping = 0 }
   /^\tpl061@/ { print "\t\tgpio-line-names = \"SCLK\", \"MOSI\", \"CS\", \"DC\", \"RESET\", \"BACKLIGHT\", \"\", \"\";"; in_chip = 1 }
   in_chip && /phandle/ { chip = $3; gsub(/[<>;]/, "", chip); in_chip = 0 }
   END { print "/ {"; while ((getline line < parts) > 0) { gsub(/CHIP/, chip, line); print line }; print "};" }
-' >"armhf/$1.dts"
-  dtc -q -I dts -O dtb -o "armhf/$1.dtb" "armhf/$1.dts"
+' >"$1/$2.dts"
+  dtc -q -I dts -O dtb -o "$1/$2.dtb" "$1/$2.dts"
 }
 qemu-system-arm -M virt,highmem=off,dumpdtb=armhf/machine.dtb -cpu cortex-a15 -m 256 -display none >/dev/null 2>&1
-tree panels panels.dtsi  # SPI by spi-gpio, lines with names
-tree stuck-bus stuck_bus.dtsi
+tree armhf panels panels.dtsi  # SPI by spi-gpio, lines with names
+tree armhf stuck-bus stuck_bus.dtsi
+
+build_panel arm64 aarch64-linux-gnu "$arm64_kernel"
+# The kernels of NEON against the portable ones, as in user mode, but with the registers that this kernel saves.
+mkdir -p arm64/more
+printf '#include "%s"\n' "$root"/tests/targets/program/kernels.cpp "$root"/tests/kernels/*.cpp |
+  aarch64-linux-gnu-g++ -std=c++20 -O1 -static -I"$root/core" -I"$root/tests/kernels" -o arm64/more/zstrip-kernels \
+    -x c++ - -x none arm64/build/core/libzstrip_core.a
+pack arm64 arm64/panel virtio_pci virtio_gpu spi_gpio
+qemu-system-aarch64 -M virt,dumpdtb=arm64/machine.dtb -cpu cortex-a53 -m 256 -display none >/dev/null 2>&1
+tree arm64 panels panels.dtsi
 
 unpack amd64/packages busybox-static:amd64/bookworm "$amd64_kernel:amd64"
 pack amd64 "$panel" cirrus cirrusfb bochs

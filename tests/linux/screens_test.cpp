@@ -52,6 +52,7 @@ class OnMachine : public testing::Test {
 };
 using LinuxScreens = OnMachine<Machine::amd64>;
 using LinuxScreensArmhf = OnMachine<Machine::armhf>;
+using LinuxScreensArm64 = OnMachine<Machine::arm64>;
 
 // cirrus: a card of 16 bits a pixel.
 TEST_F(LinuxScreens, Cirrus) {
@@ -127,12 +128,28 @@ TEST_F(LinuxScreens, EveryDepthOfAFramebuffer) {
   expect_shown_and_undone(guest, "fbdev:/dev/fb0,size=800x600,depth=16", 2, 800, 600);
 }
 
+Guest::Options virtio_gpu(Machine machine) {
+  return {.machine = machine,
+          .modules = "virtio_pci,virtio_gpu",
+          .devices = {"-device", "virtio-gpu-pci,xres=640,yres=480"}};
+}
+
 TEST_F(LinuxScreensArmhf, VirtioGpu) {
-  Guest guest({.machine = Machine::armhf,
-               .modules = "virtio_pci,virtio_gpu",
-               .devices = {"-device", "virtio-gpu-pci,xres=640,yres=480"}});
+  Guest guest(virtio_gpu(Machine::armhf));
+  expect_refused(guest, "sdl:", 3, "this zstrip-panel was built without windows; install libsdl2-dev");
   expect_shown_and_undone(guest, "fbdev", 1, 640, 480);
   expect_shown_and_undone(guest, "drm", 2, 640, 480);
+}
+
+// Of arm64, where NEON draws; and its kernels with the registers that this operating system saves.
+TEST_F(LinuxScreensArm64, VirtioGpuAndKernelsOfNeon) {
+  Guest guest(virtio_gpu(Machine::arm64));
+  expect_shown_and_undone(guest, "fbdev", 1, 640, 480);
+  expect_shown(guest, "drm", 2, 640, 480);
+  const Guest::Answer kernels = guest.run("zstrip-kernels");
+  EXPECT_EQ(kernels.status, 0) << kernels.text;
+  EXPECT_TRUE(contains(kernels.text, " are equal, ")) << kernels.text;
+  EXPECT_EQ(guest.run("ends INT").status, 0);
 }
 
 // A card with three connectors. The emulator has a screen at the first; the kernel is told that one is at the second.

@@ -24,11 +24,12 @@ constexpr const char* kPanel = ",size=64x48,column=10,row=20,dc=DC,reset=RESET,b
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// An armhf machine whose GPIO chip is traced.
+/// A machine whose GPIO chip is traced.
 class LinuxSpi : public testing::Test {
  protected:
+  explicit LinuxSpi(Machine machine = Machine::armhf) : machine_(machine) {}
   void SetUp() override {
-    if (const std::string why = missing(Machine::armhf); !why.empty()) GTEST_SKIP() << why;
+    if (const std::string why = missing(machine_); !why.empty()) GTEST_SKIP() << why;
     std::string name = std::filesystem::temp_directory_path() / "zstrip-trace-XXXXXX";
     ASSERT_NE(mkdtemp(name.data()), nullptr);
     folder_ = name;
@@ -39,7 +40,8 @@ class LinuxSpi : public testing::Test {
 
   std::filesystem::path trace() const { return folder_ / "lines"; }
   Guest::Options traced() const {
-    return {.machine = Machine::armhf,
+    return {.machine = machine_,
+            .modules = machine_ == Machine::arm64 ? "spi_gpio" : "",  // built into the kernel for armhf
             .devices = {"-trace", "pl061_set_output", "-D", trace().string(), "-msg", "timestamp=on"}};
   }
 
@@ -87,10 +89,21 @@ class LinuxSpi : public testing::Test {
     EXPECT_GT(lit, 100);
   }
 
+  Machine machine_;
   std::filesystem::path folder_;
 };
 
+class LinuxSpiArm64 : public LinuxSpi {
+ protected:
+  LinuxSpiArm64() : LinuxSpi(Machine::arm64) {}
+};
+
 TEST_F(LinuxSpi, Spidev) {
+  expect_shown_and_put_to_rest(std::string("st7789:spidev=/dev/spidev0.0,speed=1M") + kPanel,
+                               {.clock = 0, .data = 1, .data_command = 3, .select = 2, .reset = 4});
+}
+
+TEST_F(LinuxSpiArm64, Spidev) {
   expect_shown_and_put_to_rest(std::string("st7789:spidev=/dev/spidev0.0,speed=1M") + kPanel,
                                {.clock = 0, .data = 1, .data_command = 3, .select = 2, .reset = 4});
 }
