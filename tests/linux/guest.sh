@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # guest.sh ROOT FOLDER PANEL: real Debian kernels with zstrip-panel as machines for QEMU, in FOLDER/{amd64,armhf,arm64}:
 # `kernel`, `initrd`, for Arm `panels.dtb`, for armhf also `stuck-bus.dtb` (the emulator's device tree, and what
-# panels.dtsi and stuck_bus.dtsi have on its GPIO chip) and `sabrelite.dtb` (the kernel's own of a board with I2C). PANEL
-# is the host's program; those for Arm are built here, zstrip-panel and, for armhf with libgpiod 2 of Debian 13,
+# panels.dtsi and stuck_bus.dtsi have on its GPIO chip) and `sabrelite.dtb` (the kernel's own of a board with I2C).
+# PANEL is the host's program; those for Arm are built here, zstrip-panel and, for armhf with libgpiod 2 of Debian 13,
 # zstrip-panel-gpiod2, for arm64 also zstrip-kernels (tests/targets).
 # Downloads are kept in FOLDER/downloads. Where the packages cannot be had FOLDER/missing says why, and the status is 77;
 # where only those of Debian 13 cannot, FOLDER/missing-gpiod2 does, and the machines are made without the second program.
@@ -164,8 +164,8 @@ if [ ! -e missing-gpiod2 ]; then link_with_gpiod2; fi
 pack armhf armhf/panel virtio_pci virtio_gpu i2c_imx i2c_dev gpio_mxc spi_imx
 cp armhf/packages/usr/lib/linux-image-*/imx6q-sabrelite.dtb armhf/sabrelite.dtb
 
-# The machine's device tree with what a file of ours has on its only GPIO chip, whose power button goes. Its lines read low
-# unless they are driven: on buses of I2C both lines are stuck.
+# The machine's device tree with what a file of ours has on its only GPIO chip, whose power button goes. Its lines read
+# low unless they are driven: on buses of I2C both lines are stuck.
 tree() { # ARCHITECTURE NAME PARTS
   dtc -q -I dtb -O dts "$1/machine.dtb" | awk -v parts="$scripts/$3" '
   /^\tgpio-keys \{/ { skipping = 1 }

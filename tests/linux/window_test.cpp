@@ -2,16 +2,19 @@
 #include <SDL.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <span>
 #include <thread>
 
 #include "../host-sim/support.hpp"
 #include "colour_picture.hpp"
 #include "started_program.hpp"
 #include "x11_desktop.hpp"
+#include "zstrip_hal_linux/sdl_display.hpp"
 
 namespace zstrip::linux_window {
 namespace {
@@ -189,6 +192,34 @@ TEST_F(LinuxWindow, NotFasterThanTheScreen) {
   EXPECT_EQ(run("/usr/bin/env", panel("sdl:", {"--frames", "31", "--quiet"})), "");
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   EXPECT_GE(took.count(), 0.45) << "30 times a sixtieth of a second";
+}
+
+// A frame may write only what changes; the user's wish to close is kept.
+TEST_F(LinuxWindow, TheDisplayByItself) {
+  ::setenv("SDL_VIDEODRIVER", "dummy", 1);
+  ::setenv("SDL_VIDEO_DUMMY_SAVE_FRAMES", "1", 1);
+  std::filesystem::current_path(path(""));
+  auto display = hal::SdlDisplay::open("a title", {4, 2}, 1);
+  ASSERT_TRUE(display) << display.fault().message;
+  const std::array<std::uint16_t, 2> blue_and_white{0x001F, 0xFFFF};
+  const auto pixels = std::as_bytes(std::span(blue_and_white));
+  EXPECT_EQ(display->write({3, 0, 2, 1}, pixels), hal::Error::area);
+  EXPECT_EQ(display->write({0, 0, 2, 2}, pixels), hal::Error::pixels_too_small);
+  EXPECT_EQ(display->write({1, 0, 2, 1}, pixels), hal::Error::none);
+  EXPECT_EQ(display->end_frame(), hal::Error::none);
+  EXPECT_EQ(display->write({3, 0, 1, 2}, pixels), hal::Error::none);
+  EXPECT_EQ(display->end_frame(), hal::Error::none);
+  using Pixel = std::array<std::uint8_t, 3>;
+  constexpr Pixel kBlack{}, kBlue{0, 0, 255}, kWhite{255, 255, 255};
+  EXPECT_EQ(read_bmp(path("SDL_window1-00000003.bmp")),
+            (boards::ColourPicture{4, 2, {kBlack, kBlue, kWhite, kBlue, kBlack, kBlack, kBlack, kWhite}}));
+
+  EXPECT_FALSE(display->is_closed());
+  SDL_Event event{};
+  event.type = SDL_QUIT;
+  SDL_PushEvent(&event);
+  EXPECT_TRUE(display->is_closed());
+  EXPECT_TRUE(display->is_closed());
 }
 
 TEST_F(LinuxWindow, WhatIsRefused) {
