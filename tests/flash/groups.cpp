@@ -53,6 +53,9 @@ constexpr Pattern kPatterns[] = {
     {"transform", Group::vertices},
     {"shade_vertices", Group::vertices},
 
+    {"set_up_texture", Group::spans},
+    {"set_medium_edge", Group::spans},
+
     {"draw_small", Group::small_triangles},
     {"zstrip_set_up_small", Group::small_triangles},
     {"zstrip_scan_small", Group::small_triangles},
@@ -60,9 +63,10 @@ constexpr Pattern kPatterns[] = {
 
     {"draw_span", Group::spans},
     {"draw_medium_textured", Group::spans},
-    {"set_edge", Group::spans},
+    {"begin_textured", Group::spans},
+    {"scan_textured", Group::spans},
+    {"fill_smooth", Group::spans},
     {"TriangleRows", Group::spans},
-    {"TexturedRows", Group::spans},
     {"TexturePlanes", Group::spans},
     {"MediumPlanes", Group::spans},
     {"walk_", Group::spans},

@@ -92,7 +92,7 @@ void draw_row(const TexturedScan& textured, Run<lit>& run, std::int32_t column, 
 
 /// `count` > 0 rows. Not inlined: it needs all registers.
 template <TexelLight lit, bool affine>
-[[gnu::noinline]] void scan_rows(TexturedScan& textured, Run<lit>& run, std::int32_t count) {
+[[gnu::noinline]] void scan_textured_rows(TexturedScan& textured, Run<lit>& run, std::int32_t count) {
   MediumScan& scan = textured.scan;
   do {
     const std::int32_t column = scan.rows.left.pixel, length = scan.rows.right.pixel - column;
@@ -172,8 +172,8 @@ enum class Prepared : std::uint8_t { nothing, rows, left_to_spans };
 
 /// What all lights share, so that it is code once.
 template <bool affine>
-[[gnu::noinline]] Prepared prepare(TexturedScan& textured, TriangleRows& rows, RunState& run, TexelLight lit,
-                                   const MediumTriangle& t, const MediumTexture& surface) {
+[[gnu::noinline]] Prepared begin_textured(TexturedScan& textured, TriangleRows& rows, RunState& run, TexelLight lit,
+                                          const MediumTriangle& t, const MediumTexture& surface) {
   if (!rows.begin(t)) return Prepared::left_to_spans;
   // Planes are most of the work, and many a triangle covers no pixel.
   if (!rows.has_pixels(t)) return Prepared::nothing;
@@ -209,13 +209,13 @@ bool draw_medium_textured(const MediumTriangle& t, const MediumTexture& surface)
   TexturedScan textured;
   TriangleRows rows(textured.scan.rows);
   Run<lit> run;
-  const Prepared prepared = prepare<affine>(textured, rows, run, lit, t, surface);
+  const Prepared prepared = begin_textured<affine>(textured, rows, run, lit, t, surface);
   if (prepared != Prepared::rows) return prepared == Prepared::nothing;
   do {
     if constexpr (kHasThumb2 && lit == TexelLight::smooth && !affine) {
       scan_textured_rows_thumb(textured, run, rows.count, kInverse);
     } else {
-      scan_rows<lit, affine>(textured, run, rows.count);
+      scan_textured_rows<lit, affine>(textured, run, rows.count);
     }
     rows.row += rows.count, rows.count = 0;
   } while (rows.has_more(t));
