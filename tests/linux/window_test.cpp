@@ -87,6 +87,16 @@ class LinuxWindowX11 : public LinuxWindow {
     }
   }
 
+  /// SDL forgets what happens to a window before it is ready.
+  void wait_for_a_picture() const {
+    const auto is_black = [](const std::array<std::uint8_t, 3>& pixel) { return pixel[0] == 0; };
+    const auto deadline = std::chrono::steady_clock::now() + 10s;
+    while (std::ranges::all_of(desktop_->seen(kTitle).pixels, is_black)) {
+      ASSERT_LT(std::chrono::steady_clock::now(), deadline) << "the window stays black";
+      std::this_thread::sleep_for(20ms);
+    }
+  }
+
   std::unique_ptr<X11Desktop> desktop_;
 };
 
@@ -103,6 +113,7 @@ TEST_F(LinuxWindowX11, ShowsTheRenderedPictureUntilItIsClosed) {
 TEST_F(LinuxWindowX11, ClosingEndsAPlayWithoutAnEnd) {
   for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--fps", "0.05"}}) {
     StartedProgram program(panel("sdl:", more), on_desktop());
+    wait_for_a_picture();
     EXPECT_EQ(desktop_->seen(kTitle).width, 64) << "as large as the scene was baked";
     desktop_->close(kTitle);
     EXPECT_EQ(program.wait(), 0);
@@ -120,7 +131,7 @@ TEST_F(LinuxWindowX11, SignalsEndIt) {
 
 TEST_F(LinuxWindowX11, ADesktopThatEndsEndsItToo) {
   StartedProgram program(panel("sdl:", {"--quiet"}), on_desktop());
-  EXPECT_EQ(desktop_->seen(kTitle).width, 64);
+  wait_for_a_picture();
   desktop_.reset();
   EXPECT_EQ(program.wait(), 1) << "Xlib's own end of a program";
 }

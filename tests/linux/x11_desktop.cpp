@@ -25,6 +25,8 @@ struct X11Desktop::Parts {
 
   Parts() {
     if (display == nullptr) throw std::runtime_error("no display " + name);
+    // Programs have windows for a moment, too, which are gone when their name is asked for.
+    XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
   }
   ~Parts() { XCloseDisplay(display); }
 
