@@ -180,7 +180,8 @@ TEST_F(Bake, ProgramsHaveThePanelTheNamespaceAndTheSkin) {
   for (const char* name : {"c.ino", "c.cpp"})
     has(text(figure, name, {"--size", "240x240"}), "baked::pose_skins(player.time())");
   // What is between @ in a file's name is no namespace.
-  has(text(file("a@b.obj", read(kHouseModel)), "d.cpp", {}), "// a@b.obj in 320x240 pixels, rgb565.");
+  has(text(file("a@b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "d.cpp", {}),
+      "// a@b.obj in 320x240 pixels, rgb565.");
 }
 
 TEST_F(Bake, Refusals) {
