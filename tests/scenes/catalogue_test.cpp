@@ -67,6 +67,7 @@ TEST(Catalogue, CountsAreThoseOfTheScene) {
     EXPECT_EQ(scene.counts.meshlets, counted.meshlets) << scene.name;
     EXPECT_EQ(scene.counts.longest_meshlet, counted.longest_meshlet) << scene.name;
     EXPECT_EQ(scene.counts.quadrics, counted.quadrics) << scene.name;
+    EXPECT_EQ(scene.counts.colours_in_place, counted.colours_in_place) << scene.name;
   }
 }
 

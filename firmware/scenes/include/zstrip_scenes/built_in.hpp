@@ -40,18 +40,21 @@ struct BuiltIn {
   std::uint32_t pose_bytes = 0;  ///< of that RAM
 };
 
-/// The counts of a scene of one instance of `mesh`. If it has meshlets: most vertices and triangles of one.
-constexpr SceneCounts counts_of_one(const Mesh& mesh, std::uint32_t largest_meshlet = 0,
+/// The counts of a scene of one instance of `mesh`, all of `material`. If it has meshlets: most vertices and triangles
+/// of one.
+constexpr SceneCounts counts_of_one(const Mesh& mesh, const Material& material, std::uint32_t largest_meshlet = 0,
                                     std::uint32_t longest_meshlet = 0) {
   const auto vertices = static_cast<std::uint32_t>(mesh.positions.size());
   const auto triangles = static_cast<std::uint32_t>(mesh.triangles.size());
   const bool whole = mesh.meshlets.empty();
+  const Scene scene{.meshes = {&mesh, 1}, .materials = {&material, 1}, .textures = {}, .instances = {}, .lights = {}};
   return {.instances = 1,
           .triangles = triangles,
           .vertices = vertices,
           .largest_meshlet = whole ? vertices : largest_meshlet,
           .meshlets = whole ? 1 : static_cast<std::uint32_t>(mesh.meshlets.size()),
-          .longest_meshlet = whole ? triangles : longest_meshlet};
+          .longest_meshlet = whole ? triangles : longest_meshlet,
+          .colours_in_place = !detail::makes_colours(scene, {})};
 }
 
 }  // namespace zstrip::scenes

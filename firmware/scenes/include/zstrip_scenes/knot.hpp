@@ -49,7 +49,7 @@ inline constexpr BuiltIn knot{
     .description = "a trefoil knot with vertex colours, Gouraud shaded, 5120 triangles (workload K5)",
     .scene =
         {.meshes = kKnotMesh, .materials = kKnotMaterial, .textures = {}, .instances = kKnotInstance, .lights = {}},
-    .counts = counts_of_one(kKnotMesh[0]),
+    .counts = counts_of_one(kKnotMesh[0], kKnotMaterial[0]),
     .camera = turntable_camera(4.0, 20, 4.05),
     .focal_across = fixed(4.0)};
 
@@ -72,7 +72,7 @@ inline constexpr BuiltIn knot_lit{.name = "knot_lit",
                                             .instances = kKnotInstance,
                                             .lights = kKeyLight,
                                             .ambient = kAmbient},
-                                  .counts = knot.counts,
+                                  .counts = counts_of_one(kKnotLitMesh[0], kKnotLitMaterial[0]),
                                   .camera = knot.camera,
                                   .focal_across = knot.focal_across};
 

@@ -52,20 +52,23 @@ inline constexpr BuiltIn knot_meshlets{
               .textures = {},
               .instances = kKnotInstance,
               .lights = {}},
-    .counts = counts_of_one(kKnotMeshletsMesh[0], kKnotPatchVertices, 2 * kKnotPatchRings * kKnotPatchSides),
+    .counts = counts_of_one(kKnotMeshletsMesh[0], kKnotMaterial[0], kKnotPatchVertices,
+                            2 * kKnotPatchRings * kKnotPatchSides),
     .camera = knot.camera,
     .focal_across = knot.focal_across};
 
-inline constexpr BuiltIn knot_textured{.name = "knot_textured",
-                                       .description = "the knot in 64 meshlets, textured, lit, Gouraud shaded",
-                                       .scene = {.meshes = kKnotTexturedMesh,
-                                                 .materials = kKnotTexturedMaterial,
-                                                 .textures = kKnotTexture,
-                                                 .instances = kKnotInstance,
-                                                 .lights = kKeyLight,
-                                                 .ambient = kAmbient},
-                                       .counts = knot_meshlets.counts,
-                                       .camera = knot.camera,
-                                       .focal_across = knot.focal_across};
+inline constexpr BuiltIn knot_textured{
+    .name = "knot_textured",
+    .description = "the knot in 64 meshlets, textured, lit, Gouraud shaded",
+    .scene = {.meshes = kKnotTexturedMesh,
+              .materials = kKnotTexturedMaterial,
+              .textures = kKnotTexture,
+              .instances = kKnotInstance,
+              .lights = kKeyLight,
+              .ambient = kAmbient},
+    .counts = counts_of_one(kKnotTexturedMesh[0], kKnotTexturedMaterial[0], kKnotPatchVertices,
+                            2 * kKnotPatchRings * kKnotPatchSides),
+    .camera = knot.camera,
+    .focal_across = knot.focal_across};
 
 }  // namespace zstrip::scenes

@@ -52,7 +52,7 @@ inline constexpr BuiltIn random50{.name = "random50",
                                             .textures = {},
                                             .instances = kRandomInstance,
                                             .lights = {}},
-                                  .counts = counts_of_one(kRandom50Mesh[0]),
+                                  .counts = counts_of_one(kRandom50Mesh[0], kRandomMaterial[0]),
                                   .camera = turntable_camera(6.0, 20, 3.7),
                                   .focal_across = fixed(4.0)};
 
@@ -63,7 +63,7 @@ inline constexpr BuiltIn random10k{.name = "random10k",
                                              .textures = {},
                                              .instances = kRandomInstance,
                                              .lights = {}},
-                                   .counts = counts_of_one(kRandom10kMesh[0]),
+                                   .counts = counts_of_one(kRandom10kMesh[0], kRandomMaterial[0]),
                                    .camera = turntable_camera(5.0, 20, 3.1),
                                    .focal_across = fixed(3.5)};
 
@@ -75,7 +75,8 @@ inline constexpr BuiltIn random10k_meshlets{
               .textures = {},
               .instances = kRandomInstance,
               .lights = {}},
-    .counts = counts_of_one(kRandom10kMeshletsMesh[0], 3 * kRandomMeshletTriangles, kRandomMeshletTriangles),
+    .counts = counts_of_one(kRandom10kMeshletsMesh[0], kRandomMaterial[0], 3 * kRandomMeshletTriangles,
+                            kRandomMeshletTriangles),
     .camera = random10k.camera,
     .focal_across = random10k.focal_across};
 

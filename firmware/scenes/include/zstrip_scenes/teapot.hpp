@@ -33,7 +33,7 @@ inline constexpr BuiltIn teapot{.name = "teapot",
                                           .instances = kTeapotInstance,
                                           .lights = kKeyLight,
                                           .ambient = kAmbient},
-                                .counts = counts_of_one(kTeapotMesh[0]),
+                                .counts = counts_of_one(kTeapotMesh[0], kTeapotMaterial[0]),
                                 .camera = turntable_camera(4.0, 20, 5.75),
                                 .focal_across = fixed(3.65)};
 

@@ -29,7 +29,7 @@ inline constexpr BuiltIn teapot_meshlets{.name = "teapot_meshlets",
                                                    .instances = kTeapotInstance,
                                                    .lights = kKeyLight,
                                                    .ambient = kAmbient},
-                                         .counts = counts_of_one(kTeapotMeshletsMesh[0], 64, 112),
+                                         .counts = counts_of_one(kTeapotMeshletsMesh[0], kTeapotMaterial[0], 64, 112),
                                          .camera = teapot.camera,
                                          .focal_across = teapot.focal_across};
 

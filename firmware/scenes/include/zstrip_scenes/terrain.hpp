@@ -39,17 +39,18 @@ consteval Camera terrain_camera() {
   return camera;
 }
 
-inline constexpr BuiltIn terrain{.name = "terrain",
-                                 .description = "hills to the horizon in 36 meshlets, 3528 triangles, vertex colours",
-                                 .scene = {.meshes = kTerrainMesh,
-                                           .materials = kTerrainMaterial,
-                                           .textures = {},
-                                           .instances = kTerrainInstance,
-                                           .lights = {},
-                                           .background = {150, 190, 230, 255}},
-                                 .counts = counts_of_one(kTerrainMesh[0], kTerrainTileVertices, kTerrainTileTriangles),
-                                 .camera = terrain_camera(),
-                                 .focal_across = fixed(7.9),
-                                 .turns = Turns::camera};
+inline constexpr BuiltIn terrain{
+    .name = "terrain",
+    .description = "hills to the horizon in 36 meshlets, 3528 triangles, vertex colours",
+    .scene = {.meshes = kTerrainMesh,
+              .materials = kTerrainMaterial,
+              .textures = {},
+              .instances = kTerrainInstance,
+              .lights = {},
+              .background = {150, 190, 230, 255}},
+    .counts = counts_of_one(kTerrainMesh[0], kTerrainMaterial[0], kTerrainTileVertices, kTerrainTileTriangles),
+    .camera = terrain_camera(),
+    .focal_across = fixed(7.9),
+    .turns = Turns::camera};
 
 }  // namespace zstrip::scenes

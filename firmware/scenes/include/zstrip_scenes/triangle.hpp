@@ -27,7 +27,7 @@ inline constexpr BuiltIn triangle{.name = "triangle",
                                             .textures = {},
                                             .instances = kTriangleInstance,
                                             .lights = {}},
-                                  .counts = counts_of_one(kTriangleMesh[0]),
+                                  .counts = counts_of_one(kTriangleMesh[0], kTriangleMaterial[0]),
                                   .camera = turntable_camera(4.0, 20, 2.55),
                                   .focal_across = fixed(4.05)};
 

@@ -38,7 +38,7 @@ inline constexpr BuiltIn wires{.name = "wires",
                                          .instances = kWiresInstance,
                                          .lights = kKeyLight,
                                          .ambient = kAmbient},
-                               .counts = counts_of_one(kWiresMesh[0]),
+                               .counts = counts_of_one(kWiresMesh[0], kWiresMaterial[0]),
                                .camera = turntable_camera(4.0, 20, 3.8),
                                .focal_across = fixed(3.8)};
 
