@@ -67,9 +67,10 @@ picture::Picture draw_fixed(Fixed& renderer, const Camera& camera, const View& v
   return draw_begun(renderer, renderer.begin_frame(camera), view);
 }
 
-template <const Scene& scene, const View& view, Effects more = Effects{}, SceneCounts counts = count(scene)>
+template <const Scene& scene, const View& view, Effects more = Effects{}, SceneCounts counts = count(scene),
+          std::uint16_t strip_rows = 8>
 void expect_as_any_renderer(double distance) {
-  static FixedRenderer<scene, view, Budget{.strip_rows = 8}, more, Projection::perspective, counts> renderer;
+  static FixedRenderer<scene, view, Budget{.strip_rows = strip_rows}, more, Projection::perspective, counts> renderer;
   for (const double angle : {0.0, 0.13, 0.61}) {
     const Camera camera = seen_from(distance, angle);
     const picture::Picture expected = picture::draw(effects_of(scene, camera) | more, scene, camera, view);
@@ -109,6 +110,14 @@ TEST(LeftOut, AFixedRendererDrawsEachShade) {
   expect_as_any_renderer<kCube, kSmall, effect::unclipped>(5);
   expect_as_any_renderer<kRoom, kSmall>(0.5);
   expect_as_any_renderer<kKnot, kSmall, effect::depth_24 | effect::unclipped>(4);
+}
+
+/// Regression: small triangles that strips cut to less than vectors draw at once had the colours of large ones.
+TEST(LeftOut, StripsOfFewRowsHaveTheSamePixels) {
+  static constexpr View kView{61, 47};
+  expect_as_any_renderer<kTeapot, kView, effect::unclipped, count(kTeapot), 1>(5);
+  expect_as_any_renderer<kTeapot, kView, effect::unclipped, count(kTeapot), 5>(5);
+  expect_as_any_renderer<kTeapot, kView, effect::unclipped | effect::bins, count(kTeapot), 3>(5);
 }
 
 /// By a renderer of exactly what the scene calls for, and by the host's.

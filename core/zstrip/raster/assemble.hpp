@@ -136,8 +136,8 @@ struct Assembler : ClippedAssembler<effects> {
     const CountedTriangle<kStatistics> counted(target, whole.left, whole.top);
     constexpr bool kHasSmall = (kDepth.format == DepthFormat::z16 || kDepth.format == DepthFormat::float16) &&
                                !kDepth.any(method::midpoint) && !kDepth.compares_codes();
-    // What a run of small triangles has left is not small, nor medium.
-    constexpr bool kInRuns = kSmallRuns<shade, true> && kUnclipped && !kTwoSided;
+    // What a run of small triangles has left is not small, nor medium; but vectors leave what has no room for blocks.
+    constexpr bool kInRuns = kSmallRuns<shade, true> && kUnclipped && !kTwoSided && !kHasVectors;
     constexpr bool kGouraud = shade == Shade::gouraud;
     [[maybe_unused]] const Colour* colours[3] = {nullptr, nullptr, nullptr};
     if constexpr (kGouraud) {
