@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <string_view>
 
 #include "panel/simulated_panel.hpp"
@@ -53,19 +54,29 @@ std::string player(const BakedScene& baked) {
   return text + " + 96];\nzstrip::Player player(memory, zstrip::drawn_with<@::kEffects>);\n";
 }
 
-/// The panel turned, where the picture is wider than it.
-bool lies_sideways(const View& view) { return view.width > Panel::kColumns; }
+/// The module with that glass, if there is one.
+const PanelModule* module_of(std::uint16_t width, std::uint16_t height) {
+  const auto is_panel = [](const PanelKind& kind) { return std::string_view(kind.name) == "st7789"; };
+  for (const PanelModule& module : std::ranges::find_if(panel_kinds(), is_panel)->modules) {
+    if (module.width == width && module.height == height) return &module;
+  }
+  return nullptr;
+}
+
+/// The panel turned, where the picture is wider than it, or is that of a module on its side.
+bool lies_sideways(const View& view) {
+  return view.width > Panel::kColumns ||
+         (module_of(view.width, view.height) == nullptr && module_of(view.height, view.width) != nullptr);
+}
 
 /// The driver's configuration of the panel, as it lies.
 std::string panel_config(const View& view) {
   const bool sideways = lies_sideways(view);
   const std::uint16_t width = sideways ? view.height : view.width, height = sideways ? view.width : view.height;
   std::string config = fmt::format(".width = {}, .height = {},", width, height);
-  const auto is_panel = [](const PanelKind& kind) { return std::string_view(kind.name) == "st7789"; };
-  for (const PanelModule& module : std::ranges::find_if(panel_kinds(), is_panel)->modules) {
-    if (module.width != width || module.height != height) continue;
-    if (module.column_offset != 0) config += fmt::format(" .column_offset = {},", module.column_offset);
-    if (module.row_offset != 0) config += fmt::format(" .row_offset = {},", module.row_offset);
+  if (const PanelModule* const module = module_of(width, height); module != nullptr) {
+    if (module->column_offset != 0) config += fmt::format(" .column_offset = {},", module->column_offset);
+    if (module->row_offset != 0) config += fmt::format(" .row_offset = {},", module->row_offset);
   }
   if (sideways) config += "\n    .orientation = {.rotation = zstrip::hal::Rotation::by_90},";
   if (view.format == PixelFormat::rgb666 || view.format == PixelFormat::rgb444) {
@@ -74,9 +85,12 @@ std::string panel_config(const View& view) {
   return "{" + config + " .inverted = true}";
 }
 
-}  // namespace
-
-Result<Done> check_for_program(const BakedScene& baked) {
+/// `names`: what the text has beside the header's namespace.
+Result<Done> check(const BakedScene& baked, const std::string& name_space, std::initializer_list<const char*> names) {
+  if (std::ranges::find(names, name_space) != names.end()) {
+    return Failure{ExitStatus::usage,
+                   fmt::format("--namespace {}: the program has that name itself; choose another one", name_space)};
+  }
   if (baked.effects.methods == 0) return Done{};
   return Failure{
       ExitStatus::usage,
@@ -84,7 +98,13 @@ Result<Done> check_for_program(const BakedScene& baked) {
                   visibility_name(baked.effects))};
 }
 
-Result<Done> check_for_sketch(const BakedScene& baked) {
+}  // namespace
+
+Result<Done> check_for_program(const BakedScene& baked, const std::string& name_space) {
+  return check(baked, name_space, {"main", "memory", "picture", "player", "send"});
+}
+
+Result<Done> check_for_sketch(const BakedScene& baked, const std::string& name_space) {
   const View& view = baked.view;
   const bool fits = (view.width <= Panel::kColumns && view.height <= Panel::kRows) ||
                     (view.width <= Panel::kRows && view.height <= Panel::kColumns);
@@ -99,7 +119,13 @@ Result<Done> check_for_sketch(const BakedScene& baked) {
                    fmt::format("--format {}: a sketch is for an ST7789, which takes rgb565_swapped, rgb666 or rgb444",
                                name(view.format))};
   }
-  return check_for_program(baked);
+  if (view.format == PixelFormat::rgb444 && view.width % 2 != 0) {
+    return Failure{ExitStatus::usage,
+                   fmt::format("--size {}x{} with --format rgb444: a sketch sends two pixels in three bytes; choose an "
+                               "even width, or rgb565_swapped",
+                               view.width, view.height)};
+  }
+  return check(baked, name_space, {"bus", "loop", "memory", "panel", "player", "setup", "waiting"});
 }
 
 std::string to_sketch(const BakedScene& baked, const std::string& name_space) {

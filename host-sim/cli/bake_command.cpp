@@ -401,7 +401,8 @@ Result<Done> run(const Arguments& arguments) {
   Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *turn, skins, *request);
   if (!baked) return baked.failure();
   if (*kind == Kind::sketch || *kind == Kind::program) {
-    const Result<Done> drawn = *kind == Kind::sketch ? check_for_sketch(*baked) : check_for_program(*baked);
+    const Result<Done> drawn = *kind == Kind::sketch ? check_for_sketch(*baked, arguments.name_space)
+                                                     : check_for_program(*baked, arguments.name_space);
     if (!drawn) return drawn.failure();
   }
   std::optional<ClippingRecord> clipping;

@@ -176,6 +176,10 @@ TEST_F(Bake, ProgramsHaveThePanelTheNamespaceAndTheSkin) {
   has(sideways, "    .format = zstrip::hal::PixelFormat::rgb444, .inverted = true};");
   has(sideways, "player.open({house::kScene, house::kCamera");
   EXPECT_EQ(sideways.find("baked::"), std::string::npos);
+  // Not wider than the controller's memory, but a module's glass on its side.
+  const std::string narrow = text(kHouseModel, "e.ino", {"--size", "240x135"});
+  has(narrow, "kPanel{.width = 135, .height = 240, .column_offset = 52, .row_offset = 40,\n");
+  has(narrow, "    .orientation = {.rotation = zstrip::hal::Rotation::by_90},");
   const std::string figure = ZSTRIP_SCENE_FILES "/figure/figure.gltf";
   for (const char* name : {"c.ino", "c.cpp"})
     has(text(figure, name, {"--size", "240x240"}), "baked::pose_skins(player.time())");
@@ -201,6 +205,9 @@ TEST_F(Bake, Refusals) {
   expect({"bake", "teapot", "-o", "house.hpp", "--up", "z"}, 2, "--up");
   expect({"bake", kHouseModel, "-o", "house.ino", "--size", "241x321"}, 2, "ST7789");
   expect({"bake", kHouseModel, "-o", "house.ino", "--size", "128x64", "--format", "mono"}, 2, "rgb565_swapped");
+  expect({"bake", kHouseModel, "-o", "house.ino", "--size", "135x240", "--format", "rgb444"}, 2, "even width");
+  expect({"bake", kHouseModel, "-o", "house.ino", "--namespace", "panel"}, 2, "--namespace panel");
+  expect({"bake", kHouseModel, "-o", "main.cpp", "--namespace", "player"}, 2, "--namespace player");
   expect({"bake", kHouseModel, "-o", "house.ino", "--visibility", "painter"}, 2, "no --visibility painter");
   expect({"bake", kHouseModel, "-o", "main.cpp", "--visibility", "painter"}, 2, "no --visibility painter");
   expect({"bake", kHouseModel, "-o", "house.hpp", "--size", "0x0"}, 2, "--size");
