@@ -44,9 +44,10 @@ hal::Outcome<DisplayAddress> DisplayAddress::parse(const std::string& text) {
       address.device_ = part;
       continue;
     }
-    if (first && equals == std::string::npos && std::isdigit(static_cast<unsigned char>(part[0])) != 0) {
+    if (first && equals == std::string::npos &&
+        (part[0] == '@' || std::isdigit(static_cast<unsigned char>(part[0])) != 0)) {
       const std::size_t at = part.find('@');
-      address.values_.emplace("size", part.substr(0, at));
+      if (at != 0) address.values_.emplace("size", part.substr(0, at));
       if (at != std::string::npos) address.values_.emplace("scale", part.substr(at + 1));
       continue;
     }

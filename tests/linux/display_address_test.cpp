@@ -40,6 +40,11 @@ TEST(LinuxDisplayAddress, DeviceAndKeys) {
   EXPECT_EQ(**window->take_number("scale", 1, 8), 2U);
   EXPECT_TRUE(*window->take_flag("mirror"));
   EXPECT_FALSE(window->untaken());
+  auto scaled = DisplayAddress::parse("sdl:@2");
+  ASSERT_TRUE(scaled);
+  EXPECT_FALSE(*scaled->take_size("size"));
+  EXPECT_EQ(**scaled->take_number("scale", 1, 8), 2U);
+  EXPECT_FALSE(scaled->untaken());
   EXPECT_TRUE(DisplayAddress::parse("fbdev"));
   EXPECT_TRUE(DisplayAddress::parse(""));
 }
