@@ -8,7 +8,7 @@
 //   node pico.mjs refused WORK UF2 PANEL ZSTRIP     what the player cannot show it says
 // PANEL is the program of panel.cpp, ZSTRIP the command; UF2 has the teapot, or the player for baked scenes. Exit status: 0 yes, 1 no, 2 wrong words, 77 something is not to be had here.
 import {spawnSync} from 'node:child_process';
-import {existsSync, mkdirSync, readFileSync, rmSync} from 'node:fs';
+import {existsSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {basename, dirname, join} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
 
@@ -224,7 +224,10 @@ function wrongWhenRefused({library, flash, panel}, blob, says) {
 function refused(given) {
   const {run, file} = commandOf(given.zstrip, join(given.work, 'refused'));
   run('bake', 'cube', '-o', 'cube.zsc');
-  run('bake', 'random10k', '-o', 'large.zsc');
+  // Tinted: colours in the mesh would take no memory.
+  writeFileSync(file('large.toml'), 'model = [{ name = "all", built_in = "random10k" }]\n' +
+      'material = [{ name = "red", colour = "#ff8080" }]\ninstance = [{ model = "all", material = "red" }]\n');
+  run('bake', 'large.toml', '-o', 'large.zsc');
   const damaged = readFileSync(file('cube.zsc'));
   damaged[damaged.length - 1] ^= 1;
   return verdict([
