@@ -8,7 +8,8 @@
 namespace zstrip {
 namespace detail {
 
-/// Instructions, by least squares of relative errors over 190 frames of the workloads.
+/// Instructions, by least squares of relative errors over 190 frames of the workloads; those of a skin and of a texture
+/// as counted in the workloads `character` and K5T.
 inline constexpr std::uint64_t kCostOfVertex = 100;
 inline constexpr std::uint64_t kCostOfLighting = 27;   // a vertex
 inline constexpr std::uint64_t kCostOfSkin = 200;      // a vertex that joints move, normal included
