@@ -144,8 +144,9 @@ bool textured_differ(Random& random, std::uint32_t number, Outcome& outcome) {
   const StripTarget own = pictures.own.target(strip.left, strip.top, nullptr);
   const TexturedVertex* const vertices[3] = {&corners[0], &corners[1], &corners[2]};
   const Colour* const colours[3] = {&m.colours[0], &m.colours[1], &m.colours[2]};
+  const Surface surface{0, texture, depth_offset, less < 2};
   if (!draw_medium_textured<lit, perspective == 0>({own, m.v[0], m.v[1], m.v[2], m.area},
-                                                   {vertices, colours, texture, depth_offset})) {
+                                                   {vertices, colours, surface})) {
     return false;
   }
   constexpr Shade kShade = lit == TexelLight::none   ? Shade::textured
@@ -153,8 +154,8 @@ bool textured_differ(Random& random, std::uint32_t number, Outcome& outcome) {
                                                      : Shade::textured_gouraud;
   Statistics statistics{};
   draw_span_triangle<kShade, false, true, DepthMode{}, perspective>(
-      pictures.portable.target(strip.left, strip.top, &statistics), m.raster[0], m.raster[1], m.raster[2],
-      {.flat_colour = 0, .texture = texture, .depth_offset = depth_offset}, true);
+      pictures.portable.target(strip.left, strip.top, &statistics), m.raster[0], m.raster[1], m.raster[2], surface,
+      true);
   outcome.compared += statistics.depth_passes != 0 ? 1U : 0U;
   return !pictures.equal() && outcome.differs("a medium textured triangle", number);
 }

@@ -64,6 +64,13 @@ struct MediumRows {
   }
 };
 
+/// What all planes of a triangle share in assembly, in the order of its registers.
+struct SharedOfPlanes {
+  std::int32_t mantissa;                          ///< of 1 / area
+  std::int32_t down_2, right_2, down_1, right_1;  ///< shifted weights of vertices 2 and 1
+  std::int32_t to_anchor_x, to_anchor_y;          ///< from vertex 0 to the anchor's centre, sub-pixels
+};
+
 /// All that scanning needs, in memory: set-up and scan are short only if neither holds the other's registers.
 struct MediumScan {
   /// Whose planes: depth in 16.16 codes, channels in 8.16.
@@ -77,6 +84,7 @@ struct MediumScan {
   std::int32_t area;                ///< twice the signed area
   std::int32_t anchor_x, anchor_y;  ///< a pixel near the triangle
   Colour colours[3];                ///< of the vertices, where there are channels
+  SharedOfPlanes shared;            ///< for more planes than these
 
   std::uint32_t at(Value value, std::int32_t column) const {
     return start[value] + step_x[value] * static_cast<std::uint32_t>(column);

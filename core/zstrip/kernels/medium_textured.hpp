@@ -28,8 +28,7 @@ struct TexturedVertex {
 struct MediumTexture {
   const TexturedVertex* const (&vertices)[3];
   const Colour* const (&colours)[3];  ///< not read where nothing lights the texels; of the first where light is flat
-  const TextureView& texture;
-  std::int64_t depth_offset;  ///< DepthFit::offset
+  const Surface& surface;
 };
 
 /// Draws a triangle, or returns false: it is left to its spans. `affine`: nothing is divided by w.

@@ -196,10 +196,9 @@ struct Assembler : ClippedAssembler<effects> {
     constexpr TexelLight kLit = shade == Shade::textured        ? TexelLight::none
                                 : shade == Shade::textured_flat ? TexelLight::flat
                                                                 : TexelLight::smooth;
-    return draw_medium_textured < kLit,
-           kOrthographic ||
-               Clipped::kPerspective == 0 > ({target, *snapped[0], *snapped[1], *snapped[2], area},
-                                             {corners, colours, batch.surface.texture, batch.surface.depth_offset});
+    constexpr bool kIsAffine = kOrthographic || Clipped::kPerspective == 0;
+    return draw_medium_textured<kLit, kIsAffine>({target, *snapped[0], *snapped[1], *snapped[2], area},
+                                                 {corners, colours, batch.surface});
   }
 
   /// Whether triangles larger than small ones are drawn by draw_medium.

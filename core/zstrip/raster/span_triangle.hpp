@@ -15,13 +15,6 @@
 
 namespace zstrip::detail {
 
-/// What the pixels of a triangle need besides its vertices.
-struct Surface {
-  std::uint16_t flat_colour;
-  TextureView texture;
-  std::int64_t depth_offset;  ///< DepthFit::offset
-};
-
 /// From above to below.
 [[gnu::always_inline]] inline void sort_by_row(const RasterVertex*& top, const RasterVertex*& middle,
                                                const RasterVertex*& bottom) {

@@ -44,4 +44,12 @@ struct TextureView {
   std::uint8_t log2_width, log2_height;
 };
 
+/// What the pixels of a triangle need besides its vertices.
+struct Surface {
+  std::uint16_t flat_colour;
+  TextureView texture;
+  std::int64_t depth_offset;         ///< DepthFit::offset
+  bool has_far_coordinates = false;  ///< texture coordinates of the mesh may be 2^14 texels from each other
+};
+
 }  // namespace zstrip::detail

@@ -68,10 +68,11 @@ class TextureCoordinates {
     v_over_w_ = plane(v0_by_w, v1_by_w, v2_by_w);
   }
   /// Whether the vertices' texture coordinates are near enough to each other for words of 32 bits, and their 1/w has
-  /// less than 60: nothing is shifted by 32 or more then.
+  /// less than 60: nothing is shifted by 32 or more then. Only where they `may_be_far` the coordinates are read.
   template <class Vertex>
-  static bool fits_words(const Vertex* const (&v)[3], std::int64_t depth_offset) {
+  static bool fits_words(const Vertex* const (&v)[3], std::int64_t depth_offset, bool may_be_far) {
     if (static_cast<std::uint32_t>(depth_offset >> 32) >> 27 != 0) return false;
+    if (!may_be_far) return true;
     // Of halves, because differences of whole ones need 33 bits.
     const auto near = [](std::int32_t a, std::int32_t b) {
       return (static_cast<std::uint32_t>((a >> 1) - (b >> 1)) + (std::uint32_t{1} << 29)) >> 30 == 0;

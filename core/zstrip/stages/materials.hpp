@@ -1,6 +1,7 @@
 // What the raster stage gets of an instance's material: surface, depth settings, fragment settings.
 #pragma once
 
+#include <algorithm>
 #include <type_traits>
 
 #include "zstrip/effects/fog/curve_of.hpp"
@@ -13,7 +14,11 @@ namespace zstrip::detail {
 
 struct Materials {
   static Surface surface_of(const FrameState& frame, const CompiledInstance& instance) {
-    return {rgb565(instance.base), texture_of(frame, instance.material), frame.fit.offset};
+    const TextureView texture = texture_of(frame, instance.material);
+    // Differences of coordinates have 16 bits and a sign.
+    const bool has_far_coordinates =
+        std::max(texture.log2_width, texture.log2_height) > frame.scene->meshes[instance.mesh].texcoord_bits - 2;
+    return {rgb565(instance.base), texture, frame.fit.offset, has_far_coordinates};
   }
 
   static TextureView texture_of(const FrameState& frame, std::uint16_t material) {

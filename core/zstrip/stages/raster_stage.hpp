@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "zstrip/effects/skins/seen_faces.hpp"
 #include "zstrip/stages/geometry_stage.hpp"
 #include "zstrip/stages/method_stage.hpp"
 
@@ -55,6 +56,11 @@ struct RasterStage {
       const MeshletRange range = meshlet_range(frame.scene->meshes[frame.instances[instance].mesh], meshlet);
       const auto batch = GeometryStage::batch_for<effects>(frame, instance, range.first_vertex, 0);
       const bool all_narrow = GeometryStage::transform<effects>(frame, batch, range, 0);
+      if constexpr (skins::lights_seen_vertices(effects)) {
+        if (skins::lights_seen_vertices<effects>(batch, range, all_narrow)) {
+          return draw_seen_faces<effects>(frame, target, batch, range);
+        }
+      }
       GeometryStage::shade<effects>(frame, batch, range, 0);
       Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
         AssemblerFor<effects>::draw(complete, batch, range.triangles, all_narrow);
@@ -65,6 +71,22 @@ struct RasterStage {
     } else {
       GeometryStage::for_each_meshlet<effects>(frame, draw_meshlet);
     }
+  }
+
+  /// A meshlet whose vertices are lit as faces need them.
+  template <Effects effects>
+  static void draw_seen_faces(FrameState& frame, const StripTarget& target, const BatchOf<effects>& batch,
+                              const MeshletRange& range) {
+    Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
+      skins::for_seen_faces<effects>(
+          batch, range, complete.area,
+          [&](std::uint32_t place, std::uint32_t count) {
+            GeometryStage::shade<effects>(frame, batch, {range.first_vertex + place, count, {}}, place);
+          },
+          [&](std::span<const std::uint16_t> listed) {
+            AssemblerFor<effects>::draw_listed(complete, batch, range.triangles, listed, true);
+          });
+    });
   }
 
   template <Effects effects>

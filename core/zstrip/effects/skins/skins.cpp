@@ -78,9 +78,11 @@ void move_normals(const Mesh& mesh, const MeshletRange& range) {
   const Skinning* const skinning = moving(mesh);
   if (skinning == nullptr || mesh.normals.empty()) return;
   const Skin& skin = *skinning->skin;
+  const auto place = static_cast<std::size_t>(&mesh.normals[range.first_vertex] - skinning->normals.data());
   detail::move_normals(skin.mesh->normals.subspan(range.first_vertex, range.vertex_count),
                        skin.vertices.subspan(range.first_vertex, range.vertex_count),
-                       {skinning->matrices.data(), skinning->fraction_bits}, skinning->normals);
+                       {skinning->matrices.data(), skinning->fraction_bits},
+                       skinning->normals.subspan(place, range.vertex_count));
 }
 
 }  // namespace zstrip::detail::skins

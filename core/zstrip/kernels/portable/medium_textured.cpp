@@ -24,15 +24,30 @@ class TexturePlanes : public MediumPlanes {
   }
 };
 
-/// Planes of texture coordinates that fit words, and the texture.
+/// Planes of texture coordinates that fit words.
 template <bool affine>
-[[gnu::noinline]] void set_up_texture(TexturedScan& textured, RunState& run, const TexturePlanes& planes,
-                                      const MediumTexture& surface) {
-  TextureCoordinates<affine>(planes, surface.vertices, surface.depth_offset).start_rows(textured);
-  textured.to_fraction_u = TextureAxis(surface.texture.log2_width).to_fraction;
-  textured.to_fraction_v = TextureAxis(surface.texture.log2_height).to_fraction;
-  run.set_texture(surface.texture);
-  run.step_z = textured.scan.step_x[MediumScan::depth];
+[[gnu::noinline]] void set_up_coordinates(TexturedScan& textured, const TexturePlanes& planes,
+                                          const MediumTexture& textures) {
+  TextureCoordinates<affine>(planes, textures.vertices, textures.surface.depth_offset).start_rows(textured);
+}
+
+/// All planes, by the scan's area, anchor and colours. False: a channel is too steep.
+template <bool affine>
+bool set_up_planes(TexturedScan& textured, const MediumTriangle& t, const MediumTexture& textures) {
+  MediumScan& scan = textured.scan;
+  if constexpr (kHasThumb2 && !affine) {
+    if (!set_up_medium_thumb(scan, t.v0, t.v1, t.v2)) return false;
+    set_up_texture_thumb(textured, textures.vertices, textures.surface.depth_offset);
+  } else {
+    TexturePlanes planes(t.v0, t.v1, t.v2, t.area, scan.anchor_x, scan.anchor_y);
+    if constexpr (kHasThumb2) {
+      if (!set_up_medium_thumb(scan, t.v0, t.v1, t.v2)) return false;
+    } else {
+      if (!set_up_medium_portable(scan, planes, t.v0, t.v1, t.v2)) return false;
+    }
+    set_up_coordinates<affine>(textured, planes, textures);
+  }
+  return true;
 }
 
 using DepthTest = DepthRule<DepthMode{}>;
@@ -173,28 +188,27 @@ enum class Prepared : std::uint8_t { nothing, rows, left_to_spans };
 /// What all lights share, so that it is code once.
 template <bool affine>
 [[gnu::noinline]] Prepared begin_textured(TexturedScan& textured, TriangleRows& rows, RunState& run, TexelLight lit,
-                                          const MediumTriangle& t, const MediumTexture& surface) {
+                                          const MediumTriangle& t, const MediumTexture& textures) {
   if (!rows.begin(t)) return Prepared::left_to_spans;
   // Planes are most of the work, and many a triangle covers no pixel.
   if (!rows.has_pixels(t)) return Prepared::nothing;
   if (!fits_words(t, rows.width, rows.height) ||
-      !TextureCoordinates<affine>::fits_words(surface.vertices, surface.depth_offset)) {
+      !TextureCoordinates<affine>::fits_words(textures.vertices, textures.surface.depth_offset,
+                                              textures.surface.has_far_coordinates)) {
     return Prepared::left_to_spans;
   }
   MediumScan& scan = textured.scan;
   scan.area = t.area, scan.anchor_x = rows.anchor_x, scan.anchor_y = rows.anchor_y;
   scan.has_channels = lit == TexelLight::smooth;
-  if (scan.has_channels) scan.set_colours(surface.colours);
-  TexturePlanes planes(t.v0, t.v1, t.v2, t.area, rows.anchor_x, rows.anchor_y);
-  if constexpr (kHasThumb2) {
-    if (!set_up_medium_thumb(scan, t.v0, t.v1, t.v2)) return Prepared::left_to_spans;
-  } else {
-    if (!set_up_medium_portable(scan, planes, t.v0, t.v1, t.v2)) return Prepared::left_to_spans;
-  }
+  if (scan.has_channels) scan.set_colours(textures.colours);
+  if (!set_up_planes<affine>(textured, t, textures)) return Prepared::left_to_spans;
   textured.row = rows.row - rows.anchor_y;
-  set_up_texture<affine>(textured, run, planes, surface);
+  textured.to_fraction_u = TextureAxis(textures.surface.texture.log2_width).to_fraction;
+  textured.to_fraction_v = TextureAxis(textures.surface.texture.log2_height).to_fraction;
+  run.set_texture(textures.surface.texture);
+  run.step_z = scan.step_x[MediumScan::depth];
   if (lit == TexelLight::flat) {
-    const Colour& light = *surface.colours[0];
+    const Colour& light = *textures.colours[0];
     run.r = light_factor(static_cast<std::uint32_t>(channel_start(light.r)));
     run.g = light_factor(static_cast<std::uint32_t>(channel_start(light.g)));
     run.b = light_factor(static_cast<std::uint32_t>(channel_start(light.b)));
@@ -205,11 +219,11 @@ template <bool affine>
 }  // namespace
 
 template <TexelLight lit, bool affine>
-bool draw_medium_textured(const MediumTriangle& t, const MediumTexture& surface) {
+bool draw_medium_textured(const MediumTriangle& t, const MediumTexture& textures) {
   TexturedScan textured;
   TriangleRows rows(textured.scan.rows);
   Run<lit> run;
-  const Prepared prepared = begin_textured<affine>(textured, rows, run, lit, t, surface);
+  const Prepared prepared = begin_textured<affine>(textured, rows, run, lit, t, textures);
   if (prepared != Prepared::rows) return prepared == Prepared::nothing;
   do {
     if constexpr (kHasThumb2 && lit == TexelLight::smooth && !affine) {

@@ -21,7 +21,8 @@ static_assert(MediumScan::depth == 0 && MediumScan::red == 1 && MediumScan::gree
 
 static_assert(offsetof(MediumScan, flat_colour) == 104 && offsetof(MediumScan, has_channels) == 106 &&
               offsetof(MediumScan, area) == 108 && offsetof(MediumScan, anchor_x) == 112 &&
-              offsetof(MediumScan, anchor_y) == 116 && offsetof(MediumScan, colours) == 120);
+              offsetof(MediumScan, anchor_y) == 116 && offsetof(MediumScan, colours) == 120 &&
+              offsetof(MediumScan, shared) == 132 && sizeof(SharedOfPlanes) == 28);
 
 #endif
 

@@ -9,6 +9,12 @@
 
 namespace zstrip::detail {
 
+struct TexturedVertex;
+
+/// The planes of 1/w, u/w and v/w, the bases and the right shift of a triangle whose other planes
+/// set_up_medium_thumb has made, from its vertices and DepthFit::offset. For Thumb-2.
+void set_up_texture_thumb(TexturedScan& scan, const TexturedVertex* const* vertices, std::int64_t depth_offset);
+
 /// `count` > 0 rows of a triangle with perspective in smooth light; moves the scan below them. `inverse` is kInverse.
 /// For Thumb-2.
 void scan_textured_rows_thumb(TexturedScan& scan, const LitRunState<TexturedRunState<std::uint32_t>>& run,

@@ -13,10 +13,10 @@ namespace zstrip::detail {
 using Run = TexturedRunState<std::uint32_t>;
 static_assert(offsetof(Run, step_z) == 20 && offsetof(Run, texels) == 24 && offsetof(Run, to_column) == 28 &&
               offsetof(Run, to_row) == 32 && offsetof(Run, row_mask) == 36);
-static_assert(offsetof(TexturedScan, scan) == 0 && offsetof(TexturedScan, start) == 132 &&
-              offsetof(TexturedScan, step_y) == 144 && offsetof(TexturedScan, step_x) == 156);
-static_assert(offsetof(TexturedScan, base_u) == 168 && offsetof(TexturedScan, right_shift) == 184 &&
-              offsetof(TexturedScan, row) == 188);
+static_assert(offsetof(TexturedScan, scan) == 0 && offsetof(TexturedScan, start) == 160 &&
+              offsetof(TexturedScan, step_y) == 172 && offsetof(TexturedScan, step_x) == 184);
+static_assert(offsetof(TexturedScan, base_u) == 196 && offsetof(TexturedScan, right_shift) == 212 &&
+              offsetof(TexturedScan, row) == 216);
 static_assert(TexturedScan::one_over_w == 0 && TexturedScan::u_over_w == 1 && TexturedScan::v_over_w == 2);
 
 // On the stack: 0 the scan, 4 how many rows, 8 the mask of rows and the texels, 16 the shift to a column and 128, 24
@@ -89,7 +89,7 @@ static_assert(TexturedScan::one_over_w == 0 && TexturedScan::u_over_w == 1 && Te
     str   r7, [sp, #48]
     add   r3, r0, #92
     ldm   r3, {r5-r7}                 @ steps of the channels
-    add   r3, r0, #168
+    add   r3, r0, #196
     ldm   r3, {r8-r12}                @ both bases, both factors, right shift
     add   r3, sp, #24
     stm   r3, {r4-r7}
@@ -103,22 +103,22 @@ static_assert(TexturedScan::one_over_w == 0 && TexturedScan::u_over_w == 1 && Te
     add   r4, r4, r1
     add   r5, r5, r2
     strd  r4, r5, [r0, #40]
-    ldr   r11, [r0, #188]             @ this row
+    ldr   r11, [r0, #216]             @ this row
     cmp   r12, #0
     add   r4, r11, #1
-    str   r4, [r0, #188]
+    str   r4, [r0, #216]
     ble   .Ltextured_next_row
     ldm   r3, {r7-r10}                @ starts of depth and light
     sub   r3, r3, #56
-    ldrd  r4, r5, [r3, #132]          @ of texture coordinates
-    ldr   r6, [r3, #140]
+    ldrd  r4, r5, [r3, #160]          @ of texture coordinates
+    ldr   r6, [r3, #168]
     str   r12, [sp, #72]
     mov   r12, r11
-    zstrip_textured_at r4, r5, 156, 144
+    zstrip_textured_at r4, r5, 184, 172
     zstrip_textured_at r7, r8, 88, 72
     zstrip_textured_at r9, r10, 96, 80
-    ldr   r0, [r3, #164]
-    ldr   r11, [r3, #152]
+    ldr   r0, [r3, #192]
+    ldr   r11, [r3, #180]
     mla   r6, r0, lr, r6
     mla   r6, r11, r12, r6
     ldr   r12, [sp, #72]
@@ -192,10 +192,10 @@ static_assert(TexturedScan::one_over_w == 0 && TexturedScan::u_over_w == 1 && Te
     strd  r3, r0, [sp, #72]
     ldr   lr, [sp]
     sub   r11, r12, #1
-    ldrd  r0, r3, [lr, #156]
+    ldrd  r0, r3, [lr, #184]
     mla   r4, r0, r11, r4
     mla   r5, r3, r11, r5
-    ldr   r0, [lr, #164]
+    ldr   r0, [lr, #192]
     mla   r6, r0, r11, r6
     zstrip_textured_position to
     ldrd  r11, lr, [sp, #72]

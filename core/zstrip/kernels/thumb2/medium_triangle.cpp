@@ -4,13 +4,14 @@
 #include "zstrip/kernels/medium_scan.hpp"
 #include "zstrip/kernels/thumb/medium_layout.hpp"
 #include "zstrip/kernels/thumb2/medium_edges.hpp"
+#include "zstrip/kernels/thumb2/medium_plane.hpp"
 
 namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB2
 
 [[gnu::naked]] bool set_up_medium_thumb(MediumScan&, const SnappedVertex&, const SnappedVertex&, const SnappedVertex&) {
-  asm(R"(
+  asm(ZSTRIP_MEDIUM_PLANE R"(
     @ A channel's plane, of value \to, from the colours' byte at offset \at of the scan. Needs the mantissa of 1 / area in
     @ r4, the shifted weights of vertices 1 and 2: right r11 and r9, down r10 and r8, and the way to the anchor in r12
     @ and lr. Collects in r7 what is beyond 32 bits.
@@ -48,24 +49,6 @@ namespace zstrip::detail {
       add   r5, r5, #0x8000
       str   r5, [r0, #56 + 4 * \to]
     .endm
-    @ A step of depth in r7 and r5, from its product with the area in r6 and r5; stored at offset \at. Then r6 and r5
-    @ are the step times \way.
-    .macro zstrip_medium_depth at, way
-      umull r7, r5, r5, r4
-      movs  r7, #0
-      smlal r5, r7, r6, r4
-      lsrs  r5, r5, #11
-      orr   r5, r5, r7, lsl #21
-      asrs  r7, r7, #11
-      lsrs  r6, r5, #8                @ the carry is the bit that rounds
-      orr   r6, r6, r7, lsl #24
-      adc   r6, r6, #0
-      str   r6, [r0, #\at]
-      add   r7, r7, r5, lsr #31       @ the lower word counts with its sign
-      mul   r7, r7, \way
-      smull r5, r6, r5, \way
-      add   r6, r6, r7
-    .endm
 
     push  {r4-r11, lr}
     ldr   r4, [r0, #108]              @ area
@@ -100,26 +83,15 @@ namespace zstrip::detail {
     lsl   r8, r8, r5
     lsl   r11, r11, r5
     lsl   r9, r9, r5
+    add   r7, r0, #132                @ for other planes
+    stm   r7, {r4, r8-r12, lr}
 
     ldr   r1, [r1, #4]
     ldr   r2, [r2, #4]
     ldr   r3, [r3, #4]
     subs  r2, r2, r1
     subs  r3, r3, r1
-    smull r5, r6, r2, r11
-    smlal r5, r6, r3, r9
-    zstrip_medium_depth 88, r12
-    push  {r5, r6}
-    smull r5, r6, r2, r10
-    smlal r5, r6, r3, r8
-    zstrip_medium_depth 72, lr
-    pop   {r2, r3}
-    adds  r5, r5, r2
-    adc   r6, r6, r3
-    lsrs  r5, r5, #12
-    orr   r5, r5, r6, lsl #20
-    add   r1, r1, r5
-    str   r1, [r0, #56]
+    zstrip_medium_plane 56, 72, 88
     ldrb  r1, [r0, #106]
     movs  r7, #0
     cmp   r1, #0
@@ -134,7 +106,8 @@ namespace zstrip::detail {
     movne r0, #0
     pop   {r4-r11, pc}
     .purgem zstrip_medium_channel
-    .purgem zstrip_medium_depth
+    .purgem zstrip_medium_step
+    .purgem zstrip_medium_plane
   )");
 }
 

@@ -1,0 +1,90 @@
+// The front faces of a skin's meshlet that a strip shows. Their vertices alone are lit: to turn a normal with its
+// joints takes two roots and a division, and of a meshlet's vertices a strip shows less than half on the mean.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+
+#include "zstrip/effects.hpp"
+#include "zstrip/geometry/meshlet_range.hpp"
+#include "zstrip/plan/record_bytes.hpp"
+#include "zstrip/raster/facing.hpp"
+#include "zstrip/raster/target.hpp"
+
+namespace zstrip::detail::skins {
+
+/// Whether nothing but light reads the normals of vertices.
+constexpr bool lights_seen_vertices(Effects effects) {
+  return effects.has(effect::skins) && has_vertex_colours(effects) &&
+         !effects.any(effect::outlines | effect::pixel_shading | effect::environment);
+}
+
+/// Meshlets with more vertices are lit whole; so are those that are clipped, which takes the stack for it.
+inline constexpr std::uint32_t kMostSeenVertices = 256;
+
+template <Effects effects>
+bool lights_seen_vertices(const Batch& batch, const MeshletRange& range, bool all_narrow) {
+  return (all_narrow || AssemblerFor<effects>::kUnclipped) && batch.instance->lit && batch.mesh->skinning != nullptr &&
+         range.vertex_count <= kMostSeenVertices;
+}
+
+/// The vertices of a meshlet that have been lit, and those that are to be.
+class SeenVertices {
+ public:
+  void want(std::uint32_t place) { wanted_[place / 32] |= std::uint32_t{1} << place % 32; }
+
+  /// Calls light(place, count) for the runs of those that are wanted and not lit.
+  template <class Light>
+  void light_wanted(const Light& light) {
+    for (std::uint32_t word = 0; word < kMostSeenVertices / 32; ++word) {
+      std::uint32_t dark = wanted_[word] & ~lit_[word];
+      lit_[word] |= dark;
+      for (std::uint32_t place = word * 32; dark != 0;) {
+        const int skipped = std::countr_zero(dark);
+        dark >>= skipped;
+        place += static_cast<std::uint32_t>(skipped);
+        const int count = std::countr_one(dark);
+        light(place, static_cast<std::uint32_t>(count));
+        if (count == 32) break;
+        dark >>= count;
+        place += static_cast<std::uint32_t>(count);
+      }
+    }
+  }
+
+ private:
+  std::array<std::uint32_t, kMostSeenVertices / 32> wanted_{}, lit_{};
+};
+
+/// Calls light(place, count) for the vertices of front faces that may have pixels in the rows of `area`, once for each,
+/// counted from the meshlet's first one; and draw(indices) for these faces, in their order, at most as many as a chunk
+/// of a bin has. Vertices are lit before their faces are drawn. No vertex needs the clipping path.
+template <Effects effects, class Light, class Draw>
+void for_seen_faces(const BatchOf<effects>& batch, const MeshletRange& range, const Rect& area, const Light& light,
+                    const Draw& draw) {
+  SeenVertices vertices;
+  std::array<std::uint16_t, kBinChunkEntries> listed;
+  std::size_t count = 0;
+  const auto draw_listed = [&] {
+    vertices.light_wanted(light);
+    draw(std::span<const std::uint16_t>(listed.data(), count));
+    count = 0;
+  };
+  Facing<effects>::for_each(batch, range.triangles, true, [&](std::uint32_t index, const auto& covered) {
+    // What has no pixel between its columns is rare here, and left out later.
+    if (std::max(covered.top(), area.top) >= std::min(covered.bottom(), area.bottom)) return true;
+    const Triangle& triangle = range.triangles[index];
+    vertices.want(triangle.a - range.first_vertex);
+    vertices.want(triangle.b - range.first_vertex);
+    vertices.want(triangle.c - range.first_vertex);
+    listed[count++] = static_cast<std::uint16_t>(index);
+    if (count == kBinChunkEntries) draw_listed();
+    return true;
+  });
+  if (count != 0) draw_listed();
+}
+
+}  // namespace zstrip::detail::skins
