@@ -23,12 +23,12 @@ constexpr bool lights_seen_vertices(Effects effects) {
 }
 
 /// Meshlets with more vertices are lit whole; so are those that are clipped, which takes the stack for it.
-inline constexpr std::uint32_t kMostSeenVertices = 256;
+inline constexpr std::uint32_t kMaxSeenVertices = 256;
 
 template <Effects effects>
 bool lights_seen_vertices(const Batch& batch, const MeshletRange& range, bool all_narrow) {
   return (all_narrow || AssemblerFor<effects>::kUnclipped) && batch.instance->lit && batch.mesh->skinning != nullptr &&
-         range.vertex_count <= kMostSeenVertices;
+         range.vertex_count <= kMaxSeenVertices;
 }
 
 /// The vertices of a meshlet that have been lit, and those that are to be.
@@ -39,7 +39,7 @@ class SeenVertices {
   /// Calls light(place, count) for the runs of those that are wanted and not lit.
   template <class Light>
   void light_wanted(const Light& light) {
-    for (std::uint32_t word = 0; word < kMostSeenVertices / 32; ++word) {
+    for (std::uint32_t word = 0; word < kMaxSeenVertices / 32; ++word) {
       std::uint32_t dark = wanted_[word] & ~lit_[word];
       lit_[word] |= dark;
       for (std::uint32_t place = word * 32; dark != 0;) {
@@ -56,7 +56,7 @@ class SeenVertices {
   }
 
  private:
-  std::array<std::uint32_t, kMostSeenVertices / 32> wanted_{}, lit_{};
+  std::array<std::uint32_t, kMaxSeenVertices / 32> wanted_{}, lit_{};
 };
 
 /// Calls light(place, count) for the vertices of front faces that may have pixels in the rows of `area`, once for each,
