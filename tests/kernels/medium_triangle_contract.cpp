@@ -35,13 +35,18 @@ bool make(Random& random, std::int32_t extent, Medium& medium) {
   const std::int32_t width = random.between(1, extent), height = random.between(1, extent);
   const std::int32_t left = random.within(16'000 - extent), top = random.within(16'000 - extent);
   const std::uint32_t depth = random.word(), range = std::uint32_t{1} << random.between(8, 31);
-  const bool grey = random.below(3) == 0;
+  const std::int32_t kind = random.below(6);
   for (int i = 0; i < 3; ++i) {
     v[i].x = static_cast<std::int16_t>(left + random.between(0, width));
     v[i].y = static_cast<std::int16_t>(top + random.between(0, height));
     v[i].depth = depth + random.word() % range;
-    medium.colours[i] = grey ? Colour{static_cast<std::uint8_t>(128 + i), 128, 127, 255} : random.colour();
+    Colour& colour = medium.colours[i];
+    colour = random.colour();
+    if (kind < 2) colour = {static_cast<std::uint8_t>(128 + i), 128, 127, 255};
+    if (kind > 3) colour.g = colour.b = colour.r;
   }
+  // Grey, but for one channel of one vertex.
+  if (kind == 5) (random.below(2) == 0 ? medium.colours[random.below(3)].g : medium.colours[random.below(3)].b) ^= 1;
   medium.area = (v[2].x - v[0].x) * (v[1].y - v[0].y) - (v[1].x - v[0].x) * (v[2].y - v[0].y);
   if (medium.area < 0) {
     std::swap(v[1], v[2]);

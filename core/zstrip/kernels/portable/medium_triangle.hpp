@@ -105,9 +105,16 @@ inline bool set_up_medium_portable(MediumScan& scan, MediumPlanes& planes, const
   set(MediumScan::depth, planes.depth(v0.depth, v1.depth, v2.depth));
   if (!scan.has_channels) return true;
   const auto& c = scan.colours;
-  set(MediumScan::red, planes.channel(c[0].r, c[1].r, c[2].r));
-  set(MediumScan::green, planes.channel(c[0].g, c[1].g, c[2].g));
-  set(MediumScan::blue, planes.channel(c[0].b, c[1].b, c[2].b));
+  const Plane red = planes.channel(c[0].r, c[1].r, c[2].r);
+  set(MediumScan::red, red);
+  const auto is_grey = [](const Colour& colour) { return colour.r == colour.g && colour.g == colour.b; };
+  if (is_grey(c[0]) && is_grey(c[1]) && is_grey(c[2])) {  // white light, most often
+    set(MediumScan::green, red);
+    set(MediumScan::blue, red);
+  } else {
+    set(MediumScan::green, planes.channel(c[0].g, c[1].g, c[2].g));
+    set(MediumScan::blue, planes.channel(c[0].b, c[1].b, c[2].b));
+  }
   return !planes.has_steep();
 }
 inline bool set_up_medium_portable(MediumScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,

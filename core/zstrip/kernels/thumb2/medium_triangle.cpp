@@ -97,6 +97,23 @@ namespace zstrip::detail {
     cmp   r1, #0
     beq   .Lmedium_planes_set
     zstrip_medium_channel 120, 1
+    add   r1, r0, #120
+    ldm   r1, {r1-r3}
+    eor   r5, r1, r1, lsr #8          @ red and green, green and blue
+    eor   r6, r2, r2, lsr #8
+    orrs  r5, r5, r6
+    eor   r6, r3, r3, lsr #8
+    orrs  r5, r5, r6
+    lsls  r5, r5, #16
+    bne   .Lmedium_coloured
+    ldr   r1, [r0, #60]               @ white light: all channels are red's
+    ldr   r2, [r0, #76]
+    ldr   r3, [r0, #92]
+    strd  r1, r1, [r0, #64]
+    strd  r2, r2, [r0, #80]
+    strd  r3, r3, [r0, #96]
+    b     .Lmedium_planes_set
+  .Lmedium_coloured:
     zstrip_medium_channel 121, 2
     zstrip_medium_channel 122, 3
   .Lmedium_planes_set:

@@ -28,7 +28,7 @@ consteval BuiltIn effect_scene(const char* name, const char* description, const 
 }
 
 // Light needs a uniform scale: what is flattened is unlit.
-inline constexpr Material kFogMaterials[] = {{.texture = 1},
+inline constexpr Material kFogMaterials[] = {{.texture = 1, .lit = false},
                                              {.colour = {225, 105, 70, 255}, .lit = true, .smooth = false},
                                              {.colour = {80, 150, 220, 255}, .lit = true, .smooth = false}};
 inline constexpr Instance kFogInstances[] = {
