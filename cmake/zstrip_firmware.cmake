@@ -3,7 +3,7 @@
 include(ExternalProject)
 
 add_custom_target(firmware)
-set(processors cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 arm926ej-s)
+set(processors cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 cortex-m55 arm926ej-s)
 find_program(ZSTRIP_RISCV_COMPILER riscv64-unknown-elf-g++)
 if(ZSTRIP_RISCV_COMPILER)
   list(APPEND processors rv32imac)

@@ -1,7 +1,8 @@
 # Cross compiler for Cortex-M: -DCMAKE_TOOLCHAIN_FILE=cmake/toolchains/arm-none-eabi.cmake -DZSTRIP_CPU=cortex-m3
 # ZSTRIP_CPU is what GCC's -mcpu takes: cortex-m0, cortex-m0plus, cortex-m23, cortex-m33 ...
-# ZSTRIP_FPU is what its -mfpu takes, for floats in FPU registers; none: no FPU. The renderer has no floats, but linkers
-# refuse to mix the two: say what the rest of the program is compiled with. By default M4 and M7 have their FPU.
+# ZSTRIP_FPU is what its -mfpu takes, for floats in FPU registers; auto: that of the processor; none: no FPU. The
+# renderer has no floats, but linkers refuse to mix the two: say what the rest of the program is compiled with. By
+# default M4, M7 and M55 have their FPU.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
@@ -11,6 +12,7 @@ set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES ZSTRIP_CPU ZSTRIP_FPU)
 
 set(zstrip_fpu_of_cortex-m4 fpv4-sp-d16)
 set(zstrip_fpu_of_cortex-m7 fpv5-sp-d16)
+set(zstrip_fpu_of_cortex-m55 auto)
 set(ZSTRIP_CPU cortex-m3 CACHE STRING "The processor to compile for")
 set(zstrip_fpu none)
 if(DEFINED zstrip_fpu_of_${ZSTRIP_CPU})

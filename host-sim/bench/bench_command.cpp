@@ -207,7 +207,8 @@ Result<Done> run_stages(const BenchOptions& options) {
   std::vector<StageProfile> profiles;
   std::string text;
   for (const std::string& target : options.targets) {
-    if (target == "host") return Failure{ExitStatus::usage, "--stages is for boards: --target m0, m3, m4f, m7 or m33"};
+    if (target == "host")
+      return Failure{ExitStatus::usage, "--stages is for boards: --target m0, m3, m4f, m7, m33 or m55"};
     const Result<std::vector<BenchCase>> cases = cases_for(options, target);
     if (!cases) return cases.failure();
     for (const BenchCase& bench_case : *cases) {
@@ -333,7 +334,7 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       command
           ->add_option("--target", options->targets, "Where to draw, separated by commas; boards are emulated by QEMU")
           ->delimiter(',')
-          ->check(one_of({"host", "m0", "m3", "m4f", "m7", "m33", "rv32"}))
+          ->check(one_of({"host", "m0", "m3", "m4f", "m7", "m33", "m55", "rv32"}))
           ->capture_default_str();
   command->add_option("--workload", options->workloads, "What to draw, separated by commas")
       ->delimiter(',')

@@ -29,6 +29,7 @@ const char* machine(std::string_view target) {
   if (target == "m4f") return "mps2-an386";
   if (target == "m7") return "mps2-an500";
   if (target == "m33") return "mps2-an505";
+  if (target == "m55") return "mps3-an547";
   if (target == "rv32") return "virt";
   return "mps2-an385";
 }

@@ -14,7 +14,7 @@ namespace zstrip::sim {
 /// What the caller of `zstrip bench` chose for one row.
 struct BenchCase {
   std::string workload;  ///< as in workloads.cpp
-  std::string target;    ///< "host", "m0", "m3", "m4f", "m7", "m33" or "rv32"
+  std::string target;    ///< "host", "m0", "m3", "m4f", "m7", "m33", "m55" or "rv32"
   View view;
   Budget budget;              ///< zeros: the planner decides
   std::string depth = "z16";  ///< how depth is kept; anything else on boards only, of R50: see firmware/README.md

@@ -57,6 +57,10 @@ constexpr Target kTargets[] = {
     {"MPS2, Cortex-M33", "bench_m33", "mps2-an505", "cube", "CT", kBench, Report::bench, kGuard},
     {"MPS2, Cortex-M33", "bench_m33", "mps2-an505", "random50", "R50", kBench, Report::bench, kGuard},
     {"MPS2, Cortex-M33", "bench_m33", "mps2-an505", "random10k", "R10k", kBench, Report::bench, kGuard},
+    {"MPS3, Cortex-M55", "bench_m55", "mps3-an547", "knot", "K5", kBench, Report::bench, kGuard},
+    {"MPS3, Cortex-M55", "bench_m55", "mps3-an547", "cube", "CT", kBench, Report::bench, kGuard},
+    {"MPS3, Cortex-M55", "bench_m55", "mps3-an547", "random50", "R50", kBench, Report::bench, kGuard},
+    {"MPS3, Cortex-M55", "bench_m55", "mps3-an547", "random10k", "R10k", kBench, Report::bench, kGuard},
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Which implementations of kernels the processor at hand takes instead of the portable ones: vectors, of SSE2 on every
 // x86-64 and of NEON on every AArch64, on x86 and Armv7-A where they are enabled; assembly for Thumb-2 (Cortex-M3, M4,
-// M7, M33) and Thumb-1 (Cortex-M0, M0+), not for the Cortex-M23, which no emulator here has.
+// M7, M33, M55) and Thumb-1 (Cortex-M0, M0+), not for the Cortex-M23, which no emulator here has.
 #pragma once
 
 // Macros, because neither compiler nor assembler must see what they do not support.

@@ -16,7 +16,7 @@ constexpr std::uint32_t kThumb = 1;  // of an address in lr, not of one in a fra
 /// Whether an exception's frame lies in the stack, above its guard, and no limit of the stack was met.
 bool has_frame(const std::uint32_t* stacked) {
   using namespace zstrip::board;
-#if __ARM_ARCH_8M_MAIN__
+#if __ARM_ARCH_8M_MAIN__ || __ARM_ARCH_8_1M_MAIN__
   constexpr std::uint32_t kCfsr = 0xE000ED28, kStackOverflow = 1U << 20;
   if ((register_at(kCfsr) & kStackOverflow) != 0) return false;
 #endif
@@ -105,7 +105,7 @@ void report_fault(const std::uint32_t* stacked, std::uint32_t exception) {
   }
   print("fault: ");
   print(FaultWords::all());
-#if __ARM_ARCH_7M__ || __ARM_ARCH_7EM__ || __ARM_ARCH_8M_MAIN__
+#if __ARM_ARCH_7M__ || __ARM_ARCH_7EM__ || __ARM_ARCH_8M_MAIN__ || __ARM_ARCH_8_1M_MAIN__
   constexpr std::uint32_t kCfsr = 0xE000ED28, kMmfarValid = 1U << 7, kBfarValid = 1U << 15;
   const std::uint32_t cause = register_at(kCfsr);
   print(" cfsr ");

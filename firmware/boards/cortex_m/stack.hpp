@@ -38,7 +38,7 @@ inline void guard_stack() {
   constexpr std::uint32_t kDefaultMapElsewhere = 1U << 2;
   register_at(kControl) = kDefaultMapElsewhere | kEnable;
   asm volatile("dsb\n\tisb" ::: "memory");
-#elif __ARM_ARCH_8M_MAIN__
+#elif __ARM_ARCH_8M_MAIN__ || __ARM_ARCH_8_1M_MAIN__
   asm volatile("msr msplim, %0" : : "r"(stack_bottom + kStackGuardBytes / 4));
 #endif
 }

@@ -7,8 +7,10 @@
 namespace zstrip::board {
 namespace {
 
-#if defined(__ARM_ARCH_8M_MAIN__)
-constexpr std::uint32_t kUart0 = 0x50200000;  // of AN505, secure; offset 0 is the data register
+#if ZSTRIP_MPS2_IMAGE == 547
+constexpr std::uint32_t kUart0 = 0x59303000;  // of AN547, secure; offset 0 is the data register
+#elif ZSTRIP_MPS2_IMAGE == 505
+constexpr std::uint32_t kUart0 = 0x50200000;  // of AN505, secure
 #else
 constexpr std::uint32_t kUart0 = 0x40004000;  // of AN385, AN386 and AN500
 #endif

@@ -6,7 +6,20 @@
 namespace zstrip::board {
 namespace {
 
-#if defined(__ARM_ARCH_8M_MAIN__)
+#if ZSTRIP_MPS2_IMAGE == 547
+constexpr std::uint32_t kCounterControl = 0x58100000;  // of the system counter of AN547, secure
+constexpr std::uint32_t kCounterScale = kCounterControl + 0x010;
+constexpr std::uint32_t kCounterValue = 0x58101000;
+constexpr std::uint32_t kEnable = 1U << 0, kScaled = 1U << 2;
+
+void start_ticks() {
+  register_at(kCounterScale) = 0x1F400000;  // 31.25 in 8.24 bits: at 32 MHz one for each nanosecond
+  register_at(kCounterControl) = kEnable | kScaled;
+}
+
+std::uint32_t ticks_left() { return ~register_at(kCounterValue); }
+#else
+#if ZSTRIP_MPS2_IMAGE == 505
 constexpr std::uint32_t kTimer0 = 0x50000000;  // of AN505, secure; offset 0 is the control register
 #else
 constexpr std::uint32_t kTimer0 = 0x40000000;
@@ -14,7 +27,14 @@ constexpr std::uint32_t kTimer0 = 0x40000000;
 constexpr std::uint32_t kTimerValue = 0x004;
 constexpr std::uint32_t kTimerReload = 0x008;
 
+void start_ticks() {
+  register_at(kTimer0 + kTimerReload) = 0xFFFFFFFF;
+  register_at(kTimer0 + kTimerValue) = 0xFFFFFFFF;
+  register_at(kTimer0) = 1;
+}
+
 std::uint32_t ticks_left() { return register_at(kTimer0 + kTimerValue); }
+#endif
 
 /// Executes 2 * count instructions and a few more.
 void run_loop(std::uint32_t count) {
@@ -30,9 +50,7 @@ void run_loop(std::uint32_t count) {
 }  // namespace
 
 bool start_instruction_counter() {
-  register_at(kTimer0 + kTimerReload) = 0xFFFFFFFF;
-  register_at(kTimer0 + kTimerValue) = 0xFFFFFFFF;
-  register_at(kTimer0) = 1;
+  start_ticks();
   constexpr std::uint32_t kLoops = 1'000'000;
   constexpr std::uint32_t kExpected = 2 * kLoops / kInstructionsPerTick;
   const std::uint32_t before = ticks_left();

@@ -1,13 +1,16 @@
 // Counts executed instructions with CMSDK timer 0, in an emulator that lets every instruction take one nanosecond
 // (QEMU's -icount shift=0). The timer counts down at 25 MHz: one tick is 40 instructions; with the image AN505 at 20
-// MHz. On riscv_virt the processor counts them itself: a tick is one.
+// MHz. AN547 has no such timer: its system counter of 32 MHz is scaled to a tick for each instruction. On riscv_virt
+// the processor counts them itself: a tick is one.
 #pragma once
 
 #include <cstdint>
 
 namespace zstrip::board {
 
-#if defined(__ARM_ARCH_8M_MAIN__)
+#if ZSTRIP_MPS2_IMAGE == 547
+inline constexpr std::uint32_t kInstructionsPerTick = 1;
+#elif ZSTRIP_MPS2_IMAGE == 505
 inline constexpr std::uint32_t kInstructionsPerTick = 50;
 #else
 inline constexpr std::uint32_t kInstructionsPerTick = 40;

@@ -99,7 +99,7 @@ int check_memory() {
 }
 
 [[gnu::noinline]] int read_nowhere() {
-  const std::uint32_t value = zstrip::board::register_at(0x90000000);
+  const std::uint32_t value = zstrip::board::register_at(0x3F000000);
   print_decimal(value);
   return 1;
 }
