@@ -1,14 +1,19 @@
-# Installs the libraries and headers so that find_package(zstrip) gives zstrip::core, zstrip::core_any and zstrip::hal,
-# and pkg-config zstrip and zstrip-any; makes packages of them.
+# Installs the libraries and headers so that find_package(zstrip) gives zstrip::core, zstrip::core_any, zstrip::hal and
+# zstrip::player, and pkg-config zstrip, zstrip-any and zstrip-player; makes packages of them.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/zstrip)
 
-install(TARGETS zstrip_core zstrip_core_any zstrip_hal EXPORT zstrip_targets
+install(TARGETS zstrip_core zstrip_core_any zstrip_hal zstrip_player EXPORT zstrip_targets
   ARCHIVE COMPONENT zstrip_development)
-install(DIRECTORY core/zstrip hal/zstrip_hal DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+install(DIRECTORY core/zstrip hal/zstrip_hal firmware/player/zstrip_player DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   COMPONENT zstrip_development FILES_MATCHING PATTERN *.hpp)
+install(FILES firmware/player/zstrip_player.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT zstrip_development)
+# Of the scenes what sets them in motion, for the player.
+set(scenes firmware/scenes/include/zstrip_scenes)
+install(FILES ${scenes}/baked_stage.hpp ${scenes}/built_in.hpp ${scenes}/stage.hpp
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/zstrip_scenes COMPONENT zstrip_development)
 install(EXPORT zstrip_targets NAMESPACE zstrip:: DESTINATION ${package_folder} COMPONENT zstrip_development)
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/zstrip_config.cmake.in ${PROJECT_BINARY_DIR}/zstripConfig.cmake
@@ -19,7 +24,7 @@ install(FILES ${PROJECT_BINARY_DIR}/zstripConfig.cmake ${PROJECT_BINARY_DIR}/zst
   DESTINATION ${package_folder} COMPONENT zstrip_development)
 
 file(RELATIVE_PATH zstrip_prefix_from_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
-foreach(name zstrip zstrip-any)
+foreach(name zstrip zstrip-any zstrip-player)
   configure_file(${CMAKE_CURRENT_LIST_DIR}/${name}.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT zstrip_development)
 endforeach()

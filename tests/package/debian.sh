@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# debian.sh ROOT BUILD VERSION COMPILER: the packages for Debian hold what they must, and programs are built against them by
-# pkg-config, unpacked into a root of its own: that of docs/program.md, and one with AnyRenderer.
+# debian.sh ROOT BUILD VERSION COMPILER: the packages for Debian hold what they must, and programs are built against them
+# by pkg-config and by CMake, unpacked into a root of its own: that of docs/program.md, one with AnyRenderer, and players
+# in C and in C++, which draw what the command does.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 build=$2 version=$3 compiler=$4
-for tool in cpack dpkg-deb dpkg-shlibdeps pkg-config; do
+for tool in cpack dpkg-deb dpkg-shlibdeps pkg-config cmake cc; do
   command -v "$tool" >/dev/null || { echo "$tool is not installed"; exit 77; }
 done
 scratch=$(mktemp -d)
@@ -43,10 +44,33 @@ program pyramid "$scratch/pyramid.cpp" zstrip
 program any "$root/tests/consumer/project/triangle.cpp" zstrip-any
 pkg-config --exact-version "$version" zstrip || complain "zstrip.pc is of another version"
 
+# players: a scene that the command bakes, drawn with the player.
+players() {
+  local sources=$root/tests/package/player zstrip=$system/usr/bin/zstrip view=(--size 160x120 --quiet)
+  local flags libraries program
+  mkdir "$scratch/baked"
+  for type in zsc hpp; do "$zstrip" bake room -o "$scratch/baked/scene.$type" "${view[@]}"; done
+  "$zstrip" render room -o "$scratch/expected.raw" --format rgb565 "${view[@]}"
+  read -r -a flags <<<"$(pkg-config --cflags zstrip-player) -O1 -Wall -Wextra -Werror -I$scratch/baked"
+  read -r -a libraries <<<"$(pkg-config --libs zstrip-player)"
+  cc -std=c99 -pedantic "${flags[@]}" -c "$sources/picture.c" -o "$scratch/picture.o"
+  "$compiler" -std=c++20 "${flags[@]}" "$sources/pipeline.cpp" "$scratch/picture.o" "${libraries[@]}" \
+    -o "$scratch/in_c"
+  "$compiler" -std=c++20 "${flags[@]}" "$sources/picture.cpp" "${libraries[@]}" -o "$scratch/in_cpp"
+  cmake -S "$sources" -B "$scratch/by_cmake" -DCMAKE_PREFIX_PATH="$system/usr" -DCMAKE_CXX_COMPILER="$compiler" \
+    -DVERSION="$version" -DBAKED="$scratch/baked" >"$scratch/said" 2>&1 || cat "$scratch/said"
+  cmake --build "$scratch/by_cmake" >"$scratch/said" 2>&1 || cat "$scratch/said"
+  for program in "$scratch"/{in_,by_cmake/in_}{c,cpp}; do
+    "$program" "$scratch/baked/scene.zsc" 160 120 >"$scratch/picture.raw" || complain "$program does not run"
+    cmp "$scratch/picture.raw" "$scratch/expected.raw" || complain "$program draws another picture"
+  done
+}
+
 if [ -e "$command" ]; then
   dpkg-deb -x "$command" "$system"
   [ "$("$system/usr/bin/zstrip" --version)" = "zstrip $version" ] || complain "the command does not run"
   "$system/usr/bin/zstrip" render knot --size 64x64 -o "$scratch/knot.png" --quiet || complain "the command does not draw"
+  players
   dpkg-deb -f "$command" Depends | grep -q 'libassimp5' || complain "zstrip does not depend on the libraries it needs"
 fi
 exit "$failed"
