@@ -28,13 +28,13 @@ bool reads_scenes(const pico::Pages& program) {
 
 }  // namespace
 
-Result<pico::Pages> read_pico_program(const std::string& path) {
+Result<pico::Pages> read_pico_program(const std::string& path, const pico::Board& board) {
   const auto failed = [&path](const Failure& failure) {
     return Failure{failure.status, fmt::format("--with '{}' {}", path, failure.message)};
   };
   const Result<std::vector<std::uint8_t>> file = read_file(path, std::size_t{16} << 20);
   if (!file) return failed(file.failure());
-  Result<pico::Pages> program = read_uf2(*file);
+  Result<pico::Pages> program = read_uf2(*file, board);
   if (!program) return failed(program.failure());
   if (program->lower_bound(pico::kScene) != program->end()) {
     return failed({ExitStatus::input,
@@ -42,19 +42,20 @@ Result<pico::Pages> read_pico_program(const std::string& path) {
                                pico::kScene)});
   }
   if (!program->contains(pico::kFlash) || !reads_scenes(*program)) {
-    return failed({ExitStatus::input, fmt::format("is not the program that shows a {}; take zstrip_pico_player.uf2 of "
+    return failed({ExitStatus::input, fmt::format("is not the program that shows a {}; take zstrip_{}_player.uf2 of "
                                                   "the same release as this command",
-                                                  kReads)});
+                                                  kReads, board.name)});
   }
   return program;
 }
 
-Result<std::vector<std::uint8_t>> to_pico_file(std::span<const std::uint8_t> blob, const pico::Pages& program) {
-  if (blob.size() > pico::kSceneBytes) {
+Result<std::vector<std::uint8_t>> to_pico_file(std::span<const std::uint8_t> blob, const pico::Pages& program,
+                                               const pico::Board& board) {
+  if (blob.size() > board.scene_bytes()) {
     return Failure{ExitStatus::budget,
-                   fmt::format("takes {} bytes, and the Pico's flash has {} for a scene; take fewer triangles or "
+                   fmt::format("takes {} bytes, and the {}'s flash has {} for a scene; take fewer triangles or "
                                "smaller textures, or --textures palette8",
-                               blob.size(), pico::kSceneBytes)};
+                               blob.size(), board.called, board.scene_bytes())};
   }
   pico::Pages pages = program;
   for (std::size_t at = 0; at < blob.size(); at += pico::kPage) {
@@ -62,10 +63,10 @@ Result<std::vector<std::uint8_t>> to_pico_file(std::span<const std::uint8_t> blo
     page.fill(0xFF);
     std::ranges::copy(blob.subspan(at, std::min<std::size_t>(pico::kPage, blob.size() - at)), page.begin());
   }
-  return pico::to_uf2(pages);
+  return pico::to_uf2(pages, board);
 }
 
-std::uint32_t pico_budget(const Scene& scene, const Animation& animation, const Turn& turn) {
+std::uint32_t pico_budget(const Scene& scene, const Animation& animation, const Turn& turn, const pico::Board& board) {
   // As zstrip::Player takes it; each piece begins at a multiple of kArenaAlignment.
   constexpr std::uint64_t kPieces = 8, kLineSet = 64;  // which has a pointer: 64 bytes on the board
   std::uint64_t kept = table_bytes(scene) + kPieces * kArenaAlignment;
@@ -73,7 +74,7 @@ std::uint32_t pico_budget(const Scene& scene, const Animation& animation, const 
     kept += scene.instances.size() * sizeof(Instance);
   }
   if (scenes::turns_lines(animation, turn)) kept += scene.lines.size() * kLineSet;
-  return kept < pico::kPlayerMemory ? static_cast<std::uint32_t>(pico::kPlayerMemory - kept) : 1;
+  return kept < board.player_memory ? static_cast<std::uint32_t>(board.player_memory - kept) : 1;
 }
 
 Result<Done> check_for_pico(Effects effects) {

@@ -15,37 +15,39 @@ std::uint32_t word(std::span<const std::uint8_t> block, std::size_t at) {
   return value;
 }
 
-Failure no(std::string why) { return {ExitStatus::input, "is no .uf2 file for the Pico's flash: " + std::move(why)}; }
+Failure no(const pico::Board& board, const std::string& why) {
+  return {ExitStatus::input, fmt::format("is no .uf2 file for the {}'s flash: {}", board.called, why)};
+}
 
 }  // namespace
 
-Result<pico::Pages> read_uf2(std::span<const std::uint8_t> file) {
+Result<pico::Pages> read_uf2(std::span<const std::uint8_t> file, const pico::Board& board) {
   using namespace pico;
   if (file.empty() || file.size() % kBlock != 0) {
-    return no(fmt::format("it has {} bytes, which are no whole blocks of {}", file.size(), kBlock));
+    return no(board, fmt::format("it has {} bytes, which are no whole blocks of {}", file.size(), kBlock));
   }
   const std::size_t blocks = file.size() / kBlock;
   Pages pages;
   for (std::size_t number = 0; number < blocks; ++number) {
     const std::span<const std::uint8_t> block = file.subspan(number * kBlock, kBlock);
     if (word(block, 0) != kBegin0 || word(block, 4) != kBegin1 || word(block, kBlockEnd) != kEnd) {
-      return no(fmt::format("block {} does not begin and end as one", number));
+      return no(board, fmt::format("block {} does not begin and end as one", number));
     }
-    if (word(block, 8) != kFamilyPresent || word(block, 28) != kRp2040) {
-      return no(fmt::format("block {} is not for the RP2040", number));
+    if (word(block, 8) != kFamilyPresent || word(block, 28) != board.family) {
+      return no(board, fmt::format("block {} is not for the {}", number, board.chip));
     }
     if (word(block, 20) != number || word(block, 24) != blocks) {
-      return no(fmt::format("block {} says that it is {} of {}, and there are {}", number, word(block, 20),
-                            word(block, 24), blocks));
+      return no(board, fmt::format("block {} says that it is {} of {}, and there are {}", number, word(block, 20),
+                                   word(block, 24), blocks));
     }
     const std::uint32_t address = word(block, 12), size = word(block, 16);
-    if (size != kPage || address % kPage != 0 || address < kFlash || address - kFlash >= kFlashBytes) {
-      return no(fmt::format("block {} has {} bytes for address {:08x}", number, size, address));
+    if (size != kPage || address % kPage != 0 || address < kFlash || address - kFlash >= board.flash_bytes) {
+      return no(board, fmt::format("block {} has {} bytes for address {:08x}", number, size, address));
     }
     Page page;
     std::copy_n(block.begin() + kBlockHeader, kPage, page.begin());
     if (!pages.emplace(address, page).second) {
-      return no(fmt::format("block {} fills address {:08x}, as one before it does", number, address));
+      return no(board, fmt::format("block {} fills address {:08x}, as one before it does", number, address));
     }
   }
   return pages;

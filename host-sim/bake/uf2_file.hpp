@@ -10,7 +10,7 @@
 namespace zstrip::sim {
 
 /// The pages that the blocks fill. All of the file is checked: each block, that all are there, in order and for the
-/// RP2040, and that none fills what another one does. The failure's message continues "'FILE' ...".
-Result<pico::Pages> read_uf2(std::span<const std::uint8_t> file);
+/// board's chip, and that none fills what another one does. The failure's message continues "'FILE' ...".
+Result<pico::Pages> read_uf2(std::span<const std::uint8_t> file, const pico::Board& board);
 
 }  // namespace zstrip::sim

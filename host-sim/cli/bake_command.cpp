@@ -25,6 +25,7 @@
 #include "cli/camera_arguments.hpp"
 #include "cli/one_of.hpp"
 #include "cli/output_names.hpp"
+#include "cli/pico_arguments.hpp"
 #include "cli/picture_arguments.hpp"
 #include "cli/plan_arguments.hpp"
 #include "cli/print.hpp"
@@ -55,7 +56,7 @@ struct Arguments {
   std::string textures = "rgb565";
   std::string mipmaps = "auto";
   std::string clipping = "auto";
-  std::optional<std::string> program;
+  PicoArguments pico;
   std::optional<std::string> json;
   bool quiet = false;
 };
@@ -88,19 +89,8 @@ Result<Kind> kind_of(const std::string& output) {
       ExitStatus::usage,
       fmt::format(
           "-o '{}' must end in .hpp (C++ constants), .ino or .cpp (a sketch or a program that shows them), .zsc "
-          "(a blob used in place) or .uf2 (a blob for the Raspberry Pi Pico)",
+          "(a blob used in place) or .uf2 (a blob for the Raspberry Pi Pico or Pico 2)",
           output)};
-}
-
-/// What the options leave open is as the program for the Pico draws, which plans by itself.
-PlanArguments plan_arguments(const Arguments& arguments, Kind kind) {
-  PlanArguments plan = arguments.plan;
-  if (kind != Kind::pico) return plan;
-  if (!plan.view.size) plan.view.size = fmt::format("{0}x{0}", pico::kPanelSide);
-  if (!plan.view.format) plan.view.format = "rgb565_swapped";
-  plan.strip_buffers = 2;
-  plan.mode = "any";
-  return plan;
 }
 
 std::span<const std::uint8_t> bytes_of(const std::string& text) {
@@ -251,9 +241,9 @@ Result<std::vector<std::uint8_t>> make_blob(const BakedScene& baked, const Camer
   return blob;
 }
 
-/// `program`: that a file for the Pico has besides.
+/// `pico_file`: what a file for a Pico is for.
 Result<std::vector<std::uint8_t>> make_output(const Arguments& arguments, Kind kind, const BakedScene& baked,
-                                              const Camera& turning_camera, const pico::Pages& program,
+                                              const Camera& turning_camera, const PicoFile& pico_file,
                                               BakeRecord& record) {
   if (is_source(kind)) {
     const std::string text = kind == Kind::header   ? to_scene_header(baked, arguments.name_space)
@@ -263,7 +253,7 @@ Result<std::vector<std::uint8_t>> make_output(const Arguments& arguments, Kind k
   }
   Result<std::vector<std::uint8_t>> blob = make_blob(baked, turning_camera, record);
   if (!blob || kind == Kind::blob) return blob;
-  Result<std::vector<std::uint8_t>> file = to_pico_file(*blob, program);
+  Result<std::vector<std::uint8_t>> file = to_pico_file(*blob, pico_file.program, pico_file.board);
   if (!file) return Failure{file.failure().status, fmt::format("'{}' {}", record.scene, file.failure().message)};
   return file;
 }
@@ -328,10 +318,13 @@ Result<Done> run(const Arguments& arguments) {
   }
   const Result<CellCounts> cells = parse_cells(arguments.cells.value_or("8x2x8"), "--cells");
   if (!cells) return cells.failure();
-  if (arguments.program && *kind != Kind::pico) {
-    return Failure{ExitStatus::usage, "--with is the program of a file for the Raspberry Pi Pico: -o FILE.uf2"};
+  const bool for_pico = *kind == Kind::pico;
+  if (!for_pico) {
+    const Result<Done> not_given = check_not_for_pico(arguments.pico);
+    if (!not_given) return not_given.failure();
   }
-  Result<PlanRequest> request = parse_plan(plan_arguments(arguments, *kind), arguments.scene);
+  Result<PlanRequest> request =
+      parse_plan(for_pico ? plan_arguments_for_pico(arguments.plan) : arguments.plan, arguments.scene);
   if (!request) return request.failure();
   if (const Result<Done> checked = check_visibility(
           request->method | picture_effects(*request) | edge_effects(request->edges), depth_option(std::nullopt));
@@ -352,17 +345,8 @@ Result<Done> run(const Arguments& arguments) {
   const Result<Done> distinct =
       check_distinct(outputs, arguments.json, built_in ? "" : arguments.scene, arguments.visible_sets);
   if (!distinct) return distinct.failure();
-  pico::Pages program;
-  if (arguments.program) {
-    const Result<pico::Pages> read = read_pico_program(*arguments.program);
-    if (!read) return read.failure();
-    program = *read;
-    std::error_code ignored;  // what is not there is not the same
-    if (std::filesystem::equivalent(*arguments.program, arguments.output, ignored)) {
-      return Failure{ExitStatus::usage,
-                     fmt::format("-o '{}' is the file of --with; name another one", arguments.output)};
-    }
-  }
+  const Result<PicoFile> pico_file = parse_pico(arguments.pico, arguments.output);
+  if (!pico_file) return pico_file.failure();
 
   const std::uint32_t angles = arguments.turntable ? 2 : 1;  // more than one: every angle must fit
   Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, *model, *camera, request->view, angles);
@@ -378,7 +362,7 @@ Result<Done> run(const Arguments& arguments) {
       !checked) {
     return checked.failure();
   }
-  if (*kind == Kind::pico) {
+  if (for_pico) {
     const Result<Done> drawn = check_for_pico(effects_of(staging->scene, staging->camera) | picture_effects(*request));
     if (!drawn) return drawn.failure();
   }
@@ -391,13 +375,7 @@ Result<Done> run(const Arguments& arguments) {
   at_rest.scene = paletted.scene();
   const Result<Turn> turn = turn_of(**stage, *request, arguments, *staging);
   if (!turn) return turn.failure();
-  if (*kind == Kind::pico) {
-    const std::uint32_t left = pico_budget(at_rest.scene, (*stage)->animation(), *turn);
-    if (request->budget.bytes == 0 || request->budget.bytes > left) request->budget.bytes = left;
-    PlanRequest usual = *request;
-    usual.budget.strip_rows = pico::kStripRows;
-    if (request->budget.strip_rows == 0 && best_plan(at_rest, usual)) *request = usual;
-  }
+  if (for_pico) *request = request_for_pico(*request, at_rest, (*stage)->animation(), *turn, pico_file->board);
   Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *turn, skins, *request);
   if (!baked) return baked.failure();
   if (*kind == Kind::sketch || *kind == Kind::program) {
@@ -420,7 +398,7 @@ Result<Done> run(const Arguments& arguments) {
   const Result<Camera> turning_camera = (*stage)->camera(2);
   if (!turning_camera) return turning_camera.failure();
   const Result<std::vector<std::uint8_t>> output =
-      make_output(arguments, *kind, *baked, *turning_camera, program, record);
+      make_output(arguments, *kind, *baked, *turning_camera, *pico_file, record);
   if (!output) return output.failure();
   const Result<Done> written = write_file(arguments.output, *output, "-o");
   if (!written) return written.failure();
@@ -448,7 +426,7 @@ void add_bake_command(CLI::App& app, int& exit_code) {
           "-o,--output", a.output,
           "The file to write: .hpp for C++ constants, .ino for a sketch for Arduino that shows them on an ST7789, .cpp "
           "for a program that draws them, .zsc for a blob, .uf2 for a blob that a Raspberry Pi Pico takes "
-          "beside zstrip_pico_player.uf2")
+          "beside zstrip_pico_player.uf2, or a Pico 2 beside zstrip_pico2_player.uf2")
       ->required()
       ->type_name("FILE");
   add_plan_options(*command, a.plan);
@@ -480,8 +458,7 @@ void add_bake_command(CLI::App& app, int& exit_code) {
                    "animation, never needs it (default); on, for programs that move camera or instances otherwise")
       ->option_text("CHOICE")
       ->check(one_of({"auto", "on"}));
-  command->add_option("--with", a.program, "Into a .uf2 file, too: the program that shows it, zstrip_pico_player.uf2")
-      ->type_name("FILE");
+  add_pico_options(*command, a.pico);
   command->add_option("--json", a.json, "Write the report as JSON; - is standard output")->type_name("FILE|-");
   command->add_flag("--quiet", a.quiet, "No report in words; warnings and errors remain");
   command->footer(
@@ -494,6 +471,7 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       "  zstrip bake model.obj -o scene.zsc --size 320x240\n"
       "  zstrip bake model.glb -o model.uf2\n"
       "  zstrip bake model.glb -o pico.uf2 --with zstrip_pico_player.uf2\n"
+      "  zstrip bake model.glb -o pico2.uf2 --board pico2 --with zstrip_pico2_player.uf2\n"
       "  zstrip bake house.obj -o house.zsc --visibility painter-bsp\n"
       "  zstrip bake house.glb -o house.hpp --textures auto\n"
       "  zstrip bake house.glb -o house.zsc --mipmaps on\n"

@@ -1,5 +1,5 @@
-// .uf2 files for the Pico: what the command writes is what the boot loader takes, and files that it reads may hold
-// anything.
+// .uf2 files for the Pico and Pico 2: what the command writes is what the boot loader takes, and files that it reads
+// may hold anything.
 #include <array>
 #include <filesystem>
 
@@ -10,6 +10,8 @@
 namespace zstrip::sim::test {
 namespace {
 
+using pico::kPico;
+using pico::kPico2;
 using pico::Page;
 using pico::Pages;
 using Bytes = std::vector<std::uint8_t>;
@@ -24,26 +26,42 @@ Page page_of(std::uint8_t value) {
 std::string said_of(std::size_t block, std::size_t at, std::uint32_t value) {
   Bytes file = pico::to_uf2({{pico::kFlash, page_of(1)},
                              {pico::kFlash + pico::kPage, page_of(2)},
-                             {pico::kFlash + 2 * pico::kPage, page_of(3)}});
+                             {pico::kFlash + 2 * pico::kPage, page_of(3)}},
+                            kPico);
   for (std::size_t i = 0; i < 4; ++i) {
     file[block * pico::kBlock + at + i] = static_cast<std::uint8_t>(value >> (8 * i));
   }
-  const Result<Pages> read = read_uf2(file);
+  const Result<Pages> read = read_uf2(file, kPico);
   return read ? "" : read.failure().message;
 }
 
 TEST(Uf2, ReadsWhatItWrites) {
   const Pages pages{{pico::kFlash, page_of(1)}, {pico::kFlash + pico::kPage, page_of(2)}};
-  const Result<Pages> read = read_uf2(pico::to_uf2(pages));
-  ASSERT_TRUE(read) << read.failure().message;
-  EXPECT_EQ(*read, pages);
+  for (const pico::Board& board : {kPico, kPico2}) {
+    const Bytes file = pico::to_uf2(pages, board);
+    const Result<Pages> read = read_uf2(file, board);
+    ASSERT_TRUE(read) << read.failure().message;
+    EXPECT_EQ(*read, pages);
+    EXPECT_FALSE(read_uf2(file, board.family == kPico.family ? kPico2 : kPico)) << "of the other board";
+  }
+}
+
+TEST(Uf2, FlashOfAPico2IsLarger) {
+  const Pages last{{0x103FFF00, page_of(1)}}, behind{{0x10400000, page_of(1)}};
+  EXPECT_TRUE(read_uf2(pico::to_uf2(last, kPico2), kPico2));
+  EXPECT_FALSE(read_uf2(pico::to_uf2(last, kPico), kPico));
+  const Result<Pages> refused = read_uf2(pico::to_uf2(behind, kPico2), kPico2);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.failure().message.find("the Pico 2's flash: block 0 has 256 bytes for address 10400000"),
+            std::string::npos)
+      << refused.failure().message;
 }
 
 // Erratum RP2040-E14: else the loader erases a sector at the wrong time.
 TEST(Uf2, SectorsAreWholeBeforeAGap) {
   const std::uint32_t far = pico::kFlash + 5 * pico::kSector;
   const Pages pages{{pico::kFlash + pico::kPage, page_of(1)}, {far + pico::kPage, page_of(2)}};
-  const Result<Pages> read = read_uf2(pico::to_uf2(pages));
+  const Result<Pages> read = read_uf2(pico::to_uf2(pages, kPico), kPico);
   ASSERT_TRUE(read) << read.failure().message;
   ASSERT_EQ(read->size(), pico::kSector / pico::kPage + 2);
   std::uint32_t number = 0;
@@ -75,31 +93,34 @@ TEST(Uf2, RefusesWhatIsNoFileForThePico) {
   expect(1, 12, 0x0FFFFF00, "address 0fffff00");
   expect(1, 12, 0x10200000, "address 10200000");
   expect(1, 12, 0x10000000, "as one before it does");
-  EXPECT_FALSE(read_uf2({}));
-  Bytes cut = pico::to_uf2({{pico::kFlash, page_of(1)}});
+  EXPECT_FALSE(read_uf2({}, kPico));
+  Bytes cut = pico::to_uf2({{pico::kFlash, page_of(1)}}, kPico);
   cut.pop_back();
-  EXPECT_FALSE(read_uf2(cut));
+  EXPECT_FALSE(read_uf2(cut, kPico));
 }
 
 TEST(PicoFile, HasNoSceneThatIsLargerThanItsPlace) {
-  Bytes blob(pico::kSceneBytes);
-  EXPECT_TRUE(to_pico_file(blob, {}));
-  blob.resize(blob.size() + 4);
-  const Result<Bytes> refused = to_pico_file(blob, {});
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.failure().status, ExitStatus::budget);
+  constexpr std::size_t kMegabyte = 1 << 20;
+  for (const auto& [board, size] : {std::pair{kPico, kMegabyte}, {kPico2, 3 * kMegabyte}}) {
+    Bytes blob(size);
+    EXPECT_TRUE(to_pico_file(blob, {}, board));
+    blob.resize(size + 4);
+    const Result<Bytes> refused = to_pico_file(blob, {}, board);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.failure().status, ExitStatus::budget);
+  }
 }
 
 class BakePico : public Bake {
  protected:
-  Pages pages(const std::string& name) {
+  Pages pages(const std::string& name, const pico::Board& board = kPico) {
     const std::string file = read(path(name));
-    const Result<Pages> found = read_uf2({reinterpret_cast<const std::uint8_t*>(file.data()), file.size()});
+    const Result<Pages> found = read_uf2({reinterpret_cast<const std::uint8_t*>(file.data()), file.size()}, board);
     EXPECT_TRUE(found) << found.failure().message;
     return found ? *found : Pages{};
   }
-  std::string file_of(const Pages& content, const std::string& name) {
-    const Bytes bytes = pico::to_uf2(content);
+  std::string file_of(const Pages& content, const std::string& name, const pico::Board& board = kPico) {
+    const Bytes bytes = pico::to_uf2(content, board);
     return file(name, std::string(bytes.begin(), bytes.end()));
   }
   /// What only looks like one: it says what it reads.
@@ -117,7 +138,7 @@ TEST_F(BakePico, FileHasTheBlobAtItsPlaceAloneOrBesideAProgram) {
   report(bake);
   const std::string blob = read(path("house.zsc"));
   const Json baked = report({"bake", kHouseModel, "-o", "house.uf2"});
-  EXPECT_LE(baked.at("plan").at("ram_bytes").at("arena").get<std::uint32_t>(), pico::kPlayerMemory);
+  EXPECT_LE(baked.at("plan").at("ram_bytes").at("arena").get<std::uint32_t>(), kPico.player_memory);
   report({"bake", kHouseModel, "-o", "both.uf2", "--with", file_of(program(), "program.uf2")});
 
   const Pages alone = pages("house.uf2"), both = pages("both.uf2");
@@ -133,6 +154,36 @@ TEST_F(BakePico, FileHasTheBlobAtItsPlaceAloneOrBesideAProgram) {
   EXPECT_EQ(both.size(), alone.size() + pico::kSector / pico::kPage);
 }
 
+/// By the numbers of its documents, not by the command's own.
+TEST_F(BakePico, FileForAPico2HasItsFamilyAndTheSameBlob) {
+  report({"bake", kHouseModel, "-o", "house.uf2"});
+  report({"bake", kHouseModel, "-o", "house2.uf2", "--board", "pico2"});
+  report({"bake", kHouseModel, "-o", "both2.uf2", "--board", "pico2", "--with", file_of(program(), "2.uf2", kPico2)});
+  for (const std::string name : {"house2.uf2", "both2.uf2"}) {
+    const std::string file = read(path(name));
+    ASSERT_EQ(file.size() % 512, 0U);
+    for (std::size_t block = 0; block < file.size(); block += 512) {
+      EXPECT_EQ(file.substr(block + 28, 4), "\x59\xFF\x8B\xE4") << name << ", block " << block / 512;
+    }
+  }
+  const Pages alone = pages("house2.uf2", kPico2), both = pages("both2.uf2", kPico2);
+  EXPECT_EQ(alone.begin()->first, 0x10100000U);
+  EXPECT_EQ(alone, pages("house.uf2"));
+  for (const auto& [address, page] : alone) EXPECT_EQ(both.at(address), page);
+  for (const auto& [address, page] : program()) EXPECT_EQ(both.at(address), page);
+}
+
+TEST_F(BakePico, Pico2HasMemoryForMore) {
+  const std::vector<std::string> bake{"bake", "random10k", "--strip-rows", "60", "-o", "x.uf2"};
+  EXPECT_EQ(zstrip(bake).status, 5);
+  std::vector<std::string> bake_for_pico2 = bake;
+  bake_for_pico2.insert(bake_for_pico2.end(), {"--board", "pico2"});
+  const Json baked = report(bake_for_pico2);
+  const auto arena = baked.at("plan").at("ram_bytes").at("arena").get<std::uint32_t>();
+  EXPECT_GT(arena, kPico.player_memory);
+  EXPECT_LE(arena, kPico2.player_memory);
+}
+
 TEST_F(BakePico, ProgramsThatWouldNotShowItAreRefused) {
   const auto refused = [this](const std::string& output, const std::string& with, int status, const char* words) {
     const Outcome outcome = zstrip({"bake", kHouseModel, "-o", output, "--with", with});
@@ -142,6 +193,7 @@ TEST_F(BakePico, ProgramsThatWouldNotShowItAreRefused) {
   };
   const std::string good = file_of(program(), "program.uf2");
   refused("house.zsc", good, 2, "--with is the program of a file for the Raspberry Pi Pico");
+  refused("x.uf2", file_of(program(), "pico2.uf2", kPico2), 4, "block 0 is not for the RP2040");
   refused("x.uf2", "nothing.uf2", 4, "does not exist");
   refused("x.uf2", file("text.uf2", "text"), 4, "is no .uf2 file");
   refused("x.uf2", file_of({{pico::kFlash, page_of(1)}}, "other.uf2"), 4, "is not the program");
@@ -156,6 +208,21 @@ TEST_F(BakePico, ProgramsThatWouldNotShowItAreRefused) {
   const Outcome over = zstrip({"bake", kHouseModel, "-o", "program.uf2", "--with", "program.uf2"});
   EXPECT_EQ(over.status, 2);
   EXPECT_EQ(pages("program.uf2"), program());
+}
+
+TEST_F(BakePico, BoardsAreForTheirFiles) {
+  const auto refused = [this](std::vector<std::string> bake, int status, const char* words) {
+    bake.insert(bake.begin(), {"bake", kHouseModel});
+    const Outcome outcome = zstrip(bake);
+    EXPECT_EQ(outcome.status, status);
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  };
+  refused({"-o", "x.zsc", "--board", "pico2"}, 2, "--board is of a file for a Raspberry Pi Pico or Pico 2");
+  refused({"-o", "x.uf2", "--board", "pico3"}, 2, "pico2");
+  const std::string good = file_of(program(), "program.uf2");
+  refused({"-o", "x.uf2", "--board", "pico2", "--with", good}, 4, "block 0 is not for the RP2350");
+  const std::string other = file_of({{pico::kFlash, page_of(1)}}, "other2.uf2", kPico2);
+  refused({"-o", "x.uf2", "--board", "pico2", "--with", other}, 4, "take zstrip_pico2_player.uf2");
 }
 
 TEST_F(BakePico, WhatTheProgramCannotDrawIsSaidWhenItIsBaked) {

@@ -111,7 +111,7 @@ constexpr Fact kPico[] = {
 namespace rp2350 {
 constexpr std::uint32_t kClocks = 0x40010000, kResets = 0x40020000, kPsm = 0x40018000, kXosc = 0x40048000;
 constexpr std::uint32_t kPllSys = 0x40050000, kWatchdog = 0x400D8000, kTicks = 0x40108000, kSio = 0xD0000000;
-constexpr std::uint32_t kDma = 0x50000000;
+constexpr std::uint32_t kDma = 0x50000000, kTimer0 = 0x400B0000;
 }  // namespace rp2350
 
 constexpr Fact kPico2[] = {
@@ -122,6 +122,7 @@ constexpr Fact kPico2[] = {
     FACT(rp2350, kResetPadsBank0, bit(9), "RESETS_RESET_PADS_BANK0_BITS"),
     FACT(rp2350, kResetPllSys, bit(14), "RESETS_RESET_PLL_SYS_BITS"),
     FACT(rp2350, kResetSpi0, bit(18), "RESETS_RESET_SPI0_BITS"),
+    FACT(rp2350, kResetTimer, bit(23), "RESETS_RESET_TIMER0_BITS"),
     FACT(rp2350, kResetUart0, bit(26), "RESETS_RESET_UART0_BITS"),
     FACT(rp2350, kCrystalControl, rp2350::kXosc + 0x0, "XOSC_CTRL_OFFSET"),
     FACT(rp2350, kCrystalStatus, rp2350::kXosc + 0x4, "XOSC_STATUS_OFFSET"),
@@ -154,6 +155,10 @@ constexpr Fact kPico2[] = {
     FACT(rp2350, kWatchdogTick, rp2350::kTicks + 0x30, "TICKS_WATCHDOG_CTRL_OFFSET"),
     FACT(rp2350, kWatchdogTickCycles, rp2350::kTicks + 0x34, "TICKS_WATCHDOG_CYCLES_OFFSET"),
     FACT(rp2350, kTickEnable, bit(0), "TICKS_WATCHDOG_CTRL_ENABLE_BITS"),
+    FACT(rp2350, kTimerUpper, rp2350::kTimer0 + 0x8, "TIMER_TIMEHR_OFFSET"),
+    FACT(rp2350, kTimerLower, rp2350::kTimer0 + 0xC, "TIMER_TIMELR_OFFSET"),
+    FACT(rp2350, kTimerTick, rp2350::kTicks + 0x18, "TICKS_TIMER0_CTRL_OFFSET"),
+    FACT(rp2350, kTimerTickCycles, rp2350::kTicks + 0x1C, "TICKS_TIMER0_CYCLES_OFFSET"),
     FACT(rp2350, kFunctionSpi, 1, "GPIO_FUNC_SPI"),
     FACT(rp2350, kFunctionUart, 2, "GPIO_FUNC_UART"),
     FACT(rp2350, kFunctionSio, 5, "GPIO_FUNC_SIO"),

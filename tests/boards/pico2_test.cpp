@@ -1,17 +1,23 @@
-// The Pico 2's program as files: what the RP2350's boot ROM looks for in the flash before it starts a program, read as
+// The Pico 2's programs as files: what the RP2350's boot ROM looks for in the flash before it starts a program, read as
 // the ROM reads it (RP2350 data sheet, 5.9), and the .uf2 file against the .elf file.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
+#include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "pico_files.hpp"
+#include "programs.hpp"
 
 namespace zstrip::boards {
 namespace {
 
 constexpr const char* kPico2Program = "zstrip_pico2_show";
+constexpr const char* kPico2Player = "zstrip_pico2_player";
 constexpr std::uint32_t kFlashBegin = 0x10000000, kRamBegin = 0x20000000, kRamEnd = kRamBegin + 520 * 1024;
 constexpr std::uint32_t kBlockBegin = 0xFFFFDED3, kBlockEnd = 0xAB123579;
 constexpr std::size_t kSearched = 4096;
@@ -71,22 +77,32 @@ std::string boot_complaint(const Bytes& flash) {
   return "";
 }
 
-TEST(BoardPico2, BootRomFindsTheProgram) {
-  const Bytes flash = flash_image(kPico2Program);
+/// The stack is at the beginning of the RAM.
+void expect_to_start(const Bytes& flash, std::uint32_t stack_bytes) {
   ASSERT_GE(flash.size(), kSearched);
   EXPECT_EQ(boot_complaint(flash), "");
-  EXPECT_EQ(word(flash, 0), 0x20001000U) << "the top of a stack of 4 KB at the beginning of the RAM";
+  EXPECT_EQ(word(flash, 0), kRamBegin + stack_bytes);
   for (std::size_t vector = 1; vector < 16; ++vector) {
     EXPECT_EQ(word(flash, 4 * vector) % 2, 1U) << "Thumb code";
     EXPECT_LT(word(flash, 4 * vector), kFlashBegin + flash.size());
   }
-}
-
-TEST(BoardPico2, ThereIsOneBlock) {
-  const Bytes flash = flash_image(kPico2Program);
   std::size_t begins = 0;
   for (std::size_t at = 0; at + 4 <= flash.size(); at += 4) begins += word(flash, at) == kBlockBegin;
-  EXPECT_EQ(begins, 1U) << "another could be taken for it";
+  EXPECT_EQ(begins, 1U) << "another could be taken for the block";
+}
+
+TEST(BoardPico2, BootRomFindsTheProgram) { expect_to_start(flash_image(kPico2Program), 4096); }
+
+TEST(BoardPico2, BootRomFindsTheProgramThatShowsBakedScenes) { expect_to_start(flash_image(kPico2Player), 8192); }
+
+/// What `zstrip bake --board pico2 --with` reads.
+TEST(BoardPico2, ProgramThatShowsBakedScenesLeavesTheirPlaceAndNamesIt) {
+  const Bytes flash = flash_image(kPico2Player);
+  constexpr std::size_t kScene = 0x100000;
+  EXPECT_LE(flash.size(), kScene);
+  constexpr std::string_view kWords =
+      "no scene of version 5 at 10100000 in the flash. zstrip bake MODEL -o scene.uf2 --board pico2";
+  EXPECT_NE(std::search(flash.begin(), flash.end(), kWords.begin(), kWords.end()), flash.end());
 }
 
 /// Each word of it counts: the check above would find a wrong one.
@@ -111,7 +127,45 @@ TEST(BoardPico2, EachWordOfTheBlockIsNeeded) {
   }
 }
 
+#ifdef ZSTRIP_COMMAND
+/// The command's file is the whole program, which the boot ROM finds, and the scene's blob at its address.
+TEST(BoardPico2, BakedFileHasTheProgramAndTheScene) {
+  const std::filesystem::path player = program(kPico2Player).replace_extension(".uf2");
+  if (!std::filesystem::exists(player)) GTEST_SKIP() << "there was no compiler for this machine in the cross build";
+  const std::string folder = std::filesystem::path(testing::TempDir()) / ("pico2-" + std::to_string(::getpid()));
+  std::filesystem::create_directory(folder);
+  const std::string bake = "'" ZSTRIP_COMMAND "' bake teapot --quiet -o '" + folder;
+  ASSERT_EQ(std::system((bake + "/scene.zsc' --size 240x240 --format rgb565_swapped").c_str()), 0);
+  ASSERT_EQ(std::system((bake + "/both.uf2' --board pico2 --with '" + player.string() + "'").c_str()), 0);
+  const Bytes blob = file_contents(folder + "/scene.zsc"), uf2 = file_contents(folder + "/both.uf2");
+  std::filesystem::remove_all(folder);
+  ASSERT_FALSE(blob.empty());
+  for (std::size_t block = 0; block < uf2.size(); block += 512) ASSERT_EQ(word(uf2, block + 28), 0xE48BFF59U);
+
+  Bytes flash, scene;
+  for (const auto& [address, page] : uf2_pages(uf2)) {
+    Bytes& part = address < 0x10100000 ? flash : scene;
+    ASSERT_EQ(address, (address < 0x10100000 ? 0x10000000 : 0x10100000) + part.size());
+    part.insert(part.end(), page.begin(), page.end());
+  }
+  const Bytes image = flash_image(kPico2Player);
+  ASSERT_GE(flash.size(), image.size());
+  EXPECT_TRUE(std::equal(image.begin(), image.end(), flash.begin()));
+  EXPECT_EQ(boot_complaint(flash), "");
+  ASSERT_GE(scene.size(), blob.size());
+  EXPECT_TRUE(std::equal(blob.begin(), blob.end(), scene.begin()));
+}
+#endif
+
 TEST(BoardPico2, Uf2HasTheWholeFlashImage) {
+  for (const char* const program : {kPico2Program, kPico2Player}) {
+    const Bytes uf2 = uf2_file(program);
+    if (uf2.empty()) GTEST_SKIP() << "there was no compiler for this machine in the cross build";
+    EXPECT_EQ(uf2_complaint(uf2, flash_image(program), 0xE48BFF59), "") << program;
+  }
+}
+
+TEST(BoardPico2, Uf2IsReadByteByByte) {
   const Bytes uf2 = uf2_file(kPico2Program);
   if (uf2.empty()) GTEST_SKIP() << "there was no compiler for this machine in the cross build";
   const Bytes flash = flash_image(kPico2Program);

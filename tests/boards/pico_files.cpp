@@ -13,14 +13,11 @@
 #include "programs.hpp"
 
 namespace zstrip::boards {
-namespace {
 
 Bytes file_contents(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return Bytes(std::istreambuf_iterator<char>(stream), {});
 }
-
-}  // namespace
 
 Bytes flash_image(const std::string& program_name) {
   const std::filesystem::path image =
@@ -65,6 +62,15 @@ std::string uf2_complaint(const Bytes& uf2, Bytes flash, std::uint32_t family) {
     }
   }
   return "";
+}
+
+std::map<std::uint32_t, Bytes> uf2_pages(const Bytes& uf2) {
+  std::map<std::uint32_t, Bytes> pages;
+  for (std::size_t at = 0; at + 512 <= uf2.size(); at += 512) {
+    const auto begin = uf2.begin() + static_cast<std::ptrdiff_t>(at + 32);
+    pages[word(uf2, at + 12)] = Bytes(begin, begin + 256);
+  }
+  return pages;
 }
 
 Bytes uf2_file(const std::string& program_name) {

@@ -13,6 +13,8 @@ inline constexpr std::uint32_t kSysCtrl = 0x4001003C, kSysSelected = 0x40010044,
 inline constexpr std::uint32_t kPllCs = 0x40050000, kPllPwr = 0x40050004, kPllFbdiv = 0x40050008, kPllPrim = 0x4005000C;
 inline constexpr std::uint32_t kWdsel = 0x40018008, kWatchdogCtrl = 0x400D8000, kWatchdogLoad = 0x400D8004;
 inline constexpr std::uint32_t kTickCtrl = 0x40108030, kTickCycles = 0x40108034;
+inline constexpr std::uint32_t kTimerUpper = 0x400B0008, kTimerLower = 0x400B000C;
+inline constexpr std::uint32_t kTimerTickCtrl = 0x40108018, kTimerTickCycles = 0x4010801C;
 inline constexpr std::uint32_t kSioSet = 0xD0000018, kSioClear = 0xD0000020, kSioEnable = 0xD0000038;
 inline constexpr std::uint32_t kUart = 0x40070000, kUartFlags = kUart + 0x18, kUartInteger = kUart + 0x24;
 inline constexpr std::uint32_t kUartFraction = kUart + 0x28, kUartLine = kUart + 0x2C, kUartCtrl = kUart + 0x30;

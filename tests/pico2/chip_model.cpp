@@ -41,7 +41,8 @@ namespace {
 
 constexpr ResetBlock kBlocks[] = {
     {"dma", kDma, 2, false},        {"io_bank0", 0x40028000, 6, false}, {"pads_bank0", 0x40038000, 9, false},
-    {"pll_sys", kPllCs, 14, false}, {"spi0", kSpi, 18, true},           {"uart0", kUart, 26, true}};
+    {"pll_sys", kPllCs, 14, false}, {"spi0", kSpi, 18, true},           {"timer0", 0x400B0000, 23, false},
+    {"uart0", kUart, 26, true}};
 
 }  // namespace
 
@@ -56,7 +57,9 @@ Chip::Chip(Mutation mutation) : mutation_(std::move(mutation)) {
                 {kUartLine, 0},       {kUartCtrl, 0x300}, {kSpi, 0},
                 {kSpiCr1, 0},         {kSpiDr, 0},        {kSpiCpsr, 0},
                 {kSpiDmacr, 0},       {kDma, 0},          {kDmaWrite, 0},
-                {kDmaCount, 0},       {kDmaTrigger, 0},   {kDmaAbort, 0}};
+                {kDmaCount, 0},       {kDmaTrigger, 0},   {kDmaAbort, 0},
+                {kTimerUpper, 0},     {kTimerLower, 0},   {kTimerTickCtrl, 0},
+                {kTimerTickCycles, 0}};
   for (unsigned pin = 0; pin < 30; ++pin) {
     registers_[function_of(pin)] = 0x1F;
     registers_[pad_of(pin)] = 0x116;
@@ -250,7 +253,13 @@ void Chip::deliver(std::uint8_t byte) {
   if (!panel_.complaints().empty()) complain("panel: " + panel_.complaints().front());
 }
 
-// Watchdog.
+// Timer and watchdog.
+
+std::uint64_t Chip::timer_ticks() const {
+  const std::uint32_t cycles = stored(kTimerTickCycles);
+  if ((stored(kTimerTickCtrl) & 1) == 0 || cycles == 0) return 0;
+  return static_cast<std::uint64_t>((now_ - timer_started_).count()) * (reference_hertz() / 1'000'000) / 1000 / cycles;
+}
 
 Nanoseconds Chip::watchdog_time() const {
   const bool runs = (stored(kWatchdogCtrl) >> 30 & 1) != 0 && (stored(kTickCtrl) & 1) != 0 && stored(kTickCycles) != 0;
@@ -260,7 +269,10 @@ Nanoseconds Chip::watchdog_time() const {
 }
 
 void Chip::write_watchdog(std::uint32_t address, std::uint32_t old, std::uint32_t value) {
-  if (address == kTickCycles && (stored(kTickCtrl) & 1) != 0) complain("tick: changed while it runs");
+  const bool changes_timer = address == kTimerTickCycles && (stored(kTimerTickCtrl) & 1) != 0;
+  if (changes_timer || (address == kTickCycles && (stored(kTickCtrl) & 1) != 0))
+    complain("tick: changed while it runs");
+  if (address == kTimerTickCtrl && (value & ~old & 1) != 0) timer_started_ = now_;
   if (address == kWatchdogLoad) {
     if (value >> 24 != 0) complain("watchdog: more than 24 bits");
     watchdog_loaded_ = now_;
@@ -310,6 +322,11 @@ std::uint32_t Chip::answer(std::uint32_t address) {
     }
     case kSpiSr: return 1U | (sending_.size() < kFifo ? 2U : 0) | (received_ != 0 ? 4U : 0) | (is_sending() ? 16U : 0);
     case kSpiDr: received_ -= received_ != 0; return 0;
+    case kTimerLower: {
+      const std::uint64_t ticks = timer_ticks();
+      at(kTimerUpper) = static_cast<std::uint32_t>(ticks >> 32);
+      return static_cast<std::uint32_t>(ticks);
+    }
     case kDmaAlias:
     case kDmaTrigger: return at(address) | (dma_busy_ ? 1U << 26 : 0);
     default: return at(address);

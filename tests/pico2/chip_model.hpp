@@ -69,6 +69,7 @@ class Chip {
   void write_pll();
   void write_spi(std::uint32_t address, std::uint32_t value);
   void write_dma(std::uint32_t address, std::uint32_t value);
+  std::uint64_t timer_ticks() const;
   void write_watchdog(std::uint32_t address, std::uint32_t old, std::uint32_t value);
   void send_character(std::uint32_t value);
   void move_bytes();
@@ -81,7 +82,7 @@ class Chip {
   std::map<std::uint32_t, std::uint32_t> registers_;
   std::map<std::uint32_t, sim::Nanoseconds> released_;  // by bit of RESETS
   sim::Nanoseconds now_{0}, crystal_stable_{sim::Nanoseconds::max()}, pll_locked_{sim::Nanoseconds::max()};
-  sim::Nanoseconds console_idle_{0}, byte_done_{0}, watchdog_loaded_{0};
+  sim::Nanoseconds console_idle_{0}, byte_done_{0}, watchdog_loaded_{0}, timer_started_{0};
   std::uint32_t last_read_ = 0, reads_ = 0;
   std::string console_;
   std::deque<std::uint8_t> sending_;

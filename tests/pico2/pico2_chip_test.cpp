@@ -1,6 +1,6 @@
 // The Pico 2's sources (firmware/boards/pico, pico2) compiled for this machine, their registers in a model of the chip:
-// start, console, panel by DMA, a bus that gets stuck, watchdog. No emulator here has the chip; its processor's code
-// runs elsewhere (docs/hardware-review.md).
+// start, console, timer, panel by DMA, a bus that gets stuck, watchdog. No emulator here has the chip; its processor's
+// code runs elsewhere (docs/hardware-review.md).
 #include <gtest/gtest.h>
 #include <pthread.h>
 #include <sys/mman.h>
@@ -23,6 +23,7 @@
 #include "cortex_m/systick.hpp"
 #include "pico/panel_bus.hpp"
 #include "pico/pins.hpp"
+#include "pico/timer.hpp"
 #include "portable/console_input.hpp"
 #include "portable/pacing.hpp"
 #include "zstrip_hal/framebuffer.hpp"
@@ -59,6 +60,18 @@ struct ModelClock {
 };
 
 constexpr std::string_view kWords = "the words of this test";
+
+/// In milliseconds; more than the lower word of the timer's microseconds can count.
+constexpr std::uint32_t kLongTime = 5'000'000;
+
+/// Whether the timer counts milliseconds all the time.
+bool counts_milliseconds() {
+  board::start_timer();
+  const std::uint32_t before = board::milliseconds();
+  chip->pass(std::chrono::milliseconds(kLongTime));
+  const std::uint32_t passed = board::milliseconds() - before;
+  return passed >= kLongTime && passed <= kLongTime + 1;
+}
 
 std::vector<std::uint8_t> expected_picture() {
   constexpr std::uint16_t kSide = 240;
@@ -116,6 +129,7 @@ std::string run_program(Chip& model, const std::function<void(board::PanelBus&)>
       if (board::PanelLight{}.set(true) != hal::Error::none) throw Complaint("light of the panel");
       board::start_pacing();
       if (systick_hertz != model.system_hertz()) throw Complaint("the frame clock counts another frequency");
+      if (!counts_milliseconds()) throw Complaint("timer: not milliseconds");
       if (panel.start() != hal::Error::none) throw Complaint("start of the panel");
       if (before_words) before_words(bus);
       if (hal::show_message(panel, kWords) != hal::Error::none) throw Complaint("words on the panel");
@@ -269,6 +283,10 @@ const std::vector<Mistake>& mistakes() {
       {"tick's cycles", "watchdog: not 8 s", kTickCycles, becomes(125)},
       {"no tick", "watchdog: not 8 s", kTickCtrl, dropped},
       {"tick afterwards", "tick: changed while it runs", kWatchdogLoad, moves_to(kTickCycles)},
+      {"timer's cycles", "timer: not milliseconds", kTimerTickCycles, becomes(150)},
+      {"no tick of the timer", "timer: not milliseconds", kTimerTickCtrl, dropped},
+      {"timer's tick afterwards", "tick: changed while it runs", kWatchdogLoad, moves_to(kTimerTickCycles)},
+      {"reset of an RP2040's timer", "timer0: touched in reset", kReset + kClearAlias, without(1U << 23)},
       {"twice a tick", "watchdog: not 8 s", kWatchdogLoad, becomes(16'000'000)},
       {"too long", "watchdog: more than 24 bits", kWatchdogLoad, becomes(1U << 24)},
       {"resets of an RP2040's watchdog", "watchdog: it resets not all but the oscillators", kWdsel, becomes(0x1FFFC)},

@@ -1,22 +1,19 @@
-// What lies where in a Pico's flash when a baked scene is beside the program that shows it, and what that program has
-// for it. Of the program, of `zstrip bake` and of what makes .uf2 files.
+// What lies where in the flash of a Pico or Pico 2 when a baked scene is beside the program that shows it, and what
+// that program has for it. Of the program, of `zstrip bake` and of what makes .uf2 files.
 #pragma once
 
 #include <cstdint>
 
 namespace zstrip::pico {
 
-inline constexpr std::uint32_t kFlash = 0x10000000, kFlashBytes = 2 << 20;
+inline constexpr std::uint32_t kFlash = 0x10000000;
 inline constexpr std::uint32_t kPage = 256;     // which is programmed at once
 inline constexpr std::uint32_t kSector = 4096;  // which is erased at once
 
-/// The scene has the upper half of the flash: the program may grow in any release without moving it, and sectors are
-/// whole, so that the boot loader replaces one and leaves the other.
-inline constexpr std::uint32_t kScene = kFlash + kFlashBytes / 2, kSceneBytes = kFlash + kFlashBytes - kScene;
+/// The program has the first megabyte of the flash, the scene what follows: the program may grow in any release without
+/// moving it, and sectors are whole, so that the boot loader replaces one and leaves the other.
+inline constexpr std::uint32_t kScene = kFlash + (1 << 20);
 static_assert((kScene - kFlash) % kSector == 0);
-
-/// What the player has of the RAM for all that is not in flash.
-inline constexpr std::uint32_t kPlayerMemory = 248 * 1024;
 
 /// Of the panel, which the scene is baked for.
 inline constexpr std::uint16_t kPanelSide = 240;
@@ -25,15 +22,32 @@ inline constexpr std::uint16_t kPanelSide = 240;
 /// drawn and after the last one. More of them make scenes of many triangles slower.
 inline constexpr std::uint16_t kStripRows = 80;
 
-/// What the program shows where there is no scene. `zstrip bake` knows by kReads, which is part of it, that a program
-/// reads scenes of this version from this place.
+/// What `zstrip bake` knows by that a program reads scenes of this version from this place; part of what the program
+/// shows where there is no scene.
 #define ZSTRIP_PICO_READS "scene of version 5 at 10100000"
 inline constexpr char kReads[] = ZSTRIP_PICO_READS;
-inline constexpr char kNoScene[] =
-    "no " ZSTRIP_PICO_READS
-    " in the flash. zstrip bake MODEL -o scene.uf2, hold BOOTSEL while plugging in, copy "
-    "scene.uf2 to the drive";
-#undef ZSTRIP_PICO_READS
 static_assert(kScene == 0x10100000);
+
+struct Board {
+  const char* name;    ///< for options
+  const char* called;  ///< in sentences
+  const char* chip;
+  std::uint32_t family;  ///< of the chip, in .uf2 files
+  std::uint32_t flash_bytes;
+  std::uint32_t player_memory;  ///< what the player has of the RAM for all that is not in flash
+  const char* no_scene;         ///< what the program shows then
+
+  constexpr std::uint32_t scene_bytes() const { return kFlash + flash_bytes - kScene; }
+};
+
+#define ZSTRIP_PICO_NO_SCENE(options)                                             \
+  "no " ZSTRIP_PICO_READS " in the flash. zstrip bake MODEL -o scene.uf2" options \
+  ", hold BOOTSEL while plugging in, copy scene.uf2 to the drive"
+inline constexpr Board kPico{"pico", "Pico", "RP2040", 0xE48BFF56, 2 << 20, 248 * 1024, ZSTRIP_PICO_NO_SCENE("")};
+/// Of the RP2350 its Arm processors, secure.
+inline constexpr Board kPico2{
+    "pico2", "Pico 2", "RP2350", 0xE48BFF59, 4 << 20, 508 * 1024, ZSTRIP_PICO_NO_SCENE(" --board pico2")};
+#undef ZSTRIP_PICO_NO_SCENE
+#undef ZSTRIP_PICO_READS
 
 }  // namespace zstrip::pico

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "cortex_m/registers.hpp"
+#include "pico/flash_map.hpp"
 
 namespace zstrip::board::rp2040 {
 
@@ -63,11 +64,16 @@ inline constexpr std::uint32_t kDmaAbort = 0x50000444;
 /// Of the processor and the peripherals.
 constexpr std::uint32_t hertz() { return 125'000'000; }
 
+constexpr const pico::Board& board() { return pico::kPico; }
+
 /// The watchdog counts down by two a microsecond (RP2040-E1), so that 24 bits are 8.3 s.
 constexpr std::uint32_t watchdog_counts_per_second() { return 2'000'000; }
 
 /// A tick each microsecond, of the crystal, for watchdog and timer.
 inline void start_ticks() { register_at(kWatchdogTick) = kTickEnable | 12; }
+
+/// Of the timer, which counts the watchdog's ticks.
+inline void start_timer_tick() {}
 
 // Pads are connected and take input after a reset.
 inline void connect_output(unsigned) {}

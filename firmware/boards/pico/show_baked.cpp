@@ -22,14 +22,16 @@ using namespace zstrip::board;
 
 static_assert(pico::kReads[17] - '0' == kSceneBlobVersion);
 
-alignas(kArenaAlignment) constinit std::array<std::byte, pico::kPlayerMemory> memory{};
+constexpr const pico::Board& kBoard = chip::board();
+
+alignas(kArenaAlignment) constinit std::array<std::byte, kBoard.player_memory> memory{};
 constinit Player player(memory, &drawn_with_baked);
 
 /// As many bytes as the scene says that it has; the flash's if it says more, which is an error then.
 std::size_t scene_bytes(const void* scene) {
   std::uint32_t bytes = 0;
   std::memcpy(&bytes, static_cast<const std::byte*>(scene) + offsetof(blob_layout::Header, bytes), sizeof bytes);
-  return bytes < pico::kSceneBytes ? bytes : pico::kSceneBytes;
+  return bytes < kBoard.scene_bytes() ? bytes : kBoard.scene_bytes();
 }
 
 /// Feeds the watchdog with each strip that was shown: frames of any scene may take longer than the watchdog's time.
@@ -52,7 +54,7 @@ class BakedShow {
   static Failure show_for_ever(Panel& panel) {
     if (mark_fault_return()) return {"fault", FaultWords::all()};
     const auto* const scene = reinterpret_cast<const void*>(pico::kScene);
-    if (std::memcmp(scene, "zs", 2) != 0) return {"scene", pico::kNoScene};
+    if (std::memcmp(scene, "zs", 2) != 0) return {"scene", kBoard.no_scene};
     if (!player.open(scene, scene_bytes(scene)) ||
         !player.fit(panel, {.strip_buffers = 2, .strip_rows = pico::kStripRows}))
       return said();

@@ -1,4 +1,4 @@
-// The timer counts as soon as it is out of its reset.
+// The timer counts as soon as it is out of its reset and ticks.
 #include "pico/timer.hpp"
 
 #include "pico/chip.hpp"
@@ -12,6 +12,7 @@ void start_timer() {
   constexpr int kPolls = 20'000;
   for (int poll = 0; poll < kPolls && (register_at(kResetDone) & kResetTimer) == 0; ++poll) {
   }
+  start_timer_tick();
 }
 
 std::uint32_t milliseconds() {

@@ -1,11 +1,11 @@
-// What time it is, from the RP2040's timer.
+// What time it is, from the chip's timer.
 #pragma once
 
 #include <cstdint>
 
 namespace zstrip::board {
 
-/// After start_pacing(), whose tick the timer counts.
+/// After start_pacing(), whose tick an RP2040's timer counts.
 void start_timer();
 
 /// Since start_timer(); begins again at 0 after 49 days.

@@ -1,7 +1,7 @@
-# zstrip_add_uf2(TARGET CHIP PROGRAM...): TARGET makes of programs, beside them, the .uf2 files that the boot loader of a
-# chip takes, rp2040 or rp2350. A program for the building machine makes them.
+# zstrip_add_uf2(TARGET BOARD PROGRAM...): TARGET makes of programs, beside them, the .uf2 files that the boot loader of a
+# board takes, pico or pico2. A program for the building machine makes them.
 set(ZSTRIP_UF2_SOURCES ${CMAKE_CURRENT_LIST_DIR})
-function(zstrip_add_uf2 target chip)
+function(zstrip_add_uf2 target board)
   find_program(ZSTRIP_BUILD_COMPILER NAMES c++ g++ clang++)
   if(NOT ZSTRIP_BUILD_COMPILER)
     message(STATUS "No .uf2 files: they need a C++ compiler for this machine")
@@ -16,7 +16,7 @@ function(zstrip_add_uf2 target chip)
   foreach(program IN LISTS ARGN)
     set(file ${ZSTRIP_FIRMWARE_BINARIES}/${program}.uf2)
     add_custom_command(OUTPUT ${file}
-      COMMAND ${uf2} ${chip} $<TARGET_FILE:${program}> ${file} DEPENDS ${uf2} ${program} VERBATIM)
+      COMMAND ${uf2} ${board} $<TARGET_FILE:${program}> ${file} DEPENDS ${uf2} ${program} VERBATIM)
     list(APPEND files ${file})
   endforeach()
   add_custom_target(${target} DEPENDS ${files})

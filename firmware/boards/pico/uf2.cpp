@@ -1,5 +1,5 @@
-// uf2 CHIP ELF UF2: a program for the flash of a Pico (rp2040) or Pico 2 (rp2350) as the file that is copied to the
-// board when it shows up as a drive. Runs on the machine that builds. Format of ELF: Tool Interface Standard 1.2.
+// uf2 BOARD ELF UF2: a program for the flash of a Pico (pico) or Pico 2 (pico2) as the file that is copied to the board
+// when it shows up as a drive. Runs on the machine that builds. Format of ELF: Tool Interface Standard 1.2.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -24,17 +24,11 @@ std::uint32_t number(const std::vector<std::uint8_t>& file, std::uint64_t at, un
   return value;
 }
 
-struct Chip {
-  std::string name;
-  std::uint32_t family;
-  std::uint32_t flash_bytes;
-};
-
-Chip chip_named(const std::string& name) {
-  for (const Chip& chip : {Chip{"rp2040", kRp2040, kFlashBytes}, Chip{"rp2350", kRp2350, 4 << 20}}) {
-    if (chip.name == name) return chip;
+const Board& board_named(const std::string& name) {
+  for (const Board* board : {&kPico, &kPico2}) {
+    if (board->name == name) return *board;
   }
-  throw std::runtime_error("no chip " + name + ", but rp2040 and rp2350");
+  throw std::runtime_error("no board " + name + ", but pico and pico2");
 }
 
 /// What the program headers load into flash, in whole pages; gaps are zeros.
@@ -67,15 +61,15 @@ Pages flash_pages(const std::vector<std::uint8_t>& file, std::uint32_t flash_byt
 
 int main(int count, char** arguments) {
   if (count != 4) {
-    std::cerr << "usage: uf2 CHIP ELF UF2\n";
+    std::cerr << "usage: uf2 BOARD ELF UF2\n";
     return 2;
   }
   try {
-    const Chip chip = chip_named(arguments[1]);
+    const Board& board = board_named(arguments[1]);
     std::ifstream elf(arguments[2], std::ios::binary);
     if (!elf) throw std::runtime_error("cannot be read");
     const std::vector<std::uint8_t> file(std::istreambuf_iterator<char>(elf), {});
-    const std::vector<std::uint8_t> blocks = to_uf2(flash_pages(file, chip.flash_bytes), chip.family);
+    const std::vector<std::uint8_t> blocks = to_uf2(flash_pages(file, board.flash_bytes), board);
     std::ofstream uf2(arguments[3], std::ios::binary);
     uf2.write(reinterpret_cast<const char*>(blocks.data()), static_cast<std::streamsize>(blocks.size()));
     uf2.close();

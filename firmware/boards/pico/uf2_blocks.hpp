@@ -18,8 +18,7 @@ using Pages = std::map<std::uint32_t, Page>;  // by address, a multiple of kPage
 
 inline constexpr std::size_t kBlock = 512, kBlockHeader = 32, kBlockEnd = kBlock - 4;
 inline constexpr std::uint32_t kBegin0 = 0x0A324655, kBegin1 = 0x9E5D5157, kEnd = 0x0AB16F30;
-inline constexpr std::uint32_t kFamilyPresent = 0x2000, kRp2040 = 0xE48BFF56;
-inline constexpr std::uint32_t kRp2350 = 0xE48BFF59;  // its Arm processors, secure
+inline constexpr std::uint32_t kFamilyPresent = 0x2000;
 
 /// As a loader needs them that finds out from a block's number whether its sector was erased: a sector that is not the
 /// last one is whole, each begins at its beginning (erratum RP2040-E14). What is added is as after erasing.
@@ -36,8 +35,8 @@ inline Pages in_whole_sectors(const Pages& pages) {
   return whole;
 }
 
-/// The file, a block for each page. `family`: of the chip.
-inline std::vector<std::uint8_t> to_uf2(const Pages& pages, std::uint32_t family = kRp2040) {
+/// The file, a block for each page.
+inline std::vector<std::uint8_t> to_uf2(const Pages& pages, const Board& board) {
   const Pages whole = in_whole_sectors(pages);
   std::vector<std::uint8_t> file;
   file.reserve(whole.size() * kBlock);
@@ -47,7 +46,7 @@ inline std::vector<std::uint8_t> to_uf2(const Pages& pages, std::uint32_t family
   std::uint32_t block = 0;
   for (const auto& [address, page] : whole) {
     for (const std::uint32_t word : {kBegin0, kBegin1, kFamilyPresent, address, kPage, block++,
-                                     static_cast<std::uint32_t>(whole.size()), family}) {
+                                     static_cast<std::uint32_t>(whole.size()), board.family}) {
       put(word);
     }
     file.insert(file.end(), page.begin(), page.end());

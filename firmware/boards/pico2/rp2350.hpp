@@ -5,13 +5,15 @@
 #include <cstdint>
 
 #include "cortex_m/registers.hpp"
+#include "pico/flash_map.hpp"
 
 namespace zstrip::board::rp2350 {
 
 // 7.5, subsystem resets
 inline constexpr std::uint32_t kReset = 0x40020000, kResetDone = 0x40020008;
 inline constexpr std::uint32_t kResetDma = 1U << 2, kResetIoBank0 = 1U << 6, kResetPadsBank0 = 1U << 9;
-inline constexpr std::uint32_t kResetPllSys = 1U << 14, kResetSpi0 = 1U << 18, kResetUart0 = 1U << 26;
+inline constexpr std::uint32_t kResetPllSys = 1U << 14, kResetSpi0 = 1U << 18, kResetTimer = 1U << 23;
+inline constexpr std::uint32_t kResetUart0 = 1U << 26;
 
 // 8.2, crystal oscillator
 inline constexpr std::uint32_t kCrystalControl = 0x40048000, kCrystalStatus = 0x40048004;
@@ -37,6 +39,10 @@ inline constexpr std::uint32_t kAllButOscillators = 0x1FFFFF3;
 inline constexpr std::uint32_t kWatchdogControl = 0x400D8000, kWatchdogLoad = 0x400D8004;
 inline constexpr std::uint32_t kWatchdogEnable = 1U << 30;
 inline constexpr std::uint32_t kWatchdogTick = 0x40108030, kWatchdogTickCycles = 0x40108034, kTickEnable = 1U << 0;
+
+// 12.8, timer 0; 8.5, its tick. Reading the lower word keeps the upper one that belongs to it.
+inline constexpr std::uint32_t kTimerUpper = 0x400B0008, kTimerLower = 0x400B000C;
+inline constexpr std::uint32_t kTimerTick = 0x40108018, kTimerTickCycles = 0x4010801C;
 
 // 9.11, GPIO and pads; 3.1, single-cycle IO
 constexpr std::uint32_t pin_control(unsigned pin) { return 0x40028004U + 8U * pin; }
@@ -65,12 +71,20 @@ inline constexpr std::uint32_t kDmaAbort = 0x50000464;
 /// Of the processor and the peripherals.
 constexpr std::uint32_t hertz() { return 150'000'000; }
 
+constexpr const pico::Board& board() { return pico::kPico2; }
+
 constexpr std::uint32_t watchdog_counts_per_second() { return 1'000'000; }
 
 /// A tick each microsecond, of the crystal, for the watchdog.
 inline void start_ticks() {
   register_at(kWatchdogTickCycles) = 12;
   register_at(kWatchdogTick) = kTickEnable;
+}
+
+/// The timer has a tick of its own.
+inline void start_timer_tick() {
+  register_at(kTimerTickCycles) = 12;
+  register_at(kTimerTick) = kTickEnable;
 }
 
 // After power-on a pad is isolated from its pin and takes no input. It is connected once the pin has its function. As
