@@ -1,15 +1,17 @@
 // Gathers the page with the example scenes in a folder that any server of files can show:
 //     node gather_page.mjs FOLDER MODULE...     (MODULE: what was linked, .mjs and .wasm)
-// ZSTRIP_PICO_PROGRAM names zstrip_pico_player.uf2; else the page gets that of the build tree, if there is one.
+// ZSTRIP_PICO_PROGRAM names zstrip_pico_player.uf2, ZSTRIP_PICO2_PROGRAM zstrip_pico2_player.uf2; else the page gets those
+// of the build tree that are there.
 import {copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {basename, dirname, join, relative} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
+import {kPicoPrograms} from './page/settings.mjs';
+
 const kHere = dirname(fileURLToPath(import.meta.url));
 const kScenes = join(kHere, '../scenes');
 const kFigure = 'figure/figure.gltf';
-const kProgram = 'zstrip_pico_player.uf2';
-const kBuiltProgram = join(kHere, '../../build/host/firmware/bin', kProgram);
+const kBuiltPrograms = join(kHere, '../../build/host/firmware/bin');
 const kBuiltIn = {
   teapot: 'the Utah teapot',
   knot: 'a knot of 5,120 triangles',
@@ -59,8 +61,12 @@ for (const path of new Set(examples.flatMap(({files}) => files ?? []))) {
   mkdirSync(dirname(target), {recursive: true});
   copyFileSync(join(kScenes, path), target);
 }
-const program = process.env.ZSTRIP_PICO_PROGRAM || (existsSync(kBuiltProgram) && kBuiltProgram);
-if (program) copyFileSync(program, join(folder, kProgram));
-writeFileSync(join(folder, 'contents.json'), JSON.stringify({examples, hasProgram: Boolean(program)}));
+const programs = Object.entries(kPicoPrograms).filter(([board, file]) => {
+  const path = process.env[`ZSTRIP_${board.toUpperCase()}_PROGRAM`] || join(kBuiltPrograms, file);
+  if (!existsSync(path)) return false;
+  copyFileSync(path, join(folder, file));
+  return true;
+}).map(([board]) => board);
+writeFileSync(join(folder, 'contents.json'), JSON.stringify({examples, programs}));
 for (const name of readdirSync(join(kHere, 'page'))) copyFileSync(join(kHere, 'page', name), join(folder, name));
 for (const path of modules) copyFileSync(path, join(folder, basename(path)));

@@ -14,8 +14,8 @@ const page = process.env.ZSTRIP_PAGE;
 globalThis.require = createRequire(import.meta.url);
 globalThis.__dirname = page;
 const {Drawing} = await import(join(page, 'drawing.mjs'));
-const {examples, hasProgram} = JSON.parse(readFileSync(join(page, 'contents.json'), 'utf8'));
-const {bakeWordsOf, commandLineOf, kLooks, kPicoProgram, kSettings} = await import(join(page, 'settings.mjs'));
+const {examples, programs} = JSON.parse(readFileSync(join(page, 'contents.json'), 'utf8'));
+const {bakeWordsOf, commandLineOf, kLooks, kPicoPrograms, kSettings} = await import(join(page, 'settings.mjs'));
 const command = new Command(process.env.ZSTRIP, join(page, 'examples'));
 
 const load = async (name) => {
@@ -121,9 +121,9 @@ test('headers, programs and blobs are those of zstrip bake', async () => {
 });
 
 // What the page asks for, and `options`, those of the line that porting.md has.
-const checkPicoFile = async (drawing, scene, name, options) => {
+const checkPicoFile = async (drawing, scene, name, options, pico) => {
   const settings = {scene, size: '128x64', format: 'gray4', ram: '40K', 'strip-rows': '5'};
-  const {files: [file]} = await drawing.run([...bakeWordsOf(settings, name), '--quiet'], [name]);
+  const {files: [file]} = await drawing.run([...bakeWordsOf(settings, name, pico), '--quiet'], [name]);
   assert.ok(Buffer.from(file.bytes).equals(command.writes('bake', scene, name, options)), `${scene} ${name}`);
 };
 
@@ -131,18 +131,21 @@ test('files for the Pico are those of zstrip bake, whatever size is chosen', asy
   const drawing = await load('zstrip.mjs');
   for (const scene of ['teapot', 'fog.toml', 'gallery/watch.toml']) {
     await checkPicoFile(drawing, scene, 'scene.uf2', []);
+    await checkPicoFile(drawing, scene, 'scene.uf2', ['--board', 'pico2'], 'pico2');
   }
   await assert.rejects(
     drawing.run(bakeWordsOf({scene: 'perspective.toml'}, 'scene.uf2'), ['scene.uf2']),
     /leave 'perspective' out of the scene file/);
 });
 
-test('with the program, too', {skip: !hasProgram && `the page has no ${kPicoProgram}`}, async () => {
-  const drawing = await load('zstrip.mjs');
-  const program = join(page, kPicoProgram);
-  drawing.addFiles([{path: kPicoProgram, bytes: readFileSync(program)}]);
-  await checkPicoFile(drawing, 'teapot', 'both.uf2', ['--with', program]);
-});
+for (const [pico, name] of Object.entries(kPicoPrograms)) {
+  test(`with ${name}, too`, {skip: !programs.includes(pico) && `the page has no ${name}`}, async () => {
+    const drawing = await load('zstrip.mjs');
+    const program = join(page, name);
+    drawing.addFiles([{path: name, bytes: readFileSync(program)}]);
+    await checkPicoFile(drawing, 'teapot', 'both.uf2', ['--board', pico, '--with', program], pico);
+  });
+}
 
 test('what is wrong is said, and the next scene is drawn', async () => {
   const drawing = await load('zstrip.mjs');
@@ -172,7 +175,7 @@ test('zstrip bake takes the command line that the page shows', async () => {
 });
 
 test('the page with its first scene is small', () => {
-  const later = /^(zstrip-all\..*|examples|zstrip_pico_player\.uf2)$/;
+  const later = /^(zstrip-all\..*|examples|zstrip_pico2?_player\.uf2)$/;
   const first = readdirSync(page).filter((name) => !later.test(name));
   const bytes = first.reduce((sum, name) => sum + gzipSync(readFileSync(join(page, name)), {level: 9}).length, 0);
   console.log(`${bytes} bytes gzipped`);

@@ -196,13 +196,26 @@ test('downloads are the command\'s files', async () => {
   }
 });
 
-test('files for the Pico are of the boot loader\'s kind', async () => {
-  const {hasProgram} = JSON.parse(readFileSync(join(ZSTRIP_PAGE, 'contents.json'), 'utf8'));
-  assert.equal(await browser.evaluate(`document.querySelector('[data-file="both.uf2"]').hidden`), !hasProgram);
-  for (const name of ['scene.uf2', ...(hasProgram ? ['both.uf2'] : [])]) {
-    const file = await download(name);
-    assert.equal(file.toString('latin1', 0, 4), 'UF2\n', name);
-    assert.equal(file.length % 512, 0, name);
+test('files for the Picos are of the boot loaders\' kind', async () => {
+  const {programs} = JSON.parse(readFileSync(join(ZSTRIP_PAGE, 'contents.json'), 'utf8'));
+  for (const [board, family] of [['pico', 0xe48bff56], ['pico2', 0xe48bff59]]) {
+    await browser.evaluate(`(() => {
+      const select = document.querySelector('#pico');
+      select.value = '${board}';
+      select.dispatchEvent(new Event('change', {bubbles: true}));
+    })()`);
+    assert.equal(await text('#pico-program'), `zstrip_${board}_player.uf2`);
+    assert.equal((await text('#command')).includes('--board pico2'), board === 'pico2');
+    const hasProgram = programs.includes(board);
+    assert.equal(await browser.evaluate(`document.querySelector('[data-file="both.uf2"]').hidden`), !hasProgram);
+    for (const name of ['scene.uf2', ...(hasProgram ? ['both.uf2'] : [])]) {
+      const file = await download(name);
+      assert.equal(file.toString('latin1', 0, 4), 'UF2\n', name);
+      assert.equal(file.length % 512, 0, name);
+      for (let at = 0; at < file.length; at += 512) assert.equal(file.readUInt32LE(at + 28), family, name);
+      // The other board's file has the name, too.
+      rmSync(join(ZSTRIP_WORK, 'downloads', name));
+    }
   }
 });
 

@@ -4,7 +4,7 @@ import {showFigures} from './figures.mjs';
 import {chosenFiles, droppedFiles, sceneAmong, sceneEndings} from './files.mjs';
 import {showPicture} from './picture.mjs';
 import {
-  bakeWordsOf, commandLineOf, kPicoProgram, kSettings, kStartView, linkOf, optionsOf, settingsOf
+  bakeWordsOf, commandLineOf, kPicoPrograms, kSettings, kStartView, linkOf, optionsOf, settingsOf
 } from './settings.mjs';
 
 const kDegreesOfPixel = 0.4;
@@ -25,6 +25,7 @@ let figures;
 let isOpen = false;
 let playing = false;
 let examples = [];
+let programs = [];  // the boards whose program the page has
 
 // ---- what is said ----
 function say(text, messages = []) {
@@ -126,7 +127,7 @@ function tell() {
   }
   element('command').textContent = [
     ['view', settings.scene, ...optionsOf(settings)],
-    ...['scene.hpp', 'scene.ino', 'main.cpp', 'scene.uf2'].map((name) => bakeWordsOf(settings, name)),
+    ...['scene.hpp', 'scene.ino', 'main.cpp', 'scene.uf2'].map((name) => bakeWordsOf(settings, name, element('pico').value)),
   ].map(commandLineOf).join('\n');
 }
 
@@ -266,6 +267,10 @@ function listen() {
     view.look = Number(target.value);
     update('draw');
   });
+  element('pico').addEventListener('change', () => {
+    showPico();
+    if (figures) tell();
+  });
   element('borders').addEventListener('change', () => drawn && showPicture(drawn, element('borders').checked));
   element('play').addEventListener('click', () => setPlaying(!playing));
   element('reset').addEventListener('click', () => {
@@ -306,10 +311,19 @@ async function download(name) {
   }
 }
 
+// What the board's files are, and which of them the page can make.
+function showPico() {
+  const {value: board, selectedOptions: [{text}]} = element('pico');
+  for (const each of document.querySelectorAll('.with-program')) each.hidden = !programs.includes(board);
+  element('pico-name').textContent = text;
+  element('pico-program').textContent = kPicoPrograms[board];
+}
+
 // What `zstrip bake` writes.
 async function baked(name) {
-  const words = bakeWordsOf(settings, name);
-  if (words.includes(kPicoProgram)) await call('addFiles', [await fetched(kPicoProgram, kPicoProgram)]);
+  const words = bakeWordsOf(settings, name, element('pico').value);
+  const program = kPicoPrograms[element('pico').value];
+  if (words.includes(program)) await call('addFiles', [await fetched(program, program)]);
   const {files, messages} = await call('run', {words: [...words, '--quiet'], names: [name]});
   return {bytes: files[0].bytes, messages};
 }
@@ -318,7 +332,8 @@ async function start() {
   const response = await fetch('contents.json');
   const contents = await response.json();
   examples = contents.examples;
-  for (const each of document.querySelectorAll('.with-program')) each.hidden = !contents.hasProgram;
+  programs = contents.programs;
+  showPico();
   for (const {scene, title} of examples) element('example').append(new Option(title, scene));
   kSettings.forEach(addSetting);
   showChoice();

@@ -51,9 +51,9 @@ export const kLooks = ['colours', 'wireframe', 'depth', 'overdraw', 'accuracy'];
 export const kStartView = {look: 0, frame: 0, yaw: 0, pitch: 0, zoom: 0};
 const kStart = {scene: 'teapot', size: '240x240'};
 
-// The file for the Pico that has the program that shows it, too, and that program's file.
+// The file for a Pico that has the program that shows it, too, and that program's file by the board's name.
 const kBoth = 'both.uf2';
-export const kPicoProgram = 'zstrip_pico_player.uf2';
+export const kPicoPrograms = {pico: 'zstrip_pico_player.uf2', pico2: 'zstrip_pico2_player.uf2'};
 
 const isDigitsOf = (value) => /^-?[0-9]+(\.[0-9]+)?$/.test(value);
 
@@ -68,11 +68,13 @@ export function optionsOf(settings, command = 'view') {
   return options;
 }
 
-// The words after `zstrip` that write the file `name`. A Pico's panel and memory are the command's own, not settings.
-export function bakeWordsOf(settings, name) {
+// The words after `zstrip` that write the file `name`; `pico`: the board that a .uf2 file is for. Its panel and memory are
+// the command's own, not settings.
+export function bakeWordsOf(settings, name, pico = 'pico') {
   const words = ['bake', settings.scene, '-o', name];
   if (!name.endsWith('.uf2')) return [...words, '--turntable', ...optionsOf(settings, 'bake')];
-  if (name === kBoth) words.push('--with', kPicoProgram);
+  if (pico !== 'pico') words.push('--board', pico);
+  if (name === kBoth) words.push('--with', kPicoPrograms[pico]);
   return [...words, ...optionsOf({...settings, size: '', format: '', ram: '', 'strip-rows': ''}, 'bake')];
 }
 
