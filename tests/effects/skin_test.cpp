@@ -310,6 +310,7 @@ TEST(Roots, OfWordsAreRoundedDown) {
   for (std::uint64_t i = 0; i < 3'000'000; ++i) {
     const auto value = static_cast<std::uint32_t>(i < 70'000 ? i : i * 2'654'435'761U);
     const std::uint64_t root = detail::root_of_word(value);
+    ASSERT_EQ(detail::root_of_word<false>(value), root);
     ASSERT_LE(root * root, value);
     ASSERT_GT((root + 1) * (root + 1), value);
   }

@@ -104,6 +104,7 @@ TEST(Multiplication, InHalvesIsThatOf64Bits) {
 
 void expect_reciprocal(std::uint32_t divisor) {
   const std::int64_t value = reciprocal(divisor);
+  ASSERT_EQ(reciprocal_in_halves(divisor), value) << divisor;
   ASSERT_GE(value, std::int64_t{1} << 30) << divisor;
   ASSERT_LT(value, std::int64_t{1} << 31) << divisor;
   const double error = static_cast<double>(value) * divisor / std::pow(2.0, 62) - 1;

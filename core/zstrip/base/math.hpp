@@ -27,9 +27,19 @@ constexpr std::int32_t table_reciprocal(std::uint32_t divisor) {
   return detail::kReciprocalTable[(divisor >> 23) - 256] << 15;
 }
 
+/// reciprocal() in words of 32 bits. With q = floor((2^32 - 1) / upper half), 2^16 < q < 2^17, q * divisor is near to
+/// 2^48: the product's bits above 2^16 are how far, modulo 2^32. Newton's step is q - q * e, where e is below 2^15.
+constexpr std::int32_t reciprocal_in_halves(std::uint32_t divisor) {
+  const std::uint32_t q = quotient_32(divisor >> 16), q_low = q & 0xFFFF, low = divisor & 0xFFFF;
+  const std::int32_t e = static_cast<std::int32_t>(q * (divisor >> 16) + low + ((q_low * low) >> 16)) >> 2;
+  const std::int32_t correction = ((-static_cast<std::int32_t>(q_low) * e >> 16) - e) >> 1;
+  return (static_cast<std::int32_t>(q << 13) + correction) * 2;
+}
+
 /// 2^62 / divisor for a normalised divisor (2^31 <= divisor < 2^32): a result of 31 bits, 2^30 <= result < 2^31,
 /// relative error below 2^-28. One 32-bit division and one Newton step; the same bits on every target.
 constexpr std::int32_t reciprocal(std::uint32_t divisor) {
+  if constexpr (!kMultipliesLong) return reciprocal_in_halves(divisor);
   const std::uint32_t first = quotient_32(divisor >> 16) << 14;         // 2^62 / divisor to 2^-15
   const std::uint32_t product = multiply_high(divisor, first);          // 2^30 (1 + error)
   const std::uint32_t correction = (std::uint32_t{1} << 31) - product;  // 2^30 (1 - error)

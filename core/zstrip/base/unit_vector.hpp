@@ -37,11 +37,13 @@ inline constexpr auto kRootTable = [] {
 
 /// floor(sqrt(value)) of a whole word: an estimate from a table, two of Newton's steps with its reciprocal, and what is
 /// left is one at most.
+template <bool counts_zeros = kCountsZeros>
 constexpr std::uint32_t root_of_word(std::uint32_t value) {
   if (value == 0) return 0;
-  const int pairs = std::countl_zero(value) >> 1;
+  const bool is_large = !counts_zeros && value >> 28 != 0;
+  const int pairs = is_large ? (value >> 30 == 0 ? 1 : 0) : std::countl_zero(value) >> 1;
   const std::uint32_t v = value << (2 * pairs);
-  const RootEstimate estimate = kRootTable[(v >> 26) - 16];
+  const RootEstimate& estimate = kRootTable[(v >> 26) - 16];
   const auto inverse = static_cast<std::int32_t>(estimate.inverse);
   std::uint32_t root = estimate.root;
   const auto error = [&] { return static_cast<std::int32_t>(v - root * root); };
