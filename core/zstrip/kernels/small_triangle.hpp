@@ -40,7 +40,7 @@ template <bool gouraud, bool statistics, class Rule>
   constexpr bool kHasRule = !statistics && std::is_same_v<Rule, DepthRule<DepthMode{}>>;
   if constexpr (kHasThumb && gouraud && kHasRule) {
     scan_small_thumb(scan);
-  } else if constexpr (kHasThumb2 && kHasRule) {
+  } else if constexpr (kHasThumb && kHasRule) {
     scan_small_flat_thumb(scan);
   } else {
     PortableSmallStages::draw<gouraud, statistics>(scan, rule);

@@ -31,6 +31,12 @@ namespace zstrip::detail {
       ldrb  r5, [r4, #2]
       strb  r5, [r0, #\at + 2]
     .endm
+    @ The same of colours that are words. Uses r4.
+    .macro zstrip_small_colour_word index at
+      lsls  r4, \index, #2
+      ldr   r4, [r7, r4]
+      str   r4, [r0, #\at]
+    .endm
     @ The start of the value at offset \at of the scan in r0, moved by r5 columns and r6 rows. Uses r1 and r2.
     .macro zstrip_small_move at
       ldr   r1, [r0, #\at]
@@ -118,9 +124,14 @@ namespace zstrip::detail {
     mov   r0, r11
     adds  r0, r0, #72
     ldr   r7, [r0, #44]
-    zstrip_small_colour r1, 0
-    zstrip_small_colour r2, 4
-    zstrip_small_colour r3, 8
+    lsls  r4, r7, #30
+    beq   .Lsmall_run_words
+    b     .Lsmall_run_colours
+  .Lsmall_run_words:
+    zstrip_small_colour_word r1, 0
+    zstrip_small_colour_word r2, 4
+    zstrip_small_colour_word r3, 8
+  .Lsmall_run_coloured:
     lsls  r1, r1, #3
     lsls  r2, r2, #3
     lsls  r3, r3, #3
@@ -281,8 +292,15 @@ namespace zstrip::detail {
     mov   r1, r10
     subs  r0, r0, r1
     subs  r0, r0, #1
+    b     .Lsmall_run_end
+  .Lsmall_run_colours:
+    zstrip_small_colour r1, 0
+    zstrip_small_colour r2, 4
+    zstrip_small_colour r3, 8
+    b     .Lsmall_run_coloured
   .Lsmall_run_end:
     .purgem zstrip_small_colour
+    .purgem zstrip_small_colour_word
     .purgem zstrip_small_move
   )" ZSTRIP_THUMB1_POP);
 }

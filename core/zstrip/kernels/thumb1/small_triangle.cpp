@@ -12,14 +12,15 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
 
-// On the stack: 0, 4 weights of vertices 1 and 2 at the anchor, 8, 12 their steps to the right, 16, 20 down, all of
-// them scaled for the colours once depth is done; 24 the depth of vertex 0, 28, 32 the differences to the others; 36
+// On the stack: 0, 4 weights of vertices 1 and 2 at the anchor, 8, 12 their steps to the right, 16, 20 down; 24 the
+// depth of vertex 0, 28, 32 the differences to the others; 36
 // the table of reciprocals for an index that begins at 256.
 [[gnu::naked]] static void set_up(SmallScan&, const SnappedVertex&, const SnappedVertex&, const SnappedVertex&,
                                   const std::uint16_t*) {
   asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_MULTIPLY_HIGH R"(
-    @ r1: a channel along the weights on the stack from \at on; its differences are r8 and r9.
-    .macro zstrip_channel_along at1 at2
+    @ r1: a channel along the weights on the stack at \at1 and \at2 times 1 / area, which is 2^31; its differences are
+    @ r8 and r9. \right is left to shift, after 16, where the sum has 16 bits, as most have. Uses r2, r4 and r5.
+    .macro zstrip_channel_along at1 at2 right
       mov   r1, r8
       ldr   r2, [sp, #\at1]
       muls  r1, r1, r2
@@ -27,7 +28,19 @@ namespace zstrip::detail {
       ldr   r2, [sp, #\at2]
       muls  r4, r4, r2
       adds  r1, r1, r4
-      zstrip_multiply_high r1, r6, r7, r2, r4, r5
+      sxth  r2, r1
+      cmp   r2, r1
+      beq   .Lsetup_short_\at1
+      lsls  r1, r1, #16 - \right
+      bl    .Lsetup_long
+      b     .Lsetup_along_\at1
+    .Lsetup_short_\at1:
+      muls  r2, r6, r2
+      asrs  r2, r2, #16
+      muls  r1, r7, r1
+      adds  r1, r1, r2
+      asrs  r1, r1, #\right
+    .Lsetup_along_\at1:
     .endm
     @ r3: the sum of the weights at \at1 and \at2 times r1 and r3.
     .macro zstrip_depth_along at1 at2
@@ -218,19 +231,6 @@ namespace zstrip::detail {
     lsls  r4, r4, #4
     str   r4, [r0, #36]
 
-    add   r5, sp, #0
-    ldm   r5!, {r1-r4}
-    subs  r5, r5, #16
-    lsls  r1, r1, #9
-    lsls  r2, r2, #9
-    lsls  r3, r3, #13
-    lsls  r4, r4, #13
-    stm   r5!, {r1-r4}
-    ldm   r5!, {r1-r2}
-    subs  r5, r5, #8
-    lsls  r1, r1, #13
-    lsls  r2, r2, #13
-    stm   r5!, {r1-r2}
     movs  r3, r0
     adds  r3, r3, #73
     bl    .Lsetup_channel
@@ -265,6 +265,7 @@ namespace zstrip::detail {
 
     @ A channel's plane: start r10, steps r11 and r1, from the channels at r3.
   .Lsetup_channel:
+    mov   r12, lr
     ldrb  r1, [r3]
     ldrb  r2, [r3, #4]
     ldrb  r4, [r3, #8]
@@ -275,11 +276,14 @@ namespace zstrip::detail {
     lsls  r1, r1, #8
     adds  r1, r1, #128
     mov   r10, r1
-    zstrip_channel_along 0 4
+    zstrip_channel_along 0 4 7
     add   r10, r10, r1
-    zstrip_channel_along 8 12
+    zstrip_channel_along 8 12 3
     mov   r11, r1
-    zstrip_channel_along 16 20
+    zstrip_channel_along 16 20 3
+    bx    r12
+  .Lsetup_long:
+    zstrip_multiply_high r1, r6, r7, r2, r4, r5
     bx    lr
     .purgem zstrip_channel_along
     .purgem zstrip_depth_along
@@ -297,7 +301,6 @@ namespace zstrip::detail {
 [[gnu::naked, gnu::used]] void scan_small_thumb(SmallScan&) {
   asm(ZSTRIP_THUMB1_PUSH R"(
     push  {r0}
-    ldr   r2, .Lsmall_signs
     ldr   r1, [r0, #16]
     mov   lr, r1
     ldr   r1, [r0, #20]
@@ -307,36 +310,29 @@ namespace zstrip::detail {
     ldr   r1, [r0, #28]
     mov   r12, r1
   .Lsmall_row:
-    ldr   r4, [r0, #8]                @ this row's starts, and the next one's
-    ldr   r5, [r0, #40]
-    mov   r8, r4
-    adds  r4, r4, r5
-    str   r4, [r0, #8]
-    ldr   r4, [r0, #12]
-    ldr   r5, [r0, #44]
-    mov   r9, r4
-    adds  r4, r4, r5
-    str   r4, [r0, #12]
-    ldr   r1, [r0]
-    ldr   r5, [r0, #32]
-    adds  r5, r5, r1
-    str   r5, [r0]
-    ldr   r3, [r0, #4]
-    ldr   r5, [r0, #36]
-    adds  r5, r5, r3
-    str   r5, [r0, #4]
-    ldr   r4, [r0, #48]
-    ldr   r5, [r0, #56]
-    lsls  r5, r5, #1
-    adds  r5, r5, r4
-    str   r5, [r0, #48]
-    ldr   r7, [r0, #52]
-    ldr   r5, [r0, #60]
+    ldm   r0!, {r1, r3, r5, r6}       @ this row's starts, and the next one's
+    mov   r8, r5
+    mov   r9, r6
+    adds  r0, r0, #16
+    ldm   r0!, {r2, r4, r7}
+    adds  r2, r2, r1
+    adds  r4, r4, r3
+    adds  r5, r5, r7
+    ldr   r7, [r0]
+    adds  r6, r6, r7
+    subs  r0, r0, #44
+    stm   r0!, {r2, r4, r5, r6}
+    adds  r0, r0, #32
+    ldm   r0!, {r4, r7}               @ rows
+    ldm   r0!, {r2, r5, r6}           @ strides and width
+    lsls  r2, r2, #1
+    adds  r2, r2, r4
     lsls  r5, r5, #1
     adds  r5, r5, r7
-    str   r5, [r0, #52]
+    subs  r0, r0, #20
+    stm   r0!, {r2, r5}
     subs  r7, r7, r4
-    ldr   r6, [r0, #64]
+    ldr   r2, .Lsmall_signs
   .Lsmall_skip:
     tst   r1, r2
     beq   .Lsmall_pixel
@@ -386,6 +382,78 @@ namespace zstrip::detail {
   )" ZSTRIP_THUMB1_POP R"(
     .align 2
   .Lsmall_signs:
+    .word 0x80200400
+  )");
+}
+
+// As scan_small_thumb, with the colour in r8.
+[[gnu::naked]] void scan_small_flat_thumb(SmallScan&) {
+  asm(ZSTRIP_THUMB1_PUSH R"(
+    push  {r0}
+    ldr   r1, [r0, #16]
+    mov   lr, r1
+    ldr   r1, [r0, #20]
+    mov   r10, r1
+    movs  r1, r0
+    adds  r1, r1, #104
+    ldrh  r1, [r1]
+    mov   r8, r1
+    ldr   r2, .Lflat_signs
+  .Lflat_row:
+    ldm   r0!, {r1, r3}               @ this row's starts, and the next one's
+    ldr   r5, [r0, #24]
+    ldr   r6, [r0, #28]
+    adds  r5, r5, r1
+    adds  r6, r6, r3
+    subs  r0, r0, #8
+    stm   r0!, {r5, r6}
+    adds  r0, r0, #40
+    ldm   r0!, {r4, r7}               @ rows
+    ldr   r5, [r0]                    @ strides
+    ldr   r6, [r0, #4]
+    lsls  r5, r5, #1
+    lsls  r6, r6, #1
+    adds  r5, r5, r4
+    adds  r6, r6, r7
+    subs  r0, r0, #8
+    stm   r0!, {r5, r6}
+    ldr   r6, [r0, #8]
+    subs  r7, r7, r4
+  .Lflat_skip:
+    tst   r1, r2
+    beq   .Lflat_pixel
+    add   r1, r1, lr
+    add   r3, r3, r10
+    adds  r4, r4, #2
+    subs  r6, r6, #1
+    bne   .Lflat_skip
+    b     .Lflat_next_row
+  .Lflat_pixel:
+    ldrh  r0, [r4]
+    lsrs  r5, r3, #16
+    cmp   r0, r5
+    bhs   .Lflat_hidden
+    strh  r5, [r4]
+    mov   r0, r8
+    strh  r0, [r4, r7]
+  .Lflat_hidden:
+    add   r1, r1, lr
+    add   r3, r3, r10
+    adds  r4, r4, #2
+    subs  r6, r6, #1
+    beq   .Lflat_next_row
+    tst   r1, r2
+    beq   .Lflat_pixel
+  .Lflat_next_row:
+    ldr   r0, [sp]
+    ldr   r5, [r0, #68]
+    subs  r5, r5, #1
+    str   r5, [r0, #68]
+    bne   .Lflat_row
+    pop   {r0}
+  )" ZSTRIP_THUMB1_POP R"(
+    .align 2
+  .Lflat_signs:
     .word 0x80200400
   )");
 }
