@@ -28,6 +28,22 @@ struct EdgeWalk {
     const std::int32_t dx = x1 - x0;
     const std::int32_t dy = y1 - y0;
     // pixel = ceil(((x0 - centre) dy + (row centre - y0) dx) / (16 dy))
+    if constexpr (!kDivides) {
+      // By dx = step dy + rest only the rest is divided: the quotient has few bits, which is what a division takes.
+      std::int32_t rest = 0;
+      divide(dx, dy, step, rest);
+      const std::int32_t down = row * 16 + kPixelCentre - y0;
+      const auto height = static_cast<std::uint32_t>(dy), over = static_cast<std::uint32_t>(down * rest);
+      const std::uint32_t part = over / height;
+      std::uint32_t left = over - part * height;
+      std::int32_t sixteenths = x0 - kPixelCentre + down * step + static_cast<std::int32_t>(part) + 16;
+      if (left == 0) --sixteenths, left = height;
+      pixel = sixteenths >> 4;
+      remainder = (static_cast<std::uint32_t>(sixteenths) & 15) * height + left - 1;
+      remainder_step = static_cast<std::uint32_t>(rest) * 16;
+      denominator = height * 16;
+      return;
+    }
     const std::int32_t numerator = (x0 - kPixelCentre) * dy + (row * 16 + kPixelCentre - y0) * dx;
     std::int32_t rest = 0;
     denominator = static_cast<std::uint32_t>(dy) * 16;
