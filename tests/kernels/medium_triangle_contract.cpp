@@ -132,7 +132,7 @@ template <TexelLight lit, std::int32_t perspective = kPerspectiveRun>
 bool textured_differ(Random& random, std::uint32_t number, Outcome& outcome) {
   Medium m;
   if (!make(random, random.between(2, 260), m)) return false;
-  const int less = random.below(24);
+  const int less = random.below(32);
   TexturedVertex corners[3];
   for (int i = 0; i < 3; ++i) {
     corners[i] = {m.v[i].depth, static_cast<std::int32_t>(random.word()) >> less,
@@ -163,6 +163,40 @@ bool textured_differ(Random& random, std::uint32_t number, Outcome& outcome) {
       true);
   outcome.compared += statistics.depth_passes != 0 ? 1U : 0U;
   return !pictures.equal() && outcome.differs("a medium textured triangle", number);
+}
+
+/// The planes of texture coordinates in assembly against those of 64 bits: what is rounded away shows in few pixels.
+bool texture_planes_differ(Random& random, std::uint32_t number, Outcome& outcome) {
+  Medium m;
+  if (!make(random, random.between(2, 260), m)) return false;
+  const int less = random.below(32);
+  TexturedVertex corners[3];
+  for (int i = 0; i < 3; ++i) {
+    corners[i] = {m.v[i].depth, static_cast<std::int32_t>(random.word()) >> less,
+                  static_cast<std::int32_t>(random.word()) >> less};
+  }
+  const TexturedVertex* const vertices[3] = {&corners[0], &corners[1], &corners[2]};
+  const bool near = random.below(4) == 0;  // no offset: 1/w is what the depth is, and may be small
+  if (near) {
+    for (TexturedVertex& corner : corners) corner.depth >>= less;
+  }
+  const std::int64_t depth_offset = near ? 0 : static_cast<std::int64_t>(random.word()) << random.below(27);
+  const Picture nowhere({portable_depth, portable_colour}, 1, 1, false);
+  if (!fits_words({nowhere.target(0, 0, nullptr), m.v[0], m.v[1], m.v[2], m.area}, m.width, m.height) ||
+      !TextureCoordinates<false>::fits_words(vertices, depth_offset, true)) {
+    return false;
+  }
+  TexturedScan own{}, expected{};
+  ThumbPlanes(m.v[0], m.v[1], m.v[2], m.area, m.box.left, m.box.top).set_texture(own, vertices, depth_offset);
+  const PlaneSetup setup(m.raster[0], m.raster[1], m.raster[2], m.area, m.box.left, m.box.top);
+  TextureCoordinates<false>(setup, vertices, depth_offset).start_rows(expected);
+  bool same = own.base_u == expected.base_u && own.base_v == expected.base_v && own.right_shift == expected.right_shift;
+  for (int i = 0; i < 3; ++i) {
+    same = same && own.start[i] == expected.start[i] && own.step_x[i] == expected.step_x[i] &&
+           own.step_y[i] == expected.step_y[i];
+  }
+  ++outcome.compared;
+  return !same && outcome.differs("the planes of texture coordinates", number);
 }
 
 bool any_textured_differ(Random& random, std::uint32_t number, Outcome& outcome) {
@@ -203,6 +237,9 @@ Outcome compare_medium_textured(std::uint32_t cases) {
   Outcome outcome;
   for (std::uint32_t number = 0; number < cases; ++number) {
     if (any_textured_differ(random, number, outcome)) break;
+    if constexpr (kHasThumb1) {
+      if (texture_planes_differ(random, number, outcome)) break;
+    }
   }
   return outcome;
 }

@@ -22,13 +22,14 @@ struct MediumTriangle {
 
 /// Whether words of 32 bits suffice for the planes of a triangle, but for channels that change steeply: where the
 /// longer side of its box, of `width` and `height`, is its base it is a quarter of a pixel high, and its vertices'
-/// depths are within half of the range.
+/// depths are within half of the range. For Thumb-1 it is an eighth high, and sides are below 512 pixels.
 inline bool fits_words(const MediumTriangle& t, std::int32_t width, std::int32_t height) {
   // Of halves, because differences of whole depths need 33 bits.
   const auto near_first = [&t](const SnappedVertex& v) {
     return static_cast<std::int32_t>((t.v0.depth >> 1) - (v.depth >> 1) + (std::uint32_t{1} << 30));
   };
-  return (width < height ? height : width) <= t.area >> 2 && t.area >> 25 == 0 &&
+  if (kHasThumb1 && (width | height) >> 13 != 0) return false;
+  return (width < height ? height : width) <= t.area >> (kHasThumb1 ? 1 : 2) && t.area >> 25 == 0 &&
          (near_first(t.v1) | near_first(t.v2)) >= 0;
 }
 

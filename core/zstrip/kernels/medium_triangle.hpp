@@ -12,6 +12,7 @@
 #include "zstrip/kernels/portable/medium_triangle.hpp"
 #include "zstrip/kernels/processor.hpp"
 #include "zstrip/kernels/thumb/medium_triangle.hpp"
+#include "zstrip/kernels/thumb1/medium_planes.hpp"
 #include "zstrip/kernels/vector/medium_triangle.hpp"
 #include "zstrip/scene.hpp"
 
@@ -25,6 +26,8 @@ inline constexpr bool kHasMediumTriangles = kHasVectors || (sizeof(void*) == 4 &
 inline bool set_up_medium(MediumScan& scan, const SnappedVertex& v0, const SnappedVertex& v1, const SnappedVertex& v2) {
   if constexpr (kHasThumb2) {
     return set_up_medium_thumb(scan, v0, v1, v2);
+  } else if constexpr (kHasThumb1) {
+    return set_medium_planes(scan, ThumbPlanes(v0, v1, v2, scan.area, scan.anchor_x, scan.anchor_y), v0, v1, v2);
   } else {
     return set_up_medium_portable(scan, v0, v1, v2);
   }

@@ -27,6 +27,13 @@
 #define ZSTRIP_HAS_THUMB1 0
 #endif
 
+// Before a function that is not to be inlined where products of 64 bits are calls: half a kilobyte each time.
+#if ZSTRIP_HAS_THUMB1
+#define ZSTRIP_CALLED_ON_THUMB1 [[gnu::noinline]]
+#else
+#define ZSTRIP_CALLED_ON_THUMB1
+#endif
+
 #if defined(__OPTIMIZE_SIZE__)
 #define ZSTRIP_FOR_SIZE 1
 #else

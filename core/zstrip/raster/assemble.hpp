@@ -185,7 +185,7 @@ struct Assembler : ClippedAssembler<effects> {
                                                          const SnappedVertex* const (&snapped)[3], std::int32_t area) {
     TexturedVertex vertices[3];
     const TexturedVertex* const corners[3] = {&vertices[0], &vertices[1], &vertices[2]};
-    const Colour* colours[3] = {};
+    const Colour* colours[3] = {nullptr, nullptr, nullptr};
     for (int i = 0; i < 3; ++i) {
       const auto index = static_cast<std::uint32_t>(snapped[i] - batch.vertices) + batch.first_vertex;
       vertices[i].depth = snapped[i]->depth;

@@ -5,6 +5,7 @@
 
 #include "zstrip/base/math.hpp"
 #include "zstrip/geometry/project.hpp"
+#include "zstrip/kernels/processor.hpp"
 
 namespace zstrip::detail {
 
@@ -69,7 +70,7 @@ class PlaneSetup {
         offset_y_(anchor_y * 16 + kPixelCentre - v0.y) {}
 
   /// `value_0` at vertex 0 and the differences to vertices 1 and 2, each below 2^33.
-  Plane plane(std::int64_t value_0, std::int64_t from_0_to_1, std::int64_t from_0_to_2) const {
+  ZSTRIP_CALLED_ON_THUMB1 Plane plane(std::int64_t value_0, std::int64_t from_0_to_1, std::int64_t from_0_to_2) const {
     // Edge function 2 -> 0 is vertex 1's weight, 0 -> 1 vertex 2's. 33 + 23 bits, two terms.
     const std::int64_t along_x = from_0_to_1 * dy1_ + from_0_to_2 * dy2_;
     const std::int64_t along_y = -(from_0_to_1 * dx1_ + from_0_to_2 * dx2_);

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "zstrip/geometry/project.hpp"
+#include "zstrip/kernels/texel_position.hpp"
 #include "zstrip/kernels/textured_run_state.hpp"
 #include "zstrip/kernels/textured_scan.hpp"
 #include "zstrip/raster/plane.hpp"
@@ -130,6 +131,10 @@ class TextureCoordinates {
     const auto v = static_cast<std::int32_t>(place.v_over_w);
     if constexpr (orthographic) {
       return {wrapping_sum(u, base_u), wrapping_sum(v, base_v)};
+    } else if constexpr (kDividesTexelsInAssembly) {
+      const std::uint64_t divided = divide_texels_thumb1(place.one_over_w, place.u_over_w, place.v_over_w, right_shift);
+      return {wrapping_sum(static_cast<std::int32_t>(divided), base_u),
+              wrapping_sum(static_cast<std::int32_t>(divided >> 32), base_v)};
     } else {
       const Reciprocal r = inverse(place);
       const std::int32_t right = right_shift - r.normalisation;  // 1/q = r * 2^(normalisation - 62)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 
 #include "zstrip/kernels/medium_triangle.hpp"
 #include "zstrip/kernels/textured_scan.hpp"
@@ -16,19 +17,23 @@ namespace {
 using RunState = LitRunState<TexturedRunState<std::uint32_t>>;
 
 /// Those of texture coordinates are three, of which one alone is to be code.
-class TexturePlanes : public MediumPlanes {
+class CalledPlanes : public MediumPlanes {
  public:
   using MediumPlanes::MediumPlanes;
   [[gnu::noinline]] Plane plane(std::int32_t value_0, std::int32_t d1, std::int32_t d2) const {
     return MediumPlanes::plane(value_0, d1, d2);
   }
 };
+using TexturePlanes = std::conditional_t<kHasThumb1, ThumbPlanes, CalledPlanes>;
 
 /// Planes of texture coordinates that fit words.
-template <bool affine>
-[[gnu::noinline]] void set_up_coordinates(TexturedScan& textured, const TexturePlanes& planes,
-                                          const MediumTexture& textures) {
-  TextureCoordinates<affine>(planes, textures.vertices, textures.surface.depth_offset).start_rows(textured);
+template <bool affine, class Planes>
+[[gnu::noinline]] void set_up_coordinates(TexturedScan& textured, const Planes& planes, const MediumTexture& textures) {
+  if constexpr (std::is_same_v<Planes, ThumbPlanes> && !affine) {
+    planes.set_texture(textured, textures.vertices, textures.surface.depth_offset);
+  } else {
+    TextureCoordinates<affine>(planes, textures.vertices, textures.surface.depth_offset).start_rows(textured);
+  }
 }
 
 /// All planes, by the scan's area, anchor and colours. False: a channel is too steep.
@@ -43,7 +48,7 @@ bool set_up_planes(TexturedScan& textured, const MediumTriangle& t, const Medium
     if constexpr (kHasThumb2) {
       if (!set_up_medium_thumb(scan, t.v0, t.v1, t.v2)) return false;
     } else {
-      if (!set_up_medium_portable(scan, planes, t.v0, t.v1, t.v2)) return false;
+      if (!set_medium_planes(scan, planes, t.v0, t.v1, t.v2)) return false;
     }
     set_up_coordinates<affine>(textured, planes, textures);
   }
@@ -132,7 +137,9 @@ struct TriangleRows {
   /// False: it is left to its spans.
   bool begin(const MediumTriangle& t) {
     const StripTarget& target = t.target;
-    const auto [min_x, max_x] = std::minmax<std::int32_t>({t.v0.x, t.v1.x, t.v2.x});
+    // Of whole words, not of an array: or a Cortex-M0 makes one.
+    const std::int32_t x0 = t.v0.x, x1 = t.v1.x, x2 = t.v2.x;
+    const std::int32_t min_x = std::min(std::min(x0, x1), x2), max_x = std::max(std::max(x0, x1), x2);
     const std::int32_t bottom = std::max(t.v1.y, t.v2.y);
     anchor_x = min_x >> 4, anchor_y = std::max<std::int32_t>(t.v0.y >> 4, target.view_top);
     const std::int32_t right_side = max_x >> 4;
@@ -226,7 +233,7 @@ bool draw_medium_textured(const MediumTriangle& t, const MediumTexture& textures
   const Prepared prepared = begin_textured<affine>(textured, rows, run, lit, t, textures);
   if (prepared != Prepared::rows) return prepared == Prepared::nothing;
   do {
-    if constexpr (kHasThumb2 && lit == TexelLight::smooth && !affine) {
+    if constexpr (kHasThumb && lit == TexelLight::smooth && !affine) {
       scan_textured_rows_thumb(textured, run, rows.count, kInverse);
     } else {
       scan_textured_rows<lit, affine>(textured, run, rows.count);

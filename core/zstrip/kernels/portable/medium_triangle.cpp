@@ -27,7 +27,9 @@ bool draw(const MediumTriangle& t, [[maybe_unused]] const Colour* const* colours
           [[maybe_unused]] std::uint16_t flat_colour) {
   const StripTarget& target = t.target;
   const SnappedVertex &a = t.v0, &b = t.v1, &c = t.v2;
-  const auto [min_x, max_x] = std::minmax<std::int32_t>({a.x, b.x, c.x});
+  // Of whole words, not of an array: or a Cortex-M0 makes one.
+  const std::int32_t x0 = a.x, x1 = b.x, x2 = c.x;
+  const std::int32_t min_x = std::min(std::min(x0, x1), x2), max_x = std::max(std::max(x0, x1), x2);
   const bool middle_is_left = b.y < c.y;
   const std::int32_t bottom = middle_is_left ? c.y : b.y;
   const std::int32_t anchor_x = min_x >> 4, anchor_y = std::max<std::int32_t>(a.y >> 4, target.view_top);

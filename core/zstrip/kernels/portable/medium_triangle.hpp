@@ -97,8 +97,8 @@ class MediumPlanes {
 };
 
 /// The planes of a triangle, by the scan's area, anchor and colours. False: a channel is too steep.
-inline bool set_up_medium_portable(MediumScan& scan, MediumPlanes& planes, const SnappedVertex& v0,
-                                   const SnappedVertex& v1, const SnappedVertex& v2) {
+inline bool set_medium_planes(MediumScan& scan, MediumPlanes& planes, const SnappedVertex& v0, const SnappedVertex& v1,
+                              const SnappedVertex& v2) {
   const auto set = [&scan](MediumScan::Value value, const Plane& plane) {
     scan.start[value] = plane.start, scan.step_x[value] = plane.step_x, scan.step_y[value] = plane.step_y;
   };
@@ -120,7 +120,7 @@ inline bool set_up_medium_portable(MediumScan& scan, MediumPlanes& planes, const
 inline bool set_up_medium_portable(MediumScan& scan, const SnappedVertex& v0, const SnappedVertex& v1,
                                    const SnappedVertex& v2) {
   MediumPlanes planes(v0, v1, v2, scan.area, scan.anchor_x, scan.anchor_y);
-  return set_up_medium_portable(scan, planes, v0, v1, v2);
+  return set_medium_planes(scan, planes, v0, v1, v2);
 }
 
 /// A row's pixels, `length` > 0 of them from `column` on, counted from the anchor's.

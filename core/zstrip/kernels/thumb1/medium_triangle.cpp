@@ -31,15 +31,21 @@ namespace zstrip::detail {
       adds  r0, r0, \value
       str   r0, [r1, #4 * \number]
     .endm
-    @ Its step to the right into \step; the start moved by r2 columns. Steps at r3. Uses r1.
-    .macro zstrip_medium_right value step number
-      ldr   r1, [r3, #16 + 4 * \number]
-      mov   \step, r1
+    @ The start moved by r2 columns. Uses r1.
+    .macro zstrip_medium_right value step
+      mov   r1, \step
       muls  r1, r2, r1
       adds  \value, \value, r1
     .endm
 
     push  {r0-r2}
+    movs  r3, r0
+    adds  r3, r3, #88
+    ldm   r3!, {r4-r7}
+    mov   r8, r4
+    mov   r9, r5
+    mov   r10, r6
+    mov   r11, r7
   .Lmedium_row:
     movs  r6, r0
     zstrip_medium_edge 0
@@ -73,10 +79,10 @@ namespace zstrip::detail {
     ldr   r0, [sp, #8]
     cmp   r0, lr
     bhs   .Lmedium_next_row
-    zstrip_medium_right r4 r8 0
-    zstrip_medium_right r5 r9 1
-    zstrip_medium_right r6 r10 2
-    zstrip_medium_right r7 r11 3
+    zstrip_medium_right r4 r8
+    zstrip_medium_right r5 r9
+    zstrip_medium_right r6 r10
+    zstrip_medium_right r7 r11
   .Lmedium_pixel:
     lsrs  r1, r4, #16
     ldrh  r2, [r0]

@@ -1,28 +1,17 @@
 // The assembly behind thumb/medium_textured.hpp: a pixel's values in registers, its steps and texture on the stack.
 #include "zstrip/kernels/thumb/medium_textured.hpp"
 
-#include <cstddef>
-
-#include "zstrip/kernels/thumb/medium_layout.hpp"
+#include "zstrip/kernels/thumb/textured_layout.hpp"
 #include "zstrip/kernels/thumb2/medium_edges.hpp"
 
 namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB2
 
-using Run = TexturedRunState<std::uint32_t>;
-static_assert(offsetof(Run, step_z) == 20 && offsetof(Run, texels) == 24 && offsetof(Run, to_column) == 28 &&
-              offsetof(Run, to_row) == 32 && offsetof(Run, row_mask) == 36);
-static_assert(offsetof(TexturedScan, scan) == 0 && offsetof(TexturedScan, start) == 160 &&
-              offsetof(TexturedScan, step_y) == 172 && offsetof(TexturedScan, step_x) == 184);
-static_assert(offsetof(TexturedScan, base_u) == 196 && offsetof(TexturedScan, right_shift) == 212 &&
-              offsetof(TexturedScan, row) == 216);
-static_assert(TexturedScan::one_over_w == 0 && TexturedScan::u_over_w == 1 && TexturedScan::v_over_w == 2);
-
 // On the stack: 0 the scan, 4 how many rows, 8 the mask of rows and the texels, 16 the shift to a column and 128, 24
 // the steps of depth, red, green and blue, 40 those of u and v, 48 the shift to a row, 52 the bases, 60 the factors to
 // fractions, 68 the right shift, 72 how long a row is, then where it begins, 80 the inverses, from that of length 1 on.
-[[gnu::naked]] void scan_textured_rows_thumb(TexturedScan&, const LitRunState<Run>&, std::int32_t,
+[[gnu::naked]] void scan_textured_rows_thumb(TexturedScan&, const LitRunState<MediumRun>&, std::int32_t,
                                              const std::int32_t*) {
   asm(ZSTRIP_MEDIUM_EDGES R"(
     @ The exact position, 16.16 texels, of 1/w, u/w and v/w in r4, r5 and r6: u into r3, v into r0. Takes r11 and lr.

@@ -1,22 +1,11 @@
 // The planes of texture coordinates in assembly: TextureCoordinates<false> of MediumPlanes, with start_rows().
-#include <cstddef>
-
-#include "zstrip/kernels/medium_textured.hpp"
-#include "zstrip/kernels/thumb/medium_layout.hpp"
 #include "zstrip/kernels/thumb/medium_textured.hpp"
+#include "zstrip/kernels/thumb/textured_layout.hpp"
 #include "zstrip/kernels/thumb2/medium_plane.hpp"
 
 namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB2
-
-static_assert(offsetof(TexturedVertex, depth) == 0 && offsetof(TexturedVertex, u) == 4 &&
-              offsetof(TexturedVertex, v) == 8);
-static_assert(offsetof(TexturedScan, start) == 160 && offsetof(TexturedScan, step_y) == 172 &&
-              offsetof(TexturedScan, step_x) == 184);
-static_assert(offsetof(TexturedScan, base_u) == 196 && offsetof(TexturedScan, base_v) == 200 &&
-              offsetof(TexturedScan, right_shift) == 212);
-static_assert(TexturedScan::one_over_w == 0 && TexturedScan::u_over_w == 1 && TexturedScan::v_over_w == 2);
 
 // On the stack: 0 the scan, 8 the products of u and 1/w of vertices 0 to 2, 32 those of v, then v/w at vertex 0 and its
 // differences, 56 1/w at vertex 0 and its differences.
