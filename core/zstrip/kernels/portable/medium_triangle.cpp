@@ -15,7 +15,7 @@ template <bool gouraud>
 void scan_rows(MediumScan& scan, std::int32_t count) {
   if constexpr (kHasThumb && gouraud) {
     scan_medium_gouraud_thumb(scan, count);
-  } else if constexpr (kHasThumb2) {
+  } else if constexpr (kHasThumb) {
     scan_medium_flat_thumb(scan, count);
   } else {
     scan_medium_rows<gouraud>(scan, count);

@@ -20,7 +20,7 @@ bool set_up_medium_thumb(MediumScan& scan, const SnappedVertex& v0, const Snappe
 
 /// scan_medium_rows<true>.
 void scan_medium_gouraud_thumb(MediumScan& scan, std::int32_t count);
-/// scan_medium_rows<false>. For Thumb-2.
+/// scan_medium_rows<false>.
 void scan_medium_flat_thumb(MediumScan& scan, std::int32_t count);
 
 }  // namespace zstrip::detail

@@ -10,21 +10,24 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
 
+// zstrip_medium_edge at: moves the edge at offset `at` of the scan in r0 a row down, and r6 behind it. Its pixel before
+// in r1. Uses r2 to r5.
+#define ZSTRIP_THUMB1_MEDIUM_EDGE                                                            \
+  ".macro zstrip_medium_edge at\n"                                                           \
+  "  ldmia r6!, {r1-r5}              @ pixel, remainder, step, its remainder, denominator\n" \
+  "  adds  r2, r2, r4                @ a carry: one more pixel\n"                            \
+  "  bcc   .Lmedium_edge\\@\n"                                                               \
+  "  subs  r2, r2, r5\n"                                                                     \
+  "  adds  r3, r3, #1\n"                                                                     \
+  ".Lmedium_edge\\@:\n"                                                                      \
+  "  adds  r3, r3, r1\n"                                                                     \
+  "  str   r3, [r0, #\\at]\n"                                                                \
+  "  str   r2, [r0, #\\at + 4]\n"                                                            \
+  ".endm\n"
+
 // On the stack: the scan, the rows left, the row's first cell.
 [[gnu::naked]] void scan_medium_gouraud_thumb(MediumScan&, std::int32_t) {
-  asm(ZSTRIP_THUMB1_PUSH R"(
-    @ Moves the edge at offset \at of the scan in r0 a row down, and r6 behind it. Its pixel before in r1. Uses r2 to r5.
-    .macro zstrip_medium_edge at
-      ldmia r6!, {r1-r5}              @ pixel, remainder, step, its remainder, denominator
-      adds  r2, r2, r4                @ a carry: one more pixel
-      bcc   .Lmedium_edge_\at
-      subs  r2, r2, r5
-      adds  r3, r3, #1
-    .Lmedium_edge_\at:
-      adds  r3, r3, r1
-      str   r3, [r0, #\at]
-      str   r2, [r0, #\at + 4]
-    .endm
+  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_MEDIUM_EDGE R"(
     @ The start in \value a row down, for value number \number; starts at r1, steps at r3. Uses r0.
     .macro zstrip_medium_down value number
       ldr   r0, [r3, #4 * \number]
@@ -118,6 +121,70 @@ namespace zstrip::detail {
     .purgem zstrip_medium_edge
     .purgem zstrip_medium_down
     .purgem zstrip_medium_right
+  )" ZSTRIP_THUMB1_POP);
+}
+
+// r1 the cell, r2 from there to its pixel, r3 behind the last cell, r4 the step of depth, r5 depth, r6 the colour. On
+// the stack: the scan, the rows left.
+[[gnu::naked]] void scan_medium_flat_thumb(MediumScan&, std::int32_t) {
+  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_MEDIUM_EDGE R"(
+    push  {r0, r1}
+    movs  r3, r0
+    adds  r3, r3, #88
+    ldr   r4, [r3]
+    mov   r8, r4
+    ldrh  r4, [r3, #16]
+    mov   r9, r4
+  .Lflat_medium_row:
+    movs  r6, r0
+    zstrip_medium_edge 0
+    movs  r7, r1
+    zstrip_medium_edge 20
+    mov   r12, r1
+    ldmia r6!, {r1-r4}                @ rows and strides
+    adds  r3, r3, r1
+    adds  r4, r4, r2
+    str   r3, [r0, #40]
+    str   r4, [r0, #44]
+    ldr   r5, [r6]
+    ldr   r4, [r6, #16]
+    adds  r4, r4, r5
+    str   r4, [r6]
+    mov   r3, r12
+    subs  r3, r3, r7
+    ble   .Lflat_medium_next_row
+    lsls  r6, r7, #1
+    adds  r1, r1, r6
+    adds  r2, r2, r6
+    subs  r2, r2, r1
+    lsls  r3, r3, #1
+    adds  r3, r3, r1
+    mov   r4, r8
+    muls  r7, r4, r7
+    adds  r5, r5, r7
+    mov   r6, r9
+  .Lflat_medium_pixel:
+    ldrh  r7, [r1]
+    lsrs  r0, r5, #16
+    cmp   r7, r0
+    bhs   .Lflat_medium_hidden
+    strh  r0, [r1]
+    strh  r6, [r1, r2]
+  .Lflat_medium_hidden:
+    adds  r5, r5, r4
+    adds  r1, r1, #2
+    cmp   r1, r3
+    bne   .Lflat_medium_pixel
+  .Lflat_medium_next_row:
+    ldr   r1, [sp, #4]
+    subs  r1, r1, #1
+    beq   .Lflat_medium_end
+    str   r1, [sp, #4]
+    ldr   r0, [sp]
+    b     .Lflat_medium_row
+  .Lflat_medium_end:
+    add   sp, sp, #8
+    .purgem zstrip_medium_edge
   )" ZSTRIP_THUMB1_POP);
 }
 
