@@ -125,8 +125,8 @@ static_assert(sizeof(Plane) == 12 && offsetof(Plane, start) == 0 && offsetof(Pla
   )" ZSTRIP_THUMB1_PURGE_PLANES ZSTRIP_THUMB1_POP);
 }
 
-// r8 and r9 the differences of a channel, r10 its colours, r11 where its start is. On the stack: 0 the way to the
-// anchor, 8 the channel at vertex 0.
+// r8 and r9 the differences of a channel, r10 its colours, r11 where its start is, r12 0 in white light. On the stack:
+// 0 the way to the anchor, 8 the channel at vertex 0.
 [[gnu::naked]] void ThumbPlanes::set_channels(MediumScan&) const {
   asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_PLANES R"(
     @ A step of the weights at \first and \first + 4.
@@ -161,6 +161,17 @@ static_assert(sizeof(Plane) == 12 && offsetof(Plane, start) == 0 && offsetof(Pla
     mov   r11, r1
     adds  r1, r1, #60
     mov   r10, r1
+    ldm   r1!, {r2-r4}
+    lsrs  r5, r2, #8                  @ red and green, green and blue
+    eors  r5, r5, r2
+    lsrs  r6, r3, #8
+    eors  r6, r6, r3
+    orrs  r5, r5, r6
+    lsrs  r6, r4, #8
+    eors  r6, r6, r4
+    orrs  r5, r5, r6
+    lsls  r5, r5, #16
+    mov   r12, r5
     ldm   r0!, {r5, r6}
     ldr   r4, [r7, #32]
   .Lchannel_next:
@@ -204,11 +215,25 @@ static_assert(sizeof(Plane) == 12 && offsetof(Plane, start) == 0 && offsetof(Pla
     adds  r1, r1, r2
     stm   r3!, {r1}
     mov   r11, r3
+    mov   r0, r12
+    cmp   r0, #0
+    bne   .Lchannel_coloured
+    str   r1, [r3, #0]                @ white light: all channels are red's
+    str   r1, [r3, #4]
+    ldr   r0, [r3, #12]
+    str   r0, [r3, #16]
+    str   r0, [r3, #20]
+    ldr   r0, [r3, #28]
+    str   r0, [r3, #32]
+    str   r0, [r3, #36]
+    b     .Lchannel_end
+  .Lchannel_coloured:
     mov   r0, r10                     @ the last one's offset is 3 more than a multiple of 4
     lsls  r0, r0, #30
     asrs  r0, r0, #30
     adds  r0, r0, #1
     bne   .Lchannel_next
+  .Lchannel_end:
     add   sp, sp, #12
   )" ZSTRIP_THUMB1_POP R"(
   .Lchannel_long:
