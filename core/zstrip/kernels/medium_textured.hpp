@@ -16,7 +16,7 @@
 namespace zstrip::detail {
 
 /// Where words have 32 bits planes of 64 are what a small textured triangle takes longest for. Not for the least flash.
-inline constexpr bool kHasMediumTextured = sizeof(void*) == 4 && !kForSize;
+inline constexpr bool kHasMediumTextured = !kForSize;
 
 /// What texels need of a vertex.
 struct TexturedVertex {

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "zstrip/renderer.hpp"
+#include "zstrip_scenes/character.hpp"
 #include "zstrip_scenes/cube.hpp"
 #include "zstrip_scenes/knot.hpp"
+#include "zstrip_scenes/knot_meshlets.hpp"
 #include "zstrip_scenes/random.hpp"
 #include "zstrip_scenes/room.hpp"
 #include "zstrip_scenes/stage.hpp"
@@ -30,8 +32,10 @@ Status draw(const View& view, std::uint32_t frames, std::uint32_t times) {
   std::vector<std::byte> pixels(plan.strip_pixel_bytes(view));
   for (std::uint32_t draws = 0; draws < frames * times; ++draws) {
     if (draws % times == 0) stage_workload(built_in, staged, draws / times);
-    Status drawn =
-        renderer.begin_frame(staged.scene, staged.camera, view, plan, std::as_writable_bytes(std::span(arena)));
+    Status drawn{};
+    if (built_in.pose != nullptr) drawn = built_in.pose(draws / times);
+    if (!drawn) return drawn;
+    drawn = renderer.begin_frame(staged.scene, staged.camera, view, plan, std::as_writable_bytes(std::span(arena)));
     for (std::uint16_t strip = 0; drawn && strip < plan.strips; ++strip) drawn = renderer.draw_strip(strip, pixels);
     if (!drawn) return drawn;
   }
@@ -42,9 +46,10 @@ struct Workload {
   std::string_view name;
   Status (*draw)(const View&, std::uint32_t frames, std::uint32_t times);
 };
-constexpr Workload kWorkloads[] = {{"K5", draw<scenes::knot>},       {"CT", draw<scenes::cube>},
-                                   {"R50", draw<scenes::random50>},  {"R10k", draw<scenes::random10k>},
-                                   {"teapot", draw<scenes::teapot>}, {"room", draw<scenes::room>}};
+constexpr Workload kWorkloads[] = {{"K5", draw<scenes::knot>},           {"CT", draw<scenes::cube>},
+                                   {"R50", draw<scenes::random50>},      {"R10k", draw<scenes::random10k>},
+                                   {"teapot", draw<scenes::teapot>},     {"room", draw<scenes::room>},
+                                   {"K5T", draw<scenes::knot_textured>}, {"character", draw<scenes::character>}};
 
 }  // namespace
 
