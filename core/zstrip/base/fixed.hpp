@@ -86,6 +86,17 @@ constexpr std::int64_t long_product(std::int32_t a, std::int32_t b) {
   return std::int64_t{a} * b;
 }
 constexpr std::int64_t long_product(std::int64_t a, std::int64_t b) { return a * b; }
+#if defined(__SIZEOF_INT128__)
+inline constexpr bool kMultipliesLonger = true;  ///< 64 bits by 64 to 128
+/// floor(a * b / 2^shift) modulo 2^64, 0 <= shift < 128.
+constexpr std::int64_t longer_product_right(std::int64_t a, std::int64_t b, int shift) {
+  __extension__ using Product = __int128;
+  return static_cast<std::int64_t>((Product{a} * b) >> shift);
+}
+#else
+inline constexpr bool kMultipliesLonger = false;
+std::int64_t longer_product_right(std::int64_t a, std::int64_t b, int shift);  ///< not there
+#endif
 /// floor(value / 2^shift), 0 <= shift < 32, where it fits a word. A shift of two words is one of any width otherwise.
 constexpr std::int32_t shifted_to_word(std::int64_t value, int shift) {
   if constexpr (sizeof(void*) == 8) return static_cast<std::int32_t>(value >> shift);

@@ -58,10 +58,11 @@ struct ScaledReciprocal {
   /// floor(numerator / divisor * 2^fraction_bits) up to the reciprocal's relative error, modulo 2^64.
   /// 0 <= fraction_bits <= 30.
   constexpr std::int64_t quotient(std::int64_t numerator, int fraction_bits) const {
+    const int shift = 62 - normalisation - fraction_bits;  // 1/divisor = mantissa * 2^(normalisation - 62)
+    if constexpr (kMultipliesLonger) return longer_product_right(numerator, mantissa, shift);
     // The product has up to 95 bits: high * 2^32 + low, both exact.
     const std::int64_t high = (numerator >> 32) * mantissa;
     const std::uint64_t low = (numerator & 0xFFFFFFFF) * static_cast<std::uint64_t>(mantissa);
-    const int shift = 62 - normalisation - fraction_bits;  // 1/divisor = mantissa * 2^(normalisation - 62)
     if (shift < 32) {
       return static_cast<std::int64_t>((static_cast<std::uint64_t>(high) << (32 - shift)) + (low >> shift));
     }

@@ -72,6 +72,7 @@ class MediumPlanes {
   Plane plane(std::int32_t value_0, std::int32_t d1, std::int32_t d2) const {
     // 31 + 23 bits, twice; a step has up to 41.
     const auto step = [this](std::int64_t along) {
+      if constexpr (kMultipliesLonger) return longer_product_right(along, mantissa_, 43);
       const std::uint64_t low = long_product(static_cast<std::uint32_t>(along), static_cast<std::uint32_t>(mantissa_));
       const std::int64_t high = long_product(of_any_sign(static_cast<std::int32_t>(along >> 32)), mantissa_);
       return (high + static_cast<std::int64_t>(low >> 32)) >> 11;
@@ -79,6 +80,7 @@ class MediumPlanes {
     const auto step_x = static_cast<std::uint64_t>(step(long_product(d1, dy1_) + long_product(d2, dy2_)));
     const auto step_y = static_cast<std::uint64_t>(step(long_product(d1, dx1_) + long_product(d2, dx2_)));
     const auto times = [](std::uint64_t step_a_pixel, std::int32_t pixels) {
+      if constexpr (kMultipliesLonger) return step_a_pixel * static_cast<std::uint64_t>(std::int64_t{pixels});
       const auto low = static_cast<std::uint32_t>(step_a_pixel);
       const auto high = static_cast<std::uint32_t>(step_a_pixel >> 32) + (low >> 31);
       return static_cast<std::uint64_t>(long_product(static_cast<std::int32_t>(low), pixels)) +
