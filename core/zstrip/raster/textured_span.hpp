@@ -24,6 +24,11 @@ constexpr std::int32_t difference(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
 
+/// The step a pixel of a texture coordinate between two exact ones that are `pixels` apart, 1 .. 15, modulo 2^32.
+constexpr std::uint32_t step_of_run(std::int32_t from, std::int32_t to, std::uint32_t pixels) {
+  return static_cast<std::uint32_t>(long_product(difference(to, from), kInverse[pixels]) >> 16);
+}
+
 /// `light` is read only where texels are lit. `log2_run`: of the pixels between two exact positions, 0 .. 4.
 template <bool affine, int log2_run, TexelLight lit, bool statistics, class DepthPlane, class Rule>
 void fill_textured(const Span<typename Rule::Cell>& span, const DepthPlane& depth, const Rule& rule,

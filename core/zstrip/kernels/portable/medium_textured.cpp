@@ -8,6 +8,7 @@
 #include "zstrip/kernels/medium_triangle.hpp"
 #include "zstrip/kernels/textured_scan.hpp"
 #include "zstrip/kernels/thumb/medium_textured.hpp"
+#include "zstrip/kernels/vector/medium_textured.hpp"
 #include "zstrip/raster/texture_coordinates.hpp"
 #include "zstrip/raster/textured_span.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 
 using RunState = LitRunState<TexturedRunState<std::uint32_t>>;
 
-/// Those of texture coordinates are three, of which one alone is to be code.
+/// Those of texture coordinates are three, of which one alone is to be code. Where products are long that is none.
 class CalledPlanes : public MediumPlanes {
  public:
   using MediumPlanes::MediumPlanes;
@@ -24,7 +25,8 @@ class CalledPlanes : public MediumPlanes {
     return MediumPlanes::plane(value_0, d1, d2);
   }
 };
-using TexturePlanes = std::conditional_t<kHasThumb1, ThumbPlanes, CalledPlanes>;
+using WordPlanes = std::conditional_t<kMultipliesLonger, MediumPlanes, CalledPlanes>;
+using TexturePlanes = std::conditional_t<kHasThumb1, ThumbPlanes, WordPlanes>;
 
 /// Planes of texture coordinates that fit words.
 template <bool affine, class Planes>
@@ -89,13 +91,13 @@ void draw_row(const TexturedScan& textured, Run<lit>& run, std::int32_t column, 
   run.v = static_cast<std::uint32_t>(from.v) * textured.to_fraction_v;
   if (length > 1) {
     const TexelPosition to = position(column + length - 1);
-    const std::int32_t inverse = kInverse[length - 1];
-    const auto step = [inverse](std::int32_t from_here, std::int32_t to_there) {
-      return static_cast<std::uint32_t>(long_product(difference(to_there, from_here), inverse) >> 16);
-    };
-    run.step_u = step(from.u, to.u) * textured.to_fraction_u;
-    run.step_v = step(from.v, to.v) * textured.to_fraction_v;
+    const auto pixels = static_cast<std::uint32_t>(length - 1);
+    run.step_u = step_of_run(from.u, to.u, pixels) * textured.to_fraction_u;
+    run.step_v = step_of_run(from.v, to.v, pixels) * textured.to_fraction_v;
   }
+#if ZSTRIP_HAS_VECTORS
+  if constexpr (lit == TexelLight::smooth) return fill_smooth_vector(run, textured, column, length);
+#endif
   const MediumScan& scan = textured.scan;
   run.z = textured.at(MediumScan::depth, column);
   std::uint16_t* const depth = scan.rows.depth_row + column;

@@ -113,6 +113,19 @@ inline std::int32_t sum_of_products(Halves a, Halves b) {
 inline Words lower_then_upper(Halves pairs) {
   return as_words(vsraq_n_s32(vshlq_n_s32(as_s32(pairs), 16), as_s32(pairs), 16));
 }
+inline Halves upper_products_of_halves(Halves a, Halves b) {
+  return upper_halves(as_words(vmull_u16(vget_low_u16(as_u16(a)), vget_low_u16(as_u16(b)))),
+                      as_words(vmull_u16(vget_high_u16(as_u16(a)), vget_high_u16(as_u16(b)))));
+}
+inline Words times_half(Words words, Halves factors) { return words * (as_words(factors) >> 16); }
+inline std::uint32_t sum(Words words) {
+#if defined(__aarch64__)
+  return vaddvq_u32(as_u32(words));
+#else
+  const uint32x2_t pairs = vadd_u32(vget_low_u32(as_u32(words)), vget_high_u32(as_u32(words)));
+  return vget_lane_u32(vpadd_u32(pairs, pairs), 0);
+#endif
+}
 template <int shift>
 Words upper_products(Words a, Words b) {
   // The instruction doubles.

@@ -117,6 +117,18 @@ inline Words sums_of_products(Halves a, Halves b) { return as_words(_mm_madd_epi
 inline std::int32_t sum_of_products(Halves a, Halves b) { return static_cast<std::int32_t>(sums_of_products(a, b)[0]); }
 /// Of pairs: less than 0 where the lower half is, or where that is 0 and the upper half is.
 inline Words lower_then_upper(Halves pairs) { return sums_of_products(pairs, in_all_pairs(1 << 14, 1)); }
+/// Unsigned: floor(a * b / 2^16).
+inline Halves upper_products_of_halves(Halves a, Halves b) {
+  return as_halves(_mm_mulhi_epu16(as_sse2(a), as_sse2(b)));
+}
+/// Modulo 2^32, of unsigned factors that fill both halves of each word.
+inline Words times_half(Words words, Halves factors) {
+  return as_words(as_halves(words) * factors) + (as_words(upper_products_of_halves(as_halves(words), factors)) << 16);
+}
+inline std::uint32_t sum(Words words) {
+  const Words pairs = words + as_words(_mm_shuffle_epi32(as_sse2(words), _MM_SHUFFLE(1, 0, 3, 2)));
+  return (pairs + as_words(_mm_shuffle_epi32(as_sse2(pairs), _MM_SHUFFLE(2, 3, 0, 1))))[0];
+}
 /// floor((a << shift) * b / 2^32), a signed, 0 <= b < 2^31.
 template <int shift>
 Words upper_products(Words a, Words b) {

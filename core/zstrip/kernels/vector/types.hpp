@@ -26,6 +26,11 @@ inline Halves in_all_halves(std::int32_t value) {
   return Halves{half, half, half, half, half, half, half, half};
 }
 inline Words in_all_words(std::uint32_t value) { return Words{value, value, value, value}; }
+inline Words load_words(const std::uint32_t* at) {
+  Words words;
+  __builtin_memcpy(&words, at, sizeof words);
+  return words;
+}
 
 inline std::uint32_t pair_of(std::int32_t low, std::int32_t high) {
   return (static_cast<std::uint32_t>(high) << 16) | (static_cast<std::uint32_t>(low) & 0xFFFF);
