@@ -45,7 +45,7 @@ bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, cons
   } else {
     if constexpr (kHasVectors && !effects.any(effect::orthographic | effect::short_reciprocals) &&
                   depth_format(effects) == DepthFormat::z16) {
-      if (fits_vector(instance.w) && fits_vector(instance.x) && fits_vector(instance.y)) {
+      if (count >= kVectorVertices && fits_vector(instance)) {
         return transform_vertices_vector(instance, origin, mesh.positions.data() + first, count, vertices);
       }
     }

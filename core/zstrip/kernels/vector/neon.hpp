@@ -164,27 +164,53 @@ class Weights {
   Words of_1_, of_2_;
 };
 
-/// The instruction doubles products: floor(a p / 2^16) is the upper word of 2 a 2^15 p.
-class LinearForms {
- public:
-  LinearForms(const LinearForm& first, const LinearForm& second, const LinearForm& third)
-      : x_{first.x, second.x, third.x, 0},
-        y_{first.y, second.y, third.y, 0},
-        z_{first.z, second.z, third.z, 0},
-        offset_{first.offset, second.offset, third.offset, 0} {}
+inline Words unsigned_upper_products(Words a, Words b) {
+  const uint32x4_t low = vreinterpretq_u32_u64(vmull_u32(vget_low_u32(as_u32(a)), vget_low_u32(as_u32(b))));
+  const uint32x4_t high = vreinterpretq_u32_u64(vmull_u32(vget_high_u32(as_u32(a)), vget_high_u32(as_u32(b))));
+  return as_words(vuzpq_u32(low, high).val[1]);
+}
 
-  Words at(const Position& p) const {
-    std::uint32_t both;
-    __builtin_memcpy(&both, &p, sizeof both);
-    const int32x4_t position = vshll_n_s16(vset_lane_s16(p.z, vcreate_s16(both), 2), 15);
-    const int32x2_t xy = vget_low_s32(position);
-    const int32x4_t sum = vaddq_s32(vaddq_s32(offset_, vqdmulhq_lane_s32(x_, xy, 0)), vqdmulhq_lane_s32(y_, xy, 1));
-    return as_words(vaddq_s32(sum, vqdmulhq_lane_s32(z_, vget_high_s32(position), 0)));
+class FourShifts {
+ public:
+  static std::uint32_t of(int number) { return static_cast<std::uint32_t>(number); }
+
+  explicit FourShifts(Words numbers) : left_(as_s32(numbers)) {}
+  Words arithmetically(Words values, int amount) const { return as_words(vshlq_s32(as_s32(values), left(amount))); }
+  Words logically(Words values, int amount) const { return as_words(vshlq_u32(as_u32(values), left(amount))); }
+
+ private:
+  int32x4_t left(int amount) const { return vsubq_s32(left_, vdupq_n_s32(amount)); }
+
+  int32x4_t left_;
+};
+
+struct FourPositions {
+  int32x4_t x, y, z;  ///< times 2^15
+
+  explicit FourPositions(const Position* p) {
+    const int16x4x3_t positions = vld3_s16(&p->x);
+    x = vshll_n_s16(positions.val[0], 15), y = vshll_n_s16(positions.val[1], 15);
+    z = vshll_n_s16(positions.val[2], 15);
+  }
+};
+
+/// The instruction doubles products: floor(a p / 2^16) is the upper word of 2 a 2^15 p.
+class FormOfFour {
+ public:
+  explicit FormOfFour(const LinearForm& f) : form_(f) {}
+
+  Words at(const FourPositions& p) const {
+    const int32x4_t xy = vaddq_s32(vqdmulhq_n_s32(p.x, form_.x), vqdmulhq_n_s32(p.y, form_.y));
+    return as_words(vaddq_s32(vaddq_s32(vdupq_n_s32(form_.offset), xy), vqdmulhq_n_s32(p.z, form_.z)));
   }
 
  private:
-  int32x4_t x_, y_, z_, offset_;
+  LinearForm form_;
 };
+
+inline void store_pairs(void* at, Words first, Words second) {
+  vst2q_u32(static_cast<std::uint32_t*>(at), uint32x4x2_t{{as_u32(first), as_u32(second)}});
+}
 
 }  // namespace zstrip::detail::vectors
 

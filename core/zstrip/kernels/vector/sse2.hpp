@@ -129,14 +129,19 @@ inline std::uint32_t sum(Words words) {
   const Words pairs = words + as_words(_mm_shuffle_epi32(as_sse2(words), _MM_SHUFFLE(1, 0, 3, 2)));
   return (pairs + as_words(_mm_shuffle_epi32(as_sse2(pairs), _MM_SHUFFLE(2, 3, 0, 1))))[0];
 }
-/// floor((a << shift) * b / 2^32), a signed, 0 <= b < 2^31.
+/// floor(a * b / 2^32), unsigned.
+inline Words unsigned_upper_products(Words a, Words b) {
+  const __m128i even = _mm_mul_epu32(as_sse2(a), as_sse2(b));
+  const __m128i odd = _mm_mul_epu32(_mm_srli_epi64(as_sse2(a), 32), _mm_srli_epi64(as_sse2(b), 32));
+  return as_words(_mm_or_si128(_mm_srli_epi64(even, 32), _mm_and_si128(odd, _mm_set_epi32(-1, 0, -1, 0))));
+}
+
+/// floor((a << shift) * b / 2^32), a signed, b not; with NEON b < 2^31.
 template <int shift>
 Words upper_products(Words a, Words b) {
-  const __m128i factors = as_sse2(a << shift), others = as_sse2(b);
-  const __m128i even = _mm_srli_epi64(_mm_mul_epu32(factors, others), 32);
-  const __m128i odd = _mm_and_si128(_mm_mul_epu32(_mm_srli_epi64(factors, 32), others), _mm_set_epi32(-1, 0, -1, 0));
   // As an unsigned factor a negative one counts 2^32 more.
-  return as_words(_mm_sub_epi32(_mm_or_si128(even, odd), _mm_and_si128(_mm_srai_epi32(factors, 31), others)));
+  const Words factors = a << shift;
+  return unsigned_upper_products(factors, b) - (arithmetically_right(factors, 31) & b);
 }
 
 /// stepped_halves of an edge function that fits a half: from its word, and its steps in a pair.
@@ -181,29 +186,57 @@ class Weights {
   Halves pairs_;
 };
 
-/// LinearForm::at of three that fits_vector, a word each. A coefficient a is 2^16 high + low, both signed, so that
-/// floor(a p / 2^16) is high p + floor(low p / 2^16).
-class LinearForms {
+/// Right shifts of four words by `amount`, 0 .. 31, less a number of their own: products with powers of two.
+class FourShifts {
  public:
-  LinearForms(const LinearForm& first, const LinearForm& second, const LinearForm& third) {
-    const auto each = [&](const auto& word_of) { return Words{word_of(first), word_of(second), word_of(third), 0}; };
-    offset_ = each([](const LinearForm& f) { return static_cast<std::uint32_t>(f.offset); });
-    high_xy_ = as_halves(each([](const LinearForm& f) { return pair_of(high(f.x), high(f.y)); }));
-    high_z_ = as_halves(each([](const LinearForm& f) { return pair_of(high(f.z), 0); }));
-    low_xy_ = as_halves(each([](const LinearForm& f) { return pair_of(f.x, f.y); }));
-    low_z_ = as_halves(each([](const LinearForm& f) { return pair_of(f.z, 0); }));
-  }
+  /// What stands for a number.
+  static std::uint32_t of(int number) { return std::uint32_t{1} << number; }
 
-  Words at(const Position& p) const {
-    std::uint32_t both;
-    __builtin_memcpy(&both, &p, sizeof both);
-    const Halves xy = as_halves(in_all_words(both));
-    const Halves z = as_halves(in_all_words(static_cast<std::uint16_t>(p.z)));
+  explicit FourShifts(Words numbers) : powers_(numbers) {}
+  /// Signed values from -2^30 on and below 2^30.
+  Words arithmetically(Words values, int amount) const { return upper_products<1>(values, factors(amount)); }
+  /// Values below 2^31.
+  Words logically(Words values, int amount) const { return unsigned_upper_products(values << 1, factors(amount)); }
+
+ private:
+  Words factors(int amount) const { return powers_ << (31 - amount); }
+
+  Words powers_;
+};
+
+/// Four positions next to each other, for FormOfFour.
+struct FourPositions {
+  Halves xy, z;  ///< a position in each word
+
+  explicit FourPositions(const Position* p) {
+    const auto xy_of = [](const Position& position) {
+      std::uint32_t both;
+      __builtin_memcpy(&both, &position, sizeof both);
+      return both;
+    };
+    const auto z_of = [](const Position& position) { return static_cast<std::uint16_t>(position.z); };
+    xy = as_halves(Words{xy_of(p[0]), xy_of(p[1]), xy_of(p[2]), xy_of(p[3])});
+    z = as_halves(Words{z_of(p[0]), z_of(p[1]), z_of(p[2]), z_of(p[3])});
+  }
+};
+
+/// LinearForm::at of a form that fits_vector. A coefficient a is 2^16 high + low, both signed, so that
+/// floor(a p / 2^16) is high p + floor(low p / 2^16).
+class FormOfFour {
+ public:
+  explicit FormOfFour(const LinearForm& f)
+      : offset_(in_all_words(static_cast<std::uint32_t>(f.offset))),
+        high_xy_(in_all_pairs(high(f.x), high(f.y))),
+        high_z_(in_all_pairs(high(f.z), 0)),
+        low_xy_(in_all_pairs(f.x, f.y)),
+        low_z_(in_all_pairs(f.z, 0)) {}
+
+  Words at(const FourPositions& p) const {
     const auto rest = [](Halves a, Halves b) {
       return sums_of_products(as_halves(_mm_mulhi_epi16(as_sse2(a), as_sse2(b))), in_all_halves(1));
     };
-    const Words whole = sums_of_products(xy, high_xy_) + sums_of_products(z, high_z_);
-    return offset_ + (whole + (rest(xy, low_xy_) + rest(z, low_z_)));
+    const Words whole = sums_of_products(p.xy, high_xy_) + sums_of_products(p.z, high_z_);
+    return offset_ + (whole + (rest(p.xy, low_xy_) + rest(p.z, low_z_)));
   }
 
  private:
@@ -214,6 +247,14 @@ class LinearForms {
   Words offset_;
   Halves high_xy_, high_z_, low_xy_, low_z_;
 };
+
+/// Four pairs of words.
+inline void store_pairs(void* at, Words first, Words second) {
+  const __m128i a = as_sse2(first), b = as_sse2(second);
+  auto* const to = static_cast<__m128i*>(at);
+  _mm_storeu_si128(to, _mm_unpacklo_epi32(a, b));
+  _mm_storeu_si128(to + 1, _mm_unpackhi_epi32(a, b));
+}
 
 }  // namespace zstrip::detail::vectors
 

@@ -1,5 +1,7 @@
-// A vertex at a time: its three linear forms in one vector.
+// Four vertices at a time; only their reciprocals are found one after the other.
 #include "zstrip/kernels/vector/transform.hpp"
+
+#include <algorithm>
 
 #include "zstrip/kernels/vector/vector.hpp"
 
@@ -8,21 +10,93 @@
 namespace zstrip::detail {
 
 using namespace vectors;
+
+namespace {
+
+/// project_narrow of four vertices. All that it reads are copies: compilers must assume that what it stores changes any
+/// memory.
+class FourVertices {
+ public:
+  FourVertices(const CompiledInstance& instance, const RasterOrigin& origin)
+      : FourVertices(instance, origin, NarrowProjection<false>(instance, origin)) {}
+
+  /// Returns a mask: zeros for those that are narrow.
+  [[gnu::always_inline]] Words transform(const Position* positions, SnappedVertex* vertices) const {
+    const FourPositions at(positions);
+    const Words w = w_.at(at);
+    const Words divisors = w - as_words(w == Words{});  // 0 is not narrow, but no divisor
+    const Reciprocal r[4] = {inverse(divisors[0]), inverse(divisors[1]), inverse(divisors[2]), inverse(divisors[3])};
+    const auto each = [&r](const auto& of) { return Words{of(r[0]), of(r[1]), of(r[2]), of(r[3])}; };
+    const Words reciprocals = each([](const Reciprocal& one) { return static_cast<std::uint32_t>(one.value); });
+    const FourShifts shifts(each([](const Reciprocal& one) { return FourShifts::of(one.normalisation); }));
+    const auto coordinate = [&](const Coordinate& c) {
+      const Words scaled = shifts.arithmetically(upper_products<0>(c.form.at(at), reciprocals), c.shift);
+      return arithmetically_right(scaled + c.bias, 1);
+    };
+    const Words x = coordinate(x_), y = coordinate(y_);
+    const Words relative = shifts.logically(reciprocals, depth_normalisation_);
+    const Words depth = (unsigned_upper_products(relative, depth_scale_) << depth_shift_) - depth_offset_;
+
+    const Words limit = in_all_words(kNarrowLimit);
+    static_assert(2 * kNarrowLimit == 1 << 15);
+    const Words outside = (((x + limit) | (y + limit)) >> 15) | greater(w - w_near_, w_range_);
+    const Words narrow = as_words(outside == Words{});
+    const Words place = (x & in_all_words(0xFFFF)) | (y << 16);
+    const Words no_place = in_all_words(static_cast<std::uint16_t>(kNotNarrow));
+    const Words snapped = (depth & in_all_words(~0x3FFFU)) | in_all_words(0x2000);  // snap_depth
+    store_pairs(vertices, (place & narrow) | (no_place & ~narrow), snapped & narrow);
+    return outside;
+  }
+
+ private:
+  struct Coordinate {
+    FormOfFour form;
+    Words bias;
+    std::int32_t shift;
+  };
+
+  FourVertices(const CompiledInstance& instance, const RasterOrigin& origin, const NarrowProjection<false>& narrow)
+      : x_{FormOfFour(instance.x), in_all_words(static_cast<std::uint32_t>(narrow.bias_x)), narrow.shift_x},
+        y_{FormOfFour(instance.y), in_all_words(static_cast<std::uint32_t>(narrow.bias_y)), narrow.shift_y},
+        w_(instance.w),
+        w_near_(in_all_words(narrow.w_near + kSign)),
+        w_range_(in_all_words(narrow.w_range + kSign)),
+        depth_scale_(in_all_words(instance.depth_scale)),
+        depth_offset_(in_all_words(origin.depth_offset)),
+        depth_shift_(instance.depth_shift),
+        depth_normalisation_(instance.depth_normalisation) {}
+
+  static Reciprocal inverse(std::uint32_t divisor) {
+    if (divisor == 0) __builtin_unreachable();
+    return reciprocal_of(divisor);
+  }
+  /// What makes unsigned words signed ones in the same order.
+  static constexpr std::uint32_t kSign = std::uint32_t{1} << 31;
+  static Words greater(Words a, Words b) {
+    using Signed [[gnu::vector_size(16)]] = std::int32_t;
+    return as_words(__builtin_bit_cast(Signed, a) > __builtin_bit_cast(Signed, b));
+  }
+
+  Coordinate x_, y_;
+  FormOfFour w_;
+  Words w_near_, w_range_;  ///< NarrowProjection's, with kSign
+  Words depth_scale_, depth_offset_;
+  std::int32_t depth_shift_, depth_normalisation_;
+};
+
+}  // namespace
+
 bool transform_vertices_vector(const CompiledInstance& instance, const RasterOrigin& origin, const Position* positions,
                                std::uint32_t count, SnappedVertex* vertices) {
-  const NarrowProjection<false> narrow(instance, origin);
-  const LinearForms forms(instance.w, instance.x, instance.y);
-  bool all_narrow = true;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const Words at = forms.at(positions[i]);
-    const auto w = static_cast<std::int32_t>(at[0]), x = static_cast<std::int32_t>(at[1]),
-               y = static_cast<std::int32_t>(at[2]);
-    if (!project_narrow<false>(narrow, instance, origin, x, y, w, vertices[i])) {
-      vertices[i] = {kNotNarrow, 0, 0};
-      all_narrow = false;
-    }
+  const FourVertices four(instance, origin);
+  Words outside = four.transform(positions, vertices);
+  for (std::uint32_t done = kVectorVertices; done < count;) {
+    // The last four may have been transformed in part.
+    const std::uint32_t first = std::min(done, count - kVectorVertices);
+    outside |= four.transform(positions + first, vertices + first);
+    done = first + kVectorVertices;
   }
-  return all_narrow;
+  return !any_clear(as_halves(outside == Words{}));
 }
 
 }  // namespace zstrip::detail

@@ -13,8 +13,17 @@ constexpr bool fits_vector(const LinearForm& form) {
   constexpr std::int32_t kLimit = 0x7FFF8000;
   return form.x < kLimit && form.y < kLimit && form.z < kLimit;
 }
+/// Whether all of them do, and the shifts of coordinates are FourShifts.
+constexpr bool fits_vector(const CompiledInstance& instance) {
+  const auto fits = [](std::int32_t shift) { return shift >= 1 && shift <= 32; };
+  return fits_vector(instance.w) && fits_vector(instance.x) && fits_vector(instance.y) && fits(instance.shift_x) &&
+         fits(instance.shift_y);
+}
 
-/// Writes `count` vertices. Returns whether all are narrow. For instances whose three forms fit.
+/// Vertices that are transformed at once: a mesh has as many, or is left to C++.
+inline constexpr std::uint32_t kVectorVertices = 4;
+
+/// Writes `count` >= kVectorVertices vertices of an instance that fits_vector. Returns whether all are narrow.
 bool transform_vertices_vector(const CompiledInstance& instance, const RasterOrigin& origin, const Position* positions,
                                std::uint32_t count, SnappedVertex* vertices);
 

@@ -31,6 +31,7 @@ inline Words load_words(const std::uint32_t* at) {
   __builtin_memcpy(&words, at, sizeof words);
   return words;
 }
+inline void store_words(std::uint32_t* at, Words words) { __builtin_memcpy(at, &words, sizeof words); }
 
 inline std::uint32_t pair_of(std::int32_t low, std::int32_t high) {
   return (static_cast<std::uint32_t>(high) << 16) | (static_cast<std::uint32_t>(low) & 0xFFFF);

@@ -1,0 +1,57 @@
+// Pixels of medium textured triangles in smooth light: depth and the light's channels of one pixel in a vector.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/kernels/textured_run_state.hpp"
+#include "zstrip/kernels/textured_scan.hpp"
+#include "zstrip/kernels/vector/vector.hpp"
+
+#if ZSTRIP_HAS_VECTORS
+
+namespace zstrip::detail {
+namespace vectors {
+
+/// modulated(): words 1 to 3 are the light's red, green and blue, and in between every channel has a word of its own.
+inline std::uint16_t modulated(std::uint16_t texel, Words light) {
+  const Words factors = (light >> 16) + (light >> 23);
+  const Halves channels = as_halves(in_all_words(texel)) * Halves{0, 0, 1, 0, 1 << 5, 0, 1 << 11, 0};
+  // Of the division by 256 red and blue have 3 bits left, green has 2. To nearest.
+  const Halves lit =
+      upper_products_of_halves(channels & Halves{0, 0, 0xF800, 0, 0xFC00, 0, 0xF800, 0}, as_halves(factors)) +
+      Halves{0, 0, 1 << 2, 0, 1 << 1, 0, 1 << 2, 0};
+  const Words shifted =
+      sums_of_products(lit & Halves{0, 0, 0xFFF8, 0, 0xFFFC, 0, 0xFFF8, 0}, Halves{0, 0, 1 << 11, 0, 1 << 6, 0, 1, 0});
+  return static_cast<std::uint16_t>(sum(shifted) >> 3);
+}
+
+}  // namespace vectors
+
+/// `length` > 0 pixels of the next row from `column` on, counted from the anchor's; `run` has the texture, where it
+/// starts and its steps.
+[[gnu::always_inline]] inline void fill_smooth_vector(const LitRunState<TexturedRunState<std::uint32_t>>& run,
+                                                      const TexturedScan& textured, std::int32_t column,
+                                                      std::int32_t length) {
+  using namespace vectors;
+  const MediumScan& scan = textured.scan;
+  const Words step_x = load_words(scan.step_x);
+  Words pixel = load_words(scan.start) + times_half(step_x, in_all_halves(column)) +
+                times_half(load_words(scan.step_y), in_all_halves(textured.row));
+  std::uint16_t* depth = scan.rows.depth_row + column;
+  std::uint16_t* colour = scan.rows.colour_row + column;
+  for (std::uint32_t u = run.u, v = run.v;;) {
+    const std::uint16_t code = as_halves(pixel)[2 * MediumScan::depth + 1];
+    if (*depth < code) {
+      *depth = code;
+      *colour = modulated(run.texels[((v >> run.to_row) & run.row_mask) + (u >> run.to_column)], pixel);
+    }
+    if (--length == 0) return;
+    ++depth, ++colour;
+    pixel += step_x;
+    u += run.step_u, v += run.step_v;
+  }
+}
+
+}  // namespace zstrip::detail
+
+#endif
