@@ -206,17 +206,16 @@ class FourShifts {
 
 /// Four positions next to each other, for FormOfFour.
 struct FourPositions {
-  Halves xy, z;  ///< a position in each word
+  Halves xy, yz;  ///< of a position in each word
 
   explicit FourPositions(const Position* p) {
-    const auto xy_of = [](const Position& position) {
+    const auto pair = [](const std::int16_t& first) {
       std::uint32_t both;
-      __builtin_memcpy(&both, &position, sizeof both);
+      __builtin_memcpy(&both, &first, sizeof both);
       return both;
     };
-    const auto z_of = [](const Position& position) { return static_cast<std::uint16_t>(position.z); };
-    xy = as_halves(Words{xy_of(p[0]), xy_of(p[1]), xy_of(p[2]), xy_of(p[3])});
-    z = as_halves(Words{z_of(p[0]), z_of(p[1]), z_of(p[2]), z_of(p[3])});
+    xy = as_halves(Words{pair(p[0].x), pair(p[1].x), pair(p[2].x), pair(p[3].x)});
+    yz = as_halves(Words{pair(p[0].y), pair(p[1].y), pair(p[2].y), pair(p[3].y)});
   }
 };
 
@@ -227,16 +226,16 @@ class FormOfFour {
   explicit FormOfFour(const LinearForm& f)
       : offset_(in_all_words(static_cast<std::uint32_t>(f.offset))),
         high_xy_(in_all_pairs(high(f.x), high(f.y))),
-        high_z_(in_all_pairs(high(f.z), 0)),
+        high_z_(in_all_pairs(0, high(f.z))),
         low_xy_(in_all_pairs(f.x, f.y)),
-        low_z_(in_all_pairs(f.z, 0)) {}
+        low_z_(in_all_pairs(0, f.z)) {}
 
   Words at(const FourPositions& p) const {
     const auto rest = [](Halves a, Halves b) {
       return sums_of_products(as_halves(_mm_mulhi_epi16(as_sse2(a), as_sse2(b))), in_all_halves(1));
     };
-    const Words whole = sums_of_products(p.xy, high_xy_) + sums_of_products(p.z, high_z_);
-    return offset_ + (whole + (rest(p.xy, low_xy_) + rest(p.z, low_z_)));
+    const Words whole = sums_of_products(p.xy, high_xy_) + sums_of_products(p.yz, high_z_);
+    return offset_ + (whole + (rest(p.xy, low_xy_) + rest(p.yz, low_z_)));
   }
 
  private:
