@@ -74,7 +74,7 @@ Outcome compare_small_runs(std::uint32_t cases) {
     alignas(std::uint32_t) std::uint8_t bytes[sizeof(meshlet.colours) + 3];
     auto* const colours = reinterpret_cast<Colour*>(bytes + number % 4);
     std::copy(meshlet.colours.begin(), meshlet.colours.end(), colours);
-    SmallRun own(own_target, meshlet.vertices.data(), colours, Meshlet::kFirstVertex);
+    SmallRun own{own_target, meshlet.vertices.data(), colours, Meshlet::kFirstVertex};
     for (std::uint32_t next = 0; next < Meshlet::kTriangles; ++next) {
       const Triangle* const triangles = meshlet.triangles.data() + next;
       const std::uint32_t drawn = draw_small_run(own, triangles, Meshlet::kTriangles - next);

@@ -17,21 +17,22 @@
 
 namespace zstrip::detail {
 
-/// Whether the processor has runs that are quicker than a loop over draw_small_triangle; and even runs of one.
+/// Whether the processor has runs that are quicker than a loop over draw_small_triangle; and even runs of one; and such
+/// of triangles of one colour, of surfaces with one side or two.
 inline constexpr bool kHasSmallRuns = kHasThumb || kHasVectors;
 inline constexpr bool kHasSmallRunsOfOne = kHasThumb;
+inline constexpr bool kHasFlatSmallRuns = kHasVectors;
 
 /// What the triangles of a meshlet share; made of the target, its vertices and colours, and the index of the first.
-using SmallRun = std::conditional_t<kHasThumb, ThumbSmallRun, PortableSmallRun>;
+using SmallRun =
+    std::conditional_t<kHasThumb, ThumbSmallRun, std::conditional_t<kHasVectors, VectorSmallRun, PortableSmallRun>>;
 
 /// The processor's implementation.
 constexpr auto chosen_small_run() {
   if constexpr (kHasThumb) {
     return &draw_small_run_thumb;
   } else if constexpr (kHasVectors) {
-    return [](const PortableSmallRun& run, const Triangle* triangles, std::uint32_t count) {
-      return draw_small_run_vector(run.target, run.vertices, run.colours, run.first_vertex, triangles, count);
-    };
+    return &draw_small_run_vector;
   } else {
     return &draw_small_run_portable;
   }

@@ -270,7 +270,8 @@ struct Assembler : ClippedAssembler<effects> {
 
   /// Whether most triangles never come to draw_narrow.
   template <Shade shade, bool all_narrow>
-  static constexpr bool kSmallRuns = (all_narrow ? kHasSmallRuns : kHasSmallRunsOfOne) && shade == Shade::gouraud &&
+  static constexpr bool kSmallRuns = (all_narrow ? kHasSmallRuns : kHasSmallRunsOfOne) &&
+                                     (shade == Shade::gouraud || (shade == Shade::flat && kHasFlatSmallRuns)) &&
                                      !kStatistics && std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
 
   static bool is_narrow([[maybe_unused]] const SnappedVertex& a, [[maybe_unused]] const SnappedVertex& b,
@@ -279,13 +280,23 @@ struct Assembler : ClippedAssembler<effects> {
     return a.x != kNotNarrow && b.x != kNotNarrow && c.x != kNotNarrow;
   }
 
-  /// Draws triangles of a one-sided surface from `next` on, up to the first that is not small or not narrow, and
-  /// returns its index. Cannot be inlined: the others need the stack that a run takes.
-  template <bool all_narrow, class TriangleAt>
+  template <Shade shade>
+  static bool fits_small_runs(const Batch& batch) {
+    return shade == Shade::flat || !shows_both_sides(batch);
+  }
+
+  /// Draws triangles from `next` on, up to the first that is not small or not narrow, and returns its index. Cannot be
+  /// inlined: the others need the stack that a run takes.
+  template <Shade shade, bool all_narrow, class TriangleAt>
   [[gnu::noinline]] static std::uint32_t draw_small_run(const StripTarget& target, const Batch& batch,
                                                         std::uint32_t next, std::uint32_t count,
                                                         const TriangleAt& triangle_at) {
-    SmallRun run(target, batch.vertices, batch.colours, batch.first_vertex);
+    SmallRun run{target, batch.vertices, batch.colours, batch.first_vertex};
+    if constexpr (kHasFlatSmallRuns) {
+      run.flat = shade == Shade::flat, run.double_sided = shows_both_sides(batch);
+      run.flat_colour = batch.surface.flat_colour;
+      if (!Attributes::kColours) run.colours = nullptr;
+    }
     if constexpr (all_narrow) return next + detail::draw_small_run(run, &triangle_at(next), count - next);
     const SnappedVertex* const vertices = batch.vertices;
     const std::uint32_t first = batch.first_vertex;
@@ -303,14 +314,19 @@ struct Assembler : ClippedAssembler<effects> {
   static void draw_small_runs(const StripTarget& target, const Batch& batch, std::uint32_t count,
                               const TriangleAt& triangle_at) {
     for (std::uint32_t i = 0; i < count; ++i) {
-      i = draw_small_run<all_narrow>(target, batch, i, count, triangle_at);
+      i = draw_small_run<shade, all_narrow>(target, batch, i, count, triangle_at);
       if (i == count) return;
       const Triangle& triangle = triangle_at(i);
       const SnappedVertex& a = batch.vertices[triangle.a - batch.first_vertex];
       const SnappedVertex& b = batch.vertices[triangle.b - batch.first_vertex];
       const SnappedVertex& c = batch.vertices[triangle.c - batch.first_vertex];
       if (all_narrow || is_narrow(a, b, c)) {
-        draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c, narrow_area(a, b, c));
+        const std::int32_t area = narrow_area(a, b, c);
+        if (kHasFlatSmallRuns && kTwoSided && area < 0) {
+          draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.c, triangle.b, -area);
+        } else {
+          draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c, area);
+        }
       } else if constexpr (!kUnclipped) {
         Clipped::template draw_clipped<shade>(target, batch, triangle);
       }
@@ -322,7 +338,7 @@ struct Assembler : ClippedAssembler<effects> {
   static void draw_run(const StripTarget& target, const Batch& batch, std::size_t count,
                        const TriangleAt& triangle_at) {
     if constexpr (kSmallRuns<shade, all_narrow>) {
-      if (!shows_both_sides(batch)) {
+      if (fits_small_runs<shade>(batch)) {
         return draw_small_runs<shade, all_narrow>(target, batch, static_cast<std::uint32_t>(count), triangle_at);
       }
     }
@@ -416,7 +432,7 @@ struct Assembler : ClippedAssembler<effects> {
     }
     with_shade(batch.instance->shade, [&]<Shade shade>() {
       if constexpr (kSmallRuns<shade, true>) {
-        if ((all_narrow || kUnclipped) && !shows_both_sides(batch)) {
+        if ((all_narrow || kUnclipped) && fits_small_runs<shade>(batch)) {
           return draw_listed_small<shade>(target, batch, triangles, listed);
         }
       }

@@ -24,10 +24,18 @@ bool draw_small_flat_vector(const SmallTriangle& triangle, std::uint16_t colour)
 /// The same with interpolated colours.
 bool draw_small_gouraud_vector(const SmallTriangle& triangle, const Colour* const (&colours)[3]);
 
-/// Culls and draws triangles of one-sided surfaces with interpolated colours, whose vertices are narrow. Stops at the
-/// first that is not small, or has no room; how many triangles come before it. `vertices` and `colours` are those of
-/// mesh vertex `first_vertex` on.
-std::uint32_t draw_small_run_vector(const StripTarget& target, const SnappedVertex* vertices, const Colour* colours,
-                                    std::uint32_t first_vertex, const Triangle* triangles, std::uint32_t count);
+/// What the triangles of a meshlet share.
+struct VectorSmallRun {
+  const StripTarget& target;
+  const SnappedVertex* vertices;  ///< of mesh vertex `first_vertex` on
+  const Colour* colours;          ///< likewise; where triangles have one colour those of first vertices, or null
+  std::uint32_t first_vertex;
+  bool flat = false, double_sided = false;
+  std::uint16_t flat_colour = 0;  ///< where there are no colours
+};
+
+/// Culls and draws triangles whose vertices are narrow. Stops at the first one that is neither small nor medium, or has
+/// no room; how many triangles come before it.
+std::uint32_t draw_small_run_vector(const VectorSmallRun& run, const Triangle* triangles, std::uint32_t count);
 
 }  // namespace zstrip::detail
