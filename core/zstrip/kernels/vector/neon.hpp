@@ -129,6 +129,7 @@ inline std::uint32_t sum(Words words) {
 template <int shift>
 Words upper_products(Words a, Words b) {
   // The instruction doubles.
+  if constexpr (shift == 0) return as_words(vshrq_n_s32(vqdmulhq_s32(as_s32(a), as_s32(b)), 1));
   return as_words(vqdmulhq_s32(as_s32(a << (shift - 1)), as_s32(b)));
 }
 
