@@ -101,9 +101,12 @@ struct ChannelBlocks {
 struct WordBlock {
   Words upper, lower, step_x, step_y;
 
-  WordBlock(std::uint32_t start, std::uint32_t right, std::uint32_t down)
-      : upper(stepped_words(start, right)), step_x(in_all_words(right)), step_y(in_all_words(down)) {
-    lower = upper + step_y;
+  /// Of value `number` of four.
+  template <int number>
+  static WordBlock of(Words starts, Words steps_x, Words steps_y) {
+    const Words right = word_in_all<number>(steps_x), down = word_in_all<number>(steps_y);
+    const Words upper = word_in_all<number>(starts) + multiples_0_to_3(right);
+    return {upper, upper + down, right, down};
   }
   /// Their upper halves.
   Halves halves() const { return upper_halves(upper, lower); }

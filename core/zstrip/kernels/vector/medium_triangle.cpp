@@ -34,18 +34,23 @@ template <bool gouraud>
   scan.has_channels = gouraud;
   if constexpr (gouraud) scan.set_colours(colours);
   if (!set_up_medium_portable(scan, t.v0, t.v1, t.v2)) return false;
+  const Words step_x = load_words(scan.step_x), step_y = load_words(scan.step_y);
+  Words start = load_words(scan.start);
   const std::int32_t columns = blocks.left - scan.anchor_x, rows = blocks.top - scan.anchor_y;
-  const auto block = [&](MediumScan::Value value, int shift) {
-    const Plane plane{scan.start[value], scan.step_x[value], scan.step_y[value]};
-    return WordBlock(plane.at(columns, rows) << shift, plane.step_x << shift, plane.step_y << shift);
-  };
+  if ((columns | rows) != 0) {
+    start += step_x * in_all_words(static_cast<std::uint32_t>(columns)) +
+             step_y * in_all_words(static_cast<std::uint32_t>(rows));
+  }
   const Edges edges(t.v0, t.v1, t.v2);
   const Words exact = edges.at(blocks.left, blocks.top);
-  const WordBlock z = block(MediumScan::depth, 0);
+  const auto z = WordBlock::of<MediumScan::depth>(start, step_x, step_y);
   if constexpr (gouraud) {
     // 16.16, so that all that counts of a channel is in the upper half.
+    const Words from = start << 8, right = step_x << 8, down = step_y << 8;
     blocks.draw(edges, exact, z.upper, z.step_x, z.step_y,
-                WordChannels{block(MediumScan::red, 8), block(MediumScan::green, 8), block(MediumScan::blue, 8)});
+                WordChannels{WordBlock::of<MediumScan::red>(from, right, down),
+                             WordBlock::of<MediumScan::green>(from, right, down),
+                             WordBlock::of<MediumScan::blue>(from, right, down)});
   } else {
     blocks.draw(edges, exact, z.upper, z.step_x, z.step_y, OneColour{in_all_halves(flat_colour)});
   }
