@@ -99,22 +99,18 @@ struct ChannelBlocks {
 
 /// A value of 32 bits in the pixels of a block, and its steps a pixel.
 struct WordBlock {
-  Words upper, lower, step_x, step_y;
+  Words upper, step_x, step_y;  ///< of the upper row
 
   /// Of value `number` of four.
   template <int number>
   static WordBlock of(Words starts, Words steps_x, Words steps_y) {
     const Words right = word_in_all<number>(steps_x), down = word_in_all<number>(steps_y);
-    const Words upper = word_in_all<number>(starts) + multiples_0_to_3(right);
-    return {upper, upper + down, right, down};
+    return {word_in_all<number>(starts) + multiples_0_to_3(right), right, down};
   }
   /// Their upper halves.
-  Halves halves() const { return upper_halves(upper, lower); }
-  void move_right() { move(step_x << 2); }
-  void go_down() { move(step_y + step_y); }
-
- private:
-  void move(Words by) { upper += by, lower += by; }
+  Halves halves() const { return upper_halves(upper, upper + step_y); }
+  void move_right() { upper += step_x << 2; }
+  void go_down() { upper += step_y + step_y; }
 };
 /// Channels in 16.16.
 struct WordChannels {
