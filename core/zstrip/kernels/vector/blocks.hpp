@@ -171,13 +171,12 @@ struct Blocks {
     const InTwoRows pixels{target.colour_stride};
     const Words z_down = z_step_y + z_step_y;
     Halves e0 = e[0].value, e1 = e[1].value, e2 = e[2].value;
-    Words lower = upper + z_step_y;
     auto column = colours.column();
     for (std::int32_t row = down;;) {
       const Halves outside = arithmetically_right(e0 | e1 | e2, 15);
       if (any_clear(outside)) {
         // Code 0 is nearer than no cell.
-        draw_fragments(cells, pixels, depth, pixel, ~outside & upper_halves(upper, lower),
+        draw_fragments(cells, pixels, depth, pixel, ~outside & upper_halves(upper, upper + z_step_y),
                        [&] { return column.colour(); });
       }
       if (--row == 0) return;
@@ -185,7 +184,6 @@ struct Blocks {
       e1 += e[1].down;
       e2 += e[2].down;
       upper += z_down;
-      lower += z_down;
       column.go_down();
       depth += cells.stride * kBlockRows;
       pixel += pixels.stride * kBlockRows;
