@@ -96,6 +96,13 @@ TEST(Multiplication, InHalvesIsThatOf64Bits) {
     ASSERT_EQ(multiply_high_in_halves(ua, ub), static_cast<unsigned __int128>(ua) * ub >> 32) << ua << " " << ub;
     const auto half = static_cast<std::int16_t>(b);
     ASSERT_EQ(multiply_by_half_in_halves(a, half), static_cast<__int128>(a) * half >> 16) << a << " " << half;
+    if constexpr (kMultipliesLonger) {
+      const std::int64_t wide = std::int64_t{a} << 31 | b;
+      const auto shift = static_cast<int>(random() % 128);
+      ASSERT_EQ(longer_product_right(wide, b, shift),
+                static_cast<std::int64_t>((static_cast<__int128>(wide) * b) >> shift))
+          << wide << " " << b << " " << shift;
+    }
     if (a != INT32_MIN || b != INT32_MIN) {
       ASSERT_EQ(multiply_high_rounded_in_halves(a, b), (product + (1LL << 31)) >> 32) << a << " " << b;
     }

@@ -87,7 +87,7 @@ constexpr std::int64_t long_product(std::int32_t a, std::int32_t b) {
 }
 constexpr std::int64_t long_product(std::int64_t a, std::int64_t b) { return a * b; }
 #if defined(__SIZEOF_INT128__)
-inline constexpr bool kMultipliesLonger = true;  ///< 64 bits by 64 to 128
+inline constexpr bool kMultipliesLonger = true;  ///< whether the processor multiplies 64 bits by 64 to 128
 /// floor(a * b / 2^shift) modulo 2^64, 0 <= shift < 128.
 constexpr std::int64_t longer_product_right(std::int64_t a, std::int64_t b, int shift) {
   __extension__ using Product = __int128;

@@ -1,5 +1,5 @@
-// What the implementations of the kernel of medium triangles for processors of 32 bits share: the triangle,
-// and the values that a scan of its rows steps.
+// What the implementations of the kernels of medium triangles share: the triangle, and the values that a scan of its
+// rows steps.
 #pragma once
 
 #include <cstddef>

@@ -15,7 +15,8 @@
 
 namespace zstrip::detail {
 
-/// Where words have 32 bits planes of 64 are what a small textured triangle takes longest for. Not for the least flash.
+/// Planes of 64 bits, as spans have them, are what a small textured triangle takes longest for. Not for the least
+/// flash.
 inline constexpr bool kHasMediumTextured = !kForSize;
 
 /// What texels need of a vertex.

@@ -1,6 +1,6 @@
 // Kernel: runs of small triangles with interpolated colours, from their indices to depth and colour, of a one-sided
 // surface whose vertices are narrow: culled, bounded, drawn as by small_triangle.hpp. With the depth test of z16 and
-// nothing to count.
+// nothing to count. Vectors also have runs of triangles of one colour, of surfaces with one side or two.
 //
 // Vertices are 12.4 raster coordinates and 16.16 depth codes, no difference of two coordinates has more than 15 bits
 // and a sign; colours are 8 bits a channel. Every implementation writes what portable/small_run.hpp writes, bit by bit.
@@ -17,8 +17,8 @@
 
 namespace zstrip::detail {
 
-/// Whether the processor has runs that are quicker than a loop over draw_small_triangle; and even runs of one; and such
-/// of triangles of one colour, of surfaces with one side or two.
+/// Whether the processor has runs that are quicker than a loop over draw_small_triangle; and even runs of one; and runs
+/// of triangles of one colour.
 inline constexpr bool kHasSmallRuns = kHasThumb || kHasVectors;
 inline constexpr bool kHasSmallRunsOfOne = kHasThumb;
 inline constexpr bool kHasFlatSmallRuns = kHasVectors;
@@ -26,6 +26,17 @@ inline constexpr bool kHasFlatSmallRuns = kHasVectors;
 /// What the triangles of a meshlet share; made of the target, its vertices and colours, and the index of the first.
 using SmallRun =
     std::conditional_t<kHasThumb, ThumbSmallRun, std::conditional_t<kHasVectors, VectorSmallRun, PortableSmallRun>>;
+
+/// `surface` is read where kHasFlatSmallRuns.
+template <class Run = SmallRun>
+Run small_run(const StripTarget& target, const SnappedVertex* vertices, const Colour* colours,
+              std::uint32_t first_vertex, [[maybe_unused]] const SmallRunSurface& surface) {
+  if constexpr (kHasFlatSmallRuns) {
+    return Run{target, vertices, colours, first_vertex, surface};
+  } else {
+    return Run{target, vertices, colours, first_vertex};
+  }
+}
 
 /// The processor's implementation.
 constexpr auto chosen_small_run() {

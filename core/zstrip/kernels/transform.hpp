@@ -3,7 +3,8 @@
 // Positions have 16 bits a coordinate; the instance's linear forms are 32-bit words, of whose products the upper one
 // counts. Results are 12.4 raster coordinates and 16.16 depth codes, or kNotNarrow and 0. No sum of a form overflows.
 // Every implementation writes what portable/transform.hpp writes, bit by bit. Assembly has perspective and z16, each
-// with all reciprocals; vectors the exact reciprocal alone, and forms whose coefficients fits_vector takes.
+// with all reciprocals; vectors the exact reciprocal alone, for instances that fits_vector takes and four vertices or
+// more.
 #pragma once
 
 #include <cstdint>

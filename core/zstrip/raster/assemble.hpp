@@ -291,12 +291,8 @@ struct Assembler : ClippedAssembler<effects> {
   [[gnu::noinline]] static std::uint32_t draw_small_run(const StripTarget& target, const Batch& batch,
                                                         std::uint32_t next, std::uint32_t count,
                                                         const TriangleAt& triangle_at) {
-    SmallRun run{target, batch.vertices, batch.colours, batch.first_vertex};
-    if constexpr (kHasFlatSmallRuns) {
-      run.flat = shade == Shade::flat, run.double_sided = shows_both_sides(batch);
-      run.flat_colour = batch.surface.flat_colour;
-      if (!Attributes::kColours) run.colours = nullptr;
-    }
+    SmallRun run = small_run(target, batch.vertices, Attributes::kColours ? batch.colours : nullptr, batch.first_vertex,
+                             {shade == Shade::flat, shows_both_sides(batch), batch.surface.flat_colour});
     if constexpr (all_narrow) return next + detail::draw_small_run(run, &triangle_at(next), count - next);
     const SnappedVertex* const vertices = batch.vertices;
     const std::uint32_t first = batch.first_vertex;

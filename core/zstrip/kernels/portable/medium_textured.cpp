@@ -17,7 +17,7 @@ namespace {
 
 using RunState = LitRunState<TexturedRunState<std::uint32_t>>;
 
-/// Those of texture coordinates are three, of which one alone is to be code. Where products are long that is none.
+/// Those of texture coordinates are three, of which one alone is to be code, if it is more than some multiplications.
 class CalledPlanes : public MediumPlanes {
  public:
   using MediumPlanes::MediumPlanes;

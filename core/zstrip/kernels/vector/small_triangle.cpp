@@ -99,7 +99,7 @@ std::uint32_t draw_run(const VectorSmallRun& run, const Triangle* triangles, std
     const Halves a_halves = as_halves(at_a), b_halves = as_halves(at_b), c_halves = as_halves(at_c);
     const Halves to_b = swapped_in_pairs(b_halves - a_halves) * in_all_pairs(1, -1);
     std::int32_t area = sum_of_products(c_halves - a_halves, to_b);
-    if (area <= 0 && (gouraud || area == 0 || !run.double_sided)) continue;
+    if (area <= 0 && (gouraud || area == 0 || !run.surface.double_sided)) continue;
     const Words least = as_words(signed_min(signed_min(a_halves, b_halves), c_halves));
     const Words greatest = as_words(signed_max(signed_max(a_halves, b_halves), c_halves));
     const auto low = static_cast<std::int32_t>(least[0]), high = static_cast<std::int32_t>(greatest[0]);
@@ -130,7 +130,7 @@ std::uint32_t draw_run(const VectorSmallRun& run, const Triangle* triangles, std
       }
     } else {
       const std::uint16_t colour =
-          colours != nullptr ? rgb565(colours[triangles[i].a - first_vertex]) : run.flat_colour;
+          colours != nullptr ? rgb565(colours[triangles[i].a - first_vertex]) : run.surface.flat_colour;
       if (!(small ? draw<false>(triangle, {}, colour) : draw_medium_flat_vector({target, v0, v1, v2, area}, colour))) {
         return i;
       }
@@ -150,7 +150,7 @@ bool draw_small_gouraud_vector(const SmallTriangle& triangle, const Colour* cons
 }
 
 std::uint32_t draw_small_run_vector(const VectorSmallRun& run, const Triangle* triangles, std::uint32_t count) {
-  return run.flat ? draw_run<false>(run, triangles, count) : draw_run<true>(run, triangles, count);
+  return run.surface.flat ? draw_run<false>(run, triangles, count) : draw_run<true>(run, triangles, count);
 }
 
 }  // namespace zstrip::detail

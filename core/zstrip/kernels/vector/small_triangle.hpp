@@ -24,14 +24,19 @@ bool draw_small_flat_vector(const SmallTriangle& triangle, std::uint16_t colour)
 /// The same with interpolated colours.
 bool draw_small_gouraud_vector(const SmallTriangle& triangle, const Colour* const (&colours)[3]);
 
+/// How the triangles of a run look beside their vertices.
+struct SmallRunSurface {
+  bool flat = false, double_sided = false;
+  std::uint16_t flat_colour = 0;  ///< where a flat one has no colours
+};
+
 /// What the triangles of a meshlet share.
 struct VectorSmallRun {
   const StripTarget& target;
   const SnappedVertex* vertices;  ///< of mesh vertex `first_vertex` on
-  const Colour* colours;          ///< likewise; where triangles have one colour those of first vertices, or null
+  const Colour* colours;          ///< likewise; null: flat_colour
   std::uint32_t first_vertex;
-  bool flat = false, double_sided = false;
-  std::uint16_t flat_colour = 0;  ///< where there are no colours
+  SmallRunSurface surface = {};
 };
 
 /// Culls and draws triangles whose vertices are narrow. Stops at the first one that is neither small nor medium, or has
