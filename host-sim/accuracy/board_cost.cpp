@@ -2,41 +2,16 @@
 #include "accuracy/board_cost.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <atomic>
 #include <filesystem>
 
 #include "bake/scene_blob.hpp"
 #include "bench/board_bench.hpp"
 #include "bench/board_prediction.hpp"
+#include "image/temporary_file.hpp"
 #include "image/write_file.hpp"
 
 namespace zstrip::sim {
-namespace {
-
-namespace fs = std::filesystem;
-
-/// A file that goes when this does.
-class TemporaryFile {
- public:
-  TemporaryFile() {
-    static std::atomic<unsigned> number{0};
-    path_ = fs::temp_directory_path() / fmt::format("zstrip_accuracy_{}_{}.zsc", getpid(), number++);
-  }
-  ~TemporaryFile() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-}  // namespace
 
 std::string_view board_of(std::string_view target) {
   if (target == "m0") return "microbit";
@@ -56,7 +31,7 @@ Result<Done> measure_on_board(const AccuracyRequest& request, const std::vector<
   for (const Staging& pose : staged) {
     const Result<std::vector<std::uint8_t>> blob = to_scene_blob({pose.scene, pose.camera, view, {}});
     if (!blob) return blob.failure();
-    const TemporaryFile file;
+    const TemporaryFile file("zstrip_accuracy", ".zsc");
     if (const Result<Done> written = write_file(file.path(), *blob, "TMPDIR"); !written) return written.failure();
     BenchCase bench_case{.workload = request.scene,
                          .target = request.target,
@@ -78,7 +53,7 @@ Result<Done> measure_on_board(const AccuracyRequest& request, const std::vector<
       if (predicted.failure().status != ExitStatus::budget) return predicted.failure();
     }
     fits = false;
-    const Result<fs::path> program = board_program(bench_case, request.firmware);
+    const Result<std::filesystem::path> program = board_program(bench_case, request.firmware);
     if (!program) return program.failure();
     const Result<Measurement> measured = bench_on_board(bench_case, *program, {});
     if (!measured) return measured.failure();

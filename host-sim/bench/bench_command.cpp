@@ -89,6 +89,15 @@ Result<std::vector<BenchCase>> cases_for(const BenchOptions& options, const std:
   std::vector<BenchCase> cases;
   for (const std::string& name : options.workloads) {
     const Workload* workload = find_workload(name);
+    if (workload->built_in() == nullptr) {
+      return Failure{ExitStatus::environment, fmt::format("{} needs {}, which cannot be read", name, workload->scene)};
+    }
+    if (workload->is_model() && target != "host" && options.mode == "binned") {
+      return Failure{ExitStatus::usage, fmt::format("{} is drawn streamed on boards", name)};
+    }
+    if (workload->is_model() && options.peers) {
+      return Failure{ExitStatus::usage, fmt::format("{} is no scene that other renderers have here", name)};
+    }
     View view{workload->width, workload->height, PixelFormat::rgb565};
     if (!options.size.empty()) {
       const auto size = parse_size(options.size);
@@ -253,7 +262,9 @@ Result<Done> run(const BenchOptions& options) {
 
 std::vector<std::string> workload_names() {
   std::vector<std::string> names;
-  for (const Workload& workload : workloads()) names.emplace_back(workload.name);
+  for (const std::span<const Workload> all : {workloads(), model_workloads()}) {
+    for (const Workload& workload : all) names.emplace_back(workload.name);
+  }
   return names;
 }
 
@@ -278,8 +289,10 @@ std::vector<std::string> tables() {
 
 std::string footer() {
   std::string text = "Workloads:\n";
-  for (const Workload& workload : workloads()) {
-    text += fmt::format("  {:<5} {} ({}x{})\n", workload.name, workload.description, workload.width, workload.height);
+  for (const std::span<const Workload> all : {workloads(), model_workloads()}) {
+    for (const Workload& each : all) {
+      text += fmt::format("  {:<5} {} ({}x{})\n", each.name, each.description, each.width, each.height);
+    }
   }
   return text +
          "Examples:\n"

@@ -12,8 +12,12 @@
 #include <string_view>
 #include <system_error>
 
+#include "bake/scene_blob.hpp"
 #include "bench/child_process.hpp"
 #include "bench/elf_size.hpp"
+#include "bench/workloads.hpp"
+#include "image/temporary_file.hpp"
+#include "image/write_file.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -34,8 +38,15 @@ const char* machine(std::string_view target) {
   return "mps2-an385";
 }
 
+/// Boards get the scene as a file, into their flash.
+bool is_of_model(const BenchCase& bench_case) {
+  const Workload* workload = find_workload(bench_case.workload);
+  return bench_case.program.empty() && workload != nullptr && workload->is_model();
+}
+
 // Programs of their own, so that each has one pipeline.
 const char* program_infix(const BenchCase& bench_case) {
+  if (is_of_model(bench_case)) return "scene_";
   if (bench_case.depth != "z16") return "depth_";
   return bench_case.budget.modes == Modes::binned ? "bins_" : "";
 }
@@ -115,8 +126,9 @@ Result<fs::path> board_program(const BenchCase& bench_case, const std::string& f
     if (error) return Failure{ExitStatus::environment, "cannot find this program's own file: " + error.message()};
     folder = self.parent_path().parent_path() / "firmware" / "bin";
   }
-  const std::string own = fmt::format("zstrip_bench_{}{}", program_infix(bench_case), bench_case.target);
-  const fs::path program = folder / ((bench_case.program.empty() ? own : bench_case.program) + ".elf");
+  std::string own = bench_case.program;
+  if (own.empty()) own = fmt::format("zstrip_bench_{}{}", program_infix(bench_case), bench_case.target);
+  const fs::path program = folder / (own + ".elf");
   std::error_code ignored;
   if (!fs::exists(program, ignored)) {
     return Failure{ExitStatus::environment,
@@ -129,6 +141,18 @@ Result<fs::path> board_program(const BenchCase& bench_case, const std::string& f
 
 Result<Measurement> bench_on_board(const BenchCase& bench_case, const fs::path& program,
                                    const std::vector<std::string>& emulator_options) {
+  if (bench_case.scene_file.empty() && is_of_model(bench_case)) {
+    const Scene& scene = find_workload(bench_case.workload)->built_in()->scene;
+    const Result<std::vector<std::uint8_t>> blob = to_scene_blob({scene, Camera{}, bench_case.view, {}});
+    if (!blob) return blob.failure();
+    const TemporaryFile file("zstrip_bench", ".zsc");
+    if (const Result<Done> written = write_file(file.path(), *blob, "TMPDIR"); !written) return written.failure();
+    BenchCase with_scene = bench_case;
+    with_scene.scene_file = file.path();
+    Result<Measurement> row = bench_on_board(with_scene, program, emulator_options);
+    if (row) row->bench_case = bench_case;
+    return row;
+  }
   std::vector<std::string> command = emulator_command(bench_case, program);
   command.insert(command.end(), emulator_options.begin(), emulator_options.end());
   const Result<ChildOutput> output = run_program(command, kCaseLimit);

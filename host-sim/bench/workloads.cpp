@@ -1,8 +1,13 @@
 // The table of workloads.
 #include "bench/workloads.hpp"
 
-#include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
+
+#include "import/model.hpp"
+#include "result.hpp"
+#include "zstrip/plan.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -19,13 +24,42 @@ constexpr std::array kWorkloads{
     Workload{"room", "room", "a lit, textured room that the camera stands in", 320, 240},
 };
 
+constexpr std::array kModels{
+    Workload{"bunny", "/usr/share/glmark2/models/bunny.obj",
+             "the Stanford bunny of Debian's package glmark2-data, lit: triangles smaller than pixels", 320, 240},
+};
+
+/// As if it were built in. Null if it cannot be read.
+const scenes::BuiltIn* model_in(std::string_view file) {
+  static std::map<std::string_view, std::pair<Result<Model>, scenes::BuiltIn>> models;
+  const auto [entry, is_new] = models.try_emplace(file, import_model(file), scenes::BuiltIn{});
+  auto& [model, built_in] = entry->second;
+  if (!model) return nullptr;
+  if (is_new) {
+    built_in.name = "model";
+    built_in.scene.meshes = model->meshes;
+    built_in.scene.materials = model->materials;
+    built_in.scene.instances = model->instances;
+    built_in.counts = count(built_in.scene);
+  }
+  return &built_in;
+}
+
 }  // namespace
 
+const scenes::BuiltIn* Workload::built_in() const { return is_model() ? model_in(scene) : scenes::find(scene); }
+bool Workload::is_model() const { return scene.starts_with('/'); }
+
 std::span<const Workload> workloads() { return kWorkloads; }
+std::span<const Workload> model_workloads() { return kModels; }
 
 const Workload* find_workload(std::string_view name) {
-  const auto* found = std::ranges::find(kWorkloads, name, &Workload::name);
-  return found == kWorkloads.end() ? nullptr : found;
+  for (const std::span<const Workload> all : {workloads(), model_workloads()}) {
+    for (const Workload& each : all) {
+      if (each.name == name) return &each;
+    }
+  }
+  return nullptr;
 }
 
 }  // namespace zstrip::sim

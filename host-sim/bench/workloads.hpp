@@ -1,4 +1,4 @@
-// The workloads that the renderers of peers.hpp were measured on, as built-in scenes.
+// The workloads: built-in scenes, which the renderers of peers.hpp were measured on, and models of packages.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,20 @@ namespace zstrip::sim {
 
 struct Workload {
   std::string_view name;         ///< as "K5"
-  std::string_view scene;        ///< name of the built-in scene
+  std::string_view scene;        ///< name of the built-in scene, or the model's file
   std::string_view description;  ///< one phrase
   std::uint16_t width, height;   ///< in pixels, unless --size is given
 
-  /// Never null: a test looks every one up.
-  const scenes::BuiltIn* built_in() const { return scenes::find(scene); }
+  /// Null if the scene is a model that is not installed; never one of workloads().
+  const scenes::BuiltIn* built_in() const;
+  /// Whether boards get the scene as a file.
+  bool is_model() const;
 };
 
+/// Those that are built in.
 std::span<const Workload> workloads();
+/// Those whose scene is a model of a package.
+std::span<const Workload> model_workloads();
 
 /// Null if there is no workload of this name.
 const Workload* find_workload(std::string_view name);

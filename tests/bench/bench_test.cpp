@@ -140,6 +140,29 @@ TEST(BenchCommand, StripRowsChangeMemoryButNoPixel) {
   EXPECT_LT(strips.at(0).at("ram_bytes").get<int>(), whole.at(0).at("ram_bytes").get<int>());
 }
 
+/// The model of a package goes to boards as a baked scene.
+TEST(BenchCommand, DrawsModelsOfPackages) {
+  for (const Workload& workload : model_workloads()) {
+    std::vector<std::string> options{"--workload", std::string(workload.name), "--size", "64x48", "--frames", "2"};
+    if (workload.built_in() == nullptr) {
+      const ChildOutput output = bench(options);
+      EXPECT_EQ(output.exit_status, 3) << output.text;
+      GTEST_SKIP() << output.text;
+    }
+    options.insert(options.end(), {"--target", "host,m3", "--firmware", ZSTRIP_FIRMWARE_BINARIES});
+    if (!run_program({"qemu-system-arm", "--version"}, seconds{30}) ||
+        !std::filesystem::exists(std::filesystem::path(ZSTRIP_FIRMWARE_BINARIES) / "zstrip_bench_scene_m3.elf")) {
+      GTEST_SKIP() << "no emulator, or no programs for it";
+    }
+    const json rows = bench_rows(options);
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows.at(0).at("frame_crc32"), rows.at(1).at("frame_crc32"));
+    EXPECT_NE(rows.at(0).at("frame_crc32")[0], rows.at(0).at("frame_crc32")[1]) << "the model turns";
+    EXPECT_GT(rows.at(1).at("instructions_per_frame").get<std::uint64_t>(), 1'000'000U);
+    EXPECT_EQ(bench({"--workload", std::string(workload.name), "--target", "m3", "--mode", "binned"}).exit_status, 2);
+  }
+}
+
 TEST(BenchCommand, TooLittleMemorySaysHowMuchIsNeeded) {
   const ChildOutput output = bench({"--workload", "K5", "--ram", "64", "--frames", "1"});
   EXPECT_EQ(output.exit_status, 5);

@@ -46,7 +46,8 @@ const std::vector<Other> kOthers = {
 };
 
 /// The first calls functions of stages by themselves, without a scene; the others draw a scene that somebody has baked.
-constexpr std::string_view kSkipped[] = {"self_test_", "scene_", "lm3s6965evb_scene", "pico_player", "pico2_player"};
+constexpr std::string_view kSkipped[] = {"self_test_",        "scene_",      "bench_scene_",
+                                         "lm3s6965evb_scene", "pico_player", "pico2_player"};
 
 Effects effects_of_program(const std::string& name) {
   Effects effects{};

@@ -2,36 +2,23 @@
 // what the benchmark programs print, of one frame. A program of its own for each pipeline, so that functions are
 // compiled as they are in firmware, which has one.
 #include "mps2/bench_run.hpp"
-#include "zstrip/blob.hpp"
+#include "mps2/scene_in_flash.hpp"
 
 namespace {
 
 using namespace zstrip;
 
 constexpr Effects kEffects{ZSTRIP_EFFECTS};
-constexpr std::uintptr_t kSceneAddress = 0x00100000;  // host-sim/bench/board_bench.cpp puts it there
-constexpr std::size_t kSceneBytes = 0x00300000;       // to the end of the flash
 
 Renderer<kEffects> renderer;
-// Tables of up to a hundred meshes, textures, sets of lines and of edges.
-alignas(kSceneBlobMemoryAlignment) std::byte tables[scene_blob_memory(100, 100, 100, 100)];
-
 PixelFormat format_of(std::string_view name) {
   if (name == "gray4") return PixelFormat::gray4;
   return name == "mono" ? PixelFormat::mono : PixelFormat::rgb565;
 }
 
-/// Bytes 4 to 7 of a blob hold its length.
-std::span<const std::byte> blob() {
-  const auto* const bytes = reinterpret_cast<const std::byte*>(kSceneAddress);
-  std::uint32_t size = 0;
-  for (int i = 3; i >= 0; --i) size = size << 8 | std::to_integer<std::uint32_t>(bytes[4 + i]);
-  return {bytes, size < kSceneBytes ? size : kSceneBytes};
-}
-
 int run(const bench::Arguments& arguments) {
   SceneBlob opened;
-  if (const Status status = open_scene_blob(blob(), tables, opened); !status) return bench::report(status);
+  if (const Status status = bench::open_scene_in_flash(opened); !status) return bench::report(status);
   const View view{arguments.width, arguments.height, format_of(arguments.format), opened.view.dither,
                   opened.view.samples};
   const auto [status, plan] = zstrip::plan(count(opened.scene), view, kEffects,
