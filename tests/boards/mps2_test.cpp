@@ -90,6 +90,20 @@ TEST_P(Mps2, PixelsAreThoseOfTheHost) {
   RecordProperty("instructions_per_frame", result["instructions_per_frame"].dump());
 }
 
+/// Strips that cut many triangles.
+TEST_P(Mps2, BinnedPixelsAreThoseOfTheHost) {
+  const auto& [processor, workload] = GetParam();
+  const auto [output, status] =
+      run(processor, "bench_bins",
+          {std::string("workload=") + workload.name, "size=320x240", "rows=5", "first=" + std::to_string(kFirstFrame)});
+  ASSERT_EQ(status, 0) << output;
+  const auto result = nlohmann::json::parse(output);
+  EXPECT_EQ(result["mode"], "binned");
+  EXPECT_EQ(result["bin_overflows"], 0);
+  ASSERT_EQ(result["frames"].size(), 1);
+  EXPECT_EQ(result["frames"][0]["crc32"], hex(workload_crc32(workload.scene, kFirstFrame, kWidth, kHeight, 5)));
+}
+
 INSTANTIATE_TEST_SUITE_P(Board, Mps2, testing::Combine(testing::ValuesIn(kProcessors), testing::ValuesIn(kWorkloads)),
                          [](const auto& test) {
                            return std::string(std::get<0>(test.param).name) + "_" + std::get<1>(test.param).name;
@@ -143,7 +157,8 @@ TEST_P(Mps2SelfTest, FaultsAreReported) {
 
 /// The contract of the kernels (tests/kernels): the board knows how many cases that must be.
 TEST_P(Mps2SelfTest, AssemblyIsItsCpp) {
-  for (const std::string kernel : {"transform", "small", "runs", "meshlets", "texels", "triangles"}) {
+  for (const std::string kernel :
+       {"transform", "small", "runs", "meshlets", "lists", "strips", "texels", "triangles"}) {
     const auto [output, status] = run(GetParam(), "self_test", {"kernel=" + kernel});
     EXPECT_EQ(status, 0) << output;
     EXPECT_TRUE(output.starts_with("self-test: " + kernel + ": ")) << output;

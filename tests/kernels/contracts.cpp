@@ -15,6 +15,8 @@ std::span<const Contract> contracts() {
       {"textured", true, compare_medium_textured, 60'000, 8'000, 1'000},
       {"runs", kHasThumb || kHasVectors, compare_small_runs, 12'000, 600, 10'000},
       {"meshlets", kHasThumb || kHasVectors, compare_meshlets, 30'000, 900, 10'000},
+      {"lists", true, compare_lists, 12'000, 1'200, 10'000},
+      {"strips", true, compare_strips, 30'000, 2'000, 10'000},
       {"spans", kHasVectors, compare_spans, 400, 40, 10'000},
       {"texels", kHasThumb || kHasVectors, compare_textured_runs, 80'000, 28'000, 10'000},
       {"triangles", kHasThumb || kHasVectors, compare_span_triangles, 63'000, 36'000, 4'000},

@@ -28,7 +28,7 @@ struct Contract {
   std::uint32_t least;                                ///< of Outcome::compared, on boards
 };
 
-/// One for each kernel, and two for the rasterisers that call several.
+/// One for each kernel, and three for what calls several.
 std::span<const Contract> contracts();
 
 Outcome compare_transforms(std::uint32_t cases);
@@ -37,6 +37,8 @@ Outcome compare_medium_triangles(std::uint32_t cases);
 Outcome compare_medium_textured(std::uint32_t cases);
 Outcome compare_small_runs(std::uint32_t cases);
 Outcome compare_meshlets(std::uint32_t cases);
+Outcome compare_lists(std::uint32_t cases);
+Outcome compare_strips(std::uint32_t cases);
 Outcome compare_spans(std::uint32_t cases);
 Outcome compare_textured_runs(std::uint32_t cases);
 Outcome compare_span_triangles(std::uint32_t cases);

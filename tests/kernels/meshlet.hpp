@@ -7,12 +7,17 @@
 #include <cstdint>
 
 #include "random.hpp"
+#include "zstrip/effects.hpp"
 #include "zstrip/geometry/depth_fit.hpp"
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/view.hpp"
 
 namespace zstrip::kernels_test {
+
+/// What draws them by the processor's implementation; and, because it counts, by the portable one.
+inline constexpr Effects kOwn = effect::gouraud | effect::vertex_colours;
+inline constexpr Effects kPortable = kOwn | effect::statistics;
 
 struct Meshlet {
   static constexpr std::uint16_t kFirstVertex = 1000;

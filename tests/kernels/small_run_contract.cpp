@@ -11,6 +11,7 @@
 #include "pictures.hpp"
 #include "random.hpp"
 #include "raster_vertex.hpp"
+#include "zstrip/geometry/bins.hpp"
 #include "zstrip/kernels/small_run.hpp"
 #include "zstrip/raster/assemble.hpp"
 #include "zstrip/raster/clip_triangle.hpp"
@@ -20,9 +21,6 @@ namespace zstrip::kernels_test {
 namespace {
 
 using namespace detail;
-
-constexpr Effects kOwn = effect::gouraud | effect::vertex_colours;
-constexpr Effects kPortable = kOwn | effect::statistics;
 
 template <Effects effects>
 void draw(const Meshlet& meshlet, const CompiledInstance& instance, const StripTarget& target, bool all_narrow) {
@@ -36,11 +34,18 @@ void draw(const Meshlet& meshlet, const CompiledInstance& instance, const StripT
                     .surface = {}};
   const std::span<const Triangle> triangles(meshlet.triangles), half = triangles.first(Meshlet::kTriangles / 2);
   Assembler<effects>::draw(target, batch, half, all_narrow);
-  for (std::size_t first = 0; first < Meshlet::kTriangles; first += kBinChunkEntries) {
-    const std::size_t count = std::min<std::size_t>(kBinChunkEntries, Meshlet::kTriangles - first);
-    const bool of_narrow = first % 2 == 0;  // of every second chunk
-    Assembler<effects>::draw_listed(target, batch, triangles, std::span(meshlet.listed).subspan(first, count),
-                                    of_narrow);
+  // In one list what faces the viewer, in the other one anything, as if vertices were not narrow.
+  alignas(8) std::byte memory[2 * kBinBytes + 16 * kBinChunkBytes];
+  Bins bins(memory, sizeof memory, 2);
+  for (const std::uint16_t index : meshlet.listed) {
+    const bool shows = instance.double_sided || Assembler<effects>::area_of(batch, triangles[index]) > 0;
+    bins.add(shows ? 0 : 1, 0, index);
+  }
+  for (std::uint32_t strip = 0; strip < 2; ++strip) {
+    Assembler<effects>::begin_listed(bins, target.area);
+    for (BinReader list(bins, strip); list.next_batch();) {
+      Assembler<effects>::draw_listed(target, batch, triangles, list, strip == 0);
+    }
   }
 }
 

@@ -1,7 +1,9 @@
 // The lists of triangles that wait for their strips. All of it lies in the caller's memory; every write is checked.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "zstrip/plan/record_bytes.hpp"
 
@@ -26,86 +28,131 @@ constexpr RetainedBatch retained_batch(std::uint32_t instance, std::uint32_t mes
 /// A list is a chain of chunks of 16-bit entries: kBatchEntry + n, "the triangles of batch n follow", or the index of a
 /// triangle in its meshlet.
 inline constexpr std::uint16_t kBatchEntry = 0x8000;
+constexpr bool is_batch_entry(std::uint16_t entry) { return (entry & kBatchEntry) != 0; }
+
+/// A chunk is so many slots: the number of the chunk after it, then its entries.
+inline constexpr std::uint32_t kBinChunkSlots = kBinChunkEntries + 1;
+static_assert(kBinChunkSlots * sizeof(std::uint16_t) == kBinChunkBytes);
+
+struct BinList {
+  std::uint32_t next;   ///< slot of the next entry; the first slot behind a chunk: it is full, or there is none
+  std::uint16_t batch;  ///< of the triangle added last
+  std::uint16_t first;  ///< chunk
+};
+static_assert(sizeof(BinList) == kBinBytes);
 
 class Bins {
  public:
   Bins() = default;
   /// `memory`: `bytes` of a plan's bins without its batches, aligned to 4.
   Bins(std::byte* memory, std::uint32_t bytes, std::uint32_t strips) {
-    lists_ = reinterpret_cast<List*>(memory);
-    chunks_ = reinterpret_cast<Chunk*>(memory + strips * kBinBytes);
+    lists_ = reinterpret_cast<BinList*>(memory);
+    slots_ = reinterpret_cast<std::uint16_t*>(memory + strips * kBinBytes);
     const std::uint32_t chunks = (bytes - strips * kBinBytes) / kBinChunkBytes;
-    capacity_ = chunks < kMaxBinChunks ? chunks : kMaxBinChunks;
-    for (std::uint32_t strip = 0; strip < strips; ++strip) lists_[strip] = {kNone, kNone, kNone, kBinChunkEntries};
+    capacity_ = static_cast<std::uint16_t>(chunks < kMaxBinChunks ? chunks : kMaxBinChunks);
+    for (std::uint32_t strip = 0; strip < strips; ++strip) lists_[strip] = {0, kNone, kNone};
+    if (capacity_ != 0) __builtin_memset(slots_ + (capacity_ - 1) * kBinChunkSlots, 0, kBinChunkBytes);
   }
 
   /// False if the memory is full.
   bool add(std::uint32_t strip, std::uint16_t batch, std::uint16_t triangle) {
-    List& list = lists_[strip];
-    if (list.batch == batch && list.used != kBinChunkEntries) {
-      chunks_[list.last].entries[list.used++] = triangle;
-      return true;
-    }
-    if (list.batch != batch) {
-      if (!append(list, static_cast<std::uint16_t>(kBatchEntry | batch))) return false;
-      list.batch = batch;
-    }
-    return append(list, triangle);
-  }
-
-  /// Calls visit(batch, first, count) for each run of triangles of one batch, in the order in which they were added.
-  template <class Visit>
-  void for_each_run(std::uint32_t strip, const Visit& visit) const {
-    const List& list = lists_[strip];
-    std::uint16_t batch = 0;
-    for (std::uint16_t at = list.first; at != kNone; at = chunks_[at].next) {
-      const Chunk& chunk = chunks_[at];
-      const std::uint32_t count = at == list.last ? list.used : kBinChunkEntries;
-      for (std::uint32_t i = 0; i < count;) {
-        if ((chunk.entries[i] & kBatchEntry) != 0) {
-          batch = chunk.entries[i++] & static_cast<std::uint16_t>(~kBatchEntry);
-          continue;
-        }
-        const std::uint32_t first = i;
-        while (i < count && (chunk.entries[i] & kBatchEntry) == 0) ++i;
-        visit(batch, chunk.entries + first, i - first);
-      }
-    }
-  }
-
- private:
-  static constexpr std::uint16_t kNone = 0xFFFF;
-  struct List {
-    std::uint16_t first, last;  ///< chunks
-    std::uint16_t batch;        ///< of the triangle added last
-    std::uint16_t used;         ///< entries of the last chunk
-  };
-  struct Chunk {
-    std::uint16_t next;
-    std::uint16_t entries[kBinChunkEntries];
-  };
-  static_assert(sizeof(List) == kBinBytes && sizeof(Chunk) == kBinChunkBytes);
-
-  [[gnu::noinline]] bool append(List& list, std::uint16_t entry) {
-    if (list.used == kBinChunkEntries) {
-      if (used_ == capacity_) return false;
-      const auto fresh = static_cast<std::uint16_t>(used_++);
-      if (list.last == kNone) {
-        list.first = fresh;
-      } else {
-        chunks_[list.last].next = fresh;
-      }
-      chunks_[fresh].next = kNone;
-      list.last = fresh;
-      list.used = 0;
-    }
-    chunks_[list.last].entries[list.used++] = entry;
+    BinList& list = lists_[strip];
+    const std::uint32_t next = list.next;
+    if (list.batch != batch || next % kBinChunkSlots == 0) return append(list, batch, triangle);
+    slots_[next] = triangle;
+    list.next = next + 1;
     return true;
   }
 
-  List* lists_ = nullptr;
-  Chunk* chunks_ = nullptr;
-  std::uint32_t capacity_ = 0, used_ = 0;
+  /// What `add` does where the list has no room yet for a triangle of this batch.
+  [[gnu::noinline]] bool append(BinList& list, std::uint16_t batch, std::uint16_t triangle) {
+    if (list.batch != batch) {
+      if (!put(list, static_cast<std::uint16_t>(kBatchEntry | batch))) return false;
+      list.batch = newest_batch_ = batch;
+    }
+    return put(list, triangle);
+  }
+
+  /// Whether some list has a triangle of this batch, which no later one has been added after.
+  bool has_newest(std::uint16_t batch) const { return newest_batch_ == batch; }
+
+  /// Memory that no list needs, in whole chunks. The last one begins the frame as zeros.
+  std::span<std::uint16_t> spare() const {
+    return {slots_ + used_ * kBinChunkSlots, (capacity_ - std::size_t{used_}) * kBinChunkSlots};
+  }
+
+  BinList* lists() const { return lists_; }
+  std::uint16_t* slots() const { return slots_; }
+
+ private:
+  static constexpr std::uint16_t kNone = 0xFFFF;
+
+  bool put(BinList& list, std::uint16_t entry) {
+    if (list.next % kBinChunkSlots == 0) {
+      if (used_ == capacity_) return false;
+      const std::uint16_t fresh = used_++;
+      if (list.next == 0) {
+        list.first = fresh;
+      } else {
+        slots_[list.next - kBinChunkSlots] = fresh;
+      }
+      list.next = fresh * kBinChunkSlots + 1;
+    }
+    slots_[list.next++] = entry;
+    return true;
+  }
+
+  BinList* lists_ = nullptr;
+  std::uint16_t* slots_ = nullptr;
+  std::uint16_t capacity_ = 0, used_ = 0;  ///< chunks
+  std::uint16_t newest_batch_ = kNone;
+};
+
+/// Reads the list of a strip from its start.
+class BinReader {
+ public:
+  BinReader(const Bins& bins, std::uint32_t strip)
+      : bins_(bins),
+        slots_(bins.slots()),
+        at_(bins.lists()[strip].first * kBinChunkSlots + 1),
+        end_(bins.lists()[strip].next) {
+    if (end_ == 0) at_ = 0;
+  }
+  const Bins& bins() const { return bins_; }
+
+  /// Goes to the next batch. False at the end of the list.
+  bool next_batch() {
+    const std::span<const std::uint16_t> entries = rest();
+    if (entries.empty()) return false;
+    batch_ = static_cast<std::uint16_t>(entries[0] & ~kBatchEntry);
+    take(1);
+    return true;
+  }
+  std::uint16_t batch() const { return batch_; }
+
+  /// The next entries, those of a chunk; none at the end of the list. A list's chunks have rising numbers.
+  std::span<const std::uint16_t> rest() {
+    if (at_ == end_) return {};
+    if (at_ % kBinChunkSlots == 0) at_ = slots_[at_ - kBinChunkSlots] * kBinChunkSlots + 1;
+    const std::uint32_t behind = (at_ | (kBinChunkSlots - 1)) + 1;
+    return {slots_ + at_, (end_ < behind ? end_ : behind) - at_};
+  }
+  void take(std::size_t entries) { at_ += static_cast<std::uint32_t>(entries); }
+
+  /// The next triangles of this batch, and goes behind them; none at its end.
+  std::span<const std::uint16_t> next_run() {
+    const std::span<const std::uint16_t> entries = rest();
+    std::size_t count = 0;
+    while (count < entries.size() && !is_batch_entry(entries[count])) ++count;
+    take(count);
+    return entries.first(count);
+  }
+
+ private:
+  const Bins& bins_;
+  const std::uint16_t* slots_;
+  std::uint32_t at_, end_;
+  std::uint16_t batch_ = 0;
 };
 
 }  // namespace zstrip::detail

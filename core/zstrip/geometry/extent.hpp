@@ -45,6 +45,19 @@ class StripGrid {
     return {strip(first, inverse_rows_), strip(end - 1, inverse_rows_) + 1};
   }
 
+  /// Of a grid of whole rows: from the y of a vertex, 12.4, to its strip, as multiply_high(y + centre_y, inverse).
+  struct VertexRows {
+    std::int32_t centre_y;  ///< 12.4
+    std::uint32_t inverse;  ///< 2^28 / rows of a strip, rounded up: exact below 2^16, and what is negative stays so
+    std::int32_t strips;    ///< 0 to strips - 1 can hold pixels
+    std::int32_t end;       ///< of the last of them, 12.4, at most 2^16
+  };
+  VertexRows vertex_rows(std::uint16_t strip_rows) const {
+    const std::int32_t strips = strip(bounds_.bottom - 1, inverse_rows_) + 1;
+    return {centre_y_ * 16, ((inverse_rows_ - 1) >> 3) + 1, strips,
+            std::min<std::int32_t>(strips * strip_rows * 16, 0x10000)};
+  }
+
   /// Strips that hold raster pixels of `box`; an empty rectangle if none does.
   Rect strips_of(const Rect& box) const {
     if (box.empty()) return {};

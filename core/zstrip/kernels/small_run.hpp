@@ -12,6 +12,7 @@
 #include "zstrip/kernels/portable/small_run.hpp"
 #include "zstrip/kernels/processor.hpp"
 #include "zstrip/kernels/thumb/small_run.hpp"
+#include "zstrip/kernels/thumb2/listed_run.hpp"
 #include "zstrip/kernels/vector/small_triangle.hpp"
 #include "zstrip/scene.hpp"
 
@@ -22,6 +23,8 @@ namespace zstrip::detail {
 inline constexpr bool kHasSmallRuns = kHasThumb || kHasVectors;
 inline constexpr bool kHasSmallRunsOfOne = kHasThumb;
 inline constexpr bool kHasFlatSmallRuns = kHasVectors;
+/// Whether it has runs that follow the list of a strip.
+inline constexpr bool kHasListedRuns = kHasThumb2 && !kForSize;
 
 /// What the triangles of a meshlet share; made of the target, its vertices and colours, and the index of the first.
 using SmallRun =

@@ -8,19 +8,21 @@
 namespace zstrip {
 namespace detail {
 
-/// Instructions, by least squares of relative errors over 190 frames of the workloads; those of a skin and of a texture
-/// as counted in the workloads `character` and K5T.
+/// Instructions, by least squares of relative errors over 190 frames of the workloads, those of bins over 112; those of
+/// a skin and of a texture as counted in the workloads `character` and K5T.
 inline constexpr std::uint64_t kCostOfVertex = 100;
 inline constexpr std::uint64_t kCostOfLighting = 27;   // a vertex
 inline constexpr std::uint64_t kCostOfSkin = 200;      // a vertex that joints move, normal included
 inline constexpr std::uint64_t kCostOfCulling = 58;    // a triangle, each time that its vertices are transformed
-inline constexpr std::uint64_t kCostOfBinning = 63;    // a triangle, once
-inline constexpr std::uint64_t kCostOfBin = 33;        // a triangle in a strip's list
+inline constexpr std::uint64_t kCostOfBinning = 31;    // a triangle, once
+inline constexpr std::uint64_t kCostOfBinBoxes = 30;   // beyond that, with both sides or in columns
+inline constexpr std::uint64_t kCostOfBin = 20;        // a triangle in a strip's list
 inline constexpr std::uint64_t kCostOfSetup = 56;      // a triangle in a strip
 inline constexpr std::uint64_t kCostOfTexture = 1210;  // a triangle in a strip, beyond that
 inline constexpr std::uint64_t kCostOfRow = 134;       // of such a triangle, as rows_of has them
 inline constexpr std::uint64_t kCostOfAveraging = 16;  // a pixel of several samples
-inline constexpr std::uint64_t kCostOfMeshlet = 169;   // in each strip
+inline constexpr std::uint64_t kCostOfMeshlet = 169;   // in each strip, streamed
+inline constexpr std::uint64_t kCostOfBatch = 60;      // a meshlet in each strip, binned
 /// Eighths of an instruction.
 inline constexpr std::uint64_t kCostOfPixel = 15;      // of a triangle, beyond what its row takes
 inline constexpr std::uint64_t kCostOfTexel = 146;     // a pixel with texels as they are
@@ -108,12 +110,17 @@ constexpr std::uint64_t estimated_cost(const SceneCounts& counts, Effects effect
                               : effects.has(effect::lighting) ? kCostOfLitTexel
                                                               : kCostOfTexel;
   std::uint64_t cost = work.vertices * kCostOfVertex + culled * kCostOfCulling + work.covering * kCostOfSetup +
-                       work.rows * kCostOfRow + (work.fragments * pixel + pixels * view.samples * kCostOfClearing) / 8 +
-                       std::uint64_t{counts.meshlets} * plan.strips * kCostOfMeshlet;
+                       work.rows * kCostOfRow + (work.fragments * pixel + pixels * view.samples * kCostOfClearing) / 8;
   if (effects.has(effect::lighting)) cost += work.vertices * kCostOfLighting;
   if (effects.has(effect::skins)) cost += work.vertices * kCostOfSkin;
   if (effects.has(effect::textures)) cost += work.covering * kCostOfTexture;
-  if (plan.mode == Mode::binned) cost += culled * kCostOfBinning + work.covering * kCostOfBin;
+  const std::uint64_t meshlets = std::uint64_t{counts.meshlets} * plan.strips;  // in strips
+  if (plan.mode == Mode::binned) {
+    cost += culled * kCostOfBinning + work.covering * kCostOfBin + meshlets * kCostOfBatch;
+    if (effects.has(effect::two_sided) || plan.strip_columns != view.width) cost += culled * kCostOfBinBoxes;
+  } else {
+    cost += meshlets * kCostOfMeshlet;
+  }
   if (view.samples != 1) cost += pixels * kCostOfAveraging;
   return cost;
 }

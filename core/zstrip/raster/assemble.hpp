@@ -9,6 +9,7 @@
 #include "zstrip/effects.hpp"
 #include "zstrip/effects/outlines/outline.hpp"
 #include "zstrip/effects/pixel_shading/lit_corners.hpp"
+#include "zstrip/geometry/bins.hpp"
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/kernels/medium_textured.hpp"
 #include "zstrip/kernels/medium_triangle.hpp"
@@ -417,34 +418,96 @@ struct Assembler : ClippedAssembler<effects> {
     with_shade(batch.instance->shade, [&]<Shade shade>() { draw_shaded<shade>(target, batch, triangles, all_narrow); });
   }
 
-  /// Only the triangles with the given indices, at most as many as a chunk of a bin has.
+  /// Only those that come next in the list. They face the viewer, or some side of them is shown.
   static void draw_listed(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
-                          std::span<const std::uint16_t> listed, bool all_narrow) {
+                          BinReader& list, bool all_narrow) {
     if constexpr (effects.has(effect::outlines)) {
       if (is_outline(*batch.instance)) {
-        return draw_hull(target, batch, listed.size(),
-                         [&](std::size_t i) -> const Triangle& { return triangles[listed[i]]; });
+        for_each_run(list, [&](std::span<const std::uint16_t> listed) {
+          draw_hull(target, batch, listed.size(),
+                    [&](std::size_t i) -> const Triangle& { return triangles[listed[i]]; });
+        });
+        return;
       }
     }
     with_shade(batch.instance->shade, [&]<Shade shade>() {
       if constexpr (kSmallRuns<shade, true>) {
         if ((all_narrow || kUnclipped) && fits_small_runs<shade>(batch)) {
-          return draw_listed_small<shade>(target, batch, triangles, listed);
+          return draw_listed_small<shade>(target, batch, triangles.data(), list);
         }
       }
-      draw_run<shade, false>(target, batch, listed.size(),
-                             [&](std::size_t i) -> const Triangle& { return triangles[listed[i]]; });
+      for_each_run(list, [&](std::span<const std::uint16_t> listed) {
+        draw_run<shade, false>(target, batch, listed.size(),
+                               [&](std::size_t i) -> const Triangle& { return triangles[listed[i]]; });
+      });
     });
   }
 
-  /// The assembly takes triangles that lie in a row.
+  template <class Visit>
+  static void for_each_run(BinReader& list, const Visit& visit) {
+    for (auto listed = list.next_run(); !listed.empty(); listed = list.next_run()) visit(listed);
+  }
+
+  /// Before those of a strip, which is drawn into `area`.
+  static void begin_listed([[maybe_unused]] const Bins& bins, [[maybe_unused]] const Rect& area) {
+    if constexpr (kHasListedRuns && has_shade(Shade::gouraud)) {
+      if constexpr (kSmallRuns<Shade::gouraud, true>) {
+        if (CarriedTriangles* const carried = CarriedTriangles::in(bins)) carried->begin_strip(bins, area);
+      }
+    }
+  }
+
   template <Shade shade>
-  static void draw_listed_small(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
-                                std::span<const std::uint16_t> listed) {
+  static void draw_listed_small(const StripTarget& target, const Batch& batch, const Triangle* triangles,
+                                BinReader& list) {
+    if constexpr (kHasListedRuns) {
+      while (draw_listed_run(target, batch, triangles, list)) {
+        const Triangle& triangle = triangles[list.rest()[0]];
+        draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c, area_of(batch, triangle));
+        list.take(1);
+      }
+    } else {
+      draw_rows<shade>(target, batch, triangles, list);
+    }
+  }
+
+  /// Up to the first triangle that is not small, or the end of the batch: then false. Cannot be inlined: the others
+  /// need the stack that a run takes.
+  [[gnu::noinline]] static bool draw_listed_run(const StripTarget& target, const Batch& batch,
+                                                const Triangle* triangles, BinReader& list) {
+    CarriedTriangles* const carried = CarriedTriangles::in(list.bins());
+    ThumbListedRun run({target, batch.vertices, batch.colours, batch.first_vertex}, triangles, list.batch(), carried);
+    bool stops = false;
+    for (auto listed = list.rest(); !stops && !listed.empty() && !is_batch_entry(listed[0]); listed = list.rest()) {
+      const std::uint32_t count = draw_listed_run_thumb2(run, listed.data(), static_cast<std::uint32_t>(listed.size()));
+      list.take(count);
+      stops = count != listed.size() && !is_batch_entry(listed[count]);
+    }
+    if (carried != nullptr) carried->read = run.read, carried->write = run.write;
+    return stops;
+  }
+
+  static std::int32_t area_of(const Batch& batch, const Triangle& triangle) {
+    const SnappedVertex* const vertices = batch.vertices;
+    const std::uint32_t first = batch.first_vertex;
+    return narrow_area(vertices[triangle.a - first], vertices[triangle.b - first], vertices[triangle.c - first]);
+  }
+
+  /// Runs of triangles that lie in a row.
+  template <Shade shade>
+  static void draw_rows(const StripTarget& target, const Batch& batch, const Triangle* triangles, BinReader& list) {
     Triangle row[kBinChunkEntries];
-    for (std::size_t i = 0; i < listed.size(); ++i) row[i] = triangles[listed[i]];
-    draw_small_runs<shade, true>(target, batch, static_cast<std::uint32_t>(listed.size()),
-                                 [&row](std::size_t i) -> const Triangle& { return row[i]; });
+    for (auto listed = list.rest(); !listed.empty() && !is_batch_entry(listed[0]); listed = list.rest()) {
+      std::uint32_t count = 0;
+      for (const std::uint16_t entry : listed) {
+        if (is_batch_entry(entry)) break;
+        const Triangle& triangle = triangles[entry];
+        Triangle& next = row[count++];
+        next.a = triangle.a, next.b = triangle.b, next.c = triangle.c;  // GCC calls memcpy for a whole one
+      }
+      list.take(count);
+      draw_small_runs<shade, true>(target, batch, count, [&row](std::size_t i) -> const Triangle& { return row[i]; });
+    }
   }
 };
 

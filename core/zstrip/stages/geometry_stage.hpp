@@ -14,6 +14,7 @@
 #include "zstrip/effects/skins/move_meshlet.hpp"
 #include "zstrip/geometry/meshlet_range.hpp"
 #include "zstrip/geometry/shade_vertices.hpp"
+#include "zstrip/kernels/list_faces.hpp"
 #include "zstrip/kernels/transform.hpp"
 #include "zstrip/raster/facing.hpp"
 #include "zstrip/stages/materials.hpp"
@@ -164,18 +165,11 @@ struct GeometryStage {
           const MeshletRange range = meshlet_range(frame.scene->meshes[frame.instances[instance].mesh], meshlet);
           const auto batch = batch_for<effects>(frame, instance, range.first_vertex, retained);
           const bool all_narrow = transform<effects>(frame, batch, range, retained);
-          bool listed = false;
-          room = Facing<effects>::for_each(batch, range.triangles, all_narrow,
-                                           [&](std::uint32_t triangle, const auto& covered) {
-                                             listed = true;
-                                             if constexpr (effects.has(effect::edges)) {
-                                               if (edges::has_apron<effects>(frame)) {
-                                                 return list_with_apron(frame, covered.box(), batches, triangle);
-                                               }
-                                             }
-                                             return list(frame, covered, batches, triangle);
-                                           });
-          if (!listed) return;
+          if (!list_facing<effects>(frame, batch, range, all_narrow, batches)) {
+            room = false;
+            return;
+          }
+          if (!frame.bins.has_newest(batches)) return;
           shade<effects>(frame, batch, range, retained);
           retain_shadow<effects>(frame, batch, range, retained);
           frame.batches[batches++] = retained_batch(instance, meshlet, retained, all_narrow);
@@ -188,22 +182,42 @@ struct GeometryStage {
   static bool list(FrameState& frame, const Extent& extent, std::uint16_t batch, std::uint16_t triangle) {
     return list_in(frame, frame.grid.strips_of_extent(extent), batch, triangle);
   }
-  static bool list_with_apron(FrameState& frame, const Rect& box, std::uint16_t batch, std::uint32_t triangle) {
-    return list_in(frame, frame.grid.strips_of(edges::box_with_apron(box)), batch,
-                   static_cast<std::uint16_t>(triangle));
-  }
-  /// Into the lists of all strips that hold pixels which a front face can cover. Inlined wherever it is called: where
-  /// many pipelines share a program, the compiler would make it a call for every triangle.
+  /// Into the lists of all strips that hold pixels which a front face can cover. Inlined: where many pipelines share a
+  /// program, the compiler would make it a call for every triangle.
   template <class Pixels>
   [[gnu::always_inline]] static bool list(FrameState& frame, const Pixels& covered, std::uint16_t batch,
-                                          std::uint32_t triangle) {
-    const auto index = static_cast<std::uint16_t>(triangle);
-    if (frame.grid.across() != 1) return list_in(frame, frame.grid.strips_of(covered.box()), batch, index);
+                                          std::uint16_t triangle) {
+    if (frame.grid.across() != 1) return list_in(frame, frame.grid.strips_of(covered.box()), batch, triangle);
     const StripGrid::Range rows = frame.grid.rows_of(covered.top(), covered.bottom());
     for (std::int32_t row = rows.first; row < rows.end; ++row) {
-      if (!frame.bins.add(static_cast<std::uint32_t>(row), batch, index)) return false;
+      if (!frame.bins.add(static_cast<std::uint32_t>(row), batch, triangle)) return false;
     }
     return true;
+  }
+  /// The front faces of a meshlet, by the way that is quickest for it. False if the lists are too small.
+  template <Effects effects>
+  static bool list_facing(FrameState& frame, const BatchOf<effects>& batch, const MeshletRange& range, bool all_narrow,
+                          std::uint16_t number) {
+    using Assembler = AssemblerFor<effects>;
+    bool has_apron = false, is_hull = false;
+    if constexpr (effects.has(effect::edges)) has_apron = edges::has_apron<effects>(frame);
+    if constexpr (effects.has(effect::outlines)) is_hull = is_outline(*batch.instance);
+    if ((all_narrow || Assembler::kUnclipped) && frame.grid.across() == 1 && !has_apron && !is_hull &&
+        !Assembler::shows_both_sides(batch)) {
+      FaceLists faces(frame.bins, frame.grid.vertex_rows(frame.plan.strip_rows), number, batch.vertices,
+                      batch.first_vertex);
+      return list_faces(faces, range.triangles.data(), static_cast<std::uint32_t>(range.triangles.size()));
+    }
+    return Facing<effects>::for_each(
+        batch, range.triangles, all_narrow, [&](std::uint32_t triangle, const auto& covered) {
+          const auto index = static_cast<std::uint16_t>(triangle);
+          if constexpr (effects.has(effect::edges)) {
+            if (has_apron) {
+              return list_in(frame, frame.grid.strips_of(edges::box_with_apron(covered.box())), number, index);
+            }
+          }
+          return list(frame, covered, number, index);
+        });
   }
   /// `strips`: columns and rows of strips.
   static bool list_in(FrameState& frame, const Rect& strips, std::uint16_t batch, std::uint16_t triangle) {

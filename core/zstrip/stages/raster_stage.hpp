@@ -91,8 +91,9 @@ struct RasterStage {
 
   template <Effects effects>
   static void draw_binned(FrameState& frame, const StripTarget& target, std::uint16_t strip) {
-    frame.bins.for_each_run(strip, [&](std::uint16_t number, const std::uint16_t* triangles, std::uint32_t count) {
-      const RetainedBatch& retained = frame.batches[number];
+    AssemblerFor<effects>::begin_listed(frame.bins, target.area);
+    for (BinReader list(frame.bins, strip); list.next_batch();) {
+      const RetainedBatch& retained = frame.batches[list.batch()];
       const MeshletRange range =
           meshlet_range(frame.scene->meshes[frame.instances[retained.instance].mesh], retained.meshlet);
       const auto batch =
@@ -100,9 +101,9 @@ struct RasterStage {
       // What is clipped or lit by pixel reads more than the cache has.
       if (!retained.all_narrow || effects.has(effect::pixel_shading)) GeometryStage::move<effects>(batch, range);
       Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
-        AssemblerFor<effects>::draw_listed(complete, batch, range.triangles, {triangles, count}, retained.all_narrow);
+        AssemblerFor<effects>::draw_listed(complete, batch, range.triangles, list, retained.all_narrow);
       });
-    });
+    }
   }
 
   /// Calls draw(target, strip) for the strips of the frame in `area`, over `pixels` and `depth`, which have no gaps.

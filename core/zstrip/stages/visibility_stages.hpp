@@ -225,14 +225,15 @@ void MethodStage::draw_sorted(MethodFrameState& frame, const StripTarget& target
         meshlet_range(frame.scene->meshes[frame.instances[sorted.instance].mesh], sorted.meshlet);
     const auto batch = GeometryStage::batch_for<effects>(frame, sorted.instance, range.first_vertex, 0);
     const Triangle& triangle = range.triangles[sorted.triangle];
+    bool all_narrow = kHasSmallRunsOfOne;
     for (const std::uint32_t index : {triangle.a, triangle.b, triangle.c}) {
       const MeshletRange vertex{index, 1, {}};
       const std::uint32_t cache = index - range.first_vertex;
-      GeometryStage::transform<effects>(frame, batch, vertex, cache);
+      if (!GeometryStage::transform<effects>(frame, batch, vertex, cache)) all_narrow = false;
       GeometryStage::shade<effects>(frame, batch, vertex, cache);
     }
     Materials::with_settings<effects>(frame, target, *batch.instance, [&](const auto& complete) {
-      AssemblerFor<effects>::draw_listed(complete, batch, range.triangles, {&sorted.triangle, 1}, false);
+      AssemblerFor<effects>::draw(complete, batch, {&triangle, 1}, all_narrow);
     });
   }
 }
