@@ -418,9 +418,10 @@ struct Assembler : ClippedAssembler<effects> {
     with_shade(batch.instance->shade, [&]<Shade shade>() { draw_shaded<shade>(target, batch, triangles, all_narrow); });
   }
 
-  /// Only those that come next in the list. They face the viewer, or some side of them is shown.
+  /// Only those that come next in the list, a BinReader or ListedTriangles. They face the viewer, or both sides show.
+  template <class List>
   static void draw_listed(const StripTarget& target, const Batch& batch, std::span<const Triangle> triangles,
-                          BinReader& list, bool all_narrow) {
+                          List& list, bool all_narrow) {
     if constexpr (effects.has(effect::outlines)) {
       if (is_outline(*batch.instance)) {
         for_each_run(list, [&](std::span<const std::uint16_t> listed) {
@@ -443,8 +444,8 @@ struct Assembler : ClippedAssembler<effects> {
     });
   }
 
-  template <class Visit>
-  static void for_each_run(BinReader& list, const Visit& visit) {
+  template <class List, class Visit>
+  static void for_each_run(List& list, const Visit& visit) {
     for (auto listed = list.next_run(); !listed.empty(); listed = list.next_run()) visit(listed);
   }
 
@@ -457,10 +458,9 @@ struct Assembler : ClippedAssembler<effects> {
     }
   }
 
-  template <Shade shade>
-  static void draw_listed_small(const StripTarget& target, const Batch& batch, const Triangle* triangles,
-                                BinReader& list) {
-    if constexpr (kHasListedRuns) {
+  template <Shade shade, class List>
+  static void draw_listed_small(const StripTarget& target, const Batch& batch, const Triangle* triangles, List& list) {
+    if constexpr (kHasListedRuns && std::is_same_v<List, BinReader>) {
       while (draw_listed_run(target, batch, triangles, list)) {
         const Triangle& triangle = triangles[list.rest()[0]];
         draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c, area_of(batch, triangle));
@@ -494,8 +494,8 @@ struct Assembler : ClippedAssembler<effects> {
   }
 
   /// Runs of triangles that lie in a row.
-  template <Shade shade>
-  static void draw_rows(const StripTarget& target, const Batch& batch, const Triangle* triangles, BinReader& list) {
+  template <Shade shade, class List>
+  static void draw_rows(const StripTarget& target, const Batch& batch, const Triangle* triangles, List& list) {
     Triangle row[kBinChunkEntries];
     for (auto listed = list.rest(); !listed.empty() && !is_batch_entry(listed[0]); listed = list.rest()) {
       std::uint32_t count = 0;

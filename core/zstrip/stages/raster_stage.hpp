@@ -84,7 +84,8 @@ struct RasterStage {
             GeometryStage::shade<effects>(frame, batch, {range.first_vertex + place, count, {}}, place);
           },
           [&](std::span<const std::uint16_t> listed) {
-            AssemblerFor<effects>::draw_listed(complete, batch, range.triangles, listed, true);
+            ListedTriangles list(listed);
+            AssemblerFor<effects>::draw_listed(complete, batch, range.triangles, list, true);
           });
     });
   }
