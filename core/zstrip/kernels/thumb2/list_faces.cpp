@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "zstrip/kernels/processor.hpp"
+#include "zstrip/kernels/thumb2/triangle_of_words.hpp"
 
 namespace zstrip::detail {
 
@@ -27,7 +28,7 @@ static_assert(sizeof(Triangle) == 6);
 
 // r0 the lists, r10 the next triangle, r11 its vertices, lr how many triangles are left.
 [[gnu::naked]] bool list_faces_thumb(FaceLists&, const Triangle*, std::uint32_t) {
-  asm(R"(
+  asm(ZSTRIP_TRIANGLE_OF_WORDS R"(
     push  {r3-r11, lr}
     mov   r10, r1
     mov   lr, r2
@@ -43,16 +44,8 @@ static_assert(sizeof(Triangle) == 6);
     ldr   r4, [r11, r1, lsl #3]       @ y and x in one word
     ldr   r5, [r11, r2, lsl #3]
     ldr   r6, [r11, r3, lsl #3]
-    sub   r9, r5, r4                  @ differences are below 2^15
-    sub   r12, r6, r4
-    asr   r8, r4, #16
-    sxth  r9, r9
-    sxth  r12, r12
-    rsb   r7, r8, r5, asr #16
-    rsb   r8, r8, r6, asr #16
-    mul   r7, r12, r7
-    mul   r8, r9, r8
-    cmp   r7, r8
+    zstrip_triangle_area
+    cmp   r7, #0
     ble   .Lfaces_next
 
     cmp   r4, r5                      @ words are in the order of y: r4 the least, r5 the greatest
@@ -124,6 +117,8 @@ static_assert(sizeof(Triangle) == 6);
   .Lfaces_end:
     movs  r0, #1
     pop   {r3-r11, pc}
+    .purgem zstrip_triangle_area
+    .purgem zstrip_triangle_box
   )");
 }
 

@@ -6,6 +6,7 @@
 #include "zstrip/kernels/thumb/medium_triangle.hpp"
 #include "zstrip/kernels/thumb/small_layout.hpp"
 #include "zstrip/kernels/thumb/small_triangle.hpp"
+#include "zstrip/kernels/thumb2/triangle_of_words.hpp"
 
 namespace zstrip::detail {
 
@@ -35,6 +36,8 @@ static_assert(sizeof(CarriedTriangles) <= kBinChunkBytes);
     .purgem zstrip_small_run
     .purgem zstrip_small_rows
     .purgem zstrip_small_move
+    .purgem zstrip_triangle_area
+    .purgem zstrip_triangle_box
   )");
 }
 

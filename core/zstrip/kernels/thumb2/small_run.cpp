@@ -5,6 +5,7 @@
 #include "zstrip/kernels/thumb/medium_triangle.hpp"
 #include "zstrip/kernels/thumb/small_layout.hpp"
 #include "zstrip/kernels/thumb/small_triangle.hpp"
+#include "zstrip/kernels/thumb2/triangle_of_words.hpp"
 
 namespace zstrip::detail {
 
@@ -26,6 +27,8 @@ namespace zstrip::detail {
     .purgem zstrip_small_run
     .purgem zstrip_small_rows
     .purgem zstrip_small_move
+    .purgem zstrip_triangle_area
+    .purgem zstrip_triangle_box
   )");
 }
 
