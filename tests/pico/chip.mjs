@@ -1,5 +1,6 @@
 // An RP2040 in rp2040js, as strict as the chip where the emulator is not: what the chip would not take is a complaint,
 // and ends the run. Traps of the emulator that are corrected here stand where they are.
+import {execute} from './cycles.mjs';
 import {replaceFlashInterface} from './flash_interface.mjs';
 import {addRules} from './rules.mjs';
 import {replaceSystick} from './systick.mjs';
@@ -48,7 +49,7 @@ export class Chip {
 
   step() {
     const {emulator} = this;
-    emulator.clock.tick(emulator.core.executeInstruction() * 1e9 / emulator.clkSys);
+    emulator.clock.tick(execute(emulator.core) * 1e9 / emulator.clkSys);
   }
 
   /**

@@ -6,7 +6,9 @@
 //   node pico.mjs stuck WORK UF2 PANEL              a bus that gets stuck ends in a panic and a reset
 //   node pico.mjs baked WORK UF2 PANEL ZSTRIP SCENE...  the player shows what the command bakes and draws
 //   node pico.mjs refused WORK UF2 PANEL ZSTRIP     what the player cannot show it says
-// PANEL is the program of panel.cpp, ZSTRIP the command; UF2 has the teapot, or the player for baked scenes. Exit status: 0 yes, 1 no, 2 wrong words, 77 something is not to be had here.
+//   node pico.mjs prediction WORK ELF ZSTRIP        cycles are those that `zstrip bench --board pico` predicts
+// PANEL is the program of panel.cpp, ZSTRIP the command; UF2 has the teapot, or the player for baked scenes; ELF is the
+// benchmark. Exit status: 0 yes, 1 no, 2 wrong words, 77 something is not to be had here.
 import {spawnSync} from 'node:child_process';
 import {existsSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {basename, dirname, join} from 'node:path';
@@ -18,6 +20,7 @@ import {Board} from './board.mjs';
 import {crc} from './boot_rom.mjs';
 import {Counters, stackBytes} from './figures.mjs';
 import {kMutations, kStuckMutations, mutationOf} from './mutations.mjs';
+import {wrongPredictions} from './prediction.mjs';
 import {flashOf} from './uf2.mjs';
 
 const kHere = dirname(fileURLToPath(import.meta.url));
@@ -238,9 +241,14 @@ function refused(given) {
   ].flatMap(([name, blob, says]) => wrongWhenRefused(given, blob, says).map((line) => `${name}: ${line}`)));
 }
 
+function prediction({library, elf, zstrip}) {
+  const wrong = wrongPredictions(library, elf, zstrip);
+  return wrong ? verdict(wrong) : 77;
+}
+
 async function main([command, work, ...words]) {
   if (command === 'fetch' && work && words.length === 0) return fetchEmulator(work);
-  const run = {frames, mutations, stuck, figures, baked, refused}[command];
+  const run = {frames, mutations, stuck, figures, baked, refused, prediction}[command];
   const right = (count) => run === figures ? count === 1 || count === 3 : run === baked ? count > 3 :
       count === (run === refused ? 3 : 2);
   if (!run || !right(words.length)) {
@@ -250,6 +258,7 @@ async function main([command, work, ...words]) {
   if (existsSync(join(work, 'missing'))) return skip(work);
   const emulator = join(work, 'node_modules', 'rp2040js', 'dist', 'esm', 'index.js');
   const library = await import(pathToFileURL(emulator));
+  if (run === prediction) return run({library, elf: words[0], zstrip: words[1]});
   const [uf2] = words, flash = flashOf(uf2);
   if (run === figures) return run({library, work, uf2, flash, zstrip: words[1], scene: words[2]});
   const [, panel, zstrip, ...scenes] = words;
