@@ -6,6 +6,7 @@
 //   node pico.mjs stuck WORK UF2 PANEL              a bus that gets stuck ends in a panic and a reset
 //   node pico.mjs baked WORK UF2 PANEL ZSTRIP SCENE...  the player shows what the command bakes and draws
 //   node pico.mjs refused WORK UF2 PANEL ZSTRIP     what the player cannot show it says
+//   node pico.mjs hot WORK UF2 HOT_UF2 ZSTRIP SCENE  the player with hot code in RAM misses the cache half as often
 //   node pico.mjs prediction WORK ELF ZSTRIP        cycles are those that `zstrip bench --board pico` predicts
 // PANEL is the program of panel.cpp, ZSTRIP the command; UF2 has the teapot, or the player for baked scenes; ELF is the
 // benchmark. Exit status: 0 yes, 1 no, 2 wrong words, 77 something is not to be had here.
@@ -133,11 +134,14 @@ function stuck(given) {
   return verdict(wrong);
 }
 
-/** Prints them as a line of docs/measured/pico.csv: the mean of two frames, and the stack. */
-function figures({library, uf2, work, flash, zstrip, scene}) {
-  const name = basename(uf2, '.uf2').replace('zstrip_', '');
+/**
+ * The mean of two frames of a program, and its stack: {cycles, waiting, misses, stack}; {wrong} where it does not get
+ * so far. With `scene`, that is baked for it.
+ */
+function measured({library, uf2, folder, zstrip, scene}) {
+  let flash = flashOf(uf2);
   if (scene) {
-    const {run, file} = commandOf(zstrip, join(work, 'figures'));
+    const {run, file} = commandOf(zstrip, folder);
     run('bake', scene, '-o', 'both.uf2', '--samples', '1', '--with', uf2);
     flash = flashOf(file('both.uf2'));
   }
@@ -152,10 +156,29 @@ function figures({library, uf2, work, flash, zstrip, scene}) {
   };
   chip.endIn(1 + kFrames, 'time');
   chip.run();
-  if (chip.ended !== 'frames') return verdict([`ended by ${chip.ended}`, ...chip.complaints]);
-  const means = reached[kFirst].map((first, column) => Math.round((reached[kFrames][column] - first) / 2));
-  console.log([name, scene ? basename(scene, '.toml') : 'teapot', ...means, stackBytes(chip, kStackTop)].join());
+  if (chip.ended !== 'frames') return {wrong: [`ended by ${chip.ended}`, ...chip.complaints]};
+  const [cycles, waiting, misses] =
+      reached[kFirst].map((first, column) => Math.round((reached[kFrames][column] - first) / 2));
+  return {cycles, waiting, misses, stack: stackBytes(chip, kStackTop)};
+}
+
+/** Prints them as a line of docs/measured/pico.csv. */
+function figures(given) {
+  const {wrong, cycles, waiting, misses, stack} = measured(given);
+  if (wrong) return verdict(wrong);
+  const name = basename(given.uf2, '.uf2').replace('zstrip_', '');
+  const scene = given.scene ? basename(given.scene, '.toml') : 'teapot';
+  console.log([name, scene, cycles, waiting, misses, stack].join());
   return 0;
+}
+
+/** With hot code in RAM, HOT_UF2, a frame misses the flash's cache less than half as often. */
+function hot({hotUf2, ...given}) {
+  const frames = [given, {...given, uf2: hotUf2}].map(measured), wrong = frames.flatMap((one) => one.wrong ?? []);
+  if (wrong.length > 0) return verdict(wrong);
+  const [usual, less] = frames.map(({misses}) => misses), line = `${usual} misses a frame, ${less} with hot code in RAM`;
+  console.log(line);
+  return 2 * less < usual ? 0 : 1;
 }
 
 /** `run(...words)` is the command; `file(name)` is one in an empty folder. */
@@ -177,8 +200,8 @@ const kSteps = 64;  // of the motion, where a host steps through it
  * Frame 0, one in real time, and two steps, of a scene that is baked for the player; what is wrong. The files for the
  * loader, one with both or one after the other, fill the flash alike.
  */
-function wrongWhenBaked({library, uf2, panel, zstrip, work}, scene) {
-  const {run, file} = commandOf(zstrip, join(work, 'baked'));
+function wrongWhenBaked({library, uf2, panel, zstrip, folder}, scene) {
+  const {run, file} = commandOf(zstrip, folder);
   const picture = ['--size', '240x240', '--format', 'rgb565_swapped'];
   run('bake', scene, '-o', 'both.uf2', '--samples', '1', '--with', uf2);
   run('bake', scene, '-o', 'scene.uf2', '--samples', '1');
@@ -225,7 +248,7 @@ function wrongWhenRefused({library, flash, panel}, blob, says) {
 }
 
 function refused(given) {
-  const {run, file} = commandOf(given.zstrip, join(given.work, 'refused'));
+  const {run, file} = commandOf(given.zstrip, given.folder);
   run('bake', 'cube', '-o', 'cube.zsc');
   // Tinted: colours in the mesh would take no memory.
   writeFileSync(file('large.toml'), 'model = [{ name = "all", built_in = "random10k" }]\n' +
@@ -246,23 +269,43 @@ function prediction({library, elf, zstrip}) {
   return wrong ? verdict(wrong) : 77;
 }
 
+// What each command takes behind WORK; the words of a name in brackets may be left out, those of one with dots are many.
+const kCommands = {
+  frames: [frames, 'uf2', 'panel'],
+  mutations: [mutations, 'uf2', 'panel'],
+  figures: [figures, 'uf2', '[zstrip]', '[scene]'],
+  stuck: [stuck, 'uf2', 'panel'],
+  baked: [baked, 'uf2', 'panel', 'zstrip', 'scenes...'],
+  refused: [refused, 'uf2', 'panel', 'zstrip'],
+  hot: [hot, 'uf2', 'hotUf2', 'zstrip', 'scene'],
+  prediction: [prediction, 'elf', 'zstrip'],
+};
+
+/** The words by their names; nothing if there are too few or too many. */
+function named(names, words) {
+  const left = [...words], given = {};
+  for (const name of names) {
+    if (name.endsWith('...')) given[name.slice(0, -3)] = left.splice(0);
+    else if (left.length > 0) given[name.replace(/[[\]]/g, '')] = left.shift();
+    else if (!name.startsWith('[')) return undefined;
+  }
+  return left.length === 0 && given.scenes?.length !== 0 ? given : undefined;
+}
+
 async function main([command, work, ...words]) {
   if (command === 'fetch' && work && words.length === 0) return fetchEmulator(work);
-  const run = {frames, mutations, stuck, figures, baked, refused, prediction}[command];
-  const right = (count) => run === figures ? count === 1 || count === 3 : run === baked ? count > 3 :
-      count === (run === refused ? 3 : 2);
-  if (!run || !right(words.length)) {
+  const [run, ...names] = kCommands[command] ?? [], given = run && work && named(names, words);
+  if (!given) {
     console.error('pico.mjs: wrong words; its first lines say which there are');
     return 2;
   }
   if (existsSync(join(work, 'missing'))) return skip(work);
   const emulator = join(work, 'node_modules', 'rp2040js', 'dist', 'esm', 'index.js');
   const library = await import(pathToFileURL(emulator));
-  if (run === prediction) return run({library, elf: words[0], zstrip: words[1]});
-  const [uf2] = words, flash = flashOf(uf2);
-  if (run === figures) return run({library, work, uf2, flash, zstrip: words[1], scene: words[2]});
-  const [, panel, zstrip, ...scenes] = words;
-  return run({library, work, uf2, flash, panel, zstrip, scenes});
+  const flash = given.uf2 && flashOf(given.uf2);
+  // Of its own: tests run side by side.
+  const folder = join(work, `${command}_${basename(words[0])}`);
+  return run({library, work, folder, flash, ...given});
 }
 
 process.exitCode = await main(process.argv.slice(2));

@@ -52,11 +52,13 @@ void write_page(const measured::Table& table) {
     page << "\nReads of the flash are " << row[4] << " misses of its cache. The deepest stack was " << row[5]
          << " bytes.\n";
   }
-  page << "\n`zstrip_pico_show` has its scene as constants, `zstrip_pico_player` any scene that `zstrip bake` has put "
-          "into the\nflash: here with one sample a pixel. The emulator counts no time for the flash. Its cache has 16 "
-          "KB, two ways,\n8 bytes a line. A miss takes 56 cycles: 8 clocks of an address, 4 of waiting and 16 of data, "
-          "by "
-          "four lines at\n62.5 MHz. Some of it passes while the panel is waited for.\n";
+  page << R"(
+`zstrip_pico_show` has its scene as constants, `zstrip_pico_player` any scene that `zstrip bake` has put into the
+flash: here with one sample a pixel. `zstrip_pico_player_hot` is the player with
+[hot code in RAM](../../firmware/README.md#hot-code-in-ram). The emulator counts no time for the flash. Its cache has
+16 KB, two ways, 8 bytes a line. A miss takes 56 cycles: 8 clocks of an address, 4 of waiting and 16 of data, by four
+lines at 62.5 MHz. Some of it passes while the panel is waited for.
+)";
   if (!page.flush()) throw std::runtime_error("cannot write the page");
 }
 

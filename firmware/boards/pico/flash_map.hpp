@@ -15,6 +15,9 @@ inline constexpr std::uint32_t kSector = 4096;  // which is erased at once
 inline constexpr std::uint32_t kScene = kFlash + (1 << 20);
 static_assert((kScene - kFlash) % kSector == 0);
 
+/// What the player has of the RAM less where hot code is there, zstrip_pico_player_hot and zstrip_pico2_player_hot.
+inline constexpr std::uint32_t kHotCode = 28 * 1024;
+
 /// Of the panel, which the scene is baked for.
 inline constexpr std::uint16_t kPanelSide = 240;
 

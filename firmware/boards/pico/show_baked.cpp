@@ -24,7 +24,12 @@ static_assert(pico::kReads[17] - '0' == kSceneBlobVersion);
 
 constexpr const pico::Board& kBoard = chip::board();
 
-alignas(kArenaAlignment) constinit std::array<std::byte, kBoard.player_memory> memory{};
+#ifdef ZSTRIP_HOT_IN_RAM
+constexpr std::uint32_t kMemory = kBoard.player_memory - pico::kHotCode;
+#else
+constexpr std::uint32_t kMemory = kBoard.player_memory;
+#endif
+alignas(kArenaAlignment) constinit std::array<std::byte, kMemory> memory{};
 constinit Player player(memory, &drawn_with_baked);
 
 /// As many bytes as the scene says that it has; the flash's if it says more, which is an error then.
