@@ -9,7 +9,8 @@ const kLoad = 1, kSymbols = 2, kFunction = 2;
  */
 export function readElf(file) {
   const all = readFileSync(file);
-  if (all.readUInt32BE(0) !== 0x7f454c46 || all[4] !== 1 || all[5] !== 1) throw new Error(`${file}: no 32-bit ELF file`);
+  if (all.readUInt32BE(0) !== 0x7f454c46 || all[4] !== 1 || all[5] !== 1)
+    throw new Error(`${file}: no 32-bit ELF file`);
   const word = (at) => all.readUInt32LE(at), half = (at) => all.readUInt16LE(at);
   const records = (first, bytes, count) => Array.from({length: count}, (none, index) => first + index * bytes);
 

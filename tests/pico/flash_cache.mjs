@@ -1,4 +1,5 @@
-// The RP2040's cache of its flash, 2.6.3: 16 KB, two ways, 8 bytes a line; of a set the line goes that was not used last.
+// The RP2040's cache of its flash, 2.6.3: 16 KB, two ways, 8 bytes a line; of a set the line goes that was not used
+// last.
 const kSets = 1024;
 
 export class FlashCache {

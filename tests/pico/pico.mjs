@@ -176,8 +176,8 @@ function figures(given) {
 function hot({hotUf2, ...given}) {
   const frames = [given, {...given, uf2: hotUf2}].map(measured), wrong = frames.flatMap((one) => one.wrong ?? []);
   if (wrong.length > 0) return verdict(wrong);
-  const [usual, less] = frames.map(({misses}) => misses), line = `${usual} misses a frame, ${less} with hot code in RAM`;
-  console.log(line);
+  const [usual, less] = frames.map(({misses}) => misses);
+  console.log(`${usual} misses a frame, ${less} with hot code in RAM`);
   return 2 * less < usual ? 0 : 1;
 }
 
@@ -269,7 +269,8 @@ function prediction({library, elf, zstrip}) {
   return wrong ? verdict(wrong) : 77;
 }
 
-// What each command takes behind WORK; the words of a name in brackets may be left out, those of one with dots are many.
+// What each command takes behind WORK; the words of a name in brackets may be left out, those of one with dots are
+// many.
 const kCommands = {
   frames: [frames, 'uf2', 'panel'],
   mutations: [mutations, 'uf2', 'panel'],

@@ -29,10 +29,10 @@ export function wrongPredictions(library, elf, zstrip) {
     board.run();
     if (board.status !== 0) return [`${workload}: ${board.status}, ${board.console}`];
     const wrong = [], [cycles] = predicted.core_cycles_per_frame;
-    const compare = (what, predicted, counted, within) => {
-      const line = `${workload}: ${predicted} ${what} a frame predicted, ${counted} in the emulator`;
-      console.log(`${line}, ${((counted / predicted - 1) * 100).toFixed(2)} %`);
-      if (!(Math.abs(counted - predicted) <= within * counted)) wrong.push(`more than ${within * 100} %: ${line}`);
+    const compare = (what, expected, counted, within) => {
+      const line = `${workload}: ${expected} ${what} a frame predicted, ${counted} in the emulator`;
+      console.log(`${line}, ${((counted / expected - 1) * 100).toFixed(2)} %`);
+      if (!(Math.abs(counted - expected) <= within * counted)) wrong.push(`more than ${within * 100} %: ${line}`);
     };
     const {counted} = board;
     compare('instructions', predicted.instructions_per_frame, counted.instructions / kFrames, 0);
