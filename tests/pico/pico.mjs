@@ -6,7 +6,7 @@
 //   node pico.mjs stuck WORK UF2 PANEL              a bus that gets stuck ends in a panic and a reset
 //   node pico.mjs baked WORK UF2 PANEL ZSTRIP SCENE...  the player shows what the command bakes and draws
 //   node pico.mjs refused WORK UF2 PANEL ZSTRIP     what the player cannot show it says
-//   node pico.mjs hot WORK UF2 HOT_UF2 ZSTRIP SCENE  the player with hot code in RAM misses the cache half as often
+//   node pico.mjs hot WORK UF2 HOT_UF2 ZSTRIP SCENE  with hot code in RAM the player misses the cache less often
 //   node pico.mjs prediction WORK ELF ZSTRIP        cycles are those that `zstrip bench --board pico` predicts
 // PANEL is the program of panel.cpp, ZSTRIP the command; UF2 has the teapot, or the player for baked scenes; ELF is the
 // benchmark. Exit status: 0 yes, 1 no, 2 wrong words, 77 something is not to be had here.
@@ -172,13 +172,16 @@ function figures(given) {
   return 0;
 }
 
-/** With hot code in RAM, HOT_UF2, a frame misses the flash's cache less than half as often. */
+/**
+ * With hot code in RAM, HOT_UF2, a frame misses the flash's cache less often by a quarter, at least. How often it does
+ * without is for the linker's placing to decide.
+ */
 function hot({hotUf2, ...given}) {
   const frames = [given, {...given, uf2: hotUf2}].map(measured), wrong = frames.flatMap((one) => one.wrong ?? []);
   if (wrong.length > 0) return verdict(wrong);
   const [usual, less] = frames.map(({misses}) => misses);
   console.log(`${usual} misses a frame, ${less} with hot code in RAM`);
-  return 2 * less < usual ? 0 : 1;
+  return 4 * less < 3 * usual ? 0 : 1;
 }
 
 /** `run(...words)` is the command; `file(name)` is one in an empty folder. */
