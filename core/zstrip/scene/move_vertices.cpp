@@ -69,10 +69,11 @@ std::size_t move_positions(std::span<const Position> from, std::span<const Verte
 void move_normals(std::span<const Normal> from, std::span<const VertexJoints> vertices, const JointMatrices& matrices,
                   std::span<Normal> to) {
   for (std::size_t i = 0; i < from.size(); ++i) {
-    const std::int32_t x = from[i].x, y = from[i].y, z = from[i].z;
+    const Normal& normal = from[i];
     const VertexJoints& vertex = vertices[i];
-    const auto at_row = [x, y, z](const Fixed(&row)[4]) {
-      return (row[0] * x + row[1] * y + row[2] * z) >> 4;  // below 2^23, and below 2^20 before the weight
+    const auto at_row = [&normal](const Fixed(&row)[4]) {
+      // Below 2^23, and below 2^20 before the weight.
+      return (row[0] * normal.x + row[1] * normal.y + row[2] * normal.z) >> 4;
     };
     Sum sum;
     if (vertex.weights[1] == 0) {
@@ -82,7 +83,7 @@ void move_normals(std::span<const Normal> from, std::span<const VertexJoints> ve
       sum = weighted(vertex, matrices.of_joint, at_row);
     }
     const UnitVector unit = direction_of(sum.x, sum.y, sum.z).unit;
-    const auto square = static_cast<std::uint32_t>(x * x + y * y + z * z);
+    const auto square = static_cast<std::uint32_t>(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
     const auto length = static_cast<std::int32_t>(root_of_word(square << 16) >> 4);  // 8.4; large roots are quicker
     const auto component = [length](std::int32_t c) {
       return static_cast<std::int8_t>(std::clamp<std::int32_t>((c * length + (1 << 17)) >> 18, -128, 127));
