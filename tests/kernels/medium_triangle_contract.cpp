@@ -12,6 +12,7 @@
 #include "textures.hpp"
 #include "zstrip/kernels/medium_textured.hpp"
 #include "zstrip/kernels/medium_triangle.hpp"
+#include "zstrip/kernels/thumb/medium_textured.hpp"
 #include "zstrip/raster/clip_triangle.hpp"
 #include "zstrip/raster/span_triangle.hpp"
 
@@ -166,7 +167,7 @@ bool textured_differ(Random& random, std::uint32_t number, Outcome& outcome) {
 }
 
 /// The planes of texture coordinates in assembly against those of 64 bits: what is rounded away shows in few pixels.
-bool texture_planes_differ(Random& random, std::uint32_t number, Outcome& outcome) {
+[[maybe_unused]] bool texture_planes_differ(Random& random, std::uint32_t number, Outcome& outcome) {
   Medium m;
   if (!make(random, random.between(2, 260), m)) return false;
   const int less = random.below(32);
@@ -187,7 +188,13 @@ bool texture_planes_differ(Random& random, std::uint32_t number, Outcome& outcom
     return false;
   }
   TexturedScan own{}, expected{};
-  ThumbPlanes(m.v[0], m.v[1], m.v[2], m.area, m.box.left, m.box.top).set_texture(own, vertices, depth_offset);
+  if constexpr (kHasThumb2) {
+    own.scan.area = m.area, own.scan.anchor_x = m.box.left, own.scan.anchor_y = m.box.top;
+    set_up_medium_thumb(own.scan, m.v[0], m.v[1], m.v[2]);
+    set_up_texture_thumb(own, vertices, depth_offset);
+  } else {
+    ThumbPlanes(m.v[0], m.v[1], m.v[2], m.area, m.box.left, m.box.top).set_texture(own, vertices, depth_offset);
+  }
   const PlaneSetup setup(m.raster[0], m.raster[1], m.raster[2], m.area, m.box.left, m.box.top);
   TextureCoordinates<false>(setup, vertices, depth_offset).start_rows(expected);
   bool same = own.base_u == expected.base_u && own.base_v == expected.base_v && own.right_shift == expected.right_shift;
@@ -237,7 +244,7 @@ Outcome compare_medium_textured(std::uint32_t cases) {
   Outcome outcome;
   for (std::uint32_t number = 0; number < cases; ++number) {
     if (any_textured_differ(random, number, outcome)) break;
-    if constexpr (kHasThumb1) {
+    if constexpr (kHasThumb) {
       if (texture_planes_differ(random, number, outcome)) break;
     }
   }
