@@ -95,6 +95,9 @@ Result<std::vector<BenchCase>> cases_for(const BenchOptions& options, const std:
     if (workload->is_model() && target != "host" && options.mode == "binned") {
       return Failure{ExitStatus::usage, fmt::format("{} is drawn streamed on boards", name)};
     }
+    if (workload->is_model() && (target == "m33" || target == "m55" || target == "rv32")) {
+      return Failure{ExitStatus::usage, fmt::format("{} is for host, m0, m3, m4f and m7", name)};
+    }
     if (workload->is_model() && options.peers) {
       return Failure{ExitStatus::usage, fmt::format("{} is no scene that other renderers have here", name)};
     }

@@ -1,6 +1,8 @@
 // Skins that are moved while they are drawn: the pixels of those that are moved before, and what a frame refuses.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "../oracle/draw.hpp"
@@ -21,6 +23,50 @@ std::vector<std::uint16_t> character_at(const Scene& scene, const Camera& camera
   const picture::Picture drawn = picture::draw(renderer, scene, camera, kView, plan);
   EXPECT_TRUE(drawn.status) << message(drawn.status.error) << ' ' << drawn.status.needed;
   return rgb565_of(drawn);
+}
+
+/// Pixels of one triangle that a skin has behind so many without an area, in one meshlet.
+std::ptrdiff_t pixels_behind(std::size_t others) {
+  constexpr Effects kEffects = effect::lighting | effect::gouraud | effect::skins;
+  constexpr View kView{32, 32, PixelFormat::rgb565};
+  const Position positions[] = {{-32767, -32767, 0}, {32767, -32767, 0}, {0, 32767, 0}};
+  const Normal normals[] = {{0, 0, 127, 0}, {0, 0, 127, 0}, {0, 0, 127, 0}};
+  std::vector<Triangle> triangles(others, Triangle{0, 0, 0});
+  triangles.push_back({0, 1, 2});
+  Mesh mesh{};
+  mesh.positions = positions, mesh.normals = normals, mesh.triangles = triangles;
+  const VertexJoints joints[3] = {};
+  Skin skin{};
+  skin.mesh = &mesh, skin.vertices = joints;
+  Position moved[3];
+  Normal turned[3];
+  Skinning skinning{};
+  skinning.skin = &skin, skinning.positions = moved, skinning.normals = turned;
+  Mesh drawn_mesh = mesh;
+  drawn_mesh.skinning = &skinning;
+  const Material material{.colour = {200, 200, 200, 255}};
+  const Instance instance{};
+  const DirectionalLight light{};
+  Scene scene{};
+  scene.meshes = {&drawn_mesh, 1}, scene.materials = {&material, 1}, scene.instances = {&instance, 1};
+  scene.lights = {&light, 1};
+  Camera camera{};
+  camera.eye = {0, 0, fixed(4)};
+  const auto [status, plan] = zstrip::plan(count(scene), kView, kEffects, {});
+  EXPECT_TRUE(status);
+  Renderer<kEffects> renderer;
+  const picture::Picture drawn = picture::draw(renderer, scene, camera, kView, plan);
+  EXPECT_TRUE(drawn.status) << message(drawn.status.error);
+  const std::vector<std::uint16_t> pixels = rgb565_of(drawn);
+  return std::ranges::count_if(pixels, [&](std::uint16_t pixel) { return pixel != pixels[0]; });
+}
+
+/// Lists of triangles have indices of 15 bits.
+TEST(DrawnSkins, TrianglesFromIndex32768OnAreDrawn) {
+  const std::ptrdiff_t alone = pixels_behind(0);
+  EXPECT_GT(alone, 50);
+  EXPECT_EQ(pixels_behind(32767), alone);
+  EXPECT_EQ(pixels_behind(32768), alone);
 }
 
 /// One of the character's frames from afar, and from so near that much of it is clipped.

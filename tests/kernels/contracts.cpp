@@ -17,6 +17,7 @@ std::span<const Contract> contracts() {
       {"meshlets", kHasThumb || kHasVectors, compare_meshlets, 30'000, 900, 10'000},
       {"lists", true, compare_lists, 12'000, 1'200, 10'000},
       {"strips", true, compare_strips, 30'000, 2'000, 10'000},
+      {"shadows", true, compare_shadowed_strips, 24, 12, 500},
       {"spans", kHasVectors, compare_spans, 400, 40, 10'000},
       {"texels", kHasThumb || kHasVectors, compare_textured_runs, 80'000, 28'000, 10'000},
       {"triangles", kHasThumb || kHasVectors, compare_span_triangles, 63'000, 36'000, 4'000},

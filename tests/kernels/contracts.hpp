@@ -28,7 +28,7 @@ struct Contract {
   std::uint32_t least;                                ///< of Outcome::compared, on boards
 };
 
-/// One for each kernel, and three for what calls several.
+/// One for each kernel, and four for what calls several.
 std::span<const Contract> contracts();
 
 Outcome compare_transforms(std::uint32_t cases);
@@ -39,6 +39,7 @@ Outcome compare_small_runs(std::uint32_t cases);
 Outcome compare_meshlets(std::uint32_t cases);
 Outcome compare_lists(std::uint32_t cases);
 Outcome compare_strips(std::uint32_t cases);
+Outcome compare_shadowed_strips(std::uint32_t cases);
 Outcome compare_spans(std::uint32_t cases);
 Outcome compare_textured_runs(std::uint32_t cases);
 Outcome compare_span_triangles(std::uint32_t cases);

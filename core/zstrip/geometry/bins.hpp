@@ -81,6 +81,13 @@ class Bins {
     return {slots_ + used_ * kBinChunkSlots, (capacity_ - std::size_t{used_}) * kBinChunkSlots};
   }
 
+  /// The same lists, with no memory to spare.
+  Bins without_spare() const {
+    Bins lists = *this;
+    lists.capacity_ = used_;
+    return lists;
+  }
+
   BinList* lists() const { return lists_; }
   std::uint16_t* slots() const { return slots_; }
 

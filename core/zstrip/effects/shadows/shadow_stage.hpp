@@ -85,9 +85,13 @@ struct Stage : NoStage {
     const Statistics counted = frame.statistics;
     Colour* const lit = frame.colours;
     if (frame.mode == Mode::binned) frame.colours = state.colours_in_shadow;
+    // What runs hand on to the next strip is drawn in all light.
+    const Bins bins = frame.bins;
+    frame.bins = bins.without_spare();
     leave_light<effects>(frame, -1);
     draw_scene<effects>(frame, part, strip);
     leave_light<effects>(frame, 1);
+    frame.bins = bins;
     frame.colours = lit;
     frame.statistics = counted;
     return {};

@@ -22,13 +22,14 @@ constexpr bool lights_seen_vertices(Effects effects) {
          !effects.any(effect::outlines | effect::pixel_shading | effect::environment);
 }
 
-/// Meshlets with more vertices are lit whole; so are those that are clipped, which takes the stack for it.
+/// Meshlets with more vertices, or more triangles than lists can name, are lit whole; so are those that are clipped,
+/// which takes the stack for it.
 inline constexpr std::uint32_t kMaxSeenVertices = 256;
 
 template <Effects effects>
 bool lights_seen_vertices(const Batch& batch, const MeshletRange& range, bool all_narrow) {
   return (all_narrow || AssemblerFor<effects>::kUnclipped) && batch.instance->lit && batch.mesh->skinning != nullptr &&
-         range.vertex_count <= kMaxSeenVertices;
+         range.vertex_count <= kMaxSeenVertices && range.triangles.size() <= kMaxBatches;
 }
 
 /// The vertices of a meshlet that have been lit, and those that are to be.
