@@ -86,7 +86,8 @@ constexpr std::int64_t long_product(std::int32_t a, std::int32_t b) {
   return std::int64_t{a} * b;
 }
 constexpr std::int64_t long_product(std::int64_t a, std::int64_t b) { return a * b; }
-#if defined(__SIZEOF_INT128__) && __SIZEOF_POINTER__ == 8  // WebAssembly has the type, and calls functions for it
+// WebAssembly has the type, too, but functions for it.
+#if defined(__SIZEOF_INT128__) && __SIZEOF_POINTER__ == 8
 inline constexpr bool kMultipliesLonger = true;  ///< whether the processor multiplies 64 bits by 64 to 128
 /// floor(a * b / 2^shift) modulo 2^64, 0 <= shift < 128.
 constexpr std::int64_t longer_product_right(std::int64_t a, std::int64_t b, int shift) {
