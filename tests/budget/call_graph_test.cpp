@@ -116,6 +116,23 @@ TEST(Budget, ZerosBehindAReturnDoNotLeadIntoTheNextFunction) {
             0U);
 }
 
+// Regression: a routine inside of assembly that moves lr to another register seemed to call through a pointer.
+TEST(Budget, ARoutineThatKeepsItsReturnAddressInARegisterReturns) {
+  const auto with = [](const std::string& kept) {
+    std::vector<std::uint32_t> words(64);
+    words[0x50 / 4] = 0x61;
+    return bound(
+        "00000040 <root>:\n      40:\tpush\t{lr}\n      42:\tbl\t48 <root+0x8>\n      46:\tpop\t{pc}\n      "
+        "48:\tmov\t" +
+            kept +
+            "\n      4a:\tadds\tr1, #1\n      4c:\tbx\tip\n00000060 <pointed>:\n      60:\tsub\tsp, #40\t@ 0x28\n      "
+            "62:\tbx\tlr\n",
+        program_of(words));
+  };
+  EXPECT_EQ(with("ip, lr"), 4U);
+  EXPECT_EQ(with("ip, r3"), 44U);
+}
+
 TEST(Budget, StackBehindPointersIsThatOfAnyFunctionWithAnAddress) {
   const std::string_view text =
       "00000040 <root>:\n      40:\tpush\t{lr}\n      42:\tblx\tr3\n"

@@ -127,7 +127,13 @@ bool is_return(const ThumbFunction& function, std::size_t at) {
   if (name == "lr") return true;
   for (std::size_t i = at; i > 0 && at - i < 3; --i) {
     const Instruction& before = function.instructions[i - 1];
+    if (before.mnemonic == "pop" && before.operands.ends_with("pc}")) break;
     if (before.mnemonic == "pop") return before.operands == "{" + name + "}";
+  }
+  // A routine inside of a function in assembly: it has moved lr to a register that it does not write otherwise.
+  for (std::size_t i = at; i > 0; --i) {
+    const Instruction& before = function.instructions[i - 1];
+    if (before.operands.starts_with(name + ", ")) return before.mnemonic == "mov" && before.operands == name + ", lr";
   }
   return false;
 }

@@ -50,6 +50,7 @@ class Bins {
     slots_ = reinterpret_cast<std::uint16_t*>(memory + strips * kBinBytes);
     const std::uint32_t chunks = (bytes - strips * kBinBytes) / kBinChunkBytes;
     capacity_ = static_cast<std::uint16_t>(chunks < kMaxBinChunks ? chunks : kMaxBinChunks);
+    newest_batch_ = kNone;  // not a member's initialiser: a renderer that is not all zeros lies in flash, arena and all
     for (std::uint32_t strip = 0; strip < strips; ++strip) lists_[strip] = {0, kNone, kNone};
     if (capacity_ != 0) __builtin_memset(slots_ + (capacity_ - 1) * kBinChunkSlots, 0, kBinChunkBytes);
   }
@@ -112,7 +113,7 @@ class Bins {
   BinList* lists_ = nullptr;
   std::uint16_t* slots_ = nullptr;
   std::uint16_t capacity_ = 0, used_ = 0;  ///< chunks
-  std::uint16_t newest_batch_ = kNone;
+  std::uint16_t newest_batch_ = 0;
 };
 
 /// Reads the list of a strip from its start.
