@@ -82,9 +82,10 @@ Outcome compare_shadowed_strips(std::uint32_t cases) {
   for (std::uint32_t number = 0; number < cases; ++number) {
     const Budget budget{
         .bytes = arena.size(), .strip_rows = static_cast<std::uint16_t>(1 + number), .modes = Modes::binned};
-    const auto [status, plan] = zstrip::plan(count(scene), view, kEffects, budget);
+    const PlanResult planned = zstrip::plan(count(scene), view, kEffects, budget);
+    const Plan& plan = planned.plan;
     Renderer<kEffects> renderer;
-    if (!status || !renderer.begin_frame(scene, camera, view, plan, arena)) {
+    if (!planned.status || !renderer.begin_frame(scene, camera, view, plan, arena)) {
       outcome.differs("a plan", number);
       return outcome;
     }
