@@ -13,10 +13,10 @@ namespace zstrip::kernels_test {
 namespace {
 
 constexpr Effects kEffects = effect::lighting | effect::gouraud | effect::shadows | effect::bins;
-constexpr std::uint16_t kSide = 96;
+constexpr std::uint16_t kShadowedSide = 96;
 
 alignas(kArenaAlignment) std::array<std::byte, 160'000> arena;
-std::array<std::byte, kSide * kSide * 2> in_order, backwards;
+std::array<std::byte, kShadowedSide * kShadowedSide * 2> in_order, backwards;
 
 /// A rough square of +-1 that faces the viewer, of small triangles.
 struct RoughSquare {
@@ -76,7 +76,7 @@ Outcome compare_shadowed_strips(std::uint32_t cases) {
   scene.shadow = &shadow, scene.ambient = {40, 40, 40, 255};
   Camera camera{};
   camera.eye = {0, 0, fixed(1.2)};  // the square fills the picture
-  const View view{kSide, kSide, PixelFormat::rgb565};
+  const View view{kShadowedSide, kShadowedSide, PixelFormat::rgb565};
 
   Outcome outcome;
   for (std::uint32_t number = 0; number < cases; ++number) {
@@ -90,7 +90,7 @@ Outcome compare_shadowed_strips(std::uint32_t cases) {
       return outcome;
     }
     const auto draw = [&](std::uint16_t strip, std::span<std::byte> pixels) {
-      const std::size_t begin = std::size_t{strip} * plan.strip_rows * kSide * 2;
+      const std::size_t begin = std::size_t{strip} * plan.strip_rows * kShadowedSide * 2;
       const std::size_t bytes = std::min<std::size_t>(plan.strip_pixel_bytes(view), pixels.size() - begin);
       return static_cast<bool>(renderer.draw_strip(strip, pixels.subspan(begin, bytes)));
     };
