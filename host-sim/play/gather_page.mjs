@@ -1,7 +1,8 @@
 // Gathers the page with the example scenes in a folder that any server of files can show:
 //     node gather_page.mjs FOLDER MODULE...     (MODULE: what was linked, .mjs and .wasm)
 // ZSTRIP_PICO_PROGRAM names zstrip_pico_player.uf2, ZSTRIP_PICO2_PROGRAM zstrip_pico2_player.uf2; else the page gets those
-// of the build tree that are there.
+// of the build tree that are there, and it is said which it does not get.
+// Exit status: 0, 1 one that is named is not there: FOLDER is as it was.
 import {copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {basename, dirname, join, relative} from 'node:path';
 import {fileURLToPath} from 'node:url';
@@ -47,7 +48,26 @@ function example(path) {
 
 const tomls = (folder) => readdirSync(folder).filter((name) => name.endsWith('.toml')).sort().map((name) => join(folder, name));
 
+/** The programs for the Picos that the page gets, as [board, file, path]; an Error for one that is named and not there. */
+function programFiles() {
+  return Object.entries(kPicoPrograms).flatMap(([board, file]) => {
+    const variable = `ZSTRIP_${board.toUpperCase()}_PROGRAM`, named = process.env[variable];
+    const path = named || join(kBuiltPrograms, file);
+    if (existsSync(path)) return [[board, file, path]];
+    if (named) throw new Error(`${variable}: there is no '${named}'`);
+    console.log(`zstrip: the page is without ${file}: the build tree does not have it, and ${variable} does not name it`);
+    return [];
+  });
+}
+
 const [folder, ...modules] = process.argv.slice(2);
+let programs;
+try {
+  programs = programFiles();
+} catch (error) {
+  console.error(`zstrip: ${error.message}`);
+  process.exit(1);
+}
 rmSync(folder, {recursive: true, force: true});
 mkdirSync(folder, {recursive: true});
 const examples = [
@@ -61,12 +81,7 @@ for (const path of new Set(examples.flatMap(({files}) => files ?? []))) {
   mkdirSync(dirname(target), {recursive: true});
   copyFileSync(join(kScenes, path), target);
 }
-const programs = Object.entries(kPicoPrograms).filter(([board, file]) => {
-  const path = process.env[`ZSTRIP_${board.toUpperCase()}_PROGRAM`] || join(kBuiltPrograms, file);
-  if (!existsSync(path)) return false;
-  copyFileSync(path, join(folder, file));
-  return true;
-}).map(([board]) => board);
-writeFileSync(join(folder, 'contents.json'), JSON.stringify({examples, programs}));
+for (const [, file, path] of programs) copyFileSync(path, join(folder, file));
+writeFileSync(join(folder, 'contents.json'), JSON.stringify({examples, programs: programs.map(([board]) => board)}));
 for (const name of readdirSync(join(kHere, 'page'))) copyFileSync(join(kHere, 'page', name), join(folder, name));
 for (const path of modules) copyFileSync(path, join(folder, basename(path)));
