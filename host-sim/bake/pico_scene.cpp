@@ -19,11 +19,10 @@ namespace {
 constexpr std::string_view kReads = pico::kReads;
 static_assert(kReads.find(static_cast<char>('0' + kSceneBlobVersion)) != std::string_view::npos);
 
-/// Whether the program has the words in which it says what it reads, and from where.
-bool reads_scenes(const pico::Pages& program) {
+bool has_words(const pico::Pages& program, std::string_view words) {
   std::vector<std::uint8_t> bytes;
   for (const auto& [address, page] : program) bytes.insert(bytes.end(), page.begin(), page.end());
-  return std::search(bytes.begin(), bytes.end(), kReads.begin(), kReads.end()) != bytes.end();
+  return std::search(bytes.begin(), bytes.end(), words.begin(), words.end()) != bytes.end();
 }
 
 }  // namespace
@@ -41,12 +40,19 @@ Result<pico::Pages> read_pico_program(const std::string& path, const pico::Board
                    fmt::format("fills the flash from {:08x} on, where the scene goes; take the program without a scene",
                                pico::kScene)});
   }
-  if (!program->contains(pico::kFlash) || !reads_scenes(*program)) {
-    return failed({ExitStatus::input, fmt::format("is not the program that shows a {}; take zstrip_{}_player.uf2 of "
-                                                  "the same release as this command",
-                                                  kReads, board.name)});
+  if (!program->contains(pico::kFlash) || !has_words(*program, kReads)) {
+    return failed({ExitStatus::input, fmt::format("is not the program that shows a {}; take {}.uf2 of the same release "
+                                                  "as this command",
+                                                  kReads, board.player)});
   }
   return program;
+}
+
+const pico::Board& board_of(const pico::Pages& program, const pico::Board& board) {
+  for (const pico::Board* const other : pico::kBoards) {
+    if (other->family == board.family && has_words(program, other->no_scene)) return *other;
+  }
+  return board;
 }
 
 Result<std::vector<std::uint8_t>> to_pico_file(std::span<const std::uint8_t> blob, const pico::Pages& program,
@@ -66,7 +72,7 @@ Result<std::vector<std::uint8_t>> to_pico_file(std::span<const std::uint8_t> blo
   return pico::to_uf2(pages, board);
 }
 
-std::uint32_t pico_budget(const Scene& scene, const Animation& animation, const Turn& turn, const pico::Board& board) {
+std::uint64_t kept_on_pico(const Scene& scene, const Animation& animation, const Turn& turn) {
   // As zstrip::Player takes it; each piece begins at a multiple of kArenaAlignment.
   constexpr std::uint64_t kPieces = 8, kLineSet = 64;  // which has a pointer: 64 bytes on the board
   std::uint64_t kept = table_bytes(scene) + kPieces * kArenaAlignment;
@@ -74,7 +80,7 @@ std::uint32_t pico_budget(const Scene& scene, const Animation& animation, const 
     kept += scene.instances.size() * sizeof(Instance);
   }
   if (scenes::turns_lines(animation, turn)) kept += scene.lines.size() * kLineSet;
-  return kept < board.player_memory ? static_cast<std::uint32_t>(board.player_memory - kept) : 1;
+  return kept;
 }
 
 Result<Done> check_for_pico(Effects effects) {

@@ -375,7 +375,12 @@ Result<Done> run(const Arguments& arguments) {
   at_rest.scene = paletted.scene();
   const Result<Turn> turn = turn_of(**stage, *request, arguments, *staging);
   if (!turn) return turn.failure();
-  if (for_pico) *request = request_for_pico(*request, at_rest, (*stage)->animation(), *turn, pico_file->board);
+  if (for_pico) {
+    request = request_for_pico(*request, at_rest, (*stage)->animation(), *turn, pico_file->board);
+    if (!request) {
+      return Failure{request.failure().status, fmt::format("'{}' {}", arguments.scene, request.failure().message)};
+    }
+  }
   Result<BakedScene> baked = bake(arguments.scene, at_rest, (*stage)->animation(), *turn, skins, *request);
   if (!baked) return baked.failure();
   if (*kind == Kind::sketch || *kind == Kind::program) {

@@ -3,24 +3,35 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "bake/pico_scene.hpp"
 #include "cli/one_of.hpp"
+#include "report/number.hpp"
+#include "zstrip/plan.hpp"
 
 namespace zstrip::sim {
 
 void add_pico_options(CLI::App& command, PicoArguments& arguments) {
+  std::vector<std::string> names;
+  for (const pico::Board* const board : pico::kBoards) names.emplace_back(board->name);
   command
-      .add_option("--board", arguments.board,
-                  "Which board a .uf2 file is for: pico, a Raspberry Pi Pico (default), or pico2, a Pico 2")
+      .add_option(
+          "--board", arguments.board,
+          "Which board a .uf2 file is for: pico, a Raspberry Pi Pico (default), or pico2, a Pico 2; pico_hot or "
+          "pico2_hot: with the program that has hot code in RAM, and less of it for a scene")
       ->option_text("BOARD")
-      ->check(one_of({pico::kPico.name, pico::kPico2.name}));
+      ->check(one_of(names));
   command
-      .add_option("--with", arguments.program,
-                  "Into a .uf2 file, too: the program that shows it, zstrip_pico_player.uf2 or zstrip_pico2_player.uf2")
+      .add_option(
+          "--with", arguments.program,
+          "Into a .uf2 file, too: the program that shows it, zstrip_pico_player.uf2 or zstrip_pico2_player.uf2, "
+          "or one of them with _hot")
       ->type_name("FILE");
 }
 
@@ -36,11 +47,15 @@ Result<Done> check_not_for_pico(const PicoArguments& arguments) {
 
 Result<PicoFile> parse_pico(const PicoArguments& arguments, const std::string& output) {
   PicoFile file;
-  if (arguments.board && *arguments.board == pico::kPico2.name) file.board = pico::kPico2;
+  for (const pico::Board* const board : pico::kBoards) {
+    if (arguments.board == board->name) file.board = *board;
+  }
   if (!arguments.program) return file;
   Result<pico::Pages> read = read_pico_program(*arguments.program, file.board);
   if (!read) return read.failure();
   file.program = std::move(*read);
+  const pico::Board& of_program = board_of(file.program, file.board);
+  if (of_program.player_memory < file.board.player_memory) file.board = of_program;
   std::error_code ignored;  // what is not there is not the same
   if (std::filesystem::equivalent(*arguments.program, output, ignored)) {
     return Failure{ExitStatus::usage, fmt::format("-o '{}' is the file of --with; name another one", output)};
@@ -56,10 +71,41 @@ PlanArguments plan_arguments_for_pico(PlanArguments plan) {
   return plan;
 }
 
-PlanRequest request_for_pico(const PlanRequest& request, const Staging& staging, const Animation& animation,
-                             const Turn& turn, const pico::Board& board) {
+namespace {
+
+std::uint32_t left_of(const pico::Board& board, std::uint64_t kept) {
+  return kept < board.player_memory ? static_cast<std::uint32_t>(board.player_memory - kept) : 1;
+}
+
+/// Whether the program's own plan fits, of a scene of which it keeps `kept` bytes besides.
+Status planned_on_pico(const PlanRequest& request, const Staging& staging, std::uint64_t kept,
+                       const pico::Board& board) {
+  const View view{pico::kPanelSide, pico::kPanelSide, PixelFormat::rgb565_swapped, request.view.dither,
+                  request.view.samples};
+  const Effects effects = effects_of(staging.scene, staging.camera) | effects_of(view) | request.perspective;
+  return plan(count(staging.scene), view, effects | effect::bins, {.bytes = left_of(board, kept), .strip_buffers = 2})
+      .status;
+}
+
+}  // namespace
+
+Result<PlanRequest> request_for_pico(const PlanRequest& request, const Staging& staging, const Animation& animation,
+                                     const Turn& turn, const pico::Board& board) {
+  const std::uint64_t kept = kept_on_pico(staging.scene, animation, turn);
+  const auto planned_on = [&](const pico::Board& any) { return planned_on_pico(request, staging, kept, any); };
+  if (const Status planned = planned_on(board); planned.error == Error::arena_too_small) {
+    const auto* const larger = std::ranges::find_if(
+        pico::kBoards, [&](const pico::Board* other) { return static_cast<bool>(planned_on(*other)); });
+    return Failure{ExitStatus::budget,
+                   fmt::format("takes {} of RAM, of the arena most for {}; {} has {} for a scene; {}",
+                               counted(kept + planned.needed, "byte"), name(planned.purpose), board.player,
+                               grouped(board.player_memory),
+                               larger == std::end(pico::kBoards)
+                                   ? "take fewer vertices or instances"
+                                   : fmt::format("{} has enough: --board {}", (*larger)->player, (*larger)->name))};
+  }
   PlanRequest within = request;
-  const std::uint32_t left = pico_budget(staging.scene, animation, turn, board);
+  const std::uint32_t left = left_of(board, kept);
   if (within.budget.bytes == 0 || within.budget.bytes > left) within.budget.bytes = left;
   PlanRequest usual = within;
   usual.budget.strip_rows = pico::kStripRows;

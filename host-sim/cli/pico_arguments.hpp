@@ -25,7 +25,8 @@ void add_pico_options(CLI::App& command, PicoArguments& arguments);
 /// Fails if one of them is given: for other files.
 Result<Done> check_not_for_pico(const PicoArguments& arguments);
 
-/// What a file is for, and the program that it has besides.
+/// What a file is for, and the program that it has besides. Where that has less memory than the option's board, it
+/// counts.
 struct PicoFile {
   pico::Board board = pico::kPico;
   pico::Pages program;
@@ -37,8 +38,9 @@ Result<PicoFile> parse_pico(const PicoArguments& arguments, const std::string& o
 /// What the options leave open is as the program draws, which plans by itself.
 PlanArguments plan_arguments_for_pico(PlanArguments plan);
 
-/// Within the memory of the program, with as many rows as it takes where they fit.
-PlanRequest request_for_pico(const PlanRequest& request, const Staging& staging, const Animation& animation,
+/// Within the memory of the program, with as many rows as it takes where they fit. Fails where no plan of the
+/// program's fits: it plans by itself, whatever the options say.
+Result<PlanRequest> request_for_pico(const PlanRequest& request, const Staging& staging, const Animation& animation,
                              const Turn& turn, const pico::Board& board);
 
 }  // namespace zstrip::sim

@@ -123,10 +123,10 @@ class BakePico : public Bake {
     const Bytes bytes = pico::to_uf2(content, board);
     return file(name, std::string(bytes.begin(), bytes.end()));
   }
-  /// What only looks like one: it says what it reads.
-  static Pages program() {
+  /// What only looks like one: it says what it reads, and which board's player it is.
+  static Pages program(const pico::Board& board = kPico) {
     Page page = page_of(0x11);
-    std::ranges::copy(std::string_view(pico::kReads), page.begin() + 100);
+    std::ranges::copy(std::string_view(board.no_scene), page.begin() + 50);
     return {{pico::kFlash, page_of(0x22)}, {pico::kFlash + pico::kPage, page}};
   }
 };
@@ -158,7 +158,8 @@ TEST_F(BakePico, FileHasTheBlobAtItsPlaceAloneOrBesideAProgram) {
 TEST_F(BakePico, FileForAPico2HasItsFamilyAndTheSameBlob) {
   report({"bake", kHouseModel, "-o", "house.uf2"});
   report({"bake", kHouseModel, "-o", "house2.uf2", "--board", "pico2"});
-  report({"bake", kHouseModel, "-o", "both2.uf2", "--board", "pico2", "--with", file_of(program(), "2.uf2", kPico2)});
+  report({"bake", kHouseModel, "-o", "both2.uf2", "--board", "pico2", "--with",
+          file_of(program(kPico2), "2.uf2", kPico2)});
   for (const std::string name : {"house2.uf2", "both2.uf2"}) {
     const std::string file = read(path(name));
     ASSERT_EQ(file.size() % 512, 0U);
@@ -170,7 +171,7 @@ TEST_F(BakePico, FileForAPico2HasItsFamilyAndTheSameBlob) {
   EXPECT_EQ(alone.begin()->first, 0x10100000U);
   EXPECT_EQ(alone, pages("house.uf2"));
   for (const auto& [address, page] : alone) EXPECT_EQ(both.at(address), page);
-  for (const auto& [address, page] : program()) EXPECT_EQ(both.at(address), page);
+  for (const auto& [address, page] : program(kPico2)) EXPECT_EQ(both.at(address), page);
 }
 
 TEST_F(BakePico, Pico2HasMemoryForMore) {
@@ -182,6 +183,49 @@ TEST_F(BakePico, Pico2HasMemoryForMore) {
   const auto arena = baked.at("plan").at("ram_bytes").at("arena").get<std::uint32_t>();
   EXPECT_GT(arena, kPico.player_memory);
   EXPECT_LE(arena, kPico2.player_memory);
+}
+
+/// Of the player, whether the option names it or it is the program of the file.
+TEST_F(BakePico, HotCodeLeavesLessMemory) {
+  const auto status_of = [this](const std::vector<std::string>& options) {
+    std::vector<std::string> bake{"bake", "random10k", "-o", "x.uf2"};
+    bake.insert(bake.end(), options.begin(), options.end());
+    return zstrip(bake);
+  };
+  const auto refused = [&](const std::vector<std::string>& options) {
+    const Outcome outcome = status_of(options);
+    EXPECT_EQ(outcome.status, 5) << outcome.err;
+    for (const char* const words :
+         {"'random10k' takes 24", " bytes of RAM, of the arena most for vertices; ",
+          "; zstrip_pico_player_hot has 225,280 for a scene; ", "; zstrip_pico_player has enough: --board pico\n"}) {
+      EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(path("x.uf2")));
+  };
+  const std::string usual = file_of(program(), "usual.uf2"), hot = file_of(program(pico::kPicoHot), "hot.uf2");
+  refused({"--board", "pico_hot"});
+  refused({"--with", hot});
+  refused({"--board", "pico_hot", "--with", usual});
+  refused({"--board", "pico_hot", "--split-columns", "--strip-buffers", "1"});  // the program plans without
+  EXPECT_EQ(status_of({}).status, 0);
+  EXPECT_EQ(status_of({"--with", usual}).status, 0);
+  EXPECT_EQ(status_of({"--board", "pico2_hot"}).status, 0);
+  EXPECT_EQ(status_of({"--board", "pico2_hot", "--with", file_of(program(kPico2), "2.uf2", kPico2)}).status, 0);
+}
+
+/// Of four boards, by a scene of which the program keeps more than any of them has.
+TEST_F(BakePico, SceneThatNoPlayerHasMemoryForIsSaid) {
+  std::string scene = "model = [{ name = \"cube\", built_in = \"cube\" }]\ninstance = [";
+  for (int i = 0; i < 4000; ++i) scene += "{ model = \"cube\" },";
+  file("many.toml", scene + "]\n");
+  for (const pico::Board* const board : pico::kBoards) {
+    const Outcome outcome = zstrip({"bake", "many.toml", "-o", "x.uf2", "--board", board->name});
+    EXPECT_EQ(outcome.status, 5);
+    EXPECT_NE(outcome.err.find(std::string("of the arena most for instances; ") + board->player + " has "),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_NE(outcome.err.find("; take fewer vertices or instances\n"), std::string::npos) << outcome.err;
+  }
 }
 
 TEST_F(BakePico, ProgramsThatWouldNotShowItAreRefused) {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include "programs.hpp"
 
@@ -28,6 +29,23 @@ Bytes flash_image(const std::string& program_name) {
   Bytes bytes = file_contents(image);
   std::filesystem::remove(image);
   return bytes;
+}
+
+std::uint32_t variable_bytes(const std::string& program_name, const std::string& variable) {
+  const std::filesystem::path list =
+      std::filesystem::path(testing::TempDir()) / (program_name + "-" + std::to_string(::getpid()) + ".symbols");
+  const std::string command = "arm-none-eabi-nm -S '" + program(program_name).string() + "' > '" + list.string() + "'";
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  std::uint32_t found = 0;
+  std::ifstream stream(list);
+  for (std::string line; std::getline(stream, line);) {
+    std::istringstream words(line);
+    std::string name, kind;
+    std::uint32_t address = 0, bytes = 0;
+    if (words >> std::hex >> address >> bytes >> kind >> name && name == variable) found = bytes;
+  }
+  std::filesystem::remove(list);
+  return found;
 }
 
 std::uint32_t word(const Bytes& bytes, std::size_t at) {

@@ -14,6 +14,9 @@ using Bytes = std::vector<unsigned char>;
 /// The flash of a program from its beginning, as binutils see it.
 Bytes flash_image(const std::string& program_name);
 
+/// How many bytes a variable of a program takes, by its mangled name; 0 if there is none.
+std::uint32_t variable_bytes(const std::string& program_name, const std::string& variable);
+
 /// Four bytes, the lowest first.
 std::uint32_t word(const Bytes& bytes, std::size_t at);
 

@@ -1,10 +1,13 @@
-// The Pico's program as files, without running it as tests/pico does: the second boot stage's checksum, and the .uf2
-// file against the .elf file.
+// The Pico's program as files, without running it as tests/pico does: the second boot stage's checksum, the .uf2 file
+// against the .elf file, and what `zstrip bake` knows of the players of Pico and Pico 2.
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <string_view>
 
+#include "pico/flash_map.hpp"
 #include "pico_files.hpp"
 
 namespace zstrip::boards {
@@ -44,6 +47,19 @@ TEST(BoardPico, Uf2HasTheWholeFlashImage) {
   const Bytes uf2 = uf2_file(kPicoProgram);
   if (uf2.empty()) GTEST_SKIP() << "there was no compiler for this machine in the cross build";
   EXPECT_EQ(uf2_complaint(uf2, flash_image(kPicoProgram), 0xE48BFF56), "");
+}
+
+/// Their memory, and the words by which `zstrip bake --with` knows them apart.
+TEST(BoardPico, PlayersAreAsBakeKnowsThem) {
+  for (const pico::Board* const board : pico::kBoards) {
+    EXPECT_EQ(variable_bytes(board->player, "_ZN12_GLOBAL__N_16memoryE"), board->player_memory) << board->player;
+    const Bytes flash = flash_image(board->player);
+    for (const pico::Board* const other : pico::kBoards) {
+      const std::string_view words = other->no_scene;
+      EXPECT_EQ(std::search(flash.begin(), flash.end(), words.begin(), words.end()) != flash.end(), other == board)
+          << board->player << ": " << words;
+    }
+  }
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 //   node pico.mjs figures WORK UF2 [ZSTRIP SCENE]   a line of docs/measured/pico.csv; with the player of a scene
 //   node pico.mjs stuck WORK UF2 PANEL              a bus that gets stuck ends in a panic and a reset
 //   node pico.mjs baked WORK UF2 PANEL ZSTRIP SCENE...  the player shows what the command bakes and draws
-//   node pico.mjs refused WORK UF2 PANEL ZSTRIP     what the player cannot show it says
+//   node pico.mjs refused WORK UF2 PANEL ZSTRIP     what the player cannot show it says, and so does the command
 //   node pico.mjs hot WORK UF2 HOT_UF2 ZSTRIP SCENE  with hot code in RAM the player misses the cache less often
 //   node pico.mjs prediction WORK ELF ZSTRIP        cycles are those that `zstrip bench --board pico` predicts
 // PANEL is the program of panel.cpp, ZSTRIP the command; UF2 has the teapot, or the player for baked scenes; ELF is the
@@ -250,21 +250,37 @@ function wrongWhenRefused({library, flash, panel}, blob, says) {
   return wrong;
 }
 
-function refused(given) {
-  const {run, file} = commandOf(given.zstrip, given.folder);
-  run('bake', 'cube', '-o', 'cube.zsc');
+/** A scene that is too large for the player, but not by much for the one with hot code in RAM: that without shows it. */
+function largeFor(player, file) {
+  if (player === 'zstrip_pico_player_hot') return 'random10k';
   // Tinted: colours in the mesh would take no memory.
   writeFileSync(file('large.toml'), 'model = [{ name = "all", built_in = "random10k" }]\n' +
       'material = [{ name = "red", colour = "#ff8080" }]\ninstance = [{ model = "all", material = "red" }]\n');
-  run('bake', 'large.toml', '-o', 'large.zsc');
+  return 'large.toml';
+}
+
+/** What is wrong if the command does not say, of itself, that the scene is too large for the player. */
+function wrongWhenBakedWith({zstrip, uf2, folder}, player, scene) {
+  const {status, stderr} = spawnSync(zstrip, ['bake', scene, '-o', 'with.uf2', '--with', uf2], {cwd: folder, encoding: 'utf8'});
+  return status === 5 && stderr.includes(`${player} has `) ? [] : [`zstrip bake ends with ${status}: ${stderr}`];
+}
+
+function refused(given) {
+  const {run, file} = commandOf(given.zstrip, given.folder), player = basename(given.uf2, '.uf2');
+  const option = player.endsWith('_hot') ? ' --board pico_hot' : '', large = largeFor(player, file);
+  run('bake', 'cube', '-o', 'cube.zsc');
+  run('bake', large, '-o', 'large.zsc');
   const damaged = readFileSync(file('cube.zsc'));
   damaged[damaged.length - 1] ^= 1;
   return verdict([
-    ['no scene', undefined, /^panic: scene: no scene of version \d+ at 10100000 in the flash\. zstrip bake MODEL /],
+    ['no scene', undefined, new RegExp(
+      '^panic: scene: no scene of version \\d+ at 10100000 in the flash\\. ' +
+      `zstrip bake MODEL -o scene.uf2${option}, hold `)],
     ['damaged', damaged, /^panic: scene: these bytes are no whole scene: byte \d+ is wrong; bake it again$/],
     ['large', readFileSync(file('large.zsc')),
       /^panic: scene: \d+ bytes of memory are missing: the picture takes at least \d+, \d+ are left; most are for /],
-  ].flatMap(([name, blob, says]) => wrongWhenRefused(given, blob, says).map((line) => `${name}: ${line}`)));
+  ].flatMap(([name, blob, says]) => wrongWhenRefused(given, blob, says).map((line) => `${name}: ${line}`))
+      .concat(wrongWhenBakedWith(given, player, large)));
 }
 
 function prediction({library, elf, zstrip}) {

@@ -15,9 +15,6 @@ inline constexpr std::uint32_t kSector = 4096;  // which is erased at once
 inline constexpr std::uint32_t kScene = kFlash + (1 << 20);
 static_assert((kScene - kFlash) % kSector == 0);
 
-/// What the player has of the RAM less where hot code is there, zstrip_pico_player_hot and zstrip_pico2_player_hot.
-inline constexpr std::uint32_t kHotCode = 28 * 1024;
-
 /// Of the panel, which the scene is baked for.
 inline constexpr std::uint16_t kPanelSide = 240;
 
@@ -31,14 +28,16 @@ inline constexpr std::uint16_t kStripRows = 80;
 inline constexpr char kReads[] = ZSTRIP_PICO_READS;
 static_assert(kScene == 0x10100000);
 
+/// A board with its player, the program that shows a scene.
 struct Board {
   const char* name;    ///< for options
   const char* called;  ///< in sentences
   const char* chip;
   std::uint32_t family;  ///< of the chip, in .uf2 files
   std::uint32_t flash_bytes;
-  std::uint32_t player_memory;  ///< what the player has of the RAM for all that is not in flash
-  const char* no_scene;         ///< what the program shows then
+  const char* player;           ///< the program's name
+  std::uint32_t player_memory;  ///< what it has of the RAM for all that is not in flash
+  const char* no_scene;         ///< what it shows then
 
   constexpr std::uint32_t scene_bytes() const { return kFlash + flash_bytes - kScene; }
 };
@@ -46,11 +45,44 @@ struct Board {
 #define ZSTRIP_PICO_NO_SCENE(options)                                             \
   "no " ZSTRIP_PICO_READS " in the flash. zstrip bake MODEL -o scene.uf2" options \
   ", hold BOOTSEL while plugging in, copy scene.uf2 to the drive"
-inline constexpr Board kPico{"pico", "Pico", "RP2040", 0xE48BFF56, 2 << 20, 248 * 1024, ZSTRIP_PICO_NO_SCENE("")};
+inline constexpr Board kPico{.name = "pico",
+                             .called = "Pico",
+                             .chip = "RP2040",
+                             .family = 0xE48BFF56,
+                             .flash_bytes = 2 << 20,
+                             .player = "zstrip_pico_player",
+                             .player_memory = 248 * 1024,
+                             .no_scene = ZSTRIP_PICO_NO_SCENE("")};
+/// With hot code in RAM, of which its player has less for a scene: by what that code takes, and some KB in which it may
+/// grow.
+inline constexpr Board kPicoHot{.name = "pico_hot",
+                                .called = kPico.called,
+                                .chip = kPico.chip,
+                                .family = kPico.family,
+                                .flash_bytes = kPico.flash_bytes,
+                                .player = "zstrip_pico_player_hot",
+                                .player_memory = kPico.player_memory - 28 * 1024,
+                                .no_scene = ZSTRIP_PICO_NO_SCENE(" --board pico_hot")};
 /// Of the RP2350 its Arm processors, secure.
-inline constexpr Board kPico2{
-    "pico2", "Pico 2", "RP2350", 0xE48BFF59, 4 << 20, 508 * 1024, ZSTRIP_PICO_NO_SCENE(" --board pico2")};
+inline constexpr Board kPico2{.name = "pico2",
+                              .called = "Pico 2",
+                              .chip = "RP2350",
+                              .family = 0xE48BFF59,
+                              .flash_bytes = 4 << 20,
+                              .player = "zstrip_pico2_player",
+                              .player_memory = 508 * 1024,
+                              .no_scene = ZSTRIP_PICO_NO_SCENE(" --board pico2")};
+inline constexpr Board kPico2Hot{.name = "pico2_hot",
+                                 .called = kPico2.called,
+                                 .chip = kPico2.chip,
+                                 .family = kPico2.family,
+                                 .flash_bytes = kPico2.flash_bytes,
+                                 .player = "zstrip_pico2_player_hot",
+                                 .player_memory = kPico2.player_memory - 32 * 1024,
+                                 .no_scene = ZSTRIP_PICO_NO_SCENE(" --board pico2_hot")};
 #undef ZSTRIP_PICO_NO_SCENE
 #undef ZSTRIP_PICO_READS
+
+inline constexpr const Board* kBoards[] = {&kPico, &kPicoHot, &kPico2, &kPico2Hot};
 
 }  // namespace zstrip::pico

@@ -65,6 +65,7 @@ inline constexpr std::uint32_t kDmaAbort = 0x50000444;
 constexpr std::uint32_t hertz() { return 125'000'000; }
 
 constexpr const pico::Board& board() { return pico::kPico; }
+constexpr const pico::Board& hot_board() { return pico::kPicoHot; }
 
 /// The watchdog counts down by two a microsecond (RP2040-E1), so that 24 bits are 8.3 s.
 constexpr std::uint32_t watchdog_counts_per_second() { return 2'000'000; }

@@ -22,14 +22,13 @@ using namespace zstrip::board;
 
 static_assert(pico::kReads[17] - '0' == kSceneBlobVersion);
 
-constexpr const pico::Board& kBoard = chip::board();
-
 #ifdef ZSTRIP_HOT_IN_RAM
-constexpr std::uint32_t kMemory = kBoard.player_memory - pico::kHotCode;
+constexpr const pico::Board& kBoard = chip::hot_board();
 #else
-constexpr std::uint32_t kMemory = kBoard.player_memory;
+constexpr const pico::Board& kBoard = chip::board();
 #endif
-alignas(kArenaAlignment) constinit std::array<std::byte, kMemory> memory{};
+
+alignas(kArenaAlignment) constinit std::array<std::byte, kBoard.player_memory> memory{};
 constinit Player player(memory, &drawn_with_baked);
 
 /// As many bytes as the scene says that it has; the flash's if it says more, which is an error then.

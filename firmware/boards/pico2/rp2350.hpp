@@ -72,6 +72,7 @@ inline constexpr std::uint32_t kDmaAbort = 0x50000464;
 constexpr std::uint32_t hertz() { return 150'000'000; }
 
 constexpr const pico::Board& board() { return pico::kPico2; }
+constexpr const pico::Board& hot_board() { return pico::kPico2Hot; }
 
 constexpr std::uint32_t watchdog_counts_per_second() { return 1'000'000; }
 
