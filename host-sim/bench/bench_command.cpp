@@ -62,7 +62,29 @@ struct BenchOptions {
   std::uint32_t table_row = 0;          ///< likewise, of the tables of visibility
 };
 
-Result<std::vector<BenchCase>> cases_for(const BenchOptions& options, const std::string& target) {
+/// Targets that have a program for a scene that is a file.
+constexpr std::string_view kTargetsOfModels[] = {"m0", "m3", "m4f", "m7"};
+
+bool draws_models(std::string_view target) {
+  return target == "host" || std::ranges::find(kTargetsOfModels, target) != std::end(kTargetsOfModels);
+}
+
+/// Why a target, that of the board of this name unless it is empty, does not draw a workload.
+std::string no_model_on(std::string_view workload, const std::string& target, std::string_view board) {
+  if (board.empty())
+    return fmt::format("{} is for --target host, m0, m3, m4f and m7; {} has no program for it", workload, target);
+  std::string boards;
+  for (const BoardModel& other : board_models()) {
+    if (!draws_models(other.target)) continue;
+    if (!boards.empty()) boards += ", ";
+    boards += other.name;
+  }
+  return fmt::format("{} is for --board {}; {} has no program for it", workload, boards, board);
+}
+
+/// `board`: its target is `target`; empty: the target was asked for.
+Result<std::vector<BenchCase>> cases_for(const BenchOptions& options, const std::string& target,
+                                         std::string_view board = {}) {
   Budget budget;
   if (!options.ram.empty()) {
     const Result<std::uint32_t> bytes = parse_bytes(options.ram);
@@ -80,6 +102,9 @@ Result<std::vector<BenchCase>> cases_for(const BenchOptions& options, const std:
     budget.strip_columns = *columns;
   }
   budget.modes = options.mode == "binned" ? Modes::binned : Modes::streamed;
+  if (target == "rv32" && (budget.modes == Modes::binned || options.depth != "z16")) {
+    return Failure{ExitStatus::usage, "rv32 has no program but for --mode streamed and --depth z16"};
+  }
   if (options.depth != "z16") {
     const bool known =
         options.workloads == std::vector<std::string>{"R50"} && target != "host" && options.mode == "streamed";
@@ -89,17 +114,18 @@ Result<std::vector<BenchCase>> cases_for(const BenchOptions& options, const std:
   std::vector<BenchCase> cases;
   for (const std::string& name : options.workloads) {
     const Workload* workload = find_workload(name);
-    if (workload->built_in() == nullptr) {
-      return Failure{ExitStatus::environment, fmt::format("{} needs {}, which cannot be read", name, workload->scene)};
-    }
     if (workload->is_model() && target != "host" && options.mode == "binned") {
-      return Failure{ExitStatus::usage, fmt::format("{} is drawn streamed on boards", name)};
+      return Failure{ExitStatus::usage, fmt::format("{} is drawn streamed on boards; leave out --mode binned", name)};
     }
-    if (workload->is_model() && (target == "m33" || target == "m55" || target == "rv32")) {
-      return Failure{ExitStatus::usage, fmt::format("{} is for host, m0, m3, m4f and m7", name)};
+    if (workload->is_model() && !draws_models(target)) {
+      return Failure{ExitStatus::usage, no_model_on(name, target, board)};
     }
     if (workload->is_model() && options.peers) {
       return Failure{ExitStatus::usage, fmt::format("{} is no scene that other renderers have here", name)};
+    }
+    if (workload->built_in() == nullptr) {
+      return Failure{ExitStatus::environment,
+                     fmt::format("{} needs {}, which cannot be read (Debian: glmark2-data)", name, workload->scene)};
     }
     View view{workload->width, workload->height, PixelFormat::rgb565};
     if (!options.size.empty()) {
@@ -195,7 +221,7 @@ Result<Done> run_predictions(const BenchOptions& options) {
     if (options.cores > board.cores) {
       return Failure{ExitStatus::usage, fmt::format("--cores {}: {} has one", options.cores, name)};
     }
-    const Result<std::vector<BenchCase>> cases = cases_for(options, std::string(board.target));
+    const Result<std::vector<BenchCase>> cases = cases_for(options, std::string(board.target), name);
     if (!cases) return cases.failure();
     for (const BenchCase& bench_case : *cases) {
       Result<BoardPrediction> prediction = predict(board, bench_case, options.cores, options.firmware);

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 
@@ -18,6 +19,7 @@
 #include "bench/workloads.hpp"
 #include "image/temporary_file.hpp"
 #include "image/write_file.hpp"
+#include "report/number.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -60,6 +62,7 @@ std::vector<std::string> emulator_command(const BenchCase& bench_case, const fs:
   if (bench_case.budget.strip_buffers != 0) words += fmt::format(",arg=buffers={}", bench_case.budget.strip_buffers);
   if (bench_case.budget.strip_rows != 0) words += fmt::format(",arg=rows={}", bench_case.budget.strip_rows);
   if (bench_case.budget.strip_columns != 0) words += fmt::format(",arg=columns={}", bench_case.budget.strip_columns);
+  if (bench_case.in_turns) words += ",arg=order=turns";
   if (bench_case.view.format != PixelFormat::rgb565) {
     words += bench_case.view.format == PixelFormat::gray4 ? ",arg=format=gray4" : ",arg=format=mono";
   }
@@ -116,6 +119,45 @@ std::optional<Measurement> read_line(const BenchCase& bench_case, const std::str
   return row;
 }
 
+/// Of names of workloads with their depth formats, "K5/z16 CT/z16", those with this format: "K5, CT".
+std::string workloads_in(std::string_view names, std::string_view depth) {
+  std::string list;
+  std::istringstream words{std::string(names)};
+  for (std::string word; words >> word;) {
+    const std::size_t slash = word.find('/');
+    if (std::string_view(word).substr(slash + 1) != depth) continue;
+    if (!list.empty()) list += ", ";
+    list += word.substr(0, slash);
+  }
+  return list;
+}
+
+/// What a program that ended with a status said in its last line (firmware/boards/mps2/bench_run.hpp).
+Failure failure_of(const BenchCase& bench_case, int status, const std::string& line) {
+  constexpr std::string_view kNeeded = ", needed ", kAvailable = ", available ";
+  if (const std::size_t numbers = line.find(kNeeded); status == kBoardBudget && numbers != std::string::npos) {
+    std::uint64_t needed = 0, available = 0;
+    std::istringstream words(line.substr(numbers + kNeeded.size()));
+    words >> needed;
+    words.ignore(kAvailable.size());
+    words >> available;
+    return {ExitStatus::budget,
+            fmt::format("{} needs {} of RAM on {} for arena and pixels, and has {}", bench_case.workload,
+                        counted(needed, "byte"), bench_case.target, grouped(available))};
+  }
+  constexpr std::string_view kNoWorkload = "bench: no workload ", kThereAre = "; there are ";
+  if (const std::size_t list = line.find(kThereAre); line.starts_with(kNoWorkload) && list != std::string::npos) {
+    const std::string_view names = std::string_view(line).substr(list + kThereAre.size());
+    return {ExitStatus::usage, fmt::format("the program for {} that draws {} has no {}; it has {}", bench_case.target,
+                                           bench_case.depth != "z16" ? "with --depth " + bench_case.depth
+                                           : bench_case.budget.modes == Modes::binned ? "binned"
+                                                                                      : "streamed",
+                                           bench_case.workload, workloads_in(names, bench_case.depth))};
+  }
+  return {ExitStatus::environment,
+          fmt::format("{} on {} (status {}): {}", bench_case.workload, bench_case.target, status, line)};
+}
+
 }  // namespace
 
 Result<fs::path> board_program(const BenchCase& bench_case, const std::string& firmware) {
@@ -159,10 +201,7 @@ Result<Measurement> bench_on_board(const BenchCase& bench_case, const fs::path& 
   if (!output) return output.failure();
   const std::string line = output->text.substr(0, output->text.find_last_not_of("\r\n") + 1);
   if (output->exit_status != 0) {
-    const bool budget = output->exit_status == kBoardBudget;
-    return Failure{budget ? ExitStatus::budget : ExitStatus::environment,
-                   fmt::format("{} on {} (status {}): {}", bench_case.workload, bench_case.target, output->exit_status,
-                               line.substr(line.rfind('\n') + 1))};
+    return failure_of(bench_case, output->exit_status, line.substr(line.rfind('\n') + 1));
   }
   std::optional<Measurement> row;
   std::string why = "not one result for each frame";

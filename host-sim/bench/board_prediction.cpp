@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bench/execution_profile.hpp"
+#include "report/number.hpp"
 #include "zstrip/plan.hpp"
 
 namespace zstrip::sim {
@@ -29,6 +30,17 @@ Cycles cycles_of(const ProfiledCase& profiled, const ExecutedRegion& region, con
   return {core.low + flash.low, core.high + flash.high};
 }
 
+/// Where memory is missing: why there is no more.
+Failure with_board(const Failure& failure, const BoardModel& board, const BenchCase& bench_case, std::uint32_t cores) {
+  if (failure.status != ExitStatus::budget) return failure;
+  const std::string where = bench_case.budget.bytes != 0
+                                ? "--ram allows no more"
+                                : fmt::format("{} has {}, of which {} are for other variables and the stack{}",
+                                              board.name, grouped(board.ram_bytes), grouped(kReservedRam),
+                                              cores == 2 ? ", and each of two cores has half of the others" : "");
+  return {failure.status, fmt::format("{}: {}", failure.message, where)};
+}
+
 }  // namespace
 
 Result<BoardPrediction> predict(const BoardModel& board, const BenchCase& bench_case, std::uint32_t cores,
@@ -38,8 +50,10 @@ Result<BoardPrediction> predict(const BoardModel& board, const BenchCase& bench_
   // Of two cores each has half: three buffers of pixels are less than two times two.
   if (on_board.budget.bytes == 0) on_board.budget.bytes = (board.ram_bytes - kReservedRam) / cores;
   on_board.budget.strip_buffers = board.dma ? 2 : 1;
+  // What of bins a strip hands on to the next one is lost where the other core draws that.
+  on_board.in_turns = cores == 2 && on_board.budget.modes == Modes::binned;
   const Result<ProfiledCase> profiled = profile_on_board(on_board, board.flash.cache, firmware);
-  if (!profiled) return profiled.failure();
+  if (!profiled) return with_board(profiled.failure(), board, bench_case, cores);
 
   const Measurement& measured = profiled->measurement;
   const View& view = on_board.view;
@@ -58,8 +72,14 @@ Result<BoardPrediction> predict(const BoardModel& board, const BenchCase& bench_
   for (std::uint32_t i = 0; i < on_board.frames; ++i) {
     PredictedFrame frame;
     frame.begin = cycles_of(*profiled, *region++, board, prediction);
+    frame.strips.resize(strips);
+    const std::size_t step = on_board.in_turns ? 2 : 1;
+    for (std::size_t first = 0; first < step; ++first) {
+      for (std::size_t strip = first; strip < strips; strip += step) {
+        frame.strips[strip] = cycles_of(*profiled, *region++, board, prediction);
+      }
+    }
     for (std::uint16_t strip = 0; strip < strips; ++strip) {
-      frame.strips.push_back(cycles_of(*profiled, *region++, board, prediction));
       frame.sending.push_back(sending_seconds(board, shape, view, strip));
     }
     prediction.frames.push_back(std::move(frame));

@@ -35,7 +35,8 @@ std::string assumptions(const BoardPrediction& p) {
       board.dma ? "DMA sends one strip while the next is drawn" : "no DMA: the core waits for each strip",
       kWindowBytes);
   text += fmt::format("  not in it: interrupts, preparing the next frame, {} taking turns at the RAM{}\n",
-                      p.cores == 1 ? "DMA and core" : "DMA and both cores", p.cores == 1 ? "" : " and the flash");
+                      p.cores == 1 ? "DMA and core" : "DMA and both cores",
+                      p.cores == 1 ? "" : " and the flash, whose cache each has for itself here");
   return text;
 }
 

@@ -19,6 +19,7 @@ struct BenchCase {
   Budget budget;              ///< zeros: the planner decides
   std::string depth = "z16";  ///< how depth is kept; anything else on boards only, of R50: see firmware/README.md
   std::uint32_t frames = 0;
+  bool in_turns = false;     ///< of a board: strips as two cores draw them, every other one, then those between
   std::string program{};     ///< of a board, without folder and suffix, instead of the benchmark's
   std::string scene_file{};  ///< a baked scene (.zsc) for such a program
 };
@@ -32,7 +33,7 @@ struct Measurement {
   std::optional<std::uint64_t> flash_bytes{};             ///< of the whole program; boards only
   std::optional<double> nanoseconds_per_frame{};          ///< host only: emulated time is not time
   std::optional<std::uint64_t> instructions_per_frame{};  ///< absent where nothing could count them
-  std::vector<std::uint32_t> frame_crc32{};               ///< zlib's CRC-32 of each frame's pixels, strips in order
+  std::vector<std::uint32_t> frame_crc32{};               ///< zlib's CRC-32 of each frame's pixels, strips as drawn
 };
 
 }  // namespace zstrip::sim

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -220,6 +221,37 @@ TEST_F(BoardCommand, CountsWhatTheTimerCounts) {
   EXPECT_NEAR(plugin / timer, 1, 0.002) << plugin << ' ' << timer;
 }
 
+/// Of a Cortex-M33: there small triangles of bins are set up once for two strips, where one core draws both.
+TEST_F(BoardCommand, TwoCoresHandNothingOnFromStripToStrip) {
+  if (!std::filesystem::exists(std::filesystem::path(ZSTRIP_FIRMWARE_BINARIES) / "zstrip_bench_bins_m33.elf")) {
+    GTEST_SKIP() << "no program for a Cortex-M33";
+  }
+  const auto predicted = [this](const char* mode, const char* cores) {
+    return rows({"--board", "pico2", "--workload", "K5", "--frames", "1", "--strip-rows", "8", "--mode", mode,
+                 "--cores", cores})
+        .at(0);
+  };
+  const auto count = [](const json& row) { return row.at("instructions_per_frame").get<double>(); };
+  const json one = predicted("binned", "1"), two = predicted("binned", "2");
+  EXPECT_GT(count(two), 1.05 * count(one));
+  EXPECT_LT(count(two), 1.2 * count(one));
+  EXPECT_EQ(count(predicted("streamed", "1")), count(predicted("streamed", "2")));
+  // Of each strip its own cycles.
+  const auto drawing = [](const json& row, std::size_t strip) {
+    const json times = row.at("first_frame_slowest").at(strip).at("draw_ms");
+    return times.at(1).get<double>() - times.at(0).get<double>();
+  };
+  const std::size_t strips = one.at("config").at("strips");
+  ASSERT_EQ(strips, 30U);
+  int judged = 0;
+  for (std::size_t strip = 0; strip < strips; ++strip) {
+    if (drawing(one, strip) < 0.6) continue;
+    EXPECT_NEAR(drawing(two, strip) / drawing(one, strip), 1.12, 0.12) << strip;
+    ++judged;
+  }
+  EXPECT_GT(judged, 8);
+}
+
 TEST_F(BoardCommand, PredictsWithinItsAssumptions) {
   const json row = rows({"--board", "bluepill", "--workload", "CT", "--frames", "1"}).at(0);
   EXPECT_LE(row.at("ram_bytes"), 20 * 1024);
@@ -246,10 +278,45 @@ TEST(BoardCommandFailures, HaveTheirStatus) {
   EXPECT_EQ(bench({"--stages", "--target", "host"}).exit_status, 2);
 }
 
+/// What the command says, a regular expression, of options that do not go; N is a number.
+void expect_refused(const std::vector<std::string>& options, int status, const std::string& words) {
+  std::vector<std::string> all = options;
+  all.insert(all.end(), {"--frames", "1", "--firmware", ZSTRIP_FIRMWARE_BINARIES});
+  const ChildOutput output = bench(all);
+  EXPECT_EQ(output.exit_status, status) << output.text;
+  const std::regex expected("zstrip: " + std::regex_replace(words, std::regex("\\bN\\b"), "[1-9][0-9,]*") + "\n");
+  EXPECT_TRUE(std::regex_match(output.text, expected)) << output.text;
+}
+
 TEST_F(BoardCommand, TooLittleRamIsSaid) {
-  const ChildOutput output = bench({"--board", "microbit", "--workload", "K5", "--frames", "1", "--firmware",
-                                    ZSTRIP_FIRMWARE_BINARIES});  // 2560 vertices in one piece
-  EXPECT_EQ(output.exit_status, 5) << output.text;
+  // 2560 vertices in one piece
+  expect_refused({"--board", "microbit", "--workload", "K5"}, 5,
+                 "K5 needs N bytes of RAM on m0 for arena and pixels, and has 12,288: microbit has 16,384, of which "
+                 "4,096 are for other variables and the stack");
+  expect_refused({"--board", "pico", "--cores", "2", "--workload", "R10k", "--size", "320x240"}, 5,
+                 "R10k needs N bytes of RAM on m0 for arena and pixels, and has 133,120: pico has 270,336, of which "
+                 "4,096 are for other variables and the stack, and each of two cores has half of the others");
+  expect_refused({"--board", "pico", "--workload", "K5", "--ram", "12K"}, 5,
+                 "K5 needs N bytes of RAM on m0 for arena and pixels, and has 12,288: --ram allows no more");
+  expect_refused({"--target", "m0", "--workload", "K5", "--ram", "12K"}, 5,
+                 "K5 needs N bytes of RAM on m0 for arena and pixels, and has 12,288");
+}
+
+TEST(BoardCommandFailures, NameTheBoardsThatDrawAModel) {
+  expect_refused({"--board", "pico2", "--workload", "bunny"}, 2,
+                 "bunny is for --board microbit, pico, bluepill, blackpill; pico2 has no program for it");
+  expect_refused({"--target", "m33", "--workload", "bunny"}, 2,
+                 "bunny is for --target host, m0, m3, m4f and m7; m33 has no program for it");
+  expect_refused({"--board", "pico", "--workload", "bunny", "--mode", "binned"}, 2,
+                 "bunny is drawn streamed on boards; leave out --mode binned");
+  expect_refused({"--target", "rv32", "--workload", "K5", "--mode", "binned"}, 2,
+                 "rv32 has no program but for --mode streamed and --depth z16");
+}
+
+TEST_F(BoardCommand, WorkloadsOfAProgramAreNamed) {
+  expect_refused(
+      {"--target", "m3", "--workload", "character", "--mode", "binned"}, 2,
+      "the program for m3 that draws binned has no character; it has K5, K5M, CT, K5T, R50, R10k, teapot, room");
 }
 
 }  // namespace

@@ -54,6 +54,10 @@ bool read_word(std::string_view word, Arguments& arguments) {
   if (key == "frames"sv) return read_number(value, arguments.frames) && arguments.frames > 0;
   if (key == "first"sv) return read_number(value, arguments.first);
   if (key == "buffers"sv) return read_number(value, arguments.buffers) && arguments.buffers <= 2;
+  if (key == "order"sv) {
+    arguments.in_turns = value == "turns"sv;
+    return arguments.in_turns || value == "down"sv;
+  }
   if (key == "ram"sv) return read_number(value, arguments.ram);
   return false;
 }

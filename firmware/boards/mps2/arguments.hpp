@@ -1,5 +1,5 @@
 // The words that select what the benchmark runs: "workload=K5 depth=z16 size=320x240 rows=16 columns=64
-// frames=2 first=0 buffers=2 ram=65536".
+// frames=2 first=0 buffers=2 ram=65536 order=turns".
 #pragma once
 
 #include <cstdint>
@@ -19,6 +19,7 @@ struct Arguments {
   std::uint32_t first = 0;             ///< the number of the first one
   std::uint8_t buffers = 0;            ///< of a strip's pixels that `ram` has to hold, too: 0 .. 2
   std::string_view format = "rgb565";  ///< of the pixels, likewise; a program with a scene of its own draws others too
+  bool in_turns = false;               ///< strips as two cores draw them: every other one, then those between
   std::uint32_t ram = 0;               ///< bytes that the plan may take; 0: no limit but the board's
   std::string_view wrong_word{};       ///< the first word that is not understood; empty if all are
 };

@@ -61,10 +61,16 @@ struct FrameResult {
   std::uint32_t crc32 = 0;
 };
 
-/// `pose`: called first, and counted.
+/// Which strip is drawn after `drawn` others, where two cores take turns: those of the first one, then the others.
+constexpr std::uint16_t strip_in_turns(std::uint16_t drawn, std::uint16_t strips) {
+  const int first = (strips + 1) / 2;
+  return static_cast<std::uint16_t>(drawn < first ? 2 * drawn : 2 * (drawn - first) + 1);
+}
+
+/// `pose`: called first, and counted. `in_turns`: the order of the strips, of the checksum too.
 template <class Renderer, class Pose>
 FrameResult run_frame(Renderer& renderer, const zstrip::scenes::Staged& staged, const zstrip::View& view,
-                      const zstrip::Plan& plan, InstructionCounter& counter, const Pose& pose) {
+                      const zstrip::Plan& plan, InstructionCounter& counter, const Pose& pose, bool in_turns = false) {
   const std::span<std::byte> arena(memory, plan.bytes());
   const std::span<std::byte> pixels(memory + plan.bytes(), plan.strip_pixel_bytes(view));
   zstrip::board::Crc32 crc;
@@ -74,7 +80,8 @@ FrameResult run_frame(Renderer& renderer, const zstrip::scenes::Staged& staged, 
   zstrip::Status status = pose();
   if (status) status = renderer.begin_frame(staged.scene, staged.camera, view, plan, arena);
   counter.pause();
-  for (std::uint16_t strip = 0; status && strip < plan.strips; ++strip) {
+  for (std::uint16_t drawn = 0; status && drawn < plan.strips; ++drawn) {
+    const std::uint16_t strip = in_turns ? strip_in_turns(drawn, plan.strips) : drawn;
     counter.resume();
     status = renderer.draw_strip(strip, pixels);
     counter.pause();
@@ -133,7 +140,7 @@ int run(const Arguments& arguments) {
       if constexpr (built_in.pose != nullptr) return built_in.pose(number);
       return zstrip::Status{};
     };
-    const FrameResult result = run_frame(renderer, staged, view, plan, counter, pose);
+    const FrameResult result = run_frame(renderer, staged, view, plan, counter, pose, arguments.in_turns);
     if (!result.status) {
       print("\n");
       return report(result.status);
@@ -175,7 +182,7 @@ inline int run_bench(std::span<const Workload> workloads) {
     print(
         "'; usage: [workload=K5|K5M|CT|R50|R10k|teapot|room|K5T|character] [depth=FORMAT] [size=WxH] [rows=N] "
         "[columns=N] "
-        "[frames=N] [first=N] [buffers=N] [ram=BYTES]\n");
+        "[frames=N] [first=N] [buffers=N] [ram=BYTES] [order=down|turns]\n");
     return kUsage;
   }
   for (const Workload& workload : workloads) {
