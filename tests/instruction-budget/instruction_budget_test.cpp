@@ -21,7 +21,7 @@ class KeepsItsBudget : public testing::Test {
     const Case asked = case_of(row_);
     if (!compiled_like(table_, asked)) GTEST_SKIP() << "the figures are those of other compilers";
     const auto figure = measure(asked, kPrograms);
-    if (!figure) GTEST_SKIP() << "valgrind or the compiler is missing, or this is a sanitized build";
+    if (!figure) GTEST_SKIP() << "valgrind, the compiler or the model is missing, or this is a sanitized build";
     EXPECT_EQ(complaint(table_, with_figure(row_, *figure)), "");
     std::cout << asked.name << ": " << *figure << ", recorded " << row_.back() << "\n";
   }

@@ -14,6 +14,7 @@
 
 #include "bench/child_process.hpp"
 #include "bench/elf_size.hpp"
+#include "bench/workloads.hpp"
 
 namespace zstrip::instruction_budget {
 namespace {
@@ -56,6 +57,8 @@ std::optional<std::uint64_t> emulated_instructions(const Case& row) {
 std::optional<std::uint64_t> measure(const Case& row, const Programs& programs) {
   if (row.mode == kCode) return code_bytes(row, programs);
   if (row.target == kAarch64) return emulated_instructions(row);
+  const sim::Workload* const workload = sim::find_workload(row.workload);
+  if (workload != nullptr && workload->is_model() && !std::filesystem::exists(workload->scene)) return std::nullopt;
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / ("zstrip_" + row.name + "_" + std::to_string(getpid()) + ".json");
   std::vector<std::string> command{programs.zstrip.string(),

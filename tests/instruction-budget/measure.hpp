@@ -15,7 +15,7 @@ struct Programs {
 };
 
 /// Instructions a frame, or bytes of code; empty where this machine cannot count them (no valgrind, a sanitized build,
-/// no compiler for AArch64).
+/// no compiler for AArch64, no file of the model).
 /// Throws std::runtime_error with the command's own words if it fails.
 std::optional<std::uint64_t> measure(const Case& row, const Programs& programs);
 
