@@ -13,8 +13,10 @@ const kScript = `
 `;
 const ram = {begin: 0x20001000}, flash = {begin: 0x10001000};
 const functions = {draw_small: ram, _ZN4setupIiEC1Ev: ram, main: flash, draw_small_veneer: flash};
-const complaints = (changes, {script = kScript, thumb = 'Thumb-1', inlines = false} = {}) =>
-  complaintsOf(script, new Map(Object.entries({...functions, ...changes}).filter(([, place]) => place)), thumb, inlines);
+function complaints(changes, {script = kScript, thumb = 'Thumb-1', inlines = false} = {}) {
+  const places = Object.entries({...functions, ...changes}).filter(([, place]) => place);
+  return complaintsOf(script, new Map(places), thumb, inlines);
+}
 
 test('all entries and their marks are read', () => {
   assert.deepEqual(entriesOf(kScript).map(({pattern, mark}) => [pattern, mark]),

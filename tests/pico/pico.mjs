@@ -156,10 +156,16 @@ function measured({library, uf2, folder, zstrip, scene}) {
   };
   chip.endIn(1 + kFrames, 'time');
   chip.run();
-  if (chip.ended !== 'frames') return {wrong: [`ended by ${chip.ended}`, ...chip.complaints]};
+  if (chip.ended !== 'frames' || chip.complaints.length > 0)
+    return {wrong: [`ended by ${chip.ended}`, ...chip.complaints]};
   const [cycles, waiting, misses] =
       reached[kFirst].map((first, column) => Math.round((reached[kFrames][column] - first) / 2));
-  return {cycles, waiting, misses, stack: stackBytes(chip, kStackTop)};
+  const stack = stackBytes(chip, kStackTop);
+  // What is not seen is not measured: other registers, another address of the flash, another paint.
+  const unseen = Object.entries({cycles, waiting, misses, stack}).filter(([, value]) => !(value > 0));
+  if (stack === kStackTop) unseen.push(['the end of the stack']);
+  if (unseen.length > 0) return {wrong: unseen.map(([what]) => `not seen: ${what}`)};
+  return {cycles, waiting, misses, stack};
 }
 
 /** Prints them as a line of docs/measured/pico.csv. */
@@ -250,7 +256,7 @@ function wrongWhenRefused({library, flash, panel}, blob, says) {
   return wrong;
 }
 
-/** A scene that is too large for the player, but not by much for the one with hot code in RAM: that without shows it. */
+/** A scene that is too large for the player; the one with hot code in RAM has no room for one that the other shows. */
 function largeFor(player, file) {
   if (player === 'zstrip_pico_player_hot') return 'random10k';
   // Tinted: colours in the mesh would take no memory.
@@ -261,7 +267,8 @@ function largeFor(player, file) {
 
 /** What is wrong if the command does not say, of itself, that the scene is too large for the player. */
 function wrongWhenBakedWith({zstrip, uf2, folder}, player, scene) {
-  const {status, stderr} = spawnSync(zstrip, ['bake', scene, '-o', 'with.uf2', '--with', uf2], {cwd: folder, encoding: 'utf8'});
+  const words = ['bake', scene, '-o', 'with.uf2', '--with', uf2];
+  const {status, stderr} = spawnSync(zstrip, words, {cwd: folder, encoding: 'utf8'});
   return status === 5 && stderr.includes(`${player} has `) ? [] : [`zstrip bake ends with ${status}: ${stderr}`];
 }
 
