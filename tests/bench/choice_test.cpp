@@ -83,7 +83,7 @@ TEST_P(Choice, IsNearTheBestOfItsBudget) {
   }
 }
 
-/// Estimates do not know what moving vertices costs.
+/// What moves has no program with bins.
 std::vector<Workload> estimated_workloads() {
   std::vector<Workload> all;
   std::ranges::copy_if(workloads(), std::back_inserter(all),

@@ -9,16 +9,16 @@ namespace zstrip {
 namespace detail {
 
 /// Instructions, by least squares of relative errors over 190 frames of the workloads, those of bins over 112; those of
-/// a skin and of a texture as counted in the workloads `character` and K5T.
+/// a skin and of a texture, then, over 60 of `character`, K5T, CT and `room`.
 inline constexpr std::uint64_t kCostOfVertex = 100;
 inline constexpr std::uint64_t kCostOfLighting = 27;   // a vertex
-inline constexpr std::uint64_t kCostOfSkin = 200;      // a vertex that joints move, normal included
+inline constexpr std::uint64_t kCostOfSkin = 160;      // a vertex that joints move, normal included
 inline constexpr std::uint64_t kCostOfCulling = 58;    // a triangle, each time that its vertices are transformed
 inline constexpr std::uint64_t kCostOfBinning = 31;    // a triangle, once
 inline constexpr std::uint64_t kCostOfBinBoxes = 30;   // beyond that, with both sides or in columns
 inline constexpr std::uint64_t kCostOfBin = 20;        // a triangle in a strip's list
 inline constexpr std::uint64_t kCostOfSetup = 56;      // a triangle in a strip
-inline constexpr std::uint64_t kCostOfTexture = 1210;  // a triangle in a strip, beyond that
+inline constexpr std::uint64_t kCostOfTexture = 970;   // a triangle in a strip, beyond that
 inline constexpr std::uint64_t kCostOfRow = 134;       // of such a triangle, as rows_of has them
 inline constexpr std::uint64_t kCostOfAveraging = 16;  // a pixel of several samples
 inline constexpr std::uint64_t kCostOfMeshlet = 169;   // in each strip, streamed
