@@ -48,14 +48,14 @@ function example(path) {
 
 const tomls = (folder) => readdirSync(folder).filter((name) => name.endsWith('.toml')).sort().map((name) => join(folder, name));
 
-/** The programs for the Picos that the page gets, as [board, file, path]; an Error for one that is named and not there. */
+/** The programs for the Picos that the page gets, as [board, file, path]; an Error if a named one is not there. */
 function programFiles() {
   return Object.entries(kPicoPrograms).flatMap(([board, file]) => {
     const variable = `ZSTRIP_${board.toUpperCase()}_PROGRAM`, named = process.env[variable];
     const path = named || join(kBuiltPrograms, file);
     if (existsSync(path)) return [[board, file, path]];
     if (named) throw new Error(`${variable}: there is no '${named}'`);
-    console.log(`zstrip: the page is without ${file}: the build tree does not have it, and ${variable} does not name it`);
+    console.log(`zstrip: the page is without ${file}: the build tree lacks it, and ${variable} names none`);
     return [];
   });
 }
