@@ -11,8 +11,4 @@ namespace zstrip::detail {
 /// list_faces_portable.
 bool list_faces_thumb(FaceLists& faces, const Triangle* triangles, std::uint32_t count);
 
-/// What the assembly calls: the list has no room yet for a triangle of this batch.
-bool append_to_list(Bins& bins, BinList& list, std::uint32_t batch,
-                    std::uint32_t triangle) asm("zstrip_append_to_list");
-
 }  // namespace zstrip::detail

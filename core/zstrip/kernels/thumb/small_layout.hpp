@@ -6,7 +6,6 @@
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/kernels/processor.hpp"
 #include "zstrip/kernels/small_scan.hpp"
-#include "zstrip/kernels/thumb/small_run.hpp"
 
 namespace zstrip::detail {
 
@@ -25,16 +24,8 @@ static_assert(offsetof(Colour, r) == 0 && offsetof(Colour, g) == 1 && offsetof(C
 static_assert(SmallScan::edges == 0 && SmallScan::depth == 1 && SmallScan::green == 2 && SmallScan::red_blue == 3);
 static_assert(kPixelCentre == 15);
 static_assert(PackedEdges::kSigns == 0x80200400U);
-
-static_assert(offsetof(ThumbSmallRun, scan) == 0);
 static_assert(offsetof(SmallScan, first_column) == 96 && offsetof(SmallScan, first_row) == 100 &&
               offsetof(SmallScan, flat_colour) == 104);
-static_assert(offsetof(ThumbSmallRun, vertices) == 112 && offsetof(ThumbSmallRun, colours) == 116);
-static_assert(offsetof(ThumbSmallRun, area) == 120 && offsetof(Rect, left) == 0 && offsetof(Rect, top) == 4 &&
-              offsetof(Rect, right) == 8 && offsetof(Rect, bottom) == 12);
-static_assert(offsetof(ThumbSmallRun, depth) == 136 && offsetof(ThumbSmallRun, colour) == 140);
-static_assert(sizeof(Triangle) == 6 && sizeof(SnappedVertex) == 8 && sizeof(Colour) == 4);
-static_assert(kSmallExtent == 181 && kSmallDepthDifference == 1U << 29);
 
 #endif
 
