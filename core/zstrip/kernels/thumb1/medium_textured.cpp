@@ -5,6 +5,7 @@
 #include "zstrip/base/division.hpp"
 #include "zstrip/kernels/thumb/textured_layout.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"
+#include "zstrip/kernels/thumb1/medium_edges.hpp"
 
 namespace zstrip::detail {
 
@@ -19,19 +20,7 @@ using MediumLitRun = LitRunState<MediumRun>;
 // position there.
 [[gnu::naked]] static void scan_rows_of_texels(TexturedScan&, const MediumLitRun&, std::int32_t, const std::int32_t*,
                                                const std::uint16_t*) {
-  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL R"(
-    @ Moves the edge at offset \at of the scan in r0 a row down, and r6 behind it. Its pixel before in r1. Uses r2 to r5.
-    .macro zstrip_textured_edge at
-      ldm   r6!, {r1-r5}              @ pixel, remainder, step, its remainder, denominator
-      adds  r2, r2, r4
-      bcc   .Ltextured_edge_\at
-      subs  r2, r2, r5
-      adds  r3, r3, #1
-    .Ltextured_edge_\at:
-      adds  r3, r3, r1
-      str   r3, [r0, #\at]
-      str   r2, [r0, #\at + 4]
-    .endm
+  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL ZSTRIP_THUMB1_MEDIUM_EDGES R"(
     @ The value \to plus the step at r0 times \by. Moves r0 behind that. Uses \with.
     .macro zstrip_textured_add to by with
       ldm   r0!, {\with}
@@ -72,10 +61,7 @@ using MediumLitRun = LitRunState<MediumRun>;
     stm   r1!, {r2-r4}
   .Ltextured_row:
     ldr   r0, [sp, #0]
-    movs  r6, r0
-    zstrip_textured_edge 0
-    movs  r7, r1
-    zstrip_textured_edge 20
+    zstrip_medium_edges
     subs  r1, r1, r7
     str   r1, [sp, #60]
     ldm   r6!, {r2-r5}                @ rows and strides
@@ -296,10 +282,9 @@ using MediumLitRun = LitRunState<MediumRun>;
     lsls  r1, r1, r2
     lsls  r0, r0, r2
     b     .Ltextured_shifted
-    .purgem zstrip_textured_edge
     .purgem zstrip_textured_add
     .purgem zstrip_textured_step
-  )" ZSTRIP_THUMB1_PURGE_RECIPROCAL);
+  )" ZSTRIP_THUMB1_PURGE_MEDIUM_EDGES ZSTRIP_THUMB1_PURGE_RECIPROCAL);
 }
 
 void scan_textured_rows_thumb(TexturedScan& scan, const MediumLitRun& run, std::int32_t count,

@@ -5,29 +5,15 @@
 #include "zstrip/kernels/medium_scan.hpp"
 #include "zstrip/kernels/thumb/medium_layout.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"
+#include "zstrip/kernels/thumb1/medium_edges.hpp"
 
 namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
 
-// zstrip_medium_edge at: moves the edge at offset `at` of the scan in r0 a row down, and r6 behind it. Its pixel before
-// in r1. Uses r2 to r5.
-#define ZSTRIP_THUMB1_MEDIUM_EDGE                                                            \
-  ".macro zstrip_medium_edge at\n"                                                           \
-  "  ldmia r6!, {r1-r5}              @ pixel, remainder, step, its remainder, denominator\n" \
-  "  adds  r2, r2, r4                @ a carry: one more pixel\n"                            \
-  "  bcc   .Lmedium_edge\\@\n"                                                               \
-  "  subs  r2, r2, r5\n"                                                                     \
-  "  adds  r3, r3, #1\n"                                                                     \
-  ".Lmedium_edge\\@:\n"                                                                      \
-  "  adds  r3, r3, r1\n"                                                                     \
-  "  str   r3, [r0, #\\at]\n"                                                                \
-  "  str   r2, [r0, #\\at + 4]\n"                                                            \
-  ".endm\n"
-
 // On the stack: the scan, the rows left, the row's first cell.
 [[gnu::naked]] void scan_medium_gouraud_thumb(MediumScan&, std::int32_t) {
-  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_MEDIUM_EDGE R"(
+  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_MEDIUM_EDGES R"(
     @ The start in \value a row down, for value number \number; starts at r1, steps at r3. Uses r0.
     .macro zstrip_medium_down value number
       ldr   r0, [r3, #4 * \number]
@@ -50,12 +36,9 @@ namespace zstrip::detail {
     mov   r10, r6
     mov   r11, r7
   .Lmedium_row:
-    movs  r6, r0
-    zstrip_medium_edge 0
-    movs  r7, r1
-    zstrip_medium_edge 20
+    zstrip_medium_edges
     mov   r12, r1
-    ldmia r6!, {r1-r4}                @ rows and strides
+    ldm   r6!, {r1-r4}                @ rows and strides
     adds  r3, r3, r1
     adds  r4, r4, r2
     str   r3, [r0, #40]
@@ -74,7 +57,7 @@ namespace zstrip::detail {
     movs  r2, r7
     movs  r1, r6
     movs  r3, r6
-    ldmia r3!, {r4-r7}
+    ldm   r3!, {r4-r7}
     zstrip_medium_down r4 0
     zstrip_medium_down r5 1
     zstrip_medium_down r6 2
@@ -118,16 +101,15 @@ namespace zstrip::detail {
     b     .Lmedium_row
   .Lmedium_end:
     add   sp, sp, #12
-    .purgem zstrip_medium_edge
     .purgem zstrip_medium_down
     .purgem zstrip_medium_right
-  )" ZSTRIP_THUMB1_POP);
+  )" ZSTRIP_THUMB1_PURGE_MEDIUM_EDGES ZSTRIP_THUMB1_POP);
 }
 
 // r1 the cell, r2 from there to its pixel, r3 behind the last cell, r4 the step of depth, r5 depth, r6 the colour. On
 // the stack: the scan, the rows left.
 [[gnu::naked]] void scan_medium_flat_thumb(MediumScan&, std::int32_t) {
-  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_MEDIUM_EDGE R"(
+  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_MEDIUM_EDGES R"(
     push  {r0, r1}
     movs  r3, r0
     adds  r3, r3, #88
@@ -136,12 +118,9 @@ namespace zstrip::detail {
     ldrh  r4, [r3, #16]
     mov   r9, r4
   .Lflat_medium_row:
-    movs  r6, r0
-    zstrip_medium_edge 0
-    movs  r7, r1
-    zstrip_medium_edge 20
+    zstrip_medium_edges
     mov   r12, r1
-    ldmia r6!, {r1-r4}                @ rows and strides
+    ldm   r6!, {r1-r4}                @ rows and strides
     adds  r3, r3, r1
     adds  r4, r4, r2
     str   r3, [r0, #40]
@@ -184,8 +163,7 @@ namespace zstrip::detail {
     b     .Lflat_medium_row
   .Lflat_medium_end:
     add   sp, sp, #8
-    .purgem zstrip_medium_edge
-  )" ZSTRIP_THUMB1_POP);
+  )" ZSTRIP_THUMB1_PURGE_MEDIUM_EDGES ZSTRIP_THUMB1_POP);
 }
 
 #endif

@@ -1,0 +1,26 @@
+// What the assembly for rows of medium triangles begins each row with.
+#pragma once
+
+// zstrip_medium_edges: moves both edges of the scan in r0 a row down. The row's first column in r7, the one behind its
+// last in r1; r6 behind the edges. Takes r2 to r5. Text in each function, as in macros.hpp.
+//
+// zstrip_medium_edge at: one edge, at offset `at` and at r6, which it moves behind it. Its column in r1.
+#define ZSTRIP_THUMB1_MEDIUM_EDGES                                                         \
+  ".macro zstrip_medium_edge at\n"                                                         \
+  "  ldm   r6!, {r1-r5}            @ pixel, remainder, step, its remainder, denominator\n" \
+  "  adds  r2, r2, r4              @ a carry: one more pixel\n"                            \
+  "  bcc   .Lmedium_edge\\@\n"                                                             \
+  "  subs  r2, r2, r5\n"                                                                   \
+  "  adds  r3, r3, #1\n"                                                                   \
+  ".Lmedium_edge\\@:\n"                                                                    \
+  "  adds  r3, r3, r1\n"                                                                   \
+  "  str   r3, [r0, #\\at]\n"                                                              \
+  "  str   r2, [r0, #\\at + 4]\n"                                                          \
+  ".endm\n"                                                                                \
+  ".macro zstrip_medium_edges\n"                                                           \
+  "  movs  r6, r0\n"                                                                       \
+  "  zstrip_medium_edge 0\n"                                                               \
+  "  movs  r7, r1\n"                                                                       \
+  "  zstrip_medium_edge 20\n"                                                              \
+  ".endm\n"
+#define ZSTRIP_THUMB1_PURGE_MEDIUM_EDGES ".purgem zstrip_medium_edge\n.purgem zstrip_medium_edges\n"
