@@ -49,8 +49,12 @@ struct LitRunState : State {
   std::uint32_t r, g, b;  ///< the light's: light_factor where it is flat, 8.16 where it is smooth
 };
 
+/// With a depth of 32 bits, as assembly and vectors take them.
+using WordRunState = TexturedRunState<std::uint32_t>;
+using LitWordRunState = LitRunState<WordRunState>;
+
 /// Where the whole runs of a span with perspective stand: 16 pixels between two exact positions.
-struct TexturedRunsState : TexturedRunState<std::uint32_t> {
+struct TexturedRunsState : WordRunState {
   std::uint32_t u_over_w, v_over_w, one_over_w;                 ///< at the first pixel of the next run
   std::uint32_t u_over_w_step, v_over_w_step, one_over_w_step;  ///< a run
   std::int32_t base_u, base_v;                                  ///< TextureCoordinates'

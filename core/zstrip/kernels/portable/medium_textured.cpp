@@ -15,8 +15,6 @@
 namespace zstrip::detail {
 namespace {
 
-using RunState = LitRunState<TexturedRunState<std::uint32_t>>;
-
 /// Those of texture coordinates are three, of which one alone is to be code, if it is more than some multiplications.
 class CalledPlanes : public MediumPlanes {
  public:
@@ -196,8 +194,8 @@ enum class Prepared : std::uint8_t { nothing, rows, left_to_spans };
 
 /// What all lights share, so that it is code once.
 template <bool affine>
-[[gnu::noinline]] Prepared begin_textured(TexturedScan& textured, TriangleRows& rows, RunState& run, TexelLight lit,
-                                          const MediumTriangle& t, const MediumTexture& textures) {
+[[gnu::noinline]] Prepared begin_textured(TexturedScan& textured, TriangleRows& rows, LitWordRunState& run,
+                                          TexelLight lit, const MediumTriangle& t, const MediumTexture& textures) {
   if (!rows.begin(t)) return Prepared::left_to_spans;
   // Planes are most of the work, and many a triangle covers no pixel.
   if (!rows.has_pixels(t)) return Prepared::nothing;

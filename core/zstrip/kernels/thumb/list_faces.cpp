@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "zstrip/kernels/processor.hpp"
+#include "zstrip/kernels/thumb/records.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"
 #include "zstrip/kernels/thumb2/triangle_of_words.hpp"
 
@@ -18,8 +19,6 @@ static_assert(offsetof(FaceLists, bins) == 28 && offsetof(FaceLists, vertices) =
               offsetof(FaceLists, last) == 36 && offsetof(FaceLists, end) == 40);
 static_assert(offsetof(BinList, next) == 0 && offsetof(BinList, batch) == 4 && sizeof(BinList) == 8);
 static_assert(kBinChunkSlots == 16);
-static_assert(offsetof(SnappedVertex, x) == 0 && offsetof(SnappedVertex, y) == 2 && sizeof(SnappedVertex) == 8);
-static_assert(sizeof(Triangle) == 6);
 
 // The list has no room yet for a triangle of this batch. Used: the assembly calls it by its name.
 [[gnu::used]] bool append_to_list(Bins& bins, BinList& list, std::uint32_t batch,

@@ -5,6 +5,7 @@
 
 #include "zstrip/kernels/medium_scan.hpp"
 #include "zstrip/kernels/processor.hpp"
+#include "zstrip/kernels/thumb/records.hpp"
 
 namespace zstrip::detail {
 
@@ -18,7 +19,6 @@ static_assert(offsetof(MediumRows, depth_stride) == 48 && offsetof(MediumRows, c
 static_assert(offsetof(MediumScan, start) == 56 && offsetof(MediumScan, step_y) == 72 &&
               offsetof(MediumScan, step_x) == 88);
 static_assert(MediumScan::depth == 0 && MediumScan::red == 1 && MediumScan::green == 2 && MediumScan::blue == 3);
-
 static_assert(offsetof(MediumScan, flat_colour) == 104 && offsetof(MediumScan, has_channels) == 106 &&
               offsetof(MediumScan, area) == 108 && offsetof(MediumScan, anchor_x) == 112 &&
               offsetof(MediumScan, anchor_y) == 116 && offsetof(MediumScan, colours) == 120 &&

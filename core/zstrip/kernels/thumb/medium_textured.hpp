@@ -16,7 +16,7 @@ struct TexturedVertex;
 void set_up_texture_thumb(TexturedScan& scan, const TexturedVertex* const* vertices, std::int64_t depth_offset);
 
 /// `count` > 0 rows of a triangle with perspective in smooth light; moves the scan below them. `inverse` is kInverse.
-void scan_textured_rows_thumb(TexturedScan& scan, const LitRunState<TexturedRunState<std::uint32_t>>& run,
-                              std::int32_t count, const std::int32_t* inverse);
+void scan_textured_rows_thumb(TexturedScan& scan, const LitWordRunState& run, std::int32_t count,
+                              const std::int32_t* inverse);
 
 }  // namespace zstrip::detail

@@ -3,9 +3,9 @@
 
 #include <cstddef>
 
-#include "zstrip/geometry/project.hpp"
 #include "zstrip/kernels/processor.hpp"
 #include "zstrip/kernels/small_scan.hpp"
+#include "zstrip/kernels/thumb/records.hpp"
 
 namespace zstrip::detail {
 
@@ -18,11 +18,7 @@ static_assert(offsetof(SmallScan, depth_stride) == 56 && offsetof(SmallScan, col
 static_assert(offsetof(SmallScan, width) == 64 && offsetof(SmallScan, height) == 68);
 static_assert(offsetof(SmallScan, colours) == 72 && offsetof(SmallScan, area) == 84);
 static_assert(offsetof(SmallScan, anchor_x) == 88 && offsetof(SmallScan, anchor_y) == 92);
-static_assert(offsetof(SnappedVertex, x) == 0 && offsetof(SnappedVertex, y) == 2 &&
-              offsetof(SnappedVertex, depth) == 4);
-static_assert(offsetof(Colour, r) == 0 && offsetof(Colour, g) == 1 && offsetof(Colour, b) == 2);
 static_assert(SmallScan::edges == 0 && SmallScan::depth == 1 && SmallScan::green == 2 && SmallScan::red_blue == 3);
-static_assert(kPixelCentre == 15);
 static_assert(PackedEdges::kSigns == 0x80200400U);
 static_assert(offsetof(SmallScan, first_column) == 96 && offsetof(SmallScan, first_row) == 100 &&
               offsetof(SmallScan, flat_colour) == 104);

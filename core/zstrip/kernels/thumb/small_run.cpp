@@ -21,7 +21,6 @@ static_assert(offsetof(ThumbSmallRun, vertices) == 112 && offsetof(ThumbSmallRun
 static_assert(offsetof(ThumbSmallRun, area) == 120 && offsetof(Rect, left) == 0 && offsetof(Rect, top) == 4 &&
               offsetof(Rect, right) == 8 && offsetof(Rect, bottom) == 12);
 static_assert(offsetof(ThumbSmallRun, depth) == 136 && offsetof(ThumbSmallRun, colour) == 140);
-static_assert(sizeof(Triangle) == 6 && sizeof(SnappedVertex) == 8 && sizeof(Colour) == 4);
 static_assert(kSmallExtent == 181 && kSmallDepthDifference == 1U << 29);
 static_assert(offsetof(ThumbListedRun, triangles) == 148 && offsetof(ThumbListedRun, batch) == 152 &&
               offsetof(ThumbListedRun, next_carried) == 156 && offsetof(ThumbListedRun, minus_rows_below) == 160 &&

@@ -6,18 +6,14 @@
 
 #include "zstrip/kernels/medium_textured.hpp"
 #include "zstrip/kernels/processor.hpp"
-#include "zstrip/kernels/textured_run_state.hpp"
 #include "zstrip/kernels/textured_scan.hpp"
 #include "zstrip/kernels/thumb/medium_layout.hpp"
+#include "zstrip/kernels/thumb/run_layout.hpp"
 
 namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1 || ZSTRIP_HAS_THUMB2
 
-using MediumRun = TexturedRunState<std::uint32_t>;
-static_assert(offsetof(MediumRun, step_z) == 20 && offsetof(MediumRun, texels) == 24 &&
-              offsetof(MediumRun, to_column) == 28 && offsetof(MediumRun, to_row) == 32 &&
-              offsetof(MediumRun, row_mask) == 36);
 static_assert(offsetof(TexturedScan, scan) == 0 && offsetof(TexturedScan, start) == 160 &&
               offsetof(TexturedScan, step_y) == 172 && offsetof(TexturedScan, step_x) == 184);
 static_assert(offsetof(TexturedScan, base_u) == 196 && offsetof(TexturedScan, base_v) == 200 &&

@@ -12,11 +12,9 @@ namespace zstrip::detail {
 void fill_runs_thumb(TexturedRunsState& state, std::uint16_t* depth, std::uint16_t* pixel, std::uint32_t count);
 
 /// `length` 1 .. 2^20, with the depth test of z16. Moves `run.z` to the first pixel behind the run.
-void fill_run_thumb(TexturedRunState<std::uint32_t>& run, std::uint16_t* depth, std::uint16_t* pixel,
-                    std::int32_t length);
+void fill_run_thumb(WordRunState& run, std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length);
 
 /// Likewise, texels multiplied by one colour. For Thumb-2.
-void fill_lit_run_thumb(LitRunState<TexturedRunState<std::uint32_t>>& run, std::uint16_t* depth, std::uint16_t* pixel,
-                        std::int32_t length);
+void fill_lit_run_thumb(LitWordRunState& run, std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length);
 
 }  // namespace zstrip::detail

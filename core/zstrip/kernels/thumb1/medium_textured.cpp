@@ -11,14 +11,12 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
 
-using MediumLitRun = LitRunState<MediumRun>;
-
 // On the stack: 0 the scan, 4 how many rows, 8 the normalisation of the last 1/w, 12 the table of reciprocals for an
 // index that begins at 256, 16 the inverses for lengths, 20 the shifts to a column and to a row, 28 the mask of rows,
 // 32 the texels, 36 the steps of depth, red, green and blue, 52 those of u and v, 60 how long the row is, 64 its first
 // cell, 68 from a cell to its pixel, 72 depth and light at the first pixel, 88 1/w, u/w and v/w there, 100 the exact
 // position there.
-[[gnu::naked]] static void scan_rows_of_texels(TexturedScan&, const MediumLitRun&, std::int32_t, const std::int32_t*,
+[[gnu::naked]] static void scan_rows_of_texels(TexturedScan&, const LitWordRunState&, std::int32_t, const std::int32_t*,
                                                const std::uint16_t*) {
   asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL ZSTRIP_THUMB1_MEDIUM_EDGES R"(
     @ The value \to plus the step at r0 times \by. Moves r0 behind that. Uses \with.
@@ -287,7 +285,7 @@ using MediumLitRun = LitRunState<MediumRun>;
   )" ZSTRIP_THUMB1_PURGE_MEDIUM_EDGES ZSTRIP_THUMB1_PURGE_RECIPROCAL);
 }
 
-void scan_textured_rows_thumb(TexturedScan& scan, const MediumLitRun& run, std::int32_t count,
+void scan_textured_rows_thumb(TexturedScan& scan, const LitWordRunState& run, std::int32_t count,
                               const std::int32_t* inverse) {
   scan_rows_of_texels(scan, run, count, inverse, kReciprocalTable.data());
 }

@@ -1,19 +1,14 @@
 // The assembly behind thumb/textured_run.hpp for Thumb-1 (Cortex-M0, M0+): shifts, products and addresses have eight
 // registers only, so that what is merely added or copied stands in the upper ones.
-#include <cstddef>
+#include "zstrip/kernels/thumb/textured_run.hpp"
 
 #include "zstrip/base/division.hpp"
-#include "zstrip/kernels/thumb/textured_run.hpp"
+#include "zstrip/kernels/thumb/run_layout.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"
 
 namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
-
-using State = TexturedRunState<std::uint32_t>;
-static_assert(offsetof(State, z) == 16 && offsetof(State, texels) == 24 && offsetof(State, row_mask) == 36);
-using Runs = TexturedRunsState;
-static_assert(sizeof(State) == 40 && sizeof(Runs) == 92);  // no gaps: the members lie in order
 
 // A pixel: depth test, texel, steps. `cell` and `to`: where its depth and its colour lie.
 // r2 depth, r4 texels, r5 and r6 shifts of u and v, r7 mask, r8 u and r9 its step, r10 v and r11 its step, r12 the step
@@ -42,7 +37,7 @@ static_assert(sizeof(State) == 40 && sizeof(Runs) == 92);  // no gaps: the membe
   ".endm\n"
 
 // On the stack: the state, the end of the cells.
-[[gnu::naked]] void fill_run_thumb(State&, std::uint16_t*, std::uint16_t*, std::int32_t) {
+[[gnu::naked]] void fill_run_thumb(WordRunState&, std::uint16_t*, std::uint16_t*, std::int32_t) {
   asm(ZSTRIP_THUMB1_PUSH ZSTRIP_TEXEL R"(
     lsls  r3, r3, #1
     adds  r3, r3, r1
@@ -73,7 +68,8 @@ static_assert(sizeof(State) == 40 && sizeof(Runs) == 92);  // no gaps: the membe
 // Eight pixels at a time. On the stack: 0 the state, 4 how many runs are left, 8 the normalisation of the last 1/w,
 // from which the next one's seldom differs, 12 depth, 16 its cell, 20 the end of the run's cells, 24 the table of
 // reciprocals for an index that begins at 256.
-[[gnu::naked]] static void fill_runs(Runs&, std::uint16_t*, std::uint16_t*, std::uint32_t, const std::uint16_t*) {
+[[gnu::naked]] static void fill_runs(TexturedRunsState&, std::uint16_t*, std::uint16_t*, std::uint32_t,
+                                     const std::uint16_t*) {
   asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL ZSTRIP_TEXEL R"(
     sub   sp, sp, #28
     mov   lr, r2
@@ -195,7 +191,7 @@ static_assert(sizeof(State) == 40 && sizeof(Runs) == 92);  // no gaps: the membe
   )" ZSTRIP_THUMB1_PURGE_RECIPROCAL ZSTRIP_THUMB1_POP);
 }
 
-void fill_runs_thumb(Runs& state, std::uint16_t* depth, std::uint16_t* pixel, std::uint32_t count) {
+void fill_runs_thumb(TexturedRunsState& state, std::uint16_t* depth, std::uint16_t* pixel, std::uint32_t count) {
   fill_runs(state, depth, pixel, count, kReciprocalTable.data());
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "zstrip/base/division.hpp"
+#include "zstrip/kernels/thumb/records.hpp"
 #include "zstrip/kernels/thumb1/macros.hpp"
 
 namespace zstrip::detail {
@@ -17,12 +18,6 @@ static_assert(offsetof(HalvedTransform, x) == 0 && offsetof(HalvedTransform, y) 
 static_assert(offsetof(HalvedTransform, w_near) == 84 && offsetof(HalvedTransform, w_range) == 88);
 static_assert(offsetof(HalvedTransform, shift_x) == 92 && offsetof(HalvedTransform, bias_y) == 104);
 static_assert(offsetof(HalvedTransform, depth_scale_low) == 108 && offsetof(HalvedTransform, depth_offset) == 124);
-static_assert(sizeof(Position) == 6 && offsetof(Position, y) == 2 && offsetof(Position, z) == 4);
-static_assert(sizeof(SnappedVertex) == 8 && offsetof(SnappedVertex, x) == 0 && offsetof(SnappedVertex, y) == 2 &&
-              offsetof(SnappedVertex, depth) == 4);
-static_assert(static_cast<int>(ReciprocalOf::quotient) == 1 && static_cast<int>(ReciprocalOf::table) == 2);
-static_assert(kNarrowLimit == 1 << 14 && kNotNarrow == -0x8000);
-static_assert(snap_depth(0xFFFFFFFF) == 0xFFFFE000 && snap_depth(0) == 0x2000);
 
 // r8 x and r9 y, r10 the next position, r11 the next vertex, r12 the normalisation of the last w, lr how many are left.
 // On the stack: 0 the transform, 4 whether all so far are narrow, 8 the table of reciprocals for an index that begins

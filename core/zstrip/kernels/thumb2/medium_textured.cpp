@@ -11,8 +11,7 @@ namespace zstrip::detail {
 // On the stack: 0 the scan, 4 how many rows, 8 the mask of rows and the texels, 16 the shift to a column and 128, 24
 // the steps of depth, red, green and blue, 40 those of u and v, 48 the shift to a row, 52 the bases, 60 the factors to
 // fractions, 68 the right shift, 72 how long a row is, then where it begins, 80 the inverses, from that of length 1 on.
-[[gnu::naked]] void scan_textured_rows_thumb(TexturedScan&, const LitRunState<MediumRun>&, std::int32_t,
-                                             const std::int32_t*) {
+[[gnu::naked]] void scan_textured_rows_thumb(TexturedScan&, const LitWordRunState&, std::int32_t, const std::int32_t*) {
   asm(ZSTRIP_MEDIUM_EDGES R"(
     @ The exact position, 16.16 texels, of 1/w, u/w and v/w in r4, r5 and r6: u into r3, v into r0. Takes r11 and lr.
     .macro zstrip_textured_position name

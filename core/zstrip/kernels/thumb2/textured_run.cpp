@@ -2,19 +2,11 @@
 // only, so that the bytes above count the pixels.
 #include "zstrip/kernels/thumb/textured_run.hpp"
 
-#include <cstddef>
+#include "zstrip/kernels/thumb/run_layout.hpp"
 
 namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB2
-
-using State = TexturedRunState<std::uint32_t>;
-static_assert(offsetof(State, z) == 16 && offsetof(State, texels) == 24 && offsetof(State, to_column) == 28 &&
-              offsetof(State, row_mask) == 36);
-using Lit = LitRunState<State>;
-static_assert(sizeof(State) == 40 && sizeof(Lit) == 52);
-using Runs = TexturedRunsState;
-static_assert(sizeof(State) == 40 && sizeof(Runs) == 92);  // no gaps: the members lie in order
 
 // A pixel: depth test, texel, steps. Text, because the assembler's macros outside of functions get lost where the
 // linker puts the files' code in another order.
@@ -37,7 +29,7 @@ static_assert(sizeof(State) == 40 && sizeof(Runs) == 92);  // no gaps: the membe
   "  add   r1, r1, r3\n"             \
   ".endm\n"
 
-[[gnu::naked]] void fill_run_thumb(State&, std::uint16_t*, std::uint16_t*, std::int32_t) {
+[[gnu::naked]] void fill_run_thumb(WordRunState&, std::uint16_t*, std::uint16_t*, std::int32_t) {
   asm(ZSTRIP_TEXEL R"(
     push  {r0, r4-r11, lr}
     mov   r12, r0
@@ -139,7 +131,7 @@ static_assert(sizeof(State) == 40 && sizeof(Runs) == 92);  // no gaps: the membe
 }
 
 // The mask of rows, the shift to them, the light and the step of z stay in memory.
-[[gnu::naked]] void fill_lit_run_thumb(Lit&, std::uint16_t*, std::uint16_t*, std::int32_t) {
+[[gnu::naked]] void fill_lit_run_thumb(LitWordRunState&, std::uint16_t*, std::uint16_t*, std::int32_t) {
   asm(R"(
     push  {r4-r11, lr}
     ldr   r11, [r0, #28]

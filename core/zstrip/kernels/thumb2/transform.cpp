@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "zstrip/base/division.hpp"
+#include "zstrip/kernels/thumb/records.hpp"
 
 namespace zstrip::detail {
 
@@ -19,12 +20,6 @@ static_assert(offsetof(NarrowTransform, depth_normalisation) == 72 && offsetof(N
               offsetof(NarrowTransform, depth_shift) == 80 && offsetof(NarrowTransform, depth_offset) == 84);
 static_assert(offsetof(LinearForm, x) == 0 && offsetof(LinearForm, y) == 4 && offsetof(LinearForm, z) == 8 &&
               offsetof(LinearForm, offset) == 12);
-static_assert(sizeof(Position) == 6 && offsetof(Position, y) == 2 && offsetof(Position, z) == 4);
-static_assert(sizeof(SnappedVertex) == 8 && offsetof(SnappedVertex, x) == 0 && offsetof(SnappedVertex, y) == 2 &&
-              offsetof(SnappedVertex, depth) == 4);
-static_assert(static_cast<int>(ReciprocalOf::quotient) == 1 && static_cast<int>(ReciprocalOf::table) == 2);
-static_assert(kNarrowLimit == 1 << 14 && kNotNarrow == -0x8000);
-static_assert(snap_depth(0xFFFFFFFF) == 0xFFFFE000 && snap_depth(0) == 0x2000);
 
 // r0 the transform, r1 the next position, r2 how many are left, r3 the next vertex. On the stack: whether all so far
 // are narrow. Cortex-M4's SMLAWB would spare twelve instructions of these; one form for all serves better.

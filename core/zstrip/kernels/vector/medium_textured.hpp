@@ -29,9 +29,8 @@ inline std::uint16_t modulated(std::uint16_t texel, Words light) {
 
 /// `length` > 0 pixels of the next row from `column` on, counted from the anchor's; `run` has the texture, where it
 /// starts and its steps.
-[[gnu::always_inline]] inline void fill_smooth_vector(const LitRunState<TexturedRunState<std::uint32_t>>& run,
-                                                      const TexturedScan& textured, std::int32_t column,
-                                                      std::int32_t length) {
+[[gnu::always_inline]] inline void fill_smooth_vector(const LitWordRunState& run, const TexturedScan& textured,
+                                                      std::int32_t column, std::int32_t length) {
   using namespace vectors;
   const MediumScan& scan = textured.scan;
   const Words step_x = load_words(scan.step_x);

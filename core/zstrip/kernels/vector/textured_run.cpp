@@ -15,7 +15,7 @@ namespace {
 /// Indices of texels, below 2^16, from coordinates.
 class Texels {
  public:
-  explicit Texels(const TexturedRunState<std::uint32_t>& run)
+  explicit Texels(const WordRunState& run)
       : texels_(run.texels), to_column_(run.to_column), to_row_(run.to_row), row_mask_(in_all_words(run.row_mask)) {}
 
   Halves four(Words u, Words v) const { return fetched<0>(Halves{}, indices(u, v)); }
@@ -107,8 +107,8 @@ template <class Light>
 }
 
 template <class Light>
-[[gnu::always_inline]] inline void fill_run(TexturedRunState<std::uint32_t>& run, const Light& light,
-                                            std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length) {
+[[gnu::always_inline]] inline void fill_run(WordRunState& run, const Light& light, std::uint16_t* depth,
+                                            std::uint16_t* pixel, std::int32_t length) {
   const Texels texels(run);
   if (length >= 8) {
     Interpolated z(run.z, run.step_z), u(run.u, run.step_u), v(run.v, run.step_v);
@@ -156,12 +156,11 @@ void fill_lit_runs_vector(TexturedRunsState& state, const OneLight& light, std::
   fill_runs(state, Lit{light}, depth, pixel, count);
 }
 
-void fill_run_vector(TexturedRunState<std::uint32_t>& run, std::uint16_t* depth, std::uint16_t* pixel,
-                     std::int32_t length) {
+void fill_run_vector(WordRunState& run, std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length) {
   fill_run(run, Unlit{}, depth, pixel, length);
 }
-void fill_lit_run_vector(TexturedRunState<std::uint32_t>& run, const OneLight& light, std::uint16_t* depth,
-                         std::uint16_t* pixel, std::int32_t length) {
+void fill_lit_run_vector(WordRunState& run, const OneLight& light, std::uint16_t* depth, std::uint16_t* pixel,
+                         std::int32_t length) {
   fill_run(run, Lit{light}, depth, pixel, length);
 }
 
