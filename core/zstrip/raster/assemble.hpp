@@ -1,245 +1,34 @@
-// From three indices to a rasterised triangle: cull, bound, choose the rasteriser; or leave it to clipping.
+// The triangles of a meshlet: culled, in runs where the processor has a loop for them, and drawn one by one.
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <type_traits>
-#include <utility>
+#include <span>
 
 #include "zstrip/effects.hpp"
 #include "zstrip/effects/outlines/outline.hpp"
-#include "zstrip/effects/pixel_shading/lit_corners.hpp"
 #include "zstrip/geometry/bins.hpp"
 #include "zstrip/geometry/project.hpp"
-#include "zstrip/kernels/medium_textured.hpp"
-#include "zstrip/kernels/medium_triangle.hpp"
 #include "zstrip/kernels/small_run.hpp"
-#include "zstrip/kernels/small_triangle.hpp"
-#include "zstrip/raster/assemble_clipped.hpp"
-#include "zstrip/raster/attributes.hpp"
-#include "zstrip/raster/fragment.hpp"
-#include "zstrip/raster/span_triangle.hpp"
+#include "zstrip/raster/assemble_narrow.hpp"
 
 namespace zstrip::detail {
 
 template <Effects effects>
-struct Assembler : ClippedAssembler<effects> {
-  using Clipped = ClippedAssembler<effects>;
-  using typename Clipped::Attributes;
-  using typename Clipped::Batch;
-  using typename Clipped::StripTarget;
-  template <Shade shade>
-  using SurfaceOf = typename Clipped::template SurfaceOf<shade>;
-  using Clipped::kDepth;
-  using Clipped::kOrthographic;
-  using Clipped::kStatistics;
-  using Clipped::kTextures;
-  static constexpr bool kUnclipped = effects.has(effect::unclipped);
-  /// True; without clipping a type that says so, and paths for triangles that are not narrow are no code.
-  static constexpr auto always_narrow() {
-    if constexpr (kUnclipped) {
-      return std::true_type{};
-    } else {
-      return true;
-    }
-  }
-
-  /// The vertex with 16.16 codes: what small triangles take.
-  static decltype(auto) in_codes(const SnappedVertex& v) {
-    if constexpr (kDepth.format == DepthFormat::float16) {
-      const auto depth = static_cast<std::uint32_t>(float16_depth(v.depth, float16_octave(v.depth)));
-      return SnappedVertex{v.x, v.y, depth};
-    } else {
-      return (v);
-    }
-  }
-
-  /// Of the small float's vertices only those of one octave have their codes on a plane.
-  static bool is_small_in_octave(std::int32_t width, std::int32_t height, const SnappedVertex& a,
-                                 const SnappedVertex& b, const SnappedVertex& c) {
-    const std::uint32_t octave = float16_octave(a.depth);
-    return float16_octave(b.depth) == octave && float16_octave(c.depth) == octave &&
-           is_small(width, height, in_codes(a), in_codes(b), in_codes(c));
-  }
-
-  static constexpr bool kTwoSided = detail::shows_both_sides(effects);
-  static bool shows_both_sides([[maybe_unused]] const Batch& batch) {
-    if constexpr (!kTwoSided) return false;
-    return batch.instance->double_sided;
-  }
-
-  /// Least and greatest; of whole words, or every comparison extends halfwords.
-  static std::pair<std::int32_t, std::int32_t> range(std::int32_t a, std::int32_t b) {
-    return a < b ? std::pair(a, b) : std::pair(b, a);
-  }
-  static std::pair<std::int32_t, std::int32_t> range(std::int32_t a, std::int32_t b, std::int32_t c) {
-    const auto [least, greatest] = range(a, b);
-    return {std::min(least, c), std::max(greatest, c)};
-  }
-
-  /// Whether a triangle that has no pixel's centre in its box, or none in the strip, is left out.
-  static bool culls_small([[maybe_unused]] const StripTarget& target) {
-    if constexpr (kDepth.any(method::culling)) {
-      return target.method->cull_small;
-    } else {
-      return true;
-    }
-  }
-
-  static std::uint32_t nearest_code(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c) {
-    return std::max(std::max(a.depth, b.depth), c.depth) >> 16;
-  }
-
-  /// Whether bounds of depth apply to fragments in this strip.
-  static bool has_bounds([[maybe_unused]] const StripTarget& target) {
-    if constexpr (kDepth.any(method::bounded) && kDepth.state) return is_plain(target.settings);
-    return kDepth.any(method::bounded);
-  }
-
-  /// False if the bounds of depth hide the triangle.
-  static bool may_show(const StripTarget& target, const Rect& box, const SnappedVertex& a, const SnappedVertex& b,
-                       const SnappedVertex& c) {
-    if (!has_bounds(target)) return true;
-    MethodState& method = *target.method;
-    if (!method.bounds.hides(box, nearest_code(a, b, c), method.counts)) return true;
-    if constexpr (kStatistics) ++method.counts->triangles;
-    return false;
-  }
-
-  /// Cannot be inlined: keeps the culling loop small enough for the registers of a Cortex-M.
-  template <Shade shade>
-  [[gnu::noinline]] static void draw_narrow(const StripTarget& target, const Batch& batch, const Triangle& provoking,
-                                            std::uint32_t ia, std::uint32_t ib, std::uint32_t ic, std::int32_t area) {
-    const SnappedVertex* first = batch.vertices + (ia - batch.first_vertex);
-    const SnappedVertex* second = batch.vertices + (ib - batch.first_vertex);
-    const SnappedVertex* third = batch.vertices + (ic - batch.first_vertex);
-    rotate_to_first([](const SnappedVertex* v) { return v->y * 65536 + v->x; }, first, second, third);
-    const SnappedVertex& a = *first;
-    const SnappedVertex& b = *second;
-    const SnappedVertex& c = *third;
-    const auto [min_x, max_x] = range(a.x, b.x, c.x);
-    const std::int32_t min_y = a.y;
-    const std::int32_t max_y = range(b.y, c.y).second;
-    const Rect whole{min_x >> 4, min_y >> 4, max_x >> 4, max_y >> 4};
-    const Rect& strip = target.area;
-    // The sign of all differences at once: most triangles lie inside the strip and cover a column and a row.
-    const bool is_inside = ((whole.left - strip.left) | (whole.top - strip.top) | (strip.right - whole.right) |
-                            (strip.bottom - whole.bottom)) >= 0;
-    Rect box = whole;
-    if (!is_inside) {
-      box = {std::max(box.left, strip.left), std::max(box.top, strip.top), std::min(box.right, strip.right),
-             std::min(box.bottom, strip.bottom)};
-    }
-    if (box.empty() && culls_small(target)) return;
-    if constexpr (kDepth.any(method::bounded)) {
-      if (!box.empty() && !may_show(target, box, a, b, c)) return;
-    }
-    const CountedTriangle<kStatistics> counted(target, whole.left, whole.top);
-    constexpr bool kHasSmall = (kDepth.format == DepthFormat::z16 || kDepth.format == DepthFormat::float16) &&
-                               !kDepth.any(method::midpoint) && !kDepth.compares_codes();
-    // What a run of small triangles has left is not small, nor medium; but vectors leave what has no room for blocks.
-    constexpr bool kInRuns = kSmallRuns<shade, true> && kUnclipped && !kTwoSided && !kHasVectors;
-    constexpr bool kGouraud = shade == Shade::gouraud;
-    [[maybe_unused]] const Colour* colours[3] = {nullptr, nullptr, nullptr};
-    if constexpr (kGouraud) {
-      colours[0] = batch.colours + (&a - batch.vertices);
-      colours[1] = batch.colours + (&b - batch.vertices);
-      colours[2] = batch.colours + (&c - batch.vertices);
-    }
-    [[maybe_unused]] const std::uint16_t flat_colour = Attributes::template flat_colour<shade>(batch, provoking);
-    if constexpr (shade <= Shade::gouraud && kHasSmall && !kInRuns) {
-      if ((kDepth.format == DepthFormat::float16 ? is_small_in_octave(max_x - min_x, max_y - min_y, a, b, c)
-                                                 : is_small(max_x - min_x, max_y - min_y, a, b, c)) &&
-          (!kDepth.any(method::culling) || !box.empty())) {
-        if constexpr (kDepth.any(method::bounded)) {
-          if (has_bounds(target)) {
-            target.method->bounds.cover(box, nearest_code(a, b, c));
-          } else {
-            target.method->bounds.forget(box);
-          }
-        }
-        draw_small_triangle<kGouraud, kStatistics>(target, in_codes(a), in_codes(b), in_codes(c), colours, flat_colour,
-                                                   area, whole.left, whole.top, box,
-                                                   DepthRule<kDepth>(target, a, b, c, area));
-        return;
-      }
-    }
-    if constexpr (kHasMedium<shade> && !kInRuns) {
-      if (draw_medium<kGouraud>({target, a, b, c, area}, colours, flat_colour)) return;
-    }
-    if constexpr (kHasMediumTexturedOf<shade>) {
-      if (draw_medium_with_texture<shade>(target, batch, provoking, {&a, &b, &c}, area)) return;
-    }
-    draw_narrow_spans<shade>(target, batch, provoking, a, b, c);
-  }
-
-  template <Shade shade>
-  static constexpr bool kHasMediumTexturedOf =
-      kHasMediumTextured&& kTextures&& shade >= Shade::textured&& shade <= Shade::textured_gouraud && !kStatistics &&
-      (Clipped::kPerspective == 0 || Clipped::kPerspective == kPerspectiveRun) &&
-      std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
-
-  /// Cannot be inlined: the stack of what it calls.
-  template <Shade shade>
-  [[gnu::noinline]] static bool draw_medium_with_texture(const StripTarget& target, const Batch& batch,
-                                                         const Triangle& provoking,
-                                                         const SnappedVertex* const (&snapped)[3], std::int32_t area) {
-    TexturedVertex vertices[3];
-    const TexturedVertex* const corners[3] = {&vertices[0], &vertices[1], &vertices[2]};
-    const Colour* colours[3] = {nullptr, nullptr, nullptr};
-    for (int i = 0; i < 3; ++i) {
-      const auto index = static_cast<std::uint32_t>(snapped[i] - batch.vertices) + batch.first_vertex;
-      vertices[i].depth = snapped[i]->depth;
-      Attributes::load_texture_coordinates(batch, index, vertices[i]);
-      if constexpr (shade == Shade::textured_gouraud) colours[i] = &Attributes::colour_of(batch, index);
-    }
-    if constexpr (shade == Shade::textured_flat) colours[0] = &Attributes::colour_of(batch, provoking.a);
-    constexpr TexelLight kLit = shade == Shade::textured        ? TexelLight::none
-                                : shade == Shade::textured_flat ? TexelLight::flat
-                                                                : TexelLight::smooth;
-    constexpr bool kIsAffine = kOrthographic || Clipped::kPerspective == 0;
-    return draw_medium_textured<kLit, kIsAffine>({target, *snapped[0], *snapped[1], *snapped[2], area},
-                                                 {corners, colours, batch.surface});
-  }
-
-  /// Whether triangles larger than small ones are drawn by draw_medium.
-  template <Shade shade>
-  static constexpr bool kHasMedium = kHasMediumTriangles&& shade <= Shade::gouraud && !kStatistics &&
-                                     std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
-
-  /// Cannot be inlined: small triangles keep the registers that it would take.
-  template <Shade shade>
-  [[gnu::noinline]] static void draw_narrow_spans(const StripTarget& target, const Batch& batch,
-                                                  const Triangle& provoking, const SnappedVertex& a,
-                                                  const SnappedVertex& b, const SnappedVertex& c) {
-    RasterVertex v[3] = {};
-    const SnappedVertex* const snapped[3] = {&a, &b, &c};
-    for (int i = 0; i < 3; ++i) {
-      v[i].x = snapped[i]->x;
-      v[i].y = snapped[i]->y;
-      v[i].depth = snapped[i]->depth;
-      Attributes::template load<shade>(
-          batch, static_cast<std::uint32_t>(snapped[i] - batch.vertices) + batch.first_vertex, v[i]);
-    }
-    SurfaceOf<shade> surface{batch.surface};
-    surface.flat_colour = Attributes::template flat_colour<shade>(batch, provoking);
-    Attributes::template take_first_colour<shade>(batch, provoking, v);
-    if constexpr (Clipped::template kMayBeLit<shade>) {
-      if (has_lit_fragments(batch.instance->shade)) {
-        for (int i = 0; i < 3; ++i) {
-          const auto index = static_cast<std::uint32_t>(snapped[i] - batch.vertices) + batch.first_vertex;
-          surface.corners[i] = lit_corner<effects>(*batch.mesh, index, target.light);
-        }
-      }
-    }
-    Clipped::template draw_spans<shade>(target, v, surface, always_narrow());
-  }
-
-  /// Twice the signed area, positive for front faces; differences of narrow coordinates are below 2^15, so 31 bits
-  /// suffice.
-  static std::int32_t narrow_area(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c) {
-    return (c.x - a.x) * (b.y - a.y) - (b.x - a.x) * (c.y - a.y);
-  }
+struct Assembler : NarrowAssembler<effects> {
+  using Narrow = NarrowAssembler<effects>;
+  using Narrow::area_of;
+  using Narrow::is_narrow;
+  using Narrow::kTextures;
+  using Narrow::kTwoSided;
+  using Narrow::narrow_area;
+  using Narrow::shows_both_sides;
+  using typename Narrow::Attributes;
+  using typename Narrow::Batch;
+  using typename Narrow::StripTarget;
+  static constexpr bool kUnclipped = Narrow::kUnclipped;
+  template <Shade shade, bool all_narrow>
+  static constexpr bool kSmallRuns = Narrow::template kSmallRuns<shade, all_narrow>;
 
   /// Culls and draws `count` triangles, triangle_at(0) on. `all_narrow`: no vertex of the batch needs the clipping
   /// path.
@@ -256,29 +45,17 @@ struct Assembler : ClippedAssembler<effects> {
       const SnappedVertex& c = vertices[triangle.c - first];
       if constexpr (!all_narrow && !kUnclipped) {
         if (!is_narrow(a, b, c)) {
-          Clipped::template draw_clipped<shade>(target, batch, triangle);
+          Narrow::template draw_clipped<shade>(target, batch, triangle);
           continue;
         }
       }
       const std::int32_t area = narrow_area(a, b, c);
       if (area > 0) {
-        draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c, area);
+        Narrow::template draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c, area);
       } else if (area < 0 && double_sided) {
-        draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.c, triangle.b, -area);
+        Narrow::template draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.c, triangle.b, -area);
       }
     }
-  }
-
-  /// Whether most triangles never come to draw_narrow.
-  template <Shade shade, bool all_narrow>
-  static constexpr bool kSmallRuns = (all_narrow ? kHasSmallRuns : kHasSmallRunsOfOne) &&
-                                     (shade == Shade::gouraud || (shade == Shade::flat && kHasFlatSmallRuns)) &&
-                                     !kStatistics && std::is_same_v<DepthRule<kDepth>, DepthRule<DepthMode{}>>;
-
-  static bool is_narrow([[maybe_unused]] const SnappedVertex& a, [[maybe_unused]] const SnappedVertex& b,
-                        [[maybe_unused]] const SnappedVertex& c) {
-    if constexpr (kUnclipped) return true;
-    return a.x != kNotNarrow && b.x != kNotNarrow && c.x != kNotNarrow;
   }
 
   template <Shade shade>
@@ -320,12 +97,12 @@ struct Assembler : ClippedAssembler<effects> {
       if (all_narrow || is_narrow(a, b, c)) {
         const std::int32_t area = narrow_area(a, b, c);
         if (kHasFlatSmallRuns && kTwoSided && area < 0) {
-          draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.c, triangle.b, -area);
+          Narrow::template draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.c, triangle.b, -area);
         } else {
-          draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c, area);
+          Narrow::template draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c, area);
         }
       } else if constexpr (!kUnclipped) {
-        Clipped::template draw_clipped<shade>(target, batch, triangle);
+        Narrow::template draw_clipped<shade>(target, batch, triangle);
       }
     }
   }
@@ -463,7 +240,8 @@ struct Assembler : ClippedAssembler<effects> {
     if constexpr (kHasListedRuns && std::is_same_v<List, BinReader>) {
       while (draw_listed_run(target, batch, triangles, list)) {
         const Triangle& triangle = triangles[list.rest()[0]];
-        draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c, area_of(batch, triangle));
+        Narrow::template draw_narrow<shade>(target, batch, triangle, triangle.a, triangle.b, triangle.c,
+                                            area_of(batch, triangle));
         list.take(1);
       }
     } else {
@@ -485,12 +263,6 @@ struct Assembler : ClippedAssembler<effects> {
     }
     if (carried != nullptr) carried->read = run.read, carried->write = run.write;
     return stops;
-  }
-
-  static std::int32_t area_of(const Batch& batch, const Triangle& triangle) {
-    const SnappedVertex* const vertices = batch.vertices;
-    const std::uint32_t first = batch.first_vertex;
-    return narrow_area(vertices[triangle.a - first], vertices[triangle.b - first], vertices[triangle.c - first]);
   }
 
   /// Runs of triangles that lie in a row.
