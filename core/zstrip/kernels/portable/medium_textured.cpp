@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "zstrip/kernels/medium_triangle.hpp"
+#include "zstrip/kernels/portable/triangle_rows.hpp"
 #include "zstrip/kernels/textured_scan.hpp"
 #include "zstrip/kernels/thumb/medium_textured.hpp"
 #include "zstrip/kernels/vector/medium_textured.hpp"
@@ -122,53 +123,30 @@ template <TexelLight lit, bool affine>
   } while (--count != 0);
 }
 
-/// The rows of a triangle in a strip whose sides it does not cross, in two parts: down to the middle vertex, and from
-/// there on.
-struct TriangleRows {
+/// The rows that are left.
+struct RowsLeft : TriangleRows {
   MediumRows& edges;
-  std::int32_t anchor_x, anchor_y;
-  std::int32_t width, height;  ///< of the triangle, 12.4
-  std::int32_t row, count;     ///< the next one, and how many the part has left
-  std::int32_t middle, end;
-  bool middle_is_left;
+  std::int32_t count;  ///< that the part has left from `row` on
 
-  explicit TriangleRows(MediumRows& of_scan) : edges(of_scan) {}
+  explicit RowsLeft(MediumRows& of_scan) : edges(of_scan) {}
 
-  /// False: it is left to its spans.
-  bool begin(const MediumTriangle& t) {
-    const StripTarget& target = t.target;
-    // Of whole words, not of an array: or a Cortex-M0 makes one.
-    const std::int32_t x0 = t.v0.x, x1 = t.v1.x, x2 = t.v2.x;
-    const std::int32_t min_x = std::min(std::min(x0, x1), x2), max_x = std::max(std::max(x0, x1), x2);
-    const std::int32_t bottom = std::max(t.v1.y, t.v2.y);
-    anchor_x = min_x >> 4, anchor_y = std::max<std::int32_t>(t.v0.y >> 4, target.view_top);
-    const std::int32_t right_side = max_x >> 4;
-    if (right_side - anchor_x > kPerspectiveRun || anchor_x < target.area.left || right_side > target.area.right) {
-      return false;
-    }
-    width = max_x - min_x, height = bottom - t.v0.y;
-    // From the first vertex, the highest, the second lies to the left.
-    middle_is_left = t.v1.y < t.v2.y;
-    row = std::max<std::int32_t>(t.v0.y >> 4, target.area.top);
-    end = std::min<std::int32_t>(bottom >> 4, target.area.bottom);
-    middle = std::min<std::int32_t>(std::min(t.v1.y, t.v2.y) >> 4, end);
-    count = middle - row;
-    if (row >= end) return true;
-    edges.set_target(target, row, anchor_x);
-    if (count > 0 || !middle_is_left) set_medium_edge(edges.left, t.v0, t.v1, row, anchor_x);
-    if (count > 0 || middle_is_left) set_medium_edge(edges.right, t.v0, t.v2, row, anchor_x);
-    if (count <= 0) begin_lower(t);
+  /// False: the triangle is left to its spans.
+  [[gnu::noinline]] bool begin(const MediumTriangle& t) {
+    bound(t);
+    if (right - anchor_x > kPerspectiveRun || !lies_in(t.target.area)) return false;
+    count = 0;
+    if (find_rows(t)) begin_first(edges, t), count = middle - row;
     return true;
   }
 
-  /// Whether there are rows left: those of the lower part after those of the upper one.
+  /// Whether there are any: those of the second part after those of the first one.
   bool has_more(const MediumTriangle& t) {
     if (row >= end) return false;
-    if (count == 0) begin_lower(t);
+    if (count <= 0) begin_second(edges, t), count = end - row;
     return true;
   }
 
-  /// Whether a row is left that has pixels; goes down to it.
+  /// Whether one has pixels; goes down to it.
   bool has_pixels(const MediumTriangle& t) {
     while (has_more(t)) {
       for (; count != 0; ++row, --count) {
@@ -178,24 +156,14 @@ struct TriangleRows {
     }
     return false;
   }
-
- private:
-  void begin_lower(const MediumTriangle& t) {
-    if (middle_is_left) {
-      set_medium_edge(edges.left, t.v1, t.v2, row, anchor_x);
-    } else {
-      set_medium_edge(edges.right, t.v2, t.v1, row, anchor_x);
-    }
-    count = end - row;
-  }
 };
 
 enum class Prepared : std::uint8_t { nothing, rows, left_to_spans };
 
 /// What all lights share, so that it is code once.
 template <bool affine>
-[[gnu::noinline]] Prepared begin_textured(TexturedScan& textured, TriangleRows& rows, LitWordRunState& run,
-                                          TexelLight lit, const MediumTriangle& t, const MediumTexture& textures) {
+[[gnu::noinline]] Prepared begin_textured(TexturedScan& textured, RowsLeft& rows, LitWordRunState& run, TexelLight lit,
+                                          const MediumTriangle& t, const MediumTexture& textures) {
   if (!rows.begin(t)) return Prepared::left_to_spans;
   // Planes are most of the work, and many a triangle covers no pixel.
   if (!rows.has_pixels(t)) return Prepared::nothing;
@@ -228,7 +196,7 @@ template <bool affine>
 template <TexelLight lit, bool affine>
 bool draw_medium_textured(const MediumTriangle& t, const MediumTexture& textures) {
   TexturedScan textured;
-  TriangleRows rows(textured.scan.rows);
+  RowsLeft rows(textured.scan.rows);
   Run<lit> run;
   const Prepared prepared = begin_textured<affine>(textured, rows, run, lit, t, textures);
   if (prepared != Prepared::rows) return prepared == Prepared::nothing;
