@@ -106,7 +106,7 @@ class Planner {
       plan.effect_bytes = rounded_up(effect_bytes);
     }
     if (binned) {
-      if (meshlets > kMaxBatches || counts_.longest_meshlet > kMaxBatches) return {};
+      if (meshlets > kMaxBatches || counts_.longest_meshlet > kMaxListedTriangles) return {};
       const std::uint64_t entries = facing_triangles(counts_, effects_, view_, plan).visits() +
                                     facing_meshlets(counts_, effects_, view_, plan).visits();
       const std::uint64_t chunks = entries / kBinChunkEntries + strips;

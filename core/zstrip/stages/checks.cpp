@@ -38,7 +38,9 @@ Status check_request(const Scene& scene, const SceneCounts& counts, const Camera
     return too_small(Purpose::extents, extents, plan.extent_bytes);
   }
   if (binned) {
-    if (counts.meshlets > kMaxBatches || counts.longest_meshlet > kMaxBatches) return {.error = Error::unplannable};
+    if (counts.meshlets > kMaxBatches || counts.longest_meshlet > kMaxListedTriangles) {
+      return {.error = Error::unplannable};
+    }
     const std::uint64_t lists = std::uint64_t{counts.meshlets} * kBatchBytes + std::uint64_t{strips} * kBinBytes;
     if (plan.bin_bytes < lists) return too_small(Purpose::bins, lists, plan.bin_bytes);
   }

@@ -29,7 +29,7 @@ inline constexpr std::uint32_t kMaxSeenVertices = 256;
 template <Effects effects>
 bool lights_seen_vertices(const Batch& batch, const MeshletRange& range, bool all_narrow) {
   return (all_narrow || AssemblerFor<effects>::kUnclipped) && batch.instance->lit && batch.mesh->skinning != nullptr &&
-         range.vertex_count <= kMaxSeenVertices && range.triangles.size() <= kMaxBatches;
+         range.vertex_count <= kMaxSeenVertices && range.triangles.size() <= kMaxListedTriangles;
 }
 
 /// The vertices of a meshlet that have been lit, and those that are to be.
