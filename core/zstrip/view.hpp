@@ -1,6 +1,7 @@
 // The picture: its size and how its pixels lie in memory.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "zstrip/base/language.hpp"
@@ -83,6 +84,16 @@ struct Rect {
   constexpr std::int32_t width() const { return right - left; }
   /// Pixels.
   constexpr std::int32_t height() const { return bottom - top; }
+  /// What of it lies in `other`, too; empty if nothing does.
+  constexpr Rect cut_to(const Rect& other) const {
+    return {std::max(left, other.left), std::max(top, other.top), std::min(right, other.right),
+            std::min(bottom, other.bottom)};
+  }
+  /// Whether a pixel is in both.
+  constexpr bool touches(const Rect& other) const {
+    return std::max(left, other.left) < std::min(right, other.right) &&
+           std::max(top, other.top) < std::min(bottom, other.bottom);
+  }
   /// Whether no pixel is in it.
   constexpr bool empty() const { return right <= left || bottom <= top; }
   friend constexpr bool operator==(const Rect&, const Rect&) = default;

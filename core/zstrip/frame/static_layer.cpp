@@ -55,8 +55,7 @@ Status StaticLayer::keep(Frame frame, std::uint16_t strip, std::span<const std::
       const auto ty = static_cast<std::uint32_t>(top) / kTileSide;
       // The frame has depth only where its scene can be; elsewhere it is cleared.
       std::uint16_t depth[kTileCells] = {};
-      const Rect part{std::max(left, covered.left), std::max(top, covered.top), std::min(left + kSide, covered.right),
-                      std::min(top + kSide, covered.bottom)};
+      const Rect part = Rect{left, top, left + kSide, top + kSide}.cut_to(covered);
       for (std::int32_t y = part.top; y < part.bottom; ++y) {
         for (std::int32_t x = part.left; x < part.right; ++x) {
           depth[(y - top) * kSide + (x - left)] =

@@ -127,11 +127,7 @@ struct ClippedAssembler {
     RasterPolygon polygon;
     if (!clip<shade>(batch, triangle, polygon)) return;
     const Rect box = polygon.box();
-    const Rect& area = target.area;
-    if (std::max(box.left, area.left) >= std::min(box.right, area.right) ||
-        std::max(box.top, area.top) >= std::min(box.bottom, area.bottom)) {
-      return;
-    }
+    if (!box.touches(target.area)) return;
     draw_polygon<shade>(target, batch, triangle, polygon, box);
   }
 };

@@ -161,10 +161,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     const bool is_inside = ((whole.left - strip.left) | (whole.top - strip.top) | (strip.right - whole.right) |
                             (strip.bottom - whole.bottom)) >= 0;
     Rect box = whole;
-    if (!is_inside) {
-      box = {std::max(box.left, strip.left), std::max(box.top, strip.top), std::min(box.right, strip.right),
-             std::min(box.bottom, strip.bottom)};
-    }
+    if (!is_inside) box = whole.cut_to(strip);
     if (box.empty() && culls_small(target)) return;
     if constexpr (kDepth.any(method::bounded)) {
       if (!box.empty() && !may_show(target, box, a, b, c)) return;

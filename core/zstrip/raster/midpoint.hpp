@@ -74,11 +74,7 @@ class MidpointSplitter {
  private:
   enum class Decision : std::uint8_t { rejected, shown, tested, split };
 
-  Rect cut(const Rect& box) const {
-    const Rect& area = target_.area;
-    return {std::max(box.left, area.left), std::max(box.top, area.top), std::min(box.right, area.right),
-            std::min(box.bottom, area.bottom)};
-  }
+  Rect cut(const Rect& box) const { return box.cut_to(target_.area); }
 
   /// Compares a depth with the cell of the pixel that it lies in; unknown outside the strip.
   PieceCorner sampled(std::int32_t x, std::int32_t y, std::uint32_t depth) {

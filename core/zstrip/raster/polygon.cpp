@@ -86,9 +86,7 @@ bool RasterPolygon::cut_triangle(RasterVertex (&corner)[3]) {
 
 TriangleParts::TriangleParts(const RasterPolygon& rest, const RasterVertex (&corner)[3], const Rect& area)
     : rest_(rest), corner_(corner) {
-  const Rect box = RasterPolygon::box(corner, 3);
-  area_ = {std::max(area.left, box.left), std::max(area.top, box.top), std::min(area.right, box.right),
-           std::min(area.bottom, box.bottom)};
+  area_ = area.cut_to(RasterPolygon::box(corner, 3));
   if (area_.empty()) area_.bottom = area_.top;
   column_ = area_.left;
 }

@@ -64,9 +64,7 @@ void divide(FrameState& frame, const SceneCounts& counts, const View& view) {
 }
 
 StripTarget target_of(FrameState& frame, Rect strip, std::uint16_t* pixels) {
-  const Rect& bounds = frame.bounds;
-  Rect area{std::max(bounds.left, strip.left), std::max(bounds.top, strip.top), std::min(bounds.right, strip.right),
-            std::min(bounds.bottom, strip.bottom)};
+  Rect area = frame.bounds.cut_to(strip);
   if (area.empty()) area = {};
   frame.depth_area = area;
   const std::int32_t first_pixel = area.empty() ? 0 : (area.top - strip.top) * strip.width() + (area.left - strip.left);

@@ -1,7 +1,6 @@
 // The raster stage of a strip: the triangles of the meshlets that touch it, or of its bin.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -115,11 +114,7 @@ struct RasterStage {
     for (std::int32_t row = strips.top; row < strips.bottom; ++row) {
       for (std::int32_t column = strips.left; column < strips.right; ++column) {
         const auto strip = static_cast<std::uint16_t>(row * frame.grid.across() + column);
-        const Rect cut = frame.plan.strip_area(strip, frame.view);
-        const Rect part{std::max({cut.left, area.left, frame.bounds.left}),
-                        std::max({cut.top, area.top, frame.bounds.top}),
-                        std::min({cut.right, area.right, frame.bounds.right}),
-                        std::min({cut.bottom, area.bottom, frame.bounds.bottom})};
+        const Rect part = frame.plan.strip_area(strip, frame.view).cut_to(area).cut_to(frame.bounds);
         StripTarget target = target_at(frame, part);
         const std::int32_t first = (part.top - area.top) * area.width() + (part.left - area.left);
         target.depth = depth + first;

@@ -42,10 +42,9 @@ bool MethodStage::is_hidden(MethodFrameState& frame, const StripTarget& target, 
                                             frame.view, effects.has(effect::orthographic));
   const std::int32_t centre_x = frame.view.width >> 1;
   const std::int32_t centre_y = frame.view.height >> 1;
-  const Rect box{std::max(bounds.box.left - centre_x, target.area.left),
-                 std::max(bounds.box.top - centre_y, target.area.top),
-                 std::min(bounds.box.right - centre_x, target.area.right),
-                 std::min(bounds.box.bottom - centre_y, target.area.bottom)};
+  const Rect box = Rect{bounds.box.left - centre_x, bounds.box.top - centre_y, bounds.box.right - centre_x,
+                        bounds.box.bottom - centre_y}
+                       .cut_to(target.area);
   return box.empty() || frame.state.bounds.hides(box, bounds.nearest, frame.state.counts);
 }
 

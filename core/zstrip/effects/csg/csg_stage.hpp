@@ -80,9 +80,7 @@ struct Stage : NoStage {
       Rect covered = area;
       for (; end < operands.size() && operands[end].product == operands[first].product; ++end) {
         if (operands[end].use != CsgUse::intersected) continue;
-        const Rect box = box_of(frame, end, view_left, view_top);
-        covered = {std::max(covered.left, box.left), std::max(covered.top, box.top), std::min(covered.right, box.right),
-                   std::min(covered.bottom, box.bottom)};
+        covered = covered.cut_to(box_of(frame, end, view_left, view_top));
       }
       if (!covered.empty()) visit(first, end, covered);
     }
@@ -93,9 +91,7 @@ struct Stage : NoStage {
     return {bounds.left + left, bounds.top + top, bounds.right + left, bounds.bottom + top};
   }
   static bool may_cover(const FrameState& frame, std::size_t operand, const StripTarget& target) {
-    const Rect box = box_of(frame, operand, target.view_left, target.view_top);
-    return std::max(box.left, target.area.left) < std::min(box.right, target.area.right) &&
-           std::max(box.top, target.area.top) < std::min(box.bottom, target.area.bottom);
+    return box_of(frame, operand, target.view_left, target.view_top).touches(target.area);
   }
 
   /// Calls visit(number, meshlet) for the meshlets of an operand.

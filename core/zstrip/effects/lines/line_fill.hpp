@@ -61,9 +61,7 @@ class LineFill {
   /// All of a set. `shade` has everything but the colour.
   static void draw(const Target& target, const CompiledLines& compiled, const LineSet& lines, const Mesh& mesh,
                    const RasterOrigin& origin, Shade shade) {
-    const Rect& strip = target.area;
-    const Rect box{std::max(compiled.box.left, strip.left), std::max(compiled.box.top, strip.top),
-                   std::min(compiled.box.right, strip.right), std::min(compiled.box.bottom, strip.bottom)};
+    const Rect box = compiled.box.cut_to(target.area);
     if (box.empty()) return;
     if constexpr (kMode.any(method::bounded)) target.method->bounds.forget(box);
     const NarrowProjection<kOrthographic> narrow(compiled.instance, origin);

@@ -1,7 +1,6 @@
 // Sprites, backgrounds and glyphs: each is a rectangle, clipped and blended row by row.
 #include "zstrip/overlay.hpp"
 
-#include <algorithm>
 #include <cstddef>
 
 #include "zstrip/effects/overlay/text_line.hpp"
@@ -52,8 +51,7 @@ constexpr std::uint32_t coverage_at(const std::uint8_t* row, std::uint32_t x, st
 
 void draw(const Piece& piece, const Target& target) {
   const Rect& place = piece.place;
-  const Rect part{std::max(place.left, target.area.left), std::max(place.top, target.area.top),
-                  std::min(place.right, target.area.right), std::min(place.bottom, target.area.bottom)};
+  const Rect part = place.cut_to(target.area);
   if (part.empty()) return;
   const auto width = static_cast<std::uint32_t>(place.width());
   const auto first = static_cast<std::uint32_t>(part.left - place.left);

@@ -85,8 +85,8 @@ Rect box_of(const ViewQuadric& q, const View& view, const Scaled& pixels_per_uni
   const Side across = silhouette(q, &Scaled3::x, pixels_per_unit, orthographic);
   const Side up = silhouette(q, &Scaled3::y, pixels_per_unit, orthographic);
   const std::int32_t left = -(view.width >> 1), top = -(view.height >> 1);
-  const Rect box{std::max(across.low, left), std::max(-up.high, top), std::min(across.high + 1, left + view.width),
-                 std::min(-up.low + 1, top + view.height)};
+  const Rect box = Rect{across.low, -up.high, across.high + 1, -up.low + 1}.cut_to(
+      {left, top, left + view.width, top + view.height});
   return box.empty() ? Rect{} : box;
 }
 

@@ -26,9 +26,7 @@ class QuadricFill {
   /// `offset`: what the frame's mapping adds to the depth of `quadric`.
   template <class Shade>
   static void draw(const Target& target, const CompiledQuadric& quadric, std::int64_t offset, const Shade& shade) {
-    const Rect& strip = target.area;
-    const Rect box{std::max(quadric.box.left, strip.left), std::max(quadric.box.top, strip.top),
-                   std::min(quadric.box.right, strip.right), std::min(quadric.box.bottom, strip.bottom)};
+    const Rect box = quadric.box.cut_to(target.area);
     if (box.empty()) return;
     if constexpr (kMode.any(method::bounded)) target.method->bounds.forget(box);
     // Its codes are those between these two, whatever the mapping.

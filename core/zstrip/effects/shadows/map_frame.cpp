@@ -92,9 +92,7 @@ Status prepare_map(FrameState& light, const FrameState& frame, const Scene& cast
 
 StripTarget map_strip(FrameState& light, std::uint16_t strip) {
   const Rect cut = light.plan.strip_area(strip, light.view);
-  const Rect& bounds = light.bounds;
-  Rect area{std::max(bounds.left, cut.left), std::max(bounds.top, cut.top), std::min(bounds.right, cut.right),
-            std::min(bounds.bottom, cut.bottom)};
+  Rect area = light.bounds.cut_to(cut);
   if (area.empty()) area = {};
   const std::size_t cells = static_cast<std::size_t>(cut.width()) * static_cast<std::size_t>(cut.height());
   __builtin_memset(light.depth, 0, cells * kDepthBytes);

@@ -40,9 +40,7 @@ inline std::uint32_t draw_small_run_portable(const PortableSmallRun& run, const 
     if (area <= 0) continue;
     const auto [min_x, max_x] = std::minmax<std::int32_t>({at_a.x, at_b.x, at_c.x});
     const auto [min_y, max_y] = std::minmax<std::int32_t>({at_a.y, at_b.y, at_c.y});
-    const Rect& strip = run.target.area;
-    const Rect box{std::max(min_x >> 4, strip.left), std::max(min_y >> 4, strip.top), std::min(max_x >> 4, strip.right),
-                   std::min(max_y >> 4, strip.bottom)};
+    const Rect box = Rect{min_x >> 4, min_y >> 4, max_x >> 4, max_y >> 4}.cut_to(run.target.area);
     if (box.empty()) continue;
     // The uppermost vertex first, of several the leftmost: otherwise the order of indices would change the rounding.
     const auto comes_before = [&run](std::uint32_t one, std::uint32_t other) {

@@ -21,9 +21,7 @@ template <bool gouraud>
   const std::int32_t min_y = t.v0.y, max_y = std::max(t.v1.y, t.v2.y);
   const std::int32_t width = max_x - min_x, height = max_y - min_y;
   if (width + height >= kMediumExtent || !fits_words(t, width, height)) return false;
-  const Rect& strip = t.target.area;
-  const Rect box{std::max(min_x >> 4, strip.left), std::max(min_y >> 4, strip.top), std::min(max_x >> 4, strip.right),
-                 std::min(max_y >> 4, strip.bottom)};
+  const Rect box = Rect{min_x >> 4, min_y >> 4, max_x >> 4, max_y >> 4}.cut_to(t.target.area);
   if (box.empty()) return true;
   const Blocks blocks(t.target, box);
   if (!blocks.fit()) return false;

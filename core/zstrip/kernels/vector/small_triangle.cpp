@@ -105,8 +105,7 @@ std::uint32_t draw_run(const VectorSmallRun& run, const Triangle* triangles, std
     const auto low = static_cast<std::int32_t>(least[0]), high = static_cast<std::int32_t>(greatest[0]);
     const std::int32_t min_x = static_cast<std::int16_t>(low), min_y = low >> 16;
     const std::int32_t max_x = static_cast<std::int16_t>(high), max_y = high >> 16;
-    const Rect box{std::max(min_x >> 4, strip.left), std::max(min_y >> 4, strip.top), std::min(max_x >> 4, strip.right),
-                   std::min(max_y >> 4, strip.bottom)};
+    const Rect box = Rect{min_x >> 4, min_y >> 4, max_x >> 4, max_y >> 4}.cut_to(strip);
     if (box.empty()) continue;
     const std::int32_t width = max_x - min_x, height = max_y - min_y;
     if (!gouraud && width + height >= kMediumExtent) return i;
