@@ -1,5 +1,5 @@
-// The assembly behind thumb/small_run.hpp and thumb2/listed_run.hpp, and what it calls. Without calls between the
-// stages of a triangle, and with both coordinates of a vertex in one word, it takes half of what GCC makes of the C++.
+// The assembly behind thumb/small_run.hpp and thumb2/listed_run.hpp, and what it calls. With both coordinates of a
+// vertex in one word a run takes half of what GCC makes of the C++.
 #include "zstrip/kernels/thumb/small_run.hpp"
 
 #include <cstddef>
