@@ -1,6 +1,6 @@
 // Draws frames of the drawing whose number it is given, by the pipeline that it is linked with, and prints
-// "arena instructions": bytes, and those of a frame, where this target counts them. Exit status 1: it could not be
-// drawn.
+// "arena instructions": bytes, with those of what is posed, and instructions of a frame without posing it, where this
+// target counts them. Exit status 1: it could not be drawn.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -39,6 +39,7 @@ int main() {
   for (std::uint32_t repeat = 0; repeat < repeats(); ++repeat) {
     for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
       stage(*drawing.scene, staged, frame, kFramesPerTurn, drawing.view);
+      if (drawing.scene->pose != nullptr && !drawing.scene->pose(frame)) return 1;
       counter.resume();
       Status status = cost_begin_frame(staged.scene, staged.camera, drawing.view, drawing.plan,
                                        std::span(arena).first(drawing.plan.bytes()));
@@ -48,7 +49,7 @@ int main() {
       if (!status) return 1;
     }
   }
-  board::print_decimal(drawing.plan.bytes());
+  board::print_decimal(drawing.plan.bytes() + drawing.scene->pose_bytes);
   board::print(" ");
   board::print_decimal(counter.instructions() / kFrames);
   board::print("\n");

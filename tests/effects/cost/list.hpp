@@ -68,6 +68,7 @@ inline constexpr CostOfEffect kCosts[] = {
     cost_of<scenes::lines>("lines", "fragment"),
     cost_of<scenes::billboards>("billboards", "instance"),
     cost_of<scenes::outlines>("outlines", "vertex"),
+    cost_of<scenes::character>("skins", "vertex"),
     cost_of<scenes::shadows>("shadows", "fragment"),
     cost_of<scenes::csg>("csg", "fragment"),
     cost_of<scenes::edges>("edges", "edge"),

@@ -11,6 +11,7 @@
 #include "../outlines_scene.hpp"
 #include "../overlay_scene.hpp"
 #include "../shadows_scene.hpp"
+#include "zstrip_scenes/character.hpp"
 #include "zstrip_scenes/cube.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/knot.hpp"
@@ -105,7 +106,7 @@ template <>
 inline constexpr Effects kChoice<scenes::every_pixel> = effect::perspective_1;
 
 /// Without fog, finishes, punctual lights, quadrics, lines, outlines, shadows, products, edges and overlay, billboards
-/// standing still, the scene's first texture for one with a palette, and texture coordinates for environment
+/// and skins standing still, the scene's first texture for one with a palette, and texture coordinates for environment
 /// maps; lit at vertices, with its finishes, what was lit at pixels; of kBasic what it says; all else as
 /// it is.
 template <const scenes::BuiltIn& built_in>
@@ -131,6 +132,7 @@ struct Plain {
       meshes[i].billboard = Billboard::none;
       if (effects_of(built_in.scene, built_in.camera).has(effect::environment)) meshes[i].texcoords = kKnotTexcoords;
       meshes[i].outline = 0;
+      meshes[i].skinning = nullptr;
     }
     return meshes;
   }();
@@ -150,6 +152,8 @@ struct Plain {
     plain.scene.csg = {};
     plain.scene.edges = {};
     plain.scene.overlay = nullptr;
+    plain.pose = nullptr;
+    plain.pose_bytes = 0;
     if constexpr (!built_in.scene.outlines.empty() || built_in.scene.shadow != nullptr || !built_in.scene.csg.empty() ||
                   !built_in.scene.edges.empty())
       plain.counts = count(plain.scene);
@@ -165,7 +169,7 @@ inline constexpr const scenes::BuiltIn& kChosen<built_in, true> = Plain<built_in
 
 inline constexpr Effects kPlainLacks = effect::fragments | effect::vertex_light | effect::surfaces |
                                        effect::billboards | effect::environment | effect::outlines | effect::shadows |
-                                       effect::csg | effect::edges | effect::overlay;
+                                       effect::csg | effect::edges | effect::overlay | effect::skins;
 /// What the plain one has not.
 template <const scenes::BuiltIn& built_in>
 inline constexpr Effects kTaken = kKeepsLight<built_in> ? effect::fragments
