@@ -7,6 +7,7 @@
 
 #include "zstrip/effects.hpp"
 #include "zstrip/geometry/instance.hpp"
+#include "zstrip/kernels/processor.hpp"
 #include "zstrip/scene/depth_format.hpp"
 
 namespace zstrip::detail {
@@ -65,6 +66,13 @@ template <ReciprocalOf kind = ReciprocalOf::newton>
 constexpr Reciprocal reciprocal_of(std::uint32_t w) {
   const int normalisation = std::countl_zero(w);
   return {reciprocal_as<kind>(w << normalisation), normalisation};
+}
+/// `likely`: how many zeros w probably begins with, 0 .. 31. A processor that does not count them tries these first.
+template <ReciprocalOf kind = ReciprocalOf::newton>
+constexpr Reciprocal reciprocal_of(std::uint32_t w, int likely) {
+  if (kCountsZeros || w >> (31 - likely) != 1) [[unlikely]]
+    return reciprocal_of<kind>(w);
+  return {reciprocal_as<kind>(w << likely), likely};
 }
 
 /// A fit whose codes leave room for reciprocals that err by 2^-(bits + 1): 2^-bits of the distances at either end. The
@@ -153,14 +161,16 @@ struct NarrowProjection {
 };
 
 /// Projects and snaps; false if the vertex is not narrow. `x`, `y`, `w` are the instance's linear forms at the vertex.
+/// `normalisation`: of the last vertex's w, 0 .. 31; that of the next one is likely the same.
 template <bool orthographic, DepthFormat format = DepthFormat::z16, ReciprocalOf kind = ReciprocalOf::newton>
 inline bool project_narrow(const NarrowProjection<orthographic>& narrow, const CompiledInstance& instance,
                            const RasterOrigin& origin, std::int32_t x, std::int32_t y, std::int32_t w,
-                           SnappedVertex& vertex) {
+                           SnappedVertex& vertex, int& normalisation) {
   if (static_cast<std::uint32_t>(w) - narrow.w_near > narrow.w_range) return false;
   Reciprocal r{0, 0};
   if constexpr (!orthographic) {
-    r = reciprocal_of<kind>(static_cast<std::uint32_t>(w));
+    r = reciprocal_of<kind>(static_cast<std::uint32_t>(w), normalisation);
+    normalisation = r.normalisation;
     x = multiply_high(x, r.value);
     y = multiply_high(y, r.value);
   }
@@ -177,6 +187,13 @@ inline bool project_narrow(const NarrowProjection<orthographic>& narrow, const C
   vertex.y = static_cast<std::int16_t>(py);
   vertex.depth = project_depth<orthographic, format>(instance, origin, w, r);
   return true;
+}
+template <bool orthographic, DepthFormat format = DepthFormat::z16, ReciprocalOf kind = ReciprocalOf::newton>
+inline bool project_narrow(const NarrowProjection<orthographic>& narrow, const CompiledInstance& instance,
+                           const RasterOrigin& origin, std::int32_t x, std::int32_t y, std::int32_t w,
+                           SnappedVertex& vertex) {
+  int unknown = 0;
+  return project_narrow<orthographic, format, kind>(narrow, instance, origin, x, y, w, vertex, unknown);
 }
 
 }  // namespace zstrip::detail

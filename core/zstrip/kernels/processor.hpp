@@ -34,6 +34,13 @@
 #define ZSTRIP_CALLED_ON_THUMB1
 #endif
 
+// Without the instruction that counts leading zeros of a word they take a function of some fifteen.
+#if ZSTRIP_HAS_THUMB1 || (defined(__riscv) && !defined(__riscv_zbb))
+#define ZSTRIP_COUNTS_ZEROS 0
+#else
+#define ZSTRIP_COUNTS_ZEROS 1
+#endif
+
 #if defined(__OPTIMIZE_SIZE__)
 #define ZSTRIP_FOR_SIZE 1
 #else
@@ -46,6 +53,7 @@ inline constexpr bool kForSize = ZSTRIP_FOR_SIZE == 1;  ///< second ways to draw
 inline constexpr bool kHasVectors = ZSTRIP_HAS_VECTORS;
 inline constexpr bool kHasThumb1 = ZSTRIP_HAS_THUMB1 == 1;
 inline constexpr bool kHasThumb2 = ZSTRIP_HAS_THUMB2 == 1;
+inline constexpr bool kCountsZeros = ZSTRIP_COUNTS_ZEROS == 1;
 inline constexpr bool kHasThumb = kHasThumb1 || kHasThumb2;  ///< every kernel in assembly is there for both
 
 }  // namespace zstrip::detail

@@ -192,7 +192,9 @@ class TextureCoordinates {
     const std::uint64_t x = magnitude(a), y = magnitude(b);
     return std::max(x, y) + std::min(x, y) / 2;
   }
-  static Reciprocal inverse(const Place& place) { return reciprocal_of(place.one_over_w == 0 ? 1 : place.one_over_w); }
+  static Reciprocal inverse(const Place& place) {
+    return reciprocal_of(place.one_over_w == 0 ? 1 : place.one_over_w, 32 - 29);  // the largest vertex has 29 bits
+  }
   static std::int32_t divided(std::int32_t value, const Reciprocal& r, std::int32_t right) {
     const std::int32_t high = multiply_high(value, r.value);
     if (right >= 0) return high >> (right < 31 ? right : 31);

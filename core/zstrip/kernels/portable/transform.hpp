@@ -24,10 +24,11 @@ bool transform_vertices_portable(const CompiledInstance& instance, const Mesh& m
   const NarrowProjection<kOrthographic> narrow(instance, origin);
   const Position* positions = mesh.positions.data() + first;
   bool all_narrow = true;
+  int normalisation = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     const Position p = positions[i];
     if (!project_narrow<kOrthographic, kFormat, kReciprocal>(narrow, instance, origin, fx.at(p), fy.at(p), fw.at(p),
-                                                             vertices[i])) {
+                                                             vertices[i], normalisation)) {
       vertices[i] = {kNotNarrow, 0, 0};
       all_narrow = false;
     }
