@@ -75,21 +75,24 @@ void fill_smooth(const Run<TexelLight::smooth>& run, const MediumScan& scan, std
   }
 }
 
+/// Inlined, or a processor with enough registers keeps them in memory meanwhile.
+template <bool affine>
+[[gnu::always_inline]] inline TexelPosition position_at(const TexturedScan& textured, std::int32_t column) {
+  using Coordinates = TextureCoordinates<affine>;
+  typename Coordinates::Place place{textured.at(TexturedScan::u_over_w, column),
+                                    textured.at(TexturedScan::v_over_w, column), 0};
+  if constexpr (!affine) place.one_over_w = textured.at(TexturedScan::one_over_w, column);
+  return Coordinates::position(place, textured.base_u, textured.base_v, textured.right_shift);
+}
+
 /// `length` > 0 pixels of the next row from `column` on, counted from the anchor's.
 template <TexelLight lit, bool affine>
 void draw_row(const TexturedScan& textured, Run<lit>& run, std::int32_t column, std::int32_t length) {
-  using Coordinates = TextureCoordinates<affine>;
-  const auto position = [&textured](std::int32_t at) {
-    typename Coordinates::Place place{textured.at(TexturedScan::u_over_w, at), textured.at(TexturedScan::v_over_w, at),
-                                      0};
-    if constexpr (!affine) place.one_over_w = textured.at(TexturedScan::one_over_w, at);
-    return Coordinates::position(place, textured.base_u, textured.base_v, textured.right_shift);
-  };
-  const TexelPosition from = position(column);
+  const TexelPosition from = position_at<affine>(textured, column);
   run.u = static_cast<std::uint32_t>(from.u) * textured.to_fraction_u;
   run.v = static_cast<std::uint32_t>(from.v) * textured.to_fraction_v;
   if (length > 1) {
-    const TexelPosition to = position(column + length - 1);
+    const TexelPosition to = position_at<affine>(textured, column + length - 1);
     const auto pixels = static_cast<std::uint32_t>(length - 1);
     run.step_u = step_of_run(from.u, to.u, pixels) * textured.to_fraction_u;
     run.step_v = step_of_run(from.v, to.v, pixels) * textured.to_fraction_v;
