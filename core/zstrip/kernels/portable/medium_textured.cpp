@@ -61,8 +61,8 @@ template <TexelLight lit>
 using Run = TexturedRun<lit, false, std::uint32_t, DepthTest>;
 
 /// As TexturedRun::fill, for rows of a few pixels: what that keeps for the next run is not stored.
-void fill_smooth(const Run<TexelLight::smooth>& run, const MediumScan& scan, std::uint16_t* depth, std::uint16_t* pixel,
-                 std::int32_t length) {
+[[gnu::always_inline]] inline void fill_smooth(const Run<TexelLight::smooth>& run, const MediumScan& scan,
+                                               std::uint16_t* depth, std::uint16_t* pixel, std::int32_t length) {
   std::uint32_t z = run.z, u = run.u, v = run.v, r = run.r, g = run.g, b = run.b;
   for (;;) {
     if (run.rule.draws(z, *depth)) {
