@@ -152,6 +152,10 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     const SnappedVertex& a = *first;
     const SnappedVertex& b = *second;
     const SnappedVertex& c = *third;
+    // Before the box: its rows know soonest where there is nothing to draw.
+    if constexpr (kHasMediumTexturedOf<shade>) {
+      if (draw_medium_with_texture<shade>(target, batch, provoking, {&a, &b, &c}, area)) return;
+    }
     const auto [min_x, max_x] = range(a.x, b.x, c.x);
     const std::int32_t min_y = a.y;
     const std::int32_t max_y = range(b.y, c.y).second;
@@ -198,9 +202,6 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     }
     if constexpr (kHasMedium<shade> && !kInRuns) {
       if (draw_medium<kGouraud>({target, a, b, c, area}, colours, flat_colour)) return;
-    }
-    if constexpr (kHasMediumTexturedOf<shade>) {
-      if (draw_medium_with_texture<shade>(target, batch, provoking, {&a, &b, &c}, area)) return;
     }
     draw_narrow_spans<shade>(target, batch, provoking, a, b, c);
   }
