@@ -28,8 +28,11 @@ inline constexpr auto kRootTable = [] {
   std::array<RootEstimate, 48> table{};
   for (std::uint32_t i = 0; i < table.size(); ++i) {
     const std::uint32_t middle = ((i + 16) << 26) + (1U << 25);
-    std::uint32_t root = 1U << 15;
-    while (root * root < middle) ++root;
+    std::uint32_t root = 1U << 15;  // rounded up; bit by bit, because every source that includes this computes it
+    for (std::uint32_t bit = 1U << 14; bit != 0; bit >>= 1) {
+      if ((root + bit) * (root + bit) < middle) root += bit;
+    }
+    if (root * root < middle) ++root;
     table[i] = {static_cast<std::uint16_t>(root), static_cast<std::uint16_t>((1U << 30) / root)};
   }
   return table;
