@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # freestanding.sh ROOT [--headers | --few] COMPILER FLAGS...: compiles core, hal and player for a freestanding target and reads the objects:
 # they may call the four mem functions and the compiler's integer helpers, and nothing may run before main. The sources of
-# a folder are compiled together; without the pipelines that are for hosts alone but for one day of eight and with
-# ZSTRIP_LONG, with --few always: their code is the same for any compiler; with --headers each source and each header by itself: those that have changed, and one of eight that the date
-# chooses; all with ZSTRIP_LONG.
+# a folder are compiled together; of the pipelines that are for hosts alone, whose code is the same for any compiler, only
+# one that the date chooses, on five days of eight, with --few none, and with ZSTRIP_LONG all; with --headers each source
+# and each header by itself: those that have changed, and one of eight that the date chooses; all with ZSTRIP_LONG.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/sources.sh"
 root=$1
 shift
-headers='' few=''
+headers='' few='' today=''
 case $1 in
   --headers) headers=yes; shift ;;
   --few) few=yes; shift ;;
@@ -21,6 +21,7 @@ if ! command -v "$compiler" >/dev/null; then
 fi
 objects=$(mktemp -d)
 trap 'rm -rf "$objects"' EXIT
+day=$(($(date +%s) / 86400 % 8))
 
 # The headers' templates are instantiated by the .cpp files. Without optimisation, which is quicker and folds nothing away:
 # what the sources call, the objects call. Firmware is linked without a library anyway.
@@ -32,12 +33,15 @@ if [ -n "$headers" ]; then
     changed_files "$root" | sed "s|^|$root/|" | sort >"$objects/changed"
     {
       comm -12 "$objects/all" "$objects/changed"
-      awk -v today="$(($(date +%s) / 86400 % 8))" 'NR % 8 == today' "$objects/all"
+      awk -v today="$day" 'NR % 8 == today' "$objects/all"
     } | sort -u >"$objects/sources"
     few=yes
   fi
 else
-  if [ -z "${ZSTRIP_LONG-}" ] && [ "$(($(date +%s) / 86400 % 8))" != 0 ]; then few=yes; fi
+  if [ -z "${ZSTRIP_LONG-}" ] && [ -z "$few" ]; then
+    few=yes
+    today=$(find "$root/core/zstrip/frame" -name 'any_pipeline.cpp' -o -name 'rows_of_*.cpp' | sort | sed -n "$((day + 1))p")
+  fi
   find "$root/core/zstrip" "$root/hal/zstrip_hal" "$root/firmware/player/zstrip_player" -name '*.cpp' -printf '%h\n' | sort -u >"$objects/sources"
 fi
 # compile SOURCE-OR-FOLDER COMPILER FLAGS...: a header alone makes no code, it is only read.
@@ -48,13 +52,14 @@ compile() {
   case $source in *.hpp) output=(-fsyntax-only) ;; esac
   if [ -d "$source" ]; then
     included=$(printf '#include "%s"\n' "$source"/*.cpp | grep -vE "/(no_seldom_rows${few:+|any_pipeline|rows_of_[a-z]*})\.cpp\"")
+    case $today in "$source"/*) included+=$'\n'"#include \"$today\"" ;; esac
   else
     included="#include \"$source\""
   fi
   "$@" -std=c++20 -O0 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wall -Wextra -Werror \
     -I"$root/core" -I"$root/hal" -I"$root/firmware/player" -I"$root/firmware/scenes/include" "${output[@]}" -x c++ - <<<"$included"
 }
-export root objects few
+export root objects few today
 export -f compile
 xargs -P 2 -I{} bash -c 'compile "$@"' _ {} "$compiler" "$@" <"$objects/sources"
 
