@@ -1,20 +1,6 @@
 // The one pipeline that EFFECT_SCENE calls for, in EFFECT_FORMAT, dithered if EFFECT_DITHER, with EFFECT_SAMPLES a
 // pixel: linked to be looked at by absence_test.cpp, not to be run for its picture.
-#include <array>
-#include <cstddef>
-#include <cstdint>
-
-#include "billboards_scene.hpp"
-#include "csg_scene.hpp"
-#include "edges_scene.hpp"
-#include "lines_scene.hpp"
-#include "outlines_scene.hpp"
-#include "overlay_scene.hpp"
-#include "shadows_scene.hpp"
-#include "zstrip/zstrip.hpp"
-#include "zstrip_scenes/character.hpp"
-#include "zstrip_scenes/effect_scenes.hpp"
-#include "zstrip_scenes/spheres.hpp"
+#include "pipeline_headers.hpp"
 
 namespace {
 
