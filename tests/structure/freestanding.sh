@@ -3,7 +3,7 @@
 # they may call the four mem functions and the compiler's integer helpers, and nothing may run before main. The sources of
 # a folder are compiled together; of the pipelines that are for hosts alone, whose code is the same for any compiler, only
 # one that the date chooses, on five days of eight, with --few none, and with ZSTRIP_LONG all; with --headers each source
-# and each header by itself: those that have changed, and one of eight that the date chooses; all with ZSTRIP_LONG.
+# and each header by itself: at most 60 that have changed, and one of eight that the date chooses; all with ZSTRIP_LONG.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/sources.sh"
 root=$1
@@ -32,7 +32,7 @@ if [ -n "$headers" ]; then
   else
     changed_files "$root" | sed "s|^|$root/|" | sort >"$objects/changed"
     {
-      comm -12 "$objects/all" "$objects/changed"
+      comm -12 "$objects/all" "$objects/changed" | sed -n 1,60p
       awk -v today="$day" 'NR % 8 == today' "$objects/all"
     } | sort -u >"$objects/sources"
     few=yes
