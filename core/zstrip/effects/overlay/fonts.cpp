@@ -110,13 +110,17 @@ constexpr Cell<1> cell_of(std::size_t letter) {
 template <int scale>
 constexpr Cell<2 * scale> doubled(const Cell<scale>& cell) {
   Cell<2 * scale> result;
-  for (int y = 0; y < result.kHeight; ++y) {
-    for (int x = 0; x < result.kWidth; ++x) {
-      const int own_x = x / 2, own_y = y / 2, right = x % 2 * 2 - 1, down = y % 2 * 2 - 1;
-      const bool beside = cell.at(own_x + right, own_y), across = cell.at(own_x - right, own_y);
-      const bool above = cell.at(own_x, own_y + down), below = cell.at(own_x, own_y - down);
-      const bool takes = beside == above && beside != below && above != across;
-      result.pixels[y][x] = takes ? beside : cell.at(own_x, own_y);
+  for (int y = 0; y < cell.kHeight; ++y) {
+    for (int x = 0; x < cell.kWidth; ++x) {
+      const bool own = cell.pixels[y][x];
+      const bool besides[] = {cell.at(x - 1, y), cell.at(x + 1, y)}, stacked[] = {cell.at(x, y - 1), cell.at(x, y + 1)};
+      for (int quarter = 0; quarter < 4; ++quarter) {
+        const int right = quarter % 2, down = quarter / 2;
+        const bool beside = besides[right], across = besides[1 - right];
+        const bool above = stacked[down], below = stacked[1 - down];
+        const bool takes = beside == above && beside != below && above != across;
+        result.pixels[2 * y + down][2 * x + right] = takes ? beside : own;
+      }
     }
   }
   return result;
