@@ -30,10 +30,11 @@ function(zstrip_compile_quickly)
   endif()
 endfunction()
 
-# zstrip_compile_together(TARGET PART [APART source...]): if the part is to be. APART: names of theirs clash with others',
-# or the others would take long to be compiled again.
+# zstrip_compile_together(TARGET PART [QUICKLY] [APART source...]): if the part is to be. QUICKLY: of the optimiser only -O1
+# then, as zstrip_compile_quickly. APART: names of theirs clash with others', or the others would take long to be compiled
+# again.
 function(zstrip_compile_together target part)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "APART")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "QUICKLY" "" "APART")
   if(part IN_LIST ZSTRIP_COMPILE_TOGETHER)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
     get_target_property(sources ${target} SOURCES)
@@ -43,6 +44,9 @@ function(zstrip_compile_together target part)
       string(MAKE_C_IDENTIFIER "${folder}" folder)
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${target}_${folder}")
     endforeach()
+    if(arg_QUICKLY)
+      target_compile_options(${target} PRIVATE $<$<AND:$<CXX_COMPILER_ID:GNU,Clang>,$<CONFIG:Release>>:-O1>)
+    endif()
   endif()
   # Under sanitizers the command only runs small things.
   if(ZSTRIP_SANITIZED AND part STREQUAL "host-sim")
