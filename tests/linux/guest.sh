@@ -33,7 +33,9 @@ apt=$folder/apt
 apt_options=(-o "Dir::State=$apt/state" -o "Dir::State::status=$apt/status" -o "Dir::State::Lists=$apt/lists"
   -o "Dir::Cache=$apt/cache" -o Dir::Etc::SourceList=/dev/null -o "Dir::Etc::SourceParts=$apt/sources"
   -o APT::Architecture=armhf -o APT::Architectures::=armhf -o APT::Architectures::=amd64 -o APT::Architectures::=arm64
-  -o APT::Sandbox::User=root)
+  -o APT::Sandbox::User=root
+  # Images of containers turn these off: then each of some fifteen calls parses the lists again, for more than a second.
+  -o Dir::Cache::pkgcache=pkgcache.bin -o Dir::Cache::srcpkgcache=srcpkgcache.bin)
 
 # add_index RELEASE ARCHITECTURE...: to those that are there.
 add_index() {
