@@ -80,6 +80,23 @@ inline Halves upper_halves(Words first_four, Words last_four) {
 #endif
 }
 
+inline Halves lower_halves(Words first_four, Words last_four) {
+  return as_halves(vcombine_u16(vmovn_u32(as_u32(first_four)), vmovn_u32(as_u32(last_four))));
+}
+inline Halves narrowed(Words first_four, Words last_four) { return lower_halves(first_four, last_four); }
+template <class Vector>
+Words even_words(Vector first, Vector last) {
+  return as_words(vuzpq_u32(as_u32(first), as_u32(last)).val[0]);
+}
+template <class Vector>
+Words odd_words(Vector first, Vector last) {
+  return as_words(vuzpq_u32(as_u32(first), as_u32(last)).val[1]);
+}
+inline Halves lower_pairs(Halves low, Halves high) { return as_halves(vtrnq_u16(as_u16(low), as_u16(high)).val[0]); }
+inline Halves upper_pairs(Halves low, Halves high) { return as_halves(vtrnq_u16(as_u16(low), as_u16(high)).val[1]); }
+inline Halves interleaved_low(Halves a, Halves b) { return as_halves(vzipq_u16(as_u16(a), as_u16(b)).val[0]); }
+inline Halves interleaved_high(Halves a, Halves b) { return as_halves(vzipq_u16(as_u16(a), as_u16(b)).val[1]); }
+
 inline Words multiples_0_to_3(Words step) { return step * Words{0, 1, 2, 3}; }
 inline Halves unsigned_max(Halves a, Halves b) { return as_halves(vmaxq_u16(as_u16(a), as_u16(b))); }
 inline Halves rgb565_of_halves(Halves r, Halves g, Halves b) {
@@ -95,6 +112,7 @@ inline bool any_clear(Halves mask) {
   const uint8x8_t bytes = vmovn_u16(as_u16(mask));
   return vget_lane_u64(vreinterpret_u64_u8(bytes), 0) != ~std::uint64_t{0};
 }
+inline bool any_set(Halves values) { return any_clear(as_halves(values == Halves{})); }
 
 inline Words sums_of_products(Halves a, Halves b) {
   const int32x4_t low = vmull_s16(vget_low_s16(as_s16(a)), vget_low_s16(as_s16(b)));
@@ -132,6 +150,36 @@ Words upper_products(Words a, Words b) {
   if constexpr (shift == 0) return as_words(vshrq_n_s32(vqdmulhq_s32(as_s32(a), as_s32(b)), 1));
   return as_words(vqdmulhq_s32(as_s32(a << (shift - 1)), as_s32(b)));
 }
+
+class HalvesOfProducts {
+ public:
+  explicit HalvesOfProducts(Words factors) : factors_(factors) {}
+  Halves of(Words values) const {
+    const Words products = upper_products<9>(values, factors_);
+    return lower_halves(products, products);
+  }
+
+ private:
+  Words factors_;
+};
+
+template <int shift>
+Words rounded_upper_products(Words a, Words b) {
+  return as_words(vqrdmulhq_s32(as_s32(a << (shift - 1)), as_s32(b)));
+}
+inline std::uint32_t upper_bits(Words words) { return sum((words >> 31) << Words{0, 1, 2, 3}); }
+
+class WordFactors {
+ public:
+  WordFactors(Words first, Words second) : first_(first), second_(second) {}
+  Words sums(Halves pairs) const {
+    const Words words = as_words(pairs);
+    return first_ * arithmetically_right(words << 16, 16) + second_ * arithmetically_right(words, 16);
+  }
+
+ private:
+  Words first_, second_;
+};
 
 template <int edge>
 Halves stepped_edge(Words starts, Halves steps) {

@@ -1,14 +1,9 @@
 // Small triangles in blocks: their planes from the edge functions, all three at once.
 #include "zstrip/kernels/vector/small_triangle.hpp"
 
-#include <algorithm>
-#include <utility>
-
 #include "zstrip/base/math.hpp"
 #include "zstrip/kernels/small_scan.hpp"
 #include "zstrip/kernels/vector/blocks.hpp"
-#include "zstrip/kernels/vector/medium_triangle.hpp"
-#include "zstrip/raster/colour.hpp"
 
 #if ZSTRIP_HAS_VECTORS
 
@@ -22,9 +17,6 @@ Halves channels_of(const Colour& colour) {
   __builtin_memcpy(&bits, &colour, sizeof bits);
   return bytes_of(bits);
 }
-
-/// Grows with y, then x.
-std::int32_t order_of(Words place) { return static_cast<std::int32_t>(place[0] ^ 0x8000); }
 
 /// SmallChannels' planes.
 [[gnu::always_inline]] inline ChannelBlocks channel_blocks(const Weights& weights, std::int32_t inverse_area,
@@ -83,61 +75,6 @@ template <bool gouraud>
   return true;
 }
 
-/// draw_small_run_vector.
-template <bool gouraud>
-std::uint32_t draw_run(const VectorSmallRun& run, const Triangle* triangles, std::uint32_t count) {
-  const StripTarget& target = run.target;
-  const Rect& strip = target.area;
-  const SnappedVertex* const vertices = run.vertices;
-  const Colour* const colours = run.colours;
-  const std::uint32_t first_vertex = run.first_vertex;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    std::uint32_t a = triangles[i].a - first_vertex, b = triangles[i].b - first_vertex,
-                  c = triangles[i].c - first_vertex;
-    const Words at_a = place_of(vertices[a]), at_b = place_of(vertices[b]), at_c = place_of(vertices[c]);
-    // Assembler::narrow_area.
-    const Halves a_halves = as_halves(at_a), b_halves = as_halves(at_b), c_halves = as_halves(at_c);
-    const Halves to_b = swapped_in_pairs(b_halves - a_halves) * in_all_pairs(1, -1);
-    std::int32_t area = sum_of_products(c_halves - a_halves, to_b);
-    if (area <= 0 && (gouraud || area == 0 || !run.surface.double_sided)) continue;
-    const Words least = as_words(signed_min(signed_min(a_halves, b_halves), c_halves));
-    const Words greatest = as_words(signed_max(signed_max(a_halves, b_halves), c_halves));
-    const auto low = static_cast<std::int32_t>(least[0]), high = static_cast<std::int32_t>(greatest[0]);
-    const std::int32_t min_x = static_cast<std::int16_t>(low), min_y = low >> 16;
-    const std::int32_t max_x = static_cast<std::int16_t>(high), max_y = high >> 16;
-    const Rect box = Rect{min_x >> 4, min_y >> 4, max_x >> 4, max_y >> 4}.cut_to(strip);
-    if (box.empty()) continue;
-    const std::int32_t width = max_x - min_x, height = max_y - min_y;
-    if (!gouraud && width + height >= kMediumExtent) return i;
-    // rotate_to_first: by y, then x.
-    const std::int32_t order_a = order_of(at_a), order_b = order_of(at_b), order_c = order_of(at_c);
-    const std::uint32_t first = a;
-    if (order_b < order_a && order_b < order_c) {
-      a = b, b = c, c = first;
-    } else if (order_c < order_a) {
-      a = c, c = b, b = first;
-    }
-    if (!gouraud && area < 0) std::swap(b, c), area = -area;
-    const SnappedVertex &v0 = vertices[a], &v1 = vertices[b], &v2 = vertices[c];
-    const bool small = is_small(width, height, v0, v1, v2);
-    const SmallTriangle triangle{target, v0, v1, v2, area, min_x >> 4, min_y >> 4, box};
-    if constexpr (gouraud) {
-      const Colour* const of_vertices[3] = {colours + a, colours + b, colours + c};
-      if (!(small ? draw<true>(triangle, of_vertices, 0)
-                  : draw_medium_gouraud_vector({target, v0, v1, v2, area}, of_vertices))) {
-        return i;
-      }
-    } else {
-      const std::uint16_t colour =
-          colours != nullptr ? rgb565(colours[triangles[i].a - first_vertex]) : run.surface.flat_colour;
-      if (!(small ? draw<false>(triangle, {}, colour) : draw_medium_flat_vector({target, v0, v1, v2, area}, colour))) {
-        return i;
-      }
-    }
-  }
-  return count;
-}
-
 }  // namespace
 
 bool draw_small_flat_vector(const SmallTriangle& triangle, std::uint16_t colour) {
@@ -146,10 +83,6 @@ bool draw_small_flat_vector(const SmallTriangle& triangle, std::uint16_t colour)
 
 bool draw_small_gouraud_vector(const SmallTriangle& triangle, const Colour* const (&colours)[3]) {
   return draw<true>(triangle, colours, 0);
-}
-
-std::uint32_t draw_small_run_vector(const VectorSmallRun& run, const Triangle* triangles, std::uint32_t count) {
-  return run.surface.flat ? draw_run<false>(run, triangles, count) : draw_run<true>(run, triangles, count);
 }
 
 }  // namespace zstrip::detail

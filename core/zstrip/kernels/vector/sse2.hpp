@@ -93,6 +93,37 @@ inline Halves upper_halves(Words first_four, Words last_four) {
   return as_halves(_mm_packs_epi32(_mm_srai_epi32(as_sse2(first_four), 16), _mm_srai_epi32(as_sse2(last_four), 16)));
 }
 
+/// The lower halves of eight words that are signed halves, and of any.
+inline Halves narrowed(Words first_four, Words last_four) {
+  return as_halves(_mm_packs_epi32(as_sse2(first_four), as_sse2(last_four)));
+}
+inline Halves lower_halves(Words first_four, Words last_four) {
+  return upper_halves(first_four << 16, last_four << 16);
+}
+/// Words 0 and 2, or 1 and 3, of both.
+template <class Vector>
+Words even_words(Vector first, Vector last) {
+  return as_words(_mm_shuffle_ps(_mm_castsi128_ps(as_sse2(first)), _mm_castsi128_ps(as_sse2(last)), 0x88));
+}
+template <class Vector>
+Words odd_words(Vector first, Vector last) {
+  return as_words(_mm_shuffle_ps(_mm_castsi128_ps(as_sse2(first)), _mm_castsi128_ps(as_sse2(last)), 0xDD));
+}
+/// Pairs: of each word the lower halves of both, or the upper ones.
+inline Halves lower_pairs(Halves low, Halves high) {
+  return as_halves((as_words(low) & in_all_words(0xFFFF)) | (as_words(high) << 16));
+}
+inline Halves upper_pairs(Halves low, Halves high) {
+  return as_halves((as_words(low) >> 16) | (as_words(high) & in_all_words(0xFFFF0000)));
+}
+/// By turns a half of each.
+inline Halves interleaved_low(Halves a, Halves b) { return as_halves(_mm_unpacklo_epi16(as_sse2(a), as_sse2(b))); }
+inline Halves interleaved_high(Halves a, Halves b) { return as_halves(_mm_unpackhi_epi16(as_sse2(a), as_sse2(b))); }
+/// Of each word the uppermost bit.
+inline std::uint32_t upper_bits(Words words) {
+  return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(as_sse2(words))));
+}
+
 /// 0, 1, 2 and 3 times what all words are.
 inline Words multiples_0_to_3(Words step) {
   return (step & Words{0, 0xFFFFFFFF, 0, 0xFFFFFFFF}) + ((step + step) & Words{0, 0, 0xFFFFFFFF, 0xFFFFFFFF});
@@ -110,6 +141,7 @@ inline Halves chosen(Halves mask, Halves a, Halves b) {
 }
 /// Whether a half of the mask is clear.
 inline bool any_clear(Halves mask) { return _mm_movemask_epi8(as_sse2(mask)) != 0xFFFF; }
+inline bool any_set(Halves values) { return any_clear(as_halves(values == Halves{})); }
 
 /// Signed: products of the lower halves of words, plus those of the upper ones.
 inline Words sums_of_products(Halves a, Halves b) { return as_words(_mm_madd_epi16(as_sse2(a), as_sse2(b))); }
@@ -143,6 +175,54 @@ Words upper_products(Words a, Words b) {
   const Words factors = a << shift;
   return unsigned_upper_products(factors, b) - (arithmetically_right(factors, 31) & b);
 }
+
+/// Factors of upper_products<9>, whose lower halves are taken.
+class HalvesOfProducts {
+ public:
+  explicit HalvesOfProducts(Words factors)
+      : even_(as_sse2(factors)),
+        odd_(_mm_srli_epi64(even_, 32)),
+        of_sign_even_(_mm_slli_epi64(_mm_mul_epu32(even_, _mm_set1_epi32(1)), 31)),
+        of_sign_odd_(_mm_slli_epi64(odd_, 31)) {}
+  /// Twice four.
+  Halves of(Words values) const {
+    // 2^31 more, so that it is unsigned.
+    const __m128i all = as_sse2((values << 9) ^ in_all_words(0x80000000));
+    const __m128i even = _mm_sub_epi64(_mm_mul_epu32(all, even_), of_sign_even_);
+    const __m128i odd = _mm_sub_epi64(_mm_mul_epu32(_mm_srli_epi64(all, 32), odd_), of_sign_odd_);
+    const __m128i four = _mm_unpackhi_epi32(_mm_unpacklo_epi16(even, odd), _mm_unpackhi_epi16(even, odd));
+    return as_halves(_mm_unpacklo_epi64(four, four));
+  }
+
+ private:
+  __m128i even_, odd_, of_sign_even_, of_sign_odd_;
+};
+
+/// upper_products, rounded to nearest.
+template <int shift>
+Words rounded_upper_products(Words a, Words b) {
+  const __m128i half = _mm_set_epi32(0, INT32_MIN, 0, INT32_MIN);
+  const Words factors = a << shift;
+  const __m128i f = as_sse2(factors), g = as_sse2(b);
+  const __m128i even = _mm_add_epi64(_mm_mul_epu32(f, g), half);
+  const __m128i odd = _mm_add_epi64(_mm_mul_epu32(_mm_srli_epi64(f, 32), _mm_srli_epi64(g, 32)), half);
+  return as_words(_mm_or_si128(_mm_srli_epi64(even, 32), _mm_and_si128(odd, _mm_set_epi32(-1, 0, -1, 0)))) -
+         (arithmetically_right(factors, 31) & b);
+}
+
+/// Two factors for each word.
+class WordFactors {
+ public:
+  WordFactors(Words first, Words second)
+      : low_(lower_pairs(as_halves(first), as_halves(second))),
+        // Both halves as signed factors: a lower one from 2^15 on counts 2^16 less.
+        high_(upper_pairs(as_halves(first), as_halves(second)) - arithmetically_right(low_, 15)) {}
+  /// Modulo 2^32: the first ones times the lower halves, signed, of `pairs`, plus the second ones times the upper ones.
+  Words sums(Halves pairs) const { return sums_of_products(pairs, low_) + (sums_of_products(pairs, high_) << 16); }
+
+ private:
+  Halves low_, high_;
+};
 
 /// stepped_halves of an edge function that fits a half: from its word, and its steps in a pair.
 template <int edge>

@@ -72,10 +72,6 @@ class FourVertices {
   }
   /// What makes unsigned words signed ones in the same order.
   static constexpr std::uint32_t kSign = std::uint32_t{1} << 31;
-  static Words greater(Words a, Words b) {
-    using Signed [[gnu::vector_size(16)]] = std::int32_t;
-    return as_words(__builtin_bit_cast(Signed, a) > __builtin_bit_cast(Signed, b));
-  }
 
   Coordinate x_, y_;
   FormOfFour w_;

@@ -48,6 +48,16 @@ inline Words arithmetically_right(Words values, int by) {
   return as_words(__builtin_bit_cast(Signed, values) >> by);
 }
 
+/// Of signed words.
+inline Words greater(Words a, Words b) {
+  using Signed [[gnu::vector_size(16)]] = std::int32_t;
+  return as_words(__builtin_bit_cast(Signed, a) > __builtin_bit_cast(Signed, b));
+}
+inline Halves greater(Halves a, Halves b) {
+  using Signed [[gnu::vector_size(16)]] = std::int16_t;
+  return as_halves(__builtin_bit_cast(Signed, a) > __builtin_bit_cast(Signed, b));
+}
+
 /// A value in the pixels of a block of four columns and two rows, from its steps a pixel.
 inline Halves stepped_halves(Halves start, Halves step_x, Halves step_y) {
   return start + step_x * Halves{0, 1, 2, 3, 0, 1, 2, 3} + step_y * Halves{0, 0, 0, 0, 1, 1, 1, 1};

@@ -1,0 +1,193 @@
+// Four small triangles at once: a lane of each vector belongs to one of them. Their planes, then the pixels of a cell of
+// each, four columns and four rows, turned into blocks of four columns and two rows.
+#pragma once
+
+#include <cstdint>
+
+#include "zstrip/base/division.hpp"
+#include "zstrip/kernels/small_scan.hpp"
+#include "zstrip/kernels/vector/vector.hpp"
+
+#if ZSTRIP_HAS_VECTORS
+
+namespace zstrip::detail::vectors {
+
+constexpr std::int32_t kCellSide = 4;  ///< pixels
+
+/// Of four triangles the three corners, whose places, depths and colours are a word each.
+struct FourCorners {
+  Words place[3], depth[3], colour[3];
+
+  /// Begins each with its highest corner, of several the leftmost. `mirrors`: exchanges the others of those that show
+  /// their back.
+  template <bool gouraud>
+  [[gnu::always_inline]] void turn(bool mirrors) {
+    // Grows with y, then x.
+    const auto order = [this](int i) { return place[i] ^ in_all_words(0x8000); };
+    const Words a = order(0), b = order(1), c = order(2);
+    const Words to_second = greater(a, b) & greater(c, b);
+    const Words to_third = greater(a, c) & ~to_second;
+    const auto turned = [&](Words(&of)[3]) {
+      const Words a_b = of[0] ^ of[1], b_c = of[1] ^ of[2], all = a_b ^ of[2];
+      of[0] ^= (a_b & to_second) ^ ((a_b ^ b_c) & to_third);
+      of[1] ^= (b_c & to_second) ^ (a_b & to_third);
+      of[2] = all ^ of[0] ^ of[1];
+    };
+    turned(place), turned(depth);
+    if constexpr (gouraud) turned(colour);
+    if (!mirrors) return;
+    const auto side = [this](int i) { return as_halves(place[i]) - as_halves(place[0]); };
+    const Words back = arithmetically_right(
+        sums_of_products(side(2), swapped_in_pairs(side(1)) * in_all_pairs(1, -1)), 31);
+    const auto exchange = [back](Words& x, Words& y) {
+      const Words both = (x ^ y) & back;
+      x ^= both, y ^= both;
+    };
+    exchange(place[1], place[2]), exchange(depth[1], depth[2]);
+    if constexpr (gouraud) exchange(colour[1], colour[2]);
+  }
+};
+
+/// A value and its steps a pixel. Lanes 0 to 3 are the triangles, 4 to 7 again, two rows below.
+struct FourValues {
+  Halves value, right, down;
+
+  void go_to_rows() { value += (down & Halves{0, 0, 0, 0, 0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF}) << 1; }
+  void move(Halves columns, Halves rows) { value += right * columns + down * rows; }
+};
+
+/// The pixels of four cells: of triangle i the two upper rows in [i], the two lower ones in [4 + i].
+struct FourCells {
+  Halves codes[8];    ///< 0 where nothing is covered
+  Halves colours[8];  ///< RGB565
+};
+
+/// Eight vectors as columns.
+[[gnu::always_inline]] inline void transpose(const Halves (&from)[8], Halves (&to)[8]) {
+  const auto shuffle = [](const Halves(&x)[8], Halves(&y)[8]) {
+    y[0] = interleaved_low(x[0], x[4]), y[1] = interleaved_high(x[0], x[4]);
+    y[2] = interleaved_low(x[1], x[5]), y[3] = interleaved_high(x[1], x[5]);
+    y[4] = interleaved_low(x[2], x[6]), y[5] = interleaved_high(x[2], x[6]);
+    y[6] = interleaved_low(x[3], x[7]), y[7] = interleaved_high(x[3], x[7]);
+  };
+  Halves a[8], b[8];
+  shuffle(from, a);
+  shuffle(a, b);
+  shuffle(b, to);
+}
+
+/// Four small triangles, the first corner of each the highest, then the leftmost.
+template <bool gouraud>
+class FourTriangles {
+ public:
+  /// `anchor`: the centre of each one's first pixel.
+  [[gnu::always_inline]] FourTriangles(const FourCorners& corners, Halves anchor) {
+    const auto place = [&corners](int i) { return as_halves(corners.place[i]); };
+    // From where each edge ends to where it begins: to the right an edge function grows by y, down by -x.
+    const Halves edge_1 = place(0) - place(2), edge_2 = place(1) - place(0), edge_0 = place(2) - place(1);
+    const auto across = [](Halves side) { return swapped_in_pairs(side) * in_all_pairs(-1, 1); };
+    const Halves to_anchor = across(anchor - place(0));
+    const Words area = sums_of_products(edge_1, across(edge_2));
+    const Words at_1 = sums_of_products(edge_1, to_anchor), at_2 = sums_of_products(edge_2, to_anchor);
+    edges_[0] = edge(edge_0, area - at_1 - at_2), edges_[1] = edge(edge_1, at_1), edges_[2] = edge(edge_2, at_2);
+
+    const Words inverse{quotient_31(area[0]), quotient_31(area[1]), quotient_31(area[2]), quotient_31(area[3])};
+    // Of vertices 1 and 2, in pairs.
+    const Halves weights = lower_pairs(as_halves(at_1), as_halves(at_2));
+    const Halves right = upper_pairs(edge_1, edge_2) << 4, down = (Halves{} - lower_pairs(edge_1, edge_2)) << 4;
+    const auto& depth = corners.depth;
+    const WordFactors per_unit(rounded_upper_products<1>(depth[1] - depth[0], inverse),
+                               rounded_upper_products<1>(depth[2] - depth[0], inverse));
+    z_ = depth[0] + per_unit.sums(weights), z_right_ = per_unit.sums(right), z_down_ = per_unit.sums(down);
+    // Of halves, because differences of whole depths need 33 bits.
+    const auto near = [&depth](int i) {
+      return (depth[0] >> 1) - (depth[i] >> 1) + in_all_words(kSmallDepthDifference / 2);
+    };
+    static_assert(kSmallDepthDifference == 1U << 29);
+    far_ = ((near(1) | near(2)) >> 29) != Words{};
+
+    if constexpr (gouraud) {
+      const HalvesOfProducts per_area(inverse);
+      const auto red_blue = [&corners](int i) { return as_halves(corners.colour[i] & in_all_words(0x00FF00FF)); };
+      const auto green = [&corners](int i) { return as_halves((corners.colour[i] >> 8) & in_all_words(0xFF)); };
+      const Halves red_blue_1 = red_blue(1) - red_blue(0), red_blue_2 = red_blue(2) - red_blue(0);
+      const auto channel = [&](Halves differences, Words at_0) {
+        const auto plane = [&](Halves weights_of) {
+          return per_area.of(sums_of_products(weights_of, differences));
+        };
+        const Halves start = narrowed(at_0, at_0);
+        return FourValues{(start << 8) + in_all_halves(128) + plane(weights), plane(right), plane(down)};
+      };
+      channels_[0] = channel(lower_pairs(red_blue_1, red_blue_2), corners.colour[0] & in_all_words(0xFF));
+      channels_[1] = channel(lower_pairs(green(1) - green(0), green(2) - green(0)), as_words(green(0)));
+      channels_[2] = channel(upper_pairs(red_blue_1, red_blue_2), (corners.colour[0] >> 16) & in_all_words(0xFF));
+    }
+  }
+
+  /// Those whose depths are too far from each other for a small triangle.
+  Words far() const { return far_; }
+
+  /// By columns and rows, in pairs.
+  void move(Halves pixels) {
+    const Words columns = arithmetically_right(as_words(pixels) << 16, 16);
+    const Words rows = arithmetically_right(as_words(pixels), 16);
+    const Halves by_columns = narrowed(columns, columns), by_rows = narrowed(rows, rows);
+    for (FourValues& edge : edges_) edge.move(by_columns, by_rows);
+    z_ += z_right_ * columns + z_down_ * rows;
+    if constexpr (gouraud) {
+      for (FourValues& channel : channels_) channel.move(by_columns, by_rows);
+    }
+  }
+
+  /// The cells whose first pixels these are.
+  [[gnu::always_inline]] void draw(FourCells& cells) const {
+    Halves pixels[8];
+    {
+      FourValues a = edges_[0], b = edges_[1], c = edges_[2];
+      a.go_to_rows(), b.go_to_rows(), c.go_to_rows();
+      const auto row = [&](Halves* to, Halves in_a, Halves in_b, Halves in_c, Words upper) {
+        Words lower = upper + (z_down_ << 1);
+        for (int column = 0; column < 4; ++column) {
+          const Halves outside = arithmetically_right(in_a | in_b | in_c, 15);
+          // Code 0 is nearer than no cell.
+          to[column] = ~outside & upper_halves(upper, lower);
+          in_a += a.right, in_b += b.right, in_c += c.right;
+          upper += z_right_, lower += z_right_;
+        }
+      };
+      row(pixels, a.value, b.value, c.value, z_);
+      row(pixels + 4, a.value + a.down, b.value + b.down, c.value + c.down, z_ + z_down_);
+    }
+    transpose(pixels, cells.codes);
+    if constexpr (gouraud) {
+      FourValues r = channels_[0], g = channels_[1], b = channels_[2];
+      r.go_to_rows(), g.go_to_rows(), b.go_to_rows();
+      const auto row = [&](Halves* to, Halves red, Halves green, Halves blue) {
+        for (int column = 0; column < 4; ++column) {
+          to[column] = rgb565_of_halves(red, green, blue);
+          red += r.right, green += g.right, blue += b.right;
+        }
+      };
+      row(pixels, r.value, g.value, b.value);
+      row(pixels + 4, r.value + r.down, g.value + g.down, b.value + b.down);
+      transpose(pixels, cells.colours);
+    }
+  }
+
+ private:
+  static FourValues edge(Halves side, Words at) {
+    const Halves right = upper_halves(as_words(side), as_words(side));
+    const Halves down = Halves{} - lower_halves(as_words(side), as_words(side));
+    // PackedEdges::field.
+    const Halves less = arithmetically_right(right + right + arithmetically_right(down, 15), 15);
+    return {arithmetically_right(narrowed(at, at) + less, 4), right, down};
+  }
+
+  FourValues edges_[3];
+  Words z_, z_right_, z_down_, far_;
+  FourValues channels_[3];
+};
+
+}  // namespace zstrip::detail::vectors
+
+#endif
