@@ -84,17 +84,23 @@ class FourTriangles {
   [[gnu::always_inline]] FourTriangles(const FourCorners& corners, Halves anchor) {
     const auto place = [&corners](int i) { return as_halves(corners.place[i]); };
     // From where each edge ends to where it begins: to the right an edge function grows by y, down by -x.
-    const Halves edge_1 = place(0) - place(2), edge_2 = place(1) - place(0), edge_0 = place(2) - place(1);
+    const Halves edge_1 = place(0) - place(2), edge_2 = place(1) - place(0);
     const auto across = [](Halves side) { return swapped_in_pairs(side) * in_all_pairs(-1, 1); };
     const Halves to_anchor = across(anchor - place(0));
     const Words area = sums_of_products(edge_1, across(edge_2));
     const Words at_1 = sums_of_products(edge_1, to_anchor), at_2 = sums_of_products(edge_2, to_anchor);
-    edges_[0] = edge(edge_0, area - at_1 - at_2), edges_[1] = edge(edge_1, at_1), edges_[2] = edge(edge_2, at_2);
-
     const Words inverse{quotient_31(area[0]), quotient_31(area[1]), quotient_31(area[2]), quotient_31(area[3])};
     // Of vertices 1 and 2, in pairs.
     const Halves weights = lower_pairs(as_halves(at_1), as_halves(at_2));
-    const Halves right = upper_pairs(edge_1, edge_2) << 4, down = (Halves{} - lower_pairs(edge_1, edge_2)) << 4;
+    const Halves steps_x = upper_pairs(edge_1, edge_2), steps_y = Halves{} - lower_pairs(edge_1, edge_2);
+    const Halves fields = edge_fields(weights, steps_x, steps_y);
+    edges_[1] = {lower_twice(fields), lower_twice(steps_x), lower_twice(steps_y)};
+    edges_[2] = {upper_twice(fields), upper_twice(steps_x), upper_twice(steps_y)};
+    const Words at_0 = area - at_1 - at_2;
+    edges_[0].right = Halves{} - (edges_[1].right + edges_[2].right);
+    edges_[0].down = Halves{} - (edges_[1].down + edges_[2].down);
+    edges_[0].value = edge_fields(narrowed(at_0, at_0), edges_[0].right, edges_[0].down);
+    const Halves right = steps_x << 4, down = steps_y << 4;
     const auto& depth = corners.depth;
     const WordFactors per_unit(rounded_upper_products<1>(depth[1] - depth[0], inverse),
                                rounded_upper_products<1>(depth[2] - depth[0], inverse));
@@ -111,16 +117,14 @@ class FourTriangles {
       const auto red_blue = [&corners](int i) { return as_halves(corners.colour[i] & in_all_words(0x00FF00FF)); };
       const auto green = [&corners](int i) { return as_halves((corners.colour[i] >> 8) & in_all_words(0xFF)); };
       const Halves red_blue_1 = red_blue(1) - red_blue(0), red_blue_2 = red_blue(2) - red_blue(0);
-      const auto channel = [&](Halves differences, Words at_0) {
-        const auto plane = [&](Halves weights_of) {
-          return per_area.of(sums_of_products(weights_of, differences));
-        };
-        const Halves start = narrowed(at_0, at_0);
-        return FourValues{(start << 8) + in_all_halves(128) + plane(weights), plane(right), plane(down)};
+      const auto channel = [&](Halves differences, Halves at_corner) {
+        const auto plane = [&](Halves weights_of) { return per_area.of(sums_of_products(weights_of, differences)); };
+        return FourValues{at_corner + in_all_halves(128) + plane(weights), plane(right), plane(down)};
       };
-      channels_[0] = channel(lower_pairs(red_blue_1, red_blue_2), corners.colour[0] & in_all_words(0xFF));
-      channels_[1] = channel(lower_pairs(green(1) - green(0), green(2) - green(0)), as_words(green(0)));
-      channels_[2] = channel(upper_pairs(red_blue_1, red_blue_2), (corners.colour[0] >> 16) & in_all_words(0xFF));
+      const Halves red_green = lower_twice(as_halves(corners.colour[0]));
+      channels_[0] = channel(lower_pairs(red_blue_1, red_blue_2), red_green << 8);
+      channels_[1] = channel(lower_pairs(green(1) - green(0), green(2) - green(0)), red_green & in_all_halves(0xFF00));
+      channels_[2] = channel(upper_pairs(red_blue_1, red_blue_2), upper_twice(as_halves(corners.colour[0])) << 8);
     }
   }
 
@@ -175,13 +179,13 @@ class FourTriangles {
   }
 
  private:
-  static FourValues edge(Halves side, Words at) {
-    const Halves right = upper_halves(as_words(side), as_words(side));
-    const Halves down = Halves{} - lower_halves(as_words(side), as_words(side));
-    // PackedEdges::field.
-    const Halves less = arithmetically_right(right + right + arithmetically_right(down, 15), 15);
-    return {arithmetically_right(narrowed(at, at) + less, 4), right, down};
+  /// PackedEdges::field of edge functions that grow by `right` and `down` a sub-pixel.
+  static Halves edge_fields(Halves exact, Halves right, Halves down) {
+    return arithmetically_right(
+        exact + arithmetically_right(right + right + arithmetically_right(down, 15), 15), 4);
   }
+  static Halves lower_twice(Halves pairs) { return lower_halves(as_words(pairs), as_words(pairs)); }
+  static Halves upper_twice(Halves pairs) { return upper_halves(as_words(pairs), as_words(pairs)); }
 
   FourValues edges_[3];
   Words z_, z_right_, z_down_, far_;

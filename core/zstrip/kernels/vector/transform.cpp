@@ -1,8 +1,10 @@
-// Four vertices at a time; only their reciprocals are found one after the other.
+// Four vertices at a time; only the divisions of their reciprocals are done one after the other.
 #include "zstrip/kernels/vector/transform.hpp"
 
 #include <algorithm>
+#include <bit>
 
+#include "zstrip/base/division.hpp"
 #include "zstrip/kernels/vector/vector.hpp"
 
 #if ZSTRIP_HAS_VECTORS
@@ -25,10 +27,14 @@ class FourVertices {
     const FourPositions at(positions);
     const Words w = w_.at(at);
     const Words divisors = w - as_words(w == Words{});  // 0 is not narrow, but no divisor
-    const Reciprocal r[4] = {inverse(divisors[0]), inverse(divisors[1]), inverse(divisors[2]), inverse(divisors[3])};
-    const auto each = [&r](const auto& of) { return Words{of(r[0]), of(r[1]), of(r[2]), of(r[3])}; };
-    const Words reciprocals = each([](const Reciprocal& one) { return static_cast<std::uint32_t>(one.value); });
-    const FourShifts shifts(each([](const Reciprocal& one) { return FourShifts::of(one.normalisation); }));
+    // reciprocal_of: the divisions one after the other.
+    const Normalised n[4] = {Normalised(divisors[0]), Normalised(divisors[1]), Normalised(divisors[2]),
+                             Normalised(divisors[3])};
+    const FourShifts shifts(Words{n[0].shift, n[1].shift, n[2].shift, n[3].shift});
+    const Words first = Words{n[0].quotient, n[1].quotient, n[2].quotient, n[3].quotient} << 14;
+    const Words product =
+        unsigned_upper_products(Words{n[0].divisor, n[1].divisor, n[2].divisor, n[3].divisor}, first);
+    const Words reciprocals = unsigned_upper_products(first, (in_all_words(kSign) - product) << 1) << 1;
     const auto coordinate = [&](const Coordinate& c) {
       const Words scaled = shifts.arithmetically(upper_products<0>(c.form.at(at), reciprocals), c.shift);
       return arithmetically_right(scaled + c.bias, 1);
@@ -66,10 +72,19 @@ class FourVertices {
         depth_shift_(instance.depth_shift),
         depth_normalisation_(instance.depth_normalisation) {}
 
-  static Reciprocal inverse(std::uint32_t divisor) {
-    if (divisor == 0) __builtin_unreachable();
-    return reciprocal_of(divisor);
-  }
+  /// What reciprocal_of finds first.
+  struct Normalised {
+    std::uint32_t shift;  ///< FourShifts::of
+    std::uint32_t divisor, quotient;
+
+    explicit Normalised(std::uint32_t value) {
+      if (value == 0) __builtin_unreachable();
+      const int zeros = std::countl_zero(value);
+      shift = FourShifts::of(zeros);
+      divisor = value << zeros;
+      quotient = quotient_32(divisor >> 16);
+    }
+  };
   /// What makes unsigned words signed ones in the same order.
   static constexpr std::uint32_t kSign = std::uint32_t{1} << 31;
 
