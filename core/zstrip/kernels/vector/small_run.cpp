@@ -19,9 +19,10 @@ namespace {
 
 using namespace vectors;
 
-/// Triangles whose indices a queue has room for; and those that are sorted in one go.
+/// Triangles whose indices a queue has room for; how many are sorted in one go; and how far ahead of those that are
+/// drawn, because a run may stop.
 constexpr std::uint16_t kChunk = 256;
-constexpr std::uint32_t kStep = 32;
+constexpr std::uint32_t kStep = 32, kAhead = 64;
 
 /// Which bits of a number are set, then what is no index; at the end how many are set.
 using Lanes = std::array<std::uint16_t, 8>;
@@ -137,7 +138,8 @@ struct Sorted {
     const Reader reader(run);
     const std::uint32_t room = strip.has_room ? 0xF : 0;
     end = std::min(end, count + kStep);
-    for (std::uint32_t i = count; i < end; i += 4) {
+    std::uint32_t i = count;
+    for (bool ends = false; i < end && !ends; i += 4) {
       const Triangle* four = triangles + i;
       std::uint32_t lanes = 0xF;
       Triangle rest[4];
@@ -161,6 +163,8 @@ struct Sorted {
       const Halves extent = boxes.end() - boxes.first();
       const Words larger = as_words(greater(extent, in_all_halves(kCellSide)));
       const Words sum = sums_of_products(boxes.greatest - boxes.least, in_all_halves(1));
+      // There the run most likely stops.
+      ends = upper_bits(faces & greater(sum, in_all_words(kMediumExtent - 1))) != 0;
       const Words too_large = as_words(greater(extent, in_all_halves(2 * kCellSide))) |
                               as_words(larger == in_all_words(0xFFFFFFFF)) |
                               greater(sum, in_all_words(kSmallExtent - 1));
@@ -168,7 +172,7 @@ struct Sorted {
       in_one.add(drawn & room & upper_bits(fits_one), first);
       in_two.add(drawn & room & upper_bits(fits & ~fits_one), first);
     }
-    count = end;
+    count = std::min(i, end);
   }
 };
 
@@ -324,6 +328,11 @@ template <bool gouraud>
   return draw_small_flat_vector(small, colour);
 }
 
+/// The next triangle of a queue, and of those that are set up.
+struct Place {
+  std::uint32_t place = 0, lane = 0, lanes = 0;
+};
+
 /// draw_small_run_vector of a chunk.
 template <bool gouraud>
 std::uint32_t draw_chunk(const VectorSmallRun& run, const Strip& strip, const Triangle* triangles,
@@ -334,23 +343,27 @@ std::uint32_t draw_chunk(const VectorSmallRun& run, const Strip& strip, const Tr
   // Copies: compilers must assume that stores of lanes change any memory.
   const StripTarget& target = strip.target;
   const Pixels pixels{target.depth, target.colour, target.depth_stride, target.colour_stride};
-  // Whether triangle `next` of the queue is drawn; else it is left to draw_one.
-  const auto draws = [&](Queue& queue, std::uint32_t& next, auto& four) {
-    if (next % 4 == 0) {
-      while (queue.count() - next < 4 && sorted.count < count) sorted.sort<gouraud>(run, strip, triangles, count);
-      four.set_up(run, strip, triangles, queue.four_from(next));
+  // Whether triangle i, which is the next one of the queue, is drawn; else it is left to draw_one.
+  const auto draws = [&](std::uint32_t i, Queue& queue, Place& next, auto& four) {
+    if (next.lane == next.lanes) {
+      while (queue.count() - next.place < 4 && sorted.count < std::min(count, i + kAhead)) {
+        sorted.sort<gouraud>(run, strip, triangles, count);
+      }
+      next.lane = 0, next.lanes = std::min(queue.count() - next.place, std::uint32_t{4});
+      four.set_up(run, strip, triangles, queue.four_from(next.place));
     }
-    return four.draw(pixels, next++ % 4);
+    ++next.place;
+    return four.draw(pixels, next.lane++);
   };
-  std::uint32_t ones = 0, twos = 0;
+  Place one, two;
   for (std::uint32_t next = 0;; ++next) {
     while (next == sorted.all.count()) {
       if (sorted.count == count) return count;
       sorted.sort<gouraud>(run, strip, triangles, count);
     }
     const std::uint32_t i = sorted.all[next];
-    if (i == sorted.in_one[ones] ? draws(sorted.in_one, ones, in_one)
-                                 : i == sorted.in_two[twos] && draws(sorted.in_two, twos, in_two)) {
+    if (i == sorted.in_one[one.place] ? draws(i, sorted.in_one, one, in_one)
+                                 : i == sorted.in_two[two.place] && draws(i, sorted.in_two, two, in_two)) {
       continue;
     }
     if (!draw_one<gouraud>(run, triangles[i])) return i;
