@@ -104,7 +104,8 @@ class FourTriangles {
     const auto& depth = corners.depth;
     const WordFactors per_unit(rounded_upper_products<1>(depth[1] - depth[0], inverse),
                                rounded_upper_products<1>(depth[2] - depth[0], inverse));
-    z_ = depth[0] + per_unit.sums(weights), z_right_ = per_unit.sums(right), z_down_ = per_unit.sums(down);
+    z_ = settled(depth[0] + per_unit.sums(weights));
+    z_right_ = settled(per_unit.sums(right)), z_down_ = settled(per_unit.sums(down));
     // Of halves, because differences of whole depths need 33 bits.
     const auto near = [&depth](int i) {
       return (depth[0] >> 1) - (depth[i] >> 1) + in_all_words(kSmallDepthDifference / 2);
@@ -154,7 +155,7 @@ class FourTriangles {
         for (int column = 0; column < 4; ++column) {
           const Halves outside = arithmetically_right(in_a | in_b | in_c, 15);
           // Code 0 is nearer than no cell.
-          to[column] = ~outside & upper_halves(upper, lower);
+          to[column] = settled(~outside & upper_halves(upper, lower));
           in_a += a.right, in_b += b.right, in_c += c.right;
           upper += z_right_, lower += z_right_;
         }
@@ -168,7 +169,7 @@ class FourTriangles {
       r.go_to_rows(), g.go_to_rows(), b.go_to_rows();
       const auto row = [&](Halves* to, Halves red, Halves green, Halves blue) {
         for (int column = 0; column < 4; ++column) {
-          to[column] = rgb565_of_halves(red, green, blue);
+          to[column] = settled(rgb565_of_halves(red, green, blue));
           red += r.right, green += g.right, blue += b.right;
         }
       };

@@ -38,6 +38,17 @@ inline std::uint32_t pair_of(std::int32_t low, std::int32_t high) {
 }
 inline Halves in_all_pairs(std::int32_t low, std::int32_t high) { return as_halves(in_all_words(pair_of(low, high))); }
 
+/// A value that is in a register from here on. Left alone, GCC mixes what is independent, and runs out of registers.
+template <class Vector>
+Vector settled(Vector vector) {
+#if ZSTRIP_HAS_SSE2
+  asm("" : "+x"(vector));
+#else
+  asm("" : "+w"(vector));
+#endif
+  return vector;
+}
+
 /// Shifts right and keeps the sign.
 inline Halves arithmetically_right(Halves values, int by) {
   using Signed [[gnu::vector_size(16)]] = std::int16_t;
