@@ -13,13 +13,12 @@ struct Interpolated {
   std::uint32_t step;  ///< a pixel
   Words step_8;
 
-  Interpolated(std::uint32_t start, std::uint32_t step_x) : step(step_x) {
-    // Or GCC takes every multiple from another word.
-    const Words steps = settled(in_all_words(step_x));
-    first = in_all_words(start) + multiples_0_to_3(steps);
-    last = first + (steps << 2);
-    step_8 = steps << 3;
-  }
+  Interpolated(std::uint32_t start, std::uint32_t step_x)
+      // Settled, or GCC takes every multiple from another word.
+      : Interpolated(in_all_words(start), settled(in_all_words(step_x))) {}
+  /// Of vectors whose words are alike.
+  Interpolated(Words start, Words steps)
+      : first(start + multiples_0_to_3(steps)), last(first + (steps << 2)), step(steps[0]), step_8(steps << 3) {}
   Halves upper() const { return upper_halves(first, last); }
   void next() {
     first += step_8;

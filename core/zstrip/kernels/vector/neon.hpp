@@ -151,6 +151,9 @@ Words upper_products(Words a, Words b) {
   return as_words(vqdmulhq_s32(as_s32(a << (shift - 1)), as_s32(b)));
 }
 
+inline Words products_of_even(Words a, Words b) { return a * b; }
+inline Words upper_products_of_even(Words a, Words b) { return upper_products<0>(a, b); }
+
 class HalvesOfProducts {
  public:
   explicit HalvesOfProducts(Words factors) : factors_(factors) {}

@@ -176,6 +176,12 @@ Words upper_products(Words a, Words b) {
   return unsigned_upper_products(factors, b) - (arithmetically_right(factors, 31) & b);
 }
 
+/// Of words 0 and 2, the others are any: the products' lower words, and upper_products<0>.
+inline Words products_of_even(Words a, Words b) { return as_words(_mm_mul_epu32(as_sse2(a), as_sse2(b))); }
+inline Words upper_products_of_even(Words a, Words b) {
+  return as_words(_mm_srli_epi64(as_sse2(products_of_even(a, b)), 32)) - (arithmetically_right(a, 31) & b);
+}
+
 /// Factors of upper_products<9>, whose lower halves are taken.
 class HalvesOfProducts {
  public:

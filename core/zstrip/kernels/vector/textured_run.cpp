@@ -40,11 +40,11 @@ class Texels {
   Words row_mask_;
 };
 
-/// TextureCoordinates::divided: u/w or v/w times w, shifted right by `right`, or left where that is negative.
-std::int32_t times_w(std::uint32_t over_w, const Reciprocal& w, int right) {
-  const std::int32_t high = multiply_high(static_cast<std::int32_t>(over_w), w.value);
-  if (right >= 0) return high >> (right < 31 ? right : 31);
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(high) << (right > -31 ? -right : 31));
+/// TextureCoordinates::divided: u/w and v/w times w, in words 0 and 2, shifted right by `right`, or left where that is
+/// negative.
+Words times_w(Words over_w, const Reciprocal& w, int right) {
+  const Words high = upper_products_of_even(over_w, in_all_words(static_cast<std::uint32_t>(w.value)));
+  return right >= 0 ? arithmetically_right(high, right < 31 ? right : 31) : high << (right > -31 ? -right : 31);
 }
 
 /// Texels as they are.
@@ -75,35 +75,31 @@ template <class Light>
   constexpr int kLog2Run = 4;
   const Texels texels(state);
   Interpolated z(state.z, state.step_z);
-  std::uint32_t u_over_w = state.u_over_w, v_over_w = state.v_over_w, one_over_w = state.one_over_w;
-  auto from_u = static_cast<std::uint32_t>(state.from_u);
-  auto from_v = static_cast<std::uint32_t>(state.from_v);
-  const auto base_u = static_cast<std::uint32_t>(state.base_u);
-  const auto base_v = static_cast<std::uint32_t>(state.base_v);
-  const auto step = [](std::uint32_t from, std::uint32_t to, std::uint32_t to_fraction) {
-    return static_cast<std::uint32_t>(static_cast<std::int32_t>(to - from) >> kLog2Run) * to_fraction;
-  };
+  std::uint32_t one_over_w = state.one_over_w;
+  // Of u in word 0, of v in word 2.
+  const auto both = [](auto u, auto v) { return Words{static_cast<std::uint32_t>(u), 0, static_cast<std::uint32_t>(v)}; };
+  Words over_w = both(state.u_over_w, state.v_over_w), from = both(state.from_u, state.from_v);
+  const Words over_w_step = both(state.u_over_w_step, state.v_over_w_step), base = both(state.base_u, state.base_v);
+  const Words to_fraction = both(state.to_fraction_u, state.to_fraction_v);
   for (std::uint32_t left = count; left != 0; --left) {
-    u_over_w += state.u_over_w_step;
-    v_over_w += state.v_over_w_step;
+    over_w += over_w_step;
     one_over_w += state.one_over_w_step;
     const Reciprocal w = reciprocal_of(one_over_w == 0 ? 1 : one_over_w);
-    const int right = state.right_shift - w.normalisation;
-    const std::uint32_t to_u = base_u + static_cast<std::uint32_t>(times_w(u_over_w, w, right));
-    const std::uint32_t to_v = base_v + static_cast<std::uint32_t>(times_w(v_over_w, w, right));
-    Interpolated u(from_u * state.to_fraction_u, step(from_u, to_u, state.to_fraction_u));
-    Interpolated v(from_v * state.to_fraction_v, step(from_v, to_v, state.to_fraction_v));
+    const Words to = base + times_w(over_w, w, state.right_shift - w.normalisation);
+    const Words start = products_of_even(from, to_fraction);
+    const Words step = products_of_even(arithmetically_right(to - from, kLog2Run), to_fraction);
+    Interpolated u(word_in_all<0>(start), word_in_all<0>(step)), v(word_in_all<2>(start), word_in_all<2>(step));
     draw_fragments(InOneRow{}, depth, pixel, z.upper(), [&] { return light(texels.eight(u, v)); });
     u.next(), v.next(), z.next();
     draw_fragments(InOneRow{}, depth + 8, pixel + 8, z.upper(), [&] { return light(texels.eight(u, v)); });
     z.next();
-    from_u = to_u, from_v = to_v;
+    from = to;
     depth += 16;
     pixel += 16;
   }
   state.z += state.step_z * (count << kLog2Run);
-  state.u_over_w = u_over_w, state.v_over_w = v_over_w, state.one_over_w = one_over_w;
-  state.from_u = static_cast<std::int32_t>(from_u), state.from_v = static_cast<std::int32_t>(from_v);
+  state.u_over_w = over_w[0], state.v_over_w = over_w[2], state.one_over_w = one_over_w;
+  state.from_u = static_cast<std::int32_t>(from[0]), state.from_v = static_cast<std::int32_t>(from[2]);
 }
 
 template <class Light>
