@@ -2,6 +2,7 @@
 // what it says to have drawn, it has. Then whole meshlets by the assembler, in order and by lists: once with counting,
 // which is portable.
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -49,6 +50,25 @@ void draw(const Meshlet& meshlet, const CompiledInstance& instance, const StripT
   }
 }
 
+/// The triangles of a run: those of a meshlet, or more of them, because implementations look ahead.
+class RunTriangles {
+ public:
+  RunTriangles(Random& random, const Meshlet& meshlet, bool is_long) {
+    if (!is_long) {
+      all_ = meshlet.triangles;
+      return;
+    }
+    const auto any = [&] { return meshlet.triangles[static_cast<std::size_t>(random.below(Meshlet::kTriangles))].a; };
+    for (Triangle& triangle : long_) triangle = {any(), any(), any()};
+    all_ = long_;
+  }
+  std::span<const Triangle> all() const { return all_; }
+
+ private:
+  static inline std::array<Triangle, 5 * Meshlet::kTriangles> long_;
+  std::span<const Triangle> all_;
+};
+
 /// A front face that is not small, by its spans.
 void draw_spans(const Meshlet& meshlet, const Triangle& triangle, const StripTarget& target) {
   const auto index = [](std::uint32_t of_mesh) { return of_mesh - Meshlet::kFirstVertex; };
@@ -80,10 +100,12 @@ Outcome compare_small_runs(std::uint32_t cases) {
     auto* const colours = reinterpret_cast<Colour*>(bytes + number % 4);
     std::copy(meshlet.colours.begin(), meshlet.colours.end(), colours);
     SmallRun own{own_target, meshlet.vertices.data(), colours, Meshlet::kFirstVertex};
-    for (std::uint32_t next = 0; next < Meshlet::kTriangles; ++next) {
-      const Triangle* const triangles = meshlet.triangles.data() + next;
-      const std::uint32_t drawn = draw_small_run(own, triangles, Meshlet::kTriangles - next);
-      if (next + drawn > Meshlet::kTriangles) {
+    const RunTriangles run(random, meshlet, number % 8 < 2);
+    const auto count = static_cast<std::uint32_t>(run.all().size());
+    for (std::uint32_t next = 0; next < count; ++next) {
+      const Triangle* const triangles = run.all().data() + next;
+      const std::uint32_t drawn = draw_small_run(own, triangles, count - next);
+      if (next + drawn > count) {
         outcome.differs("the end of a run", number);
         return outcome;
       }
