@@ -34,6 +34,24 @@ inline Words place_of(const SnappedVertex& v) {
   return in_first_word(pair);
 }
 
+/// The smallest rectangles around triangles, one for each word of the vertices' places: pairs of x and y.
+struct Boxes {
+  Halves least, greatest;
+
+  Boxes(Words a, Words b, Words c)
+      : least(signed_min(signed_min(as_halves(a), as_halves(b)), as_halves(c))),
+        greatest(signed_max(signed_max(as_halves(a), as_halves(b)), as_halves(c))) {}
+  /// Their first pixels, and those behind their last ones.
+  Halves first() const { return arithmetically_right(least, 4); }
+  Halves end() const { return arithmetically_right(greatest, 4); }
+  /// Those of the first word.
+  Rect first_box() const {
+    const auto low = static_cast<std::int32_t>(as_words(first())[0]);
+    const auto high = static_cast<std::int32_t>(as_words(end())[0]);
+    return {static_cast<std::int16_t>(low), low >> 16, static_cast<std::int16_t>(high), high >> 16};
+  }
+};
+
 /// The edges 2 -> 0, 0 -> 1 and 1 -> 2, the weights of vertices 1, 2 and 0, in a word each.
 struct Edges {
   Halves corners;  ///< where each ends: x, y

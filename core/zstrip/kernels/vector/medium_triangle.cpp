@@ -17,18 +17,21 @@ namespace {
 template <bool gouraud>
 [[gnu::always_inline]] inline bool draw(const MediumTriangle& t, const Colour* const* colours,
                                         std::uint16_t flat_colour) {
-  const auto [min_x, max_x] = std::minmax<std::int32_t>({t.v0.x, t.v1.x, t.v2.x});
-  const std::int32_t min_y = t.v0.y, max_y = std::max(t.v1.y, t.v2.y);
-  const std::int32_t width = max_x - min_x, height = max_y - min_y;
-  if (width + height >= kMediumExtent || !fits_words(t, width, height)) return false;
-  const Rect box = Rect{min_x >> 4, min_y >> 4, max_x >> 4, max_y >> 4}.cut_to(t.target.area);
+  const Boxes around(place_of(t.v0), place_of(t.v1), place_of(t.v2));
+  const Halves extent = around.greatest - around.least;
+  const auto longer = static_cast<std::int16_t>(signed_max(extent, swapped_in_pairs(extent))[0]);
+  if (sum_of_products(extent, in_all_halves(1)) >= kMediumExtent || !fits_words(t, longer, 0)) return false;
+  const Rect& strip = t.target.area;
+  const Rect whole = around.first_box();
+  const Rect box{std::max(whole.left, strip.left), std::max(whole.top, strip.top),
+                 std::min(whole.right, strip.right), std::min(whole.bottom, strip.bottom)};
   if (box.empty()) return true;
   const Blocks blocks(t.target, box);
   if (!blocks.fit()) return false;
 
   MediumScan scan;
   scan.area = t.area;
-  scan.anchor_x = std::max(min_x >> 4, t.target.view_left), scan.anchor_y = std::max(min_y >> 4, t.target.view_top);
+  scan.anchor_x = std::max(whole.left, t.target.view_left), scan.anchor_y = std::max(whole.top, t.target.view_top);
   scan.has_channels = gouraud;
   if constexpr (gouraud) scan.set_colours(colours);
   if (!set_up_medium_portable(scan, t.v0, t.v1, t.v2)) return false;

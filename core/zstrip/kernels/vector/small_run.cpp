@@ -95,21 +95,9 @@ Words areas(const Words (&place)[3]) {
   return sums_of_products(c - a, swapped_in_pairs(b - a) * in_all_pairs(1, -1));
 }
 
-/// The smallest rectangles around four triangles, pairs of x and y.
-struct FourBoxes {
-  Halves least, greatest;
-
-  explicit FourBoxes(const Words (&place)[3])
-      : least(signed_min(signed_min(as_halves(place[0]), as_halves(place[1])), as_halves(place[2]))),
-        greatest(signed_max(signed_max(as_halves(place[0]), as_halves(place[1])), as_halves(place[2]))) {}
-  /// Their first pixels, and those behind their last ones.
-  Halves first() const { return arithmetically_right(least, 4); }
-  Halves end() const { return arithmetically_right(greatest, 4); }
-};
-
 struct Strip {
   const StripTarget& target;
-  Halves first, end;  ///< as of FourBoxes
+  Halves first, end;  ///< as of Boxes
   bool has_room;      ///< for cells
 
   explicit Strip(const StripTarget& strip)
@@ -154,7 +142,7 @@ struct Sorted {
       reader.load({four[0].c, four[1].c, four[2].c, four[3].c}, place[2], depth);
       const Words area = areas(place);
       const Words faces = !gouraud && run.surface.double_sided ? ~as_words(area == Words{}) : greater(area, Words{});
-      const FourBoxes boxes(place);
+      const Boxes boxes(place[0], place[1], place[2]);
       const Halves covers = greater(signed_min(boxes.end(), strip.end), signed_max(boxes.first(), strip.first));
       const std::uint32_t drawn = upper_bits(faces & as_words(covers) & (as_words(covers) << 16)) & lanes;
       if (drawn == 0) continue;
@@ -212,7 +200,7 @@ class FourDrawn {
       store_words(flat_, flat);
     }
     corners.template turn<gouraud>(!gouraud && run.surface.double_sided);
-    const FourBoxes boxes(corners.place);
+    const Boxes boxes(corners.place[0], corners.place[1], corners.place[2]);
     FourTriangles<gouraud> four(corners, boxes.least | in_all_halves(kPixelCentre));
     far_ = upper_bits(four.far());
 
@@ -292,7 +280,7 @@ template <bool gouraud>
   const std::uint32_t provoking = a;
   const Words place[3] = {place_of(vertices[a]), place_of(vertices[b]), place_of(vertices[c])};
   std::int32_t area = static_cast<std::int32_t>(areas(place)[0]);
-  const FourBoxes boxes(place);
+  const Boxes boxes(place[0], place[1], place[2]);
   const auto extents = static_cast<std::int32_t>(sums_of_products(boxes.greatest - boxes.least, in_all_halves(1))[0]);
   if (!gouraud && extents >= kMediumExtent) return false;
   // rotate_to_first: by y, then x.
@@ -317,13 +305,10 @@ template <bool gouraud>
     if constexpr (gouraud) return draw_medium_gouraud_vector(medium, of_vertices);
     return draw_medium_flat_vector(medium, colour);
   }
-  const auto low = static_cast<std::int32_t>(as_words(boxes.first())[0]);
-  const auto high = static_cast<std::int32_t>(as_words(boxes.end())[0]);
-  const std::int32_t left = static_cast<std::int16_t>(low), top = low >> 16;
-  const Rect box{std::max(left, strip.left), std::max(top, strip.top),
-                 std::min<std::int32_t>(static_cast<std::int16_t>(high), strip.right),
-                 std::min(high >> 16, strip.bottom)};
-  const SmallTriangle small{target, v0, v1, v2, area, left, top, box};
+  const Rect whole = boxes.first_box();
+  const Rect box{std::max(whole.left, strip.left), std::max(whole.top, strip.top),
+                 std::min(whole.right, strip.right), std::min(whole.bottom, strip.bottom)};
+  const SmallTriangle small{target, v0, v1, v2, area, whole.left, whole.top, box};
   if constexpr (gouraud) return draw_small_gouraud_vector(small, of_vertices);
   return draw_small_flat_vector(small, colour);
 }
