@@ -355,8 +355,21 @@ std::uint32_t draw_chunk(const VectorSmallRun& run, const Strip& strip, const Tr
   }
 }
 
+/// Whether a run that begins with this triangle ends before it: it is too large.
+bool ends_at(const VectorSmallRun& run, const Triangle& triangle) {
+  const SnappedVertex* const vertices = run.vertices;
+  const Words place[3] = {place_of(vertices[triangle.a - run.first_vertex]),
+                          place_of(vertices[triangle.b - run.first_vertex]),
+                          place_of(vertices[triangle.c - run.first_vertex])};
+  const Boxes box(place[0], place[1], place[2]);
+  if (sum_of_products(box.greatest - box.least, in_all_halves(1)) < kMediumExtent) return false;
+  const auto area = static_cast<std::int32_t>(areas(place)[0]);
+  return area > 0 || (area < 0 && run.surface.double_sided);
+}
+
 template <bool gouraud>
 std::uint32_t draw_run(const VectorSmallRun& run, const Triangle* triangles, std::uint32_t count) {
+  if (count != 0 && ends_at(run, *triangles)) return 0;
   const Strip strip(run.target);
   for (std::uint32_t done = 0; done < count; done += kChunk) {
     const std::uint32_t chunk = std::min<std::uint32_t>(kChunk, count - done);

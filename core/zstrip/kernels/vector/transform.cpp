@@ -34,10 +34,10 @@ class FourVertices {
     const Words first = Words{n[0].quotient, n[1].quotient, n[2].quotient, n[3].quotient} << 14;
     const Words product =
         unsigned_upper_products(Words{n[0].divisor, n[1].divisor, n[2].divisor, n[3].divisor}, first);
-    const Words reciprocals = unsigned_upper_products(first, (in_all_words(kSign) - product) << 1) << 1;
+    const Words reciprocals = settled(unsigned_upper_products(first, (in_all_words(kSign) - product) << 1) << 1);
     const auto coordinate = [&](const Coordinate& c) {
       const Words scaled = shifts.arithmetically(upper_products<0>(c.form.at(at), reciprocals), c.shift);
-      return arithmetically_right(scaled + c.bias, 1);
+      return settled(arithmetically_right(scaled + c.bias, 1));
     };
     const Words x = coordinate(x_), y = coordinate(y_);
     const Words relative = shifts.logically(reciprocals, depth_normalisation_);
