@@ -58,12 +58,15 @@ struct FourValues {
 
 /// The pixels of four cells: of triangle i the two upper rows in [i], the two lower ones in [4 + i].
 struct FourCells {
-  Halves codes[8];    ///< 0 where nothing is covered
-  Halves colours[8];  ///< RGB565
+  struct Block {
+    Halves codes;    ///< 0 where nothing is covered
+    Halves colours;  ///< RGB565
+  };
+  Block blocks[8];
 };
 
-/// Eight vectors as columns.
-[[gnu::always_inline]] inline void transpose(const Halves (&from)[8], Halves (&to)[8]) {
+/// Eight vectors as columns, each of them the part of a block.
+[[gnu::always_inline]] inline void transpose(const Halves (&from)[8], FourCells& to, Halves FourCells::Block::*part) {
   const auto shuffle = [](const Halves(&x)[8], Halves(&y)[8]) {
     y[0] = interleaved_low(x[0], x[4]), y[1] = interleaved_high(x[0], x[4]);
     y[2] = interleaved_low(x[1], x[5]), y[3] = interleaved_high(x[1], x[5]);
@@ -73,7 +76,8 @@ struct FourCells {
   Halves a[8], b[8];
   shuffle(from, a);
   shuffle(a, b);
-  shuffle(b, to);
+  shuffle(b, a);
+  for (int i = 0; i < 8; ++i) to.blocks[i].*part = a[i];
 }
 
 /// Four small triangles, the first corner of each the highest, then the leftmost.
@@ -163,7 +167,7 @@ class FourTriangles {
       row(pixels, a.value, b.value, c.value, z_);
       row(pixels + 4, a.value + a.down, b.value + b.down, c.value + c.down, z_ + z_down_);
     }
-    transpose(pixels, cells.codes);
+    transpose(pixels, cells, &FourCells::Block::codes);
     if constexpr (gouraud) {
       FourValues r = channels_[0], g = channels_[1], b = channels_[2];
       r.go_to_rows(), g.go_to_rows(), b.go_to_rows();
@@ -175,7 +179,7 @@ class FourTriangles {
       };
       row(pixels, r.value, g.value, b.value);
       row(pixels + 4, r.value + r.down, g.value + g.down, b.value + b.down);
-      transpose(pixels, cells.colours);
+      transpose(pixels, cells, &FourCells::Block::colours);
     }
   }
 

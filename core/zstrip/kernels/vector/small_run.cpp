@@ -250,12 +250,12 @@ class FourDrawn {
 
   [[gnu::always_inline]] void draw_cell(const Pixels& in, std::uint16_t* depth, std::uint16_t* pixel, std::size_t cell,
                                         std::uint32_t lane) const {
-    const auto draw = [&](std::uint32_t block) {
-      draw_fragments(InTwoRows{in.depth_stride}, InTwoRows{in.colour_stride}, depth, pixel, cells_[cell].codes[block],
-                     [&] {
-                       if constexpr (gouraud) return cells_[cell].colours[block];
-                       return in_all_halves(static_cast<std::int32_t>(flat_[lane]));
-                     });
+    const auto draw = [&](std::uint32_t i) {
+      const FourCells::Block& block = cells_[cell].blocks[i];
+      draw_fragments(InTwoRows{in.depth_stride}, InTwoRows{in.colour_stride}, depth, pixel, block.codes, [&] {
+        if constexpr (gouraud) return block.colours;
+        return in_all_halves(static_cast<std::int32_t>(flat_[lane]));
+      });
     };
     draw(lane);
     if ((lower_[cell] >> lane & 1) == 0) return;
