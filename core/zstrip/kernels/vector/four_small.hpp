@@ -1,5 +1,5 @@
-// Four small triangles at once: a lane of each vector belongs to one of them. Their planes, then the pixels of a cell of
-// each, four columns and four rows, turned into blocks of four columns and two rows.
+// Four small triangles at once: a lane of each vector belongs to one of them. Their planes, then the pixels of a cell
+// of each, four columns and four rows, turned into blocks of four columns and two rows.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +37,8 @@ struct FourCorners {
     if constexpr (gouraud) turned(colour);
     if (!mirrors) return;
     const auto side = [this](int i) { return as_halves(place[i]) - as_halves(place[0]); };
-    const Words back = arithmetically_right(
-        sums_of_products(side(2), swapped_in_pairs(side(1)) * in_all_pairs(1, -1)), 31);
+    const Words back =
+        arithmetically_right(sums_of_products(side(2), swapped_in_pairs(side(1)) * in_all_pairs(1, -1)), 31);
     const auto exchange = [back](Words& x, Words& y) {
       const Words both = (x ^ y) & back;
       x ^= both, y ^= both;
@@ -186,8 +186,7 @@ class FourTriangles {
  private:
   /// PackedEdges::field of edge functions that grow by `right` and `down` a sub-pixel.
   static Halves edge_fields(Halves exact, Halves right, Halves down) {
-    return arithmetically_right(
-        exact + arithmetically_right(right + right + arithmetically_right(down, 15), 15), 4);
+    return arithmetically_right(exact + arithmetically_right(right + right + arithmetically_right(down, 15), 15), 4);
   }
   static Halves lower_twice(Halves pairs) { return lower_halves(as_words(pairs), as_words(pairs)); }
   static Halves upper_twice(Halves pairs) { return upper_halves(as_words(pairs), as_words(pairs)); }

@@ -21,7 +21,7 @@ using namespace vectors;
 
 /// Triangles whose indices a queue has room for; how many are sorted in one go; and how far ahead of those that are
 /// drawn, because a run may stop.
-constexpr std::uint16_t kChunk = 256;
+constexpr std::uint16_t kChunk = 512;
 constexpr std::uint32_t kStep = 32, kAhead = 64;
 
 /// Which bits of a number are set, then what is no index; at the end how many are set.
@@ -75,9 +75,10 @@ struct Reader {
   }
   std::uint32_t colour(std::uint32_t index) const {
     std::uint32_t word;
-    __builtin_memcpy(&word,
-                     reinterpret_cast<const void*>(colours + index * sizeof(Colour)),  // NOLINT(performance-no-int-to-ptr)
-                     sizeof word);
+    __builtin_memcpy(
+        &word,
+        reinterpret_cast<const void*>(colours + index * sizeof(Colour)),  // NOLINT(performance-no-int-to-ptr)
+        sizeof word);
     return word;
   }
   /// Places and depths of a corner.
@@ -306,8 +307,8 @@ template <bool gouraud>
     return draw_medium_flat_vector(medium, colour);
   }
   const Rect whole = boxes.first_box();
-  const Rect box{std::max(whole.left, strip.left), std::max(whole.top, strip.top),
-                 std::min(whole.right, strip.right), std::min(whole.bottom, strip.bottom)};
+  const Rect box{std::max(whole.left, strip.left), std::max(whole.top, strip.top), std::min(whole.right, strip.right),
+                 std::min(whole.bottom, strip.bottom)};
   const SmallTriangle small{target, v0, v1, v2, area, whole.left, whole.top, box};
   if constexpr (gouraud) return draw_small_gouraud_vector(small, of_vertices);
   return draw_small_flat_vector(small, colour);
@@ -348,7 +349,7 @@ std::uint32_t draw_chunk(const VectorSmallRun& run, const Strip& strip, const Tr
     }
     const std::uint32_t i = sorted.all[next];
     if (i == sorted.in_one[one.place] ? draws(i, sorted.in_one, one, in_one)
-                                 : i == sorted.in_two[two.place] && draws(i, sorted.in_two, two, in_two)) {
+                                      : i == sorted.in_two[two.place] && draws(i, sorted.in_two, two, in_two)) {
       continue;
     }
     if (!draw_one<gouraud>(run, triangles[i])) return i;

@@ -77,7 +77,9 @@ template <class Light>
   Interpolated z(state.z, state.step_z);
   std::uint32_t one_over_w = state.one_over_w;
   // Of u in word 0, of v in word 2.
-  const auto both = [](auto u, auto v) { return Words{static_cast<std::uint32_t>(u), 0, static_cast<std::uint32_t>(v)}; };
+  const auto both = [](auto u, auto v) {
+    return Words{static_cast<std::uint32_t>(u), 0, static_cast<std::uint32_t>(v)};
+  };
   Words over_w = both(state.u_over_w, state.v_over_w), from = both(state.from_u, state.from_v);
   const Words over_w_step = both(state.u_over_w_step, state.v_over_w_step), base = both(state.base_u, state.base_v);
   const Words to_fraction = both(state.to_fraction_u, state.to_fraction_v);

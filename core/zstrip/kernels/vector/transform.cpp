@@ -32,8 +32,7 @@ class FourVertices {
                              Normalised(divisors[3])};
     const FourShifts shifts(Words{n[0].shift, n[1].shift, n[2].shift, n[3].shift});
     const Words first = Words{n[0].quotient, n[1].quotient, n[2].quotient, n[3].quotient} << 14;
-    const Words product =
-        unsigned_upper_products(Words{n[0].divisor, n[1].divisor, n[2].divisor, n[3].divisor}, first);
+    const Words product = unsigned_upper_products(Words{n[0].divisor, n[1].divisor, n[2].divisor, n[3].divisor}, first);
     const Words reciprocals = settled(unsigned_upper_products(first, (in_all_words(kSign) - product) << 1) << 1);
     const auto coordinate = [&](const Coordinate& c) {
       const Words scaled = shifts.arithmetically(upper_products<0>(c.form.at(at), reciprocals), c.shift);
