@@ -96,22 +96,29 @@ Words areas(const Words (&place)[3]) {
   return sums_of_products(c - a, swapped_in_pairs(b - a) * in_all_pairs(1, -1));
 }
 
+/// The part of a strip where narrow triangles are.
 struct Strip {
-  const StripTarget& target;
-  Halves first, end;  ///< as of Boxes
-  bool has_room;      ///< for cells
+  Halves first, end;              ///< as of Boxes
+  std::uint16_t *depth, *colour;  ///< of its first pixel
+  std::ptrdiff_t depth_stride, colour_stride;
+  bool has_room;  ///< for cells
 
-  explicit Strip(const StripTarget& strip)
-      : target(strip),
-        first(in_all_pairs(narrow(strip.area.left), narrow(strip.area.top))),
-        end(in_all_pairs(narrow(strip.area.right), narrow(strip.area.bottom))),
-        has_room(narrow(strip.area.right) - narrow(strip.area.left) >= 2 * kCellSide &&
-                 narrow(strip.area.bottom) - narrow(strip.area.top) >= 2 * kCellSide &&
-                 (strip.depth_stride | strip.colour_stride) >> 15 == 0) {}
+  explicit Strip(const StripTarget& target) : Strip(target, narrow(target.area)) {}
 
  private:
-  /// No narrow triangle is beyond.
-  static std::int32_t narrow(std::int32_t pixel) { return std::clamp(pixel, -kNarrowLimit / 16, kNarrowLimit / 16); }
+  Strip(const StripTarget& target, const Rect& area)
+      : first(in_all_pairs(area.left, area.top)),
+        end(in_all_pairs(area.right, area.bottom)),
+        depth(target.depth_row(area.top) + (area.left - target.area.left)),
+        colour(target.colour_row(area.top) + (area.left - target.area.left)),
+        depth_stride(target.depth_stride),
+        colour_stride(target.colour_stride),
+        has_room(area.width() >= 2 * kCellSide && area.height() >= 2 * kCellSide &&
+                 (target.depth_stride | target.colour_stride) >> 15 == 0) {}
+  static Rect narrow(const Rect& area) {
+    const auto limited = [](std::int32_t pixel) { return std::clamp(pixel, -kNarrowLimit / 16, kNarrowLimit / 16); };
+    return {limited(area.left), limited(area.top), limited(area.right), limited(area.bottom)};
+  }
 };
 
 /// Triangles of a chunk by how they are drawn.
@@ -165,12 +172,6 @@ struct Sorted {
   }
 };
 
-/// A strip's cells and pixels.
-struct Pixels {
-  std::uint16_t *depth, *colour;
-  std::ptrdiff_t depth_stride, colour_stride;
-};
-
 /// Four triangles of the same number of cells, and where they are drawn.
 template <bool gouraud, std::size_t cells>
 class FourDrawn {
@@ -214,8 +215,8 @@ class FourDrawn {
     const Halves moved = origin - boxes.first();
     if (any_set(moved)) four.move(moved);
     const Halves from_strip = origin - strip.first;
-    const Halves depth_steps = in_all_pairs(1, strip.target.depth_stride);
-    const Halves colour_steps = in_all_pairs(1, strip.target.colour_stride);
+    const Halves depth_steps = in_all_pairs(1, static_cast<std::int32_t>(strip.depth_stride));
+    const Halves colour_steps = in_all_pairs(1, static_cast<std::int32_t>(strip.colour_stride));
     store_words(depth_at_, sums_of_products(from_strip, depth_steps));
     store_words(colour_at_, sums_of_products(from_strip, colour_steps));
     const Words rows = arithmetically_right(as_words(boxes.end() - origin), 16);
@@ -231,7 +232,7 @@ class FourDrawn {
   }
 
   /// False: its depths are too far from each other.
-  [[gnu::always_inline]] bool draw(const Pixels& in, std::uint32_t lane) const {
+  [[gnu::always_inline]] bool draw(const Strip& in, std::uint32_t lane) const {
     if ((far_ >> lane & 1) != 0) return false;
     std::uint16_t* const depth = in.depth + depth_at_[lane];
     std::uint16_t* const pixel = in.colour + colour_at_[lane];
@@ -249,7 +250,7 @@ class FourDrawn {
     return r | g | ((colours >> 19) & in_all_words(0x1F));
   }
 
-  [[gnu::always_inline]] void draw_cell(const Pixels& in, std::uint16_t* depth, std::uint16_t* pixel, std::size_t cell,
+  [[gnu::always_inline]] void draw_cell(const Strip& in, std::uint16_t* depth, std::uint16_t* pixel, std::size_t cell,
                                         std::uint32_t lane) const {
     const auto draw = [&](std::uint32_t i) {
       const FourCells::Block& block = cells_[cell].blocks[i];
@@ -326,9 +327,8 @@ std::uint32_t draw_chunk(const VectorSmallRun& run, const Strip& strip, const Tr
   Sorted sorted;
   FourDrawn<gouraud, 1> in_one;
   FourDrawn<gouraud, 2> in_two;
-  // Copies: compilers must assume that stores of lanes change any memory.
-  const StripTarget& target = strip.target;
-  const Pixels pixels{target.depth, target.colour, target.depth_stride, target.colour_stride};
+  // A copy: compilers must assume that stores of lanes change any memory.
+  const Strip pixels = strip;
   // Whether triangle i, which is the next one of the queue, is drawn; else it is left to draw_one.
   const auto draws = [&](std::uint32_t i, Queue& queue, Place& next, auto& four) {
     if (next.lane == next.lanes) {
