@@ -335,7 +335,12 @@ std::uint32_t draw_chunk(const VectorSmallRun& run, const Strip& strip, const Tr
       while (queue.count() - next.place < 4 && sorted.count < std::min(count, i + kAhead)) {
         sorted.sort<gouraud>(run, strip, triangles, count);
       }
-      next.lane = 0, next.lanes = std::min(queue.count() - next.place, std::uint32_t{4});
+      const std::uint32_t lanes = std::min(queue.count() - next.place, std::uint32_t{4});
+      if (lanes == 1) {  // costs more than by itself
+        ++next.place;
+        return false;
+      }
+      next.lane = 0, next.lanes = lanes;
       four.set_up(run, strip, triangles, queue.four_from(next.place));
     }
     ++next.place;
