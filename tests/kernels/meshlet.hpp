@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "random.hpp"
 #include "zstrip/effects.hpp"
@@ -29,15 +30,18 @@ struct Meshlet {
   std::array<std::uint16_t, kTriangles> listed;  ///< of triangles
   std::int32_t left, top, width, height;         ///< of the strip
 
-  /// Across the axes, then also with several vertices on one row, or anywhere narrow. Few vertices: triangles often
-  /// share them, or have one twice.
+  static constexpr std::int32_t kNarrowPixels = detail::kNarrowLimit / 16;
+
+  /// Across the axes, then also with several vertices on one row, or anywhere narrow; or at the end of that, in a long
+  /// strip that begins beyond. Few vertices: triangles often share them, or have one twice.
   Meshlet(Random& random, std::uint32_t number) {
     const std::int32_t extent = number % 4 == 0   ? random.between(20, 600)
                                 : number % 4 == 1 ? random.between(20, 120)
                                                   : 110;
-    const bool near_axes = number % 2 == 0;
-    const std::int32_t x = near_axes ? -extent / 2 : random.within(15000);
-    const std::int32_t y = near_axes ? -extent / 2 : random.within(15000);
+    const bool near_axes = number % 2 == 0, beyond = number % 16 == 15;
+    const std::int32_t corner_of_narrow = -16 * kNarrowPixels + random.below(500);
+    const std::int32_t x = near_axes ? -extent / 2 : beyond ? corner_of_narrow : random.within(15000);
+    const std::int32_t y = near_axes ? -extent / 2 : beyond ? corner_of_narrow : random.within(15000);
     const std::uint32_t base = number % 3 == 0 ? 1U << 28 : random.word() >> 1;
     const std::uint32_t range = number % 3 == 0 ? 3U << 28 : std::uint32_t{1} << random.between(18, 28);
     for (std::size_t i = 0; i < kVertices; ++i) {
@@ -56,6 +60,13 @@ struct Meshlet {
     }
     left = (x >> 4) - 4 + random.below(8), top = (y >> 4) - 4 + random.below(8);
     width = random.between(1, 60), height = random.between(1, 60);
+    if (beyond) {
+      left = -kNarrowPixels - random.below(100), width = random.between(130, 400), height = random.between(1, 10);
+      if (number % 32 == 31) {
+        std::swap(width, height);
+        top = left, left = (x >> 4) - 4 + random.below(8);
+      }
+    }
   }
 
   /// Around which the cells of a strip lie.
