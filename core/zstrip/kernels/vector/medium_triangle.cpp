@@ -1,10 +1,5 @@
-// Medium triangles in blocks, by the planes of portable/medium_triangle.hpp.
-#include "zstrip/kernels/vector/medium_triangle.hpp"
-
-#include <algorithm>
-
-#include "zstrip/kernels/portable/medium_triangle.hpp"
-#include "zstrip/kernels/vector/blocks.hpp"
+// Medium triangles by themselves.
+#include "zstrip/kernels/vector/medium_blocks.hpp"
 
 #if ZSTRIP_HAS_VECTORS
 
@@ -14,58 +9,16 @@ using namespace vectors;
 
 namespace {
 
-template <bool gouraud>
-[[gnu::always_inline]] inline bool draw(const MediumTriangle& t, const Colour* const* colours,
-                                        std::uint16_t flat_colour) {
-  const Boxes around(place_of(t.v0), place_of(t.v1), place_of(t.v2));
-  const Halves extent = around.greatest - around.least;
-  const auto longer = static_cast<std::int16_t>(signed_max(extent, swapped_in_pairs(extent))[0]);
-  if (sum_of_products(extent, in_all_halves(1)) >= kMediumExtent || !fits_words(t, longer, 0)) return false;
-  const Rect& strip = t.target.area;
-  const Rect whole = around.first_box();
-  const Rect box{std::max(whole.left, strip.left), std::max(whole.top, strip.top), std::min(whole.right, strip.right),
-                 std::min(whole.bottom, strip.bottom)};
-  if (box.empty()) return true;
-  const Blocks blocks(t.target, box);
-  if (!blocks.fit()) return false;
-
-  MediumScan scan;
-  scan.area = t.area;
-  scan.anchor_x = std::max(whole.left, t.target.view_left), scan.anchor_y = std::max(whole.top, t.target.view_top);
-  scan.has_channels = gouraud;
-  if constexpr (gouraud) scan.set_colours(colours);
-  if (!set_up_medium_portable(scan, t.v0, t.v1, t.v2)) return false;
-  const Words step_x = load_words(scan.step_x), step_y = load_words(scan.step_y);
-  Words start = load_words(scan.start);
-  const std::int32_t columns = blocks.left - scan.anchor_x, rows = blocks.top - scan.anchor_y;
-  if ((columns | rows) != 0) {
-    start += step_x * in_all_words(static_cast<std::uint32_t>(columns)) +
-             step_y * in_all_words(static_cast<std::uint32_t>(rows));
-  }
-  const Edges edges(t.v0, t.v1, t.v2);
-  const Words exact = edges.at(blocks.left, blocks.top);
-  const auto z = WordBlock::of<MediumScan::depth>(start, step_x, step_y);
-  if constexpr (gouraud) {
-    // 16.16, so that all that counts of a channel is in the upper half.
-    const Words from = start << 8, right = step_x << 8, down = step_y << 8;
-    blocks.draw(edges, exact, z.upper, z.step_x, z.step_y,
-                WordChannels{WordBlock::of<MediumScan::red>(from, right, down),
-                             WordBlock::of<MediumScan::green>(from, right, down),
-                             WordBlock::of<MediumScan::blue>(from, right, down)});
-  } else {
-    blocks.draw(edges, exact, z.upper, z.step_x, z.step_y, OneColour{in_all_halves(flat_colour)});
-  }
-  return true;
-}
+Boxes around(const MediumTriangle& t) { return {place_of(t.v0), place_of(t.v1), place_of(t.v2)}; }
 
 }  // namespace
 
 bool draw_medium_flat_vector(const MediumTriangle& triangle, std::uint16_t colour) {
-  return draw<false>(triangle, nullptr, colour);
+  return draw_medium_in_blocks<false>(triangle, around(triangle), nullptr, colour);
 }
 
 bool draw_medium_gouraud_vector(const MediumTriangle& triangle, const Colour* const (&colours)[3]) {
-  return draw<true>(triangle, colours, 0);
+  return draw_medium_in_blocks<true>(triangle, around(triangle), colours, 0);
 }
 
 }  // namespace zstrip::detail

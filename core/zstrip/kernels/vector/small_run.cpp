@@ -8,7 +8,7 @@
 #include "zstrip/kernels/small_scan.hpp"
 #include "zstrip/kernels/vector/blocks.hpp"
 #include "zstrip/kernels/vector/four_small.hpp"
-#include "zstrip/kernels/vector/medium_triangle.hpp"
+#include "zstrip/kernels/vector/medium_blocks.hpp"
 #include "zstrip/kernels/vector/small_triangle.hpp"
 #include "zstrip/raster/colour.hpp"
 
@@ -284,7 +284,7 @@ template <bool gouraud>
   std::int32_t area = static_cast<std::int32_t>(areas(place)[0]);
   const Boxes boxes(place[0], place[1], place[2]);
   const auto extents = static_cast<std::int32_t>(sums_of_products(boxes.greatest - boxes.least, in_all_halves(1))[0]);
-  if (!gouraud && extents >= kMediumExtent) return false;
+  if (extents >= kMediumExtent) return false;
   // rotate_to_first: by y, then x.
   const auto order = [&place](int i) { return static_cast<std::int32_t>(place[i][0] ^ 0x8000); };
   const std::uint32_t first = a;
@@ -303,9 +303,7 @@ template <bool gouraud>
     colour = rgb565(run.colours[provoking]);
   }
   if (!is_small(extents, 0, v0, v1, v2)) {
-    const MediumTriangle medium{target, v0, v1, v2, area};
-    if constexpr (gouraud) return draw_medium_gouraud_vector(medium, of_vertices);
-    return draw_medium_flat_vector(medium, colour);
+    return draw_medium_in_blocks<gouraud>({target, v0, v1, v2, area}, boxes, of_vertices, colour);
   }
   const Rect whole = boxes.first_box();
   const Rect box{std::max(whole.left, strip.left), std::max(whole.top, strip.top), std::min(whole.right, strip.right),
