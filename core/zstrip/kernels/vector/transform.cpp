@@ -1,4 +1,4 @@
-// Four vertices at a time; only the divisions of their reciprocals are done one after the other.
+// Four vertices at a time. Only the divisions are done one after the other, while the four before are finished.
 #include "zstrip/kernels/vector/transform.hpp"
 
 #include <algorithm>
@@ -22,20 +22,30 @@ class FourVertices {
   FourVertices(const CompiledInstance& instance, const RasterOrigin& origin)
       : FourVertices(instance, origin, NarrowProjection<false>(instance, origin)) {}
 
-  /// Returns a mask: zeros for those that are narrow.
-  [[gnu::always_inline]] Words transform(const Position* positions, SnappedVertex* vertices) const {
+  /// Four vertices whose reciprocals are on their way: a processor divides beside what does not need the quotient.
+  struct Begun {
+    FourPositions at;
+    Words w, reciprocals;
+    Words normalisations;  ///< FourShifts::of
+  };
+  [[gnu::always_inline]] Begun begin(const Position* positions) const {
     const FourPositions at(positions);
     const Words w = w_.at(at);
     const Words divisors = w - as_words(w == Words{});  // 0 is not narrow, but no divisor
     // reciprocal_of: the divisions one after the other.
     const Normalised n[4] = {Normalised(divisors[0]), Normalised(divisors[1]), Normalised(divisors[2]),
                              Normalised(divisors[3])};
-    const FourShifts shifts(Words{n[0].shift, n[1].shift, n[2].shift, n[3].shift});
     const Words first = Words{n[0].quotient, n[1].quotient, n[2].quotient, n[3].quotient} << 14;
     const Words product = unsigned_upper_products(Words{n[0].divisor, n[1].divisor, n[2].divisor, n[3].divisor}, first);
-    const Words reciprocals = settled(unsigned_upper_products(first, (in_all_words(kSign) - product) << 1) << 1);
+    return {at, w, unsigned_upper_products(first, (in_all_words(kSign) - product) << 1) << 1,
+            Words{n[0].shift, n[1].shift, n[2].shift, n[3].shift}};
+  }
+  /// Returns a mask: zeros for those that are narrow.
+  [[gnu::always_inline]] Words finish(const Begun& begun, SnappedVertex* vertices) const {
+    const FourShifts shifts(begun.normalisations);
+    const Words w = begun.w, reciprocals = begun.reciprocals;
     const auto coordinate = [&](const Coordinate& c) {
-      const Words scaled = shifts.arithmetically(upper_products<0>(c.form.at(at), reciprocals), c.shift);
+      const Words scaled = shifts.arithmetically(upper_products<0>(c.form.at(begun.at), reciprocals), c.shift);
       return settled(arithmetically_right(scaled + c.bias, 1));
     };
     const Words x = coordinate(x_), y = coordinate(y_);
@@ -99,12 +109,16 @@ class FourVertices {
 bool transform_vertices_vector(const CompiledInstance& instance, const RasterOrigin& origin, const Position* positions,
                                std::uint32_t count, SnappedVertex* vertices) {
   const FourVertices four(instance, origin);
-  Words outside = four.transform(positions, vertices);
-  for (std::uint32_t done = kVectorVertices; done < count;) {
+  Words outside{};
+  std::uint32_t first = 0;
+  FourVertices::Begun begun = four.begin(positions);
+  for (;;) {
     // The last four may have been transformed in part.
-    const std::uint32_t first = std::min(done, count - kVectorVertices);
-    outside |= four.transform(positions + first, vertices + first);
-    done = first + kVectorVertices;
+    const std::uint32_t next = std::min(first + kVectorVertices, count - kVectorVertices);
+    const FourVertices::Begun following = four.begin(positions + next);
+    outside |= four.finish(begun, vertices + first);
+    if (first == next) break;
+    first = next, begun = following;
   }
   return !any_clear(as_halves(outside == Words{}));
 }
