@@ -48,11 +48,11 @@ struct FourCorners {
   }
 };
 
-/// A value and its steps a pixel. Lanes 0 to 3 are the triangles, 4 to 7 again, two rows below.
+/// A value and its steps a pixel. Lanes 0 to 3 are the triangles, 4 to 7 again; of in_rows() two rows below.
 struct FourValues {
   Halves value, right, down;
 
-  void go_to_rows() { value += (down & Halves{0, 0, 0, 0, 0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF}) << 1; }
+  Halves in_rows() const { return value + ((down & Halves{0, 0, 0, 0, 0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF}) << 1); }
   void move(Halves columns, Halves rows) { value += right * columns + down * rows; }
 };
 
@@ -77,7 +77,8 @@ struct FourCells {
   shuffle(from, a);
   shuffle(a, b);
   shuffle(b, a);
-  for (int i = 0; i < 8; ++i) to.blocks[i].*part = a[i];
+  to.blocks[0].*part = a[0], to.blocks[1].*part = a[1], to.blocks[2].*part = a[2], to.blocks[3].*part = a[3];
+  to.blocks[4].*part = a[4], to.blocks[5].*part = a[5], to.blocks[6].*part = a[6], to.blocks[7].*part = a[7];
 }
 
 /// Four small triangles, the first corner of each the highest, then the leftmost.
@@ -141,10 +142,11 @@ class FourTriangles {
     const Words columns = arithmetically_right(as_words(pixels) << 16, 16);
     const Words rows = arithmetically_right(as_words(pixels), 16);
     const Halves by_columns = narrowed(columns, columns), by_rows = narrowed(rows, rows);
-    for (FourValues& edge : edges_) edge.move(by_columns, by_rows);
+    edges_[0].move(by_columns, by_rows), edges_[1].move(by_columns, by_rows), edges_[2].move(by_columns, by_rows);
     z_ += z_right_ * columns + z_down_ * rows;
     if constexpr (gouraud) {
-      for (FourValues& channel : channels_) channel.move(by_columns, by_rows);
+      channels_[0].move(by_columns, by_rows), channels_[1].move(by_columns, by_rows);
+      channels_[2].move(by_columns, by_rows);
     }
   }
 
@@ -152,38 +154,43 @@ class FourTriangles {
   [[gnu::always_inline]] void draw(FourCells& cells) const {
     Halves pixels[8];
     {
-      FourValues a = edges_[0], b = edges_[1], c = edges_[2];
-      a.go_to_rows(), b.go_to_rows(), c.go_to_rows();
-      const auto row = [&](Halves* to, Halves in_a, Halves in_b, Halves in_c, Words upper) {
-        Words lower = upper + (z_down_ << 1);
-        for (int column = 0; column < 4; ++column) {
-          const Halves outside = arithmetically_right(in_a | in_b | in_c, 15);
-          // Code 0 is nearer than no cell.
-          to[column] = settled(~outside & upper_halves(upper, lower));
-          in_a += a.right, in_b += b.right, in_c += c.right;
-          upper += z_right_, lower += z_right_;
-        }
-      };
-      row(pixels, a.value, b.value, c.value, z_);
-      row(pixels + 4, a.value + a.down, b.value + b.down, c.value + c.down, z_ + z_down_);
+      const auto &a = edges_[0], &b = edges_[1], &c = edges_[2];
+      const Halves at_a = a.in_rows(), at_b = b.in_rows(), at_c = c.in_rows();
+      draw_codes(pixels, at_a, at_b, at_c, z_);
+      draw_codes(pixels + 4, at_a + a.down, at_b + b.down, at_c + c.down, z_ + z_down_);
     }
     transpose(pixels, cells, &FourCells::Block::codes);
     if constexpr (gouraud) {
-      FourValues r = channels_[0], g = channels_[1], b = channels_[2];
-      r.go_to_rows(), g.go_to_rows(), b.go_to_rows();
-      const auto row = [&](Halves* to, Halves red, Halves green, Halves blue) {
-        for (int column = 0; column < 4; ++column) {
-          to[column] = settled(rgb565_of_halves(red, green, blue));
-          red += r.right, green += g.right, blue += b.right;
-        }
-      };
-      row(pixels, r.value, g.value, b.value);
-      row(pixels + 4, r.value + r.down, g.value + g.down, b.value + b.down);
+      const auto &r = channels_[0], &g = channels_[1], &b = channels_[2];
+      const Halves at_r = r.in_rows(), at_g = g.in_rows(), at_b = b.in_rows();
+      draw_colours(pixels, at_r, at_g, at_b);
+      draw_colours(pixels + 4, at_r + r.down, at_g + g.down, at_b + b.down);
       transpose(pixels, cells, &FourCells::Block::colours);
     }
   }
 
  private:
+  /// Four columns of a row, and of two rows below it.
+  [[gnu::always_inline]] void draw_codes(Halves* to, Halves a, Halves b, Halves c, Words upper) const {
+    Words lower = upper + (z_down_ << 1);
+    const auto next = [&] {
+      const Halves outside = arithmetically_right(a | b | c, 15);
+      // Code 0 is nearer than no cell.
+      const Halves codes = settled(~outside & upper_halves(upper, lower));
+      a += edges_[0].right, b += edges_[1].right, c += edges_[2].right;
+      upper += z_right_, lower += z_right_;
+      return codes;
+    };
+    to[0] = next(), to[1] = next(), to[2] = next(), to[3] = next();
+  }
+  [[gnu::always_inline]] void draw_colours(Halves* to, Halves r, Halves g, Halves b) const {
+    const auto next = [&] {
+      const Halves colours = settled(rgb565_of_halves(r, g, b));
+      r += channels_[0].right, g += channels_[1].right, b += channels_[2].right;
+      return colours;
+    };
+    to[0] = next(), to[1] = next(), to[2] = next(), to[3] = next();
+  }
   /// PackedEdges::field of edge functions that grow by `right` and `down` a sub-pixel.
   static Halves edge_fields(Halves exact, Halves right, Halves down) {
     return arithmetically_right(exact + arithmetically_right(right + right + arithmetically_right(down, 15), 15), 4);
