@@ -18,10 +18,8 @@ template <bool gouraud>
   const Halves extent = around.greatest - around.least;
   const auto longer = static_cast<std::int16_t>(signed_max(extent, swapped_in_pairs(extent))[0]);
   if (sum_of_products(extent, in_all_halves(1)) >= kMediumExtent || !fits_words(t, longer, 0)) return false;
-  const Rect& strip = t.target.area;
   const Rect whole = around.first_box();
-  const Rect box{std::max(whole.left, strip.left), std::max(whole.top, strip.top), std::min(whole.right, strip.right),
-                 std::min(whole.bottom, strip.bottom)};
+  const Rect box = whole.cut_to(t.target.area);
   if (box.empty()) return true;
   const Blocks blocks(t.target, box);
   if (!blocks.fit()) return false;

@@ -306,8 +306,7 @@ template <bool gouraud>
     return draw_medium_in_blocks<gouraud>({target, v0, v1, v2, area}, boxes, of_vertices, colour);
   }
   const Rect whole = boxes.first_box();
-  const Rect box{std::max(whole.left, strip.left), std::max(whole.top, strip.top), std::min(whole.right, strip.right),
-                 std::min(whole.bottom, strip.bottom)};
+  const Rect box = whole.cut_to(strip);
   const SmallTriangle small{target, v0, v1, v2, area, whole.left, whole.top, box};
   if constexpr (gouraud) return draw_small_gouraud_vector(small, of_vertices);
   return draw_small_flat_vector(small, colour);
