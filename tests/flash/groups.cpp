@@ -67,6 +67,7 @@ constexpr Pattern kPatterns[] = {
     {"scan_textured", Group::spans},
     {"fill_smooth", Group::spans},
     {"TriangleRows", Group::spans},
+    {"RowsLeft", Group::spans},
     {"MediumPlanes", Group::spans},
     {"CalledPlanes", Group::spans},
     {"ThumbPlanes", Group::spans},
@@ -83,6 +84,7 @@ constexpr Pattern kPatterns[] = {
     {"TextureCoordinates", Group::spans},
     {"fill_", Group::spans},
     {"Assembler", Group::spans},
+    {"NarrowAssembler", Group::spans},
 
     {"compile_", Group::set_up},
     {"view_row", Group::set_up},
