@@ -376,7 +376,7 @@ Result<Done> run(const Arguments& arguments) {
   const Result<Turn> turn = turn_of(**stage, *request, arguments, *staging);
   if (!turn) return turn.failure();
   if (for_pico) {
-    request = request_for_pico(*request, at_rest, (*stage)->animation(), *turn, pico_file->board);
+    request = request_for_pico(*request, at_rest, (*stage)->animation(), *turn, *pico_file);
     if (!request) {
       return Failure{request.failure().status, fmt::format("'{}' {}", arguments.scene, request.failure().message)};
     }

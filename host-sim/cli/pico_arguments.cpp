@@ -90,19 +90,22 @@ Status planned_on_pico(const PlanRequest& request, const Staging& staging, std::
 }  // namespace
 
 Result<PlanRequest> request_for_pico(const PlanRequest& request, const Staging& staging, const Animation& animation,
-                                     const Turn& turn, const pico::Board& board) {
+                                     const Turn& turn, const PicoFile& file) {
+  const pico::Board& board = file.board;
   const std::uint64_t kept = kept_on_pico(staging.scene, animation, turn);
   const auto planned_on = [&](const pico::Board& any) { return planned_on_pico(request, staging, kept, any); };
   if (const Status planned = planned_on(board); planned.error == Error::arena_too_small) {
     const auto* const larger = std::ranges::find_if(
         pico::kBoards, [&](const pico::Board* other) { return static_cast<bool>(planned_on(*other)); });
+    std::string advice = "take fewer vertices or instances";
+    if (larger != std::end(pico::kBoards)) {
+      advice = fmt::format("{} has enough: --board {}", (*larger)->player, (*larger)->name);
+      if (!file.program.empty()) advice += fmt::format(" --with {}.uf2", (*larger)->player);
+    }
     return Failure{ExitStatus::budget,
                    fmt::format("takes {} of RAM, of the arena most for {}; {} has {} for a scene; {}",
                                counted(kept + planned.needed, "byte"), name(planned.purpose), board.player,
-                               grouped(board.player_memory),
-                               larger == std::end(pico::kBoards)
-                                   ? "take fewer vertices or instances"
-                                   : fmt::format("{} has enough: --board {}", (*larger)->player, (*larger)->name))};
+                               grouped(board.player_memory), advice)};
   }
   PlanRequest within = request;
   const std::uint32_t left = left_of(board, kept);

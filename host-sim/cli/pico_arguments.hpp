@@ -41,6 +41,6 @@ PlanArguments plan_arguments_for_pico(PlanArguments plan);
 /// Within the memory of the program, with as many rows as it takes where they fit. Fails where no plan of the
 /// program's fits: it plans by itself, whatever the options say.
 Result<PlanRequest> request_for_pico(const PlanRequest& request, const Staging& staging, const Animation& animation,
-                                     const Turn& turn, const pico::Board& board);
+                                     const Turn& turn, const PicoFile& file);
 
 }  // namespace zstrip::sim
