@@ -2,8 +2,8 @@
 //     node gather_page.mjs FOLDER MODULE...     (MODULE: what was linked, .mjs and .wasm)
 // ZSTRIP_PICO_PROGRAM names zstrip_pico_player.uf2, ZSTRIP_PICO2_PROGRAM zstrip_pico2_player.uf2; else the page gets those
 // of the build tree that are there, and it is said which it does not get.
-// Exit status: 0, 1 one that is named is not there: FOLDER is as it was.
-import {copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+// Exit status: 0, 1 one that is named is no file, or a module is none: FOLDER is as it was.
+import {copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync} from 'node:fs';
 import {basename, dirname, join, relative} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
@@ -48,13 +48,15 @@ function example(path) {
 
 const tomls = (folder) => readdirSync(folder).filter((name) => name.endsWith('.toml')).sort().map((name) => join(folder, name));
 
-/** The programs for the Picos that the page gets, as [board, file, path]; an Error if a named one is not there. */
+const isFile = (path) => statSync(path, {throwIfNoEntry: false})?.isFile() ?? false;
+
+/** The programs for the Picos that the page gets, as [board, file, path]; an Error if a named one is no file. */
 function programFiles() {
   return Object.entries(kPicoPrograms).flatMap(([board, file]) => {
     const variable = `ZSTRIP_${board.toUpperCase()}_PROGRAM`, named = process.env[variable];
     const path = named || join(kBuiltPrograms, file);
-    if (existsSync(path)) return [[board, file, path]];
-    if (named) throw new Error(`${variable}: there is no '${named}'`);
+    if (isFile(path)) return [[board, file, path]];
+    if (named) throw new Error(`${variable}: there is no file '${named}'`);
     console.log(`zstrip: the page is without ${file}: the build tree lacks it, and ${variable} names none`);
     return [];
   });
@@ -64,6 +66,9 @@ const [folder, ...modules] = process.argv.slice(2);
 let programs;
 try {
   programs = programFiles();
+  for (const path of modules) {
+    if (!isFile(path)) throw new Error(`there is no module '${path}'`);
+  }
 } catch (error) {
   console.error(`zstrip: ${error.message}`);
   process.exit(1);

@@ -13,8 +13,8 @@ after(() => rmSync(work, {recursive: true}));
 
 const program = join(work, 'some.uf2'), missing = join(work, 'missing.uf2'), page = join(work, 'page');
 writeFileSync(program, 'a program');
-const gather = (environment) =>
-  spawnSync(process.execPath, [kGather, page], {encoding: 'utf8', env: {...process.env, ...environment}});
+const gather = (environment, ...modules) =>
+  spawnSync(process.execPath, [kGather, page, ...modules], {encoding: 'utf8', env: {...process.env, ...environment}});
 
 test('programs that are named are on the page', () => {
   const {status, stdout, stderr} = gather({ZSTRIP_PICO_PROGRAM: program, ZSTRIP_PICO2_PROGRAM: program});
@@ -24,16 +24,27 @@ test('programs that are named are on the page', () => {
     assert.equal(readFileSync(join(page, name), 'utf8'), 'a program');
 });
 
+function leavesThePage(environment, complaint, ...modules) {
+  mkdirSync(page, {recursive: true});
+  writeFileSync(join(page, 'before'), '');
+  const named = {ZSTRIP_PICO_PROGRAM: program, ZSTRIP_PICO2_PROGRAM: program, ...environment};
+  const {status, stderr} = gather(named, ...modules);
+  assert.deepEqual([status, stderr], [1, `zstrip: ${complaint}\n`]);
+  assert.ok(existsSync(join(page, 'before')));
+}
+
 for (const variable of ['ZSTRIP_PICO_PROGRAM', 'ZSTRIP_PICO2_PROGRAM']) {
   test(`${variable} that is not there is an error, and the page stays as it was`, () => {
-    mkdirSync(page, {recursive: true});
-    writeFileSync(join(page, 'before'), '');
-    const named = {ZSTRIP_PICO_PROGRAM: program, ZSTRIP_PICO2_PROGRAM: program, [variable]: missing};
-    const {status, stderr} = gather(named);
-    assert.deepEqual([status, stderr], [1, `zstrip: ${variable}: there is no '${missing}'\n`]);
-    assert.ok(existsSync(join(page, 'before')));
+    leavesThePage({[variable]: missing}, `${variable}: there is no file '${missing}'`);
+  });
+  test(`${variable} that is a folder is an error, and the page stays as it was`, () => {
+    leavesThePage({[variable]: work}, `${variable}: there is no file '${work}'`);
   });
 }
+
+test('a module that is not there is an error, and the page stays as it was', () => {
+  leavesThePage({}, `there is no module '${missing}'`, program, missing);
+});
 
 test('what the build tree does not have is said', () => {
   const {status, stdout} = gather({ZSTRIP_PICO_PROGRAM: '', ZSTRIP_PICO2_PROGRAM: program});
