@@ -96,10 +96,11 @@ if [ "$status" -ne 3 ]; then echo "host-sim/run without packages ended with $sta
 says $(packages_of host)
 
 # A measurement on a board, and only that, has the programs for boards built: configured, built, and the command run.
+cached='ZSTRIP_FIRMWARE:BOOL=OFF\n'
 board_build() {
   rm -rf "$tree/build"
   mkdir -p "$tree/build/host/host-sim"
-  printf 'ZSTRIP_FIRMWARE:BOOL=OFF\n' >"$tree/build/host/CMakeCache.txt"
+  printf "$cached" >"$tree/build/host/CMakeCache.txt"
   touch "$tree/build/host/build.ninja"
   puts zstrip 'case "$*" in *--list-programs) printf "zstrip_scene_%s_8\n" m0 m3 m3 ;; *) echo "ran zstrip $*" ;; esac'
   mv "$tree/bin/zstrip" "$tree/build/host/host-sim"
@@ -133,5 +134,15 @@ for arguments in "accuracy cube --target m3" "tune cube --target=m3" "accuracy -
 done
 board_build accuracy cube && { echo "host-sim/run accuracy on the host builds programs for boards"; failed=1; }
 if grep -q "SCENE_EFFECTS" "$tree/asked"; then echo "host-sim/run accuracy on the host asks for programs"; failed=1; fi
+
+# In a tree where tests run in turn: all processors for a measurement, and for counting no change of what others use.
+cached='ZSTRIP_FIRMWARE:BOOL=ON\nZSTRIP_TARGETS_IN_TURN:BOOL=ON\n'
+board_build bench --target m7 && grep -q -- "--preset host .*-DZSTRIP_TARGETS_IN_TURN=OFF" "$tree/asked" ||
+  { echo "host-sim/run bench does not build the programs that are not of today"; failed=1; }
+if board_build accuracy cube --target m3; then echo "host-sim/run accuracy builds all programs for boards"; failed=1; fi
+if grep -q -- "--preset host -D" "$tree/asked"; then
+  echo "host-sim/run accuracy configures the tree in which tests run"
+  failed=1
+fi
 
 exit "$failed"
