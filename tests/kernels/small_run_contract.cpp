@@ -23,16 +23,17 @@ namespace {
 
 using namespace detail;
 
+/// Flat ones without colours have that of their surface.
 template <Effects effects>
 void draw(const Meshlet& meshlet, const CompiledInstance& instance, const StripTarget& target, bool all_narrow) {
   constexpr Mesh kMesh{};
   const Batch batch{.instance = &instance,
                     .mesh = &kMesh,
                     .vertices = meshlet.vertices.data(),
-                    .colours = meshlet.colours.data(),
+                    .colours = instance.coloured ? meshlet.colours.data() : nullptr,
                     .first_vertex = Meshlet::kFirstVertex,
                     .origin = {},
-                    .surface = {}};
+                    .surface = {.flat_colour = 0x1234, .texture = {}, .depth_offset = 0}};
   const std::span<const Triangle> triangles(meshlet.triangles), half = triangles.first(Meshlet::kTriangles / 2);
   Assembler<effects>::draw(target, batch, half, all_narrow);
   // In one list what faces the viewer, in the other one anything, as if vertices were not narrow.
@@ -133,7 +134,7 @@ Outcome compare_meshlets(std::uint32_t cases) {
     const Pictures pictures(random, meshlet.width, meshlet.height, meshlet.code());
     CompiledInstance instance{};
     instance.shade = number / 12 % 3 == 2 ? Shade::flat : Shade::gouraud;
-    instance.coloured = true;
+    instance.coloured = instance.shade != Shade::flat || number % 2 == 0;
     instance.double_sided = number / 5 % 5 == 0;
     const bool all_narrow = number % 7 != 0;
     draw<kPortable>(meshlet, instance, pictures.portable.target(meshlet.left, meshlet.top, &statistics), all_narrow);
