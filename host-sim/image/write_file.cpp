@@ -72,15 +72,15 @@ Result<Done> write_file(const std::filesystem::path& path, std::span<const std::
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
   if (std::filesystem::is_directory(status)) return cannot_write(path, EISDIR, option);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    const int device = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    const int reason = device < 0 ? errno : write_and_close(device, content);
+  // A link keeps pointing: its target is what is replaced.
+  std::filesystem::path target = std::filesystem::canonical(path, ignored);
+  // A device; or a file without a name, as /dev/stdout is one where the output's file was deleted.
+  if (std::filesystem::exists(status) && (!std::filesystem::is_regular_file(status) || target.empty())) {
+    const int open_file = ::open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+    const int reason = open_file < 0 ? errno : write_and_close(open_file, content);
     if (reason != 0) return cannot_write(path, reason, option);
     return Done{};
   }
-
-  // A link keeps pointing: its target is what is replaced.
-  std::filesystem::path target = std::filesystem::canonical(path, ignored);
   if (target.empty()) target = path;
   const SignalPause pause;
   // A name may have 255 bytes, and so may this one.

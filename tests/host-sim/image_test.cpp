@@ -1,5 +1,7 @@
 // Pictures: what is written can be read back, what is damaged is refused, and no file is ever half there.
+#include <fcntl.h>
 #include <turbojpeg.h>
+#include <unistd.h>
 #include <webp/encode.h>
 
 #include <cstdlib>
@@ -332,6 +334,20 @@ TEST_F(WriteFile, DevicesStayDevices) {
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
 }
 
+TEST_F(WriteFile, OutputWhoseFileWasDeletedKeepsItsLink) {
+  file("deleted", "old and longer");
+  const int output = ::open(path("deleted").c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_GE(output, 0);
+  std::filesystem::remove(path("deleted"));
+  // As /dev/stdout is a link.
+  std::filesystem::create_symlink("/proc/self/fd/" + std::to_string(output), path("link"));
+  ASSERT_TRUE(write_file(path("link"), content(), "-o"));
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link")));
+  char written[8] = {};
+  EXPECT_EQ(::pread(output, written, sizeof written, 0), 3);
+  EXPECT_STREQ(written, "new");
+  ::close(output);
+}
 TEST_F(WriteFile, MissingFolderAndFolderAsFileFail) {
   EXPECT_FALSE(write_file(path("no/such/a"), content(), "-o"));
   std::filesystem::create_directory(path("d"));
