@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# freestanding.sh ROOT [--headers | --few] COMPILER FLAGS...: compiles core, hal and player for a freestanding target and reads the objects:
-# they may call the four mem functions and the compiler's integer helpers, and nothing may run before main. The sources of
-# a folder are compiled together; of the pipelines that are for hosts alone, whose code is the same for any compiler, only
-# one that the date chooses, on five days of eight, with --few none, and with ZSTRIP_LONG all; with --headers each source
-# and each header by itself: at most 60 that have changed, and one of eight that the date chooses; all with ZSTRIP_LONG.
+# freestanding.sh ROOT [--headers | --few] COMPILER FLAGS...: compiles core, hal and player for a freestanding target and
+# reads the objects: they may call the four mem functions and the compiler's integer helpers, and nothing may run before
+# main. The sources of a folder are compiled together. Of the pipelines that are for hosts alone one is compiled, which
+# the date chooses, on five days of eight; with --few none. With --headers each source and each header is compiled by
+# itself: at most 60 that have changed, and one of eight that the date chooses. With ZSTRIP_LONG all are.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/sources.sh"
 root=$1

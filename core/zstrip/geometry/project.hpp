@@ -161,7 +161,7 @@ struct NarrowProjection {
 };
 
 /// Projects and snaps; false if the vertex is not narrow. `x`, `y`, `w` are the instance's linear forms at the vertex.
-/// `normalisation`: of the last vertex's w, 0 .. 31; that of the next one is likely the same.
+/// `normalisation`: in, a likely one of w, 0 .. 31, such as the last vertex's; out, that of a w in range.
 template <bool orthographic, DepthFormat format = DepthFormat::z16, ReciprocalOf kind = ReciprocalOf::newton>
 inline bool project_narrow(const NarrowProjection<orthographic>& narrow, const CompiledInstance& instance,
                            const RasterOrigin& origin, std::int32_t x, std::int32_t y, std::int32_t w,

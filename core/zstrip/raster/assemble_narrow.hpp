@@ -152,7 +152,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     const SnappedVertex& a = *first;
     const SnappedVertex& b = *second;
     const SnappedVertex& c = *third;
-    // Before the box: its rows know soonest where there is nothing to draw.
+    // Before the box is found, which the rows do not need.
     if constexpr (kHasMediumTexturedOf<shade>) {
       if (draw_medium_with_texture<shade>(target, batch, provoking, {&a, &b, &c}, area)) return;
     }
