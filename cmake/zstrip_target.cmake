@@ -65,3 +65,11 @@ function(zstrip_compile_tests_together target)
     endif()
   endif()
 endfunction()
+
+# zstrip_import_core(FOLDER LIBRARY): zstrip::core of another build for the same processor; FOLDER has its headers.
+function(zstrip_import_core folder library)
+  add_library(zstrip_core STATIC IMPORTED GLOBAL)
+  set_target_properties(zstrip_core PROPERTIES IMPORTED_LOCATION ${library})
+  target_include_directories(zstrip_core INTERFACE ${folder})
+  add_library(zstrip::core ALIAS zstrip_core)
+endfunction()
