@@ -53,16 +53,16 @@ inline constexpr Board kPico{.name = "pico",
                              .player = "zstrip_pico_player",
                              .player_memory = 248 * 1024,
                              .no_scene = ZSTRIP_PICO_NO_SCENE("")};
-/// With hot code in RAM, of which its player has less for a scene: by what that code takes, and some KB in which it may
-/// grow.
-inline constexpr Board kPicoHot{.name = "pico_hot",
-                                .called = kPico.called,
-                                .chip = kPico.chip,
-                                .family = kPico.family,
-                                .flash_bytes = kPico.flash_bytes,
-                                .player = "zstrip_pico_player_hot",
-                                .player_memory = kPico.player_memory - 28 * 1024,
-                                .no_scene = ZSTRIP_PICO_NO_SCENE(" --board pico_hot")};
+/// A board whose player has hot code in RAM, and `bytes` less for a scene: what that code takes, and some KB in which
+/// it may grow.
+constexpr Board with_hot_code(Board board, const char* name, const char* player, std::uint32_t bytes,
+                              const char* no_scene) {
+  board.name = name, board.player = player, board.no_scene = no_scene;
+  board.player_memory -= bytes;
+  return board;
+}
+inline constexpr Board kPicoHot =
+    with_hot_code(kPico, "pico_hot", "zstrip_pico_player_hot", 28 * 1024, ZSTRIP_PICO_NO_SCENE(" --board pico_hot"));
 /// Of the RP2350 its Arm processors, secure.
 inline constexpr Board kPico2{.name = "pico2",
                               .called = "Pico 2",
@@ -72,14 +72,8 @@ inline constexpr Board kPico2{.name = "pico2",
                               .player = "zstrip_pico2_player",
                               .player_memory = 508 * 1024,
                               .no_scene = ZSTRIP_PICO_NO_SCENE(" --board pico2")};
-inline constexpr Board kPico2Hot{.name = "pico2_hot",
-                                 .called = kPico2.called,
-                                 .chip = kPico2.chip,
-                                 .family = kPico2.family,
-                                 .flash_bytes = kPico2.flash_bytes,
-                                 .player = "zstrip_pico2_player_hot",
-                                 .player_memory = kPico2.player_memory - 32 * 1024,
-                                 .no_scene = ZSTRIP_PICO_NO_SCENE(" --board pico2_hot")};
+inline constexpr Board kPico2Hot = with_hot_code(kPico2, "pico2_hot", "zstrip_pico2_player_hot", 32 * 1024,
+                                                 ZSTRIP_PICO_NO_SCENE(" --board pico2_hot"));
 #undef ZSTRIP_PICO_NO_SCENE
 #undef ZSTRIP_PICO_READS
 
