@@ -1,14 +1,17 @@
 # The host build drives one cross build for each processor; target `firmware` builds them all.
 # Their programs appear in ZSTRIP_FIRMWARE_BINARIES.
 include(ExternalProject)
-include(${CMAKE_CURRENT_LIST_DIR}/zstrip_turns.cmake)
 
-# These two have benchmarks alone and run nearly the code of the Cortex-M4 and M33. Their day is that of their targets,
-# the third and the fifth of the group thumb2 (tests/targets). On the others they have no tests either (tests).
-zstrip_is_today(today_cortex-m7 3 5)
-zstrip_is_today(today_cortex-m55 5 5)
+# These two have benchmarks alone and run nearly the code of the Cortex-M4 and M33: they are built with ZSTRIP_LONG_TESTS,
+# or by target `firmware`. Their pixels are checked in any case (tests/targets). Target `tested_firmware` is what tests need.
+set(long_processors "")
+if(NOT ZSTRIP_LONG_TESTS)
+  set(long_processors cortex-m7 cortex-m55)
+endif()
+set_property(GLOBAL PROPERTY ZSTRIP_UNTESTED_PROCESSORS ${long_processors})
 
 add_custom_target(firmware)
+add_custom_target(tested_firmware ALL)
 set(processors cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33 cortex-m55 arm926ej-s)
 find_program(ZSTRIP_RISCV_COMPILER riscv64-unknown-elf-g++)
 if(ZSTRIP_RISCV_COMPILER)
@@ -44,10 +47,9 @@ foreach(cpu IN LISTS processors)
     USES_TERMINAL_BUILD ON
     # Target firmware_CPU-configure, for programs that are built one by one.
     STEP_TARGETS configure)
-  if(DEFINED today_${cpu} AND NOT today_${cpu})
-    set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
-    set_property(GLOBAL APPEND PROPERTY ZSTRIP_PROCESSORS_NOT_TODAY ${cpu})
-  else()
-    add_dependencies(firmware ${name})
+  set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+  add_dependencies(firmware ${name})
+  if(NOT cpu IN_LIST long_processors)
+    add_dependencies(tested_firmware ${name})
   endif()
 endforeach()

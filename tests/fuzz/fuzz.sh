@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# fuzz.sh PROGRAM CORPUS FOUND: replays the corpus, then searches for new failures. What breaks PROGRAM is kept in FOUND.
-#   ZSTRIP_FUZZ_SECONDS  how long to search. Without it 5 seconds from the stored corpus, with a fixed seed and nothing
-#                        that depends on time or addresses: the same build tries the same inputs in the same order, and
-#                        the time only decides how many. With it the seed is another each time, what the program compares
-#                        guides the search too, and what was learnt stays in FOUND for the next time.
-#   ZSTRIP_FUZZ_RUNS     how many inputs to try instead of 5 seconds: what another machine tried until it failed.
+# fuzz.sh PROGRAM CORPUS FOUND RUNS: replays the corpus, then searches for new failures. What breaks PROGRAM is kept in
+# FOUND. The search tries RUNS inputs from the stored corpus, with ZSTRIP_LONG 30 times as many, with a fixed seed and
+# nothing that depends on time or addresses: the same build tries the same inputs in the same order.
+#   ZSTRIP_FUZZ_SECONDS  how long to search instead. The seed is another each time then, what the program compares guides
+#                        the search too, and what was learnt stays in FOUND for the next time.
 set -euo pipefail
-program=$(readlink -f "$1") corpus=$(readlink -f "$2") found=$3
+program=$(readlink -f "$1") corpus=$(readlink -f "$2") found=$3 runs=$4
+if [ -n "${ZSTRIP_LONG-}" ]; then runs=$((runs * 30)); fi
 target=$(basename "$program")
 mkdir -p "$found"
 found=$(cd "$found" && pwd -P)
@@ -20,8 +20,7 @@ if [ -n "${ZSTRIP_FUZZ_SECONDS-}" ]; then
 else
   learnt=$(mktemp -d)
   trap 'rm -rf "$learnt"' EXIT
-  search=(-seed=1 -use_cmp=0 -reload=0)
-  if [ -n "${ZSTRIP_FUZZ_RUNS-}" ]; then search+=("-runs=$ZSTRIP_FUZZ_RUNS"); else search+=(-max_total_time=5); fi
+  search=(-seed=1 -use_cmp=0 -reload=0 "-runs=$runs")
 fi
 
 # Thousands of lines of progress are of interest only if something breaks.

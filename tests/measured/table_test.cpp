@@ -3,10 +3,8 @@
 
 #include <fstream>
 #include <iterator>
-#include <set>
 #include <stdexcept>
 
-#include "measured/sample.hpp"
 #include "measured/table.hpp"
 #include "measured/update.hpp"
 
@@ -144,19 +142,6 @@ TEST(Measured, ProgramsTakeRowsAndSayWhatIsWrong) {
             0);
   EXPECT_EQ(run({"update", "f", "a"}, [](const auto&, const Choice& choice) { check(choice, {"b"}); }), 2);
   EXPECT_EQ(run({"update", "f"}, [](const auto&, const Choice&) { throw std::runtime_error("no"); }), 1);
-}
-
-TEST(Measured, SamplesTakeTurns) {
-  const std::vector<std::string> names{"a", "b", "c", "d", "e"};
-  std::set<std::string> seen;
-  for (std::size_t day = 0; day < 3; ++day) {
-    const std::vector<std::string> some = sample(names, 2, day);
-    EXPECT_EQ(some.size(), 2U);
-    seen.insert(some.begin(), some.end());
-  }
-  EXPECT_EQ(seen.size(), names.size());
-  EXPECT_EQ(sample(names, 9, 0), names);
-  EXPECT_TRUE(sample({}, 2, 7).empty());
 }
 
 }  // namespace

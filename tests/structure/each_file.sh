@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # each_file.sh ROOT BUILD: sources that BUILD compiles joined compile by themselves, too, as the README's plain build does
-# it: those that have changed, and a sample that the date chooses; all with ZSTRIP_LONG.
+# it. A joined source's first one does in any case; the others are compiled with ZSTRIP_LONG, else those of host-sim/cli.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 build=$(cd "$2" && pwd -P)
@@ -8,7 +8,9 @@ source "$(dirname "${BASH_SOURCE[0]}")/sources.sh"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-source_commands "$build" "$root"/{host-sim,tests} | awk -F '\t' '$3 != ""' | chosen "$root" 60 >"$work/chosen"
+folders=("$root/host-sim/cli")
+if [ -n "${ZSTRIP_LONG-}" ]; then folders=("$root"/{host-sim,tests}); fi
+source_commands "$build" "${folders[@]}" | awk -F '\t' '$3 != ""' >"$work/chosen"
 compile() {
   local command source
   IFS=$'\t' read -r command source _ <<<"$1"

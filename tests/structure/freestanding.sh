@@ -1,18 +1,17 @@
 #!/usr/bin/env bash
-# freestanding.sh ROOT [--headers | --few] COMPILER FLAGS...: compiles core, hal and player for a freestanding target and
-# reads the objects: they may call the four mem functions and the compiler's integer helpers, and nothing may run before
-# main. The sources of a folder are compiled together. Of the pipelines that are for hosts alone one is compiled, which
-# the date chooses, on five days of eight; with --few none. With --headers each source and each header is compiled by
-# itself: at most 60 that have changed, and one of eight that the date chooses. With ZSTRIP_LONG all are.
+# freestanding.sh ROOT [--few] COMPILER FLAGS...: compiles core, hal and player for a freestanding target and reads the
+# objects: they may call the four mem functions and the compiler's integer helpers, and nothing may run before main. The
+# sources of a folder are compiled together. The pipelines that are for hosts alone are left out, but with ZSTRIP_LONG and
+# without --few.
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/sources.sh"
 root=$1
 shift
-headers='' few='' today=''
-case $1 in
-  --headers) headers=yes; shift ;;
-  --few) few=yes; shift ;;
-esac
+few=yes
+if [ -n "${ZSTRIP_LONG-}" ]; then few=; fi
+if [ "$1" = --few ]; then
+  few=yes
+  shift
+fi
 compiler=$1
 shift
 if ! command -v "$compiler" >/dev/null; then
@@ -21,47 +20,22 @@ if ! command -v "$compiler" >/dev/null; then
 fi
 objects=$(mktemp -d)
 trap 'rm -rf "$objects"' EXIT
-day=$(($(date +%s) / 86400 % 8))
 
 # The headers' templates are instantiated by the .cpp files. Without optimisation, which is quicker and folds nothing away:
 # what the sources call, the objects call. Firmware is linked without a library anyway.
-if [ -n "$headers" ]; then
-  find "$root/core/zstrip" "$root/hal/zstrip_hal" "$root/firmware/player/zstrip_player" -name '*.[ch]pp' | sort >"$objects/all"
-  if [ -n "${ZSTRIP_LONG-}" ]; then
-    mv "$objects/all" "$objects/sources"
-  else
-    changed_files "$root" | sed "s|^|$root/|" | sort >"$objects/changed"
-    {
-      comm -12 "$objects/all" "$objects/changed" | sed -n 1,60p
-      awk -v today="$day" 'NR % 8 == today' "$objects/all"
-    } | sort -u >"$objects/sources"
-    few=yes
-  fi
-else
-  if [ -z "${ZSTRIP_LONG-}" ] && [ -z "$few" ]; then
-    few=yes
-    today=$(find "$root/core/zstrip/frame" -name 'any_pipeline.cpp' -o -name 'rows_of_*.cpp' | sort | sed -n "$((day + 1))p")
-  fi
-  find "$root/core/zstrip" "$root/hal/zstrip_hal" "$root/firmware/player/zstrip_player" -name '*.cpp' -printf '%h\n' | sort -u >"$objects/sources"
-fi
-# compile SOURCE-OR-FOLDER COMPILER FLAGS...: a header alone makes no code, it is only read.
+find "$root/core/zstrip" "$root/hal/zstrip_hal" "$root/firmware/player/zstrip_player" -name '*.cpp' -printf '%h\n' |
+  sort -u >"$objects/folders"
 compile() {
-  local source=$1 included output=()
+  local folder=$1 included
   shift
-  output=(-o "$objects/$(tr / _ <<<"${source#"$root"/}").o" -c)
-  case $source in *.hpp) output=(-fsyntax-only) ;; esac
-  if [ -d "$source" ]; then
-    included=$(printf '#include "%s"\n' "$source"/*.cpp | grep -vE "/(no_seldom_rows${few:+|any_pipeline|rows_of_[a-z]*})\.cpp\"")
-    case $today in "$source"/*) included+=$'\n'"#include \"$today\"" ;; esac
-  else
-    included="#include \"$source\""
-  fi
+  included=$(printf '#include "%s"\n' "$folder"/*.cpp | grep -vE "/(no_seldom_rows${few:+|any_pipeline|rows_of_[a-z]*})\.cpp\"")
   "$@" -std=c++20 -O0 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wall -Wextra -Werror \
-    -I"$root/core" -I"$root/hal" -I"$root/firmware/player" -I"$root/firmware/scenes/include" "${output[@]}" -x c++ - <<<"$included"
+    -I"$root/core" -I"$root/hal" -I"$root/firmware/player" -I"$root/firmware/scenes/include" \
+    -o "$objects/$(tr / _ <<<"${folder#"$root"/}").o" -c -x c++ - <<<"$included"
 }
-export root objects few today
+export root objects few
 export -f compile
-xargs -P 2 -I{} bash -c 'compile "$@"' _ {} "$compiler" "$@" <"$objects/sources"
+xargs -P 2 -I{} bash -c 'compile "$@"' _ {} "$compiler" "$@" <"$objects/folders"
 
 prefix=
 case "$compiler" in *arm-none-eabi-*) prefix=arm-none-eabi- ;; esac

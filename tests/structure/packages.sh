@@ -135,10 +135,8 @@ done
 board_build accuracy cube && { echo "host-sim/run accuracy on the host builds programs for boards"; failed=1; }
 if grep -q "SCENE_EFFECTS" "$tree/asked"; then echo "host-sim/run accuracy on the host asks for programs"; failed=1; fi
 
-# In a tree where tests run in turn: all processors for a measurement, and for counting no change of what others use.
-cached='ZSTRIP_FIRMWARE:BOOL=ON\nZSTRIP_TARGETS_IN_TURN:BOOL=ON\n'
-board_build bench --target m7 && grep -q -- "--preset host .*-DZSTRIP_TARGETS_IN_TURN=OFF" "$tree/asked" ||
-  { echo "host-sim/run bench does not build the programs that are not of today"; failed=1; }
+# In a tree where tests run: for counting no change of what others use.
+cached='ZSTRIP_FIRMWARE:BOOL=ON\n'
 if board_build accuracy cube --target m3; then echo "host-sim/run accuracy builds all programs for boards"; failed=1; fi
 if grep -q -- "--preset host -D" "$tree/asked"; then
   echo "host-sim/run accuracy configures the tree in which tests run"

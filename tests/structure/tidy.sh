@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# tidy.sh ROOT BUILD: clang-tidy finds nothing in the sources of core, hal and host-sim that BUILD compiles: those that
-# have changed, and a sample that the date chooses; all with ZSTRIP_LONG.
+# tidy.sh ROOT BUILD: clang-tidy finds nothing in the sources of core, hal and host-sim/report that BUILD compiles, nor in
+# their headers; with ZSTRIP_LONG in all of host-sim.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 build=$(cd "$2" && pwd -P)
@@ -19,7 +19,9 @@ cp "$root/.clang-tidy" "$work"
 
 # Nearly all of the time goes to the headers of libraries. So sources are looked at together: those that the build compiles
 # as one in its order, others of one folder and program in groups of eight. Out: N.cpp and N.command.
-source_commands "$build" "$root"/{core,hal,host-sim} | chosen "$root" 60 | sed -E 's/ -O[0-3s]( |\t)/\1/' |
+folders=("$root"/{core,hal,host-sim/report})
+if [ -n "${ZSTRIP_LONG-}" ]; then folders=("$root"/{core,hal,host-sim}); fi
+source_commands "$build" "${folders[@]}" | sed -E 's/ -O[0-3s]( |\t)/\1/' |
   sort -t $'\t' -s -r -k 3,3 |
   awk -F '\t' -v work="$work" '
     { folder = $2; sub("/[^/]*$", "", folder); alike = $3 != "" ? $3 : $1 "\t" folder

@@ -8,11 +8,12 @@ changed=$(mktemp)
 trap 'rm -f "$changed"' EXIT
 failed=0
 
-# says STATUS TEXT COMMAND...
+# says STATUS TEXT COMMAND...; `few` is --few or nothing.
+few=()
 says() {
   local expected_status=$1 text=$2 status=0 output
   shift 2
-  output=$("$check" "$table" "$@" 2>&1) || status=$?
+  output=$("$check" "${few[@]}" "$table" "$@" 2>&1) || status=$?
   if [ "$status" -ne "$expected_status" ] || ! grep -qF -- "$text" <<<"$output"; then
     echo "check should end with $expected_status and say \"$text\"; it ended with $status and said: $output"
     failed=1
@@ -44,5 +45,10 @@ says 1 "no line of the table: fault: something" cat "$changed"
 says 1 "$last: the program does not print it" true
 says 2 "the expected table is empty" "$check" /dev/null cat "$table"
 says 2 "ended with status 3" bash -c "cat '$table'; exit 3"
+
+few=(--few)
+says 0 "12 cases are equal" head -n 13 "$table"
+says 1 "the program prints 5 cases, not at least" head -n 6 "$table"
+says 1 "another_$first: not in the table" sed '2s/^/another_/' "$table"
 
 exit "$failed"

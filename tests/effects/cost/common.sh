@@ -3,8 +3,11 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
 root=$(cd "$here/../../.." && pwd -P)
 declare -A cpu=([m0]=cortex-m0 [m3]=cortex-m3 [m4f]=cortex-m4)
 
+# if_long WORDS ELSE
+if_long() { if [ -n "${ZSTRIP_LONG-}" ]; then echo "$1"; else echo "$2"; fi; }
+
 # take_words TOOL BUILD [--exact | --check] [ROW...]: sets whole_build, tool, build (for programs here), check, exact and
-# rows. To check without a ROW is to check those of today; ZSTRIP_LONG=1 in the environment: all.
+# rows. To check without a ROW is to check the usual ones; ZSTRIP_LONG=1 in the environment: all.
 take_words() {
   tool=$2/tests/effects/$1 whole_build=$2 build=$2/tests/effects/cost
   exact=() check=false
@@ -16,8 +19,8 @@ take_words() {
   rows=("$@")
   mkdir -p "$build"
   if $check && [ ${#rows[@]} -eq 0 ]; then
-    read -r -a rows <<<"$("$tool" sample 3 | paste -sd ' ')"
-    echo "today: ${rows[*]}"
+    read -r -a rows <<<"$("$tool" "$(if_long names usual)" | paste -sd ' ')"
+    echo "${rows[*]}"
   fi
 }
 

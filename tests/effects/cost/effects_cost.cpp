@@ -171,6 +171,8 @@ int main(int count, char** words) {
   Part part{.format = format(),
             .notes = {budget::compiler_note(), "host: compiled by g++ " __VERSION__ " with -O3"},
             .names = {},
+            // Of vertices, of fragments, and with a pass of its own.
+            .usual = {"specular", "blending", "shadows"},
             .programs =
                 [](const std::string& effect) {
                   const CostOfEffect& cost = kCosts[place_of(effect)];

@@ -183,6 +183,7 @@ int main(int count, char** words) {
       .format = format(),
       .notes = {budget::compiler_note()},
       .names = {},
+      .usual = {"fog", "bins", "lines"},
       .programs =
           [](const std::string& effect) {
             const Comparison& comparison = comparison_of(effect);

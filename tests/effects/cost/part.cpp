@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "machines.hpp"
-#include "measured/sample.hpp"
 
 namespace zstrip::effects_cost {
 namespace {
@@ -72,34 +71,33 @@ int run_part(int count, char** words, const Part& part) {
     print(part.names);
     return 0;
   }
-  if (command == "sample" && count > 2) {
-    const Names names(words + 3, words + count);
-    print(measured::sample_of_today(names.empty() ? part.names : names, std::strtoul(words[2], nullptr, 10)));
+  if (command == "usual") {
+    print(part.usual);
     return 0;
   }
   int status = 0;
-  const int failed = measured::run_update(
-      count, words, "names | sample COUNT [NAME...] | programs | measure BUILD FILE MACHINES | check BUILD FILE",
-      command == "measure" ? 4
-      : command == "check" ? 3
-                           : 1,
-      [&](const Names& before, const measured::Choice& choice) {
-        if (command == "programs") {
-          measured::check(choice, part.names);
-          std::set<std::string> programs;
-          for (const std::string& name : part.names) {
-            if (choice.has(name)) programs.merge(part.programs(name));
-          }
-          print(programs);
-        } else if (command == "measure") {
-          write(part, before, choice);
-        } else if (command == "check") {
-          status = compare(part, before, choice);
-        } else {
-          status = 2;
-          std::cerr << "there is no command " << command << '\n';
-        }
-      });
+  const int failed =
+      measured::run_update(count, words, "names | usual | programs | measure BUILD FILE MACHINES | check BUILD FILE",
+                           command == "measure" ? 4
+                           : command == "check" ? 3
+                                                : 1,
+                           [&](const Names& before, const measured::Choice& choice) {
+                             if (command == "programs") {
+                               measured::check(choice, part.names);
+                               std::set<std::string> programs;
+                               for (const std::string& name : part.names) {
+                                 if (choice.has(name)) programs.merge(part.programs(name));
+                               }
+                               print(programs);
+                             } else if (command == "measure") {
+                               write(part, before, choice);
+                             } else if (command == "check") {
+                               status = compare(part, before, choice);
+                             } else {
+                               status = 2;
+                               std::cerr << "there is no command " << command << '\n';
+                             }
+                           });
   return failed != 0 ? failed : status;
 }
 

@@ -19,6 +19,7 @@ struct Part {
   measured::Table format;  ///< of its table
   Names notes;             ///< what figures hold for here
   Names names;             ///< of all rows
+  Names usual{};           ///< the rows that are checked in any case; the others take ZSTRIP_LONG
   /// The programs that the rows of an effect need, as name_of says.
   std::function<std::set<std::string>(const std::string& effect)> programs;
   /// On the machines, programs lying in BUILD/MACHINE; `machines` may have more than boards.
@@ -32,7 +33,7 @@ struct Part {
 
 /// `words` of the program:
 ///   names                    of all rows
-///   sample COUNT [NAME...]   as many of these, or of all rows, as today's turn is
+///   usual                    names of the rows that are checked in any case
 ///   programs [ROW...]        what is to be built for them
 ///   measure BUILD FILE MACHINES [--exact] [ROW...]
 ///                            writes FILE.csv and FILE.md; MACHINES are separated by commas

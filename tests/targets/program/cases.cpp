@@ -2,7 +2,9 @@
 // frames that stand for more: benchmark workloads, swapped bytes, a camera inside a room that turns all the way around.
 #include "cases.hpp"
 
-#include "draw_case.hpp"
+#include <iterator>
+
+#include "subjects.hpp"
 #include "zstrip_scenes/character.hpp"
 #include "zstrip_scenes/cube.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
@@ -16,9 +18,6 @@
 
 namespace zstrip::targets {
 namespace {
-
-template <const scenes::BuiltIn& built_in>
-constexpr Subject kSubject{&built_in, draw_case<built_in>};
 
 // The other depth formats: those for use in a room, where every octave and clipping occur; those for comparison with
 // large triangles.
@@ -47,10 +46,6 @@ constexpr const Subject* kEffectSubjects[] = {
     &kSubject<scenes::punctual>, &kSubject<scenes::mask>,        &kSubject<scenes::blend>,
     &kSubject<scenes::bilinear>, &kSubject<scenes::palette>,     &kSubject<scenes::spheres>,
     &kSubject<scenes::mipmaps>,  &kSubject<scenes::environment>, &kSubject<scenes::per_pixel>};
-/// Odd sizes: rows end inside a byte, and neither 7 nor 1 strip rows fill the picture evenly.
-constexpr View kViews[] = {{64, 48, PixelFormat::rgb565}, {37, 29, PixelFormat::gray4}, {51, 33, PixelFormat::mono}};
-constexpr std::uint16_t kStripRows[] = {1, 7, 0};
-constexpr std::uint32_t kFrame = 13;  // everything stands askew
 
 constexpr View kSmall{64, 48, PixelFormat::rgb565};
 constexpr View kTiny{1, 1, PixelFormat::rgb565};
@@ -79,18 +74,7 @@ constexpr Case kSingleCases[] = {
 }  // namespace
 
 bool for_each_case(bool (*run)(const Case&)) {
-  for (const Subject* subject : kSubjects) {
-    for (const View& view : kViews) {
-      for (const std::uint16_t rows : kStripRows) {
-        if (!run({subject, Motion::turntable, view, rows, kFrame, 1})) return false;
-      }
-    }
-  }
-  for (const Subject* subject : kEffectSubjects) {
-    for (const std::uint16_t rows : kStripRows) {
-      if (!run({subject, Motion::turntable, kSmall, rows, kFrame, 1})) return false;
-    }
-  }
+  if (!in_views(kSubjects, std::size(kViews), run) || !in_views(kEffectSubjects, 1, run)) return false;
   for (const Case& single : kSingleCases) {
     if (!run(single)) return false;
   }
