@@ -36,16 +36,17 @@ typedef struct {
 /** Sends a strip to the display; 0 ends the frame. */
 typedef int (*zstrip_take)(void* context, const zstrip_strip* strip);
 
-/** In `memory`, which it keeps, with all that it needs; null if there is not even room for itself. */
+/** In `memory`, which it keeps, with all that it needs; null if there is not even room for itself, or a pointer is
+    null. All functions take a null player: they do nothing, and zstrip_player_error says so. */
 zstrip_player* zstrip_player_in(void* memory, size_t bytes, const zstrip_pipeline* pipeline);
 
 /* The first three return 0 if something is wrong: zstrip_player_error says what. */
 
-/** The bytes of a .zsc, which stay where they are, at a multiple of 4. Any bytes are safe. */
+/** The bytes of a .zsc, which stay where they are, at a multiple of 4. Any bytes are safe; null is an error. */
 int zstrip_player_open(zstrip_player* player, const void* scene, size_t bytes);
 /** Plans for a picture. Strips have a multiple of `row_step` rows: 1, or 8 for displays with bytes of eight rows. */
 int zstrip_player_fit(zstrip_player* player, uint16_t width, uint16_t height, zstrip_format format, uint16_t row_step);
-/** Draws a frame: each strip is given to `take`, with `context`. */
+/** Draws a frame: each strip is given to `take`, with `context`. Without `take` that is an error. */
 int zstrip_player_draw(zstrip_player* player, zstrip_take take, void* context);
 
 /** What time it is, by any clock of milliseconds: the animation runs from the first call on, or a turn. */
@@ -58,7 +59,7 @@ void zstrip_player_seek(zstrip_player* player, uint32_t milliseconds);
 void zstrip_player_orbit(zstrip_player* player, uint16_t right, uint16_t up);
 /** Enlarges the picture; 100 is as baked. */
 void zstrip_player_zoom(zstrip_player* player, uint16_t percent);
-/** The first 24 bytes of `text`, and frames a second where `with_rate` is not 0; needs effect::overlay. */
+/** The first 24 bytes of `text`, none if it is null, and frames a second where `with_rate` is not 0; needs effect::overlay. */
 void zstrip_player_show_text(zstrip_player* player, const char* text, int with_rate);
 /** What was wrong with the last of the first three, in words, until it is called again; "" if nothing was. */
 const char* zstrip_player_error(zstrip_player* player);

@@ -54,5 +54,44 @@ TEST(CPlayer, SaysWhatIsWrong) {
   EXPECT_STREQ(show(&shown, blob.data(), 20, nullptr, 0, &kAnyPipeline, 0), "no room for the player");
 }
 
+/// They were faults of the processor.
+TEST(CPlayer, SaysThatAPointerIsNull) {
+  Blob blob = blob_of("teapot_meshlets");
+  Memory memory(20'000);
+  const std::span<std::byte> room = memory.span();
+  const zstrip_pipeline empty{};
+  EXPECT_EQ(zstrip_player_in(nullptr, room.size(), &kAnyPipeline), nullptr);
+  EXPECT_EQ(zstrip_player_in(room.data(), room.size(), nullptr), nullptr);
+  EXPECT_EQ(zstrip_player_in(room.data(), room.size(), &empty), nullptr);
+  EXPECT_STREQ(zstrip_player_error(nullptr),
+               "there is no player: zstrip_player_in had no memory, too little of it, or no pipeline");
+
+  const zstrip_take ignore = [](void*, const zstrip_strip*) { return 1; };
+  EXPECT_EQ(zstrip_player_open(nullptr, blob.data(), blob.size()), 0);
+  EXPECT_EQ(zstrip_player_fit(nullptr, 120, 90, ZSTRIP_RGB565, 1), 0);
+  EXPECT_EQ(zstrip_player_draw(nullptr, ignore, nullptr), 0);
+  zstrip_player_play(nullptr, 1);
+  zstrip_player_hold(nullptr, 1);
+  zstrip_player_seek(nullptr, 1);
+  zstrip_player_orbit(nullptr, 1, 1);
+  zstrip_player_zoom(nullptr, 1);
+  zstrip_player_show_text(nullptr, "text", 1);
+
+  zstrip_player* const player = zstrip_player_in(room.data(), room.size(), &kAnyPipeline);
+  ASSERT_NE(player, nullptr);
+  EXPECT_EQ(zstrip_player_open(player, nullptr, blob.size()), 0);
+  EXPECT_STREQ(zstrip_player_error(player), "no scene was given: its address is null");
+  zstrip_player_show_text(player, nullptr, 0);
+  ASSERT_EQ(zstrip_player_open(player, blob.data(), blob.size()), 1) << zstrip_player_error(player);
+  EXPECT_EQ(zstrip_player_fit(player, 120, 90, static_cast<zstrip_format>(7), 1), 0);
+  EXPECT_STREQ(zstrip_player_error(player),
+               "the picture cannot be planned: a picture has 1 to 4096 samples a side and a known format");
+  ASSERT_EQ(zstrip_player_fit(player, 120, 90, ZSTRIP_RGB565, 0), 1) << zstrip_player_error(player);
+  EXPECT_EQ(zstrip_player_draw(player, nullptr, nullptr), 0);
+  EXPECT_STREQ(zstrip_player_error(player), "nothing takes the strips: the function given to draw is null");
+  EXPECT_EQ(zstrip_player_draw(player, ignore, nullptr), 1);
+  EXPECT_STREQ(zstrip_player_error(player), "");
+}
+
 }  // namespace
 }  // namespace zstrip::test

@@ -1,15 +1,18 @@
 // The functions of zstrip_player.h.
+#include <algorithm>
 #include <new>
 
 #include "zstrip_player/c_pipeline.hpp"
 
 struct zstrip_player : zstrip::Player {
   using Player::Player;
+  int refuse_null_take() { return fail(Fault::null_take) ? 1 : 0; }
 };
 
 static_assert(static_cast<int>(zstrip::kLastPixelFormat) == ZSTRIP_XRGB8888);
 
 zstrip_player* zstrip_player_in(void* memory, std::size_t bytes, const zstrip_pipeline* pipeline) {
+  if (memory == nullptr || pipeline == nullptr || pipeline->choose == nullptr) return nullptr;
   const std::size_t first =
       (alignof(zstrip_player) - reinterpret_cast<std::uintptr_t>(memory) % alignof(zstrip_player)) %
       alignof(zstrip_player);
@@ -20,13 +23,17 @@ zstrip_player* zstrip_player_in(void* memory, std::size_t bytes, const zstrip_pi
 }
 
 int zstrip_player_open(zstrip_player* player, const void* scene, std::size_t bytes) {
-  return player->open(scene, bytes) ? 1 : 0;
+  return player != nullptr && player->open(scene, bytes) ? 1 : 0;
 }
 int zstrip_player_fit(zstrip_player* player, std::uint16_t width, std::uint16_t height, zstrip_format format,
                       std::uint16_t row_step) {
-  return player->fit(width, height, static_cast<zstrip::PixelFormat>(format), {}, row_step) ? 1 : 0;
+  // A number that is no format must not become one where it is cut to a byte.
+  const auto pixels = static_cast<zstrip::PixelFormat>(std::min<unsigned>(format, 0xFF));
+  return player != nullptr && player->fit(width, height, pixels, {}, row_step) ? 1 : 0;
 }
 int zstrip_player_draw(zstrip_player* player, zstrip_take take, void* context) {
+  if (player == nullptr) return 0;
+  if (take == nullptr) return player->refuse_null_take();
   const auto drawn = player->draw_strips([&](const zstrip::Rect& area, std::span<const std::byte> pixels) {
     const auto side = [](std::int32_t length) { return static_cast<std::uint16_t>(length); };
     const zstrip_strip strip{side(area.left),     side(area.top), side(area.width()),
@@ -36,12 +43,25 @@ int zstrip_player_draw(zstrip_player* player, zstrip_take take, void* context) {
   return drawn ? 1 : 0;
 }
 
-void zstrip_player_play(zstrip_player* player, std::uint32_t milliseconds) { player->play(milliseconds); }
-void zstrip_player_hold(zstrip_player* player, int held) { player->hold(held != 0); }
-void zstrip_player_seek(zstrip_player* player, std::uint32_t milliseconds) { player->seek(milliseconds); }
-void zstrip_player_orbit(zstrip_player* player, std::uint16_t right, std::uint16_t up) { player->orbit(right, up); }
-void zstrip_player_zoom(zstrip_player* player, std::uint16_t percent) { player->zoom(percent); }
-void zstrip_player_show_text(zstrip_player* player, const char* text, int with_rate) {
-  player->show_text(text, with_rate != 0);
+void zstrip_player_play(zstrip_player* player, std::uint32_t milliseconds) {
+  if (player != nullptr) player->play(milliseconds);
 }
-const char* zstrip_player_error(zstrip_player* player) { return player->error(); }
+void zstrip_player_hold(zstrip_player* player, int held) {
+  if (player != nullptr) player->hold(held != 0);
+}
+void zstrip_player_seek(zstrip_player* player, std::uint32_t milliseconds) {
+  if (player != nullptr) player->seek(milliseconds);
+}
+void zstrip_player_orbit(zstrip_player* player, std::uint16_t right, std::uint16_t up) {
+  if (player != nullptr) player->orbit(right, up);
+}
+void zstrip_player_zoom(zstrip_player* player, std::uint16_t percent) {
+  if (player != nullptr) player->zoom(percent);
+}
+void zstrip_player_show_text(zstrip_player* player, const char* text, int with_rate) {
+  if (player != nullptr) player->show_text(text, with_rate != 0);
+}
+const char* zstrip_player_error(zstrip_player* player) {
+  if (player == nullptr) return "there is no player: zstrip_player_in had no memory, too little of it, or no pipeline";
+  return player->error();
+}

@@ -97,6 +97,7 @@ bool Player::open(const void* blob, std::size_t size) {
   is_open_ = is_fitted_ = has_clock_ = false;
   used_ = used_open_ = time_ = 0;
   fault_ = Fault::none;
+  if (blob == nullptr) return fail(Fault::null_scene);
   const std::span<std::byte> free = left();
   const Status opened = open_scene_blob({static_cast<const std::byte*>(blob), size}, free, baked_);
   if (opened.error == Error::blob_memory) return fail(Fault::scene_memory, opened);
@@ -237,7 +238,7 @@ void Player::play(std::uint32_t now) {
 
 void Player::show_text(const char* text, bool with_rate, const Font& font) {
   std::size_t size = 0;
-  for (; size < kMaxText && text[size] != 0; ++size) text_[size] = text[size];
+  for (; text != nullptr && size < kMaxText && text[size] != 0; ++size) text_[size] = text[size];
   text_[size] = 0;
   text_size_ = static_cast<std::uint8_t>(size);
   has_rate_ = with_rate;

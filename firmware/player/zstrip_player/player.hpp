@@ -87,8 +87,8 @@ class Player {
   /// Enlarges the picture by its focal length. 100 is as baked.
   void zoom(std::uint16_t percent) { zoom_ = percent; }
 
-  /// In the upper left corner, from the next frame on: the first 24 bytes of `text`, and the frames that were drawn in
-  /// the last second. Needs effect::overlay.
+  /// In the upper left corner, from the next frame on: the first 24 bytes of `text`, none if it is null, and the frames
+  /// that were drawn in the last second. Needs effect::overlay.
   void show_text(const char* text, bool with_rate = false, const Font& font = kSmallFont);
 
   /// 4. Draws a frame, on a display like the one that was fitted.
@@ -124,9 +124,11 @@ class Player {
   /// Of the picture that was fitted last.
   const Plan& plan() const { return plan_; }
 
- private:
+ protected:
   enum class Fault : std::uint8_t {
     none,
+    null_scene,
+    null_take,
     not_open,
     not_fitted,
     scene,
@@ -142,6 +144,9 @@ class Player {
     display,
     not_taken,
   };
+  bool fail(Fault fault, const Status& status = {});
+
+ private:
   struct Strips {
     Player& player;
     Status draw_strip(std::uint16_t strip, std::span<std::byte> pixels) { return player.draw_strip(strip, pixels); }
@@ -151,7 +156,6 @@ class Player {
     return drawn_with_.pipeline.draw_strip(state_, strip, pixels);
   }
   std::span<std::byte> strip(std::size_t i) const { return strips_[i]; }
-  bool fail(Fault fault, const Status& status = {});
   std::span<std::byte> left() const;
   std::span<std::byte> take(std::uint64_t bytes);
   template <class T>

@@ -63,6 +63,8 @@ const char* Player::error() {
   detail::Words words(words_);
   switch (fault_) {
     case Fault::none: break;
+    case Fault::null_scene: words << "no scene was given: its address is null"; break;
+    case Fault::null_take: words << "nothing takes the strips: the function given to draw is null"; break;
     case Fault::not_open: words << "no scene is open: open() comes first"; break;
     case Fault::not_fitted: words << "no display is fitted: fit() comes before draw()"; break;
     case Fault::scene: put_scene(words, status_); break;
