@@ -31,17 +31,20 @@ $0 == "<!-- tests/consumer compiles and runs this -->" { found = 1; next }
 found && /^```/ { if (inside) exit; inside = 1; next }
 inside { print }
 AWK
-awk -f "$scratch/pages.awk" "$root/docs/program.md" >"$scratch/pyramid.cpp"
+awk -f "$scratch/pages.awk" "$root/docs/program.md" >"$scratch/main.cpp"
 PKG_CONFIG_LIBDIR=$(find "$system" -type d -name pkgconfig)
 export PKG_CONFIG_LIBDIR
-# program NAME SOURCE MODULE
-program() {
-  local flags
-  read -r -a flags <<<"$(pkg-config --cflags --libs "$3")"
-  "$compiler" -std=c++20 -O1 "$2" "${flags[@]}" -o "$scratch/$1" && "$scratch/$1" || complain "$1 is not built or does not run"
-}
-program pyramid "$scratch/pyramid.cpp" zstrip
-program any "$root/tests/consumer/project/triangle.cpp" zstrip-any
+read -r -a flags <<<"$(pkg-config --cflags --libs zstrip-any)"
+"$compiler" -std=c++20 -O1 "$root/tests/consumer/project/triangle.cpp" "${flags[@]}" -o "$scratch/any" && "$scratch/any" ||
+  complain "a program with zstrip-any is not built or does not run"
+
+# The lines that the documents print.
+for page in program releasing; do
+  line=$(grep -m 1 '^g++ .*pkg-config .*zstrip)' "$root/docs/$page.md") || complain "docs/$page.md has no line with pkg-config"
+  (cd "$scratch" && rm -f main && eval "${line/#g++/"$compiler"}" && ./main) || complain "docs/$page.md: $line"
+done
+said=$("$compiler" -std=c++17 "$scratch/main.cpp" "$(pkg-config --cflags zstrip)" 2>&1) && complain "C++17 is not refused"
+grep -q 'zstrip needs C++20.* -std=c++20' <<<"$said" || complain "nothing says that -std=c++20 is missing: $said"
 pkg-config --exact-version "$version" zstrip || complain "zstrip.pc is of another version"
 
 # players: a scene that the command bakes, drawn with the player.
