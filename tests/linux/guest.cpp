@@ -67,19 +67,26 @@ std::string missing(Machine machine) {
 }
 
 Guest::Guest(const Options& options) : emulator_(emulator_of(options)) {
-  const Answer start = answer("ready");
+  const Answer start = answer("ready", "the start of " + emulator_of(options).machine);
   if (!start.text.empty()) throw std::runtime_error("the guest started with: " + start.text);
 }
 
 Guest::Answer Guest::run(const std::string& command) {
   emulator_.write_console(command + "\n");
-  return answer("status ");
+  return answer("status ", "the end of: " + command);
 }
 
-Guest::Answer Guest::answer(const std::string& last) {
+Guest::Answer Guest::answer(const std::string& last, const std::string& what) {
   Answer answer;
+  const auto next_line = [&] {
+    try {
+      return emulator_.read_line(kPatience);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error("waiting for " + what + ": " + error.what() + "; so far: " + answer.text);
+    }
+  };
   for (;;) {
-    const std::string line = emulator_.read_line(kPatience);
+    const std::string line = next_line();
     if (line.starts_with(last)) {
       if (line.size() > last.size()) answer.status = std::stoi(line.substr(last.size()));
       return answer;

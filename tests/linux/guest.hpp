@@ -44,7 +44,8 @@ class Guest {
   std::string head_differs(int head, const boards::ColourPicture& expected);
 
  private:
-  Answer answer(const std::string& last);
+  /// All lines until one that begins with `last`; `what` is waited for, in words.
+  Answer answer(const std::string& last, const std::string& what);
   std::string differs(const boards::ColourPicture& expected, const std::function<boards::ColourPicture()>& seen);
 
   boards::Qemu emulator_;

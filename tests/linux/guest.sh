@@ -4,8 +4,10 @@
 # panels.dtsi and stuck_bus.dtsi have on its GPIO chip) and `sabrelite.dtb` (the kernel's own of a board with I2C).
 # PANEL is the host's program; those for Arm are built here, zstrip-panel and, for armhf with libgpiod 2 of Debian 13,
 # zstrip-panel-gpiod2, for arm64 also zstrip-kernels (tests/targets).
-# Downloads are kept in FOLDER/downloads. Where the packages cannot be had FOLDER/missing says why, and the status is 77;
-# where only those of Debian 13 cannot, FOLDER/missing-gpiod2 does, and the machines are made without the second program.
+# Downloads are kept in FOLDER/downloads. Each step is said; one is ended where FOLDER has not changed for a while, and
+# not because a machine or a network is slow. Where the packages cannot be had FOLDER/missing says why, and the status is
+# 77; where only those of Debian 13 cannot, FOLDER/missing-gpiod2 does, and the machines are made without the second
+# program.
 set -euo pipefail
 root=$1 folder=$2 panel=$3
 scripts=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
@@ -19,7 +21,32 @@ give_up() {
   exit 77
 }
 
-for tool in apt-get dpkg-deb cpio dtc qemu-system-arm qemu-system-aarch64 qemu-system-x86_64 \
+say() { echo "LinuxGuests: $*" >&2; }
+
+patience=${ZSTRIP_GUEST_PATIENCE:-600}  # seconds without a new byte in FOLDER
+# patiently COMMAND...: the command, ended where it makes no progress; its last line of errors then says so.
+patiently() {
+  local job watch status=0
+  "$@" &
+  job=$!
+  (
+    still=0 before=
+    while [ "$still" -lt "$patience" ]; do
+      sleep 1
+      still=$((still + 1))
+      now=$(du -sb "$folder" | cut -f 1)
+      if [ "$now" != "$before" ]; then still=0 before=$now; fi
+    done
+    kill "$job"
+  ) >/dev/null 2>&1 &
+  watch=$!
+  wait "$job" || status=$?
+  if ! kill "$watch" 2>/dev/null; then echo "nothing new for $patience s" >&2; fi
+  wait "$watch" 2>/dev/null || true
+  return "$status"
+}
+
+for tool in apt-get dpkg-deb cpio dtc ninja qemu-system-arm qemu-system-aarch64 qemu-system-x86_64 \
   arm-linux-gnueabihf-g++ aarch64-linux-gnu-g++; do
   command -v "$tool" >/dev/null || give_up "$tool is not installed"
 done
@@ -44,7 +71,8 @@ add_index() {
   local source=$apt/sources/$1.sources
   printf 'Types: deb\nURIs: %s\nSuites: %s\nComponents: main\nArchitectures: %s\nSigned-By: %s\n' "$mirror" \
     "$1" "${*:2}" /usr/share/keyrings/debian-archive-keyring.gpg >"$source"
-  if ! timeout 300 apt-get "${apt_options[@]}" -o Acquire::Retries=2 update >"$apt/log" 2>&1; then
+  say "downloading the index of Debian $1 for ${*:2}"
+  if ! patiently apt-get "${apt_options[@]}" -o Acquire::Retries=2 update >"$apt/log" 2>&1; then
     rm "$source"
     return 1
   fi
@@ -55,7 +83,8 @@ fetch() {
   local name=$1 kept=downloads/${1//[:\/]/_}.deb
   if [ ! -s "$kept" ]; then
     rm -rf downloads/new && mkdir downloads/new
-    (cd downloads/new && timeout 300 apt-get "${apt_options[@]}" download "$name") >>"$apt/log" 2>&1 ||
+    say "downloading $name"
+    (cd downloads/new && patiently apt-get "${apt_options[@]}" download "$name") >>"$apt/log" 2>&1 ||
       give_up "$name cannot be downloaded: $(tail -n 1 "$apt/log")"
     mv downloads/new/*.deb "$kept"
   fi
@@ -116,6 +145,7 @@ modules() { # FOLDER NAME...
 pack() { # ARCHITECTURE PROGRAM MODULE...: FOLDER/ARCHITECTURE/{kernel,initrd}
   local arch=$1 program=$2 tree=$1/tree module
   shift 2
+  say "packing the machine for $arch"
   rm -rf "$tree"
   mkdir -p "$tree"/{bin,dev,etc,proc,sys,tmp,modules}
   cp "$arch/packages/bin/busybox" "$tree/bin"
@@ -142,7 +172,8 @@ build_panel() { # ARCHITECTURE TOOLCHAIN KERNEL: FOLDER/ARCHITECTURE/panel
     "-DCMAKE_FIND_ROOT_PATH=$folder/$1/development" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O0
     -DCMAKE_EXE_LINKER_FLAGS=-static -DZSTRIP_HOST_SIM=OFF -DZSTRIP_TESTS=OFF -DZSTRIP_FIRMWARE=OFF -DZSTRIP_INSTALL=OFF
     -DZSTRIP_LINUX=ON -DZSTRIP_COMPILE_TOGETHER=core -DZSTRIP_SELDOM_PIPELINES=OFF)
-  { "${build[@]}" && nice cmake --build "$1/build" --target zstrip-panel; } >"$1/build.log" 2>&1 ||
+  say "building zstrip-panel for $1"
+  { "${build[@]}" && patiently nice ninja -C "$1/build" zstrip-panel; } >"$1/build.log" 2>&1 ||
     { tail -n 40 "$1/build.log"; exit 1; }
   cp "$1/build/firmware/linux/zstrip-panel" "$1/panel"
 }
