@@ -26,6 +26,16 @@ Failure cannot_write(const std::filesystem::path& path, int reason, const char* 
                                           std::generic_category().message(reason), advice, option)};
 }
 
+/// `path` is a link that leads nowhere: its target is missing, or it comes back to itself.
+Failure cannot_follow(const std::filesystem::path& path, int reason, const char* option) {
+  std::error_code ignored;
+  return {
+      ExitStatus::output,
+      fmt::format("cannot write '{}', a symbolic link to '{}': {}; remove the link, or choose another place with {}",
+                  path.string(), std::filesystem::read_symlink(path, ignored).string(),
+                  std::generic_category().message(reason), option)};
+}
+
 /// 0 or the error number. Closes `file` in any case: closing may be what reports a full disk.
 int write_and_close(int file, std::span<const std::uint8_t> content) {
   int reason = 0;
@@ -73,7 +83,8 @@ Result<Done> write_file(const std::filesystem::path& path, std::span<const std::
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
   if (std::filesystem::is_directory(status)) return cannot_write(path, EISDIR, option);
   // A link keeps pointing: its target is what is replaced.
-  std::filesystem::path target = std::filesystem::canonical(path, ignored);
+  std::error_code error;
+  std::filesystem::path target = std::filesystem::canonical(path, error);
   // A device; or a file without a name, as /dev/stdout is one where the output's file was deleted.
   if (std::filesystem::exists(status) && (!std::filesystem::is_regular_file(status) || target.empty())) {
     const int open_file = ::open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
@@ -81,7 +92,12 @@ Result<Done> write_file(const std::filesystem::path& path, std::span<const std::
     if (reason != 0) return cannot_write(path, reason, option);
     return Done{};
   }
-  if (target.empty()) target = path;
+  if (target.empty()) {
+    if (std::filesystem::is_symlink(std::filesystem::symlink_status(path, ignored))) {
+      return cannot_follow(path, error.value(), option);
+    }
+    target = path;
+  }
   const SignalPause pause;
   // A name may have 255 bytes, and so may this one.
   constexpr std::size_t kLongest = 240;
