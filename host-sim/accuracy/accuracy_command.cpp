@@ -268,8 +268,13 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(one_of({"host", "m0", "m3", "m4f"}));
-  command->add_option("--knobs", a.knobs, "Knobs to turn, separated by commas, or all")->capture_default_str();
-  command->add_option("--size", a.size, "Size of the picture")->type_name("WxH")->capture_default_str();
+  command->add_option("--knobs", a.knobs, "Knobs to turn, separated by commas, or all")
+      ->transform(lower_case())
+      ->capture_default_str();
+  command->add_option("--size", a.size, "Size of the picture")
+      ->transform(lower_case())
+      ->type_name("WxH")
+      ->capture_default_str();
   command->add_option("--frames", a.frames, "Poses of a turn")
       ->type_name("N")
       ->check(CLI::Range(1U, 60U))
@@ -278,10 +283,12 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
       ->type_name("N")
       ->check(CLI::Range(1U, 256U));
   command->add_option("--only", a.only, "These settings and no others, as KNOB=VALUE,... or a preset's name")
+      ->transform(lower_case())
       ->type_name("SETTINGS");
   command->add_flag("--singles", a.singles, "One knob at a time, no combinations");
   command->add_flag("--presets", a.presets, "The presets tiny, balanced and exact, too");
   command->add_option("--up", a.up, "Axis that points upwards in a model file; else as its format says")
+      ->transform(lower_case())
       ->type_name("AXIS");
   command->add_option("--firmware", a.firmware, "Folder of the boards' programs, if not where the build puts them")
       ->type_name("DIR");

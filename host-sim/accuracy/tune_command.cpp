@@ -162,8 +162,12 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command->add_option("--target", a.target, "Whose time: host, or an emulated m0, m3 or m4f")
       ->check(one_of({"host", "m0", "m3", "m4f"}))
       ->capture_default_str();
-  command->add_option("--size", a.size, "Size of the picture")->type_name("WxH")->capture_default_str();
+  command->add_option("--size", a.size, "Size of the picture")
+      ->transform(lower_case())
+      ->type_name("WxH")
+      ->capture_default_str();
   command->add_option("--format", a.format, "Pixels of the display: rgb565, gray4 or mono")
+      ->transform(lower_case())
       ->type_name("FORMAT")
       ->capture_default_str();
   command
@@ -183,6 +187,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
       ->type_name("N")
       ->check(CLI::Range(1U, 256U));
   command->add_option("--up", a.up, "Axis that points upwards in a model file; else as its format says")
+      ->transform(lower_case())
       ->type_name("AXIS");
   command->add_option("--firmware", a.firmware, "Folder of the boards' programs, if not where the build puts them")
       ->type_name("DIR");

@@ -9,6 +9,7 @@
 #include "bake/flash_bytes.hpp"
 #include "bake/uf2_file.hpp"
 #include "import/read_file.hpp"
+#include "report/frame_record.hpp"
 #include "zstrip/blob.hpp"
 #include "zstrip/budget.hpp"
 #include "zstrip_scenes/baked_stage.hpp"
@@ -81,6 +82,20 @@ std::uint64_t kept_on_pico(const Scene& scene, const Animation& animation, const
   }
   if (scenes::turns_lines(animation, turn)) kept += scene.lines.size() * kLineSet;
   return kept;
+}
+
+Result<Done> check_view_for_pico(const View& view) {
+  if (view.width != pico::kPanelSide || view.height != pico::kPanelSide) {
+    return Failure{
+        ExitStatus::usage,
+        fmt::format("--size {}x{}: the program for the Pico shows pictures of {}x{} pixels; leave the option "
+                    "out, or bake a header (-o scene.hpp) for a program of your own",
+                    view.width, view.height, pico::kPanelSide, pico::kPanelSide)};
+  }
+  if (view.format == PixelFormat::rgb565_swapped || view.format == PixelFormat::rgb565) return Done{};
+  return Failure{ExitStatus::usage,
+                 fmt::format("--format {}: the program for the Pico draws rgb565_swapped; leave the option out",
+                             name(view.format))};
 }
 
 Result<Done> check_for_pico(Effects effects) {

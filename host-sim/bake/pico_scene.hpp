@@ -12,6 +12,7 @@
 #include "zstrip/effects.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/scene/turn.hpp"
+#include "zstrip/view.hpp"
 
 namespace zstrip::sim {
 
@@ -27,6 +28,9 @@ Result<std::vector<std::uint8_t>> to_pico_file(std::span<const std::uint8_t> blo
 
 /// Bytes that the program keeps of this scene beside the arena and two strips: tables, and what moves.
 std::uint64_t kept_on_pico(const Scene& scene, const Animation& animation, const Turn& turn);
+
+/// Fails for a picture that is not of the size and the pixels of the program's panel.
+Result<Done> check_view_for_pico(const View& view);
 
 /// Fails for what the program does not draw.
 Result<Done> check_for_pico(Effects effects);

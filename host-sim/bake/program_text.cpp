@@ -85,6 +85,15 @@ std::string panel_config(const View& view) {
   return "{" + config + " .inverted = true}";
 }
 
+/// In brackets where CMake would read it as something else.
+std::string cmake_argument(const std::string& file) {
+  const bool plain = std::ranges::all_of(file, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' ||
+           c == '-';
+  });
+  return plain ? file : "[[" + printable(file) + "]]";
+}
+
 /// `names`: what the text has beside the header's namespace.
 Result<Done> check(const BakedScene& baked, const std::string& name_space, std::initializer_list<const char*> names) {
   if (std::ranges::find(names, name_space) != names.end()) {
@@ -174,16 +183,17 @@ void loop() {
   return first_line(baked) + with_namespace(text, name_space);
 }
 
-std::string to_program(const BakedScene& baked, const std::string& name_space) {
-  std::string text = R"( Written by `zstrip bake`.
+std::string to_program(const BakedScene& baked, const std::string& name_space, const std::string& file) {
+  const std::string head = R"( Written by `zstrip bake`.
 //     scene FILE [MILLISECONDS]    writes the picture at that time: its bytes, as `zstrip render --image raw` does
 // scene.hpp is beside it: the same command with -o scene.hpp. CMakeLists.txt, zstrip's repository in its folder zstrip:
 //     cmake_minimum_required(VERSION 3.22)
 //     project(scene LANGUAGES CXX)
 //     set(CMAKE_BUILD_TYPE Release)
 //     add_subdirectory(zstrip)
-//     add_executable(scene main.cpp)
-//     target_link_libraries(scene PRIVATE zstrip::player)
+//     add_executable(scene )" +
+                           cmake_argument(file) + ")\n";
+  std::string text = R"(//     target_link_libraries(scene PRIVATE zstrip::player)
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -227,7 +237,7 @@ int main(int count, char** words) {
   return file != nullptr && std::fclose(file) == 0 && written ? 0 : 1;
 }
 )";
-  return first_line(baked) + with_namespace(text, name_space);
+  return first_line(baked) + head + with_namespace(text, name_space);
 }
 
 }  // namespace zstrip::sim

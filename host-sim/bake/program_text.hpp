@@ -1,4 +1,4 @@
-// Programs that show a baked scene by zstrip::Player: a sketch for Arduino, a main.cpp for CMake. Both include the
+// Programs that show a baked scene by zstrip::Player: a sketch for Arduino, a source for CMake. Both include the
 // scene's header by the name scene.hpp.
 #pragma once
 
@@ -17,6 +17,7 @@ Result<Done> check_for_sketch(const BakedScene& baked, const std::string& name_s
 
 /// Of the header with that namespace. The same scene always gives the same text.
 std::string to_sketch(const BakedScene& baked, const std::string& name_space);
-std::string to_program(const BakedScene& baked, const std::string& name_space);
+/// `file`: its name, which its CMakeLists.txt has.
+std::string to_program(const BakedScene& baked, const std::string& name_space, const std::string& file);
 
 }  // namespace zstrip::sim

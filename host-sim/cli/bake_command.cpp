@@ -34,6 +34,7 @@
 #include "render/shadow_pool.hpp"
 #include "render/stage.hpp"
 #include "report/bake_report.hpp"
+#include "report/step_report.hpp"
 #include "report/text.hpp"
 #include "visibility/methods.hpp"
 #include "visibility/prepared_scene.hpp"
@@ -79,7 +80,7 @@ enum class Kind { header, sketch, program, blob, pico };
 bool is_source(Kind kind) { return kind == Kind::header || kind == Kind::sketch || kind == Kind::program; }
 
 Result<Kind> kind_of(const std::string& output) {
-  const std::string extension = std::filesystem::path(output).extension().string();
+  const std::string extension = lower(std::filesystem::path(output).extension().string());
   if (extension == ".hpp" || extension == ".h") return Kind::header;
   if (extension == ".ino") return Kind::sketch;
   if (extension == ".cpp") return Kind::program;
@@ -246,9 +247,10 @@ Result<std::vector<std::uint8_t>> make_output(const Arguments& arguments, Kind k
                                               const Camera& turning_camera, const PicoFile& pico_file,
                                               BakeRecord& record) {
   if (is_source(kind)) {
+    const std::string file_name = std::filesystem::path(arguments.output).filename().string();
     const std::string text = kind == Kind::header   ? to_scene_header(baked, arguments.name_space)
                              : kind == Kind::sketch ? to_sketch(baked, arguments.name_space)
-                                                    : to_program(baked, arguments.name_space);
+                                                    : to_program(baked, arguments.name_space, file_name);
     return std::vector<std::uint8_t>(text.begin(), text.end());
   }
   Result<std::vector<std::uint8_t>> blob = make_blob(baked, turning_camera, record);
@@ -326,6 +328,9 @@ Result<Done> run(const Arguments& arguments) {
   Result<PlanRequest> request =
       parse_plan(for_pico ? plan_arguments_for_pico(arguments.plan) : arguments.plan, arguments.scene);
   if (!request) return request.failure();
+  if (for_pico) {
+    if (const Result<Done> shown = check_view_for_pico(request->view); !shown) return shown.failure();
+  }
   if (const Result<Done> checked = check_visibility(
           request->method | picture_effects(*request) | edge_effects(request->edges), depth_option(std::nullopt));
       !checked) {
@@ -349,6 +354,7 @@ Result<Done> run(const Arguments& arguments) {
   if (!pico_file) return pico_file.failure();
 
   const std::uint32_t angles = arguments.turntable ? 2 : 1;  // more than one: every angle must fit
+  std::optional<StepReport> steps(std::in_place, !arguments.quiet);
   Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, *model, *camera, request->view, angles);
   if (stage) stage = with_edges(std::move(*stage), request->edges, request->view);
   if (!stage) return stage.failure();
@@ -412,6 +418,7 @@ Result<Done> run(const Arguments& arguments) {
     if (!sets) return sets.failure();
     record.visible_sets = std::move(*sets);
   }
+  steps.reset();
   return report(record, arguments);
 }
 
@@ -444,7 +451,9 @@ void add_bake_command(CLI::App& app, int& exit_code) {
       ->add_option("--visible-sets", a.visible_sets,
                    "Write, besides, which meshlets cannot be seen from the cells of a grid (zstrip render reads it)")
       ->type_name("FILE");
-  command->add_option("--cells", a.cells, "Cells of that grid along x, y and z (default: 8x2x8)")->type_name("NxNxN");
+  command->add_option("--cells", a.cells, "Cells of that grid along x, y and z (default: 8x2x8)")
+      ->transform(lower_case())
+      ->type_name("NxNxN");
   command
       ->add_option("--textures", a.textures,
                    "Palettes for textures, which take fewer bytes and are drawn slower: auto, where nothing is lost; "

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <array>
 
+#include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 #include "render/stage.hpp"
 
@@ -13,6 +14,7 @@ namespace zstrip::sim {
 void add_camera_options(CLI::App& command, CameraArguments& arguments) {
   CameraArguments& a = arguments;
   command.add_option("--up", a.up, "A model's axis that points upwards: x, -x, y, -y, z, -z; else as its format says")
+      ->transform(lower_case())
       ->type_name("AXIS");
   command.add_option("--animation", a.animation, "An animation of a glTF 2.0 file, by its name (default: the first)")
       ->type_name("NAME");

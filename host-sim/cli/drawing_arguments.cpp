@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 #include "render/picture_display.hpp"
 #include "visibility/methods.hpp"
@@ -34,14 +35,20 @@ Result<Done> fit_strips_to_panel(Drawing& drawing) {
   return Done{};
 }
 
-/// What is shown instead of colours is made of plain pixels.
-Result<Done> check_show(const Drawing& drawing, const DrawingArguments& arguments) {
+/// Pictures of depth, overdraw, tiles and errors have plain pixels, whatever a scene file has chosen for its own.
+Result<Done> prepare_show(Drawing& drawing, const ViewArguments& given) {
   if (drawing.visibility.show == Show::colour) return Done{};
   if (drawing.panel) return usage("--show and --panel exclude each other: a panel shows colours");
   if (shows_the_picture(drawing.visibility.show)) return Done{};
-  if (drawing.view.format != PixelFormat::rgb565) return usage("--show makes RGB565 pictures; leave out --format");
-  if (drawing.view.samples != 1) return usage("--show shows pixels of one sample; use --samples 1");
-  if (arguments.view.edges.value_or(false)) return usage("--show shows pixels as they were drawn; leave out --edges");
+  const View plain{drawing.view.width, drawing.view.height};
+  if (given.format && drawing.view.format != plain.format) {
+    return usage("--show makes RGB565 pictures; leave out --format");
+  }
+  if (given.samples && drawing.view.samples != plain.samples) {
+    return usage("--show shows pixels of one sample; use --samples 1");
+  }
+  if (given.edges.value_or(false)) return usage("--show shows pixels as they were drawn; leave out --edges");
+  drawing.view = plain;
   return Done{};
 }
 
@@ -59,24 +66,29 @@ void add_drawing_options(CLI::App& command, DrawingArguments& arguments) {
       .add_option(
           "--size", a.view.size,
           "Size of the picture, each side 1 to 4096 (default: 320x240, the panel's, or what the scene was baked for)")
+      ->transform(lower_case())
       ->type_name("WxH");
   command.add_option("--ram", a.memory.ram, "Renderer's memory at most, K and M allowed (default: no limit)")
       ->type_name("BYTES");
   command.add_option("--strip-rows", a.memory.strip_rows, "Rows of a strip (default: auto, as many as fit)")
+      ->transform(lower_case())
       ->type_name("N|auto");
   command
       .add_option("--strip-columns", a.memory.strip_columns,
                   "Pixels of a strip's row, a multiple of 8 (default: auto, the picture's width)")
+      ->transform(lower_case())
       ->type_name("N|auto");
   add_quality_options(command, a.view);
   command
       .add_option("--depth-format", a.depth_format,
                   "Depth in the z-buffer: z16 (default), float, w16, z24 or z32; the last three for comparison")
+      ->transform(lower_case())
       ->type_name("FORMAT");
   command
       .add_option("--perspective", a.perspective,
                   "Textures are exact at every pixel (1), every 8th or 16th of a row (16 is the default), or only at a "
                   "triangle's corners (affine)")
+      ->transform(lower_case())
       ->type_name("RUN");
   add_panel_options(command, a.panel);
   add_camera_options(command, a.camera);
@@ -117,7 +129,7 @@ Result<Drawing> parse_drawing(const DrawingArguments& arguments, const PictureSe
   drawing.visibility = *visibility;
   const Result<Done> checked = check_visibility(drawing.effects() | drawing.visibility.method, drawing.depth_given);
   if (!checked) return checked.failure();
-  if (const Result<Done> shown = check_show(drawing, arguments); !shown) return shown.failure();
+  if (const Result<Done> shown = prepare_show(drawing, arguments.view); !shown) return shown.failure();
   const Result<ModelOptions> model = parse_model(arguments.camera, arguments.scene);
   if (!model) return model.failure();
   drawing.model = *model;

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "report/text.hpp"
+
 namespace zstrip::sim {
 namespace {
 
@@ -47,7 +49,9 @@ std::string_view nearest_name(std::string_view text, std::span<const std::string
     return *std::ranges::min_element(names, {},
                                      [&](std::string_view name) { return std::abs(*number - *whole_number(name)); });
   }
-  return *std::ranges::min_element(names, {}, [text](std::string_view name) { return distance(text, name); });
+  const std::string given = lower(std::string(text));
+  return *std::ranges::min_element(
+      names, {}, [&given](std::string_view name) { return distance(given, lower(std::string(name))); });
 }
 
 std::string unknown_value(std::string_view text, std::span<const std::string_view> names) {

@@ -7,8 +7,8 @@
 
 namespace zstrip::sim {
 
-/// The name that the fewest letters inserted, deleted or replaced make of `text`; where all of them are numbers, the
-/// one that differs least. Of several the first. `names`: at least one.
+/// The name that the fewest letters inserted, deleted or replaced make of `text`, in any case; where all of them are
+/// numbers, the one that differs least. Of several the first. `names`: at least one.
 std::string_view nearest_name(std::string_view text, std::span<const std::string_view> names);
 
 /// "'st7798' is unknown, did you mean st7789? Known are st7789, ..."; where only numbers are known, of what is none:

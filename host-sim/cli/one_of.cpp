@@ -6,18 +6,32 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "cli/nearest_name.hpp"
+#include "report/text.hpp"
 
 namespace zstrip::sim {
 
 CLI::Validator one_of(std::vector<std::string> values) {
   std::string description = fmt::format("{{{}}}", fmt::join(values, ","));
-  const auto reason = [values = std::move(values)](const std::string& given) {
-    if (std::ranges::find(values, given) != values.end()) return std::string();
-    return unknown_value(given, std::vector<std::string_view>(values.begin(), values.end()));
+  const auto reason = [values = std::move(values)](std::string& given) {
+    const auto known = std::ranges::find(values, lower(given), [](const std::string& value) { return lower(value); });
+    if (known == values.end()) {
+      return unknown_value(given, std::vector<std::string_view>(values.begin(), values.end()));
+    }
+    given = *known;
+    return std::string();
   };
   return {reason, std::move(description), ""};
+}
+
+CLI::Validator lower_case() {
+  return {[](std::string& given) {
+            given = lower(std::move(given));
+            return std::string();
+          },
+          "", ""};
 }
 
 }  // namespace zstrip::sim

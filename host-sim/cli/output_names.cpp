@@ -9,17 +9,14 @@
 #include <system_error>
 #include <utility>
 
+#include "report/text.hpp"
+
 namespace zstrip::sim {
 namespace {
 
 constexpr std::pair<std::string_view, ImageType> kEndings[] = {
     {".png", ImageType::png}, {".apng", ImageType::apng}, {".jpg", ImageType::jpeg}, {".jpeg", ImageType::jpeg},
     {".ppm", ImageType::ppm}, {".pgm", ImageType::ppm},   {".raw", ImageType::raw}};
-
-std::string lower(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return text;
-}
 
 std::optional<ImageType> type_of_ending(const std::string& ending) {
   const auto* const known = std::ranges::find(kEndings, lower(ending), &std::pair<std::string_view, ImageType>::first);

@@ -11,9 +11,11 @@
 #include <vector>
 
 #include "cli/nearest_name.hpp"
+#include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 #include "render/picture_display.hpp"
 #include "report/frame_record.hpp"
+#include "report/text.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -96,10 +98,12 @@ void add_panel_options(CLI::App& command, PanelArguments& arguments) {
   command
       .add_option("--panel", a.panel,
                   fmt::format("Shows what a panel would, driven by zstrip's driver: {}", fmt::join(names, ", ")))
+      ->transform(lower_case())
       ->type_name("NAME");
   command
       .add_option("--bus", a.bus,
                   "The panel's bus and its clock: spi@40MHz, i2c@400kHz (default: the fastest it allows)")
+      ->transform(lower_case())
       ->type_name("BUS");
   command.add_option("--rotation", a.rotation, "Turns the picture on the panel, clockwise: 0, 90, 180 or 270")
       ->type_name("DEGREES");
@@ -151,8 +155,8 @@ Result<double> parse_bus_hertz(const std::string& text) {
   const std::string_view speed = at == std::string::npos ? std::string_view{} : std::string_view(text).substr(at + 1);
   double value = 0;
   const auto [end, error] = std::from_chars(speed.data(), speed.data() + speed.size(), value);
-  const std::string_view unit = speed.substr(static_cast<std::size_t>(end - speed.data()));
-  const double factor = unit == "MHz" ? 1e6 : unit == "kHz" ? 1e3 : unit == "Hz" ? 1 : 0;
+  const std::string unit = lower(std::string(speed.substr(static_cast<std::size_t>(end - speed.data()))));
+  const double factor = unit == "mhz" ? 1e6 : unit == "khz" ? 1e3 : unit == "hz" ? 1 : 0;
   const double hertz = error == std::errc{} ? value * factor : 0;
   if (hertz >= 1e3 && hertz <= 1e9) return hertz;
   return usage(fmt::format("--bus '{}' must have a speed of 1kHz to 1000MHz, for example spi@40MHz", text));

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "cli/nearest_name.hpp"
 #include "compose/perspective_runs.hpp"
 #include "report/frame_record.hpp"
+#include "report/text.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -59,14 +62,19 @@ Result<std::pair<std::uint16_t, std::uint16_t>> parse_size(const std::string& te
 }
 
 Result<std::uint32_t> parse_bytes(const std::string& text, std::string_view option) {
-  std::string_view digits = text;
-  std::uint64_t unit = 1;
-  if (!digits.empty() && (digits.back() == 'K' || digits.back() == 'k')) unit = 1024;
-  if (!digits.empty() && (digits.back() == 'M' || digits.back() == 'm')) unit = 1024 * 1024;
-  if (unit > 1) digits.remove_suffix(1);
-  const auto value = number<std::uint32_t>(digits);
-  if (value && *value >= 1 && *value * unit <= 0xFFFFFFFF) return static_cast<std::uint32_t>(*value * unit);
-  return bad_value(option, text, "a number of bytes from 1 to 4095M, for example 20000, 20K or 1M");
+  constexpr std::pair<std::string_view, std::uint64_t> kUnits[] = {{"", 1},         {"b", 1},         {"k", 1 << 10},
+                                                                   {"kb", 1 << 10}, {"kib", 1 << 10}, {"m", 1 << 20},
+                                                                   {"mb", 1 << 20}, {"mib", 1 << 20}};
+  const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+  const std::size_t letters = std::min(text.find_first_not_of(' ', digits), text.size());
+  const auto* const unit =
+      std::ranges::find(kUnits, lower(text.substr(letters)), [](const auto& u) { return u.first; });
+  const auto value = number<std::uint32_t>(std::string_view(text).substr(0, digits));
+  if (unit != std::end(kUnits) && value && *value >= 1 && *value * unit->second <= 0xFFFFFFFF) {
+    return static_cast<std::uint32_t>(*value * unit->second);
+  }
+  return bad_value(option, text,
+                   "a number of bytes from 1 to 4095M, for example 20000, 20K or 1M; K, KB and KiB are 1024 bytes");
 }
 
 Result<std::uint16_t> parse_strip_rows(const std::string& text) {

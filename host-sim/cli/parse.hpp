@@ -24,7 +24,8 @@ Failure usage(std::string message);
 /// "320x240": each side 1..4096.
 Result<std::pair<std::uint16_t, std::uint16_t>> parse_size(const std::string& text);
 
-/// "20000", "20K" or "4M" (1024 and 1024 * 1024 bytes); 1 to 4 GB - 1. `option`: for the failure.
+/// "20000", "20K" or "4M" (1024 and 1024 * 1024 bytes), also as "20KB" or "20 KiB" in any case; 1 to 4 GB - 1.
+/// `option`: for the failure.
 Result<std::uint32_t> parse_bytes(const std::string& text, std::string_view option = "--ram");
 
 /// "auto" is 0; else 1..4096.

@@ -55,6 +55,7 @@ void add_quality_options(CLI::App& command, ViewArguments& arguments) {
   command
       .add_option("--format", arguments.format,
                   "Pixels: rgb565 (default), rgb565_swapped, gray4, mono, rgb666, rgb444, xrgb8888")
+      ->transform(lower_case())
       ->type_name("FORMAT");
   command.add_flag_function(
       "--dither,!--no-dither", [&arguments](std::int64_t count) { arguments.dither = count > 0; },

@@ -15,6 +15,7 @@ void add_plan_options(CLI::App& command, PlanArguments& arguments) {
   command
       .add_option("--size", a.view.size,
                   "Size of the picture, each side 1 to 4096 (default: 320x240, or what the scene was baked for)")
+      ->transform(lower_case())
       ->type_name("WxH");
   add_quality_options(command, a.view);
   command
@@ -26,9 +27,11 @@ void add_plan_options(CLI::App& command, PlanArguments& arguments) {
       ->check(CLI::Range(std::uint32_t{0}, std::uint32_t{2}))
       ->capture_default_str();
   command.add_option("--strip-rows", a.memory.strip_rows, "Rows of a strip (default: auto, what is fastest)")
+      ->transform(lower_case())
       ->type_name("N|auto");
   command
       .add_option("--strip-columns", a.memory.strip_columns, "Pixels of a strip's row, a multiple of 8 (default: auto)")
+      ->transform(lower_case())
       ->type_name("N|auto");
   command.add_flag("--split-columns", a.split_columns, "The display takes rectangles narrower than the picture");
   command.add_option("--mode", a.mode, "Transform geometry for each strip, once, or what is faster")
@@ -37,6 +40,7 @@ void add_plan_options(CLI::App& command, PlanArguments& arguments) {
   command
       .add_option("--visibility", a.visibility,
                   fmt::format("How visibility is found: {} (default: zbuffer)", visibility_names()))
+      ->transform(lower_case())
       ->type_name("METHOD");
 }
 

@@ -17,6 +17,7 @@
 #include "render/edged_stage.hpp"
 #include "render/stage.hpp"
 #include "report/plan_report.hpp"
+#include "report/step_report.hpp"
 #include "report/text.hpp"
 #include "visibility/methods.hpp"
 #include "visibility/prepared_scene.hpp"
@@ -78,8 +79,10 @@ Result<Effects> all_effects(Stage& stage, const PlanRequest& request) {
 Result<Done> run_plan(const PlanCommandLine& arguments) {
   Result<PlanRequest> request = parse(arguments);
   if (!request) return request.failure();
+  std::optional<StepReport> steps(std::in_place, true);
   Result<std::unique_ptr<Stage>> stage = open_stage(arguments.scene, {}, {}, request->view, 1);
   if (stage) stage = with_edges(std::move(*stage), request->edges, request->view);
+  steps.reset();
   if (!stage) return stage.failure();
   for (const std::string& warning : (*stage)->warnings()) print_warning(warning);
   const Result<Effects> effects = all_effects(**stage, *request);

@@ -5,12 +5,14 @@
 
 #include <cstdio>
 
+#include "report/step_report.hpp"
 #include "report/text.hpp"
 
 namespace zstrip::sim {
 namespace {
 
 void print_line(std::string_view kind, std::string_view message) {
+  hide_step();
   // Where it cannot be written, the exit status still tells.
   write_text(stderr, fmt::format("zstrip: {}{}\n", kind, printable(message)));
 }

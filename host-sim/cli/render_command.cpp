@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "cli/drawing_arguments.hpp"
+#include "cli/one_of.hpp"
 #include "cli/output_names.hpp"
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
@@ -26,6 +27,7 @@
 #include "render/stage.hpp"
 #include "report/frame_record.hpp"
 #include "report/progress.hpp"
+#include "report/step_report.hpp"
 #include "report/text.hpp"
 
 namespace zstrip::sim {
@@ -151,7 +153,9 @@ Result<FrameRecord> render_frame(SceneDrawer& drawer, const Job& job, std::uint3
 /// Several frames are drawn, encoded and written on all threads, one frame on each; the strips of a single frame are.
 Result<RunRecord> render_frames(const std::string& scene, const Job& job, bool quiet) {
   const Drawing& drawing = job.drawing;
+  std::optional<StepReport> steps(std::in_place, !quiet);
   const Result<std::unique_ptr<Stage>> stage = open_scene(scene, drawing, job.outputs.frames);
+  steps.reset();
   if (!stage) return stage.failure();
   RunRecord run{scene, drawing.view, (*stage)->warnings(), std::vector<FrameRecord>(job.outputs.frames),
                 panel_record(drawing.panel)};
@@ -250,7 +254,9 @@ void add_render_command(CLI::App& app, int& exit_code) {
   command->add_option("--threads", a.threads, "Threads that draw, the same pixels with any (default: one a core)")
       ->option_text("N")
       ->check(CLI::Range(1U, kMaxThreads));
-  command->add_option("--image", a.image, "Picture files: png (default), jpeg, ppm or raw")->type_name("TYPE");
+  command->add_option("--image", a.image, "Picture files: png (default), jpeg, ppm or raw")
+      ->transform(lower_case())
+      ->type_name("TYPE");
   command->add_option("--json", a.json, "Write a report of each frame; - is standard output")->type_name("FILE|-");
   command->add_flag("--quiet", a.quiet, "No summary, no progress; warnings and errors remain");
   command->footer(

@@ -16,6 +16,7 @@ void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
   command
       .add_option("--visibility", a.method,
                   fmt::format("How visibility is found: {} (default: zbuffer)", visibility_names()))
+      ->transform(lower_case())
       ->type_name("METHOD");
   command
       .add_option("--iterations", a.iterations,
@@ -32,6 +33,7 @@ void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
                   "All that is left out early, separated by commas: back-faces, small, spheres (meshlets by their "
                   "bounding spheres), temporal (meshlets hidden in the last frame come last; hierarchical-z), or none. "
                   "The list takes the place of the default: back-faces,small")
+      ->transform(lower_case())
       ->option_text("LIST")
       ->delimiter(',');
   command
@@ -39,6 +41,7 @@ void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
                   "Leave out the meshlets that cannot be seen from the camera's cell, by a file of zstrip bake")
       ->type_name("FILE");
   command.add_option("--show", a.show, "Instead of the picture: depth, overdraw, tiles, error or accuracy")
+      ->transform(lower_case())
       ->type_name("WHAT");
 }
 

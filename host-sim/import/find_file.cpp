@@ -5,6 +5,8 @@
 #include <system_error>
 #include <utility>
 
+#include "report/text.hpp"
+
 namespace zstrip::sim {
 namespace {
 
@@ -13,11 +15,6 @@ namespace {
 std::filesystem::path find_in_any_case(const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::exists(path, ignored)) return path;
-  const auto lower = [](std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return text;
-  };
   const std::string wanted = lower(path.filename().string());
   std::filesystem::path found;
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";

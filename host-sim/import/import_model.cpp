@@ -17,6 +17,7 @@
 #include "import/texcoords.hpp"
 #include "import/wraps.hpp"
 #include "report/number.hpp"
+#include "report/step_report.hpp"
 
 namespace zstrip::sim {
 
@@ -49,6 +50,8 @@ void lower_textures(SourceModel& source, const std::vector<TextureSides>& sides)
 
 Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
                            BackFaces back_faces, Highlights highlights) {
+  const std::string file = path.filename().string();
+  tell_step(fmt::format("reading '{}'", file));
   Result<SourceModel> read = read_model(path, up, texcoords, highlights);
   if (!read) return read.failure();
   SourceModel& source = *read;
@@ -56,6 +59,7 @@ Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAx
     return Failure{ExitStatus::input, fmt::format("'{}' {}", path.string(), message)};
   };
 
+  tell_step(fmt::format("finding the surfaces of '{}'", file));
   show_emission(source);
   show_wraps(source);
   multiply_unlit_texels(source);
@@ -65,6 +69,7 @@ Result<Model> import_model(const std::filesystem::path& path, std::optional<UpAx
   if (source.meshes.size() > kMaxMeshes) return named(kTooManyMeshes);
   for (RgbImage& texture : source.textures) texture = resample_to_power_of_two(std::move(texture));
 
+  tell_step(fmt::format("merging the vertices of '{}'", file));
   std::vector<MeshTraits> traits;
   std::uint64_t clamped = 0;
   std::vector<TextureSides> sides(source.textures.size());

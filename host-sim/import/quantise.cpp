@@ -19,6 +19,7 @@
 #include "import/outlying.hpp"
 #include "import/quantised_skins.hpp"
 #include "report/number.hpp"
+#include "report/step_report.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -147,11 +148,13 @@ Result<Model> quantise(const SourceModel& source, const std::vector<MeshTraits>&
     const Grid grid = mesh.has_skin                      ? grid_of_skin(source, mesh, common)
                       : blends && !mesh.vertices.empty() ? grid_of_own(mesh, common)
                                                          : common;
+    tell_step("quantising the vertices");
     const MeshData whole = to_mesh_data(mesh, traits[i].texcoord_bits, grid);
     note_vertices(model.accuracy, mesh, whole, grid.units, grid.centre, grid.half_extent);
     if (is_textured(mesh, from)) {
       note_texcoords(model.accuracy, mesh, whole, traits[i].texcoord_bits, source.textures[from.texture]);
     }
+    tell_step("cutting the model into meshlets");
     for (MeshData& part : split_into_meshlets(whole, mesh.indices, grid.half_extent)) {
       const MeshData& data = model.mesh_data.emplace_back(std::move(part));
       if (model.meshes.size() >= kMaxMeshes || material_index >= kMaxMeshes) {

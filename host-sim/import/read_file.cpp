@@ -10,10 +10,17 @@
 
 namespace zstrip::sim {
 
+std::string advice_on_address(const std::string& name) {
+  if (name.find("://") == std::string::npos) return "";
+  return fmt::format("; download it first: curl -LO '{}'", name);
+}
+
 Result<Done> check_readable(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (status.type() == std::filesystem::file_type::not_found) return Failure{ExitStatus::input, "does not exist"};
+  if (status.type() == std::filesystem::file_type::not_found) {
+    return Failure{ExitStatus::input, "does not exist" + advice_on_address(path.string())};
+  }
   if (error) return Failure{ExitStatus::input, "cannot be read: " + error.message()};
   if (std::filesystem::is_directory(status)) return Failure{ExitStatus::input, "is a folder; name a file in it"};
   if (!std::filesystem::is_regular_file(status)) return Failure{ExitStatus::input, "is not a regular file"};

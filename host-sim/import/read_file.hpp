@@ -4,11 +4,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "result.hpp"
 
 namespace zstrip::sim {
+
+/// "; download it first: curl -LO ..." where `name` is an address of the web; else empty.
+std::string advice_on_address(const std::string& name);
 
 /// Whether `path` names a regular file that can be opened for reading.
 /// The failure's message continues "'path' ..." ("does not exist", "is a folder", ...).

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -23,10 +25,14 @@ namespace zstrip::sim {
 namespace {
 
 bool is_named_gltf(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const std::string extension = lower(path.extension().string());
   return extension == ".gltf" || extension == ".glb";
+}
+
+bool is_archive(const std::filesystem::path& path) {
+  constexpr std::string_view kEndings[] = {".zip", ".rar", ".7z",  ".gz",  ".tgz", ".tar",
+                                           ".xz",  ".bz2", ".zst", ".lz4", ".lzma"};
+  return std::ranges::find(kEndings, lower(path.extension().string())) != std::end(kEndings);
 }
 
 /// Finds buffers and pictures beside the file.
@@ -63,6 +69,7 @@ Result<SourceModel> read_model(const std::filesystem::path& path, std::optional<
     return Failure{ExitStatus::input, fmt::format("'{}' {}", path.string(), message)};
   };
   if (const Result<Done> readable = check_readable(path); !readable) return named(readable.failure().message);
+  if (is_archive(path)) return named("is an archive; unpack it first, and name the model in it");
   std::error_code error;
   const std::uint64_t bytes = std::filesystem::file_size(path, error);
   if (error) return named("cannot be read: " + error.message());

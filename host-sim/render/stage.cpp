@@ -11,11 +11,13 @@
 
 #include "compose/scene_file.hpp"
 #include "import/lit_pixels.hpp"
+#include "import/read_file.hpp"
 #include "render/blob_stage.hpp"
 #include "render/camera_stage.hpp"
 #include "render/composed_stage.hpp"
 #include "render/model_animation.hpp"
 #include "render/skinned_meshes.hpp"
+#include "report/text.hpp"
 #include "zstrip/scene/validate.hpp"
 #include "zstrip_scenes/baked_stage.hpp"
 #include "zstrip_scenes/presentation.hpp"
@@ -229,7 +231,7 @@ std::uint32_t milliseconds_of(const Stage& stage) {
 
 SceneKind kind_of_scene(const std::string& name) {
   if (scenes::find(name) != nullptr) return SceneKind::built_in;
-  const std::filesystem::path extension = std::filesystem::path(name).extension();
+  const std::string extension = lower(std::filesystem::path(name).extension().string());
   if (extension == ".zsc") return SceneKind::baked;
   return extension == ".toml" ? SceneKind::composed : SceneKind::model;
 }
@@ -245,6 +247,9 @@ Result<std::unique_ptr<Stage>> open_stage(const std::string& name, const ModelOp
   // What else is wrong with a path is said by what reads it.
   std::error_code ignored;
   if (std::filesystem::status(name, ignored).type() == std::filesystem::file_type::not_found) {
+    if (const std::string advice = advice_on_address(name); !advice.empty()) {
+      return Failure{ExitStatus::input, fmt::format("there is no file '{}'{}", name, advice)};
+    }
     const std::string near = std::filesystem::path(name).has_extension() ? "" : nearest(name, names_of_built_in());
     return Failure{ExitStatus::input,
                    fmt::format("there is no file '{}', and no built-in scene of that name; {}'zstrip scenes' lists the "

@@ -36,6 +36,11 @@ bool write_text(std::FILE* stream, std::string_view text) {
   return std::fflush(stream) == 0 && whole;
 }
 
+std::string lower(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
 std::string printable(std::string_view text) {
   std::string line;
   while (!text.empty()) {

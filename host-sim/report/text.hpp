@@ -10,6 +10,9 @@ namespace zstrip::sim {
 /// Writes the text and flushes; false if not all of it went out. Never throws.
 bool write_text(std::FILE* stream, std::string_view text);
 
+/// With ASCII's upper case letters in lower case.
+std::string lower(std::string text);
+
 /// In UTF-8, each control character as '?', and each that turns the direction of text: names of files may hold any.
 std::string printable(std::string_view text);
 

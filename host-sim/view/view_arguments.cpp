@@ -10,6 +10,7 @@
 
 #include "bench/board_model.hpp"
 #include "cli/nearest_name.hpp"
+#include "cli/one_of.hpp"
 #include "cli/parse.hpp"
 
 namespace zstrip::sim {
@@ -38,6 +39,7 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
       .add_option(
           "--board", options.board,
           fmt::format("As slow as this board is about: {}; --bus is then its bus", fmt::join(names_of_boards(), ", ")))
+      ->transform(lower_case())
       ->type_name("NAME");
 }
 

@@ -13,6 +13,7 @@
 #include "cli/parse.hpp"
 #include "cli/print.hpp"
 #include "cli/sibling_program.hpp"
+#include "report/step_report.hpp"
 #include "view/view_arguments.hpp"
 #include "view/view_loop.hpp"
 #include "view/viewer.hpp"
@@ -47,7 +48,9 @@ Result<Done> view(const ViewCommandLine& arguments) {
   if (!inputs) return inputs.failure();
   const std::string& scene = arguments.options.drawing.scene;
   WatchedFiles files(scene);
+  std::optional<StepReport> steps(std::in_place, true);
   Result<Viewer> viewer = Viewer::open(*request);
+  steps.reset();
   if (!viewer) return viewer.failure();
   Result<Window> window = Window::open("zstrip: " + scene);
   if (!window) return window.failure();

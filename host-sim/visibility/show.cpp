@@ -73,12 +73,15 @@ Result<Show> parse_show(const std::string& name) {
                  fmt::format("--show '{}' is not one of: depth, overdraw, tiles, error, accuracy", name)};
 }
 
-Result<ShownFrame> draw_shown(const Staging& staging, const MethodRequest& request, Show show) {
+Result<ShownFrame> draw_shown(const Staging& original, const MethodRequest& request, Show show) {
+  Staging staging = original;
+  // A shadow is drawn by depths that it changes: it leaves none of the picture's.
+  if (show == Show::depth || show == Show::tiles) staging.scene.shadow = nullptr;
   MethodRequest counting = request;
   // What counts pixels is part of the methods' pipelines.
   if (show == Show::overdraw && request.effects.any(effect::depth_formats | effect::depth_ranges)) {
     return Failure{ExitStatus::usage,
-                   "--show overdraw counts with depth in z16 alone; leave out --depth-format and half-range"};
+                   "--show overdraw counts with depth in z16 alone; add --depth-format z16 --visibility zbuffer"};
   }
   if (show == Show::overdraw) counting.effects = counting.effects | method::culling;
   if (show == Show::overdraw && !methods_agree(counting.effects)) counting.effects = request.effects;

@@ -271,6 +271,21 @@ TEST_F(BakePico, BoardsAreForTheirFiles) {
   refused({"-o", "x.uf2", "--board", "pico2", "--with", other}, 4, "take zstrip_pico2_player.uf2");
 }
 
+/// They were baked without a word, and the panel showed 240x240 pixels of them.
+TEST_F(BakePico, PicturesThatThePanelDoesNotShowAreRefused) {
+  const auto refused = [this](const std::vector<std::string>& options, const std::string& words) {
+    std::vector<std::string> bake{"bake", kHouseModel, "-o", "x.uf2"};
+    bake.insert(bake.end(), options.begin(), options.end());
+    const Outcome outcome = zstrip(bake);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(path("x.uf2")));
+  };
+  refused({"--size", "320x480"}, "--size 320x480: the program for the Pico shows pictures of 240x240 pixels");
+  refused({"--format", "mono"}, "--format mono: the program for the Pico draws rgb565_swapped");
+  EXPECT_EQ(zstrip({"bake", kHouseModel, "-o", "X.UF2", "--size", "240x240"}).status, 0);
+}
+
 TEST_F(BakePico, WhatTheProgramCannotDrawIsSaidWhenItIsBaked) {
   const std::string scene = "[picture]\ndepth_format = \"w16\"\n[[model]]\nname = \"house\"\nfile = \"" + kHouseModel +
                             "\"\n[[instance]]\nmodel = \"house\"\n";

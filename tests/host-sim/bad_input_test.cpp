@@ -149,6 +149,22 @@ TEST_F(BadInput, FaceOfTooManyCorners) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds{10});
 }
 
+/// A reader of models was asked about both.
+TEST_F(BadInput, AddressesAndArchivesAreNoModels) {
+  const std::string address = "https://example.org/models/duck.glb";
+  const std::string advice = "download it first: curl -LO '" + address + "'";
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"render", address}, {"plan", address}, {"bake", address, "-o", "a.hpp"}}) {
+    expect_failure(ExitStatus::input, "there is no file '" + address + "'; " + advice, words);
+  }
+  for (const char* name : {"duck.zip", "duck.rar", "duck.7z", "duck.obj.gz", "DUCK.ZIP", "duck.tar"}) {
+    file(name, "PK\3\4");
+    expect_failure(ExitStatus::input, std::string(name) + "' is an archive; unpack it first", {"render", name});
+  }
+  file("scene.toml", "[[model]]\nname = 'a'\nfile = 'duck.zip'\n[[instance]]\nmodel = 'a'\n");
+  expect_failure(ExitStatus::input, "line 3: 'duck.zip' is an archive; unpack it first", {"render", "scene.toml"});
+}
+
 TEST_F(BadInput, MisspeltBuiltInSceneIsToldTheNearest) {
   expect_failure(ExitStatus::input,
                  "there is no file 'tepot', and no built-in scene of that name; did you mean 'teapot'?",
@@ -194,7 +210,8 @@ TEST_F(BadInput, Options) {
   usage("--strip-rows", {"render", "teapot", "--strip-rows", "241"});
   usage("--depth-format", {"render", "teapot", "--depth-format", "z8"});
   usage("--ortho", {"render", "teapot", "--depth-format", "float", "--ortho"});
-  usage("--ram", {"render", "teapot", "--ram", "lots"});
+  usage("--ram 'lots' must be a number of bytes from 1 to 4095M, for example 20000, 20K or 1M",
+        {"render", "teapot", "--ram", "lots"});
   usage("--format", {"render", "teapot", "--format", "rgb888"});
   usage("--image", {"render", "teapot", "--image", "gif"});
   usage("--frames", {"render", "teapot", "--frames", "0"});
@@ -293,6 +310,21 @@ TEST_F(BadInput, FileInPlaceOfAFolder) {
   EXPECT_EQ(read(path("plain.txt")), "mine");
 }
 
+/// They were replaced by a file.
+TEST_F(BadInput, LinksThatLeadNowhereStay) {
+  std::filesystem::create_symlink("gone/report.json", path("dangling.json"));
+  std::filesystem::create_symlink("gone.png", path("dangling.png"));
+  std::filesystem::create_symlink("loop.png", path("loop.png"));
+  for (const auto& [link, reason] : {std::pair{"dangling.png", "a symbolic link to 'gone.png': No such file"},
+                                     {"loop.png", "a symbolic link to 'loop.png': Too many levels"}}) {
+    expect_failure(ExitStatus::output, reason, {"render", "cube", "-o", link});
+    EXPECT_TRUE(std::filesystem::is_symlink(path(link)));
+  }
+  expect_failure(ExitStatus::output, "dangling.json", {"render", "cube", "-o", "/dev/null", "--json", "dangling.json"});
+  std::filesystem::create_symlink("nowhere", path("folder"));
+  expect_failure(ExitStatus::output, "'folder'", {"render", "cube", "-o", "folder"});
+}
+
 TEST_F(BadInput, FullDisk) {
   expect_failure(ExitStatus::output, "/dev/full", {"render", "teapot", "-o", "/dev/full"});
   expect_failure(ExitStatus::output, "/dev/full", {"render", "teapot", "-o", "/dev/null", "--json", "/dev/full"});
@@ -382,7 +414,7 @@ TEST_F(BadInput, PlyThatNeverEnds) {
   const pid_t child = ::fork();
   if (child == 0) {
     if (::chdir(path("").c_str()) != 0 || std::freopen("err.txt", "w", stderr) == nullptr) ::_exit(126);
-    ::execl(ZSTRIP_COMMAND, ZSTRIP_COMMAND, "render", "endless.ply", nullptr);
+    ::execl(ZSTRIP_COMMAND, ZSTRIP_COMMAND, "render", "endless.ply", "--quiet", nullptr);
     ::_exit(127);
   }
   clockid_t clock{};

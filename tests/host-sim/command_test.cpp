@@ -181,6 +181,25 @@ TEST_F(Command, CamerasSeeTheModelFromTheirSide) {
   EXPECT_GT(seen({"--orbit", "4,0,90", "--ortho"}), 1000U);
 }
 
+/// --up Z was unknown; did they mean x?
+TEST_F(Command, WordsOfOptionsMayBeInUpperCase) {
+  file("model.obj", "v 0 0 0\nv 1 0 0\nv 0 1 2\nf 1 2 3\n");
+  const auto drawn = [this](const std::vector<std::string>& options) {
+    std::vector<std::string> words{"render", "model.obj", "-o", "a.raw", "--quiet"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Outcome outcome = zstrip(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return read(path("a.raw"));
+  };
+  EXPECT_EQ(drawn({"--up", "-Z", "--format", "RGB444", "--size", "64X48", "--ram", "20KB", "--strip-rows", "AUTO"}),
+            drawn({"--up", "-z", "--format", "rgb444", "--size", "64x48", "--ram", "20K", "--strip-rows", "auto"}));
+  EXPECT_EQ(drawn({"--visibility", "Painter", "--sort-key", "Farthest", "--cull", "None"}),
+            drawn({"--visibility", "painter", "--sort-key", "farthest", "--cull", "none"}));
+  EXPECT_EQ(drawn({"--panel", "ST7789", "--bus", "SPI@40mhz"}), drawn({"--panel", "st7789", "--bus", "spi@40MHz"}));
+  EXPECT_EQ(drawn({"--show", "Depth", "--depth-format", "Z24"}), drawn({"--show", "depth", "--depth-format", "z24"}));
+  EXPECT_EQ(zstrip({"bake", "model.obj", "-o", "a.HPP", "--textures", "AUTO", "--mode", "Any"}).status, 0);
+}
+
 TEST_F(Command, OnlyTheDirectionOfUpCounts) {
   std::string expected;
   for (const char* up : {"[1, 2, 0]", "[1e5, 2e5, 0]", "[1e-6, 2e-6, 0]"}) {

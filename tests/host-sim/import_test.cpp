@@ -9,6 +9,7 @@
 #include <ctime>
 #include <map>
 #include <set>
+#include <thread>
 
 #include "image/encode.hpp"
 #include "import/crash_guard.hpp"
@@ -16,6 +17,7 @@
 #include "import/model_files.hpp"
 #include "import/quantise.hpp"
 #include "import/read_model.hpp"
+#include "report/step_report.hpp"
 #include "support.hpp"
 #include "zstrip/scene/validate.hpp"
 
@@ -72,6 +74,38 @@ std::multiset<std::array<Point, 3>> triangles(const Model& model) {
     }
   }
   return result;
+}
+
+/// A model of 4.5 million triangles gave no sign of life for 91 s.
+TEST_F(Import, TellsWhatItIsDoing) {
+  file("cube.obj", cube_obj());
+  testing::internal::CaptureStderr();
+  {
+    const StepReport report(true, std::chrono::milliseconds{0});
+    model(path("cube.obj"));
+  }
+  model(path("cube.obj"));
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "zstrip: reading 'cube.obj', 0 s\nzstrip: finding the surfaces of 'cube.obj', 0 s\n"
+            "zstrip: merging the vertices of 'cube.obj', 0 s\nzstrip: quantising the vertices, 0 s\n"
+            "zstrip: cutting the model into meshlets, 0 s\n");
+}
+
+/// The thread that reports must not need the one that works.
+TEST(StepReport, TellsAStepThatTakesLong) {
+  testing::internal::CaptureStderr();
+  {
+    const StepReport report(true, std::chrono::milliseconds{20});
+    tell_step("waiting");
+    std::this_thread::sleep_for(std::chrono::seconds{1});
+  }
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("zstrip: waiting, "), std::string::npos);
+  testing::internal::CaptureStderr();
+  {
+    const StepReport report(false, std::chrono::milliseconds{0});
+    tell_step("waiting");
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 TEST_F(Import, OneTriangle) {

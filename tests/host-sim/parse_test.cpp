@@ -32,7 +32,10 @@ TEST(Parse, Bytes) {
   EXPECT_EQ(*parse_bytes("20K"), 20480U);
   EXPECT_EQ(*parse_bytes("3M"), 3145728U);
   EXPECT_EQ(*parse_bytes("4095M"), 4293918720U);
-  for (const char* text : {"", "K", "0", "-5", "4096M", "1G", "5000000000", "1.5K"}) {
+  for (const char* text : {"16k", "16KB", "16kb", "16KiB", "16 KiB", "16 kb"}) EXPECT_EQ(*parse_bytes(text), 16384U);
+  for (const char* text : {"2m", "2MB", "2 MiB"}) EXPECT_EQ(*parse_bytes(text), 2097152U);
+  EXPECT_EQ(*parse_bytes("7B"), 7U);
+  for (const char* text : {"", "K", "KB", " 5", "0", "-5", "4096M", "1G", "5000000000", "1.5K", "16KK"}) {
     expect_usage_error(parse_bytes(text), "--ram");
   }
 }

@@ -50,6 +50,39 @@ TEST_F(VisibilityCommand, ShowsWhatItIsAskedFor) {
   }
 }
 
+/// All that was lit was white: a shadow is found by writing over depths.
+TEST_F(VisibilityCommand, DepthIsShownOfASceneWithShadows) {
+  const std::string scene =
+      "[picture]\nsize = [96, 80]\n[camera]\nr = 6\nphi = 20\ntheta = 60\n"
+      "[[model]]\nname = 'knot'\nbuilt_in = 'knot_lit'\n[[instance]]\nmodel = 'knot'\n[[light]]\ndirection = [1, -1, "
+      "0]\n";
+  const auto shown = [&](const std::string& text, const std::string& options) {
+    std::ofstream(path("scene.toml")) << text;
+    const CommandOutcome outcome =
+        render("'" + path("scene.toml") + "' --image raw -o '" + path("shown.raw") + "' " + options);
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    return read(path("shown.raw"));
+  };
+  const std::string with_shadow = scene + "shadow = { size = 256 }\n";
+  EXPECT_NE(shown(with_shadow, ""), shown(scene, ""));
+  for (const char* options : {"--show depth", "--show tiles --visibility hierarchical-z"}) {
+    EXPECT_EQ(shown(with_shadow, options), shown(scene, options)) << options;
+  }
+}
+
+/// The advice was to leave out --format, which only the scene file had chosen.
+TEST_F(VisibilityCommand, DepthIsShownOfScenesWhoseFileChoosesPixels) {
+  for (const char* scene : {"chess", "train"}) {
+    const CommandOutcome shown = render(std::string("'") + ZSTRIP_SCENE_FILES + "/gallery/" + scene +
+                                        ".toml' --show depth --frames 1 -o '" + path("depth.png") + "'");
+    EXPECT_EQ(shown.status, 0) << shown.text;
+    EXPECT_FALSE(read(path("depth.png")).empty());
+  }
+  const CommandOutcome given = render("teapot --show depth --format mono -o '" + path("mono.png") + "'");
+  EXPECT_EQ(given.status, 2);
+  EXPECT_NE(given.text.find("leave out --format"), std::string::npos) << given.text;
+}
+
 /// CRC-32 of ISO 3309, bit by bit, as the report writes it.
 std::string crc32_words(const std::string& bytes) {
   std::uint32_t crc = 0xFFFFFFFF;
