@@ -4,6 +4,7 @@
 zstrip_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 zstrip_build=$zstrip_root/build/host
 zstrip_log=$zstrip_root/build/build.log
+zstrip_lock=$zstrip_root/build/.lock  # of zstrip_with_lock; in it stands what is being done
 
 zstrip_say() { printf 'zstrip: %s\n' "$*" >&2; }
 
@@ -71,6 +72,7 @@ zstrip_install_packages() {
       exit 3
     fi
     zstrip_say "installing ${missing[*]}"
+    echo "process $$ is installing packages" >"$zstrip_lock"
     : >"$zstrip_log"
     # An index that is empty or too old is the usual reason for a failure: fetch it then, and only then.
     if ! apt-cache show "${missing[@]}" >/dev/null 2>&1 ||
@@ -116,6 +118,7 @@ zstrip_quietly() {
   local what=$1 progress status=0
   shift
   : >"$zstrip_log"
+  echo "process $$ is $what" >"$zstrip_lock"
   zstrip_progress "$what" 9>&- &
   progress=$!
   "$@" </dev/null >>"$zstrip_log" 2>&1 9>&- || status=$?
@@ -128,11 +131,19 @@ zstrip_quietly() {
   fi
 }
 
-# zstrip_with_lock FUNCTION ARGS...: one build at a time; later ones wait and then find everything built.
+# zstrip_with_lock FUNCTION ARGS...: one build at a time; later ones say what they wait for, each minute, and then find
+# everything built.
 zstrip_with_lock() {
+  local seconds=0
   mkdir -p "$zstrip_root/build" || { zstrip_say "cannot write to $zstrip_root/build"; exit 3; }
-  exec 9>"$zstrip_root/build/.lock"
-  if command -v flock >/dev/null; then flock 9; fi
+  exec 9>>"$zstrip_lock"
+  if command -v flock >/dev/null; then
+    # Status 1: another one has it.
+    until flock --timeout "$seconds" 9 || [ $? -ne 1 ]; do
+      zstrip_say "another zstrip build runs ($(cat "$zstrip_lock")); waiting"
+      seconds=60
+    done
+  fi
   "$@"
   exec 9>&-
 }

@@ -2,6 +2,7 @@
 #include "bench/bench_command.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,8 +10,11 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bench/bench_report.hpp"
@@ -60,6 +64,7 @@ struct BenchOptions {
   std::uint32_t draw_each = 0;          ///< not 0: run by instruction_count.cpp
   std::string depth_memory;             ///< the row of the table to draw then
   std::uint32_t table_row = 0;          ///< likewise, of the tables of visibility
+  bool programs = false;                ///< list those of the boards instead of running them
 };
 
 /// Targets that have a program for a scene that is a file.
@@ -233,6 +238,27 @@ Result<Done> run_predictions(const BenchOptions& options) {
   return report(options, text, prediction_json(predictions));
 }
 
+/// The boards' programs that the options run, one name a line: host-sim/run builds them.
+Result<Done> list_programs(const BenchOptions& options) {
+  std::vector<std::pair<std::string, std::string_view>> places;  // target and board
+  for (const std::string& name : options.boards) places.emplace_back(find_board(name)->target, name);
+  if (places.empty() && options.table.empty() && !options.peers) {
+    for (const std::string& target : options.targets) places.emplace_back(target, "");
+  }
+  std::vector<BenchCase> all;
+  if (options.table == kBoardTable) all = board_visibility_cases();
+  for (const auto& [target, board] : places) {
+    if (target == "host") continue;
+    const Result<std::vector<BenchCase>> cases = cases_for(options, target, board);
+    if (!cases) return cases.failure();
+    all.insert(all.end(), cases->begin(), cases->end());
+  }
+  std::set<std::string> names;
+  for (const BenchCase& bench_case : all) names.insert(board_program_of(bench_case));
+  write_text(stdout, fmt::format("{}{}", fmt::join(names, "\n"), names.empty() ? "" : "\n"));
+  return Done{};
+}
+
 Result<Done> run_peers(const BenchOptions& options) {
   const Result<std::vector<BenchCase>> cases = cases_for(options, "host");
   if (!cases) return cases.failure();
@@ -260,6 +286,7 @@ Result<Done> run_stages(const BenchOptions& options) {
 }
 
 Result<Done> run(const BenchOptions& options) {
+  if (options.programs) return list_programs(options);
   if (options.stages) return run_stages(options);
   if (options.peers) return run_peers(options);
   if (!options.boards.empty()) return run_predictions(options);
@@ -383,12 +410,15 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       ->check(one_of(workload_names()))
       ->capture_default_str();
   command->add_option("--size", options->size, "Size of the picture, each side 1 to 4096 (default: the workload's own)")
+      ->transform(lower_case())
       ->type_name("WxH");
   command->add_option("--strip-rows", options->strip_rows, "Rows of a strip (default: auto, as many as fit)")
+      ->transform(lower_case())
       ->type_name("N|auto");
   command
       ->add_option("--strip-columns", options->strip_columns,
                    "Pixels of a strip's row, a multiple of 8 (default: the picture's width)")
+      ->transform(lower_case())
       ->type_name("N|auto");
   command->add_option("--mode", options->mode, "Transform geometry again for each strip, or once and bin it")
       ->check(one_of({"streamed", "binned"}))
@@ -405,6 +435,8 @@ void add_bench_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--firmware", options->firmware, "Folder of the boards' programs, if not where the build puts them")
       ->type_name("DIR");
+  command->add_flag("--list-programs", options->programs,
+                    "Print the names of the boards' programs that would be run, and end");
   command->add_flag("--stages", options->stages, "Where a board's instructions go; see host-sim/bench/stages")
       ->needs(target);
   command->add_flag("--peers", options->peers, "Other renderers of this machine on the same workloads, and ratios")

@@ -160,6 +160,11 @@ Failure failure_of(const BenchCase& bench_case, int status, const std::string& l
 
 }  // namespace
 
+std::string board_program_of(const BenchCase& bench_case) {
+  if (!bench_case.program.empty()) return bench_case.program;
+  return fmt::format("zstrip_bench_{}{}", program_infix(bench_case), bench_case.target);
+}
+
 Result<fs::path> board_program(const BenchCase& bench_case, const std::string& firmware) {
   fs::path folder = firmware;
   if (folder.empty()) {
@@ -168,9 +173,7 @@ Result<fs::path> board_program(const BenchCase& bench_case, const std::string& f
     if (error) return Failure{ExitStatus::environment, "cannot find this program's own file: " + error.message()};
     folder = self.parent_path().parent_path() / "firmware" / "bin";
   }
-  std::string own = bench_case.program;
-  if (own.empty()) own = fmt::format("zstrip_bench_{}{}", program_infix(bench_case), bench_case.target);
-  const fs::path program = folder / (own + ".elf");
+  const fs::path program = folder / (board_program_of(bench_case) + ".elf");
   std::error_code ignored;
   if (!fs::exists(program, ignored)) {
     return Failure{ExitStatus::environment,

@@ -15,7 +15,9 @@ namespace zstrip::sim {
 /// ExitStatus::environment, too little memory one with ExitStatus::budget.
 Result<std::vector<Measurement>> bench_on_board(const std::vector<BenchCase>& cases, const std::string& firmware);
 
-/// The program that draws a case, in the folder `firmware` as above.
+/// The name of the program that draws a case, which is that of its target in CMake.
+std::string board_program_of(const BenchCase& bench_case);
+/// That program's file, in the folder `firmware` as above.
 Result<std::filesystem::path> board_program(const BenchCase& bench_case, const std::string& firmware);
 /// One case, with more options for QEMU. Failures as above.
 Result<Measurement> bench_on_board(const BenchCase& bench_case, const std::filesystem::path& program,

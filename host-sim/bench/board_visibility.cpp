@@ -24,7 +24,7 @@ const Measurement& plain(std::span<const Measurement> rows, std::size_t index) {
 
 }  // namespace
 
-Result<std::vector<Measurement>> measure_board_visibility(const std::string& firmware) {
+std::vector<BenchCase> board_visibility_cases() {
   std::vector<BenchCase> cases;
   for (const char* workload : {"K5", "CT", "room", "crowd"}) {
     for (const char* target : {"m0", "m3"}) {
@@ -42,7 +42,11 @@ Result<std::vector<Measurement>> measure_board_visibility(const std::string& fir
       }
     }
   }
-  return bench_on_board(cases, firmware);
+  return cases;
+}
+
+Result<std::vector<Measurement>> measure_board_visibility(const std::string& firmware) {
+  return bench_on_board(board_visibility_cases(), firmware);
 }
 
 std::string board_visibility_text(std::span<const Measurement> rows) {

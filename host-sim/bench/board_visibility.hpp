@@ -10,8 +10,11 @@
 
 namespace zstrip::sim {
 
+/// One case for each workload, target and method, which is in BenchCase::depth.
+std::vector<BenchCase> board_visibility_cases();
+
 /// Workloads of firmware/boards/mps2/bench_visibility.cpp at 320x240 in strips of 16 rows, on a Cortex-M0 and a
-/// Cortex-M3; BenchCase::depth has the method. `firmware` as of board_program. Takes minutes.
+/// Cortex-M3. `firmware` as of board_program. Takes minutes.
 Result<std::vector<Measurement>> measure_board_visibility(const std::string& firmware);
 
 std::string board_visibility_text(std::span<const Measurement> rows);

@@ -176,6 +176,24 @@ TEST(BenchCommand, HelpNamesTheValues) {
   }
 }
 
+/// All programs of three processors were built for one of them.
+TEST(BenchCommand, NamesTheProgramsThatItRuns) {
+  const auto listed = [](std::vector<std::string> options) {
+    options.emplace_back("--list-programs");
+    const ChildOutput output = bench(options);
+    EXPECT_EQ(output.exit_status, 0) << output.text;
+    return output.text;
+  };
+  EXPECT_EQ(listed({}), "");
+  EXPECT_EQ(listed({"--target", "M3", "--workload", "K5,CT"}), "zstrip_bench_m3\n");
+  EXPECT_EQ(listed({"--target", "host,rv32,m4f"}), "zstrip_bench_m4f\nzstrip_bench_rv32\n");
+  EXPECT_EQ(listed({"--target", "m0", "--mode", "binned"}), "zstrip_bench_bins_m0\n");
+  EXPECT_EQ(listed({"--target", "m0", "--workload", "R50", "--depth", "w16"}), "zstrip_bench_depth_m0\n");
+  EXPECT_EQ(listed({"--board", "pico,bluepill"}), "zstrip_bench_m0\nzstrip_bench_m3\n");
+  EXPECT_EQ(listed({"--table", "boards"}), "zstrip_bench_visibility_m0\nzstrip_bench_visibility_m3\n");
+  EXPECT_EQ(listed({"--table", "thesis"}) + listed({"--peers"}), "");
+}
+
 TEST(BenchCommand, DrawsAreBounded) {
   EXPECT_EQ(bench({"--workload", "CT", "--size", "8x8", "--frames", "1", "--draw-each", "1"}).exit_status, 0);
   EXPECT_EQ(bench({"--workload", "CT", "--size", "8x8", "--frames", "1", "--draw-each", "4000000000"}).exit_status, 2);

@@ -95,52 +95,78 @@ output=$(PATH=$tree/bin bash "$tree/host-sim/run" scenes 2>&1) || status=$?
 if [ "$status" -ne 3 ]; then echo "host-sim/run without packages ended with $status, not 3: $output"; failed=1; fi
 says $(packages_of host)
 
-# A measurement on a board, and only that, has the programs for boards built: configured, built, and the command run.
+# Programs for boards that the command lists are built, and no others.
 cached='ZSTRIP_FIRMWARE:BOOL=OFF\n'
-board_build() {
-  rm -rf "$tree/build"
+machine() {
+  rm -rf "$tree/build" "$tree/asked"
   mkdir -p "$tree/build/host/host-sim"
   printf "$cached" >"$tree/build/host/CMakeCache.txt"
-  touch "$tree/build/host/build.ninja"
-  puts zstrip 'case "$*" in *--list-programs) printf "zstrip_scene_%s_8\n" m0 m3 m3 ;; *) echo "ran zstrip $*" ;; esac'
-  mv "$tree/bin/zstrip" "$tree/build/host/host-sim"
+  touch "$tree/build/host/build.ninja" "$tree/asked"
+  for program in zstrip zstrip-measure; do
+    puts $program 'case "$*" in *--list-programs) printf "'"$1"'" ;; *) echo "ran zstrip $*" ;; esac'
+    mv "$tree/bin/$program" "$tree/build/host/host-sim"
+  done
   puts cmake 'echo "$*" >>"'"$tree"'/asked"'
   for program in ninja qemu-system-arm; do puts "$program" 'exit 0'; done
-  rm -f "$tree/asked"
-  output=$(PATH=$tree/bin bash "$tree/host-sim/run" "$@" 2>&1) || { echo "host-sim/run $* failed: $output"; failed=1; }
-  grep -qxF "ran zstrip $*" <<<"$output" || { echo "host-sim/run $* does not run the command: $output"; failed=1; }
-  grep -q -- "--target firmware$" "$tree/asked" && grep -q -- "--preset host -DZSTRIP_FIRMWARE=ON" "$tree/asked"
 }
-for arguments in "bench --target m3" "bench --target=host,m4f --workload K5" "bench --frames 1 --target host m0"; do
-  # shellcheck disable=SC2086
-  board_build $arguments || { echo "host-sim/run $arguments does not build the programs for boards"; failed=1; }
-done
-for arguments in "bench" "bench --target host" "scenes" "render m3 --target m3" "bench --target m3 --firmware there"; do
-  # shellcheck disable=SC2086
-  if board_build $arguments; then echo "host-sim/run $arguments builds the programs for boards"; failed=1; fi
-done
+run() { PATH=$tree/bin bash "$tree/host-sim/run" "$@" 2>&1; }
+# builds LISTED ARGUMENTS: what host-sim/run asks CMake for, where the command lists these programs.
+builds() {
+  local listed=$1
+  shift
+  machine "$listed"
+  output=$(run "$@") || { echo "host-sim/run $* failed: $output"; failed=1; }
+  grep -qxF "ran zstrip $*" <<<"$output" || { echo "host-sim/run $* does not run the command: $output"; failed=1; }
+  sed -i "s|$tree/build/host|BUILD|" "$tree/asked"
+}
+asks() { grep -qF -- "$1" "$tree/asked" || { echo "is not asked for: $1"; cat "$tree/asked"; failed=1; }; }
+asks_not() { if grep -qE -- "$1" "$tree/asked"; then echo "is asked for: $1"; cat "$tree/asked"; failed=1; fi; }
 
-
-# Counting instructions of a scene's pipelines takes their programs and no others, on the cores that are named.
-for arguments in "accuracy cube --target m3" "tune cube --target=m3" "accuracy --target host,m3 cube"; do
+builds 'zstrip_bench_m3\n' bench --target m3
+asks "--preset host -DZSTRIP_FIRMWARE=ON"
+asks "--target firmware_cortex-m3-configure"
+asks "--build BUILD/firmware/cortex-m3 --target zstrip_bench_m3"
+asks_not 'cortex-m[04]|--target firmware$|SCENE_EFFECTS'
+builds 'zstrip_bench_depth_m4f\nzstrip_bench_rv32\n' bench --target m4f,rv32
+asks "--build BUILD/firmware/cortex-m4 --target zstrip_bench_depth_m4f"
+asks "--build BUILD/firmware/rv32imac --target zstrip_bench_rv32"
+for arguments in "scenes" "render m3 --target m3" "bench --target m3 --firmware there" "bench --target m3 --firmware=there"; do
   # shellcheck disable=SC2086
-  if board_build $arguments; then echo "host-sim/run $arguments builds all programs for boards"; failed=1; fi
-  for expected in "--preset host -DZSTRIP_FIRMWARE=ON" "--target firmware_cortex-m3-configure" \
-    "-DZSTRIP_SCENE_EFFECTS=8;8 $tree/build/host/firmware/cortex-m3" \
-    "--build $tree/build/host/firmware/cortex-m3 --target zstrip_scene_m3_8 zstrip_scene_m3_8"; do
-    grep -qF -- "$expected" "$tree/asked" || { echo "host-sim/run $arguments does not ask for $expected"; failed=1; }
-  done
-  if grep -q "cortex-m0" "$tree/asked"; then echo "host-sim/run $arguments asks for another core"; failed=1; fi
+  builds 'zstrip_bench_m3\n' $arguments
+  asks_not 'firmware|FIRMWARE=ON'
 done
-board_build accuracy cube && { echo "host-sim/run accuracy on the host builds programs for boards"; failed=1; }
-if grep -q "SCENE_EFFECTS" "$tree/asked"; then echo "host-sim/run accuracy on the host asks for programs"; failed=1; fi
+builds '' bench --target host
+asks_not 'firmware|FIRMWARE=ON'
+builds 'zstrip_scene_m3_8\n' accuracy cube
+asks_not 'firmware|FIRMWARE=ON'
 
-# In a tree where tests run: for counting no change of what others use.
+# In a tree where tests run nothing is configured again.
 cached='ZSTRIP_FIRMWARE:BOOL=ON\n'
-if board_build accuracy cube --target m3; then echo "host-sim/run accuracy builds all programs for boards"; failed=1; fi
-if grep -q -- "--preset host -D" "$tree/asked"; then
-  echo "host-sim/run accuracy configures the tree in which tests run"
-  failed=1
-fi
+builds 'zstrip_scene_m3_8\nzstrip_scene_m3_9\n' accuracy cube --target m3
+asks "-DZSTRIP_SCENE_EFFECTS=8;9 BUILD/firmware/cortex-m3"
+asks "--build BUILD/firmware/cortex-m3 --target zstrip_scene_m3_8 zstrip_scene_m3_9"
+asks_not 'cortex-m0|--preset host -D'
+
+# While another build runs: help is there at once, all else says what it waits for.
+machine ''
+exec 8>>"$tree/build/.lock"
+flock 8
+echo "process 7 is building" >"$tree/build/.lock"
+for arguments in "--help" "bench --help" "render -h" "--version"; do
+  # shellcheck disable=SC2086
+  output=$(timeout 5 env PATH="$tree/bin" bash "$tree/host-sim/run" $arguments 2>&1) || true
+  [ "$output" = "ran zstrip $arguments" ] || { echo "host-sim/run $arguments waits for a build: $output"; failed=1; }
+done
+asks_not .
+(sleep 1; flock --unlock 8) &
+output=$(run scenes)
+wait $!
+[ "$output" = $'zstrip: another zstrip build runs (process 7 is building); waiting\nran zstrip scenes' ] ||
+  { echo "does not say what it waits for: $output"; failed=1; }
+exec 8>&-
+rm "$tree/build/host/host-sim/zstrip"
+output=$(run --help) || true
+grep -qF "zstrip: the command is not built yet: building it first" <<<"$output" || { echo "help is built without a word: $output"; failed=1; }
+asks "--target zstrip"
 
 exit "$failed"
