@@ -27,6 +27,7 @@ class Planning {
   }
 
   const SceneCounts& counts() const { return counts_; }
+  Effects effects() const { return effects_; }
   DepthFormat depth_format() const { return zstrip::depth_format(effects_); }
 
   /// With `budget`, and the request's view and effects.
@@ -44,11 +45,13 @@ class Planning {
     const Result<FrameReport> report = renderer.render(staging_, plan);
     if (!report) return report.failure();
     const Statistics& done = report->statistics;
+    Plan drawn = plan;
+    drawn.mode = report->mode;
     return Alternative{.plan = plan,
                        .total_bytes = total_bytes(plan),
-                       .instructions = estimated_cost(counts_, effects_, request_.view, plan, work_of(done)),
+                       .instructions = estimated_cost(counts_, effects_, request_.view, drawn, work_of(done)),
                        .statistics = done,
-                       .overflowed = report->mode != plan.mode};
+                       .overflowed = drawn.mode != plan.mode};
   }
 
  private:
@@ -121,6 +124,7 @@ Result<PlanChoice> choose_plan(const Staging& staging, const PlanRequest& reques
   const Result<Plan> best = best_plan(planning, request);
   if (!best) return best.failure();
   PlanChoice choice{.counts = planning.counts(),
+                    .effects = planning.effects(),
                     .chosen = {},
                     .depth_format = planning.depth_format(),
                     .curve = {},

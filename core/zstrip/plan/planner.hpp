@@ -107,8 +107,8 @@ class Planner {
     }
     if (binned) {
       if (meshlets > kMaxBatches || counts_.longest_meshlet > kMaxListedTriangles) return {};
-      const std::uint64_t entries = facing_triangles(counts_, effects_, view_, plan).visits() +
-                                    facing_meshlets(counts_, effects_, view_, plan).visits();
+      const std::uint64_t entries = facing_triangles(counts_, effects_, view_, plan, kFacingAtMost).visits() +
+                                    facing_meshlets(counts_, effects_, view_, plan, kFacingAtMost).visits();
       const std::uint64_t chunks = entries / kBinChunkEntries + strips;
       plan.bin_bytes = rounded_up(meshlets * kBatchBytes + strips * kBinBytes +
                                   (chunks < kMaxBinChunks ? chunks : kMaxBinChunks) * kBinChunkBytes);
