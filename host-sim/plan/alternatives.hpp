@@ -36,6 +36,7 @@ struct PlanRequest {
 
 struct PlanChoice {
   SceneCounts counts;
+  Effects effects;  ///< of scene, picture and request
   Alternative chosen;
   DepthFormat depth_format = DepthFormat::z16;  ///< of all its plans
   std::vector<Alternative> curve;    ///< from the smallest plan to a single strip, each faster than the one before

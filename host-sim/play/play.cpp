@@ -155,6 +155,7 @@ EMSCRIPTEN_KEEPALIVE const char* zstrip_draw() {
       {"drawn", report.statistics.drawn},
       {"fragments", report.statistics.fragments},
       {"m3_instructions", viewed.instructions},
+      {"estimate_leaves_out", viewed.left_out},
       {"rates", rates_of_frame()},
       {"accuracy", accuracy_of_frame()},
       {"text", viewed.text},

@@ -2,6 +2,7 @@
 #include "report/plan_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -160,6 +161,8 @@ std::string plan_table(const std::string& scene, const PlanRequest& request, con
   if (choice.depth) text += depth_table(*choice.depth);
   if (has_layer(request, choice)) text += layer_table(choice.kept);
   text += "Instructions: a frame on a Cortex-M3, estimated from what the first frame does; zstrip bench measures.\n";
+  const std::vector<std::string> left_out = left_out_of_estimates(choice.effects);
+  if (!left_out.empty()) text += fmt::format("The estimate leaves out: {}.\n", fmt::join(left_out, ", "));
   return text;
 }
 
@@ -198,6 +201,7 @@ std::string plan_json(const std::string& scene, const PlanRequest& request, cons
                    {"meshlets", choice.counts.meshlets},
                    {"largest_meshlet", choice.counts.largest_meshlet},
                    {"longest_meshlet", choice.counts.longest_meshlet}}},
+                 {"estimate_leaves_out", left_out_of_estimates(choice.effects)},
                  {"plan", to_object(choice.chosen, request.budget.layer)},
                  {"curve", curve},
                  {"depth", depth},

@@ -6,6 +6,7 @@
 #include "report/frame_record.hpp"
 #include "report/number.hpp"
 #include "visibility/methods.hpp"
+#include "zstrip/effects/list.hpp"
 #include "zstrip/plan/visibility_bytes.hpp"
 
 namespace zstrip::sim {
@@ -60,6 +61,17 @@ std::string visibility_words(const Plan& plan, Effects method) {
     text += fmt::format(", {} of z-buffer saved", counted(cells * depth_bytes(DepthFormat::z16), "byte"));
   }
   return text;
+}
+
+std::vector<std::string> left_out_of_estimates(Effects effects) {
+  constexpr Effects kPriced = effect::lighting | effect::gouraud | effect::vertex_colours | effect::textures |
+                              effect::two_sided | effect::skins | effect::supersampled | effect::bins;
+  constexpr Effects kNearlyFree = effect::orthographic | effect::depth_state | effect::billboards | effect::unclipped;
+  std::vector<std::string> names;
+  for (const EffectName& known : kEffectNames) {
+    if (without(effects, kPriced | kNearlyFree).has(known.effect)) names.emplace_back(known.name);
+  }
+  return names;
 }
 
 }  // namespace zstrip::sim

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "zstrip/budget.hpp"
 #include "zstrip/effects.hpp"
@@ -23,5 +24,8 @@ std::string memory(const Plan& plan, std::uint32_t strip_pixel_bytes, Effects me
 /// What a method of visibility takes and saves in a plan: "painter: 800 bytes for sorting, 30,720 bytes of z-buffer
 /// saved".
 std::string visibility_words(const Plan& plan, Effects method);
+
+/// Names of those of `effects` that estimated_cost knows no price of.
+std::vector<std::string> left_out_of_estimates(Effects effects);
 
 }  // namespace zstrip::sim

@@ -13,6 +13,7 @@
 #include "image/encode.hpp"
 #include "image/to_rgb.hpp"
 #include "report/number.hpp"
+#include "report/plan_words.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -126,12 +127,15 @@ Result<ViewedFrame> Viewer::draw() {
                      .report = drawn->report,
                      .strips = strips_of(drawn->report.plan, drawing_->view),
                      .times = {},
+                     .left_out = {},
                      .rates = {},
                      .heat = {},
                      .text = {}};
   viewed.flash_bytes = flash_bytes(staging->scene, drawer_->stage().animation(), staging->tree).total();
-  viewed.instructions = estimated_cost(count(staging->scene), effects_of(staging->scene, staging->camera),
-                                       drawing_->view, viewed.report.plan, work_of(viewed.report.statistics));
+  const Effects effects = effects_of(staging->scene, staging->camera) | effects_of(drawing_->view);
+  viewed.instructions = estimated_cost(count(staging->scene), effects, drawing_->view, viewed.report.plan,
+                                       work_of(viewed.report.statistics));
+  viewed.left_out = left_out_of_estimates(effects);
   const auto timeline = [&](const BoardModel& board, double bus_mhz) {
     return times_on(board, time_on(board, bus_mhz, viewed, drawing_->view), viewed.strips);
   };
@@ -178,11 +182,14 @@ std::vector<std::string> Viewer::text(const ViewedFrame& viewed) const {
     const BoardTime time = time_on(*board, request_.bus_mhz, viewed, view);
     lines.push_back(fmt::format("{}: {:.0f} ms drawn, {:.0f} sent: about {:.3g}/s", board->name, 1e3 * time.draw,
                                 1e3 * time.send, 1 / viewed.times.back().send_end));
-    return lines;
+  } else {
+    std::vector<std::string> boards;
+    for (const BoardRate& rate : viewed.rates) boards.push_back(fmt::format("{} {:.3g}", rate.board, rate.frames));
+    lines.push_back(fmt::format("about/s: {}", fmt::join(boards, " ")));
   }
-  std::vector<std::string> boards;
-  for (const BoardRate& rate : viewed.rates) boards.push_back(fmt::format("{} {:.3g}", rate.board, rate.frames));
-  lines.push_back(fmt::format("about/s: {}", fmt::join(boards, " ")));
+  if (!viewed.left_out.empty()) {
+    lines.push_back(fmt::format("the estimate leaves out: {}", fmt::join(viewed.left_out, ", ")));
+  }
   return lines;
 }
 

@@ -39,13 +39,14 @@ struct ViewedFrame {
   RgbImage picture;
   std::vector<std::uint8_t> png;  ///< the file that `zstrip render` writes
   FrameReport report;
-  std::vector<Rect> strips;         ///< in the picture's pixels; empty on a panel that turns or mirrors them
-  std::vector<StripTimes> times;    ///< of each strip; only with a board
-  std::uint64_t flash_bytes = 0;    ///< of the scene, without the program
-  std::uint64_t instructions = 0;   ///< about, on a Cortex-M3
-  std::vector<BoardRate> rates;     ///< of all boards
-  std::optional<HeatFigures> heat;  ///< of Look::accuracy
-  std::vector<std::string> text;    ///< lines for people
+  std::vector<Rect> strips;           ///< in the picture's pixels; empty on a panel that turns or mirrors them
+  std::vector<StripTimes> times;      ///< of each strip; only with a board
+  std::uint64_t flash_bytes = 0;      ///< of the scene, without the program
+  std::uint64_t instructions = 0;     ///< about, on a Cortex-M3
+  std::vector<std::string> left_out;  ///< effects whose instructions are not among them
+  std::vector<BoardRate> rates;       ///< of all boards
+  std::optional<HeatFigures> heat;    ///< of Look::accuracy
+  std::vector<std::string> text;      ///< lines for people
 };
 
 /// Not thread-safe.

@@ -22,6 +22,39 @@ TEST_F(Command, PlansCountSamples) {
   EXPECT_GT(four.at("plan").at("estimated_m3_instructions"), one.at("plan").at("estimated_m3_instructions"));
 }
 
+/// Regression: its bins overflowed, and every frame was streamed.
+TEST_F(Command, BinsOfAPlanHoldAFigureThatIsSeenFromItsLargerSide) {
+  for (const char* ram : {"72K", "96K", "160K"}) {
+    const Outcome outcome = zstrip({"plan", "character", "--size", "240x320", "--ram", ram, "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto plan = nlohmann::json::parse(outcome.out).at("plan");
+    EXPECT_EQ(plan.at("mode"), "binned") << ram;
+    EXPECT_FALSE(plan.at("bins_overflowed").get<bool>()) << ram;
+  }
+}
+
+/// Regression: nothing said that estimates know no price of these, and they were up to ten times too low.
+TEST_F(Command, PlanSaysWhichEffectsItsEstimateLeavesOut) {
+  const auto left_out = [this](const std::vector<std::string>& scene) {
+    std::vector<std::string> words{"plan"};
+    words.insert(words.end(), scene.begin(), scene.end());
+    const std::string text = zstrip(words).out;
+    words.emplace_back("--json");
+    const auto names = nlohmann::json::parse(zstrip(words).out).at("estimate_leaves_out");
+    EXPECT_EQ(text.find("The estimate leaves out: ") == std::string::npos, names.empty()) << text;
+    for (const auto& name : names) EXPECT_NE(text.find(name.get<std::string>()), std::string::npos) << text;
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(left_out({"knot_textured"}), Names{});
+  EXPECT_EQ(left_out({"teapot", "--samples", "4"}), Names{});
+  EXPECT_EQ(left_out({"character"}), Names{});
+  EXPECT_EQ(left_out({"fog"}), Names{"fog"});
+  EXPECT_EQ(left_out({"bilinear"}), Names{"bilinear"});
+  EXPECT_EQ(left_out({"teapot", "--dither"}), Names{"dithered_colours"});
+  EXPECT_EQ(left_out({ZSTRIP_SCENE_FILES "/gallery/robot.toml"}), Names{"shadows"});
+}
+
 TEST_F(Command, PlanListsAPurposeOnlyIfTheSceneHasIt) {
   const auto arena = [this](const std::string& scene) {
     const Outcome outcome = zstrip({"plan", scene, "--json"});

@@ -108,6 +108,16 @@ test('the heat map is that of zstrip render --show accuracy', async () => {
   await assert.rejects(drawing.draw({look: 4}), (error) => error.status === 4 && /no truth can be drawn/.test(error.message));
 });
 
+test('estimates say which effects they leave out', async () => {
+  const drawing = await load('zstrip.mjs');
+  for (const [scene, leftOut] of [['teapot', []], ['fog.toml', ['fog']], ['gallery/robot.toml', ['shadows']]]) {
+    await drawing.open(scene, ['--size', '60x60', '--frames', '1']);
+    const {figures} = await drawing.draw();
+    assert.deepEqual(figures.estimate_leaves_out, leftOut, scene);
+    assert.equal(figures.text.some((line) => line.startsWith('the estimate leaves out: ')), leftOut.length > 0, scene);
+  }
+});
+
 test('headers, programs and blobs are those of zstrip bake', async () => {
   const drawing = await load('zstrip.mjs');
   for (const scene of ['teapot', 'fog.toml', 'gallery/chess.toml']) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "support.hpp"
+#include "view/viewer.hpp"
 #include "view/watched_files.hpp"
 #include "view/window.hpp"
 #include "view/window_picture.hpp"
@@ -116,6 +117,20 @@ TEST(ViewWireframe, HasEveryEdgeOfEveryInstance) {
       EXPECT_EQ(2 * lines[i].segments.size(), 3 * staging->scene.meshes[lines[i].mesh].triangles.size()) << name;
     }
   }
+}
+
+TEST(ViewText, SaysWhichEffectsTheEstimateLeavesOut) {
+  const auto last_line = [](const char* scene) {
+    ViewRequest request;
+    request.drawing.scene = scene;
+    request.drawing.view.size = "64x48";
+    Result<Viewer> viewer = Viewer::open(request);
+    if (!viewer) return viewer.failure().message;
+    const Result<ViewedFrame> drawn = viewer->draw();
+    return drawn ? drawn->text.back() : drawn.failure().message;
+  };
+  EXPECT_EQ(last_line("fog"), "the estimate leaves out: fog");
+  EXPECT_TRUE(last_line("teapot").starts_with("about/s: ")) << last_line("teapot");
 }
 
 TEST(ViewInput, IsWrittenAsWords) {

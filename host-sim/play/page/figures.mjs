@@ -56,4 +56,6 @@ export function showFigures(figures) {
   ]);
   showAccuracy(figures.accuracy);
   fill('boards', Object.entries(figures.rates).map(([board, rate]) => [board, rate.toPrecision(3)]));
+  const leftOut = figures.estimate_leaves_out;
+  document.getElementById('left-out').textContent = leftOut.length > 0 ? `The estimates leave out: ${leftOut.join(', ')}.` : '';
 }
