@@ -32,6 +32,7 @@ constexpr PipelineRow kRowsOfTriangles[] = {
     shaded<effect::textures | effect::lighting | effect::gouraud>(),
     shaded<effect::textures | effect::vertex_colours | effect::gouraud>(),
     shaded<effect::textures | effect::lighting | effect::vertex_colours | effect::gouraud>(),
+    pipeline_row<effect::textures | effect::lighting | effect::gouraud | effect::skins | effect::bins>(),
     pipeline_row<kAllShades | effect::statistics>(),
     pipeline_row<kAllShades | effect::statistics | effect::orthographic>(),
     pipeline_row<kOfMethods | method::painter>(),
