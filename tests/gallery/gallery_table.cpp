@@ -1,0 +1,91 @@
+// The columns of the table, and the pages that are made of it.
+#include "gallery_table.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
+namespace zstrip::gallery {
+namespace {
+
+/// "28.4".
+std::string millions(const measured::Table& table, const std::string& scene, const std::string& machine,
+                     const std::string& preset, const std::string& kilobytes) {
+  const measured::Row* const row = table.find({scene, machine, preset, kilobytes});
+  if (row == nullptr) throw std::runtime_error("there is no row of " + scene + ", " + machine + ", " + preset);
+  const std::uint64_t tenths = (std::stoull(row->at(5)) + 50'000) / 100'000;
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+}
+
+}  // namespace
+
+measured::Table gallery_format() {
+  return {.part = "gallery",
+          .columns = {{"scene"},
+                      {"machine"},
+                      {"preset"},
+                      {"ram_kilobytes"},
+                      {"strip_rows", measured::kExact},
+                      {"instructions", measured::kInstructions},
+                      {"instructions_at_most", measured::kInstructions}}};
+}
+
+Counted parse_counted(const std::string& printed) {
+  Counted counted;
+  std::istringstream text(printed);
+  text >> counted.strip_rows >> counted.crc32;
+  for (std::uint64_t instructions = 0; text >> instructions;) counted.instructions.push_back(instructions);
+  if (counted.instructions.empty()) throw std::runtime_error("no frames are counted: " + printed);
+  return counted;
+}
+
+measured::Row row_of(const std::string& scene, const std::string& machine, const std::string& preset,
+                     const std::string& kilobytes, const Counted& counted) {
+  const auto& frames = counted.instructions;
+  const std::uint64_t sum = std::accumulate(frames.begin(), frames.end(), std::uint64_t{0});
+  return {scene,
+          machine,
+          preset,
+          kilobytes,
+          counted.strip_rows,
+          std::to_string(sum / frames.size()),
+          std::to_string(*std::ranges::max_element(frames))};
+}
+
+std::string gallery_page(const measured::Table& table) {
+  std::ostringstream page;
+  page << "# Instructions of the gallery\n\nCounted by `tests/measure gallery`; [gallery.csv](gallery.csv) has the "
+          "figures themselves. Million\ninstructions a frame of the [six scenes](../gallery.md#six-scenes) at 240x240 "
+          "pixels: the mean of four frames, at 0, 1/4, 1/2\nand 3/4 of the motion, in QEMU with `-icount`. Posing what "
+          "moves is not in them.\n\n";
+  for (const std::string& note : table.notes) page << "- " << note << '\n';
+  page << "\n| Scene ";
+  for (const char* const machine : kMachines) {
+    for (const char* const preset : kPresets) {
+      for (const char* const kilobytes : kKilobytes) {
+        page << "| " << (machine == std::string("m3") ? "M3" : "M0") << ", " << preset << ", " << kilobytes << " KB ";
+      }
+    }
+  }
+  page << "|\n|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+  for (const char* const scene : kScenes) {
+    page << "| `" << scene << "` ";
+    for (const char* const machine : kMachines) {
+      for (const char* const preset : kPresets) {
+        for (const char* const kilobytes : kKilobytes) {
+          page << "| " << millions(table, scene, machine, preset, kilobytes) << ' ';
+        }
+      }
+    }
+    page << "|\n";
+  }
+  return page.str();
+}
+
+PageRow row_of_page(const measured::Table& table, const std::string& scene) {
+  return {"| `" + scene + "` | ", "| " + millions(table, scene, "m3", "size", "22") + " | " +
+                                      millions(table, scene, "m3", "size", "48") + " |"};
+}
+
+}  // namespace zstrip::gallery
