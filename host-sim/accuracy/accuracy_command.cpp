@@ -262,12 +262,12 @@ void add_accuracy_command(CLI::App& app, int& exit_code) {
   command->add_option("--target", a.targets, "Whose time, separated by commas: host, or an emulated m0, m3 or m4f")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(one_of({"host", "m0", "m3", "m4f"}))
+      ->transform(one_of({"host", "m0", "m3", "m4f"}))
       ->capture_default_str();
   command->add_option("--default-on", a.default_targets, "Targets on which only the default is measured")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(one_of({"host", "m0", "m3", "m4f"}));
+      ->transform(one_of({"host", "m0", "m3", "m4f"}));
   command->add_option("--knobs", a.knobs, "Knobs to turn, separated by commas, or all")
       ->transform(lower_case())
       ->capture_default_str();

@@ -160,7 +160,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
       ->required()
       ->type_name("SCENE");
   command->add_option("--target", a.target, "Whose time: host, or an emulated m0, m3 or m4f")
-      ->check(one_of({"host", "m0", "m3", "m4f"}))
+      ->transform(one_of({"host", "m0", "m3", "m4f"}))
       ->capture_default_str();
   command->add_option("--size", a.size, "Size of the picture")
       ->transform(lower_case())

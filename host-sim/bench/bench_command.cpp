@@ -369,7 +369,7 @@ void add_board_options(CLI::App& command, BenchOptions& options, CLI::Option* ta
   auto* const board =
       command.add_option("--board", options.boards, "Predict frames a second of real boards, separated by commas")
           ->delimiter(',')
-          ->check(one_of(board_names()))
+          ->transform(one_of(board_names()))
           ->excludes(target)
           ->excludes("--peers");
   command.add_option("--spi-mhz", options.spi_mhz, "Clock of the display's bus instead of the board's most")
@@ -392,22 +392,22 @@ void add_bench_command(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<BenchOptions>();
   CLI::App* command = app.add_subcommand(kBenchCommand.name, kBenchCommand.description);
   command->footer(footer());
-  auto* const table =
-      command->add_option("--table", options->table, "Reproduce a published table instead")->check(one_of(tables()));
+  auto* const table = command->add_option("--table", options->table, "Reproduce a published table instead")
+                          ->transform(one_of(tables()));
   command
       ->add_option("--picture", options->pictures, "Sides of the table's pictures, separated by commas (default: all)")
       ->delimiter(',')
-      ->check(one_of(sides_of_pictures()))
+      ->transform(one_of(sides_of_pictures()))
       ->needs(table);
   auto* const target =
       command
           ->add_option("--target", options->targets, "Where to draw, separated by commas; boards are emulated by QEMU")
           ->delimiter(',')
-          ->check(one_of({"host", "m0", "m3", "m4f", "m7", "m33", "m55", "rv32"}))
+          ->transform(one_of({"host", "m0", "m3", "m4f", "m7", "m33", "m55", "rv32"}))
           ->capture_default_str();
   command->add_option("--workload", options->workloads, "What to draw, separated by commas")
       ->delimiter(',')
-      ->check(one_of(workload_names()))
+      ->transform(one_of(workload_names()))
       ->capture_default_str();
   command->add_option("--size", options->size, "Size of the picture, each side 1 to 4096 (default: the workload's own)")
       ->transform(lower_case())
@@ -421,10 +421,10 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       ->transform(lower_case())
       ->type_name("N|auto");
   command->add_option("--mode", options->mode, "Transform geometry again for each strip, or once and bin it")
-      ->check(one_of({"streamed", "binned"}))
+      ->transform(one_of({"streamed", "binned"}))
       ->capture_default_str();
   command->add_option("--depth", options->depth, "How boards keep depth; all but z16 for R50 only")
-      ->check(one_of({"z16", "state", "ranges", "float", "w16", "z24", "z32"}))
+      ->transform(one_of({"z16", "state", "ranges", "float", "w16", "z24", "z32"}))
       ->capture_default_str();
   command->add_option("--ram", options->ram, "Renderer's memory at most, K and M allowed (default: no limit)")
       ->type_name("BYTES");

@@ -459,19 +459,19 @@ void add_bake_command(CLI::App& app, int& exit_code) {
                    "Palettes for textures, which take fewer bytes and are drawn slower: auto, where nothing is lost; "
                    "palette8, of 256 colours, or palette4, of 16; rgb565: none (default)")
       ->option_text("FORMAT")
-      ->check(one_of({"rgb565", "auto", "palette8", "palette4"}));
+      ->transform(one_of({"rgb565", "auto", "palette8", "palette4"}));
   command
       ->add_option("--mipmaps", a.mipmaps,
                    "Smaller levels of textures, for texels that lie closer than pixels: auto, where the scene has "
                    "them (default); on, for all textures of instances: a third more bytes, and drawn slower; off: none")
       ->option_text("CHOICE")
-      ->check(one_of({"auto", "on", "off"}));
+      ->transform(one_of({"auto", "on", "off"}));
   command
       ->add_option("--clipping", a.clipping,
                    "Code that clips triangles: auto, none in a header whose motion, a turn with --turntable or its "
                    "animation, never needs it (default); on, for programs that move camera or instances otherwise")
       ->option_text("CHOICE")
-      ->check(one_of({"auto", "on"}));
+      ->transform(one_of({"auto", "on"}));
   add_pico_options(*command, a.pico);
   command->add_option("--json", a.json, "Write the report as JSON; - is standard output")->type_name("FILE|-");
   command->add_flag("--quiet", a.quiet, "No report in words; warnings and errors remain");

@@ -26,7 +26,7 @@ void add_pico_options(CLI::App& command, PicoArguments& arguments) {
           "Which board a .uf2 file is for: pico, a Raspberry Pi Pico (default), or pico2, a Pico 2; pico_hot or "
           "pico2_hot: with the program that has hot code in RAM, and less of it for a scene")
       ->option_text("BOARD")
-      ->check(one_of(names));
+      ->transform(one_of(names));
   command
       .add_option(
           "--with", arguments.program,

@@ -65,7 +65,7 @@ void add_quality_options(CLI::App& command, ViewArguments& arguments) {
                   "Samples a pixel, whose mean smooths edges: 1 (default), 2 (side by side) or 4 (two by two); they "
                   "take memory and time as so many pixels")
       ->type_name("N")
-      ->check(one_of({"1", "2", "4"}));
+      ->transform(one_of({"1", "2", "4"}));
   command.add_flag_function(
       "--edges,!--no-edges", [&arguments](std::int64_t count) { arguments.edges = count > 0; },
       "Smooth the edges of models alone, for less time than samples (default: no)");

@@ -35,7 +35,7 @@ void add_plan_options(CLI::App& command, PlanArguments& arguments) {
       ->type_name("N|auto");
   command.add_flag("--split-columns", a.split_columns, "The display takes rectangles narrower than the picture");
   command.add_option("--mode", a.mode, "Transform geometry for each strip, once, or what is faster")
-      ->check(one_of({"any", "streamed", "binned"}))
+      ->transform(one_of({"any", "streamed", "binned"}))
       ->capture_default_str();
   command
       .add_option("--visibility", a.visibility,

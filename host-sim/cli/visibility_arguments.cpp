@@ -27,7 +27,7 @@ void add_visibility_options(CLI::App& command, VisibilityArguments& arguments) {
   command
       .add_option("--sort-key", a.key, "The depth by which triangles are sorted: middle (default), nearest or farthest")
       ->option_text("KEY")
-      ->check(one_of({"middle", "nearest", "farthest"}));
+      ->transform(one_of({"middle", "nearest", "farthest"}));
   command
       .add_option("--cull", a.cull,
                   "All that is left out early, separated by commas: back-faces, small, spheres (meshlets by their "

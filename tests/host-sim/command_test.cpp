@@ -198,6 +198,9 @@ TEST_F(Command, WordsOfOptionsMayBeInUpperCase) {
   EXPECT_EQ(drawn({"--panel", "ST7789", "--bus", "SPI@40mhz"}), drawn({"--panel", "st7789", "--bus", "spi@40MHz"}));
   EXPECT_EQ(drawn({"--show", "Depth", "--depth-format", "Z24"}), drawn({"--show", "depth", "--depth-format", "z24"}));
   EXPECT_EQ(zstrip({"bake", "model.obj", "-o", "a.HPP", "--textures", "AUTO", "--mode", "Any"}).status, 0);
+  const auto planned = [this](const std::string& mode) { return zstrip({"plan", "teapot", "--mode", mode}).out; };
+  EXPECT_EQ(planned("STREAMED"), planned("streamed"));
+  EXPECT_NE(planned("STREAMED"), planned("binned"));
 }
 
 TEST_F(Command, OnlyTheDirectionOfUpCounts) {
