@@ -2,8 +2,8 @@
 # readme_commands.sh ROOT ZSTRIP: every command in a ```sh block of the README, of docs/try.md, docs/program.md and
 # "Plain CMake" in docs/contributing.md, and each that host-sim/run proposes, is run, in a copy of the sources. So that
 # nothing is compiled a second time, ZSTRIP stands for the command that they build, and cmake only plans its builds: of
-# what it plans, EachFile and Consumer compile the rest. Left to other tests: installing (Consumer), the board's program
-# in the emulator (BakeBoard), and tests/run, which has run this.
+# what it plans, EachFile and Consumer compile the rest. Left to other tests: installing (Consumer), a program with
+# pkg-config (Package.Debian), the board's program in the emulator (BakeBoard), and tests/run, which has run this.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
 zstrip=$(readlink -f "$2")
@@ -27,10 +27,13 @@ puts() {
   chmod +x "$scratch/bin/$1"
 }
 puts cmake "case \" \$* \" in
+  *' --build '*/firmware/cortex-*) exit 0 ;;
   *' --build '*) exec $(command -v cmake) \"\$@\" -- -n ;;
   *' --install '* | *' your_project '*) exit 0 ;;
 esac
 exec $(command -v cmake) \"\$@\""
+puts g++ "case \" \$* \" in *' main.cpp '*) exit 0 ;; esac
+exec $(command -v g++) \"\$@\""
 puts ctest "exec $(command -v ctest) \"\$@\" -N"
 puts qemu-system-arm "case \"\$*\" in *'-kernel build/m3/'*) exit 0 ;; esac
 exec $(command -v qemu-system-arm) \"\$@\""
