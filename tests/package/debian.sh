@@ -43,7 +43,7 @@ for page in program releasing; do
   line=$(grep -m 1 '^g++ .*pkg-config .*zstrip)' "$root/docs/$page.md") || complain "docs/$page.md has no line with pkg-config"
   (cd "$scratch" && rm -f main && eval "${line/#g++/"$compiler"}" && ./main) || complain "docs/$page.md: $line"
 done
-said=$("$compiler" -std=c++17 "$scratch/main.cpp" "$(pkg-config --cflags zstrip)" 2>&1) && complain "C++17 is not refused"
+said=$("$compiler" -std=c++17 -fsyntax-only "$scratch/main.cpp" "${flags[@]}" 2>&1) && complain "C++17 is not refused"
 grep -q 'zstrip needs C++20.* -std=c++20' <<<"$said" || complain "nothing says that -std=c++20 is missing: $said"
 pkg-config --exact-version "$version" zstrip || complain "zstrip.pc is of another version"
 
