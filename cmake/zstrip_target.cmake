@@ -54,6 +54,16 @@ function(zstrip_compile_together target part)
   endif()
 endfunction()
 
+# zstrip_precompile(TARGET header...): with ZSTRIP_PRECOMPILED, for builds of sources whose includes another build checks.
+option(ZSTRIP_PRECOMPILED "Parse headers once that most sources of core and scenes include; the code is the same" OFF)
+function(zstrip_precompile target)
+  if(ZSTRIP_PRECOMPILED)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+    # Or ccache keeps nothing of it.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+  endif()
+endfunction()
+
 # zstrip_compile_tests_together(TARGET [APART source...]): if tests are to be, eight sources at a time, so that processors
 # share a program. APART: names of theirs clash with others'; ALL: each for itself.
 function(zstrip_compile_tests_together target)
