@@ -182,13 +182,17 @@ Result<Done> Window::show(const RgbImage& pixels) {
 }
 
 std::optional<Input> Window::wait(std::uint32_t milliseconds) {
+  // SDL_WaitEventTimeout sends X11 events to a window that may be gone when they arrive, which ends the program.
+  constexpr std::uint64_t kNap = 3;
   const std::uint64_t end = SDL_GetTicks64() + milliseconds;
-  SDL_Event event;
-  for (std::uint64_t now = end - milliseconds; SDL_WaitEventTimeout(&event, static_cast<int>(end - now)) != 0;
-       now = std::min<std::uint64_t>(SDL_GetTicks64(), end)) {
-    if (std::optional<Input> input = input_of(event)) return input;
+  for (;;) {
+    for (SDL_Event event; SDL_PollEvent(&event) != 0;) {
+      if (std::optional<Input> input = input_of(event)) return input;
+    }
+    const std::uint64_t now = SDL_GetTicks64();
+    if (now >= end) return std::nullopt;
+    SDL_Delay(static_cast<std::uint32_t>(std::min(kNap, end - now)));
   }
-  return std::nullopt;
 }
 
 void Window::inject(const Input& input) {
