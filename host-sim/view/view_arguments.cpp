@@ -32,7 +32,9 @@ Result<const BoardModel*> parse_board(const std::string& text) {
 void add_view_options(CLI::App& command, ViewOptions& options) {
   add_drawing_options(command, options.drawing);
   command
-      .add_option("--frames", options.frames, "Frames of the animation, or of a full turn, 1 to 10000 (default: 64)")
+      .add_option("--frames", options.frames,
+                  "Frames of the animation, or of a full turn, 1 to 10000 (default: 64, in the window of an animation "
+                  "30 a second if that is more)")
       ->option_text("N")
       ->check(CLI::Range(1U, 10000U));
   command
@@ -44,7 +46,7 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
 }
 
 Result<ViewRequest> parse_view_request(const ViewOptions& options) {
-  ViewRequest request{.drawing = options.drawing, .frames = options.frames};
+  ViewRequest request{.drawing = options.drawing, .frames = options.frames.value_or(64)};
   if (!options.board) return request;
   const Result<const BoardModel*> board = parse_board(*options.board);
   if (!board) return board.failure();

@@ -18,7 +18,7 @@ namespace zstrip::sim {
 /// As given on the command line.
 struct ViewOptions {
   DrawingArguments drawing;
-  std::uint32_t frames = 64;
+  std::optional<std::uint32_t> frames;
   std::optional<std::string> board;
 };
 

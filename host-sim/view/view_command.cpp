@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -14,6 +15,7 @@
 #include "cli/print.hpp"
 #include "cli/sibling_program.hpp"
 #include "report/step_report.hpp"
+#include "report/text.hpp"
 #include "view/view_arguments.hpp"
 #include "view/view_loop.hpp"
 #include "view/viewer.hpp"
@@ -41,9 +43,25 @@ Result<std::vector<Input>> parse_inputs(const std::string& words) {
   return inputs;
 }
 
+std::string help_on_keys() {
+  std::string text = "Mouse and keys:\n";
+  for (const std::string& line : view_keys()) text += "  " + line + "\n";
+  return text;
+}
+
+/// For a person: what is shown, and which keys there are.
+std::string greeting(const std::string& scene, const Viewer& viewer) {
+  const double seconds = viewer.milliseconds() / 1e3;
+  return fmt::format("zstrip view {}: {}\n{}", printable(scene),
+                     viewer.moves() ? fmt::format("an animation of {} seconds, which plays; Space stops it", seconds)
+                                    : std::string("nothing moves; drag turns it, Space turns it by itself"),
+                     help_on_keys());
+}
+
 Result<Done> view(const ViewCommandLine& arguments) {
-  const Result<ViewRequest> request = parse_view_request(arguments.options);
+  Result<ViewRequest> request = parse_view_request(arguments.options);
   if (!request) return request.failure();
+  request->smooth = !arguments.options.frames;
   Result<std::vector<Input>> inputs = parse_inputs(arguments.press);
   if (!inputs) return inputs.failure();
   const std::string& scene = arguments.options.drawing.scene;
@@ -54,8 +72,13 @@ Result<Done> view(const ViewCommandLine& arguments) {
   if (!viewer) return viewer.failure();
   Result<Window> window = Window::open("zstrip: " + scene);
   if (!window) return window.failure();
+  const bool for_a_person = inputs->empty();
+  if (for_a_person) write_text(stdout, greeting(scene, *viewer));
   return run_view_loop(*viewer, *window, scene, std::move(files),
-                       {.scale = arguments.scale, .watch = !arguments.no_watch, .inputs = std::move(*inputs)});
+                       {.scale = arguments.scale,
+                        .watch = !arguments.no_watch,
+                        .playing = for_a_person && viewer->moves(),
+                        .inputs = std::move(*inputs)});
 }
 
 }  // namespace
@@ -65,15 +88,17 @@ void add_view_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<ViewCommandLine>();
   ViewCommandLine& a = *arguments;
   add_view_options(*command, a.options);
-  command->add_option("--scale", a.scale, "The window's pixels for one of the picture, 1 to 8 (default: as fits)")
+  command
+      ->add_option("--scale", a.scale,
+                   "The window's pixels for one of the picture, 1 to 8, if the screen has them (default: as fits)")
       ->option_text("N")
       ->check(CLI::Range(1U, 8U));
   command->add_flag("--no-watch", a.no_watch, "The scene is not read again when its files change");
   command
       ->add_option("--press", a.press,
-                   "Keys that are pressed at the beginning, for scripts: right,drag=40:0,wheel=2,s,q")
+                   "Keys that are pressed at the beginning, for scripts: right,drag=40:0,wheel=2,s,q; nothing plays")
       ->type_name("KEYS");
-  command->footer(view_keys() +
+  command->footer(help_on_keys() +
                   "Examples:\n"
                   "  zstrip view teapot\n"
                   "  zstrip view robot.glb --ram 20K\n"

@@ -27,10 +27,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t kMaxScale = 8;
-constexpr std::uint32_t kWideEnough = 960, kHighEnough = 720;  // the window is not made larger unasked
-constexpr std::uint32_t kMaxSide = 4096;                       // nor than this when asked
+constexpr std::uint32_t kWideEnough = 960, kHighEnough = 720;  // the picture is not made larger unasked
 constexpr double kDegreesOfPixel = 0.4;                        // of a drag
 constexpr std::uint32_t kTick = 15;                            // milliseconds between two looks at the time
+constexpr std::uint32_t kPlayingTick = 4;
 constexpr auto kWatchEvery = std::chrono::milliseconds(300);
 
 double seconds(Clock::duration time) { return std::chrono::duration<double>(time).count(); }
@@ -48,7 +48,12 @@ std::filesystem::path free_name(const std::string& scene, std::string_view endin
 class ViewLoop {
  public:
   ViewLoop(Viewer& viewer, Window& window, const std::string& scene, WatchedFiles files, const ViewLoopOptions& options)
-      : viewer_(viewer), window_(window), scene_(scene), files_(std::move(files)), options_(options) {}
+      : viewer_(viewer),
+        window_(window),
+        scene_(scene),
+        files_(std::move(files)),
+        options_(options),
+        playing_(options.playing) {}
 
   Result<Done> run();
 
@@ -57,6 +62,10 @@ class ViewLoop {
   void press(const std::string& key);
   Result<Done> draw();
   Result<Done> show();
+  /// Asks for a window of `scale`.
+  Result<Done> resize(std::uint32_t scale);
+  TextLines text() const { return text_ ? TextLines(lines_) : TextLines(); }
+  WindowSize picture_size() const { return {shown_.width, shown_.height}; }
   void play(Clock::time_point now);
   void reload();
   void look_at_files(Clock::time_point now);
@@ -75,9 +84,12 @@ class ViewLoop {
   bool open_ = true;
   bool changed_ = true;  // the frame must be drawn
   bool stale_ = true;    // the window does not show it
-  bool marks_ = false, text_ = true, playing_ = false;
+  bool marks_ = false, text_ = true, keys_ = false, playing_;
   ViewedFrame viewed_{};
-  RgbImage shown_{};  // what has arrived at the display of a board
+  std::vector<std::string> lines_{};  // below the picture
+  RgbImage shown_{};                  // what has arrived at the display of a board
+  RgbImage pixels_{};                 // of the window
+  WindowSize asked_for_{};            // the picture's size when the window's was asked for
   std::size_t arrived_ = 0;
   std::size_t drawing_ = SIZE_MAX;
   Clock::time_point begun_{}, stepped_{};
@@ -92,15 +104,21 @@ struct Key {
   std::string_view does;
 };
 constexpr std::array kKeys{
-    Key{"drag, wheel", "turn the scene, come closer or go away; c: the scene's own camera"},
-    Key{"Right, Left", "the next frame, the one before; Space: play"},
+    Key{"drag, wheel", "turn the scene, come closer or go away"},
+    Key{"c", "the scene's own camera"},
+    Key{"Space", "play, stop; a scene without motion turns"},
+    Key{"Right, Left", "the next frame, the one before"},
     Key{"w, d, o", "wireframe, depth, how often pixels are drawn; again: colours"},
     Key{"h", "a heat map: how different each pixel looks from the truth; again: colours"},
     Key{"b, t", "the strips' borders, the text below"},
     Key{"+, -", "larger, smaller"},
     Key{"s, S, a", "a picture as zstrip render writes it, one of the window, all frames as an animation"},
-    Key{"r, q", "read the scene again, quit"},
+    Key{"r", "read the scene again"},
+    Key{"k, F1", "these lines; again: the picture"},
+    Key{"q, Escape", "quit"},
 };
+constexpr std::size_t kKeyWidth = 13;
+constexpr std::string_view kShortKeys = "k: all keys  drag: turn  Space: play  q: quit";
 
 Result<Done> ViewLoop::draw() {
   Result<ViewedFrame> viewed = viewer_.draw();
@@ -114,6 +132,8 @@ Result<Done> ViewLoop::draw() {
   const bool at_once = viewed_.times.empty() || viewed_.strips.empty() || shown_.width != viewed_.picture.width ||
                        shown_.height != viewed_.picture.height;
   if (at_once) shown_ = viewed_.picture;
+  lines_ = viewed_.text;
+  lines_.emplace_back(kShortKeys);
   arrived_ = at_once ? viewed_.strips.size() : 0;
   begun_ = Clock::now();
   changed_ = false, stale_ = true;
@@ -143,24 +163,29 @@ Result<Done> ViewLoop::show() {
   drawing_ = lit;
   if (!stale_) return Done{};
   stale_ = false;
-  const StripMarks marks{marks_ ? std::span<const Rect>(viewed_.strips) : std::span<const Rect>{}, drawing_};
-  if (options_.scale == 0) {
-    options_.scale = std::min(kWideEnough / std::max(shown_.width, 1U), kHighEnough / std::max(shown_.height, 1U));
+  if (asked_for_ != picture_size()) {
+    const std::uint32_t fits = std::min(kWideEnough / shown_.width, kHighEnough / shown_.height);
+    const Result<Done> resized = resize(options_.scale == 0 ? fits : options_.scale);
+    if (!resized) return resized.failure();
   }
-  const std::uint32_t largest = kMaxSide / std::max({shown_.width, shown_.height, 1U});
-  options_.scale = std::clamp(options_.scale, 1U, std::clamp(largest, 1U, kMaxScale));
-  return window_.show(
-      window_picture(shown_, options_.scale, marks,
-                     text_ ? std::span<const std::string>(viewed_.text) : std::span<const std::string>{}));
+  const WindowSize size = window_.size();
+  const StripMarks marks{marks_ ? std::span<const Rect>(viewed_.strips) : std::span<const Rect>{}, drawing_};
+  pixels_ = keys_ ? text_page(view_keys(), kKeyWidth, size) : window_picture(shown_, marks, text(), size);
+  return window_.show(pixels_);
+}
+
+Result<Done> ViewLoop::resize(std::uint32_t scale) {
+  asked_for_ = picture_size();
+  return window_.resize(wanted_window(asked_for_, std::clamp(scale, 1U, kMaxScale), text(), window_.room()));
 }
 
 void ViewLoop::play(Clock::time_point now) {
   const double frame = static_cast<double>(viewer_.milliseconds()) / 1e3 / viewer_.frames();
-  const double passed = seconds(now - stepped_);
-  if (!playing_ || arriving() || passed < frame) return;
+  const double passed = std::floor(seconds(now - stepped_) / frame);
+  if (!playing_ || arriving() || passed < 1) return;
   // What a slow board has no time for is left out.
-  viewer_.step(std::max<std::int64_t>(1, std::llround(passed / frame)));
-  stepped_ = now;
+  viewer_.step(static_cast<std::int64_t>(passed));
+  stepped_ += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(passed * frame));
   changed_ = true;
 }
 
@@ -210,13 +235,19 @@ void ViewLoop::press(const std::string& key) {
     viewer_.toggle(as);
     changed_ = true;
   };
-  const auto scale = [this](std::uint32_t to) {
-    options_.scale = std::max(to, 1U);
+  const auto scale = [this] { return static_cast<int>(scale_in(window_.size(), picture_size(), text()).enlarged); };
+  const auto ask_for = [this](int to) {
+    options_.scale = static_cast<std::uint32_t>(std::max(to, 1));
+    asked_for_ = {};
     stale_ = true;
   };
+  const auto step = [this](std::int64_t frames) {
+    viewer_.step(frames);
+    changed_ = true, playing_ = false;
+  };
   if (closes({.kind = Input::Kind::key, .key = key})) open_ = false;
-  if (key == "Right") viewer_.step(1), changed_ = true;
-  if (key == "Left") viewer_.step(-1), changed_ = true;
+  if (key == "Right") step(1);
+  if (key == "Left") step(-1);
   if (key == "Space") playing_ = !playing_, stepped_ = Clock::now();
   if (key == "c") viewer_.reset_camera(), changed_ = true;
   if (key == "w") look(Look::wireframe);
@@ -224,14 +255,16 @@ void ViewLoop::press(const std::string& key) {
   if (key == "o") look(Look::overdraw);
   if (key == "h") look(Look::accuracy);
   if (key == "b") marks_ = !marks_, stale_ = true;
-  if (key == "t") text_ = !text_, stale_ = true;
-  if (key == "+" || key == "=" || key == "Keypad +") scale(options_.scale + 1);
-  if (key == "-" || key == "Keypad -") scale(options_.scale - 1);
-  if (key == "s") save(free_name(scene_, ".png"), viewed_.png);
-  if (key == "S") {
-    const Result<RgbImage> window = window_.shown();
-    save(free_name(scene_, ".png"), window ? encode_rgb_png(*window) : window.failure());
+  if (key == "k" || key == "F1") keys_ = !keys_, stale_ = true;
+  if (key == "t") {
+    const int now = scale();
+    text_ = !text_;
+    ask_for(now);
   }
+  if (key == "+" || key == "=" || key == "Keypad +") ask_for(scale() + 1);
+  if (key == "-" || key == "Keypad -") ask_for(scale() - 1);
+  if (key == "s") save(free_name(scene_, ".png"), viewed_.png);
+  if (key == "S") save(free_name(scene_, ".png"), encode_rgb_png(pixels_));
   if (key == "a") save_animation();
   if (key == "r") reload();
 }
@@ -275,7 +308,7 @@ Result<Done> ViewLoop::run() {
         print_failure(drawn.failure());
         changed_ = playing_ = false;
       }
-      first = false;
+      if (std::exchange(first, false)) stepped_ = Clock::now();
     }
     if (const Result<Done> shown = show(); !shown) return shown.failure();
     if (key && !changed_) {
@@ -284,7 +317,7 @@ Result<Done> ViewLoop::run() {
     }
     if (next != options_.inputs.end() && (!arriving() || closes(*next))) window_.inject(*next++);
     // A drag is many small ones, which count together; a key means the picture that is there.
-    std::optional<Input> input = window_.wait(kTick);
+    std::optional<Input> input = window_.wait(playing_ ? kPlayingTick : kTick);
     for (; input && input->kind != Input::Kind::key; input = window_.wait(0)) take(*input);
     if (input && changed_ && !closes(*input)) {
       key = input;
@@ -299,10 +332,10 @@ Result<Done> ViewLoop::run() {
 
 }  // namespace
 
-std::string view_keys() {
-  std::string text = "Mouse and keys:\n";
-  for (const Key& key : kKeys) text += fmt::format("  {:<12} {}\n", key.name, key.does);
-  return text;
+std::vector<std::string> view_keys() {
+  std::vector<std::string> lines;
+  for (const Key& key : kKeys) lines.push_back(fmt::format("{:<{}}{}", key.name, kKeyWidth, key.does));
+  return lines;
 }
 
 Result<Done> run_view_loop(Viewer& viewer, Window& window, const std::string& scene, WatchedFiles files,

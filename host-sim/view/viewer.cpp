@@ -20,6 +20,8 @@ namespace {
 
 constexpr double kZoomStep = 1.1;
 constexpr double kClosest = 0.05, kFarthest = 20;
+constexpr std::uint32_t kSmooth = 30;  // frames a second, about
+constexpr std::uint32_t kMostFrames = 10000;
 
 /// Whether a pixel of the picture is the same pixel of the panel.
 bool lies_upright(const std::optional<PanelRequest>& panel) {
@@ -94,11 +96,22 @@ Result<Done> Viewer::reload() {
   drawing_ = std::move(drawing);
   sets_ = std::move(sets);
   drawer_.emplace(std::move(*drawer));
+  frames_ = request_.frames;
+  // The tree of a scene is made for its number of frames.
+  if (request_.smooth && moves() && !drawing_->visibility.method.has(method::bsp)) {
+    frames_ = std::clamp(milliseconds() / (1000 / kSmooth), frames_, kMostFrames);
+  }
+  frame_ %= frames_;
   return Done{};
 }
 
+bool Viewer::moves() const {
+  const Stage& stage = drawer_->stage();
+  return frames_ > 1 && (!stage.animation().tracks.empty() || !stage.joint_animation().tracks.empty());
+}
+
 void Viewer::step(std::int64_t frames) {
-  const std::int64_t all = request_.frames;
+  const std::int64_t all = frames_;
   frame_ = static_cast<std::uint32_t>(((frame_ + frames) % all + all) % all);
 }
 
@@ -112,7 +125,7 @@ void Viewer::zoom(double steps) {
 }
 
 Result<ViewedFrame> Viewer::draw() {
-  Result<Staging> staging = drawer_->stage().place(frame_, request_.frames);
+  Result<Staging> staging = drawer_->stage().place(frame_, frames_);
   if (!staging) return staging.failure();
   orbiting_ = within_limits(staging->camera, orbiting_);
   staging->camera = orbited(staging->camera, orbiting_);
@@ -172,7 +185,7 @@ std::vector<std::string> Viewer::text(const ViewedFrame& viewed) const {
   const View& view = drawing_->view;
   std::vector<std::string> lines{
       fmt::format("{}x{} {} {}  {} of {}", view.width, view.height, name(view.format), name_of(look_), frame_ + 1,
-                  request_.frames),
+                  frames_),
       fmt::format("RAM {} in {} of {}x{}", counted(report.plan.bytes() + report.strip_pixel_bytes, "byte"),
                   counted(report.plan.strips, "strip"), report.plan.strip_columns, report.plan.strip_rows),
       fmt::format("flash {} of scene", counted(viewed.flash_bytes, "byte")),

@@ -24,6 +24,7 @@ namespace zstrip::sim {
 struct ViewRequest {
   DrawingArguments drawing;
   std::uint32_t frames = 64;          ///< of the animation, or of a turn
+  bool smooth = false;                ///< more frames where an animation would have less than 30 a second
   const BoardModel* board = nullptr;  ///< whose speed is shown; or none
   double bus_mhz = 0;                 ///< of that board's SPI
 };
@@ -70,7 +71,9 @@ class Viewer {
   void toggle(Look look) { look_ = look_ == look ? Look::colour : look; }
 
   std::uint32_t frame() const { return frame_; }
-  std::uint32_t frames() const { return request_.frames; }
+  std::uint32_t frames() const { return frames_; }
+  /// Whether anything moves by itself; a turn does not.
+  bool moves() const;
   /// Of the animation, or of a turn.
   std::uint32_t milliseconds() const { return milliseconds_of(drawer_->stage()); }
 
@@ -84,7 +87,7 @@ class Viewer {
   std::unique_ptr<Drawing> drawing_;  // stays where it is: the drawer refers to it
   std::unique_ptr<VisibleSetFile> sets_;
   std::optional<SceneDrawer> drawer_;
-  std::uint32_t frame_ = 0;
+  std::uint32_t frame_ = 0, frames_ = 1;
   Orbiting orbiting_;
   Look look_ = Look::colour;
 };

@@ -7,21 +7,21 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <chrono>
+#include <cstdlib>
 #include <string_view>
 #include <utility>
+
+#include "view/time_limit.hpp"
 
 namespace zstrip::sim {
 
 struct Window::Parts {
-  SDL_Window* window = nullptr;
-  SDL_Renderer* renderer = nullptr;
-  SDL_Texture* texture = nullptr;
-  int width = 0, height = 0;  // of the texture
+  std::string title;
+  SDL_Window* window = nullptr;  // from the first size on
 };
 
 void Window::Close::operator()(Parts* parts) const {
-  if (parts->texture != nullptr) SDL_DestroyTexture(parts->texture);
-  if (parts->renderer != nullptr) SDL_DestroyRenderer(parts->renderer);
   if (parts->window != nullptr) SDL_DestroyWindow(parts->window);
   SDL_Quit();
   delete parts;
@@ -29,9 +29,34 @@ void Window::Close::operator()(Parts* parts) const {
 
 namespace {
 
-Failure failed(const char* what) {
+constexpr std::chrono::seconds kPatience{10};  // SDL and Xlib wait for a silent desktop without an end
+
+Failure no_window(std::string_view why) {
   return {ExitStatus::environment,
-          fmt::format("{}: {}; SDL_VIDEODRIVER=dummy goes without a display", what, SDL_GetError())};
+          fmt::format("no window can be opened: {}; over ssh connect with 'ssh -X', or draw to a file: "
+                      "'zstrip render SCENE -o FILE.png'",
+                      why)};
+}
+
+Failure silent_desktop() {
+  const char* const display = std::getenv("DISPLAY");
+  return no_window(fmt::format("the desktop{} does not answer within {} seconds",
+                               display == nullptr ? std::string() : fmt::format(" DISPLAY={}", display),
+                               kPatience.count()));
+}
+
+/// Without a desktop SDL takes a driver that shows nothing, or the whole screen. A driver named by the user is taken.
+bool has_desktop() {
+  const std::string_view driver = SDL_GetCurrentVideoDriver();
+  return std::getenv("SDL_VIDEODRIVER") != nullptr || driver == "wayland" || driver == "x11";
+}
+
+bool has_screen() { return std::string_view(SDL_GetCurrentVideoDriver()) != "dummy"; }
+
+SDL_Rect usable_area() {
+  SDL_Rect area{0, 0, 640, 480};
+  SDL_GetDisplayUsableBounds(0, &area);
+  return area;
 }
 
 std::string key_name(SDL_Keycode code, bool shifted) {
@@ -54,7 +79,9 @@ std::optional<Input> input_of(const SDL_Event& event) {
                    .y = static_cast<double>(event.motion.yrel)};
     case SDL_MOUSEWHEEL: return Input{.kind = Input::Kind::wheel, .y = static_cast<double>(event.wheel.y)};
     case SDL_WINDOWEVENT:
-      if (event.window.event != SDL_WINDOWEVENT_EXPOSED) return std::nullopt;
+      if (event.window.event != SDL_WINDOWEVENT_EXPOSED && event.window.event != SDL_WINDOWEVENT_SIZE_CHANGED) {
+        return std::nullopt;
+      }
       return Input{.kind = Input::Kind::exposed};
     default: return std::nullopt;
   }
@@ -92,55 +119,80 @@ std::optional<Input> parse_input(const std::string& word) {
 }
 
 Result<Window> Window::open(const std::string& title) {
-  std::unique_ptr<Parts, Close> parts(new Parts);
+  const TimeLimit limit(kPatience, silent_desktop());
+  std::unique_ptr<Parts, Close> parts(new Parts{.title = title});
   SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");  // Ctrl-C ends the program
-  if (SDL_Init(SDL_INIT_VIDEO) != 0) return failed("no window can be opened");
-  parts->window = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, 320, 240, 0);
-  if (parts->window == nullptr) return failed("no window can be opened");
-  // In software: pixels on the screen are those of the picture, with any driver.
-  parts->renderer = SDL_CreateRenderer(parts->window, -1, SDL_RENDERER_SOFTWARE);
-  if (parts->renderer == nullptr) return failed("the window cannot be drawn to");
+  if (SDL_Init(SDL_INIT_VIDEO) != 0) return no_window(SDL_GetError());
+  if (!has_desktop()) return no_window("DISPLAY and WAYLAND_DISPLAY name no desktop");
+  // X11 takes the pixels themselves: OpenGL is slow by ssh, and its picture moves while the window changes its size.
+  if (std::string_view(SDL_GetCurrentVideoDriver()) == "x11") SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
   return Window(std::move(parts));
 }
 
-Result<Done> Window::show(const RgbImage& picture) {
-  const int width = static_cast<int>(picture.width), height = static_cast<int>(picture.height);
-  if (parts_->width != width || parts_->height != height) {
+WindowSize Window::room() const {
+  constexpr std::uint32_t kLargest = 4096;
+  if (!has_screen()) return {kLargest, kLargest};
+  // The frame's size is known only when the window is shown; a title bar takes some twentieth of a screen's height.
+  const SDL_Rect area = usable_area();
+  const auto side = [](int all, int frame) { return static_cast<std::uint32_t>(std::max(all - frame, 1)); };
+  return {std::min(side(area.w, 16), kLargest), std::min(side(area.h, 24 + area.h / 30), kLargest)};
+}
+
+Result<Done> Window::resize(const WindowSize& size) {
+  const int width = static_cast<int>(size.width), height = static_cast<int>(size.height);
+  if (parts_->window != nullptr) {
     SDL_SetWindowSize(parts_->window, width, height);
-    if (parts_->texture != nullptr) SDL_DestroyTexture(parts_->texture);
-    parts_->texture =
-        SDL_CreateTexture(parts_->renderer, SDL_PIXELFORMAT_RGB24, SDL_TEXTUREACCESS_STREAMING, width, height);
-    if (parts_->texture == nullptr) return failed("the window cannot be this large");
-    parts_->width = width, parts_->height = height;
+    return Done{};
   }
-  if (SDL_UpdateTexture(parts_->texture, nullptr, picture.rgb.data(), 3 * width) != 0 ||
-      SDL_RenderCopy(parts_->renderer, parts_->texture, nullptr, nullptr) != 0) {
-    return failed("the window cannot be drawn to");
-  }
-  SDL_RenderPresent(parts_->renderer);
+  const TimeLimit limit(kPatience, silent_desktop());
+  const SDL_Rect area = usable_area();
+  const WindowSize most = room();
+  const auto middle = [](int begin, int all, std::uint32_t room, int length) {
+    return begin + std::max(std::min(static_cast<int>(room), all) - length, 0) / 2;
+  };
+  parts_->window = SDL_CreateWindow(parts_->title.c_str(), middle(area.x, area.w, most.width, width),
+                                    middle(area.y, area.h, most.height, height), width, height, SDL_WINDOW_RESIZABLE);
+  if (parts_->window == nullptr) return no_window(SDL_GetError());
   return Done{};
 }
 
-Result<RgbImage> Window::shown() const {
-  RgbImage picture{.width = static_cast<std::uint32_t>(parts_->width),
-                   .height = static_cast<std::uint32_t>(parts_->height),
-                   .rgb = {}};
-  picture.rgb.resize(std::size_t{3} * picture.width * picture.height);
-  if (SDL_RenderReadPixels(parts_->renderer, nullptr, SDL_PIXELFORMAT_RGB24, picture.rgb.data(), 3 * parts_->width) !=
-      0) {
-    return failed("the window cannot be read");
-  }
-  return picture;
+WindowSize Window::size() const {
+  int width = 0, height = 0;
+  SDL_GetWindowSize(parts_->window, &width, &height);
+  return {static_cast<std::uint32_t>(std::max(width, 1)), static_cast<std::uint32_t>(std::max(height, 1))};
+}
+
+Result<Done> Window::show(const RgbImage& pixels) {
+  const int width = static_cast<int>(pixels.width), height = static_cast<int>(pixels.height);
+  const auto failed = [] {
+    return Failure{ExitStatus::environment, fmt::format("the window cannot be drawn to: {}", SDL_GetError())};
+  };
+  SDL_Surface* const window = SDL_GetWindowSurface(parts_->window);
+  if (window == nullptr) return failed();
+  // SDL does not write to it.
+  auto* const bytes = const_cast<std::uint8_t*>(pixels.rgb.data());
+  SDL_Surface* const image =
+      SDL_CreateRGBSurfaceWithFormatFrom(bytes, width, height, 24, 3 * width, SDL_PIXELFORMAT_RGB24);
+  if (image == nullptr) return failed();
+  SDL_Rect place{(window->w - width) / 2, (window->h - height) / 2, width, height};
+  const bool drawn = SDL_FillRect(window, nullptr, 0) == 0 && SDL_BlitSurface(image, nullptr, window, &place) == 0;
+  SDL_FreeSurface(image);
+  if (!drawn || SDL_UpdateWindowSurface(parts_->window) != 0) return failed();
+  return Done{};
 }
 
 std::optional<Input> Window::wait(std::uint32_t milliseconds) {
+  // SDL_WaitEventTimeout sends X11 events to a window that may be gone when they arrive, which ends the program.
+  constexpr std::uint64_t kNap = 3;
   const std::uint64_t end = SDL_GetTicks64() + milliseconds;
-  SDL_Event event;
-  for (std::uint64_t now = end - milliseconds; SDL_WaitEventTimeout(&event, static_cast<int>(end - now)) != 0;
-       now = std::min<std::uint64_t>(SDL_GetTicks64(), end)) {
-    if (std::optional<Input> input = input_of(event)) return input;
+  for (;;) {
+    for (SDL_Event event; SDL_PollEvent(&event) != 0;) {
+      if (std::optional<Input> input = input_of(event)) return input;
+    }
+    const std::uint64_t now = SDL_GetTicks64();
+    if (now >= end) return std::nullopt;
+    SDL_Delay(static_cast<std::uint32_t>(std::min(kNap, end - now)));
   }
-  return std::nullopt;
 }
 
 void Window::inject(const Input& input) {

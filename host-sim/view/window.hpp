@@ -8,6 +8,7 @@
 
 #include "image/rgb_image.hpp"
 #include "result.hpp"
+#include "view/window_picture.hpp"
 
 namespace zstrip::sim {
 
@@ -26,13 +27,19 @@ std::optional<Input> parse_input(const std::string& word);
 /// Used by one thread, the one that opened it.
 class Window {
  public:
-  /// ExitStatus::environment without a display.
+  /// Connects to the desktop; nothing is shown yet. ExitStatus::environment without one; where one does not answer, the
+  /// program ends with that status after some seconds.
   static Result<Window> open(const std::string& title);
 
-  /// Resizes the window to the picture and shows it.
-  Result<Done> show(const RgbImage& picture);
-  /// What is shown, read back. ExitStatus::environment where that fails.
-  Result<RgbImage> shown() const;
+  /// The largest window that lies within the screen, beside the desktop's bars, with a frame around it.
+  WindowSize room() const;
+  /// Asks the desktop for this size, which may give another; the first call shows the window. Input::Kind::exposed
+  /// tells of each change.
+  Result<Done> resize(const WindowSize& size);
+  /// The size that it has.
+  WindowSize size() const;
+  /// Pixel for pixel; made for size(), or else in the middle.
+  Result<Done> show(const RgbImage& pixels);
   /// Waits for at most so long; nothing happened if it returns nothing.
   std::optional<Input> wait(std::uint32_t milliseconds);
   /// As if a person did it: wait() returns it after what has happened already.

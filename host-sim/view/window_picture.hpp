@@ -1,4 +1,4 @@
-// What the window holds: the picture, enlarged, perhaps with its strips, and lines of text below it.
+// The pixels of the window: the picture, enlarged or reduced, perhaps with its strips, and lines of text below it.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,17 @@
 
 namespace zstrip::sim {
 
-/// The smallest width in which the lines of text are whole.
-inline constexpr std::uint32_t kTextWidth = 720;
+/// Pixels.
+struct WindowSize {
+  std::uint32_t width = 1, height = 1;
+  bool operator==(const WindowSize&) const = default;
+};
+
+/// A pixel of the picture becomes a square of `enlarged` pixels; a square of `reduced` pixels becomes their mean.
+struct PictureScale {
+  std::uint32_t enlarged = 1, reduced = 1;
+  bool operator==(const PictureScale&) const = default;
+};
 
 /// Pixels of the border of a strip, in the picture's pixels: those of its first row and column.
 struct StripMarks {
@@ -20,8 +29,21 @@ struct StripMarks {
   std::size_t drawing = SIZE_MAX;  ///< the strip that is lit
 };
 
-/// Every pixel becomes a square of `scale` pixels. Each line of text becomes one below; at most as wide as the window.
-RgbImage window_picture(const RgbImage& picture, std::uint32_t scale, const StripMarks& marks,
-                        std::span<const std::string> text);
+using TextLines = std::span<const std::string>;
+
+/// The size that a window for this picture and this text should have: of `scale` or, where `room` is too small for
+/// that, of the largest scale that fits; never larger than `room`.
+WindowSize wanted_window(const WindowSize& picture, std::uint32_t scale, TextLines text, const WindowSize& room);
+
+/// The largest scale in a window of this size, above the text.
+PictureScale scale_in(const WindowSize& window, const WindowSize& picture, TextLines text);
+
+/// The picture in the middle of what the text leaves. Lines are broken between words where the window is narrow; the
+/// text is left out where it would take more than half of a window that is too low for both.
+RgbImage window_picture(const RgbImage& picture, const StripMarks& marks, TextLines text, const WindowSize& window);
+
+/// Text alone, in smaller letters where it does not fit otherwise. The second half of a broken line begins `indent`
+/// letters further to the right.
+RgbImage text_page(TextLines text, std::size_t indent, const WindowSize& window);
 
 }  // namespace zstrip::sim

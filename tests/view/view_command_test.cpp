@@ -51,9 +51,11 @@ TEST_F(ViewCommand, ShowsWhatRenderWrites) {
     EXPECT_TRUE(read(path(stem + "-1.png")) != read(path(stem + "-2.png"))) << scene;
     const RgbImage window = picture(stem + "-3.png"), frame = picture(stem + "-2.png");
     std::uint32_t different = 0;
+    const std::uint32_t left = (window.width - 3 * frame.width) / 2;
     for (std::uint32_t y = 0; y < 3 * frame.height; ++y) {
       for (std::uint32_t x = 0; x < 3 * frame.width; ++x) {
-        different += !std::equal(window.pixel(x, y), window.pixel(x, y) + 3, frame.pixel(x / 3, y / 3));
+        const std::uint8_t* const pixel = window.pixel(left + x, y);
+        different += !std::equal(pixel, pixel + 3, frame.pixel(x / 3, y / 3));
       }
     }
     EXPECT_EQ(different, 0U) << scene;
@@ -193,7 +195,7 @@ TEST_F(ViewCommand, SaysWhatIsWrong) {
   says(view("teapot", "q", {"--frames", "0"}), 2, "--frames");
   says(view("teapot", "q", {"--ram", "100"}), 5, "bytes");
   ::setenv("SDL_VIDEODRIVER", "nothing", 1);
-  says(view("teapot", "q"), 3, "SDL_VIDEODRIVER=dummy");
+  says(view("teapot", "q"), 3, "zstrip render");
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 // What a window is made of: files that are watched, wires, enlarged pixels and borders, words for keys.
+#include <array>
 #include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <numeric>
 
 #include "support.hpp"
+#include "view/view_loop.hpp"
 #include "view/viewer.hpp"
 #include "view/watched_files.hpp"
 #include "view/window.hpp"
@@ -60,13 +63,17 @@ TEST_F(ViewWatchedFiles, NeedNotBeThere) {
   EXPECT_FALSE(files.changed());
 }
 
+using Pixel = std::array<std::uint8_t, 3>;
+
+Pixel at(const RgbImage& image, std::uint32_t x, std::uint32_t y) {
+  return {image.pixel(x, y)[0], image.pixel(x, y)[1], image.pixel(x, y)[2]};
+}
+
 TEST(ViewWindowPicture, EnlargesPixelsAndMarksStrips) {
   RgbImage picture{.width = 3, .height = 2, .rgb = {}};
   for (std::uint8_t i = 0; i < 18; ++i) picture.rgb.push_back(i);
-  const auto at = [](const RgbImage& image, std::uint32_t x, std::uint32_t y) {
-    return std::vector<std::uint8_t>(image.pixel(x, y), image.pixel(x, y) + 3);
-  };
-  const RgbImage plain = window_picture(picture, 4, {}, {});
+  ASSERT_EQ(wanted_window({3, 2}, 4, {}, {100, 100}), (WindowSize{12, 8}));
+  const RgbImage plain = window_picture(picture, {}, {}, {12, 8});
   ASSERT_EQ(plain.width, 12U);
   ASSERT_EQ(plain.height, 8U);
   for (std::uint32_t y = 0; y < 8; ++y) {
@@ -74,8 +81,8 @@ TEST(ViewWindowPicture, EnlargesPixelsAndMarksStrips) {
   }
 
   const Rect strips[] = {{0, 0, 3, 1}, {0, 1, 3, 2}};
-  const RgbImage marked = window_picture(picture, 4, {.strips = strips, .drawing = 1}, {});
-  const auto grey = at(marked, 0, 0), lit = at(marked, 0, 4);
+  const RgbImage marked = window_picture(picture, {.strips = strips, .drawing = 1}, {}, {12, 8});
+  const Pixel grey = at(marked, 0, 0), lit = at(marked, 0, 4);
   EXPECT_NE(grey, lit);
   for (std::uint32_t y = 0; y < 8; ++y) {
     for (std::uint32_t x = 0; x < 12; ++x) {
@@ -85,16 +92,80 @@ TEST(ViewWindowPicture, EnlargesPixelsAndMarksStrips) {
   }
 }
 
-TEST(ViewWindowPicture, HasALineForEachText) {
-  const RgbImage picture{.width = 2, .height = 1, .rgb = std::vector<std::uint8_t>(6, 7)};
+TEST(ViewWindowPicture, LiesInTheMiddleOfALargerWindow) {
+  const RgbImage picture{.width = 2, .height = 1, .rgb = {9, 9, 9, 7, 7, 7}};
+  const RgbImage window = window_picture(picture, {}, {}, {7, 5});
+  for (std::uint32_t y = 0; y < 5; ++y) {
+    for (std::uint32_t x = 0; x < 7; ++x) {
+      const std::uint8_t expected = y < 1 || y > 3 || x > 5 ? 0 : x < 3 ? 9 : 7;
+      EXPECT_EQ(at(window, x, y), (Pixel{expected, expected, expected})) << x << ' ' << y;
+    }
+  }
+}
+
+TEST(ViewWindowPicture, IsReducedToTheMeanOfItsPixelsWhereItIsTooLarge) {
+  const RgbImage picture{.width = 5, .height = 2, .rgb = {1, 2, 3, 3, 4, 5, 50, 60, 70, 50, 60, 70, 9, 9, 9,  //
+                                                          5, 6, 7, 7, 8, 9, 50, 60, 70, 50, 60, 70, 9, 9, 9}};
+  const Rect strips[] = {{0, 0, 5, 1}, {0, 1, 5, 2}};
+  EXPECT_EQ(scale_in({3, 3}, {5, 2}, {}), (PictureScale{.reduced = 2}));
+  const RgbImage window = window_picture(picture, {}, {}, {3, 3});
+  EXPECT_EQ(at(window, 0, 1), (Pixel{4, 5, 6}));
+  EXPECT_EQ(at(window, 1, 1), (Pixel{50, 60, 70}));
+  for (std::uint32_t width = 1; width < 9; ++width) {
+    for (std::uint32_t height = 1; height < 9; ++height) {
+      EXPECT_EQ(window_picture(picture, {.strips = strips, .drawing = 1}, {}, {width, height}).rgb.size(),
+                std::size_t{3} * width * height);
+    }
+  }
+}
+
+/// Of the rows from `top` on: the light of all pixels, which stays the same when letters move.
+std::uint64_t light(const RgbImage& image, std::uint32_t top) {
+  return std::accumulate(image.rgb.begin() + std::ptrdiff_t{3} * top * image.width, image.rgb.end(), std::uint64_t{0});
+}
+
+/// The last line, of boards, was cut off at the right border.
+TEST(ViewWindowPicture, ItsTextIsWholeInANarrowWindow) {
+  const RgbImage picture{.width = 100, .height = 50, .rgb = std::vector<std::uint8_t>(15000)};
+  const std::string text[] = {
+      "a line of words that is longer than a window of seven hundred and twenty pixels is wide, ", "short",
+      "aWordThatIsLongerThanAnyLineOfANarrowWindowIs"};
+  const std::uint64_t whole = light(window_picture(picture, {}, text, {4000, 400}), 0);
+  EXPECT_GT(whole, 0U);
+  for (const std::uint32_t width : {120U, 300U, 500U, 719U, 720U}) {
+    const WindowSize window = wanted_window({100, 50}, 1, text, {width, 900});
+    EXPECT_EQ(window.width, width);
+    EXPECT_EQ(light(window_picture(picture, {}, text, window), 0), whole) << width;
+  }
+}
+
+TEST(ViewWindowPicture, ItsWindowFitsTheRoomAndIsAsLargeAsAskedForWhereItCanBe) {
   const std::string text[] = {"one", "two"};
-  const RgbImage one = window_picture(picture, 1, {}, std::span(text, 1)), two = window_picture(picture, 1, {}, text);
-  EXPECT_EQ(one.width, kTextWidth);
-  EXPECT_GT(two.height, one.height);
-  EXPECT_EQ(two.rgb.size(), std::size_t{3} * two.width * two.height);
-  const auto lights = [](const RgbImage& image) { return std::ranges::count(image.rgb, 255); };
-  EXPECT_GT(lights(one), 0);
-  EXPECT_GT(lights(two), lights(one));
+  for (const WindowSize room : {WindowSize{300, 200}, {640, 480}, {1024, 600}, {1920, 1080}}) {
+    for (const WindowSize picture : {WindowSize{64, 48}, {240, 240}, {128, 16}, {800, 600}, {4000, 30}, {30, 4000}}) {
+      std::uint32_t last = 0;
+      for (std::uint32_t scale = 1; scale <= 8; ++scale) {
+        const WindowSize window = wanted_window(picture, scale, text, room);
+        EXPECT_LE(window.width, room.width);
+        EXPECT_LE(window.height, room.height);
+        const PictureScale found = scale_in(window, picture, text);
+        EXPECT_TRUE(found.enlarged == scale || found.enlarged == std::max(last, 1U)) << picture.width << ' ' << scale;
+        last = found.enlarged;
+      }
+    }
+  }
+  EXPECT_EQ(scale_in(wanted_window({240, 240}, 3, text, {1920, 1080}), {240, 240}, text).enlarged, 3U);
+  EXPECT_EQ(scale_in(wanted_window({240, 240}, 3, text, {1024, 600}), {240, 240}, text).enlarged, 2U);
+}
+
+TEST(ViewWindowPicture, ThePageOfKeysIsWholeOnASmallScreen) {
+  const std::vector<std::string> keys = view_keys();
+  const std::uint64_t large = light(text_page(keys, 13, {4000, 400}), 0);
+  EXPECT_EQ(light(text_page(keys, 13, {626, 440}), 0), large);
+  EXPECT_EQ(light(text_page(keys, 13, {480, 480}), 0), large);
+  const std::uint64_t small = light(text_page(keys, 13, {1000, 130}), 0);
+  EXPECT_NE(small, large);
+  EXPECT_EQ(light(text_page(keys, 13, {320, 240}), 0), small);
 }
 
 TEST(ViewWireframe, HasEveryEdgeOfEveryInstance) {
