@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "compose/retired.hpp"
+
 namespace zstrip::sim {
 namespace {
 
@@ -51,7 +53,9 @@ std::string_view nearest_name(std::string_view text, std::span<const std::string
 }
 
 std::string unknown_value(std::string_view text, std::span<const std::string_view> names) {
-  const std::string reason = are_numbers(names) && !whole_number(text)
+  const std::string_view instead = instead_of(text);
+  const std::string reason = !instead.empty() ? fmt::format("is gone: {}.", instead)
+                             : are_numbers(names) && !whole_number(text)
                                  ? "is no number."
                                  : fmt::format("is unknown, did you mean {}?", nearest_name(text, names));
   return fmt::format("'{}' {} Known are {}", text, reason, fmt::join(names, ", "));
