@@ -69,9 +69,7 @@ void add_drawing_options(CLI::App& command, DrawingArguments& arguments) {
                   "Pixels of a strip's row, a multiple of 8 (default: auto, the picture's width)")
       ->type_name("N|auto");
   add_quality_options(command, a.view);
-  command
-      .add_option("--depth-format", a.depth_format,
-                  "Depth in the z-buffer: z16 (default), float, z24 or z32; the last one for comparison")
+  command.add_option("--depth-format", a.depth_format, "Depth in the z-buffer: z16 (default), float or z24")
       ->type_name("FORMAT");
   command
       .add_option("--perspective", a.perspective,
