@@ -42,13 +42,11 @@ inline constexpr Effects all{(1U << 6) - 1};   ///< all of the above
 
 inline constexpr Effects depth_state{1U << 6};  ///< some material has a depth test, depth write or bias of its own
 inline constexpr Effects depth_float{1U << 7};  ///< DepthFormat::float16; formats are never called for by a scene
-inline constexpr Effects depth_w16{1U << 8};    ///< DepthFormat::w16
 inline constexpr Effects depth_24{1U << 9};     ///< DepthFormat::z24
-inline constexpr Effects depth_32{1U << 10};    ///< DepthFormat::z32
 /// z16 in sub-ranges that save clears; see Renderer::begin_frame. Never called for by a scene.
 inline constexpr Effects depth_ranges{1U << 11};
 /// All that select a format of depth: at most one of them.
-inline constexpr Effects depth_formats{depth_float.bits | depth_w16.bits | depth_24.bits | depth_32.bits};
+inline constexpr Effects depth_formats{depth_float.bits | depth_24.bits};
 /// Can carry out plans of Mode::binned; never called for by a scene. Sub-ranges cannot be binned.
 inline constexpr Effects bins{1U << 12};
 /// How often the pixels of a textured row get exact texture coordinates, with perspective; linear between. None
@@ -58,12 +56,6 @@ inline constexpr Effects perspective_8{std::uint64_t{1} << 41};       ///< at ev
 inline constexpr Effects perspective_1{std::uint64_t{1} << 42};       ///< at every pixel
 /// All of these.
 inline constexpr Effects perspective_runs{perspective_affine.bits | perspective_8.bits | perspective_1.bits};
-/// How 1/w of a vertex is found; none of them is to 2^-28. z16 with perspective only, and no shadows. At most one;
-/// never called for by a scene.
-inline constexpr Effects coarse_reciprocal{std::uint64_t{1} << 43};  ///< to 2^-15, without the Newton step
-inline constexpr Effects table_reciprocal{std::uint64_t{1} << 44};   ///< to 2^-9, from a table alone
-/// All of these.
-inline constexpr Effects short_reciprocals{coarse_reciprocal.bits | table_reciprocal.bits};
 
 // Of light and of fragments. Each needs nothing of the others.
 inline constexpr Effects fog{std::uint64_t{1} << 13};              ///< Scene::fog
@@ -83,7 +75,7 @@ inline constexpr Effects pixel_shading{std::uint64_t{1} << 32};
 
 /// Scene::csg.
 inline constexpr Effects csg{std::uint64_t{1} << 33};
-/// Scene::edges: anti-aliasing of edges alone. z16 without sub-ranges and short reciprocals, and no visibility method.
+/// Scene::edges: anti-aliasing of edges alone. z16 without sub-ranges, and no visibility method.
 inline constexpr Effects edges{std::uint64_t{1} << 34};
 inline constexpr Effects overlay{std::uint64_t{1} << 35};  ///< Scene::overlay
 
@@ -175,9 +167,7 @@ constexpr std::uint32_t low_bits(Effects effects) {
 /// How a renderer with these effects keeps depth: z16, unless one of effect::depth_formats is among them.
 constexpr DepthFormat depth_format(Effects effects) {
   if (effects.has(effect::depth_float)) return DepthFormat::float16;
-  if (effects.has(effect::depth_w16)) return DepthFormat::w16;
   if (effects.has(effect::depth_24)) return DepthFormat::z24;
-  if (effects.has(effect::depth_32)) return DepthFormat::z32;
   return DepthFormat::z16;
 }
 
@@ -185,9 +175,7 @@ constexpr DepthFormat depth_format(Effects effects) {
 constexpr Effects depth_effect(DepthFormat format) {
   switch (format) {
     case DepthFormat::float16: return effect::depth_float;
-    case DepthFormat::w16: return effect::depth_w16;
     case DepthFormat::z24: return effect::depth_24;
-    case DepthFormat::z32: return effect::depth_32;
     case DepthFormat::z16: break;
   }
   return {};

@@ -14,20 +14,8 @@
 
 namespace zstrip::sim {
 
-enum class Knob : std::uint8_t {
-  depth,
-  fit,
-  reciprocal,
-  shading,
-  perspective,
-  filter,
-  detail,
-  format,
-  dither,
-  strips,
-  samples
-};
-inline constexpr std::size_t kKnobs = 11;
+enum class Knob : std::uint8_t { depth, fit, shading, perspective, filter, detail, format, dither, strips, samples };
+inline constexpr std::size_t kKnobs = 10;
 
 struct KnobValue {
   std::string_view name;
@@ -59,7 +47,7 @@ struct Settings {
 /// With those strips that the default has: they change no pixel.
 Settings without_strips(Settings settings);
 
-/// What is not default, "depth=w16,strips=8"; "default" where nothing is.
+/// The settings that are not the default's, "depth=z24,strips=8"; "default" where none is.
 std::string to_text(const Settings& settings);
 /// The reverse, of a part of them: a usage error names the nearest knob or value.
 Result<Settings> parse_settings(std::string_view text);

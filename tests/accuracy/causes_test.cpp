@@ -58,17 +58,13 @@ TEST(Causes, SnappingIsWhatWiresSuffer) {
   EXPECT_LT(teapot[Figure::wrong_pixels], 1);
 }
 
-TEST(Causes, TheTransformIsFarBelowASubPixelAndGrowsWithItsReciprocal) {
+TEST(Causes, TheTransformIsFarBelowASubPixel) {
   for (const char* name : {"teapot", "knot"}) {
     const auto opened = scene(name);
-    const Errors newton = errors(*opened, Cause::transform),
-                 quotient = errors(*opened, Cause::transform, "reciprocal=quotient"),
-                 table = errors(*opened, Cause::transform, "reciprocal=table");
-    EXPECT_LT(newton[Figure::wrong_pixels], 0.05) << name;
-    EXPECT_LT(newton[Figure::depth_codes], 0.02) << name;
-    EXPECT_GT(quotient[Figure::depth_codes], 5 * newton[Figure::depth_codes]) << name;
-    EXPECT_GT(table[Figure::depth_codes], 5 * quotient[Figure::depth_codes]) << name;
-    EXPECT_GT(newton[Figure::depth_codes], 0) << name;
+    const Errors found = errors(*opened, Cause::transform);
+    EXPECT_LT(found[Figure::wrong_pixels], 0.05) << name;
+    EXPECT_LT(found[Figure::depth_codes], 0.02) << name;
+    EXPECT_GT(found[Figure::depth_codes], 0) << name;
   }
 }
 
@@ -95,14 +91,14 @@ TEST(Causes, InterpolationIsNothingWhereLightAndTexelsAreThePixelsOwn) {
 
 TEST(Causes, DepthChangesWithItsFormatAndFitAlone) {
   const auto opened = scene("terrain");
-  const Errors z16 = errors(*opened, Cause::depth), z32 = errors(*opened, Cause::depth, "depth=z32");
+  const Errors z16 = errors(*opened, Cause::depth), z24 = errors(*opened, Cause::depth, "depth=z24");
   const Errors fixed = errors(*opened, Cause::depth, "fit=fixed");
   EXPECT_LE(z16[Figure::depth_codes], 0.51);
-  EXPECT_GT(z16[Figure::depth_view], 1000 * z32[Figure::depth_view]);
+  EXPECT_GT(z16[Figure::depth_view], 100 * z24[Figure::depth_view]);
   EXPECT_GE(fixed[Figure::depth_view], 0.9 * z16[Figure::depth_view]);
-  expect_exact_surfaces(z32);
-  expect_exact_colours(z32, 1e-4);
-  for (const char* format : {"depth=float", "depth=w16", "depth=z24", "depth=ranges"}) {
+  expect_exact_surfaces(z24);
+  expect_exact_colours(z24, 1e-4);
+  for (const char* format : {"depth=float", "depth=z24", "depth=ranges"}) {
     EXPECT_LT(errors(*opened, Cause::depth, format)[Figure::depth_codes], 1.01) << format;
   }
 }

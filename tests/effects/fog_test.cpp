@@ -117,14 +117,13 @@ TEST(EffectsFog, AWallFadesByThePixelNotByTheVertex) { expect_all_modes<effect::
 
 TEST(EffectsFog, DepthFormatsAndParallelProjectionHaveTheSameFog) {
   expect_all_modes<effect::fog | effect::depth_float>(kWall, Camera{}, 14, 1000);
-  expect_all_modes<effect::fog | effect::depth_w16>(kWall, Camera{}, 14, 1000);
   expect_all_modes<effect::fog | effect::depth_24>(kWall, Camera{}, 14, 1000);
   expect_all_modes<effect::fog | effect::depth_ranges>(kWall, Camera{}, 14, 1000);
   Camera parallel;
   parallel.projection = Projection::orthographic;
   parallel.focal = fixed(0.1);
   expect_all_modes<effect::fog | effect::orthographic>(kWall, parallel, 14, 1000);
-  expect_all_modes<effect::fog | effect::orthographic | effect::depth_32>(kWall, parallel, 14, 1000);
+  expect_all_modes<effect::fog | effect::orthographic | effect::depth_24>(kWall, parallel, 14, 1000);
   expect_all_modes<effect::fog | effect::orthographic | effect::depth_ranges>(kWall, parallel, 14, 1000);
 }
 

@@ -36,7 +36,6 @@ TEST(Shadows, OfAnyLightCameraAndDepth) {
     EXPECT_GT(judged.shadowed, 100) << what;
   };
   expect_right(judged_with<kShadowed | effect::depth_24>(world), "z24");
-  expect_right(judged_with<kShadowed | effect::depth_32>(world), "z32");
   expect_right(judged_with<kShadowed | effect::depth_float>(world), "3.13");
   expect_right(judged_with<kShadowed | effect::bins>(world), "bins");
   world.shadow.light = 1;
@@ -241,7 +240,6 @@ TEST(Shadows, WhatCannotBeIsRefused) {
   world.meshes[0].shadow = static_cast<ShadowRole>(4);
   EXPECT_EQ(validate(world.scene).error, Error::mesh);
   world.meshes[0].shadow = ShadowRole::none;
-  EXPECT_FALSE(effects_agree(effect::shadows | effect::depth_w16));
   EXPECT_FALSE(effects_agree(effect::shadows | effect::depth_ranges));
   const Budget layer{.strip_rows = 8, .layer = {.depth = 4096, .colour = 4096}};
   EXPECT_EQ(plan(count(world.scene), kView, kShadowed, layer).status.error, Error::shadow);

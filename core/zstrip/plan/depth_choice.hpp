@@ -20,7 +20,7 @@ struct DepthRange {
 };
 
 constexpr bool available(DepthFormat format, Projection projection) {
-  return projection == Projection::perspective || (format != DepthFormat::float16 && format != DepthFormat::w16);
+  return projection == Projection::perspective || format != DepthFormat::float16;
 }
 
 /// What lies this far behind something else at `distance` (near..far) is sorted right at every pixel, also where both
@@ -32,8 +32,7 @@ constexpr std::uint64_t depth_separation(DepthFormat format, const DepthRange& r
   const auto w = static_cast<std::uint64_t>(distance);
   if (!available(format, range.projection)) return kNever;
   const auto for_codes = [](std::uint64_t code) { return code > kNever / 5 - 1 ? kNever : (code + 1) * 5 / 2; };
-  const bool linear = format == DepthFormat::w16 || range.projection == Projection::orthographic;
-  if (linear) return for_codes(((far - near) << 16) / largest_depth_code(format));
+  if (range.projection == Projection::orthographic) return for_codes(((far - near) << 16) / largest_depth_code(format));
   if (format == DepthFormat::float16) {
     const auto near_over_w = static_cast<std::uint32_t>((near << 32) / w - 1);  // 0.32
     const std::uint32_t codes = near_over_w >> (12 + float16_octave(near_over_w));
@@ -44,20 +43,20 @@ constexpr std::uint64_t depth_separation(DepthFormat format, const DepthRange& r
   int dropped = 0;
   for (; spread >> 32 != 0; spread >>= 1) ++dropped;
   const std::uint64_t code = spread * w / largest_depth_code(format);
-  // 1/w itself has 28 bits: what limits z32 near the camera.
+  // 1/w itself has 28 bits: what limits z24 where near and far are close together.
   const std::uint64_t limit = w >> 12;
   if (code >> (63 - dropped) != 0) return kNever;
   return for_codes(code << dropped > limit ? code << dropped : limit);
 }
 
 /// Of the formats that sort surfaces `separation` (32.32) apart from range.near to `farthest` (at most range.far), the
-/// one that costs least: z16, the small float, z24, z32 in this order. z32 where none does.
+/// one that costs least: z16, the small float, z24 in this order. z24 where none does.
 constexpr DepthFormat cheapest_depth_format(const DepthRange& range, Fixed farthest, std::uint64_t separation) {
-  for (const DepthFormat format : {DepthFormat::z16, DepthFormat::float16, DepthFormat::z24}) {
+  for (const DepthFormat format : {DepthFormat::z16, DepthFormat::float16}) {
     // All of them get coarser with the distance.
     if (depth_separation(format, range, farthest) <= separation) return format;
   }
-  return DepthFormat::z32;
+  return DepthFormat::z24;
 }
 
 }  // namespace zstrip

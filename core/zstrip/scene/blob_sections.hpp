@@ -114,8 +114,10 @@ struct BaseRecord {
 struct PictureRecord {
   std::uint16_t width, height;
   std::uint8_t format, dither, samples;
-  std::uint8_t effects;  ///< index into kPictureEffects
+  std::uint8_t effects;  ///< index into kPictureEffects, not one that is_gone
 };
+/// True for the numbers of depth formats that are gone: w16, z32.
+constexpr bool is_gone(std::uint8_t effects) { return effects == 5 || effects == 7; }
 struct AnimationRecord {
   std::uint32_t duration;
 };
