@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # zstrip_package_sources.sh FOLDER [URL]: writes zstrip as a library for microcontrollers, the same for Arduino,
 # PlatformIO, ESP-IDF and Zephyr: FOLDER/zstrip, FOLDER/zstrip-VERSION.tar.gz and, for the Arduino IDE, .zip. Needs no build
-# tree. The same sources give the same bytes anywhere. URL: where the library is to be found, for the files that say it.
+# tree. The same sources give the same bytes anywhere. URL: where the library is to be found, for the files that say it;
+# without it they say https://example.org/, because Arduino requires an address.
 # Exit status 1 if a file is missing; 2 for wrong words.
 set -euo pipefail
 if [ $# -lt 1 ] || [ $# -gt 2 ]; then
-  sed -n '2,5s/^# //p' "${BASH_SOURCE[0]}" >&2
+  sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}" >&2
   exit 2
 fi
 source "$(dirname "${BASH_SOURCE[0]}")/zstrip_package_files.sh"
@@ -29,7 +30,7 @@ find zstrip -name '.*' -delete
 # Every pipeline, for programs on hosts.
 rm zstrip/src/zstrip/frame/{any_pipeline,no_seldom_rows,rows_of_*}.cpp
 
-zstrip_write_out zstrip "${2-}"
+zstrip_write_out zstrip "${2:-https://example.org/}"
 zstrip_archive zstrip >"zstrip-$zstrip_version.tar.gz"
 rm -f "zstrip-$zstrip_version.zip"
 find zstrip -type f | sort | zip -9Xq "zstrip-$zstrip_version.zip" -@

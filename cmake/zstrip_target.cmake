@@ -57,7 +57,8 @@ endfunction()
 # zstrip_precompile(TARGET header...): with ZSTRIP_PRECOMPILED, for builds of sources whose includes another build checks.
 option(ZSTRIP_PRECOMPILED "Parse headers once that most sources of core and scenes include; the code is the same" OFF)
 function(zstrip_precompile target)
-  if(ZSTRIP_PRECOMPILED)
+  # With link time optimisation GCC 12 ends with an internal error.
+  if(ZSTRIP_PRECOMPILED AND NOT ZSTRIP_PRESET STREQUAL "size")
     target_precompile_headers(${target} PRIVATE ${ARGN})
     # Or ccache keeps nothing of it.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)

@@ -103,6 +103,7 @@ void PrintTo(const Library& library, std::ostream* out) { *out << library.name; 
 
 const Library kLibraries[] = {
     {"TftEspi", open_tft_espi, true, {{Fault::start, hal::Error::bus, hal::Error::bus}}},
+    {"TftEspiWithDmaStarted", open_tft_espi_with_dma, true, {}},
     {"LovyanGfx", open_lovyangfx, true, {{Fault::start, hal::Error::bus, hal::Error::bus}}},
     {"ArduinoGfx", open_arduino_gfx, false, {{Fault::start, hal::Error::bus, hal::Error::bus}}},
     {"EspLcd",
@@ -123,6 +124,9 @@ const Library kLibraries[] = {
       {Fault::format, hal::Error::configuration, hal::Error::configuration},
       {Fault::write, hal::Error::none, hal::Error::bus}}},
     {"ZephyrSwapped", open_zephyr_swapped, false, {}},
+    {"ZephyrMislabelled", open_zephyr_mislabelled, false, {}},
+    {"Zephyr4_2", open_zephyr_4_2, false, {}},
+    {"Zephyr4_2Swapped", open_zephyr_4_2_swapped, false, {}},
 #ifdef ADAPTERS_SDL2
     {"Sdl2", open_sdl2, false, {{Fault::start, hal::Error::configuration, hal::Error::configuration}}},
 #endif

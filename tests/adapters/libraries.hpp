@@ -21,13 +21,17 @@ class Opened final : public panel::DisplayAdapter<Opened<Parts>> {
 
 using Open = std::unique_ptr<panel::AnyDisplay> (*)();
 std::unique_ptr<panel::AnyDisplay> open_tft_espi();
+std::unique_ptr<panel::AnyDisplay> open_tft_espi_with_dma();  ///< the sketch has called initDMA()
 std::unique_ptr<panel::AnyDisplay> open_lovyangfx();
 std::unique_ptr<panel::AnyDisplay> open_arduino_gfx();
 std::unique_ptr<panel::AnyDisplay> open_esp_lcd();
 std::unique_ptr<panel::AnyDisplay> open_pico();
 std::unique_ptr<panel::AnyDisplay> open_lvgl();
-std::unique_ptr<panel::AnyDisplay> open_zephyr();          ///< low byte first
-std::unique_ptr<panel::AnyDisplay> open_zephyr_swapped();  ///< high byte first
-std::unique_ptr<panel::AnyDisplay> open_sdl2();            ///< the real library
+std::unique_ptr<panel::AnyDisplay> open_zephyr();              ///< low byte first
+std::unique_ptr<panel::AnyDisplay> open_zephyr_swapped();      ///< high byte first
+std::unique_ptr<panel::AnyDisplay> open_zephyr_mislabelled();  ///< high byte first, which the driver denies
+std::unique_ptr<panel::AnyDisplay> open_zephyr_4_2();          ///< low byte first
+std::unique_ptr<panel::AnyDisplay> open_zephyr_4_2_swapped();  ///< high byte first
+std::unique_ptr<panel::AnyDisplay> open_sdl2();                ///< the real library
 
 }  // namespace zstrip::adapters_test

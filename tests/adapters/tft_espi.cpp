@@ -15,10 +15,18 @@ struct TftEspiParts {
   adapters::TftEspi adapter{tft};
 };
 
+// A sketch that has started DMA itself.
+struct TftEspiWithDmaParts : TftEspiParts {
+  TftEspiWithDmaParts() { tft.initDMA(); }
+};
+
 }  // namespace
 
 void TFT_eSPI::init(std::uint8_t) { swaps_bytes = true, writing = false; }
-bool TFT_eSPI::initDMA(bool) { return screen().fault != Fault::start; }
+bool TFT_eSPI::initDMA(bool) {
+  if (DMA_Enabled) return false;  // as of a bus without DMA
+  return DMA_Enabled = screen().fault != Fault::start;
+}
 std::int16_t TFT_eSPI::width() { return kWidth; }
 std::int16_t TFT_eSPI::height() { return kHeight; }
 void TFT_eSPI::setSwapBytes(bool swap) { swaps_bytes = swap; }
@@ -37,4 +45,5 @@ void TFT_eSPI::dmaWait() { screen().end(); }
 
 namespace zstrip::adapters_test {
 std::unique_ptr<panel::AnyDisplay> open_tft_espi() { return std::make_unique<Opened<TftEspiParts>>(); }
+std::unique_ptr<panel::AnyDisplay> open_tft_espi_with_dma() { return std::make_unique<Opened<TftEspiWithDmaParts>>(); }
 }  // namespace zstrip::adapters_test

@@ -1,19 +1,31 @@
-// A stand-in for a display driver of Zephyr.
+// A stand-in for a display driver of Zephyr. zephyr_4_2.cpp includes this with the names of that release, and
+// ZEPHYR_4_2: all of it is in a namespace, so that one program has both.
+#include <span>
+
 #include "libraries.hpp"
+
+#ifdef ZEPHYR_4_2
+namespace zephyr_4_2 {
+#else
+namespace zephyr_4_4 {
+#endif
+// clang-format off: after what it includes
 #include "zephyr_display.hpp"
+// clang-format on
 
 struct device {
-  display_pixel_format format;
+  display_pixel_format format;  // as it reports
+  zstrip::adapters_test::First first;
 };
 
 namespace {
 
 using namespace zstrip::adapters_test;
 
-template <display_pixel_format format>
+template <display_pixel_format format, First first, zstrip::hal::PixelFormat... told>
 struct ZephyrParts {
-  device driver{screen().fault == Fault::format ? PIXEL_FORMAT_RGB_888 : format};
-  adapters::ZephyrDisplay adapter{&driver};
+  device driver{screen().fault == Fault::format ? PIXEL_FORMAT_RGB_888 : format, first};
+  adapters::ZephyrDisplay adapter{&driver, told...};
 };
 
 }  // namespace
@@ -30,16 +42,31 @@ int display_write(const device* driver, std::uint16_t x, std::uint16_t y, const 
   if (pixels->pitch != pixels->width || pixels->buf_size != 2U * pixels->width * pixels->height) {
     screen().complain("the buffer is described wrongly");
   }
-  screen().draw({x, y, pixels->width, pixels->height}, bytes,
-                driver->format == PIXEL_FORMAT_RGB_565 ? First::low : First::high);
+  screen().draw({x, y, pixels->width, pixels->height}, bytes, driver->first);
   return 0;
 }
 
+}  // namespace zephyr_4_2 or zephyr_4_4
+
 namespace zstrip::adapters_test {
+#ifdef ZEPHYR_4_2
+using namespace zephyr_4_2;
+std::unique_ptr<panel::AnyDisplay> open_zephyr_4_2() {
+  return std::make_unique<Opened<ZephyrParts<PIXEL_FORMAT_BGR_565, First::low>>>();
+}
+std::unique_ptr<panel::AnyDisplay> open_zephyr_4_2_swapped() {
+  return std::make_unique<Opened<ZephyrParts<PIXEL_FORMAT_RGB_565, First::high>>>();
+}
+#else
+using namespace zephyr_4_4;
 std::unique_ptr<panel::AnyDisplay> open_zephyr() {
-  return std::make_unique<Opened<ZephyrParts<PIXEL_FORMAT_RGB_565>>>();
+  return std::make_unique<Opened<ZephyrParts<PIXEL_FORMAT_RGB_565, First::low>>>();
 }
 std::unique_ptr<panel::AnyDisplay> open_zephyr_swapped() {
-  return std::make_unique<Opened<ZephyrParts<PIXEL_FORMAT_RGB_565X>>>();
+  return std::make_unique<Opened<ZephyrParts<PIXEL_FORMAT_RGB_565X, First::high>>>();
 }
+std::unique_ptr<panel::AnyDisplay> open_zephyr_mislabelled() {
+  return std::make_unique<Opened<ZephyrParts<PIXEL_FORMAT_RGB_565, First::high, hal::PixelFormat::rgb565_swapped>>>();
+}
+#endif
 }  // namespace zstrip::adapters_test

@@ -1,4 +1,4 @@
-// zstrip on esp_lcd of ESP-IDF 5.0 or later, by DMA: panels on SPI, or on an 8080 bus.
+// zstrip on esp_lcd of ESP-IDF 5.0.1 or later, by DMA: panels on SPI, or on an 8080 bus.
 // Needs the component esp_lcd, an IO handle and a panel handle that was reset, initialised and switched on. The strip
 // buffers must be memory that DMA reaches: internal RAM, aligned to 4.
 // Format: rgb565_swapped. The bus sends the bytes as they lie in memory (an 8080 bus: swap_color_bytes is not set).
@@ -8,11 +8,16 @@
 #include <cstdint>
 #include <span>
 
+#include <esp_idf_version.h>
 #include <esp_lcd_panel_io.h>
 #include <esp_lcd_panel_ops.h>
 #include <freertos/FreeRTOS.h>
 #include <freertos/semphr.h>
 #include <zstrip_hal/display.hpp>
+
+#if ESP_IDF_VERSION < ESP_IDF_VERSION_VAL(5, 0, 1)
+#error esp_lcd.hpp needs ESP-IDF 5.0.1: 5.0 has no esp_lcd_panel_io_register_event_callbacks(). Install a later release.
+#endif
 
 namespace adapters {
 

@@ -1,10 +1,15 @@
-// zstrip on LovyanGFX 1.2, by DMA where the library has it for the bus. M5GFX is the same, with its header M5GFX.h.
-// Needs a class LGFX for the board, derived from lgfx::LGFX_Device, with 16 bits a pixel: start() calls its init().
+// zstrip on LovyanGFX 1.2 or M5GFX, by DMA where the library has it for the bus. With M5GFX, its M5GFX.h or M5Unified.h
+// is included before this file: the Arduino IDE finds libraries by what a sketch includes. Needs a class for the board,
+// derived from lgfx::LGFX_Device, with 16 bits a pixel: M5GFX, or a class LGFX of yours. start() calls its init().
 // Format: rgb565_swapped, the library's swap565_t, which it sends without converting it.
 #pragma once
 
 #include <zstrip.h>
+#if __has_include(<M5GFX.h>) && (defined(__M5GFX_H__) || !__has_include(<LovyanGFX.hpp>))
+#include <M5GFX.h>
+#else
 #include <LovyanGFX.hpp>
+#endif
 
 namespace adapters {
 

@@ -1,5 +1,6 @@
 // zstrip on TFT_eSPI 2.5 of Bodmer, by DMA, which the library has for SPI on ESP32, RP2040 and STM32.
-// Needs a User_Setup.h for the panel and an object TFT_eSPI that was not started: start() calls init() and initDMA().
+// Needs a User_Setup.h for the panel and an object TFT_eSPI: start() calls its init(), and its initDMA() if the sketch
+// has not.
 // Format: rgb565_swapped. The library sends the bytes as they lie in memory. A strip has less than 64 KB.
 #pragma once
 
@@ -19,7 +20,7 @@ class TftEspi {
   /// Once, before setRotation() and the first frame. Error::bus: there is no DMA.
   Error start() {
     tft_.init();
-    started_ = tft_.initDMA();
+    started_ = tft_.DMA_Enabled || tft_.initDMA();  // false where it is enabled already
     return started_ ? Error::none : Error::bus;
   }
 

@@ -1,9 +1,11 @@
-// zstrip on the display interface of Zephyr 4.4 or later. Drivers have taken the pixels when a call returns, so that
+// zstrip on the display interface of Zephyr. Drivers have taken the pixels when a call returns, so that
 // one strip buffer is enough.
 // Needs CONFIG_DISPLAY and a device, as DEVICE_DT_GET(DT_CHOSEN(zephyr_display)). The program calls
 // display_blanking_off().
-// Format: what the driver reports. PIXEL_FORMAT_RGB_565 is rgb565, PIXEL_FORMAT_RGB_565X is rgb565_swapped. Before 4.4
-// the first one had the high byte first, and the second one another name.
+// Format: what the driver reports. From Zephyr 4.4 on PIXEL_FORMAT_RGB_565 is rgb565, PIXEL_FORMAT_RGB_565X is
+// rgb565_swapped. Up to 4.2 PIXEL_FORMAT_RGB_565 has the high byte first, rgb565_swapped, and PIXEL_FORMAT_BGR_565 is
+// rgb565. In 4.3 drivers differ, and in any release one may report the wrong order: where black and white are right and
+// all other colours are wrong, the constructor's second argument is the other format.
 #pragma once
 
 #include <cstddef>
@@ -21,22 +23,22 @@ class ZephyrDisplay {
   using Error = zstrip::hal::Error;
 
   explicit ZephyrDisplay(const struct device* display) : display_(display) {}
+  /// `format`: rgb565 or rgb565_swapped, whichever of the two formats with 16 bits the driver reports.
+  ZephyrDisplay(const struct device* display, zstrip::hal::PixelFormat format)
+      : display_(display), low_(format), high_(format) {}
 
   /// Once, before the first frame. Error::bus: the device is not ready. Error::configuration: it has other pixels.
   Error start() {
     if (!device_is_ready(display_)) return Error::bus;
     display_get_capabilities(display_, &capabilities_);
-    started_ = is(PIXEL_FORMAT_RGB_565) || is(PIXEL_FORMAT_RGB_565X);
+    started_ = is(kLowFirst) || is(kHighFirst);
     return started_ ? Error::none : Error::configuration;
   }
 
   /// 0 before start().
   std::uint16_t width() const { return capabilities_.x_resolution; }
   std::uint16_t height() const { return capabilities_.y_resolution; }
-  zstrip::hal::PixelFormat format() const {
-    using enum zstrip::hal::PixelFormat;
-    return is(PIXEL_FORMAT_RGB_565) ? rgb565 : rgb565_swapped;
-  }
+  zstrip::hal::PixelFormat format() const { return is(kLowFirst) ? low_ : high_; }
 
   Error begin_frame() { return started_ ? Error::none : Error::configuration; }
   Error write(const zstrip::hal::Area& area, std::span<const std::byte> pixels) {
@@ -54,9 +56,16 @@ class ZephyrDisplay {
   Error end_frame() { return Error::none; }
 
  private:
+#ifdef PANEL_PIXEL_FORMAT_RGB_565X
+  static constexpr auto kLowFirst = PIXEL_FORMAT_RGB_565, kHighFirst = PIXEL_FORMAT_RGB_565X;
+#else
+  static constexpr auto kLowFirst = PIXEL_FORMAT_BGR_565, kHighFirst = PIXEL_FORMAT_RGB_565;
+#endif
+
   bool is(display_pixel_format format) const { return capabilities_.current_pixel_format == format; }
 
   const struct device* display_;
+  zstrip::hal::PixelFormat low_ = zstrip::hal::PixelFormat::rgb565, high_ = zstrip::hal::PixelFormat::rgb565_swapped;
   display_capabilities capabilities_{};
   bool started_ = false;
 };

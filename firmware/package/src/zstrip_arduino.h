@@ -60,21 +60,44 @@ class ArduinoSpi {
   Error wait() { return Error::none; }
 
  private:
-  /// SPI.transfer() puts what it receives over what it sends, and this must not change: it goes by way of a copy.
   Error write(std::span<const std::byte> bytes, bool data) {
     spi_.beginTransaction(settings_);
     digitalWrite(pins_.data_command, data ? HIGH : LOW);
     if (pins_.select >= 0) digitalWrite(pins_.select, LOW);
-    std::byte part[64];
-    while (!bytes.empty()) {
-      const std::size_t count = bytes.size() < sizeof part ? bytes.size() : sizeof part;
-      for (std::size_t i = 0; i < count; ++i) part[i] = bytes[i];
-      spi_.transfer(part, count);
-      bytes = bytes.subspan(count);
-    }
+    send(bytes);
     if (pins_.select >= 0) digitalWrite(pins_.select, HIGH);
     spi_.endTransaction();
     return Error::none;
+  }
+
+#ifdef ARDUINO_ARCH_RP2040
+  /// SoftwareSPI, a bus by PIO, has no transferAsync() and writes what it receives even where there is no place for it.
+  static constexpr bool kDiscards = requires(Spi & spi) { spi.finishedAsync(); };
+#else
+  static constexpr bool kDiscards = true;
+#endif
+
+  /// Leaves `bytes` as they are. transfer(bytes, count), which every core has, puts what it receives over what it
+  /// sends, so that it gets a copy; on a Raspberry Pi Pico it also sends byte by byte, so the other functions come
+  /// first.
+  void send(std::span<const std::byte> bytes) {
+    constexpr std::size_t kBlock = 256;  // some cores count in 16 bits
+    while (!bytes.empty()) {
+      const std::size_t count = bytes.size() < kBlock ? bytes.size() : kBlock;
+      const void* const block = bytes.data();
+      if constexpr (kDiscards && requires { spi_.transfer(block, static_cast<void*>(nullptr), count); }) {
+        spi_.transfer(block, static_cast<void*>(nullptr), count);  // Raspberry Pi Pico, STM32, Teensy
+      } else {
+        alignas(4) std::byte copy[kBlock];
+        for (std::size_t i = 0; i < count; ++i) copy[i] = bytes[i];
+        if constexpr (requires(const std::uint8_t* sent) { spi_.writeBytes(sent, count); }) {
+          spi_.writeBytes(reinterpret_cast<const std::uint8_t*>(copy), count);  // ESP32; ESP8266, which reads words
+        } else {
+          spi_.transfer(copy, count);
+        }
+      }
+      bytes = bytes.subspan(count);
+    }
   }
 
   Spi& spi_;

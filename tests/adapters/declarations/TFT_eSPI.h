@@ -15,4 +15,5 @@ class TFT_eSPI {
   void pushImageDMA(std::int32_t x, std::int32_t y, std::int32_t w, std::int32_t h, std::uint16_t* data,
                     std::uint16_t* buffer = nullptr);
   void dmaWait();
+  bool DMA_Enabled = false;
 };
