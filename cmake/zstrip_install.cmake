@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/zstrip)
 
-install(TARGETS zstrip_core zstrip_core_any zstrip_hal zstrip_player EXPORT zstrip_targets
+install(TARGETS zstrip_core zstrip_core_any zstrip_hal zstrip_lto zstrip_player EXPORT zstrip_targets
   ARCHIVE COMPONENT zstrip_development)
 install(DIRECTORY core/zstrip hal/zstrip_hal firmware/player/zstrip_player DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   COMPONENT zstrip_development FILES_MATCHING PATTERN *.hpp)

@@ -77,6 +77,13 @@ function(zstrip_compile_tests_together target)
   endif()
 endfunction()
 
+# zstrip_optimise_link(TARGET): as zstrip::lto says, where zstrip::core is of this build.
+function(zstrip_optimise_link target)
+  if(TARGET zstrip_lto)
+    target_link_libraries(${target} PRIVATE zstrip_lto)
+  endif()
+endfunction()
+
 # zstrip_import_core(FOLDER LIBRARY): zstrip::core of another build for the same processor; FOLDER has its headers.
 function(zstrip_import_core folder library)
   add_library(zstrip_core STATIC IMPORTED GLOBAL)
