@@ -58,12 +58,6 @@ inline constexpr Effects perspective_8{std::uint64_t{1} << 41};       ///< at ev
 inline constexpr Effects perspective_1{std::uint64_t{1} << 42};       ///< at every pixel
 /// All of these.
 inline constexpr Effects perspective_runs{perspective_affine.bits | perspective_8.bits | perspective_1.bits};
-/// How 1/w of a vertex is found; none of them is to 2^-28. z16 with perspective only, and no shadows. At most one;
-/// never called for by a scene.
-inline constexpr Effects coarse_reciprocal{std::uint64_t{1} << 43};  ///< to 2^-15, without the Newton step
-inline constexpr Effects table_reciprocal{std::uint64_t{1} << 44};   ///< to 2^-9, from a table alone
-/// All of these.
-inline constexpr Effects short_reciprocals{coarse_reciprocal.bits | table_reciprocal.bits};
 
 // Of light and of fragments. Each needs nothing of the others.
 inline constexpr Effects fog{std::uint64_t{1} << 13};              ///< Scene::fog
@@ -83,7 +77,7 @@ inline constexpr Effects pixel_shading{std::uint64_t{1} << 32};
 
 /// Scene::csg.
 inline constexpr Effects csg{std::uint64_t{1} << 33};
-/// Scene::edges: anti-aliasing of edges alone. z16 without sub-ranges and short reciprocals, and no visibility method.
+/// Scene::edges: anti-aliasing of edges alone. z16 without sub-ranges, and no visibility method.
 inline constexpr Effects edges{std::uint64_t{1} << 34};
 inline constexpr Effects overlay{std::uint64_t{1} << 35};  ///< Scene::overlay
 

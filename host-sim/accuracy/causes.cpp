@@ -21,11 +21,7 @@ Stages stages_of(const CauseCase& wanted, const View& size) {
   switch (wanted.cause) {
     case Cause::aliasing: break;
     case Cause::snapping: stages.snapping = true; break;
-    case Cause::transform:
-      stages.transform = ReciprocalStage::newton;
-      if (settings.name_of(Knob::reciprocal) == "quotient") stages.transform = ReciprocalStage::quotient;
-      if (settings.name_of(Knob::reciprocal) == "table") stages.transform = ReciprocalStage::table;
-      break;
+    case Cause::transform: stages.transform = true; break;
     case Cause::interpolation:
       stages.interpolation = static_cast<std::uint32_t>(perspective_run(extra_effects(settings)));
       break;
@@ -77,7 +73,7 @@ const std::vector<CauseInfo>& causes() {
   static const std::vector<CauseInfo> table{
       {Cause::aliasing, "aliasing", "one exact sample in the middle of each pixel, against the mean of 16", {}},
       {Cause::snapping, "snapping", "corners on the screen rounded to 1/16 pixel", {}},
-      {Cause::transform, "transform", "positions and 1/w in fixed point of 32 bits", {Knob::reciprocal}},
+      {Cause::transform, "transform", "positions and 1/w in fixed point of 32 bits", {}},
       {Cause::interpolation,
        "interpolation",
        "light found at vertices, colours linear on the screen, texture coordinates exact at every 16th pixel, depth "

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "cli/nearest_name.hpp"
+#include "compose/retired.hpp"
 #include "zstrip/effects/exclusions.hpp"
 
 namespace zstrip::sim {
@@ -28,12 +29,6 @@ const std::vector<KnobInfo>& table() {
        "fit",
        "which distances the depth codes span",
        {{"fitted", "those that the scene can reach in this frame"}, {"fixed", "the camera's near to its far plane"}}},
-      {Knob::reciprocal,
-       "reciprocal",
-       "how 1/w of a vertex is found",
-       {{"newton", "a quotient and a Newton step: to 2^-28"},
-        {"quotient", "the quotient alone: to 2^-15"},
-        {"table", "one of 256 from a table: to 2^-9"}}},
       {Knob::shading,
        "shading",
        "colour within a triangle",
@@ -86,15 +81,19 @@ const std::vector<KnobInfo>& table() {
   return table;
 }
 
-/// The index of `word` in `range` by its name, else a failure that lists them and names the nearest.
+/// The index of `word` in `range` by its name, else a failure that lists them and names the nearest, or what to do
+/// instead of one that is gone.
 template <class Range>
 Result<std::size_t> find_word(const Range& range, std::string_view word, std::string_view what) {
   std::vector<std::string_view> names;
   for (const auto& known : range) names.push_back(known.name);
   const auto found = std::ranges::find(names, word);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  return Failure{ExitStatus::usage, fmt::format("no {} is called '{}', the nearest is '{}'; there are {}", what, word,
-                                                nearest_name(word, names), fmt::join(names, ", "))};
+  const std::string_view instead = instead_of(word);
+  const std::string hint = instead.empty() ? fmt::format("the nearest is '{}'", nearest_name(word, names))
+                                           : fmt::format("it is gone, {}", instead);
+  return Failure{ExitStatus::usage,
+                 fmt::format("no {} is called '{}', {}; there are {}", what, word, hint, fmt::join(names, ", "))};
 }
 
 std::vector<std::string_view> split(std::string_view text) {
@@ -179,9 +178,6 @@ Effects extra_effects(const Settings& settings) {
   if (depth == "z24") effects = effect::depth_24;
   if (depth == "z32") effects = effect::depth_32;
   if (depth == "ranges") effects = effect::depth_ranges;
-  const std::string_view reciprocal = settings.name_of(Knob::reciprocal);
-  if (reciprocal == "quotient") effects = effects | effect::coarse_reciprocal;
-  if (reciprocal == "table") effects = effects | effect::table_reciprocal;
   const std::string_view perspective = settings.name_of(Knob::perspective);
   if (perspective == "affine") effects = effects | effect::perspective_affine;
   if (perspective == "8") effects = effects | effect::perspective_8;
@@ -234,7 +230,6 @@ std::uint32_t detail_percent(const Settings& settings) {
 std::vector<Knob> knobs_for(Effects effects, bool may_simplify, bool textured_triangles) {
   std::vector<Knob> found;
   for (const KnobInfo& knob : knobs()) {
-    if (knob.knob == Knob::reciprocal && effects.any(effect::orthographic | effect::shadows)) continue;
     if (knob.knob == Knob::shading && !effects.has(effect::gouraud)) continue;
     // Fragments with effects of their own have exact texture coordinates at every 16th pixel, whatever is set.
     if (knob.knob == Knob::perspective &&
@@ -253,15 +248,14 @@ bool agree(Effects effects) {
   const bool runs =
       effects.any(effect::perspective_runs) && effects.has(effect::textures) && !effects.has(effect::orthographic);
   // Libraries for programs that choose at run time have no pipeline with both.
-  return !(runs && effects.any(effect::depth_formats | effect::depth_ranges | effect::short_reciprocals));
+  return !(runs && effects.any(effect::depth_formats | effect::depth_ranges));
 }
 
 bool possible(Effects effects) {
   if (!agree(effects)) return false;
   // Fragments with effects have their places at every 16th pixel.
   if (effects.any(effect::fragments) && effects.any(effect::perspective_runs)) return false;
-  return !(effects.any(effect::perspective_runs) &&
-           effects.any(effect::depth_formats | effect::depth_ranges | effect::short_reciprocals));
+  return !(effects.any(effect::perspective_runs) && effects.any(effect::depth_formats | effect::depth_ranges));
 }
 
 std::span<const NamedSettings> named_settings() {

@@ -14,20 +14,8 @@
 
 namespace zstrip::sim {
 
-enum class Knob : std::uint8_t {
-  depth,
-  fit,
-  reciprocal,
-  shading,
-  perspective,
-  filter,
-  detail,
-  format,
-  dither,
-  strips,
-  samples
-};
-inline constexpr std::size_t kKnobs = 11;
+enum class Knob : std::uint8_t { depth, fit, shading, perspective, filter, detail, format, dither, strips, samples };
+inline constexpr std::size_t kKnobs = 10;
 
 struct KnobValue {
   std::string_view name;

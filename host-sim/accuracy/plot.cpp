@@ -18,10 +18,9 @@ struct Group {
   std::string_view name, colour;
 };
 // Okabe and Ito's colours.
-constexpr std::array<Group, 13> kGroups{{{"default", "#111111"},
+constexpr std::array<Group, 12> kGroups{{{"default", "#111111"},
                                          {"depth", "#0072b2"},
                                          {"fit", "#56b4e9"},
-                                         {"reciprocal", "#a61c3c"},
                                          {"shading", "#e69f00"},
                                          {"perspective", "#009e73"},
                                          {"filter", "#7f5aa8"},

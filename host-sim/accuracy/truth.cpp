@@ -145,8 +145,7 @@ Result<TruthPicture> draw_truth(const Scene& scene, const Camera& camera, const 
     const bool textured = material.texture != kNoTexture && !mesh.texcoords.empty();
     const double texcoord_one = std::ldexp(1.0, mesh.texcoord_bits);
     const bool lit_at_samples = is_lit_at_samples(mesh, material, stages);
-    const truth::FixedTransform fixed(mesh, transform, camera, view,
-                                      stages.transform.value_or(ReciprocalStage::newton));
+    const truth::FixedTransform fixed(mesh, transform, camera, view);
     for (const Triangle& triangle : mesh.triangles) {
       const std::array<std::uint16_t, 3> index{triangle.a, triangle.b, triangle.c};
       Look look{.number = number++, .rgb = {}, .uv = {}, .kind = kind_of(mesh, material, textured)};

@@ -44,15 +44,9 @@ Reach fitted(const Scene& scene, const Camera& camera) {
   return {span.nearest * (1 - wider), span.farthest * (1 + wider)};
 }
 
-/// Of 2^31 <= divisor < 2^32: 2^62 / divisor to 2^-28, 2^-15 or 2^-9 of itself.
-double reciprocal_of(double divisor, ReciprocalStage stage) {
-  if (stage == ReciprocalStage::table) {
-    // 16 bits of the reciprocal of the middle of 2^23 divisors.
-    const double middle = (std::floor(std::ldexp(divisor, -23)) + 0.5) * 128;
-    return std::floor(std::ldexp(1.0, 31) / middle + 0.5) * 32768;
-  }
+/// Of 2^31 <= divisor < 2^32: 2^62 / divisor to 2^-28 of itself.
+double reciprocal_of(double divisor) {
   const double quotient = std::floor(4294967295.0 / std::floor(divisor / 65536)) * 16384;
-  if (stage == ReciprocalStage::quotient) return quotient;
   // A Newton step of which upper words of products are kept.
   const double product = std::floor(std::ldexp(std::floor(divisor) * quotient, -32));
   return 2 * std::floor(std::ldexp(quotient * 2 * (std::ldexp(1.0, 31) - product), -32));
@@ -135,13 +129,11 @@ FixedTransform::Form FixedTransform::form_of(const Vector& axis, const Mesh& mes
   return form;
 }
 
-FixedTransform::FixedTransform(const Mesh& mesh, const Transform& transform, const Camera& camera, const View& view,
-                               ReciprocalStage reciprocal)
+FixedTransform::FixedTransform(const Mesh& mesh, const Transform& transform, const Camera& camera, const View& view)
     : x_(form_of(vector_of(camera.right, kOne30), mesh, transform, camera)),
       y_(form_of(vector_of(camera.up, kOne30), mesh, transform, camera)),
       w_(form_of(vector_of(camera.back, -kOne30), mesh, transform, camera)),
-      orthographic_(camera.projection == Projection::orthographic),
-      reciprocal_(reciprocal) {
+      orthographic_(camera.projection == Projection::orthographic) {
   int exponent = 0;  // of two: it is in the shift
   mantissa_ = std::frexp(camera.focal / kOne16 * view.height / 2, &exponent);
   for (Form* const form : {&x_, &y_}) {
@@ -157,7 +149,7 @@ FixedVertex FixedTransform::at(const Position& p) const {
   if (orthographic_ || w <= 0) return {length(x, x_), length(y, y_), std::ldexp(w, w_.exponent)};
   int bits = 0;
   std::frexp(w, &bits);
-  const double inverse = reciprocal_of(std::ldexp(w, 32 - bits), reciprocal_);  // 2^(62 - 32 + bits) / w
+  const double inverse = reciprocal_of(std::ldexp(w, 32 - bits));  // 2^(62 - 32 + bits) / w
   const auto divided = [&](double value) { return std::ldexp(std::floor(std::ldexp(value * inverse, -32)), 2 - bits); };
   const double distance = std::ldexp(1 / inverse, 30 + bits + w_.exponent);
   // On the screen exactly what the product left, at the distance of which the reciprocal was found.

@@ -15,13 +15,10 @@
 
 namespace zstrip::sim {
 
-/// How 1/w of a vertex is found.
-enum class ReciprocalStage : std::uint8_t { newton, quotient, table };
-
 /// Which stages are coarse; without any of them the picture is exact.
 struct Stages {
-  bool snapping = false;                       ///< corners rounded to 1/16 pixel
-  std::optional<ReciprocalStage> transform{};  ///< linear forms of 32 bits, each product rounded down, and this 1/w
+  bool snapping = false;   ///< corners rounded to 1/16 pixel
+  bool transform = false;  ///< linear forms of 32 bits, each product rounded down, and 1/w to 2^-28
   /// Light where the material has it (first vertex, vertices, pixels), colours linear on the screen, depth stepped with
   /// 16 fraction bits, texture coordinates exact at every so many pixels of a row (0: at the corners) and linear
   /// between.
@@ -61,8 +58,7 @@ struct FixedVertex {
 /// An instance's transform in fixed point.
 class FixedTransform {
  public:
-  FixedTransform(const Mesh& mesh, const Transform& transform, const Camera& camera, const View& view,
-                 ReciprocalStage reciprocal);
+  FixedTransform(const Mesh& mesh, const Transform& transform, const Camera& camera, const View& view);
   FixedVertex at(const Position& p) const;
 
  private:
@@ -78,7 +74,6 @@ class FixedTransform {
   Form x_, y_, w_;
   double mantissa_ = 1;  ///< of the pixels of a unit at distance 1: 0.5..1
   bool orthographic_;
-  ReciprocalStage reciprocal_;
 };
 
 /// A plane through three values on the screen, stepped from the first with gradients of 16 fraction bits.

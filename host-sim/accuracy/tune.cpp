@@ -125,9 +125,6 @@ std::string effect_names(const Settings& settings) {
   if (depth == "z24") add("depth_24");
   if (depth == "z32") add("depth_32");
   if (depth == "ranges") add("depth_ranges");
-  const std::string_view reciprocal = settings.name_of(Knob::reciprocal);
-  if (reciprocal == "quotient") add("coarse_reciprocal");
-  if (reciprocal == "table") add("table_reciprocal");
   const std::string_view perspective = settings.name_of(Knob::perspective);
   if (perspective != "16") add(fmt::format("perspective_{}", perspective));
   if (settings.name_of(Knob::strips) == "bins16") add("bins");

@@ -81,16 +81,6 @@ TEST(Figures, LightAtMorePlacesIsCloserToTheTruth) {
   }
 }
 
-TEST(Figures, AShorterReciprocalIsFartherFromTheTruthInDepthAlone) {
-  const auto opened = scene("knot");
-  const Errors newton = errors(*opened, "default"), quotient = errors(*opened, "reciprocal=quotient"),
-               table = errors(*opened, "reciprocal=table");
-  EXPECT_GT(quotient[Figure::depth_codes], 5 * newton[Figure::depth_codes]);
-  EXPECT_GT(table[Figure::depth_codes], 5 * quotient[Figure::depth_codes]);
-  EXPECT_EQ(quotient[Figure::wrong_pixels], newton[Figure::wrong_pixels]);
-  EXPECT_NEAR(table[Figure::wrong_pixels], newton[Figure::wrong_pixels], 0.3);
-}
-
 TEST(Figures, BilinearTexelsChangeColoursAlone) {
   const auto opened = scene("room");
   const Errors nearest = errors(*opened, "default"), bilinear = errors(*opened, "filter=bilinear");

@@ -43,6 +43,11 @@ TEST(Knobs, ErrorsNameTheNearestWord) {
   EXPECT_EQ(*parse_knobs("samples"), std::vector{Knob::samples});
 }
 
+TEST(Knobs, ASettingThatIsGoneIsRefusedWithWhatToDoInstead) {
+  const std::string gone = parse_settings("reciprocal=table").failure().message;
+  EXPECT_NE(gone.find("no knob is called 'reciprocal', it is gone, leave it out"), std::string::npos) << gone;
+}
+
 TEST(Knobs, DitheringIsThePicturesOwnEffect) {
   EXPECT_EQ(extra_effects(*parse_settings("dither=on")), effect::dithered_colours);
   EXPECT_EQ(extra_effects(*parse_settings("dither=on,format=mono")), effect::dithered_format);
@@ -64,8 +69,7 @@ TEST(Knobs, EdgesAreBlendedInPicturesOfOneSampleWithZ16) {
   const Settings edges = *parse_settings("samples=edges");
   EXPECT_EQ(extra_effects(edges), effect::edges);
   EXPECT_EQ(picture(edges, {64, 48}).samples, 1);
-  for (const char* with : {"depth=float", "depth=w16", "depth=z24", "depth=z32", "depth=ranges", "reciprocal=quotient",
-                           "reciprocal=table"}) {
+  for (const char* with : {"depth=float", "depth=w16", "depth=z24", "depth=z32", "depth=ranges"}) {
     EXPECT_FALSE(possible(extra_effects(*parse_settings(std::string("samples=edges,") + with)))) << with;
   }
   for (const char* with : {"strips=bins16", "perspective=1", "dither=on", "filter=mipmapped_bilinear", "fit=fixed"}) {

@@ -46,46 +46,6 @@ TEST(Csg, OfAnyCameraAndDepth) {
                "parallel rays, z32");
 }
 
-// Layers, counts and colours compare codes for equality, so that all of them need the same reciprocal, corners that
-// clipping makes included.
-TEST(Csg, OfCoarseReciprocals) {
-  constexpr Effects kEffects = effect::csg | effect::coarse_reciprocal | effect::bins;
-  for (int turn = 0; turn < 4; ++turn) {
-    SCOPED_TRACE(turn);
-    CsgWorld world;
-    make_part(world);
-    world.look(static_cast<Angle>(8192 * turn), static_cast<Angle>(4000 + 3500 * turn));
-    const Scene& scene = world.whole();
-    const Drawn whole = draw<kEffects>(scene, world.camera, kCsgView, {.modes = Modes::streamed});
-    expect_right(world, whole, "coarse");
-    for (const Modes modes : {Modes::streamed, Modes::binned}) {
-      EXPECT_EQ((draw<kEffects>(scene, world.camera, kCsgView, {.strip_rows = 7, .modes = modes})), whole);
-    }
-  }
-  CsgWorld clipped;
-  make_part(clipped);
-  clipped.look(5000, 9000, 3);
-  clipped.camera.near_plane = fixed(2);  // through the operands
-  expect_right(clipped, draw<kEffects>(clipped.whole(), clipped.camera, kCsgView), "coarse and clipped");
-}
-
-// Corners are up to an eighth of a pixel off, which the oracle is not: only that every plan draws the same.
-TEST(Csg, OfReciprocalsByTable) {
-  constexpr Effects kEffects = effect::csg | effect::table_reciprocal | effect::bins;
-  for (int turn = 0; turn < 4; ++turn) {
-    SCOPED_TRACE(turn);
-    CsgWorld world;
-    make_part(world);
-    world.look(static_cast<Angle>(8192 * turn), static_cast<Angle>(4000 + 3500 * turn));
-    const Scene& scene = world.whole();
-    const Drawn whole = draw<kEffects>(scene, world.camera, kCsgView, {.modes = Modes::streamed});
-    EXPECT_NE(whole, draw<effect::csg>(scene, world.camera, kCsgView, {.modes = Modes::streamed}));
-    for (const Modes modes : {Modes::streamed, Modes::binned}) {
-      EXPECT_EQ((draw<kEffects>(scene, world.camera, kCsgView, {.strip_rows = 7, .modes = modes})), whole);
-    }
-  }
-}
-
 TEST(Csg, AUnionIsSeveralProductsThatShareOperands) {
   // (ring | box) - ball, and beside it what one of two solids has and the other not.
   CsgWorld world;

@@ -81,8 +81,6 @@ inline constexpr Marker kMarkers[] = {
     {effect::depth_24, "zstrip::detail::DepthMode{(zstrip::DepthFormat)3"},
     {effect::depth_32, "zstrip::detail::DepthMode{(zstrip::DepthFormat)4"},
     {effect::depth_ranges, "zstrip::detail::depth_mapping_of_ranges("},
-    {effect::coarse_reciprocal, "(zstrip::detail::ReciprocalOf)1"},
-    {effect::table_reciprocal, "(zstrip::detail::ReciprocalOf)2"},
     {effect::perspective_affine, "}, 0l, "},
     {effect::perspective_8, "}, 8l, "},
     {effect::perspective_1, "}, 1l, "},

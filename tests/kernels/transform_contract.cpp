@@ -120,14 +120,6 @@ Outcome compare_transforms(std::uint32_t cases) {
     mesh.positions = positions;
     const std::uint32_t first = number % 7, count = number % 8 == 7 ? number / 8 % 8 : kVertices - first;
     Vertices vertices;
-    if (!agree<effect::coarse_reciprocal>(instance, mesh, origin, first, count, vertices)) {
-      outcome.differs("vertices with coarse reciprocals", number);
-      return outcome;
-    }
-    if (!agree<effect::table_reciprocal>(instance, mesh, origin, first, count, vertices)) {
-      outcome.differs("vertices with reciprocals of a table", number);
-      return outcome;
-    }
     if (!agree<Effects{}>(instance, mesh, origin, first, count, vertices)) {
       outcome.differs("vertices", number);
       return outcome;

@@ -17,16 +17,6 @@ std::int32_t cosine(Angle angle);
 /// floor(sqrt(value)), exact for every input.
 std::uint32_t square_root(std::uint64_t value);
 
-/// As reciprocal, to 2^-15: the division alone.
-constexpr std::int32_t coarse_reciprocal(std::uint32_t divisor) {
-  return static_cast<std::int32_t>(quotient_32(divisor >> 16) << 14);
-}
-
-/// As reciprocal, to 2^-9: the table's value alone.
-constexpr std::int32_t table_reciprocal(std::uint32_t divisor) {
-  return detail::kReciprocalTable[(divisor >> 23) - 256] << 15;
-}
-
 /// reciprocal() in words of 32 bits. With q = floor((2^32 - 1) / upper half), 2^16 < q < 2^17, q * divisor is near to
 /// 2^48: the product's bits above 2^16 are how far, modulo 2^32. Newton's step is q - q * e, where e is below 2^15.
 constexpr std::int32_t reciprocal_in_halves(std::uint32_t divisor) {

@@ -14,7 +14,6 @@ inline constexpr auto kExclusions = detail::DescribedEffects::exclusions();
 /// Sets of which a renderer has at most one.
 inline constexpr Effects kAlternatives[] = {
     effect::depth_formats | effect::depth_ranges,
-    effect::short_reciprocals,
     effect::perspective_runs,
     method::painter | method::bounded | method::splitting,
     method::sorted,

@@ -27,7 +27,6 @@ Pipeline pipeline_for(Effects effects) {
   }
   if (!effects_agree(effects)) return refusing<Error::depth_effects>();
   // Without perspective, or without textures, all of them draw the same.
-  if (effects.has(effect::orthographic)) effects = without(effects, effect::short_reciprocals);
   if (effects.has(effect::orthographic) || !effects.has(effect::textures)) {
     effects = without(effects, effect::perspective_runs);
   }

@@ -30,7 +30,7 @@ Status prepare_frame(FrameState& frame, const Scene& scene, const SceneCounts& c
   DepthStage::begin<effects>(frame);
   DistanceRange reach = reach_of(scene, request.camera);
   Stages::for_each<effects>([&](auto stage) { stage.template extend_reach<effects>(frame, scene, request, reach); });
-  const DepthFit fit = DepthStage::fit<effects>(reach, request.camera);
+  const DepthFit fit = fit_to(reach, request.camera);
   if (const Status status = prepare_instances<effects>(frame, scene, counts, request.camera, request.view, fit);
       !status) {
     return status;

@@ -17,10 +17,10 @@ struct PipelineRow {
 constexpr Effects own_method(Effects effects) { return without(Effects{0, effects.methods}, method::culling); }
 
 /// Whether a pipeline of these effects draws what one with exactly `wanted` does: it has all of them, and the way to
-/// keep depth, the projection, the accuracy of textures and of 1/w, and the method are the same.
+/// keep depth, the projection, the accuracy of textures, and the method are the same.
 constexpr bool draws(Effects effects, Effects wanted) {
-  constexpr Effects kEqual = effect::orthographic | effect::depth_formats | effect::depth_ranges |
-                             effect::perspective_runs | effect::short_reciprocals;
+  constexpr Effects kEqual =
+      effect::orthographic | effect::depth_formats | effect::depth_ranges | effect::perspective_runs;
   return effects.has(wanted) && (effects & kEqual) == (wanted & kEqual) && own_method(effects) == own_method(wanted) &&
          (effects.methods == 0) == (wanted.methods == 0);
 }

@@ -1,4 +1,4 @@
-// Pipelines with another format, range or mapping of depth, or with 1/w and texture coordinates of another accuracy.
+// Pipelines with another format, range or mapping of depth, or texture coordinates of another accuracy.
 #include "zstrip/frame/make_rows.hpp"
 
 namespace zstrip::detail {
@@ -10,8 +10,7 @@ constexpr Effects kWithoutShadows = without(kWithoutEdges, effect::shadows);
 
 constexpr auto kRowsOfDepth =
     pipeline_rows<kEverything | effect::perspective_affine, kEverything | effect::perspective_8,
-                  kEverything | effect::perspective_1, kWithoutShadows | effect::coarse_reciprocal,
-                  kWithoutShadows | effect::table_reciprocal, kWithoutEdges | effect::depth_float,
+                  kEverything | effect::perspective_1, kWithoutEdges | effect::depth_float,
                   kWithoutShadows | effect::depth_w16, kWithoutEdges | effect::depth_24,
                   kWithoutEdges | effect::depth_24 | effect::orthographic, kWithoutEdges | effect::depth_32,
                   kWithoutEdges | effect::depth_32 | effect::orthographic, kWithoutShadows | effect::depth_ranges,

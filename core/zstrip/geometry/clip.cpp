@@ -139,14 +139,14 @@ void clip_orthographic(ClipPolygon& polygon, const CompiledInstance& instance) {
   guard(&ClipVertex::y, instance.shift_y);
 }
 
-template <bool orthographic, ReciprocalOf kind>
+template <bool orthographic>
 WidePosition project_wide(const CompiledInstance& instance, const RasterOrigin& origin, const ClipVertex& vertex) {
   // w normalised from all of its bits; the leading zeros are counted as for w without the extra fraction.
   const auto w = static_cast<std::uint64_t>(vertex.w);
   const int zeros = std::countl_zero(w);
   const int normalisation = zeros - (32 - kClipBits);
   const auto normalised = static_cast<std::uint32_t>((w << zeros) >> 32);
-  const std::int32_t r = orthographic ? 0 : reciprocal_as<kind>(normalised);
+  const std::int32_t r = orthographic ? 0 : reciprocal(normalised);
   const auto snapped = [&](std::int64_t numerator, std::int32_t shift, std::int32_t bias) {
     // floor(numerator * r / 2^32), exact; below 2^45.
     const std::int64_t product =
@@ -163,10 +163,6 @@ WidePosition project_wide(const CompiledInstance& instance, const RasterOrigin& 
 }
 
 template WidePosition project_wide<false>(const CompiledInstance&, const RasterOrigin&, const ClipVertex&);
-template WidePosition project_wide<false, ReciprocalOf::quotient>(const CompiledInstance&, const RasterOrigin&,
-                                                                  const ClipVertex&);
-template WidePosition project_wide<false, ReciprocalOf::table>(const CompiledInstance&, const RasterOrigin&,
-                                                               const ClipVertex&);
 template WidePosition project_wide<true>(const CompiledInstance&, const RasterOrigin&, const ClipVertex&);
 
 }  // namespace zstrip::detail

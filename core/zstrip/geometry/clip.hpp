@@ -45,7 +45,7 @@ struct WidePosition {
   std::int32_t x, y;
   std::uint32_t depth;
 };
-template <bool orthographic, ReciprocalOf kind = ReciprocalOf::newton>
+template <bool orthographic>
 WidePosition project_wide(const CompiledInstance& instance, const RasterOrigin& origin, const ClipVertex& vertex);
 
 /// Its depth in a format other than z16.

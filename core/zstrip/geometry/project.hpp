@@ -48,42 +48,16 @@ struct Reciprocal {
   std::int32_t value;  ///< 2^(62 - normalisation) / w
   int normalisation;
 };
-/// How the reciprocal of a vertex's w is found.
-enum class ReciprocalOf : std::uint8_t { newton, quotient, table };
-constexpr ReciprocalOf reciprocal_kind(Effects effects) {
-  if (effects.has(effect::orthographic)) return ReciprocalOf::newton;
-  if (effects.has(effect::table_reciprocal)) return ReciprocalOf::table;
-  return effects.has(effect::coarse_reciprocal) ? ReciprocalOf::quotient : ReciprocalOf::newton;
-}
-/// Of a normalised divisor, as reciprocal().
-template <ReciprocalOf kind>
-constexpr std::int32_t reciprocal_as(std::uint32_t divisor) {
-  if constexpr (kind == ReciprocalOf::table) return table_reciprocal(divisor);
-  if constexpr (kind == ReciprocalOf::quotient) return coarse_reciprocal(divisor);
-  return reciprocal(divisor);
-}
-template <ReciprocalOf kind = ReciprocalOf::newton>
 constexpr Reciprocal reciprocal_of(std::uint32_t w) {
   const int normalisation = std::countl_zero(w);
-  return {reciprocal_as<kind>(w << normalisation), normalisation};
+  return {reciprocal(w << normalisation), normalisation};
 }
 /// `likely`: how many zeros w probably begins with, 0 .. 31. A processor that does not count them tries these first.
-template <ReciprocalOf kind = ReciprocalOf::newton>
 constexpr Reciprocal reciprocal_of(std::uint32_t w, int likely) {
   if (kCountsZeros || w >> (31 - likely) != 1) [[unlikely]]
-    return reciprocal_of<kind>(w);
-  return {reciprocal_as<kind>(w << likely), likely};
+    return reciprocal_of(w);
+  return {reciprocal(w << likely), likely};
 }
-
-/// A fit whose codes leave room for reciprocals that err by 2^-(bits + 1): 2^-bits of the distances at either end. The
-/// distances themselves stay, so that what is clipped, too.
-constexpr DepthFit with_room(const DepthFit& fit, int bits) {
-  if (fit.near == 0) return fit;
-  const DepthFit wider = fit_depth(fit.near - (fit.near >> bits), fit.far + (fit.far >> bits));
-  return {fit.near, fit.far, wider.quotient_at_near - (wider.quotient_at_near >> bits), wider.offset};
-}
-/// For quotients alone, and for the table.
-inline constexpr int kRoomForCoarse = 14, kRoomForTable = 8;
 
 /// Snaps the depth of a vertex in any format to odd eighths of a code, as snap_depth does for z16; z32 has no bits for
 /// that. Codes start at 1.
@@ -162,14 +136,14 @@ struct NarrowProjection {
 
 /// Projects and snaps; false if the vertex is not narrow. `x`, `y`, `w` are the instance's linear forms at the vertex.
 /// `normalisation`: in, a likely one of w, 0 .. 31, such as the last vertex's; out, that of a w in range.
-template <bool orthographic, DepthFormat format = DepthFormat::z16, ReciprocalOf kind = ReciprocalOf::newton>
+template <bool orthographic, DepthFormat format = DepthFormat::z16>
 inline bool project_narrow(const NarrowProjection<orthographic>& narrow, const CompiledInstance& instance,
                            const RasterOrigin& origin, std::int32_t x, std::int32_t y, std::int32_t w,
                            SnappedVertex& vertex, int& normalisation) {
   if (static_cast<std::uint32_t>(w) - narrow.w_near > narrow.w_range) return false;
   Reciprocal r{0, 0};
   if constexpr (!orthographic) {
-    r = reciprocal_of<kind>(static_cast<std::uint32_t>(w), normalisation);
+    r = reciprocal_of(static_cast<std::uint32_t>(w), normalisation);
     normalisation = r.normalisation;
     x = multiply_high(x, r.value);
     y = multiply_high(y, r.value);
@@ -188,12 +162,12 @@ inline bool project_narrow(const NarrowProjection<orthographic>& narrow, const C
   vertex.depth = project_depth<orthographic, format>(instance, origin, w, r);
   return true;
 }
-template <bool orthographic, DepthFormat format = DepthFormat::z16, ReciprocalOf kind = ReciprocalOf::newton>
+template <bool orthographic, DepthFormat format = DepthFormat::z16>
 inline bool project_narrow(const NarrowProjection<orthographic>& narrow, const CompiledInstance& instance,
                            const RasterOrigin& origin, std::int32_t x, std::int32_t y, std::int32_t w,
                            SnappedVertex& vertex) {
   int unknown = 0;
-  return project_narrow<orthographic, format, kind>(narrow, instance, origin, x, y, w, vertex, unknown);
+  return project_narrow<orthographic, format>(narrow, instance, origin, x, y, w, vertex, unknown);
 }
 
 }  // namespace zstrip::detail

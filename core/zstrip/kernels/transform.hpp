@@ -2,9 +2,8 @@
 //
 // Positions have 16 bits a coordinate; the instance's linear forms are 32-bit words, of whose products the upper one
 // counts. Results are 12.4 raster coordinates and 16.16 depth codes, or kNotNarrow and 0. No sum of a form overflows.
-// Every implementation writes what portable/transform.hpp writes, bit by bit. Assembly has perspective and z16, each
-// with all reciprocals; vectors the exact reciprocal alone, for instances that fits_vector takes and four vertices or
-// more.
+// Every implementation writes what portable/transform.hpp writes, bit by bit. Assembly and vectors have
+// perspective and z16; vectors take four vertices or more of instances that fits_vector accepts.
 #pragma once
 
 #include <cstdint>
@@ -23,15 +22,14 @@
 namespace zstrip::detail {
 
 /// Cannot be inlined: the rasterisers need the stack that it takes.
-template <ReciprocalOf kind>
-[[gnu::noinline]] bool transform_vertices_in_assembly(const CompiledInstance& instance, const Mesh& mesh,
-                                                      const RasterOrigin& origin, std::uint32_t first,
-                                                      std::uint32_t count, SnappedVertex* vertices) {
+[[gnu::noinline]] inline bool transform_vertices_in_assembly(const CompiledInstance& instance, const Mesh& mesh,
+                                                             const RasterOrigin& origin, std::uint32_t first,
+                                                             std::uint32_t count, SnappedVertex* vertices) {
   const Position* const positions = mesh.positions.data() + first;
   if constexpr (kHasThumb1) {
-    return transform_vertices_thumb1<kind>(HalvedTransform(instance, origin), positions, count, vertices);
+    return transform_vertices_thumb1(HalvedTransform(instance, origin), positions, count, vertices);
   } else {
-    return transform_vertices_thumb2<kind>(NarrowTransform(instance, origin), positions, count, vertices);
+    return transform_vertices_thumb2(NarrowTransform(instance, origin), positions, count, vertices);
   }
 }
 
@@ -42,10 +40,9 @@ bool transform_vertices(const CompiledInstance& instance, const Mesh& mesh, cons
                         std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {
   if constexpr (kHasThumb && !effects.has(effect::orthographic) && depth_format(effects) == DepthFormat::z16) {
     if (count == 0) return true;
-    return transform_vertices_in_assembly<reciprocal_kind(effects)>(instance, mesh, origin, first, count, vertices);
+    return transform_vertices_in_assembly(instance, mesh, origin, first, count, vertices);
   } else {
-    if constexpr (kHasVectors && !effects.any(effect::orthographic | effect::short_reciprocals) &&
-                  depth_format(effects) == DepthFormat::z16) {
+    if constexpr (kHasVectors && !effects.has(effect::orthographic) && depth_format(effects) == DepthFormat::z16) {
       if (count >= kVectorVertices && fits_vector(instance)) {
         return transform_vertices_vector(instance, origin, mesh.positions.data() + first, count, vertices);
       }

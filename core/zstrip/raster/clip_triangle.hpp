@@ -31,8 +31,7 @@ void rotate_to_first(const Order& order, Corner& ia, Corner& ib, Corner& ic) {
 /// and shades share its code.
 constexpr Effects clip_effects(Effects effects) {
   const Effects sides = shows_both_sides(effects) ? effect::two_sided : Effects{};
-  return sides |
-         (effects & (effect::orthographic | effect::depth_formats | effect::short_reciprocals | effect::outlines));
+  return sides | (effects & (effect::orthographic | effect::depth_formats | effect::outlines));
 }
 
 template <Effects effects>
@@ -96,7 +95,7 @@ struct TriangleClipper {
   }
 
   static RasterVertex projected(const Batch& batch, const ClipVertex& v) {
-    WidePosition p = project_wide<kOrthographic, reciprocal_kind(effects)>(*batch.instance, batch.origin, v);
+    WidePosition p = project_wide<kOrthographic>(*batch.instance, batch.origin, v);
     if constexpr (depth_format(effects) != DepthFormat::z16) {
       p.depth = project_wide_depth<kOrthographic, depth_format(effects)>(*batch.instance, batch.origin, v);
     }

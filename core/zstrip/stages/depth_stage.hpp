@@ -27,18 +27,6 @@ struct DepthStage {
     }
   }
 
-  /// The depth range of what lies in `reach`, with room for the error of 1/w.
-  template <Effects effects>
-  static DepthFit fit(const DistanceRange& reach, const Camera& camera) {
-    if constexpr (effects.has(effect::coarse_reciprocal)) {
-      return with_room(fit_to(reach, camera), kRoomForCoarse);
-    } else if constexpr (effects.has(effect::table_reciprocal)) {
-      return with_room(fit_to(reach, camera), kRoomForTable);
-    } else {
-      return fit_to(reach, camera);
-    }
-  }
-
   /// From that of z16, for which the frame has been prepared. Calls change(mapping) for what is not an instance.
   template <Effects effects, class Change>
   static void change_mapping([[maybe_unused]] FrameState& frame, [[maybe_unused]] const Scene& scene,

@@ -41,8 +41,6 @@ inline constexpr Comparison kComparisons[] = {
     {"depth_32", effect::depth_32, {}, false},
     {"depth_ranges", effect::depth_ranges},
     {"bins", effect::bins},
-    {"coarse_reciprocal", effect::coarse_reciprocal, {}, false},
-    {"table_reciprocal", effect::table_reciprocal, {}, false},
     {"perspective_affine", effect::perspective_affine, effect::textures},
     {"perspective_8", effect::perspective_8, effect::textures},
     {"perspective_1", effect::perspective_1, effect::textures},

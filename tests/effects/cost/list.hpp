@@ -49,8 +49,6 @@ inline constexpr CostOfEffect kCosts[] = {
     cost_of<scenes::affine>("perspective_affine", "fragment"),
     cost_of<scenes::every_8>("perspective_8", "fragment"),
     cost_of<scenes::every_pixel>("perspective_1", "fragment"),
-    cost_of<scenes::coarse>("coarse_reciprocal", "vertex"),
-    cost_of<scenes::by_table>("table_reciprocal", "vertex"),
     cost_of<scenes::fog>("fog", "fragment"),
     cost_of<scenes::emissive>("emissive", "vertex"),
     cost_of<scenes::specular>("specular", "vertex"),

@@ -39,8 +39,6 @@ inline constexpr BuiltIn lit = [] {
   return scene;
 }();
 inline constexpr BuiltIn smooth = named(knot, "smooth");
-inline constexpr BuiltIn coarse = named(knot, "coarse");
-inline constexpr BuiltIn by_table = named(knot, "by_table");
 inline constexpr BuiltIn textured = named(cube, "textured");
 inline constexpr BuiltIn affine = named(cube, "affine");
 inline constexpr BuiltIn every_8 = named(cube, "every_8");
@@ -94,10 +92,6 @@ template <>
 inline constexpr Effects kBasic<scenes::textured> = effect::textures;
 template <const scenes::BuiltIn& built_in>
 inline constexpr Effects kChoice{};
-template <>
-inline constexpr Effects kChoice<scenes::coarse> = effect::coarse_reciprocal;
-template <>
-inline constexpr Effects kChoice<scenes::by_table> = effect::table_reciprocal;
 template <>
 inline constexpr Effects kChoice<scenes::affine> = effect::perspective_affine;
 template <>

@@ -63,9 +63,8 @@ struct Stage : NoStage {
   using Cell = DepthCell<depth_format(effects)>;
   /// The pipeline of layers: coverage and codes.
   template <Effects effects>
-  static constexpr Effects kLayers = (effects &
-                                      (effect::orthographic | effect::depth_formats | effect::short_reciprocals)) |
-                                     Effects{effect::csg_layers.bits};
+  static constexpr Effects kLayers =
+      (effects & (effect::orthographic | effect::depth_formats)) | Effects{effect::csg_layers.bits};
   /// That of colours: no material of an operand has rules of its own for depth, and bounds of depth hide what is equal.
   template <Effects effects>
   static constexpr Effects kColours = Effects{without(effects, effect::depth_state).bits | effect::csg_colours.bits};

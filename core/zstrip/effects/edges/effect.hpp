@@ -10,8 +10,7 @@ struct Effect : AnyEffect {
       {effect::edges, "edges", "edges are anti-aliased (--edges)"},
   };
   static constexpr Exclusion kExclusions[] = {
-      {effect::edges, effect::depth_formats | effect::depth_ranges | effect::short_reciprocals,
-       "edges are compared with the codes of z16"},
+      {effect::edges, effect::depth_formats | effect::depth_ranges, "edges are compared with the codes of z16"},
       {effect::edges, method::any, "edges need the z-buffer of all that is drawn"},
   };
 

@@ -1,4 +1,4 @@
-// The transform of a meshlet's vertices in C++, for every processor, projection, depth format and reciprocal.
+// The transform of a meshlet's vertices in C++, for every processor, projection and depth format.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,6 @@ bool transform_vertices_portable(const CompiledInstance& instance, const Mesh& m
                                  std::uint32_t first, std::uint32_t count, SnappedVertex* vertices) {
   constexpr bool kOrthographic = effects.has(effect::orthographic);
   constexpr DepthFormat kFormat = depth_format(effects);
-  constexpr ReciprocalOf kReciprocal = reciprocal_kind(effects);
   const LinearForm fx = instance.x;
   const LinearForm fy = instance.y;
   const LinearForm fw = instance.w;
@@ -27,8 +26,8 @@ bool transform_vertices_portable(const CompiledInstance& instance, const Mesh& m
   int normalisation = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     const Position p = positions[i];
-    if (!project_narrow<kOrthographic, kFormat, kReciprocal>(narrow, instance, origin, fx.at(p), fy.at(p), fw.at(p),
-                                                             vertices[i], normalisation)) {
+    if (!project_narrow<kOrthographic, kFormat>(narrow, instance, origin, fx.at(p), fy.at(p), fw.at(p), vertices[i],
+                                                normalisation)) {
       vertices[i] = {kNotNarrow, 0, 0};
       all_narrow = false;
     }

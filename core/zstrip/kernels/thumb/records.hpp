@@ -17,7 +17,6 @@ static_assert(sizeof(Colour) == 4 && offsetof(Colour, r) == 0 && offsetof(Colour
 static_assert(sizeof(SnappedVertex) == 8 && offsetof(SnappedVertex, x) == 0 && offsetof(SnappedVertex, y) == 2 &&
               offsetof(SnappedVertex, depth) == 4);
 static_assert(kPixelCentre == 15 && kNarrowLimit == 1 << 14 && kNotNarrow == -0x8000);
-static_assert(static_cast<int>(ReciprocalOf::quotient) == 1 && static_cast<int>(ReciprocalOf::table) == 2);
 static_assert(snap_depth(0xFFFFFFFF) == 0xFFFFE000 && snap_depth(0) == 0x2000);
 
 #endif

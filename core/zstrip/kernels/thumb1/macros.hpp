@@ -42,95 +42,83 @@
   "  adds  \\a, \\a, \\t\n"                                                           \
   ".endm\n"
 
-// zstrip_reciprocal [kind]: of r2, not 0. r3 = reciprocal(r2 << r6), which has its uppermost bit set; of kind 1
-// coarse_reciprocal(r2 << r6), of kind 2 table_reciprocal(r2 << r6). r6 before: the last one's shift, from which this
-// one's seldom differs. r5: the table of reciprocals for an index that begins at 256. Uses r0 to r5. As in
-// reciprocal_in_halves, with q in r4 and e in r5.
-#define ZSTRIP_THUMB1_RECIPROCAL      \
-  ZSTRIP_THUMB1_MULTIPLY_HIGH         \
-  ".macro zstrip_reciprocal kind=0\n" \
-  "  movs  r3, r2\n"                  \
-  "  lsls  r3, r3, r6\n"              \
-  "  bpl   .Lnormalise\\@\n"          \
-  "  movs  r4, r3\n"                  \
-  "  lsrs  r4, r4, r6\n"              \
-  "  cmp   r4, r2\n"                  \
-  "  beq   .Lnormal\\@\n"             \
-  ".Lnormalise\\@:\n"                 \
-  "  movs  r6, #0\n"                  \
-  "  movs  r3, r2\n"                  \
-  "  lsrs  r4, r3, #16\n"             \
-  "  bne   .Lnormalise_8\\@\n"        \
-  "  adds  r6, r6, #16\n"             \
-  "  lsls  r3, r3, #16\n"             \
-  ".Lnormalise_8\\@:\n"               \
-  "  lsrs  r4, r3, #24\n"             \
-  "  bne   .Lnormalise_4\\@\n"        \
-  "  adds  r6, r6, #8\n"              \
-  "  lsls  r3, r3, #8\n"              \
-  ".Lnormalise_4\\@:\n"               \
-  "  lsrs  r4, r3, #28\n"             \
-  "  bne   .Lnormalise_2\\@\n"        \
-  "  adds  r6, r6, #4\n"              \
-  "  lsls  r3, r3, #4\n"              \
-  ".Lnormalise_2\\@:\n"               \
-  "  lsrs  r4, r3, #30\n"             \
-  "  bne   .Lnormalise_1\\@\n"        \
-  "  adds  r6, r6, #2\n"              \
-  "  lsls  r3, r3, #2\n"              \
-  ".Lnormalise_1\\@:\n"               \
-  "  cmp   r3, #0\n"                  \
-  "  bmi   .Lnormal\\@\n"             \
-  "  adds  r6, r6, #1\n"              \
-  "  lsls  r3, r3, #1\n"              \
-  ".Lnormal\\@:\n"                    \
-  ".if \\kind == 2\n"                 \
-  "  lsrs  r4, r3, #23\n"             \
-  "  lsls  r4, r4, #1\n"              \
-  "  ldrh  r3, [r5, r4]\n"            \
-  "  lsls  r3, r3, #15\n"             \
-  ".else\n"                           \
-  "  lsrs  r2, r3, #16\n"             \
-  "  lsrs  r4, r3, #23\n"             \
-  "  lsls  r4, r4, #1\n"              \
-  "  ldrh  r4, [r5, r4]\n"            \
-  "  movs  r5, r4\n"                  \
-  "  muls  r5, r5, r2\n"              \
-  "  rsbs  r5, r5, #0\n"              \
-  "  lsls  r5, r5, #1\n"              \
-  "  asrs  r5, r5, #8\n"              \
-  "  muls  r5, r5, r4\n"              \
-  "  asrs  r5, r5, #23\n"             \
-  "  lsls  r4, r4, #1\n"              \
-  "  adds  r4, r4, r5\n"              \
-  "  movs  r5, r4\n"                  \
-  "  muls  r5, r5, r2\n"              \
-  "  mvns  r0, r5\n"                  \
-  "  cmp   r0, r2\n"                  \
-  "  blo   .Lquotient\\@\n"           \
-  "  adds  r4, r4, #1\n"              \
-  "  adds  r5, r5, r2\n"              \
-  ".Lquotient\\@:\n"                  \
-  ".if \\kind == 1\n"                 \
-  "  lsls  r3, r4, #14\n"             \
-  ".else\n"                           \
-  "  uxth  r0, r3\n"                  \
-  "  adds  r5, r5, r0\n"              \
-  "  uxth  r1, r4\n"                  \
-  "  muls  r0, r0, r1\n"              \
-  "  lsrs  r0, r0, #16\n"             \
-  "  adds  r5, r5, r0\n"              \
-  "  asrs  r5, r5, #2\n"              \
-  "  muls  r1, r1, r5\n"              \
-  "  rsbs  r1, r1, #0\n"              \
-  "  asrs  r1, r1, #16\n"             \
-  "  subs  r1, r1, r5\n"              \
-  "  asrs  r1, r1, #1\n"              \
-  "  lsls  r4, r4, #13\n"             \
-  "  adds  r3, r4, r1\n"              \
-  "  lsls  r3, r3, #1\n"              \
-  ".endif\n"                          \
-  ".endif\n"                          \
+// zstrip_reciprocal: of r2, not 0. r3 = reciprocal(r2 << r6), which has its uppermost bit set. r6 before: the last
+// one's shift, from which this one's seldom differs. r5: the table of reciprocals for an index that begins at 256. Uses
+// r0 to r5. As in reciprocal_in_halves, with q in r4 and e in r5.
+#define ZSTRIP_THUMB1_RECIPROCAL \
+  ZSTRIP_THUMB1_MULTIPLY_HIGH    \
+  ".macro zstrip_reciprocal\n"   \
+  "  movs  r3, r2\n"             \
+  "  lsls  r3, r3, r6\n"         \
+  "  bpl   .Lnormalise\\@\n"     \
+  "  movs  r4, r3\n"             \
+  "  lsrs  r4, r4, r6\n"         \
+  "  cmp   r4, r2\n"             \
+  "  beq   .Lnormal\\@\n"        \
+  ".Lnormalise\\@:\n"            \
+  "  movs  r6, #0\n"             \
+  "  movs  r3, r2\n"             \
+  "  lsrs  r4, r3, #16\n"        \
+  "  bne   .Lnormalise_8\\@\n"   \
+  "  adds  r6, r6, #16\n"        \
+  "  lsls  r3, r3, #16\n"        \
+  ".Lnormalise_8\\@:\n"          \
+  "  lsrs  r4, r3, #24\n"        \
+  "  bne   .Lnormalise_4\\@\n"   \
+  "  adds  r6, r6, #8\n"         \
+  "  lsls  r3, r3, #8\n"         \
+  ".Lnormalise_4\\@:\n"          \
+  "  lsrs  r4, r3, #28\n"        \
+  "  bne   .Lnormalise_2\\@\n"   \
+  "  adds  r6, r6, #4\n"         \
+  "  lsls  r3, r3, #4\n"         \
+  ".Lnormalise_2\\@:\n"          \
+  "  lsrs  r4, r3, #30\n"        \
+  "  bne   .Lnormalise_1\\@\n"   \
+  "  adds  r6, r6, #2\n"         \
+  "  lsls  r3, r3, #2\n"         \
+  ".Lnormalise_1\\@:\n"          \
+  "  cmp   r3, #0\n"             \
+  "  bmi   .Lnormal\\@\n"        \
+  "  adds  r6, r6, #1\n"         \
+  "  lsls  r3, r3, #1\n"         \
+  ".Lnormal\\@:\n"               \
+  "  lsrs  r2, r3, #16\n"        \
+  "  lsrs  r4, r3, #23\n"        \
+  "  lsls  r4, r4, #1\n"         \
+  "  ldrh  r4, [r5, r4]\n"       \
+  "  movs  r5, r4\n"             \
+  "  muls  r5, r5, r2\n"         \
+  "  rsbs  r5, r5, #0\n"         \
+  "  lsls  r5, r5, #1\n"         \
+  "  asrs  r5, r5, #8\n"         \
+  "  muls  r5, r5, r4\n"         \
+  "  asrs  r5, r5, #23\n"        \
+  "  lsls  r4, r4, #1\n"         \
+  "  adds  r4, r4, r5\n"         \
+  "  movs  r5, r4\n"             \
+  "  muls  r5, r5, r2\n"         \
+  "  mvns  r0, r5\n"             \
+  "  cmp   r0, r2\n"             \
+  "  blo   .Lquotient\\@\n"      \
+  "  adds  r4, r4, #1\n"         \
+  "  adds  r5, r5, r2\n"         \
+  ".Lquotient\\@:\n"             \
+  "  uxth  r0, r3\n"             \
+  "  adds  r5, r5, r0\n"         \
+  "  uxth  r1, r4\n"             \
+  "  muls  r0, r0, r1\n"         \
+  "  lsrs  r0, r0, #16\n"        \
+  "  adds  r5, r5, r0\n"         \
+  "  asrs  r5, r5, #2\n"         \
+  "  muls  r1, r1, r5\n"         \
+  "  rsbs  r1, r1, #0\n"         \
+  "  asrs  r1, r1, #16\n"        \
+  "  subs  r1, r1, r5\n"         \
+  "  asrs  r1, r1, #1\n"         \
+  "  lsls  r4, r4, #13\n"        \
+  "  adds  r3, r4, r1\n"         \
+  "  lsls  r3, r3, #1\n"         \
   ".endm\n"
 
 #define ZSTRIP_THUMB1_PURGE_MULTIPLY_HIGH ".purgem zstrip_multiply_high\n"

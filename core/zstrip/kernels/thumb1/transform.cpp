@@ -22,42 +22,141 @@ static_assert(offsetof(HalvedTransform, depth_scale_low) == 108 && offsetof(Halv
 // r8 x and r9 y, r10 the next position, r11 the next vertex, r12 the normalisation of the last w, lr how many are left.
 // On the stack: 0 the transform, 4 whether all so far are narrow, 8 the table of reciprocals for an index that begins
 // at 256.
-template <ReciprocalOf kind>
 [[gnu::naked]] static bool transform(const HalvedTransform&, const Position*, std::uint32_t, SnappedVertex*,
-                                     const std::uint16_t*);
-template <>
-[[gnu::naked]] bool transform<ReciprocalOf::newton>(const HalvedTransform&, const Position*, std::uint32_t,
-                                                    SnappedVertex*, const std::uint16_t*) {
-  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL ".set .Ltransform_reciprocal, 0\n"
-#include "zstrip/kernels/thumb1/transform.inc"
-      ZSTRIP_THUMB1_PURGE_RECIPROCAL ZSTRIP_THUMB1_POP);
-}
-template <>
-[[gnu::naked]] bool transform<ReciprocalOf::quotient>(const HalvedTransform&, const Position*, std::uint32_t,
-                                                      SnappedVertex*, const std::uint16_t*) {
-  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL ".set .Ltransform_reciprocal, 1\n"
-#include "zstrip/kernels/thumb1/transform.inc"
-      ZSTRIP_THUMB1_PURGE_RECIPROCAL ZSTRIP_THUMB1_POP);
-}
-template <>
-[[gnu::naked]] bool transform<ReciprocalOf::table>(const HalvedTransform&, const Position*, std::uint32_t,
-                                                   SnappedVertex*, const std::uint16_t*) {
-  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL ".set .Ltransform_reciprocal, 2\n"
-#include "zstrip/kernels/thumb1/transform.inc"
-      ZSTRIP_THUMB1_PURGE_RECIPROCAL ZSTRIP_THUMB1_POP);
+                                     const std::uint16_t*) {
+  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL R"(
+    @ r3: a form, whose halves begin at r7, at the position in r4, r5 and r6. Moves r7 behind it.
+    .macro zstrip_form
+      ldm   r7!, {r1-r3}
+      muls  r1, r1, r4
+      asrs  r1, r1, #16
+      adds  r3, r3, r1
+      muls  r2, r2, r4
+      adds  r3, r3, r2
+      ldm   r7!, {r1-r2}
+      muls  r1, r1, r5
+      asrs  r1, r1, #16
+      adds  r3, r3, r1
+      muls  r2, r2, r5
+      adds  r3, r3, r2
+      ldm   r7!, {r1-r2}
+      muls  r1, r1, r6
+      asrs  r1, r1, #16
+      adds  r3, r3, r1
+      muls  r2, r2, r6
+      adds  r3, r3, r2
+    .endm
+    ldr   r4, [sp, #36]
+    movs  r5, #2
+    lsls  r5, r5, #8
+    subs  r6, r4, r5
+    movs  r5, #1
+    movs  r4, r0
+    push  {r4-r6}
+    mov   r10, r1
+    lsls  r2, r2, #3
+    adds  r2, r2, r3
+    mov   lr, r2                      @ behind the last vertex
+    mov   r11, r3
+    movs  r6, #0
+    mov   r12, r6
+  1:
+    mov   r0, r10
+    ldrh  r4, [r0]
+    ldrh  r5, [r0, #2]
+    ldrh  r6, [r0, #4]
+    sxth  r4, r4
+    sxth  r5, r5
+    sxth  r6, r6
+    adds  r0, r0, #6
+    mov   r10, r0
+    ldr   r7, [sp]
+    zstrip_form
+    mov   r8, r3
+    zstrip_form
+    mov   r9, r3
+    zstrip_form
+    ldm   r7!, {r1-r2}
+    subs  r1, r3, r1
+    cmp   r1, r2
+    bls   2f
+    b     5f
+  2:
+    movs  r2, r3
+    mov   r6, r12
+    ldr   r5, [sp, #8]
+    zstrip_reciprocal
+    mov   r12, r6
+    uxth  r4, r3
+    lsrs  r5, r3, #16
+    mov   r0, r8
+    mov   r8, r3
+    zstrip_multiply_high r0, r4, r5, r1, r2, r3
+    ldm   r7!, {r1-r2}                @ shift, bias
+    subs  r1, r1, r6
+    asrs  r0, r0, r1
+    adds  r0, r0, r2
+    asrs  r0, r0, #1
+    mov   r1, r9
+    mov   r9, r0
+    movs  r0, r1
+    zstrip_multiply_high r0, r4, r5, r1, r2, r3
+    ldm   r7!, {r1-r2}
+    subs  r1, r1, r6
+    asrs  r0, r0, r1
+    adds  r0, r0, r2
+    asrs  r0, r0, #1                  @ y
+    mov   r1, r9                      @ x
+    movs  r2, #1
+    lsls  r2, r2, #14
+    adds  r3, r1, r2
+    adds  r2, r2, r0
+    orrs  r2, r2, r3
+    lsrs  r2, r2, #15
+    beq   3f
+    b     5f
+  3:
+    mov   r2, r11
+    strh  r1, [r2]
+    strh  r0, [r2, #2]
+    ldm   r7!, {r3-r5}                @ halves of the depth's scale, its normalisation
+    mov   r0, r8
+    subs  r5, r5, r6
+    lsrs  r0, r0, r5
+    zstrip_multiply_high r0, r3, r4, r1, r5, r6, lsrs
+    ldm   r7!, {r1, r3}               @ shift, offset
+    lsls  r0, r0, r1
+    subs  r0, r0, r3
+    lsrs  r0, r0, #14                 @ snap_depth
+    lsls  r0, r0, #1
+    adds  r0, r0, #1
+    lsls  r0, r0, #13
+  4:
+    str   r0, [r2, #4]
+    adds  r2, r2, #8
+    mov   r11, r2
+    cmp   r2, lr
+    beq   6f
+    b     1b
+  5:
+    movs  r0, #1
+    lsls  r0, r0, #15                 @ kNotNarrow, 0; its depth 0
+    mov   r2, r11
+    str   r0, [r2]
+    movs  r0, #0
+    str   r0, [sp, #4]
+    b     4b
+  6:
+    pop   {r1-r3}
+    movs  r0, r2
+    .purgem zstrip_form
+  )" ZSTRIP_THUMB1_PURGE_RECIPROCAL ZSTRIP_THUMB1_POP);
 }
 
-template <ReciprocalOf kind>
 bool transform_vertices_thumb1(const HalvedTransform& instance, const Position* positions, std::uint32_t count,
                                SnappedVertex* vertices) {
-  return transform<kind>(instance, positions, count, vertices, kReciprocalTable.data());
+  return transform(instance, positions, count, vertices, kReciprocalTable.data());
 }
-template bool transform_vertices_thumb1<ReciprocalOf::newton>(const HalvedTransform&, const Position*, std::uint32_t,
-                                                              SnappedVertex*);
-template bool transform_vertices_thumb1<ReciprocalOf::quotient>(const HalvedTransform&, const Position*, std::uint32_t,
-                                                                SnappedVertex*);
-template bool transform_vertices_thumb1<ReciprocalOf::table>(const HalvedTransform&, const Position*, std::uint32_t,
-                                                             SnappedVertex*);
 
 #endif
 

@@ -51,7 +51,6 @@ struct HalvedTransform {
 };
 
 /// Writes `count` vertices, > 0. Returns whether all are narrow.
-template <ReciprocalOf kind>
 bool transform_vertices_thumb1(const HalvedTransform& transform, const Position* positions, std::uint32_t count,
                                SnappedVertex* vertices);
 

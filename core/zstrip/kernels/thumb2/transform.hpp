@@ -37,7 +37,6 @@ struct NarrowTransform {
 };
 
 /// Writes `count` vertices, > 0. Returns whether all are narrow.
-template <ReciprocalOf kind>
 bool transform_vertices_thumb2(const NarrowTransform& transform, const Position* positions, std::uint32_t count,
                                SnappedVertex* vertices);
 

@@ -1,0 +1,20 @@
+// Settings that are gone: what an error says to do instead.
+#pragma once
+
+#include <string_view>
+#include <utility>
+
+namespace zstrip::sim {
+
+/// What to do instead of naming a setting or a value that is gone; empty if `word` never was one.
+constexpr std::string_view instead_of(std::string_view word) {
+  constexpr std::pair<std::string_view, std::string_view> kGone[] = {
+      {"reciprocal", "leave it out: 1/w is always found to 2^-28"},
+  };
+  for (const auto& [gone, instead] : kGone) {
+    if (word == gone) return instead;
+  }
+  return {};
+}
+
+}  // namespace zstrip::sim
