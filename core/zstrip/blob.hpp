@@ -21,15 +21,11 @@ namespace zstrip {
 inline constexpr std::uint8_t kSceneBlobVersion = 5;     ///< the one that is read: others are to be baked again
 inline constexpr std::uint32_t kSceneBlobAlignment = 4;  ///< of the blob's first byte
 
-/// What a picture may be baked for that neither scene nor view call for, in the order of a blob's numbers for it.
-inline constexpr Effects kPictureEffects[] = {{},
-                                              effect::perspective_affine,
-                                              effect::perspective_8,
-                                              effect::perspective_1,
-                                              effect::depth_float,
-                                              effect::depth_w16,
-                                              effect::depth_24,
-                                              effect::depth_32};
+/// What a picture may be baked for that neither scene nor view call for, in the order of a blob's numbers for it. What
+/// blob_layout::is_gone names is empty.
+inline constexpr Effects kPictureEffects[] = {
+    {}, effect::perspective_affine, effect::perspective_8, effect::perspective_1, effect::depth_float,
+    {}, effect::depth_24,           effect::depth_32};
 
 /// What a blob holds. `scene` reads the blob and the memory lent to open_scene_blob: both must outlive it, unchanged.
 struct SceneBlob {
@@ -71,8 +67,9 @@ inline constexpr std::size_t kSceneBlobMemoryAlignment = alignof(Mesh);
 /// error `opened` stays as it was. Time: linear in the blob's size. Any bytes are safe.
 /// Errors: blob_alignment; blob_damaged (`needed`: the byte that is wrong; that after the last one if some are
 /// missing); blob_version (`needed`: its version, `available`: the one that is read here); blob_section (`needed`: the
-/// tag of a section that must be known and is not, its first letter in the highest byte); blob_memory (`needed`,
-/// `available`: bytes of `memory`); camera; and those of validate.
+/// tag of a section that must be known and is not, its first letter in the highest byte); blob_depth (`needed`: the
+/// number of a depth format that is gone); blob_memory (`needed`, `available`: bytes of `memory`); camera; and those of
+/// validate.
 Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> memory, SceneBlob& opened);
 
 }  // namespace zstrip

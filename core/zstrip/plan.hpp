@@ -45,10 +45,9 @@ struct PlanWithDepth {
   Effects effects;  ///< for the Renderer
 };
 
-/// As `plan` above, with the format of cheapest_depth_format in place of any that `effects` has; or with w16, on most
-/// scenes the slowest, where it sorts as well and four bytes a cell do not fit (or cannot be kept, with a static
-/// layer). Visibility methods and sub-ranges always have z16. If not even z32 sorts what is needed, the plan is for
-/// z32. constexpr, so that the effects can be a renderer's:
+/// As `plan` above, with the format of cheapest_depth_format in place of any that `effects` has. Visibility
+/// methods and sub-ranges always have z16, a static layer two bytes a cell. If not even z32 sorts what is needed, the
+/// plan is for z32. constexpr, so that the effects can be a renderer's:
 ///     constexpr PlanWithDepth kPlan = plan(kCounts, kView, kEffects, kBudget, {kRange, kFarthest, kSeparation});
 /// and Renderer<kPlan.effects>.
 constexpr PlanWithDepth plan(const SceneCounts& counts, const View& view, Effects effects, const Budget& budget,
@@ -60,12 +59,7 @@ constexpr PlanWithDepth plan(const SceneCounts& counts, const View& view, Effect
     return {result.status, result.plan, all};
   };
   if (others.methods != 0 || others.has(effect::depth_ranges)) return planned(DepthFormat::z16);
-  const DepthFormat cheapest = cheapest_depth_format(need.range, need.farthest, need.separation);
-  const PlanWithDepth best = planned(cheapest);
-  if (best.status || depth_bytes(cheapest) == depth_bytes(DepthFormat::z16)) return best;
-  if (depth_separation(DepthFormat::w16, need.range, need.farthest) > need.separation) return best;
-  const PlanWithDepth narrow = planned(DepthFormat::w16);
-  return narrow.status ? narrow : best;
+  return planned(cheapest_depth_format(need.range, need.farthest, need.separation));
 }
 
 // Presets: what to add to a scene's effects, to its budget and to its camera. docs/accuracy.md has what each costs and

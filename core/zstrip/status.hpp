@@ -75,6 +75,7 @@ enum class Error : std::uint8_t {
              ///< vertex)
   clipping,  ///< an instance whose box comes near the near plane, or lies more than a thousand pixels beside the
              ///< picture's centre, in a renderer with effect::unclipped (`needed` = its index)
+  blob_depth,  ///< a scene blob for a depth format that is gone (`needed` = its number)
 };
 
 /// What memory is for. The order is that of a plan's table.

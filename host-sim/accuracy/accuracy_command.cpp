@@ -247,7 +247,7 @@ std::string footer() {
          "Examples:\n"
          "  zstrip accuracy knot -o out/accuracy\n"
          "  zstrip accuracy knot room --target m3 --knobs depth,fit,strips -o out/m3\n"
-         "  zstrip accuracy teapot --only depth=w16,detail=50 --only exact -o out/two\n"
+         "  zstrip accuracy teapot --only depth=float,detail=50 --only exact -o out/two\n"
          "A run that was interrupted goes on where it was: points are kept in points.jsonl of the folder.";
 }
 

@@ -93,7 +93,7 @@ void ErrorSum::add_surfaces(const Observation& drawn, const Truth& truth) {
 
   // Distances of what was drawn are read with the scale of the codes, which follows from right pixels.
   std::vector<std::array<double, 2>> points;
-  const bool linear_in_w = depth_.orthographic || depth_.format == DepthFormat::w16;
+  const bool linear_in_w = depth_.orthographic;
   const auto abscissa = [&](double w) { return linear_in_w ? w : 1 / w; };
   for (std::size_t i = 0; i < right.size(); ++i) {
     const TruthSample& sample = truth.centres.samples[i];
@@ -152,7 +152,7 @@ void ErrorSum::add_surfaces(const Observation& drawn, const Truth& truth) {
 
 void ErrorSum::add_depth(const Observation& drawn, const Truth& truth) {
   if (simplified_) return;
-  const bool linear_in_w = depth_.orthographic || depth_.format == DepthFormat::w16;
+  const bool linear_in_w = depth_.orthographic;
   std::vector<std::array<double, 2>> points;
   std::vector<double> steps;
   for (std::size_t i = 0; i < drawn.label.size(); ++i) {

@@ -83,14 +83,14 @@ DepthCodes::DepthCodes(const Scene& scene, const Camera& camera, const Stages::D
 
 double DepthCodes::linear(double w) const {
   if (format_ == DepthFormat::float16) return 4294574080.0 * near_ / w;
-  if (format_ == DepthFormat::w16 || orthographic_) return first_ + span_ * (far_ - w) / (far_ - near_);
+  if (orthographic_) return first_ + span_ * (far_ - w) / (far_ - near_);
   return first_ + span_ * (1 / w - 1 / far_) / (1 / near_ - 1 / far_);
 }
 
 double DepthCodes::distance(double linear) const {
   if (format_ == DepthFormat::float16) return 4294574080.0 * near_ / linear;
   const double part = (linear - first_) / span_;
-  if (format_ == DepthFormat::w16 || orthographic_) return far_ - part * (far_ - near_);
+  if (orthographic_) return far_ - part * (far_ - near_);
   return 1 / (1 / far_ + part * (1 / near_ - 1 / far_));
 }
 

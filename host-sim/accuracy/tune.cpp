@@ -121,7 +121,6 @@ std::string effect_names(const Settings& settings) {
   const auto add = [&](std::string_view name) { names += fmt::format(" | zstrip::effect::{}", name); };
   const std::string_view depth = settings.name_of(Knob::depth);
   if (depth == "float") add("depth_float");
-  if (depth == "w16") add("depth_w16");
   if (depth == "z24") add("depth_24");
   if (depth == "z32") add("depth_32");
   if (depth == "ranges") add("depth_ranges");

@@ -137,7 +137,6 @@ constexpr std::pair<const char*, Effects> kChosen[] = {
     {"effect::perspective_8", effect::perspective_8},
     {"effect::perspective_1", effect::perspective_1},
     {"effect::depth_float", effect::depth_float},
-    {"effect::depth_w16", effect::depth_w16},
     {"effect::depth_24", effect::depth_24},
     {"effect::depth_32", effect::depth_32},
     {"effect::depth_ranges", effect::depth_ranges},

@@ -17,7 +17,6 @@ constexpr const char* kLine =
 const char* name(DepthFormat format) {
   switch (format) {
     case DepthFormat::float16: return "float";
-    case DepthFormat::w16: return "w16";
     case DepthFormat::z24: return "z24";
     case DepthFormat::z32: return "z32";
     case DepthFormat::z16: break;

@@ -81,7 +81,7 @@ void add_drawing_options(CLI::App& command, DrawingArguments& arguments) {
   add_quality_options(command, a.view);
   command
       .add_option("--depth-format", a.depth_format,
-                  "Depth in the z-buffer: z16 (default), float, w16, z24 or z32; the last three for comparison")
+                  "Depth in the z-buffer: z16 (default), float, z24 or z32; the last one for comparison")
       ->transform(lower_case())
       ->type_name("FORMAT");
   command
@@ -110,7 +110,7 @@ Result<Drawing> parse_drawing(const DrawingArguments& arguments, const PictureSe
   drawing.depth_format = *depth_format;
   drawing.depth_given = depth_option(arguments.depth_format);
   if (arguments.camera.orthographic && !effects_agree(depth_effect(*depth_format) | effect::orthographic)) {
-    return usage("--depth-format float and w16 need a perspective camera, not --ortho");
+    return usage("--depth-format float needs a perspective camera, not --ortho");
   }
   if (arguments.perspective) {
     const Result<Effects> perspective = parse_perspective(*arguments.perspective);

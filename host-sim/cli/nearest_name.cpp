@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "compose/retired.hpp"
 #include "report/text.hpp"
 
 namespace zstrip::sim {
@@ -55,7 +56,9 @@ std::string_view nearest_name(std::string_view text, std::span<const std::string
 }
 
 std::string unknown_value(std::string_view text, std::span<const std::string_view> names) {
-  const std::string reason = are_numbers(names) && !whole_number(text)
+  const std::string_view instead = instead_of(text);
+  const std::string reason = !instead.empty() ? fmt::format("is gone: {}.", instead)
+                             : are_numbers(names) && !whole_number(text)
                                  ? "is no number."
                                  : fmt::format("is unknown, did you mean {}?", nearest_name(text, names));
   return fmt::format("'{}' {} Known are {}", text, reason, fmt::join(names, ", "));

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "compose/retired.hpp"
+
 namespace zstrip::sim {
 namespace {
 
@@ -284,10 +286,12 @@ std::vector<std::string> TomlTable::list(const char* key, std::string_view words
 void TomlTable::wrong_name(const char* key, const std::string& given, const char* what,
                            const std::vector<std::string>& names) {
   const std::string near = nearest(given, names);
+  const std::string_view instead = instead_of(given);
   wrong(key, fmt::format("'{}' names no {} '{}'; {}", key, what, shortened(given),
-                         !near.empty()   ? fmt::format("did you mean '{}'?", near)
-                         : names.empty() ? std::string("there is none")
-                                         : "there are " + listed(names)));
+                         !instead.empty() ? fmt::format("it is gone, {}", instead)
+                         : !near.empty()  ? fmt::format("did you mean '{}'?", near)
+                         : names.empty()  ? std::string("there is none")
+                                          : "there are " + listed(names)));
 }
 
 void TomlTable::finish() {

@@ -62,8 +62,7 @@ Result<Done> check_visibility(Effects effects, std::string_view depth_given) {
     if (!effects.any(exclusion.one) || !effects.any(Effects{exclusion.other.bits, 0})) continue;
     const auto* const named = std::ranges::find_if(
         kEffectNames, [&](const EffectName& each) { return effects.any(each.effect & exclusion.one); });
-    return Failure{ExitStatus::usage, fmt::format("'{}' does not go with {}: {}; leave one of them out",
-                                                  named == kEffectNames.end() ? "this accuracy of 1/w" : named->name,
+    return Failure{ExitStatus::usage, fmt::format("'{}' does not go with {}: {}; leave one of them out", named->name,
                                                   ranges                ? "--visibility half-range"
                                                   : depth_given.empty() ? "this depth format"
                                                                         : depth_given,

@@ -98,7 +98,7 @@ TEST(Causes, DepthChangesWithItsFormatAndFitAlone) {
   EXPECT_GE(fixed[Figure::depth_view], 0.9 * z16[Figure::depth_view]);
   expect_exact_surfaces(z32);
   expect_exact_colours(z32, 1e-4);
-  for (const char* format : {"depth=float", "depth=w16", "depth=z24", "depth=ranges"}) {
+  for (const char* format : {"depth=float", "depth=z24", "depth=ranges"}) {
     EXPECT_LT(errors(*opened, Cause::depth, format)[Figure::depth_codes], 1.01) << format;
   }
 }

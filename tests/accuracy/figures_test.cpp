@@ -20,7 +20,7 @@ Errors errors(const AccuracyScene& scene, const char* settings) { return *scene.
 TEST(Figures, DepthIsWithinACodeOfThePlanesThroughSnappedCorners) {
   for (const char* name : {"knot", "teapot", "cube", "spheres", "wires"}) {
     const auto opened = scene(name);
-    for (const char* format : {"z16", "float", "w16"}) {
+    for (const char* format : {"z16", "float"}) {
       const std::string settings = std::string("depth=") + format;
       EXPECT_LT(errors(*opened, settings.c_str())[Figure::depth_codes], 1.6) << name << ' ' << format;
     }
@@ -43,7 +43,7 @@ TEST(Figures, SpheresAreTheTruths) {
 
 TEST(Figures, DepthFormatsDifferWhereNearAndFarAreFarApart) {
   const auto terrain = scene("terrain");
-  EXPECT_GT(errors(*terrain, "default")[Figure::depth_view], 3 * errors(*terrain, "depth=w16")[Figure::depth_view]);
+  EXPECT_GT(errors(*terrain, "default")[Figure::depth_view], 3 * errors(*terrain, "depth=float")[Figure::depth_view]);
 }
 
 TEST(Figures, CoarserDepthShowsMoreWrongSurfaces) {
@@ -229,8 +229,8 @@ TEST(Campaign, TargetsShareWhatDoesNotDependOnThem) {
   EXPECT_EQ(board.request().target, "m3");
   EXPECT_EQ(host->request().target, "host");
   AccuracyPictures first, again;
-  const Errors seen = *host->errors(*parse_settings("depth=w16"), &first);
-  EXPECT_EQ(board.errors(*parse_settings("depth=w16,strips=4"), &again)->value[0], seen.value[0]);
+  const Errors seen = *host->errors(*parse_settings("depth=z24"), &first);
+  EXPECT_EQ(board.errors(*parse_settings("depth=z24,strips=4"), &again)->value[0], seen.value[0]);
   EXPECT_EQ(again.drawn, first.drawn);
   EXPECT_EQ(again.heat, first.heat);
   EXPECT_NE(errors(board, "depth=ranges")[Figure::depth_codes], seen[Figure::depth_codes]);

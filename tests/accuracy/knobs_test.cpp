@@ -46,6 +46,8 @@ TEST(Knobs, ErrorsNameTheNearestWord) {
 TEST(Knobs, ASettingThatIsGoneIsRefusedWithWhatToDoInstead) {
   const std::string gone = parse_settings("reciprocal=table").failure().message;
   EXPECT_NE(gone.find("no knob is called 'reciprocal', it is gone, leave it out"), std::string::npos) << gone;
+  const std::string format = parse_settings("depth=w16").failure().message;
+  EXPECT_NE(format.find("no value of depth is called 'w16', it is gone, use z24"), std::string::npos) << format;
 }
 
 TEST(Knobs, DitheringIsThePicturesOwnEffect) {
@@ -69,7 +71,7 @@ TEST(Knobs, EdgesAreBlendedInPicturesOfOneSampleWithZ16) {
   const Settings edges = *parse_settings("samples=edges");
   EXPECT_EQ(extra_effects(edges), effect::edges);
   EXPECT_EQ(picture(edges, {64, 48}).samples, 1);
-  for (const char* with : {"depth=float", "depth=w16", "depth=z24", "depth=z32", "depth=ranges"}) {
+  for (const char* with : {"depth=float", "depth=z24", "depth=z32", "depth=ranges"}) {
     EXPECT_FALSE(possible(extra_effects(*parse_settings(std::string("samples=edges,") + with)))) << with;
   }
   for (const char* with : {"strips=bins16", "perspective=1", "dither=on", "filter=mipmapped_bilinear", "fit=fixed"}) {
@@ -120,7 +122,7 @@ using JournalTest = test::FolderTest;
 TEST_F(JournalTest, LosesOnlyTheLineThatWasNotWhole) {
   const std::string file = path("points.jsonl");
   AccuracyPoint point{
-      .scene = "a,\"b", .target = "m3", .settings = *parse_settings("depth=w16"), .part = "", .errors = {}, .cost = {}};
+      .scene = "a,\"b", .target = "m3", .settings = *parse_settings("depth=z24"), .part = "", .errors = {}, .cost = {}};
   point.errors[Figure::psnr] = 31.25;
   point.errors[Figure::texture] = std::nan("");
   point.cost.instructions = 123456789012;

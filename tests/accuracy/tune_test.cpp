@@ -44,10 +44,10 @@ TEST_F(TuneCommand, SaysWhichLimitCannotBeMetAndByHowMuch) {
 
 TEST_F(TuneCommand, EdgesBesideADepthThatTheyDoNotGoWithAreRefused) {
   const test::Outcome outcome =
-      test::run(ZSTRIP_COMMAND, {"accuracy", "cube", "--only", "samples=edges,depth=w16", "--size", "32x24", "-o", "a"},
+      test::run(ZSTRIP_COMMAND, {"accuracy", "cube", "--only", "samples=edges,depth=z24", "--size", "32x24", "-o", "a"},
                 path(""));
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_NE(outcome.err.find("'depth=w16,samples=edges' cannot be drawn"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("'depth=z24,samples=edges' cannot be drawn"), std::string::npos) << outcome.err;
 }
 
 TEST(Tune, SamplesAreForThoseWhoLimitHowItLooks) {

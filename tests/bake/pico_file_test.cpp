@@ -287,9 +287,9 @@ TEST_F(BakePico, PicturesThatThePanelDoesNotShowAreRefused) {
 }
 
 TEST_F(BakePico, WhatTheProgramCannotDrawIsSaidWhenItIsBaked) {
-  const std::string scene = "[picture]\ndepth_format = \"w16\"\n[[model]]\nname = \"house\"\nfile = \"" + kHouseModel +
+  const std::string scene = "[picture]\ndepth_format = \"z24\"\n[[model]]\nname = \"house\"\nfile = \"" + kHouseModel +
                             "\"\n[[instance]]\nmodel = \"house\"\n";
-  const Outcome depth = zstrip({"bake", file("w16.toml", scene), "-o", "x.uf2"});
+  const Outcome depth = zstrip({"bake", file("z24.toml", scene), "-o", "x.uf2"});
   EXPECT_EQ(depth.status, 2);
   EXPECT_NE(depth.err.find("leave 'depth_format' out"), std::string::npos) << depth.err;
   const Outcome large = zstrip({"bake", "random10k", "--strip-rows", "60", "-o", "x.uf2"});

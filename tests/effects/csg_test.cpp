@@ -36,7 +36,6 @@ TEST(Csg, OfAnyCameraAndDepth) {
   expect_right(world, draw<effect::csg | effect::depth_24>(scene, world.camera, kCsgView), "z24");
   expect_right(world, draw<effect::csg | effect::depth_32>(scene, world.camera, kCsgView), "z32");
   expect_right(world, draw<effect::csg | effect::depth_float>(scene, world.camera, kCsgView), "3.13");
-  expect_right(world, draw<effect::csg | effect::depth_w16>(scene, world.camera, kCsgView), "w16");
   expect_right(world, draw<effect::csg | effect::depth_ranges>(scene, world.camera, kCsgView, {.strip_rows = 16}),
                "sub-ranges");
   world.camera.projection = Projection::orthographic;

@@ -22,7 +22,7 @@ TEST(FirmwareAbsence, ASymbolOfAnEffectThatTheSceneLacksIsSeen) {
   for (const Program& program : firmware_programs(ZSTRIP_FIRMWARE_BINARIES)) {
     for (const Effects effect : {effect::shade_textured, effect::shade_textured_flat, effect::shade_textured_gouraud,
                                  effect::shade_flat, effect::bins, effect::depth_state, effect::depth_ranges,
-                                 effect::depth_w16, effect::perspective_1, method::painter, effect::gouraud}) {
+                                 effect::depth_24, effect::perspective_1, method::painter, effect::gouraud}) {
       const bool is_drawn = effect != effect::gouraud || program.effects.has(effect::shade_gouraud);
       if (program.effects.has(effect) && is_drawn) {
         EXPECT_NE(misplaced(program, without(program.effects, effect)), "") << program.name << ' ' << effect.bits;

@@ -117,7 +117,6 @@ TEST(EffectsFog, AWallFadesByThePixelNotByTheVertex) { expect_all_modes<effect::
 
 TEST(EffectsFog, DepthFormatsAndParallelProjectionHaveTheSameFog) {
   expect_all_modes<effect::fog | effect::depth_float>(kWall, Camera{}, 14, 1000);
-  expect_all_modes<effect::fog | effect::depth_w16>(kWall, Camera{}, 14, 1000);
   expect_all_modes<effect::fog | effect::depth_24>(kWall, Camera{}, 14, 1000);
   expect_all_modes<effect::fog | effect::depth_ranges>(kWall, Camera{}, 14, 1000);
   Camera parallel;

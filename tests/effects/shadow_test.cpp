@@ -241,7 +241,6 @@ TEST(Shadows, WhatCannotBeIsRefused) {
   world.meshes[0].shadow = static_cast<ShadowRole>(4);
   EXPECT_EQ(validate(world.scene).error, Error::mesh);
   world.meshes[0].shadow = ShadowRole::none;
-  EXPECT_FALSE(effects_agree(effect::shadows | effect::depth_w16));
   EXPECT_FALSE(effects_agree(effect::shadows | effect::depth_ranges));
   const Budget layer{.strip_rows = 8, .layer = {.depth = 4096, .colour = 4096}};
   EXPECT_EQ(plan(count(world.scene), kView, kShadowed, layer).status.error, Error::shadow);

@@ -21,20 +21,15 @@ template <DepthFormat value>
 struct Format {
   static constexpr DepthFormat format = value;
 };
-using Formats = testing::Types<Format<DepthFormat::float16>, Format<DepthFormat::w16>, Format<DepthFormat::z24>,
-                               Format<DepthFormat::z32>>;
+using Formats = testing::Types<Format<DepthFormat::float16>, Format<DepthFormat::z24>, Format<DepthFormat::z32>>;
 
-/// A depth as vertices have it: of floats every octave is equally likely; of w16 inside the judge's range.
+/// A depth as vertices have it: of floats every octave is equally likely.
 template <DepthFormat format>
 std::uint32_t any_depth_of() {
   const auto bits =
       (static_cast<std::uint32_t>(between(0, 0xFFFF)) << 16) | static_cast<std::uint32_t>(between(0, 0xFFFF));
   if constexpr (format == DepthFormat::float16) {
     return detail::snap_depth_as<format>(std::min(bits, 0xFFF80000U) >> between(0, 14));
-  } else if constexpr (format == DepthFormat::w16) {
-    const auto nearest = static_cast<std::uint32_t>(depth_judge::kMaxNearOverW);
-    const std::uint32_t farthest = nearest / depth_judge::kFar + 1;
-    return farthest + bits % (nearest - farthest);
   } else {
     return detail::snap_depth_as<format>(std::clamp(bits, 0x180U, 0xFFFFFE80U));
   }
@@ -44,7 +39,7 @@ std::uint32_t any_depth_of() {
 template <DepthFormat format>
 std::uint32_t same_or_next(std::uint32_t depth) {
   const std::uint32_t code = format == DepthFormat::float16 ? 1U << (12 + float16_octave(depth)) : 256;
-  if (between(0, 1) == 0 || format == DepthFormat::w16 || depth < 3 * code) return depth;
+  if (between(0, 1) == 0 || depth < 3 * code) return depth;
   return detail::snap_depth_as<format>(depth - code);
 }
 
@@ -170,7 +165,6 @@ TEST(HardCases, D45_EveryFormatHasTheDocumentedMapping) {
               break;
             case DepthFormat::z24: exact = between_codes(1, (1 << 24) - 2, position); break;
             case DepthFormat::z32: exact = between_codes(16, 4294967280.0, position); break;
-            case DepthFormat::w16: exact = between_codes(1, 65534, (f - w) / (f - n)); break;
             case DepthFormat::float16:
               exact = static_cast<double>(
                   depth_judge::exact_code<DepthFormat::float16>(depth_judge::kMaxNearOverW * n / w));

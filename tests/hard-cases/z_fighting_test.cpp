@@ -32,8 +32,6 @@ constexpr DepthRange kWhole{"z16 over 0.1..100", 0.1, 100};
 constexpr DepthRange kFitted{"z16 fitted to 1..40", 1, 40};
 constexpr DepthRange kFloat{"float over 0.1..100", 0.1, 100, effect::depth_float};
 constexpr DepthRange kFittedFloat{"float fitted to 1..40", 1, 40, effect::depth_float};
-constexpr DepthRange kLinear{"w16 over 0.1..100", 0.1, 100, effect::depth_w16};
-constexpr DepthRange kFittedLinear{"w16 fitted to 1..40", 1, 40, effect::depth_w16};
 constexpr DepthRange kWhole24{"z24 over 0.1..100", 0.1, 100, effect::depth_24};
 constexpr DepthRange kFitted24{"z24 fitted to 1..40", 1, 40, effect::depth_24};
 constexpr DepthRange kWhole32{"z32 over 0.1..100", 0.1, 100, effect::depth_32};
@@ -46,7 +44,6 @@ double code_size(const DepthRange& range, double distance) {
     case DepthFormat::z16: return one_over_w / 65533;
     case DepthFormat::z24: return one_over_w / 16777213;
     case DepthFormat::z32: return one_over_w / 4294967264.0;
-    case DepthFormat::w16: return (range.far - range.near) / 65533;
     case DepthFormat::float16: {
       const double octave = std::max(0.0, 6 - std::floor(-std::log2(range.near / distance)));
       return distance * distance / range.near * std::exp2(octave - 20);
@@ -180,8 +177,6 @@ TEST(HardCases, D44_SmallestSeparationOfEveryFormat) {
   const Row rows[] = {
       {kFloat, {{7.7e-05, 0.000103}, {0.000299, 0.000421}, {0.000963, 0.00111}, {0.00786, 0.01}}},
       {kFittedFloat, {{6.16e-05, 7.49e-05}, {0.000228, 0.000337}, {0.000665, 0.00103}, {0.0033, 0.00421}}},
-      {kLinear, {{0.00147, 0.00162}, {0.00121, 0.00162}, {0.0014, 0.00196}, {0.0014, 0.00187}}},
-      {kFittedLinear, {{0.000494, 0.000631}, {0.000572, 0.000767}, {0.000601, 0.00073}, {0.00025, 0.000805}}},
       {kWhole24, {{6.01e-07, 1.29e-06}, {4.45e-06, 1.13e-05}, {6.01e-05, 8.01e-05}, {0.000424, 0.000758}}},
       {kFitted24, {{3.78e-08, 1.4e-07}, {3.09e-07, 1.18e-06}, {5.87e-06, 1.29e-05}, {5.28e-05, 0.000107}}},
       {kWhole32, {{3e-08, 3.1e-08}, {3.1e-08, 5.41e-08}, {2.35e-07, 4.79e-07}, {1.92e-06, 3.64e-06}}},
@@ -206,9 +201,9 @@ TEST(HardCases, D44_SmallestSeparationOfEveryFormat) {
 // it.
 TEST(HardCases, D44_PictureIsThatOfThePage) {
   constexpr int kSide = 100, kGap = 8;
-  const DepthRange* const panels[2][5] = {{&kWhole, &kFloat, &kLinear, &kWhole24, &kWhole32},
-                                          {&kFitted, &kFittedFloat, &kFittedLinear, &kFitted24, &kFitted32}};
-  const int width = 5 * (kSide + kGap) - kGap, height = 2 * kSide + kGap;
+  const DepthRange* const panels[2][4] = {{&kWhole, &kFloat, &kWhole24, &kWhole32},
+                                          {&kFitted, &kFittedFloat, &kFitted24, &kFitted32}};
+  const int width = 4 * (kSide + kGap) - kGap, height = 2 * kSide + kGap;
   std::string greys;
   for (int row = 0; row < height; ++row) {
     const int y = kSide - 1 - row % (kSide + kGap);
@@ -229,7 +224,7 @@ TEST(HardCases, D44_PictureIsThatOfThePage) {
   // FNV-1a of the pixels of docs/images/z_fighting.png.
   std::uint32_t checksum = 2166136261;
   for (const char grey : greys) checksum = (checksum ^ static_cast<std::uint8_t>(grey)) * 16777619;
-  EXPECT_EQ(checksum, 3407365063U);
+  EXPECT_EQ(checksum, 3046837031U);
   if (const char* const folder = std::getenv("ZSTRIP_PICTURES")) {
     std::ofstream file(std::string(folder) + "/z_fighting.pgm", std::ios::binary);
     file << "P5\n" << width << ' ' << height << "\n255\n" << greys;

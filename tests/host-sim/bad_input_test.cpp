@@ -259,20 +259,25 @@ TEST_F(BadInput, TooLittleMemorySaysWhatWorks) {
 }
 
 /// The option was blamed, which was not given; plan's error had no words, and bake wrote what no board draws.
-TEST_F(BadInput, DepthFormatOfASceneFileThatDoesNotGoWithAShadow) {
-  const auto scene = [](const std::string& picture) {
-    return picture +
-           "[[model]]\nname = 'a'\nbuilt_in = 'knot_lit'\n[[instance]]\nmodel = 'a'\n"
-           "[[light]]\ndirection = [1, -1, 0]\nshadow = { size = 256 }\n";
-  };
-  file("own.toml", scene("[picture]\ndepth_format = 'w16'\n"));
+TEST_F(BadInput, DepthFormatOfASceneFileThatDoesNotGoWithItsEdges) {
+  file("own.toml",
+       "[picture]\nedges = true\ndepth_format = 'z24'\n"
+       "[[model]]\nname = 'a'\nbuilt_in = 'knot_lit'\n[[instance]]\nmodel = 'a'\n");
   for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
            {"render", "own.toml"}, {"plan", "own.toml"}, {"bake", "own.toml", "-o", "scene.hpp"}}) {
-    expect_failure(ExitStatus::usage, "'shadows' does not go with 'depth_format' in the scene file", arguments);
+    expect_failure(ExitStatus::usage, "'edges' does not go with 'depth_format' in the scene file", arguments);
   }
-  file("asked.toml", scene(""));
-  expect_failure(ExitStatus::usage,
-                 "'shadows' does not go with --depth-format:", {"render", "asked.toml", "--depth-format", "w16"});
+}
+
+TEST_F(BadInput, ADepthFormatThatIsGoneIsRefusedWithWhatToUseInstead) {
+  const std::string instead = "use z24, or float where memory is short";
+  for (const char* command : {"render", "plan"}) {
+    expect_failure(ExitStatus::usage, "'w16' is gone: " + instead, {command, "cube", "--depth-format", "w16"});
+  }
+  file("old.toml",
+       "[picture]\ndepth_format = 'w16'\n[[model]]\nname = 'a'\nbuilt_in = 'cube'\n[[instance]]\nmodel = 'a'\n");
+  expect_failure(ExitStatus::input, "line 2: [picture]: 'depth_format' names no word 'w16'; it is gone, " + instead,
+                 {"render", "old.toml"});
 }
 
 TEST_F(BadInput, MissingVisibleSetsSayWhatWritesThem) {

@@ -87,7 +87,6 @@ TEST(Parse, Words) {
 TEST(ParseDepthFormat, NamesAndNothingElse) {
   EXPECT_EQ(*parse_depth_format("z16"), DepthFormat::z16);
   EXPECT_EQ(*parse_depth_format("float"), DepthFormat::float16);
-  EXPECT_EQ(*parse_depth_format("w16"), DepthFormat::w16);
   EXPECT_EQ(*parse_depth_format("z24"), DepthFormat::z24);
   EXPECT_EQ(*parse_depth_format("z32"), DepthFormat::z32);
   for (const char* text : {"", "z", "Z16", "z16 ", "16"})

@@ -18,8 +18,6 @@ namespace depth_judge {
 using namespace zstrip;
 using namespace zstrip::detail;
 
-/// The range in which formats with a far bound are judged, in view units.
-constexpr int kNear = 1, kFar = 50;
 /// near / w of a vertex at near.
 constexpr long double kMaxNearOverW = 4294967296.0L - 393216.0L;
 
@@ -37,21 +35,16 @@ long double exact_code(long double depth) {
       const long double mantissa = exponent == 0 ? depth / 4096 : depth / std::exp2(11 + exponent) - 8192;
       return exponent * 8192 + mantissa - 0.5L;
     }
-    case DepthFormat::w16: {
-      const long double w = kNear * kMaxNearOverW / depth;
-      return 65534 - 65533 * (w - kNear) / (kFar - kNear);
-    }
   }
   return 0;
 }
 
-/// As exact_code, of a vertex: rounded as the pixels are. `slack` 1 or -1 gives a vertex of w16 that lies within 1/100
-/// of two codes the greater or the smaller: its division rounds.
+/// As exact_code, of a vertex: rounded as the pixels are.
 template <DepthFormat format>
-long double vertex_code(std::uint32_t depth, int slack) {
+long double vertex_code(std::uint32_t depth) {
   const long double code = exact_code<format>(depth);
   if (format == DepthFormat::z32) return code;
-  return std::floor(code + 0.5L + (format == DepthFormat::w16 ? slack * 0.01L : 0));
+  return std::floor(code + 0.5L);
 }
 
 template <DepthFormat format>
@@ -61,26 +54,17 @@ struct Canvas {
   std::vector<Cell> depth = std::vector<Cell>(static_cast<std::size_t>(width * height), 0);
   std::vector<std::uint16_t> colour = std::vector<std::uint16_t>(static_cast<std::size_t>(width * height), 0);
 
-  TargetFor<DepthMode{format}> target() {
-    const StripTarget plain{.area = {0, 0, width, height},
-                            .view_left = 0,
-                            .view_top = 0,
-                            .first_column = 0,
-                            .first_row = 0,
-                            .depth = reinterpret_cast<std::uint16_t*>(depth.data()),
-                            .colour = colour.data(),
-                            .depth_stride = width,
-                            .colour_stride = width,
-                            .statistics = nullptr};
-    if constexpr (format == DepthFormat::w16) {
-      DepthFit fit{distance_of(kNear * kFixedOne), distance_of(kFar * kFixedOne), 0, 0};
-      fit.quotient_at_near = depth_mapping(format, fit).quotient_at_near;
-      StripTargetWithDepth target{plain, {}};
-      target.settings.linear = linear_mapping(fit);
-      return target;
-    } else {
-      return plain;
-    }
+  StripTarget target() {
+    return {.area = {0, 0, width, height},
+            .view_left = 0,
+            .view_top = 0,
+            .first_column = 0,
+            .first_row = 0,
+            .depth = reinterpret_cast<std::uint16_t*>(depth.data()),
+            .colour = colour.data(),
+            .depth_stride = width,
+            .colour_stride = width,
+            .statistics = nullptr};
   }
 };
 
@@ -125,8 +109,8 @@ std::string verdict(const Canvas<format>& canvas, const raster_judge::Corners& c
   const oracle::Triangle exact({{{c[0].x, c[0].y}, {c[1].x, c[1].y}, {c[2].x, c[2].y}}});
   long double lowest = 0xFFFFFFFF, highest = 0;
   for (const raster_judge::Corner& v : c) {
-    lowest = std::min(lowest, vertex_code<format>(v.depth, -1));
-    highest = std::max(highest, vertex_code<format>(v.depth, 1));
+    lowest = std::min(lowest, vertex_code<format>(v.depth));
+    highest = std::max(highest, vertex_code<format>(v.depth));
   }
   for (std::int32_t y = 0; y < canvas.height; ++y) {
     for (std::int32_t x = 0; x < canvas.width; ++x) {

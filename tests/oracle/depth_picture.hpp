@@ -18,7 +18,6 @@ struct DepthKind {
 inline constexpr DepthKind kDepthKinds[] = {
     {"z16", {}, true},
     {"float", effect::depth_float, false},
-    {"w16", effect::depth_w16, false},
     {"z24", effect::depth_24, true},
     {"z32", effect::depth_32, true},
     {"ranges", effect::depth_ranges, true},

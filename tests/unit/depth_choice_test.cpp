@@ -23,12 +23,10 @@ struct Measured {
 };
 
 TEST(DepthChoice, IsEnoughForTiltedSurfacesAndNotTwiceTooMuch) {
-  constexpr DepthFormat kZ16 = DepthFormat::z16, kFloat = DepthFormat::float16, kW16 = DepthFormat::w16,
-                        kZ24 = DepthFormat::z24;
+  constexpr DepthFormat kZ16 = DepthFormat::z16, kFloat = DepthFormat::float16, kZ24 = DepthFormat::z24;
   const Measured all[] = {
       {kZ16, 0.1, 100, {.00024, .0018, .018, .15}},           {kZ16, 1, 40, {.000027, .00018, .0025, .016}},
       {kFloat, 0.1, 100, {.00010, .00042, .0011, .010}},      {kFloat, 1, 40, {.000075, .00034, .0010, .0042}},
-      {kW16, 0.1, 100, {.0016, .0016, .0020, .0019}},         {kW16, 1, 40, {.00063, .00077, .00073, .00081}},
       {kZ24, 0.1, 100, {.0000013, .000011, .000080, .00076}}, {kZ24, 1, 40, {.00000014, .0000012, .000013, .00011}}};
   constexpr double kDistances[] = {1, 3, 10, 30};
   for (const Measured& measured : all) {
@@ -60,8 +58,7 @@ TEST(DepthChoice, NoRangeOverflowsOrFallsWithDistance) {
   for (const Fixed near : {1, 100, 65536, 1 << 24, (1 << 30) + 12345}) {
     for (const Fixed far : {2, 300, 70000, 1 << 25, INT32_MAX}) {
       if (near >= far) continue;
-      for (const DepthFormat format :
-           {DepthFormat::z16, DepthFormat::float16, DepthFormat::w16, DepthFormat::z24, DepthFormat::z32}) {
+      for (const DepthFormat format : {DepthFormat::z16, DepthFormat::float16, DepthFormat::z24, DepthFormat::z32}) {
         const DepthRange range{near, far};
         const std::uint64_t at_near = depth_separation(format, range, near),
                             at_far = depth_separation(format, range, far);
@@ -102,27 +99,6 @@ TEST(PlanWithDepth, IsThePlanForItsEffects) {
       ASSERT_EQ(with_depth.plan.strip_rows, same.plan.strip_rows) << bytes;
     }
   }
-}
-
-TEST(PlanWithDepth, TakesSlowerTwoBytesWhereFourDoNotFit) {
-  // Far away w16 sorts what of 2-byte formats only it does.
-  constexpr DepthNeed kFar{{6554, 100 * kFixedOne}, 90 * kFixedOne, static_cast<std::uint64_t>(0.02 * 4294967296.0)};
-  constexpr Budget kRows{.strip_rows = 8};
-  const PlanWithDepth wide = plan(kCounts, kView, {}, kRows, kFar);
-  ASSERT_TRUE(wide.status);
-  EXPECT_EQ(depth_format(wide.effects), DepthFormat::z24);
-  Budget less = kRows;
-  less.bytes = wide.plan.bytes() - 8;
-  const PlanWithDepth narrow = plan(kCounts, kView, {}, less, kFar);
-  EXPECT_TRUE(narrow.status);
-  EXPECT_EQ(depth_format(narrow.effects), DepthFormat::w16);
-  // Where not even that fits, the words are about what was best.
-  less.bytes = 1;
-  EXPECT_EQ(depth_format(plan(kCounts, kView, {}, less, kFar).effects), DepthFormat::z24);
-  // A static layer keeps 16 bits.
-  const PlanWithDepth layer = plan(kCounts, kView, {}, {.layer = {1000, 1000, 100}}, kFar);
-  EXPECT_TRUE(layer.status);
-  EXPECT_EQ(depth_format(layer.effects), DepthFormat::w16);
 }
 
 TEST(PlanWithDepth, MethodsAndSubRangesKeepZ16) {

@@ -49,6 +49,8 @@ const char* message(Error error) {
       return "a set of edges is not valid, or goes with outlines, a shadow, CSG, several samples or a "
              "static layer";
     case Error::blob_section: return "the scene blob has a section that is not known here";
+    case Error::blob_depth:
+      return "the scene blob is for a depth format that is gone: use z24, or float where memory is short";
     case Error::overlay:
       return "an image, font, sprite or label of the overlay is not valid, or something is drawn over other pixels";
     case Error::skin: return "a skin is not valid, or its joints move the mesh out of its box";

@@ -16,8 +16,8 @@ struct EffectsWithoutWing : AnyEffect {
       {effect::bins, "bins", "the plan transforms geometry only once (--mode)"},
   };
   static constexpr Exclusion kExclusions[] = {
-      {effect::orthographic, effect::depth_float | effect::depth_w16,
-       "these formats keep 1/w, which is the same everywhere without perspective"},
+      {effect::orthographic, effect::depth_float,
+       "the small float keeps 1/w, which is the same everywhere without perspective"},
       {effect::perspective_runs, method::any, "methods keep bounds of exact depth"},
       {effect::depth_formats | effect::depth_ranges, method::own, "methods keep depth as z16"},
       {effect::depth_state, without(method::own, method::hierarchical_z),

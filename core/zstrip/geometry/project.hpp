@@ -67,8 +67,6 @@ constexpr std::uint32_t snap_depth_as(std::uint32_t depth) {
     const std::uint32_t eighth = 1U << (9 + float16_octave(depth));
     const std::uint32_t snapped = (depth & ~(2 * eighth - 1)) | eighth;
     return snapped < (1U << 12) ? (1U << 12) | eighth : snapped;
-  } else if constexpr (format == DepthFormat::w16) {
-    return depth == 0 ? 1 : depth;
   } else if constexpr (format == DepthFormat::z24) {
     return (depth & ~0x3FU) | 0x20U;
   } else if constexpr (format == DepthFormat::z32) {
@@ -79,7 +77,7 @@ constexpr std::uint32_t snap_depth_as(std::uint32_t depth) {
 }
 
 /// Depth of a vertex at distance w (in the instance's scale) inside the depth range, snapped. In 1/2^32 of all codes:
-/// 16.16 codes of z16, 24.8 of z24, 32.0 of z32; near / w in 0.32 for float16 and w16.
+/// 16.16 codes of z16, 24.8 of z24, 32.0 of z32; near / w in 0.32 for float16.
 template <bool orthographic, DepthFormat format = DepthFormat::z16>
 constexpr std::uint32_t project_depth(const CompiledInstance& instance, const RasterOrigin& origin, std::int32_t w,
                                       const Reciprocal& r) {

@@ -20,7 +20,7 @@ struct DepthRange {
 };
 
 constexpr bool available(DepthFormat format, Projection projection) {
-  return projection == Projection::perspective || (format != DepthFormat::float16 && format != DepthFormat::w16);
+  return projection == Projection::perspective || format != DepthFormat::float16;
 }
 
 /// What lies this far behind something else at `distance` (near..far) is sorted right at every pixel, also where both
@@ -32,8 +32,7 @@ constexpr std::uint64_t depth_separation(DepthFormat format, const DepthRange& r
   const auto w = static_cast<std::uint64_t>(distance);
   if (!available(format, range.projection)) return kNever;
   const auto for_codes = [](std::uint64_t code) { return code > kNever / 5 - 1 ? kNever : (code + 1) * 5 / 2; };
-  const bool linear = format == DepthFormat::w16 || range.projection == Projection::orthographic;
-  if (linear) return for_codes(((far - near) << 16) / largest_depth_code(format));
+  if (range.projection == Projection::orthographic) return for_codes(((far - near) << 16) / largest_depth_code(format));
   if (format == DepthFormat::float16) {
     const auto near_over_w = static_cast<std::uint32_t>((near << 32) / w - 1);  // 0.32
     const std::uint32_t codes = near_over_w >> (12 + float16_octave(near_over_w));

@@ -50,26 +50,6 @@ constexpr DepthMode depth_mode(Effects effects) {
           effects.methods != 0 && effects.has(effect::statistics)};
 }
 
-/// 1/w to codes that are linear in w.
-struct LinearMapping {
-  std::uint32_t scale = 0;  ///< distance over near = scale * reciprocal(1/w normalised by n) >> (shift - n), 24.8 codes
-  int shift = 0;
-  std::uint64_t largest = 0;  ///< 24.8 codes, at distance 0
-};
-
-/// `fit` after change_depth_mapping to DepthFormat::w16.
-constexpr LinearMapping linear_mapping(const DepthFit& fit) {
-  std::int64_t near = fit.near;
-  std::int64_t range = fit.far - fit.near;
-  while (range > std::int64_t{1} << 54) near >>= 1, range >>= 1;
-  // Codes from distance 0 to near: 65533 near / (far - near), with 39 fraction bits.
-  const auto codes = static_cast<std::uint64_t>(long_quotient(near, range, 39)) * 65533;
-  const int zeros = std::countl_zero(codes);
-  const auto mantissa = static_cast<std::uint32_t>((codes << zeros) >> 32);
-  return {multiply_high(mantissa, static_cast<std::uint32_t>(fit.quotient_at_near)), 41 + zeros,
-          (codes >> 31) + 65534 * 256 + 128};
-}
-
 /// What the depth modes other than the default need, once for each meshlet.
 struct DepthSettings {
   DepthTest test = DepthTest::nearer;
@@ -78,7 +58,6 @@ struct DepthSettings {
   Fixed slope_bias = 0;                         ///< 16.16
   std::int32_t bias_clamp = 0;                  ///< codes
   std::uint32_t smallest = 1, largest = 65534;  ///< codes that a bias does not leave
-  LinearMapping linear;                         ///< only for DepthFormat::w16
 };
 
 /// Whether fragments with these settings can only bring cells nearer, and only where their own vertices are.
@@ -103,8 +82,7 @@ template <DepthMode mode>
 using TargetFor =
     std::conditional_t<mode.use == DepthUse::layered, StripTargetWithLayers,
                        std::conditional_t<mode.methods != 0, StripTargetWithMethod,
-                                          std::conditional_t<mode.format == DepthFormat::w16 || mode.state,
-                                                             StripTargetWithDepth, StripTarget>>>;
+                                          std::conditional_t<mode.state, StripTargetWithDepth, StripTarget>>>;
 
 template <DepthFormat format>
 using DepthCell = std::conditional_t<depth_bytes(format) == 4, std::uint32_t, std::uint16_t>;
@@ -144,23 +122,6 @@ struct DepthCode<DepthFormat::z32> {
   constexpr std::uint32_t operator()(std::uint64_t value) const {
     // Half a code, so that dropping the fraction rounds to nearest: vertices are whole codes.
     return static_cast<std::uint32_t>((value + (std::uint64_t{1} << (kWideBits - 1))) >> kWideBits);
-  }
-};
-template <>
-struct DepthCode<DepthFormat::w16> {
-  LinearMapping mapping;
-  std::uint16_t smallest = 1, largest = 65534;  ///< of the triangle's vertices: the division rounds
-
-  constexpr std::uint16_t operator()(std::uint64_t value) const {
-    value &= (std::uint64_t{1} << (32 + kWideBits)) - 1;
-    if (value == 0) return smallest;
-    const int zeros = std::countl_zero(value);
-    const std::int32_t inverse = reciprocal(static_cast<std::uint32_t>((value << zeros) >> 32));
-    const std::uint64_t product = std::uint64_t{mapping.scale} * static_cast<std::uint32_t>(inverse);
-    const int shift = mapping.shift - zeros;
-    const std::uint64_t distance = shift < 64 ? product >> shift : 0;  // 24.8 codes
-    const std::uint64_t code = distance < mapping.largest ? (mapping.largest - distance) >> 8 : 0;
-    return static_cast<std::uint16_t>(std::clamp<std::uint64_t>(code, std::uint64_t{smallest}, std::uint64_t{largest}));
   }
 };
 
@@ -206,22 +167,14 @@ class DepthRule {
   constexpr DepthRule(const TargetFor<mode>& target, const Vertex& v0, const Vertex& v1, const Vertex& v2,
                       std::int64_t area) {
     if constexpr (mode.counted) counted_.method = target.method;
-    if constexpr (mode.format == DepthFormat::w16) code_.mapping = target.settings.linear;
-    if constexpr (mode.format == DepthFormat::w16 || mode.state) {
-      const std::int64_t codes[3] = {vertex_code(v0.depth), vertex_code(v1.depth), vertex_code(v2.depth)};
-      if constexpr (mode.format == DepthFormat::w16) {
-        const auto [smallest, largest] = std::minmax({codes[0], codes[1], codes[2]});
-        code_.smallest = static_cast<std::uint16_t>(smallest);
-        code_.largest = static_cast<std::uint16_t>(largest);
-      }
-      if constexpr (mode.state) {
-        const DepthSettings& settings = target.settings;
-        state_ = {static_cast<std::uint8_t>(settings.test), settings.write, 0, settings.smallest, settings.largest};
-        if (settings.bias != 0 || settings.slope_bias != 0) {
-          const std::int64_t bias = depth_bias(settings, v0, v1, v2, codes, kVertexCodeBits, area);
-          const std::int64_t limit = settings.largest;
-          state_.bias = static_cast<Bias>(std::clamp(bias, -limit, limit));
-        }
+    if constexpr (mode.state) {
+      const DepthSettings& settings = target.settings;
+      state_ = {static_cast<std::uint8_t>(settings.test), settings.write, 0, settings.smallest, settings.largest};
+      if (settings.bias != 0 || settings.slope_bias != 0) {
+        const std::int64_t codes[3] = {vertex_code(v0.depth), vertex_code(v1.depth), vertex_code(v2.depth)};
+        const std::int64_t bias = depth_bias(settings, v0, v1, v2, codes, kVertexCodeBits, area);
+        const std::int64_t limit = settings.largest;
+        state_.bias = static_cast<Bias>(std::clamp(bias, -limit, limit));
       }
     }
   }
@@ -309,14 +262,9 @@ class DepthRule {
   };
   struct NotCounted {};
 
-  static constexpr int kVertexCodeBits = mode.format == DepthFormat::z32   ? 0
-                                         : mode.format == DepthFormat::z24 ? 8
-                                         : mode.format == DepthFormat::w16 ? 0
-                                                                           : 16;
+  static constexpr int kVertexCodeBits = mode.format == DepthFormat::z32 ? 0 : mode.format == DepthFormat::z24 ? 8 : 16;
   constexpr std::int64_t vertex_code(std::uint32_t depth) const {
-    if constexpr (mode.format == DepthFormat::w16) {
-      return code_(std::uint64_t{depth} << kWideBits);
-    } else if constexpr (mode.format == DepthFormat::float16) {
+    if constexpr (mode.format == DepthFormat::float16) {
       return float16_depth(depth, float16_octave(depth));
     } else {
       return depth;

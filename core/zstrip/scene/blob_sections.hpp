@@ -114,8 +114,10 @@ struct BaseRecord {
 struct PictureRecord {
   std::uint16_t width, height;
   std::uint8_t format, dither, samples;
-  std::uint8_t effects;  ///< index into kPictureEffects
+  std::uint8_t effects;  ///< index into kPictureEffects, not one that is_gone
 };
+/// Whether a picture's effects are a depth format that is gone: w16.
+constexpr bool is_gone(std::uint8_t effects) { return effects == 5; }
 struct AnimationRecord {
   std::uint32_t duration;
 };

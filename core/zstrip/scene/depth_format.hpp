@@ -9,7 +9,6 @@ namespace zstrip {
 enum class DepthFormat : std::uint8_t {
   z16,      ///< 16 bits, linear in 1/w over the frame's range
   float16,  ///< 3.13: 3 bits of exponent, 13 of mantissa, of near / w; needs no far bound. Perspective only
-  w16,      ///< 16 bits, linear in w; a division a pixel, for comparison. Perspective only
   z24,      ///< as z16 with 24 bits in a cell of 32; for comparison
   z32,      ///< as z16 with 32 bits; for comparison
 };

@@ -77,6 +77,9 @@ class Reader {
     free_ = offset_of(end_);
   }
 
+  [[gnu::noinline]] void fail(const Status& status) {
+    if (status_) status_ = status;
+  }
   void require(bool holds, const void* culprit) {
     if (!holds) fail({.error = Error::blob_damaged, .needed = offset_of(culprit)});
   }
@@ -124,9 +127,6 @@ class Reader {
 
   std::uint32_t offset_of(const void* place) const {
     return static_cast<std::uint32_t>(static_cast<const std::byte*>(place) - first_);
-  }
-  [[gnu::noinline]] void fail(const Status& status) {
-    if (status_) status_ = status;
   }
   [[gnu::noinline]] bool inside(const Range& range, std::size_t count) {
     const bool holds = range.first <= count && range.count <= count - range.first;
@@ -226,6 +226,7 @@ void read_picture(Reader& reader, const blob_layout::PictureRecord& picture, Sce
                 .dither = picture.dither == 1,
                 .samples = picture.samples};
   reader.require(valid_samples(found.view), &picture.samples);
+  if (blob_layout::is_gone(picture.effects)) reader.fail({.error = Error::blob_depth, .needed = picture.effects});
   const bool known = picture.effects < std::size(kPictureEffects);
   reader.require(known, &picture.effects);
   if (known) found.effects = kPictureEffects[picture.effects];

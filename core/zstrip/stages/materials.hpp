@@ -30,7 +30,6 @@ struct Materials {
 
   template <Effects effects>
   static DepthSettings depth_settings(const FrameState& frame, std::uint16_t index) {
-    constexpr DepthFormat kFormat = depth_format(effects);
     const Material& material = frame.scene->materials[index];
     DepthSettings settings;
     settings.test = material.depth_test;
@@ -38,8 +37,7 @@ struct Materials {
     settings.bias = material.depth_bias;
     settings.slope_bias = material.depth_slope_bias;
     settings.bias_clamp = material.depth_bias_clamp;
-    settings.largest = largest_depth_code(kFormat);
-    if constexpr (kFormat == DepthFormat::w16) settings.linear = linear_mapping(frame.fit);
+    settings.largest = largest_depth_code(depth_format(effects));
     if constexpr (effects.has(effect::depth_ranges)) {
       const std::uint32_t cleared = static_cast<const RangedFrameState&>(frame).cleared_code;
       settings.smallest = cleared + 1;

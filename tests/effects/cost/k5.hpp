@@ -36,7 +36,6 @@ inline constexpr Comparison kComparisons[] = {
     {"statistics", effect::statistics},
     {"depth_state", effect::depth_state},
     {"depth_float", effect::depth_float},
-    {"depth_w16", effect::depth_w16, {}, false},
     {"depth_24", effect::depth_24, {}, false},
     {"depth_32", effect::depth_32, {}, false},
     {"depth_ranges", effect::depth_ranges},

@@ -24,7 +24,6 @@ namespace {
 constexpr Subject kRoomFloat{&scenes::room, draw_case<scenes::room, effect::depth_float | effect::depth_state>,
                              "_float"};
 constexpr Subject kRoomRanges{&scenes::room, draw_case<scenes::room, effect::depth_ranges>, "_ranges"};
-constexpr Subject kRandom50Linear{&scenes::random50, draw_case<scenes::random50, effect::depth_w16>, "_w16"};
 constexpr Subject kRandom50Of24{&scenes::random50, draw_case<scenes::random50, effect::depth_24>, "_z24"};
 constexpr Subject kRandom50Of32{&scenes::random50, draw_case<scenes::random50, effect::depth_32>, "_z32"};
 
@@ -66,7 +65,6 @@ constexpr Case kSingleCases[] = {
     {kRoom, Motion::turntable, kSmall, 13, 0, 100},
     {&kRoomFloat, Motion::turntable, kSmall, 13, 0, 20},
     {&kRoomRanges, Motion::turntable, kSmall, 13, 0, 20},
-    {&kRandom50Linear, Motion::turntable, kSmall, 13, 0, 4},
     {&kRandom50Of24, Motion::turntable, kSmall, 13, 0, 4},
     {&kRandom50Of32, Motion::turntable, kSmall, 13, 0, 4},
 };

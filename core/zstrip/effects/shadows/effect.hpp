@@ -10,7 +10,7 @@ struct Effect : AnyEffect {
       {effect::shadows, "shadows", "the shadow of a light, and something is lit"},
   };
   static constexpr Exclusion kExclusions[] = {
-      {effect::shadows, effect::depth_w16 | effect::depth_ranges, "a shadow is found by what a depth code stands for"},
+      {effect::shadows, effect::depth_ranges, "a shadow is found by what a depth code stands for"},
       {effect::shadows, method::painter | method::midpoint, "a shadow is found by a z-buffer that is exact"},
   };
 

@@ -20,7 +20,7 @@ inline constexpr int kLog2HalfCode = format == DepthFormat::z32       ? 0
                                      : format == DepthFormat::float16 ? 11
                                                                       : 15;
 
-/// The middle of the depths whose code a cell holds, in 1/2^32 of all codes (near / w of the small float). Not w16.
+/// The middle of the depths whose code a cell holds, in 1/2^32 of all codes (near / w of the small float).
 template <DepthFormat format>
 constexpr std::uint32_t depth_of_code(std::uint32_t code) {
   if constexpr (format == DepthFormat::float16) {
