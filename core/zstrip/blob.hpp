@@ -21,11 +21,15 @@ namespace zstrip {
 inline constexpr std::uint8_t kSceneBlobVersion = 5;     ///< the one that is read: others are to be baked again
 inline constexpr std::uint32_t kSceneBlobAlignment = 4;  ///< of the blob's first byte
 
-/// What a picture may be baked for that neither scene nor view call for, in the order of a blob's numbers for it. What
-/// blob_layout::is_gone names is empty.
-inline constexpr Effects kPictureEffects[] = {
-    {}, effect::perspective_affine, effect::perspective_8, effect::perspective_1, effect::depth_float,
-    {}, effect::depth_24,           effect::depth_32};
+/// The effects that a picture may be baked for beside those of scene and view, in the order of a blob's numbers for
+/// them; empty where blob_layout::is_gone.
+inline constexpr Effects kPictureEffects[] = {{},
+                                              effect::perspective_affine,
+                                              effect::perspective_8,
+                                              effect::perspective_1,
+                                              effect::depth_float,
+                                              {},
+                                              effect::depth_24};
 
 /// What a blob holds. `scene` reads the blob and the memory lent to open_scene_blob: both must outlive it, unchanged.
 struct SceneBlob {

@@ -43,11 +43,10 @@ inline constexpr Effects all{(1U << 6) - 1};   ///< all of the above
 inline constexpr Effects depth_state{1U << 6};  ///< some material has a depth test, depth write or bias of its own
 inline constexpr Effects depth_float{1U << 7};  ///< DepthFormat::float16; formats are never called for by a scene
 inline constexpr Effects depth_24{1U << 9};     ///< DepthFormat::z24
-inline constexpr Effects depth_32{1U << 10};    ///< DepthFormat::z32
 /// z16 in sub-ranges that save clears; see Renderer::begin_frame. Never called for by a scene.
 inline constexpr Effects depth_ranges{1U << 11};
 /// All that select a format of depth: at most one of them.
-inline constexpr Effects depth_formats{depth_float.bits | depth_24.bits | depth_32.bits};
+inline constexpr Effects depth_formats{depth_float.bits | depth_24.bits};
 /// Can carry out plans of Mode::binned; never called for by a scene. Sub-ranges cannot be binned.
 inline constexpr Effects bins{1U << 12};
 /// How often the pixels of a textured row get exact texture coordinates, with perspective; linear between. None
@@ -169,7 +168,6 @@ constexpr std::uint32_t low_bits(Effects effects) {
 constexpr DepthFormat depth_format(Effects effects) {
   if (effects.has(effect::depth_float)) return DepthFormat::float16;
   if (effects.has(effect::depth_24)) return DepthFormat::z24;
-  if (effects.has(effect::depth_32)) return DepthFormat::z32;
   return DepthFormat::z16;
 }
 
@@ -178,7 +176,6 @@ constexpr Effects depth_effect(DepthFormat format) {
   switch (format) {
     case DepthFormat::float16: return effect::depth_float;
     case DepthFormat::z24: return effect::depth_24;
-    case DepthFormat::z32: return effect::depth_32;
     case DepthFormat::z16: break;
   }
   return {};

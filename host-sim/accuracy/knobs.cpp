@@ -22,7 +22,6 @@ const std::vector<KnobInfo>& table() {
        {{"z16", "16 bits, linear in 1/w"},
         {"float", "16 bits, 3.13 of near/w: needs no far bound"},
         {"z24", "24 bits in cells of 32"},
-        {"z32", "32 bits"},
         {"ranges", "z16 in four sub-ranges: 14 bits, three clears of four saved"}}},
       {Knob::fit,
        "fit",
@@ -174,7 +173,6 @@ Effects extra_effects(const Settings& settings) {
   const std::string_view depth = settings.name_of(Knob::depth);
   if (depth == "float") effects = effect::depth_float;
   if (depth == "z24") effects = effect::depth_24;
-  if (depth == "z32") effects = effect::depth_32;
   if (depth == "ranges") effects = effect::depth_ranges;
   const std::string_view perspective = settings.name_of(Knob::perspective);
   if (perspective == "affine") effects = effects | effect::perspective_affine;

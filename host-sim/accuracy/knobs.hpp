@@ -47,7 +47,7 @@ struct Settings {
 /// With those strips that the default has: they change no pixel.
 Settings without_strips(Settings settings);
 
-/// What is not default, "depth=z24,strips=8"; "default" where nothing is.
+/// The settings that are not the default's, "depth=z24,strips=8"; "default" where none is.
 std::string to_text(const Settings& settings);
 /// The reverse, of a part of them: a usage error names the nearest knob or value.
 Result<Settings> parse_settings(std::string_view text);

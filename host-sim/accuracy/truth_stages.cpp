@@ -44,7 +44,7 @@ Reach fitted(const Scene& scene, const Camera& camera) {
   return {span.nearest * (1 - wider), span.farthest * (1 + wider)};
 }
 
-/// Of 2^31 <= divisor < 2^32: 2^62 / divisor to 2^-28 of itself.
+/// 2^62 / divisor, to 2^-28 of itself; 2^31 <= divisor < 2^32.
 double reciprocal_of(double divisor) {
   const double quotient = std::floor(4294967295.0 / std::floor(divisor / 65536)) * 16384;
   // A Newton step of which upper words of products are kept.
@@ -78,7 +78,6 @@ DepthCodes::DepthCodes(const Scene& scene, const Camera& camera, const Stages::D
   far_ = span.farthest;
   if (depth.ranges) span_ = 16381;
   if (format_ == DepthFormat::z24) span_ = 16777213;
-  if (format_ == DepthFormat::z32) first_ = 16, span_ = 4294967264.0;
 }
 
 double DepthCodes::linear(double w) const {

@@ -122,7 +122,6 @@ std::string effect_names(const Settings& settings) {
   const std::string_view depth = settings.name_of(Knob::depth);
   if (depth == "float") add("depth_float");
   if (depth == "z24") add("depth_24");
-  if (depth == "z32") add("depth_32");
   if (depth == "ranges") add("depth_ranges");
   const std::string_view perspective = settings.name_of(Knob::perspective);
   if (perspective != "16") add(fmt::format("perspective_{}", perspective));

@@ -138,7 +138,6 @@ constexpr std::pair<const char*, Effects> kChosen[] = {
     {"effect::perspective_1", effect::perspective_1},
     {"effect::depth_float", effect::depth_float},
     {"effect::depth_24", effect::depth_24},
-    {"effect::depth_32", effect::depth_32},
     {"effect::depth_ranges", effect::depth_ranges},
     {"method::painter", method::painter},
     {"method::in_order", method::in_order},

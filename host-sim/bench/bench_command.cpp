@@ -424,7 +424,7 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       ->transform(one_of({"streamed", "binned"}))
       ->capture_default_str();
   command->add_option("--depth", options->depth, "How boards keep depth; all but z16 for R50 only")
-      ->transform(one_of({"z16", "state", "ranges", "float", "z24", "z32"}))
+      ->transform(one_of({"z16", "state", "ranges", "float", "z24"}))
       ->capture_default_str();
   command->add_option("--ram", options->ram, "Renderer's memory at most, K and M allowed (default: no limit)")
       ->type_name("BYTES");

@@ -18,7 +18,6 @@ const char* name(DepthFormat format) {
   switch (format) {
     case DepthFormat::float16: return "float";
     case DepthFormat::z24: return "z24";
-    case DepthFormat::z32: return "z32";
     case DepthFormat::z16: break;
   }
   return "z16";

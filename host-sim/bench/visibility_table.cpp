@@ -119,7 +119,7 @@ std::vector<VisibilityRowCase> rows_of_table(std::string_view table) {
       }
     }
   } else {
-    for (const DepthFormat format : {DepthFormat::z16, DepthFormat::float16, DepthFormat::z24, DepthFormat::z32}) {
+    for (const DepthFormat format : {DepthFormat::z16, DepthFormat::float16, DepthFormat::z24}) {
       rows.push_back({std::string(kLayers), {800, 600, PixelFormat::rgb565}, "zbuffer", 0, format});
     }
   }

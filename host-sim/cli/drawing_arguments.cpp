@@ -79,9 +79,7 @@ void add_drawing_options(CLI::App& command, DrawingArguments& arguments) {
       ->transform(lower_case())
       ->type_name("N|auto");
   add_quality_options(command, a.view);
-  command
-      .add_option("--depth-format", a.depth_format,
-                  "Depth in the z-buffer: z16 (default), float, z24 or z32; the last one for comparison")
+  command.add_option("--depth-format", a.depth_format, "Depth in the z-buffer: z16 (default), float or z24")
       ->transform(lower_case())
       ->type_name("FORMAT");
   command

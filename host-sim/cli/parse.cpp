@@ -141,7 +141,7 @@ Result<PixelFormat> parse_format(const std::string& text) {
 
 Result<DepthFormat> parse_depth_format(const std::string& text) {
   constexpr std::pair<std::string_view, DepthFormat> kFormats[] = {
-      {"z16", DepthFormat::z16}, {"float", DepthFormat::float16}, {"z24", DepthFormat::z24}, {"z32", DepthFormat::z32}};
+      {"z16", DepthFormat::z16}, {"float", DepthFormat::float16}, {"z24", DepthFormat::z24}};
   return named("--depth-format", text, kFormats);
 }
 

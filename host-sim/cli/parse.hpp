@@ -40,7 +40,7 @@ Result<Done> parse_strips(const std::string& rows, const std::string& columns, c
 /// "x,y,z": finite numbers; `option` is for the message.
 Result<std::array<double, 3>> parse_vector(const std::string& option, const std::string& text);
 
-/// z16, float, z24 or z32.
+/// z16, float or z24.
 Result<DepthFormat> parse_depth_format(const std::string& text);
 /// One of effect::perspective_runs, or nothing for runs of 16.
 Result<Effects> parse_perspective(const std::string& text);

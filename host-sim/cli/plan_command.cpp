@@ -138,7 +138,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   add_plan_options(*command, a.plan);
   command
       ->add_option("--depth-format", a.depth_format,
-                   "How depth is kept: z16 (default), float, z24, z32, or auto: what sorts and fits")
+                   "How depth is kept: z16 (default), float, z24, or auto: what sorts and fits")
       ->type_name("FORMAT");
   command
       ->add_option("--separation", a.separation,

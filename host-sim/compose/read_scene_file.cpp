@@ -101,7 +101,7 @@ SceneFile read_root(TomlTable& root, TomlErrors& errors) {
   if (scene.camera && scene.camera->orthographic &&
       !effects_agree(depth_effect(scene.picture.depth_format.value_or(DepthFormat::z16)) | effect::orthographic)) {
     errors.add(scene.camera->projection_line,
-               "[camera]: 'depth_format' of [picture] needs a perspective camera; z16, z24 and z32 do not");
+               "[camera]: 'depth_format' of [picture] needs a perspective camera; z16 and z24 do not");
   }
   for (TomlTable& model : root.tables("model", "[[model]]")) scene.models.push_back(read_model_table(model));
   for (TomlTable& table : root.tables("material", "[[material]]")) scene.materials.push_back(read_material(table));

@@ -6,9 +6,10 @@
 
 namespace zstrip::sim {
 
-/// What to do instead of naming a setting or a value that is gone; empty if `word` never was one.
+/// Advice for a setting or a value that is gone; empty if `word` never was one.
 constexpr std::string_view instead_of(std::string_view word) {
   constexpr std::pair<std::string_view, std::string_view> kGone[] = {
+      {"z32", "use z24"},
       {"w16", "use z24, or float where memory is short"},
       {"reciprocal", "leave it out: 1/w is always found to 2^-28"},
   };

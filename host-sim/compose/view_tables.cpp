@@ -16,7 +16,7 @@ constexpr std::pair<std::string_view, PixelFormat> kFormats[] = {
     {"rgb666", PixelFormat::rgb666},    {"rgb444", PixelFormat::rgb444},
     {"xrgb8888", PixelFormat::xrgb8888}};
 constexpr std::pair<std::string_view, DepthFormat> kDepthFormats[] = {
-    {"z16", DepthFormat::z16}, {"float", DepthFormat::float16}, {"z24", DepthFormat::z24}, {"z32", DepthFormat::z32}};
+    {"z16", DepthFormat::z16}, {"float", DepthFormat::float16}, {"z24", DepthFormat::z24}};
 constexpr std::pair<std::string_view, bool> kProjections[] = {{"perspective", false}, {"orthographic", true}};
 
 VisibilitySettings read_visibility(TomlTable& table) {

@@ -23,7 +23,7 @@ DepthAdvice advise_depth(const KeptFrames& kept, const Camera& camera, const Vie
   DepthAdvice advice{
       .nearest = kept.nearest / double{kFixedOne}, .farthest = kept.farthest / double{kFixedOne}, .formats = {}};
   advice.needed = separation ? *separation : pixel_at(advice.farthest, camera, view);
-  for (const DepthFormat format : {DepthFormat::z16, DepthFormat::float16, DepthFormat::z24, DepthFormat::z32}) {
+  for (const DepthFormat format : {DepthFormat::z16, DepthFormat::float16, DepthFormat::z24}) {
     if (!available(format, range.projection)) continue;
     const auto at = [&](Fixed distance) {
       return static_cast<double>(depth_separation(format, range, distance)) / kUnit;
@@ -45,7 +45,6 @@ const char* name(DepthFormat format) {
     case DepthFormat::z16: return "z16";
     case DepthFormat::float16: return "float";
     case DepthFormat::z24: return "z24";
-    case DepthFormat::z32: return "z32";
   }
   return "unknown";
 }

@@ -31,7 +31,7 @@ struct DepthAdvice {
 DepthAdvice advise_depth(const KeptFrames& kept, const Camera& camera, const View& view,
                          std::optional<double> separation);
 
-/// "z16", "float", "z24", "z32".
+/// "z16", "float", "z24".
 const char* name(DepthFormat format);
 
 }  // namespace zstrip::sim

@@ -49,7 +49,7 @@ TEST(Figures, DepthFormatsDifferWhereNearAndFarAreFarApart) {
 TEST(Figures, CoarserDepthShowsMoreWrongSurfaces) {
   const auto decal = scene(ZSTRIP_ROOT "/tests/accuracy/decal.toml");
   const auto wrong = [&](const char* settings) { return errors(*decal, settings)[Figure::wrong_surface]; };
-  EXPECT_EQ(wrong("depth=z32,fit=fixed"), 0);
+  EXPECT_EQ(wrong("depth=z24,fit=fixed"), 0);
   EXPECT_EQ(wrong("depth=z16,fit=fitted"), 0);
   const double z16 = wrong("depth=z16,fit=fixed");
   EXPECT_GT(z16, 300);

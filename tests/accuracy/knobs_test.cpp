@@ -71,7 +71,7 @@ TEST(Knobs, EdgesAreBlendedInPicturesOfOneSampleWithZ16) {
   const Settings edges = *parse_settings("samples=edges");
   EXPECT_EQ(extra_effects(edges), effect::edges);
   EXPECT_EQ(picture(edges, {64, 48}).samples, 1);
-  for (const char* with : {"depth=float", "depth=z24", "depth=z32", "depth=ranges"}) {
+  for (const char* with : {"depth=float", "depth=z24", "depth=ranges"}) {
     EXPECT_FALSE(possible(extra_effects(*parse_settings(std::string("samples=edges,") + with)))) << with;
   }
   for (const char* with : {"strips=bins16", "perspective=1", "dither=on", "filter=mipmapped_bilinear", "fit=fixed"}) {

@@ -34,15 +34,14 @@ TEST(Csg, OfAnyCameraAndDepth) {
   world.look(5000, 9000);
   const Scene& scene = world.whole();
   expect_right(world, draw<effect::csg | effect::depth_24>(scene, world.camera, kCsgView), "z24");
-  expect_right(world, draw<effect::csg | effect::depth_32>(scene, world.camera, kCsgView), "z32");
   expect_right(world, draw<effect::csg | effect::depth_float>(scene, world.camera, kCsgView), "3.13");
   expect_right(world, draw<effect::csg | effect::depth_ranges>(scene, world.camera, kCsgView, {.strip_rows = 16}),
                "sub-ranges");
   world.camera.projection = Projection::orthographic;
   world.camera.focal = fixed(0.4);
   expect_right(world, draw<effect::csg | effect::orthographic>(scene, world.camera, kCsgView), "parallel rays");
-  expect_right(world, draw<effect::csg | effect::orthographic | effect::depth_32>(scene, world.camera, kCsgView),
-               "parallel rays, z32");
+  expect_right(world, draw<effect::csg | effect::orthographic | effect::depth_24>(scene, world.camera, kCsgView),
+               "parallel rays, z24");
 }
 
 TEST(Csg, AUnionIsSeveralProductsThatShareOperands) {

@@ -112,7 +112,7 @@ TEST(Edges, PlansThatAreTooSmallAreRefused) {
 
 TEST(Edges, WhatDoesNotGoWithThemIsRefused) {
   constexpr Effects kOwn = effects_of(scenes::edges.scene, scenes::edges.camera);
-  for (const Effects other : {effect::depth_24, effect::depth_32, effect::depth_float, effect::depth_ranges}) {
+  for (const Effects other : {effect::depth_24, effect::depth_float, effect::depth_ranges}) {
     EXPECT_FALSE(effects_agree(kOwn | other));
     EXPECT_EQ(plan(count(scenes::edges.scene), {75, 58}, kOwn | other).status.error, Error::edges);
   }

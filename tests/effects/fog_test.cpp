@@ -123,7 +123,7 @@ TEST(EffectsFog, DepthFormatsAndParallelProjectionHaveTheSameFog) {
   parallel.projection = Projection::orthographic;
   parallel.focal = fixed(0.1);
   expect_all_modes<effect::fog | effect::orthographic>(kWall, parallel, 14, 1000);
-  expect_all_modes<effect::fog | effect::orthographic | effect::depth_32>(kWall, parallel, 14, 1000);
+  expect_all_modes<effect::fog | effect::orthographic | effect::depth_24>(kWall, parallel, 14, 1000);
   expect_all_modes<effect::fog | effect::orthographic | effect::depth_ranges>(kWall, parallel, 14, 1000);
 }
 

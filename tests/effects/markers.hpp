@@ -78,7 +78,6 @@ inline constexpr Marker kMarkers[] = {
     {effect::depth_state | effect::shadows, "zstrip::detail::DepthMode{(zstrip::DepthFormat)0, true"},
     {effect::depth_float, "zstrip::detail::DepthMode{(zstrip::DepthFormat)1"},
     {effect::depth_24, "zstrip::detail::DepthMode{(zstrip::DepthFormat)2"},
-    {effect::depth_32, "zstrip::detail::DepthMode{(zstrip::DepthFormat)3"},
     {effect::depth_ranges, "zstrip::detail::depth_mapping_of_ranges("},
     {effect::perspective_affine, "}, 0l, "},
     {effect::perspective_8, "}, 8l, "},

@@ -160,8 +160,8 @@ TEST(Supersampling, BillboardsTurnToThePictureNotToItsSamples) {
 }
 
 TEST(Supersampling, InEveryDepthFormatAndWithMethods) {
-  for (const Effects depth : {effect::depth_float, effect::depth_24, effect::depth_32, effect::depth_ranges,
-                              effect::perspective_1, effect::statistics}) {
+  for (const Effects depth :
+       {effect::depth_float, effect::depth_24, effect::depth_ranges, effect::perspective_1, effect::statistics}) {
     expect_means(scenes::room, depth);
   }
   for (const Effects method :

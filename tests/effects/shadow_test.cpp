@@ -36,7 +36,6 @@ TEST(Shadows, OfAnyLightCameraAndDepth) {
     EXPECT_GT(judged.shadowed, 100) << what;
   };
   expect_right(judged_with<kShadowed | effect::depth_24>(world), "z24");
-  expect_right(judged_with<kShadowed | effect::depth_32>(world), "z32");
   expect_right(judged_with<kShadowed | effect::depth_float>(world), "3.13");
   expect_right(judged_with<kShadowed | effect::bins>(world), "bins");
   world.shadow.light = 1;

@@ -126,7 +126,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const fuzz::SkinInput skin(scene, bytes);
   scene.meshes = skin.meshes();
-  constexpr Effects kDepth[8] = {{}, {}, {}, {}, effect::depth_float, effect::depth_24, effect::depth_32};
+  constexpr Effects kDepth[8] = {
+      {}, {}, {}, {}, effect::depth_float, effect::depth_float, effect::depth_24, effect::depth_24};
   const Effects effects = effects_of(scene, camera) | kDepth[garbage / 32];
   const fuzz::Picture whole = fuzz::draw(scene, camera, view, {.effects = effects, .budget = {}});
   fuzz::require(whole.status.error != Error::arena_too_small, "an unlimited budget is enough");

@@ -135,7 +135,7 @@ RC_GTEST_PROP(HardCases, E51_BinsColumnsAndOverflowChangeNeitherPixelNorDepth, (
   const Scene scene = any.scene();
   Effects depth{};
   if (any.camera.projection == Projection::perspective) {
-    constexpr Effects kFormats[] = {{}, effect::depth_float, effect::depth_24, effect::depth_32};
+    constexpr Effects kFormats[] = {{}, effect::depth_float, effect::depth_24};
     depth = kFormats[static_cast<std::size_t>(between(0, 4))];
   }
   any.model.material.depth_bias = static_cast<decltype(any.model.material.depth_bias)>(between(0, 1) * 5);

@@ -274,6 +274,7 @@ TEST_F(BadInput, ADepthFormatThatIsGoneIsRefusedWithWhatToUseInstead) {
   for (const char* command : {"render", "plan"}) {
     expect_failure(ExitStatus::usage, "'w16' is gone: " + instead, {command, "cube", "--depth-format", "w16"});
   }
+  expect_failure(ExitStatus::usage, "'z32' is gone: use z24", {"render", "cube", "--depth-format", "z32"});
   file("old.toml",
        "[picture]\ndepth_format = 'w16'\n[[model]]\nname = 'a'\nbuilt_in = 'cube'\n[[instance]]\nmodel = 'a'\n");
   expect_failure(ExitStatus::input, "line 2: [picture]: 'depth_format' names no word 'w16'; it is gone, " + instead,

@@ -88,7 +88,6 @@ TEST(ParseDepthFormat, NamesAndNothingElse) {
   EXPECT_EQ(*parse_depth_format("z16"), DepthFormat::z16);
   EXPECT_EQ(*parse_depth_format("float"), DepthFormat::float16);
   EXPECT_EQ(*parse_depth_format("z24"), DepthFormat::z24);
-  EXPECT_EQ(*parse_depth_format("z32"), DepthFormat::z32);
   for (const char* text : {"", "z", "Z16", "z16 ", "16"})
     expect_usage_error(parse_depth_format(text), "--depth-format");
 }

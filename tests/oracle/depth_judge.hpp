@@ -28,7 +28,6 @@ long double exact_code(long double depth) {
   switch (format) {
     case DepthFormat::z16: return depth / 65536 - 0.5L;  // half a code is added at the vertex
     case DepthFormat::z24: return depth / 256 - 0.5L;
-    case DepthFormat::z32: return depth;
     case DepthFormat::float16: {
       // Exponent 0 for depth below 2^25, else one more for each doubling; 13 bits of mantissa; rounded down.
       const long double exponent = depth < 33554432 ? 0 : std::floor(std::log2(depth)) - 24;
@@ -42,9 +41,7 @@ long double exact_code(long double depth) {
 /// As exact_code, of a vertex: rounded as the pixels are.
 template <DepthFormat format>
 long double vertex_code(std::uint32_t depth) {
-  const long double code = exact_code<format>(depth);
-  if (format == DepthFormat::z32) return code;
-  return std::floor(code + 0.5L);
+  return std::floor(exact_code<format>(depth) + 0.5L);
 }
 
 template <DepthFormat format>

@@ -19,7 +19,6 @@ inline constexpr DepthKind kDepthKinds[] = {
     {"z16", {}, true},
     {"float", effect::depth_float, false},
     {"z24", effect::depth_24, true},
-    {"z32", effect::depth_32, true},
     {"ranges", effect::depth_ranges, true},
 };
 

@@ -46,7 +46,7 @@ TEST(DepthChoice, TakesTheCheapestThatSorts) {
   EXPECT_EQ(cheapest_depth_format(kWide, 100 * kFixedOne, kUnits(0.5)), DepthFormat::float16);
   EXPECT_EQ(cheapest_depth_format(kWide, 100 * kFixedOne, kUnits(0.1)), DepthFormat::z24);
   EXPECT_EQ(cheapest_depth_format(kWide, 100 * kFixedOne, kUnits(0.02)), DepthFormat::z24);
-  EXPECT_EQ(cheapest_depth_format(kWide, 100 * kFixedOne, kUnits(0.0001)), DepthFormat::z32);
+  EXPECT_EQ(cheapest_depth_format(kWide, 100 * kFixedOne, kUnits(0.0001)), DepthFormat::z24) << "nothing sorts that";
   EXPECT_EQ(cheapest_depth_format(kWide, 10 * kFixedOne, kUnits(0.1)), DepthFormat::z16);
   constexpr DepthRange kOrthographic{6554, 100 * kFixedOne, Projection::orthographic};
   EXPECT_EQ(cheapest_depth_format(kOrthographic, 100 * kFixedOne, kUnits(0.005)), DepthFormat::z16);
@@ -58,7 +58,7 @@ TEST(DepthChoice, NoRangeOverflowsOrFallsWithDistance) {
   for (const Fixed near : {1, 100, 65536, 1 << 24, (1 << 30) + 12345}) {
     for (const Fixed far : {2, 300, 70000, 1 << 25, INT32_MAX}) {
       if (near >= far) continue;
-      for (const DepthFormat format : {DepthFormat::z16, DepthFormat::float16, DepthFormat::z24, DepthFormat::z32}) {
+      for (const DepthFormat format : {DepthFormat::z16, DepthFormat::float16, DepthFormat::z24}) {
         const DepthRange range{near, far};
         const std::uint64_t at_near = depth_separation(format, range, near),
                             at_far = depth_separation(format, range, far);
@@ -78,7 +78,7 @@ constexpr DepthNeed need(double separation) {
 }
 
 TEST(PlanWithDepth, HasTheCheapestFormatThatSorts) {
-  constexpr PlanWithDepth kPlan = plan(kCounts, kView, effect::gouraud | effect::depth_32, {}, need(0.05));
+  constexpr PlanWithDepth kPlan = plan(kCounts, kView, effect::gouraud | effect::depth_24, {}, need(0.05));
   static_assert(kPlan.status);
   EXPECT_EQ(kPlan.effects, effect::gouraud) << "the format that was asked for is not needed";
   EXPECT_EQ(kPlan.plan.depth_bytes, 240U * 240 * 2);
@@ -86,7 +86,7 @@ TEST(PlanWithDepth, HasTheCheapestFormatThatSorts) {
   const PlanWithDepth fine = plan(kCounts, kView, {}, {}, need(0.0002));
   EXPECT_EQ(depth_format(fine.effects), DepthFormat::z24);
   EXPECT_EQ(fine.plan.depth_bytes, 240U * 240 * 4);
-  EXPECT_EQ(depth_format(plan(kCounts, kView, {}, {}, need(1e-9)).effects), DepthFormat::z32) << "nothing sorts that";
+  EXPECT_EQ(depth_format(plan(kCounts, kView, {}, {}, need(1e-9)).effects), DepthFormat::z24) << "nothing sorts that";
 }
 
 TEST(PlanWithDepth, IsThePlanForItsEffects) {

@@ -4,7 +4,7 @@
 namespace zstrip::detail {
 namespace {
 
-constexpr auto kRows = pipeline_rows<without(effect::all, effect::orthographic) | effect::depth_32>();
+constexpr auto kRows = pipeline_rows<without(effect::all, effect::orthographic) | effect::depth_24>();
 
 }  // namespace
 

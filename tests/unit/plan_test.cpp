@@ -179,7 +179,7 @@ TEST(Plan, AStaticLayerThatCouldNotBeKeptIsRefused) {
     return plan(kCounts, view, effects, b).status.error;
   };
   EXPECT_EQ(error(View{240, 240, PixelFormat::gray4}, {}, budget), Error::store_range);
-  for (const Effects effects : {effect::depth_24, effect::depth_32, effect::depth_ranges}) {
+  for (const Effects effects : {effect::depth_24, effect::depth_ranges}) {
     EXPECT_EQ(error(kView, effects, budget), Error::depth_effects);
   }
   EXPECT_EQ(error(kView, effect::depth_float, budget), Error::none);

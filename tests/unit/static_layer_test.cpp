@@ -184,8 +184,8 @@ TEST(StaticLayer, RefusesWhatItCannotKeep) {
   ASSERT_TRUE(larger.begin(scene, layers.camera, other));
   ASSERT_TRUE(larger.renderer.draw_strip(0, larger.pixels));
   EXPECT_EQ(layer.keep(larger.renderer.frame(), 0, larger.pixels).error, Error::store_range);
-  AnyRenderer wide(effects_of(scene, layers.camera) | effect::depth_32);
-  const Plan plan = zstrip::plan(count(scene), kView, effects_of(scene, layers.camera) | effect::depth_32).plan;
+  AnyRenderer wide(effects_of(scene, layers.camera) | effect::depth_24);
+  const Plan plan = zstrip::plan(count(scene), kView, effects_of(scene, layers.camera) | effect::depth_24).plan;
   std::vector<std::uint64_t> words(plan.bytes() / 8);
   std::vector<std::byte> pixels(plan.strip_pixel_bytes(kView));
   ASSERT_TRUE(wide.begin_frame(scene, layers.camera, kView, plan, std::as_writable_bytes(std::span(words))));

@@ -12,7 +12,6 @@ constexpr auto kRowsOfDepth =
     pipeline_rows<kEverything | effect::perspective_affine, kEverything | effect::perspective_8,
                   kEverything | effect::perspective_1, kWithoutEdges | effect::depth_float,
                   kWithoutEdges | effect::depth_24, kWithoutEdges | effect::depth_24 | effect::orthographic,
-                  kWithoutEdges | effect::depth_32, kWithoutEdges | effect::depth_32 | effect::orthographic,
                   kWithoutShadows | effect::depth_ranges,
                   kWithoutShadows | effect::depth_ranges | effect::orthographic>();
 

@@ -48,15 +48,10 @@ void scale_depth(CompiledInstance& instance, std::int64_t numerator, std::int64_
 }  // namespace
 
 DepthMapping depth_mapping(DepthFormat format, const DepthFit& fit) {
-  switch (format) {
-    case DepthFormat::z24: return linear_in_1_over_w(fit, 3 << 7, 3 << 8);  // 24.8: from 1.5 to 2^24 - 1.5
-    case DepthFormat::z32: return linear_in_1_over_w(fit, 16, 32);          // room for the rounding of vertices
-    default: {
-      // near / w; near itself half a code below the largest, so that no rounding wraps.
-      const std::int64_t near = kAllCodes - (std::int64_t{3} << 17);
-      return {near, 0, near, 0};
-    }
-  }
+  if (format == DepthFormat::z24) return linear_in_1_over_w(fit, 3 << 7, 3 << 8);  // 24.8: from 1.5 to 2^24 - 1.5
+  // near / w; near itself half a code below the largest, so that no rounding wraps.
+  const std::int64_t near = kAllCodes - (std::int64_t{3} << 17);
+  return {near, 0, near, 0};
 }
 
 DepthMapping depth_mapping_of_ranges(const DepthFit& fit) {

@@ -21,11 +21,7 @@ struct DistanceScale {
 /// Depth between near and far in 1/2^32 of all codes, for orthographic cameras; see depth_mapping.
 constexpr std::int64_t depth_span(Effects effects) {
   if (effects.has(effect::depth_ranges)) return std::int64_t{(1 << 14) - 3} << 16;
-  switch (depth_format(effects)) {
-    case DepthFormat::z24: return (std::int64_t{1} << 32) - (3 << 8);
-    case DepthFormat::z32: return (std::int64_t{1} << 32) - 32;
-    default: return kDepthSpan;
-  }
+  return effects.has(effect::depth_24) ? (std::int64_t{1} << 32) - (3 << 8) : kDepthSpan;
 }
 
 /// `fit` as the frame has it when triangles are drawn.

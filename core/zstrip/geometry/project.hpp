@@ -59,8 +59,7 @@ constexpr Reciprocal reciprocal_of(std::uint32_t w, int likely) {
   return {reciprocal(w << likely), likely};
 }
 
-/// Snaps the depth of a vertex in any format to odd eighths of a code, as snap_depth does for z16; z32 has no bits for
-/// that. Codes start at 1.
+/// Snaps the depth of a vertex in any format to odd eighths of a code, as snap_depth does for z16. Codes start at 1.
 template <DepthFormat format>
 constexpr std::uint32_t snap_depth_as(std::uint32_t depth) {
   if constexpr (format == DepthFormat::float16) {
@@ -69,15 +68,13 @@ constexpr std::uint32_t snap_depth_as(std::uint32_t depth) {
     return snapped < (1U << 12) ? (1U << 12) | eighth : snapped;
   } else if constexpr (format == DepthFormat::z24) {
     return (depth & ~0x3FU) | 0x20U;
-  } else if constexpr (format == DepthFormat::z32) {
-    return depth;
   } else {
     return snap_depth(depth);
   }
 }
 
 /// Depth of a vertex at distance w (in the instance's scale) inside the depth range, snapped. In 1/2^32 of all codes:
-/// 16.16 codes of z16, 24.8 of z24, 32.0 of z32; near / w in 0.32 for float16.
+/// 16.16 codes of z16, 24.8 of z24; near / w in 0.32 for float16.
 template <bool orthographic, DepthFormat format = DepthFormat::z16>
 constexpr std::uint32_t project_depth(const CompiledInstance& instance, const RasterOrigin& origin, std::int32_t w,
                                       const Reciprocal& r) {

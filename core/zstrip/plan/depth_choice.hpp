@@ -43,20 +43,20 @@ constexpr std::uint64_t depth_separation(DepthFormat format, const DepthRange& r
   int dropped = 0;
   for (; spread >> 32 != 0; spread >>= 1) ++dropped;
   const std::uint64_t code = spread * w / largest_depth_code(format);
-  // 1/w itself has 28 bits: what limits z32 near the camera.
+  // 1/w itself has 28 bits: what limits z24 where near and far are close together.
   const std::uint64_t limit = w >> 12;
   if (code >> (63 - dropped) != 0) return kNever;
   return for_codes(code << dropped > limit ? code << dropped : limit);
 }
 
 /// Of the formats that sort surfaces `separation` (32.32) apart from range.near to `farthest` (at most range.far), the
-/// one that costs least: z16, the small float, z24, z32 in this order. z32 where none does.
+/// one that costs least: z16, the small float, z24 in this order. z24 where none does.
 constexpr DepthFormat cheapest_depth_format(const DepthRange& range, Fixed farthest, std::uint64_t separation) {
-  for (const DepthFormat format : {DepthFormat::z16, DepthFormat::float16, DepthFormat::z24}) {
+  for (const DepthFormat format : {DepthFormat::z16, DepthFormat::float16}) {
     // All of them get coarser with the distance.
     if (depth_separation(format, range, farthest) <= separation) return format;
   }
-  return DepthFormat::z32;
+  return DepthFormat::z24;
 }
 
 }  // namespace zstrip

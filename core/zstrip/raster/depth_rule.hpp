@@ -8,8 +8,8 @@
 
 #include "zstrip/effects.hpp"
 #include "zstrip/geometry/depth_mapping.hpp"
+#include "zstrip/raster/plane.hpp"
 #include "zstrip/raster/target.hpp"
-#include "zstrip/raster/wide_plane.hpp"
 #include "zstrip/visibility/method_state.hpp"
 
 namespace zstrip::detail {
@@ -107,23 +107,14 @@ constexpr auto stepped_depth(std::uint32_t depth) {
 }
 
 /// Stepped depth to a code.
-template <DepthFormat format>
-struct DepthCode {
-  constexpr std::uint16_t operator()(std::uint32_t value) const { return static_cast<std::uint16_t>(value >> 16); }
-};
-template <>
-struct DepthCode<DepthFormat::z24> {
-  constexpr std::uint32_t operator()(std::uint64_t value) const {
+template <DepthFormat format, class Value>
+constexpr DepthCell<format> depth_code(Value value) {
+  if constexpr (format == DepthFormat::z24) {
     return static_cast<std::uint32_t>(value >> kWideBits) >> 8;
+  } else {
+    return static_cast<std::uint16_t>(value >> 16);
   }
-};
-template <>
-struct DepthCode<DepthFormat::z32> {
-  constexpr std::uint32_t operator()(std::uint64_t value) const {
-    // Half a code, so that dropping the fraction rounds to nearest: vertices are whole codes.
-    return static_cast<std::uint32_t>((value + (std::uint64_t{1} << (kWideBits - 1))) >> kWideBits);
-  }
-};
+}
 
 /// A triangle's depth bias in codes; see conventions.md. `vertex codes` have `bits` fraction bits.
 template <class Vertex>
@@ -174,7 +165,7 @@ class DepthRule {
         const std::int64_t codes[3] = {vertex_code(v0.depth), vertex_code(v1.depth), vertex_code(v2.depth)};
         const std::int64_t bias = depth_bias(settings, v0, v1, v2, codes, kVertexCodeBits, area);
         const std::int64_t limit = settings.largest;
-        state_.bias = static_cast<Bias>(std::clamp(bias, -limit, limit));
+        state_.bias = static_cast<std::int32_t>(std::clamp(bias, -limit, limit));
       }
     }
   }
@@ -182,7 +173,7 @@ class DepthRule {
   /// Without a bias.
   template <class Value>
   constexpr Cell code(Value value) const {
-    return code_(value);
+    return depth_code<mode.format>(value);
   }
   /// Whether a fragment of stepped depth `value` is drawn; it is then in the cell.
   template <class Value>
@@ -210,7 +201,7 @@ class DepthRule {
   template <class Value>
   constexpr bool decides(Value value, Cell& cell) const {
     if constexpr (mode.use == DepthUse::none) return true;
-    Cell code = code_(value);
+    Cell code = depth_code<mode.format>(value);
     if constexpr (mode.use == DepthUse::written) {
       cell = code;
       return true;
@@ -221,8 +212,9 @@ class DepthRule {
       if (nearer) cell = code;
       return nearer;
     } else {
-      code = static_cast<Cell>(std::clamp<Bias>(static_cast<Bias>(code) + state_.bias,
-                                                static_cast<Bias>(state_.smallest), static_cast<Bias>(state_.largest)));
+      code = static_cast<Cell>(std::clamp(static_cast<std::int32_t>(code) + state_.bias,
+                                          static_cast<std::int32_t>(state_.smallest),
+                                          static_cast<std::int32_t>(state_.largest)));
       const auto relation = code > cell ? DepthTest::nearer : code == cell ? DepthTest::equal : DepthTest::farther;
       if ((state_.test & static_cast<std::uint8_t>(relation)) == 0) return false;
       if (state_.write) cell = code;
@@ -249,11 +241,10 @@ class DepthRule {
     }
   }
 
-  using Bias = std::conditional_t<sizeof(Cell) == 4, std::int64_t, std::int32_t>;
   struct State {
     std::uint8_t test = 0;  ///< DepthTest's bits
     bool write = true;
-    Bias bias = 0;  ///< codes
+    std::int32_t bias = 0;  ///< codes, at most `largest` either way
     std::uint32_t smallest = 1, largest = 0;
   };
   struct NoState {};
@@ -262,7 +253,7 @@ class DepthRule {
   };
   struct NotCounted {};
 
-  static constexpr int kVertexCodeBits = mode.format == DepthFormat::z32 ? 0 : mode.format == DepthFormat::z24 ? 8 : 16;
+  static constexpr int kVertexCodeBits = mode.format == DepthFormat::z24 ? 8 : 16;
   constexpr std::int64_t vertex_code(std::uint32_t depth) const {
     if constexpr (mode.format == DepthFormat::float16) {
       return float16_depth(depth, float16_octave(depth));
@@ -271,7 +262,6 @@ class DepthRule {
     }
   }
 
-  [[no_unique_address]] DepthCode<mode.format> code_;
   [[no_unique_address]] std::conditional_t<mode.state, State, NoState> state_;
   [[no_unique_address]] std::conditional_t<mode.counted, Counted, NotCounted> counted_;
 };

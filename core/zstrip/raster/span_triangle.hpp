@@ -131,7 +131,7 @@ struct SpanTriangle {
         anchor_x(std::max(std::min({v0.x, v1.x, v2.x}) >> 4, target.view_left)),
         anchor_y(std::max(std::min({v0.y, v1.y, v2.y}) >> 4, target.view_top)),
         setup(v0, v1, v2, area, anchor_x, anchor_y),
-        depth(setup, v0, v1, v2, area, anchor_x, anchor_y),
+        depth(setup, v0, v1, v2),
         rule(target, v0, v1, v2, area) {}
 
   /// Calls fill(run, depth plane, rule) for all runs in the strip that may be seen. Pieces of midpoint subdivision only

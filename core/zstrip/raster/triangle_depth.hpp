@@ -6,7 +6,6 @@
 
 #include "zstrip/raster/depth_rule.hpp"
 #include "zstrip/raster/plane.hpp"
-#include "zstrip/raster/wide_plane.hpp"
 
 namespace zstrip::detail {
 
@@ -27,13 +26,9 @@ struct Span {
 template <DepthFormat format>
 class TriangleDepth {
  public:
-  TriangleDepth(const PlaneSetup& setup, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2,
-                [[maybe_unused]] std::int64_t area, [[maybe_unused]] std::int32_t anchor_x,
-                [[maybe_unused]] std::int32_t anchor_y) {
+  TriangleDepth(const PlaneSetup& setup, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2) {
     if constexpr (format == DepthFormat::z16) {
       plane_ = setup.plane(v0.depth, std::int64_t{v1.depth} - v0.depth, std::int64_t{v2.depth} - v0.depth);
-    } else if constexpr (format == DepthFormat::z32) {
-      plane_ = exact_depth_plane(v0, v1, v2, area, anchor_x, anchor_y);
     } else {
       plane_ = setup.wide_plane(v0.depth, std::int64_t{v1.depth} - v0.depth, std::int64_t{v2.depth} - v0.depth);
     }
@@ -55,8 +50,7 @@ class TriangleDepth {
 template <>
 class TriangleDepth<DepthFormat::float16> {
  public:
-  TriangleDepth(const PlaneSetup& setup, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2,
-                std::int64_t, std::int32_t, std::int32_t) {
+  TriangleDepth(const PlaneSetup& setup, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2) {
     const auto [farthest, nearest] = std::minmax({v0.depth, v1.depth, v2.depth});
     first_ = float16_octave(farthest);
     last_ = float16_octave(nearest);

@@ -116,8 +116,8 @@ struct PictureRecord {
   std::uint8_t format, dither, samples;
   std::uint8_t effects;  ///< index into kPictureEffects, not one that is_gone
 };
-/// Whether a picture's effects are a depth format that is gone: w16.
-constexpr bool is_gone(std::uint8_t effects) { return effects == 5; }
+/// True for the numbers of depth formats that are gone: w16, z32.
+constexpr bool is_gone(std::uint8_t effects) { return effects == 5 || effects == 7; }
 struct AnimationRecord {
   std::uint32_t duration;
 };

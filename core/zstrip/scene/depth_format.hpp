@@ -9,22 +9,15 @@ namespace zstrip {
 enum class DepthFormat : std::uint8_t {
   z16,      ///< 16 bits, linear in 1/w over the frame's range
   float16,  ///< 3.13: 3 bits of exponent, 13 of mantissa, of near / w; needs no far bound. Perspective only
-  z24,      ///< as z16 with 24 bits in a cell of 32; for comparison
-  z32,      ///< as z16 with 32 bits; for comparison
+  z24,      ///< as z16 with 24 bits in a cell of 32
 };
 
 /// Bytes of a cell of the z-buffer.
-constexpr std::uint32_t depth_bytes(DepthFormat format) {
-  return format == DepthFormat::z24 || format == DepthFormat::z32 ? 4 : 2;
-}
+constexpr std::uint32_t depth_bytes(DepthFormat format) { return format == DepthFormat::z24 ? 4 : 2; }
 
 /// Codes of fragments are 1 to this; what a bias does not leave either.
 constexpr std::uint32_t largest_depth_code(DepthFormat format) {
-  switch (format) {
-    case DepthFormat::z24: return (1U << 24) - 2;
-    case DepthFormat::z32: return 0xFFFFFFFE;
-    default: return 65534;
-  }
+  return format == DepthFormat::z24 ? (1U << 24) - 2 : 65534;
 }
 
 /// The octave of near / w (0.32) in DepthFormat::float16: its codes are 2^(12 + octave) apart. The two lowest exponents

@@ -11,7 +11,6 @@ int main() {
       {"R50", "ranges", bench::run<scenes::random50, effect::depth_ranges>},
       {"R50", "float", bench::run<scenes::random50, effect::depth_float>},
       {"R50", "z24", bench::run<scenes::random50, effect::depth_24>},
-      {"R50", "z32", bench::run<scenes::random50, effect::depth_32>},
   };
   return bench::run_bench(kWorkloads);
 }

@@ -21,7 +21,7 @@ export const kSettings = [
     label: 'Depth',
     option: '--depth-format',
     kind: 'choice',
-    choices: ['', 'float', 'z24', 'z32']
+    choices: ['', 'float', 'z24']
   },
   {name: 'perspective', label: 'Textures exact every', option: '--perspective', kind: 'choice', choices: ['', '1', '8', 'affine']},
   {

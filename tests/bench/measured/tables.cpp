@@ -102,7 +102,7 @@ std::vector<Row> boards(const fs::path& fresh) {
 /// Of each format of depth.
 std::vector<Row> depth(const fs::path& fresh) {
   Pivot pivot(1, {"m3", "m0"});
-  for (const char* format : {"z16", "float", "z24", "z32", "state", "ranges"}) {
+  for (const char* format : {"z16", "float", "z24", "state", "ranges"}) {
     for (const ordered_json& of : read_json(fresh / (std::string("depth_") + format + ".json")))
       pivot.put({format}, of.at("target"), text_of(of.at("instructions_per_frame")));
   }

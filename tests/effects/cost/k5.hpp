@@ -37,7 +37,6 @@ inline constexpr Comparison kComparisons[] = {
     {"depth_state", effect::depth_state},
     {"depth_float", effect::depth_float},
     {"depth_24", effect::depth_24, {}, false},
-    {"depth_32", effect::depth_32, {}, false},
     {"depth_ranges", effect::depth_ranges},
     {"bins", effect::bins},
     {"perspective_affine", effect::perspective_affine, effect::textures},

@@ -25,7 +25,6 @@ constexpr Subject kRoomFloat{&scenes::room, draw_case<scenes::room, effect::dept
                              "_float"};
 constexpr Subject kRoomRanges{&scenes::room, draw_case<scenes::room, effect::depth_ranges>, "_ranges"};
 constexpr Subject kRandom50Of24{&scenes::random50, draw_case<scenes::random50, effect::depth_24>, "_z24"};
-constexpr Subject kRandom50Of32{&scenes::random50, draw_case<scenes::random50, effect::depth_32>, "_z32"};
 
 constexpr const Subject* kTriangle = &kSubject<scenes::triangle>;
 constexpr const Subject* kCube = &kSubject<scenes::cube>;
@@ -66,7 +65,6 @@ constexpr Case kSingleCases[] = {
     {&kRoomFloat, Motion::turntable, kSmall, 13, 0, 20},
     {&kRoomRanges, Motion::turntable, kSmall, 13, 0, 20},
     {&kRandom50Of24, Motion::turntable, kSmall, 13, 0, 4},
-    {&kRandom50Of32, Motion::turntable, kSmall, 13, 0, 4},
 };
 
 }  // namespace

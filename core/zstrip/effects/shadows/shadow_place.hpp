@@ -15,8 +15,7 @@ namespace zstrip::detail {
 
 /// Half a code, as a power of two in 1/2^32 of all codes; of the small float the least.
 template <DepthFormat format>
-inline constexpr int kLog2HalfCode = format == DepthFormat::z32       ? 0
-                                     : format == DepthFormat::z24     ? 7
+inline constexpr int kLog2HalfCode = format == DepthFormat::z24       ? 7
                                      : format == DepthFormat::float16 ? 11
                                                                       : 15;
 
@@ -27,8 +26,6 @@ constexpr std::uint32_t depth_of_code(std::uint32_t code) {
     const std::uint32_t exponent = code >> 13;
     if (exponent == 0) return (code << 12) | (1U << 11);
     return ((code & 0x1FFF) | 0x2000) << (11 + exponent) | (1U << (10 + exponent));
-  } else if constexpr (format == DepthFormat::z32) {
-    return code;
   } else if constexpr (format == DepthFormat::z24) {
     return (code << 8) | 0x80;
   } else {
