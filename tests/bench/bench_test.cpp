@@ -188,7 +188,7 @@ TEST(BenchCommand, NamesTheProgramsThatItRuns) {
   EXPECT_EQ(listed({"--target", "M3", "--workload", "K5,CT"}), "zstrip_bench_m3\n");
   EXPECT_EQ(listed({"--target", "host,rv32,m4f"}), "zstrip_bench_m4f\nzstrip_bench_rv32\n");
   EXPECT_EQ(listed({"--target", "m0", "--mode", "binned"}), "zstrip_bench_bins_m0\n");
-  EXPECT_EQ(listed({"--target", "m0", "--workload", "R50", "--depth", "w16"}), "zstrip_bench_depth_m0\n");
+  EXPECT_EQ(listed({"--target", "m0", "--workload", "R50", "--depth", "z24"}), "zstrip_bench_depth_m0\n");
   EXPECT_EQ(listed({"--board", "pico,bluepill"}), "zstrip_bench_m0\nzstrip_bench_m3\n");
   EXPECT_EQ(listed({"--table", "boards"}), "zstrip_bench_visibility_m0\nzstrip_bench_visibility_m3\n");
   EXPECT_EQ(listed({"--table", "thesis"}) + listed({"--peers"}), "");
