@@ -131,14 +131,14 @@ void blend(std::span<JointPose> joints, std::span<const JointPose> others, std::
 /// Writes the mesh as its joints move it: positions, normals of the length that they had, and meshlets with the
 /// spheres that hold them now. `work`: one a joint; holds nothing that is needed afterwards. What has passed
 /// validate(skin) and validate(animation, joints) is safe. Error::skin where the mesh leaves its box (`needed` = the
-/// vertex), a joint leads too far away (`needed` = the joint), or a span has another size (`needed` = 0); `moved` then
-/// holds some of both poses. Time: a vertex takes some 40 products for each of its joints.
+/// vertex), a joint leads its vertices too far away (`needed` = the joint), or a span has another size (`needed` = 0);
+/// `moved` then holds some of both poses. Time: a vertex takes some 40 products for each of its joints.
 Status skin_mesh(const Skin& skin, std::span<const JointPose> pose, std::span<Transform> work,
                  const MovedVertices& moved);
 
 /// Makes the matrices of `skinning`, before the frame that shows them. The vertices of that frame are those of
 /// skin_mesh, but one outside of the box comes to lie on its side: nothing is known of vertices here. Error::skin
-/// where a joint leads too far away (`needed` = the joint) or a span has another size (`needed` = 0).
+/// where a joint leads its vertices too far away (`needed` = the joint) or a span has another size (`needed` = 0).
 Status pose_skin(Skinning& skinning, std::span<const JointPose> pose);
 
 }  // namespace zstrip

@@ -54,13 +54,10 @@ Result<std::span<const Mesh>> SkinnedMeshes::at(std::uint32_t frame, std::uint32
 }
 
 std::string SkinnedMeshes::too_far(const ModelSkin& skin, const Status& status) {
-  // A mesh without vertices fails only by its joints.
-  Mesh nothing = skin.bind;
-  nothing.positions = {};
-  nothing.normals = {};
-  nothing.meshlets = {};
-  const bool by_joint = !skin_mesh({&nothing, {}, model_.joints, model_.rest}, pose_, work_, {});
-  if (by_joint) return fmt::format("{} too far", name_of(model_, status.needed));
+  // The matrices alone fail only by joints.
+  const Skin of_core{&skin.bind, skin.vertices, model_.joints, model_.rest};
+  Skinning skinning{.skin = &of_core, .matrices = work_, .positions = {}};
+  if (!pose_skin(skinning, pose_)) return fmt::format("{} too far", name_of(model_, status.needed));
   return fmt::format("vertex {} out of the box of its mesh, most of all by {}", status.needed,
                      name_of(model_, skin.vertices[status.needed].joints[0]));
 }

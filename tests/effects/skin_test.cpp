@@ -187,6 +187,31 @@ TEST(Skins, WhatLeavesTheBoxOrTheRangeIsAnError) {
   EXPECT_TRUE(refused([](Creature& o) { o.skin.mesh = nullptr; }));
 }
 
+/// Meshes of one skeleton share its joints: a small one was refused for a joint of another that went far away.
+TEST(Skins, AJointWithoutVerticesMayBeAnywhere) {
+  Random random(5);
+  Creature c = creature(random, 1);
+  c.vertices[7] = {{0, 0, 0, 0}, {255, 0, 0, 0}};
+  connect(c);
+  ASSERT_TRUE(c.move(c.rest));
+  const std::size_t far = c.joints.size();
+  Creature other = c;
+  other.joints.emplace_back();
+  other.rest.push_back({.translation = {fixed(1000), 0, fixed(-30000)}});
+  other.work.emplace_back();
+  other.vertices[7] = {{0, static_cast<std::uint8_t>(far), 0, 0}, {255, 0, 0, 0}};
+  connect(other);
+  ASSERT_TRUE(validate(other.skin));
+  ASSERT_TRUE(other.move(other.rest));
+  EXPECT_TRUE(std::ranges::equal(other.moved_positions, c.moved_positions, [](const Position& a, const Position& b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+  }));
+  other.vertices[7] = {{0, static_cast<std::uint8_t>(far), 0, 0}, {254, 1, 0, 0}};
+  const Status status = other.move(other.rest);
+  EXPECT_EQ(status.error, Error::skin);
+  EXPECT_EQ(status.needed, far);
+}
+
 /// skin_mesh multiplies them in 64 bits without looking.
 TEST(Skins, RestOutOfRangeIsRefused) {
   Random random(7);

@@ -101,6 +101,16 @@ int fraction_bits(std::span<const Transform> matrices) {
   return bits;
 }
 
+/// Whether the joint has a weight at a vertex. The first joint of a vertex always has one.
+bool has_weight(const Skin& skin, std::size_t joint) {
+  for (const VertexJoints& vertex : skin.vertices) {
+    for (int k = 0; k < 4; ++k) {
+      if (vertex.joints[k] == joint && (k == 0 || vertex.weights[k] != 0)) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 Status detail::make_matrices(const Skin& skin, std::span<const JointPose> pose, std::span<Transform> work, int& bits) {
@@ -125,8 +135,9 @@ Status detail::make_matrices(const Skin& skin, std::span<const JointPose> pose, 
   }
   bits = fraction_bits(work);
   const Grid grid{mesh.centre, mesh.half_extent.x, bits};
+  // A joint that moves none of these vertices may be as far away as other meshes of its skeleton need it.
   for (std::size_t i = 0; i < joints; ++i) {
-    if (!grid.turn(work[i], work[i])) return detail::wrong_skin(i);
+    if (!grid.turn(work[i], work[i]) && has_weight(skin, i)) return detail::wrong_skin(i);
   }
   return {};
 }
