@@ -13,8 +13,10 @@ struct Sample {
   std::uint32_t first, second;
   double share;
 };
-Sample sample(std::uint32_t index, std::uint32_t to, std::uint32_t from) {
-  const double position = (index + 0.5) * from / to - 0.5;
+Sample sample(std::uint32_t index, std::uint32_t to, std::uint32_t from, bool nearest) {
+  const double centre = (index + 0.5) * from / to;
+  if (nearest) return {static_cast<std::uint32_t>(centre), 0, 0};
+  const double position = centre - 0.5;
   const double below = std::floor(position);
   const auto first = static_cast<std::uint32_t>(static_cast<std::int64_t>(below) + from) % from;
   return {first, (first + 1) % from, position - below};
@@ -53,11 +55,12 @@ RgbImage resample_to_power_of_two(RgbImage image) {
   }
   RgbImage scaled{std::bit_ceil(image.width), std::bit_ceil(image.height), {}};
   if (scaled.width == image.width && scaled.height == image.height) return image;
+  const bool nearest = image.rgb.size() <= 3 * kMaxPaletteTexels;
   scaled.rgb.reserve(3 * std::size_t{scaled.width} * scaled.height);
   for (std::uint32_t y = 0; y < scaled.height; ++y) {
-    const Sample row = sample(y, scaled.height, image.height);
+    const Sample row = sample(y, scaled.height, image.height, nearest);
     for (std::uint32_t x = 0; x < scaled.width; ++x) {
-      const Sample column = sample(x, scaled.width, image.width);
+      const Sample column = sample(x, scaled.width, image.width, nearest);
       const auto mixed = [&](auto&& at) {
         const auto along = [&](std::uint32_t source_row) {
           return at(column.first, source_row) * (1 - column.share) + at(column.second, source_row) * column.share;

@@ -281,6 +281,36 @@ TEST(Resample, OddSidesGrowAndKeepAPlainColour) {
   }
 }
 
+/// Small palettes were interpolated: a mesh that takes the middle of a texel got a mix of colours.
+TEST(Resample, CentresOfAPalettesTexelsKeepTheirColours) {
+  using Sides = std::pair<std::uint32_t, std::uint32_t>;
+  for (const auto& [width, height] :
+       {Sides{3, 1}, Sides{5, 1}, Sides{1, 3}, Sides{6, 2}, Sides{20, 1}, Sides{7, 9}, Sides{63, 65}, Sides{1000, 3}}) {
+    RgbImage image{width, height, {}};
+    const auto colour = [](std::uint32_t x, std::uint32_t y) {
+      return std::array{static_cast<std::uint8_t>(97 * x), static_cast<std::uint8_t>(x / 4),
+                        static_cast<std::uint8_t>(89 * y)};
+    };
+    for (std::uint32_t y = 0; y < height; ++y) {
+      for (std::uint32_t x = 0; x < width; ++x) {
+        const auto own = colour(x, y);
+        image.rgb.insert(image.rgb.end(), own.begin(), own.end());
+        image.alpha.push_back(own[0]);
+      }
+    }
+    const RgbImage scaled = resample_to_power_of_two(image);
+    for (std::uint32_t y = 0; y < height; ++y) {
+      for (std::uint32_t x = 0; x < width; ++x) {
+        const std::uint32_t u = (2 * x + 1) * scaled.width / (2 * width),
+                            v = (2 * y + 1) * scaled.height / (2 * height);
+        const auto own = colour(x, y);
+        EXPECT_TRUE(std::equal(own.begin(), own.end(), scaled.pixel(u, v))) << width << " " << x << " " << y;
+        EXPECT_EQ(scaled.alpha_at(u, v), own[0]);
+      }
+    }
+  }
+}
+
 TEST(Resample, LargeSidesAreAveraged) {
   RgbImage image{4096, 1, {}};
   for (int i = 0; i < 4096; ++i) image.rgb.insert(image.rgb.end(), 3, i % 2 == 0 ? 100 : 200);
