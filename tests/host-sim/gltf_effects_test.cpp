@@ -106,6 +106,23 @@ TEST_F(GltfEffects, AlphaOfTexelsIsKeptWhereItIsUsed) {
   EXPECT_FALSE(effects(with_mode("OPAQUE")).any(effect::blending | effect::texture_alpha));
 }
 
+/// Faces that blend write no depth: inner ones were seen.
+TEST_F(GltfEffects, NothingBlendsWithoutATransparentPlace) {
+  const auto blends = [&](const std::string& base, const std::string& pictures) {
+    const std::string material = R"({"alphaMode":"BLEND","pbrMetallicRoughness":{)" + base + "}}";
+    return effects({.materials = {material}, .nodes = kOneSquare, .pictures = pictures})
+        .any(effect::blending | effect::texture_alpha);
+  };
+  const std::string whole = rgba_png(2, 1, {9, 9, 9, 255, 9, 9, 9, 255}),
+                    textured = R"("baseColorTexture":{"index":0})";
+  EXPECT_FALSE(blends("", ""));
+  EXPECT_FALSE(blends(R"("baseColorFactor":[1,0,0,1])", ""));
+  EXPECT_FALSE(blends(textured, whole));
+  EXPECT_TRUE(blends(R"("baseColorFactor":[1,0,0,0.9])", ""));
+  EXPECT_TRUE(blends(R"("baseColorFactor":[1,0,0,0.9],)" + textured, whole));
+  EXPECT_TRUE(blends(textured, rgba_png(2, 1, {9, 9, 9, 255, 9, 9, 9, 254})));
+}
+
 TEST_F(GltfEffects, OpaqueIgnoresAlpha) {
   const Model imported =
       model({.materials = {R"({"pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.25]}})"}, .nodes = kOneSquare});

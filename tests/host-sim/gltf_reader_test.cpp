@@ -58,6 +58,23 @@ TEST_F(GltfReader, BuffersInTheFileBesideItAndInItsText) {
   EXPECT_NE(failure(with(R"(,"uri":"gone.bin")")).find("buffer 0 'gone.bin' does not exist"), std::string::npos);
 }
 
+/// A file was refused if exporters had left a root of its scene below another node.
+TEST_F(GltfReader, RootsOfTheSceneHaveNoParent) {
+  GltfData data;
+  data.add_floats(kCorners, "VEC3");
+  const std::string below = gltf_of(R"("nodes":[{"mesh":0},{"children":[0],"translation":[9,0,0]}],)"
+                                    R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)" +
+                                    data.json());
+  EXPECT_EQ(places(source("below.gltf", below)), kTriangle);
+  const std::string roots = R"("nodes":[0])";
+  for (const char* more : {R"("nodes":[1,0])", R"("nodes":[0,1,0])"}) {
+    std::string listed = below;
+    const SourceModel both = source("listed.gltf", listed.replace(listed.find(roots), roots.size(), more));
+    EXPECT_EQ(both.meshes.size(), 1U) << "drawn once";
+    EXPECT_EQ(places(both), kTriangle);
+  }
+}
+
 TEST_F(GltfReader, InterleavedNormalisedAndSparse) {
   // Two unsigned bytes and two of padding, then three shorts and two bytes of padding: 12 bytes a vertex.
   std::string bytes;

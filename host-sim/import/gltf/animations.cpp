@@ -18,6 +18,9 @@
 namespace zstrip::sim {
 namespace {
 
+/// For what does not move, in seconds.
+constexpr double kPoseDuration = 1;
+
 /// A channel's node and path; none where it has no node of the file.
 struct Target {
   std::size_t node;
@@ -154,6 +157,7 @@ bool animations_morph(const GltfJson& json) {
 
 Result<Done> read_gltf_animations(const GltfJson& json, GltfAccessors& accessors, const GltfNodes& nodes,
                                   SourceModel& model) {
+  std::optional<NodeAnimation> pose;  // of an animation without a length; seen where there is no other
   for (std::size_t i = 0; i < count_of(json, "animations"); ++i) {
     std::uint64_t left_out = 0;
     Result<NodeAnimation> read = read_animation(element(member(json, "animations"), i), accessors, nodes, left_out);
@@ -163,14 +167,22 @@ Result<Done> read_gltf_animations(const GltfJson& json, GltfAccessors& accessors
                                            printable(read->name), counted(left_out, "key")));
     }
     const std::set<double> times = key_times(*read);
-    if (times.empty() || !(*times.rbegin() > 0)) continue;
+    if (times.empty()) continue;
     read->duration = *times.rbegin();
+    if (!(read->duration > 0)) {
+      if (!pose) pose = std::move(*read);
+      continue;
+    }
     if (read->duration > kMaxAnimation) {
       model.warnings.push_back(
           fmt::format("animation '{}' left out: it is longer than an hour", printable(read->name)));
       continue;
     }
     model.nodes.animations.push_back(std::move(*read));
+  }
+  if (pose && model.nodes.animations.empty()) {
+    pose->duration = kPoseDuration;
+    model.nodes.animations.push_back(std::move(*pose));
   }
   return Done{};
 }

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "report/text.hpp"
+
 namespace zstrip::sim {
 namespace {
 
@@ -24,6 +26,12 @@ bool is_binary(std::span<const std::uint8_t> file) {
   return file.size() >= kHeaderBytes && std::equal(kMagic.begin(), kMagic.end(), file.begin());
 }
 
+/// Chunks end at a multiple of four bytes. Some writers count only the bytes before that, others do not fill it.
+std::size_t bytes_to_next(std::span<const std::uint8_t> data_on, std::size_t length) {
+  const bool follows = data_on.size() >= length + kChunkBytes && word_at(data_on, length + 4) == kBinaryChunk;
+  return follows ? length : std::min(data_on.size(), (length + 3) / 4 * 4);
+}
+
 /// The next chunk of this type or any other; takes it off `rest`.
 Result<std::pair<std::uint32_t, std::span<const std::uint8_t>>> take_chunk(std::span<const std::uint8_t>& rest) {
   if (rest.size() < kChunkBytes) return gltf_damaged("the file ends in the header of a chunk");
@@ -32,7 +40,7 @@ Result<std::pair<std::uint32_t, std::span<const std::uint8_t>>> take_chunk(std::
   rest = rest.subspan(kChunkBytes);
   if (length > rest.size()) return gltf_damaged("the file ends in the middle of a chunk");
   const std::span<const std::uint8_t> data = rest.first(length);
-  rest = rest.subspan(std::min(rest.size(), (length + 3) / 4 * 4));
+  rest = rest.subspan(bytes_to_next(rest, length));
   return std::pair{type, data};
 }
 
@@ -50,6 +58,10 @@ Result<Done> parse_json(std::span<const std::uint8_t> text, GltfDocument& docume
   const std::string version = number.is_number() ? number.dump() : text_in(asset, "version");
   if (version.empty()) return gltf_damaged("asset.version is missing");
   document.version = version[0] >= '0' && version[0] <= '9' ? version[0] - '0' : 0;
+  const std::string least = text_in(asset, "minVersion");
+  if (least > "2.0" && document.version == 2) {
+    return gltf_damaged(fmt::format("asset.minVersion {} is more than 2.0", printable(least)));
+  }
   return Done{};
 }
 
@@ -74,7 +86,7 @@ Result<GltfDocument> parse_gltf(std::span<const std::uint8_t> file) {
   if (!first) return first.failure();
   if (first->first != kJsonChunk) return gltf_damaged("its first chunk is not JSON");
   if (const Result<Done> parsed = parse_json(first->second, document); !parsed) return parsed.failure();
-  while (!rest.empty() && !document.binary) {
+  while (rest.size() >= kChunkBytes && !document.binary) {
     const auto chunk = take_chunk(rest);
     if (!chunk) return chunk.failure();
     if (chunk->first == kBinaryChunk) document.binary.emplace(chunk->second.begin(), chunk->second.end());

@@ -65,11 +65,18 @@ Result<GltfNodes> GltfNodes::read(const GltfJson& json, const Affine& turn) {
   if (count_of(json, "scenes") > 0) {
     const GltfJson& scene = element(member(json, "scenes"), index_in(json, "scene").value_or(0));
     const GltfJson& roots = member(scene, "nodes");
+    std::vector<bool> listed(read.nodes_.size());
     for (std::size_t k = 0; k < count_of(scene, "nodes"); ++k) {
       const std::optional<std::size_t> root = to_index(element(roots, k));
       if (!root || *root >= read.nodes_.size()) return gltf_damaged("its scene has a node that does not exist");
-      if (read.nodes_[*root].parent) return gltf_damaged(fmt::format("node {} has two parents", *root));
+      if (listed[*root]) continue;
+      listed[*root] = true;
       read.roots_.push_back(*root);
+      read.nodes_[*root].parent.reset();
+    }
+    // A node that the scene lists is a root there, even if exporters left it under a node outside of the scene.
+    for (std::size_t i = 0; i < read.nodes_.size(); ++i) {
+      std::erase_if(read.nodes_[i].children, [&](std::size_t child) { return read.nodes_[child].parent != i; });
     }
   } else {
     for (std::size_t i = 0; i < read.nodes_.size(); ++i) {

@@ -194,6 +194,21 @@ void GltfPrimitives::set_alpha(const GltfValues<float>& colours, SourcePrimitive
   to.material = at->second;
 }
 
+/// Exporters often write BLEND for what is opaque. Blended triangles write no depth, so that inner faces would be seen.
+void GltfPrimitives::set_opaque(SourcePrimitive& to) {
+  const SourceMaterial& shown = model_.materials[to.material];
+  const bool textured = to.has_texcoords && shown.texture != kNoSourceTexture;
+  const bool has_holes = textured && !model_.textures[shown.texture].alpha.empty();
+  if (shown.alpha_mode != AlphaMode::blend || shown.alpha != 255 || has_holes) return;
+  const auto [at, is_new] = opaque_.try_emplace(to.material, static_cast<std::uint32_t>(model_.materials.size()));
+  if (is_new) {
+    SourceMaterial own = shown;
+    own.alpha_mode = AlphaMode::opaque;
+    model_.materials.push_back(std::move(own));
+  }
+  to.material = at->second;
+}
+
 Result<SourcePrimitive> GltfPrimitives::read_primitive(const GltfJson& mesh, const GltfJson& primitive,
                                                        std::size_t node) {
   const std::size_t number = index_in(primitive, "mode").value_or(4);
@@ -226,6 +241,7 @@ Result<SourcePrimitive> GltfPrimitives::read_primitive(const GltfJson& mesh, con
   to.morphs = animations_morph_ && count_of(primitive, "targets") > 0;
   const GltfTexcoords texcoords = materials_.texcoords_of(to.material);
   set_alpha(from->colours, to);
+  set_opaque(to);
   const Affine normals_as_modelled = map_of_normals(skin->modelled);
   to.vertices.resize(vertices);
   for (std::size_t i = 0; i < vertices; ++i) {

@@ -35,6 +35,7 @@ class GltfPrimitives {
 
   /// Empty: nothing to draw. The failure's message is a reason, as those below.
   void set_alpha(const GltfValues<float>& colours, SourcePrimitive& to);
+  void set_opaque(SourcePrimitive& to);
   Result<SourcePrimitive> read_primitive(const GltfJson& mesh, const GltfJson& primitive, std::size_t node);
   Result<Vertices> read_vertices(const GltfJson& primitive, const GltfAttributes& attributes);
   Result<Done> add_morphs(const GltfJson& mesh, const GltfJson& primitive, std::size_t node, Vertices& vertices);
@@ -50,6 +51,7 @@ class GltfPrimitives {
   MeshGroups groups_;
   /// Materials with the alpha of vertices, by the file's material and that alpha.
   std::map<std::pair<std::uint32_t, std::uint8_t>, std::uint32_t> with_alpha_;
+  std::map<std::uint32_t, std::uint32_t> opaque_;  ///< by materials that blend and have nothing transparent
   bool animations_morph_ = false;
   std::uint64_t no_texcoords_ = 0;  ///< primitives whose texture has no texture coordinates
 };
