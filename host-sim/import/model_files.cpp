@@ -9,12 +9,17 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
+#include <utility>
+
+#include "import/assimp/obj_text.hpp"
+#include "import/assimp/stl_text.hpp"
+#include "import/ending.hpp"
+#include "import/find_file.hpp"
 
 namespace zstrip::sim {
 namespace {
 
-constexpr std::string_view kLittleEndian = "\xFF\xFE", kBigEndian = "\xFE\xFF";
+constexpr std::string_view kLittleEndian = "\xFF\xFE", kBigEndian = "\xFE\xFF", kMarkOfUtf8 = "\xEF\xBB\xBF";
 constexpr char32_t kNoCharacter = 0xFFFD;
 
 bool is_utf16(std::string_view text) { return text.starts_with(kLittleEndian) || text.starts_with(kBigEndian); }
@@ -52,10 +57,9 @@ std::string without_groups(std::string_view raw) {
   return text;
 }
 
-bool is_raw(const char* file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return extension == ".raw";
+/// Bytes of a binary format may begin with the mark by chance.
+bool has_mark_of_utf8(std::string_view bytes) {
+  return bytes.starts_with(kMarkOfUtf8) && bytes.find('\0') == std::string_view::npos;
 }
 
 std::string rest_of(Assimp::IOStream& stream) {
@@ -67,6 +71,7 @@ std::string rest_of(Assimp::IOStream& stream) {
 }  // namespace
 
 std::string as_utf8(std::string_view text) {
+  if (has_mark_of_utf8(text)) text.remove_prefix(kMarkOfUtf8.size());
   if (!is_utf16(text)) return std::string(text);
   const bool swapped = text.starts_with(kBigEndian);
   const auto unit_at = [&](std::size_t at) -> char32_t {
@@ -87,18 +92,36 @@ std::string as_utf8(std::string_view text) {
   return utf8;
 }
 
+std::string ModelFiles::place_of(const char* file) const {
+  const std::string folder = model_.has_parent_path() ? model_.parent_path().string() + "/" : "";
+  const std::string name(file);
+  return name.starts_with(folder) ? find_file(model_.parent_path(), name.substr(folder.size())).string() : name;
+}
+
+std::string ModelFiles::plain(const std::string& file, std::string text) {
+  const std::string ending = ending_of(model_);
+  if (ending == ".raw") return without_groups(text);
+  if (ending == ".stl") return plain_stl(std::move(text));
+  if (ending != ".obj") return text;
+  if (file != model_) return plain_mtl(text, of_blender_, read_.warnings);
+  of_blender_ = is_of_blender(text);
+  return plain_obj(text);
+}
+
 Assimp::IOStream* ModelFiles::Open(const char* file, const char* mode) {
   std::unique_ptr<Assimp::IOStream> stream(DefaultIOSystem::Open(file, mode));
+  if (!stream) stream.reset(DefaultIOSystem::Open(place_of(file).c_str(), mode));
   if (!stream) {
-    not_opened_.emplace_back(file);
+    read_.not_opened.emplace_back(file);
     return nullptr;
   }
-  std::string begin(2, '\0');
+  std::string begin(kMarkOfUtf8.size(), '\0');
   begin.resize(stream->Read(begin.data(), 1, begin.size()));
   stream->Seek(0, aiOrigin_SET);
-  if (!is_utf16(begin) && !is_raw(file)) return stream.release();
-  std::string text = as_utf8(rest_of(*stream));
-  if (is_raw(file)) text = without_groups(text);
+  const std::string ending = ending_of(model_);
+  const bool has_plain_form = ending == ".raw" || ending == ".obj" || ending == ".stl";
+  if (!has_plain_form && !is_utf16(begin) && !has_mark_of_utf8(begin)) return stream.release();
+  const std::string text = plain(file, as_utf8(rest_of(*stream)));
   auto bytes = std::make_unique<std::uint8_t[]>(text.size());
   std::ranges::copy(text, bytes.get());
   return new Assimp::MemoryIOStream(bytes.release(), text.size(), true);

@@ -5,10 +5,17 @@
 
 #include <cerrno>
 #include <fstream>
-#include <iterator>
+#include <string>
+#include <string_view>
 #include <system_error>
 
 namespace zstrip::sim {
+namespace {
+
+/// What Git keeps in place of a large file.
+constexpr std::string_view kPointer = "version https://git-lfs.github.com/spec/";
+
+}  // namespace
 
 std::string advice_on_address(const std::string& name) {
   if (name.find("://") == std::string::npos) return "";
@@ -24,8 +31,12 @@ Result<Done> check_readable(const std::filesystem::path& path) {
   if (error) return Failure{ExitStatus::input, "cannot be read: " + error.message()};
   if (std::filesystem::is_directory(status)) return Failure{ExitStatus::input, "is a folder; name a file in it"};
   if (!std::filesystem::is_regular_file(status)) return Failure{ExitStatus::input, "is not a regular file"};
-  if (!std::ifstream(path, std::ios::binary)) {
-    return Failure{ExitStatus::input, "cannot be read: " + std::generic_category().message(errno)};
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return Failure{ExitStatus::input, "cannot be read: " + std::generic_category().message(errno)};
+  std::string begin(kPointer.size(), '\0');
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  if (begin == kPointer) {
+    return Failure{ExitStatus::input, "is a Git LFS pointer, not the file; fetch that by 'git lfs pull'"};
   }
   return Done{};
 }

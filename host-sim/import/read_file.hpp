@@ -14,7 +14,7 @@ namespace zstrip::sim {
 /// "; download it first: curl -LO ..." where `name` is an address of the web; else empty.
 std::string advice_on_address(const std::string& name);
 
-/// Whether `path` names a regular file that can be opened for reading.
+/// Whether `path` names a regular file that can be opened for reading, and is no pointer of Git LFS.
 /// The failure's message continues "'path' ..." ("does not exist", "is a folder", ...).
 Result<Done> check_readable(const std::filesystem::path& path);
 

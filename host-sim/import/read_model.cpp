@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 #include <iterator>
 #include <new>
 #include <string>
@@ -14,6 +16,7 @@
 
 #include "import/assimp/read_assimp.hpp"
 #include "import/crash_guard.hpp"
+#include "import/ending.hpp"
 #include "import/find_file.hpp"
 #include "import/gltf/data_uri.hpp"
 #include "import/gltf/read_gltf.hpp"
@@ -24,15 +27,18 @@
 namespace zstrip::sim {
 namespace {
 
-bool is_named_gltf(const std::filesystem::path& path) {
-  const std::string extension = lower(path.extension().string());
-  return extension == ".gltf" || extension == ".glb";
+/// By its name, or by its first bytes as those of avatars (.vrm).
+bool is_gltf(const std::filesystem::path& path) {
+  const std::string ending = ending_of(path);
+  std::array<char, 4> begin{};
+  std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
+  return ending == ".gltf" || ending == ".glb" || begin == std::array{'g', 'l', 'T', 'F'};
 }
 
 bool is_archive(const std::filesystem::path& path) {
   constexpr std::string_view kEndings[] = {".zip", ".rar", ".7z",  ".gz",  ".tgz", ".tar",
                                            ".xz",  ".bz2", ".zst", ".lz4", ".lzma"};
-  return std::ranges::find(kEndings, lower(path.extension().string())) != std::end(kEndings);
+  return std::ranges::find(kEndings, ending_of(path)) != std::end(kEndings);
 }
 
 /// Finds buffers and pictures beside the file.
@@ -46,7 +52,7 @@ ReadUri reader_beside(const std::filesystem::path& folder) {
 Result<SourceModel> read_any(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
                              Highlights highlights, CrashGuard& guard) {
   const auto parsed = [&guard] { guard.lift_limits(); };
-  if (!is_named_gltf(path)) return read_assimp(path, up, texcoords, parsed);
+  if (!is_gltf(path)) return read_assimp(path, up, texcoords, parsed);
   const Result<std::vector<std::uint8_t>> bytes = read_file(path);
   if (!bytes) return bytes.failure();
   const Result<GltfDocument> document = parse_gltf(*bytes);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "image/decode.hpp"
+#include "import/assimp/linear_colours.hpp"
 #include "import/find_file.hpp"
 #include "import/read_file.hpp"
 #include "import/screen_channel.hpp"
@@ -43,8 +44,8 @@ TextureWrap wrap_of(const aiMaterial& from, const char* key, unsigned type, unsi
 
 }  // namespace
 
-MaterialReader::MaterialReader(const aiScene& scene, std::filesystem::path folder, SourceModel& model)
-    : scene_(scene), folder_(std::move(folder)), model_(model) {}
+MaterialReader::MaterialReader(const aiScene& scene, const std::filesystem::path& path, SourceModel& model)
+    : scene_(scene), folder_(path.parent_path()), linear_(has_linear_colours(scene, path)), model_(model) {}
 
 void MaterialReader::read_all() {
   for (const aiMaterial* material : std::span(scene_.mMaterials, scene_.mNumMaterials)) {
@@ -63,8 +64,8 @@ SourceMaterial MaterialReader::read(const aiMaterial& from, unsigned& texcoord_s
   aiColor4D colour(1, 1, 1, 1);
   if (!is_default && (from.Get(AI_MATKEY_BASE_COLOR, colour) == AI_SUCCESS ||
                       from.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS)) {
-    to.colour = {to_screen_channel(colour.r, false), to_screen_channel(colour.g, false),
-                 to_screen_channel(colour.b, false)};
+    to.colour = {to_screen_channel(colour.r, linear_), to_screen_channel(colour.g, linear_),
+                 to_screen_channel(colour.b, linear_)};
   }
   int shading = 0;
   if (from.Get(AI_MATKEY_SHADING_MODEL, shading) == AI_SUCCESS) {
@@ -83,9 +84,11 @@ SourceMaterial MaterialReader::read(const aiMaterial& from, unsigned& texcoord_s
     if (from.Get(AI_MATKEY_UVWSRC(type, 0), set) == AI_SUCCESS && set >= 0) texcoord_set = static_cast<unsigned>(set);
     break;
   }
-  // Exporters write black, or nothing, beside a texture that is to be seen as it is.
+  // Exporters write black, or nothing, beside a texture that is to be seen as it is. Blender's takes the colour's
+  // place.
   const bool textured = to.texture != kNoSourceTexture;
-  if (textured && (is_default || to.colour == std::array<std::uint8_t, 3>{0, 0, 0})) to.colour = {255, 255, 255};
+  if (textured && (is_default || linear_ || to.colour == std::array<std::uint8_t, 3>{0, 0, 0}))
+    to.colour = {255, 255, 255};
   return to;
 }
 

@@ -14,10 +14,10 @@
 namespace zstrip::sim {
 
 /// Fills `model.materials` (one for each of the scene's, same index), `model.textures` and warnings for what cannot be
-/// read. Texture files are looked for relative to `folder`.
+/// read. Texture files are looked for beside the model.
 class MaterialReader {
  public:
-  MaterialReader(const aiScene& scene, std::filesystem::path folder, SourceModel& model);
+  MaterialReader(const aiScene& scene, const std::filesystem::path& path, SourceModel& model);
   void read_all();
 
   /// The texture coordinate set that the material's texture uses.
@@ -29,6 +29,7 @@ class MaterialReader {
 
   const aiScene& scene_;
   std::filesystem::path folder_;
+  bool linear_;  ///< the colours of materials, which Blender wrote
   SourceModel& model_;
   std::map<std::string, std::uint32_t> known_textures_;  ///< by name; also those that failed
   std::vector<unsigned> texcoord_sets_;

@@ -20,6 +20,7 @@
 #include "import/assimp/bones.hpp"
 #include "import/assimp/lights.hpp"
 #include "import/assimp/materials.hpp"
+#include "import/assimp/obj_text.hpp"
 #include "import/assimp/unread.hpp"
 #include "import/assimp/up_axis.hpp"
 #include "import/mesh_groups.hpp"
@@ -67,6 +68,11 @@ class SilentStreams {
  private:
   std::streambuf *out_, *err_;
 };
+
+/// Of a vertex, in a file where others have one.
+bool has_colour(const aiColor4D& colour) {
+  return colour.r != kNoColour || colour.g != kNoColour || colour.b != kNoColour;
+}
 
 /// Of a face: Assimp's triangulation takes a time that grows faster than their square.
 constexpr unsigned kMaxCorners = 5'000;
@@ -126,8 +132,12 @@ SourceVertex Collector::vertex(const aiMesh& mesh, unsigned index, const aiMatri
   if (mesh.HasNormals()) vertex.normal = components(direction(normal_transform * mesh.mNormals[index]));
   if (to.has_colours) {
     const aiColor4D& colour = mesh.mColors[0][index];
-    vertex.colour = {to_screen_channel(colour.r, false), to_screen_channel(colour.g, false),
-                     to_screen_channel(colour.b, false), 255};
+    const auto& [r, g, b] = model_.materials[to.material].colour;
+    vertex.colour = {r, g, b, 255};
+    if (has_colour(colour)) {
+      vertex.colour = {to_screen_channel(colour.r, false), to_screen_channel(colour.g, false),
+                       to_screen_channel(colour.b, false), 255};
+    }
   }
   if (to.has_texcoords) {
     const aiVector3D& texcoord = mesh.mTextureCoords[materials_.texcoord_set(mesh.mMaterialIndex)][index];
@@ -147,7 +157,8 @@ Result<Done> Collector::add(const aiMesh& mesh, const aiMatrix4x4& transform) {
   const unsigned set = materials_.texcoord_set(to.material);
   const bool wants_texcoords =
       texcoords_ == Texcoords::all || model_.materials[to.material].texture != kNoSourceTexture;
-  to.has_colours = mesh.HasVertexColors(0);
+  to.has_colours =
+      mesh.HasVertexColors(0) && std::ranges::any_of(std::span(mesh.mColors[0], mesh.mNumVertices), has_colour);
   to.has_texcoords = wants_texcoords && set < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(set);
   to.morphs = mesh.mNumAnimMeshes > 0 && scene_.mNumAnimations > 0;
   to.mirrored = aiMatrix3x3(transform).Determinant() < 0;
@@ -193,9 +204,9 @@ void colour_by_vertices(SourceModel& model) {
 
 Result<SourceModel> read_assimp(const std::filesystem::path& path, std::optional<UpAxis> up, Texcoords texcoords,
                                 const std::function<void()>& parsed) {
-  std::vector<std::string> not_opened;
+  FilesRead files;
   Assimp::Importer importer;
-  importer.SetIOHandler(std::make_unique<ModelFiles>(not_opened).release());  // which it owns
+  importer.SetIOHandler(std::make_unique<ModelFiles>(path, files).release());  // which it owns
   const SilentStreams silent;
   const aiScene* scene = importer.ReadFile(path.string(), 0);
   if (scene != nullptr) {
@@ -217,14 +228,14 @@ Result<SourceModel> read_assimp(const std::filesystem::path& path, std::optional
   parsed();
   SourceModel model;
   const aiMatrix4x4 turn = to_matrix(turn_up(up.value_or(up_of_format(*scene, path))));
-  MaterialReader materials(*scene, path.parent_path(), model);
+  MaterialReader materials(*scene, path, model);
   materials.read_all();
   if (const Result<Done> collected = Collector(*scene, turn, materials, texcoords, model).collect(); !collected) {
     return collected.failure();
   }
   colour_by_vertices(model);
   read_lights(*scene, turn, model);
-  warn_of_unread(path, not_opened, model);
+  warn_of_unread(path, files, model);
   return model;
 }
 

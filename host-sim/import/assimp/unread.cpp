@@ -3,23 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <fstream>
 #include <sstream>
 
+#include "import/ending.hpp"
 #include "report/number.hpp"
 #include "report/text.hpp"
 
 namespace zstrip::sim {
 namespace {
-
-std::string ending_of(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
 
 /// As the header of a PLY file says.
 std::uint64_t edges_of_ply(const std::filesystem::path& path) {
@@ -37,12 +30,13 @@ std::uint64_t edges_of_ply(const std::filesystem::path& path) {
 
 }  // namespace
 
-void warn_of_unread(const std::filesystem::path& path, const std::vector<std::string>& not_opened, SourceModel& model) {
+void warn_of_unread(const std::filesystem::path& path, const FilesRead& files, SourceModel& model) {
   const std::string ending = ending_of(path);
-  if (ending == ".obj" && !not_opened.empty()) {
+  model.warnings.insert(model.warnings.end(), files.warnings.begin(), files.warnings.end());
+  if (ending == ".obj" && !files.not_opened.empty()) {
     // What follows is a guess of Assimp's.
-    model.warnings.push_back(
-        fmt::format("materials '{}' cannot be opened; what uses them is drawn without", printable(not_opened.front())));
+    model.warnings.push_back(fmt::format("materials '{}' cannot be opened; what uses them is drawn without",
+                                         printable(files.not_opened.front())));
   }
   const std::uint64_t edges = ending == ".ply" ? edges_of_ply(path) : 0;
   if (edges > 0) {

@@ -4,10 +4,10 @@
 #include <assimp/metadata.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
-#include <string>
 #include <string_view>
+
+#include "import/ending.hpp"
 
 namespace zstrip::sim {
 namespace {
@@ -28,9 +28,7 @@ UpAxis up_of_format(const aiScene& scene, const std::filesystem::path& path) {
         {UpAxis::plus_x, UpAxis::minus_x}, {UpAxis::plus_y, UpAxis::minus_y}, {UpAxis::plus_z, UpAxis::minus_z}};
     if (axis >= 0 && axis < 3) return kAxes[axis][sign < 0 ? 1 : 0];
   }
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::ranges::find(kUpwardsZ, ending) != std::end(kUpwardsZ) ? UpAxis::plus_z : UpAxis::plus_y;
+  return std::ranges::find(kUpwardsZ, ending_of(path)) != std::end(kUpwardsZ) ? UpAxis::plus_z : UpAxis::plus_y;
 }
 
 }  // namespace zstrip::sim

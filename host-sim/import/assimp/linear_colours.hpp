@@ -1,0 +1,14 @@
+// Colours in proportion to light, as programs like Blender write them.
+#pragma once
+
+#include <assimp/scene.h>
+
+#include <filesystem>
+
+namespace zstrip::sim {
+
+/// Whether the file says that Blender wrote it: its diffuse colours are linear then, and those of other programs are as
+/// the screen shows them. OBJ says it in comments, which plain_mtl reads.
+bool has_linear_colours(const aiScene& scene, const std::filesystem::path& path);
+
+}  // namespace zstrip::sim

@@ -1,0 +1,103 @@
+// Small models of which each was refused or drawn wrong: a row a model, with the colours of places in its picture.
+#include <array>
+#include <string>
+#include <vector>
+
+#include "command_fixture.hpp"
+
+namespace zstrip::sim::test {
+namespace {
+
+using Rgb = std::array<int, 3>;
+constexpr Rgb kRed{255, 0, 0}, kGreen{0, 255, 0}, kLitRed{165, 0, 0}, kLitGreen{0, 165, 0}, kGrey{132, 132, 132},
+    kBlack{};
+
+/// A colour of the picture, in units of the model off the place that the camera looks at.
+struct Seen {
+  double right, up;
+  Rgb colour;
+};
+
+struct SmallModel {
+  std::string sentence, file;
+  std::vector<Seen> seen;
+  std::string place = "0,0,0";  ///< that the camera looks at, against z
+  int frame = 0;                ///< of five; 0: a single picture
+  std::vector<std::string> options{};
+};
+
+const std::vector<SmallModel>& small_models() {
+  static const std::vector<SmallModel> kModels{
+      {"ColoursOfBlendersObjAreLinear", "blender.obj", {{0, 0, {37, 48, 30}}}},
+      {"LinesOfMtlThatAreNotDrawnAreSkipped", "aniso.obj", {{0, 0, kLitRed}}},
+      {"AJointFarFromAMeshThatItDoesNotMoveIsNoError", "skin_small.gltf", {{0, 0, kRed}}, "0,1.65,0", 2},
+      {"BlendingWithoutATransparentPlaceIsOpaque", "blend_opaque.gltf", {{0, 0, kRed}}},
+      {"ARootOfTheSceneMayHangOutsideOfIt", "root_with_parent.gltf", {{0, 0, kRed}}},
+      {"ATexelOfAPaletteKeepsItsColour", "palette3.gltf", {{0, 0, kGreen}}},
+      {"TheLineBehindAByteOrderMarkCounts", "bom.obj", {{-.8, -.9, kGrey}}},
+      {"ColoursOfBlendersFbxAreLinear", "blender.fbx", {{0, 0, {37, 48, 30}}}},
+      {"ColoursOfBlendersColladaAreLinear", "blender.dae", {{0, 0, {37, 48, 30}}}},
+      {"NumbersOfObjNeedNoLeadingZero", "dot.obj", {{0, 0, kGrey}, {.97, .9, kBlack}}},
+      {"VertexColoursOfObjMayHaveAlpha", "rgba.obj", {{0, 0, kLitGreen}}},
+      {"AnObjectWithoutColoursBeforeOneWithKeepsItsOwn", "o_vcs.obj", {{-.5, 0, kGrey}, {.5, 0, kLitGreen}}},
+      {"MaterialsAreFoundInAnyCase", "case.obj", {{0, 0, kLitRed}}},
+      {"MaterialsAreFoundBehindABackslash", "backslash.obj", {{0, 0, kLitRed}}},
+      {"SpacesBehindNamesDoNotCount", "trail.obj", {{-.5, 0, kLitRed}, {.5, 0, kLitGreen}}},
+      {"AnAvatarIsAGlb", "c_avatar.vrm", {{0, 0, kRed}}},
+      {"LengthsOfChunksCount", "c_unpadded_json_0.glb", {{0, 0, kRed}}},
+      {"BytesBehindTheLastChunkDoNotCount", "c_json_only_tail.glb", {{0, 0, kRed}}},
+      {"AnAnimationOfOneKeyIsThePose", "one_key.gltf", {{.7, 0, kRed}, {0, 0, kBlack}}},
+      {"BytesBehindTheLastTriangleOfStlDoNotCount", "s_t.stl", {{0, 0, kGrey}}, "0,0,0", 0, {"--up", "y"}},
+      {"NormalsOfStlMayBeNoNumbers", "s_ni.stl", {{0, 0, kGrey}}, "0,0,0", 0, {"--up", "y"}},
+      {"ABlankLineMayStandBeforeSolid", "s_ls.stl", {{0, 0, kGrey}}, "0,0,0", 0, {"--up", "y"}},
+      {"MagicsWritesTheColourOfTheWholeIntoTheHeader", "s_mag.stl", {{0, 0, kLitGreen}}, "0,0,0", 0, {"--up", "y"}},
+  };
+  return kModels;
+}
+
+class SmallModels : public Command, public ::testing::WithParamInterface<SmallModel> {};
+
+TEST_P(SmallModels, HaveTheseColours) {
+  const SmallModel& model = GetParam();
+  const std::string eye = model.place.substr(0, model.place.rfind(',')) + ",5";
+  std::vector<std::string> arguments{"render",    ZSTRIP_SMALL_MODELS "/" + model.file,
+                                     "--size",    "64x64",
+                                     "--ortho",   "--fov",
+                                     "30",        "--eye",
+                                     eye,         "--look-at",
+                                     model.place, "-o"};
+  if (model.frame == 0) {
+    arguments.emplace_back("seen.png");
+  } else {
+    arguments.insert(arguments.end(), {"seen", "--frames", "5"});
+  }
+  arguments.insert(arguments.end(), model.options.begin(), model.options.end());
+  const Outcome outcome = zstrip(arguments);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << outcome.err;
+  const RgbImage image = picture(model.frame == 0 ? "seen.png" : files().at(static_cast<std::size_t>(model.frame)));
+  ASSERT_EQ(image.width, 64U);
+  constexpr double kPixels = 32 / 1.339746;  // a unit: the picture is 10 tan 15 degrees high
+  for (const auto& [right, up, colour] : model.seen) {
+    const std::uint8_t* const pixel =
+        image.pixel(static_cast<std::uint32_t>(32 + right * kPixels), static_cast<std::uint32_t>(32 - up * kPixels));
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(int{pixel[i]}, colour[i], 8) << right << ", " << up << ": " << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, SmallModels, ::testing::ValuesIn(small_models()),
+                         [](const auto& row) { return row.param.sentence; });
+
+using RefusedModels = Command;
+
+TEST_F(RefusedModels, AreNamedByWhatTheyAre) {
+  for (const auto& [file, words] : {std::pair{"c_lfs.glb", "is a Git LFS pointer, not the file"},
+                                    std::pair{"min21.gltf", "asset.minVersion 2.1 is more than 2.0"}}) {
+    const Outcome outcome = zstrip({"render", std::string(ZSTRIP_SMALL_MODELS "/") + file, "-o", "p.png"});
+    EXPECT_EQ(outcome.status, 4) << file;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace zstrip::sim::test
