@@ -59,7 +59,8 @@ void zstrip_player_seek(zstrip_player* player, uint32_t milliseconds);
 void zstrip_player_orbit(zstrip_player* player, uint16_t right, uint16_t up);
 /** Enlarges the picture; 100 is as baked. */
 void zstrip_player_zoom(zstrip_player* player, uint16_t percent);
-/** The first 24 bytes of `text`, none if it is null, and frames a second where `with_rate` is not 0; needs effect::overlay. */
+/** The first 24 bytes of `text`, none if it is null, and frames a second where `with_rate` is not 0; needs
+ * effect::overlay. */
 void zstrip_player_show_text(zstrip_player* player, const char* text, int with_rate);
 /** What was wrong with the last of the first three, in words, until it is called again; "" if nothing was. */
 const char* zstrip_player_error(zstrip_player* player);

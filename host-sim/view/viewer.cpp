@@ -21,7 +21,7 @@ namespace {
 constexpr double kZoomStep = 1.1;
 constexpr double kClosest = 0.05, kFarthest = 20;
 constexpr std::uint32_t kSmooth = 30;  // frames a second, about
-constexpr std::uint32_t kMostFrames = 10000;
+constexpr std::uint32_t kMaxFrames = 10000;
 
 /// Whether a pixel of the picture is the same pixel of the panel.
 bool lies_upright(const std::optional<PanelRequest>& panel) {
@@ -99,7 +99,7 @@ Result<Done> Viewer::reload() {
   frames_ = request_.frames;
   // The tree of a scene is made for its number of frames.
   if (request_.smooth && moves() && !drawing_->visibility.method.has(method::bsp)) {
-    frames_ = std::clamp(milliseconds() / (1000 / kSmooth), frames_, kMostFrames);
+    frames_ = std::clamp(milliseconds() / (1000 / kSmooth), frames_, kMaxFrames);
   }
   frame_ %= frames_;
   return Done{};

@@ -130,12 +130,12 @@ Result<Window> Window::open(const std::string& title) {
 }
 
 WindowSize Window::room() const {
-  constexpr std::uint32_t kLargest = 4096;
-  if (!has_screen()) return {kLargest, kLargest};
+  constexpr std::uint32_t kMaxSide = 4096;
+  if (!has_screen()) return {kMaxSide, kMaxSide};
   // The frame's size is known only when the window is shown; a title bar takes some twentieth of a screen's height.
   const SDL_Rect area = usable_area();
   const auto side = [](int all, int frame) { return static_cast<std::uint32_t>(std::max(all - frame, 1)); };
-  return {std::min(side(area.w, 16), kLargest), std::min(side(area.h, 24 + area.h / 30), kLargest)};
+  return {std::min(side(area.w, 16), kMaxSide), std::min(side(area.h, 24 + area.h / 30), kMaxSide)};
 }
 
 Result<Done> Window::resize(const WindowSize& size) {
