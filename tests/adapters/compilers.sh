@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# compilers.sh ROOT COMPILER: adapters compile with every release and variant of a library that their pages name, and one
-# that is too old ends with one error that says what to install.
+# compilers.sh ROOT COMPILER: adapters compile with every release and variant of a library that their pages name, and
+# one that is too old ends with one error that says what to install.
 set -euo pipefail
 cd "$1"
 here=tests/adapters
