@@ -108,6 +108,16 @@ test('the heat map is that of zstrip render --show accuracy', async () => {
   await assert.rejects(drawing.draw({look: 4}), (error) => error.status === 4 && /no truth can be drawn/.test(error.message));
 });
 
+test('all examples are shown in all ways, or a reason is given that is not internal', async () => {
+  const drawing = await load('zstrip-all.mjs');
+  for (const {scene} of examples) {
+    await drawing.open(scene, ['--size', '64x48']);
+    for (const look of ['wireframe', 'depth', 'overdraw']) {
+      await drawing.draw({look: kLooks.indexOf(look)}).catch(({status, message}) => assert.fail(`${scene} ${look}: ${status}, ${message}`));
+    }
+  }
+});
+
 test('headers, programs and blobs are those of zstrip bake', async () => {
   const drawing = await load('zstrip.mjs');
   for (const scene of ['teapot', 'fog.toml', 'gallery/chess.toml']) {

@@ -57,3 +57,8 @@ export function showFigures(figures) {
   showAccuracy(figures.accuracy);
   fill('boards', Object.entries(figures.rates).map(([board, rate]) => [board, rate.toPrecision(3)]));
 }
+
+export function clearFigures() {
+  for (const id of ['memory', 'work', 'boards']) fill(id, []);
+  showAccuracy(null);
+}
