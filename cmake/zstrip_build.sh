@@ -113,7 +113,7 @@ zstrip_progress() {
   done
 }
 
-# Runs a command with its output in the log, which is shown if the command fails.
+# Runs a command with its output in the log, which is shown if the command fails. Its 3 is passed on.
 zstrip_quietly() {
   local what=$1 progress status=0
   shift
@@ -127,7 +127,7 @@ zstrip_quietly() {
   if [ "$status" -ne 0 ]; then
     tail -n 60 "$zstrip_log" >&2
     zstrip_say "failed: $what; the whole log is $zstrip_log"
-    exit 1
+    exit $((status == 3 ? 3 : 1))
   fi
 }
 

@@ -1,13 +1,14 @@
-// The page has the programs for the Picos that it is told of, or says which it does not have.
+// The page has the programs for the Picos that it is told of, or says which it does not have; what its build lacks is named.
 import assert from 'node:assert/strict';
 import {spawnSync} from 'node:child_process';
-import {existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {dirname, join} from 'node:path';
 import {after, test} from 'node:test';
 import {fileURLToPath} from 'node:url';
 
-const kGather = join(dirname(fileURLToPath(import.meta.url)), '../../host-sim/play/gather_page.mjs');
+const kRoot = join(dirname(fileURLToPath(import.meta.url)), '../..');
+const kGather = join(kRoot, 'host-sim/play/gather_page.mjs');
 const work = mkdtempSync(join(tmpdir(), 'gather-page-'));
 after(() => rmSync(work, {recursive: true}));
 
@@ -51,4 +52,35 @@ test('what the build tree does not have is said', () => {
   assert.equal(status, 0);
   const has = JSON.parse(readFileSync(join(page, 'contents.json'))).programs.includes('pico');
   assert.equal(stdout.includes('the page is without zstrip_pico_player.uf2'), !has);
+});
+
+// On a machine that has the programs and headers of these names alone.
+function build(programs, headers, name = 'built') {
+  const machine = mkdtempSync(join(work, 'machine-'));
+  mkdirSync(join(machine, 'bin'));
+  mkdirSync(join(machine, 'include'));
+  for (const program of ['bash', 'env', 'dirname', 'readlink', ...programs]) {
+    symlinkSync(spawnSync('which', [program], {encoding: 'utf8'}).stdout.trim() || process.execPath, join(machine, 'bin', program));
+  }
+  for (const header of headers) mkdirSync(join(machine, 'include', header));
+  return spawnSync(join(kRoot, 'host-sim/play/build'), [join(machine, name)],
+    {encoding: 'utf8', env: {PATH: join(machine, 'bin'), ZSTRIP_HEADERS: join(machine, 'include')}});
+}
+
+const kHeaders = ['CLI', 'fmt', 'nlohmann', 'stb', 'toml++', 'utf8cpp'];
+
+test('what the build lacks is named by the packages that have it', () => {
+  const {status, stderr} = build([], []);
+  assert.equal(status, 3);
+  const named = stderr.split('--no-install-recommends ')[1].trim().split(' ');
+  const known = readFileSync(join(kRoot, 'cmake/zstrip_packages.txt'), 'utf8');
+  assert.equal(named.length, 11);
+  for (const name of named) assert.match(known, new RegExp(`^(host|play) +${name}$`, 'm'));
+});
+
+test('one missing header is named, and nothing of the build tool is said', () => {
+  const {status, stderr} = build(['node', 'cmake', 'ninja', 'emcmake'], kHeaders.slice(0, -1));
+  assert.equal(status, 3);
+  assert.match(stderr, /--no-install-recommends (node-acorn )?libutfcpp-dev\n$/);
+  assert.doesNotMatch(stderr, /CMake/);
 });

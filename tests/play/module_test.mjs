@@ -118,6 +118,16 @@ test('estimates say which effects they leave out', async () => {
   }
 });
 
+test('all examples are shown in all ways, or a reason is given that is not internal', async () => {
+  const drawing = await load('zstrip-all.mjs');
+  for (const {scene} of examples) {
+    await drawing.open(scene, ['--size', '64x48']);
+    for (const look of ['wireframe', 'depth', 'overdraw']) {
+      await drawing.draw({look: kLooks.indexOf(look)}).catch(({status, message}) => assert.fail(`${scene} ${look}: ${status}, ${message}`));
+    }
+  }
+});
+
 test('headers, programs and blobs are those of zstrip bake', async () => {
   const drawing = await load('zstrip.mjs');
   for (const scene of ['teapot', 'fog.toml', 'gallery/chess.toml']) {

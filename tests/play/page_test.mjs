@@ -90,6 +90,25 @@ test('the first picture is the command\'s', async () => {
   console.log(`first picture after ${Math.round(startTime)} ms`);
 });
 
+async function look(value) {
+  await browser.evaluate(`(() => {
+    document.body.dataset.state = 'asked';
+    const select = document.getElementById('look');
+    select.value = '${value}';
+    select.dispatchEvent(new Event('change', {bubbles: true}));
+  })()`);
+  await drawn();
+}
+
+test('how often pixels are drawn is shown by the larger module', async () => {
+  await look(3);
+  assert.equal(await browser.evaluate(`document.getElementById('look').value`), '3');
+  assert.doesNotMatch(await text('#status'), /exclude/);
+  await shows('teapot', ['--size', '200x160', '--show', 'overdraw']);
+  await look(0);
+  await shows('teapot', ['--size', '200x160']);
+});
+
 test('settings are those of the command', async () => {
   await set('size', '128x64');
   await drawn();
@@ -104,26 +123,60 @@ test('settings are those of the command', async () => {
   await shows('teapot', ['--size', '128x64', '--format', 'gray4', '--dither', '--depth-format', 'float']);
 });
 
-test('a value that is wrong is said, and the old picture stays', async () => {
-  await set('ram', '1K');
-  await drawn('failed');
-  assert.match(await text('#status'), /bytes missing/);
-  // Nothing is open: turning what is not there changes nothing.
-  await browser.drag('#canvas', 40, 0);
-  assert.match(await text('#status'), /bytes missing/);
-  await set('ram', '');
-  await drawn();
+// Nothing of a scene that was drawn before stays under a name or settings that failed.
+async function isCleared() {
+  const left = await browser.evaluate(`({
+    rows: document.querySelectorAll('tbody tr').length,
+    command: document.getElementById('command').textContent,
+    downloads: document.querySelectorAll('#downloads button:enabled').length,
+  })`);
+  assert.deepEqual(left, {rows: 0, command: '', downloads: 0});
+  assert.ok((await canvas()).rgb.every((byte) => byte === 0));
+}
+
+test('a value that is wrong is said beside its setting in the words of the page, and nothing old stays', async () => {
+  for (const [name, value, words] of [
+    ['ram', '1K', /bytes missing/],
+    ['ram', 'lots', /“RAM at most” 'lots' must be a number of bytes .* for example .*20K/],
+    ['size', '240', /“Size” '240' must be WIDTHxHEIGHT.* for example 320x240/],
+    ['strip-rows', 'some', /“Rows of a strip” 'some' must be a number of rows/],
+    ['frames', 'all', /“Frames”.*1.*10000/],
+  ]) {
+    await set(name, value);
+    await drawn('failed');
+    assert.match(await text('#status'), words);
+    assert.doesNotMatch(await text('#status'), /--/);
+    assert.match(await text(`#refused-${name}`), words);
+    assert.equal(await browser.evaluate(`document.querySelectorAll('[aria-invalid]').length`), 1);
+    await isCleared();
+    // Nothing is open: turning what is not there changes nothing.
+    await browser.drag('#canvas', 40, 0);
+    assert.match(await text('#status'), words);
+    await screenshots(`refused-${name}-${value}`);
+    await set(name, name === 'size' ? '128x64' : '');
+    await drawn();
+    assert.equal(await browser.evaluate(`document.querySelectorAll('[aria-invalid], .refused').length`), 0);
+  }
+  assert.equal(await browser.evaluate(`document.querySelectorAll('#downloads button:disabled').length`), 0);
 });
 
-async function look(value) {
+test('a scene that cannot be drawn leaves nothing of the one before', async () => {
+  const broken = join(ZSTRIP_WORK, 'broken.glb');
+  writeFileSync(broken, 'glTF, or not');
+  await browser.evaluate(`document.body.dataset.state = 'asked'`);
+  await browser.drop('#drop', [broken]);
+  await drawn('failed');
+  assert.match(await text('#status'), /broken\.glb/);
+  await isCleared();
+  await screenshots('broken');
   await browser.evaluate(`(() => {
     document.body.dataset.state = 'asked';
-    const select = document.getElementById('look');
-    select.value = '${value}';
+    const select = document.getElementById('example');
+    select.value = 'teapot';
     select.dispatchEvent(new Event('change', {bubbles: true}));
   })()`);
   await drawn();
-}
+});
 
 test('a heat map shows how different the picture is from the truth', async () => {
   await browser.evaluate(`document.body.dataset.state = 'asked'`);

@@ -59,3 +59,8 @@ export function showFigures(figures) {
   const leftOut = figures.estimate_leaves_out;
   document.getElementById('left-out').textContent = leftOut.length > 0 ? `The estimates leave out: ${leftOut.join(', ')}.` : '';
 }
+
+export function clearFigures() {
+  for (const id of ['memory', 'work', 'boards']) fill(id, []);
+  showAccuracy(null);
+}

@@ -1,11 +1,12 @@
 // The playground: controls and what is dropped decide what the worker draws, and a link holds them all.
 import {call} from './calls.mjs';
-import {showFigures} from './figures.mjs';
+import {clearFigures, showFigures} from './figures.mjs';
 import {chosenFiles, droppedFiles, sceneAmong, sceneEndings} from './files.mjs';
-import {showPicture} from './picture.mjs';
+import {clearPicture, showPicture} from './picture.mjs';
 import {
   bakeWordsOf, commandLineOf, kPicoPrograms, kSettings, kStartView, linkOf, optionsOf, settingsOf
 } from './settings.mjs';
+import {inWordsOfPage, settingOf} from './words.mjs';
 
 const kDegreesOfPixel = 0.4;
 const kDegreesOfKey = 5;
@@ -23,25 +24,41 @@ let opened = {frames: 64, milliseconds: 4000};
 let drawn;  // by the worker, and its figures
 let figures;
 let isOpen = false;
+let hasAll = false;  // the larger module is loaded
 let playing = false;
 let examples = [];
 let programs = [];  // the boards whose program the page has
 
 // ---- what is said ----
 function say(text, messages = []) {
-  element('status').textContent = text;
+  element('status').textContent = inWordsOfPage(text);
   element('status').classList.remove('failed');
   element('messages').replaceChildren(...[...new Set(messages)].map((message) => {
     const item = document.createElement('li');
-    item.textContent = message;
+    item.textContent = inWordsOfPage(message);
     return item;
   }));
+  for (const note of document.querySelectorAll('#settings .refused')) note.remove();
+  for (const control of element('settings').elements) {
+    for (const name of ['aria-invalid', 'aria-describedby']) control.removeAttribute(name);
+  }
 }
 
+// Beside the setting that it speaks of, too.
 function fail(error) {
   say(error.message, (error.messages ?? []).filter((message) => message !== error.message));
   element('status').classList.add('failed');
   document.body.dataset.state = 'failed';
+  const name = settingOf(error.message);
+  if (!name) return;
+  const control = element(`setting-${name}`);
+  const note = document.createElement('p');
+  note.className = 'refused';
+  note.id = `refused-${name}`;
+  note.textContent = inWordsOfPage(error.message);
+  control.setAttribute('aria-invalid', 'true');
+  control.setAttribute('aria-describedby', note.id);
+  control.after(note);
 }
 
 // ---- drawing ----
@@ -58,39 +75,51 @@ async function update(what) {
     while (wanted) {
       const now = wanted;
       wanted = undefined;
-      await (now === 'open' ? openAndDraw() : draw());
+      await (now === 'open' ? openAndDraw() : withAllPipelines(draw));
     }
     document.body.dataset.state = 'drawn';
   } catch (error) {
     wanted = undefined;
     setPlaying(false);
+    clear();
     fail(error);
   }
+  showLink();
   busy = false;
 }
 
-let messages = [];
-async function openAndDraw() {
-  isOpen = false;
-  say('Loading …');
-  const scene = await fetchExample();
-  const request = {scene, options: optionsOf(settings)};
-  const attempt = async () => {
-    opened = await call('open', request);
-    isOpen = true;
-    messages = opened.messages;
-    element('frame-number').max = opened.frames - 1;
-    view.frame = Math.min(view.frame, opened.frames - 1);
-    await draw();
-  };
+// Draws; what the smaller module refuses is opened and drawn once more by the larger one.
+async function withAllPipelines(attempt) {
   try {
     await attempt();
   } catch (error) {
-    if (error.status !== kInternalError) throw error;
+    if (error.status !== kInternalError || hasAll) throw error;
     say('Loading what draws this …');
     await call('loadAll');
-    await attempt();
+    hasAll = true;
+    await open();
+    await draw();
   }
+}
+
+let messages = [];
+async function open() {
+  opened = await call('open', {scene: settings.scene, options: optionsOf(settings)});
+  isOpen = true;
+  messages = opened.messages;
+  element('frame-number').max = opened.frames - 1;
+  view.frame = Math.min(view.frame, opened.frames - 1);
+}
+
+async function openAndDraw() {
+  isOpen = false;
+  setDownloads(false);
+  say('Loading …');
+  await fetchExample();
+  await withAllPipelines(async () => {
+    await open();
+    await draw();
+  });
 }
 
 // Of a scene that cannot be looked at so there are the colours, and why.
@@ -98,9 +127,11 @@ async function drawnOrColours() {
   try {
     return {drawn: await call('draw', view), refused: []};
   } catch (error) {
-    if (view.look === 0 || error.status === kInternalError) throw error;
+    const isInternal = error.status === kInternalError;
+    if (view.look === 0 || (isInternal && !hasAll)) throw error;
     view.look = 0;
     element('look').value = 0;
+    if (isInternal) await open();  // the module may have been started again
     return {drawn: await call('draw', view), refused: [error.message]};
   }
 }
@@ -115,6 +146,23 @@ async function draw() {
       `drawn in ${figures.strips.length || 'turned'} ${figures.strips.length === 1 ? 'strip' : 'strips'}`,
       [...refused, ...messages, ...figures.messages]);
   tell();
+  setDownloads(true);
+}
+
+// Nothing of the scene before stays under the name of the one that failed.
+function clear() {
+  drawn = figures = undefined;
+  clearPicture();
+  clearFigures();
+  element('command').textContent = '';
+  setDownloads(false);
+}
+
+function setDownloads(on) {
+  for (const button of element('downloads').children) button.disabled = !on;
+}
+
+function showLink() {
   history.replaceState(null, '', linkOf(settings, view));
   element('link').value = location.href;
 }
@@ -141,11 +189,10 @@ async function fetched(address, path) {
 // Examples are fetched when they are chosen first.
 async function fetchExample() {
   const example = examples.find(({scene}) => scene === settings.scene);
-  if (!example || !example.files || example.fetched) return settings.scene;
+  if (!example || !example.files || example.fetched) return;
   const files = await Promise.all(example.files.map((path) => fetched(`examples/${path}`, path)));
   await call('addFiles', files);
   example.fetched = true;
-  return settings.scene;
 }
 
 async function addFiles(reading) {
@@ -179,7 +226,7 @@ function showChoice() {
 }
 
 // ---- controls ----
-function addSetting({name, label, kind, choices, hint, pattern}) {
+function addSetting({name, label, kind, choices, hint}) {
   const text = document.createElement('label');
   text.htmlFor = `setting-${name}`;
   text.textContent = label;
@@ -195,9 +242,8 @@ function addSetting({name, label, kind, choices, hint, pattern}) {
   } else {
     control.value = settings[name] ?? '';
   }
-  if (kind === 'text') [control.placeholder, control.pattern] = [hint, pattern];
+  if (kind === 'text') control.placeholder = hint;
   control.addEventListener('change', () => {
-    if (!control.checkValidity()) return;
     settings[name] = kind === 'flag' ? (control.checked ? 'yes' : '') : control.value.trim();
     update('open');
   });

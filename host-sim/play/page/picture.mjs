@@ -17,6 +17,7 @@ function mark(strips, lit) {
 // What worker.mjs has drawn. Strips with times are shown when these have come; `borders`: around each strip.
 export function showPicture({figures, pixels}, borders) {
   cancelAnimationFrame(arrival);
+  canvas.classList.remove('empty');
   const {width, height, strips} = figures;
   const image = new ImageData(new Uint8ClampedArray(pixels), width, height);
   if (canvas.width !== width || canvas.height !== height) {
@@ -41,4 +42,10 @@ export function showPicture({figures, pixels}, borders) {
     if (arrived < strips.length) arrival = requestAnimationFrame(step);
   };
   step();
+}
+
+export function clearPicture() {
+  cancelAnimationFrame(arrival);
+  for (const each of [canvas, marks]) each.getContext('2d').clearRect(0, 0, each.width, each.height);
+  canvas.classList.add('empty');
 }

@@ -3,7 +3,7 @@
 // The first choice is the command's own, for which no option is given. `kind`: choice, flag or text;
 // `isBaked`: `zstrip bake` has it, too.
 export const kSettings = [
-  {name: 'size', label: 'Size', option: '--size', isBaked: true, kind: 'text', hint: '240x240', pattern: '[0-9]+x[0-9]+'},
+  {name: 'size', label: 'Size', option: '--size', isBaked: true, kind: 'text', hint: '240x240'},
   {
     name: 'format',
     label: 'Pixels',
@@ -12,8 +12,8 @@ export const kSettings = [
     choices: ['', 'rgb565', 'rgb565_swapped', 'rgb666', 'rgb444', 'xrgb8888', 'gray4', 'mono']
   },
   {name: 'dither', label: 'Dithering', option: '--dither', isBaked: true, kind: 'flag'},
-  {name: 'ram', label: 'RAM at most', option: '--ram', isBaked: true, kind: 'text', hint: '20K', pattern: '[0-9]+[KM]?'},
-  {name: 'strip-rows', label: 'Rows of a strip', option: '--strip-rows', isBaked: true, kind: 'text', hint: 'auto', pattern: '[0-9]+|auto'},
+  {name: 'ram', label: 'RAM at most', option: '--ram', isBaked: true, kind: 'text', hint: '20K or 1M'},
+  {name: 'strip-rows', label: 'Rows of a strip', option: '--strip-rows', isBaked: true, kind: 'text', hint: 'auto'},
   {name: 'samples', label: 'Samples a pixel', option: '--samples', isBaked: true, kind: 'choice', choices: ['', '2', '4']},
   {name: 'edges', label: 'Smooth edges', option: '--edges', isBaked: true, kind: 'flag'},
   {
@@ -43,7 +43,7 @@ export const kSettings = [
   },
   {name: 'rotation', label: 'Turned on the panel', option: '--rotation', kind: 'choice', choices: ['', '90', '180', '270']},
   {name: 'board', label: 'As fast as', option: '--board', kind: 'choice', choices: ['']},
-  {name: 'frames', label: 'Frames', option: '--frames', kind: 'text', hint: '64', pattern: '[0-9]+'},
+  {name: 'frames', label: 'Frames', option: '--frames', kind: 'text', hint: '64'},
 ];
 
 // How it is looked at, which the scene need not be read again for: `look` as zstrip_look has it.
