@@ -125,6 +125,7 @@ class Player {
   const Plan& plan() const { return plan_; }
 
  protected:
+  /// What was wrong with the last call, for the C functions, which have faults of their own. error() has the words.
   enum class Fault : std::uint8_t {
     none,
     null_scene,
@@ -144,6 +145,7 @@ class Player {
     display,
     not_taken,
   };
+  /// Keeps what was wrong for error(), and returns false.
   bool fail(Fault fault, const Status& status = {});
 
  private:
