@@ -78,7 +78,7 @@ TEST_F(AccuracyCommand, MeasuresOnlyTheDefaultOnSomeTargets) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_TRUE(outcome.out.starts_with("zstrip_scene_m0_00000000000008\nzstrip_scene_m3_00000000000008\n"))
       << outcome.out;
-  EXPECT_EQ(std::ranges::count(outcome.out, '\n'), 1 + 6) << outcome.out;
+  EXPECT_EQ(std::ranges::count(outcome.out, '\n'), 1 + 4) << outcome.out;
 }
 
 // Words for a browser: what a person would do, and what is then on the page.
