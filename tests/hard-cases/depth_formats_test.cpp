@@ -204,7 +204,7 @@ struct AnyDepthScene {
   View view;
   DepthKind kind;
 
-  AnyDepthScene() : kind(kDepthKinds[between(0, 5)]) {
+  AnyDepthScene() : kind(kDepthKinds[between(0, static_cast<int>(std::size(kDepthKinds)) - 1)]) {
     model = picture::random_model(static_cast<unsigned>(between(0, 1'000'000)), between(1, 60),
                                   between(0, 1) == 0 ? 1500 : 20000);
     if (between(0, 1) == 0) {

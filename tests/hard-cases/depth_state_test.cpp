@@ -119,7 +119,7 @@ TEST(HardCases, D35_AllEightComparisons) {
 struct AnyTriangle {
   std::vector<Corners2> corners{any_triangle(between(0, 1) == 0 ? between(1, 90) : between(90, 3000))};
   std::vector<std::array<int, 3>> z{{between(-30000, 30000), between(-30000, 30000), between(-30000, 30000)}};
-  DepthKind kind = kDepthKinds[between(0, 5)];
+  DepthKind kind = kDepthKinds[between(0, static_cast<int>(std::size(kDepthKinds)) - 1)];
 
   Layers twice(const Material& second) const {
     Layers layers;

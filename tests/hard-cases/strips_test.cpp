@@ -136,7 +136,7 @@ RC_GTEST_PROP(HardCases, E51_BinsColumnsAndOverflowChangeNeitherPixelNorDepth, (
   Effects depth{};
   if (any.camera.projection == Projection::perspective) {
     constexpr Effects kFormats[] = {{}, effect::depth_float, effect::depth_24};
-    depth = kFormats[static_cast<std::size_t>(between(0, 4))];
+    depth = kFormats[static_cast<std::size_t>(between(0, static_cast<int>(std::size(kFormats)) - 1))];
   }
   any.model.material.depth_bias = static_cast<decltype(any.model.material.depth_bias)>(between(0, 1) * 5);
   const DepthPicture whole =
