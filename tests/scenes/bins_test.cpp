@@ -40,9 +40,9 @@ TEST(Bins, HoldAFigureFromEachSideAndInEachPose) {
   for (const std::uint16_t rows : std::array<std::uint16_t, 7>{8, 16, 20, 28, 40, 80, 160}) {
     EXPECT_EQ(overflows(rows, [](auto& staged, auto frame) { stage_workload(scenes::character, staged, frame); }), 0U)
         << "walking, " << rows << " rows";
-    EXPECT_EQ(overflows(rows, [](auto& staged,
-                                 auto frame) { stage(scenes::character, staged, frame, kPoses, kFigureView); }),
-              0U)
+    EXPECT_EQ(
+        overflows(rows, [](auto& staged, auto frame) { stage(scenes::character, staged, frame, kPoses, kFigureView); }),
+        0U)
         << "turning, " << rows << " rows";
   }
 }
