@@ -68,7 +68,7 @@ struct FacingParts {
 /// have room for. `character`, seen from the side that most of it faces, has 61 % of its triangles there.
 inline constexpr std::uint64_t kFacingOnAverage = 4, kFacingAtMost = 5;
 
-/// Of `all`, which are 1 / `boxes` of their boxes, so many eighths face; all if some material shows its back faces.
+/// Eighths of `all` that face; all if a material shows its back faces. The triangles fill 1 / `boxes` of their boxes.
 constexpr FacingParts facing_parts(std::uint32_t all, std::uint32_t boxes, std::uint64_t eighths, Effects effects,
                                    const View& view, const Plan& plan) {
   const std::uint64_t count = all < 2 ? 1 : effects.has(effect::two_sided) ? all : (all * eighths + 7) / 8;

@@ -101,7 +101,7 @@ int fraction_bits(std::span<const Transform> matrices) {
   return bits;
 }
 
-/// Whether the joint has a weight at a vertex. The first joint of a vertex always has one.
+/// True if the joint has a weight at a vertex. The first joint of a vertex always has one.
 bool has_weight(const Skin& skin, std::size_t joint) {
   for (const VertexJoints& vertex : skin.vertices) {
     for (int k = 0; k < 4; ++k) {

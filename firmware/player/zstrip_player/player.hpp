@@ -125,7 +125,7 @@ class Player {
   const Plan& plan() const { return plan_; }
 
  protected:
-  /// What was wrong with the last call, for the C functions, which have faults of their own. error() has the words.
+  /// Faults of the last call; the C functions add faults of their own. error() has the words.
   enum class Fault : std::uint8_t {
     none,
     null_scene,

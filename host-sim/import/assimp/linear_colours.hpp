@@ -7,7 +7,7 @@
 
 namespace zstrip::sim {
 
-/// Whether the file says that Blender wrote it: its diffuse colours are linear then, and those of other programs are as
+/// True if the file says that Blender wrote it: its diffuse colours are linear then, and those of other programs are as
 /// the screen shows them. OBJ says it in comments, which plain_mtl reads.
 bool has_linear_colours(const aiScene& scene, const std::filesystem::path& path);
 

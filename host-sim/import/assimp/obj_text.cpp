@@ -173,7 +173,7 @@ struct MtlMaterial {
   bool bad_colour = false, emits = false;
 };
 
-/// Whether options of a texture scale it (-s) or move it (-o).
+/// True if options of a texture scale it (-s) or move it (-o).
 bool is_placed(std::string_view texture) {
   double neutral = -1;  // none: these numbers place nothing
   for (std::string_view word = take_word(texture); !word.empty(); word = take_word(texture)) {
