@@ -1,21 +1,39 @@
-// What the assembly, in Thumb-1 and Thumb-2, expects of the records of a scene, of transformed vertices and of numbers.
+// Layout of a scene's records, of transformed vertices and of pixels, for assembly.
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 
 #include "zstrip/geometry/project.hpp"
 #include "zstrip/kernels/processor.hpp"
+#include "zstrip/kernels/thumb/layout.hpp"
 #include "zstrip/scene.hpp"
+
+// clang-format off
+#define ZSTRIP_RECORDS(field, number)           \
+  field(position, Position, x, 0)               \
+  field(position, Position, y, 2)               \
+  field(position, Position, z, 4)               \
+  number(position.size, sizeof(Position), 6)    \
+  field(triangle, Triangle, a, 0)               \
+  field(triangle, Triangle, b, 2)               \
+  field(triangle, Triangle, c, 4)               \
+  number(triangle.size, sizeof(Triangle), 6)    \
+  field(colour, Colour, r, 0)                   \
+  field(colour, Colour, g, 1)                   \
+  field(colour, Colour, b, 2)                   \
+  number(colour.size, sizeof(Colour), 4)        \
+  field(vertex, SnappedVertex, x, 0)            \
+  field(vertex, SnappedVertex, y, 2)            \
+  field(vertex, SnappedVertex, depth, 4)        \
+  number(vertex.size, sizeof(SnappedVertex), 8) \
+  number(cell, sizeof(std::uint16_t), 2) /* of depth, and a pixel */
+// clang-format on
 
 namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1 || ZSTRIP_HAS_THUMB2
 
-static_assert(sizeof(Position) == 6 && offsetof(Position, y) == 2 && offsetof(Position, z) == 4);
-static_assert(sizeof(Triangle) == 6 && offsetof(Triangle, b) == 2 && offsetof(Triangle, c) == 4);
-static_assert(sizeof(Colour) == 4 && offsetof(Colour, r) == 0 && offsetof(Colour, g) == 1 && offsetof(Colour, b) == 2);
-static_assert(sizeof(SnappedVertex) == 8 && offsetof(SnappedVertex, x) == 0 && offsetof(SnappedVertex, y) == 2 &&
-              offsetof(SnappedVertex, depth) == 4);
+ZSTRIP_CHECK_LAYOUT(ZSTRIP_RECORDS)
 static_assert(kPixelCentre == 15 && kNarrowLimit == 1 << 14 && kNotNarrow == -0x8000);
 static_assert(snap_depth(0xFFFFFFFF) == 0xFFFFE000 && snap_depth(0) == 0x2000);
 

@@ -2,16 +2,17 @@
 // functions get lost where the linker puts the files' code in another order.
 #pragma once
 
-// Saves r4 to r11 and lr, 36 bytes.
+// Saves r4 to r11 and lr, .Lsaved bytes: behind them on the stack are the arguments from the fifth on.
 #define ZSTRIP_THUMB1_PUSH \
   ".syntax unified\n"      \
+  ".set .Lsaved, 36\n"     \
   "push  {r4-r7, lr}\n"    \
   "mov   r4, r8\n"         \
   "mov   r5, r9\n"         \
   "mov   r6, r10\n"        \
   "mov   r7, r11\n"        \
   "push  {r4-r7}\n"
-// The same back, and returns.
+// Restores the registers that ZSTRIP_THUMB1_PUSH saved, then returns.
 #define ZSTRIP_THUMB1_POP \
   "pop   {r4-r7}\n"       \
   "mov   r8, r4\n"        \

@@ -12,20 +12,35 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
 
-static_assert(sizeof(LinearHalves) == 28 && offsetof(LinearHalves, offset) == 8);
-static_assert(offsetof(HalvedTransform, x) == 0 && offsetof(HalvedTransform, y) == 28 &&
-              offsetof(HalvedTransform, w) == 56);
-static_assert(offsetof(HalvedTransform, w_near) == 84 && offsetof(HalvedTransform, w_range) == 88);
-static_assert(offsetof(HalvedTransform, shift_x) == 92 && offsetof(HalvedTransform, bias_y) == 104);
-static_assert(offsetof(HalvedTransform, depth_scale_low) == 108 && offsetof(HalvedTransform, depth_offset) == 124);
+// clang-format off
+#define ZSTRIP_HALVED_TRANSFORM(field, number)            \
+  number(form.size, sizeof(LinearHalves), 28)             \
+  field(form, LinearHalves, offset, 8)                    \
+  field(transform, HalvedTransform, x, 0)                 \
+  field(transform, HalvedTransform, y, 28)                \
+  field(transform, HalvedTransform, w, 56)                \
+  field(transform, HalvedTransform, w_near, 84)           \
+  field(transform, HalvedTransform, w_range, 88)          \
+  field(transform, HalvedTransform, shift_x, 92)          \
+  field(transform, HalvedTransform, bias_y, 104)          \
+  field(transform, HalvedTransform, depth_scale_low, 108) \
+  field(transform, HalvedTransform, depth_offset, 124)
+// clang-format on
+ZSTRIP_CHECK_LAYOUT(ZSTRIP_HALVED_TRANSFORM)
 
-// r8 x and r9 y, r10 the next position, r11 the next vertex, r12 the normalisation of the last w, lr how many are left.
-// On the stack: 0 the transform, 4 whether all so far are narrow, 8 the table of reciprocals for an index that begins
-// at 256.
+// r8 x and r9 y, r10 the next position, r11 the next vertex, r12 the normalisation of the last w, lr behind the last
+// vertex. For each vertex r7 walks through the transform from its first member to its last: an ldm of two bytes loads
+// up to three of them, and none needs an address.
 [[gnu::naked]] static bool transform(const HalvedTransform&, const Position*, std::uint32_t, SnappedVertex*,
                                      const std::uint16_t*) {
-  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL R"(
-    @ r3: a form, whose halves begin at r7, at the position in r4, r5 and r6. Moves r7 behind it.
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL R"(
+    @ On the stack:
+    .set .Lstack.transform, 0
+    .set .Lstack.narrow, 4            @ 1 while all vertices are narrow
+    .set .Lstack.reciprocals, 8       @ the table for an index that begins at 256
+
+    @ r3: a form, whose halves begin at r7, at the position in r4, r5 and r6: the offset and the upper words of three
+    @ products, floor. Moves r7 behind the form. Uses r1 and r2.
     .macro zstrip_form
       ldm   r7!, {r1-r3}
       muls  r1, r1, r4
@@ -46,7 +61,8 @@ static_assert(offsetof(HalvedTransform, depth_scale_low) == 108 && offsetof(Halv
       muls  r2, r2, r6
       adds  r3, r3, r2
     .endm
-    ldr   r4, [sp, #36]
+
+    ldr   r4, [sp, #.Lsaved]          @ the fifth argument
     movs  r5, #2
     lsls  r5, r5, #8
     subs  r6, r4, r5
@@ -54,37 +70,39 @@ static_assert(offsetof(HalvedTransform, depth_scale_low) == 108 && offsetof(Halv
     movs  r4, r0
     push  {r4-r6}
     mov   r10, r1
-    lsls  r2, r2, #3
+    lsls  r2, r2, #3                  @ vertices of 8 bytes
     adds  r2, r2, r3
-    mov   lr, r2                      @ behind the last vertex
+    mov   lr, r2
     mov   r11, r3
     movs  r6, #0
     mov   r12, r6
-  1:
+  1:                                  @ r4, r5 and r6 the position, r7 the transform
     mov   r0, r10
-    ldrh  r4, [r0]
-    ldrh  r5, [r0, #2]
-    ldrh  r6, [r0, #4]
+    ldrh  r4, [r0, #.Lposition.x]
+    ldrh  r5, [r0, #.Lposition.y]
+    ldrh  r6, [r0, #.Lposition.z]
     sxth  r4, r4
     sxth  r5, r5
     sxth  r6, r6
-    adds  r0, r0, #6
+    adds  r0, r0, #.Lposition.size
     mov   r10, r0
-    ldr   r7, [sp]
+    ldr   r7, [sp, #.Lstack.transform]
     zstrip_form
     mov   r8, r3
     zstrip_form
     mov   r9, r3
     zstrip_form
-    ldm   r7!, {r1-r2}
+    ldm   r7!, {r1-r2}                @ w_near, w_range
     subs  r1, r3, r1
     cmp   r1, r2
     bls   2f
     b     5f
   2:
+    @ 1 / w in r3, its halves in r4 and r5. x is done first, in r8, where 1 / w stays for the depth. r6 is what w was
+    @ normalised by, which shifts are less.
     movs  r2, r3
     mov   r6, r12
-    ldr   r5, [sp, #8]
+    ldr   r5, [sp, #.Lstack.reciprocals]
     zstrip_reciprocal
     mov   r12, r6
     uxth  r4, r3
@@ -96,7 +114,7 @@ static_assert(offsetof(HalvedTransform, depth_scale_low) == 108 && offsetof(Halv
     subs  r1, r1, r6
     asrs  r0, r0, r1
     adds  r0, r0, r2
-    asrs  r0, r0, #1
+    asrs  r0, r0, #1                  @ x, to r9, from where y comes
     mov   r1, r9
     mov   r9, r0
     movs  r0, r1
@@ -107,7 +125,7 @@ static_assert(offsetof(HalvedTransform, depth_scale_low) == 108 && offsetof(Halv
     adds  r0, r0, r2
     asrs  r0, r0, #1                  @ y
     mov   r1, r9                      @ x
-    movs  r2, #1
+    movs  r2, #1                      @ narrow: both within +-kNarrowLimit, one test for two
     lsls  r2, r2, #14
     adds  r3, r1, r2
     adds  r2, r2, r0
@@ -116,9 +134,9 @@ static_assert(offsetof(HalvedTransform, depth_scale_low) == 108 && offsetof(Halv
     beq   3f
     b     5f
   3:
-    mov   r2, r11
-    strh  r1, [r2]
-    strh  r0, [r2, #2]
+    mov   r2, r11                     @ the vertex
+    strh  r1, [r2, #.Lvertex.x]
+    strh  r0, [r2, #.Lvertex.y]
     ldm   r7!, {r3-r5}                @ halves of the depth's scale, its normalisation
     mov   r0, r8
     subs  r5, r5, r6
@@ -132,8 +150,8 @@ static_assert(offsetof(HalvedTransform, depth_scale_low) == 108 && offsetof(Halv
     adds  r0, r0, #1
     lsls  r0, r0, #13
   4:
-    str   r0, [r2, #4]
-    adds  r2, r2, #8
+    str   r0, [r2, #.Lvertex.depth]
+    adds  r2, r2, #.Lvertex.size
     mov   r11, r2
     cmp   r2, lr
     beq   6f
@@ -142,12 +160,12 @@ static_assert(offsetof(HalvedTransform, depth_scale_low) == 108 && offsetof(Halv
     movs  r0, #1
     lsls  r0, r0, #15                 @ kNotNarrow, 0; its depth 0
     mov   r2, r11
-    str   r0, [r2]
+    str   r0, [r2, #.Lvertex.x]       @ and y
     movs  r0, #0
-    str   r0, [sp, #4]
+    str   r0, [sp, #.Lstack.narrow]
     b     4b
   6:
-    pop   {r1-r3}
+    pop   {r1-r3}                     @ r2: .Lstack.narrow
     movs  r0, r2
     .purgem zstrip_form
   )" ZSTRIP_THUMB1_PURGE_RECIPROCAL ZSTRIP_THUMB1_POP);

@@ -1,5 +1,5 @@
 // The assembly behind thumb/small_triangle.hpp. GCC has a dozen registers for twice as many values and moves a third
-// of them to the stack and back; by hand all fit. Offsets are thumb/small_layout.hpp's.
+// of them to the stack and back; by hand all fit.
 #include "zstrip/kernels/thumb/small_triangle.hpp"
 
 #include "zstrip/kernels/small_scan.hpp"
@@ -10,15 +10,19 @@ namespace zstrip::detail {
 #if ZSTRIP_HAS_THUMB2
 
 // Used: small_run.cpp calls it by its name.
+//
+// r0 is the scan throughout. Weights stay in registers to the end: at the anchor r7 and r8, right r12 and r10, down r11
+// and r9, of vertices 1 and 2. Edges come first, because they need no quotient; then r4, the area, becomes its inverse.
+// Depth comes before channels, whose products need the weights scaled.
 [[gnu::naked, gnu::used]] void set_up_small_thumb(SmallScan&, const SnappedVertex&, const SnappedVertex&,
                                                   const SnappedVertex&) {
-  asm(R"(
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_SMALL_SCAN) R"(
     @ A channel's plane: start r1, steps r2 and r3, from the channel at offset \at of the scan. Needs the inverse area
     @ in r4 and the weights of vertices 1 and 2, scaled: at the anchor r7 and r8, right r12 and r10, down r11 and r9.
     .macro zstrip_small_channel at
       ldrb  lr, [r0, #\at]
-      ldrb  r5, [r0, #\at + 4]
-      ldrb  r6, [r0, #\at + 8]
+      ldrb  r5, [r0, #\at + .Lcolour.size]
+      ldrb  r6, [r0, #\at + 2 * .Lcolour.size]
       subs  r5, r5, lr
       subs  r6, r6, lr
       mul   r1, r5, r7
@@ -35,14 +39,14 @@ namespace zstrip::detail {
     .endm
 
     push  {r4-r11, lr}
-    ldrd  r5, r6, [r0, #88]           @ anchor
-    ldr   r4, [r0, #84]               @ area
-    ldrsh r7, [r1]
-    ldrsh r8, [r1, #2]
-    ldrsh r9, [r2]
-    ldrsh r10, [r2, #2]
-    ldrsh r11, [r3]
-    ldrsh r12, [r3, #2]
+    ldrd  r5, r6, [r0, #.Lsmall.anchor_x] @ anchor
+    ldr   r4, [r0, #.Lsmall.area]     @ area
+    ldrsh r7, [r1, #.Lvertex.x]
+    ldrsh r8, [r1, #.Lvertex.y]
+    ldrsh r9, [r2, #.Lvertex.x]
+    ldrsh r10, [r2, #.Lvertex.y]
+    ldrsh r11, [r3, #.Lvertex.x]
+    ldrsh r12, [r3, #.Lvertex.y]
     rsb   r5, r7, r5, lsl #4
     rsb   r6, r8, r6, lsl #4
     adds  r5, r5, #15                 @ from vertex 0 to the anchor's centre
@@ -56,6 +60,7 @@ namespace zstrip::detail {
     mul   r8, r5, r10
     mla   r8, r6, r9, r8
 
+    @ The packed edges, PackedEdges::field() of each in its place: their sum in lr.
     add   r5, r12, r10                @ the third edge, opposite to vertex 0
     add   r6, r11, r9
     rsbs  r5, r5, #0
@@ -69,11 +74,11 @@ namespace zstrip::detail {
     lsls  r5, r5, #22                 @ steps of the packed word
     add   r5, r5, r12, lsl #11
     add   r5, r5, r10
-    str   r5, [r0, #16]
+    str   r5, [r0, #.Lsmall.step_x_edges]
     lsls  r6, r6, #22
     add   r6, r6, r11, lsl #11
     add   r6, r6, r9
-    str   r6, [r0, #32]
+    str   r6, [r0, #.Lsmall.step_y_edges]
     add   r5, r11, r12, lsl #16       @ fields of the edges of weights 1 and 2
     add   r5, r7, r5, asr #31
     asrs  r5, r5, #4
@@ -81,11 +86,12 @@ namespace zstrip::detail {
     add   r5, r9, r10, lsl #16
     add   r5, r8, r5, asr #31
     add   lr, lr, r5, asr #4
-    str   lr, [r0]
+    str   lr, [r0, #.Lsmall.start_edges]
 
-    ldr   r1, [r1, #4]
-    ldr   r2, [r2, #4]
-    ldr   r3, [r3, #4]
+    @ Depth. r2 and r3 are a unit of each weight, rounded by what smull leaves in the lower word.
+    ldr   r1, [r1, #.Lvertex.depth]
+    ldr   r2, [r2, #.Lvertex.depth]
+    ldr   r3, [r3, #.Lvertex.depth]
     mvn   r5, #0x80000000
     udiv  r4, r5, r4                  @ (2^31 - 1) / area
     subs  r2, r2, r1
@@ -98,47 +104,54 @@ namespace zstrip::detail {
     add   r3, r3, r5, lsr #31
     mla   r1, r2, r7, r1
     mla   r1, r3, r8, r1
-    str   r1, [r0, #4]
+    str   r1, [r0, #.Lsmall.start_depth]
     mul   r5, r2, r12
     mla   r5, r3, r10, r5
     lsls  r5, r5, #4
-    str   r5, [r0, #20]
+    str   r5, [r0, #.Lsmall.step_x_depth]
     mul   r6, r2, r11
     mla   r6, r3, r9, r6
     lsls  r6, r6, #4
-    str   r6, [r0, #36]
+    str   r6, [r0, #.Lsmall.step_y_depth]
 
+    @ Channels. Scaled, the weights' products with 1 / area have a channel's 8.8 in their upper words. Red waits on the
+    @ stack until blue, which ends up in the same registers, is added to it.
     lsls  r7, r7, #9
     lsl   r8, r8, #9
     lsl   r12, r12, #13
     lsl   r10, r10, #13
     lsl   r11, r11, #13
     lsl   r9, r9, #13
-    zstrip_small_channel 73
-    str   r1, [r0, #8]
-    str   r2, [r0, #24]
-    str   r3, [r0, #40]
-    zstrip_small_channel 72
+    zstrip_small_channel .Lsmall.colours+.Lcolour.g
+    str   r1, [r0, #.Lsmall.start_green]
+    str   r2, [r0, #.Lsmall.step_x_green]
+    str   r3, [r0, #.Lsmall.step_y_green]
+    zstrip_small_channel .Lsmall.colours+.Lcolour.r
     push  {r1, r2, r3}
-    zstrip_small_channel 74
+    zstrip_small_channel .Lsmall.colours+.Lcolour.b
     pop   {r5, r6, lr}
     add   r1, r1, r5, lsl #16
     add   r2, r2, r6, lsl #16
     add   r3, r3, lr, lsl #16
-    str   r1, [r0, #12]
-    str   r2, [r0, #28]
-    str   r3, [r0, #44]
+    str   r1, [r0, #.Lsmall.start_red_blue]
+    str   r2, [r0, #.Lsmall.step_x_red_blue]
+    str   r3, [r0, #.Lsmall.step_y_red_blue]
     pop   {r4-r11, pc}
     .purgem zstrip_small_channel
   )");
 }
 
 // Used: small_run.cpp calls it by its name.
+//
+// r1 to r4 edges, depth, green, red and blue, r5 to r8 their steps to the right, r9 the cell, r10 from behind it to its
+// pixel, r11 columns left, lr the signs of edges. r0 is the scan, and in the loop over pixels a temporary.
 [[gnu::naked, gnu::used]] void scan_small_thumb(SmallScan&) {
-  asm(R"(
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_SMALL_SCAN) R"(
+    .set .Lstack.scan, 0
+
     push  {r0, r4-r11, lr}
-    movw  lr, #0x0400                 @ the signs of the packed edges
-    movt  lr, #0x8020
+    movw  lr, #.Lsmall.signs & 0xFFFF
+    movt  lr, #.Lsmall.signs >> 16
   .Lsmall_row:
     ldm   r0, {r1-r12}                @ this row's starts, steps to the right, steps down
     add   r9, r9, r1
@@ -146,13 +159,14 @@ namespace zstrip::detail {
     add   r11, r11, r3
     add   r12, r12, r4
     stm   r0, {r9-r12}                @ the next row's starts
-    ldrd  r9, r10, [r0, #48]
-    ldrd  r11, r12, [r0, #56]
+    ldrd  r9, r10, [r0, #.Lsmall.depth_row]
+    ldrd  r11, r12, [r0, #.Lsmall.depth_stride]
     add   r11, r9, r11, lsl #1
     add   r12, r10, r12, lsl #1
-    strd  r11, r12, [r0, #48]
-    ldr   r12, [r0, #64]
+    strd  r11, r12, [r0, #.Lsmall.depth_row] @ the next row's cells
+    ldr   r12, [r0, #.Lsmall.width]
     mov   r11, r12                    @ columns left
+    @ Up to the first covered pixel only the edges are stepped; then one product each moves the other values there.
   .Lsmall_skip:
     tst   r1, lr
     beq   .Lsmall_first
@@ -166,14 +180,14 @@ namespace zstrip::detail {
     mla   r3, r7, r12, r3
     mla   r4, r8, r12, r4
     sub   r10, r10, r9
-    subs  r10, r10, #2                @ from behind a cell of depth to its pixel
+    subs  r10, r10, #.Lcell           @ from behind a cell of depth to its pixel
     add   r9, r9, r12, lsl #1
   .Lsmall_pixel:
-    ldrh  r12, [r9], #2
+    ldrh  r12, [r9], #.Lcell
     cmp   r12, r2, lsr #16
     bhs   .Lsmall_hidden
     lsrs  r12, r2, #16
-    strh  r12, [r9, #-2]
+    strh  r12, [r9, #-.Lcell]
     lsrs  r0, r4, #27                 @ red, the upper 5 of 8 bits of the upper half
     ubfx  r12, r3, #10, #6
     orr   r12, r12, r0, lsl #6
@@ -190,31 +204,34 @@ namespace zstrip::detail {
     tst   r1, lr
     beq   .Lsmall_pixel
   .Lsmall_row_done:
-    ldr   r0, [sp]
+    ldr   r0, [sp, #.Lstack.scan]
   .Lsmall_next_row:
-    ldr   r12, [r0, #68]
+    ldr   r12, [r0, #.Lsmall.height]
     subs  r12, r12, #1
-    str   r12, [r0, #68]
+    str   r12, [r0, #.Lsmall.height]
     bne   .Lsmall_row
     pop   {r0, r4-r11, pc}
   )");
 }
 
+// r0 the scan, r1 and r2 edges and depth, r3 and r4 their steps to the right, r5 and r6 rows of depth and colour, r7
+// the colour, r8 columns left, r12 the cell, r10 from behind it to its pixel, lr the signs of edges: rows stay in
+// registers.
 [[gnu::naked]] void scan_small_flat_thumb(SmallScan&) {
-  asm(R"(
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_SMALL_SCAN) R"(
     push  {r4-r11, lr}
-    movw  lr, #0x0400                 @ the signs of the packed edges
-    movt  lr, #0x8020
-    ldrd  r3, r4, [r0, #16]           @ steps to the right: edges and depth
-    ldrd  r5, r6, [r0, #48]
-    ldrh  r7, [r0, #104]
+    movw  lr, #.Lsmall.signs & 0xFFFF
+    movt  lr, #.Lsmall.signs >> 16
+    ldrd  r3, r4, [r0, #.Lsmall.step_x_edges] @ steps to the right: edges and depth
+    ldrd  r5, r6, [r0, #.Lsmall.depth_row]
+    ldrh  r7, [r0, #.Lsmall.flat_colour]
   .Lflat_row:
-    ldrd  r1, r2, [r0]                @ this row's starts
-    ldrd  r9, r10, [r0, #32]
+    ldrd  r1, r2, [r0, #.Lsmall.start_edges] @ this row's starts
+    ldrd  r9, r10, [r0, #.Lsmall.step_y_edges]
     add   r9, r9, r1
     add   r10, r10, r2
-    strd  r9, r10, [r0]               @ the next row's starts
-    ldr   r11, [r0, #64]
+    strd  r9, r10, [r0, #.Lsmall.start_edges] @ the next row's starts
+    ldr   r11, [r0, #.Lsmall.width]
     mov   r8, r11                     @ columns left
   .Lflat_skip:
     tst   r1, lr
@@ -228,13 +245,13 @@ namespace zstrip::detail {
     mla   r2, r4, r11, r2
     add   r12, r5, r11, lsl #1
     sub   r10, r6, r5
-    subs  r10, r10, #2                @ from behind a cell of depth to its pixel
+    subs  r10, r10, #.Lcell           @ from behind a cell of depth to its pixel
   .Lflat_pixel:
-    ldrh  r9, [r12], #2
+    ldrh  r9, [r12], #.Lcell
     cmp   r9, r2, lsr #16
     bhs   .Lflat_hidden
     lsr   r9, r2, #16
-    strh  r9, [r12, #-2]
+    strh  r9, [r12, #-.Lcell]
     strh  r7, [r12, r10]
   .Lflat_hidden:
     add   r1, r1, r3
@@ -244,12 +261,12 @@ namespace zstrip::detail {
     tst   r1, lr
     beq   .Lflat_pixel
   .Lflat_next_row:
-    ldrd  r9, r10, [r0, #56]
-    ldr   r11, [r0, #68]
+    ldrd  r9, r10, [r0, #.Lsmall.depth_stride]
+    ldr   r11, [r0, #.Lsmall.height]
     add   r5, r5, r9, lsl #1
     add   r6, r6, r10, lsl #1
     subs  r11, r11, #1
-    str   r11, [r0, #68]
+    str   r11, [r0, #.Lsmall.height]
     bne   .Lflat_row
     pop   {r4-r11, pc}
   )");

@@ -1,0 +1,18 @@
+// Names for the assembler: offsets of members and numbers that assembly for Thumb-1 and Thumb-2 shares with C++.
+//
+// A layout is a macro that lists field(record, type, member, offset) and number(name, expression, value).
+// ZSTRIP_CHECK_LAYOUT compares each with what the compiler has. ZSTRIP_NAMES gives the assembler the symbols
+// .Lrecord.member and .Lname: they leave nothing in the object. Each function's text begins with the layouts that it
+// names, because the assembler's symbols outside of functions get lost where the linker puts the files' code in another
+// order.
+#pragma once
+
+#include <cstddef>
+
+#define ZSTRIP_CHECK_FIELD(record, type, member, offset) static_assert(offsetof(type, member) == (offset));
+#define ZSTRIP_CHECK_NUMBER(name, expression, value) static_assert((expression) == (value));
+#define ZSTRIP_CHECK_LAYOUT(layout) layout(ZSTRIP_CHECK_FIELD, ZSTRIP_CHECK_NUMBER)
+
+#define ZSTRIP_NAME_FIELD(record, type, member, offset) ".set .L" #record "." #member ", " #offset "\n"
+#define ZSTRIP_NAME_NUMBER(name, expression, value) ".set .L" #name ", " #value "\n"
+#define ZSTRIP_NAMES(layout) layout(ZSTRIP_NAME_FIELD, ZSTRIP_NAME_NUMBER)
