@@ -1,11 +1,11 @@
-# Installs the libraries and headers so that find_package(zstrip) gives zstrip::core, zstrip::core_any, zstrip::hal and
-# zstrip::player, and pkg-config zstrip, zstrip-any and zstrip-player; makes packages of them.
+# Installs the libraries and headers so that find_package(zstrip) gives zstrip::core, zstrip::core_any, zstrip::methods,
+# zstrip::hal and zstrip::player, and pkg-config zstrip, zstrip-any and zstrip-player; makes packages of them.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/zstrip)
 
-install(TARGETS zstrip_core zstrip_core_any zstrip_hal zstrip_lto zstrip_player EXPORT zstrip_targets
+install(TARGETS zstrip_core zstrip_core_any zstrip_methods zstrip_hal zstrip_lto zstrip_player EXPORT zstrip_targets
   ARCHIVE COMPONENT zstrip_development)
 install(DIRECTORY core/zstrip hal/zstrip_hal firmware/player/zstrip_player DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   COMPONENT zstrip_development FILES_MATCHING PATTERN *.hpp)

@@ -28,7 +28,7 @@ rm zstrip/adapters/{pico_spi_dma,sdl2_texture}.hpp
 cp "$root/LICENSE" "$root/CHANGELOG.md" zstrip
 find zstrip -name '.*' -delete
 # Every pipeline, for programs on hosts.
-rm zstrip/src/zstrip/frame/{any_pipeline,no_seldom_rows,rows_of_*}.cpp
+rm zstrip/src/zstrip/frame/{any_pipeline,no_rows_of_depth,rows_of_*}.cpp zstrip/src/zstrip/visibility/rows_of_*.cpp
 
 zstrip_write_out zstrip "${2:-https://example.org/}"
 zstrip_archive zstrip >"zstrip-$zstrip_version.tar.gz"

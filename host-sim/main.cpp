@@ -6,9 +6,11 @@
 #include "cli/render_command.hpp"
 #include "cli/scenes_command.hpp"
 #include "cli/sibling_program.hpp"
+#include "zstrip/visibility.hpp"
 
 int main(int argc, char** argv) {
   if (const auto status = zstrip::sim::run_sibling_program(argc, argv)) return *status;
+  zstrip::use_visibility_methods();
   return zstrip::sim::run_command_line(argc, argv, [](CLI::App& app, int& exit_code) {
     zstrip::sim::add_render_command(app, exit_code);
     zstrip::sim::add_plan_command(app, exit_code);

@@ -7,7 +7,7 @@
 #include "report/number.hpp"
 #include "visibility/methods.hpp"
 #include "zstrip/effects/list.hpp"
-#include "zstrip/plan/visibility_bytes.hpp"
+#include "zstrip/visibility/memory.hpp"
 
 namespace zstrip::sim {
 namespace {

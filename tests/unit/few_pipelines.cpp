@@ -9,6 +9,5 @@ constexpr auto kRows = pipeline_rows<without(effect::all, effect::orthographic) 
 }  // namespace
 
 std::span<const PipelineRow> rows_of_depth() { return kRows; }
-std::span<const PipelineRow> rows_of_methods() { return {}; }
 
 }  // namespace zstrip::detail

@@ -15,9 +15,6 @@ inline constexpr auto kExclusions = detail::DescribedEffects::exclusions();
 inline constexpr Effects kAlternatives[] = {
     effect::depth_formats | effect::depth_ranges,
     effect::perspective_runs,
-    method::painter | method::bounded | method::splitting,
-    method::sorted,
-    method::orders,
 };
 
 namespace detail {
@@ -33,20 +30,20 @@ constexpr Effects excluded_by(Effects effects, std::index_sequence<i...>) {
   (add(kExclusions[i].one, kExclusions[i].other), ...);
   return excluded;
 }
-template <std::size_t... i>
-constexpr bool one_of_each(Effects effects, bool of_methods, std::index_sequence<i...>) {
+/// Unrolled likewise.
+template <const auto& alternatives, std::size_t... i>
+constexpr bool one_of_each(Effects effects, std::index_sequence<i...>) {
   const auto single = [](auto bits) { return (bits & (bits - 1)) == 0; };
-  return ((((kAlternatives[i].methods != 0) != of_methods) ||
-           (single((effects & kAlternatives[i]).bits) && single((effects & kAlternatives[i]).methods))) &&
-          ...);
+  return ((single((effects & alternatives[i]).bits) && single((effects & alternatives[i]).methods)) && ...);
 }
 
 /// All that cannot be together with one of these.
 constexpr Effects excluded_by(Effects effects) {
   return excluded_by(effects, std::make_index_sequence<kExclusions.size()>());
 }
-constexpr bool one_of_each(Effects effects, bool of_methods) {
-  return one_of_each(effects, of_methods, std::make_index_sequence<std::size(kAlternatives)>());
+template <const auto& alternatives>
+constexpr bool one_of_each(Effects effects) {
+  return one_of_each<alternatives>(effects, std::make_index_sequence<std::size(alternatives)>());
 }
 
 }  // namespace detail
@@ -54,7 +51,7 @@ constexpr bool one_of_each(Effects effects, bool of_methods) {
 /// Whether these effects go together, whatever the method.
 constexpr bool effects_agree(Effects effects) {
   effects.methods = 0;
-  return !effects.any(detail::excluded_by(effects)) && detail::one_of_each(effects, false);
+  return !effects.any(detail::excluded_by(effects)) && detail::one_of_each<kAlternatives>(effects);
 }
 
 /// Which of these effects their methods cannot draw.
@@ -62,13 +59,13 @@ constexpr Effects refused_by_methods(Effects effects) {
   return {effects.bits & detail::excluded_by({0, effects.methods}).bits, 0};
 }
 
-/// Whether the methods go together, and can draw these effects, of which none is unknown. The painter alone has orders.
+/// Whether the methods go together, and can draw these effects, of which none is unknown.
 constexpr bool methods_agree(Effects effects) {
   if (effects.methods == 0) return true;
   constexpr Effects kKnown = effect::of_scenes | effect::shades | effect::statistics | effect::bins |
-                             effect::depth_formats | effect::depth_ranges;
-  return without(effects, kKnown | method::any) == Effects{} && refused_by_methods(effects) == Effects{} &&
-         detail::one_of_each(effects, true) && (effects.has(method::painter) || !effects.any(method::orders));
+                             effect::depth_formats | effect::depth_ranges | detail::methods::kAll;
+  return without(effects, kKnown) == Effects{} && refused_by_methods(effects) == Effects{} &&
+         detail::one_of_each<detail::methods::kAlternatives>(effects) && detail::methods::has_what_it_needs(effects);
 }
 
 }  // namespace zstrip

@@ -24,6 +24,7 @@
 #include "zstrip/effects/skins/effect.hpp"
 #include "zstrip/effects/unclipped/effect.hpp"
 #include "zstrip/effects/without_wing.hpp"
+#include "zstrip/visibility/exclusions.hpp"
 
 namespace zstrip::detail {
 
@@ -52,7 +53,7 @@ using DescribedEffects =
     EffectList<EffectsWithoutWing, fog::Effect, local_light::Effect, fragments::Effect, blending::Effect,
                quadrics::Effect, lines::Effect, billboards::Effect, environment::Effect, outlines::Effect,
                shadows::Effect, csg::Effect, edges::Effect, overlay::Effect, pixel_shading::Effect, dithering::Effect,
-               unclipped::Effect, skins::Effect, samples::Effect>;
+               unclipped::Effect, skins::Effect, samples::Effect, methods::Described>;
 
 }  // namespace zstrip::detail
 

@@ -18,10 +18,6 @@ struct EffectsWithoutWing : AnyEffect {
   static constexpr Exclusion kExclusions[] = {
       {effect::orthographic, effect::depth_float,
        "the small float keeps 1/w, which is the same everywhere without perspective"},
-      {effect::perspective_runs, method::any, "methods keep bounds of exact depth"},
-      {effect::depth_formats | effect::depth_ranges, method::own, "methods keep depth as z16"},
-      {effect::depth_state, without(method::own, method::hierarchical_z),
-       "a depth test of a material's own needs the scene's order and a z-buffer"},
   };
 };
 

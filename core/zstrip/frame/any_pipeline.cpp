@@ -19,6 +19,8 @@ constexpr Pipeline refusing() {
 
 }  // namespace
 
+constinit std::span<const detail::PipelineRow> detail::further_rows[2];
+
 Pipeline pipeline_for(Effects effects) {
   effects = without(effects, effect::shades | effect::unclipped);  // the rows have all shades, and clip
   const bool has_method = effects.methods != 0;
@@ -30,8 +32,8 @@ Pipeline pipeline_for(Effects effects) {
   if (effects.has(effect::orthographic) || !effects.has(effect::textures)) {
     effects = without(effects, effect::perspective_runs);
   }
-  for (const auto rows :
-       {detail::rows_of_triangles(), detail::rows_of_effects(), detail::rows_of_depth(), detail::rows_of_methods()}) {
+  for (const auto rows : {detail::rows_of_triangles(), detail::rows_of_effects(), detail::rows_of_depth(),
+                          detail::further_rows[0], detail::further_rows[1]}) {
     for (const detail::PipelineRow& row : rows) {
       if (detail::draws(row.effects, effects)) return row.pipeline;
     }

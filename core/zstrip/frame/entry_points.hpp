@@ -4,7 +4,6 @@
 #include <span>
 
 #include "zstrip/frame/frame_order.hpp"
-#include "zstrip/stages/visibility_stages.hpp"
 
 namespace zstrip::detail {
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "zstrip/frame/pipeline.hpp"
+#include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {
 
@@ -14,7 +15,7 @@ struct PipelineRow {
 };
 
 /// Methods are equal but for culling, which a row may have beside one.
-constexpr Effects own_method(Effects effects) { return without(Effects{0, effects.methods}, method::culling); }
+constexpr Effects own_method(Effects effects) { return without(Effects{0, effects.methods}, methods::kBesideOthers); }
 
 /// Whether a pipeline of these effects draws what one with exactly `wanted` does: it has all of them, and the way to
 /// keep depth, the projection, the accuracy of textures, and the method are the same.
@@ -30,6 +31,7 @@ constexpr bool draws(Effects effects, Effects wanted) {
 std::span<const PipelineRow> rows_of_triangles();  ///< scenes without further effects, each way to shade for itself
 std::span<const PipelineRow> rows_of_effects();    ///< any effects
 std::span<const PipelineRow> rows_of_depth();      ///< any effects with another format or mapping of depth
-std::span<const PipelineRow> rows_of_methods();    ///< any effects with a visibility method
+/// Two lists of a library that the program links and has called: zstrip::methods. Else empty.
+extern constinit std::span<const PipelineRow> further_rows[2];
 
 }  // namespace zstrip::detail

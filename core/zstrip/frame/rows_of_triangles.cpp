@@ -7,9 +7,6 @@ namespace {
 
 constexpr Effects kAllShades =
     effect::lighting | effect::vertex_colours | effect::gouraud | effect::textures | effect::bins;
-/// Methods count nothing here, as on a device.
-constexpr Effects kOfMethods = without(effect::all, effect::orthographic | effect::statistics);
-
 /// Layers are seldom: one way to draw them is for all shades.
 template <Effects shade>
 constexpr PipelineRow shaded() {
@@ -35,12 +32,6 @@ constexpr PipelineRow kRowsOfTriangles[] = {
     pipeline_row<effect::textures | effect::lighting | effect::gouraud | effect::skins | effect::bins>(),
     pipeline_row<kAllShades | effect::statistics>(),
     pipeline_row<kAllShades | effect::statistics | effect::orthographic>(),
-    pipeline_row<kOfMethods | method::painter>(),
-    pipeline_row<kOfMethods | method::front_to_back>(),
-    pipeline_row<kOfMethods | method::hierarchical_z>(),
-    pipeline_row<kOfMethods | method::front_to_back | method::hierarchical_z>(),
-    pipeline_row<kOfMethods | method::midpoint>(),
-    pipeline_row<kOfMethods | method::midpoint_safe>(),
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "zstrip/plan.hpp"
 #include "zstrip/plan/estimate.hpp"
 #include "zstrip/plan/record_bytes.hpp"
-#include "zstrip/plan/visibility_bytes.hpp"
+#include "zstrip/visibility/memory.hpp"
 
 namespace zstrip {
 

@@ -16,6 +16,7 @@
 #include "zstrip/raster/assemble_clipped.hpp"
 #include "zstrip/raster/attributes.hpp"
 #include "zstrip/raster/span_triangle.hpp"
+#include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {
 
@@ -76,7 +77,7 @@ struct NarrowAssembler : ClippedAssembler<effects> {
 
   /// Whether a triangle that has no pixel's centre in its box, or none in the strip, is left out.
   static bool culls_small([[maybe_unused]] const StripTarget& target) {
-    if constexpr (kDepth.any(method::culling)) {
+    if constexpr (methods::culls(kDepth.method())) {
       return target.method->cull_small;
     } else {
       return true;
@@ -89,8 +90,8 @@ struct NarrowAssembler : ClippedAssembler<effects> {
 
   /// Whether bounds of depth apply to fragments in this strip.
   static bool has_bounds([[maybe_unused]] const StripTarget& target) {
-    if constexpr (kDepth.any(method::bounded) && kDepth.state) return is_plain(target.settings);
-    return kDepth.any(method::bounded);
+    if constexpr (methods::keeps_bounds(kDepth.method()) && kDepth.state) return is_plain(target.settings);
+    return methods::keeps_bounds(kDepth.method());
   }
 
   /// False if the bounds of depth hide the triangle.
@@ -167,12 +168,12 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     Rect box = whole;
     if (!is_inside) box = whole.cut_to(strip);
     if (box.empty() && culls_small(target)) return;
-    if constexpr (kDepth.any(method::bounded)) {
+    if constexpr (methods::keeps_bounds(kDepth.method())) {
       if (!box.empty() && !may_show(target, box, a, b, c)) return;
     }
     const CountedTriangle<kStatistics> counted(target, whole.left, whole.top);
     constexpr bool kHasSmall = (kDepth.format == DepthFormat::z16 || kDepth.format == DepthFormat::float16) &&
-                               !kDepth.any(method::midpoint) && !kDepth.compares_codes();
+                               !methods::guesses(kDepth.method()) && !kDepth.compares_codes();
     // What a run of small triangles has left is not small, nor medium; but vectors leave what has no room for blocks.
     constexpr bool kInRuns = kSmallRuns<shade, true> && kUnclipped && !kTwoSided && !kHasVectors;
     constexpr bool kGouraud = shade == Shade::gouraud;
@@ -186,8 +187,8 @@ struct NarrowAssembler : ClippedAssembler<effects> {
     if constexpr (shade <= Shade::gouraud && kHasSmall && !kInRuns) {
       if ((kDepth.format == DepthFormat::float16 ? is_small_in_octave(max_x - min_x, max_y - min_y, a, b, c)
                                                  : is_small(max_x - min_x, max_y - min_y, a, b, c)) &&
-          (!kDepth.any(method::culling) || !box.empty())) {
-        if constexpr (kDepth.any(method::bounded)) {
+          (!methods::culls(kDepth.method()) || !box.empty())) {
+        if constexpr (methods::keeps_bounds(kDepth.method())) {
           if (has_bounds(target)) {
             target.method->bounds.cover(box, nearest_code(a, b, c));
           } else {

@@ -11,6 +11,7 @@
 #include "zstrip/raster/plane.hpp"
 #include "zstrip/raster/target.hpp"
 #include "zstrip/visibility/method_state.hpp"
+#include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {
 
@@ -33,7 +34,7 @@ struct DepthMode {
 
   friend constexpr bool operator==(const DepthMode&, const DepthMode&) = default;
 
-  constexpr bool any(Effects method) const { return (methods & method.methods) != 0; }
+  constexpr Effects method() const { return {0, methods}; }
   /// Both rasterisers cover the same pixels, but only the codes of one are the same whatever a triangle's shade is.
   constexpr bool compares_codes() const { return use == DepthUse::matched || use == DepthUse::layered; }
   constexpr DepthMode with(DepthUse other) const { return {format, state, other, methods, counted}; }
@@ -42,7 +43,7 @@ struct DepthMode {
 constexpr DepthUse depth_use(Effects effects) {
   if (effects.has(effect::csg_layers)) return DepthUse::layered;
   if (effects.has(effect::csg_colours)) return DepthUse::matched;
-  return effects.has(method::painter) ? DepthUse::none : DepthUse::tested;
+  return methods::has_no_depth(effects) ? DepthUse::none : DepthUse::tested;
 }
 
 constexpr DepthMode depth_mode(Effects effects) {

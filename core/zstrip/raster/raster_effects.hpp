@@ -3,6 +3,7 @@
 
 #include "zstrip/effects.hpp"
 #include "zstrip/plan/record_bytes.hpp"
+#include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {
 
@@ -11,8 +12,7 @@ namespace zstrip::detail {
 constexpr Effects raster_effects(Effects effects) {
   constexpr Effects kOfOtherStages = effect::bins | effect::billboards | effect::csg | effect::dithered_format |
                                      effect::edges | effect::lighting | effect::overlay | effect::shadows |
-                                     effect::skins | effect::supersampled | effect::surfaces | method::front_to_back |
-                                     method::orders;
+                                     effect::skins | effect::supersampled | effect::surfaces | methods::kOfOrder;
   const Effects colours = has_vertex_colours(effects) ? effect::vertex_colours : Effects{};
   return without(effects, kOfOtherStages) | colours;
 }

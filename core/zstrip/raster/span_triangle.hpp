@@ -10,8 +10,9 @@
 
 #include "zstrip/kernels/span.hpp"
 #include "zstrip/raster/edge_walk.hpp"
-#include "zstrip/raster/midpoint.hpp"
+#include "zstrip/visibility/midpoint.hpp"
 #include "zstrip/raster/textured_span.hpp"
+#include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {
 
@@ -140,7 +141,7 @@ struct SpanTriangle {
   template <bool statistics, bool in_runs, class Narrow, class Fill>
   void walk(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2,
             Narrow narrow, const Fill& fill) const {
-    if constexpr (mode.any(method::splitting)) {
+    if constexpr (methods::splits(mode.method())) {
       const DepthRule<mode.with(DepthUse::written)> writing(target, v0, v1, v2, area);
       for_each_midpoint_piece<mode>(target, v0, v1, v2, [&](const RasterVertex(&part)[3], DepthUse use) {
         const auto walk_piece = [&](const auto& whole, const auto& how) {
@@ -179,7 +180,7 @@ struct SpanTriangle {
                             left - whole_left,
                             whole_right - whole_left};
       if constexpr (statistics) target.statistics->fragments += static_cast<std::uint32_t>(right - left);
-      if constexpr (mode.any(method::hierarchical_z)) {
+      if constexpr (methods::hides_by_bounds(mode.method())) {
         for_each_shown_run<mode>(target, depth, row, left, span,
                                  [&](const Span<Cell>& run) { fill_run(run, depth.plane()); });
       } else {

@@ -8,6 +8,7 @@
 #include "zstrip/resolve/convert.hpp"
 #include "zstrip/resolve/resolve.hpp"
 #include "zstrip/scene/validate.hpp"
+#include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {
 
@@ -48,7 +49,7 @@ Status check_request(const Scene& scene, const SceneCounts& counts, const Camera
       std::uint64_t{binned ? counts.vertices : counts.largest_meshlet} * coloured_bytes_per_vertex(called_for, counts);
   if (plan.vertex_bytes < vertices) return too_small(Purpose::vertices, vertices, plan.vertex_bytes);
   const std::uint64_t cells = std::uint64_t{plan.strip_rows} * plan.strip_columns;
-  if (!effects.has(method::painter) && plan.depth_bytes < cells * kDepthBytes)
+  if (!methods::has_no_depth(effects) && plan.depth_bytes < cells * kDepthBytes)
     return too_small(Purpose::depth, cells * kDepthBytes, plan.depth_bytes);
   if (!drawn_in_place(view.format) && plan.colour_bytes < cells * kWorkingColourBytes) {
     return too_small(Purpose::colour, cells * kWorkingColourBytes, plan.colour_bytes);

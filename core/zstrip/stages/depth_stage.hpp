@@ -8,12 +8,13 @@
 #include "zstrip/resolve/resolve.hpp"
 #include "zstrip/stages/bounds.hpp"
 #include "zstrip/stages/frame_parts.hpp"
+#include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {
 
 struct DepthStage {
   static constexpr bool has_own_clear(Effects effects) {
-    return effects.has(method::painter) || depth_bytes(depth_format(effects)) != kDepthBytes ||
+    return methods::has_no_depth(effects) || depth_bytes(depth_format(effects)) != kDepthBytes ||
            effects.has(effect::depth_ranges);
   }
 

@@ -18,7 +18,8 @@
 #include "zstrip/kernels/transform.hpp"
 #include "zstrip/raster/facing.hpp"
 #include "zstrip/stages/materials.hpp"
-#include "zstrip/stages/method_stage.hpp"
+#include "zstrip/visibility/method_stage.hpp"
+#include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {
 
@@ -129,7 +130,7 @@ struct GeometryStage {
   template <Effects effects>
   static void survey(FrameState& frame) {
     for_each_meshlet<effects>(frame, [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
-      if constexpr (effects.has(method::culling)) {
+      if constexpr (methods::culls(effects)) {
         frame.extents[number] = Extent::none();
         if (MethodStage::is_left_out<effects>(frame, number, instance, meshlet)) return;
       }
@@ -159,7 +160,7 @@ struct GeometryStage {
     for_each_meshlet<effects>(
         frame, [&]([[maybe_unused]] std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
           if (!room) return;
-          if constexpr (effects.has(method::culling)) {
+          if constexpr (methods::culls(effects)) {
             if (MethodStage::is_left_out<effects>(frame, number, instance, meshlet)) return;
           }
           const MeshletRange range = meshlet_range(frame.scene->meshes[frame.instances[instance].mesh], meshlet);

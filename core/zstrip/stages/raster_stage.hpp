@@ -6,7 +6,8 @@
 
 #include "zstrip/effects/skins/seen_faces.hpp"
 #include "zstrip/stages/geometry_stage.hpp"
-#include "zstrip/stages/method_stage.hpp"
+#include "zstrip/visibility/method_stage.hpp"
+#include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {
 
@@ -15,7 +16,7 @@ struct RasterStage {
   template <Effects effects>
   static Status assign_to_strips(FrameState& frame, [[maybe_unused]] const Camera& camera) {
     if constexpr (effects.has(effect::statistics)) frame.statistics.triangles = count(*frame.scene).triangles;
-    if constexpr (effects.has(method::culling | effect::statistics)) {
+    if constexpr (methods::culls(effects) && effects.has(effect::statistics)) {
       MethodStage::count_culled<effects>(static_cast<MethodFrameState&>(frame));
     }
     if constexpr (sorts_triangles(effects)) {
@@ -49,7 +50,7 @@ struct RasterStage {
     const StripGrid::Place place = frame.grid.place_of(strip);
     const auto draw_meshlet = [&](std::uint32_t number, std::uint32_t instance, std::uint32_t meshlet) {
       if (frame.extents != nullptr && !frame.grid.touches(frame.extents[number], place)) return;
-      if constexpr (effects.has(method::culling)) {
+      if constexpr (methods::culls(effects)) {
         if (MethodStage::is_left_out<effects>(frame, number, instance, meshlet)) return;
       }
       const MeshletRange range = meshlet_range(frame.scene->meshes[frame.instances[instance].mesh], meshlet);
@@ -65,7 +66,7 @@ struct RasterStage {
         AssemblerFor<effects>::draw(complete, batch, range.triangles, all_narrow);
       });
     };
-    if constexpr (effects.has(method::hierarchical_z)) {
+    if constexpr (methods::hides_by_bounds(effects)) {
       MethodStage::draw_seen_first<effects>(static_cast<MethodFrameState&>(frame), target, draw_meshlet);
     } else {
       GeometryStage::for_each_meshlet<effects>(frame, draw_meshlet);

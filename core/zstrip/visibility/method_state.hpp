@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "zstrip/visibility.hpp"
+#include "zstrip/visibility/options.hpp"
 #include "zstrip/visibility/depth_bounds.hpp"
 
 namespace zstrip::detail {

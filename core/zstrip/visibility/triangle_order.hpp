@@ -6,8 +6,8 @@
 #include <span>
 
 #include "zstrip/geometry/extent.hpp"
-#include "zstrip/plan/visibility_bytes.hpp"
-#include "zstrip/visibility.hpp"
+#include "zstrip/visibility/memory.hpp"
+#include "zstrip/visibility/options.hpp"
 
 namespace zstrip::detail {
 

@@ -14,6 +14,7 @@
 #include "zstrip/effects/csg/operands.hpp"
 #include "zstrip/effects/stage.hpp"
 #include "zstrip/stages/geometry_stage.hpp"
+#include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail::csg {
 
@@ -49,7 +50,7 @@ struct Stage : NoStage {
                        const StripTarget part = part_of<Cell<effects>>(target, area);
                        Layers<effects, kLayers<effects>> layers(frame, part, strip);
                        layers.find(first, end);
-                       if constexpr (effects.any(method::bounded)) {
+                       if constexpr (methods::keeps_bounds(effects)) {
                          static_cast<MethodFrameState&>(frame).state.bounds.forget(area);
                        }
                        const StripTarget found = layers.found();

@@ -9,9 +9,6 @@ struct Effect : AnyEffect {
   static constexpr EffectName kNames[] = {
       {effect::csg, "csg", "constructive solid geometry"},
   };
-  static constexpr Exclusion kExclusions[] = {
-      {effect::csg, method::painter | method::midpoint, "solids are cut by a z-buffer that is exact"},
-  };
 
   static constexpr Effects kNeedMemory = effect::csg;
   static constexpr std::uint32_t kAlignment = 8;

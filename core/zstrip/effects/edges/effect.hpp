@@ -11,7 +11,6 @@ struct Effect : AnyEffect {
   };
   static constexpr Exclusion kExclusions[] = {
       {effect::edges, effect::depth_formats | effect::depth_ranges, "edges are compared with the codes of z16"},
-      {effect::edges, method::any, "edges need the z-buffer of all that is drawn"},
   };
 
   static constexpr Effects kNeedMemory = effect::edges;

@@ -9,9 +9,6 @@ struct Effect : AnyEffect {
   static constexpr EffectName kNames[] = {
       {effect::environment, "environment", "an environment map, with normals"},
   };
-  static constexpr Exclusion kExclusions[] = {
-      {effect::environment, method::orders, "the host has split triangles for their order"},
-  };
 
   static constexpr Effects kNeedMemory = effect::environment;
   static constexpr std::uint32_t kFrameBytes = 8;

@@ -13,9 +13,6 @@ struct Effect : AnyEffect {
       {effect::mipmaps, "mipmaps", "a texture with mipmaps, and a finish"},
       {effect::bilinear, "bilinear", "the texture filter bilinear"},
   };
-  static constexpr Exclusion kExclusions[] = {
-      {effect::fragments, method::orders, "the host has split triangles for their order"},
-  };
 };
 
 }  // namespace zstrip::detail::fragments

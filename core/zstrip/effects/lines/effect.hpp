@@ -9,9 +9,6 @@ struct Effect : AnyEffect {
   static constexpr EffectName kNames[] = {
       {effect::lines, "lines", "lines and points"},
   };
-  static constexpr Exclusion kExclusions[] = {
-      {effect::lines, method::painter, "they are no triangles that could be sorted"},
-  };
 };
 
 }  // namespace zstrip::detail::lines

@@ -11,6 +11,7 @@
 #include "zstrip/geometry/segment.hpp"
 #include "zstrip/raster/colour.hpp"
 #include "zstrip/raster/depth_rule.hpp"
+#include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {
 
@@ -63,7 +64,7 @@ class LineFill {
                    const RasterOrigin& origin, Shade shade) {
     const Rect box = compiled.box.cut_to(target.area);
     if (box.empty()) return;
-    if constexpr (kMode.any(method::bounded)) target.method->bounds.forget(box);
+    if constexpr (methods::keeps_bounds(kMode.method())) target.method->bounds.forget(box);
     const NarrowProjection<kOrthographic> narrow(compiled.instance, origin);
     shade.colour = compiled.instance.base;
     shade.pixel = rgb565(shade.colour);

@@ -11,9 +11,6 @@ struct Effect : AnyEffect {
       {effect::specular, "specular", "a specular colour"},
       {effect::punctual_lights, "punctual_lights", "lit, and there are point or spot lights"},
   };
-  static constexpr Exclusion kExclusions[] = {
-      {effect::vertex_light, method::orders, "the host has split triangles for their order"},
-  };
 
   static constexpr Effects kNeedMemory = effect::local_light;
   static constexpr std::uint32_t kFrameLightsBytes = 192;

@@ -9,9 +9,6 @@ struct Effect : AnyEffect {
   static constexpr EffectName kNames[] = {
       {effect::outlines, "outlines", "has an outline"},
   };
-  static constexpr Exclusion kExclusions[] = {
-      {effect::outlines, method::orders, "the host has split triangles for their order"},
-  };
 
   static constexpr Effects kNeedMemory = effect::outlines;
   static constexpr std::uint32_t kAlignment = 8;

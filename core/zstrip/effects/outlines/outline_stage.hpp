@@ -6,6 +6,7 @@
 #include "zstrip/effects/outlines/effect.hpp"
 #include "zstrip/effects/outlines/outline.hpp"
 #include "zstrip/effects/stage.hpp"
+#include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail::outlines {
 
@@ -56,7 +57,7 @@ struct Stage : NoStage {
   /// Of a hull only the far side, also where front and back of all else are drawn.
   template <Effects effects>
   static Status prepare(FrameState& frame, const FrameRequest&) {
-    if constexpr (effects.has(method::culling)) {
+    if constexpr (methods::culls(effects)) {
       for (CompiledInstance& instance : std::span(frame.instances, frame.scene->instances.size())) {
         if (is_outline(instance)) instance.double_sided = false;
       }

@@ -9,9 +9,6 @@ struct Effect : AnyEffect {
   static constexpr EffectName kNames[] = {
       {effect::quadrics, "quadrics", "spheres and ellipsoids"},
   };
-  static constexpr Exclusion kExclusions[] = {
-      {effect::quadrics, method::painter, "they are no triangles that could be sorted"},
-  };
 };
 
 }  // namespace zstrip::detail::quadrics

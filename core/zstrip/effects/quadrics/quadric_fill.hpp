@@ -9,6 +9,7 @@
 #include "zstrip/base/statistics.hpp"
 #include "zstrip/effects/quadrics/quadric.hpp"
 #include "zstrip/raster/depth_rule.hpp"
+#include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {
 
@@ -28,7 +29,7 @@ class QuadricFill {
   static void draw(const Target& target, const CompiledQuadric& quadric, std::int64_t offset, const Shade& shade) {
     const Rect box = quadric.box.cut_to(target.area);
     if (box.empty()) return;
-    if constexpr (kMode.any(method::bounded)) target.method->bounds.forget(box);
+    if constexpr (methods::keeps_bounds(kMode.method())) target.method->bounds.forget(box);
     // Its codes are those between these two, whatever the mapping.
     const RasterVertex farthest{0, 0, static_cast<std::uint32_t>(quadric.farthest + offset), 0, 0, 0, 0, 0};
     const RasterVertex nearest{0, 0, static_cast<std::uint32_t>(quadric.nearest + offset), 0, 0, 0, 0, 0};

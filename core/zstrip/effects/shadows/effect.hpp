@@ -11,7 +11,6 @@ struct Effect : AnyEffect {
   };
   static constexpr Exclusion kExclusions[] = {
       {effect::shadows, effect::depth_ranges, "a shadow is found by what a depth code stands for"},
-      {effect::shadows, method::painter | method::midpoint, "a shadow is found by a z-buffer that is exact"},
   };
 
   static constexpr Effects kNeedMemory = effect::shadows;

@@ -10,6 +10,7 @@
 #include "zstrip/effects/shadows/map_frame.hpp"
 #include "zstrip/effects/stage.hpp"
 #include "zstrip/stages/raster_stage.hpp"
+#include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail::shadows {
 
@@ -76,7 +77,7 @@ struct Stage : NoStage {
     using Cell = DepthCell<depth_format(effects)>;
     // Bounds of depth begin again, of the cells that they cover.
     StripTarget part = target;
-    if constexpr (effects.any(method::bounded)) {
+    if constexpr (methods::keeps_bounds(effects)) {
       auto& with_bounds = static_cast<MethodFrameState&>(frame);
       with_bounds.state.bounds.begin(with_bounds.depth_bounds, target.area, target.depth);
     } else {

@@ -9,9 +9,6 @@ struct Effect : AnyEffect {
   static constexpr EffectName kNames[] = {
       {effect::skins, "skins", "a skin that is moved while it is drawn"},
   };
-  static constexpr Exclusion kExclusions[] = {
-      {effect::skins, method::any, "methods look at vertices and spheres before they are moved"},
-  };
 };
 
 }  // namespace zstrip::detail::skins

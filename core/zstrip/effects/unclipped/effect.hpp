@@ -12,7 +12,6 @@ struct Effect : AnyEffect {
   static constexpr Exclusion kExclusions[] = {
       {effect::unclipped, effect::outlines, "hulls reach beyond the boxes of their instances"},
       {effect::unclipped, effect::edges | effect::shadows, "both look at triangles beyond the picture"},
-      {effect::unclipped, method::any, "methods split triangles, or look at boxes of their own"},
   };
 };
 

@@ -39,7 +39,7 @@ struct Piece {
 template <DepthMode mode>
 class MidpointSplitter {
  public:
-  static constexpr bool kSafe = mode.any(method::midpoint_safe);
+  static constexpr bool kSafe = mode.method().any(method::midpoint_safe);
 
   explicit MidpointSplitter(const TargetFor<mode>& target) : target_(target), counts_(target.method->counts) {}
 
