@@ -36,7 +36,7 @@ struct SceneBlob {
   Scene scene;            ///< has passed validate()
   Camera camera;          ///< from which it was baked
   View view;              ///< the picture for which the camera was placed
-  BspTree tree{};         ///< for method::bsp, of the scene's only instance; without nodes: none was baked
+  BspTree tree{};         ///< of the scene's only instance, VisibilityOptions::tree; without nodes none was baked
   Animation animation{};  ///< of the scene's instances, which are to be copied into RAM for it; empty: nothing moves
   Turn turn{};            ///< what moves over several frames where the animation is empty
   const Camera* turning_camera = nullptr;  ///< instead of `camera` for such frames; null: the same. In the blob.

@@ -2,6 +2,8 @@
 // them.
 #pragma once
 
+#include "zstrip/visibility/methods.hpp"
+#include "zstrip/visibility/midpoint.hpp"
 #include "zstrip/visibility/options.hpp"
 #include "zstrip/visibility/stages.hpp"
 #include "zstrip/visibility/visible_sets.hpp"

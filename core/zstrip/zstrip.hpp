@@ -1,4 +1,4 @@
-// Everything that an application includes.
+// Everything that an application includes, but visibility.hpp: of the methods that are studies.
 #pragma once
 
 #include "zstrip/animation.hpp"
@@ -14,4 +14,3 @@
 #include "zstrip/skin.hpp"
 #include "zstrip/status.hpp"
 #include "zstrip/view.hpp"
-#include "zstrip/visibility.hpp"

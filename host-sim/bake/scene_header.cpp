@@ -39,6 +39,7 @@ class Header {
     }
     if (!baked_.tree.nodes.empty()) line("#include \"zstrip/scene/bsp_tree.hpp\"");
     if (scene_.overlay != nullptr) line("#include \"zstrip/overlay.hpp\"");
+    if (baked_.effects.methods != 0) line("#include \"zstrip/visibility.hpp\"");
     line(fmt::format("\nnamespace {} {{\n", name_space));
     data();
     scene();

@@ -12,6 +12,7 @@
 #include "outlines_scene.hpp"
 #include "overlay_scene.hpp"
 #include "shadows_scene.hpp"
+#include "zstrip/visibility.hpp"
 #include "zstrip/zstrip.hpp"
 #include "zstrip_scenes/character.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"

@@ -4,10 +4,11 @@
 set -euo pipefail
 cd "$1"
 
-# In the order in which data flows; a stage may include itself and what stands before it. Effects, kernels and the public
-# headers are beside this order: a file of theirs counts as of the latest stage that it reaches, so that none is a way
-# around the rule.
-stages=(base scene store plan geometry visibility raster resolve stages frame)
+# In the order in which data flows; a stage may include itself and what stands before it. Effects, kernels, visibility
+# methods and the public headers are beside this order: a file of theirs counts as of the latest stage that it reaches, so
+# that none is a way around the rule.
+beside='effects|kernels|visibility|.*\.hpp'
+stages=(base scene store plan geometry raster resolve stages frame)
 failed=0
 
 # Every quoted or angled include of the C++ files in a folder, as "file:line:path".
@@ -36,7 +37,7 @@ floor_of() {
     return
   fi
   room=$(cut -d/ -f3 <<<"$file")
-  if [ "$room" = effects ] || [ "$room" = kernels ] || [[ $room == *.hpp ]]; then
+  if [[ $room =~ ^($beside)$ ]]; then
     floors[$file]=0
     for next in ${included[$file]:-}; do
       floor_of "$next"
@@ -76,7 +77,7 @@ while IFS=: read -r file line path; do
   fi
   # Only applications include the one header that gives everything.
   if [ "$path" = zstrip/zstrip.hpp ]; then complain "$file:$line: $path is for applications"; fi
-  if [ "$from" = effects ] || [ "$from" = kernels ] || [[ $from == *.hpp ]]; then continue; fi
+  if [[ $from =~ ^($beside)$ ]]; then continue; fi
   if [ -z "${place[$from]:-}" ]; then
     complain "$file: the stage $from is not one of: ${stages[*]}"
   elif [ "$floor" -gt "${place[$from]}" ]; then

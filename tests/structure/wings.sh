@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# wings.sh ROOT COMPILER: an effect is a wing. The file that orders the stages names none; each folder of effects has a
-# descriptor and is in the lists; no source of a wing or of a stage compiles more than 60 of our headers.
+# wings.sh ROOT COMPILER: an effect is a wing. The file that orders the stages names none; visibility methods have one
+# folder that names them; each folder of effects has a descriptor and is in the lists; no source of a wing or of a stage
+# compiles more than 60 of our headers.
 set -euo pipefail
 cd "$1"
 compiler=$2
@@ -14,6 +15,12 @@ complain() {
 
 if grep -nE '\b(effect|method)::' $core/frame/frame_order.hpp 2>/dev/null; then
   complain "$core/frame/frame_order.hpp names an effect: it belongs into a hook of a stage"
+fi
+
+# Visibility methods are studies: the stages know what a method changes, by its traits, and not which it is.
+if grep -rnE '\bmethod::|[Pp]ainter|[Nn]ewell|[Hh]ierarchical|[Ff]ront_?[Tt]o_?[Bb]ack|[Mm]idpoint' $core \
+  --include='*.hpp' --include='*.cpp' --exclude-dir=visibility --exclude=visibility.hpp; then
+  complain "only $core/visibility names visibility methods: ask $core/visibility/traits.hpp"
 fi
 
 for folder in $core/effects/*/; do

@@ -10,8 +10,8 @@
 
 #include "zstrip/kernels/span.hpp"
 #include "zstrip/raster/edge_walk.hpp"
-#include "zstrip/visibility/midpoint.hpp"
 #include "zstrip/raster/textured_span.hpp"
+#include "zstrip/visibility/raster_hooks.hpp"
 #include "zstrip/visibility/traits.hpp"
 
 namespace zstrip::detail {
@@ -93,35 +93,6 @@ class WholeSpans {
   [[no_unique_address]] Narrow narrow_;
 };
 
-/// Calls draw(run) for the parts of a span that the method has not found hidden.
-template <DepthMode mode, class Depth, class Draw>
-void for_each_shown_run(const TargetFor<mode>& target, const Depth& depth, std::int32_t row, std::int32_t left,
-                        const Span<std::uint16_t>& span, const Draw& draw) {
-  if constexpr (mode.state) {
-    if (!is_plain(target.settings)) {
-      target.method->bounds.forget({left, row, left + span.length, row + 1});
-      return draw(span);
-    }
-  }
-  target.method->bounds.for_each_shown(
-      row, left, span.length, depth.plane().at(span.columns, span.rows), depth.plane().step_x, target.method->counts,
-      [&](std::int32_t first, std::int32_t length) {
-        draw(Span<std::uint16_t>{span.depth + first, span.colour + first, length, span.columns + first, span.rows,
-                                 span.skipped + first, span.whole_length});
-      });
-}
-
-/// Calls draw(piece, use) for the pieces of a triangle that the method has not found hidden.
-template <DepthMode mode, class Draw>
-void for_each_midpoint_piece(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
-                             const RasterVertex& v2, const Draw& draw) {
-  MidpointSplitter<mode>(target).for_each_piece(v0, v1, v2, [&](const Piece& piece, DepthUse use) {
-    RasterVertex corners[3] = {};
-    for (int i = 0; i < 3; ++i) corners[i].x = piece.corners[i].x, corners[i].y = piece.corners[i].y;
-    draw(corners, use);
-  });
-}
-
 /// A triangle set up: its anchor, its depth, and its spans in a strip.
 template <DepthMode mode>
 struct SpanTriangle {
@@ -135,15 +106,15 @@ struct SpanTriangle {
         depth(setup, v0, v1, v2),
         rule(target, v0, v1, v2, area) {}
 
-  /// Calls fill(run, depth plane, rule) for all runs in the strip that may be seen. Pieces of midpoint subdivision only
-  /// decide which pixels are drawn how: everything else is the whole triangle's. `in_runs`: fill counts pixels from the
+  /// Calls fill(run, depth plane, rule) for all runs in the strip that may be seen. Pieces of a triangle only decide
+  /// which pixels are drawn how: everything else is the whole triangle's. `in_runs`: fill counts pixels from the
   /// left end of the whole span.
   template <bool statistics, bool in_runs, class Narrow, class Fill>
   void walk(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1, const RasterVertex& v2,
             Narrow narrow, const Fill& fill) const {
     if constexpr (methods::splits(mode.method())) {
       const DepthRule<mode.with(DepthUse::written)> writing(target, v0, v1, v2, area);
-      for_each_midpoint_piece<mode>(target, v0, v1, v2, [&](const RasterVertex(&part)[3], DepthUse use) {
+      methods::for_each_piece<mode>(target, v0, v1, v2, [&](const RasterVertex(&part)[3], DepthUse use) {
         const auto walk_piece = [&](const auto& whole, const auto& how) {
           walk_part<statistics>(target, part[0], part[1], part[2], narrow, how, whole, fill);
         };
@@ -181,8 +152,8 @@ struct SpanTriangle {
                             whole_right - whole_left};
       if constexpr (statistics) target.statistics->fragments += static_cast<std::uint32_t>(right - left);
       if constexpr (methods::hides_by_bounds(mode.method())) {
-        for_each_shown_run<mode>(target, depth, row, left, span,
-                                 [&](const Span<Cell>& run) { fill_run(run, depth.plane()); });
+        methods::for_each_shown_run<mode>(target, depth, row, left, span,
+                                          [&](const Span<Cell>& run) { fill_run(run, depth.plane()); });
       } else {
         depth.for_each_run(span, fill_run);
       }

@@ -5,6 +5,7 @@
 
 #include "zstrip/effects.hpp"
 #include "zstrip/status.hpp"
+#include "zstrip/visibility/methods.hpp"
 
 namespace zstrip {
 

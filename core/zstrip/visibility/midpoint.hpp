@@ -8,6 +8,7 @@
 
 #include "zstrip/raster/depth_rule.hpp"
 #include "zstrip/raster/plane.hpp"
+#include "zstrip/visibility/raster_hooks.hpp"
 
 namespace zstrip::detail {
 
@@ -135,5 +136,15 @@ class MidpointSplitter {
   VisibilityStatistics* counts_;
   std::uint32_t nearest_ = 0, farthest_ = 0;  ///< codes of the whole triangle
 };
+
+template <DepthMode mode, class Draw>
+void methods::for_each_piece(const TargetFor<mode>& target, const RasterVertex& v0, const RasterVertex& v1,
+                             const RasterVertex& v2, const Draw& draw) {
+  MidpointSplitter<mode>(target).for_each_piece(v0, v1, v2, [&](const Piece& piece, DepthUse use) {
+    RasterVertex corners[3] = {};
+    for (int i = 0; i < 3; ++i) corners[i].x = piece.corners[i].x, corners[i].y = piece.corners[i].y;
+    draw(corners, use);
+  });
+}
 
 }  // namespace zstrip::detail

@@ -1,7 +1,7 @@
 // What a method changes in the stages and pixel loops that all renderers have: they ask here, and name no method.
 #pragma once
 
-#include "zstrip/effects.hpp"
+#include "zstrip/visibility/methods.hpp"
 
 namespace zstrip::detail::methods {
 

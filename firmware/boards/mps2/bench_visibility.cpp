@@ -1,6 +1,7 @@
 // What the visibility methods cost: a closed mesh of small triangles, texels that fill the picture, a room, and things
 // one behind another, each with the plain z-buffer and with the methods. The word `depth` names the method.
 #include "mps2/bench_run.hpp"
+#include "zstrip/visibility.hpp"
 #include "zstrip_scenes/cube.hpp"
 #include "zstrip_scenes/knot.hpp"
 #include "zstrip_scenes/knot_meshlets.hpp"

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "zstrip/visibility.hpp"
 #include "zstrip/zstrip.hpp"
 
 extern "C" zstrip::Status cost_begin_frame(const zstrip::Scene& scene, const zstrip::Camera& camera,
