@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "zstrip/visibility/memory.hpp"
 #include "zstrip/view.hpp"
+#include "zstrip/visibility/memory.hpp"
 #include "zstrip/visibility/options.hpp"
 
 namespace zstrip::detail {
@@ -130,7 +130,8 @@ class DepthBounds {
   __builtin_memset(memory, 0, static_cast<std::size_t>(reinterpret_cast<std::byte*>(next) - memory));
 }
 
-[[gnu::noinline]] inline bool DepthBounds::level_hides(const Rect& nodes, int level, std::uint32_t nearest, VisibilityStatistics* counts) {
+[[gnu::noinline]] inline bool DepthBounds::level_hides(const Rect& nodes, int level, std::uint32_t nearest,
+                                                       VisibilityStatistics* counts) {
   for (std::int32_t y = nodes.top; y <= nodes.bottom; ++y) {
     for (std::int32_t x = nodes.left; x <= nodes.right; ++x) {
       if (level == 0) {
@@ -156,7 +157,8 @@ class DepthBounds {
   }
 }
 
-[[gnu::noinline]] inline bool DepthBounds::lies_behind(const Rect& box, std::uint32_t farthest, VisibilityStatistics* counts) const {
+[[gnu::noinline]] inline bool DepthBounds::lies_behind(const Rect& box, std::uint32_t farthest,
+                                                       VisibilityStatistics* counts) const {
   const Rect tiles = nodes_of(box, 0);
   for (std::int32_t y = tiles.top; y <= tiles.bottom; ++y) {
     for (std::int32_t x = tiles.left; x <= tiles.right; ++x) {
@@ -196,7 +198,8 @@ class DepthBounds {
   }
 }
 
-[[gnu::noinline]] inline void DepthBounds::read(Tile& tile, std::int32_t x, std::int32_t y, VisibilityStatistics* counts) {
+[[gnu::noinline]] inline void DepthBounds::read(Tile& tile, std::int32_t x, std::int32_t y,
+                                                VisibilityStatistics* counts) {
   const std::int32_t columns = std::min<std::int32_t>(8, area_.width() - 8 * x);
   const std::int32_t rows = std::min<std::int32_t>(8, area_.height() - 8 * y);
   const std::uint16_t* cells = cells_ + 8 * y * area_.width() + 8 * x;

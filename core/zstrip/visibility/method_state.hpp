@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "zstrip/visibility/options.hpp"
 #include "zstrip/visibility/depth_bounds.hpp"
+#include "zstrip/visibility/options.hpp"
 
 namespace zstrip::detail {
 

@@ -13,8 +13,8 @@
 
 namespace zstrip::detail {
 
-[[gnu::noinline]] inline Status MethodStage::begin_frame(MethodFrameState& frame, Effects effects, Effects called_for, const SceneCounts& counts,
-                                std::span<std::byte> arena) {
+[[gnu::noinline]] inline Status MethodStage::begin_frame(MethodFrameState& frame, Effects effects, Effects called_for,
+                                                         const SceneCounts& counts, std::span<std::byte> arena) {
   const Plan& plan = frame.plan;
   const std::uint64_t needed = visibility_bytes(effects, counts.triangles, plan.strip_columns, plan.strip_rows);
   if (plan.visibility_bytes < needed) {

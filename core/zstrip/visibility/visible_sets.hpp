@@ -1,4 +1,5 @@
-// Potentially visible sets: for each cell of a grid, the meshlets that may be seen from somewhere in it, baked on the host
+// Potentially visible sets: for each cell of a grid, the meshlets that may be seen from somewhere in it, baked on the
+// host
 // (`zstrip bake --visible-sets`) and read in place; the format is in docs/formats.md.
 #pragma once
 
@@ -82,7 +83,8 @@ inline std::span<const std::uint32_t> VisibleSets::at(const Vec3& eye) const {
 /// `meshlets`: those of the scene, SceneCounts::meshlets. Errors: blob_alignment; blob_version (`needed`: its version,
 /// `available`: the one that is read); blob_damaged (`needed`: the byte that is wrong, 16 if it is for another number
 /// of meshlets, that after the last one if some are missing).
-[[gnu::noinline]] inline Status open_visible_sets(std::span<const std::byte> bytes, std::uint32_t meshlets, VisibleSets& opened) {
+[[gnu::noinline]] inline Status open_visible_sets(std::span<const std::byte> bytes, std::uint32_t meshlets,
+                                                  VisibleSets& opened) {
   using namespace detail::visible_sets_at;
   if (reinterpret_cast<std::uintptr_t>(bytes.data()) % kVisibleSetsAlignment != 0) {
     return {.error = Error::blob_alignment};
@@ -100,7 +102,8 @@ inline std::span<const std::uint32_t> VisibleSets::at(const Vec3& eye) const {
   if (size > bytes.size()) return detail::damaged_sets(bytes.size());
   bytes = bytes.first(size);
   if (size < kCells) return detail::damaged_sets(kSize);
-  if (crc32(bytes.subspan(kChecked)) != detail::value_at<std::uint32_t>(bytes, kChecksum)) return detail::damaged_sets(kChecksum);
+  if (crc32(bytes.subspan(kChecked)) != detail::value_at<std::uint32_t>(bytes, kChecksum))
+    return detail::damaged_sets(kChecksum);
   VisibleSets found{.origin = detail::vector_at(bytes, kOrigin),
                     .cell = detail::vector_at(bytes, kCell),
                     .across = detail::value_at<std::uint16_t>(bytes, kCounts),
