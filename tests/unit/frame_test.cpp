@@ -193,6 +193,22 @@ TEST(Frame, EveryMistakeHasItsError) {
   EXPECT_TRUE(renderer.draw_strip(3, strip));
 }
 
+/// This program does not link zstrip::methods.
+TEST(Frame, AnyRendererRefusesMethodsOfALibraryThatIsNotLinked) {
+  Model model = random_model(5, 4, 9000);
+  const Scene scene = model.scene();
+  const View view{16, 16};
+  for (const Effects way : {method::painter, method::front_to_back, method::hierarchical_z, method::midpoint,
+                            method::midpoint_safe, method::culling}) {
+    const Effects effects = effects_of(scene, Camera{}) | way;
+    const Plan planned = plan(count(scene), view, effects, {}).plan;
+    std::vector<std::uint64_t> words(planned.bytes() / 8);
+    AnyRenderer renderer(effects);
+    EXPECT_EQ(renderer.begin_frame(scene, Camera{}, view, planned, std::as_writable_bytes(std::span(words))).error,
+              Error::visibility);
+  }
+}
+
 /// It passed, and draw_strip wrote three bytes a pixel where two had been asked for.
 TEST(Frame, AFormatThatDoesNotExistIsRefused) {
   Model model = random_model(5, 4, 9000);
