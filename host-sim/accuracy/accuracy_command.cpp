@@ -26,9 +26,9 @@
 #include "cli/print.hpp"
 #include "cli/sibling_program.hpp"
 #include "image/write_file.hpp"
-#include "report/number.hpp"
-#include "report/progress.hpp"
-#include "report/text.hpp"
+#include "text/number.hpp"
+#include "text/progress.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

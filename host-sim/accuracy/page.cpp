@@ -12,7 +12,7 @@
 #include "accuracy/plot.hpp"
 #include "image/rgb_png.hpp"
 #include "render/parallel.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

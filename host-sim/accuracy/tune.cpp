@@ -10,7 +10,7 @@
 
 #include "accuracy/campaign.hpp"
 #include "render/parallel.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

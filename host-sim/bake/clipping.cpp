@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "report/number.hpp"
+#include "text/number.hpp"
 #include "zstrip/effects/exclusions.hpp"
 #include "zstrip/renderer.hpp"
 #include "zstrip_scenes/baked_stage.hpp"

@@ -9,7 +9,7 @@
 
 #include "panel/simulated_panel.hpp"
 #include "report/frame_record.hpp"
-#include "report/text.hpp"
+#include "text/text.hpp"
 #include "visibility/methods.hpp"
 #include "zstrip_hal/st7789.hpp"
 

@@ -12,8 +12,8 @@
 #include "bake/effects_found.hpp"
 #include "bake/literals.hpp"
 #include "report/frame_record.hpp"
-#include "report/number.hpp"
-#include "report/text.hpp"
+#include "text/number.hpp"
+#include "text/text.hpp"
 #include "zstrip/overlay.hpp"
 
 namespace zstrip::sim {

@@ -32,8 +32,8 @@
 #include "cli/print.hpp"
 #include "cli/sibling_program.hpp"
 #include "image/write_file.hpp"
-#include "report/text.hpp"
 #include "result.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -19,7 +19,7 @@
 #include "bench/workloads.hpp"
 #include "image/temporary_file.hpp"
 #include "image/write_file.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "bench/execution_profile.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 #include "zstrip/plan.hpp"
 
 namespace zstrip::sim {

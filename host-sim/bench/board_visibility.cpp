@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/board_bench.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "bench/workloads.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 

@@ -7,7 +7,7 @@
 
 #include "bench/dynamic_z_table.hpp"
 #include "report/frame_record.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "bench/instruction_count.hpp"
-#include "report/progress.hpp"
+#include "text/progress.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/visibility_table.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

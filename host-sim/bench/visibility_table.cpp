@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "bench/instruction_count.hpp"
-#include "report/progress.hpp"
+#include "text/progress.hpp"
 #include "visibility/methods.hpp"
 #include "visibility/numbered_scene.hpp"
 #include "visibility/surface_judge.hpp"

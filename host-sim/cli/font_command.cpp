@@ -18,8 +18,8 @@
 #include "font/converted_font.hpp"
 #include "font/font_header.hpp"
 #include "image/write_file.hpp"
-#include "report/number.hpp"
-#include "report/text.hpp"
+#include "text/number.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

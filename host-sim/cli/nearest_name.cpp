@@ -1,4 +1,4 @@
-// Levenshtein's distance to each known name, or the difference from each number.
+// The least edit distance to a known name, or the least difference from a number.
 #include "cli/nearest_name.hpp"
 
 #include <fmt/format.h>
@@ -8,29 +8,14 @@
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
-#include <numeric>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "compose/retired.hpp"
-#include "report/text.hpp"
+#include "text/edit_distance.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {
-
-std::size_t distance(std::string_view from, std::string_view to) {
-  std::vector<std::size_t> row(to.size() + 1);  // distances of the prefix of `from` so far to every prefix of `to`
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = std::exchange(row[j + 1], std::min({replaced, row[j] + 1, row[j + 1] + 1}));
-    }
-  }
-  return row.back();
-}
 
 std::optional<std::int64_t> whole_number(std::string_view text) {
   std::int32_t value = 0;
@@ -52,7 +37,7 @@ std::string_view nearest_name(std::string_view text, std::span<const std::string
   }
   const std::string given = lower(std::string(text));
   return *std::ranges::min_element(
-      names, {}, [&given](std::string_view name) { return distance(given, lower(std::string(name))); });
+      names, {}, [&given](std::string_view name) { return edit_distance(given, lower(std::string(name))); });
 }
 
 std::string unknown_value(std::string_view text, std::span<const std::string_view> names) {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "cli/nearest_name.hpp"
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -15,7 +15,7 @@
 #include "cli/parse.hpp"
 #include "render/picture_display.hpp"
 #include "report/frame_record.hpp"
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -14,7 +14,7 @@
 #include "cli/nearest_name.hpp"
 #include "compose/perspective_runs.hpp"
 #include "report/frame_record.hpp"
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

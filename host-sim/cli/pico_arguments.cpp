@@ -12,7 +12,7 @@
 
 #include "bake/pico_scene.hpp"
 #include "cli/one_of.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 #include "zstrip/plan.hpp"
 
 namespace zstrip::sim {

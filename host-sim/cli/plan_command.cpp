@@ -17,8 +17,8 @@
 #include "render/edged_stage.hpp"
 #include "render/stage.hpp"
 #include "report/plan_report.hpp"
-#include "report/step_report.hpp"
-#include "report/text.hpp"
+#include "text/step_report.hpp"
+#include "text/text.hpp"
 #include "visibility/methods.hpp"
 #include "visibility/prepared_scene.hpp"
 

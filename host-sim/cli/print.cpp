@@ -5,8 +5,8 @@
 
 #include <cstdio>
 
-#include "report/step_report.hpp"
-#include "report/text.hpp"
+#include "text/step_report.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

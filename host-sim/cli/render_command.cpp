@@ -26,9 +26,9 @@
 #include "render/parallel.hpp"
 #include "render/stage.hpp"
 #include "report/frame_record.hpp"
-#include "report/progress.hpp"
-#include "report/step_report.hpp"
-#include "report/text.hpp"
+#include "text/progress.hpp"
+#include "text/step_report.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

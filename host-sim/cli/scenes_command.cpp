@@ -8,9 +8,9 @@
 #include <span>
 #include <string>
 
-#include "report/number.hpp"
-#include "report/text.hpp"
 #include "result.hpp"
+#include "text/number.hpp"
+#include "text/text.hpp"
 #include "zstrip_scenes/effect_scenes.hpp"
 #include "zstrip_scenes/scenes.hpp"
 

@@ -4,28 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "compose/retired.hpp"
+#include "text/edit_distance.hpp"
 
 namespace zstrip::sim {
 namespace {
-
-/// Insertions, deletions and replacements that make one word of the other (Levenshtein 1966).
-std::size_t distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row[b.size()];
-}
 
 int line_of_node(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
 
@@ -81,7 +65,7 @@ std::string nearest(const std::string& name, const std::vector<std::string>& nam
   std::size_t least = std::max<std::size_t>(2, name.size() / 2) + 1;
   for (const std::string& candidate : names) {
     if (candidate.size() > kMax) continue;
-    const std::size_t changes = distance(name, candidate);
+    const std::size_t changes = edit_distance(name, candidate);
     if (changes < least) least = changes, best = candidate;
   }
   return best;

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "bake/literals.hpp"
-#include "report/number.hpp"
-#include "report/text.hpp"
+#include "text/number.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 std::string to_font_header(const Font& font, const std::string& source, const std::string& name_space) {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "image/decoders.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "image/resample.hpp"
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 

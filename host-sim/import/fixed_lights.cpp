@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "import/quantise.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

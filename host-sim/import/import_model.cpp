@@ -16,8 +16,8 @@
 #include "import/surface.hpp"
 #include "import/texcoords.hpp"
 #include "import/wraps.hpp"
-#include "report/number.hpp"
-#include "report/step_report.hpp"
+#include "text/number.hpp"
+#include "text/step_report.hpp"
 
 namespace zstrip::sim {
 

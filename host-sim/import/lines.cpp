@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "import/quantise.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

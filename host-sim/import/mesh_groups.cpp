@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "import/read_model.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

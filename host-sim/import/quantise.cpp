@@ -18,8 +18,8 @@
 #include "import/meshlets.hpp"
 #include "import/outlying.hpp"
 #include "import/quantised_skins.hpp"
-#include "report/number.hpp"
-#include "report/step_report.hpp"
+#include "text/number.hpp"
+#include "text/step_report.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -22,7 +22,7 @@
 #include "import/gltf/read_gltf.hpp"
 #include "import/read_file.hpp"
 #include "import/turn_up.hpp"
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "image/resample.hpp"
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

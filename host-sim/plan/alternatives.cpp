@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "render/render_frame.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 #include "zstrip/effects.hpp"
 
 namespace zstrip::sim {

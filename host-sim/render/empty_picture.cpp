@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "render/render_frame.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -10,7 +10,7 @@
 #include "render/display_pair.hpp"
 #include "render/frame_refused.hpp"
 #include "render/parallel.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 #include "visibility/methods.hpp"
 #include "visibility/prepared_scene.hpp"
 #include "zstrip/renderer.hpp"

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

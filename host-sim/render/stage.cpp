@@ -17,7 +17,7 @@
 #include "render/composed_stage.hpp"
 #include "render/model_animation.hpp"
 #include "render/skinned_meshes.hpp"
-#include "report/text.hpp"
+#include "text/text.hpp"
 #include "zstrip/scene/validate.hpp"
 #include "zstrip_scenes/baked_stage.hpp"
 #include "zstrip_scenes/presentation.hpp"

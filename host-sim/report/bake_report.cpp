@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "report/frame_record.hpp"
-#include "report/number.hpp"
 #include "report/plan_words.hpp"
-#include "report/text.hpp"
+#include "text/number.hpp"
+#include "text/text.hpp"
 #include "visibility/methods.hpp"
 
 namespace zstrip::sim {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "report/frame_record.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 #include "visibility/methods.hpp"
 #include "zstrip/effects/list.hpp"
 #include "zstrip/visibility/memory.hpp"

@@ -17,7 +17,7 @@
 #include "image/animated_png.hpp"
 #include "image/rgb_png.hpp"
 #include "image/write_file.hpp"
-#include "report/text.hpp"
+#include "text/text.hpp"
 #include "view/watched_files.hpp"
 #include "view/window_picture.hpp"
 

@@ -12,8 +12,8 @@
 #include "bench/board_prediction.hpp"
 #include "image/encode.hpp"
 #include "image/to_rgb.hpp"
-#include "report/number.hpp"
 #include "report/plan_words.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

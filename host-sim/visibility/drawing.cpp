@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "render/frame_refused.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 #include "visibility/methods.hpp"
 #include "zstrip/renderer.hpp"
 

@@ -9,7 +9,7 @@
 #include <list>
 #include <utility>
 
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -9,7 +9,7 @@
 #include <span>
 
 #include "import/meshlets.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 #include "zstrip/effects.hpp"
 
 namespace zstrip::sim {

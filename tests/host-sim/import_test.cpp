@@ -17,8 +17,8 @@
 #include "import/model_files.hpp"
 #include "import/quantise.hpp"
 #include "import/read_model.hpp"
-#include "report/step_report.hpp"
 #include "support.hpp"
+#include "text/step_report.hpp"
 #include "zstrip/scene/validate.hpp"
 
 namespace zstrip::sim::test {

@@ -2,8 +2,9 @@
 #include "cli/parse.hpp"
 #include "cli/nearest_name.hpp"
 #include "cli/output_names.hpp"
-#include "report/number.hpp"
 #include "support.hpp"
+#include "text/edit_distance.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim::test {
 namespace {
@@ -63,6 +64,12 @@ TEST(Parse, WordsThatAreUnknownAreToldTheNearest) {
   expect_text(parse_perspective("afine").failure().message, "did you mean affine?");
   expect_text(parse_image_type("pgn").failure().message, "did you mean png? Known are png, jpeg, ppm, raw");
   expect_text(parse_up_axis("-w").failure().message, "did you mean -x?");
+}
+
+TEST(Parse, EachLetterInsertedDeletedOrReplacedIsOneEdit) {
+  EXPECT_EQ(edit_distance("", "abc"), 3);
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
+  EXPECT_EQ(edit_distance("st7798", "st7789"), 2);
 }
 
 TEST(Parse, NumbersThatAreUnknownAreToldTheNearest) {

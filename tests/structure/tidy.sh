@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# tidy.sh ROOT BUILD: clang-tidy finds nothing in the sources of core, hal and host-sim/report that BUILD compiles, nor in
+# tidy.sh ROOT BUILD: clang-tidy finds nothing in the sources of core, hal and host-sim/{report,text} that BUILD compiles, nor in
 # their headers; with ZSTRIP_LONG in all of host-sim.
 set -euo pipefail
 root=$(cd "$1" && pwd -P)
@@ -19,7 +19,7 @@ cp "$root/.clang-tidy" "$work"
 
 # Nearly all of the time goes to the headers of libraries. So sources are looked at together: those that the build compiles
 # as one in its order, others of one folder and program in groups of eight. Out: N.cpp and N.command.
-folders=("$root"/{core,hal,host-sim/report})
+folders=("$root"/{core,hal,host-sim/report,host-sim/text})
 if [ -n "${ZSTRIP_LONG-}" ]; then folders=("$root"/{core,hal,host-sim}); fi
 source_commands "$build" "${folders[@]}" | sed -E 's/ -O[0-3s]( |\t)/\1/' |
   sort -t $'\t' -s -r -k 3,3 |

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <span>
 
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

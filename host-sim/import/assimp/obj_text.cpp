@@ -11,7 +11,7 @@
 #include <span>
 
 #include "import/screen_channel.hpp"
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

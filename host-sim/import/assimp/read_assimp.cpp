@@ -27,7 +27,7 @@
 #include "import/model_files.hpp"
 #include "import/screen_channel.hpp"
 #include "import/turn_up.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "import/ending.hpp"
-#include "report/number.hpp"
-#include "report/text.hpp"
+#include "text/number.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

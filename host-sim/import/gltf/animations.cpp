@@ -12,8 +12,8 @@
 
 #include "import/gltf/document.hpp"
 #include "motion/fitted_animation.hpp"
-#include "report/number.hpp"
-#include "report/text.hpp"
+#include "text/number.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

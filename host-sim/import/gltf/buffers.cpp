@@ -8,7 +8,7 @@
 
 #include "import/gltf/data_uri.hpp"
 #include "import/gltf/meshopt_views.hpp"
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 

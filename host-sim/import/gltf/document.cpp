@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

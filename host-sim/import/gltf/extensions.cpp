@@ -8,7 +8,7 @@
 #include <set>
 #include <string_view>
 
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

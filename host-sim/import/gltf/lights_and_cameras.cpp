@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

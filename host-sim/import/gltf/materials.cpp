@@ -10,7 +10,7 @@
 
 #include "import/gltf/highlights.hpp"
 #include "import/screen_channel.hpp"
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -13,7 +13,7 @@
 #include "import/gltf/animations.hpp"
 #include "import/gltf/document.hpp"
 #include "import/screen_channel.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "import/gltf/document.hpp"
-#include "report/number.hpp"
+#include "text/number.hpp"
 #include "zstrip/skin.hpp"
 
 namespace zstrip::sim {

@@ -9,7 +9,7 @@
 
 #include "image/decode.hpp"
 #include "import/gltf/data_uri.hpp"
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

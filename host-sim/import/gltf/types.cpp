@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "import/gltf/document.hpp"
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

@@ -1,5 +1,5 @@
 // A thread that writes lines while another one works: some steps are those of libraries that do not call back.
-#include "report/step_report.hpp"
+#include "text/step_report.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 namespace {

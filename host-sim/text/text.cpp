@@ -1,5 +1,5 @@
 // Words on the standard streams, where writing may fail: a full disk, a closed stream.
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 #include <algorithm>
 #include <cstddef>

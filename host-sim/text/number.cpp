@@ -1,5 +1,5 @@
 // Numbers for people: digits in groups of three.
-#include "report/number.hpp"
+#include "text/number.hpp"
 
 namespace zstrip::sim {
 

@@ -1,12 +1,12 @@
 // A progress bar for work that takes more than a second, on a terminal only.
-#include "report/progress.hpp"
+#include "text/progress.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
 
-#include "report/text.hpp"
+#include "text/text.hpp"
 
 namespace zstrip::sim {
 

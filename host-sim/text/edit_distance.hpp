@@ -1,0 +1,12 @@
+// How different two words are, for "did you mean".
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace zstrip::sim {
+
+/// The fewest bytes inserted, deleted or replaced that make `to` of `from` (Levenshtein 1966).
+std::size_t edit_distance(std::string_view from, std::string_view to);
+
+}  // namespace zstrip::sim
