@@ -26,7 +26,7 @@ Result<std::uint32_t> checksum(DynamicZDrawing& drawing, const DynamicZPicture& 
   if (const Status status = drawing.draw_into(pixels); !status) return drawing_failure(picture, status);
   const auto bytes = std::as_bytes(std::span(pixels));
   return static_cast<std::uint32_t>(
-      crc32(crc32(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
+      ::crc32(::crc32(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
 }
 
 // The least of all rounds: whatever else the machine does only adds. Rounds take turns among the rows, so that a slow

@@ -23,10 +23,10 @@ Failure drawing_failure(const BenchCase& bench_case, const Status& status) {
 Result<std::vector<std::uint32_t>> checksums(Drawing& drawing, const BenchCase& bench_case) {
   std::vector<std::uint32_t> sums;
   for (std::uint32_t frame = 0; frame < bench_case.frames; ++frame) {
-    uLong sum = crc32(0, nullptr, 0);
+    uLong sum = ::crc32(0, nullptr, 0);
     drawing.stage(frame);
     const Status drawn = drawing.draw([&sum](std::span<const std::byte> pixels) {
-      sum = crc32(sum, reinterpret_cast<const Bytef*>(pixels.data()), static_cast<uInt>(pixels.size()));
+      sum = ::crc32(sum, reinterpret_cast<const Bytef*>(pixels.data()), static_cast<uInt>(pixels.size()));
     });
     if (!drawn) return drawing_failure(bench_case, drawn);
     sums.push_back(static_cast<std::uint32_t>(sum));

@@ -124,11 +124,11 @@ TEST_F(DynamicZ, KnotHasTheSameVerticesOnEveryHost) {
   std::ranges::sort(vertices);
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   EXPECT_EQ(vertices.size(), kTorusKnotRings * kTorusKnotRingVertices);
-  uLong sum = crc32(0, nullptr, 0);
+  uLong sum = ::crc32(0, nullptr, 0);
   for (const auto& vertex : vertices) {
     for (const std::int16_t value : vertex) {
       const std::array<Bytef, 2> bytes{static_cast<Bytef>(value & 0xFF), static_cast<Bytef>((value >> 8) & 0xFF)};
-      sum = crc32(sum, bytes.data(), bytes.size());
+      sum = ::crc32(sum, bytes.data(), bytes.size());
     }
   }
   EXPECT_EQ(sum, 0xD3BA12CBU);
