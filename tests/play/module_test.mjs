@@ -45,8 +45,6 @@ const kOptions = [
 ];
 const kSeldom = [
   ['--depth-format', 'float'],
-  ['--visibility', 'painter'],
-  ['--visibility', 'midpoint'],
   ['--perspective', 'affine'],
 ];
 
@@ -74,10 +72,15 @@ test('the smaller module draws what scenes mostly call for, and refuses the rest
     const expected = command.writes('render', 'room', 'a.png', options);
     assert.ok((await pngOf(drawing, 'room', options)).equals(expected), options.join(' '));
   }
-  for (const options of kSeldom.slice(0, 2)) {
+  for (const options of kSeldom.slice(0, 1)) {
     // Internal, to which the page answers with the larger module.
     await assert.rejects(pngOf(drawing, 'room', options), (error) => error.status === 1);
   }
+});
+
+test('visibility methods are refused', async () => {
+  const drawing = await load('zstrip-all.mjs');
+  await assert.rejects(pngOf(drawing, 'room', ['--visibility', 'painter']), /visibility methods/);
 });
 
 test('the heat map is that of zstrip render --show accuracy', async () => {
@@ -188,7 +191,7 @@ test('what is wrong is said, and the next scene is drawn', async () => {
 
 test('zstrip bake takes the command line that the page shows', async () => {
   const all = Object.fromEntries(kSettings.map(({name, kind, choices, hint}) => [name, kind === 'choice' ? choices[1] : hint ?? 'yes']));
-  const settings = {...all, ram: '200K', scene: 'teapot', edges: '', visibility: ''};
+  const settings = {...all, ram: '200K', scene: 'teapot', edges: ''};
   const [, , scene, , , ...options] = commandLineOf(bakeWordsOf(settings, 'scene.zsc')).split(' ');
   assert.ok(options.includes('--dither') && !options.includes('--panel'));
   assert.ok(command.writes('bake', scene, 'scene.zsc', options).length > 1000);

@@ -25,16 +25,6 @@ export const kSettings = [
   },
   {name: 'perspective', label: 'Textures exact every', option: '--perspective', kind: 'choice', choices: ['', '1', '8', 'affine']},
   {
-    name: 'visibility',
-    label: 'Visibility',
-    option: '--visibility', isBaked: true,
-    kind: 'choice',
-    choices: [
-      '', 'painter', 'painter-newell', 'painter-bsp', 'half-range', 'front-to-back', 'hierarchical-z',
-      'front-to-back-hierarchical-z', 'midpoint', 'midpoint-safe'
-    ]
-  },
-  {
     name: 'panel',
     label: 'Panel',
     option: '--panel',
