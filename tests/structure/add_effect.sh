@@ -28,7 +28,7 @@ step effects.hpp 's/\| csg \| edges \|/| csg | edges | negative |/'
 step effects.hpp 's/^( *)if \(!scene\.csg\.empty\(\)\)/\1if (scene.negative) found = found | effect::negative;\n&/'
 cp -r "$here/negative" effects/
 step effects/list.hpp 's|^#include "zstrip/effects/outlines/effect.hpp"|#include "zstrip/effects/negative/effect.hpp"\n&|'
-step effects/list.hpp 's/\bsamples::Effect>/samples::Effect, negative::Effect>/'
+step effects/list.hpp 's/\bmethods::Described>/negative::Effect, methods::Described>/'
 step effects/memory.hpp 's|^#include "zstrip/effects/outlines/effect.hpp"|#include "zstrip/effects/negative/effect.hpp"\n&|'
 step effects/memory.hpp 's/\bedges::Effect>/edges::Effect, negative::Effect>/'
 step effects/stages.hpp 's|^#include "zstrip/effects/outlines/|#include "zstrip/effects/negative/negative_stage.hpp"\n&|'
@@ -37,7 +37,7 @@ step effects/stages.hpp 's/\bdithering::Stage>/negative::Stage, dithering::Stage
 # A folder's sources in one. Pipelines of programs that learn the effects at run time are not looked at.
 export copy compiler
 compile() {
-  find "$1" -maxdepth 1 -name '*.cpp' | grep -vE '/(any_pipeline|rows_of_[a-z_]*)[.]cpp$' | sed 's/.*/#include "&"/' |
+  find "$1" -maxdepth 1 -name '*.cpp' ! -name any_pipeline.cpp ! -name 'rows_of_*.cpp' | sed 's/.*/#include "&"/' |
     "$compiler" -std=c++20 -O0 -Wall -Wextra -Werror -Wno-missing-field-initializers -I"$copy/core" \
       -o "$copy/$(tr / _ <<<"$1").o" -c -x c++ -
 }

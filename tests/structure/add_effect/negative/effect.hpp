@@ -2,6 +2,7 @@
 #pragma once
 
 #include "zstrip/effects/effect.hpp"
+#include "zstrip/visibility/methods.hpp"
 
 namespace zstrip::detail::negative {
 
