@@ -6,6 +6,7 @@
 #include "zstrip/camera.hpp"
 #include "zstrip/scene.hpp"
 #include "zstrip/scene/depth_format.hpp"
+#include "zstrip/status.hpp"
 #include "zstrip/view.hpp"
 
 namespace zstrip {
@@ -128,10 +129,16 @@ inline constexpr Effects csg_colours{std::uint64_t{1} << 63};  ///< DepthUse::ma
 }  // namespace effect
 // NOLINTEND(readability-identifier-naming)
 
-/// Effects as Status::needed has them: the lower 32 bits, or all ones where the lower have none.
-constexpr std::uint32_t low_bits(Effects effects) {
-  const auto low = static_cast<std::uint32_t>(effects.bits);
-  return low != 0 || effects.bits == 0 ? low : 0xFFFFFFFF;
+/// Error::effect_missing for these effects: the lower 32 bits of the set in `needed`, the upper ones in `available`.
+constexpr Status effects_missing(Effects effects) {
+  return {.error = Error::effect_missing,
+          .needed = static_cast<std::uint32_t>(effects.bits),
+          .available = static_cast<std::uint32_t>(effects.bits >> 32)};
+}
+
+/// The effects that an Error::effect_missing names; none where the renderer is for orthographic cameras only.
+constexpr Effects missing_effects(const Status& status) {
+  return {std::uint64_t{status.available} << 32 | status.needed};
 }
 
 /// How a renderer with these effects keeps depth: z16, unless one of effect::depth_formats is among them.

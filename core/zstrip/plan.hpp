@@ -45,9 +45,9 @@ struct PlanWithDepth {
   Effects effects;  ///< for the Renderer
 };
 
-/// As `plan` above, with the format of cheapest_depth_format in place of any that `effects` has. Visibility
-/// methods and sub-ranges always have z16. If not even z24 sorts what is needed, the plan is for z24. constexpr, so
-/// that the effects can be a renderer's:
+/// Plans as `plan` above does, with the format of cheapest_depth_format in place of any that `effects` has. Visibility
+/// methods and sub-ranges always have z16. If not even z24 sorts what is needed, the plan is for z24. The result can be
+/// constexpr, and its effects a renderer's:
 ///     constexpr PlanWithDepth kPlan = plan(kCounts, kView, kEffects, kBudget, {kRange, kFarthest, kSeparation});
 /// and Renderer<kPlan.effects>.
 constexpr PlanWithDepth plan(const SceneCounts& counts, const View& view, Effects effects, const Budget& budget,

@@ -27,8 +27,9 @@ enum class Error : std::uint8_t {
   material,        ///< refers to a texture or a finish that does not exist (`needed` = index of the material)
   texture,         ///< no texels, or more than 2^11 on a side (`needed` = index of the texture)
   light,           ///< too many lights (`needed` = given, `available` = limit)
-  effect_missing,  ///< the scene calls for an effect that this renderer was built without (`needed` = the missing set),
-                   ///< or the renderer is for orthographic cameras only (`needed` = 0)
+  effect_missing,  ///< the scene calls for effects that this renderer was built without: missing_effects(status) are
+                   ///< those (`needed` = lower 32 bits of the set, `available` = upper), none where the renderer is for
+                   ///< orthographic cameras only
   not_begun,       ///< draw_strip before a successful begin_frame
   store_full,      ///< a store's pool has no room for a tile; `needed`, `available` in bytes of the pool
   store_range,     ///< a tile or rows that a store does not have (`needed` = the row beyond, `available` = its rows),

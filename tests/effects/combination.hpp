@@ -190,12 +190,18 @@ struct Combination {
   }
 };
 
+/// A picture that calls for those of `set` that pictures call for.
+constexpr View view_of(Effects set) {
+  return {40, 32, set.has(effect::dithered_format) ? PixelFormat::mono : PixelFormat::rgb565,
+          set.any(effect::dithered_colours | effect::dithered_format),
+          set.has(effect::supersampled) ? kMaxSamples : std::uint8_t{1}};
+}
+
 /// Draws completed(set) by its own pipeline, whole and in strips, and by the host's.
 template <Effects set>
 void expect_drawn_alike() {
   constexpr Effects kSet = completed(set);
-  constexpr View kView{40, 32, PixelFormat::rgb565, set.has(effect::dithered_colours),
-                       set.has(effect::supersampled) ? kMaxSamples : std::uint8_t{1}};
+  constexpr View kView = view_of(set);
   SCOPED_TRACE(testing::Message() << std::hex << kSet.bits);
   Combination combination(kSet);
   const Scene& scene = combination.scene;

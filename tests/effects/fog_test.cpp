@@ -141,15 +141,6 @@ TEST(EffectsFog, WhatIsNoFogIsRefused) {
   EXPECT_EQ(error(), Error::fog);
 }
 
-TEST(EffectsFog, ARendererWithoutItRefusesTheScene) {
-  Square square(kFloor);
-  const Scene scene = square.scene();
-  const PlanResult planned = plan(count(scene), kView, effects_of(scene, Camera{}));
-  const Status status = begun(Renderer<Effects{}>(), scene, {}, kView, planned.plan);
-  EXPECT_EQ(status.error, Error::effect_missing);
-  EXPECT_EQ(status.needed, low_bits(effect::fog));
-}
-
 TEST(EffectsFog, APlanWithoutRoomForItIsRefused) {
   Square square(kFloor);
   const Scene scene = square.scene();

@@ -401,12 +401,5 @@ TEST(Overlays, WhatIsDrawnOverOtherPixelsHasNone) {
   EXPECT_TRUE(renderer.draw_over({0, 0, 80, 56}, pixels, depth));
 }
 
-TEST(Overlays, NeedAPipelineThatHasThem) {
-  const World world(&scenes::kKnotOverlay);
-  const Plan planned = plan(count(world.staged.scene), kPixels, kPlain).plan;
-  EXPECT_EQ(begun(Renderer<kPlain>(), world.staged.scene, world.staged.camera, kPixels, planned).error,
-            Error::effect_missing);
-}
-
 }  // namespace
 }  // namespace effects_test

@@ -23,8 +23,7 @@ TEST(EffectsTogether, PairsOfRow7) { expect_drawn_alike<row(7)>(); }
 template <class Remove>
 void expect_column(Effects set, const Remove& remove) {
   SCOPED_TRACE(testing::Message() << std::hex << set.bits);
-  const View view{40, 32, PixelFormat::rgb565, set.has(effect::dithered_colours),
-                  set.has(effect::supersampled) ? kMaxSamples : std::uint8_t{1}};
+  const View view = view_of(set);
   const Combination combination(set);
   const Scene& scene = combination.scene;
   const Camera& camera = combination.camera;

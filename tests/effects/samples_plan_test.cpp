@@ -106,7 +106,7 @@ TEST(Supersampling, WhatCannotBeIsRefused) {
     return renderer.begin_frame(staged.scene, camera, view, given, std::as_writable_bytes(std::span(arena)));
   };
   // Without the effect, by plans and by renderers; what they drew before is gone.
-  const Status missing{.error = Error::effect_missing, .needed = static_cast<std::uint32_t>(effect::supersampled.bits)};
+  const Status missing = effects_missing(effect::supersampled);
   EXPECT_EQ(plan(counts, four, kPlain).status, missing);
   const auto refuses = [&](auto&& renderer) {
     EXPECT_TRUE(begin(renderer, staged.camera, kPixels, plan(counts, kPixels, kPlain).plan));

@@ -159,7 +159,7 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
             .plan = {}};
   }
   if (view.samples != 1 && !effects.has(effect::supersampled)) {
-    return {.status = {.error = Error::effect_missing, .needed = low_bits(effect::supersampled)}, .plan = {}};
+    return {.status = effects_missing(effect::supersampled), .plan = {}};
   }
   if (budget.strip_rows > view.height) {
     return {.status = {.error = Error::strip_rows, .needed = budget.strip_rows, .available = view.height}, .plan = {}};
@@ -188,7 +188,7 @@ constexpr PlanResult plan(const SceneCounts& counts, const View& view, Effects e
     }
   }
   if (budget.modes == Modes::binned && !effects.has(effect::bins)) {
-    return {.status = {.error = Error::effect_missing, .needed = low_bits(effect::bins)}, .plan = {}};
+    return {.status = effects_missing(effect::bins), .plan = {}};
   }
   const bool can_bin = effects.has(effect::bins) && !effects.has(effect::depth_ranges);
   if (budget.modes == Modes::binned && !can_bin) return {.status = {.error = Error::depth_effects}, .plan = {}};

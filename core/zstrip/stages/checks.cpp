@@ -28,8 +28,7 @@ Status check_request(const Scene& scene, const SceneCounts& counts, const Camera
   if (const Status status = validate_instances(scene); !status) return status;
   const bool binned = plan.mode == Mode::binned;
   if (binned) called_for = called_for | effect::bins;
-  if (const Effects missing = missing_effects(called_for, effects); missing.bits != 0)
-    return {.error = Error::effect_missing, .needed = low_bits(missing)};
+  if (const Effects missing = missing_effects(called_for, effects); missing.bits != 0) return effects_missing(missing);
   // The plan must be one for this scene: a smaller one would overrun its parts of the arena.
   if (plan.instance_bytes < instance_bytes(counts)) {
     return too_small(Purpose::instances, instance_bytes(counts), plan.instance_bytes);
@@ -89,7 +88,7 @@ Status check_area(const FrameState& frame, const Rect& area, std::size_t pixels,
 
 Status refuse_samples(FrameState& frame) {
   abandon(frame);
-  return {.error = Error::effect_missing, .needed = low_bits(effect::supersampled)};
+  return effects_missing(effect::supersampled);
 }
 
 }  // namespace zstrip::detail

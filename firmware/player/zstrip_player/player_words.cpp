@@ -50,7 +50,7 @@ void put_effects(detail::Words& words, Effects missing) {
 }
 
 void put_frame(detail::Words& words, const Status& status) {
-  if (status.error == Error::effect_missing && status.needed == 0) {
+  if (status.error == Error::effect_missing && missing_effects(status) == Effects{}) {
     words << "the scene has perspective, and the player is for orthographic cameras";
   } else {
     words << "the frame cannot begin: " << message(status.error);
