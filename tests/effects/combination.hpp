@@ -197,6 +197,27 @@ constexpr View view_of(Effects set) {
           set.has(effect::supersampled) ? kMaxSamples : std::uint8_t{1}};
 }
 
+/// With a word less in any part of a plan the frame is refused, for the purpose of that part.
+template <class AnyKind>
+void expect_nothing_to_spare(AnyKind&& renderer, const Combination& drawn, const View& view, const Plan& whole) {
+  EXPECT_TRUE(begun(renderer, drawn.scene, drawn.camera, view, whole));
+  for (const auto& [part, purpose] : {std::pair{&Plan::instance_bytes, Purpose::instances},
+                                      {&Plan::extent_bytes, Purpose::extents},
+                                      {&Plan::vertex_bytes, Purpose::vertices},
+                                      {&Plan::depth_bytes, Purpose::depth},
+                                      {&Plan::colour_bytes, Purpose::colour},
+                                      {&Plan::effect_bytes, Purpose::effects}}) {
+    if (whole.*part == 0) continue;
+    Plan less = whole;
+    less.*part -= kArenaAlignment;
+    const Status status = begun(renderer, drawn.scene, drawn.camera, view, less);
+    EXPECT_EQ(status.error, Error::arena_too_small) << name(purpose);
+    EXPECT_EQ(status.purpose, purpose);
+    EXPECT_GT(status.needed, less.*part) << name(purpose);
+    EXPECT_LE(status.needed, whole.*part) << name(purpose);
+  }
+}
+
 /// Draws completed(set) by its own pipeline, whole and in strips, and by the host's.
 template <Effects set>
 void expect_drawn_alike() {
@@ -220,6 +241,14 @@ void expect_drawn_alike() {
     EXPECT_EQ(draw_any(without(kSet, effect::skins), before.scene, camera, kView, {.strip_rows = 9}), whole);
   }
   // Memory is planned for what is there, and not for more.
+  for (const PixelFormat format : {kView.format, PixelFormat::mono}) {
+    const View view{kView.width, kView.height, format, kView.dither && format == kView.format, kView.samples};
+    expect_nothing_to_spare(Renderer<kSet>(), combination, view,
+                            zstrip::plan(count(scene), view, kSet, {.strip_rows = 9}).plan);
+  }
+  expect_nothing_to_spare(
+      AnyRenderer(kSet | effect::bins), combination, kView,
+      zstrip::plan(count(scene), kView, kSet | effect::bins, {.strip_rows = 9, .modes = Modes::binned}).plan);
   const Plan plan = zstrip::plan(count(scene), kView, kSet).plan;
   EXPECT_EQ(plan.effect_bytes != 0,
             kSet.any(effect::fog | effect::blending | effect::local_light | effect::billboards | effect::environment |

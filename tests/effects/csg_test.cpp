@@ -285,11 +285,6 @@ TEST(Csg, PlansHaveRoomForTheLayersOfAStrip) {
   EXPECT_EQ(bytes(effect::csg | effect::depth_24, kCsgView), 16 + 8 + 4 * 16 + kCells * 10);
   EXPECT_EQ(bytes(effect::csg | effect::supersampled, {128, 96, PixelFormat::rgb565, false, 4}),
             16 + 8 + 4 * 16 + 4 * kCells * 6);
-  Plan less = plan(count(scene), kCsgView, effect::csg, {}).plan;
-  less.effect_bytes -= 8;
-  const Status refused = begun(Renderer<effect::csg>(), scene, world.camera, kCsgView, less);
-  EXPECT_EQ(refused.error, Error::arena_too_small);
-  EXPECT_EQ(refused.purpose, Purpose::effects);
 }
 
 TEST(Csg, WhatCannotBeCombinedIsRefused) {

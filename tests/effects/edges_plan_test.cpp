@@ -92,24 +92,6 @@ TEST(Edges, OtherFormatsAreMadeOfTheBlendedPixels) {
   }
 }
 
-TEST(Edges, PlansThatAreTooSmallAreRefused) {
-  constexpr Effects kEffects = effects_of(scenes::edges.scene, scenes::edges.camera) | effect::bins;
-  for (const PixelFormat format : {PixelFormat::rgb565, PixelFormat::mono}) {
-    const View view{75, 58, format};
-    const PlanResult planned = plan(count(scenes::edges.scene), view, kEffects, {.strip_rows = 8});
-    ASSERT_TRUE(planned.status);
-    for (const auto& [part, purpose] : {std::pair{&Plan::effect_bytes, Purpose::effects},
-                                        {&Plan::depth_bytes, Purpose::depth},
-                                        {&Plan::colour_bytes, Purpose::colour}}) {
-      Plan small = planned.plan;
-      small.*part -= 8;
-      const Status status = begun(Renderer<kEffects>(), scenes::edges.scene, scenes::edges.camera, view, small);
-      EXPECT_EQ(status.error, Error::arena_too_small);
-      EXPECT_EQ(status.purpose, purpose);
-    }
-  }
-}
-
 TEST(Edges, WhatDoesNotGoWithThemIsRefused) {
   constexpr Effects kOwn = effects_of(scenes::edges.scene, scenes::edges.camera);
   for (const Effects other : {effect::depth_24, effect::depth_float, effect::depth_ranges}) {

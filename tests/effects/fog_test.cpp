@@ -141,15 +141,5 @@ TEST(EffectsFog, WhatIsNoFogIsRefused) {
   EXPECT_EQ(error(), Error::fog);
 }
 
-TEST(EffectsFog, APlanWithoutRoomForItIsRefused) {
-  Square square(kFloor);
-  const Scene scene = square.scene();
-  const PlanResult planned = plan(count(scene), kView, Effects{});
-  const Status status = begun(Renderer<effect::fog>(), scene, {}, kView, planned.plan);
-  EXPECT_EQ(status.error, Error::arena_too_small);
-  EXPECT_EQ(status.purpose, Purpose::effects);
-  EXPECT_EQ(planned.plan.effect_bytes, 0U);
-}
-
 }  // namespace
 }  // namespace effects_test

@@ -417,12 +417,6 @@ TEST(Quadric, WhatItCannotBeIsRefused) {
   world.quadrics.pop_back();
   world.material.depth_slope_bias = 1;
   EXPECT_EQ(validate(world.scene()), (Status{.error = Error::quadric, .needed = 0})) << "slope bias";
-
-  world.material.depth_slope_bias = 0;
-  const Scene scene = world.scene();
-  Plan p = plan(count(scene), world.view, {}).plan;
-  p.instance_bytes = 0;
-  EXPECT_EQ(begun(Renderer<effect::quadrics>(), scene, world.camera, world.view, p).purpose, Purpose::instances);
 }
 
 // Any numbers: an error or a picture, but nothing undefined.
