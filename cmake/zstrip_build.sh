@@ -92,7 +92,6 @@ zstrip_install_packages() {
 zstrip_progress() {
   local what=$1 seconds=0 every=30 step last= on_line=
   if [ -n "${CI-}" ]; then every=300; fi
-  every=${ZSTRIP_PROGRESS_SECONDS:-$every}
   trap 'if [ -n "$on_line" ]; then echo >&2; fi; exit 0' TERM
   while true; do
     sleep 1 </dev/null >/dev/null 2>&1 &

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# packages.sh ROOT: what the scripts do about missing packages, on machines with and without Debian's tools. Programs are
-# found through a folder of links, in which the tools that a machine lacks really are not there.
-# shellcheck disable=SC2046  # lists of names are to be split
+# run.sh ROOT: host-sim/run names the packages that a machine lacks, builds the programs for boards that a command needs,
+# and says what it waits for. Programs are found through a folder of links, in which the tools that a machine lacks
+# really are not there.
 set -euo pipefail
 root=$1
 tree=$(mktemp -d)
@@ -21,79 +21,13 @@ puts() {
   chmod +x "$tree/bin/$1"
 }
 
-packages_of() { awk -v purposes=" $* " '!/^#/ && NF == 2 && index(purposes, " " $1 " ") { print $2 }' "$root/cmake/zstrip_packages.txt"; }
-
-# ends_with STATUS WHAT PURPOSES...: zstrip_install_packages on this machine; the stamp is there only after success.
-ends_with() {
-  local expected=$1 what=$2 status=0 stamp
-  shift 2
-  output=$(PATH=$tree/bin bash -c 'set -euo pipefail
-    source "$1/cmake/zstrip_build.sh"
-    shift
-    zstrip_with_lock zstrip_install_packages "$@"' _ "$tree" "$@" 2>&1) || status=$?
-  stamp=$(find "$tree/build" -name '.packages-*')
-  if [ "$status" -ne "$expected" ]; then echo "$what: ended with $status, not $expected: $output"; failed=1; fi
-  if [ "$expected" -eq 0 ] && [ -z "$stamp" ]; then echo "$what: would look again next time"; failed=1; fi
-  if [ "$expected" -ne 0 ] && [ -n "$stamp" ]; then echo "$what: would take the packages for installed"; failed=1; fi
-  rm -rf "$tree/build" "$tree"/bin/{cmake,ninja,qemu-system-arm,dpkg-query,apt-get,apt-cache}
-}
-
-# says NAMES...: each on a line of its own in the output of the last case.
-says() {
-  local name
-  for name in "$@"; do
-    sed 's/^ *//' <<<"$output" | grep -xF -- "$name" >/dev/null || { echo "does not name $name: $output"; failed=1; }
-  done
-}
-
-ends_with 3 "no Debian, no cmake" host
-says $(packages_of host)
-
-puts cmake 'exit 0'
-puts ninja 'exit 0'
-ends_with 0 "no Debian, everything is there" host
-
-puts cmake 'echo "where is assimp"; exit 1'
-puts ninja 'exit 0'
-ends_with 3 "no Debian, configuring fails" host tests
-says $(packages_of host tests) "where is assimp"
-
-puts cmake 'exit 0'
-puts ninja 'exit 0'
-ends_with 3 "no Debian, no emulator" host firmware
-says $(packages_of host firmware)
-
-# What configuring is asked to look for.
-puts cmake 'case "$*" in *-DZSTRIP_TESTS=ON*-DZSTRIP_FIRMWARE=ON*) exit 0 ;; esac; exit 1'
-puts ninja 'exit 0'
-puts qemu-system-arm 'exit 0'
-ends_with 0 "no Debian, everything for the tests" host firmware tests
-
-puts dpkg-query 'exit 2'
-ends_with 3 "dpkg-query fails" host
-says $(packages_of host)
-
-puts dpkg-query "printf 'installed %s, \n' $(packages_of host | paste -sd ' ')"
-ends_with 0 "Debian, all installed" host
-
-puts dpkg-query "printf 'installed %s, \n' $(packages_of host | grep -vx cmake | paste -sd ' ')"
-ends_with 3 "Debian without apt-get, cmake is missing" host
-says cmake
-if grep -qx ' *ninja-build' <<<"$output"; then echo "names a package that is installed: $output"; failed=1; fi
-
-puts apt-cache 'exit 0'
-puts apt-get 'exit 100'
-puts dpkg-query 'exit 0'
-if [ "$(id -u)" -eq 0 ]; then
-  ends_with 3 "apt-get fails" host
-fi
-rm -f "$tree"/bin/{apt-cache,apt-get,dpkg-query}
-
-# The whole script, as a newcomer runs it.
+# As a newcomer runs it, on a machine without Debian's packages.
 status=0
 output=$(PATH=$tree/bin bash "$tree/host-sim/run" scenes 2>&1) || status=$?
 if [ "$status" -ne 3 ]; then echo "host-sim/run without packages ended with $status, not 3: $output"; failed=1; fi
-says $(packages_of host)
+for name in $(awk '$1 == "host" { print $2 }' "$root/cmake/zstrip_packages.txt"); do
+  sed 's/^ *//' <<<"$output" | grep -xF -- "$name" >/dev/null || { echo "does not name $name: $output"; failed=1; }
+done
 
 # Programs for boards that the command lists are built, and no others.
 cached='ZSTRIP_FIRMWARE:BOOL=OFF\n'
