@@ -1,0 +1,111 @@
+// Model files that are text: their encodings, and lines that readers do not know.
+#include "import_fixture.hpp"
+
+#include <map>
+
+#include "import/model_files.hpp"
+
+namespace zstrip::sim::test {
+namespace {
+
+std::string utf16(std::u16string_view text, bool big_endian) {
+  std::string bytes = big_endian ? "\xFE\xFF" : "\xFF\xFE";
+  for (const char16_t unit : text) {
+    const char high = static_cast<char>(unit >> 8), low = static_cast<char>(unit & 255);
+    bytes += big_endian ? high : low;
+    bytes += big_endian ? low : high;
+  }
+  return bytes;
+}
+
+/// Models in UTF-16 were refused as damaged, or as without triangles.
+TEST_F(Import, TextsInUtf16AreThoseInUtf8) {
+  const Model expected = model(file("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  for (const bool big_endian : {false, true}) {
+    file("m.mtl", utf16(u"newmtl r\u00F6t\u20AC\U0001F600\nKd 1 0 0\n", big_endian));
+    const Model read = model(file("m.obj", utf16(u"mtllib m.mtl\nusemtl r\u00F6t\u20AC\U0001F600\r\nv 0 0 0\nv 1 0 0\n"
+                                                 u"v 0 1 0\nf 1 2 3\n",
+                                                 big_endian)));
+    ASSERT_EQ(read.meshes.size(), 1U);
+    EXPECT_EQ(triangles(read), triangles(expected));
+    EXPECT_EQ(read.material_names[read.instances[0].material], "r\u00F6t\u20AC\U0001F600");
+    EXPECT_EQ(read.materials[read.instances[0].material].colour.r, 255);
+    EXPECT_TRUE(read.warnings.empty());
+  }
+  EXPECT_EQ(as_utf8(std::string("\xFF\xFE\x00\xD8\x41\x00\x42", 7)), "\uFFFDA") << "half a pair, half a unit";
+  EXPECT_EQ(as_utf8("\xFF"), "\xFF");
+}
+
+/// The mark was taken for the first word of the file: its line was skipped, or the file refused.
+TEST_F(Import, TextsMayBeginWithAByteOrderMark) {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const std::string stl =
+      "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+      "endsolid s\n";
+  for (const auto& [name, text] : std::map<std::string, std::string>{{"m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+                                                                     {"m.ply", ply},
+                                                                     {"m.stl", stl},
+                                                                     {"m.off",
+                                                                      "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n"
+                                                                      "3 0 1 2\n"}}) {
+    const Model expected = model(file(name, text), UpAxis::plus_y);
+    const Model read = model(file(name, "\xEF\xBB\xBF" + text), UpAxis::plus_y);
+    EXPECT_EQ(triangles(read), triangles(expected)) << name;
+    EXPECT_TRUE(read.warnings.empty()) << name;
+  }
+  file("m.mtl", "\xEF\xBB\xBFnewmtl a\nKd 1 0 0\n");
+  const Model red = model(file("m.obj", "mtllib m.mtl\nusemtl a\n" + kTriangleObj));
+  EXPECT_EQ(red.materials[0].colour, (Colour{255, 0, 0, 255}));
+  EXPECT_EQ(as_utf8(std::string("\xEF\xBB\xBF\0", 4)).size(), 4U) << "bytes, not text";
+}
+
+/// Colours of Blender were taken for those of the screen, and were nearly black.
+TEST_F(Import, DiffuseColoursAreLinearWhereAFileSaysBlender) {
+  const auto colour = [&](const std::string& obj, const std::string& mtl) {
+    file("m.mtl", mtl + "newmtl a\nKd 0.5 0 1\n");
+    return model(file("m.obj", obj + "mtllib m.mtl\nusemtl a\n" + kTriangleObj)).materials[0].colour;
+  };
+  const Colour linear{188, 0, 255, 255}, of_screen{128, 0, 255, 255};
+  EXPECT_EQ(colour("", ""), of_screen);
+  EXPECT_EQ(colour("# Made for Blender\n", "# by hand\n"), of_screen);
+  EXPECT_EQ(colour("# Blender 4.1.0\n# www.blender.org\n", ""), linear);
+  EXPECT_EQ(colour("# Blender v2.79 (sub 0) OBJ File: ''\r\n", ""), linear);
+  EXPECT_EQ(colour("", "\n# Blender MTL File: 'None'\n"), linear);
+  EXPECT_EQ(colour("", "newmtl b\n# Blender\n"), of_screen) << "no comment of the file";
+}
+
+/// Only what is drawn is read of them: any other line refused the model.
+TEST_F(Import, LinesOfMtlThatAreNotKnownAreSkipped) {
+  for (const char* line :
+       {"aniso 0", "anisor 0", "Pr .5", "Pm 0", "Ps 0 0 0", "Pc", "Pcr x", "norm -bm 1 n.png", "map_Pr r.png",
+        "map_Pm m.png", "map_Ps s.png", "d -halo 0.5", "Tf spectral a.rfl", "decal t.png", "Ka", "Ni 1,5", "abc"}) {
+    file("m.mtl", std::string("newmtl a\n") + line + "\nKd 1 0 0\n" + line + "\n");
+    const Model read = model(file("m.obj", "mtllib m.mtl\nusemtl a\n" + kTriangleObj));
+    EXPECT_EQ(read.materials[0].colour, (Colour{255, 0, 0, 255})) << line;
+    EXPECT_TRUE(read.warnings.empty()) << line;
+  }
+  for (const auto& [line, words] : std::map<std::string, std::string>{{"map_Ke e.png", "without its emission"},
+                                                                      {"Ke 0 0 1", "without its emission"},
+                                                                      {"Kd spectral a.rfl", "without its colour"},
+                                                                      {"map_Kd -s 2 2 1 t.png", "-s and -o"}}) {
+    png("t.png", 2, 2, 0xF800);
+    file("m.mtl", "newmtl a\n" + line + "\n");
+    const Model read = model(file("m.obj", "mtllib m.mtl\nusemtl a\n" + kTriangleObj));
+    ASSERT_EQ(read.warnings.size(), 1U) << line;
+    EXPECT_NE(read.warnings[0].find(words), std::string::npos) << read.warnings[0];
+  }
+}
+
+/// Of several groups one was read, and pointers to nothing followed.
+TEST_F(Import, GroupsOfRaw) {
+  const Model model = this->model(file("groups.RAW",
+                                       "First\n1 0 0 0 0 0 0 1 0 1 0 0\n1 0 0 0 0 3 0 1 3 1 0 3\n\n"
+                                       "Second one\n0 0 1 3 0 0 0 4 0 1 3 0\n\t+0 0 1 3 3 0 0 4 3 1 3 3"));
+  EXPECT_EQ(triangles(model).size(), 4U);
+  EXPECT_TRUE(model.warnings.empty());
+}
+
+}  // namespace
+}  // namespace zstrip::sim::test
