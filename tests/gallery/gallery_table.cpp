@@ -56,29 +56,28 @@ measured::Row row_of(const std::string& scene, const std::string& machine, const
 std::string gallery_page(const measured::Table& table) {
   std::ostringstream page;
   page << "# Instructions of the gallery\n\nCounted by `tests/measure gallery`; [gallery.csv](gallery.csv) has the "
-          "figures themselves. Million\ninstructions a frame of the [six scenes](../gallery.md#six-scenes) at 240x240 "
-          "pixels: the mean of four frames, at 0, 1/4, 1/2\nand 3/4 of the motion, in QEMU with `-icount`. Posing what "
+          "figures themselves. Million instructions a\nframe of the [six scenes](../gallery.md#six-scenes) at 240x240 "
+          "pixels: the mean of four frames, at 0, 1/4, 1/2 and\n3/4 of the motion, in QEMU with `-icount`. Posing what "
           "moves is not in them.\n\n";
   for (const std::string& note : table.notes) page << "- " << note << '\n';
-  page << "\n| Scene ";
-  for (const char* const machine : kMachines) {
-    for (const char* const preset : kPresets) {
-      for (const char* const kilobytes : kKilobytes) {
-        page << "| " << (machine == std::string("m3") ? "M3" : "M0") << ", " << preset << ", " << kilobytes << " KB ";
-      }
+  std::string heading = "| Scene | Processor ", rule = "|---|---|";
+  for (const char* const preset : kPresets) {
+    for (const char* const kilobytes : kKilobytes) {
+      heading += std::string("| ") + preset + ", " + kilobytes + " KB ";
+      rule += "--:|";
     }
   }
-  page << "|\n|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+  page << '\n' << heading << "|\n" << rule << '\n';
   for (const char* const scene : kScenes) {
-    page << "| `" << scene << "` ";
     for (const char* const machine : kMachines) {
+      page << "| `" << scene << "` | Cortex-" << (machine == std::string("m3") ? "M3 " : "M0 ");
       for (const char* const preset : kPresets) {
         for (const char* const kilobytes : kKilobytes) {
           page << "| " << millions(table, scene, machine, preset, kilobytes) << ' ';
         }
       }
+      page << "|\n";
     }
-    page << "|\n";
   }
   return page.str();
 }
