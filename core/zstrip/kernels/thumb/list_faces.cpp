@@ -12,12 +12,24 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1 || ZSTRIP_HAS_THUMB2
 
-static_assert(offsetof(FaceLists, for_top) == 0 && offsetof(FaceLists, for_bottom) == 4 &&
-              offsetof(FaceLists, inverse) == 8 && offsetof(FaceLists, strips) == 12 &&
-              offsetof(FaceLists, lists) == 16 && offsetof(FaceLists, slots) == 20 && offsetof(FaceLists, batch) == 24);
-static_assert(offsetof(FaceLists, bins) == 28 && offsetof(FaceLists, vertices) == 32 &&
-              offsetof(FaceLists, last) == 36 && offsetof(FaceLists, end) == 40);
-static_assert(offsetof(BinList, next) == 0 && offsetof(BinList, batch) == 4 && sizeof(BinList) == 8);
+// clang-format off
+#define ZSTRIP_FACE_LISTS(field, number) \
+  field(faces, FaceLists, for_top, 0)    \
+  field(faces, FaceLists, for_bottom, 4) \
+  field(faces, FaceLists, inverse, 8)    \
+  field(faces, FaceLists, strips, 12)    \
+  field(faces, FaceLists, lists, 16)     \
+  field(faces, FaceLists, slots, 20)     \
+  field(faces, FaceLists, batch, 24)     \
+  field(faces, FaceLists, bins, 28)      \
+  field(faces, FaceLists, vertices, 32)  \
+  field(faces, FaceLists, last, 36)      \
+  field(faces, FaceLists, end, 40)       \
+  field(list, BinList, next, 0)          \
+  field(list, BinList, batch, 4)         \
+  number(list.size, sizeof(BinList), 8)
+// clang-format on
+ZSTRIP_CHECK_LAYOUT(ZSTRIP_FACE_LISTS)
 static_assert(kBinChunkSlots == 16);
 
 // The list has no room yet for a triangle of this batch. Used: the assembly calls it by its name.
@@ -28,7 +40,7 @@ bool append_to_list(Bins& bins, BinList& list, std::uint32_t batch, std::uint32_
 }
 
 [[gnu::naked]] bool list_faces_thumb(FaceLists&, const Triangle*, std::uint32_t) {
-  asm(
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_FACE_LISTS)
 #if ZSTRIP_HAS_THUMB1
 #include "zstrip/kernels/thumb1/list_faces.inc"
 #else

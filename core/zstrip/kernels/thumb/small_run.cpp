@@ -16,20 +16,38 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1 || ZSTRIP_HAS_THUMB2
 
-static_assert(offsetof(ThumbSmallRun, scan) == 0 && sizeof(SmallScan) == 112);
-static_assert(offsetof(ThumbSmallRun, vertices) == 112 && offsetof(ThumbSmallRun, colours) == 116);
-static_assert(offsetof(ThumbSmallRun, area) == 120 && offsetof(Rect, left) == 0 && offsetof(Rect, top) == 4 &&
-              offsetof(Rect, right) == 8 && offsetof(Rect, bottom) == 12);
-static_assert(offsetof(ThumbSmallRun, depth) == 136 && offsetof(ThumbSmallRun, colour) == 140);
-static_assert(kSmallExtent == 181 && kSmallDepthDifference == 1U << 29);
-static_assert(offsetof(ThumbListedRun, triangles) == 148 && offsetof(ThumbListedRun, batch) == 152 &&
-              offsetof(ThumbListedRun, next_carried) == 156 && offsetof(ThumbListedRun, minus_rows_below) == 160 &&
-              offsetof(ThumbListedRun, column) == 164);
-static_assert(offsetof(ThumbListedRun, read) == 168 && offsetof(ThumbListedRun, write) == 172 &&
-              offsetof(ThumbListedRun, begin) == 176 && offsetof(ThumbListedRun, end) == 180 &&
-              offsetof(ThumbListedRun, end_of_last) == 184);
-static_assert(sizeof(CarriedTriangle) == 64 && offsetof(CarriedTriangle, width) == 48 &&
-              offsetof(CarriedTriangle, key) == 60);
+// clang-format off
+#define ZSTRIP_SMALL_RUN(field, number)                         \
+  field(run, ThumbSmallRun, scan, 0)                            \
+  field(run, ThumbSmallRun, vertices, 112)                      \
+  field(run, ThumbSmallRun, colours, 116)                       \
+  number(run.left, offsetof(ThumbSmallRun, area.left), 120)     \
+  number(run.top, offsetof(ThumbSmallRun, area.top), 124)       \
+  number(run.right, offsetof(ThumbSmallRun, area.right), 128)   \
+  number(run.bottom, offsetof(ThumbSmallRun, area.bottom), 132) \
+  field(run, ThumbSmallRun, depth, 136)                         \
+  field(run, ThumbSmallRun, colour, 140)                        \
+  field(listed, ThumbListedRun, run, 0)                         \
+  field(listed, ThumbListedRun, triangles, 148)                 \
+  field(listed, ThumbListedRun, batch, 152)                     \
+  field(listed, ThumbListedRun, next_carried, 156)              \
+  field(listed, ThumbListedRun, minus_rows_below, 160)          \
+  field(listed, ThumbListedRun, column, 164)                    \
+  field(listed, ThumbListedRun, read, 168)                      \
+  field(listed, ThumbListedRun, write, 172)                     \
+  field(listed, ThumbListedRun, begin, 176)                     \
+  field(listed, ThumbListedRun, end, 180)                       \
+  field(listed, ThumbListedRun, end_of_last, 184)               \
+  field(carried, CarriedTriangle, planes, 0)                    \
+  field(carried, CarriedTriangle, width, 48)                    \
+  field(carried, CarriedTriangle, rows, 52)                     \
+  field(carried, CarriedTriangle, column, 56)                   \
+  field(carried, CarriedTriangle, key, 60)                      \
+  number(carried.size, sizeof(CarriedTriangle), 64)             \
+  number(small.extent, kSmallExtent, 181)
+// clang-format on
+ZSTRIP_CHECK_LAYOUT(ZSTRIP_SMALL_RUN)
+static_assert(kSmallDepthDifference == 1U << 29);
 static_assert(sizeof(CarriedTriangles) <= kBinChunkBytes);
 
 // Of other objects, and only the assembly calls them. With link time optimisation the linker takes from an archive only
@@ -52,11 +70,12 @@ bool draw_medium_of_run([[maybe_unused]] const ThumbSmallRun& run, [[maybe_unuse
 
 [[gnu::naked]] std::uint32_t draw_small_run_thumb(ThumbSmallRun&, const Triangle*, std::uint32_t) {
 #if ZSTRIP_HAS_THUMB1
-  asm(
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_SMALL_SCAN) ZSTRIP_NAMES(ZSTRIP_SMALL_RUN)
 #include "zstrip/kernels/thumb1/small_run.inc"
   );
 #else
-  asm(".set .Lsmall_run_listed, 0\n"
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_SMALL_SCAN)
+          ZSTRIP_NAMES(ZSTRIP_SMALL_RUN) ".set .Lsmall_run_listed, 0\n"
 #include "zstrip/kernels/thumb2/small_run.inc"
   );
 #endif
@@ -64,7 +83,8 @@ bool draw_medium_of_run([[maybe_unused]] const ThumbSmallRun& run, [[maybe_unuse
 
 #if ZSTRIP_HAS_THUMB2
 [[gnu::naked]] std::uint32_t draw_listed_run_thumb2(ThumbListedRun&, const std::uint16_t*, std::uint32_t) {
-  asm(".set .Lsmall_run_listed, 1\n"
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_SMALL_SCAN)
+          ZSTRIP_NAMES(ZSTRIP_SMALL_RUN) ".set .Lsmall_run_listed, 1\n"
 #include "zstrip/kernels/thumb2/small_run.inc"
   );
 }
