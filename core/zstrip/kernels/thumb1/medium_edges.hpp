@@ -2,7 +2,8 @@
 #pragma once
 
 // zstrip_medium_edges: moves both edges of the scan in r0 a row down. The row's first column in r7, the one behind its
-// last in r1; r6 behind the edges. Takes r2 to r5. Text in each function, as in macros.hpp.
+// last in r1; r6 behind the edges, at depth_row. Takes r2 to r5. Needs the names of thumb/medium_layout.hpp. Text in
+// each function, as in macros.hpp.
 //
 // zstrip_medium_edge at: one edge, at offset `at` and at r6, which it moves behind it. Its column in r1.
 #define ZSTRIP_THUMB1_MEDIUM_EDGES                                                         \
@@ -14,13 +15,13 @@
   "  adds  r3, r3, #1\n"                                                                   \
   ".Lmedium_edge\\@:\n"                                                                    \
   "  adds  r3, r3, r1\n"                                                                   \
-  "  str   r3, [r0, #\\at]\n"                                                              \
-  "  str   r2, [r0, #\\at + 4]\n"                                                          \
+  "  str   r3, [r0, #\\at + .Ledge.pixel]\n"                                               \
+  "  str   r2, [r0, #\\at + .Ledge.remainder]\n"                                           \
   ".endm\n"                                                                                \
   ".macro zstrip_medium_edges\n"                                                           \
   "  movs  r6, r0\n"                                                                       \
-  "  zstrip_medium_edge 0\n"                                                               \
+  "  zstrip_medium_edge .Lmedium.left\n"                                                   \
   "  movs  r7, r1\n"                                                                       \
-  "  zstrip_medium_edge 20\n"                                                              \
+  "  zstrip_medium_edge .Lmedium.right\n"                                                  \
   ".endm\n"
 #define ZSTRIP_THUMB1_PURGE_MEDIUM_EDGES ".purgem zstrip_medium_edge\n.purgem zstrip_medium_edges\n"

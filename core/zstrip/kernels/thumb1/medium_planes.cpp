@@ -13,10 +13,27 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
 
-static_assert(sizeof(ThumbPlanes) == 36);  // no gaps: the members lie in order
-static_assert(sizeof(Plane) == 12 && offsetof(Plane, start) == 0 && offsetof(Plane, step_x) == 4);
+// clang-format off
+#define ZSTRIP_THUMB_PLANES(field, number)                                            \
+  number(planes.mantissa_low, offsetof(ThumbPlanes, mantissa_low_), 0)                \
+  number(planes.mantissa_high, offsetof(ThumbPlanes, mantissa_high_), 4)              \
+  number(planes.x1, offsetof(ThumbPlanes, x1_), 8)                                    \
+  number(planes.x2, offsetof(ThumbPlanes, x2_), 12)                                   \
+  number(planes.y1, offsetof(ThumbPlanes, y1_), 16)                                   \
+  number(planes.y2, offsetof(ThumbPlanes, y2_), 20)                                   \
+  number(planes.x1_to_x2, offsetof(ThumbPlanes, x2_) - offsetof(ThumbPlanes, x1_), 4) \
+  number(planes.offset_x, offsetof(ThumbPlanes, offset_x_), 24)                       \
+  number(planes.offset_y, offsetof(ThumbPlanes, offset_y_), 28)                       \
+  number(planes.right, offsetof(ThumbPlanes, right_), 32)                             \
+  field(plane, Plane, start, 0)                                                       \
+  field(plane, Plane, step_x, 4)                                                      \
+  field(plane, Plane, step_y, 8)
+// clang-format on
+struct ThumbPlanes::Layout {
+  ZSTRIP_CHECK_LAYOUT(ZSTRIP_THUMB_PLANES)
+};
 
-// Of planes at r7, and the halves of 1 / area in r5 and r6.
+// Macros for planes at r7, and the halves of 1 / area in r5 and r6.
 // zstrip_plane_quotient: of r4 and what r3 / 2^16 is below it, r3 being its product with 1 / area already: a step in r1
 // and 16 bits below it in the lower half of r0. Uses r2.
 // zstrip_plane_round at: stores that step, rounded, at offset `at` of r3; r0 is 16 bits.
@@ -42,7 +59,7 @@ static_assert(sizeof(Plane) == 12 && offsetof(Plane, start) == 0 && offsetof(Pla
   "  adds  r0, r0, r1\n"                \
   "  asrs  r1, r1, #16\n"               \
   "  adds  r1, r1, r4\n"                \
-  "  ldr   r2, [r7, #32]\n"             \
+  "  ldr   r2, [r7, #.Lplanes.right]\n" \
   "  lsrs  r0, r0, r2\n"                \
   "  asrs  r1, r1, r2\n"                \
   ".endm\n"                             \
@@ -56,15 +73,21 @@ static_assert(sizeof(Plane) == 12 && offsetof(Plane, start) == 0 && offsetof(Pla
   ".endm\n"
 #define ZSTRIP_THUMB1_PURGE_PLANES ".purgem zstrip_plane_quotient\n.purgem zstrip_plane_round\n"
 
-// r8 and r10 the halves of the first difference, r9 and r11 of the second; r12 and lr the way to the anchor. On the
-// stack: the plane, the value at vertex 0.
+// r5 and r6 the halves of 1 / area, r7 the planes, r8 and r10 the halves of the first difference, r9 and r11 of the
+// second. A step to the right, times the way to the anchor, waits in r12 and lr until the step down has its product,
+// too: their sum leads from the value at vertex 0 to that at the anchor.
 [[gnu::naked, gnu::used]] void ThumbPlanes::set_plane(Plane&, const ThumbPlanes&, std::int32_t, std::int32_t,
                                                       std::int32_t) {
-  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_PLANES R"(
-    @ A step of the weights at \first and \first + 4.
+  asm(ZSTRIP_NAMES(ZSTRIP_THUMB_PLANES) ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_PLANES R"(
+    .set .Lstack.plane, 0
+    .set .Lstack.value, 4             @ at vertex 0
+    .set .Lstack.size, 8
+
+    @ A step of the weights at \first and behind it: the sum of their products with the differences is r4
+    @ and, below it, 16 bits of r3.
     .macro zstrip_plane_step first
       ldr   r1, [r7, #\first]
-      ldr   r2, [r7, #\first + 4]
+      ldr   r2, [r7, #\first + .Lplanes.x1_to_x2]
       mov   r3, r8
       muls  r3, r1, r3
       mov   r4, r9
@@ -88,7 +111,7 @@ static_assert(sizeof(Plane) == 12 && offsetof(Plane, start) == 0 && offsetof(Pla
 
     push  {r0, r2}
     movs  r7, r1
-    ldr   r4, [sp, #44]
+    ldr   r4, [sp, #.Lstack.size + .Lsaved]
     uxth  r0, r3
     mov   r8, r0
     asrs  r3, r3, #16
@@ -97,20 +120,20 @@ static_assert(sizeof(Plane) == 12 && offsetof(Plane, start) == 0 && offsetof(Pla
     mov   r9, r0
     asrs  r4, r4, #16
     mov   r11, r4
-    ldm   r1!, {r5, r6}
-    zstrip_plane_step 8
-    zstrip_plane_round "ldr r3, [sp]", 4
-    ldr   r2, [r7, #24]
+    ldm   r1!, {r5, r6}               @ mantissa_low, mantissa_high
+    zstrip_plane_step .Lplanes.x1
+    zstrip_plane_round "ldr r3, [sp, #.Lstack.plane]", .Lplane.step_x
+    ldr   r2, [r7, #.Lplanes.offset_x]
     muls  r1, r2, r1
     muls  r0, r2, r0
     mov   r12, r1
     mov   lr, r0
-    zstrip_plane_step 16
-    zstrip_plane_round "ldr r3, [sp]", 8
-    ldr   r2, [r7, #28]
+    zstrip_plane_step .Lplanes.y1
+    zstrip_plane_round "ldr r3, [sp, #.Lstack.plane]", .Lplane.step_y
+    ldr   r2, [r7, #.Lplanes.offset_y]
     muls  r1, r2, r1
     muls  r0, r2, r0
-    add   r1, r1, r12
+    add   r1, r1, r12                 @ r1, and 16 bits below it in r0; both times 2^4
     add   r0, r0, lr
     asrs  r2, r0, #16
     adds  r1, r1, r2
@@ -118,48 +141,59 @@ static_assert(sizeof(Plane) == 12 && offsetof(Plane, start) == 0 && offsetof(Pla
     uxth  r0, r0
     lsrs  r0, r0, #12
     adds  r1, r1, r0
-    pop   {r2, r3}
+    pop   {r2, r3}                    @ the plane, the value
     adds  r1, r1, r3
-    str   r1, [r2]
+    str   r1, [r2, #.Lplane.start]
     .purgem zstrip_plane_step
   )" ZSTRIP_THUMB1_PURGE_PLANES ZSTRIP_THUMB1_POP);
 }
 
-// r8 and r9 the differences of a channel, r10 its colours, r11 where its start is, r12 0 in white light. On the stack:
-// 0 the way to the anchor, 8 the channel at vertex 0.
+// r4 how far quotients are still to be shifted, r5 and r6 the halves of 1 / area, r7 the planes, r8 and r9 the
+// differences of a channel, r10 its byte of the first colour, r11 where its start is, r12 0 in white light. A loop over
+// the channels, because three copies would be large; red alone where the light is white. Differences have 9 bits, so
+// that most sums with weights have 16, and a step takes two products instead of four.
 [[gnu::naked]] void ThumbPlanes::set_channels(MediumScan&) const {
-  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_PLANES R"(
-    @ A step of the weights at \first and \first + 4.
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MEDIUM_SCAN) ZSTRIP_NAMES(ZSTRIP_THUMB_PLANES)
+          ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_PLANES R"(
+    .set .Lstack.right, 0             @ a step to the right times the way to the anchor
+    .set .Lstack.right_low, 4         @ 16 bits below it
+    .set .Lstack.channel, 8           @ at vertex 0
+    .set .Lstack.size, 12
+    .set .Lto_step_y, .Lmedium.step_y_red - .Lmedium.start_red
+    .set .Lto_step_x, .Lmedium.step_x_red - .Lmedium.start_red
+
+    @ A step of the weights at \first and behind it: r1 and 16 bits below it in r0. Of a sum of 16 bits here, of others in
+    @ .Lchannel_long.
     .macro zstrip_channel_step first
       mov   r2, r8
       ldr   r1, [r7, #\first]
       muls  r1, r2, r1
       mov   r2, r9
-      ldr   r0, [r7, #\first + 4]
+      ldr   r0, [r7, #\first + .Lplanes.x1_to_x2]
       muls  r0, r2, r0
       adds  r0, r0, r1
       sxth  r1, r0
       cmp   r1, r0
-      beq   .Lchannel_short_\first
+      beq   .Lchannel_short\@
       movs  r4, r0
       movs  r3, #0
       bl    .Lchannel_long
-      b     .Lchannel_step_\first
-    .Lchannel_short_\first:
+      b     .Lchannel_step\@
+    .Lchannel_short\@:
       muls  r0, r6, r0
       muls  r1, r5, r1
       asrs  r1, r1, #16
       adds  r0, r0, r1
       asrs  r0, r0, r4
       asrs  r1, r0, #16
-    .Lchannel_step_\first:
+    .Lchannel_step\@:
     .endm
 
-    sub   sp, sp, #12
+    sub   sp, sp, #.Lstack.size
     movs  r7, r0
-    adds  r1, r1, #60
+    adds  r1, r1, #.Lmedium.start_red
     mov   r11, r1
-    adds  r1, r1, #60
+    adds  r1, r1, #.Lmedium.colours - .Lmedium.start_red
     mov   r10, r1
     ldm   r1!, {r2-r4}
     lsrs  r5, r2, #8                  @ red and green, green and blue
@@ -173,34 +207,34 @@ static_assert(sizeof(Plane) == 12 && offsetof(Plane, start) == 0 && offsetof(Pla
     lsls  r5, r5, #16
     mov   r12, r5
     ldm   r0!, {r5, r6}
-    ldr   r4, [r7, #32]
+    ldr   r4, [r7, #.Lplanes.right]
   .Lchannel_next:
     mov   r0, r10
     ldrb  r1, [r0]
-    ldrb  r2, [r0, #4]
-    ldrb  r3, [r0, #8]
+    ldrb  r2, [r0, #.Lcolour.size]
+    ldrb  r3, [r0, #2 * .Lcolour.size]
     adds  r0, r0, #1
     mov   r10, r0
     subs  r2, r2, r1
     mov   r8, r2
     subs  r3, r3, r1
     mov   r9, r3
-    str   r1, [sp, #8]
-    zstrip_channel_step 8
-    zstrip_plane_round "mov r3, r11", 32
-    ldr   r2, [r7, #24]
+    str   r1, [sp, #.Lstack.channel]
+    zstrip_channel_step .Lplanes.x1
+    zstrip_plane_round "mov r3, r11", .Lto_step_x
+    ldr   r2, [r7, #.Lplanes.offset_x]
     muls  r1, r2, r1
     muls  r0, r2, r0
-    str   r1, [sp, #0]
-    str   r0, [sp, #4]
-    zstrip_channel_step 16
-    zstrip_plane_round "mov r3, r11", 16
-    ldr   r2, [r7, #28]
+    str   r1, [sp, #.Lstack.right]
+    str   r0, [sp, #.Lstack.right_low]
+    zstrip_channel_step .Lplanes.y1
+    zstrip_plane_round "mov r3, r11", .Lto_step_y
+    ldr   r2, [r7, #.Lplanes.offset_y]
     muls  r1, r2, r1
     muls  r0, r2, r0
-    ldr   r2, [sp, #4]
+    ldr   r2, [sp, #.Lstack.right_low]
     adds  r0, r0, r2
-    ldr   r2, [sp, #0]
+    ldr   r2, [sp, #.Lstack.right]
     adds  r1, r1, r2
     asrs  r2, r0, #16
     adds  r1, r1, r2
@@ -208,7 +242,7 @@ static_assert(sizeof(Plane) == 12 && offsetof(Plane, start) == 0 && offsetof(Pla
     uxth  r0, r0
     lsrs  r0, r0, #12
     adds  r1, r1, r0
-    ldr   r2, [sp, #8]
+    ldr   r2, [sp, #.Lstack.channel]  @ 8.16, plus one half
     lsls  r2, r2, #1
     adds  r2, r2, #1
     lsls  r2, r2, #15
@@ -218,14 +252,15 @@ static_assert(sizeof(Plane) == 12 && offsetof(Plane, start) == 0 && offsetof(Pla
     mov   r0, r12
     cmp   r0, #0
     bne   .Lchannel_coloured
-    str   r1, [r3, #0]                @ white light: all channels are red's
-    str   r1, [r3, #4]
-    ldr   r0, [r3, #12]
-    str   r0, [r3, #16]
-    str   r0, [r3, #20]
-    ldr   r0, [r3, #28]
-    str   r0, [r3, #32]
-    str   r0, [r3, #36]
+    @ White light: all channels are red's. r3 is at start_green.
+    str   r1, [r3]
+    str   r1, [r3, #.Lmedium.start_blue - .Lmedium.start_green]
+    ldr   r0, [r3, #.Lmedium.step_y_red - .Lmedium.start_green]
+    str   r0, [r3, #.Lmedium.step_y_green - .Lmedium.start_green]
+    str   r0, [r3, #.Lmedium.step_y_blue - .Lmedium.start_green]
+    ldr   r0, [r3, #.Lmedium.step_x_red - .Lmedium.start_green]
+    str   r0, [r3, #.Lmedium.step_x_green - .Lmedium.start_green]
+    str   r0, [r3, #.Lmedium.step_x_blue - .Lmedium.start_green]
     b     .Lchannel_end
   .Lchannel_coloured:
     mov   r0, r10                     @ the last one's offset is 3 more than a multiple of 4
@@ -234,7 +269,7 @@ static_assert(sizeof(Plane) == 12 && offsetof(Plane, start) == 0 && offsetof(Pla
     adds  r0, r0, #1
     bne   .Lchannel_next
   .Lchannel_end:
-    add   sp, sp, #12
+    add   sp, sp, #.Lstack.size
   )" ZSTRIP_THUMB1_POP R"(
   .Lchannel_long:
     zstrip_plane_quotient
@@ -244,19 +279,37 @@ static_assert(sizeof(Plane) == 12 && offsetof(Plane, start) == 0 && offsetof(Pla
   )" ZSTRIP_THUMB1_PURGE_PLANES);
 }
 
-// r8, r9 and r10 the vertices, r11 and r12 the bases of u and v. On the stack: 0 an argument, 4 the scan, 8 the planes,
-// 12 a plane, 24 the 1/w of each vertex, 36 their u/w and v/w in 64 bits, u and v of a vertex after each other.
+// r8, r9 and r10 the vertices, r11 and r12 the bases of u and v. First 1/w of each vertex, scaled to 29 bits, and its
+// plane; then the six products of 1/w with u and v in 64 bits, whose largest says how far all are shifted to fit words;
+// then the planes of u/w and v/w. .Ltexture_plane, .Ltexture_product and .Ltexture_zeros are called: copies would be
+// large. The first keeps its return address in r11, because zstrip_set_plane_thumb takes lr and saves r11.
 [[gnu::naked]] void ThumbPlanes::set_texture(TexturedScan&, const TexturedVertex* const (&)[3], std::int64_t) const {
-  asm(ZSTRIP_THUMB1_PUSH R"(
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_TEXTURED_SCAN) ZSTRIP_THUMB1_PUSH R"(
+    @ On the stack:
+    .set .Lstack.argument, 0          @ the fifth one of a call
+    .set .Lstack.scan, 4
+    .set .Lstack.planes, 8
+    .set .Lstack.plane, 12            @ a result
+    .set .Lstack.one_over_w_0, 24     @ at each vertex
+    .set .Lstack.one_over_w_1, 28
+    .set .Lstack.one_over_w_2, 32
+    .set .Lstack.u_0, 36              @ u/w and v/w at each vertex, 64 bits
+    .set .Lstack.v_0, 44
+    .set .Lstack.u_1, 52
+    .set .Lstack.v_1, 60
+    .set .Lstack.u_2, 68
+    .set .Lstack.v_2, 76
+    .set .Lstack.size, 84
+
     @ u/w and v/w of the vertex \vertex, whose 1/w is at \at, to r7, and what zstrip_texture_product does.
     .macro zstrip_texture_vertex vertex at
       ldr   r5, [sp, #\at]
       lsrs  r6, r5, #16
       uxth  r5, r5
       mov   r0, \vertex
-      ldr   r1, [r0, #8]
+      ldr   r1, [r0, #.Lcorner.v]
       mov   \vertex, r1
-      ldr   r0, [r0, #4]
+      ldr   r0, [r0, #.Lcorner.u]
       mov   r1, r11
       subs  r0, r0, r1
       bl    .Ltexture_product
@@ -274,36 +327,38 @@ static_assert(sizeof(Plane) == 12 && offsetof(Plane, start) == 0 && offsetof(Pla
       lsrs  r1, r1, r5
       orrs  r0, r0, r1
     .endm
-    @ The plane of the products from \at on.
+    @ The plane of a vertex's product at \at, and of the others'.
     .macro zstrip_texture_plane at
       zstrip_texture_word \at
       movs  r2, r0
-      zstrip_texture_word \at + 16
+      zstrip_texture_word \at+.Lstack.u_1-.Lstack.u_0
       subs  r3, r0, r2
-      zstrip_texture_word \at + 32
+      zstrip_texture_word \at+.Lstack.u_2-.Lstack.u_0
       subs  r0, r0, r2
-      str   r0, [sp, #0]
+      str   r0, [sp, #.Lstack.argument]
       bl    .Ltexture_plane
     .endm
 
-    sub   sp, sp, #84
-    str   r1, [sp, #4]
-    str   r0, [sp, #8]
-    ldr   r0, [sp, #120]
-    ldr   r1, [sp, #124]
+    sub   sp, sp, #.Lstack.size
+    str   r1, [sp, #.Lstack.scan]
+    str   r0, [sp, #.Lstack.planes]
+    ldr   r0, [sp, #.Lstack.size + .Lsaved]
+    ldr   r1, [sp, #.Lstack.size + .Lsaved + 4]
     ldm   r2!, {r4-r6}
     mov   r8, r4
     mov   r9, r5
     mov   r10, r6
-    ldr   r4, [r4]                    @ 1/w of each vertex: r2 and r4, r3 and r5, r7 and r6
+    @ 1/w of each vertex in two words: r2 and r4, r3 and r5, r7 and r6; then in one, r4, r5 and r6, with 3 zeros before
+    @ the largest.
+    ldr   r4, [r4, #.Lcorner.depth]
     adds  r4, r4, r0
     movs  r2, #0
     adcs  r2, r2, r1
-    ldr   r5, [r5]
+    ldr   r5, [r5, #.Lcorner.depth]
     adds  r5, r5, r0
     movs  r3, #0
     adcs  r3, r3, r1
-    ldr   r6, [r6]
+    ldr   r6, [r6, #.Lcorner.depth]
     adds  r6, r6, r0
     movs  r7, #0
     adcs  r7, r7, r1
@@ -345,35 +400,37 @@ static_assert(sizeof(Plane) == 12 && offsetof(Plane, start) == 0 && offsetof(Pla
     lsrs  r5, r5, r1
     lsrs  r6, r6, r1
   .Ltexture_scaled:
-    add   r7, sp, #24
+    add   r7, sp, #.Lstack.one_over_w_0
     stm   r7!, {r4-r6}
     movs  r2, r4
     subs  r3, r5, r4
     subs  r6, r6, r4
-    str   r6, [sp, #0]
-    ldr   r4, [sp, #4]
-    adds  r4, r4, #160
+    str   r6, [sp, #.Lstack.argument]
+    ldr   r4, [sp, #.Lstack.scan]
+    adds  r4, r4, #.Ltextured.start_one_over_w
     bl    .Ltexture_plane
 
+    @ The bases, whole texels near vertex 0. r7 is at the products, where zstrip_texture_vertex writes them.
     mov   r0, r8
-    ldr   r1, [r0, #4]
-    ldr   r2, [r0, #8]
+    ldr   r1, [r0, #.Lcorner.u]
+    ldr   r2, [r0, #.Lcorner.v]
     lsrs  r1, r1, #16
     lsls  r1, r1, #16
     lsrs  r2, r2, #16
     lsls  r2, r2, #16
     mov   r11, r1
     mov   r12, r2
-    str   r1, [r4, #32]
-    str   r2, [r4, #36]
+    str   r1, [r4, #.Ltextured.base_u - .Ltextured.start_u_over_w]
+    str   r2, [r4, #.Ltextured.base_v - .Ltextured.start_u_over_w]
     movs  r4, #0
-    zstrip_texture_vertex r8, 24
-    zstrip_texture_vertex r9, 28
-    zstrip_texture_vertex r10, 32
+    zstrip_texture_vertex r8, .Lstack.one_over_w_0
+    zstrip_texture_vertex r9, .Lstack.one_over_w_1
+    zstrip_texture_vertex r10, .Lstack.one_over_w_2
+    @ r5 becomes how far products are shifted to the right: to 29 bits and a sign.
     movs  r5, #0
     movs  r0, r4
     bne   .Ltexture_two_words
-    add   r7, sp, #36                 @ all products are short
+    add   r7, sp, #.Lstack.u_0        @ all products are short
     movs  r1, #6
   .Ltexture_short:
     ldm   r7!, {r2, r3}
@@ -392,29 +449,29 @@ static_assert(sizeof(Plane) == 12 && offsetof(Plane, start) == 0 && offsetof(Pla
     bpl   .Ltexture_shift
     movs  r5, #0
   .Ltexture_shift:
-    ldr   r4, [sp, #4]
-    adds  r4, r4, #164
+    ldr   r4, [sp, #.Lstack.scan]
+    adds  r4, r4, #.Ltextured.start_u_over_w
     movs  r6, #30
     subs  r6, r6, r5
-    str   r6, [r4, #48]
+    str   r6, [r4, #.Ltextured.right_shift - .Ltextured.start_u_over_w]
     adds  r6, r6, #1
-    zstrip_texture_plane 36
-    zstrip_texture_plane 44
-    add   sp, sp, #84
+    zstrip_texture_plane .Lstack.u_0
+    zstrip_texture_plane .Lstack.v_0
+    add   sp, sp, #.Lstack.size
   )" ZSTRIP_THUMB1_POP R"(
 
     @ The plane of r2, with the differences r3 and on the stack, to where r4 is in the scan's texture coordinates. Moves
     @ r4 to the next one.
   .Ltexture_plane:
     mov   r11, lr
-    add   r0, sp, #12
-    ldr   r1, [sp, #8]
+    add   r0, sp, #.Lstack.plane
+    ldr   r1, [sp, #.Lstack.planes]
     bl    zstrip_set_plane_thumb
-    add   r0, sp, #12
-    ldm   r0!, {r1-r3}
+    add   r0, sp, #.Lstack.plane
+    ldm   r0!, {r1-r3}                @ start, step_x, step_y
     str   r1, [r4]
-    str   r3, [r4, #12]
-    str   r2, [r4, #24]
+    str   r3, [r4, #.Ltextured.step_y_one_over_w - .Ltextured.start_one_over_w]
+    str   r2, [r4, #.Ltextured.step_x_one_over_w - .Ltextured.start_one_over_w]
     adds  r4, r4, #4
     bx    r11
 

@@ -48,6 +48,7 @@ class ThumbPlanes {
  private:
   static void set_plane(Plane& plane, const ThumbPlanes& planes, std::int32_t value_0, std::int32_t d1,
                         std::int32_t d2) asm("zstrip_set_plane_thumb");
+  struct Layout;  ///< checks where the members stand
 
   // The assembly reads the members in this order.
   std::uint32_t mantissa_low_, mantissa_high_;  ///< halves of 1 / area

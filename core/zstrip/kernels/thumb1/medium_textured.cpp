@@ -11,14 +11,38 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
 
-// On the stack: 0 the scan, 4 how many rows, 8 the normalisation of the last 1/w, 12 the table of reciprocals for an
-// index that begins at 256, 16 the inverses for lengths, 20 the shifts to a column and to a row, 28 the mask of rows,
-// 32 the texels, 36 the steps of depth, red, green and blue, 52 those of u and v, 60 how long the row is, 64 its first
-// cell, 68 from a cell to its pixel, 72 depth and light at the first pixel, 88 1/w, u/w and v/w there, 100 the exact
-// position there.
+// A row: edges, in the low registers; then the cell, depth, light and texture at the row's first pixel, to the stack;
+// the exact position there and at the last pixel, by .Ltextured_position; both steps; at last the pixels. Divisions
+// take every low register, so that all that a row needs waits on the stack, in the order in which ldm and stm take it.
 [[gnu::naked]] static void scan_rows_of_texels(TexturedScan&, const LitWordRunState&, std::int32_t, const std::int32_t*,
                                                const std::uint16_t*) {
-  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL ZSTRIP_THUMB1_MEDIUM_EDGES R"(
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MEDIUM_SCAN) ZSTRIP_NAMES(ZSTRIP_TEXTURED_SCAN)
+          ZSTRIP_NAMES(ZSTRIP_TEXEL_RUN) ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL ZSTRIP_THUMB1_MEDIUM_EDGES R"(
+    @ On the stack:
+    .set .Lstack.scan, 0
+    .set .Lstack.rows, 4              @ left
+    .set .Lstack.normalisation, 8     @ of the last 1/w
+    .set .Lstack.reciprocals, 12      @ the table for an index that begins at 256
+    .set .Lstack.inverses, 16         @ for lengths
+    .set .Lstack.to_column, 20        @ shifts
+    .set .Lstack.to_row, 24
+    .set .Lstack.row_mask, 28
+    .set .Lstack.texels, 32
+    .set .Lstack.step_z, 36
+    .set .Lstack.step_red, 40         @ and of green and blue
+    .set .Lstack.step_u, 52
+    .set .Lstack.step_v, 56
+    .set .Lstack.length, 60           @ of the row
+    .set .Lstack.cell, 64             @ its first one
+    .set .Lstack.to_pixel, 68         @ from a cell
+    .set .Lstack.z, 72                @ and light at the first pixel
+    .set .Lstack.one_over_w, 88       @ there
+    .set .Lstack.u_over_w, 92
+    .set .Lstack.v_over_w, 96
+    .set .Lstack.from_u, 100          @ the exact position there
+    .set .Lstack.from_v, 104
+    .set .Lstack.size, 108
+
     @ The value \to plus the step at r0 times \by. Moves r0 behind that. Uses \with.
     .macro zstrip_textured_add to by with
       ldm   r0!, {\with}
@@ -35,42 +59,42 @@ namespace zstrip::detail {
       adds  \to, \to, r3
     .endm
 
-    sub   sp, sp, #108
-    str   r0, [sp, #0]
-    str   r2, [sp, #4]
-    subs  r3, r3, #4
-    str   r3, [sp, #16]
+    sub   sp, sp, #.Lstack.size
+    str   r0, [sp, #.Lstack.scan]
+    str   r2, [sp, #.Lstack.rows]
+    subs  r3, r3, #4                  @ so that the index is a length
+    str   r3, [sp, #.Lstack.inverses]
     movs  r2, #0
-    str   r2, [sp, #8]
-    ldr   r2, [sp, #144]
+    str   r2, [sp, #.Lstack.normalisation]
+    ldr   r2, [sp, #.Lstack.size + .Lsaved]
     movs  r3, #2
     lsls  r3, r3, #8
     subs  r2, r2, r3
-    str   r2, [sp, #12]
-    adds  r1, r1, #20
+    str   r2, [sp, #.Lstack.reciprocals]
+    adds  r1, r1, #.Lrun.step_z
     ldm   r1!, {r2-r6}                @ step of depth, texels, shift to a column, to a row, mask
-    str   r2, [sp, #36]
-    str   r3, [sp, #32]
-    add   r1, sp, #20
+    str   r2, [sp, #.Lstack.step_z]
+    str   r3, [sp, #.Lstack.texels]
+    add   r1, sp, #.Lstack.to_column
     stm   r1!, {r4-r6}
-    adds  r0, r0, #92
+    adds  r0, r0, #.Lmedium.step_x_red
     ldm   r0!, {r2-r4}                @ steps of light
-    add   r1, sp, #40
+    add   r1, sp, #.Lstack.step_red
     stm   r1!, {r2-r4}
   .Ltextured_row:
-    ldr   r0, [sp, #0]
+    ldr   r0, [sp, #.Lstack.scan]
     zstrip_medium_edges
     subs  r1, r1, r7
-    str   r1, [sp, #60]
+    str   r1, [sp, #.Lstack.length]
     ldm   r6!, {r2-r5}                @ rows and strides
     adds  r4, r4, r2
     adds  r5, r5, r3
-    str   r4, [r0, #40]
-    str   r5, [r0, #44]
-    adds  r0, r0, #160
-    ldr   r4, [r0, #56]               @ this row
+    str   r4, [r0, #.Lmedium.depth_row]
+    str   r5, [r0, #.Lmedium.colour_row]
+    adds  r0, r0, #.Ltextured.start_one_over_w
+    ldr   r4, [r0, #.Ltextured.row - .Ltextured.start_one_over_w] @ this row
     adds  r5, r4, #1
-    str   r5, [r0, #56]
+    str   r5, [r0, #.Ltextured.row - .Ltextured.start_one_over_w]
     cmp   r1, #0
     bgt   .Ltextured_drawn
     b     .Ltextured_next_row
@@ -79,8 +103,10 @@ namespace zstrip::detail {
     adds  r2, r2, r1
     adds  r3, r3, r1
     subs  r3, r3, r2
-    str   r2, [sp, #64]
-    str   r3, [sp, #68]
+    str   r2, [sp, #.Lstack.cell]
+    str   r3, [sp, #.Lstack.to_pixel]
+    @ Texture, from its starts in r1 to r3, then depth and light, from theirs in r1, r2, r3 and r5: r4 steps down, r7 to
+    @ the right.
     ldm   r0!, {r1-r3}
     zstrip_textured_add r1, r4, r5
     zstrip_textured_add r2, r4, r5
@@ -88,7 +114,7 @@ namespace zstrip::detail {
     zstrip_textured_add r1, r7, r5
     zstrip_textured_add r2, r7, r5
     zstrip_textured_add r3, r7, r5
-    add   r5, sp, #88
+    add   r5, sp, #.Lstack.one_over_w
     stm   r5!, {r1-r3}
     movs  r0, r6
     ldm   r0!, {r1, r2, r3, r5}
@@ -100,44 +126,44 @@ namespace zstrip::detail {
     zstrip_textured_add r2, r7, r6
     zstrip_textured_add r3, r7, r6
     zstrip_textured_add r5, r7, r6
-    add   r6, sp, #72
+    add   r6, sp, #.Lstack.z
     stm   r6!, {r1, r2, r3, r5}
-    ldm   r6!, {r2, r4, r5}
+    ldm   r6!, {r2, r4, r5}           @ 1/w, u/w, v/w
     bl    .Ltextured_position
-    ldr   r4, [r7, #8]                @ to fractions of the texture
-    ldr   r5, [r7, #12]
-    ldr   r6, [sp, #60]
+    ldr   r4, [r7, #.Ltextured.to_fraction_u - .Ltextured.base_u] @ to fractions of the texture
+    ldr   r5, [r7, #.Ltextured.to_fraction_v - .Ltextured.base_u]
+    ldr   r6, [sp, #.Lstack.length]
     cmp   r6, #1
     beq   .Ltextured_one
-    str   r1, [sp, #100]
-    str   r0, [sp, #104]
+    str   r1, [sp, #.Lstack.from_u]
+    str   r0, [sp, #.Lstack.from_v]
     subs  r6, r6, #1
-    subs  r7, r7, #12
-    ldm   r7!, {r0, r3, r5}
-    ldr   r2, [sp, #88]
+    subs  r7, r7, #.Ltextured.base_u - .Ltextured.step_x_one_over_w
+    ldm   r7!, {r0, r3, r5}           @ the position at the last pixel, r6 steps to the right
+    ldr   r2, [sp, #.Lstack.one_over_w]
     muls  r0, r6, r0
     adds  r2, r2, r0
-    ldr   r4, [sp, #92]
+    ldr   r4, [sp, #.Lstack.u_over_w]
     muls  r3, r6, r3
     adds  r4, r4, r3
     muls  r5, r6, r5
-    ldr   r3, [sp, #96]
+    ldr   r3, [sp, #.Lstack.v_over_w]
     adds  r5, r5, r3
     bl    .Ltextured_position
-    ldr   r4, [r7, #8]
-    ldr   r5, [r7, #12]
-    ldr   r2, [sp, #100]
-    ldr   r3, [sp, #104]
+    ldr   r4, [r7, #.Ltextured.to_fraction_u - .Ltextured.base_u]
+    ldr   r5, [r7, #.Ltextured.to_fraction_v - .Ltextured.base_u]
+    ldr   r2, [sp, #.Lstack.from_u]
+    ldr   r3, [sp, #.Lstack.from_v]
     subs  r1, r1, r2
     subs  r0, r0, r3
     muls  r2, r4, r2
     mov   r8, r2
     muls  r3, r5, r3
     mov   r9, r3
-    ldr   r6, [sp, #60]
+    ldr   r6, [sp, #.Lstack.length]
     cmp   r6, #2
     beq   .Ltextured_two
-    ldr   r2, [sp, #16]
+    ldr   r2, [sp, #.Lstack.inverses]
     lsls  r3, r6, #2
     ldr   r2, [r2, r3]
     zstrip_textured_step r1
@@ -145,8 +171,8 @@ namespace zstrip::detail {
   .Ltextured_two:
     muls  r1, r4, r1
     muls  r0, r5, r0
-    str   r1, [sp, #52]
-    str   r0, [sp, #56]
+    str   r1, [sp, #.Lstack.step_u]
+    str   r0, [sp, #.Lstack.step_v]
     b     .Ltextured_pixels
   .Ltextured_one:
     muls  r1, r4, r1
@@ -154,17 +180,17 @@ namespace zstrip::detail {
     muls  r0, r5, r0
     mov   r9, r0
   .Ltextured_pixels:
-    add   r4, sp, #64
+    add   r4, sp, #.Lstack.cell
     ldm   r4!, {r0, r1, r5}           @ cell, from it to its pixel, depth
     mov   lr, r1
-    ldm   r4!, {r1-r3}
+    ldm   r4!, {r1-r3}                @ light
     mov   r10, r1
     mov   r11, r2
     mov   r12, r3
     movs  r4, r0
     lsls  r6, r6, #1
     adds  r6, r6, r4
-    ldr   r7, [sp, #32]
+    ldr   r7, [sp, #.Lstack.texels]
   .Ltextured_pixel:
     @ r4 the cell, lr from there to its pixel, r6 behind the last cell, r5 depth, r7 texels, r8 u, r9 v, r10 to r12 light
     ldrh  r0, [r4]
@@ -172,8 +198,8 @@ namespace zstrip::detail {
     cmp   r0, r1
     bhs   .Ltextured_hidden
     strh  r1, [r4]
-    add   r3, sp, #20
-    ldm   r3!, {r0-r2}
+    add   r3, sp, #.Lstack.to_column
+    ldm   r3!, {r0-r2}                @ shifts to a column and to a row, mask
     mov   r3, r8
     lsrs  r3, r3, r0
     mov   r0, r9
@@ -215,11 +241,11 @@ namespace zstrip::detail {
     mov   r2, lr
     strh  r1, [r4, r2]
   .Ltextured_hidden:
-    adds  r4, r4, #2
+    adds  r4, r4, #.Lcell
     cmp   r4, r6
     beq   .Ltextured_next_row
-    add   r3, sp, #36
-    ldm   r3!, {r0-r2}
+    add   r3, sp, #.Lstack.step_z
+    ldm   r3!, {r0-r2}                @ steps of depth and light, then of u and v
     adds  r5, r5, r0
     add   r10, r10, r1
     add   r11, r11, r2
@@ -229,13 +255,13 @@ namespace zstrip::detail {
     add   r9, r9, r2
     b     .Ltextured_pixel
   .Ltextured_next_row:
-    ldr   r0, [sp, #4]
+    ldr   r0, [sp, #.Lstack.rows]
     subs  r0, r0, #1
     beq   .Ltextured_end
-    str   r0, [sp, #4]
+    str   r0, [sp, #.Lstack.rows]
     b     .Ltextured_row
   .Ltextured_end:
-    add   sp, sp, #108
+    add   sp, sp, #.Lstack.size
   )" ZSTRIP_THUMB1_POP R"(
 
     @ The exact position, 16.16 texels, of 1/w, u/w and v/w in r2, r4 and r5: u into r1, v into r0. Then r7 are the bases.
@@ -246,10 +272,10 @@ namespace zstrip::detail {
     bne   .Ltextured_divisor
     movs  r2, #1
   .Ltextured_divisor:
-    ldr   r6, [sp, #8]
-    ldr   r5, [sp, #12]
+    ldr   r6, [sp, #.Lstack.normalisation]
+    ldr   r5, [sp, #.Lstack.reciprocals]
     zstrip_reciprocal
-    str   r6, [sp, #8]
+    str   r6, [sp, #.Lstack.normalisation]
     uxth  r4, r3
     lsrs  r5, r3, #16
     mov   r0, r8
@@ -258,16 +284,16 @@ namespace zstrip::detail {
     mov   r0, r9
     zstrip_multiply_high r0, r4, r5, r1, r2, r3
     mov   r1, r8
-    ldr   r7, [sp, #0]
-    adds  r7, r7, #196
-    ldr   r2, [r7, #16]
+    ldr   r7, [sp, #.Lstack.scan]
+    adds  r7, r7, #.Ltextured.base_u
+    ldr   r2, [r7, #.Ltextured.right_shift - .Ltextured.base_u]
     subs  r2, r2, r6
     bmi   .Ltextured_left
     asrs  r1, r1, r2                  @ from 32 on it leaves the sign
     asrs  r0, r0, r2
   .Ltextured_shifted:
-    ldr   r2, [r7, #0]
-    ldr   r3, [r7, #4]
+    ldr   r2, [r7]                    @ base_u
+    ldr   r3, [r7, #.Ltextured.base_v - .Ltextured.base_u]
     adds  r1, r1, r2
     adds  r0, r0, r3
     bx    lr

@@ -11,14 +11,23 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
 
-// On the stack: the scan, the rows left, the row's first cell.
+// In the loop over pixels: r0 the cell, r4 to r7 depth, red, green and blue, r8 to r11 their steps, r12 from a cell to
+// its pixel, lr behind the last cell. Each row begins with the edges, for which r1 to r7 are needed; then rows and
+// starts are moved down in memory, because no register is left to keep them in.
 [[gnu::naked]] void scan_medium_gouraud_thumb(MediumScan&, std::int32_t) {
-  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_MEDIUM_EDGES R"(
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MEDIUM_SCAN) ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_MEDIUM_EDGES R"(
+    @ On the stack:
+    .set .Lstack.scan, 0
+    .set .Lstack.rows, 4              @ left
+    .set .Lstack.cell, 8              @ the row's first one
+    .set .Lstack.size, 12
+    .set .Lword, 4
+
     @ The start in \value a row down, for value number \number; starts at r1, steps at r3. Uses r0.
     .macro zstrip_medium_down value number
-      ldr   r0, [r3, #4 * \number]
+      ldr   r0, [r3, #.Lword * \number]
       adds  r0, r0, \value
-      str   r0, [r1, #4 * \number]
+      str   r0, [r1, #.Lword * \number]
     .endm
     @ The start moved by r2 columns. Uses r1.
     .macro zstrip_medium_right value step
@@ -29,20 +38,20 @@ namespace zstrip::detail {
 
     push  {r0-r2}
     movs  r3, r0
-    adds  r3, r3, #88
-    ldm   r3!, {r4-r7}
+    adds  r3, r3, #.Lmedium.step_x_depth
+    ldm   r3!, {r4-r7}                @ steps to the right
     mov   r8, r4
     mov   r9, r5
     mov   r10, r6
     mov   r11, r7
   .Lmedium_row:
     zstrip_medium_edges
-    mov   r12, r1
+    mov   r12, r1                     @ the row's end, for a while
     ldm   r6!, {r1-r4}                @ rows and strides
     adds  r3, r3, r1
     adds  r4, r4, r2
-    str   r3, [r0, #40]
-    str   r4, [r0, #44]
+    str   r3, [r0, #.Lmedium.depth_row]
+    str   r4, [r0, #.Lmedium.colour_row]
     lsls  r3, r7, #1
     adds  r1, r1, r3
     adds  r2, r2, r3
@@ -53,8 +62,8 @@ namespace zstrip::detail {
     lsls  r3, r3, #1
     adds  r3, r3, r1
     mov   lr, r3                      @ behind the last cell
-    str   r1, [sp, #8]
-    movs  r2, r7
+    str   r1, [sp, #.Lstack.cell]
+    movs  r2, r7                      @ r1 at the starts, r3 behind them at the steps down
     movs  r1, r6
     movs  r3, r6
     ldm   r3!, {r4-r7}
@@ -62,7 +71,7 @@ namespace zstrip::detail {
     zstrip_medium_down r5 1
     zstrip_medium_down r6 2
     zstrip_medium_down r7 3
-    ldr   r0, [sp, #8]
+    ldr   r0, [sp, #.Lstack.cell]
     cmp   r0, lr
     bhs   .Lmedium_next_row
     zstrip_medium_right r4 r8
@@ -89,33 +98,37 @@ namespace zstrip::detail {
     add   r5, r5, r9
     add   r6, r6, r10
     add   r7, r7, r11
-    adds  r0, r0, #2
+    adds  r0, r0, #.Lcell
     cmp   r0, lr
     bne   .Lmedium_pixel
   .Lmedium_next_row:
-    ldr   r0, [sp, #4]
+    ldr   r0, [sp, #.Lstack.rows]
     subs  r0, r0, #1
     beq   .Lmedium_end
-    str   r0, [sp, #4]
-    ldr   r0, [sp]
+    str   r0, [sp, #.Lstack.rows]
+    ldr   r0, [sp, #.Lstack.scan]
     b     .Lmedium_row
   .Lmedium_end:
-    add   sp, sp, #12
+    add   sp, sp, #.Lstack.size
     .purgem zstrip_medium_down
     .purgem zstrip_medium_right
   )" ZSTRIP_THUMB1_PURGE_MEDIUM_EDGES ZSTRIP_THUMB1_POP);
 }
 
-// r1 the cell, r2 from there to its pixel, r3 behind the last cell, r4 the step of depth, r5 depth, r6 the colour. On
-// the stack: the scan, the rows left.
+// In the loop over pixels: r1 the cell, r2 from there to its pixel, r3 behind the last cell, r4 the step of depth, r5
+// depth, r6 the colour. r8 and r9 keep that step and the colour, because the edges take the low registers.
 [[gnu::naked]] void scan_medium_flat_thumb(MediumScan&, std::int32_t) {
-  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_MEDIUM_EDGES R"(
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MEDIUM_SCAN) ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_MEDIUM_EDGES R"(
+    .set .Lstack.scan, 0
+    .set .Lstack.rows, 4              @ left
+    .set .Lstack.size, 8
+
     push  {r0, r1}
     movs  r3, r0
-    adds  r3, r3, #88
+    adds  r3, r3, #.Lmedium.step_x_depth
     ldr   r4, [r3]
     mov   r8, r4
-    ldrh  r4, [r3, #16]
+    ldrh  r4, [r3, #.Lmedium.flat_colour - .Lmedium.step_x_depth]
     mov   r9, r4
   .Lflat_medium_row:
     zstrip_medium_edges
@@ -123,10 +136,10 @@ namespace zstrip::detail {
     ldm   r6!, {r1-r4}                @ rows and strides
     adds  r3, r3, r1
     adds  r4, r4, r2
-    str   r3, [r0, #40]
-    str   r4, [r0, #44]
-    ldr   r5, [r6]
-    ldr   r4, [r6, #16]
+    str   r3, [r0, #.Lmedium.depth_row]
+    str   r4, [r0, #.Lmedium.colour_row]
+    ldr   r5, [r6]                    @ start_depth
+    ldr   r4, [r6, #.Lmedium.step_y_depth - .Lmedium.start_depth]
     adds  r4, r4, r5
     str   r4, [r6]
     mov   r3, r12
@@ -151,18 +164,18 @@ namespace zstrip::detail {
     strh  r6, [r1, r2]
   .Lflat_medium_hidden:
     adds  r5, r5, r4
-    adds  r1, r1, #2
+    adds  r1, r1, #.Lcell
     cmp   r1, r3
     bne   .Lflat_medium_pixel
   .Lflat_medium_next_row:
-    ldr   r1, [sp, #4]
+    ldr   r1, [sp, #.Lstack.rows]
     subs  r1, r1, #1
     beq   .Lflat_medium_end
-    str   r1, [sp, #4]
-    ldr   r0, [sp]
+    str   r1, [sp, #.Lstack.rows]
+    ldr   r0, [sp, #.Lstack.scan]
     b     .Lflat_medium_row
   .Lflat_medium_end:
-    add   sp, sp, #8
+    add   sp, sp, #.Lstack.size
   )" ZSTRIP_THUMB1_PURGE_MEDIUM_EDGES ZSTRIP_THUMB1_POP);
 }
 

@@ -8,9 +8,13 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB1
 
+// r8 u/w and r7 v/w, while the division of 1 by r2 takes r0 to r6. Shifts come last, because the normalisation that
+// they depend on, r6, is a result of the division.
 [[gnu::naked]] std::uint64_t divide_texels_thumb1(std::uint32_t, std::uint32_t, std::uint32_t, std::int32_t,
                                                   std::uintptr_t) {
   asm(".syntax unified\n" ZSTRIP_THUMB1_RECIPROCAL R"(
+    .set .Lstack.size, 28             @ all that is pushed; the fifth argument, the table, is behind it
+
     push  {r4-r7, lr}
     mov   r4, r8
     push  {r3, r4}
@@ -20,7 +24,7 @@ namespace zstrip::detail {
     bne   .Lposition_divisor
     movs  r2, #1
   .Lposition_divisor:
-    ldr   r5, [sp, #28]
+    ldr   r5, [sp, #.Lstack.size]
     movs  r6, #3                      @ most have 29 bits
     zstrip_reciprocal
     uxth  r4, r3

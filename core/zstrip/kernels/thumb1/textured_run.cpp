@@ -36,10 +36,13 @@ namespace zstrip::detail {
   "  add   r10, r10, r11\n"               \
   ".endm\n"
 
-// On the stack: the state, the end of the cells.
+// r3 the cell, lr from a cell of depth to its pixel: both ways from one register.
 [[gnu::naked]] void fill_run_thumb(WordRunState&, std::uint16_t*, std::uint16_t*, std::int32_t) {
-  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_TEXEL R"(
-    lsls  r3, r3, #1
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_TEXEL_RUN) ZSTRIP_THUMB1_PUSH ZSTRIP_TEXEL R"(
+    .set .Lstack.state, 0
+    .set .Lstack.end, 4               @ behind the last cell
+
+    lsls  r3, r3, #1                  @ cells of 2 bytes
     adds  r3, r3, r1
     push  {r0, r3}
     movs  r3, r1
@@ -54,58 +57,69 @@ namespace zstrip::detail {
     mov   r12, r4
     ldm   r0!, {r4-r7}                @ texels, both shifts, mask
   .Lrun_texel:
-    zstrip_texel #0, r3
-    ldr   r0, [sp, #4]
-    adds  r3, r3, #2
+    zstrip_texel #0*.Lcell, r3
+    ldr   r0, [sp, #.Lstack.end]
+    adds  r3, r3, #.Lcell
     cmp   r3, r0
     bne   .Lrun_texel
     pop   {r0, r3}
-    str   r2, [r0, #16]
+    str   r2, [r0, #.Lrun.z]
     .purgem zstrip_texel
   )" ZSTRIP_THUMB1_POP);
 }
 
-// Eight pixels at a time. On the stack: 0 the state, 4 how many runs are left, 8 the normalisation of the last 1/w,
-// from which the next one's seldom differs, 12 depth, 16 its cell, 20 the end of the run's cells, 24 the table of
-// reciprocals for an index that begins at 256.
+// Two turns of eight pixels a run: a pixel's values have the registers of zstrip_texel, lr is its place. Between runs
+// r7 walks through the state: u/w, v/w and 1/w at the run's end, their quotients in r8 and r10, then u and v, whose way
+// from the run's start gives both steps. Depth and its cell wait on the stack, because the division takes r0 to r6.
 [[gnu::naked]] static void fill_runs(TexturedRunsState&, std::uint16_t*, std::uint16_t*, std::uint32_t,
                                      const std::uint16_t*) {
-  asm(ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL ZSTRIP_TEXEL R"(
-    sub   sp, sp, #28
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_TEXEL_RUN)
+          ZSTRIP_THUMB1_PUSH ZSTRIP_THUMB1_RECIPROCAL ZSTRIP_TEXEL R"(
+    @ On the stack:
+    .set .Lstack.state, 0
+    .set .Lstack.runs, 4              @ left
+    .set .Lstack.normalisation, 8     @ of the last 1/w; the next one's is rarely another
+    .set .Lstack.z, 12
+    .set .Lstack.cell, 16             @ of z
+    .set .Lstack.end, 20              @ behind the run's last cell
+    .set .Lstack.reciprocals, 24      @ the table for an index that begins at 256
+    .set .Lstack.size, 28
+
+    sub   sp, sp, #.Lstack.size
     mov   lr, r2
-    str   r0, [sp, #0]
-    str   r3, [sp, #4]
+    str   r0, [sp, #.Lstack.state]
+    str   r3, [sp, #.Lstack.runs]
     movs  r2, #0
-    str   r2, [sp, #8]
-    ldr   r2, [r0, #16]
-    ldr   r3, [r0, #20]
-    str   r2, [sp, #12]
+    str   r2, [sp, #.Lstack.normalisation]
+    ldr   r2, [r0, #.Lrun.z]
+    ldr   r3, [r0, #.Lrun.step_z]
+    str   r2, [sp, #.Lstack.z]
     mov   r12, r3
-    str   r1, [sp, #16]
-    ldr   r2, [sp, #64]
+    str   r1, [sp, #.Lstack.cell]
+    ldr   r2, [sp, #.Lstack.size + .Lsaved]
     movs  r3, #2
     lsls  r3, r3, #8
     subs  r2, r2, r3
-    str   r2, [sp, #24]
+    str   r2, [sp, #.Lstack.reciprocals]
   .Lruns_next:
-    ldr   r7, [sp, #0]
-    adds  r7, r7, #40
+    ldr   r7, [sp, #.Lstack.state]
+    adds  r7, r7, #.Lruns.u_over_w
     ldm   r7!, {r0-r2}
-    ldm   r7!, {r3-r5}
-    subs  r7, r7, #24
+    ldm   r7!, {r3-r5}                @ steps
+    subs  r7, r7, #.Lruns.base_u - .Lruns.u_over_w
     adds  r0, r0, r3                  @ u/w, v/w, 1/w at the run's end
     adds  r1, r1, r4
     adds  r2, r2, r5
-    stm   r7!, {r0-r2}                @ r7: behind 1/w
+    stm   r7!, {r0-r2}                @ r7: at u_over_w_step
     mov   r8, r0
     mov   r10, r1
     bne   .Lruns_divisor
     movs  r2, #1
   .Lruns_divisor:
-    ldr   r6, [sp, #8]
-    ldr   r5, [sp, #24]
+    ldr   r6, [sp, #.Lstack.normalisation]
+    ldr   r5, [sp, #.Lstack.reciprocals]
     zstrip_reciprocal
-    str   r6, [sp, #8]
+    str   r6, [sp, #.Lstack.normalisation]
     uxth  r4, r3
     lsrs  r5, r3, #16
     mov   r0, r8
@@ -114,7 +128,7 @@ namespace zstrip::detail {
     mov   r0, r10
     zstrip_multiply_high r0, r4, r5, r1, r2, r3
     mov   r1, r8
-    ldr   r2, [r7, #36]
+    ldr   r2, [r7, #.Lruns.right_shift - .Lruns.u_over_w_step]
     subs  r2, r2, r6
     bpl   .Lruns_right
     rsbs  r2, r2, #0
@@ -129,20 +143,20 @@ namespace zstrip::detail {
     asrs  r1, r1, r2
     asrs  r0, r0, r2
   .Lruns_shifted:
-    ldr   r2, [r7, #12]               @ the exact position at the end
-    ldr   r3, [r7, #16]
+    ldr   r2, [r7, #.Lruns.base_u - .Lruns.u_over_w_step] @ the exact position at the end
+    ldr   r3, [r7, #.Lruns.base_v - .Lruns.u_over_w_step]
     adds  r1, r1, r2
     adds  r0, r0, r3
-    ldr   r2, [r7, #20]               @ at the start
-    ldr   r3, [r7, #24]
-    str   r1, [r7, #20]
-    str   r0, [r7, #24]
+    ldr   r2, [r7, #.Lruns.from_u - .Lruns.u_over_w_step] @ at the start
+    ldr   r3, [r7, #.Lruns.from_v - .Lruns.u_over_w_step]
+    str   r1, [r7, #.Lruns.from_u - .Lruns.u_over_w_step]
+    str   r0, [r7, #.Lruns.from_v - .Lruns.u_over_w_step]
     subs  r1, r1, r2
     subs  r0, r0, r3
-    asrs  r1, r1, #4
+    asrs  r1, r1, #4                  @ a sixteenth of the run, a pixel
     asrs  r0, r0, #4
-    ldr   r4, [r7, #28]               @ fractions of the texture
-    ldr   r5, [r7, #32]
+    ldr   r4, [r7, #.Lruns.to_fraction_u - .Lruns.u_over_w_step] @ fractions of the texture
+    ldr   r5, [r7, #.Lruns.to_fraction_v - .Lruns.u_over_w_step]
     muls  r2, r2, r4
     muls  r1, r1, r4
     muls  r3, r3, r5
@@ -151,42 +165,42 @@ namespace zstrip::detail {
     mov   r9, r1
     mov   r10, r3
     mov   r11, r0
-    ldr   r2, [sp, #12]
-    ldr   r3, [sp, #16]
+    ldr   r2, [sp, #.Lstack.z]
+    ldr   r3, [sp, #.Lstack.cell]
     movs  r0, r3
-    adds  r0, r0, #32
-    str   r0, [sp, #20]
-    subs  r7, r7, #28
+    adds  r0, r0, #16 * .Lcell
+    str   r0, [sp, #.Lstack.end]
+    subs  r7, r7, #.Lruns.u_over_w_step - .Lrun.texels
     ldm   r7, {r4-r7}                 @ texels, both shifts, mask
   .Lruns_texels:
-    zstrip_texel #0, #0
-    zstrip_texel #2, #2
-    zstrip_texel #4, #4
-    zstrip_texel #6, #6
-    zstrip_texel #8, #8
-    zstrip_texel #10, #10
-    zstrip_texel #12, #12
-    zstrip_texel #14, #14
+    zstrip_texel #0*.Lcell, #0*.Lcell
+    zstrip_texel #1*.Lcell, #1*.Lcell
+    zstrip_texel #2*.Lcell, #2*.Lcell
+    zstrip_texel #3*.Lcell, #3*.Lcell
+    zstrip_texel #4*.Lcell, #4*.Lcell
+    zstrip_texel #5*.Lcell, #5*.Lcell
+    zstrip_texel #6*.Lcell, #6*.Lcell
+    zstrip_texel #7*.Lcell, #7*.Lcell
     mov   r1, lr
-    adds  r1, r1, #16
+    adds  r1, r1, #8 * .Lcell
     mov   lr, r1
-    ldr   r0, [sp, #20]
-    adds  r3, r3, #16
+    ldr   r0, [sp, #.Lstack.end]
+    adds  r3, r3, #8 * .Lcell
     cmp   r3, r0
     beq   .Lruns_end
     b     .Lruns_texels
   .Lruns_end:
-    str   r2, [sp, #12]
-    str   r3, [sp, #16]
-    ldr   r0, [sp, #4]
+    str   r2, [sp, #.Lstack.z]
+    str   r3, [sp, #.Lstack.cell]
+    ldr   r0, [sp, #.Lstack.runs]
     subs  r0, r0, #1
-    str   r0, [sp, #4]
+    str   r0, [sp, #.Lstack.runs]
     beq   .Lruns_done
     b     .Lruns_next
   .Lruns_done:
-    ldr   r0, [sp, #0]
-    str   r2, [r0, #16]
-    add   sp, sp, #28
+    ldr   r0, [sp, #.Lstack.state]
+    str   r2, [r0, #.Lrun.z]
+    add   sp, sp, #.Lstack.size
     .purgem zstrip_texel
   )" ZSTRIP_THUMB1_PURGE_RECIPROCAL ZSTRIP_THUMB1_POP);
 }

@@ -2,20 +2,20 @@
 #pragma once
 
 // zstrip_medium_edges: moves both edges a row down. The row's first column in lr, how many columns in r12. Takes r1 to
-// r10. Text in each function, as in thumb1/macros.hpp.
-#define ZSTRIP_MEDIUM_EDGES      \
-  ".macro zstrip_medium_edges\n" \
-  "  ldm   r0, {r1-r10}\n"       \
-  "  mov   lr, r1\n"             \
-  "  sub   r12, r6, r1\n"        \
-  "  adds  r2, r2, r4\n"         \
-  "  adc   r1, r1, r3\n"         \
-  "  it    cs\n"                 \
-  "  subcs r2, r2, r5\n"         \
-  "  strd  r1, r2, [r0]\n"       \
-  "  adds  r7, r7, r9\n"         \
-  "  adc   r6, r6, r8\n"         \
-  "  it    cs\n"                 \
-  "  subcs r7, r7, r10\n"        \
-  "  strd  r6, r7, [r0, #20]\n"  \
+// r10. Needs the names of thumb/medium_layout.hpp. Text in each function, as in thumb1/macros.hpp.
+#define ZSTRIP_MEDIUM_EDGES                 \
+  ".macro zstrip_medium_edges\n"            \
+  "  ldm   r0, {r1-r10}\n"                  \
+  "  mov   lr, r1\n"                        \
+  "  sub   r12, r6, r1\n"                   \
+  "  adds  r2, r2, r4\n"                    \
+  "  adc   r1, r1, r3\n"                    \
+  "  it    cs\n"                            \
+  "  subcs r2, r2, r5\n"                    \
+  "  strd  r1, r2, [r0, #.Lmedium.left]\n"  \
+  "  adds  r7, r7, r9\n"                    \
+  "  adc   r6, r6, r8\n"                    \
+  "  it    cs\n"                            \
+  "  subcs r7, r7, r10\n"                   \
+  "  strd  r6, r7, [r0, #.Lmedium.right]\n" \
   ".endm\n"

@@ -10,15 +10,20 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB2
 
+// r0 is the scan throughout. From vertices, r1 to r3, come the shared values in the registers that zstrip_medium_plane
+// and zstrip_medium_channel read; depth is first, while the vertices' addresses last. Red comes before the other
+// channels: in white light it is all three.
 [[gnu::naked]] bool set_up_medium_thumb(MediumScan&, const SnappedVertex&, const SnappedVertex&, const SnappedVertex&) {
-  asm(ZSTRIP_MEDIUM_PLANE R"(
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MEDIUM_SCAN) ZSTRIP_MEDIUM_PLANE R"(
+    .set .Lword, 4
+
     @ A channel's plane, of value \to, from the colours' byte at offset \at of the scan. Needs the mantissa of 1 / area in
     @ r4, the shifted weights of vertices 1 and 2: right r11 and r9, down r10 and r8, and the way to the anchor in r12
     @ and lr. Collects in r7 what is beyond 32 bits.
     .macro zstrip_medium_channel at, to
       ldrb  r1, [r0, #\at]
-      ldrb  r2, [r0, #\at + 4]
-      ldrb  r3, [r0, #\at + 8]
+      ldrb  r2, [r0, #\at + .Lcolour.size]
+      ldrb  r3, [r0, #\at + 2 * .Lcolour.size]
       subs  r2, r2, r1
       subs  r3, r3, r1
       mul   r5, r2, r11
@@ -30,7 +35,7 @@ namespace zstrip::detail {
       orrs  r7, r7, r6
       asrs  r6, r5, #8                @ the carry is the bit that rounds
       adc   r6, r6, #0
-      str   r6, [r0, #88 + 4 * \to]
+      str   r6, [r0, #.Lmedium.step_x_depth + .Lword * \to]
       smull r5, r6, r5, r12
       mul   r2, r2, r10
       mla   r2, r3, r8, r2
@@ -41,17 +46,18 @@ namespace zstrip::detail {
       orrs  r7, r7, r3
       asrs  r3, r2, #8
       adc   r3, r3, #0
-      str   r3, [r0, #72 + 4 * \to]
+      str   r3, [r0, #.Lmedium.step_y_depth + .Lword * \to]
       smlal r5, r6, r2, lr
       lsrs  r5, r5, #12
       orr   r5, r5, r6, lsl #20
       add   r5, r5, r1, lsl #16
       add   r5, r5, #0x8000
-      str   r5, [r0, #56 + 4 * \to]
+      str   r5, [r0, #.Lmedium.start_depth + .Lword * \to]
     .endm
 
     push  {r4-r11, lr}
-    ldr   r4, [r0, #108]              @ area
+    @ r4: the mantissa of 1 / area, of an area that is normalised; r5: how far weights are shifted then.
+    ldr   r4, [r0, #.Lmedium.area]    @ area
     clz   r5, r4
     lsls  r4, r4, r5
     lsrs  r6, r4, #16                 @ as reciprocal()
@@ -64,13 +70,13 @@ namespace zstrip::detail {
     umull r7, r4, r6, lr
     lsls  r4, r4, #1
     subs  r5, r5, #7
-    ldrsh r6, [r1]
-    ldrsh r7, [r1, #2]
-    ldrsh r8, [r2]
-    ldrsh r9, [r2, #2]
-    ldrsh r10, [r3]
-    ldrsh r11, [r3, #2]
-    ldrd  r12, lr, [r0, #112]         @ anchor
+    ldrsh r6, [r1, #.Lvertex.x]
+    ldrsh r7, [r1, #.Lvertex.y]
+    ldrsh r8, [r2, #.Lvertex.x]
+    ldrsh r9, [r2, #.Lvertex.y]
+    ldrsh r10, [r3, #.Lvertex.x]
+    ldrsh r11, [r3, #.Lvertex.y]
+    ldrd  r12, lr, [r0, #.Lmedium.anchor_x] @ and anchor_y
     rsb   r12, r6, r12, lsl #4
     rsb   lr, r7, lr, lsl #4
     add   r12, r12, #15               @ from vertex 0 to the anchor's centre
@@ -83,21 +89,21 @@ namespace zstrip::detail {
     lsl   r8, r8, r5
     lsl   r11, r11, r5
     lsl   r9, r9, r5
-    add   r7, r0, #132                @ for other planes
+    add   r7, r0, #.Lmedium.shared    @ for other planes
     stm   r7, {r4, r8-r12, lr}
 
-    ldr   r1, [r1, #4]
-    ldr   r2, [r2, #4]
-    ldr   r3, [r3, #4]
+    ldr   r1, [r1, #.Lvertex.depth]
+    ldr   r2, [r2, #.Lvertex.depth]
+    ldr   r3, [r3, #.Lvertex.depth]
     subs  r2, r2, r1
     subs  r3, r3, r1
-    zstrip_medium_plane 56, 72, 88
-    ldrb  r1, [r0, #106]
-    movs  r7, #0
+    zstrip_medium_plane .Lmedium.start_depth, .Lmedium.step_y_depth, .Lmedium.step_x_depth
+    ldrb  r1, [r0, #.Lmedium.has_channels]
+    movs  r7, #0                      @ bits beyond 32 of any channel's step
     cmp   r1, #0
     beq   .Lmedium_planes_set
-    zstrip_medium_channel 120, 1
-    add   r1, r0, #120
+    zstrip_medium_channel .Lmedium.colours + .Lcolour.r, 1
+    add   r1, r0, #.Lmedium.colours
     ldm   r1, {r1-r3}
     eor   r5, r1, r1, lsr #8          @ red and green, green and blue
     eor   r6, r2, r2, lsr #8
@@ -106,16 +112,16 @@ namespace zstrip::detail {
     orrs  r5, r5, r6
     lsls  r5, r5, #16
     bne   .Lmedium_coloured
-    ldr   r1, [r0, #60]               @ white light: all channels are red's
-    ldr   r2, [r0, #76]
-    ldr   r3, [r0, #92]
-    strd  r1, r1, [r0, #64]
-    strd  r2, r2, [r0, #80]
-    strd  r3, r3, [r0, #96]
+    ldr   r1, [r0, #.Lmedium.start_red] @ white light: all channels are red's
+    ldr   r2, [r0, #.Lmedium.step_y_red]
+    ldr   r3, [r0, #.Lmedium.step_x_red]
+    strd  r1, r1, [r0, #.Lmedium.start_green]
+    strd  r2, r2, [r0, #.Lmedium.step_y_green]
+    strd  r3, r3, [r0, #.Lmedium.step_x_green]
     b     .Lmedium_planes_set
   .Lmedium_coloured:
-    zstrip_medium_channel 121, 2
-    zstrip_medium_channel 122, 3
+    zstrip_medium_channel .Lmedium.colours + .Lcolour.g, 2
+    zstrip_medium_channel .Lmedium.colours + .Lcolour.b, 3
   .Lmedium_planes_set:
     lsrs  r0, r7, #27
     ite   eq
@@ -128,41 +134,46 @@ namespace zstrip::detail {
   )");
 }
 
+// In the loop over pixels: r1 the cell, r2 from behind it to its pixel, r4, r5, r10 and r11 steps of depth, red, green
+// and blue, r6 to r9 the values, r12 pixels left. Rows and starts are moved down in memory before, while the same
+// registers hold the steps down.
 [[gnu::naked]] void scan_medium_gouraud_thumb(MediumScan&, std::int32_t) {
-  asm(ZSTRIP_MEDIUM_EDGES R"(
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MEDIUM_SCAN) ZSTRIP_MEDIUM_EDGES R"(
+    .set .Lstack.rows, 0              @ left
+
     push  {r1, r4-r11, lr}
   .Lmedium_row:
     zstrip_medium_edges
-    add   r3, r0, #40
+    add   r3, r0, #.Lmedium.depth_row
     ldm   r3!, {r1, r2, r4-r11}       @ rows, strides, starts, of the steps down two
     add   r4, r4, r1
     add   r5, r5, r2
-    strd  r4, r5, [r0, #40]
-    ldrd  r4, r5, [r0, #80]
+    strd  r4, r5, [r0, #.Lmedium.depth_row]
+    ldrd  r4, r5, [r0, #.Lmedium.step_y_green]
     add   r10, r10, r6                @ the next row's starts
     add   r11, r11, r7
     add   r4, r4, r8
     add   r5, r5, r9
-    strd  r10, r11, [r0, #56]
-    strd  r4, r5, [r0, #64]
+    strd  r10, r11, [r0, #.Lmedium.start_depth]
+    strd  r4, r5, [r0, #.Lmedium.start_green]
     cmp   r12, #0
     ble   .Lmedium_next_row
     add   r1, r1, lr, lsl #1
     add   r2, r2, lr, lsl #1
-    add   r3, r0, #88
+    add   r3, r0, #.Lmedium.step_x_depth
     ldm   r3, {r4, r5, r10, r11}      @ steps to the right
     mla   r6, r4, lr, r6
     mla   r7, r5, lr, r7
     mla   r8, r10, lr, r8
     mla   r9, r11, lr, r9
     subs  r2, r2, r1
-    subs  r2, r2, #2                  @ from behind a cell of depth to its pixel
+    subs  r2, r2, #.Lcell             @ from behind a cell of depth to its pixel
   .Lmedium_pixel:
-    ldrh  r3, [r1], #2
+    ldrh  r3, [r1], #.Lcell
     cmp   r3, r6, lsr #16
     bhs   .Lmedium_hidden
     lsrs  r3, r6, #16
-    strh  r3, [r1, #-2]
+    strh  r3, [r1, #-.Lcell]
     lsrs  r3, r7, #19
     lsr   lr, r8, #18
     orr   r3, lr, r3, lsl #6
@@ -177,45 +188,47 @@ namespace zstrip::detail {
     subs  r12, r12, #1
     bne   .Lmedium_pixel
   .Lmedium_next_row:
-    ldr   r3, [sp]
+    ldr   r3, [sp, #.Lstack.rows]
     subs  r3, r3, #1
-    str   r3, [sp]
+    str   r3, [sp, #.Lstack.rows]
     bne   .Lmedium_row
     pop   {r1, r4-r11, pc}
     .purgem zstrip_medium_edges
   )");
 }
 
+// In the loop over pixels: r1 the cell, r2 from behind it to its pixel, r4 depth, r5 its step, r6 the colour, r12
+// pixels left. r11 the rows left.
 [[gnu::naked]] void scan_medium_flat_thumb(MediumScan&, std::int32_t) {
-  asm(ZSTRIP_MEDIUM_EDGES R"(
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MEDIUM_SCAN) ZSTRIP_MEDIUM_EDGES R"(
     push  {r4-r11, lr}
     mov   r11, r1
   .Lmedium_flat_row:
     zstrip_medium_edges
-    ldrd  r1, r2, [r0, #40]           @ rows and strides
-    ldrd  r3, r4, [r0, #48]
+    ldrd  r1, r2, [r0, #.Lmedium.depth_row] @ rows and strides
+    ldrd  r3, r4, [r0, #.Lmedium.depth_stride]
     add   r3, r3, r1
     add   r4, r4, r2
-    strd  r3, r4, [r0, #40]
-    ldr   r4, [r0, #56]
-    ldr   r3, [r0, #72]
+    strd  r3, r4, [r0, #.Lmedium.depth_row]
+    ldr   r4, [r0, #.Lmedium.start_depth]
+    ldr   r3, [r0, #.Lmedium.step_y_depth]
     add   r3, r3, r4
-    str   r3, [r0, #56]
+    str   r3, [r0, #.Lmedium.start_depth]
     cmp   r12, #0
     ble   .Lmedium_flat_next_row
-    ldr   r5, [r0, #88]
-    ldrh  r6, [r0, #104]
+    ldr   r5, [r0, #.Lmedium.step_x_depth]
+    ldrh  r6, [r0, #.Lmedium.flat_colour]
     mla   r4, r5, lr, r4
     add   r1, r1, lr, lsl #1
     add   r2, r2, lr, lsl #1
     subs  r2, r2, r1
-    subs  r2, r2, #2                  @ from behind a cell of depth to its pixel
+    subs  r2, r2, #.Lcell             @ from behind a cell of depth to its pixel
   .Lmedium_flat_pixel:
-    ldrh  r3, [r1], #2
+    ldrh  r3, [r1], #.Lcell
     cmp   r3, r4, lsr #16
     bhs   .Lmedium_flat_hidden
     lsrs  r3, r4, #16
-    strh  r3, [r1, #-2]
+    strh  r3, [r1, #-.Lcell]
     strh  r6, [r1, r2]
   .Lmedium_flat_hidden:
     add   r4, r4, r5

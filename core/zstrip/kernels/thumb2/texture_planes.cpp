@@ -7,10 +7,24 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB2
 
-// On the stack: 0 the scan, 8 the products of u and 1/w of vertices 0 to 2, 32 those of v, then v/w at vertex 0 and its
-// differences, 56 1/w at vertex 0 and its differences.
+// 1/w is scaled first, in registers, because every product needs it. Products wait on the stack in 64 bits until the
+// largest says how far all are shifted. Planes come last, u/w first, whose differences are in registers then; r4 and r8
+// to lr are what they share.
 [[gnu::naked]] void set_up_texture_thumb(TexturedScan&, const TexturedVertex* const*, std::int64_t) {
-  asm(ZSTRIP_MEDIUM_PLANE R"(
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_MEDIUM_SCAN) ZSTRIP_NAMES(ZSTRIP_TEXTURED_SCAN)
+          ZSTRIP_MEDIUM_PLANE R"(
+    @ On the stack:
+    .set .Lstack.scan, 0
+    .set .Lstack.u_0, 8               @ products of u and 1/w of each vertex, 64 bits
+    .set .Lstack.u_1, 16
+    .set .Lstack.u_2, 24
+    .set .Lstack.v_0, 32              @ of v
+    .set .Lstack.v_1, 40
+    .set .Lstack.v_2, 48
+    .set .Lstack.v_over_w, 32         @ later v/w at vertex 0 and its differences
+    .set .Lstack.one_over_w, 56       @ at vertex 0, and its differences
+    .set .Lstack.size, 72
+
     @ A texture coordinate times 1/w, to offset \at of the stack. Collects in r3 and lr the words of its magnitude. Takes
     @ r0 to r2.
     .macro zstrip_texture_product coordinate, inverse, at
@@ -32,21 +46,21 @@ namespace zstrip::detail {
     .endm
 
     push  {r4-r11, lr}
-    sub   sp, sp, #72
-    str   r0, [sp]
+    sub   sp, sp, #.Lstack.size
+    str   r0, [sp, #.Lstack.scan]
     ldm   r1, {r4-r6}
     ldm   r4, {r7-r9}                 @ depth, u, v of vertex 0, of 1, of 2
     ldm   r5, {r4, r10, r11}
     ldm   r6, {r5, r6, r12}
     lsr   r1, r8, #16                 @ from whole texels near vertex 0
     lsls  r1, r1, #16
-    str   r1, [r0, #196]
+    str   r1, [r0, #.Ltextured.base_u]
     sub   r8, r8, r1
     sub   r10, r10, r1
     subs  r6, r6, r1
     lsr   r1, r9, #16
     lsls  r1, r1, #16
-    str   r1, [r0, #200]
+    str   r1, [r0, #.Ltextured.base_v]
     sub   r9, r9, r1
     sub   r11, r11, r1
     sub   r12, r12, r1
@@ -61,6 +75,7 @@ namespace zstrip::detail {
     beq   .Ltexture_words
     clz   r2, r2
     rsb   r2, r2, #35
+    @ Right by r2, left by r0 where 1/w has two words. r7, r4 and r5 become 1/w of the vertices in one.
   .Ltexture_right:
     rsb   r0, r2, #32
     lsls  r1, r1, r0
@@ -75,16 +90,16 @@ namespace zstrip::detail {
   .Ltexture_scaled:
     subs  r1, r4, r7
     subs  r2, r5, r7
-    strd  r7, r1, [sp, #56]
-    str   r2, [sp, #64]
+    strd  r7, r1, [sp, #.Lstack.one_over_w]
+    str   r2, [sp, #.Lstack.one_over_w + 8]
     movs  r3, #0
     mov   lr, r3
-    zstrip_texture_product r8, r7, 8
-    zstrip_texture_product r10, r4, 16
-    zstrip_texture_product r6, r5, 24
-    zstrip_texture_product r9, r7, 32
-    zstrip_texture_product r11, r4, 40
-    zstrip_texture_product r12, r5, 48
+    zstrip_texture_product r8, r7, .Lstack.u_0
+    zstrip_texture_product r10, r4, .Lstack.u_1
+    zstrip_texture_product r6, r5, .Lstack.u_2
+    zstrip_texture_product r9, r7, .Lstack.v_0
+    zstrip_texture_product r11, r4, .Lstack.v_1
+    zstrip_texture_product r12, r5, .Lstack.v_2
     clz   r2, r3                      @ to 29 bits and a sign
     cmp   r2, #32
     itt   eq
@@ -93,32 +108,32 @@ namespace zstrip::detail {
     rsbs  r2, r2, #35
     it    mi
     movmi r2, #0
-    ldr   r0, [sp]
+    ldr   r0, [sp, #.Lstack.scan]
     rsb   r3, r2, #30
-    str   r3, [r0, #212]
+    str   r3, [r0, #.Ltextured.right_shift]
     rsb   r3, r2, #32
-    zstrip_texture_shifted r4, r5, 32
-    zstrip_texture_shifted r5, r6, 40
-    zstrip_texture_shifted r6, r7, 48
+    zstrip_texture_shifted r4, r5, .Lstack.v_0
+    zstrip_texture_shifted r5, r6, .Lstack.v_1
+    zstrip_texture_shifted r6, r7, .Lstack.v_2
     subs  r5, r5, r4
     subs  r6, r6, r4
-    strd  r4, r5, [sp, #32]
-    str   r6, [sp, #40]
-    zstrip_texture_shifted r1, r4, 8
-    zstrip_texture_shifted r5, r4, 16
-    zstrip_texture_shifted r6, r4, 24
+    strd  r4, r5, [sp, #.Lstack.v_over_w]
+    str   r6, [sp, #.Lstack.v_over_w + 8]
+    zstrip_texture_shifted r1, r4, .Lstack.u_0
+    zstrip_texture_shifted r5, r4, .Lstack.u_1
+    zstrip_texture_shifted r6, r4, .Lstack.u_2
     subs  r2, r5, r1
     subs  r3, r6, r1
-    add   r7, r0, #132
+    add   r7, r0, #.Lmedium.shared
     ldm   r7, {r4, r8-r12, lr}
-    zstrip_medium_plane 164, 176, 188
-    add   r1, sp, #32
+    zstrip_medium_plane .Ltextured.start_u_over_w, .Ltextured.step_y_u_over_w, .Ltextured.step_x_u_over_w
+    add   r1, sp, #.Lstack.v_over_w
     ldm   r1, {r1-r3}
-    zstrip_medium_plane 168, 180, 192
-    add   r1, sp, #56
+    zstrip_medium_plane .Ltextured.start_v_over_w, .Ltextured.step_y_v_over_w, .Ltextured.step_x_v_over_w
+    add   r1, sp, #.Lstack.one_over_w
     ldm   r1, {r1-r3}
-    zstrip_medium_plane 160, 172, 184
-    add   sp, sp, #72
+    zstrip_medium_plane .Ltextured.start_one_over_w, .Ltextured.step_y_one_over_w, .Ltextured.step_x_one_over_w
+    add   sp, sp, #.Lstack.size
     pop   {r4-r11, pc}
 
   .Ltexture_words:

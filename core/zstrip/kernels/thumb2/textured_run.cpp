@@ -8,15 +8,17 @@ namespace zstrip::detail {
 
 #if ZSTRIP_HAS_THUMB2
 
-// A pixel: depth test, texel, steps. Text, because the assembler's macros outside of functions get lost where the
-// linker puts the files' code in another order.
+// A pixel: depth test, texel, steps. r0 and r1 u and v, r2 and r3 their steps, r4 depth, r5 its step, r6 texels, r7 and
+// r8 shifts of u and v, r9 the mask of rows, r10 the cell, r11 from behind it to its pixel; r12 and lr are temporary.
+// Text, because the assembler's macros outside of functions get lost where the linker puts the files' code in another
+// order.
 #define ZSTRIP_TEXEL                 \
   ".macro zstrip_texel\n"            \
-  "  ldrh  r12, [r10], #2\n"         \
+  "  ldrh  r12, [r10], #.Lcell\n"    \
   "  cmp   r12, r4, lsr #16\n"       \
   "  bhs   .Ltexel_behind\\@\n"      \
   "  lsrs  r12, r4, #16\n"           \
-  "  strh  r12, [r10, #-2]\n"        \
+  "  strh  r12, [r10, #-.Lcell]\n"   \
   "  lsr   r12, r1, r8\n"            \
   "  and   r12, r12, r9\n"           \
   "  lsr   lr, r0, r7\n"             \
@@ -30,12 +32,14 @@ namespace zstrip::detail {
   ".endm\n"
 
 [[gnu::naked]] void fill_run_thumb(WordRunState&, std::uint16_t*, std::uint16_t*, std::int32_t) {
-  asm(ZSTRIP_TEXEL R"(
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_TEXEL_RUN) ZSTRIP_TEXEL R"(
+    .set .Lstack.state, 0
+
     push  {r0, r4-r11, lr}
     mov   r12, r0
     mov   r10, r1
     sub   r11, r2, r1
-    subs  r11, r11, #2                @ from behind a cell of depth to its pixel
+    subs  r11, r11, #.Lcell           @ from behind a cell of depth to its pixel
     sub   lr, r3, #1
     ldm   r12, {r0-r9}                @ u, v, their steps, depth, its step, texels, both shifts, mask
     add   r7, r7, lr, lsl #8
@@ -43,32 +47,36 @@ namespace zstrip::detail {
     zstrip_texel
     subs  r7, r7, #256
     bhs   .Lrun_texel
-    ldr   r0, [sp]
-    str   r4, [r0, #16]
+    ldr   r0, [sp, #.Lstack.state]
+    str   r4, [r0, #.Lrun.z]
     pop   {r0, r4-r11, pc}
     .purgem zstrip_texel
   )");
 }
 
-// Two pixels at a time. On the stack: the state, a gap, how many runs are left.
+// Two pixels at a time, which share the count. Between runs r3 is the state; depth, its step, texels, shifts, mask and
+// place stay in r4 to r6 and r8 to r11, while r7, which counts too, is loaded again.
 [[gnu::naked]] void fill_runs_thumb(TexturedRunsState&, std::uint16_t*, std::uint16_t*, std::uint32_t) {
-  asm(ZSTRIP_TEXEL R"(
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_TEXEL_RUN) ZSTRIP_TEXEL R"(
+    .set .Lstack.state, 0
+    .set .Lstack.runs, 8              @ left; before it a gap, which keeps the stack aligned to 8 bytes
+
     push  {r0-r1, r3-r11, lr}
     mov   r10, r1
     sub   r11, r2, r1
-    subs  r11, r11, #2                @ from behind a cell of depth to its pixel
+    subs  r11, r11, #.Lcell           @ from behind a cell of depth to its pixel
     mov   r3, r0
-    add   r12, r0, #16
+    add   r12, r0, #.Lrun.z
     ldm   r12, {r4-r9}                @ depth, its step, texels, both shifts, mask
   .Lruns_next:
-    add   r12, r3, #40
+    add   r12, r3, #.Lruns.u_over_w
     ldm   r12!, {r0-r2}
-    ldm   r12, {r7, r12, lr}
+    ldm   r12, {r7, r12, lr}          @ steps
     add   r0, r0, r7                  @ u/w, v/w, 1/w at the run's end
     add   r1, r1, r12
-    strd  r0, r1, [r3, #40]
+    strd  r0, r1, [r3, #.Lruns.u_over_w]
     adds  r2, r2, lr
-    str   r2, [r3, #48]
+    str   r2, [r3, #.Lruns.one_over_w]
     it    eq
     moveq r2, #1
     clz   r7, r2                      @ reciprocal(): r12
@@ -84,26 +92,26 @@ namespace zstrip::detail {
     lsl   r12, r12, #1
     smull lr, r0, r0, r12
     smull lr, r1, r1, r12
-    ldr   r2, [r3, #88]
+    ldr   r2, [r3, #.Lruns.right_shift]
     subs  r7, r2, r7
     bmi   .Lruns_left
     asrs  r0, r0, r7
     asrs  r1, r1, r7
   .Lruns_shifted:
-    ldrd  r2, r12, [r3, #64]
+    ldrd  r2, r12, [r3, #.Lruns.base_u]
     add   r2, r2, r0                  @ the exact position at the end
     add   r12, r12, r1
-    ldrd  r0, r1, [r3, #72]           @ at the start
-    strd  r2, r12, [r3, #72]
+    ldrd  r0, r1, [r3, #.Lruns.from_u] @ at the start
+    strd  r2, r12, [r3, #.Lruns.from_u]
     subs  r2, r2, r0
     sub   r12, r12, r1
-    ldrd  r7, lr, [r3, #80]
+    ldrd  r7, lr, [r3, #.Lruns.to_fraction_u]
     asrs  r2, r2, #4
     asr   r12, r12, #4
     mul   r0, r7, r0                  @ fractions of the texture
     mul   r1, lr, r1
     mul   r2, r7, r2
-    ldr   r7, [r3, #28]
+    ldr   r7, [r3, #.Lrun.to_column]
     mul   r3, lr, r12
     add   r7, r7, #7 << 8             @ eight times, counted above the shift's lowest byte
   .Lruns_texel:
@@ -111,12 +119,12 @@ namespace zstrip::detail {
     zstrip_texel
     subs  r7, r7, #256
     bhs   .Lruns_texel
-    ldr   r12, [sp, #8]
-    ldr   r3, [sp]
+    ldr   r12, [sp, #.Lstack.runs]
+    ldr   r3, [sp, #.Lstack.state]
     subs  r12, r12, #1
-    str   r12, [sp, #8]
+    str   r12, [sp, #.Lstack.runs]
     bne   .Lruns_next
-    str   r4, [r3, #16]
+    str   r4, [r3, #.Lrun.z]
     pop   {r0-r1, r3-r11, pc}
   .Lruns_left:
     rsbs  r7, r7, #0
@@ -130,35 +138,37 @@ namespace zstrip::detail {
   )");
 }
 
-// The mask of rows, the shift to them, the light and the step of z stay in memory.
+// r0 the state, r1 the cell, r2 from behind it to its pixel, r3 the shift to a column and the count, r4 and r5 u and v,
+// r6 and r7 their steps, r8 depth, r10 texels. The mask of rows, the shift to them, the light and the step of z stay in
+// memory: products need r9, r11, r12 and lr.
 [[gnu::naked]] void fill_lit_run_thumb(LitWordRunState&, std::uint16_t*, std::uint16_t*, std::int32_t) {
-  asm(R"(
+  asm(ZSTRIP_NAMES(ZSTRIP_RECORDS) ZSTRIP_NAMES(ZSTRIP_TEXEL_RUN) R"(
     push  {r4-r11, lr}
-    ldr   r11, [r0, #28]
+    ldr   r11, [r0, #.Lrun.to_column]
     subs  r3, r3, #1
     orr   r3, r11, r3, lsl #8         @ pixels left, counted above the shift's lowest byte
     ldm   r0, {r4-r8}                 @ u and v, their steps, z
-    ldr   r10, [r0, #24]
+    ldr   r10, [r0, #.Lrun.texels]
     subs  r2, r2, r1
-    subs  r2, r2, #2                  @ from behind a cell of depth to its pixel
+    subs  r2, r2, #.Lcell             @ from behind a cell of depth to its pixel
   .Llit_texel:
-    ldrh  r12, [r1], #2
+    ldrh  r12, [r1], #.Lcell
     cmp   r12, r8, lsr #16
     bhs   .Llit_behind
     lsr   r12, r8, #16
-    strh  r12, [r1, #-2]
-    ldrd  r11, r12, [r0, #32]
+    strh  r12, [r1, #-.Lcell]
+    ldrd  r11, r12, [r0, #.Lrun.to_row]
     lsr   r11, r5, r11
     and   r11, r11, r12
     lsr   r12, r4, r3
     add   r11, r11, r12
     ldrh  lr, [r10, r11, lsl #1]
-    ldrd  r11, r12, [r0, #40]         @ red and green
+    ldrd  r11, r12, [r0, #.Llit.r]    @ red and green
     lsr   r9, lr, #11
     mul   r11, r9, r11
     ubfx  r9, lr, #5, #6
     mul   r12, r9, r12
-    ldr   r9, [r0, #48]
+    ldr   r9, [r0, #.Llit.b]
     and   lr, lr, #31
     mul   lr, r9, lr
     add   r12, r12, #128
@@ -171,13 +181,13 @@ namespace zstrip::detail {
     orr   r12, lr, r12, lsl #5
     strh  r12, [r1, r2]
   .Llit_behind:
-    ldr   r9, [r0, #20]
+    ldr   r9, [r0, #.Lrun.step_z]
     add   r4, r4, r6
     add   r5, r5, r7
     add   r8, r8, r9
     subs  r3, r3, #256
     bhs   .Llit_texel
-    str   r8, [r0, #16]
+    str   r8, [r0, #.Lrun.z]
     pop   {r4-r11, pc}
   )");
 }
