@@ -22,11 +22,15 @@
 #include "report/ram_json.hpp"
 #include "view/view_arguments.hpp"
 #include "view/viewer.hpp"
+#include "zstrip/visibility.hpp"
 
 namespace zstrip::sim {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+// Of visibility methods a page has only what counts how often pixels are drawn.
+[[maybe_unused]] const bool kCounts = (use_overdraw_counts(), true);
 
 std::optional<Viewer> viewer;
 ViewedFrame viewed;

@@ -1,4 +1,4 @@
-// The modules of the playground in Node.js: pictures and files are those of the command, byte for byte.
+// The module of the playground in Node.js: pictures and files are those of the command, byte for byte.
 //     node --test module_test.mjs     (environment: ZSTRIP the command, ZSTRIP_PAGE the page's folder)
 import assert from 'node:assert/strict';
 import {readFileSync, readdirSync} from 'node:fs';
@@ -18,11 +18,11 @@ const {examples, programs} = JSON.parse(readFileSync(join(page, 'contents.json')
 const {bakeWordsOf, commandLineOf, kLooks, kPicoPrograms, kSettings} = await import(join(page, 'settings.mjs'));
 const command = new Command(process.env.ZSTRIP, join(page, 'examples'));
 
-const load = async (name) => {
-  const wasmBinary = readFileSync(join(page, name.replace(/mjs$/, 'wasm')));
+const load = async () => {
+  const wasmBinary = readFileSync(join(page, 'zstrip.wasm'));
   // Else Node.js ends with the status of a command that was refused.
   const quit = (status, exit) => { throw exit; };
-  const drawing = await Drawing.load((await import(join(page, name))).default, {wasmBinary, quit});
+  const drawing = await Drawing.load((await import(join(page, 'zstrip.mjs'))).default, {wasmBinary, quit});
   for (const {files} of examples) {
     drawing.addFiles((files ?? []).map((path) => ({path, bytes: readFileSync(join(page, 'examples', path))})));
   }
@@ -42,14 +42,12 @@ const kOptions = [
   ['--size', '160x120', '--samples', '4', '--ram', '64K'],
   ['--size', '160x120', '--edges'],
   ['--panel', 'ssd1306', '--dither'],
-];
-const kSeldom = [
   ['--depth-format', 'float'],
   ['--perspective', 'affine'],
 ];
 
 test('all examples are drawn as the command draws them', async () => {
-  const drawing = await load('zstrip-all.mjs');
+  const drawing = await load();
   for (const {scene} of examples) {
     const options = ['--size', '200x160'];
     assert.ok((await pngOf(drawing, scene, options)).equals(command.writes('render', scene, 'a.png', options)), scene);
@@ -57,8 +55,8 @@ test('all examples are drawn as the command draws them', async () => {
 });
 
 test('all options draw as those of the command', async () => {
-  const drawing = await load('zstrip-all.mjs');
-  for (const options of [...kOptions, ...kSeldom]) {
+  const drawing = await load();
+  for (const options of kOptions) {
     for (const scene of ['teapot', 'room']) {
       const expected = command.writes('render', scene, 'a.png', options);
       assert.ok((await pngOf(drawing, scene, options)).equals(expected), `${scene} ${options.join(' ')}`);
@@ -66,25 +64,13 @@ test('all options draw as those of the command', async () => {
   }
 });
 
-test('the smaller module draws what scenes mostly call for, and refuses the rest', async () => {
-  const drawing = await load('zstrip.mjs');
-  for (const options of kOptions) {
-    const expected = command.writes('render', 'room', 'a.png', options);
-    assert.ok((await pngOf(drawing, 'room', options)).equals(expected), options.join(' '));
-  }
-  for (const options of kSeldom.slice(0, 1)) {
-    // Internal, to which the page answers with the larger module.
-    await assert.rejects(pngOf(drawing, 'room', options), (error) => error.status === 1);
-  }
-});
-
 test('visibility methods are refused', async () => {
-  const drawing = await load('zstrip-all.mjs');
+  const drawing = await load();
   await assert.rejects(pngOf(drawing, 'room', ['--visibility', 'painter']), /visibility methods/);
 });
 
 test('the heat map is that of zstrip render --show accuracy', async () => {
-  const drawing = await load('zstrip.mjs');
+  const drawing = await load();
   const cases = [
     ['teapot', ['--size', '120x90']],
     ['room', ['--size', '120x90', '--format', 'gray4', '--dither']],
@@ -112,7 +98,7 @@ test('the heat map is that of zstrip render --show accuracy', async () => {
 });
 
 test('estimates say which effects they leave out', async () => {
-  const drawing = await load('zstrip.mjs');
+  const drawing = await load();
   for (const [scene, leftOut] of [['teapot', []], ['fog.toml', ['fog']], ['gallery/robot.toml', ['shadows']]]) {
     await drawing.open(scene, ['--size', '60x60', '--frames', '1']);
     const {figures} = await drawing.draw();
@@ -121,8 +107,8 @@ test('estimates say which effects they leave out', async () => {
   }
 });
 
-test('all examples are shown in all ways, or a reason is given that is not internal', async () => {
-  const drawing = await load('zstrip-all.mjs');
+test('all examples are shown in all ways', async () => {
+  const drawing = await load();
   for (const {scene} of examples) {
     await drawing.open(scene, ['--size', '64x48']);
     for (const look of ['wireframe', 'depth', 'overdraw']) {
@@ -132,7 +118,7 @@ test('all examples are shown in all ways, or a reason is given that is not inter
 });
 
 test('headers, programs and blobs are those of zstrip bake', async () => {
-  const drawing = await load('zstrip.mjs');
+  const drawing = await load();
   for (const scene of ['teapot', 'fog.toml', 'gallery/chess.toml']) {
     for (const name of ['scene.hpp', 'scene.ino', 'main.cpp', 'scene.zsc']) {
       const words = ['bake', scene, '-o', name, '--turntable', '--quiet', '--size', '240x240', '--ram', '40K'];
@@ -151,7 +137,7 @@ const checkPicoFile = async (drawing, scene, name, options, pico) => {
 };
 
 test('files for the Pico are those of zstrip bake, whatever size is chosen', async () => {
-  const drawing = await load('zstrip.mjs');
+  const drawing = await load();
   for (const scene of ['teapot', 'fog.toml', 'gallery/watch.toml']) {
     await checkPicoFile(drawing, scene, 'scene.uf2', []);
     await checkPicoFile(drawing, scene, 'scene.uf2', ['--board', 'pico2'], 'pico2');
@@ -163,7 +149,7 @@ test('files for the Pico are those of zstrip bake, whatever size is chosen', asy
 
 for (const [pico, name] of Object.entries(kPicoPrograms)) {
   test(`with ${name}, too`, {skip: !programs.includes(pico) && `the page has no ${name}`}, async () => {
-    const drawing = await load('zstrip.mjs');
+    const drawing = await load();
     const program = join(page, name);
     drawing.addFiles([{path: name, bytes: readFileSync(program)}]);
     await checkPicoFile(drawing, 'teapot', 'both.uf2', ['--board', pico, '--with', program], pico);
@@ -171,7 +157,7 @@ for (const [pico, name] of Object.entries(kPicoPrograms)) {
 }
 
 test('what is wrong is said, and the next scene is drawn', async () => {
-  const drawing = await load('zstrip.mjs');
+  const drawing = await load();
   const refused = async (scene, options, status, words) => assert.rejects(
     pngOf(drawing, scene, options), (error) => error.status === status && words.test(error.message));
   await refused('teapot', ['--format', 'rgb56'], 2, /did you mean rgb565/);
@@ -198,7 +184,7 @@ test('zstrip bake takes the command line that the page shows', async () => {
 });
 
 test('the page with its first scene is small', () => {
-  const later = /^(zstrip-all\..*|examples|zstrip_pico2?_player\.uf2)$/;
+  const later = /^(examples|zstrip_pico2?_player\.uf2)$/;
   const first = readdirSync(page).filter((name) => !later.test(name));
   const bytes = first.reduce((sum, name) => sum + gzipSync(readFileSync(join(page, name)), {level: 9}).length, 0);
   console.log(`${bytes} bytes gzipped`);

@@ -100,7 +100,7 @@ async function look(value) {
   await drawn();
 }
 
-test('how often pixels are drawn is shown by the larger module', async () => {
+test('how often pixels are drawn is shown', async () => {
   await look(3);
   assert.equal(await browser.evaluate(`document.getElementById('look').value`), '3');
   assert.doesNotMatch(await text('#status'), /exclude/);
@@ -117,7 +117,6 @@ test('settings are those of the command', async () => {
   await set('dither');
   await drawn();
   await shows('teapot', ['--size', '128x64', '--format', 'gray4', '--dither']);
-  // The larger module is loaded for it.
   await set('depth-format', 'float');
   await drawn();
   await shows('teapot', ['--size', '128x64', '--format', 'gray4', '--dither', '--depth-format', 'float']);

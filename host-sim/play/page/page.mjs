@@ -8,10 +8,9 @@ import {
 } from './settings.mjs';
 import {inWordsOfPage, settingOf} from './words.mjs';
 
+const kInternalError = 1;  // exit status of the command
 const kDegreesOfPixel = 0.4;
 const kDegreesOfKey = 5;
-// What the smaller module refuses so, the larger one may draw.
-const kInternalError = 1;
 
 // A mark on the page's time line.
 const kFirstPicture = 'first-picture';
@@ -24,7 +23,6 @@ let opened = {frames: 64, milliseconds: 4000};
 let drawn;  // by the worker, and its figures
 let figures;
 let isOpen = false;
-let hasAll = false;  // the larger module is loaded
 let playing = false;
 let examples = [];
 let programs = [];  // the boards whose program the page has
@@ -75,7 +73,7 @@ async function update(what) {
     while (wanted) {
       const now = wanted;
       wanted = undefined;
-      await (now === 'open' ? openAndDraw() : withAllPipelines(draw));
+      await (now === 'open' ? openAndDraw() : draw());
     }
     document.body.dataset.state = 'drawn';
   } catch (error) {
@@ -86,20 +84,6 @@ async function update(what) {
   }
   showLink();
   busy = false;
-}
-
-// Draws; what the smaller module refuses is opened and drawn once more by the larger one.
-async function withAllPipelines(attempt) {
-  try {
-    await attempt();
-  } catch (error) {
-    if (error.status !== kInternalError || hasAll) throw error;
-    say('Loading what draws this …');
-    await call('loadAll');
-    hasAll = true;
-    await open();
-    await draw();
-  }
 }
 
 let messages = [];
@@ -116,10 +100,8 @@ async function openAndDraw() {
   setDownloads(false);
   say('Loading …');
   await fetchExample();
-  await withAllPipelines(async () => {
-    await open();
-    await draw();
-  });
+  await open();
+  await draw();
 }
 
 // Of a scene that cannot be looked at so there are the colours, and why.
@@ -127,11 +109,10 @@ async function drawnOrColours() {
   try {
     return {drawn: await call('draw', view), refused: []};
   } catch (error) {
-    const isInternal = error.status === kInternalError;
-    if (view.look === 0 || (isInternal && !hasAll)) throw error;
+    if (view.look === 0) throw error;
     view.look = 0;
     element('look').value = 0;
-    if (isInternal) await open();  // the module may have been started again
+    if (error.status === kInternalError) await open();  // the module may have been started again
     return {drawn: await call('draw', view), refused: [error.message]};
   }
 }

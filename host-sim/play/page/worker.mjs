@@ -1,19 +1,14 @@
 // Draws beside the page, which stays quick meanwhile. Calls come as {id, name, values} and are answered in their order.
 import {Drawing} from './drawing.mjs';
 
-// A smaller module has the pipelines that most scenes call for; the other one has them all.
-const kModules = {common: './zstrip.mjs', all: './zstrip-all.mjs'};
-
 let drawing;
-let loaded;
 let files = [];
 let shown = 0;
 
-async function load(kind) {
-  if (loaded === kind || loaded === 'all') return;
-  drawing = await Drawing.load((await import(kModules[kind])).default);
+async function load() {
+  if (drawing) return;
+  drawing = await Drawing.load((await import('./zstrip.mjs')).default);
   drawing.addFiles(files);
-  loaded = kind;
 }
 
 const calls = {
@@ -22,7 +17,7 @@ const calls = {
     drawing?.addFiles(added);
   },
   async open({scene, options}) {
-    await load('common');
+    await load();
     const opened = await drawing.open(scene, options);
     shown = 0;
     return opened;
@@ -32,14 +27,11 @@ const calls = {
     shown = drawn.figures.frame;
     return drawn;
   },
-  async loadAll() {
-    await load('all');
-  },
   async png() {
     return drawing.png();
   },
   async run({words, names}) {
-    await load('common');
+    await load();
     return drawing.run(words, names);
   },
 };
