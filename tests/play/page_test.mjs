@@ -127,9 +127,10 @@ async function isCleared() {
   const left = await browser.evaluate(`({
     rows: document.querySelectorAll('tbody tr').length,
     command: document.getElementById('command').textContent,
+    leftOut: document.getElementById('left-out').textContent,
     downloads: document.querySelectorAll('#downloads button:enabled').length,
   })`);
-  assert.deepEqual(left, {rows: 0, command: '', downloads: 0});
+  assert.deepEqual(left, {rows: 0, command: '', leftOut: '', downloads: 0});
   assert.ok((await canvas()).rgb.every((byte) => byte === 0));
 }
 

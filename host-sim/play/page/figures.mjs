@@ -56,11 +56,15 @@ export function showFigures(figures) {
   ]);
   showAccuracy(figures.accuracy);
   fill('boards', Object.entries(figures.rates).map(([board, rate]) => [board, rate.toPrecision(3)]));
-  const leftOut = figures.estimate_leaves_out;
-  document.getElementById('left-out').textContent = leftOut.length > 0 ? `The estimates leave out: ${leftOut.join(', ')}.` : '';
+  showLeftOut(figures.estimate_leaves_out);
+}
+
+function showLeftOut(effects) {
+  document.getElementById('left-out').textContent = effects.length > 0 ? `The estimates leave out: ${effects.join(', ')}.` : '';
 }
 
 export function clearFigures() {
   for (const id of ['memory', 'work', 'boards']) fill(id, []);
   showAccuracy(null);
+  showLeftOut([]);
 }
