@@ -2,7 +2,7 @@
 // no program has them without.
 #pragma once
 
-#include "zstrip/effects.hpp"
+#include "zstrip/visibility.hpp"
 
 namespace effects_test {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "zstrip/effects.hpp"
+#include "zstrip/visibility.hpp"
 #include "zstrip_scenes/knot.hpp"
 
 namespace zstrip::effects_cost {
