@@ -12,8 +12,9 @@
 
 namespace zstrip::hal {
 
-/// Standard speed, 100 kHz at most: each half of a bit is 5 us of the clock's. A device may hold the clock line low for
-/// up to `kPatience` of them (Error::timeout after that). One master only. `clock` must outlive the writer.
+/// Runs at standard speed, 100 kHz at most: each half of a bit takes 5 us of `clock`. A device may hold the clock line
+/// low for up to `kPatience` half bits; after that the call returns Error::timeout. Supports one master only. `clock`
+/// must outlive the writer.
 template <OpenDrainPin ClockPin, OpenDrainPin DataPin, Clock Time>
 class BitBangedI2c {
  public:
@@ -21,8 +22,9 @@ class BitBangedI2c {
   constexpr BitBangedI2c(ClockPin clock_pin, DataPin data_pin, Time& clock)
       : scl_(std::move(clock_pin)), sda_(std::move(data_pin)), clock_(clock) {}
 
-  /// To be called once, and after an error that stays. A device that was interrupted amid a byte may hold the data
-  /// line: nine clocks and a stop condition free it. Error::bus if it is low all the same.
+  /// Call it once before the first transfer, and again after an error that persists. A device that was interrupted
+  /// within a byte may hold the data line low: nine clock pulses and a stop condition free it. Returns Error::bus if
+  /// the line stays low.
   Error start() {
     Error error = sda_.release();
     for (int bit = 0; error == Error::none && bit < 9; ++bit) error = pulse();
@@ -32,7 +34,7 @@ class BitBangedI2c {
     return error == Error::none && !high ? Error::bus : error;
   }
 
-  /// As I2cWriter states; Error::timeout after 1 ms of a clock line that a device holds.
+  /// As I2cWriter states. Returns Error::timeout if a device holds the clock line low for 1 ms.
   Error begin(std::uint8_t address) {
     Error error = sda_.release();
     if (error == Error::none) error = rise();
@@ -75,7 +77,7 @@ class BitBangedI2c {
     half();
     return error;
   }
-  /// Released, and high: a device may stretch the clock.
+  /// Releases the clock line and waits until it is high: a device may stretch the clock.
   Error rise() {
     if (const Error error = scl_.release(); error != Error::none) return error;
     for (int i = 0; i < kPatience; ++i) {
@@ -91,7 +93,7 @@ class BitBangedI2c {
     return rise();
   }
 
-  /// Data changes while the clock is low; in the ninth bit the device pulls it low.
+  /// Data changes while the clock is low. The device acknowledges by pulling the data line low in the ninth bit.
   Error send_byte(std::uint32_t byte) {
     Error error = Error::none;
     for (int bit = 7; error == Error::none && bit >= 0; --bit) {

@@ -1,6 +1,6 @@
-// SPI without a controller: a command/data bus over three output pins, a fourth to select the panel, and an input on
-// which it answers. For processors whose SPI is in use or wired elsewhere; slow, and the processor does nothing else
-// meanwhile.
+// SPI without a controller: a command/data bus over three output pins, an optional fourth that selects the panel, and
+// an optional input for the panel's answers. For processors whose SPI is in use or wired elsewhere. It is slow, and
+// the processor is busy until a transfer ends.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,12 @@
 
 namespace zstrip::hal {
 
-/// SPI mode 0, highest bit first: the panel takes data and D/C at the clock's rising edge. Between two edges lies one
-/// call of a pin and nothing else: where a pin takes less than half of the panel's shortest clock cycle, its set() must
-/// wait. Everything has been sent when a function returns. Errors are the pins'; the panel is deselected then, so that
-/// the bits of an incomplete byte are forgotten, where it has a select line. With an input pin for the panel's answers
-/// it is a ReadableBus: the panel gives a bit at a falling edge, it is read before the next rising one.
+/// SPI mode 0, highest bit first: the panel takes data and D/C at the rising edge of the clock. Only one call of a pin
+/// lies between two edges. If that call takes less than half of the panel's shortest clock cycle, set() of the pin
+/// must wait. All bytes have been sent when a function returns. An error of a pin is returned; the panel is deselected
+/// then, so that a panel with a select line discards the bits of an incomplete byte. With an input pin for the panel's
+/// answers the class is a ReadableBus: the panel outputs a bit at a falling edge, and it is read before the next
+/// rising edge.
 template <OutputPin ClockPin, OutputPin DataPin, OutputPin DataCommandPin, OutputPin SelectPin = NoPin,
           class AnswerPin = NoPin>
 class BitBangedSpi {
@@ -33,7 +34,7 @@ class BitBangedSpi {
         select_(std::move(select)),
         answer_(std::move(answer)) {}
 
-  /// Gives the lines their idle levels. To be called once, before anything else.
+  /// Sets the lines to their idle levels. Call it once, before any other function.
   Error start() {
     if (const Error error = select_.set(true); error != Error::none) return error;
     if (const Error error = clock_.set(false); error != Error::none) return error;
@@ -41,7 +42,7 @@ class BitBangedSpi {
   }
 
   /// @{
-  /// As the concept CommandDataBus states; everything has been sent when it returns.
+  /// As the concept CommandDataBus states; all bytes have been sent when the function returns.
   Error write_command(std::span<const std::byte> bytes) { return write(bytes, false); }
   Error write_data(std::span<const std::byte> bytes) { return write(bytes, true); }
   Error wait() { return Error::none; }
@@ -71,7 +72,7 @@ class BitBangedSpi {
     }
     return ended(error);
   }
-  /// The end of a transfer: the lines rest, whatever happened.
+  /// Ends a transfer: sets the lines to their idle levels, also after an error.
   Error ended(Error error) {
     const Error idle = clock_.set(false);
     const Error deselected = select_.set(true);

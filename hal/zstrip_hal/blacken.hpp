@@ -11,7 +11,7 @@
 
 namespace zstrip::hal {
 
-/// Sends `bytes` zero bytes of data from a constant of 64, and waits for them.
+/// Sends `bytes` zero bytes of data from a constant array of 64, and waits until they are sent.
 template <CommandDataBus Bus>
 Error send_zeros(Bus& bus, std::uint32_t bytes) {
   static constexpr std::array<std::byte, 64> kZeros{};

@@ -1,5 +1,5 @@
-// What a panel's driver needs of the wires: commands and data, told apart. Four-wire SPI has a D/C line for it,
-// a parallel bus an address line, I2C a control byte; drivers of panels do not see which.
+// The interface between a panel's driver and its wires: it sends commands and data. Four-wire SPI tells them apart by
+// a D/C line, a parallel bus by an address line, I2C by a control byte. Panel drivers are independent of the method.
 #pragma once
 
 #include <concepts>
@@ -11,14 +11,15 @@
 namespace zstrip::hal {
 
 /// A bus with one panel on it.
-///   - write_command() returns when the bytes have arrived: the caller may reuse them, and switch to data.
+///   - write_command() returns when the bytes have arrived: the caller may then reuse them, and switch to data.
 ///   - write_data() may return while the bytes are still being sent (DMA); they must stay alive and unchanged until
-///     wait() returns. Bytes of successive writes follow each other without a gap in meaning.
-///   - wait() returns when nothing is under way, with the error of the last write_data(). The caller waits before the
-///     next call of either function.
-/// No function blocks for ever: a driver of a bus states its time-out and returns Error::timeout. Error::bus is a fault
-/// that the bus itself reports. After an error the bus is idle and the panel deselected: how much of the bytes arrived
-/// is unknown, the next call starts a transfer of its own. One thread, or one interrupt level, at a time.
+///     wait() returns. Successive writes form one stream of data.
+///   - wait() returns when no transfer is under way, with the error of the last write_data(). The caller waits before
+///     the next call of either function.
+/// Every function returns within a time limit: the driver of a bus states its time-out and returns Error::timeout.
+/// Error::bus is a fault that the bus itself reports. After an error the bus is idle and the panel deselected. It is
+/// unknown how many of the bytes arrived; the next call starts a new transfer. Use a bus from one thread, or one
+/// interrupt level, at a time.
 template <class T>
 concept CommandDataBus = requires(T& bus, std::span<const std::byte> bytes) {
   { bus.write_command(bytes) } -> std::same_as<Error>;
@@ -26,10 +27,10 @@ concept CommandDataBus = requires(T& bus, std::span<const std::byte> bytes) {
   { bus.wait() } -> std::same_as<Error>;
 };
 
-/// A bus on which the panel answers, too. read() sends a command as write_command() does, lets `dummy_clocks` (0..8)
-/// cycles of the clock pass, and takes all bytes of `answer`, highest bit first, while the panel stays selected;
-/// nothing may be under way. It has them when it returns; after an error they mean nothing. Where no wire comes back
-/// from the panel the answer is what the processor's input rests at: all ones, or all zeros.
+/// A bus on which the panel can also answer. read() sends a command as write_command() does, lets `dummy_clocks`
+/// (0..8) clock cycles pass, and fills `answer`, highest bit first, while the panel stays selected. Call it only when
+/// no transfer is under way. `answer` is complete when it returns; after an error its content is undefined. If no wire
+/// leads back from the panel, the answer is the idle level of the processor's input: all ones, or all zeros.
 template <class T>
 concept ReadableBus = CommandDataBus<T> &&
     requires(T& bus, std::byte command, unsigned dummy_clocks, std::span<std::byte> answer) {

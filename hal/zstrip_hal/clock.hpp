@@ -1,4 +1,4 @@
-// Waiting, which start sequences of panels must.
+// Delays, which the start sequences of panels need.
 #pragma once
 
 #include <concepts>
@@ -6,8 +6,8 @@
 
 namespace zstrip::hal {
 
-/// wait(microseconds) returns not earlier than that; how much later does not matter. Up to a second at a time. A board
-/// may sleep, poll a timer or count loops.
+/// wait(microseconds) returns after at least that time, at most one second per call. It may return later by any
+/// amount. A board may sleep, poll a timer or count loops.
 template <class T>
 concept Clock = requires(T& clock, std::uint32_t microseconds) {
   { clock.wait(microseconds) } -> std::same_as<void>;

@@ -1,4 +1,4 @@
-// What a display is: a size, a pixel format, and a way to send it rectangles of pixels.
+// The interface of a display: a size, a pixel format, and functions that send it rectangles of pixels.
 //
 // Displays are concepts, not base classes: a firmware has one or two panels, known when it is compiled, so that calls
 // inline and no table of functions takes RAM. Code for "any display" is a template (present.hpp is the only one here).
@@ -13,8 +13,8 @@
 
 namespace zstrip::hal {
 
-/// How the pixels that a display takes lie in memory. Rows follow each other; every row starts at a byte. What draws
-/// for a display must draw in its format: with zstrip's core, the View's, which has the same names.
+/// The layout of a display's pixels in memory. Rows follow each other; every row starts at a byte. A renderer must
+/// draw in the format of its display: zstrip's core takes the format in View, under the same names.
 enum class PixelFormat : std::uint8_t {
   rgb565,          ///< two bytes, the low one first; red in bits 15..11
   rgb565_swapped,  ///< two bytes, the high one first
@@ -46,7 +46,7 @@ constexpr std::uint32_t bytes_per_row(std::uint16_t width, PixelFormat format) {
   }
 }
 
-/// Whether an area is part of a display of this size and not empty.
+/// True if the area is not empty and lies inside a display of this size.
 constexpr bool contains(std::uint16_t width, std::uint16_t height, const Area& area) {
   return area.width > 0 && area.height > 0 && area.left + area.width <= width && area.top + area.height <= height;
 }
@@ -57,12 +57,12 @@ constexpr bool contains(std::uint16_t width, std::uint16_t height, const Area& a
 ///     caller waits before the next.
 ///   - wait() returns when nothing is under way, with the error of that write. Called when idle, it returns at once.
 ///   - end_frame() makes the frame complete; nothing may be under way.
-/// Only what was written changes: a frame may write no more than the rectangles in which the picture differs from the
-/// one before. A display whose memory has several pixels a byte may need areas that begin and end at whole bytes, in x
-/// or in y: Error::alignment otherwise; its documentation states that. After an error of write() or wait() the display
-/// is idle, what it shows of this frame is undefined, and a new frame may begin, which shows right whatever it writes.
-/// end_frame() is called after an error too. One thread, core, or interrupt level, at a time. The display refers to its
-/// bus, which must outlive it.
+/// Pixels that were not written keep their value: a frame may write only the rectangles in which the picture differs
+/// from the one before. A display whose memory has several pixels a byte may need areas that begin and end at whole
+/// bytes, in x or in y, and returns Error::alignment otherwise; its documentation states that. After an error of
+/// write() or wait() the display is idle and its picture of this frame is undefined. A new frame may begin then, and
+/// every rectangle that it writes is shown correctly. end_frame() is called after an error too. Use a display from one
+/// thread, core, or interrupt level, at a time. The display refers to its bus, which must outlive it.
 template <class T>
 concept Display = requires(T& display, const T& view, const Area& area, std::span<const std::byte> pixels) {
   { view.width() } -> std::same_as<std::uint16_t>;

@@ -1,11 +1,11 @@
-// What can go wrong between the processor and a panel, as a value.
+// Errors between the processor and a panel, as values.
 #pragma once
 
 #include <cstdint>
 
 namespace zstrip::hal {
 
-/// What went wrong on the way to a display.
+/// The reason why a call of a pin, a bus or a display failed.
 enum class [[nodiscard]] Error : std::uint8_t{
     none,              ///< success
     timeout,           ///< the bus or the panel did not get ready in the time that its driver states

@@ -1,4 +1,4 @@
-// A picture that lies in memory from which hardware, or an operating system, shows it.
+// A picture in memory that hardware, or an operating system, shows on a screen.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace zstrip::hal {
 
-/// Where the rows of a picture are, and how its pixels lie there.
+/// The position of a picture's rows in memory, and their pixel format.
 struct FramebufferLayout {
   std::uint16_t width = 0;                   ///< pixels
   std::uint16_t height = 0;                  ///< pixels
@@ -19,14 +19,14 @@ struct FramebufferLayout {
   std::uint32_t stride = 0;                  ///< bytes from one row to the next; 0: rows without gaps
 };
 
-/// Rectangles are copied, so that write() has ended when it returns, and what is sent is seen at once: one picture,
-/// without a second one to draw in. The caller owns the memory, which must outlive the display; a processor with a data
-/// cache either maps it uncached or cleans it after end_frame().
-/// Any format. In those whose pixels share bytes a rectangle must begin at a whole byte, and end at one or at the
-/// picture's right edge.
+/// write() copies a rectangle into the memory and has ended when it returns. There is one buffer, so the screen shows
+/// each rectangle as soon as it is written. The caller owns the memory, which must outlive the display; a processor
+/// with a data cache either maps it uncached or cleans it after end_frame().
+/// Accepts every format. In formats whose pixels share bytes a rectangle must begin at a whole byte, and end at a
+/// whole byte or at the picture's right edge.
 class Framebuffer {
  public:
-  /// Looks at the memory when a frame begins.
+  /// Does not access the memory; begin_frame() checks it.
   constexpr Framebuffer(std::span<std::byte> memory, const FramebufferLayout& layout)
       : memory_(memory),
         layout_(layout),
@@ -38,7 +38,7 @@ class Framebuffer {
   constexpr std::uint16_t height() const { return layout_.height; }
   constexpr PixelFormat format() const { return layout_.format; }
 
-  /// Error::framebuffer if rows overlap, or do not fit the memory.
+  /// Returns Error::framebuffer if rows overlap, or do not fit the memory.
   constexpr Error begin_frame() { return fits() ? Error::none : Error::framebuffer; }
 
   Error write(const Area& area, std::span<const std::byte> pixels) {

@@ -1,5 +1,5 @@
-// I2C as far as panels need it: writing to one device. And the command/data bus of panels over it, which tell commands
-// from data by a control byte (SSD1306 data sheet, I2C-bus write data).
+// The part of I2C that panels need: writing to one device. Also a command/data bus over it, for panels that tell
+// commands from data by a control byte (SSD1306 data sheet, I2C-bus write data).
 #pragma once
 
 #include <concepts>
@@ -12,10 +12,10 @@
 
 namespace zstrip::hal {
 
-/// A controller of I2C. begin() sends the start condition and the address with the bit to write, send() bytes of the
-/// same transfer, end() the stop condition, also after an error. Bytes have been sent, each acknowledged, when a
-/// function returns. Error::bus if no device acknowledges or the lines are held; Error::timeout by the driver's own
-/// limit.
+/// A controller of I2C. begin() sends the start condition and the address with the write bit, send() sends bytes of
+/// the same transfer, end() sends the stop condition, also after an error. When a function returns, its bytes have
+/// been sent and each was acknowledged. Error::bus: no device acknowledges, or a device holds the lines.
+/// Error::timeout: the driver's own limit has passed.
 template <class T>
 concept I2cWriter = requires(T& i2c, std::uint8_t address, std::span<const std::byte> bytes) {
   { i2c.begin(address) } -> std::same_as<Error>;
@@ -23,7 +23,7 @@ concept I2cWriter = requires(T& i2c, std::uint8_t address, std::span<const std::
   { i2c.end() } -> std::same_as<Error>;
 };
 
-/// Each write is a transfer of its own; everything has been sent when it returns. `i2c` must outlive the bus.
+/// Each write is a separate transfer; all bytes have been sent when it returns. `i2c` must outlive the bus.
 template <I2cWriter Writer>
 class I2cCommandDataBus {
  public:
@@ -31,7 +31,7 @@ class I2cCommandDataBus {
   constexpr I2cCommandDataBus(Writer& i2c, std::uint8_t address) : i2c_(i2c), address_(address) {}
 
   /// @{
-  /// As the concept CommandDataBus states; everything has been sent when it returns.
+  /// As the concept CommandDataBus states; all bytes have been sent when the function returns.
   Error write_command(std::span<const std::byte> bytes) { return write(std::byte{0x00}, bytes); }
   Error write_data(std::span<const std::byte> bytes) { return write(std::byte{0x40}, bytes); }
   Error wait() { return Error::none; }

@@ -1,6 +1,6 @@
-// Ilitek ILI9341: controller of colour panels of 240x320, on a command/data bus. Serial clock up to 10 MHz by the data
-// sheet (100 ns a write cycle); modules are commonly run at 40 MHz, at your own risk. No 12 bits a pixel on a serial
-// bus.
+// Ilitek ILI9341: controller of colour panels of 240x320, on a command/data bus. The data sheet allows a serial clock
+// up to 10 MHz (100 ns a write cycle); modules are commonly run at 40 MHz, at your own risk. The controller has no
+// format of 12 bits a pixel on a serial bus.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@ struct Ili9341Controller {
   static constexpr std::uint16_t kRows = 320;
   static constexpr bool kHasBrightness = true;
   static constexpr std::uint32_t kId = 0x009341;
-  /// Read ID4, D3h: an unused parameter, then three bytes. On a serial bus it gives but one, whose number D9h sets
-  /// first: a command that is not in the data sheet, which Adafruit's and other libraries read these parts with.
+  /// Read ID4, D3h: an unused parameter, then three bytes. On a serial bus each read returns one byte, and command D9h
+  /// selects which. D9h is not in the data sheet; the libraries of Adafruit and others read these parts with it.
   template <ReadableBus Bus>
   static Error read_id(Bus& bus, std::span<std::byte, 3> id) {
     constexpr std::byte kReadIndex{0xD9}, kReadId4{0xD3};

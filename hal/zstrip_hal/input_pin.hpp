@@ -7,8 +7,8 @@
 
 namespace zstrip::hal {
 
-/// read() gives the electrical level; Error::pin where it cannot. Pins are handles: what uses one keeps a copy or moves
-/// it in.
+/// read() returns the electrical level in `high`, or Error::pin if it cannot read. Pins are handles: a class that uses
+/// one keeps a copy or moves it in.
 template <class T>
 concept InputPin = std::movable<T> && requires(T& pin, bool& high) {
   { pin.read(high) } -> std::same_as<Error>;

@@ -1,4 +1,4 @@
-// Words on a display when nothing else works any more: no renderer, no memory of its own but half a kilobyte of stack.
+// Shows text on a display after a failure: needs no renderer, and no memory but half a kilobyte of stack.
 #pragma once
 
 #include <array>
@@ -59,7 +59,7 @@ constexpr std::array<std::byte, kCellWidth * kCellHeight * 4> cell(char characte
   return bytes;
 }
 
-/// Between begin_frame() and end_frame().
+/// Call it between begin_frame() and end_frame().
 template <Display Panel>
 Error write_cells(Panel& panel, std::string_view text) {
   const std::uint16_t columns = panel.width() / kCellWidth, lines = panel.height() / kCellHeight;
@@ -79,9 +79,10 @@ Error write_cells(Panel& panel, std::string_view text) {
 
 }  // namespace detail
 
-/// Fills the display with `text`, in capitals, from the upper left corner, line by line as wide as the display; what
-/// does not fit is not shown, a remainder of the display narrower than 8 or lower than 16 pixels keeps what it has.
-/// Shows letters, digits, space and .,:;-' and anything else as a question mark. The first error ends it.
+/// Fills the display with `text`, in capitals, from the upper left corner, line by line as wide as the display. Text
+/// that does not fit is left out. A right or bottom border of the display narrower than 8 or lower than 16 pixels
+/// keeps its content. Shows letters, digits, space and .,:;-' ; any other character becomes a question mark. Stops at
+/// the first error.
 template <Display Panel>
 Error show_message(Panel& panel, std::string_view text) {
   if (const Error error = panel.begin_frame(); error != Error::none) return error;

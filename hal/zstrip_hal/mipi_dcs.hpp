@@ -1,8 +1,8 @@
-// Panels whose controller follows MIPI's Display Command Set, as those for SPI of Sitronix and Ilitek do: what they
-// have in common. What each has of its own is in st7789.hpp, ili9341.hpp and st7735.hpp.
+// The common part of panels whose controller follows MIPI's Display Command Set, as the SPI controllers of Sitronix
+// and Ilitek do. st7789.hpp, ili9341.hpp and st7735.hpp hold the parts that differ.
 //
-// A command is one byte with D/C low, its parameters follow with D/C high. A command ends the one before it, whole or
-// not, so that whatever went wrong, the next window starts clean.
+// A command is one byte with D/C low, its parameters follow with D/C high. A new command ends the one before it, even
+// an incomplete one, so that after any error the next window starts clean.
 #pragma once
 
 #include <array>
@@ -21,13 +21,13 @@
 
 namespace zstrip::hal {
 
-/// How a glass is wired to its controller, and how the picture lies on it. Sizes and offsets are those of the upright
-/// glass, whatever the orientation.
+/// The wiring of a glass to its controller, and the orientation of the picture on it. Sizes and offsets are those of
+/// the upright glass, whatever the orientation.
 struct DcsConfig {
   std::uint16_t width = 0;          ///< of the glass, 1 up to the controller's columns
   std::uint16_t height = 0;         ///< of the glass, 1 up to the controller's rows
   std::uint16_t column_offset = 0;  ///< of the glass in the controller's memory, where the latter is larger
-  std::uint16_t row_offset = 0;     ///< likewise
+  std::uint16_t row_offset = 0;     ///< of the glass in the controller's memory, where the latter is larger
   Orientation orientation{};        ///< of the picture on the glass
   PixelFormat format = PixelFormat::rgb565_swapped;  ///< or rgb666; or rgb444, where the controller has it
   bool columns_reversed = false;                     ///< the glass is wired from the right to the left
@@ -37,24 +37,24 @@ struct DcsConfig {
   /// Commands that the module's data sheet requires (voltages, gamma), sent before the panel wakes up: the command, the
   /// number of its parameters, its parameters; then the next command. Must outlive the display.
   std::span<const std::byte> module_commands{};
-  /// Which controller start() must find: the id that it answers with, its three bytes from the highest down, as kId of
-  /// each controller; modules may have another one of their maker's. Below 0xFFFFFF, which is also read without
-  /// an answer. 0, the default: it is not read, because many modules have no wire for answers.
+  /// The id that the controller must answer in start(): three bytes, the highest first, as kId of each controller; a
+  /// module may answer with its maker's own id. Must be below 0xFFFFFF, the value that is read without an answer. With
+  /// 0, the default, start() does not read the id, because many modules have no wire for answers.
   std::uint32_t id = 0;
 };
 
-/// The same module with the picture turned.
+/// Returns the configuration of `module` with the picture rotated clockwise on the glass.
 constexpr DcsConfig turned(DcsConfig module, Rotation by) {
   module.orientation.rotation = by;
   return module;
 }
 
-/// What a driver defines for a controller:
-///   - kColumns, kRows: of its memory, with the glass upright
-///   - pixel_format(format): COLMOD's parameter, 0 for a format that it has not
+/// A driver of a controller defines these members:
+///   - kColumns, kRows: size of its memory, with the glass upright
+///   - pixel_format(format): the parameter of COLMOD, 0 for a format that the controller does not support
 ///   - kSettings: commands for every module, as DcsConfig::module_commands
-///   - kHasBrightness: it has a PWM output for a backlight
-///   - kId: what read_id(bus, id) gives on a ReadableBus, three bytes
+///   - kHasBrightness: true if the controller has a PWM output for a backlight
+///   - kId: the three bytes that read_id(bus, id) reads on a ReadableBus
 template <class T>
 concept DcsController = requires(PixelFormat format) {
   { T::kColumns } -> std::convertible_to<std::uint16_t>;
@@ -79,12 +79,12 @@ class DcsPanel {
   /// Sends nothing: start() does.
   constexpr DcsPanel(Bus& bus, Time& clock, const DcsConfig& config) : bus_(bus), clock_(clock), config_(config) {}
 
-  /// Resets the controller by command, sets it up, blackens the glass and switches it on; takes a quarter of a second
-  /// and the time for a frame's bytes. May be repeated after an error, best after reset_panel() (output_pin.hpp).
-  /// Error::configuration for a glass that is larger than the controller's memory, a format that it has not,
-  /// module_commands that end amid a command, an id on a bus that cannot read, or one that is none;
-  /// nothing was sent then. Error::wrong_id where the configuration has another id than the controller: nothing but the
-  /// command that reads it was sent.
+  /// Resets the controller by command, sets it up, blackens the glass and switches it on. Takes a quarter of a second,
+  /// plus the time to send a frame's bytes. May be repeated after an error, best after reset_panel() (output_pin.hpp).
+  /// Returns Error::configuration, and sends nothing, if the glass is larger than the controller's memory, the
+  /// controller does not support the format, module_commands end within a command, `id` is set but the bus cannot
+  /// read, or `id` is out of range. Returns Error::wrong_id if the controller answers with another id; it has sent
+  /// only the command that reads the id then.
   Error start() {
     if (!valid()) return Error::configuration;
     Error error = checked_id();
@@ -127,8 +127,8 @@ class DcsPanel {
   /// As the concept Display states.
   Error end_frame() { return Error::none; }
 
-  /// The controller's answer to the command that reads its id, as DcsConfig::id; also before start(), from 5 ms after a
-  /// reset on. All ones or all zeros: no controller answers, or no wire comes back. Nothing may be under way.
+  /// Reads the controller's id, in the form of DcsConfig::id. May be called before start(), from 5 ms after a reset
+  /// on. All ones or all zeros: no controller answers, or no wire leads back. No transfer may be under way.
   Error read_id(std::uint32_t& id) requires ReadableBus<Bus> {
     std::array<std::byte, 3> answer{};
     const Error error = Controller::read_id(bus_, answer);
@@ -137,8 +137,8 @@ class DcsPanel {
     return error;
   }
 
-  /// Dark and nearly without current; the memory keeps its pixels, but none may be written. Takes 120 ms. The backlight
-  /// is the program's to switch.
+  /// Switches the display off, so that it needs nearly no current. The memory keeps its pixels; do not write any until
+  /// wake(). Takes 120 ms. The program switches the backlight.
   Error sleep() {
     if (const Error error = command(kDisplayOff); error != Error::none) return error;
     const Error error = command(kSleepIn);
@@ -152,8 +152,8 @@ class DcsPanel {
     return error != Error::none ? error : command(kDisplayOn);
   }
 
-  /// Of a backlight on the controller's own PWM output, which few modules use: 0 dark .. 255. Where the backlight is a
-  /// pin of the board, brightness is the board's.
+  /// Sets the brightness of a backlight on the controller's own PWM output, which few modules use: 0 dark .. 255. If
+  /// the backlight is on a pin of the board, the board sets its brightness.
   Error set_brightness(std::uint8_t level) requires(Controller::kHasBrightness) {
     constexpr std::uint8_t kControlAndBacklight = 0x24;
     if (const Error error = command(kBrightnessControl, kControlAndBacklight); error != Error::none) return error;
@@ -179,8 +179,8 @@ class DcsPanel {
   static constexpr std::byte kBrightnessControl{0x53};
   // Memory access control.
   static constexpr unsigned kReverseRows = 0x80, kReverseColumns = 0x40, kExchange = 0x20, kBgr = 0x08;
-  static constexpr std::uint32_t kNobody = 0xFFFFFF;  // what a wire reads that is pulled up, or not there
-  // After a reset, or between sleep-out and sleep-in, either way; commands alone would have to wait 5 ms.
+  static constexpr std::uint32_t kNobody = 0xFFFFFF;  // read from a wire that is pulled up, or not connected
+  // The time after a reset, or between sleep-out and sleep-in, either way; for other commands 5 ms would be enough.
   static constexpr std::uint32_t kAwakeToReady = 120'000, kAsleepToReady = 120'000;  // us
 
   constexpr bool valid() const {
@@ -215,9 +215,9 @@ class DcsPanel {
     return send_command(bus_, code, parameters...);
   }
 
-  /// The next data goes to the area's upper left corner and fills it row by row.
+  /// Sets the window: the next data goes to the area's upper left corner and fills it row by row.
   Error set_window(const Area& area) {
-    // Columns and rows are the picture's; only where the glass begins in the memory depends on the direction.
+    // Columns and rows count in the picture's direction; only the offset of the glass in the memory depends on it.
     const Scan scan = scan_of(config_.orientation);
     const auto start = [](bool reversed, unsigned all, unsigned size, unsigned offset) {
       return reversed ? all - size - offset : offset;
@@ -230,7 +230,7 @@ class DcsPanel {
     if (const Error error = range(kRows, top, area.height); error != Error::none) return error;
     return command(kMemoryWrite);
   }
-  /// First and last, inclusive, high byte first.
+  /// Sends first and last, inclusive, high byte first.
   Error range(std::byte code, unsigned first, unsigned count) {
     const unsigned last = first + count - 1;
     return command(code, first >> 8, first & 0xFFU, last >> 8, last & 0xFFU);

@@ -1,4 +1,4 @@
-// Lines that are shared: driven low or left alone, with a resistor that pulls them up, as those of I2C.
+// Shared lines with a pull-up resistor, as those of I2C: a device pulls the line low or releases it.
 #pragma once
 
 #include <concepts>
@@ -7,8 +7,9 @@
 
 namespace zstrip::hal {
 
-/// pull_low() and release() return when the line is driven or left alone; read() gives its level, also while a device
-/// drives it. Error::pin where that cannot be done. Pins are handles: what uses one keeps a copy or moves it in.
+/// pull_low() and release() return when the line is driven low or released. read() returns the level in `high`, also
+/// while another device drives the line. All return Error::pin if they cannot. Pins are handles: a class that uses one
+/// keeps a copy or moves it in.
 template <class T>
 concept OpenDrainPin = std::movable<T> && requires(T& pin, bool& high) {
   { pin.pull_low() } -> std::same_as<Error>;

@@ -1,44 +1,45 @@
-// How a picture lies on the glass of a panel, and what that means to a controller's address counters.
+// The orientation of a picture on the glass of a panel, and the directions of a controller's address counters for it.
 #pragma once
 
 #include <cstdint>
 
 namespace zstrip::hal {
 
-/// Of the picture on the glass, clockwise.
+/// Rotation of the picture on the glass, clockwise.
 enum class Rotation : std::uint8_t {
   none,    ///< upright
-  by_90,   ///< degrees; width and height change places
+  by_90,   ///< degrees; width and height are exchanged
   by_180,  ///< degrees
-  by_270,  ///< degrees; width and height change places
+  by_270,  ///< degrees; width and height are exchanged
 };
 
-/// The picture is mirrored first (left and right swapped), then turned. Mirrored top to bottom is mirrored and turned
-/// by 180 degrees.
+/// The picture is mirrored first (left and right swapped), then rotated. A picture mirrored top to bottom is mirrored
+/// and rotated by 180 degrees.
 struct Orientation {
   Rotation rotation = Rotation::none;  ///< after mirroring
   bool mirrored = false;               ///< left and right swapped
   friend constexpr bool operator==(const Orientation&, const Orientation&) = default;
 };
 
-/// Whether a row of the picture is a column of the glass, so that width and height change places.
+/// True if a row of the picture is a column of the glass, so that width and height are exchanged.
 constexpr bool is_sideways(const Orientation& orientation) {
   return orientation.rotation == Rotation::by_90 || orientation.rotation == Rotation::by_270;
 }
 
-/// The same to a counter that walks over the glass: pixel (x, y) of the picture lies in column `exchanged ? y : x`,
-/// counted from the right if `columns_reversed`, and in row `exchanged ? x : y`, from the bottom if `rows_reversed`.
+/// The orientation as a controller's address counters see it: pixel (x, y) of the picture lies in column
+/// `exchanged ? y : x`, counted from the right if `columns_reversed`, and in row `exchanged ? x : y`, counted from the
+/// bottom if `rows_reversed`.
 struct Scan {
   bool exchanged = false;         ///< rows of the picture are columns of the glass
   bool columns_reversed = false;  ///< of the glass
   bool rows_reversed = false;     ///< of the glass
 };
 
-/// The directions in which a controller is to count for this orientation.
+/// Returns the directions in which a controller must count for this orientation.
 constexpr Scan scan_of(const Orientation& orientation) {
   const bool exchanged = is_sideways(orientation);
   const bool half_turn = orientation.rotation == Rotation::by_180;
-  // Mirroring turns the direction of a row of the picture, which is a row or a column of the glass.
+  // Mirroring reverses the direction of a row of the picture, which is a row or a column of the glass.
   return {
       .exchanged = exchanged,
       .columns_reversed =

@@ -1,5 +1,5 @@
-// The 8080 interface of panels, eight bits wide, write only: eight data lines, a write strobe, D/C, and a line to
-// select the panel. A command/data bus over output pins.
+// The 8080 interface of panels, eight bits wide, write only: eight data lines, a write strobe, D/C, and a select line.
+// It is a command/data bus over output pins.
 #pragma once
 
 #include <array>
@@ -15,8 +15,9 @@
 
 namespace zstrip::hal {
 
-/// Eight lines that the processor drives, D7 to D0: set() gives them the levels of a byte, and returns when they have
-/// them. Where they are neighbours in a port this is one store or two; else EightPins. Error::pin as OutputPin.
+/// Eight lines that the processor drives, D7 to D0: set() sets them to the bits of a byte, and returns when the lines
+/// have these levels. If they are neighbours in a port, write a class that does it with one or two stores; else use
+/// EightPins. Error::pin as in OutputPin.
 template <class T>
 concept DataLines = std::movable<T> && requires(T& lines, std::uint8_t byte) {
   { lines.set(byte) } -> std::same_as<Error>;
@@ -28,7 +29,7 @@ class EightPins {
  public:
   /// Pins are copied or moved in.
   explicit constexpr EightPins(std::array<Pin, 8> pins) : pins_(std::move(pins)) {}
-  /// One pin after the other, D0 first; stops at the first error.
+  /// Sets one pin after the other, D0 first; stops at the first error.
   Error set(std::uint8_t byte) {
     for (std::size_t i = 0; i < pins_.size(); ++i) {
       if (const Error error = pins_[i].set((byte >> i & 1U) != 0); error != Error::none) return error;
@@ -40,10 +41,10 @@ class EightPins {
   std::array<Pin, 8> pins_;
 };
 
-/// The panel takes data and D/C when the strobe rises. The strobe is low during one of its own calls and high during
-/// one of the data lines': where these take less than half of the panel's shortest write cycle, they must wait. The
-/// panel's read strobe is wired high. Everything has been sent when a function returns. Errors are the pins'; the panel
-/// is deselected then, and no byte is half sent.
+/// The panel takes data and D/C when the strobe rises. The strobe is low for the duration of one call of its pin, and
+/// high for the duration of one call of the data lines: if a call takes less than half of the panel's shortest write
+/// cycle, it must wait. The panel's read strobe is wired high. All bytes have been sent when a function returns. An
+/// error of a pin is returned; the panel is deselected then, and no byte is half sent.
 template <DataLines Lines, OutputPin WritePin, OutputPin DataCommandPin, OutputPin SelectPin = NoPin>
 class ParallelBus {
  public:
@@ -54,7 +55,7 @@ class ParallelBus {
         data_command_(std::move(data_command)),
         select_(std::move(select)) {}
 
-  /// Gives the lines their idle levels. To be called once, before anything else.
+  /// Sets the lines to their idle levels. Call it once, before any other function.
   Error start() {
     if (const Error error = select_.set(true); error != Error::none) return error;
     if (const Error error = strobe_.set(true); error != Error::none) return error;
@@ -62,7 +63,7 @@ class ParallelBus {
   }
 
   /// @{
-  /// As the concept CommandDataBus states; everything has been sent when it returns.
+  /// As the concept CommandDataBus states; all bytes have been sent when the function returns.
   Error write_command(std::span<const std::byte> bytes) { return write(bytes, false); }
   Error write_data(std::span<const std::byte> bytes) { return write(bytes, true); }
   Error wait() { return Error::none; }
@@ -70,7 +71,7 @@ class ParallelBus {
 
  private:
   Error write(std::span<const std::byte> bytes, bool data) {
-    // After an error it may be low: it rises while no device is selected.
+    // After an error the strobe may be low: raise it while no device is selected.
     Error error = strobe_.set(true);
     if (error == Error::none) error = data_command_.set(data);
     if (error == Error::none) error = select_.set(false);
@@ -79,8 +80,8 @@ class ParallelBus {
     return error != Error::none ? error : deselected;
   }
   Error send(std::byte byte) {
-    // The data first: what goes wrong among them goes wrong while the strobe is high, and nothing is taken. A strobe
-    // that stays low is ended by the line that selects.
+    // Set the data first: if that fails, the strobe is still high, and the panel takes nothing. If the strobe stays
+    // low, the select line ends the cycle.
     if (const Error error = data_.set(std::to_integer<std::uint8_t>(byte)); error != Error::none) return error;
     if (const Error error = strobe_.set(false); error != Error::none) return error;
     return strobe_.set(true);

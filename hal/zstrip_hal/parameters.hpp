@@ -12,7 +12,7 @@
 
 namespace zstrip::hal {
 
-/// The command and its parameters have arrived when it returns.
+/// Sends a command and its parameters; they have arrived when it returns.
 template <CommandDataBus Bus>
 Error send_command(Bus& bus, std::byte command, std::span<const std::byte> parameters = {}) {
   if (const Error error = bus.write_command(std::span(&command, 1)); error != Error::none) return error;
@@ -21,14 +21,15 @@ Error send_command(Bus& bus, std::byte command, std::span<const std::byte> param
   return bus.wait();
 }
 
-/// Parameters as numbers 0..255.
+/// As above, with the parameters as numbers 0..255.
 template <CommandDataBus Bus, std::integral First, std::integral... Rest>
 Error send_command(Bus& bus, std::byte command, First first, Rest... rest) {
   const std::array parameters{static_cast<std::byte>(first), static_cast<std::byte>(rest)...};
   return send_command(bus, command, std::span<const std::byte>(parameters));
 }
 
-/// Whether a list of commands is whole: each is its byte, the number of its parameters, and that many bytes.
+/// True if no command of the list is cut off. Each command is its byte, the number of its parameters, and that many
+/// bytes.
 constexpr bool is_command_list(std::span<const std::byte> list) {
   while (list.size() >= 2) {
     const std::size_t bytes = 2 + std::to_integer<std::size_t>(list[1]);
@@ -38,7 +39,7 @@ constexpr bool is_command_list(std::span<const std::byte> list) {
   return list.empty();
 }
 
-/// Sends a list that is whole.
+/// Sends a list for which is_command_list() is true.
 template <CommandDataBus Bus>
 Error send_commands(Bus& bus, std::span<const std::byte> list) {
   while (!list.empty()) {
@@ -49,7 +50,7 @@ Error send_commands(Bus& bus, std::span<const std::byte> list) {
   return Error::none;
 }
 
-/// Bytes of a table.
+/// Returns the values as an array of bytes.
 template <class... Values>
 constexpr std::array<std::byte, sizeof...(Values)> bytes(Values... values) {
   return {static_cast<std::byte>(values)...};

@@ -1,4 +1,4 @@
-// Pixels that are converted on their way to the panel, in pieces, of which one is sent while the next is made.
+// Converts pixels on their way to the panel, piece by piece: one piece is sent while the next is converted.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace zstrip::hal {
 
-/// Two pieces of 32 bytes, which take turns.
+/// Two pieces of 32 bytes, used alternately.
 class Piecewise {
  public:
-  /// Sends byte_at(0), byte_at(1) ... byte_at(count - 1) as data. Nothing may be under way; the last piece may be, when
-  /// it returns: until the bus's wait() the object must stay.
+  /// Sends byte_at(0), byte_at(1) ... byte_at(count - 1) as data. No transfer may be under way when it is called. The
+  /// last piece may still be under way when it returns: keep the object until the bus's wait().
   template <CommandDataBus Bus, class ByteAt>
   Error send(Bus& bus, std::uint32_t count, ByteAt byte_at) {
     for (std::uint32_t first = 0; first < count; first += kBytes) {

@@ -26,7 +26,7 @@ struct StripLayout {
   std::uint16_t columns = 0;  ///< pixels, Plan::strip_columns
 };
 
-/// Where the strips of a layout lie on a display.
+/// The areas of a layout's strips on a display.
 class StripAreas {
  public:
   /// `width`, `height`: the display's.
@@ -37,14 +37,14 @@ class StripAreas {
         width_(width),
         height_(height) {}
 
-  /// Whether they cover the display exactly. If not, nothing else may be asked.
+  /// True if the strips cover the display exactly. If not, do not call the other functions.
   constexpr bool cover() const {
     return rows_ != 0 && rows_ <= height_ && columns_ != 0 && columns_ <= width_ &&
            count_ == across() * parts(height_, rows_);
   }
-  /// The most bytes that a strip takes.
+  /// Returns the size of the largest strip in bytes.
   constexpr std::uint32_t bytes(PixelFormat format) const { return rows_ * bytes_per_row(columns_, format); }
-  /// Pixels of the display.
+  /// Returns the area of the display that the strip covers, in pixels.
   constexpr Area area(std::uint16_t strip) const {
     const auto left = static_cast<std::uint16_t>(strip % across() * columns_);
     const auto top = static_cast<std::uint16_t>(strip / across() * rows_);
@@ -61,9 +61,9 @@ class StripAreas {
   std::uint16_t count_, rows_, columns_, width_, height_;
 };
 
-/// Where strips are drawn: each buffer holds rows * bytes_per_row(columns) bytes, aligned as the renderer needs. While
-/// one is being sent, the other is drawn. With `second` empty one buffer does for both, and drawing waits for the
-/// transfer: right for buses without DMA.
+/// The buffers that strips are drawn into: each holds rows * bytes_per_row(columns) bytes, aligned as the renderer
+/// needs. While one is being sent, the other is drawn. If `second` is empty, one buffer serves for both, and drawing
+/// waits for the transfer: right for buses without DMA.
 struct StripBuffers {
   std::span<std::byte> first;   ///< always needed
   std::span<std::byte> second;  ///< as large as the first one, or empty
@@ -75,14 +75,14 @@ template <class DrawStatus>
 struct [[nodiscard]] PresentResult {
   DrawStatus draw{};            ///< of the renderer
   Error display = Error::none;  ///< of the display
-  std::uint16_t strip = 0;      ///< at which an error was noticed, from 0
-  /// Whether both succeeded.
+  std::uint16_t strip = 0;      ///< the strip at which an error was noticed, from 0
+  /// True if both succeeded.
   constexpr explicit operator bool() const { return static_cast<bool>(draw) && display == Error::none; }
 };
 
 /// Draws all strips of the frame that `renderer` has begun, in order, and writes them to `display`. When it returns,
 /// also with an error, the buffers are free and the display's frame has ended.
-/// Display errors of its own: strip_layout, pixels_too_small.
+/// Display errors that present() itself returns: strip_layout, pixels_too_small.
 template <StripRenderer Renderer, Display Panel>
 auto present(Renderer& renderer, Panel& display, const StripLayout& layout, const StripBuffers& buffers) {
   using DrawStatus = decltype(renderer.draw_strip(std::uint16_t{}, std::span<std::byte>{}));
@@ -117,8 +117,7 @@ auto present(Renderer& renderer, Panel& display, const StripLayout& layout, cons
     std::swap(drawing, sending);
   }
 
-  // The display must be idle before the buffers are touched, whatever happened; the first error is the one
-  // reported.
+  // The display must be idle before the buffers are reused, also after an error. Only the first error is reported.
   const Error last_transfer = display.wait();
   const Error end = display.end_frame();
   if (result) result.display = last_transfer != Error::none ? last_transfer : end;

@@ -1,8 +1,8 @@
-// A frame drawn by two cores of one chip, as of an RP2040 or an ESP32-S3: each takes the next strip when it is free, so
-// that strips of unequal work keep neither waiting.
+// Two cores of one chip, as in an RP2040 or an ESP32-S3, draw one frame: each core takes the next strip as soon as it
+// is free, so that strips of unequal work keep neither core waiting.
 //
-// Each core has a renderer with an arena of its own; scene and plan are shared, and nothing changes them meanwhile.
-// Nothing needs more than loads and stores of words: a Cortex-M0 will do.
+// Each core has a renderer with its own arena. Both share scene and plan, which must not change meanwhile. Loads and
+// stores of words are enough for the synchronisation: it runs on a Cortex-M0.
 #pragma once
 
 #include <atomic>
@@ -19,22 +19,22 @@
 
 namespace zstrip::hal {
 
-/// How long the first core waits for a strip of the second one, or for its beginning of a frame, microseconds.
+/// Time in microseconds that the first core waits for the second one to draw a strip, or to begin a frame.
 inline constexpr std::uint32_t kMaxStripMicroseconds = 1'000'000;
 
-/// What the first core asks the second one for. In memory that both see in the same way: not behind a data cache that
-/// only one of them has.
+/// Holds the requests of the first core to the second one. Must lie in memory that both cores see identically: not
+/// behind a data cache that only one of them has.
 template <StripRenderer Renderer>
 class SecondCore {
  public:
-  /// Of the renderer.
+  /// The type that the renderer's functions return.
   using DrawStatus = decltype(std::declval<Renderer&>().draw_strip(std::uint16_t{}, std::span<std::byte>{}));
 
-  /// `renderer`: drawn with by the second core alone. It must outlive this object.
+  /// Only the second core draws with `renderer`, which must outlive this object.
   explicit constexpr SecondCore(Renderer& renderer) : renderer_(renderer) {}
 
-  /// On the second core, again and again: does one thing that it is asked for. False: nothing can be done now, and the
-  /// core may go on with what else it does.
+  /// Call it on the second core, again and again: executes one step of the pending request. Returns false if there is
+  /// nothing to do now; the core may then do other work.
   bool serve() {
     const std::uint32_t done = done_.load(std::memory_order_relaxed);
     if (asked_.load(std::memory_order_acquire) == done) return false;
@@ -44,9 +44,10 @@ class SecondCore {
     return progress != Progress::idle;
   }
 
-  /// On the first core: has `work()` done, which returns a status: the beginning of a frame by the second core's
-  /// renderer. It must live until is_done(), or until the present() that follows has returned. Once a frame, and only
-  /// when is_done(): else nothing is done, and that present() is an Error::second_core.
+  /// Call it on the first core: requests that the second core runs `work()`, which begins a frame with that core's
+  /// renderer and returns a status. `work` must live until is_done(), or until the present() that follows has
+  /// returned. Call it once a frame, and only when is_done() is true: otherwise it does nothing, and that present()
+  /// returns Error::second_core.
   template <class Work>
   void start(const Work& work) {
     if (!is_done()) {
@@ -60,17 +61,18 @@ class SecondCore {
          },
          &work});
   }
-  /// On the first core: whether all that was asked for is done.
+  /// Call it on the first core: true if all requests are done.
   bool is_done() const { return done_.load(std::memory_order_acquire) == asked_.load(std::memory_order_relaxed); }
 
-  /// What present() below does.
+  /// As the function present() below.
   template <Display Panel, Clock Time>
   PresentResult<DrawStatus> present(Renderer& own, Panel& display, const StripLayout& layout,
                                     const TwoCoreBuffers& buffers, Time& clock) {
     const Start start = std::exchange(start_, Start::none);
     const StripAreas areas(layout, display.width(), display.height());
     Error error = start == Start::refused ? Error::second_core : refuse(areas, display.format(), buffers);
-    // Else the second core may still begin the frame, while this one draws.
+    // After start() the second core may begin the frame while this one draws; without it, wait until its requests are
+    // done.
     if (error == Error::none && start == Start::none && !wait_until_done(clock)) error = Error::second_core;
     if (error == Error::none) error = display.begin_frame();
     if (error != Error::none) {
@@ -97,7 +99,7 @@ class SecondCore {
       }
     }
     PresentResult<DrawStatus> result = strips_.result(Core::first);
-    // The second core is in there.
+    // The second core is inside a function of the display.
     if (strips_.is_display_used(Core::first)) return result;
     const Error last_transfer = display.wait();
     const Error end = display.end_frame();
@@ -124,7 +126,7 @@ class SecondCore {
     orders_[asked % 2] = order;
     asked_.store(asked + 1, std::memory_order_release);
   }
-  /// False: it was too long.
+  /// Waits a step. Returns false if the time limit has passed.
   template <Clock Time>
   static bool keep_waiting(Time& clock, std::uint32_t& waited) {
     constexpr std::uint32_t kStep = 2;
@@ -151,13 +153,14 @@ class SecondCore {
   SharedStrips<DrawStatus> strips_;
 };
 
-/// present() on two cores. `renderer` is the first core's. Both have begun the same frame, with the same plan; the
-/// second one may still be doing so, by SecondCore::start(): its error is one of drawing. Strips are written in order,
-/// by either core: functions of `display` between begin_frame and end_frame are called by both, never at once. Also
-/// with an error it returns only when the second core is done, but for Error::second_core: then that had nothing for
-/// the first one within kMaxStripMicroseconds, and its buffer, its renderer and `second` stay its own until is_done().
-/// So does the display, and its frame has not ended, if the second core is in one of its functions. Display errors of
-/// its own: strip_layout, pixels_too_small, second_core.
+/// Draws and sends a frame with two cores. `renderer` is the first core's. Both renderers have begun the same frame,
+/// with the same plan; the second one may still be doing so, by SecondCore::start(), and its error is then returned as
+/// one of drawing. Strips are written in order, by either core: both cores call functions of `display` between
+/// begin_frame and end_frame, but never at the same time. present() returns, also with an error, only when the second
+/// core is done. The exception is Error::second_core: the second core finished nothing within kMaxStripMicroseconds,
+/// and keeps its buffer, its renderer and `second` until is_done(). If it is inside a function of the display, it
+/// keeps the display too, and the display's frame has not ended. Display errors that present() itself returns:
+/// strip_layout, pixels_too_small, second_core.
 template <StripRenderer Renderer, Display Panel, Clock Time>
 auto present(Renderer& renderer, SecondCore<Renderer>& second, Panel& display, const StripLayout& layout,
              const TwoCoreBuffers& buffers, Time& clock) {

@@ -1,4 +1,5 @@
-// Strips of a frame between two cores: each draws the next strip when it is free, and sends what is drawn, in order.
+// Shares the strips of a frame between two cores: each draws the next strip when it is free, and sends drawn ones in
+// order.
 #pragma once
 
 #include <array>
@@ -13,12 +14,12 @@
 
 namespace zstrip::hal {
 
-/// Which of two.
+/// One of the two cores.
 enum class Core : std::uint8_t { first, second };
 
-/// Mutual exclusion of two cores by loads and stores alone, all that a Cortex-M0 has: G. L. Peterson, "Myths about the
-/// mutual exclusion problem", 1981. To be held for a few instructions, while the other core may wait in a loop: threads
-/// that share a core would waste each other's time.
+/// Mutual exclusion of two cores by loads and stores alone, because a Cortex-M0 has nothing else: G. L. Peterson,
+/// "Myths about the mutual exclusion problem", 1981. Hold it for a few instructions only: the other core waits in a
+/// loop. Threads that share a core would waste each other's time.
 class TwoCoreLock {
  public:
   /// Waits until the other core has unlocked.
@@ -29,7 +30,7 @@ class TwoCoreLock {
     while (wants_[1U - own].load() && last_.load() == own) {
     }
   }
-  /// By the core that locked.
+  /// Call it on the core that locked.
   void unlock(Core core) { wants_[static_cast<std::uint8_t>(core)].store(false); }
 
  private:
@@ -51,21 +52,22 @@ class TwoCoreHold {
   Core core_;
 };
 
-/// Three buffers as those of StripBuffers: two are drawn into while one is sent.
+/// Three buffers with the properties of those in StripBuffers: two are drawn into while one is sent.
 using TwoCoreBuffers = std::array<std::span<std::byte>, 3>;
 
-/// What a core did for a frame.
+/// The result of one step of a core.
 enum class Progress : std::uint8_t {
   idle,    ///< nothing can be done before the other core is done with something
   worked,  ///< a strip was drawn or sent
   over,    ///< nothing is left to be begun; the other core may still draw or send
 };
 
-/// A frame on its way to a display. `DrawStatus`: of the renderers, as in PresentResult.
+/// The state of a frame that is being drawn and sent. `DrawStatus`: of the renderers, as in PresentResult.
 template <class DrawStatus>
 class SharedStrips {
  public:
-  /// While no core works: a frame that `display` has begun. All must live until both cores are done.
+  /// Starts a frame that `display` has begun. Call it while no core works. All arguments must live until both cores
+  /// are done.
   template <Display Panel>
   void open(Panel& display, const StripAreas& areas, std::uint16_t count, const TwoCoreBuffers& buffers) {
     areas_ = areas, count_ = count, buffers_ = buffers, format_ = display.format();
@@ -81,7 +83,7 @@ class SharedStrips {
     result_ = {};
   }
 
-  /// One thing that `core` can do, with its renderer.
+  /// Executes one task that `core` can do now, with its renderer.
   template <StripRenderer Renderer>
   Progress step(Core core, Renderer& renderer) {
     const auto [task, strip] = take(core);
@@ -95,17 +97,17 @@ class SharedStrips {
     return Progress::worked;
   }
 
-  /// Ends the frame with an error, unless it has ended with one: of the next strip to be sent.
+  /// Ends the frame with an error of the next strip to be sent, unless it has already ended with an error.
   void fail(Core core, const DrawStatus& draw, Error display) {
     const TwoCoreHold hold(lock_, core);
     keep({draw, display, written_ < count_ ? written_ : static_cast<std::uint16_t>(count_ - 1U)});
   }
-  /// Success, or the first error.
+  /// Returns success, or the first error.
   PresentResult<DrawStatus> result(Core core) {
     const TwoCoreHold hold(lock_, core);
     return result_;
   }
-  /// Whether a core is in a function of the display.
+  /// True while a core is inside a function of the display.
   bool is_display_used(Core core) {
     const TwoCoreHold hold(lock_, core);
     return is_display_used_;
@@ -150,7 +152,7 @@ class SharedStrips {
     if (task == Task::send) ++written_, is_drawn_[strip % kBuffers] = false;
     if (error != Error::none) keep({{}, error, strip});
   }
-  /// With the lock held.
+  /// Call it with the lock held.
   void keep(const PresentResult<DrawStatus>& error) {
     if (!fails_) result_ = error;
     fails_ = true;
@@ -163,8 +165,8 @@ class SharedStrips {
   TwoCoreBuffers buffers_{};
   PixelFormat format_ = PixelFormat::rgb565;
   std::uint16_t count_ = 0;
-  // From here on behind the lock. Strip s is drawn into buffer s % kBuffers; all before `next_` are drawn or being
-  // drawn, before `written_` sent or being sent, before `free_` certainly sent.
+  // The lock guards the members from here on. Strip s is drawn into buffer s % kBuffers. All strips before `next_` are
+  // drawn or being drawn, all before `written_` are sent or being sent, all before `free_` have certainly been sent.
   std::uint16_t next_ = 0, written_ = 0, free_ = 0;
   std::array<bool, kBuffers> is_drawn_{};  // of buffers: the strip in it waits for being sent
   bool is_display_used_ = false;

@@ -17,20 +17,20 @@
 
 namespace zstrip::hal {
 
-/// How a panel is wired to the controller, and how it is driven. The defaults suit OSRAM Pictiva panels of 128x64.
+/// The wiring of a panel to the controller, and its supply. The defaults suit OSRAM Pictiva panels of 128x64.
 struct Ssd0323Config {
   std::uint8_t contrast = 0x3A;        ///< 0..127
   std::uint8_t display_offset = 0x4C;  ///< 0..79: the COM line of the first row, in the direction of the scan
   Orientation orientation{};           ///< of the picture on the glass
   bool columns_reversed = false;       ///< the glass is wired from the right to the left
-  bool rows_reversed = true;           ///< and from the bottom to the top
+  bool rows_reversed = true;           ///< the glass is wired from the bottom to the top
   bool com_split = true;               ///< odd rows on one side of the glass, even ones on the other
   bool dc_dc_converter = true;         ///< the panel's supply comes from the controller's converter
 };
 
-/// A display that shows what is written at once. Its memory has two pixels a byte, side by side on the upright glass:
-/// an area's left and width must be even, or sideways its top and height; Error::alignment otherwise. `bus` must
-/// outlive it.
+/// A display that shows pixels as soon as they are written. Its memory has two pixels a byte, next to each other on
+/// the upright glass: left and width of an area must be even (sideways: top and height), else Error::alignment. `bus`
+/// must outlive it.
 template <CommandDataBus Bus>
 class Ssd0323 {
  public:
@@ -42,8 +42,8 @@ class Ssd0323 {
   /// Sends nothing: start() does.
   explicit constexpr Ssd0323(Bus& bus, const Ssd0323Config& config = {}) : bus_(bus), config_(config) {}
 
-  /// Sets the controller up, blackens its memory and switches the panel on. To be called once, after the reset line
-  /// went high (at least 3 us low before), and again after it where it failed; takes 4.3 KB of bus traffic.
+  /// Sets the controller up, blackens its memory and switches the panel on. Call it once, after the reset line went
+  /// high (at least 3 us low before). If it fails, reset the panel and call it again. Sends 4.3 KB over the bus.
   Error start() {
     if (const Error error = command(start_sequence()); error != Error::none) return error;
     if (const Error error = set_window({0, 0, width(), height()}); error != Error::none) return error;
@@ -57,7 +57,7 @@ class Ssd0323 {
   constexpr std::uint16_t height() const { return is_sideways(config_.orientation) ? kWidth : kHeight; }
   constexpr PixelFormat format() const { return PixelFormat::gray4; }
 
-  /// After an error the controller may still wait for parameters of a command that broke off: at most two.
+  /// After an error the controller may still wait for parameters of an interrupted command: at most two.
   Error begin_frame() {
     if (!broken_) return Error::none;
     const Error error = command(std::array{kShowMemory, kShowMemory, kContrast, std::byte{config_.contrast}});
@@ -82,11 +82,11 @@ class Ssd0323 {
   Error end_frame() { return Error::none; }
   /// @}
 
-  /// Dark, nearly without current; the memory stays, and may be written.
+  /// Switches the panel off, so that it needs nearly no current. The memory keeps its pixels, and may be written.
   Error sleep() { return command(std::array{std::byte{0xAE}}); }
   /// Shows the memory again.
   Error wake() { return command(std::array{std::byte{0xAF}}); }
-  /// Contrast: 0..255, in steps of two. Nothing may be under way.
+  /// Sets the contrast: 0..255, in steps of two. No transfer may be under way.
   Error set_brightness(std::uint8_t level) {
     config_.contrast = level / 2;
     return command(std::array{kContrast, std::byte{config_.contrast}});

@@ -20,8 +20,8 @@
 
 namespace zstrip::hal {
 
-/// How the glass is wired, and how the picture lies on it. The defaults suit modules of 128x64; those of 128x32 have
-/// height 32 and com_alternating false.
+/// The wiring of the glass, and the orientation of the picture on it. The defaults suit modules of 128x64; modules of
+/// 128x32 need height 32 and com_alternating false.
 struct Ssd1306Config {
   std::uint8_t width = 128;        ///< of the upright glass, 1..128
   std::uint8_t height = 64;        ///< of the upright glass, 16..64, a multiple of 8
@@ -34,7 +34,7 @@ struct Ssd1306Config {
   std::uint8_t brightness = 0xCF;  ///< contrast, 0..255
 };
 
-/// A display that shows what is written at once. Areas begin and end at multiples of eight rows (sideways:
+/// A display that shows pixels as soon as they are written. Areas begin and end at multiples of eight rows (sideways:
 /// of eight columns), else Error::alignment; present() needs strips of a multiple of kRowStep rows. `bus` must outlive
 /// it.
 template <CommandDataBus Bus>
@@ -47,9 +47,9 @@ class Ssd1306 {
   /// Sends nothing: start() does.
   explicit constexpr Ssd1306(Bus& bus, const Ssd1306Config& config = {}) : bus_(bus), config_(config) {}
 
-  /// Sets the controller up, blackens the glass and switches it on; to be called after reset_panel() (output_pin.hpp),
-  /// and again after it where it failed. Error::configuration for a glass that the controller cannot have; nothing was
-  /// sent then.
+  /// Sets the controller up, blackens the glass and switches it on. Call it after reset_panel() (output_pin.hpp); if
+  /// it fails, reset the panel and call it again. Returns Error::configuration, and sends nothing, for a glass that
+  /// the controller cannot drive.
   Error start() {
     if (!valid()) return Error::configuration;
     // clang-format off
@@ -83,7 +83,7 @@ class Ssd1306 {
   constexpr std::uint16_t height() const { return is_sideways(config_.orientation) ? config_.width : config_.height; }
   constexpr PixelFormat format() const { return PixelFormat::mono; }
 
-  /// After an error the controller may still wait for parameters of a command that broke off: at most two.
+  /// After an error the controller may still wait for parameters of an interrupted command: at most two.
   Error begin_frame() {
     if (!broken_) return Error::none;
     constexpr int kShowMemory = 0xA4;  // harmless, as a parameter too
@@ -107,11 +107,11 @@ class Ssd1306 {
   Error end_frame() { return Error::none; }
   /// @}
 
-  /// Dark and nearly without current; the memory stays, and may be written.
+  /// Switches the panel off, so that it needs nearly no current. The memory keeps its pixels, and may be written.
   Error sleep() { return command(0xAE); }
   /// Shows the memory again.
   Error wake() { return command(0xAF); }
-  /// Contrast, 0..255. Nothing may be under way.
+  /// Sets the contrast, 0..255. No transfer may be under way.
   Error set_brightness(std::uint8_t level) {
     config_.brightness = level;
     return command(0x81, level);

@@ -17,7 +17,7 @@
 
 namespace zstrip::hal {
 
-/// How the glass is wired, and how the picture lies on it. The defaults suit the usual modules of 128x128.
+/// The wiring of the glass, and the orientation of the picture on it. The defaults suit the usual modules of 128x128.
 struct Ssd1351Config {
   std::uint16_t height = 128;     ///< rows of the upright glass, 16..128; it has 128 columns
   Orientation orientation{};      ///< of the picture on the glass
@@ -27,7 +27,7 @@ struct Ssd1351Config {
   std::uint8_t brightness = 255;  ///< 0 dark .. 255, in steps of 16
 };
 
-/// A display that shows what is written at once; any rectangle may be written. `bus` must outlive it.
+/// A display that shows pixels as soon as they are written; any rectangle may be written. `bus` must outlive it.
 template <CommandDataBus Bus>
 class Ssd1351 {
  public:
@@ -37,9 +37,9 @@ class Ssd1351 {
   /// Sends nothing: start() does.
   explicit constexpr Ssd1351(Bus& bus, const Ssd1351Config& config = {}) : bus_(bus), config_(config) {}
 
-  /// Sets the controller up, blackens the glass and switches it on; to be called after reset_panel() (output_pin.hpp).
-  /// May be repeated. The glass is lit 200 ms later. Error::configuration if the height is out of range; nothing was
-  /// sent then.
+  /// Sets the controller up, blackens the glass and switches it on. Call it after reset_panel() (output_pin.hpp). May
+  /// be repeated. The glass is lit 200 ms later. Returns Error::configuration, and sends nothing, if the height is out
+  /// of range.
   Error start() {
     if (config_.height < 16 || config_.height > kRows) return Error::configuration;
     Error error = send_commands(bus_, kSettings);
@@ -70,11 +70,11 @@ class Ssd1351 {
   Error end_frame() { return Error::none; }
   /// @}
 
-  /// Dark and nearly without current; the memory stays, and may be written.
+  /// Switches the panel off, so that it needs nearly no current. The memory keeps its pixels, and may be written.
   Error sleep() { return send_command(bus_, std::byte{0xAE}); }
   /// Shows the memory again.
   Error wake() { return send_command(bus_, std::byte{0xAF}); }
-  /// Master current: 0..255, in steps of 16. Nothing may be under way.
+  /// Sets the master current: 0..255, in steps of 16. No transfer may be under way.
   Error set_brightness(std::uint8_t level) { return send_command(bus_, std::byte{0xC7}, level >> 4); }
 
  private:

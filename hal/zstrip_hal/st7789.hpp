@@ -22,7 +22,7 @@ struct St7789Controller {
   static Error read_id(Bus& bus, std::span<std::byte, 3> id) {
     return read_display_id(bus, id);
   }
-  static constexpr auto kSettings = bytes();  // what it has after a reset suits its panels
+  static constexpr auto kSettings = bytes();  // the values after a reset suit its panels
 
   /// COLMOD: the upper digit is that of the RGB interface, the lower one that of the bus.
   static constexpr std::uint8_t pixel_format(PixelFormat format) {

@@ -10,7 +10,7 @@
 namespace zstrip::hal {
 namespace {
 
-/// The group that Debian and Raspberry Pi OS give the devices of a kind to.
+/// Returns the group that owns devices of this kind on Debian and Raspberry Pi OS.
 const char* group(DeviceKind kind) {
   switch (kind) {
     case DeviceKind::framebuffer:

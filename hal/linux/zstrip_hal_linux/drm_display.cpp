@@ -1,4 +1,4 @@
-// Chooses connector, mode, CRTC and format of a graphics card, and keeps the picture that its buffers get.
+// Chooses connector, mode, CRTC and format of a graphics card, and keeps a copy of the picture for its buffers.
 #include "zstrip_hal_linux/drm_display.hpp"
 
 #include <xf86drm.h>
@@ -35,7 +35,7 @@ const drmModeModeInfo& preferred_mode(std::span<const drmModeModeInfo> modes) {
   return preferred != modes.end() ? *preferred : modes.front();
 }
 
-/// Every size once, in the screen's order.
+/// Lists every size once, in the screen's order.
 std::string sizes_of(const drmModeConnector& connector) {
   std::vector<std::string> sizes;
   for (const drmModeModeInfo& mode : modes_of(connector)) {
@@ -56,14 +56,15 @@ std::vector<DrmConnector> connectors_of(int card, const drmModeRes& resources) {
   return connectors;
 }
 
-/// The CRTC that drives this connector; 0: none does.
+/// Returns the CRTC that drives this connector, or 0 if none does.
 std::uint32_t current_crtc(int card, const drmModeConnector& connector) {
   const DrmEncoder encoder(connector.encoder_id != 0 ? drmModeGetEncoder(card, connector.encoder_id) : nullptr);
   return encoder != nullptr ? encoder->crtc_id : 0;
 }
 
-/// The CRTC that drives the connector, or else the first one that can and drives no other: that screen would go dark,
-/// and get its picture back on the wrong connector. 0: none.
+/// Returns the CRTC that drives the connector, or else the first usable CRTC that drives no other connector: taking a
+/// CRTC from another screen would make that screen dark, and later restore its picture on the wrong connector. Returns
+/// 0 if there is none.
 std::uint32_t crtc_for(int card, const drmModeRes& resources, const drmModeConnector& connector) {
   if (const std::uint32_t crtc = current_crtc(card, connector); crtc != 0) return crtc;
   std::vector<std::uint32_t> taken;
@@ -91,7 +92,7 @@ Outcome<DrmResources> resources_of(int card, const std::string& path) {
   return resources;
 }
 
-/// Those with a screen, in the card's order; not none.
+/// Keeps the connectors with a screen, in the card's order; a Fault if none has one.
 Outcome<std::vector<DrmConnector>> usable_connectors(std::vector<DrmConnector> connectors, const std::string& path) {
   std::string found;
   for (const DrmConnector& connector : connectors) found += (found.empty() ? "" : ", ") + name_of(*connector);
@@ -127,7 +128,7 @@ const drmModeModeInfo* mode_of(const drmModeConnector& connector, const ScreenSi
   return mode != modes.end() ? &*mode : nullptr;
 }
 
-/// Of the first screen's sizes the first one that all have, the one that it prefers before all others.
+/// Returns a size that all screens have: the first screen's preferred size, or else the first such size in its list.
 std::optional<ScreenSize> common_size(const std::vector<DrmConnector>& connectors) {
   const auto is_common = [&connectors](const drmModeModeInfo& mode) {
     return std::ranges::all_of(
@@ -170,7 +171,7 @@ Outcome<Card> open_card(const std::string& path) {
   return Card{std::make_shared<const FileDescriptor>(std::move(*file)), std::move(*resources)};
 }
 
-/// A card that can show pictures.
+/// Opens a card that can show pictures.
 Outcome<Card> open_screens(const std::string& path) {
   Outcome<Card> card = open_card(path);
   if (!card) return card;
@@ -221,8 +222,8 @@ Outcome<std::vector<DrmDisplay>> DrmDisplay::open_all(const std::string& path, c
   }
   std::vector<DrmDisplay> displays;
   for (const DrmConnector& connector : *connectors) {
-    // One file for all: the right to show pictures is the file's. Each reads the others' flips, too, and passes them
-    // on.
+    // All displays share one file, because the right to show pictures belongs to the file. Each display also reads the
+    // flip events of the others, and passes them on.
     Outcome<DrmDisplay> display = start({path, card->file, *card->resources, *connector}, common);
     if (!display) return display.fault();
     displays.push_back(std::move(*display));
@@ -312,7 +313,7 @@ Error DrmDisplay::bring_up_to_date(std::size_t buffer) {
 }
 
 Error DrmDisplay::end_frame() {
-  // Until then the back buffer is on the screen.
+  // Until the flip has happened, the back buffer is still on the screen.
   if (const Error error = screen_->wait_for_flip(kFlipTimeout); error != Error::none) return error;
   if (const Error error = bring_up_to_date(screen_->back); error != Error::none) return error;
   return screen_->flip();

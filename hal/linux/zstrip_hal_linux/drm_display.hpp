@@ -1,4 +1,4 @@
-// A screen by the kernel's mode setting (DRM/KMS), with two dumb buffers that are flipped.
+// A screen through the kernel's mode setting (DRM/KMS), with two dumb buffers that are flipped.
 #pragma once
 
 #include <array>
@@ -20,27 +20,27 @@ namespace zstrip::hal {
 struct DrmHead;    // a connector, and the card's file
 struct DrmScreen;  // the card, the CRTC and what was on it before
 
-/// What a graphics card has to offer: one line of words for each connector.
+/// Lists the connectors of a graphics card, with one line of text for each.
 Outcome<std::vector<std::string>> drm_connectors(const std::string& path);
 
-/// Of the card's buffers.
+/// Pixel format of the card's buffers.
 enum class DrmFormat : std::uint8_t {
   rgb565,    ///< two bytes a pixel
   xrgb8888,  ///< four bytes a pixel
 };
 
-/// What is shown where.
+/// Selects connector, size and format.
 struct DrmOptions {
   std::string connector;            ///< as in "HDMI-A-1"; empty: the first one with a screen
   std::optional<ScreenSize> size;   ///< one of the screen's modes; none: the one that it prefers
   std::optional<DrmFormat> format;  ///< none: what the driver prefers, or else the other
 };
 
-/// Takes RGB565. A frame appears whole, at a vertical blank. end_frame() requests that and returns; the next one waits
-/// until it has happened, at most kFlipTimeout milliseconds (Error::flip, and again in the next frame if it still has
-/// not). Error::bus: the driver refuses the flip, as when another program has taken the screen.
-/// The pixels are kept in the processor's own memory, too: a frame may write only what changes, and no buffer of the
-/// card, slow to read, is ever read. When the object ends the CRTC shows what it showed before.
+/// Takes RGB565. A frame appears whole, at a vertical blank: end_frame() requests the flip and returns. The next
+/// end_frame() waits for that flip, at most kFlipTimeout milliseconds; then it returns Error::flip, and the next frame
+/// waits again. Error::bus: the driver refuses the flip, for example because another program has taken the screen.
+/// The object keeps the pixels in the processor's own memory, too: a frame may write only what changes, and the card's
+/// buffers, which are slow to read, are never read. When the object ends, the CRTC shows its former picture again.
 class DrmDisplay {
  public:
   static constexpr int kFlipTimeout = 1000;  ///< ms
@@ -48,11 +48,11 @@ class DrmDisplay {
   /// Errors: the device is missing, no permission, another program shows pictures, no such connector or size, no
   /// screen connected, a driver without dumb buffers or with neither of the formats.
   static Outcome<DrmDisplay> open(const std::string& path, const DrmOptions& options = {});
-  /// Every connector with a screen, all in the size of the options, or else in the first size of the first screen that
-  /// all have. Errors: as above; the screens have no size in common. `options.connector` counts for nothing.
+  /// Opens every connector with a screen, all in the size of the options, or else in the first size of the first
+  /// screen that all have. Errors: as above; the screens have no size in common. `options.connector` is ignored.
   static Outcome<std::vector<DrmDisplay>> open_all(const std::string& path, const DrmOptions& options = {});
 
-  /// The screen goes along.
+  /// The new object takes over the screen.
   DrmDisplay(DrmDisplay&&) noexcept;
   DrmDisplay& operator=(DrmDisplay&&) = delete;
   ~DrmDisplay();
@@ -62,7 +62,7 @@ class DrmDisplay {
   std::uint16_t width() const { return size_.width; }
   std::uint16_t height() const { return size_.height; }
   PixelFormat format() const { return PixelFormat::rgb565; }
-  /// Of the card's buffers.
+  /// Returns the pixel format of the card's buffers.
   DrmFormat card_format() const { return card_format_; }
 
   Error begin_frame() { return Error::none; }
@@ -72,7 +72,7 @@ class DrmDisplay {
   /// @}
 
  private:
-  /// Of a row: the pixels that a buffer of the card does not have yet. Empty where right <= left.
+  /// The pixels of a row that a buffer of the card does not have yet. Empty if right <= left.
   struct Stale {
     std::uint16_t left = 0;
     std::uint16_t right = 0;

@@ -1,4 +1,4 @@
-// A connector, its CRTC and two dumb buffers of a graphics card: mode setting, flips, and back.
+// A connector, its CRTC and two dumb buffers of a graphics card: sets the mode, flips, and restores the former mode.
 #include "zstrip_hal_linux/drm_screen.hpp"
 
 #include <drm_fourcc.h>
@@ -51,8 +51,8 @@ DumbBuffer::~DumbBuffer() {
 
 DrmScreen::~DrmScreen() {
   if (!card) return;
-  // A flip that is still to come would show a buffer that is gone. One that does not come in time may be read later, by
-  // another screen of the same file.
+  // A pending flip would show a buffer that no longer exists, so wait for it. If it does not come in time, another
+  // screen of the same file may read its event later.
   if (wait_for_flip(DrmDisplay::kFlipTimeout) != Error::none) static_cast<void>(flipping.release());
   if (former != nullptr && former->mode_valid != 0) {
     drmModeSetCrtc(card->get(), crtc, former->buffer_id, former->x, former->y, &connector, 1, &former->mode);
@@ -82,7 +82,7 @@ Error DrmScreen::wait_for_flip(int milliseconds) {
   events.page_flip_handler = [](int, unsigned, unsigned, unsigned, void* of_screen) {
     *static_cast<bool*>(of_screen) = false;
   };
-  // Not as long as there is something to read: that may be other events, or nothing.
+  // Wait for the flip itself, not until the file is readable: it may hold other events, or none.
   for (bool in_time = true; *flipping; in_time = Clock::now() < deadline) {
     if (!in_time) return Error::flip;
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();

@@ -1,4 +1,4 @@
-// A connector, its CRTC and two dumb buffers of a graphics card: mode setting, flips, and back.
+// A connector, its CRTC and two dumb buffers of a graphics card: sets the mode, flips, and restores the former mode.
 #pragma once
 
 #include <xf86drmMode.h>
@@ -19,10 +19,10 @@ using DrmConnector = Owned<drmModeConnector, drmModeFreeConnector>;
 using DrmEncoder = Owned<drmModeEncoder, drmModeFreeEncoder>;
 using DrmCrtc = Owned<drmModeCrtc, drmModeFreeCrtc>;
 
-/// Memory of the card that it can show. Zeroed by the kernel.
+/// Memory of the card that it can show. The kernel fills it with zeros.
 class DumbBuffer {
  public:
-  /// 0 or errno.
+  /// Returns 0 or errno.
   static int create(int card, const ScreenSize& size, DrmFormat format, DumbBuffer& buffer);
 
   DumbBuffer() = default;
@@ -44,11 +44,11 @@ class DumbBuffer {
 struct DrmScreen {
   ~DrmScreen();
 
-  /// Shows `front`'s picture in `mode`. 0 or errno.
+  /// Shows the picture of `buffer` in `mode`. Returns 0 or errno.
   int show(DumbBuffer& buffer);
-  /// Asks for the back buffer at the next vertical blank. Nothing may be under way.
+  /// Requests that the back buffer is shown at the next vertical blank. No flip may be under way.
   Error flip();
-  /// Until no flip is under way.
+  /// Returns when no flip is under way.
   Error wait_for_flip(int milliseconds);
 
   std::shared_ptr<const FileDescriptor> card;  ///< of all screens that are shown at once

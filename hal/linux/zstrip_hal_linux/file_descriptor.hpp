@@ -34,7 +34,7 @@ class FileDescriptor {
 class Mapping {
  public:
   Mapping() = default;
-  /// Empty, with errno set, if the device refuses.
+  /// Maps the memory. The mapping is empty, with errno set, if the device refuses.
   Mapping(int file, std::size_t bytes, off_t offset) {
     void* address = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, offset);
     if (address != MAP_FAILED) bytes_ = {static_cast<std::byte*>(address), bytes};

@@ -7,7 +7,7 @@
 namespace zstrip::hal {
 namespace {
 
-/// None for a field that is no field of a true colour.
+/// Returns none if the field does not describe a true colour.
 std::optional<BitField> field_of(const fb_bitfield& field) {
   if (field.msb_right != 0 || field.offset > 31 || field.length > 16) return std::nullopt;
   return BitField{static_cast<std::uint8_t>(field.offset), static_cast<std::uint8_t>(field.length)};
@@ -22,7 +22,7 @@ std::optional<PixelLayout> layout_of(const fb_var_screeninfo& mode) {
   return PixelLayout{static_cast<std::uint8_t>(mode.bits_per_pixel / 8), *red, *green, *blue};
 }
 
-/// The visible part of the device's memory; none if it does not lie in it.
+/// Returns the visible part of the device's memory, or none if it lies outside the memory.
 std::optional<VideoMemory> visible_memory(const fb_fix_screeninfo& device, const fb_var_screeninfo& mode,
                                           std::span<std::byte> memory) {
   const std::uint64_t pixel_bytes = mode.bits_per_pixel / 8;
@@ -40,7 +40,7 @@ std::string in_words(const fb_var_screeninfo& mode) {
          " bits a pixel";
 }
 
-/// The options that are left, as the command's keys.
+/// Lists the other depths, as the command's keys.
 std::string other_depths(const fb_var_screeninfo& mode) {
   std::string keys;
   for (const std::uint32_t depth : {16U, 24U, 32U}) {
@@ -51,7 +51,7 @@ std::string other_depths(const fb_var_screeninfo& mode) {
   return keys;
 }
 
-/// Sets `options` and reads back what the driver then really has.
+/// Sets `options` and reads back the mode that the driver really has then.
 std::optional<Fault> change_mode(int file, const std::string& path, const FramebufferOptions& options,
                                  fb_var_screeninfo& mode) {
   fb_var_screeninfo wanted = mode;
@@ -87,7 +87,7 @@ Outcome<FramebufferDisplay> FramebufferDisplay::open(const std::string& path, co
   FramebufferFile file(std::move(*opened), mode);
   if (const auto fault = change_mode(number, path, options, mode)) return *fault;
 
-  // Only after the mode was set: rows may have another length then.
+  // Read this after the mode was set: the row length may have changed.
   fb_fix_screeninfo device{};
   if (const int error = device_control(number, FBIOGET_FSCREENINFO, &device); error != 0)
     return device_fault(DeviceKind::framebuffer, path, "tell where its memory is", error);

@@ -17,26 +17,26 @@
 
 namespace zstrip::hal {
 
-/// The mode that is asked for.
+/// The requested mode.
 struct FramebufferOptions {
   std::optional<ScreenSize> size;      ///< none: as it is
   std::optional<std::uint32_t> depth;  ///< bits a pixel, 16, 24 or 32; none: as it is
 };
 
-/// A framebuffer's file, and the mode that it had: set again when the object ends, so on every way out.
+/// A framebuffer's file and its former mode, which the destructor sets again.
 class FramebufferFile {
  public:
   /// Takes the file.
   FramebufferFile(FileDescriptor file, const fb_var_screeninfo& former_mode)
       : file_(std::move(file)), former_mode_(former_mode) {}
-  /// The other one sets nothing any more.
+  /// The moved-from object sets nothing any more.
   FramebufferFile(FramebufferFile&&) = default;
   FramebufferFile& operator=(FramebufferFile&&) = delete;
   ~FramebufferFile();
 
-  /// The file's number.
+  /// Returns the number of the file.
   int get() const { return file_.get(); }
-  /// Whether it is open.
+  /// True if the file is open.
   explicit operator bool() const { return static_cast<bool>(file_); }
 
  private:
@@ -44,20 +44,20 @@ class FramebufferFile {
   fb_var_screeninfo former_mode_;
 };
 
-/// Takes RGB565 and converts it to whatever true colour the driver has, 16, 24 or 32 bits a pixel. Pixels show as they
-/// are written: there is one buffer, so that a frame may tear. The text console is not its business: enter
-/// GraphicsConsole first, which else takes the new mode for its own. When the object ends, the screen is black and has
-/// the mode that it had before.
+/// Takes RGB565 and converts it to the driver's true colour format, 16, 24 or 32 bits a pixel. Pixels are visible as
+/// soon as they are written: there is one buffer, so that a frame may tear. Enter GraphicsConsole first: this class
+/// does not touch the text console, which would otherwise take over the new mode. When the object ends, the screen is
+/// black and has its former mode.
 class FramebufferDisplay {
  public:
-  /// The driver's present mode, or another. What counts is the mode that is read back afterwards: many drivers
+  /// Keeps the driver's present mode, or sets another. Uses the mode that it reads back afterwards: many drivers
   /// report success and change nothing. (Framebuffers on top of DRM take any smaller size: the picture is in the upper
-  /// left corner then, on black.) Errors: the device is missing, no permission, it is no framebuffer, its pixels
-  /// are a palette or planes, the driver does not take the mode, its description of its memory makes no sense. It has
-  /// its former mode then.
+  /// left corner then, on black.) Errors: the device is missing, no permission, the file is not a framebuffer, its
+  /// pixels are a palette or planes, the driver does not take the mode, its description of its memory makes no sense.
+  /// After an error the device has its former mode.
   static Outcome<FramebufferDisplay> open(const std::string& path, const FramebufferOptions& options = {});
 
-  /// The screen goes along.
+  /// The new object takes over the screen.
   FramebufferDisplay(FramebufferDisplay&&) = default;
   FramebufferDisplay& operator=(FramebufferDisplay&&) = delete;
   ~FramebufferDisplay();
@@ -73,7 +73,7 @@ class FramebufferDisplay {
   Error write(const Area& area, std::span<const std::byte> pixels) { return writer_.write(memory_, area, pixels); }
   Error wait() { return Error::none; }
   /// @}
-  /// Drivers that watch which pages were written pass them on now, not some time later.
+  /// Calls fsync: a driver that tracks written pages then updates the screen at once instead of later.
   Error end_frame();
 
  private:

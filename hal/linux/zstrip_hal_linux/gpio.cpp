@@ -31,7 +31,7 @@ std::string chip_path(const std::string& chip) {
 Outcome<std::vector<gpio::LineInfo>> lines_of(const std::string& chip) {
   std::vector<gpio::LineInfo> lines;
   const int error = gpio::read_lines(chip, lines);
-  // libgpiod's words for a file that is no chip.
+  // libgpiod reports these errors for a file that does not belong to a GPIO chip.
   if (error == ENOTTY || error == EINVAL || error == ENODEV)
     return Fault{chip + " is not a GPIO chip; --list shows those that there are"};
   if (error != 0) return device_fault(DeviceKind::gpio, chip, "be opened", error);
@@ -49,7 +49,7 @@ Fault busy(const GpioLine& line, const gpio::LineInfo& info) {
           " has it; choose another line, or end that program or take that driver out of the device tree"};
 }
 
-/// A line that cannot be what it should.
+/// Explains why a line could not become an output or an input.
 Fault refused(const GpioLine& line, const char* what, int error) {
   const Outcome<std::vector<gpio::LineInfo>> lines = lines_of(line.chip);
   if (!lines) return lines.fault();

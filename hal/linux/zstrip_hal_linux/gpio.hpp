@@ -13,30 +13,31 @@
 
 namespace zstrip::hal {
 
-/// A line of a chip.
+/// A line of a GPIO chip.
 struct GpioLine {
   std::string chip;     ///< the path of its device
   unsigned offset = 0;  ///< of the line in its chip
   friend bool operator==(const GpioLine&, const GpioLine&) = default;
 };
 
-/// The paths of all chips of the machine, in the order of their numbers.
+/// Returns the paths of all GPIO chips of the machine, in the order of their numbers.
 std::vector<std::string> gpio_chips();
 
-/// `text` is CHIP:OFFSET, the chip as a number, a name (gpiochip0) or a path, or else the name of a line as the device
-/// tree gives it; of several lines with that name the first one. Errors: no such chip, no permission, no such line.
+/// `text` is CHIP:OFFSET, with the chip as a number, a name (gpiochip0) or a path; or it is the name of a line from
+/// the device tree. If several lines have that name, the first one is returned. Errors: no such chip, no permission,
+/// no such line.
 Outcome<GpioLine> find_gpio_line(const std::string& text);
 
-/// A line that is an output as long as this object lives. What the pin does afterwards is up to the chip: most keep
-/// their level. One that was made without a line is wired to nothing: set() does nothing and succeeds.
+/// A line that is an output as long as this object lives. Its level afterwards depends on the chip: most keep it. An
+/// object that was made without a line is wired to nothing: set() does nothing and succeeds.
 class GpioPin {
  public:
   GpioPin() = default;
-  /// Starts at `level`. Errors: those of the chip: missing, no permission, no such line, a line that is busy (and its
+  /// Starts at `level`. Errors of the chip: it is missing, no permission, no such line, the line is busy (and its
   /// user).
   static Outcome<GpioPin> request(const GpioLine& line, bool level);
 
-  /// No system call if the line has that level. Error: pin.
+  /// Makes no system call if the line already has that level. Error: pin.
   Error set(bool level) {
     if (request_ == nullptr || level == level_) return Error::none;
     if (gpio::set_level(*request_, level) != 0) return Error::pin;
@@ -53,7 +54,7 @@ class GpioPin {
 
 static_assert(OutputPin<GpioPin>);
 
-/// A line that is an input as long as this object lives. One that was made without a line cannot be read.
+/// A line that is an input as long as this object lives. An object that was made without a line cannot be read.
 class GpioInput {
  public:
   GpioInput() = default;

@@ -1,5 +1,5 @@
-// What zstrip needs of libgpiod. Its releases 1 and 2 have different interfaces: gpio_libgpiod1.cpp or
-// gpio_libgpiod2.cpp, whichever CMake chose, is behind these functions. They return 0 or errno.
+// The functions of libgpiod that zstrip needs. Its releases 1 and 2 have different interfaces; CMake compiles
+// gpio_libgpiod1.cpp or gpio_libgpiod2.cpp, which implement these functions. They return 0 or errno.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ struct LineInfo {
   bool used = false;
 };
 
-/// All lines of the chip at `path`, by offset.
+/// Reads all lines of the chip at `path`, by offset.
 int read_lines(const std::string& path, std::vector<LineInfo>& lines);
 
 struct Request;
@@ -26,7 +26,7 @@ using RequestPointer = std::unique_ptr<Request, ReleaseRequest>;
 /// Makes a line of the chip at `path` an output that starts at `level`.
 int request_output(const std::string& path, unsigned offset, bool level, RequestPointer& request);
 
-/// Makes it an input.
+/// Makes a line of the chip at `path` an input.
 int request_input(const std::string& path, unsigned offset, RequestPointer& request);
 
 int set_level(Request& request, bool level);

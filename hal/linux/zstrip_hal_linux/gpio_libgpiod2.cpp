@@ -1,4 +1,4 @@
-// libgpiod 2.x (Debian 13 has 2.2): a request is made of settings for lines; the chip may be closed afterwards.
+// libgpiod 2.x (Debian 13 has 2.2): a request takes settings for its lines; the chip may be closed afterwards.
 #include <gpiod.h>
 
 #include <cerrno>

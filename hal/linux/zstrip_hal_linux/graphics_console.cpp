@@ -1,4 +1,4 @@
-// The machine's text console, kept off the screen while pictures are shown.
+// Keeps the machine's text console off the screen while pictures are shown.
 #include "zstrip_hal_linux/graphics_console.hpp"
 
 #include <fcntl.h>
@@ -16,13 +16,13 @@ namespace {
 constexpr const char* kShown = "/dev/tty0";
 constexpr std::array kFatalSignals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT, SIGTRAP, SIGSYS};
 
-// For the handler, which may read nothing else. -1: no console is in graphics mode.
+// For the signal handler, which may read no other data. -1: no console is in graphics mode.
 volatile std::sig_atomic_t console_file = -1;
 volatile std::sig_atomic_t former_console_mode = KD_TEXT;
 
 void set_mode(int file, int mode) { static_cast<void>(ioctl(file, KDSETMODE, static_cast<std::intptr_t>(mode))); }
 
-/// SA_RESETHAND has given the signal its default action back: raised again it ends the program.
+/// SA_RESETHAND has already restored the signal's default action, so raising the signal again ends the program.
 void restore_and_end(int signal) {
   if (console_file >= 0) set_mode(console_file, former_console_mode);
   static_cast<void>(raise(signal));

@@ -1,4 +1,4 @@
-// The machine's text console, kept off the screen while pictures are shown.
+// Keeps the machine's text console off the screen while pictures are shown.
 #pragma once
 
 #include <cstdint>
@@ -7,29 +7,29 @@
 
 namespace zstrip::hal {
 
-/// Of the console that is shown.
+/// Mode of the console that is on the screen.
 enum class ConsoleMode : std::uint8_t {
   text,      ///< it draws
   graphics,  ///< it draws nothing
   none,      ///< there is none
 };
 
-/// ConsoleMode::none also without the permission to read it.
+/// Returns the mode; ConsoleMode::none also without the permission to read it.
 ConsoleMode console_mode();
 
-/// The console is in graphics mode (KD_GRAPHICS: it draws nothing, no cursor blinks) as long as this object lives, and
-/// then in the mode that it had before; also if the program ends by SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT,
-/// SIGQUIT, SIGTRAP or SIGSYS. The signals that ask a program to end are the program's to catch; SIGKILL leaves the
-/// console dark until `kbd_mode` or another program sets it right. One object at a time.
+/// The console is in graphics mode (KD_GRAPHICS: it draws nothing, no cursor blinks) as long as this object lives;
+/// then it gets its former mode back, also if the program ends by SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT,
+/// SIGTRAP or SIGSYS. The program itself must catch the signals that ask it to end. After SIGKILL the console stays
+/// dark until `kbd_mode` or another program sets its mode. Only one object may exist at a time.
 class GraphicsConsole {
  public:
-  /// The terminal that the program runs on, if that is a console, else the one that is shown (/dev/tty0). A machine
-  /// without text consoles needs nothing: success. Errors: no permission.
+  /// Uses the terminal that the program runs on, if that is a console, else the one on the screen (/dev/tty0). On a
+  /// machine without text consoles it does nothing and succeeds. Errors: no permission.
   static Outcome<GraphicsConsole> enter();
 
-  /// Nothing: leaves the console alone.
+  /// An empty object: leaves the console alone.
   GraphicsConsole() = default;
-  /// The other one leaves the console alone.
+  /// The moved-from object leaves the console alone.
   GraphicsConsole(GraphicsConsole&&) = default;
   GraphicsConsole& operator=(GraphicsConsole&&) = delete;
   ~GraphicsConsole();

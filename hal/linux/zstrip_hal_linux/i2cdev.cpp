@@ -20,11 +20,11 @@ std::string in_hex(std::uint8_t address) {
   return text;
 }
 
-/// The errors of controllers' drivers when an address is not acknowledged; drivers differ. Some have none of these for
-/// a line that is held low, either.
+/// Errors with which the kernel's drivers report a missing acknowledge; drivers differ. Some report none of these for
+/// a line that is held low.
 bool is_refusal(int error) { return error == ENXIO || error == EREMOTEIO || error == EIO || error == ETIMEDOUT; }
 
-/// A system call whose argument is a number.
+/// Makes a system call whose argument is a number.
 int control(int file, unsigned long request, unsigned long argument) {
   return ioctl(file, request, argument) < 0 ? errno : 0;
 }
@@ -39,7 +39,7 @@ Outcome<I2cdevBus> I2cdevBus::open(const std::string& path, std::uint8_t address
     return Fault{path + " is not an I2C bus"};
   if ((functions & I2C_FUNC_I2C) == 0)
     return Fault{path + " is a controller for SMBus, which cannot send pictures; use another bus"};
-  // Asked for the address alone, so that a driver that has it is noticed: transfers have their own.
+  // Sets the address only to find out whether a kernel driver has claimed it: each transfer carries its own address.
   if (const int error = control(file->get(), I2C_SLAVE, address); error != 0) {
     if (error != EBUSY) return device_fault(kKind, path, "talk to the address " + in_hex(address), error);
     return Fault{path + ": the address " + in_hex(address) +

@@ -1,4 +1,4 @@
-// A panel on I2C by the kernel's driver, /dev/i2c-N.
+// A panel on I2C through the kernel's driver, /dev/i2c-N.
 #pragma once
 
 #include <cstddef>
@@ -13,22 +13,22 @@
 
 namespace zstrip::hal {
 
-/// Commands and data are told apart by the control byte of zstrip_hal/i2c.hpp, in transfers (I2C_RDWR) of at most
-/// kMessageBytes. Everything has been sent when a function returns: wait() has nothing to do. How fast the bus is, is
-/// the kernel's: as in the device tree, 100 kHz by default. Errors: bus (no device acknowledges, another master,
-/// anything else that the kernel refuses), timeout (a transfer that does not end, as where SCL is held low).
+/// The control byte of zstrip_hal/i2c.hpp tells commands from data. Transfers (I2C_RDWR) have at most kMessageBytes.
+/// All bytes have been sent when a function returns, so wait() has nothing to do. The kernel sets the bus speed, from
+/// the device tree: 100 kHz by default. Errors: bus (no device acknowledges, another master, any other refusal by the
+/// kernel), timeout (a transfer that does not end, for example because SCL is held low).
 ///
-/// The kernel's driver gives a transfer kTimeout. Most drivers keep to it; those of bit-banged buses and of i.MX have
-/// shorter ones of their own. The kernel keeps the setting for the whole controller, also after the program's end: it
-/// is what it starts with where its driver says nothing else.
+/// This class sets the kernel's time-out for a transfer to kTimeout. Most drivers obey it; those of bit-banged buses
+/// and of i.MX have shorter ones of their own. The kernel keeps the setting for the whole controller, also after the
+/// program has ended; it equals the kernel's default, unless the controller's driver sets another.
 class I2cdevBus {
  public:
   static constexpr std::size_t kMessageBytes = 4096;  ///< i2c-dev takes 8192
   static constexpr unsigned kTimeout = 1000;          ///< ms; kMessageBytes take 370 at 100 kHz
 
-  /// `address` has 7 bits. Errors: no such device, no permission, a controller that has no plain I2C, an address that a
-  /// driver of the kernel has, or at which no device answers in time: a control byte without anything behind it is sent
-  /// to it.
+  /// `address` has 7 bits. Sends a lone control byte to the address as a test. Errors: no such device, no permission,
+  /// the controller does not support plain I2C, a kernel driver has claimed the address, no device answers there in
+  /// time.
   static Outcome<I2cdevBus> open(const std::string& path, std::uint8_t address);
 
   /// @{
@@ -41,7 +41,7 @@ class I2cdevBus {
  private:
   I2cdevBus(FileDescriptor file, std::uint8_t address) : file_(std::move(file)), address_(address) {}
   Error write(std::byte control, std::span<const std::byte> bytes);
-  /// 0 or errno.
+  /// Returns 0 or errno.
   int transfer();
 
   FileDescriptor file_;

@@ -1,4 +1,4 @@
-// The same picture on several displays.
+// Shows one picture on several displays.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace zstrip::hal {
 
-/// Of one size and format, at least one. A display that fails keeps no picture from the others: the first error is
-/// returned when all had their turn.
+/// Needs at least one display; all have one size and format. Each call goes to every display, also after an error of
+/// one of them, and returns the first error.
 template <Display Shown>
 class MirroredDisplays {
  public:

@@ -1,4 +1,4 @@
-// Either a value or the reason why there is none, in words for the machine's user.
+// Either a value, or a message for the machine's user that explains why there is no value.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ struct Fault {
   std::string message;  ///< to be shown to a user
 };
 
-/// A value, or why there is none.
+/// A value, or the reason why there is none.
 template <class T>
 class [[nodiscard]] Outcome {
  public:
@@ -21,16 +21,16 @@ class [[nodiscard]] Outcome {
   /// No value.
   Outcome(Fault fault) : content_(std::move(fault)) {}  // NOLINT(google-explicit-constructor)
 
-  /// Whether there is a value.
+  /// True if there is a value.
   explicit operator bool() const { return std::holds_alternative<T>(content_); }
   /// @{
-  /// The value, which must be there.
+  /// Returns the value, which must exist.
   T& operator*() { return std::get<T>(content_); }
   const T& operator*() const { return std::get<T>(content_); }
   T* operator->() { return &std::get<T>(content_); }
   const T* operator->() const { return &std::get<T>(content_); }
   /// @}
-  /// Why there is none, which must be so.
+  /// Returns the reason. Call it only if there is no value.
   const Fault& fault() const { return std::get<Fault>(content_); }
 
  private:

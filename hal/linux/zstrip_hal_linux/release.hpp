@@ -1,4 +1,4 @@
-// Objects of C libraries as std::unique_ptr: the function that takes them back is the deleter.
+// Objects of C libraries as std::unique_ptr: the deleter is the library's function that frees them.
 #pragma once
 
 #include <memory>

@@ -17,13 +17,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Without a desktop SDL takes a driver that shows nothing, or the whole screen. Who names one gets that.
+/// True if there is a desktop, or the user has named a video driver. Without a desktop SDL would choose a driver that
+/// shows nothing, or the whole screen.
 bool has_desktop() {
   const std::string_view driver = SDL_GetCurrentVideoDriver();
   return std::getenv("SDL_VIDEODRIVER") != nullptr || driver == "wayland" || driver == "x11";
 }
 
-/// Of the screen; 60 Hz where the desktop does not say.
+/// Returns the refresh period of the screen; 60 Hz if the desktop does not report it.
 Clock::duration refresh_of(SDL_Window* window) {
   SDL_DisplayMode mode{};
   const bool is_known = SDL_GetWindowDisplayMode(window, &mode) == 0 && mode.refresh_rate > 0;
@@ -69,7 +70,7 @@ Outcome<SdlDisplay> SdlDisplay::open(const std::string& title, const ScreenSize&
   parts->window = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, size.width * scale,
                                    size.height * scale, 0);
   if (parts->window == nullptr) return failed();
-  // In software: pixels on the screen are those of the picture, with any driver.
+  // The software renderer makes the pixels on the screen equal to those of the picture, with any driver.
   parts->renderer = SDL_CreateRenderer(parts->window, -1, SDL_RENDERER_SOFTWARE);
   if (parts->renderer == nullptr) return failed();
   parts->texture = SDL_CreateTexture(parts->renderer, SDL_PIXELFORMAT_XRGB8888, SDL_TEXTUREACCESS_STREAMING, size.width,

@@ -1,4 +1,5 @@
-// A window of the desktop, Wayland or X11, as a display. A library of its own: zstrip::hal_linux_sdl needs SDL 2.
+// A window of the desktop, Wayland or X11, as a display. In a library of its own, because zstrip::hal_linux_sdl needs
+// SDL 2.
 #pragma once
 
 #include <cstddef>
@@ -14,15 +15,15 @@
 
 namespace zstrip::hal {
 
-/// Takes RGB565; each pixel is a square of `scale` pixels in the window, with the colour that an XRGB8888 screen gets.
-/// A frame appears whole; end_frame() returns about once for each refresh of the screen. A frame may write only what
-/// changes. All functions belong to the thread that opened the window. Error::bus: the desktop refuses a picture.
+/// Takes RGB565. Each pixel becomes a square of `scale` pixels in the window, in the colour that an XRGB8888 screen
+/// shows. A frame appears whole; end_frame() returns about once for each refresh of the screen. A frame may write only
+/// what changes. Call all functions on the thread that opened the window. Error::bus: the desktop refuses a picture.
 class SdlDisplay {
  public:
   static constexpr std::uint16_t kMaxScale = 8;  ///< pixels of the window for one of the picture, each way
 
-  /// Black at first. `size` * `scale` is at most kMaxScreen, each side. Faults: no desktop, or one without memory for
-  /// this size.
+  /// The window is black at first. `size` * `scale` is at most kMaxScreen, each side. Faults: no desktop, or the
+  /// desktop has no memory for this size.
   static Outcome<SdlDisplay> open(const std::string& title, const ScreenSize& size, std::uint16_t scale);
 
   /// @{
@@ -36,8 +37,8 @@ class SdlDisplay {
   Error wait() { return Error::none; }
   Error end_frame();
   /// @}
-  /// Whether the user has closed the window. To be called some times a second: it answers the desktop, which else takes
-  /// the program for dead, and shows the picture again where another window covered it.
+  /// True if the user has closed the window. Call it some times a second: it answers the desktop, which otherwise
+  /// reports that the program hangs, and it shows the picture again after another window covered it.
   bool is_closed();
 
  private:

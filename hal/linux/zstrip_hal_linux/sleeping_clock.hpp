@@ -11,7 +11,7 @@ namespace zstrip::hal {
 
 /// For panels' drivers in a process.
 struct SleepingClock {
-  /// At least so long.
+  /// Sleeps for at least this time.
   void wait(std::uint32_t microseconds) { std::this_thread::sleep_for(std::chrono::microseconds(microseconds)); }
 };
 

@@ -1,4 +1,4 @@
-// A panel on SPI by the kernel's driver.
+// A panel on SPI through the kernel's driver.
 #include "zstrip_hal_linux/spidev.hpp"
 
 #include <linux/spi/spidev.h>
@@ -12,14 +12,14 @@
 namespace zstrip::hal {
 namespace {
 
-/// What spidev takes in one message: its module's parameter; 4096 is its default.
+/// Returns the largest message that spidev takes, from its module parameter; 4096 bytes by default.
 std::size_t most_message_bytes() {
   std::size_t bytes = 0;
   std::ifstream parameter("/sys/module/spidev/parameters/bufsiz");
   return parameter >> bytes && bytes > 0 ? bytes : 4096;
 }
 
-/// The kernel gives up a transfer that its controller does not end.
+/// The kernel reports ETIMEDOUT if the controller does not end a transfer.
 Error transfer_error(int error) { return error == ETIMEDOUT ? Error::timeout : Error::bus; }
 
 }  // namespace
@@ -31,7 +31,7 @@ Outcome<SpidevBus> SpidevBus::open(const std::string& path, std::uint32_t hertz,
   const auto refused = [&path](const char* doing, int error) {
     return device_fault(DeviceKind::spi, path, doing, error);
   };
-  // Chip select's polarity comes from the device tree and stays; the rest of the mode is ours.
+  // The device tree sets the polarity of chip select, which stays; this class sets the rest of the mode.
   std::uint8_t mode = 0;
   constexpr std::uint8_t kSelect = SPI_CS_HIGH | SPI_NO_CS;
   if (const int error = device_control(number, SPI_IOC_RD_MODE, &mode); error != 0)
@@ -80,7 +80,7 @@ Error SpidevBus::write(std::span<const std::byte> bytes, bool data) {
 
 Error SpidevBus::read(std::byte command, unsigned dummy_clocks, std::span<std::byte> answer) {
   if (const Error error = data_command_.set(false); error != Error::none) return error;
-  // The kernel counts whole bytes: where bits come before the answer, it is one byte longer.
+  // The kernel counts whole bytes: with dummy bits before the answer, the transfer is one byte longer.
   std::vector<std::byte> arrived(answer.size() + (dummy_clocks != 0 ? 1 : 0));
   std::array<spi_ioc_transfer, 2> transfers{};
   transfers[0].tx_buf = reinterpret_cast<std::uintptr_t>(&command);

@@ -1,4 +1,4 @@
-// A panel on SPI by the kernel's driver, /dev/spidevB.C, with D/C on a GPIO line.
+// A panel on SPI through the kernel's driver, /dev/spidevB.C, with D/C on a GPIO line.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +13,16 @@
 
 namespace zstrip::hal {
 
-/// Everything has been sent when a function returns: wait() has nothing to do. Chip select goes high between messages,
-/// which panels take for a pause. Time-outs are those of the kernel's driver. Errors: bus, pin.
+/// All bytes have been sent when a function returns, so wait() has nothing to do. Chip select goes high between
+/// messages, which panels accept as a pause. The kernel's driver sets the time-outs. Errors: bus, pin.
 ///
-/// Reading is slower than writing, and D/C stays low: one message is the question and its answer, as the kernel's own
-/// drivers of panels (mipi_dbi) do it. A controller that has no input refuses it: Error::bus.
+/// Reading uses a slower clock than writing, and D/C stays low: one message holds the command and the answer, as in
+/// the kernel's own panel drivers (mipi_dbi). A controller without an input refuses it: Error::bus.
 class SpidevBus {
  public:
   static constexpr std::uint32_t kReadHertz = 2'000'000;  ///< at most, when the panel answers
-  /// Mode 0, 8 bits, at most `hertz`: read back, for drivers that accept what they cannot do.
+  /// Uses mode 0, 8 bits, at most `hertz`. Reads the settings back, because some drivers accept values that they
+  /// cannot use.
   static Outcome<SpidevBus> open(const std::string& path, std::uint32_t hertz, GpioPin data_command);
 
   /// @{

@@ -1,4 +1,4 @@
-// Writes RGB565 pixels into video memory of whatever pixel layout a driver has.
+// Writes RGB565 pixels into video memory of any true colour layout.
 #include "zstrip_hal_linux/video_memory.hpp"
 
 #include <bit>
@@ -15,7 +15,7 @@ constexpr std::uint32_t bits(const BitField& field) { return ((1U << field.lengt
 std::uint32_t spread(std::uint32_t colour, const BitField& source, const BitField& target) {
   std::uint32_t result = 0;
   for (int bit = 0; bit < target.length; ++bit) {
-    // From the top: the source's bits over and over.
+    // Fill the target from the top with the source's bits, repeated.
     const int from = source.offset + source.length - 1 - bit % source.length;
     const int to = target.offset + target.length - 1 - bit;
     result |= (colour >> from & 1U) << to;

@@ -1,4 +1,4 @@
-// Writes RGB565 pixels into video memory of whatever pixel layout a driver has.
+// Writes RGB565 pixels into video memory of any true colour layout.
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@
 
 namespace zstrip::hal {
 
-/// Where a colour lies in a pixel.
+/// The bits of a colour in a pixel.
 struct BitField {
   std::uint8_t offset = 0;  ///< of the lowest bit
   std::uint8_t length = 0;  ///< 1..16
   friend constexpr bool operator==(const BitField&, const BitField&) = default;
 };
 
-/// A pixel is a number of `bytes` bytes, the lowest first (all of Linux's machines here are little endian). Bits that
-/// belong to no colour are set: where they mean opacity, that is opaque.
+/// A pixel is a number of `bytes` bytes, the lowest first (all supported Linux machines are little endian). Bits that
+/// belong to no colour are set: if they mean opacity, the pixel is opaque.
 struct PixelLayout {
   std::uint8_t bytes = 0;  ///< 2, 3 or 4
   BitField red, green, blue;
@@ -38,13 +38,13 @@ struct VideoMemory {
   std::uint32_t stride = 0;
 };
 
-/// Longer fields get the source's bits again from the top (all ones stay all ones), shorter ones its upper bits.
+/// Longer fields repeat the source's bits from the top (all ones stay all ones); shorter ones take its upper bits.
 class PixelWriter {
  public:
-  /// None if the layout has fields that overlap, are empty or do not fit into the pixel.
+  /// Returns none if the layout has fields that overlap, are empty or do not fit into the pixel.
   static std::optional<PixelWriter> create(const PixelLayout& layout);
 
-  /// The first 2 * area.width * area.height bytes of `pixels` (PixelFormat::rgb565) go to `area` of `memory`.
+  /// Writes the first 2 * area.width * area.height bytes of `pixels` (PixelFormat::rgb565) to `area` of `memory`.
   /// Errors: area, pixels_too_small; also where `memory` is smaller than its sizes need.
   Error write(const VideoMemory& memory, const Area& area, std::span<const std::byte> pixels) const;
 
@@ -55,7 +55,7 @@ class PixelWriter {
 
   PixelLayout layout_;
   bool copies_ = false;  ///< the layout is that of the source
-  // Each bit of the result is one bit of the source, so that the two bytes of a pixel are looked up on their own.
+  // Each bit of the result is one bit of the source, so each of a pixel's two bytes has its own table.
   std::array<std::uint32_t, 256> of_low_{};
   std::array<std::uint32_t, 256> of_high_{};
 };
