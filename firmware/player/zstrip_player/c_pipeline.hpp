@@ -1,4 +1,4 @@
-// The pipeline of a program in C. In one file in C++:
+// Gives a program in C its pipeline. In one file in C++:
 //     #include "scene.hpp"
 //     extern "C" const zstrip_pipeline* scene_pipeline() {
 //       static constexpr zstrip_pipeline pipeline{zstrip::drawn_with<baked::kEffects>};
@@ -9,7 +9,7 @@
 #include "zstrip_player.h"
 #include "zstrip_player/player.hpp"
 
-/// What zstrip_player_in gets from C++; as long as the player lives.
+/// The argument of zstrip_player_in; it must live as long as the player.
 struct zstrip_pipeline {
   zstrip::ChoosePipeline choose;  ///< zstrip::drawn_with
 };

@@ -27,7 +27,7 @@ int zstrip_player_open(zstrip_player* player, const void* scene, std::size_t byt
 }
 int zstrip_player_fit(zstrip_player* player, std::uint16_t width, std::uint16_t height, zstrip_format format,
                       std::uint16_t row_step) {
-  // A number that is no format must not become one where it is cut to a byte.
+  // An unknown number must not become a valid format when it is cut to a byte.
   const auto pixels = static_cast<zstrip::PixelFormat>(std::min<unsigned>(format, 0xFF));
   return player != nullptr && player->fit(width, height, pixels, {}, row_step) ? 1 : 0;
 }

@@ -1,4 +1,4 @@
-// What a player does that no pipeline has a part in: memory, the plan, motion, the camera, text.
+// The functions of Player that do not depend on the pipeline: memory, the plan, motion, the camera, text.
 #include "zstrip_player/player.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ constexpr std::uint32_t saturated(std::uint64_t value) {
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(value, std::numeric_limits<std::uint32_t>::max()));
 }
 
-/// A vector of 2.30 or 16.16 along two axes, by a rotation in 2.30.
+/// Returns one * by + other * by_other, rounded to nearest. Vectors are 2.30 or 16.16, the sine and cosine are 2.30.
 Vec3 combined(const Vec3& one, std::int32_t by, const Vec3& other, std::int32_t by_other) {
   const auto sum = [by, by_other](std::int32_t a, std::int32_t b) {
     constexpr std::int64_t kHalf = 1 << 29;
@@ -39,8 +39,8 @@ Vec3 combined(const Vec3& one, std::int32_t by, const Vec3& other, std::int32_t 
   return {sum(one.x, other.x), sum(one.y, other.y), sum(one.z, other.z)};
 }
 
-/// From the eye along the camera's axis to where it is closest to the world's y axis, or to the origin if it is nearly
-/// upright; 16.16, >= 0.
+/// Returns the distance from the eye, along the camera's axis, to the point of the axis that is closest to the world's
+/// y axis; to the point closest to the origin if the axis is nearly upright. 16.16, >= 0.
 std::int64_t distance_to_y(const Camera& camera) {
   const auto along = [](std::int32_t a, std::int32_t b) { return (std::int64_t{a} * b) >> 30; };
   const std::int64_t level = along(camera.eye.x, camera.back.x) + along(camera.eye.z, camera.back.z);
@@ -64,14 +64,14 @@ bool Player::fail(Fault fault, const Status& status) {
   return false;
 }
 
-/// From the first aligned byte on that is not used.
+/// Returns the unused memory, from its first aligned byte on.
 std::span<std::byte> Player::left() const {
   const auto address = reinterpret_cast<std::uintptr_t>(memory_.data());
   const std::size_t first = used_ + (kAlignment - address % kAlignment) % kAlignment;
   return first < memory_.size() ? memory_.subspan(first) : std::span<std::byte>();
 }
 
-/// Empty if there is too little.
+/// Takes the bytes from the unused memory. Returns an empty span if there are too few.
 std::span<std::byte> Player::take(std::uint64_t bytes) {
   const std::span<std::byte> all = left();
   if (bytes > all.size()) return {};
@@ -159,7 +159,7 @@ bool Player::plan_strips(const FitOptions& options, std::uint16_t row_step) {
   return true;
 }
 
-/// All of fit() but its frame, so that what this takes of the stack is not beneath that.
+/// Does everything in fit() but begin a frame, so that its stack frame is gone when the frame begins.
 bool Player::prepare(std::uint16_t width, std::uint16_t height, PixelFormat format, const FitOptions& options,
                      std::uint16_t row_step) {
   used_ = used_open_;
@@ -168,7 +168,7 @@ bool Player::prepare(std::uint16_t width, std::uint16_t height, PixelFormat form
   view_ = {width, height, format, baked_.view.dither, baked_.view.samples};
   if (!valid_size_and_format(view_)) return fail(Fault::plan, {.error = Error::view_size});
   if (view_.width * sample_columns(view_) > kMaxViewSize || view_.height * sample_rows(view_) > kMaxViewSize) {
-    view_.samples = 1;  // the display has pixels enough
+    view_.samples = 1;  // the display has enough pixels without supersampling
   }
   camera_ = scenes::fit_width(baked_.camera_for(2), baked_.view, view_);
   const Effects called_for = effects_of(baked_.scene, camera_) | effects_of(view_) | baked_.effects;
@@ -203,7 +203,7 @@ bool Player::fit(std::uint16_t width, std::uint16_t height, PixelFormat format, 
                  std::uint16_t row_step) {
   is_fitted_ = prepare(width, height, format, options, row_step);
   if (!is_fitted_) return false;
-  is_fitted_ = begin();  // what a frame is refused for is noticed now
+  is_fitted_ = begin();  // reports now, not in draw(), why a frame cannot begin
   return is_fitted_;
 }
 
@@ -246,7 +246,7 @@ void Player::show_text(const char* text, bool with_rate, const Font& font) {
   font_ = font;
 }
 
-/// The fitted camera, taken around and zoomed as was asked for.
+/// Returns the fitted camera, with orbit() and zoom() applied.
 Camera Player::placed_camera() const {
   Camera camera = camera_;
   const std::int64_t focal = std::int64_t{camera.focal} * zoom_ / 100;
@@ -271,7 +271,7 @@ Camera Player::placed_camera() const {
   return camera;
 }
 
-/// The text, behind all that the scene has over its picture.
+/// Appends the text to the scene's own overlay, after all elements of the scene.
 void Player::add_text() {
   const Overlay own = baked_.scene.overlay != nullptr ? *baked_.scene.overlay : Overlay{};
   const std::size_t fonts = std::min(own.fonts.size(), fonts_.size() - 1);

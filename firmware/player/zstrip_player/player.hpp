@@ -1,5 +1,4 @@
-// A baked scene on a display in four calls: open, fit, play, draw. The exact interface is zstrip/zstrip.hpp, of which
-// this one is made.
+// A baked scene on a display in four calls: open, fit, play, draw. It uses the exact interface, zstrip/zstrip.hpp.
 #pragma once
 
 #include <cstddef>
@@ -16,82 +15,83 @@
 
 namespace zstrip {
 
-/// A pipeline, and the effects that it has been asked for.
+/// A pipeline, and the effects that it draws.
 struct DrawnWith {
   Effects effects;    ///< asked for, and what the pipeline has of its own
   Pipeline pipeline;  ///< its functions
 };
 
-/// The one that draws what a scene and its picture call for.
+/// A function that returns the pipeline for the effects that a scene and its picture need.
 using ChoosePipeline = DrawnWith (*)(Effects called_for);
 
-/// This pipeline and no other, whatever is called for: on a board, kEffects of the baked header. With effect::overlay
-/// the player can show text. any_player.hpp has the other choice.
+/// Always returns this one pipeline, whatever the scene needs: on a board, pass kEffects of the baked header. With
+/// effect::overlay the player can show text. any_player.hpp has the alternative.
 template <Effects effects>
 DrawnWith drawn_with(Effects) {
   return {effects, {&detail::begin_frame<effects>, &detail::draw_strip<effects>, nullptr}};
 }
 
-/// What of a display its size and format do not say.
+/// Properties of a display that its size and format do not tell.
 struct FitOptions {
   std::uint8_t strip_buffers = 1;  ///< 1 or 2; two for displays that send one while another is drawn
   bool split_columns = false;      ///< strips may be narrower than the picture
-  /// Rows of a strip, where a plan with them fits; 0: as the planner decides. With two buffers more strips than are
-  /// fastest to draw leave less for the bus to do after the last one is drawn, and before the first one.
+  /// Rows of a strip, if a plan with so many fits; 0: the planner decides. With two buffers, more strips than are
+  /// fastest to draw may still save time: the bus has less to send before the first strip is drawn and after the last
+  /// one.
   std::uint16_t strip_rows = 0;
 };
 
-/// What goes wrong makes a call return false, and error() says what; the next call may try again.
-/// `memory` holds all that is not a constant: tables of a blob, what moves, the arena, strips of pixels. It must
-/// outlive the player; any address will do.
+/// After a fault a call returns false, and error() says why; the next call may try again. `memory` holds all data that
+/// is not constant: tables of a blob, moving parts, the arena, strips of pixels. It must outlive the player; it may
+/// have any address.
 class Player {
  public:
-  /// Looks at nothing before the first call.
+  /// Does not access the memory before the first call.
   constexpr Player(std::span<std::byte> memory, ChoosePipeline choose) : memory_(memory), choose_(choose) {}
   Player(const Player&) = delete;
   Player& operator=(const Player&) = delete;
 
-  /// 1. A scene blob (`zstrip bake MODEL -o scene.zsc`), used where it lies, at a multiple of 4. Any bytes are safe.
+  /// 1. Opens a scene blob (`zstrip bake MODEL -o scene.zsc`), in place, at a multiple of 4. Any bytes are safe.
   bool open(const void* blob, std::size_t size);
-  /// Or the constants of a baked header; of others, the animation has passed validate():
+  /// Or opens the constants of a baked header. The animation of other constants must have passed validate():
   ///     open({baked::kScene, baked::kCamera, baked::kAnimation, baked::kTurn}, baked::kView)
   bool open(const scenes::AtRest& scene, const View& baked_for);
 
-  /// 2. Fits the camera to the display, the plan to the memory. Again: for another display.
+  /// 2. Fits the camera to the display and the plan to the memory. Call it again for another display.
   template <hal::Display Panel>
   bool fit(const Panel& panel, const FitOptions& options = {}) {
     std::uint16_t row_step = 1;
     if constexpr (requires { Panel::kRowStep; }) row_step = Panel::kRowStep;
     return fit(panel.width(), panel.height(), static_cast<PixelFormat>(panel.format()), options, row_step);
   }
-  /// Strips have a multiple of `row_step` rows.
+  /// As above; the number of rows in a strip is a multiple of `row_step`.
   bool fit(std::uint16_t width, std::uint16_t height, PixelFormat format, const FitOptions& options = {},
            std::uint16_t row_step = 1);
 
-  /// 3. What time it is, in milliseconds of a clock of the caller's. From the first call on the animation of the scene
-  /// runs, or a turn in kTurnTime where it has none, and frames are counted for show_text.
+  /// 3. Sets the time, in milliseconds of any clock of the caller. From the first call on the scene's animation runs,
+  /// or a full turn in kTurnTime if the scene has none, and frames are counted for show_text.
   void play(std::uint32_t now);
   static constexpr std::uint32_t kTurnTime = 8192;  ///< milliseconds
-  /// Lets the motion stand, or go on.
+  /// Pauses the motion, or continues it.
   void hold(bool held) { held_ = held; }
   /// Sets the motion to a time, in milliseconds from its beginning.
   void seek(std::uint32_t time) { time_ = time % period(); }
-  /// Milliseconds from the motion's beginning, less than it takes.
+  /// Returns the milliseconds since the beginning of the motion, less than period().
   std::uint32_t time() const { return time_; }
-  /// Milliseconds that the motion of what is open takes, at least 1.
+  /// Returns the duration of the open scene's motion in milliseconds, at least 1.
   std::uint32_t period() const;
 
-  /// Takes the camera around the point of its axis that is closest to the world's y axis: to the right, and up. 65536
-  /// is a full turn; 0, 0 is where it was baked.
+  /// Moves the camera around the point of its axis that is closest to the world's y axis: to the right, and up. 65536
+  /// is a full turn; 0, 0 is the baked position.
   void orbit(Angle right, Angle up) { right_ = right, up_ = up; }
-  /// Enlarges the picture by its focal length. 100 is as baked.
+  /// Enlarges the picture by its focal length. 100 is the baked size.
   void zoom(std::uint16_t percent) { zoom_ = percent; }
 
-  /// In the upper left corner, from the next frame on: the first 24 bytes of `text`, none if it is null, and the frames
-  /// that were drawn in the last second. Needs effect::overlay.
+  /// Shows text in the upper left corner, from the next frame on: the first 24 bytes of `text`, none if it is null;
+  /// with `with_rate` also the number of frames drawn in the last second. Needs effect::overlay.
   void show_text(const char* text, bool with_rate = false, const Font& font = kSmallFont);
 
-  /// 4. Draws a frame, on a display like the one that was fitted.
+  /// 4. Draws a frame on a display with the size and format that were fitted.
   template <hal::Display Panel>
   bool draw(Panel& panel) {
     if (!begin_on(panel.width(), panel.height(), static_cast<PixelFormat>(panel.format()))) return false;
@@ -100,7 +100,7 @@ class Player {
         hal::present(strips, panel, {plan_.strips, plan_.strip_rows, plan_.strip_columns}, {strip(0), strip(1)});
     return end(shown.draw, shown.display);
   }
-  /// Or hands each strip to `take(area, pixels)`, which returns false to end the frame.
+  /// Or passes each strip to `take(area, pixels)`, which returns false to end the frame.
   template <class Take>
   bool draw_strips(Take&& take) {
     if (!begin()) return false;
@@ -115,17 +115,17 @@ class Player {
     return end({}, {});
   }
 
-  /// What was wrong with the last call that returned a bool, in words, until error() is called again; "" if nothing
-  /// was. All words take 7 KB of flash, where this is called.
+  /// Returns a message about the fault of the last call that returned a bool, valid until error() is called again; ""
+  /// if there was none. A program that calls this function links all messages, 7 KB of flash.
   const char* error();
 
-  /// Of the picture that was fitted last.
+  /// Returns the view that was fitted last.
   const View& view() const { return view_; }
-  /// Of the picture that was fitted last.
+  /// Returns the plan that was fitted last.
   const Plan& plan() const { return plan_; }
 
  protected:
-  /// Faults of the last call; the C functions add faults of their own. error() has the words.
+  /// Faults of the last call; the C functions add their own. error() has the messages.
   enum class Fault : std::uint8_t {
     none,
     null_scene,
@@ -145,7 +145,7 @@ class Player {
     display,
     not_taken,
   };
-  /// Keeps what was wrong for error(), and returns false.
+  /// Stores the fault for error(), and returns false.
   bool fail(Fault fault, const Status& status = {});
 
  private:
@@ -175,8 +175,8 @@ class Player {
   std::span<std::byte> memory_;
   ChoosePipeline choose_;
   std::size_t used_ = 0;       ///< of memory_, from its start
-  std::size_t used_open_ = 0;  ///< likewise, by what is open
-  SceneBlob baked_{};          ///< what is open
+  std::size_t used_open_ = 0;  ///< of memory_, by the open scene
+  SceneBlob baked_{};          ///< the open scene
   bool is_open_ = false, is_fitted_ = false, can_turn_ = false;
 
   DrawnWith drawn_with_{};
@@ -195,7 +195,7 @@ class Player {
   Angle right_ = 0, up_ = 0;
   std::uint16_t zoom_ = 100;
 
-  std::span<Font> fonts_{};  ///< the scene's and one more; likewise
+  std::span<Font> fonts_{};  ///< the scene's and one more; so are labels_
   std::span<Label> labels_{};
   Overlay overlay_{};
   Font font_{};

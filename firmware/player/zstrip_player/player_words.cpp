@@ -1,4 +1,4 @@
-// What a player lacks, in words.
+// The messages of Player::error().
 #include "zstrip/effects/list.hpp"
 #include "zstrip/scene/blob_sections.hpp"
 #include "zstrip_player/player.hpp"
