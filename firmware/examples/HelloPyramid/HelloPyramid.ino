@@ -1,4 +1,4 @@
-// Hello, pyramid: it turns on a panel of 240x240 pixels, ST7789, on SPI. 20 KB of RAM.
+// Hello, pyramid: a pyramid rotates on a panel of 240x240 pixels, ST7789, on SPI. 20 KB of RAM.
 #include <SPI.h>
 #include <zstrip.h>
 #include <zstrip_arduino.h>
@@ -25,7 +25,7 @@ constexpr zstrip::Scene kScene{
     .meshes = kMeshes, .materials = kMaterials, .textures = {}, .instances = kInstances, .lights = {}};
 static_assert(zstrip::validate(kScene));
 
-// The compiler plans strips that take so many bytes with their pixels.
+// The compiler plans strips that fit, with their pixels, into the bytes of kBudget.
 constexpr zstrip::View kView{240, 240, zstrip::PixelFormat::rgb565_swapped};
 constexpr zstrip::Budget kBudget{.bytes = 20 * 1024, .strip_buffers = 1};
 zstrip::FixedRenderer<kScene, kView, kBudget, zstrip::effect::unclipped> renderer;
@@ -47,7 +47,7 @@ void setup() {
 void loop() {
   static zstrip::Angle turn = 0;  // 65536 is a full one
   zstrip::Camera camera;
-  // At a distance of 4 (16.16), and seen from above: 3/16 of a turn from the pole.
+  // The camera stands at a distance of 4 (16.16) and looks from above: 3/16 of a turn from the pole.
   if (!zstrip::orbit(camera, {0, 0, 0}, 4 << 16, turn, 65536 * 3 / 16)) return;
   turn += 512;
   const zstrip::Status begun = renderer.begin_frame(camera);

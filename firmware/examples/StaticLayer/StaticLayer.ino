@@ -1,5 +1,5 @@
-// A static layer: three pyramids that stand are drawn once and kept, compressed, with their depth. Frames draw only the
-// one that moves among them, and send only what it changes. 66 KB of RAM.
+// A static layer: three pyramids that do not move are drawn once and stored, compressed, with their depth. Each frame
+// draws only the one that moves among them, and sends only the changed pixels. 66 KB of RAM.
 #include <SPI.h>
 #include <zstrip.h>
 #include <zstrip_arduino.h>
@@ -36,7 +36,7 @@ zstrip::Instance moving[]{at(0, 0, 20000)};
 constexpr zstrip::Scene kMoving{
     .meshes = kMeshes, .materials = kMaterials, .textures = {}, .instances = moving, .lights = {}};
 
-// A layer keeps pixels whose low byte comes first; they are turned round on their way to the panel.
+// A layer stores pixels with the low byte first; their bytes are swapped on the way to the panel.
 constexpr zstrip::View kView{240, 240, zstrip::PixelFormat::rgb565};
 constexpr zstrip::Effects kEffects = zstrip::effects_of(kBackground, zstrip::Camera{});
 constexpr std::uint32_t kDepthPool = 16 * 1024, kColourPool = 24 * 1024;  // zstrip plan measures what a scene takes
@@ -74,7 +74,7 @@ void setup() {
   const zstrip::hal::Error error = panel.start();
   if (error != zstrip::hal::Error::none) Serial.println(zstrip::hal::message(error));
 
-  // The same camera for both, and depths that compare between frames.
+  // Both layers use this camera, with one depth range for all frames, so that their depths can be compared.
   camera.fixed_depth_range = true;
   camera.near_plane = 2 << 16;
   camera.far_plane = 9 << 16;

@@ -1,6 +1,6 @@
-// Two buffers and DMA: while one strip is on its way to the panel, the next one is drawn. 40 KB of RAM. For boards with
-// SPI.transferAsync(), as Raspberry Pi Pico with the core of Earle Philhower; elsewhere the three calls that end in
-// Async are to be replaced by what the board's SDK has.
+// Two buffers and DMA: while one strip is being sent to the panel, the next one is drawn. 40 KB of RAM. For boards
+// with SPI.transferAsync(), as Raspberry Pi Pico with the core of Earle Philhower; for other boards replace the three
+// calls that end in Async by those of the board's SDK.
 #include <SPI.h>
 #include <zstrip.h>
 #include <zstrip_arduino.h>
@@ -26,7 +26,7 @@ constexpr zstrip::Scene kScene{
     .meshes = kMeshes, .materials = kMaterials, .textures = {}, .instances = kInstances, .lights = {}};
 static_assert(zstrip::validate(kScene));
 
-// A bus as zstrip_hal/bus.hpp describes it. Commands are short and go the usual way.
+// A bus as zstrip_hal/bus.hpp describes it. Commands are short and are sent without DMA.
 class DmaBus {
  public:
   using Error = zstrip::hal::Error;

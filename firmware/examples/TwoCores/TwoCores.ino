@@ -27,7 +27,8 @@ constexpr zstrip::Scene kScene{
 static_assert(zstrip::validate(kScene));
 
 constexpr zstrip::View kView{240, 240, zstrip::PixelFormat::rgb565_swapped};
-// Of each core, half of 60 KB: three buffers are less than twice two.
+// The budget of each core, half of 60 KB. It counts two strip buffers for each core; both cores together use only
+// three.
 constexpr zstrip::Budget kBudget{.bytes = 30 * 1024, .strip_buffers = 2};
 using Renderer = zstrip::FixedRenderer<kScene, kView, kBudget, zstrip::effect::unclipped>;
 Renderer renderer, renderer_of_second;

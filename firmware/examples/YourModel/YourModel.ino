@@ -31,7 +31,7 @@ void setup() {
 void loop() {
   static zstrip::Angle turn = 0;  // 65536 is a full one
   zstrip::Camera camera = baked::kCamera;
-  // Around the model at a distance of 4.1 of its units (16.16), from above: 1/5 of a turn from the pole.
+  // The camera stands at a distance of 4.1 units of the model (16.16), seen from above: 1/5 of a turn from the pole.
   if (!zstrip::orbit(camera, {0, 0, 0}, 65536 * 41 / 10, turn, 65536 / 5)) return;
   turn += 512;
   const zstrip::Status begun = renderer.begin_frame(camera);

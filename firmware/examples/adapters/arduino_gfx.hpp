@@ -31,7 +31,7 @@ class ArduinoGfx {
   Error write(const zstrip::hal::Area& area, std::span<const std::byte> pixels) {
     if (!contains(width(), height(), area)) return Error::area;
     if (pixels.size() < bytes_per_row(area.width, kFormat) * area.height) return Error::pixels_too_small;
-    // Not const in the library's interface, but only read.
+    // The library does not declare it const, but only reads it.
     auto* image = const_cast<std::uint16_t*>(reinterpret_cast<const std::uint16_t*>(pixels.data()));
     const auto number = [](std::uint16_t value) { return static_cast<std::int16_t>(value); };
     gfx_.draw16bitBeRGBBitmap(number(area.left), number(area.top), image, number(area.width), number(area.height));

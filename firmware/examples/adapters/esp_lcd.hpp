@@ -31,7 +31,7 @@ class EspLcd {
   EspLcd(const EspLcd&) = delete;  // the callback has its address
   EspLcd& operator=(const EspLcd&) = delete;
 
-  /// Once, before the first frame. Takes the callback of the IO handle. Error::bus: it is refused.
+  /// Call it once, before the first frame. Registers the callback of the IO handle. Error::bus: that failed.
   Error start() {
     sent_ = xSemaphoreCreateBinaryStatic(&storage_);
     const esp_lcd_panel_io_callbacks_t callbacks{.on_color_trans_done = &has_sent};
@@ -43,7 +43,7 @@ class EspLcd {
   std::uint16_t height() const { return height_; }
   zstrip::hal::PixelFormat format() const { return kFormat; }
 
-  /// After a time-out the transfer goes on, as nothing stops it: there is no new frame before it has ended.
+  /// After a time-out the transfer continues, because it cannot be stopped: no new frame begins before it has ended.
   Error begin_frame() { return sent_ != nullptr ? wait() : Error::bus; }
   Error write(const zstrip::hal::Area& area, std::span<const std::byte> pixels) {
     if (!contains(width_, height_, area)) return Error::area;

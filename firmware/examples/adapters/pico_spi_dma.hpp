@@ -27,7 +27,7 @@ class PicoSpiDma {
   PicoSpiDma(spi_inst_t* spi, uint data_command_pin, uint select_pin)
       : spi_(spi), data_command_(data_command_pin), select_(select_pin) {}
 
-  /// Once, before the panel's start(). Error::bus: no DMA channel is free.
+  /// Call it once, before the panel's start(). Error::bus: all DMA channels are in use.
   Error start() {
     channel_ = dma_claim_unused_channel(false);
     return channel_ >= 0 ? Error::none : Error::bus;

@@ -17,7 +17,7 @@ class TftEspi {
   /// `tft` must outlive it.
   explicit TftEspi(TFT_eSPI& tft) : tft_(tft) {}
 
-  /// Once, before setRotation() and the first frame. Error::bus: there is no DMA.
+  /// Call it once, before setRotation() and the first frame. Error::bus: the library has no DMA here.
   Error start() {
     tft_.init();
     started_ = tft_.DMA_Enabled || tft_.initDMA();  // false where it is enabled already
@@ -37,7 +37,7 @@ class TftEspi {
   Error write(const zstrip::hal::Area& area, std::span<const std::byte> pixels) {
     if (!contains(width(), height(), area)) return Error::area;
     if (pixels.size() < bytes_per_row(area.width, kFormat) * area.height) return Error::pixels_too_small;
-    // Not const in the library's interface, but only read where bytes are not swapped and nothing is clipped.
+    // The library does not declare it const, but only reads it if it neither swaps bytes nor clips.
     auto* image = const_cast<std::uint16_t*>(reinterpret_cast<const std::uint16_t*>(pixels.data()));
     tft_.pushImageDMA(area.left, area.top, area.width, area.height, image);
     return Error::none;

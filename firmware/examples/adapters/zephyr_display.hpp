@@ -27,7 +27,8 @@ class ZephyrDisplay {
   ZephyrDisplay(const struct device* display, zstrip::hal::PixelFormat format)
       : display_(display), low_(format), high_(format) {}
 
-  /// Once, before the first frame. Error::bus: the device is not ready. Error::configuration: it has other pixels.
+  /// Call it once, before the first frame. Error::bus: the device is not ready. Error::configuration: it has other
+  /// pixels.
   Error start() {
     if (!device_is_ready(display_)) return Error::bus;
     display_get_capabilities(display_, &capabilities_);

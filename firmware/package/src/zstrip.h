@@ -1,4 +1,4 @@
-// What a sketch includes: everything of zstrip. Arduino finds a library by a header of this kind.
+// A sketch includes this header to get all of zstrip. Arduino finds a library by a header of this kind.
 #pragma once
 
 #include "zstrip/base/language.hpp"

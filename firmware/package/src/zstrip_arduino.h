@@ -1,4 +1,4 @@
-// The wires of a panel, made of what every Arduino core has: its SPI, its pins, its clock.
+// A panel's bus, pins and clock, made from the functions that every Arduino core has.
 #pragma once
 
 #include <Arduino.h>
@@ -37,15 +37,16 @@ struct ArduinoSpiPins {
   decltype(SPI_MODE0) mode = SPI_MODE0;  ///< SPI_MODE3 for most modules without a select pin
 };
 
-/// A panel on the controller of SPI: CommandDataBus of zstrip_hal/bus.hpp. Everything has been sent when a function
-/// returns; no core reports errors of it. Cores name the class of SPI differently.
+/// A panel on an SPI controller: CommandDataBus of zstrip_hal/bus.hpp. All bytes have been sent when a function
+/// returns; Arduino cores report no SPI errors. `Spi` is a parameter because cores name their class of SPI
+/// differently.
 template <class Spi>
 class ArduinoSpi {
  public:
   ArduinoSpi(Spi& spi, const ArduinoSpiPins& pins, std::uint32_t hertz)
       : spi_(spi), pins_(pins), settings_(hertz, MSBFIRST, pins.mode) {}
 
-  /// To be called once, before anything else.
+  /// Call it once, before any other function.
   void start() {
     pinMode(pins_.data_command, OUTPUT);
     if (pins_.select >= 0) {
@@ -71,7 +72,7 @@ class ArduinoSpi {
   }
 
 #ifdef ARDUINO_ARCH_RP2040
-  /// SoftwareSPI, a bus by PIO, has no transferAsync() and writes what it receives even where there is no place for it.
+  /// SoftwareSPI, a bus by PIO, has no transferAsync(), and writes received bytes even if it gets no buffer for them.
   static constexpr bool kDiscards = requires(Spi & spi) { spi.finishedAsync(); };
 #else
   static constexpr bool kDiscards = true;
