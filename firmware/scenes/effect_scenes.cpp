@@ -68,7 +68,7 @@ consteval std::uint16_t mixed(const Colour& from, const Colour& to, std::int32_t
                                     channel(from.b, to.b) >> 3);
 }
 
-/// What a ball of radius 31 mirrors of a sky that is blue overhead and of a floor that is dark far away.
+/// The reflection on a ball of radius 31, under a sky that is blue overhead, above a floor that is dark far away.
 consteval std::array<std::uint16_t, 1024> environment_map() {
   std::array<std::uint16_t, 1024> result{};
   for (std::int32_t i = 0; i < 1024; ++i) {

@@ -6,7 +6,7 @@
 namespace zstrip::scenes {
 namespace {
 
-/// Of a wall; in the order of kBoxFaces.
+/// Number of tiles on a wall; in the order of kBoxFaces.
 struct Tiles {
   int across, up;
 };

@@ -22,7 +22,7 @@ constexpr BuiltIn kBuiltIn[] = {
     triangle, cube, room,      spheres,  random50,      teapot,        teapot_meshlets, wires,
     terrain,  knot, knot_flat, knot_lit, knot_meshlets, knot_textured, random10k,       random10k_meshlets};
 
-/// What bends has its own RAM, one for all: not a scene of the turntable and of scene files.
+/// Deformable scenes share one buffer in RAM, so the turntable and scene files leave them out.
 constexpr BuiltIn kBending[] = {character};
 
 constexpr bool all_fit_staged() {

@@ -1,4 +1,4 @@
-// Where the teapot is.
+// The position of the teapot.
 #include "zstrip_scenes/showroom.hpp"
 
 #include "zstrip/base/math.hpp"

@@ -14,7 +14,7 @@
 
 namespace zstrip::scenes {
 
-/// As it is at frame 0, and what moves it: the animation, or without tracks the turn.
+/// A scene at frame 0, and its motion: the animation, or the turn if there are no tracks.
 struct AtRest {
   Scene scene;
   Camera camera;
@@ -22,10 +22,10 @@ struct AtRest {
   Turn turn{};
 };
 
-/// What must lie in RAM: nothing else moves.
+/// The data that must lie in RAM. Everything else stays constant.
 struct MovedParts {
   std::span<Instance> instances;  ///< as many as the scene has
-  std::span<LineSet> lines{};     ///< likewise, where turns_lines
+  std::span<LineSet> lines{};     ///< as many as the scene has, if turns_lines
 };
 
 /// One frame, ready for begin_frame.
@@ -38,7 +38,7 @@ constexpr bool turns_lines(const Animation& animation, const Turn& turn) {
   return animation.tracks.empty() && turn.what == Turning::instances_and_lines;
 }
 
-/// Whether all that turns is near enough for it. An animation needs no such room.
+/// True if all rotated parts are near enough to the origin to rotate. An animation has no such limit.
 inline bool can_turn(const AtRest& baked) {
   if (!baked.animation.tracks.empty() || baked.turn.what == Turning::nothing) return true;
   if (baked.turn.what == Turning::camera) return can_turn(baked.camera);
@@ -47,8 +47,8 @@ inline bool can_turn(const AtRest& baked) {
          (!turns_lines(baked.animation, baked.turn) || std::ranges::all_of(baked.scene.lines, can));
 }
 
-/// Frame `frame` of `frames` (> 0) that show the animation once, or a full turn, which the scene can do unless it is
-/// frame 0. The scene reads `parts`.
+/// Frame `frame` of `frames` (> 0) that show the animation once, or else a full turn, for which can_turn() must be
+/// true unless it is frame 0. The scene reads `parts`.
 inline BakedFrame stage(const AtRest& baked, std::uint32_t frame, std::uint32_t frames, const MovedParts& parts) {
   BakedFrame staged{baked.scene, baked.camera};
   const auto lend_instances = [&] {

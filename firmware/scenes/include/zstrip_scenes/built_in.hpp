@@ -1,4 +1,4 @@
-// What a scene that compiles into flash consists of.
+// A scene that compiles into flash, with its camera and its counts.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace zstrip::scenes {
 
-/// Most instances of a built-in scene: what Staged has room for.
+/// Most instances of a built-in scene: the capacity of Staged.
 inline constexpr std::uint32_t kMaxInstances = 4;
 
-/// What turns in front of what on the turntable.
+/// The part that rotates on the turntable.
 enum class Turns : std::uint8_t {
-  model,   ///< the instances turn about the world's y axis; camera and lights stand still
+  model,   ///< the instances rotate about the world's y axis; camera and lights stand still
   camera,  ///< the camera goes around the world's y axis: for scenes that are looked at from inside
 };
 
@@ -25,7 +25,7 @@ struct BuiltIn {
   const char* description;  ///< one phrase, without a full stop
   /// At rest, as at frame 0 of the turntable. constexpr, so that effects_of(scene, camera) is a constant.
   Scene scene;
-  /// What the planner needs; equals count(scene), but is constexpr also where meshlet tables are not visible.
+  /// Input of the planner. Equals count(scene), but is constexpr also where meshlet tables are not visible.
   SceneCounts counts;
   /// The turntable's camera, its focal length fitted to the height of the picture.
   Camera camera;
@@ -34,8 +34,8 @@ struct BuiltIn {
   Turns turns = Turns::model;
   /// 16.16. The workload's camera stands at (0, 0, workload_distance).
   Fixed workload_distance = 3 * kFixedOne;
-  /// Writes what the scene reads in RAM as it is in this frame, which is part of drawing it; null: all of it is in
-  /// flash. The workload is this motion then, seen by `camera`. Until the first call the scene is at rest.
+  /// Writes the scene's data in RAM for this frame, which is part of drawing it; null: all data is in flash. The
+  /// workload then shows this motion through `camera`. Until the first call the scene is at rest.
   Status (*pose)(std::uint32_t frame) = nullptr;
   std::uint32_t pose_bytes = 0;  ///< of that RAM
 };

@@ -54,7 +54,7 @@ inline constexpr Skin kCharacterSkin{.mesh = &kCharacterBindMesh[0],
 inline constexpr Animation kCharacterWalk{
     .tracks = kCharacterTracks, .keyframes = kCharacterKeyframes, .duration = kCharacterStride};
 
-/// What moves, in RAM: the joints, and vertices of one meshlet at a time.
+/// The moving data, in RAM: the joints, and vertices of one meshlet at a time.
 struct CharacterInRam {
   std::array<JointPose, kCharacterJoints> joints;
   std::array<Transform, kCharacterJoints> matrices;

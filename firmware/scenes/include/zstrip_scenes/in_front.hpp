@@ -1,5 +1,5 @@
-// Whether a built-in scene stays in front of the camera at every angle of the turntable: then its frames need no
-// clipping. For the compiler: of what it computes in floating point nothing reaches a target.
+// Tells if a built-in scene stays in front of the camera at every angle of the turntable, so that its frames need no
+// clipping. Only the compiler runs this code: no floating point reaches a target.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace zstrip::scenes {
 
-/// The square of the radius of the ball around the world's origin that holds the boxes of all instances. A turn does
-/// not leave it.
+/// Returns the squared radius of the ball around the world's origin that holds the boxes of all instances. Rotation
+/// about the y axis keeps every instance inside.
 constexpr double squared_radius(const Scene& scene) {
   double largest = 0;
   for (const Instance& instance : scene.instances) {
@@ -33,7 +33,7 @@ constexpr double squared_radius(const Scene& scene) {
   return largest;
 }
 
-/// The largest ball around the world's origin of which a renderer with effect::unclipped takes all that is in it.
+/// Returns the radius of the largest ball around the world's origin that a renderer with effect::unclipped can draw.
 constexpr double radius_in_front(const Camera& camera, const View& view) {
   constexpr double kPixels = 1000;                  // from the picture's centre
   constexpr double kTimes = 32;                     // that the far side is as far away as the near one
@@ -55,8 +55,8 @@ constexpr double radius_in_front(const Camera& camera, const View& view) {
   return std::min({of_near, of_far, of_times, of_pixels});
 }
 
-/// True: a renderer with effect::unclipped draws all frames that stage() makes for this picture, for which it may take
-/// a shorter focal length. The ball around the scene has a tenth of its radius as room. False says nothing.
+/// True if a renderer with effect::unclipped can draw all frames that stage() makes for this picture; stage() may use
+/// a shorter focal length. The test adds a tenth to the ball's radius. False does not prove that clipping is needed.
 constexpr bool stays_in_front(const BuiltIn& built_in, const View& view) {
   constexpr double kRoom = 1.1;
   const double largest = radius_in_front(built_in.camera, view);

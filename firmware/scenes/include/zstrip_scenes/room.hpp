@@ -31,7 +31,7 @@ inline constexpr Material kRoomMaterials[] = {{.texture = 0, .lit = true, .smoot
                                               {.colour = {225, 105, 70, 255}, .lit = true, .smooth = false},
                                               {.colour = {80, 150, 220, 255}, .lit = true, .smooth = false}};
 
-/// A cube of half side `size` that stands on the floor at (x, z), turned by `degrees`.
+/// A cube of half side `size` that stands on the floor at (x, z), rotated by `degrees`.
 consteval Instance box(std::uint16_t material, double size, double x, double z, double degrees) {
   const double angle = degrees * compile_time::kPi / 180;
   const Fixed cosine = fixed(size * compile_time::cosine(angle)), sine = fixed(size * compile_time::sine(angle));

@@ -30,7 +30,7 @@ inline constexpr std::uint16_t kShowroomTeapotMesh = 2, kShowroomTeapotMaterial 
 /// `frame` of a flight around the boxes in `frames` frames, any number.
 Instance showroom_teapot(std::uint32_t frame, std::uint32_t frames);
 
-/// What moves, or with all instances everything; `instances` must stay alive.
+/// Returns a scene of these instances: the moving one, or all of them. `instances` must stay alive.
 constexpr Scene showroom_scene(std::span<const Instance> instances) {
   return {.meshes = kShowroomMeshes,
           .materials = kShowroomMaterials,
@@ -40,7 +40,7 @@ constexpr Scene showroom_scene(std::span<const Instance> instances) {
           .ambient = kRoomScene.ambient};
 }
 
-/// Of the teapot alone.
+/// Counts of the teapot alone.
 inline constexpr SceneCounts kShowroomTeapotCounts = teapot_meshlets.counts;
 
 }  // namespace zstrip::scenes

@@ -25,7 +25,7 @@ inline constexpr Instance kSpheresInstances[] = {
      .transform = {{{fixed(0.45), 0, fixed(0.35), fixed(-0.75)},
                     {0, fixed(0.55), 0, fixed(-0.45)},
                     {fixed(-0.35), 0, fixed(0.45), fixed(0.25)}}}}};
-/// The ellipsoid is turned by 30 degrees about z.
+/// The ellipsoid is rotated by 30 degrees about z.
 inline constexpr Quadric kSpheresQuadrics[] = {
     {.material = 2,
      .transform = {{{fixed(0.75), 0, 0, fixed(-1.1)}, {0, fixed(0.75), 0, fixed(-0.25)}, {0, 0, fixed(0.75), 0}}}},

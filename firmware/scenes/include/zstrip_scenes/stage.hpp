@@ -47,25 +47,26 @@ void stage(const BuiltIn& built_in, Staged& staged, std::uint32_t frame, std::ui
 
 inline constexpr Fixed kFarthestTurned = 1 << 30;  // 16.16
 
-/// `at_rest` turned about the world's y axis: frame `frame` of one full turn in `frames` frames (0 counts as 1), any
-/// frame number. The turntable's motion, for scenes of one's own. Translations within kFarthestTurned of the origin.
+/// Rotates `at_rest` about the world's y axis: frame `frame` of one full turn in `frames` frames (0 counts as 1), any
+/// frame number. It is the turntable's motion, for scenes of your own. Translations within kFarthestTurned of the
+/// origin.
 Transform turned(const Transform& at_rest, std::uint32_t frame, std::uint32_t frames);
 
-/// The camera taken about the world's y axis in the same way, around what stands still; eye within kFarthestTurned.
+/// Rotates the camera about the world's y axis in the same way, around a fixed scene; eye within kFarthestTurned.
 Camera turned(const Camera& at_rest, std::uint32_t frame, std::uint32_t frames);
 
-/// Whether every translation of `transform` is within kFarthestTurned.
+/// True if every translation of `transform` is within kFarthestTurned.
 bool can_turn(const Transform& transform);
-/// Likewise of the eye.
+/// True if the camera's eye is within kFarthestTurned.
 bool can_turn(const Camera& camera);
 
 /// The camera of a scene that was baked for the picture `own`, for another picture: where `view` is narrower it shows
 /// as much from side to side. Rounds the focal length down.
 Camera fit_width(const Camera& camera, const View& own, const View& view);
 
-/// The motion of the benchmarks: vertical field of view 60 degrees, near 0.1, far 100, camera on +z looking at
-/// -z, the model turned by a about y, then by a/2 about x, with a = 0.1 radians a frame. Angles are kept in 0.32
-/// turns and wrap: any frame number. A scene with BuiltIn::pose stands still, in front of its own camera.
+/// The motion of the benchmarks: vertical field of view 60 degrees, near 0.1, far 100, camera on +z looking at -z, the
+/// model rotated by a about y, then by a/2 about x, with a = 0.1 radians a frame. Angles are kept in 0.32 turns and
+/// wrap: any frame number. A scene with BuiltIn::pose stands still, in front of its own camera.
 void stage_workload(const BuiltIn& built_in, Staged& staged, std::uint32_t frame);
 
 }  // namespace zstrip::scenes
