@@ -25,8 +25,8 @@ class AnyDisplay {
   virtual hal::Error write(const hal::Area& area, std::span<const std::byte> pixels) = 0;
   virtual hal::Error wait() = 0;
   virtual hal::Error end_frame() = 0;
-  /// Whether the display's user has closed it, to be asked some times a second while the display lives. None: no user
-  /// can.
+  /// Returns a function that is true if the user has closed the display; call it some times a second while the display
+  /// lives. Empty if a user cannot close it.
   virtual std::function<bool()> is_closed() { return {}; }
 };
 

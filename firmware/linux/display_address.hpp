@@ -1,4 +1,4 @@
-// What a user writes to name a display: KIND:KEY=VALUE,..., with the device first for those that are one file.
+// The text with which a user names a display: KIND:KEY=VALUE,..., with the device first if the display is one file.
 //   fbdev:/dev/fb0,size=640x480
 //   drm:/dev/dri/card0,connector=HDMI-A-1
 //   sdl:640x480@2, which is sdl,size=640x480,scale=2, and sdl:@2

@@ -1,4 +1,4 @@
-// What zstrip-panel ends with; documented in docs/linux.md, the same numbers as the host command's.
+// Exit statuses of zstrip-panel, documented in docs/linux.md. The host command uses the same numbers.
 #pragma once
 
 #include <string>

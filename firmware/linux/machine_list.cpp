@@ -1,4 +1,4 @@
-// What the machine has that pictures could be shown on.
+// Lists the devices of the machine that can show pictures.
 #include "machine_list.hpp"
 
 #include <linux/fb.h>

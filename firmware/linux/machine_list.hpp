@@ -1,4 +1,4 @@
-// What the machine has that pictures could be shown on.
+// Lists the devices of the machine that can show pictures.
 #pragma once
 
 #include <string>

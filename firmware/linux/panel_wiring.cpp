@@ -25,7 +25,7 @@ Outcome<Pin> open_pin(const char* key, const std::optional<std::string>& name, L
   return pin;
 }
 
-/// Of 7 bits, those that devices may have; decimal, or hexadecimal as 0x3c.
+/// Parses an address of 7 bits that devices may have; decimal, or hexadecimal as 0x3c.
 std::optional<std::uint8_t> i2c_address(std::string_view text) {
   const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
   if (hexadecimal) text.remove_prefix(2);

@@ -24,7 +24,7 @@ struct PanelWiring {
   std::optional<std::uint32_t> hertz;  ///< of spidev
   std::uint8_t address = 0x3C;         ///< on I2C
 
-  /// Whether a panel's answers have a wire. That of spidev is the controller's.
+  /// True if a wire carries the panel's answers. On spidev the controller has one.
   bool can_read() const { return spidev || miso; }
 };
 

@@ -17,7 +17,7 @@ struct PlayOptions {
   double frames_per_second = 0;       ///< at most; 0: as many as the display takes
 };
 
-/// What was shown.
+/// The result of play().
 struct Played {
   std::uint32_t frames = 0;
   double seconds = 0;

@@ -1,4 +1,4 @@
-// A baked scene (.zsc) read from a file, animated or turning.
+// A baked scene (.zsc) read from a file, with its animation or rotation.
 #pragma once
 
 #include <cstddef>
@@ -22,17 +22,17 @@ class SceneFile {
   SceneFile(SceneFile&&) = default;
 
   const Scene& scene() const { return blob_.scene; }
-  /// Of the picture that it was baked for.
+  /// Returns the size of the picture that the scene was baked for.
   hal::ScreenSize size() const { return {blob_.view.width, blob_.view.height}; }
-  /// Whether the picture was baked to be dithered, and with how many samples a pixel.
+  /// True if the picture was baked to be dithered. samples(): the number of samples a pixel that it was baked with.
   bool dithers() const { return blob_.view.dither; }
   std::uint8_t samples() const { return blob_.view.samples; }
-  /// What the picture was baked for beside that: one of kPictureEffects.
+  /// Returns the other effect of the baked picture: one of kPictureEffects.
   Effects effects() const { return blob_.effects; }
   /// The blob's camera for `frames` frames; in a picture narrower than the blob's own it shows as much from side to
   /// side.
   Camera camera(const View& view, std::uint32_t frames) const;
-  /// Whether the scene can make a turn: nothing that moves for it is too far away.
+  /// True if the scene can make a full turn: all rotated parts are near enough to the origin.
   bool can_turn(const Camera& camera) const;
   /// Frame `frame` of `frames` that show the animation once, or else a full turn; `camera` as above. Valid until the
   /// next call, and as long as this object lives.

@@ -22,7 +22,7 @@ class StopSignals {
   void watch(std::function<bool()> ended) { ended_ = std::move(ended); }
   static constexpr std::chrono::milliseconds kWatchEvery{15};
 
-  /// Whether one has arrived.
+  /// True if a signal has arrived.
   bool arrived() { return arrived_before(Clock::now()); }
   /// Returns true as soon as one has arrived, false at `deadline`.
   bool arrived_before(Clock::time_point deadline);

@@ -17,8 +17,8 @@ extern "C" std::byte __heap_base;  // the linker's: where memory is free from
 
 namespace zstrip {
 
-/// Of the faster pipelines for scenes with few effects none: those for all effects draw the same, and a page has to
-/// load less.
+/// Leaves out the faster pipelines for scenes with few effects: the pipelines for all effects draw the same pixels,
+/// and a page has less to load.
 std::span<const detail::PipelineRow> detail::rows_of_triangles() { return {}; }
 
 namespace {
@@ -62,7 +62,7 @@ std::span<std::uint8_t> picture;  // red, green, blue, alpha
 AnyRenderer* renderer = nullptr;
 alignas(AnyRenderer) std::byte renderer_memory[sizeof(AnyRenderer)];
 
-/// Of RGB565, as panels show it.
+/// Converts a pixel of RGB565, as panels show it.
 void put_pixel(std::uint8_t* to, unsigned pixel) {
   const unsigned red = pixel >> 11, green = pixel >> 5 & 63U, blue = pixel & 31U;
   to[0] = static_cast<std::uint8_t>(red << 3 | red >> 2);

@@ -3,7 +3,7 @@
 //     const scene = await zstrip.open(bytes, { width: 240, height: 240, frames: 60 });
 //     context.putImageData(new ImageData(scene.draw(0), scene.width, scene.height), 0, 0);
 
-// What WebAssembly.compile takes: beside this file, fetched by pages and read by Node.js.
+// The bytes of zstrip.wasm, for WebAssembly.compile. The file lies next to this one; pages fetch it, Node.js reads it.
 const bytesOfModule = async () => {
   const place = new URL('zstrip.wasm', import.meta.url);
   if (place.protocol === 'file:') return (await import('node:fs/promises')).readFile(place);
