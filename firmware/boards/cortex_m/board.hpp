@@ -1,4 +1,4 @@
-// What the common start-up code needs of a board; each board defines these functions.
+// Functions of a board that the common start-up code calls; each board defines them.
 #pragma once
 
 namespace zstrip::board {

@@ -13,7 +13,7 @@ constexpr int kFaultStatus = 70;
 enum : std::uint32_t { kReturnAddress = 9, kReturnWords };
 constexpr std::uint32_t kThumb = 1;  // of an address in lr, not of one in a frame
 
-/// Whether an exception's frame lies in the stack, above its guard, and no limit of the stack was met.
+/// True if an exception's frame lies in the stack, above its guard, and the stack limit was not reached.
 bool has_frame(const std::uint32_t* stacked) {
   using namespace zstrip::board;
 #if __ARM_ARCH_8M_MAIN__ || __ARM_ARCH_8_1M_MAIN__

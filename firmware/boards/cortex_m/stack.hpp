@@ -22,7 +22,7 @@ inline constexpr std::uint32_t kStackPaint = 0xDEADBEEF;
   for (volatile std::uint32_t* word = stack_bottom; word != end; ++word) *word = kStackPaint;
 }
 
-/// What the guard takes of the stack, at its bottom.
+/// Size of the guard, at the bottom of the stack.
 inline constexpr std::uint32_t kStackGuardBytes = 256;
 
 /// Makes the bottom of the stack read-only with the memory protection unit, where the processor has one: a write there

@@ -15,7 +15,7 @@ constexpr std::uint32_t kMaxCycles = 1U << 24;
 constexpr std::uint32_t kInterruptControl = 0xE000ED04;
 constexpr std::uint32_t kTickPending = 1U << 26, kClearTick = 1U << 25;
 
-/// What came before does not count.
+/// Starts to count `cycles`, and clears a tick that is pending.
 void count_from_now(std::uint32_t cycles) {
   asm volatile("cpsid i" ::: "memory");
   register_at(kControl) = 0;

@@ -37,7 +37,7 @@ static_assert(kBackground.status && kMoving.status);
 
 constexpr std::uint32_t kCells = 16 * 64;  // of the largest rectangle that is drawn at once
 
-// Both layers' plans have the arena in turn.
+// The plans of both layers share the arena, one after the other.
 alignas(kArenaAlignment) std::array<std::byte, std::max(kBackground.plan.bytes(), kMoving.plan.bytes())> arena;
 alignas(4) std::array<std::byte, kBackground.plan.strip_pixel_bytes(kView)> strip_pixels;
 alignas(4) std::array<std::byte, kLayer.depth> depth_pool;

@@ -1,4 +1,4 @@
-// A scene of one's own animated or turning on the board's OLED: ZSTRIP_SCENE names its header.
+// Your own scene on the board's OLED, with its animation or rotation: ZSTRIP_SCENE names its header.
 #include "lm3s6965evb/show.hpp"
 #include "portable/baked_motion.hpp"
 

@@ -1,8 +1,8 @@
-// What becomes of a board whose bus gets stuck or whose program faults, for tests. The teapot, whose bus does amid a
-// frame what the console's byte selects: 't', its controller is off for one transfer; 'd', from then on; 'h', it never
-// returns; 'f', it faults; 'o', it takes more stack than there is; 'g', it faults and never returns afterwards; 's', it
-// faults, and again when the panic is to be shown. What can must end in a panic that shows, everything in a reset by
-// the watchdog, and the program reads the next byte.
+// Shows for tests how a board handles a stuck bus or a fault of its program. The program draws the teapot. Within a
+// frame its bus does what the console's byte selects: 't', the controller is off for one transfer; 'd', it stays off;
+// 'h', the bus never returns; 'f', it faults; 'o', it takes more stack than there is; 'g', it faults and never returns
+// afterwards; 's', it faults, and again while the panic is shown. Every case that can must end in a panic on the
+// panel. Every case must end in a reset by the watchdog, after which the program reads the next byte.
 #include "cortex_m/registers.hpp"
 #include "lm3s6965evb/chip.hpp"
 #include "lm3s6965evb/show.hpp"

@@ -1,4 +1,4 @@
-// The Utah teapot turning on the board's OLED.
+// The Utah teapot rotates on the board's OLED.
 #include "zstrip_scenes/teapot.hpp"
 #include "lm3s6965evb/show.hpp"
 #include "portable/turntable_motion.hpp"

@@ -10,7 +10,7 @@ namespace zstrip::bench {
 
 struct Arguments {
   std::string_view workload = "K5";  ///< a part of the text that was parsed
-  std::string_view depth = "z16";    ///< likewise
+  std::string_view depth = "z16";    ///< a part of the text that was parsed
   std::uint16_t width = 320;
   std::uint16_t height = 240;
   std::uint16_t rows = 0;              ///< of a strip; 0: the planner decides

@@ -1,5 +1,5 @@
-// What depth costs: R50, nearly all of it flat fragments, with each way to keep depth. A program of its own, so that
-// the benchmark's functions are compiled as they are in firmware, which has one pipeline.
+// Measures the cost of depth: R50, nearly all of it flat fragments, with each way to store depth. It is a separate
+// program, so that its functions are compiled as in firmware, which has one pipeline.
 #include "mps2/bench_run.hpp"
 #include "zstrip_scenes/random.hpp"
 

@@ -1,8 +1,8 @@
-// What the benchmark programs share: a program lists its workloads and calls run_bench. Runs frames of the workload
-// that the words of the command line choose and prints, as one line of JSON, how many instructions each took and a
-// checksum of its pixels. Posing what moves in RAM, begin of the frame, clearing, drawing and resolving are counted;
-// preparing the scene, the checksum and the printing are not. Exit status: 0 done, 2 the words are wrong, 5 too little
-// memory, 1 anything else.
+// The common part of the benchmark programs: a program lists its workloads and calls run_bench. It runs frames of the
+// workload that the words of the command line choose and prints, as one line of JSON, how many instructions each took
+// and a checksum of its pixels. Counted are: posing the moving data in RAM, begin of the frame, clearing, drawing and
+// resolving; preparing the scene, the checksum and the printing are not. Exit status: 0 done, 2 the words are wrong, 5
+// too little memory, 1 anything else.
 #pragma once
 
 #include <array>
@@ -61,7 +61,8 @@ struct FrameResult {
   std::uint32_t crc32 = 0;
 };
 
-/// Which strip is drawn after `drawn` others, where two cores take turns: those of the first one, then the others.
+/// Returns the strip that is drawn after `drawn` others if two cores alternate: first those of the first core, then
+/// the rest.
 constexpr std::uint16_t strip_in_turns(std::uint16_t drawn, std::uint16_t strips) {
   const int first = (strips + 1) / 2;
   return static_cast<std::uint16_t>(drawn < first ? 2 * drawn : 2 * (drawn - first) + 1);

@@ -1,5 +1,6 @@
-// What the visibility methods cost: a closed mesh of small triangles, texels that fill the picture, a room, and things
-// one behind another, each with the plain z-buffer and with the methods. The word `depth` names the method.
+// Measures the cost of the visibility methods: a closed mesh of small triangles, texels that fill the picture, a room,
+// and objects one behind another, each with the plain z-buffer and with the methods. The word `depth` names the
+// method.
 #include "mps2/bench_run.hpp"
 #include "zstrip/visibility.hpp"
 #include "zstrip_scenes/cube.hpp"

@@ -16,8 +16,8 @@ inline constexpr std::uint32_t kInstructionsPerTick = 50;
 inline constexpr std::uint32_t kInstructionsPerTick = 40;
 #endif
 
-/// Starts the timer. False if a loop of known length does not take the ticks that it must (1 in 10,000 allowed):
-/// then this is no such emulator, or it does not count instructions.
+/// Starts the timer. Returns false if a loop of known length does not take the expected ticks (1 in 10,000 allowed):
+/// the emulator is another one, or it does not count instructions.
 bool start_instruction_counter();
 
 /// Sums up the ticks of the regions between resume() and pause(). What an empty region takes is measured on
@@ -28,7 +28,7 @@ class InstructionCounter {
   InstructionCounter();
   void resume();
   void pause();
-  /// Of all regions so far.
+  /// Returns the instructions of all regions so far.
   std::uint64_t instructions() const;
   void reset();
 

@@ -113,7 +113,7 @@ int come_back() {
 }
 
 #ifdef __ARM_FP
-/// Whether an FP instruction changes what lies below the caller's stack frame.
+/// True if an FP instruction changes the memory below the caller's stack frame.
 [[gnu::noinline]] bool fp_writes_to_stack() {
   constexpr std::uint32_t kPaint = 0x5AA55AA5;
   volatile std::uint32_t words[96];  // more than the frames of read_nowhere() and of a fault in it

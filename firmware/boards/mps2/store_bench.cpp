@@ -67,7 +67,7 @@ struct Measured {
   std::uint32_t tiles = 0, cells = 0, bytes = 0;
   std::uint64_t encoding = 0, decoding = 0;  ///< instructions, kRepeats times
 };
-/// Of records that speak of all cells, and of those with a cover.
+/// Results of each kind: for records that describe all cells, and for records with a cover.
 using Results = std::array<std::array<Measured, 2>, kKinds>;
 
 void measure_tile(const zstrip::detail::TileCodec& codec, const zstrip::TileView<const std::uint16_t>& tile,

@@ -1,4 +1,4 @@
-// What is wired where on the Netduino Plus 2, by the names on its headers. Source: the board's schematic.
+// Wiring of the Netduino Plus 2, by the names on its headers. Source: the board's schematic.
 #pragma once
 
 #include "stm32/f4.hpp"

@@ -94,7 +94,7 @@ constexpr std::uint32_t kCommandFirst = kAddressAndMode | 2U << 8 | 1;
 constexpr unsigned kReadByFour = 0xEB, kReadOn = 0xA0;  // the mode: the next read has no command
 constexpr std::uint32_t kNoCommand = kAddressAndMode | std::uint32_t{kReadOn} << 24 | 2;
 
-// Of the flash.
+// Commands and status bits of the flash.
 constexpr unsigned kWriteStatus = 0x01, kReadStatus1 = 0x05, kReadStatus2 = 0x35, kEnableWrite = 0x06;
 constexpr unsigned kWriting = 1, kFourLines = 2;  // bits of status 1 and 2
 

@@ -1,5 +1,5 @@
-// What lies where in the flash of a Pico or Pico 2 when a baked scene is beside the program that shows it, and what
-// that program has for it. Of the program, of `zstrip bake` and of what makes .uf2 files.
+// Flash addresses of a Pico or Pico 2 for a baked scene and the program that shows it, and the limits of that program.
+// The program, `zstrip bake` and the tools that make .uf2 files share this header.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +15,15 @@ inline constexpr std::uint32_t kSector = 4096;  // which is erased at once
 inline constexpr std::uint32_t kScene = kFlash + (1 << 20);
 static_assert((kScene - kFlash) % kSector == 0);
 
-/// Of the panel, which the scene is baked for.
+/// Side of the panel that the scene is baked for, in pixels.
 inline constexpr std::uint16_t kPanelSide = 240;
 
-/// Of a strip, where a plan with them fits: three strips, so that the bus has little to do before the first one is
-/// drawn and after the last one. More of them make scenes of many triangles slower.
+/// Rows of a strip, if a plan with so many fits: three strips, so that the bus has little to send before the first one
+/// is drawn and after the last one. More strips make scenes of many triangles slower.
 inline constexpr std::uint16_t kStripRows = 80;
 
-/// What `zstrip bake` knows by that a program reads scenes of this version from this place; part of what the program
-/// shows where there is no scene.
+/// `zstrip bake` finds this text in a program that reads scenes of this version from this address. It is part of the
+/// message that the program shows if there is no scene.
 #define ZSTRIP_PICO_READS "scene of version 5 at 10100000"
 inline constexpr char kReads[] = ZSTRIP_PICO_READS;
 static_assert(kScene == 0x10100000);
@@ -63,7 +63,7 @@ constexpr Board with_hot_code(Board board, const char* name, const char* player,
 }
 inline constexpr Board kPicoHot =
     with_hot_code(kPico, "pico_hot", "zstrip_pico_player_hot", 28 * 1024, ZSTRIP_PICO_NO_SCENE(" --board pico_hot"));
-/// Of the RP2350 its Arm processors, secure.
+/// The board with the RP2350's Arm processors, secure.
 inline constexpr Board kPico2{.name = "pico2",
                               .called = "Pico 2",
                               .chip = "RP2350",

@@ -101,7 +101,7 @@ Error PanelBus::write_data(std::span<const std::byte> bytes) {
   register_at(kDmaRead) = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(bytes.data()));
   register_at(kDmaWrite) = kSpi0 + kSpiData;
   register_at(kDmaCount) = static_cast<std::uint32_t>(bytes.size());
-  // What was drawn must be in the memory before the channel reads it. It chains to itself, which is: to none.
+  // The drawn pixels must be in the memory before the channel reads it. The channel chains to itself: no chaining.
   asm volatile("dsb" ::: "memory");
   register_at(kDmaControl) =
       kDmaFaults | kDmaAtSpi0Pace | kDmaIncrementRead | kDmaEnable;  // faults are cleared by ones

@@ -1,4 +1,4 @@
-// What is wired where on the Raspberry Pi Pico and Pico 2, by the numbers GPn on their pinouts.
+// Wiring of the Raspberry Pi Pico and Pico 2, by the numbers GPn on their pinouts.
 #pragma once
 
 #include "pico/chip.hpp"

@@ -61,7 +61,7 @@ inline constexpr std::uint32_t kDmaAtSpi0Pace = 16U << 15;  // DREQ_SPI0_TX, 2.5
 inline constexpr std::uint32_t kDmaBusy = 1U << 24, kDmaFaults = 3U << 29;
 inline constexpr std::uint32_t kDmaAbort = 0x50000444;
 
-/// Of the processor and the peripherals.
+/// Clock of the processor and the peripherals.
 constexpr std::uint32_t hertz() { return 125'000'000; }
 
 constexpr const pico::Board& board() { return pico::kPico; }
@@ -73,14 +73,14 @@ constexpr std::uint32_t watchdog_counts_per_second() { return 2'000'000; }
 /// A tick each microsecond, of the crystal, for watchdog and timer.
 inline void start_ticks() { register_at(kWatchdogTick) = kTickEnable | 12; }
 
-/// Of the timer, which counts the watchdog's ticks.
+/// Does nothing: the timer counts the watchdog's ticks.
 inline void start_timer_tick() {}
 
 // Pads are connected and take input after a reset.
 inline void connect_output(unsigned) {}
 inline void connect_input(unsigned) {}
 
-/// What comes before a channel is aborted: nothing.
+/// Call it before a channel is aborted. Does nothing here.
 inline void disable_dma() {}
 
 }  // namespace zstrip::board::rp2040

@@ -1,4 +1,4 @@
-// What time it is, from the chip's timer.
+// The time from the chip's timer.
 #pragma once
 
 #include <cstdint>

@@ -31,7 +31,7 @@ const Board& board_named(const std::string& name) {
   throw std::runtime_error("no board " + name + ", but pico and pico2");
 }
 
-/// What the program headers load into flash, in whole pages; gaps are zeros.
+/// Returns the bytes that the program headers load into flash, in whole pages; gaps are zeros.
 Pages flash_pages(const std::vector<std::uint8_t>& file, std::uint32_t flash_bytes) {
   constexpr std::array<std::uint8_t, 6> kElf32LittleEndian{0x7F, 'E', 'L', 'F', 1, 1};
   if (file.size() < 52 || !std::equal(kElf32LittleEndian.begin(), kElf32LittleEndian.end(), file.begin())) {

@@ -1,6 +1,6 @@
-// What the RP2350's boot ROM looks for in the first 4 KB of the flash: that this is a program for its Cortex-M33, and
-// where the vector table lies, with stack and entry. It sets up the flash itself: there is no second boot stage.
-// Source: RP2350 data sheet, 5.9 (metadata block details).
+// The block that the RP2350's boot ROM looks for in the first 4 KB of the flash. It says that this is a program for
+// its Cortex-M33, and where the vector table lies, with stack and entry. The boot ROM sets up the flash itself,
+// without a second boot stage. Source: RP2350 data sheet, 5.9 (metadata block details).
 #include <cstdint>
 
 // Set by the linker script; only its address means something.

@@ -68,7 +68,7 @@ inline constexpr std::uint32_t kDmaAtSpi0Pace = 24U << 17;  // DREQ_SPI0_TX
 inline constexpr std::uint32_t kDmaBusy = 1U << 26, kDmaFaults = 3U << 29;
 inline constexpr std::uint32_t kDmaAbort = 0x50000464;
 
-/// Of the processor and the peripherals.
+/// Clock of the processor and the peripherals.
 constexpr std::uint32_t hertz() { return 150'000'000; }
 
 constexpr const pico::Board& board() { return pico::kPico2; }
@@ -95,7 +95,7 @@ inline void connect_input(unsigned pin) {
   register_at(pad(pin)) = kPadInput | kPad4Milliamperes | kPadPullUp | kPadSchmitt;
 }
 
-/// What comes before a channel is aborted: enabled it could start again (RP2350-E5).
+/// Call it before a channel is aborted: an enabled channel could start again (RP2350-E5).
 inline void disable_dma() { register_at(kDmaControlOnly) = register_at(kDmaControlOnly) & ~kDmaEnable; }
 
 }  // namespace zstrip::board::rp2350

@@ -1,5 +1,5 @@
-// A scene of one's own, baked by `zstrip bake`, animated or turning: one of the motions that scene_player.hpp shows.
-// ZSTRIP_SCENE names its header.
+// Your own scene, baked by `zstrip bake`, with its animation or rotation: one of the motions that scene_player.hpp
+// shows. ZSTRIP_SCENE names its header.
 #pragma once
 
 #include <array>
@@ -13,7 +13,8 @@
 #include "zstrip/renderer.hpp"
 #include "zstrip_scenes/baked_stage.hpp"
 
-/// What is found where the header has no skins: beside its namespace, because an inner one would hide it.
+/// Found if the header has no skins. It lies outside of the header's namespace, because an inner namespace would hide
+/// it.
 namespace baked_without_skins {
 template <class Time>
 constexpr zstrip::Status pose_skins(Time) {
@@ -23,12 +24,12 @@ constexpr zstrip::Status pose_skins(Time) {
 
 namespace zstrip::board {
 
-/// What a renderer of constants draws: all but what turns lines, and what it leaves to Renderer.
+/// True if FixedRenderer can draw the scene: it rotates no lines and needs none of the effects that only Renderer has.
 inline constexpr bool kBakedIsFixed =
     !(scenes::turns_lines(baked::kAnimation, baked::kTurn) && !baked::kScene.lines.empty()) &&
     baked::kEffects.methods == 0 && !baked::kEffects.any(effect::depth_ranges | effect::supersampled);
 
-// Templates, so that the one which is not chosen is nothing.
+// These are templates, so that no code is generated for the one that is not chosen.
 
 /// Scene and picture are constants; instances are in RAM.
 template <const Scene& scene>
@@ -47,7 +48,7 @@ struct FixedBakedScene {
   static inline constinit Drawing renderer{};
 };
 
-/// What moves lies in RAM; everything else stays in flash.
+/// Moving data lies in RAM; everything else stays in flash.
 template <const Scene& scene>
 struct AnyBakedScene {
   static scenes::MovedParts parts() { return {.instances = instances, .lines = lines}; }
@@ -73,7 +74,7 @@ class BakedMotion {
   static constexpr Plan kPlan = baked::kPlan;
 
   static constexpr const char* name() { return "baked"; }
-  /// The scene's animation in as many frames as a turn has; what has none turns.
+  /// Shows the scene's animation in as many frames as a full turn has; a scene without one rotates.
   static Status move_to(std::uint32_t frame) {
     staged =
         scenes::stage({baked::kScene, baked::kCamera, baked::kAnimation, baked::kTurn}, frame, kFrames, Baked::parts());

@@ -1,4 +1,4 @@
-// What arrives on the board's console.
+// Input from the board's console.
 #pragma once
 
 namespace zstrip::board {

@@ -1,4 +1,4 @@
-// What a program could not do, in words, for the console and the panel.
+// A message for the console and the panel about a failed step of a program.
 #pragma once
 
 #include "cortex_m/console.hpp"

@@ -14,10 +14,11 @@ namespace zstrip::board {
 /// clock), which leaves polled buses and those with DMA.
 extern "C" [[gnu::returns_twice]] bool mark_fault_return();
 
-/// What the processor's fault was, in words that console and panel show.
+/// A text about the processor's fault, for console and panel.
 class FaultWords {
  public:
-  /// What does not fit is left out. The bits of `value` from `bits` - 4 down to 0 as hexadecimal digits.
+  /// Appends `words`, and the bits of `value` from `bits` - 4 down to 0 as hexadecimal digits. Cuts text that does not
+  /// fit.
   [[gnu::noinline]] static void add(const char* words, std::uint32_t value, int bits) {
     for (; *words != '\0'; ++words) keep(*words);
     while (bits > 0) {

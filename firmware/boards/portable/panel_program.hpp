@@ -1,4 +1,4 @@
-// The rest of a main program, once a panel's bus is up: the panel starts, the scene runs, and what fails is said.
+// The rest of a main program, after it has started a panel's bus: starts the panel, runs the scene, reports failures.
 #pragma once
 
 #include "portable/panic.hpp"
@@ -8,8 +8,8 @@
 
 namespace zstrip::board {
 
-/// Starts the watchdog and the panel, and shows the scene for ever; the result is main's. A player that is no scene of
-/// constants has a loop of its own and longer words.
+/// Starts the watchdog and the panel, and shows the scene for ever; main returns the result. A player whose scene is
+/// not constant brings its own loop and longer messages.
 template <class Player, class Panel>
 int run_on_panel(Panel& panel) {
   start_pacing();
@@ -30,7 +30,8 @@ int run_on_panel(Panel& panel) {
   return 1;
 }
 
-/// The same for a panel with a reset line, and perhaps a backlight, which is switched on first: a panic is to be seen.
+/// As above, for a panel with a reset line and an optional backlight, which is switched on first so that a panic is
+/// visible.
 template <class Player, class Panel, hal::OutputPin ResetPin, hal::Clock Time, hal::OutputPin LightPin = hal::NoPin>
 int run_on_panel(Panel& panel, ResetPin reset, Time& clock, LightPin light = {}) {
   hal::Error error = hal::reset_panel(reset, clock);

@@ -12,7 +12,7 @@
 
 namespace zstrip::board {
 
-/// Of polynomials modulo that of the CRC, reflected: the highest bit is the coefficient of x^0.
+/// Product of two polynomials modulo that of the CRC, reflected: the highest bit is the coefficient of x^0.
 constexpr std::uint32_t crc32_product(std::uint32_t a, std::uint32_t b) {
   std::uint32_t result = 0;
   for (; a != 0; a <<= 1) {
@@ -50,7 +50,7 @@ class PictureCrc32 {
     return powers;
   }();
 
-  /// What becomes of a state when so many zero bytes follow.
+  /// Returns the state after this number of zero bytes.
   static std::uint32_t followed_by(std::uint32_t state, std::uint32_t bytes) {
     for (std::size_t bit = 0; bytes != 0; ++bit, bytes >>= 1) {
       if ((bytes & 1U) != 0) state = crc32_product(kPowers[bit], state);

@@ -21,7 +21,7 @@ constexpr Budget with_quality(Budget budget, const Quality& preset) {
   return budget;
 }
 
-/// Whether a scene that is in flash as it is suits the preset: flat, and no mesh worth simplifying.
+/// True if an unchanged scene in flash suits the preset: flat, and without a mesh that is worth simplifying.
 constexpr bool suits(const scenes::BuiltIn& scene, const Quality& preset) {
   constexpr std::size_t kWorthSimplifying = 200;  // triangles
   if (!preset.smooth && effects_of(scene.scene, scene.camera).has(effect::gouraud)) return false;

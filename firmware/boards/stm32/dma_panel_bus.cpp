@@ -29,7 +29,7 @@ void SpiDma::start(std::span<const std::byte> bytes) {
   register_at(kDmaMemory3) = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(bytes.data()));
   register_at(kDmaCount3) = static_cast<std::uint32_t>(bytes.size());
   register_at(kDmaConfig3) = kDmaChannel3 | kDmaIncrementMemory | kDmaFromMemory;
-  // What was drawn must be in the memory before the stream reads it.
+  // The drawn pixels must be in the memory before the stream reads it.
   asm volatile("dsb" ::: "memory");
   register_at(kDmaConfig3) = kDmaChannel3 | kDmaIncrementMemory | kDmaFromMemory | kDmaEnable;
   polls_left_ = kPollsAtLeast + kPollsPerByte * static_cast<std::uint32_t>(bytes.size());

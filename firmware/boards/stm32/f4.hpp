@@ -1,4 +1,4 @@
-// What boards with an STM32F405 or F407 share: clock and pins. Source: RM0090.
+// Clock and pins that boards with an STM32F405 or F407 share. Source: RM0090.
 #pragma once
 
 #include <cstdint>
@@ -19,10 +19,10 @@ struct ClocksF4 {
 /// lock, the board stays on its internal oscillator of 16 MHz: a slow board that speaks is better than a dead one.
 void start_clock_f4(std::uint32_t crystal_megahertz);
 
-/// What start_clock_f4() came to.
+/// Returns the clocks that start_clock_f4() has set.
 const ClocksF4& clocks();
 
-/// Turns the clock of a bus's peripherals on, and waits until they may be touched (RM0090, 7.2.14: two cycles).
+/// Enables the clock of a bus's peripherals, and waits until they may be accessed (RM0090, 7.2.14: two cycles).
 inline void enable_clock(std::uint32_t bus, std::uint32_t bits) {
   register_at(bus) = register_at(bus) | bits;
   [[maybe_unused]] const std::uint32_t settled = register_at(bus);

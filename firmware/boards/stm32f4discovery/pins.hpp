@@ -1,4 +1,4 @@
-// What is wired where on the STM32F4 Discovery (MB997). Source: user manual UM1472, table 5 (which pins are free).
+// Wiring of the STM32F4 Discovery (MB997). Source: user manual UM1472, table 5 (which pins are free).
 #pragma once
 
 #include "stm32/f4.hpp"

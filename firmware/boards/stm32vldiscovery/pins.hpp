@@ -1,4 +1,4 @@
-// What is wired where on the STM32VLDISCOVERY. Source: user manual UM0919, table 5 (which pins are free).
+// Wiring of the STM32VLDISCOVERY. Source: user manual UM0919, table 5 (which pins are free).
 #pragma once
 
 #include "stm32/pin.hpp"
