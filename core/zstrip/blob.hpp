@@ -1,5 +1,5 @@
-// A baked scene as one piece of bytes (`zstrip bake MODEL -o scene.zsc`), used where it lies: in flash, in a file in
-// memory. The format is in docs/formats.md.
+// A baked scene in one block of bytes (`zstrip bake MODEL -o scene.zsc`), used in place: in flash, or in a file in
+// memory. docs/formats.md defines the format.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,12 @@
 
 namespace zstrip {
 
-inline constexpr std::uint8_t kSceneBlobVersion = 5;     ///< the one that is read: others are to be baked again
-inline constexpr std::uint32_t kSceneBlobAlignment = 4;  ///< of the blob's first byte
+inline constexpr std::uint8_t kSceneBlobVersion = 5;     ///< the only version that is read: bake blobs of other
+                                                         ///< versions again
+inline constexpr std::uint32_t kSceneBlobAlignment = 4;  ///< bytes, for the blob's first byte
 
-/// The effects that a picture may be baked for beside those of scene and view, in the order of a blob's numbers for
-/// them; empty where blob_layout::is_gone.
+/// The effects that a picture may be baked for in addition to those of scene and view. The index is the number that a
+/// blob stores for them. Entries are empty where blob_layout::is_gone is true.
 inline constexpr Effects kPictureEffects[] = {{},
                                               effect::perspective_affine,
                                               effect::perspective_8,
@@ -31,26 +32,28 @@ inline constexpr Effects kPictureEffects[] = {{},
                                               {},
                                               effect::depth_24};
 
-/// What a blob holds. `scene` reads the blob and the memory lent to open_scene_blob: both must outlive it, unchanged.
+/// The contents of a blob. `scene` reads the blob and the memory lent to open_scene_blob: both must outlive it,
+/// unchanged.
 struct SceneBlob {
   Scene scene;            ///< has passed validate()
   Camera camera;          ///< from which it was baked
   View view;              ///< the picture for which the camera was placed
-  BspTree tree{};         ///< of the scene's only instance, VisibilityOptions::tree; without nodes none was baked
-  Animation animation{};  ///< of the scene's instances, which are to be copied into RAM for it; empty: nothing moves
-  Turn turn{};            ///< what moves over several frames where the animation is empty
-  const Camera* turning_camera = nullptr;  ///< instead of `camera` for such frames; null: the same. In the blob.
-  Effects effects{};                       ///< what the picture was baked for: one of kPictureEffects
+  BspTree tree{};         ///< of the scene's only instance, for VisibilityOptions::tree; no nodes if none was baked
+  Animation animation{};  ///< of the scene's instances, which must be copied into RAM to move; empty: no motion
+  Turn turn{};            ///< motion over several frames, used if the animation is empty
+  const Camera* turning_camera = nullptr;  ///< the camera for several frames, in the blob; null: `camera` is used for
+                                           ///< them, too
+  Effects effects{};                       ///< the effects that the picture was baked for: one of kPictureEffects
 
-  /// The one for `frames` frames.
+  /// Returns the camera for a motion of `frames` frames.
   constexpr const Camera& camera_for(std::uint32_t frames) const {
     return frames > 1 && turning_camera != nullptr ? *turning_camera : camera;
   }
 };
 
-/// Bytes to lend for the tables of this many meshes, textures, sets of lines and of edges, images, fonts and labels,
-/// whose pointers exist only at run time. Vertices, triangles, segments, edges, texels, materials, instances,
-/// lights, keyframes, nodes of the tree, sprites, coverage, glyphs and text are not copied.
+/// Returns the bytes to lend for the tables of this many meshes, textures, sets of lines and of edges, images, fonts
+/// and labels: these tables hold pointers, which exist only at run time. Vertices, triangles, segments, edges, texels,
+/// materials, instances, lights, keyframes, nodes of the tree, sprites, coverage, glyphs and text are not copied.
 constexpr std::size_t scene_blob_memory(std::uint32_t meshes, std::uint32_t textures, std::uint32_t lines = 0,
                                         std::uint32_t edges = 0, std::uint32_t images = 0, std::uint32_t fonts = 0,
                                         std::uint32_t labels = 0) {
@@ -64,16 +67,16 @@ constexpr std::size_t scene_blob_memory(std::uint32_t meshes, std::uint32_t text
          std::size_t{images} * sizeof(OverlayImage) + std::size_t{fonts} * sizeof(Font) +
          std::size_t{labels} * sizeof(Label);
 }
-/// Of the memory that is lent to open_scene_blob.
+/// Bytes, for the memory that is lent to open_scene_blob.
 inline constexpr std::size_t kSceneBlobMemoryAlignment = alignof(Mesh);
 
-/// Checks all of `blob`, checksum, offsets and scene (validate) included, and then makes `opened` a view of it. On an
-/// error `opened` stays as it was. Time: linear in the blob's size. Any bytes are safe.
-/// Errors: blob_alignment; blob_damaged (`needed`: the byte that is wrong; that after the last one if some are
-/// missing); blob_version (`needed`: its version, `available`: the one that is read here); blob_section (`needed`: the
-/// tag of a section that must be known and is not, its first letter in the highest byte); blob_depth (`needed`: the
-/// number of a depth format that is gone); blob_memory (`needed`, `available`: bytes of `memory`); camera; and those of
-/// validate.
+/// Checks the whole `blob`, with checksum, offsets and scene (validate), and then makes `opened` a view of it. On an
+/// error `opened` keeps its value. Time: linear in the blob's size. Any bytes are safe.
+/// Errors: blob_alignment; blob_damaged (`needed`: offset of the wrong byte, or the offset behind the last byte if
+/// bytes are missing); blob_version (`needed`: the blob's version, `available`: the supported version); blob_section
+/// (`needed`: tag of a required section that this program does not know, its first letter in the highest byte);
+/// blob_depth (`needed`: number of a depth format that was removed); blob_memory (`needed`, `available`: bytes of
+/// `memory`); camera; and all errors of validate.
 Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> memory, SceneBlob& opened);
 
 }  // namespace zstrip

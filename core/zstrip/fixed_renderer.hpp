@@ -1,5 +1,5 @@
-// FixedRenderer: a renderer of one scene and one picture, both constants. What the compiler has checked is not checked
-// again, and the memory of the plan is part of it: the least flash, and the shortest program.
+// FixedRenderer: a renderer for one scene and one picture, both compile-time constants. The compiler checks them, so
+// that the program does not; the arena is a member. This takes the least flash and the shortest program.
 #pragma once
 
 #include <array>
@@ -15,9 +15,15 @@
 
 namespace zstrip {
 
-/// Draws `scene`, whose meshes, materials and instances are constants, in the size and format of `view`; only the
-/// camera moves, and instances where a Moving has them. `more`: effects beside those that scene and view call for,
+/// Draws `scene`, whose meshes, materials and instances are constants, in the size and format of `view`. Only the
+/// camera moves, and the instances of a Moving. `more`: effects in addition to those that scene and view need, such as
 /// effect::unclipped or effect::bins.
+///     constexpr zstrip::View kView{128, 96, zstrip::PixelFormat::rgb565_swapped};
+///     zstrip::FixedRenderer<kScene, kView, zstrip::Budget{.bytes = 2048}> renderer;
+/// The compiler makes the plan, within `budget`; the arena of kPlan.bytes() bytes is in the object. An error that a
+/// Renderer would return for scene, view, plan or memory is an error of the compilation. validate(scene), which reads
+/// every index, is left to a static_assert of the program. Pass `counts` if the compiler cannot see the meshlets. Not
+/// safe for two threads at once; separate objects are independent.
 ///     constexpr zstrip::View kView{128, 96, zstrip::PixelFormat::rgb565_swapped};
 ///     zstrip::FixedRenderer<kScene, kView, zstrip::Budget{.bytes = 2048}> renderer;
 /// The plan is made by the compiler, within `budget`; its arena is in the object, kPlan.bytes() of it. Errors that a
@@ -28,7 +34,7 @@ template <const Scene& scene, const View& view, Budget budget = Budget{}, Effect
           Projection projection = Projection::perspective, SceneCounts counts = count(scene)>
 class FixedRenderer {
  public:
-  /// What the pipeline is made for.
+  /// The effects that the pipeline is compiled for.
   static constexpr Effects kEffects = effects_of(scene, Camera{.projection = projection}) | effects_of(view) | more;
 
  private:
@@ -40,12 +46,12 @@ class FixedRenderer {
                 "visibility methods, sub-ranges of depth and samples need a Renderer");
 
  public:
-  /// The strips, and what the arena holds.
+  /// The strips, and the layout of the arena.
   static constexpr Plan kPlan = kPlanned.plan;
   /// Bytes of the largest strip: the size of the pixel buffer.
   static constexpr std::uint32_t kStripBytes = kPlan.strip_pixel_bytes(view);
 
-  /// The scene with its instances in RAM, where they move. Refers to itself: it stays where it is.
+  /// The scene with its instances in RAM, so that they can move. The object holds a pointer to itself: do not move it.
   class Moving {
    public:
     constexpr Moving() : scene_(scene) {
@@ -54,7 +60,7 @@ class FixedRenderer {
     }
     Moving(const Moving&) = delete;
     Moving& operator=(const Moving&) = delete;
-    /// Those of the scene, to change their transforms.
+    /// Returns the instances of the scene, to change their transforms.
     constexpr std::span<Instance> instances() { return instances_; }
 
    private:
@@ -63,14 +69,14 @@ class FixedRenderer {
     std::array<Instance, scene.instances.size()> instances_{};
   };
 
-  /// Prepares a frame seen by `camera`. Error::camera if it is not usable or has another projection; Error::instance
-  /// for an instance that is too large beside its distance, Error::clipping with effect::unclipped. Nothing is drawn
-  /// then until the next success.
+  /// Prepares a frame seen by `camera`. Error::camera if the camera is not usable or has another projection;
+  /// Error::instance for an instance that is too large for its distance; Error::clipping with effect::unclipped. After
+  /// an error nothing is drawn until begin_frame succeeds.
   Status begin_frame(const Camera& camera) {
     return detail::begin_fixed_frame<kEffects>(state_, {scene, camera, view, kPlan, counts, kCalledFor}, arena_);
   }
-  /// Likewise, with the instances where `moving` has them, which stays unchanged until the last draw_strip.
-  /// Error::instance also for a transform that validate_instances refuses, and another mesh or material.
+  /// Prepares a frame with the instances of `moving`, which must not change until the last draw_strip. Error::instance
+  /// also for a transform that validate_instances refuses, or a changed mesh or material.
   Status begin_frame(const Camera& camera, const Moving& moving) {
     detail::abandon(state_);
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -82,12 +88,14 @@ class FixedRenderer {
     return detail::begin_fixed_frame<kEffects>(state_, {moving.scene_, camera, view, kPlan, counts, kCalledFor},
                                                arena_);
   }
-  /// Draws kPlan.strip_area(strip, view) of the picture into `pixels`, which lie at an even address; their contents do
-  /// not matter. The last strips of a row or column may be smaller. Strips may be drawn in any order, or again.
+  /// Draws kPlan.strip_area(strip, view) of the picture into `pixels`, which must lie at an even address; the former
+  /// contents do not matter. The last strips of a row or column may be smaller. Strips may be drawn in any order, and
+  /// repeatedly.
   Status draw_strip(std::uint16_t strip, std::span<std::byte, kStripBytes> pixels) {
     return detail::draw_fixed_strip<kEffects, view.format>(state_, strip, kPlan.strips, pixels.data());
   }
-  /// The same for a size that the compiler does not see, as zstrip_hal/present.hpp gives it: Error::pixels_too_small.
+  /// Draws a strip into a buffer whose size is known only at run time, as zstrip_hal/present.hpp passes it. Returns
+  /// Error::pixels_too_small if it is too small.
   Status draw_strip(std::uint16_t strip, std::same_as<std::span<std::byte>> auto pixels) {
     if (pixels.size() < kStripBytes) {
       return {.error = Error::pixels_too_small,
@@ -96,14 +104,14 @@ class FixedRenderer {
     }
     return draw_strip(strip, pixels.template first<kStripBytes>());
   }
-  /// Of what was begun last. Refers to this object.
+  /// Returns the frame that was begun last. The result refers to this object.
   FrameFor<kEffects> frame() const { return FrameFor<kEffects>(state_); }
 
  private:
   static constexpr Effects kCalledFor = effects_of(scene, Camera{.projection = projection});
 
   detail::FrameStateFor<kEffects> state_;
-  alignas(kArenaAlignment) std::byte arena_[kPlan.bytes()] = {};  // all zeros: no flash
+  alignas(kArenaAlignment) std::byte arena_[kPlan.bytes()] = {};  // zero-initialised: takes no flash
 };
 
 }  // namespace zstrip

@@ -1,5 +1,5 @@
-// The scene as the renderer reads it: views of the caller's memory, which may lie in flash.
-// Nothing is copied and nothing is written; all of it must stay alive from begin_frame to the last draw_strip.
+// The scene as the renderer reads it: views of the caller's memory, which may lie in flash. The renderer copies and
+// writes none of it. All of it must stay alive from begin_frame to the last draw_strip.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct Position {
   std::int16_t x, y, z;  ///< in 1/32768 of the half extent
 };
 
-/// A unit vector, 1.7. `unused` keeps a normal on one word.
+/// A unit vector, 1.7. `unused` fills the normal up to one word.
 struct Normal {
   std::int8_t x, y, z, unused;  ///< 1.7; `unused`: any value
 };
@@ -25,10 +25,10 @@ struct Colour {
   friend constexpr bool operator==(const Colour&, const Colour&) = default;
 };
 
-/// Texture coordinates with Mesh::texcoord_bits fraction bits; 1.0 is the whole texture. v grows downwards
-/// (as in glTF).
+/// Texture coordinates with Mesh::texcoord_bits fraction bits; 1.0 is the whole texture. v grows downwards (as in
+/// glTF).
 struct TexCoord {
-  std::int16_t u, v;  ///< to the right, and down; beyond 0..1 textures repeat
+  std::int16_t u, v;  ///< to the right, and down; textures repeat outside 0..1
 };
 
 /// Indices into the mesh's vertices; counter-clockwise seen from the front.
@@ -41,51 +41,53 @@ struct Meshlet {
   std::uint32_t first_triangle;  ///< index into Mesh::triangles
   std::uint16_t first_vertex;    ///< index into Mesh::positions
   std::uint16_t vertex_count;    ///< of the run: the triangles use no other vertices
-  std::uint16_t triangle_count;  ///< of the run, which goes on where the meshlet before ends
+  std::uint16_t triangle_count;  ///< of the run, which begins where the run of the meshlet before ends
   std::uint16_t radius;  ///< of a sphere around all vertices: 1/32768 of the mesh's largest half extent, rounded up
   Position centre;       ///< of that sphere
 };
 
-/// Whether a mesh's instances turn with the camera.
+/// Selects if a mesh's instances rotate with the camera.
 enum class Billboard : std::uint8_t {
-  none,     ///< no: they stand as in their transform
-  viewer,   ///< x to the picture's right, y up, z against the viewing direction; only lengths and place are theirs
-  upright,  ///< y as in the transform; x as far to the right as that allows
+  none,     ///< no: instances stand as in their transform
+  viewer,   ///< x to the picture's right, y up, z against the viewing direction; the transform gives only lengths and
+            ///< position
+  upright,  ///< y as in the transform; x as far to the picture's right as y allows
 };
 
 inline constexpr std::uint16_t kOwnMesh = 0xFFFF;       ///< for Outline::hull
 inline constexpr std::uint16_t kMaxOutlineWidth = 256;  ///< 1/16 pixels
 
-/// A line around an instance's picture, as wide at any distance: the far side of a hull around it, drawn in one colour
-/// after what is opaque. The hull is a mesh whose vertices are moved along their normals, so that it must be closed:
-/// vertices in one place have one normal. Where edges are to keep their width, normals may be longer than one: with v
-/// the vertex' and n those of the faces around it, v . n = 1. Where a vertex moves: docs/conventions.md.
+/// A line around an instance's picture, with the same width at any distance: the far side of a hull around it, drawn in
+/// one colour after the opaque instances. The hull is a mesh whose vertices are moved along their normals, so that it
+/// must be closed: vertices in one place have one normal. Normals may be longer than one to keep the width at sharp
+/// edges: with v the vertex' and n those of the faces around it, v . n = 1. docs/conventions.md says where a vertex
+/// moves.
 struct Outline {
-  Colour colour{0, 0, 0, 255};    ///< alpha means nothing
+  Colour colour{0, 0, 0, 255};    ///< alpha is ignored
   std::uint16_t width = 32;       ///< 1/16 pixels, 1..kMaxOutlineWidth
-  std::uint16_t hull = kOwnMesh;  ///< index into Scene::meshes, of a mesh with normals, or kOwnMesh: the instance's
+  std::uint16_t hull = kOwnMesh;  ///< index into Scene::meshes, of a mesh with normals; kOwnMesh: the instance's mesh
 };
 
-/// What a mesh' instances have to do with Scene::shadow. What only receives (a floor) leaves the map's texels to what
-/// casts.
+/// The part that a mesh's instances have in Scene::shadow. Use only_receives for a floor: then all texels of the map
+/// are left for the casters.
 enum class ShadowRole : std::uint8_t {
   casts_and_receives,  ///< the default
-  only_receives,       ///< no shadow of its own: a floor
-  only_casts,          ///< it is lit as without shadows
-  none,                ///< as without a shadow in the scene
+  only_receives,       ///< it casts no shadow: a floor
+  only_casts,          ///< it is lit as in a scene without shadows
+  none,                ///< it neither casts nor receives shadows
 };
-/// Whether its instances are drawn into the map.
+/// True if instances of the mesh are drawn into the map.
 constexpr bool casts_shadow(ShadowRole role) {
   return role == ShadowRole::casts_and_receives || role == ShadowRole::only_casts;
 }
-/// Whether its instances are darkened by the map.
+/// True if instances of the mesh are darkened by the map.
 constexpr bool receives_shadow(ShadowRole role) {
   return role == ShadowRole::casts_and_receives || role == ShadowRole::only_receives;
 }
 
 struct Skinning;  // skin.hpp
 
-/// Vertices and triangles that instances share; only views of the caller's tables.
+/// Vertices and triangles that instances share. Has only views of the caller's tables.
 struct Mesh {
   std::span<const Position> positions;  ///< 1..65535 vertices
   std::span<const Normal> normals;      ///< one a vertex, or empty: unlit
@@ -96,59 +98,62 @@ struct Mesh {
   Vec3 centre{0, 0, 0};                 ///< 16.16, of the bounding box; +-4095
   Vec3 half_extent{kFixedOne, kFixedOne, kFixedOne};  ///< 16.16, 0..4095
   std::uint8_t texcoord_bits = 12;                    ///< 4..15
-  Billboard billboard = Billboard::none;              ///< anything else makes its instances billboards
-  std::uint8_t outline = 0;  ///< 1 + index into Scene::outlines: all its instances have it, and are opaque; 0: none
-  ShadowRole shadow = ShadowRole::casts_and_receives;  ///< only looked at where the scene has a shadow
-  Skinning* skinning = nullptr;  ///< moves the vertices while they are drawn; null: they stay as they are
+  Billboard billboard = Billboard::none;              ///< other values make its instances billboards
+  std::uint8_t outline = 0;  ///< 1 + index into Scene::outlines, for all its instances, which must be opaque; 0: no
+                             ///< outline
+  ShadowRole shadow = ShadowRole::casts_and_receives;  ///< ignored if the scene has no shadow
+  Skinning* skinning = nullptr;  ///< moves the vertices while they are drawn; null: the vertices do not move
 };
 
-/// How a texel is chosen.
+/// Selects how a texel is chosen.
 enum class TextureFilter : std::uint8_t {
-  nearest,   ///< the one in which the pixel's centre lies
-  bilinear,  ///< the four around it, by their distance
-  /// Likewise of an environment map (effect::environment), by normals instead of Mesh::texcoords: the
-  /// texture is a sphere map, a picture of a mirrored ball that fills it, as seen from the eye; docs/conventions.md has
-  /// the formula. The mesh needs normals, and its texture coordinates mean nothing. So a material has either a texture
-  /// of its own or an environment map, not both.
+  nearest,   ///< the texel that contains the pixel's centre
+  bilinear,  ///< the four texels around the centre, weighted by their distance
+  /// The texture is an environment map (effect::environment), filtered as above. Normals select its texels instead of
+  /// Mesh::texcoords. It is a sphere map: a picture of a mirrored ball that fills it, as seen from the eye;
+  /// docs/conventions.md has the formula. The mesh needs normals, and its texture coordinates are ignored. So a
+  /// material has either a texture of its own or an environment map, not both.
   environment_nearest = 0x10,
   environment_bilinear = 0x11,
 };
-/// Whether texels are mixed, of a texture or an environment map.
+/// True if texels of a texture or an environment map are mixed.
 constexpr bool is_bilinear(TextureFilter filter) { return (static_cast<unsigned>(filter) & 1U) != 0; }
-/// Whether the texture is an environment map.
+/// True if the texture is an environment map.
 constexpr bool is_environment(TextureFilter filter) { return (static_cast<unsigned>(filter) & 0x10U) != 0; }
-/// nearest and bilinear become those of environment maps.
+/// Returns the filter of environment maps that corresponds to nearest or bilinear.
 constexpr TextureFilter of_environment(TextureFilter filter) {
   return static_cast<TextureFilter>(static_cast<unsigned>(filter) | 0x10U);
 }
 
-/// How texels lie in Texture::texels, in words of 16 bits.
+/// The layout of texels in Texture::texels, in words of 16 bits.
 enum class TextureFormat : std::uint8_t {
-  rgb565,        ///< one texel each
-  rgb565_alpha,  ///< the same, and after all texels an alpha for each: 8 bits, two in a word, the first in the low half
+  rgb565,        ///< one texel a word
+  rgb565_alpha,  ///< as rgb565, then an alpha for each texel: 8 bits, two in a word, the first in the low half
   palette8,      ///< 256 colours, then an index of 8 bits for each texel, two in a word, the first in the low half
   palette4,      ///< 16 colours, then an index of 4 bits for each texel, four in a word, the first in the lowest
 };
 
-/// Whether texels are indices of a palette. Every index has its colour: nothing to check, nothing to overrun. Such a
-/// texture is for materials with a finish (which may be Finish{}): those without have no test for it. Not for quadrics.
+/// True if texels are indices of a palette. The palette has a colour for every possible index, so that no index needs a
+/// check. Only materials with a finish (which may be Finish{}) can use such a texture: the pixel loops of other
+/// materials do not test for a palette. Quadrics cannot use it.
 constexpr bool has_palette(TextureFormat format) { return format >= TextureFormat::palette8; }
-/// Bits of an index; with a palette only.
+/// Returns the bits of an index, for formats with a palette.
 constexpr std::uint32_t index_bits(TextureFormat format) { return format == TextureFormat::palette8 ? 8 : 4; }
 
-/// Row-major RGB565 texels, the first row is v = 0. Sides are powers of two, 1..2048.
+/// Row-major RGB565 texels; the first row is v = 0. Sides are powers of two, 1..2048.
 struct Texture {
   std::span<const std::uint16_t> texels;         ///< words in `format`, level after level
   std::uint8_t log2_width = 0;                   ///< 0..11
   std::uint8_t log2_height = 0;                  ///< 0..11
   TextureFormat format = TextureFormat::rgb565;  ///< of all levels
-  /// Smaller pictures of the same (mipmaps) that follow, each with half the sides of the one before, rounded down, at
-  /// least 1; with its palette, and its alpha behind its texels. Down to 1 texel at most. They are for materials with a
-  /// finish (which may be Finish{}): all others, and quadrics, are drawn with the first picture.
+  /// Number of smaller pictures of the texture (mipmaps) that follow. Each has half the sides of the one before,
+  /// rounded down, at least 1, down to 1 texel at most. Each has its own palette, and its alpha after its texels. Only
+  /// materials with a finish (which may be Finish{}) use them; other materials and quadrics are drawn with the first
+  /// picture.
   std::uint8_t smaller_levels = 0;
 };
 
-/// Words of one level of so many texels, without the palette.
+/// Returns the words of one level with 2^log2_texels texels, without the palette.
 constexpr std::size_t level_words(TextureFormat format, std::uint32_t log2_texels) {
   const std::size_t texels = std::size_t{1} << log2_texels;
   switch (format) {
@@ -162,8 +167,8 @@ constexpr std::size_t level_words(TextureFormat format, std::uint32_t log2_texel
 
 inline constexpr std::uint16_t kNoTexture = 0xFFFF;  ///< for Material::texture
 
-/// Which fragments are drawn, by where they lie against what the z-buffer holds there: nearer, equal and farther are
-/// one bit each. A cleared cell is farther than every fragment.
+/// Selects the fragments that are drawn, by their depth compared with the z-buffer: nearer, equal and farther are one
+/// bit each. A cleared cell is farther than every fragment.
 enum class DepthTest : std::uint8_t {
   never = 0,
   nearer = 1,
@@ -175,93 +180,97 @@ enum class DepthTest : std::uint8_t {
   always = 7,
 };
 
-/// What alpha does (as in glTF). A fragment's alpha is the material's colour.a times the texel's, where its texture has
-/// any.
+/// The use of alpha (as in glTF). A fragment's alpha is the material's colour.a, times the texel's alpha if the texture
+/// has alpha.
 enum class AlphaMode : std::uint8_t {
-  opaque,  ///< nothing
+  opaque,  ///< alpha is ignored
   mask,    ///< fragments with less than Finish::alpha_cutoff are not drawn
-  blend,   ///< fragments are mixed into what lies behind them
+  blend,   ///< fragments are mixed with the colour behind them
 };
 
-/// What few materials have, in a table of its own, so that the others have no bytes for it.
+/// Properties that few materials have. They have their own table, so that other materials need no bytes for them.
 struct Finish {
   Colour emissive{0, 0, 0, 255};  ///< added to the light of a lit material; texels are multiplied with the sum
   Colour specular{0, 0, 0, 255};  ///< colour of highlights (Blinn-Phong) on a lit material
-  std::uint8_t shininess = 32;    ///< their exponent; the greater, the smaller they are
-  AlphaMode alpha_mode = AlphaMode::opaque;       ///< anything else calls for an effect
-  std::uint8_t alpha_cutoff = 128;                ///< 0..255; of AlphaMode::mask
-  TextureFilter filter = TextureFilter::nearest;  ///< of the material's texture
+  std::uint8_t shininess = 32;    ///< exponent of the highlights: greater values make them smaller
+  AlphaMode alpha_mode = AlphaMode::opaque;       ///< other values need an effect
+  std::uint8_t alpha_cutoff = 128;                ///< 0..255; for AlphaMode::mask
+  TextureFilter filter = TextureFilter::nearest;  ///< for the material's texture
   friend constexpr bool operator==(const Finish&, const Finish&) = default;
 };
 
 inline constexpr std::uint8_t kNoFinish = 0xFF;  ///< for Material::finish
 
-/// How light and vertex colours vary over a triangle. A bool is one of the first two.
+/// The interpolation of light and vertex colours over a triangle. A bool converts to one of the first two kinds.
 struct Shading {
-  /// Where light is computed, and what lies between.
+  /// The place where light is computed, and the interpolation between these places.
   enum Kind : std::uint8_t {
-    flat,     ///< false: the first vertex decides
-    gouraud,  ///< true: lit at the vertices, linear between
-    pixel,    ///< lit at each pixel, by the normal that is interpolated there (effect::pixel_shading); unlit as gouraud
+    flat,     ///< false: the first vertex gives the colour
+    gouraud,  ///< true: lit at the vertices, linear between them
+    pixel,    ///< lit at each pixel with the interpolated normal (effect::pixel_shading); as gouraud if unlit
   };
-  Kind kind;  ///< the value
-  /// Not explicit: a Kind is written where a Shading is wanted.
+  Kind kind;  ///< the kind
+  /// Not explicit, so that a Kind can be written for a Shading.
   constexpr Shading(Kind how) : kind(how) {}
-  /// Likewise for a bool: gouraud or flat.
+  /// Not explicit, so that a bool can be written for a Shading: true is gouraud, false is flat.
   constexpr Shading(bool smooth) : kind(smooth ? gouraud : flat) {}
-  /// To compare it with a Kind; true unless flat.
+  /// Converts for comparisons with a Kind; true unless flat.
   constexpr operator Kind() const { return kind; }
 };
 
-/// How a surface looks, and how it treats depth.
+/// The colour of a surface, and its rules for depth.
 struct Material {
   Colour colour{255, 255, 255,
                 255};  ///< multiplied with vertex colours and light; not with texels of an unlit material
   std::uint16_t texture = kNoTexture;        ///< index into Scene::textures
-  bool lit = true;                           ///< false: colours and texels as they are
-  Shading smooth = true;                     ///< Gouraud; false: flat, the first vertex decides; or Shading::pixel
+  bool lit = true;                           ///< false: colours and texels are drawn without light
+  Shading smooth = true;                     ///< true: Gouraud; false: flat, the first vertex gives the colour; or
+                                             ///< Shading::pixel
   bool double_sided = false;                 ///< false: back faces are culled
-  DepthTest depth_test = DepthTest::nearer;  ///< anything below but the default calls for effect::depth_state
-  bool depth_write = true;                   ///< false: fragments are tested and drawn, the z-buffer keeps its depth
+  DepthTest depth_test = DepthTest::nearer;  ///< other values need effect::depth_state, as do other values than the
+                                             ///< defaults of the depth members below
+  bool depth_write = true;                   ///< false: fragments are tested and drawn; the z-buffer does not change
   std::uint8_t finish = kNoFinish;           ///< index into Scene::finishes
   std::int32_t depth_bias = 0;               ///< codes; positive is nearer
   Fixed depth_slope_bias = 0;                ///< 16.16, times the triangle's larger slope in codes a pixel
-  std::int32_t depth_bias_clamp = 0;  ///< codes: the sum of both at most (positive), at least (negative), any (0)
+  std::int32_t depth_bias_clamp = 0;  ///< codes; limit for the sum of both biases: upper limit if positive, lower limit
+                                      ///< if negative, 0: no limit
 };
 
-/// A mesh with a material at a place. Its transform may change between frames.
+/// A mesh with a material and a transform. The transform may change between frames.
 struct Instance {
   std::uint16_t mesh = 0;                       ///< index into Scene::meshes
   std::uint16_t material = 0;                   ///< index into Scene::materials
   Transform transform = Transform::identity();  ///< object to world; rotation and scale entries within +-255
 };
 
-/// A sphere or ellipsoid: the unit sphere around the origin, transformed. Drawn pixel by pixel along the viewing ray,
-/// before the instances, into the same z-buffer; docs/effects.md has the mapping of its texture. Material::smooth means
-/// nothing to it. Its depth has no slope: Material::depth_slope_bias must be 0. It is opaque: the material has no
-/// finish and its texture no alpha; punctual lights do not light it, and a lit one in a scene that has them is refused.
+/// A sphere or ellipsoid: the transformed unit sphere around the origin. Drawn pixel by pixel along the viewing ray,
+/// before the instances, into the same z-buffer; docs/effects.md has the mapping of its texture. Material::smooth is
+/// ignored. Its depth has no slope: Material::depth_slope_bias must be 0. It is opaque: the material must have no
+/// finish and its texture no alpha. Punctual lights do not light quadrics: a lit quadric in a scene that has punctual
+/// lights is refused.
 struct Quadric {
   std::uint16_t material = 0;  ///< index into Scene::materials
-  /// Sphere to world; entries within +-255, with an inverse. Its columns are the ellipsoid's half axes where they are
-  /// at right angles.
+  /// Sphere to world; entries within +-255; must have an inverse. If the columns are perpendicular, they are the half
+  /// axes of the ellipsoid.
   Transform transform = Transform::identity();
 };
 
-/// A line between two vertices, or a point where both are the same one.
+/// A line between two vertices, or a point if both vertices are the same.
 struct Segment {
   std::uint16_t a, b;  ///< indices into the mesh's vertices
 };
 
 inline constexpr std::uint8_t kMaxLineWidth = 64;  ///< pixels
 
-/// Lines and points, as many pixels wide at any distance; which pixels: docs/conventions.md. Drawn after the
-/// quadrics, before the instances, into the same z-buffer, so that what is nearer hides them. Of one colour each: the
-/// material's, times that of the vertex Segment::a where the mesh has colours. They have no surface: Material::lit,
-/// smooth and double_sided mean nothing to them; a texture, a finish or a slope bias is refused. A constant bias of a
-/// few codes keeps a wireframe in front of the surface that it lies on.
+/// Lines and points, with the same width in pixels at any distance; docs/conventions.md defines the pixels. Drawn after
+/// the quadrics and before the instances, into the same z-buffer, so that nearer surfaces hide them. Each line has one
+/// colour: the material's, times the colour of the vertex Segment::a if the mesh has colours. Lines have no surface:
+/// Material::lit, smooth and double_sided are ignored; a texture, a finish or a slope bias is refused. A constant bias
+/// of a few codes keeps a wireframe in front of its surface.
 struct LineSet {
   std::span<const Segment> segments;            ///< drawn in this order
-  std::uint16_t mesh = 0;                       ///< index into Scene::meshes; only its vertices are looked at
+  std::uint16_t mesh = 0;                       ///< index into Scene::meshes; only its vertices are used
   std::uint16_t material = 0;                   ///< index into Scene::materials
   Transform transform = Transform::identity();  ///< as an instance's
   std::uint8_t width = 1;                       ///< pixels, 1..kMaxLineWidth
@@ -270,25 +279,26 @@ struct LineSet {
 /// A light that is infinitely far away.
 struct DirectionalLight {
   std::int16_t x = 0, y = 0, z = 32767;  ///< 1.15, unit vector *towards* the light, in world space
-  Colour colour{255, 255, 255, 255};     ///< alpha means nothing
+  Colour colour{255, 255, 255, 255};     ///< alpha is ignored
 };
 
-/// The shape of a light at a point.
+/// The shape of a punctual light.
 enum class PunctualLightType : std::uint8_t {
   point,  ///< into all directions
   spot,   ///< within a cone
 };
 
-/// A light at a point (as KHR_lights_punctual of glTF). At distance d (units of length) `intensity` / d^2 of its colour
-/// arrives, up to 256 times; with a range that times 1 - (d / range)^4, none beyond it. Of a spot that times
-/// ((c - cosine_outer) / (cosine_inner - cosine_outer))^2, c the cosine of the angle off its direction, within 0..1.
+/// A light at a point (as KHR_lights_punctual of glTF). At distance d (units of length) the light is its colour times
+/// `intensity` / d^2, at most 256 times the colour. A range multiplies this by 1 - (d / range)^4, and by 0 beyond it. A
+/// spot multiplies it by ((c - cosine_outer) / (cosine_inner - cosine_outer))^2, within 0..1, with c the cosine of the
+/// angle to the spot's direction.
 struct PunctualLight {
-  PunctualLightType type = PunctualLightType::point;  ///< only a spot has a direction and cosines
-  Colour colour{255, 255, 255, 255};                  ///< alpha means nothing
+  PunctualLightType type = PunctualLightType::point;  ///< only a spot uses direction and cosines
+  Colour colour{255, 255, 255, 255};                  ///< alpha is ignored
   Vec3 position{0, 0, 0};                             ///< 16.16, world
   Fixed intensity = kFixedOne;                        ///< 16.16, >= 0
-  Fixed range = 0;                                    ///< 16.16; 0: no end
-  std::int16_t x = 0, y = 0, z = -32767;              ///< 1.15, unit vector in which a spot shines, world
+  Fixed range = 0;                                    ///< 16.16; 0: unlimited
+  std::int16_t x = 0, y = 0, z = -32767;              ///< 1.15, unit vector of the spot's direction, in world space
   std::int16_t cosine_inner = 32767;                  ///< 1.15, of half the angle that is fully lit
   std::int16_t cosine_outer = 23170;                  ///< 1.15, of half the angle that is lit; 0 <= outer < inner
   std::uint16_t unused = 0;                           ///< any value
@@ -296,43 +306,44 @@ struct PunctualLight {
 
 inline constexpr std::uint32_t kMaxPunctualLights = 4;  ///< of a scene
 
-/// How what is seen fades into a colour with its distance w from the camera's plane (along the viewing direction).
+/// The formula by which surfaces fade into a colour with their distance w from the camera's plane (along the viewing
+/// direction).
 enum class FogMode : std::uint8_t {
   linear,               ///< visible: (end - w) / (end - start), within 0..1
   exponential,          ///< visible: e^-(density w)
   exponential_squared,  ///< visible: e^-(density w)^2
 };
 
-/// Fog of one colour, by the distance along the viewing direction.
+/// Fog of one colour; the amount depends on the distance along the viewing direction.
 struct Fog {
-  Colour colour{128, 128, 128, 255};  ///< the background is not fogged: give Scene::background the same colour
-  FogMode mode = FogMode::linear;     ///< which of the members below count
-  Fixed start = 0;                    ///< 16.16, 0 <= start < end; linear
+  Colour colour{128, 128, 128, 255};  ///< fog does not change the background: give Scene::background the same colour
+  FogMode mode = FogMode::linear;     ///< selects the members below that are used
+  Fixed start = 0;                    ///< 16.16, 0 <= start < end; for linear
   Fixed end = 100 * kFixedOne;        ///< 16.16
-  Fixed density = kFixedOne / 8;      ///< 16.16 a unit of length, >= 0; the exponential modes
+  Fixed density = kFixedOne / 8;      ///< 16.16 a unit of length, >= 0; for the exponential modes
 };
 
 inline constexpr std::uint32_t kMaxLights = 4;  ///< directional lights of a scene
 
 inline constexpr std::uint8_t kMinShadowLog2 = 4, kMaxShadowLog2 = 10;  ///< limits of Shadow::log2_size
 
-/// The shadows of one directional light, by a map of depths as the light sees them (effect::shadows). What casts:
-/// instances that are neither blended nor without depth write, as solid whatever their texture's alpha, both faces, and
-/// quadrics. What receives: instances, quadrics. In shadow the light's term is missing, all else stays. Every
-/// material's depth test must be one that passes nearer, equal or both. docs/conventions.md defines which pixels are in
-/// shadow.
+/// The shadows of one directional light, from a map of depths as the light sees them (effect::shadows). Casters are
+/// quadrics, and instances that write depth and are not blended. Both faces cast, and the alpha of a texture is
+/// ignored. Receivers are instances and quadrics. A pixel in shadow loses this light's term and keeps all others. Every
+/// material's depth test must pass nearer, equal or both. docs/conventions.md defines the pixels that are in shadow.
 struct Shadow {
   std::uint8_t light = 0;      ///< index into Scene::lights
-  std::uint8_t log2_size = 8;  ///< of the map's side in texels, kMinShadowLog2..kMaxShadowLog2
-  std::uint16_t bias = 32;     ///< how much farther than it is a caster is kept, in 1/65533 of the depth of all casters
-  /// And times its slope, 16.16, in texels, 0 or more: below 1 what faces the light at a slant shadows itself.
+  std::uint8_t log2_size = 8;  ///< log2 of the map's side in texels, kMinShadowLog2..kMaxShadowLog2
+  std::uint16_t bias = 32;     ///< added to a caster's distance in the map, in 1/65533 of the depth of all casters
+  /// Also added: this factor times the caster's slope; 16.16, in texels, >= 0. Below 1, a surface that faces the light
+  /// at a slant shadows itself.
   Fixed slope_bias = kFixedOne + kFixedOne / 4;
-  /// Bytes for the compressed map, of Purpose::effects. Too few are Error::store_full when a frame begins. 0: as many
-  /// as the worst map takes.
+  /// Bytes for the compressed map, of Purpose::effects; 0: enough for the worst map. Error::store_full when a frame
+  /// begins if they are too few.
   std::uint32_t pool = 0;
 };
 
-/// What an operand does to its product.
+/// The use of an operand in its product.
 enum class CsgUse : std::uint8_t {
   intersected,  ///< the result lies inside it
   subtracted,   ///< the result lies outside it
@@ -340,36 +351,37 @@ enum class CsgUse : std::uint8_t {
 
 inline constexpr std::uint32_t kMaxCsgOperands = 64;  ///< of a scene
 
-/// A solid of a product: constructive solid geometry on the z-buffer (effect::csg). The operands of a product lie next
-/// to each other, with its number; products have ascending numbers. A product is what all of its intersected operands
-/// have in common, of which there is at least one, less the subtracted ones; a union is several products. What is seen
-/// of it are the front faces of intersected operands, and of the subtracted ones the back faces, with their own
-/// material, lit from the other side. An instance may be in several products, and is not drawn by itself.
+/// A solid of a product: constructive solid geometry on the z-buffer (effect::csg). The operands of a product are
+/// adjacent and have its number; products have ascending numbers. A product is the intersection of its intersected
+/// operands, of which there is at least one, minus the subtracted ones; a union is several products. Front faces of
+/// intersected operands are seen, and back faces of subtracted ones. The latter have their own material and are lit
+/// from the other side. An instance may be in several products, and is not drawn by itself.
 ///
-/// A mesh must be closed, each edge once in either direction where corners in one place count as one, and must not cut
-/// itself: a frame does not notice what is open, and shows it wrong. Material::double_sided means nothing. The material
-/// has no rules of its own for depth and is opaque; a mesh is no billboard and has no outline. What the near plane cuts
-/// open shows its inside: nothing caps it. Of what the far plane cuts as well the inside is not known.
+/// A mesh must be closed: it has each edge once in either direction, where corners in one place count as one. It must
+/// not intersect itself. A frame does not check this, and draws other meshes wrong. Material::double_sided is ignored.
+/// The material must be opaque and have default rules for depth; the mesh must have neither a billboard nor an outline.
+/// Where the near plane cuts a solid, its inside is seen: the cut is not capped. If the far plane also cuts the solid,
+/// its inside is undefined.
 struct CsgOperand {
   std::uint16_t instance = 0;        ///< index into Scene::instances
-  std::uint8_t product = 0;          ///< its number
-  CsgUse use = CsgUse::intersected;  ///< at least one of a product is intersected
+  std::uint8_t product = 0;          ///< the product's number
+  CsgUse use = CsgUse::intersected;  ///< each product needs an intersected operand
 };
 
 inline constexpr std::uint16_t kNoFace = 0xFFFF;  ///< for Edge::right
 
-/// An edge of a mesh, by its ends and the third corner of each of its faces: indices into the mesh's vertices, of which
-/// only the positions count. Seen from the front a, b, left are counter-clockwise, and b, a, right. The description has
-/// two directions, (a, b, left, right) and (b, a, right, left): with a > b the edge is a crease, where shading or
-/// colour may break between two faces that are both seen.
+/// An edge of a mesh: its ends, and the third corner of each of its faces, as indices into the mesh's vertices. Only
+/// their positions are used. Seen from the front, a, b, left are counter-clockwise, and b, a, right, too. There are two
+/// ways to describe an edge: (a, b, left, right) and (b, a, right, left). With a > b the edge is a crease, where
+/// shading or colour may change abruptly between two faces that are both seen.
 struct Edge {
   std::uint16_t a, b;             ///< the ends
   std::uint16_t left;             ///< third corner of the face on the left
-  std::uint16_t right = kNoFace;  ///< kNoFace: the mesh ends here
+  std::uint16_t right = kNoFace;  ///< kNoFace: the mesh has no face there
 };
 
-/// Edges of a mesh that are anti-aliased (effect::edges) wherever its instances are drawn. Drawn in this order; fastest
-/// where edges with the same meshlet, that of a, b and left, lie next to each other and in the meshlets' order.
+/// Edges of a mesh that are anti-aliased (effect::edges) wherever its instances are drawn. Drawn in this order. It is
+/// fastest if edges of one meshlet (that of a, b and left) are adjacent, in the order of the meshlets.
 struct EdgeSet {
   std::span<const Edge> edges;  ///< any number
   std::uint16_t mesh = 0;       ///< index into Scene::meshes
@@ -377,34 +389,34 @@ struct EdgeSet {
 
 struct Overlay;  // overlay.hpp
 
-/// All that a frame draws. Only views: the tables are the caller's, in flash or in RAM.
+/// All data that a frame draws. Has only views: the tables are the caller's, in flash or in RAM.
 struct Scene {
-  std::span<const Mesh> meshes;                      ///< Instance::mesh names them
-  std::span<const Material> materials;               ///< Instance::material names them
-  std::span<const Texture> textures;                 ///< Material::texture names them
+  std::span<const Mesh> meshes;                      ///< Instance::mesh is an index into them
+  std::span<const Material> materials;               ///< Instance::material is an index into them
+  std::span<const Texture> textures;                 ///< Material::texture is an index into them
   std::span<const Instance> instances;               ///< drawn in this order
   std::span<const DirectionalLight> lights;          ///< at most kMaxLights
-  Colour ambient{48, 48, 48, 255};                   ///< light from everywhere; alpha means nothing
-  Colour background{0, 0, 0, 255};                   ///< of pixels that nothing covers; alpha means nothing
-  const Fog* fog = nullptr;                          ///< none if null
+  Colour ambient{48, 48, 48, 255};                   ///< light from all directions; alpha is ignored
+  Colour background{0, 0, 0, 255};                   ///< colour of pixels that no object covers; alpha is ignored
+  const Fog* fog = nullptr;                          ///< null: no fog
   std::span<const Finish> finishes{};                ///< at most 255
   std::span<const PunctualLight> punctual_lights{};  ///< at most kMaxPunctualLights
   std::span<const Quadric> quadrics{};               ///< drawn in this order, before the instances
   std::span<const LineSet> lines{};                  ///< drawn in this order, after the quadrics
-  std::span<const Outline> outlines{};               ///< at most 255; Mesh::outline names them
-  const Shadow* shadow = nullptr;                    ///< none if null
+  std::span<const Outline> outlines{};               ///< at most 255; Mesh::outline is an index into them
+  const Shadow* shadow = nullptr;                    ///< null: no shadow
   std::span<const CsgOperand> csg{};                 ///< at most kMaxCsgOperands, product after product
-  /// By ascending mesh, one a mesh at most. Not with outlines, shadows, CSG or several samples.
+  /// By ascending mesh, at most one for each mesh. Not with outlines, shadows, CSG or several samples.
   std::span<const EdgeSet> edges{};
-  const Overlay* overlay = nullptr;  ///< sprites and labels over the picture; none if null
+  const Overlay* overlay = nullptr;  ///< sprites and labels over the picture; null: none
 };
 
-/// Of the instances of this mesh; null if they have none.
+/// Returns the outline of the mesh's instances, or null if they have none.
 constexpr const Outline* outline_of(const Scene& scene, const Mesh& mesh) {
   return mesh.outline != 0 && mesh.outline <= scene.outlines.size() ? &scene.outlines[mesh.outline - 1U] : nullptr;
 }
 
-/// Of the instances of this mesh.
+/// Returns the anti-aliased edges of the mesh's instances.
 constexpr std::span<const Edge> edges_of(const Scene& scene, std::uint32_t mesh) {
   for (const EdgeSet& set : scene.edges) {
     if (set.mesh == mesh) return set.edges;
@@ -412,10 +424,10 @@ constexpr std::span<const Edge> edges_of(const Scene& scene, std::uint32_t mesh)
   return {};
 }
 
-inline constexpr std::uint32_t kEdgesOfGroup = 32;  ///< whose frame keeps what is known of them together
+inline constexpr std::uint32_t kEdgesOfGroup = 32;  ///< edges whose state in a frame is stored together
 
-/// Groups of kEdgesOfGroup edges that the instances have, together; 2^32 - 1 also stands for more. Not inlined: checks
-/// of scenes without edges call it in several places.
+/// Returns the groups of kEdgesOfGroup edges of all instances; 2^32 - 1 means that many or more. Not inlined, because
+/// checks of scenes without edges call it in several places.
 [[gnu::noinline]] constexpr std::uint32_t edge_groups(const Scene& scene) {
   std::uint64_t groups = 0;
   for (const EdgeSet& set : scene.edges) {
@@ -426,7 +438,8 @@ inline constexpr std::uint32_t kEdgesOfGroup = 32;  ///< whose frame keeps what 
   return groups < 0xFFFFFFFF ? static_cast<std::uint32_t>(groups) : 0xFFFFFFFF;
 }
 
-/// The mesh that is the hull of an instance with this outline; may be out of range before validate.
+/// Returns the index of the mesh that is the hull of an instance with this outline; it may be out of range before
+/// validate.
 constexpr std::uint16_t hull_of(const Outline& outline, const Instance& instance) {
   return outline.hull == kOwnMesh ? instance.mesh : outline.hull;
 }

@@ -1,6 +1,12 @@
-// Meshes that bend: vertices moved by up to four joints of a skeleton, joints moved by keyframes. Done before a frame,
-// into a mesh in RAM that the scene draws as any other:
+// Moves vertices of a mesh by up to four joints of a skeleton, and joints by keyframes. Either before a frame, into a
+// mesh in RAM that the scene draws like any other:
 //     pose(kWalk, milliseconds, joints);                      // JointPose joints[...], from kSkin.rest
+//     skin_mesh(kSkin, joints, work, {positions, normals, meshlets});
+//     renderer.begin_frame(...);
+// Then every effect, method and mode can draw it, and a program without skins has no code for them. Or while a frame is
+// drawn, each meshlet each time that it is drawn, which needs RAM for one meshlet and more time (effect::skins):
+//     pose_skin(skinning, joints);                            // Mesh::skinning = &skinning
+//     renderer.begin_frame(...);
 //     skin_mesh(kSkin, joints, work, {positions, normals, meshlets});
 //     renderer.begin_frame(...);
 // So every effect, method and mode draws it, and a program without skins has nothing of them. Or while a frame is
@@ -21,43 +27,43 @@ namespace zstrip {
 inline constexpr std::uint16_t kNoJoint = 0xFFFF;  ///< for Joint::parent
 inline constexpr std::uint32_t kMaxJoints = 256;   ///< of a skin
 
-/// A joint of the skeleton: what does not move.
+/// A joint of the skeleton: the data that does not change.
 struct Joint {
   Transform inverse_bind = Transform::identity();  ///< from the mesh's space to the joint's, as the mesh was modelled
-  std::uint16_t parent = kNoJoint;                 ///< an index below its own; kNoJoint: the mesh's space
+  std::uint16_t parent = kNoJoint;                 ///< an index below the joint's own; kNoJoint: the mesh's space
 };
 
-/// Where a joint is as its parent sees it: scaled, then rotated, then moved.
+/// The place of a joint in its parent's space. The joint is scaled, then rotated, then moved.
 struct JointPose {
   std::int16_t rotation[4]{0, 0, 0, 32767};     ///< 1.15, a quaternion of about unit length: x, y, z, w
   Vec3 translation{0, 0, 0};                    ///< 16.16
   Vec3 scale{kFixedOne, kFixedOne, kFixedOne};  ///< 16.16, +-255
 };
 
-/// The joints that move a vertex, the one with the largest weight first. Weights are 1/256; the first one counts 1/256
-/// more than its value, so that all four add up to 255. Joints of weight 0 lie last and are not looked at.
+/// The joints that move a vertex, the joint with the largest weight first. Weights are in 1/256; the first weight is
+/// 1/256 more than its value, so that the four values add up to 255. Joints of weight 0 must be last, and are ignored.
 struct VertexJoints {
   std::uint8_t joints[4]{0, 0, 0, 0};     ///< indices into Skin::joints
   std::uint8_t weights[4]{255, 0, 0, 0};  ///< add up to 255
 };
 
-/// A mesh and what moves it, in flash or in a blob.
+/// A mesh and its skeleton, in flash or in a blob.
 struct Skin {
-  const Mesh* mesh = nullptr;              ///< as it was modelled. Its half extents are equal, and its box has room for
+  const Mesh* mesh = nullptr;              ///< as it was modelled; its half extents are equal, and its box has room for
                                            ///< every pose
   std::span<const VertexJoints> vertices;  ///< one a vertex
   std::span<const Joint> joints;           ///< 1..kMaxJoints
-  std::span<const JointPose> rest;         ///< one a joint: what a joint without a track has
+  std::span<const JointPose> rest;         ///< one a joint: the pose of joints without a track
 };
 
-/// Where a moved mesh is written, in RAM. The mesh that is drawn is Skin::mesh with these in place of its own.
+/// Memory for a moved mesh, in RAM. The mesh that is drawn is Skin::mesh with these tables instead of its own.
 struct MovedVertices {
   std::span<Position> positions;  ///< as many as the mesh has
-  std::span<Normal> normals;      ///< none where the mesh has none
-  std::span<Meshlet> meshlets;    ///< none where the mesh has none
+  std::span<Normal> normals;      ///< empty if the mesh has no normals
+  std::span<Meshlet> meshlets;    ///< empty if the mesh has no meshlets
 };
 
-/// The mesh to be drawn: `mesh` as it is moved.
+/// Returns the mesh to draw: `mesh` with the tables of `moved`.
 constexpr Mesh moved_mesh(const Mesh& mesh, const MovedVertices& moved) {
   Mesh result = mesh;
   result.positions = moved.positions;
@@ -66,21 +72,21 @@ constexpr Mesh moved_mesh(const Mesh& mesh, const MovedVertices& moved) {
   return result;
 }
 
-/// A skin that is moved while its mesh is drawn: Mesh::skinning of `skin`'s mesh or of a copy. In RAM, where renderers
-/// write; two that draw at the same time need two. Until the first pose_skin the mesh is drawn as it was modelled.
+/// A skin that is moved while its mesh is drawn: Mesh::skinning of `skin`'s mesh or of a copy. It lies in RAM, because
+/// renderers write to it; two renderers that draw at the same time need one each. Until the first pose_skin the mesh is
+/// drawn as it was modelled.
 struct Skinning {
-  const Skin* skin = nullptr;      ///< outlives it
+  const Skin* skin = nullptr;      ///< must outlive this object
   std::span<Transform> matrices;   ///< one a joint
   std::span<Position> positions;   ///< as many as the mesh's largest meshlet
-  std::span<Normal> normals{};     ///< likewise; none where the mesh has none
-  std::int32_t fraction_bits = 0;  ///< of `matrices`, pose_skin's; 0: there are none yet
-  Mesh moved{};                    ///< the renderer's
+  std::span<Normal> normals{};     ///< as many as `positions`; empty if the mesh has no normals
+  std::int32_t fraction_bits = 0;  ///< of `matrices`, set by pose_skin; 0: no matrices yet
+  Mesh moved{};                    ///< written by the renderer
 };
 
-/// Error::skin (`needed` = index of the joint or vertex) for counts that differ, parents that are not ahead of their
-/// children, matrices out of range, scales at rest out of range and rotations shorter than a half, weights that do not
-/// add up, joints that do not exist, half extents that differ. Of an animation of joints use validate(animation,
-/// joints).
+/// Returns Error::skin (`needed` = index of the joint or vertex) if counts differ, a parent does not come before its
+/// children, a matrix or a scale at rest is out of range, a rotation is shorter than a half, weights do not add up, a
+/// joint does not exist, or half extents differ. Check an animation of joints with validate(animation, joints).
 constexpr Status validate(const Skin& skin) {
   const auto wrong = [](std::size_t index) {
     return Status{.error = Error::skin, .needed = static_cast<std::uint32_t>(index)};
@@ -121,24 +127,26 @@ constexpr Status validate(const Skin& skin) {
   return {};
 }
 
-/// Sets the joints that have tracks (Track::instance is the joint) to what they are `time` milliseconds after the
-/// start; any time. `joints`: as many as in validate. The same bits on every target.
+/// Sets all joints that have tracks (Track::instance is the joint) to their values `time` milliseconds after the start;
+/// any time is valid. `joints`: as many as in validate. The result has the same bits on every target.
 void pose(const Animation& animation, std::uint32_t time, std::span<JointPose> joints);
 
-/// Moves `joints` towards `others`, as many: by `share` of 65536. Rotations along the shorter arc, all else linearly.
+/// Moves `joints` towards `others` (as many) by `share` / 65536: rotations along the shorter arc, all other values
+/// linearly.
 void blend(std::span<JointPose> joints, std::span<const JointPose> others, std::uint32_t share);
 
-/// Writes the mesh as its joints move it: positions, normals of the length that they had, and meshlets with the
-/// spheres that hold them now. `work`: one a joint; holds nothing that is needed afterwards. What has passed
-/// validate(skin) and validate(animation, joints) is safe. Error::skin where the mesh leaves its box (`needed` = the
-/// vertex), a joint leads its vertices too far away (`needed` = the joint), or a span has another size (`needed` = 0);
-/// `moved` then holds some of both poses. Time: a vertex takes some 40 products for each of its joints.
+/// Writes the mesh as its joints move it: positions, normals of unchanged length, and meshlets with new bounding
+/// spheres. `work`: one a joint; its contents are not needed afterwards. Safe for skins and animations that passed
+/// validate(skin) and validate(animation, joints). Error::skin if the mesh leaves its box (`needed` = the vertex), a
+/// joint moves its vertices too far away (`needed` = the joint), or a span has another size (`needed` = 0); `moved` is
+/// then a mixture of both poses. Time: about 40 products for each joint of each vertex.
 Status skin_mesh(const Skin& skin, std::span<const JointPose> pose, std::span<Transform> work,
                  const MovedVertices& moved);
 
 /// Makes the matrices of `skinning`, before the frame that shows them. The vertices of that frame are those of
-/// skin_mesh, but one outside of the box comes to lie on its side: nothing is known of vertices here. Error::skin
-/// where a joint leads its vertices too far away (`needed` = the joint) or a span has another size (`needed` = 0).
+/// skin_mesh, except that a vertex outside of the box is moved to its side: pose_skin does not see the vertices.
+/// Error::skin if a joint moves its vertices too far away (`needed` = the joint) or a span has another size (`needed` =
+/// 0).
 Status pose_skin(Skinning& skinning, std::span<const JointPose> pose);
 
 }  // namespace zstrip

@@ -1,4 +1,4 @@
-// Everything that an application includes, but visibility.hpp: of the methods that are studies.
+// Includes all public headers except visibility.hpp, whose methods are studies.
 #pragma once
 
 #include "zstrip/animation.hpp"
