@@ -36,8 +36,8 @@ struct Animation {
 };
 
 /// Returns Error::animation (`needed` = index of the track) if an index is out of range, times do not grow, a
-/// quaternion is not of unit length or is more than 180 degrees from the one before (compared as vectors of four:
-/// choose the nearer sign), or a scale is out of range. An animation that passes is safe to pose with as many
+/// quaternion is not of unit length, its dot product with the one before is negative (a rotation by more than 180
+/// degrees: choose the other sign), or a scale is out of range. An animation that passes is safe to pose with as many
 /// instances.
 Status validate(const Animation& animation, std::uint32_t instances);
 

@@ -34,9 +34,9 @@ enum class Error : std::uint8_t {
   store_full,      ///< a store's pool has no room for a tile; `needed`, `available` in bytes of the pool
   store_range,     ///< a tile or rows that a store does not have (`needed` = the row beyond, `available` = its rows),
                    ///< or a pixel format that it cannot keep
-  store_damaged,   ///< bytes that are no store of this kind, or no record of a tile (`needed` = index of the tile)
+  store_damaged,  ///< bytes that are not a store of this kind, or not a record of a tile (`needed` = index of the tile)
   blob_alignment,  ///< the address of a scene blob, or of the memory lent for it, is not aligned
-  blob_damaged,    ///< bytes that are no complete scene blob (`needed` = offset of the wrong byte)
+  blob_damaged,    ///< bytes that are not a complete scene blob (`needed` = offset of the wrong byte)
   blob_version,    ///< a scene blob of another version (`needed` = its version, `available` = the supported version)
   blob_memory,     ///< too little memory lent for a scene blob; `needed`, `available` in bytes
   depth_effects,   ///< two depth formats at once, sub-ranges of a format that has none, or a format for perspective
