@@ -1,4 +1,4 @@
-// The angle of a direction, for pixel loops: no division.
+// The angle of a direction, for pixel loops: without a division.
 #pragma once
 
 #include <bit>
@@ -10,14 +10,14 @@
 namespace zstrip {
 namespace detail {
 
-/// 0 <= smaller <= larger, 0 < larger < 2^16: their quotient in 0.15, within 2 units.
+/// Returns smaller / larger in 0.15, within 2 units. 0 <= smaller <= larger, 0 < larger < 2^16.
 constexpr std::int32_t ratio(std::uint32_t smaller, std::uint32_t larger) {
   const int shift = std::countl_zero(larger) - 16;
   const std::uint32_t inverse = quotient_or_one_less(larger << shift) >> 2;  // 2^30 / larger
   return static_cast<std::int32_t>(((smaller << shift) * inverse) >> 15);
 }
 
-/// An angle of up to 1/8 turn from its tangent (0.15), in 0.18 turns: the odd polynomial of degree 9 that is within
+/// Returns the angle of a tangent (0.15, 0..1) in 0.18 of a full circle: an odd polynomial of degree 9, which is within
 /// 10^-5 radians.
 constexpr std::int32_t eighth_arctangent(std::int32_t tangent) {
   const std::int32_t square = (tangent * tangent) >> 15;  // 0.15
@@ -28,15 +28,15 @@ constexpr std::int32_t eighth_arctangent(std::int32_t tangent) {
 
 }  // namespace detail
 
-/// The angle from the x axis to (x, y) in turns, 0.16 (only the low 16 bits count), within 2 units; 0 for (0, 0).
-/// |x|, |y| < 2^16.
+/// Returns the angle from the x axis to (x, y), 0.16 of a full circle (only the low 16 bits count), within 2 units; 0
+/// for (0, 0). |x|, |y| < 2^16.
 constexpr Angle arctangent(std::int32_t y, std::int32_t x) {
   const auto width = static_cast<std::uint32_t>(x < 0 ? -x : x);
   const auto height = static_cast<std::uint32_t>(y < 0 ? -y : y);
   if ((width | height) == 0) return 0;
   const bool steep = height > width;
   std::int32_t angle = detail::eighth_arctangent(steep ? detail::ratio(width, height) : detail::ratio(height, width));
-  if (steep) angle = (1 << 16) - angle;  // a quarter turn, 0.18
+  if (steep) angle = (1 << 16) - angle;  // 90 degrees, 0.18
   if (x < 0) angle = (1 << 17) - angle;
   if (y < 0) angle = -angle;
   return (angle + 2) >> 2;

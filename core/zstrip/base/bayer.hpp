@@ -1,4 +1,4 @@
-// Ordered dithering: a value gets fewer bits by a threshold that depends on where its pixel lies.
+// Ordered dithering: reduces the bits of a value with a threshold that depends on the pixel's position.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ inline constexpr std::uint8_t kBayer[8][8] = {{0, 32, 8, 40, 2, 34, 10, 42},  {4
                                               {3, 35, 11, 43, 1, 33, 9, 41},  {51, 19, 59, 27, 49, 17, 57, 25},
                                               {15, 47, 7, 39, 13, 45, 5, 37}, {63, 31, 55, 23, 61, 29, 53, 21}};
 
-/// The upper `bits` (1..7) of a value of 8 bits after `threshold`, 0..63, was added to those that go. With s the value
-/// minus itself / 2^bits, rounded down: the mean over all thresholds is s / 2^(8 - bits), exactly, with one bit rounded
-/// down to 1/64. 0 and 255 stay the least and the greatest level everywhere, and so does every level that was widened
-/// by repeating its bits: s is then a whole number of steps.
+/// Adds `threshold`, 0..63, to the lost bits of a value of 8 bits, and returns its upper `bits` (1..7) bits. With s =
+/// value - floor(value / 2^bits), the mean over all thresholds is exactly s / 2^(8 - bits); with one bit it is rounded
+/// down to 1/64. 0 and 255 always remain the least and the greatest level. So does every level that was widened by
+/// repeating its bits, because s is then a whole number of steps.
 template <int bits>
 constexpr std::uint32_t dithered(std::uint32_t value, std::uint32_t threshold) {
   constexpr int kLost = 8 - bits;

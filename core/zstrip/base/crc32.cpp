@@ -1,4 +1,4 @@
-// CRC-32, half a byte a step.
+// CRC-32, with four bits in each step.
 #include "zstrip/base/crc32.hpp"
 
 namespace zstrip {

@@ -1,4 +1,4 @@
-// CRC-32 as zlib, PNG and Ethernet have it: reflected, polynomial 0xEDB88320.
+// CRC-32 as in zlib, PNG and Ethernet: reflected, polynomial 0xEDB88320.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace zstrip {
 
-/// Of all bytes; 0 for none. A table of 64 bytes: half a byte a step.
+/// Returns the CRC-32 of all bytes; 0 for none. Takes four bits in each step, with a table of 64 bytes.
 std::uint32_t crc32(std::span<const std::byte> bytes);
 
 }  // namespace zstrip

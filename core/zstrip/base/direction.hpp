@@ -1,4 +1,4 @@
-// Unit vectors in 2.30, for set-up once an instance or a frame. Out of line: code is scarce.
+// Unit vectors in 2.30, for set-up once an instance or a frame. Not inlined, to save flash.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ Vec3 unit(Wide3 v);
 /// a x b of two 2.30 vectors, in 2.60 >> 8: room for the sum.
 Wide3 cross(const Vec3& a, const Vec3& b);
 
-/// Whether every component is smaller in magnitude than `limit`.
+/// True if every component is smaller in magnitude than `limit`.
 constexpr bool is_within(const Wide3& v, std::int64_t limit) {
   return magnitude(v.x) < limit && magnitude(v.y) < limit && magnitude(v.z) < limit;
 }

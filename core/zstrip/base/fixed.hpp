@@ -1,4 +1,4 @@
-// Fixed-point types and the few exact operations that every stage uses.
+// Fixed-point types, and the exact operations that every stage uses.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ using Fixed = std::int32_t;
 inline constexpr int kFixedBits = 16;
 inline constexpr Fixed kFixedOne = Fixed{1} << kFixedBits;
 
-/// An angle in turns, 0.16: 65536 is a full turn, only the low 16 bits count.
+/// An angle, 0.16 of a full circle: 65536 is 360 degrees, only the low 16 bits count.
 using Angle = std::int32_t;
 inline constexpr Angle kFullTurn = 65536;
 
@@ -27,14 +27,15 @@ struct Transform {
   static constexpr Transform identity() { return {{{kFixedOne, 0, 0, 0}, {0, kFixedOne, 0, 0}, {0, 0, kFixedOne, 0}}}; }
 };
 
-/// Whether the processor multiplies 32 bits by 32 to 64. Without (Cortex-M0) the compiler calls a function of 64 by 64.
+/// True if the processor multiplies 32 bits by 32 to 64. Without it (Cortex-M0) the compiler calls a function of 64 by
+/// 64.
 #if defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__)
 inline constexpr bool kMultipliesLong = false;
 #else
 inline constexpr bool kMultipliesLong = true;
 #endif
 
-/// Upper 32 bits of a product, from the four products of halves: floor(a * b / 2^32).
+/// Returns the upper 32 bits of a product, floor(a * b / 2^32), from the four products of halves.
 constexpr std::uint32_t multiply_high_in_halves(std::uint32_t a, std::uint32_t b) {
   const std::uint32_t a_low = a & 0xFFFF, a_high = a >> 16;
   const std::uint32_t b_low = b & 0xFFFF, b_high = b >> 16;
@@ -48,13 +49,13 @@ constexpr std::int32_t multiply_high_in_halves(std::int32_t a, std::int32_t b) {
   const std::int32_t b_low = b & 0xFFFF, b_high = b >> 16;
   const auto low =
       static_cast<std::int32_t>((static_cast<std::uint32_t>(a_low) * static_cast<std::uint32_t>(b_low)) >> 16);
-  // Each product is within +-2^31, less what is added: 2^15 * (2^16 - 1) + 2^16 - 1 < 2^31.
+  // Each product and its sum lie within +-2^31: 2^15 * (2^16 - 1) + 2^16 - 1 < 2^31.
   const std::int32_t middle = a_high * b_low + low;
   const std::int32_t rest = a_low * b_high + (middle & 0xFFFF);
   return a_high * b_high + (middle >> 16) + (rest >> 16);
 }
 constexpr std::int32_t multiply_high_rounded_in_halves(std::int32_t a, std::int32_t b) {
-  // Half of a unit is a carry out of the lower word.
+  // The lower word is at least half a unit if its highest bit is set; then the result is rounded up.
   const std::uint32_t low = static_cast<std::uint32_t>(a) * static_cast<std::uint32_t>(b);
   return multiply_high_in_halves(a, b) + static_cast<std::int32_t>(low >> 31);
 }
@@ -63,7 +64,7 @@ constexpr std::int32_t multiply_by_half_in_halves(std::int32_t a, std::int16_t b
   return (a >> 16) * b + (((a & 0xFFFF) * b) >> 16);
 }
 
-/// Upper 32 bits of a product: floor(a * b / 2^32).
+/// Returns the upper 32 bits of a product: floor(a * b / 2^32).
 constexpr std::int32_t multiply_high(std::int32_t a, std::int32_t b) {
   if constexpr (!kMultipliesLong) return multiply_high_in_halves(a, b);
   return static_cast<std::int32_t>((std::int64_t{a} * b) >> 32);
@@ -72,7 +73,7 @@ constexpr std::uint32_t multiply_high(std::uint32_t a, std::uint32_t b) {
   if constexpr (!kMultipliesLong) return multiply_high_in_halves(a, b);
   return static_cast<std::uint32_t>((std::uint64_t{a} * b) >> 32);
 }
-/// The whole product.
+/// Returns all 64 bits of the product.
 constexpr std::uint64_t long_product(std::uint32_t a, std::uint32_t b) {
   if constexpr (!kMultipliesLong) return (std::uint64_t{multiply_high_in_halves(a, b)} << 32) | (a * b);
   return std::uint64_t{a} * b;
@@ -86,45 +87,46 @@ constexpr std::int64_t long_product(std::int32_t a, std::int32_t b) {
   return std::int64_t{a} * b;
 }
 constexpr std::int64_t long_product(std::int64_t a, std::int64_t b) { return a * b; }
-// WebAssembly has the type, too, but functions for it.
+// WebAssembly has the type, too, but calls functions for it.
 #if defined(__SIZEOF_INT128__) && __SIZEOF_POINTER__ == 8
-inline constexpr bool kMultipliesLonger = true;  ///< whether the processor multiplies 64 bits by 64 to 128
-/// floor(a * b / 2^shift) modulo 2^64, 0 <= shift < 128.
+inline constexpr bool kMultipliesLonger = true;  ///< true if the processor multiplies 64 bits by 64 to 128
+/// Returns floor(a * b / 2^shift) modulo 2^64, 0 <= shift < 128.
 constexpr std::int64_t longer_product_right(std::int64_t a, std::int64_t b, int shift) {
   __extension__ using Product = __int128;
   return static_cast<std::int64_t>((Product{a} * b) >> shift);
 }
 #else
 inline constexpr bool kMultipliesLonger = false;
-std::int64_t longer_product_right(std::int64_t a, std::int64_t b, int shift);  ///< not there
+std::int64_t longer_product_right(std::int64_t a, std::int64_t b, int shift);  ///< not defined
 #endif
-/// floor(value / 2^shift), 0 <= shift < 32, where it fits a word. A shift of two words is one of any width otherwise.
+/// Returns floor(value / 2^shift), 0 <= shift < 32, for results that fit in a word. The compiler would otherwise emit a
+/// shift of two words by any number of bits.
 constexpr std::int32_t shifted_to_word(std::int64_t value, int shift) {
   if constexpr (sizeof(void*) == 8) return static_cast<std::int32_t>(value >> shift);
   const auto high = static_cast<std::uint32_t>(value >> 32);
   return static_cast<std::int32_t>((high << 1 << (31 - shift)) | (static_cast<std::uint32_t>(value) >> shift));
 }
-/// Rounded to nearest, halves up. |a * b| < 2^62.
+/// Returns a * b / 2^32, rounded to nearest, halves up. |a * b| < 2^62.
 constexpr std::int32_t multiply_high_rounded(std::int32_t a, std::int32_t b) {
   if constexpr (!kMultipliesLong) return multiply_high_rounded_in_halves(a, b);
   return static_cast<std::int32_t>((std::int64_t{a} * b + (std::int64_t{1} << 31)) >> 32);
 }
-/// The same of a factor of 16 bits: floor(a * b / 2^16).
+/// Returns floor(a * b / 2^16) for a factor of 16 bits.
 constexpr std::int32_t multiply_by_half(std::int32_t a, std::int16_t b) {
   if constexpr (!kMultipliesLong) return multiply_by_half_in_halves(a, b);
-  // Where a register holds the product, its second factor need not be shifted first.
+  // If a register holds the whole product, the second factor need not be shifted first.
   if constexpr (sizeof(void*) == 8) return static_cast<std::int32_t>((std::int64_t{a} * b) >> 16);
   return multiply_high(a, std::int32_t{b} << 16);
 }
 
-/// The same value, but the compiler can no longer infer that it is not negative. GCC would multiply it as an unsigned
-/// word and correct the sign, three instructions for one on a Cortex-M3.
+/// Returns `value`, but hides from the compiler that it is not negative. GCC would otherwise multiply it as an unsigned
+/// word and correct the sign: three instructions instead of one on a Cortex-M3.
 inline std::int32_t of_any_sign(std::int32_t value) {
   asm("" : "+r"(value));
   return value;
 }
 
-/// a * b in 16.16, rounded down. The caller guarantees that the result fits.
+/// Returns a * b in 16.16, rounded down. The caller guarantees that the result fits.
 constexpr Fixed fixed_multiply(Fixed a, Fixed b) { return static_cast<Fixed>((std::int64_t{a} * b) >> kFixedBits); }
 
 /// Converts a compile-time constant, rounded to nearest; never evaluated at run time.

@@ -1,5 +1,5 @@
-// The one place that says what to do about an older language. Headers of an application reach it first, and the
-// compiler ends at it: what follows would be hundreds of errors about the same.
+// Refuses language versions before C++20, and says what to do. Headers of an application include this file first. The
+// compiler stops at the #error, instead of reporting hundreds of errors with the same cause.
 #pragma once
 
 #if __cplusplus < 202002L

@@ -4,7 +4,7 @@
 namespace zstrip {
 namespace {
 
-/// sin(t * quarter turn) for t in 0..1 as 2.30: the odd Taylor polynomial to degree 13 (remainder below 2^-30).
+/// Returns sin(t * 90 degrees) for t in 0..1 as 2.30: the odd Taylor polynomial to degree 13 (remainder below 2^-30).
 constexpr std::int64_t quarter_sine(std::int64_t t) {
   constexpr std::int64_t kCoefficients[] = {
       // 2.30 of (pi/2)^k / k!, alternating, k = 13, 11, .., 1

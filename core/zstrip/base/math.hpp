@@ -1,4 +1,4 @@
-// Integer functions for work done once a frame or once a vertex: sine, square root, reciprocal.
+// Integer functions for work once a frame or once a vertex: sine, square root, reciprocal.
 #pragma once
 
 #include <bit>
@@ -9,16 +9,16 @@
 
 namespace zstrip {
 
-/// Sine and cosine of an angle in turns (0.16), in 2.30. Exact at multiples of a quarter turn;
-/// elsewhere within 4 units of 2^-30.
+/// Sine and cosine of an angle (0.16 of a full circle), in 2.30. Exact at multiples of 90 degrees; within 4 units of
+/// 2^-30 at other angles.
 std::int32_t sine(Angle angle);
 std::int32_t cosine(Angle angle);
 
-/// floor(sqrt(value)), exact for every input.
+/// Returns floor(sqrt(value)), exact for every input.
 std::uint32_t square_root(std::uint64_t value);
 
-/// reciprocal() in words of 32 bits. With q = floor((2^32 - 1) / upper half), 2^16 < q < 2^17, q * divisor is near to
-/// 2^48: the product's bits above 2^16 are how far, modulo 2^32. Newton's step is q - q * e, where e is below 2^15.
+/// reciprocal() in words of 32 bits. With q = floor((2^32 - 1) / upper half), 2^16 < q < 2^17, q * divisor is close to
+/// 2^48: the product's bits above 2^16 are the difference, modulo 2^32. Newton's step is q - q * e, with e below 2^15.
 constexpr std::int32_t reciprocal_in_halves(std::uint32_t divisor) {
   const std::uint32_t q = quotient_32(divisor >> 16), q_low = q & 0xFFFF, low = divisor & 0xFFFF;
   const std::int32_t e = static_cast<std::int32_t>(q * (divisor >> 16) + low + ((q_low * low) >> 16)) >> 2;
@@ -26,8 +26,9 @@ constexpr std::int32_t reciprocal_in_halves(std::uint32_t divisor) {
   return (static_cast<std::int32_t>(q << 13) + correction) * 2;
 }
 
-/// 2^62 / divisor for a normalised divisor (2^31 <= divisor < 2^32): a result of 31 bits, 2^30 <= result < 2^31,
-/// relative error below 2^-28. One 32-bit division and one Newton step; the same bits on every target.
+/// Returns 2^62 / divisor for a normalised divisor (2^31 <= divisor < 2^32): a result of 31 bits, 2^30 <= result <
+/// 2^31, with a relative error below 2^-28. Takes one 32-bit division and one Newton step; the same bits on every
+/// target.
 constexpr std::int32_t reciprocal(std::uint32_t divisor) {
   if constexpr (!kMultipliesLong) return reciprocal_in_halves(divisor);
   const std::uint32_t first = quotient_32(divisor >> 16) << 14;         // 2^62 / divisor to 2^-15
@@ -36,17 +37,17 @@ constexpr std::int32_t reciprocal(std::uint32_t divisor) {
   return static_cast<std::int32_t>(multiply_high(first, correction << 1) << 1);
 }
 
-/// Many quotients by the same 64-bit divisor (> 0), with 31 significant bits; for set-up, not for pixels.
+/// Computes many quotients by the same 64-bit divisor (> 0), with 31 significant bits; for set-up, not for pixels.
 struct ScaledReciprocal {
   std::int32_t mantissa;  ///< reciprocal() of the normalised divisor
-  int normalisation;      ///< divisor * 2^normalisation lies in 2^31 .. 2^32 (negative for wide divisors)
+  int normalisation;      ///< divisor * 2^normalisation lies in 2^31..2^32 (negative for divisors of more than 32 bits)
 
   static constexpr ScaledReciprocal of(std::uint64_t divisor) {
     const int zeros = std::countl_zero(divisor);
     return {reciprocal(static_cast<std::uint32_t>((divisor << zeros) >> 32)), zeros - 32};
   }
-  /// floor(numerator / divisor * 2^fraction_bits) up to the reciprocal's relative error, modulo 2^64.
-  /// 0 <= fraction_bits <= 30.
+  /// Returns floor(numerator / divisor * 2^fraction_bits) with the reciprocal's relative error, modulo 2^64. 0 <=
+  /// fraction_bits <= 30.
   constexpr std::int64_t quotient(std::int64_t numerator, int fraction_bits) const {
     const int shift = 62 - normalisation - fraction_bits;  // 1/divisor = mantissa * 2^(normalisation - 62)
     if constexpr (kMultipliesLonger) return longer_product_right(numerator, mantissa, shift);
@@ -61,8 +62,8 @@ struct ScaledReciprocal {
   }
 };
 
-/// floor(numerator / divisor * 2^fraction_bits), exact, modulo 2^64; 0 < divisor <= 2^54. For set-up, not for pixels:
-/// two divisions for each 9 bits.
+/// Returns floor(numerator / divisor * 2^fraction_bits), exact, modulo 2^64; 0 < divisor <= 2^54. For set-up, not for
+/// pixels: it takes two divisions for each 9 bits.
 constexpr std::int64_t long_quotient(std::int64_t numerator, std::int64_t divisor, int fraction_bits) {
   std::int64_t floor = numerator / divisor;
   std::int64_t remainder = numerator % divisor;

@@ -1,5 +1,5 @@
-// Unit vectors for pixel loops: as unit_vector.hpp, with a root from a table and Newton's steps in place of a loop and
-// a division.
+// Unit vectors for pixel loops: as unit_vector.hpp, but the root comes from a table and Newton's steps, without a loop
+// or a division.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace zstrip::detail {
 
-/// As direction_of: components within +-2^31; each of the unit vector's is off by less than 2^-12.5, its length by
-/// 2^-13, `root` and `inverse` by 2^-13 of themselves.
+/// direction_of for pixels: components within +-2^31. Each component of the unit vector has an error below 2^-12.5, its
+/// length an error below 2^-13; `root` and `inverse` have a relative error below 2^-13.
 constexpr DirectionAndLength pixel_direction_of(std::int32_t x, std::int32_t y, std::int32_t z) {
   const auto magnitude = [](std::int32_t v) {
     return v < 0 ? 0U - static_cast<std::uint32_t>(v) : static_cast<std::uint32_t>(v);

@@ -1,14 +1,14 @@
-// Numbers of any magnitude with 31 significant bits, for set-up whose values span more than a fixed point can hold.
-// Integers only, so that every target gets the same bits.
+// Numbers of any magnitude with 31 significant bits, for set-up whose values exceed the range of fixed point. Integers
+// only, so that every target gets the same bits.
 #pragma once
 
 #include <cstdint>
 
 namespace zstrip {
 
-/// mantissa * 2^exponent; 2^30 <= |mantissa| < 2^31, or 0. Each operation is right to 2^-29 of its result's magnitude,
-/// sums to 2^-29 of the larger operand's. Exponents of products of a few lengths and their inverses stay far inside 32
-/// bits. Out of line: set-up is rare, and code is scarce.
+/// mantissa * 2^exponent; 2^30 <= |mantissa| < 2^31, or 0. Each operation has an error of 2^-29 of its result's
+/// magnitude, sums of 2^-29 of the larger operand's. Exponents of products of a few lengths and their inverses stay far
+/// inside 32 bits. Not inlined, to save flash: set-up is rare.
 class Scaled {
  public:
   constexpr Scaled() = default;
@@ -16,14 +16,14 @@ class Scaled {
   Scaled(std::int64_t value, std::int32_t exponent);
 
   std::int32_t sign() const { return (mantissa_ > 0) - (mantissa_ < 0); }
-  /// The least n with |value| < 2^n; a very small number for 0.
+  /// Returns the least n with |value| < 2^n; a very small number for 0.
   std::int32_t log2_bound() const { return mantissa_ == 0 ? -100000 : exponent_ + 31; }
-  /// floor(value * 2^fraction_bits), at most 2^62 in magnitude.
+  /// Returns floor(value * 2^fraction_bits), at most 2^62 in magnitude.
   std::int64_t fixed(std::int32_t fraction_bits) const;
 
   Scaled operator-() const { return of(-mantissa_, exponent_); }
   Scaled magnitude() const { return mantissa_ < 0 ? -*this : *this; }
-  /// * 2^places.
+  /// Returns this number * 2^places.
   Scaled shifted(std::int32_t places) const { return of(mantissa_, exponent_ + places); }
 
   friend Scaled operator*(const Scaled& a, const Scaled& b);
@@ -32,7 +32,7 @@ class Scaled {
   /// b != 0.
   friend Scaled operator/(const Scaled& a, const Scaled& b);
   friend bool operator<(const Scaled& a, const Scaled& b) { return (a - b).mantissa_ < 0; }
-  /// 0 for negative values.
+  /// Returns the square root; 0 for negative values.
   friend Scaled root(const Scaled& value);
 
  private:
@@ -47,7 +47,7 @@ class Scaled {
   std::int32_t exponent_ = 0;
 };
 
-/// A vector of them.
+/// A vector of three such numbers.
 struct Scaled3 {
   Scaled x, y, z;
 };

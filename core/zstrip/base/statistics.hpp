@@ -1,4 +1,4 @@
-// What a frame did. Counted only by renderers built with effect::statistics.
+// Counts of the work of a frame. Only renderers built with effect::statistics count.
 #pragma once
 
 #include <cstdint>
@@ -6,13 +6,14 @@
 namespace zstrip {
 
 struct Statistics {
-  std::uint32_t triangles = 0;  ///< of all instances, before any culling
-  std::uint32_t drawn = 0;      ///< front-facing and reaching into the picture; counted in the first strip they touch
-  std::uint32_t clipped = 0;    ///< that took the clipping path; counted once for each strip
-  std::uint32_t covering = 0;   ///< of these, the ones that cover a pixel centre; counted in each strip where they do
-  std::uint32_t vertices = 0;   ///< transformed, again for each strip when streamed
+  std::uint32_t triangles = 0;  ///< sum over all instances, before any culling
+  std::uint32_t drawn = 0;      ///< front-facing triangles that reach into the picture; counted in the first strip that
+                                ///< they touch
+  std::uint32_t clipped = 0;    ///< triangles that took the clipping path; counted once for each strip
+  std::uint32_t covering = 0;   ///< drawn triangles that cover a pixel centre; counted in each strip where they do
+  std::uint32_t vertices = 0;   ///< transformed vertices; in Mode::streamed counted again for each strip
   std::uint32_t fragments = 0;  ///< pixels covered by triangles, before the depth test
-  std::uint32_t depth_passes = 0;  ///< of these, the ones that were written
+  std::uint32_t depth_passes = 0;  ///< fragments that were written
 };
 
 namespace detail {

@@ -1,4 +1,4 @@
-// The words for errors and purposes.
+// The text for errors and purposes.
 #include "zstrip/status.hpp"
 
 namespace zstrip {

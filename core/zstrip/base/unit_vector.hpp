@@ -1,4 +1,4 @@
-// Unit vectors of 15 bits, quick enough for work once a vertex: whole words, one root and one division.
+// Unit vectors of 15 bits, for work once a vertex: 32-bit words, one root and one division.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace zstrip::detail {
 
-/// 1.14.
+/// A vector in 1.14.
 struct UnitVector {
   std::int32_t x, y, z;
 };
@@ -19,7 +19,7 @@ constexpr std::int32_t dot(const UnitVector& a, const UnitVector& b) {  // 3.28:
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// For words from 2^30 on in steps of 2^26, at the middle of each step.
+/// An entry of a table for words from 2^30 on in steps of 2^26, at the middle of each step.
 struct RootEstimate {
   std::uint16_t root;
   std::uint16_t inverse;  ///< 2^30 / root
@@ -28,7 +28,7 @@ inline constexpr auto kRootTable = [] {
   std::array<RootEstimate, 48> table{};
   for (std::uint32_t i = 0; i < table.size(); ++i) {
     const std::uint32_t middle = ((i + 16) << 26) + (1U << 25);
-    std::uint32_t root = 1U << 15;  // rounded up; bit by bit, because every source that includes this computes it
+    std::uint32_t root = 1U << 15;  // rounded up; bit by bit, because every source that includes this file evaluates it
     for (std::uint32_t bit = 1U << 14; bit != 0; bit >>= 1) {
       if ((root + bit) * (root + bit) < middle) root += bit;
     }
@@ -38,8 +38,8 @@ inline constexpr auto kRootTable = [] {
   return table;
 }();
 
-/// floor(sqrt(value)) of a whole word: an estimate from a table, two of Newton's steps with its reciprocal, and what is
-/// left is one at most.
+/// Returns floor(sqrt(value)) of a 32-bit word: an estimate from a table, two Newton steps with its reciprocal, and a
+/// correction by at most one.
 template <bool counts_zeros = kCountsZeros>
 constexpr std::uint32_t root_of_word(std::uint32_t value) {
   if (value == 0) return 0;
@@ -50,7 +50,8 @@ constexpr std::uint32_t root_of_word(std::uint32_t value) {
   const auto inverse = static_cast<std::int32_t>(estimate.inverse);
   std::uint32_t root = estimate.root;
   const auto error = [&] { return static_cast<std::int32_t>(v - root * root); };
-  // Of up to 26 bits, then of 20. Twice: off by 5 at most, then by less than one and what was rounded down.
+  // The error has at most 26 bits, then 20. After the first step it is at most 5, after the second below one plus the
+  // rounding.
   root += static_cast<std::uint32_t>(((error() >> 10) * inverse) >> 21);
   root += static_cast<std::uint32_t>(((error() >> 5) * inverse) >> 26);
   if (root > 0xFFFF) root = 0xFFFF;
@@ -63,13 +64,13 @@ constexpr std::uint32_t root_of_word(std::uint32_t value) {
   return root >> pairs;
 }
 
-/// floor(2^30 / root) for 2^14 <= root < 2^16.
+/// Returns floor(2^30 / root) for 2^14 <= root < 2^16.
 template <bool divides = kDivides>
 constexpr std::uint32_t inverse_of_root(std::uint32_t root) {
   if constexpr (divides) return (1U << 30) / root;
   const std::uint32_t doublings = root < 1U << 15 ? 1 : 0;
   const std::uint32_t divisor = root << doublings;
-  // Of all divisors this one alone has another quotient of 2^32 than of 2^32 - 1.
+  // This divisor is the only one whose quotients of 2^32 and of 2^32 - 1 differ.
   if (divisor == 1U << 15) return 1U << (15 + doublings);
   return quotient_32_by_table(divisor) >> (2 - doublings);
 }
@@ -82,7 +83,7 @@ struct DirectionAndLength {
   std::int32_t shift;
 };
 
-/// Components within +-2^31. The direction of no vector at all is no direction: 0.
+/// Returns direction and length of a vector with components within +-2^31. The direction of a vector of length 0 is 0.
 constexpr DirectionAndLength direction_of(std::int32_t x, std::int32_t y, std::int32_t z) {
   const auto magnitude = [](std::int32_t v) {
     return v < 0 ? 0U - static_cast<std::uint32_t>(v) : static_cast<std::uint32_t>(v);
