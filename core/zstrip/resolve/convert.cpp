@@ -1,4 +1,4 @@
-// convert_pixels for a format that the program learns when it runs.
+// convert_pixels for a format that is known only at run time.
 #include "zstrip/resolve/convert.hpp"
 
 #include "zstrip/resolve/resolve.hpp"

@@ -1,4 +1,4 @@
-// From RGB565 to the formats of panels, for whole rectangles.
+// Converts rectangles from RGB565 to the formats of panels.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// From the working strip in RGB565 to the format of the panel.
+// Converts the working strip from RGB565 to the format of the panel.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace zstrip::detail {
 
-/// Luma of an RGB565 pixel, 0..255: channels replicated to 8 bits, weights 77, 150, 29 of 256, rounded.
+/// Returns the luma of an RGB565 pixel, 0..255: channels replicated to 8 bits, weights 77, 150, 29 of 256, rounded.
 constexpr std::uint8_t luma(std::uint16_t pixel) {
   const std::uint32_t r5 = pixel >> 11;
   const std::uint32_t g6 = (pixel >> 5) & 0x3FU;
@@ -19,7 +19,8 @@ constexpr std::uint8_t luma(std::uint16_t pixel) {
   return static_cast<std::uint8_t>((77 * r + 150 * g + 29 * b + 128) >> 8);
 }
 
-/// `out` has bytes_per_row(width, gray4) bytes; left pixel in the high nibble, an odd last nibble is 0.
+/// Converts a row to gray4. `out` has bytes_per_row(width, gray4) bytes; the left pixel is in the high nibble, and an
+/// odd last nibble is 0.
 inline void resolve_gray4(const std::uint16_t* pixels, std::uint16_t width, std::byte* out) {
   for (std::uint32_t x = 0; x < width; x += 2) {
     const std::uint32_t left = luma(pixels[x]) >> 4;
@@ -28,7 +29,8 @@ inline void resolve_gray4(const std::uint16_t* pixels, std::uint16_t width, std:
   }
 }
 
-/// Left pixel in the highest bit, lit from luma 128 on; unused bits of the last byte are 0.
+/// Converts a row to mono: the left pixel is in the highest bit, lit if luma >= 128; unused bits of the last byte are
+/// 0.
 inline void resolve_mono(const std::uint16_t* pixels, std::uint16_t width, std::byte* out) {
   for (std::uint32_t x = 0; x < width; x += 8) {
     std::uint32_t bits = 0;
@@ -39,7 +41,8 @@ inline void resolve_mono(const std::uint16_t* pixels, std::uint16_t width, std::
   }
 }
 
-/// Channels keep their upper 4 bits. `out` has bytes_per_row(width, rgb444) bytes; an odd last nibble is 0.
+/// Converts a row to rgb444: channels keep their upper 4 bits. `out` has bytes_per_row(width, rgb444) bytes; an odd
+/// last nibble is 0.
 inline void resolve_rgb444(const std::uint16_t* pixels, std::uint16_t width, std::byte* out) {
   const auto bits = [pixels](std::uint32_t x) {
     const std::uint32_t pixel = pixels[x];
@@ -55,7 +58,7 @@ inline void resolve_rgb444(const std::uint16_t* pixels, std::uint16_t width, std
   }
 }
 
-/// A byte a channel, widened by repeating the upper bits: xrgb8888 if `words`, else rgb666.
+/// Converts a row to one byte a channel, widened by repeating the upper bits: xrgb8888 if `words`, else rgb666.
 inline void resolve_wide(const std::uint16_t* pixels, std::uint16_t width, bool words, std::byte* out) {
   for (std::uint32_t x = 0; x < width; ++x) {
     const std::uint32_t pixel = pixels[x];
@@ -73,7 +76,7 @@ inline void resolve_wide(const std::uint16_t* pixels, std::uint16_t width, bool 
 
 using PixelPairs [[gnu::may_alias]] = std::uint32_t;
 
-/// `blocks` > 0 times sixteen pixels.
+/// Fills `blocks` > 0 blocks of sixteen pixels.
 inline void fill_blocks_portably(PixelPairs* to, std::uint32_t pair, std::uint32_t blocks) {
   for (; blocks >= 4; blocks -= 4, to += 32) {
     for (int i = 0; i < 32; ++i) to[i] = pair;
@@ -84,7 +87,7 @@ inline void fill_blocks_portably(PixelPairs* to, std::uint32_t pair, std::uint32
 }
 inline void fill_blocks(PixelPairs* to, std::uint32_t pair, std::uint32_t blocks) {
 #if defined(__arm__)
-  // Compilers make eight stores of it; store multiple is one of them.
+  // Compilers make eight stores of a loop; store multiple is one instruction.
   asm volatile(
       ".syntax unified\n\t"
       "movs r3, %2\n\tmovs r4, %2\n\tmovs r5, %2\n\tmovs r6, %2\n"
@@ -111,7 +114,7 @@ inline void fill_pixels(std::uint16_t* pixels, std::uint32_t count, std::uint16_
   for (; count != 0; --count) *pixels++ = colour;
 }
 
-/// Two pixels with swapped bytes.
+/// Swaps the bytes of each of two pixels.
 inline std::uint32_t swapped(std::uint32_t pair) {
 #if defined(__arm__) && __ARM_ARCH >= 6
   asm("rev16 %0, %1" : "=l"(pair) : "l"(pair));  // GCC 12 makes five instructions of the line below
@@ -121,8 +124,8 @@ inline std::uint32_t swapped(std::uint32_t pair) {
 #endif
 }
 
-/// Swaps the bytes of each pixel in place; two pixels at a time, in aligned words: where a word must be aligned
-/// (Cortex-M0) GCC calls memcpy for one that may not be.
+/// Swaps the bytes of each pixel in place, two pixels at a time, in aligned words. On processors that need aligned
+/// words (Cortex-M0), GCC calls memcpy for a word that may be misaligned.
 inline void swap_bytes(std::uint16_t* pixels, std::uint32_t count) {
   const auto swap = [](std::uint16_t& pixel) { pixel = static_cast<std::uint16_t>((pixel << 8) | (pixel >> 8)); };
   if (count != 0 && reinterpret_cast<std::uintptr_t>(pixels) % 4 != 0) swap(*pixels++), --count;
@@ -131,7 +134,7 @@ inline void swap_bytes(std::uint16_t* pixels, std::uint32_t count) {
   if (count != 0) swap(*reinterpret_cast<std::uint16_t*>(pairs));
 }
 
-/// convert_pixels. Inlined, so that where the compiler knows the format no other is linked.
+/// Implements convert_pixels. Inlined, so that only the known format is linked if the compiler knows it.
 [[gnu::always_inline]] inline void convert_rows(PixelFormat format, std::uint16_t width, std::uint16_t rows,
                                                 std::uint16_t* pixels, std::byte* out) {
   if (format == PixelFormat::rgb565) return;
