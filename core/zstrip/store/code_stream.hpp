@@ -1,4 +1,4 @@
-// Codes of any width in a record, most significant bit first.
+// Reads and writes codes of any width in a record, most significant bit first.
 #pragma once
 
 #include <cstddef>
@@ -6,19 +6,19 @@
 
 namespace zstrip::detail {
 
-/// Past the end come zeros; bytes_used() tells.
+/// Reads zeros after the end of the record; bytes_used() shows this.
 class CodeReader {
  public:
   CodeReader(const std::uint8_t* first, const std::uint8_t* end) : first_(first), next_(first), end_(end) {}
 
-  /// 1 <= width <= 16.
+  /// Returns the next code, unsigned. 1 <= width <= 16.
   std::uint32_t code(std::uint32_t width) {
     refill(width);
     const std::uint32_t value = bits_ >> (32 - width);
     consume(width);
     return value;
   }
-  /// The same in two's complement.
+  /// Returns the next code, in two's complement. 1 <= width <= 16.
   std::int32_t signed_code(std::uint32_t width) {
     refill(width);
     const std::int32_t value = static_cast<std::int32_t>(bits_) >> (32 - width);
@@ -26,7 +26,7 @@ class CodeReader {
     return value;
   }
 
-  /// Bytes of which a bit was taken; more than there are if codes were missing.
+  /// Returns the bytes from which a bit was taken; more than the record has if codes were missing.
   std::size_t bytes_used() const { return static_cast<std::size_t>(next_ - first_) + missing_ - available_ / 8; }
 
  private:
@@ -54,24 +54,24 @@ class CodeReader {
   const std::uint8_t* first_;
   const std::uint8_t* next_;
   const std::uint8_t* end_;
-  std::uint32_t bits_ = 0;       ///< from the top
-  std::uint32_t available_ = 0;  ///< of them
-  std::uint32_t missing_ = 0;    ///< bytes beyond the end
+  std::uint32_t bits_ = 0;       ///< unread bits, from the highest bit on
+  std::uint32_t available_ = 0;  ///< number of unread bits
+  std::uint32_t missing_ = 0;    ///< bytes read after the end
 };
 
-/// Precondition: the codes fit.
+/// Precondition: the codes fit into the record.
 class CodeWriter {
  public:
   explicit CodeWriter(std::uint8_t* next) : next_(next) {}
 
-  /// The low `width` bits, 0..16.
+  /// Appends the low `width` bits of `code`; 0 <= width <= 16.
   void append(std::uint32_t code, std::uint32_t width) {
     bits_ = bits_ << width | (code & ((std::uint32_t{1} << width) - 1));
     for (pending_ += width; pending_ >= 8; pending_ -= 8) {
       *next_++ = static_cast<std::uint8_t>(bits_ >> (pending_ - 8));
     }
   }
-  /// Fills the last byte with zeros; returns where the next one belongs.
+  /// Fills the last byte with zeros; returns the address after it.
   std::uint8_t* finish() {
     if (pending_ > 0) append(0, 8 - pending_);
     return next_;
@@ -80,7 +80,7 @@ class CodeWriter {
  private:
   std::uint8_t* next_;
   std::uint32_t bits_ = 0;
-  std::uint32_t pending_ = 0;  ///< of bits_, not written yet
+  std::uint32_t pending_ = 0;  ///< number of bits in bits_ that are not written yet
 };
 
 }  // namespace zstrip::detail

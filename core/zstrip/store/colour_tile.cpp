@@ -12,10 +12,11 @@ namespace zstrip {
 namespace {
 
 constexpr std::uint32_t kMaxColours = 16;
-constexpr std::uint8_t kDifferences = 0x80;   // in the first byte; else it is the number of colours of a palette
+constexpr std::uint8_t kDifferences = 0x80;   // bit of the first byte; without it the byte is the number of a palette's
+                                              // colours
 constexpr std::uint32_t kDifferenceHead = 4;  // first byte, width of blue, first pixel
 
-/// Bits of a palette's index.
+/// Returns the bits of a palette's index.
 constexpr std::uint32_t index_bits(std::uint32_t colours) { return colours <= 2 ? 1 : colours <= 4 ? 2 : 4; }
 constexpr std::uint32_t palette_bytes(std::uint32_t colours, std::uint32_t pixels) {
   return 1 + 2 * colours + (pixels * index_bits(colours) + 7) / 8;
@@ -27,10 +28,10 @@ void store(std::uint16_t value, std::uint8_t* bytes) {
   bytes[1] = static_cast<std::uint8_t>(value >> 8);
 }
 
-/// The colours of a tile in the order in which they appear.
+/// The colours of a tile, in the order in which they first appear.
 struct Palette {
   std::array<std::uint16_t, kMaxColours> colours{};
-  std::uint32_t count = 0;  ///< kMaxColours + 1: there are more
+  std::uint32_t count = 0;  ///< kMaxColours + 1: there are more colours
 
   std::uint32_t find(std::uint16_t colour) const {
     std::uint32_t index = 0;
@@ -52,7 +53,7 @@ struct Palette {
   }
 };
 
-/// Each channel in its place; a difference is modulo its bits: 5, 6, 5.
+/// The channels of a pixel, separated. A difference is modulo the channel's bits: 5, 6, 5.
 struct Channels {
   std::uint32_t r, g, b;
 
@@ -65,14 +66,14 @@ struct Channels {
 constexpr std::int32_t signed_from(std::uint32_t value, std::uint32_t bits) {
   return static_cast<std::int32_t>(value << (32 - bits)) >> (32 - bits);
 }
-/// In two's complement, without the most negative code; at least 1.
+/// Returns the bits of a difference in two's complement, without the most negative code; at least 1.
 constexpr std::uint32_t bits_of(std::int32_t difference) {
   return static_cast<std::uint32_t>(
              std::bit_width(static_cast<std::uint32_t>(difference < 0 ? -difference : difference))) +
          1;
 }
 
-/// From the pixel on the left; in the first column from the one above.
+/// Returns the difference from the pixel on the left; in the first column, from the pixel above.
 Channels difference_at(const TileView<const std::uint16_t>& tile, std::uint32_t x, std::uint32_t y) {
   const std::uint16_t* const row = tile.row(y);
   const Channels now = Channels::of(row[x]);
@@ -80,8 +81,8 @@ Channels difference_at(const TileView<const std::uint16_t>& tile, std::uint32_t 
   return {(now.r - before.r) & 0x1F, (now.g - before.g) & 0x3F, (now.b - before.b) & 0x1F};
 }
 
-/// Bits for the differences of each channel, 1..5, 1..6, 1..5. The most negative code of red stands for a literal: a
-/// pixel whose differences do not fit.
+/// Bits for the differences of each channel: 1..5, 1..6, 1..5. The most negative code of red marks a literal: a pixel
+/// whose differences do not fit.
 struct Widths {
   std::uint32_t r = 1, g = 1, b = 1;
 
@@ -94,7 +95,7 @@ struct Widths {
   std::uint32_t escape() const { return 1U << (r - 1); }
 };
 
-/// The widths with the shortest record among the likely ones.
+/// The widths with the shortest record among the widths that are tried.
 struct Differences {
   Widths widths;
   std::uint32_t bytes = UINT32_MAX;
@@ -157,7 +158,7 @@ void write_differences(const Differences& chosen, const TileView<const std::uint
   codes.finish();
 }
 
-/// For each pixel in the order of rows, `pixel(x, y)`.
+/// Sets each pixel to `pixel(x, y)`, row by row.
 template <typename Pixel>
 void fill(const TileView<std::uint16_t>& tile, Pixel pixel) {
   for (std::uint32_t y = 0; y < tile.height; ++y) {
@@ -169,7 +170,7 @@ void fill(const TileView<std::uint16_t>& tile, Pixel pixel) {
 bool decode_palette(const std::uint8_t* bytes, std::uint32_t size, const TileView<std::uint16_t>& tile) {
   const std::uint32_t count = *bytes;
   if (count < 2 || count > kMaxColours || palette_bytes(count, tile.area()) != size) return false;
-  std::array<std::uint16_t, kMaxColours> colours{};  // indices beyond the last colour give 0
+  std::array<std::uint16_t, kMaxColours> colours{};  // indices after the last colour read 0
   for (std::uint32_t i = 0; i < count; ++i) colours[i] = load(bytes + 1 + 2 * i);
   detail::CodeReader codes(bytes + 1 + 2 * count, bytes + size);
   const std::uint32_t bits = index_bits(count);

@@ -1,4 +1,4 @@
-// Covers in their three written forms.
+// Reads and writes the encoded kinds of covers.
 #include "zstrip/store/cover.hpp"
 
 #include <bit>
@@ -6,7 +6,7 @@
 namespace zstrip::detail {
 namespace {
 
-/// Cells x < split of a row.
+/// Returns a row's cells with x < split.
 constexpr std::uint32_t cells_before(std::uint32_t split) { return (1U << split) - 1; }
 
 constexpr bool is_leading(std::uint8_t row) { return (row & (row + 1U)) == 0; }

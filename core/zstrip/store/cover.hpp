@@ -1,4 +1,4 @@
-// Which cells of a tile a record speaks of: all, the first or the last ones of each row, or any, as a bitmap.
+// The cells of a tile that a record describes: all, the first or last cells of each row, or any cells, as a bitmap.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace zstrip::detail {
 
-/// The numbers are those of the record.
+/// The values are stored in the record.
 enum class CoverKind : std::uint8_t {
   all = 0,
   leading = 1,   ///< four bits a row: cells x < n
@@ -29,17 +29,16 @@ constexpr std::uint32_t cover_bytes(CoverKind kind, std::uint32_t height) {
   }
 }
 
-/// The low `width` bits.
+/// Returns a row with its `width` low bits set.
 constexpr std::uint8_t whole_row(std::uint32_t width) { return static_cast<std::uint8_t>((1U << width) - 1); }
 
-/// The cheapest kind that can encode `cover`. A row counts as leading or trailing when it is empty or full, too.
+/// Returns the cheapest kind that can encode `cover`. Empty and full rows also count as leading or trailing.
 CoverKind cover_kind(const Cover& cover, std::uint32_t width, std::uint32_t height);
 
 /// Writes cover_bytes(kind, height) bytes; `kind` must be able to encode `cover`.
 void write_cover(CoverKind kind, const Cover& cover, std::uint32_t width, std::uint32_t height, std::uint8_t* bytes);
 
-/// Reads cover_bytes(kind, height) bytes. Whatever they hold, no bit beyond `width` or `height` comes out
-/// set.
+/// Reads cover_bytes(kind, height) bytes. For any contents, bits outside `width` and `height` are 0 in the result.
 Cover read_cover(CoverKind kind, const std::uint8_t* bytes, std::uint32_t width, std::uint32_t height);
 
 inline std::uint32_t cells_in(const Cover& cover) {

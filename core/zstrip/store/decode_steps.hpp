@@ -1,4 +1,4 @@
-// Steps that the decoders of records share.
+// Steps that all decoders of records use.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace zstrip::detail {
 
-/// For each cell of a row, `step(x)`; unrolled where the row is whole.
+/// Calls `step(x)` for each cell of a row; unrolled for a row of full width.
 template <typename Step>
 [[gnu::always_inline]] inline void for_row(std::uint32_t width, Step step) {
   if (width == kTileSide) {
@@ -17,11 +17,11 @@ template <typename Step>
   }
 }
 
-/// Makes the compiler compute a chain of values one after the other. Left alone it computes them side by side, which
-/// takes more registers than Thumb-1 has and twice the time.
+/// Makes the compiler compute a chain of values one after the other. Otherwise it computes them in parallel, which
+/// needs more registers than Thumb-1 has and takes twice the time.
 [[gnu::always_inline]] inline void in_order(std::uint32_t& value) { asm("" : "+r"(value)); }
 
-/// Whether a row's cover has cell x. A shift and a sign: one instruction less on Thumb-1 than a mask.
+/// True if a row's cover has cell x. A shift and a test of the sign take one instruction less on Thumb-1 than a mask.
 [[gnu::always_inline]] inline bool covers(std::uint32_t row, std::uint32_t x) {
   std::uint32_t at_the_top = row << (31 - x);
   return static_cast<std::int32_t>(at_the_top) < 0;

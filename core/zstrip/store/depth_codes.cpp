@@ -1,5 +1,5 @@
-// Bits of codes run from the record's end towards its head: the last byte's highest bit comes first. So a word read for
-// the last codes reaches into the head, never outside the record, and codes need no check one by one.
+// Bits of codes are stored from the record's end towards its head: the highest bit of the last byte comes first. A word
+// read for the last codes then extends into the head, never outside the record, so that codes need no check each.
 #include "zstrip/store/depth_codes.hpp"
 
 #include <algorithm>
@@ -12,13 +12,13 @@ namespace {
 
 using Tile = TileView<std::uint16_t>;
 
-/// What is left of codes in groups of eight: bits up to `end`, low bytes from `low` on.
+/// The unread codes, in groups of eight: bits before `end`, low bytes from `low` on.
 struct Groups {
   const std::uint8_t* low;
   const std::uint8_t* end;
 };
 
-/// The bits of the `count` bytes before `end`, 1..4, in the order of the codes from the highest bit on.
+/// Returns the `count` bytes before `end` (1..4) as bits in the order of the codes, from the highest bit on.
 template <std::uint32_t count>
 [[gnu::always_inline]] inline std::uint32_t bits_before(const std::uint8_t* end) {
   std::uint32_t bits = 0;
@@ -26,7 +26,7 @@ template <std::uint32_t count>
   return bits;
 }
 
-/// Eight codes of `width` bits. A function for each width: so every shift is a constant.
+/// Unpacks eight codes of `width` bits. One function for each width, so that every shift is a constant.
 template <std::uint32_t width>
 [[gnu::noinline]] void unpack_eight(const std::uint8_t* end, const std::uint8_t* low, std::uint16_t* codes) {
   constexpr bool kHasLowBytes = width > 8;
@@ -44,7 +44,7 @@ template <std::uint32_t width>
       });
 }
 
-/// Takes a group with codes of a written width that must be there.
+/// Unpacks a group of codes of a written width. The caller has checked that the group lies in the record.
 [[gnu::always_inline]] inline void unpack_group(const Groups& groups, std::uint32_t written, std::uint16_t* codes) {
   const std::uint8_t *const end = groups.end, *const low = groups.low;
   switch (written) {
@@ -67,7 +67,7 @@ template <std::uint32_t width>
   }
 }
 
-/// Less than eight codes.
+/// Unpacks less than eight codes.
 void unpack_some(const Groups& groups, std::uint32_t width, std::uint32_t count, std::uint16_t* codes) {
   const bool has_low_bytes = width > 8;
   const std::uint32_t bits_each = has_low_bytes ? width - 8 : width;
@@ -82,9 +82,9 @@ void unpack_some(const Groups& groups, std::uint32_t width, std::uint32_t count,
   }
 }
 
-/// Codes one group after the other, `stride` cells apart; eight of them have room in each. Those behind the last of
-/// `count` codes may come out as anything. False if the codes are not all that lies between `groups`, which is preceded
-/// by 3 bytes and more.
+/// Unpacks the codes of one group after the other, `stride` cells apart; each group has room for eight codes. Codes
+/// after the last of `count` codes may have any value. Returns false if the codes do not fill `groups` exactly. At
+/// least 3 bytes must lie before `groups`.
 [[gnu::noinline]] bool unpack(Groups groups, std::uint32_t widths, std::uint32_t count, std::uint16_t* codes,
                               std::uint32_t stride) {
   const Groups all = groups;
@@ -103,7 +103,7 @@ void unpack_some(const Groups& groups, std::uint32_t width, std::uint32_t count,
   const std::uint32_t low_bytes = width > 8 ? count : 0;
   const std::uint32_t bits = count * (width > 8 ? width - 8 : width);
   if (static_cast<std::size_t>(groups.end - groups.low) != low_bytes + (bits + 7) / 8) return false;
-  // As eight codes, where what is read too much is codes as well.
+  // Eight codes are read: the surplus bytes are codes, too.
   if (all.end - groups.low >= 8 && groups.end - all.low >= 8) {
     unpack_group(groups, written, codes);
   } else {
@@ -114,18 +114,19 @@ void unpack_some(const Groups& groups, std::uint32_t width, std::uint32_t count,
 
 /// Consecutive rows of a tile.
 struct Rows {
-  std::uint16_t* row;          ///< the first one
-  const std::uint16_t* above;  ///< what it is predicted from
+  std::uint16_t* row;          ///< the first row
+  const std::uint16_t* above;  ///< the row above, from which the first row is predicted
   std::uint32_t stride, width, count;
-  std::uint32_t rise;  ///< of the first column's prediction: what `above` is more than the row above that
+  std::uint32_t rise;  ///< of the first column's prediction: `above` minus the row above it
 };
 
-/// cell = prediction + code for a row whose code at x is `code_at(x)`; `step(x)`s are made by `for_each`.
+/// Sets cell = prediction + code for a row. `code_at(x)` returns the code at x; `for_each` calls its argument for each
+/// x.
 template <Opcode predictor, typename CodeAt, typename ForEach>
 [[gnu::always_inline]] inline void predict_row(std::uint16_t* row, const std::uint16_t* above, std::uint32_t stride,
                                                std::uint32_t& rise, CodeAt code_at, ForEach for_each) {
   const std::uint16_t* const above2 = predictor == kColumn ? above - stride : nullptr;
-  // From the cell that the next one is predicted from to that.
+  // The difference from the cell that predicts the next cell to the next cell.
   std::uint32_t gradient = 0;
   std::uint32_t cell = 0;
   for_each([&](std::uint32_t x) __attribute__((always_inline)) {
@@ -146,7 +147,7 @@ template <Opcode predictor, typename CodeAt, typename ForEach>
   });
 }
 
-/// In place: the cells hold their codes. 8 columns.
+/// Predicts in place: the cells hold their codes. 8 columns.
 template <Opcode predictor>
 [[gnu::noinline]] void predict_whole(const Rows& rows) {
   std::uint16_t* row = rows.row;
@@ -162,10 +163,10 @@ template <Opcode predictor>
   }
 }
 
-/// Codes of the covered cells.
+/// The codes of the covered cells.
 struct CoveredCodes {
   const std::uint16_t* next;
-  const std::uint8_t* cover;  ///< of the next row
+  const std::uint8_t* cover;  ///< the cover of the next row
 };
 
 template <Opcode predictor>
@@ -198,10 +199,10 @@ template <Opcode predictor>
   codes.next = next;
 }
 
-/// All rows of a tile with `predict.operator()<predictor>(rows)`.
+/// Calls `predict.operator()<predictor>(rows)` for all rows of a tile.
 template <typename Predict>
 [[gnu::always_inline]] inline void predict_tile(Opcode opcode, std::uint16_t start, const Tile& tile, Predict predict) {
-  // Above the first row all cells are the start.
+  // The cells above the first row have the value `start`.
   const std::array<std::uint16_t, 2> start_cells{start, start};
   Rows rows{tile.cells, start_cells.data(), tile.stride, tile.width, 1, 0};
   predict.template operator()<kAlong>(rows);
@@ -211,7 +212,7 @@ template <typename Predict>
     rows.count = count;
   };
   std::uint32_t left = tile.height - 1;
-  if (opcode == kColumn && left != 0) {  // two rows make a column's slope
+  if (opcode == kColumn && left != 0) {  // a column's slope needs two rows
     go_on(1);
     --left;
     predict.template operator()<kDown>(rows);
@@ -225,7 +226,7 @@ template <typename Predict>
   }
 }
 
-/// start + code in covered cells, 0 in others.
+/// Sets covered cells to start + code, and other cells to 0.
 [[gnu::noinline]] void expand(const std::uint16_t* codes, const std::uint8_t* cover, std::uint32_t start,
                               const Tile& tile) {
   std::uint16_t* row = tile.cells;

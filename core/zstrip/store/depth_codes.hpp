@@ -8,9 +8,10 @@
 
 namespace zstrip::detail {
 
-/// `bytes`: what follows the cover in a record with opcode kAlong, kDown, kColumn or kOffset + 0..15. `cover`: cells
-/// that have codes; nullptr if all do and the tile has 8 columns. Cells without a code come out as anything. False if
-/// the bytes are no such record; reads only them, and less than 4 bytes before them, which must be there.
+/// Decodes the bytes after the cover of a record with opcode kAlong, kDown, kColumn or kOffset + 0..15. `cover`: the
+/// cells that have codes; nullptr if all cells have codes and the tile has 8 columns. Cells without a code may get any
+/// value. Returns false if the bytes are not such a record. Reads only these bytes, and less than 4 bytes before them,
+/// which must exist.
 bool decode_codes(const std::uint8_t* bytes, std::size_t size, Opcode opcode, const Cover* cover,
                   const TileView<std::uint16_t>& tile);
 

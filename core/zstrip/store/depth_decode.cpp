@@ -1,5 +1,4 @@
-// Records of depth back to cells. Every offset is checked before it is used; arithmetic is modulo 2^16 as in the
-// encoder.
+// Decodes records of depth. Every offset is checked before it is used; arithmetic is modulo 2^16 as in the encoder.
 #include <cstddef>
 
 #include "zstrip/store/decode_steps.hpp"
@@ -37,7 +36,7 @@ struct Bytes {
   }
 }
 
-/// 16.16 and modulo 2^32: the fraction bits of all fields end above bit 0.
+/// A plane in 16.16, modulo 2^32: the fraction bits of all fields end above bit 0.
 struct DecodedPlane {
   std::uint32_t start, step_x, step_y;
 };
@@ -45,8 +44,9 @@ struct DecodedPlane {
 template <std::uint32_t form_index>
 [[gnu::always_inline]] inline DecodedPlane read_plane(const std::uint8_t* bytes, std::uint32_t more_fraction) {
   constexpr PlaneForm kForm = kPlaneForms[form_index];
-  const std::uint32_t low = little_endian(bytes), high = little_endian(bytes + kForm.bytes - 4);  // they may overlap
-  // Each slope at the top of a word; in the longest form that along x begins in the low word.
+  const std::uint32_t low = little_endian(bytes), high = little_endian(bytes + kForm.bytes - 4);  // the two words may
+                                                                                                  // overlap
+  // Each slope is at the top of a word. In the longest form the slope along x begins in the low word.
   const std::uint32_t x = high << kForm.slope_bits | (kForm.bytes == 8 ? low >> 24 << 12 : 0);
   constexpr std::uint32_t kSlopeShift = 32U - kForm.slope_bits;
   const std::uint32_t up = 16U - kForm.start_fraction - more_fraction;  // up >= 1
@@ -56,7 +56,7 @@ template <std::uint32_t form_index>
   return {low << (16 - kForm.start_fraction), slope(x), slope(high)};
 }
 
-/// False if no form takes so many bytes.
+/// Returns false if no form has this size.
 [[gnu::always_inline]] inline bool read_plane(const std::uint8_t* bytes, std::size_t size, std::uint32_t more_fraction,
                                               DecodedPlane& plane) {
   static_assert(kPlaneForms[0].bytes == 5 && kPlaneForms[1].bytes == 6 && kPlaneForms[2].bytes == 8);
@@ -94,7 +94,7 @@ void decode_plane(const DecodedPlane& plane, const Tile& tile) {
   }
 }
 
-/// A plane alone; it must fill the rest of the record.
+/// Decodes a plane without a cover, which must fill the rest of the record.
 [[gnu::noinline]] bool decode_plane_record(const std::uint8_t* bytes, std::size_t size, std::uint32_t more_fraction,
                                            const Tile& tile) {
   DecodedPlane plane;
@@ -122,7 +122,7 @@ void decode_plane(const DecodedPlane& plane, const Tile& tile) {
   }
 }
 
-/// A plane for the covered cells over what the others hold.
+/// Writes a plane into the covered cells; the other cells do not change.
 [[gnu::noinline]] void decode_plane_over(const DecodedPlane& plane, const Cover& cover, const Tile& tile) {
   const std::uint32_t step = plane.step_x, step_y = plane.step_y, stride = tile.stride, width = tile.width;
   std::uint32_t row_start = plane.start;
@@ -150,7 +150,8 @@ void decode_plane(const DecodedPlane& plane, const Tile& tile) {
   }
 }
 
-/// The number of the first plane's form and what both planes' slopes have more in one byte, then the planes.
+/// Decodes two planes. One byte holds the number of the first plane's form and the additional fraction bits of both
+/// planes' slopes; the planes follow.
 bool decode_two_planes(const Bytes& bytes, const Cover& cover, const Tile& tile) {
   if (bytes.size() < 1) return false;
   const std::uint32_t forms = *bytes.next, form = forms >> 6;
@@ -171,7 +172,7 @@ constexpr bool has_codes(Opcode opcode) {
   return (opcode >= kAlong && opcode <= kColumn) || (opcode > kOffset && opcode < kOffset + 16U);
 }
 
-/// Every record that has a first byte.
+/// Decodes every record that is not empty.
 [[gnu::noinline]] bool decode_with_cover(const std::uint8_t* record, std::size_t size, const Tile& tile) {
   const auto kind = static_cast<CoverKind>(*record & 3U);
   const Opcode opcode = *record >> 2;
@@ -188,7 +189,7 @@ constexpr bool has_codes(Opcode opcode) {
   } else if (has_codes(opcode)) {
     decoded = decode_codes(bytes.next, bytes.size(), opcode, &cover, tile);
   }
-  // Offsets leave the others cleared.
+  // Records of offsets have already cleared the other cells.
   if (decoded && kind != CoverKind::all && opcode < kOffset) clear_uncovered(cover, tile);
   return decoded;
 }
@@ -202,14 +203,14 @@ bool decode_depth_tile(std::span<const std::byte> record, const TileView<std::ui
     decode_cleared(tile);
     return true;
   }
-  // The same bytes as unsigned numbers.
+  // The record's bytes as unsigned numbers.
   const auto* const first = reinterpret_cast<const std::uint8_t*>(record.data());
   if (record.size() >= 2 * tile.area()) {
     if (record.size() > 2 * tile.area()) return false;
     decode_raw(first, tile);
     return true;
   }
-  // Without a cover there is less to do.
+  // A record without a cover has a shorter path.
   if ((*first & 3) == 0) {
     const Opcode opcode = *first >> 2;
     if (opcode < kAlong) return decode_plane_record(first + 1, record.size() - 1, opcode, tile);

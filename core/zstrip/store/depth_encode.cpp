@@ -1,4 +1,4 @@
-// Cells to a short record: a plane or two where they fit, else the best of offsets and the three kinds of residuals.
+// Encodes cells as a short record: one plane or two if they fit, else the best of offsets and three kinds of residuals.
 #include <algorithm>
 #include <bit>
 
@@ -38,7 +38,7 @@ void write_raw(const CoveredCells& tile, std::uint8_t* next) {
   }
 }
 
-/// Bit fields, lowest bits first.
+/// Writes bit fields, lowest bits first.
 class FieldWriter {
  public:
   explicit FieldWriter(std::uint8_t* next) : next_(next) {}
@@ -68,21 +68,21 @@ void write_two_planes(const TwoPlanes& planes, std::uint8_t* next) {
   write_plane(planes.others, next + planes.first.form->bytes);
 }
 
-/// The covered cells as codes, row by row, in groups of eight that have a width each.
+/// The covered cells as codes, row by row, in groups of eight. Each group has a width.
 struct Coded {
   Opcode opcode = 0;
   std::uint16_t start = 0;
   std::array<std::int16_t, kTileCells> codes{};
   std::uint32_t count = 0;
-  std::array<std::uint8_t, kTileSide> widths{};  ///< as written
-  std::uint32_t bytes = 0;                       ///< beyond the cover
+  std::array<std::uint8_t, kTileSide> widths{};  ///< as encoded in the record
+  std::uint32_t bytes = 0;                       ///< after the cover
 
   std::uint32_t width_at(std::uint32_t code) const { return code_bits(widths[code / kTileSide]); }
 };
 
-/// As written: enough for all codes of a group in two's complement.
+/// Returns the encoded width that is enough for all codes of a group in two's complement.
 std::uint8_t group_width(const std::int16_t* codes, std::uint32_t count) {
-  std::uint32_t magnitudes = 0;  // of codes below 0 inverted
+  std::uint32_t magnitudes = 0;  // the bits of all codes, negative ones inverted
   bool any = false;
   for (; count != 0; --count, ++codes) {
     magnitudes |= static_cast<std::uint32_t>(*codes < 0 ? ~*codes : *codes);
@@ -100,7 +100,7 @@ void count_bytes(Coded& coded) {
   coded.bytes = code_head_bytes(coded.opcode, coded.count) + (bits + 7) / 8;
 }
 
-/// All cells as offsets from the middle between the least and the greatest one.
+/// Encodes the covered cells as offsets from the middle between the least and the greatest of them.
 Coded code_offsets(const CoveredCells& tile) {
   Coded coded;
   std::uint32_t least = 0xFFFF, greatest = 0;
@@ -125,7 +125,7 @@ Coded code_offsets(const CoveredCells& tile) {
   return coded;
 }
 
-/// Cells that are not covered take what is predicted, as in the decoder.
+/// Cells that are not covered get the predicted value, as in the decoder.
 Coded code_residuals(const CoveredCells& tile, Opcode predictor) {
   Coded coded;
   coded.opcode = predictor;
@@ -184,7 +184,7 @@ void write_codes(const Coded& coded, std::uint8_t* next) {
   std::reverse(next, writer.finish());
 }
 
-/// The record's first byte and the cover; returns what follows.
+/// Writes the record's first byte and the cover; returns the address after them.
 std::uint8_t* write_head(Opcode opcode, CoverKind kind, const Cover& cover, const CoveredCells& tile,
                          std::uint8_t* next) {
   *next++ = first_byte(opcode, kind);
@@ -192,8 +192,8 @@ std::uint8_t* write_head(Opcode opcode, CoverKind kind, const Cover& cover, cons
   return next + cover_bytes(kind, tile.height);
 }
 
-// Each of these writes a record that is shorter than the raw cells and returns its size, or 0 if it cannot. They stay
-// apart, so that the stack holds what one of them needs, not the sum.
+// Each of these functions writes a record that is shorter than the raw cells and returns its size, or 0 if it cannot.
+// They are not inlined, so that the stack holds the data of one of them, not of all.
 
 [[gnu::noinline]] std::uint32_t write_as_plane(const CoveredCells& tile, CoverKind kind, std::uint8_t* record) {
   const auto plane = fit_plane(tile);

@@ -1,5 +1,5 @@
-// The depth store: depth that outlives its strip, compressed without loss. 16-bit cells of any format in which 0 is
-// a cleared cell; the codec is made for depth that is linear over the picture, or nearly so.
+// The depth store: keeps depth after its strip is drawn, compressed without loss. Cells have 16 bits, in any format in
+// which 0 is a cleared cell; the codec is made for depth that is linear over the picture, or nearly so.
 #pragma once
 
 #include "zstrip/store/depth_tile.hpp"
@@ -17,12 +17,12 @@ class DepthStore : public detail::TileStore {
   constexpr DepthStore() : TileStore(detail::kDepthCodec) {}
 };
 
-/// Reads the blob of a DepthStore where it lies, in flash too. Nothing that the blob holds can make it read elsewhere.
+/// Reads the blob of a DepthStore in place, also in flash. Never reads outside the blob, for any contents.
 class DepthReader : public detail::TileReader {
  public:
   constexpr DepthReader() : TileReader(detail::kDepthCodec) {}
-  /// Error::store_damaged if these bytes do not begin with a depth store's index. The blob must stay alive; bytes
-  /// behind the last record do not matter. It does not look at the records: reading does.
+  /// Error::store_damaged if the bytes do not begin with a depth store's index. The blob must stay alive; bytes after
+  /// the last record are ignored. Records are not checked here, but when they are read.
   using TileReader::open;
 };
 

@@ -1,4 +1,4 @@
-// A bitmap of tiles, and rectangles out of it.
+// A bitmap of tiles, and the rectangles that are taken from it.
 #include "zstrip/store/dirty_tiles.hpp"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ bool DirtyTiles::take(Rect& cells) {
   if (first_row_ >= rows) return false;
   const std::uint32_t last = find(first, first_row_, false);
   std::uint32_t ty = first_row_;
-  // Below, only the same run: a longer one would be cut into pieces.
+  // Rows below are added only if they have the same run: a longer run would be cut into pieces.
   do {
     set(first, last, ty, false);
     ++ty;

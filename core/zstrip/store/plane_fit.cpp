@@ -1,5 +1,5 @@
-// A plane gives a cell exactly if cell <= plane < cell + 1 there. So the cells minus the slopes' part, the heights,
-// must lie within one code of each other: the slopes are searched for which their spread, a convex function, is least.
+// A plane gives a cell exactly if cell <= plane < cell + 1 there. So the heights (the cells minus the slopes' part)
+// must lie within one code of each other. The search minimises their spread, which is a convex function of the slopes.
 #include "zstrip/store/plane_fit.hpp"
 
 #include <algorithm>
@@ -11,17 +11,17 @@ namespace {
 constexpr std::uint32_t kFraction = 10;  // of slopes and heights while searching
 constexpr std::int32_t kOneCode = 1 << kFraction;
 
-/// No start of the search is so far from a plane's slopes; products of less stay below 2^31.
+/// A search never starts this far from the slopes of a plane; products of smaller spreads stay below 2^31.
 constexpr std::int32_t kFarOff = kOneCode * 64;
 constexpr int kMaxSteps = 4;
-/// Spreads that no search brings below one code: most tiles that are no plane end here.
+/// From this spread on no search gets below one code. Most tiles without a plane end here.
 constexpr std::int32_t kHopeless = kOneCode * 5 / 4;
 
 struct Slopes {
   std::int32_t x, y;
 };
 
-/// Least and greatest height.
+/// The least and the greatest height.
 struct Heights {
   std::int32_t least = INT32_MAX, greatest = INT32_MIN;
 
@@ -32,14 +32,14 @@ struct Heights {
   std::int32_t spread() const { return greatest - least; }
 };
 
-/// The same with the cells that have them.
+/// The least and the greatest height, and their cells.
 struct Extremes {
   std::int32_t least = INT32_MAX, greatest = INT32_MIN;
   std::int32_t low_x = 0, low_y = 0, high_x = 0, high_y = 0;
   std::int32_t spread() const { return greatest - least; }
 };
 
-/// The slopes that may be; empty if least > greatest.
+/// The possible slopes; empty if least > greatest.
 struct Interval {
   std::int32_t least, greatest;
   bool empty() const { return least > greatest; }
@@ -51,7 +51,8 @@ struct Interval {
 
 constexpr Interval kAnySlope{-(kOneCode << 16), kOneCode << 16};
 
-/// Two cells `distance` apart that differ by `difference` codes allow only slopes within a code of that.
+/// Cuts the interval to the slopes that two cells allow: they are `distance` apart and differ by `difference` codes,
+/// within one code.
 void cut_to(Interval& interval, std::int32_t difference, std::int32_t distance) {
   interval.cut((difference - 1) * kOneCode / distance - 1, (difference + 1) * kOneCode / distance + 1);
 }
@@ -74,12 +75,12 @@ class PlaneSearch {
   }
 
  private:
-  /// From the first and the last covered cell of each row.
+  /// Returns the slopes that the first and the last covered cell of each row allow.
   Interval slopes_along_x() const {
     Interval slopes = kAnySlope;
     for (std::uint32_t y = 0; y < tile_.height; ++y) {
       const std::uint32_t row = tile_.cover[y];
-      if ((row & (row - 1)) == 0) continue;  // fewer than two
+      if ((row & (row - 1)) == 0) continue;  // fewer than two covered cells
       const auto first = static_cast<std::uint32_t>(std::countr_zero(row));
       const auto last = static_cast<std::uint32_t>(std::bit_width(row)) - 1;
       cut_to(slopes, cell(last, y) - cell(first, y), static_cast<std::int32_t>(last - first));
@@ -101,8 +102,8 @@ class PlaneSearch {
     return slopes.least == kAnySlope.least ? Interval{0, 0} : slopes;
   }
 
-  /// From the middle of both intervals on, each step mends what is wrong with the highest and the lowest cell: nearly
-  /// always a few steps are enough.
+  /// Starts at the middle of both intervals. Each step changes the slopes along the line between the highest and the
+  /// lowest cell. A few steps are nearly always enough.
   void approach(const Interval& along_x, const Interval& along_y) {
     Slopes slopes{(along_x.least + along_x.greatest) >> 1, (along_y.least + along_y.greatest) >> 1};
     if (is_whole()) slopes = least_squares();
@@ -134,7 +135,7 @@ class PlaneSearch {
     for (std::int32_t x = along_x.least; x <= along_x.greatest && !done_; ++x) least_spread(x, along_y);
   }
 
-  /// For one slope along x; keeps the best slopes so far.
+  /// Searches the slopes along y for one slope along x; keeps the best slopes so far.
   std::int32_t least_spread(std::int32_t slope_x, Interval along_y) {
     std::array<Heights, kTileSide> rows;
     for (std::uint32_t y = 0; y < tile_.height; ++y) rows[y] = row_heights(y, slope_x);
@@ -164,7 +165,8 @@ class PlaneSearch {
     return std::all_of(tile_.cover.begin(), tile_.cover.end(), [](std::uint8_t row) { return row == 0xFF; });
   }
 
-  /// Of 8 x 8 cells: the sums of (2 x - 7) cell and (2 y - 7) cell by 672.
+  /// Returns the slopes of least squares for 8 x 8 cells: the sums of (2 x - 7) cell and (2 y - 7) cell, divided by
+  /// 672.
   Slopes least_squares() const {
     Slopes sums{0, 0};
     const std::uint16_t* cell = tile_.cells.data();
@@ -209,14 +211,15 @@ class PlaneSearch {
     return heights;
   }
 
-  /// The first start on a form's grid that lies above all heights; it fits if it is less than a code above the least.
+  /// Returns the first start on a form's grid that is not below any height. It fits if it is less than a code above the
+  /// least height.
   static std::int32_t start_above(std::int32_t greatest, const PlaneForm& form) {
     const std::uint32_t grid = kFraction - form.start_fraction;
     return (greatest + (1 << grid) - 1) >> grid << grid;
   }
   static bool fits(std::int32_t start, std::int32_t least) { return start < least + kOneCode; }
 
-  /// Keeps these slopes if they are the best so far. The search is over when the second form's start fits.
+  /// Keeps these slopes if they are the best so far. The search ends when the second form's start fits.
   void consider(const Slopes& slopes, std::int32_t least, std::int32_t greatest) {
     if (done_) return;
     done_ = fits(start_above(greatest, kPlaneForms[1]), least);
@@ -225,7 +228,7 @@ class PlaneSearch {
     best_ = slopes;
   }
 
-  /// The slopes rounded to what the form holds, down or up each.
+  /// Rounds the slopes, each up or down, to the precision of the form.
   std::optional<FittedPlane> in_form(const PlaneForm& form) const {
     const std::int32_t limit = std::int32_t{1} << (form.slope_bits - 1);
     const auto holds = [limit](std::int32_t slope, std::uint32_t dropped) {

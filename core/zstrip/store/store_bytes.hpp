@@ -1,4 +1,4 @@
-// How many bytes stores and sets of tiles take at most.
+// The largest number of bytes that stores and sets of tiles need.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +14,19 @@ inline constexpr std::uint32_t kGroupBytes = 4;
 inline constexpr std::uint8_t kStoreVersion = 1;
 
 constexpr std::uint32_t groups(const TileGrid& grid) { return (grid.tiles() + kTilesPerGroup - 1) / kTilesPerGroup; }
-/// Header, groups, sizes: what lies before the first record.
+/// Returns the bytes before the first record: header, groups and sizes.
 constexpr std::uint32_t index_bytes(const TileGrid& grid) {
   return kStoreHeaderBytes + kGroupBytes * groups(grid) + grid.tiles();
 }
 
 }  // namespace detail
 
-/// Bytes of a pool in which every rectangle of this size has room, whatever its cells hold.
+/// Returns the bytes of a pool that has room for every rectangle of this size, for any cells.
 constexpr std::uint32_t store_bytes_worst(std::uint32_t width, std::uint32_t height) {
   return detail::index_bytes({width, height}) + 2 * width * height;
 }
 
-/// Words of memory for the dirty tiles of a rectangle: a bit a tile, each row of tiles from a word on.
+/// Returns the words of memory for the dirty tiles of a rectangle: one bit a tile, each row of tiles starts at a word.
 constexpr std::uint32_t dirty_tile_words(std::uint32_t width, std::uint32_t height) {
   const TileGrid grid{width, height};
   return (grid.columns() + 31) / 32 * grid.rows();

@@ -1,4 +1,4 @@
-// Tiles of a stored rectangle: 8 x 8 cells of 16 bits; those at the right and lower border are what is left over.
+// Tiles of a stored rectangle: 8 x 8 cells of 16 bits. Tiles at the right and lower border may be smaller.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct TileView {
   constexpr std::uint32_t area() const { return width * height; }
 };
 
-/// How a rectangle of 1..4096 x 1..4096 cells is cut into tiles, numbered row by row.
+/// The division of a rectangle of 1..4096 x 1..4096 cells into tiles, numbered row by row.
 struct TileGrid {
   std::uint32_t width = 0, height = 0;  ///< cells; 0, 0: no tiles
 

@@ -1,5 +1,5 @@
-// Positions of records, and the gap that moves to wherever a record is replaced: records that are written one after the
-// other move nothing, and free bytes never lie in pieces.
+// Positions of records, and the gap, which moves to the record that is replaced. Writing records one after the other
+// moves no bytes, and the free bytes are always in one piece.
 #include "zstrip/store/tile_index.hpp"
 
 #include <cstring>
@@ -51,7 +51,7 @@ TileIndex::TileIndex(std::span<std::byte> pool, const TileGrid& grid, std::uint8
   const std::uint32_t header[kStoreHeaderBytes] = {
       'z', 's', kStoreVersion, kind, grid.width, grid.width >> 8, grid.height, grid.height >> 8};
   for (std::uint32_t i = 0; i < kStoreHeaderBytes; ++i) bytes_[i] = static_cast<std::byte>(header[i]);
-  // Every tile lies behind the gap, empty, at the very end.
+  // All tiles are empty and lie after the gap, at the end of the pool.
   std::memset(bytes_ + kStoreHeaderBytes, 0, index_bytes(grid) - kStoreHeaderBytes);
 }
 

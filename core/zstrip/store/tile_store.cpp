@@ -1,4 +1,4 @@
-// Stores of tiles: ranges are checked here, bytes in the index and in the codec.
+// Stores of tiles. This file checks ranges; the index and the codec check bytes.
 #include "zstrip/store/tile_store.hpp"
 
 #include <array>
@@ -8,9 +8,9 @@ namespace {
 
 constexpr std::uint32_t kMaxPool = 0x7FFFFFFF;  // positions and sums of them stay below 2^32
 
-/// The rows of one row of tiles that rows top..bottom - 1 touch, and whether they are all of them.
+/// The part of a row of tiles that lies in rows top..bottom - 1; `whole` if it is the whole row of tiles.
 struct RowsInTile {
-  std::uint32_t first, last;  ///< last is beyond the last one
+  std::uint32_t first, last;  ///< `last` is exclusive
   bool whole;
 
   RowsInTile(std::uint32_t top, std::uint32_t bottom, std::uint32_t ty, std::uint32_t tile_height)

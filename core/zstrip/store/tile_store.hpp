@@ -21,30 +21,30 @@ struct RowsView {
 
 namespace detail {
 
-/// What a store holds. The functions are those of depth_tile.hpp and colour_tile.hpp.
+/// The kind of data in a store. The functions are those of depth_tile.hpp and colour_tile.hpp.
 struct TileCodec {
-  std::uint8_t kind;  ///< in the header of a pool
-  Purpose purpose;    ///< in a Status
+  std::uint8_t kind;  ///< stored in the header of a pool
+  Purpose purpose;    ///< used in a Status
   std::uint32_t (*encode)(const TileView<const std::uint16_t>&, std::span<std::byte, kMaxTileRecord>);
   bool (*decode)(std::span<const std::byte>, const TileView<std::uint16_t>&);
 };
 
-/// Reading, common to all stores. Reads nothing outside the pool, whatever the pool holds.
+/// The reading part of all stores. Reads nothing outside the pool, for any contents.
 class TileReader {
  public:
   const TileGrid& grid() const { return index_.grid(); }
 
   /// Decodes a tile into grid().tile_width(tx) x grid().tile_height(ty) cells. Error::store_range if there is no such
-  /// tile, Error::store_damaged if its bytes are no record: its cells may then hold anything.
+  /// tile; Error::store_damaged if its bytes are not a record: its cells may then have any value.
   Status read_tile(std::uint32_t tx, std::uint32_t ty, std::uint16_t* cells, std::uint32_t stride) const;
-  /// The same for whole rows; cheapest where they are whole tiles. Stops at the first damaged tile.
+  /// Decodes whole rows; cheapest if they are whole tiles. Stops at the first damaged tile.
   Status read_rows(const RowsView<std::uint16_t>& rows) const;
-  /// Whether each tile's record lies where the index has it, none overlaps another, and each can be decoded.
+  /// Checks that each tile's record lies at its position in the index, does not overlap another, and can be decoded.
   Status validate() const;
 
  protected:
   explicit constexpr TileReader(const TileCodec& held) : codec_(&held) {}
-  /// Checks the header and that the index lies in the blob, which must stay alive.
+  /// Checks the header, and that the index lies in the blob. The blob must stay alive.
   Status open(std::span<const std::byte> blob);
 
   Status check_rows(std::uint32_t top, std::uint32_t rows) const;
@@ -54,25 +54,26 @@ class TileReader {
   TileIndex index_;
 };
 
-/// Writing, common to all stores. The pool must stay alive, and unchanged from outside.
+/// The writing part of all stores. The pool must stay alive, and must not be changed from outside.
 class TileStore : public TileReader {
  public:
-  /// An empty rectangle of width x height cleared cells (1..4096 each). Error::view_size; Error::store_full if `pool`
-  /// has no room for the index (`needed`). What the pool held does not matter.
+  /// Makes an empty rectangle of width x height cleared cells (1..4096 each). Error::view_size; Error::store_full if
+  /// `pool` has no room for the index (`needed`). The former contents of the pool do not matter.
   Status reset(std::span<std::byte> pool, std::uint32_t width, std::uint32_t height);
 
-  /// Encodes a tile of grid().tile_width(tx) x grid().tile_height(ty) cells, in the place of what it held. Tiles may be
-  /// written in any order, and again; it costs least in the order of rows. Error::store_range; Error::store_full if the
-  /// record has no room (`needed`, `available` in bytes of the whole pool): then every tile holds what it held before.
+  /// Encodes a tile of grid().tile_width(tx) x grid().tile_height(ty) cells, and replaces its old record. Tiles may be
+  /// written in any order, and repeatedly; the order of rows is the cheapest. Error::store_range; Error::store_full if
+  /// there is no room for the record (`needed`, `available` in bytes of the whole pool): then no tile has changed.
   Status write_tile(std::uint32_t tx, std::uint32_t ty, const std::uint16_t* cells, std::uint32_t stride);
-  /// The same for whole rows; tiles that reach beyond them keep their other rows. Cheapest where the rows are whole
-  /// tiles. Stops at the first tile that has no room: those before it are written, it and those after it are not.
+  /// Encodes whole rows. Tiles that are larger than these rows keep their other rows. Cheapest if the rows are whole
+  /// tiles. Stops at the first tile without room: the tiles before it are written, this tile and the tiles after it are
+  /// not.
   Status write_rows(const RowsView<const std::uint16_t>& rows);
 
-  /// Of the pool; the rest is free, in one piece.
+  /// Returns the bytes of the pool that are in use; the rest is free, in one piece.
   std::uint32_t bytes_used() const;
-  /// The store as a blob for a reader: the front of the pool, valid until the next write. Empty before a reset and if
-  /// the pool is damaged.
+  /// Returns the store as a blob for a reader: the front of the pool, valid until the next write. Empty before a reset
+  /// and if the pool is damaged.
   std::span<const std::byte> blob();
 
  protected:

@@ -1,6 +1,6 @@
-// From the corner whose row and column continue linearly for the longest, a first plane is guessed, and a second one
-// from another corner. If hardly a cell is far from both, the cells near the first guess are fitted exactly; what that
-// plane does not give is left to the second one.
+// Guesses a first plane from the corner whose row and column continue linearly for the longest distance, and a second
+// plane from another corner. If few cells are far from both planes, the cells near the first guess are fitted exactly.
+// The remaining cells are fitted to the second plane.
 #include "zstrip/store/two_planes.hpp"
 
 #include <algorithm>
@@ -9,18 +9,18 @@
 namespace zstrip::detail {
 namespace {
 
-/// Of slopes here: divisible by all distances in a tile, so that no division is needed.
+/// Scale of the slopes here. It is divisible by all distances in a tile, so that no division is needed.
 constexpr std::int32_t kScale = 840;
 constexpr std::array<std::int32_t, kTileSide> kReciprocal{0, 840, 420, 280, 210, 168, 140, 120};
-/// How far from the guess a cell of the first plane may lie. With more, cells of the second one spoil the fit.
+/// Largest distance of the first plane's cells from the guess. With more, cells of the second plane spoil the fit.
 constexpr std::int32_t kNear = kScale;
-/// Cells far from both guesses with which a fit may still succeed.
+/// Largest number of cells far from both guesses with which a fit is still tried.
 constexpr std::uint32_t kMaxStrays = 8;
 
-/// The cells from one on in equal steps, as far as they can be a plane's.
+/// The longest run of cells from one cell on, in equal steps, that can lie in one plane.
 struct Run {
   std::uint32_t length = 1;
-  std::int32_t slope = 0;  ///< a step, times kScale
+  std::int32_t slope = 0;  ///< for one step, times kScale
 
   Run(const std::uint16_t* cell, std::ptrdiff_t step, std::uint32_t most) {
     const std::int32_t first = *cell;
@@ -29,7 +29,7 @@ struct Run {
       cell += step;
       const std::int32_t low = std::max(least, (*cell - first - 1) * kReciprocal[length]);
       const std::int32_t high = std::min(greatest, (*cell - first + 1) * kReciprocal[length]);
-      if (low >= high) break;  // both bounds are open
+      if (low >= high) break;  // both bounds are exclusive
       least = low;
       greatest = high;
     }
@@ -42,7 +42,7 @@ struct Guess {
   std::uint32_t area = 0;
   std::uint32_t corner_x = 0, corner_y = 0;
 
-  /// From the corner in the last column or the last row, or the first ones.
+  /// Guesses from the corner in the first or last column and row.
   Guess(const CoveredCells& tile, bool right, bool bottom) {
     const std::uint32_t x = right ? tile.width - 1 : 0, y = bottom ? tile.height - 1 : 0;
     const std::uint16_t* const corner = tile.cells.data() + y * kTileSide + x;
@@ -57,7 +57,7 @@ struct Guess {
   }
 };
 
-/// The cells near a guess.
+/// Returns the cells near a guess.
 Cover near(const CoveredCells& tile, const Guess& guess) {
   Cover cover{};
   std::int32_t row_start = guess.start;
@@ -71,7 +71,7 @@ Cover near(const CoveredCells& tile, const Guess& guess) {
   return cover;
 }
 
-/// The best guess of those from corners that `cover` does not have; nullptr if it has all.
+/// Returns the best guess among the corners that are not in `cover`; nullptr if all are.
 const Guess* best_outside(const std::array<Guess, 4>& guesses, const Cover& cover) {
   const Guess* best = nullptr;
   for (const Guess& guess : guesses) {
@@ -81,7 +81,7 @@ const Guess* best_outside(const std::array<Guess, 4>& guesses, const Cover& cove
   return best;
 }
 
-/// Cells that are in neither cover.
+/// Counts the cells that are in neither cover.
 std::uint32_t cells_outside(const CoveredCells& tile, const Cover& a, const Cover& b) {
   std::uint32_t cells = 0;
   for (std::uint32_t y = 0; y < tile.height; ++y) {
@@ -90,7 +90,7 @@ std::uint32_t cells_outside(const CoveredCells& tile, const Cover& a, const Cove
   return cells;
 }
 
-/// The cells that a plane gives exactly, as the decoder computes them.
+/// Returns the cells that a plane gives exactly, with the decoder's arithmetic.
 Cover given(const CoveredCells& tile, const FittedPlane& plane) {
   const std::uint32_t up = 16U - plane.form->start_fraction, slope_up = up - plane.more_fraction;
   const std::uint32_t step_x = static_cast<std::uint32_t>(plane.slope_x) << slope_up;

@@ -12,7 +12,7 @@ struct TwoPlanes {
   Cover cover{};
   FittedPlane first, others;
 
-  std::uint32_t bytes() const { return 1U + first.form->bytes + others.form->bytes; }  ///< beyond the cover
+  std::uint32_t bytes() const { return 1U + first.form->bytes + others.form->bytes; }  ///< after the cover
 };
 
 /// All cells of the tile must be covered. Finds most pairs of planes that meet in one line, not all of them.
