@@ -1,4 +1,4 @@
-// Interpolates keyframes. Work once an instance and frame: products of 64 bits, one reciprocal, one division.
+// Interpolates keyframes. Runs once an instance and frame: products of 64 bits, one reciprocal, one division.
 #include "zstrip/animation.hpp"
 
 #include <bit>
@@ -24,7 +24,7 @@ constexpr bool in_range(const Vec3& scale) {
   return true;
 }
 
-/// How far `time` is from `from` to `to`, 0.16. from <= time < to.
+/// Returns the position of `time` between `from` and `to`, 0.16. from <= time < to.
 std::uint32_t fraction(std::uint32_t from, std::uint32_t time, std::uint32_t to) {
   std::uint32_t length = to - from, passed = time - from;
   const int shift = 16 - std::countl_zero(length);
@@ -33,7 +33,8 @@ std::uint32_t fraction(std::uint32_t from, std::uint32_t time, std::uint32_t to)
 }
 
 detail::Interval find(std::span<const Keyframe> keyframes, std::uint32_t time) {
-  std::size_t low = 0, high = keyframes.size();  // all below low are not later than time, all from high on are
+  // Keyframes below `low` are not later than `time`; keyframes from `high` on are later.
+  std::size_t low = 0, high = keyframes.size();
   while (low < high) {
     const std::size_t middle = (low + high) / 2;
     if (keyframes[middle].time <= time) {
@@ -47,14 +48,15 @@ detail::Interval find(std::span<const Keyframe> keyframes, std::uint32_t time) {
   return {&from, &keyframes[low], fraction(from.time, time, keyframes[low].time)};
 }
 
-/// The rotation's rows, 16.16, of a quaternion that need not be of unit length.
+/// Sets the rows of the rotation, 16.16, from a quaternion, which need not be of unit length.
 void rotate(const detail::Quaternion& quaternion, Fixed (&m)[3][3]) {
   const std::int64_t q[4] = {quaternion.x, quaternion.y, quaternion.z, quaternion.w};
-  std::uint32_t square = 0;  // 2.30, at least a quarter: neighbours are at most a right angle apart
+  std::uint32_t square = 0;  // 2.30, at least a quarter: adjacent keyframes are at most 90 degrees apart as vectors of
+                             // four
   for (const std::int64_t c : q) square += static_cast<std::uint32_t>((c * c) >> 30);
   const int zeros = std::countl_zero(square);
   const std::int64_t inverse = zstrip::reciprocal(square << zeros);  // 2^62 / (square 2^zeros)
-  // 2 q_i q_j / |q|^2 in 16.16, to nearest.
+  // 2 q_i q_j / |q|^2 in 16.16, rounded to nearest.
   const auto twice = [&](int i, int j) {
     const int shift = 45 - zeros;
     const std::int64_t product = ((q[i] * q[j]) >> 30) * inverse;

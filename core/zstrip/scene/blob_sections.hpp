@@ -1,7 +1,7 @@
-// The layout of a scene blob: header, table of sections, and the one list of what lies in which section. The reader
-// (scene_blob.cpp) and the writer (host-sim/bake) both go through that list; the format is in docs/formats.md.
-// What is new gets a line in for_each_section, at its place in the alphabet: a new effect's settings are there by
-// themselves, as records of their own.
+// The layout of a scene blob: header, table of sections, and the only list of the sections' contents. Both the reader
+// (scene_blob.cpp) and the writer (host-sim/bake) use that list; docs/formats.md defines the format. Add a new section
+// as a line in for_each_section, in alphabetical order. Settings of a new effect then are in the blob automatically, as
+// records of their own.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@
 
 namespace zstrip::blob_layout {
 
-/// Four letters, the first in the highest byte: the order of numbers is that of the alphabet, capitals first. In a blob
-/// they stand as they are read.
+/// Four letters, the first in the highest byte, so that the numeric order is the alphabetical order, capitals first. In
+/// a blob the letters are stored in reading order.
 using Tag = std::uint32_t;
 
 constexpr Tag tag(const char (&letters)[5]) {
@@ -29,11 +29,12 @@ constexpr Tag tag(const char (&letters)[5]) {
   return value;
 }
 
-/// Whether a reader that does not know the section must refuse the blob: its tag begins with a capital letter. All
-/// others are skipped, because the picture is right without them.
+/// True if a reader that does not know the section must refuse the blob: the tag begins with a capital letter. A reader
+/// skips other unknown sections, because the picture is right without them.
 constexpr bool must_be_known(Tag tag) { return (tag & 0x20000000U) == 0; }
 
-/// The letters with a zero behind them, for messages; what cannot be printed is a question mark.
+/// Returns the letters with a zero after them, for messages; a question mark replaces each letter that is not
+/// printable.
 constexpr std::array<char, 5> name_of(Tag tag) {
   std::array<char, 5> name{};
   for (int i = 0; i < 4; ++i) {
@@ -53,8 +54,8 @@ struct Header {
 };
 inline constexpr std::uint32_t kChecked = 12;
 
-/// An entry of the table. Tags ascend. The first section begins behind the table, each other one where the one before
-/// it ends, both rounded up to kSceneBlobAlignment; the last one ends the blob.
+/// An entry of the table. Tags ascend. The first section begins after the table, each other section at the end of the
+/// one before, both rounded up to kSceneBlobAlignment. The last section ends the blob.
 struct Section {
   std::uint8_t letters[4];
   std::uint32_t offset;  ///< from the blob's first byte
@@ -65,12 +66,12 @@ struct Section {
   }
 };
 
-/// Some of the records of a section.
+/// A run of the records of a section.
 struct Range {
   std::uint32_t first, count;
 };
 
-// Records of what is not used as it lies.
+// Records of data that is not used in place.
 struct MeshRecord {
   Range positions, normals, colours, texcoords, triangles, meshlets;
   Vec3 centre, half_extent;
@@ -116,7 +117,7 @@ struct PictureRecord {
   std::uint8_t format, dither, samples;
   std::uint8_t effects;  ///< index into kPictureEffects, not one that is_gone
 };
-/// True for the numbers of depth formats that are gone: w16, z32.
+/// True for the numbers of removed depth formats: w16, z32.
 constexpr bool is_gone(std::uint8_t effects) { return effects == 5 || effects == 7; }
 struct AnimationRecord {
   std::uint32_t duration;
@@ -130,7 +131,7 @@ static_assert(sizeof(Header) == 16 && sizeof(Section) == 12 && sizeof(MeshRecord
               sizeof(ImageRecord) == 24 && sizeof(FontRecord) == 28 && sizeof(LabelRecord) == 24 &&
               sizeof(BaseRecord) == 8 && sizeof(PictureRecord) == 8 && sizeof(TurnRecord) == 4);
 
-/// What a SceneBlob has in another form than its blob.
+/// The data of a SceneBlob whose form in the blob is different.
 struct Records {
   std::span<const MeshRecord> meshes;
   std::span<const TextureRecord> textures;
@@ -140,7 +141,7 @@ struct Records {
   std::span<const FontRecord> fonts;
   std::span<const LabelRecord> labels;
   std::span<const Sprite> sprites;
-  // Of all meshes, textures, sets of lines and of edges, images, fonts and labels.
+  // The tables below hold the data of all meshes, textures, sets of lines and of edges, images, fonts and labels.
   std::span<const Position> positions;
   std::span<const Normal> normals;
   std::span<const Colour> colours;
@@ -162,7 +163,8 @@ struct Records {
 };
 
 /// Calls section(tag, where) for each section in the order of a blob. `where` is a span of any number of records, or a
-/// pointer to one, null for none; what every blob has is section.needed(tag, pointer).
+/// pointer to one record, which is null if there is none. Sections that every blob must have use section.needed(tag,
+/// pointer).
 template <class Blob, class RecordsOfBlob, class Visitor>
 constexpr void for_each_section(Blob& blob, RecordsOfBlob& records, Visitor& section) {
   section(tag("ANIM"), records.animation);
@@ -207,7 +209,7 @@ constexpr void for_each_section(Blob& blob, RecordsOfBlob& records, Visitor& sec
   section(tag("tree"), blob.tree.nodes);
 }
 
-/// Whether the tags that for_each_section calls it with ascend.
+/// A visitor that checks that for_each_section passes ascending tags.
 struct Order {
   Tag last = 0;
   bool holds = true;

@@ -12,7 +12,7 @@ using detail::magnitude;
 using detail::unit;
 using detail::Wide3;
 
-/// Of a cross product.
+/// True if a cross product is nearly zero.
 constexpr bool nearly_zero(const Wide3& v) {
   return detail::is_within(v, std::int64_t{1} << 36);  // 2^-16 of a unit vector, in 2.52
 }
@@ -21,7 +21,7 @@ constexpr bool nearly_zero(const Wide3& v) {
 
 bool usable(const Camera& camera) {
   const auto at_most_unit = [](const Vec3& axis) {
-    constexpr std::int32_t kMax = (std::int32_t{1} << 30) + 64;  // 2.30: rounding of a unit vector
+    constexpr std::int32_t kMax = (std::int32_t{1} << 30) + 64;  // 2.30, with the rounding of a unit vector
     const auto fits = [](std::int32_t c) { return c >= -kMax && c <= kMax; };
     return fits(axis.x) && fits(axis.y) && fits(axis.z);
   };
@@ -53,7 +53,7 @@ Status orbit(Camera& camera, const Vec3& target, Fixed radius, Angle phi, Angle 
   const auto times = [](std::int32_t a, std::int32_t b) {
     return static_cast<std::int32_t>((std::int64_t{a} * b) >> 30);  // 2.30
   };
-  // The rows of the text's matrix S, axes renamed (see docs/conventions.md); `back` is minus its third row.
+  // The rows of matrix S in the text, with renamed axes (see docs/conventions.md); `back` is the negative third row.
   camera.right = {cos_phi, 0, -sin_phi};
   camera.up = {-times(cos_theta, sin_phi), sin_theta, -times(cos_theta, cos_phi)};
   camera.back = {times(sin_theta, sin_phi), cos_theta, times(sin_theta, cos_phi)};
@@ -69,7 +69,7 @@ Status orbit(Camera& camera, const Vec3& target, Fixed radius, Angle phi, Angle 
 
 Status set_field_of_view(Camera& camera, Angle vertical_field_of_view) {
   if (vertical_field_of_view <= 0 || vertical_field_of_view >= kFullTurn / 2) return {.error = Error::camera};
-  // Half of an odd angle lies between two table angles: use cot(a/2) = (1 + cos a) / sin a.
+  // Half of an odd angle lies between two table angles, so use cot(a/2) = (1 + cos a) / sin a.
   const std::int64_t numerator = (std::int64_t{1} << 30) + cosine(vertical_field_of_view);
   const std::int64_t focal = (numerator << kFixedBits) / sine(vertical_field_of_view);
   if (focal < 1 || focal > 0x7FFFFFFF) return {.error = Error::camera};

@@ -1,4 +1,5 @@
-// Products of 32 bits. A vertex of one joint, which most are, needs no weights: the same bits.
+// Moves vertices with products of 32 bits. Most vertices have one joint and need no weights; the result has the same
+// bits.
 #include "zstrip/scene/move_vertices.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ struct Sum {
   std::int32_t x, y, z;
 };
 
-/// Over the joints of a vertex, `at_row`(row of a matrix) times the weights, which are together 256.
+/// Sums `at_row`(row of a matrix) times the weight over the joints of a vertex. The weights add up to 256.
 template <class AtRow>
 Sum weighted(const VertexJoints& vertex, const Transform* matrices, const AtRow& at_row) {
   std::int32_t x = 0, y = 0, z = 0, weight = vertex.weights[0] + 1;
@@ -39,7 +40,7 @@ std::size_t move_positions(std::span<const Position> from, std::span<const Verte
   const int shift = matrices.fraction_bits - 4;
   std::size_t outside = count;
   for (std::size_t i = 0; i < count; ++i) {
-    // Part by part: a Cortex-M0 calls memcpy for the whole of it.
+    // Copies each member, because a Cortex-M0 would call memcpy for the whole struct.
     const std::int32_t x = from[i].x, y = from[i].y, z = from[i].z;
     const VertexJoints& vertex = vertices[i];
     const auto at_row = [x, y, z, shift](const Fixed(&row)[4]) {
@@ -72,7 +73,7 @@ void move_normals(std::span<const Normal> from, std::span<const VertexJoints> ve
     const Normal& normal = from[i];
     const VertexJoints& vertex = vertices[i];
     const auto at_row = [&normal](const Fixed(&row)[4]) {
-      // Below 2^23, and below 2^20 before the weight.
+      // Below 2^20; below 2^23 with the weight added.
       return (row[0] * normal.x + row[1] * normal.y + row[2] * normal.z) >> 4;
     };
     Sum sum;
@@ -84,7 +85,8 @@ void move_normals(std::span<const Normal> from, std::span<const VertexJoints> ve
     }
     const UnitVector unit = direction_of(sum.x, sum.y, sum.z).unit;
     const auto square = static_cast<std::uint32_t>(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
-    const auto length = static_cast<std::int32_t>(root_of_word(square << 16) >> 4);  // 8.4; large roots are quicker
+    const auto length = static_cast<std::int32_t>(root_of_word(square << 16) >> 4);  // 8.4; the root of a large number
+                                                                                     // is faster
     const auto component = [length](std::int32_t c) {
       return static_cast<std::int8_t>(std::clamp<std::int32_t>((c * length + (1 << 17)) >> 18, -128, 127));
     };

@@ -9,27 +9,27 @@
 
 namespace zstrip::detail {
 
-/// Of positions to positions: the first three columns with `fraction_bits`, no row adding up to more than 2^16, the
-/// last 20.4. A sum over a vertex' joints does not wrap.
+/// Matrices from positions to positions. The first three columns have `fraction_bits`, and no row of them adds up to
+/// more than 2^16; the last column is 20.4. A sum over a vertex' joints does not overflow.
 struct JointMatrices {
   const Transform* of_joint;
   int fraction_bits;  ///< 6..14
 };
 
-/// What is wrong with the joint or the vertex of this index.
+/// Returns the error for the joint or the vertex of this index.
 constexpr Status wrong_skin(std::size_t index) {
   return {.error = Error::skin, .needed = static_cast<std::uint32_t>(index)};
 }
 
-/// The joints' matrices of a pose, into `work`. Errors as of skin_mesh.
+/// Writes the joints' matrices of a pose into `work`. Errors as in skin_mesh.
 Status make_matrices(const Skin& skin, std::span<const JointPose> pose, std::span<Transform> work, int& fraction_bits);
 
-/// Writes as many as `from` has; what would leave the box stays on its side. Returns the first of these; from.size():
-/// there is none.
+/// Writes as many positions as `from` has; positions outside of the box are moved to its side. Returns the index of the
+/// first of these, or from.size() if there is none.
 std::size_t move_positions(std::span<const Position> from, std::span<const VertexJoints> vertices,
                            const JointMatrices& matrices, std::span<Position> to);
 
-/// Their directions as the joints turn them, their lengths as they were: hulls of outlines have longer ones.
+/// Rotates normals with the joints. Their lengths do not change: hulls of outlines have normals longer than one.
 void move_normals(std::span<const Normal> from, std::span<const VertexJoints> vertices, const JointMatrices& matrices,
                   std::span<Normal> to);
 

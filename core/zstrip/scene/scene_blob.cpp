@@ -1,4 +1,4 @@
-// Opens a blob: every count, offset and value is checked before anything looks through it.
+// Opens a blob: every count, offset and value is checked before it is used.
 #include "zstrip/blob.hpp"
 
 #include <bit>
@@ -13,7 +13,7 @@
 namespace zstrip {
 namespace {
 
-// Records of the blob that are the program's own structures, byte for byte.
+// Some records of the blob are the program's own structures, byte for byte.
 static_assert(std::endian::native == std::endian::little, "blobs are little endian and used in place");
 static_assert(sizeof(Position) == 6 && sizeof(Normal) == 4 && sizeof(Colour) == 4 && sizeof(TexCoord) == 4);
 static_assert(sizeof(Triangle) == 6 && sizeof(Segment) == 4 && sizeof(Edge) == 8);
@@ -64,11 +64,10 @@ using blob_layout::Records;
 using blob_layout::Section;
 using blob_layout::Tag;
 
-/// Goes through the table of sections once, in the order of the list of those that are known; remembers what is wrong
-/// first.
+/// Reads the table of sections once, in the order of the list of known sections; keeps the first error.
 class Reader {
  public:
-  /// The envelope has been checked: header and table lie inside.
+  /// The envelope must have been checked: header and table lie inside the blob.
   explicit Reader(std::span<const std::byte> blob)
       : first_(blob.data()), size_(static_cast<std::uint32_t>(blob.size())) {
     const auto* const header = reinterpret_cast<const Header*>(first_);
@@ -83,10 +82,10 @@ class Reader {
   void require(bool holds, const void* culprit) {
     if (!holds) fail({.error = Error::blob_damaged, .needed = offset_of(culprit)});
   }
-  /// 0 or 1: a bool of any other value must not even be read as one.
+  /// Checks that a bool is 0 or 1: other values must not be read as a bool.
   void flag(const bool& value) { require(*reinterpret_cast<const std::uint8_t*>(&value) <= 1, &value); }
 
-  /// As blob_layout::for_each_section calls it.
+  /// The interface that blob_layout::for_each_section calls.
   template <class Record>
   void operator()(Tag tag, std::span<const Record>& where) {
     static_assert(alignof(Record) <= kSceneBlobAlignment);
@@ -103,14 +102,14 @@ class Reader {
     (*this)(tag, where);
     require(where != nullptr, next_);
   }
-  /// After the last section that is known.
+  /// To be called after the last known section.
   void finish() {
     (void)take(0xFFFFFFFF, 1);
     require(next_ == end_, next_);
     require(free_ == size_, first_ + free_);
   }
 
-  /// Those of `all` that a record has; none if they are not there.
+  /// Returns the part of `all` that a record refers to; empty if it is out of range.
   template <class Record>
   std::span<const Record> some(std::span<const Record> all, const Range& range) {
     if (!inside(range, all.size())) return {};
@@ -133,7 +132,8 @@ class Reader {
     require(holds, &range);
     return holds;
   }
-  /// Where the next section begins, if all of it lies where it must; then the one after it is next.
+  /// Returns the begin of the next section, or null if the section is not where it must be. Moves on to the section
+  /// after it.
   [[gnu::noinline]] const std::byte* step() {
     const Section& section = *next_++;
     const bool ascends = section.tag() > last_, follows = section.offset == free_;
@@ -146,11 +146,11 @@ class Reader {
     free_ = (section.offset + section.bytes + kSceneBlobAlignment - 1) & ~(kSceneBlobAlignment - 1);
     return first_ + section.offset;
   }
-  /// The records of this section, none if it is not there. Those before it are not known.
+  /// Returns the records of this section, or none if the section is missing. Sections before it are unknown.
   [[gnu::noinline]] Found take(Tag tag, std::uint32_t record_bytes) {
     while (next_ != end_ && next_->tag() < tag) {
       (void)step();
-      // One that stands there twice is no new one: step() has found that it does not ascend.
+      // A second section with a known tag does not come here as a new one: step() reports that tags do not ascend.
       if (blob_layout::must_be_known(last_)) fail({.error = Error::blob_section, .needed = last_});
     }
     if (next_ == end_ || next_->tag() != tag) return {nullptr, 0};
@@ -171,12 +171,12 @@ class Reader {
   std::uint32_t size_;
   const Section* next_;
   const Section* end_;
-  std::uint32_t free_;  ///< where the next section must begin
-  Tag last_ = 0;        ///< of the section before
+  std::uint32_t free_;  ///< the offset at which the next section must begin
+  Tag last_ = 0;        ///< the tag of the section before
   Status status_;
 };
 
-/// Everything that tells whether these bytes are a whole blob of this version.
+/// Checks that these bytes are a complete blob of this version.
 Status check_envelope(std::span<const std::byte> blob) {
   if (reinterpret_cast<std::uintptr_t>(blob.data()) % kSceneBlobAlignment != 0) return {.error = Error::blob_alignment};
   const auto damaged = [](std::size_t at) {
@@ -303,7 +303,7 @@ Label read_label(Reader& reader, const blob_layout::LabelRecord& record, const R
           .background = record.background};
 }
 
-/// What these records stand for, as a table in `memory`; then `memory` is what follows it.
+/// Converts the records to a table in `memory`, and moves `memory` to the end of the table.
 template <class Object, class Record>
 std::span<const Object> read_table(std::byte*& memory, std::span<const Record> records, Reader& reader,
                                    const Records& all, Object (*read)(Reader&, const Record&, const Records&)) {
@@ -313,9 +313,9 @@ std::span<const Object> read_table(std::byte*& memory, std::span<const Record> r
   return {table, records.size()};
 }
 
-/// Null if there is none.
+/// Returns the overlay, or null if there is none.
 const Overlay* read_overlay(Reader& reader, const Records& all, std::byte* memory) {
-  // Sprites and labels without what they are made of are damage.
+  // Sprites need images and labels need fonts; otherwise the blob is damaged.
   reader.require(all.sprites.empty() || !all.images.empty(), all.sprites.data());
   reader.require(all.labels.empty() || !all.fonts.empty(), all.labels.data());
   if (all.images.empty() && all.fonts.empty()) return nullptr;
@@ -329,7 +329,8 @@ const Overlay* read_overlay(Reader& reader, const Records& all, std::byte* memor
   return ::new (place) Overlay(overlay);
 }
 
-/// Each node but the first is the child of one before it, which it names; triangles follow the nodes. `scene` is valid.
+/// Checks the links of a tree: each node except the first is the child of an earlier node, and names it as its parent.
+/// Triangles are in the order of the nodes. `scene` must be valid.
 void check_tree(Reader& reader, std::span<const BspNode> nodes, const Scene& scene) {
   if (nodes.empty()) return;
   reader.require(scene.instances.size() == 1, nodes.data());
@@ -362,7 +363,7 @@ Status open_scene_blob(std::span<const std::byte> blob, std::span<std::byte> mem
   Records records;
   blob_layout::for_each_section(found, records, reader);
   reader.finish();
-  // Without what every blob has there is nothing to look at.
+  // The sections that every blob must have are missing: nothing more can be checked.
   if (!reader.status()) return reader.status();
   check_camera(reader, *records.camera);
   if (found.turning_camera != nullptr) check_camera(reader, *found.turning_camera);

@@ -14,14 +14,14 @@ namespace {
 
 using detail::Quaternion;
 
-/// |q|^2 in 2.30, of 1.15.
+/// Returns |q|^2 in 2.30, of a quaternion in 1.15.
 std::uint32_t square_of(const std::int16_t (&q)[4]) {
   std::uint32_t sum = 0;  // four products of at most 2^30 fit
   for (const std::int32_t c : q) sum += static_cast<std::uint32_t>(c * c);
   return sum;
 }
 
-/// To 1.15, of unit length again; of no length at all it stays as it is.
+/// Normalises a quaternion and stores it in 1.15. A quaternion of length 0 does not change the pose.
 void set_rotation(JointPose& pose, const Quaternion& q) {
   const std::int64_t components[4] = {q.x, q.y, q.z, q.w};
   std::uint64_t square = 0;  // 4.60
@@ -31,10 +31,10 @@ void set_rotation(JointPose& pose, const Quaternion& q) {
   for (int i = 0; i < 4; ++i) pose.rotation[i] = static_cast<std::int16_t>(components[i] * 32767 / length);
 }
 
-/// What an entry of a joint's matrix must stay below, 16.16.
+/// Upper limit for the entries of a joint's matrix, 16.16.
 constexpr std::int64_t kMaxEntry = std::int64_t{1} << 24;
 
-/// `to` = a b, both affine, 16.16, entries of `a` below kMaxEntry. False if it leaves the range.
+/// Sets `to` = a b, both affine, 16.16, entries of `a` below kMaxEntry. Returns false if the result is out of range.
 bool multiply(const Transform& a, const Transform& b, Transform& to) {
   Transform result;
   for (int row = 0; row < 3; ++row) {
@@ -52,17 +52,17 @@ bool multiply(const Transform& a, const Transform& b, Transform& to) {
   return true;
 }
 
-/// A joint's matrix must keep every place of the mesh's box within so many boxes, 20.4: then no sum wraps.
+/// Limit for the positions to which a joint's matrix moves the mesh's box, 20.4: then no sum overflows.
 constexpr std::int64_t kReach = std::int64_t{8} * 32768 * 16;
 
-/// Between spaces of a mesh, and those of its positions.
+/// The mapping between the space of a mesh and the space of its positions.
 struct Grid {
   Vec3 centre;
   Fixed half;  ///< 16.16
   int bits;    ///< fraction bits of a matrix' first three columns, at most 14: no row adds up to more than 2^16
 
-  /// `bind`: from the mesh as it was modelled to the mesh as the joint moves it. `to`: the same of positions, the last
-  /// column 20.4. False if a place may be led too far away.
+  /// Converts `bind`, from the mesh as it was modelled to the mesh as the joint moves it, to a matrix for positions,
+  /// whose last column is 20.4. Returns false if a position may be moved too far away.
   bool turn(const Transform& bind, Transform& to) const {
     const std::int64_t centres[3] = {centre.x, centre.y, centre.z};
     Transform grid;
@@ -85,9 +85,10 @@ struct Grid {
   }
 };
 
-/// So many that no row of the matrices adds up to more than 2^16. Entries are below kMaxEntry: no less than 6.
+/// Returns the largest number of fraction bits with which no row of the matrices adds up to more than 2^16. It is at
+/// least 6, because entries are below kMaxEntry.
 int fraction_bits(std::span<const Transform> matrices) {
-  std::uint32_t largest = 0;  // 16.16, of three entries
+  std::uint32_t largest = 0;  // 16.16, sum of three entries
   for (const Transform& matrix : matrices) {
     for (const auto& row : matrix.m) {
       std::uint32_t sum = 0;
@@ -96,7 +97,7 @@ int fraction_bits(std::span<const Transform> matrices) {
     }
   }
   int bits = 14;
-  // Less by what the three entries lost here, and gain when they are rounded.
+  // Subtract the amount that three entries lose here and gain when they are rounded.
   while (largest >= kFixedOne - 8U) largest >>= 1, --bits;
   return bits;
 }
@@ -120,7 +121,7 @@ Status detail::make_matrices(const Skin& skin, std::span<const JointPose> pose, 
     return detail::wrong_skin(0);
   for (std::size_t i = 0; i < joints; ++i) {
     if (square_of(pose[i].rotation) < 1U << 28)
-      return detail::wrong_skin(i);  // shorter than a half: no direction to turn in
+      return detail::wrong_skin(i);  // shorter than a half: no direction to rotate to
     const Transform own =
         detail::placed(detail::between(pose[i].rotation, pose[i].rotation, 0), pose[i].translation, pose[i].scale);
     const std::uint16_t parent = skin.joints[i].parent;
@@ -135,7 +136,7 @@ Status detail::make_matrices(const Skin& skin, std::span<const JointPose> pose, 
   }
   bits = fraction_bits(work);
   const Grid grid{mesh.centre, mesh.half_extent.x, bits};
-  // A joint that moves none of these vertices may be as far away as other meshes of its skeleton need it.
+  // Joints that move none of these vertices may be far away: other meshes of the skeleton may need them there.
   for (std::size_t i = 0; i < joints; ++i) {
     if (!grid.turn(work[i], work[i]) && has_weight(skin, i)) return detail::wrong_skin(i);
   }

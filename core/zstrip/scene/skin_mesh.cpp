@@ -9,7 +9,7 @@
 namespace zstrip {
 namespace {
 
-/// The sphere around the box of a meshlet's vertices.
+/// Sets the meshlet's sphere: its centre is that of the bounding box of the vertices, its radius reaches all of them.
 void bound(Meshlet& meshlet, std::span<const Position> positions) {
   std::int32_t low[3] = {32767, 32767, 32767}, high[3] = {-32768, -32768, -32768};
   const std::span vertices = positions.subspan(meshlet.first_vertex, meshlet.vertex_count);

@@ -1,5 +1,4 @@
-// What moves where a scene without an animation is shown over several frames: it makes a full turn about the world's y
-// axis.
+// Motion of a scene without an animation over several frames: a rotation by 360 degrees about the world's y axis.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +7,16 @@ namespace zstrip {
 
 enum class Turning : std::uint8_t {
   instances_and_lines,
-  instances,  ///< lines and points stand still
-  camera,     ///< it goes around what stands still
+  instances,  ///< lines and points do not move
+  camera,     ///< the camera moves around the scene, which does not move
   nothing,
 };
 
-/// Spheres, ellipsoids and lights stand still in any case.
+/// Spheres, ellipsoids and lights never move.
 struct Turn {
   Turning what = Turning::instances_and_lines;
-  std::uint16_t still_instances = 0;  ///< so many, the first ones, stand still: those of a static layer
+  std::uint16_t still_instances = 0;  ///< number of instances at the front of the list that do not move: the instances
+                                      ///< of a static layer
   friend constexpr bool operator==(const Turn&, const Turn&) = default;
 };
 

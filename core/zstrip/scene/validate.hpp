@@ -1,7 +1,6 @@
-// Checks a scene once, before it is drawn any number of times. constexpr, so that a baked scene is checked by the
-// compiler:
+// Checks a scene once, before it is drawn any number of times. constexpr, so that the compiler can check a baked scene:
 //     static_assert(validate(scene));
-// What passes here cannot make the renderer read or write outside the scene's and the caller's memory.
+// A scene that passes cannot make the renderer read or write outside the scene's and the caller's memory.
 #pragma once
 
 #include "zstrip/effects.hpp"
@@ -67,7 +66,7 @@ constexpr bool valid_transform(const Transform& transform) {
   return true;
 }
 
-/// Whether no axis is longer than an entry may be: turned, it may come to lie along one of the world's.
+/// True if no axis is longer than an entry may be: after a rotation it may lie along an axis of the world.
 constexpr bool is_turnable(const Transform& transform) {
   for (int column = 0; column < 3; ++column) {
     std::int64_t square = 0;
@@ -82,7 +81,7 @@ constexpr bool valid_instance(const Scene& scene, const Instance& instance) {
          valid_transform(instance.transform);
 }
 
-/// Quadrics have no finish, and only directional lights reach them: a material that needs more is refused.
+/// Quadrics have no finish, and only directional lights light them: a material that needs more is refused.
 constexpr bool valid_quadric(const Scene& scene, const Quadric& quadric) {
   if (quadric.material >= scene.materials.size() || !valid_transform(quadric.transform)) return false;
   const Material& material = scene.materials[quadric.material];
@@ -92,7 +91,7 @@ constexpr bool valid_quadric(const Scene& scene, const Quadric& quadric) {
          (!material.lit || scene.punctual_lights.empty());
 }
 
-/// What lines would be drawn without is refused.
+/// Refuses properties of materials that lines ignore.
 constexpr bool valid_lines(const Scene& scene, const LineSet& lines) {
   if (lines.mesh >= scene.meshes.size() || lines.material >= scene.materials.size()) return false;
   const Material& material = scene.materials[lines.material];
@@ -124,13 +123,13 @@ constexpr bool valid_texcoords(const Scene& scene, const Instance& instance) {
   return true;
 }
 
-/// An environment map needs normals.
+/// False if an environment map has no normals to use.
 constexpr bool can_mirror(const Scene& scene, const Instance& instance) {
   return !is_environment(finish_of(scene, scene.materials[instance.material]).filter) ||
          !scene.meshes[instance.mesh].normals.empty();
 }
 
-/// `i`: index of a set.
+/// Checks a set of edges; `i` is its index.
 constexpr bool valid_edges(const Scene& scene, std::size_t i) {
   const EdgeSet& set = scene.edges[i];
   if (set.mesh >= scene.meshes.size() || (i != 0 && set.mesh <= scene.edges[i - 1].mesh)) return false;
@@ -146,7 +145,7 @@ constexpr bool valid_fog(const Fog& fog) {
   return fog.mode <= FogMode::exponential_squared && fog.start >= 0 && fog.start < fog.end && fog.density >= 0;
 }
 
-/// Words that a texture of this size, format and number of levels has.
+/// Returns the words that a texture of this size, format and number of levels has.
 constexpr std::size_t texel_words(const Texture& texture) {
   std::size_t words = has_palette(texture.format) ? std::size_t{1} << index_bits(texture.format) : 0;
   std::uint32_t log2_width = texture.log2_width, log2_height = texture.log2_height;
@@ -169,26 +168,26 @@ constexpr bool valid_finish(const Finish& finish) {
   return known && finish.alpha_mode <= AlphaMode::blend;
 }
 
-/// Without its instances' materials.
+/// Checks an outline without the materials of its instances.
 constexpr bool valid_outline(const Scene& scene, const Outline& outline) {
   const bool has_hull =
       outline.hull == kOwnMesh || (outline.hull < scene.meshes.size() && !scene.meshes[outline.hull].normals.empty());
   return outline.width >= 1 && outline.width <= kMaxOutlineWidth && has_hull;
 }
 
-/// A far side would be seen through a mask or glass. Indices have been checked.
+/// False for masked and blended materials: the far side of the hull would be seen through them. Indices must be valid.
 constexpr bool can_have_outline(const Scene& scene, const Instance& instance, const Outline& outline) {
   const std::uint8_t finish = scene.materials[instance.material].finish;
   return !scene.meshes[hull_of(outline, instance)].normals.empty() &&
          (finish == kNoFinish || scene.finishes[finish].alpha_mode == AlphaMode::opaque);
 }
 
-/// Whether a fragment that must stay hidden can be kept hidden by a code nearer than any.
+/// True if the depth test passes farther fragments: then the nearest code in a cell does not keep a fragment hidden.
 constexpr bool asks_for_farther(const Material& material) {
   return (static_cast<unsigned>(material.depth_test) & static_cast<unsigned>(DepthTest::farther)) != 0;
 }
 
-/// Of begin_frame, too: lights and materials may change between frames.
+/// Checks the shadow. begin_frame calls it, too: lights and materials may change between frames.
 constexpr bool valid_shadow(const Scene& scene, const Shadow& shadow) {
   if (shadow.light >= scene.lights.size() || shadow.log2_size < kMinShadowLog2 || shadow.log2_size > kMaxShadowLog2 ||
       shadow.slope_bias < 0) {
@@ -200,7 +199,7 @@ constexpr bool valid_shadow(const Scene& scene, const Shadow& shadow) {
   return true;
 }
 
-/// A solid without holes whose surface a z-buffer can hold. Indices of instances have been checked.
+/// True if the instance is a solid without holes whose surface a z-buffer can hold. Indices of instances must be valid.
 constexpr bool can_be_operand(const Scene& scene, const Instance& instance) {
   const Mesh& mesh = scene.meshes[instance.mesh];
   const Material& material = scene.materials[instance.material];
@@ -208,7 +207,7 @@ constexpr bool can_be_operand(const Scene& scene, const Instance& instance) {
          finish_of(scene, material).alpha_mode == AlphaMode::opaque;
 }
 
-/// `i`: index of an operand.
+/// Checks an operand; `i` is its index.
 constexpr bool valid_csg_operand(const Scene& scene, std::size_t i) {
   const CsgOperand& operand = scene.csg[i];
   if (operand.instance >= scene.instances.size() || operand.use > CsgUse::subtracted ||
@@ -232,7 +231,7 @@ constexpr bool valid_texture(const Texture& texture) {
 
 }  // namespace detail
 
-/// Instances, quadrics and lines move between frames: begin_frame calls this for them again.
+/// Checks instances, quadrics and lines. begin_frame calls this again, because they move between frames.
 constexpr Status validate_instances(const Scene& scene) {
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     if (!detail::valid_instance(scene, scene.instances[i])) return {.error = Error::instance, .needed = i};
@@ -261,9 +260,8 @@ constexpr Status validate_instances(const Scene& scene) {
   return {};
 }
 
-/// Every index, count and range of the scene. Time: linear in its triangles, and in the vertices of each textured
-/// instance. Status::needed is the index of the
-/// culprit.
+/// Checks every index, count and range of the scene. Time: linear in its triangles, and in the vertices of each
+/// textured instance. Status::needed is the index of the invalid element.
 constexpr Status validate(const Scene& scene) {
   for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
     if (!detail::valid_mesh(scene.meshes[i]) || scene.meshes[i].outline > scene.outlines.size()) {
